@@ -1,12 +1,13 @@
 # Scans and builds Relievo's VTK modules; each links only what its vtk.module names.
 
 include(RelievoStages)
-set(relievo_rooms describe shaders layers cameras passes/frame passes/gbuffer passes/shadows
+set(relievo_rooms describe shaders layers cameras rays passes/frame passes/gbuffer passes/shadows
   passes/deferred passes/effects passes materials io filters animation scene)
 set(relievo_module_files ${relievo_rooms})
 list(TRANSFORM relievo_module_files REPLACE "(.+)" "${CMAKE_CURRENT_SOURCE_DIR}/\\1/vtk.module")
 set(relievo_requested Relievo::Describe Relievo::Shaders Relievo::Layers Relievo::Cameras
-  Relievo::Passes Relievo::Materials Relievo::IO Relievo::Filters Relievo::Animation Relievo::Scene)
+  Relievo::Rays Relievo::Passes Relievo::Materials Relievo::IO Relievo::Filters Relievo::Animation
+  Relievo::Scene)
 # Of ParaView's plugin: not for Python, which reaches it through ParaView's server manager.
 set(relievo_plugin_modules)
 if (RELIEVO_USE_PARAVIEW)

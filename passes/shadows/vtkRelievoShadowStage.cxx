@@ -16,6 +16,7 @@
 #include "vtkRelievoFramePlan.h"
 #include "vtkRelievoLampMaps.h"
 #include "vtkRelievoLightSamples.h"
+#include "vtkRelievoPlainActor.h"
 #include "vtkRelievoShadowCertificate.h"
 #include "vtkRelievoShadowCertifier.h"
 #include "vtkRelievoShadowContext.h"
@@ -169,7 +170,7 @@ int vtkRelievoShadowStage::GetPropCasts(vtkProp* prop)
 //------------------------------------------------------------------------------
 void vtkRelievoShadowStage::AddPlainActorClass(RELIEVO_TEXT name)
 {
-  vtkRelievoCasterDraw::AddActorClass(name);
+  vtkRelievoPlainActor::AddClass(name);
 }
 
 //------------------------------------------------------------------------------

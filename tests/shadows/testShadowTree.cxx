@@ -54,7 +54,7 @@ void TestRefit(vtkOpenGLRenderWindow* window)
 {
   const auto first = MakeBall();
   const auto second = MakeBall();
-  std::vector<vtkRelievoCaster> casters(2);
+  std::vector<vtkRelievoPlacedMesh> casters(2);
   casters[0].Mesh = first;
   casters[1].Mesh = second;
   vtkRelievoShadowTree tree;
@@ -92,12 +92,12 @@ void TestTooMany(vtkOpenGLRenderWindow* window)
 {
   const auto ball = MakeBall();
   const auto places = std::make_shared<const std::vector<glm::mat4>>(1 << 20);
-  vtkRelievoCaster caster;
+  vtkRelievoPlacedMesh caster;
   caster.Mesh = ball;
   caster.Places = places;
   vtkRelievoShadowTree tree;
   const std::string fault =
-    tree.Update(window, std::vector<vtkRelievoCaster>(9, caster), glm::dvec3(0.));
+    tree.Update(window, std::vector<vtkRelievoPlacedMesh>(9, caster), glm::dvec3(0.));
   RELIEVO_CHECK_THAT(
     fault == "there are 9437184 casters and glyphs, and at most 8388608 can be followed", fault);
   RELIEVO_CHECK(tree.GetBytes() == 0);
@@ -113,7 +113,7 @@ void TestTooMany(vtkOpenGLRenderWindow* window)
 void TestSmallBuffers(vtkOpenGLRenderWindow* window)
 {
   const auto ball = MakeBall();
-  vtkRelievoCaster caster;
+  vtkRelievoPlacedMesh caster;
   caster.Mesh = ball;
   vtkRelievoShadowTree tree;
   RELIEVO_CHECK(tree.Update(window, { caster }, glm::dvec3(0.)).empty());

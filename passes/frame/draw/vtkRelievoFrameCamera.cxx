@@ -9,27 +9,6 @@
 #include "vtkRenderer.h"
 
 //------------------------------------------------------------------------------
-glm::dmat4 vtkRelievoToGlm(vtkMatrix4x4* matrix)
-{
-  glm::dmat4 out(1.0);
-  for (int row = 0; row < 4; ++row)
-  {
-    for (int column = 0; column < 4; ++column)
-    {
-      out[column][row] = matrix->GetElement(row, column);
-    }
-  }
-  return out;
-}
-
-//------------------------------------------------------------------------------
-bool vtkRelievoIsProjective(vtkMatrix4x4* matrix)
-{
-  return matrix->GetElement(3, 0) != 0.0 || matrix->GetElement(3, 1) != 0.0 ||
-    matrix->GetElement(3, 2) != 0.0 || matrix->GetElement(3, 3) != 1.0;
-}
-
-//------------------------------------------------------------------------------
 glm::mat4 vtkRelievoFrameCamera::GetProjection() const
 {
   return glm::mat4(this->ViewToNDC);

@@ -7,19 +7,12 @@
 #define vtkRelievoFrameCamera_h
 
 #include "vtkRelievoFrameModule.h" // for the export macro
+#include "vtkRelievoMatrix.h"
 
 #include <glm/mat4x4.hpp>
 
-class vtkMatrix4x4;
 class vtkRenderState;
 class vtkRenderer;
-
-// Column-major, as GLM has it.
-VTKRELIEVOFRAME_EXPORT glm::dmat4 vtkRelievoToGlm(vtkMatrix4x4* matrix);
-
-// Whether places need a division by w behind it. VTK draws them where they are then, and lights
-// them where they are without.
-VTKRELIEVOFRAME_EXPORT bool vtkRelievoIsProjective(vtkMatrix4x4* matrix);
 
 struct VTKRELIEVOFRAME_EXPORT vtkRelievoFrameCamera
 {

@@ -9,7 +9,6 @@
 
 #include "vtkActor.h"
 #include "vtkCamera.h"
-#include "vtkGlyph3DMapper.h"
 #include "vtkMatrix4x4.h"
 #include "vtkOpenGLCamera.h"
 #include "vtkOpenGLCellToVTKCellMap.h"
@@ -246,27 +245,6 @@ struct Block
   vtkPolyData* Mesh;
   vtkOpenGLCellToVTKCellMap* Map;
   int FlatIndex;
-};
-
-class GlyphMapper : public vtkGlyph3DMapper
-{
-public:
-  static vtkDataArray* MaskArray(vtkGlyph3DMapper* mapper, vtkDataSet* input)
-  {
-    return (mapper->*(&GlyphMapper::GetMaskArray))(input);
-  }
-  static vtkDataArray* SourceIndexArray(vtkGlyph3DMapper* mapper, vtkDataSet* input)
-  {
-    return (mapper->*(&GlyphMapper::GetSourceIndexArray))(input);
-  }
-  static vtkDataArray* OrientationArray(vtkGlyph3DMapper* mapper, vtkDataSet* input)
-  {
-    return (mapper->*(&GlyphMapper::GetOrientationArray))(input);
-  }
-  static vtkDataArray* ScaleArray(vtkGlyph3DMapper* mapper, vtkDataSet* input)
-  {
-    return (mapper->*(&GlyphMapper::GetScaleArray))(input);
-  }
 };
 
 #ifdef RELIEVO_VTK_COMPOSITE_HELPERS

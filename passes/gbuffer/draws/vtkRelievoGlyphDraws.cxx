@@ -13,9 +13,9 @@
 #include "vtkNew.h"
 #include "vtkOpenGLGlyph3DHelper.h"
 #include "vtkPolyData.h"
-#include "vtkRelievoAccess.h"
 #include "vtkRelievoCellGeometry.h"
 #include "vtkRelievoCellMap.h"
+#include "vtkRelievoGlyphArrays.h"
 #include "vtkShaderProgram.h"
 #include "vtkSmartPointer.h"
 
@@ -71,9 +71,9 @@ void AddInput(vtkGlyph3DMapper* mapper, vtkDataSet* points, int block,
 {
   std::vector<vtkRelievoGlyphDraw> bySource(meshes.size());
   auto* mask = mapper->GetMasking()
-    ? vtkBitArray::SafeDownCast(vtkRelievoAccess::GlyphMapper::MaskArray(mapper, points))
+    ? vtkBitArray::SafeDownCast(vtkRelievoGlyphArrays::GetMask(mapper, points))
     : nullptr;
-  vtkDataArray* index = vtkRelievoAccess::GlyphMapper::SourceIndexArray(mapper, points);
+  vtkDataArray* index = vtkRelievoGlyphArrays::GetSourceIndex(mapper, points);
   const int last = static_cast<int>(meshes.size()) - 1;
   for (vtkIdType i = 0; i < points->GetNumberOfPoints() && last >= 0; ++i)
   {

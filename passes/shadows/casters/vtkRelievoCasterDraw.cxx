@@ -18,6 +18,7 @@
 #include "vtkRelievoAccess.h"
 #include "vtkRelievoCutSurface.h"
 #include "vtkRelievoFrameCamera.h"
+#include "vtkRelievoPlainActor.h"
 #include "vtkRelievoScopedContext.h"
 #include "vtkRelievoShaderLibrary.h"
 #include "vtkShaderProgram.h"
@@ -33,12 +34,6 @@
 namespace
 {
 using Access = vtkRelievoAccess::Mapper;
-
-std::set<std::string>& GetActorClasses()
-{
-  static std::set<std::string> classes{ "vtkOpenGLActor" };
-  return classes;
-}
 
 #ifdef RELIEVO_VTK_COMPOSITE_HELPERS
 // A composite mapper's helpers, if all is current, seen and opaque; else none.
@@ -112,26 +107,6 @@ vtkRelievoCasterDraw::~vtkRelievoCasterDraw()
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoCasterDraw::AddActorClass(const std::string& name)
-{
-  GetActorClasses().insert(name);
-}
-
-//------------------------------------------------------------------------------
-bool vtkRelievoCasterDraw::IsPlainClass(vtkActor* actor)
-{
-  return GetActorClasses().count(actor->GetClassName()) != 0;
-}
-
-//------------------------------------------------------------------------------
-bool vtkRelievoCasterDraw::HasOwnShaders(vtkActor* actor)
-{
-  vtkShaderProperty* shaders = actor->GetShaderProperty();
-  return shaders->HasVertexShaderCode() || shaders->HasGeometryShaderCode() ||
-    shaders->HasFragmentShaderCode() || shaders->GetNumberOfShaderReplacements() > 0;
-}
-
-//------------------------------------------------------------------------------
 glm::vec2 vtkRelievoCasterDraw::GetOffset(vtkActor* actor)
 {
   double factor = 0.0;
@@ -179,7 +154,7 @@ std::vector<vtkOpenGLPolyDataMapper*> vtkRelievoCasterDraw::GetBuffers(vtkActor*
 {
   // Exactly these classes, of actors and of mappers: a derived one may draw otherwise.
   vtkMapper* mapper = actor->GetMapper();
-  if (!mapper || !IsPlainClass(actor))
+  if (!mapper || !vtkRelievoPlainActor::IsOfClass(actor))
   {
     return {};
   }
@@ -188,7 +163,7 @@ std::vector<vtkOpenGLPolyDataMapper*> vtkRelievoCasterDraw::GetBuffers(vtkActor*
   if (property->GetRepresentation() != VTK_SURFACE || property->GetVertexVisibility() ||
     property->GetEdgeVisibility() || actor->GetTexture() ||
     vtkMapper::GetResolveCoincidentTopology() == VTK_RESOLVE_SHIFT_ZBUFFER ||
-    property->GetNumberOfTextures() > 0 || HasOwnShaders(actor) ||
+    property->GetNumberOfTextures() > 0 || vtkRelievoPlainActor::HasOwnShaders(actor) ||
     vtkRelievoCutSurface::GetCutoff(actor->GetPropertyKeys()) > 0.0 ||
     (planes && planes->GetNumberOfItems() > 0))
   {

@@ -33,12 +33,6 @@ public:
   // The window that is drawn in; what another one held is released.
   void SetWindow(vtkOpenGLRenderWindow* window);
 
-  // Actors of this class draw their mapper as vtkOpenGLActor does.
-  static void AddActorClass(const std::string& name);
-
-  static bool IsPlainClass(vtkActor* actor); // of such a class
-  static bool HasOwnShaders(vtkActor* actor);
-
   // A mapper has drawn in this window: its buffers, as built now, are in this context.
   void Learn(vtkOpenGLPolyDataMapper* mapper);
 

@@ -1,28 +1,21 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Rays in double precision past the triangles of a scene, on the CPU: what certifies shadows, and
-// what they are planned by. Shares nothing with the shaders but the boxes' tree.
+// Rays in double precision past what casts and what is seen, on the CPU: what certifies shadows,
+// and what they are planned by.
 //
 // Coordinates are the world's axes about the scene's centre.
 #ifndef vtkRelievoCasterRays_h
 #define vtkRelievoCasterRays_h
 
-#include "vtkRelievoBoxTree.h"
-#include "vtkRelievoShadowTree.h"
-#include "vtkType.h"
-#include "vtkWeakPointer.h"
+#include "vtkRelievoRayTree.h"
 
-#include <map>
-#include <memory>
 #include <vector>
-
-class vtkPolyData;
 
 // A mesh of the scene, and what it is there for.
 struct vtkRelievoSurface
 {
-  vtkRelievoCaster Caster;
+  vtkRelievoPlacedMesh Caster;
   bool Casts = true;
   bool Seen = true; // and opaque
   bool Receives = true;
@@ -44,8 +37,8 @@ public:
   // Meshes that have not changed keep their trees.
   void SetSurfaces(const std::vector<vtkRelievoSurface>& surfaces);
   const std::vector<vtkRelievoSurface>& GetSurfaces() const { return this->Surfaces; }
-  const glm::dvec3& GetCenter() const { return this->Center; }
-  long long GetNumberOfTriangles() const;
+  const glm::dvec3& GetCenter() const { return this->Tree.GetCenter(); }
+  long long GetNumberOfTriangles() const { return this->Tree.GetNumberOfTriangles(); }
 
   // The meeting with what is seen that is nearest to t = `wanted`, between two others.
   Meeting Find(
@@ -62,30 +55,8 @@ public:
     double blur) const;
 
 private:
-  struct Mesh;
-  struct Placed
-  {
-    int Surface = 0;
-    const Mesh* Triangles = nullptr;
-    glm::dmat4 ToScene{ 1.0 };
-    glm::dmat4 ToMesh{ 1.0 };
-  };
-  struct Held
-  {
-    vtkWeakPointer<vtkPolyData> Data;
-    std::shared_ptr<Mesh> Triangles;
-  };
-
-  template <typename Visit>
-  void Walk(
-    const glm::dvec3& from, const glm::dvec3& ray, double low, double high, Visit visit) const;
-  glm::dvec3 GetNormal(const Meeting& meeting, glm::dvec3& corner) const;
-
-  std::map<vtkPolyData*, Held> Meshes;
   std::vector<vtkRelievoSurface> Surfaces;
-  std::vector<Placed> Places; // of Surfaces, one or more each
-  vtkRelievoBoxTree Tree;     // over Places
-  glm::dvec3 Center{ 0.0 };
+  vtkRelievoRayTree Tree; // of Surfaces
 };
 
 #endif

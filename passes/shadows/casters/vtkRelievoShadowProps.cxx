@@ -20,9 +20,9 @@
 #include "vtkRelievoCutSurface.h"
 #include "vtkRelievoFrameScene.h"
 #include "vtkRelievoPropMTime.h"
+#include "vtkRelievoPropMeshes.h"
 #include "vtkRelievoPropParts.h"
 #include "vtkRelievoShadowFit.h"
-#include "vtkRelievoTriangleCasters.h"
 #include "vtkRenderer.h"
 #include "vtkShaderProperty.h"
 #include "vtkSmartPointer.h"
@@ -438,13 +438,13 @@ bool vtkRelievoShadowProps::IsInMaps(const Caster& caster, bool withoutFollowed)
 }
 
 //------------------------------------------------------------------------------
-std::vector<vtkRelievoCaster> vtkRelievoShadowProps::Follow()
+std::vector<vtkRelievoPlacedMesh> vtkRelievoShadowProps::Follow()
 {
-  std::vector<vtkRelievoCaster> followed;
+  std::vector<vtkRelievoPlacedMesh> followed;
   this->Followed.clear();
   for (const Caster& caster : this->Casters)
   {
-    if (vtkRelievoTriangleCasters::Collect(caster.Prop, caster.Attenuates, this->Glyphs, followed))
+    if (vtkRelievoPropMeshes::Collect(caster.Prop, caster.Attenuates, this->Glyphs, followed))
     {
       this->Followed.insert(caster.Prop);
     }
@@ -498,12 +498,12 @@ std::vector<vtkRelievoSurface> vtkRelievoShadowProps::CollectSurfaces(
     const bool translucent = attenuates ? kind.Attenuates : kind.Translucent;
     surface.Casts = kind.InMaps || translucent;
     surface.Receives = choice.Receives;
-    std::vector<vtkRelievoCaster> casters;
-    if (!vtkRelievoTriangleCasters::Collect(prop, translucent, this->Glyphs, casters))
+    std::vector<vtkRelievoPlacedMesh> casters;
+    if (!vtkRelievoPropMeshes::Collect(prop, translucent, this->Glyphs, casters))
     {
       others.push_back(this->AllBoxes[i]); // one for each of Spliced
     }
-    for (const vtkRelievoCaster& caster : casters)
+    for (const vtkRelievoPlacedMesh& caster : casters)
     {
       surface.Caster = caster;
       surface.Seen = caster.Passes <= 0.0; // also outside the view, which may be stepped

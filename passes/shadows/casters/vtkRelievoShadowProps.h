@@ -20,7 +20,7 @@ class vtkOpenGLRenderPass;
 class vtkProp;
 class vtkRelievoCasterDraw;
 class vtkRenderer;
-struct vtkRelievoCaster;
+struct vtkRelievoPlacedMesh;
 struct vtkRelievoFrameProp;
 struct vtkRelievoShadowView;
 struct vtkRelievoSurface;
@@ -67,7 +67,7 @@ public:
   bool Receives(vtkProp* part) const;
 
   // What casts and can be followed triangle by triangle.
-  std::vector<vtkRelievoCaster> Follow();
+  std::vector<vtkRelievoPlacedMesh> Follow();
 
   // Everything that casts or is seen and can be followed, and the boxes of what cannot. Without
   // `attenuates`, what is translucent and casts lets no light pass.

@@ -17,7 +17,7 @@ namespace
 {
 constexpr std::size_t MostRecords = std::size_t(1) << 23; // a float counts the nodes over them
 
-bool IsSame(const vtkRelievoCaster& a, const vtkRelievoCaster& b)
+bool IsSame(const vtkRelievoPlacedMesh& a, const vtkRelievoPlacedMesh& b)
 {
   return a.Mesh == b.Mesh && a.MeshToWorld == b.MeshToWorld && a.Places == b.Places &&
     a.Passes == b.Passes && a.Color == b.Color && a.Reach == b.Reach;
@@ -66,14 +66,14 @@ vtkRelievoShadowTree::~vtkRelievoShadowTree()
 }
 
 //------------------------------------------------------------------------------
-bool vtkRelievoShadowTree::UpdateMeshes(const std::vector<vtkRelievoCaster>& casters)
+bool vtkRelievoShadowTree::UpdateMeshes(const std::vector<vtkRelievoPlacedMesh>& casters)
 {
   bool changed = false;
   this->MeshesBuilt = 0;
   this->MeshesRefitted = 0;
   std::map<vtkPolyData*, std::unique_ptr<Held>> before = std::move(this->Meshes);
   this->Meshes.clear();
-  for (const vtkRelievoCaster& caster : casters)
+  for (const vtkRelievoPlacedMesh& caster : casters)
   {
     std::unique_ptr<Held>& held = this->Meshes[caster.Mesh];
     if (held)
@@ -101,7 +101,7 @@ bool vtkRelievoShadowTree::UpdateMeshes(const std::vector<vtkRelievoCaster>& cas
 std::size_t vtkRelievoShadowTree::CountRecords() const
 {
   std::size_t count = 0;
-  for (const vtkRelievoCaster& caster : this->Casters)
+  for (const vtkRelievoPlacedMesh& caster : this->Casters)
   {
     const Held& held = *this->Meshes.at(caster.Mesh);
     count += held.Mesh.GetNumberOfTriangles() > 0 ? caster.GetNumberOfPlaces() : 0;
@@ -129,7 +129,7 @@ std::string vtkRelievoShadowTree::FindFault(std::size_t records) const
 
 //------------------------------------------------------------------------------
 std::string vtkRelievoShadowTree::Update(vtkOpenGLRenderWindow* window,
-  const std::vector<vtkRelievoCaster>& casters, const glm::dvec3& origin)
+  const std::vector<vtkRelievoPlacedMesh>& casters, const glm::dvec3& origin)
 {
   if (this->Window != window)
   {
@@ -211,7 +211,7 @@ vtkIdType vtkRelievoShadowTree::GetNumberOfTriangles() const
 vtkIdType vtkRelievoShadowTree::GetNumberOfGlyphs() const
 {
   std::size_t count = 0;
-  for (const vtkRelievoCaster& caster : this->Casters)
+  for (const vtkRelievoPlacedMesh& caster : this->Casters)
   {
     count += caster.Places ? caster.Places->size() : 0;
   }
@@ -222,14 +222,14 @@ vtkIdType vtkRelievoShadowTree::GetNumberOfGlyphs() const
 bool vtkRelievoShadowTree::HasTranslucent() const
 {
   return std::any_of(this->Casters.begin(), this->Casters.end(),
-    [](const vtkRelievoCaster& caster) { return caster.Passes > 0.0; });
+    [](const vtkRelievoPlacedMesh& caster) { return caster.Passes > 0.0; });
 }
 
 //------------------------------------------------------------------------------
 bool vtkRelievoShadowTree::HasColors() const
 {
   return std::any_of(
-    this->Casters.begin(), this->Casters.end(), [](const vtkRelievoCaster& caster) {
+    this->Casters.begin(), this->Casters.end(), [](const vtkRelievoPlacedMesh& caster) {
       return caster.Passes > 0.0 && caster.Color != glm::dvec3(1.0);
     });
 }
@@ -267,7 +267,7 @@ std::vector<glm::vec4> vtkRelievoShadowTree::MakeFront()
   std::vector<vtkRelievoBoxTree::Box> boxes(count);
   std::vector<glm::vec4> records(RecordTexels * count);
   std::size_t first = 0;
-  for (const vtkRelievoCaster& caster : this->Casters)
+  for (const vtkRelievoPlacedMesh& caster : this->Casters)
   {
     const Held& held = *this->Meshes[caster.Mesh];
     if (held.Mesh.GetNumberOfTriangles() == 0)

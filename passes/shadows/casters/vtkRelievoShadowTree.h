@@ -6,7 +6,8 @@
 #ifndef vtkRelievoShadowTree_h
 #define vtkRelievoShadowTree_h
 
-#include "vtkRelievoCasterMesh.h"
+#include "vtkRelievoMeshTexels.h"
+#include "vtkRelievoPlacedMesh.h"
 #include "vtkRelievoTextureBuffer.h"
 #include "vtkWeakPointer.h"
 
@@ -19,26 +20,6 @@ class vtkOpenGLRenderWindow;
 class vtkPolyData;
 class vtkWindow;
 
-// A mesh at a place of the world, or at many.
-struct vtkRelievoCaster
-{
-  vtkPolyData* Mesh = nullptr;
-  glm::dmat4 MeshToWorld{ 1.0 };
-  // Of glyphs: from the mesh to the coordinates of MeshToWorld. Null: it is there once.
-  std::shared_ptr<const std::vector<glm::mat4>> Places;
-  double Passes = 0.0;     // of the light: 1 - opacity
-  glm::dvec3 Color{ 1.0 }; // of what passes
-  double Reach = 0.0;      // largest coordinate that was rounded before the mesh knew it
-  bool CullsFront = false; // to the eye; it casts from both sides
-  bool CullsBack = false;
-
-  std::size_t GetNumberOfPlaces() const { return this->Places ? this->Places->size() : 1; }
-  glm::dmat4 GetPlace(std::size_t i) const // to the world
-  {
-    return this->Places ? this->MeshToWorld * glm::dmat4((*this->Places)[i]) : this->MeshToWorld;
-  }
-};
-
 class vtkRelievoShadowTree
 {
 public:
@@ -48,8 +29,8 @@ public:
   void operator=(const vtkRelievoShadowTree&) = delete;
 
   // Brings the casters into the buffer, in coordinates about an origin. Returns why not, in words.
-  std::string Update(vtkOpenGLRenderWindow* window, const std::vector<vtkRelievoCaster>& casters,
-    const glm::dvec3& origin);
+  std::string Update(vtkOpenGLRenderWindow* window,
+    const std::vector<vtkRelievoPlacedMesh>& casters, const glm::dvec3& origin);
 
   // Whether it is in a window, about that origin.
   bool IsIn(vtkOpenGLRenderWindow* window, const glm::dvec3& origin) const
@@ -90,10 +71,10 @@ private:
   struct Held
   {
     vtkWeakPointer<vtkPolyData> Data;
-    vtkRelievoCasterMesh Mesh;
+    vtkRelievoMeshTexels Mesh;
     std::size_t Texel = 0;
   };
-  bool UpdateMeshes(const std::vector<vtkRelievoCaster>& casters);
+  bool UpdateMeshes(const std::vector<vtkRelievoPlacedMesh>& casters);
   std::size_t CountRecords() const;
   // Nodes and records of the casters.
   std::vector<glm::vec4> MakeFront();
@@ -103,7 +84,7 @@ private:
 
   vtkWeakPointer<vtkOpenGLRenderWindow> Window;
   std::map<vtkPolyData*, std::unique_ptr<Held>> Meshes;
-  std::vector<vtkRelievoCaster> Casters;
+  std::vector<vtkRelievoPlacedMesh> Casters;
   glm::dvec3 Origin{ 0.0 };
   int Nodes = 0;
   double Version = 0.0;

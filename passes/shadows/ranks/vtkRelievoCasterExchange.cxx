@@ -187,7 +187,7 @@ void vtkRelievoCasterExchange::AddTo(std::vector<vtkRelievoSurface>& surfaces) c
   }
   for (const vtkRelievoCasterReceiver& other : this->Others)
   {
-    for (const vtkRelievoCaster& caster : other.GetPart().Casters)
+    for (const vtkRelievoPlacedMesh& caster : other.GetPart().Casters)
     {
       vtkRelievoSurface surface;
       surface.Caster = caster;

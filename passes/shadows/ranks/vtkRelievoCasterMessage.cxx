@@ -156,7 +156,7 @@ void ReadMesh(Reader& from, vtkPolyData* mesh)
 
 //------------------------------------------------------------------------------
 bool vtkRelievoCasterSender::IsSame(
-  const vtkRelievoCaster& now, const vtkRelievoCaster& before) const
+  const vtkRelievoPlacedMesh& now, const vtkRelievoPlacedMesh& before) const
 {
   const auto sent = this->Meshes.find(now.Mesh);
   return now.Mesh == before.Mesh && sent != this->Meshes.end() && sent->second.Data == now.Mesh &&
@@ -172,7 +172,7 @@ bool vtkRelievoCasterSender::IsNews(const vtkRelievoCasterPart& part) const
     !::IsSame(part.InMaps, this->Last.InMaps) ||
     !std::equal(part.Casters.begin(), part.Casters.end(), this->Last.Casters.begin(),
       this->Last.Casters.end(),
-      [this](const vtkRelievoCaster& now, const vtkRelievoCaster& before) {
+      [this](const vtkRelievoPlacedMesh& now, const vtkRelievoPlacedMesh& before) {
         return this->IsSame(now, before);
       });
 }
@@ -194,18 +194,19 @@ int vtkRelievoCasterSender::WriteMesh(Sent& sent, vtkPolyData* mesh, vtkRelievoB
   std::vector<int> places(static_cast<std::size_t>(mesh->GetNumberOfPoints()), -1);
   std::vector<vtkIdType> ids;
   std::vector<int> triangles;
-  vtkRelievoPolygonCut::ForEachTriangle(sent.Casting, [&](vtkIdType a, vtkIdType b, vtkIdType c) {
-    for (const vtkIdType id : { a, b, c })
-    {
-      int& place = places[static_cast<std::size_t>(id)];
-      if (place < 0)
+  vtkRelievoPolygonCut::ForEachTriangle(
+    sent.Casting, [&](vtkIdType a, vtkIdType b, vtkIdType c, vtkIdType) {
+      for (const vtkIdType id : { a, b, c })
       {
-        place = static_cast<int>(ids.size());
-        ids.push_back(id);
+        int& place = places[static_cast<std::size_t>(id)];
+        if (place < 0)
+        {
+          place = static_cast<int>(ids.size());
+          ids.push_back(id);
+        }
+        triangles.push_back(place);
       }
-      triangles.push_back(place);
-    }
-  });
+    });
   const bool same = known && triangles == sent.Triangles;
   const bool floats = IsFloat(mesh);
   Put(bytes, sent.Id);
@@ -232,7 +233,7 @@ vtkRelievoBytes vtkRelievoCasterSender::Write(vtkRelievoCasterPart& part)
     this->Last = part;
     this->Written = true;
   }
-  for (vtkRelievoCaster& caster : part.Casters)
+  for (vtkRelievoPlacedMesh& caster : part.Casters)
   {
     caster.Mesh = this->Meshes[caster.Mesh].Casting;
   }
@@ -246,7 +247,7 @@ void vtkRelievoCasterSender::WritePart(const vtkRelievoCasterPart& part, vtkReli
   std::map<const void*, int> places;
   vtkRelievoBytes written[3]; // meshes, places, who casts with them
   int counts[3] = { 0, 0, static_cast<int>(part.Casters.size()) };
-  for (const vtkRelievoCaster& caster : part.Casters)
+  for (const vtkRelievoPlacedMesh& caster : part.Casters)
   {
     auto known = meshes.find(caster.Mesh);
     if (known == meshes.end())
@@ -321,7 +322,7 @@ void vtkRelievoCasterReceiver::Read(const vtkRelievoBytes& bytes)
   std::map<int, vtkSmartPointer<vtkPolyData>> meshes;
   std::map<int, std::shared_ptr<const std::vector<glm::mat4>>> places;
   this->Part.Casters.resize(static_cast<std::size_t>(from.Take<int>()));
-  for (vtkRelievoCaster& caster : this->Part.Casters)
+  for (vtkRelievoPlacedMesh& caster : this->Part.Casters)
   {
     const int mesh = from.Take<int>();
     const int place = from.Take<int>();

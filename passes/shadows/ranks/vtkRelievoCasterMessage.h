@@ -23,7 +23,7 @@ using vtkRelievoBytes = std::vector<unsigned char>;
 // What a process has of a scene.
 struct vtkRelievoCasterPart
 {
-  std::vector<vtkRelievoCaster> Casters; // that are followed
+  std::vector<vtkRelievoPlacedMesh> Casters; // that are followed
   std::vector<vtkRelievoBox> Receivers;
   std::vector<vtkRelievoBox> InMaps; // casters that cannot be followed
 };
@@ -53,7 +53,7 @@ private:
     std::vector<int> Triangles;
     int Id = 0;
   };
-  bool IsSame(const vtkRelievoCaster& now, const vtkRelievoCaster& before) const;
+  bool IsSame(const vtkRelievoPlacedMesh& now, const vtkRelievoPlacedMesh& before) const;
   void WritePart(const vtkRelievoCasterPart& part, vtkRelievoBytes& bytes);
   // How many meshes it wrote: 0 or 1.
   int WriteMesh(Sent& sent, vtkPolyData* mesh, vtkRelievoBytes& bytes);

@@ -5,7 +5,7 @@
 #ifndef vtkRelievoPropMTime_h
 #define vtkRelievoPropMTime_h
 
-#include "vtkRelievoFrameModule.h" // for the export macro
+#include "vtkRelievoRaysModule.h" // for the export macro
 #include "vtkType.h"
 
 class vtkDataObject;
@@ -15,13 +15,13 @@ class vtkTexture;
 namespace vtkRelievoPropMTime
 {
 // With the data of its blocks.
-VTKRELIEVOFRAME_EXPORT vtkMTimeType OfData(vtkDataObject* data);
+VTKRELIEVORAYS_EXPORT vtkMTimeType OfData(vtkDataObject* data);
 
 // With its image or images, brought up to date.
-VTKRELIEVOFRAME_EXPORT vtkMTimeType OfTexture(vtkTexture* texture);
+VTKRELIEVORAYS_EXPORT vtkMTimeType OfTexture(vtkTexture* texture);
 
 // Of a mapper's inputs and clipping planes, not of its own settings.
-VTKRELIEVOFRAME_EXPORT vtkMTimeType OfInputs(vtkMapper* mapper);
+VTKRELIEVORAYS_EXPORT vtkMTimeType OfInputs(vtkMapper* mapper);
 }
 
 #endif

@@ -3,24 +3,25 @@
 //
 // What casts as triangles that can be followed: surfaces of vtkPolyDataMapper, composite meshes and
 // glyphs.
-#ifndef vtkRelievoTriangleCasters_h
-#define vtkRelievoTriangleCasters_h
+#ifndef vtkRelievoPropMeshes_h
+#define vtkRelievoPropMeshes_h
 
-#include "vtkRelievoShadowTree.h"
+#include "vtkRelievoPlacedMesh.h"
+#include "vtkRelievoRaysModule.h" // for the export macro
 
 #include <vector>
 
 class vtkProp;
 class vtkRelievoGlyphPlaces;
 
-namespace vtkRelievoTriangleCasters
+namespace vtkRelievoPropMeshes
 {
 // Appends the meshes that a prop casts with; `translucent`: also those that are translucent. False,
 // and nothing appended, if any of it is no triangles, or not those of its data: points, lines,
 // wireframes, impostors, cut-outs, clipping planes, own shaders, colours of their own opacity,
 // glyphs whose places are not known, other mappers.
-bool Collect(vtkProp* prop, bool translucent, vtkRelievoGlyphPlaces& glyphs,
-  std::vector<vtkRelievoCaster>& casters);
+VTKRELIEVORAYS_EXPORT bool Collect(vtkProp* prop, bool translucent, vtkRelievoGlyphPlaces& glyphs,
+  std::vector<vtkRelievoPlacedMesh>& casters);
 }
 
 #endif

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "vtkRelievoTriangleCasters.h"
+#include "vtkRelievoPropMeshes.h"
 
 #include "vtkAbstractMapper.h"
 #include "vtkActor.h"
@@ -21,12 +21,13 @@
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
-#include "vtkRelievoCasterDraw.h"
 #include "vtkRelievoCompositeMapper.h"
 #include "vtkRelievoCutSurface.h"
-#include "vtkRelievoFrameCamera.h"
 #include "vtkRelievoGlyphPlaces.h"
+#include "vtkRelievoMatrix.h"
+#include "vtkRelievoMeshTexels.h"
 #include "vtkRelievoMovedMesh.h"
+#include "vtkRelievoPlainActor.h"
 #include "vtkRelievoPropParts.h"
 #include "vtkScalarsToColors.h"
 #include "vtkShaderProperty.h"
@@ -50,7 +51,7 @@ struct Manner
   bool Overrides = false;   // Color is a block's: it wins over arrays
   bool ArraysKnown = false; // Color is right whatever the mesh has
   bool Visible = true;
-  double Reach = 0.0;       // of vtkRelievoCaster
+  double Reach = 0.0;       // of vtkRelievoPlacedMesh
   bool Translucent = false; // what is translucent casts as well
   bool CullsFront = false;
   bool CullsBack = false;
@@ -92,7 +93,7 @@ bool IsSurface(vtkActor* actor)
   vtkMapper* mapper = actor->GetMapper();
   vtkPlaneCollection* planes = mapper->GetClippingPlanes();
   const bool plain =
-    vtkRelievoCasterDraw::IsPlainClass(actor) && !vtkRelievoCasterDraw::HasOwnShaders(actor);
+    vtkRelievoPlainActor::IsOfClass(actor) && !vtkRelievoPlainActor::HasOwnShaders(actor);
   bool surface = (plain || GetMoved(actor)) && property->GetRepresentation() == VTK_SURFACE &&
     !property->GetVertexVisibility() && (!planes || planes->GetNumberOfItems() == 0) &&
     IsOpaque(actor->GetTexture()) &&
@@ -149,7 +150,7 @@ bool HasAlpha(vtkMapper* mapper, vtkDataObject* data)
   return GetAlpha(mapper, data) != 1.0;
 }
 
-bool AddMesh(vtkPolyData* mesh, const Manner& manner, std::vector<vtkRelievoCaster>& casters)
+bool AddMesh(vtkPolyData* mesh, const Manner& manner, std::vector<vtkRelievoPlacedMesh>& casters)
 {
   if (!mesh || !manner.Visible || !(manner.Opacity > 0.0) ||
     (manner.Opacity < 1.0 && !manner.Translucent))
@@ -157,12 +158,12 @@ bool AddMesh(vtkPolyData* mesh, const Manner& manner, std::vector<vtkRelievoCast
     return true;
   }
   if (mesh->GetNumberOfVerts() > 0 || mesh->GetNumberOfLines() > 0 ||
-    !vtkRelievoCasterMesh::Follows(mesh))
+    !vtkRelievoMeshTexels::Follows(mesh))
   {
     return false;
   }
   casters.emplace_back();
-  vtkRelievoCaster& caster = casters.back();
+  vtkRelievoPlacedMesh& caster = casters.back();
   caster.Mesh = mesh;
   caster.MeshToWorld = manner.MeshToWorld;
   caster.Passes = 1.0 - manner.Opacity;
@@ -180,7 +181,7 @@ bool AddMesh(vtkPolyData* mesh, const Manner& manner, std::vector<vtkRelievoCast
 // Adds the blocks' meshes, with the attributes that VTK's composite mappers hand down to them.
 // False if one cannot be followed.
 bool AddBlocks(vtkDataObject* data, vtkCompositeDataDisplayAttributes* attributes, Manner manner,
-  std::vector<vtkRelievoCaster>& casters)
+  std::vector<vtkRelievoPlacedMesh>& casters)
 {
   if (!data)
   {
@@ -249,7 +250,7 @@ bool FindGlyphColor(vtkGlyph3DMapper* mapper, vtkProperty* property, Manner& man
 }
 
 bool AddGlyphs(const std::vector<vtkRelievoGlyphPlaces::Group>& groups, const Manner& manner,
-  std::vector<vtkRelievoCaster>& casters)
+  std::vector<vtkRelievoPlacedMesh>& casters)
 {
   for (const vtkRelievoGlyphPlaces::Group& group : groups)
   {
@@ -271,7 +272,7 @@ bool AddGlyphs(const std::vector<vtkRelievoGlyphPlaces::Group>& groups, const Ma
 }
 
 bool AddActor(vtkActor* actor, vtkMatrix4x4* matrix, bool translucent,
-  vtkRelievoGlyphPlaces& glyphs, std::vector<vtkRelievoCaster>& casters)
+  vtkRelievoGlyphPlaces& glyphs, std::vector<vtkRelievoPlacedMesh>& casters)
 {
   vtkMapper* mapper = actor->GetMapper();
   if (!actor->GetVisibility())
@@ -346,14 +347,14 @@ bool AddActor(vtkActor* actor, vtkMatrix4x4* matrix, bool translucent,
 }
 
 //------------------------------------------------------------------------------
-bool vtkRelievoTriangleCasters::Collect(vtkProp* prop, bool translucent,
-  vtkRelievoGlyphPlaces& glyphs, std::vector<vtkRelievoCaster>& casters)
+bool vtkRelievoPropMeshes::Collect(vtkProp* prop, bool translucent, vtkRelievoGlyphPlaces& glyphs,
+  std::vector<vtkRelievoPlacedMesh>& casters)
 {
   if (vtkLODProp3D::SafeDownCast(prop))
   {
     return false; // one of its parts at a time, by VTK's choice
   }
-  std::vector<vtkRelievoCaster> own;
+  std::vector<vtkRelievoPlacedMesh> own;
   std::vector<vtkRelievoPropParts::Part> parts;
   vtkRelievoPropParts::Collect(prop, parts);
   for (const vtkRelievoPropParts::Part& part : parts)

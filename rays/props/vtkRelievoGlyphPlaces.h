@@ -6,7 +6,8 @@
 #ifndef vtkRelievoGlyphPlaces_h
 #define vtkRelievoGlyphPlaces_h
 
-#include "vtkRelievoFormulas.h" // for GLM
+#include "vtkRelievoFormulas.h"   // for GLM
+#include "vtkRelievoRaysModule.h" // for the export macro
 #include "vtkType.h"
 #include "vtkWeakPointer.h"
 
@@ -19,7 +20,7 @@ class vtkDataSet;
 class vtkGlyph3DMapper;
 class vtkPolyData;
 
-class vtkRelievoGlyphPlaces
+class VTKRELIEVORAYS_EXPORT vtkRelievoGlyphPlaces
 {
 public:
   // From a source to the actor: floats, as VTK has them.

@@ -7,13 +7,14 @@
 #define vtkRelievoCasterMesh_h
 
 #include "vtkRelievoBoxTree.h"
+#include "vtkRelievoRaysModule.h" // for the export macro
 #include "vtkType.h"
 
 #include <vector>
 
 class vtkPolyData;
 
-class vtkRelievoCasterMesh
+class VTKRELIEVORAYS_EXPORT vtkRelievoMeshTexels
 {
 public:
   // Whether there are not too many triangles.

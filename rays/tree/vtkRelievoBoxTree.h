@@ -9,11 +9,12 @@
 #ifndef vtkRelievoBoxTree_h
 #define vtkRelievoBoxTree_h
 
-#include "vtkRelievoFormulas.h" // for GLM
+#include "vtkRelievoFormulas.h"   // for GLM
+#include "vtkRelievoRaysModule.h" // for the export macro
 
 #include <vector>
 
-class vtkRelievoBoxTree
+class VTKRELIEVORAYS_EXPORT vtkRelievoBoxTree
 {
 public:
   struct Box

@@ -13,7 +13,7 @@
 #include "vtkMath.h"
 #include "vtkPolyData.h"
 #include "vtkQuaternion.h"
-#include "vtkRelievoAccess.h"
+#include "vtkRelievoGlyphArrays.h"
 #include "vtkRelievoPropMTime.h"
 #include "vtkSmartPointer.h"
 
@@ -23,7 +23,6 @@
 
 namespace
 {
-using GlyphAccess = vtkRelievoAccess::GlyphMapper;
 using Matrices = vtkRelievoGlyphPlaces::Matrices;
 using Meshes = std::vector<vtkPolyData*>;
 
@@ -124,13 +123,13 @@ public:
     : Mapper(mapper)
     , Points(points)
     , Last(sources - 1)
-    , Index(GlyphAccess::SourceIndexArray(mapper, points))
-    , Orient(GlyphAccess::OrientationArray(mapper, points))
-    , Scale(GlyphAccess::ScaleArray(mapper, points))
+    , Index(vtkRelievoGlyphArrays::GetSourceIndex(mapper, points))
+    , Orient(vtkRelievoGlyphArrays::GetOrientation(mapper, points))
+    , Scale(vtkRelievoGlyphArrays::GetScale(mapper, points))
   {
     if (mapper->GetMasking())
     {
-      this->Mask = vtkBitArray::SafeDownCast(GlyphAccess::MaskArray(mapper, points));
+      this->Mask = vtkBitArray::SafeDownCast(vtkRelievoGlyphArrays::GetMask(mapper, points));
     }
   }
 

@@ -5,7 +5,7 @@
 #ifndef vtkRelievoPropParts_h
 #define vtkRelievoPropParts_h
 
-#include "vtkRelievoFrameModule.h" // for the export macro
+#include "vtkRelievoRaysModule.h" // for the export macro
 
 #include <vector>
 
@@ -23,25 +23,25 @@ struct Part
 };
 
 // The visible leaves of an assembly, the levels of detail, or the prop itself.
-VTKRELIEVOFRAME_EXPORT void Collect(vtkProp* prop, std::vector<Part>& parts);
+VTKRELIEVORAYS_EXPORT void Collect(vtkProp* prop, std::vector<Part>& parts);
 
 // The part as an actor whose mapper's shaders take splices, or nullptr.
-VTKRELIEVOFRAME_EXPORT vtkActor* GetMeshActor(const Part& part);
+VTKRELIEVORAYS_EXPORT vtkActor* GetMeshActor(const Part& part);
 
 // Whether it is drawn over the scene and without its light, as the lines of a grid: translucent by
 // wish, unlit and not to be picked. Shadows have nothing to do with it.
-VTKRELIEVOFRAME_EXPORT bool IsAnnotation(vtkActor* actor);
+VTKRELIEVORAYS_EXPORT bool IsAnnotation(vtkActor* actor);
 
 // Whether the part draws nothing in three dimensions' opaque phase: texts, bars, volumes, actors
 // without a mapper.
-VTKRELIEVOFRAME_EXPORT bool DrawsNoOpaque(const Part& part);
+VTKRELIEVORAYS_EXPORT bool DrawsNoOpaque(const Part& part);
 
 // Whether the prop draws only some of its parts by meshes' mappers, and can draw them alone.
-VTKRELIEVOFRAME_EXPORT bool IsMixed(vtkProp* prop, const std::vector<Part>& parts);
+VTKRELIEVORAYS_EXPORT bool IsMixed(vtkProp* prop, const std::vector<Part>& parts);
 
 // Draws the opaque or the translucent geometry of an assembly's meshes as it draws them, and
 // nothing else of it.
-VTKRELIEVOFRAME_EXPORT void RenderMeshes(vtkProp* prop, bool translucent, vtkRenderer* renderer);
+VTKRELIEVORAYS_EXPORT void RenderMeshes(vtkProp* prop, bool translucent, vtkRenderer* renderer);
 }
 
 #endif

@@ -8,13 +8,13 @@
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
 #include "vtkPolyData.h"
-#include "vtkRelievoFrameModule.h" // for the export macro
+#include "vtkRelievoRaysModule.h" // for the export macro
 #include "vtkSmartPointer.h"
 
 #include <array>
 #include <vector>
 
-class VTKRELIEVOFRAME_EXPORT vtkRelievoPolygonCut
+class VTKRELIEVORAYS_EXPORT vtkRelievoPolygonCut
 {
 public:
   // Places in the polygon of a triangle's corners.
@@ -23,7 +23,8 @@ public:
   // Whether a polygon of that many points becomes a fan about its first.
   static bool IsFan(vtkIdType count);
 
-  // Calls f with the points of each triangle of polygons and then strips, wound as VTK winds them.
+  // Calls f with the points of each triangle of polygons and then strips, wound as VTK winds them,
+  // and its cell, counted from the first polygon.
   template <typename Function>
   static void ForEachTriangle(vtkPolyData* mesh, Function f);
 
@@ -57,26 +58,31 @@ template <typename Function>
 void vtkRelievoPolygonCut::ForEachTriangle(vtkPolyData* mesh, Function f)
 {
   vtkRelievoPolygonCut cut;
+  vtkIdType cell = 0;
   ForEachCell(mesh->GetPolys(), [&](vtkIdType count, const vtkIdType* ids) {
     if (!vtkRelievoPolygonCut::IsFan(count))
     {
       for (const Triangle& triangle : cut.Cut(mesh, ids, count))
       {
-        f(ids[triangle[0]], ids[triangle[1]], ids[triangle[2]]);
+        f(ids[triangle[0]], ids[triangle[1]], ids[triangle[2]], cell);
       }
-      return;
     }
-    for (vtkIdType i = 2; i < count; ++i)
+    else
     {
-      f(ids[0], ids[i - 1], ids[i]);
+      for (vtkIdType i = 2; i < count; ++i)
+      {
+        f(ids[0], ids[i - 1], ids[i], cell);
+      }
     }
+    ++cell;
   });
   ForEachCell(mesh->GetStrips(), [&](vtkIdType count, const vtkIdType* ids) {
     for (vtkIdType i = 2; i < count; ++i)
     {
       const vtkIdType odd = i % 2;
-      f(ids[i - 2 + odd], ids[i - 1 - odd], ids[i]);
+      f(ids[i - 2 + odd], ids[i - 1 - odd], ids[i], cell);
     }
+    ++cell;
   });
 }
 

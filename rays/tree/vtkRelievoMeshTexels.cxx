@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "vtkRelievoCasterMesh.h"
+#include "vtkRelievoMeshTexels.h"
 
 #include "vtkCellArray.h"
 #include "vtkPoints.h"
@@ -21,9 +21,10 @@ std::vector<vtkIdType> GetTriangles(vtkPolyData* data)
 {
   std::vector<vtkIdType> triangles;
   triangles.reserve(static_cast<std::size_t>(3 * data->GetNumberOfPolys()));
-  vtkRelievoPolygonCut::ForEachTriangle(data, [&](vtkIdType a, vtkIdType b, vtkIdType c) {
-    triangles.insert(triangles.end(), { a, b, c });
-  });
+  vtkRelievoPolygonCut::ForEachTriangle(
+    data, [&](vtkIdType a, vtkIdType b, vtkIdType c, vtkIdType) {
+      triangles.insert(triangles.end(), { a, b, c });
+    });
   return triangles;
 }
 
@@ -110,7 +111,7 @@ std::vector<vtkRelievoBoxTree::Box> GetBoxes(const std::vector<glm::vec3>& corne
 }
 
 //------------------------------------------------------------------------------
-bool vtkRelievoCasterMesh::Follows(vtkPolyData* data)
+bool vtkRelievoMeshTexels::Follows(vtkPolyData* data)
 {
   vtkIdType triangles = 0;
   for (vtkCellArray* cells : { data->GetPolys(), data->GetStrips() })
@@ -121,7 +122,7 @@ bool vtkRelievoCasterMesh::Follows(vtkPolyData* data)
 }
 
 //------------------------------------------------------------------------------
-bool vtkRelievoCasterMesh::Update(vtkPolyData* data)
+bool vtkRelievoMeshTexels::Update(vtkPolyData* data)
 {
   this->Refitted = false;
   const std::vector<vtkMTimeType> times = { data->GetPoints() ? data->GetPoints()->GetMTime() : 0,
@@ -152,7 +153,7 @@ bool vtkRelievoCasterMesh::Update(vtkPolyData* data)
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoCasterMesh::Pack(const std::vector<glm::vec3>& corners)
+void vtkRelievoMeshTexels::Pack(const std::vector<glm::vec3>& corners)
 {
   const auto& nodes = this->Tree.GetNodes();
   const auto& order = this->Tree.GetOrder();
@@ -176,7 +177,7 @@ void vtkRelievoCasterMesh::Pack(const std::vector<glm::vec3>& corners)
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoCasterMesh::GetBounds(glm::dvec3& low, glm::dvec3& high) const
+void vtkRelievoMeshTexels::GetBounds(glm::dvec3& low, glm::dvec3& high) const
 {
   low = glm::dvec3(this->Tree.GetNodes()[0].Low);
   high = glm::dvec3(this->Tree.GetNodes()[0].High);

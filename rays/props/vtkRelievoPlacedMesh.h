@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// A mesh at a place of the world, or at many.
+#ifndef vtkRelievoPlacedMesh_h
+#define vtkRelievoPlacedMesh_h
+
+#include "vtkRelievoFormulas.h" // for GLM
+
+#include <memory>
+#include <vector>
+
+class vtkPolyData;
+
+struct vtkRelievoPlacedMesh
+{
+  vtkPolyData* Mesh = nullptr;
+  glm::dmat4 MeshToWorld{ 1.0 };
+  // Of glyphs: from the mesh to the coordinates of MeshToWorld. Null: it is there once.
+  std::shared_ptr<const std::vector<glm::mat4>> Places;
+  double Passes = 0.0;     // of the light: 1 - opacity
+  glm::dvec3 Color{ 1.0 }; // of what passes
+  double Reach = 0.0;      // largest coordinate that was rounded before the mesh knew it
+  bool CullsFront = false; // to the eye; it casts from both sides
+  bool CullsBack = false;
+
+  std::size_t GetNumberOfPlaces() const { return this->Places ? this->Places->size() : 1; }
+  glm::dmat4 GetPlace(std::size_t i) const // to the world
+  {
+    return this->Places ? this->MeshToWorld * glm::dmat4((*this->Places)[i]) : this->MeshToWorld;
+  }
+};
+
+#endif

@@ -1,0 +1,150 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The triangles of a mesh for rays in double, about the middle of its points and in the order of a
+// tree's leaves.
+#ifndef vtkRelievoMeshTree_h
+#define vtkRelievoMeshTree_h
+
+#include "vtkRelievoRay.h"
+#include "vtkRelievoRaysModule.h" // for the export macro
+#include "vtkRelievoWideTree.h"
+#include "vtkType.h"
+
+#include <cstdint>
+#include <vector>
+
+class vtkPolyData;
+
+class VTKRELIEVORAYS_EXPORT vtkRelievoMeshTree
+{
+public:
+  // Brings up to date what has changed: points that moved are fitted. Returns whether anything has.
+  // A triangle with a corner that is not finite is met by nothing.
+  bool Update(vtkPolyData* data);
+  bool WasRefitted() const { return this->Refitted; } // by the last update
+
+  int GetNumberOfTriangles() const { return static_cast<int>(this->Corners.size() / 3); }
+  const glm::dvec3& GetOrigin() const { return this->Origin; }
+  // About the origin. There is one if a triangle has a place.
+  const glm::dvec3& GetLow() const { return this->Low; }
+  const glm::dvec3& GetHigh() const { return this->High; }
+  bool IsEmpty() const { return !(this->Low.x <= this->High.x); }
+
+  // About the origin.
+  const glm::dvec3& GetCorner(int triangle, int corner) const
+  {
+    return this->Places[this->GetCorners(triangle)[corner]];
+  }
+  // Of the mesh.
+  vtkIdType GetPoint(int triangle, int corner) const
+  {
+    return static_cast<vtkIdType>(this->Points[this->GetCorners(triangle)[corner]]);
+  }
+  // Of the mesh.
+  vtkIdType GetCell(int triangle) const
+  {
+    return this->CellOffset + static_cast<vtkIdType>(this->Cells[triangle]);
+  }
+
+  std::size_t GetBytes() const;
+
+  // Calls visit(triangle, t) for every meeting between; it returns the t up to which more are of
+  // interest. Near ones first, but not in order. The ray is about the origin.
+  template <typename Visit>
+  void Walk(const vtkRelievoRay& ray, double low, double high, Visit visit) const;
+
+private:
+  const std::uint32_t* GetCorners(int triangle) const
+  {
+    return this->Corners.data() + 3 * static_cast<std::size_t>(triangle);
+  }
+  void TakePlaces(vtkPolyData* data);
+  void TakeTriangles(vtkPolyData* data);
+  void SortPoints();
+  std::vector<vtkRelievoBoxTree::Box> GetBoxes() const;
+  template <typename Value>
+  void Sort(std::vector<Value>& values, std::size_t size) const;
+
+  std::vector<vtkMTimeType> Times; // of points, polygons and strips
+  glm::dvec3 Origin{ 0.0 };
+  glm::dvec3 Low{ 1.0 };
+  glm::dvec3 High{ -1.0 };
+  double Scale = 1.0; // from the mesh's to the tree's coordinates
+  // Points of triangles, in the order in which leaves use them: those of a leaf lie together.
+  std::vector<std::uint32_t> Points; // of the mesh
+  std::vector<glm::dvec3> Places;
+  std::vector<std::uint32_t> Corners; // of each triangle three of Points
+  std::vector<std::uint32_t> Cells;   // polygons, and then strips
+  vtkIdType CellOffset = 0;           // of the first polygon
+  vtkRelievoWideTree Tree;
+  bool Refitted = false;
+};
+
+// Where a ray is within a box, which is given some room. False: nowhere between low and high.
+inline bool vtkRelievoClip(const glm::dvec3& from, const glm::dvec3& inverse,
+  const glm::dvec3& least, const glm::dvec3& greatest, double& low, double& high)
+{
+  const glm::dvec3 size = greatest - least;
+  const double room = 4.0 * vtkRelievoWideTree::Room * std::max(std::max(size.x, size.y), size.z);
+  for (int i = 0; i < 3; ++i)
+  {
+    const double a = (least[i] - room - from[i]) * inverse[i];
+    const double b = (greatest[i] + room - from[i]) * inverse[i];
+    low = std::max(low, std::min(a, b));
+    high = std::min(high, std::max(a, b));
+  }
+  return low <= high;
+}
+
+// Of a direction, without infinity: with it a ray within a side of a box would be nowhere.
+inline glm::dvec3 vtkRelievoInvert(const glm::dvec3& ray)
+{
+  glm::dvec3 inverse;
+  for (int i = 0; i < 3; ++i)
+  {
+    inverse[i] = std::abs(ray[i]) > 1e-290 ? 1.0 / ray[i] : std::copysign(1e290, ray[i]);
+  }
+  return inverse;
+}
+
+//------------------------------------------------------------------------------
+template <typename Visit>
+void vtkRelievoMeshTree::Walk(const vtkRelievoRay& ray, double low, double high, Visit visit) const
+{
+  double enters = low;
+  double leaves = high;
+  const glm::dvec3 inverse = vtkRelievoInvert(ray.Ray);
+  if (!vtkRelievoClip(ray.From, inverse, this->Low, this->High, enters, leaves))
+  {
+    return;
+  }
+  // The tree's unit is the mesh's half size, and the ray's the largest coordinate of its direction.
+  const double size = std::abs(ray.Ray[ray.Z]);
+  const double toTree = this->Scale * size;
+  const vtkRelievoWideTree::Ray rounded(
+    this->Scale * (ray.From + enters * ray.Ray), size * inverse);
+  const auto getLast = [&](double t) {
+    return static_cast<float>((t - enters) * toTree * (1.0 + 1e-6) + 1e-6);
+  };
+  const auto walkLeaf = [&](int first, int count) {
+    for (int triangle = first; triangle < first + count; ++triangle)
+    {
+      const std::uint32_t* corners = this->GetCorners(triangle);
+      double t = 0.0;
+      glm::dvec3 sides;
+      if (ray.Meets(this->Places[corners[0]], this->Places[corners[1]], this->Places[corners[2]], t,
+            sides) &&
+        t >= low && t <= high)
+      {
+        high = visit(triangle, t);
+        leaves = std::min(leaves, high);
+      }
+    }
+    return high < low ? -1.f : std::max(0.f, getLast(leaves));
+  };
+  this->Tree.Walk(
+    rounded, getLast(leaves), this->Corners.data(), 3 * sizeof(std::uint32_t), walkLeaf);
+}
+
+#endif

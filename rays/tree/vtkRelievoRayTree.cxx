@@ -1,0 +1,258 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkRelievoRayTree.h"
+
+#include "vtkPolyData.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace
+{
+constexpr double Endless = std::numeric_limits<double>::infinity();
+
+bool IsSamePlace(const vtkRelievoPlacedMesh& a, const vtkRelievoPlacedMesh& b)
+{
+  return a.Mesh == b.Mesh && a.MeshToWorld == b.MeshToWorld && a.Places == b.Places;
+}
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoRayTree::UpdateMeshes(const std::vector<vtkRelievoPlacedMesh>& meshes)
+{
+  this->MeshesBuilt = 0;
+  this->MeshesRefitted = 0;
+  std::map<vtkPolyData*, Held> before;
+  before.swap(this->Trees);
+  for (const vtkRelievoPlacedMesh& mesh : meshes)
+  {
+    Held& held = this->Trees[mesh.Mesh];
+    if (held.Triangles)
+    {
+      continue;
+    }
+    const auto old = before.find(mesh.Mesh);
+    held = old != before.end() && old->second.Data == mesh.Mesh
+      ? old->second
+      : Held{ mesh.Mesh, std::make_shared<vtkRelievoMeshTree>() };
+    if (held.Triangles->Update(mesh.Mesh))
+    {
+      ++(held.Triangles->WasRefitted() ? this->MeshesRefitted : this->MeshesBuilt);
+    }
+  }
+  return this->MeshesBuilt + this->MeshesRefitted > 0;
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoRayTree::SetMeshes(const std::vector<vtkRelievoPlacedMesh>& meshes)
+{
+  this->PlacesRefitted = false;
+  const bool changed = this->UpdateMeshes(meshes);
+  const bool same = !changed &&
+    std::equal(meshes.begin(), meshes.end(), this->Meshes.begin(), this->Meshes.end(), IsSamePlace);
+  this->Meshes = meshes;
+  if (!same)
+  {
+    this->Place();
+  }
+  return !same;
+}
+
+//------------------------------------------------------------------------------
+glm::dmat4 vtkRelievoRayTree::GetToScene(const Placed& placed) const
+{
+  glm::dmat4 toScene =
+    this->Meshes[placed.Mesh].GetPlace(static_cast<std::size_t>(placed.Instance));
+  toScene[3] = glm::dvec4(
+    glm::dvec3(toScene * glm::dvec4(placed.Triangles->GetOrigin(), 1.0)) - this->Center, 1.0);
+  return toScene;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoRayTree::Place()
+{
+  const std::size_t before = this->Places.size();
+  this->Places.clear();
+  std::vector<glm::dvec3> boxes; // least and greatest corners
+  glm::dvec3 least(Endless);
+  glm::dvec3 most(-Endless);
+  for (std::size_t i = 0; i < this->Meshes.size(); ++i)
+  {
+    const vtkRelievoPlacedMesh& mesh = this->Meshes[i];
+    Placed placed;
+    placed.Triangles = this->Trees[mesh.Mesh].Triangles.get();
+    placed.Mesh = static_cast<int>(i);
+    const std::size_t count = placed.Triangles->IsEmpty() ? 0 : mesh.GetNumberOfPlaces();
+    for (std::size_t k = 0; k < count; ++k)
+    {
+      placed.Instance = static_cast<int>(k);
+      const glm::dmat4 toWorld = mesh.GetPlace(k);
+      const glm::dvec3& low = placed.Triangles->GetLow();
+      const glm::dvec3& high = placed.Triangles->GetHigh();
+      boxes.emplace_back(Endless);
+      boxes.emplace_back(-Endless);
+      for (int corner = 0; corner < 8; ++corner)
+      {
+        const glm::dvec3 p(
+          corner & 1 ? high.x : low.x, corner & 2 ? high.y : low.y, corner & 4 ? high.z : low.z);
+        const glm::dvec3 world(toWorld * glm::dvec4(p + placed.Triangles->GetOrigin(), 1.0));
+        boxes[boxes.size() - 2] = glm::min(boxes[boxes.size() - 2], world);
+        boxes.back() = glm::max(boxes.back(), world);
+      }
+      least = glm::min(least, boxes[boxes.size() - 2]);
+      most = glm::max(most, boxes.back());
+      this->Places.push_back(placed);
+    }
+  }
+  this->Places.shrink_to_fit();
+  this->Center = this->Places.empty() ? glm::dvec3(0.0) : 0.5 * least + 0.5 * most;
+  this->Half = this->Places.empty() ? glm::dvec3(0.0) : 0.5 * most - 0.5 * least;
+  const double reach = std::max({ this->Half.x, this->Half.y, this->Half.z });
+  this->Scale = reach > 1e-290 ? 1.0 / reach : 1.0;
+  std::vector<vtkRelievoWideTree::Box> rounded;
+  rounded.reserve(this->Places.size());
+  for (std::size_t i = 0; i < this->Places.size(); ++i)
+  {
+    this->Places[i].ToMesh = glm::inverse(this->GetToScene(this->Places[i]));
+    rounded.push_back(vtkRelievoWideTree::Around(this->Scale * (boxes[2 * i] - this->Center),
+      this->Scale * (boxes[2 * i + 1] - this->Center)));
+  }
+  this->PlacesRefitted = before == this->Places.size() && before > 0 && this->Tree.Refit(rounded);
+  if (!this->PlacesRefitted)
+  {
+    this->Tree.Build(rounded, 1);
+  }
+}
+
+//------------------------------------------------------------------------------
+std::size_t vtkRelievoRayTree::GetBytes() const
+{
+  std::size_t bytes = this->Places.capacity() * sizeof(Placed) + this->Tree.GetBytes();
+  for (const auto& held : this->Trees)
+  {
+    bytes += held.second.Triangles->GetBytes();
+  }
+  return bytes;
+}
+
+//------------------------------------------------------------------------------
+long long vtkRelievoRayTree::GetNumberOfTriangles() const
+{
+  long long count = 0;
+  for (const Placed& placed : this->Places)
+  {
+    count += placed.Triangles->GetNumberOfTriangles();
+  }
+  return count;
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoRayTree::IsBefore(const Meeting& a, const Meeting& b) const
+{
+  if (a.T != b.T || a.Place != b.Place)
+  {
+    return a.T < b.T || (a.T == b.T && a.Place < b.Place);
+  }
+  const vtkRelievoMeshTree& mesh = *this->Places[a.Place].Triangles;
+  return mesh.GetCell(a.Triangle) < mesh.GetCell(b.Triangle);
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoRayTree::Meeting vtkRelievoRayTree::FindNearest(
+  const glm::dvec3& from, const glm::dvec3& ray, double low, double high) const
+{
+  Meeting nearest;
+  this->Walk(from, ray, low, high, [&](int place, int triangle, double t) {
+    const Meeting meeting{ place, triangle, t };
+    if (nearest.Place < 0 || this->IsBefore(meeting, nearest))
+    {
+      nearest = meeting;
+    }
+    return nearest.T;
+  });
+  return nearest;
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoRayTree::MeetsAny(
+  const glm::dvec3& from, const glm::dvec3& ray, double low, double high) const
+{
+  bool any = false;
+  this->Walk(from, ray, low, high, [&](int, int, double) {
+    any = true;
+    return -Endless;
+  });
+  return any;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoRayTree::FindAll(const glm::dvec3& from, const glm::dvec3& ray, double low,
+  double high, std::vector<Meeting>& meetings) const
+{
+  meetings.clear();
+  this->Walk(from, ray, low, high, [&](int place, int triangle, double t) {
+    meetings.push_back({ place, triangle, t });
+    return high;
+  });
+  std::sort(meetings.begin(), meetings.end(),
+    [this](const Meeting& a, const Meeting& b) { return this->IsBefore(a, b); });
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoRayTree::GetCorners(int place, int triangle, glm::dvec3 corners[3]) const
+{
+  const Placed& placed = this->Places[place];
+  const glm::dmat4 toScene = this->GetToScene(placed);
+  for (int i = 0; i < 3; ++i)
+  {
+    corners[i] = glm::dvec3(toScene * glm::dvec4(placed.Triangles->GetCorner(triangle, i), 1.0));
+  }
+}
+
+//------------------------------------------------------------------------------
+glm::dvec3 vtkRelievoRayTree::GetNormal(int place, int triangle, glm::dvec3& corner) const
+{
+  glm::dvec3 p[3];
+  this->GetCorners(place, triangle, p);
+  corner = p[0];
+  return glm::cross(p[1] - p[0], p[2] - p[0]);
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoRayTree::Owns(
+  int place, int triangle, const glm::dvec3& from, const glm::dvec3& ray) const
+{
+  const Placed& placed = this->Places[place];
+  const vtkRelievoMeshTree& mesh = *placed.Triangles;
+  return GetInner(placed, from, ray)
+    .Owns(mesh.GetCorner(triangle, 0), mesh.GetCorner(triangle, 1), mesh.GetCorner(triangle, 2));
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoRayTree::Details vtkRelievoRayTree::GetDetails(
+  const Meeting& meeting, const glm::dvec3& from, const glm::dvec3& ray) const
+{
+  const Placed& placed = this->Places[meeting.Place];
+  const vtkRelievoMeshTree& mesh = *placed.Triangles;
+  const glm::dvec3& a = mesh.GetCorner(meeting.Triangle, 0);
+  const glm::dvec3& b = mesh.GetCorner(meeting.Triangle, 1);
+  const glm::dvec3& c = mesh.GetCorner(meeting.Triangle, 2);
+  const vtkRelievoRay inner = GetInner(placed, from, ray);
+  double t = 0.0;
+  glm::dvec3 sides(1.0, 0.0, 0.0);
+  inner.Meets(a, b, c, t, sides);
+  Details details;
+  details.Weights = sides / (sides.x + sides.y + sides.z);
+  const glm::dmat4 toScene = this->GetToScene(placed);
+  const glm::dvec3 own = details.Weights.x * a + details.Weights.y * b + details.Weights.z * c;
+  details.Position = glm::dvec3(toScene * glm::dvec4(own, 1.0)) + this->Center;
+  const glm::dmat3 turn(toScene);
+  const glm::dvec3 normal = glm::cross(b - a, c - a);
+  details.Front = glm::dot(normal, inner.Ray) <= 0.0;
+  details.Normal = glm::cross(turn * (b - a), turn * (c - a));
+  if (glm::determinant(turn) < 0.0)
+  {
+    details.Normal = -details.Normal; // mirrored: its front stays its front
+  }
+  return details;
+}

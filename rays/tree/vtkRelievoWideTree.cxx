@@ -1,0 +1,175 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkRelievoWideTree.h"
+
+#include <limits>
+
+namespace
+{
+using Box = vtkRelievoBoxTree::Box;
+
+constexpr double Worn = 1.5; // times what the tree cost when it was built
+
+void Join(Box& box, const Box& other)
+{
+  box.Min = glm::min(box.Min, other.Min);
+  box.Max = glm::max(box.Max, other.Max);
+}
+
+double GetHalfArea(const Box& box)
+{
+  const glm::dvec3 size = glm::max(glm::dvec3(box.Max) - glm::dvec3(box.Min), 0.0);
+  return size.x * size.y + size.y * size.z + size.z * size.x;
+}
+
+// Where nodes of a tree of two are, and how large.
+class Pairs
+{
+public:
+  explicit Pairs(const vtkRelievoBoxTree& tree)
+    : Nodes(tree.GetNodes())
+  {
+  }
+  bool IsLeaf(int node) const { return this->Nodes[node].High.w > 0.f; }
+  int GetFirst(int leaf) const { return -1 - static_cast<int>(this->Nodes[leaf].Low.w); }
+  int GetCount(int leaf) const { return static_cast<int>(this->Nodes[leaf].High.w); }
+  int GetRight(int node) const
+  {
+    return this->IsLeaf(node + 1) ? node + 2 : static_cast<int>(this->Nodes[node + 1].Low.w);
+  }
+  double GetSize(int node) const
+  {
+    return GetHalfArea({ glm::vec3(this->Nodes[node].Low), glm::vec3(this->Nodes[node].High) });
+  }
+
+private:
+  const std::vector<vtkRelievoBoxTree::Node>& Nodes;
+};
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoWideTree::Box vtkRelievoWideTree::Nowhere()
+{
+  return { glm::vec3(std::numeric_limits<float>::max()),
+    glm::vec3(-std::numeric_limits<float>::max()) };
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoWideTree::Build(const std::vector<Box>& boxes, int leafSize)
+{
+  this->Nodes.clear();
+  this->Stack = 0;
+  vtkRelievoBoxTree tree;
+  tree.Build(boxes, leafSize);
+  this->Order = tree.GetOrder();
+  if (boxes.empty())
+  {
+    return;
+  }
+  const Pairs pairs(tree);
+  struct Task
+  {
+    int Pair; // that becomes a node
+    int From; // the node that it hangs on, and where
+    int Child;
+    int Depth;
+  };
+  std::vector<Task> open(1, Task{ 0, -1, 0, 1 });
+  while (!open.empty())
+  {
+    const Task task = open.back();
+    open.pop_back();
+    const int index = static_cast<int>(this->Nodes.size());
+    if (task.From >= 0)
+    {
+      this->Nodes[task.From].Child[task.Child] = index;
+    }
+    this->Stack = std::max(this->Stack, (Width - 1) * task.Depth + Width);
+    int children[Width] = { task.Pair };
+    int count = 1;
+    for (bool opened = true; opened && count < Width;)
+    {
+      int largest = -1;
+      for (int i = 0; i < count; ++i)
+      {
+        if (!pairs.IsLeaf(children[i]) &&
+          (largest < 0 || pairs.GetSize(children[i]) > pairs.GetSize(children[largest])))
+        {
+          largest = i;
+        }
+      }
+      opened = largest >= 0;
+      if (opened)
+      {
+        const int pair = children[largest];
+        children[largest] = pair + 1;
+        children[count++] = pairs.GetRight(pair);
+      }
+    }
+    Node node{};
+    for (int i = 0; i < count; ++i)
+    {
+      if (pairs.IsLeaf(children[i]))
+      {
+        node.Child[i] = -1 - (Most * pairs.GetFirst(children[i]) + pairs.GetCount(children[i]) - 1);
+      }
+      else
+      {
+        open.push_back({ children[i], index, i, task.Depth + 1 });
+      }
+    }
+    for (int i = count; i < Width; ++i)
+    {
+      node.Child[i] = 0; // no box: never met
+    }
+    this->Nodes.push_back(node);
+  }
+  this->Nodes.shrink_to_fit();
+  this->Fit(boxes);
+  this->CostWhenBuilt = this->Cost;
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoWideTree::Refit(const std::vector<Box>& boxes)
+{
+  this->Fit(boxes);
+  return this->Cost <= Worn * this->CostWhenBuilt;
+}
+
+//------------------------------------------------------------------------------
+// Nodes come after those that they hang on.
+void vtkRelievoWideTree::Fit(const std::vector<Box>& boxes)
+{
+  std::vector<Box> whole(this->Nodes.size());
+  double sum = 0.0;
+  for (std::size_t n = this->Nodes.size(); n-- > 0;)
+  {
+    Node& node = this->Nodes[n];
+    whole[n] = Nowhere();
+    for (int i = 0; i < Width; ++i)
+    {
+      Box box = Nowhere();
+      if (node.Child[i] < 0)
+      {
+        const int leaf = -1 - node.Child[i];
+        for (int k = leaf / Most; k <= leaf / Most + leaf % Most; ++k)
+        {
+          Join(box, boxes[this->Order.empty() ? k : this->Order[k]]);
+        }
+      }
+      else if (node.Child[i] > 0)
+      {
+        box = whole[node.Child[i]];
+      }
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        node.Sides[axis][i] = box.Min[axis];
+        node.Sides[axis + 3][i] = box.Max[axis];
+      }
+      Join(whole[n], box);
+      sum += node.Child[i] == 0 ? 0.0 : GetHalfArea(box);
+    }
+  }
+  const double root = this->Nodes.empty() ? 0.0 : GetHalfArea(whole[0]);
+  this->Cost = root > 0.0 ? sum / root : 0.0;
+}

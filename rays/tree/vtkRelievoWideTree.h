@@ -1,0 +1,307 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// A hierarchy over boxes, eight to a node, that the CPU walks from near to far: floats, with room for
+// their rounding, so that nothing is missed that doubles would meet.
+//
+// Coordinates are between -1 and 1 or little beyond: rays begin where they enter the whole.
+#ifndef vtkRelievoWideTree_h
+#define vtkRelievoWideTree_h
+
+#include "vtkRelievoBoxTree.h"
+#include "vtkRelievoRaysModule.h" // for the export macro
+
+#if defined(__SSE2__)
+#include <emmintrin.h>
+#endif
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+class VTKRELIEVORAYS_EXPORT vtkRelievoWideTree
+{
+public:
+  using Box = vtkRelievoBoxTree::Box;
+
+  // What a box must be larger by on each side than what is in it, for rays that are rounded.
+  static constexpr double Room = 2.5e-7;
+
+  // At most so many boxes to a leaf.
+  static constexpr int Most = 4;
+  void Build(const std::vector<Box>& boxes, int leafSize);
+
+  // The boxes, as many as it was built of, have moved: the tree keeps its shape around them. False
+  // if they have moved so far that it had better be built again.
+  bool Refit(const std::vector<Box>& boxes);
+
+  // Which box is at each place of the leaves.
+  const std::vector<int>& GetOrder() const { return this->Order; }
+
+  // From now on boxes are given in the order of the leaves.
+  void TakeOrderForGiven() { std::vector<int>().swap(this->Order); }
+
+  // The box of what lies between two places, with room.
+  static Box Around(const glm::dvec3& low, const glm::dvec3& high)
+  {
+    return { glm::vec3(low - Room), glm::vec3(high + Room) };
+  }
+  static Box Nowhere();
+
+  std::size_t GetBytes() const
+  {
+    return this->Nodes.capacity() * sizeof(Node) + this->Order.capacity() * sizeof(int);
+  }
+
+  // A ray in floats. The largest coordinate of the direction is 1.
+  struct Ray
+  {
+    float From[3];
+    float Inverse[3];
+    int Near[3]; // which of a box's six numbers it meets first
+    // `inverse` of the direction's numbers.
+    Ray(const glm::dvec3& from, const glm::dvec3& inverse)
+    {
+      constexpr double Most = 1e18; // what is more moves nothing by more than Room on the way
+      for (int i = 0; i < 3; ++i)
+      {
+        this->From[i] = static_cast<float>(from[i]);
+        this->Inverse[i] = static_cast<float>(std::min(std::max(inverse[i], -Most), Most));
+        this->Near[i] = inverse[i] < 0.0 ? i + 3 : i;
+      }
+    }
+  };
+
+  // Calls visit(first, count) for leaves that the ray meets up to `last`, nearest boxes first; it
+  // returns how far more are of interest, less than 0: no more. It will read `leaves`, which has
+  // so many bytes for each place.
+  template <typename Visit>
+  void Walk(const Ray& ray, float last, const void* leaves, std::size_t bytes, Visit visit) const;
+
+private:
+#if defined(__SSE2__)
+  using Four = __m128;
+  static Four All(float x)
+  {
+    return _mm_set1_ps(x);
+  }
+  static Four Min(Four a, Four b)
+  {
+    return _mm_min_ps(a, b);
+  }
+  static Four Max(Four a, Four b)
+  {
+    return _mm_max_ps(a, b);
+  }
+  static Four GetT(Four side, Four from, Four inverse)
+  {
+    return _mm_mul_ps(_mm_sub_ps(side, from), inverse);
+  }
+  static int IsUpTo(Four a, Four b) // a bit for each
+  {
+    return _mm_movemask_ps(_mm_cmple_ps(a, _mm_mul_ps(b, All(Rounding))));
+  }
+  static Four Load(const float* from)
+  {
+    return _mm_load_ps(from);
+  }
+  static void Store(float* to, Four x)
+  {
+    _mm_storeu_ps(to, x);
+  }
+#else
+  struct Four
+  {
+    float X[4];
+  };
+  template <typename Do>
+  static Four Each(Do each)
+  {
+    return { { each(0), each(1), each(2), each(3) } };
+  }
+  static Four All(float x)
+  {
+    return { { x, x, x, x } };
+  }
+  static Four Min(const Four& a, const Four& b)
+  {
+    return Each([&](int i) { return a.X[i] < b.X[i] ? a.X[i] : b.X[i]; });
+  }
+  static Four Max(const Four& a, const Four& b)
+  {
+    return Each([&](int i) { return a.X[i] > b.X[i] ? a.X[i] : b.X[i]; });
+  }
+  static Four GetT(const Four& side, const Four& from, const Four& inverse)
+  {
+    return Each([&](int i) { return (side.X[i] - from.X[i]) * inverse.X[i]; });
+  }
+  static int IsUpTo(const Four& a, const Four& b)
+  {
+    int bits = 0;
+    for (int i = 0; i < 4; ++i)
+    {
+      bits |= a.X[i] <= b.X[i] * Rounding ? 1 << i : 0;
+    }
+    return bits;
+  }
+  static Four Load(const float* from)
+  {
+    return { { from[0], from[1], from[2], from[3] } };
+  }
+  static void Store(float* to, const Four& x)
+  {
+    std::copy_n(x.X, 4, to);
+  }
+#endif
+  static constexpr float Rounding = 1.0000008f; // of the products on both sides
+
+  static constexpr int Width = 8; // boxes of a node
+  struct alignas(16) Node
+  {
+    float Sides[6][Width]; // least x, y, z, and greatest of the boxes
+    int Child[Width];      // a node, or -1 - (Most x first place of a leaf + its boxes - 1)
+  };
+#if defined(__GNUC__)
+  static int GetLowest(unsigned bits)
+  {
+    return __builtin_ctz(bits);
+  }
+  static void Prefetch(const void* at)
+  {
+    __builtin_prefetch(at);
+    __builtin_prefetch(static_cast<const char*>(at) + 64);
+  }
+#else
+  static int GetLowest(unsigned bits)
+  {
+    int lowest = 0;
+    for (; (bits & 1u) == 0; bits >>= 1)
+    {
+      ++lowest;
+    }
+    return lowest;
+  }
+  static void Prefetch(const void*) {}
+#endif
+  struct Entry
+  {
+    int Child;
+    float Near;
+  };
+  static constexpr int Few = 160; // entries of a stack that needs no memory
+
+  void Fit(const std::vector<Box>& boxes);
+
+  std::vector<Node> Nodes;
+  std::vector<int> Order;
+  int Stack = 0; // entries that a walk may need
+  double Cost = 0.0;
+  double CostWhenBuilt = 0.0;
+};
+
+//------------------------------------------------------------------------------
+template <typename Visit>
+void vtkRelievoWideTree::Walk(
+  const Ray& ray, float last, const void* leaves, std::size_t bytes, Visit visit) const
+{
+  if (this->Nodes.empty())
+  {
+    return;
+  }
+  Entry local[Few];
+  std::vector<Entry> large;
+  Entry* stack = local;
+  if (this->Stack > Few)
+  {
+    large.resize(static_cast<std::size_t>(this->Stack));
+    stack = large.data();
+  }
+  const Four from[3] = { All(ray.From[0]), All(ray.From[1]), All(ray.From[2]) };
+  const Four inverse[3] = { All(ray.Inverse[0]), All(ray.Inverse[1]), All(ray.Inverse[2]) };
+  const int nearX = ray.Near[0];
+  const int nearY = ray.Near[1];
+  const int nearZ = ray.Near[2];
+  const int farX = 3 - nearX;
+  const int farY = 5 - nearY;
+  const int farZ = 7 - nearZ;
+  int size = 0;
+  int next = 0;
+  for (;;)
+  {
+    while (next >= 0)
+    {
+      const Node& node = this->Nodes[static_cast<std::size_t>(next)];
+      alignas(16) float t[Width];
+      unsigned bits = 0;
+      for (int i = 0; i < Width; i += 4)
+      {
+        const Four low = Max(Max(GetT(Load(node.Sides[nearX] + i), from[0], inverse[0]),
+                               GetT(Load(node.Sides[nearY] + i), from[1], inverse[1])),
+          Max(GetT(Load(node.Sides[nearZ] + i), from[2], inverse[2]), All(0.f)));
+        const Four high = Min(Min(GetT(Load(node.Sides[farX] + i), from[0], inverse[0]),
+                                GetT(Load(node.Sides[farY] + i), from[1], inverse[1])),
+          Min(GetT(Load(node.Sides[farZ] + i), from[2], inverse[2]), All(last)));
+        Store(t + i, low);
+        bits |= static_cast<unsigned>(IsUpTo(low, high)) << i;
+      }
+      if (bits == 0)
+      {
+        break;
+      }
+      if ((bits & (bits - 1)) == 0) // one
+      {
+        next = node.Child[GetLowest(bits)];
+        continue;
+      }
+      const unsigned rest = bits & (bits - 1);
+      for (unsigned each = bits; each != 0; each &= each - 1)
+      {
+        const int child = node.Child[GetLowest(each)];
+        Prefetch(child >= 0 ? static_cast<const void*>(this->Nodes.data() + child)
+                            : static_cast<const char*>(leaves) + bytes * ((-1 - child) / Most));
+      }
+      if ((rest & (rest - 1)) == 0) // two
+      {
+        const int a = GetLowest(bits);
+        const int b = GetLowest(rest);
+        const bool second = t[b] < t[a];
+        stack[size++] = { node.Child[second ? a : b], t[second ? a : b] };
+        next = node.Child[second ? b : a];
+        continue;
+      }
+      const int before = size;
+      for (; bits != 0; bits &= bits - 1)
+      {
+        const int i = GetLowest(bits);
+        int k = size++;
+        for (; k > before && stack[k - 1].Near < t[i]; --k)
+        {
+          stack[k] = stack[k - 1];
+        }
+        stack[k] = { node.Child[i], t[i] };
+      }
+      next = stack[--size].Child;
+    }
+    if (next < 0)
+    {
+      const int leaf = -1 - next;
+      last = visit(leaf / Most, leaf % Most + 1);
+      if (last < 0.f)
+      {
+        return;
+      }
+    }
+    do
+    {
+      if (size == 0)
+      {
+        return;
+      }
+      --size;
+    } while (stack[size].Near > last * Rounding);
+    next = stack[size].Child;
+  }
+}
+
+#endif
