@@ -3,8 +3,11 @@
 #include "vtkRelievoCameraModel.h"
 
 #include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
 #include "vtkMath.h"
+#include "vtkNew.h"
 #include "vtkRelievoThreads.h"
+#include "vtkStringArray.h"
 
 #include <algorithm>
 #include <cmath>
@@ -200,6 +203,39 @@ void vtkRelievoCameraModel::Project(vtkDoubleArray* points, vtkDoubleArray* plac
       }
     });
   });
+}
+
+//------------------------------------------------------------------------------
+double vtkRelievoCameraModel::GetDepth(const double[3], const double point[3])
+{
+  return vtkMath::Dot(this->Rotation + 6, point) + this->Translation[2];
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoCameraModel::AddNumbers(
+  vtkFieldData* fields, const char* name, const double* values, int count)
+{
+  vtkNew<vtkDoubleArray> array;
+  array->SetName(name);
+  array->SetNumberOfTuples(count);
+  std::copy_n(values, count, array->GetPointer(0));
+  fields->AddArray(array);
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoCameraModel::AddText(vtkFieldData* fields, const char* name, const char* text)
+{
+  vtkNew<vtkStringArray> array;
+  array->SetName(name);
+  array->InsertNextValue(text);
+  fields->AddArray(array);
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoCameraModel::AddTo(vtkFieldData* fields)
+{
+  AddNumbers(fields, "R", this->Rotation, 9);
+  AddNumbers(fields, "t", this->Translation, 3);
 }
 
 //------------------------------------------------------------------------------

@@ -20,7 +20,7 @@
 #include "vtkRelievoCamerasModule.h" // for the export macro
 
 class vtkDoubleArray;
-class vtkMatrix4x4;
+class vtkFieldData;
 
 class VTKRELIEVOCAMERAS_EXPORT vtkRelievoCameraModel : public vtkObject
 {
@@ -77,12 +77,27 @@ public:
   void GetRays(vtkDoubleArray* places, vtkDoubleArray* origins, vtkDoubleArray* directions);
   ///@}
 
+  /**
+   * The depth of a point in the world that a ray from this origin meets: z in camera space, for
+   * sensors without one direction the distance.
+   */
+  virtual double GetDepth(const double origin[3], const double point[3]);
+
+  /**
+   * Adds the calibration to the field data of a picture: R (9 double, row by row), t (3), and what
+   * the subclass has, such as K (9), `lens` (text) and `distortion`.
+   */
+  virtual void AddTo(vtkFieldData* fields);
+
   /** The places (n x 2) of world points (n x 3), NaN where there is none. All cores. */
   void Project(vtkDoubleArray* points, vtkDoubleArray* places);
 
 protected:
   vtkRelievoCameraModel() = default;
   ~vtkRelievoCameraModel() override = default;
+
+  static void AddNumbers(vtkFieldData* fields, const char* name, const double* values, int count);
+  static void AddText(vtkFieldData* fields, const char* name, const char* text);
 
   // NaN, and false.
   static bool Nowhere(double* values, int count);

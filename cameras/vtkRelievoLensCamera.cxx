@@ -445,6 +445,20 @@ bool vtkRelievoLensCamera::TakeFrom(vtkCamera* camera, int columns, int rows)
 }
 
 //------------------------------------------------------------------------------
+void vtkRelievoLensCamera::AddTo(vtkFieldData* fields)
+{
+  this->Superclass::AddTo(fields);
+  double matrix[9];
+  this->GetIntrinsics(matrix);
+  AddNumbers(fields, "K", matrix, 9);
+  if (this->Lens != PINHOLE)
+  {
+    AddText(fields, "lens", Names[this->Lens]);
+    AddNumbers(fields, "distortion", this->Coefficients, Used[this->Lens]);
+  }
+}
+
+//------------------------------------------------------------------------------
 void vtkRelievoLensCamera::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);

@@ -147,6 +147,22 @@ bool vtkRelievoLidar::ProjectCameraPoint(const double[3], double pixel[2])
 }
 
 //------------------------------------------------------------------------------
+double vtkRelievoLidar::GetDepth(const double origin[3], const double point[3])
+{
+  return std::sqrt(vtkMath::Distance2BetweenPoints(origin, point));
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoLidar::AddTo(vtkFieldData* fields)
+{
+  this->Superclass::AddTo(fields);
+  AddText(fields, "lens", "lidar");
+  AddNumbers(
+    fields, "elevations", this->Elevations.data(), static_cast<int>(this->Elevations.size()));
+  AddNumbers(fields, "azimuths", this->Azimuths.data(), static_cast<int>(this->Azimuths.size()));
+}
+
+//------------------------------------------------------------------------------
 void vtkRelievoLidar::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);

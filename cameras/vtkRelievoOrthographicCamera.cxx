@@ -37,6 +37,15 @@ bool vtkRelievoOrthographicCamera::ProjectCameraPoint(const double point[3], dou
 }
 
 //------------------------------------------------------------------------------
+void vtkRelievoOrthographicCamera::AddTo(vtkFieldData* fields)
+{
+  this->Superclass::AddTo(fields);
+  AddText(fields, "lens", "orthographic");
+  const double values[3] = { this->PixelsPerUnit, this->PrincipalPoint[0], this->PrincipalPoint[1] };
+  AddNumbers(fields, "orthographic", values, 3);
+}
+
+//------------------------------------------------------------------------------
 void vtkRelievoOrthographicCamera::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);

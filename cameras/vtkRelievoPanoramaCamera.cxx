@@ -109,6 +109,23 @@ bool vtkRelievoPanoramaCamera::ProjectCameraPoint(const double point[3], double 
 }
 
 //------------------------------------------------------------------------------
+double vtkRelievoPanoramaCamera::GetDepth(const double origin[3], const double point[3])
+{
+  return std::sqrt(vtkMath::Distance2BetweenPoints(origin, point));
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoPanoramaCamera::AddTo(vtkFieldData* fields)
+{
+  this->Superclass::AddTo(fields);
+  AddText(fields, "lens", this->Layout == CUBE ? "cube" : "equirectangular");
+  if (this->Layout == EQUIRECTANGULAR)
+  {
+    AddNumbers(fields, "field_of_view", this->FieldOfView, 2);
+  }
+}
+
+//------------------------------------------------------------------------------
 void vtkRelievoPanoramaCamera::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);

@@ -45,6 +45,16 @@ bool vtkRelievoPushbroomCamera::ProjectCameraPoint(const double point[3], double
 }
 
 //------------------------------------------------------------------------------
+void vtkRelievoPushbroomCamera::AddTo(vtkFieldData* fields)
+{
+  this->Superclass::AddTo(fields);
+  AddText(fields, "lens", "push-broom");
+  const double values[5] = { this->FocalLength, this->PrincipalColumn, this->Velocity[0],
+    this->Velocity[1], this->Velocity[2] };
+  AddNumbers(fields, "push_broom", values, 5);
+}
+
+//------------------------------------------------------------------------------
 void vtkRelievoPushbroomCamera::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);

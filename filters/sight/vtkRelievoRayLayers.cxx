@@ -1,0 +1,381 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkRelievoRayLayers.h"
+
+#include "vtkCellData.h"
+#include "vtkCompositeDataIterator.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkDataSet.h"
+#include "vtkDoubleArray.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkRelievoAbort.h"
+#include "vtkRelievoCameraModel.h"
+#include "vtkRelievoLayer.h"
+#include "vtkRelievoLayerCatalogue.h"
+#include "vtkRelievoRayScene.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkTable.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <utility>
+
+vtkStandardNewMacro(vtkRelievoRayLayers);
+
+namespace
+{
+constexpr vtkIdType RaysAtOnce = 1 << 19;
+
+// The columns of hits that layers are.
+const std::map<std::string, const char*> Columns = { { "range", "distance" },
+  { "normal", "normal" }, { "geometric_normal", "geometric_normal" }, { "position", "position" },
+  { "actor", "prop" }, { "block", "block" }, { "cell", "cell" } };
+
+// An array of data by its name: of points, or else of cells.
+struct Named
+{
+  vtkDataArray* OfPoints = nullptr;
+  vtkDataArray* OfCells = nullptr;
+
+  Named(vtkDataSet* data, const std::string& name)
+  {
+    const std::string kind = name.substr(0, name.find(':') + 1);
+    const std::string own = kind == "point:" || kind == "cell:" ? name.substr(kind.size()) : name;
+    if (kind != "cell:")
+    {
+      this->OfPoints = data->GetPointData()->GetArray(own.c_str());
+    }
+    if (!this->OfPoints && kind != "point:")
+    {
+      this->OfCells = data->GetCellData()->GetArray(own.c_str());
+    }
+  }
+  vtkDataArray* Get() const { return this->OfPoints ? this->OfPoints : this->OfCells; }
+};
+
+// The data of a scene by prop and block.
+using Blocks = std::map<std::pair<int, int>, vtkDataSet*>;
+
+Blocks GetBlocks(vtkRelievoRayScene* scene)
+{
+  Blocks blocks;
+  for (int prop = 0; prop < scene->GetNumberOfProps(); ++prop)
+  {
+    vtkDataObject* data = scene->GetPropData(prop);
+    if (auto* composite = vtkCompositeDataSet::SafeDownCast(data))
+    {
+      vtkSmartPointer<vtkCompositeDataIterator> it;
+      it.TakeReference(composite->NewIterator());
+      for (it->InitTraversal(); !it->IsDoneWithTraversal(); it->GoToNextItem())
+      {
+        if (auto* block = vtkDataSet::SafeDownCast(it->GetCurrentDataObject()))
+        {
+          blocks[{ prop, static_cast<int>(it->GetCurrentFlatIndex()) }] = block;
+        }
+      }
+    }
+    else if (auto* single = vtkDataSet::SafeDownCast(data))
+    {
+      blocks[{ prop, 0 }] = single;
+    }
+  }
+  return blocks;
+}
+
+// A layer while it is filled.
+struct Layer
+{
+  std::string Name;
+  const char* Column = nullptr; // none: depth, or of the data
+  vtkSmartPointer<vtkDataArray> Array;
+  std::map<std::pair<int, int>, Named> Sources; // of the data's arrays
+
+  void Make(int type, int components, double background, vtkIdType pixels)
+  {
+    this->Array.TakeReference(vtkDataArray::CreateDataArray(type));
+    this->Array->SetName(this->Name.c_str());
+    this->Array->SetNumberOfComponents(components);
+    this->Array->SetNumberOfTuples(pixels);
+    for (int i = 0; i < components; ++i)
+    {
+      this->Array->FillComponent(i, background);
+    }
+  }
+
+  // False if no data has an array of the name.
+  bool MakeOfData(const Blocks& blocks, vtkIdType pixels)
+  {
+    int components = 0;
+    int type = VTK_FLOAT;
+    for (const auto& block : blocks)
+    {
+      const Named named(block.second, this->Name);
+      vtkDataArray* array = named.Get();
+      // Of blocks that differ, those count that are as the first one.
+      if (array && (components == 0 || components == array->GetNumberOfComponents()))
+      {
+        components = array->GetNumberOfComponents();
+        type = array->GetDataType() == VTK_DOUBLE ? VTK_DOUBLE : type;
+        this->Sources.emplace(block.first, named);
+      }
+    }
+    if (components > 0)
+    {
+      this->Make(type, components, std::numeric_limits<double>::quiet_NaN(), pixels);
+    }
+    return components > 0;
+  }
+};
+
+// The columns of hits, looked up once.
+struct Hits
+{
+  vtkDataArray* Distance;
+  vtkDataArray* Prop;
+  vtkDataArray* Block;
+  vtkDataArray* Cell;
+  vtkDataArray* Points;
+  vtkDataArray* Weights;
+  vtkDataArray* Position;
+
+  explicit Hits(vtkTable* table)
+    : Distance(Get(table, "distance"))
+    , Prop(Get(table, "prop"))
+    , Block(Get(table, "block"))
+    , Cell(Get(table, "cell"))
+    , Points(Get(table, "points"))
+    , Weights(Get(table, "weights"))
+    , Position(Get(table, "position"))
+  {
+  }
+
+  static vtkDataArray* Get(vtkTable* table, const char* name)
+  {
+    return vtkDataArray::SafeDownCast(table->GetColumnByName(name));
+  }
+};
+
+// The value of an array of the data at a hit.
+void SetValue(vtkRelievoRayScene* scene, Layer& layer, const Hits& hits, vtkIdType i,
+  vtkIdType pixel)
+{
+  const auto prop = static_cast<int>(hits.Prop->GetComponent(i, 0));
+  const auto block = static_cast<int>(hits.Block->GetComponent(i, 0));
+  const auto found = layer.Sources.find({ prop, block });
+  if (found == layer.Sources.end())
+  {
+    return;
+  }
+  const Named& named = found->second;
+  const auto cell = static_cast<vtkIdType>(hits.Cell->GetComponent(i, 0));
+  if (!named.OfPoints || scene->GetIsGlyphs(prop)) // of glyphs the cell is a point
+  {
+    layer.Array->SetTuple(pixel, cell, named.Get());
+    return;
+  }
+  for (int component = 0; component < layer.Array->GetNumberOfComponents(); ++component)
+  {
+    double value = 0.0;
+    for (int k = 0; k < 3; ++k)
+    {
+      value += hits.Weights->GetComponent(i, k) *
+        named.OfPoints->GetComponent(
+          static_cast<vtkIdType>(hits.Points->GetComponent(i, k)), component);
+    }
+    layer.Array->SetComponent(pixel, component, value);
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoRayLayers::vtkRelievoRayLayers()
+{
+  this->SetNumberOfInputPorts(0);
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoRayLayers::~vtkRelievoRayLayers() = default;
+
+//------------------------------------------------------------------------------
+void vtkRelievoRayLayers::SetScene(vtkRelievoRayScene* scene)
+{
+  this->Scene = scene;
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoRayScene* vtkRelievoRayLayers::GetScene()
+{
+  return this->Scene;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoRayLayers::SetCamera(vtkRelievoCameraModel* camera)
+{
+  this->Camera = camera;
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoCameraModel* vtkRelievoRayLayers::GetCamera()
+{
+  return this->Camera;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoRayLayers::AddLayer(const char* name)
+{
+  this->Layers.emplace_back(name ? name : "");
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoRayLayers::RemoveAllLayers()
+{
+  this->Layers.clear();
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+vtkMTimeType vtkRelievoRayLayers::GetMTime()
+{
+  this->Modified();
+  return this->Superclass::GetMTime();
+}
+
+//------------------------------------------------------------------------------
+int vtkRelievoRayLayers::RequestInformation(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
+{
+  int extent[6] = { 0, -1, 0, -1, 0, 0 };
+  if (this->Camera)
+  {
+    extent[1] = this->Camera->GetSize()[0] - 1;
+    extent[3] = this->Camera->GetSize()[1] - 1;
+  }
+  outputs->GetInformationObject(0)->Set(
+    vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent, 6);
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkRelievoRayLayers::RequestData(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
+{
+  relievo::Begin(outputs);
+  if (!this->Scene || !this->Camera)
+  {
+    vtkErrorMacro("It has no " << (this->Scene ? "camera; give it one by SetCamera."
+                                               : "scene; give it one by SetScene."));
+    return 0;
+  }
+  vtkImageData* image = vtkImageData::GetData(outputs);
+  const vtkIdType columns = this->Camera->GetSize()[0];
+  const vtkIdType rows = this->Camera->GetSize()[1];
+  this->Scene->Update();
+  const Blocks blocks = GetBlocks(this->Scene);
+  std::vector<Layer> layers;
+  for (const std::string& name : this->Layers)
+  {
+    Layer layer;
+    layer.Name = name;
+    const vtkRelievoLayer& known = vtkRelievoLayerCatalogue::Find(name);
+    const auto column = Columns.find(name);
+    if (column != Columns.end() || name == "depth")
+    {
+      layer.Column = name == "depth" ? nullptr : column->second;
+      layer.Make(known.Type, known.Components, known.Background, columns * rows);
+    }
+    else if (known.Kind != vtkRelievoLayer::ARRAY || !layer.MakeOfData(blocks, columns * rows))
+    {
+      vtkErrorMacro("Rays have no layer '"
+        << name << "'; they have depth, range, normal, geometric_normal, position, actor, block, "
+                   "cell, and arrays of what is in the scene.");
+      return 0;
+    }
+    layers.push_back(layer);
+  }
+
+  vtkNew<vtkDoubleArray> places;
+  vtkNew<vtkDoubleArray> origins;
+  vtkNew<vtkDoubleArray> directions;
+  vtkNew<vtkTable> table;
+  places->SetNumberOfComponents(2);
+  const vtkIdType rowsAtOnce = std::max<vtkIdType>(1, RaysAtOnce / columns);
+  for (vtkIdType row = 0; row < rows; row += rowsAtOnce)
+  {
+    const vtkIdType end = std::min(rows, row + rowsAtOnce);
+    places->SetNumberOfTuples((end - row) * columns);
+    for (vtkIdType i = 0; i < places->GetNumberOfTuples(); ++i)
+    {
+      places->SetValue(2 * i, static_cast<double>(i % columns));
+      places->SetValue(2 * i + 1, static_cast<double>(row + i / columns));
+    }
+    this->Camera->GetRays(places, origins, directions);
+    if (!this->Scene->FindNearest(origins, directions, table))
+    {
+      vtkErrorMacro("The rays of the camera were not followed; see the errors before.");
+      return 0;
+    }
+    const Hits hits(table);
+    for (vtkIdType i = 0; i < places->GetNumberOfTuples(); ++i)
+    {
+      if (std::isinf(hits.Distance->GetComponent(i, 0)))
+      {
+        continue;
+      }
+      // Rows run downwards in cameras and upwards in images.
+      const vtkIdType pixel = (rows - 1 - row - i / columns) * columns + i % columns;
+      for (Layer& layer : layers)
+      {
+        if (layer.Column)
+        {
+          layer.Array->SetTuple(pixel, hits.Get(table, layer.Column)->GetTuple(i));
+        }
+        else if (layer.Name == "depth")
+        {
+          layer.Array->SetComponent(pixel, 0,
+            this->Camera->GetDepth(origins->GetPointer(3 * i), hits.Position->GetTuple(i)));
+        }
+        else
+        {
+          SetValue(this->Scene, layer, hits, i, pixel);
+        }
+      }
+    }
+    this->UpdateProgress(static_cast<double>(end) / static_cast<double>(rows));
+    if (relievo::IsStopped(this))
+    {
+      relievo::Discard(outputs);
+      return 1;
+    }
+  }
+  image->SetDimensions(static_cast<int>(columns), static_cast<int>(rows), 1);
+  for (const Layer& layer : layers)
+  {
+    image->GetPointData()->AddArray(layer.Array);
+  }
+  this->Camera->AddTo(image->GetFieldData());
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoRayLayers::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Scene: " << this->Scene << "\n";
+  os << indent << "Camera: " << this->Camera << "\n";
+  os << indent << "Layers:";
+  for (const std::string& name : this->Layers)
+  {
+    os << " " << name;
+  }
+  os << "\n";
+}

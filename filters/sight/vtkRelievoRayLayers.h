@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkRelievoRayLayers
+ * @brief Layers of any camera model, by a ray for each pixel: exact, without a window or OpenGL.
+ *
+ * What vtkRelievoLayerSource draws for a vtkCamera this asks a vtkRelievoRayScene for: lenses that
+ * bend, panoramas, moving lines, lidars. One ray at each pixel's centre, in double.
+ *
+ * Output: vtkImageData of the camera's columns and rows, row 0 at the bottom, a point array for each
+ * layer, of the type and with the background that vtkRelievoLayerCatalogue says: depth, range,
+ * normal, geometric_normal, position, actor, block, cell, and arrays by name (point arrays
+ * interpolated, cell arrays as they are; `point:NAME`, `cell:NAME` where both have it; the
+ * background is NaN). `depth` is z in camera space, or the range of sensors that look all around.
+ * `actor` is the number of the prop in the scene.
+ *
+ * Field data: the calibration (vtkRelievoCameraModel::AddTo).
+ *
+ * Errors: no scene or camera, a layer that rays do not have or no data has.
+ */
+#ifndef vtkRelievoRayLayers_h
+#define vtkRelievoRayLayers_h
+
+#include "vtkImageAlgorithm.h"
+#include "vtkRelievoFiltersModule.h" // for the export macro
+#include "vtkSmartPointer.h"         // for what is given
+
+#include <string> // for names
+#include <vector> // for names
+
+class vtkDoubleArray;
+class vtkRelievoCameraModel;
+class vtkRelievoRayScene;
+class vtkTable;
+
+class VTKRELIEVOFILTERS_EXPORT vtkRelievoRayLayers : public vtkImageAlgorithm
+{
+public:
+  static vtkRelievoRayLayers* New();
+  vtkTypeMacro(vtkRelievoRayLayers, vtkImageAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /** What is seen, and what sees it. */
+  void SetScene(vtkRelievoRayScene* scene);
+  vtkRelievoRayScene* GetScene();
+  void SetCamera(vtkRelievoCameraModel* camera);
+  vtkRelievoCameraModel* GetCamera();
+  ///@}
+
+  ///@{
+  /** The layers, by name, in the order of the output's arrays. */
+  void AddLayer(const char* name);
+  void RemoveAllLayers();
+  ///@}
+
+  /** Always newer than before, because the scene may change without notice. */
+  vtkMTimeType GetMTime() override;
+
+protected:
+  vtkRelievoRayLayers();
+  ~vtkRelievoRayLayers() override;
+
+  int RequestInformation(
+    vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs) override;
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs) override;
+
+private:
+  vtkRelievoRayLayers(const vtkRelievoRayLayers&) = delete;
+  void operator=(const vtkRelievoRayLayers&) = delete;
+
+  vtkSmartPointer<vtkRelievoRayScene> Scene;
+  vtkSmartPointer<vtkRelievoCameraModel> Camera;
+  std::vector<std::string> Layers;
+};
+
+#endif
