@@ -35,7 +35,7 @@ void ForEachLeaf(vtkCompositeDataSet* blocks, Visit visit)
   auto it = vtkSmartPointer<vtkCompositeDataIterator>::Take(blocks->NewIterator());
   for (it->InitTraversal(); !it->IsDoneWithTraversal(); it->GoToNextItem())
   {
-    visit(it->GetCurrentDataObject());
+    visit(it->GetCurrentDataObject(), static_cast<int>(it->GetCurrentFlatIndex()));
   }
 }
 
@@ -66,7 +66,7 @@ bool FindSources(vtkGlyph3DMapper* mapper, std::vector<Meshes>& sources)
   {
     Meshes meshes;
     vtkDataObject* source = it->GetCurrentDataObject();
-    const auto add = [&](vtkDataObject* leaf) {
+    const auto add = [&](vtkDataObject* leaf, int) {
       if (auto* mesh = vtkPolyData::SafeDownCast(leaf))
       {
         meshes.push_back(mesh);
@@ -78,7 +78,7 @@ bool FindSources(vtkGlyph3DMapper* mapper, std::vector<Meshes>& sources)
     }
     else if (vtkPolyData::SafeDownCast(source))
     {
-      add(source);
+      add(source, 0);
     }
     else
     {
@@ -89,14 +89,20 @@ bool FindSources(vtkGlyph3DMapper* mapper, std::vector<Meshes>& sources)
   return !sources.empty();
 }
 
+struct Input
+{
+  vtkDataSet* Points;
+  int Block;
+};
+
 // The inputs that are drawn. False if that depends on more than there is here: VTK's versions hand
 // attributes of blocks down in different ways.
-bool FindInputs(vtkGlyph3DMapper* mapper, std::vector<vtkDataSet*>& inputs)
+bool FindInputs(vtkGlyph3DMapper* mapper, std::vector<Input>& inputs)
 {
   vtkDataObject* input = mapper->GetInputDataObject(0, 0);
   if (auto* points = vtkDataSet::SafeDownCast(input))
   {
-    inputs.push_back(points);
+    inputs.push_back({ points, 0 });
     return true;
   }
   auto* blocks = vtkCompositeDataSet::SafeDownCast(input);
@@ -106,10 +112,10 @@ bool FindInputs(vtkGlyph3DMapper* mapper, std::vector<vtkDataSet*>& inputs)
   {
     return false;
   }
-  ForEachLeaf(blocks, [&](vtkDataObject* block) {
+  ForEachLeaf(blocks, [&](vtkDataObject* block, int index) {
     if (auto* points = vtkDataSet::SafeDownCast(block))
     {
-      inputs.push_back(points);
+      inputs.push_back({ points, index });
     }
   });
   return true;
@@ -246,8 +252,15 @@ private:
   vtkBitArray* Mask = nullptr;
 };
 
+// Of a source in one input.
+struct SourcePlaces
+{
+  std::shared_ptr<Matrices> Places = std::make_shared<Matrices>();
+  std::shared_ptr<std::vector<vtkIdType>> Points = std::make_shared<std::vector<vtkIdType>>();
+};
+
 // Appends to the places of each source. False if one of them is flat: no way back from the world.
-bool AddPlaces(const Rules& rules, vtkIdType points, std::vector<std::shared_ptr<Matrices>>& places)
+bool AddPlaces(const Rules& rules, vtkIdType points, std::vector<SourcePlaces>& places)
 {
   for (vtkIdType i = 0; i < points; ++i)
   {
@@ -268,7 +281,9 @@ bool AddPlaces(const Rules& rules, vtkIdType points, std::vector<std::shared_ptr
     // What has no place is drawn nowhere.
     if (std::all_of(&place[0][0], &place[0][0] + 16, [](float x) { return std::isfinite(x); }))
     {
-      places[rules.GetSource(i)]->push_back(place);
+      SourcePlaces& source = places[rules.GetSource(i)];
+      source.Places->push_back(place);
+      source.Points->push_back(i);
     }
   }
   return true;
@@ -284,7 +299,7 @@ const std::vector<vtkRelievoGlyphPlaces::Group>* vtkRelievoGlyphPlaces::Find(
     it = it->second.Mapper ? std::next(it) : this->Mappers.erase(it);
   }
   std::vector<Meshes> sources;
-  std::vector<vtkDataSet*> inputs;
+  std::vector<Input> inputs;
   if (mapper->GetCullingAndLOD() || !FindSources(mapper, sources) || !FindInputs(mapper, inputs))
   {
     this->Mappers.erase(mapper);
@@ -301,30 +316,30 @@ const std::vector<vtkRelievoGlyphPlaces::Group>* vtkRelievoGlyphPlaces::Find(
       state.push_back(reinterpret_cast<std::uintptr_t>(mesh));
     }
   }
-  for (vtkDataSet* points : inputs)
+  for (const Input& each : inputs)
   {
-    state.push_back(reinterpret_cast<std::uintptr_t>(points));
-    state.push_back(points->GetMTime());
+    state.push_back(reinterpret_cast<std::uintptr_t>(each.Points));
+    state.push_back(each.Points->GetMTime());
   }
   Held& held = this->Mappers[mapper];
   if (held.State != state)
   {
     held = { mapper, state, true, {} };
-    std::vector<std::shared_ptr<Matrices>> places(sources.size());
-    std::generate(places.begin(), places.end(), []() { return std::make_shared<Matrices>(); });
     vtkIdType count = 0;
-    for (vtkDataSet* points : inputs)
+    for (const Input& each : inputs)
     {
-      const Rules rules(mapper, points, static_cast<int>(sources.size()));
-      count += points->GetNumberOfPoints();
-      held.Known = held.Known && count <= MostGlyphs && rules.AreSound() &&
-        AddPlaces(rules, points->GetNumberOfPoints(), places);
-    }
-    for (std::size_t i = 0; i < sources.size() && held.Known; ++i)
-    {
-      for (vtkPolyData* mesh : sources[i])
+      const Rules rules(mapper, each.Points, static_cast<int>(sources.size()));
+      const vtkIdType points = each.Points->GetNumberOfPoints();
+      std::vector<SourcePlaces> places(sources.size());
+      count += points;
+      held.Known =
+        held.Known && count <= MostGlyphs && rules.AreSound() && AddPlaces(rules, points, places);
+      for (std::size_t i = 0; i < sources.size() && held.Known; ++i)
       {
-        held.Groups.push_back({ mesh, places[i] });
+        for (vtkPolyData* mesh : sources[i])
+        {
+          held.Groups.push_back({ mesh, places[i].Places, places[i].Points, each.Block });
+        }
       }
     }
   }

@@ -26,11 +26,14 @@ public:
   // From a source to the actor: floats, as VTK has them.
   using Matrices = std::vector<glm::mat4>;
 
-  // A mesh of a source, and all of its places. Good until the mapper's pipeline changes.
+  // A mesh of a source, and all of its places in a block of the input, with the block's flat index
+  // and its points. Good until the mapper's pipeline changes.
   struct Group
   {
     vtkPolyData* Mesh = nullptr;
     std::shared_ptr<const Matrices> Places;
+    std::shared_ptr<const std::vector<vtkIdType>> Points;
+    int Block = 0;
   };
 
   // Calculated when the mapper, its points or its sources have changed. Null if they are not to be

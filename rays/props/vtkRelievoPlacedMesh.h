@@ -6,10 +6,12 @@
 #define vtkRelievoPlacedMesh_h
 
 #include "vtkRelievoFormulas.h" // for GLM
+#include "vtkType.h"
 
 #include <memory>
 #include <vector>
 
+class vtkActor;
 class vtkPolyData;
 
 struct vtkRelievoPlacedMesh
@@ -18,7 +20,10 @@ struct vtkRelievoPlacedMesh
   glm::dmat4 MeshToWorld{ 1.0 };
   // Of glyphs: from the mesh to the coordinates of MeshToWorld. Null: it is there once.
   std::shared_ptr<const std::vector<glm::mat4>> Places;
-  double Passes = 0.0;     // of the light: 1 - opacity
+  std::shared_ptr<const std::vector<vtkIdType>> Points; // of the glyphs' input, one for each place
+  vtkActor* Actor = nullptr;                            // that draws it
+  int Block = 0;           // its flat index in composite data; of glyphs, that of their points
+  double Passes = 0.0;     // of the light: 1 - opacity; NaN: not known, or not one for all
   glm::dvec3 Color{ 1.0 }; // of what passes
   double Reach = 0.0;      // largest coordinate that was rounded before the mesh knew it
   bool CullsFront = false; // to the eye; it casts from both sides

@@ -16,6 +16,7 @@
 #include "vtkGlyph3DMapper.h"
 #include "vtkImageData.h"
 #include "vtkLODProp3D.h"
+#include "vtkMath.h"
 #include "vtkMatrix4x4.h"
 #include "vtkPlaneCollection.h"
 #include "vtkPolyData.h"
@@ -40,7 +41,9 @@
 
 namespace
 {
-// How a part casts, and what its blocks inherit.
+using Wanted = vtkRelievoPropMeshes::Wanted;
+
+// How a part is drawn, and what its blocks inherit.
 struct Manner
 {
   glm::dmat4 MeshToWorld{ 1.0 };
@@ -51,8 +54,11 @@ struct Manner
   bool Overrides = false;   // Color is a block's: it wins over arrays
   bool ArraysKnown = false; // Color is right whatever the mesh has
   bool Visible = true;
-  double Reach = 0.0;       // of vtkRelievoPlacedMesh
-  bool Translucent = false; // what is translucent casts as well
+  double Reach = 0.0; // of vtkRelievoPlacedMesh
+  Wanted Meshes = Wanted::Opaque;
+  bool OpacityKnown = true; // and one for all
+  vtkActor* Actor = nullptr;
+  int Block = 0;
   bool CullsFront = false;
   bool CullsBack = false;
 };
@@ -86,8 +92,8 @@ vtkRelievoMovedMesh* GetMoved(vtkActor* actor)
   return all ? moved : nullptr;
 }
 
-// Whether the actor draws triangles that are known here, all of one opacity.
-bool IsSurface(vtkActor* actor)
+// Whether the actor draws triangles that are known here, all of one opacity unless any will do.
+bool IsSurface(vtkActor* actor, bool anyOpacity)
 {
   vtkProperty* property = actor->GetProperty();
   vtkMapper* mapper = actor->GetMapper();
@@ -96,11 +102,11 @@ bool IsSurface(vtkActor* actor)
     vtkRelievoPlainActor::IsOfClass(actor) && !vtkRelievoPlainActor::HasOwnShaders(actor);
   bool surface = (plain || GetMoved(actor)) && property->GetRepresentation() == VTK_SURFACE &&
     !property->GetVertexVisibility() && (!planes || planes->GetNumberOfItems() == 0) &&
-    IsOpaque(actor->GetTexture()) &&
+    (anyOpacity || IsOpaque(actor->GetTexture())) &&
     vtkRelievoCutSurface::GetCutoff(actor->GetPropertyKeys()) <= 0.0;
   for (const auto& named : property->GetAllTextures())
   {
-    surface = surface && IsOpaque(named.second);
+    surface = surface && (anyOpacity || IsOpaque(named.second));
   }
   return surface;
 }
@@ -150,43 +156,46 @@ bool HasAlpha(vtkMapper* mapper, vtkDataObject* data)
   return GetAlpha(mapper, data) != 1.0;
 }
 
-bool AddMesh(vtkPolyData* mesh, const Manner& manner, std::vector<vtkRelievoPlacedMesh>& casters)
+bool AddMesh(vtkPolyData* mesh, const Manner& manner, std::vector<vtkRelievoPlacedMesh>& meshes)
 {
   if (!mesh || !manner.Visible || !(manner.Opacity > 0.0) ||
-    (manner.Opacity < 1.0 && !manner.Translucent))
+    (manner.Opacity < 1.0 && manner.Meshes == Wanted::Opaque))
   {
     return true;
   }
-  if (mesh->GetNumberOfVerts() > 0 || mesh->GetNumberOfLines() > 0 ||
-    !vtkRelievoMeshTexels::Follows(mesh))
+  const bool others = mesh->GetNumberOfVerts() > 0 || mesh->GetNumberOfLines() > 0;
+  if ((others && manner.Meshes != Wanted::Geometry) || !vtkRelievoMeshTexels::Follows(mesh))
   {
     return false;
   }
-  casters.emplace_back();
-  vtkRelievoPlacedMesh& caster = casters.back();
-  caster.Mesh = mesh;
-  caster.MeshToWorld = manner.MeshToWorld;
-  caster.Passes = 1.0 - manner.Opacity;
+  meshes.emplace_back();
+  vtkRelievoPlacedMesh& placed = meshes.back();
+  placed.Mesh = mesh;
+  placed.MeshToWorld = manner.MeshToWorld;
+  placed.Passes = manner.OpacityKnown ? 1.0 - manner.Opacity : vtkMath::Nan();
+  placed.Actor = manner.Actor;
+  placed.Block = manner.Block;
   const bool plain = manner.ArraysKnown || manner.Overrides || !GetColors(manner.Mapper, mesh);
   if (plain && !manner.Textured)
   {
-    caster.Color = glm::clamp(manner.Color, 0.0, 1.0);
+    placed.Color = glm::clamp(manner.Color, 0.0, 1.0);
   }
-  caster.Reach = manner.Reach;
-  caster.CullsFront = manner.CullsFront;
-  caster.CullsBack = manner.CullsBack;
+  placed.Reach = manner.Reach;
+  placed.CullsFront = manner.CullsFront;
+  placed.CullsBack = manner.CullsBack;
   return true;
 }
 
 // Adds the blocks' meshes, with the attributes that VTK's composite mappers hand down to them.
-// False if one cannot be followed.
+// `index` is the flat one of the data, and then of the last block. False if one cannot be followed.
 bool AddBlocks(vtkDataObject* data, vtkCompositeDataDisplayAttributes* attributes, Manner manner,
-  std::vector<vtkRelievoPlacedMesh>& casters)
+  int& index, std::vector<vtkRelievoPlacedMesh>& meshes)
 {
   if (!data)
   {
     return true;
   }
+  manner.Block = index;
   if (attributes && attributes->HasBlockVisibility(data))
   {
     manner.Visible = attributes->GetBlockVisibility(data);
@@ -206,14 +215,22 @@ bool AddBlocks(vtkDataObject* data, vtkCompositeDataDisplayAttributes* attribute
     auto it = vtkSmartPointer<vtkDataObjectTreeIterator>::Take(tree->NewTreeIterator());
     it->VisitOnlyLeavesOff();
     it->TraverseSubTreeOff();
+    it->SkipEmptyNodesOff();
     for (it->InitTraversal(); !it->IsDoneWithTraversal(); it->GoToNextItem())
     {
-      followed = followed && AddBlocks(it->GetCurrentDataObject(), attributes, manner, casters);
+      ++index;
+      followed =
+        followed && AddBlocks(it->GetCurrentDataObject(), attributes, manner, index, meshes);
     }
     return followed;
   }
   auto* mesh = vtkPolyData::SafeDownCast(data);
-  return mesh && !HasAlpha(manner.Mapper, mesh) && AddMesh(mesh, manner, casters);
+  if (manner.Meshes == Wanted::Geometry)
+  {
+    manner.OpacityKnown = manner.OpacityKnown && !HasAlpha(manner.Mapper, mesh);
+    return !mesh || AddMesh(mesh, manner, meshes);
+  }
+  return mesh && !HasAlpha(manner.Mapper, mesh) && AddMesh(mesh, manner, meshes);
 }
 
 // What the points' data have of colours. False if some are translucent by themselves.
@@ -250,36 +267,39 @@ bool FindGlyphColor(vtkGlyph3DMapper* mapper, vtkProperty* property, Manner& man
 }
 
 bool AddGlyphs(const std::vector<vtkRelievoGlyphPlaces::Group>& groups, const Manner& manner,
-  std::vector<vtkRelievoPlacedMesh>& casters)
+  std::vector<vtkRelievoPlacedMesh>& meshes)
 {
   for (const vtkRelievoGlyphPlaces::Group& group : groups)
   {
-    const std::size_t before = casters.size();
+    const std::size_t before = meshes.size();
     if (group.Places->empty())
     {
       continue;
     }
-    if (!AddMesh(group.Mesh, manner, casters))
+    if (!AddMesh(group.Mesh, manner, meshes))
     {
       return false;
     }
-    for (std::size_t i = before; i < casters.size(); ++i)
+    for (std::size_t i = before; i < meshes.size(); ++i)
     {
-      casters[i].Places = group.Places;
+      meshes[i].Places = group.Places;
+      meshes[i].Points = group.Points;
+      meshes[i].Block = group.Block;
     }
   }
   return true;
 }
 
-bool AddActor(vtkActor* actor, vtkMatrix4x4* matrix, bool translucent,
-  vtkRelievoGlyphPlaces& glyphs, std::vector<vtkRelievoPlacedMesh>& casters)
+bool AddActor(vtkActor* actor, vtkMatrix4x4* matrix, Wanted wanted, vtkRelievoGlyphPlaces& glyphs,
+  std::vector<vtkRelievoPlacedMesh>& meshes)
 {
   vtkMapper* mapper = actor->GetMapper();
+  const bool anyOpacity = wanted == Wanted::Geometry;
   if (!actor->GetVisibility())
   {
     return true;
   }
-  if (!IsSurface(actor) || !HasOpaqueColors(mapper))
+  if (!IsSurface(actor, anyOpacity) || (!anyOpacity && !HasOpaqueColors(mapper)))
   {
     return false;
   }
@@ -290,9 +310,12 @@ bool AddActor(vtkActor* actor, vtkMatrix4x4* matrix, bool translucent,
   actor->GetProperty()->GetDiffuseColor(&manner.Color.x);
   manner.Textured = actor->GetTexture() || actor->GetProperty()->GetNumberOfTextures() > 0;
   manner.Mapper = mapper;
+  manner.Actor = actor;
   manner.CullsFront = actor->GetProperty()->GetFrontfaceCulling() != 0;
   manner.CullsBack = actor->GetProperty()->GetBackfaceCulling() != 0;
-  manner.Translucent = translucent;
+  manner.Meshes = wanted;
+  manner.OpacityKnown =
+    !anyOpacity || actor->GetForceOpaque() || (HasOpaqueColors(mapper) && IsSurface(actor, false));
   if (!(std::abs(glm::determinant(manner.MeshToWorld)) > 0.0) ||
     vtkRelievoIsProjective(matrix ? matrix : actor->GetMatrix()))
   {
@@ -300,32 +323,43 @@ bool AddActor(vtkActor* actor, vtkMatrix4x4* matrix, bool translucent,
   }
   if (auto* composite = vtkRelievoCompositeMapper::SafeDownCast(mapper))
   {
-    if (actor->GetForceOpaque())
+    if (actor->GetForceOpaque() && !anyOpacity)
     {
       return false; // blocks have opacities of their own
     }
+    int index = 0;
     return AddBlocks(composite->GetInputDataObject(0, 0),
-      composite->GetCompositeDataDisplayAttributes(), manner, casters);
+      composite->GetCompositeDataDisplayAttributes(), manner, index, meshes);
   }
   if (std::strcmp(mapper->GetClassName(), "vtkDataSetMapper") == 0)
   {
     auto* mesh = vtkPolyData::SafeDownCast(mapper->GetInputDataObject(0, 0));
-    return mesh && AddMesh(mesh, manner, casters);
+    return mesh && AddMesh(mesh, manner, meshes);
   }
   // Colours with an opacity of their own, by an array or a table.
   const std::optional<double> alpha =
     actor->GetForceOpaque() ? 1.0 : GetAlpha(mapper, mapper->GetInputDataObject(0, 0));
-  manner.Opacity *= alpha.value_or(0.0);
-  if (!alpha || (manner.Opacity >= 1.0 && !actor->GetForceOpaque() && !actor->HasOpaqueGeometry()))
+  if (anyOpacity)
   {
-    return false;
+    manner.OpacityKnown = manner.OpacityKnown && alpha;
+    manner.Opacity *= alpha.value_or(1.0);
+  }
+  else
+  {
+    manner.Opacity *= alpha.value_or(0.0);
+    if (!alpha ||
+      (manner.Opacity >= 1.0 && !actor->GetForceOpaque() && !actor->HasOpaqueGeometry()))
+    {
+      return false;
+    }
   }
   if (std::strcmp(mapper->GetClassName(), "vtkOpenGLGlyph3DMapper") == 0)
   {
     auto* glyphMapper = static_cast<vtkGlyph3DMapper*>(mapper);
     const auto* groups = glyphs.Find(glyphMapper);
-    return groups && FindGlyphColor(glyphMapper, actor->GetProperty(), manner) &&
-      AddGlyphs(*groups, manner, casters);
+    const bool opaque = groups && FindGlyphColor(glyphMapper, actor->GetProperty(), manner);
+    manner.OpacityKnown = manner.OpacityKnown && opaque;
+    return groups && (opaque || anyOpacity) && AddGlyphs(*groups, manner, meshes);
   }
   if (std::strcmp(mapper->GetClassName(), "vtkOpenGLPolyDataMapper") != 0)
   {
@@ -342,13 +376,13 @@ bool AddActor(vtkActor* actor, vtkMatrix4x4* matrix, bool translucent,
       return false;
     }
   }
-  return AddMesh(mesh, manner, casters);
+  return AddMesh(mesh, manner, meshes);
 }
 }
 
 //------------------------------------------------------------------------------
-bool vtkRelievoPropMeshes::Collect(vtkProp* prop, bool translucent, vtkRelievoGlyphPlaces& glyphs,
-  std::vector<vtkRelievoPlacedMesh>& casters)
+bool vtkRelievoPropMeshes::Collect(vtkProp* prop, Wanted wanted, vtkRelievoGlyphPlaces& glyphs,
+  std::vector<vtkRelievoPlacedMesh>& meshes)
 {
   if (vtkLODProp3D::SafeDownCast(prop))
   {
@@ -360,11 +394,11 @@ bool vtkRelievoPropMeshes::Collect(vtkProp* prop, bool translucent, vtkRelievoGl
   for (const vtkRelievoPropParts::Part& part : parts)
   {
     vtkActor* actor = vtkRelievoPropParts::GetMeshActor(part);
-    if (actor && !AddActor(actor, part.Matrix, translucent, glyphs, own))
+    if (actor && !AddActor(actor, part.Matrix, wanted, glyphs, own))
     {
       return false;
     }
   }
-  casters.insert(casters.end(), own.begin(), own.end());
+  meshes.insert(meshes.end(), own.begin(), own.end());
   return true;
 }

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What casts as triangles that can be followed: surfaces of vtkPolyDataMapper, composite meshes and
-// glyphs.
+// The meshes that a prop draws as surfaces that can be followed triangle by triangle: those of
+// vtkPolyDataMapper, composite meshes and glyphs.
 #ifndef vtkRelievoPropMeshes_h
 #define vtkRelievoPropMeshes_h
 
@@ -16,12 +16,19 @@ class vtkRelievoGlyphPlaces;
 
 namespace vtkRelievoPropMeshes
 {
-// Appends the meshes that a prop casts with; `translucent`: also those that are translucent. False,
-// and nothing appended, if any of it is no triangles, or not those of its data: points, lines,
-// wireframes, impostors, cut-outs, clipping planes, own shaders, colours of their own opacity,
-// glyphs whose places are not known, other mappers.
-VTKRELIEVORAYS_EXPORT bool Collect(vtkProp* prop, bool translucent, vtkRelievoGlyphPlaces& glyphs,
-  std::vector<vtkRelievoPlacedMesh>& casters);
+// Which meshes are wanted of a prop's.
+enum class Wanted
+{
+  Opaque,
+  Translucent, // also those, if all of a mesh has one opacity
+  Geometry     // all, whatever their opacity, and whatever points and lines are drawn beside them
+};
+
+// Appends the meshes that a prop draws. False, and nothing appended, if any of it is no triangles, or
+// not those of its data: points, lines, wireframes, impostors, cut-outs, clipping planes, own
+// shaders, colours of their own opacity, glyphs whose places are not known, other mappers.
+VTKRELIEVORAYS_EXPORT bool Collect(vtkProp* prop, Wanted wanted, vtkRelievoGlyphPlaces& glyphs,
+  std::vector<vtkRelievoPlacedMesh>& meshes);
 }
 
 #endif

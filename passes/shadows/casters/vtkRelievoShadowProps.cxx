@@ -34,6 +34,8 @@
 
 namespace
 {
+using Wanted = vtkRelievoPropMeshes::Wanted;
+
 bool IsPlain(vtkMapper* mapper)
 {
   return std::strcmp(mapper->GetClassName(), "vtkOpenGLPolyDataMapper") == 0;
@@ -444,7 +446,8 @@ std::vector<vtkRelievoPlacedMesh> vtkRelievoShadowProps::Follow()
   this->Followed.clear();
   for (const Caster& caster : this->Casters)
   {
-    if (vtkRelievoPropMeshes::Collect(caster.Prop, caster.Attenuates, this->Glyphs, followed))
+    const Wanted wanted = caster.Attenuates ? Wanted::Translucent : Wanted::Opaque;
+    if (vtkRelievoPropMeshes::Collect(caster.Prop, wanted, this->Glyphs, followed))
     {
       this->Followed.insert(caster.Prop);
     }
@@ -499,7 +502,8 @@ std::vector<vtkRelievoSurface> vtkRelievoShadowProps::CollectSurfaces(
     surface.Casts = kind.InMaps || translucent;
     surface.Receives = choice.Receives;
     std::vector<vtkRelievoPlacedMesh> casters;
-    if (!vtkRelievoPropMeshes::Collect(prop, translucent, this->Glyphs, casters))
+    const Wanted wanted = translucent ? Wanted::Translucent : Wanted::Opaque;
+    if (!vtkRelievoPropMeshes::Collect(prop, wanted, this->Glyphs, casters))
     {
       others.push_back(this->AllBoxes[i]); // one for each of Spliced
     }

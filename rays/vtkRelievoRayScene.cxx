@@ -1,0 +1,834 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkRelievoRayScene.h"
+
+#include "vtkActor.h"
+#include "vtkActorCollection.h"
+#include "vtkAlgorithm.h"
+#include "vtkCellData.h"
+#include "vtkCommand.h"
+#include "vtkCompositeDataIterator.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkDataSet.h"
+#include "vtkDataSetSurfaceFilter.h"
+#include "vtkDoubleArray.h"
+#include "vtkIdTypeArray.h"
+#include "vtkIntArray.h"
+#include "vtkMapper.h"
+#include "vtkMatrix4x4.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkPropCollection.h"
+#include "vtkProperty.h"
+#include "vtkRelievoGlyphPlaces.h"
+#include "vtkRelievoMatrix.h"
+#include "vtkRelievoMeshTexels.h"
+#include "vtkRelievoPropMeshes.h"
+#include "vtkRelievoPropParts.h"
+#include "vtkRelievoRayTree.h"
+#include "vtkRelievoThreads.h"
+#include "vtkRenderer.h"
+#include "vtkTable.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkVolume.h"
+
+#include <atomic>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+vtkStandardNewMacro(vtkRelievoRayScene);
+
+namespace
+{
+using Meeting = vtkRelievoRayTree::Meeting;
+
+constexpr double Endless = std::numeric_limits<double>::infinity();
+constexpr vtkIdType Batch = 1 << 16; // rays between two reports of progress
+constexpr vtkIdType Grain = 512;     // rays that a thread takes
+
+// What a placed mesh is to those who ask.
+struct Source
+{
+  int Prop = -1;
+  vtkDataArray* Normals = nullptr; // none: geometric ones
+  bool OfCells = false;
+  vtkIdTypeArray* Cells = nullptr; // in the data, of the mesh's; none: the same
+  vtkIdTypeArray* Points = nullptr;
+};
+
+void FindNormals(vtkPolyData* mesh, Source& source)
+{
+  const auto isFit = [](vtkDataArray* normals, vtkIdType count) {
+    return normals && normals->GetNumberOfComponents() == 3 &&
+      normals->GetNumberOfTuples() == count;
+  };
+  vtkDataArray* ofPoints = mesh->GetPointData()->GetNormals();
+  vtkDataArray* ofCells = mesh->GetCellData()->GetNormals();
+  if (isFit(ofPoints, mesh->GetNumberOfPoints()))
+  {
+    source.Normals = ofPoints;
+  }
+  else if (isFit(ofCells, mesh->GetNumberOfCells()))
+  {
+    source.Normals = ofCells;
+    source.OfCells = true;
+  }
+}
+
+// Data that was added.
+struct Added
+{
+  vtkSmartPointer<vtkDataObject> Data;
+  vtkSmartPointer<vtkMatrix4x4> Matrix;
+};
+
+// The outer surface of data that is no vtkPolyData.
+struct Surface
+{
+  vtkWeakPointer<vtkDataSet> Data;
+  vtkMTimeType Time = 0;
+  vtkSmartPointer<vtkPolyData> Mesh;
+};
+
+vtkSmartPointer<vtkPolyData> MakeSurface(vtkDataSet* data)
+{
+  vtkNew<vtkDataSetSurfaceFilter> filter;
+  filter->SetInputData(data);
+  filter->PassThroughCellIdsOn();
+  filter->PassThroughPointIdsOn();
+  filter->Update();
+  auto mesh = vtkSmartPointer<vtkPolyData>::New();
+  mesh->ShallowCopy(filter->GetOutput());
+  return mesh;
+}
+
+// A ray about the scene's centre. Not valid: it meets nothing.
+struct Beam
+{
+  glm::dvec3 From{ 0.0 };
+  glm::dvec3 Direction{ 0.0 };
+  bool Valid = false;
+};
+
+class Beams
+{
+public:
+  Beams(vtkDataArray* origins, vtkDataArray* directions, const glm::dvec3& center)
+    : Origins(origins)
+    , Directions(directions)
+    , Center(center)
+  {
+  }
+
+  vtkIdType GetCount() const { return this->Directions->GetNumberOfTuples(); }
+
+  Beam Get(vtkIdType ray) const
+  {
+    Beam beam;
+    this->Origins->GetTuple(this->Origins->GetNumberOfTuples() == 1 ? 0 : ray, &beam.From.x);
+    this->Directions->GetTuple(ray, &beam.Direction.x);
+    const glm::dvec3 sizes = glm::abs(beam.Direction);
+    const double size = std::max(std::max(sizes.x, sizes.y), sizes.z);
+    beam.Valid = size > 0.0;
+    for (int i = 0; i < 3; ++i)
+    {
+      beam.Valid = beam.Valid && std::isfinite(beam.From[i]) && std::isfinite(beam.Direction[i]);
+    }
+    beam.From -= this->Center;
+    beam.Direction = glm::normalize(beam.Direction / size);
+    return beam;
+  }
+
+private:
+  vtkDataArray* Origins;
+  vtkDataArray* Directions;
+  glm::dvec3 Center;
+};
+
+// The columns of a table of hits, as long as `count`.
+class Columns
+{
+public:
+  Columns(vtkTable* table, vtkIdType count)
+    : Distance(Add<vtkDoubleArray>(table, "distance", 1, count))
+    , Prop(Add<vtkIntArray>(table, "prop", 1, count))
+    , Block(Add<vtkIntArray>(table, "block", 1, count))
+    , Cell(Add<vtkIdTypeArray>(table, "cell", 1, count))
+    , Points(Add<vtkIdTypeArray>(table, "points", 3, count))
+    , Weights(Add<vtkDoubleArray>(table, "weights", 3, count))
+    , Position(Add<vtkDoubleArray>(table, "position", 3, count))
+    , Normal(Add<vtkDoubleArray>(table, "normal", 3, count))
+    , GeometricNormal(Add<vtkDoubleArray>(table, "geometric_normal", 3, count))
+  {
+  }
+
+  template <typename Array>
+  static decltype(Array::New()->GetPointer(0)) Add(
+    vtkTable* table, const char* name, int components, vtkIdType count)
+  {
+    vtkNew<Array> array;
+    array->SetName(name);
+    array->SetNumberOfComponents(components);
+    array->SetNumberOfTuples(count);
+    table->GetRowData()->AddArray(array);
+    return array->GetPointer(0);
+  }
+
+  void SetNone(vtkIdType row) const
+  {
+    this->Distance[row] = Endless;
+    this->Prop[row] = this->Block[row] = -1;
+    this->Cell[row] = -1;
+    std::fill_n(this->Points + 3 * row, 3, -1);
+    for (double* three : { this->Weights, this->Position, this->Normal, this->GeometricNormal })
+    {
+      std::fill_n(three + 3 * row, 3, 0.0);
+    }
+  }
+
+  static void Set(double* column, vtkIdType row, const glm::dvec3& value)
+  {
+    std::copy_n(&value.x, 3, column + 3 * row);
+  }
+
+  double* Distance;
+  int* Prop;
+  int* Block;
+  vtkIdType* Cell;
+  vtkIdType* Points;
+  double* Weights;
+  double* Position;
+  double* Normal;
+  double* GeometricNormal;
+};
+}
+
+//------------------------------------------------------------------------------
+struct vtkRelievoRayScene::Held
+{
+  vtkSmartPointer<vtkRenderer> Renderer;
+  std::vector<Added> Data;
+  std::map<vtkDataSet*, Surface> Surfaces; // of Data
+  vtkRelievoGlyphPlaces Glyphs;
+  std::vector<vtkRelievoPlacedMesh> Meshes;
+  std::vector<vtkSmartPointer<vtkPolyData>> Kept; // of Meshes, one each
+  std::vector<Source> Sources;                    // of Meshes, one each
+  std::vector<vtkSmartPointer<vtkProp>> LeftOut;
+  std::set<vtkProp*> Warned; // of LeftOut
+  std::string Fault;         // of Data
+  vtkRelievoRayTree Tree;
+
+  void AddProps();
+  void AddActors(vtkProp* prop, std::map<vtkProp*, int>& numbers);
+  void AddAdded();
+  std::string AddBlock(vtkDataObject* data, int block, int prop, vtkMatrix4x4* matrix);
+  void Write(const Columns& columns, vtkIdType row, const Beam& beam, const Meeting& meeting) const;
+  glm::dvec3 GetShadingNormal(
+    const Meeting& meeting, const vtkRelievoRayTree::Details& details) const;
+};
+
+namespace
+{
+// Whether there is something to be met where rays cannot follow.
+bool IsShown(vtkProp* prop)
+{
+  std::vector<vtkRelievoPropParts::Part> parts;
+  vtkRelievoPropParts::Collect(prop, parts);
+  for (const vtkRelievoPropParts::Part& part : parts)
+  {
+    vtkActor* actor = vtkActor::SafeDownCast(part.Prop);
+    if (vtkVolume::SafeDownCast(part.Prop) || (actor && !vtkRelievoPropParts::DrawsNoOpaque(part)))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+void UpdateMapper(vtkMapper* mapper)
+{
+  for (int port = 0; mapper && port < mapper->GetNumberOfInputPorts(); ++port)
+  {
+    for (int i = 0; i < mapper->GetNumberOfInputConnections(port); ++i)
+    {
+      mapper->GetInputAlgorithm(port, i)->Update();
+    }
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoRayScene::Held::AddProps()
+{
+  std::map<vtkProp*, int> numbers;
+  vtkActorCollection* actors = this->Renderer->GetActors();
+  vtkCollectionSimpleIterator it;
+  actors->InitTraversal(it);
+  int count = 0;
+  while (vtkActor* actor = actors->GetNextActor(it))
+  {
+    numbers.emplace(actor, count++);
+  }
+  vtkPropCollection* props = this->Renderer->GetViewProps();
+  props->InitTraversal(it);
+  std::vector<vtkProp*> all;
+  while (vtkProp* prop = props->GetNextProp(it))
+  {
+    if (prop->GetVisibility())
+    {
+      all.push_back(prop);
+    }
+  }
+  for (vtkProp* prop : all)
+  {
+    this->AddActors(prop, numbers);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoRayScene::Held::AddActors(vtkProp* prop, std::map<vtkProp*, int>& numbers)
+{
+  std::vector<vtkRelievoPropParts::Part> parts;
+  vtkRelievoPropParts::Collect(prop, parts);
+  bool meshes = false;
+  for (const vtkRelievoPropParts::Part& part : parts)
+  {
+    if (vtkActor* actor = vtkRelievoPropParts::GetMeshActor(part))
+    {
+      UpdateMapper(actor->GetMapper());
+      meshes = true;
+    }
+  }
+  const std::size_t before = this->Meshes.size();
+  const bool followed = vtkRelievoPropMeshes::Collect(
+    prop, vtkRelievoPropMeshes::Wanted::Geometry, this->Glyphs, this->Meshes);
+  if ((meshes && !followed) || (!meshes && IsShown(prop)))
+  {
+    this->LeftOut.emplace_back(prop);
+  }
+  for (std::size_t i = before; i < this->Meshes.size(); ++i)
+  {
+    const vtkRelievoPlacedMesh& mesh = this->Meshes[i];
+    Source source;
+    const auto number = numbers.find(mesh.Actor);
+    source.Prop = number == numbers.end() ? -1 : number->second;
+    if (mesh.Actor->GetProperty()->GetInterpolation() != VTK_FLAT)
+    {
+      FindNormals(mesh.Mesh, source);
+    }
+    this->Sources.push_back(source);
+    this->Kept.emplace_back(mesh.Mesh);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoRayScene::Held::AddAdded()
+{
+  int prop = this->Renderer ? this->Renderer->GetActors()->GetNumberOfItems() : 0;
+  for (const Added& added : this->Data)
+  {
+    const auto add = [&](vtkDataObject* data, int block) {
+      const std::string fault = this->AddBlock(data, block, prop, added.Matrix);
+      if (!fault.empty() && this->Fault.empty())
+      {
+        this->Fault = "prop " + std::to_string(prop) + ": " + fault;
+      }
+    };
+    if (auto* blocks = vtkCompositeDataSet::SafeDownCast(added.Data))
+    {
+      auto it = vtkSmartPointer<vtkCompositeDataIterator>::Take(blocks->NewIterator());
+      for (it->InitTraversal(); !it->IsDoneWithTraversal(); it->GoToNextItem())
+      {
+        add(it->GetCurrentDataObject(), static_cast<int>(it->GetCurrentFlatIndex()));
+      }
+    }
+    else
+    {
+      add(added.Data, 0);
+    }
+    ++prop;
+  }
+}
+
+//------------------------------------------------------------------------------
+std::string vtkRelievoRayScene::Held::AddBlock(
+  vtkDataObject* data, int block, int prop, vtkMatrix4x4* matrix)
+{
+  auto* set = vtkDataSet::SafeDownCast(data);
+  if (!set)
+  {
+    return {}; // a table among the blocks
+  }
+  vtkRelievoPlacedMesh placed;
+  placed.Mesh = vtkPolyData::SafeDownCast(set);
+  placed.Block = block;
+  Source source;
+  source.Prop = prop;
+  if (matrix)
+  {
+    placed.MeshToWorld = vtkRelievoToGlm(matrix);
+    const double size = glm::determinant(placed.MeshToWorld);
+    if (!(std::abs(size) > 0.0) || !std::isfinite(size) || vtkRelievoIsProjective(matrix))
+    {
+      return "got a matrix that flattens or is projective, expected one that moves, turns and "
+             "scales";
+    }
+  }
+  if (!placed.Mesh)
+  {
+    Surface& surface = this->Surfaces[set];
+    if (surface.Data != set || surface.Time != set->GetMTime())
+    {
+      surface = { set, set->GetMTime(), MakeSurface(set) };
+    }
+    placed.Mesh = surface.Mesh;
+    source.Cells =
+      vtkIdTypeArray::SafeDownCast(placed.Mesh->GetCellData()->GetArray("vtkOriginalCellIds"));
+    source.Points =
+      vtkIdTypeArray::SafeDownCast(placed.Mesh->GetPointData()->GetArray("vtkOriginalPointIds"));
+  }
+  if (!vtkRelievoMeshTexels::Follows(placed.Mesh))
+  {
+    return "there are too many triangles, expected at most 16777216 in a block";
+  }
+  FindNormals(placed.Mesh, source);
+  this->Meshes.push_back(placed);
+  this->Sources.push_back(source);
+  this->Kept.emplace_back(placed.Mesh);
+  return {};
+}
+
+//------------------------------------------------------------------------------
+glm::dvec3 vtkRelievoRayScene::Held::GetShadingNormal(
+  const Meeting& meeting, const vtkRelievoRayTree::Details& details) const
+{
+  const Source& source = this->Sources[this->Tree.GetMesh(meeting.Place)];
+  const vtkRelievoMeshTree& mesh = this->Tree.GetMeshTree(meeting.Place);
+  glm::dvec3 normal(0.0);
+  for (int i = 0; i < 3 && source.Normals; ++i)
+  {
+    glm::dvec3 each;
+    source.Normals->GetTuple(
+      source.OfCells ? mesh.GetCell(meeting.Triangle) : mesh.GetPoint(meeting.Triangle, i),
+      &each.x);
+    normal += details.Weights[i] * each;
+  }
+  // By the transpose of the inverse.
+  normal = normal * glm::dmat3(this->Tree.GetToMesh(meeting.Place));
+  const double length = glm::length(normal);
+  if (!(length > 0.0) || !std::isfinite(length))
+  {
+    normal = details.Normal;
+  }
+  return glm::normalize(details.Front ? normal : -normal);
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoRayScene::Held::Write(
+  const Columns& columns, vtkIdType row, const Beam& beam, const Meeting& meeting) const
+{
+  const int index = this->Tree.GetMesh(meeting.Place);
+  const vtkRelievoPlacedMesh& placed = this->Meshes[index];
+  const Source& source = this->Sources[index];
+  const vtkRelievoMeshTree& mesh = this->Tree.GetMeshTree(meeting.Place);
+  const vtkRelievoRayTree::Details details =
+    this->Tree.GetDetails(meeting, beam.From, beam.Direction);
+  columns.Distance[row] = meeting.T;
+  columns.Prop[row] = source.Prop;
+  columns.Block[row] = placed.Block;
+  const vtkIdType cell = mesh.GetCell(meeting.Triangle);
+  columns.Cell[row] = placed.Points
+    ? (*placed.Points)[static_cast<std::size_t>(this->Tree.GetInstance(meeting.Place))]
+    : source.Cells ? source.Cells->GetValue(cell)
+                   : cell;
+  for (int i = 0; i < 3; ++i)
+  {
+    const vtkIdType point = mesh.GetPoint(meeting.Triangle, i);
+    columns.Points[3 * row + i] = source.Points ? source.Points->GetValue(point) : point;
+  }
+  Columns::Set(columns.Weights, row, details.Weights);
+  Columns::Set(columns.Position, row, details.Position);
+  Columns::Set(columns.Normal, row, this->GetShadingNormal(meeting, details));
+  const glm::dvec3 normal = glm::normalize(details.Normal);
+  Columns::Set(columns.GeometricNormal, row, details.Front ? normal : -normal);
+}
+
+namespace
+{
+// Does each ray in threads, batch by batch; after(from, to) comes behind each batch. False: it was
+// ended.
+template <typename Each, typename After>
+bool DoInBatches(vtkRelievoRayScene* scene, vtkIdType count, Each each, After after)
+{
+  scene->AbortOff();
+  for (vtkIdType from = 0; from < count; from += Batch)
+  {
+    const vtkIdType to = std::min(count, from + Batch);
+    vtkRelievoWithThreads([&]() {
+      vtkSMPTools::For(from, to, Grain, [&](vtkIdType first, vtkIdType last) {
+        for (vtkIdType ray = first; ray < last; ++ray)
+        {
+          each(ray);
+        }
+      });
+    });
+    after(from, to);
+    double done = static_cast<double>(to) / static_cast<double>(count);
+    scene->InvokeEvent(vtkCommand::ProgressEvent, &done);
+    if (scene->GetAbort())
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+// What is wrong with rays, in words.
+std::string FindFault(vtkDataArray* origins, vtkDataArray* directions)
+{
+  std::ostringstream out;
+  if (!origins || !directions)
+  {
+    out << "got no " << (origins ? "directions" : "origins") << ", expected an array";
+  }
+  else if (origins->GetNumberOfComponents() != 3 || directions->GetNumberOfComponents() != 3)
+  {
+    out << "got origins of " << origins->GetNumberOfComponents() << " and directions of "
+        << directions->GetNumberOfComponents() << " components, expected 3";
+  }
+  else if (origins->GetNumberOfTuples() != directions->GetNumberOfTuples() &&
+    origins->GetNumberOfTuples() != 1)
+  {
+    out << "got " << origins->GetNumberOfTuples() << " origins and "
+        << directions->GetNumberOfTuples() << " directions, expected as many, or one origin";
+  }
+  return out.str();
+}
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoRayScene::vtkRelievoRayScene()
+  : Scene(new Held)
+  , MaximumDistance(Endless)
+{
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoRayScene::~vtkRelievoRayScene() = default;
+
+//------------------------------------------------------------------------------
+void vtkRelievoRayScene::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Renderer: " << this->Scene->Renderer.Get() << '\n';
+  os << indent << "Data: " << this->Scene->Data.size() << '\n';
+  os << indent << "Triangles: " << this->GetNumberOfTriangles() << '\n';
+  os << indent << "MinimumDistance: " << this->MinimumDistance << '\n';
+  os << indent << "MaximumDistance: " << this->MaximumDistance << '\n';
+  os << indent << "Abort: " << this->Abort << '\n';
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoRayScene::SetRenderer(vtkRenderer* renderer)
+{
+  if (this->Scene->Renderer != renderer)
+  {
+    this->Scene->Renderer = renderer;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkRenderer* vtkRelievoRayScene::GetRenderer()
+{
+  return this->Scene->Renderer;
+}
+
+//------------------------------------------------------------------------------
+int vtkRelievoRayScene::AddData(vtkDataObject* data, vtkMatrix4x4* matrix)
+{
+  if (!vtkDataSet::SafeDownCast(data) && !vtkCompositeDataSet::SafeDownCast(data))
+  {
+    vtkErrorMacro("AddData: got " << (data ? data->GetClassName() : "nothing")
+                                  << ", expected a vtkDataSet or composite data");
+    return -1;
+  }
+  this->Scene->Data.push_back({ data, matrix });
+  this->Modified();
+  const int actors =
+    this->Scene->Renderer ? this->Scene->Renderer->GetActors()->GetNumberOfItems() : 0;
+  return actors + static_cast<int>(this->Scene->Data.size()) - 1;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoRayScene::RemoveAllData()
+{
+  this->Scene->Data.clear();
+  this->Scene->Surfaces.clear();
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoRayScene::SetMaximumDistance(double distance)
+{
+  const double set = distance >= 0.0 ? distance : 0.0;
+  if (this->MaximumDistance != set)
+  {
+    this->MaximumDistance = set;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoRayScene::Update()
+{
+  Held& scene = *this->Scene;
+  // Meshes are let go when the trees have taken the new ones.
+  const std::vector<vtkSmartPointer<vtkPolyData>> before = std::move(scene.Kept);
+  scene.Kept.clear();
+  scene.Meshes.clear();
+  scene.Sources.clear();
+  scene.LeftOut.clear();
+  scene.Fault.clear();
+  for (auto it = scene.Surfaces.begin(); it != scene.Surfaces.end();)
+  {
+    it = it->second.Data ? std::next(it) : scene.Surfaces.erase(it);
+  }
+  if (scene.Renderer)
+  {
+    scene.AddProps();
+  }
+  scene.AddAdded();
+  std::string names;
+  for (vtkProp* prop : scene.LeftOut)
+  {
+    if (scene.Warned.insert(prop).second)
+    {
+      names += (names.empty() ? "" : ", ") + std::string(prop->GetClassName());
+    }
+  }
+  if (!names.empty())
+  {
+    vtkWarningMacro("Rays do not meet " << names
+                                        << ": volumes, wireframes, points, lines, cut-outs, "
+                                           "clipped meshes and actors with shaders of "
+                                           "their own are left out");
+  }
+  return scene.Tree.SetMeshes(scene.Meshes);
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoRayScene::Begin(vtkDataArray* origins, vtkDataArray* directions)
+{
+  std::string fault = FindFault(origins, directions);
+  if (fault.empty() && this->MinimumDistance > this->MaximumDistance)
+  {
+    std::ostringstream out;
+    out << "got distances from " << this->MinimumDistance << " to " << this->MaximumDistance
+        << ", expected the maximum to be the larger one";
+    fault = out.str();
+  }
+  if (fault.empty())
+  {
+    this->Update();
+    fault = this->Scene->Fault;
+  }
+  if (!fault.empty())
+  {
+    vtkErrorMacro("Rays: " << fault);
+  }
+  return fault.empty();
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoRayScene::Warn(vtkIdType invalid, vtkIdType rays)
+{
+  if (invalid > 0)
+  {
+    vtkWarningMacro("" << invalid << " of " << rays
+                       << " rays are not finite or have no direction: they meet nothing");
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoRayScene::FindNearest(
+  vtkDataArray* origins, vtkDataArray* directions, vtkTable* hits)
+{
+  hits->Initialize();
+  if (!this->Begin(origins, directions))
+  {
+    return false;
+  }
+  const Held& scene = *this->Scene;
+  const Beams beams(origins, directions, scene.Tree.GetCenter());
+  const Columns columns(hits, beams.GetCount());
+  std::atomic<vtkIdType> invalid(0);
+  const auto find = [&](vtkIdType ray) {
+    const Beam beam = beams.Get(ray);
+    Meeting meeting;
+    if (beam.Valid)
+    {
+      meeting = scene.Tree.FindNearest(
+        beam.From, beam.Direction, this->MinimumDistance, this->MaximumDistance);
+    }
+    else
+    {
+      ++invalid;
+    }
+    if (meeting.Place >= 0)
+    {
+      scene.Write(columns, ray, beam, meeting);
+    }
+    else
+    {
+      columns.SetNone(ray);
+    }
+  };
+  const bool done = DoInBatches(this, beams.GetCount(), find, [](vtkIdType, vtkIdType) {});
+  if (!done)
+  {
+    hits->Initialize();
+  }
+  this->Warn(invalid, beams.GetCount());
+  return done;
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoRayScene::FindAny(
+  vtkDataArray* origins, vtkDataArray* directions, vtkUnsignedCharArray* met)
+{
+  met->Initialize();
+  if (!this->Begin(origins, directions))
+  {
+    return false;
+  }
+  const Held& scene = *this->Scene;
+  const Beams beams(origins, directions, scene.Tree.GetCenter());
+  met->SetNumberOfTuples(beams.GetCount());
+  unsigned char* const values = met->GetPointer(0);
+  std::atomic<vtkIdType> invalid(0);
+  const auto find = [&](vtkIdType ray) {
+    const Beam beam = beams.Get(ray);
+    invalid += beam.Valid ? 0 : 1;
+    values[ray] = beam.Valid &&
+        scene.Tree.MeetsAny(beam.From, beam.Direction, this->MinimumDistance, this->MaximumDistance)
+      ? 1
+      : 0;
+  };
+  const bool done = DoInBatches(this, beams.GetCount(), find, [](vtkIdType, vtkIdType) {});
+  if (!done)
+  {
+    met->Initialize();
+  }
+  this->Warn(invalid, beams.GetCount());
+  return done;
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoRayScene::FindAll(vtkDataArray* origins, vtkDataArray* directions, vtkTable* hits)
+{
+  hits->Initialize();
+  if (!this->Begin(origins, directions))
+  {
+    return false;
+  }
+  const Held& scene = *this->Scene;
+  const Beams beams(origins, directions, scene.Tree.GetCenter());
+  struct Hit
+  {
+    vtkIdType Ray;
+    Meeting What;
+  };
+  std::vector<Hit> all;
+  std::vector<std::vector<Meeting>> batch(
+    static_cast<std::size_t>(std::min(Batch, beams.GetCount())));
+  std::atomic<vtkIdType> invalid(0);
+  const auto find = [&](vtkIdType ray) {
+    const Beam beam = beams.Get(ray);
+    std::vector<Meeting>& own = batch[static_cast<std::size_t>(ray % Batch)];
+    own.clear();
+    if (beam.Valid)
+    {
+      scene.Tree.FindAll(
+        beam.From, beam.Direction, this->MinimumDistance, this->MaximumDistance, own);
+    }
+    else
+    {
+      ++invalid;
+    }
+  };
+  const auto gather = [&](vtkIdType from, vtkIdType to) {
+    for (vtkIdType ray = from; ray < to; ++ray)
+    {
+      for (const Meeting& meeting : batch[static_cast<std::size_t>(ray % Batch)])
+      {
+        all.push_back({ ray, meeting });
+      }
+    }
+  };
+  if (!DoInBatches(this, beams.GetCount(), find, gather))
+  {
+    return false;
+  }
+  const vtkIdType count = static_cast<vtkIdType>(all.size());
+  vtkIdType* const rays = Columns::Add<vtkIdTypeArray>(hits, "ray", 1, count);
+  const Columns columns(hits, count);
+  double* const opacities = Columns::Add<vtkDoubleArray>(hits, "opacity", 1, count);
+  vtkRelievoWithThreads([&]() {
+    vtkSMPTools::For(0, count, Grain, [&](vtkIdType first, vtkIdType last) {
+      for (vtkIdType row = first; row < last; ++row)
+      {
+        const Hit& hit = all[static_cast<std::size_t>(row)];
+        rays[row] = hit.Ray;
+        scene.Write(columns, row, beams.Get(hit.Ray), hit.What);
+        opacities[row] = 1.0 - scene.Meshes[scene.Tree.GetMesh(hit.What.Place)].Passes;
+      }
+    });
+  });
+  this->Warn(invalid, beams.GetCount());
+  return true;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkRelievoRayScene::GetNumberOfTriangles()
+{
+  return static_cast<vtkIdType>(this->Scene->Tree.GetNumberOfTriangles());
+}
+
+//------------------------------------------------------------------------------
+int vtkRelievoRayScene::GetNumberOfMeshesBuilt()
+{
+  return this->Scene->Tree.GetMeshesBuilt();
+}
+
+//------------------------------------------------------------------------------
+int vtkRelievoRayScene::GetNumberOfMeshesRefitted()
+{
+  return this->Scene->Tree.GetMeshesRefitted();
+}
+
+//------------------------------------------------------------------------------
+unsigned long vtkRelievoRayScene::GetActualMemorySize()
+{
+  return static_cast<unsigned long>((this->Scene->Tree.GetBytes() + 1023) / 1024);
+}
+
+//------------------------------------------------------------------------------
+int vtkRelievoRayScene::GetNumberOfPropsLeftOut()
+{
+  return static_cast<int>(this->Scene->LeftOut.size());
+}
+
+//------------------------------------------------------------------------------
+vtkProp* vtkRelievoRayScene::GetPropLeftOut(int index)
+{
+  const bool there = index >= 0 && index < this->GetNumberOfPropsLeftOut();
+  return there ? this->Scene->LeftOut[static_cast<std::size_t>(index)] : nullptr;
+}
