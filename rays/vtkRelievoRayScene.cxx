@@ -821,6 +821,47 @@ unsigned long vtkRelievoRayScene::GetActualMemorySize()
 }
 
 //------------------------------------------------------------------------------
+int vtkRelievoRayScene::GetNumberOfProps()
+{
+  vtkRenderer* renderer = this->Scene->Renderer;
+  const int actors = renderer ? renderer->GetActors()->GetNumberOfItems() : 0;
+  return actors + static_cast<int>(this->Scene->Data.size());
+}
+
+//------------------------------------------------------------------------------
+// Of the renderer's actor of that number, if it is one.
+vtkMapper* vtkRelievoRayScene::GetMapper(int prop)
+{
+  vtkRenderer* renderer = this->Scene->Renderer;
+  auto* actor = renderer && prop >= 0
+    ? vtkActor::SafeDownCast(renderer->GetActors()->GetItemAsObject(prop))
+    : nullptr;
+  return actor ? actor->GetMapper() : nullptr;
+}
+
+//------------------------------------------------------------------------------
+vtkDataObject* vtkRelievoRayScene::GetPropData(int prop)
+{
+  vtkMapper* mapper = this->GetMapper(prop);
+  if (mapper)
+  {
+    return mapper->GetNumberOfInputConnections(0) > 0 ? mapper->GetInputDataObject(0, 0) : nullptr;
+  }
+  const int added =
+    prop - (this->GetNumberOfProps() - static_cast<int>(this->Scene->Data.size()));
+  return added >= 0 && prop < this->GetNumberOfProps()
+    ? this->Scene->Data[static_cast<std::size_t>(added)].Data
+    : nullptr;
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoRayScene::GetIsGlyphs(int prop)
+{
+  vtkMapper* mapper = this->GetMapper(prop);
+  return mapper && mapper->IsA("vtkGlyph3DMapper");
+}
+
+//------------------------------------------------------------------------------
 int vtkRelievoRayScene::GetNumberOfPropsLeftOut()
 {
   return static_cast<int>(this->Scene->LeftOut.size());

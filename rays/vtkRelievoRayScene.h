@@ -34,6 +34,7 @@
 
 class vtkDataArray;
 class vtkDataObject;
+class vtkMapper;
 class vtkMatrix4x4;
 class vtkProp;
 class vtkRenderer;
@@ -138,6 +139,16 @@ public:
 
   ///@{
   /**
+   * What the column `prop` counts: how many there are, and of one its data, in which blocks, cells
+   * and points count, or nullptr; and whether its cells are points, as those of glyphs.
+   */
+  int GetNumberOfProps();
+  vtkDataObject* GetPropData(int prop);
+  bool GetIsGlyphs(int prop);
+  ///@}
+
+  ///@{
+  /**
    * Props of the renderer that rays cannot follow, as of the last update.
    */
   int GetNumberOfPropsLeftOut();
@@ -152,6 +163,7 @@ private:
   vtkRelievoRayScene(const vtkRelievoRayScene&) = delete;
   void operator=(const vtkRelievoRayScene&) = delete;
 
+  vtkMapper* GetMapper(int prop);
   bool Begin(vtkDataArray* origins, vtkDataArray* directions);
   void Warn(vtkIdType invalid, vtkIdType rays);
 

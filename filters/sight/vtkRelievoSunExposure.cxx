@@ -1,0 +1,426 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkRelievoSunExposure.h"
+
+#include "vtkCellData.h"
+#include "vtkDataSet.h"
+#include "vtkDoubleArray.h"
+#include "vtkFloatArray.h"
+#include "vtkIdList.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkMath.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkRelievoAbort.h"
+#include "vtkRelievoRayScene.h"
+#include "vtkRelievoSolarPosition.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+
+vtkStandardNewMacro(vtkRelievoSunExposure);
+
+namespace
+{
+constexpr double BeforeSurface = 1e-7; // of the mesh's size
+constexpr double HoursOfDay = 24.0;
+constexpr int MostDays = 366 * 200;
+constexpr double GoldenRatio = 0.6180339887498949;
+
+using Vector = std::array<double, 3>;
+
+// Days since 1970-01-01 in the Gregorian calendar, by whole cycles of 400 years from March on.
+long CountDays(const int date[3])
+{
+  const long month = (date[1] + 9) % 12;
+  const long year = date[0] - (date[1] < 3 ? 1 : 0);
+  const long cycle = (year >= 0 ? year : year - 399) / 400;
+  const long inCycle = year - 400 * cycle;
+  const long day = (153 * month + 2) / 5 + date[2] - 1;
+  return 146097 * cycle + 365 * inCycle + inCycle / 4 - inCycle / 100 + day - 719468;
+}
+
+bool IsDate(const int date[3])
+{
+  const int days[12] = { 31, 29, 31, 30, 31, 30, 31, 31, 30, 31, 30, 31 };
+  return date[1] >= 1 && date[1] <= 12 && date[2] >= 1 && date[2] <= days[date[1] - 1];
+}
+
+// Where the mesh is judged: places before it, and the way it faces.
+class Places
+{
+public:
+  std::vector<Vector> At;
+  std::vector<Vector> Normals; // 0 where there is no surface
+
+  void TakeCells(vtkPolyData* mesh, double before)
+  {
+    vtkNew<vtkIdList> corners;
+    for (vtkIdType cell = 0; cell < mesh->GetNumberOfCells(); ++cell)
+    {
+      Vector middle;
+      this->Normals.push_back(GetCell(mesh, cell, corners, middle));
+      this->Add(middle, before);
+    }
+  }
+
+  // A point faces as its own normal, or as the cells around it in the mean, by their areas.
+  void TakePoints(vtkPolyData* mesh, double before)
+  {
+    this->Normals.assign(static_cast<std::size_t>(mesh->GetNumberOfPoints()), Vector{});
+    vtkDataArray* own = mesh->GetPointData()->GetNormals();
+    vtkNew<vtkIdList> corners;
+    for (vtkIdType cell = 0; !own && cell < mesh->GetNumberOfCells(); ++cell)
+    {
+      Vector middle;
+      const Vector normal = GetCell(mesh, cell, corners, middle, true);
+      for (vtkIdType k = 0; k < corners->GetNumberOfIds(); ++k)
+      {
+        Vector& sum = this->Normals[static_cast<std::size_t>(corners->GetId(k))];
+        std::transform(sum.begin(), sum.end(), normal.begin(), sum.begin(), std::plus<double>());
+      }
+    }
+    for (vtkIdType point = 0; point < mesh->GetNumberOfPoints(); ++point)
+    {
+      Vector& normal = this->Normals[static_cast<std::size_t>(point)];
+      if (own)
+      {
+        own->GetTuple(point, normal.data());
+      }
+      vtkMath::Normalize(normal.data());
+      Vector place;
+      mesh->GetPoint(point, place.data());
+      this->Add(place, before);
+    }
+  }
+
+private:
+  void Add(Vector place, double before)
+  {
+    const Vector& normal = this->Normals[this->At.size()];
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      place[i] += before * normal[i];
+    }
+    this->At.push_back(place);
+  }
+
+  // The normal of a polygon (M. Newell), or 0, as long as twice its area if wanted, and its middle.
+  static Vector GetCell(
+    vtkPolyData* mesh, vtkIdType cell, vtkIdList* corners, Vector& middle, bool area = false)
+  {
+    mesh->GetCellPoints(cell, corners);
+    const vtkIdType count = corners->GetNumberOfIds();
+    Vector normal{};
+    middle = {};
+    Vector first{};
+    Vector last{};
+    for (vtkIdType k = 0; k < count; ++k)
+    {
+      Vector next;
+      mesh->GetPoint(corners->GetId(k), next.data());
+      first = k == 0 ? next : first;
+      if (k > 1)
+      {
+        AddTriangle(first, last, next, normal, middle);
+      }
+      last = next;
+    }
+    const double twice = vtkMath::Norm(normal.data());
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      middle[i] = twice > 0.0 ? first[i] + middle[i] / twice : 0.0;
+      normal[i] = twice > 0.0 ? (area ? normal[i] : normal[i] / twice) : 0.0;
+    }
+    return normal;
+  }
+
+  // Middles are summed about the first corner, each by its triangle's area.
+  static void AddTriangle(
+    const Vector& a, const Vector& b, const Vector& c, Vector& normal, Vector& middle)
+  {
+    Vector ab;
+    Vector ac;
+    Vector cross;
+    vtkMath::Subtract(b, a, ab);
+    vtkMath::Subtract(c, a, ac);
+    vtkMath::Cross(ab.data(), ac.data(), cross.data());
+    const double twice = vtkMath::Norm(cross.data());
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      normal[i] += cross[i];
+      middle[i] += twice * (ab[i] + ac[i]) / 3.0;
+    }
+  }
+};
+
+// Which places see anything in a direction: those that face it, by rays.
+class Openings
+{
+public:
+  Openings(vtkRelievoRayScene* scene, const Places& places)
+    : Scene(scene)
+    , All(places)
+  {
+  }
+
+  // Calls what is to be done for each place from which the direction, which may be its own, is
+  // free, with the cosine to its normal.
+  template <typename Direction, typename Found>
+  bool Find(const Direction& direction, const Found& found)
+  {
+    this->Facing.clear();
+    this->Origins->SetNumberOfComponents(3);
+    this->Directions->SetNumberOfComponents(3);
+    this->Origins->Reset();
+    this->Directions->Reset();
+    for (std::size_t i = 0; i < this->All.At.size(); ++i)
+    {
+      const Vector towards = direction(i);
+      if (vtkMath::Dot(towards.data(), this->All.Normals[i].data()) > 0.0)
+      {
+        this->Facing.push_back(i);
+        this->Origins->InsertNextTuple(this->All.At[i].data());
+        this->Directions->InsertNextTuple(towards.data());
+      }
+    }
+    if (this->Facing.empty())
+    {
+      return true;
+    }
+    if (!this->Scene->FindAny(this->Origins, this->Directions, this->Met))
+    {
+      return false;
+    }
+    for (std::size_t k = 0; k < this->Facing.size(); ++k)
+    {
+      const auto ray = static_cast<vtkIdType>(k);
+      if (this->Met->GetValue(ray) == 0)
+      {
+        const std::size_t i = this->Facing[k];
+        found(i,
+          vtkMath::Dot(this->Directions->GetPointer(3 * ray), this->All.Normals[i].data()));
+      }
+    }
+    return true;
+  }
+
+private:
+  vtkRelievoRayScene* Scene;
+  const Places& All;
+  std::vector<std::size_t> Facing;
+  vtkNew<vtkDoubleArray> Origins;
+  vtkNew<vtkDoubleArray> Directions;
+  vtkNew<vtkUnsignedCharArray> Met;
+};
+
+// Of so many directions about z the one of this number, evenly by the cosine: Malley's method on a
+// spiral.
+Vector GetSkySample(int number, int samples)
+{
+  const double share = (number + 0.5) / samples;
+  const double radius = std::sqrt(share);
+  const double angle = 2.0 * vtkMath::Pi() * (number * GoldenRatio - std::floor(number * GoldenRatio));
+  return { radius * std::cos(angle), radius * std::sin(angle), std::sqrt(1.0 - share) };
+}
+
+// Turned to a normal.
+Vector Turn(const Vector& sample, const Vector& normal)
+{
+  Vector right;
+  Vector up;
+  vtkMath::Perpendiculars(normal.data(), right.data(), up.data(), 0.0);
+  Vector turned;
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    turned[i] = sample[0] * right[i] + sample[1] * up[i] + sample[2] * normal[i];
+  }
+  return turned;
+}
+
+void AddArray(vtkFieldData* data, const char* name, const std::vector<double>& values)
+{
+  vtkNew<vtkFloatArray> array;
+  array->SetName(name);
+  array->SetNumberOfTuples(static_cast<vtkIdType>(values.size()));
+  std::transform(values.begin(), values.end(), array->GetPointer(0),
+    [](double value) { return static_cast<float>(value); });
+  data->AddArray(array);
+}
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoSunExposure::vtkRelievoSunExposure()
+{
+  this->SetNumberOfInputPorts(2);
+}
+
+//------------------------------------------------------------------------------
+int vtkRelievoSunExposure::FillInputPortInformation(int port, vtkInformation* info)
+{
+  if (port == 0)
+  {
+    return this->Superclass::FillInputPortInformation(port, info);
+  }
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
+  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  info->Set(vtkAlgorithm::INPUT_IS_REPEATABLE(), 1);
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+struct vtkRelievoSunExposure::Sun
+{
+  Vector Direction;
+  double Hours;
+};
+
+//------------------------------------------------------------------------------
+// The sun in the middle of each step by day, in the world.
+std::vector<vtkRelievoSunExposure::Sun> vtkRelievoSunExposure::GetSuns() const
+{
+  vtkNew<vtkRelievoSolarPosition> sun;
+  sun->SetLatitude(this->Latitude);
+  sun->SetLongitude(this->Longitude);
+  sun->SetTimeZone(this->Longitude / 15.0);
+  sun->SetDate(this->FirstDay[0], this->FirstDay[1], this->FirstDay[2]);
+  const auto steps = static_cast<int>(std::ceil(HoursOfDay * 60.0 / this->Step - 1e-9));
+  const long days = CountDays(this->LastDay) - CountDays(this->FirstDay) + 1;
+  std::vector<Sun> suns;
+  for (long day = 0; day < days; day += this->DayStep)
+  {
+    const long counted = std::min<long>(this->DayStep, days - day);
+    const double middle = static_cast<double>(day + (counted - 1) / 2);
+    for (int step = 0; step < steps; ++step)
+    {
+      sun->SetHour(HoursOfDay * (middle + (step + 0.5) / steps));
+      double local[3]; // east, north, up
+      sun->GetDirection(local);
+      if (local[2] > 0.0)
+      {
+        const Vector direction = this->UpAxis == 0 ? Vector{ local[2], local[0], local[1] }
+          : this->UpAxis == 1                      ? Vector{ local[0], local[2], -local[1] }
+                                                   : Vector{ local[0], local[1], local[2] };
+        suns.push_back({ direction, HoursOfDay * counted / steps });
+      }
+    }
+  }
+  return suns;
+}
+
+//------------------------------------------------------------------------------
+int vtkRelievoSunExposure::RequestData(
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  relievo::Begin(outputs);
+  for (const int* date : { this->FirstDay, this->LastDay })
+  {
+    if (!IsDate(date))
+    {
+      vtkErrorMacro("There is no day " << date[0] << "-" << date[1] << "-" << date[2]
+                                       << ", expected year, month 1 to 12 and day.");
+      return 0;
+    }
+  }
+  const long days = CountDays(this->LastDay) - CountDays(this->FirstDay) + 1;
+  if (days < 1 || days > MostDays)
+  {
+    vtkErrorMacro("The last day is " << days - 1 << " days after the first, expected 0 to "
+                                     << MostDays - 1 << ".");
+    return 0;
+  }
+  vtkPolyData* mesh = vtkPolyData::GetData(inputs[0]);
+  vtkPolyData* output = vtkPolyData::GetData(outputs);
+  vtkNew<vtkRelievoRayScene> scene;
+  scene->AddData(mesh);
+  for (int i = 0; i < inputs[1]->GetNumberOfInformationObjects(); ++i)
+  {
+    scene->AddData(vtkDataSet::GetData(inputs[1], i));
+  }
+  // Cells are looked up, which builds what the input must not get.
+  vtkNew<vtkPolyData> own;
+  own->ShallowCopy(mesh);
+  Places places;
+  const double before = BeforeSurface * mesh->GetLength();
+  this->Points ? places.TakePoints(own, before) : places.TakeCells(own, before);
+
+  Openings openings(scene, places);
+  std::vector<double> hours(places.At.size());
+  std::vector<double> insolation(places.At.size());
+  std::vector<double> sky(places.At.size());
+  const std::vector<Sun> suns = this->GetSuns();
+  const std::size_t all = suns.size() + static_cast<std::size_t>(this->SkySamples);
+  double possible = 0.0;
+  for (std::size_t i = 0; i < all; ++i)
+  {
+    bool good = true;
+    if (i < suns.size())
+    {
+      const Sun& sun = suns[i];
+      possible += sun.Hours;
+      good = openings.Find([&sun](std::size_t) { return sun.Direction; },
+        [&](std::size_t place, double cosine) {
+          hours[place] += sun.Hours;
+          insolation[place] += sun.Hours * cosine;
+        });
+    }
+    else
+    {
+      const Vector sample = GetSkySample(static_cast<int>(i - suns.size()), this->SkySamples);
+      good = openings.Find(
+        [&](std::size_t place) {
+          const Vector direction = Turn(sample, places.Normals[place]);
+          return direction[static_cast<std::size_t>(this->UpAxis)] > 0.0 ? direction : Vector{};
+        },
+        [&](std::size_t place, double) { sky[place] += 1.0 / this->SkySamples; });
+    }
+    if (!good)
+    {
+      vtkErrorMacro("The rays to the sun were not followed; see the errors before.");
+      return 0;
+    }
+    this->UpdateProgress(static_cast<double>(i + 1) / static_cast<double>(all));
+    if (relievo::IsStopped(this))
+    {
+      relievo::Discard(outputs);
+      return 1;
+    }
+  }
+  output->ShallowCopy(mesh);
+  vtkFieldData* data = this->Points ? static_cast<vtkFieldData*>(output->GetPointData())
+                                    : static_cast<vtkFieldData*>(output->GetCellData());
+  AddArray(data, "sun_hours", hours);
+  AddArray(data, "insolation", insolation);
+  if (this->SkySamples > 0)
+  {
+    AddArray(data, "sky_view", sky);
+  }
+  vtkNew<vtkDoubleArray> open;
+  open->SetName("possible_hours");
+  open->InsertNextValue(possible);
+  output->GetFieldData()->AddArray(open);
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoSunExposure::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Latitude: " << this->Latitude << "\n";
+  os << indent << "Longitude: " << this->Longitude << "\n";
+  os << indent << "FirstDay: " << this->FirstDay[0] << "-" << this->FirstDay[1] << "-"
+     << this->FirstDay[2] << "\n";
+  os << indent << "LastDay: " << this->LastDay[0] << "-" << this->LastDay[1] << "-"
+     << this->LastDay[2] << "\n";
+  os << indent << "DayStep: " << this->DayStep << "\n";
+  os << indent << "Step: " << this->Step << "\n";
+  os << indent << "UpAxis: " << this->UpAxis << "\n";
+  os << indent << "Points: " << (this->Points ? "on" : "off") << "\n";
+  os << indent << "SkySamples: " << this->SkySamples << "\n";
+}

@@ -1,0 +1,519 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkRelievoVisibility.h"
+
+#include "vtkCellArray.h"
+
+#include "vtkCellData.h"
+#include "vtkDataSet.h"
+#include "vtkDoubleArray.h"
+#include "vtkFloatArray.h"
+#include "vtkIdList.h"
+#include "vtkIdTypeArray.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkIntArray.h"
+#include "vtkMath.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkRelievoAbort.h"
+#include "vtkRelievoCameraModel.h"
+#include "vtkRelievoRayScene.h"
+#include "vtkTable.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+vtkStandardNewMacro(vtkRelievoVisibility);
+
+namespace
+{
+constexpr vtkIdType RaysAtOnce = 1 << 19;
+
+// Corners of a pixel lie in it: what is beyond may belong to another face of a panorama.
+constexpr double Corner = 0.5 - 1e-7;
+
+// A point is seen if its ray meets nothing nearer than by this share of the distance.
+constexpr double SamePlace = 1e-9;
+
+// Points beside a cell's corners, towards its middle.
+constexpr double Inwards = 0.1;
+
+// The solid angle of three unit directions.
+double GetSolidAngle(const double a[3], const double b[3], const double c[3])
+{
+  double cross[3];
+  vtkMath::Cross(b, c, cross);
+  const double volume = std::abs(vtkMath::Dot(a, cross));
+  return 2.0 *
+    std::atan2(
+      volume, 1.0 + vtkMath::Dot(a, b) + vtkMath::Dot(b, c) + vtkMath::Dot(c, a));
+}
+
+// Solid angles of pixels, of those whose four corners are seen.
+class PixelAngles
+{
+public:
+  void Take(vtkRelievoCameraModel* camera, vtkDoubleArray* places)
+  {
+    const double signs[4][2] = { { -1, -1 }, { 1, -1 }, { 1, 1 }, { -1, 1 } };
+    vtkNew<vtkDoubleArray> corners;
+    corners->SetNumberOfComponents(2);
+    corners->SetNumberOfTuples(4 * places->GetNumberOfTuples());
+    for (vtkIdType i = 0; i < places->GetNumberOfTuples(); ++i)
+    {
+      for (int k = 0; k < 4; ++k)
+      {
+        corners->SetValue(8 * i + 2 * k, places->GetValue(2 * i) + signs[k][0] * Corner);
+        corners->SetValue(8 * i + 2 * k + 1, places->GetValue(2 * i + 1) + signs[k][1] * Corner);
+      }
+    }
+    vtkNew<vtkDoubleArray> origins;
+    camera->GetRays(corners, origins, this->Directions);
+  }
+
+  double Get(vtkIdType i)
+  {
+    const double* d = this->Directions->GetPointer(12 * i);
+    const double angle = GetSolidAngle(d, d + 3, d + 6) + GetSolidAngle(d, d + 6, d + 9);
+    return std::isnan(angle) ? 0.0 : angle;
+  }
+
+private:
+  vtkNew<vtkDoubleArray> Directions;
+};
+
+// What one camera sees of the mesh.
+class Sight
+{
+public:
+  Sight(vtkPolyData* mesh, vtkRelievoRayScene* scene)
+    : Mesh(mesh)
+    , Scene(scene)
+    , Pixels(static_cast<std::size_t>(mesh->GetNumberOfCells()))
+    , Angles(Pixels.size())
+    , CellsSeen(Pixels.size())
+    , PointsSeen(static_cast<std::size_t>(mesh->GetNumberOfPoints()))
+  {
+  }
+
+  vtkPolyData* Mesh;
+  vtkRelievoRayScene* Scene;
+  std::vector<vtkIdType> Pixels;
+  std::vector<double> Angles;
+  std::vector<int> CellsSeen;
+  std::vector<int> PointsSeen;
+  vtkPolyData* Cloud = nullptr;
+
+  bool Add(vtkRelievoCameraModel* camera, int number)
+  {
+    this->Camera = camera;
+    this->Met.assign(this->Pixels.size(), false);
+    if (!this->AddPixels(number) || !this->AddSmallCells() || !this->AddPoints())
+    {
+      return false;
+    }
+    for (std::size_t cell = 0; cell < this->Met.size(); ++cell)
+    {
+      this->CellsSeen[cell] += this->Met[cell] ? 1 : 0;
+    }
+    return true;
+  }
+
+private:
+  vtkRelievoCameraModel* Camera = nullptr;
+  std::vector<bool> Met; // cells, by this camera
+  vtkNew<vtkDoubleArray> Places;
+  vtkNew<vtkDoubleArray> Origins;
+  vtkNew<vtkDoubleArray> Directions;
+  vtkNew<vtkTable> Hits;
+
+  vtkDataArray* Get(const char* column)
+  {
+    return vtkDataArray::SafeDownCast(this->Hits->GetColumnByName(column));
+  }
+
+  // The mesh's cell that each place's ray meets first.
+  bool Trace()
+  {
+    this->Camera->GetRays(this->Places, this->Origins, this->Directions);
+    return this->Scene->FindNearest(this->Origins, this->Directions, this->Hits);
+  }
+
+  // Of a ray that met something, or -1.
+  vtkIdType GetCell(vtkIdType ray)
+  {
+    return this->Get("prop")->GetComponent(ray, 0) == 0.0
+      ? static_cast<vtkIdType>(this->Get("cell")->GetComponent(ray, 0))
+      : -1;
+  }
+
+  bool AddPixels(int number)
+  {
+    const vtkIdType columns = this->Camera->GetSize()[0];
+    const vtkIdType all = columns * this->Camera->GetSize()[1];
+    PixelAngles angles;
+    this->Places->SetNumberOfComponents(2);
+    for (vtkIdType first = 0; first < all; first += RaysAtOnce)
+    {
+      const vtkIdType count = std::min(RaysAtOnce, all - first);
+      this->Places->SetNumberOfTuples(count);
+      for (vtkIdType i = 0; i < count; ++i)
+      {
+        this->Places->SetValue(2 * i, static_cast<double>((first + i) % columns));
+        this->Places->SetValue(2 * i + 1, static_cast<double>((first + i) / columns));
+      }
+      angles.Take(this->Camera, this->Places);
+      if (!this->Trace())
+      {
+        return false;
+      }
+      for (vtkIdType i = 0; i < count; ++i)
+      {
+        const vtkIdType cell = this->GetCell(i);
+        if (cell < 0)
+        {
+          continue;
+        }
+        const auto at = static_cast<std::size_t>(cell);
+        ++this->Pixels[at];
+        this->Angles[at] += angles.Get(i);
+        this->Met[at] = true;
+        if (this->Cloud)
+        {
+          this->AddToCloud(i, cell, number);
+        }
+      }
+    }
+    return true;
+  }
+
+  void AddToCloud(vtkIdType ray, vtkIdType cell, int number)
+  {
+    vtkPointData* data = this->Cloud->GetPointData();
+    this->Cloud->GetPoints()->InsertNextPoint(this->Get("position")->GetTuple(ray));
+    vtkIntArray::SafeDownCast(data->GetArray("cell"))->InsertNextValue(static_cast<int>(cell));
+    vtkIntArray::SafeDownCast(data->GetArray("camera"))->InsertNextValue(number);
+    data->GetArray("normal")->InsertNextTuple(this->Get("geometric_normal")->GetTuple(ray));
+  }
+
+  // Places of points in the picture; false where there is none within it.
+  bool AddPlace(const double point[3])
+  {
+    double place[2];
+    if (!this->Camera->Project(point, place) || place[0] < -0.5 || place[1] < -0.5 ||
+      place[0] > this->Camera->GetSize()[0] - 0.5 || place[1] > this->Camera->GetSize()[1] - 0.5)
+    {
+      return false;
+    }
+    this->Places->InsertNextTuple(place);
+    return true;
+  }
+
+  // Cells that no pixel's centre shows, by points of their own.
+  bool AddSmallCells()
+  {
+    std::vector<vtkIdType> cells; // of Places
+    std::map<vtkIdType, int> asked;
+    this->Places->Reset();
+    vtkNew<vtkIdList> corners;
+    const vtkIdType first = this->Mesh->GetNumberOfVerts() + this->Mesh->GetNumberOfLines();
+    for (vtkIdType cell = first; cell < this->Mesh->GetNumberOfCells(); ++cell)
+    {
+      if (!this->Met[static_cast<std::size_t>(cell)])
+      {
+        this->Mesh->GetCellPoints(cell, corners);
+        this->AddSamples(cell, corners, cells, asked);
+      }
+      const bool last = cell + 1 == this->Mesh->GetNumberOfCells();
+      if (last || static_cast<vtkIdType>(cells.size()) >= RaysAtOnce)
+      {
+        if (!this->TraceSamples(cells, asked))
+        {
+          return false;
+        }
+        cells.clear();
+        asked.clear();
+        this->Places->Reset();
+      }
+    }
+    return true;
+  }
+
+  void AddSamples(vtkIdType cell, vtkIdList* corners, std::vector<vtkIdType>& cells,
+    std::map<vtkIdType, int>& asked)
+  {
+    const vtkIdType count = corners->GetNumberOfIds();
+    double middle[3] = { 0.0, 0.0, 0.0 };
+    double point[3];
+    for (vtkIdType k = 0; k < count; ++k)
+    {
+      this->Mesh->GetPoint(corners->GetId(k), point);
+      for (int i = 0; i < 3; ++i)
+      {
+        middle[i] += point[i] / static_cast<double>(count);
+      }
+    }
+    asked[cell] = static_cast<int>(count) + 1;
+    for (vtkIdType k = -1; k < count; ++k)
+    {
+      std::copy_n(middle, 3, point);
+      if (k >= 0)
+      {
+        this->Mesh->GetPoint(corners->GetId(k), point);
+        for (int i = 0; i < 3; ++i)
+        {
+          point[i] += Inwards * (middle[i] - point[i]);
+        }
+      }
+      if (this->AddPlace(point))
+      {
+        cells.push_back(cell);
+      }
+    }
+  }
+
+  bool TraceSamples(const std::vector<vtkIdType>& cells, const std::map<vtkIdType, int>& asked)
+  {
+    if (cells.empty())
+    {
+      return true;
+    }
+    if (!this->Trace())
+    {
+      return false;
+    }
+    std::map<vtkIdType, int> seen;
+    for (std::size_t i = 0; i < cells.size(); ++i)
+    {
+      seen[cells[i]] += this->GetCell(static_cast<vtkIdType>(i)) == cells[i] ? 1 : 0;
+    }
+    for (const auto& each : seen)
+    {
+      if (each.second > 0)
+      {
+        const auto at = static_cast<std::size_t>(each.first);
+        this->Met[at] = true;
+        this->Angles[at] += this->GetWholeAngle(each.first) * each.second / asked.at(each.first);
+      }
+    }
+    return true;
+  }
+
+  // Of a cell, as a fan, from where the camera's rays to its corners begin.
+  double GetWholeAngle(vtkIdType cell)
+  {
+    vtkNew<vtkIdList> corners;
+    this->Mesh->GetCellPoints(cell, corners);
+    std::vector<double> directions;
+    for (vtkIdType k = 0; k < corners->GetNumberOfIds(); ++k)
+    {
+      double place[2];
+      double origin[3];
+      double direction[3];
+      if (!this->Camera->Project(this->Mesh->GetPoint(corners->GetId(k)), place) ||
+        !this->Camera->GetRay(place[0], place[1], origin, direction))
+      {
+        return 0.0;
+      }
+      directions.insert(directions.end(), direction, direction + 3);
+    }
+    double angle = 0.0;
+    for (std::size_t k = 6; k + 3 <= directions.size(); k += 3)
+    {
+      angle += GetSolidAngle(&directions[0], &directions[k - 3], &directions[k]);
+    }
+    return angle;
+  }
+
+  bool AddPoints()
+  {
+    std::vector<vtkIdType> points; // of Places
+    this->Places->Reset();
+    for (vtkIdType point = 0; point < this->Mesh->GetNumberOfPoints(); ++point)
+    {
+      if (this->AddPlace(this->Mesh->GetPoint(point)))
+      {
+        points.push_back(point);
+      }
+      const bool last = point + 1 == this->Mesh->GetNumberOfPoints();
+      if (!points.empty() && (last || static_cast<vtkIdType>(points.size()) >= RaysAtOnce))
+      {
+        if (!this->Trace())
+        {
+          return false;
+        }
+        for (std::size_t i = 0; i < points.size(); ++i)
+        {
+          const auto ray = static_cast<vtkIdType>(i);
+          const double distance = std::sqrt(vtkMath::Distance2BetweenPoints(
+            this->Mesh->GetPoint(points[i]), this->Origins->GetPointer(3 * ray)));
+          const bool free =
+            this->Get("distance")->GetComponent(ray, 0) >= distance * (1.0 - SamePlace);
+          this->PointsSeen[static_cast<std::size_t>(points[i])] += free ? 1 : 0;
+        }
+        points.clear();
+        this->Places->Reset();
+      }
+    }
+    return true;
+  }
+};
+
+template <typename Array, typename Values>
+void AddArray(vtkFieldData* data, const char* name, const Values& values)
+{
+  vtkNew<Array> array;
+  array->SetName(name);
+  array->SetNumberOfTuples(static_cast<vtkIdType>(values.size()));
+  std::copy(values.begin(), values.end(), array->GetPointer(0));
+  data->AddArray(array);
+}
+
+void PrepareCloud(vtkPolyData* cloud)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  cloud->SetPoints(points);
+  for (const char* name : { "cell", "camera" })
+  {
+    vtkNew<vtkIntArray> array;
+    array->SetName(name);
+    cloud->GetPointData()->AddArray(array);
+  }
+  vtkNew<vtkFloatArray> normals;
+  normals->SetName("normal");
+  normals->SetNumberOfComponents(3);
+  cloud->GetPointData()->AddArray(normals);
+}
+
+void AddVertices(vtkPolyData* cloud)
+{
+  vtkNew<vtkCellArray> vertices;
+  for (vtkIdType i = 0; i < cloud->GetNumberOfPoints(); ++i)
+  {
+    vertices->InsertNextCell(1, &i);
+  }
+  cloud->SetVerts(vertices);
+}
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoVisibility::vtkRelievoVisibility()
+{
+  this->SetNumberOfInputPorts(2);
+  this->SetNumberOfOutputPorts(2);
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoVisibility::~vtkRelievoVisibility() = default;
+
+//------------------------------------------------------------------------------
+int vtkRelievoVisibility::FillInputPortInformation(int port, vtkInformation* info)
+{
+  if (port == 0)
+  {
+    return this->Superclass::FillInputPortInformation(port, info);
+  }
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
+  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  info->Set(vtkAlgorithm::INPUT_IS_REPEATABLE(), 1);
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoVisibility::AddCamera(vtkRelievoCameraModel* camera)
+{
+  if (!camera)
+  {
+    vtkErrorMacro("AddCamera was given no camera; give it a vtkRelievoCameraModel.");
+    return;
+  }
+  this->Cameras.emplace_back(camera);
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoVisibility::RemoveAllCameras()
+{
+  this->Cameras.clear();
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+vtkMTimeType vtkRelievoVisibility::GetMTime()
+{
+  vtkMTimeType time = this->Superclass::GetMTime();
+  for (vtkRelievoCameraModel* camera : this->Cameras)
+  {
+    time = std::max(time, camera->GetMTime());
+  }
+  return time;
+}
+
+//------------------------------------------------------------------------------
+int vtkRelievoVisibility::RequestData(
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  relievo::Begin(outputs);
+  if (this->Cameras.empty())
+  {
+    vtkErrorMacro("There are no cameras; give it some by AddCamera.");
+    return 0;
+  }
+  vtkPolyData* mesh = vtkPolyData::GetData(inputs[0]);
+  vtkPolyData* output = vtkPolyData::GetData(outputs, 0);
+  vtkPolyData* cloud = vtkPolyData::GetData(outputs, 1);
+  vtkNew<vtkRelievoRayScene> scene;
+  scene->AddData(mesh);
+  for (int i = 0; i < inputs[1]->GetNumberOfInformationObjects(); ++i)
+  {
+    scene->AddData(vtkDataSet::GetData(inputs[1], i));
+  }
+  // Cells are looked up, which builds what the input must not get.
+  vtkNew<vtkPolyData> own;
+  own->ShallowCopy(mesh);
+  own->BuildCells();
+  Sight sight(own, scene);
+  if (this->Cloud)
+  {
+    PrepareCloud(cloud);
+    sight.Cloud = cloud;
+  }
+  for (std::size_t i = 0; i < this->Cameras.size(); ++i)
+  {
+    if (!sight.Add(this->Cameras[i], static_cast<int>(i)))
+    {
+      vtkErrorMacro("The rays of camera " << i << " were not followed; see the errors before.");
+      return 0;
+    }
+    this->UpdateProgress(static_cast<double>(i + 1) / static_cast<double>(this->Cameras.size()));
+    if (relievo::IsStopped(this))
+    {
+      relievo::Discard(outputs);
+      return 1;
+    }
+  }
+  output->ShallowCopy(mesh);
+  AddArray<vtkIntArray>(output->GetCellData(), "seen", sight.CellsSeen);
+  AddArray<vtkIdTypeArray>(output->GetCellData(), "pixels", sight.Pixels);
+  AddArray<vtkDoubleArray>(output->GetCellData(), "solid_angle", sight.Angles);
+  AddArray<vtkIntArray>(output->GetPointData(), "seen", sight.PointsSeen);
+  if (this->Cloud)
+  {
+    AddVertices(cloud);
+  }
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoVisibility::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Cameras: " << this->Cameras.size() << "\n";
+  os << indent << "Cloud: " << (this->Cloud ? "on" : "off") << "\n";
+}

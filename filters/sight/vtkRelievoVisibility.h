@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkRelievoVisibility
+ * @brief Which cells and points of a mesh cameras see, in how many pixels, under which solid angle.
+ *
+ * Input 0: a vtkPolyData. Input 1 (by choice, several): what hides it as well, data sets. Output 0:
+ * the mesh with the cell arrays
+ * - seen (int): the number of cameras that see any of the cell;
+ * - pixels (vtkIdType): pixels whose centres show it, of all cameras;
+ * - solid_angle (double): steradians under which it is seen, summed over the cameras; 0 of parallel
+ *   rays;
+ *
+ * and the point array seen (int): the number of cameras from which nothing lies before the point.
+ * Output 1, if Cloud is on: what the pixels' centres show of the mesh, as points with the arrays
+ * cell and camera (int) and normal (3 float, geometric, towards the camera).
+ *
+ * A ray goes through each pixel's centre, and to cells that none has met through points of their
+ * own, the middle and one beside each corner: a cell smaller than a pixel is not lost. Its solid
+ * angle is then that of the whole cell (A. Van Oosterom, J. Strackee 1983) times the share of its
+ * points that are seen; of others it is that of the pixels. Cells are seen from both sides.
+ * Vertices and lines hide nothing, and no camera sees them.
+ *
+ * Errors: no cameras.
+ */
+#ifndef vtkRelievoVisibility_h
+#define vtkRelievoVisibility_h
+
+#include "vtkPolyDataAlgorithm.h"
+#include "vtkRelievoFiltersModule.h" // for the export macro
+#include "vtkSmartPointer.h"         // for the cameras
+
+#include <vector> // for the cameras
+
+class vtkRelievoCameraModel;
+
+class VTKRELIEVOFILTERS_EXPORT vtkRelievoVisibility : public vtkPolyDataAlgorithm
+{
+public:
+  static vtkRelievoVisibility* New();
+  vtkTypeMacro(vtkRelievoVisibility, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /** From where, and in what pictures. */
+  void AddCamera(vtkRelievoCameraModel* camera);
+  void RemoveAllCameras();
+  int GetNumberOfCameras() { return static_cast<int>(this->Cameras.size()); }
+  ///@}
+
+  ///@{
+  /** Whether output 1 has what is seen as points. Default off. */
+  vtkSetMacro(Cloud, bool);
+  vtkGetMacro(Cloud, bool);
+  vtkBooleanMacro(Cloud, bool);
+  ///@}
+
+  /** That of the cameras as well. */
+  vtkMTimeType GetMTime() override;
+
+protected:
+  vtkRelievoVisibility();
+  ~vtkRelievoVisibility() override;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestData(
+    vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
+
+private:
+  vtkRelievoVisibility(const vtkRelievoVisibility&) = delete;
+  void operator=(const vtkRelievoVisibility&) = delete;
+
+  std::vector<vtkSmartPointer<vtkRelievoCameraModel>> Cameras;
+  bool Cloud = false;
+};
+
+#endif
