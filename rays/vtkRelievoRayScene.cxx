@@ -34,8 +34,10 @@
 #include "vtkUnsignedCharArray.h"
 #include "vtkVolume.h"
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <set>
@@ -132,8 +134,8 @@ public:
   Beam Get(vtkIdType ray) const
   {
     Beam beam;
-    this->Origins->GetTuple(this->Origins->GetNumberOfTuples() == 1 ? 0 : ray, &beam.From.x);
-    this->Directions->GetTuple(ray, &beam.Direction.x);
+    Read(this->Origins, this->Origins->GetNumberOfTuples() == 1 ? 0 : ray, beam.From);
+    Read(this->Directions, ray, beam.Direction);
     const glm::dvec3 sizes = glm::abs(beam.Direction);
     const double size = std::max(std::max(sizes.x, sizes.y), sizes.z);
     beam.Valid = size > 0.0;
@@ -147,6 +149,16 @@ public:
   }
 
 private:
+  static void Read(vtkDataArray* array, vtkIdType tuple, glm::dvec3& value)
+  {
+    if (auto* doubles = vtkDoubleArray::FastDownCast(array))
+    {
+      std::copy_n(doubles->GetPointer(3 * tuple), 3, &value.x);
+      return;
+    }
+    array->GetTuple(tuple, &value.x);
+  }
+
   vtkDataArray* Origins;
   vtkDataArray* Directions;
   glm::dvec3 Center;
@@ -491,10 +503,14 @@ bool DoInBatches(vtkRelievoRayScene* scene, vtkIdType count, Each each, After af
 }
 
 // What is wrong with rays, in words.
-std::string FindFault(vtkDataArray* origins, vtkDataArray* directions)
+std::string FindFault(vtkDataArray* origins, vtkDataArray* directions, vtkObject* answer)
 {
   std::ostringstream out;
-  if (!origins || !directions)
+  if (!answer)
+  {
+    out << "got nothing to write answers to";
+  }
+  else if (!origins || !directions)
   {
     out << "got no " << (origins ? "directions" : "origins") << ", expected an array";
   }
@@ -625,9 +641,9 @@ bool vtkRelievoRayScene::Update()
 }
 
 //------------------------------------------------------------------------------
-bool vtkRelievoRayScene::Begin(vtkDataArray* origins, vtkDataArray* directions)
+bool vtkRelievoRayScene::Begin(vtkDataArray* origins, vtkDataArray* directions, vtkObject* answer)
 {
-  std::string fault = FindFault(origins, directions);
+  std::string fault = FindFault(origins, directions, answer);
   if (fault.empty() && this->MinimumDistance > this->MaximumDistance)
   {
     std::ostringstream out;
@@ -661,8 +677,11 @@ void vtkRelievoRayScene::Warn(vtkIdType invalid, vtkIdType rays)
 bool vtkRelievoRayScene::FindNearest(
   vtkDataArray* origins, vtkDataArray* directions, vtkTable* hits)
 {
-  hits->Initialize();
-  if (!this->Begin(origins, directions))
+  if (hits)
+  {
+    hits->Initialize();
+  }
+  if (!this->Begin(origins, directions, hits))
   {
     return false;
   }
@@ -704,8 +723,11 @@ bool vtkRelievoRayScene::FindNearest(
 bool vtkRelievoRayScene::FindAny(
   vtkDataArray* origins, vtkDataArray* directions, vtkUnsignedCharArray* met)
 {
-  met->Initialize();
-  if (!this->Begin(origins, directions))
+  if (met)
+  {
+    met->Initialize();
+  }
+  if (!this->Begin(origins, directions, met))
   {
     return false;
   }
@@ -734,8 +756,11 @@ bool vtkRelievoRayScene::FindAny(
 //------------------------------------------------------------------------------
 bool vtkRelievoRayScene::FindAll(vtkDataArray* origins, vtkDataArray* directions, vtkTable* hits)
 {
-  hits->Initialize();
-  if (!this->Begin(origins, directions))
+  if (hits)
+  {
+    hits->Initialize();
+  }
+  if (!this->Begin(origins, directions, hits))
   {
     return false;
   }

@@ -6,23 +6,23 @@
  *
  * The scene is what a renderer shows (SetRenderer), or data (AddData), or both. Each answer brings
  * it up to date first: it is kept as it is while nothing has changed, fitted where only points or
- * matrices have moved, and made again otherwise. A mesh is held once, however many actors, glyphs or
- * matrices place it.
+ * matrices have moved, and made again otherwise. A mesh is held once, however many actors, glyphs
+ * or matrices place it.
  *
  * Surfaces are met from both sides, whatever their culling: the triangles that VTK draws of meshes,
  * blocks and glyphs (polygons and strips of vtkPolyData; of other data the outer surface). Hidden
  * props and blocks are not there, nor is what has an opacity of 0. Of a renderer, what rays cannot
  * follow is left out, with one warning: volumes, wireframes, points, lines, impostors, cut-outs,
- * clipped meshes, actors with shaders of their own (GetNumberOfPropsLeftOut). A triangle with a corner
- * that is not finite is met by nothing.
+ * clipped meshes, actors with shaders of their own (GetNumberOfPropsLeftOut). A triangle with a
+ * corner that is not finite is met by nothing.
  *
- * A ray has an origin and a direction, in world coordinates, of any length but 0; distances count in
- * world units from the origin. A ray that is not finite, or has no direction, meets nothing, with one
- * warning. Triangles have their edges: no ray passes between two that share one (S. Woop, C. Benthin,
- * I. Wald, Watertight ray/triangle intersection, 2013).
+ * A ray has an origin and a direction, in world coordinates, of any length but 0; distances count
+ * in world units from the origin. A ray that is not finite, or has no direction, meets nothing,
+ * with one warning. Triangles have their edges: no ray passes between two that share one (S. Woop,
+ * C. Benthin, I. Wald, Watertight ray/triangle intersection, 2013).
  *
- * Rays run on all cores, in batches; ProgressEvent, with the share done, comes between the batches on
- * the calling thread, and AbortOn() in its observer ends the call, which then returns false.
+ * Rays run on all cores, in batches; ProgressEvent, with the share done, comes between the batches
+ * on the calling thread, and AbortOn() in its observer ends the call, which then returns false.
  */
 #ifndef vtkRelievoRayScene_h
 #define vtkRelievoRayScene_h
@@ -58,8 +58,8 @@ public:
   ///@}
 
   /**
-   * Adds a vtkDataSet, or composite data of them, placed by a matrix (nullptr: where it is), which is
-   * looked at again for each answer. Returns its number as a prop, behind the renderer's actors.
+   * Adds a vtkDataSet, or composite data of them, placed by a matrix (nullptr: where it is), which
+   * is looked at again for each answer. Returns its number as a prop, behind the renderer's actors.
    */
   int AddData(vtkDataObject* data, vtkMatrix4x4* matrix = nullptr);
   void RemoveAllData();
@@ -76,8 +76,8 @@ public:
   ///@}
 
   /**
-   * The first hit of each ray. `origins` and `directions` have three components and a tuple for each
-   * ray; one origin is that of all rays. `hits` gets a row for each ray, and columns
+   * The first hit of each ray. `origins` and `directions` have three components and a tuple for
+   * each ray; one origin is that of all rays. `hits` gets a row for each ray, and columns
    *
    * - distance: in world units; infinity: none
    * - prop: number of the actor in vtkRenderer::GetActors(), or of AddData's; -1: none
@@ -86,12 +86,12 @@ public:
    * - points: three, the ids of the triangle's corners in the mesh, or in the data; -1
    * - weights: three, barycentric weights of these points; 0
    * - position: three, in world coordinates; 0
-   * - normal: three, of points or cells as VTK lights with them, turned round where the back is met;
-   *   the geometric one without such or with flat shading; unit; 0
+   * - normal: three, of points or cells as VTK lights with them, turned round where the back is
+   *   met; the geometric one without such, or with flat shading; unit; 0
    * - geometric_normal: three, of the triangle, towards the ray's origin; unit; 0
    *
-   * Of hits at one distance, that of the lowest prop, block and cell counts. False, with an error or
-   * after an abort: `hits` is empty then.
+   * Of hits at one distance, that of the lowest prop, block and cell counts. False, with an error
+   * or after an abort: `hits` is empty then.
    */
   bool FindNearest(vtkDataArray* origins, vtkDataArray* directions, vtkTable* hits);
 
@@ -164,7 +164,7 @@ private:
   void operator=(const vtkRelievoRayScene&) = delete;
 
   vtkMapper* GetMapper(int prop);
-  bool Begin(vtkDataArray* origins, vtkDataArray* directions);
+  bool Begin(vtkDataArray* origins, vtkDataArray* directions, vtkObject* answer);
   void Warn(vtkIdType invalid, vtkIdType rays);
 
   struct Held;

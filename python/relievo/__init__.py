@@ -9,6 +9,7 @@
 
     relievo.environment(renderer, "forest.exr")           # light, mirrors and sky
     relievo.scene("bike.obj").render("bike.png")
+    relievo.rays(renderer).nearest(origins, directions)   # what rays meet, in double
 
 Rows of numpy arrays run downwards, VTK's upwards: layer(), from_image() and to_image() turn them.
 
@@ -89,6 +90,7 @@ from ._image import attributes, from_image, layer, layer_names, to_image
 from ._layers import layers
 from ._picture import picture
 from ._points import depth_to_points
+from ._rays import rays
 from ._scene import scene
 from ._show import show
 from ._stages import stage, stages
@@ -124,6 +126,7 @@ __all__ = [
     "layers",
     "picture",
     "provide_vtkmodules",
+    "rays",
     "read_exr",
     "report",
     "scene",

@@ -24,8 +24,8 @@ enum class Wanted
   Geometry     // all, whatever their opacity, and whatever points and lines are drawn beside them
 };
 
-// Appends the meshes that a prop draws. False, and nothing appended, if any of it is no triangles, or
-// not those of its data: points, lines, wireframes, impostors, cut-outs, clipping planes, own
+// Appends the meshes that a prop draws. False, and nothing appended, if any of it is no triangles,
+// or not those of its data: points, lines, wireframes, impostors, cut-outs, clipping planes, own
 // shaders, colours of their own opacity, glyphs whose places are not known, other mappers.
 VTKRELIEVORAYS_EXPORT bool Collect(vtkProp* prop, Wanted wanted, vtkRelievoGlyphPlaces& glyphs,
   std::vector<vtkRelievoPlacedMesh>& meshes);

@@ -41,7 +41,8 @@ public:
   // changed. The meshes must live as long as rays are asked.
   bool SetMeshes(const std::vector<vtkRelievoPlacedMesh>& meshes);
 
-  // By the last SetMeshes: meshes whose trees were built, and those that were fitted to moved points.
+  // By the last SetMeshes: meshes whose trees were built, and those that were fitted to moved
+  // points.
   int GetMeshesBuilt() const { return this->MeshesBuilt; }
   int GetMeshesRefitted() const { return this->MeshesRefitted; }
   bool WerePlacesRefitted() const { return this->PlacesRefitted; }
@@ -57,8 +58,8 @@ public:
   const vtkRelievoMeshTree& GetMeshTree(int place) const { return *this->Places[place].Triangles; }
   const glm::dmat4& GetToMesh(int place) const { return this->Places[place].ToMesh; }
 
-  // Calls visit(place, triangle, t) for every meeting between, near ones first, but not in order; it
-  // returns the t up to which more are of interest.
+  // Calls visit(place, triangle, t) for every meeting between, near ones first, but not in order;
+  // it returns the t up to which more are of interest.
   template <typename Visit>
   void Walk(
     const glm::dvec3& from, const glm::dvec3& ray, double low, double high, Visit visit) const;

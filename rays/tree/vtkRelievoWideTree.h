@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A hierarchy over boxes, eight to a node, that the CPU walks from near to far: floats, with room for
-// their rounding, so that nothing is missed that doubles would meet.
+// A hierarchy over boxes, eight to a node, that the CPU walks from near to far: floats, with room
+// for their rounding, so that nothing is missed that doubles would meet.
 //
 // Coordinates are between -1 and 1 or little beyond: rays begin where they enter the whole.
 #ifndef vtkRelievoWideTree_h

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Points from depth; errors as exceptions."""
+"""Points from depth; rays as arrays, beside what is captured; errors as exceptions."""
 
 import unittest
 
@@ -8,7 +8,10 @@ import numpy
 import relievo
 import scenes
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData
+from vtkmodules.vtkCommonMath import vtkMatrix4x4
+from vtkmodules.vtkFiltersSources import vtkSphereSource
+from vtkmodules.vtkRenderingCore import vtkRenderer
 
 
 class Points(unittest.TestCase):
@@ -49,6 +52,108 @@ class Points(unittest.TestCase):
         with self.assertRaises(ValueError) as caught:
             relievo.depth_to_points(vtkImageData())
         self.assertIn("'depth'", str(caught.exception))
+
+
+class Rays(unittest.TestCase):
+    def check_captured(self, **scene):
+        """What rays through the centres of pixels meet is what the pixels show."""
+        renderer = scenes.plane_and_sphere(**scene)
+        renderer.GetActors().GetItemAsObject(1).SetScale(1, 1.25, 1)
+        names = ["range", "normal", "geometric_normal", "position", "actor", "block", "cell"]
+        image = relievo.capture(renderer, names, size=(360, 240))
+        layers = {name: relievo.layer(image, name) for name in names}
+        origins, directions = scenes.rays(renderer.GetActiveCamera(), 360, 240)
+        rays = relievo.rays(renderer)
+        origins, directions = origins.reshape(-1, 3), directions.reshape(-1, 3)
+        hits = rays.nearest(origins, directions)
+        cells = hits.cell.reshape(240, 360)
+        # Not beside an edge, where OpenGL may draw either triangle.
+        inner = numpy.zeros(cells.shape, bool)
+        inner[1:-1, 1:-1] = True
+        for move in ((0, 1), (0, -1), (1, 0), (-1, 0)):
+            inner &= numpy.roll(cells, move, (0, 1)) == cells
+        self.assertGreater((inner & (hits.prop.reshape(240, 360) == 1)).sum(), 300)
+        for name, of in (("actor", hits.prop), ("block", hits.block), ("cell", hits.cell)):
+            self.assertTrue((layers[name][inner] == of.reshape(240, 360)[inner]).all(), name)
+        # Normals are kept in 32 bits; geometric ones come from floats of the GPU.
+        for name, limit in (("normal", 7e-5), ("geometric_normal", 2e-4), ("position", 2e-5)):
+            off = numpy.abs(layers[name][inner] - getattr(hits, name).reshape(240, 360, 3)[inner])
+            self.assertLessEqual(off.max(), limit, name)
+        # From the eye; parallel rays start in its plane, and range is from the eye itself.
+        if not scene.get("parallel"):
+            off = numpy.abs(layers["range"][inner] - hits.distance.reshape(240, 360)[inner])
+            self.assertLessEqual(off.max(), 2e-5)
+        places = origins + hits.distance[:, None] * (
+            directions / numpy.linalg.norm(directions, axis=1)[:, None])
+        self.assertLessEqual(numpy.abs(places - hits.position)[hits.hit].max(), 1e-8)
+        self.assertTrue((rays.any(origins, directions) == hits.hit).all())
+        every = rays.all(origins, directions)
+        first = numpy.searchsorted(every.ray, numpy.flatnonzero(hits.hit))
+        self.assertTrue((every.distance[first] == hits.distance[hits.hit]).all())
+        self.assertGreater(len(every.ray), hits.hit.sum())
+        self.assertTrue((every.opacity == 1).all())
+        self.assertEqual(rays.props, list(renderer.GetActors()))
+
+    def test_captured(self):
+        self.check_captured()
+
+    def test_captured_in_parallel(self):
+        self.check_captured(parallel=True)
+
+    def test_data(self):
+        """Data by matrices, which are moved; shapes and kinds of arrays."""
+        source = vtkSphereSource()
+        source.SetRadius(1)
+        source.SetThetaResolution(4)  # an octahedron
+        source.SetPhiResolution(3)
+        moved = vtkMatrix4x4()
+        placed = numpy.diag([2.0, 2, 2, 1])
+        placed[0, 3] = 10
+        rays = relievo.rays([source, (source.GetOutput(), placed)], (source, moved))
+        moved.SetElement(1, 3, 10)
+        self.assertEqual(rays.props, 3 * [source.GetOutput()])
+        origins = numpy.array([[0, 0, -9], [10, 0, -9], [0, 10, -9], [5, 5, -9]], numpy.float32)
+        hits = rays.nearest(origins[:, ::1], [0, 0, 3])
+        self.assertTrue((hits.prop == [0, 1, 2, -1]).all())
+        self.assertTrue((hits.ray == numpy.arange(4)).all() and hits.opacity is None)
+        self.assertTrue((hits.distance == [8, 7, 8, numpy.inf]).all(), hits.distance)
+        self.assertTrue((rays.any([0, 0, -9], origins + [0, 0, 9.5]) == [1, 0, 0, 0]).all())
+        self.assertTrue((rays.nearest(origins, [0, 0, 1], maximum=7.5).hit == [0, 1, 0, 0]).all())
+        self.assertTrue((rays.nearest(origins, [0, 0, 1], minimum=8.5).prop == [0, 1, 2, -1]).all())
+        self.assertEqual(len(rays.nearest(numpy.zeros((0, 3)), numpy.zeros((0, 3))).cell), 0)
+
+    def test_progress(self):
+        rays = relievo.rays(vtkSphereSource())
+        many = numpy.ones((150000, 3))
+        shares = []
+        rays.any(many, -many, progress=shares.append)
+        self.assertEqual([round(each, 3) for each in shares], [0.437, 0.874, 1.0])
+        with self.assertRaisesRegex(RuntimeError, "ended by progress at 44%"):
+            rays.nearest(many, -many, progress=lambda share: share < 0.4)
+        with self.assertRaises(ZeroDivisionError):
+            rays.all(many, -many, progress=lambda share: 1 / 0)
+
+    def test_refusals(self):
+        rays = relievo.rays(vtkSphereSource())
+        for words, wrong in (
+            ("origins: got an array of shape \\(2,\\)", ([1, 2], [0, 0, 1])),
+            ("directions: got an array of <U1", ([1, 2, 3], ["a", "b", "c"])),
+            ("got 2 and 3, expected as many", (numpy.ones((2, 3)), numpy.ones((3, 3)))),
+            ("got 2 and 1, expected 0 or more", ([0, 0, 0], [0, 0, 1], 2, 1)),
+        ):
+            with self.assertRaisesRegex(ValueError, words):
+                rays.nearest(*wrong)
+        for words, things in (
+            ("got nothing", ()),
+            ("got 'mesh'", ("mesh",)),
+            ("got 2 renderers", (vtkRenderer(), vtkRenderer())),
+            ("shape \\(3, 3\\), expected \\(4, 4\\)", ((vtkPolyData(), numpy.eye(3)),)),
+        ):
+            with self.assertRaisesRegex(ValueError, words):
+                relievo.rays(*things)
+        flat = relievo.rays((vtkSphereSource(), numpy.diag([1.0, 0, 1, 1])))
+        with self.assertRaisesRegex(ValueError, "got a matrix that flattens"):
+            flat.any([0, 0, 0], [0, 0, 1])
 
 
 if __name__ == "__main__":

@@ -1,0 +1,233 @@
+# SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What rays meet, as numpy arrays."""
+
+from typing import NamedTuple
+
+import numpy
+from vtkmodules.util.misc import calldata_type
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.util.vtkConstants import VTK_DOUBLE
+from vtkmodules.vtkCommonCore import vtkUnsignedCharArray
+from vtkmodules.vtkCommonDataModel import vtkTable
+from vtkmodules.vtkCommonMath import vtkMatrix4x4
+
+from ._errors import Watch, describe, is_a
+from ._renderers import inner_renderer
+from .vtkRelievoRays import vtkRelievoRayScene
+
+_EXPECTED = "a vtkRenderer, something with a .renderer, a dataset, or a filter that makes one"
+_DATA = ("vtkDataSet", "vtkCompositeDataSet")
+
+
+class Hits(NamedTuple):
+    """Where rays meet surfaces: arrays with a row for each ray (nearest) or each hit (all)."""
+
+    distance: numpy.ndarray
+    """From the origin in world units; infinity where a ray meets nothing."""
+    prop: numpy.ndarray
+    """Which of the scene's props; -1: none. As the layer `actor` for those of a renderer."""
+    block: numpy.ndarray
+    """Flat index in composite data, 0 in other data; -1: none."""
+    cell: numpy.ndarray
+    """Cell of the mesh that is drawn, of glyphs the input's point, of data its own cell; -1: none."""
+    points: numpy.ndarray
+    """n x 3: ids of the triangle's corners in the mesh, or in the data; -1: none."""
+    weights: numpy.ndarray
+    """n x 3: barycentric weights of these points; they sum to 1, or are 0."""
+    position: numpy.ndarray
+    """n x 3: world coordinates, in double; 0: none."""
+    normal: numpy.ndarray
+    """n x 3: unit shading normal, world space, turned round where the back is met; 0: none."""
+    geometric_normal: numpy.ndarray
+    """n x 3: unit normal of the triangle, world space, towards the ray's origin; 0: none."""
+    ray: numpy.ndarray
+    """Which ray it is a hit of."""
+    opacity: numpy.ndarray
+    """Of all hits: 0 to 1; NaN where a mesh has more than one. None for nearest hits."""
+
+    @property
+    def hit(self):
+        """Whether there is a hit, for each row."""
+        return self.prop >= 0
+
+
+class Rays:
+    """A scene that rays are sent through; rays() makes it.
+
+    It follows the scene: what has changed is seen by the next answer, and what has not is kept.
+    `props` lists what hits are numbered by: the renderer's actors, then the data.
+    """
+
+    def __init__(self, things):
+        self.scene = vtkRelievoRayScene()
+        self._data = []
+        renderers = [each for each in map(inner_renderer, things) if each is not None]
+        if len(renderers) > 1:
+            raise ValueError(f"rays: got {len(renderers)} renderers, expected at most one")
+        if renderers:
+            self.scene.SetRenderer(renderers[0])
+        for thing in things:
+            if inner_renderer(thing) is None:
+                self._add(thing)
+
+    @property
+    def props(self):
+        """What hits are numbered by."""
+        renderer = self.scene.GetRenderer()
+        actors = [] if renderer is None else list(renderer.GetActors())
+        return [*actors, *self._data]
+
+    def nearest(self, origins, directions, minimum=0.0, maximum=numpy.inf, progress=None):
+        """The first hit of each ray, as Hits with a row for each ray.
+
+        origins, directions: array-like, n x 3, world coordinates; or one origin (or direction) for
+            all. Directions have any length but 0.
+        minimum, maximum: from where to where along a ray there are hits, in world units.
+        progress: called with the share done after every 65536 rays; if it returns False, the call
+            ends with a RuntimeError.
+
+        Raises ValueError for wrong arguments. Rays that are not finite meet nothing.
+        """
+        hits = vtkTable()
+        count = self._ask(
+            self.scene.FindNearest, hits, origins, directions, minimum, maximum, progress
+        )
+        return _hits(hits, ray=numpy.arange(count), opacity=None)
+
+    def any(self, origins, directions, minimum=0.0, maximum=numpy.inf, progress=None):
+        """Whether each ray meets anything: an array of bool. Arguments as for nearest()."""
+        met = vtkUnsignedCharArray()
+        self._ask(self.scene.FindAny, met, origins, directions, minimum, maximum, progress)
+        return vtk_to_numpy(met).astype(bool)
+
+    def all(self, origins, directions, minimum=0.0, maximum=numpy.inf, progress=None):
+        """All hits of all rays, as Hits with a row for each hit, by rays and then by distance.
+
+        Arguments as for nearest(). A ray through an edge meets both of its triangles.
+        """
+        hits = vtkTable()
+        self._ask(self.scene.FindAll, hits, origins, directions, minimum, maximum, progress)
+        return _hits(hits)
+
+    def _add(self, thing):
+        data, matrix = thing if isinstance(thing, tuple) and len(thing) == 2 else (thing, None)
+        if is_a(data, "vtkAlgorithm"):
+            data.Update()
+            data = data.GetOutputDataObject(0) if data.GetNumberOfOutputPorts() else None
+        if not any(is_a(data, kind) for kind in _DATA):
+            raise ValueError(f"rays: got {describe(data)}, expected {_EXPECTED}")
+        if matrix is not None and not is_a(matrix, "vtkMatrix4x4"):
+            matrix = _matrix(matrix)
+        self.scene.AddData(data, matrix)
+        self._data.append(data)
+
+    def _ask(self, find, answer, origins, directions, minimum, maximum, progress):
+        origins, directions = _vectors(origins, "origins"), _vectors(directions, "directions")
+        if len(directions) == 1 and len(origins) != 1:
+            directions = numpy.broadcast_to(directions, origins.shape)
+        if len(origins) not in (1, len(directions)):
+            raise ValueError(
+                f"origins, directions: got {len(origins)} and {len(directions)}, expected as many, "
+                "or one for all"
+            )
+        minimum, maximum = float(minimum), float(maximum)
+        if not 0.0 <= minimum <= maximum:
+            raise ValueError(
+                f"minimum, maximum: got {minimum:g} and {maximum:g}, expected 0 or more, the "
+                "maximum not below the minimum"
+            )
+        self.scene.SetMinimumDistance(minimum)
+        self.scene.SetMaximumDistance(maximum)
+        report = _Progress(self.scene, progress)
+        # No copies, and so to be held for the call.
+        held = [numpy.ascontiguousarray(each) for each in (origins, directions)]
+        with Watch(self.scene) as watch, report:
+            find(*map(numpy_to_vtk, held), answer)
+        report.check()
+        watch.raise_as(ValueError, "rays")
+        return len(directions)
+
+
+class _Progress:
+    """Calls back while it is entered; an exception of the callback ends the rays, and is raised."""
+
+    def __init__(self, scene, call):
+        self._scene, self._call = scene, call
+        self._tag = None
+        self._ended = None
+
+    def __enter__(self):
+        if self._call is not None:
+
+            @calldata_type(VTK_DOUBLE)
+            def report(_scene, _event, share):
+                try:
+                    if self._call(share) is False:
+                        self._ended = RuntimeError(f"rays: ended by progress at {share:.0%}")
+                except BaseException as error:  # also an interrupt: VTK would swallow it
+                    self._ended = error
+                if self._ended is not None:
+                    self._scene.AbortOn()
+
+            self._tag = self._scene.AddObserver("ProgressEvent", report)
+
+    def __exit__(self, *_):
+        if self._tag is not None:
+            self._scene.RemoveObserver(self._tag)
+
+    def check(self):
+        if self._ended is not None:
+            raise self._ended
+
+
+def rays(*things):
+    """A scene that answers rays, in double precision, on all cores.
+
+    things: a vtkRenderer, or an object whose attribute `renderer` is one (a plotter); datasets, also
+        composite, or filters that make them; pairs of a dataset and its 4 x 4 matrix (array-like, or
+        a vtkMatrix4x4 that may be moved later). One renderer at most. The same dataset may be given
+        many times, with other matrices: it is held once.
+
+        scene = relievo.rays(renderer)
+        hits = scene.nearest(origins, directions)        # n x 3 each
+        hits.distance, hits.cell, hits.position ...      # numpy arrays, a row for each ray
+        dark = scene.any(hits.position, to_sun, minimum=1e-6)
+
+    Returns Rays. Raises ValueError for wrong arguments. What rays cannot follow of a renderer's
+    props (volumes, lines, points, wireframes, cut-outs) is left out with a warning.
+    """
+    if not things:
+        raise ValueError(f"rays: got nothing, expected {_EXPECTED}")
+    flat = []
+    for thing in things:
+        flat.extend(thing if isinstance(thing, list) else [thing])
+    return Rays(flat)
+
+
+def _vectors(values, name):
+    array = numpy.asarray(values)
+    if array.dtype.kind not in "fiu":
+        raise ValueError(f"{name}: got an array of {array.dtype}, expected numbers")
+    if array.ndim == 1 and array.shape == (3,):
+        array = array[numpy.newaxis]
+    if array.ndim != 2 or array.shape[1] != 3:
+        raise ValueError(f"{name}: got an array of shape {array.shape}, expected (n, 3) or (3,)")
+    return array.astype(float, copy=False)
+
+
+def _matrix(values):
+    array = numpy.asarray(values, float)
+    if array.shape != (4, 4):
+        raise ValueError(f"rays: got a matrix of shape {array.shape}, expected (4, 4)")
+    matrix = vtkMatrix4x4()
+    matrix.DeepCopy(array.ravel())
+    return matrix
+
+
+def _hits(table, **others):
+    columns = {
+        table.GetColumnName(i): vtk_to_numpy(table.GetColumn(i))
+        for i in range(table.GetNumberOfColumns())
+    }
+    return Hits(**columns, **others)
