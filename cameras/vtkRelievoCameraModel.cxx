@@ -212,6 +212,15 @@ double vtkRelievoCameraModel::GetDepth(const double[3], const double point[3])
 }
 
 //------------------------------------------------------------------------------
+void vtkRelievoCameraModel::Copy(vtkRelievoCameraModel* other)
+{
+  std::copy_n(other->Size, 2, this->Size);
+  std::copy_n(other->Rotation, 9, this->Rotation);
+  std::copy_n(other->Translation, 3, this->Translation);
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
 void vtkRelievoCameraModel::AddNumbers(
   vtkFieldData* fields, const char* name, const double* values, int count)
 {

@@ -83,6 +83,9 @@ public:
    */
   virtual double GetDepth(const double origin[3], const double point[3]);
 
+  /** Takes all settings of another camera of the same class; of another class the size and pose. */
+  virtual void Copy(vtkRelievoCameraModel* other);
+
   /**
    * Adds the calibration to the field data of a picture: R (9 double, row by row), t (3), and what
    * the subclass has, such as K (9), `lens` (text) and `distortion`.

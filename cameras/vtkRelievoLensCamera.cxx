@@ -445,6 +445,22 @@ bool vtkRelievoLensCamera::TakeFrom(vtkCamera* camera, int columns, int rows)
 }
 
 //------------------------------------------------------------------------------
+void vtkRelievoLensCamera::Copy(vtkRelievoCameraModel* other)
+{
+  this->Superclass::Copy(other);
+  if (auto* same = vtkRelievoLensCamera::SafeDownCast(other))
+  {
+    this->FocalX = same->FocalX;
+    this->FocalY = same->FocalY;
+    this->Skew = same->Skew;
+    std::copy_n(same->PrincipalPoint, 2, this->PrincipalPoint);
+    this->Lens = same->Lens;
+    std::copy_n(same->Coefficients, static_cast<int>(MOST_COEFFICIENTS), this->Coefficients);
+    this->Limit = same->Limit;
+  }
+}
+
+//------------------------------------------------------------------------------
 void vtkRelievoLensCamera::AddTo(vtkFieldData* fields)
 {
   this->Superclass::AddTo(fields);

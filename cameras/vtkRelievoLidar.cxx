@@ -153,6 +153,20 @@ double vtkRelievoLidar::GetDepth(const double origin[3], const double point[3])
 }
 
 //------------------------------------------------------------------------------
+void vtkRelievoLidar::Copy(vtkRelievoCameraModel* other)
+{
+  this->Superclass::Copy(other);
+  if (auto* same = vtkRelievoLidar::SafeDownCast(other))
+  {
+    this->Elevations = same->Elevations;
+    this->Azimuths = same->Azimuths;
+    this->Spins = same->Spins;
+    this->First = same->First;
+    this->Last = same->Last;
+  }
+}
+
+//------------------------------------------------------------------------------
 void vtkRelievoLidar::AddTo(vtkFieldData* fields)
 {
   this->Superclass::AddTo(fields);

@@ -4,6 +4,7 @@
 
 #include "vtkObjectFactory.h"
 
+#include <algorithm>
 #include <cmath>
 
 vtkStandardNewMacro(vtkRelievoOrthographicCamera);
@@ -37,11 +38,23 @@ bool vtkRelievoOrthographicCamera::ProjectCameraPoint(const double point[3], dou
 }
 
 //------------------------------------------------------------------------------
+void vtkRelievoOrthographicCamera::Copy(vtkRelievoCameraModel* other)
+{
+  this->Superclass::Copy(other);
+  if (auto* same = vtkRelievoOrthographicCamera::SafeDownCast(other))
+  {
+    this->PixelsPerUnit = same->PixelsPerUnit;
+    std::copy_n(same->PrincipalPoint, 2, this->PrincipalPoint);
+  }
+}
+
+//------------------------------------------------------------------------------
 void vtkRelievoOrthographicCamera::AddTo(vtkFieldData* fields)
 {
   this->Superclass::AddTo(fields);
   AddText(fields, "lens", "orthographic");
-  const double values[3] = { this->PixelsPerUnit, this->PrincipalPoint[0], this->PrincipalPoint[1] };
+  const double values[3] = { this->PixelsPerUnit, this->PrincipalPoint[0],
+    this->PrincipalPoint[1] };
   AddNumbers(fields, "orthographic", values, 3);
 }
 

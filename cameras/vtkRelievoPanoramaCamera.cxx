@@ -115,6 +115,17 @@ double vtkRelievoPanoramaCamera::GetDepth(const double origin[3], const double p
 }
 
 //------------------------------------------------------------------------------
+void vtkRelievoPanoramaCamera::Copy(vtkRelievoCameraModel* other)
+{
+  this->Superclass::Copy(other);
+  if (auto* same = vtkRelievoPanoramaCamera::SafeDownCast(other))
+  {
+    this->Layout = same->Layout;
+    std::copy_n(same->FieldOfView, 2, this->FieldOfView);
+  }
+}
+
+//------------------------------------------------------------------------------
 void vtkRelievoPanoramaCamera::AddTo(vtkFieldData* fields)
 {
   this->Superclass::AddTo(fields);

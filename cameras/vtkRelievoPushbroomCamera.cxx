@@ -5,6 +5,7 @@
 #include "vtkMath.h"
 #include "vtkObjectFactory.h"
 
+#include <algorithm>
 #include <cmath>
 
 vtkStandardNewMacro(vtkRelievoPushbroomCamera);
@@ -42,6 +43,18 @@ bool vtkRelievoPushbroomCamera::ProjectCameraPoint(const double point[3], double
   pixel[0] = this->FocalLength * side / ahead + this->PrincipalColumn;
   pixel[1] = row;
   return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoPushbroomCamera::Copy(vtkRelievoCameraModel* other)
+{
+  this->Superclass::Copy(other);
+  if (auto* same = vtkRelievoPushbroomCamera::SafeDownCast(other))
+  {
+    this->FocalLength = same->FocalLength;
+    this->PrincipalColumn = same->PrincipalColumn;
+    std::copy_n(same->Velocity, 3, this->Velocity);
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -117,6 +117,7 @@ struct Beam
   glm::dvec3 From{ 0.0 };
   glm::dvec3 Direction{ 0.0 };
   bool Valid = false;
+  bool None = false; // there is no ray: nobody is warned
 };
 
 class Beams
@@ -143,6 +144,8 @@ public:
     {
       beam.Valid = beam.Valid && std::isfinite(beam.From[i]) && std::isfinite(beam.Direction[i]);
     }
+    beam.None =
+      glm::isnan(beam.Direction.x) && glm::isnan(beam.Direction.y) && glm::isnan(beam.Direction.z);
     beam.From -= this->Center;
     beam.Direction = glm::normalize(beam.Direction / size);
     return beam;
@@ -235,6 +238,7 @@ struct vtkRelievoRayScene::Held
   std::vector<vtkSmartPointer<vtkProp>> LeftOut;
   std::set<vtkProp*> Warned; // of LeftOut
   std::string Fault;         // of Data
+  bool Frozen = false;       // a copy of another scene's state: nothing is looked at again
   vtkRelievoRayTree Tree;
 
   void AddProps();
@@ -554,6 +558,7 @@ void vtkRelievoRayScene::PrintSelf(ostream& os, vtkIndent indent)
 //------------------------------------------------------------------------------
 void vtkRelievoRayScene::SetRenderer(vtkRenderer* renderer)
 {
+  this->Scene->Frozen = false;
   if (this->Scene->Renderer != renderer)
   {
     this->Scene->Renderer = renderer;
@@ -570,6 +575,7 @@ vtkRenderer* vtkRelievoRayScene::GetRenderer()
 //------------------------------------------------------------------------------
 int vtkRelievoRayScene::AddData(vtkDataObject* data, vtkMatrix4x4* matrix)
 {
+  this->Scene->Frozen = false;
   if (!vtkDataSet::SafeDownCast(data) && !vtkCompositeDataSet::SafeDownCast(data))
   {
     vtkErrorMacro("AddData: got " << (data ? data->GetClassName() : "nothing")
@@ -606,6 +612,10 @@ void vtkRelievoRayScene::SetMaximumDistance(double distance)
 bool vtkRelievoRayScene::Update()
 {
   Held& scene = *this->Scene;
+  if (scene.Frozen)
+  {
+    return scene.Tree.SetMeshes(scene.Meshes);
+  }
   // Meshes are let go when the trees have taken the new ones.
   const std::vector<vtkSmartPointer<vtkPolyData>> before = std::move(scene.Kept);
   scene.Kept.clear();
@@ -697,7 +707,7 @@ bool vtkRelievoRayScene::FindNearest(
       meeting = scene.Tree.FindNearest(
         beam.From, beam.Direction, this->MinimumDistance, this->MaximumDistance);
     }
-    else
+    else if (!beam.None)
     {
       ++invalid;
     }
@@ -738,7 +748,7 @@ bool vtkRelievoRayScene::FindAny(
   std::atomic<vtkIdType> invalid(0);
   const auto find = [&](vtkIdType ray) {
     const Beam beam = beams.Get(ray);
-    invalid += beam.Valid ? 0 : 1;
+    invalid += beam.Valid || beam.None ? 0 : 1;
     values[ray] = beam.Valid &&
         scene.Tree.MeetsAny(beam.From, beam.Direction, this->MinimumDistance, this->MaximumDistance)
       ? 1
@@ -784,7 +794,7 @@ bool vtkRelievoRayScene::FindAll(vtkDataArray* origins, vtkDataArray* directions
       scene.Tree.FindAll(
         beam.From, beam.Direction, this->MinimumDistance, this->MaximumDistance, own);
     }
-    else
+    else if (!beam.None)
     {
       ++invalid;
     }
@@ -846,6 +856,145 @@ unsigned long vtkRelievoRayScene::GetActualMemorySize()
 }
 
 //------------------------------------------------------------------------------
+void vtkRelievoRayScene::CopyStateOf(vtkRelievoRayScene* other)
+{
+  if (!other || other == this)
+  {
+    vtkErrorMacro("CopyStateOf was given " << (other ? "the scene itself" : "no scene")
+                                           << ", expected another one.");
+    return;
+  }
+  other->Update();
+  Held& from = *other->Scene;
+  Held& to = *this->Scene;
+  to.Renderer = nullptr;
+  to.Data.clear();
+  to.Surfaces.clear();
+  to.LeftOut.clear();
+  to.Fault.clear();
+  to.Frozen = true;
+  to.Meshes = from.Meshes;
+  to.Sources = from.Sources;
+  std::vector<vtkSmartPointer<vtkPolyData>> kept;
+  std::map<vtkPolyData*, vtkSmartPointer<vtkPolyData>> copies;
+  for (std::size_t i = 0; i < to.Meshes.size(); ++i)
+  {
+    vtkRelievoPlacedMesh& placed = to.Meshes[i];
+    vtkSmartPointer<vtkPolyData>& copy = copies[placed.Mesh];
+    if (!copy)
+    {
+      copy = vtkSmartPointer<vtkPolyData>::New();
+      copy->DeepCopy(placed.Mesh);
+    }
+    Source& source = to.Sources[i];
+    if (source.Normals)
+    {
+      FindNormals(copy, source);
+    }
+    const auto own = [&](vtkIdTypeArray* array, vtkFieldData* data) {
+      return array ? vtkIdTypeArray::SafeDownCast(data->GetAbstractArray(array->GetName()))
+                   : nullptr;
+    };
+    source.Cells = own(source.Cells, copy->GetCellData());
+    source.Points = own(source.Points, copy->GetPointData());
+    placed.Mesh = copy;
+    placed.Actor = nullptr;
+    kept.push_back(copy);
+  }
+  to.Tree.SetMeshes(to.Meshes);
+  to.Kept = kept;
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoRayScene::FindPlaces(vtkTable* hits, vtkDoubleArray* places)
+{
+  const auto get = [hits](const char* name) {
+    return hits ? vtkDataArray::SafeDownCast(hits->GetColumnByName(name)) : nullptr;
+  };
+  vtkDataArray* const columns[] = { get("prop"), get("block"), get("cell"), get("points"),
+    get("weights") };
+  for (vtkDataArray* column : columns)
+  {
+    if (!column || !places)
+    {
+      vtkErrorMacro("FindPlaces expects hits of FindNearest or FindAll, and an array to fill.");
+      return false;
+    }
+  }
+  this->Update();
+  const Held& scene = *this->Scene;
+  // By prop and block: a mesh, and of glyphs which place is that of a point.
+  struct Target
+  {
+    std::size_t Mesh;
+    std::map<vtkIdType, std::size_t> Places;
+    std::map<vtkIdType, vtkIdType> Points; // of the mesh, by those of the data
+  };
+  std::map<std::pair<int, int>, Target> targets;
+  for (std::size_t i = 0; i < scene.Meshes.size(); ++i)
+  {
+    const vtkRelievoPlacedMesh& placed = scene.Meshes[i];
+    const auto added =
+      targets.emplace(std::make_pair(scene.Sources[i].Prop, placed.Block), Target{ i, {}, {} });
+    Target& target = added.first->second;
+    for (std::size_t k = 0; placed.Points && k < placed.Points->size(); ++k)
+    {
+      target.Places.emplace((*placed.Points)[k], k);
+    }
+    vtkIdTypeArray* points = scene.Sources[i].Points;
+    for (vtkIdType k = 0; points && k < points->GetNumberOfTuples(); ++k)
+    {
+      target.Points.emplace(points->GetValue(k), k);
+    }
+  }
+  const vtkIdType count = columns[0]->GetNumberOfTuples();
+  places->SetNumberOfComponents(3);
+  places->SetNumberOfTuples(count);
+  places->Fill(std::numeric_limits<double>::quiet_NaN());
+  for (vtkIdType row = 0; row < count; ++row)
+  {
+    const auto found = targets.find({ static_cast<int>(columns[0]->GetComponent(row, 0)),
+      static_cast<int>(columns[1]->GetComponent(row, 0)) });
+    if (found == targets.end())
+    {
+      continue;
+    }
+    const Target& target = found->second;
+    const vtkRelievoPlacedMesh& placed = scene.Meshes[target.Mesh];
+    std::size_t instance = 0;
+    if (placed.Points)
+    {
+      const auto at = target.Places.find(static_cast<vtkIdType>(columns[2]->GetComponent(row, 0)));
+      if (at == target.Places.end())
+      {
+        continue;
+      }
+      instance = at->second;
+    }
+    glm::dvec3 sum(0.0);
+    for (int i = 0; i < 3; ++i)
+    {
+      auto point = static_cast<vtkIdType>(columns[3]->GetComponent(row, i));
+      if (scene.Sources[target.Mesh].Points)
+      {
+        const auto at = target.Points.find(point);
+        point = at == target.Points.end() ? -1 : at->second;
+      }
+      glm::dvec3 corner(std::numeric_limits<double>::quiet_NaN());
+      if (point >= 0 && point < placed.Mesh->GetNumberOfPoints())
+      {
+        placed.Mesh->GetPoint(point, &corner[0]);
+      }
+      sum += columns[4]->GetComponent(row, i) * corner;
+    }
+    const glm::dvec4 place = placed.GetPlace(instance) * glm::dvec4(sum, 1.0);
+    places->SetTuple(row, &(glm::dvec3(place) / place.w)[0]);
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
 int vtkRelievoRayScene::GetNumberOfProps()
 {
   vtkRenderer* renderer = this->Scene->Renderer;
@@ -872,8 +1021,7 @@ vtkDataObject* vtkRelievoRayScene::GetPropData(int prop)
   {
     return mapper->GetNumberOfInputConnections(0) > 0 ? mapper->GetInputDataObject(0, 0) : nullptr;
   }
-  const int added =
-    prop - (this->GetNumberOfProps() - static_cast<int>(this->Scene->Data.size()));
+  const int added = prop - (this->GetNumberOfProps() - static_cast<int>(this->Scene->Data.size()));
   return added >= 0 && prop < this->GetNumberOfProps()
     ? this->Scene->Data[static_cast<std::size_t>(added)].Data
     : nullptr;

@@ -18,7 +18,7 @@
  *
  * A ray has an origin and a direction, in world coordinates, of any length but 0; distances count
  * in world units from the origin. A ray that is not finite, or has no direction, meets nothing,
- * with one warning. Triangles have their edges: no ray passes between two that share one (S. Woop,
+ * with one warning; one whose direction is NaN in all components is no ray, and meets nothing. Triangles have their edges: no ray passes between two that share one (S. Woop,
  * C. Benthin, I. Wald, Watertight ray/triangle intersection, 2013).
  *
  * Rays run on all cores, in batches; ProgressEvent, with the share done, comes between the batches
@@ -34,6 +34,7 @@
 
 class vtkDataArray;
 class vtkDataObject;
+class vtkDoubleArray;
 class vtkMapper;
 class vtkMatrix4x4;
 class vtkProp;
@@ -136,6 +137,19 @@ public:
   int GetNumberOfMeshesRefitted();
   unsigned long GetActualMemorySize();
   ///@}
+
+  /**
+   * Becomes what another scene is now: a copy, which does not follow what changes later, with the
+   * same numbers. SetRenderer and AddData begin anew.
+   */
+  void CopyStateOf(vtkRelievoRayScene* other);
+
+  /**
+   * Where points of surfaces that FindNearest or FindAll found, in this scene or in another state
+   * of it (CopyStateOf), are in this one: three components for each hit, world coordinates; NaN where
+   * there is no such prop, block or point any more. By the triangle's corners and their weights.
+   */
+  bool FindPlaces(vtkTable* hits, vtkDoubleArray* places);
 
   ///@{
   /**

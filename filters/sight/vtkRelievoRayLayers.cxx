@@ -163,8 +163,8 @@ struct Hits
 };
 
 // The value of an array of the data at a hit.
-void SetValue(vtkRelievoRayScene* scene, Layer& layer, const Hits& hits, vtkIdType i,
-  vtkIdType pixel)
+void SetValue(
+  vtkRelievoRayScene* scene, Layer& layer, const Hits& hits, vtkIdType i, vtkIdType pixel)
 {
   const auto prop = static_cast<int>(hits.Prop->GetComponent(i, 0));
   const auto block = static_cast<int>(hits.Block->GetComponent(i, 0));
@@ -296,8 +296,9 @@ int vtkRelievoRayLayers::RequestData(
     else if (known.Kind != vtkRelievoLayer::ARRAY || !layer.MakeOfData(blocks, columns * rows))
     {
       vtkErrorMacro("Rays have no layer '"
-        << name << "'; they have depth, range, normal, geometric_normal, position, actor, block, "
-                   "cell, and arrays of what is in the scene.");
+        << name
+        << "'; they have depth, range, normal, geometric_normal, position, actor, block, "
+           "cell, and arrays of what is in the scene.");
       return 0;
     }
     layers.push_back(layer);

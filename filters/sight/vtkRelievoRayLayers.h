@@ -7,8 +7,8 @@
  * What vtkRelievoLayerSource draws for a vtkCamera this asks a vtkRelievoRayScene for: lenses that
  * bend, panoramas, moving lines, lidars. One ray at each pixel's centre, in double.
  *
- * Output: vtkImageData of the camera's columns and rows, row 0 at the bottom, a point array for each
- * layer, of the type and with the background that vtkRelievoLayerCatalogue says: depth, range,
+ * Output: vtkImageData of the camera's columns and rows, row 0 at the bottom, a point array for
+ * each layer, of the type and with the background that vtkRelievoLayerCatalogue says: depth, range,
  * normal, geometric_normal, position, actor, block, cell, and arrays by name (point arrays
  * interpolated, cell arrays as they are; `point:NAME`, `cell:NAME` where both have it; the
  * background is NaN). `depth` is z in camera space, or the range of sensors that look all around.

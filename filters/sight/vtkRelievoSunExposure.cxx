@@ -204,8 +204,7 @@ public:
       if (this->Met->GetValue(ray) == 0)
       {
         const std::size_t i = this->Facing[k];
-        found(i,
-          vtkMath::Dot(this->Directions->GetPointer(3 * ray), this->All.Normals[i].data()));
+        found(i, vtkMath::Dot(this->Directions->GetPointer(3 * ray), this->All.Normals[i].data()));
       }
     }
     return true;
@@ -226,7 +225,8 @@ Vector GetSkySample(int number, int samples)
 {
   const double share = (number + 0.5) / samples;
   const double radius = std::sqrt(share);
-  const double angle = 2.0 * vtkMath::Pi() * (number * GoldenRatio - std::floor(number * GoldenRatio));
+  const double angle =
+    2.0 * vtkMath::Pi() * (number * GoldenRatio - std::floor(number * GoldenRatio));
   return { radius * std::cos(angle), radius * std::sin(angle), std::sqrt(1.0 - share) };
 }
 

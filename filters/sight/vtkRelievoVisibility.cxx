@@ -50,8 +50,7 @@ double GetSolidAngle(const double a[3], const double b[3], const double c[3])
   vtkMath::Cross(b, c, cross);
   const double volume = std::abs(vtkMath::Dot(a, cross));
   return 2.0 *
-    std::atan2(
-      volume, 1.0 + vtkMath::Dot(a, b) + vtkMath::Dot(b, c) + vtkMath::Dot(c, a));
+    std::atan2(volume, 1.0 + vtkMath::Dot(a, b) + vtkMath::Dot(b, c) + vtkMath::Dot(c, a));
 }
 
 // Solid angles of pixels, of those whose four corners are seen.

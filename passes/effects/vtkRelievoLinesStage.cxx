@@ -60,8 +60,8 @@ void vtkRelievoLinesStage::Describe(vtkRelievoStageDescription& description)
     "Lines where a part's triangles meet at an angle.");
   description
     .AddNumber(
-      "crease_angle", this->CreaseAngle, [this](double angle) { this->SetCreaseAngle(angle); },
-      1.0, 180.0, "degrees", "The smallest angle that is a crease.")
+      "crease_angle", this->CreaseAngle, [this](double angle) { this->SetCreaseAngle(angle); }, 1.0,
+      180.0, "degrees", "The smallest angle that is a crease.")
     .OnlyIf = "creases=on";
   description.AddFlag(
     "folds", this->Folds, [this](bool on) { this->SetFolds(on); },

@@ -93,6 +93,7 @@ from ._points import depth_to_points
 from ._rays import rays
 from ._scene import scene
 from ._show import show
+from ._sight import flow, moment, sun_exposure, visible
 from ._stages import stage, stages
 from ._things import functions as _functions
 from ._vtkmodules import provide_vtkmodules
@@ -119,11 +120,13 @@ __all__ = [
     "detach",
     "environment",
     "extrinsics",
+    "flow",
     "from_image",
     "intrinsics",
     "layer",
     "layer_names",
     "layers",
+    "moment",
     "picture",
     "provide_vtkmodules",
     "rays",
@@ -133,7 +136,9 @@ __all__ = [
     "show",
     "stage",
     "stages",
+    "sun_exposure",
     "to_image",
+    "visible",
     "vtkRelievoPass",
     "write_exr",
 ]

@@ -74,6 +74,13 @@ class CameraModel:
         self._call("look_at", self.model.LookAt, *triples)
         return self
 
+    def copy(self):
+        """Returns a camera of the same kind that does not change with this one."""
+        other = object.__new__(type(self))
+        other.model = self.model.NewInstance()
+        other.model.Copy(self.model)
+        return other
+
     def rays(self, places=None):
         """Returns (origins, directions), the rays in the world, directions of length 1.
 
@@ -119,6 +126,19 @@ class Pinhole(CameraModel):
         if not any(values) and lens != vtkRelievoLensCamera.FISHEYE:
             lens, values = vtkRelievoLensCamera.PINHOLE, []
         self._call("distortion", self.model.SetLens, lens, len(values), values)
+
+    @classmethod
+    def of(cls, camera, size):
+        """The pinhole that a vtkCamera, a renderer or a plotter is in a picture of (columns, rows).
+        Raises ValueError for one that is no perspective camera."""
+        renderer = None if is_a(camera, "vtkCamera") else inner_renderer(camera)
+        found = camera if renderer is None else renderer.GetActiveCamera()
+        if not is_a(found, "vtkCamera"):
+            raise ValueError(f"camera: got {describe(camera)}, expected a vtkCamera, a renderer or "
+                             f"something with a .renderer")
+        taken = Pinhole(numpy.eye(3), size)
+        taken._call("camera", taken.model.TakeFrom, found, *taken.size)
+        return taken
 
     @property
     def K(self):
@@ -275,25 +295,14 @@ def camera(target=None, *, K, size, R=None, t=None, near=None, far=None):
 def intrinsics(camera, size):
     """Returns K, array of (3, 3) in pixels, of a vtkCamera, a renderer or a plotter, as seen in a
     picture of size (columns, rows). Raises ValueError for one that is no perspective camera."""
-    return _taken(camera, size).K
+    return Pinhole.of(camera, size).K
 
 
 def extrinsics(camera):
     """Returns (R, t), arrays of (3, 3) and 3: from the world to x right, y down, z forward, of a
     vtkCamera, a renderer or a plotter."""
-    taken = _taken(camera, (1, 1))
+    taken = Pinhole.of(camera, (1, 1))
     return taken.R, taken.t
-
-
-def _taken(given, size):
-    renderer = None if is_a(given, "vtkCamera") else inner_renderer(given)
-    found = given if renderer is None else renderer.GetActiveCamera()
-    if not is_a(found, "vtkCamera"):
-        raise ValueError(f"camera: got {describe(given)}, expected a vtkCamera, a renderer or "
-                         f"something with a .renderer")
-    taken = Pinhole(numpy.eye(3), size)
-    taken._call("camera", taken.model.TakeFrom, found, *taken.size)
-    return taken
 
 
 def _numbers(name, values, count):

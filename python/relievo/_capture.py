@@ -10,17 +10,19 @@ from vtkmodules import vtkCommonCore
 from vtkmodules.vtkRenderingCore import vtkRenderWindow
 from vtkmodules.vtkRenderingOpenGL2 import vtkTextureObject
 
-from ._errors import Watch
+from ._cameras import CameraModel
+from ._errors import Watch, describe
 from ._keep import kept
 from ._picture import captured
 from ._renderers import renderer_of
+from ._sight import layers_by_rays
 from .vtkRelievoPasses import vtkRelievoDisplay, vtkRelievoLayerSource, vtkRelievoPass
 
 _LARGEST = 16384  # pixels each way; OpenGL's own limit, asked when there is a window, may be lower
 _SIZE_OF_DATA = (1024, 768)
 
 
-def capture(renderer, layers=("depth",), size=None, hdr=False):
+def capture(renderer, layers=("depth",), size=None, hdr=False, camera=None):
     """Draws the renderer once and returns the layers of what is visible.
 
     renderer: a vtkRenderer, or an object whose attribute `renderer` is one (a plotter). Its camera,
@@ -34,6 +36,10 @@ def capture(renderer, layers=("depth",), size=None, hdr=False):
     hdr: whether the layer `color` is the linear colour of the frame, unclamped, without texts and
         colour bars; if not, it is the window's picture, converted from 8 bits to linear light
         (the linear colour all the same where the stage `tone` makes the picture).
+    camera: a CameraModel (Pinhole with distortion, Fisheye, Equirectangular, Lidar, ...) that sees
+        in place of the renderer's camera, in its own size: by a ray for each pixel, in double,
+        without a window. It has depth, range, normal, geometric_normal, position, actor, block,
+        cell and arrays by name; the field data holds R, t, and K, lens and distortion.
 
     Returns vtkImageData, which notebooks show as pictures, of (columns, rows, 1) points with one
     point array per layer; VTK's row 0 is the BOTTOM of the picture (layer() gives numpy arrays with
@@ -44,8 +50,13 @@ def capture(renderer, layers=("depth",), size=None, hdr=False):
     Raises ValueError for wrong arguments, such as a layer that no data has or a size above
     the limit, and RuntimeError if the layers cannot be drawn, or there is no display.
     """
-    renderer, made = renderer_of(renderer)
     layers = _names(layers)
+    if camera is not None:
+        if not isinstance(camera, CameraModel):
+            raise ValueError(f"camera: got {describe(camera)}, expected a CameraModel such as "
+                             f"relievo.Fisheye; relievo.camera() sets a renderer's own")
+        return captured(layers_by_rays(renderer, layers, camera))
+    renderer, made = renderer_of(renderer)
     if made and size is None:
         size = _SIZE_OF_DATA
     if size is not None:

@@ -2,7 +2,7 @@
 //VTK::Output::Dec
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-// How much of a pixel lines cover, from its distance to the nearest side that is one; premultiplied.
+// How much of a pixel lines cover, by its distance to the nearest side that is one; premultiplied.
 //RELIEVO::Include(formulas/srgb.glsl)
 in vec2 texCoord;
 uniform vec2 relievoSize;

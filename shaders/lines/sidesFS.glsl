@@ -69,7 +69,8 @@ bool linesIsSide(linesPixel a, linesPixel b, linesPixel c, linesPixel d)
   if (jump < linesCreaseCosine)
   {
     // Where it curves as much on both sides it is no crease, but round, or too far to see.
-    float beside = min(before ? dot(a.normal, b.normal) : 1.0, after ? dot(c.normal, d.normal) : 1.0);
+    float beside =
+      min(before ? dot(a.normal, b.normal) : 1.0, after ? dot(c.normal, d.normal) : 1.0);
     return acos(clamp(jump, -1.0, 1.0)) > 2.0 * acos(clamp(beside, -1.0, 1.0));
   }
 #endif

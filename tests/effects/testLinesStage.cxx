@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// vtkRelievoLinesStage: where lines are, against silhouettes and edges in double; that there are none
-// where nothing ends; that switched off it leaves no trace.
+// vtkRelievoLinesStage: where lines are, against silhouettes and edges in double; that there are
+// none where nothing ends; that switched off it leaves no trace.
 #include "Check.h"
 #include "GLCheck.h"
 #include "Session.h"
@@ -91,8 +91,7 @@ struct Scene
     for (std::size_t i = 0; i < cover.size(); ++i)
     {
       const double value = bytes[3 * i] / 255.0;
-      cover[i] =
-        1.0 - (value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4));
+      cover[i] = 1.0 - (value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4));
     }
     return cover;
   }
@@ -179,7 +178,8 @@ void TestSilhouette()
     for (int x = 0; x < Size; ++x)
     {
       const double r = std::hypot(x - center, y - center);
-      within += r < radius - 2.0 || r > radius + 2.0 ? cover[static_cast<std::size_t>(y * Size + x)] : 0.0;
+      within +=
+        r < radius - 2.0 || r > radius + 2.0 ? cover[static_cast<std::size_t>(y * Size + x)] : 0.0;
     }
   }
   RELIEVO_CHECK_NEAR(within, 0.0, 1e-9, "lines that are no silhouette");
@@ -319,8 +319,8 @@ void TestGround()
     scene.Look(0.0, height, 55.0);
     scene.Renderer->GetActiveCamera()->SetFocalPoint(0.0, 0.0, -300.0);
     scene.Stage->OutlinesOff();
-    RELIEVO_CHECK_NEAR(Total(scene.Cover()), 0.0, 1e-9,
-      "speckle from the height " + std::to_string(height));
+    RELIEVO_CHECK_NEAR(
+      Total(scene.Cover()), 0.0, 1e-9, "speckle from the height " + std::to_string(height));
   }
 }
 

@@ -1,0 +1,231 @@
+# SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What cameras see, by rays: layers of any sensor, seen cells, flow, hours of sun."""
+
+import datetime
+
+from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData
+from vtkmodules.vtkFiltersGeometry import vtkCompositeDataGeometryFilter, vtkGeometryFilter
+
+from ._cameras import CameraModel, Pinhole
+from ._errors import Watch, describe, is_a
+from ._rays import rays
+from ._renderers import inner_renderer
+from .vtkRelievoFilters import (
+    vtkRelievoFlow,
+    vtkRelievoRayLayers,
+    vtkRelievoSunExposure,
+    vtkRelievoVisibility,
+)
+from .vtkRelievoRays import vtkRelievoRayScene
+
+
+def layers_by_rays(thing, names, sensor):
+    """The image of layers that a CameraModel sees; see capture()."""
+    scene = rays(thing).scene
+    source = vtkRelievoRayLayers()
+    source.SetScene(scene)
+    source.SetCamera(sensor.model)
+    for name in names:
+        source.AddLayer(name)
+    return _image(source, f"capture {', '.join(names)}", scene)
+
+
+def visible(mesh, cameras, occluders=(), size=None, cloud=False):
+    """Returns the mesh with what cameras see of it.
+
+        seen = relievo.visible(mesh, [relievo.Pinhole(K, (1280, 720), R, t), ...])
+        share = (vtk_to_numpy(seen.GetCellData().GetArray("seen")) > 0).mean()
+
+    mesh: a dataset or a filter that makes one; of other data than polygons the outer surface.
+    cameras: CameraModels (Pinhole, Fisheye, ...), or vtkCameras, renderers and plotters, of which
+        `size` is the picture's (columns, rows); one or a list.
+    occluders: other data that hides it, one or a list.
+    cloud: also what the pixels show, as points with the arrays cell, camera and normal.
+
+    Returns vtkPolyData with the cell arrays seen (number of cameras), pixels and solid_angle
+    (steradians, both summed over the cameras) and the point array seen; or with `cloud` that and
+    the points. A cell smaller than a pixel is not lost: rays go to points of its own.
+
+    Raises ValueError for wrong arguments.
+    """
+    filter_ = vtkRelievoVisibility()
+    for each in _listed(cameras):
+        filter_.AddCamera(_sensor(each, size).model)
+    filter_.SetCloud(bool(cloud))
+    _give(filter_, mesh, occluders)
+    _run(filter_, "visible")
+    found = [_copy(filter_.GetOutput(port)) for port in (0, 1)]
+    return tuple(found) if cloud else found[0]
+
+
+def sun_exposure(mesh, latitude, longitude, first, last=None, occluders=(), step=20, every=1,
+                 up="y", points=False, sky=0):
+    """Returns the mesh with its hours of sun.
+
+        town = relievo.sun_exposure(town, 48.2, 16.4, "2026-01-01", "2026-12-31", every=7)
+
+    mesh: a dataset or a filter that makes one; of other data than polygons the outer surface.
+        Normals point outwards.
+    latitude, longitude: degrees, north and east positive.
+    first, last: the first and the last day, as datetime.date or "2026-06-21"; last None: one day.
+    occluders: other data that shades it, one or a list.
+    step: minutes between two places of the sun. every: every so many days count, each for as many.
+    up: the axis that points up, "x", "y" or "z"; north is z, -z or y then.
+    points: whether points are judged, rather than the middles of cells.
+    sky: rays into the sky for each place; 0 for no sky_view.
+
+    Returns vtkPolyData with the arrays sun_hours, insolation (hours times the cosine between the
+    sun and the normal) and sky_view (share of an even sky's light, 0 to 1), and the field data
+    possible_hours. Raises ValueError for wrong arguments.
+    """
+    filter_ = vtkRelievoSunExposure()
+    if not -90 <= latitude <= 90:
+        raise ValueError(f"latitude: got {latitude!r}, expected -90 to 90 degrees")
+    filter_.SetLatitude(latitude)
+    filter_.SetLongitude(longitude)
+    filter_.SetFirstDay(*_day("first", first))
+    filter_.SetLastDay(*_day("last", first if last is None else last))
+    for name, value, low, high, method in (
+        ("step", step, 0.1, 240, filter_.SetStep),
+        ("every", every, 1, 366, filter_.SetDayStep),
+        ("sky", sky, 0, 65536, filter_.SetSkySamples),
+    ):
+        if not low <= value <= high:
+            raise ValueError(f"{name}: got {value!r}, expected {low} to {high}")
+        method(value)
+    if up not in ("x", "y", "z"):
+        raise ValueError(f"up: got {up!r}, expected 'x', 'y' or 'z'")
+    filter_.SetUpAxis("xyz".index(up))
+    filter_.SetPoints(bool(points))
+    _give(filter_, mesh, occluders)
+    _run(filter_, "sun_exposure")
+    return _copy(filter_.GetOutput())
+
+
+class Moment:
+    """A scene and what looks at it, as they were: moment() makes it, flow() compares it."""
+
+    def __init__(self, thing, camera, size):
+        self.scene = vtkRelievoRayScene()
+        self.scene.CopyStateOf(rays(thing).scene)
+        self.sensor = _sensor_of(thing, camera, size).copy()
+
+
+def moment(thing, camera=None, size=None):
+    """Keeps a scene as it is now, for flow(): a copy, which moves no more.
+
+    thing: as for rays(): a renderer, a plotter, data.
+    camera: a CameraModel, or a vtkCamera; None for the renderer's own, seen in `size` pixels.
+    size: (columns, rows); None for the size of the renderer's viewport.
+    """
+    return Moment(thing, camera, size)
+
+
+def flow(before, thing, camera=None, size=None):
+    """Returns where the pixels of a moment are now: optical flow and scene flow, in double.
+
+        before = relievo.moment(renderer, size=(640, 480))
+        actor.RotateY(5)
+        image = relievo.flow(before, renderer)
+        dx, dy = relievo.layer(image, "flow")[..., 0], relievo.layer(image, "flow")[..., 1]
+
+    before: from moment(). thing: the scene now, or another moment. camera, size: as for moment();
+        size None: that of the moment.
+
+    Returns vtkImageData of the moment's size with the layers flow (2 floats: pixels, x right, y
+    down; NaN where nothing is seen), motion (3 floats: world units) and flow_valid (1 where the
+    point is within the picture now and nothing lies before it).
+    """
+    if not isinstance(before, Moment):
+        raise ValueError(f"before: got {describe(before)}, expected what moment() returns")
+    if isinstance(thing, Moment):
+        scene, sensor = thing.scene, thing.sensor
+    else:
+        scene = rays(thing).scene
+        sensor = _sensor_of(thing, camera, before.sensor.size if size is None else size)
+    source = vtkRelievoFlow()
+    source.SetFrom(before.scene, before.sensor.model)
+    source.SetTo(scene, sensor.model)
+    return _image(source, "flow", before.scene, scene)
+
+
+def _sensor_of(thing, camera, size):
+    if camera is None:
+        renderer = inner_renderer(thing)
+        if renderer is None:
+            raise ValueError("camera: got None, expected a camera for what is no renderer")
+        camera = renderer.GetActiveCamera()
+        size = tuple(renderer.GetSize()) if size is None else size
+    return _sensor(camera, size)
+
+
+def _sensor(camera, size):
+    if isinstance(camera, CameraModel):
+        return camera
+    if size is None:
+        raise ValueError("size: expected (columns, rows) of the picture of a vtkCamera")
+    return Pinhole.of(camera, size)
+
+
+def _listed(things):
+    return list(things) if isinstance(things, (list, tuple)) else [things]
+
+
+def _day(name, day):
+    if isinstance(day, str):
+        try:
+            day = datetime.date.fromisoformat(day)
+        except ValueError:
+            pass
+    if not isinstance(day, datetime.date):
+        raise ValueError(f"{name}: got {day!r}, expected a datetime.date or '2026-06-21'")
+    return day.year, day.month, day.day
+
+
+def _data(thing):
+    if is_a(thing, "vtkAlgorithm"):
+        thing.Update()
+        thing = thing.GetOutputDataObject(0) if thing.GetNumberOfOutputPorts() else None
+    if not is_a(thing, "vtkDataSet") and not is_a(thing, "vtkCompositeDataSet"):
+        raise ValueError(f"mesh: got {describe(thing)}, expected a dataset, or a filter that makes "
+                         f"one")
+    return thing
+
+
+def _surface(thing):
+    data = _data(thing)
+    if is_a(data, "vtkPolyData"):
+        return data
+    surface = (
+        vtkCompositeDataGeometryFilter() if is_a(data, "vtkCompositeDataSet")
+        else vtkGeometryFilter()
+    )
+    surface.SetInputDataObject(data)
+    surface.Update()
+    return surface.GetOutputDataObject(0)
+
+
+def _give(filter_, mesh, occluders):
+    filter_.SetInputDataObject(0, _surface(mesh))
+    for each in _listed(occluders):
+        filter_.AddInputDataObject(1, _surface(each))
+
+
+def _run(filter_, subject, *others):
+    with Watch(filter_, *others) as watch:
+        filter_.Update()
+    watch.raise_as(ValueError, subject)
+
+
+def _image(source, subject, *others):
+    _run(source, subject, *others)
+    image = vtkImageData()
+    image.ShallowCopy(source.GetOutput())
+    return image
+
+
+def _copy(data):
+    copy = vtkPolyData()
+    copy.ShallowCopy(data)
+    return copy

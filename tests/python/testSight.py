@@ -1,0 +1,390 @@
+# SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What sensors see by rays: against frames, closed forms and projections by hand."""
+
+import unittest
+
+import numpy
+import scenes
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+from vtkmodules.vtkFiltersSources import vtkSphereSource
+
+import relievo
+
+SIZE = (160, 121)
+K = numpy.array([[180.5, 2, 77.0], [0, 175.25, 63.5], [0, 0, 1]])
+
+
+def mesh_of(points, cells):
+    """Polygons of these corners."""
+    mesh = vtkPolyData()
+    places = vtkPoints()
+    places.SetData(numpy_to_vtk(numpy.array(points, float), deep=True))
+    mesh.SetPoints(places)
+    polygons = vtkCellArray()
+    for cell in cells:
+        polygons.InsertNextCell(len(cell))
+        for corner in cell:
+            polygons.InsertCellPoint(corner)
+    mesh.SetPolys(polygons)
+    return mesh
+
+
+def add_field(mesh, name, values):
+    """A point array of the mesh."""
+    array = numpy_to_vtk(numpy.array(values, float), deep=True)
+    array.SetName(name)
+    mesh.GetPointData().AddArray(array)
+
+
+def grid(x, y, z, columns, rows):
+    """A rectangle of quads from three corners: the first, along its columns, along its rows."""
+    first, across, along = (numpy.array(each, float) for each in (x, y, z))
+    points = [
+        first + (across - first) * i / columns + (along - first) * j / rows
+        for j in range(rows + 1) for i in range(columns + 1)
+    ]
+    cells = [
+        (a, a + 1, a + columns + 2, a + columns + 1)
+        for j in range(rows) for i in range(columns)
+        for a in [j * (columns + 1) + i]
+    ]
+    return mesh_of(points, cells)
+
+
+def box(center, half):
+    """The six faces of a cube, normals outwards."""
+    corners = [
+        [center[axis] + half * (1 if i >> axis & 1 else -1) for axis in range(3)]
+        for i in range(8)
+    ]
+    return mesh_of(corners, [(0, 2, 3, 1), (4, 5, 7, 6), (0, 1, 5, 4), (2, 6, 7, 3), (0, 4, 6, 2),
+                             (1, 3, 7, 5)])
+
+
+def array(data, name):
+    """An array of the cells or of the points."""
+    found = data.GetCellData().GetArray(name) or data.GetPointData().GetArray(name)
+    return vtk_to_numpy(found)
+
+
+class Layers(unittest.TestCase):
+    """capture(camera=) is what the frame draws, where the camera is a pinhole."""
+
+    NAMES = ["depth", "range", "position", "normal", "geometric_normal", "actor", "block", "cell"]
+
+    def test_pinhole_is_the_frame(self):
+        renderer = scenes.plane_and_sphere()
+        R, t = relievo.extrinsics(renderer)
+        relievo.camera(renderer, K=K, size=SIZE, R=R, t=t)
+        names = [*self.NAMES, "Normals"]
+        drawn = relievo.capture(renderer, names, size=SIZE)
+        sensor = relievo.Pinhole(K, SIZE, R, t)
+        traced = relievo.capture(renderer, names, camera=sensor)
+        for name in ("K", "R", "t"):
+            numpy.testing.assert_allclose(relievo.attributes(traced)[name],
+                                          relievo.attributes(drawn)[name], atol=1e-9)
+        same = numpy.all([relievo.layer(drawn, name) == relievo.layer(traced, name)
+                          for name in ("actor", "block", "cell")], axis=0)
+        self.assertGreater(same.mean(), 0.998)  # edges through a pixel's centre
+        for name, tolerance in (("depth", 1e-6), ("range", 1e-6), ("position", 1e-4),
+                                ("normal", 1e-3), ("geometric_normal", 1e-3), ("Normals", 1e-3)):
+            one, other = relievo.layer(drawn, name), relievo.layer(traced, name)
+            self.assertEqual(one.dtype, other.dtype, name)
+            numpy.testing.assert_allclose(other[same], one[same], rtol=tolerance, atol=tolerance,
+                                          err_msg=name)
+
+    def test_lenses_see_along_their_rays(self):
+        ball = vtkSphereSource()
+        ball.SetThetaResolution(400)
+        ball.SetPhiResolution(400)
+        ball.Update()
+        mesh = ball.GetOutput()
+        for sensor in (
+            relievo.Fisheye(numpy.array([[40.0, 0, 50], [0, 40, 50], [0, 0, 1]]), (101, 101)),
+            relievo.Pinhole(K, SIZE, distortion=(-0.2, 0.02)),
+            relievo.Equirectangular((120, 60)),
+            relievo.Cube(31),
+            relievo.Orthographic(60, (90, 90)),
+            relievo.Pushbroom(100, (0, 0.02, 0), (80, 80)),
+            relievo.Lidar(numpy.linspace(20, -20, 21), steps=360),
+        ):
+            with self.subTest(sensor=type(sensor).__name__):
+                sensor.look_at((0.2, 0.1, 1.4), (0, 0, 0))
+                image = relievo.capture(mesh, ["range", "position", "depth"], camera=sensor)
+                # The first root of |o + s d| = 1/2.
+                origins, directions = sensor.rays()
+                b = (origins * directions).sum(axis=-1)
+                under = b**2 - (origins**2).sum(axis=-1) + 0.25
+                with numpy.errstate(invalid="ignore"):
+                    root = -b - numpy.sqrt(under)
+                inside = numpy.nan_to_num(under, nan=-1) > 0.01
+                inside &= numpy.nan_to_num(root, nan=-1) > 0
+                self.assertGreater(inside.sum(), 50)
+                seen = relievo.layer(image, "range")
+                self.assertLess(numpy.abs(seen - root)[inside].max(), 3e-4)
+                if isinstance(sensor, relievo.Lidar):
+                    continue  # beams have no places between them
+                off = sensor.project(relievo.layer(image, "position")[inside])
+                v, u = numpy.nonzero(inside)
+                self.assertLess(numpy.abs(off - numpy.stack([u, v], axis=-1)).max(), 1e-6)
+
+    def test_refused(self):
+        sensor = relievo.Cube(4)
+        with self.assertRaisesRegex(ValueError, "no layer 'albedo'"):
+            relievo.capture(box((0, 0, 0), 1), "albedo", camera=sensor)
+        with self.assertRaisesRegex(ValueError, "no layer 'missing'"):
+            relievo.capture(box((0, 0, 0), 1), "missing", camera=sensor)
+        with self.assertRaisesRegex(ValueError, "CameraModel"):
+            relievo.capture(box((0, 0, 0), 1), "depth", camera=3)
+
+
+class Seen(unittest.TestCase):
+    """visible(): cells behind others, cells smaller than pixels, solid angles."""
+
+    def test_cube(self):
+        sensor = relievo.Pinhole(K, SIZE).look_at((3, 2, 4), (0, 0, 0))
+        seen, cloud = relievo.visible(box((0, 0, 0), 0.5), sensor, cloud=True)
+        numpy.testing.assert_array_equal(vtk_to_numpy(seen.GetCellData().GetArray("seen")),
+                                         [0, 1, 0, 1, 0, 1])
+        numpy.testing.assert_array_equal(vtk_to_numpy(seen.GetPointData().GetArray("seen")),
+                                         [0, 1, 1, 1, 1, 1, 1, 1])
+        self.assertEqual(cloud.GetNumberOfPoints(), array(seen, "pixels").sum())
+        points = vtk_to_numpy(cloud.GetPoints().GetData())
+        self.assertLess(numpy.abs(numpy.abs(points).max(axis=-1) - 0.5).max(), 1e-12)
+
+    def test_solid_angles(self):
+        # A square of side 2 a from the height a over its middle: a sixth of the sphere.
+        sensor = relievo.Equirectangular((400, 200)).look_at((0, 0.5, 0), (1, 0.5, 0))
+        seen = relievo.visible(box((0, 0.5, 0), 0.5), sensor)
+        angles = array(seen, "solid_angle")
+        numpy.testing.assert_allclose(angles, 4 * numpy.pi / 6, rtol=0.01)
+        self.assertAlmostEqual(angles.sum(), 4 * numpy.pi, 3)
+
+    def test_nothing_is_too_small(self):
+        # Each cell of 100 x 100 in a picture of 20 x 20 pixels; half are behind a wall.
+        floor = grid((-1, 0, 1), (1, 0, 1), (-1, 0, -1), 100, 100)
+        wall = grid((0, -1, 0.5), (2, -1, 0.5), (0, 1, 0.5), 1, 1)
+        sensor = relievo.Pinhole([[20, 0, 9.5], [0, 20, 9.5], [0, 0, 1]], (20, 20))
+        sensor.look_at((0, 0, 3), (0, 0, 0), (0, 1, 0))
+        floor_up = grid((-1, -1, 0), (1, -1, 0), (-1, 1, 0), 100, 100)
+        seen = relievo.visible(floor_up, sensor, occluders=wall)
+        counts = vtk_to_numpy(seen.GetCellData().GetArray("seen")).reshape(100, 100)
+        # The wall's edge x = 0 is seen at x = 0: the camera is over it.
+        self.assertTrue((counts[:, :50] == 1).all())
+        self.assertTrue((counts[:, 51:] == 0).all())
+        self.assertLess((array(seen, "pixels") > 0).mean(), 0.05)
+        # Their solid angles sum to that of the half plate.
+        whole = array(seen, "solid_angle").reshape(100, 100)
+        small = array(seen, "pixels").reshape(100, 100) == 0
+        x, y = numpy.meshgrid((numpy.arange(100) - 49.5) / 50, (numpy.arange(100) - 49.5) / 50)
+        expected = 0.02**2 * 3 / (x**2 + y**2 + 9) ** 1.5
+        numpy.testing.assert_allclose(whole[:, :50][small[:, :50]],
+                                      expected[:, :50][small[:, :50]], rtol=1e-3)
+        self.assertEqual(relievo.visible(floor, sensor).GetNumberOfCells(), 10000)
+
+    def test_cameras_count(self):
+        mesh = box((0, 0, 0), 0.5)
+        cameras = [relievo.Pinhole(K, SIZE).look_at(place, (0, 0, 0), (0.1, 1, 0.2))
+                   for place in ((3, 0.1, 0), (-3, 0, 0.1), (3, 0.2, 0.1))]
+        seen = relievo.visible(mesh, cameras)
+        numpy.testing.assert_array_equal(vtk_to_numpy(seen.GetCellData().GetArray("seen"))[4:],
+                                         [1, 2])
+        with self.assertRaisesRegex(ValueError, "no cameras"):
+            relievo.visible(mesh, [])
+
+
+class Sun(unittest.TestCase):
+    """sun_exposure(): shadows of a wall and a courtyard by hand, from the sun's own angles."""
+
+    PLACE = {"latitude": 48.0, "longitude": 11.0}
+
+    def suns(self, day, step):
+        """Towards the sun (east, up, south) in the middle of the day's steps."""
+        sun = relievo.vtkRelievoSolarPosition()
+        sun.SetLatitude(self.PLACE["latitude"])
+        sun.SetLongitude(self.PLACE["longitude"])
+        sun.SetTimeZone(self.PLACE["longitude"] / 15)
+        sun.SetDate(*day)
+        found = []
+        for i in range(24 * 60 // step):
+            sun.SetHour((i + 0.5) * step / 60)
+            azimuth, elevation = numpy.radians([sun.GetAzimuth(), sun.GetElevation()])
+            if elevation > 0:
+                level = numpy.cos(elevation)
+                found.append((level * numpy.sin(azimuth), numpy.sin(elevation),
+                              -level * numpy.cos(azimuth)))
+        return numpy.array(found)
+
+    def test_wall(self):
+        # A long wall of height 1 along x, on the north side of which lies the floor.
+        floor = grid((-1, 0, 0), (1, 0, 0), (-1, 0, -4), 2, 40)
+        wall = grid((-500, 0, 0.001), (500, 0, 0.001), (-500, 1, 0.001), 1, 1)
+        done = relievo.sun_exposure(floor, **self.PLACE, first="2026-03-01", step=10,
+                                    occluders=wall)
+        suns = self.suns((2026, 3, 1), 10)
+        distance = 0.05 + 0.1 * numpy.arange(40) + 0.001
+        # In shadow where the sun, to the south, is lower than the wall's top.
+        south = suns[:, 2] > 0
+        dark = south & (suns[:, 1] * distance[:, None] < suns[:, 2])
+        hours = (~dark).sum(axis=1) / 6
+        numpy.testing.assert_allclose(array(done, "sun_hours").reshape(40, 2),
+                                      numpy.stack([hours, hours], axis=-1), atol=1e-5)
+        cosines = (~dark * suns[:, 1]).sum(axis=1) / 6
+        numpy.testing.assert_allclose(array(done, "insolation").reshape(40, 2)[:, 0], cosines,
+                                      rtol=1e-5)
+        possible = done.GetFieldData().GetArray("possible_hours").GetValue(0)
+        self.assertAlmostEqual(possible, len(suns) / 6, 9)
+        self.assertGreater(hours.max() - hours.min(), 5)
+
+    def test_from_behind_and_points(self):
+        roof = grid((0, 0, 0), (1, 0, 0), (0, 0, -1), 1, 1)
+        below = grid((0, 0, 0), (0, 0, -1), (1, 0, 0), 1, 1)
+        for points in (False, True):
+            up = relievo.sun_exposure(roof, **self.PLACE, first="2026-06-21", points=points)
+            down = relievo.sun_exposure(below, **self.PLACE, first="2026-06-21", points=points)
+            self.assertAlmostEqual(array(up, "sun_hours").min(),
+                                   up.GetFieldData().GetArray("possible_hours").GetValue(0), 5)
+            self.assertEqual(array(down, "sun_hours").max(), 0)
+
+    def test_axes(self):
+        # The same roof, tilted to the south, with z up: x east, y north.
+        tilted = {"y": grid((0, 0, 0), (1, 0, 0), (0, 1, -1), 1, 1),
+                  "z": grid((0, 0, 0), (1, 0, 0), (0, 1, 1), 1, 1),
+                  "x": grid((0, 0, 0), (0, 1, 0), (1, 0, 1), 1, 1)}
+        found = [array(relievo.sun_exposure(mesh, **self.PLACE, first="2026-02-03", up=up),
+                       "insolation")[0] for up, mesh in tilted.items()]
+        numpy.testing.assert_allclose(found, found[0], rtol=1e-6)
+
+    def test_year_by_steps_of_days(self):
+        roof = grid((0, 0, 0), (1, 0, 0), (0, 0, -1), 1, 1)
+        whole = relievo.sun_exposure(roof, **self.PLACE, first="2026-01-01", last="2026-12-31")
+        steps = relievo.sun_exposure(roof, **self.PLACE, first="2026-01-01", last="2026-12-31",
+                                     every=7)
+        hours = array(whole, "sun_hours")[0]
+        # Half of all hours of a year, and some: an orbit that is no circle.
+        self.assertLess(abs(hours - 4380), 40)
+        self.assertAlmostEqual(array(steps, "sun_hours")[0] / hours, 1, 2)
+
+    def test_sky(self):
+        # At the foot of a long wall of height h in the distance d: (1 + cos a) / 2 with the
+        # wall's elevation a; on an open wall 1/2; in a court that is open above its 4 walls.
+        floor = grid((-0.01, 0, -1), (0.01, 0, -1), (-0.01, 0, -1.02), 1, 1)
+        wall = grid((-500, 0, 0), (500, 0, 0), (-500, 2, 0), 1, 1)
+        done = relievo.sun_exposure(floor, **self.PLACE, first="2026-06-21", occluders=wall,
+                                    sky=4096)
+        elevation = numpy.arctan2(2, 1.01)
+        self.assertAlmostEqual(array(done, "sky_view")[0], 0.5 * (1 + numpy.cos(elevation)), 2)
+        upright = grid((0, 0, 0), (1, 0, 0), (0, 1, 0), 1, 1)
+        done = relievo.sun_exposure(upright, **self.PLACE, first="2026-06-21", sky=4096)
+        self.assertAlmostEqual(array(done, "sky_view")[0], 0.5, 2)
+        court = [grid((-1, 0, 1), (1, 0, 1), (-1, 1, 1), 1, 1),
+                 grid((-1, 0, -1), (1, 0, -1), (-1, 1, -1), 1, 1),
+                 grid((1, 0, -1), (1, 0, 1), (1, 1, -1), 1, 1),
+                 grid((-1, 0, -1), (-1, 0, 1), (-1, 1, -1), 1, 1)]
+        middle = grid((-0.01, 0, 0.01), (0.01, 0, 0.01), (-0.01, 0, -0.01), 1, 1)
+        done = relievo.sun_exposure(middle, **self.PLACE, first="2026-06-21", occluders=court,
+                                    sky=4096)
+        # The form factor of a square of side 2 seen from 1 below its middle.
+        a = 1 / numpy.sqrt(2)
+        expected = 4 / numpy.pi * a * numpy.arctan(a)
+        self.assertAlmostEqual(array(done, "sky_view")[0], expected, 2)
+
+    def test_refused(self):
+        roof = grid((0, 0, 0), (1, 0, 0), (0, 0, -1), 1, 1)
+        for words, change in (("first", {"first": "June"}), ("latitude", {"latitude": 91}),
+                              ("up", {"up": "w"}), ("step", {"step": 0}),
+                              ("last day", {"last": "2026-06-20"})):
+            with self.subTest(words=words), self.assertRaisesRegex(ValueError, words):
+                relievo.sun_exposure(roof, **{**self.PLACE, "first": "2026-06-21", **change})
+
+
+class Flow(unittest.TestCase):
+    """flow(): the projections of the moved points, by hand."""
+
+    def renderer(self):
+        renderer = scenes.plane_and_sphere()
+        R, t = relievo.extrinsics(renderer)
+        relievo.camera(renderer, K=K, size=SIZE, R=R, t=t)
+        return renderer
+
+    def expected(self, before, image, position, moved, after):
+        """Flow of positions that moved to others, where the image has any."""
+        seen = numpy.isfinite(relievo.layer(image, "flow")).all(axis=-1)
+        v, u = numpy.nonzero(seen)
+        places = after.project(moved[seen])
+        off = relievo.layer(image, "flow")[seen] - (places - numpy.stack([u, v], axis=-1))
+        self.assertLess(numpy.abs(off).max(), 0.01)
+        motion = relievo.layer(image, "motion")[seen]
+        numpy.testing.assert_allclose(motion, (moved - position)[seen], atol=1e-4)
+        self.assertGreater(seen.mean(), 0.25)
+        return seen
+
+    def test_nothing_moves(self):
+        renderer = self.renderer()
+        image = relievo.flow(relievo.moment(renderer, size=SIZE), renderer)
+        flow = relievo.layer(image, "flow")
+        seen = numpy.isfinite(flow).all(axis=-1)
+        self.assertLess(numpy.abs(flow[seen]).max(), 1e-6)
+        self.assertTrue((relievo.layer(image, "flow_valid")[seen] == 1).mean() > 0.999)
+        self.assertTrue((relievo.layer(image, "flow_valid")[~seen] == 0).all())
+
+    def test_camera_and_actors(self):
+        renderer = self.renderer()
+        names = ["position", "actor"]
+        old = relievo.Pinhole.of(renderer, SIZE)
+        image = relievo.capture(renderer, names, camera=old)
+        position = relievo.layer(image, "position").copy()
+        actor = relievo.layer(image, "actor").copy()
+        before = relievo.moment(renderer, size=SIZE)
+        ball = list(renderer.GetActors())[1]
+        ball.SetPosition(0.3, -0.1, 0.2)
+        camera = renderer.GetActiveCamera()
+        camera.Roll(3)
+        camera.Dolly(1.07)
+        renderer.ResetCameraClippingRange()
+        moved = position + numpy.where(actor[..., None] == 1, (0.3, -0.1, 0.2), 0)
+        after = relievo.Pinhole.of(renderer, SIZE)
+        done = relievo.flow(before, renderer)
+        self.expected(old, done, position, moved, after)
+        # What is said to be seen is what the second picture shows there.
+        now = relievo.layer(relievo.capture(renderer, ["position"], camera=after), "position")
+        valid = relievo.layer(done, "flow_valid") == 1
+        v, u = numpy.nonzero(valid)
+        target = numpy.rint(numpy.stack([u, v], -1) + relievo.layer(done, "flow")[valid])
+        shown = now[target[:, 1].astype(int), target[:, 0].astype(int)]
+        near = numpy.linalg.norm(shown - moved[valid], axis=-1)
+        self.assertLess(numpy.quantile(near, 0.98), 0.5)
+        self.assertLess(valid.mean(), 1)
+
+    def test_points_move(self):
+        mesh = grid((-1, -1, 0), (1, -1, 0), (-1, 1, 0), 10, 10)
+        sensor = relievo.Fisheye(numpy.array([[60.0, 0, 50], [0, 60, 50], [0, 0, 1]]), (101, 101))
+        sensor.look_at((0, 0, 2), (0, 0, 0))
+        image = relievo.capture(mesh, ["position"], camera=sensor)
+        position = relievo.layer(image, "position").copy()
+        before = relievo.moment(mesh, sensor)
+        points = vtk_to_numpy(mesh.GetPoints().GetData())
+        points[:] = 1.1 * points + (0.05, 0, 0)
+        mesh.GetPoints().Modified()
+        moved = 1.1 * position + (0.05, 0, 0)
+        self.expected(sensor, relievo.flow(before, mesh, sensor), position, moved, sensor)
+
+    def test_hidden_is_not_valid(self):
+        plate = grid((-1, -1, 0), (1, -1, 0), (-1, 1, 0), 1, 1)
+        cover = grid((5, -1, 1), (6, -1, 1), (5, 1, 1), 1, 1)
+        sensor = relievo.Pinhole([[50, 0, 50], [0, 50, 50], [0, 0, 1]], (101, 101))
+        sensor.look_at((0, 0, 3), (0, 0, 0))
+        before = relievo.moment([plate, cover], sensor)
+        points = vtk_to_numpy(cover.GetPoints().GetData())
+        points[:, 0] -= 5  # over the right half of the plate
+        cover.GetPoints().Modified()
+        valid = relievo.layer(relievo.flow(before, [plate, cover], sensor), "flow_valid")
+        self.assertTrue((valid[40:61, 35:50] == 1).all())
+        self.assertTrue((valid[40:61, 51:66] == 0).all())
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)
