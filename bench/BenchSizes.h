@@ -118,6 +118,14 @@ struct VoxelSizes
   int Large = 300; // cells each way for a sphere of 1.3 million triangles; 0: without
 };
 
+struct RaySizes
+{
+  int Rays = 20000;
+  int Rounds = 25;
+  std::vector<std::string> Meshes = { "bunny", "armadillo", "elephant" };
+  int Divisions = 2; // of the bunny's triangles, into four each
+};
+
 struct ParticleSizes
 {
   std::vector<int> Numbers = { 1000, 10000, 100000, 1000000 };
@@ -148,6 +156,7 @@ int BenchTone(const std::string& outDir, const ToneSizes& sizes);
 int BenchBlocks(const std::string& outDir, const BlockSizes& sizes);
 int BenchCaves(const std::string& outDir, const CaveSizes& sizes);
 int BenchVoxels(const std::string& outDir, const VoxelSizes& sizes);
+int BenchRays(const std::string& outDir, const RaySizes& sizes);
 int BenchSkin(const std::string& outDir, const SkinSizes& sizes);
 int BenchParticles(const std::string& outDir, const ParticleSizes& sizes);
 int BenchSoftShadows(const std::string& outDir, const SoftShadowSizes& sizes);

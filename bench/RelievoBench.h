@@ -89,6 +89,9 @@ int RelievoBenchCaves(const std::string& outDir);
 /** Chart 10: cells inside bodies: excess and missed against time, with peers. A minute. */
 int RelievoBenchVoxels(const std::string& outDir);
 
+/** Rays a second of a core past meshes of many sizes, and bytes, beside Embree's. A minute. */
+int RelievoBenchRays(const std::string& outDir);
+
 /** Bones: error by keys, volume of twist and bend, time of a million points. Half a minute. */
 int RelievoBenchSkin(const std::string& outDir);
 

@@ -490,6 +490,27 @@ def voxels(rows):
         Axis("milliseconds", log=True), last)  # fmt: skip
 
 
+@bench("rays.csv")
+def rays(rows):
+    """Rays a second, and bytes, by triangles: the bunny's, divided."""
+    rows = [row for row in rows if row["mesh"] == "bunny"]
+    for row in rows:
+        row["thousands"] = str(round(number(row, "triangles") / 1000))
+    triangles = Axis("thousand triangles of the bunny", True, numbers(rows, "thousands"))
+    titles = {"nearest": "the first hit", "any": "any hit"}
+    yield Chart(
+        "rays-speed", "Rays past a mesh, of one core",
+        "Higher is better. Incoherent rays, one at a time. Embree's hits are floats.",
+        triangles, Axis("million rays a second"),
+        panels(rows, "thousands", "million rays per second",
+               panel=lambda row: titles[row["answer"]]))
+    yield Chart(
+        "rays-bytes", "Rays past a mesh: memory", "Lower is better. With the triangles themselves.",
+        triangles, Axis("bytes for a triangle"),
+        panels([row for row in rows if row["answer"] == "nearest"], "thousands",
+               "bytes per triangle", panel=None))  # fmt: skip
+
+
 @bench("skin-keys.csv", "skin-volume.csv", "skin.csv")
 def skin(keys, volumes, times):
     """Errors of motions by their keys, a tube's volume, and the time of points."""

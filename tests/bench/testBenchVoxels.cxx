@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Runs the bench of voxels with a small size, and checks its CSV: all rows, what parity and views
-// may be off, and its charts.
+// Runs the benches of voxels and of rays with a small size, and checks their CSV: all rows, what
+// parity and views may be off, how many rays hit, and their charts.
 #include "BenchSizes.h"
 #include "Charts.h"
 #include "Check.h"
@@ -63,6 +63,27 @@ void CheckVoxels(const std::string& folder)
     RELIEVO_CHECK_THAT(method.second == 8, method.first);
   }
 }
+
+void CheckRays(const std::string& folder)
+{
+  relievoBench::RaySizes sizes;
+  sizes.Rays = 2000;
+  sizes.Rounds = 2;
+  sizes.Meshes = { "bunny" };
+  sizes.Divisions = 1;
+  RELIEVO_CHECK(relievoBench::BenchRays(folder, sizes) == 0);
+  const std::vector<Row> rows = relievoTest::ReadCsv(folder + "/rays.csv");
+  RELIEVO_CHECK(rows.size() == 8);
+  for (const Row& row : rows)
+  {
+    const std::string name = row.at("method") + ", " + row.at("triangles");
+    RELIEVO_CHECK_THAT(Value(row, "million rays per second") > 0., name);
+    RELIEVO_CHECK_THAT(Value(row, "bytes per triangle") > 12., name);
+    // As many for each triangle of the divided mesh, which is the same surface.
+    RELIEVO_CHECK_NEAR(
+      Value(row, "hit percent"), Value(rows[0], "hit percent"), 0.1, name + ", hits, %");
+  }
+}
 }
 
 //------------------------------------------------------------------------------
@@ -73,5 +94,7 @@ int main()
   vtksys::SystemTools::RemoveADirectory(folder);
   CheckVoxels(folder);
   RELIEVO_CHECK(relievoBench::DrawCharts("voxels", folder));
+  CheckRays(folder);
+  RELIEVO_CHECK(relievoBench::DrawCharts("rays", folder));
   return session.Result();
 }

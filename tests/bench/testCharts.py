@@ -246,6 +246,15 @@ TRUTH = {
         lambda row: row["excess percent"] and row["method"] != "vtkVoxelModeller"),
     "voxels-time": points("voxels", "[body]", "[method]", "[cells]", "[milliseconds]", None,
                           lambda row: row["body"] == "bunny" and row["excess percent"]),
+    "rays-speed": points(
+        "rays", lambda row: {"nearest": "the first hit", "any": "any hit"}[row["answer"]],
+        "[method]", lambda row: round(float(row["triangles"]) / 1000),
+        "[million rays per second]", None,
+        lambda row: row["mesh"] == "bunny"),
+    "rays-bytes": points(
+        "rays", "", "[method]", lambda row: round(float(row["triangles"]) / 1000),
+        "[bytes per triangle]", None,
+        lambda row: row["mesh"] == "bunny" and row["answer"] == "any"),
     "skin-keys": points(
         "skin-keys", "[motion]", "[method]", "[keys per second]",
         "[largest error of the arm's end, arm's lengths]", None,

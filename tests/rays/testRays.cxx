@@ -188,8 +188,8 @@ void Compare(vtkRelievoRayScene* scene, const BruteRays& truth, const Rays& rays
   RELIEVO_CHECK_THAT(wrong == 0, what + ": " + std::to_string(wrong) + " wrong");
   RELIEVO_CHECK_THAT(row == all->GetNumberOfRows(), what);
   RELIEVO_CHECK_THAT(20 * unsure <= rays.GetCount(), what + ": " + std::to_string(unsure));
-  RELIEVO_CHECK_AT_MOST(offDistance, 1e-9, what + ", distances, of the size");
-  RELIEVO_CHECK_AT_MOST(offPlace, 1e-9, what + ", places, of the size");
+  RELIEVO_CHECK_AT_MOST(offDistance, 1e-12, what + ", distances, of the size");
+  RELIEVO_CHECK_AT_MOST(offPlace, 1e-12, what + ", places, of the size");
 }
 
 vtkSmartPointer<vtkPolyData> MakeMesh()

@@ -226,6 +226,7 @@ def package():
         "12_town_at_night", "13_fog_valley", "14_markers", "15_blocks", "16_caves",
         "18_voxel_cubes", "19_surface_particles", "20_moving_cubes", "21_soft_shadows",
         "22_animation", "23_animation_series", "24_soft_borders", "25_certified_shadows",
+        "26_wall_thickness",
     ):  # fmt: skip
         yield f"example-{name}", f"{{examples}}/{name}.py out {words.get(name, '')}"
 
