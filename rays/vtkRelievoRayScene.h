@@ -18,8 +18,9 @@
  *
  * A ray has an origin and a direction, in world coordinates, of any length but 0; distances count
  * in world units from the origin. A ray that is not finite, or has no direction, meets nothing,
- * with one warning; one whose direction is NaN in all components is no ray, and meets nothing. Triangles have their edges: no ray passes between two that share one (S. Woop,
- * C. Benthin, I. Wald, Watertight ray/triangle intersection, 2013).
+ * with one warning; one whose direction is NaN in all components is no ray, and meets nothing.
+ * Triangles have their edges: no ray passes between two that share one (S. Woop, C. Benthin,
+ * I. Wald, Watertight ray/triangle intersection, 2013).
  *
  * Rays run on all cores, in batches; ProgressEvent, with the share done, comes between the batches
  * on the calling thread, and AbortOn() in its observer ends the call, which then returns false.
@@ -146,8 +147,8 @@ public:
 
   /**
    * Where points of surfaces that FindNearest or FindAll found, in this scene or in another state
-   * of it (CopyStateOf), are in this one: three components for each hit, world coordinates; NaN where
-   * there is no such prop, block or point any more. By the triangle's corners and their weights.
+   * of it (CopyStateOf), are in this one: three components for each hit, world coordinates; NaN
+   * where there is no such prop, block or point any more. By the triangle's corners and weights.
    */
   bool FindPlaces(vtkTable* hits, vtkDoubleArray* places);
 
