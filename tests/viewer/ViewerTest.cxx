@@ -209,8 +209,12 @@ void ViewerTest::SendMouse(QEvent::Type type, const QPoint& place, Qt::MouseButt
 {
   viewer::PictureView* view = this->Window->GetView();
   const Qt::MouseButton changed = type == QEvent::MouseMove ? Qt::NoButton : Qt::LeftButton;
-  QMouseEvent event(type, place, view->mapToGlobal(place), changed, pressed, Qt::NoModifier);
-  QApplication::sendEvent(view, &event);
+  QWidget* over = this->Held ? this->Held.data() : view->childAt(place);
+  QWidget* target = over ? over : view;
+  QMouseEvent event(
+    type, target->mapFrom(view, place), view->mapToGlobal(place), changed, pressed, Qt::NoModifier);
+  this->Held = pressed == Qt::NoButton ? nullptr : target;
+  QApplication::sendEvent(target, &event);
 }
 
 //------------------------------------------------------------------------------

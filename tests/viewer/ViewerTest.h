@@ -16,6 +16,7 @@
 #include <QEvent>
 #include <QObject>
 #include <QPoint>
+#include <QPointer>
 #include <QString>
 #include <QStringList>
 #include <QTemporaryDir>
@@ -67,7 +68,8 @@ protected:
   void Compare(const char* what);
 
   /**
-   * The view gets an event of the mouse at a place of its own, with the left button's state told:
+   * The view, or what lies over it there, gets an event of the mouse at a place of the view, with
+   * the left button's state told:
    * QTest moves the display's pointer, whose events come late and without buttons on a busy
    * machine.
    */
@@ -92,6 +94,7 @@ private Q_SLOTS:
 
 private:
   std::unique_ptr<QTemporaryDir> Folder;
+  QPointer<QWidget> Held; // by the mouse's button
 };
 
 /// Runs the tests of an object as a program.

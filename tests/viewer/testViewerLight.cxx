@@ -5,8 +5,10 @@
 #include "ViewerTest.h"
 
 #include "ColorButton.h"
+#include "LightHandles.h"
 #include "LightOptions.h"
 #include "LightsGroup.h"
+#include "MessageBar.h"
 #include "Number.h"
 #include "ParameterEdit.h"
 #include "vtkDataArray.h"
@@ -20,12 +22,14 @@
 #include <QAction>
 #include <QCheckBox>
 #include <QComboBox>
+#include <QDockWidget>
 #include <QDoubleSpinBox>
 #include <QGroupBox>
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
 #include <QPushButton>
+#include <QShortcut>
 #include <QSlider>
 #include <QTreeWidget>
 #include <QtTest>
@@ -478,6 +482,102 @@ private Q_SLOTS:
     click({ 0, 0 });
     QVERIFY(this->GetLights() != before);
     this->Compare("placed");
+  }
+
+  // While a click is waited for, the window says what for; Esc ends it.
+  void saysWhatIsWaitedFor()
+  {
+    this->Open({ this->WriteScene(), "--light", "spot:2,5,2,0,0,0,30", "--light", "point:3,4,-2" });
+    auto* hint = this->Window->findChild<viewer::MessageBar*>("hint");
+    auto* button = this->GetButton("placeInPicture");
+    QCOMPARE(hint->GetText(), QString());
+    for (int light = 0; light < 2; ++light)
+    {
+      this->Select(light);
+      button->click();
+      QVERIFY2(hint->GetText().startsWith(light == 0 ? "Click where the spot shall shine"
+                                                     : "Click on what the light shall hang over"),
+        qPrintable(hint->GetText()));
+      QCOMPARE(this->Window->GetView()->cursor().shape(), Qt::CrossCursor);
+      if (light == 0)
+      {
+        Q_EMIT this->Window->findChild<QShortcut*>("stopPlacing")->activated();
+      }
+      else
+      {
+        hint->findChild<QAbstractButton*>("closeMessage")->click();
+      }
+      QCOMPARE(hint->GetText(), QString());
+      QVERIFY(!button->isChecked());
+      QVERIFY(this->Window->GetView()->cursor().shape() != Qt::CrossCursor);
+    }
+  }
+
+  // Handles are dragged: a light in the plane of the view, what a spot shines at over the surfaces,
+  // each drag one step to undo. Lights outside of the picture wait at its border.
+  void handles()
+  {
+    this->Open({ this->WriteScene(), "--light", "point:1,2,0", "--light",
+      "spot:2,5,-1,1.2,0,1.2,30", "--light", "point:90,2,0", "--camera", "0,12,0.001,0,0,0,0,0,-1",
+      "--parallel-scale", "3" });
+    viewer::PictureView* view = this->Window->GetView();
+    viewer::LightHandles* handles = this->Window->GetLightHandles();
+    this->Grab();
+    QVERIFY(!handles->GetPlace(0, false)); // but beside their controls
+    this->Window->findChild<QDockWidget*>("light")->raise();
+    QTRY_VERIFY(handles->isVisible());
+    const double unit = 6.0 / view->height();
+    const auto seen = [&](double x, double z) {
+      return QPointF(0.5 * view->width() + x / unit, 0.5 * view->height() + z / unit);
+    };
+    const auto near = [](const std::optional<QPointF>& a, const QPointF& b) {
+      return a && std::hypot(a->x() - b.x(), a->y() - b.y()) < 1.0;
+    };
+    QVERIFY(near(handles->GetPlace(0, false), seen(1.0, 0.0)));
+    QVERIFY(near(handles->GetPlace(1, false), seen(2.0, -1.0)));
+    QVERIFY(!handles->GetPlace(1, true)); // of the one that is edited
+    QVERIFY(handles->GetPlace(2, false)->x() > 0.9 * view->width());
+    QVERIFY(handles->GetPlace(2, false)->x() < view->width());
+    const auto drag = [&](const QPointF& from, const QPointF& to) {
+      this->SendMouse(QEvent::MouseButtonPress, from.toPoint(), Qt::LeftButton);
+      for (const double share : { 0.3, 0.7, 1.0 })
+      {
+        this->SendMouse(QEvent::MouseMove, (from + share * (to - from)).toPoint(), Qt::LeftButton);
+      }
+      this->SendMouse(QEvent::MouseButtonRelease, to.toPoint(), Qt::NoButton);
+      QTest::qWait(1);
+    };
+    const std::string camera = this->Window->GetViewSettings().Get("--camera");
+    const Words before = this->GetLights();
+    drag(*handles->GetPlace(0, false), seen(-1.0, 1.0));
+    std::array<double, 3> place = scene::ParseLight(this->GetLights()[0]).Position;
+    QVERIFY2(std::hypot(place[0] + 1.0, place[1] - 2.0, place[2] - 1.0) < 0.03,
+      this->GetLights()[0].c_str());
+    QVERIFY(this->GetLights()[0].size() < 25); // few digits
+    drag(*handles->GetPlace(1, false), seen(2.0, 1.0));
+    QCOMPARE(this->GetList()->currentIndex().row(), 1);
+    QVERIFY(near(handles->GetPlace(1, true), seen(1.2, 1.2)));
+    drag(*handles->GetPlace(1, true), seen(0.0, 0.0)); // the top of the ball
+    const scene::LightChoice spot = scene::ParseLight(this->GetLights()[1]);
+    QVERIFY2(std::hypot(spot.FocalPoint[0], spot.FocalPoint[1] - 1.4, spot.FocalPoint[2]) < 0.03,
+      this->GetLights()[1].c_str());
+    QVERIFY(
+      std::hypot(spot.Position[0] - 2.0, spot.Position[1] - 5.0, spot.Position[2] - 1.0) < 0.03);
+    QCOMPARE(spot.ConeAngle, 30.0);
+    drag(*handles->GetPlace(2, false), seen(2.0, -2.0));
+    place = scene::ParseLight(this->GetLights()[2]).Position;
+    QVERIFY(std::hypot(place[0] - 2.0, place[1] - 2.0, place[2] + 2.0) < 0.03);
+    QCOMPARE(this->Window->GetViewSettings().Get("--camera"), camera);
+    this->Compare("dragged");
+    for (int i = 0; i < 4; ++i)
+    {
+      QVERIFY(this->GetLights() != before);
+      this->Window->GetDocument()->Undo();
+    }
+    QVERIFY(this->GetLights() == before);
+    // Beside a handle the mouse turns the picture.
+    drag(seen(-2.0, -2.0), seen(-1.0, -2.0));
+    QVERIFY(this->Window->GetViewSettings().Get("--camera") != camera);
   }
 
   // A slider stands where its number is, also before it was ever moved.

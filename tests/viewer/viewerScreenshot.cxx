@@ -4,13 +4,14 @@
 // Draws the window as docs/viewer.md shows it:
 //   viewerScreenshot OUT.png WxH PANEL WORD... [then STEP...]
 // The words are those of relievo-viewer; a step is the name of an action that is triggered, such as
-// "dark", or a file that is opened next.
+// "dark", of a button that is clicked, or a file that is opened next.
 #include "Application.h"
 #include "MainWindow.h"
 #include "Messages.h"
 #include "PictureView.h"
 #include "Settings.h"
 
+#include <QAbstractButton>
 #include <QAction>
 #include <QDockWidget>
 #include <QSettings>
@@ -50,6 +51,10 @@ void Go(viewer::MainWindow& window, std::vector<std::string> steps, const char* 
   if (auto* action = window.findChild<QAction*>(step))
   {
     action->trigger();
+  }
+  else if (auto* button = window.findChild<QAbstractButton*>(step))
+  {
+    button->click();
   }
   else
   {

@@ -298,6 +298,7 @@ void LightsGroup::ShowCurrent()
 {
   const Row* row = this->GetCurrent();
   const bool own = row && row->Own >= 0;
+  Q_EMIT this->selected(own ? row->Own : -1);
   this->DuplicateButton->setEnabled(own);
   this->RemoveButton->setEnabled(own);
   this->OwnButton->setVisible(row && row->CanOwn);
@@ -408,6 +409,18 @@ void LightsGroup::Rename(QTreeWidgetItem* item)
   this->SetLight(row.Own, scene::WriteLight(words));
   this->Rows.clear(); // the text may be another than was typed
   this->ShowSettings();
+}
+
+//------------------------------------------------------------------------------
+void LightsGroup::StopPlacing()
+{
+  this->Light->StopPlacing();
+}
+
+//------------------------------------------------------------------------------
+void LightsGroup::Select(int own)
+{
+  this->List->setCurrentItem(this->List->topLevelItem(own)); // they are the first
 }
 
 //------------------------------------------------------------------------------

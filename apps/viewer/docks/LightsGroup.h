@@ -38,9 +38,18 @@ public:
   /// A place in the picture was chosen for the light that is edited.
   void Place(const std::array<double, 3>& place);
 
+  /// No click in the picture is waited for any more.
+  void StopPlacing();
+
+  /// One of those of --light is edited, by its place among them.
+  void Select(int own);
+
 Q_SIGNALS:
-  /// The next click in the picture is to be told to Place; or no longer.
-  void placing(bool on);
+  /// The next click in the picture is to be told to Place, and what it is for; empty: no longer.
+  void placing(const QString& hint);
+
+  /// Of those of --light, which is edited; -1: none.
+  void selected(int own);
 
 protected:
   void changeEvent(QEvent* event) override;

@@ -141,7 +141,12 @@ void LightEdit::AddPlace()
   QObject::connect(this->Position, &TripleEdit::edited, this, placed);
   QObject::connect(this->Target, &TripleEdit::edited, this, placed);
   QObject::connect(this->Cone, &relievoQt::Number::edited, this, placed);
-  QObject::connect(this->PlaceButton, &QPushButton::toggled, this, &LightEdit::placing);
+  QObject::connect(this->PlaceButton, &QPushButton::toggled, this, [this](bool on) {
+    const bool spot = this->Kind == Kind::Spot;
+    Q_EMIT this->placing(!on ? QString()
+        : spot               ? "Click where the spot shall shine. Esc to stop."
+                             : "Click on what the light shall hang over. Esc to stop.");
+  });
 }
 
 //------------------------------------------------------------------------------

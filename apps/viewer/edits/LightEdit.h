@@ -48,8 +48,8 @@ public:
 Q_SIGNALS:
   void edited(const QString& word);
 
-  /// The next click in the picture is to be told to Place; or no longer.
-  void placing(bool on);
+  /// The next click in the picture is to be told to Place, and what it is for; empty: no longer.
+  void placing(const QString& hint);
 
 private:
   void AddCommon(QFormLayout* rows);

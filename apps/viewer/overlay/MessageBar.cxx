@@ -36,7 +36,10 @@ MessageBar::MessageBar(QWidget* parent)
   row->setContentsMargins(Edge + 10, 6, 6, 6);
   row->addWidget(this->Words, 1);
   row->addWidget(close, 0, Qt::AlignTop);
-  QObject::connect(close, &QToolButton::clicked, this, &QWidget::hide);
+  QObject::connect(close, &QToolButton::clicked, this, [this] {
+    this->hide();
+    Q_EMIT this->closed();
+  });
   this->hide();
 }
 
@@ -69,7 +72,9 @@ void MessageBar::Place()
 void MessageBar::paintEvent(QPaintEvent*)
 {
   QPainter painter(this);
-  const QColor sign = this->Shown == Error ? QColor(214, 60, 50) : QColor(224, 160, 30);
+  const QColor sign = this->Shown == Error ? QColor(214, 60, 50)
+    : this->Shown == Warning               ? QColor(224, 160, 30)
+                                           : this->palette().color(QPalette::Highlight);
   const QColor window = this->palette().color(QPalette::Window);
   const auto mix = [&](int part) { return (9 * part) / 10; };
   painter.fillRect(this->rect(),

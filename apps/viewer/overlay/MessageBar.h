@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * What went wrong, in a strip over the top of the picture, which keeps its size; it stays until it
- * is closed.
+ * What went wrong, or what is waited for, in a strip over the top of the picture, which keeps its
+ * size; it stays until it is closed.
  */
 #ifndef MessageBar_h
 #define MessageBar_h
@@ -20,6 +20,7 @@ class MessageBar : public Overlay
 public:
   enum Kind
   {
+    Hint,
     Warning,
     Error
   };
@@ -29,6 +30,10 @@ public:
 
   void Show(const QString& text, Kind kind);
   QString GetText() const;
+
+Q_SIGNALS:
+  /// By the user.
+  void closed();
 
 protected:
   void Place() override;

@@ -5,12 +5,30 @@
 #include "Picture.h"
 #include "Probe.h"
 
+#include "vtkCamera.h"
+#include "vtkMatrix4x4.h"
 #include "vtkRenderer.h"
+
+#include <cmath>
 
 namespace viewer
 {
 namespace
 {
+constexpr double Outside = 1e6;     // of the picture, in halves of it
+constexpr double LeastDepth = 0.01; // in distances of what the camera turns about
+
+std::array<double, 3> Between(
+  const std::array<double, 3>& near, const std::array<double, 3>& far, double share)
+{
+  std::array<double, 3> place{};
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    place[i] = near[i] + share * (far[i] - near[i]);
+  }
+  return place;
+}
+
 std::array<double, 3> ToWorld(vtkRenderer* renderer, int x, int y, double depth)
 {
   renderer->SetDisplayPoint(x + 0.5, y + 0.5, depth);
@@ -35,13 +53,7 @@ std::optional<std::array<double, 3>> PickGround(const Picture& picture, int x, i
   {
     return std::nullopt;
   }
-  const double share = (near[up] - height) / (near[up] - far[up]);
-  std::array<double, 3> place{};
-  for (std::size_t i = 0; i < 3; ++i)
-  {
-    place[i] = near[i] + share * (far[i] - near[i]);
-  }
-  return place;
+  return Between(near, far, (near[up] - height) / (near[up] - far[up]));
 }
 }
 
@@ -56,5 +68,41 @@ std::optional<std::array<double, 3>> Pick(const Picture& picture, Probe& probe, 
     }
   }
   return picture.IsEmpty() ? std::nullopt : PickGround(picture, x, y);
+}
+
+//------------------------------------------------------------------------------
+std::array<double, 2> Project(const Picture& picture, const std::array<double, 3>& place)
+{
+  vtkRenderer* renderer = picture.GetRenderer();
+  const double from[] = { place[0], place[1], place[2], 1.0 };
+  double to[4];
+  renderer->GetActiveCamera()
+    ->GetCompositeProjectionTransformMatrix(renderer->GetTiledAspectRatio(), -1.0, 1.0)
+    ->MultiplyPoint(from, to);
+  if (to[3] > 0.0)
+  {
+    return { to[0] / to[3], to[1] / to[3] };
+  }
+  const double length = std::hypot(to[0], to[1]);
+  return length > 0.0 ? std::array<double, 2>{ Outside * to[0] / length, Outside * to[1] / length }
+                      : std::array<double, 2>{ 0.0, Outside };
+}
+
+//------------------------------------------------------------------------------
+std::array<double, 3> MoveInView(
+  const Picture& picture, const std::array<double, 3>& from, int x, int y)
+{
+  vtkCamera* camera = picture.GetRenderer()->GetActiveCamera();
+  const double* at = camera->GetPosition();
+  const double* along = camera->GetDirectionOfProjection();
+  const std::array<double, 3> near = ToWorld(picture.GetRenderer(), x, y, 0.0);
+  const std::array<double, 3> far = ToWorld(picture.GetRenderer(), x, y, 1.0);
+  const auto depth = [&](const std::array<double, 3>& place) {
+    return (place[0] - at[0]) * along[0] + (place[1] - at[1]) * along[1] +
+      (place[2] - at[2]) * along[2];
+  };
+  const double wanted =
+    depth(from) > LeastDepth * camera->GetDistance() ? depth(from) : camera->GetDistance();
+  return Between(near, far, (wanted - depth(near)) / (depth(far) - depth(near)));
 }
 }

@@ -123,12 +123,11 @@ void PictureView::initializeGL()
 }
 
 //------------------------------------------------------------------------------
-QPoint PictureView::GetPixel(const QMouseEvent* event) const
+QPoint PictureView::GetPixel(const QPoint& place) const
 {
   const double ratio = this->effectiveDevicePixelRatio();
   const int* size = this->renderWindow()->GetSize();
-  return { static_cast<int>(ratio * event->pos().x()),
-    size[1] - 1 - static_cast<int>(ratio * event->pos().y()) };
+  return { static_cast<int>(ratio * place.x()), size[1] - 1 - static_cast<int>(ratio * place.y()) };
 }
 
 //------------------------------------------------------------------------------
@@ -147,7 +146,7 @@ void PictureView::mousePressEvent(QMouseEvent* event)
     return;
   }
   this->PickNext(false);
-  const QPoint pixel = this->GetPixel(event);
+  const QPoint pixel = this->GetPixel(event->pos());
   Q_EMIT this->picked(pixel.x(), pixel.y());
 }
 
@@ -155,7 +154,7 @@ void PictureView::mousePressEvent(QMouseEvent* event)
 void PictureView::mouseMoveEvent(QMouseEvent* event)
 {
   this->QVTKOpenGLNativeWidget::mouseMoveEvent(event);
-  const QPoint pixel = this->GetPixel(event);
+  const QPoint pixel = this->GetPixel(event->pos());
   Q_EMIT this->pointed(pixel.x(), pixel.y());
 }
 

@@ -31,6 +31,9 @@ public:
 
   Picture& GetPicture() { return *this->Shown; }
 
+  /// The pixel of the window at a place of the widget, from the lower left.
+  QPoint GetPixel(const QPoint& place) const;
+
   /// The next click of the left button is told as `picked`, and turns nothing.
   void PickNext(bool on);
 
@@ -73,7 +76,6 @@ protected:
 
 private:
   void LetLinesBeWide();
-  QPoint GetPixel(const QMouseEvent* event) const;
   void OnDrawn();
 
   std::unique_ptr<Picture> Shown;

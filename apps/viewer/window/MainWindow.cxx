@@ -9,6 +9,7 @@
 #include "InputGuard.h"
 #include "LayerLegend.h"
 #include "LayersPanel.h"
+#include "LightHandles.h"
 #include "LightPanel.h"
 #include "LightsGroup.h"
 #include "LookPanel.h"
@@ -45,6 +46,7 @@
 #include <QPushButton>
 #include <QScreen>
 #include <QSettings>
+#include <QShortcut>
 #include <QStackedWidget>
 #include <QStatusBar>
 #include <QUrl>
@@ -168,7 +170,13 @@ MainWindow::MainWindow(QWidget* parent)
   this->Pages->addWidget(this->Shown);
   this->Axes = new AxisMarker(this->Shown);
   this->Legend = new LayerLegend(this->Shown);
+  this->Handles = new LightHandles(this->Edited, this->Shown);
   this->Message = new MessageBar(this->Shown);
+  this->Hint = new MessageBar(this->Shown);
+  this->Hint->setObjectName("hint");
+  this->StopPlacing = new QShortcut(Qt::Key_Escape, this);
+  this->StopPlacing->setObjectName("stopPlacing");
+  this->StopPlacing->setEnabled(false);
   this->setCentralWidget(this->Pages);
   this->AddPanels();
   this->AddStatus();
@@ -256,8 +264,14 @@ void MainWindow::Connect()
   QObject::connect(&this->Quiet, &QTimer::timeout, this, [this] { this->Bar->setRange(0, 0); });
   QObject::connect(this->Shown, &PictureView::drawn, this, &MainWindow::OnDrawn);
   QObject::connect(this->Shown, &PictureView::pointed, this, &MainWindow::PointAt);
-  QObject::connect(
-    this->Light->GetLights(), &LightsGroup::placing, this->Shown, &PictureView::PickNext);
+  LightsGroup* lights = this->Light->GetLights();
+  QObject::connect(lights, &LightsGroup::placing, this, &MainWindow::WaitForPlace);
+  QObject::connect(lights, &LightsGroup::selected, this->Handles, &LightHandles::Select);
+  QObject::connect(this->Handles, &LightHandles::selected, lights, &LightsGroup::Select);
+  QObject::connect(this->StopPlacing, &QShortcut::activated, lights, &LightsGroup::StopPlacing);
+  QObject::connect(this->Hint, &MessageBar::closed, lights, &LightsGroup::StopPlacing);
+  QObject::connect(this->findChild<QDockWidget*>("light"), &QDockWidget::visibilityChanged,
+    this->Handles, &LightHandles::SetWanted);
   QObject::connect(this->Shown, &PictureView::picked, this, &MainWindow::PlaceLight);
   QObject::connect(&this->Pause, &QTimer::timeout, this, [this] { this->ShowProbe(); });
   QObject::connect(this->Layers, &LayersPanel::probing, this, [this](bool on) {
@@ -319,6 +333,17 @@ void MainWindow::PointAt(int x, int y)
 }
 
 //------------------------------------------------------------------------------
+// For a click in the picture, and says what for.
+void MainWindow::WaitForPlace(const QString& hint)
+{
+  const bool on = !hint.isEmpty();
+  this->Shown->PickNext(on);
+  this->Handles->setAttribute(Qt::WA_TransparentForMouseEvents, on);
+  this->StopPlacing->setEnabled(on);
+  on ? this->Hint->Show(hint, MessageBar::Hint) : this->Hint->hide();
+}
+
+//------------------------------------------------------------------------------
 void MainWindow::PlaceLight(int x, int y)
 {
   const std::optional<std::array<double, 3>> place =
@@ -330,7 +355,7 @@ void MainWindow::PlaceLight(int x, int y)
   }
   else
   {
-    this->Say("Nothing is there that a light could be placed by: click on a surface.");
+    this->Hint->Show("Nothing is there: click on a surface. Esc to stop.", MessageBar::Hint);
     this->Shown->PickNext(true);
   }
 }
@@ -878,6 +903,7 @@ void MainWindow::OnDrawn()
   this->ShowSmoothing();
   this->Axes->Follow(this->Shown->GetPicture().GetRenderer());
   this->Legend->Follow(this->Shown->GetPicture().GetFrame(), this->Edited->GetFacts());
+  this->Handles->Follow();
   try
   {
     if (!this->Reader->IsBusy()) // whose messages are the thread's

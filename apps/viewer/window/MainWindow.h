@@ -21,6 +21,7 @@
 class QLabel;
 class QProgressBar;
 class QPushButton;
+class QShortcut;
 class QStackedWidget;
 
 namespace viewer
@@ -29,6 +30,7 @@ class AxisMarker;
 class EmptyPage;
 class LayerLegend;
 class LayersPanel;
+class LightHandles;
 class LightPanel;
 class MessageBar;
 class WorkTeller;
@@ -48,6 +50,7 @@ public:
   Document* GetDocument() { return this->Edited; }
   PictureView* GetView() { return this->Shown; }
   AxisMarker* GetAxes() { return this->Axes; }
+  LightHandles* GetLightHandles() { return this->Handles; }
 
   /// Shows these settings; files are read in the background. Throws scene::UsageError, and changes
   /// nothing, for those that the command line refuses.
@@ -121,6 +124,7 @@ private:
   void ShowSmoothing();
   void LookFrom(int end);
   void PointAt(int x, int y);
+  void WaitForPlace(const QString& hint);
   void PlaceLight(int x, int y);
   void ShowProbe();
   void TellMessages();
@@ -146,7 +150,9 @@ private:
   EmptyPage* Empty;
   AxisMarker* Axes;
   LayerLegend* Legend;
-  MessageBar* Message;
+  LightHandles* Handles;
+  MessageBar *Message, *Hint;
+  QShortcut* StopPlacing;
   QLabel *Words, *Values, *Smoothing;
   std::unique_ptr<WorkTeller> Teller;
   QProgressBar* Bar;

@@ -1,0 +1,322 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "LightHandles.h"
+
+#include "LightOptions.h"
+#include "Pick.h"
+#include "PictureView.h"
+
+#include <QMouseEvent>
+#include <QPainter>
+#include <QPainterPath>
+
+#include <algorithm>
+#include <cmath>
+
+namespace viewer
+{
+namespace
+{
+// Pixels
+constexpr double Ball = 9.0;  // radius
+constexpr double Ring = 7.0;  // radius
+constexpr double Ray = 14.0;  // its end, from the middle
+constexpr double Border = 20; // that handles keep from the border of the view
+constexpr double Reach = 15;  // of a handle, for the mouse and for its drawing
+
+constexpr double Digits = 1e-3; // of a place, in sizes of the scene
+
+QColor GetColor(const scene::LightChoice& light)
+{
+  return QColor::fromRgbF(static_cast<float>(std::min(light.Color[0], 1.0)),
+    static_cast<float>(std::min(light.Color[1], 1.0)),
+    static_cast<float>(std::min(light.Color[2], 1.0)));
+}
+}
+
+//------------------------------------------------------------------------------
+bool LightHandles::Handle::operator==(const Handle& other) const
+{
+  return this->Light == other.Light && this->IsTarget == other.IsTarget &&
+    this->World == other.World && this->Place == other.Place && this->IsInside == other.IsInside &&
+    this->Color == other.Color;
+}
+
+//------------------------------------------------------------------------------
+LightHandles::LightHandles(Document* document, PictureView* view)
+  : Overlay(view)
+  , Edited(document)
+  , View(view)
+{
+  this->setObjectName("lightHandles");
+  this->setMouseTracking(true); // for the values under the mouse
+  QObject::connect(document, &Document::changed, this, [this] { this->Follow(); });
+  this->Place();
+  this->hide();
+}
+
+//------------------------------------------------------------------------------
+void LightHandles::SetWanted(bool wanted)
+{
+  this->Wanted = wanted;
+  this->Follow();
+}
+
+//------------------------------------------------------------------------------
+void LightHandles::Select(int light)
+{
+  if (light != this->Current)
+  {
+    this->Current = light;
+    this->Follow();
+    this->update();
+  }
+}
+
+//------------------------------------------------------------------------------
+std::vector<LightHandles::Handle> LightHandles::FindHandles() const
+{
+  std::vector<Handle> handles;
+  if (!this->Wanted || this->View->GetPicture().IsEmpty())
+  {
+    return handles;
+  }
+  const auto add = [&](int light, bool target, const std::array<double, 3>& world,
+                     const QColor& color) {
+    const std::array<double, 2> seen = Project(this->View->GetPicture(), world);
+    const double half[] = { 0.5 * this->width(), 0.5 * this->height() };
+    const double beyond = std::max(
+      std::abs(seen[0]) / (1.0 - Border / half[0]), std::abs(seen[1]) / (1.0 - Border / half[1]));
+    const double share = 1.0 / std::max(1.0, beyond);
+    handles.push_back({ light, target, world,
+      { half[0] * (1.0 + share * seen[0]), half[1] * (1.0 - share * seen[1]) },
+      std::max(std::abs(seen[0]), std::abs(seen[1])) < 1.0, color });
+  };
+  const std::vector<std::string> words = this->Edited->Get().GetAll("--light");
+  for (int i = 0; i < static_cast<int>(words.size()); ++i)
+  {
+    const scene::LightChoice light = scene::ParseLight(words[static_cast<std::size_t>(i)]);
+    if (light.Is == scene::LightChoice::Kind::Sun)
+    {
+      continue;
+    }
+    if (i == this->Current && light.Is == scene::LightChoice::Kind::Spot)
+    {
+      add(i, true, light.FocalPoint, GetColor(light));
+    }
+    add(i, false, light.Position, GetColor(light));
+  }
+  std::stable_sort(handles.begin(), handles.end(), [this](const Handle& a, const Handle& b) {
+    return a.Light != this->Current && b.Light == this->Current;
+  });
+  return handles;
+}
+
+//------------------------------------------------------------------------------
+void LightHandles::Follow()
+{
+  this->Show(this->FindHandles());
+}
+
+//------------------------------------------------------------------------------
+// What is beside them is the picture's, and the mouse there.
+void LightHandles::Show(const std::vector<Handle>& handles)
+{
+  this->setVisible(!handles.empty());
+  if (handles == this->Handles)
+  {
+    return;
+  }
+  this->Handles = handles;
+  QRegion region;
+  for (const Handle& handle : handles)
+  {
+    const QRectF around(handle.Place - QPointF(Reach, Reach), QSizeF(2 * Reach, 2 * Reach));
+    region += QRegion(around.toAlignedRect(), QRegion::Ellipse);
+    const Handle* ball = handle.IsTarget ? this->Find(handle.Light, false) : nullptr;
+    if (ball)
+    {
+      QPainterPath line(handle.Place);
+      line.lineTo(ball->Place);
+      QPainterPathStroker wide;
+      wide.setWidth(4.0);
+      region += QRegion(wide.createStroke(line).toFillPolygon().toPolygon(), Qt::WindingFill);
+    }
+  }
+  if (!handles.empty())
+  {
+    this->setMask(region);
+  }
+  this->update();
+}
+
+//------------------------------------------------------------------------------
+const LightHandles::Handle* LightHandles::Find(const QPointF& at) const
+{
+  for (auto handle = this->Handles.rbegin(); handle != this->Handles.rend(); ++handle)
+  {
+    const QPointF away = handle->Place - at;
+    if (std::hypot(away.x(), away.y()) <= Reach)
+    {
+      return &*handle;
+    }
+  }
+  return nullptr;
+}
+
+//------------------------------------------------------------------------------
+const LightHandles::Handle* LightHandles::Find(int light, bool target) const
+{
+  for (const Handle& handle : this->Handles)
+  {
+    if (handle.Light == light && handle.IsTarget == target)
+    {
+      return &handle;
+    }
+  }
+  return nullptr;
+}
+
+//------------------------------------------------------------------------------
+std::optional<QPointF> LightHandles::GetPlace(int light, bool target) const
+{
+  const Handle* handle = this->Find(light, target);
+  return handle ? std::optional<QPointF>(handle->Place) : std::nullopt;
+}
+
+//------------------------------------------------------------------------------
+void LightHandles::mousePressEvent(QMouseEvent* event)
+{
+  const Handle* handle = this->Find(event->pos());
+  if (!handle || event->button() != Qt::LeftButton)
+  {
+    event->ignore(); // for the picture below
+    return;
+  }
+  this->Held = *handle;
+  this->Away = handle->IsInside ? handle->Place - event->pos() : QPointF();
+  this->Surfaces.Forget();
+  this->setCursor(Qt::ClosedHandCursor);
+  Q_EMIT this->selected(handle->Light);
+}
+
+//------------------------------------------------------------------------------
+void LightHandles::mouseMoveEvent(QMouseEvent* event)
+{
+  if (this->Held && (event->buttons() & Qt::LeftButton))
+  {
+    this->Drag((event->pos() + this->Away).toPoint());
+    return;
+  }
+  const Handle* handle = this->Find(event->pos());
+  handle ? this->setCursor(Qt::OpenHandCursor) : this->unsetCursor();
+  this->setToolTip(!handle ? QString()
+      : handle->IsTarget   ? "Where it shines: drag it over the surfaces"
+      : handle->IsInside   ? "A light: drag it in the plane of the view"
+                           : "A light outside of the picture: drag it into it");
+  event->ignore();
+}
+
+//------------------------------------------------------------------------------
+void LightHandles::mouseReleaseEvent(QMouseEvent* event)
+{
+  if (!this->Held)
+  {
+    event->ignore();
+    return;
+  }
+  this->Held.reset();
+  this->Surfaces.Forget(); // it takes memory
+  this->setCursor(Qt::OpenHandCursor);
+}
+
+//------------------------------------------------------------------------------
+void LightHandles::Drag(const QPoint& at)
+{
+  const Picture& picture = this->View->GetPicture();
+  std::vector<std::string> lights = this->Edited->Get().GetAll("--light");
+  const auto light = static_cast<std::size_t>(this->Held->Light);
+  if (picture.IsEmpty() || light >= lights.size())
+  {
+    return; // it went while it was held
+  }
+  const QPoint pixel = this->View->GetPixel(at);
+  std::array<double, 3> place =
+    (this->Held->IsTarget ? Pick(picture, this->Surfaces, pixel.x(), pixel.y()) : std::nullopt)
+      .value_or(MoveInView(picture, this->Held->World, pixel.x(), pixel.y()));
+  const std::array<double, 6>& b = this->Edited->GetFacts().Bounds;
+  const double size = std::hypot(b[1] - b[0], b[3] - b[2], b[5] - b[4]);
+  const scene::LightChoice before = scene::ParseLight(lights[light]);
+  std::vector<double> numbers;
+  const auto add = [&](const std::array<double, 3>& v, bool moved) {
+    for (const double value : v)
+    {
+      numbers.push_back(moved && size > 0.0 ? scene::RoundTo(value, Digits * size) : value);
+    }
+  };
+  add(this->Held->IsTarget ? before.Position : place, !this->Held->IsTarget);
+  if (before.Is == scene::LightChoice::Kind::Spot)
+  {
+    add(this->Held->IsTarget ? place : before.FocalPoint, this->Held->IsTarget);
+    numbers.push_back(before.ConeAngle);
+  }
+  scene::LightWords words = scene::SplitLight(lights[light]);
+  words.Numbers = scene::WriteNumbers(numbers);
+  lights[light] = scene::WriteLight(words);
+  this->Edited->Change(
+    [&lights](scene::Settings& settings) { settings.SetAll("--light", lights); });
+}
+
+//------------------------------------------------------------------------------
+void LightHandles::Place()
+{
+  this->setGeometry(this->parentWidget()->rect());
+  this->Follow();
+}
+
+//------------------------------------------------------------------------------
+void LightHandles::paintEvent(QPaintEvent*)
+{
+  QPainter painter(this);
+  painter.setRenderHint(QPainter::Antialiasing);
+  // Dark and bright: one of them is seen on any picture.
+  const auto stroke = [&](double width, const auto& draw) {
+    for (const bool bright : { false, true })
+    {
+      painter.setPen(QPen(bright ? QColor(255, 255, 255, 230) : QColor(0, 0, 0, 150),
+        bright ? width : width + 2.0, Qt::SolidLine, Qt::RoundCap));
+      draw();
+    }
+  };
+  for (const Handle& handle : this->Handles)
+  {
+    const Handle* ball = handle.IsTarget ? this->Find(handle.Light, false) : nullptr;
+    if (ball)
+    {
+      stroke(1.0, [&] { painter.drawLine(ball->Place, handle.Place); });
+    }
+  }
+  for (const Handle& handle : this->Handles)
+  {
+    painter.setOpacity(handle.IsInside ? 1.0 : 0.7);
+    painter.setBrush(Qt::NoBrush);
+    if (handle.IsTarget)
+    {
+      stroke(1.5, [&] { painter.drawEllipse(handle.Place, Ring, Ring); });
+      continue;
+    }
+    stroke(1.5, [&] {
+      for (int i = 0; i < 8; ++i)
+      {
+        const QPointF along(std::cos(0.25 * M_PI * i), std::sin(0.25 * M_PI * i));
+        painter.drawLine(handle.Place + Ball * along, handle.Place + (Ray - 2.0) * along);
+      }
+    });
+    painter.setBrush(handle.Color);
+    const QColor rim = handle.Light == this->Current ? this->palette().color(QPalette::Highlight)
+                                                     : QColor(40, 40, 40);
+    painter.setPen(QPen(rim, handle.Light == this->Current ? 2.5 : 1.5));
+    painter.drawEllipse(handle.Place, Ball - 2.0, Ball - 2.0);
+  }
+}
+}
