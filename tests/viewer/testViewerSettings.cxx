@@ -136,6 +136,40 @@ private Q_SLOTS:
     QCOMPARE(soft.GetParameter("shadows", "soft_samples"), std::string("8"));
   }
 
+  // Shadows that are switched off and on again, or on and off, are as they were.
+  void switchedTwice()
+  {
+    for (const Words& words : { Words{ "--preset", "none" }, Words{ "--preset", "studio" },
+           Words{ "--preset", "studio", "--shadows", "map" },
+           Words{ "--preset", "studio", "--shadows", "off" },
+           Words{ "--preset", "studio", "--shadows", "map", "--soft-shadows", "24" },
+           Words{ "--preset", "none", "--shadows", "off" },
+           Words{ "--preset", "studio", "--soft-shadows", "3", "--shadow-size", "512" },
+           Words{ "--preset", "town", "--shadows", "exact", "--colored-shadows" },
+           Words{ "--preset", "studio", "--environment", "a.exr" },
+           Words{ "--preset", "none", "--stage", "shadows:method=exact" } })
+    {
+      const scene::Settings settings = scene::Settings::FromWords(words);
+      const bool on = settings.IsStageOn("shadows");
+      viewer::Document document;
+      document.Set(settings);
+      document.SwitchShadows(!on);
+      QCOMPARE(document.Get().IsStageOn("shadows"), !on);
+      document.Change([](scene::Settings& other) { other.Set("--edges", ""); });
+      document.SwitchShadows(on);
+      scene::Settings wanted = settings;
+      wanted.Set("--edges", "");
+      QCOMPARE(document.Get().GetWords(), wanted.GetWords());
+      // What is set of them meanwhile stays.
+      document.SwitchShadows(!on);
+      document.Change(
+        [](scene::Settings& other) { other.SetParameter("shadows", "strength", "0.5"); });
+      document.SwitchShadows(on);
+      QCOMPARE(document.Get().IsStageOn("shadows"), on);
+      QCOMPARE(document.Get().GetParameter("shadows", "strength"), std::string("0.5"));
+    }
+  }
+
   void history()
   {
     const auto at = [](const char* opacity) {

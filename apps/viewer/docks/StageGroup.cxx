@@ -152,7 +152,7 @@ void StageGroup::Switch(bool on)
 {
   if (this->Stage == "shadows")
   {
-    this->Edited->Change([on](scene::Settings& settings) { settings.SwitchStage("shadows", on); });
+    this->Edited->SwitchShadows(on);
     return;
   }
   if (this->Points && on && !this->Kept)

@@ -12,6 +12,14 @@
 
 namespace viewer
 {
+namespace
+{
+bool IsOfShadows(const std::string& change)
+{
+  return change == "--shadows" || change == "--colored-shadows" || change.rfind("shadows:", 0) == 0;
+}
+}
+
 //------------------------------------------------------------------------------
 Document::Document(QObject* parent)
   : QObject(parent)
@@ -92,6 +100,23 @@ void Document::Change(const std::function<void(scene::Settings&)>& edit)
   scene::DropIdleSurface(settings);
   scene::DropIdleFill(settings);
   this->Set(settings);
+}
+
+//------------------------------------------------------------------------------
+// No word says what is off, such as colours of shadows, or that they are hard where the preset's are
+// soft.
+void Document::SwitchShadows(bool on)
+{
+  const std::set<std::string> since = this->Switched.GetChanges(this->Now);
+  scene::Settings back = this->Now;
+  back.TakeChanges(this->Switched, this->Unswitched);
+  const bool same =
+    std::none_of(since.begin(), since.end(), IsOfShadows) && back.IsStageOn("shadows") == on;
+  this->Unswitched = this->Now;
+  this->Change([&](scene::Settings& settings) {
+    same ? void(settings = back) : settings.SwitchStage("shadows", on);
+  });
+  this->Switched = this->Now;
 }
 
 //------------------------------------------------------------------------------

@@ -36,6 +36,9 @@ public:
   void Set(const scene::Settings& settings);
   void Change(const std::function<void(scene::Settings&)>& edit);
 
+  /// Switched twice, shadows are as they were.
+  void SwitchShadows(bool on);
+
   ///@{
   /// Goes back to settings that are known to be good: because the user wants so, or after a picture
   /// of the new ones failed.
@@ -85,6 +88,7 @@ private:
   int Drags = 0;
   int Drag = 0; // its number; 0: none
   Facts Known;
+  scene::Settings Unswitched, Switched; // before and after shadows were switched
 };
 }
 

@@ -213,9 +213,7 @@ void AddShadows(MainWindow* window, QMenu* menu)
   shadows->setToolTip("Of the lights in the picture");
   shadows->setCheckable(true);
   Document* document = window->GetDocument();
-  QObject::connect(shadows, &QAction::toggled, document, [document](bool on) {
-    document->Change([on](scene::Settings& settings) { settings.SwitchStage("shadows", on); });
-  });
+  QObject::connect(shadows, &QAction::toggled, document, &Document::SwitchShadows);
   QObject::connect(document, &Document::changed, shadows, [document, shadows] {
     const QSignalBlocker quiet(shadows);
     shadows->setChecked(document->Get().IsStageOn("shadows"));
