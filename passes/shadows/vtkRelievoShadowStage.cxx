@@ -499,8 +499,8 @@ void vtkRelievoShadowStage::Describe(vtkRelievoStageDescription& description)
   description
     .AddWhole(
       "filter_radius", this->FilterRadius, [this](int radius) { this->SetFilterRadius(radius); }, 0,
-      16, "texels", "How soft the edges of shadows are.")
-    .Label = "Softness";
+      16, "texels", "How far edges are smoothed over texels of the map.")
+    .Advanced = true;
   description
     .AddNumber(
       "bias", this->Bias, [this](double bias) { this->SetBias(bias); }, 0.0, 100.0, "texels",
@@ -656,7 +656,8 @@ void vtkRelievoShadowStage::DescribeSoft(vtkRelievoStageDescription& description
   description.AddWhole(
     "soft_samples", this->SoftSamples, [this](int samples) { this->SetSoftSamples(samples); }, 0,
     MostSamples, "samples",
-    "Soft shadows: samples of each light's shape that are gathered; 0: lights are points.");
+    "Samples of each light's size that are gathered; 0: lights are points, and edges are hard.");
+  description.Parameters.back().Label = "Samples";
   const auto onlyIfSoft = [&description] {
     description.Parameters.back().OnlyIf = "soft_samples!=0";
   };
@@ -664,15 +665,21 @@ void vtkRelievoShadowStage::DescribeSoft(vtkRelievoStageDescription& description
     .AddFlag(
       "soft_at_once", this->SoftAtOnce, [this](bool on) { this->SetSoftAtOnce(on); },
       "Whether every frame gathers all samples; otherwise one in each frame.")
-    .Advanced = true;
+    .Label = "All Samples At Once";
+  description.Parameters.back().Advanced = true;
   onlyIfSoft();
   description.AddNumber(
     "sun_angle", this->SunAngle, [this](double degrees) { this->SetSunAngle(degrees); }, 0.0,
-    WidestSun, "degrees", "Soft shadows: angle that directional lights appear under.");
+    WidestSun, "degrees", "Angle that suns appear under which have no softness of their own.");
+  description.Parameters.back().Label = "Softness of Suns";
+  description.Parameters.back().Advanced = true;
   onlyIfSoft();
   description.AddNumber(
     "lamp_radius", this->LampRadius, [this](double radius) { this->SetLampRadius(radius); }, 0.0,
-    LargestLamp, "world units", "Soft shadows: radius of positional lights.");
+    LargestLamp, "world units",
+    "Radius of spots and point lights that have no softness of their own.");
+  description.Parameters.back().Label = "Softness of Lamps";
+  description.Parameters.back().Advanced = true;
   onlyIfSoft();
 }
 

@@ -378,7 +378,6 @@ private Q_SLOTS:
     const scene::SunAngles angles = scene::GetSunAngles({ p[0], p[1], p[2] }, 1);
     QVERIFY(std::abs(this->Shown("azimuth") - angles.Azimuth) < 0.006);
     QVERIFY(std::abs(this->Shown("elevation") - angles.Elevation) < 0.006);
-    QVERIFY(!this->FindEdit("azimuth")->isEnabled());
     QCOMPARE(this->Shown("fill"), 1.0);
     const vtkSmartPointer<vtkImageData> before = this->Grab();
     this->GetButton("makeOwn")->click();
@@ -393,6 +392,54 @@ private Q_SLOTS:
     this->GetButton("makeOwn")->click();
     QCOMPARE(this->GetLights().size(), std::size_t(2));
     QVERIFY(this->GetLights()[1].find("intensity") == std::string::npos);
+    // What is edited of the preset's becomes the user's own, and nothing else of it changes.
+    this->Change([](scene::Settings& settings) {
+      settings.Remove("--light");
+      settings.Remove("--fill");
+    });
+    this->Select(0);
+    QVERIFY(!this->FindEdit("intensity")->isEnabled());
+    this->Type("angle", 2.5);
+    QCOMPARE(this->GetRows()[0], QString("key light|sun"));
+    QVERIFY2(
+      this->GetLights()[0].find(",size=2.5") != std::string::npos, this->GetLights()[0].c_str());
+    QVERIFY(this->FindEdit("intensity")->isEnabled());
+    QVERIFY(this->Shown("intensity") > 1.0);
+    QCOMPARE(this->Shown("fill"), 1.0);
+  }
+
+  // One word, Softness, for the size of a light; what has no effect says why.
+  void softness()
+  {
+    this->Open({ this->WriteScene(), "--shadows", "map", "--soft-shadows", "8", "--light",
+      "sun:0.4,1,0.6", "--light", "point:1,2,3" });
+    auto* edit = this->FindEdit("softness");
+    for (int light = 0; light < 2; ++light)
+    {
+      this->Select(light);
+      QVERIFY(edit->isEnabled());
+      QVERIFY2(edit->toolTip().startsWith("How large it is"), qPrintable(edit->toolTip()));
+    }
+    const auto says = [&](const char* words) { return edit->toolTip().contains(words); };
+    static_cast<QCheckBox*>(this->FindEdit("casts"))->setChecked(false);
+    QVERIFY(!edit->isEnabled() && says("It casts no shadows."));
+    static_cast<QCheckBox*>(this->FindEdit("casts"))->setChecked(true);
+    this->Change([](scene::Settings& settings) { settings.SwitchStage("shadows", false); });
+    QVERIFY(!edit->isEnabled() && says("Shadows are off"));
+    this->Change([](scene::Settings& settings) {
+      settings.SwitchStage("shadows", true);
+      settings.SetParameter("shadows", "soft_samples", "0");
+    });
+    QVERIFY(!edit->isEnabled() && says("Shadows are hard"));
+    QStringList soft;
+    for (const QLabel* label : this->Window->findChild<QWidget*>("light")->findChildren<QLabel*>())
+    {
+      if (label->text().contains("soft", Qt::CaseInsensitive))
+      {
+        soft += label->text();
+      }
+    }
+    QCOMPARE(soft, (QStringList{ "Softness", "Softness of suns", "Softness of lamps" }));
   }
 
   // A share of the fill, which goes with the preset.

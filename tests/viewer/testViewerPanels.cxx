@@ -197,13 +197,13 @@ private Q_SLOTS:
     this->Raise("light");
     auto* group = this->Group("shadows");
     auto* bias = group->findChild<viewer::ParameterEdit*>("bias");
-    auto* softness = group->findChild<viewer::ParameterEdit*>("filter_radius");
-    QVERIFY(bias->isHidden() == false && !bias->isVisible() && softness->isVisible());
+    auto* strength = group->findChild<viewer::ParameterEdit*>("strength");
+    QVERIFY(bias->isHidden() == false && !bias->isVisible() && strength->isVisible());
     auto* title = group->findChild<QAbstractButton*>("advanced");
     title->click();
     QVERIFY(bias->isVisible());
     title->click();
-    QVERIFY(!bias->isVisible() && softness->isVisible());
+    QVERIFY(!bias->isVisible() && strength->isVisible());
   }
 
   // A tick unfolds, none folds, by whomever; the arrow folds what is on or has no switch.

@@ -94,10 +94,9 @@ LightsGroup::LightsGroup(Document* document, QWidget* parent)
   QObject::connect(this->OwnButton, &QPushButton::clicked, this, &LightsGroup::MakeOwn);
   QObject::connect(this->Light, &LightEdit::placing, this, &LightsGroup::placing);
   QObject::connect(this->Light, &LightEdit::edited, this, [this](const QString& word) {
-    if (const Row* row = this->GetCurrent())
-    {
-      this->SetLight(row->Own, word.toStdString());
-    }
+    const Row* row = this->GetCurrent();
+    row && row->Own < 0 ? this->TakeEdit(row->Word, word.toStdString())
+                        : this->SetLight(row ? row->Own : -1, word.toStdString());
   });
   QObject::connect(document, &Document::changed, this, &LightsGroup::ShowSettings);
   QObject::connect(document, &Document::factsChanged, this, &LightsGroup::ShowSettings);
@@ -210,7 +209,8 @@ void LightsGroup::AddPresets(std::vector<Row>& rows, bool own) const
     key.Kind = own ? "sun, off" : "sun";
     key.IsOn = !own;
     key.CanOwn = true;
-    key.Tip = own ? "Off: your own lights are in its place" : "Your own lights replace it";
+    key.Tip = own ? "Off: your own lights are in its place"
+                  : "Your own lights replace it; what you edit makes it your own";
     rows.push_back(key);
     Row fill;
     fill.Name = name + ": fill";
@@ -298,6 +298,7 @@ void LightsGroup::ShowCurrent()
 {
   const Row* row = this->GetCurrent();
   const bool own = row && row->Own >= 0;
+  const bool key = row && row->CanOwn && row->IsOn;
   Q_EMIT this->selected(own ? row->Own : -1);
   this->DuplicateButton->setEnabled(own);
   this->RemoveButton->setEnabled(own);
@@ -310,7 +311,10 @@ void LightsGroup::ShowCurrent()
   this->Light->setVisible(row && !row->Word.empty());
   if (row && !row->Word.empty())
   {
-    this->Light->SetWord(row->Word, own);
+    this->Light->SetWord(row->Word,
+      own     ? LightEdit::OWN
+        : key ? LightEdit::PRESET
+              : LightEdit::OFF);
   }
 }
 
@@ -392,6 +396,32 @@ void LightsGroup::MakeOwn()
     this->List->setCurrentItem(
       this->List->topLevelItem(static_cast<int>(GetLights(this->Edited).size()) - 1));
   }
+}
+
+//------------------------------------------------------------------------------
+// The preset's light, with what was edited of it.
+void LightsGroup::TakeEdit(const std::string& before, const std::string& after)
+{
+  const scene::LightWords was = scene::SplitLight(before), is = scene::SplitLight(after);
+  this->Edited->Change([&](scene::Settings& settings) {
+    scene::OwnKeyLight(settings, this->Edited->GetUpAxis());
+    std::vector<std::string> lights = settings.GetAll("--light");
+    scene::LightWords words = scene::SplitLight(lights.back());
+    words.Numbers = is.Numbers == was.Numbers ? words.Numbers : is.Numbers;
+    for (const scene::LightWords* each : { &was, &is })
+    {
+      for (const auto& value : each->Values)
+      {
+        const std::string edited = scene::FindWords(is.Values, value.first);
+        if (edited != scene::FindWords(was.Values, value.first))
+        {
+          scene::SetWords(words.Values, value.first, edited);
+        }
+      }
+    }
+    lights.back() = scene::WriteLight(words);
+    settings.SetAll("--light", lights);
+  });
 }
 
 //------------------------------------------------------------------------------

@@ -79,6 +79,7 @@ private:
   void Duplicate();
   void Remove();
   void MakeOwn();
+  void TakeEdit(const std::string& before, const std::string& after);
   void Rename(QTreeWidgetItem* item);
   void SetLight(int place, const std::string& word);
 

@@ -3,6 +3,7 @@
 #include "LightEdit.h"
 
 #include "ColorButton.h"
+#include "Labels.h"
 #include "Number.h"
 #include "Rows.h"
 #include "SunEdit.h"
@@ -81,8 +82,9 @@ void LightEdit::AddCommon(QFormLayout* rows)
   this->Intensity = new relievoQt::Number(0.0, 2.0, 0.01, 3, parent);
   this->Intensity->setObjectName("intensity");
   this->Intensity->SetTypedRange(0.0, MostIntensity);
+  this->Intensity->setToolTip("How bright it is");
   relievoQt::AddRow(rows, "Intensity", this->Intensity);
-  auto* size = new QWidget(parent);
+  auto* size = this->Softness = new QWidget(parent);
   auto* both = new QVBoxLayout(size);
   both->setContentsMargins(0, 0, 0, 0);
   this->Angle = new relievoQt::Number(0.0, 10.0, 0.01, 2, size);
@@ -93,8 +95,11 @@ void LightEdit::AddCommon(QFormLayout* rows)
   this->Radius->setObjectName("radius");
   both->addWidget(this->Angle);
   both->addWidget(this->Radius);
-  relievoQt::AddRow(rows, "Size", size);
-  this->SizeLabel = qobject_cast<QLabel*>(rows->labelForField(size));
+  size->setObjectName("softness");
+  size->setToolTip(
+    "How large it is, a sun's angle in the sky or a lamp's radius in world units: the "
+    "larger, the softer are the edges of its shadows");
+  relievoQt::AddRow(rows, "Softness", size);
   this->Casts = new QCheckBox("Casts shadows", parent);
   this->Casts->setObjectName("casts");
   relievoQt::AddRow(rows, "", this->Casts);
@@ -172,12 +177,13 @@ void LightEdit::SetNumbers(const std::string& numbers)
 }
 
 //------------------------------------------------------------------------------
-void LightEdit::SetWord(const std::string& word, bool own)
+void LightEdit::SetWord(const std::string& word, Owner owner)
 {
   const scene::LightChoice light = scene::ParseLight(word);
   const int up = this->Edited->GetUpAxis();
-  this->setEnabled(own);
-  this->ShowSize(light); // whose effect may have changed
+  this->setEnabled(owner != OFF);
+  SetIdle(this->Intensity, owner == PRESET ? "Make it your own to change how bright it is." : "");
+  this->ShowSoftness(light); // whose effect may have changed
   if (word == this->Word && up == this->WordUp)
   {
     this->ShowWords();
@@ -217,7 +223,7 @@ void LightEdit::SetWord(const std::string& word, bool own)
 }
 
 //------------------------------------------------------------------------------
-void LightEdit::ShowSize(const scene::LightChoice& light)
+void LightEdit::ShowSoftness(const scene::LightChoice& light)
 {
   const scene::Settings& settings = this->Edited->Get();
   const bool sun = light.Is == Kind::Sun;
@@ -227,15 +233,12 @@ void LightEdit::ShowSize(const scene::LightChoice& light)
   this->Angle->setVisible(sun);
   this->Radius->setVisible(!sun);
   (sun ? this->Angle : this->Radius)->SetValue(light.Size.value_or(usual));
-  const bool soft = settings.IsStageOn("shadows") && light.Casts &&
-    std::atoi(settings.GetParameter("shadows", "soft_samples").c_str()) > 0;
-  for (QWidget* each : std::array<QWidget*, 3>{ this->Angle, this->Radius, this->SizeLabel })
-  {
-    each->setEnabled(soft);
-    each->setToolTip(!soft ? "Nothing now: it casts no soft shadow"
-        : sun              ? "The angle that it is seen under: the larger, the softer its shadows"
-                           : "Its radius in world units: the larger, the softer its shadows");
-  }
+  const bool one = std::atoi(settings.GetParameter("shadows", "soft_samples").c_str()) < 2;
+  SetIdle(this->Softness,
+    !light.Casts                       ? "It casts no shadows."
+      : !settings.IsStageOn("shadows") ? "Shadows are off: they are switched on below."
+      : one ? "Shadows are hard: they need Samples, below, for soft edges."
+            : "");
 }
 
 //------------------------------------------------------------------------------

@@ -36,8 +36,15 @@ class LightEdit : public QWidget
 public:
   explicit LightEdit(Document* document, QWidget* parent = nullptr);
 
-  /// Shows the light; one that is not the user's own cannot be edited. Sends no signal.
-  void SetWord(const std::string& word, bool own);
+  enum Owner
+  {
+    OWN,    ///< the user's
+    PRESET, ///< becomes the user's by an edit
+    OFF     ///< cannot be edited
+  };
+
+  /// Shows the light. Sends no signal.
+  void SetWord(const std::string& word, Owner owner);
 
   /// A place in the picture was chosen: a spot turns there, a point moves over it.
   void Place(const std::array<double, 3>& place);
@@ -56,7 +63,7 @@ private:
   void AddPlace();
   void SetValue(const char* name, const std::string& value);
   void SetNumbers(const std::string& numbers);
-  void ShowSize(const scene::LightChoice& light);
+  void ShowSoftness(const scene::LightChoice& light);
   void ShowSun(const scene::LightChoice& light);
   void ShowWords();
   void WriteSun();
@@ -71,7 +78,7 @@ private:
   QLineEdit* Name;
   ColorButton* Color;
   relievoQt::Number *Intensity, *Angle, *Radius;
-  QLabel* SizeLabel;
+  QWidget* Softness; // of them the one that the light has
   QCheckBox* Casts;
   relievoQt::SunEdit* Sun;
   QWidget* Where; // of spots and points

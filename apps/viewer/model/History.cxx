@@ -45,8 +45,9 @@ void History::Add(
 {
   const std::set<std::string> changed = GetChanges(before, after);
   const bool played = changed == std::set<std::string>{ "--time" }; // as long as it takes
-  const bool same = !this->Past.empty() && this->Future.empty() && changed == this->Changed &&
-    (drag != 0 && this->Drag != 0 ? drag == this->Drag : played || time - this->Time < OneEdit);
+  const bool soon = changed == this->Changed && (played || time - this->Time < OneEdit);
+  const bool same = !this->Past.empty() && this->Future.empty() &&
+    (drag != 0 && this->Drag != 0 ? drag == this->Drag : soon);
   this->Changed = changed;
   this->Time = time;
   this->Drag = drag;

@@ -77,14 +77,15 @@ void pqRelievoShadowControls::AddSoft(QWidget* parent)
   angle->setObjectName("angle");
   angle->SetUnit("degrees");
   angle->SetTypedRange(0.0, 90.0);
-  angle->setToolTip("How wide the sun is in the sky: the real one half a degree");
+  angle->setToolTip("How wide the sun is in the sky: the real one half a degree. The wider, the "
+                    "softer the edges");
   auto* samples = new relievoQt::Number(2.0, 128.0, 1.0, 0, this->Softness);
   samples->setObjectName("samples");
   samples->SetTypedRange(2.0, 4096.0);
   samples->setToolTip("More are smoother, and take as many pictures");
-  relievoQt::AddRow(rows, "Sun angle", angle);
+  relievoQt::AddRow(rows, "Softness", angle);
   relievoQt::AddRow(rows, "Samples", samples);
-  this->Bind(angle, "RelievoShadowSunAngle", "Angle of the sun");
+  this->Bind(angle, "RelievoShadowSunAngle", "Softness of shadows");
   this->Bind(samples, "RelievoShadowSoftSamples", "Samples of soft shadows");
   QObject::connect(this->Soft, &QCheckBox::toggled, this, [this](bool on) {
     this->Apply(on ? "Soft shadows on" : "Soft shadows off",
@@ -95,13 +96,7 @@ void pqRelievoShadowControls::AddSoft(QWidget* parent)
 //------------------------------------------------------------------------------
 void pqRelievoShadowControls::AddMethods(QWidget* parent)
 {
-  auto* methods = new QWidget(parent);
-  methods->setObjectName("methods");
-  parent->layout()->addWidget(MakeFold("Advanced", methods, parent));
-  parent->layout()->addWidget(methods);
-  QFormLayout* rows = relievoQt::MakeRows(methods);
-  Indent(methods);
-  auto* method = new QComboBox(methods);
+  auto* method = new QComboBox(parent);
   method->setObjectName("method");
   method->addItem("Map", 0);
   method->addItem("Forward", 1);
@@ -111,6 +106,16 @@ void pqRelievoShadowControls::AddMethods(QWidget* parent)
   method->setItemData(1, "Edges as fine as the picture's pixels, not softened", Qt::ToolTipRole);
   method->setItemData(2, "More detail near the camera: for landscapes", Qt::ToolTipRole);
   method->setItemData(3, "A ray for each pixel: no errors at edges, slower", Qt::ToolTipRole);
+  auto* row = new QWidget(parent);
+  row->setObjectName("main");
+  parent->layout()->addWidget(row);
+  relievoQt::AddRow(relievoQt::MakeRows(row), "Method", method);
+  auto* methods = new QWidget(parent);
+  methods->setObjectName("methods");
+  parent->layout()->addWidget(MakeFold("Advanced", methods, parent));
+  parent->layout()->addWidget(methods);
+  QFormLayout* rows = relievoQt::MakeRows(methods);
+  Indent(methods);
   auto* size = new QComboBox(methods);
   size->setObjectName("size");
   for (int texels = 256; texels <= 16384; texels *= 2)
@@ -124,18 +129,17 @@ void pqRelievoShadowControls::AddMethods(QWidget* parent)
                    "graphics memory of each light");
   auto* filter = new relievoQt::Number(0.0, 16.0, 1.0, 0, methods);
   filter->setObjectName("filter");
-  filter->setToolTip("How wide edges are smoothed, in texels of the map");
+  filter->setToolTip("How far edges are smoothed, in texels of the map");
   for (QComboBox* choice : { method, size })
   {
     choice->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     choice->setMinimumContentsLength(8);
   }
-  relievoQt::AddRow(rows, "Method", method);
   relievoQt::AddRow(rows, "Map size", size);
-  relievoQt::AddRow(rows, "Softness", filter);
+  relievoQt::AddRow(rows, "Filter radius", filter);
   this->Bind(method, "RelievoShadowMethod", "Shadow method");
   this->Bind(size, "RelievoShadowMapSize", "Shadow map size");
-  this->Bind(filter, "RelievoShadowFilterRadius", "Softness of shadows");
+  this->Bind(filter, "RelievoShadowFilterRadius", "Filter radius of shadows");
 }
 
 //------------------------------------------------------------------------------
