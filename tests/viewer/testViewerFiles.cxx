@@ -16,6 +16,7 @@
 #include <QAction>
 #include <QApplication>
 #include <QFileDialog>
+#include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
 #include <QMessageBox>
@@ -198,21 +199,52 @@ private Q_SLOTS:
     }
   }
 
-  // An array of the file before is no layer of the next; a layer of the catalogue is.
-  void layersOfTheFileBefore()
+  // Another file begins a new scene: the look and suns stay, and what belongs to the file before
+  // goes. Undoing brings that back, with its camera.
+  void anotherFile()
   {
-    const std::string plain = this->WriteOBJ();
-    for (const char* layer : { "height", "depth" })
+    const std::string scene = this->WriteScene(), plain = this->WriteOBJ();
+    const std::string camera = "2,3,4,0,0.5,0,0,1,0";
+    this->Open({ scene, "--preset", "town", "--edges", "--light", "sun:0.4,1,0.6", "--light",
+      "spot:2,5,2,0,0,0,30", "--lamps", this->WritePoints(), "--color-by", "height", "--up", "y",
+      "--stage", "display:layer=height", "--camera", camera });
+    viewer::Document* document = this->Window->GetDocument();
+    document->Change([](scene::Settings& settings) { settings.Set("--opacity", "0.5"); });
+    const scene::Settings before = document->Get();
+    this->Window->OpenFiles({ QString::fromStdString(plain) });
+    this->WaitUntilRead();
+    QCOMPARE(this->Window->GetTrouble(), QString());
+    const std::vector<std::string> left = { "--preset", "town", "--opacity", "0.5", "--edges",
+      "--light", "sun:0.4,1,0.6", plain };
+    QCOMPARE(document->Get().GetWords(), left);
+    QVERIFY(this->Window->GetViewSettings().Get("--camera") != camera);
+    const QString says = this->Window->findChild<QLabel*>("words")->text();
+    for (const char* what :
+      { "a light", "lamps", "the colours", "the up axis", "the layer", "Undo" })
     {
-      this->Open({ this->WriteScene(), "--stage", std::string("display:layer=") + layer });
-      QSignalSpy ready(this->Window.get(), &viewer::MainWindow::ready);
-      this->Window->OpenFiles({ QString::fromStdString(plain) });
-      QVERIFY(ready.wait(60000));
-      this->Grab();
-      QCOMPARE(this->Window->GetTrouble(), QString());
-      QCOMPARE(this->Window->GetDocument()->Get().GetParameter("display", "layer"),
-        std::string(layer == std::string("depth") ? "depth" : ""));
+      QVERIFY2(says.contains(what), qPrintable(says));
     }
+    const std::string other = this->Window->GetViewSettings().Get("--camera");
+    document->Undo();
+    this->WaitUntilRead();
+    QVERIFY(document->Get() == before);
+    QCOMPARE(this->Window->GetViewSettings().Get("--camera"), camera);
+    document->Undo();
+    QVERIFY(document->Get() != before);
+    QCOMPARE(document->Get().Files, std::vector<std::string>{ scene });
+    QVERIFY(!document->CanUndo());
+    document->Redo();
+    document->Redo();
+    this->WaitUntilRead();
+    QCOMPARE(document->Get().GetWords(), left);
+    QCOMPARE(this->Window->GetViewSettings().Get("--camera"), other);
+    // Files that are taken away come back, too.
+    document->Change([](scene::Settings& settings) { settings.Files.clear(); });
+    QVERIFY(this->Window->GetView()->GetPicture().IsEmpty());
+    document->Undo();
+    this->WaitUntilRead();
+    QCOMPARE(document->Get().GetWords(), left);
+    QCOMPARE(this->Window->GetViewSettings().Get("--camera"), other);
   }
 
   void recentFiles()

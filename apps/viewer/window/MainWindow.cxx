@@ -15,7 +15,7 @@
 #include "LookPanel.h"
 #include "MessageBar.h"
 #include "Messages.h"
-#include "ModelOptions.h"
+#include "NextFile.h"
 #include "Options.h"
 #include "Pick.h"
 #include "PictureView.h"
@@ -29,7 +29,6 @@
 #include "SessionFile.h"
 #include "StageGroup.h"
 #include "TimeBar.h"
-#include "vtkRelievoLayerCatalogue.h"
 #include "vtkRelievoPass.h"
 #include "vtkRenderWindow.h"
 
@@ -72,8 +71,10 @@ QDockWidget* AddDock(QMainWindow* window, const QString& title, const QString& n
   return dock;
 }
 
-// What belongs to the file before, and not to the one that is opened.
-constexpr const char* FileWords[] = { "--color-by", "--range", "--scalar-bar", "--clip" };
+bool HaveCommon(const std::vector<std::string>& a, const std::vector<std::string>& b)
+{
+  return std::find_first_of(a.begin(), a.end(), b.begin(), b.end()) != a.end();
+}
 
 // Whoever lets go of a file keeps it, whatever was proposed: moved files would be deleted there.
 void AcceptCopy(QDropEvent& event)
@@ -99,6 +100,7 @@ QStringList GetPaths(const QMimeData* data)
 constexpr int LayoutVersion = 1;
 
 constexpr const char* PlaceWords[] = { "--camera", "--parallel-scale", "--size" };
+constexpr const char* CameraWords[] = { "--camera", "--parallel-scale" };
 
 QString GetFileName(const std::string& path)
 {
@@ -451,23 +453,8 @@ void MainWindow::OpenFiles(const QStringList& paths, bool beside)
     }
     scene::Settings settings = this->Edited->Get();
     const bool first = this->Good.Files.empty(); // what was said before it is meant for it
+    const QString dropped = beside || first ? QString() : DropFiles(settings);
     settings.Files = beside ? settings.Files : std::vector<std::string>();
-    if (!beside && !first)
-    {
-      for (const char* word : FileWords)
-      {
-        settings.Remove(word);
-      }
-      for (const std::string& word : scene::GetModelOptions())
-      {
-        settings.Remove(word);
-      }
-      const std::string layer = settings.GetParameter("display", "layer");
-      if (!layer.empty() && !vtkRelievoLayerCatalogue::GetIsLayer(layer)) // but an array
-      {
-        settings.SetParameter("display", "layer", "");
-      }
-    }
     QStringList whole;
     for (const QString& path : paths)
     {
@@ -477,6 +464,7 @@ void MainWindow::OpenFiles(const QStringList& paths, bool beside)
     if (!beside || first)
     {
       this->Open(settings, whole);
+      this->Dropped = dropped;
       return;
     }
     this->Opening = whole;
@@ -570,6 +558,7 @@ void MainWindow::Open(const scene::Settings& settings, const QStringList& recent
 {
   settings.Parse(); // what is refused leaves everything as it is
   this->Opening = recent;
+  this->Dropped.clear();
   this->Place = scene::Settings();
   scene::Settings rest = settings;
   for (const char* word : PlaceWords)
@@ -611,13 +600,10 @@ void MainWindow::ShowNothing()
 {
   this->Reader->Stop();
   this->Begin();
+  this->KeepView();
   this->Shown->GetPicture().Clear();
   this->Pages->setCurrentWidget(this->Empty);
   this->Empty->ShowHint();
-  if (!this->Good.Files.empty())
-  {
-    this->Edited->ForgetPast();
-  }
   this->Good = this->Edited->Get();
   this->ReadingKey = GetReadingKey(this->Good);
   this->Edited->SetFacts(Facts());
@@ -685,11 +671,15 @@ void MainWindow::Read()
   }
   const bool shown = !this->Shown->GetPicture().IsEmpty();
   const bool opened = this->ReadingKey.empty(); // by the user
-  if (!opened && !this->Reader->IsReading())
-  {
-    this->KeepCamera = shown;
-  }
+  const std::vector<std::string> before = this->Asked.Files;
   this->Asked = this->Edited->Get();
+  if (!opened && (!this->Reader->IsReading() || this->Asked.Files != before))
+  {
+    this->KeepCamera = shown && HaveCommon(this->Asked.Files, this->Good.Files);
+    const auto found = this->Cameras.find(this->Asked.Files);
+    this->Place =
+      this->KeepCamera || found == this->Cameras.end() ? scene::Settings() : found->second;
+  }
   this->PointsOnly = !opened && shown && (!this->Reader->IsReading() || this->PointsOnly) &&
     GetSceneKey(this->Asked) == GetSceneKey(this->Good);
   this->ReadingKey = GetReadingKey(this->Asked);
@@ -810,6 +800,7 @@ QString MainWindow::ShowRead()
   this->Begin();
   Picture& picture = this->Shown->GetPicture();
   QWidget* page = this->Pages->currentWidget();
+  this->KeepView();
   const scene::Scene scene = this->Reader->TakeScene();
   const scene::FramePoints points = this->Reader->TakePoints();
   try
@@ -832,9 +823,10 @@ QString MainWindow::ShowRead()
     this->Pages->setCurrentWidget(page);
     return QString::fromStdString(error.what());
   }
-  if (this->Good.Files != this->Edited->Get().Files)
+  if (!this->HasShown)
   {
-    this->Edited->ForgetPast(); // that of other files
+    this->HasShown = true;
+    this->Edited->ForgetPast(); // for the first file there is nothing to go back to
   }
   this->Good = this->Edited->Get();
   Facts facts = GetFacts(picture);
@@ -844,6 +836,7 @@ QString MainWindow::ShowRead()
   this->OfFile = false;
   this->Mend();
   this->TellMessages();
+  this->TellDropped();
   this->Remember();
   return QString();
 }
@@ -867,6 +860,33 @@ void MainWindow::Remember()
     this->Recent->Add(path);
   }
   this->Opening.clear();
+}
+
+//------------------------------------------------------------------------------
+// The camera of the files that are shown, for when undoing brings them back.
+void MainWindow::KeepView()
+{
+  if (this->Shown->GetPicture().IsEmpty())
+  {
+    return;
+  }
+  const scene::Settings view = this->GetViewSettings();
+  for (const char* word : CameraWords)
+  {
+    this->Cameras[this->Good.Files].SetAll(word, view.GetAll(word));
+  }
+}
+
+//------------------------------------------------------------------------------
+// What the user set and does not see any more.
+void MainWindow::TellDropped()
+{
+  if (!this->Dropped.isEmpty())
+  {
+    const QString before = this->Words->text().isEmpty() ? "" : this->Words->text() + "; ";
+    this->Say(before + "Gone with the file before: " + this->Dropped + ". Undo brings it back.");
+    this->Dropped.clear();
+  }
 }
 
 //------------------------------------------------------------------------------

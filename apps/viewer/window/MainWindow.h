@@ -15,6 +15,7 @@
 #include <QMainWindow>
 #include <QTimer>
 
+#include <map>
 #include <memory>
 #include <optional>
 
@@ -120,6 +121,8 @@ private:
   QString ShowRead();
   void EndReading();
   void Remember();
+  void KeepView();
+  void TellDropped();
   void OnDrawn();
   void ShowSmoothing();
   void LookFrom(int end);
@@ -166,7 +169,10 @@ private:
   bool PointsOnly = false; // is being read, and the scene stays
   std::string ReadingKey;  // of what is shown, or being read; empty: what the user opens now
   scene::Settings Place;   // camera and size of what is being read
-  bool KeepCamera = false; // instead
+  std::map<std::vector<std::string>, scene::Settings> Cameras; // of files that were shown
+  QString Dropped;                                             // by opening what is being read
+  bool HasShown = false;                                       // a file
+  bool KeepCamera = false;                                     // instead
   bool Saving = false;
   std::optional<QString> Late; // what a reading came to while a picture was saved
   QStringList Opening;         // what the list of recent files gets when it has been read

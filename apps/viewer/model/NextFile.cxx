@@ -1,0 +1,90 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "NextFile.h"
+
+#include "LightOptions.h"
+#include "ModelOptions.h"
+#include "Options.h"
+#include "Points.h"
+#include "Presets.h"
+#include "SurfaceOptions.h"
+
+#include <QStringList>
+
+#include <algorithm>
+
+namespace viewer
+{
+namespace
+{
+struct Dropped
+{
+  const char* Option;
+  const char* Words; // empty: not worth a word
+};
+
+constexpr Dropped OfFiles[] = { { "--color-by", "the colours" }, { "--range", "" },
+  { "--scalar-bar", "" }, { "--clip", "the clipping distances" }, { "--up", "the up axis" },
+  { "--image", "how the image is shown" }, { "--normal-map", "the normal map" },
+  { "--height-map", "the height map" }, { "--relief", "" }, { "--texture-coordinates", "" } };
+
+// Suns stand in any scene.
+int DropPlacedLights(scene::Settings& settings)
+{
+  std::vector<std::string> lights = settings.GetAll("--light");
+  const auto kept = std::remove_if(lights.begin(), lights.end(), [](const std::string& word) {
+    return scene::ParseLight(word).Is != scene::LightChoice::Kind::Sun;
+  });
+  const auto count = static_cast<int>(lights.end() - kept);
+  lights.erase(kept, lights.end());
+  settings.SetAll("--light", lights);
+  return count;
+}
+
+QString Join(const QStringList& words)
+{
+  return words.size() < 2 ? words.join("")
+                          : words.mid(0, words.size() - 1).join(", ") + " and " + words.back();
+}
+}
+
+//------------------------------------------------------------------------------
+QString DropFiles(scene::Settings& settings)
+{
+  QStringList dropped;
+  settings.Files.clear();
+  if (const int lights = DropPlacedLights(settings))
+  {
+    dropped += lights == 1 ? QString("a light") : QString("%1 lights").arg(lights);
+  }
+  for (const scene::PointStage& stage : scene::GetPointStages())
+  {
+    if (settings.Has("--" + stage.Name))
+    {
+      dropped += QString::fromStdString(stage.Name);
+      settings.Remove("--" + stage.Name);
+      settings.AskStage(stage.Name, false);
+    }
+  }
+  for (const Dropped& word : OfFiles)
+  {
+    if (settings.Has(word.Option) && *word.Words)
+    {
+      dropped += word.Words;
+    }
+    settings.Remove(word.Option);
+  }
+  for (const std::string& word : scene::GetModelOptions())
+  {
+    settings.Remove(word);
+  }
+  if (!settings.GetParameter("display", "layer").empty())
+  {
+    dropped += "the layer that was shown";
+  }
+  settings.AskStage("display", false);
+  scene::DropIdleSurface(settings);
+  scene::DropIdleFill(settings);
+  return Join(dropped);
+}
+}
