@@ -61,7 +61,7 @@ private Q_SLOTS:
     this->Window->OpenFiles({ QString::fromStdString(this->Path("other.vtk")) }, true);
     this->WaitUntilRead();
     QVERIFY2(
-      this->Window->GetTrouble().contains("--scalar-bar"), qPrintable(this->Window->GetTrouble()));
+      this->Window->GetTrouble().contains("Show a colour bar"), qPrintable(this->Window->GetTrouble()));
     QCOMPARE(this->Window->GetViewSettings().GetWords(), words);
     QCOMPARE(CountDifferent(before, this->Grab()), 0);
     this->Change([](scene::Settings& settings) { settings.SetParameter("tone", "exposure", "1"); });

@@ -223,7 +223,7 @@ private Q_SLOTS:
     }
     this->Window->findChild<QCheckBox*>("edges")->setChecked(false);
     this->Change([](scene::Settings& settings) { settings.Set("--color-by", "nothing"); });
-    QVERIFY(this->Window->GetTrouble().contains("--color-by"));
+    QVERIFY(this->Window->GetTrouble().contains("Colour by"));
     const scene::Settings edited = this->Window->GetDocument()->Get();
     const vtkSmartPointer<vtkImageData> after = this->Grab();
     this->Window->findChild<QDockWidget*>("look")->raise();

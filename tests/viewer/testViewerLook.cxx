@@ -109,7 +109,7 @@ private Q_SLOTS:
     this->Compare("range");
     most->setText("-3");
     Q_EMIT most->editingFinished();
-    QVERIFY(this->Window->GetTrouble().contains("--range"));
+    QVERIFY(this->Window->GetTrouble().contains("Range"));
     QCOMPARE(most->text(), QString("2"));
     automatic->setChecked(true);
     QVERIFY(!this->Window->GetDocument()->Get().Has("--range"));
@@ -131,7 +131,7 @@ private Q_SLOTS:
     QCOMPARE(this->Get("--colormap"), std::string("black,#ff8000,white:reversed"));
     this->Compare("own colours");
     type("nonsense");
-    QVERIFY(this->Window->GetTrouble().contains("--colormap"));
+    QVERIFY(this->Window->GetTrouble().contains("Colour map"));
     QCOMPARE(map->currentText(), QString("black,#ff8000,white"));
     this->Find<QCheckBox>("colors", "reversed")->setChecked(false);
     type("viridis");

@@ -4,10 +4,16 @@
 // What went wrong is seen where it cannot be overlooked, until it is closed or mended.
 #include "ViewerTest.h"
 
+#include "Arguments.h"
 #include "MessageBar.h"
+#include "OptionNames.h"
+#include "Options.h"
 
+#include <QAbstractButton>
 #include <QApplication>
+#include <QDockWidget>
 #include <QDropEvent>
+#include <QGroupBox>
 #include <QLabel>
 #include <QMimeData>
 #include <QProgressBar>
@@ -127,8 +133,51 @@ private Q_SLOTS:
     QCOMPARE(this->GetMessage(), QString());
     this->OpenFile("what.xyz");
     QVERIFY(!this->GetMessage().isEmpty());
-    this->Window->findChild<QToolButton*>("closeMessage")->click();
+    this->Window->findChild<viewer::MessageBar*>("messageBar")
+      ->findChild<QToolButton*>("closeMessage")
+      ->click();
     QCOMPARE(this->GetMessage(), QString());
+  }
+
+  // Messages name controls as the window has them, and nothing that nobody typed.
+  void namesOfControls()
+  {
+    const auto quoted = [](const char* text) { return QString::fromUtf8(text); };
+    QCOMPARE(viewer::NameOptions("a.vti: holds labels; --image box shows the image"),
+      quoted("a.vti: holds labels; \u201cImages: box\u201d in Scene shows the image"));
+    QCOMPARE(viewer::NameOptions("--scalar-bar: no values; give --color-by NAME as well"),
+      quoted("\u201cShow a colour bar\u201d in Look: no values; give \u201cColour by\u201d in "
+             "Look as well"));
+    QCOMPARE(viewer::NameOptions("--exposure is given, --certify 5"),
+      quoted("\u201cExposure\u201d in Look is given, --certify 5"));
+    this->Open({ this->WriteScene(), "--scalar-bar", "--color-by", "height" });
+    int named = 0;
+    for (const scene::KnownOption& option : scene::GetRenderOptions())
+    {
+      const viewer::OptionName name = viewer::FindOptionName(QString::fromStdString(option.Name));
+      if (name.Panel.isEmpty())
+      {
+        continue;
+      }
+      ++named;
+      auto* dock = this->Window->findChild<QDockWidget*>(name.Panel.toLower());
+      QVERIFY2(dock && dock->windowTitle() == name.Panel, option.Name.c_str());
+      QStringList labels;
+      for (const QLabel* label : dock->findChildren<QLabel*>())
+      {
+        labels += label->text();
+      }
+      for (const QAbstractButton* button : dock->findChildren<QAbstractButton*>())
+      {
+        labels += button->text();
+      }
+      for (const QGroupBox* group : dock->findChildren<QGroupBox*>())
+      {
+        labels += group->title();
+      }
+      QVERIFY2(labels.contains(name.Label), option.Name.c_str());
+    }
+    QVERIFY(named > 35);
   }
 
   // A setting that is refused is mended by the next one that is not.
@@ -136,7 +185,7 @@ private Q_SLOTS:
   {
     this->Open({ this->WriteScene() });
     this->Change([](scene::Settings& settings) { settings.Set("--color-by", "nothing"); });
-    QVERIFY2(this->GetMessage().contains("--color-by"), qPrintable(this->GetMessage()));
+    QVERIFY2(this->GetMessage().contains("Colour by"), qPrintable(this->GetMessage()));
     this->Window->Say("Copied");
     QVERIFY(!this->GetMessage().isEmpty());
     this->Change([](scene::Settings& settings) { settings.Set("--color-by", "height"); });

@@ -105,7 +105,7 @@ private Q_SLOTS:
     this->Open({ this->WriteScene() });
     const vtkSmartPointer<vtkImageData> before = this->Grab();
     this->Change([](scene::Settings& settings) { settings.Set("--color-by", "nothing"); });
-    QVERIFY(this->Window->GetTrouble().contains("--color-by"));
+    QVERIFY(this->Window->GetTrouble().contains("Colour by"));
     this->Change([](scene::Settings& settings) { settings.SetParameter("tone", "white", "none"); });
     QVERIFY(this->Window->GetTrouble().contains("white"));
     this->Change([](scene::Settings& settings) { settings.Set("--lamps", "missing.vtp"); });

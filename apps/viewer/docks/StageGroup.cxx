@@ -3,6 +3,7 @@
 #include "StageGroup.h"
 
 #include "Labels.h"
+#include "OptionNames.h"
 #include "ParameterEdit.h"
 #include "PointsEdit.h"
 
@@ -227,9 +228,9 @@ void StageGroup::ShowReason(vtkRelievoPass* frame)
   vtkRelievoStage* stage = frame ? frame->GetStage(this->Stage) : nullptr;
   const bool idle =
     stage && this->isCheckable() && this->isChecked() && stage->GetReasonCode() != "ran";
-  const QString words = idle
-    ? "Changes nothing: " + WriteReason(Words(stage->GetReasonCode()), Words(stage->GetReason()))
-    : QString();
+  const QString words = idle ? "Changes nothing: " +
+      NameOptions(WriteReason(Words(stage->GetReasonCode()), Words(stage->GetReason())))
+                             : QString();
   if (words != this->Reason->text()) // for every frame asks
   {
     this->Reason->setText(words);

@@ -16,6 +16,7 @@
 #include "MessageBar.h"
 #include "Messages.h"
 #include "NextFile.h"
+#include "OptionNames.h"
 #include "Options.h"
 #include "Pick.h"
 #include "PictureView.h"
@@ -291,8 +292,9 @@ void MainWindow::Connect()
 }
 
 //------------------------------------------------------------------------------
-void MainWindow::Say(const QString& text, bool isTrouble)
+void MainWindow::Say(const QString& said, bool isTrouble)
 {
+  const QString text = NameOptions(said);
   this->Words->setText(isTrouble ? QString() : text);
   this->Words->setToolTip(this->Words->text());
   this->Trouble = isTrouble ? text : QString();
@@ -907,7 +909,7 @@ void MainWindow::TellMessages()
   }
   if (!warnings.isEmpty() && this->Message->GetText().isEmpty())
   {
-    this->Message->Show(warnings.join('\n'), MessageBar::Warning);
+    this->Message->Show(NameOptions(warnings.join('\n')), MessageBar::Warning);
   }
 }
 

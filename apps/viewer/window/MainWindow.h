@@ -78,9 +78,9 @@ public:
   /// What is shown with its camera and size.
   scene::Settings GetViewSettings();
 
-  /// A line that stays until the next. What went wrong is shown where it cannot be overlooked,
+  /// A line that stays until the next, options by the names of their controls. What went wrong is shown where it cannot be overlooked,
   /// until it is closed or mended.
-  void Say(const QString& text, bool isTrouble = false);
+  void Say(const QString& said, bool isTrouble = false);
 
   /// What went wrong last; empty if all went well since.
   QString GetTrouble() const { return this->Trouble; }
