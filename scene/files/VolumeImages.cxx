@@ -47,6 +47,9 @@ constexpr double SameShare = 1e-6;
 
 // Of a volume, as a share of the distance of its points.
 constexpr float SampleShare = 0.5F;
+// Of a volume's range: differences between neighbours from which on a sample stops all its light.
+constexpr double EvenShare = 0.002;
+constexpr double LeastShare = 1e-9; // of light that is stopped
 
 using Extent = std::array<int, 6>;
 
@@ -357,12 +360,19 @@ vtkSmartPointer<vtkPolyData> MakeIsosurface(vtkImageData* image, double value, P
 }
 
 //------------------------------------------------------------------------------
+void SetVolumeOpacity(vtkVolume* volume, double opacity)
+{
+  auto* image = vtkImageData::SafeDownCast(volume->GetMapper()->GetInputDataObject(0, 0));
+  const double share = std::max(opacity * opacity, LeastShare);
+  volume->GetProperty()->SetScalarOpacityUnitDistance(0.01 * image->GetLength() / share);
+}
+
+//------------------------------------------------------------------------------
 vtkSmartPointer<vtkVolume> MakeVolume(vtkImageData* image)
 {
   double range[2];
   image->GetPointData()->GetScalars()->GetFiniteRange(range);
   const double threshold = FindThreshold(image);
-  const double size = image->GetLength();
   vtkNew<vtkPiecewiseFunction> opacity; // per hundredth of the image's diagonal
   opacity->AddPoint(range[0], 0.0);
   opacity->AddPoint(range[0] + 0.8 * (threshold - range[0]), 0.0);
@@ -379,9 +389,21 @@ vtkSmartPointer<vtkVolume> MakeVolume(vtkImageData* image)
   volume->SetMapper(mapper);
   vtkVolumeProperty* property = volume->GetProperty();
   property->SetScalarOpacity(opacity);
-  property->SetScalarOpacityUnitDistance(0.01 * size);
+  SetVolumeOpacity(volume, 1.0);
   property->SetInterpolationTypeToLinear();
   property->ShadeOn();
+  // As bright as surfaces are.
+  property->SetDiffuse(1.0);
+  property->SetSpecular(0.1);
+  if (range[0] < range[1])
+  {
+    // Where all values around are equal, as within labels, a sample has no side that light could
+    // fall on: it would be black.
+    vtkNew<vtkPiecewiseFunction> even;
+    even->AddPoint(0.0, 0.0);
+    even->AddPoint(EvenShare * (range[1] - range[0]), 1.0);
+    property->SetGradientOpacity(even);
+  }
   return volume;
 }
 }

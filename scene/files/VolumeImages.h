@@ -62,6 +62,9 @@ vtkSmartPointer<vtkPolyData> MakeIsosurface(vtkImageData* image, double value, P
 
 /// Light passes what is below the threshold; SetLook gives the colours.
 vtkSmartPointer<vtkVolume> MakeVolume(vtkImageData* image);
+
+/// From 0 to 1: the square of it is the share of light stopped of what such a volume stops at 1.
+void SetVolumeOpacity(vtkVolume* volume, double opacity);
 }
 
 #endif

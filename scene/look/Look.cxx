@@ -9,6 +9,7 @@
 #include "ScalarBar.h"
 #include "Scene.h"
 #include "Values.h"
+#include "VolumeImages.h"
 
 #include "vtkActor.h"
 #include "vtkActorCollection.h"
@@ -316,6 +317,8 @@ void SetLook(Scene& scene, const RenderOptions& options)
       property->SetEdgeColor(0.1, 0.1, 0.1);
     }
   });
+  ForEachVolume(scene.Renderer,
+    [&look](vtkImageData*, vtkVolume* volume) { SetVolumeOpacity(volume, look.Opacity); });
   if (translucent)
   {
     scene.Renderer->UseDepthPeelingOn();

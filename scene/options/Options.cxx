@@ -216,7 +216,7 @@ std::vector<OptionRow> MakeRows()
       "one colour for all meshes; COLOR is R/G/B from 0 to 1 as displays show it, "
       "#rrggbb, or a name such as slategray",
       TakeColor },
-    { "--opacity", "A", "of all meshes, 0 to 1 (1)", TakeOpacity },
+    { "--opacity", "A", "of all meshes and volumes, 0 to 1 (1)", TakeOpacity },
     { "--point-size", "PIXELS",
       "width of points, 1 to 100; those wider than 1 are spheres (4 with a preset, else 1)",
       TakePointSize },

@@ -116,6 +116,25 @@ class Volumes(CliTest):
         self.assertLess((grey.max(axis=-1) - grey.min(axis=-1))[seen].max(), 40)
         self.assertGreater((volume.max(axis=-1) - volume.min(axis=-1))[seen].max(), 80)
 
+    def test_volume_of_even_values(self):
+        """It is as bright as its surface, and opacity makes it see-through."""
+        self.image("parted.vti", numpy.where(distances() < 12, 30, 0).astype(numpy.uint8))
+        words = ["parted.vti", "--ground", "off", "--background", "black",
+                 "--stage", "antialias:samples=1"]  # fmt: skip
+        white = ["--image", "volume", "--colormap", "white,white"]
+        means = {}
+        for name, more in (("surface", ["--image", "surface=15", "--color", "white"]),
+                           ("full", white),
+                           ("half", [*white, "--opacity", "0.5"]),
+                           ("none", [*white, "--opacity", "0"])):  # fmt: skip
+            means[name] = self.picture(*words, *more, says="antialias").mean()
+        self.assertGreater(means["surface"], 20)
+        self.assertGreater(means["full"], 0.5 * means["surface"])
+        self.assertLess(means["full"], 1.3 * means["surface"])
+        self.assertLess(means["half"], 0.9 * means["full"])
+        self.assertGreater(means["half"], 0.1 * means["full"])
+        self.assertEqual(means["none"], 0.0)
+
     def test_which(self):
         """Gradients and noise are no labels; what the user asks for is shown."""
         random = numpy.random.default_rng(3)

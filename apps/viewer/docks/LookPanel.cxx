@@ -61,7 +61,7 @@ void LookPanel::AddSurface()
   GetRows(group)->addRow("Shading", this->Shading);
   this->Opacity = new relievoQt::Number(0.0, 1.0, 0.01, 2, group);
   this->Opacity->setObjectName("opacity");
-  this->Opacity->setToolTip("Of all meshes; 0 is invisible");
+  this->Opacity->setToolTip("Of all meshes and volumes; 0 is invisible");
   GetRows(group)->addRow("Opacity", this->Opacity);
   QObject::connect(this->Opacity, &relievoQt::Number::edited, this, [this](double value) {
     this->Edited->Change([&](scene::Settings& settings) {
