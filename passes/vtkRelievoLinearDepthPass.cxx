@@ -3,7 +3,9 @@
 #include "vtkRelievoLinearDepthPass.h"
 
 #include "vtkObjectFactory.h"
+#include "vtkRelievoFrameCamera.h"
 #include "vtkRelievoPass.h"
+#include "vtkRenderState.h"
 
 vtkStandardNewMacro(vtkRelievoLinearDepthPass);
 
@@ -36,9 +38,10 @@ vtkRenderPass* vtkRelievoLinearDepthPass::GetDelegatePass()
 //------------------------------------------------------------------------------
 void vtkRelievoLinearDepthPass::Render(const vtkRenderState* s)
 {
-  // An empty range is the frame's word for "from the near to the far plane".
+  vtkRelievoFrameCamera view;
+  view.Take(s->GetRenderer(), s);
   this->Frame->SetDisplayRange(
-    this->Normalized ? 0.0 : this->Range[0], this->Normalized ? 0.0 : this->Range[1]);
+    this->Normalized ? view.Near : this->Range[0], this->Normalized ? view.Far : this->Range[1]);
   this->Frame->Render(s);
   this->NumberOfRenderedProps = this->Frame->GetNumberOfRenderedProps();
 }

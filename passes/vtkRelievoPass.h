@@ -91,7 +91,7 @@ public:
   ///@{
   /**
    * Values shown as the first and the last colour, for scalar layers. Default (0, 0): from the
-   * near to the far plane for depth and range, the finite extremes for arrays.
+   * least to the greatest that is seen; see vtkRelievoDisplayStage::SetRange.
    */
   void SetDisplayRange(double first, double last);
   void SetDisplayRange(const double range[2]) { this->SetDisplayRange(range[0], range[1]); }

@@ -7,7 +7,7 @@
 #include "Values.h"
 
 #include "vtkColorTransferFunction.h"
-#include "vtkRelievoFormulas.h"
+#include "vtkRelievoColormaps.h"
 
 #include <algorithm>
 #include <utility>
@@ -16,59 +16,6 @@ namespace scene
 {
 namespace
 {
-constexpr int Steps = 64; // of maps that a formula gives
-
-using Map = vtkColorTransferFunction;
-
-struct Row
-{
-  const char* Name;
-  void (*Fill)(Map* map, double low, double high);
-};
-
-const Row Rows[] = {
-  // Evenly lighter, also for the colour-blind: S. van der Walt, N. Smith, 2015.
-  { "viridis",
-    [](Map* map, double low, double high) {
-      for (int i = 0; i <= Steps; ++i)
-      {
-        const double share = double(i) / Steps;
-        const glm::dvec3 color = relievo::f64::relievoColormap(share);
-        map->AddRGBPoint(low + share * (high - low), color.x, color.y, color.z);
-      }
-    } },
-  // Diverging from the middle: K. Moreland, Diverging Color Maps for Scientific Visualization,
-  // 2009.
-  { "cool-warm",
-    [](Map* map, double low, double high) {
-      map->SetColorSpaceToDiverging();
-      map->AddRGBPoint(low, 0.230, 0.299, 0.754);
-      map->AddRGBPoint(high, 0.706, 0.016, 0.150);
-    } },
-  { "grey",
-    [](Map* map, double low, double high) {
-      map->AddRGBPoint(low, 0.0, 0.0, 0.0);
-      map->AddRGBPoint(high, 1.0, 1.0, 1.0);
-    } },
-  // Black over red and yellow to white, as a body that is heated.
-  { "hot",
-    [](Map* map, double low, double high) {
-      const double width = high - low;
-      map->AddRGBPoint(low, 0.0, 0.0, 0.0);
-      map->AddRGBPoint(low + 0.4 * width, 0.9, 0.0, 0.0);
-      map->AddRGBPoint(low + 0.8 * width, 0.9, 0.9, 0.0);
-      map->AddRGBPoint(high, 1.0, 1.0, 1.0);
-    } },
-  // Blue to red by hue, as older pictures have it.
-  { "rainbow",
-    [](Map* map, double low, double high) {
-      map->SetColorSpaceToHSV();
-      map->HSVWrapOff();
-      map->AddHSVPoint(low, 2.0 / 3.0, 1.0, 1.0);
-      map->AddHSVPoint(high, 0.0, 1.0, 1.0);
-    } },
-};
-
 // Without what says that it is reversed.
 std::string GetMap(const std::string& word)
 {
@@ -88,12 +35,7 @@ std::vector<std::string> SplitColors(const std::string& map)
 //------------------------------------------------------------------------------
 std::vector<std::string> GetColormapNames()
 {
-  std::vector<std::string> names;
-  for (const Row& row : Rows)
-  {
-    names.emplace_back(row.Name);
-  }
-  return names;
+  return vtkRelievoColormaps::GetNames();
 }
 
 //------------------------------------------------------------------------------
@@ -126,13 +68,7 @@ vtkSmartPointer<vtkColorTransferFunction> MakeColormap(
   {
     std::swap(from, to);
   }
-  for (const Row& row : Rows)
-  {
-    if (name == row.Name)
-    {
-      row.Fill(map, from, to);
-    }
-  }
+  vtkRelievoColormaps::Fill(map, name, from, to);
   const std::vector<std::string> colors = SplitColors(name);
   for (std::size_t i = 0; i < colors.size(); ++i)
   {

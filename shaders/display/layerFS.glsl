@@ -7,7 +7,6 @@
 // Shows a layer as the picture. RELIEVO_SHOW_COLORS: colours made before; else by the word that the
 // catalogue of layers has for it: RELIEVO_SHOW_DEPTH ...
 //RELIEVO::Include(formulas/unproject.glsl)
-//RELIEVO::Include(formulas/colormap.glsl)
 #ifndef RELIEVO_SHOW_COLORS
 //RELIEVO::Include(gbuffer/read.glsl)
 #endif
@@ -32,6 +31,8 @@ vec4 relievoVectorColor(vec3 normalVC)
 #endif
 
 #if defined(RELIEVO_SHOW_DEPTH) || defined(RELIEVO_SHOW_RANGE)
+//RELIEVO::Include(display/value.glsl)
+uniform sampler2D relievoMap; // the colours in a row
 vec4 relievoScalarColor(float value)
 {
   if (isinf(value))
@@ -40,7 +41,14 @@ vec4 relievoScalarColor(float value)
     return relievoGrey != 0 ? vec4(1.0) : relievoBackground;
   }
   float t = (value - relievoShown.x) / (relievoShown.y - relievoShown.x);
-  return vec4(relievoGrey != 0 ? vec3(t) : relievoColormap(clamp(t, 0.0, 1.0)), 1.0);
+  if (relievoGrey != 0)
+  {
+    return vec4(vec3(t), 1.0);
+  }
+  // From the middle of the first texel to that of the last.
+  vec2 size = vec2(textureSize(relievoMap, 0));
+  return vec4(
+    texture(relievoMap, vec2((clamp(t, 0.0, 1.0) * (size.x - 1.0) + 0.5) / size.x, 0.5)).rgb, 1.0);
 }
 #endif
 
@@ -50,13 +58,8 @@ void main()
 #if defined(RELIEVO_SHOW_COLORS)
   vec4 color = texelFetch(relievoColors, pixel, 0);
   gl_FragData[0] = color.a > 0.0 ? vec4(color.rgb, 1.0) : relievoBackground;
-#elif defined(RELIEVO_SHOW_DEPTH)
-  gl_FragData[0] = relievoScalarColor(relievoFetchDepth(pixel));
-#elif defined(RELIEVO_SHOW_RANGE)
-  float depth = relievoFetchDepth(pixel);
-  vec3 positionVC = relievoEyePosition(
-    relievoNdcFromPixel(vec2(pixel), relievoSize), isinf(depth) ? 1.0 : depth, relievoProjection);
-  gl_FragData[0] = relievoScalarColor(isinf(depth) ? depth : length(positionVC));
+#elif defined(RELIEVO_SHOW_DEPTH) || defined(RELIEVO_SHOW_RANGE)
+  gl_FragData[0] = relievoScalarColor(relievoShownValue(pixel));
 #elif defined(RELIEVO_SHOW_NORMAL)
   gl_FragData[0] = relievoVectorColor(relievoFetchNormal(pixel));
 #elif defined(RELIEVO_SHOW_GEOMETRIC_NORMAL)

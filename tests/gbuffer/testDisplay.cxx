@@ -14,11 +14,14 @@
 #include "Stage.h"
 #include "Window.h"
 
+#include <vtkActor.h>
+#include <vtkActorCollection.h>
 #include <vtkCamera.h>
 #include <vtkFloatArray.h>
 #include <vtkImageData.h>
 #include <vtkPointData.h>
 #include <vtkProperty.h>
+#include <vtkRelievoDisplayStage.h>
 #include <vtkRelievoLinearDepthPass.h>
 #include <vtkRelievoPass.h>
 
@@ -87,6 +90,24 @@ glm::dvec3 GetMapped(double value, double from, double to)
     static_cast<float>(glm::clamp((value - from) / (to - from), 0., 1.))));
 }
 
+// The least and the greatest value that is there.
+glm::dvec2 GetSeen(const Layers& layers, const char* name)
+{
+  glm::dvec2 seen(VTK_DOUBLE_MAX, -VTK_DOUBLE_MAX);
+  for (int y = 0; y < layers.Height; ++y)
+  {
+    for (int x = 0; x < layers.Width; ++x)
+    {
+      if (IsThere(layers, x, y))
+      {
+        const double value = layers.Value(name, x, y);
+        seen = glm::dvec2(glm::min(seen.x, value), glm::max(seen.y, value));
+      }
+    }
+  }
+  return seen;
+}
+
 void TestLayers()
 {
   Fixture fixture;
@@ -107,9 +128,9 @@ void TestLayers()
                     : glm::dvec3(relievo::f32::relievoHashColor(static_cast<glm::uint>(id)));
     };
   };
-  const auto scalars = [](const char* name, double from, double to) {
+  const auto scalars = [](const char* name, const glm::dvec2& range) {
     return [=](const Layers& l, int x, int y) {
-      return IsThere(l, x, y) ? GetMapped(l.Value(name, x, y), from, to) : Background;
+      return IsThere(l, x, y) ? GetMapped(l.Value(name, x, y), range.x, range.y) : Background;
     };
   };
   const struct
@@ -118,9 +139,9 @@ void TestLayers()
     Color Expected;
     double Range[2];
   } shown[] = {
-    { "depth", scalars("depth", Near, Far), { 0., 0. } },
-    { "depth", scalars("depth", 5., 7.), { 5., 7. } },
-    { "range", scalars("range", Near, Far), { 0., 0. } },
+    { "depth", scalars("depth", GetSeen(layers, "depth")), { 0., 0. } },
+    { "depth", scalars("depth", { 5., 7. }), { 5., 7. } },
+    { "range", scalars("range", GetSeen(layers, "range")), { 0., 0. } },
     { "normal", vectors("normal"), { 0., 0. } },
     { "geometric_normal", vectors("geometric_normal"), { 0., 0. } },
     { "albedo",
@@ -163,6 +184,106 @@ void TestLayers()
   }) > 0.1);
   vtkRelievoPass::Detach(fixture.Renderer);
   gl.Poll("layers");
+}
+
+const double* GetShownRange(vtkRelievoPass* frame)
+{
+  return vtkRelievoDisplayStage::SafeDownCast(frame->GetStage("display"))->GetShownRange();
+}
+
+// A ground to the horizon does not make what stands on it flat; a picture in tiles has one range.
+void TestGround()
+{
+  Fixture fixture;
+  vtkRelievoPass* frame = vtkRelievoPass::Attach(fixture.Renderer);
+  vtkActor* ground =
+    relievoTest::AddActor(fixture.Renderer, relievoTest::MakeBox(1000., 0., 1000.));
+  ground->SetPosition(0., -1.3, 0.);
+  vtkCamera* camera = fixture.Renderer->GetActiveCamera();
+  camera->Elevation(8.);
+  camera->SetClippingRange(0.5, 2000.);
+  const Layers layers(fixture.Renderer, { "depth", "range" }, Way::Own);
+  double position[3];
+  double along[3];
+  camera->GetPosition(position);
+  camera->GetDirectionOfProjection(along);
+  // The ball of radius 1.2 and the box of 3 x 0.1 x 3.
+  glm::dvec2 depths(VTK_DOUBLE_MAX, -VTK_DOUBLE_MAX);
+  double farthest = 0.;
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    const glm::dvec3 away(((corner & 1) ? 1.5 : -1.5) - position[0],
+      ((corner & 2) ? 1.2 : -1.2) - position[1], ((corner & 4) ? 1.5 : -1.5) - position[2]);
+    const double depth = glm::dot(away, glm::dvec3(along[0], along[1], along[2]));
+    depths = glm::dvec2(glm::min(depths.x, depth), glm::max(depths.y, depth));
+    farthest = glm::max(farthest, glm::length(away));
+  }
+  const glm::dvec2 seen = GetSeen(layers, "depth");
+  RELIEVO_CHECK(seen.y > 2. * depths.y); // the ground's
+  frame->SetDisplayLayer("depth");
+  fixture.Window->Render();
+  RELIEVO_CHECK_AT_MOST(
+    std::abs(GetShownRange(frame)[0] - glm::max(seen.x, depths.x)), 1e-4, "near");
+  RELIEVO_CHECK_AT_MOST(std::abs(GetShownRange(frame)[1] - depths.y), 1e-4, "far");
+  fixture.Window->SetTileScale(2, 1);
+  for (int tile = 0; tile < 2; ++tile)
+  {
+    fixture.Window->SetTileViewport(0.5 * tile, 0., 0.5 * tile + 0.5, 1.);
+    fixture.Window->Render();
+    RELIEVO_CHECK_AT_MOST(std::abs(GetShownRange(frame)[0] - depths.x), 1e-4, "near, in tiles");
+    RELIEVO_CHECK_AT_MOST(std::abs(GetShownRange(frame)[1] - depths.y), 1e-4, "far, in tiles");
+  }
+  fixture.Window->SetTileScale(1, 1);
+  fixture.Window->SetTileViewport(0., 0., 1., 1.);
+  frame->SetDisplayLayer("range");
+  fixture.Window->Render();
+  RELIEVO_CHECK_AT_MOST(std::abs(GetShownRange(frame)[1] - farthest), 1e-4, "farthest");
+  // Where there is nothing else, it is what is seen.
+  for (int i = 0; i < 2; ++i)
+  {
+    vtkActor::SafeDownCast(fixture.Renderer->GetActors()->GetItemAsObject(i))->VisibilityOff();
+  }
+  frame->SetDisplayLayer("depth");
+  fixture.Window->Render();
+  RELIEVO_CHECK(GetShownRange(frame)[1] > 2. * depths.y);
+  ground->VisibilityOff();
+  fixture.Window->Render();
+  RELIEVO_CHECK(std::isinf(GetShownRange(frame)[0]));
+  vtkRelievoPass::Detach(fixture.Renderer);
+}
+
+// The named maps, turned round or not, of values on the GPU (depth) and of arrays.
+void TestColormaps()
+{
+  Fixture fixture;
+  const Layers layers(fixture.Renderer, { "depth", "height" }, Way::Own);
+  vtkRelievoPass* frame = vtkRelievoPass::Attach(fixture.Renderer);
+  auto* stage = vtkRelievoDisplayStage::SafeDownCast(frame->GetStage("display"));
+  stage->SetColormap(vtkRelievoDisplayStage::HOT);
+  for (const char* name : { "depth", "height" })
+  {
+    for (const bool reversed : { false, true })
+    {
+      stage->SetReversed(reversed);
+      frame->SetDisplayLayer(name);
+      frame->SetDisplayRange(name[0] == 'd' ? 4. : -1.2, name[0] == 'd' ? 9. : 1.2);
+      const double* range = frame->GetDisplayRange();
+      const auto expected = [&](const Layers& l, int x, int y) {
+        const double value = l.Value(name, x, y);
+        const double t = glm::clamp((value - range[0]) / (range[1] - range[0]), 0., 1.);
+        const double u = reversed ? 1. - t : t;
+        // Black, red at 0.4, yellow at 0.8, white.
+        return std::isfinite(value)
+          ? glm::dvec3(u < 0.8 ? glm::min(0.9, u / 0.4 * 0.9) : 0.9 + (u - 0.8) / 0.2 * 0.1,
+              u < 0.8 ? glm::max(0., (u - 0.4) / 0.4 * 0.9) : 0.9 + (u - 0.8) / 0.2 * 0.1,
+              glm::max(0., (u - 0.8) / 0.2))
+          : Background;
+      };
+      RELIEVO_CHECK_AT_MOST(GetShareOff(relievoTest::Picture(fixture.Window), layers, expected),
+        0.001, std::string(name) + (reversed ? " reversed" : " in hot"));
+    }
+  }
+  vtkRelievoPass::Detach(fixture.Renderer);
 }
 
 // A slider moves values, not structure: no program is compiled anew.
@@ -218,6 +339,8 @@ int main()
 {
   relievoTest::Session session;
   TestLayers();
+  TestGround();
+  TestColormaps();
   TestNoRecompile();
   TestLinearDepth();
   return session.Result();

@@ -44,6 +44,8 @@ PROPERTIES = {
     "RelievoMarkSelection": (0, 1),
     "RelievoDisplayLayer": ("None", "normal"),
     "RelievoDisplayRange": ([0.0, 0.0], [5.0, 12.0]),
+    "RelievoDisplayColormap": ("viridis", "hot"),
+    "RelievoDisplayReversed": (0, 1),
     "RelievoDisplayGrey": (0, 1),
 }
 

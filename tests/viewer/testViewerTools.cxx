@@ -14,6 +14,8 @@
 #include <QAction>
 #include <QApplication>
 #include <QCheckBox>
+#include <QComboBox>
+#include <QLineEdit>
 #include <QRegularExpression>
 #include <QTextEdit>
 #include <QToolBar>
@@ -197,11 +199,27 @@ private Q_SLOTS:
       this->Grab();
       return legend->GetText();
     };
-    QVERIFY(show("depth").endsWith("\n1\n12") && legend->GetText().contains("world units"));
+    // By default it fits what is seen, whatever is clipped; or it is as given.
+    const QStringList fitted = show("depth").split('\n');
+    QVERIFY(fitted[0].contains("world units"));
+    QVERIFY2(fitted[2].toDouble() > 1.5 && fitted[3].toDouble() < 11.0 &&
+        fitted[2].toDouble() < fitted[3].toDouble(),
+      qPrintable(legend->GetText()));
+    auto* range = this->Window->findChild<QWidget*>("shownRange");
+    range->findChild<QCheckBox*>("automaticRange")->setChecked(false);
+    auto* most = range->findChild<QLineEdit*>("most");
+    QVERIFY(std::abs(most->text().toDouble() - fitted[3].toDouble()) < 0.01);
+    most->setText("12");
+    Q_EMIT most->editingFinished();
+    this->Window->findChild<QComboBox*>("shownColormap")->setCurrentText("hot");
+    this->Grab();
+    QVERIFY2(legend->GetText().endsWith("\n12"), qPrintable(legend->GetText()));
+    this->Compare("a layer with a range and colours of its own");
+    range->findChild<QCheckBox*>("automaticRange")->setChecked(true);
     QVERIFY2(show("height").endsWith("\n0\n1"), qPrintable(legend->GetText()));
-    QVERIFY2(show("normal").contains("red"), qPrintable(legend->GetText()));
+    QVERIFY2(show("normal").contains("Red"), qPrintable(legend->GetText()));
     QVERIFY(show("cell").contains("colour of its own"));
-    QVERIFY(show("shadow_0").endsWith("\n0\n1"));
+    QVERIFY(show("shadow_0").endsWith("\n0: in shadow\n1: lit"));
     this->Compare("with a legend in the window");
     for (const char* blank : { "fog", "lamps_reaching" })
     {

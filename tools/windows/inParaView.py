@@ -113,7 +113,7 @@ def layer(view):
     look(view, [-0.6, -1.0, 0.8], [0.0, 0.0, 1.0], 1.3)
     ground(view, bounds, 2, bounds[1] - bounds[0])
     simple.SetActiveSource(town)
-    view.RelievoDisplayLayer, view.RelievoDisplayRange = "depth", [200, 800]
+    view.RelievoDisplayLayer = "depth"
 
 
 def run():

@@ -3,21 +3,18 @@
 #include "ColorsGroup.h"
 
 #include "ColorButton.h"
+#include "ColormapBox.h"
 #include "Colormaps.h"
 #include "Labels.h"
 #include "OptionEdits.h"
 #include "Options.h"
 
-#include "vtkColorTransferFunction.h"
-
 #include <QCheckBox>
 #include <QComboBox>
 #include <QFormLayout>
 #include <QHBoxLayout>
-#include <QIcon>
 #include <QLabel>
 #include <QLineEdit>
-#include <QPainter>
 #include <QSignalBlocker>
 
 namespace viewer
@@ -46,24 +43,6 @@ ByValue GetByValue(
       : look.Component ? QString::number(*look.Component)
                        : QString() };
 }
-
-//------------------------------------------------------------------------------
-const QSize MapSize(56, 12);
-
-// From the first colour to the last.
-QIcon DrawMap(const std::string& map)
-{
-  QPixmap strip(MapSize);
-  QPainter painter(&strip);
-  const auto colors = scene::MakeColormap(map, { 0.0, 1.0 });
-  for (int x = 0; x < MapSize.width(); ++x)
-  {
-    const double* rgb = colors->GetColor(static_cast<double>(x) / (MapSize.width() - 1));
-    painter.fillRect(x, 0, 1, MapSize.height(), QColor::fromRgbF(rgb[0], rgb[1], rgb[2]));
-  }
-  painter.end();
-  return strip;
-}
 }
 
 //------------------------------------------------------------------------------
@@ -73,7 +52,7 @@ ColorsGroup::ColorsGroup(Document* document, RangeReader read, QWidget* parent)
   , ReadRange(std::move(read))
   , ColorBy(new QComboBox(this))
   , Component(new QComboBox(this))
-  , Colormap(new QComboBox(this))
+  , Colormap(new ColormapBox(this))
   , Reversed(new QCheckBox("Reversed", this))
   , Automatic(new QCheckBox("Automatic", this))
   , Least(new QLineEdit(this))
@@ -90,23 +69,11 @@ ColorsGroup::ColorsGroup(Document* document, RangeReader read, QWidget* parent)
   rows->addRow("Colour by", this->ColorBy);
   rows->addRow("Component", this->Component);
   rows->addRow("Colour map", this->Colormap);
-  {
-    const QSignalBlocker quiet(this->Colormap);
-    for (const std::string& name : scene::GetColormapNames())
-    {
-      const QString words = QString::fromStdString(name);
-      this->Colormap->addItem(
-        DrawMap(name), words, name == scene::DefaultColormap ? QString() : words);
-    }
-    this->Colormap->setObjectName("colormap");
-    this->Colormap->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-    this->Colormap->setMinimumContentsLength(8);
-    this->Colormap->setIconSize(MapSize);
-    this->Colormap->setEditable(true);
-    this->Colormap->setInsertPolicy(QComboBox::NoInsert);
-    this->Colormap->setToolTip(
-      "A map, or colours between commas, evenly placed, such as black,#ff8000,white");
-  }
+  this->Colormap->setObjectName("colormap");
+  this->Colormap->setEditable(true);
+  this->Colormap->setInsertPolicy(QComboBox::NoInsert);
+  this->Colormap->setToolTip(
+    "A map, or colours between commas, evenly placed, such as black,#ff8000,white");
   QObject::connect(this->Colormap->lineEdit(), &QLineEdit::editingFinished, this,
     [this] { this->TakeMap(this->Colormap->currentText()); });
   this->Reversed->setObjectName("reversed");
@@ -211,16 +178,12 @@ void ColorsGroup::TakeMap(const QString& map)
 //------------------------------------------------------------------------------
 void ColorsGroup::ShowMap(const std::string& word)
 {
-  const QSignalBlocker quiet[] = { QSignalBlocker(this->Colormap), QSignalBlocker(this->Reversed) };
+  const QSignalBlocker quiet(this->Reversed);
   QString map = QString::fromStdString(word);
   const bool reversed = map.endsWith(scene::ReversedColormap);
   map.chop(reversed ? static_cast<int>(QString(scene::ReversedColormap).size()) : 0);
   this->Reversed->setChecked(reversed);
-  if (this->Colormap->findText(map) < 0)
-  {
-    this->Colormap->addItem(DrawMap(map.toStdString()), map, map);
-  }
-  this->Colormap->setCurrentIndex(this->Colormap->findText(map));
+  this->Colormap->Show(map.toStdString());
 }
 
 //------------------------------------------------------------------------------

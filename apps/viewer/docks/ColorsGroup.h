@@ -20,6 +20,7 @@ class QLineEdit;
 namespace viewer
 {
 class ColorButton;
+class ColormapBox;
 
 class ColorsGroup : public FoldGroup
 {
@@ -46,7 +47,8 @@ private:
 
   Document* Edited;
   RangeReader ReadRange;
-  QComboBox *ColorBy, *Component, *Colormap;
+  QComboBox *ColorBy, *Component;
+  ColormapBox* Colormap;
   QCheckBox *Reversed, *Automatic;
   QLineEdit *Least, *Most;
   QCheckBox *Bar, *Solid;

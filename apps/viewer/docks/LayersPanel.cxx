@@ -2,6 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LayersPanel.h"
 
+#include "ColormapBox.h"
+#include "Labels.h"
+#include "Numbers.h"
+#include "RangeEdit.h"
+#include "Values.h"
+
+#include "vtkRelievoLayer.h"
 #include "vtkRelievoLayerCatalogue.h"
 
 #include <QCheckBox>
@@ -14,6 +21,7 @@
 #include <QTableWidget>
 
 #include <cmath>
+#include <utility>
 
 namespace viewer
 {
@@ -38,16 +46,15 @@ QString WriteValues(const ProbeValue& value)
 }
 
 //------------------------------------------------------------------------------
-LayersPanel::LayersPanel(Document* document, QWidget* parent)
+LayersPanel::LayersPanel(Document* document, RangeReader read, QWidget* parent)
   : Panel(document, parent)
+  , ReadRange(std::move(read))
 {
   QGroupBox* shown = this->AddGroup("Shown as the picture", "shown");
   this->Layer = new QComboBox(shown);
   this->Layer->setObjectName("layer");
-  this->Grey = new QCheckBox("In grey", shown);
-  this->Grey->setObjectName("grey");
   GetRows(shown)->addRow("Layer", this->Layer);
-  GetRows(shown)->addRow(this->Grey);
+  this->AddColors(shown);
   QGroupBox* probe = this->AddGroup("Under the mouse", "probe");
   this->Probing = new QCheckBox("Read values", probe);
   this->Probing->setObjectName("probing");
@@ -65,15 +72,8 @@ LayersPanel::LayersPanel(Document* document, QWidget* parent)
   GetRows(probe)->addRow(this->Values);
   this->Fill(probe);
   QObject::connect(this->Layer,
-    static_cast<void (QComboBox::*)(int)>(&QComboBox::currentIndexChanged), this, [this] {
-      this->Edited->Change([this](scene::Settings& settings) {
-        settings.SetParameter(Stage, "layer", this->Layer->currentData().toString().toStdString());
-      });
-    });
-  QObject::connect(this->Grey, &QCheckBox::toggled, this, [this](bool on) {
-    this->Edited->Change(
-      [on](scene::Settings& settings) { settings.SetParameter(Stage, "grey", on ? "on" : "off"); });
-  });
+    static_cast<void (QComboBox::*)(int)>(&QComboBox::currentIndexChanged), this,
+    [this] { this->Set("layer", this->Layer->currentData().toString().toStdString()); });
   QObject::connect(this->Probing, &QCheckBox::toggled, this, [this](bool on) {
     this->Values->setRowCount(0);
     Q_EMIT this->probing(on);
@@ -81,6 +81,79 @@ LayersPanel::LayersPanel(Document* document, QWidget* parent)
   QObject::connect(document, &Document::changed, this, [this] { this->ShowSettings(); });
   QObject::connect(document, &Document::factsChanged, this, [this] { this->ShowLayers(); });
   this->ShowLayers();
+}
+
+//------------------------------------------------------------------------------
+void LayersPanel::AddColors(QGroupBox* shown)
+{
+  this->Colormap = new ColormapBox(shown);
+  this->Colormap->setObjectName("shownColormap");
+  this->Reversed = new QCheckBox("Reversed", shown);
+  this->Reversed->setObjectName("shownReversed");
+  this->Reversed->setToolTip("The first colour for the greatest value");
+  this->Range = new relievoQt::RangeEdit(shown);
+  this->Range->setObjectName("shownRange");
+  this->Range->SetAutomaticToolTip(
+    "From the least to the greatest value that is seen, without what an endless ground has");
+  this->Grey = new QCheckBox("In grey", shown);
+  this->Grey->setObjectName("grey");
+  QFormLayout* rows = GetRows(shown);
+  rows->addRow("Colour map", this->Colormap);
+  rows->addRow("", this->Reversed);
+  rows->addRow("Range", this->Range);
+  rows->addRow(this->Grey);
+  QObject::connect(this->Colormap,
+    static_cast<void (QComboBox::*)(int)>(&QComboBox::currentIndexChanged), this,
+    [this] { this->Set("colormap", this->Colormap->currentText().toStdString()); });
+  for (const auto& [box, parameter] :
+    { std::pair(this->Reversed, "reversed"), std::pair(this->Grey, "grey") })
+  {
+    QObject::connect(box, &QCheckBox::toggled, this,
+      [this, name = parameter](bool on) { this->Set(name, on ? "on" : "off"); });
+  }
+  QObject::connect(
+    this->Range, &relievoQt::RangeEdit::automaticSwitched, this, [this](bool automatic) {
+      const std::array<double, 2> range = this->ReadRange();
+      const bool known = std::isfinite(range[0]) && range[0] < range[1];
+      this->Set("range",
+        automatic ? "0/0"
+          : known ? scene::WriteNumber(range[0]) + "/" + scene::WriteNumber(range[1])
+                  : "0/1");
+    });
+  QObject::connect(this->Range, &relievoQt::RangeEdit::typed, this,
+    [this](const QString& least, const QString& most) {
+      this->Set("range", (least + "/" + most).toStdString());
+    });
+}
+
+//------------------------------------------------------------------------------
+void LayersPanel::Set(const char* parameter, const std::string& value)
+{
+  this->Edited->Change([parameter, &value](scene::Settings& settings) {
+    settings.SetParameter(Stage, parameter, value);
+  });
+  this->ShowSettings(); // what is refused goes back
+}
+
+//------------------------------------------------------------------------------
+// Why the range, or the colour map, has no effect; empty if it has one.
+QString LayersPanel::ExplainIdle(bool ofColors) const
+{
+  const std::string layer = this->Edited->Get().GetParameter(Stage, "layer");
+  const vtkRelievoLayer& known = vtkRelievoLayerCatalogue::GetIsOfLight(layer)
+    ? vtkRelievoLayerCatalogue::GetOfLight()
+    : vtkRelievoLayerCatalogue::Find(layer);
+  if (layer.empty())
+  {
+    return "Has an effect where a layer is shown.";
+  }
+  if (ofColors && this->Edited->Get().GetParameter(Stage, "grey") == "on")
+  {
+    return "Has an effect where the layer is not in grey.";
+  }
+  return known.Kind == vtkRelievoLayer::NUMBER || known.Kind == vtkRelievoLayer::ARRAY
+    ? ""
+    : "Has an effect on layers of single values, such as depth, and on arrays.";
 }
 
 //------------------------------------------------------------------------------
@@ -117,7 +190,8 @@ void LayersPanel::ShowLayers()
 //------------------------------------------------------------------------------
 void LayersPanel::ShowSettings()
 {
-  const QSignalBlocker quiet[] = { QSignalBlocker(this->Layer), QSignalBlocker(this->Grey) };
+  const QSignalBlocker quiet[] = { QSignalBlocker(this->Layer), QSignalBlocker(this->Grey),
+    QSignalBlocker(this->Reversed) };
   const scene::Settings& settings = this->Edited->Get();
   const QString words = QString::fromStdString(settings.GetParameter(Stage, "layer"));
   if (this->Layer->findData(words) < 0)
@@ -126,6 +200,28 @@ void LayersPanel::ShowSettings()
   }
   this->Layer->setCurrentIndex(this->Layer->findData(words));
   this->Grey->setChecked(settings.GetParameter(Stage, "grey") == "on");
+  this->Reversed->setChecked(settings.GetParameter(Stage, "reversed") == "on");
+  this->Colormap->Show(settings.GetParameter(Stage, "colormap"));
+  const std::vector<std::string> ends = scene::Split(settings.GetParameter(Stage, "range"), '/');
+  const bool given = ends.size() == 2 && ends[0] != ends[1];
+  this->Range->Show(given ? QString::fromStdString(ends[0]) : QString(),
+    given ? QString::fromStdString(ends[1]) : QString());
+  SetIdle(this->Range, this->ExplainIdle(false));
+  for (QWidget* of :
+    { static_cast<QWidget*>(this->Colormap), static_cast<QWidget*>(this->Reversed) })
+  {
+    SetIdle(of, this->ExplainIdle(true));
+  }
+  SetIdle(this->Grey, this->ExplainIdle(false));
+  this->Follow();
+}
+
+//------------------------------------------------------------------------------
+void LayersPanel::Follow()
+{
+  this->Range->ShowFound(this->Edited->Get().GetParameter(Stage, "layer").empty()
+      ? std::array<double, 2>{ 0.0, 0.0 }
+      : this->ReadRange());
 }
 
 //------------------------------------------------------------------------------

@@ -7,7 +7,7 @@
 #ifndef LayerLegend_h
 #define LayerLegend_h
 
-#include "Facts.h"
+#include "LayerWords.h"
 #include "Overlay.h"
 
 class vtkRelievoPass;
@@ -23,7 +23,7 @@ public:
   explicit LayerLegend(QWidget* parent);
 
   /// Explains the layer that the frame's last picture shows; null: no layer is shown.
-  void Follow(vtkRelievoPass* frame, const Facts& facts);
+  void Follow(vtkRelievoPass* frame);
 
   /// All that it says, the values of the first and the last colour included; empty if it is hidden.
   QString GetText() const;
@@ -33,8 +33,7 @@ protected:
   void paintEvent(QPaintEvent* event) override;
 
 private:
-  QString Title, Words, First, Last; // the values are empty where there is no strip
-  bool Grey = false;
+  relievoQt::LayerWords Shown;
 };
 }
 

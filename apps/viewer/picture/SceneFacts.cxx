@@ -14,8 +14,10 @@
 #include "vtkMath.h"
 #include "vtkPointData.h"
 #include "vtkRelievoArraySampler.h"
+#include "vtkRelievoDisplayStage.h"
 #include "vtkRelievoLayerCatalogue.h"
 #include "vtkRelievoModelReader.h"
+#include "vtkRelievoPass.h"
 #include "vtkScalarsToColors.h"
 #include "vtkUnsignedCharArray.h"
 
@@ -178,5 +180,14 @@ std::optional<std::array<double, 2>> GetColorRange(const Picture& picture)
     }
   }
   return std::nullopt;
+}
+
+//------------------------------------------------------------------------------
+std::array<double, 2> GetShownRange(const Picture& picture)
+{
+  vtkRelievoPass* frame = picture.GetFrame();
+  auto* stage = frame ? vtkRelievoDisplayStage::SafeDownCast(frame->GetStage("display")) : nullptr;
+  return stage ? std::array<double, 2>{ stage->GetShownRange()[0], stage->GetShownRange()[1] }
+               : std::array<double, 2>{ 0.0, 0.0 };
 }
 }

@@ -19,6 +19,9 @@ Facts GetFacts(const Picture& picture);
 
 /// Values of the first and the last colour; none: no values give the colours.
 std::optional<std::array<double, 2>> GetColorRange(const Picture& picture);
+
+/// Those of the layer that is shown, in the last picture; infinite or equal: none.
+std::array<double, 2> GetShownRange(const Picture& picture);
 }
 
 #endif

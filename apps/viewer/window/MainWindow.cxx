@@ -207,7 +207,8 @@ MainWindow::~MainWindow()
 void MainWindow::AddPanels()
 {
   this->Light = new LightPanel(this->Edited, this);
-  this->Layers = new LayersPanel(this->Edited, this);
+  this->Layers = new LayersPanel(
+    this->Edited, [this] { return GetShownRange(this->Shown->GetPicture()); }, this);
   this->Report = new ReportPanel(
     [this] {
       vtkRelievoPass* frame = this->Shown->GetPicture().GetFrame();
@@ -924,7 +925,8 @@ void MainWindow::OnDrawn()
   this->Report->Follow();
   this->ShowSmoothing();
   this->Axes->Follow(this->Shown->GetPicture().GetRenderer());
-  this->Legend->Follow(this->Shown->GetPicture().GetFrame(), this->Edited->GetFacts());
+  this->Layers->Follow();
+  this->Legend->Follow(this->Shown->GetPicture().GetFrame());
   this->Handles->Follow();
   try
   {

@@ -2,13 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pqRelievoLayerControls.h"
 
+#include "LayerWords.h"
+#include "RangeEdit.h"
 #include "Rows.h"
 #include "pqDataRepresentation.h"
 #include "pqRelievoLegend.h"
 #include "pqRelievoScene.h"
 #include "pqServer.h"
 #include "pqView.h"
-#include "vtkCamera.h"
 #include "vtkCommand.h"
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
@@ -18,11 +19,13 @@
 #include "vtkPVRelievoView.h"
 #include "vtkPVRenderView.h"
 #include "vtkPointData.h"
+#include "vtkRelievoColormaps.h"
+#include "vtkRelievoDisplayStage.h"
 #include "vtkRelievoLayerCatalogue.h"
+#include "vtkRelievoPass.h"
 #include "vtkRenderWindow.h"
 #include "vtkSMProperty.h"
 #include "vtkSMRelievoCaptureProxy.h"
-#include "vtkSMRenderViewProxy.h"
 #include "vtkSMSessionProxyManager.h"
 #include "vtkSmartPointer.h"
 
@@ -38,7 +41,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <string>
 #include <vector>
 
@@ -114,6 +116,9 @@ void AddArrays(vtkPVDataSetAttributesInformation* about, QStringList& names)
 pqRelievoLayerControls::pqRelievoLayerControls(QWidget* parent)
   : Superclass(parent)
   , Layer(new QComboBox(this))
+  , Colormap(new QComboBox(this))
+  , Reversed(new QCheckBox("Reversed", this))
+  , Range(new relievoQt::RangeEdit(this))
   , Legend(new pqRelievoLegend(this))
   , All(new QCheckBox("Values under the mouse", this))
   , Values(new QTableWidget(0, 2, this))
@@ -144,6 +149,7 @@ pqRelievoLayerControls::pqRelievoLayerControls(QWidget* parent)
   this->Message->setWordWrap(true);
   relievoQt::AddRow(rows, "Shown", this->Layer);
   rows->addRow(this->Legend);
+  this->AddColors(rows);
   rows->addRow(this->All);
   rows->addRow(this->Message);
   rows->addRow(this->Values);
@@ -155,6 +161,43 @@ pqRelievoLayerControls::pqRelievoLayerControls(QWidget* parent)
       pqRelievoViewSettings::SetShownLayer(this->View, this->Layer->itemData(i).toString());
     });
   QObject::connect(this->All, &QCheckBox::toggled, this, [this] { this->ShowState(); });
+}
+
+//------------------------------------------------------------------------------
+void pqRelievoLayerControls::AddColors(QFormLayout* rows)
+{
+  this->Colors = new QWidget(this);
+  QFormLayout* colors = relievoQt::MakeRows(this->Colors);
+  this->Colormap->setObjectName("colormap");
+  const std::vector<std::string>& names = vtkRelievoColormaps::GetNames();
+  for (std::size_t i = 0; i < names.size(); ++i)
+  {
+    this->Colormap->addItem(QString::fromStdString(names[i]), static_cast<int>(i));
+  }
+  this->Reversed->setObjectName("reversed");
+  this->Reversed->setToolTip("The first colour for the greatest value");
+  this->Range->setObjectName("range");
+  this->Range->SetAutomaticToolTip("From the least to the greatest value that is seen");
+  relievoQt::AddRow(colors, "Colour map", this->Colormap);
+  relievoQt::AddRow(colors, "", this->Reversed);
+  relievoQt::AddRow(colors, "Range", this->Range);
+  rows->addRow(this->Colors);
+  this->Bind(this->Colormap, "RelievoDisplayColormap", "Layer's colour map");
+  QObject::connect(this->Reversed, &QCheckBox::toggled, this, [this](bool on) {
+    this->Apply("Layer's colour map", { { "RelievoDisplayReversed", on ? 1 : 0 } });
+  });
+  QObject::connect(this->Range, &relievoQt::RangeEdit::automaticSwitched, this,
+    &pqRelievoLayerControls::SwitchRange);
+  QObject::connect(this->Range, &relievoQt::RangeEdit::typed, this,
+    [this](const QString& least, const QString& most) {
+      bool good[2];
+      const double ends[2] = { least.toDouble(&good[0]), most.toDouble(&good[1]) };
+      if (good[0] && good[1] && ends[0] < ends[1])
+      {
+        this->SetRange(ends[0], ends[1]);
+      }
+      this->ShowState();
+    });
 }
 
 //------------------------------------------------------------------------------
@@ -211,7 +254,28 @@ void pqRelievoLayerControls::ShowState()
   }
   this->Message->setVisible(probing);
   this->Legend->setVisible(!layer.isEmpty());
+  this->ShowColors(layer);
   this->ShowScene();
+}
+
+//------------------------------------------------------------------------------
+void pqRelievoLayerControls::ShowColors(const QString& layer)
+{
+  const std::string name = layer.toStdString();
+  const int kind = vtkRelievoLayerCatalogue::GetIsOfLight(name)
+    ? vtkRelievoLayer::SHARE
+    : vtkRelievoLayerCatalogue::Find(name).Kind;
+  this->Colors->setVisible(
+    !layer.isEmpty() && (kind == vtkRelievoLayer::NUMBER || kind == vtkRelievoLayer::ARRAY));
+  const QSignalBlocker quiet(this->Reversed);
+  this->Reversed->setChecked(this->IsOn("RelievoDisplayReversed"));
+  const bool grey = this->IsOn("RelievoDisplayGrey");
+  this->Colormap->setEnabled(!grey);
+  this->Reversed->setEnabled(!grey);
+  const QVariantList range = this->Get("RelievoDisplayRange").toList();
+  const bool given = range.size() == 2 && range[0].toDouble() < range[1].toDouble();
+  this->Range->Show(given ? QString::number(range[0].toDouble()) : QString(),
+    given ? QString::number(range[1].toDouble()) : QString());
 }
 
 //------------------------------------------------------------------------------
@@ -409,83 +473,39 @@ QString pqRelievoLayerControls::GetProbed() const
 //------------------------------------------------------------------------------
 void pqRelievoLayerControls::ShowLegend()
 {
-  using L = vtkRelievoLayer;
-  const QString layer = pqRelievoViewSettings::GetShownLayer(this->View);
-  if (layer.isEmpty())
+  vtkPVRelievoView* here = pqRelievoViewSettings::FindHere(this->View);
+  auto* stage =
+    here ? vtkRelievoDisplayStage::SafeDownCast(here->GetFrame()->GetStage("display")) : nullptr;
+  if (!stage || stage->GetLayer().empty())
   {
     return;
   }
-  this->Fresh = false;
-  const bool read = this->ReadShown();
-  vtkDataArray* array = this->Image->GetPointData()->GetArray(qUtf8Printable(layer));
-  double least = std::numeric_limits<double>::infinity();
-  double most = -least;
-  for (vtkIdType pixel = 0; array && pixel < array->GetNumberOfTuples(); ++pixel)
+  const bool isDrawnHere = pqRelievoViewSettings::IsDrawnHere(this->View);
+  this->Legend->Show(relievoQt::DescribeLayer(stage, isDrawnHere));
+  const double* shown = stage->GetShownRange();
+  this->Range->ShowFound(
+    isDrawnHere ? std::array<double, 2>{ shown[0], shown[1] } : std::array<double, 2>{ 0.0, 0.0 });
+}
+
+//------------------------------------------------------------------------------
+void pqRelievoLayerControls::SwitchRange(bool automatic)
+{
+  vtkPVRelievoView* here = pqRelievoViewSettings::FindHere(this->View);
+  auto* stage =
+    here ? vtkRelievoDisplayStage::SafeDownCast(here->GetFrame()->GetStage("display")) : nullptr;
+  double range[2] = { 0.0, 0.0 };
+  if (!automatic)
   {
-    if (!HasNothing(this->Image, layer, pixel))
-    {
-      least = std::min(least, array->GetComponent(pixel, 0));
-      most = std::max(most, array->GetComponent(pixel, 0));
-    }
+    const double* shown = stage ? stage->GetShownRange() : range;
+    const bool known = pqRelievoViewSettings::IsDrawnHere(this->View) && shown[0] < shown[1];
+    range[0] = known ? shown[0] : 0.0;
+    range[1] = known ? shown[1] : 1.0;
   }
-  const std::string name = layer.toStdString();
-  const bool light = vtkRelievoLayerCatalogue::GetIsOfLight(name);
-  const L& known =
-    light ? vtkRelievoLayerCatalogue::GetOfLight() : vtkRelievoLayerCatalogue::Find(name);
-  if (!(least <= most) && (read || pqRelievoViewSettings::IsDrawnHere(this->View)))
-  {
-    this->Legend->Set(
-      "Blank: nothing in this picture has values of it.", pqRelievoLegend::WORDS, "", "");
-    return;
-  }
-  QString words = QString::fromStdString(known.Help);
-  words = words.left(1).toUpper() + words.mid(1);
-  const QVariantList range = this->Get("RelievoDisplayRange").toList();
-  const bool given = range.size() == 2 && range[0].toDouble() < range[1].toDouble();
-  if (given)
-  {
-    least = range[0].toDouble();
-    most = range[1].toDouble();
-  }
-  else if (layer == "depth" || layer == "range")
-  {
-    auto* view = vtkSMRenderViewProxy::SafeDownCast(this->View->getProxy());
-    view->GetActiveCamera()->GetClippingRange(least, most);
-  }
-  const bool grey = this->IsOn("RelievoDisplayGrey");
-  const bool numbers = given || least <= most;
-  const QString first = numbers ? WriteNumber(least) : QString("the least");
-  const QString last = numbers ? WriteNumber(most) : QString("the greatest");
-  switch (known.Kind)
-  {
-    case L::SHARE:
-      this->Legend->Set(
-        words, pqRelievoLegend::GREYS, light ? "0: in shadow" : "0", light ? "1: lit" : "1");
-      break;
-    case L::VECTOR:
-      this->Legend->Set(words + ". Red, green and blue are x, y and z, from black at -1 to 1.",
-        pqRelievoLegend::WORDS, "", "");
-      break;
-    case L::POSITION:
-      this->Legend->Set(
-        words + ". Red, green and blue are x, y and z, from the least to the greatest.",
-        pqRelievoLegend::WORDS, "", "");
-      break;
-    case L::ID:
-      this->Legend->Set(words + ". Each has a colour of its own.", pqRelievoLegend::WORDS, "", "");
-      break;
-    case L::COLOR:
-      this->Legend->Set(words, pqRelievoLegend::WORDS, "", "");
-      break;
-    default:
-      if (array && array->GetNumberOfComponents() > 2)
-      {
-        this->Legend->Set("Red, green and blue are the first three components, each from its least "
-                          "to its greatest.",
-          pqRelievoLegend::WORDS, "", "");
-        break;
-      }
-      this->Legend->Set(
-        words, grey ? pqRelievoLegend::GREYS : pqRelievoLegend::COLORS, first, last);
-  }
+  this->SetRange(range[0], range[1]);
+}
+
+//------------------------------------------------------------------------------
+void pqRelievoLayerControls::SetRange(double least, double most)
+{
+  this->Apply("Layer's range", { { "RelievoDisplayRange", QVariantList{ least, most } } });
 }

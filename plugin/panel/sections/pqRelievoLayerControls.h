@@ -5,9 +5,8 @@
  * @brief The dock's section of the layer shown as the picture, with what its colours mean, and of
  * the values under the mouse.
  *
- * The shown layer is read after a picture: for its legend, and when the mouse is over it. All
- * values are read if that is switched on, by a picture of their own, when the mouse first moves
- * after one.
+ * The shown layer is read when the mouse is over it. All values are read if that is switched on, by
+ * a picture of their own, when the mouse first moves after one.
  */
 #ifndef pqRelievoLayerControls_h
 #define pqRelievoLayerControls_h
@@ -18,10 +17,15 @@
 
 class QCheckBox;
 class QComboBox;
+class QFormLayout;
 class QLabel;
 class QPoint;
 class QTableWidget;
 class pqRelievoLegend;
+namespace relievoQt
+{
+class RangeEdit;
+}
 class vtkImageData;
 
 class pqRelievoLayerControls : public pqRelievoControls
@@ -53,9 +57,16 @@ private:
   bool ReadAll();
   void Probe(const QPoint& place);
   void ShowValues(vtkIdType pixel);
+  void AddColors(QFormLayout* rows);
+  void ShowColors(const QString& layer);
+  void SwitchRange(bool automatic);
+  void SetRange(double least, double most);
   void ShowLegend();
 
-  QComboBox* Layer;
+  QComboBox *Layer, *Colormap;
+  QCheckBox* Reversed;
+  relievoQt::RangeEdit* Range;
+  QWidget* Colors; // what gives layers of single values theirs
   pqRelievoLegend* Legend;
   QCheckBox* All;
   QTableWidget* Values;

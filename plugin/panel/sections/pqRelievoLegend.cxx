@@ -2,30 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pqRelievoLegend.h"
 
-#include "vtkRelievoFormulas.h"
+#include "LayerWords.h"
 
 #include <QGridLayout>
-#include <QImage>
 #include <QLabel>
 #include <QPixmap>
 #include <QStringList>
 
 namespace
 {
-constexpr int Shades = 256;
 constexpr int Height = 10;
-
-QPixmap MakeBar(bool grey)
-{
-  QImage bar(Shades, 1, QImage::Format_RGB32);
-  for (int i = 0; i < Shades; ++i)
-  {
-    const float t = static_cast<float>(i) / (Shades - 1);
-    const glm::vec3 color = grey ? glm::vec3(t) : relievo::f32::relievoColormap(t);
-    bar.setPixelColor(i, 0, QColor::fromRgbF(color.x, color.y, color.z));
-  }
-  return QPixmap::fromImage(bar);
-}
 }
 
 //------------------------------------------------------------------------------
@@ -51,20 +37,20 @@ pqRelievoLegend::pqRelievoLegend(QWidget* parent)
 }
 
 //------------------------------------------------------------------------------
-void pqRelievoLegend::Set(
-  const QString& words, Looks look, const QString& first, const QString& last)
+void pqRelievoLegend::Show(const relievoQt::LayerWords& words)
 {
-  this->Words->setText(words);
-  if (look != WORDS)
+  const bool strip = !words.Strip.isNull();
+  this->Words->setText(words.Words);
+  this->Words->setVisible(!words.Words.isEmpty());
+  if (strip)
   {
-    this->Bar->setPixmap(MakeBar(look == GREYS));
+    this->Bar->setPixmap(QPixmap::fromImage(words.Strip));
   }
-  this->First->setText(first);
-  this->Last->setText(last);
-  this->Words->setVisible(!words.isEmpty());
+  this->First->setText(words.First);
+  this->Last->setText(words.Last);
   for (QLabel* each : { this->Bar, this->First, this->Last })
   {
-    each->setVisible(look != WORDS);
+    each->setVisible(strip);
   }
 }
 

@@ -11,6 +11,10 @@
 #include <QWidget>
 
 class QLabel;
+namespace relievoQt
+{
+struct LayerWords;
+}
 
 class pqRelievoLegend : public QWidget
 {
@@ -22,15 +26,7 @@ class pqRelievoLegend : public QWidget
 public:
   explicit pqRelievoLegend(QWidget* parent = nullptr);
 
-  enum Looks
-  {
-    WORDS, // no bar
-    COLORS,
-    GREYS
-  };
-
-  /** The words, and what stands below the first and the last colour. */
-  void Set(const QString& words, Looks look, const QString& first, const QString& last);
+  void Show(const relievoQt::LayerWords& words);
 
   QString GetText() const;
 

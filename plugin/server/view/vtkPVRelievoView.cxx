@@ -20,6 +20,7 @@
 #include "vtkPVRelievoSun.h"
 #include "vtkPVView.h"
 #include "vtkPropCollection.h"
+#include "vtkRelievoDisplayStage.h"
 #include "vtkRelievoLayerCatalogue.h"
 #include "vtkRelievoLayersStage.h"
 #include "vtkRelievoMarkersStage.h"
@@ -45,6 +46,11 @@ std::vector<vtkPVRelievoView*>& GetAll()
   // Never destroyed: ParaView may delete its proxies' objects after this library's statics.
   static auto* all = new std::vector<vtkPVRelievoView*>;
   return *all;
+}
+
+vtkRelievoDisplayStage* GetDisplay(vtkPVRelievoView* view)
+{
+  return vtkRelievoDisplayStage::SafeDownCast(view->GetFrame()->GetStage("display"));
 }
 
 // When cells are selected VTK's state takes note of the buffers that are bound (SaveGLState), and
@@ -547,6 +553,18 @@ void vtkPVRelievoView::SetDisplayLayer(const char* name)
 void vtkPVRelievoView::SetDisplayRange(double first, double last)
 {
   this->GetFrame()->SetDisplayRange(first, last);
+}
+
+//------------------------------------------------------------------------------
+void vtkPVRelievoView::SetDisplayColormap(int map)
+{
+  GetDisplay(this)->SetColormap(map);
+}
+
+//------------------------------------------------------------------------------
+void vtkPVRelievoView::SetDisplayReversed(bool on)
+{
+  GetDisplay(this)->SetReversed(on);
 }
 
 //------------------------------------------------------------------------------

@@ -110,6 +110,8 @@ public:
   /** The settings of vtkRelievoPass for the layer that is shown. */
   void SetDisplayLayer(const char* name);
   void SetDisplayRange(double first, double last);
+  void SetDisplayColormap(int map);
+  void SetDisplayReversed(bool on);
   void SetDisplayGrey(bool on);
   ///@}
 

@@ -2,26 +2,35 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRelievoDisplayStage.h"
 
+#include "vtkDataArray.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLError.h" // for OpenGL
 #include "vtkOpenGLRenderWindow.h"
+#include "vtkPointData.h"
+#include "vtkRelievoColormaps.h"
 #include "vtkRelievoFrameContext.h"
 #include "vtkRelievoFramePlan.h"
 #include "vtkRelievoLayerCatalogue.h"
 #include "vtkRelievoLayerColors.h"
 #include "vtkRelievoScopedState.h"
 #include "vtkRelievoScreenQuad.h"
+#include "vtkRelievoShownValues.h"
 #include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
 #include "vtkSmartPointer.h"
 #include "vtkTextureObject.h"
 
+#include <algorithm>
+#include <cmath>
+
 vtkStandardNewMacro(vtkRelievoDisplayStage);
 
 namespace
 {
+constexpr int MapColors = 256;
+
 // What is read to show it. What a light reaches is 1 where nothing is, too: depth tells.
 std::vector<std::string> GetNeeded(const std::string& layer)
 {
@@ -34,8 +43,11 @@ class vtkRelievoDisplayStage::Internals
 {
 public:
   vtkRelievoScreenQuad Quad;
+  vtkRelievoShownValues Values;
   vtkSmartPointer<vtkTextureObject> Colors;
   vtkIdType ColorBytes = 0;
+  vtkSmartPointer<vtkTextureObject> Map;
+  std::vector<std::array<float, 3>> Row; // of the map's texture
   std::string Reported; // what was wrong with the layer in the last frame: said once
   std::string Failed;   // what was wrong with the shader
 };
@@ -72,6 +84,20 @@ void vtkRelievoDisplayStage::Describe(vtkRelievoStageDescription& description)
     "layer", [this]() { return this->Layer; },
     [this](const std::string& name) { this->SetLayer(name); },
     "The layer to show; empty for the picture itself.");
+  description.AddPair(
+    "range", this->Range, [this](const double* range) { this->SetRange(range[0], range[1]); },
+    "Values of a scalar layer that are the first and the last colour; 0/0 for those that are seen, "
+    "without an endless ground's.");
+  description
+    .AddChoice(
+      "colormap", this->Colormap, [this](int map) { this->SetColormap(map); },
+      vtkRelievoColormaps::GetNames(), "The colours of scalar layers.")
+    .OnlyIf = "grey=off";
+  description
+    .AddFlag(
+      "reversed", this->Reversed, [this](bool on) { this->SetReversed(on); },
+      "The first colour for the greatest value.")
+    .OnlyIf = "grey=off";
   description.AddFlag(
     "grey", this->Grey, [this](bool on) { this->SetGrey(on); },
     "Shows scalar layers in grey instead of colours.");
@@ -96,25 +122,66 @@ void vtkRelievoDisplayStage::Declare(
 }
 
 //------------------------------------------------------------------------------
+bool vtkRelievoDisplayStage::IsGood(const std::string& wrong)
+{
+  if (!wrong.empty() && wrong != this->Internal->Reported)
+  {
+    vtkErrorMacro(<< wrong);
+  }
+  this->Internal->Reported = wrong;
+  if (!wrong.empty())
+  {
+    this->Explain("failed", wrong);
+  }
+  return wrong.empty();
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::array<float, 3>> vtkRelievoDisplayStage::GetColors() const
+{
+  const auto map = static_cast<std::size_t>(this->Grey ? GREY : this->Colormap);
+  return vtkRelievoColormaps::Sample(
+    vtkRelievoColormaps::GetNames()[map], this->Reversed && !this->Grey, MapColors);
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoDisplayStage::UploadMap(vtkRelievoFrameContext& context)
+{
+  Internals& in = *this->Internal;
+  std::vector<std::array<float, 3>> colors = this->GetColors();
+  if (in.Map && in.Map->GetContext() == context.Window && in.Row == colors)
+  {
+    return;
+  }
+  if (!in.Map)
+  {
+    in.Map = vtkSmartPointer<vtkTextureObject>::New();
+  }
+  in.Map->SetContext(context.Window);
+  in.Map->SetMinificationFilter(vtkTextureObject::Linear);
+  in.Map->SetMagnificationFilter(vtkTextureObject::Linear);
+  in.Map->SetWrapS(vtkTextureObject::ClampToEdge);
+  in.Map->SetWrapT(vtkTextureObject::ClampToEdge);
+  in.Map->Create2DFromRaw(MapColors, 1, 3, VTK_FLOAT, colors.data());
+  in.Row.swap(colors);
+}
+
+//------------------------------------------------------------------------------
 bool vtkRelievoDisplayStage::UploadColors(vtkRelievoFrameContext& context)
 {
   Internals& in = *this->Internal;
   vtkNew<vtkImageData> image;
-  const std::string wrong = context.ReadLayers(GetNeeded(this->Layer), image);
-  if (!wrong.empty() && wrong != in.Reported)
+  if (!this->IsGood(context.ReadLayers(GetNeeded(this->Layer), image)))
   {
-    vtkErrorMacro(<< wrong);
-  }
-  in.Reported = wrong;
-  if (!wrong.empty())
-  {
-    this->Explain("failed", wrong);
     return false;
   }
   int size[3];
   image->GetDimensions(size);
-  std::vector<unsigned char> colors = vtkRelievoLayerColors::Make(image, this->Layer,
-    context.Lights.count(this->Layer) > 0, this->Range, this->Grey, this->ShownRange, this->Same);
+  vtkDataArray* values = image->GetPointData()->GetArray(this->Layer.c_str());
+  this->ShownComponents = values ? values->GetNumberOfComponents() : 0;
+  std::vector<unsigned char> colors =
+    vtkRelievoLayerColors::Make(image, this->Layer, context.Lights.count(this->Layer) > 0,
+      this->Range, this->GetColors(), this->ShownRange, this->Same);
   if (!in.Colors)
   {
     in.Colors = vtkSmartPointer<vtkTextureObject>::New();
@@ -145,9 +212,22 @@ void vtkRelievoDisplayStage::Execute(vtkRelievoFrameContext& context)
     return;
   }
   std::vector<std::string> reads;
+  const bool values = shader == "DEPTH" || shader == "RANGE";
   if (!colors)
   {
     reads.push_back(this->Layer);
+    this->ShownComponents = vtkRelievoLayerCatalogue::Find(this->Layer).Components;
+    this->Same = false;
+    std::copy(this->Range, this->Range + 2, this->ShownRange);
+  }
+  if (values && this->Range[0] >= this->Range[1] &&
+    !this->IsGood(in.Values.Find(context, this->Layer, this->ShownRange)))
+  {
+    return;
+  }
+  if (values)
+  {
+    this->UploadMap(context);
   }
   vtkShaderProgram* program = in.Quad.Ready(context, "display/layerFS.glsl", reads,
     "#define RELIEVO_SHOW_" + (colors ? "COLORS" : shader) + "\n");
@@ -162,24 +242,22 @@ void vtkRelievoDisplayStage::Execute(vtkRelievoFrameContext& context)
     in.Failed = wrong;
     return;
   }
-  const vtkRelievoFrameCamera& view = context.View;
   vtkRenderer* renderer = context.Renderer;
-  const float range[2] = { static_cast<float>(
-                             this->Range[0] < this->Range[1] ? this->Range[0] : view.Near),
-    static_cast<float>(this->Range[0] < this->Range[1] ? this->Range[1] : view.Far) };
   float background[4];
   for (int i = 0; i < 3; ++i)
   {
     background[i] = static_cast<float>(renderer->GetBackground()[i]);
   }
   background[3] = static_cast<float>(renderer->GetBackgroundAlpha());
-  if (!colors)
+  if (values)
   {
-    this->Same = false;
-    this->ShownRange[0] = range[0];
-    this->ShownRange[1] = range[1];
+    const bool any = std::isfinite(this->ShownRange[0]);
+    const float range[2] = { any ? static_cast<float>(this->ShownRange[0]) : 0.0F,
+      any ? static_cast<float>(this->ShownRange[1]) : 1.0F };
+    program->SetUniform2f("relievoShown", range);
+    in.Map->Activate();
+    program->SetUniformi("relievoMap", in.Map->GetTextureUnit());
   }
-  program->SetUniform2f("relievoShown", range);
   program->SetUniform4f("relievoBackground", background);
   program->SetUniformi("relievoGrey", this->Grey);
   if (colors)
@@ -197,12 +275,18 @@ void vtkRelievoDisplayStage::Execute(vtkRelievoFrameContext& context)
   {
     in.Colors->Deactivate();
   }
+  if (values)
+  {
+    in.Map->Deactivate();
+  }
 }
 
 //------------------------------------------------------------------------------
 vtkIdType vtkRelievoDisplayStage::GetBytesHeld()
 {
-  return this->Internal->ColorBytes;
+  const Internals& in = *this->Internal;
+  return in.ColorBytes + in.Values.GetBytes() +
+    static_cast<vtkIdType>(in.Row.size() * sizeof(in.Row[0]));
 }
 
 //------------------------------------------------------------------------------
@@ -210,6 +294,13 @@ void vtkRelievoDisplayStage::ReleaseGraphicsResources(vtkWindow* window)
 {
   Internals& in = *this->Internal;
   in.Quad.Release(window);
+  in.Values.Release(window);
+  if (in.Map)
+  {
+    in.Map->ReleaseGraphicsResources(window);
+    in.Map = nullptr;
+  }
+  in.Row.clear();
   if (in.Colors)
   {
     in.Colors->ReleaseGraphicsResources(window);

@@ -39,18 +39,27 @@ Extremes GetFiniteExtremes(vtkDataArray* array, int component)
   return extremes;
 }
 
-glm::vec3 GetScalarColor(double value, const Extremes& extremes, bool grey)
+float GetShare(double value, const Extremes& extremes)
 {
   const double t = (value - extremes.From) / (extremes.To - extremes.From);
-  const float shown = static_cast<float>(std::min(1.0, std::max(0.0, t)));
-  return grey ? glm::vec3(shown) : relievo::f32::relievoColormap(shown);
+  return static_cast<float>(std::min(1.0, std::max(0.0, t)));
+}
+
+glm::vec3 GetMapped(float share, const std::vector<std::array<float, 3>>& map)
+{
+  const float place = share * static_cast<float>(map.size() - 1);
+  const auto first = static_cast<std::size_t>(place);
+  const std::array<float, 3>& low = map[first];
+  const std::array<float, 3>& high = map[std::min(first + 1, map.size() - 1)];
+  return glm::mix(glm::vec3(low[0], low[1], low[2]), glm::vec3(high[0], high[1], high[2]),
+    place - static_cast<float>(first));
 }
 }
 
 //------------------------------------------------------------------------------
 std::vector<unsigned char> vtkRelievoLayerColors::Make(vtkImageData* image,
-  const std::string& layer, bool visibility, const double range[2], bool grey, double shown[2],
-  bool& same)
+  const std::string& layer, bool visibility, const double range[2],
+  const std::vector<std::array<float, 3>>& map, double shown[2], bool& same)
 {
   vtkDataArray* array = image->GetPointData()->GetArray(layer.c_str());
   const vtkIdType count = array ? array->GetNumberOfTuples() : 0;
@@ -106,8 +115,9 @@ std::vector<unsigned char> vtkRelievoLayerColors::Make(vtkImageData* image,
     else if (components < 3)
     {
       there = std::isfinite(first) && (!depth || std::isfinite(depth->GetComponent(i, 0)));
-      color = GetScalarColor(
-        first, extremes[0], grey || visibility || known.Kind == vtkRelievoLayer::SHARE);
+      const float share = GetShare(there ? first : extremes[0].From, extremes[0]);
+      color = visibility || known.Kind == vtkRelievoLayer::SHARE ? glm::vec3(share)
+                                                                 : GetMapped(share, map);
     }
     else
     {
@@ -118,7 +128,7 @@ std::vector<unsigned char> vtkRelievoLayerColors::Make(vtkImageData* image,
         const double value = array->GetComponent(i, c);
         there = there && std::isfinite(value);
         zero = zero && value == 0.0;
-        color[c] = GetScalarColor(value, extremes[c], true).x;
+        color[c] = GetShare(value, extremes[c]);
       }
       color = light ? relievo::f32::relievoSrgbColorFromLinear(color) : color;
       there = there && (black || !zero);

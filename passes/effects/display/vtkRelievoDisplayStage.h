@@ -5,8 +5,8 @@
  * @brief The stage that shows a layer as the picture.
  *
  * Depth, range, normals and albedo are shown directly from the G-buffer's words. Ids, positions and
- * arrays, whose meaning only the CPU knows, are read back first. Scalars go through a colour map
- * over Range, vectors are shown as 0.5 v + 0.5, ids as distinct colours; light (color, light) by
+ * arrays, whose meaning only the CPU knows, are read back first. Scalars go through Colormap over
+ * Range, vectors are shown as 0.5 v + 0.5, ids as distinct colours; light (color, light) by
  * the sRGB curve, from 0 to 1 or over Range: `color` is the colour before tone.
  */
 #ifndef vtkRelievoDisplayStage_h
@@ -16,8 +16,10 @@
 #include "vtkRelievoStage.h"
 #include "vtkRelievoText.h" // for names that are given
 
+#include <array>  // for the colours
 #include <memory> // for the internals
 #include <string> // for the layer
+#include <vector> // for the colours
 
 class VTKRELIEVOEFFECTS_EXPORT vtkRelievoDisplayStage : public vtkRelievoStage
 {
@@ -34,8 +36,11 @@ public:
 
   ///@{
   /**
-   * Values shown as the first and the last colour, for scalar layers. Default (0, 0): from the near
-   * to the far plane for depth and range, the finite extremes for arrays.
+   * Values shown as the first and the last colour, for scalar layers. Default (0, 0): from the
+   * least to the greatest finite value that is seen. Of depth and range, a ground that is flat and
+   * far wider than all else counts only as near and as far as the rest is; of a picture in tiles
+   * they are those of the scene's bounds, of one that several processes draw together those of the
+   * clipping planes.
    */
   vtkSetVector2Macro(Range, double);
   vtkGetVector2Macro(Range, double);
@@ -47,11 +52,36 @@ public:
    */
   vtkGetVector2Macro(ShownRange, double);
 
+  /** How many components the layer has that the last frame showed; 0 of none. */
+  vtkGetMacro(ShownComponents, int);
+
   /**
    * Whether the last frame showed a layer that has one value in all pixels; not known, and false,
    * of depth, range, normals and albedo.
    */
   vtkGetMacro(Same, bool);
+
+  enum Colormaps
+  {
+    VIRIDIS = 0,
+    COOL_WARM = 1,
+    GREY = 2,
+    HOT = 3,
+    RAINBOW = 4
+  };
+
+  ///@{
+  /** The colour map of scalar layers. Default VIRIDIS. */
+  vtkSetClampMacro(Colormap, int, VIRIDIS, RAINBOW);
+  vtkGetMacro(Colormap, int);
+  ///@}
+
+  ///@{
+  /** Shows the greatest value in the map's first colour. Default off. */
+  vtkSetMacro(Reversed, bool);
+  vtkGetMacro(Reversed, bool);
+  vtkBooleanMacro(Reversed, bool);
+  ///@}
 
   ///@{
   /**
@@ -78,7 +108,10 @@ protected:
   std::string Layer;
   double Range[2] = { 0.0, 0.0 };
   double ShownRange[2] = { 0.0, 0.0 };
+  int ShownComponents = 0;
   bool Same = false;
+  int Colormap = VIRIDIS;
+  bool Reversed = false;
   bool Grey = false;
 
 private:
@@ -87,6 +120,15 @@ private:
 
   // The colours of the layer, made on the CPU, as a texture; false if the layer cannot be read.
   bool UploadColors(vtkRelievoFrameContext& context);
+
+  // Says once what is wrong with the layer, and that the stage failed; false if something is.
+  bool IsGood(const std::string& wrong);
+
+  // The colour map as a texture of one row.
+  void UploadMap(vtkRelievoFrameContext& context);
+
+  // Those of the map.
+  std::vector<std::array<float, 3>> GetColors() const;
 
   class Internals;
   std::unique_ptr<Internals> Internal;

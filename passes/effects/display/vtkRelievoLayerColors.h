@@ -6,6 +6,7 @@
 #ifndef vtkRelievoLayerColors_h
 #define vtkRelievoLayerColors_h
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -13,12 +14,13 @@ class vtkImageData;
 
 namespace vtkRelievoLayerColors
 {
-// RGBA, alpha 0 where nothing is. The range is taken from the values if it is empty; a light's
-// visibility is grey, from 0 to 1, and nothing where the image has a depth without a surface.
+// RGBA, alpha 0 where nothing is. `map`: the colours of scalars, from the first to the last. The
+// range is taken from the values if it is empty; a light's visibility is grey, from 0 to 1, and
+// nothing where the image has a depth without a surface.
 // `shown`: gets the values of the first and the last colour, of the first component, infinite where
 // no pixel has one. `same`: gets whether all pixels have one.
 std::vector<unsigned char> Make(vtkImageData* image, const std::string& layer, bool visibility,
-  const double range[2], bool grey, double shown[2], bool& same);
+  const double range[2], const std::vector<std::array<float, 3>>& map, double shown[2], bool& same);
 }
 
 #endif

@@ -1,0 +1,134 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "LayerWords.h"
+
+#include "vtkRelievoColormaps.h"
+#include "vtkRelievoDisplayStage.h"
+#include "vtkRelievoLayer.h"
+#include "vtkRelievoLayerCatalogue.h"
+
+#include <QColor>
+#include <QStringList>
+
+#include <cmath>
+
+namespace relievoQt
+{
+namespace
+{
+constexpr int Shades = 256;
+constexpr int ValueDigits = 4;
+
+const char* const InWorldUnits[] = { "depth", "range", "light_depth" };
+
+QImage MakeStrip(const std::string& map, bool reversed)
+{
+  QImage strip(Shades, 1, QImage::Format_RGB32);
+  const auto colors = vtkRelievoColormaps::Sample(map, reversed, Shades);
+  for (int i = 0; i < Shades; ++i)
+  {
+    const auto& rgb = colors[static_cast<std::size_t>(i)];
+    strip.setPixelColor(i, 0, QColor::fromRgbF(rgb[0], rgb[1], rgb[2]));
+  }
+  return strip;
+}
+
+QString MakeTitle(const std::string& layer)
+{
+  QString title = QString::fromStdString(layer);
+  for (const char* name : InWorldUnits)
+  {
+    title += layer == name ? " (world units)" : "";
+  }
+  return title;
+}
+
+// Empty for what has a strip.
+QString DescribeColors(const vtkRelievoLayer& layer, int components)
+{
+  switch (layer.Kind)
+  {
+    case vtkRelievoLayer::ID:
+      return "Each has a colour of its own.";
+    case vtkRelievoLayer::VECTOR:
+      return "Red, green and blue are x, y and z, from -1 to 1.";
+    case vtkRelievoLayer::POSITION:
+      return "Red, green and blue are x, y and z, each from the least to the greatest seen.";
+    case vtkRelievoLayer::COLOR:
+      return "";
+    default:
+      return components > 2
+        ? "Red, green and blue are the first three components, each from the least to the greatest "
+          "seen."
+        : "";
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+QString LayerWords::GetText() const
+{
+  QStringList lines;
+  for (const QString& line : { this->Title, this->Words, this->First, this->Last })
+  {
+    if (!line.isEmpty())
+    {
+      lines += line;
+    }
+  }
+  return lines.join('\n');
+}
+
+//------------------------------------------------------------------------------
+LayerWords DescribeLayer(vtkRelievoDisplayStage* stage, bool isDrawnHere)
+{
+  const std::string layer = stage->GetLayer();
+  const bool light = vtkRelievoLayerCatalogue::GetIsOfLight(layer); // by any name
+  const vtkRelievoLayer& known =
+    light ? vtkRelievoLayerCatalogue::GetOfLight() : vtkRelievoLayerCatalogue::Find(layer);
+  LayerWords words;
+  words.Title = MakeTitle(layer);
+  if (isDrawnHere && stage->GetReasonCode() != "ran")
+  {
+    words.Words = "Nothing to see: " + QString::fromStdString(stage->GetReason()) + ".";
+    return words;
+  }
+  if (isDrawnHere && !std::isfinite(stage->GetShownRange()[0]))
+  {
+    words.Words = "Nothing to see: no pixel has a value.";
+    return words;
+  }
+  const QString help = QString::fromStdString(known.Help);
+  words.Words = help.isEmpty() ? help : help.left(1).toUpper() + help.mid(1) + ".";
+  if (isDrawnHere && stage->GetSame())
+  {
+    words.Words = ("Nothing to see: all pixels are alike. " + words.Words).trimmed();
+    return words;
+  }
+  const int components = stage->GetShownComponents();
+  const QString colors = DescribeColors(known, components);
+  words.Words = (words.Words + " " + colors).trimmed();
+  if (!colors.isEmpty() || known.Kind == vtkRelievoLayer::COLOR)
+  {
+    return words;
+  }
+  const bool share = known.Kind == vtkRelievoLayer::SHARE;
+  const bool given = stage->GetRange()[0] < stage->GetRange()[1];
+  const double* range = given ? stage->GetRange() : stage->GetShownRange();
+  const auto write = [&](double value, const char* unknown) {
+    return isDrawnHere || given ? QString::number(value, 'g', ValueDigits) : QString(unknown);
+  };
+  words.First = write(range[0], share ? "0" : "the least");
+  words.Last = write(range[1], share ? "1" : "the greatest");
+  if (light && !given)
+  {
+    words.First += ": in shadow";
+    words.Last += ": lit";
+  }
+  const auto map = static_cast<std::size_t>(
+    stage->GetGrey() || share ? vtkRelievoDisplayStage::GREY : stage->GetColormap());
+  words.Strip = MakeStrip(
+    vtkRelievoColormaps::GetNames()[map], stage->GetReversed() && !stage->GetGrey() && !share);
+  return words;
+}
+}

@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * The values of the first and the last colour: found automatically, or typed.
+ */
+#ifndef RangeEdit_h
+#define RangeEdit_h
+
+#include <QString>
+#include <QWidget>
+
+#include <array>
+
+class QCheckBox;
+class QLineEdit;
+
+namespace relievoQt
+{
+class RangeEdit : public QWidget
+{
+  Q_OBJECT
+
+public:
+  explicit RangeEdit(QWidget* parent = nullptr);
+
+  void SetAutomaticToolTip(const QString& text);
+
+  /// Empty texts: automatic. Sends no signal.
+  void Show(const QString& least, const QString& most);
+
+  /// What is shown for the ends while they are found automatically.
+  void ShowFound(const std::array<double, 2>& range);
+
+Q_SIGNALS:
+  void automaticSwitched(bool on);
+  /// Two numbers, the least first.
+  void typed(const QString& least, const QString& most);
+
+private:
+  void Take();
+
+  QCheckBox* Automatic;
+  QLineEdit *Least, *Most;
+  QString Given[2];
+};
+}
+
+#endif
