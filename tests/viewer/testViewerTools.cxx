@@ -15,7 +15,9 @@
 #include <QApplication>
 #include <QCheckBox>
 #include <QComboBox>
+#include <QLabel>
 #include <QLineEdit>
+#include <QPushButton>
 #include <QRegularExpression>
 #include <QTextEdit>
 #include <QToolBar>
@@ -225,7 +227,16 @@ private Q_SLOTS:
     {
       QVERIFY2(show(blank).contains("Nothing to see"), qPrintable(legend->GetText()));
     }
-    QCOMPARE(show(""), QString());
+    // The banner goes back to the picture, in one step.
+    auto* back = this->Window->findChild<QPushButton*>("showPicture");
+    QVERIFY(back->isVisible());
+    QCOMPARE(this->Window->findChild<QLabel*>("layerBannerWords")->text(),
+      QString("Showing lamps_reaching"));
+    back->click();
+    this->Grab();
+    QVERIFY(!back->isVisible());
+    QCOMPARE(legend->GetText(), QString());
+    this->Compare("the picture again");
   }
 };
 

@@ -247,6 +247,22 @@ private Q_SLOTS:
     QVERIFY(table->item(0, 1)->text().startsWith("4.4")); // to be read and copied
     // Looking changes nothing.
     QCOMPARE(CountDifferent(before, this->Grab()), 0);
+    // Another view, and another file, have other values.
+    auto* words = this->Window->findChild<QLabel*>("underTheMouse");
+    QVERIFY(words->text().startsWith("depth 4.4"));
+    view->GetPicture().LookAlong({ -1.0, 0.0, 0.0 }, { 0.0, 1.0, 0.0 });
+    view->Draw();
+    QTRY_COMPARE_WITH_TIMEOUT(table->rowCount(), 0, 20000);
+    QVERIFY(words->text().isEmpty());
+    this->SendMouse(QEvent::MouseMove, view->rect().center(), Qt::NoButton);
+    QTRY_VERIFY_WITH_TIMEOUT(table->rowCount() > 0, 20000);
+    this->Change([](scene::Settings& settings) { settings.Set("--opacity", "0.5"); });
+    QTRY_COMPARE_WITH_TIMEOUT(table->rowCount(), 0, 20000);
+    QTRY_VERIFY_WITH_TIMEOUT(table->rowCount() > 0, 20000); // the mouse is still there
+    QApplication::sendEvent(view, &left);
+    this->Window->OpenFiles({ QString::fromStdString(this->WriteScene("other.vtp")) });
+    this->WaitUntilRead();
+    QCOMPARE(table->rowCount(), 0);
   }
 
   void session()

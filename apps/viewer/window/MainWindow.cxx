@@ -7,6 +7,7 @@
 #include "EmptyPage.h"
 #include "FileFacts.h"
 #include "InputGuard.h"
+#include "LayerBanner.h"
 #include "LayerLegend.h"
 #include "LayersPanel.h"
 #include "LightHandles.h"
@@ -180,6 +181,7 @@ MainWindow::MainWindow(QWidget* parent)
   this->StopPlacing = new QShortcut(Qt::Key_Escape, this);
   this->StopPlacing->setObjectName("stopPlacing");
   this->StopPlacing->setEnabled(false);
+  this->Banner = new LayerBanner(this->Shown, this->Message);
   this->setCentralWidget(this->Pages);
   this->AddPanels();
   this->AddStatus();
@@ -286,6 +288,10 @@ void MainWindow::Connect()
   QObject::connect(
     this->Report, &ReportPanel::framesWanted, this->Shown, [this] { this->Shown->Draw(); });
   QObject::connect(this->Axes, &AxisMarker::lookWanted, this, &MainWindow::LookFrom);
+  QObject::connect(this->Banner, &LayerBanner::pictureWanted, this, [this] {
+    this->Edited->Change(
+      [](scene::Settings& settings) { settings.SetParameter("display", "layer", ""); });
+  });
   QObject::connect(this->Empty, &EmptyPage::openWanted, this,
     [this] { this->findChild<QAction*>("open")->trigger(); });
   QObject::connect(this->Recent, &RecentFiles::chosen, this,
@@ -385,6 +391,20 @@ void MainWindow::ShowProbe()
   }
   this->Values->setText(
     !values.empty() && values[0].IsBackground ? QString("background") : words.join("   "));
+}
+
+//------------------------------------------------------------------------------
+// Of a picture that is there no more. They are read anew where the mouse rests.
+void MainWindow::DropValues()
+{
+  this->Reading.Forget();
+  this->Layers->ShowValues({});
+  this->Values->clear();
+  this->Probed = this->GetViewSettings();
+  if (this->Layers->IsProbing() && this->Pointed[0] >= 0)
+  {
+    this->Pause.start();
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -610,7 +630,7 @@ void MainWindow::ShowNothing()
   this->Good = this->Edited->Get();
   this->ReadingKey = GetReadingKey(this->Good);
   this->Edited->SetFacts(Facts());
-  this->Layers->ShowValues({});
+  this->DropValues();
   this->setWindowTitle("Relievo");
   this->Say("");
   this->TellMessages();
@@ -832,6 +852,7 @@ QString MainWindow::ShowRead()
     this->Edited->ForgetPast(); // for the first file there is nothing to go back to
   }
   this->Good = this->Edited->Get();
+  this->DropValues();
   Facts facts = GetFacts(picture);
   facts.Files = GetFileFacts(picture, this->Good.Files);
   this->Edited->SetFacts(facts);
@@ -918,6 +939,10 @@ void MainWindow::TellMessages()
 void MainWindow::OnDrawn()
 {
   this->Reading.Forget();
+  if (this->Layers->IsProbing() && this->Probed != this->GetViewSettings())
+  {
+    this->DropValues();
+  }
   for (StageGroup* stage : this->findChildren<StageGroup*>())
   {
     stage->ShowReason(this->Shown->GetPicture().GetFrame());
@@ -926,6 +951,7 @@ void MainWindow::OnDrawn()
   this->ShowSmoothing();
   this->Axes->Follow(this->Shown->GetPicture().GetRenderer());
   this->Layers->Follow();
+  this->Banner->Follow(this->Shown->GetPicture().GetFrame());
   this->Legend->Follow(this->Shown->GetPicture().GetFrame());
   this->Handles->Follow();
   try

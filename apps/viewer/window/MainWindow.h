@@ -29,6 +29,7 @@ namespace viewer
 {
 class AxisMarker;
 class EmptyPage;
+class LayerBanner;
 class LayerLegend;
 class LayersPanel;
 class LightHandles;
@@ -130,6 +131,7 @@ private:
   void WaitForPlace(const QString& hint);
   void PlaceLight(int x, int y);
   void ShowProbe();
+  void DropValues();
   void TellMessages();
   void SayOfFile(const QString& why);
   void Mend();
@@ -152,6 +154,7 @@ private:
   QStackedWidget* Pages;
   EmptyPage* Empty;
   AxisMarker* Axes;
+  LayerBanner* Banner;
   LayerLegend* Legend;
   LightHandles* Handles;
   MessageBar *Message, *Hint;
@@ -182,6 +185,7 @@ private:
   QElapsedTimer Smoothed;
   QTimer Pause, Waiting, Quiet, Later;
   int Pointed[2] = { -1, -1 };
+  scene::Settings Probed; // what the picture shows that the values are of
 };
 }
 

@@ -1,0 +1,90 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "LayerBanner.h"
+
+#include "vtkRelievoPass.h"
+
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPainter>
+#include <QPushButton>
+
+#include <algorithm>
+
+namespace viewer
+{
+namespace
+{
+constexpr int Gap = 10; // pixels, above it
+}
+
+//------------------------------------------------------------------------------
+LayerBanner::LayerBanner(QWidget* parent, QWidget* above)
+  : Overlay(parent)
+  , Above(above)
+  , Words(new QLabel(this))
+{
+  this->setObjectName("layerBanner");
+  this->Words->setObjectName("layerBannerWords");
+  this->Words->setTextFormat(Qt::PlainText);
+  this->Words->setStyleSheet("color: white");
+  auto* back = new QPushButton("Show the picture", this);
+  back->setObjectName("showPicture");
+  back->setToolTip("Edits of Look and Light are seen in the picture");
+  auto* row = new QHBoxLayout(this);
+  row->setContentsMargins(14, 6, 8, 6);
+  row->setSpacing(12);
+  row->addWidget(this->Words);
+  row->addWidget(back);
+  QObject::connect(back, &QPushButton::clicked, this, &LayerBanner::pictureWanted);
+  above->installEventFilter(this);
+  this->hide();
+}
+
+//------------------------------------------------------------------------------
+void LayerBanner::Follow(vtkRelievoPass* frame)
+{
+  const char* layer = frame ? frame->GetDisplayLayer() : nullptr;
+  if (layer)
+  {
+    this->Words->setText(QString("Showing %1").arg(layer));
+    this->Place();
+  }
+  this->setVisible(layer != nullptr);
+}
+
+//------------------------------------------------------------------------------
+bool LayerBanner::eventFilter(QObject* watched, QEvent* event)
+{
+  const bool moves =
+    watched == this->Above && (event->type() == QEvent::Show || event->type() == QEvent::Hide);
+  if (moves)
+  {
+    this->Place();
+  }
+  return this->Overlay::eventFilter(watched, event);
+}
+
+//------------------------------------------------------------------------------
+void LayerBanner::Place()
+{
+  this->layout()->activate();
+  const QSize room = this->parentWidget()->size();
+  const QSize size = this->sizeHint().boundedTo(room);
+  const int top = this->Above->isHidden() ? 0 : this->Above->geometry().bottom() + 1;
+  this->setGeometry(
+    std::max(0, (room.width() - size.width()) / 2), top + Gap, size.width(), size.height());
+}
+
+//------------------------------------------------------------------------------
+// White on dark, which can be read over any picture.
+void LayerBanner::paintEvent(QPaintEvent*)
+{
+  QPainter painter(this);
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(QColor(20, 20, 20, 190));
+  painter.drawRoundedRect(this->rect(), 5, 5);
+}
+}
