@@ -63,11 +63,11 @@ void RangeEdit::Take()
     return;
   }
   bool numbers[2];
-  const double ends[2] = { least.toDouble(&numbers[0]), most.toDouble(&numbers[1]) };
-  if (numbers[0] && numbers[1] && ends[0] != ends[1])
+  least.toDouble(&numbers[0]);
+  most.toDouble(&numbers[1]);
+  if (numbers[0] && numbers[1])
   {
-    const bool ordered = ends[0] < ends[1];
-    Q_EMIT this->typed(ordered ? least : most, ordered ? most : least);
+    Q_EMIT this->typed(least, most);
   }
   else
   {

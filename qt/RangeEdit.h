@@ -33,7 +33,7 @@ public:
 
 Q_SIGNALS:
   void automaticSwitched(bool on);
-  /// Two numbers, the least first.
+  /// Two numbers, in any order.
   void typed(const QString& least, const QString& most);
 
 private:

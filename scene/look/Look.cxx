@@ -31,6 +31,7 @@
 #include "vtkVolumeProperty.h"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <map>
 #include <vector>
@@ -146,8 +147,35 @@ void CheckFound(const std::map<std::string, std::vector<Coloring>>& all, const S
   }
 }
 
+// Adds the range of a component, -1 for the magnitude; of positive values only, if asked for.
+void AddRange(vtkDataArray* array, int component, bool positive, std::array<double, 2>& range)
+{
+  double own[2];
+  array->GetFiniteRange(own, component);
+  if (positive && own[0] <= 0.0)
+  {
+    own[0] = VTK_DOUBLE_MAX;
+    const int count = array->GetNumberOfComponents();
+    for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
+    {
+      double value = component < 0 ? 0.0 : array->GetComponent(i, component);
+      for (int c = 0; component < 0 && c < count; ++c)
+      {
+        value = std::hypot(value, array->GetComponent(i, c));
+      }
+      own[0] = value > 0.0 ? std::min(own[0], value) : own[0];
+    }
+  }
+  if (own[0] <= own[1])
+  {
+    range = { std::min(range[0], own[0]), std::max(range[1], own[1]) };
+  }
+}
+
 //------------------------------------------------------------------------------
-std::array<double, 2> FindRange(const std::vector<Coloring>& all, const LookChoice& look)
+// Empty where there are no values.
+std::array<double, 2> FindRange(
+  const std::vector<Coloring>& all, const LookChoice& look, bool positive)
 {
   std::array<double, 2> range = { VTK_DOUBLE_MAX, -VTK_DOUBLE_MAX };
   for (const Coloring& each : all)
@@ -158,14 +186,37 @@ std::array<double, 2> FindRange(const std::vector<Coloring>& all, const LookChoi
     }
     for (vtkDataArray* array : each.Arrays)
     {
-      double own[2];
-      // -1 is the magnitude.
-      array->GetFiniteRange(
-        own, look.Component.value_or(array->GetNumberOfComponents() > 1 ? -1 : 0));
-      range = { std::min(range[0], own[0]), std::max(range[1], own[1]) };
+      AddRange(array, look.Component.value_or(array->GetNumberOfComponents() > 1 ? -1 : 0),
+        positive, range);
     }
   }
   return range;
+}
+
+//------------------------------------------------------------------------------
+// What the first and the last colour are for, of values that have this range.
+std::array<double, 2> ChooseRange(
+  const std::array<double, 2>& found, const LookChoice& look, const std::string& name)
+{
+  if (look.Range)
+  {
+    return *look.Range;
+  }
+  const bool any = found[0] <= found[1];
+  if (Colormap::Parse(look.Colormap).Log)
+  {
+    if (!any)
+    {
+      throw UsageError("--colormap log: '" + name + "' has no positive values");
+    }
+    return { found[0], found[1] > found[0] ? found[1] : 10.0 * found[0] };
+  }
+  if (!any)
+  {
+    return { 0.0, 1.0 };
+  }
+  const double far = std::max(std::abs(found[0]), std::abs(found[1]));
+  return look.Symmetric && far > 0.0 ? std::array<double, 2>{ -far, far } : found;
 }
 
 //------------------------------------------------------------------------------
@@ -221,12 +272,17 @@ void SetColors(const Scene& scene, const LookChoice& look, bool mapped)
 {
   const std::map<std::string, std::vector<Coloring>> all = FindAll(scene, look, mapped);
   CheckFound(all, scene, look);
+  const int steps = Colormap::Parse(look.Colormap).Steps;
   int bars = 0;
   for (const auto& [name, colorings] : all)
   {
-    std::array<double, 2> range = FindRange(colorings, look);
-    const bool values = range[0] <= range[1];
-    range = look.Range.value_or(values ? range : std::array<double, 2>{ 0.0, 1.0 });
+    const bool colors = std::all_of(colorings.begin(), colorings.end(),
+      [&look](const Coloring& each) { return AreColors(each.Arrays, look); });
+    const bool log = Colormap::Parse(look.Colormap).Log;
+    const std::array<double, 2> found = FindRange(colorings, look, log);
+    const bool values = found[0] <= found[1];
+    const std::array<double, 2> range =
+      colors ? std::array<double, 2>{ 1.0, 2.0 } : ChooseRange(found, look, name);
     const vtkSmartPointer<vtkColorTransferFunction> map = MakeColormap(look.Colormap, range);
     look.Component ? map->SetVectorModeToComponent() : map->SetVectorModeToMagnitude();
     map->SetVectorComponent(look.Component.value_or(0));
@@ -236,19 +292,20 @@ void SetColors(const Scene& scene, const LookChoice& look, bool mapped)
     }
     if (look.ScalarBar && values && ++bars == 1)
     {
-      AddScalarBar(
-        scene.Renderer, map, name + (look.Component ? " " + std::to_string(*look.Component) : ""));
+      AddScalarBar(scene.Renderer, map,
+        name + (look.Component ? " " + std::to_string(*look.Component) : ""), steps);
     }
   }
   ForEachVolume(scene.Renderer, [&](vtkImageData* image, vtkVolume* volume) {
     vtkDataArray* values = image->GetPointData()->GetScalars();
-    std::array<double, 2> range;
-    values->GetFiniteRange(range.data());
-    const auto map = MakeColormap(look.Colormap, look.Range.value_or(range));
+    const std::string name = values->GetName() ? values->GetName() : "";
+    std::array<double, 2> range = { VTK_DOUBLE_MAX, -VTK_DOUBLE_MAX };
+    AddRange(values, 0, Colormap::Parse(look.Colormap).Log, range);
+    const auto map = MakeColormap(look.Colormap, ChooseRange(range, look, name));
     volume->GetProperty()->SetColor(map);
     if (look.ScalarBar && ++bars == 1)
     {
-      AddScalarBar(scene.Renderer, map, values->GetName() ? values->GetName() : "");
+      AddScalarBar(scene.Renderer, map, name, steps);
     }
   });
   if (look.ScalarBar && bars != 1)

@@ -86,7 +86,13 @@ void TakeColorBy(RenderOptions& options, const std::string& word)
 //------------------------------------------------------------------------------
 void TakeRange(RenderOptions& options, const std::string& word)
 {
-  const std::vector<double> n = ParseNumbers("--range", word, 2, "MIN,MAX");
+  options.Look.Symmetric = word == "symmetric";
+  if (options.Look.Symmetric)
+  {
+    options.Look.Range.reset();
+    return;
+  }
+  const std::vector<double> n = ParseNumbers("--range", word, 2, "MIN,MAX or symmetric");
   if (n[0] >= n[1])
   {
     RefuseValue("--range", word, "MIN,MAX with MIN < MAX");
@@ -147,6 +153,14 @@ void TakeBackground(RenderOptions& options, const std::string& word)
 //------------------------------------------------------------------------------
 void CheckLookOptions(const RenderOptions& options, const std::set<std::string>& given)
 {
+  const LookChoice& look = options.Look;
+  if (Colormap::Parse(look.Colormap).Log &&
+    (look.Symmetric || (look.Range && (*look.Range)[0] <= 0.0)))
+  {
+    throw UsageError(std::string("--colormap log: logarithms are of positive values alone; ") +
+      (look.Symmetric ? "give no --range symmetric as well"
+                      : "give a --range that begins above 0"));
+  }
   if (options.Look.Solid)
   {
     for (const char* option : { "--color-by", "--colormap", "--range", "--scalar-bar" })

@@ -36,6 +36,7 @@ struct LookChoice
   std::optional<int> Component; ///< of it; none: colours as they are, else the magnitude
   bool Magnitude = false;       ///< of arrays that could be colours
   std::optional<std::array<double, 2>> Range;
+  bool Symmetric = false; ///< the range of the files, as far below zero as above it
   std::string Colormap = DefaultColormap;
   bool ScalarBar = false;
   std::optional<Color> Solid;

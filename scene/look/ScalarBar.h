@@ -14,8 +14,10 @@ class vtkRenderer;
 namespace scene
 {
 /// In the renderer's size as it is now: the title and the values are in the picture, in black or
-/// white, and neighbouring values differ.
-void AddScalarBar(vtkRenderer* renderer, vtkColorTransferFunction* map, const std::string& title);
+/// white, and neighbouring values differ. Those of a map in a few steps are where its colours
+/// change; of one by logarithms, powers of ten between the ends.
+void AddScalarBar(
+  vtkRenderer* renderer, vtkColorTransferFunction* map, const std::string& title, int steps = 0);
 }
 
 #endif

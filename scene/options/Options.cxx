@@ -204,11 +204,15 @@ std::vector<OptionRow> MakeRows()
       "name; COMPONENT a number from 0, or magnitude (the magnitude; bytes of 3 or 4 "
       "components are colours)",
       TakeColorBy },
-    { "--range", "MIN,MAX", "values of the first and the last colour (those of all files together)",
+    { "--range", "MIN,MAX",
+      "values of the first and the last colour (those of all files together); symmetric: those, as "
+      "far below zero as above it",
       TakeRange },
     { "--colormap", "NAME",
-      "viridis, cool-warm, grey, hot or rainbow, or colours between commas, evenly placed, such as "
-      "black,#ff8000,white; with :reversed behind it the other way round (viridis)",
+      "viridis, cool-warm, grey, hot or rainbow, or colours between commas, evenly placed or by "
+      "their share of the range, such as black,0.3=#ff8000,white; behind it :reversed, the other "
+      "way round, :log, by the logarithm of the values, :steps=N, in so many colours, :nan=COLOR, "
+      "of what is no number (viridis)",
       TakeColormap },
     { "--scalar-bar", "", "shows the colours and their values at the right",
       [](RenderOptions& options, const std::string&) { options.Look.ScalarBar = true; } },

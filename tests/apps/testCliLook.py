@@ -6,7 +6,7 @@ import numpy
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkFiltersSources import vtkPlaneSource
 from vtkmodules.vtkIOImage import vtkPNGWriter
-from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
+from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLPolyDataWriter
 
 from cli import CliTest, main, read_png, write_image
 
@@ -125,6 +125,46 @@ class Look(CliTest):
                 apart = abs(found * 255 - end).max()
                 self.assertLess(apart, 4, f"{name}, {bounds}: {found[0, 0] * 255}")
 
+    def test_scales(self):
+        """Logarithms, steps, places of own colours, a range around zero, what is no number."""
+        across, points = 3 + 2 * X, numpy.linspace(-1, 1, CELLS + 1)
+        share, log = (across - 1) / 4, numpy.interp(X, points, numpy.log(3 + 2 * points))
+        for words, expected in (
+            (["grey:log"], log / numpy.log(5)),
+            (["grey:reversed:log"], 1 - log / numpy.log(5)),
+            (["grey:log", "--range", "0.5,8"], (log + numpy.log(2)) / numpy.log(16)),
+            (["grey:steps=4"], numpy.floor(4 * share) / 3),
+            (["grey:steps=3:reversed"], 1 - numpy.floor(3 * share) / 2),
+            (["grey:log:steps=2"], (log > numpy.log(5) / 2).astype(float)),
+            (["black,0.25=white,0.5=black,white"], numpy.interp(share, [0, 0.25, 0.5, 1], [0, 1, 0, 1])),
+            (["0.25=black,0.5=white"], numpy.clip(4 * share - 1, 0, 1)),
+            (["0.25=black,0.5=white:reversed"], numpy.clip(3 - 4 * share, 0, 1)),
+            (["black,0.5=white,black,white"], numpy.interp(share, [0, 0.5, 0.75, 1], [0, 1, 0, 1])),
+            (["grey", "--range", "symmetric"], (across + 5) / 10),
+        ):
+            with self.subTest(words):
+                found = self.albedo("--color-by", "across", "--colormap", *words)
+                edges = numpy.abs(numpy.diff(expected, prepend=expected[0])) > 0.2
+                steady = ~(edges | numpy.roll(edges, -1))  # but where a colour ends
+                self.judge(found, expected, numpy.flatnonzero(steady))
+        reader = vtkXMLPolyDataReader()
+        reader.SetFileName(str(self.folder / "plane.vtp"))
+        reader.Update()
+        values = vtk_to_numpy(reader.GetOutput().GetCellData().GetArray("column")).astype(float)
+        add(reader.GetOutput().GetCellData(), "holes", numpy.where(values < 4, numpy.nan, values))
+        add(reader.GetOutput().GetCellData(), "below", values - 4)
+        writer = vtkXMLPolyDataWriter()
+        writer.SetFileName(str(self.folder / "holes.vtp"))
+        writer.SetInputData(reader.GetOutput())
+        writer.Write()
+        for words, color in ((["grey:nan=#ff8000"], (1, 128 / 255, 0)), (["grey"], (0.5,) * 3)):
+            found = self.albedo("--color-by", "holes", "--colormap", *words, file="holes.vtp")
+            self.judge(found[:, :40], numpy.tile(color, (40, 1)))
+        # What is not above zero has the first colour; the range begins at the least that is.
+        found = self.albedo("--color-by", "below", "--colormap", "grey:log", file="holes.vtp")
+        columns = numpy.arange(SIDE) * CELLS // SIDE - 4
+        self.judge(found, numpy.log(numpy.maximum(columns, 1)) / numpy.log(3))
+
     def test_between_points(self):
         """Values are interpolated, not colours: two cells across have the colours of many."""
         source = vtkPlaneSource()
@@ -164,6 +204,18 @@ class Look(CliTest):
         self.assertGreater(apart.mean(), 0.01)
         for color in ((68, 1, 84), (253, 231, 37)):
             self.assertGreater((abs(bar - color).max(axis=2) < 12)[:, 330:].sum(), 10, color)
+
+    def test_bar_of_steps(self):
+        """As many colours as steps, of one height, by logarithms, too."""
+        for words in ("grey:steps=5", "grey:steps=5:log"):
+            self.relievo("render", "plane.vtp", *CAMERA, "--size", "400x200", "--color-by", "across",
+                         "--background", "navy", "--colormap", words, "--scalar-bar",
+                         "--png", "a.png")  # fmt: skip
+            picture = read_png(self.folder / "a.png").astype(int)
+            heights = [(abs(picture[:, 330:] - round(255 * step / 4)).max(axis=2) < 2).sum(axis=0)
+                       for step in (1, 2, 3)]  # fmt: skip
+            heights = [numpy.median(each[each > 10]) for each in heights]
+            self.assertLessEqual(max(heights) - min(heights), 1, words)
 
     def test_bar_texts(self):
         """Whole, and no two values alike, whatever they are."""
@@ -295,6 +347,13 @@ class Look(CliTest):
             (["--colormap", "viridian"], ["'viridian'", "viridis, cool-warm"]),
             (["--colormap", "black,viridian"], ["'viridian'", "colour's name"]),
             (["--colormap", "black,"], "--colormap"),
+            (["--colormap", "grey:steps=1"], ["'1'", "2 to 256"]),
+            (["--colormap", "grey:lug"], ["'grey:lug'", ":log"]),
+            (["--colormap", "black,0.6=red,0.4=white"], ["'0.4=white'", "colour before"]),
+            (["--colormap", "grey:nan=greenish"], ["'greenish'", "#rrggbb"]),
+            (["--colormap", "grey:log", "--range", "0,1"], ["--colormap log", "above 0"]),
+            (["--colormap", "grey:log", "--range", "symmetric"], ["no --range symmetric"]),
+            (["--colormap", "grey:log", "--color-by", "wind,1"], ["'wind'", "no positive values"]),
             (["--range", "2,1"], ["'2,1'", "MIN < MAX"]),
             (["--opacity", "1.5"], ["'1.5'", "0 to 1"]),
             (["--background", "greenish"], ["'greenish'", "#rrggbb"]),

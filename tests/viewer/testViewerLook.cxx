@@ -17,11 +17,16 @@
 #include "vtkXMLPolyDataReader.h"
 #include "vtkXMLPolyDataWriter.h"
 
+#include <QApplication>
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QGroupBox>
 #include <QLineEdit>
+#include <QMouseEvent>
+#include <QPushButton>
+#include <QSpinBox>
+#include <QToolButton>
 #include <QtTest>
 
 using scene::Settings;
@@ -134,6 +139,61 @@ private Q_SLOTS:
     QVERIFY(this->Window->GetTrouble().contains("Colour map"));
     QCOMPARE(map->currentText(), QString("black,#ff8000,white"));
     this->Find<QCheckBox>("colors", "reversed")->setChecked(false);
+    // The list of an own map: a value is typed, a colour added, one removed.
+    this->Find<QToolButton>("colors", "editStops")->setChecked(true);
+    auto* stops = this->Window->findChild<QWidget*>("stops");
+    const auto setValue = [stops](int row, const char* value) {
+      auto* edit = stops->findChildren<QLineEdit*>("value").at(row);
+      edit->setText(value);
+      Q_EMIT edit->editingFinished();
+    };
+    this->Choose("colors", "colorby", "height"); // from 0 to 1
+    QTRY_COMPARE(stops->findChildren<QLineEdit*>("value").at(1)->text(), QString("0.5"));
+    setValue(1, "0.25");
+    QCOMPARE(this->Get("--colormap"), std::string("#000000,0.25=#ff8000,#ffffff"));
+    stops->findChild<QPushButton*>("addStop")->click();
+    QCOMPARE(this->Get("--colormap"), std::string("#000000,0.25=#ff8000,0.625=#ffc080,#ffffff"));
+    setValue(3, "nonsense");
+    stops->findChildren<QToolButton*>("remove").at(0)->click();
+    QCOMPARE(this->Get("--colormap"), std::string("0.25=#ff8000,0.625=#ffc080,#ffffff"));
+    this->Compare("own colours at their places");
+    QTRY_COMPARE(stops->findChildren<QLineEdit*>("value").size(), 3);
+    // A handle that is dragged is one edit.
+    auto* strip = stops->findChild<QWidget*>("stopStrip");
+    const QPoint handle(5 + static_cast<int>(0.625 * (strip->width() - 11)), 15);
+    const auto send = [strip](QEvent::Type type, const QPoint& at) {
+      QMouseEvent event(
+        type, at, strip->mapToGlobal(at), Qt::LeftButton, Qt::LeftButton, Qt::NoModifier);
+      QApplication::sendEvent(strip, &event);
+    };
+    send(QEvent::MouseButtonPress, handle);
+    send(QEvent::MouseMove, QPoint(strip->width() - 30, 15));
+    send(QEvent::MouseMove, QPoint(strip->width() / 2, 15));
+    send(QEvent::MouseButtonRelease, QPoint(strip->width() / 2, 15));
+    const QString dragged = QString::fromStdString(this->Get("--colormap"));
+    const double place = dragged.section(',', 1).section('=', 0, 0).toDouble();
+    QVERIFY2(std::abs(place - 0.5) < 0.01, qPrintable(dragged));
+    this->Window->GetDocument()->Undo();
+    QCOMPARE(this->Get("--colormap"), std::string("0.25=#ff8000,0.625=#ffc080,#ffffff"));
+    this->Find<QToolButton>("colors", "editStops")->setChecked(false);
+    // Steps, logarithms, a range around zero, and what is seen.
+    type("cool-warm");
+    this->Find<QSpinBox>("colors", "steps")->setValue(5);
+    QCOMPARE(this->Get("--colormap"), std::string("cool-warm:steps=5"));
+    this->Find<QCheckBox>("colors", "symmetric")->setChecked(true);
+    QCOMPARE(this->Get("--range"), std::string("symmetric"));
+    QTRY_COMPARE(this->Find<QLineEdit>("colors", "least")->placeholderText(), QString("-1"));
+    this->Compare("steps around zero");
+    this->Find<QCheckBox>("colors", "log")->setChecked(true);
+    QVERIFY(this->Window->GetTrouble().contains("--colormap log"));
+    QVERIFY(!this->Find<QCheckBox>("colors", "log")->isChecked());
+    this->Find<QCheckBox>("colors", "symmetric")->setChecked(false);
+    this->Find<QCheckBox>("colors", "log")->setChecked(true);
+    QCOMPARE(this->Get("--colormap"), std::string("cool-warm:log:steps=5"));
+    QVERIFY(!this->Find<QCheckBox>("colors", "symmetric")->isEnabled());
+    this->Compare("logarithms");
+    this->Find<QCheckBox>("colors", "log")->setChecked(false);
+    this->Find<QSpinBox>("colors", "steps")->setValue(1);
     type("viridis");
     QVERIFY(!this->Window->GetDocument()->Get().Has("--colormap"));
     this->Find<QCheckBox>("colors", "solid")->setChecked(true);
@@ -142,6 +202,21 @@ private Q_SLOTS:
     this->Choose("colors", "colorby", "height");
     QVERIFY(!this->Window->GetDocument()->Get().Has("--color"));
     QCOMPARE(this->Window->GetTrouble(), QString());
+  }
+
+  // The front of the ball, from 0.6 before it: 0.16 up and down.
+  void seenRange()
+  {
+    this->Open({ this->WriteScene(), "--color-by", "height", "--size", "300x300", "--camera",
+      "0,0.8,1.2,0,0.8,0,0,1,0" });
+    this->Grab();
+    this->Find<QPushButton>("colors", "fitSeen")->click();
+    const QStringList seen = QString::fromStdString(this->Get("--range")).split(',');
+    QCOMPARE(seen.size(), 2);
+    QVERIFY2(
+      std::abs(seen[0].toDouble() - 0.63) < 0.02 && std::abs(seen[1].toDouble() - 0.97) < 0.02,
+      qPrintable(seen.join(',')));
+    this->Compare("what is seen");
   }
 
   // Arrays of colours have no values for a bar; arrays of points and of cells may share a name.

@@ -8,20 +8,41 @@
 #include "Labels.h"
 #include "OptionEdits.h"
 #include "Options.h"
+#include "RangeEdit.h"
+#include "StopsEdit.h"
+
+#include "vtkColorTransferFunction.h"
 
 #include <QCheckBox>
 #include <QComboBox>
 #include <QFormLayout>
-#include <QHBoxLayout>
-#include <QLabel>
 #include <QLineEdit>
+#include <QPushButton>
 #include <QSignalBlocker>
+#include <QSpinBox>
+#include <QToolButton>
+
+#include <algorithm>
 
 namespace viewer
 {
 namespace
 {
 constexpr const char* OfValues[] = { "--color-by", "--colormap", "--range", "--scalar-bar" };
+
+constexpr int MostSteps = 256;
+constexpr int NamedStops = 5; // of maps with a name, to begin with
+
+// From the last to the first.
+std::vector<scene::ColorStop> TurnRound(std::vector<scene::ColorStop> stops)
+{
+  std::reverse(stops.begin(), stops.end());
+  for (scene::ColorStop& stop : stops)
+  {
+    stop.Place = 1.0 - stop.Place;
+  }
+  return stops;
+}
 
 // The array and the component of --color-by, "" for none. Names may end like a component.
 struct ByValue
@@ -46,17 +67,23 @@ ByValue GetByValue(
 }
 
 //------------------------------------------------------------------------------
-ColorsGroup::ColorsGroup(Document* document, RangeReader read, QWidget* parent)
+ColorsGroup::ColorsGroup(
+  Document* document, RangeReader read, RangeReader readSeen, QWidget* parent)
   : FoldGroup("Colours", "colors", parent)
   , Edited(document)
   , ReadRange(std::move(read))
+  , ReadSeen(std::move(readSeen))
   , ColorBy(new QComboBox(this))
   , Component(new QComboBox(this))
   , Colormap(new ColormapBox(this))
   , Reversed(new QCheckBox("Reversed", this))
-  , Automatic(new QCheckBox("Automatic", this))
-  , Least(new QLineEdit(this))
-  , Most(new QLineEdit(this))
+  , Log(new QCheckBox("Logarithmic", this))
+  , Steps(new QSpinBox(this))
+  , Stops(new StopsEdit(this))
+  , Nan(new ColorButton(this))
+  , Range(new relievoQt::RangeEdit(this))
+  , Symmetric(new QCheckBox("Symmetric around zero", this))
+  , Seen(new QPushButton("Fit to what is seen", this))
   , Bar(MakeFlag(document, "Show a colour bar", "--scalar-bar", this))
   , Solid(new QCheckBox("One colour", this))
   , Color(new ColorButton(this))
@@ -68,19 +95,7 @@ ColorsGroup::ColorsGroup(Document* document, RangeReader read, QWidget* parent)
   this->Component->setToolTip("Of arrays with several numbers for each point or cell");
   rows->addRow("Colour by", this->ColorBy);
   rows->addRow("Component", this->Component);
-  rows->addRow("Colour map", this->Colormap);
-  this->Colormap->setObjectName("colormap");
-  this->Colormap->setEditable(true);
-  this->Colormap->setInsertPolicy(QComboBox::NoInsert);
-  this->Colormap->setToolTip(
-    "A map, or colours between commas, evenly placed, such as black,#ff8000,white");
-  QObject::connect(this->Colormap->lineEdit(), &QLineEdit::editingFinished, this,
-    [this] { this->TakeMap(this->Colormap->currentText()); });
-  this->Reversed->setObjectName("reversed");
-  this->Reversed->setToolTip("The first colour for the greatest value");
-  rows->addRow("", this->Reversed);
-  QObject::connect(this->Reversed, &QCheckBox::toggled, this,
-    [this] { this->TakeMap(this->Colormap->currentText()); });
+  this->AddMap();
   this->AddRange();
   this->Bar->setToolTip("The colours and their values, at the right of the picture");
   rows->addRow(this->Bar);
@@ -96,8 +111,6 @@ ColorsGroup::ColorsGroup(Document* document, RangeReader read, QWidget* parent)
     this->SetColorBy(
       this->ColorBy->currentData().toString(), this->Component->currentData().toString());
   });
-  QObject::connect(this->Colormap, static_cast<void (QComboBox::*)(int)>(&QComboBox::activated),
-    this, [this] { this->TakeMap(this->Colormap->currentText()); });
   QObject::connect(this->Solid, &QCheckBox::toggled, this, &ColorsGroup::Paint);
   QObject::connect(this->Color, &ColorButton::edited, this, [this] {
     const QSignalBlocker still(this->Solid);
@@ -106,30 +119,102 @@ ColorsGroup::ColorsGroup(Document* document, RangeReader read, QWidget* parent)
   });
   QObject::connect(document, &Document::changed, this, &ColorsGroup::ShowSettings);
   QObject::connect(document, &Document::factsChanged, this, &ColorsGroup::ShowArrays);
+  // When the picture has what was asked for.
+  QObject::connect(document, &Document::asked, this, &ColorsGroup::ShowFound, Qt::QueuedConnection);
+  QObject::connect(document, &Document::shown, this, &ColorsGroup::ShowFound);
   this->ShowArrays();
+}
+
+//------------------------------------------------------------------------------
+void ColorsGroup::AddMap()
+{
+  QFormLayout* rows = this->GetRows();
+  this->Colormap->setObjectName("colormap");
+  this->Colormap->setEditable(true);
+  this->Colormap->setInsertPolicy(QComboBox::NoInsert);
+  this->Colormap->setToolTip("A map, or colours between commas, evenly placed or by their share of "
+                             "the range, such as black,0.3=#ff8000,white");
+  this->Reversed->setObjectName("reversed");
+  this->Reversed->setToolTip("The first colour for the greatest value");
+  this->Log->setObjectName("log");
+  this->Log->setToolTip(
+    "By the logarithm of the values; those not above zero have the first colour");
+  this->Steps->setObjectName("steps");
+  this->Steps->setRange(1, MostSteps);
+  this->Steps->setSpecialValueText("Smooth");
+  this->Steps->setKeyboardTracking(false);
+  this->Steps->setToolTip("In so many colours; smooth: as many as there are");
+  this->Nan->setObjectName("nan");
+  this->Nan->setToolTip("The colour of what is no number");
+  auto* fold = new QToolButton(this);
+  fold->setObjectName("editStops");
+  fold->setText("Edit colours");
+  fold->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+  fold->setArrowType(Qt::RightArrow);
+  fold->setAutoRaise(true);
+  fold->setCheckable(true);
+  this->Stops->hide();
+  rows->addRow("Colour map", this->Colormap);
+  rows->addRow("", fold);
+  rows->addRow(this->Stops);
+  rows->addRow("", this->Reversed);
+  rows->addRow("", this->Log);
+  rows->addRow("Steps", this->Steps);
+  rows->addRow("No number", this->Nan);
+  QObject::connect(fold, &QToolButton::toggled, this, [this, fold](bool open) {
+    fold->setArrowType(open ? Qt::DownArrow : Qt::RightArrow);
+    this->Stops->setVisible(open);
+    this->ShowStops();
+  });
+  QObject::connect(
+    this->Colormap->lineEdit(), &QLineEdit::editingFinished, this, [this] { this->TakeMap(); });
+  QObject::connect(this->Colormap, static_cast<void (QComboBox::*)(int)>(&QComboBox::activated),
+    this, [this] { this->TakeMap(); });
+  for (QCheckBox* box : { this->Reversed, this->Log })
+  {
+    QObject::connect(box, &QCheckBox::toggled, this, [this] { this->TakeMap(); });
+  }
+  QObject::connect(this->Steps, static_cast<void (QSpinBox::*)(int)>(&QSpinBox::valueChanged), this,
+    [this] { this->TakeMap(); });
+  QObject::connect(this->Nan, &ColorButton::edited, this, [this] {
+    this->ChangeMap(
+      [this](scene::Colormap& map) { map.Nan = this->Nan->GetColor().name().toStdString(); });
+  });
+  QObject::connect(
+    this->Stops, &StopsEdit::edited, this, [this](const std::vector<scene::ColorStop>& stops) {
+      this->ChangeMap([&stops](scene::Colormap& map) {
+        map.Map = scene::WriteStops(map.Reversed ? TurnRound(stops) : stops);
+      });
+    });
 }
 
 //------------------------------------------------------------------------------
 void ColorsGroup::AddRange()
 {
-  this->Automatic->setObjectName("automaticRange");
-  this->Automatic->setToolTip("From the least to the greatest value of all files");
-  this->Least->setObjectName("least");
-  this->Least->setToolTip("The value of the first colour");
-  this->Most->setObjectName("most");
-  this->Most->setToolTip("The value of the last colour");
-  auto* both = new QHBoxLayout();
-  both->addWidget(this->Least, 1);
-  both->addWidget(new QLabel("to", this));
-  both->addWidget(this->Most, 1);
+  this->Range->SetAutomaticToolTip("From the least to the greatest value of all files");
+  this->Symmetric->setObjectName("symmetric");
+  this->Symmetric->setToolTip("As far below zero as above it, as far as the values go");
+  this->Seen->setObjectName("fitSeen");
+  this->Seen->setToolTip(
+    "Takes the least and the greatest value that are seen now; hidden ones do not count");
   QFormLayout* rows = this->GetRows();
-  rows->addRow("Range", this->Automatic);
-  rows->addRow("", both);
-  QObject::connect(this->Automatic, &QCheckBox::toggled, this, &ColorsGroup::SwitchRange);
-  for (QLineEdit* edit : { this->Least, this->Most })
-  {
-    QObject::connect(edit, &QLineEdit::editingFinished, this, &ColorsGroup::SetRange);
-  }
+  rows->addRow("Range", this->Range);
+  rows->addRow("", this->Symmetric);
+  rows->addRow("", this->Seen);
+  QObject::connect(
+    this->Range, &relievoQt::RangeEdit::automaticSwitched, this, &ColorsGroup::SwitchRange);
+  QObject::connect(this->Range, &relievoQt::RangeEdit::typed, this,
+    [this](const QString& least, const QString& most) {
+      this->SetRange((least + "," + most).toStdString());
+    });
+  QObject::connect(this->Symmetric, &QCheckBox::toggled, this,
+    [this](bool on) { this->SetRange(on ? "symmetric" : ""); });
+  QObject::connect(this->Seen, &QPushButton::clicked, this, [this] {
+    if (const std::optional<std::array<double, 2>> range = this->ReadSeen())
+    {
+      this->SetRange(scene::WriteNumbers({ (*range)[0], (*range)[1] }));
+    }
+  });
 }
 
 //------------------------------------------------------------------------------
@@ -157,15 +242,26 @@ void ColorsGroup::SetColorBy(const QString& name, const QString& component)
 }
 
 //------------------------------------------------------------------------------
-void ColorsGroup::TakeMap(const QString& map)
+// What the controls say, or what was typed as a whole.
+void ColorsGroup::TakeMap()
 {
-  std::string word = map.trimmed().toStdString();
-  if (this->Reversed->isChecked())
-  {
-    word += scene::ReversedColormap;
-  }
+  this->ChangeMap([this](scene::Colormap& map) {
+    const std::string typed = this->Colormap->currentText().trimmed().toStdString();
+    map.Map = typed.empty() ? map.Map : typed;
+    map.Reversed = this->Reversed->isChecked();
+    map.Log = this->Log->isChecked();
+    map.Steps = this->Steps->value() > 1 ? this->Steps->value() : 0;
+  });
+}
+
+//------------------------------------------------------------------------------
+void ColorsGroup::ChangeMap(const std::function<void(scene::Colormap&)>& change)
+{
+  scene::Colormap map = scene::Colormap::Parse(this->Edited->Get().Parse().Look.Colormap);
+  change(map);
+  std::string word = map.Write();
   word = word == scene::DefaultColormap ? std::string() : word;
-  if (!map.trimmed().isEmpty() && word != this->Edited->Get().Get("--colormap"))
+  if (word != this->Edited->Get().Get("--colormap"))
   {
     this->Edited->Change([&word](scene::Settings& settings) {
       SetOption(settings, "--colormap", word);
@@ -178,12 +274,41 @@ void ColorsGroup::TakeMap(const QString& map)
 //------------------------------------------------------------------------------
 void ColorsGroup::ShowMap(const std::string& word)
 {
-  const QSignalBlocker quiet(this->Reversed);
-  QString map = QString::fromStdString(word);
-  const bool reversed = map.endsWith(scene::ReversedColormap);
-  map.chop(reversed ? static_cast<int>(QString(scene::ReversedColormap).size()) : 0);
-  this->Reversed->setChecked(reversed);
-  this->Colormap->Show(map.toStdString());
+  const QSignalBlocker quiet[] = { QSignalBlocker(this->Reversed), QSignalBlocker(this->Log),
+    QSignalBlocker(this->Steps) };
+  const scene::Colormap map = scene::Colormap::Parse(word);
+  this->Reversed->setChecked(map.Reversed);
+  this->Log->setChecked(map.Log);
+  this->Steps->setValue(std::max(1, map.Steps));
+  const scene::Color nan =
+    map.Nan.empty() ? scene::Color{ 0.5, 0.5, 0.5 } : scene::ParseColor("nan", map.Nan);
+  this->Nan->SetColor(QColor::fromRgbF(nan[0], nan[1], nan[2]));
+  this->Colormap->Show(map.Map);
+  this->ShowStops();
+}
+
+//------------------------------------------------------------------------------
+// As they are seen; of a map with a name, what comes near it.
+void ColorsGroup::ShowStops()
+{
+  if (this->Stops->isHidden())
+  {
+    return;
+  }
+  const scene::Colormap map = scene::Colormap::Parse(this->Edited->Get().Parse().Look.Colormap);
+  std::vector<scene::ColorStop> stops = scene::ParseStops(map.Map);
+  if (stops.empty())
+  {
+    const auto colors = scene::MakeColormap(map.Map, { 0.0, 1.0 });
+    for (int i = 0; i < NamedStops; ++i)
+    {
+      scene::ColorStop stop;
+      stop.Place = static_cast<double>(i) / (NamedStops - 1);
+      colors->GetColor(stop.Place, stop.Shown.data());
+      stops.push_back(stop);
+    }
+  }
+  this->Stops->Show(map.Reversed ? TurnRound(stops) : stops, this->ReadRange(), map.Log);
 }
 
 //------------------------------------------------------------------------------
@@ -191,29 +316,31 @@ void ColorsGroup::SwitchRange(bool automatic)
 {
   if (automatic)
   {
-    this->Edited->Change([](scene::Settings& settings) { settings.Remove("--range"); });
+    this->SetRange("");
   }
   else if (const std::optional<std::array<double, 2>> range = this->ReadRange())
   {
-    this->Edited->Change([&range](scene::Settings& settings) {
-      // A range of one value has no first and last colour.
-      const double most = (*range)[0] < (*range)[1] ? (*range)[1] : (*range)[0] + 1.0;
-      settings.Set("--range", scene::WriteNumbers({ (*range)[0], most }));
-      settings.Remove("--color");
-    });
+    // A range of one value has no first and last colour.
+    const double most = (*range)[0] < (*range)[1] ? (*range)[1] : (*range)[0] + 1.0;
+    this->SetRange(scene::WriteNumbers({ (*range)[0], most }));
   }
   this->ShowSettings();
 }
 
 //------------------------------------------------------------------------------
-void ColorsGroup::SetRange()
+void ColorsGroup::SetRange(const std::string& words)
 {
-  const std::string words =
-    (this->Least->text().trimmed() + "," + this->Most->text().trimmed()).toStdString();
-  if (!this->Automatic->isChecked() && words != this->Edited->Get().Get("--range"))
+  if (words != this->Edited->Get().Get("--range"))
   {
-    this->Edited->Change([&words](scene::Settings& settings) { settings.Set("--range", words); });
+    this->Edited->Change([&words](scene::Settings& settings) {
+      SetOption(settings, "--range", words);
+      if (!words.empty())
+      {
+        settings.Remove("--color");
+      }
+    });
   }
+  this->ShowSettings();
 }
 
 //------------------------------------------------------------------------------
@@ -278,7 +405,7 @@ void ColorsGroup::ShowComponents(const std::string& name, const QString& compone
 //------------------------------------------------------------------------------
 void ColorsGroup::ShowSettings()
 {
-  const QSignalBlocker quiet[] = { QSignalBlocker(this->ColorBy), QSignalBlocker(this->Automatic),
+  const QSignalBlocker quiet[] = { QSignalBlocker(this->ColorBy), QSignalBlocker(this->Symmetric),
     QSignalBlocker(this->Solid) };
   const scene::Settings& settings = this->Edited->Get();
   const scene::LookChoice look = settings.Parse().Look;
@@ -296,20 +423,28 @@ void ColorsGroup::ShowSettings()
     this->Bar->isChecked() || this->HasValues(name, by.Component)
       ? ""
       : "Has an effect where an array of values gives the colours.");
-  const bool ranged = settings.Has("--range");
-  this->Automatic->setChecked(!ranged);
   const QStringList ends = QString::fromStdString(settings.Get("--range")).split(',');
-  this->Least->setText(ends.value(0));
-  this->Most->setText(ends.value(1));
-  for (QLineEdit* end : { this->Least, this->Most })
-  {
-    SetIdle(end, ranged ? "" : "Has an effect where the range is not automatic.");
-  }
+  this->Range->Show(look.Range ? ends.value(0) : QString(), look.Range ? ends.value(1) : QString());
+  this->Symmetric->setChecked(look.Symmetric);
+  SetIdle(this->Symmetric,
+    look.Range                                    ? "Has an effect where the range is automatic."
+      : scene::Colormap::Parse(look.Colormap).Log ? "Logarithms are of positive values alone."
+                                                  : "");
+  SetIdle(this->Seen, by.Name.empty() ? "Choose an array to colour by." : "");
+  this->ShowFound();
   this->Solid->setChecked(look.Solid.has_value());
   if (look.Solid)
   {
     const scene::Color& color = *look.Solid;
     this->Color->SetColor(QColor::fromRgbF(color[0], color[1], color[2]));
   }
+}
+
+//------------------------------------------------------------------------------
+// Once the picture has them.
+void ColorsGroup::ShowFound()
+{
+  this->Range->ShowFound(this->ReadRange().value_or(std::array<double, 2>{ 0.0, 0.0 }));
+  this->ShowStops();
 }
 }

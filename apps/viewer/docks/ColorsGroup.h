@@ -6,6 +6,7 @@
 #ifndef ColorsGroup_h
 #define ColorsGroup_h
 
+#include "Colormaps.h"
 #include "Document.h"
 #include "FoldGroup.h"
 
@@ -15,12 +16,18 @@
 
 class QCheckBox;
 class QComboBox;
-class QLineEdit;
+class QPushButton;
+class QSpinBox;
+namespace relievoQt
+{
+class RangeEdit;
+}
 
 namespace viewer
 {
 class ColorButton;
 class ColormapBox;
+class StopsEdit;
 
 class ColorsGroup : public FoldGroup
 {
@@ -30,15 +37,21 @@ public:
   /// Values that the first and the last colour stand for now, if values give the colours.
   using RangeReader = std::function<std::optional<std::array<double, 2>>()>;
 
-  ColorsGroup(Document* document, RangeReader read, QWidget* parent = nullptr);
+  /// `readSeen`: those of what is seen now, of the array that gives them.
+  ColorsGroup(
+    Document* document, RangeReader read, RangeReader readSeen, QWidget* parent = nullptr);
 
 private:
+  void AddMap();
   void AddRange();
   bool HasValues(const QString& name, const QString& component) const;
   void SetColorBy(const QString& name, const QString& component);
-  void TakeMap(const QString& map);
+  void TakeMap();
+  void ChangeMap(const std::function<void(scene::Colormap&)>& change);
   void ShowMap(const std::string& word);
-  void SetRange();
+  void ShowStops();
+  void ShowFound();
+  void SetRange(const std::string& words);
   void SwitchRange(bool automatic);
   void Paint();
   void ShowArrays();
@@ -46,11 +59,16 @@ private:
   void ShowComponents(const std::string& name, const QString& component);
 
   Document* Edited;
-  RangeReader ReadRange;
+  RangeReader ReadRange, ReadSeen;
   QComboBox *ColorBy, *Component;
   ColormapBox* Colormap;
-  QCheckBox *Reversed, *Automatic;
-  QLineEdit *Least, *Most;
+  QCheckBox *Reversed, *Log;
+  QSpinBox* Steps;
+  StopsEdit* Stops;
+  ColorButton* Nan;
+  relievoQt::RangeEdit* Range;
+  QCheckBox* Symmetric;
+  QPushButton* Seen;
   QCheckBox *Bar, *Solid;
   ColorButton* Color;
 };

@@ -122,7 +122,8 @@ void LayersPanel::AddColors(QGroupBox* shown)
     });
   QObject::connect(this->Range, &relievoQt::RangeEdit::typed, this,
     [this](const QString& least, const QString& most) {
-      this->Set("range", (least + "/" + most).toStdString());
+      least.toDouble() < most.toDouble() ? this->Set("range", (least + "/" + most).toStdString())
+                                         : this->ShowSettings();
     });
 }
 

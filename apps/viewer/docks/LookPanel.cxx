@@ -34,11 +34,12 @@ QColor FromColor(const scene::Color& color)
 }
 
 //------------------------------------------------------------------------------
-LookPanel::LookPanel(Document* document, ColorsGroup::RangeReader range, QWidget* parent)
+LookPanel::LookPanel(Document* document, ColorsGroup::RangeReader range,
+  ColorsGroup::RangeReader seen, QWidget* parent)
   : Panel(document, parent)
 {
   this->AddSurface();
-  this->AddGroup(new ColorsGroup(document, std::move(range), this->widget()));
+  this->AddGroup(new ColorsGroup(document, std::move(range), std::move(seen), this->widget()));
   this->AddGroup(new MaterialGroup(document, this->widget()));
   this->AddBackground();
   this->AddStages();

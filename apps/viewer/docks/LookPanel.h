@@ -26,7 +26,8 @@ class LookPanel : public Panel
   Q_OBJECT
 
 public:
-  LookPanel(Document* document, ColorsGroup::RangeReader range, QWidget* parent = nullptr);
+  LookPanel(Document* document, ColorsGroup::RangeReader range, ColorsGroup::RangeReader seen,
+    QWidget* parent = nullptr);
 
 private:
   void AddSurface();

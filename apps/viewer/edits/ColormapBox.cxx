@@ -7,6 +7,7 @@
 #include "vtkColorTransferFunction.h"
 
 #include <QIcon>
+#include <QLineEdit>
 #include <QPainter>
 #include <QSignalBlocker>
 
@@ -55,5 +56,9 @@ void ColormapBox::Show(const std::string& map)
     this->addItem(DrawMap(map), text);
   }
   this->setCurrentIndex(this->findText(text));
+  if (this->lineEdit())
+  {
+    this->lineEdit()->setCursorPosition(0); // the beginning of long words
+  }
 }
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SceneFacts.h"
 
+#include "Colormaps.h"
 #include "DataSets.h"
 #include "Picture.h"
 
@@ -9,19 +10,23 @@
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
+#include "vtkImageData.h"
 #include "vtkLight.h"
 #include "vtkMapper.h"
 #include "vtkMath.h"
+#include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkRelievoArraySampler.h"
 #include "vtkRelievoDisplayStage.h"
 #include "vtkRelievoLayerCatalogue.h"
+#include "vtkRelievoLayerSource.h"
 #include "vtkRelievoModelReader.h"
 #include "vtkRelievoPass.h"
 #include "vtkScalarsToColors.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 namespace viewer
@@ -180,6 +185,43 @@ std::optional<std::array<double, 2>> GetColorRange(const Picture& picture)
     }
   }
   return std::nullopt;
+}
+
+//------------------------------------------------------------------------------
+std::optional<std::array<double, 2>> FindSeenRange(
+  const Picture& picture, const scene::LookChoice& look, const Facts& facts)
+{
+  const auto isLayer = [&facts](const std::string& name) {
+    return std::find(facts.Layers.begin(), facts.Layers.end(), name) != facts.Layers.end();
+  };
+  const bool whole = facts.Components.count(look.ColorByAsGiven) != 0; // no component behind it
+  const std::string& name = whole ? look.ColorByAsGiven : look.ColorBy;
+  const std::string layer = isLayer(name) ? name : "point:" + name;
+  if (picture.IsEmpty() || !isLayer(layer))
+  {
+    return std::nullopt;
+  }
+  vtkNew<vtkRelievoLayerSource> source;
+  source->SetRenderer(picture.GetRenderer());
+  source->AddLayer(layer);
+  source->Update();
+  vtkDataArray* values = source->GetOutput()->GetPointData()->GetArray(layer.c_str());
+  const bool log = scene::Colormap::Parse(look.Colormap).Log;
+  const bool one = !whole && look.Component.has_value();
+  std::array<double, 2> range = { VTK_DOUBLE_MAX, -VTK_DOUBLE_MAX };
+  for (vtkIdType i = 0; values && i < values->GetNumberOfTuples(); ++i)
+  {
+    double value = one ? values->GetComponent(i, *look.Component) : values->GetComponent(i, 0);
+    for (int c = 1; !one && c < values->GetNumberOfComponents(); ++c)
+    {
+      value = std::hypot(value, values->GetComponent(i, c));
+    }
+    if (std::isfinite(value) && (value > 0.0 || !log))
+    {
+      range = { std::min(range[0], value), std::max(range[1], value) };
+    }
+  }
+  return range[0] < range[1] ? std::optional(range) : std::nullopt;
 }
 
 //------------------------------------------------------------------------------

@@ -7,6 +7,7 @@
 #define SceneFacts_h
 
 #include "Facts.h"
+#include "LookOptions.h"
 
 #include <array>
 #include <optional>
@@ -19,6 +20,12 @@ Facts GetFacts(const Picture& picture);
 
 /// Values of the first and the last colour; none: no values give the colours.
 std::optional<std::array<double, 2>> GetColorRange(const Picture& picture);
+
+/// The least and the greatest value that is seen of the array that gives the colours; by
+/// logarithms, of those above zero. It draws the layer of the array, beside the picture; none: there
+/// is none, or fewer than two values are seen.
+std::optional<std::array<double, 2>> FindSeenRange(
+  const Picture& picture, const scene::LookChoice& look, const Facts& facts);
 
 /// Those of the layer that is shown, in the last picture; infinite or equal: none.
 std::array<double, 2> GetShownRange(const Picture& picture);

@@ -218,7 +218,12 @@ void MainWindow::AddPanels()
     },
     this);
   auto* look = new LookPanel(
-    this->Edited, [this] { return GetColorRange(this->Shown->GetPicture()); }, this);
+    this->Edited, [this] { return GetColorRange(this->Shown->GetPicture()); },
+    [this] {
+      return FindSeenRange(
+        this->Shown->GetPicture(), this->Edited->Get().Parse().Look, this->Edited->GetFacts());
+    },
+    this);
   auto* scene = new ScenePanel(this->Edited, this);
   QDockWidget* first = AddDock(this, "Scene", "scene", scene);
   this->tabifyDockWidget(first, AddDock(this, "Light", "light", this->Light));
