@@ -169,8 +169,8 @@ int vtkRelievoFlow::RequestData(
         target[1] <= seen[1] - 0.5;
       const double distance =
         std::sqrt(vtkMath::Distance2BetweenPoints(to, origins->GetPointer(3 * i)));
-      valid->SetValue(pixel,
-        inside && nearest->GetComponent(i, 0) >= distance * (1.0 - SameDistance) ? 1 : 0);
+      valid->SetValue(
+        pixel, inside && nearest->GetComponent(i, 0) >= distance * (1.0 - SameDistance) ? 1 : 0);
     }
     this->UpdateProgress(static_cast<double>(end) / static_cast<double>(rows));
     if (relievo::IsStopped(this))

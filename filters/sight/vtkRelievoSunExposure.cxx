@@ -148,8 +148,8 @@ private:
     Vector ab;
     Vector ac;
     Vector cross;
-    vtkMath::Subtract(b, a, ab);
-    vtkMath::Subtract(c, a, ac);
+    vtkMath::Subtract(b.data(), a.data(), ab.data());
+    vtkMath::Subtract(c.data(), a.data(), ac.data());
     vtkMath::Cross(ab.data(), ac.data(), cross.data());
     const double twice = vtkMath::Norm(cross.data());
     for (std::size_t i = 0; i < 3; ++i)

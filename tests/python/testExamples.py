@@ -54,6 +54,7 @@ WRITES = {
     "24_soft_borders.py": ["soft_borders.png"],
     "25_certified_shadows.py": ["certified_shadows.png"],
     "26_wall_thickness.py": ["thickness.png", "thickness.vtp"],
+    "27_sunlight_of_a_year.py": ["sunlight.png", "sunlight.vtp"],
 }  # fmt: skip
 
 # ParaView's own interpreter runs these: tests/paraview.

@@ -60,8 +60,8 @@ private Q_SLOTS:
     const std::vector<std::string> words = this->Window->GetViewSettings().GetWords();
     this->Window->OpenFiles({ QString::fromStdString(this->Path("other.vtk")) }, true);
     this->WaitUntilRead();
-    QVERIFY2(
-      this->Window->GetTrouble().contains("Show a colour bar"), qPrintable(this->Window->GetTrouble()));
+    QVERIFY2(this->Window->GetTrouble().contains("Show a colour bar"),
+      qPrintable(this->Window->GetTrouble()));
     QCOMPARE(this->Window->GetViewSettings().GetWords(), words);
     QCOMPARE(CountDifferent(before, this->Grab()), 0);
     this->Change([](scene::Settings& settings) { settings.SetParameter("tone", "exposure", "1"); });

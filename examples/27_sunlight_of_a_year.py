@@ -1,0 +1,80 @@
+# SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Hours of sun on the streets, walls and roofs of a town over a year, by rays.
+
+    27_sunlight_of_a_year.py [FOLDER]
+
+Default: the current folder. Writes to FOLDER
+    sunlight.vtp    the town with the cell arrays sun_hours, insolation and sky_view
+    sunlight.png    hours of sun as colours, with a bar
+
+Needs buildings.obj in the folder RELIEVO_DATA (default: build/data beside this folder);
+tools/unpack-data puts it there.
+"""
+
+import time
+
+import relievo
+from vtkmodules.vtkFiltersCore import vtkAppendPolyData, vtkTriangleFilter
+from vtkmodules.vtkFiltersModeling import vtkAdaptiveSubdivisionFilter
+from vtkmodules.vtkFiltersSources import vtkPlaneSource
+from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
+
+import scene
+
+VIENNA = (48.2, 16.4)
+CELLS = 60  # across the town
+DAYS = 28  # every so many days
+
+
+def town():
+    """The buildings and the ground beneath, in small triangles; z points up, north is y."""
+    reader = relievo.vtkRelievoOBJReader()
+    reader.SetFileName(scene.data("buildings.obj"))
+    reader.Update()
+    left, right, front, back, bottom, _ = reader.GetOutput().GetBounds()
+    margin = 0.15 * (right - left)
+    ground = vtkPlaneSource()
+    ground.SetOrigin(left - margin, front - margin, bottom)
+    ground.SetPoint1(right + margin, front - margin, bottom)
+    ground.SetPoint2(left - margin, back + margin, bottom)
+    both = vtkAppendPolyData()
+    both.AddInputConnection(reader.GetOutputPort())
+    both.AddInputConnection(ground.GetOutputPort())
+    triangles = vtkTriangleFilter()
+    triangles.SetInputConnection(both.GetOutputPort())
+    triangles.PassVertsOff()
+    triangles.PassLinesOff()
+    small = vtkAdaptiveSubdivisionFilter()
+    small.SetInputConnection(triangles.GetOutputPort())
+    small.SetMaximumEdgeLength((right - left) / CELLS)
+    small.SetMaximumTriangleArea(1e30)
+    small.SetMaximumNumberOfPasses(12)
+    small.Update()
+    return small.GetOutput()
+
+
+def main():
+    folder = scene.folder()
+    mesh = town()
+    start = time.perf_counter()
+    lit = relievo.sun_exposure(
+        mesh, *VIENNA, "2026-01-01", "2026-12-31", every=DAYS, step=30, up="z", sky=64
+    )
+    took = time.perf_counter() - start
+    open_ground = lit.GetFieldData().GetArray("possible_hours").GetValue(0)
+    print(f"{lit.GetNumberOfCells()} triangles in {took:.1f} s; open ground has {open_ground:.0f} "
+          f"hours of sun in the year")
+    data, picture = str(folder / "sunlight.vtp"), str(folder / "sunlight.png")
+    writer = vtkXMLPolyDataWriter()
+    writer.SetInputData(lit)
+    writer.SetFileName(data)
+    if not writer.Write():
+        raise SystemExit(f"{data}: could not be written")
+    relievo.scene(data, color_by="sun_hours", scalar_bar=True, up="z", size=(960, 600)).render(
+        picture)
+    print(f"wrote {data} and {picture}")
+
+
+if __name__ == "__main__":
+    main()
