@@ -30,6 +30,7 @@
 #include "vtkRelievoRayTree.h"
 #include "vtkRelievoThreads.h"
 #include "vtkRenderer.h"
+#include "vtkSkybox.h"
 #include "vtkTable.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkVolume.h"
@@ -54,50 +55,6 @@ using Meeting = vtkRelievoRayTree::Meeting;
 constexpr double Endless = std::numeric_limits<double>::infinity();
 constexpr vtkIdType Batch = 1 << 16; // rays between two reports of progress
 constexpr vtkIdType Grain = 512;     // rays that a thread takes
-
-// What a placed mesh is to those who ask.
-struct Source
-{
-  int Prop = -1;
-  vtkDataArray* Normals = nullptr; // none: geometric ones
-  bool OfCells = false;
-  vtkIdTypeArray* Cells = nullptr; // in the data, of the mesh's; none: the same
-  vtkIdTypeArray* Points = nullptr;
-};
-
-void FindNormals(vtkPolyData* mesh, Source& source)
-{
-  const auto isFit = [](vtkDataArray* normals, vtkIdType count) {
-    return normals && normals->GetNumberOfComponents() == 3 &&
-      normals->GetNumberOfTuples() == count;
-  };
-  vtkDataArray* ofPoints = mesh->GetPointData()->GetNormals();
-  vtkDataArray* ofCells = mesh->GetCellData()->GetNormals();
-  if (isFit(ofPoints, mesh->GetNumberOfPoints()))
-  {
-    source.Normals = ofPoints;
-  }
-  else if (isFit(ofCells, mesh->GetNumberOfCells()))
-  {
-    source.Normals = ofCells;
-    source.OfCells = true;
-  }
-}
-
-// Data that was added.
-struct Added
-{
-  vtkSmartPointer<vtkDataObject> Data;
-  vtkSmartPointer<vtkMatrix4x4> Matrix;
-};
-
-// The outer surface of data that is no vtkPolyData.
-struct Surface
-{
-  vtkWeakPointer<vtkDataSet> Data;
-  vtkMTimeType Time = 0;
-  vtkSmartPointer<vtkPolyData> Mesh;
-};
 
 vtkSmartPointer<vtkPolyData> MakeSurface(vtkDataSet* data)
 {
@@ -228,6 +185,31 @@ public:
 //------------------------------------------------------------------------------
 struct vtkRelievoRayScene::Held
 {
+  // What a placed mesh is to those who ask.
+  struct Source
+  {
+    int Prop = -1;
+    vtkDataArray* Normals = nullptr; // none: geometric ones
+    bool OfCells = false;
+    vtkIdTypeArray* Cells = nullptr; // in the data, of the mesh's; none: the same
+    vtkIdTypeArray* Points = nullptr;
+  };
+
+  // Data that was added.
+  struct Added
+  {
+    vtkSmartPointer<vtkDataObject> Data;
+    vtkSmartPointer<vtkMatrix4x4> Matrix;
+  };
+
+  // The outer surface of data that is no vtkPolyData.
+  struct Surface
+  {
+    vtkWeakPointer<vtkDataSet> Data;
+    vtkMTimeType Time = 0;
+    vtkSmartPointer<vtkPolyData> Mesh;
+  };
+
   vtkSmartPointer<vtkRenderer> Renderer;
   std::vector<Added> Data;
   std::map<vtkDataSet*, Surface> Surfaces; // of Data
@@ -241,6 +223,7 @@ struct vtkRelievoRayScene::Held
   bool Frozen = false;       // a copy of another scene's state: nothing is looked at again
   vtkRelievoRayTree Tree;
 
+  static void FindNormals(vtkPolyData* mesh, Source& source);
   void AddProps();
   void AddActors(vtkProp* prop, std::map<vtkProp*, int>& numbers);
   void AddAdded();
@@ -252,7 +235,7 @@ struct vtkRelievoRayScene::Held
 
 namespace
 {
-// Whether there is something to be met where rays cannot follow.
+// Whether there is something to be met: no sky, nor lines that are drawn over the scene.
 bool IsShown(vtkProp* prop)
 {
   std::vector<vtkRelievoPropParts::Part> parts;
@@ -260,7 +243,9 @@ bool IsShown(vtkProp* prop)
   for (const vtkRelievoPropParts::Part& part : parts)
   {
     vtkActor* actor = vtkActor::SafeDownCast(part.Prop);
-    if (vtkVolume::SafeDownCast(part.Prop) || (actor && !vtkRelievoPropParts::DrawsNoOpaque(part)))
+    const bool met = actor && !vtkSkybox::SafeDownCast(actor) &&
+      !vtkRelievoPropParts::IsAnnotation(actor) && !vtkRelievoPropParts::DrawsNoOpaque(part);
+    if (met || vtkVolume::SafeDownCast(part.Prop))
     {
       return true;
     }
@@ -278,6 +263,26 @@ void UpdateMapper(vtkMapper* mapper)
     }
   }
 }
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoRayScene::Held::FindNormals(vtkPolyData* mesh, Source& source)
+{
+  const auto isFit = [](vtkDataArray* normals, vtkIdType count) {
+    return normals && normals->GetNumberOfComponents() == 3 &&
+      normals->GetNumberOfTuples() == count;
+  };
+  vtkDataArray* ofPoints = mesh->GetPointData()->GetNormals();
+  vtkDataArray* ofCells = mesh->GetCellData()->GetNormals();
+  if (isFit(ofPoints, mesh->GetNumberOfPoints()))
+  {
+    source.Normals = ofPoints;
+  }
+  else if (isFit(ofCells, mesh->GetNumberOfCells()))
+  {
+    source.Normals = ofCells;
+    source.OfCells = true;
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -325,7 +330,7 @@ void vtkRelievoRayScene::Held::AddActors(vtkProp* prop, std::map<vtkProp*, int>&
   const std::size_t before = this->Meshes.size();
   const bool followed = vtkRelievoPropMeshes::Collect(
     prop, vtkRelievoPropMeshes::Wanted::Geometry, this->Glyphs, this->Meshes);
-  if ((meshes && !followed) || (!meshes && IsShown(prop)))
+  if (!(meshes && followed) && IsShown(prop))
   {
     this->LeftOut.emplace_back(prop);
   }

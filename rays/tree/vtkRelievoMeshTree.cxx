@@ -14,10 +14,10 @@
 
 namespace
 {
-constexpr int LeafSize = 4;
-constexpr double Endless = std::numeric_limits<double>::infinity();
+constexpr int ToALeaf = 4;
+constexpr double NoBound = std::numeric_limits<double>::infinity();
 
-bool IsFinite(const glm::dvec3& p)
+bool HasPlace(const glm::dvec3& p)
 {
   return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
 }
@@ -41,14 +41,14 @@ void vtkRelievoMeshTree::TakePlaces(vtkPolyData* data)
   {
     data->GetPoint(static_cast<vtkIdType>(this->Points[i]), &this->Places[i].x);
   }
-  this->Low = glm::dvec3(Endless);
-  this->High = glm::dvec3(-Endless);
+  this->Low = glm::dvec3(NoBound);
+  this->High = glm::dvec3(-NoBound);
   for (std::size_t i = 0; i < this->Corners.size(); i += 3)
   {
     const glm::dvec3& a = this->Places[this->Corners[i]];
     const glm::dvec3& b = this->Places[this->Corners[i + 1]];
     const glm::dvec3& c = this->Places[this->Corners[i + 2]];
-    if (IsFinite(a) && IsFinite(b) && IsFinite(c))
+    if (HasPlace(a) && HasPlace(b) && HasPlace(c))
     {
       this->Low = glm::min(this->Low, glm::min(glm::min(a, b), c));
       this->High = glm::max(this->High, glm::max(glm::max(a, b), c));
@@ -107,7 +107,7 @@ std::vector<vtkRelievoBoxTree::Box> vtkRelievoMeshTree::GetBoxes() const
       const glm::dvec3 a = this->Scale * this->Places[corners[0]];
       const glm::dvec3 b = this->Scale * this->Places[corners[1]];
       const glm::dvec3 c = this->Scale * this->Places[corners[2]];
-      boxes[static_cast<std::size_t>(i)] = IsFinite(a) && IsFinite(b) && IsFinite(c)
+      boxes[static_cast<std::size_t>(i)] = HasPlace(a) && HasPlace(b) && HasPlace(c)
         ? vtkRelievoWideTree::Around(glm::min(glm::min(a, b), c), glm::max(glm::max(a, b), c))
         : vtkRelievoWideTree::Nowhere();
     }
@@ -179,7 +179,7 @@ bool vtkRelievoMeshTree::Update(vtkPolyData* data)
   {
     this->TakeTriangles(data);
     this->TakePlaces(data);
-    this->Tree.Build(this->GetBoxes(), LeafSize);
+    this->Tree.Build(this->GetBoxes(), ToALeaf);
     this->Sort(this->Corners, 3);
     this->Sort(this->Cells, 1);
     this->SortPoints();

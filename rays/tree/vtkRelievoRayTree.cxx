@@ -9,7 +9,7 @@
 
 namespace
 {
-constexpr double Endless = std::numeric_limits<double>::infinity();
+constexpr double NoEnd = std::numeric_limits<double>::infinity();
 
 bool IsSamePlace(const vtkRelievoPlacedMesh& a, const vtkRelievoPlacedMesh& b)
 {
@@ -74,8 +74,8 @@ void vtkRelievoRayTree::Place()
   const std::size_t before = this->Places.size();
   this->Places.clear();
   std::vector<glm::dvec3> boxes; // least and greatest corners
-  glm::dvec3 least(Endless);
-  glm::dvec3 most(-Endless);
+  glm::dvec3 least(NoEnd);
+  glm::dvec3 most(-NoEnd);
   for (std::size_t i = 0; i < this->Meshes.size(); ++i)
   {
     const vtkRelievoPlacedMesh& mesh = this->Meshes[i];
@@ -89,8 +89,8 @@ void vtkRelievoRayTree::Place()
       const glm::dmat4 toWorld = mesh.GetPlace(k);
       const glm::dvec3& low = placed.Triangles->GetLow();
       const glm::dvec3& high = placed.Triangles->GetHigh();
-      boxes.emplace_back(Endless);
-      boxes.emplace_back(-Endless);
+      boxes.emplace_back(NoEnd);
+      boxes.emplace_back(-NoEnd);
       for (int corner = 0; corner < 8; ++corner)
       {
         const glm::dvec3 p(
@@ -180,7 +180,7 @@ bool vtkRelievoRayTree::MeetsAny(
   bool any = false;
   this->Walk(from, ray, low, high, [&](int, int, double) {
     any = true;
-    return -Endless;
+    return -NoEnd;
   });
   return any;
 }

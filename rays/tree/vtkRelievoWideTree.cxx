@@ -8,7 +8,7 @@ namespace
 {
 using Box = vtkRelievoBoxTree::Box;
 
-constexpr double Worn = 1.5; // times what the tree cost when it was built
+constexpr double WornBy = 1.5; // times what the tree cost when it was built
 
 void Join(Box& box, const Box& other)
 {
@@ -133,7 +133,7 @@ void vtkRelievoWideTree::Build(const std::vector<Box>& boxes, int leafSize)
 bool vtkRelievoWideTree::Refit(const std::vector<Box>& boxes)
 {
   this->Fit(boxes);
-  return this->Cost <= Worn * this->CostWhenBuilt;
+  return this->Cost <= WornBy * this->CostWhenBuilt;
 }
 
 //------------------------------------------------------------------------------
