@@ -30,7 +30,7 @@ class Hits(NamedTuple):
     block: numpy.ndarray
     """Flat index in composite data, 0 in other data; -1: none."""
     cell: numpy.ndarray
-    """Cell of the mesh that is drawn, of glyphs the input point, of data its own cell; -1: none."""
+    """Cell of the mesh that is drawn; of glyphs the input's point; of data its cell; -1: none."""
     points: numpy.ndarray
     """n x 3: ids of the triangle's corners in the mesh, or in the data; -1: none."""
     weights: numpy.ndarray
@@ -186,8 +186,8 @@ def rays(*things):
 
     things: a vtkRenderer, or an object whose attribute `renderer` is one (a plotter); datasets,
         also composite, or filters that make them; pairs of a dataset and its 4 x 4 matrix
-        (array-like, or a vtkMatrix4x4 that may be moved later). One renderer at most. The same dataset may be given
-        many times, with other matrices: it is held once.
+        (array-like, or a vtkMatrix4x4 that may be moved later). One renderer at most. The same
+        dataset may be given many times, with other matrices: it is held once.
 
         scene = relievo.rays(renderer)
         hits = scene.nearest(origins, directions)        # n x 3 each
