@@ -891,10 +891,10 @@ void vtkRelievoRayScene::CopyStateOf(vtkRelievoRayScene* other)
       copy = vtkSmartPointer<vtkPolyData>::New();
       copy->DeepCopy(placed.Mesh);
     }
-    Source& source = to.Sources[i];
+    Held::Source& source = to.Sources[i];
     if (source.Normals)
     {
-      FindNormals(copy, source);
+      Held::FindNormals(copy, source);
     }
     const auto own = [&](vtkIdTypeArray* array, vtkFieldData* data) {
       return array ? vtkIdTypeArray::SafeDownCast(data->GetAbstractArray(array->GetName()))
