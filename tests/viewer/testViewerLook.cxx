@@ -161,9 +161,9 @@ private Q_SLOTS:
     // A handle that is dragged is one edit.
     auto* strip = stops->findChild<QWidget*>("stopStrip");
     const QPoint handle(5 + static_cast<int>(0.625 * (strip->width() - 11)), 15);
-    const auto send = [strip](QEvent::Type type, const QPoint& at) {
+    const auto send = [strip](QEvent::Type kind, const QPoint& at) {
       QMouseEvent event(
-        type, at, strip->mapToGlobal(at), Qt::LeftButton, Qt::LeftButton, Qt::NoModifier);
+        kind, at, strip->mapToGlobal(at), Qt::LeftButton, Qt::LeftButton, Qt::NoModifier);
       QApplication::sendEvent(strip, &event);
     };
     send(QEvent::MouseButtonPress, handle);
