@@ -23,7 +23,7 @@ from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
 import scene
 
 VIENNA = (48.2, 16.4)
-CELLS = 60  # across the town
+CELLS = 20  # across the town
 DAYS = 28  # every so many days
 
 

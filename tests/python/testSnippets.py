@@ -154,6 +154,19 @@ class Hand:
             names["normal"] = numpy.zeros((*names["depth"].shape, 3), numpy.float32)
         elif self.page == "docs/python.md":
             names["mesh"] = names["ball"]
+        elif self.page == "docs/cameras.md":
+            K = numpy.array([[80.0, 0, 79.5], [0, 80, 59.5], [0, 0, 1]])
+            sensor = relievo.Pinhole(K, (160, 120)).look_at((0, 1, 5), (0, 0, 0))
+            names.update(
+                K=K, R=sensor.R, t=sensor.t, D=(0.01, 0), point=(0, 0, 0), points=numpy.eye(3),
+                sensors=[sensor], terrain=points(), town=names["model"])
+            names["sensor"] = names.get("sensor", sensor)
+            temperature = numpy_to_vtk(numpy.arange(float(names["model"].GetNumberOfPoints())))
+            temperature.SetName("temperature")
+            names["model"].GetPointData().AddArray(temperature)
+        elif self.page == "docs/rays.md":
+            directions = numpy.array([(0, 0, -1.0), (0.1, 0, -1)])
+            names.update(origins=(0, 0, 5), directions=directions, to_sun=(0, 0, 1))
         elif self.page == "docs/environment.md":
             names["given"] = relievo.to_image(numpy.ones((16, 32, 3), numpy.float32))
         elif self.page == "docs/materials.md":
