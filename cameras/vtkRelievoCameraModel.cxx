@@ -214,6 +214,10 @@ double vtkRelievoCameraModel::GetDepth(const double[3], const double point[3])
 //------------------------------------------------------------------------------
 void vtkRelievoCameraModel::Copy(vtkRelievoCameraModel* other)
 {
+  if (!other)
+  {
+    return;
+  }
   std::copy_n(other->Size, 2, this->Size);
   std::copy_n(other->Rotation, 9, this->Rotation);
   std::copy_n(other->Translation, 3, this->Translation);
@@ -228,7 +232,10 @@ void vtkRelievoCameraModel::AddNumbers(
   array->SetName(name);
   array->SetNumberOfTuples(count);
   std::copy_n(values, count, array->GetPointer(0));
-  fields->AddArray(array);
+  if (fields)
+  {
+    fields->AddArray(array);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -237,7 +244,10 @@ void vtkRelievoCameraModel::AddText(vtkFieldData* fields, const char* name, cons
   vtkNew<vtkStringArray> array;
   array->SetName(name);
   array->InsertNextValue(text);
-  fields->AddArray(array);
+  if (fields)
+  {
+    fields->AddArray(array);
+  }
 }
 
 //------------------------------------------------------------------------------

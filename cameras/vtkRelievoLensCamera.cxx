@@ -389,6 +389,10 @@ bool vtkRelievoLensCamera::ApplyTo(vtkCamera* camera)
 //------------------------------------------------------------------------------
 bool vtkRelievoLensCamera::IsPinhole(vtkCamera* camera)
 {
+  if (!camera)
+  {
+    return false;
+  }
   vtkMatrix4x4* projection = camera->GetProjectionTransformMatrix(1.0, -1.0, 1.0);
   const auto at = [projection](int i, int j) { return projection->GetElement(i, j); };
   const double zeros[] = { at(0, 3), at(1, 0), at(1, 3), at(3, 0), at(3, 1), at(3, 3) };

@@ -32,7 +32,7 @@ vtkStandardNewMacro(vtkRelievoVisibility);
 
 namespace
 {
-constexpr vtkIdType RaysAtOnce = 1 << 19;
+constexpr vtkIdType RaysOfABatch = 1 << 19;
 
 // Corners of a pixel lie in it: what is beyond may belong to another face of a panorama.
 constexpr double Corner = 0.5 - 1e-7;
@@ -157,9 +157,9 @@ private:
     const vtkIdType all = columns * this->Camera->GetSize()[1];
     PixelAngles angles;
     this->Places->SetNumberOfComponents(2);
-    for (vtkIdType first = 0; first < all; first += RaysAtOnce)
+    for (vtkIdType first = 0; first < all; first += RaysOfABatch)
     {
-      const vtkIdType count = std::min(RaysAtOnce, all - first);
+      const vtkIdType count = std::min(RaysOfABatch, all - first);
       this->Places->SetNumberOfTuples(count);
       for (vtkIdType i = 0; i < count; ++i)
       {
@@ -229,7 +229,7 @@ private:
         this->AddSamples(cell, corners, cells, asked);
       }
       const bool last = cell + 1 == this->Mesh->GetNumberOfCells();
-      if (last || static_cast<vtkIdType>(cells.size()) >= RaysAtOnce)
+      if (last || static_cast<vtkIdType>(cells.size()) >= RaysOfABatch)
       {
         if (!this->TraceSamples(cells, asked))
         {
@@ -340,7 +340,7 @@ private:
         points.push_back(point);
       }
       const bool last = point + 1 == this->Mesh->GetNumberOfPoints();
-      if (!points.empty() && (last || static_cast<vtkIdType>(points.size()) >= RaysAtOnce))
+      if (!points.empty() && (last || static_cast<vtkIdType>(points.size()) >= RaysOfABatch))
       {
         if (!this->Trace())
         {
