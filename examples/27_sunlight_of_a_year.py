@@ -5,7 +5,7 @@
     27_sunlight_of_a_year.py [FOLDER]
 
 Default: the current folder. Writes to FOLDER
-    sunlight.vtp    the town with the cell arrays sun_hours, insolation and sky_view
+    sunlight.vtp    the town with the cell arrays sun_hours and insolation
     sunlight.png    hours of sun as colours, with a bar
 
 Needs buildings.obj in the folder RELIEVO_DATA (default: build/data beside this folder);
@@ -15,20 +15,20 @@ tools/unpack-data puts it there.
 import time
 
 import relievo
-from vtkmodules.vtkFiltersCore import vtkAppendPolyData, vtkTriangleFilter
-from vtkmodules.vtkFiltersModeling import vtkAdaptiveSubdivisionFilter
+from vtkmodules.vtkFiltersCore import vtkAppendPolyData
 from vtkmodules.vtkFiltersSources import vtkPlaneSource
 from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
 
 import scene
 
 VIENNA = (48.2, 16.4)
-CELLS = 20  # across the town
-DAYS = 28  # every so many days
+GROUND = 160  # squares of the ground each way
+DAYS = 30  # every so many days count; fewer for a finer year
+MINUTES = 60  # from one place of the sun to the next
 
 
 def town():
-    """The buildings and the ground beneath, in small triangles; z points up, north is y."""
+    """The buildings and the ground beneath; z points up, north is y."""
     reader = relievo.vtkRelievoOBJReader()
     reader.SetFileName(scene.data("buildings.obj"))
     reader.Update()
@@ -38,20 +38,12 @@ def town():
     ground.SetOrigin(left - margin, front - margin, bottom)
     ground.SetPoint1(right + margin, front - margin, bottom)
     ground.SetPoint2(left - margin, back + margin, bottom)
+    ground.SetResolution(GROUND, GROUND)
     both = vtkAppendPolyData()
     both.AddInputConnection(reader.GetOutputPort())
     both.AddInputConnection(ground.GetOutputPort())
-    triangles = vtkTriangleFilter()
-    triangles.SetInputConnection(both.GetOutputPort())
-    triangles.PassVertsOff()
-    triangles.PassLinesOff()
-    small = vtkAdaptiveSubdivisionFilter()
-    small.SetInputConnection(triangles.GetOutputPort())
-    small.SetMaximumEdgeLength((right - left) / CELLS)
-    small.SetMaximumTriangleArea(1e30)
-    small.SetMaximumNumberOfPasses(12)
-    small.Update()
-    return small.GetOutput()
+    both.Update()
+    return both.GetOutput()
 
 
 def main():
@@ -59,11 +51,11 @@ def main():
     mesh = town()
     start = time.perf_counter()
     lit = relievo.sun_exposure(
-        mesh, *VIENNA, "2026-01-01", "2026-12-31", every=DAYS, step=30, up="z", sky=64
+        mesh, *VIENNA, "2026-01-01", "2026-12-31", every=DAYS, step=MINUTES, up="z"
     )
     took = time.perf_counter() - start
     open_ground = lit.GetFieldData().GetArray("possible_hours").GetValue(0)
-    print(f"{lit.GetNumberOfCells()} triangles in {took:.1f} s; open ground has {open_ground:.0f} "
+    print(f"{lit.GetNumberOfCells()} cells in {took:.1f} s; open ground has {open_ground:.0f} "
           f"hours of sun in the year")
     data, picture = str(folder / "sunlight.vtp"), str(folder / "sunlight.png")
     writer = vtkXMLPolyDataWriter()
