@@ -22,9 +22,9 @@ namespace
 constexpr int MostSteps = 256;
 constexpr int LogPoints = 256; // of a map by logarithms
 
-const char* const Form = "MAP[:reversed][:log][:steps=N][:nan=COLOR]";
-const char* const MapForm = ", or colours between commas, such as black,#ff8000,white or "
-                            "black,0.3=#ff8000,white";
+const char* const ColormapForm = "MAP[:reversed][:log][:steps=N][:nan=COLOR]";
+const char* const OwnMapForm = ", or colours between commas, such as black,#ff8000,white or "
+                               "black,0.3=#ff8000,white";
 
 // Over a range, evenly.
 void FillMap(vtkColorTransferFunction* map, const Colormap& words, double low, double high)
@@ -52,7 +52,7 @@ void FillMap(vtkColorTransferFunction* map, const Colormap& words, double low, d
   }
 }
 
-double GetValue(double share, double from, double to, bool log)
+double GetValueAt(double share, double from, double to, bool log)
 {
   return log ? from * std::pow(to / from, share) : from + share * (to - from);
 }
@@ -128,7 +128,7 @@ Colormap Colormap::Parse(const std::string& word)
     }
     else
     {
-      RefuseValue("--colormap", word, Form);
+      RefuseValue("--colormap", word, ColormapForm);
     }
   }
   return map;
@@ -205,7 +205,7 @@ void CheckColormap(const std::string& word)
   if (map.Map.find(',') == std::string::npos &&
     std::find(names.begin(), names.end(), map.Map) == names.end())
   {
-    RefuseValue("--colormap", word, "one of " + Join(names, ", ") + MapForm);
+    RefuseValue("--colormap", word, "one of " + Join(names, ", ") + OwnMapForm);
   }
   ParseStops(map.Map);
 }
@@ -248,7 +248,7 @@ vtkSmartPointer<vtkColorTransferFunction> MakeColormap(
     whole->GetColor(share, rgb);
     if (words.Steps == 0)
     {
-      map->AddRGBPoint(GetValue(share, from, to, words.Log), rgb[0], rgb[1], rgb[2]);
+      map->AddRGBPoint(GetValueAt(share, from, to, words.Log), rgb[0], rgb[1], rgb[2]);
       continue;
     }
     // From the middle of one step to that of the next the colour changes halfway, at once.
@@ -261,7 +261,7 @@ vtkSmartPointer<vtkColorTransferFunction> MakeColormap(
       map->AddRGBPoint(from, rgb[0], rgb[1], rgb[2], Halfway, AtOnce);
     }
     map->AddRGBPoint(
-      GetValue(middle, from, to, words.Log), rgb[0], rgb[1], rgb[2], Halfway, AtOnce);
+      GetValueAt(middle, from, to, words.Log), rgb[0], rgb[1], rgb[2], Halfway, AtOnce);
     if (i + 1 == count)
     {
       map->AddRGBPoint(to, rgb[0], rgb[1], rgb[2], Halfway, AtOnce);

@@ -23,7 +23,7 @@
 
 namespace
 {
-constexpr int Square = 16;         // pixels of its side, as in extremesFS.glsl
+constexpr int SquareSide = 16;     // pixels of its side, as in extremesFS.glsl
 constexpr double Flat = 1e-3;      // of its longest side, a ground's height at the most
 constexpr double Endless = 1.5;    // of the diagonal of all else, the least side of such a ground
 constexpr double Narrowest = 1e-4; // of the values: what differs less is noise
@@ -116,7 +116,8 @@ std::string vtkRelievoShownValues::Measure(
   vtkRelievoFrameContext& context, const std::string& layer, double range[2])
 {
   const int size[2] = { context.View.Viewport[2], context.View.Viewport[3] };
-  const int area[4] = { 0, 0, (size[0] + Square - 1) / Square, (size[1] + Square - 1) / Square };
+  const int area[4] = { 0, 0, (size[0] + SquareSide - 1) / SquareSide,
+    (size[1] + SquareSide - 1) / SquareSide };
   if (!this->Extremes || this->Size[0] != size[0] || this->Size[1] != size[1] ||
     this->Extremes->GetContext() != context.Window)
   {

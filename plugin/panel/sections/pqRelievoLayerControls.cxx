@@ -10,6 +10,7 @@
 #include "pqRelievoScene.h"
 #include "pqServer.h"
 #include "pqView.h"
+#include "vtkCamera.h"
 #include "vtkCommand.h"
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
@@ -26,6 +27,7 @@
 #include "vtkRenderWindow.h"
 #include "vtkSMProperty.h"
 #include "vtkSMRelievoCaptureProxy.h"
+#include "vtkSMRenderViewProxy.h"
 #include "vtkSMSessionProxyManager.h"
 #include "vtkSmartPointer.h"
 
@@ -248,14 +250,48 @@ void pqRelievoLayerControls::ShowState()
   if (asked != this->Asked || !probing)
   {
     this->Asked = asked;
-    this->Values->setRowCount(0);
-    this->Values->hide();
-    this->Message->setText("Move the mouse over the picture.");
+    this->DropValues();
   }
   this->Message->setVisible(probing);
   this->Legend->setVisible(!layer.isEmpty());
   this->ShowColors(layer);
   this->ShowScene();
+}
+
+//------------------------------------------------------------------------------
+void pqRelievoLayerControls::DropValues()
+{
+  this->Values->setRowCount(0);
+  this->Values->hide();
+  this->Message->setText("Move the mouse over the picture.");
+}
+
+//------------------------------------------------------------------------------
+// What is in the picture, and from where: other values are under the mouse when it changes.
+QString pqRelievoLayerControls::GetSeen() const
+{
+  auto* view = this->View ? vtkSMRenderViewProxy::SafeDownCast(this->View->getProxy()) : nullptr;
+  vtkCamera* camera = view ? view->GetActiveCamera() : nullptr;
+  if (!camera)
+  {
+    return QString();
+  }
+  QStringList words;
+  for (const double* place :
+    { camera->GetPosition(), camera->GetFocalPoint(), camera->GetViewUp() })
+  {
+    for (int i = 0; i < 3; ++i)
+    {
+      words.append(QString::number(place[i], 'g', 17));
+    }
+  }
+  words.append(QString::number(camera->GetViewAngle(), 'g', 17));
+  words.append(QString::number(camera->GetParallelScale(), 'g', 17));
+  for (pqDataRepresentation* each : pqRelievoScene::FindSurfaces(this->View))
+  {
+    words.append(each->getProxy()->GetGlobalIDAsString());
+  }
+  return words.join(' ');
 }
 
 //------------------------------------------------------------------------------
@@ -284,6 +320,12 @@ void pqRelievoLayerControls::ShowScene()
   if (!this->Reading)
   {
     this->Fresh = false;
+    const QString seen = this->GetSeen();
+    if (seen != this->Seen)
+    {
+      this->Seen = seen;
+      this->DropValues();
+    }
     if (!pqRelievoViewSettings::GetShownLayer(this->View).isEmpty())
     {
       this->LegendTimer.start();

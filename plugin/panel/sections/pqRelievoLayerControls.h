@@ -57,6 +57,8 @@ private:
   bool ReadAll();
   void Probe(const QPoint& place);
   void ShowValues(vtkIdType pixel);
+  void DropValues();
+  QString GetSeen() const;
   void AddColors(QFormLayout* rows);
   void ShowColors(const QString& layer);
   void SwitchRange(bool automatic);
@@ -73,7 +75,7 @@ private:
   QLabel* Message;
   QPointer<QWidget> Screen; // of the view, watched for the mouse
   QTimer LegendTimer;
-  QString Asked; // what the values are of
+  QString Asked, Seen; // what the values are of
   vtkNew<vtkImageData> Image;
   bool Fresh = false;   // it is of the last picture
   bool Reading = false; // by a picture of our own
