@@ -136,10 +136,12 @@ class Look(CliTest):
             (["grey:steps=4"], numpy.floor(4 * share) / 3),
             (["grey:steps=3:reversed"], 1 - numpy.floor(3 * share) / 2),
             (["grey:log:steps=2"], (log > numpy.log(5) / 2).astype(float)),
-            (["black,0.25=white,0.5=black,white"], numpy.interp(share, [0, 0.25, 0.5, 1], [0, 1, 0, 1])),
+            (["black,0.25=white,0.5=black,white"],
+             numpy.interp(share, [0, 0.25, 0.5, 1], [0, 1, 0, 1])),
             (["0.25=black,0.5=white"], numpy.clip(4 * share - 1, 0, 1)),
             (["0.25=black,0.5=white:reversed"], numpy.clip(3 - 4 * share, 0, 1)),
-            (["black,0.5=white,black,white"], numpy.interp(share, [0, 0.5, 0.75, 1], [0, 1, 0, 1])),
+            (["black,0.5=white,black,white"],
+             numpy.interp(share, [0, 0.5, 0.75, 1], [0, 1, 0, 1])),
             (["grey", "--range", "symmetric"], (across + 5) / 10),
         ):
             with self.subTest(words):
@@ -208,9 +210,9 @@ class Look(CliTest):
     def test_bar_of_steps(self):
         """As many colours as steps, of one height, by logarithms, too."""
         for words in ("grey:steps=5", "grey:steps=5:log"):
-            self.relievo("render", "plane.vtp", *CAMERA, "--size", "400x200", "--color-by", "across",
-                         "--background", "navy", "--colormap", words, "--scalar-bar",
-                         "--png", "a.png")  # fmt: skip
+            self.relievo("render", "plane.vtp", *CAMERA, "--size", "400x200",
+                         "--color-by", "across", "--background", "navy", "--colormap", words,
+                         "--scalar-bar", "--png", "a.png")  # fmt: skip
             picture = read_png(self.folder / "a.png").astype(int)
             heights = [(abs(picture[:, 330:] - round(255 * step / 4)).max(axis=2) < 2).sum(axis=0)
                        for step in (1, 2, 3)]  # fmt: skip

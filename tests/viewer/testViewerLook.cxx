@@ -183,7 +183,7 @@ private Q_SLOTS:
     QTRY_COMPARE(this->Find<QLineEdit>("colors", "least")->placeholderText(), QString("-1"));
     this->Compare("steps around zero");
     this->Find<QCheckBox>("colors", "log")->setChecked(true);
-    QVERIFY(this->Window->GetTrouble().contains("--colormap log"));
+    QVERIFY(this->Window->GetTrouble().contains("logarithms"));
     QVERIFY(!this->Find<QCheckBox>("colors", "log")->isChecked());
     this->Find<QCheckBox>("colors", "symmetric")->setChecked(false);
     this->Find<QCheckBox>("colors", "log")->setChecked(true);

@@ -22,8 +22,8 @@ Facts GetFacts(const Picture& picture);
 std::optional<std::array<double, 2>> GetColorRange(const Picture& picture);
 
 /// The least and the greatest value that is seen of the array that gives the colours; by
-/// logarithms, of those above zero. It draws the layer of the array, beside the picture; none: there
-/// is none, or fewer than two values are seen.
+/// logarithms, of those above zero. It draws the array's layer beside the picture. None: there is
+/// no array, or fewer than two values are seen.
 std::optional<std::array<double, 2>> FindSeenRange(
   const Picture& picture, const scene::LookChoice& look, const Facts& facts);
 
