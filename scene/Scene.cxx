@@ -321,11 +321,13 @@ Scene ReadScene(const RenderOptions& options, Progress& progress)
     }
     else
     {
+      scene.Dimensions.resize(scene.Counts.size() + 1);
       const bool images = options.Image.Is != ImageChoice::Kind::Box;
       vtkSmartPointer<vtkDataObject> surface = ReadSurface(path, smooth, images, progress);
       progress.Begin("preparing " + path);
       if (auto* image = vtkImageData::SafeDownCast(surface))
       {
+        image->GetDimensions(scene.Dimensions.back().data());
         surface = ShowImage(image, options.Image, scene.Renderer, path, progress);
         surface = surface ? MakeSurface(surface, smooth, path, progress) : nullptr;
       }
@@ -343,6 +345,7 @@ Scene ReadScene(const RenderOptions& options, Progress& progress)
     }
     vtkActorCollection* actors = scene.Renderer->GetActors();
     scene.Counts.push_back(actors->GetNumberOfItems() - before);
+    scene.Dimensions.resize(scene.Counts.size());
     bool shows = scene.Renderer->GetVolumes()->GetNumberOfItems() > volumes;
     if (&path == &options.Files.front())
     {

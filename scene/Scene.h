@@ -35,8 +35,10 @@ struct Scene
   vtkSmartPointer<scene::Grid> Grid;                      ///< null: none
   double Bounds[6] = { 1.0, -1.0, 1.0, -1.0, 1.0, -1.0 }; ///< of what is shown, without a ground
   bool HasLights = false;                                 ///< of its files
-  int UpAxis = 1;               ///< by the first file: 0, 1, 2 for x, y, z
-  std::vector<int> Counts;      ///< how many actors each file gave, skeletons apart
+  int UpAxis = 1;          ///< by the first file: 0, 1, 2 for x, y, z
+  std::vector<int> Counts; ///< how many actors each file gave, skeletons apart
+  std::vector<std::array<int, 3>>
+    Dimensions;                 ///< points of images that are not shown as boxes, or zeros
   std::set<std::string> Arrays; ///< names of the point and cell arrays that can be layers
   std::set<std::string> Placed; ///< the same as point:NAME and cell:NAME
   std::optional<std::array<double, 2>> Times; ///< seconds that animations last; none: nothing moves

@@ -9,7 +9,12 @@
 #include "Picture.h"
 
 #include "vtkCamera.h"
+#include "vtkDataArray.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkRelievoPass.h"
 #include "vtkRenderer.h"
+#include "vtkXMLImageDataWriter.h"
 
 #include <QAction>
 #include <QApplication>
@@ -19,6 +24,7 @@
 #include <QLineEdit>
 #include <QPushButton>
 #include <QRegularExpression>
+#include <QSignalSpy>
 #include <QTextEdit>
 #include <QToolBar>
 #include <QToolButton>
@@ -168,6 +174,20 @@ private Q_SLOTS:
     this->Window->findChild<QAction*>("axisMarker")->trigger();
   }
 
+  // A picture that has all its samples draws no more.
+  void rests()
+  {
+    this->Open({ this->WriteScene(), "--preset", "studio" });
+    QSignalSpy first(this->Window->GetView(), &viewer::PictureView::drawn);
+    QVERIFY(first.wait(10000));
+    QTRY_COMPARE_WITH_TIMEOUT(
+      this->Window->GetView()->GetPicture().GetFrame()->GetSamplesLeft(), 0, 60000);
+    QTest::qWait(100);
+    QSignalSpy drawn(this->Window->GetView(), &viewer::PictureView::drawn);
+    QTest::qWait(400);
+    QCOMPARE(drawn.count(), 0);
+  }
+
   // Of each file its own points, cells, bounds and arrays.
   void properties()
   {
@@ -186,6 +206,34 @@ private Q_SLOTS:
     const QRegularExpression number("Cells\\s+" + QString::number(cells) + "\\s");
     QVERIFY2(number.match(files[0]).hasMatch(), qPrintable(files[0]));
     QVERIFY2(!files[1].contains("height") && files[1].contains("0 to 2"), qPrintable(files[1]));
+    // Another file, while they are seen: a volume, with its dimensions.
+    vtkNew<vtkImageData> image;
+    image->SetDimensions(7, 8, 9);
+    image->AllocateScalars(VTK_FLOAT, 1);
+    for (int i = 0; i < 7 * 8 * 9; ++i)
+    {
+      static_cast<float*>(image->GetScalarPointer())[i] = static_cast<float>(i);
+    }
+    image->GetPointData()->GetScalars()->SetName("density");
+    vtkNew<vtkXMLImageDataWriter> writer;
+    writer->SetFileName(this->Path("image.vti").c_str());
+    writer->SetInputData(image);
+    QVERIFY(writer->Write());
+    this->Window->OpenFiles({ QString::fromStdString(this->Path("image.vti")) });
+    this->WaitUntilRead();
+    for (const char* kind : { "volume", "surface" })
+    {
+      this->Change([kind](scene::Settings& settings) { settings.Set("--image", kind); });
+      const QString text = words->toPlainText();
+      QVERIFY2(
+        text.contains("image.vti") && text.contains(QString::fromUtf8("7 \u00d7 8 \u00d7 9")),
+        qPrintable(text));
+      QVERIFY(!text.contains("scene.vtp"));
+      auto* file = this->Window->findChild<QLabel*>("file");
+      QVERIFY(file->text().contains(QString::fromUtf8("7 \u00d7 8 \u00d7 9")));
+      QCOMPARE(text.contains("504"), kind == std::string("volume"));
+      QVERIFY(kind != std::string("volume") || text.contains("density (points)"));
+    }
   }
 
   // A layer as the picture has a legend with its values, or the reason why nothing is seen.

@@ -35,7 +35,17 @@ void ShowProperties(QWidget* parent, const QString& html)
       [words] { QApplication::clipboard()->setText(words->toPlainText()); });
   }
   dialog->findChild<QTextEdit*>("propertiesText")->setHtml(html);
-  dialog->show();
-  dialog->raise();
+  if (!dialog->isVisible())
+  {
+    dialog->show();
+    dialog->raise();
+  }
+}
+
+//------------------------------------------------------------------------------
+bool AreShown(QWidget* parent)
+{
+  auto* dialog = parent->findChild<QDialog*>("propertiesDialog");
+  return dialog && dialog->isVisible();
 }
 }

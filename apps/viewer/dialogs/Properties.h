@@ -14,6 +14,9 @@ namespace viewer
 {
 /// One for each parent, which is shown again with another text.
 void ShowProperties(QWidget* parent, const QString& html);
+
+/// Whether it is seen.
+bool AreShown(QWidget* parent);
 }
 
 #endif

@@ -8,6 +8,7 @@
 #include "Options.h"
 #include "Presets.h"
 #include "Scene.h"
+#include "SceneText.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -53,12 +54,12 @@ QString WriteBounds(const std::array<double, 6>& bounds)
   return rows;
 }
 
-QString WriteArrays(const std::vector<std::string>& names)
+QString WriteArrays(const std::vector<ArrayFacts>& arrays)
 {
   QStringList words;
-  for (const std::string& name : names)
+  for (const ArrayFacts& array : arrays)
   {
-    words += QString::fromStdString(name);
+    words += QString::fromStdString(array.Name) + (array.OfCells ? " (cells)" : "");
   }
   const auto more = words.size() - MostArrays;
   return more > 0 ? words.mid(0, MostArrays).join(", ") + QString(" and %1 more").arg(more)
@@ -80,7 +81,8 @@ QLabel* MakeFile(const FileFacts& file, bool full, QWidget* parent)
     QString::fromStdString(file.Kind);
   const QString points = QLocale().toString(static_cast<qlonglong>(file.Points));
   const QString size = WriteSize(file.Bounds);
-  QString rows = MakeRow("Cells", cells);
+  QString rows = file.Dimensions[0] > 0 ? MakeRow("Image", WriteDimensions(file.Dimensions)) : "";
+  rows += MakeRow("Cells", cells);
   if (full)
   {
     rows += MakeRow("Points", points) + MakeRow("Size", size);

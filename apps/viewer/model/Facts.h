@@ -14,14 +14,27 @@
 
 namespace viewer
 {
+/// Of a file's arrays with one name.
+struct ArrayFacts
+{
+  std::string Name;
+  bool OfCells = false;
+  std::string Type; ///< of its numbers
+  int Components = 0;
+  std::array<double, 2> Range = { 1.0, -1.0 }; ///< of several components, of the magnitude
+};
+
 struct FileFacts
 {
   std::string Path;
   std::string Kind; ///< what its cells are, for people: "triangles"
   long long Points = 0;
   long long Cells = 0;
-  std::array<double, 6> Bounds = {}; ///< in its own units: least and most of x, y, z
-  std::vector<std::string> Arrays;   ///< names, for people
+  int Parts = 0; ///< that are drawn one by one
+  int Textures = 0;
+  std::array<int, 3> Dimensions = {}; ///< points of an image that is no box, or zeros
+  std::array<double, 6> Bounds = {};  ///< in its own units: least and most of x, y, z
+  std::vector<ArrayFacts> Arrays;     ///< by name
 };
 
 struct Facts

@@ -13,9 +13,16 @@
 #include "vtkMapper.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
+#include "vtkProperty.h"
+#include "vtkRenderer.h"
+#include "vtkVolume.h"
+#include "vtkVolumeCollection.h"
+#include "vtkVolumeMapper.h"
 
 #include <algorithm>
+#include <map>
 #include <set>
+#include <utility>
 
 namespace viewer
 {
@@ -59,57 +66,118 @@ struct Kinds
   }
 };
 
-void AddNames(vtkDataSetAttributes* attributes, const char* suffix, std::set<std::string>& names)
+// What the actors and volumes of one file show.
+struct Contents
 {
-  for (int i = 0; i < attributes->GetNumberOfArrays(); ++i)
+  FileFacts Facts;
+  Kinds Is;
+  vtkBoundingBox Bounds;
+  std::set<vtkTexture*> Textures;
+  std::map<std::pair<std::string, bool>, ArrayFacts> Arrays; // by name, and whether of cells
+
+  void AddArrays(vtkDataSetAttributes* attributes, bool ofCells, bool ranges)
   {
-    const char* name = attributes->GetArrayName(i);
-    if (name && attributes->GetArray(i))
+    for (int i = 0; i < attributes->GetNumberOfArrays(); ++i)
     {
-      names.insert(std::string(name) + suffix);
+      vtkDataArray* array = attributes->GetArray(i);
+      if (!array || !array->GetName())
+      {
+        continue;
+      }
+      ArrayFacts& known = this->Arrays[{ array->GetName(), ofCells }];
+      known.Name = array->GetName();
+      known.OfCells = ofCells;
+      known.Type = array->GetDataTypeAsString();
+      known.Components = std::max(known.Components, array->GetNumberOfComponents());
+      std::array<double, 2> range = { 1.0, -1.0 };
+      if (ranges)
+      {
+        array->GetFiniteRange(range.data(), array->GetNumberOfComponents() > 1 ? -1 : 0);
+      }
+      const bool first = known.Range[0] > known.Range[1];
+      if (range[0] <= range[1])
+      {
+        known.Range = first ? range
+                            : std::array<double, 2>{ std::min(known.Range[0], range[0]),
+                                std::max(known.Range[1], range[1]) };
+      }
     }
   }
-}
+
+  void Add(vtkProp3D* prop, vtkDataObject* data, bool ranges)
+  {
+    ++this->Facts.Parts;
+    this->Bounds.AddBounds(prop->GetBounds());
+    scene::ForEachDataSet(data, [&](vtkDataSet* block) {
+      this->Is.Add(block);
+      this->Facts.Points += block->GetNumberOfPoints();
+      this->Facts.Cells += block->GetNumberOfCells();
+      this->AddArrays(block->GetPointData(), false, ranges);
+      this->AddArrays(block->GetCellData(), true, ranges);
+    });
+  }
+
+  void AddTextures(vtkActor* actor)
+  {
+    if (actor->GetTexture())
+    {
+      this->Textures.insert(actor->GetTexture());
+    }
+    for (const auto& texture : actor->GetProperty()->GetAllTextures())
+    {
+      this->Textures.insert(texture.second);
+    }
+  }
+
+  FileFacts Get()
+  {
+    this->Facts.Kind = this->Is.GetName();
+    this->Facts.Textures = static_cast<int>(this->Textures.size());
+    for (const auto& array : this->Arrays)
+    {
+      this->Facts.Arrays.push_back(array.second);
+    }
+    if (this->Bounds.IsValid())
+    {
+      this->Bounds.GetBounds(this->Facts.Bounds.data());
+    }
+    return this->Facts;
+  }
+};
 }
 
 //------------------------------------------------------------------------------
-std::vector<FileFacts> GetFileFacts(const Picture& picture, const std::vector<std::string>& files)
+std::vector<FileFacts> GetFileFacts(
+  const Picture& picture, const std::vector<std::string>& files, bool ranges)
 {
-  const scene::BareScene& scene = picture.GetScene().GetBare();
-  vtkActorCollection* actors = scene.Get().Renderer->GetActors();
+  const scene::BareScene& bare = picture.GetScene().GetBare();
+  const scene::Scene& scene = bare.Get();
+  vtkActorCollection* actors = scene.Renderer->GetActors();
+  vtkVolumeCollection* volumes = scene.Renderer->GetVolumes();
   std::vector<FileFacts> all;
-  int next = 0;
-  for (std::size_t i = 0; i < files.size() && i < scene.Get().Counts.size(); ++i)
+  int next = 0, nextVolume = 0;
+  for (std::size_t i = 0; i < files.size() && i < scene.Counts.size(); ++i)
   {
-    FileFacts file;
-    file.Path = files[i];
-    Kinds kinds;
-    vtkBoundingBox bounds;
-    std::set<std::string> names;
-    for (int left = scene.Get().Counts[i]; left > 0 && next < actors->GetNumberOfItems(); ++next)
+    Contents file;
+    file.Facts.Path = files[i];
+    file.Facts.Dimensions = scene.Dimensions[i];
+    for (int left = scene.Counts[i]; left > 0 && next < actors->GetNumberOfItems(); ++next)
     {
       vtkActor* actor = vtkActor::SafeDownCast(actors->GetItemAsObject(next));
-      if (!scene.Find(actor)) // a skeleton
+      if (!bare.Find(actor)) // a skeleton
       {
         continue;
       }
       --left;
-      bounds.AddBounds(actor->GetBounds());
-      scene::ForEachDataSet(actor->GetMapper()->GetInputDataObject(0, 0), [&](vtkDataSet* block) {
-        kinds.Add(block);
-        file.Points += block->GetNumberOfPoints();
-        file.Cells += block->GetNumberOfCells();
-        AddNames(block->GetPointData(), "", names);
-        AddNames(block->GetCellData(), " (cells)", names);
-      });
+      file.Add(actor, actor->GetMapper()->GetInputDataObject(0, 0), ranges);
+      file.AddTextures(actor);
     }
-    file.Kind = kinds.GetName();
-    file.Arrays.assign(names.begin(), names.end());
-    if (bounds.IsValid())
+    if (scene.Counts[i] == 0 && nextVolume < volumes->GetNumberOfItems())
     {
-      bounds.GetBounds(file.Bounds.data());
+      auto* volume = vtkVolume::SafeDownCast(volumes->GetItemAsObject(nextVolume++));
+      file.Add(volume, volume->GetMapper()->GetInputDataObject(0, 0), ranges);
     }
-    all.push_back(file);
+    all.push_back(file.Get());
   }
   return all;
 }

@@ -12,8 +12,9 @@ namespace viewer
 {
 class Picture;
 
-/// In the order of the files.
-std::vector<FileFacts> GetFileFacts(const Picture& picture, const std::vector<std::string>& files);
+/// In the order of the files. Ranges of arrays take time.
+std::vector<FileFacts> GetFileFacts(
+  const Picture& picture, const std::vector<std::string>& files, bool ranges = false);
 }
 
 #endif

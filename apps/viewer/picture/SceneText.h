@@ -8,12 +8,16 @@
 
 #include <QString>
 
+#include <array>
 #include <string>
 #include <vector>
 
 namespace viewer
 {
 class Picture;
+
+/// "181 × 217 × 181 points"
+QString WriteDimensions(const std::array<int, 3>& dimensions);
 
 /// HTML: of each file its place, size, numbers of points and cells, bounds and arrays with their
 /// ranges; of all together times and lights.

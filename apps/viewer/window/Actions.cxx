@@ -150,11 +150,18 @@ void AddFileMenu(MainWindow* window, RecentFiles* recent)
       }
     }));
   menu->addSeparator();
+  const auto tell = [window] {
+    ShowProperties(
+      window, WriteScene(window->GetView()->GetPicture(), window->GetDocument()->Get().Files));
+  };
   NeedPicture(
-    window, Add(menu, window, "Proper&ties", QKeySequence("Alt+Return"), "properties", [window] {
-      ShowProperties(
-        window, WriteScene(window->GetView()->GetPicture(), window->GetDocument()->Get().Files));
-    }));
+    window, Add(menu, window, "Proper&ties", QKeySequence("Alt+Return"), "properties", tell));
+  QObject::connect(window->GetDocument(), &Document::factsChanged, window, [window, tell] {
+    if (AreShown(window))
+    {
+      tell();
+    }
+  });
   menu->addSeparator();
   Add(menu, window, "&Quit", QKeySequence::Quit, "quit", [window] { window->close(); });
 }
