@@ -103,8 +103,8 @@ void Document::Change(const std::function<void(scene::Settings&)>& edit)
 }
 
 //------------------------------------------------------------------------------
-// No word says what is off, such as colours of shadows, or that they are hard where the preset's are
-// soft.
+// No word says what is off, such as colours of shadows, or that they are hard where those of the
+// preset are soft.
 void Document::SwitchShadows(bool on)
 {
   const std::set<std::string> since = this->Switched.GetChanges(this->Now);

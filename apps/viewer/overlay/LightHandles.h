@@ -3,8 +3,8 @@
 /**
  * Handles over the picture for the spots and point lights of --light: a ball where each stands, and
  * for the spot that is edited a ring where it shines. A ball is dragged in the plane of the view, a
- * ring over the surfaces. What is outside of the picture waits at its border. They are the window's:
- * no picture that is saved has them.
+ * ring over the surfaces. What is outside of the picture waits at its border. They are the
+ * window's: no picture that is saved has them.
  */
 #ifndef LightHandles_h
 #define LightHandles_h

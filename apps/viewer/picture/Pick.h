@@ -18,8 +18,8 @@ class Probe;
 /// count from the lower left.
 std::optional<std::array<double, 3>> Pick(const Picture& picture, Probe& probe, int x, int y);
 
-/// Where a place is seen in a picture that is not empty: from -1 to 1 from the left to the right and
-/// from the bottom to the top, and beyond that outside. What is behind the camera is outside.
+/// Where a place is seen in a picture that is not empty: from -1 to 1 from left to right and from
+/// bottom to top, and beyond that outside. What is behind the camera is outside.
 std::array<double, 2> Project(const Picture& picture, const std::array<double, 3>& place);
 
 /// The place behind a pixel that is as far along the view as `from`, or as what the camera turns

@@ -79,8 +79,8 @@ public:
   /// What is shown with its camera and size.
   scene::Settings GetViewSettings();
 
-  /// A line that stays until the next, options by the names of their controls. What went wrong is shown where it cannot be overlooked,
-  /// until it is closed or mended.
+  /// A line that stays until the next, options by the names of their controls. What went wrong is
+  /// shown where it cannot be overlooked, until it is closed or mended.
   void Say(const QString& said, bool isTrouble = false);
 
   /// What went wrong last; empty if all went well since.
