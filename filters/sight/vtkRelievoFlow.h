@@ -7,8 +7,8 @@
  * Two states of a scene (vtkRelievoRayScene, the first one usually by CopyStateOf before things
  * move), each with a camera. A ray through each pixel's centre of the first picture meets a point
  * of a triangle; the point with the same weights of the same triangle in the second state is
- * projected into the second picture. Moved props, moved points and moved cameras are one thing for it, all in
- * double.
+ * projected into the second picture. Moved props, moved points and moved cameras are one thing for
+ * it, all in double.
  *
  * Output: vtkImageData of the first camera's columns and rows, row 0 at the bottom:
  * - flow (2 float): pixels from here to there, x right, y down; NaN where nothing is seen, or the
