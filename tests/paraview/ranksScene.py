@@ -105,6 +105,8 @@ light.ConeAngle = 90
 step("lamp")
 view.RelievoDisplayLayer = "normal"
 step("normal")
+# Without a range one process fits the colours to what is seen, and several do not.
+view.RelievoDisplayRange = [1, 8]
 view.RelievoDisplayLayer = "depth"
 step("depth")
 view.RelievoDisplayLayer = "None"

@@ -96,6 +96,10 @@ std::vector<std::string> GetValues(const vtkRelievoParameter& parameter)
       return {};
     case vtkRelievoParameter::PAIR:
       return { "0.25/0.75" };
+    case vtkRelievoParameter::COLOR:
+      return { "0.2/0.4/0.6" };
+    case vtkRelievoParameter::VECTOR:
+      return {};
     default:
     {
       const double before = std::stod(parameter.Default);

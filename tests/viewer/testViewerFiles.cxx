@@ -245,6 +245,19 @@ private Q_SLOTS:
     this->WaitUntilRead();
     QCOMPARE(document->Get().GetWords(), left);
     QCOMPARE(this->Window->GetViewSettings().Get("--camera"), other);
+    // Colours by an array stay where the next file has it, and are no edit of their own.
+    this->Open({ scene, "--color-by", "height", "--range", "0,0.5", "--scalar-bar" });
+    const std::string same = this->WriteScene("same.vtp");
+    this->Window->OpenFiles({ QString::fromStdString(same) });
+    this->WaitUntilRead();
+    QCOMPARE(document->Get().GetWords(),
+      (std::vector<std::string>{
+        "--color-by", "height", "--range", "0,0.5", "--scalar-bar", same }));
+    document->Undo();
+    this->WaitUntilRead();
+    QCOMPARE(document->Get().Files, std::vector<std::string>{ scene });
+    QCOMPARE(document->Get().Get("--color-by"), std::string("height"));
+    QVERIFY(!document->CanUndo());
   }
 
   void recentFiles()

@@ -103,6 +103,13 @@ void Document::Change(const std::function<void(scene::Settings&)>& edit)
 }
 
 //------------------------------------------------------------------------------
+void Document::Amend(const std::function<void(scene::Settings&)>& edit)
+{
+  edit(this->Now);
+  Q_EMIT this->changed();
+}
+
+//------------------------------------------------------------------------------
 // No word says what is off, such as colours of shadows, or that they are hard where those of the
 // preset are soft.
 void Document::SwitchShadows(bool on)

@@ -36,6 +36,9 @@ public:
   void Set(const scene::Settings& settings);
   void Change(const std::function<void(scene::Settings&)>& edit);
 
+  /// Changes the settings as a part of the edit before: undoing that undoes both.
+  void Amend(const std::function<void(scene::Settings&)>& edit);
+
   /// Switched twice, shadows are as they were.
   void SwitchShadows(bool on);
 

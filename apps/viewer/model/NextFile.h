@@ -14,7 +14,8 @@ namespace viewer
 {
 /// Drops the files, and what belongs to them: places in their coordinates, arrays, times, maps of
 /// their surfaces, the layer that is shown. The preset, its look and suns stay. Returns what was
-/// dropped, for people, such as "2 lights and the colours"; empty: nothing.
+/// dropped, for people, such as "2 lights and the up axis", but for colours by an array, which come
+/// back if the next file has it; empty: nothing.
 QString DropFiles(scene::Settings& settings);
 }
 

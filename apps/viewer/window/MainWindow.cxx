@@ -102,6 +102,7 @@ QStringList GetPaths(const QMimeData* data)
 constexpr int LayoutVersion = 1;
 
 constexpr const char* PlaceWords[] = { "--camera", "--parallel-scale", "--size" };
+constexpr const char* ColorWords[] = { "--color-by", "--range", "--scalar-bar" };
 constexpr const char* CameraWords[] = { "--camera", "--parallel-scale" };
 
 QString GetFileName(const std::string& path)
@@ -491,8 +492,16 @@ void MainWindow::OpenFiles(const QStringList& paths, bool beside)
     }
     if (!beside || first)
     {
+      const scene::Settings before = this->Edited->Get();
       this->Open(settings, whole);
       this->Dropped = dropped;
+      for (const char* word : ColorWords)
+      {
+        if (!beside && !first && before.Has(word))
+        {
+          this->Colors.SetAll(word, before.GetAll(word));
+        }
+      }
       return;
     }
     this->Opening = whole;
@@ -587,6 +596,7 @@ void MainWindow::Open(const scene::Settings& settings, const QStringList& recent
   settings.Parse(); // what is refused leaves everything as it is
   this->Opening = recent;
   this->Dropped.clear();
+  this->Colors = scene::Settings();
   this->Place = scene::Settings();
   scene::Settings rest = settings;
   for (const char* word : PlaceWords)
@@ -865,6 +875,7 @@ QString MainWindow::ShowRead()
   this->OfFile = false;
   this->Mend();
   this->TellMessages();
+  this->KeepColors(facts);
   this->TellDropped();
   this->Remember();
   return QString();
@@ -904,6 +915,29 @@ void MainWindow::KeepView()
   {
     this->Cameras[this->Good.Files].SetAll(word, view.GetAll(word));
   }
+}
+
+//------------------------------------------------------------------------------
+// Colours by an array stay where the next file has it, as one of a series has.
+void MainWindow::KeepColors(const Facts& facts)
+{
+  const scene::Settings colors = this->Colors;
+  this->Colors = scene::Settings();
+  const std::string given = colors.Get("--color-by");
+  if (given.empty())
+  {
+    return;
+  }
+  const std::string array =
+    facts.Components.count(given) != 0 ? given : colors.Parse().Look.ColorBy;
+  if (facts.Components.count(array) == 0)
+  {
+    this->Dropped += this->Dropped.isEmpty() ? "the colours" : ", and the colours";
+    return;
+  }
+  this->Edited->Amend(
+    [&colors](scene::Settings& settings) { settings.TakeChanges(scene::Settings(), colors); });
+  this->Good = this->Edited->Get();
 }
 
 //------------------------------------------------------------------------------

@@ -123,6 +123,7 @@ private:
   void EndReading();
   void Remember();
   void KeepView();
+  void KeepColors(const Facts& facts);
   void TellDropped();
   void OnDrawn();
   void ShowSmoothing();
@@ -173,9 +174,10 @@ private:
   std::string ReadingKey;  // of what is shown, or being read; empty: what the user opens now
   scene::Settings Place;   // camera and size of what is being read
   std::map<std::vector<std::string>, scene::Settings> Cameras; // of files that were shown
-  QString Dropped;                                             // by opening what is being read
-  bool HasShown = false;                                       // a file
-  bool KeepCamera = false;                                     // instead
+  scene::Settings Colors;  // by an array, of the file before the one that is being read
+  QString Dropped;         // by opening what is being read
+  bool HasShown = false;   // a file
+  bool KeepCamera = false; // instead
   bool Saving = false;
   std::optional<QString> Late; // what a reading came to while a picture was saved
   QStringList Opening;         // what the list of recent files gets when it has been read
