@@ -7,8 +7,8 @@
 #include "Values.h"
 
 #include "vtkColorTransferFunction.h"
-#include "vtkDiscretizableColorTransferFunction.h"
 #include "vtkNew.h"
+#include "vtkObjectFactory.h"
 #include "vtkRelievoColormaps.h"
 
 #include <algorithm>
@@ -19,6 +19,16 @@ namespace scene
 {
 namespace
 {
+// VTK's mappers and bars go by logarithms, too, where a map says that it does.
+class LogColormap : public vtkColorTransferFunction
+{
+public:
+  static LogColormap* New();
+  vtkTypeMacro(LogColormap, vtkColorTransferFunction);
+  int UsingLogScale() override { return 1; }
+};
+vtkStandardNewMacro(LogColormap);
+
 constexpr int MostSteps = 256;
 constexpr int LogPoints = 256; // of a map by logarithms
 
@@ -218,10 +228,8 @@ vtkSmartPointer<vtkColorTransferFunction> MakeColormap(
   vtkSmartPointer<vtkColorTransferFunction> map;
   if (words.Log)
   {
-    // Of the two the one by which VTK's mappers and bars go by logarithms, too.
-    vtkNew<vtkDiscretizableColorTransferFunction> log;
-    log->SetUseLogScale(1);
-    map = log;
+    map = vtkSmartPointer<LogColormap>::New();
+    map->SetScaleToLog10();
   }
   else
   {
