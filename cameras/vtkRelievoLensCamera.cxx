@@ -53,6 +53,28 @@ void BendBrown(const double c[8], const double at[2], double bent[2], double jac
   jacobian[0][1] = jacobian[1][0] = 2.0 * x * y * slope + 2.0 * p1 * x + 2.0 * p2 * y;
 }
 
+// A model transform may scale or mirror the world.
+bool IsRotation(vtkMatrix4x4* view)
+{
+  constexpr double most = 1e-9;
+  for (int i = 0; i < 3; ++i)
+  {
+    for (int j = 0; j < 3; ++j)
+    {
+      double product = i == j ? -1.0 : 0.0;
+      for (int k = 0; k < 3; ++k)
+      {
+        product += view->GetElement(i, k) * view->GetElement(j, k);
+      }
+      if (!(std::abs(product) < most) || view->GetElement(3, j) != 0.0)
+      {
+        return false;
+      }
+    }
+  }
+  return view->Determinant() > 0.0;
+}
+
 double GetDeterminant(const double m[2][2])
 {
   return m[0][0] * m[1][1] - m[0][1] * m[1][0];
@@ -396,7 +418,7 @@ bool vtkRelievoLensCamera::IsPinhole(vtkCamera* camera)
   vtkMatrix4x4* projection = camera->GetProjectionTransformMatrix(1.0, -1.0, 1.0);
   const auto at = [projection](int i, int j) { return projection->GetElement(i, j); };
   const double zeros[] = { at(0, 3), at(1, 0), at(1, 3), at(3, 0), at(3, 1), at(3, 3) };
-  return !camera->GetParallelProjection() &&
+  return !camera->GetParallelProjection() && IsRotation(camera->GetModelViewTransformMatrix()) &&
     std::all_of(std::begin(zeros), std::end(zeros), [](double zero) { return zero == 0.0; }) &&
     at(0, 0) * at(3, 2) < 0.0 && at(1, 1) * at(3, 2) < 0.0;
 }

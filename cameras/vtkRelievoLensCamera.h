@@ -83,7 +83,7 @@ public:
   bool TakeFrom(vtkCamera* camera, int columns, int rows);
   ///@}
 
-  /** Whether a camera has intrinsics K: it sees in perspective, with rows that are level. */
+  /** Whether a camera has intrinsics K: perspective, level rows, a view that is a rotation. */
   static bool IsPinhole(vtkCamera* camera);
 
   bool GetCameraRay(double u, double v, double origin[3], double direction[3]) override;

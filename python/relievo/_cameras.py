@@ -26,6 +26,9 @@ class CameraModel:
     down and z is forward (lidars: x forward, y left, z up).
 
     model: the object of VTK that does the work, of a class vtkRelievo…Camera or vtkRelievoLidar.
+    size: (columns, rows). R, t: the pose; see pose().
+
+    Raises ValueError for wrong arguments, as all of them do.
     """
 
     def __init__(self, model, size, R, t):
@@ -113,6 +116,8 @@ class Pinhole(CameraModel):
 
     distortion: k1, k2, p1, p2[, k3[, k4, k5, k6]] of Brown and Conrady, in OpenCV's order.
     size: (columns, rows). R, t: the pose; see CameraModel.pose.
+
+    Raises ValueError for wrong arguments.
     """
 
     def __init__(self, K, size, R=None, t=None, distortion=()):
@@ -150,7 +155,12 @@ class Pinhole(CameraModel):
 
 class Fisheye(Pinhole):
     """A fisheye with intrinsics K (3, 3) and OpenCV's fisheye coefficients D: k1, k2, k3, k4
-    (Kannala and Brandt). Without coefficients, angles are equal steps of the radius."""
+    (Kannala and Brandt). Without coefficients, angles are equal steps of the radius.
+
+    size: (columns, rows). R, t: the pose; see CameraModel.pose.
+
+    Raises ValueError for wrong arguments.
+    """
 
     def __init__(self, K, size, D=(), R=None, t=None):
         CameraModel.__init__(self, vtkRelievoLensCamera(), size, R, t)
@@ -159,7 +169,12 @@ class Fisheye(Pinhole):
 
 class Division(Pinhole):
     """A lens by Fitzgibbon's division model, of one coefficient k in units of K's focal length: the
-    straight place is the bent one over 1 + k r²."""
+    straight place is the bent one over 1 + k r².
+
+    size: (columns, rows). R, t: the pose; see CameraModel.pose.
+
+    Raises ValueError for wrong arguments.
+    """
 
     def __init__(self, K, size, k, R=None, t=None):
         CameraModel.__init__(self, vtkRelievoLensCamera(), size, R, t)
@@ -171,6 +186,10 @@ class Equirectangular(CameraModel):
 
     size: (columns, rows); a whole panorama is twice as wide as high. field: degrees that its
     columns and rows span, at most (360, 180).
+
+    R, t: the pose; see CameraModel.pose.
+
+    Raises ValueError for wrong arguments.
     """
 
     def __init__(self, size, field=(360, 180), R=None, t=None):
@@ -182,6 +201,10 @@ class Cube(CameraModel):
     """A panorama of six square faces side by side: front, right, back, left, up, down.
 
     face: pixels of a face each way; the picture is six times as wide as high.
+
+    R, t: the pose; see CameraModel.pose.
+
+    Raises ValueError for wrong arguments.
     """
 
     def __init__(self, face, R=None, t=None):
@@ -193,6 +216,10 @@ class Orthographic(CameraModel):
     """A camera of parallel rays, as a map: so many pixels for a world unit.
 
     center: the pixel of its axis; None for the middle of the picture.
+
+    pixels_per_unit: above 0. size: (columns, rows). R, t: the pose; see CameraModel.pose.
+
+    Raises ValueError for wrong arguments.
     """
 
     def __init__(self, pixels_per_unit, size, center=None, R=None, t=None):
@@ -207,7 +234,13 @@ class Orthographic(CameraModel):
 
 class Pushbroom(CameraModel):
     """A line sensor that moves while it looks: row v is seen from v times `velocity`, in camera
-    space and world units, with the focal length and the column of its axis in pixels."""
+    space and world units, with the focal length and the column of its axis in pixels.
+
+    focal_length, center: pixels; center None for the middle. size: (columns, rows). R, t: the pose
+    of row 0; see CameraModel.pose.
+
+    Raises ValueError for wrong arguments.
+    """
 
     def __init__(self, focal_length, velocity, size, center=None, R=None, t=None):
         super().__init__(vtkRelievoPushbroomCamera(), size, R, t)
@@ -226,6 +259,10 @@ class Lidar(CameraModel):
         each step. turn: azimuths, in degrees from x towards y, of the first step and behind the
         last one. offsets: azimuths of each beam beside it.
     azimuths: in place of steps, the azimuth of each beam: a picture of one row.
+
+    R, t: the pose; see CameraModel.pose.
+
+    Raises ValueError for wrong arguments.
     """
 
     def __init__(self, elevations, steps=None, azimuths=None, turn=(180, -180), offsets=None,
@@ -300,7 +337,7 @@ def intrinsics(camera, size):
 
 def extrinsics(camera):
     """Returns (R, t), arrays of (3, 3) and 3: from the world to x right, y down, z forward, of a
-    vtkCamera, a renderer or a plotter."""
+    vtkCamera, a renderer or a plotter, the camera. Raises ValueError for one that is no pinhole."""
     taken = Pinhole.of(camera, (1, 1))
     return taken.R, taken.t
 

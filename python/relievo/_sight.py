@@ -118,6 +118,8 @@ def moment(thing, camera=None, size=None):
     thing: as for rays(): a renderer, a plotter, data.
     camera: a CameraModel, or a vtkCamera; None for the renderer's own, seen in `size` pixels.
     size: (columns, rows); None for the size of the renderer's viewport.
+
+    Raises ValueError for wrong arguments.
     """
     return Moment(thing, camera, size)
 
@@ -135,7 +137,8 @@ def flow(before, thing, camera=None, size=None):
 
     Returns vtkImageData of the moment's size with the layers flow (2 floats: pixels, x right, y
     down; NaN where nothing is seen), motion (3 floats: world units) and flow_valid (1 where the
-    point is within the picture now and nothing lies before it).
+    point is within the picture now and nothing lies before it). Raises ValueError for wrong
+    arguments.
     """
     if not isinstance(before, Moment):
         raise ValueError(f"before: got {describe(before)}, expected what moment() returns")

@@ -54,7 +54,7 @@ class Session(unittest.TestCase):
             (json.dumps({**MARK, "words": ["--preset", "studio"]}), "nothing to draw"),
             (json.dumps({**MARK, "words": [off, "64x64"]}), "64x64: no reader"),
             (json.dumps({**MARK, "words": [off, "--frob"]}), "--frob"),
-            (json.dumps({**MARK, "words": [off, "--preset", "a\nb"]}), "--preset"),
+            (json.dumps({**MARK, "words": [off, "--preset", "a\nb"]}), "“Preset” in Scene"),
             (json.dumps({**MARK, "words": [off, "--size", "0x0"]}), "--size"),
             (json.dumps({**MARK, "words": [off, "--times", "x"]}), "--times"),
         ):
