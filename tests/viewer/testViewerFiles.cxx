@@ -247,6 +247,7 @@ private Q_SLOTS:
     QCOMPARE(this->Window->GetViewSettings().Get("--camera"), other);
     // Colours by an array stay where the next file has it, and are no edit of their own.
     this->Open({ scene, "--color-by", "height", "--range", "0,0.5", "--scalar-bar" });
+    document = this->Window->GetDocument();
     const std::string same = this->WriteScene("same.vtp");
     this->Window->OpenFiles({ QString::fromStdString(same) });
     this->WaitUntilRead();
