@@ -23,7 +23,7 @@ import scene
 
 VIENNA = (48.2, 16.4)
 GROUND = 160  # squares of the ground each way
-DAYS = 30  # every so many days count; fewer for a finer year
+DAYS = 61  # every so many days count; fewer for a finer year
 MINUTES = 60  # from one place of the sun to the next
 
 
