@@ -153,20 +153,47 @@ bool vtkRelievoCameraModel::Project(const double point[3], double pixel[2])
 //------------------------------------------------------------------------------
 void vtkRelievoCameraModel::GetRays(vtkDoubleArray* origins, vtkDoubleArray* directions)
 {
-  this->GetRays(nullptr, origins, directions);
+  this->GetRowRays(0, this->Size[1], origins, directions);
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoCameraModel::GetRowRays(
+  int first, int end, vtkDoubleArray* origins, vtkDoubleArray* directions)
+{
+  if (!origins || !directions || first < 0 || end < first || end > this->Size[1])
+  {
+    vtkErrorMacro("The rays of the rows " << first << " to " << end
+                                          << " were asked for, expected rows of the picture, 0 to "
+                                          << this->Size[1] << ", and two arrays to fill.");
+    return;
+  }
+  const vtkIdType columns = this->Size[0];
+  this->Fill(
+    columns * (end - first), origins, directions, [columns, first](vtkIdType i, double* place) {
+      place[0] = static_cast<double>(i % columns);
+      place[1] = static_cast<double>(first + i / columns);
+    });
 }
 
 //------------------------------------------------------------------------------
 void vtkRelievoCameraModel::GetRays(
   vtkDoubleArray* places, vtkDoubleArray* origins, vtkDoubleArray* directions)
 {
-  if (!origins || !directions || (places && places->GetNumberOfComponents() != 2))
+  if (!places || !origins || !directions || places->GetNumberOfComponents() != 2)
   {
-    vtkErrorMacro("GetRays expects places of 2 components, or none, and two arrays to fill.");
+    vtkErrorMacro("GetRays expects places of 2 components and two arrays to fill.");
     return;
   }
-  const vtkIdType columns = this->Size[0];
-  const vtkIdType count = places ? places->GetNumberOfTuples() : columns * this->Size[1];
+  this->Fill(places->GetNumberOfTuples(), origins, directions,
+    [places](vtkIdType i, double* place) { std::copy_n(places->GetPointer(2 * i), 2, place); });
+}
+
+//------------------------------------------------------------------------------
+// Of so many places, which it is told one by one.
+template <typename Place>
+void vtkRelievoCameraModel::Fill(
+  vtkIdType count, vtkDoubleArray* origins, vtkDoubleArray* directions, const Place& getPlace)
+{
   for (vtkDoubleArray* array : { origins, directions })
   {
     array->SetNumberOfComponents(3);
@@ -176,9 +203,9 @@ void vtkRelievoCameraModel::GetRays(
     vtkSMPTools::For(0, count, Grain, [&](vtkIdType begin, vtkIdType end) {
       for (vtkIdType i = begin; i < end; ++i)
       {
-        const double u = places ? places->GetValue(2 * i) : static_cast<double>(i % columns);
-        const double v = places ? places->GetValue(2 * i + 1) : static_cast<double>(i / columns);
-        this->GetRay(u, v, origins->GetPointer(3 * i), directions->GetPointer(3 * i));
+        double place[2];
+        getPlace(i, place);
+        this->GetRay(place[0], place[1], origins->GetPointer(3 * i), directions->GetPointer(3 * i));
       }
     });
   });

@@ -70,10 +70,11 @@ public:
 
   ///@{
   /**
-   * The rays of all pixels in the world, row by row from the top, or of given places (n x 2): two
-   * arrays of n x 3, NaN where nothing is seen. All cores.
+   * The rays of all pixels in the world, row by row from the top, of the rows from one to before
+   * another, or of given places (n x 2): two arrays of n x 3, NaN where nothing is seen. All cores.
    */
   void GetRays(vtkDoubleArray* origins, vtkDoubleArray* directions);
+  void GetRowRays(int first, int end, vtkDoubleArray* origins, vtkDoubleArray* directions);
   void GetRays(vtkDoubleArray* places, vtkDoubleArray* origins, vtkDoubleArray* directions);
   ///@}
 
@@ -110,6 +111,10 @@ protected:
   double Translation[3] = { 0., 0., 0. };
 
 private:
+  template <typename Place>
+  void Fill(
+    vtkIdType count, vtkDoubleArray* origins, vtkDoubleArray* directions, const Place& getPlace);
+
   vtkRelievoCameraModel(const vtkRelievoCameraModel&) = delete;
   void operator=(const vtkRelievoCameraModel&) = delete;
 };

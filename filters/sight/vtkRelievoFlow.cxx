@@ -112,26 +112,19 @@ int vtkRelievoFlow::RequestData(
   const auto motion = NewArray<vtkFloatArray>("motion", 3, columns * rows, nothing);
   const auto valid = NewArray<vtkUnsignedCharArray>("flow_valid", 1, columns * rows, 0.0);
 
-  vtkNew<vtkDoubleArray> places;
   vtkNew<vtkDoubleArray> origins;
   vtkNew<vtkDoubleArray> directions;
   vtkNew<vtkDoubleArray> moved;
   vtkNew<vtkDoubleArray> targets;
   vtkNew<vtkTable> hits;
   vtkNew<vtkTable> met;
-  places->SetNumberOfComponents(2);
   const vtkIdType rowsAtOnce = std::max<vtkIdType>(1, FlowsAtOnce / columns);
   for (vtkIdType row = 0; row < rows; row += rowsAtOnce)
   {
     const vtkIdType end = std::min(rows, row + rowsAtOnce);
     const vtkIdType count = (end - row) * columns;
-    places->SetNumberOfTuples(count);
-    for (vtkIdType i = 0; i < count; ++i)
-    {
-      places->SetValue(2 * i, static_cast<double>(i % columns));
-      places->SetValue(2 * i + 1, static_cast<double>(row + i / columns));
-    }
-    this->From.Camera->GetRays(places, origins, directions);
+    this->From.Camera->GetRowRays(
+      static_cast<int>(row), static_cast<int>(end), origins, directions);
     if (!this->From.Scene->FindNearest(origins, directions, hits) ||
       !this->To.Scene->FindPlaces(hits, moved))
     {
@@ -161,10 +154,8 @@ int vtkRelievoFlow::RequestData(
         motion->SetComponent(pixel, k, to[k] - before->GetComponent(i, k));
       }
       const double* target = targets->GetPointer(2 * i);
-      for (int k = 0; k < 2; ++k)
-      {
-        flow->SetComponent(pixel, k, target[k] - places->GetValue(2 * i + k));
-      }
+      flow->SetComponent(pixel, 0, target[0] - static_cast<double>(i % columns));
+      flow->SetComponent(pixel, 1, target[1] - static_cast<double>(row + i / columns));
       const bool inside = target[0] >= -0.5 && target[0] <= seen[0] - 0.5 && target[1] >= -0.5 &&
         target[1] <= seen[1] - 0.5;
       const double distance =

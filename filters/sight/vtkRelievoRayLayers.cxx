@@ -304,29 +304,21 @@ int vtkRelievoRayLayers::RequestData(
     layers.push_back(layer);
   }
 
-  vtkNew<vtkDoubleArray> places;
   vtkNew<vtkDoubleArray> origins;
   vtkNew<vtkDoubleArray> directions;
   vtkNew<vtkTable> table;
-  places->SetNumberOfComponents(2);
   const vtkIdType rowsAtOnce = std::max<vtkIdType>(1, RaysAtOnce / columns);
   for (vtkIdType row = 0; row < rows; row += rowsAtOnce)
   {
     const vtkIdType end = std::min(rows, row + rowsAtOnce);
-    places->SetNumberOfTuples((end - row) * columns);
-    for (vtkIdType i = 0; i < places->GetNumberOfTuples(); ++i)
-    {
-      places->SetValue(2 * i, static_cast<double>(i % columns));
-      places->SetValue(2 * i + 1, static_cast<double>(row + i / columns));
-    }
-    this->Camera->GetRays(places, origins, directions);
+    this->Camera->GetRowRays(static_cast<int>(row), static_cast<int>(end), origins, directions);
     if (!this->Scene->FindNearest(origins, directions, table))
     {
       vtkErrorMacro("The rays of the camera were not followed; see the errors before.");
       return 0;
     }
     const Hits hits(table);
-    for (vtkIdType i = 0; i < places->GetNumberOfTuples(); ++i)
+    for (vtkIdType i = 0; i < origins->GetNumberOfTuples(); ++i)
     {
       if (std::isinf(hits.Distance->GetComponent(i, 0)))
       {

@@ -3,7 +3,7 @@
 #include "vtkRelievoSunExposure.h"
 
 #include "vtkCellData.h"
-#include "vtkDataSet.h"
+#include "vtkCellType.h"
 #include "vtkDoubleArray.h"
 #include "vtkFloatArray.h"
 #include "vtkIdList.h"
@@ -111,53 +111,59 @@ private:
     this->At.push_back(place);
   }
 
-  // The normal of a polygon (M. Newell), or 0, as long as twice its area if wanted, and its middle.
+  // The normal of a polygon (M. Newell), as long as twice its area if wanted, and its middle, by
+  // the signed areas of the triangles at its first corner. 0 for what is no polygon.
   static Vector GetCell(
     vtkPolyData* mesh, vtkIdType cell, vtkIdList* corners, Vector& middle, bool area = false)
   {
     mesh->GetCellPoints(cell, corners);
-    const vtkIdType count = corners->GetNumberOfIds();
+    const int type = mesh->GetCellType(cell);
+    const bool polygon = type == VTK_TRIANGLE || type == VTK_QUAD || type == VTK_POLYGON;
     Vector normal{};
-    middle = {};
-    Vector first{};
-    Vector last{};
-    for (vtkIdType k = 0; k < count; ++k)
+    for (vtkIdType k = 2; polygon && k < corners->GetNumberOfIds(); ++k)
     {
-      Vector next;
-      mesh->GetPoint(corners->GetId(k), next.data());
-      first = k == 0 ? next : first;
-      if (k > 1)
-      {
-        AddTriangle(first, last, next, normal, middle);
-      }
-      last = next;
+      const Triangle triangle(mesh, corners, k);
+      vtkMath::Add(normal.data(), triangle.Cross.data(), normal.data());
     }
     const double twice = vtkMath::Norm(normal.data());
-    for (std::size_t i = 0; i < 3; ++i)
+    middle = {};
+    if (!(twice > 0.0))
     {
-      middle[i] = twice > 0.0 ? first[i] + middle[i] / twice : 0.0;
-      normal[i] = twice > 0.0 ? (area ? normal[i] : normal[i] / twice) : 0.0;
+      return {};
     }
-    return normal;
+    Vector unit = normal;
+    vtkMath::MultiplyScalar(unit.data(), 1.0 / twice);
+    mesh->GetPoint(corners->GetId(0), middle.data());
+    for (vtkIdType k = 2; k < corners->GetNumberOfIds(); ++k)
+    {
+      const Triangle triangle(mesh, corners, k);
+      const double share = vtkMath::Dot(triangle.Cross.data(), unit.data()) / twice;
+      for (std::size_t i = 0; i < 3; ++i)
+      {
+        middle[i] += share * (triangle.Sides[0][i] + triangle.Sides[1][i]) / 3.0;
+      }
+    }
+    return area ? normal : unit;
   }
 
-  // Middles are summed about the first corner, each by its triangle's area.
-  static void AddTriangle(
-    const Vector& a, const Vector& b, const Vector& c, Vector& normal, Vector& middle)
+  // Of a polygon's first corner, the corner before the k-th, and that.
+  struct Triangle
   {
-    Vector ab;
-    Vector ac;
-    Vector cross;
-    vtkMath::Subtract(b.data(), a.data(), ab.data());
-    vtkMath::Subtract(c.data(), a.data(), ac.data());
-    vtkMath::Cross(ab.data(), ac.data(), cross.data());
-    const double twice = vtkMath::Norm(cross.data());
-    for (std::size_t i = 0; i < 3; ++i)
+    Vector Sides[2]; // from the first corner
+    Vector Cross;
+
+    Triangle(vtkPolyData* mesh, vtkIdList* corners, vtkIdType k)
     {
-      normal[i] += cross[i];
-      middle[i] += twice * (ab[i] + ac[i]) / 3.0;
+      Vector first;
+      mesh->GetPoint(corners->GetId(0), first.data());
+      for (int side = 0; side < 2; ++side)
+      {
+        mesh->GetPoint(corners->GetId(k - 1 + side), this->Sides[side].data());
+        vtkMath::Subtract(this->Sides[side].data(), first.data(), this->Sides[side].data());
+      }
+      vtkMath::Cross(this->Sides[0].data(), this->Sides[1].data(), this->Cross.data());
     }
-  }
+  };
 };
 
 // Which places see anything in a direction: those that face it, by rays.
@@ -256,23 +262,7 @@ void AddArray(vtkFieldData* data, const char* name, const std::vector<double>& v
 }
 
 //------------------------------------------------------------------------------
-vtkRelievoSunExposure::vtkRelievoSunExposure()
-{
-  this->SetNumberOfInputPorts(2);
-}
-
-//------------------------------------------------------------------------------
-int vtkRelievoSunExposure::FillInputPortInformation(int port, vtkInformation* info)
-{
-  if (port == 0)
-  {
-    return this->Superclass::FillInputPortInformation(port, info);
-  }
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
-  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
-  info->Set(vtkAlgorithm::INPUT_IS_REPEATABLE(), 1);
-  return 1;
-}
+vtkRelievoSunExposure::vtkRelievoSunExposure() = default;
 
 //------------------------------------------------------------------------------
 struct vtkRelievoSunExposure::Sun
@@ -337,12 +327,7 @@ int vtkRelievoSunExposure::RequestData(
   }
   vtkPolyData* mesh = vtkPolyData::GetData(inputs[0]);
   vtkPolyData* output = vtkPolyData::GetData(outputs);
-  vtkNew<vtkRelievoRayScene> scene;
-  scene->AddData(mesh);
-  for (int i = 0; i < inputs[1]->GetNumberOfInformationObjects(); ++i)
-  {
-    scene->AddData(vtkDataSet::GetData(inputs[1], i));
-  }
+  const vtkSmartPointer<vtkRelievoRayScene> scene = MakeScene(inputs);
   // Cells are looked up, which builds what the input must not get.
   vtkNew<vtkPolyData> own;
   own->ShallowCopy(mesh);

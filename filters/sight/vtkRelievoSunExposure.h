@@ -18,8 +18,8 @@
  * Steps of time have equal lengths, and count by the sun in the middle of each: hours are right to
  * about a step for each time that the sun appears or is hidden. The sun is a point; refraction is
  * left out (vtkRelievoSolarPosition). Normals point outwards; a surface gets no sun from behind.
- * Cells are judged at their middles. The world is in any unit: north is z, -z or y where x, y or z
- * points up.
+ * Polygons are judged at their middles; other cells, triangle strips among them, have 0. The world
+ * is in any unit: north is z, -z or y where x, y or z points up.
  *
  * Rays are in double (vtkRelievoRayScene) and begin 1e-7 of the mesh's size before the surface.
  *
@@ -28,16 +28,16 @@
 #ifndef vtkRelievoSunExposure_h
 #define vtkRelievoSunExposure_h
 
-#include "vtkPolyDataAlgorithm.h"
 #include "vtkRelievoFiltersModule.h" // for the export macro
+#include "vtkRelievoSightAlgorithm.h"
 
 #include <vector> // for the sun's places
 
-class VTKRELIEVOFILTERS_EXPORT vtkRelievoSunExposure : public vtkPolyDataAlgorithm
+class VTKRELIEVOFILTERS_EXPORT vtkRelievoSunExposure : public vtkRelievoSightAlgorithm
 {
 public:
   static vtkRelievoSunExposure* New();
-  vtkTypeMacro(vtkRelievoSunExposure, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkRelievoSunExposure, vtkRelievoSightAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
@@ -97,7 +97,6 @@ protected:
   vtkRelievoSunExposure();
   ~vtkRelievoSunExposure() override = default;
 
-  int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestData(
     vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 

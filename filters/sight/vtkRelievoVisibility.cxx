@@ -5,7 +5,6 @@
 #include "vtkCellArray.h"
 
 #include "vtkCellData.h"
-#include "vtkDataSet.h"
 #include "vtkDoubleArray.h"
 #include "vtkFloatArray.h"
 #include "vtkIdList.h"
@@ -57,19 +56,20 @@ double GetSolidAngle(const double a[3], const double b[3], const double c[3])
 class PixelAngles
 {
 public:
-  void Take(vtkRelievoCameraModel* camera, vtkDoubleArray* places)
+  void Take(vtkRelievoCameraModel* camera, vtkIdType row, vtkIdType end)
   {
     const double signs[4][2] = { { -1, -1 }, { 1, -1 }, { 1, 1 }, { -1, 1 } };
+    const vtkIdType columns = camera->GetSize()[0];
     vtkNew<vtkDoubleArray> corners;
     corners->SetNumberOfComponents(2);
-    corners->SetNumberOfTuples(4 * places->GetNumberOfTuples());
-    for (vtkIdType i = 0; i < places->GetNumberOfTuples(); ++i)
+    corners->SetNumberOfTuples(4 * columns * (end - row));
+    for (vtkIdType i = 0; i < corners->GetNumberOfTuples(); ++i)
     {
-      for (int k = 0; k < 4; ++k)
-      {
-        corners->SetValue(8 * i + 2 * k, places->GetValue(2 * i) + signs[k][0] * Corner);
-        corners->SetValue(8 * i + 2 * k + 1, places->GetValue(2 * i + 1) + signs[k][1] * Corner);
-      }
+      const vtkIdType pixel = i / 4;
+      const double column = static_cast<double>(pixel % columns);
+      corners->SetValue(2 * i, column + signs[i % 4][0] * Corner);
+      corners->SetValue(
+        2 * i + 1, static_cast<double>(row + pixel / columns) + signs[i % 4][1] * Corner);
     }
     vtkNew<vtkDoubleArray> origins;
     camera->GetRays(corners, origins, this->Directions);
@@ -98,6 +98,7 @@ public:
     , CellsSeen(Pixels.size())
     , PointsSeen(static_cast<std::size_t>(mesh->GetNumberOfPoints()))
   {
+    this->Places->SetNumberOfComponents(2);
   }
 
   vtkPolyData* Mesh;
@@ -153,24 +154,20 @@ private:
 
   bool AddPixels(int number)
   {
-    const vtkIdType columns = this->Camera->GetSize()[0];
-    const vtkIdType all = columns * this->Camera->GetSize()[1];
+    const vtkIdType rows = this->Camera->GetSize()[1];
+    const vtkIdType rowsAtOnce = std::max<vtkIdType>(1, RaysOfABatch / this->Camera->GetSize()[0]);
     PixelAngles angles;
-    this->Places->SetNumberOfComponents(2);
-    for (vtkIdType first = 0; first < all; first += RaysOfABatch)
+    for (vtkIdType row = 0; row < rows; row += rowsAtOnce)
     {
-      const vtkIdType count = std::min(RaysOfABatch, all - first);
-      this->Places->SetNumberOfTuples(count);
-      for (vtkIdType i = 0; i < count; ++i)
-      {
-        this->Places->SetValue(2 * i, static_cast<double>((first + i) % columns));
-        this->Places->SetValue(2 * i + 1, static_cast<double>((first + i) / columns));
-      }
-      angles.Take(this->Camera, this->Places);
-      if (!this->Trace())
+      const vtkIdType end = std::min(rows, row + rowsAtOnce);
+      angles.Take(this->Camera, row, end);
+      this->Camera->GetRowRays(
+        static_cast<int>(row), static_cast<int>(end), this->Origins, this->Directions);
+      if (!this->Scene->FindNearest(this->Origins, this->Directions, this->Hits))
       {
         return false;
       }
+      const vtkIdType count = this->Origins->GetNumberOfTuples();
       for (vtkIdType i = 0; i < count; ++i)
       {
         const vtkIdType cell = this->GetCell(i);
@@ -221,14 +218,15 @@ private:
     this->Places->Reset();
     vtkNew<vtkIdList> corners;
     const vtkIdType first = this->Mesh->GetNumberOfVerts() + this->Mesh->GetNumberOfLines();
-    for (vtkIdType cell = first; cell < this->Mesh->GetNumberOfCells(); ++cell)
+    const vtkIdType end = first + this->Mesh->GetNumberOfPolys(); // before strips
+    for (vtkIdType cell = first; cell < end; ++cell)
     {
       if (!this->Met[static_cast<std::size_t>(cell)])
       {
         this->Mesh->GetCellPoints(cell, corners);
         this->AddSamples(cell, corners, cells, asked);
       }
-      const bool last = cell + 1 == this->Mesh->GetNumberOfCells();
+      const bool last = cell + 1 == end;
       if (last || static_cast<vtkIdType>(cells.size()) >= RaysOfABatch)
       {
         if (!this->TraceSamples(cells, asked))
@@ -404,25 +402,11 @@ void AddVertices(vtkPolyData* cloud)
 //------------------------------------------------------------------------------
 vtkRelievoVisibility::vtkRelievoVisibility()
 {
-  this->SetNumberOfInputPorts(2);
   this->SetNumberOfOutputPorts(2);
 }
 
 //------------------------------------------------------------------------------
 vtkRelievoVisibility::~vtkRelievoVisibility() = default;
-
-//------------------------------------------------------------------------------
-int vtkRelievoVisibility::FillInputPortInformation(int port, vtkInformation* info)
-{
-  if (port == 0)
-  {
-    return this->Superclass::FillInputPortInformation(port, info);
-  }
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
-  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
-  info->Set(vtkAlgorithm::INPUT_IS_REPEATABLE(), 1);
-  return 1;
-}
 
 //------------------------------------------------------------------------------
 void vtkRelievoVisibility::AddCamera(vtkRelievoCameraModel* camera)
@@ -467,12 +451,7 @@ int vtkRelievoVisibility::RequestData(
   vtkPolyData* mesh = vtkPolyData::GetData(inputs[0]);
   vtkPolyData* output = vtkPolyData::GetData(outputs, 0);
   vtkPolyData* cloud = vtkPolyData::GetData(outputs, 1);
-  vtkNew<vtkRelievoRayScene> scene;
-  scene->AddData(mesh);
-  for (int i = 0; i < inputs[1]->GetNumberOfInformationObjects(); ++i)
-  {
-    scene->AddData(vtkDataSet::GetData(inputs[1], i));
-  }
+  const vtkSmartPointer<vtkRelievoRayScene> scene = MakeScene(inputs);
   // Cells are looked up, which builds what the input must not get.
   vtkNew<vtkPolyData> own;
   own->ShallowCopy(mesh);

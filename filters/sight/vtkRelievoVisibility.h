@@ -19,26 +19,27 @@
  * own, the middle and one beside each corner: a cell smaller than a pixel is not lost. Its solid
  * angle is then that of the whole cell (A. Van Oosterom, J. Strackee 1983) times the share of its
  * points that are seen; of others it is that of the pixels. Cells are seen from both sides.
- * Vertices and lines hide nothing, and no camera sees them.
+ * Vertices and lines hide nothing, and no camera sees them; triangle strips are seen by pixels
+ * alone.
  *
  * Errors: no cameras.
  */
 #ifndef vtkRelievoVisibility_h
 #define vtkRelievoVisibility_h
 
-#include "vtkPolyDataAlgorithm.h"
 #include "vtkRelievoFiltersModule.h" // for the export macro
-#include "vtkSmartPointer.h"         // for the cameras
+#include "vtkRelievoSightAlgorithm.h"
+#include "vtkSmartPointer.h" // for the cameras
 
 #include <vector> // for the cameras
 
 class vtkRelievoCameraModel;
 
-class VTKRELIEVOFILTERS_EXPORT vtkRelievoVisibility : public vtkPolyDataAlgorithm
+class VTKRELIEVOFILTERS_EXPORT vtkRelievoVisibility : public vtkRelievoSightAlgorithm
 {
 public:
   static vtkRelievoVisibility* New();
-  vtkTypeMacro(vtkRelievoVisibility, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkRelievoVisibility, vtkRelievoSightAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
@@ -62,7 +63,6 @@ protected:
   vtkRelievoVisibility();
   ~vtkRelievoVisibility() override;
 
-  int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestData(
     vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 

@@ -392,7 +392,7 @@ vtkSmartPointer<vtkVolume> MakeVolume(vtkImageData* image)
   SetVolumeOpacity(volume, 1.0);
   property->SetInterpolationTypeToLinear();
   property->ShadeOn();
-  // As bright as surfaces are.
+  // Volumes are as bright as surfaces.
   property->SetDiffuse(1.0);
   property->SetSpecular(0.1);
   if (range[0] < range[1])

@@ -79,7 +79,7 @@ void CheckRays(const std::string& folder)
     const std::string name = row.at("method") + ", " + row.at("triangles");
     RELIEVO_CHECK_THAT(Value(row, "million rays per second") > 0., name);
     RELIEVO_CHECK_THAT(Value(row, "bytes per triangle") > 12., name);
-    // As many for each triangle of the divided mesh, which is the same surface.
+    // The divided mesh, which is that surface, has as many for each triangle.
     RELIEVO_CHECK_NEAR(
       Value(row, "hit percent"), Value(rows[0], "hit percent"), 0.1, name + ", hits, %");
   }

@@ -185,6 +185,25 @@ class Seen(unittest.TestCase):
                                       expected[:, :50][small[:, :50]], rtol=1e-3)
         self.assertEqual(relievo.visible(floor, sensor).GetNumberOfCells(), 10000)
 
+    def test_lines_before_polygons_and_strips(self):
+        # Cells count vertices, lines, polygons, strips; all three surfaces are in one plane.
+        mesh = mesh_of([(-1, -1, 0), (0, -1, 0), (0, 1, 0), (-1, 1, 0), (1, -1, 0), (1, 1, 0)],
+                       [(0, 1, 2), (0, 2, 3)])
+        for cells, corners in ((mesh.SetLines, (0, 1, 2, 3)), (mesh.SetStrips, (1, 4, 2, 5))):
+            made = vtkCellArray()
+            made.InsertNextCell(4)
+            for corner in corners:
+                made.InsertCellPoint(corner)
+            cells(made)
+        sensor = relievo.Pinhole([[50, 0, 50], [0, 50, 50], [0, 0, 1]], (101, 101))
+        sensor.look_at((0.1, 0, 3), (0.1, 0, 0))
+        seen = relievo.visible(mesh, sensor)
+        numpy.testing.assert_array_equal(vtk_to_numpy(seen.GetCellData().GetArray("seen")),
+                                         [0, 1, 1, 1])
+        lit = relievo.sun_exposure(mesh, 0, 0, "2026-03-21", up="z")
+        hours = array(lit, "sun_hours")
+        self.assertEqual((hours > 11.5).tolist(), [False, True, True, False])
+
     def test_cameras_count(self):
         mesh = box((0, 0, 0), 0.5)
         cameras = [relievo.Pinhole(K, SIZE).look_at(place, (0, 0, 0), (0.1, 1, 0.2))
@@ -239,6 +258,18 @@ class Sun(unittest.TestCase):
         self.assertAlmostEqual(possible, len(suns) / 6, 9)
         self.assertGreater(hours.max() - hours.min(), 5)
 
+    def test_concave_cells_are_judged_at_their_middles(self):
+        # An L of legs of 2 and 1 wide, whose triangles at the first corner overlap: its middle is
+        # (5/6, 5/6). A small plate right above that hides the sun at noon on the equator.
+        corner = [(2, 0), (2, 1), (1, 1), (1, 2), (0, 2), (0, 0)]
+        ell = mesh_of([(x, y, 0) for x, y in corner], [range(6)])
+        for place, dark in ((5 / 6, True), (0.7, False), (1.0, False)):
+            plate = box((place, place, 1), 0.01)
+            lit = relievo.sun_exposure(ell, 0, 0, "2026-03-20", step=1, up="z", occluders=plate)
+            possible = lit.GetFieldData().GetArray("possible_hours").GetValue(0)
+            missing = possible - array(lit, "sun_hours")[0]
+            self.assertEqual(missing > 0.03, dark, place)
+
     def test_from_behind_and_points(self):
         roof = grid((0, 0, 0), (1, 0, 0), (0, 0, -1), 1, 1)
         below = grid((0, 0, 0), (0, 0, -1), (1, 0, 0), 1, 1)
@@ -250,7 +281,7 @@ class Sun(unittest.TestCase):
             self.assertEqual(array(down, "sun_hours").max(), 0)
 
     def test_axes(self):
-        # The same roof, tilted to the south, with z up: x east, y north.
+        # One roof, tilted to the south, by each axis that may point up.
         tilted = {"y": grid((0, 0, 0), (1, 0, 0), (0, 1, -1), 1, 1),
                   "z": grid((0, 0, 0), (1, 0, 0), (0, 1, 1), 1, 1),
                   "x": grid((0, 0, 0), (0, 1, 0), (1, 0, 1), 1, 1)}

@@ -288,7 +288,7 @@ void ColorsGroup::ShowMap(const std::string& word)
 }
 
 //------------------------------------------------------------------------------
-// As they are seen; of a map with a name, what comes near it.
+// The stops that are seen; of a map with a name, what comes near it.
 void ColorsGroup::ShowStops()
 {
   if (this->Stops->isHidden())
