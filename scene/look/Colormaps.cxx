@@ -31,6 +31,7 @@ vtkStandardNewMacro(LogColormap);
 
 constexpr int MostSteps = 256;
 constexpr int LogPoints = 256; // of a map by logarithms
+constexpr double Hair = 1e-7;  // a value at an edge has the upper one's colour
 
 const char* const ColormapForm = "MAP[:reversed][:log][:steps=N][:nan=COLOR]";
 const char* const OwnMapForm = ", or colours between commas, such as black,#ff8000,white or "
@@ -43,9 +44,17 @@ void FillMap(vtkColorTransferFunction* map, const Colormap& words, double low, d
   const double to = words.Reversed ? low : high;
   vtkRelievoColormaps::Fill(map, words.Map, from, to);
   const std::vector<ColorStop> stops = ParseStops(words.Map);
-  for (const ColorStop& stop : stops)
+  for (std::size_t i = 0; i < stops.size(); ++i)
   {
-    map->AddRGBPoint(from + stop.Place * (to - from), stop.Shown[0], stop.Shown[1], stop.Shown[2]);
+    // Of stops at one place, an edge, each is a hair before the next: VTK keeps one point a place.
+    std::size_t later = 0;
+    while (i + later + 1 < stops.size() && stops[i + later + 1].Place == stops[i].Place)
+    {
+      ++later;
+    }
+    const double place = stops[i].Place - static_cast<double>(later) * Hair;
+    const Color& shown = stops[i].Shown;
+    map->AddRGBPoint(from + place * (to - from), shown[0], shown[1], shown[2]);
   }
   if (!stops.empty()) // which may end within the range
   {
@@ -222,11 +231,11 @@ void CheckColormap(const std::string& word)
 
 //------------------------------------------------------------------------------
 vtkSmartPointer<vtkColorTransferFunction> MakeColormap(
-  const std::string& word, const std::array<double, 2>& range)
+  const std::string& word, const std::array<double, 2>& range, bool sampled)
 {
   const Colormap words = Colormap::Parse(word);
   vtkSmartPointer<vtkColorTransferFunction> map;
-  if (words.Log)
+  if (words.Log && !sampled)
   {
     map = vtkSmartPointer<LogColormap>::New();
     map->SetScaleToLog10();
@@ -262,7 +271,6 @@ vtkSmartPointer<vtkColorTransferFunction> MakeColormap(
     // From the middle of one step to that of the next the colour changes halfway, at once.
     constexpr double Halfway = 0.5;
     constexpr double AtOnce = 1.0;
-    constexpr double Hair = 1e-7; // a value between two has the upper one's colour
     const double middle = (i + 0.5) / count - Hair;
     if (i == 0)
     {

@@ -52,9 +52,10 @@ std::string WriteStops(std::vector<ColorStop> stops);
 /// Throws UsageError for words that MakeColormap does not take.
 void CheckColormap(const std::string& word);
 
-/// The map over a range of values, which are positive if it is by logarithms.
+/// The map over a range of values, which are positive if it is by logarithms. `sampled`: for who
+/// takes samples at even steps, as VTK's volumes do, whatever the map's scale.
 vtkSmartPointer<vtkColorTransferFunction> MakeColormap(
-  const std::string& word, const std::array<double, 2>& range);
+  const std::string& word, const std::array<double, 2>& range, bool sampled = false);
 }
 
 #endif

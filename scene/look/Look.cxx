@@ -301,11 +301,11 @@ void SetColors(const Scene& scene, const LookChoice& look, bool mapped)
     const std::string name = values->GetName() ? values->GetName() : "";
     std::array<double, 2> range = { VTK_DOUBLE_MAX, -VTK_DOUBLE_MAX };
     AddRange(values, 0, Colormap::Parse(look.Colormap).Log, range);
-    const auto map = MakeColormap(look.Colormap, ChooseRange(range, look, name));
-    volume->GetProperty()->SetColor(map);
+    range = ChooseRange(range, look, name);
+    volume->GetProperty()->SetColor(MakeColormap(look.Colormap, range, true));
     if (look.ScalarBar && ++bars == 1)
     {
-      AddScalarBar(scene.Renderer, map, name, steps);
+      AddScalarBar(scene.Renderer, MakeColormap(look.Colormap, range), name, steps);
     }
   });
   if (look.ScalarBar && bars != 1)

@@ -73,7 +73,7 @@ LayersPanel::LayersPanel(Document* document, RangeReader read, QWidget* parent)
   this->Fill(probe);
   QObject::connect(this->Layer,
     static_cast<void (QComboBox::*)(int)>(&QComboBox::currentIndexChanged), this,
-    [this] { this->Set("layer", this->Layer->currentData().toString().toStdString()); });
+    [this] { this->SetLayer(this->Layer->currentData().toString().toStdString()); });
   QObject::connect(this->Probing, &QCheckBox::toggled, this, [this](bool on) {
     this->Values->setRowCount(0);
     Q_EMIT this->probing(on);
@@ -125,6 +125,20 @@ void LayersPanel::AddColors(QGroupBox* shown)
       least.toDouble() < most.toDouble() ? this->Set("range", (least + "/" + most).toStdString())
                                          : this->ShowSettings();
     });
+}
+
+//------------------------------------------------------------------------------
+// A range is of the layer that it was given for.
+void LayersPanel::SetLayer(const std::string& layer)
+{
+  this->Edited->Change([&layer](scene::Settings& settings) {
+    settings.SetParameter(Stage, "layer", layer);
+    if (settings.HasParameter(Stage, "range"))
+    {
+      settings.SetParameter(Stage, "range", "0/0");
+    }
+  });
+  this->ShowSettings(); // what is refused goes back
 }
 
 //------------------------------------------------------------------------------

@@ -48,6 +48,7 @@ Q_SIGNALS:
 private:
   void AddColors(QGroupBox* shown);
   QString ExplainIdle(bool ofColors) const;
+  void SetLayer(const std::string& layer);
   void Set(const char* parameter, const std::string& value);
   void ShowLayers();
   void ShowSettings();

@@ -83,7 +83,8 @@ OptionName FindOptionName(const QString& option)
 QString NameOptions(const QString& text)
 {
   // What stands for a value, in capitals, is left out.
-  static const QRegularExpression spelled("(--[a-z][a-z-]*[a-z])(?: ([A-Z]+)\\b| ([a-z]+)\\b)?");
+  static const QRegularExpression spelled(
+    "(?<![\\w/.-])(--[a-z][a-z-]*[a-z])(?![\\w.-])(?: ([A-Z]+)\\b| ([a-z]+)\\b)?");
   QString named;
   int end = 0;
   for (auto matches = spelled.globalMatch(text); matches.hasNext();)

@@ -178,8 +178,11 @@ StopsEdit::StopsEdit(QWidget* parent)
   QObject::connect(add, &QPushButton::clicked, this, &StopsEdit::Add);
   QObject::connect(this->Strip, &StopStrip::moved, this, [this](std::size_t stop, double place) {
     std::vector<scene::ColorStop> stops = this->Stops;
-    stops[stop].Place = place;
-    this->Tell(stops);
+    if (stop < stops.size()) // they may have become fewer while it was held
+    {
+      stops[stop].Place = place;
+      this->Tell(stops);
+    }
   });
   QObject::connect(this->Strip, &StopStrip::addWanted, this, [this](double place) {
     std::vector<scene::ColorStop> stops = this->Stops;
@@ -224,6 +227,7 @@ void StopsEdit::Show(const std::vector<scene::ColorStop>& stops,
   while (this->Rows->count() > static_cast<int>(stops.size()))
   {
     QLayoutItem* item = this->Rows->takeAt(this->Rows->count() - 1);
+    item->widget()->findChild<QLineEdit*>("value")->blockSignals(true); // hidden, it is edited
     item->widget()->hide();
     item->widget()->deleteLater(); // it may be what was clicked
     delete item;
@@ -280,7 +284,8 @@ void StopsEdit::AddRow(std::size_t stop)
 //------------------------------------------------------------------------------
 void StopsEdit::Take(std::size_t stop, const QString& value)
 {
-  if (value == QString::number(this->GetValue(this->Stops[stop].Place), 'g', StopDigits))
+  if (stop >= this->Stops.size() ||
+    value == QString::number(this->GetValue(this->Stops[stop].Place), 'g', StopDigits))
   {
     return;
   }

@@ -103,9 +103,9 @@ void Document::Change(const std::function<void(scene::Settings&)>& edit)
 }
 
 //------------------------------------------------------------------------------
-void Document::Amend(const std::function<void(scene::Settings&)>& edit)
+void Document::Amend(const scene::Settings& settings)
 {
-  edit(this->Now);
+  this->Now = settings;
   Q_EMIT this->changed();
 }
 

@@ -36,8 +36,8 @@ public:
   void Set(const scene::Settings& settings);
   void Change(const std::function<void(scene::Settings&)>& edit);
 
-  /// Changes the settings as a part of the edit before: undoing that undoes both.
-  void Amend(const std::function<void(scene::Settings&)>& edit);
+  /// These settings, known to be good, are a part of the edit before: undoing undoes both.
+  void Amend(const scene::Settings& settings);
 
   /// Switched twice, shadows are as they were.
   void SwitchShadows(bool on);

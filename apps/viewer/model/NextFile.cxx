@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "NextFile.h"
 
+#include "Colormaps.h"
 #include "LightOptions.h"
 #include "ModelOptions.h"
 #include "Options.h"
@@ -73,6 +74,10 @@ QString DropFiles(scene::Settings& settings)
       dropped += word.Words;
     }
     settings.Remove(word.Option);
+  }
+  if (settings.Has("--colormap") && scene::Colormap::Parse(settings.Get("--colormap")).Log)
+  {
+    settings.Remove("--colormap");
   }
   for (const std::string& word : scene::GetModelOptions())
   {

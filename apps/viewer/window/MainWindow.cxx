@@ -4,6 +4,7 @@
 
 #include "Actions.h"
 #include "AxisMarker.h"
+#include "Colormaps.h"
 #include "EmptyPage.h"
 #include "FileFacts.h"
 #include "InputGuard.h"
@@ -493,14 +494,24 @@ void MainWindow::OpenFiles(const QStringList& paths, bool beside)
     if (!beside || first)
     {
       const scene::Settings before = this->Edited->Get();
+      // Of a file that was opened and is not there yet, nothing has been told and given back.
+      const bool pending = this->Reader->IsReading() && this->Colors.Has("--color-by") &&
+        !before.Has("--color-by") && !before.Has("--color");
+      const scene::Settings colors = pending ? this->Colors : before;
+      const QString told = this->Reader->IsReading() ? this->Dropped : QString();
       this->Open(settings, whole);
-      this->Dropped = dropped;
+      this->Dropped = told + (told.isEmpty() || dropped.isEmpty() ? "" : ", ") + dropped;
       for (const char* word : ColorWords)
       {
-        if (!beside && !first && before.Has(word))
+        if (!first && colors.Has("--color-by") && colors.Has(word))
         {
-          this->Colors.SetAll(word, before.GetAll(word));
+          this->Colors.SetAll(word, colors.GetAll(word));
         }
+      }
+      const std::string map = colors.Get("--colormap");
+      if (this->Colors.Has("--color-by") && !map.empty() && scene::Colormap::Parse(map).Log)
+      {
+        this->Colors.Set("--colormap", map);
       }
       return;
     }
@@ -709,10 +720,13 @@ void MainWindow::Read()
   }
   const bool shown = !this->Shown->GetPicture().IsEmpty();
   const bool opened = this->ReadingKey.empty(); // by the user
-  const std::vector<std::string> before = this->Asked.Files;
   this->Asked = this->Edited->Get();
-  if (!opened && (!this->Reader->IsReading() || this->Asked.Files != before))
+  const bool other = this->Asked.Files != this->BeingRead;
+  this->BeingRead = this->Asked.Files;
+  if (!opened && (!this->Reader->IsReading() || other))
   {
+    this->Dropped.clear();
+    this->Colors = scene::Settings();
     this->KeepCamera = shown && HaveCommon(this->Asked.Files, this->Good.Files);
     const auto found = this->Cameras.find(this->Asked.Files);
     this->Place =
@@ -787,6 +801,8 @@ void MainWindow::GiveUp()
 {
   this->Begin();
   this->Opening.clear();
+  this->Dropped.clear();
+  this->Colors = scene::Settings();
   if (this->SetMeanwhile)
   {
     this->Edited->ForgetPast(); // which would lead to what is given up
@@ -875,7 +891,12 @@ QString MainWindow::ShowRead()
   this->OfFile = false;
   this->Mend();
   this->TellMessages();
-  this->KeepColors(facts);
+  const scene::Settings colors = this->Colors;
+  this->Colors = scene::Settings();
+  if (colors.Has("--color-by") && !this->KeepColors(colors, facts))
+  {
+    this->Dropped += this->Dropped.isEmpty() ? "the colours" : ", and the colours";
+  }
   this->TellDropped();
   this->Remember();
   return QString();
@@ -918,26 +939,37 @@ void MainWindow::KeepView()
 }
 
 //------------------------------------------------------------------------------
-// Colours by an array stay where the next file has it, as one of a series has.
-void MainWindow::KeepColors(const Facts& facts)
+// Colours by an array stay where the next file has it, as one of a series has, unless others have
+// been chosen since.
+bool MainWindow::KeepColors(const scene::Settings& colors, const Facts& facts)
 {
-  const scene::Settings colors = this->Colors;
-  this->Colors = scene::Settings();
+  const scene::Settings now = this->Edited->Get();
   const std::string given = colors.Get("--color-by");
-  if (given.empty())
+  if (now.Has("--color") || now.Has("--color-by") || now.Has("--range") || now.Has("--scalar-bar"))
   {
-    return;
+    return false;
   }
   const std::string array =
     facts.Components.count(given) != 0 ? given : colors.Parse().Look.ColorBy;
   if (facts.Components.count(array) == 0)
   {
-    this->Dropped += this->Dropped.isEmpty() ? "the colours" : ", and the colours";
-    return;
+    return false;
   }
-  this->Edited->Amend(
-    [&colors](scene::Settings& settings) { settings.TakeChanges(scene::Settings(), colors); });
-  this->Good = this->Edited->Get();
+  scene::Settings kept = now;
+  kept.TakeChanges(scene::Settings(), colors);
+  Picture& picture = this->Shown->GetPicture();
+  try
+  {
+    picture.Update(kept);
+  }
+  catch (const std::exception&) // the array has no such component, or no values
+  {
+    picture.Update(now);
+    return false;
+  }
+  this->Good = kept;
+  this->Edited->Amend(kept);
+  return true;
 }
 
 //------------------------------------------------------------------------------

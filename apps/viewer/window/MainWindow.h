@@ -123,7 +123,7 @@ private:
   void EndReading();
   void Remember();
   void KeepView();
-  void KeepColors(const Facts& facts);
+  bool KeepColors(const scene::Settings& colors, const Facts& facts);
   void TellDropped();
   void OnDrawn();
   void ShowSmoothing();
@@ -165,9 +165,10 @@ private:
   QProgressBar* Bar;
   QPushButton* Cancel;
   QString Trouble;
-  bool OfFile = false;       // is what is shown as wrong: another edit does not mend it
-  scene::Settings Good;      // what is shown
-  scene::Settings Asked;     // what is being read
+  bool OfFile = false;                // is what is shown as wrong: another edit does not mend it
+  scene::Settings Good;               // what is shown
+  scene::Settings Asked;              // what is being read
+  std::vector<std::string> BeingRead; // files that the last reading was begun for
   scene::Settings Meanwhile; // what is shown, with all that was set since the reading began
   bool SetMeanwhile = false;
   bool PointsOnly = false; // is being read, and the scene stays
