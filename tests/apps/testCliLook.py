@@ -138,6 +138,8 @@ class Look(CliTest):
             (["grey:log:steps=2"], (log > numpy.log(5) / 2).astype(float)),
             (["black,0.25=white,0.5=black,white"],
              numpy.interp(share, [0, 0.25, 0.5, 1], [0, 1, 0, 1])),
+            (["black,0.5=white,0.5=black,white"],
+             numpy.where(share < 0.5, 2 * share, 2 * share - 1)),
             (["0.25=black,0.5=white"], numpy.clip(4 * share - 1, 0, 1)),
             (["0.25=black,0.5=white:reversed"], numpy.clip(3 - 4 * share, 0, 1)),
             (["black,0.5=white,black,white"],

@@ -254,11 +254,27 @@ private Q_SLOTS:
     QCOMPARE(document->Get().GetWords(),
       (std::vector<std::string>{
         "--color-by", "height", "--range", "0,0.5", "--scalar-bar", same }));
+    this->Compare("colours that stay");
     document->Undo();
     this->WaitUntilRead();
     QCOMPARE(document->Get().Files, std::vector<std::string>{ scene });
     QCOMPARE(document->Get().Get("--color-by"), std::string("height"));
     QVERIFY(!document->CanUndo());
+    // Others that were chosen while it was read stay; nothing kept comes back later.
+    this->Window->OpenFiles({ QString::fromStdString(same) });
+    document->Change([](scene::Settings& settings) { settings.Set("--color", "red"); });
+    this->WaitUntilRead();
+    QCOMPARE(this->Window->GetTrouble(), QString());
+    QCOMPARE(document->Get().GetWords(), (std::vector<std::string>{ "--color", "red", same }));
+    this->Compare("a colour that was chosen meanwhile");
+    // Undone before it was read, with the camera as it was.
+    this->Window->OpenFiles({ QString::fromStdString(plain) });
+    document->Undo();
+    this->WaitUntilRead();
+    QCOMPARE(document->Get().GetWords(), (std::vector<std::string>{ "--color", "red", same }));
+    document->Change([](scene::Settings& settings) { settings.Set("--up", "z"); });
+    this->WaitUntilRead();
+    QVERIFY(!this->Window->findChild<QLabel*>("words")->text().contains("Gone with"));
   }
 
   void recentFiles()

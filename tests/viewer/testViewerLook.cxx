@@ -157,6 +157,15 @@ private Q_SLOTS:
     stops->findChildren<QToolButton*>("remove").at(0)->click();
     QCOMPARE(this->Get("--colormap"), std::string("0.25=#ff8000,0.625=#ffc080,#ffffff"));
     this->Compare("own colours at their places");
+    // The last value has the focus while a colour goes.
+    stops->findChild<QPushButton*>("addStop")->click();
+    QTRY_COMPARE(stops->findChildren<QLineEdit*>("value").size(), 4);
+    stops->findChildren<QLineEdit*>("value").at(3)->setFocus();
+    stops->findChildren<QToolButton*>("remove").at(1)->click();
+    QTRY_COMPARE(stops->findChildren<QLineEdit*>("value").size(), 3);
+    this->Change([](scene::Settings& settings) {
+      settings.Set("--colormap", "0.25=#ff8000,0.625=#ffc080,#ffffff");
+    });
     QTRY_COMPARE(stops->findChildren<QLineEdit*>("value").size(), 3);
     // A handle that is dragged.
     auto* strip = stops->findChild<QWidget*>("stopStrip");
