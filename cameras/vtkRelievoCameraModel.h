@@ -65,6 +65,7 @@ public:
    * in the world. False, and both are NaN, if no ray meets the point.
    */
   virtual bool ProjectCameraPoint(const double point[3], double pixel[2]) = 0;
+  virtual bool HasPlaces() { return true; } ///< whether it finds any
   bool Project(const double point[3], double pixel[2]);
   ///@}
 

@@ -5,6 +5,7 @@
 #include "vtkActor.h"
 #include "vtkActorCollection.h"
 #include "vtkAlgorithm.h"
+#include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkCommand.h"
 #include "vtkCompositeDataIterator.h"
@@ -19,6 +20,7 @@
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkPropCollection.h"
 #include "vtkProperty.h"
@@ -34,6 +36,7 @@
 #include "vtkTable.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkVolume.h"
+#include "vtkWeakPointer.h"
 
 #include <algorithm>
 #include <atomic>
@@ -44,6 +47,8 @@
 #include <set>
 #include <sstream>
 #include <string>
+#include <tuple>
+#include <unordered_map>
 #include <vector>
 
 vtkStandardNewMacro(vtkRelievoRayScene);
@@ -66,6 +71,23 @@ vtkSmartPointer<vtkPolyData> MakeSurface(vtkDataSet* data)
   auto mesh = vtkSmartPointer<vtkPolyData>::New();
   mesh->ShallowCopy(filter->GetOutput());
   return mesh;
+}
+
+// A mesh with points and cells of its own; its arrays are shared.
+vtkSmartPointer<vtkPolyData> CopyShape(vtkPolyData* mesh)
+{
+  auto copy = vtkSmartPointer<vtkPolyData>::New();
+  copy->ShallowCopy(mesh);
+  vtkNew<vtkPoints> points;
+  points->DeepCopy(mesh->GetPoints());
+  copy->SetPoints(points);
+  vtkNew<vtkCellArray> polygons;
+  polygons->DeepCopy(mesh->GetPolys());
+  copy->SetPolys(polygons);
+  vtkNew<vtkCellArray> strips;
+  strips->DeepCopy(mesh->GetStrips());
+  copy->SetStrips(strips);
+  return copy;
 }
 
 // A ray about the scene's centre. Not valid: it meets nothing.
@@ -189,6 +211,8 @@ struct vtkRelievoRayScene::Held
   struct Source
   {
     int Prop = -1;
+    vtkWeakPointer<vtkActor> Actor;  // of a renderer
+    int Added = -1;                  // which of Data
     vtkDataArray* Normals = nullptr; // none: geometric ones
     bool OfCells = false;
     vtkIdTypeArray* Cells = nullptr; // in the data, of the mesh's; none: the same
@@ -220,7 +244,9 @@ struct vtkRelievoRayScene::Held
   std::vector<vtkSmartPointer<vtkProp>> LeftOut;
   std::set<vtkProp*> Warned; // of LeftOut
   std::string Fault;         // of Data
-  bool Frozen = false;       // a copy of another scene's state: nothing is looked at again
+  class Correspondence;
+  bool Frozen = false; // a copy of another scene's state: nothing is looked at again
+  std::vector<Meeting>* Meetings = nullptr; // of the nearest hits, for who wants them
   vtkRelievoRayTree Tree;
 
   static void FindNormals(vtkPolyData* mesh, Source& source);
@@ -340,6 +366,7 @@ void vtkRelievoRayScene::Held::AddActors(vtkProp* prop, std::map<vtkProp*, int>&
     Source source;
     const auto number = numbers.find(mesh.Actor);
     source.Prop = number == numbers.end() ? -1 : number->second;
+    source.Actor = mesh.Actor;
     if (mesh.Actor->GetProperty()->GetInterpolation() != VTK_FLAT)
     {
       FindNormals(mesh.Mesh, source);
@@ -356,7 +383,12 @@ void vtkRelievoRayScene::Held::AddAdded()
   for (const Added& added : this->Data)
   {
     const auto add = [&](vtkDataObject* data, int block) {
+      const std::size_t before = this->Sources.size();
       const std::string fault = this->AddBlock(data, block, prop, added.Matrix);
+      for (std::size_t i = before; i < this->Sources.size(); ++i)
+      {
+        this->Sources[i].Added = static_cast<int>(&added - this->Data.data());
+      }
       if (!fault.empty() && this->Fault.empty())
       {
         this->Fault = "prop " + std::to_string(prop) + ": " + fault;
@@ -703,6 +735,10 @@ bool vtkRelievoRayScene::FindNearest(
   const Held& scene = *this->Scene;
   const Beams beams(origins, directions, scene.Tree.GetCenter());
   const Columns columns(hits, beams.GetCount());
+  if (scene.Meetings)
+  {
+    scene.Meetings->resize(static_cast<std::size_t>(beams.GetCount()));
+  }
   std::atomic<vtkIdType> invalid(0);
   const auto find = [&](vtkIdType ray) {
     const Beam beam = beams.Get(ray);
@@ -715,6 +751,10 @@ bool vtkRelievoRayScene::FindNearest(
     else if (!beam.None)
     {
       ++invalid;
+    }
+    if (scene.Meetings)
+    {
+      (*scene.Meetings)[static_cast<std::size_t>(ray)] = meeting;
     }
     if (meeting.Place >= 0)
     {
@@ -861,6 +901,133 @@ unsigned long vtkRelievoRayScene::GetActualMemorySize()
 }
 
 //------------------------------------------------------------------------------
+// Which points of another state of a scene are those of this one: of a mesh of the same actor, or
+// data in the same place of the list, and block; where one has several, in their order.
+class vtkRelievoRayScene::Held::Correspondence
+{
+public:
+  Correspondence(const Held& from, const Held& to)
+    : From(from)
+    , To(to)
+    , Meshes(from.Meshes.size(), -1)
+  {
+    std::map<Key, int> targets;
+    const std::vector<Key> keys = GetKeys(to);
+    for (std::size_t i = 0; i < keys.size(); ++i)
+    {
+      targets.emplace(keys[i], static_cast<int>(i));
+    }
+    const std::vector<Key> wanted = GetKeys(from);
+    for (std::size_t i = 0; i < wanted.size(); ++i)
+    {
+      const auto found = targets.find(wanted[i]);
+      const bool known = std::get<0>(wanted[i]) || std::get<1>(wanted[i]) >= 0;
+      this->Meshes[i] = known && found != targets.end() ? found->second : -1;
+    }
+    for (const int mesh : this->Meshes)
+    {
+      if (mesh >= 0)
+      {
+        this->Add(mesh);
+      }
+    }
+  }
+
+  // NaN if there is no such point.
+  glm::dvec3 Get(const Meeting& meeting, const double weights[3]) const
+  {
+    const glm::dvec3 nowhere(std::numeric_limits<double>::quiet_NaN());
+    const auto from = static_cast<std::size_t>(this->From.Tree.GetMesh(meeting.Place));
+    const int mesh = this->Meshes[from];
+    if (mesh < 0)
+    {
+      return nowhere;
+    }
+    const Target& target = this->Targets.at(mesh);
+    const vtkRelievoPlacedMesh& placed = this->To.Meshes[static_cast<std::size_t>(mesh)];
+    std::size_t instance = 0;
+    if (placed.Points)
+    {
+      const vtkRelievoPlacedMesh& before = this->From.Meshes[from];
+      const auto at = before.Points
+        ? target.Places.find(
+            (*before.Points)[static_cast<std::size_t>(this->From.Tree.GetInstance(meeting.Place))])
+        : target.Places.end();
+      if (at == target.Places.end())
+      {
+        return nowhere;
+      }
+      instance = at->second;
+    }
+    const vtkRelievoMeshTree& triangles = this->From.Tree.GetMeshTree(meeting.Place);
+    vtkIdTypeArray* ids = this->From.Sources[from].Points;
+    glm::dvec3 sum(0.0);
+    for (int i = 0; i < 3; ++i)
+    {
+      vtkIdType point = triangles.GetPoint(meeting.Triangle, i);
+      if (this->To.Sources[static_cast<std::size_t>(mesh)].Points)
+      {
+        const auto at = target.Points.find(ids ? ids->GetValue(point) : point);
+        point = at == target.Points.end() ? -1 : at->second;
+      }
+      if (point < 0 || point >= placed.Mesh->GetNumberOfPoints())
+      {
+        return nowhere;
+      }
+      glm::dvec3 corner;
+      placed.Mesh->GetPoint(point, &corner.x);
+      sum += weights[i] * corner;
+    }
+    const glm::dvec4 place = placed.GetPlace(instance) * glm::dvec4(sum, 1.0);
+    return glm::dvec3(place) / place.w;
+  }
+
+private:
+  // Actor, place in the list of data, block, and which of those that are alike.
+  using Key = std::tuple<vtkActor*, int, int, int>;
+
+  struct Target
+  {
+    std::unordered_map<vtkIdType, std::size_t> Places; // of glyphs, by the input's point
+    std::unordered_map<vtkIdType, vtkIdType> Points;   // of the mesh, by those of the data
+  };
+
+  const Held& From;
+  const Held& To;
+  std::vector<int> Meshes;       // of To, by those of From; -1: none
+  std::map<int, Target> Targets; // by the meshes of To
+
+  static std::vector<Key> GetKeys(const Held& scene)
+  {
+    std::map<Key, int> counts;
+    std::vector<Key> keys;
+    for (std::size_t i = 0; i < scene.Meshes.size(); ++i)
+    {
+      const Source& source = scene.Sources[i];
+      Key key(source.Actor, source.Added, scene.Meshes[i].Block, 0);
+      std::get<3>(key) = counts[key]++;
+      keys.push_back(key);
+    }
+    return keys;
+  }
+
+  void Add(int mesh)
+  {
+    const vtkRelievoPlacedMesh& placed = this->To.Meshes[static_cast<std::size_t>(mesh)];
+    Target& target = this->Targets[mesh];
+    for (std::size_t k = 0; placed.Points && k < placed.Points->size(); ++k)
+    {
+      target.Places.emplace((*placed.Points)[k], k);
+    }
+    vtkIdTypeArray* points = this->To.Sources[static_cast<std::size_t>(mesh)].Points;
+    for (vtkIdType k = 0; points && k < points->GetNumberOfTuples(); ++k)
+    {
+      target.Points.emplace(points->GetValue(k), k);
+    }
+  }
+};
+
+//------------------------------------------------------------------------------
 void vtkRelievoRayScene::CopyStateOf(vtkRelievoRayScene* other)
 {
   if (!other || other == this)
@@ -876,32 +1043,19 @@ void vtkRelievoRayScene::CopyStateOf(vtkRelievoRayScene* other)
   to.Data.clear();
   to.Surfaces.clear();
   to.LeftOut.clear();
-  to.Fault.clear();
+  to.Fault = from.Fault;
   to.Frozen = true;
   to.Meshes = from.Meshes;
   to.Sources = from.Sources;
   std::vector<vtkSmartPointer<vtkPolyData>> kept;
   std::map<vtkPolyData*, vtkSmartPointer<vtkPolyData>> copies;
-  for (std::size_t i = 0; i < to.Meshes.size(); ++i)
+  for (vtkRelievoPlacedMesh& placed : to.Meshes)
   {
-    vtkRelievoPlacedMesh& placed = to.Meshes[i];
     vtkSmartPointer<vtkPolyData>& copy = copies[placed.Mesh];
     if (!copy)
     {
-      copy = vtkSmartPointer<vtkPolyData>::New();
-      copy->DeepCopy(placed.Mesh);
+      copy = CopyShape(placed.Mesh);
     }
-    Held::Source& source = to.Sources[i];
-    if (source.Normals)
-    {
-      Held::FindNormals(copy, source);
-    }
-    const auto own = [&](vtkIdTypeArray* array, vtkFieldData* data) {
-      return array ? vtkIdTypeArray::SafeDownCast(data->GetAbstractArray(array->GetName()))
-                   : nullptr;
-    };
-    source.Cells = own(source.Cells, copy->GetCellData());
-    source.Points = own(source.Points, copy->GetPointData());
     placed.Mesh = copy;
     placed.Actor = nullptr;
     kept.push_back(copy);
@@ -912,90 +1066,43 @@ void vtkRelievoRayScene::CopyStateOf(vtkRelievoRayScene* other)
 }
 
 //------------------------------------------------------------------------------
-bool vtkRelievoRayScene::FindPlaces(vtkTable* hits, vtkDoubleArray* places)
+bool vtkRelievoRayScene::FindMoved(vtkRelievoRayScene* later, vtkDataArray* origins,
+  vtkDataArray* directions, vtkTable* hits, vtkDoubleArray* places)
 {
-  const auto get = [hits](const char* name) {
-    return hits ? vtkDataArray::SafeDownCast(hits->GetColumnByName(name)) : nullptr;
-  };
-  vtkDataArray* const columns[] = { get("prop"), get("block"), get("cell"), get("points"),
-    get("weights") };
-  for (vtkDataArray* column : columns)
+  if (!later || !places)
   {
-    if (!column || !places)
-    {
-      vtkErrorMacro("FindPlaces expects hits of FindNearest or FindAll, and an array to fill.");
-      return false;
-    }
+    vtkErrorMacro("FindMoved was given " << (later ? "no array to fill" : "no other scene")
+                                         << ", expected both.");
+    return false;
   }
-  this->Update();
+  std::vector<Meeting> meetings;
+  this->Scene->Meetings = &meetings;
+  const bool found = this->FindNearest(origins, directions, hits);
+  this->Scene->Meetings = nullptr;
+  if (!found)
+  {
+    return false;
+  }
+  later->Update();
   const Held& scene = *this->Scene;
-  // By prop and block: a mesh, and of glyphs which place is that of a point.
-  struct Target
-  {
-    std::size_t Mesh;
-    std::map<vtkIdType, std::size_t> Places;
-    std::map<vtkIdType, vtkIdType> Points; // of the mesh, by those of the data
-  };
-  std::map<std::pair<int, int>, Target> targets;
-  for (std::size_t i = 0; i < scene.Meshes.size(); ++i)
-  {
-    const vtkRelievoPlacedMesh& placed = scene.Meshes[i];
-    const auto added =
-      targets.emplace(std::make_pair(scene.Sources[i].Prop, placed.Block), Target{ i, {}, {} });
-    Target& target = added.first->second;
-    for (std::size_t k = 0; placed.Points && k < placed.Points->size(); ++k)
-    {
-      target.Places.emplace((*placed.Points)[k], k);
-    }
-    vtkIdTypeArray* points = scene.Sources[i].Points;
-    for (vtkIdType k = 0; points && k < points->GetNumberOfTuples(); ++k)
-    {
-      target.Points.emplace(points->GetValue(k), k);
-    }
-  }
-  const vtkIdType count = columns[0]->GetNumberOfTuples();
+  const Held::Correspondence same(scene, *later->Scene);
+  const auto count = static_cast<vtkIdType>(meetings.size());
   places->SetNumberOfComponents(3);
   places->SetNumberOfTuples(count);
-  places->Fill(std::numeric_limits<double>::quiet_NaN());
-  for (vtkIdType row = 0; row < count; ++row)
-  {
-    const auto found = targets.find({ static_cast<int>(columns[0]->GetComponent(row, 0)),
-      static_cast<int>(columns[1]->GetComponent(row, 0)) });
-    if (found == targets.end())
-    {
-      continue;
-    }
-    const Target& target = found->second;
-    const vtkRelievoPlacedMesh& placed = scene.Meshes[target.Mesh];
-    std::size_t instance = 0;
-    if (placed.Points)
-    {
-      const auto at = target.Places.find(static_cast<vtkIdType>(columns[2]->GetComponent(row, 0)));
-      if (at == target.Places.end())
+  vtkRelievoWithThreads([&]() {
+    vtkSMPTools::For(0, count, Grain, [&](vtkIdType first, vtkIdType last) {
+      for (vtkIdType row = first; row < last; ++row)
       {
-        continue;
+        const Meeting& meeting = meetings[static_cast<std::size_t>(row)];
+        double weights[3];
+        vtkDataArray::SafeDownCast(hits->GetColumnByName("weights"))->GetTuple(row, weights);
+        const glm::dvec3 place = meeting.Place < 0
+          ? glm::dvec3(std::numeric_limits<double>::quiet_NaN())
+          : same.Get(meeting, weights);
+        places->SetTuple(row, &place.x);
       }
-      instance = at->second;
-    }
-    glm::dvec3 sum(0.0);
-    for (int i = 0; i < 3; ++i)
-    {
-      auto point = static_cast<vtkIdType>(columns[3]->GetComponent(row, i));
-      if (scene.Sources[target.Mesh].Points)
-      {
-        const auto at = target.Points.find(point);
-        point = at == target.Points.end() ? -1 : at->second;
-      }
-      glm::dvec3 corner(std::numeric_limits<double>::quiet_NaN());
-      if (point >= 0 && point < placed.Mesh->GetNumberOfPoints())
-      {
-        placed.Mesh->GetPoint(point, &corner[0]);
-      }
-      sum += columns[4]->GetComponent(row, i) * corner;
-    }
-    const glm::dvec4 place = placed.GetPlace(instance) * glm::dvec4(sum, 1.0);
-    places->SetTuple(row, &(glm::dvec3(place) / place.w)[0]);
-  }
+    });
+  });
   return true;
 }
 

@@ -146,16 +146,20 @@ public:
   void CopyStateOf(vtkRelievoRayScene* other);
 
   /**
-   * Where points of surfaces that FindNearest or FindAll found, in this scene or in another state
-   * of it (CopyStateOf), are in this one: three components for each hit, world coordinates; NaN
-   * where there is no such prop, block or point any more. By the triangle's corners and weights.
+   * FindNearest, and where the points that are hit are in another state of the scene, which was
+   * copied earlier or is as it is now: `places` gets three components for each ray, world
+   * coordinates, NaN where nothing is hit or the point is no longer there. A point is that of its
+   * triangle's corners, by their weights; a mesh is that of the same actor and block, or of data in
+   * the same place of the list of AddData.
    */
-  bool FindPlaces(vtkTable* hits, vtkDoubleArray* places);
+  bool FindMoved(vtkRelievoRayScene* later, vtkDataArray* origins, vtkDataArray* directions,
+    vtkTable* hits, vtkDoubleArray* places);
 
   ///@{
   /**
    * What the column `prop` counts: how many there are, and of one its data, in which blocks, cells
-   * and points count, or nullptr; and whether its cells are points, as those of glyphs.
+   * and points count, or nullptr; and whether its cells are points, as those of glyphs. A copied
+   * state has none.
    */
   int GetNumberOfProps();
   vtkDataObject* GetPropData(int prop);

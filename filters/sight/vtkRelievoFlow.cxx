@@ -103,6 +103,12 @@ int vtkRelievoFlow::RequestData(
       return 0;
     }
   }
+  if (!this->To.Camera->HasPlaces())
+  {
+    vtkErrorMacro("A " << this->To.Camera->GetClassName()
+                       << " has no places for points in its picture; give SetTo another camera.");
+    return 0;
+  }
   vtkImageData* image = vtkImageData::GetData(outputs);
   const vtkIdType columns = this->From.Camera->GetSize()[0];
   const vtkIdType rows = this->From.Camera->GetSize()[1];
@@ -125,8 +131,7 @@ int vtkRelievoFlow::RequestData(
     const vtkIdType count = (end - row) * columns;
     this->From.Camera->GetRowRays(
       static_cast<int>(row), static_cast<int>(end), origins, directions);
-    if (!this->From.Scene->FindNearest(origins, directions, hits) ||
-      !this->To.Scene->FindPlaces(hits, moved))
+    if (!this->From.Scene->FindMoved(this->To.Scene, origins, directions, hits, moved))
     {
       vtkErrorMacro("The rays of the pixels were not followed; see the errors before.");
       return 0;

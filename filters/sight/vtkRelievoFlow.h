@@ -18,7 +18,8 @@
  * - flow_valid (unsigned char): 1 where the point is within the second picture and nothing lies
  *   before it there, else 0.
  *
- * Errors: a scene or a camera is missing.
+ * Errors: a scene or a camera is missing; the second camera has no places for points
+ * (vtkRelievoLidar).
  */
 #ifndef vtkRelievoFlow_h
 #define vtkRelievoFlow_h

@@ -43,8 +43,10 @@ struct Named
 {
   vtkDataArray* OfPoints = nullptr;
   vtkDataArray* OfCells = nullptr;
+  bool OfGlyphs = false; // whose cells are the points
 
-  Named(vtkDataSet* data, const std::string& name)
+  Named(vtkDataSet* data, const std::string& name, bool glyphs)
+    : OfGlyphs(glyphs)
   {
     const std::string kind = name.substr(0, name.find(':') + 1);
     const std::string own = kind == "point:" || kind == "cell:" ? name.substr(kind.size()) : name;
@@ -52,13 +54,19 @@ struct Named
     {
       this->OfPoints = data->GetPointData()->GetArray(own.c_str());
     }
-    if (!this->OfPoints && kind != "point:")
+    if (!this->OfPoints && kind != "point:" && !glyphs)
     {
       this->OfCells = data->GetCellData()->GetArray(own.c_str());
     }
   }
   vtkDataArray* Get() const { return this->OfPoints ? this->OfPoints : this->OfCells; }
 };
+
+bool IsExactInFloats(int type)
+{
+  return type == VTK_FLOAT || type == VTK_CHAR || type == VTK_SIGNED_CHAR ||
+    type == VTK_UNSIGNED_CHAR || type == VTK_SHORT || type == VTK_UNSIGNED_SHORT;
+}
 
 // The data of a scene by prop and block.
 using Blocks = std::map<std::pair<int, int>, vtkDataSet*>;
@@ -110,19 +118,19 @@ struct Layer
   }
 
   // False if no data has an array of the name.
-  bool MakeOfData(const Blocks& blocks, vtkIdType pixels)
+  bool MakeOfData(vtkRelievoRayScene* scene, const Blocks& blocks, vtkIdType pixels)
   {
     int components = 0;
     int type = VTK_FLOAT;
     for (const auto& block : blocks)
     {
-      const Named named(block.second, this->Name);
+      const Named named(block.second, this->Name, scene->GetIsGlyphs(block.first.first));
       vtkDataArray* array = named.Get();
       // Of blocks that differ, those count that are as the first one.
       if (array && (components == 0 || components == array->GetNumberOfComponents()))
       {
         components = array->GetNumberOfComponents();
-        type = array->GetDataType() == VTK_DOUBLE ? VTK_DOUBLE : type;
+        type = IsExactInFloats(array->GetDataType()) ? type : VTK_DOUBLE;
         this->Sources.emplace(block.first, named);
       }
     }
@@ -163,8 +171,7 @@ struct Hits
 };
 
 // The value of an array of the data at a hit.
-void SetValue(
-  vtkRelievoRayScene* scene, Layer& layer, const Hits& hits, vtkIdType i, vtkIdType pixel)
+void SetValue(Layer& layer, const Hits& hits, vtkIdType i, vtkIdType pixel)
 {
   const auto prop = static_cast<int>(hits.Prop->GetComponent(i, 0));
   const auto block = static_cast<int>(hits.Block->GetComponent(i, 0));
@@ -175,7 +182,7 @@ void SetValue(
   }
   const Named& named = found->second;
   const auto cell = static_cast<vtkIdType>(hits.Cell->GetComponent(i, 0));
-  if (!named.OfPoints || scene->GetIsGlyphs(prop)) // of glyphs the cell is a point
+  if (!named.OfPoints || named.OfGlyphs)
   {
     layer.Array->SetTuple(pixel, cell, named.Get());
     return;
@@ -293,7 +300,8 @@ int vtkRelievoRayLayers::RequestData(
       layer.Column = name == "depth" ? nullptr : column->second;
       layer.Make(known.Type, known.Components, known.Background, columns * rows);
     }
-    else if (known.Kind != vtkRelievoLayer::ARRAY || !layer.MakeOfData(blocks, columns * rows))
+    else if (known.Kind != vtkRelievoLayer::ARRAY ||
+      !layer.MakeOfData(this->Scene, blocks, columns * rows))
     {
       vtkErrorMacro("Rays have no layer '"
         << name
@@ -339,7 +347,7 @@ int vtkRelievoRayLayers::RequestData(
         }
         else
         {
-          SetValue(this->Scene, layer, hits, i, pixel);
+          SetValue(layer, hits, i, pixel);
         }
       }
     }

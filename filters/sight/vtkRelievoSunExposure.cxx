@@ -3,10 +3,8 @@
 #include "vtkRelievoSunExposure.h"
 
 #include "vtkCellData.h"
-#include "vtkCellType.h"
 #include "vtkDoubleArray.h"
 #include "vtkFloatArray.h"
-#include "vtkIdList.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMath.h"
@@ -15,6 +13,7 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkRelievoAbort.h"
+#include "vtkRelievoPolygonCut.h"
 #include "vtkRelievoRayScene.h"
 #include "vtkRelievoSolarPosition.h"
 #include "vtkUnsignedCharArray.h"
@@ -22,7 +21,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
 
 vtkStandardNewMacro(vtkRelievoSunExposure);
 
@@ -59,32 +57,62 @@ public:
   std::vector<Vector> At;
   std::vector<Vector> Normals; // 0 where there is no surface
 
+  // Polygons and strips, at the middle of their triangles by signed areas: those of a concave polygon
+  // may overlap.
   void TakeCells(vtkPolyData* mesh, double before)
   {
-    vtkNew<vtkIdList> corners;
-    for (vtkIdType cell = 0; cell < mesh->GetNumberOfCells(); ++cell)
+    const auto count = static_cast<std::size_t>(mesh->GetNumberOfCells());
+    const vtkIdType first = mesh->GetNumberOfVerts() + mesh->GetNumberOfLines();
+    this->Normals.assign(count, Vector{});
+    std::vector<Vector> middles(count, Vector{});
+    std::vector<double> areas(count);
+    const auto forEach = [&](const auto& take) {
+      vtkRelievoPolygonCut::ForEachTriangle(
+        mesh, [&](vtkIdType a, vtkIdType b, vtkIdType c, vtkIdType cell) {
+          take(static_cast<std::size_t>(first + cell), Triangle(mesh, a, b, c));
+        });
+    };
+    forEach([&](std::size_t at, const Triangle& triangle) {
+      vtkMath::Add(this->Normals[at].data(), triangle.Cross.data(), this->Normals[at].data());
+    });
+    for (Vector& normal : this->Normals)
     {
-      Vector middle;
-      this->Normals.push_back(GetCell(mesh, cell, corners, middle));
-      this->Add(middle, before);
+      vtkMath::Normalize(normal.data());
+    }
+    forEach([&](std::size_t at, const Triangle& triangle) {
+      const double area = vtkMath::Dot(triangle.Cross.data(), this->Normals[at].data());
+      areas[at] += area;
+      for (std::size_t i = 0; i < 3; ++i)
+      {
+        middles[at][i] += area * triangle.Middle[i];
+      }
+    });
+    for (std::size_t at = 0; at < count; ++at)
+    {
+      if (areas[at] > 0.0)
+      {
+        vtkMath::MultiplyScalar(middles[at].data(), 1.0 / areas[at]);
+      }
+      this->Add(middles[at], before);
     }
   }
 
-  // A point faces as its own normal, or as the cells around it in the mean, by their areas.
+  // A point faces as its own normal, or as the triangles around it in the mean, by their areas.
   void TakePoints(vtkPolyData* mesh, double before)
   {
     this->Normals.assign(static_cast<std::size_t>(mesh->GetNumberOfPoints()), Vector{});
     vtkDataArray* own = mesh->GetPointData()->GetNormals();
-    vtkNew<vtkIdList> corners;
-    for (vtkIdType cell = 0; !own && cell < mesh->GetNumberOfCells(); ++cell)
+    if (!own)
     {
-      Vector middle;
-      const Vector normal = GetCell(mesh, cell, corners, middle, true);
-      for (vtkIdType k = 0; k < corners->GetNumberOfIds(); ++k)
-      {
-        Vector& sum = this->Normals[static_cast<std::size_t>(corners->GetId(k))];
-        std::transform(sum.begin(), sum.end(), normal.begin(), sum.begin(), std::plus<double>());
-      }
+      vtkRelievoPolygonCut::ForEachTriangle(
+        mesh, [&](vtkIdType a, vtkIdType b, vtkIdType c, vtkIdType) {
+          const Triangle triangle(mesh, a, b, c);
+          for (const vtkIdType point : { a, b, c })
+          {
+            Vector& sum = this->Normals[static_cast<std::size_t>(point)];
+            vtkMath::Add(sum.data(), triangle.Cross.data(), sum.data());
+          }
+        });
     }
     for (vtkIdType point = 0; point < mesh->GetNumberOfPoints(); ++point)
     {
@@ -101,6 +129,29 @@ public:
   }
 
 private:
+  struct Triangle
+  {
+    Vector Cross; // as long as twice its area
+    Vector Middle;
+
+    Triangle(vtkPolyData* mesh, vtkIdType a, vtkIdType b, vtkIdType c)
+    {
+      Vector corners[3];
+      mesh->GetPoint(a, corners[0].data());
+      mesh->GetPoint(b, corners[1].data());
+      mesh->GetPoint(c, corners[2].data());
+      Vector ab;
+      Vector ac;
+      vtkMath::Subtract(corners[1].data(), corners[0].data(), ab.data());
+      vtkMath::Subtract(corners[2].data(), corners[0].data(), ac.data());
+      vtkMath::Cross(ab.data(), ac.data(), this->Cross.data());
+      for (std::size_t i = 0; i < 3; ++i)
+      {
+        this->Middle[i] = corners[0][i] + (ab[i] + ac[i]) / 3.0;
+      }
+    }
+  };
+
   void Add(Vector place, double before)
   {
     const Vector& normal = this->Normals[this->At.size()];
@@ -110,60 +161,6 @@ private:
     }
     this->At.push_back(place);
   }
-
-  // The normal of a polygon (M. Newell), as long as twice its area if wanted, and its middle, by
-  // the signed areas of the triangles at its first corner. 0 for what is no polygon.
-  static Vector GetCell(
-    vtkPolyData* mesh, vtkIdType cell, vtkIdList* corners, Vector& middle, bool area = false)
-  {
-    mesh->GetCellPoints(cell, corners);
-    const int type = mesh->GetCellType(cell);
-    const bool polygon = type == VTK_TRIANGLE || type == VTK_QUAD || type == VTK_POLYGON;
-    Vector normal{};
-    for (vtkIdType k = 2; polygon && k < corners->GetNumberOfIds(); ++k)
-    {
-      const Triangle triangle(mesh, corners, k);
-      vtkMath::Add(normal.data(), triangle.Cross.data(), normal.data());
-    }
-    const double twice = vtkMath::Norm(normal.data());
-    middle = {};
-    if (!(twice > 0.0))
-    {
-      return {};
-    }
-    Vector unit = normal;
-    vtkMath::MultiplyScalar(unit.data(), 1.0 / twice);
-    mesh->GetPoint(corners->GetId(0), middle.data());
-    for (vtkIdType k = 2; k < corners->GetNumberOfIds(); ++k)
-    {
-      const Triangle triangle(mesh, corners, k);
-      const double share = vtkMath::Dot(triangle.Cross.data(), unit.data()) / twice;
-      for (std::size_t i = 0; i < 3; ++i)
-      {
-        middle[i] += share * (triangle.Sides[0][i] + triangle.Sides[1][i]) / 3.0;
-      }
-    }
-    return area ? normal : unit;
-  }
-
-  // Of a polygon's first corner, the corner before the k-th, and that.
-  struct Triangle
-  {
-    Vector Sides[2]; // from the first corner
-    Vector Cross;
-
-    Triangle(vtkPolyData* mesh, vtkIdList* corners, vtkIdType k)
-    {
-      Vector first;
-      mesh->GetPoint(corners->GetId(0), first.data());
-      for (int side = 0; side < 2; ++side)
-      {
-        mesh->GetPoint(corners->GetId(k - 1 + side), this->Sides[side].data());
-        vtkMath::Subtract(this->Sides[side].data(), first.data(), this->Sides[side].data());
-      }
-      vtkMath::Cross(this->Sides[0].data(), this->Sides[1].data(), this->Cross.data());
-    }
-  };
 };
 
 // Which places see anything in a direction: those that face it, by rays.
@@ -328,12 +325,9 @@ int vtkRelievoSunExposure::RequestData(
   vtkPolyData* mesh = vtkPolyData::GetData(inputs[0]);
   vtkPolyData* output = vtkPolyData::GetData(outputs);
   const vtkSmartPointer<vtkRelievoRayScene> scene = MakeScene(inputs);
-  // Cells are looked up, which builds what the input must not get.
-  vtkNew<vtkPolyData> own;
-  own->ShallowCopy(mesh);
   Places places;
   const double before = BeforeSurface * mesh->GetLength();
-  this->Points ? places.TakePoints(own, before) : places.TakeCells(own, before);
+  this->Points ? places.TakePoints(mesh, before) : places.TakeCells(mesh, before);
 
   Openings openings(scene, places);
   std::vector<double> hours(places.At.size());

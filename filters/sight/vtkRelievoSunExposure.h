@@ -18,8 +18,8 @@
  * Steps of time have equal lengths, and count by the sun in the middle of each: hours are right to
  * about a step for each time that the sun appears or is hidden. The sun is a point; refraction is
  * left out (vtkRelievoSolarPosition). Normals point outwards; a surface gets no sun from behind.
- * Polygons are judged at their middles; other cells, triangle strips among them, have 0. The world
- * is in any unit: north is z, -z or y where x, y or z points up.
+ * Cells are judged at their middles; vertices and lines have 0. The world is in any unit: north is
+ * z, -z or y where x, y or z points up.
  *
  * Rays are in double (vtkRelievoRayScene) and begin 1e-7 of the mesh's size before the surface.
  *

@@ -7,7 +7,6 @@
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
 #include "vtkFloatArray.h"
-#include "vtkIdList.h"
 #include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -20,12 +19,12 @@
 #include "vtkPolyData.h"
 #include "vtkRelievoAbort.h"
 #include "vtkRelievoCameraModel.h"
+#include "vtkRelievoPolygonCut.h"
 #include "vtkRelievoRayScene.h"
 #include "vtkTable.h"
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 vtkStandardNewMacro(vtkRelievoVisibility);
 
@@ -99,6 +98,11 @@ public:
     , PointsSeen(static_cast<std::size_t>(mesh->GetNumberOfPoints()))
   {
     this->Places->SetNumberOfComponents(2);
+    const vtkIdType first = mesh->GetNumberOfVerts() + mesh->GetNumberOfLines();
+    vtkRelievoPolygonCut::ForEachTriangle(
+      mesh, [this, first](vtkIdType a, vtkIdType b, vtkIdType c, vtkIdType cell) {
+        this->Triangles.push_back({ first + cell, { a, b, c } });
+      });
   }
 
   vtkPolyData* Mesh;
@@ -125,6 +129,15 @@ public:
   }
 
 private:
+  static constexpr vtkIdType Samples = 4; // of a triangle
+
+  struct Triangle
+  {
+    vtkIdType Cell;
+    vtkIdType Points[3];
+  };
+
+  std::vector<Triangle> Triangles;
   vtkRelievoCameraModel* Camera = nullptr;
   std::vector<bool> Met; // cells, by this camera
   vtkNew<vtkDoubleArray> Places;
@@ -198,42 +211,39 @@ private:
   }
 
   // Places of points in the picture; false where there is none within it.
-  bool AddPlace(const double point[3])
+  bool FindPlace(const double point[3], double place[2])
   {
-    double place[2];
-    if (!this->Camera->Project(point, place) || place[0] < -0.5 || place[1] < -0.5 ||
-      place[0] > this->Camera->GetSize()[0] - 0.5 || place[1] > this->Camera->GetSize()[1] - 0.5)
+    const int* size = this->Camera->GetSize();
+    double found[2];
+    if (!this->Camera->Project(point, found) || found[0] < -0.5 || found[1] < -0.5 ||
+      found[0] > size[0] - 0.5 || found[1] > size[1] - 0.5)
     {
       return false;
     }
-    this->Places->InsertNextTuple(place);
+    std::copy_n(found, 2, place);
     return true;
   }
 
-  // Cells that no pixel's centre shows, by points of their own.
+  // Cells that no pixel's centre shows, by points of each of their triangles.
   bool AddSmallCells()
   {
-    std::vector<vtkIdType> cells; // of Places
-    std::map<vtkIdType, int> asked;
+    const std::vector<bool> shown = this->Met;
+    std::vector<const Triangle*> asked; // four places each
     this->Places->Reset();
-    vtkNew<vtkIdList> corners;
-    const vtkIdType first = this->Mesh->GetNumberOfVerts() + this->Mesh->GetNumberOfLines();
-    const vtkIdType end = first + this->Mesh->GetNumberOfPolys(); // before strips
-    for (vtkIdType cell = first; cell < end; ++cell)
+    for (const Triangle& triangle : this->Triangles)
     {
-      if (!this->Met[static_cast<std::size_t>(cell)])
+      if (!shown[static_cast<std::size_t>(triangle.Cell)])
       {
-        this->Mesh->GetCellPoints(cell, corners);
-        this->AddSamples(cell, corners, cells, asked);
+        asked.push_back(&triangle);
+        this->AddSamples(triangle);
       }
-      const bool last = cell + 1 == end;
-      if (last || static_cast<vtkIdType>(cells.size()) >= RaysOfABatch)
+      const bool last = &triangle == &this->Triangles.back();
+      if (!asked.empty() && (last || this->Places->GetNumberOfTuples() >= RaysOfABatch))
       {
-        if (!this->TraceSamples(cells, asked))
+        if (!this->TraceSamples(asked))
         {
           return false;
         }
-        cells.clear();
         asked.clear();
         this->Places->Reset();
       }
@@ -241,90 +251,70 @@ private:
     return true;
   }
 
-  void AddSamples(vtkIdType cell, vtkIdList* corners, std::vector<vtkIdType>& cells,
-    std::map<vtkIdType, int>& asked)
+  void AddSamples(const Triangle& triangle)
   {
-    const vtkIdType count = corners->GetNumberOfIds();
+    double corners[3][3];
     double middle[3] = { 0.0, 0.0, 0.0 };
-    double point[3];
-    for (vtkIdType k = 0; k < count; ++k)
+    for (int k = 0; k < 3; ++k)
     {
-      this->Mesh->GetPoint(corners->GetId(k), point);
+      this->Mesh->GetPoint(triangle.Points[k], corners[k]);
       for (int i = 0; i < 3; ++i)
       {
-        middle[i] += point[i] / static_cast<double>(count);
+        middle[i] += corners[k][i] / 3.0;
       }
     }
-    asked[cell] = static_cast<int>(count) + 1;
-    for (vtkIdType k = -1; k < count; ++k)
+    for (int k = -1; k < 3; ++k)
     {
-      std::copy_n(middle, 3, point);
-      if (k >= 0)
+      double point[3] = { middle[0], middle[1], middle[2] };
+      for (int i = 0; i < 3 && k >= 0; ++i)
       {
-        this->Mesh->GetPoint(corners->GetId(k), point);
-        for (int i = 0; i < 3; ++i)
-        {
-          point[i] += Inwards * (middle[i] - point[i]);
-        }
+        point[i] = corners[k][i] + Inwards * (middle[i] - corners[k][i]);
       }
-      if (this->AddPlace(point))
-      {
-        cells.push_back(cell);
-      }
+      double place[2] = { vtkMath::Nan(), vtkMath::Nan() }; // no ray
+      this->FindPlace(point, place);
+      this->Places->InsertNextTuple(place);
     }
   }
 
-  bool TraceSamples(const std::vector<vtkIdType>& cells, const std::map<vtkIdType, int>& asked)
+  bool TraceSamples(const std::vector<const Triangle*>& asked)
   {
-    if (cells.empty())
-    {
-      return true;
-    }
     if (!this->Trace())
     {
       return false;
     }
-    std::map<vtkIdType, int> seen;
-    for (std::size_t i = 0; i < cells.size(); ++i)
+    for (std::size_t k = 0; k < asked.size(); ++k)
     {
-      seen[cells[i]] += this->GetCell(static_cast<vtkIdType>(i)) == cells[i] ? 1 : 0;
-    }
-    for (const auto& each : seen)
-    {
-      if (each.second > 0)
+      const Triangle& triangle = *asked[k];
+      int seen = 0;
+      for (vtkIdType i = 0; i < Samples; ++i)
       {
-        const auto at = static_cast<std::size_t>(each.first);
+        seen += this->GetCell(Samples * static_cast<vtkIdType>(k) + i) == triangle.Cell ? 1 : 0;
+      }
+      if (seen > 0)
+      {
+        const auto at = static_cast<std::size_t>(triangle.Cell);
         this->Met[at] = true;
-        this->Angles[at] += this->GetWholeAngle(each.first) * each.second / asked.at(each.first);
+        this->Angles[at] += this->GetWholeAngle(triangle) * seen / Samples;
       }
     }
     return true;
   }
 
-  // Of a cell, as a fan, from where the camera's rays to its corners begin.
-  double GetWholeAngle(vtkIdType cell)
+  // From where the camera's rays to the corners begin; 0 if it has no rays to one of them.
+  double GetWholeAngle(const Triangle& triangle)
   {
-    vtkNew<vtkIdList> corners;
-    this->Mesh->GetCellPoints(cell, corners);
-    std::vector<double> directions;
-    for (vtkIdType k = 0; k < corners->GetNumberOfIds(); ++k)
+    double directions[3][3];
+    for (int k = 0; k < 3; ++k)
     {
       double place[2];
       double origin[3];
-      double direction[3];
-      if (!this->Camera->Project(this->Mesh->GetPoint(corners->GetId(k)), place) ||
-        !this->Camera->GetRay(place[0], place[1], origin, direction))
+      if (!this->Camera->Project(this->Mesh->GetPoint(triangle.Points[k]), place) ||
+        !this->Camera->GetRay(place[0], place[1], origin, directions[k]))
       {
         return 0.0;
       }
-      directions.insert(directions.end(), direction, direction + 3);
     }
-    double angle = 0.0;
-    for (std::size_t k = 6; k + 3 <= directions.size(); k += 3)
-    {
-      angle += GetSolidAngle(&directions[0], &directions[k - 3], &directions[k]);
-    }
-    return angle;
+    return GetSolidAngle(directions[0], directions[1], directions[2]);
   }
 
   bool AddPoints()
@@ -333,8 +323,10 @@ private:
     this->Places->Reset();
     for (vtkIdType point = 0; point < this->Mesh->GetNumberOfPoints(); ++point)
     {
-      if (this->AddPlace(this->Mesh->GetPoint(point)))
+      double place[2];
+      if (this->FindPlace(this->Mesh->GetPoint(point), place))
       {
+        this->Places->InsertNextTuple(place);
         points.push_back(point);
       }
       const bool last = point + 1 == this->Mesh->GetNumberOfPoints();
@@ -448,15 +440,20 @@ int vtkRelievoVisibility::RequestData(
     vtkErrorMacro("There are no cameras; give it some by AddCamera.");
     return 0;
   }
+  for (vtkRelievoCameraModel* camera : this->Cameras)
+  {
+    if (!camera->HasPlaces())
+    {
+      vtkErrorMacro("A " << camera->GetClassName()
+                         << " has no places for points in its picture; give cameras that have.");
+      return 0;
+    }
+  }
   vtkPolyData* mesh = vtkPolyData::GetData(inputs[0]);
   vtkPolyData* output = vtkPolyData::GetData(outputs, 0);
   vtkPolyData* cloud = vtkPolyData::GetData(outputs, 1);
   const vtkSmartPointer<vtkRelievoRayScene> scene = MakeScene(inputs);
-  // Cells are looked up, which builds what the input must not get.
-  vtkNew<vtkPolyData> own;
-  own->ShallowCopy(mesh);
-  own->BuildCells();
-  Sight sight(own, scene);
+  Sight sight(mesh, scene);
   if (this->Cloud)
   {
     PrepareCloud(cloud);

@@ -16,13 +16,12 @@
  * cell and camera (int) and normal (3 float, geometric, towards the camera).
  *
  * A ray goes through each pixel's centre, and to cells that none has met through points of their
- * own, the middle and one beside each corner: a cell smaller than a pixel is not lost. Its solid
- * angle is then that of the whole cell (A. Van Oosterom, J. Strackee 1983) times the share of its
- * points that are seen; of others it is that of the pixels. Cells are seen from both sides.
- * Vertices and lines hide nothing, and no camera sees them; triangle strips are seen by pixels
- * alone.
+ * triangles, the middle and one beside each corner: a cell smaller than a pixel is not lost. Its
+ * solid angle is then that of its triangles (A. Van Oosterom, J. Strackee 1983) times the share of
+ * their points that are seen; of others it is that of the pixels. Cells are seen from both sides.
+ * Vertices and lines hide nothing, and no camera sees them.
  *
- * Errors: no cameras.
+ * Errors: no cameras, a camera that has no places for points (vtkRelievoLidar).
  */
 #ifndef vtkRelievoVisibility_h
 #define vtkRelievoVisibility_h

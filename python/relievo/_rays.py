@@ -26,7 +26,8 @@ class Hits(NamedTuple):
     distance: numpy.ndarray
     """From the origin in world units; infinity where a ray meets nothing."""
     prop: numpy.ndarray
-    """Which of the scene's props; -1: none. As the layer `actor` for those of a renderer."""
+    """Which of the scene's props, as the layer `actor` for those of a renderer; -1: none, or an actor
+    within a prop assembly, which has no number."""
     block: numpy.ndarray
     """Flat index in composite data, 0 in other data; -1: none."""
     cell: numpy.ndarray
@@ -49,7 +50,7 @@ class Hits(NamedTuple):
     @property
     def hit(self):
         """Whether there is a hit, for each row."""
-        return self.prop >= 0
+        return numpy.isfinite(self.distance)
 
 
 class Rays:
