@@ -78,9 +78,13 @@ vtkSmartPointer<vtkPolyData> CopyShape(vtkPolyData* mesh)
 {
   auto copy = vtkSmartPointer<vtkPolyData>::New();
   copy->ShallowCopy(mesh);
-  vtkNew<vtkPoints> points;
-  points->DeepCopy(mesh->GetPoints());
-  copy->SetPoints(points);
+  if (mesh->GetPoints())
+  {
+    vtkNew<vtkPoints> points;
+    points->SetDataType(mesh->GetPoints()->GetDataType()); // which copying keeps
+    points->DeepCopy(mesh->GetPoints());
+    copy->SetPoints(points);
+  }
   vtkNew<vtkCellArray> polygons;
   polygons->DeepCopy(mesh->GetPolys());
   copy->SetPolys(polygons);

@@ -13,8 +13,8 @@
  * blocks and glyphs (polygons and strips of vtkPolyData; of other data the outer surface). Hidden
  * props and blocks are not there, nor is what has an opacity of 0. Of a renderer, what rays cannot
  * follow is left out, with one warning: volumes, wireframes, points, lines, impostors, cut-outs,
- * clipped meshes, actors with shaders of their own (GetNumberOfPropsLeftOut). A triangle with a
- * corner that is not finite is met by nothing.
+ * clipped meshes, grids that vtkDataSetMapper draws, actors with shaders of their own
+ * (GetNumberOfPropsLeftOut). A triangle with a corner that is not finite is met by nothing.
  *
  * A ray has an origin and a direction, in world coordinates, of any length but 0; distances count
  * in world units from the origin. A ray that is not finite, or has no direction, meets nothing,

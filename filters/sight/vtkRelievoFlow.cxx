@@ -7,12 +7,12 @@
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
-#include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkRelievoAbort.h"
 #include "vtkRelievoCameraModel.h"
+#include "vtkRelievoFreeSight.h"
 #include "vtkRelievoRayScene.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkTable.h"
@@ -27,9 +27,6 @@ vtkStandardNewMacro(vtkRelievoFlow);
 namespace
 {
 constexpr vtkIdType FlowsAtOnce = 1 << 19;
-
-// A point is seen if nothing lies before it by more than this share of its distance.
-constexpr double SameDistance = 1e-9;
 
 template <typename Array>
 vtkSmartPointer<Array> NewArray(const char* name, int components, vtkIdType pixels, double fill)
@@ -163,10 +160,9 @@ int vtkRelievoFlow::RequestData(
       flow->SetComponent(pixel, 1, target[1] - static_cast<double>(row + i / columns));
       const bool inside = target[0] >= -0.5 && target[0] <= seen[0] - 0.5 && target[1] >= -0.5 &&
         target[1] <= seen[1] - 0.5;
-      const double distance =
-        std::sqrt(vtkMath::Distance2BetweenPoints(to, origins->GetPointer(3 * i)));
-      valid->SetValue(
-        pixel, inside && nearest->GetComponent(i, 0) >= distance * (1.0 - SameDistance) ? 1 : 0);
+      const bool free =
+        vtkRelievoIsFree(nearest->GetComponent(i, 0), origins->GetPointer(3 * i), to);
+      valid->SetValue(pixel, inside && free ? 1 : 0);
     }
     this->UpdateProgress(static_cast<double>(end) / static_cast<double>(rows));
     if (relievo::IsStopped(this))

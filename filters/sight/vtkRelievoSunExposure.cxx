@@ -57,8 +57,8 @@ public:
   std::vector<Vector> At;
   std::vector<Vector> Normals; // 0 where there is no surface
 
-  // Polygons and strips, at the middle of their triangles by signed areas: those of a concave polygon
-  // may overlap.
+  // Polygons and strips, at the middle of their triangles by signed areas: those of a concave
+  // polygon may overlap.
   void TakeCells(vtkPolyData* mesh, double before)
   {
     const auto count = static_cast<std::size_t>(mesh->GetNumberOfCells());

@@ -19,6 +19,7 @@
 #include "vtkPolyData.h"
 #include "vtkRelievoAbort.h"
 #include "vtkRelievoCameraModel.h"
+#include "vtkRelievoFreeSight.h"
 #include "vtkRelievoPolygonCut.h"
 #include "vtkRelievoRayScene.h"
 #include "vtkTable.h"
@@ -34,9 +35,6 @@ constexpr vtkIdType RaysOfABatch = 1 << 19;
 
 // Corners of a pixel lie in it: what is beyond may belong to another face of a panorama.
 constexpr double Corner = 0.5 - 1e-7;
-
-// A point is seen if its ray meets nothing nearer than by this share of the distance.
-constexpr double SamePlace = 1e-9;
 
 // Points beside a cell's corners, towards its middle.
 constexpr double Inwards = 0.1;
@@ -339,10 +337,8 @@ private:
         for (std::size_t i = 0; i < points.size(); ++i)
         {
           const auto ray = static_cast<vtkIdType>(i);
-          const double distance = std::sqrt(vtkMath::Distance2BetweenPoints(
-            this->Mesh->GetPoint(points[i]), this->Origins->GetPointer(3 * ray)));
-          const bool free =
-            this->Get("distance")->GetComponent(ray, 0) >= distance * (1.0 - SamePlace);
+          const bool free = vtkRelievoIsFree(this->Get("distance")->GetComponent(ray, 0),
+            this->Origins->GetPointer(3 * ray), this->Mesh->GetPoint(points[i]));
           this->PointsSeen[static_cast<std::size_t>(points[i])] += free ? 1 : 0;
         }
         points.clear();

@@ -18,6 +18,9 @@ from .vtkRelievoCameras import (
 )
 
 
+_LARGEST = 1 << 20  # pixels each way
+
+
 class CameraModel:
     """A sensor: its size, its pose, and the ray of each of its pixels.
 
@@ -35,8 +38,9 @@ class CameraModel:
         self.model = model
         if size is not None:
             columns, rows = _numbers("size", size, 2)
-            if columns != int(columns) or rows != int(rows):
-                raise ValueError(f"size: got {size!r}, expected whole (columns, rows)")
+            if columns != int(columns) or rows != int(rows) or max(columns, rows) > _LARGEST:
+                raise ValueError(f"size: got {size!r}, expected whole (columns, rows), at most "
+                                 f"{_LARGEST} each")
             self._call("size", model.SetSize, int(columns), int(rows))
         if R is not None or t is not None:
             self.pose(R, t)
@@ -127,7 +131,7 @@ class Pinhole(CameraModel):
     def _lens(self, K, lens, coefficients):
         K = _intrinsics(K)
         self._call("K", self.model.SetIntrinsics, K[0, 0], K[1, 1], K[0, 1], K[0, 2], K[1, 2])
-        values = numpy.asarray(coefficients, float).ravel().tolist()
+        values = [] if coefficients is None else _list("distortion", coefficients)
         if not any(values) and lens != vtkRelievoLensCamera.FISHEYE:
             lens, values = vtkRelievoLensCamera.PINHOLE, []
         self._call("distortion", self.model.SetLens, lens, len(values), values)
@@ -224,9 +228,7 @@ class Orthographic(CameraModel):
 
     def __init__(self, pixels_per_unit, size, center=None, R=None, t=None):
         super().__init__(vtkRelievoOrthographicCamera(), size, R, t)
-        if not (numpy.isfinite(pixels_per_unit) and pixels_per_unit > 0):
-            raise ValueError(f"pixels_per_unit: got {pixels_per_unit!r}, expected a number above 0")
-        self.model.SetPixelsPerUnit(pixels_per_unit)
+        self.model.SetPixelsPerUnit(_positive("pixels_per_unit", pixels_per_unit))
         if center is None:
             center = (numpy.array(self.size) - 1) / 2
         self.model.SetPrincipalPoint(*_numbers("center", center, 2).tolist())
@@ -244,10 +246,9 @@ class Pushbroom(CameraModel):
 
     def __init__(self, focal_length, velocity, size, center=None, R=None, t=None):
         super().__init__(vtkRelievoPushbroomCamera(), size, R, t)
-        if not (numpy.isfinite(focal_length) and focal_length > 0):
-            raise ValueError(f"focal_length: got {focal_length!r}, expected pixels above 0")
-        self.model.SetFocalLength(focal_length)
-        self.model.SetPrincipalColumn((self.size[0] - 1) / 2 if center is None else center)
+        self.model.SetFocalLength(_positive("focal_length", focal_length))
+        center = (self.size[0] - 1) / 2 if center is None else _numbers("center", center, 1)[0]
+        self.model.SetPrincipalColumn(center)
         self.model.SetVelocity(*_numbers("velocity", velocity, 3).tolist())
 
 
@@ -271,14 +272,17 @@ class Lidar(CameraModel):
         if (steps is None) == (azimuths is None):
             raise ValueError("Lidar: expected either steps, of a spinning sensor, or azimuths, as "
                              "many as elevations")
-        elevations = numpy.asarray(elevations, float).ravel().tolist()
+        elevations = _list("elevations", elevations)
         count = len(elevations)
         if azimuths is not None:
             azimuths = _numbers("azimuths", azimuths, count).tolist()
             self._call("azimuths", self.model.SetDirections, count, azimuths, elevations)
             return
         turn = _numbers("turn", turn, 2).tolist()
-        self._call("elevations", self.model.SetSpinning, count, elevations, int(steps), *turn)
+        whole = _positive("steps", steps)
+        if whole != int(whole) or whole > _LARGEST:
+            raise ValueError(f"steps: got {steps!r}, expected a whole number up to {_LARGEST}")
+        self._call("elevations", self.model.SetSpinning, count, elevations, int(whole), *turn)
         if offsets is not None:
             offsets = _numbers("offsets", offsets, count).tolist()
             self._call("offsets", self.model.SetAzimuthOffsets, count, offsets)
@@ -316,16 +320,16 @@ def camera(target=None, *, K, size, R=None, t=None, near=None, far=None):
     else:
         raise ValueError(f"target: got {describe(target)}, expected a vtkCamera, a renderer or "
                          f"something with a .renderer")
-    model._call("camera", model.model.ApplyTo, found)
-    if near is None and far is None:
-        if renderer is not None:
-            renderer.ResetCameraClippingRange()
-        return found
     old = found.GetClippingRange()
-    planes = [old[i] if each is None else float(each) for i, each in enumerate((near, far))]
-    if not 0 < planes[0] < planes[1] < numpy.inf:
+    planes = [old[i] if each is None else _numbers(name, each, 1)[0]
+              for i, (name, each) in enumerate((("near", near), ("far", far)))]
+    if not 0 < planes[0] < planes[1]:
         raise ValueError(f"near, far: got {planes[0]:g} and {planes[1]:g}, expected 0 < near < far")
-    found.SetClippingRange(*planes)
+    model._call("camera", model.model.ApplyTo, found)
+    if near is not None or far is not None:
+        found.SetClippingRange(*planes)
+    elif renderer is not None:
+        renderer.ResetCameraClippingRange()
     return found
 
 
@@ -350,6 +354,20 @@ def _numbers(name, values, count):
     if array.size != count or not numpy.isfinite(array).all():
         raise ValueError(f"{name}: got {values!r}, expected {count} finite numbers")
     return array
+
+
+def _list(name, values):
+    try:
+        return numpy.asarray(values, float).ravel().tolist()
+    except (TypeError, ValueError):
+        raise ValueError(f"{name}: got {values!r}, expected numbers") from None
+
+
+def _positive(name, value):
+    number = _numbers(name, value, 1)[0]
+    if number <= 0:
+        raise ValueError(f"{name}: got {value!r}, expected a number above 0")
+    return number
 
 
 def _rows(name, values, count):

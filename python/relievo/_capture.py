@@ -55,6 +55,9 @@ def capture(renderer, layers=("depth",), size=None, hdr=False, camera=None):
         if not isinstance(camera, CameraModel):
             raise ValueError(f"camera: got {describe(camera)}, expected a CameraModel such as "
                              f"relievo.Fisheye; relievo.camera() sets a renderer's own")
+        if hdr or size not in (None, camera.size):
+            raise ValueError(f"size, hdr: got {size!r} and {hdr!r}, expected neither with a "
+                             f"camera, which has a size of its own and no colour")
         return captured(layers_by_rays(renderer, layers, camera))
     renderer, made = renderer_of(renderer)
     if made and size is None:

@@ -26,8 +26,8 @@ class Hits(NamedTuple):
     distance: numpy.ndarray
     """From the origin in world units; infinity where a ray meets nothing."""
     prop: numpy.ndarray
-    """Which of the scene's props, as the layer `actor` for those of a renderer; -1: none, or an actor
-    within a prop assembly, which has no number."""
+    """Which of the scene's props, as the layer `actor` for those of a renderer; -1: none, or an
+    actor within a prop assembly, which has no number."""
     block: numpy.ndarray
     """Flat index in composite data, 0 in other data; -1: none."""
     cell: numpy.ndarray

@@ -80,20 +80,13 @@ def sun_exposure(mesh, latitude, longitude, first, last=None, occluders=(), step
     possible_hours. Raises ValueError for wrong arguments.
     """
     filter_ = vtkRelievoSunExposure()
-    if not -90 <= latitude <= 90:
-        raise ValueError(f"latitude: got {latitude!r}, expected -90 to 90 degrees")
-    filter_.SetLatitude(latitude)
-    filter_.SetLongitude(longitude)
+    filter_.SetLatitude(_number("latitude", latitude, -90, 90))
+    filter_.SetLongitude(_number("longitude", longitude, -360, 360))
     filter_.SetFirstDay(*_day("first", first))
     filter_.SetLastDay(*_day("last", first if last is None else last))
-    for name, value, low, high, method in (
-        ("step", step, 0.1, 240, filter_.SetStep),
-        ("every", every, 1, 366, filter_.SetDayStep),
-        ("sky", sky, 0, 65536, filter_.SetSkySamples),
-    ):
-        if not low <= value <= high:
-            raise ValueError(f"{name}: got {value!r}, expected {low} to {high}")
-        method(value)
+    filter_.SetStep(_number("step", step, 0.1, 240))
+    filter_.SetDayStep(_number("every", every, 1, 366, whole=True))
+    filter_.SetSkySamples(_number("sky", sky, 0, 65536, whole=True))
     if up not in ("x", "y", "z"):
         raise ValueError(f"up: got {up!r}, expected 'x', 'y' or 'z'")
     filter_.SetUpAxis("xyz".index(up))
@@ -172,7 +165,20 @@ def _sensor(camera, size):
 
 
 def _listed(things):
+    if things is None:
+        return []
     return list(things) if isinstance(things, (list, tuple)) else [things]
+
+
+def _number(name, value, low, high, whole=False):
+    try:
+        right = low <= value <= high and (not whole or int(value) == value)
+    except TypeError:
+        right = False
+    if not right:
+        kind = "a whole number" if whole else "a number"
+        raise ValueError(f"{name}: got {value!r}, expected {kind} from {low} to {high}")
+    return int(value) if whole else float(value)
 
 
 def _day(name, day):

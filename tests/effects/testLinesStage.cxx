@@ -405,7 +405,7 @@ void TestSettings()
   RELIEVO_CHECK(scene.Frame->GetBytesHeld() == 0);
   scene.Stage->EnabledOn();
   const double one = Total(scene.Cover());
-  RELIEVO_CHECK(scene.Frame->GetBytesHeld() > 0);
+  RELIEVO_CHECK(scene.Stage->GetBytesHeld() == 4 * Size * Size);
   // An axis-aligned square of whole pixels or not: its lines cover width times length.
   scene.Stage->SetWidth(3.0);
   const double three = Total(scene.Cover());

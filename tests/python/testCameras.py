@@ -156,6 +156,12 @@ class Setting(unittest.TestCase):
         found.UseHorizontalViewAngleOn()
         self.assertAlmostEqual(relievo.intrinsics(found, (200, 100))[0, 0], 2 * focal)
 
+    def test_refused_changes_nothing(self):
+        found = relievo.camera(K=K, size=SIZE, t=(0, 0, 5))
+        with self.assertRaises(ValueError):
+            relievo.camera(found, K=K, size=SIZE, near=3, far=2)
+        self.assertEqual(found.GetPosition(), (0, 0, -5))
+
     def test_an_earlier_skew_is_gone(self):
         found = relievo.camera(K=SKEWED, size=SIZE)
         relievo.camera(found, K=K * [[790.25 / 820.5], [1], [1]], size=SIZE)
@@ -180,6 +186,8 @@ class Setting(unittest.TestCase):
             ("size: .*at least 1", {"size": (0, 480)}),
             ("t: got", {"t": (0, numpy.nan, 0)}),
             ("near < far", {"near": 3, "far": 2}),
+            ("far: got", {"far": "wide"}),
+            ("size: .*at most", {"size": (2**31, 480)}),
             ("target: got", {"target": "renderer"}),
         ):
             with self.subTest(words=words), self.assertRaisesRegex(ValueError, words):
@@ -298,6 +306,10 @@ class Lenses(unittest.TestCase):
             ("at most 4", lambda: relievo.Fisheye(K, SIZE, [0.1] * 5)),
             ("field", lambda: relievo.Equirectangular((8, 4), (400, 180))),
             ("pixels_per_unit", lambda: relievo.Orthographic(0, SIZE)),
+            ("pixels_per_unit", lambda: relievo.Orthographic("a", SIZE)),
+            ("center: got", lambda: relievo.Pushbroom(9, (0, 1, 0), SIZE, center=numpy.nan)),
+            ("steps: got", lambda: relievo.Lidar([0, 1], steps=2.7)),
+            ("distortion: got", lambda: relievo.Pinhole(K, SIZE, distortion="k1")),
             ("either steps", lambda: relievo.Lidar([0, 1])),
             ("azimuths: got", lambda: relievo.Lidar([0, 1], azimuths=[0])),
             ("places: got", lambda: relievo.Pinhole(K, SIZE).rays([[1, 2, 3]])),
