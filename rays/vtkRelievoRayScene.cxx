@@ -685,8 +685,8 @@ bool vtkRelievoRayScene::Update()
   {
     vtkWarningMacro("Rays do not meet " << names
                                         << ": volumes, wireframes, points, lines, cut-outs, "
-                                           "clipped meshes and actors with shaders of "
-                                           "their own are left out");
+                                           "clipped meshes, grids (give them as data) and "
+                                           "actors with shaders of their own are left out");
   }
   return scene.Tree.SetMeshes(scene.Meshes);
 }

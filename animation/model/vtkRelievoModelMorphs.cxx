@@ -80,7 +80,7 @@ void MorphDirections(const ModelMesh& mesh, const ModelWeights& weights,
     }
     else
     {
-      moved->SetTuple(i, i, own);
+      moved->SetTuple(i, own->GetTuple(i)); // of any type
     }
   }
   output->GetPointData()->SetAttribute(moved, attribute);

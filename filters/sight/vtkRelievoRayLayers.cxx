@@ -184,7 +184,7 @@ void SetValue(Layer& layer, const Hits& hits, vtkIdType i, vtkIdType pixel)
   const auto cell = static_cast<vtkIdType>(hits.Cell->GetComponent(i, 0));
   if (!named.OfPoints || named.OfGlyphs)
   {
-    layer.Array->SetTuple(pixel, cell, named.Get());
+    layer.Array->SetTuple(pixel, named.Get()->GetTuple(cell)); // of any type, in all versions
     return;
   }
   for (int component = 0; component < layer.Array->GetNumberOfComponents(); ++component)
