@@ -224,6 +224,14 @@ private Q_SLOTS:
       std::abs(seen[0].toDouble() - 0.63) < 0.02 && std::abs(seen[1].toDouble() - 0.97) < 0.02,
       qPrintable(seen.join(',')));
     this->Compare("what is seen");
+    // A prefix where none is needed
+    this->Change([](scene::Settings& settings) {
+      settings.Set("--color-by", "point:height");
+      settings.Remove("--range");
+    });
+    this->Grab();
+    this->Find<QPushButton>("colors", "fitSeen")->click();
+    QCOMPARE(QString::fromStdString(this->Get("--range")).split(','), seen);
   }
 
   // Arrays of colours have no values for a bar; arrays of points and of cells may share a name.

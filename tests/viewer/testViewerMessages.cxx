@@ -133,9 +133,20 @@ private Q_SLOTS:
     QCOMPARE(this->GetMessage(), QString());
     this->OpenFile("what.xyz");
     QVERIFY(!this->GetMessage().isEmpty());
-    this->Window->findChild<viewer::MessageBar*>("messageBar")
-      ->findChild<QToolButton*>("closeMessage")
-      ->click();
+    // What is waited for, and which layer is shown, stand below it.
+    auto* hint = this->Window->findChild<viewer::MessageBar*>("hint");
+    auto* banner = this->Window->findChild<QWidget*>("layerBanner");
+    auto* bar = this->Window->findChild<viewer::MessageBar*>("messageBar");
+    this->Change(
+      [](scene::Settings& settings) { settings.SetParameter("display", "layer", "depth"); });
+    this->Grab();
+    hint->Show("Click in the picture", viewer::MessageBar::Hint);
+    QVERIFY(banner->isVisible());
+    QVERIFY(bar->geometry().bottom() < hint->geometry().top());
+    QVERIFY(hint->geometry().bottom() < banner->geometry().top());
+    hint->hide();
+    QVERIFY(bar->geometry().bottom() < banner->geometry().top());
+    bar->findChild<QToolButton*>("closeMessage")->click();
     QCOMPARE(this->GetMessage(), QString());
   }
 

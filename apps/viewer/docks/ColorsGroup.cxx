@@ -9,6 +9,7 @@
 #include "OptionEdits.h"
 #include "Options.h"
 #include "RangeEdit.h"
+#include "SceneFacts.h"
 #include "StopsEdit.h"
 
 #include "vtkColorTransferFunction.h"
@@ -430,7 +431,10 @@ void ColorsGroup::ShowSettings()
     look.Range                                    ? "Has an effect where the range is automatic."
       : scene::Colormap::Parse(look.Colormap).Log ? "Logarithms are of positive values alone."
                                                   : "");
-  SetIdle(this->Seen, by.Name.empty() ? "Choose an array to colour by." : "");
+  SetIdle(this->Seen,
+    by.Name.empty()                                            ? "Choose an array to colour by."
+      : FindColorLayer(look, this->Edited->GetFacts()).empty() ? "Has an effect on surfaces."
+                                                               : "");
   this->ShowFound();
   this->Solid->setChecked(look.Solid.has_value());
   if (look.Solid)

@@ -4,7 +4,6 @@
 
 #include "vtkRelievoPass.h"
 
-#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPainter>
@@ -20,9 +19,8 @@ constexpr int Gap = 10; // pixels, above it
 }
 
 //------------------------------------------------------------------------------
-LayerBanner::LayerBanner(QWidget* parent, QWidget* above)
+LayerBanner::LayerBanner(QWidget* parent)
   : Overlay(parent)
-  , Above(above)
   , Words(new QLabel(this))
 {
   this->setObjectName("layerBanner");
@@ -38,7 +36,6 @@ LayerBanner::LayerBanner(QWidget* parent, QWidget* above)
   row->addWidget(this->Words);
   row->addWidget(back);
   QObject::connect(back, &QPushButton::clicked, this, &LayerBanner::pictureWanted);
-  above->installEventFilter(this);
   this->hide();
 }
 
@@ -55,26 +52,13 @@ void LayerBanner::Follow(vtkRelievoPass* frame)
 }
 
 //------------------------------------------------------------------------------
-bool LayerBanner::eventFilter(QObject* watched, QEvent* event)
-{
-  const bool moves =
-    watched == this->Above && (event->type() == QEvent::Show || event->type() == QEvent::Hide);
-  if (moves)
-  {
-    this->Place();
-  }
-  return this->Overlay::eventFilter(watched, event);
-}
-
-//------------------------------------------------------------------------------
 void LayerBanner::Place()
 {
   this->layout()->activate();
   const QSize room = this->parentWidget()->size();
   const QSize size = this->sizeHint().boundedTo(room);
-  const int top = this->Above->isHidden() ? 0 : this->Above->geometry().bottom() + 1;
-  this->setGeometry(
-    std::max(0, (room.width() - size.width()) / 2), top + Gap, size.width(), size.height());
+  this->setGeometry(std::max(0, (room.width() - size.width()) / 2), this->GetTop() + Gap,
+    size.width(), size.height());
 }
 
 //------------------------------------------------------------------------------

@@ -19,8 +19,8 @@ class LayerBanner : public Overlay
   Q_OBJECT
 
 public:
-  /// At the parent's top, below `above` where that is seen.
-  LayerBanner(QWidget* parent, QWidget* above);
+  /// At the parent's top.
+  explicit LayerBanner(QWidget* parent);
 
   /// Names the layer that the frame shows; null: there is none.
   void Follow(vtkRelievoPass* frame);
@@ -29,12 +29,10 @@ Q_SIGNALS:
   void pictureWanted();
 
 protected:
-  bool eventFilter(QObject* watched, QEvent* event) override;
   void Place() override;
   void paintEvent(QPaintEvent* event) override;
 
 private:
-  QWidget* Above;
   QLabel* Words;
 };
 }

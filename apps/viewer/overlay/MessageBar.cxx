@@ -65,7 +65,7 @@ void MessageBar::Place()
 {
   const int width = this->parentWidget()->width();
   const int height = this->layout()->heightForWidth(width);
-  this->setGeometry(0, 0, width, std::max(height, this->minimumSizeHint().height()));
+  this->setGeometry(0, this->GetTop(), width, std::max(height, this->minimumSizeHint().height()));
 }
 
 //------------------------------------------------------------------------------

@@ -18,11 +18,20 @@ class Overlay : public QWidget
 public:
   explicit Overlay(QWidget* parent);
 
+  /// Takes its place below another one at the parent's top, where that is seen.
+  void PutBelow(Overlay* above);
+
 protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
 
   /// Takes its place in the parent as large as that is now.
   virtual void Place() = 0;
+
+  /// Where the room begins that those above it leave.
+  int GetTop() const;
+
+private:
+  Overlay* Above = nullptr;
 };
 }
 

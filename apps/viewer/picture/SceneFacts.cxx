@@ -75,6 +75,12 @@ bool HasOwnValues(vtkDataSet* block)
   return own && AreValues(own);
 }
 
+// Whether what was given is one array's name, and no component stands behind it.
+bool HasWholeName(const scene::LookChoice& look, const Facts& facts)
+{
+  return facts.Components.count(look.ColorByAsGiven) != 0;
+}
+
 // A name that stands for something else without it needs to say what it is of.
 bool NeedsPrefix(const std::string& name, const Arrays& arrays)
 {
@@ -188,16 +194,28 @@ std::optional<std::array<double, 2>> GetColorRange(const Picture& picture)
 }
 
 //------------------------------------------------------------------------------
+std::string FindColorLayer(const scene::LookChoice& look, const Facts& facts)
+{
+  const std::string& name = HasWholeName(look, facts) ? look.ColorByAsGiven : look.ColorBy;
+  std::vector<std::string> names = { name, Prefixes[0] + name };
+  for (const std::string prefix : Prefixes) // given where none is needed
+  {
+    if (name.rfind(prefix, 0) == 0)
+    {
+      names.push_back(name.substr(prefix.size()));
+    }
+  }
+  const auto found =
+    std::find_first_of(names.begin(), names.end(), facts.Layers.begin(), facts.Layers.end());
+  return found == names.end() ? std::string() : *found;
+}
+
+//------------------------------------------------------------------------------
 std::optional<std::array<double, 2>> FindSeenRange(
   const Picture& picture, const scene::LookChoice& look, const Facts& facts)
 {
-  const auto isLayer = [&facts](const std::string& name) {
-    return std::find(facts.Layers.begin(), facts.Layers.end(), name) != facts.Layers.end();
-  };
-  const bool whole = facts.Components.count(look.ColorByAsGiven) != 0; // no component behind it
-  const std::string& name = whole ? look.ColorByAsGiven : look.ColorBy;
-  const std::string layer = isLayer(name) ? name : "point:" + name;
-  if (picture.IsEmpty() || !isLayer(layer))
+  const std::string layer = FindColorLayer(look, facts);
+  if (picture.IsEmpty() || layer.empty())
   {
     return std::nullopt;
   }
@@ -207,7 +225,7 @@ std::optional<std::array<double, 2>> FindSeenRange(
   source->Update();
   vtkDataArray* values = source->GetOutput()->GetPointData()->GetArray(layer.c_str());
   const bool log = scene::Colormap::Parse(look.Colormap).Log;
-  const bool one = !whole && look.Component.has_value();
+  const bool one = !HasWholeName(look, facts) && look.Component.has_value();
   std::array<double, 2> range = { VTK_DOUBLE_MAX, -VTK_DOUBLE_MAX };
   for (vtkIdType i = 0; values && i < values->GetNumberOfTuples(); ++i)
   {

@@ -21,6 +21,9 @@ Facts GetFacts(const Picture& picture);
 /// Values of the first and the last colour; none: no values give the colours.
 std::optional<std::array<double, 2>> GetColorRange(const Picture& picture);
 
+/// The layer of the array that gives the colours; empty: surfaces have none, only volumes.
+std::string FindColorLayer(const scene::LookChoice& look, const Facts& facts);
+
 /// The least and the greatest value that is seen of the array that gives the colours; by
 /// logarithms, of those above zero. It draws the array's layer beside the picture. None: there is
 /// no array, or fewer than two values are seen.

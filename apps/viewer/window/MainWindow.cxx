@@ -180,10 +180,12 @@ MainWindow::MainWindow(QWidget* parent)
   this->Message = new MessageBar(this->Shown);
   this->Hint = new MessageBar(this->Shown);
   this->Hint->setObjectName("hint");
+  this->Hint->PutBelow(this->Message);
   this->StopPlacing = new QShortcut(Qt::Key_Escape, this);
   this->StopPlacing->setObjectName("stopPlacing");
   this->StopPlacing->setEnabled(false);
-  this->Banner = new LayerBanner(this->Shown, this->Message);
+  this->Banner = new LayerBanner(this->Shown);
+  this->Banner->PutBelow(this->Hint);
   this->setCentralWidget(this->Pages);
   this->AddPanels();
   this->AddStatus();
