@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRelievoParameter.h"
 
+#include "vtkRelievoColorWords.h"
+
 #include <algorithm>
 #include <cctype>
 #include <cmath>
@@ -163,8 +165,9 @@ std::string vtkRelievoParameter::GetExpected() const
     case NUMBER:
       return "a number" + range + unit + orArray;
     case COLOR:
-      return range.empty() ? "three numbers, red, green and blue" + orArray
-                           : "red,green,blue, each" + range + orArray;
+      return (range.empty() ? "three numbers, red, green and blue"
+                            : "red,green,blue, each" + range) +
+        ", #rrggbb, or a colour's name" + orArray;
     case PAIR:
       return "two numbers" + unit;
     case VECTOR:
@@ -195,6 +198,11 @@ bool vtkRelievoParameter::IsValue(const std::string& words) const
     return std::find(this->Choices.begin(), this->Choices.end(), words) != this->Choices.end();
   }
   double number = 0.0;
+  double color[3];
+  if (this->Type == COLOR && relievo::ReadColor(words, color))
+  {
+    return true;
+  }
   const bool several = this->GetNumberOfComponents() > 1 && Split(words, ",/").size() > 1;
   return several || ReadNumber(words, number);
 }
@@ -246,6 +254,11 @@ std::string vtkRelievoParameter::Parse(const std::string& words) const
     return found == this->Choices.end()
       ? wrong
       : this->Set({ static_cast<double>(found - this->Choices.begin()) });
+  }
+  double color[3];
+  if (this->Type == COLOR && relievo::ReadColor(words, color))
+  {
+    return this->Set({ color[0], color[1], color[2] });
   }
   std::vector<double> values;
   for (const std::string& part : Split(words, ",/"))

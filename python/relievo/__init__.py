@@ -85,10 +85,11 @@ from ._cameras import (
 from ._capture import capture
 from ._environment import environment
 from ._exr import read_exr, write_exr
-from ._frame import attach, detach, report, vtkRelievoPass
+from ._frame import report, vtkRelievoPass
 from ._image import attributes, from_image, layer, layer_names, to_image
+from ._keep import attach, detach
 from ._layers import layers
-from ._picture import picture
+from ._picture import picture, write_png
 from ._points import depth_to_points
 from ._rays import rays
 from ._scene import scene
@@ -141,4 +142,5 @@ __all__ = [
     "visible",
     "vtkRelievoPass",
     "write_exr",
+    "write_png",
 ]

@@ -4,6 +4,7 @@
 
 from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet, vtkDataSet
 
+from ._data import did_you_mean
 from .vtkRelievoLayers import vtkRelievoLayerCatalogue
 
 _WITHOUT_LAYERS = ("vtkVolume", "vtkImageSlice", "vtkImageActor")
@@ -34,9 +35,11 @@ def why_not(name, renderer, shadows):
             f"got {name!r}, but no light has this name: the layers of the renderer's lights are "
             f"{', '.join(lights)}; add the light, or name it, first"
         )
+    layers = vtkRelievoLayerCatalogue.GetLayerNames().split(", ")
+    guess = did_you_mean(name, [*layers, *arrays])
     known = ", ".join(sorted(each for each in arrays if not each.startswith(_KINDS))) or "none"
     return (
-        f"got {name!r}, expected one of {vtkRelievoLayerCatalogue.GetLayerNames()}, or an array "
+        f"got {name!r}{guess}, expected one of {vtkRelievoLayerCatalogue.GetLayerNames()}, or an array "
         f"of what the renderer draws ({known}); add the data that has it first"
     )
 
@@ -60,19 +63,19 @@ def _arrays_of(renderer):
                 for port in range(mapper.GetNumberOfInputPorts()):
                     for i in range(mapper.GetNumberOfInputConnections(port)):
                         mapper.GetInputAlgorithm(port, i).Update()
-                        if not _add_arrays(mapper.GetInputDataObject(port, i), names):
+                        if not add_arrays(mapper.GetInputDataObject(port, i), names):
                             return None
             path = prop.GetNextPath()
     return names if mappers else None
 
 
-def _add_arrays(data, names):
-    """Whether the kind of data is known: graphs, molecules and trees are made into others."""
+def add_arrays(data, names):
+    """Adds the arrays' names, with and without their kind. Whether the kind of data is known: graphs, molecules and trees are made into others."""
     if isinstance(data, vtkCompositeDataSet):
         blocks = data.NewIterator()
         blocks.InitTraversal()
         while not blocks.IsDoneWithTraversal():
-            if not _add_arrays(blocks.GetCurrentDataObject(), names):
+            if not add_arrays(blocks.GetCurrentDataObject(), names):
                 return False
             blocks.GoToNextItem()
         return True

@@ -10,8 +10,10 @@ from vtkmodules import vtkCommonCore
 from vtkmodules.vtkRenderingCore import vtkRenderWindow
 from vtkmodules.vtkRenderingOpenGL2 import vtkTextureObject
 
+from ._arrays import why_not
 from ._cameras import CameraModel
 from ._errors import Watch, describe
+from ._frame import put, take
 from ._keep import kept
 from ._picture import captured
 from ._renderers import renderer_of
@@ -28,8 +30,9 @@ def capture(renderer, layers=("depth",), size=None, hdr=False, camera=None):
     renderer: a vtkRenderer, or an object whose attribute `renderer` is one (a plotter). Its camera,
         lights, passes and window stay unchanged; but PyVista's plotter gets the camera that it
         would be shown with, if nobody has set it. A renderer without a window is drawn in an
-        off-screen one, and `size` is needed. Or a dataset (also composite), or a filter that makes
-        one: its surface is drawn, seen along -z with y up, fitted to the picture.
+        off-screen one, and `size` is needed. Or a dataset (also composite), a filter that makes
+        one, something with a `dataset`, points of shape (n, 3), or an actor: that is drawn, data by
+        its surface, seen along -z with y up, fitted to the picture.
     layers: names of layers, or one name; see help(relievo). Repeated names count once.
     size: (columns, rows) of the image in pixels, from 1 to 16384, or to OpenGL's limit where that
         is lower; None for the size of the renderer's viewport, (1024, 768) for data.
@@ -81,6 +84,10 @@ def capture(renderer, layers=("depth",), size=None, hdr=False, camera=None):
             for i in range(frame.GetNumberOfStages())
         )
     wrong_name = not failed and source.GetErrorCode() == vtkRelievoLayerSource.NO_SUCH_LAYER
+    for name in layers if wrong_name else ():
+        wrong = why_not(name, renderer, None)  # which names the arrays that there are
+        if wrong:
+            raise ValueError(f"capture: {wrong}")
     watch.raise_as(ValueError if wrong_name else RuntimeError, f"capture {', '.join(layers)}")
     return captured(source.GetOutput())
 
@@ -112,7 +119,7 @@ def _pixels(size):
 def _frame_of(renderer):
     """The frame of the renderer, which keeps it only if it had it before."""
     before = renderer.GetPass()
-    frame = vtkRelievoPass.Attach(renderer)
+    frame = put(renderer)
     if frame is before:
         yield frame
         return
@@ -129,7 +136,7 @@ def _frame_of(renderer):
         yield frame
     finally:
         renderer.RemoveObserver(tag)
-        vtkRelievoPass.Detach(renderer)
+        take(renderer)
 
 
 _spare_windows = {}  # by thread: a context is current in one only

@@ -7,12 +7,14 @@ import inspect
 import os
 import textwrap
 
+import numpy
 from vtkmodules.vtkCommonCore import vtkWeakReference
 from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkRenderingCore import vtkCamera
 
 from ._errors import Watch, is_a, require
-from ._renderers import inner_renderer
+from ._image import to_image
+from ._renderers import need_renderer
 from ._parameters import bind, describe, keywords, names, set_value, value
 from .vtkRelievoFilters import vtkRelievoEnvironmentIrradiance, vtkRelievoEnvironmentPrefilter
 from .vtkRelievoIO import vtkRelievoImageReader
@@ -46,8 +48,7 @@ def environment(*arguments, **given):
     bound = bind("environment", _SIGNATURE, arguments, given)
     bound.apply_defaults()
     renderer, path, sky = (bound.arguments[name] for name in ("renderer", "path", "sky"))
-    inner = inner_renderer(renderer)
-    require(renderer if inner is None else inner, "vtkRenderer", "renderer")
+    inner = need_renderer(renderer)
     if path is None:
         _remove(inner)
         return None
@@ -94,8 +95,9 @@ renderer: a vtkRenderer, or an object whose attribute `renderer` is one (a plott
     at the time of the call, except unlit ones, lines or points alone, cube axes and VTK's
     skies. An actor's own vtkRelievoMaterial stays and gets
     the environment; None gives its former one back.
-path: a file (exr, hdr, png, jpg, tif, bmp, tga), or a vtkImageData with row 0 at the bottom, as
-    to_image() makes it; twice as wide as high (all directions) or square (a mirror ball). Whole
+path: a file (exr, hdr, png, jpg, tif, bmp, tga), a numpy array of (rows, columns, 3) with row 0 at
+    the top, a vtkImageData with row 0 at the bottom, as to_image() makes it, or a vtkTexture of
+    one; twice as wide as high (all directions) or square (a mirror ball). Whole
     numbers are decoded from sRGB, floats are linear light. None takes the environment away.
 {values}
 sky: whether the picture is shown behind everything.
@@ -182,6 +184,11 @@ def _is_lit_surface(actor):
 
 
 def _fill(made, path, rough):
+    if is_a(path, "vtkTexture") and not path.GetCubeMap():
+        path.Update()
+        path = path.GetInput()
+    elif isinstance(path, numpy.ndarray):
+        path = to_image(path)
     if hasattr(path, "IsA"):
         require(path, "vtkImageData", "path")
     image = path if is_a(path, "vtkImageData") else _read(os.fspath(path))

@@ -3,6 +3,7 @@
 """VTK's error events as Python exceptions."""
 
 import re
+import reprlib
 
 from vtkmodules.util.misc import calldata_type
 from vtkmodules.util.vtkConstants import VTK_STRING
@@ -68,7 +69,13 @@ def describe(thing):
             f"a {thing.GetClassName()} of {other}, another VTK than Relievo's: import VTK's "
             f"classes from {own}{names if other == 'vtkmodules' else ''}"
         )
-    return repr(thing)
+    if hasattr(thing, "shape") and hasattr(thing, "dtype"):
+        return f"an array of shape {tuple(thing.shape)}"
+    return _short.repr(thing)
+
+
+_short = reprlib.Repr()
+_short.maxother = _short.maxstring = 80
 
 
 def require(thing, class_name, argument):

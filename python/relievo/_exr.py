@@ -5,7 +5,10 @@
 import os
 import stat
 
+import numpy
+
 from ._errors import Watch, require
+from ._image import to_image
 from ._picture import captured
 from .vtkRelievoIO import vtkRelievoEXRReader, vtkRelievoEXRWriter
 
@@ -15,6 +18,9 @@ _PIXEL_TYPES = {
     "float": vtkRelievoEXRWriter.FLOAT,
 }
 
+# Kinds of images that people may think are written by their names.
+_OTHERS = (".png", ".jpg", ".jpeg", ".tif", ".tiff", ".bmp", ".hdr", ".pfm", ".npy", ".npz")
+
 # FileNotFoundError, CannotOpenFileError, OutOfDiskSpaceError of vtkErrorCode, which not every VTK
 # wraps.
 _FILE_ERRORS = (20001, 20002, 20007)
@@ -23,9 +29,10 @@ _FILE_ERRORS = (20001, 20002, 20007)
 def write_exr(path, image, compression="zip", pixel_types=None):
     """Writes every layer of an image to one OpenEXR file, top row first.
 
-    path: name of the file, str or path-like. An existing file is replaced when the new one is
-        complete; after an error it is unchanged.
-    image: vtkImageData of (columns, rows, 1) points, as returned by capture().
+    path: name of the file, str or path-like; not one of another kind of image, such as .png. An
+        existing file is replaced when the new one is complete; after an error it is unchanged.
+    image: vtkImageData of (columns, rows, 1) points, as returned by capture(); or a numpy array of
+        the layer `color`, or a dict of arrays by names, as for to_image().
     compression: none, rle, zips, zip, piz (lossless), pxr24, b44, b44a, dwaa or dwab (not). The
         last four make numbers of infinities and NaN, which raises: b44 in half, dwaa in R, G, B, Y.
     pixel_types: {name: "half" | "float" | "uint"} for layers ("normal") or channels ("normal.X");
@@ -38,6 +45,12 @@ def write_exr(path, image, compression="zip", pixel_types=None):
     Raises ValueError for a wrong argument or for values that a pixel type cannot hold, OSError if
     the file cannot be written (its errno says why: ENOSPC on a full disk, for example).
     """
+    suffix = os.path.splitext(os.fspath(path))[1].lower()
+    if suffix in _OTHERS:
+        raise ValueError(f"path: got {os.fspath(path)!r}, expected an OpenEXR file, .exr; "
+                         f"relievo.write_png() writes PNG files")
+    if isinstance(image, (dict, numpy.ndarray)):
+        image = to_image(image, "color")
     require(image, "vtkImageData", "image")
     writer = vtkRelievoEXRWriter()
     with Watch(writer) as watch:

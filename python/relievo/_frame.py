@@ -3,13 +3,13 @@
 """The frame around a renderer's own passes, and its report."""
 
 import json
-import weakref
 
 from vtkmodules.vtkCommonCore import vtkWeakReference
 
 from . import vtkRelievoPasses
 from ._arrays import why_not
 from ._errors import Watch, is_a, require
+from ._renderers import inner_renderer
 
 
 class Frame(vtkRelievoPasses.vtkRelievoPass):
@@ -24,8 +24,13 @@ class Frame(vtkRelievoPasses.vtkRelievoPass):
 
     @staticmethod
     def Attach(renderer):
-        """As attach()."""
-        return attach(renderer)
+        """Puts a frame around the renderer's pass; attach() keeps it around those set later."""
+        return put(renderer)
+
+    @staticmethod
+    def Detach(renderer):
+        """As detach()."""
+        return take(renderer)
 
     def is_detached(self):
         """Whether detach() has taken it from the renderer that it was attached to."""
@@ -77,8 +82,9 @@ class Frame(vtkRelievoPasses.vtkRelievoPass):
 vtkRelievoPass = Frame
 
 
-# Renderers whose passes others set, with what keeps their frames (_keep.py).
-kept = weakref.WeakKeyDictionary()
+def kept_of(renderer):
+    """What keeps the renderer's frame (_keep.py), or None."""
+    return getattr(renderer, "relievo_kept", None)
 
 
 def frame_of(renderer):
@@ -86,22 +92,12 @@ def frame_of(renderer):
     there = renderer.GetPass()
     if there is not None and there.IsA("vtkRelievoPass"):
         return there
-    found = kept.get(renderer)
+    found = kept_of(renderer)
     return found.frame if found is not None and not found.detached() else None
 
 
-def attach(renderer):
-    """Puts the Relievo frame around whatever pass the renderer has and returns it.
-
-    renderer: a vtkRenderer. Its picture does not change: with nothing requested the frame only
-    calls the renderer's own pass. A renderer that already has the frame keeps it.
-
-    Returns the vtkRelievoPass: its ShadowsOn() makes every light cast, SetDisplayLayer() shows a
-    layer as the picture, RequestLayer() renders one in every frame; both raise ValueError for a
-    name that is neither a layer nor an array of the data in the renderer. Raises ValueError for
-    anything but a renderer.
-    """
-    require(renderer, "vtkRenderer", "renderer")
+def put(renderer):
+    """The frame around the pass that the renderer has now."""
     there = frame_of(renderer)
     if there is not None:
         return there
@@ -112,31 +108,30 @@ def attach(renderer):
     return frame
 
 
-def detach(renderer):
-    """Removes the frame and restores the pass that the renderer had before.
-
-    Returns True, or False if no frame was attached. Raises ValueError for anything but a
-    vtkRenderer.
-    """
-    require(renderer, "vtkRenderer", "renderer")
+def take(renderer):
+    """Removes the frame from the renderer's pass; whether there was one."""
+    found = kept_of(renderer)
+    if found is not None:
+        found.let_go()
     frame = renderer.GetPass()
     if isinstance(frame, Frame):
         frame._renderer.Set(None)
-    return bool(vtkRelievoPass.Detach(renderer))
+    return bool(vtkRelievoPasses.vtkRelievoPass.Detach(renderer))
 
 
 def report(frame):
     """Returns what the last frames did and why, as a dict.
 
-    frame: the vtkRelievoPass, or a renderer that has one.
+    frame: the vtkRelievoPass, or a renderer (or a plotter) that has one.
 
     For each stage the report has whether it ran, the reason in words, GPU milliseconds (read some
     frames later, so None at first), bytes held and draw calls.
 
     Raises ValueError for anything else.
     """
-    if is_a(frame, "vtkRenderer"):
-        owner, frame = frame, frame_of(frame)
+    owner = inner_renderer(frame)
+    if owner is not None:
+        frame = frame_of(owner)
         if frame is None:
             raise ValueError(f"frame: the {owner.GetClassName()} has none; attach() it first")
     require(frame, "vtkRelievoPass", "frame")

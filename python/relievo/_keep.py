@@ -1,23 +1,56 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Frames that stay on renderers whose passes others set: PyVista's, and those of its plugins."""
+"""Frames that stay on renderers whose passes others set: PyVista, its plugins, vedo."""
 
 import contextlib
 import weakref
 
+from vtkmodules.vtkCommonCore import vtkWeakReference
 from vtkmodules.vtkRenderingOpenGL2 import vtkRenderPassCollection, vtkSequencePass
 
-from . import _frame
+from ._frame import Frame, kept_of, put, take
+from ._renderers import need_renderer
+
+
+def attach(renderer):
+    """Puts the Relievo frame around the renderer's pass, and around any that it gets later.
+
+    renderer: a vtkRenderer, or an object whose attribute `renderer` is one (a plotter). Its picture
+        does not change: with nothing requested the frame only calls the renderer's own pass. A
+        renderer that already has the frame keeps it.
+
+    The frame stays until detach(): a pass that somebody sets (PyVista's enable_ssao(), vedo's
+    ambient occlusion, SetPass()) is within it from the next picture on.
+
+    Returns the vtkRelievoPass: its ShadowsOn() makes every light cast, SetDisplayLayer() shows a
+    layer as the picture, RequestLayer() renders one in every frame; both raise ValueError for a
+    name that is neither a layer nor an array of the data in the renderer. Raises ValueError for
+    anything but a renderer, or what has one.
+    """
+    return kept(need_renderer(renderer), attach=True).frame
+
+
+def detach(renderer):
+    """Removes the frame and restores the pass that the renderer had before.
+
+    renderer: as for attach().
+
+    Returns True, or False if no frame was attached. Raises ValueError for anything but a renderer,
+    or what has one.
+    """
+    return take(need_renderer(renderer))
 
 
 def kept(renderer, attach=False):
     """The KeptFrame of a renderer; None if it has none, unless one is to be attached."""
-    found = _frame.kept.get(renderer)
+    found = kept_of(renderer)
     if found is not None and found.detached():
-        found.release()
+        found.let_go()
         found = None
     if found is None and attach:
-        found = _frame.kept[renderer] = KeptFrame(renderer)
+        found = KeptFrame(renderer)
+        # VTK keeps attributes as long as the object lives; PyVista's renderers refuse new ones.
+        object.__setattr__(renderer, "relievo_kept", found)
     return found
 
 
@@ -25,8 +58,9 @@ class KeptFrame:
     """The frame of one renderer: around the pass that somebody sets later, or within it."""
 
     def __init__(self, renderer):
-        self._renderer = weakref.ref(renderer)
-        self.frame = _frame.attach(renderer)
+        self._renderer = vtkWeakReference()
+        self._renderer.Set(renderer)
+        self.frame = put(renderer)
         self._arranged = None  # the pass that the frame was given into
         self._given = False  # and that pass is not known yet
         self._held = 0
@@ -41,7 +75,7 @@ class KeptFrame:
 
     def keep(self):
         """The frame is back where it belongs, if somebody has set the renderer's pass."""
-        renderer = self._renderer()
+        renderer = self._renderer.Get()
         there = renderer.GetPass()
         if self._given:
             self._arranged, self._given = there, False
@@ -58,7 +92,7 @@ class KeptFrame:
     @contextlib.contextmanager
     def held(self):
         """Meanwhile the frame is the renderer's pass, where the functions of this package look."""
-        renderer = self._renderer()
+        renderer = self._renderer.Get()
         self._held += 1
         try:
             self.keep()
@@ -80,12 +114,17 @@ class KeptFrame:
 
     def detached(self):
         """Whether detach() has taken the frame away."""
-        return isinstance(self.frame, _frame.Frame) and self.frame.is_detached()
+        return isinstance(self.frame, Frame) and self.frame.is_detached()
+
+    def let_go(self):
+        """Passes that are set later are no longer drawn within the frame."""
+        renderer = self._renderer.Get()
+        object.__setattr__(renderer, "relievo_kept", None)
+        renderer.RemoveObserver(self._tag)
 
     def release(self):
         """The renderer is as it would be without the frame."""
-        renderer = self._renderer()
-        _frame.kept.pop(renderer, None)
-        renderer.RemoveObserver(self._tag)
+        renderer = self._renderer.Get()
+        self.let_go()
         if renderer.GetPass() is self.frame:
-            _frame.detach(renderer)
+            take(renderer)

@@ -6,6 +6,8 @@ import inspect
 
 import numpy
 
+from ._errors import describe as described
+
 
 def words(value):
     """A parameter's value in the words of descriptions: "on", "0.5", "1,0.5,0", "warped"."""
@@ -13,6 +15,8 @@ def words(value):
         return value
     if isinstance(value, (bool, numpy.bool_)):
         return "on" if value else "off"
+    if hasattr(value, "float_rgb"):  # PyVista's colours
+        value = value.float_rgb
     if isinstance(value, (list, tuple, numpy.ndarray)) and numpy.ndim(value) == 1:
         return ",".join(words(each) for each in value)
     number = float(value)
@@ -61,8 +65,8 @@ def set_value(function, owner, name, given):
         text = words(given)
     except (TypeError, ValueError, OverflowError):
         raise ValueError(
-            f"{function}: {name}: got {given!r}, expected a number, numbers or a word"
+            f"{function}: {name}: got {described(given)}, expected a number, numbers or a word"
         ) from None
     wrong = owner.TrySetParameter(name, text)
     if wrong:
-        raise ValueError(f"{function}: {name}: got {given!r}, {wrong.partition(' given, ')[2]}")
+        raise ValueError(f"{function}: {name}: got {described(given)}, {wrong.partition(' given, ')[2]}")

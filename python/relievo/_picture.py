@@ -2,6 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Layers as pictures."""
 
+import os
+
 import numpy
 from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkIOImage import vtkPNGWriter
@@ -87,7 +89,8 @@ def srgb(linear):
 
 
 def png_of(rgb):
-    """8-bit RGB (rows, columns, 3), row 0 at the top, as the bytes of a PNG file."""
+    """8 bits, (rows, columns) or (rows, columns, components), row 0 at the top, as the bytes of a
+    PNG file."""
     writer = vtkPNGWriter()
     writer.SetInputData(to_image(rgb))
     writer.WriteToMemoryOn()
@@ -107,6 +110,54 @@ def picture(image, name):
     Raises ValueError for a name that the image does not have.
     """
     return picture_of(name, layer(image, name))[0]
+
+
+def write_png(path, image, name=None, transparent=False):
+    """Writes a layer of an image as a PNG file, 8 bits.
+
+        relievo.write_png("picture.png", relievo.capture(renderer, "color", size=(1280, 720)))
+
+    path: name of the file, str or path-like. An existing file is replaced when the new one is
+        complete.
+    image: vtkImageData from capture() or read_exr(), or a numpy array of uint8, (rows, columns) or
+        (rows, columns, 1 to 4), which is written as it is.
+    name: the layer; None for `color` if the image has it, else the only one.
+    transparent: whether `color` keeps its alpha, straight: the background's is the renderer's
+        GetBackgroundAlpha(), 0 unless it was set.
+
+    color is written as sRGB, other layers as picture() shows them.
+
+    Raises ValueError for wrong arguments, OSError if the file cannot be written.
+    """
+    path = os.fspath(path)
+    if os.path.splitext(path)[1].lower() != ".png":
+        raise ValueError(f"path: got {path!r}, expected a name that ends in .png")
+    if isinstance(image, numpy.ndarray):
+        if image.dtype != numpy.uint8:
+            raise ValueError(f"image: got an array of {image.dtype}, expected uint8")
+        data = png_of(image)
+    else:
+        known = layer_names(image)
+        if name is None:
+            name = "color" if "color" in known or len(known) != 1 else known[0]
+        values = layer(image, name)
+        with_alpha = name == "color" and transparent and values.shape[2] == 4
+        data = png_of(_rgba(values) if with_alpha else picture(image, name))
+    part = f"{path}.part"
+    try:
+        with open(part, "wb") as file:
+            file.write(data)
+        os.replace(part, path)
+    finally:
+        if os.path.exists(part):
+            os.remove(part)
+
+
+def _rgba(linear):
+    """Linear light, premultiplied, as sRGB of 8 bits with straight alpha."""
+    rgb, alpha = linear[..., :3], linear[..., 3:]
+    straight = numpy.divide(rgb, alpha, out=numpy.zeros_like(rgb), where=alpha > 0)
+    return numpy.concatenate([bytes_of(srgb(straight)), bytes_of(alpha)], axis=2)
 
 
 class Capture(vtkImageData):

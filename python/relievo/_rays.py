@@ -11,13 +11,14 @@ from vtkmodules.util.vtkConstants import VTK_DOUBLE
 from vtkmodules.vtkCommonCore import vtkUnsignedCharArray
 from vtkmodules.vtkCommonDataModel import vtkTable
 from vtkmodules.vtkCommonMath import vtkMatrix4x4
+from vtkmodules.vtkRenderingCore import vtkRenderer
 
+from ._data import EXPECTED, data_of
 from ._errors import Watch, describe, is_a
-from ._renderers import inner_renderer
+from ._renderers import inner_renderer, prop_of
 from .vtkRelievoRays import vtkRelievoRayScene
 
-_EXPECTED = "a vtkRenderer, something with a .renderer, a dataset, or a filter that makes one"
-_DATA = ("vtkDataSet", "vtkCompositeDataSet")
+_EXPECTED = f"a vtkRenderer, something with a .renderer, actors, {EXPECTED}"
 
 
 class Hits(NamedTuple):
@@ -66,10 +67,17 @@ class Rays:
         renderers = [each for each in map(inner_renderer, things) if each is not None]
         if len(renderers) > 1:
             raise ValueError(f"rays: got {len(renderers)} renderers, expected at most one")
+        actors = [prop for prop in map(prop_of, things) if prop is not None]
+        if actors:
+            if renderers:
+                raise ValueError("rays: got a renderer and actors, expected one or the other")
+            renderers = [vtkRenderer()]
+            for each in actors:
+                renderers[0].AddViewProp(each)
         if renderers:
             self.scene.SetRenderer(renderers[0])
         for thing in things:
-            if inner_renderer(thing) is None:
+            if inner_renderer(thing) is None and prop_of(thing) is None:
                 self._add(thing)
 
     @property
@@ -113,11 +121,9 @@ class Rays:
 
     def _add(self, thing):
         data, matrix = thing if isinstance(thing, tuple) and len(thing) == 2 else (thing, None)
-        if is_a(data, "vtkAlgorithm"):
-            data.Update()
-            data = data.GetOutputDataObject(0) if data.GetNumberOfOutputPorts() else None
-        if not any(is_a(data, kind) for kind in _DATA):
-            raise ValueError(f"rays: got {describe(data)}, expected {_EXPECTED}")
+        given, data = data, data_of(data)
+        if data is None:
+            raise ValueError(f"rays: got {describe(given)}, expected {_EXPECTED}")
         if matrix is not None and not is_a(matrix, "vtkMatrix4x4"):
             matrix = _matrix(matrix)
         self.scene.AddData(data, matrix)
@@ -185,8 +191,8 @@ class _Progress:
 def rays(*things):
     """A scene that answers rays, in double precision, on all cores.
 
-    things: a vtkRenderer, or an object whose attribute `renderer` is one (a plotter); datasets,
-        also composite, or filters that make them; pairs of a dataset and its 4 x 4 matrix
+    things: a vtkRenderer, or an object whose attribute `renderer` is one (a plotter), or actors;
+        datasets, also composite, or filters that make them; pairs of a dataset and its 4 x 4 matrix
         (array-like, or a vtkMatrix4x4 that may be moved later). One renderer at most. The same
         dataset may be given many times, with other matrices: it is held once.
 

@@ -8,9 +8,8 @@ from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkFiltersGeometry import vtkCompositeDataGeometryFilter, vtkGeometryFilter
 from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkRenderer
 
+from ._data import EXPECTED, cloud_of, data_of
 from ._errors import describe, is_a
-
-_EXPECTED = "a vtkRenderer, something with a .renderer, a dataset, or a filter that makes one"
 
 
 def inner_renderer(thing):
@@ -19,38 +18,68 @@ def inner_renderer(thing):
     return inner if is_a(inner, "vtkRenderer") else None
 
 
+def need_renderer(thing):
+    """inner_renderer(), or ValueError."""
+    inner = inner_renderer(thing)
+    if inner is None:
+        raise ValueError(
+            f"renderer: got {_described(thing)}, expected a vtkRenderer or something with a .renderer"
+        )
+    return inner
+
+
+def _described(thing):
+    inner = getattr(thing, "renderer", None)
+    return describe(inner if hasattr(inner, "IsA") else thing)
+
+
 def renderer_of(thing):
     """The renderer, and whether it was made here, for data.
 
-    Data is drawn by its outer surface and seen along -z with y up; polygons as they are. The camera
-    is to be fitted when the size of the picture is known.
+    Data is drawn by its outer surface and seen along -z with y up; polygons and actors as they are.
+    The camera is to be fitted when the size of the picture is known.
     """
     inner = inner_renderer(thing)
     if inner is not None:
         _place_camera(inner)
         return inner, False
-    if is_a(thing, "vtkAlgorithm"):
-        thing.Update()
-        thing = thing.GetOutputDataObject(0) if thing.GetNumberOfOutputPorts() else None
-    if is_a(thing, "vtkPolyData"):
-        surface = thing
-    elif is_a(thing, "vtkCompositeDataSet"):
-        surface = _run(vtkCompositeDataGeometryFilter(), thing)
-    elif is_a(thing, "vtkDataSet"):
-        surface = _run(vtkGeometryFilter(), _numbered(thing))
+    prop = prop_of(thing)
+    if prop is None:
+        cloud = cloud_of(thing)
+        data = data_of(thing) if cloud is None else cloud
+        if data is None:
+            raise ValueError(
+                f"renderer: got {_described(thing)}, expected a vtkRenderer, something with a "
+                f".renderer, an actor, points (n x 3), {EXPECTED}"
+            )
+        prop = _actor(data)
+    renderer = vtkRenderer()
+    renderer.AddViewProp(prop)
+    return renderer, True
+
+
+def prop_of(thing):
+    """The actor that a thing is, or has (vedo's objects), or None."""
+    for each in (thing, getattr(thing, "actor", None)):
+        if is_a(each, "vtkProp3D"):
+            return each
+    return None
+
+
+def _actor(data):
+    if is_a(data, "vtkPolyData"):
+        surface = data
+    elif is_a(data, "vtkCompositeDataSet"):
+        surface = _run(vtkCompositeDataGeometryFilter(), data)
     else:
-        renderer = getattr(thing, "renderer", None)
-        given = describe(renderer if hasattr(renderer, "IsA") else thing)
-        raise ValueError(f"renderer: got {given}, expected {_EXPECTED}")
+        surface = _run(vtkGeometryFilter(), _numbered(data))
     if surface.GetNumberOfCells() == 0:
         raise ValueError("renderer: the data has no cells to draw")
     mapper = vtkPolyDataMapper()
     mapper.SetInputData(surface)
     actor = vtkActor()
     actor.SetMapper(mapper)
-    renderer = vtkRenderer()
-    renderer.AddActor(actor)
-    return renderer, True
+    return actor
 
 
 def _place_camera(renderer):

@@ -8,6 +8,7 @@ from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData
 from vtkmodules.vtkFiltersGeometry import vtkCompositeDataGeometryFilter, vtkGeometryFilter
 
 from ._cameras import CameraModel, Pinhole
+from ._data import need_data
 from ._errors import Watch, describe, is_a
 from ._rays import rays
 from ._renderers import inner_renderer
@@ -192,18 +193,8 @@ def _day(name, day):
     return day.year, day.month, day.day
 
 
-def _data(thing):
-    if is_a(thing, "vtkAlgorithm"):
-        thing.Update()
-        thing = thing.GetOutputDataObject(0) if thing.GetNumberOfOutputPorts() else None
-    if not is_a(thing, "vtkDataSet") and not is_a(thing, "vtkCompositeDataSet"):
-        raise ValueError(f"mesh: got {describe(thing)}, expected a dataset, or a filter that makes "
-                         f"one")
-    return thing
-
-
 def _surface(thing):
-    data = _data(thing)
+    data = need_data(thing, "mesh")
     if is_a(data, "vtkPolyData"):
         return data
     surface = (

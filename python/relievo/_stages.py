@@ -2,9 +2,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The frame's stages by name, with their parameters."""
 
-from ._errors import require
-from ._frame import attach
+from ._data import did_you_mean
+from ._errors import describe
+from ._frame import frame_of
+from ._keep import attach
 from ._parameters import names, words
+from ._renderers import need_renderer
 from .vtkRelievoPasses import vtkRelievoPass
 
 
@@ -13,26 +16,29 @@ def stage(renderer, name, on=True, **parameters):
 
         relievo.stage(renderer, "shadows", visible=True, method="warped", bias=2)
 
-    renderer: a vtkRenderer; the frame is attached if there is none. name: one of stages().
-    on: whether the frame may run the stage. parameters: numbers, True or False, strings, or a
-    sequence of three numbers for a colour; stages() gives ranges and defaults.
+    renderer: a vtkRenderer, or an object whose attribute `renderer` is one (a plotter); the frame
+    is attached if there is none. name: one of stages(). on: whether the frame may run the stage.
+    parameters: numbers, True or False, strings, and for a colour three numbers, "#ff8000" or a
+    name; stages() gives ranges and defaults.
 
     Returns the vtkRelievoStage. Raises ValueError for an unknown stage or parameter, and for a
     value that the parameter does not take; then no parameter is changed.
     """
-    require(renderer, "vtkRenderer", "renderer")
-    there = renderer.GetPass()
-    frame = there if there is not None and there.IsA("vtkRelievoPass") else vtkRelievoPass()
+    renderer = need_renderer(renderer)
+    there = frame_of(renderer)
+    frame = vtkRelievoPass() if there is None else there
     found = frame.GetStage(name) if isinstance(name, str) else None
     if found is None:
-        raise ValueError(f"stage: got {name!r}, expected one of {', '.join(_names(frame))}")
+        known = _names(frame)
+        raise ValueError(f"stage: got {describe(name)}{did_you_mean(name, known)}, expected one of "
+                         f"{', '.join(known)}")
     wanted = {}
     for key, value in parameters.items():
         try:
             wanted[key] = words(value)
         except (TypeError, ValueError, OverflowError):
             raise ValueError(
-                f"stage: {name}:{key}: got {value!r}, expected a number, True or False, a word, or "
+                f"stage: {name}:{key}: got {describe(value)}, expected a number, True or False, a word, or "
                 f"a sequence of numbers"
             ) from None
     # On a frame that is not in use yet, to which nothing is attached if a value is wrong.
@@ -42,7 +48,8 @@ def stage(renderer, name, on=True, **parameters):
         if wrong:
             for known, old in before.items():
                 found.TrySetParameter(known, old)
-            raise ValueError(f"stage: {wrong}")
+            guess = "" if key in before else did_you_mean(key, names(found))
+            raise ValueError(f"stage: {wrong}{guess}")
     if frame is not there:
         found = attach(renderer).GetStage(name)
         for key, text in wanted.items():

@@ -7,10 +7,13 @@ import numbers
 
 from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm, vtkAlgorithmOutput
 
-from . import _errors
-from ._errors import is_a, require
-from ._frame import attach
+from ._arrays import add_arrays
+from ._data import EXPECTED, cloud_of, data_of, did_you_mean
+from ._errors import describe as described
+from ._errors import is_a
+from ._keep import attach
 from ._parameters import bind, describe, keywords, names, words
+from ._renderers import need_renderer
 from ._wrapped import vtkRelievoPass
 
 # What is said beside the descriptions of the values.
@@ -23,6 +26,10 @@ _EXAMPLES = {
 
 def _set_points(made, name, points):
     """Connects points to data, to what makes it, or to actors."""
+    cloud = cloud_of(points)
+    if cloud is not None:
+        made.SetInputData(cloud)
+        return
     several = isinstance(points, (list, tuple, set))
     props = list(points) if several else [points]
     is_props = all(is_a(each, "vtkProp3D") for each in props)
@@ -30,7 +37,7 @@ def _set_points(made, name, points):
         if not props or not is_props:
             wrong = next((each for each in props if not is_a(each, "vtkProp3D")), points)
             raise ValueError(
-                f"{name}: points: got {_errors.describe(wrong)}, expected vtkProp3Ds"
+                f"{name}: points: got {described(wrong)}, expected vtkProp3Ds, or points, n x 3"
             )
         for each in props:
             made.AddActor(each)
@@ -39,32 +46,49 @@ def _set_points(made, name, points):
     elif isinstance(points, vtkAlgorithm) and points.GetNumberOfOutputPorts() > 0:
         made.SetInputConnection(points.GetOutputPort())
     else:
-        kinds = ("vtkDataSet", "vtkCompositeDataSet")
-        if not any(is_a(points, kind) for kind in kinds):
-            raise ValueError(
-                f"{name}: points: got {_errors.describe(points)}, expected a vtkDataSet, a "
-                f"composite dataset, or an algorithm"
-            )
-        made.SetInputData(points)
+        data = data_of(points)
+        if data is None:
+            raise ValueError(f"{name}: points: got {described(points)}, expected points (n x 3), "
+                             f"{EXPECTED}")
+        made.SetInputData(data)
 
 
 def _set_value(made, name, parameter, value):
     """Sets a parameter of the points from a number, numbers, a word or the name of an array."""
+    arrays = _arrays(made)
     text = isinstance(value, str)
     is_switch = isinstance(value, bool) and made.IsPerPoint(parameter)
     wrong = ""
     try:
         said = words(value) if not is_switch else "always" if value else "never"
     except (TypeError, ValueError, OverflowError):
-        said, wrong = "", f"got {value!r}, expected a number, three numbers or a word"
-    if text and said and made.IsPerPoint(parameter) and _is_number(said):
-        made.SetArray(parameter, said)  # arrays may have such names
+        said, wrong = "", f"got {described(value)}, expected a number, three numbers or a word"
+    per_point = made.IsPerPoint(parameter)
+    if text and said and per_point and (said in (arrays or ()) or _is_number(said)):
+        made.SetArray(parameter, said)  # arrays may have the names of numbers and of colours
     elif not wrong:
         wrong = made.TrySetParameter(parameter, said)
-        if not (wrong or text) and made.IsPerPoint(parameter) and made.GetArray(parameter):
-            wrong = f"got {value!r}. {made.GetParameterHelp(parameter)}"
+        if not (wrong or text) and per_point and made.GetArray(parameter):
+            wrong = f"got {described(value)}. {made.GetParameterHelp(parameter)}"
+    array = made.GetArray(parameter) if per_point and not wrong else None
+    if array and arrays is not None and array not in arrays:
+        known = ", ".join(sorted(arrays)) or "none"
+        wrong = (f"got {value!r}{did_you_mean(array, arrays)}, which is neither a value nor a point "
+                 f"array; the points' arrays are {known}. {made.GetParameterHelp(parameter)}")
     if wrong:
         raise ValueError(f"{name}: {parameter}: {wrong}")
+
+
+def _arrays(made):
+    """Names of the point arrays that the points have now; None of actors, which have none, and of
+    points that are not made yet."""
+    if made.GetNumberOfInputConnections(0) == 0:
+        return None
+    made.GetInputAlgorithm(0, 0).Update()
+    found = set()
+    if not add_arrays(made.GetInputDataObject(0, 0), found):
+        return None
+    return {each[len("point:"):] for each in found if each.startswith("point:")}
 
 
 def _is_number(words):
@@ -94,9 +118,10 @@ def _describe(stage, made):
         "",
         f"    {_EXAMPLES.get(stage.GetStageName(), '')}",
         "",
-        "renderer: a vtkRenderer; the frame is attached if there is none. points: a vtkDataSet, a",
-        "composite dataset, or an algorithm or its output port, followed when it changes"
-        + ("; or a" if hasattr(made, "AddActor") else "."),
+        "renderer: a vtkRenderer, or an object whose attribute `renderer` is one (a plotter); the",
+        "frame is attached if there is none. points: numbers of shape (n, 3); a vtkDataSet, a",
+        "composite dataset, an object whose attribute `dataset` is one, or an algorithm or its",
+        "output port, followed when it changes" + ("; or a" if hasattr(made, "AddActor") else "."),
     ]
     if hasattr(made, "AddActor"):
         lines += [
@@ -105,9 +130,9 @@ def _describe(stage, made):
         ]
     lines += [
         "",
-        "A value is a number for all points, three for a colour or a direction, or the name of a",
-        "point array; None takes the array of the value's name if the points have it, else the",
-        "default.",
+        "A value is a number for all points, three for a colour or a direction, a colour's name or",
+        '"#ff8000", or the name of a point array, which goes first; None takes the array of the',
+        "value's name if the points have it, else the default.",
         "",
     ]
     lines += [describe(made, parameter) for parameter in names(made)]
@@ -135,7 +160,7 @@ def _make(stage, made):
     def function(*arguments, **given):
         bound = bind(name, signature, arguments, given).arguments
         renderer = bound.pop("renderer")
-        require(renderer, "vtkRenderer", "renderer")
+        renderer = need_renderer(renderer)
         things = type(made)()
         _set_points(things, name, bound.pop("points"))
         given = {each: value for each, value in bound.items() if value is not None}
@@ -149,7 +174,9 @@ def _make(stage, made):
             try:
                 said[each] = words(given[each])
             except (TypeError, ValueError, OverflowError):
-                raise ValueError(f"{name}: {each}: got {given[each]!r}, expected a word") from None
+                raise ValueError(
+                    f"{name}: {each}: got {described(given[each])}, expected a word"
+                ) from None
             wrong = trial.TrySetParameter(each, said[each])
             if wrong:
                 raise ValueError(f"{name}: {each}: {wrong.split(': ', 1)[-1]}")

@@ -7,8 +7,7 @@
 #include "Options.h"
 #include "Values.h"
 
-#include "vtkNamedColors.h"
-#include "vtkNew.h"
+#include "vtkRelievoColorWords.h"
 
 #include <algorithm>
 
@@ -17,30 +16,14 @@ namespace scene
 namespace
 {
 constexpr double MostPointSize = 100.0;
-
-bool IsHexadecimal(const std::string& word)
-{
-  return word.size() == 7 && word[0] == '#' &&
-    word.find_first_not_of("0123456789abcdefABCDEF", 1) == std::string::npos;
-}
 }
 
 //------------------------------------------------------------------------------
 Color ParseColor(const std::string& option, const std::string& word)
 {
   Color color;
-  vtkNew<vtkNamedColors> names;
-  if (IsHexadecimal(word))
+  if (relievo::ReadColor(word, color.data()))
   {
-    for (int i = 0; i < 3; ++i)
-    {
-      color[i] = std::stoi(word.substr(1 + 2 * i, 2), nullptr, 16) / 255.0;
-    }
-    return color;
-  }
-  if (names->ColorExists(word))
-  {
-    names->GetColorRGB(word, color.data());
     return color;
   }
   const std::vector<std::string> parts = Split(word, '/');

@@ -1,0 +1,62 @@
+# SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What people have in hand, as data: datasets, filters, what holds a dataset, points of numpy."""
+
+import difflib
+
+import numpy
+from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+
+from ._errors import describe, is_a
+
+EXPECTED = "a dataset, a filter that makes one, or something with a .dataset"
+
+
+def data_of(thing):
+    """The dataset, composite or not, that a thing is, makes, or holds (vedo's objects); or None."""
+    if is_a(thing, "vtkAlgorithm"):
+        thing.Update()
+        thing = thing.GetOutputDataObject(0) if thing.GetNumberOfOutputPorts() else None
+    for each in (thing, getattr(thing, "dataset", None)):
+        if is_a(each, "vtkDataSet") or is_a(each, "vtkCompositeDataSet"):
+            return each
+    return None
+
+
+def need_data(thing, argument):
+    """data_of(), or ValueError."""
+    data = data_of(thing)
+    if data is None:
+        raise ValueError(f"{argument}: got {describe(thing)}, expected {EXPECTED}")
+    return data
+
+
+def cloud_of(values):
+    """Points of numpy, n x 3, or a list of triples, as vertices of a vtkPolyData; None for what is
+    neither."""
+    if not isinstance(values, (list, tuple, numpy.ndarray)):
+        return None
+    try:
+        places = numpy.array(values)
+    except ValueError:  # of rows of different lengths
+        return None
+    if places.dtype.kind not in "fiu" or places.ndim != 2 or places.shape[1] != 3:
+        return None
+    kind = numpy.float32 if places.dtype == numpy.float32 else numpy.float64
+    points = vtkPoints()
+    points.SetData(numpy_to_vtk(places.astype(kind), deep=True))
+    vertices = vtkCellArray()
+    vertices.SetData(1, numpy_to_vtkIdTypeArray(numpy.arange(len(places), dtype=numpy.int64),
+                                                deep=True))
+    cloud = vtkPolyData()
+    cloud.SetPoints(points)
+    cloud.SetVerts(vertices)
+    return cloud
+
+
+def did_you_mean(name, known):
+    """Words that offer the known name that is most like one, or none."""
+    near = difflib.get_close_matches(name, known, 1) if isinstance(name, str) else []
+    return f" (did you mean {near[0]!r}?)" if near else ""
