@@ -9,7 +9,6 @@
 #include "vtkOpenGLState.h"
 #include "vtkPointData.h"
 #include "vtkRelievoFrameContext.h"
-#include "vtkRelievoSceneFingerprint.h"
 #include "vtkRelievoScopedState.h"
 #include "vtkRenderer.h"
 #include "vtkRendererCollection.h"
@@ -88,23 +87,25 @@ void vtkRelievoSampleAccumulator::Begin(vtkRelievoFrameContext& context,
   context.Samples = 1;
   context.Sample = 0;
   context.Last = true;
-  const int before = this->Before;
-  const bool offsetBefore = this->Asked.Offsets;
   ++this->Turns;
   this->Asked = GetDemand(context, nodes, hasColor);
-  this->Before = this->Asked.Samples;
   const bool nothing = !this->Asked.Color && this->Asked.Layers.empty();
   if (this->Asked.Samples == 1 || nothing)
   {
     this->Asked.Samples = 1;
-    this->Before = 1;
-    this->Release(context.Window);
+    if (context.Picture) // a capture of layers without samples leaves the window's
+    {
+      this->Before = 1;
+      this->Release(context.Window);
+    }
     return;
   }
+  const bool others =
+    this->Asked.Samples != this->Before || this->Asked.Offsets != this->OffsetsBefore;
+  this->Before = this->Asked.Samples;
+  this->OffsetsBefore = this->Asked.Offsets;
   // Within a frame only once: what changes whenever it is drawn would never be gathered.
-  if (this->Turns == 1 &&
-    (this->Asked.Samples != before || this->Asked.Offsets != offsetBefore ||
-      vtkRelievoSceneFingerprint::Take(context, stages) != this->State))
+  if (this->Turns == 1 && (others || !this->State.IsOf(context, stages)))
   {
     this->Release(context.Window);
   }
@@ -262,7 +263,7 @@ void vtkRelievoSampleAccumulator::End(
 {
   if (context.Last && (context.Samples > 1 || !this->Fault.empty()))
   {
-    this->State = vtkRelievoSceneFingerprint::Take(context, stages);
+    this->State.Take(context, stages);
   }
 }
 
@@ -294,7 +295,11 @@ std::string vtkRelievoSampleAccumulator::Read(const std::string& layer, vtkImage
 //------------------------------------------------------------------------------
 int vtkRelievoSampleAccumulator::GetLeft() const
 {
-  int least = this->Asked.Samples;
+  if (!this->Fault.empty())
+  {
+    return 0;
+  }
+  int least = this->Before;
   for (const auto& layer : this->Layers)
   {
     least = std::min(least, layer.second->Count);
@@ -304,7 +309,7 @@ int vtkRelievoSampleAccumulator::GetLeft() const
   {
     least = std::min(least, this->Color->Count);
   }
-  return this->Asked.Samples > 1 ? this->Asked.Samples - least : 0;
+  return this->Before - least;
 }
 
 //------------------------------------------------------------------------------
@@ -338,6 +343,6 @@ void vtkRelievoSampleAccumulator::ReleaseSums(vtkWindow* window)
 void vtkRelievoSampleAccumulator::Release(vtkWindow* window)
 {
   this->ReleaseSums(window);
-  this->State.clear();
+  this->State.Clear();
   this->Fault.clear();
 }

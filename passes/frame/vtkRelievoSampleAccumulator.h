@@ -8,11 +8,11 @@
 #define vtkRelievoSampleAccumulator_h
 
 #include "vtkRelievoFramePlan.h"
+#include "vtkRelievoSceneFingerprint.h"
 #include "vtkRelievoScreenQuad.h"
 #include "vtkRelievoScreenTarget.h"
 #include "vtkType.h"
 
-#include <cstdint>
 #include <map>
 #include <memory>
 #include <string>
@@ -80,10 +80,12 @@ private:
     const std::string& defines, int channels);
 
   Demand Asked;
-  int Before = 1; // samples that the frame before was asked for
-  int Turns = 0;  // of this frame, this one included
+  // What the last frame was asked for, captures of one sample apart.
+  int Before = 1;
+  bool OffsetsBefore = false;
+  int Turns = 0; // of this frame, this one included
   std::string Fault;
-  std::vector<std::uint64_t> State;
+  vtkRelievoSceneFingerprint State;
   std::unique_ptr<Sum> Color;
   bool ColorOfPicture = false; // not of a capture without the picture
   std::map<std::string, std::unique_ptr<Sum>> Layers;

@@ -39,21 +39,25 @@
 #include "vtkUniforms.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
+#include <utility>
 
 namespace
 {
-class State
+constexpr double Rounding = 1e-7; // of a projection: in no picture a hundredth of a pixel
+
+class Values
 {
 public:
-  std::vector<std::uint64_t> Values;
+  std::vector<std::uint64_t> All;
 
-  void Add(std::uint64_t value) { this->Values.push_back(value); }
+  void Add(std::uint64_t value) { this->All.push_back(value); }
   void Add(double value)
   {
     std::uint64_t bits;
     std::memcpy(&bits, &value, sizeof(bits));
-    this->Values.push_back(bits);
+    this->All.push_back(bits);
   }
   void Add(const double* values, int count)
   {
@@ -71,11 +75,10 @@ public:
   }
 };
 
-void AddView(State& state, const vtkRelievoFrameContext& context)
+void AddView(Values& state, const vtkRelievoFrameContext& context)
 {
   const vtkRelievoFrameCamera& view = context.SteadyView;
   state.Add(&view.WorldToView[0][0], 16);
-  state.Add(&view.ViewToNDC[0][0], 16);
   for (const int value : view.Viewport)
   {
     state.Add(static_cast<double>(value));
@@ -92,7 +95,7 @@ void AddView(State& state, const vtkRelievoFrameContext& context)
 }
 
 // VTK's offsets in depth, of the process.
-void AddOffsets(State& state)
+void AddOffsets(Values& state)
 {
   double values[5];
   vtkMapper::GetResolveCoincidentTopologyPolygonOffsetParameters(values[0], values[1]);
@@ -104,7 +107,7 @@ void AddOffsets(State& state)
 }
 
 // With what it hands on to, and what that does.
-void AddPass(State& state, vtkRenderPass* pass)
+void AddPass(Values& state, vtkRenderPass* pass)
 {
   state.Add(static_cast<vtkObject*>(pass));
   if (auto* sequence = vtkSequencePass::SafeDownCast(pass))
@@ -135,7 +138,7 @@ void AddPass(State& state, vtkRenderPass* pass)
 }
 
 // What VTK makes of the environment texture, by settings of its own.
-void AddEnvironment(State& state, vtkOpenGLRenderer* renderer)
+void AddEnvironment(Values& state, vtkOpenGLRenderer* renderer)
 {
   if (renderer && renderer->GetUseImageBasedLighting())
   {
@@ -146,10 +149,9 @@ void AddEnvironment(State& state, vtkOpenGLRenderer* renderer)
   }
 }
 
-void AddRenderer(State& state, vtkRenderer* renderer)
+void AddRenderer(Values& state, vtkRenderer* renderer)
 {
-  // What is set on the renderer itself; the camera and the lights are added by their values.
-  state.Add(static_cast<std::uint64_t>(renderer->vtkViewport::GetMTime()));
+  // The camera and the lights are added by their values.
   state.Add(renderer->GetBackground(), 3);
   state.Add(renderer->GetBackground2(), 3);
   state.Add(renderer->GetAmbient(), 3);
@@ -167,7 +169,7 @@ void AddRenderer(State& state, vtkRenderer* renderer)
   }
 }
 
-void AddActor(State& state, vtkActor* actor)
+void AddActor(Values& state, vtkActor* actor)
 {
   vtkProperty* property = actor->GetProperty();
   state.Add(static_cast<vtkObject*>(property));
@@ -199,7 +201,7 @@ void AddActor(State& state, vtkActor* actor)
 }
 
 // Texts in the scene, whose settings tell nobody that they have changed.
-void AddText(State& state, vtkProp* prop)
+void AddText(Values& state, vtkProp* prop)
 {
   if (auto* text = vtkTextActor3D::SafeDownCast(prop))
   {
@@ -213,7 +215,7 @@ void AddText(State& state, vtkProp* prop)
 
 // Which of its levels of detail a prop shows: chosen by time, before the frame. Actors that choose
 // while they draw do so in the time that is set on the renderer.
-void AddLevel(State& state, vtkProp* prop)
+void AddLevel(Values& state, vtkProp* prop)
 {
   if (auto* levels = vtkLODProp3D::SafeDownCast(prop))
   {
@@ -221,7 +223,7 @@ void AddLevel(State& state, vtkProp* prop)
   }
 }
 
-void AddProps(State& state, vtkRenderer* renderer)
+void AddProps(Values& state, vtkRenderer* renderer)
 {
   std::vector<vtkRelievoPropParts::Part> parts;
   vtkPropCollection* props = renderer->GetViewProps();
@@ -271,10 +273,12 @@ void AddProps(State& state, vtkRenderer* renderer)
 }
 
 //------------------------------------------------------------------------------
-std::vector<std::uint64_t> vtkRelievoSceneFingerprint::Take(
+vtkRelievoSceneFingerprint::State vtkRelievoSceneFingerprint::Make(
   const vtkRelievoFrameContext& context, const std::vector<vtkRelievoStage*>& stages)
 {
-  State state;
+  Values state;
+  this->Changes.Watch(context.Renderer);
+  state.Add(this->Changes.GetCount());
   AddView(state, context);
   AddRenderer(state, context.Renderer);
   AddProps(state, context.Renderer);
@@ -285,5 +289,25 @@ std::vector<std::uint64_t> vtkRelievoSceneFingerprint::Take(
     state.Add(static_cast<vtkObject*>(stage));
     state.Add(static_cast<std::uint64_t>(stage->GetDataTime()));
   }
-  return state.Values;
+  const double* projection = &context.SteadyView.ViewToNDC[0][0];
+  return { std::move(state.All), { projection, projection + 16 } };
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoSceneFingerprint::Take(
+  const vtkRelievoFrameContext& context, const std::vector<vtkRelievoStage*>& stages)
+{
+  this->Kept = this->Make(context, stages);
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoSceneFingerprint::IsOf(
+  const vtkRelievoFrameContext& context, const std::vector<vtkRelievoStage*>& stages)
+{
+  const State now = this->Make(context, stages);
+  return now.Values == this->Kept.Values &&
+    std::equal(now.Projection.begin(), now.Projection.end(), this->Kept.Projection.begin(),
+      this->Kept.Projection.end(), [](double a, double b) {
+        return a == b || std::abs(a - b) <= Rounding * std::max(std::abs(a), std::abs(b));
+      });
 }

@@ -7,16 +7,36 @@
 #ifndef vtkRelievoSceneFingerprint_h
 #define vtkRelievoSceneFingerprint_h
 
+#include "vtkRelievoRendererChanges.h"
+
 #include <cstdint>
 #include <vector>
 
 class vtkRelievoFrameContext;
 class vtkRelievoStage;
 
-namespace vtkRelievoSceneFingerprint
+class vtkRelievoSceneFingerprint
 {
-std::vector<std::uint64_t> Take(
-  const vtkRelievoFrameContext& context, const std::vector<vtkRelievoStage*>& stages);
-}
+public:
+  // Keeps what the frame is of now.
+  void Take(const vtkRelievoFrameContext& context, const std::vector<vtkRelievoStage*>& stages);
+
+  // Whether the frame is of what was kept.
+  bool IsOf(const vtkRelievoFrameContext& context, const std::vector<vtkRelievoStage*>& stages);
+
+  // Nothing is kept, and no frame is of it.
+  void Clear() { this->Kept = State(); }
+
+private:
+  struct State
+  {
+    std::vector<std::uint64_t> Values;
+    std::vector<double> Projection; // a vtkWindowToImageFilter's has angles of single precision
+  };
+  State Make(const vtkRelievoFrameContext& context, const std::vector<vtkRelievoStage*>& stages);
+
+  State Kept;
+  vtkRelievoRendererChanges Changes;
+};
 
 #endif

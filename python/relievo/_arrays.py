@@ -39,8 +39,7 @@ def why_not(name, renderer, shadows):
     guess = did_you_mean(name, [*layers, *arrays])
     known = ", ".join(sorted(each for each in arrays if not each.startswith(_KINDS))) or "none"
     return (
-        f"got {name!r}{guess}, expected one of {vtkRelievoLayerCatalogue.GetLayerNames()}, or an array "
-        f"of what the renderer draws ({known}); add the data that has it first"
+        f"got {name!r}{guess}, expected one of {', '.join(layers)}, or an array of what the renderer draws ({known}); add the data that has it first"
     )
 
 
@@ -70,7 +69,10 @@ def _arrays_of(renderer):
 
 
 def add_arrays(data, names):
-    """Adds the arrays' names, with and without their kind. Whether the kind of data is known: graphs, molecules and trees are made into others."""
+    """Adds the arrays' names, with and without their kind.
+
+    Returns whether the kind of data is known: graphs, molecules and trees are made into others.
+    """
     if isinstance(data, vtkCompositeDataSet):
         blocks = data.NewIterator()
         blocks.InitTraversal()

@@ -69,4 +69,5 @@ def set_value(function, owner, name, given):
         ) from None
     wrong = owner.TrySetParameter(name, text)
     if wrong:
-        raise ValueError(f"{function}: {name}: got {described(given)}, {wrong.partition(' given, ')[2]}")
+        expected = wrong.partition(" given, ")[2]
+        raise ValueError(f"{function}: {name}: got {described(given)}, {expected}")

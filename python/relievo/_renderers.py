@@ -23,7 +23,8 @@ def need_renderer(thing):
     inner = inner_renderer(thing)
     if inner is None:
         raise ValueError(
-            f"renderer: got {_described(thing)}, expected a vtkRenderer or something with a .renderer"
+            f"renderer: got {_described(thing)}, expected a vtkRenderer or something with a "
+            f".renderer"
         )
     return inner
 

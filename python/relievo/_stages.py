@@ -38,8 +38,8 @@ def stage(renderer, name, on=True, **parameters):
             wanted[key] = words(value)
         except (TypeError, ValueError, OverflowError):
             raise ValueError(
-                f"stage: {name}:{key}: got {describe(value)}, expected a number, True or False, a word, or "
-                f"a sequence of numbers"
+                f"stage: {name}:{key}: got {describe(value)}, expected a number, True or False, a "
+                f"word, or a sequence of numbers"
             ) from None
     # On a frame that is not in use yet, to which nothing is attached if a value is wrong.
     before = {key: found.GetParameter(key) for key in wanted if key in names(found)}

@@ -73,8 +73,9 @@ def _set_value(made, name, parameter, value):
     array = made.GetArray(parameter) if per_point and not wrong else None
     if array and arrays is not None and array not in arrays:
         known = ", ".join(sorted(arrays)) or "none"
-        wrong = (f"got {value!r}{did_you_mean(array, arrays)}, which is neither a value nor a point "
-                 f"array; the points' arrays are {known}. {made.GetParameterHelp(parameter)}")
+        guess = did_you_mean(array, arrays)
+        wrong = (f"got {value!r}{guess}, which is neither a value nor a point array; the points' "
+                 f"arrays are {known}. {made.GetParameterHelp(parameter)}")
     if wrong:
         raise ValueError(f"{name}: {parameter}: {wrong}")
 

@@ -16,6 +16,7 @@ from vtkmodules.vtkRenderingCore import (
     vtkPolyDataMapper,
     vtkRenderer,
     vtkRenderWindow,
+    vtkWindowToImageFilter,
 )
 
 import relievo
@@ -182,6 +183,32 @@ class Antialias(unittest.TestCase):
         self.assertEqual(left, list(range(7, -1, -1)))
         numpy.testing.assert_array_equal(last, whole)
         numpy.testing.assert_array_equal(picture(self.window), whole)
+
+    def test_captures_and_screenshots_let_it_gather(self):
+        """A capture of layers draws none of its samples, a vtkWindowToImageFilter's is one."""
+        whole = self.smooth(8)
+        relievo.capture(self.renderer)  # the first one gives actors their keys, which counts
+        self.frame.WaitForSamplesOff()
+        self.camera.Azimuth(1)
+        self.window.Render()
+        self.camera.Azimuth(-1)
+        self.window.Render()
+        self.assertEqual(self.frame.GetSamplesLeft(), 7)
+        relievo.capture(self.renderer, ["depth", "cell"])
+        self.assertEqual(self.frame.GetSamplesLeft(), 7)
+        self.window.Render()
+        self.assertEqual(self.frame.GetSamplesLeft(), 6)
+        grab = vtkWindowToImageFilter()
+        grab.SetInput(self.window)
+        grab.Update()
+        self.assertEqual(self.frame.GetSamplesLeft(), 5)
+        while self.frame.GetSamplesLeft() > 0:
+            last = picture(self.window)
+        numpy.testing.assert_array_equal(last, whole)
+        # What is set on the renderer begins anew.
+        self.renderer.SetTwoSidedLighting(False)
+        self.window.Render()
+        self.assertEqual(self.frame.GetSamplesLeft(), 7)
 
     def test_layers(self):
         """Layers are those of the pixels' centres, captured or made with the picture."""

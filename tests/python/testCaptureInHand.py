@@ -18,6 +18,7 @@ from vtkmodules.vtkCommonDataModel import (
 )
 from vtkmodules.vtkFiltersGeometry import vtkDataSetSurfaceFilter
 from vtkmodules.vtkFiltersSources import vtkSphereSource
+from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper
 
 import relievo
 
@@ -70,6 +71,29 @@ class InHand(unittest.TestCase):
         ids = relievo.layer(relievo.capture(grid, "vtkOriginalCellIds"), "vtkOriginalCellIds")
         self.assertEqual(set(numpy.unique(ids[numpy.isfinite(ids)])), {0, 1, 2})
         self.assertIsNone(grid.GetCellData().GetArray("vtkOriginalCellIds"))
+
+    def test_actors_and_points(self):
+        """An actor is drawn as it is placed; points of numpy are seen where they are."""
+        ball = vtkSphereSource()
+        mapper, actor = vtkPolyDataMapper(), vtkActor()
+        mapper.SetInputConnection(ball.GetOutputPort())
+        actor.SetMapper(mapper)
+        actor.SetScale(1, 3, 1)
+        for given in (actor, types.SimpleNamespace(actor=actor)):
+            seen = numpy.isfinite(relievo.layer(relievo.capture(given, size=SIZE), "depth"))
+            tall, wide = (seen.any(axis=axis).sum() for axis in (1, 0))
+            self.assertLess(abs(tall / wide - 3), 0.15)
+            self.assertTrue(relievo.rays(given).any((0, 1.4, 5), (0, 0, -1))[0])
+            self.assertFalse(relievo.rays(given).any((0, 1.6, 5), (0, 0, -1))[0])
+        places = numpy.array([(-1, 0, 0), (1, 0, 0), (0, 1, 0), (0, -1, 0)], "float32")
+        seen = relievo.layer(relievo.capture(places, ["position"], size=SIZE), "position")
+        found = seen[(seen != 0).any(axis=2)]
+        away = numpy.linalg.norm(found[:, None] - places, axis=2)
+        self.assertEqual(set(away.argmin(axis=1)), set(range(len(places))))
+        self.assertLess(away.min(axis=1).max(), 0.02)  # a pixel
+        holder = types.SimpleNamespace(dataset=ball)  # a filter is no dataset
+        with self.assertRaisesRegex(ValueError, "expected a vtkRenderer"):
+            relievo.capture(holder)
 
     def test_plotter(self):
         renderer = scenes.plane_and_sphere()

@@ -8,6 +8,7 @@ import inspect
 import os
 import pathlib
 import re
+import types
 import unittest
 
 import numpy
@@ -113,6 +114,28 @@ class Attach(unittest.TestCase):
         self.assertEqual(picture(self.window), smoothed)
         self.renderer.SetPass(None)
         self.assertEqual(picture(self.window), self.first)
+
+    def test_a_pass_that_is_set_later(self):
+        """It is within the frame from the next picture on, until detach()."""
+        frame = relievo.attach(types.SimpleNamespace(renderer=self.renderer))
+        own = vtkOpenGLFXAAPass()
+        own.SetDelegatePass(vtkRenderStepsPass())
+        self.renderer.SetPass(own)
+        smoothed = picture(self.window)
+        self.assertNotEqual(smoothed, self.first)
+        self.assertIs(self.renderer.GetPass(), frame)
+        self.assertIs(frame.GetDelegatePass(), own)
+        frame.SetDisplayLayer("normal")
+        self.assertNotEqual(picture(self.window), smoothed)
+        frame.SetDisplayLayer(None)
+        gc.collect()  # nobody else keeps what keeps it
+        self.renderer.SetPass(None)
+        self.assertEqual(picture(self.window), self.first)
+        self.assertIs(self.renderer.GetPass(), frame)
+        self.assertTrue(relievo.detach(self.renderer))
+        self.renderer.SetPass(own)
+        self.assertEqual(picture(self.window), smoothed)
+        self.assertIs(self.renderer.GetPass(), own)
 
     def test_twice(self):
         frame = relievo.attach(self.renderer)

@@ -2,10 +2,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """relievo.lamps: what it takes, what is lit, and what it refuses."""
 
+import types
 import unittest
 
 import numpy
 import relievo
+import scenes
 
 from scenes import PointsTest, point_source, points_at
 
@@ -86,7 +88,40 @@ class Lamps(PointsTest):
             ({"falloff": "cubic"}, "falloff.*inverse-square"),
             ({"attenuation": (1, 0, 0)}, "attenuation.*falloff='vtk'"),
             ({"casts": 3}, "casts.*never, always"),
+            ({"radius": "reach"}, "radius: got 'reach', which is neither.*arrays are none"),
+            ({"points": numpy.zeros((4, 2))}, r"points: got an array of shape \(4, 2\).*n x 3"),
         ))  # fmt: skip
+        data = points_at([(0, 0, 4)], brightness=[2], color=[(1, 0, 0)])
+        with self.assertRaisesRegex(ValueError, "did you mean 'brightness'.*are brightness, color"):
+            relievo.lamps(self.renderer, data, intensity="brightnes")
+
+    def test_points_and_colors_as_people_have_them(self):
+        """Points of numpy and colours by name light as a dataset and numbers do."""
+        places = numpy.array([(0, 0, 4), (1, 0, 2)], float)
+        holder = types.SimpleNamespace(dataset=points_at(places))
+        expected = None
+        for given in (points_at(places), places, places.astype("float32"), places.tolist(), holder):
+            for color in ((1, 0.5, 0), [1, 0.5, 0], "#ff8000", "tomato"):
+                renderer = scenes.plane_and_sphere()
+                plotter = types.SimpleNamespace(renderer=renderer)
+                relievo.lamps(plotter, given, radius=9, color=color)
+                light = relievo.layer(relievo.capture(renderer, "light", size=(40, 30)), "light")
+                share = {"#ff8000": 128 / 255, "tomato": 99 / 255}.get(str(color), 0.5)
+                blue = 71 / 255 if color == "tomato" else 0
+                if expected is None:
+                    expected = light[..., 0]
+                    self.assertGreater(expected.max(), 0.01)
+                for i, part in enumerate((1, share, blue)):
+                    numpy.testing.assert_allclose(
+                        light[..., i], part * expected, atol=2e-3 * expected.max())  # fmt: skip
+
+    def test_an_array_goes_before_a_colour_of_its_name(self):
+        data = points_at([(0, 0, 4)], red=[(0, 1, 0)])
+        renderer = scenes.plane_and_sphere()
+        relievo.lamps(renderer, data, radius=9, color="red")
+        light = relievo.layer(relievo.capture(renderer, "light", size=(40, 30)), "light")
+        self.assertGreater(light[..., 1].max(), 0.01)
+        self.assertEqual(light[..., 0].max(), 0)
 
 
 if __name__ == "__main__":
