@@ -107,12 +107,14 @@ void MakeCells(vtkIdType quads, bool triangles, vtkPolyData* output, PointOf&& p
   output->SetPolys(polygons);
 }
 
-// An array with a value for each cell.
+// An array with a value for each cell. VTK's mappers take unsigned bytes for colours: labels are
+// none, and so are short then.
 template <typename LabelOfFace>
 void AddLabels(int type, const char* name, vtkIdType faces, int cellsPerFace, vtkPolyData* output,
   LabelOfFace&& labelOf)
 {
-  auto array = vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(type));
+  auto array = vtkSmartPointer<vtkDataArray>::Take(
+    vtkDataArray::CreateDataArray(type == VTK_UNSIGNED_CHAR ? VTK_SHORT : type));
   array->SetName(name);
   array->SetNumberOfTuples(cellsPerFace * faces);
   switch (array->GetDataType())

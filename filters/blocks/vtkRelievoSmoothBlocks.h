@@ -16,7 +16,7 @@
  * the 48 symmetries of the cube (vtkRelievoBlockRule.h); no triangle is inverted or without area.
  * Cell arrays: "material", the label of the block that a face belongs to, and, between labels,
  * "neighbor", the label on its other side (of the labels' type, or of 64 bits where that cannot
- * hold the label of air).
+ * hold the label of air; unsigned bytes, which mappers take for colours, become short).
  *
  * Output 1: lines along the seams, the edges that are not used by exactly two faces: where blocks
  * touch along an edge only, where three or four labels meet, and at open borders. Cell array

@@ -550,7 +550,7 @@ void vtkRelievoLayersStage::SpliceShaders(
   const std::string name = mapper->GetClassName();
   if (this->IsNews(mapper, outcome))
   {
-    vtkErrorMacro("No layers of what " << name << " draws: " << outcome.Wrong << ".");
+    vtkWarningMacro("No layers of what " << name << " draws: " << outcome.Wrong << ".");
   }
   const bool numbered = vtkRelievoGBufferSplice::GetPrimitiveSource(mapper, actor) !=
     vtkRelievoGBufferSplice::GetPrimitiveSource(shaders.Fragment);

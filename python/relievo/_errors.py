@@ -4,6 +4,7 @@
 
 import re
 import reprlib
+import warnings
 
 from vtkmodules.util.misc import calldata_type
 from vtkmodules.util.vtkConstants import VTK_STRING
@@ -15,14 +16,15 @@ _ECHO = re.compile(r"^Algorithm \w+ \(0x[0-9a-f]+\) returned failure")
 
 
 class Watch:
-    """Collects the error events of VTK objects while it is entered.
+    """Collects the error and warning events of VTK objects while it is entered.
 
     An algorithm's executive is watched with it: failures that the pipeline notices are its events.
-    Observed errors are not printed.
+    Observed messages are not printed.
     """
 
     def __init__(self, *objects):
         self.errors = []
+        self.warnings = []
         self._objects = []
         for thing in objects:
             self._objects.append(thing)
@@ -37,14 +39,21 @@ class Watch:
             # A pipeline's echo of a filter's own error holds nothing but addresses.
             self.errors.append("VTK failed without saying why" if _ECHO.match(text) else text)
 
+        @calldata_type(VTK_STRING)
+        def note(_caller, _event, text):
+            self.warnings.append(" ".join(_PREAMBLE.sub("", text or "").split()))
+
         for thing in self._objects:
             self._observed.append((thing, thing.AddObserver("ErrorEvent", collect)))
+            self._observed.append((thing, thing.AddObserver("WarningEvent", note)))
         return self
 
     def __exit__(self, *_):
         for thing, tag in self._observed:
             thing.RemoveObserver(tag)
         self._observed = []
+        for each in self.warnings:
+            warnings.warn(each, RuntimeWarning, stacklevel=3)
 
     def raise_as(self, kind, subject):
         """Raises kind("subject: the first error") if there was one: the rest are its echoes."""
@@ -58,7 +67,12 @@ def is_a(thing, class_name):
 
 
 def describe(thing):
-    """A thing that is not what was expected, for a message: its package, if it is another VTK's."""
+    """A thing that is not what was expected, for a message: its package, if it is another VTK's or
+    has something that is."""
+    for each in ("renderer", "dataset", "actor"):
+        inner = getattr(thing, each, None)
+        if hasattr(inner, "IsA") and not isinstance(inner, vtkObjectBase):
+            return f"{type(thing).__name__} with {describe(inner)}"
     if hasattr(thing, "IsA") and not isinstance(thing, vtkObjectBase):
         # PyVista's classes derive from VTK's.
         bases = [each for each in type(thing).__mro__ if each.__name__ == "vtkObjectBase"]
@@ -71,7 +85,7 @@ def describe(thing):
         )
     if hasattr(thing, "shape") and hasattr(thing, "dtype"):
         return f"an array of shape {tuple(thing.shape)}"
-    return _short.repr(thing)
+    return " ".join(_short.repr(thing).split())
 
 
 _short = reprlib.Repr()

@@ -23,15 +23,10 @@ def need_renderer(thing):
     inner = inner_renderer(thing)
     if inner is None:
         raise ValueError(
-            f"renderer: got {_described(thing)}, expected a vtkRenderer or something with a "
+            f"renderer: got {describe(thing)}, expected a vtkRenderer or something with a "
             f".renderer"
         )
     return inner
-
-
-def _described(thing):
-    inner = getattr(thing, "renderer", None)
-    return describe(inner if hasattr(inner, "IsA") else thing)
 
 
 def renderer_of(thing):
@@ -50,7 +45,7 @@ def renderer_of(thing):
         data = data_of(thing) if cloud is None else cloud
         if data is None:
             raise ValueError(
-                f"renderer: got {_described(thing)}, expected a vtkRenderer, something with a "
+                f"renderer: got {describe(thing)}, expected a vtkRenderer, something with a "
                 f".renderer, an actor, points (n x 3), {EXPECTED}"
             )
         prop = _actor(data)

@@ -9,6 +9,7 @@ PyVista finds this module by the entry points of the installed package `relievo`
     plotter.relievo.shadows()                       # every light casts
     depth = plotter.relievo.layer("depth")          # numpy, (rows, columns), row 0 at the top
     plotter.relievo.environment("forest.exr")
+    plotter.relievo.screenshot("picture.png")       # with all samples of soft shadows
     image = pyvista.read("frame.exr")               # one point array per layer
     image.save("copy.exr", compression="piz")
 
@@ -22,7 +23,7 @@ import weakref
 
 import pyvista
 
-from . import _capture, _environment, _exr, _frame, _image, _stages, _things
+from . import _capture, _environment, _exr, _frame, _image, _picture, _stages, _things
 from ._errors import describe, is_a
 from ._keep import kept
 
@@ -134,6 +135,20 @@ class RelievoComponent:
         if shown:
             self._plotter.render()  # PyVista's pictures are of what the window shows
         return image
+
+    def screenshot(self, path=None, size=None, transparent=False):
+        """The active renderer's picture with all samples of soft shadows and antialiasing.
+
+        path: a PNG file to write, None for none. size: (columns, rows), None for the viewport's.
+        transparent: whether there is alpha, 0 where nothing is drawn.
+
+        Returns uint8 of (rows, columns, 3), or 4 with alpha, row 0 at the top.
+        """
+        image = self._captured("color", size, False)
+        pixels = _picture.pixels_of(image, "color", transparent)
+        if path is not None:
+            _picture.write_png(path, pixels)
+        return pixels
 
     def report(self):
         """As relievo.report(): what the last frames did and why."""

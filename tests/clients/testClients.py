@@ -36,6 +36,12 @@ relievo.stage(plotter.renderer, "shadows", visible=True)
 plotter.render()
 image = relievo.capture(plotter, ["position", "shadow_0", "color"])
 names = relievo.layer_names(image)
+# vedo's objects themselves, and its points
+assert numpy.isfinite(relievo.layer(relievo.capture(ball, "depth"), "depth")).mean() > 0.15
+assert relievo.rays(ball).any([(0, 0, 5), (0.6, 0, 5)], (0, 0, -1)).tolist() == [True, False]
+lamps = relievo.lamps(plotter, vedo.Points([(0, 0, 2)]), radius=4, color="tomato")
+assert relievo.layer(relievo.capture(plotter, "light"), "light").max() > 0.1
+relievo.attach(plotter).GetStage("lamps").RemovePoints(lamps)
 numpy.savez("vedo.npz", **{{name: relievo.layer(image, name) for name in names}})
 plotter.close()
 """
@@ -111,6 +117,22 @@ class PyVista(Clients):
             before.close()
             after.close()
 
+    def test_screenshot(self):
+        """All samples of soft shadows, at once, and alpha where nothing is."""
+        plotter = scene()
+        plotter.relievo.shadows(soft_samples=16, sun_angle=5)
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder, "a.png")
+            whole = plotter.relievo.screenshot(path)
+            numpy.testing.assert_array_equal(pyvista.read_texture(path).to_array()[..., :3], whole)
+        self.assertEqual(plotter.relievo.frame.GetSamplesLeft(), 0)
+        numpy.testing.assert_array_equal(whole, drawn(plotter))
+        seen = numpy.isfinite(plotter.relievo.layer("depth"))
+        alpha = plotter.relievo.screenshot(transparent=True)[..., 3]
+        self.assertTrue((alpha[seen] > 0).all() and (alpha[~seen] < 255).all())
+        self.assertGreater((alpha == 255 * seen).mean(), 0.99)  # but for the window's multisamples
+        plotter.close()
+
     def test_subplots(self):
         plotter = pyvista.Plotter(shape=(1, 2), window_size=(400, 200))
         for column in range(2):
@@ -174,6 +196,12 @@ class RenderPasses(Clients):
 
 
 class Vedo(Clients):
+    def test_of_another_vtk(self):
+        code = "import vedo, relievo; relievo.capture(vedo.Sphere())"
+        done = subprocess.run([sys.executable, "-c", code], check=False, capture_output=True,
+                              text=True, env=os.environ)  # fmt: skip
+        self.assertIn("Sphere with a vtkPolyData of vtkmodules, another VTK", done.stderr)
+
     def test_shadows(self):
         with tempfile.TemporaryDirectory() as folder:
             done = subprocess.run([sys.executable, "-c", VEDO], cwd=folder, check=False,

@@ -12,7 +12,12 @@ import numpy
 import scenes
 from vtkmodules.vtkCommonCore import vtkVersion
 from vtkmodules.vtkFiltersSources import vtkSphereSource
-from vtkmodules.vtkRenderingCore import vtkRenderer, vtkWindowToImageFilter
+from vtkmodules.vtkRenderingCore import (
+    vtkActor,
+    vtkPointGaussianMapper,
+    vtkRenderer,
+    vtkWindowToImageFilter,
+)
 from vtkmodules.vtkRenderingOpenGL2 import vtkOpenGLFXAAPass, vtkRenderStepsPass
 
 import relievo
@@ -230,6 +235,23 @@ class NothingToSee(unittest.TestCase):
 
     def test_no_actor(self):
         self.assertEqual(self.empty(vtkRenderer(), size=(9, 9)), (9, 9))
+
+    def test_what_has_no_layers_is_left_out_and_named(self):
+        """Emissive points, as splats; the rest is as it is without them."""
+        renderer = scenes.plane_and_sphere()
+        expected = relievo.capture(renderer, ["depth", "actor", "normal"], size=SIZE)
+        mapper = vtkPointGaussianMapper()
+        mapper.SetInputData(scenes.points_at([(0, 0, 2), (0.4, 0.2, 2)]))
+        mapper.SetScaleFactor(0.5)
+        mapper.EmissiveOn()
+        splats = vtkActor()
+        splats.SetMapper(mapper)
+        renderer.AddActor(splats)
+        with self.assertWarnsRegex(RuntimeWarning, "No layers of what .*PointGaussian"):
+            got = relievo.capture(renderer, ["depth", "actor", "normal"], size=SIZE)
+        for name in ("depth", "actor", "normal"):
+            numpy.testing.assert_array_equal(
+                relievo.layer(got, name), relievo.layer(expected, name))  # fmt: skip
 
     def test_an_invisible_actor(self):
         renderer = vtkRenderer()
