@@ -60,8 +60,13 @@ Value Sample(const ModelTrack<Value>& track, double time, const Value& atRest, B
   {
     return atRest;
   }
+  if (track.Mode == KeyMode::Step)
+  {
+    // Files have times in floats: what rounds to a key's time, such as 1/30, is that time.
+    return track.Values[Find(track.Times, std::max(time, double(static_cast<float>(time)))).Before];
+  }
   const Place place = Find(track.Times, time);
-  if (track.Mode == KeyMode::Step || place.Before == place.After)
+  if (place.Before == place.After)
   {
     return track.Values[place.Before];
   }

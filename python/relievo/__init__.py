@@ -82,7 +82,7 @@ from ._cameras import (
     extrinsics,
     intrinsics,
 )
-from ._capture import capture
+from ._capture import capture, screenshot
 from ._environment import environment
 from ._exr import read_exr, write_exr
 from ._frame import report, vtkRelievoPass
@@ -134,6 +134,7 @@ __all__ = [
     "read_exr",
     "report",
     "scene",
+    "screenshot",
     "show",
     "stage",
     "stages",

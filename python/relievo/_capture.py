@@ -6,16 +6,18 @@ import os
 import threading
 from contextlib import contextmanager, nullcontext
 
+import numpy
 from vtkmodules import vtkCommonCore
-from vtkmodules.vtkRenderingCore import vtkRenderWindow
+from vtkmodules.vtkRenderingCore import vtkRenderWindow, vtkWindowToImageFilter
 from vtkmodules.vtkRenderingOpenGL2 import vtkTextureObject
 
 from ._arrays import why_not
 from ._cameras import CameraModel
 from ._errors import Watch, describe
 from ._frame import put, take
+from ._image import from_image
 from ._keep import kept
-from ._picture import captured
+from ._picture import captured, write_png
 from ._renderers import renderer_of
 from ._sight import layers_by_rays
 from .vtkRelievoPasses import vtkRelievoDisplay, vtkRelievoLayerSource, vtkRelievoPass
@@ -90,6 +92,82 @@ def capture(renderer, layers=("depth",), size=None, hdr=False, camera=None):
             raise ValueError(f"capture: {wrong}")
     watch.raise_as(ValueError if wrong_name else RuntimeError, f"capture {', '.join(layers)}")
     return captured(source.GetOutput())
+
+
+def screenshot(renderer, path=None, size=None, transparent=False):
+    """Draws the renderer's picture, with all samples of soft shadows, antialiasing and the like.
+
+        relievo.screenshot(plotter, "picture.png", size=(1920, 1080))
+
+    renderer, size: as for capture(). path: a PNG file to write, None for none.
+    transparent: whether there is alpha, straight: 0 where nothing is drawn.
+
+    Returns uint8 of (rows, columns, 3), or 4 with alpha, ROW 0 AT THE TOP: what the window shows
+    when nothing is left to gather, of this renderer alone. For numbers, capture().
+
+    Raises as capture(), and OSError if the file cannot be written.
+    """
+    renderer, made = renderer_of(renderer)
+    size = _SIZE_OF_DATA if made and size is None else size
+    size = None if size is None else _pixels(size)
+    found = kept(renderer)
+    held = nullcontext() if found is None else found.held()
+    with held, _window_of(renderer, size), _frame_of(renderer) as frame:
+        if made:
+            renderer.ResetCamera()
+        waits = frame.GetWaitForSamples()
+        frame.WaitForSamplesOn()
+        try:
+            with _without_background(renderer) if transparent else nullcontext():
+                pixels = _grab(renderer, frame, transparent)
+        finally:
+            frame.SetWaitForSamples(waits)
+    if path is not None:
+        write_png(path, pixels)
+    return pixels
+
+
+def _grab(renderer, frame, transparent):
+    window = renderer.GetRenderWindow()
+    no_display = vtkRelievoDisplay.Check(window)
+    if no_display:
+        raise RuntimeError(f"screenshot: {no_display}")
+    with Watch(frame) as watch:
+        window.Render()
+    watch.raise_as(RuntimeError, "screenshot")
+    grab = vtkWindowToImageFilter()
+    grab.SetInput(window)
+    grab.SetInputBufferType(4 if transparent else 3)  # VTK_RGBA, VTK_RGB
+    grab.ReadFrontBufferOff()
+    grab.ShouldRerenderOff()
+    grab.Update()
+    shown = from_image(grab.GetOutput())
+    left, below = renderer.GetOrigin()
+    columns, rows = renderer.GetSize()
+    top = shown.shape[0] - below - rows
+    pixels = shown[top:top + rows, left:left + columns].copy()
+    if transparent:  # over black: premultiplied
+        alpha = numpy.maximum(pixels[..., 3:], 1)
+        pixels[..., :3] = numpy.minimum(pixels[..., :3] * 255.0 / alpha + 0.5, 255)
+    return pixels
+
+
+@contextmanager
+def _without_background(renderer):
+    """Black without alpha; afterwards as before."""
+    background, alpha = renderer.GetBackground(), renderer.GetBackgroundAlpha()
+    gradient, textured = renderer.GetGradientBackground(), renderer.GetTexturedBackground()
+    renderer.SetBackground(0, 0, 0)
+    renderer.SetBackgroundAlpha(0)
+    renderer.SetGradientBackground(False)
+    renderer.SetTexturedBackground(False)
+    try:
+        yield
+    finally:
+        renderer.SetBackground(background)
+        renderer.SetBackgroundAlpha(alpha)
+        renderer.SetGradientBackground(gradient)
+        renderer.SetTexturedBackground(textured)
 
 
 def _names(layers):

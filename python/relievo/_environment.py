@@ -15,6 +15,7 @@ from vtkmodules.vtkRenderingCore import vtkCamera
 from ._errors import Watch, is_a, require
 from ._image import to_image
 from ._renderers import need_renderer
+from ._stages import stage
 from ._parameters import bind, describe, keywords, names, set_value, value
 from .vtkRelievoFilters import vtkRelievoEnvironmentIrradiance, vtkRelievoEnvironmentPrefilter
 from .vtkRelievoIO import vtkRelievoImageReader
@@ -40,14 +41,15 @@ _DEFAULTS = {
 }
 _SIGNATURE = inspect.Signature(
     keywords({"renderer": inspect.Parameter.empty, "path": inspect.Parameter.empty})
-    + keywords({**{name: value(text) for name, text in _DEFAULTS.items()}, "sky": True})
+    + keywords({**{name: value(text) for name, text in _DEFAULTS.items()}, "sky": True,
+                "tone": False})
 )
 
 
 def environment(*arguments, **given):
     bound = bind("environment", _SIGNATURE, arguments, given)
     bound.apply_defaults()
-    renderer, path, sky = (bound.arguments[name] for name in ("renderer", "path", "sky"))
+    renderer, path = bound.arguments["renderer"], bound.arguments["path"]
     inner = need_renderer(renderer)
     if path is None:
         _remove(inner)
@@ -62,7 +64,10 @@ def environment(*arguments, **given):
     _fill(made, path, rough)
     made.relievo_own = True  # VTK keeps attributes as long as the object lives
     _remove(inner)
-    if sky:
+    if bound.arguments["tone"]:
+        stage(inner, "tone")
+        object.__setattr__(inner, "relievo_tone", True)  # PyVista's renderers refuse new ones
+    if bound.arguments["sky"]:
         shown = vtkRelievoSkybox()
         shown.SetEnvironment(made)
         # The first frame fits a camera that nobody has asked for.
@@ -101,6 +106,8 @@ path: a file (exr, hdr, png, jpg, tif, bmp, tga), a numpy array of (rows, column
     numbers are decoded from sRGB, floats are linear light. None takes the environment away.
 {values}
 sky: whether the picture is shown behind everything.
+tone: whether the stage `tone` brings the light of the picture and of the renderer's lights together
+    into the display's range; without it, what sums up to more than 1 is white.
 
 Returns the vtkRelievoEnvironment, None for None. Another call replaces it. Roughness above 0 takes
 a second.
@@ -155,6 +162,9 @@ def _is_own(thing):
 
 
 def _remove(renderer):
+    if getattr(renderer, "relievo_tone", False):
+        stage(renderer, "tone", on=False)
+        object.__setattr__(renderer, "relievo_tone", False)
     for prop in list(renderer.GetViewProps()):
         if _is_own(prop) and prop.IsA("vtkRelievoSkybox"):
             renderer.RemoveViewProp(prop)

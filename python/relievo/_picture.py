@@ -140,7 +140,9 @@ def write_png(path, image, name=None, transparent=False):
         known = layer_names(image)
         if name is None:
             name = "color" if "color" in known or len(known) != 1 else known[0]
-        data = png_of(pixels_of(image, name, transparent))
+        values = layer(image, name)
+        with_alpha = name == "color" and transparent and values.shape[2] == 4
+        data = png_of(_rgba(values) if with_alpha else picture_of(name, values)[0])
     part = f"{path}.part"
     try:
         with open(part, "wb") as file:
@@ -149,13 +151,6 @@ def write_png(path, image, name=None, transparent=False):
     finally:
         if os.path.exists(part):
             os.remove(part)
-
-
-def pixels_of(image, name, transparent):
-    """The bytes that write_png() writes."""
-    values = layer(image, name)
-    with_alpha = name == "color" and transparent and values.shape[2] == 4
-    return _rgba(values) if with_alpha else picture_of(name, values)[0]
 
 
 def _rgba(linear):

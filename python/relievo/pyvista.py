@@ -23,7 +23,7 @@ import weakref
 
 import pyvista
 
-from . import _capture, _environment, _exr, _frame, _image, _picture, _stages, _things
+from . import _capture, _environment, _exr, _frame, _image, _stages, _things
 from ._errors import describe, is_a
 from ._keep import kept
 
@@ -137,18 +137,9 @@ class RelievoComponent:
         return image
 
     def screenshot(self, path=None, size=None, transparent=False):
-        """The active renderer's picture with all samples of soft shadows and antialiasing.
-
-        path: a PNG file to write, None for none. size: (columns, rows), None for the viewport's.
-        transparent: whether there is alpha, 0 where nothing is drawn.
-
-        Returns uint8 of (rows, columns, 3), or 4 with alpha, row 0 at the top.
-        """
-        image = self._captured("color", size, False)
-        pixels = _picture.pixels_of(image, "color", transparent)
-        if path is not None:
-            _picture.write_png(path, pixels)
-        return pixels
+        """As relievo.screenshot(): the active renderer's picture with all samples."""
+        self._renderer()
+        return _capture.screenshot(self._plotter, path, size, transparent)
 
     def report(self):
         """As relievo.report(): what the last frames did and why."""

@@ -130,6 +130,38 @@ void TestSteps(const std::string& name, bool named)
   RELIEVO_CHECK(reader->GetNumberOfNotes() == 0);
 }
 
+// A key for each picture of 30 a second, at its time as a double, and as the reader says it.
+void TestStepsOfPictures()
+{
+  const std::string path = OutputFolder() + "/pictures.gltf";
+  GltfTrack track = { "translation", "STEP", {}, {} };
+  const int count = 89;
+  for (int i = 0; i < count; ++i)
+  {
+    track.Times.push_back(static_cast<float>(i) / 30.f);
+    track.Values.insert(track.Values.end(), { 0.f, static_cast<float>(i), 0.f });
+  }
+  WriteGltf(path, { track });
+  for (const double speed : { 1., 0.3, 7. })
+  {
+    vtkNew<vtkRelievoModelReader> reader;
+    reader->SetFileName(path.c_str());
+    reader->SetSpeed(speed);
+    reader->UpdateInformation();
+    vtkInformation* info = reader->GetOutputInformation(0);
+    RELIEVO_CHECK(info->Length(vtkStreamingDemandDrivenPipeline::TIME_STEPS()) == count);
+    const double* said = info->Get(vtkStreamingDemandDrivenPipeline::TIME_STEPS());
+    const std::vector<double> steps(said, said + count);
+    int wrong = 0;
+    for (int i = 0; i < count; ++i)
+    {
+      const double y = FirstAt(reader, 0.).y + i;
+      wrong += FirstAt(reader, steps[i]).y != y || FirstAt(reader, i / 30. / speed).y != y ? 1 : 0;
+    }
+    RELIEVO_CHECK_THAT(wrong == 0, std::to_string(wrong) + " keys are late");
+  }
+}
+
 void TestSplines(const std::string& name)
 {
   const std::string path = OutputFolder() + "/" + name;
@@ -218,6 +250,7 @@ int main()
   TestSteps("steps.gltf", true);
   TestSteps("steps.glb", true);
   TestSteps("nameless.gltf", false);
+  TestStepsOfPictures();
   TestSplines("splines.gltf");
   TestSplines("splines.glb");
   TestAgainstVTK();

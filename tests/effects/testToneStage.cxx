@@ -275,6 +275,12 @@ void TestAutoExposureIsOfThisFrame()
   scene.Picture();
   const double light = PaintStage::GetHalf(0.02);
   RELIEVO_CHECK_NEAR(scene.Tone->GetUsedExposure(), std::log2(0.18 / light), 1e-5, "nothing drawn");
+  // A capture that needs no tone leaves the picture's.
+  vtkNew<vtkRelievoLayerSource> layers;
+  layers->SetRenderer(scene.Renderer);
+  layers->AddLayer("depth");
+  layers->Update();
+  RELIEVO_CHECK_NEAR(scene.Tone->GetUsedExposure(), std::log2(0.18 / light), 1e-5, "captured");
   scene.Tone->EnabledOff();
   scene.Picture();
   RELIEVO_CHECK(std::isnan(scene.Tone->GetUsedExposure()));

@@ -72,6 +72,19 @@ class Environment(unittest.TestCase):
         relievo.environment(self.renderer, path, rotation=90, roughness=0)
         numpy.testing.assert_allclose(self.look((1, 0, 0))[30, 3], encoded(COLORS["+z"]), atol=2)
 
+    def test_tone(self):
+        """An environment and a headlight burn a white ball out, but not with tone; None ends it."""
+        self.actor.GetProperty().SetColor(1, 1, 1)
+        before = self.look((0, 0, -1))
+        light = numpy.ones((16, 32, 3), numpy.float32)
+        relievo.environment(self.renderer, light, sky=False)
+        self.assertGreater(self.look((0, 0, -1))[30, 45].min(), 254)
+        relievo.environment(self.renderer, light, sky=False, tone=True)
+        ball = relievo.screenshot(self.renderer)[20:40, 35:55]
+        self.assertTrue((ball < 240).all() and (ball > 150).all())
+        relievo.environment(self.renderer, None)
+        numpy.testing.assert_array_equal(self.look((0, 0, -1)), before)
+
     def test_constant_light(self):
         """In a furnace a white ball and a perfect mirror are as bright as the sky."""
         self.actor.GetProperty().SetColor(1, 1, 1)

@@ -82,6 +82,7 @@ class vtkRelievoToneStage::Internals
 public:
   vtkRelievoScreenQuad Quad;
   vtkRelievoLuminanceMeter Meter;
+  double LastExposure = std::numeric_limits<double>::quiet_NaN(); // of a meter that is released
   vtkSmartPointer<vtkTextureObject> Thresholds;
   std::string Reported; // what was wrong, told once
 };
@@ -258,7 +259,8 @@ double vtkRelievoToneStage::GetUsedExposure()
   float sums[4];
   if (!this->Internal->Meter.Read(sums))
   {
-    return std::numeric_limits<double>::quiet_NaN();
+    return this->GetEnabled() ? this->Internal->LastExposure
+                              : std::numeric_limits<double>::quiet_NaN();
   }
   const int which = sums[1] > 0.0F ? 0 : 2;
   return sums[which + 1] > 0.0F ? this->Exposure +
@@ -287,7 +289,11 @@ void vtkRelievoToneStage::ReleaseGraphicsResources(vtkWindow* window)
 {
   Internals& in = *this->Internal;
   in.Quad.Release(window);
-  in.Meter.Release(window);
+  if (in.Meter.GetBytes() > 0)
+  {
+    in.LastExposure = this->GetUsedExposure(); // also after a capture that needs no tone
+    in.Meter.Release(window);
+  }
   if (in.Thresholds)
   {
     in.Thresholds->ReleaseGraphicsResources(window);

@@ -104,8 +104,8 @@ public:
   bool GetChangesPicture();
 
   /**
-   * Stops by which the last frame's light was multiplied, with AutoExposure read back from the GPU;
-   * NaN if the last frame was not measured.
+   * Stops by which the last picture's light was multiplied, with AutoExposure read back from the
+   * GPU; NaN if none was measured, or the stage is off.
    */
   double GetUsedExposure();
 
