@@ -62,6 +62,8 @@ std::vector<L> MakeTable()
   };
   table.push_back({ "fog", L::SHARE, L::FROM_STAGE, VTK_FLOAT, 1, 1.0, "V",
     "what fog lets through: 1 all, 0 nothing" });
+  table.push_back({ "ambient", L::SHARE, L::FROM_STAGE, VTK_FLOAT, 1, 1.0, "V",
+    "share of the sky that is seen from the surface: 1 all, 0 nothing" });
   table.push_back({ "marker", L::SHARE, L::FROM_STAGE, VTK_FLOAT, 1, 0.0, "V",
     "how much of the surface markers cover: 0 nothing, 1 all" });
   L shadow = { "shadow_", L::SHARE, L::FROM_SHADOW, VTK_FLOAT, 1, 1.0, "V",

@@ -28,6 +28,8 @@
 
 #include "formulas/ray.glsl"
 
+#include "formulas/sky.glsl"
+
 #include "formulas/environment.glsl"
 
 #include "formulas/irradiance.glsl"

@@ -49,7 +49,9 @@ struct VTKRELIEVOFRAME_EXPORT vtkRelievoDeclaration
   // as nothing else changes; the frame gathers lights' visibility, the colour if an OptionalWrites
   // is asked for, and shows the mean. AtOnce: all of them in every frame.
   // OffsetsSamples: they lie at different places within each pixel.
+  // Gathered: what else of its writes is a mean of them: `color`, and layers of one channel.
   int Samples = 1;
+  std::vector<std::string> Gathered;
   bool AtOnce = false;
   bool OffsetsSamples = false;
 };

@@ -58,19 +58,38 @@ vtkRelievoSampleAccumulator::Demand vtkRelievoSampleAccumulator::GetDemand(
   for (const vtkRelievoFramePlan::Node& node : nodes)
   {
     const vtkRelievoDeclaration& declaration = node.Declaration;
-    // A picture that is not made of the linear colour cannot be a mean.
-    if (!node.Needed || declaration.Samples <= 1 || (context.Picture && !hasColor))
+    if (!node.Needed || declaration.Samples <= 1)
     {
       continue;
+    }
+    const auto isAmong = [](const std::vector<std::string>& names, const std::string& name) {
+      return std::find(names.begin(), names.end(), name) != names.end();
+    };
+    // A picture that is not made of the linear colour cannot be a mean; layers can, if samples
+    // change nothing else.
+    const bool layersAlone = std::all_of(node.Asked.begin(), node.Asked.end(),
+      [&](const std::string& asked) {
+        return asked != "color" && isAmong(declaration.Gathered, asked);
+      });
+    if (context.Picture && !hasColor && !layersAlone)
+    {
+      demand = Demand();
+      break;
     }
     demand.Samples = std::max(demand.Samples, declaration.Samples);
     demand.AtOnce = demand.AtOnce || declaration.AtOnce || context.Waits;
     demand.Offsets = demand.Offsets || declaration.OffsetsSamples;
-    demand.Color = demand.Color ||
-      (hasColor && std::any_of(node.Asked.begin(), node.Asked.end(), [&](const std::string& asked) {
-        const auto& offers = declaration.OptionalWrites;
-        return std::find(offers.begin(), offers.end(), asked) != offers.end();
-      }));
+    for (const std::string& asked : node.Asked)
+    {
+      const bool gathered = isAmong(declaration.Gathered, asked);
+      const bool color = asked == "color" && gathered;
+      demand.Color =
+        demand.Color || (hasColor && (color || isAmong(declaration.OptionalWrites, asked)));
+      if (gathered && !color)
+      {
+        demand.Layers.push_back(asked);
+      }
+    }
   }
   for (const auto& light : context.Lights)
   {
@@ -235,9 +254,11 @@ void vtkRelievoSampleAccumulator::Accumulate(vtkRelievoFrameContext& context)
     }
     else if (this->Fault.empty())
     {
+      const auto light = context.Lights.find(layer);
       this->Fault = this->Add(context, sum, layer,
-        "#define RELIEVO_GATHERED_PLACE RELIEVO_SHADOW_PLACE_" +
-          std::to_string(context.Lights.at(layer)) + "\n",
+        light == context.Lights.end() ? "#define RELIEVO_GATHERED_TEXTURE\n"
+                                      : "#define RELIEVO_GATHERED_PLACE RELIEVO_SHADOW_PLACE_" +
+            std::to_string(light->second) + "\n",
         1);
     }
   }

@@ -60,7 +60,7 @@ private:
     bool AtOnce = false;  // in this frame, not one in each
     bool Offsets = false; // within the pixel
     bool Color = false;
-    std::vector<std::string> Layers; // lights' visibility
+    std::vector<std::string> Layers; // lights' visibility, and what stages say
   };
   struct Sum
   {

@@ -5,8 +5,11 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 // What is added to a sum over samples: the linear colour, or, with RELIEVO_GATHERED_PLACE, the
-// visibility of the light at that place of those in the layers.
-#ifdef RELIEVO_GATHERED_PLACE
+// visibility of the light at that place of those in the layers, or, with RELIEVO_GATHERED_TEXTURE,
+// a stage's texture, whose sampler is RELIEVO_GATHERED.
+#ifdef RELIEVO_GATHERED_TEXTURE
+uniform sampler2D RELIEVO_GATHERED;
+#elif defined(RELIEVO_GATHERED_PLACE)
 //RELIEVO::Include(gbuffer/read.glsl)
 #else
 //RELIEVO::Include(frame/color.glsl)
@@ -17,7 +20,9 @@ uniform vec2 relievoSize;
 void main()
 {
   ivec2 pixel = ivec2(floor(texCoord * relievoSize));
-#ifdef RELIEVO_GATHERED_PLACE
+#ifdef RELIEVO_GATHERED_TEXTURE
+  gl_FragData[0] = texelFetch(RELIEVO_GATHERED, pixel, 0);
+#elif defined(RELIEVO_GATHERED_PLACE)
   gl_FragData[0] = vec4(relievoFetchVisibility(pixel, RELIEVO_GATHERED_PLACE));
 #else
   gl_FragData[0] = relievoFetchColor(pixel);

@@ -43,7 +43,7 @@ void relievoShadowTake(int slot, RELIEVO_PASSES passes)
 }
 
 //RELIEVO::Section(TraceDec)
-//RELIEVO::Include(shadow/walk.glsl)
+//RELIEVO::Include(rays/walk.glsl)
 uniform int relievoSeenHides; // whether what is behind it is not seen: no samples of pixels' edges
 
 //RELIEVO::Section(PlaceImpl)
@@ -107,7 +107,7 @@ invariant gl_Position; // seenVS.glsl has the same
     bool hidden = relievoSeenCentered && relievoSeenHides != 0 &&
       relievoSeenDepth(vertexVC.z) - relievoSeenDepth(front) > 1e-6;
     int found = hidden ? RELIEVO_SHADOW_LIGHTS : same ? relievoSeenLights : 0;
-    float blur = relievoShadowBlur.x + relievoShadowBlur.y * length(relievoShadowPlaceVC);
+    float blur = relievoTreeBlur.x + relievoTreeBlur.y * length(relievoShadowPlaceVC);
     for (int slot = 0; slot < relievoShadowTaken; ++slot)
     {
       RELIEVO_PASSES level = relievoSeenNextLevel(relievoSeenDigits);
@@ -116,8 +116,8 @@ invariant gl_Position; // seenVS.glsl has the same
       bool facing =
         !RELIEVO_SHADOW_HAS_PLANE || dot(relievoShadowNormalLC, ray) * relievoShadowSide > 0.0;
       bool open = facing && slot >= found;
-      RELIEVO_PASSES passes = relievoShadowWalk(
-        open ? relievoShadowCasters : 0, relievoShadowPlaceLC, ray, source.w != 0.0, blur);
+      RELIEVO_PASSES passes = relievoTreeWalk(
+        open ? relievoTreeNodes : 0, relievoShadowPlaceLC, ray, source.w != 0.0, blur);
       RELIEVO_PASSES digit = open ? relievoSeenLevel(passes) : level;
       relievoShadowTake(slot, facing ? relievoSeenVerdict(digit) : RELIEVO_PASSES(0.0));
     }

@@ -5,7 +5,7 @@
 // Pixels are counted from the middle of the viewport, so that their centres are exact in float. A
 // place that is seen at a pixel's centre is given by its eye-space z: whoever has the same z has
 // the same place, bit for bit.
-//RELIEVO::Include(shadow/passes.glsl)
+//RELIEVO::Include(rays/passes.glsl)
 
 // Local space: the world's axes, about a point amid what is seen; from eye space about the centre.
 uniform mat4 relievoShadowToLocal;

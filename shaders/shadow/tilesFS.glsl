@@ -8,7 +8,7 @@
 // What every place of the tile sees lies in boxes that are larger by half of the tile's extent; and
 // a triangle that no corner of the tile has between itself and the light blocks no ray of it.
 //RELIEVO::Include(formulas/ray.glsl)
-//RELIEVO::Include(shadow/tree.glsl)
+//RELIEVO::Include(rays/tree.glsl)
 //RELIEVO::Include(shadow/seen.glsl)
 uniform vec4 relievoSeenSource[24]; // w = 0: the direction to it
 uniform vec3 relievoShadowCenter;
@@ -38,18 +38,18 @@ bool relievoTileMeets(int casters, relievoTile tile, vec4 source)
   int caster = 0;
   while (caster < casters && !met)
   {
-    vec4 low = texelFetch(relievoShadowTree, 2 * caster);
-    vec4 high = texelFetch(relievoShadowTree, 2 * caster + 1);
+    vec4 low = texelFetch(relievoTree, 2 * caster);
+    vec4 high = texelFetch(relievoTree, 2 * caster + 1);
     bool leaf = low.w < 0.0;
     bool meets = relievoRayMeetsBox(
       tile.middle, inverseLC, last, low.xyz - tile.extent, high.xyz + tile.extent);
     caster = meets || leaf ? caster + 1 : int(low.w);
-    int record = relievoShadowRecords + 5 * (meets && leaf ? int(-1.0 - low.w) : 0);
-    vec4 rowX = texelFetch(relievoShadowTree, record);
-    vec4 rowY = texelFetch(relievoShadowTree, record + 1);
-    vec4 rowZ = texelFetch(relievoShadowTree, record + 2);
-    vec4 mesh = texelFetch(relievoShadowTree, record + 3);
-    vec4 size = texelFetch(relievoShadowTree, record + 4);
+    int record = relievoTreeRecords + 5 * (meets && leaf ? int(-1.0 - low.w) : 0);
+    vec4 rowX = texelFetch(relievoTree, record);
+    vec4 rowY = texelFetch(relievoTree, record + 1);
+    vec4 rowZ = texelFetch(relievoTree, record + 2);
+    vec4 mesh = texelFetch(relievoTree, record + 3);
+    vec4 size = texelFetch(relievoTree, record + 4);
     int base = 16 * int(mesh.x);
     int nodes = meets && leaf ? int(mesh.y) : 0;
     int triangles = base + 2 * int(mesh.y);
@@ -65,8 +65,8 @@ bool relievoTileMeets(int casters, relievoTile tile, vec4 source)
     int node = 0;
     while (node < nodes && !met)
     {
-      vec4 least = texelFetch(relievoShadowTree, base + 2 * node);
-      vec4 most = texelFetch(relievoShadowTree, base + 2 * node + 1);
+      vec4 least = texelFetch(relievoTree, base + 2 * node);
+      vec4 most = texelFetch(relievoTree, base + 2 * node + 1);
       bool within = relievoRayMeetsBox(from, inverse, last, least.xyz - room, most.xyz + room);
       bool isLeaf = least.w < 0.0;
       int slot = within && isLeaf ? int(-1.0 - least.w) : 0;
@@ -77,7 +77,7 @@ bool relievoTileMeets(int casters, relievoTile tile, vec4 source)
         vec3 a;
         vec3 b;
         vec3 c;
-        relievoShadowTriangle(triangles, slot, a, b, c);
+        relievoTreeTriangle(triangles, slot, a, b, c);
         vec3 normal = cross(b - a, c - a);
         float toward = ends ? dot(normal, light - a) : dot(normal, ray);
         float nearest = near * length(normal);
@@ -134,13 +134,13 @@ void main()
   }
   tile.middle = 0.5 * low + 0.5 * high;
   tile.extent = 0.5001 * (high - low) + 1e-6 * max(abs(low), abs(high));
-  tile.blur = relievoShadowBlur.x + relievoShadowBlur.y * eye;
+  tile.blur = relievoTreeBlur.x + relievoTreeBlur.y * eye;
   bool plane = whole && wide && off <= 0.4 * tile.blur;
   float sure = 0.0;
   float digit = 1.0;
   for (int light = 0; light < relievoSeenLights; ++light)
   {
-    bool met = relievoTileMeets(plane ? relievoShadowCasters : 0, tile, relievoSeenSource[light]);
+    bool met = relievoTileMeets(plane ? relievoTreeNodes : 0, tile, relievoSeenSource[light]);
     sure += plane && !met ? digit : 0.0;
     digit *= 2.0;
   }

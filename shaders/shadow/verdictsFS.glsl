@@ -6,7 +6,7 @@
 //RELIEVO::Include(formulas/octahedral.glsl)
 //RELIEVO::Include(formulas/shadow.glsl)
 //RELIEVO::Include(shadow/seen.glsl)
-//RELIEVO::Include(shadow/walk.glsl)
+//RELIEVO::Include(rays/walk.glsl)
 uniform vec4 relievoSeenSource[24]; // w = 0: the direction to it
 uniform vec3 relievoShadowCenter;
 uniform int cameraParallel;
@@ -24,7 +24,7 @@ void main()
   float side = cameraParallel != 0 ? normalVC.z : -dot(normalVC, placeVC);
   bool plain = abs(side) >= 0.02 * (cameraParallel != 0 ? 1.0 : length(placeVC));
   vec3 normalLC = mat3(relievoShadowToLocal) * normalVC * sign(side);
-  float blur = relievoShadowBlur.x + relievoShadowBlur.y * length(placeVC);
+  float blur = relievoTreeBlur.x + relievoTreeBlur.y * length(placeVC);
   float sure = texelFetch(relievoSeenTiles, texel / 8, 0).x;
   RELIEVO_PASSES levels = RELIEVO_PASSES(0.0);
   float digit = 1.0;
@@ -39,8 +39,8 @@ void main()
     sure = others;
     bool away = plain && dot(normalLC, ray) <= -0.02 * length(ray);
     bool facing = there && !away;
-    RELIEVO_PASSES passes = relievoShadowWalk(
-      facing && open ? relievoShadowCasters : 0, placeLC, ray, source.w != 0.0, blur);
+    RELIEVO_PASSES passes = relievoTreeWalk(
+      facing && open ? relievoTreeNodes : 0, placeLC, ray, source.w != 0.0, blur);
     levels += digit * (facing ? relievoSeenLevel(passes) : RELIEVO_PASSES(0.0));
     digit *= relievoSeenLevels;
   }

@@ -4,7 +4,7 @@
 // The buffer of casters' triangles by itself: trees that are fitted to points that move and built
 // anew for other cells, and more casters than it can count or than OpenGL's buffers hold, which are
 // refused in words; and the maps that a picture then has.
-#include "vtkRelievoShadowTree.h" // before all of GLM, whose functions it has of its own
+#include "vtkRelievoTreeBuffer.h" // before all of GLM, whose functions it has of its own
 
 #include "Check.h"
 #include "Layers.h"
@@ -57,7 +57,7 @@ void TestRefit(vtkOpenGLRenderWindow* window)
   std::vector<vtkRelievoPlacedMesh> casters(2);
   casters[0].Mesh = first;
   casters[1].Mesh = second;
-  vtkRelievoShadowTree tree;
+  vtkRelievoTreeBuffer tree;
   const auto update = [&](int built, int refitted, const std::string& what) {
     const double version = tree.GetVersion();
     const std::string fault = tree.Update(window, casters, glm::dvec3(0.));
@@ -95,7 +95,7 @@ void TestTooMany(vtkOpenGLRenderWindow* window)
   vtkRelievoPlacedMesh caster;
   caster.Mesh = ball;
   caster.Places = places;
-  vtkRelievoShadowTree tree;
+  vtkRelievoTreeBuffer tree;
   const std::string fault =
     tree.Update(window, std::vector<vtkRelievoPlacedMesh>(9, caster), glm::dvec3(0.));
   RELIEVO_CHECK_THAT(
@@ -115,7 +115,7 @@ void TestSmallBuffers(vtkOpenGLRenderWindow* window)
   const auto ball = MakeBall();
   vtkRelievoPlacedMesh caster;
   caster.Mesh = ball;
-  vtkRelievoShadowTree tree;
+  vtkRelievoTreeBuffer tree;
   RELIEVO_CHECK(tree.Update(window, { caster }, glm::dvec3(0.)).empty());
   const vtkIdType texels = tree.GetBytes() / 16;
   vtkRelievoTextureBuffer::SetMostTexels(static_cast<int>(texels) - 1);

@@ -193,11 +193,11 @@ vtkRelievoShadowMethodExact::Rays vtkRelievoShadowMethodExact::GetRays(
 void vtkRelievoShadowMethodExact::Tell(
   vtkShaderProgram* program, const Rays& rays, bool walks) const
 {
-  program->SetUniformi("relievoShadowTree", this->Tree.GetTextureUnit());
-  program->SetUniformi("relievoShadowCasters", walks ? this->Tree.GetNumberOfNodes() : 0);
-  program->SetUniformi("relievoShadowRecords", this->Tree.GetFirstRecord());
+  program->SetUniformi("relievoTree", this->Tree.GetTextureUnit());
+  program->SetUniformi("relievoTreeNodes", walks ? this->Tree.GetNumberOfNodes() : 0);
+  program->SetUniformi("relievoTreeRecords", this->Tree.GetFirstRecord());
   program->SetUniformMatrix4x4("relievoShadowToLocal", const_cast<float*>(&rays.ToLocal[0][0]));
-  program->SetUniform2f("relievoShadowBlur", &rays.Blur.x);
+  program->SetUniform2f("relievoTreeBlur", &rays.Blur.x);
 }
 
 //------------------------------------------------------------------------------

@@ -7,7 +7,7 @@
 #define vtkRelievoShadowMethodExact_h
 
 #include "vtkRelievoShadowMethod.h"
-#include "vtkRelievoShadowTree.h"
+#include "vtkRelievoTreeBuffer.h"
 #include "vtkRelievoVisibilityPrepass.h"
 
 class vtkRelievoShadowMethodExact : public vtkRelievoShadowMethod
@@ -54,7 +54,7 @@ private:
   Rays GetRays(const vtkRelievoShadowContext& work) const;
   void Tell(vtkShaderProgram* program, const Rays& rays, bool walks) const;
 
-  vtkRelievoShadowTree Tree;
+  vtkRelievoTreeBuffer Tree;
   vtkRelievoVisibilityPrepass Seen;
   std::size_t InMaps = 0;          // casters that cannot be followed
   std::vector<vtkActor*> Surfaces; // of this frame, whose verdicts are found

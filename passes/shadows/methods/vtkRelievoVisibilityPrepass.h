@@ -61,7 +61,7 @@ public:
   int DrawSurfaces(const std::vector<vtkActor*>& actors, vtkRelievoCasterDraw& draw);
 
   // What rays find about it, if they have not found it in the frame before. rays: numbers that tell
-  // them from others; tell: uniforms of shaders/shadow/walk.glsl. Returns draw calls.
+  // them from others; tell: uniforms of shaders/rays/walk.glsl. Returns draw calls.
   int DrawVerdicts(const std::vector<glm::vec4>& sources, const std::vector<double>& rays,
     const std::function<void(vtkShaderProgram*)>& tell);
 

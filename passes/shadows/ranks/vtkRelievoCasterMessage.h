@@ -7,7 +7,7 @@
 #define vtkRelievoCasterMessage_h
 
 #include "vtkRelievoShadowRegion.h"
-#include "vtkRelievoShadowTree.h"
+#include "vtkRelievoTreeBuffer.h"
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
 #include "vtkWeakPointer.h"

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "vtkRelievoShadowTree.h"
+#include "vtkRelievoTreeBuffer.h"
 
 #include "vtkObject.h"
 #include "vtkOpenGLError.h" // for OpenGL
@@ -60,13 +60,13 @@ void ForEach(std::size_t count, Do each)
 }
 
 //------------------------------------------------------------------------------
-vtkRelievoShadowTree::~vtkRelievoShadowTree()
+vtkRelievoTreeBuffer::~vtkRelievoTreeBuffer()
 {
   this->Release(this->Window);
 }
 
 //------------------------------------------------------------------------------
-bool vtkRelievoShadowTree::UpdateMeshes(const std::vector<vtkRelievoPlacedMesh>& casters)
+bool vtkRelievoTreeBuffer::UpdateMeshes(const std::vector<vtkRelievoPlacedMesh>& casters)
 {
   bool changed = false;
   this->MeshesBuilt = 0;
@@ -98,7 +98,7 @@ bool vtkRelievoShadowTree::UpdateMeshes(const std::vector<vtkRelievoPlacedMesh>&
 }
 
 //------------------------------------------------------------------------------
-std::size_t vtkRelievoShadowTree::CountRecords() const
+std::size_t vtkRelievoTreeBuffer::CountRecords() const
 {
   std::size_t count = 0;
   for (const vtkRelievoPlacedMesh& caster : this->Casters)
@@ -110,7 +110,7 @@ std::size_t vtkRelievoShadowTree::CountRecords() const
 }
 
 //------------------------------------------------------------------------------
-std::string vtkRelievoShadowTree::FindFault(std::size_t records) const
+std::string vtkRelievoTreeBuffer::FindFault(std::size_t records) const
 {
   const std::size_t most = vtkRelievoTextureBuffer::GetMostTexels();
   std::ostringstream out;
@@ -128,7 +128,7 @@ std::string vtkRelievoShadowTree::FindFault(std::size_t records) const
 }
 
 //------------------------------------------------------------------------------
-std::string vtkRelievoShadowTree::Update(vtkOpenGLRenderWindow* window,
+std::string vtkRelievoTreeBuffer::Update(vtkOpenGLRenderWindow* window,
   const std::vector<vtkRelievoPlacedMesh>& casters, const glm::dvec3& origin)
 {
   if (this->Window != window)
@@ -167,7 +167,7 @@ std::string vtkRelievoShadowTree::Update(vtkOpenGLRenderWindow* window,
 }
 
 //------------------------------------------------------------------------------
-std::string vtkRelievoShadowTree::Upload(bool all, const std::vector<glm::vec4>& front)
+std::string vtkRelievoTreeBuffer::Upload(bool all, const std::vector<glm::vec4>& front)
 {
   for (int i = 0; i < 16 && glGetError() != GL_NO_ERROR; ++i)
   {
@@ -197,7 +197,7 @@ std::string vtkRelievoShadowTree::Upload(bool all, const std::vector<glm::vec4>&
 }
 
 //------------------------------------------------------------------------------
-vtkIdType vtkRelievoShadowTree::GetNumberOfTriangles() const
+vtkIdType vtkRelievoTreeBuffer::GetNumberOfTriangles() const
 {
   vtkIdType count = 0;
   for (const auto& held : this->Meshes)
@@ -208,7 +208,7 @@ vtkIdType vtkRelievoShadowTree::GetNumberOfTriangles() const
 }
 
 //------------------------------------------------------------------------------
-vtkIdType vtkRelievoShadowTree::GetNumberOfGlyphs() const
+vtkIdType vtkRelievoTreeBuffer::GetNumberOfGlyphs() const
 {
   std::size_t count = 0;
   for (const vtkRelievoPlacedMesh& caster : this->Casters)
@@ -219,14 +219,14 @@ vtkIdType vtkRelievoShadowTree::GetNumberOfGlyphs() const
 }
 
 //------------------------------------------------------------------------------
-bool vtkRelievoShadowTree::HasTranslucent() const
+bool vtkRelievoTreeBuffer::HasTranslucent() const
 {
   return std::any_of(this->Casters.begin(), this->Casters.end(),
     [](const vtkRelievoPlacedMesh& caster) { return caster.Passes > 0.0; });
 }
 
 //------------------------------------------------------------------------------
-bool vtkRelievoShadowTree::HasColors() const
+bool vtkRelievoTreeBuffer::HasColors() const
 {
   return std::any_of(
     this->Casters.begin(), this->Casters.end(), [](const vtkRelievoPlacedMesh& caster) {
@@ -235,14 +235,14 @@ bool vtkRelievoShadowTree::HasColors() const
 }
 
 //------------------------------------------------------------------------------
-bool vtkRelievoShadowTree::Bind()
+bool vtkRelievoTreeBuffer::Bind()
 {
   this->Buffer.Activate();
   return this->Buffer.GetTextureUnit() >= 0;
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoShadowTree::Release(vtkWindow* window)
+void vtkRelievoTreeBuffer::Release(vtkWindow* window)
 {
   if (window && this->Window && this->Window != window)
   {
@@ -253,7 +253,7 @@ void vtkRelievoShadowTree::Release(vtkWindow* window)
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoShadowTree::ReleaseBuffer(vtkWindow* window)
+void vtkRelievoTreeBuffer::ReleaseBuffer(vtkWindow* window)
 {
   this->Buffer.Release(window);
   this->Texels = 0;
@@ -261,7 +261,7 @@ void vtkRelievoShadowTree::ReleaseBuffer(vtkWindow* window)
 }
 
 //------------------------------------------------------------------------------
-std::vector<glm::vec4> vtkRelievoShadowTree::MakeFront()
+std::vector<glm::vec4> vtkRelievoTreeBuffer::MakeFront()
 {
   const std::size_t count = this->CountRecords();
   std::vector<vtkRelievoBoxTree::Box> boxes(count);

@@ -1,15 +1,15 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Walks the casters' triangles along a ray to a light. The includer has formulas/shadow.glsl and
-// shadow/passes.glsl.
+// rays/passes.glsl.
 //RELIEVO::Include(formulas/ray.glsl)
-//RELIEVO::Include(shadow/tree.glsl)
+//RELIEVO::Include(rays/tree.glsl)
 
 // What of a light passes along a ray: the product of 1 - opacity of what it meets, and of its
 // colours, from where it starts to the light, which is at its end or infinitely far. A surface that
 // the start or the end lies in, within `blur`, does not count. casters: nodes over them, or 0 to go
 // nowhere.
-RELIEVO_PASSES relievoShadowWalk(int casters, vec3 fromLC, vec3 rayLC, bool ends, float blur)
+RELIEVO_PASSES relievoTreeWalk(int casters, vec3 fromLC, vec3 rayLC, bool ends, float blur)
 {
   RELIEVO_PASSES passes = RELIEVO_PASSES(1.0);
   int caster = 0;
@@ -20,19 +20,19 @@ RELIEVO_PASSES relievoShadowWalk(int casters, vec3 fromLC, vec3 rayLC, bool ends
     int found = -1;
     while (caster < casters && found < 0)
     {
-      vec4 low = texelFetch(relievoShadowTree, 2 * caster);
-      vec4 high = texelFetch(relievoShadowTree, 2 * caster + 1);
+      vec4 low = texelFetch(relievoTree, 2 * caster);
+      vec4 high = texelFetch(relievoTree, 2 * caster + 1);
       bool meets = relievoRayMeetsBox(fromLC, inverseLC, last, low.xyz, high.xyz);
       bool leaf = low.w < 0.0;
       found = meets && leaf ? int(-1.0 - low.w) : -1;
       caster = meets || leaf ? caster + 1 : int(low.w);
     }
-    int record = relievoShadowRecords + 5 * max(found, 0);
-    vec4 rowX = texelFetch(relievoShadowTree, record);
-    vec4 rowY = texelFetch(relievoShadowTree, record + 1);
-    vec4 rowZ = texelFetch(relievoShadowTree, record + 2);
-    vec4 mesh = texelFetch(relievoShadowTree, record + 3); // texel / 16, nodes, 1 - opacity
-    vec4 size = texelFetch(relievoShadowTree, record + 4); // scale, blur
+    int record = relievoTreeRecords + 5 * max(found, 0);
+    vec4 rowX = texelFetch(relievoTree, record);
+    vec4 rowY = texelFetch(relievoTree, record + 1);
+    vec4 rowZ = texelFetch(relievoTree, record + 2);
+    vec4 mesh = texelFetch(relievoTree, record + 3); // texel / 16, nodes, 1 - opacity
+    vec4 size = texelFetch(relievoTree, record + 4); // scale, blur
 #ifdef RELIEVO_SHADOW_COLORED
     vec4 share = vec4(mesh.w, size.zw, mesh.z); // of the colours, less what is blocked
 #else
@@ -57,8 +57,8 @@ RELIEVO_PASSES relievoShadowWalk(int casters, vec3 fromLC, vec3 rayLC, bool ends
       int end = 0;
       while (node < nodes && end == 0)
       {
-        vec4 low = texelFetch(relievoShadowTree, base + 2 * node);
-        vec4 high = texelFetch(relievoShadowTree, base + 2 * node + 1);
+        vec4 low = texelFetch(relievoTree, base + 2 * node);
+        vec4 high = texelFetch(relievoTree, base + 2 * node + 1);
         bool meets = relievoRayMeetsBox(from, inverse, last, low.xyz, high.xyz);
         bool leaf = low.w < 0.0;
         slot = meets && leaf ? int(-1.0 - low.w) : 0;
@@ -70,7 +70,7 @@ RELIEVO_PASSES relievoShadowWalk(int casters, vec3 fromLC, vec3 rayLC, bool ends
         vec3 a;
         vec3 b;
         vec3 c;
-        relievoShadowTriangle(triangles, slot, a, b, c);
+        relievoTreeTriangle(triangles, slot, a, b, c);
         vec3 normal = cross(b - a, c - a);
         a -= from;
         b -= from;

@@ -1,11 +1,13 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The casters' triangles in a texture buffer, for the rays of shaders/shadow/exact.glsl: a tree
-// over the casters, and for each mesh, once however often it casts, a tree over its triangles.
-#ifndef vtkRelievoShadowTree_h
-#define vtkRelievoShadowTree_h
+// The triangles of meshes in a texture buffer, for the rays of shaders/rays/walk.glsl: a tree over
+// the casters, which are meshes at their places, and for each mesh, once however often it casts, a
+// tree over its triangles.
+#ifndef vtkRelievoTreeBuffer_h
+#define vtkRelievoTreeBuffer_h
 
+#include "vtkRelievoFrameModule.h" // for the export macro
 #include "vtkRelievoMeshTexels.h"
 #include "vtkRelievoPlacedMesh.h"
 #include "vtkRelievoTextureBuffer.h"
@@ -20,13 +22,13 @@ class vtkOpenGLRenderWindow;
 class vtkPolyData;
 class vtkWindow;
 
-class vtkRelievoShadowTree
+class VTKRELIEVOFRAME_EXPORT vtkRelievoTreeBuffer
 {
 public:
-  vtkRelievoShadowTree() = default;
-  ~vtkRelievoShadowTree();
-  vtkRelievoShadowTree(const vtkRelievoShadowTree&) = delete;
-  void operator=(const vtkRelievoShadowTree&) = delete;
+  vtkRelievoTreeBuffer() = default;
+  ~vtkRelievoTreeBuffer();
+  vtkRelievoTreeBuffer(const vtkRelievoTreeBuffer&) = delete;
+  void operator=(const vtkRelievoTreeBuffer&) = delete;
 
   // Brings the casters into the buffer, in coordinates about an origin. Returns why not, in words.
   std::string Update(vtkOpenGLRenderWindow* window,

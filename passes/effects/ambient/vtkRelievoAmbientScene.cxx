@@ -1,0 +1,93 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkRelievoAmbientScene.h"
+
+#include "vtkActor.h"
+#include "vtkProp.h"
+#include "vtkRelievoFrameContext.h"
+#include "vtkRelievoPropMeshes.h"
+#include "vtkShaderProgram.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace
+{
+// On a place's way from the vertex buffer through the raster and back from its depth.
+constexpr double Roundings = 8.0;
+constexpr double Ulp = 1.0 / (1 << 23);
+
+// A point amid what is seen, of a grid about as wide as the view there: few moves of the camera
+// take another, and it depends on nothing else.
+glm::dvec3 GetOrigin(const vtkRelievoFrameCamera& view)
+{
+  const glm::dmat4 viewToWorld = glm::inverse(view.WorldToView);
+  const double away =
+    view.Parallel ? 0.5 * (view.Near + view.Far) : std::sqrt(view.Near * view.Far);
+  const glm::dvec3 middle(viewToWorld * glm::dvec4(0.0, 0.0, -away, 1.0));
+  const double size = (view.Parallel ? 1.0 : away) / std::abs(view.ViewToNDC[1][1]);
+  if (!(size > 0.0) || !std::isfinite(size))
+  {
+    return middle;
+  }
+  const double step = std::exp2(std::ceil(std::log2(size)));
+  return step * glm::round(middle / step);
+}
+
+bool IsMesh(const vtkRelievoFrameProp& prop)
+{
+  return std::any_of(prop.Parts.begin(), prop.Parts.end(), [](const auto& part) {
+    vtkActor* actor = vtkRelievoPropParts::GetMeshActor(part);
+    return actor && !vtkRelievoPropParts::IsAnnotation(actor);
+  });
+}
+}
+
+//------------------------------------------------------------------------------
+std::string vtkRelievoAmbientScene::Begin(const vtkRelievoFrameContext& context)
+{
+  std::vector<vtkRelievoPlacedMesh> meshes;
+  this->LeftOut = 0;
+  for (const vtkRelievoFrameProp& prop : vtkRelievoFrameScene::FindVisible(context.Renderer))
+  {
+    if (!IsMesh(prop))
+    {
+      continue;
+    }
+    prop.Prop->GetBounds(); // brings what it draws up to date
+    if (!vtkRelievoPropMeshes::Collect(
+          prop.Prop, vtkRelievoPropMeshes::Wanted::Opaque, this->Glyphs, meshes))
+    {
+      ++this->LeftOut;
+    }
+  }
+  const std::string wrong =
+    this->Tree.Update(context.Window, meshes, GetOrigin(context.SteadyView));
+  return !wrong.empty()  ? wrong
+    : this->Tree.Bind() ? std::string()
+                        : "all texture units of this OpenGL are taken";
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoAmbientScene::SetUniforms(
+  vtkShaderProgram* program, const vtkRelievoFrameContext& context) const
+{
+  glm::dmat4 toTree = glm::inverse(context.View.WorldToView);
+  toTree[3] = glm::dvec4(glm::dvec3(toTree[3]) - this->Tree.GetOrigin(), 1.0);
+  glm::mat4 rounded(toTree);
+  const double away = glm::length(glm::dvec3(toTree[3]));
+  const float blur[2] = { static_cast<float>(Roundings * Ulp * away),
+    static_cast<float>(Roundings * Ulp) };
+  program->SetUniformMatrix4x4("ambientToLocal", &rounded[0][0]);
+  program->SetUniform2f("relievoTreeBlur", blur);
+  program->SetUniformi("relievoTree", this->Tree.GetTextureUnit());
+  program->SetUniformi("relievoTreeNodes", this->Tree.GetNumberOfNodes());
+  program->SetUniformi("relievoTreeRecords", this->Tree.GetFirstRecord());
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoAmbientScene::Release(vtkWindow* window)
+{
+  this->Tree.Release(window);
+  this->Glyphs = vtkRelievoGlyphPlaces();
+}

@@ -1,0 +1,255 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkRelievoAmbientStage.h"
+
+#include "vtkObjectFactory.h"
+#include "vtkOpenGLError.h" // for OpenGL
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtkRelievoAmbientScene.h"
+#include "vtkRelievoBlueNoise.h"
+#include "vtkRelievoFrameContext.h"
+#include "vtkRelievoFramePlan.h"
+#include "vtkRelievoScopedState.h"
+#include "vtkRelievoScreenQuad.h"
+#include "vtkRelievoScreenTarget.h"
+#include "vtkRelievoSkySamples.h"
+#include "vtkShaderProgram.h"
+
+#include <algorithm>
+#include <array>
+#include <sstream>
+
+vtkStandardNewMacro(vtkRelievoAmbientStage);
+
+namespace
+{
+constexpr const char* Layer = "ambient";
+constexpr int MostSamples = 4096;
+constexpr int MostPerFrame = 64; // shaders/ambient/shareFS.glsl has room for them
+constexpr double LargestRadius = 1e9;
+static_assert(vtkRelievoBlueNoise::Size == 64, "shaders/ambient/shareFS.glsl counts on it");
+}
+
+class vtkRelievoAmbientStage::Internals
+{
+public:
+  vtkRelievoAmbientScene Scene;
+  vtkRelievoTextureBuffer Noise;
+  vtkRelievoScreenTarget Share{ "ambientShare" };
+  vtkRelievoScreenQuad Find;
+  vtkRelievoScreenQuad Darken;
+  std::vector<vtkRelievoSkySamples::Point> Points; // of all frames
+  std::string Failed;                              // said once
+
+  Internals() { this->Share.SetDefines("#define RELIEVO_GATHERED ambientShare\n"); }
+};
+
+//------------------------------------------------------------------------------
+vtkRelievoAmbientStage::vtkRelievoAmbientStage()
+  : Internal(new Internals)
+{
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoAmbientStage::~vtkRelievoAmbientStage() = default;
+
+//------------------------------------------------------------------------------
+void vtkRelievoAmbientStage::Describe(vtkRelievoStageDescription& description)
+{
+  description.Name = "ambient";
+  description.Label = "Ambient Occlusion";
+  description.Help = "Ambient occlusion by rays: surfaces are darker where they see less of the sky.";
+  description.Slot = vtkRelievoStageDescription::SHADE;
+  description.Order = -10; // before the light of lamps, which comes straight
+  description.Reads = { "depth", "geometric_normal" };
+  description.Writes = { "color" };
+  description.Layers = { Layer };
+  description.OnByDefault = true;
+  description.AddFlag(
+    "visible", this->Visible, [this](bool on) { this->SetVisible(on); },
+    "Whether the picture is darkened; the layer is there either way.");
+  description
+    .AddNumber(
+      "strength", this->Strength, [this](double strength) { this->SetStrength(strength); }, 0.0,
+      1.0, "", "How much of the light goes where no sky is seen.")
+    .OnlyIf = "visible=on";
+  description
+    .AddNumber(
+      "radius", this->Radius, [this](double radius) { this->SetRadius(radius); }, 0.0,
+      LargestRadius, "world units", "Beyond it nothing hides the sky; 0: no limit.");
+  description
+    .AddChoice(
+      "weighting", this->Weighting, [this](int weighting) { this->SetWeighting(weighting); },
+      { "cosine", "uniform" },
+      "How parts of the sky count: by the cosine to the normal, as light arrives, or evenly.")
+    .Advanced = true;
+  description.AddWhole(
+    "samples", this->Samples, [this](int samples) { this->SetSamples(samples); }, 1, MostSamples,
+    "rays", "Rays of each pixel that are gathered in all.");
+  description
+    .AddWhole(
+      "samples_per_frame", this->SamplesPerFrame,
+      [this](int samples) { this->SetSamplesPerFrame(samples); }, 1, MostPerFrame, "rays",
+      "How many of them each frame follows.")
+    .Advanced = true;
+  description
+    .AddFlag(
+      "at_once", this->AtOnce, [this](bool on) { this->SetAtOnce(on); },
+      "Whether every frame gathers all samples; otherwise some in each frame.")
+    .Advanced = true;
+  description.Parameters.back().Label = "All Samples At Once";
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoAmbientStage::Declare(
+  const vtkRelievoFrameContext&, vtkRelievoDeclaration& declaration) const
+{
+  declaration.Gathered = { "color", Layer };
+  declaration.Samples = (this->Samples + this->SamplesPerFrame - 1) / this->SamplesPerFrame;
+  declaration.AtOnce = this->AtOnce;
+  if (!this->Visible || this->Strength == 0.0)
+  {
+    declaration.Writes.clear();
+    declaration.Reason =
+      this->Visible ? "the strength is 0" : "it is not to be visible in the picture";
+  }
+}
+
+//------------------------------------------------------------------------------
+std::string vtkRelievoAmbientStage::DrawShare(vtkRelievoFrameContext& context)
+{
+  Internals& in = *this->Internal;
+  vtkRelievoScreenTarget::Format format;
+  format.Channels = 1;
+  format.Halves = false;
+  std::string wrong = in.Share.Prepare(context, format);
+  if (wrong.empty() && !in.Noise.IsIn(context.Window))
+  {
+    wrong = in.Noise.Upload(context.Window, vtkRelievoBlueNoise::GetThresholds(), 1);
+  }
+  wrong = wrong.empty() ? in.Scene.Begin(context) : wrong;
+  if (!wrong.empty())
+  {
+    return wrong;
+  }
+  vtkShaderProgram* program =
+    in.Find.Ready(context, "ambient/shareFS.glsl", { "depth", "geometric_normal" });
+  if (program)
+  {
+    const int rays = std::min(this->Samples, this->SamplesPerFrame);
+    const auto all = static_cast<std::size_t>(rays) * static_cast<std::size_t>(context.Samples);
+    if (in.Points.size() != all)
+    {
+      in.Points = vtkRelievoSkySamples::Get(static_cast<int>(all), true);
+    }
+    float points[MostPerFrame][2];
+    for (int i = 0; i < rays; ++i)
+    {
+      const auto& point = in.Points[static_cast<std::size_t>(context.Sample * rays + i)];
+      points[i][0] = static_cast<float>(point.X);
+      points[i][1] = static_cast<float>(point.Y);
+    }
+    program->SetUniform2fv("ambientPoints", rays, points);
+    program->SetUniformi("ambientRays", rays);
+    program->SetUniformf("ambientRadius", static_cast<float>(this->Radius));
+    program->SetUniformi("ambientByCosine", this->Weighting == COSINE);
+    in.Scene.SetUniforms(program, context);
+    in.Noise.Activate(program, "ambientNoise");
+    in.Share.Begin(context);
+    in.Find.Draw(context, in.Share.GetArea());
+    in.Share.End();
+    in.Noise.Deactivate();
+    this->DrawCalls = 1;
+    context.ProvideLayer(Layer, &in.Share);
+  }
+  in.Scene.End();
+  return in.Find.GetWrong();
+}
+
+//------------------------------------------------------------------------------
+std::string vtkRelievoAmbientStage::DrawColor(vtkRelievoFrameContext& context)
+{
+  Internals& in = *this->Internal;
+  vtkShaderProgram* program = in.Darken.Ready(context, "ambient/colorFS.glsl", { Layer });
+  if (program)
+  {
+    program->SetUniformf("ambientStrength", static_cast<float>(this->Strength));
+    vtkOpenGLState* state = context.Window->GetState();
+    const vtkRelievoScopedState kept(state);
+    state->vtkglEnable(GL_BLEND);
+    state->vtkglBlendFuncSeparate(GL_ZERO, GL_SRC_COLOR, GL_ZERO, GL_ONE);
+    this->DrawCalls += context.DrawColor(in.Darken, false) ? 1 : 0;
+  }
+  return in.Darken.GetWrong();
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoAmbientStage::Execute(vtkRelievoFrameContext& context)
+{
+  Internals& in = *this->Internal;
+  this->DrawCalls = 0;
+  std::string wrong = this->DrawShare(context);
+  if (wrong.empty() && context.IsAsked(this, "color"))
+  {
+    wrong = this->DrawColor(context);
+  }
+  if (wrong.empty())
+  {
+    const int rays = std::min(this->Samples, this->SamplesPerFrame);
+    std::ostringstream words;
+    words << rays * (context.Sample + 1) << " of " << rays * context.Samples
+          << " rays of each pixel past " << in.Scene.GetNumberOfTriangles() << " triangles";
+    if (in.Scene.GetNumberOfPropsLeftOut() > 0)
+    {
+      words << "; " << in.Scene.GetNumberOfPropsLeftOut()
+            << (in.Scene.GetNumberOfPropsLeftOut() == 1 ? " prop" : " props")
+            << " that rays cannot follow hide nothing";
+    }
+    this->Explain("ran", words.str());
+  }
+  else
+  {
+    this->Explain("failed", wrong);
+    if (in.Failed != wrong)
+    {
+      vtkErrorMacro("There is no ambient occlusion: " << wrong << ".");
+    }
+  }
+  in.Failed = wrong;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkRelievoAmbientStage::ReadLayers(
+  const std::vector<std::string>& names, vtkImageData* image)
+{
+  for (const std::string& name : names)
+  {
+    const std::string wrong = this->Internal->Share.Read(name, 1, image);
+    if (!wrong.empty())
+    {
+      return "The layer '" + name + "' cannot be read: " + wrong + ".";
+    }
+  }
+  return {};
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkRelievoAmbientStage::GetBytesHeld()
+{
+  const Internals& in = *this->Internal;
+  return in.Scene.GetBytes() + in.Noise.GetBytes() + in.Share.GetBytes();
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoAmbientStage::ReleaseGraphicsResources(vtkWindow* window)
+{
+  Internals& in = *this->Internal;
+  in.Scene.Release(window);
+  in.Noise.Release(window);
+  in.Share.Release(window);
+  in.Find.Release(window);
+  in.Darken.Release(window);
+  this->DrawCalls = 0;
+  this->Superclass::ReleaseGraphicsResources(window);
+}

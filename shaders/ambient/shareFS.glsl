@@ -1,0 +1,82 @@
+//VTK::System::Dec
+//RELIEVO::Include(extensions.glsl)
+//RELIEVO::Defines
+//VTK::Output::Dec
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The share of the sky that each pixel's surface sees, by rays past the triangles of the scene; 1
+// where there is no surface.
+//RELIEVO::Include(gbuffer/read.glsl)
+//RELIEVO::Include(formulas/shadow.glsl)
+//RELIEVO::Include(formulas/sky.glsl)
+//RELIEVO::Include(formulas/unproject.glsl)
+//RELIEVO::Include(rays/passes.glsl)
+//RELIEVO::Include(rays/walk.glsl)
+in vec2 texCoord;
+uniform vec2 relievoSize;
+uniform mat4 relievoProjection;
+uniform mat4 ambientToLocal;          // the tree's space, from eye space
+uniform samplerBuffer ambientNoise;   // blue, 64 x 64
+uniform vec2 ambientPoints[64];       // of the unit square, for the rays of this frame
+uniform int ambientRays;
+uniform float ambientRadius;          // 0: rays do not end
+uniform int ambientByCosine;
+
+// By how much the depth of a pixel may be off as it is stored.
+float ambientDepthStep(float depth)
+{
+#ifdef RELIEVO_NORMAL_DEPTH_WORD
+#if RELIEVO_NORMAL_DEPTH_FORMAT == RELIEVO_NORMAL_DEPTH_RGBA8
+  return (relievoFar - relievoNear) / 254.0;
+#elif RELIEVO_NORMAL_DEPTH_FORMAT == RELIEVO_NORMAL_DEPTH_RGBA16F
+  return depth / 1024.0;
+#else
+  return 0.0;
+#endif
+#elif RELIEVO_DEPTH_FORMAT == RELIEVO_DEPTH_16F
+  return depth / 1024.0;
+#elif RELIEVO_DEPTH_FORMAT == RELIEVO_DEPTH_WINDOW_Z24
+  float range = relievoFar - relievoNear;
+  return (relievoParallel != 0 ? range : depth * depth * range / (relievoFar * relievoNear)) /
+    8388608.0;
+#elif RELIEVO_DEPTH_FORMAT == RELIEVO_DEPTH_REVERSED_32F
+  float range = relievoFar - relievoNear;
+  return (relievoParallel != 0 ? range : depth * range / relievoFar) / 2097152.0;
+#else
+  return 0.0;
+#endif
+}
+
+float ambientShift(ivec2 pixel)
+{
+  return texelFetch(ambientNoise, (pixel.y & 63) * 64 + (pixel.x & 63)).x;
+}
+
+void main()
+{
+  ivec2 pixel = ivec2(floor(texCoord * relievoSize));
+  float depth = relievoFetchDepth(pixel);
+  vec3 normal = relievoFetchGeometricNormal(pixel);
+  bool surface = !isinf(depth) && dot(normal, normal) > 0.5;
+  depth = surface ? depth : relievoNear;
+  vec3 place =
+    relievoEyePosition(relievoNdcFromPixel(vec2(pixel), relievoSize), depth, relievoProjection);
+  bool away = relievoParallel != 0 ? normal.z < 0.0 : dot(normal, place) > 0.0;
+  vec3 up = surface ? normalize(mat3(ambientToLocal) * (away ? -normal : normal)) : vec3(0.0, 0.0, 1.0);
+  vec3 right = normalize(relievoTangent(up));
+  vec3 ahead = cross(up, right);
+  vec3 from = (ambientToLocal * vec4(place, 1.0)).xyz;
+  float blur = relievoTreeBlur.x + relievoTreeBlur.y * length(place) + ambientDepthStep(depth);
+  vec2 shift = vec2(ambientShift(pixel), ambientShift(pixel + ivec2(37, 17)));
+  bool ends = ambientRadius > 0.0;
+  float sees = 0.0;
+  for (int i = 0; i < ambientRays; ++i)
+  {
+    vec2 point = relievoSkyShift(ambientPoints[i], shift);
+    vec3 ray = relievoSkyDirection(point.x, point.y, ambientByCosine != 0);
+    ray = ray.x * right + ray.y * ahead + ray.z * up;
+    sees += relievoTreeWalk(
+      surface ? relievoTreeNodes : 0, from, ends ? ambientRadius * ray : ray, ends, blur);
+  }
+  gl_FragData[0] = vec4(sees / float(ambientRays));
+}
