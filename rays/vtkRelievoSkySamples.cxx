@@ -34,7 +34,7 @@ std::vector<vtkRelievoSkySamples::Point> vtkRelievoSkySamples::Get(int samples, 
   points.reserve(order.size());
   for (const int i : order)
   {
-    points.push_back({ (i + 0.5) / samples, GetPart(i * GoldenRatio) });
+    points.push_back({ static_cast<double>(i) / samples, GetPart(i * GoldenRatio) });
   }
   return points;
 }

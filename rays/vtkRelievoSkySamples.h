@@ -17,9 +17,10 @@ struct vtkRelievoSkySamples
     double Y = 0.0;
   };
 
-  // So many points, (i + 1/2) / samples and the part of i times the golden ratio beyond a whole
-  // number: on the disc a spiral (H. Vogel, A better way to construct the sunflower head, 1979). If
-  // `spread`, in an order in which the first ones are spread out as well.
+  // So many points, i / samples and the part of i times the golden ratio beyond a whole number, to
+  // be moved by a share of 1 / samples and by any number: on the disc a spiral (H. Vogel, A better
+  // way to construct the sunflower head, 1979). If `spread`, in an order in which the first ones
+  // are spread out as well.
   VTKRELIEVORAYS_EXPORT static std::vector<Point> Get(int samples, bool spread);
 };
 

@@ -67,8 +67,8 @@ vtkRelievoSampleAccumulator::Demand vtkRelievoSampleAccumulator::GetDemand(
     };
     // A picture that is not made of the linear colour cannot be a mean; layers can, if samples
     // change nothing else.
-    const bool layersAlone = std::all_of(node.Asked.begin(), node.Asked.end(),
-      [&](const std::string& asked) {
+    const bool layersAlone =
+      std::all_of(node.Asked.begin(), node.Asked.end(), [&](const std::string& asked) {
         return asked != "color" && isAmong(declaration.Gathered, asked);
       });
     if (context.Picture && !hasColor && !layersAlone)

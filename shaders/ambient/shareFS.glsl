@@ -19,6 +19,7 @@ uniform mat4 ambientToLocal;          // the tree's space, from eye space
 uniform samplerBuffer ambientNoise;   // blue, 64 x 64
 uniform vec2 ambientPoints[64];       // of the unit square, for the rays of this frame
 uniform int ambientRays;
+uniform float ambientStep;            // from one of all frames' points to the next
 uniform float ambientRadius;          // 0: rays do not end
 uniform int ambientByCosine;
 
@@ -29,12 +30,12 @@ float ambientDepthStep(float depth)
 #if RELIEVO_NORMAL_DEPTH_FORMAT == RELIEVO_NORMAL_DEPTH_RGBA8
   return (relievoFar - relievoNear) / 254.0;
 #elif RELIEVO_NORMAL_DEPTH_FORMAT == RELIEVO_NORMAL_DEPTH_RGBA16F
-  return depth / 1024.0;
+  return depth / 512.0;
 #else
   return 0.0;
 #endif
 #elif RELIEVO_DEPTH_FORMAT == RELIEVO_DEPTH_16F
-  return depth / 1024.0;
+  return depth / 512.0;
 #elif RELIEVO_DEPTH_FORMAT == RELIEVO_DEPTH_WINDOW_Z24
   float range = relievoFar - relievoNear;
   return (relievoParallel != 0 ? range : depth * depth * range / (relievoFar * relievoNear)) /
@@ -52,6 +53,11 @@ float ambientShift(ivec2 pixel)
   return texelFetch(ambientNoise, (pixel.y & 63) * 64 + (pixel.x & 63)).x;
 }
 
+// Rasters round corners to 1/256 of a pixel: beside an edge that two walls share a pixel may show
+// one of them where it is behind the other. From so many pixels before it, towards the eye, where
+// nothing is, it is before both.
+const float ambientBefore = 1.0 / 32.0;
+
 void main()
 {
   ivec2 pixel = ivec2(floor(texCoord * relievoSize));
@@ -65,14 +71,20 @@ void main()
   vec3 up = surface ? normalize(mat3(ambientToLocal) * (away ? -normal : normal)) : vec3(0.0, 0.0, 1.0);
   vec3 right = normalize(relievoTangent(up));
   vec3 ahead = cross(up, right);
-  vec3 from = (ambientToLocal * vec4(place, 1.0)).xyz;
-  float blur = relievoTreeBlur.x + relievoTreeBlur.y * length(place) + ambientDepthStep(depth);
-  vec2 shift = vec2(ambientShift(pixel), ambientShift(pixel + ivec2(37, 17)));
+  float pixelWidth = (relievoParallel != 0 ? 2.0 : 2.0 * depth) /
+    (abs(relievoProjection[1][1]) * relievoSize.y);
+  vec3 before =
+    place + ambientBefore * pixelWidth * (relievoParallel != 0 ? vec3(0.0, 0.0, 1.0) : -normalize(place));
+  // A depth of few bits may be behind the surface.
+  float step = ambientDepthStep(depth) * (relievoParallel != 0 ? 1.0 : length(place) / depth);
+  vec3 from = (ambientToLocal * vec4(before, 1.0)).xyz + step * up;
+  float blur = relievoTreeBlur.x + relievoTreeBlur.y * length(place) + 2.0 * step;
+  vec2 shares = vec2(ambientShift(pixel), ambientShift(pixel + ivec2(37, 17)));
   bool ends = ambientRadius > 0.0;
   float sees = 0.0;
   for (int i = 0; i < ambientRays; ++i)
   {
-    vec2 point = relievoSkyShift(ambientPoints[i], shift);
+    vec2 point = relievoSkyShift(ambientPoints[i], shares, ambientStep);
     vec3 ray = relievoSkyDirection(point.x, point.y, ambientByCosine != 0);
     ray = ray.x * right + ray.y * ahead + ray.z * up;
     sees += relievoTreeWalk(

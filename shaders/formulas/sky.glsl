@@ -13,10 +13,10 @@ vec3 relievoSkyDirection(float x, float y, bool byCosine)
   return vec3(sine * cos(angle), sine * sin(angle), cosine);
 }
 
-// The point of the unit square that lies beyond it by a shift, which wraps round.
-vec2 relievoSkyShift(vec2 point, vec2 shift)
+// Of one of some points whose x are a step apart, the place that another set has in its stead: x
+// moves by a share of the step, y by a share of 1, and wraps round.
+vec2 relievoSkyShift(vec2 point, vec2 shares, float step)
 {
-  float x = point.x + shift.x;
-  float y = point.y + shift.y;
-  return vec2(x - floor(x), y - floor(y));
+  float y = point.y + shares.y;
+  return vec2(point.x + shares.x * step, y - floor(y));
 }

@@ -63,7 +63,7 @@ std::string vtkRelievoAmbientScene::Begin(const vtkRelievoFrameContext& context)
   }
   const std::string wrong =
     this->Tree.Update(context.Window, meshes, GetOrigin(context.SteadyView));
-  return !wrong.empty()  ? wrong
+  return !wrong.empty() ? wrong
     : this->Tree.Bind() ? std::string()
                         : "all texture units of this OpenGL are taken";
 }

@@ -59,7 +59,8 @@ void vtkRelievoAmbientStage::Describe(vtkRelievoStageDescription& description)
 {
   description.Name = "ambient";
   description.Label = "Ambient Occlusion";
-  description.Help = "Ambient occlusion by rays: surfaces are darker where they see less of the sky.";
+  description.Help =
+    "Ambient occlusion by rays: surfaces are darker where they see less of the sky.";
   description.Slot = vtkRelievoStageDescription::SHADE;
   description.Order = -10; // before the light of lamps, which comes straight
   description.Reads = { "depth", "geometric_normal" };
@@ -74,10 +75,9 @@ void vtkRelievoAmbientStage::Describe(vtkRelievoStageDescription& description)
       "strength", this->Strength, [this](double strength) { this->SetStrength(strength); }, 0.0,
       1.0, "", "How much of the light goes where no sky is seen.")
     .OnlyIf = "visible=on";
-  description
-    .AddNumber(
-      "radius", this->Radius, [this](double radius) { this->SetRadius(radius); }, 0.0,
-      LargestRadius, "world units", "Beyond it nothing hides the sky; 0: no limit.");
+  description.AddNumber(
+    "radius", this->Radius, [this](double radius) { this->SetRadius(radius); }, 0.0, LargestRadius,
+    "world units", "Beyond it nothing hides the sky; 0: no limit.");
   description
     .AddChoice(
       "weighting", this->Weighting, [this](int weighting) { this->SetWeighting(weighting); },
@@ -152,6 +152,7 @@ std::string vtkRelievoAmbientStage::DrawShare(vtkRelievoFrameContext& context)
     }
     program->SetUniform2fv("ambientPoints", rays, points);
     program->SetUniformi("ambientRays", rays);
+    program->SetUniformf("ambientStep", 1.0f / static_cast<float>(all));
     program->SetUniformf("ambientRadius", static_cast<float>(this->Radius));
     program->SetUniformi("ambientByCosine", this->Weighting == COSINE);
     in.Scene.SetUniforms(program, context);
