@@ -18,8 +18,11 @@
 #include "vtkRelievoLayer.h"
 #include "vtkRelievoLayerCatalogue.h"
 #include "vtkRelievoRayScene.h"
+#include "vtkRelievoSkySamples.h"
+#include "vtkRelievoSkyTurn.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkTable.h"
+#include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <cmath>
@@ -152,6 +155,7 @@ struct Hits
   vtkDataArray* Points;
   vtkDataArray* Weights;
   vtkDataArray* Position;
+  vtkDataArray* Normal; // of triangles
 
   explicit Hits(vtkTable* table)
     : Distance(Get(table, "distance"))
@@ -161,6 +165,7 @@ struct Hits
     , Points(Get(table, "points"))
     , Weights(Get(table, "weights"))
     , Position(Get(table, "position"))
+    , Normal(Get(table, "geometric_normal"))
   {
   }
 
@@ -199,6 +204,97 @@ void SetValue(Layer& layer, const Hits& hits, vtkIdType i, vtkIdType pixel)
     layer.Array->SetComponent(pixel, component, value);
   }
 }
+}
+
+//------------------------------------------------------------------------------
+// The rays of the layer `ambient`, one of each pixel at a time.
+struct vtkRelievoRayLayers::SkyRays
+{
+  std::vector<vtkRelievoSkySamples::Point> Points;
+  std::vector<vtkIdType> Hit; // rays of the camera that see something
+  vtkNew<vtkDoubleArray> Origins;
+  vtkNew<vtkDoubleArray> Directions;
+  vtkNew<vtkUnsignedCharArray> Met;
+
+  // Before the surfaces, by what rounding leaves.
+  void TakeOrigins(const Hits& hits)
+  {
+    constexpr double share = 1e-9; // of the distance
+    constexpr double steps = 64.0; // of the largest coordinate's last bit
+    this->Hit.clear();
+    this->Origins->SetNumberOfComponents(3);
+    this->Directions->SetNumberOfComponents(3);
+    this->Origins->Reset();
+    for (vtkIdType i = 0; i < hits.Distance->GetNumberOfTuples(); ++i)
+    {
+      const double distance = hits.Distance->GetComponent(i, 0);
+      if (std::isinf(distance))
+      {
+        continue;
+      }
+      double place[3];
+      double normal[3];
+      hits.Position->GetTuple(i, place);
+      hits.Normal->GetTuple(i, normal);
+      const double largest =
+        std::max({ std::abs(place[0]), std::abs(place[1]), std::abs(place[2]) });
+      const double before =
+        share * distance + steps * std::numeric_limits<double>::epsilon() * largest;
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        place[axis] += before * normal[axis];
+      }
+      this->Hit.push_back(i);
+      this->Origins->InsertNextTuple(place);
+    }
+    this->Directions->SetNumberOfTuples(static_cast<vtkIdType>(this->Hit.size()));
+  }
+};
+
+//------------------------------------------------------------------------------
+bool vtkRelievoRayLayers::FindAmbient(
+  SkyRays& sky, vtkTable* table, vtkIdType firstPixel, std::vector<double>& share)
+{
+  using namespace relievo::f64;
+  const Hits hits(table);
+  sky.TakeOrigins(hits);
+  share.assign(static_cast<std::size_t>(hits.Distance->GetNumberOfTuples()), 1.0);
+  const double nearest = this->Scene->GetMinimumDistance();
+  const double farthest = this->Scene->GetMaximumDistance();
+  this->Scene->SetMinimumDistance(0.0);
+  this->Scene->SetMaximumDistance(
+    this->AmbientRadius > 0.0 ? this->AmbientRadius : std::numeric_limits<double>::infinity());
+  bool good = true;
+  for (const vtkRelievoSkySamples::Point& point : sky.Points)
+  {
+    for (std::size_t k = 0; k < sky.Hit.size(); ++k)
+    {
+      const auto pixel = static_cast<unsigned int>(firstPixel + sky.Hit[k]);
+      const auto getShare = [&](unsigned int which) {
+        return relievoNoiseHash(pixel, which, 0u, static_cast<unsigned int>(this->Seed)) /
+          4294967296.0;
+      };
+      const glm::dvec2 moved = relievoSkyShift(glm::dvec2(point.X, point.Y),
+        glm::dvec2(getShare(0u), getShare(1u)), 1.0 / this->AmbientSamples);
+      const glm::dvec3 ray =
+        vtkRelievoSkyTurn(relievoSkyDirection(moved.x, moved.y, this->AmbientByCosine),
+          hits.Normal->GetTuple(sky.Hit[k]));
+      sky.Directions->SetTuple(static_cast<vtkIdType>(k), &ray.x);
+    }
+    good = sky.Hit.empty() || this->Scene->FindAny(sky.Origins, sky.Directions, sky.Met);
+    if (!good || relievo::IsStopped(this))
+    {
+      break;
+    }
+    for (std::size_t k = 0; k < sky.Hit.size(); ++k)
+    {
+      share[static_cast<std::size_t>(sky.Hit[k])] -=
+        sky.Met->GetValue(static_cast<vtkIdType>(k)) != 0 ? 1.0 / this->AmbientSamples : 0.0;
+    }
+  }
+  this->Scene->SetMinimumDistance(nearest);
+  this->Scene->SetMaximumDistance(farthest);
+  return good;
 }
 
 //------------------------------------------------------------------------------
@@ -295,9 +391,9 @@ int vtkRelievoRayLayers::RequestData(
     layer.Name = name;
     const vtkRelievoLayer& known = vtkRelievoLayerCatalogue::Find(name);
     const auto column = Columns.find(name);
-    if (column != Columns.end() || name == "depth")
+    if (column != Columns.end() || name == "depth" || name == "ambient")
     {
-      layer.Column = name == "depth" ? nullptr : column->second;
+      layer.Column = column == Columns.end() ? nullptr : column->second;
       layer.Make(known.Type, known.Components, known.Background, columns * rows);
     }
     else if (known.Kind != vtkRelievoLayer::ARRAY ||
@@ -306,7 +402,7 @@ int vtkRelievoRayLayers::RequestData(
       vtkErrorMacro("Rays have no layer '"
         << name
         << "'; they have depth, range, normal, geometric_normal, position, actor, block, "
-           "cell, and arrays of what is in the scene.");
+           "cell, ambient, and arrays of what is in the scene.");
       return 0;
     }
     layers.push_back(layer);
@@ -315,12 +411,19 @@ int vtkRelievoRayLayers::RequestData(
   vtkNew<vtkDoubleArray> origins;
   vtkNew<vtkDoubleArray> directions;
   vtkNew<vtkTable> table;
+  SkyRays sky;
+  std::vector<double> ambient;
+  if (std::find(this->Layers.begin(), this->Layers.end(), "ambient") != this->Layers.end())
+  {
+    sky.Points = vtkRelievoSkySamples::Get(this->AmbientSamples, false);
+  }
   const vtkIdType rowsAtOnce = std::max<vtkIdType>(1, RaysAtOnce / columns);
   for (vtkIdType row = 0; row < rows; row += rowsAtOnce)
   {
     const vtkIdType end = std::min(rows, row + rowsAtOnce);
     this->Camera->GetRowRays(static_cast<int>(row), static_cast<int>(end), origins, directions);
-    if (!this->Scene->FindNearest(origins, directions, table))
+    if (!this->Scene->FindNearest(origins, directions, table) ||
+      (!sky.Points.empty() && !this->FindAmbient(sky, table, row * columns, ambient)))
     {
       vtkErrorMacro("The rays of the camera were not followed; see the errors before.");
       return 0;
@@ -339,6 +442,10 @@ int vtkRelievoRayLayers::RequestData(
         if (layer.Column)
         {
           layer.Array->SetTuple(pixel, hits.Get(table, layer.Column)->GetTuple(i));
+        }
+        else if (layer.Name == "ambient")
+        {
+          layer.Array->SetComponent(pixel, 0, ambient[static_cast<std::size_t>(i)]);
         }
         else if (layer.Name == "depth")
         {
@@ -379,4 +486,8 @@ void vtkRelievoRayLayers::PrintSelf(ostream& os, vtkIndent indent)
     os << " " << name;
   }
   os << "\n";
+  os << indent << "AmbientSamples: " << this->AmbientSamples << "\n";
+  os << indent << "AmbientRadius: " << this->AmbientRadius << "\n";
+  os << indent << "AmbientByCosine: " << this->AmbientByCosine << "\n";
+  os << indent << "Seed: " << this->Seed << "\n";
 }

@@ -12,7 +12,9 @@
  * normal, geometric_normal, position, actor, block, cell, and arrays by name (point arrays
  * interpolated, cell arrays as they are; `point:NAME`, `cell:NAME` where both have it; the
  * background is NaN). `depth` is z in camera space, or the range of sensors that look all around.
- * `actor` is the number of the prop in the scene.
+ * `actor` is the number of the prop in the scene. `ambient` is the share of the sky that the surface
+ * sees on the side of its triangle that is met, as vtkRelievoAmbientStage has it; for rays all
+ * surfaces are opaque.
  *
  * Field data: the calibration (vtkRelievoCameraModel::AddTo).
  *
@@ -54,6 +56,23 @@ public:
   void RemoveAllLayers();
   ///@}
 
+  ///@{
+  /**
+   * Of the layer `ambient`: rays into the sky for each pixel, 1 to 65536 (64); world units beyond
+   * which nothing hides it (0: no limit); whether parts of the sky count by the cosine to the
+   * normal (default) or evenly; and a number that chooses other rays (0).
+   */
+  vtkSetClampMacro(AmbientSamples, int, 1, 65536);
+  vtkGetMacro(AmbientSamples, int);
+  vtkSetClampMacro(AmbientRadius, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(AmbientRadius, double);
+  vtkSetMacro(AmbientByCosine, bool);
+  vtkGetMacro(AmbientByCosine, bool);
+  vtkBooleanMacro(AmbientByCosine, bool);
+  vtkSetMacro(Seed, int);
+  vtkGetMacro(Seed, int);
+  ///@}
+
   /** Always newer than before, because the scene may change without notice. */
   vtkMTimeType GetMTime() override;
 
@@ -69,9 +88,16 @@ private:
   vtkRelievoRayLayers(const vtkRelievoRayLayers&) = delete;
   void operator=(const vtkRelievoRayLayers&) = delete;
 
+  struct SkyRays;
+  bool FindAmbient(SkyRays& sky, vtkTable* hits, vtkIdType firstPixel, std::vector<double>& share);
+
   vtkSmartPointer<vtkRelievoRayScene> Scene;
   vtkSmartPointer<vtkRelievoCameraModel> Camera;
   std::vector<std::string> Layers;
+  int AmbientSamples = 64;
+  double AmbientRadius = 0.0;
+  bool AmbientByCosine = true;
+  int Seed = 0;
 };
 
 #endif

@@ -15,6 +15,8 @@
 #include "vtkRelievoAbort.h"
 #include "vtkRelievoPolygonCut.h"
 #include "vtkRelievoRayScene.h"
+#include "vtkRelievoSkySamples.h"
+#include "vtkRelievoSkyTurn.h"
 #include "vtkRelievoSolarPosition.h"
 #include "vtkUnsignedCharArray.h"
 
@@ -29,7 +31,6 @@ namespace
 constexpr double BeforeSurface = 1e-7; // of the mesh's size
 constexpr double HoursOfDay = 24.0;
 constexpr int MostDays = 366 * 200;
-constexpr double GoldenRatio = 0.6180339887498949;
 
 using Vector = std::array<double, 3>;
 
@@ -222,31 +223,6 @@ private:
   vtkNew<vtkUnsignedCharArray> Met;
 };
 
-// Of so many directions about z the one of this number, evenly by the cosine: Malley's method on a
-// spiral.
-Vector GetSkySample(int number, int samples)
-{
-  const double share = (number + 0.5) / samples;
-  const double radius = std::sqrt(share);
-  const double angle =
-    2.0 * vtkMath::Pi() * (number * GoldenRatio - std::floor(number * GoldenRatio));
-  return { radius * std::cos(angle), radius * std::sin(angle), std::sqrt(1.0 - share) };
-}
-
-// Turned to a normal.
-Vector Turn(const Vector& sample, const Vector& normal)
-{
-  Vector right;
-  Vector up;
-  vtkMath::Perpendiculars(normal.data(), right.data(), up.data(), 0.0);
-  Vector turned;
-  for (std::size_t i = 0; i < 3; ++i)
-  {
-    turned[i] = sample[0] * right[i] + sample[1] * up[i] + sample[2] * normal[i];
-  }
-  return turned;
-}
-
 void AddArray(vtkFieldData* data, const char* name, const std::vector<double>& values)
 {
   vtkNew<vtkFloatArray> array;
@@ -334,6 +310,7 @@ int vtkRelievoSunExposure::RequestData(
   std::vector<double> insolation(places.At.size());
   std::vector<double> sky(places.At.size());
   const std::vector<Sun> suns = this->GetSuns();
+  const auto points = vtkRelievoSkySamples::Get(this->SkySamples, false);
   const std::size_t all = suns.size() + static_cast<std::size_t>(this->SkySamples);
   double possible = 0.0;
   for (std::size_t i = 0; i < all; ++i)
@@ -351,11 +328,14 @@ int vtkRelievoSunExposure::RequestData(
     }
     else
     {
-      const Vector sample = GetSkySample(static_cast<int>(i - suns.size()), this->SkySamples);
+      const vtkRelievoSkySamples::Point& point = points[i - suns.size()];
+      const glm::dvec3 sample =
+        relievo::f64::relievoSkyDirection(point.X + 0.5 / this->SkySamples, point.Y, true);
       good = openings.Find(
         [&](std::size_t place) {
-          const Vector direction = Turn(sample, places.Normals[place]);
-          return direction[static_cast<std::size_t>(this->UpAxis)] > 0.0 ? direction : Vector{};
+          const glm::dvec3 direction = vtkRelievoSkyTurn(sample, places.Normals[place].data());
+          return direction[this->UpAxis] > 0.0 ? Vector{ direction.x, direction.y, direction.z }
+                                               : Vector{};
         },
         [&](std::size_t place, double) { sky[place] += 1.0 / this->SkySamples; });
     }

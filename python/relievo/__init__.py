@@ -32,6 +32,7 @@ blend              4 float     what is translucent, in linear light, premultipli
 color              4 float     the picture in linear light, premultiplied            renderer's
 actor block cell   1 int       ids, from 0                                           -1
 fog                1 float     what fog lets through: 1 all, 0 nothing               1
+ambient            1 float     share of the sky that the surface sees: 1 all, 0 none  1
 marker             1 float     how much of the surface markers cover, 0 to 1         0
 shadow_N           1 float     visibility of light N: 1 lit, 0 dark                  1
 any array's name   the array's  point data interpolated, cell data per cell          NaN

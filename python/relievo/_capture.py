@@ -26,7 +26,7 @@ _LARGEST = 16384  # pixels each way; OpenGL's own limit, asked when there is a w
 _SIZE_OF_DATA = (1024, 768)
 
 
-def capture(renderer, layers=("depth",), size=None, hdr=False, camera=None):
+def capture(renderer, layers=("depth",), size=None, hdr=False, camera=None, ambient=None):
     """Draws the renderer once and returns the layers of what is visible.
 
     renderer: a vtkRenderer, or an object whose attribute `renderer` is one (a plotter). Its camera,
@@ -44,7 +44,10 @@ def capture(renderer, layers=("depth",), size=None, hdr=False, camera=None):
     camera: a CameraModel (Pinhole with distortion, Fisheye, Equirectangular, Lidar, ...) that sees
         in place of the renderer's camera, in its own size: by a ray for each pixel, in double,
         without a window. It has depth, range, normal, geometric_normal, position, actor, block,
-        cell and arrays by name; the field data holds R, t, and K, lens and distortion.
+        cell, ambient and arrays by name; the field data holds R, t, and K, lens and distortion.
+    ambient: of the layer `ambient` with a CameraModel, a dict of samples (rays of each pixel, 64),
+        radius (beyond which nothing hides the sky, world units; 0: no limit), weighting ("cosine"
+        or "uniform") and seed (0). Without one the stage has them: stage(renderer, "ambient", ...).
 
     Returns vtkImageData, which notebooks show as pictures, of (columns, rows, 1) points with one
     point array per layer; VTK's row 0 is the BOTTOM of the picture (layer() gives numpy arrays with
@@ -63,7 +66,10 @@ def capture(renderer, layers=("depth",), size=None, hdr=False, camera=None):
         if hdr or size not in (None, camera.size):
             raise ValueError(f"size, hdr: got {size!r} and {hdr!r}, expected neither with a "
                              f"camera, which has a size of its own and no colour")
-        return captured(layers_by_rays(renderer, layers, camera))
+        return captured(layers_by_rays(renderer, layers, camera, ambient))
+    if ambient is not None:
+        raise ValueError("ambient: got settings without a camera, expected them of the stage: "
+                         "relievo.stage(renderer, 'ambient', samples=...)")
     renderer, made = renderer_of(renderer)
     if made and size is None:
         size = _SIZE_OF_DATA

@@ -21,15 +21,32 @@ from .vtkRelievoFilters import (
 from .vtkRelievoRays import vtkRelievoRayScene
 
 
-def layers_by_rays(thing, names, sensor):
+def layers_by_rays(thing, names, sensor, ambient=None):
     """The image of layers that a CameraModel sees; see capture()."""
     scene = rays(thing).scene
     source = vtkRelievoRayLayers()
+    _set_ambient(source, {} if ambient is None else ambient)
     source.SetScene(scene)
     source.SetCamera(sensor.model)
     for name in names:
         source.AddLayer(name)
     return _image(source, f"capture {', '.join(names)}", scene)
+
+
+def _set_ambient(source, settings):
+    expected = ("samples", "radius", "weighting", "seed")
+    unknown = [name for name in settings if name not in expected]
+    if unknown:
+        raise ValueError(f"ambient: got {', '.join(map(str, unknown))}, expected "
+                         f"{', '.join(expected)}")
+    weighting = settings.get("weighting", "cosine")
+    if weighting not in ("cosine", "uniform"):
+        raise ValueError(f"weighting: got {weighting!r}, expected 'cosine' or 'uniform'")
+    source.SetAmbientSamples(
+        _number("samples", settings.get("samples", 64), 1, 65536, whole=True))
+    source.SetAmbientRadius(_number("radius", settings.get("radius", 0), 0, 1e300))
+    source.SetAmbientByCosine(weighting == "cosine")
+    source.SetSeed(_number("seed", settings.get("seed", 0), 0, 2**31 - 1, whole=True))
 
 
 def visible(mesh, cameras, occluders=(), size=None, cloud=False):

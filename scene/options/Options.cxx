@@ -107,6 +107,24 @@ void TakeSoftShadows(RenderOptions& options, const std::string& word)
 }
 
 //------------------------------------------------------------------------------
+void TakeAmbient(RenderOptions& options, const std::string& word)
+{
+  const std::vector<std::string> pieces = Split(word, ',');
+  StageChoice& choice = AddStage(options.Stages, "ambient", "--ambient");
+  choice.Parameters = { { "visible", "on" }, { "strength", pieces[0] } };
+  for (auto piece = std::next(pieces.begin()); piece != pieces.end(); ++piece)
+  {
+    const std::size_t equals = piece->find('=');
+    if (equals == 0 || equals == std::string::npos)
+    {
+      RefuseValue("--ambient", word,
+        "a strength from 0 to 1, then ,radius=R ,weighting=W or ,samples=N, such as 1,radius=0.5");
+    }
+    choice.Parameters.emplace_back(piece->substr(0, equals), piece->substr(equals + 1));
+  }
+}
+
+//------------------------------------------------------------------------------
 void TakeLayers(RenderOptions& options, const std::string& word)
 {
   for (const std::string& name : SplitEscaped(word, ','))
@@ -280,6 +298,11 @@ std::vector<OptionRow> MakeRows()
       "judges N verdicts of the shadows, chosen at random, by rays in double "
       "precision, and prints the share that is wrong, with its 95 % bound",
       TakeCertify },
+    { "--ambient", "STRENGTH[,radius=R][,NAME=VALUE]...",
+      "ambient occlusion: opaque surfaces are darker by up to this share, 0 to 1, where they see "
+      "less of the sky, by rays; beyond R world units nothing hides it (0: no limit). Other values "
+      "are those of the stage ambient, such as samples=N rays of each pixel (64)",
+      TakeAmbient },
     { "--normal-map", "F",
       "normals from an image (.png .jpg .tif .bmp .tga .hdr .exr; OpenGL's green), placed "
       "by the meshes' texture coordinates; linear values, not sRGB",

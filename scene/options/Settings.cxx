@@ -22,7 +22,7 @@ const std::set<std::string> OutputOptions = { "--png", "--exr", "--report", "--c
 
 // Said as parameters of stages instead.
 const std::set<std::string> SaidByStages = { "--stage", "--shadow-size", "--soft-shadows",
-  "--shadow-tolerance", "--time-budget", "--deferred", "--tone", "--exposure" };
+  "--ambient", "--shadow-tolerance", "--time-budget", "--deferred", "--tone", "--exposure" };
 
 constexpr const char* BeginWithPath[] = { "--normal-map", "--height-map", "--environment" };
 
@@ -43,6 +43,13 @@ vtkRelievoPass* GetNewFrame()
 {
   static const vtkNew<vtkRelievoPass> frame;
   return frame;
+}
+
+// Of stages that are there without being seen.
+bool HasSwitch(const std::string& stage)
+{
+  const auto& parameters = GetNewFrame()->GetStage(stage)->GetDescription().Parameters;
+  return !parameters.empty() && parameters[0].Name == "visible";
 }
 
 std::string GetDefault(const std::string& stage, const std::string& parameter)
@@ -333,6 +340,10 @@ bool Settings::IsStageOn(const std::string& stage) const
   {
     return this->ShowsShadows();
   }
+  if (HasSwitch(stage))
+  {
+    return this->GetParameter(stage, "visible") == "on";
+  }
   if (stage != "antialias") // which presets ask for
   {
     return this->IsStageAsked(stage);
@@ -352,7 +363,11 @@ void Settings::SwitchStage(const std::string& stage, bool on)
     return;
   }
   this->AskStage(stage, false);
-  if (on && !this->IsStageOn(stage))
+  if (HasSwitch(stage))
+  {
+    this->SetParameter(stage, "visible", on ? "on" : "off");
+  }
+  else if (on && !this->IsStageOn(stage))
   {
     this->AskStage(stage, true);
   }

@@ -81,7 +81,7 @@ class Catalogue(unittest.TestCase):
                     self.assertAlmostEqual(values[0, 0, 1], 0.2140, delta=0.003)  # 0.5 of sRGB
                 else:
                     self.assertTrue((values[0, 0] == layer["background"]).all(), values[0, 0])
-                if name not in ("shadow_0", "light_depth"):  # the headlight casts none
+                if name not in ("shadow_0", "light_depth", "ambient"):  # nothing is hidden
                     background = layer["background"] or 0
                     self.assertFalse((values[23, 30] == background).all(), values[23, 30])
 

@@ -10,7 +10,12 @@ from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkFiltersSources import vtkCubeSource, vtkSphereSource
-from vtkmodules.vtkRenderingCore import vtkActor, vtkGlyph3DMapper, vtkRenderer
+from vtkmodules.vtkRenderingCore import (
+    vtkActor,
+    vtkGlyph3DMapper,
+    vtkPolyDataMapper,
+    vtkRenderer,
+)
 
 import relievo
 
@@ -96,6 +101,45 @@ class Layers(unittest.TestCase):
             self.assertEqual(one.dtype, other.dtype, name)
             numpy.testing.assert_allclose(other[same], one[same], rtol=tolerance, atol=tolerance,
                                           err_msg=name)
+
+    def test_ambient_before_a_wall(self):
+        renderer = vtkRenderer()
+        for mesh in (grid((0, -80, 0), (80, -80, 0), (0, 80, 0), 1, 1),
+                     grid((0, -80, 0), (0, 80, 0), (0, -80, 1), 1, 1)):
+            mapper = vtkPolyDataMapper()
+            mapper.SetInputData(mesh)
+            actor = vtkActor()
+            actor.SetMapper(mapper)
+            renderer.AddActor(actor)
+        lens = numpy.array([[30, 0, 32], [0, 30, 32], [0, 0, 1.0]])
+        sensor = relievo.Fisheye(lens, (64, 64)).look_at((2, 0, 1.5), (1, 0, 0), (0, 0, 1))
+        errors = {}
+        for settings, truth in (
+            ({}, lambda x: 0.5 + 0.5 / numpy.sqrt(1 + 1 / x**2)),
+            ({"samples": 256}, lambda x: 0.5 + 0.5 / numpy.sqrt(1 + 1 / x**2)),
+            ({"weighting": "uniform", "seed": 3}, lambda x: 1 - numpy.arctan(1 / x) / numpy.pi),
+        ):
+            image = relievo.capture(renderer, ["ambient", "position", "actor"], camera=sensor,
+                                    ambient=settings)
+            x = relievo.layer(image, "position")[..., 0]
+            floor = (relievo.layer(image, "actor") == 0) & (x > 1e-3)
+            off = relievo.layer(image, "ambient")[floor] - truth(x[floor])
+            errors[str(settings)] = numpy.sqrt((off**2).mean())
+            self.assertGreater(floor.sum(), 1000)
+        one, many, uniform = errors.values()
+        print("rms before a wall by rays:", errors)
+        self.assertLess(max(one, uniform), 1 / 64)
+        self.assertLess(many, 1 / 160)
+        self.assertTrue((relievo.layer(image, "ambient")[relievo.layer(image, "actor") < 0]
+                         == 1).all())
+        near = relievo.capture(renderer, ["ambient"], camera=sensor, ambient={"radius": 0.25})
+        self.assertTrue((relievo.layer(near, "ambient")[floor & (x > 0.25)] == 1).all())
+        self.assertLess(relievo.layer(near, "ambient")[floor & (x < 0.1)].mean(), 0.8)
+        for wrong in ({"sample": 3}, {"samples": 0}, {"weighting": "even"}, {"radius": -1}):
+            with self.assertRaises(ValueError):
+                relievo.capture(renderer, ["ambient"], camera=sensor, ambient=wrong)
+        with self.assertRaises(ValueError):
+            relievo.capture(renderer, ["ambient"], size=SIZE, ambient={"samples": 3})
 
     def test_whole_numbers_come_as_they_are(self):
         mesh = box((0, 0, 0), 0.5)
