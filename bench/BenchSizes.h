@@ -98,6 +98,16 @@ struct SoftShadowSizes
   int Height = 180;
 };
 
+struct AmbientSizes
+{
+  std::vector<std::string> Scenes = { "bunny", "room" };
+  std::vector<int> Samples = { 1, 4, 16, 64, 256 };
+  int Width = 320;
+  int Height = 240;
+  int TruthSide = 32; // squared: rays of each pixel
+  int Rounds = 5;
+};
+
 struct PlannerSizes
 {
   std::vector<std::string> Scenes; // none: all
@@ -160,6 +170,7 @@ int BenchRays(const std::string& outDir, const RaySizes& sizes);
 int BenchSkin(const std::string& outDir, const SkinSizes& sizes);
 int BenchParticles(const std::string& outDir, const ParticleSizes& sizes);
 int BenchSoftShadows(const std::string& outDir, const SoftShadowSizes& sizes);
+int BenchAmbient(const std::string& outDir, const AmbientSizes& sizes);
 int BenchPlanner(const std::string& outDir, const PlannerSizes& sizes);
 int BenchFog(const std::string& outDir, const FogSizes& sizes);
 

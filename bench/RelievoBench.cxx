@@ -37,6 +37,8 @@ const std::vector<RelievoBenchEntry>& RelievoBenchEntries()
       RelievoBenchShadows },
     { "soft-shadows", "error of soft shadows against samples of the lights' shapes",
       RelievoBenchSoftShadows },
+    { "ambient", "error of ambient occlusion against time of a frame, beside VTK's own",
+      RelievoBenchAmbient },
     { "planner", "what the planner of shadows expects and chooses against what there is",
       RelievoBenchPlanner },
     { "bias", "false shadow against leak as the shadows' bias grows", RelievoBenchBias },

@@ -59,6 +59,9 @@ int RelievoBenchBias(const std::string& outDir);
 /** Chart 11: error of soft shadows against samples. Some minutes. */
 int RelievoBenchSoftShadows(const std::string& outDir);
 
+/** Error of ambient occlusion against time, by rays, beside VTK's own. Two minutes. */
+int RelievoBenchAmbient(const std::string& outDir);
+
 /** Chart 8: error of environments against texels and angle, by the map; frames. Three minutes. */
 int RelievoBenchEnvironment(const std::string& outDir);
 

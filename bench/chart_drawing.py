@@ -103,6 +103,8 @@ METHODS = {
     "skipping": "blue o -", "classic": "grey x -- second if the first passes",
     "naive": "black s : both noises", "level lines": "blue o - level",
     "upright lines": "sky ^ -- upright",
+    # ambient occlusion
+    "rays": "blue o -", "vtkSSAOPass": "grey x --",
     # rays
     "rays in double": "blue o -", "Embree": "grey x --",
     # cells inside bodies

@@ -243,6 +243,18 @@ def soft_shadows(rows):
                panel=lambda row: f"{row['scene']}, {row['light']}"))  # fmt: skip
 
 
+@bench("ambient.csv")
+def ambient(rows):
+    """Errors by the time of a frame."""
+    titles = {"bunny": "the bunny on a ground", "room": "a room"}
+    yield Chart(
+        "ambient", "Ambient occlusion: error against the time of a frame",
+        "Lower left is better. Along a curve 1, 4, 16, 64 and 256 rays of each pixel, or samples.",
+        Axis("milliseconds of a frame", log=True), Axis("rms error of the share", log=True),
+        panels(rows, "milliseconds", "rms",
+               panel=lambda row: titles[row["scene"]]))  # fmt: skip
+
+
 @bench("planner.csv", "planner-choices.csv", "planner-times.csv", "planner-budgets.csv")
 def planner(errors, choices, times, budgets):
     """What is expected or asked for, against what there is."""

@@ -196,6 +196,9 @@ TRUTH = {
                              "horizon, sun at 10 degrees": "horizon, sun at 10°"}, "[moving ms]"),
     "soft-shadows": points("soft-shadows", lambda row: f"{row['scene']}, {row['light']}",
                            "[method]", "[samples]", "[penumbra rms]"),
+    "ambient": points(
+        "ambient", lambda row: {"bunny": "the bunny on a ground", "room": "a room"}[row["scene"]],
+        "[method]", "[milliseconds]", "[rms]"),
     "planner-error": planner("planner", "[expected wrong %]", "[wrong %]", ("map", "warped"),
                              (0.003, 3)),
     "planner-choice": planner("planner-choices", "[tolerance %]", "[wrong %]",
