@@ -9,7 +9,12 @@
 // colours, from where it starts to the light, which is at its end or infinitely far. A surface that
 // the start or the end lies in, within `blur`, does not count. casters: nodes over them, or 0 to go
 // nowhere.
-RELIEVO_PASSES relievoTreeWalk(int casters, vec3 fromLC, vec3 rayLC, bool ends, float blur)
+//
+// snapLC: towards the eye, as long as the start may lie off the plane of what is seen there, behind
+// it. Rasters place corners on a grid, which tilts narrow triangles and shows a triangle a little
+// beyond its edge, behind its neighbour; neither is between the start and a light.
+RELIEVO_PASSES relievoTreeWalk(
+  int casters, vec3 fromLC, vec3 rayLC, bool ends, float blur, vec3 snapLC)
 {
   RELIEVO_PASSES passes = RELIEVO_PASSES(1.0);
   int caster = 0;
@@ -47,6 +52,8 @@ RELIEVO_PASSES relievoTreeWalk(int casters, vec3 fromLC, vec3 rayLC, bool ends, 
     vec4 start = vec4(fromLC, 1.0);
     vec3 from = vec3(dot(rowX, start), dot(rowY, start), dot(rowZ, start));
     vec3 ray = vec3(dot(rowX.xyz, rayLC), dot(rowY.xyz, rayLC), dot(rowZ.xyz, rayLC));
+    vec3 snap = vec3(dot(rowX.xyz, snapLC), dot(rowY.xyz, snapLC), dot(rowZ.xyz, snapLC));
+    float snapped = length(snap);
     vec3 inverse = relievoRayInverse(ray);
     vec3 right = normalize(relievoTangent(ray));
     vec3 up = normalize(cross(ray, right));
@@ -75,11 +82,13 @@ RELIEVO_PASSES relievoTreeWalk(int casters, vec3 fromLC, vec3 rayLC, bool ends, 
         a -= from;
         b -= from;
         c -= from;
-        float nearest = near * length(normal);
+        float area = length(normal);
+        float nearest = near * area;
         float side = -dot(normal, a);
         float along = dot(normal, ray);
         float other = side + along;
-        bool between = abs(side) > nearest && side * along < 0.0 &&
+        bool seen = side * dot(normal, snap) < 0.0 && abs(side) <= snapped * area;
+        bool between = !seen && abs(side) > nearest && side * along < 0.0 &&
           (!ends || (abs(other) > nearest && side * other < 0.0));
         bool hit = between &&
           relievoLineMeetsTriangle(vec2(dot(right, a), dot(up, a)), vec2(dot(right, b), dot(up, b)),

@@ -108,6 +108,12 @@ invariant gl_Position; // seenVS.glsl has the same
       relievoSeenDepth(vertexVC.z) - relievoSeenDepth(front) > 1e-6;
     int found = hidden ? RELIEVO_SHADOW_LIGHTS : same ? relievoSeenLights : 0;
     float blur = relievoTreeBlur.x + relievoTreeBlur.y * length(relievoShadowPlaceVC);
+    float slant = RELIEVO_SHADOW_HAS_PLANE
+      ? relievoShadowSide /
+        ((cameraParallel != 0 ? 1.0 : length(vertexVC.xyz)) * length(relievoShadowNormalVC))
+      : 1.0;
+    vec3 snapLC = mat3(relievoShadowToLocal) *
+      relievoSeenSnap(relievoShadowPlaceVC, slant, cameraParallel != 0);
     for (int slot = 0; slot < relievoShadowTaken; ++slot)
     {
       RELIEVO_PASSES level = relievoSeenNextLevel(relievoSeenDigits);
@@ -117,7 +123,7 @@ invariant gl_Position; // seenVS.glsl has the same
         !RELIEVO_SHADOW_HAS_PLANE || dot(relievoShadowNormalLC, ray) * relievoShadowSide > 0.0;
       bool open = facing && slot >= found;
       RELIEVO_PASSES passes = relievoTreeWalk(
-        open ? relievoTreeNodes : 0, relievoShadowPlaceLC, ray, source.w != 0.0, blur);
+        open ? relievoTreeNodes : 0, relievoShadowPlaceLC, ray, source.w != 0.0, blur, snapLC);
       RELIEVO_PASSES digit = open ? relievoSeenLevel(passes) : level;
       relievoShadowTake(slot, facing ? relievoSeenVerdict(digit) : RELIEVO_PASSES(0.0));
     }

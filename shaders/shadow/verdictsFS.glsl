@@ -25,6 +25,9 @@ void main()
   bool plain = abs(side) >= 0.02 * (cameraParallel != 0 ? 1.0 : length(placeVC));
   vec3 normalLC = mat3(relievoShadowToLocal) * normalVC * sign(side);
   float blur = relievoTreeBlur.x + relievoTreeBlur.y * length(placeVC);
+  float slant = there ? side / (cameraParallel != 0 ? 1.0 : length(placeVC)) : 1.0;
+  vec3 snapLC =
+    mat3(relievoShadowToLocal) * relievoSeenSnap(placeVC, slant, cameraParallel != 0);
   float sure = texelFetch(relievoSeenTiles, texel / 8, 0).x;
   RELIEVO_PASSES levels = RELIEVO_PASSES(0.0);
   float digit = 1.0;
@@ -40,7 +43,7 @@ void main()
     bool away = plain && dot(normalLC, ray) <= -0.02 * length(ray);
     bool facing = there && !away;
     RELIEVO_PASSES passes = relievoTreeWalk(
-      facing && open ? relievoTreeNodes : 0, placeLC, ray, source.w != 0.0, blur);
+      facing && open ? relievoTreeNodes : 0, placeLC, ray, source.w != 0.0, blur, snapLC);
     levels += digit * (facing ? relievoSeenLevel(passes) : RELIEVO_PASSES(0.0));
     digit *= relievoSeenLevels;
   }
