@@ -85,8 +85,8 @@ void AddBox(vtkRenderer* renderer, double x, double y, double z, double sx, doub
   Add(renderer, box);
 }
 
-// A room of 4 x 2.5 x 4, open to the eye, with a table, a cupboard and a ball.
-void MakeRoom(vtkRenderer* renderer)
+// A room of 4 x 2.5 x 4, open to the eye, with a table, a cupboard and a ball. Returns the radius.
+double MakeRoom(vtkRenderer* renderer)
 {
   const double a[3] = { -2.0, 0.0, -2.0 };
   const double b[3] = { 2.0, 0.0, -2.0 };
@@ -119,14 +119,16 @@ void MakeRoom(vtkRenderer* renderer)
   camera->SetPosition(0.3, 1.5, 6.0);
   camera->SetFocalPoint(0.0, 1.15, 0.0);
   camera->SetViewAngle(34.0);
+  return 0.3;
 }
 
-bool MakeBunny(vtkRenderer* renderer)
+// 0: its file is not there.
+double MakeBunny(vtkRenderer* renderer)
 {
   const vtkSmartPointer<vtkPolyData> mesh = SceneMesh("bunny");
   if (!mesh)
   {
-    return false;
+    return 0.0;
   }
   Add(renderer, mesh);
   double bounds[6];
@@ -141,7 +143,7 @@ bool MakeBunny(vtkRenderer* renderer)
   vtkCamera* camera = renderer->GetActiveCamera();
   camera->SetFocalPoint(x, 0.5 * (bounds[2] + bounds[3]), z);
   camera->SetPosition(x + 0.4 * size, bounds[3] + 0.4 * size, z + 1.6 * size);
-  return true;
+  return 0.15 * size;
 }
 
 using Shares = std::vector<double>; // by pixels, NaN where nothing is
@@ -350,18 +352,13 @@ int relievoBench::BenchAmbient(const std::string& outDir, const AmbientSizes& si
   for (const std::string& name : sizes.Scenes)
   {
     vtkNew<vtkRenderer> renderer;
-    if (name != "bunny")
-    {
-      MakeRoom(renderer);
-    }
-    else if (!MakeBunny(renderer))
+    const double radius = name == "bunny" ? MakeBunny(renderer) : MakeRoom(renderer);
+    if (!(radius > 0.0))
     {
       return 1;
     }
     renderer->ResetCameraClippingRange();
-    double bounds[6];
-    renderer->ComputeVisiblePropBounds(bounds);
-    Bench bench(name, renderer, 0.2 * (bounds[1] - bounds[0]), sizes, table);
+    Bench bench(name, renderer, radius, sizes, table);
     bench.MeasureRays();
     bench.MeasurePeer();
   }
