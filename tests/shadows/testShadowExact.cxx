@@ -281,7 +281,7 @@ void TestTroubles()
   relievoTest::CheckShadow(stage, 0, 4e-5, "hidden");
 }
 
-// Fins whose tops are about a pixel wide or less, and long: OpenGL's grid of 1/256 pixel tilts them.
+// Fins whose tops are long and a pixel wide or less: OpenGL's grid of 1/256 pixel tilts them.
 void TestSlivers()
 {
   ShadowStage stage(500, 400);
