@@ -9,12 +9,12 @@
  *
  * Output: vtkImageData of the camera's columns and rows, row 0 at the bottom, a point array for
  * each layer, of the type and with the background that vtkRelievoLayerCatalogue says: depth, range,
- * normal, geometric_normal, position, actor, block, cell, and arrays by name (point arrays
+ * normal, geometric_normal, position, actor, block, cell, ambient, and arrays by name (point arrays
  * interpolated, cell arrays as they are; `point:NAME`, `cell:NAME` where both have it; the
  * background is NaN). `depth` is z in camera space, or the range of sensors that look all around.
- * `actor` is the number of the prop in the scene. `ambient` is the share of the sky that the surface
- * sees on the side of its triangle that is met, as vtkRelievoAmbientStage has it; for rays all
- * surfaces are opaque.
+ * `actor` is the number of the prop in the scene. `ambient` is the share of the sky that the
+ * surface sees on the side of its triangle that is met, as vtkRelievoAmbientStage has it; for rays
+ * all surfaces are opaque.
  *
  * Field data: the calibration (vtkRelievoCameraModel::AddTo).
  *

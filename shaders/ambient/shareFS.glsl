@@ -68,13 +68,14 @@ void main()
   vec3 place =
     relievoEyePosition(relievoNdcFromPixel(vec2(pixel), relievoSize), depth, relievoProjection);
   bool away = relievoParallel != 0 ? normal.z < 0.0 : dot(normal, place) > 0.0;
-  vec3 up = surface ? normalize(mat3(ambientToLocal) * (away ? -normal : normal)) : vec3(0.0, 0.0, 1.0);
+  vec3 up = surface ? normalize(mat3(ambientToLocal) * (away ? -normal : normal))
+                    : vec3(0.0, 0.0, 1.0);
   vec3 right = normalize(relievoTangent(up));
   vec3 ahead = cross(up, right);
   float pixelWidth = (relievoParallel != 0 ? 2.0 : 2.0 * depth) /
     (abs(relievoProjection[1][1]) * relievoSize.y);
-  vec3 before =
-    place + ambientBefore * pixelWidth * (relievoParallel != 0 ? vec3(0.0, 0.0, 1.0) : -normalize(place));
+  vec3 toEye = relievoParallel != 0 ? vec3(0.0, 0.0, 1.0) : -normalize(place);
+  vec3 before = place + ambientBefore * pixelWidth * toEye;
   // A depth of few bits may be behind the surface.
   float step = ambientDepthStep(depth) * (relievoParallel != 0 ? 1.0 : length(place) / depth);
   vec3 from = (ambientToLocal * vec4(before, 1.0)).xyz + step * up;

@@ -154,6 +154,8 @@ class Hand:
             names["normal"] = numpy.zeros((*names["depth"].shape, 3), numpy.float32)
         elif self.page == "docs/python.md":
             names["mesh"] = names["ball"]
+        elif self.page == "docs/passes/Ambient.md":
+            names["sensor"] = relievo.Equirectangular((64, 32))
         elif self.page == "docs/cameras.md":
             K = numpy.array([[80.0, 0, 79.5], [0, 80, 59.5], [0, 0, 1]])
             sensor = relievo.Pinhole(K, (160, 120)).look_at((0, 1, 5), (0, 0, 0))
