@@ -89,7 +89,8 @@ void main()
     vec3 ray = relievoSkyDirection(point.x, point.y, ambientByCosine != 0);
     ray = ray.x * right + ray.y * ahead + ray.z * up;
     sees += relievoTreeWalk(
-      surface ? relievoTreeNodes : 0, from, ends ? ambientRadius * ray : ray, ends, blur, vec3(0.0));
+      surface ? relievoTreeNodes : 0, from, ends ? ambientRadius * ray : ray, ends, blur,
+      vec3(0.0));
   }
   gl_FragData[0] = vec4(sees / float(ambientRays));
 }
