@@ -82,6 +82,7 @@ from ._cameras import (
     camera,
     extrinsics,
     intrinsics,
+    lens,
 )
 from ._capture import capture, screenshot
 from ._environment import environment
@@ -128,6 +129,7 @@ __all__ = [
     "layer",
     "layer_names",
     "layers",
+    "lens",
     "moment",
     "picture",
     "provide_vtkmodules",

@@ -10,6 +10,7 @@ from vtkmodules.vtkRenderingCore import vtkCamera
 from ._errors import Watch, describe, is_a
 from ._renderers import inner_renderer
 from .vtkRelievoCameras import (
+    vtkRelievoCalibration,
     vtkRelievoLensCamera,
     vtkRelievoLidar,
     vtkRelievoOrthographicCamera,
@@ -37,11 +38,7 @@ class CameraModel:
     def __init__(self, model, size, R, t):
         self.model = model
         if size is not None:
-            columns, rows = _numbers("size", size, 2)
-            if columns != int(columns) or rows != int(rows) or max(columns, rows) > _LARGEST:
-                raise ValueError(f"size: got {size!r}, expected whole (columns, rows), at most "
-                                 f"{_LARGEST} each")
-            self._call("size", model.SetSize, int(columns), int(rows))
+            self._call("size", model.SetSize, *_whole(size))
         if R is not None or t is not None:
             self.pose(R, t)
 
@@ -333,6 +330,49 @@ def camera(target=None, *, K, size, R=None, t=None, near=None, far=None):
     return found
 
 
+def lens(words, size=None, view_angle=30, R=None, t=None):
+    """Returns the camera that a few words or a calibration's file say, as `relievo render --lens`.
+
+        sensor = relievo.lens("calibration.yml").look_at((2, 1, 5), (0, 0, 0))
+        sensor = relievo.lens("fisheye:0.02,-0.013", size=(1280, 720), view_angle=170)
+
+    words: pinhole, brown:K1,K2[,P1,P2[,K3[,K4,K5,K6]]], fisheye[:K1,K2,K3,K4], division:K, each
+        with ,K=FX/FY/CX/CY by choice; equirectangular[:H,V]; cube; orthographic[:PIXELS]. Or the
+        name of a file .yml, .yaml or .json as OpenCV and ROS write it.
+    size: (columns, rows) of the picture; None for the file's. A file's K is scaled to it.
+    view_angle: degrees that the height of the picture spans, where the words say no K.
+
+    R, t: the pose; see CameraModel.pose. Returns a CameraModel. Raises ValueError for wrong words,
+    files and sizes.
+    """
+    calibration = vtkRelievoCalibration()
+    view = vtkCamera()
+    with Watch(calibration) as watch:
+        read = calibration.SetWords(str(words)) and calibration.Read()
+        if read and size is None:
+            size = calibration.GetFileSize()
+            if not any(size):
+                raise ValueError("size: got None, expected (columns, rows): only a file says its "
+                                 "size")
+        if read:
+            columns, rows = _whole(size)
+            calibration.SetViewAngle(_positive("view_angle", view_angle))
+            model = calibration.MakeCamera(view, columns, rows)
+    watch.raise_as(ValueError, "lens")
+    made = object.__new__(_class_of(model))
+    CameraModel.__init__(made, model, None, None, None)
+    return made.pose(R, t)
+
+
+def _class_of(model):
+    if model.IsA("vtkRelievoLensCamera"):
+        bent = {vtkRelievoLensCamera.FISHEYE: Fisheye, vtkRelievoLensCamera.DIVISION: Division}
+        return bent.get(model.GetLens(), Pinhole)
+    if model.IsA("vtkRelievoOrthographicCamera"):
+        return Orthographic
+    return Cube if model.GetLayout() == vtkRelievoPanoramaCamera.CUBE else Equirectangular
+
+
 def intrinsics(camera, size):
     """Returns K, array of (3, 3) in pixels, of a vtkCamera, a renderer or a plotter, as seen in a
     picture of size (columns, rows). Raises ValueError for one that is no perspective camera."""
@@ -354,6 +394,14 @@ def _numbers(name, values, count):
     if array.size != count or not numpy.isfinite(array).all():
         raise ValueError(f"{name}: got {values!r}, expected {count} finite numbers")
     return array
+
+
+def _whole(size):
+    columns, rows = _numbers("size", size, 2)
+    if columns != int(columns) or rows != int(rows) or max(columns, rows) > _LARGEST:
+        raise ValueError(f"size: got {size!r}, expected whole (columns, rows), at most {_LARGEST} "
+                         f"each")
+    return int(columns), int(rows)
 
 
 def _list(name, values):

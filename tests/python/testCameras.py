@@ -319,5 +319,165 @@ class Lenses(unittest.TestCase):
                 make()
 
 
+# As cv2.FileStorage of OpenCV 5.0.0 writes them.
+OPENCV_YAML = """%YAML 1.2
+---
+calibration_time: "Thu Nov 26 20:00:00 2026"
+image_width: 640
+image_height: 480
+# flags: +fix_aspectRatio +fix_principal_point
+flags: 6
+camera_matrix: !!opencv-matrix
+   rows: 3
+   cols: 3
+   dt: d
+   data: [ 820.5, 0., 333.25, 0., 790.25, 210.75, 0., 0., 1. ]
+distortion_coefficients: !!opencv-matrix
+   rows: 5
+   cols: 1
+   dt: d
+   data: [ -0.25, 0.070000000000000007, 0.001, -0.00069999999999999999,
+       -0.01 ]
+per_view_reprojection_errors: !!opencv-matrix
+   rows: 2
+   cols: 1
+   dt: f
+   data: [ 0.100000001, 0.200000003 ]
+grid_points:
+   - 1.5
+   - 2
+"""
+OPENCV_JSON = """{
+    "image_width": 640,
+    "image_height": 480
+    // flags: +fix_aspectRatio +fix_principal_point
+    ,
+    "fisheye_model": 1,
+    "camera_matrix": {
+        "type_id": "opencv-matrix",
+        "rows": 3,
+        "cols": 3,
+        "dt": "d",
+        "data": [ 820.5, 0.0, 333.25, 0.0, 790.25, 210.75, 0.0, 0.0, 1.0 ]
+    },
+    "distortion_coefficients": {
+        "type_id": "opencv-matrix",
+        "rows": 4,
+        "cols": 1,
+        "dt": "d",
+        "data": [ 0.02, -0.012999999999999999, 0.0060000000000000001,
+            -0.0011000000000000001 ]
+    }
+}
+"""
+ROS_YAML = """image_width: 640
+image_height: 480
+camera_name: narrow # a stereo pair's left one
+camera_matrix:
+  rows: 3
+  cols: 3
+  data: [820.5, 0, 333.25,
+         0, 790.25, 210.75, 0, 0, 1]
+distortion_model: rational_polynomial
+distortion_coefficients:
+  rows: 1
+  cols: 8
+  data: [0.4, -0.1, 0.0006, 0.0011, 0.03, 0.65, -0.05, 2e-2]
+rectification_matrix:
+  rows: 3
+  cols: 3
+  data: [1, 0, 0, 0, 1, 0, 0, 0, 1]
+"""
+
+
+class Words(unittest.TestCase):
+    """Sensors by their words and by calibrations' files, against those made of numbers."""
+
+    def file(self, name, text):
+        path = os.path.join(self.folder, name)
+        with open(path, "w") as file:
+            file.write(text)
+        return path
+
+    def setUp(self):
+        held = tempfile.TemporaryDirectory()
+        self.addCleanup(held.cleanup)
+        self.folder = held.name
+
+    def same(self, one, other):
+        self.assertIs(type(one), type(other))
+        self.assertEqual(one.size, other.size)
+        numpy.testing.assert_allclose(one.rays()[1], other.rays()[1], atol=1e-12)
+
+    def test_files_of_others(self):
+        for name, text, lens in (
+            ("a.yml", OPENCV_YAML, "brown"), ("b.JSON", OPENCV_JSON, "fisheye"),
+            ("c.yaml", ROS_YAML, "rational"),
+        ):
+            with self.subTest(file=name):
+                path = self.file(name, text)
+                made = relievo.lens(path, R=VECTOR, t=SHIFT)
+                self.assertEqual(made.size, SIZE)
+                numpy.testing.assert_allclose(made.project(POINTS), OPENCV[lens], atol=1e-9)
+                # Twice as large, each pixel is four.
+                large = relievo.lens(path, (1280, 960), R=VECTOR, t=SHIFT)
+                numpy.testing.assert_allclose(
+                    (large.project(POINTS) + 0.5) / 2 - 0.5, OPENCV[lens], atol=1e-9)
+
+    def test_words(self):
+        size = (64, 48)
+        middle = [31.5, 23.5]
+        tangent = 24 / numpy.tan(numpy.radians(20))
+        straight = [[tangent, 0, 31.5], [0, tangent, 23.5], [0, 0, 1]]
+        given = [[50, 0, 30], [0, 60, 20], [0, 0, 1]]
+        turned = {"size": size, "R": VECTOR, "t": SHIFT}
+        for words, other in (
+            ("pinhole", relievo.Pinhole(straight, **turned)),
+            ("brown:0.1,0.2,0,0,K=50/60/30/20",
+             relievo.Pinhole(given, distortion=(0.1, 0.2), **turned)),
+            ("fisheye:0.1,K=50/60/30/20",
+             relievo.Fisheye(given, D=(0.1,), **turned)),
+            ("equirectangular:120,90", relievo.Equirectangular(field=(120, 90), **turned)),
+            ("equirectangular", relievo.Equirectangular(**turned)),
+            ("orthographic:7.5", relievo.Orthographic(7.5, center=middle, **turned)),
+        ):
+            with self.subTest(words=words):
+                self.same(relievo.lens(words, size, 40, VECTOR, SHIFT), other)
+        self.same(relievo.lens("cube", (96, 16)), relievo.Cube(16))
+
+    def test_view_angle(self):
+        """Without K the picture's height spans the angle, through the lens."""
+        for words, angle in (("pinhole", 50), ("brown:-0.1,0.01,0.001,0.002", 50), ("fisheye", 200),
+                             ("fisheye:0.02,-0.013,0.006,-0.0011", 170), ("division:-0.2", 120)):
+            with self.subTest(words=words):
+                edges = relievo.lens(words, (65, 48), angle).rays([(32, -0.5), (32, 47.5)])[1]
+                between = numpy.arctan2(edges[:, 1], edges[:, 2])
+                self.assertAlmostEqual(numpy.degrees(between[1] - between[0]), angle,
+                                       delta=0.2 if words.startswith("brown") else 1e-9)
+
+    def test_refused(self):
+        for part, words in (
+            ("got 'fishy', expected pinhole, brown:K1", "fishy"),
+            ("brown:K1,K2.*finite", "brown:0.1"), ("finite", "fisheye:0.1,nan"),
+            ("finite", "fisheye:"), ("fisheye", "fisheye:1,2,3,4,5"), ("K=FX", "fisheye:K=1/2/3"),
+            ("six times.*288x48", "cube"), ("cannot be read", "/nowhere/a.yml"),
+            ("sees no 200 degrees", "pinhole"), ("equirectangular", "equirectangular:400,20"),
+            ("JSON object", self.file("a.json", "[1, 2")),
+            ("image_width: it is missing", self.file("b.yml", "camera_matrix: 1\n")),
+            ("camera_matrix: expected 9",
+             self.file("c.yml", OPENCV_YAML.replace("0., 0., 1.", "0."))),
+            ("camera_matrix: expected 9", self.file("d.yml", OPENCV_YAML.replace("1. ]", "1."))),
+            ("distortion_model: got \"bent\"",
+             self.file("e.yml", ROS_YAML.replace("rational_polynomial", "bent"))),
+            ("distortion_coefficients: expected at most 8",
+             self.file("f.yml", ROS_YAML.replace("2e-2]", "2e-2, 0.1]"))),
+            ("pictures of 640x480.*shape", self.file("g.yml", OPENCV_YAML)),
+        ):
+            with self.subTest(words=words), self.assertRaisesRegex(ValueError, f"lens: .*{part}"):
+                relievo.lens(words, (64, 49) if "shape" in part else (64, 48), 200)
+        with self.assertRaisesRegex(ValueError, "size: got None"):
+            relievo.lens("fisheye")
+
+
 if __name__ == "__main__":
     unittest.main(verbosity=2)

@@ -214,6 +214,10 @@ class Snippets(unittest.TestCase):
         skin = "gltf/glTF2/simple_skin/simple_skin.gltf"
         pathlib.Path("simple_skin.gltf").symlink_to(DATA / skin)
         pathlib.Path("chair.glb").write_text(gltf())
+        pathlib.Path("calibration.yml").write_text(
+            "image_width: 160\nimage_height: 120\n"
+            "camera_matrix: [80, 0, 79.5, 0, 80, 59.5, 0, 0, 1]\n"
+            "distortion_coefficients: [-0.1, 0.02, 0, 0, 0]\n")
         layers = {"depth": numpy.ones((4, 6), numpy.float32),
                   "normal": numpy.zeros((4, 6, 3), numpy.float32)}  # fmt: skip
         relievo.write_exr("frame.exr", relievo.to_image(layers))
