@@ -20,7 +20,12 @@ from ._keep import kept
 from ._picture import captured, write_png
 from ._renderers import renderer_of
 from ._sight import layers_by_rays
-from .vtkRelievoPasses import vtkRelievoDisplay, vtkRelievoLayerSource, vtkRelievoPass
+from .vtkRelievoPasses import (
+    vtkRelievoDisplay,
+    vtkRelievoLayerSource,
+    vtkRelievoLensPicture,
+    vtkRelievoPass,
+)
 
 _LARGEST = 16384  # pixels each way; OpenGL's own limit, asked when there is a window, may be lower
 _SIZE_OF_DATA = (1024, 768)
@@ -44,7 +49,9 @@ def capture(renderer, layers=("depth",), size=None, hdr=False, camera=None, ambi
     camera: a CameraModel (Pinhole with distortion, Fisheye, Equirectangular, Lidar, ...) that sees
         in place of the renderer's camera, in its own size: by a ray for each pixel, in double,
         without a window. It has depth, range, normal, geometric_normal, position, actor, block,
-        cell, ambient and arrays by name; the field data holds R, t, and K, lens and distortion.
+        cell, ambient and arrays by name; the field data holds R, t, and K, lens and distortion. It
+        has color as well, but for push-brooms and lidars: drawn by pinholes, which takes a display,
+        and interpolated between their pixels.
     ambient: of the layer `ambient` with a CameraModel, a dict of samples (rays of each pixel, 64),
         radius (beyond which nothing hides the sky, world units; 0: no limit), weighting ("cosine"
         or "uniform") and seed (0). Without one the stage has them: stage(renderer, "ambient", ...).
@@ -63,10 +70,9 @@ def capture(renderer, layers=("depth",), size=None, hdr=False, camera=None, ambi
         if not isinstance(camera, CameraModel):
             raise ValueError(f"camera: got {describe(camera)}, expected a CameraModel such as "
                              f"relievo.Fisheye; relievo.camera() sets a renderer's own")
-        if hdr or size not in (None, camera.size):
-            raise ValueError(f"size, hdr: got {size!r} and {hdr!r}, expected neither with a "
-                             f"camera, which has a size of its own and no colour")
-        return captured(layers_by_rays(renderer, layers, camera, ambient))
+        if size not in (None, camera.size):
+            raise ValueError(f"size: got {size!r}, expected none with a camera, which has its own")
+        return captured(_by_sensor(renderer, layers, hdr, camera, ambient))
     if ambient is not None:
         raise ValueError("ambient: got settings without a camera, expected them of the stage: "
                          "relievo.stage(renderer, 'ambient', samples=...)")
@@ -174,6 +180,34 @@ def _without_background(renderer):
         renderer.SetBackgroundAlpha(alpha)
         renderer.SetGradientBackground(gradient)
         renderer.SetTexturedBackground(textured)
+
+
+def _by_sensor(thing, layers, hdr, camera, ambient):
+    names = [name for name in layers if name != "color"]
+    image = layers_by_rays(thing, names, camera, ambient) if names else None
+    if len(names) == len(layers):
+        return image
+    renderer, _ = renderer_of(thing)
+    source = vtkRelievoLensPicture()
+    source.SetRenderer(renderer)
+    source.SetCamera(camera.model)
+    source.SetHDR(bool(hdr))
+    found = kept(renderer)
+    held = nullcontext() if found is None else found.held()
+    size = None if renderer.GetRenderWindow() else (1, 1)  # a spare one, resized as is needed
+    with held, _window_of(renderer, size), _frame_of(renderer) as frame:
+        with Watch(source, frame) as watch:
+            source.Update()
+    watch.raise_as(ValueError if source.GetErrorCode() else RuntimeError, "capture color")
+    drawn = source.GetOutput()
+    if image is None:
+        return drawn
+    for name in layers:  # in the order in which they were asked for
+        data = (drawn if name == "color" else image).GetPointData()
+        array = data.GetArray(name)
+        data.RemoveArray(name)
+        image.GetPointData().AddArray(array)
+    return image
 
 
 def _names(layers):

@@ -13,8 +13,10 @@ from vtkmodules.vtkFiltersSources import vtkCubeSource, vtkSphereSource
 from vtkmodules.vtkRenderingCore import (
     vtkActor,
     vtkGlyph3DMapper,
+    vtkLight,
     vtkPolyDataMapper,
     vtkRenderer,
+    vtkWindowToImageFilter,
 )
 
 import relievo
@@ -195,7 +197,7 @@ class Layers(unittest.TestCase):
         with self.assertRaisesRegex(ValueError, "no layer 'missing'"):
             relievo.capture(box((0, 0, 0), 1), "missing", camera=sensor)
         for change in ({"size": (3, 3)}, {"hdr": True}):
-            with self.assertRaisesRegex(ValueError, "size, hdr"):
+            with self.assertRaisesRegex(ValueError, "size: got"):
                 relievo.capture(box((0, 0, 0), 1), "depth", camera=sensor, **change)
         with self.assertRaisesRegex(ValueError, "CameraModel"):
             relievo.capture(box((0, 0, 0), 1), "depth", camera=3)
@@ -547,6 +549,255 @@ class Flow(unittest.TestCase):
         valid = relievo.layer(relievo.flow(before, [plate, cover], sensor), "flow_valid")
         self.assertTrue((valid[40:61, 35:50] == 1).all())
         self.assertTrue((valid[40:61, 51:66] == 0).all())
+
+
+def linear_of(shown):
+    """Linear light of values for display, by the sRGB standard."""
+    return numpy.where(shown <= 0.04045, shown / 12.92, ((shown + 0.055) / 1.055) ** 2.4)
+
+
+def shown_of(light):
+    """The inverse of linear_of()."""
+    light = numpy.clip(light, 0, 1)
+    return numpy.where(light <= 0.0031308, 12.92 * light, 1.055 * light ** (1 / 2.4) - 0.055)
+
+
+def pixels_of(window):
+    """The window's picture, bytes."""
+    grab = vtkWindowToImageFilter()
+    grab.SetInput(window)
+    grab.ReadFrontBufferOff()
+    grab.ShouldRerenderOff()
+    grab.Update()
+    return vtk_to_numpy(grab.GetOutput().GetPointData().GetScalars())
+
+
+def unlit(renderer, mesh, color=(1, 1, 1)):
+    """An actor that shows its colours as they are."""
+    mapper, actor = vtkPolyDataMapper(), vtkActor()
+    mapper.SetInputData(mesh)
+    actor.SetMapper(mapper)
+    actor.GetProperty().LightingOff()
+    actor.GetProperty().SetColor(*color)
+    renderer.AddActor(actor)
+    return actor
+
+
+def ball(center, radius, resolution=200):
+    source = vtkSphereSource()
+    source.SetCenter(*center)
+    source.SetRadius(radius)
+    source.SetThetaResolution(resolution)
+    source.SetPhiResolution(resolution)
+    source.Update()
+    return source.GetOutput()
+
+
+class Colour(unittest.TestCase):
+    """capture("color", camera=) against pictures whose colour is known at every place."""
+
+    WIDE = relievo.Fisheye([[60.0, 0, 80], [0, 60, 60], [0, 0, 1]], (161, 121), (0.02, -0.01))
+    SENSORS = (
+        WIDE, relievo.Pinhole(K, SIZE, distortion=(-0.2, 0.02)),
+        relievo.Pinhole(K, SIZE, distortion=(0.1, 0.02, 0.01, -0.02)),
+        relievo.Division(K, SIZE, -0.1), relievo.Pinhole(K, SIZE),
+        relievo.Equirectangular((200, 100)), relievo.Cube(40),
+    )
+
+    def room(self, center=(0, 0, 0)):
+        """Around a place: the red, green and blue that are shown are x, y, z from 0 to 1."""
+        mesh = box(center, 1)
+        corners = vtk_to_numpy(mesh.GetPoints().GetData()) - center
+        colors = numpy_to_vtk(numpy.uint8(255 * (corners > 0)), deep=True)
+        colors.SetName("color")
+        mesh.GetPointData().SetScalars(colors)
+        renderer = vtkRenderer()
+        unlit(renderer, mesh)
+        return renderer
+
+    def test_places_of_colours(self):
+        """The colour where a ray meets the walls, within 1 of 255, mean 0.1; in the corners, where
+        it turns, within a quarter of what it changes in a pixel."""
+        eye = numpy.array((0.2, -0.1, 0.15))
+        for far in (0.0, 5e5):
+            center = numpy.array((far, -far, far))
+            renderer = self.room(center)
+            for sensor in self.SENSORS:
+                with self.subTest(sensor=type(sensor).__name__, far=far):
+                    sensor.look_at(eye + center, center + (0.3, 0.5, 0.9), (0.1, 1, 0))
+                    image = relievo.capture(renderer, "color", camera=sensor)
+                    color = relievo.layer(image, "color")
+                    _, directions = sensor.rays()
+                    seen = numpy.isfinite(directions).all(axis=-1)
+                    self.assertGreater(seen.mean(), 0.6)
+                    with numpy.errstate(divide="ignore"):
+                        away = ((numpy.sign(directions) - eye) / directions).min(axis=-1)
+                    expected = (1 + eye + away[..., None] * directions) / 2
+                    off = numpy.abs(shown_of(color[..., :3]) - expected)[seen] * 255
+                    self.assertLess(off.mean(), 0.1)
+                    walls = numpy.sort(numpy.abs(eye + away[..., None] * directions)[seen])
+                    self.assertLess(off[walls[:, 1] < 0.9].max(), 1)
+                    self.assertLess(off.max(), 255 / 40 / 2)
+                    self.assertTrue((color[seen][:, 3] > 0.999).all())
+                    self.assertTrue((color[~seen] == 0).all())
+
+    def test_edges_are_those_of_actors(self):
+        """Beside edges of `actor` the colour is that of the actor, or of the background."""
+        renderer = vtkRenderer()
+        renderer.SetBackground(0.1, 0.2, 0.6)
+        colors = [(0.1, 0.2, 0.6)]  # of no actor, -1
+        rng = numpy.random.default_rng(3)
+        for _ in range(40):
+            colors.append(tuple(rng.integers(0, 256, 3) / 255))
+            away = rng.normal(size=3)
+            away *= rng.uniform(2, 6) / numpy.linalg.norm(away)
+            unlit(renderer, ball(away, rng.uniform(0.2, 1), 60), colors[-1])
+        colors = linear_of(numpy.array(colors))
+        for sensor in self.SENSORS:
+            with self.subTest(sensor=type(sensor).__name__):
+                sensor.look_at((0.2, 0.1, 0.3), (2, 1, 0), (0, 1, 0))
+                image = relievo.capture(renderer, ["color", "actor"], camera=sensor)
+                actor = relievo.layer(image, "actor")
+                color = relievo.layer(image, "color")[..., :3]
+                self.assertGreater(len(numpy.unique(actor)), 3)
+                inner = numpy.isfinite(sensor.rays()[1]).all(axis=-1)
+                for i, j in ((0, 1), (1, 0), (1, 1), (1, -1)):
+                    for sign in (1, -1):
+                        moved = numpy.roll(actor, (sign * i, sign * j), (0, 1))
+                        inner &= moved == actor
+                if isinstance(sensor, relievo.Cube):  # neighbours are in other faces
+                    inner &= numpy.isin(numpy.arange(sensor.size[0]) % 40, (0, 39), invert=True)
+                if isinstance(sensor, relievo.Equirectangular):  # its columns meet at the poles
+                    inner[:17] = inner[83:] = False
+                self.assertGreater(inner.mean(), 0.4)
+                off = numpy.abs(color - colors[actor + 1])[inner]
+                self.assertLess(off.max(), 2e-3)  # of half floats
+
+    def test_light_is_one_for_all_faces(self):
+        """A headlight is that of the sensor: Lambert's law by the normals of rays, all around."""
+        renderer = vtkRenderer()
+        for away in numpy.array(((3, 3, 0), (-3, 0, 3), (0, 3, 3), (0, -4, 0), (3, -1, -4))):
+            unlit(renderer, ball(away, 1.4)).GetProperty().LightingOn()
+        sensor = relievo.Equirectangular((300, 150)).look_at((0, 0, 0), (1, 1, 2), (0, 1, 0))
+        image = relievo.capture(renderer, ["color", "normal", "actor"], camera=sensor)
+        light = renderer.GetLights().GetItemAsObject(0)
+        self.assertTrue(light.LightTypeIsHeadlight())
+        inner = (relievo.layer(image, "normal") ** 2).sum(axis=-1) > 0.5
+        for axis in (0, 1):
+            for step in (1, -1):
+                inner &= numpy.roll(inner, step, axis)
+        lambert = numpy.clip(-relievo.layer(image, "normal") @ sensor.R[2], 0, 1)
+        shown = shown_of(relievo.layer(image, "color")[..., 0])
+        self.assertGreater(inner.sum(), 2000)
+        self.assertLess(numpy.abs(shown - lambert)[inner].max(), 0.03)
+        self.assertLess(numpy.abs(shown - lambert)[inner].mean(), 0.002)
+
+    def test_all_is_as_before(self):
+        renderer = self.room()
+        renderer.RemoveAllViewProps()
+        unlit(renderer, ball((0, 0, 0), 1), (1, 0.5, 0)).GetProperty().LightingOn()
+        renderer.SetViewport(0.25, 0, 1, 0.5)
+        renderer.SetBackground(0.5, 0, 0)
+        renderer.SetBackground2(0, 0, 0.5)
+        renderer.GradientBackgroundOn()
+        window = scenes.window_of(renderer, 203, 105)
+        spot = vtkLight()
+        spot.SetLightTypeToCameraLight()
+        spot.SetPosition(0.3, 0.4, 1)
+        renderer.AddLight(spot)
+        renderer.ResetCamera()
+
+        def state():
+            window.Render()
+            camera = renderer.GetActiveCamera()
+            return (camera, camera.GetPosition(), camera.GetViewAngle(), window.GetSize(),
+                    window.GetUseOffScreenBuffers(), renderer.GetViewport(), renderer.GetPass(),
+                    renderer.GetBackground(), renderer.GetGradientBackground(),
+                    renderer.GetBackgroundAlpha(), spot.GetLightType(), spot.GetPosition(),
+                    pixels_of(window).tobytes())
+
+        before = state()
+        sensor = self.WIDE.look_at((0, 0, 2), (0, 0, 0))
+        image = relievo.capture(renderer, "color", camera=sensor)
+        self.assertEqual(state(), before)
+        # The gradient goes over the sensor's picture.
+        color = relievo.layer(image, "color")
+        rows = numpy.arange(121)
+        behind = color[..., 3] == 0
+        behind &= numpy.isfinite(sensor.rays()[1]).all(axis=-1)
+        self.assertGreater(behind.mean(), 0.2)
+        share = (120.5 - rows) / 121
+        expected = linear_of(numpy.stack([0.5 - 0.5 * share, 0 * share, 0.5 * share], axis=-1))
+        off = numpy.abs(color[..., :3] - expected[:, None])[behind]
+        self.assertLess(off.max(), 1e-6)
+
+    def test_tones(self):
+        """The picture after `tone`: one automatic exposure for all faces."""
+        renderer = self.room()
+        relievo.stage(renderer, "tone", operator="clamp", auto_exposure=True, exposure=-1)
+        sensor = relievo.Equirectangular((200, 100)).look_at((0.2, -0.1, 0.3), (1, 0, 0))
+        window = scenes.window_of(renderer)
+        source = relievo.vtkRelievoLensPicture()
+        source.SetRenderer(renderer)
+        source.SetCamera(sensor.model)
+        source.HDROn()
+        source.PictureOn()
+        source.Update()
+        self.assertEqual(source.GetNumberOfViews(), 6)
+        color = relievo.layer(source.GetOutput(), "color")[..., :3].astype(float)
+        bright = color @ (0.2126, 0.7152, 0.0722)
+        least = (1 / 255) / 12.92
+        factor = 0.5 * 0.18 / 2 ** numpy.log2(numpy.maximum(bright, least)).mean()
+        expected = numpy.round(255 * shown_of(factor * color))
+        picture = relievo.layer(source.GetOutput(), "picture")
+        self.assertLess(numpy.abs(picture - expected).max(), 1.01)
+        self.assertGreater((picture == expected).mean(), 0.995)
+        window.Finalize()
+
+    def test_drawn_pixels_are_no_wider(self):
+        """A pinhole's pixel is at most as wide as any of the fisheye's that it is drawn for."""
+        renderer = self.room()
+        window = scenes.window_of(renderer)
+        source = relievo.vtkRelievoLensPicture()
+        source.SetRenderer(renderer)
+        # Equal steps of the angle: 1 / 300 radians; over the plane at distance 1 as much in the
+        # middle, and more beside it.
+        sensor = relievo.Fisheye([[300.0, 0, 80], [0, 300, 60], [0, 0, 1]], (161, 121))
+        source.SetCamera(sensor.model)
+        for factor in (1, 2):
+            source.SetOversampling(factor)
+            source.Update()
+            self.assertEqual(source.GetNumberOfViews(), 1)
+            least = numpy.prod([2 * factor * 300 * numpy.tan(half / 300) for half in (80, 60)])
+            self.assertGreater(source.GetNumberOfDrawnPixels(), least)
+            self.assertLess(source.GetNumberOfDrawnPixels(), 1.2 * least)
+        window.Finalize()
+
+    def test_odd_ones(self):
+        empty = vtkRenderer()
+        empty.SetBackground(0.2, 0.4, 0.6)
+        color = relievo.layer(relievo.capture(empty, "color", camera=self.WIDE), "color")
+        middle = linear_of(numpy.array((0.2, 0.4, 0.6)))
+        self.assertLess(numpy.abs(color[40:80, 40:120, :3] - middle).max(), 1e-3)
+        room = self.room()
+        one = relievo.Fisheye(numpy.eye(3), (1, 1)).look_at((0, 0, 0), (0, 0, 1))
+        color = relievo.layer(relievo.capture(room, "color", camera=one), "color")
+        self.assertLess(numpy.abs(shown_of(color[0, 0, :3]) - (0.5, 0.5, 1)).max(), 1 / 255)
+        strip = relievo.Equirectangular((16384, 3), (360, 0.066)).look_at((0, 0, 0), (0, 0, 1))
+        color = relievo.layer(relievo.capture(room, "color", camera=strip), "color")
+        away = strip.rays()[1]
+        away = away / numpy.abs(away).max(axis=-1, keepdims=True)
+        self.assertLess(numpy.abs(shown_of(color[..., :3]) - (1 + away) / 2).max(), 1 / 255)
+        for sensor in (relievo.Lidar([0, 1], steps=9), relievo.Pushbroom(9, (0, 1, 0), (8, 8))):
+            with self.assertRaisesRegex(ValueError, "color: colour is drawn from one place"):
+                relievo.capture(room, "color", camera=sensor)
+        with self.assertRaisesRegex(ValueError, "size: got"):
+            relievo.capture(room, "color", camera=self.WIDE, size=(3, 4))
+        window = scenes.window_of(room)
+        relievo.attach(room).SetDisplayLayer("depth")
+        with self.assertRaisesRegex(ValueError, "'depth' is shown as the picture"):
+            relievo.capture(room, "color", camera=self.WIDE)
+        window.Finalize()
 
 
 if __name__ == "__main__":
