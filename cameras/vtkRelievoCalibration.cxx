@@ -109,6 +109,7 @@ struct Parsed
   std::string Kind;
   Numbers Values;
   Numbers Intrinsics;
+  double Angle = 0.0;
   std::string Wrong; // empty: nothing
 };
 
@@ -124,24 +125,44 @@ Parsed Parse(const std::string& words)
     parsed.Wrong = got + GetForms();
     return parsed;
   }
-  const std::string form = std::string(kind->Form) +
-    (kind->Lens < 0 ? "" : std::string(kind->Counts.back() ? "," : ":") + "K=FX/FY/CX/CY") +
-    (kind->Lens < 0 ? ", finite numbers" : ", finite numbers, the last part by choice");
+  std::string form = kind->Form;
+  if (kind->Lens >= 0)
+  {
+    const std::string mark = kind->Counts.back() ? "," : ":";
+    form += ", and by choice " + mark + "K=FX/FY/CX/CY or " + mark + "angle=DEG";
+  }
+  form += ": finite numbers";
   bool good = true;
   const std::vector<std::string> parts =
     colon == std::string::npos ? std::vector<std::string>() : SplitAt(words.substr(colon + 1), ',');
   for (const std::string& part : parts)
   {
     const bool isMatrix = part.rfind("K=", 0) == 0;
+    const bool isAngle = part.rfind("angle=", 0) == 0;
     const std::vector<std::string> each =
-      isMatrix ? SplitAt(part.substr(2), '/') : std::vector<std::string>{ part };
-    good =
-      good && parsed.Intrinsics.empty() && (!isMatrix || (each.size() == 4 && kind->Lens >= 0));
+      SplitAt(part.substr(isMatrix || isAngle ? part.find('=') + 1 : 0), '/');
+    Numbers numbers;
     for (const std::string& word : each)
     {
       const std::optional<double> number = ToNumber(word);
       good = good && number;
-      (isMatrix ? parsed.Intrinsics : parsed.Values).push_back(number.value_or(0.0));
+      numbers.push_back(number.value_or(0.0));
+    }
+    // One of them, and behind the coefficients.
+    good = good && parsed.Intrinsics.empty() && parsed.Angle == 0.0 &&
+      numbers.size() == (isMatrix ? 4 : 1) && (kind->Lens >= 0 || !(isMatrix || isAngle)) &&
+      (!isAngle || (numbers[0] > 0.0 && numbers[0] <= 360.0));
+    if (isMatrix)
+    {
+      parsed.Intrinsics = numbers;
+    }
+    else if (isAngle)
+    {
+      parsed.Angle = good ? numbers[0] : 0.0;
+    }
+    else
+    {
+      parsed.Values.insert(parsed.Values.end(), numbers.begin(), numbers.end());
     }
   }
   const auto count = static_cast<int>(parsed.Values.size());
@@ -522,6 +543,7 @@ bool vtkRelievoCalibration::SetWords(const std::string& words)
   this->Kind = parsed.Kind;
   this->Numbers = parsed.Values;
   this->Intrinsics = parsed.Intrinsics;
+  this->Angle = parsed.Angle;
   this->FileSize[0] = this->FileSize[1] = 0;
   this->Modified();
   return true;
@@ -588,8 +610,9 @@ vtkRelievoCameraModel* vtkRelievoCalibration::MakeLens(vtkCamera* view, int colu
     return lens;
   }
   // Where the upper and the lower edge would be, were the focal length 1.
-  const double half = this->ViewAngle > 0.0 ? vtkMath::RadiansFromDegrees(0.5 * this->ViewAngle)
-                                            : std::atan(halfHeight);
+  const double angle = this->Angle > 0.0 ? this->Angle : this->ViewAngle;
+  const double half =
+    angle > 0.0 ? vtkMath::RadiansFromDegrees(0.5 * angle) : std::atan(halfHeight);
   lens->SetIntrinsics(1.0, 1.0, 0.0, 0.0, 0.0);
   const double edges[2][3] = { { 0.0, -std::sin(half), std::cos(half) },
     { 0.0, std::sin(half), std::cos(half) } };
@@ -601,7 +624,7 @@ vtkRelievoCameraModel* vtkRelievoCalibration::MakeLens(vtkCamera* view, int colu
     lens->Delete();
     std::ostringstream text;
     text << "the lens '" << this->Words << "' sees no " << vtkMath::DegreesFromRadians(2.0 * half)
-         << " degrees, expected a smaller view angle, or K=FX/FY/CX/CY";
+         << " degrees, expected a smaller angle, or K=FX/FY/CX/CY";
     this->Fail(text.str());
     return nullptr;
   }

@@ -6,8 +6,9 @@
  *
  * Words, with the coefficients of vtkRelievoLensCamera; those in brackets are 0 by default:
  * - `pinhole`, `brown:K1,K2[,P1,P2[,K3[,K4,K5,K6]]]`, `fisheye[:K1[,K2[,K3[,K4]]]]`, `division:K`.
- *   Behind them `,K=FX/FY/CX/CY`, the intrinsics in pixels; without, pixels are square, the
- *   principal point is in the middle, and the picture's height spans the view angle.
+ *   Behind them `,K=FX/FY/CX/CY`, the intrinsics in pixels. Without, pixels are square, the
+ *   principal point is in the middle, and the picture's height spans an angle: `,angle=DEG`, also
+ *   above 180, or the view's.
  * - `equirectangular[:H,V]`, degrees that the picture spans (360,180); `cube`, for pictures six
  *   times as wide as high; `orthographic[:PIXELS]`, pixels for a world unit (the view's).
  *
@@ -66,12 +67,15 @@ public:
 
   ///@{
   /**
-   * The angle, in degrees, that the picture's height spans if the words say no intrinsics, also
-   * above 180 for lenses that see so wide; 0, the default: that of the view.
+   * The angle, in degrees, that the picture's height spans if the words say neither intrinsics nor
+   * an angle; 0, the default: that of the view.
    */
   vtkSetClampMacro(ViewAngle, double, 0.0, 360.0);
   vtkGetMacro(ViewAngle, double);
   ///@}
+
+  /** The angle that the words say, in degrees; 0 if they say none. */
+  double GetAngleOfWords() { return this->Angle; }
 
   /**
    * A new sensor with the place, the directions and the angle (or parallel scale) of a view, for a
@@ -99,6 +103,7 @@ private:
   std::vector<double> Numbers;
   std::vector<double> Intrinsics; // fx, fy, skew, cx, cy; empty: by the angle
   int FileSize[2] = { 0, 0 };
+  double Angle = 0.0;
   double ViewAngle = 0.0;
   std::string FailureText;
   vtkRelievoCameraModel* Camera = nullptr;

@@ -15,7 +15,10 @@
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
+#include "vtkProp.h"
+#include "vtkPropCollection.h"
 #include "vtkRelievoCameraModel.h"
+#include "vtkRelievoDisplay.h"
 #include "vtkRelievoFormulas.h"
 #include "vtkRelievoLayerSource.h"
 #include "vtkRelievoLensCamera.h"
@@ -26,7 +29,9 @@
 #include "vtkRelievoToneStage.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
+#include "vtkRendererCollection.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkTexture.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
@@ -39,8 +44,11 @@ vtkStandardNewMacro(vtkRelievoLensPicture);
 namespace
 {
 constexpr const char* Color = "color";
+constexpr const char* Depth = "depth";
 constexpr const char* Shown = "picture";
+constexpr int MostTexels = 1024; // of what is behind a view each way
 constexpr vtkIdType Grain = 4096;
+constexpr unsigned char Unseen = 2; // beside 0 for what is behind, 1 for what is drawn
 
 // The place of a pose, and a camera there that is turned as it is.
 void SetPose(vtkRelievoCameraModel* sensor, vtkCamera* camera)
@@ -70,6 +78,7 @@ public:
     , Window(renderer->GetRenderWindow())
     , Attached(vtkRelievoPass::SafeDownCast(renderer->GetPass()) != nullptr)
     , Gradient(renderer->GetGradientBackground())
+    , Textured(renderer->GetTexturedBackground())
     , OffScreenBuffers(this->Window->GetUseOffScreenBuffers())
   {
     if (renderer->IsActiveCameraCreated())
@@ -79,8 +88,7 @@ public:
     }
     std::copy_n(this->Window->GetSize(), 2, this->Size);
     renderer->GetViewport(this->Viewport);
-    renderer->GetBackground(this->Background);
-    this->Alpha = renderer->GetBackgroundAlpha();
+    this->Behind = renderer->GetBackgroundTexture();
     this->Window->GetTileScale(this->TileScale);
     this->Window->GetTileViewport(this->TileViewport);
     this->Window->SetTileScale(1, 1);
@@ -88,14 +96,9 @@ public:
     this->Window->SetUseOffScreenBuffers(true);
     renderer->SetViewport(0.0, 0.0, 1.0, 1.0);
     renderer->SetActiveCamera(this->View);
-    if (this->Gradient)
-    {
-      renderer->GradientBackgroundOff();
-      renderer->SetBackground(0.0, 0.0, 0.0);
-      renderer->SetBackgroundAlpha(0.0);
-    }
     SetPose(sensor, this->View);
     this->FreezeLights();
+    this->HideOthers();
     vtkRelievoPass::Attach(renderer);
   }
   ~KeptRenderer()
@@ -107,9 +110,17 @@ public:
       each.Light->SetFocalPoint(each.FocalPoint);
       each.Light->SetTransformMatrix(each.Matrix);
     }
+    for (vtkProp* prop : this->Overlays)
+    {
+      prop->VisibilityOn();
+    }
+    for (vtkRenderer* other : this->Others)
+    {
+      other->DrawOn();
+    }
     this->Renderer->SetGradientBackground(this->Gradient);
-    this->Renderer->SetBackground(this->Background);
-    this->Renderer->SetBackgroundAlpha(this->Alpha);
+    this->Renderer->SetTexturedBackground(this->Textured);
+    this->Renderer->SetBackgroundTexture(this->Behind);
     this->Renderer->SetViewport(this->Viewport);
     this->Renderer->SetActiveCamera(this->Camera);
     this->SetSize(this->Size[0], this->Size[1]);
@@ -173,32 +184,118 @@ private:
     }
   }
 
+  // Texts and bars, and what else is in the window.
+  void HideOthers()
+  {
+    vtkCollectionSimpleIterator it;
+    this->Renderer->GetViewProps()->InitTraversal(it);
+    while (vtkProp* prop = this->Renderer->GetViewProps()->GetNextProp(it))
+    {
+      if (prop->IsA("vtkActor2D") && prop->GetVisibility())
+      {
+        prop->VisibilityOff();
+        this->Overlays.push_back(prop);
+      }
+    }
+    this->Window->GetRenderers()->InitTraversal(it);
+    while (vtkRenderer* other = this->Window->GetRenderers()->GetNextRenderer(it))
+    {
+      if (other != this->Renderer && other->GetDraw())
+      {
+        other->DrawOff();
+        this->Others.push_back(other);
+      }
+    }
+  }
+
   vtkRenderer* Renderer;
   vtkRenderWindow* Window;
-  bool Attached, Gradient, OffScreenBuffers;
+  bool Attached, Gradient, Textured, OffScreenBuffers;
   vtkSmartPointer<vtkCamera> Camera; // none was made: null
   vtkNew<vtkCamera> View;
   int Size[2];
   double Viewport[4];
-  double Background[3];
-  double Alpha;
+  vtkSmartPointer<vtkTexture> Behind;
   int TileScale[2];
   double TileViewport[4];
   std::vector<Follower> Followers;
+  std::vector<vtkProp*> Overlays;
+  std::vector<vtkRenderer*> Others;
 };
 
-// The colour of the renderer's view, 4 floats a pixel; null, after an error, if it is not drawn.
-vtkSmartPointer<vtkFloatArray> DrawColor(vtkRenderer* renderer, int columns, int rows)
+// One exposure for all views, in place of one that each would measure.
+class KeptExposure
+{
+public:
+  KeptExposure(vtkRelievoToneStage* tone, double factor)
+    : Tone(tone && tone->GetAutoExposure() ? tone : nullptr)
+    , Stops(tone ? tone->GetExposure() : 0.0)
+  {
+    if (this->Tone)
+    {
+      this->Tone->AutoExposureOff();
+      this->Tone->SetExposure(this->Stops + std::log2(factor));
+    }
+  }
+  ~KeptExposure()
+  {
+    if (this->Tone)
+    {
+      this->Tone->AutoExposureOn();
+      this->Tone->SetExposure(this->Stops);
+    }
+  }
+  KeptExposure(const KeptExposure&) = delete;
+  void operator=(const KeptExposure&) = delete;
+
+private:
+  vtkRelievoToneStage* Tone;
+  double Stops;
+};
+
+// What was drawn of the renderer's view.
+struct Drawn
+{
+  vtkSmartPointer<vtkFloatArray> Color; // 4 floats a pixel; null, after an error: nothing was
+  vtkSmartPointer<vtkFloatArray> Depth; // if it was asked for
+};
+
+// The window's picture, decoded, or the linear colour of the frame.
+Drawn Draw(vtkRenderer* renderer, int columns, int rows, bool isPicture, bool depth)
 {
   renderer->GetRenderWindow()->vtkWindow::SetSize(columns, rows);
   renderer->ResetCameraClippingRange();
   vtkNew<vtkRelievoLayerSource> source;
-  source->SetRenderer(renderer);
-  source->HDROn();
-  source->AddLayer(Color);
-  source->Update();
-  auto* color = vtkFloatArray::SafeDownCast(source->GetOutput()->GetPointData()->GetArray(Color));
-  return color && color->GetNumberOfTuples() == vtkIdType(columns) * rows ? color : nullptr;
+  vtkNew<vtkImageData> image;
+  if (isPicture)
+  {
+    auto* frame = vtkRelievoPass::SafeDownCast(renderer->GetPass());
+    const bool waits = frame->GetWaitForSamples();
+    frame->WaitForSamplesOn();
+    renderer->GetRenderWindow()->Render();
+    frame->SetWaitForSamples(waits);
+    vtkRelievoLayerSource::AddColor(renderer, image);
+  }
+  else
+  {
+    source->SetRenderer(renderer);
+    source->HDROn();
+    source->AddLayer(Color);
+    if (depth)
+    {
+      source->AddLayer(Depth);
+    }
+    source->Update();
+    image->ShallowCopy(source->GetOutput());
+  }
+  Drawn drawn;
+  vtkPointData* layers = image->GetPointData();
+  if (image->GetNumberOfPoints() == vtkIdType(columns) * rows)
+  {
+    drawn.Color = vtkFloatArray::SafeDownCast(layers->GetArray(Color));
+    drawn.Depth = vtkFloatArray::SafeDownCast(layers->GetArray(Depth));
+  }
+  return drawn;
 }
 
 // Between the four nearest pixels. Rows are counted from the top, and stored from the bottom.
@@ -220,23 +317,54 @@ void Interpolate(const float* from, const int size[2], const double place[2], fl
   }
 }
 
+// For display, 3 bytes a pixel.
+vtkSmartPointer<vtkUnsignedCharArray> MakeBytes(vtkFloatArray* color)
+{
+  auto bytes = vtkSmartPointer<vtkUnsignedCharArray>::New();
+  bytes->SetName(Shown);
+  bytes->SetNumberOfComponents(3);
+  bytes->SetNumberOfTuples(color->GetNumberOfTuples());
+  vtkRelievoWithThreads([&] {
+    vtkSMPTools::For(0, color->GetNumberOfTuples(), Grain, [&](vtkIdType begin, vtkIdType end) {
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        for (int k = 0; k < 3; ++k)
+        {
+          const double light = std::clamp<double>(color->GetValue(4 * i + k), 0.0, 1.0);
+          bytes->SetValue(3 * i + k,
+            static_cast<unsigned char>(
+              std::lround(255.0 * relievo::f64::relievoSrgbFromLinear(light))));
+        }
+      }
+    });
+  });
+  return bytes;
+}
+
+vtkIdType GetNearest(const int size[2], const double place[2])
+{
+  const auto column = std::clamp<vtkIdType>(std::lround(place[0]), 0, size[0] - 1);
+  const auto row = std::clamp<vtkIdType>(std::lround(place[1]), 0, size[1] - 1);
+  return (size[1] - 1 - row) * size[0] + column;
+}
+
 // By which automatic exposure multiplies: the log-average of what is drawn, or of all.
-double GetExposure(const vtkFloatArray* color, double background)
+double GetExposure(vtkFloatArray* color, const std::vector<unsigned char>& drawn)
 {
   double sums[2] = { 0.0, 0.0 };
   double counts[2] = { 0.0, 0.0 };
   for (vtkIdType i = 0; i < color->GetNumberOfTuples(); ++i)
   {
-    const float* c = const_cast<vtkFloatArray*>(color)->GetPointer(4 * i);
+    const float* c = color->GetPointer(4 * i);
     const glm::dvec3 light(c[0], c[1], c[2]);
-    if (relievo::f64::relievoToneIsLight(light))
+    const unsigned char which = drawn[static_cast<std::size_t>(i)];
+    if (which != Unseen && relievo::f64::relievoToneIsLight(light))
     {
-      const int which = c[3] > background ? 0 : 1;
       sums[which] += relievo::f64::relievoToneLogLuminance(light);
       counts[which] += 1.0;
     }
   }
-  const int which = counts[0] > 0.0 ? 0 : 1;
+  const int which = counts[1] > 0.0 ? 1 : 0;
   return counts[which] > 0.0 ? relievo::f64::relievoToneAutoExposure(sums[which] / counts[which])
                              : 1.0;
 }
@@ -302,7 +430,7 @@ int vtkRelievoLensPicture::RequestInformation(
 //------------------------------------------------------------------------------
 // What one camera of VTK sees as the sensor does. True if it was drawn; false, without an error, if
 // there is no such camera.
-bool vtkRelievoLensPicture::DrawWhole(vtkFloatArray* color)
+bool vtkRelievoLensPicture::DrawWhole(vtkFloatArray* color, bool isPicture)
 {
   const int* size = this->Camera->GetSize();
   vtkCamera* view = this->Renderer->GetActiveCamera();
@@ -325,18 +453,23 @@ bool vtkRelievoLensPicture::DrawWhole(vtkFloatArray* color)
   {
     return false;
   }
-  const vtkSmartPointer<vtkFloatArray> drawn = DrawColor(this->Renderer, size[0], size[1]);
-  if (drawn)
+  const Drawn drawn = Draw(this->Renderer, size[0], size[1], isPicture, this->IsMetered());
+  if (drawn.Color)
   {
-    std::copy_n(drawn->GetPointer(0), drawn->GetNumberOfValues(), color->GetPointer(0));
+    std::copy_n(drawn.Color->GetPointer(0), drawn.Color->GetNumberOfValues(), color->GetPointer(0));
     this->NumberOfViews = 1;
-    this->NumberOfDrawnPixels = drawn->GetNumberOfTuples();
+    this->NumberOfDrawnPixels = drawn.Color->GetNumberOfTuples();
+    for (vtkIdType i = 0; i < drawn.Color->GetNumberOfTuples(); ++i)
+    {
+      this->Marks[static_cast<std::size_t>(i)] = this->IsDrawn(
+        drawn.Color->GetValue(4 * i + 3), drawn.Depth ? drawn.Depth->GetValue(i) : 0.f);
+    }
   }
   return true;
 }
 
 //------------------------------------------------------------------------------
-bool vtkRelievoLensPicture::DrawViews(vtkFloatArray* color)
+bool vtkRelievoLensPicture::DrawViews(vtkFloatArray* color, bool isPicture)
 {
   const int columns = this->Camera->GetSize()[0];
   const int rows = this->Camera->GetSize()[1];
@@ -348,18 +481,20 @@ bool vtkRelievoLensPicture::DrawViews(vtkFloatArray* color)
     vtkErrorMacro(<< wrong << ".");
     return false;
   }
-  for (const vtkRelievoLensViews::View& view : views.Get())
+  for (const vtkRelievoLensView& view : views.Get())
   {
     vtkNew<vtkRelievoLensCamera> pinhole;
     views.SetCamera(view, pinhole);
     pinhole->ApplyTo(this->Renderer->GetActiveCamera());
-    const vtkSmartPointer<vtkFloatArray> drawn =
-      DrawColor(this->Renderer, view.Size[0], view.Size[1]);
-    if (!drawn)
+    this->PutBehind(views, view);
+    const Drawn drawn =
+      Draw(this->Renderer, view.Size[0], view.Size[1], isPicture, this->IsMetered());
+    if (!drawn.Color)
     {
       return false;
     }
-    const float* from = drawn->GetPointer(0);
+    const float* from = drawn.Color->GetPointer(0);
+    const float* depth = drawn.Depth ? drawn.Depth->GetPointer(0) : nullptr;
     float* to = color->GetPointer(0);
     vtkRelievoWithThreads([&] {
       vtkSMPTools::For(0, vtkIdType(columns) * rows, Grain, [&](vtkIdType begin, vtkIdType end) {
@@ -370,14 +505,16 @@ bool vtkRelievoLensPicture::DrawViews(vtkFloatArray* color)
           double place[2];
           if (views.Find(view, column, row, place))
           {
-            Interpolate(
-              from, view.Size, place, to + 4 * ((vtkIdType(rows) - 1 - row) * columns + column));
+            const vtkIdType pixel = (vtkIdType(rows) - 1 - row) * columns + column;
+            Interpolate(from, view.Size, place, to + 4 * pixel);
+            this->Marks[static_cast<std::size_t>(pixel)] =
+              this->IsDrawn(to[4 * pixel + 3], depth ? depth[GetNearest(view.Size, place)] : 0.f);
           }
         }
       });
     });
     ++this->NumberOfViews;
-    this->NumberOfDrawnPixels += drawn->GetNumberOfTuples();
+    this->NumberOfDrawnPixels += drawn.Color->GetNumberOfTuples();
     this->UpdateProgress(double(this->NumberOfViews) / static_cast<double>(views.Get().size()));
     if (this->GetAbortExecute())
     {
@@ -388,82 +525,97 @@ bool vtkRelievoLensPicture::DrawViews(vtkFloatArray* color)
 }
 
 //------------------------------------------------------------------------------
-// Behind what covers its pixel in part or not at all.
-void vtkRelievoLensPicture::AddGradient(
-  vtkFloatArray* color, const double bottom[3], const double top[3])
+// A gradient goes over the sensor's picture: behind a view is what is behind its rays there.
+void vtkRelievoLensPicture::PutBehind(
+  const vtkRelievoLensViews& views, const vtkRelievoLensView& view)
 {
-  const int columns = this->Camera->GetSize()[0];
-  const int rows = this->Camera->GetSize()[1];
-  for (int row = 0; row < rows; ++row)
+  if (!this->Gradient)
   {
-    const double share = (row + 0.5) / rows;
-    double behind[3];
-    for (int i = 0; i < 3; ++i)
+    return;
+  }
+  const int size[2] = { std::min(view.Size[0], MostTexels), std::min(view.Size[1], MostTexels) };
+  vtkNew<vtkRelievoLensCamera> pinhole;
+  views.SetCamera(view, pinhole);
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(size[0], size[1], 1);
+  image->AllocateScalars(VTK_FLOAT, 3);
+  auto* colors = static_cast<float*>(image->GetScalarPointer());
+  const double rows = this->Camera->GetSize()[1];
+  double bottom[3];
+  double top[3];
+  this->Renderer->GetBackground(bottom);
+  this->Renderer->GetBackground2(top);
+  for (int j = 0; j < size[1]; ++j)
+  {
+    for (int i = 0; i < size[0]; ++i)
     {
-      behind[i] = relievo::f64::relievoLinearFromSrgb((1.0 - share) * bottom[i] + share * top[i]);
-    }
-    for (int column = 0; column < columns; ++column)
-    {
+      const double u = (i + 0.5) * view.Size[0] / size[0] - 0.5;
+      const double v = (size[1] - j - 0.5) * view.Size[1] / size[1] - 0.5;
       double origin[3];
-      double direction[3];
-      if (this->Camera->GetCameraRay(column, rows - 1 - row, origin, direction))
+      double point[3];
+      double place[2];
+      pinhole->GetRay(u, v, origin, point);
+      vtkMath::Add(origin, point, point);
+      this->Camera->Project(point, place); // NaN where the sensor sees nothing
+      const double share =
+        std::isfinite(place[1]) ? std::clamp(1.0 - (place[1] + 0.5) / rows, 0.0, 1.0) : 0.0;
+      for (int k = 0; k < 3; ++k)
       {
-        float* c = color->GetPointer(4 * (vtkIdType(row) * columns + column));
-        const double left = 1.0 - std::clamp(static_cast<double>(c[3]), 0.0, 1.0);
-        for (int i = 0; i < 3; ++i)
-        {
-          c[i] += static_cast<float>(left * behind[i]);
-        }
+        colors[3 * (j * size[0] + i) + k] =
+          static_cast<float>((1.0 - share) * bottom[k] + share * top[k]);
       }
     }
   }
+  vtkNew<vtkTexture> texture;
+  texture->SetInputData(image);
+  texture->SetColorModeToDirectScalars();
+  texture->InterpolateOn();
+  texture->RepeatOff();
+  texture->EdgeClampOn();
+  this->Renderer->GradientBackgroundOff();
+  this->Renderer->TexturedBackgroundOn();
+  this->Renderer->SetBackgroundTexture(texture);
 }
 
 //------------------------------------------------------------------------------
-// As the frame makes it of the linear colour.
-vtkSmartPointer<vtkUnsignedCharArray> vtkRelievoLensPicture::MakePicture(
-  vtkFloatArray* color, vtkRelievoPass* frame)
+// The stage `tone`, if it makes the picture.
+vtkRelievoToneStage* vtkRelievoLensPicture::GetTone()
 {
-  using namespace relievo::f64;
+  auto* frame = vtkRelievoPass::SafeDownCast(this->Renderer->GetPass());
   vtkRelievoToneStage* tone = frame ? frame->GetToneStage() : nullptr;
-  tone = tone && tone->GetChangesPicture() ? tone : nullptr;
-  const double background = this->Renderer->GetBackgroundAlpha();
-  const double exposure = !tone ? 1.0
-                                : std::exp2(tone->GetExposure()) *
-      (tone->GetAutoExposure() ? GetExposure(color, background) : 1.0);
-  const vtkIdType columns = this->Camera->GetSize()[0];
-  auto picture = vtkSmartPointer<vtkUnsignedCharArray>::New();
-  picture->SetName(Shown);
-  picture->SetNumberOfComponents(3);
-  picture->SetNumberOfTuples(color->GetNumberOfTuples());
-  vtkRelievoWithThreads([&] {
-    vtkSMPTools::For(0, color->GetNumberOfTuples(), Grain, [&](vtkIdType begin, vtkIdType end) {
-      for (vtkIdType i = begin; i < end; ++i)
-      {
-        const float* c = color->GetPointer(4 * i);
-        glm::dvec3 light = relievoToneClean(glm::dvec3(c[0], c[1], c[2]));
-        light = tone ? relievoTone(tone->GetOperator(), light * exposure, tone->GetWhite())
-                     : relievoToneClamp(light);
-        const glm::dvec3 shown = relievoSrgbColorFromLinear(light);
-        for (int k = 0; k < 3; ++k)
-        {
-          double threshold = 0.5;
-          if (tone && tone->GetDither() != vtkRelievoToneStage::DITHER_NONE)
-          {
-            const auto x = static_cast<unsigned int>(i % columns);
-            const auto y = static_cast<unsigned int>(i / columns);
-            threshold = tone->GetDither() == vtkRelievoToneStage::DITHER_ORDERED
-              ? relievoToneBayer(x, y)
-              : vtkRelievoToneStage::GetBlueNoise(static_cast<int>(x), static_cast<int>(y));
-          }
-          picture->SetValue(3 * i + k,
-            static_cast<unsigned char>(
-              std::lround(255.0 * relievoToneDither(shown[k], threshold))));
-        }
-      }
-    });
-  });
-  return picture;
+  return tone && tone->GetChangesPicture() ? tone : nullptr;
+}
+
+//------------------------------------------------------------------------------
+// Whether automatic exposure looks at what is drawn.
+bool vtkRelievoLensPicture::IsMetered()
+{
+  return this->Picture && this->GetTone() && this->GetTone()->GetAutoExposure();
+}
+
+//------------------------------------------------------------------------------
+// As the stage `tone` has it: a gradient is opaque.
+bool vtkRelievoLensPicture::IsDrawn(float alpha, float depth)
+{
+  return std::isfinite(depth) || (!this->Gradient && alpha > this->Renderer->GetBackgroundAlpha());
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkFloatArray> vtkRelievoLensPicture::DrawAll(bool isPicture)
+{
+  const vtkIdType pixels = vtkIdType(this->Camera->GetSize()[0]) * this->Camera->GetSize()[1];
+  auto color = vtkSmartPointer<vtkFloatArray>::New();
+  color->SetName(Color);
+  color->SetNumberOfComponents(4);
+  color->SetNumberOfTuples(pixels);
+  std::fill_n(color->GetPointer(0), color->GetNumberOfValues(), 0.f);
+  this->Marks.assign(static_cast<std::size_t>(pixels), Unseen);
+  this->NumberOfViews = 0;
+  this->NumberOfDrawnPixels = 0;
+  KeptRenderer kept(this->Renderer, this->Camera);
+  const bool drawn = this->DrawWhole(color, isPicture) ? this->NumberOfViews == 1
+                                                       : this->DrawViews(color, isPicture);
+  return drawn ? color : nullptr;
 }
 
 //------------------------------------------------------------------------------
@@ -483,6 +635,13 @@ int vtkRelievoLensPicture::RequestData(
                           : "a renderer without a window; add it to a vtkRenderWindow."));
     return 0;
   }
+  std::string wrong = vtkRelievoDisplay::Check(this->Renderer->GetRenderWindow());
+  wrong = wrong.empty() ? vtkRelievoPass::CheckLights(this->Renderer) : wrong + ".";
+  if (!wrong.empty())
+  {
+    vtkErrorMacro(<< wrong);
+    return 0;
+  }
   if (this->Renderer->GetTexturedBackground() && this->Renderer->GetBackgroundTexture())
   {
     this->SetErrorCode(vtkErrorCode::UserError);
@@ -500,42 +659,30 @@ int vtkRelievoLensPicture::RequestData(
                                    "by rays (vtkRelievoRayLayers).");
     return 0;
   }
-  const int columns = this->Camera->GetSize()[0];
-  const int rows = this->Camera->GetSize()[1];
-  vtkNew<vtkFloatArray> color;
-  color->SetName(Color);
-  color->SetNumberOfComponents(4);
-  color->SetNumberOfTuples(vtkIdType(columns) * rows);
-  std::fill_n(color->GetPointer(0), color->GetNumberOfValues(), 0.f);
-  const bool gradient = this->Renderer->GetGradientBackground();
-  double bottom[3];
-  double top[3];
-  this->Renderer->GetBackground(bottom);
-  this->Renderer->GetBackground2(top);
-  bool drawn = false;
+  this->Gradient = this->Renderer->GetGradientBackground();
+  vtkRelievoToneStage* tone = this->GetTone();
+  const bool isLinear = this->HDR || tone;
+  vtkSmartPointer<vtkFloatArray> color = isLinear ? this->DrawAll(false) : nullptr;
+  vtkSmartPointer<vtkFloatArray> shown;
+  if (!isLinear || (this->Picture && color))
   {
-    KeptRenderer kept(this->Renderer, this->Camera);
-    drawn = (this->DrawWhole(color) ? this->NumberOfViews == 1 : this->DrawViews(color));
+    const KeptExposure kept(tone, this->IsMetered() ? GetExposure(color, this->Marks) : 1.0);
+    shown = this->DrawAll(true);
   }
-  if (!drawn)
+  this->Marks = {};
+  color = isLinear ? color : shown;
+  if (!color || (this->Picture && !shown))
   {
     return this->GetAbortExecute() ? 1 : 0;
   }
-  if (gradient)
-  {
-    this->AddGradient(color, bottom, top);
-  }
-  image->SetDimensions(columns, rows, 1);
+  image->SetDimensions(this->Camera->GetSize()[0], this->Camera->GetSize()[1], 1);
   if (this->Picture)
   {
-    image->GetPointData()->SetScalars(this->MakePicture(color, frame));
+    image->GetPointData()->SetScalars(MakeBytes(shown));
   }
-  if (!this->HDR)
+  for (vtkIdType i = 0; !this->HDR && i < color->GetNumberOfValues(); ++i)
   {
-    for (vtkIdType i = 0; i < color->GetNumberOfValues(); ++i)
-    {
-      color->SetValue(i, std::clamp(color->GetValue(i), 0.f, 1.f));
-    }
+    color->SetValue(i, std::clamp(color->GetValue(i), 0.f, 1.f));
   }
   image->GetPointData()->AddArray(color);
   this->Camera->AddTo(image->GetFieldData());

@@ -17,10 +17,11 @@
  * picture, and what sees nothing, beside a fisheye's circle, is black, with alpha 0.
  *
  * Output: vtkImageData of the sensor's columns and rows, row 0 at the bottom, with the point arrays
- * - color: 4 floats, linear light and alpha, as vtkRelievoLayerSource has it: 0 to 1, or with HDR
- *   unclamped;
- * - picture, if asked for, and then the scalars: 3 bytes, for display: sRGB, after the stage `tone`
- *   if it is on, whose automatic exposure is one for the whole picture.
+ * - color: 4 floats, linear light and alpha, as vtkRelievoLayerSource has it: of pictures for
+ *   display, with smooth edges, or with HDR of the linear colour, unclamped; where the stage `tone`
+ *   makes the picture, the light before it.
+ * - picture, if asked for, and then the scalars: 3 bytes, sRGB, for display; automatic exposure is
+ *   one for all views.
  * The field data has the calibration (vtkRelievoCameraModel::AddTo).
  *
  * The renderer, its window's size, camera, lights and background are afterwards as before.
@@ -36,12 +37,14 @@
 #include "vtkRelievoPassesModule.h" // for the export macro
 #include "vtkSmartPointer.h"        // for what is given
 
+#include <vector> // for marks
+
 class vtkFloatArray;
 class vtkRelievoCameraModel;
 class vtkRelievoLensViews;
-class vtkRelievoPass;
+struct vtkRelievoLensView;
+class vtkRelievoToneStage;
 class vtkRenderer;
-class vtkUnsignedCharArray;
 
 class VTKRELIEVOPASSES_EXPORT vtkRelievoLensPicture : public vtkImageAlgorithm
 {
@@ -97,10 +100,13 @@ private:
   vtkRelievoLensPicture(const vtkRelievoLensPicture&) = delete;
   void operator=(const vtkRelievoLensPicture&) = delete;
 
-  bool DrawViews(vtkFloatArray* color);
-  bool DrawWhole(vtkFloatArray* color);
-  void AddGradient(vtkFloatArray* color, const double bottom[3], const double top[3]);
-  vtkSmartPointer<vtkUnsignedCharArray> MakePicture(vtkFloatArray* color, vtkRelievoPass* frame);
+  vtkSmartPointer<vtkFloatArray> DrawAll(bool isPicture);
+  bool DrawViews(vtkFloatArray* color, bool isPicture);
+  bool DrawWhole(vtkFloatArray* color, bool isPicture);
+  void PutBehind(const vtkRelievoLensViews& views, const vtkRelievoLensView& view);
+  vtkRelievoToneStage* GetTone();
+  bool IsMetered();
+  bool IsDrawn(float alpha, float depth);
 
   vtkSmartPointer<vtkRenderer> Renderer;
   vtkSmartPointer<vtkRelievoCameraModel> Camera;
@@ -109,6 +115,10 @@ private:
   bool Picture = false;
   int NumberOfViews = 0;
   vtkIdType NumberOfDrawnPixels = 0;
+
+  // While it draws.
+  bool Gradient = false;
+  std::vector<unsigned char> Marks; // of each pixel: 0 what is behind, 1 drawn, 2 unseen
 };
 
 #endif

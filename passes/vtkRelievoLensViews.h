@@ -13,17 +13,19 @@
 class vtkRelievoCameraModel;
 class vtkRelievoLensCamera;
 
+// A rectangle of a plane at distance 1: x to the right of its axes, y downwards.
+struct vtkRelievoLensView
+{
+  int Face = 0;
+  double Low[2], High[2];
+  double PixelsPerUnit;
+  int Size[2];
+};
+
 class vtkRelievoLensViews
 {
 public:
-  // A rectangle of a plane at distance 1: x to the right of its axes, y downwards.
-  struct View
-  {
-    int Face = 0;
-    double Low[2], High[2];
-    double PixelsPerUnit;
-    int Size[2];
-  };
+  using View = vtkRelievoLensView;
 
   // Looks at all rays; what is wrong with them, in words, or "". The pixels of a view are no wider
   // than a pixel of the sensor over `oversampling`.

@@ -93,7 +93,26 @@ void FittedView::Turn(vtkRenderer* renderer) const
 void FittedView::Fit(vtkRenderer* renderer, const double bounds[6]) const
 {
   this->Turn(renderer);
-  renderer->ResetCamera(bounds);
+  vtkCamera* camera = renderer->GetActiveCamera();
+  const double angle = camera->GetViewAngle();
+  renderer->ResetCamera(bounds); // which makes the angle VTK's own, and the distance for it
+  if (angle == camera->GetViewAngle())
+  {
+    return;
+  }
+  const double aspect = std::min(1.0, renderer->GetTiledAspectRatio());
+  const auto sine = [aspect](double degrees) {
+    return std::sin(std::atan(aspect * std::tan(0.5 * vtkMath::RadiansFromDegrees(degrees))));
+  };
+  const double distance = camera->GetDistance() * sine(camera->GetViewAngle()) / sine(angle);
+  camera->SetViewAngle(angle);
+  std::array<double, 3> place{};
+  for (int i = 0; i < 3; ++i)
+  {
+    place[static_cast<std::size_t>(i)] =
+      camera->GetFocalPoint()[i] + distance * this->Towards[static_cast<std::size_t>(i)];
+  }
+  camera->SetPosition(place.data());
 }
 
 //------------------------------------------------------------------------------

@@ -5,6 +5,7 @@
 #include "DressedScene.h"
 #include "Errors.h"
 #include "Frame.h"
+#include "Lens.h"
 #include "Messages.h"
 #include "Options.h"
 #include "Outputs.h"
@@ -15,6 +16,7 @@
 #include "Transparency.h"
 #include "Values.h"
 
+#include "vtkFieldData.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkPNGWriter.h"
@@ -90,6 +92,10 @@ std::vector<std::string> LayersToCapture(const RenderOptions& options, const Sce
   for (const std::string& name : unnamed ? DefaultLayers : options.Layers)
   {
     CheckLayer("--layers", name, scene);
+    if (!options.Lens.empty())
+    {
+      CheckLensLayer(name);
+    }
     if (std::find(layers.begin(), layers.end(), name) == layers.end())
     {
       layers.push_back(name);
@@ -124,7 +130,8 @@ bool ShowsNothing(vtkRenderWindow* window, vtkImageData* picture, const RenderOp
       }
     }
   }
-  if (!options.Camera && !options.ParallelScale && !options.Clip && size[0] >= 16)
+  if (!options.Lens.empty() ||
+    (!options.Camera && !options.ParallelScale && !options.Clip && size[0] >= 16))
   {
     return true;
   }
@@ -190,10 +197,15 @@ void WriteEXR(
 }
 
 //------------------------------------------------------------------------------
-void WriteReport(vtkRelievoPass* pass, const RenderOptions& options, const Outputs& outputs)
+// The frame's, and the camera's calibration.
+void WriteReport(vtkRelievoPass* pass, vtkFieldData* calibration, const RenderOptions& options,
+  const Outputs& outputs)
 {
+  std::string report = pass->GetFrameReport();
+  const std::string camera = WriteCalibration(calibration, options.Size);
+  report.replace(report.rfind('}'), 1, ", \"camera\": " + camera + "}");
   std::ofstream file(outputs.Temporary(options.Report), std::ios::binary);
-  file << pass->GetFrameReport() << '\n';
+  file << report << '\n';
   file.close();
   if (!file)
   {
@@ -270,7 +282,12 @@ void DrawFrame(const Scene& scene, vtkRelievoPass* pass, const std::vector<std::
     progress.Update(double(frame) / FramesUntilTimed);
   }
   vtkNew<vtkRelievoLayerSource> source;
-  if (!options.EXR.empty())
+  vtkSmartPointer<vtkImageData> seen;
+  if (!options.Lens.empty())
+  {
+    seen = DrawLens(renderer, options, layers, progress);
+  }
+  else if (!options.EXR.empty())
   {
     source->SetRenderer(renderer);
     source->SetHDR(options.HDR);
@@ -279,9 +296,15 @@ void DrawFrame(const Scene& scene, vtkRelievoPass* pass, const std::vector<std::
       source->AddLayer(name);
     }
     source->Update();
+    // The image and not the source's port: a source of layers draws anew whenever it is asked.
+    seen = source->GetOutput();
   }
-  vtkSmartPointer<vtkImageData> picture;
-  if (options.Transparent)
+  vtkSmartPointer<vtkImageData> picture = options.Lens.empty() ? nullptr : seen;
+  if (!options.Lens.empty())
+  {
+    // it is drawn
+  }
+  else if (options.Transparent)
   {
     const vtkSmartPointer<vtkImageData> overBlack = DrawOver(scene, 0.0);
     picture = MakeTransparent(overBlack, DrawOver(scene, 1.0));
@@ -296,7 +319,10 @@ void DrawFrame(const Scene& scene, vtkRelievoPass* pass, const std::vector<std::
   }
   progress.End();
   Messages::Check(what);
-  NoteIdleStages(pass, options.Stages);
+  if (options.Lens.empty()) // of which the last view may show less than the picture
+  {
+    NoteIdleStages(pass, options.Stages);
+  }
 
   try
   {
@@ -306,12 +332,14 @@ void DrawFrame(const Scene& scene, vtkRelievoPass* pass, const std::vector<std::
     }
     if (!options.EXR.empty())
     {
-      // The image and not the source's port: a source of layers draws anew whenever it is asked.
-      WriteEXR(source->GetOutput(), options, outputs, progress);
+      WriteEXR(seen, options, outputs, progress);
     }
     if (!options.Report.empty())
     {
-      WriteReport(pass, options, outputs);
+      WriteReport(pass,
+        options.Lens.empty() ? GetCalibration(renderer, options.Size.data())
+                             : vtkSmartPointer<vtkFieldData>(seen->GetFieldData()),
+        options, outputs);
     }
     for (const std::string& warning : Messages::TakeWarnings())
     {
@@ -417,7 +445,8 @@ std::string WriteOutputs(DressedScene& dressed, const RenderOptions& options,
   }
   const std::string size = std::to_string(options.Size[0]) + "x" + std::to_string(options.Size[1]);
   progress.Begin("rendering " + size);
-  const OutputFrame frame(dressed, options, layers);
+  const OutputFrame frame(
+    dressed, options, options.Lens.empty() ? layers : std::vector<std::string>());
   vtkRelievoPass* pass = frame.Get();
   if (frames == 0)
   {

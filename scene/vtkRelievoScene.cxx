@@ -5,6 +5,7 @@
 #include "Display.h"
 #include "DressedScene.h"
 #include "Errors.h"
+#include "Lens.h"
 #include "Messages.h"
 #include "NumberLocale.h"
 #include "OpenedFiles.h"
@@ -296,6 +297,10 @@ bool vtkRelievoScene::Write()
     std::vector<std::string> inputs = OnFiles([&options] { return scene::CheckInputs(options); });
     std::unique_ptr<scene::Outputs> outputs =
       OnFiles([&] { return scene::OpenOutputs(options, inputs); });
+    if (!options.Lens.empty())
+    {
+      this->Self->Options = OnFiles([&options] { return scene::FollowLens(options); });
+    }
     scene::Progress progress(this->Self.get());
     this->Self->Update(progress);
     this->Self->Played = options.Model.Times.size() > 1;

@@ -41,6 +41,10 @@ const std::map<std::string, const char*> Columns = { { "range", "distance" },
   { "normal", "normal" }, { "geometric_normal", "geometric_normal" }, { "position", "position" },
   { "actor", "prop" }, { "block", "block" }, { "cell", "cell" } };
 
+// Those that are not.
+constexpr const char* Depth = "depth";
+constexpr const char* Ambient = "ambient";
+
 // An array of data by its name: of points, or else of cells.
 struct Named
 {
@@ -347,6 +351,24 @@ void vtkRelievoRayLayers::RemoveAllLayers()
 }
 
 //------------------------------------------------------------------------------
+std::string vtkRelievoRayLayers::GetLayerNames()
+{
+  std::string names = std::string(Depth) + ", " + Ambient;
+  for (const auto& column : Columns)
+  {
+    names += ", " + column.first;
+  }
+  return names;
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoRayLayers::HasLayer(const std::string& name)
+{
+  return name == Depth || name == Ambient || Columns.count(name) != 0 ||
+    vtkRelievoLayerCatalogue::Find(name).Kind == vtkRelievoLayer::ARRAY;
+}
+
+//------------------------------------------------------------------------------
 vtkMTimeType vtkRelievoRayLayers::GetMTime()
 {
   this->Modified();
@@ -391,7 +413,7 @@ int vtkRelievoRayLayers::RequestData(
     layer.Name = name;
     const vtkRelievoLayer& known = vtkRelievoLayerCatalogue::Find(name);
     const auto column = Columns.find(name);
-    if (column != Columns.end() || name == "depth" || name == "ambient")
+    if (column != Columns.end() || name == Depth || name == Ambient)
     {
       layer.Column = column == Columns.end() ? nullptr : column->second;
       layer.Make(known.Type, known.Components, known.Background, columns * rows);
@@ -399,10 +421,8 @@ int vtkRelievoRayLayers::RequestData(
     else if (known.Kind != vtkRelievoLayer::ARRAY ||
       !layer.MakeOfData(this->Scene, blocks, columns * rows))
     {
-      vtkErrorMacro("Rays have no layer '"
-        << name
-        << "'; they have depth, range, normal, geometric_normal, position, actor, block, "
-           "cell, ambient, and arrays of what is in the scene.");
+      vtkErrorMacro("Rays have no layer '" << name << "'; they have " << GetLayerNames()
+                                           << ", and arrays of what is in the scene.");
       return 0;
     }
     layers.push_back(layer);
@@ -413,7 +433,7 @@ int vtkRelievoRayLayers::RequestData(
   vtkNew<vtkTable> table;
   SkyRays sky;
   std::vector<double> ambient;
-  if (std::find(this->Layers.begin(), this->Layers.end(), "ambient") != this->Layers.end())
+  if (std::find(this->Layers.begin(), this->Layers.end(), Ambient) != this->Layers.end())
   {
     sky.Points = vtkRelievoSkySamples::Get(this->AmbientSamples, false);
   }
@@ -443,11 +463,11 @@ int vtkRelievoRayLayers::RequestData(
         {
           layer.Array->SetTuple(pixel, hits.Get(table, layer.Column)->GetTuple(i));
         }
-        else if (layer.Name == "ambient")
+        else if (layer.Name == Ambient)
         {
           layer.Array->SetComponent(pixel, 0, ambient[static_cast<std::size_t>(i)]);
         }
-        else if (layer.Name == "depth")
+        else if (layer.Name == Depth)
         {
           layer.Array->SetComponent(pixel, 0,
             this->Camera->GetDepth(origins->GetPointer(3 * i), hits.Position->GetTuple(i)));

@@ -73,6 +73,12 @@ public:
   vtkGetMacro(Seed, int);
   ///@}
 
+  /** The names of the layers that rays have, arrays apart, with commas between them. */
+  static std::string GetLayerNames();
+
+  /** Whether rays have a layer of this name; of one that no catalogue lists, data may. */
+  static bool HasLayer(const std::string& name);
+
   /** Always newer than before, because the scene may change without notice. */
   vtkMTimeType GetMTime() override;
 

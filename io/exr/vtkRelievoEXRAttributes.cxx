@@ -22,6 +22,7 @@
 #include <OpenEXR/ImfVecAttribute.h>
 
 #include <algorithm>
+#include <charconv>
 #include <set>
 #include <string>
 #include <type_traits>
@@ -33,6 +34,7 @@ namespace
 {
 const std::string Prefix = "relievo:";
 const std::string LightPrefix = "relievo:light_";
+constexpr std::size_t MostInList = 4096; // beams of a scanner
 
 // Attributes that the format itself keeps, and what is written from the arrays.
 const std::set<std::string> Structural = { "channels", "chunkCount", "compression", "dataWindow",
@@ -109,10 +111,45 @@ void WriteVector(const std::vector<double>& v, const std::string& name, Imf::Hea
   }
 }
 
+// Doubles of other counts than vectors and matrices have, which are text in a file: [1, 2.5, ...].
+std::string WriteList(const std::vector<double>& values)
+{
+  std::string text;
+  for (const double value : values)
+  {
+    char digits[32];
+    text += (text.empty() ? "[" : ", ") +
+      std::string(digits, std::to_chars(digits, digits + sizeof(digits), value).ptr);
+  }
+  return text + "]";
+}
+
+// None if the text is no such list.
+std::vector<double> ReadList(const std::string& text)
+{
+  std::vector<double> values;
+  const char* at = text.data();
+  const char* const end = at + text.size();
+  for (bool first = true; at != end && *at == (first ? '[' : ','); first = false)
+  {
+    at += first || end - at < 2 || at[1] != ' ' ? 1 : 2;
+    double value = 0.0;
+    const std::from_chars_result read = std::from_chars(at, end, value);
+    if (read.ec != std::errc())
+    {
+      return {};
+    }
+    values.push_back(value);
+    at = read.ptr;
+  }
+  return end - at == 1 && *at == ']' ? values : std::vector<double>();
+}
+
 void WriteNumbers(vtkDataArray* array, const std::string& name, Imf::Header& header)
 {
-  const std::size_t most = 16;
-  if (static_cast<std::size_t>(array->GetNumberOfValues()) > most)
+  const auto count = static_cast<std::size_t>(array->GetNumberOfValues());
+  const bool isList = array->GetDataType() == VTK_DOUBLE && count > 3 && count != 9 && count != 16;
+  if (count > (isList ? MostInList : 16))
   {
     return;
   }
@@ -138,6 +175,10 @@ void WriteNumbers(vtkDataArray* array, const std::string& name, Imf::Header& hea
     {
       Insert(header, name, Imf::EnvmapAttribute(static_cast<Imf::Envmap>(v[0])));
     }
+  }
+  else if (isList)
+  {
+    Insert(header, name, Imf::StringAttribute(WriteList(v)));
   }
   else if (array->GetDataType() == VTK_FLOAT)
   {
@@ -224,7 +265,15 @@ void ReadOther(const Imf::Header& header, const std::string& name, vtkFieldData*
   }
   if (const std::string* text = ValueOf<std::string>(header, name))
   {
-    AddStrings(fields, name, { *text });
+    const std::vector<double> list = ReadList(*text);
+    if (list.empty())
+    {
+      AddStrings(fields, name, { *text });
+    }
+    else
+    {
+      AddFieldNumbers(fields, name, VTK_DOUBLE, list);
+    }
   }
   else if (const Imf::StringVector* texts = ValueOf<Imf::StringVector>(header, name))
   {

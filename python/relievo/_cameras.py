@@ -337,10 +337,11 @@ def lens(words, size=None, view_angle=30, R=None, t=None):
         sensor = relievo.lens("fisheye:0.02,-0.013", size=(1280, 720), view_angle=170)
 
     words: pinhole, brown:K1,K2[,P1,P2[,K3[,K4,K5,K6]]], fisheye[:K1,K2,K3,K4], division:K, each
-        with ,K=FX/FY/CX/CY by choice; equirectangular[:H,V]; cube; orthographic[:PIXELS]. Or the
-        name of a file .yml, .yaml or .json as OpenCV and ROS write it.
+        with ,K=FX/FY/CX/CY or ,angle=DEG by choice; equirectangular[:H,V]; cube;
+        orthographic[:PIXELS]. Or the name of a file .yml, .yaml or .json as OpenCV and ROS write
+        it.
     size: (columns, rows) of the picture; None for the file's. A file's K is scaled to it.
-    view_angle: degrees that the height of the picture spans, where the words say no K.
+    view_angle: degrees that the height of the picture spans, where the words say neither.
 
     R, t: the pose; see CameraModel.pose. Returns a CameraModel. Raises ValueError for wrong words,
     files and sizes.

@@ -7,6 +7,8 @@
 #include "Shadows.h"
 #include "Surface.h"
 
+#include "vtkRelievoCalibration.h"
+
 #include <algorithm>
 
 namespace scene
@@ -25,6 +27,11 @@ std::vector<std::string> CheckInputs(const RenderOptions& options)
   {
     CheckPointFile(choice);
     inputs.push_back(choice.File);
+  }
+  if (vtkRelievoCalibration::IsFile(options.Lens))
+  {
+    CheckReadable(options.Lens);
+    inputs.push_back(options.Lens);
   }
   inputs.insert(inputs.end(), { options.NormalMap, options.HeightMap, options.Environment });
   inputs.erase(std::remove(inputs.begin(), inputs.end(), std::string()), inputs.end());

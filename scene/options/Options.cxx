@@ -3,6 +3,7 @@
 #include "Options.h"
 
 #include "Errors.h"
+#include "Lens.h"
 #include "Presets.h"
 #include "Readers.h"
 #include "ShadowOptions.h"
@@ -12,6 +13,7 @@
 #include "Triples.h"
 #include "Values.h"
 
+#include "vtkRelievoCalibration.h"
 #include "vtkRelievoLayerCatalogue.h"
 
 #include <algorithm>
@@ -46,6 +48,7 @@ void TakeSize(RenderOptions& options, const std::string& word)
   {
     options.Size[i] = ParseWhole("--size " + word, parts[i], 1, LargestSize);
   }
+  options.IsSized = true;
 }
 
 //------------------------------------------------------------------------------
@@ -64,6 +67,17 @@ void TakeCamera(RenderOptions& options, const std::string& word)
     RefuseValue("--camera", word, "an up direction UX,UY,UZ that is not along the view direction");
   }
   options.Camera = camera;
+}
+
+//------------------------------------------------------------------------------
+void TakeLens(RenderOptions& options, const std::string& word)
+{
+  const std::string wrong = vtkRelievoCalibration::Check(word);
+  if (!wrong.empty())
+  {
+    throw UsageError("--lens: " + wrong);
+  }
+  options.Lens = word;
 }
 
 //------------------------------------------------------------------------------
@@ -194,6 +208,16 @@ std::vector<OptionRow> MakeRows()
       [](RenderOptions& options, const std::string& word) {
         options.ParallelScale = ParseNumberBetween("--parallel-scale", word, 0.0, Infinity);
       } },
+    { "--lens", "LENS",
+      "what sees in place of a pinhole, in --png and --exr, whose layers are by rays: pinhole, "
+      "brown:K1,K2[,P1,P2[,K3[,K4,K5,K6]]], fisheye[:K1,K2,K3,K4] or division:K, with "
+      ",K=FX/FY/CX/CY "
+      "in pixels or ,angle=DEG that the height spans (the view angle); equirectangular[:H,V], "
+      "cube, "
+      "orthographic[:PIXELS]; or a calibration's file by OpenCV or ROS, .yml, .yaml or .json, "
+      "which "
+      "says the size as well",
+      TakeLens },
     { "--clip", "NEAR,FAR", "clipping distances, 0 < NEAR < FAR (around the scene)", TakeClip },
     { "--image", "KIND",
       "how images with depth (.vti, .vtk) are shown: labels, the smooth surface of each value but "
@@ -483,6 +507,7 @@ void CheckTogether(RenderOptions& options, const std::set<std::string>& given)
     throw UsageError("--transparent: it is the picture that has no background: give --png F as "
                      "well; the colour of the EXR has its alpha");
   }
+  CheckLens(options);
   CheckModelOptions(options);
   CheckLookOptions(options, given);
   CheckToneOptions(options);

@@ -72,6 +72,8 @@ struct RenderOptions
 {
   std::vector<std::string> Files;
   std::array<int, 2> Size = { 1024, 768 };       ///< width, height in pixels
+  bool IsSized = false;                          ///< the size was given
+  std::string Lens;                              ///< in place of a pinhole; empty: none
   std::optional<CameraPlace> Camera;             ///< none: fitted to the scene
   std::optional<std::array<double, 3>> ViewFrom; ///< which is seen from right, up and near; none:
                                                  ///< along an axis

@@ -18,7 +18,7 @@ namespace scene
 namespace
 {
 const std::set<std::string> OutputOptions = { "--png", "--exr", "--report", "--certify", "--hdr",
-  "--layers", "--transparent" };
+  "--layers", "--lens", "--transparent" };
 
 // Said as parameters of stages instead.
 const std::set<std::string> SaidByStages = { "--stage", "--shadow-size", "--soft-shadows",

@@ -65,7 +65,8 @@ class Completion(unittest.TestCase):
     def test_the_viewer_takes_the_words_of_render(self):
         viewer = RELIEVO + "-viewer"
         offered = complete("-", known="", program=viewer)  # asks the command beside it
-        outputs = {"--png", "--exr", "--report", "--layers", "--hdr", "--transparent", "--certify"}
+        outputs = {"--png", "--exr", "--report", "--layers", "--hdr", "--lens",
+                   "--transparent", "--certify"}
         own = {"--once", "--help", "--version"}
         self.assertEqual(set(offered), set(options_of("render")) - outputs | own)
         self.assertEqual(

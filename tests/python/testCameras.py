@@ -124,6 +124,36 @@ class Pictures(unittest.TestCase):
         for name in ("K", "R", "t"):
             numpy.testing.assert_array_equal(before[name], after[name])
 
+    def test_files_carry_lenses(self):
+        """The model, its numbers and the pose, as they are; the size is the file's."""
+        pose = {"R": VECTOR, "t": SHIFT}
+        for name, sensor, expected in (
+            *((name, LENSES[name], {"K": LENSES[name].K}) for name in LENSES),
+            ("equirectangular", relievo.Equirectangular((64, 32), (120, 50), **pose),
+             {"field_of_view": (120, 50)}),
+            ("cube", relievo.Cube(16, **pose), {}),
+            ("lidar", relievo.Lidar([5.5, 1, 0, -1, -5], steps=8, **pose),
+             {"elevations": (5.5, 1, 0, -1, -5)}),
+        ):
+            expected = {**expected, "R": sensor.R, "t": sensor.t}
+            lens = {"brown": "Brown-Conrady", "rational": "Brown-Conrady", "skewed": "fisheye"}
+            if name != "pinhole":
+                expected["lens"] = [lens.get(name, name)]
+            if name in LENSES and name != "pinhole":
+                values = {"brown": BROWN, "rational": RATIONAL}.get(name, FISHEYE)
+                full = numpy.zeros(4 if "fisheye" in expected["lens"] else 8)
+                full[:len(values)] = values
+                expected["distortion"] = full
+            with self.subTest(sensor=name), tempfile.TemporaryDirectory() as folder:
+                path = os.path.join(folder, "a.exr")
+                image = relievo.capture(scenes.plane_and_sphere(), "depth", camera=sensor)
+                relievo.write_exr(path, image)
+                read = relievo.read_exr(path)
+                after = relievo.attributes(read)
+                self.assertEqual(read.GetDimensions()[:2], sensor.size)
+                for key, value in expected.items():
+                    numpy.testing.assert_array_equal(after.get(key), value, err_msg=key)
+
     def test_parallel_has_no_intrinsics(self):
         renderer = scenes.plane_and_sphere(parallel=True)
         image = relievo.capture(renderer, "depth", size=(64, 64))
@@ -450,16 +480,21 @@ class Words(unittest.TestCase):
         for words, angle in (("pinhole", 50), ("brown:-0.1,0.01,0.001,0.002", 50), ("fisheye", 200),
                              ("fisheye:0.02,-0.013,0.006,-0.0011", 170), ("division:-0.2", 120)):
             with self.subTest(words=words):
-                edges = relievo.lens(words, (65, 48), angle).rays([(32, -0.5), (32, 47.5)])[1]
+                made = relievo.lens(words, (65, 48), angle)
+                edges = made.rays([(32, -0.5), (32, 47.5)])[1]
                 between = numpy.arctan2(edges[:, 1], edges[:, 2])
                 self.assertAlmostEqual(numpy.degrees(between[1] - between[0]), angle,
                                        delta=0.2 if words.startswith("brown") else 1e-9)
+                mark = "," if ":" in words else ":"
+                self.same(relievo.lens(f"{words}{mark}angle={angle}", (65, 48), 20), made)
 
     def test_refused(self):
         for part, words in (
             ("got 'fishy', expected pinhole, brown:K1", "fishy"),
             ("brown:K1,K2.*finite", "brown:0.1"), ("finite", "fisheye:0.1,nan"),
-            ("finite", "fisheye:"), ("fisheye", "fisheye:1,2,3,4,5"), ("K=FX", "fisheye:K=1/2/3"),
+            ("finite", "fisheye:"), ("fisheye", "fisheye:1,2,3,4,5"),
+            ("angle=DEG", "fisheye:angle=0"), ("angle=DEG", "fisheye:angle=90,0.1"),
+            ("angle=DEG", "pinhole:angle=9,K=1/1/1/1"), ("K=FX", "fisheye:K=1/2/3"),
             ("six times.*288x48", "cube"), ("cannot be read", "/nowhere/a.yml"),
             ("sees no 200 degrees", "pinhole"), ("equirectangular", "equirectangular:400,20"),
             ("JSON object", self.file("a.json", "[1, 2")),

@@ -616,8 +616,8 @@ class Colour(unittest.TestCase):
         return renderer
 
     def test_places_of_colours(self):
-        """The colour where a ray meets the walls, within 1 of 255, mean 0.1; in the corners, where
-        it turns, within a quarter of what it changes in a pixel."""
+        """The colour where a ray meets the walls, within 1 of 255, mean 0.3 (with HDR 0.1); in the
+        corners, where it turns, within half of what it changes in a pixel."""
         eye = numpy.array((0.2, -0.1, 0.15))
         for far in (0.0, 5e5):
             center = numpy.array((far, -far, far))
@@ -625,7 +625,7 @@ class Colour(unittest.TestCase):
             for sensor in self.SENSORS:
                 with self.subTest(sensor=type(sensor).__name__, far=far):
                     sensor.look_at(eye + center, center + (0.3, 0.5, 0.9), (0.1, 1, 0))
-                    image = relievo.capture(renderer, "color", camera=sensor)
+                    image = relievo.capture(renderer, "color", camera=sensor, hdr=far > 0)
                     color = relievo.layer(image, "color")
                     _, directions = sensor.rays()
                     seen = numpy.isfinite(directions).all(axis=-1)
@@ -634,7 +634,7 @@ class Colour(unittest.TestCase):
                         away = ((numpy.sign(directions) - eye) / directions).min(axis=-1)
                     expected = (1 + eye + away[..., None] * directions) / 2
                     off = numpy.abs(shown_of(color[..., :3]) - expected)[seen] * 255
-                    self.assertLess(off.mean(), 0.1)
+                    self.assertLess(off.mean(), 0.1 if far else 0.3)
                     walls = numpy.sort(numpy.abs(eye + away[..., None] * directions)[seen])
                     self.assertLess(off[walls[:, 1] < 0.9].max(), 1)
                     self.assertLess(off.max(), 255 / 40 / 2)
@@ -718,23 +718,25 @@ class Colour(unittest.TestCase):
 
         before = state()
         sensor = self.WIDE.look_at((0, 0, 2), (0, 0, 0))
-        image = relievo.capture(renderer, "color", camera=sensor)
+        image = relievo.capture(renderer, ["color", "actor"], camera=sensor)
         self.assertEqual(state(), before)
         # The gradient goes over the sensor's picture.
         color = relievo.layer(image, "color")
         rows = numpy.arange(121)
-        behind = color[..., 3] == 0
+        behind = relievo.layer(image, "actor") < 0
+        for axis in (0, 1):
+            behind &= numpy.roll(behind, 1, axis) & numpy.roll(behind, -1, axis)
         behind &= numpy.isfinite(sensor.rays()[1]).all(axis=-1)
         self.assertGreater(behind.mean(), 0.2)
         share = (120.5 - rows) / 121
         expected = linear_of(numpy.stack([0.5 - 0.5 * share, 0 * share, 0.5 * share], axis=-1))
         off = numpy.abs(color[..., :3] - expected[:, None])[behind]
-        self.assertLess(off.max(), 1e-6)
+        self.assertLess(off.max(), 4e-3)  # a step of 8 bits
 
     def test_tones(self):
         """The picture after `tone`: one automatic exposure for all faces."""
         renderer = self.room()
-        relievo.stage(renderer, "tone", operator="clamp", auto_exposure=True, exposure=-1)
+        tone = relievo.stage(renderer, "tone", operator="clamp", auto_exposure=True, exposure=-1)
         sensor = relievo.Equirectangular((200, 100)).look_at((0.2, -0.1, 0.3), (1, 0, 0))
         window = scenes.window_of(renderer)
         source = relievo.vtkRelievoLensPicture()
@@ -750,8 +752,10 @@ class Colour(unittest.TestCase):
         factor = 0.5 * 0.18 / 2 ** numpy.log2(numpy.maximum(bright, least)).mean()
         expected = numpy.round(255 * shown_of(factor * color))
         picture = relievo.layer(source.GetOutput(), "picture")
-        self.assertLess(numpy.abs(picture - expected).max(), 1.01)
-        self.assertGreater((picture == expected).mean(), 0.995)
+        self.assertLess(numpy.abs(picture - expected).max(), 2.01)
+        self.assertGreater((numpy.abs(picture - expected) < 1.01).mean(), 0.99)
+        self.assertTrue(tone.GetAutoExposure())
+        self.assertEqual(tone.GetExposure(), -1)
         window.Finalize()
 
     def test_drawn_pixels_are_no_wider(self):

@@ -75,7 +75,7 @@ const std::set<std::string> Elsewhere = { "--size", "--camera", "--parallel-scal
 // Said as parameters of stages, or no part of a picture.
 const std::set<std::string> OfStages = { "--shadow-size", "--soft-shadows", "--shadow-tolerance",
   "--time-budget", "--stage", "--ambient", "--deferred", "--tone", "--exposure", "--certify",
-  "--layers", "--hdr", "--png", "--exr", "--report", "--transparent" };
+  "--layers", "--hdr", "--lens", "--png", "--exr", "--report", "--transparent" };
 
 // What it comes to follows from times that are measured.
 const std::string Measured = "time_budget";

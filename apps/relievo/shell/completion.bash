@@ -16,7 +16,7 @@ _relievo()
     if [[ ${program##*/} == relievo-viewer ]]; then
         program=${program%-viewer}
         words=("$program" render "${words[@]:1}")
-        outputs='@(--png|--exr|--report|--layers|--hdr|--transparent|--certify)' # the window has its own
+        outputs='@(--png|--exr|--report|--layers|--hdr|--lens|--transparent|--certify)' # the window has its own
         more='--once --help --version'
     elif ((cword == 1)); then
         mapfile -t COMPREPLY < <(compgen -W 'render cave stages bench --help --version' -- "$cur")
@@ -57,6 +57,10 @@ _relievo()
         --light)
             values='sun: spot: point:'
             compopt -o nospace
+            ;;
+        --lens)
+            [[ $cur == *[./]* ]] && { _filedir '@(json|yml|yaml)'; return; }
+            values='pinhole brown: fisheye division: equirectangular cube orthographic'
             ;;
         --png) _filedir png; return ;;
         --exr) _filedir exr; return ;;

@@ -1,0 +1,196 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Lens.h"
+
+#include "Errors.h"
+#include "Messages.h"
+#include "Options.h"
+#include "Progress.h"
+#include "Scene.h"
+#include "Values.h"
+
+#include "vtkCallbackCommand.h"
+#include "vtkCamera.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkRelievoCalibration.h"
+#include "vtkRelievoLayerCatalogue.h"
+#include "vtkRelievoLensCamera.h"
+#include "vtkRelievoLensPicture.h"
+#include "vtkRelievoRayLayers.h"
+#include "vtkRelievoRayScene.h"
+#include "vtkRenderer.h"
+#include "vtkStringArray.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+
+namespace scene
+{
+namespace
+{
+constexpr double WidestFit = 120.0; // of a camera that is fitted, degrees
+
+// The words' sensor, as it is for this view. Throws FileError and UsageError.
+vtkRelievoCameraModel* MakeSensor(
+  vtkRelievoCalibration* calibration, const RenderOptions& options, vtkCamera* view)
+{
+  const vtkNew<vtkCallbackCommand> silent; // what it says is thrown
+  calibration->AddObserver(vtkCommand::ErrorEvent, silent);
+  if (!calibration->SetWords(options.Lens) || !calibration->Read())
+  {
+    throw FileError(calibration->GetFailureText());
+  }
+  const bool sized = options.IsSized || calibration->GetFileSize()[0] == 0;
+  vtkRelievoCameraModel* sensor =
+    calibration->MakeCamera(view, sized ? options.Size[0] : calibration->GetFileSize()[0],
+      sized ? options.Size[1] : calibration->GetFileSize()[1]);
+  if (!sensor)
+  {
+    throw UsageError("--lens: " + calibration->GetFailureText());
+  }
+  return sensor;
+}
+}
+
+//------------------------------------------------------------------------------
+void CheckLens(const RenderOptions& options)
+{
+  if (options.Lens.empty())
+  {
+    return;
+  }
+  if (options.ParallelScale && options.Lens.rfind("orthographic", 0) != 0)
+  {
+    throw UsageError("--lens and --parallel-scale: give one of them; a lens sees from one place, "
+                     "and orthographic alone does not");
+  }
+  const std::pair<bool, const char*> others[] = {
+    { options.Transparent, "--transparent: its background is told apart in a pinhole's picture" },
+    { options.Certify.has_value(), "--certify: it judges a pinhole's picture" },
+    { options.Look.Grid, "--grid: it is drawn over a pinhole's picture" },
+    { options.Look.ScalarBar, "--scalar-bar: it is drawn over a pinhole's picture" }
+  };
+  for (const auto& [given, words] : others)
+  {
+    if (given)
+    {
+      throw UsageError("--lens and " + std::string(words) + "; give one of them");
+    }
+  }
+  for (const StageChoice& stage : options.Stages)
+  {
+    if (stage.Name == "display")
+    {
+      throw UsageError("--lens and " + stage.Option +
+        " display: a lens has colour; give --exr F --layers for its layers");
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void CheckLensLayer(const std::string& name)
+{
+  if (name != vtkRelievoLayerCatalogue::GetPicture().Name && !vtkRelievoRayLayers::HasLayer(name))
+  {
+    RefuseValue("--layers", name,
+      "with --lens one of color, " + vtkRelievoRayLayers::GetLayerNames() +
+        ", or an array of the files");
+  }
+}
+
+//------------------------------------------------------------------------------
+RenderOptions FollowLens(RenderOptions options)
+{
+  vtkNew<vtkRelievoCalibration> calibration;
+  vtkNew<vtkCamera> view;
+  view->SetViewAngle(options.ViewAngle.value_or(StandardViewAngle));
+  vtkRelievoCameraModel* sensor = MakeSensor(calibration, options, view);
+  std::copy_n(sensor->GetSize(), 2, options.Size.begin());
+  const double angle = calibration->GetAngleOfWords();
+  if (angle > 0.0 && !options.ViewAngle && !options.ParallelScale)
+  {
+    options.ViewAngle = std::min(angle, WidestFit);
+  }
+  return options;
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkImageData> DrawLens(vtkRenderer* renderer, const RenderOptions& options,
+  const std::vector<std::string>& layers, Progress& progress)
+{
+  vtkNew<vtkRelievoCalibration> calibration;
+  vtkRelievoCameraModel* sensor = MakeSensor(calibration, options, renderer->GetActiveCamera());
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  vtkNew<vtkRelievoLensPicture> picture;
+  picture->SetRenderer(renderer);
+  picture->SetCamera(sensor);
+  picture->SetHDR(options.HDR);
+  picture->SetPicture(!options.PNG.empty());
+  progress.Observe(picture);
+  picture->Update();
+  Messages::Check("--lens " + options.Lens, picture->GetOutput()->GetNumberOfPoints() == 0);
+  image->ShallowCopy(picture->GetOutput());
+  vtkNew<vtkRelievoRayScene> scene;
+  vtkNew<vtkRelievoRayLayers> rays;
+  scene->SetRenderer(renderer);
+  rays->SetScene(scene);
+  rays->SetCamera(sensor);
+  for (const std::string& name : layers)
+  {
+    if (name != vtkRelievoLayerCatalogue::GetPicture().Name)
+    {
+      rays->AddLayer(name.c_str());
+    }
+  }
+  if (options.EXR.empty() || layers.size() < 2)
+  {
+    return image;
+  }
+  progress.Observe(rays);
+  rays->Update();
+  Messages::Check("--lens " + options.Lens, rays->GetOutput()->GetNumberOfPoints() == 0);
+  for (int i = 0; i < rays->GetOutput()->GetPointData()->GetNumberOfArrays(); ++i)
+  {
+    image->GetPointData()->AddArray(rays->GetOutput()->GetPointData()->GetArray(i));
+  }
+  return image;
+}
+
+//------------------------------------------------------------------------------
+std::string WriteCalibration(vtkFieldData* fields, const std::array<int, 2>& size)
+{
+  nlohmann::ordered_json calibration = { { "size", size } };
+  for (int i = 0; i < fields->GetNumberOfArrays(); ++i)
+  {
+    auto& value = calibration[fields->GetArrayName(i)];
+    if (auto* text = vtkStringArray::SafeDownCast(fields->GetAbstractArray(i)))
+    {
+      value = text->GetValue(0);
+    }
+    else if (auto* numbers = vtkDoubleArray::SafeDownCast(fields->GetAbstractArray(i)))
+    {
+      value = std::vector<double>(
+        numbers->GetPointer(0), numbers->GetPointer(numbers->GetNumberOfValues()));
+    }
+  }
+  return calibration.dump();
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkFieldData> GetCalibration(vtkRenderer* renderer, const int size[2])
+{
+  auto fields = vtkSmartPointer<vtkFieldData>::New();
+  vtkNew<vtkRelievoLensCamera> pinhole;
+  vtkCamera* camera = renderer->GetActiveCamera();
+  if (vtkRelievoLensCamera::IsPinhole(camera) && pinhole->TakeFrom(camera, size[0], size[1]))
+  {
+    pinhole->AddTo(fields);
+  }
+  return fields;
+}
+}

@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * --lens: what a lens, a panorama or a map sees in place of the camera's pinhole. Colour is warped
+ * from frames, layers are by rays.
+ */
+#ifndef Lens_h
+#define Lens_h
+
+#include "vtkSmartPointer.h"
+
+#include <array>
+#include <string>
+#include <vector>
+
+class vtkImageData;
+class vtkFieldData;
+class vtkRenderer;
+
+namespace scene
+{
+class Progress;
+struct RenderOptions;
+
+/// Throws UsageError for options that a lens does not go with.
+void CheckLens(const RenderOptions& options);
+
+/// Throws UsageError for a layer that rays do not have.
+void CheckLensLayer(const std::string& name);
+
+/// The options with what the lens says: the size, if a file says it and no option does, and the
+/// angle to which a camera is fitted. Throws FileError, and UsageError for a size or an angle that
+/// the lens cannot have.
+RenderOptions FollowLens(RenderOptions options);
+
+/// The layers, `color` among them, and the calibration as field data. With a picture to write, the
+/// scalars are it. Throws WorkError.
+vtkSmartPointer<vtkImageData> DrawLens(vtkRenderer* renderer, const RenderOptions& options,
+  const std::vector<std::string>& layers, Progress& progress);
+
+/// A calibration as JSON: the size, and what the field data has of K, R, t, lens and distortion.
+std::string WriteCalibration(vtkFieldData* fields, const std::array<int, 2>& size);
+
+/// The calibration of a picture that was drawn by a camera of VTK, in so many pixels: R and t, and
+/// K if it has one.
+vtkSmartPointer<vtkFieldData> GetCalibration(vtkRenderer* renderer, const int size[2]);
+}
+
+#endif
