@@ -6,7 +6,7 @@
  *
  * OpenGL draws what a pinhole sees. The frame is drawn in a pinhole around all rays of the sensor,
  * or, if these are wider than 50 degrees from the axis, in the faces of a cube that they meet; all
- * that the frame makes is in it: light, shadows, environments, stages. Each pixel of the sensor then
+ * that the frame makes is in it: light, shadows, environments, stages. Each pixel of the sensor
  * takes the colour, in linear light, where its ray passes, between the four nearest pixels of that
  * picture. These are no wider than a pixel of the sensor, or than half the longer side of a pixel
  * that is long and thin, as those near the poles of a panorama. Pinholes without distortion and
@@ -26,8 +26,8 @@
  *
  * The renderer, its window's size, camera, lights and background are afterwards as before.
  *
- * Errors: no renderer, window or sensor; a sensor whose rays begin at several places or are beams; a
- * background by a texture; a layer that is shown as the picture (GetErrorCode is
+ * Errors: no renderer, window or sensor; a sensor whose rays begin at several places, or are beams;
+ * a background by a texture; a layer that is shown as the picture (GetErrorCode is
  * vtkErrorCode::UserError for these three); those of vtkRelievoLayerSource.
  */
 #ifndef vtkRelievoLensPicture_h

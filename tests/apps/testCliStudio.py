@@ -216,7 +216,8 @@ class Studio(CliTest):
                 rows, columns = numpy.nonzero(model)
                 filled = max(numpy.ptp(rows) / 180, numpy.ptp(columns) / 240)
                 with self.subTest(shape=shape, words=words):
-                    self.assertGreater(filled, 0.7)
+                    # The camera stays outside of it, also where it would be seen larger within.
+                    self.assertGreater(filled, 0.5 if "80" in words else 0.7)
                     self.assertLess(filled, 0.9)
                     self.assertGreater(min(rows.min(), 179 - rows.max()), 8)
                     self.assertGreater(min(columns.min(), 239 - columns.max()), 8)
