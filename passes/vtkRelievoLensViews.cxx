@@ -16,7 +16,7 @@
 namespace
 {
 constexpr int FaceCount = 6;
-constexpr unsigned char None = FaceCount;
+constexpr unsigned char NoFace = FaceCount;
 constexpr double WidestSlope = 1.2;    // of a ray in a single view: 50 degrees
 constexpr int Margin = 2;              // pixels around a view, for what is between pixels
 constexpr int MostPixels = 8192;       // of a view each way, which every OpenGL can draw
@@ -99,7 +99,7 @@ void vtkRelievoLensViews::FindFaces(bool single)
           double origin[3];
           double direction[3];
           double place[2];
-          int face = None;
+          int face = NoFace;
           const bool isSeen = this->Sensor->GetCameraRay(column, row, origin, direction);
           if (isSeen && vtkMath::Norm(origin) != 0.0)
           {
@@ -114,7 +114,7 @@ void vtkRelievoLensViews::FindFaces(bool single)
             isWide = true;
           }
           this->Faces[static_cast<std::size_t>(row) * columns + column] =
-            static_cast<unsigned char>(isSeen ? face : None);
+            static_cast<unsigned char>(isSeen ? face : NoFace);
         }
       }
     });
@@ -190,7 +190,7 @@ std::string vtkRelievoLensViews::Plan(vtkRelievoCameraModel* sensor, double over
   this->Sensor = sensor;
   this->Views.clear();
   const int* size = sensor->GetSize();
-  this->Faces.assign(static_cast<std::size_t>(size[0]) * size[1], None);
+  this->Faces.assign(static_cast<std::size_t>(size[0]) * size[1], NoFace);
   this->Single = false;
   this->FindFaces(false);
   if (!this->IsOnePlace || !sensor->HasPlaces())

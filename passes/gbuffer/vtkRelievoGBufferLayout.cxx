@@ -117,8 +117,8 @@ void vtkRelievoGBufferLayout::Arrange()
     // Full floats where they fit into the attachments that are there anyhow, otherwise one word.
     const int togetherWords = together ? GetNormalDepthWords(this->NormalDepth) : 0;
     const int others = togetherWords + (depthAlone ? 1 : 0) + (this->Ids ? 1 : 0) +
-      (this->Albedo ? 1 : 0) + (this->Surface ? 1 : 0) + (this->SurfaceDetail ? 1 : 0) +
-      (this->SurfaceSpecular ? 1 : 0) + shadowWords;
+      (this->Places ? 2 : 0) + (this->Albedo ? 1 : 0) + (this->Surface ? 1 : 0) +
+      (this->SurfaceDetail ? 1 : 0) + (this->SurfaceSpecular ? 1 : 0) + shadowWords;
     const int attachmentsFloat = (others + 3 * normals + 3) / 4;
     const int attachmentsPacked = (others + normals + 3) / 4;
     this->ChosenNormalFormat = attachmentsFloat == attachmentsPacked
@@ -130,6 +130,7 @@ void vtkRelievoGBufferLayout::Arrange()
   this->NormalDepthWord = together ? add(GetNormalDepthBackground(this->NormalDepth)) : -1;
   this->DepthWord = depthAlone ? add({ GetDepthBackground(this->DepthFormat) }) : -1;
   this->IdWord = this->Ids ? add({ NothingId }) : -1;
+  this->PlaceWord = this->Places ? add({ 0u, 0u }) : -1;
   this->NormalWord = normalAlone ? add(noNormal) : -1;
   this->GeometricNormalWord = this->GeometricNormal ? add(noNormal) : -1;
   this->AlbedoWord = this->Albedo ? add({ 0u }) : -1;
@@ -162,6 +163,7 @@ std::string vtkRelievoGBufferLayout::GetDefines() const
   define("NORMAL_DEPTH", this->NormalDepthWord);
   define("DEPTH", this->DepthWord);
   define("ID", this->IdWord);
+  define("PLACE", this->PlaceWord);
   define("NORMAL", this->NormalWord);
   define("GEOMETRIC_NORMAL", this->GeometricNormalWord);
   define("ALBEDO", this->AlbedoWord);

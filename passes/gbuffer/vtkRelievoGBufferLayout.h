@@ -27,6 +27,7 @@ struct VTKRELIEVOGBUFFER_EXPORT vtkRelievoGBufferLayout
   bool SurfaceSpecular = false; // and the colour of highlights
   bool SurfacePbr = false;      // some of them are PBR
   bool Ids = false;
+  bool Places = false; // x and y in eye space, of actors whose own shaders move what is seen
   std::map<std::string, int> Lights; // of layers that are a light's visibility
   std::vector<int> Shadows;          // lights, by their number in the renderer, ascending
   int NormalFormat = 0;              // vtkRelievoLayersStage::NormalFormats
@@ -43,6 +44,7 @@ struct VTKRELIEVOGBUFFER_EXPORT vtkRelievoGBufferLayout
   int SurfaceDetailWord = -1;
   int SurfaceSpecularWord = -1;
   int IdWord = -1;
+  int PlaceWord = -1;
   int ShadowWord = -1; // two lights a word, 16 bits each
 
   // The format that NORMAL_AUTO came to. Set by Arrange().

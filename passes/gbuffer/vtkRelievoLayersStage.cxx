@@ -465,6 +465,12 @@ void vtkRelievoLayersStage::Internals::Arrange(
     layout.Ids = layout.Ids ||
       (refines && vtkRelievoLayerCatalogue::Find(layer).Source == vtkRelievoLayer::FROM_DEPTH);
   }
+  // Where a pixel's place does not follow from its depth.
+  const bool placed = std::any_of(
+    context.ReadBack.begin(), context.ReadBack.end(), vtkRelievoLayerReader::NeedsPlaces);
+  layout.Places = placed && vtkRelievoSurfaces::AreMoved(context.Scene);
+  layout.Depth = layout.Depth || layout.Places;
+  layout.Ids = layout.Ids || layout.Places;
   if (layout.Surface)
   {
     const vtkRelievoSurfaces surfaces = vtkRelievoSurfaces::Find(context.Scene);

@@ -217,6 +217,22 @@ std::string vtkRelievoSurfaces::WhyAllLit(
 }
 
 //------------------------------------------------------------------------------
+bool vtkRelievoSurfaces::AreMoved(const vtkRelievoFrameScene& scene)
+{
+  bool found = false;
+  ForEachMesh(scene, [&found](vtkActor* actor, vtkMatrix4x4*) {
+    auto* shaders = vtkOpenGLShaderProperty::SafeDownCast(actor->GetShaderProperty());
+    found =
+      found || (shaders && (shaders->HasVertexShaderCode() || shaders->HasGeometryShaderCode()));
+    for (int i = 0; shaders && i < shaders->GetNumberOfShaderReplacements(); ++i)
+    {
+      found = found || shaders->GetNthShaderReplacementTypeAsString(i) != "Fragment";
+    }
+  });
+  return found;
+}
+
+//------------------------------------------------------------------------------
 bool vtkRelievoSurfaces::LeaveLightOut(std::string& fragment)
 {
   const auto find = [&fragment](const char* section, bool behind) {

@@ -30,6 +30,9 @@ struct vtkRelievoSurfaces
   // place, or in ways that are not known. Empty if it has not.
   static std::string WhyAllLit(const vtkRelievoFrameScene& scene, vtkRenderWindow* window);
 
+  // Whether an actor has vertex or geometry shader code of its own, which may move what is seen.
+  static bool AreMoved(const vtkRelievoFrameScene& scene);
+
   // Takes VTK's lights out of its fragment shader. False where they are not found as VTK writes
   // them.
   static bool LeaveLightOut(std::string& fragment);

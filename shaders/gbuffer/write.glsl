@@ -190,6 +190,11 @@ uvec3 relievoPackNormal(vec3 n)
 #endif
 #endif
 
+#ifdef RELIEVO_PLACE_WORD
+  relievoWords[RELIEVO_PLACE_WORD] = floatBitsToUint(RELIEVO_SURFACE_VC.x);
+  relievoWords[RELIEVO_PLACE_WORD + 1] = floatBitsToUint(RELIEVO_SURFACE_VC.y);
+#endif
+
 #ifdef RELIEVO_NORMAL_WORD
   uvec3 relievoNormalWords = relievoPackNormal(relievoNormalVC);
   RELIEVO_STORE_NORMAL(RELIEVO_NORMAL_WORD, relievoNormalWords)

@@ -196,9 +196,8 @@ class Layers(unittest.TestCase):
             relievo.capture(box((0, 0, 0), 1), "albedo", camera=sensor)
         with self.assertRaisesRegex(ValueError, "no layer 'missing'"):
             relievo.capture(box((0, 0, 0), 1), "missing", camera=sensor)
-        for change in ({"size": (3, 3)}, {"hdr": True}):
-            with self.assertRaisesRegex(ValueError, "size: got"):
-                relievo.capture(box((0, 0, 0), 1), "depth", camera=sensor, **change)
+        with self.assertRaisesRegex(ValueError, "size: got"):
+            relievo.capture(box((0, 0, 0), 1), "depth", camera=sensor, size=(3, 3))
         with self.assertRaisesRegex(ValueError, "CameraModel"):
             relievo.capture(box((0, 0, 0), 1), "depth", camera=3)
 
@@ -802,6 +801,57 @@ class Colour(unittest.TestCase):
         with self.assertRaisesRegex(ValueError, "'depth' is shown as the picture"):
             relievo.capture(room, "color", camera=self.WIDE)
         window.Finalize()
+
+
+class OwnShaders(unittest.TestCase):
+    """Vertex shader code of the user's own, which bends the picture as a lens does."""
+
+    def test_places_follow_the_picture(self):
+        mesh = grid((-3, -2, -1), (3, -2, 1), (-3, 2, 0.5), 160, 120)
+        add_field(mesh, "place", vtk_to_numpy(mesh.GetPoints().GetData()))
+        for parallel in (False, True):
+            renderer = vtkRenderer()
+            actor = unlit(renderer, mesh)
+            straight = unlit(renderer, ball((0.2, 0.1, 1), 0.3))
+            actor.GetShaderProperty().AddVertexShaderReplacement(
+                "//VTK::PositionVC::Impl", True,
+                "//VTK::PositionVC::Impl\n"
+                "  vec2 bent = gl_Position.xy / gl_Position.w;\n"
+                "  gl_Position.xy *= 1.0 - 0.2 * dot(bent, bent);\n", False)
+            renderer.ResetCamera()
+            renderer.GetActiveCamera().SetParallelProjection(parallel)
+            renderer.GetActiveCamera().Zoom(1.3)
+            names = ["position", "range", "actor", "cell", "place", "depth"]
+            image = relievo.capture(renderer, names, size=(200, 150))
+            layers = {name: relievo.layer(image, name) for name in names}
+            to_clip = relievo.attributes(image)["worldToNDC"]
+            points = numpy.concatenate(
+                [layers["position"], numpy.ones((150, 200, 1))], axis=-1) @ to_clip.T
+            places = points[..., :2] / points[..., 3:]
+            seen = layers["actor"] == 0
+            self.assertGreater(seen.mean(), 0.3)
+            self.assertTrue((layers["actor"] == 1).any())
+            places[seen] *= (1 - 0.2 * (places[seen]**2).sum(axis=-1))[:, None]
+            v, u = numpy.mgrid[:150, :200]
+            centres = numpy.stack([(u + 0.5) / 100 - 1, 1 - (v + 0.5) / 75], axis=-1)
+            # Corners are bent, what is between them is straight: 1/50 pixel here.
+            off = numpy.abs(places - centres) * (100, 75)
+            self.assertLess(off[layers["actor"] >= 0].max(), 0.02)
+            # The array of places is the position, which lies in the cell that the layer says.
+            self.assertLess(numpy.abs(layers["place"] - layers["position"])[seen].max(), 5e-4)
+            corner = numpy.array([-3.0, -2, -1])
+            column = (layers["position"] - corner)[seen] @ numpy.linalg.pinv(
+                numpy.array([(6 / 160, 0, 2 / 160), (0, 4 / 120, 1.5 / 120)]))
+            column, row = column[:, 0], column[:, 1]
+            cell = layers["cell"][seen]
+            self.assertLess(numpy.abs(column - cell % 160 - 0.5).max(), 0.5 + 1e-2)
+            self.assertLess(numpy.abs(row - cell // 160 - 0.5).max(), 0.5 + 1e-2)
+            if not parallel:
+                eye = renderer.GetActiveCamera().GetPosition()
+                away = numpy.linalg.norm(layers["position"] - eye, axis=-1)
+                self.assertLess(numpy.abs(layers["range"] - away)[seen].max(), 1e-5)
+            actor.GetShaderProperty().ClearAllVertexShaderReplacements()
+            straight.VisibilityOff()
 
 
 if __name__ == "__main__":

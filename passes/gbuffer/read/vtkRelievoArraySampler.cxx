@@ -183,7 +183,8 @@ void vtkRelievoArraySampler::Enter(std::uint32_t word, Place& place) const
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoArraySampler::Sample(const Place& place, int x, int y, double* values) const
+void vtkRelievoArraySampler::Sample(
+  const Place& place, int x, int y, const glm::dvec3* eye, double* values) const
 {
   std::fill(values, values + this->Components, NoValue);
   vtkDataArray* array = place.Values.Array;
@@ -193,7 +194,7 @@ void vtkRelievoArraySampler::Sample(const Place& place, int x, int y, double* va
   }
   if (place.Hit.Mesh && place.Values.OfPoints)
   {
-    this->SampleInCell(place, x, y, values);
+    this->SampleInCell(place, x, y, eye, values);
   }
   else if (place.Hit.Cell < array->GetNumberOfTuples())
   {
@@ -205,11 +206,17 @@ void vtkRelievoArraySampler::Sample(const Place& place, int x, int y, double* va
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoArraySampler::SampleInCell(const Place& place, int x, int y, double* values) const
+void vtkRelievoArraySampler::SampleInCell(
+  const Place& place, int x, int y, const glm::dvec3* eye, double* values) const
 {
   const vtkRelievoCellGeometry& geometry = place.Geometry;
   vtkDataArray* array = place.Values.Array;
-  const vtkRelievoPixelRay ray(this->View, *place.Hit.ViewToModel, x, y);
+  vtkRelievoPixelRay ray(this->View, *place.Hit.ViewToModel, x, y);
+  if (eye)
+  {
+    ray.From = glm::dvec3(*place.Hit.ViewToModel * glm::dvec4(*eye, 1.0));
+    ray.Along = glm::dvec3(*place.Hit.ViewToModel * glm::dvec4(*eye, 0.0));
+  }
   double weights[3];
   geometry.GetWeights(ray.From, ray.Along, weights);
   for (int c = 0; c < array->GetNumberOfComponents() && geometry.Count > 0; ++c)

@@ -53,7 +53,8 @@ public:
   void Enter(std::uint32_t word, Place& place) const;
 
   // The values at the pixel, which shows the place; NaN where nothing is or the array is missing.
-  void Sample(const Place& place, int x, int y, double* values) const;
+  // `eye`: where it is in eye space, if that does not follow from the pixel.
+  void Sample(const Place& place, int x, int y, const glm::dvec3* eye, double* values) const;
 
 private:
   // A mesh may be drawn by several actors.
@@ -62,7 +63,7 @@ private:
   Source Find(vtkDataSet* data, bool cells) const;
   bool Take(vtkDataArray* array); // false for none
   bool FindHidden(vtkRenderer* renderer);
-  void SampleInCell(const Place& place, int x, int y, double* values) const;
+  void SampleInCell(const Place& place, int x, int y, const glm::dvec3* eye, double* values) const;
 
   std::string Name;
   bool AllowPoints = true;

@@ -123,6 +123,13 @@ void vtkRelievoLayerReader::AddChannels(const std::string& layer, vtkRelievoGBuf
 }
 
 //------------------------------------------------------------------------------
+bool vtkRelievoLayerReader::NeedsPlaces(const std::string& layer)
+{
+  const vtkRelievoLayer& known = vtkRelievoLayerCatalogue::Find(layer);
+  return known.OfPoint || known.Kind == vtkRelievoLayer::ARRAY;
+}
+
+//------------------------------------------------------------------------------
 vtkIdType vtkRelievoLayerReader::GetNumberOfPixels() const
 {
   return static_cast<vtkIdType>(this->Region[2]) * this->Region[3];
@@ -267,6 +274,47 @@ void vtkRelievoLayerReader::RefineDepth(float* depths)
 }
 
 //------------------------------------------------------------------------------
+// Before threads ask for them.
+void vtkRelievoLayerReader::PreparePlaces()
+{
+  if (this->Layout.PlaceWord < 0 || !this->Places.empty())
+  {
+    return;
+  }
+  this->ResolveDraws();
+  this->GetDepth();
+  this->Ids = this->GetWords(this->Layout.IdWord, this->IdStride);
+  // Two words, which may lie in two attachments.
+  int strides[2];
+  const std::uint32_t* words[2];
+  for (int k = 0; k < 2; ++k)
+  {
+    words[k] = this->GetWords(this->Layout.PlaceWord + k, strides[k]);
+  }
+  this->Places.resize(2 * static_cast<std::size_t>(this->GetNumberOfPixels()));
+  for (vtkIdType i = 0; i < this->GetNumberOfPixels(); ++i)
+  {
+    for (int k = 0; k < 2; ++k)
+    {
+      this->Places[2 * static_cast<std::size_t>(i) + static_cast<std::size_t>(k)] =
+        relievo::bits::ToFloat(words[k][i * strides[k]]);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+const glm::dvec3* vtkRelievoLayerReader::GetPlace(vtkIdType pixel, glm::dvec3& eye)
+{
+  if (this->Places.empty() || !this->Draws->Find(this->Ids[pixel * this->IdStride]).Deformed)
+  {
+    return nullptr;
+  }
+  const float* place = this->Places.data() + 2 * pixel;
+  eye = glm::dvec3(place[0], place[1], -this->Depth->GetValue(pixel));
+  return &eye;
+}
+
+//------------------------------------------------------------------------------
 template <typename Array>
 vtkSmartPointer<Array> vtkRelievoLayerReader::MakeOfPoints(const vtkRelievoLayer& layer)
 {
@@ -277,13 +325,18 @@ vtkSmartPointer<Array> vtkRelievoLayerReader::MakeOfPoints(const vtkRelievoLayer
   using Value = typename Array::ValueType;
   const glm::dvec2 size(this->Region[2], this->Region[3]);
   const glm::dmat4 viewToWorld = glm::inverse(this->View.WorldToView);
+  this->PreparePlaces();
   ForPixels(this->Region, [&](vtkIdType i, int x, int y) {
     double values[vtkRelievoArraySampler::MaximumComponents];
     std::fill_n(values, components, layer.Background);
     if (std::isfinite(depths[i]))
     {
-      const glm::dvec3 eye = relievoEyePosition(
-        relievoNdcFromPixel(glm::dvec2(x, y), size), depths[i], this->View.ViewToNDC);
+      glm::dvec3 eye;
+      if (!this->GetPlace(i, eye))
+      {
+        eye = relievoEyePosition(
+          relievoNdcFromPixel(glm::dvec2(x, y), size), depths[i], this->View.ViewToNDC);
+      }
       const glm::dvec3 point = layer.Space == vtkRelievoLayer::WORLD
         ? relievo::f64::relievoWorldPosition(eye, viewToWorld)
         : eye;
@@ -406,13 +459,16 @@ vtkSmartPointer<vtkDataArray> vtkRelievoLayerReader::ReadNamedArray(
   int stride = 0;
   const std::uint32_t* words = this->GetWords(this->Layout.IdWord, stride);
   const vtkIdType width = this->Region[2];
+  this->PreparePlaces();
   vtkRelievoForRows(this->Region[3], this->Region[2], [&](vtkIdType from, vtkIdType to) {
     vtkRelievoArraySampler::Place place;
     double values[vtkRelievoArraySampler::MaximumComponents];
     for (vtkIdType i = from * width; i < to * width; ++i)
     {
       sampler.Enter(words[i * stride], place);
-      sampler.Sample(place, static_cast<int>(i % width), static_cast<int>(i / width), values);
+      glm::dvec3 eye;
+      sampler.Sample(place, static_cast<int>(i % width), static_cast<int>(i / width),
+        this->GetPlace(i, eye), values);
       array->SetTuple(i, values);
     }
   });

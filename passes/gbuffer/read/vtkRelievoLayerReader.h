@@ -7,6 +7,8 @@
 
 #include "vtkSmartPointer.h"
 
+#include <glm/vec3.hpp>
+
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -33,6 +35,9 @@ public:
   // Marks in the layout what the layer is made of.
   static void AddChannels(const std::string& layer, vtkRelievoGBufferLayout& layout);
 
+  // Whether the layer is made of the place that a pixel shows.
+  static bool NeedsPlaces(const std::string& layer);
+
   void SetNormalSpaceIsWorld(bool world) { this->WorldNormals = world; }
   void SetRefineDepth(bool refine) { this->Refines = refine; }
   void SetDraws(vtkRelievoDrawTable* draws, vtkRelievoMeshLinks* links, vtkRenderer* renderer)
@@ -51,6 +56,11 @@ private:
 
   // Looks up what the words mean, once.
   void ResolveDraws();
+
+  // Where a pixel is in eye space, if its actor has shader code of its own and the layout has
+  // places; else null.
+  const glm::dvec3* GetPlace(vtkIdType pixel, glm::dvec3& eye);
+  void PreparePlaces();
 
   // The layer depth, made once: the layers of points are made of it.
   vtkFloatArray* GetDepth();
@@ -75,6 +85,9 @@ private:
   vtkRelievoMeshLinks* Links = nullptr;
   vtkRenderer* Renderer = nullptr;
   bool Resolved = false;
+  std::vector<float> Places; // x and y of each pixel in eye space; empty: as pixel and depth say
+  const std::uint32_t* Ids = nullptr;
+  int IdStride = 0;
   vtkSmartPointer<vtkFloatArray> Depth;
   std::vector<std::unique_ptr<std::uint32_t[]>> Words; // by attachment, as read
 };
