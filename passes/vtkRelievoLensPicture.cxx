@@ -8,18 +8,14 @@
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
-#include "vtkLight.h"
-#include "vtkLightCollection.h"
 #include "vtkMath.h"
-#include "vtkMatrix4x4.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
-#include "vtkProp.h"
-#include "vtkPropCollection.h"
 #include "vtkRelievoCameraModel.h"
 #include "vtkRelievoDisplay.h"
 #include "vtkRelievoFormulas.h"
+#include "vtkRelievoKeptRenderer.h"
 #include "vtkRelievoLayerSource.h"
 #include "vtkRelievoLensCamera.h"
 #include "vtkRelievoLensViews.h"
@@ -29,7 +25,6 @@
 #include "vtkRelievoToneStage.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
-#include "vtkRendererCollection.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkTexture.h"
 #include "vtkUnsignedCharArray.h"
@@ -49,179 +44,6 @@ constexpr const char* Shown = "picture";
 constexpr int MostTexels = 1024; // of what is behind a view each way
 constexpr vtkIdType Grain = 4096;
 constexpr unsigned char Unseen = 2; // beside 0 for what is behind, 1 for what is drawn
-
-// The place of a pose, and a camera there that is turned as it is.
-void SetPose(vtkRelievoCameraModel* sensor, vtkCamera* camera)
-{
-  const double* R = sensor->GetRotation();
-  const double* t = sensor->GetTranslation();
-  const double distance = camera->GetDistance();
-  double eye[3];
-  double focus[3];
-  for (int i = 0; i < 3; ++i)
-  {
-    eye[i] = -(R[i] * t[0] + R[3 + i] * t[1] + R[6 + i] * t[2]);
-    focus[i] = eye[i] + distance * R[6 + i];
-  }
-  camera->SetPosition(eye);
-  camera->SetFocalPoint(focus);
-  camera->SetViewUp(-R[3], -R[4], -R[5]);
-}
-
-// What drawing for a sensor changes of a renderer and its window, as it was. Lights that follow the
-// camera stay where they are for the sensor's pose: six views must be lit alike.
-class KeptRenderer
-{
-public:
-  KeptRenderer(vtkRenderer* renderer, vtkRelievoCameraModel* sensor)
-    : Renderer(renderer)
-    , Window(renderer->GetRenderWindow())
-    , Attached(vtkRelievoPass::SafeDownCast(renderer->GetPass()) != nullptr)
-    , Gradient(renderer->GetGradientBackground())
-    , Textured(renderer->GetTexturedBackground())
-    , OffScreenBuffers(this->Window->GetUseOffScreenBuffers())
-  {
-    if (renderer->IsActiveCameraCreated())
-    {
-      this->Camera = renderer->GetActiveCamera();
-      this->View->DeepCopy(this->Camera);
-    }
-    std::copy_n(this->Window->GetSize(), 2, this->Size);
-    renderer->GetViewport(this->Viewport);
-    this->Behind = renderer->GetBackgroundTexture();
-    this->Window->GetTileScale(this->TileScale);
-    this->Window->GetTileViewport(this->TileViewport);
-    this->Window->SetTileScale(1, 1);
-    this->Window->SetTileViewport(0.0, 0.0, 1.0, 1.0);
-    this->Window->SetUseOffScreenBuffers(true);
-    renderer->SetViewport(0.0, 0.0, 1.0, 1.0);
-    renderer->SetActiveCamera(this->View);
-    SetPose(sensor, this->View);
-    this->FreezeLights();
-    this->HideOthers();
-    vtkRelievoPass::Attach(renderer);
-  }
-  ~KeptRenderer()
-  {
-    for (const Follower& each : this->Followers)
-    {
-      each.Light->SetLightType(each.Type);
-      each.Light->SetPosition(each.Position);
-      each.Light->SetFocalPoint(each.FocalPoint);
-      each.Light->SetTransformMatrix(each.Matrix);
-    }
-    for (vtkProp* prop : this->Overlays)
-    {
-      prop->VisibilityOn();
-    }
-    for (vtkRenderer* other : this->Others)
-    {
-      other->DrawOn();
-    }
-    this->Renderer->SetGradientBackground(this->Gradient);
-    this->Renderer->SetTexturedBackground(this->Textured);
-    this->Renderer->SetBackgroundTexture(this->Behind);
-    this->Renderer->SetViewport(this->Viewport);
-    this->Renderer->SetActiveCamera(this->Camera);
-    this->SetSize(this->Size[0], this->Size[1]);
-    this->Window->SetUseOffScreenBuffers(this->OffScreenBuffers);
-    this->Window->SetTileScale(this->TileScale);
-    this->Window->SetTileViewport(this->TileViewport);
-    if (!this->Attached)
-    {
-      vtkRelievoPass::Detach(this->Renderer);
-    }
-  }
-  KeptRenderer(const KeptRenderer&) = delete;
-  void operator=(const KeptRenderer&) = delete;
-
-  // The base class's way: a window on the screen stays as it is, only its buffers change.
-  void SetSize(int columns, int rows) { this->Window->vtkWindow::SetSize(columns, rows); }
-
-  vtkCamera* GetView() { return this->View; }
-
-private:
-  struct Follower
-  {
-    vtkSmartPointer<vtkLight> Light;
-    int Type;
-    double Position[3];
-    double FocalPoint[3];
-    vtkSmartPointer<vtkMatrix4x4> Matrix;
-  };
-
-  void FreezeLights()
-  {
-    vtkLightCollection* lights = this->Renderer->GetLights();
-    if (lights->GetNumberOfItems() == 0 && this->Renderer->GetAutomaticLightCreation())
-    {
-      this->Renderer->CreateLight(); // as the first frame does
-    }
-    this->Renderer->UpdateLightsGeometryToFollowCamera();
-    vtkCollectionSimpleIterator it;
-    lights->InitTraversal(it);
-    while (vtkLight* light = lights->GetNextLight(it))
-    {
-      if (light->LightTypeIsSceneLight())
-      {
-        continue;
-      }
-      Follower follower;
-      follower.Light = light;
-      follower.Type = light->GetLightType();
-      light->GetPosition(follower.Position);
-      light->GetFocalPoint(follower.FocalPoint);
-      follower.Matrix = light->GetTransformMatrix();
-      double position[3];
-      double focus[3];
-      light->GetTransformedPosition(position);
-      light->GetTransformedFocalPoint(focus);
-      light->SetLightTypeToSceneLight();
-      light->SetTransformMatrix(nullptr);
-      light->SetPosition(position);
-      light->SetFocalPoint(focus);
-      this->Followers.push_back(follower);
-    }
-  }
-
-  // Texts and bars, and what else is in the window.
-  void HideOthers()
-  {
-    vtkCollectionSimpleIterator it;
-    this->Renderer->GetViewProps()->InitTraversal(it);
-    while (vtkProp* prop = this->Renderer->GetViewProps()->GetNextProp(it))
-    {
-      if (prop->IsA("vtkActor2D") && prop->GetVisibility())
-      {
-        prop->VisibilityOff();
-        this->Overlays.push_back(prop);
-      }
-    }
-    this->Window->GetRenderers()->InitTraversal(it);
-    while (vtkRenderer* other = this->Window->GetRenderers()->GetNextRenderer(it))
-    {
-      if (other != this->Renderer && other->GetDraw())
-      {
-        other->DrawOff();
-        this->Others.push_back(other);
-      }
-    }
-  }
-
-  vtkRenderer* Renderer;
-  vtkRenderWindow* Window;
-  bool Attached, Gradient, Textured, OffScreenBuffers;
-  vtkSmartPointer<vtkCamera> Camera; // none was made: null
-  vtkNew<vtkCamera> View;
-  int Size[2];
-  double Viewport[4];
-  vtkSmartPointer<vtkTexture> Behind;
-  int TileScale[2];
-  double TileViewport[4];
-  std::vector<Follower> Followers;
-  std::vector<vtkProp*> Overlays;
-  std::vector<vtkRenderer*> Others;
-};
 
 // One exposure for all views, in place of one that each would measure.
 class KeptExposure
@@ -612,7 +434,7 @@ vtkSmartPointer<vtkFloatArray> vtkRelievoLensPicture::DrawAll(bool isPicture)
   this->Marks.assign(static_cast<std::size_t>(pixels), Unseen);
   this->NumberOfViews = 0;
   this->NumberOfDrawnPixels = 0;
-  KeptRenderer kept(this->Renderer, this->Camera);
+  const vtkRelievoKeptRenderer kept(this->Renderer, this->Camera);
   const bool drawn = this->DrawWhole(color, isPicture) ? this->NumberOfViews == 1
                                                        : this->DrawViews(color, isPicture);
   return drawn ? color : nullptr;

@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What a calibration's file says, as OpenCV and ROS write it in YAML or JSON.
+#ifndef vtkRelievoCalibrationFile_h
+#define vtkRelievoCalibrationFile_h
+
+#include <optional>
+#include <string>
+#include <vector>
+
+struct vtkRelievoCalibrationFile
+{
+  std::string Kind;               // pinhole, brown, fisheye or division
+  std::vector<double> Values;     // the coefficients
+  std::vector<double> Intrinsics; // fx, fy, skew, cx, cy
+  int Size[2] = { 0, 0 };
+  std::string Wrong; // empty: nothing
+
+  static vtkRelievoCalibrationFile Read(const std::string& path);
+
+  // In lower case, with its dot.
+  static std::string GetExtension(const std::string& path);
+
+  // A word that is a finite number, in every locale.
+  static std::optional<double> ToNumber(const std::string& word);
+
+  static std::vector<std::string> Split(const std::string& text, char separator);
+};
+
+#endif

@@ -1,0 +1,163 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkRelievoKeptRenderer.h"
+
+#include "vtkLightCollection.h"
+#include "vtkProp.h"
+#include "vtkPropCollection.h"
+#include "vtkRelievoCameraModel.h"
+#include "vtkRelievoPass.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkRendererCollection.h"
+
+#include <algorithm>
+
+namespace
+{
+// The place of a pose, and a camera there that is turned as it is.
+void SetPose(vtkRelievoCameraModel* sensor, vtkCamera* camera)
+{
+  const double* R = sensor->GetRotation();
+  const double* t = sensor->GetTranslation();
+  const double distance = camera->GetDistance();
+  double eye[3];
+  double focus[3];
+  for (int i = 0; i < 3; ++i)
+  {
+    eye[i] = -(R[i] * t[0] + R[3 + i] * t[1] + R[6 + i] * t[2]);
+    focus[i] = eye[i] + distance * R[6 + i];
+  }
+  camera->SetPosition(eye);
+  camera->SetFocalPoint(focus);
+  camera->SetViewUp(-R[3], -R[4], -R[5]);
+}
+
+// The base class's way: a window on the screen stays as it is, only its buffers change.
+void SetSize(vtkRenderWindow* window, int columns, int rows)
+{
+  window->vtkWindow::SetSize(columns, rows);
+}
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoKeptRenderer::vtkRelievoKeptRenderer(vtkRenderer* renderer, vtkRelievoCameraModel* sensor)
+  : Renderer(renderer)
+  , Window(renderer->GetRenderWindow())
+  , Attached(vtkRelievoPass::SafeDownCast(renderer->GetPass()) != nullptr)
+  , Gradient(renderer->GetGradientBackground())
+  , Textured(renderer->GetTexturedBackground())
+  , OffScreenBuffers(this->Window->GetUseOffScreenBuffers())
+{
+  if (renderer->IsActiveCameraCreated())
+  {
+    this->Camera = renderer->GetActiveCamera();
+    this->View->DeepCopy(this->Camera);
+  }
+  std::copy_n(this->Window->GetSize(), 2, this->Size);
+  renderer->GetViewport(this->Viewport);
+  this->Behind = renderer->GetBackgroundTexture();
+  this->Window->GetTileScale(this->TileScale);
+  this->Window->GetTileViewport(this->TileViewport);
+  this->Window->SetTileScale(1, 1);
+  this->Window->SetTileViewport(0.0, 0.0, 1.0, 1.0);
+  this->Window->SetUseOffScreenBuffers(true);
+  renderer->SetViewport(0.0, 0.0, 1.0, 1.0);
+  renderer->SetActiveCamera(this->View);
+  SetPose(sensor, this->View);
+  this->FreezeLights();
+  this->HideOthers();
+  vtkRelievoPass::Attach(renderer);
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoKeptRenderer::~vtkRelievoKeptRenderer()
+{
+  for (const Follower& each : this->Followers)
+  {
+    each.Light->SetLightType(each.Type);
+    each.Light->SetPosition(each.Position);
+    each.Light->SetFocalPoint(each.FocalPoint);
+    each.Light->SetTransformMatrix(each.Matrix);
+  }
+  for (vtkProp* prop : this->Overlays)
+  {
+    prop->VisibilityOn();
+  }
+  for (vtkRenderer* other : this->Others)
+  {
+    other->DrawOn();
+  }
+  this->Renderer->SetGradientBackground(this->Gradient);
+  this->Renderer->SetTexturedBackground(this->Textured);
+  this->Renderer->SetBackgroundTexture(this->Behind);
+  this->Renderer->SetViewport(this->Viewport);
+  this->Renderer->SetActiveCamera(this->Camera);
+  SetSize(this->Window, this->Size[0], this->Size[1]);
+  this->Window->SetUseOffScreenBuffers(this->OffScreenBuffers);
+  this->Window->SetTileScale(this->TileScale);
+  this->Window->SetTileViewport(this->TileViewport);
+  if (!this->Attached)
+  {
+    vtkRelievoPass::Detach(this->Renderer);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoKeptRenderer::FreezeLights()
+{
+  vtkLightCollection* lights = this->Renderer->GetLights();
+  if (lights->GetNumberOfItems() == 0 && this->Renderer->GetAutomaticLightCreation())
+  {
+    this->Renderer->CreateLight(); // as the first frame does
+  }
+  this->Renderer->UpdateLightsGeometryToFollowCamera();
+  vtkCollectionSimpleIterator it;
+  lights->InitTraversal(it);
+  while (vtkLight* light = lights->GetNextLight(it))
+  {
+    if (light->LightTypeIsSceneLight())
+    {
+      continue;
+    }
+    Follower follower;
+    follower.Light = light;
+    follower.Type = light->GetLightType();
+    light->GetPosition(follower.Position);
+    light->GetFocalPoint(follower.FocalPoint);
+    follower.Matrix = light->GetTransformMatrix();
+    double position[3];
+    double focus[3];
+    light->GetTransformedPosition(position);
+    light->GetTransformedFocalPoint(focus);
+    light->SetLightTypeToSceneLight();
+    light->SetTransformMatrix(nullptr);
+    light->SetPosition(position);
+    light->SetFocalPoint(focus);
+    this->Followers.push_back(follower);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoKeptRenderer::HideOthers()
+{
+  vtkCollectionSimpleIterator it;
+  this->Renderer->GetViewProps()->InitTraversal(it);
+  while (vtkProp* prop = this->Renderer->GetViewProps()->GetNextProp(it))
+  {
+    if (prop->IsA("vtkActor2D") && prop->GetVisibility())
+    {
+      prop->VisibilityOff();
+      this->Overlays.push_back(prop);
+    }
+  }
+  this->Window->GetRenderers()->InitTraversal(it);
+  while (vtkRenderer* other = this->Window->GetRenderers()->GetNextRenderer(it))
+  {
+    if (other != this->Renderer && other->GetDraw())
+    {
+      other->DrawOff();
+      this->Others.push_back(other);
+    }
+  }
+}

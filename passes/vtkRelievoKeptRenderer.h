@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What drawing for a sensor changes of a renderer and its window, as it was. Lights that follow the
+// camera stay where they are for the sensor's pose: six views must be lit alike. Texts and bars, and
+// what else is in the window, are hidden.
+#ifndef vtkRelievoKeptRenderer_h
+#define vtkRelievoKeptRenderer_h
+
+#include "vtkCamera.h"
+#include "vtkLight.h"
+#include "vtkMatrix4x4.h"
+#include "vtkNew.h"
+#include "vtkSmartPointer.h"
+#include "vtkTexture.h"
+
+#include <vector>
+
+class vtkProp;
+class vtkRelievoCameraModel;
+class vtkRenderer;
+class vtkRenderWindow;
+
+class vtkRelievoKeptRenderer
+{
+public:
+  // Until it ends the renderer, which fills its window, has a camera of its own with this pose.
+  vtkRelievoKeptRenderer(vtkRenderer* renderer, vtkRelievoCameraModel* sensor);
+  ~vtkRelievoKeptRenderer();
+  vtkRelievoKeptRenderer(const vtkRelievoKeptRenderer&) = delete;
+  void operator=(const vtkRelievoKeptRenderer&) = delete;
+
+private:
+  struct Follower
+  {
+    vtkSmartPointer<vtkLight> Light;
+    int Type;
+    double Position[3];
+    double FocalPoint[3];
+    vtkSmartPointer<vtkMatrix4x4> Matrix;
+  };
+
+  void FreezeLights();
+  void HideOthers();
+
+  vtkRenderer* Renderer;
+  vtkRenderWindow* Window;
+  bool Attached, Gradient, Textured, OffScreenBuffers;
+  vtkSmartPointer<vtkCamera> Camera; // none was made: null
+  vtkNew<vtkCamera> View;
+  int Size[2];
+  double Viewport[4];
+  vtkSmartPointer<vtkTexture> Behind;
+  int TileScale[2];
+  double TileViewport[4];
+  std::vector<Follower> Followers;
+  std::vector<vtkProp*> Overlays;
+  std::vector<vtkRenderer*> Others;
+};
+
+#endif
