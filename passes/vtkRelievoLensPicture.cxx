@@ -311,6 +311,11 @@ bool vtkRelievoLensPicture::DrawViews(vtkFloatArray* color, bool isPicture)
     this->PutBehind(views, view);
     const Drawn drawn =
       Draw(this->Renderer, view.Size[0], view.Size[1], isPicture, this->IsMetered());
+    if (this->Gradient)
+    {
+      this->Renderer->GetBackgroundTexture()->ReleaseGraphicsResources(
+        this->Renderer->GetRenderWindow());
+    }
     if (!drawn.Color)
     {
       return false;

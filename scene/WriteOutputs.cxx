@@ -283,9 +283,10 @@ void DrawFrame(const Scene& scene, vtkRelievoPass* pass, const std::vector<std::
   }
   vtkNew<vtkRelievoLayerSource> source;
   vtkSmartPointer<vtkImageData> seen;
+  vtkSmartPointer<vtkImageData> picture;
   if (!options.Lens.empty())
   {
-    seen = DrawLens(renderer, options, layers, progress);
+    seen = DrawLens(renderer, options, layers, picture, progress);
   }
   else if (!options.EXR.empty())
   {
@@ -299,17 +300,12 @@ void DrawFrame(const Scene& scene, vtkRelievoPass* pass, const std::vector<std::
     // The image and not the source's port: a source of layers draws anew whenever it is asked.
     seen = source->GetOutput();
   }
-  vtkSmartPointer<vtkImageData> picture = options.Lens.empty() ? nullptr : seen;
-  if (!options.Lens.empty())
-  {
-    // it is drawn
-  }
-  else if (options.Transparent)
+  if (options.Transparent)
   {
     const vtkSmartPointer<vtkImageData> overBlack = DrawOver(scene, 0.0);
     picture = MakeTransparent(overBlack, DrawOver(scene, 1.0));
   }
-  else
+  else if (options.Lens.empty())
   {
     if (options.EXR.empty() || (options.HDR && !options.PNG.empty())) // which leaves the window
     {

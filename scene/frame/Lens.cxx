@@ -11,6 +11,7 @@
 
 #include "vtkCallbackCommand.h"
 #include "vtkCamera.h"
+#include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkImageData.h"
@@ -121,20 +122,28 @@ RenderOptions FollowLens(RenderOptions options)
 
 //------------------------------------------------------------------------------
 vtkSmartPointer<vtkImageData> DrawLens(vtkRenderer* renderer, const RenderOptions& options,
-  const std::vector<std::string>& layers, Progress& progress)
+  const std::vector<std::string>& layers, vtkSmartPointer<vtkImageData>& picture,
+  Progress& progress)
 {
   vtkNew<vtkRelievoCalibration> calibration;
   vtkRelievoCameraModel* sensor = MakeSensor(calibration, options, renderer->GetActiveCamera());
   auto image = vtkSmartPointer<vtkImageData>::New();
-  vtkNew<vtkRelievoLensPicture> picture;
-  picture->SetRenderer(renderer);
-  picture->SetCamera(sensor);
-  picture->SetHDR(options.HDR);
-  picture->SetPicture(!options.PNG.empty());
-  progress.Observe(picture);
-  picture->Update();
-  Messages::Check("--lens " + options.Lens, picture->GetOutput()->GetNumberOfPoints() == 0);
-  image->ShallowCopy(picture->GetOutput());
+  vtkNew<vtkRelievoLensPicture> drawn;
+  drawn->SetRenderer(renderer);
+  drawn->SetCamera(sensor);
+  drawn->SetHDR(options.HDR);
+  drawn->SetPicture(!options.PNG.empty());
+  progress.Observe(drawn);
+  drawn->Update();
+  Messages::Check("--lens " + options.Lens, drawn->GetOutput()->GetNumberOfPoints() == 0);
+  image->ShallowCopy(drawn->GetOutput());
+  if (vtkDataArray* shown = image->GetPointData()->GetScalars())
+  {
+    picture = vtkSmartPointer<vtkImageData>::New();
+    picture->CopyStructure(image);
+    picture->GetPointData()->SetScalars(shown);
+    image->GetPointData()->RemoveArray(shown->GetName());
+  }
   vtkNew<vtkRelievoRayScene> scene;
   vtkNew<vtkRelievoRayLayers> rays;
   scene->SetRenderer(renderer);

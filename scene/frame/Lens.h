@@ -33,10 +33,11 @@ void CheckLensLayer(const std::string& name);
 /// the lens cannot have.
 RenderOptions FollowLens(RenderOptions options);
 
-/// The layers, `color` among them, and the calibration as field data. With a picture to write, the
-/// scalars are it. Throws WorkError.
+/// The layers, `color` among them, with the calibration as field data, and the picture, if one is to
+/// be written. Throws WorkError.
 vtkSmartPointer<vtkImageData> DrawLens(vtkRenderer* renderer, const RenderOptions& options,
-  const std::vector<std::string>& layers, Progress& progress);
+  const std::vector<std::string>& layers, vtkSmartPointer<vtkImageData>& picture,
+  Progress& progress);
 
 /// A calibration as JSON: the size, and what the field data has of K, R, t, lens and distortion.
 std::string WriteCalibration(vtkFieldData* fields, const std::array<int, 2>& size);

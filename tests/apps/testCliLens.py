@@ -64,6 +64,8 @@ class Lens(CliTest):
         self.assertGreater(expected.sum(), 200)
         header, channels = self.exr("a.exr")
         self.assertEqual((header["width"], header["height"]), size)
+        self.assertEqual({name.split(".")[0] for name in channels},
+                         {"R", "G", "B", "A", "actor", "position"})  # fmt: skip
         actor = channels["actor.id"] if "actor.id" in channels else channels["actor"]
         met = actor == 0
         self.assertGreater((met == expected).mean(), 0.999)

@@ -652,7 +652,8 @@ class Colour(unittest.TestCase):
             away *= rng.uniform(2, 6) / numpy.linalg.norm(away)
             unlit(renderer, ball(away, rng.uniform(0.2, 1), 60), colors[-1])
         colors = linear_of(numpy.array(colors))
-        for sensor in self.SENSORS:
+        maps = (relievo.Orthographic(20, SIZE, center=(60, 75)),)
+        for sensor in self.SENSORS + maps:
             with self.subTest(sensor=type(sensor).__name__):
                 sensor.look_at((0.2, 0.1, 0.3), (2, 1, 0), (0, 1, 0))
                 image = relievo.capture(renderer, ["color", "actor"], camera=sensor)
