@@ -7,9 +7,9 @@
 #include "Errors.h"
 #include "Lens.h"
 #include "Messages.h"
-#include "NumberLocale.h"
 #include "OpenedFiles.h"
 #include "Options.h"
+#include "Outcome.h"
 #include "Progress.h"
 #include "WriteOutputs.h"
 
@@ -26,8 +26,6 @@
 
 #include <algorithm>
 #include <array>
-#include <exception>
-#include <new>
 #include <vector>
 
 vtkStandardNewMacro(vtkRelievoScene);
@@ -100,45 +98,18 @@ vtkRelievoScene::~vtkRelievoScene()
 bool vtkRelievoScene::Try(const std::function<void()>& work)
 {
   this->Abort = false;
-  this->Failure = NO_FAILURE;
-  this->FailureText.clear();
-  {
-    const scene::Messages::Scope scope;
-    const scene::NumberLocale locale;
-    try
+  const scene::Outcome outcome = scene::Try(work);
+  this->Failure = outcome.Kind;
+  this->FailureText = outcome.Text;
+  const auto keep = [](const std::vector<std::string>& texts, vtkStringArray* list) {
+    list->Initialize();
+    for (const std::string& text : texts)
     {
-      work();
+      list->InsertNextValue(text);
     }
-    catch (const scene::UsageError& error)
-    {
-      this->Failure = USAGE_FAILURE;
-      this->FailureText = error.what();
-    }
-    catch (const scene::FileError& error)
-    {
-      this->Failure = FILE_FAILURE;
-      this->FailureText = error.what();
-    }
-    catch (const std::bad_alloc&)
-    {
-      this->Failure = DRAW_FAILURE;
-      this->FailureText = "out of memory; a smaller --size or fewer --layers need less";
-    }
-    catch (const std::exception& error)
-    {
-      this->Failure = DRAW_FAILURE;
-      this->FailureText = error.what();
-    }
-    const auto keep = [](const std::vector<std::string>& texts, vtkStringArray* list) {
-      list->Initialize();
-      for (const std::string& text : texts)
-      {
-        list->InsertNextValue(text);
-      }
-    };
-    keep(scene::Messages::TakeNotes(), this->Self->Notes);
-    keep(scene::Messages::TakeWarnings(), this->Self->Warnings);
-  }
+  };
+  keep(scene::Messages::TakeNotes(), this->Self->Notes);
+  keep(scene::Messages::TakeWarnings(), this->Self->Warnings);
   if (this->Failure != NO_FAILURE)
   {
     vtkErrorMacro(<< this->FailureText);
@@ -321,6 +292,28 @@ vtkRenderer* vtkRelievoScene::GetRenderer()
 vtkRelievoPass* vtkRelievoScene::GetPass()
 {
   return this->Self->Dressed.GetFrame();
+}
+
+//------------------------------------------------------------------------------
+int vtkRelievoScene::GetUpAxis()
+{
+  return this->Self->Options.UpAxis;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkRelievoScene::GetFileOf(int actor)
+{
+  int end = 0;
+  const std::vector<int>& counts = this->Self->Dressed.GetScene().Counts;
+  for (std::size_t i = 0; i < counts.size(); ++i)
+  {
+    end += counts[i];
+    if (actor >= 0 && actor < end)
+    {
+      return this->Self->Options.Files[i];
+    }
+  }
+  return {};
 }
 
 //------------------------------------------------------------------------------

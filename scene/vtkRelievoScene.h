@@ -66,6 +66,12 @@ public:
   /** The frame around what VTK draws; null where the words ask for nothing that needs one. */
   vtkRelievoPass* GetPass();
 
+  /** The axis that points up, 0, 1, 2 for x, y, z; as found by an Update(). */
+  int GetUpAxis();
+
+  /** The file that an actor is of, by its number in vtkRenderer::GetActors(); empty: of none. */
+  std::string GetFileOf(int actor);
+
   ///@{
   /** What the user should know of the last Update() or Write(): a line each. */
   vtkStringArray* GetNotes();

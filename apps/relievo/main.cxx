@@ -4,6 +4,8 @@
 #include "BenchOptions.h"
 #include "Cave.h"
 #include "CaveOptions.h"
+#include "Dataset.h"
+#include "DatasetOptions.h"
 #include "Errors.h"
 #include "Help.h"
 #include "Outputs.h"
@@ -34,13 +36,17 @@ int Run(std::vector<std::string> words)
   if (words.empty())
   {
     throw scene::UsageError(
-      "no command given, expected render, cave, stages or bench; see relievo --help");
+      "no command given, expected render, dataset, cave, stages or bench; see relievo --help");
   }
   const std::string command = words.front();
   words.erase(words.begin());
   if (command == "render")
   {
     cli::Render(words);
+  }
+  else if (command == "dataset")
+  {
+    cli::Dataset(cli::ParseDataset(words));
   }
   else if (command == "cave")
   {
@@ -61,7 +67,7 @@ int Run(std::vector<std::string> words)
   else
   {
     throw scene::UsageError("got '" + command +
-      "', expected render, cave, stages, bench, --help or --version; see relievo --help");
+      "', expected render, dataset, cave, stages, bench, --help or --version; see relievo --help");
   }
   return 0;
 }

@@ -85,6 +85,7 @@ from ._cameras import (
     lens,
 )
 from ._capture import capture, screenshot
+from ._dataset import write_dataset
 from ._environment import environment
 from ._exr import read_exr, write_exr
 from ._frame import report, vtkRelievoPass
@@ -145,6 +146,7 @@ __all__ = [
     "to_image",
     "visible",
     "vtkRelievoPass",
+    "write_dataset",
     "write_exr",
     "write_png",
 ]

@@ -1,0 +1,148 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "DatasetOptions.h"
+
+#include "Arguments.h"
+#include "Errors.h"
+#include "Options.h"
+#include "Values.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace cli
+{
+namespace
+{
+constexpr double Infinity = std::numeric_limits<double>::infinity();
+
+// Options of render that poses, or the data set's own files, are in the place of.
+constexpr const char* OfRender[] = { "--camera", "--parallel-scale", "--clip", "--times", "--png",
+  "--exr", "--report", "--layers", "--hdr", "--transparent", "--certify" };
+
+const std::vector<scene::KnownOption> Own = { { "--poses", false }, { "--out", false },
+  { "--format", false }, { "--layers", false }, { "--objects", false }, { "--depth-step", false },
+  { "--mm-per-unit", false }, { "--seed", false }, { "--random-sun", true }, { "--views", false } };
+
+void TakeRange(DatasetOptions& options, const std::string& name, const std::string& value)
+{
+  const std::vector<std::string> parts = scene::Split(value, ':');
+  if (parts.size() != 2)
+  {
+    scene::RefuseValue(name, value, "A:B, from view A to before view B");
+  }
+  for (std::size_t i = 0; i < 2; ++i)
+  {
+    options.Range[i] =
+      scene::ParseWhole(name + " " + value, parts[i], 0, std::numeric_limits<int>::max());
+  }
+}
+
+void Take(DatasetOptions& options, const std::string& name, const std::string& value)
+{
+  if (name == "--poses")
+  {
+    options.Poses = value;
+  }
+  else if (name == "--out")
+  {
+    options.Folder = value;
+  }
+  else if (name == "--format")
+  {
+    options.Format =
+      static_cast<int>(scene::ParseChoice(name, value, { "bop", "coco", "nerf", "npz" }));
+  }
+  else if (name == "--layers")
+  {
+    options.Layers = scene::SplitEscaped(value, ',');
+  }
+  else if (name == "--objects")
+  {
+    options.Objects =
+      static_cast<DatasetParts>(scene::ParseChoice(name, value, { "file", "actor", "block" }));
+  }
+  else if (name == "--depth-step")
+  {
+    options.DepthStep = scene::ParseNumberBetween(name, value, 0., Infinity);
+  }
+  else if (name == "--mm-per-unit")
+  {
+    options.MillimetersPerUnit = scene::ParseNumberBetween(name, value, 0., Infinity);
+  }
+  else if (name == "--seed")
+  {
+    options.Seed = scene::ParseWhole(
+      name, value, std::numeric_limits<int>::min(), std::numeric_limits<int>::max());
+  }
+  else if (name == "--random-sun")
+  {
+    options.RandomSun = true;
+  }
+  else
+  {
+    TakeRange(options, name, value);
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+DatasetOptions ParseDataset(const std::vector<std::string>& words)
+{
+  const auto isOwn = [](const std::string& name) {
+    return std::any_of(Own.begin(), Own.end(),
+      [&name](const scene::KnownOption& option) { return option.Name == name; });
+  };
+  std::vector<scene::KnownOption> known = Own;
+  for (const scene::KnownOption& option : scene::GetRenderOptions())
+  {
+    if (std::find(std::begin(OfRender), std::end(OfRender), option.Name) == std::end(OfRender))
+    {
+      known.push_back(option);
+    }
+  }
+  DatasetOptions options;
+  std::vector<std::string> files;
+  scene::ParseArguments(
+    words, "dataset", known,
+    [&](const std::string& name, const std::string& value) {
+      const bool isFlag = std::any_of(known.begin(), known.end(),
+        [&name](const scene::KnownOption& each) { return each.Name == name && each.IsFlag; });
+      const std::string word = isFlag ? name : name + "=" + value;
+      if (!isOwn(name))
+      {
+        options.Scene.push_back(word);
+      }
+      else
+      {
+        Take(options, name, value);
+      }
+      if (name != "--out" && name != "--views")
+      {
+        options.Words.push_back(word);
+      }
+    },
+    [&](const std::string& word) { files.push_back(word); });
+  if (files.empty())
+  {
+    throw scene::UsageError("dataset: no FILE given");
+  }
+  if (options.Poses.empty())
+  {
+    throw scene::UsageError("dataset: no cameras; give --poses orbit:N, random:N or FILE.json");
+  }
+  if (options.Folder.empty())
+  {
+    throw scene::UsageError("dataset: no folder to write to; give --out DIR");
+  }
+  options.Scene.emplace_back("--");
+  for (std::vector<std::string>* to : { &options.Scene, &options.Words })
+  {
+    to->insert(to->end(), files.begin(), files.end());
+  }
+  const scene::RenderOptions render = scene::ParseOptions(options.Scene);
+  options.Size = render.Size;
+  options.ViewAngle = render.ViewAngle.value_or(options.ViewAngle);
+  return options;
+}
+}

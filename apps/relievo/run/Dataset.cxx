@@ -1,0 +1,109 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Dataset.h"
+
+#include "DatasetOptions.h"
+#include "Errors.h"
+#include "Messages.h"
+#include "SceneWork.h"
+#include "Values.h"
+
+#include "vtkActorCollection.h"
+#include "vtkMath.h"
+#include "vtkNew.h"
+#include "vtkRelievoDatasetWriter.h"
+#include "vtkRelievoLensCamera.h"
+#include "vtkRenderer.h"
+
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <map>
+
+namespace cli
+{
+namespace
+{
+// Objects are called by their files; what is of no file, such as a ground, hides and no more.
+void NameObjects(
+  vtkRelievoDatasetWriter* writer, vtkRelievoScene* scene, const DatasetOptions& options)
+{
+  std::map<std::string, std::string> names; // by file
+  std::map<std::string, int> counts;        // of files of a name
+  std::map<std::string, int> parts;         // of a file, so far
+  for (int actor = 0; actor < scene->GetRenderer()->GetActors()->GetNumberOfItems(); ++actor)
+  {
+    const std::string file = scene->GetFileOf(actor);
+    std::string name = std::filesystem::path(file).stem().string();
+    if (!file.empty() && names.count(file) == 0)
+    {
+      const int same = ++counts[name];
+      names[file] = same > 1 ? name + "_" + std::to_string(same) : name;
+    }
+    name = file.empty() ? "" : names[file];
+    if (!file.empty() && options.Objects != DatasetParts::File)
+    {
+      name += "_" + std::to_string(parts[file]++);
+    }
+    writer->SetObjectName(actor, name);
+  }
+  writer->SetObjectsByBlock(options.Objects == DatasetParts::Block);
+}
+
+void AddViews(vtkRelievoDatasetWriter* writer, const DatasetOptions& options)
+{
+  vtkNew<vtkRelievoLensCamera> like;
+  const double focal =
+    options.Size[1] / 2. / std::tan(vtkMath::RadiansFromDegrees(options.ViewAngle / 2.));
+  like->SetSize(options.Size[0], options.Size[1]);
+  like->SetIntrinsics(focal, focal, 0., (options.Size[0] - 1) / 2., (options.Size[1] - 1) / 2.);
+  const bool done = writer->AddViews(options.Poses, like);
+  CheckDone(done, writer->GetFailure(), writer->GetFailureText());
+}
+}
+
+//------------------------------------------------------------------------------
+void Dataset(const DatasetOptions& options)
+{
+  const scene::Messages::Scope scope;
+  vtkNew<vtkRelievoScene> scene;
+  SetWords(scene, options.Scene);
+  {
+    const SceneSteps steps(scene);
+    const bool done = scene->Update();
+    CheckDone(done, scene->GetFailure(), scene->GetFailureText());
+  }
+  vtkNew<vtkRelievoDatasetWriter> writer;
+  writer->SetRenderer(scene->GetRenderer());
+  writer->SetDirectory(options.Folder);
+  writer->SetFormat(options.Format);
+  writer->SetDepthStep(options.DepthStep);
+  writer->SetMillimetersPerUnit(options.MillimetersPerUnit);
+  writer->SetSeed(options.Seed);
+  writer->SetRandomSun(options.RandomSun);
+  writer->SetUpAxis(scene->GetUpAxis());
+  writer->SetRange(options.Range[0], options.Range[1]);
+  writer->SetDescription(scene::Join(options.Words, " "));
+  for (const std::string& layer : options.Layers)
+  {
+    writer->AddLayer(layer);
+  }
+  NameObjects(writer, scene, options);
+  AddViews(writer, options);
+  {
+    scene::Progress progress;
+    progress.Begin("writing " + options.Folder);
+    progress.Observe(writer);
+    const bool done = writer->Write();
+    CheckDone(done, writer->GetFailure(), writer->GetFailureText());
+  }
+  std::printf("%s: %d of %d views written", options.Folder.c_str(),
+    writer->GetNumberOfViewsWritten(), writer->GetNumberOfViews());
+  if (writer->GetNumberOfViewsKept() > 0)
+  {
+    std::printf(", %d were there", writer->GetNumberOfViewsKept());
+  }
+  std::printf("\n");
+  PrintMessages(scene);
+}
+}

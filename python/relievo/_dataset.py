@@ -1,0 +1,173 @@
+# SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Data sets to learn from, or to judge by: pictures, depth, masks, boxes, poses."""
+
+import os
+from contextlib import nullcontext
+
+from vtkmodules.util.misc import calldata_type
+from vtkmodules.util.vtkConstants import VTK_DOUBLE
+
+from ._capture import _names, _pixels
+from ._cameras import CameraModel, Pinhole
+from ._errors import Watch, describe, is_a
+from ._keep import kept
+from ._renderers import renderer_of
+from ._wrapped import vtkRelievoDatasetWriter, vtkRelievoScene
+
+_FORMATS = ("bop", "coco", "nerf", "npz")
+
+
+def write_dataset(renderer, cameras, directory, format="bop", layers=(), size=(640, 480),
+                  objects="actor", depth_step=None, mm_per_unit=1000, seed=0, random_sun=False,
+                  up="y", views=None, description="", progress=None):
+    """Writes what cameras see of a scene, as a data set. See docs/datasets.md.
+
+        relievo.write_dataset(renderer, "random:200", "train/000000", seed=7)
+
+    renderer: a vtkRenderer, or an object whose attribute `renderer` is one (a plotter, a scene);
+        or a dataset, or a filter that makes one. It, and its window, are as before afterwards.
+    cameras: "orbit:N", "random:N" or the path of a file of poses, for pinholes of 30 degrees; or a
+        list of CameraModels, or of vtkCameras as seen in `size` pixels. What is no pinhole, such as
+        a Fisheye, goes by rays: format "npz" alone, without a picture.
+    directory: a folder that is empty or not there; or one that was begun by the same call, which
+        goes on with the views that lack.
+    format: "bop", "coco", "nerf" or "npz".
+    layers: names of layers that are written as floats: as arrays of npz, else in layers/NUMBER.exr.
+    size: (columns, rows) of pictures, where the cameras do not say it.
+    objects: what an object is: "actor", "block" (of composite data), or a list of names, one for
+        each of renderer.GetActors(): actors of one name are one object, those of None hide others
+        and are none.
+    depth_step: world units of a step of 16-bit depth; None to reach what is farthest.
+    mm_per_unit: of "bop": millimetres in a world unit.
+    seed: of all that is random. random_sun: whether the sun stands elsewhere in each view.
+    up: the axis that points up, "x", "y" or "z".
+    views: (first, end) of those that this call draws; None for all.
+    description: what the data set is of: a folder that was begun with another one is refused.
+    progress: called with the share done behind each view; if it returns False, the call ends with a
+        RuntimeError, and the same call goes on from there.
+
+    Returns how many views were written. Raises ValueError for wrong arguments, such as settings
+    that are not those the folder was begun with, OSError for files that cannot be written or read,
+    RuntimeError for what cannot be drawn.
+    """
+    made, _ = renderer_of(renderer)
+    writer = vtkRelievoDatasetWriter()
+    writer.SetRenderer(made)
+    writer.SetDirectory(os.fspath(directory))
+    if format not in _FORMATS:
+        raise ValueError(f"format: got {format!r}, expected one of {', '.join(_FORMATS)}")
+    writer.SetFormat(_FORMATS.index(format))
+    if up not in ("x", "y", "z"):
+        raise ValueError(f"up: got {up!r}, expected 'x', 'y' or 'z'")
+    writer.SetUpAxis("xyz".index(up))
+    writer.SetSeed(_whole("seed", seed))
+    writer.SetRandomSun(bool(random_sun))
+    if depth_step is not None:
+        writer.SetDepthStep(_positive("depth_step", depth_step))
+    writer.SetMillimetersPerUnit(_positive("mm_per_unit", mm_per_unit))
+    writer.SetDescription(description)
+    if views is not None:
+        try:
+            first, end = views
+        except (TypeError, ValueError):
+            raise ValueError(f"views: got {views!r}, expected (first, end)") from None
+        writer.SetRange(_whole("views", first, 0), _whole("views", end, 0))
+    for name in _names(layers) if layers else ():
+        writer.AddLayer(name)
+    _name_objects(writer, made, objects)
+    _add_views(writer, cameras, _pixels(size))
+    found = kept(made)
+    with nullcontext() if found is None else found.held():
+        _run(writer, writer.Write, progress)
+    return writer.GetNumberOfViewsWritten()
+
+
+def _run(writer, work, progress=None):
+    """Does work of the writer, and raises what it says of it, or what `progress` raised."""
+    ended = []
+
+    @calldata_type(VTK_DOUBLE)
+    def report(_writer, _event, share):
+        try:
+            if progress(share) is False:
+                ended.append(RuntimeError(f"write_dataset: ended by progress at {share:.0%}"))
+        except BaseException as error:  # also an interrupt: VTK would swallow it
+            ended.append(error)
+        if ended:
+            writer.SetAbort()
+
+    tag = writer.AddObserver("ProgressEvent", report) if progress is not None else None
+    try:
+        with Watch(writer):
+            done = work()
+    finally:
+        if tag is not None:
+            writer.RemoveObserver(tag)
+    if ended:
+        raise ended[0]
+    if not done:
+        kinds = {
+            vtkRelievoScene.USAGE_FAILURE: ValueError,
+            vtkRelievoScene.FILE_FAILURE: OSError,
+            vtkRelievoScene.DRAW_FAILURE: RuntimeError,
+        }
+        raise kinds[writer.GetFailure()](f"write_dataset: {writer.GetFailureText()}")
+
+
+def _name_objects(writer, renderer, objects):
+    if isinstance(objects, str):
+        if objects not in ("actor", "block"):
+            raise ValueError(f"objects: got {objects!r}, expected 'actor', 'block', or names")
+        writer.SetObjectsByBlock(objects == "block")
+        return
+    names = list(objects)
+    count = renderer.GetActors().GetNumberOfItems()
+    wrong = [name for name in names if not (name is None or isinstance(name, str))]
+    if len(names) != count or wrong:
+        raise ValueError(f"objects: got {objects!r}, expected {count} names, one for each of "
+                         "renderer.GetActors()")
+    for number, name in enumerate(names):
+        writer.SetObjectName(number, name or "")
+
+
+def _add_views(writer, cameras, size):
+    if isinstance(cameras, (str, os.PathLike)):
+        focal = size[1] / 2 / 0.2679491924311227  # of 30 degrees
+        middle = (size[0] - 1) / 2, (size[1] - 1) / 2
+        K = [[focal, 0, middle[0]], [0, focal, middle[1]], [0, 0, 1]]
+        like = Pinhole(K, size).model
+        words = os.fspath(cameras)
+        _run(writer, lambda: writer.AddViews(words, like))
+        return
+    single = isinstance(cameras, CameraModel) or is_a(cameras, "vtkCamera")
+    for camera in [cameras] if single else cameras:
+        if isinstance(camera, CameraModel):
+            writer.AddView(camera.model)
+        elif is_a(camera, "vtkCamera"):
+            writer.AddView(Pinhole.of(camera, size).model)
+        else:
+            raise ValueError(f"cameras: got {describe(camera)}, expected CameraModels, vtkCameras, "
+                             "'orbit:N', 'random:N' or the path of a file of poses")
+
+
+def _whole(name, value, least=-(1 << 31)):
+    try:
+        number = int(value)
+        good = number == value and least <= number < 1 << 31
+    except (TypeError, ValueError, OverflowError):
+        good = False
+    if not good:
+        kind = "a whole number" if least < 0 else f"a whole number from {least}"
+        raise ValueError(f"{name}: got {value!r}, expected {kind}")
+    return number
+
+
+def _positive(name, value):
+    try:
+        number = float(value)
+    except (TypeError, ValueError):
+        number = 0.0
+    if not 0 < number < float("inf"):
+        raise ValueError(f"{name}: got {value!r}, expected a number above 0")
+    return number

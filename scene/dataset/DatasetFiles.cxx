@@ -1,0 +1,208 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "DatasetFiles.h"
+
+#include "Errors.h"
+
+#include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkPNGWriter.h"
+#include "vtkRelievoTemporaryFile.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtk_zlib.h"
+
+#include <cstdint>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <system_error>
+
+namespace scene
+{
+namespace
+{
+std::string EncodeImage(const void* pixels, int type, int columns, int rows, int components)
+{
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(columns, rows, 1);
+  image->AllocateScalars(type, components);
+  const std::size_t length = static_cast<std::size_t>(columns) *
+    static_cast<std::size_t>(components) * static_cast<std::size_t>(image->GetScalarSize());
+  for (int row = 0; row < rows; ++row)
+  {
+    std::memcpy(image->GetScalarPointer(0, rows - 1 - row, 0),
+      static_cast<const char*>(pixels) + static_cast<std::size_t>(row) * length, length);
+  }
+  vtkNew<vtkPNGWriter> writer;
+  writer->SetInputData(image);
+  writer->WriteToMemoryOn();
+  writer->Write();
+  vtkUnsignedCharArray* bytes = writer->GetResult();
+  return { reinterpret_cast<const char*>(bytes->GetPointer(0)),
+    static_cast<std::size_t>(bytes->GetNumberOfValues()) };
+}
+
+// Numbers of a ZIP file, the lowest byte first.
+void Append(std::string& bytes, int count, std::size_t number)
+{
+  for (int i = 0; i < count; ++i)
+  {
+    bytes += static_cast<char>(number >> (8 * i) & 255);
+  }
+}
+
+// What the file's two headers of an entry share.
+void AppendEntry(std::string& bytes, unsigned int check, std::size_t size, const std::string& name)
+{
+  constexpr std::size_t version = 20;
+  constexpr std::size_t firstDay = 1 << 5 | 1; // 1980-01-01: the same arrays are the same bytes
+  Append(bytes, 2, version);
+  Append(bytes, 2, 0); // flags
+  Append(bytes, 2, 0); // stored as they are
+  Append(bytes, 2, 0); // time
+  Append(bytes, 2, firstDay);
+  Append(bytes, 4, check);
+  Append(bytes, 4, size);
+  Append(bytes, 4, size);
+  Append(bytes, 2, name.size());
+  Append(bytes, 2, 0); // no more fields
+}
+}
+
+//------------------------------------------------------------------------------
+void MakeFolder(const std::string& folder)
+{
+  std::error_code trouble;
+  std::filesystem::create_directories(folder, trouble);
+  if (trouble)
+  {
+    throw FileError(folder + ": cannot be made: " + trouble.message());
+  }
+}
+
+//------------------------------------------------------------------------------
+void WriteWhole(const std::string& path, const std::function<bool(const std::string&)>& write)
+{
+  std::error_code trouble;
+  const std::string folder = std::filesystem::path(path).parent_path().string();
+  if (!folder.empty())
+  {
+    MakeFolder(folder);
+  }
+  vtkRelievoTemporaryFile file(folder.empty() ? "." : folder, trouble);
+  if (!trouble && !write(file.GetName()))
+  {
+    throw FileError(path + ": cannot be written; is the disk full?");
+  }
+  if (!trouble)
+  {
+    file.MoveTo(path, trouble);
+  }
+  if (trouble)
+  {
+    throw FileError(path + ": cannot be written: " + trouble.message());
+  }
+}
+
+//------------------------------------------------------------------------------
+void WriteWhole(const std::string& path, const std::string& bytes)
+{
+  WriteWhole(path, [&bytes](const std::string& name) {
+    std::ofstream file(name, std::ios::binary);
+    file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+    file.close();
+    return file.good();
+  });
+}
+
+//------------------------------------------------------------------------------
+std::string ReadWhole(const std::string& path)
+{
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream bytes;
+  bytes << file.rdbuf();
+  if (!file)
+  {
+    throw FileError(path + ": cannot be read");
+  }
+  return bytes.str();
+}
+
+//------------------------------------------------------------------------------
+std::string EncodePNG(
+  const std::vector<unsigned char>& pixels, int columns, int rows, int components)
+{
+  return EncodeImage(pixels.data(), VTK_UNSIGNED_CHAR, columns, rows, components);
+}
+
+//------------------------------------------------------------------------------
+std::string EncodePNG(const std::vector<unsigned short>& pixels, int columns, int rows)
+{
+  return EncodeImage(pixels.data(), VTK_UNSIGNED_SHORT, columns, rows, 1);
+}
+
+//------------------------------------------------------------------------------
+void NumpyArchive::Add(const std::string& name, const std::string& type,
+  const std::vector<std::size_t>& shape, const void* values, std::size_t bytes)
+{
+  constexpr std::size_t aligned = 64;
+  std::string header = "{'descr': '" + type + "', 'fortran_order': False, 'shape': (";
+  for (const std::size_t count : shape)
+  {
+    header += std::to_string(count) + ",";
+  }
+  header += "), }";
+  constexpr std::size_t before = 10; // bytes, of the magic number, the version and the length
+  header.append(aligned - (before + header.size() + 1) % aligned, ' ');
+  header += '\n';
+  std::string data("\x93NUMPY\x01\x00", 8);
+  Append(data, 2, header.size());
+  data += header;
+  if (bytes > 0)
+  {
+    data.append(static_cast<const char*>(values), bytes);
+  }
+  Entry entry;
+  entry.Name = name + ".npy";
+  entry.Size = data.size();
+  entry.Place = this->Bytes.size();
+  entry.Check = static_cast<unsigned int>(
+    crc32(0, reinterpret_cast<const Bytef*>(data.data()), static_cast<uInt>(data.size())));
+  Append(this->Bytes, 4, 0x04034b50);
+  AppendEntry(this->Bytes, entry.Check, entry.Size, entry.Name);
+  this->Bytes += entry.Name + data;
+  this->Entries.push_back(entry);
+}
+
+//------------------------------------------------------------------------------
+std::string NumpyArchive::Finish(const std::string& path)
+{
+  const std::size_t place = this->Bytes.size();
+  for (const Entry& entry : this->Entries)
+  {
+    Append(this->Bytes, 4, 0x02014b50);
+    Append(this->Bytes, 2, 20);
+    AppendEntry(this->Bytes, entry.Check, entry.Size, entry.Name);
+    Append(this->Bytes, 2, 0); // no comment
+    Append(this->Bytes, 2, 0); // the first disk
+    Append(this->Bytes, 2, 0);
+    Append(this->Bytes, 4, 0); // attributes
+    Append(this->Bytes, 4, entry.Place);
+    this->Bytes += entry.Name;
+  }
+  const std::size_t length = this->Bytes.size() - place;
+  Append(this->Bytes, 4, 0x06054b50);
+  Append(this->Bytes, 4, 0); // disks
+  Append(this->Bytes, 2, this->Entries.size());
+  Append(this->Bytes, 2, this->Entries.size());
+  Append(this->Bytes, 4, length);
+  Append(this->Bytes, 4, place);
+  Append(this->Bytes, 2, 0); // no comment
+  if (this->Bytes.size() > UINT32_MAX)
+  {
+    throw FileError(path + ": would have more than 4 GiB; ask for fewer layers or pixels");
+  }
+  return std::move(this->Bytes);
+}
+}

@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * How a data set lies in its folder: the files of a view, and the indices of all views.
+ */
+#ifndef DatasetFormats_h
+#define DatasetFormats_h
+
+#include <nlohmann/json.hpp>
+
+#include <string>
+#include <vector>
+
+class vtkRelievoCameraModel;
+
+namespace scene
+{
+class DatasetObjects;
+struct DatasetView;
+
+enum class DatasetFormat
+{
+  BOP,
+  COCO,
+  NeRF,
+  Numpy
+};
+
+/// By DatasetFormat.
+extern const std::vector<std::string> DatasetFormatNames;
+
+struct DatasetStyle
+{
+  std::string Folder;
+  DatasetFormat Format = DatasetFormat::BOP;
+  double DepthStep = 0.0; ///< world units of a step of 16-bit depth
+  double MillimetersPerUnit = 1000.0;
+  std::vector<std::string> Layers; ///< as asked for
+};
+
+/// The six digits of a view or an object in names of files.
+std::string WriteDatasetNumber(std::size_t number);
+
+/// What a record says of a camera: size, R, t, and what it is calibrated by.
+nlohmann::ordered_json DescribeDatasetCamera(vtkRelievoCameraModel* camera);
+
+/// Writes the files of a view and adds to its record what the indices need. Throws FileError.
+void WriteDatasetView(const DatasetStyle& style, const DatasetView& view,
+  const DatasetObjects& objects, vtkRelievoCameraModel* camera, std::size_t number,
+  nlohmann::ordered_json& record);
+
+/// Writes the indices of these records. Throws FileError.
+void WriteDatasetIndex(const DatasetStyle& style, const std::vector<std::string>& objects,
+  const std::vector<nlohmann::ordered_json>& records);
+}
+
+#endif

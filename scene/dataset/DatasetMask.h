@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * Which pixels of a picture an object has.
+ */
+#ifndef DatasetMask_h
+#define DatasetMask_h
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace scene
+{
+class DatasetMask
+{
+public:
+  DatasetMask(int columns, int rows)
+    : Columns(static_cast<std::size_t>(columns))
+    , Rows(static_cast<std::size_t>(rows))
+  {
+  }
+
+  /// Pixels count row by row from the top, and are added in this order; one twice is there once.
+  void Add(std::size_t pixel);
+
+  std::size_t GetCount() const { return this->Count; }
+
+  /// First column and row, columns and rows; all -1 without a pixel.
+  std::array<int, 4> GetBox() const;
+
+  /// One byte for each pixel, row by row from the top: 0 or this value.
+  std::vector<unsigned char> GetBytes(unsigned char value) const;
+
+  /// The runs of COCO: lengths of nothing and mask in turn, column by column, as its text.
+  std::string GetRuns() const;
+
+  /// Calls with each pixel.
+  template <typename Call>
+  void ForEach(const Call& call) const
+  {
+    for (const auto& [first, end] : this->Spans)
+    {
+      for (std::size_t pixel = first; pixel < end; ++pixel)
+      {
+        call(pixel);
+      }
+    }
+  }
+
+private:
+  std::size_t Columns, Rows, Count = 0;
+  std::vector<std::pair<std::size_t, std::size_t>> Spans; // pixels from one to before another, each
+                                                          // within a row
+};
+}
+
+#endif

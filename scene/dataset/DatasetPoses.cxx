@@ -1,0 +1,348 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "DatasetPoses.h"
+
+#include "DatasetFiles.h"
+#include "Errors.h"
+#include "Messages.h"
+#include "Sun.h"
+#include "Values.h"
+
+#include "vtkMath.h"
+#include "vtkRelievoLensCamera.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+
+namespace scene
+{
+namespace
+{
+using Json = nlohmann::json;
+using Cameras = std::vector<vtkSmartPointer<vtkRelievoCameraModel>>;
+
+constexpr int MostViews = 10000000;
+constexpr std::uint64_t Step = 0x9e3779b97f4a7c15; // of random numbers
+constexpr double Margin = 1.05;                    // around what a pose is to show
+
+std::uint64_t Mix(std::uint64_t state)
+{
+  std::uint64_t bits = state + Step;
+  bits = (bits ^ bits >> 30) * 0xbf58476d1ce4e5b9;
+  bits = (bits ^ bits >> 27) * 0x94d049bb133111eb;
+  return bits ^ bits >> 31;
+}
+
+vtkSmartPointer<vtkRelievoCameraModel> CopyOf(vtkRelievoCameraModel* camera)
+{
+  auto copy = vtkSmartPointer<vtkRelievoCameraModel>::Take(camera->NewInstance());
+  copy->Copy(camera);
+  return copy;
+}
+
+//------------------------------------------------------------------------------
+// The distance from which a sphere of radius 1 is within the picture: by the ray that leaves it
+// nearest to the axis. Sensors that look all around, or along parallels, stand at twice the radius.
+double GetFittingDistance(vtkRelievoCameraModel* camera)
+{
+  const double right = camera->GetSize()[0] - 0.5;
+  const double bottom = camera->GetSize()[1] - 0.5;
+  const double places[4][2] = { { -0.5, bottom / 2.0 }, { right, bottom / 2.0 },
+    { right / 2.0, -0.5 }, { right / 2.0, bottom } };
+  double sine = 1.0;
+  for (const auto& place : places)
+  {
+    double origin[3];
+    double direction[3];
+    const bool seen = camera->GetCameraRay(place[0], place[1], origin, direction);
+    const double across = std::hypot(direction[0], direction[1]);
+    if (!seen || !(direction[2] > 0.0) || !(across > 0.0))
+    {
+      return 2.0;
+    }
+    sine = std::min(sine, across);
+  }
+  return Margin / sine;
+}
+
+//------------------------------------------------------------------------------
+// Named numbers behind a word, each with its default, and what it lies between.
+struct Named
+{
+  const char* Name;
+  double Value, Low, High;
+};
+
+void Take(const std::string& option, const NamedWords& words, std::vector<Named>& numbers)
+{
+  std::string all;
+  for (const Named& number : numbers)
+  {
+    all += std::string(all.empty() ? "" : ", ") + number.Name;
+  }
+  for (const auto& [name, value] : words)
+  {
+    const auto found = std::find_if(numbers.begin(), numbers.end(),
+      [&name = name](const Named& number) { return name == number.Name; });
+    if (found == numbers.end())
+    {
+      RefuseValue(option, name, "one of " + all);
+    }
+    const double number = ParseNumbers(option + " " + name, value, 1, "a number")[0];
+    if (number < found->Low || number > found->High)
+    {
+      std::string expected = "a number from " + Json(found->Low).dump();
+      expected += std::isfinite(found->High) ? " to " + Json(found->High).dump() : " on";
+      RefuseValue(option + " " + name, value, expected);
+    }
+    found->Value = number;
+  }
+}
+
+//------------------------------------------------------------------------------
+Cameras StandAround(const std::string& option, const std::string& word, vtkRelievoCameraModel* like,
+  const DatasetSurroundings& around)
+{
+  const double infinity = std::numeric_limits<double>::infinity();
+  const std::size_t colon = word.find(':');
+  const bool orbit = word.compare(0, colon, "orbit") == 0;
+  std::vector<std::string> parts = Split(word.substr(colon + 1), ',');
+  const int count = ParseWhole(option + " " + word, parts.front(), 1, MostViews);
+  parts.erase(parts.begin());
+  // The distance in those from which everything is seen.
+  std::vector<Named> numbers = { { "elevation", 30.0, -90.0, 90.0 },
+    { "distance", 1.0, 1e-6, infinity } };
+  if (!orbit)
+  {
+    numbers = { { "lowest", 0.0, -90.0, 90.0 }, { "highest", 90.0, -90.0, 90.0 },
+      { "nearest", 1.0, 1e-6, infinity }, { "farthest", 1.5, 1e-6, infinity } };
+  }
+  Take(option, ParseNamedWords(option, parts, "NAME=VALUE"), numbers);
+  if (!around.Box.IsValid())
+  {
+    throw UsageError(
+      option + " " + word + ": there is nothing to stand around; give poses, or show something");
+  }
+  double center[3];
+  around.Box.GetCenter(center);
+  const double radius = around.Box.GetDiagonalLength() / 2.0;
+  const double fitting = (radius > 0.0 ? radius : 1.0) * GetFittingDistance(like);
+  const double sines[2] = { std::sin(vtkMath::RadiansFromDegrees(numbers[0].Value)),
+    std::sin(vtkMath::RadiansFromDegrees(numbers[1].Value)) };
+  Cameras cameras;
+  for (int i = 0; i < count; ++i)
+  {
+    double azimuth = 180.0 + 360.0 * i / count; // from the front
+    double elevation = numbers[0].Value;
+    double distance = numbers[1].Value;
+    if (!orbit)
+    {
+      DatasetRandom random(around.Seed, 0, i);
+      azimuth = random.Next(0.0, 360.0);
+      // Evenly over the sphere.
+      elevation = vtkMath::DegreesFromRadians(std::asin(random.Next(sines[0], sines[1])));
+      distance = random.Next(numbers[2].Value, numbers[3].Value);
+    }
+    const std::array<double, 3> direction = GetSunDirection({ azimuth, elevation }, around.UpAxis);
+    const bool steep = std::abs(elevation) > 89.9;
+    double position[3];
+    double up[3] = {};
+    up[(around.UpAxis + (steep ? 1 : 0)) % 3] = 1.0;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      position[axis] = center[axis] + fitting * distance * direction[axis];
+    }
+    cameras.push_back(CopyOf(like));
+    cameras.back()->LookAt(position, center, up);
+  }
+  return cameras;
+}
+
+//------------------------------------------------------------------------------
+// Numbers, in lists of lists or not. `where` names the place in the file.
+std::vector<double> TakeNumbers(const Json& values, std::size_t count, const std::string& where)
+{
+  std::vector<double> numbers;
+  const std::function<void(const Json&)> add = [&](const Json& value) {
+    if (value.is_array())
+    {
+      std::for_each(value.begin(), value.end(), add);
+    }
+    else if (value.is_number())
+    {
+      numbers.push_back(value.get<double>());
+    }
+    else
+    {
+      numbers.resize(count + 1);
+    }
+  };
+  add(values);
+  if (numbers.size() != count)
+  {
+    throw UsageError(where + ": expected " + std::to_string(count) + " numbers");
+  }
+  return numbers;
+}
+
+void SetIntrinsics(
+  vtkRelievoCameraModel* camera, const std::vector<double>& k, const std::string& where)
+{
+  auto* lens = vtkRelievoLensCamera::SafeDownCast(camera);
+  if (!lens)
+  {
+    throw UsageError(where + ": is of a camera, and this sensor has none of it");
+  }
+  lens->SetIntrinsics(k[0], k[4], k[1], k[2], k[5]);
+}
+
+void SetSize(vtkRelievoCameraModel* camera, const std::vector<double>& size)
+{
+  camera->SetSize(static_cast<int>(size[0]), static_cast<int>(size[1]));
+}
+
+//------------------------------------------------------------------------------
+// The OpenGL camera-to-world matrices of transforms.json, and its K: the corner of the first pixel,
+// not its centre, is (0, 0) there.
+void SetFromFrame(
+  vtkRelievoCameraModel* camera, const Json& frame, const Json& all, const std::string& where)
+{
+  const auto get = [&](const char* name) {
+    const Json& from = frame.contains(name) ? frame : all;
+    return from.contains(name) ? TakeNumbers(from[name], 1, where + ", " + name)[0]
+                               : std::numeric_limits<double>::quiet_NaN();
+  };
+  if (!std::isnan(get("w")) && !std::isnan(get("h")))
+  {
+    SetSize(camera, { get("w"), get("h") });
+  }
+  const double fx = get("fl_x");
+  if (!std::isnan(fx))
+  {
+    const double fy = std::isnan(get("fl_y")) ? fx : get("fl_y");
+    const int* size = camera->GetSize();
+    const double cx = std::isnan(get("cx")) ? size[0] / 2.0 : get("cx");
+    const double cy = std::isnan(get("cy")) ? size[1] / 2.0 : get("cy");
+    SetIntrinsics(camera, { fx, 0.0, cx - 0.5, 0.0, fy, cy - 0.5, 0.0, 0.0, 1.0 }, where);
+  }
+  const std::vector<double> m =
+    TakeNumbers(frame["transform_matrix"], 16, where + ", transform_matrix");
+  double rotation[9];
+  double translation[3];
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    const double sign = i == 0 ? 1.0 : -1.0; // y up and z backwards become y down and z forward
+    translation[i] = 0.0;
+    for (std::size_t j = 0; j < 3; ++j)
+    {
+      rotation[3 * i + j] = sign * m[4 * j + i];
+      translation[i] -= rotation[3 * i + j] * m[4 * j + 3];
+    }
+  }
+  camera->SetExtrinsics(rotation, translation);
+}
+
+//------------------------------------------------------------------------------
+void SetFromPose(vtkRelievoCameraModel* camera, const Json& pose, const std::string& where)
+{
+  const auto take = [&](const char* name, std::size_t count) {
+    return TakeNumbers(pose[name], count, where + ", " + name);
+  };
+  if (pose.contains("size"))
+  {
+    SetSize(camera, take("size", 2));
+  }
+  if (pose.contains("K"))
+  {
+    SetIntrinsics(camera, take("K", 9), where + ", K");
+  }
+  if (pose.contains("R") && pose.contains("t"))
+  {
+    camera->SetExtrinsics(take("R", 9).data(), take("t", 3).data());
+    return;
+  }
+  if (!pose.contains("position") || !pose.contains("target"))
+  {
+    throw UsageError(where + ": expected R and t, or position and target");
+  }
+  const std::vector<double> up =
+    pose.contains("up") ? take("up", 3) : std::vector<double>{ 0.0, 1.0, 0.0 };
+  camera->LookAt(take("position", 3).data(), take("target", 3).data(), up.data());
+}
+
+//------------------------------------------------------------------------------
+Cameras ReadPoses(const std::string& option, const std::string& path, vtkRelievoCameraModel* like)
+{
+  const Json all = Json::parse(ReadWhole(path), nullptr, false);
+  const bool frames = all.is_object() && all.contains("frames");
+  const Json& list = frames ? all["frames"] : all;
+  if (!list.is_array() || list.empty())
+  {
+    throw FileError(path +
+      ": expected JSON, a list of poses with R and t, or frames with a "
+      "transform_matrix");
+  }
+  Cameras cameras;
+  for (std::size_t i = 0; i < list.size(); ++i)
+  {
+    const std::string where = option + " " + path + ": pose " + std::to_string(i);
+    cameras.push_back(CopyOf(like));
+    if (!list[i].is_object() || (frames && !list[i].contains("transform_matrix")))
+    {
+      throw UsageError(where + ": expected " + (frames ? "a transform_matrix" : "R and t"));
+    }
+    frames ? SetFromFrame(cameras.back(), list[i], all, where)
+           : SetFromPose(cameras.back(), list[i], where);
+    try
+    {
+      Messages::Check(where);
+    }
+    catch (const WorkError& error)
+    {
+      throw UsageError(error.what());
+    }
+  }
+  return cameras;
+}
+}
+
+//------------------------------------------------------------------------------
+DatasetRandom::DatasetRandom(int seed, int purpose, int view)
+  : State(0)
+{
+  for (const int part : { seed, purpose, view })
+  {
+    this->State = Mix(this->State + static_cast<std::uint64_t>(static_cast<std::int64_t>(part)));
+  }
+}
+
+//------------------------------------------------------------------------------
+double DatasetRandom::Next(double low, double high)
+{
+  const double share = static_cast<double>(Mix(this->State) >> 11) * 0x1p-53;
+  this->State += Step;
+  return low + (high - low) * share;
+}
+
+//------------------------------------------------------------------------------
+Cameras MakeDatasetPoses(const std::string& option, const std::string& words,
+  vtkRelievoCameraModel* like, const DatasetSurroundings& around)
+{
+  const bool stands = words.rfind("orbit:", 0) == 0 || words.rfind("random:", 0) == 0;
+  return stands ? StandAround(option, words, like, around) : ReadPoses(option, words, like);
+}
+
+//------------------------------------------------------------------------------
+std::array<double, 3> MakeDatasetSun(int seed, int view, int upAxis)
+{
+  constexpr double lowest = 15.0;
+  constexpr double highest = 75.0;
+  DatasetRandom random(seed, 1, view);
+  const double azimuth = random.Next(0.0, 360.0);
+  return GetSunDirection({ azimuth, random.Next(lowest, highest) }, upAxis);
+}
+}

@@ -1,0 +1,408 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "DatasetView.h"
+
+#include "Display.h"
+#include "Errors.h"
+#include "Messages.h"
+
+#include "vtkDoubleArray.h"
+#include "vtkLight.h"
+#include "vtkLightCollection.h"
+#include "vtkNew.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkPointData.h"
+#include "vtkRelievoLayerSource.h"
+#include "vtkRelievoLensCamera.h"
+#include "vtkRelievoPass.h"
+#include "vtkRelievoRayLayers.h"
+#include "vtkRenderer.h"
+#include "vtkTable.h"
+#include "vtkTextureObject.h"
+#include "vtkWindowToImageFilter.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace scene
+{
+namespace
+{
+constexpr int OwnSamples = 8;          // of a pixel, in a window that is made here
+constexpr int RaysWithAllHits = 65536; // at a time
+
+// In the terms of the picture that somebody asked for.
+void CheckWindowSize(vtkRenderWindow* window, const int size[2])
+{
+  auto* gl = vtkOpenGLRenderWindow::SafeDownCast(window);
+  const int limit = gl ? vtkTextureObject::GetMaximumTextureSize(gl) : size[0];
+  if (gl && std::max(size[0], size[1]) > limit)
+  {
+    throw UsageError("a view has " + std::to_string(size[0]) + "x" + std::to_string(size[1]) +
+      " pixels; OpenGL here draws at most " + std::to_string(limit) + " each way");
+  }
+}
+
+// Calls with each pixel's number from the top, and its point of the image.
+template <typename Call>
+void ForEachPixel(vtkImageData* image, const Call& call)
+{
+  const int* size = image->GetDimensions();
+  std::size_t pixel = 0;
+  for (int row = size[1] - 1; row >= 0; --row)
+  {
+    const vtkIdType first = static_cast<vtkIdType>(row) * size[0];
+    for (vtkIdType point = first; point < first + size[0]; ++point)
+    {
+      call(pixel++, point);
+    }
+  }
+}
+
+// Calls with each pixel's number from the top, and its object.
+template <typename Call>
+void ForEachObject(const DatasetObjects& objects, vtkImageData* layers, const Call& call)
+{
+  vtkDataArray* actors = layers->GetPointData()->GetArray("actor");
+  vtkDataArray* blocks = layers->GetPointData()->GetArray("block");
+  std::pair<int, int> last(-1, -1); // neighbours are mostly of the same object
+  int object = -1;
+  ForEachPixel(layers, [&](std::size_t pixel, vtkIdType point) {
+    const std::pair<int, int> is(static_cast<int>(actors->GetComponent(point, 0)),
+      static_cast<int>(blocks->GetComponent(point, 0)));
+    if (is != last)
+    {
+      object = objects.Find(is.first, is.second);
+      last = is;
+    }
+    call(pixel, object);
+  });
+}
+
+void FindVisible(const DatasetObjects& objects, DatasetView& view)
+{
+  ForEachObject(objects, view.Layers, [&view](std::size_t pixel, int object) {
+    view.Objects.push_back(object);
+    if (object >= 0)
+    {
+      view.Visible[static_cast<std::size_t>(object)].Add(pixel);
+    }
+  });
+}
+}
+
+//------------------------------------------------------------------------------
+std::vector<double> DatasetView::GetLayer(const std::string& name, int& components) const
+{
+  vtkDataArray* array = this->Layers->GetPointData()->GetArray(name.c_str());
+  components = array->GetNumberOfComponents();
+  const auto count = static_cast<std::size_t>(components);
+  std::vector<double> values(static_cast<std::size_t>(array->GetNumberOfValues()));
+  ForEachPixel(this->Layers, [&](std::size_t pixel, vtkIdType point) {
+    array->GetTuple(point, values.data() + count * pixel);
+  });
+  return values;
+}
+
+//------------------------------------------------------------------------------
+DatasetPainter::DatasetPainter(vtkRenderer* renderer, const DatasetObjects& objects,
+  const std::vector<std::string>& layers, bool pictures)
+  : Renderer(renderer)
+  , Objects(objects)
+  , Layers(layers)
+  , Pictures(pictures)
+{
+  for (const char* own : { "depth", "actor", "block" })
+  {
+    if (std::find(layers.begin(), layers.end(), own) == layers.end())
+    {
+      this->Layers.emplace_back(own);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+DatasetPainter::~DatasetPainter()
+{
+  this->RestoreLights();
+  if (!this->Window)
+  {
+    return;
+  }
+  this->Renderer->SetActiveCamera(this->Before);
+  if (this->IsOwnWindow)
+  {
+    this->Window->RemoveRenderer(this->Renderer);
+    return;
+  }
+  this->Window->vtkRenderWindow::SetSize(this->SizeBefore[0], this->SizeBefore[1]);
+  this->Window->SetUseOffScreenBuffers(this->HadBuffers);
+}
+
+//------------------------------------------------------------------------------
+void DatasetPainter::OpenWindow()
+{
+  if (this->Window)
+  {
+    return;
+  }
+  vtkSmartPointer<vtkRenderWindow> window = this->Renderer->GetRenderWindow();
+  this->IsOwnWindow = !window;
+  if (this->IsOwnWindow)
+  {
+    window = vtkSmartPointer<vtkRenderWindow>::New();
+    window->SetOffScreenRendering(1);
+    window->SetMultiSamples(OwnSamples);
+    window->SetSize(1, 1);
+  }
+  CheckDisplay(window);
+  if (auto* gl = vtkOpenGLRenderWindow::SafeDownCast(window))
+  {
+    gl->Initialize(); // at its own size: X ends the process for sizes that it cannot make
+  }
+  window->MakeCurrent();
+  Messages::Check("OpenGL");
+  if (this->IsOwnWindow)
+  {
+    window->AddRenderer(this->Renderer);
+  }
+  std::copy_n(window->GetSize(), 2, this->SizeBefore.begin());
+  this->HadBuffers = window->GetUseOffScreenBuffers();
+  window->SetUseOffScreenBuffers(true);
+  this->Before =
+    this->Renderer->IsActiveCameraCreated() ? this->Renderer->GetActiveCamera() : nullptr;
+  this->Camera = vtkSmartPointer<vtkCamera>::Take(this->Renderer->MakeCamera());
+  this->Renderer->SetActiveCamera(this->Camera);
+  this->Window = window;
+}
+
+//------------------------------------------------------------------------------
+DatasetView DatasetPainter::Draw(
+  vtkRelievoCameraModel* camera, const std::optional<std::array<double, 3>>& sun)
+{
+  DatasetView view;
+  view.Columns = camera->GetSize()[0];
+  view.Rows = camera->GetSize()[1];
+  view.Visible.assign(this->Objects.Get().size(), DatasetMask(view.Columns, view.Rows));
+  view.Whole = view.Visible;
+  if (sun)
+  {
+    this->SetSun(*sun);
+  }
+  auto* lens = vtkRelievoLensCamera::SafeDownCast(camera);
+  if (lens && lens->GetLens() == vtkRelievoLensCamera::PINHOLE)
+  {
+    this->DrawInWindow(lens, view);
+  }
+  else
+  {
+    this->FollowRays(camera, view);
+  }
+  return view;
+}
+
+//------------------------------------------------------------------------------
+// The first sun of the scene turns; without one, the sun is the only light.
+void DatasetPainter::SetSun(const std::array<double, 3>& direction)
+{
+  if (!this->Sun)
+  {
+    vtkLightCollection* lights = this->Renderer->GetLights();
+    vtkCollectionSimpleIterator it;
+    lights->InitTraversal(it);
+    while (vtkLight* light = lights->GetNextLight(it))
+    {
+      if (!this->Sun && light->GetSwitch() && !light->GetPositional() &&
+        light->LightTypeIsSceneLight())
+      {
+        this->Sun = light;
+      }
+      this->Lamps.push_back({ light, light->GetSwitch() != 0 });
+    }
+    this->IsOwnSun = !this->Sun;
+    if (this->IsOwnSun)
+    {
+      for (const Lamp& lamp : this->Lamps)
+      {
+        lamp.Light->SwitchOff();
+      }
+      this->Sun = vtkSmartPointer<vtkLight>::New();
+      this->Sun->SetLightTypeToSceneLight();
+      this->Renderer->AddLight(this->Sun);
+    }
+    this->Sun->GetPosition(this->SunPosition.data());
+    this->Sun->GetFocalPoint(this->SunFocus.data());
+  }
+  this->Sun->SetFocalPoint(0.0, 0.0, 0.0);
+  this->Sun->SetPosition(direction.data());
+}
+
+//------------------------------------------------------------------------------
+void DatasetPainter::RestoreLights()
+{
+  if (!this->Sun)
+  {
+    return;
+  }
+  this->Sun->SetPosition(this->SunPosition.data());
+  this->Sun->SetFocalPoint(this->SunFocus.data());
+  if (this->IsOwnSun)
+  {
+    this->Renderer->RemoveLight(this->Sun);
+    for (const Lamp& lamp : this->Lamps)
+    {
+      lamp.Light->SetSwitch(lamp.On);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkImageData> DatasetPainter::DrawLayers(const std::vector<std::string>& layers)
+{
+  vtkNew<vtkRelievoLayerSource> source;
+  source->SetRenderer(this->Renderer);
+  for (const std::string& layer : layers)
+  {
+    source->AddLayer(layer);
+  }
+  source->Update();
+  const unsigned long code = source->GetErrorCode();
+  try
+  {
+    Messages::Check("layers", code != 0);
+  }
+  catch (const WorkError& error)
+  {
+    if (code == vtkRelievoLayerSource::NO_SUCH_LAYER)
+    {
+      throw UsageError(error.what());
+    }
+    throw;
+  }
+  return source->GetOutput();
+}
+
+//------------------------------------------------------------------------------
+// What the window shows, as it smooths edges.
+void DatasetPainter::TakePicture(DatasetView& view)
+{
+  auto* frame = vtkRelievoPass::SafeDownCast(this->Renderer->GetPass());
+  const bool waits = frame && frame->GetWaitForSamples();
+  if (frame)
+  {
+    frame->WaitForSamplesOn();
+  }
+  this->Window->Render();
+  if (frame)
+  {
+    frame->SetWaitForSamples(waits);
+  }
+  vtkNew<vtkWindowToImageFilter> grab;
+  grab->SetInput(this->Window);
+  grab->ReadFrontBufferOff();
+  grab->ShouldRerenderOff();
+  grab->Update();
+  Messages::Check("the picture");
+  vtkImageData* image = grab->GetOutput();
+  constexpr std::size_t colors = 3;
+  const std::size_t length = colors * static_cast<std::size_t>(view.Columns);
+  for (int row = view.Rows - 1; row >= 0; --row)
+  {
+    const auto* first = static_cast<const unsigned char*>(image->GetScalarPointer(0, row, 0));
+    view.Picture.insert(view.Picture.end(), first, first + length);
+  }
+}
+
+//------------------------------------------------------------------------------
+// All of an object is what is drawn without the others, by the same camera: a pixel that shows it
+// among others shows it alone.
+void DatasetPainter::DrawInWindow(vtkRelievoLensCamera* camera, DatasetView& view)
+{
+  this->OpenWindow();
+  CheckWindowSize(this->Window, camera->GetSize());
+  this->Window->vtkRenderWindow::SetSize(view.Columns, view.Rows);
+  camera->ApplyTo(this->Camera);
+  this->Renderer->ResetCameraClippingRange();
+  Messages::Check("the camera");
+  if (this->Pictures)
+  {
+    this->TakePicture(view);
+  }
+  view.Layers = this->DrawLayers(this->Layers);
+  FindVisible(this->Objects, view);
+  for (std::size_t i = 0; i < view.Whole.size(); ++i)
+  {
+    const auto object = static_cast<int>(i);
+    if (this->Objects.IsAll(object))
+    {
+      view.Whole[i] = view.Visible[i];
+      continue;
+    }
+    const DatasetObjects::Alone alone(this->Objects, object);
+    ForEachObject(
+      this->Objects, this->DrawLayers({ "actor", "block" }), [&](std::size_t pixel, int found) {
+        if (found == object)
+        {
+          view.Whole[i].Add(pixel);
+        }
+      });
+  }
+}
+
+//------------------------------------------------------------------------------
+// All of an object is where a ray meets it, behind whatever others: the first hit is one of all.
+void DatasetPainter::FollowRays(vtkRelievoCameraModel* camera, DatasetView& view)
+{
+  if (!this->Rays)
+  {
+    this->Rays = vtkSmartPointer<vtkRelievoRayScene>::New();
+    this->Rays->SetRenderer(this->Renderer);
+  }
+  vtkNew<vtkRelievoRayLayers> source;
+  source->SetScene(this->Rays);
+  source->SetCamera(camera);
+  for (const std::string& layer : this->Layers)
+  {
+    source->AddLayer(layer.c_str());
+  }
+  source->Update();
+  try
+  {
+    Messages::Check("layers");
+  }
+  catch (const WorkError& error)
+  {
+    throw UsageError(error.what());
+  }
+  view.Layers = source->GetOutput();
+  FindVisible(this->Objects, view);
+  vtkNew<vtkDoubleArray> origins;
+  vtkNew<vtkDoubleArray> directions;
+  vtkNew<vtkTable> hits;
+  const int step = std::max(1, RaysWithAllHits / view.Columns);
+  for (int row = 0; row < view.Rows; row += step)
+  {
+    camera->GetRowRays(row, std::min(view.Rows, row + step), origins, directions);
+    this->Rays->FindAll(origins, directions, hits);
+    Messages::Check("rays");
+    const auto column = [&hits](const char* name) {
+      return vtkDataArray::SafeDownCast(hits->GetColumnByName(name));
+    };
+    vtkDataArray* rays = column("ray");
+    vtkDataArray* props = column("prop");
+    vtkDataArray* blocks = column("block");
+    const std::size_t first =
+      static_cast<std::size_t>(row) * static_cast<std::size_t>(view.Columns);
+    for (vtkIdType i = 0; i < hits->GetNumberOfRows(); ++i)
+    {
+      const std::size_t pixel = first + static_cast<std::size_t>(rays->GetComponent(i, 0));
+      const int object = this->Objects.Find(
+        static_cast<int>(props->GetComponent(i, 0)), static_cast<int>(blocks->GetComponent(i, 0)));
+      if (object >= 0)
+      {
+        view.Whole[static_cast<std::size_t>(object)].Add(pixel);
+      }
+    }
+  }
+}
+}

@@ -1,0 +1,462 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkRelievoDatasetWriter.h"
+
+#include "DatasetFiles.h"
+#include "DatasetFormats.h"
+#include "DatasetObjects.h"
+#include "DatasetPoses.h"
+#include "DatasetView.h"
+#include "Errors.h"
+#include "Messages.h"
+#include "Outcome.h"
+#include "Values.h"
+
+#include "vtkCommand.h"
+#include "vtkObjectFactory.h"
+#include "vtkRelievoLensCamera.h"
+#include "vtkRelievoScene.h"
+#include "vtkRenderer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <map>
+
+vtkStandardNewMacro(vtkRelievoDatasetWriter);
+
+static_assert(static_cast<int>(vtkRelievoScene::USAGE_FAILURE) == scene::Outcome::Usage &&
+    static_cast<int>(vtkRelievoScene::FILE_FAILURE) == scene::Outcome::File &&
+    static_cast<int>(vtkRelievoScene::DRAW_FAILURE) == scene::Outcome::Draw,
+  "one word for a failure");
+
+namespace fs = std::filesystem;
+
+namespace
+{
+using Json = nlohmann::ordered_json;
+
+constexpr const char* SettingsFile = "/dataset.json";
+constexpr const char* Records = "/views";
+constexpr double MostSteps = 65535.0; // of 16-bit depth
+
+bool IsPinhole(vtkRelievoCameraModel* camera)
+{
+  auto* lens = vtkRelievoLensCamera::SafeDownCast(camera);
+  return lens && lens->GetLens() == vtkRelievoLensCamera::PINHOLE;
+}
+
+// What a text has besides Unicode is replaced.
+std::string Dump(const Json& json)
+{
+  return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+Json Parse(const std::string& path)
+{
+  Json json = Json::parse(scene::ReadWhole(path), nullptr, false);
+  if (json.is_discarded())
+  {
+    throw scene::FileError(path + ": is no JSON; remove it, or give another folder");
+  }
+  return json;
+}
+
+// Throws UsageError unless the folder is empty, or was begun with these settings.
+void OpenFolder(const std::string& folder, const Json& settings)
+{
+  const std::string path = folder + SettingsFile;
+  std::error_code trouble;
+  if (!fs::exists(path, trouble))
+  {
+    scene::MakeFolder(folder);
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder, trouble))
+    {
+      if (entry.path().filename().string().rfind(".relievo-", 0) != 0)
+      {
+        throw scene::UsageError(folder + ": holds other files, such as " +
+          entry.path().filename().string() + "; give a folder that is empty or not there");
+      }
+    }
+    scene::WriteWhole(path, Dump(settings));
+    return;
+  }
+  const Json before = Parse(path);
+  const Json now = Json::parse(Dump(settings)); // as a file has it
+  for (const auto& [name, value] : now.items())
+  {
+    if (!before.contains(name) || before[name] != value)
+    {
+      throw scene::UsageError(folder + ": was begun with " + name + " " +
+        (before.contains(name) ? before[name].dump() : "of its own") + ", now it is " +
+        value.dump() + "; give another folder, or the settings of before");
+    }
+  }
+}
+
+// Depth of the farthest corner of the bounds from any camera.
+double FindFarthest(
+  const std::vector<vtkSmartPointer<vtkRelievoCameraModel>>& cameras, const vtkBoundingBox& box)
+{
+  double farthest = 0.0;
+  for (const auto& camera : cameras)
+  {
+    double center[3];
+    for (int i = 0; i < 3; ++i)
+    {
+      center[i] = 0.0;
+      for (int k = 0; k < 3; ++k)
+      {
+        center[i] -= camera->GetRotation()[3 * k + i] * camera->GetTranslation()[k];
+      }
+    }
+    for (int corner = 0; corner < 8; ++corner)
+    {
+      double point[3];
+      box.GetCorner(corner, point);
+      farthest = std::max(farthest, camera->GetDepth(center, point));
+    }
+  }
+  return farthest;
+}
+}
+
+struct vtkRelievoDatasetWriter::Internals
+{
+  vtkSmartPointer<vtkRenderer> Renderer;
+  std::string Directory, Description;
+  std::vector<vtkSmartPointer<vtkRelievoCameraModel>> Cameras;
+  std::vector<std::string> Layers;
+  std::map<int, std::string> Names;
+
+  std::string GetRecord(std::size_t view) const
+  {
+    return this->Directory + Records + "/" + scene::WriteDatasetNumber(view) + ".json";
+  }
+
+  // Views that are whole.
+  std::vector<std::size_t> FindRecords() const
+  {
+    std::vector<std::size_t> views;
+    for (std::size_t view = 0; view < this->Cameras.size(); ++view)
+    {
+      if (fs::exists(this->GetRecord(view)))
+      {
+        views.push_back(view);
+      }
+    }
+    return views;
+  }
+
+  void Check(int format) const;
+  double GetDepthStep(const scene::DatasetObjects& objects) const;
+  void WriteIndex(const scene::DatasetStyle& style, const std::vector<std::string>& objects) const;
+};
+
+//------------------------------------------------------------------------------
+vtkRelievoDatasetWriter::vtkRelievoDatasetWriter()
+  : Self(new Internals)
+{
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoDatasetWriter::~vtkRelievoDatasetWriter() = default;
+
+//------------------------------------------------------------------------------
+bool vtkRelievoDatasetWriter::Try(const std::function<void()>& work)
+{
+  this->Abort = false;
+  const scene::Outcome outcome = scene::Try(work);
+  this->Failure = outcome.Kind;
+  this->FailureText = outcome.Text;
+  for (const std::string& warning : scene::Messages::TakeWarnings())
+  {
+    vtkWarningMacro(<< warning);
+  }
+  if (this->Failure != scene::Outcome::Done)
+  {
+    vtkErrorMacro(<< this->FailureText);
+  }
+  return this->Failure == scene::Outcome::Done;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoDatasetWriter::SetRenderer(vtkRenderer* renderer)
+{
+  this->Self->Renderer = renderer;
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+vtkRenderer* vtkRelievoDatasetWriter::GetRenderer()
+{
+  return this->Self->Renderer;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoDatasetWriter::SetDirectory(RELIEVO_TEXT directory)
+{
+  this->Self->Directory = directory;
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+std::string vtkRelievoDatasetWriter::GetDirectory()
+{
+  return this->Self->Directory;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoDatasetWriter::AddView(vtkRelievoCameraModel* camera)
+{
+  if (!camera)
+  {
+    vtkErrorMacro("AddView was given no camera.");
+    return;
+  }
+  this->Self->Cameras.push_back(
+    vtkSmartPointer<vtkRelievoCameraModel>::Take(camera->NewInstance()));
+  this->Self->Cameras.back()->Copy(camera);
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoDatasetWriter::AddViews(RELIEVO_TEXT words, vtkRelievoCameraModel* like)
+{
+  return this->Try([this, &words, like] {
+    if (!like)
+    {
+      throw scene::UsageError("poses: there is no camera that has their size and intrinsics");
+    }
+    scene::DatasetSurroundings around = { {}, this->UpAxis, this->Seed };
+    if (this->Self->Renderer)
+    {
+      const scene::DatasetObjects objects(
+        this->Self->Renderer, this->Self->Names, this->ObjectsByBlock);
+      around.Box = objects.GetBounds();
+    }
+    const auto made = scene::MakeDatasetPoses("poses", words, like, around);
+    this->Self->Cameras.insert(this->Self->Cameras.end(), made.begin(), made.end());
+    this->Modified();
+  });
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoDatasetWriter::RemoveAllViews()
+{
+  this->Self->Cameras.clear();
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+int vtkRelievoDatasetWriter::GetNumberOfViews()
+{
+  return static_cast<int>(this->Self->Cameras.size());
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoCameraModel* vtkRelievoDatasetWriter::GetView(int i)
+{
+  return i >= 0 && i < this->GetNumberOfViews() ? this->Self->Cameras[i].GetPointer() : nullptr;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoDatasetWriter::AddLayer(RELIEVO_TEXT name)
+{
+  std::vector<std::string>& layers = this->Self->Layers;
+  if (std::find(layers.begin(), layers.end(), name) == layers.end())
+  {
+    layers.push_back(name);
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoDatasetWriter::RemoveAllLayers()
+{
+  this->Self->Layers.clear();
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoDatasetWriter::SetObjectName(int actor, RELIEVO_TEXT name)
+{
+  this->Self->Names[actor] = name;
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoDatasetWriter::SetDescription(RELIEVO_TEXT text)
+{
+  this->Self->Description = text;
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+std::string vtkRelievoDatasetWriter::GetDescription()
+{
+  return this->Self->Description;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoDatasetWriter::Internals::Check(int format) const
+{
+  if (!this->Renderer)
+  {
+    throw scene::UsageError("there is no renderer; give one by SetRenderer");
+  }
+  if (this->Directory.empty())
+  {
+    throw scene::UsageError("there is no folder to write to; give one by SetDirectory");
+  }
+  if (this->Cameras.empty())
+  {
+    throw scene::UsageError("there are no views; give some by AddView or AddViews");
+  }
+  double viewport[4];
+  this->Renderer->GetViewport(viewport);
+  if (viewport[0] != 0.0 || viewport[1] != 0.0 || viewport[2] != 1.0 || viewport[3] != 1.0)
+  {
+    throw scene::UsageError(
+      "the renderer's viewport is a part of its window; give one that fills it");
+  }
+  for (std::size_t i = 0; i < this->Cameras.size(); ++i)
+  {
+    const std::string view = "view " + std::to_string(i) + ": ";
+    if (format != NPZ && !IsPinhole(this->Cameras[i]))
+    {
+      throw scene::UsageError(view + "is seen by a " + this->Cameras[i]->GetClassName() +
+        " that is no pinhole, which has no picture; expected the format npz");
+    }
+    auto* lens = vtkRelievoLensCamera::SafeDownCast(this->Cameras[i]);
+    if (format == NERF && lens->GetSkew() != 0.0)
+    {
+      throw scene::UsageError(view + "K has a skew, which transforms.json cannot say");
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+double vtkRelievoDatasetWriter::Internals::GetDepthStep(const scene::DatasetObjects& objects) const
+{
+  const vtkBoundingBox box = objects.GetOpaqueBounds();
+  const double farthest = box.IsValid() ? FindFarthest(this->Cameras, box) : 0.0;
+  return farthest > 0.0 ? farthest / MostSteps : 1.0; // nothing has a depth
+}
+
+//------------------------------------------------------------------------------
+// Whoever ends last has all of them: what has come in between is looked for again.
+void vtkRelievoDatasetWriter::Internals::WriteIndex(
+  const scene::DatasetStyle& style, const std::vector<std::string>& objects) const
+{
+  std::vector<std::size_t> views = this->FindRecords();
+  std::vector<std::size_t> written;
+  while (views != written)
+  {
+    std::vector<Json> records;
+    for (const std::size_t view : views)
+    {
+      records.push_back(Parse(this->GetRecord(view)));
+    }
+    scene::WriteDatasetIndex(style, objects, records);
+    written = views;
+    views = this->FindRecords();
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoDatasetWriter::Write()
+{
+  this->NumberOfViewsWritten = 0;
+  this->NumberOfViewsKept = 0;
+  return this->Try([this] { this->WriteViews(); });
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoDatasetWriter::WriteViews()
+{
+  Internals& self = *this->Self;
+  self.Check(this->Format);
+  const int views = this->GetNumberOfViews();
+  const int end = this->Range[1] < 0 ? views : this->Range[1];
+  if (this->Range[0] < 0 || this->Range[0] > end || end > views)
+  {
+    throw scene::UsageError("range: got " + std::to_string(this->Range[0]) + ":" +
+      std::to_string(end) + ", expected views from 0 to " + std::to_string(views));
+  }
+  const scene::DatasetObjects objects(self.Renderer, self.Names, this->ObjectsByBlock);
+  std::vector<std::string> names;
+  for (const scene::DatasetObject& object : objects.Get())
+  {
+    names.push_back(object.Name);
+  }
+  scene::DatasetStyle style;
+  style.Folder = self.Directory;
+  style.Format = static_cast<scene::DatasetFormat>(this->Format);
+  style.DepthStep = this->DepthStep > 0.0 ? this->DepthStep : self.GetDepthStep(objects);
+  style.MillimetersPerUnit = this->MillimetersPerUnit;
+  style.Layers = self.Layers;
+  OpenFolder(self.Directory,
+    { { "format", scene::DatasetFormatNames[static_cast<std::size_t>(this->Format)] },
+      { "views", views }, { "objects", names }, { "layers", self.Layers },
+      { "depth_step", style.DepthStep }, { "mm_per_unit", this->MillimetersPerUnit },
+      { "random_sun", this->RandomSun }, { "seed", this->Seed }, { "scene", self.Description } });
+  scene::DatasetPainter painter(self.Renderer, objects, self.Layers,
+    std::all_of(self.Cameras.begin(), self.Cameras.end(), IsPinhole));
+  for (int i = this->Range[0]; i < end; ++i)
+  {
+    const auto number = static_cast<std::size_t>(i);
+    vtkRelievoCameraModel* camera = self.Cameras[number];
+    Json record = { { "view", i }, { "camera", scene::DescribeDatasetCamera(camera) } };
+    const std::string path = self.GetRecord(number);
+    if (fs::exists(path))
+    {
+      if (Parse(path)["camera"] != Json::parse(Dump(record["camera"])))
+      {
+        throw scene::UsageError(self.Directory + ": view " + std::to_string(i) +
+          " was written from another camera; give another folder, or the poses of before");
+      }
+      ++this->NumberOfViewsKept;
+    }
+    else
+    {
+      std::optional<std::array<double, 3>> sun;
+      if (this->RandomSun)
+      {
+        sun = scene::MakeDatasetSun(this->Seed, i, this->UpAxis);
+        record["sun"] = *sun;
+      }
+      const scene::DatasetView view = painter.Draw(camera, sun);
+      scene::WriteDatasetView(style, view, objects, camera, number, record);
+      scene::WriteWhole(path, Dump(record));
+      ++this->NumberOfViewsWritten;
+    }
+    double share = static_cast<double>(i + 1 - this->Range[0]) / (end - this->Range[0]);
+    this->InvokeEvent(vtkCommand::ProgressEvent, &share);
+    if (this->Abort)
+    {
+      throw scene::WorkError(self.Directory + ": stopped behind view " + std::to_string(i) +
+        "; the same call goes on from there");
+    }
+  }
+  self.WriteIndex(style, names);
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoDatasetWriter::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Renderer: " << this->Self->Renderer << "\n";
+  os << indent << "Directory: " << this->Self->Directory << "\n";
+  os << indent << "Format: " << scene::DatasetFormatNames[static_cast<std::size_t>(this->Format)]
+     << "\n";
+  os << indent << "Views: " << this->Self->Cameras.size() << "\n";
+  os << indent << "Layers: " << scene::Join(this->Self->Layers, ", ") << "\n";
+  os << indent << "ObjectsByBlock: " << this->ObjectsByBlock << "\n";
+  os << indent << "DepthStep: " << this->DepthStep << "\n";
+  os << indent << "MillimetersPerUnit: " << this->MillimetersPerUnit << "\n";
+  os << indent << "RandomSun: " << this->RandomSun << "\n";
+  os << indent << "Seed: " << this->Seed << "\n";
+  os << indent << "UpAxis: " << this->UpAxis << "\n";
+  os << indent << "Range: " << this->Range[0] << ", " << this->Range[1] << "\n";
+}

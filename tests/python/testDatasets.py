@@ -1,0 +1,561 @@
+# SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Data sets: masks, depth, boxes and poses against rays through every triangle in numpy, against the
+formats' own rules, and against others' readers where they are installed."""
+
+import filecmp
+import json
+import pathlib
+import tempfile
+import unittest
+
+import numpy
+from PIL import Image
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkVersion
+from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet
+from vtkmodules.vtkCommonMath import vtkMatrix4x4
+from vtkmodules.vtkFiltersCore import vtkTriangleFilter
+from vtkmodules.vtkFiltersSources import vtkCubeSource, vtkPlaneSource, vtkSphereSource
+from vtkmodules.vtkRenderingCore import (
+    vtkActor,
+    vtkPolyDataMapper,
+    vtkRenderer,
+    vtkRenderWindow,
+    vtkTexture,
+)
+
+import relievo
+
+if vtkVersion().GetVTKMinorVersion() < 3:
+    from vtkmodules.vtkRenderingOpenGL2 import vtkCompositePolyDataMapper2 as vtkCompositeMapper
+else:
+    from vtkmodules.vtkRenderingCore import vtkCompositePolyDataMapper as vtkCompositeMapper
+try:
+    from pycocotools import mask as cocomask
+    from pycocotools.coco import COCO
+except ImportError:
+    COCO = None
+
+SIZE = (96, 73)
+K = numpy.array([[90.0, 0, 46.3], [0, 84.5, 35.2], [0, 0, 1]])
+
+
+def add(renderer, source, position=(0, 0, 0), turn=0.0, scale=1.0):
+    mapper = vtkPolyDataMapper()
+    mapper.SetInputConnection(source.GetOutputPort())
+    actor = vtkActor()
+    actor.SetMapper(mapper)
+    actor.SetPosition(*position)
+    actor.RotateWXYZ(turn, 1, 2, 3)
+    actor.SetScale(scale)
+    renderer.AddActor(actor)
+    return actor
+
+
+def plate(half):
+    source = vtkPlaneSource()
+    source.SetOrigin(-half, -half, 0)
+    source.SetPoint1(half, -half, 0)
+    source.SetPoint2(-half, half, 0)
+    return source
+
+
+def sphere(radius=0.5):
+    source = vtkSphereSource()
+    source.SetRadius(radius)
+    source.SetThetaResolution(9)
+    source.SetPhiResolution(7)
+    return source
+
+
+def heap():
+    """A floor, a ball, a box before it, and a box that is hidden in the ball."""
+    renderer = vtkRenderer()
+    floor = add(renderer, plate(2.0), (0, -0.8, 0))
+    floor.RotateX(-90)
+    add(renderer, sphere(0.6), (0.1, 0, 0), 20)
+    add(renderer, vtkCubeSource(), (-0.4, -0.1, 0.7), 35, 0.5)
+    add(renderer, vtkCubeSource(), (0.1, 0, 0), 10, 0.2)
+    return renderer
+
+
+def around():
+    """Cameras that stand around the heap, one so near that it does not see all of it."""
+    places = [(0.5, 1.0, 3.2), (-2.5, 1.5, 1.0), (0.2, 0.4, 1.9)]
+    return [relievo.Pinhole(K, SIZE).look_at(place, (0, -0.1, 0)) for place in places]
+
+
+def triangles(actor):
+    """The corners of what an actor draws, in the world: n x 3 x 3."""
+    source = vtkTriangleFilter()
+    source.SetInputConnection(actor.GetMapper().GetInputConnection(0, 0))
+    source.Update()
+    mesh = source.GetOutput()
+    points = vtk_to_numpy(mesh.GetPoints().GetData()).astype(float)
+    cells = vtk_to_numpy(mesh.GetPolys().GetConnectivityArray()).reshape(-1, 3)
+    matrix = matrix_of(actor)
+    return (points @ matrix[:3, :3].T + matrix[:3, 3])[cells]
+
+
+def matrix_of(actor):
+    matrix = actor.GetMatrix()
+    return numpy.array([[matrix.GetElement(i, j) for j in range(4)] for i in range(4)])
+
+
+def trace(camera, corners):
+    """Of each pixel: the depth of the first triangle, infinity for none; and whether its ray goes so
+    near to an edge that a float may decide otherwise. By Cramer's rule."""
+    columns, rows = camera.size
+    u, v = numpy.meshgrid(numpy.arange(columns), numpy.arange(rows))
+    local = numpy.stack([(u - K[0, 2]) / K[0, 0], (v - K[1, 2]) / K[1, 1], numpy.ones_like(u)], -1)
+    direction = local.reshape(-1, 3) @ camera.R  # z in camera space is the parameter: the depth
+    origin = -camera.R.T @ camera.t
+    depth = numpy.full(len(direction), numpy.inf)
+    near = numpy.zeros(len(direction), bool)
+    for a, b, c in corners:
+        normal = numpy.cross(b - a, c - a)
+        with numpy.errstate(divide="ignore", invalid="ignore"):
+            z = normal @ (a - origin) / (direction @ normal)
+            point = origin + z[:, None] * direction
+            weights = numpy.stack([
+                numpy.cross(q - p, point - p) @ normal / (normal @ normal)
+                for p, q in ((a, b), (b, c), (c, a))
+            ]).min(axis=0)  # fmt: skip
+        inside = (weights >= 0) & (z > 0)
+        depth[inside] = numpy.minimum(depth[inside], z[inside])
+        near |= numpy.abs(weights) < 1e-4
+    return depth.reshape(rows, columns), near.reshape(rows, columns)
+
+
+class Truth:
+    """What a camera sees of actors."""
+
+    def __init__(self, camera, actors):
+        found = [trace(camera, triangles(actor)) for actor in actors]
+        self.depths = numpy.array([each[0] for each in found])
+        self.near = numpy.any([each[1] for each in found], axis=0)
+        self.depth = self.depths.min(axis=0)
+        self.object = numpy.where(numpy.isfinite(self.depth), self.depths.argmin(axis=0), -1)
+
+
+def box_of(mask):
+    if not mask.any():
+        return [-1, -1, -1, -1]
+    rows, columns = numpy.nonzero(mask)
+    return [columns.min(), rows.min(), numpy.ptp(columns) + 1, numpy.ptp(rows) + 1]
+
+
+def runs(text, shape):
+    """COCO's compressed runs, by its description: six bits a letter, differences to the run before
+    the last."""
+    lengths, value, shift = [], 0, 0
+    for letter in text.encode():
+        letter -= 48
+        value |= (letter & 31) << shift
+        shift += 5
+        if not letter & 32:
+            if letter & 16:
+                value -= 1 << shift
+            lengths.append(value + (lengths[-2] if len(lengths) > 2 else 0))
+            value = shift = 0
+    flat = numpy.repeat(numpy.arange(len(lengths)) % 2, lengths).astype(bool)
+    return flat.reshape(shape[::-1]).T
+
+
+def read_json(path):
+    return json.loads(path.read_text())
+
+
+def read_png(path):
+    return numpy.array(Image.open(path))
+
+
+def same(one, other):
+    """Whether two folders hold the same bytes."""
+    names = [sorted(str(p.relative_to(top)) for p in top.rglob("*") if p.is_file())
+             for top in (one, other)]  # fmt: skip
+    return names[0] == names[1] and not any(
+        filecmp.cmpfiles(one, other, names[0], shallow=False)[1:]
+    )
+
+
+class Datasets(unittest.TestCase):
+    def setUp(self):
+        kept = tempfile.TemporaryDirectory()
+        self.addCleanup(kept.cleanup)
+        self.folder = pathlib.Path(kept.name)
+
+    def check_masks(self, visible, whole, camera, actors):
+        """Against rays through each triangle; returns the truth."""
+        truth = Truth(camera, actors)
+        self.assertLess(truth.near.mean(), 0.05)
+        sure = ~truth.near
+        visible, whole = numpy.array(visible) > 0, numpy.array(whole) > 0
+        self.assertEqual(visible.sum(axis=0).max(), 1, "masks are not disjoint")
+        self.assertFalse((visible & ~whole).any(), "more is seen of an object than there is")
+        foreground = numpy.isfinite(truth.depth)
+        numpy.testing.assert_array_equal(visible.any(axis=0)[sure], foreground[sure])
+        for i in range(len(actors)):
+            numpy.testing.assert_array_equal(visible[i][sure], (truth.object == i)[sure])
+            numpy.testing.assert_array_equal(whole[i][sure], numpy.isfinite(truth.depths[i])[sure])
+        return truth, visible, whole
+
+    def test_bop(self):
+        renderer = heap()
+        window = vtkRenderWindow()
+        window.SetOffScreenRendering(True)
+        window.SetMultiSamples(8)
+        window.SetSize(50, 40)
+        window.AddRenderer(renderer)
+        before = renderer.GetActiveCamera()
+        cameras = around()
+        written = relievo.write_dataset(renderer, cameras, self.folder, mm_per_unit=250)
+        self.assertEqual(written, 3)
+        self.assertEqual(tuple(window.GetSize()), (50, 40))
+        self.assertIs(renderer.GetActiveCamera(), before)
+        poses = read_json(self.folder / "scene_gt.json")
+        infos = read_json(self.folder / "scene_gt_info.json")
+        intrinsics = read_json(self.folder / "scene_camera.json")
+        self.assertEqual(list(poses), ["0", "1", "2"])
+        actors = list(renderer.GetActors())
+        hidden = 0
+        for view, camera in enumerate(cameras):
+            masks = [
+                [read_png(self.folder / kind / f"{view:06d}_{i:06d}.png") for i in range(4)]
+                for kind in ("mask_visib", "mask")
+            ]
+            self.assertEqual(set(numpy.unique(masks)), {0, 255})
+            truth, visible, whole = self.check_masks(*masks, camera, actors)
+            about = intrinsics[str(view)]
+            numpy.testing.assert_allclose(about["cam_K"], K.ravel(), atol=1e-12)
+            numpy.testing.assert_allclose(about["cam_R_w2c"], camera.R.ravel(), atol=1e-12)
+            numpy.testing.assert_allclose(about["cam_t_w2c"], 250 * camera.t, atol=1e-9)
+            # Depth in millimetres.
+            depth = read_png(self.folder / "depth" / f"{view:06d}.png")
+            self.assertEqual(depth.dtype, numpy.int32)  # as Pillow reads 16 bits
+            numpy.testing.assert_array_equal(depth > 0, visible.any(axis=0))
+            seen = visible.any(axis=0) & ~truth.near
+            wrong = numpy.abs(depth[seen] * about["depth_scale"] / 250 - truth.depth[seen])
+            # Half a step, of a float.
+            allowed = 0.5 * about["depth_scale"] / 250 + 1e-6 * truth.depth[seen]
+            self.assertLessEqual((wrong / allowed).max(), 1)
+            self.assertGreater(depth.max(), 30000)
+            for i, (pose, info) in enumerate(zip(poses[str(view)], infos[str(view)])):
+                self.assertEqual(pose["obj_id"], i + 1)
+                self.assertEqual(info["bbox_visib"], box_of(visible[i]))
+                self.assertEqual(info["bbox_obj"], box_of(whole[i]))
+                self.assertEqual(info["px_count_visib"], visible[i].sum())
+                self.assertEqual(info["px_count_all"], whole[i].sum())
+                self.assertEqual(info["px_count_valid"], (whole[i] & (depth > 0)).sum())
+                self.assertAlmostEqual(
+                    info["visib_fract"], visible[i].sum() / max(1, whole[i].sum())
+                )
+                hidden += info["px_count_visib"] == 0 < info["px_count_all"]
+                # A corner of the model, which its scale belongs to, by BOP's pose and by the actor.
+                rotation = numpy.array(pose["cam_R_m2c"]).reshape(3, 3)
+                numpy.testing.assert_allclose(rotation @ rotation.T, numpy.eye(3), atol=1e-12)
+                self.assertAlmostEqual(numpy.linalg.det(rotation), 1)
+                corner = numpy.array([0.3, -0.2, 0.1])
+                scaled = corner * actors[i].GetScale()
+                world = (matrix_of(actors[i]) @ [*corner, 1])[:3]
+                numpy.testing.assert_allclose(
+                    rotation @ (250 * scaled) + pose["cam_t_m2c"],
+                    250 * (camera.R @ world + camera.t),
+                    atol=1e-9,
+                )
+        self.assertEqual(hidden, 3)  # the box in the ball
+        # The picture has smooth edges: colours in between, where masks have none.
+        picture = read_png(self.folder / "rgb" / "000000.png")
+        self.assertEqual(picture.shape, (SIZE[1], SIZE[0], 3))
+        self.assertGreater(len(numpy.unique(picture.reshape(-1, 3), axis=0)), 100)
+
+    def test_arrays(self):
+        renderer = heap()
+        camera = around()[0]
+        relievo.write_dataset(
+            renderer, camera, self.folder, "npz", ["normal", "position", "cell", "depth"]
+        )
+        found = numpy.load(self.folder / "000000.npz")
+        truth, visible, whole = self.check_masks(
+            found["visible_masks"], found["amodal_masks"], camera, list(renderer.GetActors())
+        )
+        self.assertEqual(found["depth"].dtype, numpy.float32)
+        numpy.testing.assert_array_equal(numpy.isfinite(found["depth"]), visible.any(axis=0))
+        sure = ~truth.near & numpy.isfinite(truth.depth)
+        wrong = numpy.abs(found["depth"][sure] / truth.depth[sure] - 1)
+        self.assertLess(wrong.max(), 1e-6)
+        numpy.testing.assert_array_equal(found["object"] - 1, numpy.where(
+            visible.any(axis=0), visible.argmax(axis=0), -1))  # fmt: skip
+        # A position is projected to its pixel by hand.
+        place = found["position"][sure] @ found["R"].T + found["t"]
+        pixel = (place / place[:, 2:]) @ found["K"].T
+        rows, columns = numpy.nonzero(sure)
+        numpy.testing.assert_allclose(pixel[:, 0], columns, atol=1e-3)
+        numpy.testing.assert_allclose(pixel[:, 1], rows, atol=1e-3)
+        numpy.testing.assert_allclose(
+            numpy.linalg.norm(found["normal"][sure], axis=1), 1, atol=1e-6
+        )
+        self.assertEqual(found["color"].shape, (SIZE[1], SIZE[0], 3))
+        boxes = [box_of(mask) for mask in visible]
+        numpy.testing.assert_array_equal(found["visible_boxes"], boxes)
+        numpy.testing.assert_array_equal(
+            found["object_to_world"], [matrix_of(actor) for actor in renderer.GetActors()]
+        )
+
+    def test_coco(self):
+        renderer = heap()
+        cameras = around()
+        names = ["floor", "ball", "box", "box"]  # two actors are one object
+        relievo.write_dataset(renderer, cameras, self.folder, "coco", objects=names)
+        index = read_json(self.folder / "instances.json")
+        self.assertEqual([each["name"] for each in index["categories"]], ["floor", "ball", "box"])
+        self.assertEqual(len({each["id"] for each in index["annotations"]}), 9)
+        coco = COCO(self.folder / "instances.json") if COCO else None
+        actors = list(renderer.GetActors())
+        for view, camera in enumerate(cameras):
+            truth = Truth(camera, actors)
+            kind = numpy.minimum(truth.object, 2)
+            sure = ~truth.near
+            of_view = [each for each in index["annotations"] if each["image_id"] == view]
+            self.assertEqual([each["category_id"] for each in of_view], [1, 2, 3])
+            for each in of_view:
+                number = each["category_id"] - 1
+                shape = tuple(each["segmentation"]["size"])
+                mask = runs(each["segmentation"]["counts"], shape)
+                whole = runs(each["amodal_segmentation"]["counts"], shape)
+                numpy.testing.assert_array_equal(mask[sure], (kind == number)[sure])
+                depths = truth.depths[2:].min(axis=0) if number == 2 else truth.depths[number]
+                numpy.testing.assert_array_equal(whole[sure], numpy.isfinite(depths)[sure])
+                self.assertEqual(each["bbox"], box_of(mask))
+                self.assertEqual(each["amodal_bbox"], box_of(whole))
+                self.assertEqual((each["area"], each["iscrowd"]), (mask.sum(), 0))
+                if COCO:
+                    numpy.testing.assert_array_equal(coco.annToMask(each), mask)
+                    self.assertEqual(cocomask.area(each["segmentation"]), each["area"])
+                    self.assertEqual(list(cocomask.toBbox(each["segmentation"])), each["bbox"])
+                    theirs = cocomask.encode(numpy.asfortranarray(mask.astype(numpy.uint8)))
+                    self.assertEqual(theirs["counts"].decode(), each["segmentation"]["counts"])
+
+    def test_nerf(self):
+        renderer = heap()
+        cameras = around()
+        relievo.write_dataset(renderer, cameras, self.folder / "one", "nerf")
+        index = read_json(self.folder / "one" / "transforms.json")
+        self.assertEqual((index["w"], index["h"]), SIZE)
+        # The corner of the ground, by OpenGL's axes, and by the camera.
+        corner = numpy.array([2, -0.8, 2, 1])
+        for camera, frame in zip(cameras, index["frames"]):
+            x, y, z, _ = numpy.linalg.inv(frame["transform_matrix"]) @ corner
+            u = index["fl_x"] * x / -z + index["cx"] - 0.5  # centres are halves
+            v = index["fl_y"] * -y / -z + index["cy"] - 0.5
+            place = camera.R @ corner[:3] + camera.t
+            if place[2] > 0:
+                numpy.testing.assert_allclose((K @ place)[:2] / place[2], [u, v], atol=1e-9)
+            self.assertTrue((self.folder / "one" / frame["file_path"]).is_file())
+        # It is a file of poses.
+        poses = self.folder / "one" / "transforms.json"
+        relievo.write_dataset(renderer, poses, self.folder / "two", "nerf")
+        for view in range(3):
+            pictures = [read_png(self.folder / each / "images" / f"{view:06d}.png").astype(int)
+                        for each in ("one", "two")]  # fmt: skip
+            self.assertLess(numpy.abs(pictures[0] - pictures[1]).mean(), 0.1)
+
+    def test_plates_that_nearly_touch(self):
+        """The nearer plate has all of its pixels, however far away the planes of the camera are."""
+        renderer = vtkRenderer()
+        add(renderer, plate(0.4))
+        add(renderer, plate(0.8), (0, 0, -1e-3))
+        add(renderer, plate(0.5), (0, 0, -500))
+        camera = relievo.Pinhole(K, SIZE).look_at((0.3, 0.2, 3), (0, 0, 0))
+        relievo.write_dataset(renderer, camera, self.folder, "npz")
+        found = numpy.load(self.folder / "000000.npz")
+        _, visible, whole = self.check_masks(
+            found["visible_masks"], found["amodal_masks"], camera, list(renderer.GetActors())
+        )
+        numpy.testing.assert_array_equal(visible[0], whole[0])
+        numpy.testing.assert_array_equal(visible[1], whole[1] & ~whole[0])
+        self.assertGreater(visible[0].sum(), 300)
+
+    def test_translucent_and_cut_out(self):
+        """What is translucent hides nothing; of a cut-out the rest is there."""
+        renderer = vtkRenderer()
+        glass = add(renderer, plate(0.5), (0, 0, 1))
+        glass.GetProperty().SetOpacity(0.3)
+        add(renderer, plate(0.8))
+        leaf = add(renderer, plate(0.4), (0, 0, 0.5))
+        image = Image.new("RGBA", (2, 2), (200, 200, 200, 255))
+        image.putpixel((0, 0), (0, 0, 0, 0))
+        image.save(self.folder / "leaf.png")
+        reader = relievo.vtkRelievoImageReader()
+        reader.SetFileName(str(self.folder / "leaf.png"))
+        texture = vtkTexture()
+        texture.SetInputConnection(reader.GetOutputPort())
+        texture.InterpolateOff()
+        leaf.SetTexture(texture)
+        leaf.ForceOpaqueOn()
+        camera = relievo.Pinhole(K, SIZE).look_at((0, 0, 4), (0, 0, 0))
+        relievo.write_dataset(renderer, camera, self.folder / "set", "npz")
+        found = numpy.load(self.folder / "set" / "000000.npz")
+        visible, whole = found["visible_masks"], found["amodal_masks"]
+        self.assertFalse(visible[0].any() or whole[0].any())
+        self.assertFalse((visible[1] & visible[2]).any())
+        numpy.testing.assert_array_equal(visible[1], whole[1] & ~whole[2])
+        truth = Truth(camera, list(renderer.GetActors()))
+        full = numpy.isfinite(truth.depths[2])
+        self.assertFalse((whole[2] & ~full & ~truth.near).any())
+        self.assertAlmostEqual(whole[2].sum() / full.sum(), 0.75, delta=0.05)
+        # It is the upper left quarter that lacks.
+        left, top, columns, rows = box_of(full)
+        corner = whole[2][top : top + rows // 2 - 1, left : left + columns // 2 - 1]
+        self.assertFalse(corner.any())
+
+    def test_blocks(self):
+        blocks = vtkMultiBlockDataSet()
+        for i, x in enumerate((-0.3, 0.3)):
+            source = sphere(0.5)
+            source.SetCenter(x, 0, -x)
+            source.Update()
+            blocks.SetBlock(i, source.GetOutput())
+        mapper = vtkCompositeMapper()
+        mapper.SetInputDataObject(blocks)
+        actor = vtkActor()
+        actor.SetMapper(mapper)
+        renderer = vtkRenderer()
+        renderer.AddActor(actor)
+        camera = relievo.Pinhole(K, SIZE).look_at((0, 0, 4), (0, 0, 0))
+        for name, objects in (("one", "actor"), ("two", "block")):
+            relievo.write_dataset(renderer, camera, self.folder / name, "npz", objects=objects)
+        one, two = (numpy.load(self.folder / name / "000000.npz") for name in ("one", "two"))
+        numpy.testing.assert_array_equal(
+            one["visible_masks"][0], two["visible_masks"].any(axis=0)
+        )
+        self.assertEqual(len(two["visible_masks"]), 2)
+        self.assertFalse((two["visible_masks"] & ~two["amodal_masks"]).any())
+        # The one at the left is nearer: all of it is seen.
+        counts = two["visible_masks"].sum(axis=(1, 2)), two["amodal_masks"].sum(axis=(1, 2))
+        self.assertEqual(counts[0][0], counts[1][0])
+        self.assertLess(counts[0][1], 0.9 * counts[1][1])
+
+    def test_rays(self):
+        """A lens that bends has all but a picture."""
+        renderer = heap()
+        lens = relievo.Fisheye(K, SIZE, [0.02, -0.01]).look_at((0.5, 1.0, 3.2), (0, -0.1, 0))
+        relievo.write_dataset(renderer, [lens], self.folder, "npz", "normal")
+        found = numpy.load(self.folder / "000000.npz")
+        self.assertNotIn("color", found)
+        layers = relievo.capture(renderer, ["depth", "actor"], camera=lens)
+        numpy.testing.assert_array_equal(found["object"] - 1, relievo.layer(layers, "actor"))
+        numpy.testing.assert_array_equal(found["depth"], relievo.layer(layers, "depth"))
+        self.assertFalse((found["visible_masks"] & ~found["amodal_masks"]).any())
+        origins, directions = (each.reshape(-1, 3) for each in lens.rays())
+        hits = relievo.rays(renderer).all(origins, directions)
+        for i in range(4):
+            whole = numpy.isin(numpy.arange(len(origins)), hits.ray[hits.prop == i])
+            numpy.testing.assert_array_equal(found["amodal_masks"][i].ravel(), whole)
+        with self.assertRaisesRegex(ValueError, "no pinhole.*expected the format npz"):
+            relievo.write_dataset(renderer, [lens], self.folder / "other", "bop")
+
+    def test_nothing_there(self):
+        renderer = vtkRenderer()
+        camera = around()[0]
+        for name in ("bop", "coco", "nerf", "npz"):
+            relievo.write_dataset(renderer, camera, self.folder / name, name)
+        self.assertEqual(read_json(self.folder / "bop" / "scene_gt.json"), {"0": []})
+        self.assertEqual(read_json(self.folder / "coco" / "instances.json")["annotations"], [])
+        found = numpy.load(self.folder / "npz" / "000000.npz")
+        self.assertEqual(found["visible_masks"].shape, (0, SIZE[1], SIZE[0]))
+        self.assertTrue(numpy.isinf(found["depth"]).all())
+        self.assertFalse(read_png(self.folder / "bop" / "depth" / "000000.png").any())
+        with self.assertRaisesRegex(ValueError, "nothing to stand around"):
+            relievo.write_dataset(renderer, "orbit:3", self.folder / "none")
+
+    def test_goes_on(self):
+        """Interrupted and gone on with, in parts, or twice by one seed: the same bytes."""
+        renderer = heap()
+        words = {"cameras": "random:5,nearest=0.8", "size": (40, 30), "random_sun": True}
+        whole, parts, broken = (self.folder / name for name in ("whole", "parts", "broken"))
+        self.assertEqual(relievo.write_dataset(renderer, directory=whole, **words), 5)
+        for views in ((2, 5), (0, 2)):
+            relievo.write_dataset(renderer, directory=parts, views=views, **words)
+        self.assertTrue(same(whole, parts))
+        with self.assertRaisesRegex(RuntimeError, "ended by progress at 40%"):
+            relievo.write_dataset(renderer, directory=broken,
+                                  progress=lambda share: share < 0.3, **words)  # fmt: skip
+        self.assertFalse((broken / "scene_gt.json").exists())
+        # Of the third view there is something, and no record.
+        (broken / "rgb" / "000002.png").write_bytes(b"half")
+        shares = []
+        self.assertEqual(
+            relievo.write_dataset(renderer, directory=broken, progress=shares.append, **words), 3
+        )
+        numpy.testing.assert_allclose(shares, [0.2, 0.4, 0.6, 0.8, 1])
+        self.assertTrue(same(whole, broken))
+        self.assertEqual(relievo.write_dataset(renderer, directory=whole, **words), 0)
+        # The sun moves, and the shapes do not.
+        still = {**words, "random_sun": False}
+        relievo.write_dataset(renderer, directory=self.folder / "still", **still)
+        for kind, alike in (("rgb", False), ("mask_visib", True), ("depth", True)):
+            self.assertEqual(same(whole / kind, self.folder / "still" / kind), alike, kind)
+        relievo.write_dataset(renderer, directory=self.folder / "seed", seed=1, **words)
+        self.assertFalse(same(whole / "depth", self.folder / "seed" / "depth"))
+
+    def test_refusals(self):
+        renderer = heap()
+        camera = around()[0]
+        relievo.write_dataset(renderer, camera, self.folder / "set")
+        for words, says in (
+            ({"format": "coco"}, 'was begun with format "bop", now it is "coco"'),
+            ({"seed": 3}, "was begun with seed 0, now it is 3"),
+            ({"layers": ["depth"]}, "layers"),
+            ({"objects": ["a", "b", "c", "d"]}, "objects"),
+            ({"description": "another scene"}, 'scene "", now it is "another scene"'),
+            ({"format": "png"}, "expected one of bop, coco, nerf, npz"),
+            ({"views": (0, 4)}, "got 0:4, expected views from 0 to 1"),
+            ({"layers": ["depht"], "directory": self.folder / "other"}, "depht"),
+            ({"cameras": "orbit:0"}, "orbit:0"),
+            ({"cameras": "orbit:3,distnace=2"}, "distnace"),
+            ({"cameras": "random:3,lowest=100"}, "from -90.0 to 90.0"),
+            ({"cameras": []}, "no views"),
+        ):
+            with self.subTest(words), self.assertRaisesRegex(ValueError, says):
+                arguments = {"cameras": camera, "directory": self.folder / "set", **words}
+                relievo.write_dataset(renderer, **arguments)
+        moved = relievo.Pinhole(K, SIZE).look_at((0.5, 1.0, 3.3), (0, -0.1, 0))
+        with self.assertRaisesRegex(ValueError, "depth_step|another camera"):
+            relievo.write_dataset(renderer, moved, self.folder / "set")
+        (self.folder / "mine").mkdir()
+        (self.folder / "mine" / "thesis.txt").write_text("mine")
+        with self.assertRaisesRegex(ValueError, "holds other files, such as thesis.txt"):
+            relievo.write_dataset(renderer, camera, self.folder / "mine")
+        (self.folder / "file").write_text("mine")
+        with self.assertRaisesRegex(OSError, "cannot be made"):
+            relievo.write_dataset(renderer, camera, self.folder / "file" / "set")
+        (self.folder / "poses.json").write_text('[{"R": [1, 0, 0], "t": [0, 0, 0]}]')
+        with self.assertRaisesRegex(ValueError, "pose 0, R: expected 9 numbers"):
+            relievo.write_dataset(renderer, self.folder / "poses.json", self.folder / "new")
+
+    def test_lights_are_given_back(self):
+        """The sun of one scene turns; one without gets another."""
+        from vtkmodules.vtkRenderingCore import vtkLight
+
+        for own in (False, True):
+            renderer = heap()
+            if own:
+                light = vtkLight()
+                light.SetLightTypeToSceneLight()
+                light.SetPosition(1, 2, 3)
+                renderer.AddLight(light)
+            folder = self.folder / str(own)
+            relievo.write_dataset(renderer, "orbit:2", folder, size=(20, 20), random_sun=True)
+            sun = read_json(folder / "views" / "000001.json")["sun"]
+            self.assertAlmostEqual(numpy.linalg.norm(sun), 1)
+            self.assertGreater(sun[1], numpy.sin(numpy.radians(14.9)))
+            lights = renderer.GetLights()
+            self.assertEqual(lights.GetNumberOfItems(), int(own))
+            if own:
+                self.assertEqual(light.GetPosition(), (1, 2, 3))
+
+
+if __name__ == "__main__":
+    unittest.main()
