@@ -275,11 +275,11 @@ void WriteBOP(const DatasetStyle& style, const std::vector<Json>& records)
     {
       poses[key].push_back({ { "cam_R_m2c", object["R"] },
         { "cam_t_m2c", Scaled(object["t"], scale) }, { "obj_id", object["object"] } });
-      const double whole = object["amodal_pixels"];
+      const double whole = object["silhouette_pixels"];
       const double seen = object["visible_pixels"];
       infos[key].push_back(
-        { { "bbox_obj", object["amodal_box"] }, { "bbox_visib", object["visible_box"] },
-          { "px_count_all", object["amodal_pixels"] }, { "px_count_valid", object["valid_pixels"] },
+        { { "bbox_obj", object["silhouette_box"] }, { "bbox_visib", object["visible_box"] },
+          { "px_count_all", object["silhouette_pixels"] }, { "px_count_valid", object["valid_pixels"] },
           { "px_count_visib", object["visible_pixels"] },
           { "visib_fract", whole > 0.0 ? seen / whole : 0.0 } });
     }
@@ -423,6 +423,11 @@ void WriteDatasetView(const DatasetStyle& style, const DatasetView& view,
     object["valid_pixels"] = valid;
     object["visible_box"] = view.Visible[i].GetBox();
     object["amodal_box"] = view.Whole[i].GetBox();
+    if (!view.Silhouettes.empty())
+    {
+      object["silhouette_pixels"] = view.Silhouettes[i].Count;
+      object["silhouette_box"] = view.Silhouettes[i].Box;
+    }
     if (style.Format == DatasetFormat::COCO)
     {
       object["visible_runs"] = view.Visible[i].GetRuns();

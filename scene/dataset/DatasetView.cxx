@@ -106,11 +106,12 @@ std::vector<double> DatasetView::GetLayer(const std::string& name, int& componen
 
 //------------------------------------------------------------------------------
 DatasetPainter::DatasetPainter(vtkRenderer* renderer, const DatasetObjects& objects,
-  const std::vector<std::string>& layers, bool pictures)
+  const std::vector<std::string>& layers, bool pictures, bool silhouettes)
   : Renderer(renderer)
   , Objects(objects)
   , Layers(layers)
   , Pictures(pictures)
+  , Silhouettes(silhouettes)
 {
   for (const char* own : { "depth", "actor", "block" })
   {
@@ -346,6 +347,70 @@ void DatasetPainter::DrawInWindow(vtkRelievoLensCamera* camera, DatasetView& vie
           view.Whole[i].Add(pixel);
         }
       });
+  }
+  if (this->Silhouettes)
+  {
+    this->LookBeyond(camera, view);
+  }
+}
+
+//------------------------------------------------------------------------------
+// An object that reaches the picture's edge is drawn once more, on three times as many columns and
+// rows; what lies in the middle is known.
+void DatasetPainter::LookBeyond(vtkRelievoLensCamera* camera, DatasetView& view)
+{
+  bool isWide = false;
+  for (std::size_t i = 0; i < view.Whole.size(); ++i)
+  {
+    const std::array<int, 4> box = view.Whole[i].GetBox();
+    view.Silhouettes.push_back({ view.Whole[i].GetCount(), box });
+    const bool within = box[0] > 0 && box[1] > 0 && box[0] + box[2] < view.Columns &&
+      box[1] + box[3] < view.Rows;
+    if (within || view.Whole[i].GetCount() == 0)
+    {
+      continue;
+    }
+    if (!isWide)
+    {
+      vtkNew<vtkRelievoLensCamera> wide;
+      wide->Copy(camera);
+      const double* middle = camera->GetPrincipalPoint();
+      wide->SetSize(3 * view.Columns, 3 * view.Rows);
+      wide->SetIntrinsics(camera->GetFocalX(), camera->GetFocalY(), camera->GetSkew(),
+        middle[0] + view.Columns, middle[1] + view.Rows);
+      CheckWindowSize(this->Window, wide->GetSize());
+      this->Window->vtkRenderWindow::SetSize(3 * view.Columns, 3 * view.Rows);
+      wide->ApplyTo(this->Camera);
+      isWide = true;
+    }
+    const auto object = static_cast<int>(i);
+    const DatasetObjects::Alone alone(this->Objects, object);
+    const auto columns = static_cast<std::size_t>(view.Columns);
+    const auto rows = static_cast<std::size_t>(view.Rows);
+    DatasetMask beyond(3 * view.Columns, 3 * view.Rows);
+    ForEachObject(this->Objects, this->DrawLayers({ "actor", "block" }),
+      [&](std::size_t pixel, int found) {
+        const bool isMiddle =
+          pixel / (3 * columns) / rows == 1 && pixel % (3 * columns) / columns == 1;
+        if (found == object && !isMiddle)
+        {
+          beyond.Add(pixel);
+        }
+      });
+    if (beyond.GetCount() > 0)
+    {
+      std::array<int, 4> other = beyond.GetBox();
+      other[0] -= view.Columns;
+      other[1] -= view.Rows;
+      std::array<int, 4> both{};
+      for (std::size_t axis = 0; axis < 2; ++axis)
+      {
+        both[axis] = std::min(box[axis], other[axis]);
+        both[axis + 2] =
+          std::max(box[axis] + box[axis + 2], other[axis] + other[axis + 2]) - both[axis];
+      }
+      view.Silhouettes[i] = { view.Whole[i].GetCount() + beyond.GetCount(), both };
+    }
   }
 }
 

@@ -27,12 +27,20 @@ class vtkRenderer;
 
 namespace scene
 {
+/// How much of an object there is, also beyond the picture: up to its size around it.
+struct DatasetSilhouette
+{
+  std::size_t Count = 0;
+  std::array<int, 4> Box{}; ///< in the picture's columns and rows; see DatasetMask::GetBox
+};
+
 struct DatasetView
 {
   int Columns = 0, Rows = 0;
   std::vector<unsigned char> Picture;      ///< RGB, row by row from the top; empty: none
   std::vector<int> Objects;                ///< of each pixel, from the top; -1: none
   std::vector<DatasetMask> Visible, Whole; ///< of each object: what is seen of it, and all of it
+  std::vector<DatasetSilhouette> Silhouettes; ///< of each object, if they are asked for
   /// What was asked for, and depth, actor and block, row 0 at the bottom.
   vtkSmartPointer<vtkImageData> Layers;
   /// A layer's values row by row from the top.
@@ -43,9 +51,9 @@ struct DatasetView
 class DatasetPainter
 {
 public:
-  /// Throws WorkError where there is no display.
+  /// `pictures`, `silhouettes`: whether views have them. Throws WorkError where there is no display.
   DatasetPainter(vtkRenderer* renderer, const DatasetObjects& objects,
-    const std::vector<std::string>& layers, bool pictures);
+    const std::vector<std::string>& layers, bool pictures, bool silhouettes);
   ~DatasetPainter();
   DatasetPainter(const DatasetPainter&) = delete;
   void operator=(const DatasetPainter&) = delete;
@@ -68,11 +76,12 @@ private:
   void FollowRays(vtkRelievoCameraModel* camera, DatasetView& view);
   vtkSmartPointer<vtkImageData> DrawLayers(const std::vector<std::string>& layers);
   void TakePicture(DatasetView& view);
+  void LookBeyond(vtkRelievoLensCamera* camera, DatasetView& view);
 
   vtkRenderer* Renderer;
   const DatasetObjects& Objects;
   std::vector<std::string> Layers;
-  bool Pictures;
+  bool Pictures, Silhouettes;
   vtkSmartPointer<vtkCamera> Before, Camera;
   vtkSmartPointer<vtkRenderWindow> Window;
   bool IsOwnWindow = false, HadBuffers = false;

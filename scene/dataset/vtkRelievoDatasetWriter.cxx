@@ -402,7 +402,7 @@ void vtkRelievoDatasetWriter::WriteViews()
       { "depth_step", style.DepthStep }, { "mm_per_unit", this->MillimetersPerUnit },
       { "random_sun", this->RandomSun }, { "seed", this->Seed }, { "scene", self.Description } });
   scene::DatasetPainter painter(self.Renderer, objects, self.Layers,
-    std::all_of(self.Cameras.begin(), self.Cameras.end(), IsPinhole));
+    std::all_of(self.Cameras.begin(), self.Cameras.end(), IsPinhole), this->Format == BOP);
   for (int i = this->Range[0]; i < end; ++i)
   {
     const auto number = static_cast<std::size_t>(i);

@@ -7,8 +7,8 @@
  * For each view: the picture, depth, masks of each object, its boxes and its pose, K, R and t, in a
  * folder of one of the formats. Masks and depth are one sample at each pixel's centre, whatever
  * smooths the picture: an object's visible mask is where the layer `actor` (or `block`) is its own,
- * its amodal mask where it would be without the others. So visible masks are disjoint, and each lies
- * within its amodal mask. What is translucent, and volumes, are in the picture alone; cut-outs have
+ * its amodal mask where it would be without the others. So visible masks are disjoint, and each
+ * lies within its amodal mask. What is translucent, and volumes, are in the picture alone; cut-outs have
  * the shape that is left.
  *
  * Pinholes are drawn in the renderer's window (one of its own, off screen, if it has none), which
@@ -58,7 +58,8 @@ public:
 
   enum Formats
   {
-    BOP = 0,  ///< a scene of the Benchmark for 6D Object Pose Estimation
+    BOP = 0,  ///< a scene of the Benchmark for 6D Object Pose Estimation; how much of an object is
+              ///< seen is judged by its silhouette up to a picture's size beyond the picture
     COCO = 1, ///< instances.json, with runs of pixels
     NERF = 2, ///< transforms.json
     NPZ = 3   ///< arrays that numpy.load() reads
@@ -71,8 +72,8 @@ public:
 
   ///@{
   /**
-   * The cameras. AddView() copies one. AddViews() takes words, and makes copies of a camera that has
-   * the size and the intrinsics; it needs the renderer, UpAxis and Seed to be set before:
+   * The cameras. AddView() copies one. AddViews() takes words, and makes copies of a camera that
+   * has the size and the intrinsics; the renderer, names, UpAxis and Seed are set before:
    *
    * - "orbit:N[,elevation=30][,distance=1]": N places around what is shown, in degrees above the
    *   horizon and in distances from which it is all seen
@@ -96,9 +97,9 @@ public:
 
   ///@{
   /**
-   * Whether each block of composite data is an object, rather than each actor. Default off. The name
-   * of an object, by the actor's number in vtkRenderer::GetActors(): default `actor_NUMBER`; actors
-   * of one name are one object, those of an empty one only hide others.
+   * Whether each block of composite data is an object, rather than each actor. Default off. The
+   * name of an object, by the actor's number in vtkRenderer::GetActors(): default `actor_NUMBER`;
+   * actors of one name are one object, those of an empty one only hide others.
    */
   vtkSetMacro(ObjectsByBlock, bool);
   vtkGetMacro(ObjectsByBlock, bool);
@@ -124,8 +125,8 @@ public:
 
   ///@{
   /**
-   * Whether the scene's first sun stands elsewhere in each view, 15 to 75 degrees above the horizon;
-   * a sun is the only light of a scene without one. Default off.
+   * Whether the scene's first sun stands elsewhere in each view, 15 to 75 degrees above the
+   * horizon; a sun is the only light of a scene without one. Default off.
    */
   vtkSetMacro(RandomSun, bool);
   vtkGetMacro(RandomSun, bool);

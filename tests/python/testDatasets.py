@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Data sets: masks, depth, boxes and poses against rays through every triangle in numpy, against the
-formats' own rules, and against others' readers where they are installed."""
+"""Data sets: masks, depth, boxes and poses against rays through every triangle in numpy, against
+the formats' own rules, and against others' readers where they are installed."""
 
 import filecmp
 import json
@@ -103,11 +103,12 @@ def matrix_of(actor):
     return numpy.array([[matrix.GetElement(i, j) for j in range(4)] for i in range(4)])
 
 
-def trace(camera, corners):
-    """Of each pixel: the depth of the first triangle, infinity for none; and whether its ray goes so
-    near to an edge that a float may decide otherwise. By Cramer's rule."""
-    columns, rows = camera.size
+def trace(camera, corners, beyond=0):
+    """Of each pixel, also of so many pictures beyond: the depth of the first triangle, infinity for
+    none; and whether its ray goes so near to an edge that a float may decide otherwise."""
+    columns, rows = (count * (1 + 2 * beyond) for count in camera.size)
     u, v = numpy.meshgrid(numpy.arange(columns), numpy.arange(rows))
+    u, v = u - beyond * camera.size[0], v - beyond * camera.size[1]
     local = numpy.stack([(u - K[0, 2]) / K[0, 0], (v - K[1, 2]) / K[1, 1], numpy.ones_like(u)], -1)
     direction = local.reshape(-1, 3) @ camera.R  # z in camera space is the parameter: the depth
     origin = -camera.R.T @ camera.t
@@ -219,7 +220,7 @@ class Datasets(unittest.TestCase):
         intrinsics = read_json(self.folder / "scene_camera.json")
         self.assertEqual(list(poses), ["0", "1", "2"])
         actors = list(renderer.GetActors())
-        hidden = 0
+        hidden = reaching = 0
         for view, camera in enumerate(cameras):
             masks = [
                 [read_png(self.folder / kind / f"{view:06d}_{i:06d}.png") for i in range(4)]
@@ -244,12 +245,17 @@ class Datasets(unittest.TestCase):
             for i, (pose, info) in enumerate(zip(poses[str(view)], infos[str(view)])):
                 self.assertEqual(pose["obj_id"], i + 1)
                 self.assertEqual(info["bbox_visib"], box_of(visible[i]))
-                self.assertEqual(info["bbox_obj"], box_of(whole[i]))
                 self.assertEqual(info["px_count_visib"], visible[i].sum())
-                self.assertEqual(info["px_count_all"], whole[i].sum())
+                if view == 2:  # all of it, also beyond the picture
+                    depths, near = trace(camera, triangles(actors[i]), 1)
+                    every = numpy.isfinite(depths)
+                    self.assertLessEqual(abs(info["px_count_all"] - every.sum()), near.sum())
+                    around_it = numpy.array(box_of(every)) - [*SIZE, 0, 0]
+                    numpy.testing.assert_allclose(info["bbox_obj"], around_it, atol=1)
+                    reaching += info["px_count_all"] > 1.2 * whole[i].sum() > 0
                 self.assertEqual(info["px_count_valid"], (whole[i] & (depth > 0)).sum())
                 self.assertAlmostEqual(
-                    info["visib_fract"], visible[i].sum() / max(1, whole[i].sum())
+                    info["visib_fract"], visible[i].sum() / max(1, info["px_count_all"])
                 )
                 hidden += info["px_count_visib"] == 0 < info["px_count_all"]
                 # A corner of the model, which its scale belongs to, by BOP's pose and by the actor.
@@ -265,6 +271,7 @@ class Datasets(unittest.TestCase):
                     atol=1e-9,
                 )
         self.assertEqual(hidden, 3)  # the box in the ball
+        self.assertGreater(reaching, 0)
         # The picture has smooth edges: colours in between, where masks have none.
         picture = read_png(self.folder / "rgb" / "000000.png")
         self.assertEqual(picture.shape, (SIZE[1], SIZE[0], 3))

@@ -16,6 +16,7 @@ constexpr std::size_t Columns = 98;
 const char* const Page = R"(relievo - pictures and measurable layers of meshes and grids
 
   relievo render FILE... [options] --png F | --exr F | --report F
+  relievo dataset FILE... --poses POSES --out DIR [options]
   relievo cave [options] -o FILE.vti
   relievo stages
   relievo bench NAME... [--out DIR] [--beside DIR] [--quick]
@@ -29,6 +30,27 @@ render draws the FILEs off screen and writes the outputs that you request.
         and glTF bring their materials and textures.
 
 @options@
+
+dataset writes what many cameras see of the FILEs as a data set, to learn from or to judge by:
+  pictures, depth, masks of each object, its boxes and poses, and the cameras. It takes the options
+  of render that shape the scene and its look; --size and --view-angle are the cameras'. The same
+  call goes on where an earlier one ended.
+
+  --poses POSES           orbit:N[,elevation=30][,distance=1], places around the scene;
+                          random:N[,lowest=0][,highest=90][,nearest=1][,farthest=1.5], anywhere
+                          between two elevations and two distances, of which 1 shows everything; or
+                          a FILE.json, a list of {"R", "t"} or {"position", "target"}, or a
+                          transforms.json
+  --out DIR               the folder: new, empty, or begun by the same call
+  --format FORMAT         bop, coco, nerf or npz (bop)
+  --layers A,B...         layers that are written as floats: in layers/NUMBER.exr, of npz as arrays
+  --objects KIND          what an object is: file, actor (of a file with several materials or parts)
+                          or block (file)
+  --depth-step S          world units of a step of 16-bit depth (to reach what is farthest)
+  --mm-per-unit M         of bop: millimetres in a world unit (1000)
+  --seed N                of all that is random (0)
+  --random-sun            the sun stands elsewhere in each view
+  --views A:B             from view A to before view B, as one of several processes (all)
 
 cave makes winding caves from a seed and writes them as an image.
 
@@ -76,6 +98,7 @@ Examples
   relievo render buildings.obj --fog mist.vtp,density=0.01 --layers depth,fog --exr mist.exr
   relievo render buildings.obj --up z --markers sites.vtp,radius=30,shape=glow --png sites.png
   relievo render walk.fbx --times 0:2:0.04 --shadows map --png walk_%03d.png
+  relievo dataset mug.obj table.stl --poses random:500 --seed 7 --random-sun --out train/000000
   relievo cave --size 256x128x256 --seed 7 -o cave.vti
   relievo bench normals --out charts
   relievo bench all --out here --beside docs/charts

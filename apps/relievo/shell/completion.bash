@@ -19,20 +19,25 @@ _relievo()
         outputs='@(--png|--exr|--report|--layers|--hdr|--lens|--transparent|--certify)' # the window has its own
         more='--once --help --version'
     elif ((cword == 1)); then
-        mapfile -t COMPREPLY < <(compgen -W 'render cave stages bench --help --version' -- "$cur")
+        mapfile -t COMPREPLY < <(compgen -W 'render dataset cave stages bench --help --version' -- "$cur")
         return
+    fi
+
+    # A data set is of a scene of render, but poses and files of its own are in the place of these.
+    if [[ ${words[1]} == dataset ]]; then
+        outputs='@(--camera|--parallel-scale|--clip|--times|--png|--exr|--report|--layers|--hdr|--transparent|--certify)'
     fi
 
     [[ ${_relievo_help-} ]] || _relievo_help=$("$program" --help 2>/dev/null)
     local line part="" options=$more wants_value=""
     while IFS= read -r line; do
         case $line in
-            'render '* | 'cave '* | 'stages '* | 'bench '* | 'Options '*) part=${line%% *} ;;
+            'render '* | 'dataset '* | 'cave '* | 'stages '* | 'bench '* | 'Options '*) part=${line%% *} ;;
             '  -'*)
-                if [[ $part == "${words[1]}" ]]; then
+                if [[ $part == "${words[1]}" || (${words[1]} == dataset && $part == render) ]]; then
                     line=${line#  }
                     # shellcheck disable=SC2053 # a pattern
-                    [[ $outputs && ${line%% *} == $outputs ]] || options+=" ${line%% *}"
+                    [[ $outputs && $part == render && ${line%% *} == $outputs ]] || options+=" ${line%% *}"
                     [[ $line == "$prev "[^\ ]* ]] && wants_value=1
                 fi
                 ;;
@@ -54,6 +59,12 @@ _relievo()
         --exposure) values='auto' ;;
         --up) values='x y z' ;;
         --content) values='mask density labels' ;;
+        --format) values='bop coco nerf npz' ;;
+        --objects) values='file actor block' ;;
+        --poses)
+            values='orbit: random:'
+            compopt -o nospace
+            ;;
         --light)
             values='sun: spot: point:'
             compopt -o nospace
@@ -71,11 +82,11 @@ _relievo()
         --beside | --out) _filedir -d; return ;;
         *) [[ $wants_value ]] && return ;;
     esac
-    [[ ! $values && ($cur == -* || ${words[1]} != render) ]] && values=$options
+    [[ ! $values && ($cur == -* || ${words[1]} != @(render|dataset)) ]] && values=$options
     if [[ $values ]]; then
         mapfile -t COMPREPLY < <(compgen -W "$values" -- "$cur")
         [[ $cur != *:* ]] || __ltrim_colon_completions "$cur"
-    elif [[ ${words[1]} == render ]]; then
+    elif [[ ${words[1]} == @(render|dataset) ]]; then
         _filedir "$meshes"
     fi
 } && complete -F _relievo relievo relievo-viewer

@@ -1,0 +1,127 @@
+# SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""`relievo dataset`: objects of files, poses in words and files, processes that share the work, and
+what is refused."""
+
+import filecmp
+import json
+import os
+import signal
+import subprocess
+import time
+
+import numpy
+
+from cli import RELIEVO, CliTest, main, read_png
+
+PLATE = "OFF\n4 1 0\n{0} {0} {1}\n-{0} {0} {1}\n-{0} -{0} {1}\n{0} -{0} {1}\n4 0 1 2 3\n"
+SMALL = ["--size", "40x30", "--shadows", "map"]
+
+
+class Dataset(CliTest):
+    def setUp(self):
+        super().setUp()
+        (self.folder / "near.off").write_text(PLATE.format(1, 0.5))
+        (self.folder / "far.off").write_text(PLATE.format(2, -0.5))
+        self.before = self.names()
+
+    def dataset(self, out, *words, **more):
+        return self.relievo("dataset", "near.off", "far.off", "--out", out, *SMALL, *words, **more)
+
+    def json(self, *names):
+        return json.loads(self.folder.joinpath(*names).read_text())
+
+    def check_same(self, one, other):
+        names = [
+            sorted(str(path.relative_to(self.folder / top))
+                   for path in (self.folder / top).rglob("*") if path.is_file())
+            for top in (one, other)
+        ]  # fmt: skip
+        self.assertEqual(*names)
+        _, wrong, lost = filecmp.cmpfiles(self.folder / one, self.folder / other, names[0], False)
+        self.assertEqual((wrong, lost), ([], []))
+
+    def test_poses_of_a_file(self):
+        """The pixels of plates whose edges lie between pixels are known."""
+        pose = {"K": [[20, 0, 19.5], [0, 20, 14.5], [0, 0, 1]], "R": numpy.diag([1, -1, -1]).tolist(),
+                "t": [0, 0, 4.5]}  # fmt: skip
+        aside = {"position": [3, 0, 4], "target": [0, 0, 0]}
+        (self.folder / "poses.json").write_text(json.dumps([pose, aside]))
+        done = self.dataset("set", "--poses", "poses.json", "--layers", "depth,normal")
+        self.assertEqual(done.stdout, "set: 2 of 2 views written\n")
+        self.assertEqual(self.json("set", "dataset.json")["objects"], ["near", "far"])
+        masks = [read_png(self.folder / "set" / kind / f"000000_00000{i}.png")[..., 0] > 0
+                 for kind in ("mask_visib", "mask") for i in (0, 1)]  # fmt: skip
+        v, u = numpy.mgrid[:30, :40]
+        near, far = (
+            (numpy.abs(u - 19.5) < 20 * half / z) & (numpy.abs(v - 14.5) < 20 * half / z)
+            for half, z in ((1, 4), (2, 5))
+        )
+        for found, expected in zip(masks, (near, far & ~near, near, far)):
+            numpy.testing.assert_array_equal(found, expected)
+        scale = self.json("set", "scene_camera.json")["0"]["depth_scale"]
+        depth = read_png(self.folder / "set" / "depth" / "000000.png")[..., 0]
+        expected = numpy.where(near, 4000, numpy.where(far, 5000, 0))
+        self.assertLessEqual(numpy.abs(depth * scale - expected).max(), 0.51 * scale)
+        _, channels = self.exr("set/layers/000000.exr")
+        numpy.testing.assert_allclose(channels["depth.Z"][near], 4, rtol=1e-6)
+        self.assertIn("normal.X", channels)
+        info = self.json("set", "scene_gt_info.json")["0"]
+        self.assertEqual([each["bbox_obj"] for each in info], [[15, 10, 10, 10], [12, 7, 16, 16]])
+        self.assertEqual(info[1]["px_count_visib"], 16 * 16 - 10 * 10)
+
+    def test_goes_on_and_shares(self):
+        """Ended by a signal and gone on with, or by two processes at once: the same bytes."""
+        words = ["--poses", "random:24", "--seed", "3", "--random-sun", "--format", "coco"]
+        self.dataset("whole", *words)
+        command = [RELIEVO, "dataset", "near.off", "far.off", *SMALL, *words, "--out"]
+        one = subprocess.Popen([*command, "broken"], cwd=self.folder, stdout=subprocess.DEVNULL,
+                               stderr=subprocess.DEVNULL)  # fmt: skip
+        while not (self.folder / "broken" / "views" / "000001.json").exists():
+            self.assertIsNone(one.poll())
+            time.sleep(0.002)
+        one.send_signal(signal.SIGINT)
+        self.assertEqual(one.wait(), -signal.SIGINT)
+        self.assertFalse((self.folder / "broken" / "instances.json").exists())
+        self.assertFalse([name for name in self.names() if name.endswith(".tmp")])
+        done = self.dataset("broken", *words)
+        self.assertRegex(done.stdout, r"broken: \d+ of 24 views written, \d+ were there\n")
+        self.check_same("whole", "broken")
+        shares = [
+            subprocess.Popen([*command, "shared", "--views", views], cwd=self.folder,
+                             stdout=subprocess.DEVNULL)
+            for views in ("0:11", "11:24")
+        ]  # fmt: skip
+        self.assertEqual([each.wait() for each in shares], [0, 0])
+        self.check_same("whole", "shared")
+        self.refused_in("whole", *words[:2], "--seed", "4", "--format", "coco",
+                        says=["whole: was begun with", "give another folder"])  # fmt: skip
+
+    def refused_in(self, out, *words, says):
+        done = self.dataset(out, *words, status=2)
+        for text in says:
+            self.assertIn(text, done.stderr)
+
+    def test_refusals(self):
+        for words, says in (
+            (["--out", "set"], "--poses orbit:N"),
+            (["--poses", "orbit:4"], "--out DIR"),
+            (["--poses", "orbit:x", "--out", "set"], "'x'"),
+            (["--poses", "orbit:4", "--out", "set", "--camera", "0,0,5,0,0,0,0,1,0"], "--camera"),
+            (["--poses", "orbit:4", "--out", "set", "--format", "voc"], "bop, coco, nerf, npz"),
+            (["--poses", "orbit:4", "--out", "set", "--views", "3"], "A:B"),
+            (["--poses", "orbit:4", "--out", "set", "--views", "3:5"], "expected views from 0 to 4"),
+            (["--poses", "orbit:4", "--out", "set", "--depth-step", "-1"], "--depth-step"),
+        ):
+            with self.subTest(words):
+                self.refused("dataset", "near.off", *words, status=2, says=says)
+        self.refused("dataset", "--poses", "orbit:4", "--out", "set", status=2, says="no FILE")
+        self.refused("dataset", "near.off", "--poses", "none.json", "--out", "set", status=1,
+                     says="none.json: cannot be read")  # fmt: skip
+        if os.getuid() != 0:
+            self.refused("dataset", "near.off", "--poses", "orbit:1", "--out", "/nowhere/set",
+                         status=1, says="/nowhere/set: cannot be made")  # fmt: skip
+
+
+if __name__ == "__main__":
+    main()
