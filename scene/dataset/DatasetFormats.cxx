@@ -277,11 +277,11 @@ void WriteBOP(const DatasetStyle& style, const std::vector<Json>& records)
         { "cam_t_m2c", Scaled(object["t"], scale) }, { "obj_id", object["object"] } });
       const double whole = object["silhouette_pixels"];
       const double seen = object["visible_pixels"];
-      infos[key].push_back(
-        { { "bbox_obj", object["silhouette_box"] }, { "bbox_visib", object["visible_box"] },
-          { "px_count_all", object["silhouette_pixels"] }, { "px_count_valid", object["valid_pixels"] },
-          { "px_count_visib", object["visible_pixels"] },
-          { "visib_fract", whole > 0.0 ? seen / whole : 0.0 } });
+      infos[key].push_back({ { "bbox_obj", object["silhouette_box"] },
+        { "bbox_visib", object["visible_box"] }, { "px_count_all", object["silhouette_pixels"] },
+        { "px_count_valid", object["valid_pixels"] },
+        { "px_count_visib", object["visible_pixels"] },
+        { "visib_fract", whole > 0.0 ? seen / whole : 0.0 } });
     }
   }
   WriteJson(style.Folder + "/scene_gt.json", poses);

@@ -364,8 +364,8 @@ void DatasetPainter::LookBeyond(vtkRelievoLensCamera* camera, DatasetView& view)
   {
     const std::array<int, 4> box = view.Whole[i].GetBox();
     view.Silhouettes.push_back({ view.Whole[i].GetCount(), box });
-    const bool within = box[0] > 0 && box[1] > 0 && box[0] + box[2] < view.Columns &&
-      box[1] + box[3] < view.Rows;
+    const bool within =
+      box[0] > 0 && box[1] > 0 && box[0] + box[2] < view.Columns && box[1] + box[3] < view.Rows;
     if (within || view.Whole[i].GetCount() == 0)
     {
       continue;
@@ -388,8 +388,8 @@ void DatasetPainter::LookBeyond(vtkRelievoLensCamera* camera, DatasetView& view)
     const auto columns = static_cast<std::size_t>(view.Columns);
     const auto rows = static_cast<std::size_t>(view.Rows);
     DatasetMask beyond(3 * view.Columns, 3 * view.Rows);
-    ForEachObject(this->Objects, this->DrawLayers({ "actor", "block" }),
-      [&](std::size_t pixel, int found) {
+    ForEachObject(
+      this->Objects, this->DrawLayers({ "actor", "block" }), [&](std::size_t pixel, int found) {
         const bool isMiddle =
           pixel / (3 * columns) / rows == 1 && pixel % (3 * columns) / columns == 1;
         if (found == object && !isMiddle)

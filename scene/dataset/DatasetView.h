@@ -37,9 +37,9 @@ struct DatasetSilhouette
 struct DatasetView
 {
   int Columns = 0, Rows = 0;
-  std::vector<unsigned char> Picture;      ///< RGB, row by row from the top; empty: none
-  std::vector<int> Objects;                ///< of each pixel, from the top; -1: none
-  std::vector<DatasetMask> Visible, Whole; ///< of each object: what is seen of it, and all of it
+  std::vector<unsigned char> Picture;         ///< RGB, row by row from the top; empty: none
+  std::vector<int> Objects;                   ///< of each pixel, from the top; -1: none
+  std::vector<DatasetMask> Visible, Whole;    ///< of each object: what is seen of it, and all of it
   std::vector<DatasetSilhouette> Silhouettes; ///< of each object, if they are asked for
   /// What was asked for, and depth, actor and block, row 0 at the bottom.
   vtkSmartPointer<vtkImageData> Layers;
@@ -51,7 +51,7 @@ struct DatasetView
 class DatasetPainter
 {
 public:
-  /// `pictures`, `silhouettes`: whether views have them. Throws WorkError where there is no display.
+  /// `pictures`, `silhouettes`: whether views have them.
   DatasetPainter(vtkRenderer* renderer, const DatasetObjects& objects,
     const std::vector<std::string>& layers, bool pictures, bool silhouettes);
   ~DatasetPainter();

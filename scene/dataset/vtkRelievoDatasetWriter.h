@@ -8,8 +8,8 @@
  * folder of one of the formats. Masks and depth are one sample at each pixel's centre, whatever
  * smooths the picture: an object's visible mask is where the layer `actor` (or `block`) is its own,
  * its amodal mask where it would be without the others. So visible masks are disjoint, and each
- * lies within its amodal mask. What is translucent, and volumes, are in the picture alone; cut-outs have
- * the shape that is left.
+ * lies within its amodal mask. What is translucent, and volumes, are in the picture alone; cut-outs
+ * have the shape that is left.
  *
  * Pinholes are drawn in the renderer's window (one of its own, off screen, if it has none), which
  * afterwards is as before. Other cameras are followed by rays, which have no picture and meet

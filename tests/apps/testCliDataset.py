@@ -43,8 +43,8 @@ class Dataset(CliTest):
 
     def test_poses_of_a_file(self):
         """The pixels of plates whose edges lie between pixels are known."""
-        pose = {"K": [[20, 0, 19.5], [0, 20, 14.5], [0, 0, 1]], "R": numpy.diag([1, -1, -1]).tolist(),
-                "t": [0, 0, 4.5]}  # fmt: skip
+        pose = {"K": [[20, 0, 19.5], [0, 20, 14.5], [0, 0, 1]],
+                "R": [1, 0, 0, 0, -1, 0, 0, 0, -1], "t": [0, 0, 4.5]}  # fmt: skip
         aside = {"position": [3, 0, 4], "target": [0, 0, 0]}
         (self.folder / "poses.json").write_text(json.dumps([pose, aside]))
         done = self.dataset("set", "--poses", "poses.json", "--layers", "depth,normal")
@@ -108,6 +108,7 @@ class Dataset(CliTest):
             (["--poses", "orbit:4"], "--out DIR"),
             (["--poses", "orbit:x", "--out", "set"], "'x'"),
             (["--poses", "orbit:4", "--out", "set", "--camera", "0,0,5,0,0,0,0,1,0"], "--camera"),
+            (["--poses", "orbit:4", "--out", "set", "--seed=1", "--seed=2"], "given twice"),
             (["--poses", "orbit:4", "--out", "set", "--format", "voc"], "bop, coco, nerf, npz"),
             (["--poses", "orbit:4", "--out", "set", "--views", "3"], "A:B"),
             (["--poses", "orbit:4", "--out", "set", "--views", "3:5"], "expected views from 0 to 4"),

@@ -28,7 +28,8 @@ compopt() { :; }
 
 def options_of(verb):
     """Each option of that part of the help, with what is said of it."""
-    part = re.search(rf"^{verb} (?:.|\n)*?(?=^(?:dataset|cave|stages|bench|Options) )", HELP, re.M).group()
+    end = "(?=^(?:dataset|cave|stages|bench|Options) )"
+    part = re.search(rf"^{verb} (?:.|\n)*?{end}", HELP, re.M).group()
     found = re.split(r"^  (--?[a-z][a-z-]*)", part, flags=re.M)[1:]
     return dict(zip(found[::2], found[1::2]))
 

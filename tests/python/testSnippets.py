@@ -166,6 +166,11 @@ class Hand:
             temperature = numpy_to_vtk(numpy.arange(float(names["model"].GetNumberOfPoints())))
             temperature.SetName("temperature")
             names["model"].GetPointData().AddArray(temperature)
+        elif self.page == "docs/datasets.md":
+            lens = relievo.Fisheye([[80, 0, 79.5], [0, 80, 59.5], [0, 0, 1]], (160, 120))
+            names.update(
+                cameras=[lens.look_at((0, 1, 5), (0, 0, 0))],
+                names=["thing"] * names["renderer"].GetActors().GetNumberOfItems())
         elif self.page == "docs/rays.md":
             directions = numpy.array([(0, 0, -1.0), (0.1, 0, -1)])
             names.update(origins=(0, 0, 5), directions=directions, to_sun=(0, 0, 1))

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <set>
 
 namespace cli
 {
@@ -38,6 +39,7 @@ void TakeRange(DatasetOptions& options, const std::string& name, const std::stri
   }
 }
 
+//------------------------------------------------------------------------------
 void Take(DatasetOptions& options, const std::string& name, const std::string& value)
 {
   if (name == "--poses")
@@ -55,7 +57,12 @@ void Take(DatasetOptions& options, const std::string& name, const std::string& v
   }
   else if (name == "--layers")
   {
-    options.Layers = scene::SplitEscaped(value, ',');
+    const std::vector<std::string> layers = scene::SplitEscaped(value, ',');
+    if (std::find(layers.begin(), layers.end(), "") != layers.end())
+    {
+      scene::RefuseValue(name, value, "names between commas, such as depth,normal");
+    }
+    options.Layers.insert(options.Layers.end(), layers.begin(), layers.end());
   }
   else if (name == "--objects")
   {
@@ -103,6 +110,7 @@ DatasetOptions ParseDataset(const std::vector<std::string>& words)
   }
   DatasetOptions options;
   std::vector<std::string> files;
+  std::set<std::string> given;
   scene::ParseArguments(
     words, "dataset", known,
     [&](const std::string& name, const std::string& value) {
@@ -113,9 +121,13 @@ DatasetOptions ParseDataset(const std::vector<std::string>& words)
       {
         options.Scene.push_back(word);
       }
-      else
+      else if (name == "--layers" || given.insert(name).second)
       {
         Take(options, name, value);
+      }
+      else
+      {
+        throw scene::UsageError(name + ": given twice, expected once");
       }
       if (name != "--out" && name != "--views")
       {
