@@ -407,7 +407,7 @@ Json DescribeDatasetCamera(vtkRelievoCameraModel* camera)
 }
 
 //------------------------------------------------------------------------------
-void WriteDatasetView(const DatasetStyle& style, const DatasetView& view,
+std::size_t WriteDatasetView(const DatasetStyle& style, const DatasetView& view,
   const DatasetObjects& objects, vtkRelievoCameraModel* camera, std::size_t number, Json& record)
 {
   const std::vector<unsigned short> steps = GetDepthSteps(view, style.DepthStep);
@@ -448,8 +448,13 @@ void WriteDatasetView(const DatasetStyle& style, const DatasetView& view,
       break;
     case DatasetFormat::Numpy:
       WriteArrays(style, view, objects, record, name);
-      break;
+      return 0;
   }
+  int components = 0;
+  const std::vector<double> depth = view.GetLayer("depth", components);
+  return static_cast<std::size_t>(std::count_if(depth.begin(), depth.end(), [&](double value) {
+    return std::isfinite(value) && GetSteps(value, style.DepthStep) == 0;
+  }));
 }
 
 //------------------------------------------------------------------------------

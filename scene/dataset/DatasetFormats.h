@@ -44,8 +44,9 @@ std::string WriteDatasetNumber(std::size_t number);
 /// What a record says of a camera: size, R, t, and what it is calibrated by.
 nlohmann::ordered_json DescribeDatasetCamera(vtkRelievoCameraModel* camera);
 
-/// Writes the files of a view and adds to its record what the indices need. Throws FileError.
-void WriteDatasetView(const DatasetStyle& style, const DatasetView& view,
+/// Writes the files of a view and adds to its record what the indices need. Returns how many pixels
+/// lie beyond the last step of 16-bit depth. Throws FileError.
+std::size_t WriteDatasetView(const DatasetStyle& style, const DatasetView& view,
   const DatasetObjects& objects, vtkRelievoCameraModel* camera, std::size_t number,
   nlohmann::ordered_json& record);
 

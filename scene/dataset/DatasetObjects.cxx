@@ -8,6 +8,8 @@
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkMapper.h"
+#include "vtkNew.h"
+#include "vtkPropCollection.h"
 #include "vtkRelievoCompositeMapper.h"
 #include "vtkRenderer.h"
 #include "vtkSmartPointer.h"
@@ -140,26 +142,49 @@ int DatasetObjects::Find(int actor, int block) const
 }
 
 //------------------------------------------------------------------------------
-bool DatasetObjects::IsAll(int object) const
+bool DatasetObjects::Has(int object, vtkActor* actor) const
 {
-  return std::all_of(this->Parts.begin(), this->Parts.end(),
-    [object](const Part& part) { return part.Object == object; });
+  return std::any_of(this->Parts.begin(), this->Parts.end(),
+    [=](const Part& part) { return part.Object == object && part.Actor == actor; });
 }
 
 //------------------------------------------------------------------------------
 DatasetObjects::Alone::Alone(const DatasetObjects& objects, int object)
 {
+  const auto hide = [this](vtkProp* prop) {
+    if (prop->GetVisibility())
+    {
+      prop->VisibilityOff();
+      this->Hidden.push_back(prop);
+    }
+  };
+  // Assemblies without a part of it, volumes.
+  vtkPropCollection* props = objects.Renderer->GetViewProps();
+  for (int i = 0; i < props->GetNumberOfItems(); ++i)
+  {
+    auto* prop = vtkProp::SafeDownCast(props->GetItemAsObject(i));
+    vtkNew<vtkPropCollection> inside;
+    prop->GetActors(inside);
+    bool any = false;
+    for (int k = 0; k < inside->GetNumberOfItems(); ++k)
+    {
+      auto* actor = vtkActor::SafeDownCast(inside->GetItemAsObject(k));
+      any = any || (actor && objects.Has(object, actor));
+    }
+    if (!any)
+    {
+      hide(prop);
+    }
+  }
+  // Of assemblies and composite data, the other parts.
   for (const Part& part : objects.Parts)
   {
-    const bool shown = part.Object == object;
-    const bool any = std::any_of(objects.Parts.begin(), objects.Parts.end(),
-      [&](const Part& other) { return other.Actor == part.Actor && other.Object == object; });
-    if (!any && part.Actor->GetVisibility())
+    const bool any = objects.Has(object, part.Actor);
+    if (!any)
     {
-      part.Actor->VisibilityOff();
-      this->Hidden.push_back(part.Actor);
+      hide(part.Actor);
     }
-    else if (any && !shown && part.Data)
+    else if (part.Object != object && part.Data)
     {
       vtkCompositeDataDisplayAttributes* attributes = GetAttributes(part.Actor);
       this->Blocks.push_back({ part.Actor, part.Data, attributes->HasBlockVisibility(part.Data),
@@ -173,9 +198,9 @@ DatasetObjects::Alone::Alone(const DatasetObjects& objects, int object)
 //------------------------------------------------------------------------------
 DatasetObjects::Alone::~Alone()
 {
-  for (vtkActor* actor : this->Hidden)
+  for (vtkProp* prop : this->Hidden)
   {
-    actor->VisibilityOn();
+    prop->VisibilityOn();
   }
   for (auto block = this->Blocks.rbegin(); block != this->Blocks.rend(); ++block)
   {

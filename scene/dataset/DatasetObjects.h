@@ -15,6 +15,7 @@
 
 class vtkActor;
 class vtkDataObject;
+class vtkProp;
 class vtkRenderer;
 
 namespace scene
@@ -43,9 +44,6 @@ public:
   /// The object of these values of the layers `actor` and `block`; -1: none.
   int Find(int actor, int block) const;
 
-  /// Whether nothing else is drawn.
-  bool IsAll(int object) const;
-
   /// While it lives, the renderer shows this object and no other mesh.
   class Alone
   {
@@ -62,11 +60,13 @@ public:
       vtkDataObject* Data;
       bool Has, Visible;
     };
-    std::vector<vtkActor*> Hidden;
+    std::vector<vtkProp*> Hidden;
     std::vector<Block> Blocks;
   };
 
 private:
+  bool Has(int object, vtkActor* actor) const;
+
   struct Part
   {
     vtkActor* Actor;

@@ -22,6 +22,7 @@
 #include "vtkWindowToImageFilter.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace scene
@@ -30,17 +31,33 @@ namespace
 {
 constexpr int OwnSamples = 8;          // of a pixel, in a window that is made here
 constexpr int RaysWithAllHits = 65536; // at a time
+constexpr double MostPixelsBeyond = 1 << 25;
 
-// In the terms of the picture that somebody asked for.
-void CheckWindowSize(vtkRenderWindow* window, const int size[2])
+int GetLimit(vtkRenderWindow* window)
 {
   auto* gl = vtkOpenGLRenderWindow::SafeDownCast(window);
-  const int limit = gl ? vtkTextureObject::GetMaximumTextureSize(gl) : size[0];
-  if (gl && std::max(size[0], size[1]) > limit)
+  return gl ? vtkTextureObject::GetMaximumTextureSize(gl) : 0;
+}
+
+void CheckWindowSize(vtkRenderWindow* window, const int size[2])
+{
+  const int limit = GetLimit(window);
+  if (std::max(size[0], size[1]) > limit)
   {
     throw UsageError("a view has " + std::to_string(size[0]) + "x" + std::to_string(size[1]) +
       " pixels; OpenGL here draws at most " + std::to_string(limit) + " each way");
   }
+}
+
+// Columns and rows at each side of a picture: as many as its own, but where that is too large.
+std::array<int, 2> GetMargin(vtkRenderWindow* window, int columns, int rows)
+{
+  const double limit = GetLimit(window);
+  const double pixels = static_cast<double>(columns) * rows;
+  const double widest =
+    std::min({ 3.0, limit / columns, limit / rows, std::sqrt(MostPixelsBeyond / pixels) });
+  const double share = std::max(0.0, (widest - 1.0) / 2.0);
+  return { static_cast<int>(share * columns), static_cast<int>(share * rows) };
 }
 
 // Calls with each pixel's number from the top, and its point of the image.
@@ -334,11 +351,6 @@ void DatasetPainter::DrawInWindow(vtkRelievoLensCamera* camera, DatasetView& vie
   for (std::size_t i = 0; i < view.Whole.size(); ++i)
   {
     const auto object = static_cast<int>(i);
-    if (this->Objects.IsAll(object))
-    {
-      view.Whole[i] = view.Visible[i];
-      continue;
-    }
     const DatasetObjects::Alone alone(this->Objects, object);
     ForEachObject(
       this->Objects, this->DrawLayers({ "actor", "block" }), [&](std::size_t pixel, int found) {
@@ -355,10 +367,15 @@ void DatasetPainter::DrawInWindow(vtkRelievoLensCamera* camera, DatasetView& vie
 }
 
 //------------------------------------------------------------------------------
-// An object that reaches the picture's edge is drawn once more, on three times as many columns and
-// rows; what lies in the middle is known.
+// An object that reaches the picture's edge is drawn once more, on up to three times as many columns
+// and rows; what lies in the middle is known.
 void DatasetPainter::LookBeyond(vtkRelievoLensCamera* camera, DatasetView& view)
 {
+  const std::array<int, 2> margin = GetMargin(this->Window, view.Columns, view.Rows);
+  const std::array<int, 2> all = { view.Columns + 2 * margin[0], view.Rows + 2 * margin[1] };
+  const std::array<std::size_t, 4> middle = { static_cast<std::size_t>(margin[0]),
+    static_cast<std::size_t>(margin[1]), static_cast<std::size_t>(margin[0] + view.Columns),
+    static_cast<std::size_t>(margin[1] + view.Rows) };
   bool isWide = false;
   for (std::size_t i = 0; i < view.Whole.size(); ++i)
   {
@@ -374,24 +391,23 @@ void DatasetPainter::LookBeyond(vtkRelievoLensCamera* camera, DatasetView& view)
     {
       vtkNew<vtkRelievoLensCamera> wide;
       wide->Copy(camera);
-      const double* middle = camera->GetPrincipalPoint();
-      wide->SetSize(3 * view.Columns, 3 * view.Rows);
+      const double* axis = camera->GetPrincipalPoint();
+      wide->SetSize(all[0], all[1]);
       wide->SetIntrinsics(camera->GetFocalX(), camera->GetFocalY(), camera->GetSkew(),
-        middle[0] + view.Columns, middle[1] + view.Rows);
-      CheckWindowSize(this->Window, wide->GetSize());
-      this->Window->vtkRenderWindow::SetSize(3 * view.Columns, 3 * view.Rows);
+        axis[0] + margin[0], axis[1] + margin[1]);
+      this->Window->vtkRenderWindow::SetSize(all[0], all[1]);
       wide->ApplyTo(this->Camera);
       isWide = true;
     }
     const auto object = static_cast<int>(i);
     const DatasetObjects::Alone alone(this->Objects, object);
-    const auto columns = static_cast<std::size_t>(view.Columns);
-    const auto rows = static_cast<std::size_t>(view.Rows);
-    DatasetMask beyond(3 * view.Columns, 3 * view.Rows);
-    ForEachObject(
-      this->Objects, this->DrawLayers({ "actor", "block" }), [&](std::size_t pixel, int found) {
+    DatasetMask beyond(all[0], all[1]);
+    ForEachObject(this->Objects, this->DrawLayers({ "actor", "block" }),
+      [&](std::size_t pixel, int found) {
+        const std::size_t column = pixel % static_cast<std::size_t>(all[0]);
+        const std::size_t row = pixel / static_cast<std::size_t>(all[0]);
         const bool isMiddle =
-          pixel / (3 * columns) / rows == 1 && pixel % (3 * columns) / columns == 1;
+          column >= middle[0] && row >= middle[1] && column < middle[2] && row < middle[3];
         if (found == object && !isMiddle)
         {
           beyond.Add(pixel);
@@ -400,8 +416,8 @@ void DatasetPainter::LookBeyond(vtkRelievoLensCamera* camera, DatasetView& view)
     if (beyond.GetCount() > 0)
     {
       std::array<int, 4> other = beyond.GetBox();
-      other[0] -= view.Columns;
-      other[1] -= view.Rows;
+      other[0] -= margin[0];
+      other[1] -= margin[1];
       std::array<int, 4> both{};
       for (std::size_t axis = 0; axis < 2; ++axis)
       {

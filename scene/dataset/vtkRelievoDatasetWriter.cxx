@@ -403,6 +403,7 @@ void vtkRelievoDatasetWriter::WriteViews()
       { "random_sun", this->RandomSun }, { "seed", this->Seed }, { "scene", self.Description } });
   scene::DatasetPainter painter(self.Renderer, objects, self.Layers,
     std::all_of(self.Cameras.begin(), self.Cameras.end(), IsPinhole), this->Format == BOP);
+  std::size_t beyond = 0;
   for (int i = this->Range[0]; i < end; ++i)
   {
     const auto number = static_cast<std::size_t>(i);
@@ -427,7 +428,7 @@ void vtkRelievoDatasetWriter::WriteViews()
         record["sun"] = *sun;
       }
       const scene::DatasetView view = painter.Draw(camera, sun);
-      scene::WriteDatasetView(style, view, objects, camera, number, record);
+      beyond += scene::WriteDatasetView(style, view, objects, camera, number, record);
       scene::WriteWhole(path, Dump(record));
       ++this->NumberOfViewsWritten;
     }
@@ -440,6 +441,11 @@ void vtkRelievoDatasetWriter::WriteViews()
     }
   }
   self.WriteIndex(style, names);
+  if (beyond > 0)
+  {
+    scene::Messages::Warn(self.Directory + ": " + std::to_string(beyond) +
+      " pixels are farther than 65535 steps of depth, and are 0; a larger depth step reaches them");
+  }
 }
 
 //------------------------------------------------------------------------------

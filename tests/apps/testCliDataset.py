@@ -70,6 +70,12 @@ class Dataset(CliTest):
         self.assertEqual([each["bbox_obj"] for each in info], [[15, 10, 10, 10], [12, 7, 16, 16]])
         self.assertEqual(info[1]["px_count_visib"], 16 * 16 - 10 * 10)
 
+    def test_depth_beyond_the_last_step(self):
+        done = self.dataset("set", "--poses", "orbit:1", "--depth-step", "1e-5")
+        self.assertRegex(done.stderr, r"^relievo: warning: set: \d+ pixels are farther than 65535")
+        self.assertEqual(len(done.stderr.splitlines()), 1)
+        self.assertFalse(read_png(self.folder / "set" / "depth" / "000000.png").any())
+
     def test_goes_on_and_shares(self):
         """Ended by a signal and gone on with, or by two processes at once: the same bytes."""
         words = ["--poses", "random:24", "--seed", "3", "--random-sun", "--format", "coco"]
@@ -111,7 +117,7 @@ class Dataset(CliTest):
             (["--poses", "orbit:4", "--out", "set", "--seed=1", "--seed=2"], "given twice"),
             (["--poses", "orbit:4", "--out", "set", "--format", "voc"], "bop, coco, nerf, npz"),
             (["--poses", "orbit:4", "--out", "set", "--views", "3"], "A:B"),
-            (["--poses", "orbit:4", "--out", "set", "--views", "3:5"], "expected views from 0 to 4"),
+            (["--poses", "orbit:4", "--out", "set", "--views", "3:5"], "views from 0 to 4"),
             (["--poses", "orbit:4", "--out", "set", "--depth-step", "-1"], "--depth-step"),
         ):
             with self.subTest(words):

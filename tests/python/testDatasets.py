@@ -20,12 +20,20 @@ from vtkmodules.vtkFiltersSources import vtkCubeSource, vtkPlaneSource, vtkSpher
 from vtkmodules.vtkRenderingCore import (
     vtkActor,
     vtkPolyDataMapper,
+    vtkPropAssembly,
     vtkRenderer,
     vtkRenderWindow,
     vtkTexture,
 )
 
 import relievo
+
+try:
+    from bop_toolkit_lib import inout as bop_inout
+    from bop_toolkit_lib import misc as bop_misc
+    from bop_toolkit_lib import visibility as bop_visibility
+except ImportError:
+    bop_inout = None
 
 if vtkVersion().GetVTKMinorVersion() < 3:
     from vtkmodules.vtkRenderingOpenGL2 import vtkCompositePolyDataMapper2 as vtkCompositeMapper
@@ -272,10 +280,39 @@ class Datasets(unittest.TestCase):
                 )
         self.assertEqual(hidden, 3)  # the box in the ball
         self.assertGreater(reaching, 0)
+        if bop_inout:
+            self.check_as_bop_reads(cameras, actors)
         # The picture has smooth edges: colours in between, where masks have none.
         picture = read_png(self.folder / "rgb" / "000000.png")
         self.assertEqual(picture.shape, (SIZE[1], SIZE[0], 3))
         self.assertGreater(len(numpy.unique(picture.reshape(-1, 3), axis=0)), 100)
+
+    def check_as_bop_reads(self, cameras, actors):
+        """BOP's own reader and its rule of what is visible, of depths that numpy finds."""
+        scene_camera = bop_inout.load_scene_camera(self.folder / "scene_camera.json")
+        scene_gt = bop_inout.load_scene_gt(self.folder / "scene_gt.json")
+        for view, camera in enumerate(cameras):
+            about = scene_camera[view]
+            depth = bop_inout.load_depth(self.folder / "depth" / f"{view:06d}.png")
+            distance = bop_misc.depth_im_to_dist_im_fast(
+                depth * about["depth_scale"], about["cam_K"]
+            )
+            truth = Truth(camera, actors)
+            for i, pose in enumerate(scene_gt[view]):
+                own = numpy.where(numpy.isfinite(truth.depths[i]), 250 * truth.depths[i], 0)
+                own = bop_misc.depth_im_to_dist_im_fast(own, about["cam_K"])
+                seen = bop_visibility.estimate_visib_mask_gt(distance, own, 0.1)
+                mask = bop_inout.load_im(
+                    self.folder / "mask_visib" / f"{view:06d}_{i:06d}.png") > 0  # fmt: skip
+                sure = ~truth.near
+                numpy.testing.assert_array_equal(seen[sure], mask[sure])
+                center = numpy.array([actors[i].GetOrigin()])
+                projected = bop_misc.project_pts(
+                    center, about["cam_K"], pose["cam_R_m2c"], pose["cam_t_m2c"]
+                )
+                numpy.testing.assert_allclose(
+                    projected, camera.project([actors[i].GetPosition()]), atol=1e-9
+                )
 
     def test_arrays(self):
         renderer = heap()
@@ -416,6 +453,27 @@ class Datasets(unittest.TestCase):
         left, top, columns, rows = box_of(full)
         corner = whole[2][top : top + rows // 2 - 1, left : left + columns // 2 - 1]
         self.assertFalse(corner.any())
+
+    def test_parts_without_a_number_hide_and_are_none(self):
+        renderer = vtkRenderer()
+        add(renderer, plate(0.8))
+        loose = vtkRenderer()
+        add(loose, plate(0.4), (0, 0, 0.5))
+        assembly = vtkPropAssembly()
+        assembly.AddPart(loose.GetActors().GetLastActor())
+        renderer.AddViewProp(assembly)
+        camera = relievo.Pinhole(K, SIZE).look_at((0, 0, 4), (0, 0, 0))
+        relievo.write_dataset(renderer, camera, self.folder, "npz")
+        found = numpy.load(self.folder / "000000.npz")
+        hidden = found["depth"] < 3.75
+        self.assertGreater(hidden.sum(), 200)
+        self.assertFalse(found["visible_masks"][0][hidden].any())
+        self.assertTrue(found["amodal_masks"][0][hidden].all())
+        truth = Truth(camera, [renderer.GetActors().GetItemAsObject(0)])
+        sure = ~truth.near
+        numpy.testing.assert_array_equal(
+            found["amodal_masks"][0][sure], numpy.isfinite(truth.depth)[sure]
+        )
 
     def test_blocks(self):
         blocks = vtkMultiBlockDataSet()

@@ -105,5 +105,6 @@ void Dataset(const DatasetOptions& options)
   }
   std::printf("\n");
   PrintMessages(scene);
+  PrintWarnings();
 }
 }

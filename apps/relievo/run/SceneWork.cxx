@@ -3,6 +3,7 @@
 #include "SceneWork.h"
 
 #include "Errors.h"
+#include "Messages.h"
 #include "StandardError.h"
 
 #include "vtkCallbackCommand.h"
@@ -15,11 +16,16 @@ namespace cli
 {
 namespace
 {
+void Print(const char* before, const std::string& line)
+{
+  std::fprintf(scene::StandardError(), "relievo: %s%s\n", before, line.c_str());
+}
+
 void Print(const char* before, vtkStringArray* lines)
 {
   for (vtkIdType i = 0; i < lines->GetNumberOfValues(); ++i)
   {
-    std::fprintf(scene::StandardError(), "relievo: %s%s\n", before, lines->GetValue(i).c_str());
+    Print(before, lines->GetValue(i));
   }
 }
 }
@@ -84,5 +90,14 @@ void PrintMessages(vtkRelievoScene* scene)
 {
   Print("", scene->GetNotes());
   Print("warning: ", scene->GetWarnings());
+}
+
+//------------------------------------------------------------------------------
+void PrintWarnings()
+{
+  for (const std::string& warning : scene::Messages::TakeWarnings())
+  {
+    Print("warning: ", warning);
+  }
 }
 }

@@ -39,8 +39,11 @@ void CheckDone(bool done, int failure, const std::string& text);
 /// Gives the scene its words.
 void SetWords(vtkRelievoScene* scene, const std::vector<std::string>& words);
 
-/// Prints what the user should know of the last work.
+/// Prints what the user should know of the scene's last work.
 void PrintMessages(vtkRelievoScene* scene);
+
+/// Prints the warnings of others since then.
+void PrintWarnings();
 }
 
 #endif
