@@ -29,13 +29,13 @@ namespace
 {
 using Json = nlohmann::ordered_json;
 
-constexpr double MostSteps = 65535.0; // of 16-bit depth
+constexpr double MostDepthSteps = 65535.0; // of 16-bit depth
 
 // The steps of a depth; 0: none, or beyond the last.
 unsigned short GetSteps(double depth, double step)
 {
   const double steps = std::round(depth / step);
-  return std::isfinite(depth) && steps <= MostSteps
+  return std::isfinite(depth) && steps <= MostDepthSteps
     ? static_cast<unsigned short>(std::max(1.0, steps))
     : 0;
 }
