@@ -8,8 +8,8 @@ from contextlib import nullcontext
 from vtkmodules.util.misc import calldata_type
 from vtkmodules.util.vtkConstants import VTK_DOUBLE
 
-from ._capture import _names, _pixels
 from ._cameras import CameraModel, Pinhole
+from ._capture import _frame_of, _names, _pixels
 from ._errors import Watch, describe, is_a
 from ._keep import kept
 from ._renderers import renderer_of
@@ -26,7 +26,7 @@ def write_dataset(renderer, cameras, directory, format="bop", layers=(), size=(6
         relievo.write_dataset(renderer, "random:200", "train/000000", seed=7)
 
     renderer: a vtkRenderer, or an object whose attribute `renderer` is one (a plotter, a scene);
-        or a dataset, or a filter that makes one. It, and its window, are as before afterwards.
+        or data or an actor, as for capture(). It, and its window, are as before afterwards.
     cameras: "orbit:N", "random:N" or the path of a file of poses, for pinholes of 30 degrees; or a
         list of CameraModels, or of vtkCameras as seen in `size` pixels. What is no pinhole, such as
         a Fisheye, goes by rays: format "npz" alone, without a picture.
@@ -78,7 +78,8 @@ def write_dataset(renderer, cameras, directory, format="bop", layers=(), size=(6
     _name_objects(writer, made, objects)
     _add_views(writer, cameras, _pixels(size))
     found = kept(made)
-    with nullcontext() if found is None else found.held():
+    held = nullcontext() if found is None else found.held()
+    with held, _frame_of(made):
         _run(writer, writer.Write, progress)
     return writer.GetNumberOfViewsWritten()
 

@@ -452,9 +452,8 @@ std::size_t WriteDatasetView(const DatasetStyle& style, const DatasetView& view,
   }
   int components = 0;
   const std::vector<double> depth = view.GetLayer("depth", components);
-  return static_cast<std::size_t>(std::count_if(depth.begin(), depth.end(), [&](double value) {
-    return std::isfinite(value) && GetSteps(value, style.DepthStep) == 0;
-  }));
+  return static_cast<std::size_t>(std::count_if(depth.begin(), depth.end(),
+    [&](double value) { return std::isfinite(value) && GetSteps(value, style.DepthStep) == 0; }));
 }
 
 //------------------------------------------------------------------------------

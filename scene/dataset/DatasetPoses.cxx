@@ -27,7 +27,7 @@ using Cameras = std::vector<vtkSmartPointer<vtkRelievoCameraModel>>;
 
 constexpr int MostViews = 10000000;
 constexpr std::uint64_t Step = 0x9e3779b97f4a7c15; // of random numbers
-constexpr double PoseMargin = 1.05;                    // around what a pose is to show
+constexpr double PoseMargin = 1.05;                // around what a pose is to show
 
 std::uint64_t Mix(std::uint64_t state)
 {

@@ -402,8 +402,8 @@ void DatasetPainter::LookBeyond(vtkRelievoLensCamera* camera, DatasetView& view)
     const auto object = static_cast<int>(i);
     const DatasetObjects::Alone alone(this->Objects, object);
     DatasetMask beyond(all[0], all[1]);
-    ForEachObject(this->Objects, this->DrawLayers({ "actor", "block" }),
-      [&](std::size_t pixel, int found) {
+    ForEachObject(
+      this->Objects, this->DrawLayers({ "actor", "block" }), [&](std::size_t pixel, int found) {
         const std::size_t column = pixel % static_cast<std::size_t>(all[0]);
         const std::size_t row = pixel / static_cast<std::size_t>(all[0]);
         const bool isMiddle =
