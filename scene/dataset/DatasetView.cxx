@@ -367,8 +367,8 @@ void DatasetPainter::DrawInWindow(vtkRelievoLensCamera* camera, DatasetView& vie
 }
 
 //------------------------------------------------------------------------------
-// An object that reaches the picture's edge is drawn once more, on up to three times as many columns
-// and rows; what lies in the middle is known.
+// An object that reaches the picture's edge is drawn once more, on up to three times as many
+// columns and rows; what lies in the middle is known.
 void DatasetPainter::LookBeyond(vtkRelievoLensCamera* camera, DatasetView& view)
 {
   const std::array<int, 2> margin = GetMargin(this->Window, view.Columns, view.Rows);
