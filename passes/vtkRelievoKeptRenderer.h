@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // What drawing for a sensor changes of a renderer and its window, as it was. Lights that follow the
-// camera stay where they are for the sensor's pose: six views must be lit alike. Texts and bars, and
-// what else is in the window, are hidden.
+// camera stay where they are for the sensor's pose: six views must be lit alike. Texts and bars,
+// and what else is in the window, are hidden.
 #ifndef vtkRelievoKeptRenderer_h
 #define vtkRelievoKeptRenderer_h
 

@@ -33,8 +33,8 @@ void CheckLensLayer(const std::string& name);
 /// the lens cannot have.
 RenderOptions FollowLens(RenderOptions options);
 
-/// The layers, `color` among them, with the calibration as field data, and the picture, if one is to
-/// be written. Throws WorkError.
+/// The layers, `color` among them, with the calibration as field data, and the picture, if one is
+/// to be written. Throws WorkError.
 vtkSmartPointer<vtkImageData> DrawLens(vtkRenderer* renderer, const RenderOptions& options,
   const std::vector<std::string>& layers, vtkSmartPointer<vtkImageData>& picture,
   Progress& progress);
