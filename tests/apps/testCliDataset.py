@@ -115,6 +115,7 @@ class Dataset(CliTest):
             (["--poses", "orbit:x", "--out", "set"], "'x'"),
             (["--poses", "orbit:4", "--out", "set", "--camera", "0,0,5,0,0,0,0,1,0"], "--camera"),
             (["--poses", "orbit:4", "--out", "set", "--seed=1", "--seed=2"], "given twice"),
+            (["--poses", "orbit:4", "--out", "set", "--lens", "fisheye"], "no such option"),
             (["--poses", "orbit:4", "--out", "set", "--format", "voc"], "bop, coco, nerf, npz"),
             (["--poses", "orbit:4", "--out", "set", "--views", "3"], "A:B"),
             (["--poses", "orbit:4", "--out", "set", "--views", "3:5"], "views from 0 to 4"),

@@ -18,8 +18,8 @@ namespace
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 
 // Options of render that poses, or the data set's own files, are in the place of.
-constexpr const char* OfRender[] = { "--camera", "--parallel-scale", "--clip", "--times", "--png",
-  "--exr", "--report", "--layers", "--hdr", "--transparent", "--certify" };
+constexpr const char* OfRender[] = { "--camera", "--parallel-scale", "--clip", "--lens", "--times",
+  "--png", "--exr", "--report", "--layers", "--hdr", "--transparent", "--certify" };
 
 const std::vector<scene::KnownOption> Own = { { "--poses", false }, { "--out", false },
   { "--format", false }, { "--layers", false }, { "--objects", false }, { "--depth-step", false },
