@@ -171,7 +171,7 @@ bool vtkRelievoCalibration::Fail(const std::string& text)
 }
 
 //------------------------------------------------------------------------------
-bool vtkRelievoCalibration::IsFile(const std::string& words)
+bool vtkRelievoCalibration::IsFile(RELIEVO_TEXT words)
 {
   const std::string extension = vtkRelievoCalibrationFile::GetExtension(words);
   return !FindKind(words.substr(0, words.find(':'))) &&
@@ -179,13 +179,13 @@ bool vtkRelievoCalibration::IsFile(const std::string& words)
 }
 
 //------------------------------------------------------------------------------
-std::string vtkRelievoCalibration::Check(const std::string& words)
+std::string vtkRelievoCalibration::Check(RELIEVO_TEXT words)
 {
   return IsFile(words) ? "" : Parse(words).Wrong;
 }
 
 //------------------------------------------------------------------------------
-bool vtkRelievoCalibration::SetWords(const std::string& words)
+bool vtkRelievoCalibration::SetWords(RELIEVO_TEXT words)
 {
   this->FailureText.clear();
   const bool isFile = IsFile(words);

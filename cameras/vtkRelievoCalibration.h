@@ -28,6 +28,7 @@
 
 #include "vtkObject.h"
 #include "vtkRelievoCamerasModule.h" // for the export macro
+#include "vtkRelievoText.h"          // for names that are given
 
 #include <string> // for words
 #include <vector> // for coefficients
@@ -47,15 +48,15 @@ public:
    * The words, or the name of a file, which is not read yet. False, with an error, if they are
    * wrong. Default `pinhole`.
    */
-  bool SetWords(const std::string& words);
+  bool SetWords(RELIEVO_TEXT words);
   std::string GetWords() { return this->Words; }
   ///@}
 
   /** What is wrong with words: "got ..., expected ..."; empty if nothing is. */
-  static std::string Check(const std::string& words);
+  static std::string Check(RELIEVO_TEXT words);
 
   /** Whether words name a file. */
-  static bool IsFile(const std::string& words);
+  static bool IsFile(RELIEVO_TEXT words);
 
   /** Reads the file, if the words name one. False, with an error, if it says no calibration. */
   bool Read();
