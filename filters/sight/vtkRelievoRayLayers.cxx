@@ -362,8 +362,9 @@ std::string vtkRelievoRayLayers::GetLayerNames()
 }
 
 //------------------------------------------------------------------------------
-bool vtkRelievoRayLayers::HasLayer(const std::string& name)
+bool vtkRelievoRayLayers::HasLayer(const char* given)
 {
+  const std::string name = given ? given : "";
   return name == Depth || name == Ambient || Columns.count(name) != 0 ||
     vtkRelievoLayerCatalogue::Find(name).Kind == vtkRelievoLayer::ARRAY;
 }

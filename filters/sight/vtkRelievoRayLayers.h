@@ -77,7 +77,7 @@ public:
   static std::string GetLayerNames();
 
   /** Whether rays have a layer of this name; of one that no catalogue lists, data may. */
-  static bool HasLayer(const std::string& name);
+  static bool HasLayer(const char* name);
 
   /** Always newer than before, because the scene may change without notice. */
   vtkMTimeType GetMTime() override;
