@@ -41,6 +41,7 @@ public:
   std::vector<vtkSmartPointer<vtkRelievoStage>> Added;
   std::set<std::string> Requested;
   std::set<std::string> Reported; // what could not be had, told once
+  bool Drawing = false;
   vtkRelievoGpuTimer Timer;
   vtkRelievoFrameReport Report;
   vtkRelievoDelegate Picture;
@@ -288,6 +289,14 @@ void vtkRelievoFramePass::Render(const vtkRenderState* s)
     vtkErrorMacro("Relievo draws with VTK's OpenGL renderer and window only.");
     return;
   }
+  if (in.Drawing)
+  {
+    if (in.Reported.insert("within itself").second)
+    {
+      vtkErrorMacro("The frame is within the pass that it is around: set one of the two.");
+    }
+    return;
+  }
   this->NumberOfRenderedProps = 0;
   const std::string tooMany = CheckLights(renderer);
   if (!tooMany.empty())
@@ -314,10 +323,12 @@ void vtkRelievoFramePass::Render(const vtkRenderState* s)
   vtkRelievoLeakedTextureUnits::Release(window);
   in.Samples.BeginFrame();
   in.Timer.BeginFrame(window);
+  in.Drawing = true;
   while (!this->DrawSample(s))
   {
     // Not shown yet: the frame has more samples.
   }
+  in.Drawing = false;
   in.Timer.EndFrame();
 }
 

@@ -114,8 +114,9 @@ def screenshot(renderer, path=None, size=None, transparent=False):
     renderer, size: as for capture(). path: a PNG file to write, None for none.
     transparent: whether there is alpha, straight: 0 where nothing is drawn.
 
-    Returns uint8 of (rows, columns, 3), or 4 with alpha, ROW 0 AT THE TOP: what the window shows
-    when nothing is left to gather, of this renderer alone. For numbers, capture().
+    Returns uint8 of (rows, columns, 3), or 4 with alpha, ROW 0 AT THE TOP: what the window shows in
+    the renderer's viewport when nothing is left to gather, with other renderers' layers there. For
+    numbers, capture().
 
     Raises as capture(), and OSError if the file cannot be written.
     """
@@ -159,8 +160,9 @@ def _grab(renderer, frame, transparent):
     top = shown.shape[0] - below - rows
     pixels = shown[top:top + rows, left:left + columns].copy()
     if transparent:  # over black: premultiplied
-        alpha = numpy.maximum(pixels[..., 3:], 1)
-        pixels[..., :3] = numpy.minimum(pixels[..., :3] * 255.0 / alpha + 0.5, 255)
+        alpha = pixels[..., 3:]
+        straight = numpy.minimum(pixels[..., :3] * 255.0 / numpy.maximum(alpha, 1) + 0.5, 255)
+        pixels[..., :3] = numpy.where(alpha > 0, straight, 0)
     return pixels
 
 

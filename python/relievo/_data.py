@@ -38,6 +38,8 @@ def cloud_of(values):
     neither."""
     if not isinstance(values, (list, tuple, numpy.ndarray)):
         return None
+    if numpy.ma.is_masked(values):
+        return None  # what is masked is no place
     try:
         places = numpy.array(values)
     except ValueError:  # of rows of different lengths

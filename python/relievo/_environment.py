@@ -13,6 +13,8 @@ from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkRenderingCore import vtkCamera
 
 from ._errors import Watch, is_a, require
+from ._errors import describe as described
+from ._frame import frame_of
 from ._image import to_image
 from ._renderers import need_renderer
 from ._stages import stage
@@ -64,7 +66,8 @@ def environment(*arguments, **given):
     _fill(made, path, rough)
     made.relievo_own = True  # VTK keeps attributes as long as the object lives
     _remove(inner)
-    if bound.arguments["tone"]:
+    frame = frame_of(inner)
+    if bound.arguments["tone"] and not (frame and frame.GetStage("tone").GetEnabled()):
         stage(inner, "tone")
         object.__setattr__(inner, "relievo_tone", True)  # PyVista's renderers refuse new ones
     if bound.arguments["sky"]:
@@ -163,7 +166,8 @@ def _is_own(thing):
 
 def _remove(renderer):
     if getattr(renderer, "relievo_tone", False):
-        stage(renderer, "tone", on=False)
+        if frame_of(renderer) is not None:
+            stage(renderer, "tone", on=False)
         object.__setattr__(renderer, "relievo_tone", False)
     for prop in list(renderer.GetViewProps()):
         if _is_own(prop) and prop.IsA("vtkRelievoSkybox"):
@@ -197,10 +201,15 @@ def _fill(made, path, rough):
     if is_a(path, "vtkTexture") and not path.GetCubeMap():
         path.Update()
         path = path.GetInput()
+        if path is None:
+            raise ValueError("environment: path: got a vtkTexture without a picture")
     elif isinstance(path, numpy.ndarray):
         path = to_image(path)
     if hasattr(path, "IsA"):
         require(path, "vtkImageData", "path")
+    elif not isinstance(path, (str, bytes, os.PathLike)):
+        raise ValueError(f"environment: path: got {described(path)}, expected a file, a "
+                         f"vtkImageData, a vtkTexture or a numpy array")
     image = path if is_a(path, "vtkImageData") else _read(os.fspath(path))
     name = "image" if image is path else os.fspath(path)
     columns, rows, slices = image.GetDimensions()

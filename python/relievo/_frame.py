@@ -100,6 +100,8 @@ def put(renderer):
     """The frame around the pass that the renderer has now."""
     there = frame_of(renderer)
     if there is not None:
+        if isinstance(there, Frame) and there.is_detached():
+            there._renderer.Set(renderer)  # from one that is gone, or by SetPass()
         return there
     frame = vtkRelievoPass()
     frame.SetDelegatePass(renderer.GetPass())
@@ -111,12 +113,14 @@ def put(renderer):
 def take(renderer):
     """Removes the frame from the renderer's pass; whether there was one."""
     found = kept_of(renderer)
+    frame = renderer.GetPass() if found is None else found.frame
     if found is not None:
         found.let_go()
-    frame = renderer.GetPass()
-    if isinstance(frame, Frame):
+    taken = vtkRelievoPasses.vtkRelievoPass.Detach(renderer)
+    if isinstance(frame, Frame) and frame._renderer.Get() is renderer:
         frame._renderer.Set(None)
-    return bool(vtkRelievoPasses.vtkRelievoPass.Detach(renderer))
+        taken = True  # also from behind a pass that was set meanwhile
+    return bool(taken)
 
 
 def report(frame):

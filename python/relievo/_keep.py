@@ -54,6 +54,19 @@ def kept(renderer, attach=False):
     return found
 
 
+def _has_within(outer, frame):
+    """Whether a pass hands on to the frame, or what it hands on to does."""
+    if outer is None or outer is frame:
+        return outer is not None
+    inner = []
+    if hasattr(outer, "GetDelegatePass"):
+        inner.append(outer.GetDelegatePass())
+    passes = outer.GetPasses() if hasattr(outer, "GetPasses") else None
+    if passes is not None:
+        inner.extend(passes.GetItemAsObject(i) for i in range(passes.GetNumberOfItems()))
+    return any(_has_within(each, frame) for each in inner)
+
+
 class KeptFrame:
     """The frame of one renderer: around the pass that somebody sets later, or within it."""
 
@@ -81,6 +94,8 @@ class KeptFrame:
             self._arranged, self._given = there, False
         if self.detached() or (there is not None and there.IsA("vtkRelievoPass")):
             return  # itself, or one that is around for a capture
+        if self._arranged is not there and _has_within(there, self.frame):
+            self._arranged = there  # around the frame, by whoever has set it
         if there is not None and there is self._arranged:
             if self._held:
                 renderer.SetPass(self.frame)

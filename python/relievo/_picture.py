@@ -3,6 +3,7 @@
 """Layers as pictures."""
 
 import os
+import tempfile
 
 import numpy
 from vtkmodules.vtkCommonDataModel import vtkImageData
@@ -129,28 +130,41 @@ def write_png(path, image, name=None, transparent=False):
 
     Raises ValueError for wrong arguments, OSError if the file cannot be written.
     """
-    path = os.fspath(path)
-    if os.path.splitext(path)[1].lower() != ".png":
+    name_of_file = os.fsdecode(path) if isinstance(path, (str, bytes, os.PathLike)) else ""
+    if os.path.splitext(name_of_file)[1].lower() != ".png":
         raise ValueError(f"path: got {path!r}, expected a name that ends in .png")
     if isinstance(image, numpy.ndarray):
-        if image.dtype != numpy.uint8:
-            raise ValueError(f"image: got an array of {image.dtype}, expected uint8")
+        right = image.ndim == 2 or (image.ndim == 3 and 1 <= image.shape[2] <= 4)
+        if image.dtype != numpy.uint8 or not right:
+            raise ValueError(f"image: got an array of {image.dtype} and shape {image.shape}, "
+                             f"expected uint8, (rows, columns) or (rows, columns, 1 to 4)")
         data = png_of(image)
     else:
         known = layer_names(image)
         if name is None:
-            name = "color" if "color" in known or len(known) != 1 else known[0]
+            name = known[0] if len(known) == 1 else "color"
+            if name not in known:
+                raise ValueError(f"name: got None, expected one of {', '.join(known) or 'none'}")
+        if transparent and name != "color":
+            raise ValueError(f"transparent: got it for {name!r}, expected it for color alone")
         values = layer(image, name)
         with_alpha = name == "color" and transparent and values.shape[2] == 4
         data = png_of(_rgba(values) if with_alpha else picture_of(name, values)[0])
-    part = f"{path}.part"
+    folder = os.path.dirname(os.path.abspath(name_of_file))
     try:
-        with open(part, "wb") as file:
-            file.write(data)
-        os.replace(part, path)
-    finally:
-        if os.path.exists(part):
-            os.remove(part)
+        part = tempfile.NamedTemporaryFile(dir=folder, prefix=".relievo-", delete=False)
+    except OSError as error:
+        raise type(error)(error.errno, error.strerror, name_of_file) from None
+    try:
+        with part:
+            part.write(data)
+        umask = os.umask(0)
+        os.umask(umask)
+        os.chmod(part.name, 0o666 & ~umask)
+        os.replace(part.name, name_of_file)
+    except BaseException:
+        os.remove(part.name)
+        raise
 
 
 def _rgba(linear):

@@ -35,6 +35,9 @@ def layers_by_rays(thing, names, sensor, ambient=None):
 
 def _set_ambient(source, settings):
     expected = ("samples", "radius", "weighting", "seed")
+    if not isinstance(settings, dict):
+        raise ValueError(f"ambient: got {describe(settings)}, expected a dict of "
+                         f"{', '.join(expected)}")
     unknown = [name for name in settings if name not in expected]
     if unknown:
         raise ValueError(f"ambient: got {', '.join(map(str, unknown))}, expected "

@@ -71,7 +71,9 @@ def _set_value(made, name, parameter, value):
         if not (wrong or text) and per_point and made.GetArray(parameter):
             wrong = f"got {described(value)}. {made.GetParameterHelp(parameter)}"
     array = made.GetArray(parameter) if per_point and not wrong else None
-    if array and arrays is not None and array not in arrays:
+    if array and arrays is not None and array in arrays:
+        wrong = _unlike(made, parameter, array)
+    elif array and arrays is not None:
         known = ", ".join(sorted(arrays)) or "none"
         guess = did_you_mean(array, arrays)
         wrong = (f"got {value!r}{guess}, which is neither a value nor a point array; the points' "
@@ -90,6 +92,21 @@ def _arrays(made):
     if not add_arrays(made.GetInputDataObject(0, 0), found):
         return None
     return {each[len("point:"):] for each in found if each.startswith("point:")}
+
+
+def _unlike(made, parameter, name):
+    """What is wrong with an array that is there, in words, or ""."""
+    data = made.GetInputDataObject(0, 0)
+    array = data.GetPointData().GetAbstractArray(name) if is_a(data, "vtkDataSet") else None
+    if array is None:
+        return ""
+    needed = made.GetParameterDefault(parameter).count(",") + 1
+    if not array.IsA("vtkDataArray"):
+        return f"got {name!r}, an array that holds no numbers"
+    if array.GetNumberOfComponents() < needed:
+        return (f"got {name!r}, an array of {array.GetNumberOfComponents()} components, expected "
+                f"{needed}")
+    return ""
 
 
 def _is_number(words):

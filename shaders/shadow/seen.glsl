@@ -49,8 +49,8 @@ vec3 relievoSeenPlace(vec2 pixel, float z)
 // What a raster's grid does to a place that is seen, in eye space: towards the eye, as long as the
 // place may lie off a plane. Corners move by half a diagonal of 1/256 pixel, those of the triangle
 // seen and those of its neighbour, and the place with them, in the picture and, by its plane's
-// slope, along the line of sight. slant: the cosine between line and normal; NaN, and taken for
-// little, where there is no normal.
+// slope, along the line of sight. slant: the cosine between line and normal, 1 of what is no
+// surface; a normal may be NaN, which counts as seen from the side.
 vec3 relievoSeenSnap(vec3 placeVC, float slant, bool parallel)
 {
   float w = abs(placeVC.z * relievoSeenW.x + relievoSeenW.y);

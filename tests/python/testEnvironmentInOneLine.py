@@ -84,6 +84,11 @@ class Environment(unittest.TestCase):
         self.assertTrue((ball < 240).all() and (ball > 150).all())
         relievo.environment(self.renderer, None)
         numpy.testing.assert_array_equal(self.look((0, 0, -1)), before)
+        # Tone that was on stays.
+        tone = relievo.stage(self.renderer, "tone")
+        relievo.environment(self.renderer, light, tone=True)
+        relievo.environment(self.renderer, None)
+        self.assertTrue(tone.GetEnabled())
 
     def test_constant_light(self):
         """In a furnace a white ball and a perfect mirror are as bright as the sky."""

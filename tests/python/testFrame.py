@@ -21,7 +21,14 @@ from vtkmodules.vtkRenderingCore import (
     vtkRenderer,
     vtkWindowToImageFilter,
 )
-from vtkmodules.vtkRenderingOpenGL2 import vtkOpenGLFXAAPass, vtkRenderStepsPass
+from vtkmodules.vtkRenderingOpenGL2 import (
+    vtkCameraPass,
+    vtkOpenGLFXAAPass,
+    vtkRenderPassCollection,
+    vtkRenderStepsPass,
+    vtkSequencePass,
+    vtkSSAAPass,
+)
 
 import relievo
 
@@ -136,6 +143,52 @@ class Attach(unittest.TestCase):
         self.renderer.SetPass(own)
         self.assertEqual(picture(self.window), smoothed)
         self.assertIs(self.renderer.GetPass(), own)
+
+    def test_a_pass_around_the_frame(self):
+        """By whoever wraps what the renderer has: it stays where it is put, and nothing recurs."""
+        frame = relievo.attach(self.renderer)
+        self.window.Render()
+        passes = vtkRenderPassCollection()
+        passes.AddItem(frame)
+        sequence, camera = vtkSequencePass(), vtkCameraPass()
+        sequence.SetPasses(passes)
+        camera.SetDelegatePass(sequence)
+        around = vtkSSAAPass()
+        around.SetDelegatePass(frame)
+        for own in (around, camera):
+            self.renderer.SetPass(own)
+            self.window.Render()
+            self.assertIs(self.renderer.GetPass(), own)
+            self.assertIs(relievo.attach(self.renderer), frame)
+        self.renderer.SetPass(None)
+        self.assertEqual(picture(self.window), self.first)
+        self.assertIs(self.renderer.GetPass(), frame)
+
+    def test_detached_behind_another_pass(self):
+        """Whatever has been set since the last picture."""
+        frame = relievo.attach(self.renderer)
+        own = vtkOpenGLFXAAPass()
+        own.SetDelegatePass(vtkRenderStepsPass())
+        self.renderer.SetPass(own)
+        self.assertTrue(relievo.detach(self.renderer))
+        self.assertTrue(frame.is_detached())
+        self.window.Render()
+        self.assertIs(self.renderer.GetPass(), own)
+        self.assertFalse(relievo.detach(self.renderer))
+
+    def test_a_frame_of_two_renderers(self):
+        """The one that it was attached to keeps it when the other lets it go."""
+        frame = relievo.attach(self.renderer)
+        other = scenes.plane_and_sphere()
+        other.SetPass(frame)
+        self.assertTrue(relievo.detach(other))
+        self.assertFalse(frame.is_detached())
+        other.SetPass(frame)
+        self.renderer.SetPass(None)
+        self.assertTrue(relievo.detach(self.renderer))
+        self.assertIs(relievo.attach(other), frame)
+        with self.assertRaises(ValueError):
+            frame.SetDisplayLayer("nonsense")
 
     def test_twice(self):
         frame = relievo.attach(self.renderer)

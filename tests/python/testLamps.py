@@ -94,6 +94,8 @@ class Lamps(PointsTest):
         data = points_at([(0, 0, 4)], brightness=[2], color=[(1, 0, 0)])
         with self.assertRaisesRegex(ValueError, "did you mean 'brightness'.*are brightness, color"):
             relievo.lamps(self.renderer, data, intensity="brightnes")
+        with self.assertRaisesRegex(ValueError, "'brightness', an array of 1 comp.*expected 3"):
+            relievo.lamps(self.renderer, data, color="brightness")
 
     def test_points_and_colors_as_people_have_them(self):
         """Points of numpy and colours by name light as a dataset and numbers do."""
