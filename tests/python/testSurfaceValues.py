@@ -67,7 +67,8 @@ class Values(unittest.TestCase):
         keywords = list(inspect.signature(relievo.environment).parameters)
         self.assertEqual(
             keywords,
-            ["renderer", "path", *names(relievo.vtkRelievoEnvironment()), *mirrors, "sky"],
+            ["renderer", "path", *names(relievo.vtkRelievoEnvironment()), *mirrors, "sky",
+             "tone"],
         )
         for name in keywords:
             self.assertRegex(relievo.environment.__doc__, rf"\b{name}: ", name)
