@@ -14,6 +14,7 @@
 #include "vtkProperty.h"
 #include "vtkRelievoAccess.h"
 #include "vtkRelievoFrameScene.h"
+#include "vtkRelievoMovedMesh.h"
 #include "vtkRelievoShaderLibrary.h"
 #include "vtkRelievoSpliceText.h"
 #include "vtkRenderWindow.h"
@@ -220,15 +221,26 @@ std::string vtkRelievoSurfaces::WhyAllLit(
 bool vtkRelievoSurfaces::AreMoved(const vtkRelievoFrameScene& scene)
 {
   bool found = false;
-  ForEachMesh(scene, [&found](vtkActor* actor, vtkMatrix4x4*) {
-    auto* shaders = vtkOpenGLShaderProperty::SafeDownCast(actor->GetShaderProperty());
-    found =
-      found || (shaders && (shaders->HasVertexShaderCode() || shaders->HasGeometryShaderCode()));
-    for (int i = 0; shaders && i < shaders->GetNumberOfShaderReplacements(); ++i)
-    {
-      found = found || shaders->GetNthShaderReplacementTypeAsString(i) != "Fragment";
-    }
-  });
+  ForEachMesh(scene, [&found](vtkActor* actor, vtkMatrix4x4*) { found = found || IsMoved(actor); });
+  return found;
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoSurfaces::IsMoved(vtkActor* actor)
+{
+  auto* shaders = vtkOpenGLShaderProperty::SafeDownCast(actor->GetShaderProperty());
+  if (!shaders || shaders->HasVertexShaderCode() || shaders->HasGeometryShaderCode())
+  {
+    return shaders != nullptr;
+  }
+  // Skins move in the mesh's space: what they show follows from its depth.
+  auto* skin = dynamic_cast<vtkRelievoMovedMesh*>(actor);
+  const int count = shaders->GetNumberOfShaderReplacements();
+  bool found = false;
+  for (int i = 0; i < count && !(skin && count == skin->GetNumberOfMovingReplacements()); ++i)
+  {
+    found = found || shaders->GetNthShaderReplacementTypeAsString(i) != "Fragment";
+  }
   return found;
 }
 

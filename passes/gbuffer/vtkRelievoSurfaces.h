@@ -32,6 +32,7 @@ struct vtkRelievoSurfaces
 
   // Whether an actor has vertex or geometry shader code of its own, which may move what is seen.
   static bool AreMoved(const vtkRelievoFrameScene& scene);
+  static bool IsMoved(vtkActor* actor);
 
   // Takes VTK's lights out of its fragment shader. False where they are not found as VTK writes
   // them.

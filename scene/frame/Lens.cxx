@@ -96,7 +96,8 @@ void CheckLens(const RenderOptions& options)
 //------------------------------------------------------------------------------
 void CheckLensLayer(const std::string& name)
 {
-  if (name != vtkRelievoLayerCatalogue::GetPicture().Name && !vtkRelievoRayLayers::HasLayer(name.c_str()))
+  if (name != vtkRelievoLayerCatalogue::GetPicture().Name &&
+    !vtkRelievoRayLayers::HasLayer(name.c_str()))
   {
     RefuseValue("--layers", name,
       "with --lens one of color, " + vtkRelievoRayLayers::GetLayerNames() +

@@ -445,7 +445,7 @@ void TestPicture()
   text->SetPosition(30.0, 40.0);
   text->GetTextProperty()->SetColor(1.0, 1.0, 1.0);
   text->GetTextProperty()->SetFontSize(24);
-  scene.Renderer->AddActor2D(text);
+  scene.Renderer->AddViewProp(text);
   const auto plain = relievoTest::Picture(scene.Window);
   RELIEVO_CHECK(scene.Frame->GetBytesHeld() == 0);
   scene.Stage->VisibleOn();

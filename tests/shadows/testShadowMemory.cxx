@@ -25,7 +25,7 @@ namespace
 {
 bool Full = false;
 bool FullForTrees = false; // of triangles, which are the frame's
-int FailuresLeft = -1; // fails so many times; -1: always
+int FailuresLeft = -1;     // fails so many times; -1: always
 }
 
 // VTK asks for errors as well, after work that has gone right.

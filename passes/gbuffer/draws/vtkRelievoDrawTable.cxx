@@ -20,6 +20,7 @@
 #include "vtkRelievoFrameCamera.h"
 #include "vtkRelievoGBufferSplice.h"
 #include "vtkRelievoGlyphDraws.h"
+#include "vtkRelievoSurfaces.h"
 #include "vtkRenderer.h"
 #include "vtkShaderProperty.h"
 
@@ -299,6 +300,7 @@ void vtkRelievoDrawTable::Resolve(vtkRenderer* renderer, const vtkRelievoFrameCa
       (shaders &&
         (shaders->HasVertexShaderCode() || shaders->HasGeometryShaderCode() ||
           shaders->GetNumberOfShaderReplacements() > 0));
+    draw.Moved = draw.Prop && vtkRelievoSurfaces::IsMoved(draw.Prop);
     for (Range& range : draw.Ranges)
     {
       range.Changed = vtkRelievoCellMaps::GetTime(range.Mesh) != range.Time;
@@ -397,6 +399,7 @@ vtkRelievoDrawTable::Hit vtkRelievoDrawTable::Find(std::uint32_t word) const
   hit.ModelToView = &draw.ModelToView;
   hit.Representation = draw.Representation;
   hit.Deformed = draw.Deformed;
+  hit.Moved = draw.Moved;
   hit.Block = draw.Block;
   if (draw.Points)
   {

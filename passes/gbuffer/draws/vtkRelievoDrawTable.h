@@ -43,6 +43,7 @@ public:
     const glm::dmat4* ModelToView = nullptr;
     int Representation = 0; // as it was drawn
     bool Deformed = false;  // by shader code of the actor's own
+    bool Moved = false;     // by such, in the picture: its place does not follow from depth
     bool Changed = false;   // Mesh has other cells or points by now
 
     // Which of the OpenGL primitives that Mesh's cell was cut into: 0 is the first.
@@ -107,6 +108,7 @@ private:
     glm::dmat4 ViewToModel;
     glm::dmat4 ModelToView;
     bool Deformed;
+    bool Moved;
     bool Ambiguous;            // primitives of several blocks have the same numbers
     std::vector<Range> Ranges; // by their first primitive
     int Block;                 // of Points

@@ -305,13 +305,25 @@ void vtkRelievoLayerReader::PreparePlaces()
 //------------------------------------------------------------------------------
 const glm::dvec3* vtkRelievoLayerReader::GetPlace(vtkIdType pixel, glm::dvec3& eye)
 {
-  if (this->Places.empty() || !this->Draws->Find(this->Ids[pixel * this->IdStride]).Deformed)
+  if (this->Places.empty() || !this->Draws->Find(this->Ids[pixel * this->IdStride]).Moved)
   {
     return nullptr;
   }
   const float* place = this->Places.data() + 2 * pixel;
-  eye = glm::dvec3(place[0], place[1], -this->Depth->GetValue(pixel));
-  return &eye;
+  const double depth = this->Depth->GetValue(pixel);
+  eye = glm::dvec3(place[0], place[1], -depth);
+  // Code that moves the mesh in its own space leaves places where they are seen, which is exacter
+  // than what is interpolated.
+  const vtkIdType width = this->Region[2];
+  const glm::dvec2 size(width, this->Region[3]);
+  const glm::dvec2 at(pixel % width, pixel / width);
+  const auto seen = [&](const glm::dvec2& each) {
+    return glm::dvec3(
+      relievoEyePosition(relievoNdcFromPixel(each, size), depth, this->View.ViewToNDC));
+  };
+  const double off = glm::distance(glm::dvec2(eye), glm::dvec2(seen(at)));
+  const double step = glm::distance(glm::dvec2(seen(at + 1.0)), glm::dvec2(seen(at)));
+  return off > 0.01 * step ? &eye : nullptr;
 }
 
 //------------------------------------------------------------------------------
