@@ -272,8 +272,11 @@ vtkRelievoCameraModel* vtkRelievoCalibration::MakeLens(vtkCamera* view, int colu
   const double edges[2][3] = { { 0.0, -std::sin(half), std::cos(half) },
     { 0.0, std::sin(half), std::cos(half) } };
   double places[2][2];
+  // What a pinhole shows of 180 degrees is without end; of 179.9 it is as high as this.
+  constexpr double highest = 2291.8;
   const bool isSeen = lens->ProjectCameraPoint(edges[0], places[0]) &&
-    lens->ProjectCameraPoint(edges[1], places[1]) && places[1][1] > places[0][1];
+    lens->ProjectCameraPoint(edges[1], places[1]) && places[1][1] > places[0][1] &&
+    places[1][1] - places[0][1] < highest;
   if (!isSeen)
   {
     lens->Delete();

@@ -256,8 +256,7 @@ vtkRelievoCalibrationFile Interpret(const Json& file)
   }
   const Json& given = file.value("camera_matrix", Json());
   const Numbers k = GetMatrix(given).value_or(Numbers());
-  if (k.size() != 9 || !AreAllFinite(k) || !(k[0] > 0.0 && k[4] > 0.0) || k[3] != 0.0 ||
-    k[6] != 0.0 || k[7] != 0.0 || k[8] != 1.0)
+  if (!vtkRelievoCalibrationFile::IsMatrix(k))
   {
     found.Wrong = std::string("camera_matrix: ") + (given.is_null() ? "it is missing, " : "") +
       "expected 9 numbers, row by row: fx, skew, cx, 0, fy, cy, 0, 0, 1, fx and fy above 0";

@@ -5,6 +5,7 @@
 #ifndef vtkRelievoCalibrationFile_h
 #define vtkRelievoCalibrationFile_h
 
+#include <cmath>
 #include <optional>
 #include <string>
 #include <vector>
@@ -18,6 +19,13 @@ struct vtkRelievoCalibrationFile
   std::string Wrong; // empty: nothing
 
   static vtkRelievoCalibrationFile Read(const std::string& path);
+
+  // Whether the numbers are K row by row: fx, skew, cx, 0, fy, cy, 0, 0, 1.
+  static bool IsMatrix(const std::vector<double>& k)
+  {
+    return k.size() == 9 && std::isfinite(k[0] + k[1] + k[2] + k[4] + k[5]) && k[0] > 0.0 &&
+      k[4] > 0.0 && k[3] == 0.0 && k[6] == 0.0 && k[7] == 0.0 && k[8] == 1.0;
+  }
 
   // In lower case, with its dot.
   static std::string GetExtension(const std::string& path);

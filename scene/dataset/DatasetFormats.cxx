@@ -6,7 +6,6 @@
 #include "DatasetObjects.h"
 #include "DatasetView.h"
 
-#include "vtkActor.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkMath.h"
@@ -41,10 +40,9 @@ unsigned short GetSteps(double depth, double step)
 }
 
 // The pose of an object in a camera: a rotation, and a translation in world units. What its matrix
-// scales belongs to the object.
-Json DescribePose(vtkActor* actor, vtkRelievoCameraModel* camera)
+// scales or mirrors belongs to the object.
+Json DescribePose(vtkMatrix4x4* matrix, vtkRelievoCameraModel* camera)
 {
-  vtkMatrix4x4* matrix = actor->GetMatrix();
   double turned[3][3];
   for (int i = 0; i < 3; ++i)
   {
@@ -54,6 +52,7 @@ Json DescribePose(vtkActor* actor, vtkRelievoCameraModel* camera)
     }
   }
   vtkMath::Orthogonalize3x3(turned, turned);
+  const double sign = vtkMath::Determinant3x3(turned) < 0.0 ? -1.0 : 1.0;
   const double* rotation = camera->GetRotation();
   std::vector<double> all(9);
   std::vector<double> place(3);
@@ -65,7 +64,7 @@ Json DescribePose(vtkActor* actor, vtkRelievoCameraModel* camera)
       place[i] += rotation[3 * i + k] * matrix->GetElement(static_cast<int>(k), 3);
       for (std::size_t j = 0; j < 3; ++j)
       {
-        all[3 * i + j] += rotation[3 * i + k] * turned[k][j];
+        all[3 * i + j] += sign * rotation[3 * i + k] * turned[k][j];
       }
     }
   }
@@ -213,7 +212,7 @@ void WriteArrays(const DatasetStyle& style, const DatasetView& view, const Datas
   std::vector<double> matrices;
   for (const DatasetObject& object : objects.Get())
   {
-    const double* matrix = object.Actor->GetMatrix()->GetData();
+    const double* matrix = object.Pose->GetData();
     matrices.insert(matrices.end(), matrix, matrix + 16);
   }
   const auto add = [&archive](const std::string& array, const std::vector<std::size_t>& shape,
@@ -243,7 +242,7 @@ void WriteArrays(const DatasetStyle& style, const DatasetView& view, const Datas
 //------------------------------------------------------------------------------
 void WriteJson(const std::string& path, const Json& json)
 {
-  WriteWhole(path, json.dump(1) + "\n");
+  WriteWhole(path, WriteDatasetJson(json));
 }
 
 std::vector<double> Scaled(const Json& values, double scale)
@@ -385,6 +384,51 @@ std::string WriteDatasetNumber(std::size_t number)
 }
 
 //------------------------------------------------------------------------------
+std::string WriteDatasetJson(const Json& json)
+{
+  return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+//------------------------------------------------------------------------------
+bool IsDatasetRecord(DatasetFormat format, const Json& record, std::size_t objects)
+{
+  const auto has = [](const Json& json, const char* name, std::size_t count) {
+    const auto found = json.find(name);
+    return found != json.end() && found->is_array() && found->size() == count &&
+      std::all_of(found->begin(), found->end(), [](const Json& each) { return each.is_number(); });
+  };
+  const auto hasNumber = [](const Json& json, const char* name) {
+    return json.contains(name) && json[name].is_number();
+  };
+  const auto hasText = [](const Json& json, const char* name) {
+    return json.contains(name) && json[name].is_string();
+  };
+  if (!record.is_object() || !hasNumber(record, "view") || !record.contains("camera") ||
+    !record.contains("objects") || !record["objects"].is_array() ||
+    record["objects"].size() != objects)
+  {
+    return false;
+  }
+  const Json& camera = record["camera"];
+  const bool isPinhole = format != DatasetFormat::Numpy; // all views are
+  if (!has(camera, "size", 2) || !has(camera, "R", 9) || !has(camera, "t", 3) ||
+    (isPinhole && !has(camera, "K", 9)))
+  {
+    return false;
+  }
+  return std::all_of(record["objects"].begin(), record["objects"].end(), [&](const Json& object) {
+    const bool isBOP = format == DatasetFormat::BOP;
+    const bool isCOCO = format == DatasetFormat::COCO;
+    return hasNumber(object, "object") && has(object, "R", 9) && has(object, "t", 3) &&
+      hasNumber(object, "visible_pixels") && hasNumber(object, "amodal_pixels") &&
+      hasNumber(object, "valid_pixels") && has(object, "visible_box", 4) &&
+      has(object, "amodal_box", 4) &&
+      (!isBOP || (hasNumber(object, "silhouette_pixels") && has(object, "silhouette_box", 4))) &&
+      (!isCOCO || (hasText(object, "visible_runs") && hasText(object, "amodal_runs")));
+  });
+}
+
+//------------------------------------------------------------------------------
 Json DescribeDatasetCamera(vtkRelievoCameraModel* camera)
 {
   Json json = { { "size", { camera->GetSize()[0], camera->GetSize()[1] } } };
@@ -415,7 +459,7 @@ std::size_t WriteDatasetView(const DatasetStyle& style, const DatasetView& view,
   for (std::size_t i = 0; i < objects.Get().size(); ++i)
   {
     Json object = { { "object", i + 1 }, { "name", objects.Get()[i].Name } };
-    object.update(DescribePose(objects.Get()[i].Actor, camera));
+    object.update(DescribePose(objects.Get()[i].Pose, camera));
     std::size_t valid = 0;
     view.Whole[i].ForEach([&](std::size_t pixel) { valid += steps[pixel] > 0 ? 1 : 0; });
     object["visible_pixels"] = view.Visible[i].GetCount();

@@ -41,6 +41,13 @@ struct DatasetStyle
 /// The six digits of a view or an object in names of files.
 std::string WriteDatasetNumber(std::size_t number);
 
+/// JSON as it is written; what a text has besides Unicode is replaced.
+std::string WriteDatasetJson(const nlohmann::ordered_json& json);
+
+/// Whether the record has what the indices of a format read, of so many objects.
+bool IsDatasetRecord(
+  DatasetFormat format, const nlohmann::ordered_json& record, std::size_t objects);
+
 /// What a record says of a camera: size, R, t, and what it is calibrated by.
 nlohmann::ordered_json DescribeDatasetCamera(vtkRelievoCameraModel* camera);
 
@@ -50,7 +57,7 @@ std::size_t WriteDatasetView(const DatasetStyle& style, const DatasetView& view,
   const DatasetObjects& objects, vtkRelievoCameraModel* camera, std::size_t number,
   nlohmann::ordered_json& record);
 
-/// Writes the indices of these records. Throws FileError.
+/// Writes the indices of these records, which are whole. Throws FileError.
 void WriteDatasetIndex(const DatasetStyle& style, const std::vector<std::string>& objects,
   const std::vector<nlohmann::ordered_json>& records);
 }

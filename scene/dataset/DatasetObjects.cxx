@@ -3,11 +3,15 @@
 #include "DatasetObjects.h"
 
 #include "vtkActor.h"
-#include "vtkActorCollection.h"
+#include "vtkAssembly.h"
+#include "vtkAssemblyNode.h"
+#include "vtkAssemblyPath.h"
 #include "vtkCompositeDataDisplayAttributes.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
+#include "vtkDataSet.h"
 #include "vtkMapper.h"
+#include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkPropCollection.h"
 #include "vtkRelievoCompositeMapper.h"
@@ -54,6 +58,54 @@ std::vector<std::pair<int, vtkDataObject*>> GetBlocks(vtkActor* actor)
   }
   return blocks;
 }
+
+void AddTo(vtkBoundingBox& box, const std::vector<std::array<double, 3>>& points)
+{
+  for (const std::array<double, 3>& point : points)
+  {
+    box.AddPoint(point[0], point[1], point[2]);
+  }
+}
+
+// The renderer's actors in the order of their numbers, with the matrices by which they are drawn:
+// those of an assembly's parts are the assembly's and their own.
+std::vector<std::pair<vtkActor*, vtkSmartPointer<vtkMatrix4x4>>> GetPlacedActors(
+  vtkRenderer* renderer)
+{
+  std::vector<std::pair<vtkActor*, vtkSmartPointer<vtkMatrix4x4>>> placed;
+  const auto add = [&placed](vtkActor* actor, vtkMatrix4x4* matrix) {
+    placed.emplace_back(actor, vtkSmartPointer<vtkMatrix4x4>::New());
+    placed.back().second->DeepCopy(matrix);
+  };
+  vtkPropCollection* props = renderer->GetViewProps();
+  for (int i = 0; i < props->GetNumberOfItems(); ++i)
+  {
+    auto* prop = vtkProp::SafeDownCast(props->GetItemAsObject(i));
+    if (vtkAssembly::SafeDownCast(prop))
+    {
+      prop->InitPathTraversal();
+      while (vtkAssemblyPath* path = prop->GetNextPath())
+      {
+        vtkAssemblyNode* leaf = path->GetLastNode();
+        if (auto* actor = vtkActor::SafeDownCast(leaf->GetViewProp()))
+        {
+          add(actor, leaf->GetMatrix());
+        }
+      }
+      continue;
+    }
+    vtkNew<vtkPropCollection> inside;
+    prop->GetActors(inside);
+    for (int k = 0; k < inside->GetNumberOfItems(); ++k)
+    {
+      if (auto* actor = vtkActor::SafeDownCast(inside->GetItemAsObject(k)))
+      {
+        add(actor, actor->GetMatrix());
+      }
+    }
+  }
+  return placed;
+}
 }
 
 //------------------------------------------------------------------------------
@@ -62,18 +114,19 @@ DatasetObjects::DatasetObjects(
   : Renderer(renderer)
 {
   std::map<std::string, int> known;
-  vtkActorCollection* actors = renderer->GetActors();
-  for (int number = 0; number < actors->GetNumberOfItems(); ++number)
+  int number = -1;
+  for (const auto& [shown, pose] : GetPlacedActors(renderer))
   {
-    auto* actor = vtkActor::SafeDownCast(actors->GetItemAsObject(number));
-    if (!actor || !actor->GetVisibility() || !actor->GetMapper())
+    vtkActor* actor = shown;
+    ++number;
+    if (!actor->GetVisibility() || !actor->GetMapper())
     {
       continue;
     }
     const auto given = names.find(number);
     const std::string name =
       given == names.end() ? "actor_" + std::to_string(number) : given->second;
-    const auto add = [&](int block, vtkDataObject* data) {
+    const auto add = [&, &pose = pose](int block, vtkDataObject* data) {
       const std::string own = block > 0 ? name + "_" + std::to_string(block) : name;
       int object = -1;
       if (!name.empty())
@@ -82,11 +135,11 @@ DatasetObjects::DatasetObjects(
         object = place->second;
         if (isNew)
         {
-          this->Objects.push_back({ own, actor });
+          this->Objects.push_back({ own, pose });
         }
         this->Numbers[{ number, block }] = object;
       }
-      this->Parts.push_back({ actor, number, block, data, object });
+      this->Parts.push_back({ actor, number, block, data, object, pose });
     };
     actor->GetMapper()->Update();
     const auto parts = blocks ? GetBlocks(actor) : std::vector<std::pair<int, vtkDataObject*>>();
@@ -102,6 +155,41 @@ DatasetObjects::DatasetObjects(
 }
 
 //------------------------------------------------------------------------------
+std::vector<std::array<double, 3>> DatasetObjects::GetCorners(const Part& part)
+{
+  auto* block = vtkDataSet::SafeDownCast(part.Data);
+  const double* bounds = block ? block->GetBounds() : part.Actor->GetMapper()->GetBounds();
+  std::vector<std::array<double, 3>> corners;
+  if (!bounds || !vtkMath::AreBoundsInitialized(bounds))
+  {
+    return corners;
+  }
+  for (int i = 0; i < 8; ++i)
+  {
+    const double corner[4] = { bounds[i & 1], bounds[2 + (i >> 1 & 1)], bounds[4 + (i >> 2)], 1.0 };
+    double placed[4];
+    part.Pose->MultiplyPoint(corner, placed);
+    corners.push_back({ placed[0] / placed[3], placed[1] / placed[3], placed[2] / placed[3] });
+  }
+  return corners;
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::array<double, 3>> DatasetObjects::GetCorners(int object) const
+{
+  std::vector<std::array<double, 3>> corners;
+  for (const Part& part : this->Parts)
+  {
+    if (part.Object == object)
+    {
+      const std::vector<std::array<double, 3>> more = GetCorners(part);
+      corners.insert(corners.end(), more.begin(), more.end());
+    }
+  }
+  return corners;
+}
+
+//------------------------------------------------------------------------------
 vtkBoundingBox DatasetObjects::GetBounds() const
 {
   vtkBoundingBox box;
@@ -109,7 +197,7 @@ vtkBoundingBox DatasetObjects::GetBounds() const
   {
     if (part.Object >= 0)
     {
-      box.AddBounds(part.Actor->GetBounds());
+      AddTo(box, GetCorners(part));
     }
   }
   if (!box.IsValid())
@@ -127,7 +215,7 @@ vtkBoundingBox DatasetObjects::GetOpaqueBounds() const
   {
     if (!part.Actor->HasTranslucentPolygonalGeometry())
     {
-      box.AddBounds(part.Actor->GetBounds());
+      AddTo(box, GetCorners(part));
     }
   }
   return box;

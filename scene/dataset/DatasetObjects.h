@@ -7,7 +7,10 @@
 #define DatasetObjects_h
 
 #include "vtkBoundingBox.h"
+#include "vtkMatrix4x4.h"
+#include "vtkSmartPointer.h"
 
+#include <array>
 #include <map>
 #include <string>
 #include <utility>
@@ -23,7 +26,7 @@ namespace scene
 struct DatasetObject
 {
   std::string Name;
-  vtkActor* Actor; ///< whose matrix is its pose; the first of several
+  vtkSmartPointer<vtkMatrix4x4> Pose; ///< to the world, also within an assembly; the first of several
 };
 
 class DatasetObjects
@@ -34,6 +37,9 @@ public:
   DatasetObjects(vtkRenderer* renderer, const std::map<int, std::string>& names, bool blocks);
 
   const std::vector<DatasetObject>& Get() const { return this->Objects; }
+
+  /// The corners in the world of boxes around the parts of an object.
+  std::vector<std::array<double, 3>> GetCorners(int object) const;
 
   /// Around the objects: where there are none, around all that is shown.
   vtkBoundingBox GetBounds() const;
@@ -74,7 +80,10 @@ private:
     int Block;           // -1: all
     vtkDataObject* Data; // of the block
     int Object;          // -1: none
+    vtkSmartPointer<vtkMatrix4x4> Pose;
   };
+  static std::vector<std::array<double, 3>> GetCorners(const Part& part);
+
   vtkRenderer* Renderer;
   std::vector<Part> Parts;
   std::vector<DatasetObject> Objects;

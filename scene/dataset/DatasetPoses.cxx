@@ -9,12 +9,14 @@
 #include "Values.h"
 
 #include "vtkMath.h"
+#include "vtkRelievoCalibrationFile.h"
 #include "vtkRelievoLensCamera.h"
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <functional>
 #include <limits>
 
@@ -26,6 +28,7 @@ using Json = nlohmann::ordered_json;
 using Cameras = std::vector<vtkSmartPointer<vtkRelievoCameraModel>>;
 
 constexpr int MostViews = 10000000;
+constexpr double MostPixels = 1 << 20; // each way
 constexpr std::uint64_t Step = 0x9e3779b97f4a7c15; // of random numbers
 constexpr double PoseMargin = 1.05;                // around what a pose is to show
 
@@ -122,6 +125,17 @@ Cameras StandAround(const std::string& option, const std::string& word, vtkRelie
       { "nearest", 1.0, 1e-6, infinity }, { "farthest", 1.5, 1e-6, infinity } };
   }
   Take(option, ParseNamedWords(option, parts, "NAME=VALUE"), numbers);
+  if (!orbit)
+  {
+    for (const std::size_t low : { 0, 2 })
+    {
+      if (numbers[low].Value > numbers[low + 1].Value)
+      {
+        throw UsageError(option + " " + word + ": " + numbers[low].Name + " is above " +
+          numbers[low + 1].Name + ", expected it to be at most this");
+      }
+    }
+  }
   if (!around.Box.IsValid())
   {
     throw UsageError(
@@ -148,10 +162,19 @@ Cameras StandAround(const std::string& option, const std::string& word, vtkRelie
       distance = random.Next(numbers[2].Value, numbers[3].Value);
     }
     const std::array<double, 3> direction = GetSunDirection({ azimuth, elevation }, around.UpAxis);
-    const bool steep = std::abs(elevation) > 89.9;
     double position[3];
     double up[3] = {};
-    up[(around.UpAxis + (steep ? 1 : 0)) % 3] = 1.0;
+    if (std::abs(elevation) > 89.9)
+    {
+      // From above, what is farther from the place on the circle is up.
+      const std::array<double, 3> outwards = GetSunDirection({ azimuth, 0.0 }, around.UpAxis);
+      std::transform(outwards.begin(), outwards.end(), up,
+        [elevation](double along) { return elevation > 0.0 ? -along : along; });
+    }
+    else
+    {
+      up[around.UpAxis] = 1.0;
+    }
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
       position[axis] = center[axis] + fitting * distance * direction[axis];
@@ -192,6 +215,11 @@ std::vector<double> TakeNumbers(const Json& values, std::size_t count, const std
 void SetIntrinsics(
   vtkRelievoCameraModel* camera, const std::vector<double>& k, const std::string& where)
 {
+  if (!vtkRelievoCalibrationFile::IsMatrix(k))
+  {
+    throw UsageError(where +
+      ": expected 9 numbers, row by row: fx, skew, cx, 0, fy, cy, 0, 0, 1, fx and fy above 0");
+  }
   auto* lens = vtkRelievoLensCamera::SafeDownCast(camera);
   if (!lens)
   {
@@ -200,9 +228,54 @@ void SetIntrinsics(
   lens->SetIntrinsics(k[0], k[4], k[1], k[2], k[5]);
 }
 
-void SetSize(vtkRelievoCameraModel* camera, const std::vector<double>& size)
+// Pixels stay square, the view as high as before, and its axis where it was in the picture.
+void SetSize(
+  vtkRelievoCameraModel* camera, const std::vector<double>& size, const std::string& where)
 {
+  for (const double pixels : size)
+  {
+    if (!(pixels >= 1.0 && pixels <= MostPixels && pixels == std::floor(pixels)))
+    {
+      throw UsageError(where + ": expected whole numbers of pixels from 1 to " +
+        std::to_string(static_cast<int>(MostPixels)));
+    }
+  }
+  const double x = size[0] / camera->GetSize()[0];
+  const double y = size[1] / camera->GetSize()[1];
   camera->SetSize(static_cast<int>(size[0]), static_cast<int>(size[1]));
+  if (auto* lens = vtkRelievoLensCamera::SafeDownCast(camera))
+  {
+    const double* axis = lens->GetPrincipalPoint();
+    lens->SetIntrinsics(lens->GetFocalX() * y, lens->GetFocalY() * y, lens->GetSkew() * y,
+      (axis[0] + 0.5) * x - 0.5, (axis[1] + 0.5) * y - 0.5);
+  }
+}
+
+//------------------------------------------------------------------------------
+// Throws UsageError for lenses of transforms.json that bend rays.
+void CheckPinhole(const Json& frame, const std::string& where)
+{
+  static const std::vector<std::string> models = { "PINHOLE", "SIMPLE_PINHOLE", "PERSPECTIVE",
+    "OPENCV", "FULL_OPENCV", "RADIAL", "SIMPLE_RADIAL" };
+  const Json& model = frame.contains("camera_model") ? frame["camera_model"] : Json(models[0]);
+  if (!model.is_string() ||
+    std::find(models.begin(), models.end(), model.get<std::string>()) == models.end())
+  {
+    throw UsageError(where + ", camera_model: got " + model.dump() +
+      ", expected a pinhole: " + Join(models, ", "));
+  }
+  if (frame.contains("is_fisheye") && frame["is_fisheye"] != false)
+  {
+    throw UsageError(where + ", is_fisheye: expected a pinhole");
+  }
+  for (const char* name : { "k1", "k2", "k3", "k4", "k5", "k6", "p1", "p2" })
+  {
+    if (frame.contains(name) && TakeNumbers(frame[name], 1, where + ", " + name)[0] != 0.0)
+    {
+      throw UsageError(where + ", " + name + ": got " + frame[name].dump() +
+        ", expected 0: poses are those of pinholes, so undistort the pictures before");
+    }
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -216,18 +289,39 @@ void SetFromFrame(
     return from.contains(name) ? TakeNumbers(from[name], 1, where + ", " + name)[0]
                                : std::numeric_limits<double>::quiet_NaN();
   };
-  if (!std::isnan(get("w")) && !std::isnan(get("h")))
+  CheckPinhole(all, where);
+  CheckPinhole(frame, where);
+  if (std::isnan(get("w")) != std::isnan(get("h")))
   {
-    SetSize(camera, { get("w"), get("h") });
+    throw UsageError(where + ": expected both w and h");
   }
-  const double fx = get("fl_x");
+  if (!std::isnan(get("w")))
+  {
+    SetSize(camera, { get("w"), get("h") }, where + ", w and h");
+  }
+  const int* size = camera->GetSize();
+  // In pixels, or as the angle from one edge to the other.
+  const auto getFocal = [&](const char* name, const char* ofAngle, int pixels) {
+    const double angle = get(ofAngle);
+    if (angle <= 0.0 || angle >= vtkMath::Pi())
+    {
+      throw UsageError(where + ", " + ofAngle + ": expected radians between 0 and pi");
+    }
+    return std::isnan(get(name)) ? pixels / 2.0 / std::tan(angle / 2.0) : get(name);
+  };
+  const double focals[2] = { getFocal("fl_x", "camera_angle_x", size[0]),
+    getFocal("fl_y", "camera_angle_y", size[1]) };
+  const double fx = std::isnan(focals[0]) ? focals[1] : focals[0];
   if (!std::isnan(fx))
   {
-    const double fy = std::isnan(get("fl_y")) ? fx : get("fl_y");
-    const int* size = camera->GetSize();
+    const double fy = std::isnan(focals[1]) ? fx : focals[1];
     const double cx = std::isnan(get("cx")) ? size[0] / 2.0 : get("cx");
     const double cy = std::isnan(get("cy")) ? size[1] / 2.0 : get("cy");
-    SetIntrinsics(camera, { fx, 0.0, cx - 0.5, 0.0, fy, cy - 0.5, 0.0, 0.0, 1.0 }, where);
+    SetIntrinsics(camera, { fx, 0.0, cx - 0.5, 0.0, fy, cy - 0.5, 0.0, 0.0, 1.0 }, where + ", K");
+  }
+  else if (!std::isnan(get("cx")) || !std::isnan(get("cy")))
+  {
+    throw UsageError(where + ", cx and cy: expected fl_x or camera_angle_x beside them");
   }
   const std::vector<double> m =
     TakeNumbers(frame["transform_matrix"], 16, where + ", transform_matrix");
@@ -247,14 +341,15 @@ void SetFromFrame(
 }
 
 //------------------------------------------------------------------------------
-void SetFromPose(vtkRelievoCameraModel* camera, const Json& pose, const std::string& where)
+void SetFromPose(
+  vtkRelievoCameraModel* camera, const Json& pose, int upAxis, const std::string& where)
 {
   const auto take = [&](const char* name, std::size_t count) {
     return TakeNumbers(pose[name], count, where + ", " + name);
   };
   if (pose.contains("size"))
   {
-    SetSize(camera, take("size", 2));
+    SetSize(camera, take("size", 2), where + ", size");
   }
   if (pose.contains("K"))
   {
@@ -269,13 +364,18 @@ void SetFromPose(vtkRelievoCameraModel* camera, const Json& pose, const std::str
   {
     throw UsageError(where + ": expected R and t, or position and target");
   }
-  const std::vector<double> up =
-    pose.contains("up") ? take("up", 3) : std::vector<double>{ 0.0, 1.0, 0.0 };
+  std::vector<double> up(3);
+  up[static_cast<std::size_t>(upAxis)] = 1.0;
+  if (pose.contains("up"))
+  {
+    up = take("up", 3);
+  }
   camera->LookAt(take("position", 3).data(), take("target", 3).data(), up.data());
 }
 
 //------------------------------------------------------------------------------
-Cameras ReadPoses(const std::string& option, const std::string& path, vtkRelievoCameraModel* like)
+Cameras ReadPoses(
+  const std::string& option, const std::string& path, vtkRelievoCameraModel* like, int upAxis)
 {
   const Json all = Json::parse(ReadWhole(path), nullptr, false);
   const bool frames = all.is_object() && all.contains("frames");
@@ -296,7 +396,7 @@ Cameras ReadPoses(const std::string& option, const std::string& path, vtkRelievo
       throw UsageError(where + ": expected " + (frames ? "a transform_matrix" : "R and t"));
     }
     frames ? SetFromFrame(cameras.back(), list[i], all, where)
-           : SetFromPose(cameras.back(), list[i], where);
+           : SetFromPose(cameras.back(), list[i], upAxis, where);
     try
     {
       Messages::Check(where);
@@ -333,7 +433,17 @@ Cameras MakeDatasetPoses(const std::string& option, const std::string& words,
   vtkRelievoCameraModel* like, const DatasetSurroundings& around)
 {
   const bool stands = words.rfind("orbit:", 0) == 0 || words.rfind("random:", 0) == 0;
-  return stands ? StandAround(option, words, like, around) : ReadPoses(option, words, like);
+  if (stands)
+  {
+    return StandAround(option, words, like, around);
+  }
+  const std::filesystem::path path(words);
+  std::error_code trouble;
+  if (path.extension() != ".json" && !std::filesystem::exists(path, trouble))
+  {
+    RefuseValue(option, words, "orbit:N, random:N or a FILE.json");
+  }
+  return ReadPoses(option, words, like, around.UpAxis);
 }
 
 //------------------------------------------------------------------------------

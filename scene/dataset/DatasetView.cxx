@@ -9,6 +9,7 @@
 #include "vtkDoubleArray.h"
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
+#include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkPointData.h"
@@ -94,6 +95,39 @@ void ForEachObject(const DatasetObjects& objects, vtkImageData* layers, const Ca
     }
     call(pixel, object);
   });
+}
+
+// Whether boxes around an object say that all of it is in a picture, some may be beyond, or none is
+// before the camera.
+enum class Extent
+{
+  Within,
+  Beyond,
+  Behind
+};
+
+Extent GetExtent(vtkRelievoLensCamera* camera, const DatasetObjects& objects, int object)
+{
+  int behind = 0;
+  bool isWithin = true;
+  const std::vector<std::array<double, 3>> corners = objects.GetCorners(object);
+  for (const std::array<double, 3>& corner : corners)
+  {
+    double point[3];
+    for (int i = 0; i < 3; ++i)
+    {
+      point[i] =
+        vtkMath::Dot(camera->GetRotation() + 3 * i, corner.data()) + camera->GetTranslation()[i];
+    }
+    double pixel[2];
+    const bool isBefore = point[2] > 0.0 && camera->ProjectCameraPoint(point, pixel);
+    behind += isBefore ? 0 : 1;
+    isWithin = isWithin && isBefore && pixel[0] > -0.5 && pixel[1] > -0.5 &&
+      pixel[0] < camera->GetSize()[0] - 0.5 && pixel[1] < camera->GetSize()[1] - 0.5;
+  }
+  return isWithin ? Extent::Within
+    : behind == static_cast<int>(corners.size()) ? Extent::Behind
+                                                 : Extent::Beyond;
 }
 
 void FindVisible(const DatasetObjects& objects, DatasetView& view)
@@ -250,6 +284,8 @@ void DatasetPainter::SetSun(const std::array<double, 3>& direction)
     }
     this->Sun->GetPosition(this->SunPosition.data());
     this->Sun->GetFocalPoint(this->SunFocus.data());
+    this->SunMatrix = this->Sun->GetTransformMatrix();
+    this->Sun->SetTransformMatrix(nullptr);
   }
   this->Sun->SetFocalPoint(0.0, 0.0, 0.0);
   this->Sun->SetPosition(direction.data());
@@ -264,6 +300,7 @@ void DatasetPainter::RestoreLights()
   }
   this->Sun->SetPosition(this->SunPosition.data());
   this->Sun->SetFocalPoint(this->SunFocus.data());
+  this->Sun->SetTransformMatrix(this->SunMatrix);
   if (this->IsOwnSun)
   {
     this->Renderer->RemoveLight(this->Sun);
@@ -367,8 +404,9 @@ void DatasetPainter::DrawInWindow(vtkRelievoLensCamera* camera, DatasetView& vie
 }
 
 //------------------------------------------------------------------------------
-// An object that reaches the picture's edge is drawn once more, on up to three times as many
-// columns and rows; what lies in the middle is known.
+// An object that may reach beyond the picture is drawn once more, on up to three times as many
+// columns and rows; what lies in the middle is known. Shaders move surfaces out of their boxes: a
+// mask that touches the edge counts as well.
 void DatasetPainter::LookBeyond(vtkRelievoLensCamera* camera, DatasetView& view)
 {
   const std::array<int, 2> margin = GetMargin(this->Window, view.Columns, view.Rows);
@@ -381,9 +419,12 @@ void DatasetPainter::LookBeyond(vtkRelievoLensCamera* camera, DatasetView& view)
   {
     const std::array<int, 4> box = view.Whole[i].GetBox();
     view.Silhouettes.push_back({ view.Whole[i].GetCount(), box });
-    const bool within =
-      box[0] > 0 && box[1] > 0 && box[0] + box[2] < view.Columns && box[1] + box[3] < view.Rows;
-    if (within || view.Whole[i].GetCount() == 0)
+    const bool isSeen = view.Whole[i].GetCount() > 0;
+    const bool isTouching = isSeen &&
+      (box[0] == 0 || box[1] == 0 || box[0] + box[2] == view.Columns ||
+        box[1] + box[3] == view.Rows);
+    const auto object = static_cast<int>(i);
+    if (!isTouching && GetExtent(camera, this->Objects, object) != Extent::Beyond)
     {
       continue;
     }
@@ -399,7 +440,6 @@ void DatasetPainter::LookBeyond(vtkRelievoLensCamera* camera, DatasetView& view)
       wide->ApplyTo(this->Camera);
       isWide = true;
     }
-    const auto object = static_cast<int>(i);
     const DatasetObjects::Alone alone(this->Objects, object);
     DatasetMask beyond(all[0], all[1]);
     ForEachObject(
@@ -418,8 +458,8 @@ void DatasetPainter::LookBeyond(vtkRelievoLensCamera* camera, DatasetView& view)
       std::array<int, 4> other = beyond.GetBox();
       other[0] -= margin[0];
       other[1] -= margin[1];
-      std::array<int, 4> both{};
-      for (std::size_t axis = 0; axis < 2; ++axis)
+      std::array<int, 4> both = other;
+      for (std::size_t axis = 0; axis < 2 && isSeen; ++axis)
       {
         both[axis] = std::min(box[axis], other[axis]);
         both[axis + 2] =

@@ -89,6 +89,7 @@ private:
   std::vector<Lamp> Lamps; // switched off for the sun
   vtkSmartPointer<vtkLight> Sun;
   std::array<double, 3> SunPosition{}, SunFocus{};
+  vtkSmartPointer<vtkMatrix4x4> SunMatrix;
   bool IsOwnSun = false;
   vtkSmartPointer<vtkRelievoRayScene> Rays;
 };

@@ -22,6 +22,7 @@
 #include <cmath>
 #include <filesystem>
 #include <map>
+#include <set>
 
 vtkStandardNewMacro(vtkRelievoDatasetWriter);
 
@@ -46,12 +47,6 @@ bool IsPinhole(vtkRelievoCameraModel* camera)
   return lens && lens->GetLens() == vtkRelievoLensCamera::PINHOLE;
 }
 
-// What a text has besides Unicode is replaced.
-std::string Dump(const Json& json)
-{
-  return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
-}
-
 Json Parse(const std::string& path)
 {
   Json json = Json::parse(scene::ReadWhole(path), nullptr, false);
@@ -62,7 +57,23 @@ Json Parse(const std::string& path)
   return json;
 }
 
-// Throws UsageError unless the folder is empty, or was begun with these settings.
+// A file of the folder besides its settings; empty: none. Those that are being written do not count.
+std::string FindOther(const std::string& folder)
+{
+  std::error_code trouble;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, trouble))
+  {
+    const std::string name = entry.path().filename().string();
+    if (name.rfind(".relievo-", 0) != 0 && name != SettingsFile + 1)
+    {
+      return name;
+    }
+  }
+  return "";
+}
+
+// Throws UsageError unless the folder is empty, or was begun with these settings. One that has
+// settings and nothing else, of a call that was refused or ended at once, is begun anew.
 void OpenFolder(const std::string& folder, const Json& settings)
 {
   const std::string path = folder + SettingsFile;
@@ -70,23 +81,29 @@ void OpenFolder(const std::string& folder, const Json& settings)
   if (!fs::exists(path, trouble))
   {
     scene::MakeFolder(folder);
-    for (const fs::directory_entry& entry : fs::directory_iterator(folder, trouble))
+    const std::string other = FindOther(folder);
+    if (other.empty())
     {
-      if (entry.path().filename().string().rfind(".relievo-", 0) != 0)
-      {
-        throw scene::UsageError(folder + ": holds other files, such as " +
-          entry.path().filename().string() + "; give a folder that is empty or not there");
-      }
+      scene::WriteWhole(path, scene::WriteDatasetJson(settings));
+      return;
     }
-    scene::WriteWhole(path, Dump(settings));
-    return;
+    if (!fs::exists(path, trouble)) // another process may have begun it meanwhile
+    {
+      throw scene::UsageError(folder + ": holds other files, such as " + other +
+        "; give a folder that is empty or not there");
+    }
   }
   const Json before = Parse(path);
-  const Json now = Json::parse(Dump(settings)); // as a file has it
+  const Json now = Json::parse(scene::WriteDatasetJson(settings)); // as a file has it
   for (const auto& [name, value] : now.items())
   {
     if (!before.contains(name) || before[name] != value)
     {
+      if (FindOther(folder).empty())
+      {
+        scene::WriteWhole(path, scene::WriteDatasetJson(settings));
+        return;
+      }
       throw scene::UsageError(folder + ": was begun with " + name + " " +
         (before.contains(name) ? before[name].dump() : "of its own") + ", now it is " +
         value.dump() + "; give another folder, or the settings of before");
@@ -147,6 +164,8 @@ struct vtkRelievoDatasetWriter::Internals
     }
     return views;
   }
+
+  Json ReadRecord(const scene::DatasetStyle& style, std::size_t view, std::size_t objects) const;
 
   void Check(int format) const;
   double GetDepthStep(const scene::DatasetObjects& objects) const;
@@ -320,6 +339,16 @@ void vtkRelievoDatasetWriter::Internals::Check(int format) const
     throw scene::UsageError(
       "the renderer's viewport is a part of its window; give one that fills it");
   }
+  static const std::set<std::string> own = { "color", "object", "visible_masks", "amodal_masks",
+    "visible_boxes", "amodal_boxes", "object_to_world", "K", "R", "t", "distortion" };
+  for (const std::string& layer : this->Layers)
+  {
+    if (format == NPZ && own.count(layer) > 0)
+    {
+      throw scene::UsageError("layer " + layer +
+        ": is the name of an array that npz has itself; expected another layer, or another format");
+    }
+  }
   for (std::size_t i = 0; i < this->Cameras.size(); ++i)
   {
     const std::string view = "view " + std::to_string(i) + ": ";
@@ -345,6 +374,27 @@ double vtkRelievoDatasetWriter::Internals::GetDepthStep(const scene::DatasetObje
 }
 
 //------------------------------------------------------------------------------
+// Throws FileError for one that is damaged, UsageError for one of another camera.
+Json vtkRelievoDatasetWriter::Internals::ReadRecord(
+  const scene::DatasetStyle& style, std::size_t view, std::size_t objects) const
+{
+  const std::string path = this->GetRecord(view);
+  Json record = Parse(path);
+  if (!scene::IsDatasetRecord(style.Format, record, objects) || record["view"] != view)
+  {
+    throw scene::FileError(path + ": is no record of view " + std::to_string(view) +
+      "; remove it, and the same call draws the view again");
+  }
+  const Json camera = scene::DescribeDatasetCamera(this->Cameras[view]);
+  if (record["camera"] != Json::parse(scene::WriteDatasetJson(camera)))
+  {
+    throw scene::UsageError(this->Directory + ": view " + std::to_string(view) +
+      " was written from another camera; give another folder, or the poses of before");
+  }
+  return record;
+}
+
+//------------------------------------------------------------------------------
 // Whoever ends last has all of them: what has come in between is looked for again.
 void vtkRelievoDatasetWriter::Internals::WriteIndex(
   const scene::DatasetStyle& style, const std::vector<std::string>& objects) const
@@ -356,7 +406,7 @@ void vtkRelievoDatasetWriter::Internals::WriteIndex(
     std::vector<Json> records;
     for (const std::size_t view : views)
     {
-      records.push_back(Parse(this->GetRecord(view)));
+      records.push_back(this->ReadRecord(style, view, objects.size()));
     }
     scene::WriteDatasetIndex(style, objects, records);
     written = views;
@@ -381,7 +431,7 @@ void vtkRelievoDatasetWriter::WriteViews()
   const int end = this->Range[1] < 0 ? views : this->Range[1];
   if (this->Range[0] < 0 || this->Range[0] > end || end > views)
   {
-    throw scene::UsageError("range: got " + std::to_string(this->Range[0]) + ":" +
+    throw scene::UsageError("views: got " + std::to_string(this->Range[0]) + ":" +
       std::to_string(end) + ", expected views from 0 to " + std::to_string(views));
   }
   const scene::DatasetObjects objects(self.Renderer, self.Names, this->ObjectsByBlock);
@@ -400,7 +450,8 @@ void vtkRelievoDatasetWriter::WriteViews()
     { { "format", scene::DatasetFormatNames[static_cast<std::size_t>(this->Format)] },
       { "views", views }, { "objects", names }, { "layers", self.Layers },
       { "depth_step", style.DepthStep }, { "mm_per_unit", this->MillimetersPerUnit },
-      { "random_sun", this->RandomSun }, { "seed", this->Seed }, { "scene", self.Description } });
+      { "random_sun", this->RandomSun }, { "seed", this->Seed },
+      { "up_axis", std::string(1, "xyz"[this->UpAxis]) }, { "scene", self.Description } });
   scene::DatasetPainter painter(self.Renderer, objects, self.Layers,
     std::all_of(self.Cameras.begin(), self.Cameras.end(), IsPinhole), this->Format == BOP);
   std::size_t beyond = 0;
@@ -408,19 +459,15 @@ void vtkRelievoDatasetWriter::WriteViews()
   {
     const auto number = static_cast<std::size_t>(i);
     vtkRelievoCameraModel* camera = self.Cameras[number];
-    Json record = { { "view", i }, { "camera", scene::DescribeDatasetCamera(camera) } };
     const std::string path = self.GetRecord(number);
     if (fs::exists(path))
     {
-      if (Parse(path)["camera"] != Json::parse(Dump(record["camera"])))
-      {
-        throw scene::UsageError(self.Directory + ": view " + std::to_string(i) +
-          " was written from another camera; give another folder, or the poses of before");
-      }
+      self.ReadRecord(style, number, names.size());
       ++this->NumberOfViewsKept;
     }
     else
     {
+      Json record = { { "view", i }, { "camera", scene::DescribeDatasetCamera(camera) } };
       std::optional<std::array<double, 3>> sun;
       if (this->RandomSun)
       {
@@ -429,7 +476,7 @@ void vtkRelievoDatasetWriter::WriteViews()
       }
       const scene::DatasetView view = painter.Draw(camera, sun);
       beyond += scene::WriteDatasetView(style, view, objects, camera, number, record);
-      scene::WriteWhole(path, Dump(record));
+      scene::WriteWhole(path, scene::WriteDatasetJson(record));
       ++this->NumberOfViewsWritten;
     }
     double share = static_cast<double>(i + 1 - this->Range[0]) / (end - this->Range[0]);

@@ -70,6 +70,16 @@ class Dataset(CliTest):
         self.assertEqual([each["bbox_obj"] for each in info], [[15, 10, 10, 10], [12, 7, 16, 16]])
         self.assertEqual(info[1]["px_count_visib"], 16 * 16 - 10 * 10)
 
+    def test_names(self):
+        """Each file is an object of its own, whatever the files are called."""
+        for name in ("a", "b"):
+            (self.folder / name).mkdir()
+            (self.folder / name / "m.off").write_text(PLATE.format(1, 0.5))
+        (self.folder / "m_2.off").write_text(PLATE.format(1, 0))
+        self.relievo("dataset", "a/m.off", "b/m.off", "m_2.off", "--poses", "orbit:1", "--out",
+                     "set", *SMALL)  # fmt: skip
+        self.assertEqual(self.json("set", "dataset.json")["objects"], ["m", "m_2", "m_2_2"])
+
     def test_depth_beyond_the_last_step(self):
         done = self.dataset("set", "--poses", "orbit:1", "--depth-step", "1e-5")
         self.assertRegex(done.stderr, r"^relievo: warning: set: \d+ pixels are farther than 65535")
@@ -113,12 +123,14 @@ class Dataset(CliTest):
             (["--out", "set"], "--poses orbit:N"),
             (["--poses", "orbit:4"], "--out DIR"),
             (["--poses", "orbit:x", "--out", "set"], "'x'"),
+            (["--poses", "orbit", "--out", "set"],
+             "got 'orbit', expected orbit:N, random:N or a FILE.json"),
             (["--poses", "orbit:4", "--out", "set", "--camera", "0,0,5,0,0,0,0,1,0"], "--camera"),
             (["--poses", "orbit:4", "--out", "set", "--seed=1", "--seed=2"], "given twice"),
             (["--poses", "orbit:4", "--out", "set", "--lens", "fisheye"], "no such option"),
             (["--poses", "orbit:4", "--out", "set", "--format", "voc"], "bop, coco, nerf, npz"),
             (["--poses", "orbit:4", "--out", "set", "--views", "3"], "A:B"),
-            (["--poses", "orbit:4", "--out", "set", "--views", "3:5"], "views from 0 to 4"),
+            (["--poses", "orbit:4", "--out", "set", "--views", "3:5"], "views: got 3:5, expected views from 0"),
             (["--poses", "orbit:4", "--out", "set", "--depth-step", "-1"], "--depth-step"),
         ):
             with self.subTest(words):

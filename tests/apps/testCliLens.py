@@ -149,6 +149,7 @@ class Lens(CliTest):
             ("--lens: got 'fishy', expected pinhole, brown:", 2, ["--lens", "fishy"]),
             ("six times as wide as high", 2, ["--lens", "cube", "--size", "60x40"]),
             ("sees no 30 degrees", 2, ["--lens", "brown:-9,0"]),
+            ("sees no 180 degrees", 2, ["--lens", "pinhole:angle=180"]),
             ("wide.yml: it is for pictures of 120x90", 2,
              ["--lens", "wide.yml", "--size", "100x100"]),
             ("bad.yml: image_width: it is missing", 1, ["--lens", "bad.yml"]),

@@ -19,6 +19,7 @@ from vtkmodules.vtkFiltersCore import vtkTriangleFilter
 from vtkmodules.vtkFiltersSources import vtkCubeSource, vtkPlaneSource, vtkSphereSource
 from vtkmodules.vtkRenderingCore import (
     vtkActor,
+    vtkAssembly,
     vtkPolyDataMapper,
     vtkPropAssembly,
     vtkRenderer,
@@ -572,12 +573,17 @@ class Datasets(unittest.TestCase):
         for words, says in (
             ({"format": "coco"}, 'was begun with format "bop", now it is "coco"'),
             ({"seed": 3}, "was begun with seed 0, now it is 3"),
+            ({"up": "z"}, 'was begun with up_axis "y", now it is "z"'),
             ({"layers": ["depth"]}, "layers"),
             ({"objects": ["a", "b", "c", "d"]}, "objects"),
             ({"description": "another scene"}, 'scene "", now it is "another scene"'),
             ({"format": "png"}, "expected one of bop, coco, nerf, npz"),
             ({"views": (0, 4)}, "got 0:4, expected views from 0 to 1"),
             ({"layers": ["depht"], "directory": self.folder / "other"}, "depht"),
+            ({"format": "npz", "layers": ["color"], "directory": self.folder / "own"},
+             "layer color: is the name of an array that npz has"),
+            ({"cameras": "random:3,nearest=2,farthest=1"}, "nearest is above farthest"),
+            ({"cameras": "orbit"}, "got 'orbit', expected orbit:N, random:N or a FILE.json"),
             ({"cameras": "orbit:0"}, "orbit:0"),
             ({"cameras": "orbit:3,distnace=2"}, "distnace"),
             ({"cameras": "random:3,lowest=100"}, "from -90.0 to 90.0"),
@@ -596,20 +602,174 @@ class Datasets(unittest.TestCase):
         (self.folder / "file").write_text("mine")
         with self.assertRaisesRegex(OSError, "cannot be made"):
             relievo.write_dataset(renderer, camera, self.folder / "file" / "set")
-        (self.folder / "poses.json").write_text('[{"R": [1, 0, 0], "t": [0, 0, 0]}]')
-        with self.assertRaisesRegex(ValueError, "pose 0, R: expected 9 numbers"):
-            relievo.write_dataset(renderer, self.folder / "poses.json", self.folder / "new")
+        # What a refused call has begun is no obstacle.
+        relievo.write_dataset(renderer, camera, self.folder / "other")
+
+    def test_damaged_records(self):
+        renderer = heap()
+        cameras = around()
+        for name in ("bop", "coco", "nerf", "npz"):
+            folder = self.folder / name
+            relievo.write_dataset(renderer, cameras, folder, name)
+            path = folder / "views" / "000001.json"
+            whole = read_json(path)
+            damaged = [{}, [], {**whole, "objects": whole["objects"][:2]}, {**whole, "view": 2}]
+            for part in ("R", "t", "size"):
+                camera = {key: whole["camera"][key] for key in whole["camera"] if key != part}
+                damaged.append({**whole, "camera": camera})
+            for part in ("t", "visible_pixels"):
+                damaged.append(json.loads(json.dumps(whole)))
+                del damaged[-1]["objects"][3][part]
+            for record in damaged:
+                path.write_text(json.dumps(record))
+                for views in ((0, 3), (2, 3)):
+                    with self.assertRaisesRegex(OSError, r"000001\.json: is no record of view 1"):
+                        relievo.write_dataset(renderer, cameras, folder, name, views=views)
+            path.unlink()
+            self.assertEqual(relievo.write_dataset(renderer, cameras, folder, name), 1)
+            self.assertEqual(read_json(path), whole)
+
+    def poses_of(self, poses, **words):
+        """The cameras of a file of poses, as records have them."""
+        file = self.folder / "poses.json"
+        file.write_text(json.dumps(poses))
+        folder = pathlib.Path(tempfile.mkdtemp(dir=self.folder))
+        relievo.write_dataset(heap(), file, folder, "npz", **{"size": (40, 30), **words})
+        return [read_json(each)["camera"] for each in sorted((folder / "views").iterdir())]
+
+    def test_poses_of_files(self):
+        matrix = {"transform_matrix": numpy.eye(4).tolist()}
+        focal = 15 / numpy.tan(numpy.radians(15))
+        both = {"camera_angle_x": 1.2, "camera_angle_y": 0.9, "w": 60, "h": 20, "frames": [matrix]}
+        for poses, expected in (
+            ({"camera_angle_x": 1.2, "frames": [matrix]}, [20 / numpy.tan(0.6)] * 2 + [19.5, 14.5]),
+            (both, [30 / numpy.tan(0.6), 10 / numpy.tan(0.45), 29.5, 9.5]),
+            ({"fl_x": 50, "fl_y": 40, "cx": 3, "camera_angle_x": 2, "k1": 0, "frames": [matrix]},
+             [50, 40, 2.5, 14.5]),
+            # A size alone: as high as 30 degrees, and in the middle.
+            ({"w": 80, "h": 60, "frames": [matrix]}, [2 * focal] * 2 + [39.5, 29.5]),
+            ([{"R": numpy.eye(3).tolist(), "t": [0, 0, 3], "size": [15, 60]}],
+             [2 * focal] * 2 + [7, 29.5]),
+        ):  # fmt: skip
+            found = numpy.array(self.poses_of(poses)[0]["K"])
+            numpy.testing.assert_allclose(found[[0, 4, 2, 5]], expected, rtol=1e-12)
+        # Where nothing says what is up, the axis of the scene does: z is towards the upper edge.
+        aside = [{"position": [3, 1, 0.5], "target": [0, 0, 0]}]
+        rotation = numpy.array(self.poses_of(aside, up="z")[0]["R"]).reshape(3, 3)
+        self.assertAlmostEqual(rotation[0, 2], 0)
+        self.assertLess(rotation[1, 2], -0.9)
+
+    def test_poses_that_are_refused(self):
+        matrix = {"transform_matrix": numpy.eye(4).tolist()}
+        pose = {"R": numpy.eye(3).tolist(), "t": [0, 0, 3]}
+        for poses, says in (
+            ([{"R": [1, 0, 0], "t": [0, 0, 0]}], "pose 0, R: expected 9 numbers"),
+            ([pose, {**pose, "K": [50, 0, 0, 0, 50, 0, 20, 15, 1]}], "pose 1, K: expected 9 numb"),
+            ([{**pose, "K": [50, 0, 20, 0, 50, 15, 0, 0, 2]}], "pose 0, K: .* row by row"),
+            ([{**pose, "size": [100.7, 30]}], "pose 0, size: expected whole numbers"),
+            ([{**pose, "size": [1e12, 30]}], "pose 0, size: expected whole numbers"),
+            ({"k1": 0.1, "frames": [matrix]}, "pose 0, k1: got 0.1, expected 0"),
+            ({"frames": [matrix, {**matrix, "p1": 0.1}]}, "pose 1, p1: got 0.1, expected 0"),
+            ({"camera_model": "OPENCV_FISHEYE", "frames": [matrix]},
+             'pose 0, camera_model: got "OPENCV_FISHEYE", expected a pinhole'),
+            ({"camera_angle_x": 4, "frames": [matrix]}, "camera_angle_x: expected radians"),
+            ({"w": 40, "frames": [matrix]}, "expected both w and h"),
+        ):  # fmt: skip
+            with self.subTest(says), self.assertRaisesRegex(ValueError, says):
+                self.poses_of(poses)
+
+    def test_from_above(self):
+        """Places on a circle above the objects are as many views."""
+        relievo.write_dataset(heap(), "orbit:4,elevation=90", self.folder, "npz", size=(40, 30))
+        turns = [numpy.load(self.folder / f"00000{i}.npz")["R"] for i in range(4)]
+        for one, other in zip(turns, turns[1:]):
+            turn = one @ other.T
+            numpy.testing.assert_allclose(turn[2], (0, 0, 1), atol=1e-9)
+            self.assertAlmostEqual(abs(turn[0, 1]), 1)
+
+    def test_assembly(self):
+        """Its parts are where the assembly puts them."""
+        loose = vtkRenderer()
+        ball = add(loose, sphere())
+        assembly = vtkAssembly()
+        assembly.AddPart(ball)
+        assembly.SetPosition(0.3, 0, -20)
+        renderer = vtkRenderer()
+        renderer.AddViewProp(assembly)
+        camera = relievo.Pinhole(K, SIZE, numpy.diag([1.0, -1, -1]), (0, 0, 3))
+        relievo.write_dataset(renderer, camera, self.folder / "bop", mm_per_unit=1)
+        pose = read_json(self.folder / "bop" / "scene_gt.json")["0"][0]
+        numpy.testing.assert_allclose(pose["cam_t_m2c"], (0.3, 0, 23), atol=1e-12)
+        step = read_json(self.folder / "bop" / "scene_camera.json")["0"]["depth_scale"]
+        depth = read_png(self.folder / "bop" / "depth" / "000000.png")
+        self.assertAlmostEqual(depth[depth > 0].min() * step, 22.5, delta=0.1)
+        mask = read_png(self.folder / "bop" / "mask" / "000000_000000.png") > 0
+        numpy.testing.assert_array_equal(depth > 0, mask)
+        relievo.write_dataset(renderer, "orbit:1,elevation=0", self.folder / "npz", "npz")
+        found = numpy.load(self.folder / "npz" / "000000.npz")
+        numpy.testing.assert_array_equal(found["object_to_world"][0][:3, 3], (0.3, 0, -20))
+        self.assertGreater(found["visible_masks"].sum(), 10000)
+
+    def test_mirrored(self):
+        """The pose is a turn: the mirror belongs to the model, as scales do."""
+        renderer = vtkRenderer()
+        actor = add(renderer, sphere(), (0.2, 0.1, 0), 40)
+        actor.SetScale(-1, 1, 1)
+        camera = around()[0]
+        relievo.write_dataset(renderer, camera, self.folder, mm_per_unit=1)
+        pose = read_json(self.folder / "scene_gt.json")["0"][0]
+        rotation = numpy.array(pose["cam_R_m2c"]).reshape(3, 3)
+        self.assertAlmostEqual(numpy.linalg.det(rotation), 1)
+        model = rotation.T @ camera.R @ matrix_of(actor)[:3, :3]
+        numpy.testing.assert_allclose(model, -numpy.eye(3), atol=1e-12)
+
+    def test_beyond_the_picture(self):
+        """BOP counts what lies beyond it, of objects that are not seen, and of one's loose parts."""
+        renderer = vtkRenderer()
+        camera = relievo.Pinhole(K, SIZE, numpy.diag([1.0, -1, -1]), (0, 0, 3))
+        places = [(0, 0, 0), (3, 0, 0), (2.5, 0.3, 0), (0, 0, 9)]
+        actors = [add(renderer, sphere(0.3), place) for place in places]
+        names = ["parts", "parts", "unseen", "behind"]
+        relievo.write_dataset(renderer, camera, self.folder, objects=names)
+        infos = read_json(self.folder / "scene_gt_info.json")["0"]
+        for info, which in zip(infos, ([0, 1], [2], [3])):
+            corners = numpy.concatenate([triangles(actors[i]) for i in which])
+            depths, near = trace(camera, corners, 1)
+            every = numpy.isfinite(depths)
+            self.assertEqual(every.any(), which != [3])
+            self.assertLessEqual(abs(info["px_count_all"] - every.sum()), near.sum())
+            if every.any():
+                numpy.testing.assert_allclose(
+                    info["bbox_obj"], numpy.array(box_of(every)) - [*SIZE, 0, 0], atol=1
+                )
+        self.assertEqual([info["px_count_visib"] > 0 for info in infos], [True, False, False])
+
+    def test_names_of_any_bytes(self):
+        """What is no Unicode is replaced, and the views are not lost."""
+        renderer = heap()
+        writer = relievo.vtkRelievoDatasetWriter()
+        writer.SetRenderer(renderer)
+        writer.SetDirectory(str(self.folder / "set"))
+        writer.SetFormat(1)
+        writer.AddView(around()[0].model)
+        writer.SetObjectName(0, b"floor\xff")
+        self.assertTrue(writer.Write(), writer.GetFailureText())
+        names = [each["name"] for each in read_json(self.folder / "set" / "instances.json")["categories"]]
+        self.assertEqual(names[0], "floor\ufffd")
 
     def test_lights_are_given_back(self):
         """The sun of one scene turns; one without gets another."""
         from vtkmodules.vtkRenderingCore import vtkLight
 
+        matrix = vtkMatrix4x4()
+        matrix.SetElement(1, 3, 5)
         for own in (False, True):
             renderer = heap()
             if own:
                 light = vtkLight()
                 light.SetLightTypeToSceneLight()
                 light.SetPosition(1, 2, 3)
+                light.SetTransformMatrix(matrix)
                 renderer.AddLight(light)
             folder = self.folder / str(own)
             relievo.write_dataset(renderer, "orbit:2", folder, size=(20, 20), random_sun=True)
@@ -620,6 +780,7 @@ class Datasets(unittest.TestCase):
             self.assertEqual(lights.GetNumberOfItems(), int(own))
             if own:
                 self.assertEqual(light.GetPosition(), (1, 2, 3))
+                self.assertIs(light.GetTransformMatrix(), matrix)
 
 
 if __name__ == "__main__":

@@ -19,6 +19,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <map>
+#include <set>
 
 namespace cli
 {
@@ -29,21 +30,33 @@ void NameObjects(
   vtkRelievoDatasetWriter* writer, vtkRelievoScene* scene, const DatasetOptions& options)
 {
   std::map<std::string, std::string> names; // by file
-  std::map<std::string, int> counts;        // of files of a name
   std::map<std::string, int> parts;         // of a file, so far
+  std::set<std::string> ofFiles, ofParts;   // that are taken
   for (int actor = 0; actor < scene->GetRenderer()->GetActors()->GetNumberOfItems(); ++actor)
   {
     const std::string file = scene->GetFileOf(actor);
-    std::string name = std::filesystem::path(file).stem().string();
-    if (!file.empty() && names.count(file) == 0)
+    if (file.empty())
     {
-      const int same = ++counts[name];
-      names[file] = same > 1 ? name + "_" + std::to_string(same) : name;
+      writer->SetObjectName(actor, "");
+      continue;
     }
-    name = file.empty() ? "" : names[file];
-    if (!file.empty() && options.Objects != DatasetParts::File)
+    if (names.count(file) == 0)
     {
-      name += "_" + std::to_string(parts[file]++);
+      const std::string stem = std::filesystem::path(file).stem().string();
+      std::string name = stem;
+      for (int same = 2; !ofFiles.insert(name).second; ++same)
+      {
+        name = stem + "_" + std::to_string(same);
+      }
+      names[file] = name;
+    }
+    std::string name = names[file];
+    if (options.Objects != DatasetParts::File)
+    {
+      do
+      {
+        name = names[file] + "_" + std::to_string(parts[file]++);
+      } while (!ofParts.insert(name).second);
     }
     writer->SetObjectName(actor, name);
   }
