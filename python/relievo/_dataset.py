@@ -142,7 +142,7 @@ def _add_views(writer, cameras, size):
         _run(writer, lambda: writer.AddViews(words, like))
         return
     single = isinstance(cameras, CameraModel) or is_a(cameras, "vtkCamera")
-    for camera in [cameras] if single else cameras:
+    for camera in cameras if not single and hasattr(cameras, "__iter__") else [cameras]:
         if isinstance(camera, CameraModel):
             writer.AddView(camera.model)
         elif is_a(camera, "vtkCamera"):

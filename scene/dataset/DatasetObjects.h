@@ -26,7 +26,7 @@ namespace scene
 struct DatasetObject
 {
   std::string Name;
-  vtkSmartPointer<vtkMatrix4x4> Pose; ///< to the world, also within an assembly; the first of several
+  vtkSmartPointer<vtkMatrix4x4> Pose; ///< from its data to the world; the first of several
 };
 
 class DatasetObjects

@@ -28,7 +28,7 @@ using Json = nlohmann::ordered_json;
 using Cameras = std::vector<vtkSmartPointer<vtkRelievoCameraModel>>;
 
 constexpr int MostViews = 10000000;
-constexpr double MostPixels = 1 << 20; // each way
+constexpr double MostPixels = 1 << 20;             // each way
 constexpr std::uint64_t Step = 0x9e3779b97f4a7c15; // of random numbers
 constexpr double PoseMargin = 1.05;                // around what a pose is to show
 

@@ -34,7 +34,7 @@ private:
 struct DatasetSurroundings
 {
   vtkBoundingBox Box; ///< not valid: nothing is there
-  int UpAxis; ///< also of poses by position and target that have no other
+  int UpAxis;         ///< also of poses by position and target that have no other
   int Seed;
 };
 

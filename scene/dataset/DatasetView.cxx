@@ -125,7 +125,7 @@ Extent GetExtent(vtkRelievoLensCamera* camera, const DatasetObjects& objects, in
     isWithin = isWithin && isBefore && pixel[0] > -0.5 && pixel[1] > -0.5 &&
       pixel[0] < camera->GetSize()[0] - 0.5 && pixel[1] < camera->GetSize()[1] - 0.5;
   }
-  return isWithin ? Extent::Within
+  return isWithin                                ? Extent::Within
     : behind == static_cast<int>(corners.size()) ? Extent::Behind
                                                  : Extent::Beyond;
 }
@@ -157,12 +157,12 @@ std::vector<double> DatasetView::GetLayer(const std::string& name, int& componen
 
 //------------------------------------------------------------------------------
 DatasetPainter::DatasetPainter(vtkRenderer* renderer, const DatasetObjects& objects,
-  const std::vector<std::string>& layers, bool pictures, bool silhouettes)
+  const std::vector<std::string>& layers, bool silhouettes)
   : Renderer(renderer)
   , Objects(objects)
   , Layers(layers)
-  , Pictures(pictures)
   , Silhouettes(silhouettes)
+  , HadLights(renderer->GetLights()->GetNumberOfItems() > 0)
 {
   for (const char* own : { "depth", "actor", "block" })
   {
@@ -177,6 +177,10 @@ DatasetPainter::DatasetPainter(vtkRenderer* renderer, const DatasetObjects& obje
 DatasetPainter::~DatasetPainter()
 {
   this->RestoreLights();
+  if (!this->HadLights)
+  {
+    this->Renderer->RemoveAllLights(); // the first frame makes one
+  }
   if (!this->Window)
   {
     return;
@@ -379,10 +383,7 @@ void DatasetPainter::DrawInWindow(vtkRelievoLensCamera* camera, DatasetView& vie
   camera->ApplyTo(this->Camera);
   this->Renderer->ResetCameraClippingRange();
   Messages::Check("the camera");
-  if (this->Pictures)
-  {
-    this->TakePicture(view);
-  }
+  this->TakePicture(view);
   view.Layers = this->DrawLayers(this->Layers);
   FindVisible(this->Objects, view);
   for (std::size_t i = 0; i < view.Whole.size(); ++i)

@@ -37,7 +37,7 @@ struct DatasetSilhouette
 struct DatasetView
 {
   int Columns = 0, Rows = 0;
-  std::vector<unsigned char> Picture;         ///< RGB, row by row from the top; empty: none
+  std::vector<unsigned char> Picture;         ///< RGB, row by row from the top; empty: no pinhole
   std::vector<int> Objects;                   ///< of each pixel, from the top; -1: none
   std::vector<DatasetMask> Visible, Whole;    ///< of each object: what is seen of it, and all of it
   std::vector<DatasetSilhouette> Silhouettes; ///< of each object, if they are asked for
@@ -51,9 +51,9 @@ struct DatasetView
 class DatasetPainter
 {
 public:
-  /// `pictures`, `silhouettes`: whether views have them.
+  /// `silhouettes`: whether views have them.
   DatasetPainter(vtkRenderer* renderer, const DatasetObjects& objects,
-    const std::vector<std::string>& layers, bool pictures, bool silhouettes);
+    const std::vector<std::string>& layers, bool silhouettes);
   ~DatasetPainter();
   DatasetPainter(const DatasetPainter&) = delete;
   void operator=(const DatasetPainter&) = delete;
@@ -81,7 +81,7 @@ private:
   vtkRenderer* Renderer;
   const DatasetObjects& Objects;
   std::vector<std::string> Layers;
-  bool Pictures, Silhouettes;
+  bool Silhouettes, HadLights;
   vtkSmartPointer<vtkCamera> Before, Camera;
   vtkSmartPointer<vtkRenderWindow> Window;
   bool IsOwnWindow = false, HadBuffers = false;

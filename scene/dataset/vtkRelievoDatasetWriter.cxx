@@ -57,7 +57,7 @@ Json Parse(const std::string& path)
   return json;
 }
 
-// A file of the folder besides its settings; empty: none. Those that are being written do not count.
+// A file of the folder besides its settings and those that are being written; empty: none.
 std::string FindOther(const std::string& folder)
 {
   std::error_code trouble;
@@ -452,8 +452,7 @@ void vtkRelievoDatasetWriter::WriteViews()
       { "depth_step", style.DepthStep }, { "mm_per_unit", this->MillimetersPerUnit },
       { "random_sun", this->RandomSun }, { "seed", this->Seed },
       { "up_axis", std::string(1, "xyz"[this->UpAxis]) }, { "scene", self.Description } });
-  scene::DatasetPainter painter(self.Renderer, objects, self.Layers,
-    std::all_of(self.Cameras.begin(), self.Cameras.end(), IsPinhole), this->Format == BOP);
+  scene::DatasetPainter painter(self.Renderer, objects, self.Layers, this->Format == BOP);
   std::size_t beyond = 0;
   for (int i = this->Range[0]; i < end; ++i)
   {

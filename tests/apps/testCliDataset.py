@@ -130,7 +130,8 @@ class Dataset(CliTest):
             (["--poses", "orbit:4", "--out", "set", "--lens", "fisheye"], "no such option"),
             (["--poses", "orbit:4", "--out", "set", "--format", "voc"], "bop, coco, nerf, npz"),
             (["--poses", "orbit:4", "--out", "set", "--views", "3"], "A:B"),
-            (["--poses", "orbit:4", "--out", "set", "--views", "3:5"], "views: got 3:5, expected views from 0"),
+            (["--poses", "orbit:4", "--out", "set", "--views", "3:5"],
+             "views: got 3:5, expected views from 0 to 4"),
             (["--poses", "orbit:4", "--out", "set", "--depth-step", "-1"], "--depth-step"),
         ):
             with self.subTest(words):

@@ -519,6 +519,9 @@ class Datasets(unittest.TestCase):
         for i in range(4):
             whole = numpy.isin(numpy.arange(len(origins)), hits.ray[hits.prop == i])
             numpy.testing.assert_array_equal(found["amodal_masks"][i].ravel(), whole)
+        relievo.write_dataset(renderer, [around()[0], lens], self.folder / "both", "npz")
+        both = [numpy.load(self.folder / "both" / f"00000{i}.npz") for i in range(2)]
+        self.assertEqual(["color" in each for each in both], [True, False])
         with self.assertRaisesRegex(ValueError, "no pinhole.*expected the format npz"):
             relievo.write_dataset(renderer, [lens], self.folder / "other", "bop")
 
@@ -588,6 +591,7 @@ class Datasets(unittest.TestCase):
             ({"cameras": "orbit:3,distnace=2"}, "distnace"),
             ({"cameras": "random:3,lowest=100"}, "from -90.0 to 90.0"),
             ({"cameras": []}, "no views"),
+            ({"cameras": 5}, "cameras: got .*5.*expected CameraModels"),
         ):
             with self.subTest(words), self.assertRaisesRegex(ValueError, says):
                 arguments = {"cameras": camera, "directory": self.folder / "set", **words}
@@ -606,20 +610,21 @@ class Datasets(unittest.TestCase):
         relievo.write_dataset(renderer, camera, self.folder / "other")
 
     def test_damaged_records(self):
-        renderer = heap()
+        renderer = vtkRenderer()
+        add(renderer, plate(0.4))
         cameras = around()
         for name in ("bop", "coco", "nerf", "npz"):
             folder = self.folder / name
             relievo.write_dataset(renderer, cameras, folder, name)
             path = folder / "views" / "000001.json"
             whole = read_json(path)
-            damaged = [{}, [], {**whole, "objects": whole["objects"][:2]}, {**whole, "view": 2}]
+            damaged = [{}, [], {**whole, "objects": []}, {**whole, "view": 2}]
             for part in ("R", "t", "size"):
                 camera = {key: whole["camera"][key] for key in whole["camera"] if key != part}
                 damaged.append({**whole, "camera": camera})
             for part in ("t", "visible_pixels"):
                 damaged.append(json.loads(json.dumps(whole)))
-                del damaged[-1]["objects"][3][part]
+                del damaged[-1]["objects"][0][part]
             for record in damaged:
                 path.write_text(json.dumps(record))
                 for views in ((0, 3), (2, 3)):
@@ -709,6 +714,7 @@ class Datasets(unittest.TestCase):
         found = numpy.load(self.folder / "npz" / "000000.npz")
         numpy.testing.assert_array_equal(found["object_to_world"][0][:3, 3], (0.3, 0, -20))
         self.assertGreater(found["visible_masks"].sum(), 10000)
+        self.assertEqual(renderer.GetLights().GetNumberOfItems(), 0)  # as before
 
     def test_mirrored(self):
         """The pose is a turn: the mirror belongs to the model, as scales do."""
@@ -724,11 +730,11 @@ class Datasets(unittest.TestCase):
         numpy.testing.assert_allclose(model, -numpy.eye(3), atol=1e-12)
 
     def test_beyond_the_picture(self):
-        """BOP counts what lies beyond it, of objects that are not seen, and of one's loose parts."""
+        """BOP counts what lies beyond it, also of objects and parts that are out of view."""
         renderer = vtkRenderer()
         camera = relievo.Pinhole(K, SIZE, numpy.diag([1.0, -1, -1]), (0, 0, 3))
         places = [(0, 0, 0), (3, 0, 0), (2.5, 0.3, 0), (0, 0, 9)]
-        actors = [add(renderer, sphere(0.3), place) for place in places]
+        actors = [add(renderer, vtkCubeSource(), place, 40, 0.4) for place in places]
         names = ["parts", "parts", "unseen", "behind"]
         relievo.write_dataset(renderer, camera, self.folder, objects=names)
         infos = read_json(self.folder / "scene_gt_info.json")["0"]
@@ -754,8 +760,8 @@ class Datasets(unittest.TestCase):
         writer.AddView(around()[0].model)
         writer.SetObjectName(0, b"floor\xff")
         self.assertTrue(writer.Write(), writer.GetFailureText())
-        names = [each["name"] for each in read_json(self.folder / "set" / "instances.json")["categories"]]
-        self.assertEqual(names[0], "floor\ufffd")
+        index = read_json(self.folder / "set" / "instances.json")
+        self.assertEqual(index["categories"][0]["name"], "floor\ufffd")
 
     def test_lights_are_given_back(self):
         """The sun of one scene turns; one without gets another."""
@@ -763,6 +769,7 @@ class Datasets(unittest.TestCase):
 
         matrix = vtkMatrix4x4()
         matrix.SetElement(1, 3, 5)
+        pictures = []
         for own in (False, True):
             renderer = heap()
             if own:
@@ -776,11 +783,13 @@ class Datasets(unittest.TestCase):
             sun = read_json(folder / "views" / "000001.json")["sun"]
             self.assertAlmostEqual(numpy.linalg.norm(sun), 1)
             self.assertGreater(sun[1], numpy.sin(numpy.radians(14.9)))
+            pictures.append(read_png(folder / "rgb" / "000001.png"))
             lights = renderer.GetLights()
             self.assertEqual(lights.GetNumberOfItems(), int(own))
             if own:
                 self.assertEqual(light.GetPosition(), (1, 2, 3))
                 self.assertIs(light.GetTransformMatrix(), matrix)
+        numpy.testing.assert_array_equal(*pictures)  # whatever the light's matrix
 
 
 if __name__ == "__main__":
