@@ -99,14 +99,14 @@ void ForEachObject(const DatasetObjects& objects, vtkImageData* layers, const Ca
 
 // Whether boxes around an object say that all of it is in a picture, some may be beyond, or none is
 // before the camera.
-enum class Extent
+enum class ObjectReach
 {
   Within,
   Beyond,
   Behind
 };
 
-Extent GetExtent(vtkRelievoLensCamera* camera, const DatasetObjects& objects, int object)
+ObjectReach FindReach(vtkRelievoLensCamera* camera, const DatasetObjects& objects, int object)
 {
   int behind = 0;
   bool isWithin = true;
@@ -125,9 +125,9 @@ Extent GetExtent(vtkRelievoLensCamera* camera, const DatasetObjects& objects, in
     isWithin = isWithin && isBefore && pixel[0] > -0.5 && pixel[1] > -0.5 &&
       pixel[0] < camera->GetSize()[0] - 0.5 && pixel[1] < camera->GetSize()[1] - 0.5;
   }
-  return isWithin                                ? Extent::Within
-    : behind == static_cast<int>(corners.size()) ? Extent::Behind
-                                                 : Extent::Beyond;
+  return isWithin                                ? ObjectReach::Within
+    : behind == static_cast<int>(corners.size()) ? ObjectReach::Behind
+                                                 : ObjectReach::Beyond;
 }
 
 void FindVisible(const DatasetObjects& objects, DatasetView& view)
@@ -425,7 +425,7 @@ void DatasetPainter::LookBeyond(vtkRelievoLensCamera* camera, DatasetView& view)
       (box[0] == 0 || box[1] == 0 || box[0] + box[2] == view.Columns ||
         box[1] + box[3] == view.Rows);
     const auto object = static_cast<int>(i);
-    if (!isTouching && GetExtent(camera, this->Objects, object) != Extent::Beyond)
+    if (!isTouching && FindReach(camera, this->Objects, object) != ObjectReach::Beyond)
     {
       continue;
     }

@@ -627,7 +627,7 @@ class Datasets(unittest.TestCase):
                 del damaged[-1]["objects"][0][part]
             for record in damaged:
                 path.write_text(json.dumps(record))
-                for views in ((0, 3), (2, 3)):
+                for views in ((0, 3), (2, 3)) if name == "bop" else ((2, 3),):
                     with self.assertRaisesRegex(OSError, r"000001\.json: is no record of view 1"):
                         relievo.write_dataset(renderer, cameras, folder, name, views=views)
             path.unlink()
@@ -639,7 +639,7 @@ class Datasets(unittest.TestCase):
         file = self.folder / "poses.json"
         file.write_text(json.dumps(poses))
         folder = pathlib.Path(tempfile.mkdtemp(dir=self.folder))
-        relievo.write_dataset(heap(), file, folder, "npz", **{"size": (40, 30), **words})
+        relievo.write_dataset(vtkRenderer(), file, folder, "npz", size=(40, 30), **words)
         return [read_json(each)["camera"] for each in sorted((folder / "views").iterdir())]
 
     def test_poses_of_files(self):
