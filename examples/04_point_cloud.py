@@ -14,6 +14,7 @@ image = relievo.capture(renderer, ["depth", "normal", "albedo", "actor"])
 cloud = relievo.depth_to_points(image)
 path = scene.folder() / "points.vtp"
 writer = vtkXMLPolyDataWriter()
+writer.SetDataModeToBinary()  # beside newer expats, VTK 9.2 reads nothing appended
 writer.SetFileName(str(path))
 writer.SetInputData(cloud)
 writer.Write()

@@ -65,6 +65,7 @@ def write(mesh, path):
     """The file appears when it is whole."""
     unfinished = path.with_suffix(".tmp")
     writer = vtkXMLPolyDataWriter()
+    writer.SetDataModeToBinary()  # beside newer expats, VTK 9.2 reads nothing appended
     writer.SetFileName(str(unfinished))
     writer.SetInputData(mesh)
     if not writer.Write():

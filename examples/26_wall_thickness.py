@@ -76,6 +76,7 @@ def main():
     mesh.GetPointData().AddArray(array)
     data, picture = str(folder / "thickness.vtp"), str(folder / "thickness.png")
     writer = vtkXMLPolyDataWriter()
+    writer.SetDataModeToBinary()  # beside newer expats, VTK 9.2 reads nothing appended
     writer.SetInputData(mesh)
     writer.SetFileName(data)
     if not writer.Write():

@@ -59,6 +59,7 @@ def main():
           f"hours of sun in the year")
     data, picture = str(folder / "sunlight.vtp"), str(folder / "sunlight.png")
     writer = vtkXMLPolyDataWriter()
+    writer.SetDataModeToBinary()  # beside newer expats, VTK 9.2 reads nothing appended
     writer.SetInputData(lit)
     writer.SetFileName(data)
     if not writer.Write():

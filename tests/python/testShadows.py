@@ -122,9 +122,19 @@ class Shadows(unittest.TestCase):
                 "//VTK::PositionVC::Impl\n  vec2 seen = gl_Position.xy / gl_Position.w;\n"
                 "  gl_Position.xy *= 1.0 + 0.2 * dot(seen, seen);\n", False)  # fmt: skip
         self.layers.append("place")
-        _, (*shadows, places) = self.capture()
-        straight = numpy.abs(places - self.position).max(axis=-1)[self.floor_seen]
-        self.assertGreater(straight.max(), 0.1, "the lens bends nothing")
+        image, (*shadows, places) = self.capture()
+        # Places are where the lens bends them to their pixels.
+        numpy.testing.assert_allclose(
+            places[self.floor_seen], self.position[self.floor_seen], atol=1e-3)
+        points = numpy.concatenate([self.position, numpy.ones((200, 300, 1))], axis=-1)
+        clip = points @ relievo.attributes(image)["worldToNDC"].T
+        ndc = clip[..., :2] / clip[..., 3:]
+        bent = ndc * (1 + 0.2 * (ndc**2).sum(axis=-1, keepdims=True))
+        rows, columns = numpy.mgrid[:200, :300]
+        x, y = 150 * (1 + bent[..., 0]), 100 * (1 - bent[..., 1])
+        off = numpy.hypot(x - columns - 0.5, y - rows - 0.5)[self.floor_seen]
+        self.assertLess(off.max(), 0.3)  # between corners triangles are straight
+        self.assertGreater(numpy.abs(150 * (bent - ndc))[self.floor_seen].max(), 3)
         for name, values in zip(LIGHTS, shadows):
             with self.subTest(light=name):
                 distance = edge_distance(places, name)
