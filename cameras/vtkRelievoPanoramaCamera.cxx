@@ -4,26 +4,12 @@
 
 #include "vtkMath.h"
 #include "vtkObjectFactory.h"
+#include "vtkRelievoCubeFaces.h"
 
 #include <algorithm>
 #include <cmath>
 
 vtkStandardNewMacro(vtkRelievoPanoramaCamera);
-
-namespace
-{
-constexpr int Faces = 6;
-
-// The axes of each face in camera space: to its right, downwards in it, outwards.
-constexpr double FaceAxes[Faces][3][3] = {
-  { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } },   // front
-  { { 0, 0, -1 }, { 0, 1, 0 }, { 1, 0, 0 } },  // right
-  { { -1, 0, 0 }, { 0, 1, 0 }, { 0, 0, -1 } }, // back
-  { { 0, 0, 1 }, { 0, 1, 0 }, { -1, 0, 0 } },  // left
-  { { 1, 0, 0 }, { 0, 0, 1 }, { 0, -1, 0 } },  // up
-  { { 1, 0, 0 }, { 0, 0, -1 }, { 0, 1, 0 } },  // down
-};
-}
 
 //------------------------------------------------------------------------------
 void vtkRelievoPanoramaCamera::SetFieldOfView(double horizontal, double vertical)
@@ -46,7 +32,7 @@ bool vtkRelievoPanoramaCamera::GetCameraRay(
   const double columns = this->Size[0];
   const double rows = this->Size[1];
   const bool inside = u >= -0.5 && u <= columns - 0.5 && v >= -0.5 && v <= rows - 0.5;
-  if (!inside || (this->Layout == CUBE && this->Size[0] != Faces * this->Size[1]))
+  if (!inside || (this->Layout == CUBE && this->Size[0] != relievo::CubeFaces * this->Size[1]))
   {
     Nowhere(origin, 3);
     return Nowhere(direction, 3);
@@ -54,12 +40,13 @@ bool vtkRelievoPanoramaCamera::GetCameraRay(
   std::fill_n(origin, 3, 0.0);
   if (this->Layout == CUBE)
   {
-    const int face = std::min(Faces - 1, static_cast<int>((u + 0.5) / rows));
+    const int face = std::min(relievo::CubeFaces - 1, static_cast<int>((u + 0.5) / rows));
     const double a = 2.0 * ((u + 0.5) / rows - face) - 1.0;
     const double b = 2.0 * (v + 0.5) / rows - 1.0;
     for (int i = 0; i < 3; ++i)
     {
-      direction[i] = a * FaceAxes[face][0][i] + b * FaceAxes[face][1][i] + FaceAxes[face][2][i];
+      direction[i] = a * relievo::CubeAxes[face][0][i] + b * relievo::CubeAxes[face][1][i] +
+        relievo::CubeAxes[face][2][i];
     }
     vtkMath::Normalize(direction);
     return true;
@@ -81,23 +68,25 @@ bool vtkRelievoPanoramaCamera::ProjectCameraPoint(const double point[3], double 
   const double rows = this->Size[1];
   const double distance = vtkMath::Norm(point);
   if (!(std::isfinite(distance) && distance > 0.0) ||
-    (this->Layout == CUBE && this->Size[0] != Faces * this->Size[1]))
+    (this->Layout == CUBE && this->Size[0] != relievo::CubeFaces * this->Size[1]))
   {
     return Nowhere(pixel, 2);
   }
   if (this->Layout == CUBE)
   {
     int face = 0;
-    for (int i = 1; i < Faces; ++i)
+    for (int i = 1; i < relievo::CubeFaces; ++i)
     {
-      if (vtkMath::Dot(FaceAxes[i][2], point) > vtkMath::Dot(FaceAxes[face][2], point))
+      if (vtkMath::Dot(relievo::CubeAxes[i][2], point) >
+        vtkMath::Dot(relievo::CubeAxes[face][2], point))
       {
         face = i;
       }
     }
-    const double ahead = vtkMath::Dot(FaceAxes[face][2], point);
-    pixel[0] = (face + 0.5 + 0.5 * vtkMath::Dot(FaceAxes[face][0], point) / ahead) * rows - 0.5;
-    pixel[1] = (0.5 + 0.5 * vtkMath::Dot(FaceAxes[face][1], point) / ahead) * rows - 0.5;
+    const double ahead = vtkMath::Dot(relievo::CubeAxes[face][2], point);
+    pixel[0] =
+      (face + 0.5 + 0.5 * vtkMath::Dot(relievo::CubeAxes[face][0], point) / ahead) * rows - 0.5;
+    pixel[1] = (0.5 + 0.5 * vtkMath::Dot(relievo::CubeAxes[face][1], point) / ahead) * rows - 0.5;
     return true;
   }
   const double azimuth = vtkMath::DegreesFromRadians(std::atan2(point[0], point[2]));

@@ -4,6 +4,7 @@
 
 #include "vtkMath.h"
 #include "vtkRelievoCameraModel.h"
+#include "vtkRelievoCubeFaces.h"
 #include "vtkRelievoLensCamera.h"
 #include "vtkRelievoThreads.h"
 
@@ -15,8 +16,7 @@
 
 namespace
 {
-constexpr int FaceCount = 6;
-constexpr unsigned char NoFace = FaceCount;
+constexpr unsigned char NoFace = relievo::CubeFaces;
 constexpr double WidestSlope = 1.2;    // of a ray in a single view: 50 degrees
 constexpr int Margin = 2;              // pixels around a view, for what is between pixels
 constexpr int MostPixels = 8192;       // of a view each way, which every OpenGL can draw
@@ -24,22 +24,12 @@ constexpr double MostInAll = 1 << 18;  // of a face each way
 constexpr int Probes = 256;            // each way, of the sides of pixels
 constexpr double BetweenProbes = 1.02; // by so much a pixel may be narrower than its neighbours
 
-// Camera space: to the right, down and away.
-constexpr double FaceAxes[FaceCount][3][3] = {
-  { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } },   // front
-  { { 0, 0, -1 }, { 0, 1, 0 }, { 1, 0, 0 } },  // right
-  { { -1, 0, 0 }, { 0, 1, 0 }, { 0, 0, -1 } }, // back
-  { { 0, 0, 1 }, { 0, 1, 0 }, { -1, 0, 0 } },  // left
-  { { 1, 0, 0 }, { 0, 0, 1 }, { 0, -1, 0 } },  // up
-  { { 1, 0, 0 }, { 0, 0, -1 }, { 0, 1, 0 } },  // down
-};
-
 // Where a ray passes through the plane of a face; false if it does not.
 bool Pass(const double direction[3], int face, double place[2])
 {
-  const double away = vtkMath::Dot(FaceAxes[face][2], direction);
-  place[0] = vtkMath::Dot(FaceAxes[face][0], direction) / away;
-  place[1] = vtkMath::Dot(FaceAxes[face][1], direction) / away;
+  const double away = vtkMath::Dot(relievo::CubeAxes[face][2], direction);
+  place[0] = vtkMath::Dot(relievo::CubeAxes[face][0], direction) / away;
+  place[1] = vtkMath::Dot(relievo::CubeAxes[face][1], direction) / away;
   return away > 0.0;
 }
 }
@@ -62,10 +52,10 @@ bool vtkRelievoLensViews::GetFace(
   face = 0;
   if (!single)
   {
-    for (int i = 1; i < FaceCount; ++i)
+    for (int i = 1; i < relievo::CubeFaces; ++i)
     {
-      const double more = vtkMath::Dot(FaceAxes[i][2], direction);
-      face = more > vtkMath::Dot(FaceAxes[face][2], direction) ? i : face;
+      const double more = vtkMath::Dot(relievo::CubeAxes[i][2], direction);
+      face = more > vtkMath::Dot(relievo::CubeAxes[face][2], direction) ? i : face;
     }
   }
   return Pass(direction, face, place);
@@ -87,7 +77,7 @@ void vtkRelievoLensViews::FindFaces(bool single)
 {
   const int columns = this->Sensor->GetSize()[0];
   const int rows = this->Sensor->GetSize()[1];
-  std::vector<std::array<Bounds, FaceCount>> found(static_cast<std::size_t>(rows));
+  std::vector<std::array<Bounds, relievo::CubeFaces>> found(static_cast<std::size_t>(rows));
   std::atomic<bool> isWide{ false };
   std::atomic<bool> isMoving{ false };
   vtkRelievoWithThreads([&] {
@@ -119,10 +109,10 @@ void vtkRelievoLensViews::FindFaces(bool single)
       }
     });
   });
-  this->FaceBounds.assign(FaceCount, Bounds());
+  this->FaceBounds.assign(relievo::CubeFaces, Bounds());
   for (const auto& row : found)
   {
-    for (std::size_t face = 0; face < FaceCount; ++face)
+    for (std::size_t face = 0; face < relievo::CubeFaces; ++face)
     {
       if (row[face].IsAny)
       {
@@ -212,7 +202,7 @@ std::string vtkRelievoLensViews::Plan(vtkRelievoCameraModel* sensor, double over
       this->Faces = faces;
     }
   }
-  for (int face = 0; face < FaceCount; ++face)
+  for (int face = 0; face < relievo::CubeFaces; ++face)
   {
     const Bounds& bounds = this->FaceBounds[static_cast<std::size_t>(face)];
     if (!bounds.IsAny)
@@ -265,7 +255,7 @@ void vtkRelievoLensViews::SetCamera(const View& view, vtkRelievoLensCamera* came
   double translation[3];
   for (int i = 0; i < 3; ++i)
   {
-    const double* axis = FaceAxes[view.Face][i];
+    const double* axis = relievo::CubeAxes[view.Face][i];
     for (int j = 0; j < 3; ++j)
     {
       rotation[3 * i + j] = 0.0;

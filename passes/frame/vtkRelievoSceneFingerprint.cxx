@@ -47,6 +47,13 @@ namespace
 {
 constexpr double Rounding = 1e-7; // of a projection: in no picture a hundredth of a pixel
 
+bool IsNear(const std::vector<double>& one, const std::vector<double>& other)
+{
+  return std::equal(one.begin(), one.end(), other.begin(), other.end(), [](double a, double b) {
+    return a == b || std::abs(a - b) <= Rounding * std::max(std::abs(a), std::abs(b));
+  });
+}
+
 class Values
 {
 public:
@@ -297,7 +304,12 @@ vtkRelievoSceneFingerprint::State vtkRelievoSceneFingerprint::Make(
 void vtkRelievoSceneFingerprint::Take(
   const vtkRelievoFrameContext& context, const std::vector<vtkRelievoStage*>& stages)
 {
-  this->Kept = this->Make(context, stages);
+  State now = this->Make(context, stages);
+  if (IsNear(now.Projection, this->Kept.Projection))
+  {
+    now.Projection = this->Kept.Projection; // small steps of many frames are no small step
+  }
+  this->Kept = std::move(now);
 }
 
 //------------------------------------------------------------------------------
@@ -305,9 +317,5 @@ bool vtkRelievoSceneFingerprint::IsOf(
   const vtkRelievoFrameContext& context, const std::vector<vtkRelievoStage*>& stages)
 {
   const State now = this->Make(context, stages);
-  return now.Values == this->Kept.Values &&
-    std::equal(now.Projection.begin(), now.Projection.end(), this->Kept.Projection.begin(),
-      this->Kept.Projection.end(), [](double a, double b) {
-        return a == b || std::abs(a - b) <= Rounding * std::max(std::abs(a), std::abs(b));
-      });
+  return now.Values == this->Kept.Values && IsNear(now.Projection, this->Kept.Projection);
 }

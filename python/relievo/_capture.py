@@ -20,12 +20,7 @@ from ._keep import kept
 from ._picture import captured, write_png
 from ._renderers import renderer_of
 from ._sight import layers_by_rays
-from .vtkRelievoPasses import (
-    vtkRelievoDisplay,
-    vtkRelievoLayerSource,
-    vtkRelievoLensPicture,
-    vtkRelievoPass,
-)
+from .vtkRelievoPasses import vtkRelievoDisplay, vtkRelievoLayerSource, vtkRelievoLensPicture
 
 _LARGEST = 16384  # pixels each way; OpenGL's own limit, asked when there is a window, may be lower
 _SIZE_OF_DATA = (1024, 768)

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Data sets to learn from, or to judge by: pictures, depth, masks, boxes, poses."""
 
+import math
 import os
 from contextlib import nullcontext
 
@@ -134,7 +135,7 @@ def _name_objects(writer, renderer, objects):
 
 def _add_views(writer, cameras, size):
     if isinstance(cameras, (str, os.PathLike)):
-        focal = size[1] / 2 / 0.2679491924311227  # of 30 degrees
+        focal = size[1] / 2 / math.tan(math.radians(30 / 2))
         middle = (size[0] - 1) / 2, (size[1] - 1) / 2
         K = [[focal, 0, middle[0]], [0, focal, middle[1]], [0, 0, 1]]
         like = Pinhole(K, size).model

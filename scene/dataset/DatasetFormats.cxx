@@ -5,8 +5,8 @@
 #include "DatasetFiles.h"
 #include "DatasetObjects.h"
 #include "DatasetView.h"
+#include "Lens.h"
 
-#include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
@@ -14,7 +14,6 @@
 #include "vtkPointData.h"
 #include "vtkRelievoCameraModel.h"
 #include "vtkRelievoEXRWriter.h"
-#include "vtkStringArray.h"
 
 #include <algorithm>
 #include <cmath>
@@ -27,8 +26,6 @@ const std::vector<std::string> DatasetFormatNames = { "bop", "coco", "nerf", "np
 namespace
 {
 using Json = nlohmann::ordered_json;
-
-constexpr double MostDepthSteps = 65535.0; // of 16-bit depth
 
 // The steps of a depth; 0: none, or beyond the last.
 unsigned short GetSteps(double depth, double step)
@@ -431,23 +428,9 @@ bool IsDatasetRecord(DatasetFormat format, const Json& record, std::size_t objec
 //------------------------------------------------------------------------------
 Json DescribeDatasetCamera(vtkRelievoCameraModel* camera)
 {
-  Json json = { { "size", { camera->GetSize()[0], camera->GetSize()[1] } } };
   vtkNew<vtkFieldData> fields;
   camera->AddTo(fields);
-  for (int i = 0; i < fields->GetNumberOfArrays(); ++i)
-  {
-    vtkAbstractArray* array = fields->GetAbstractArray(i);
-    if (auto* numbers = vtkDoubleArray::SafeDownCast(array))
-    {
-      const double* first = numbers->GetPointer(0);
-      json[array->GetName()] = std::vector<double>(first, first + numbers->GetNumberOfValues());
-    }
-    else if (auto* text = vtkStringArray::SafeDownCast(array))
-    {
-      json[array->GetName()] = std::string(text->GetValue(0));
-    }
-  }
-  return json;
+  return Json::parse(WriteCalibration(fields, { camera->GetSize()[0], camera->GetSize()[1] }));
 }
 
 //------------------------------------------------------------------------------

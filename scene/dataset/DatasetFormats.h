@@ -26,6 +26,8 @@ enum class DatasetFormat
   Numpy
 };
 
+constexpr double MostDepthSteps = 65535.0; ///< of 16-bit depth
+
 /// By DatasetFormat.
 extern const std::vector<std::string> DatasetFormatNames;
 

@@ -39,7 +39,6 @@ using Json = nlohmann::ordered_json;
 
 constexpr const char* SettingsFile = "/dataset.json";
 constexpr const char* Records = "/views";
-constexpr double MostDepthSteps = 65535.0; // of 16-bit depth
 
 bool IsPinhole(vtkRelievoCameraModel* camera)
 {
@@ -370,7 +369,7 @@ double vtkRelievoDatasetWriter::Internals::GetDepthStep(const scene::DatasetObje
 {
   const vtkBoundingBox box = objects.GetOpaqueBounds();
   const double farthest = box.IsValid() ? FindFarthest(this->Cameras, box) : 0.0;
-  return farthest > 0.0 ? farthest / MostDepthSteps : 1.0; // nothing has a depth
+  return farthest > 0.0 ? farthest / scene::MostDepthSteps : 1.0; // nothing has a depth
 }
 
 //------------------------------------------------------------------------------
