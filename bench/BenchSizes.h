@@ -61,6 +61,14 @@ struct ToneSizes
   int Rounds = 31; // of timed frames; 0: none are timed
 };
 
+struct EffectSizes
+{
+  std::vector<std::string> Meshes = { "armadillo", "bunny" };
+  int Width = 900;
+  int Height = 600;
+  int Rounds = 31;
+};
+
 struct FogSizes
 {
   int Rays = 200000; // for each distance
@@ -172,6 +180,7 @@ int BenchParticles(const std::string& outDir, const ParticleSizes& sizes);
 int BenchSoftShadows(const std::string& outDir, const SoftShadowSizes& sizes);
 int BenchAmbient(const std::string& outDir, const AmbientSizes& sizes);
 int BenchPlanner(const std::string& outDir, const PlannerSizes& sizes);
+int BenchEffects(const std::string& outDir, const EffectSizes& sizes);
 int BenchFog(const std::string& outDir, const FogSizes& sizes);
 
 /** The part of BenchEnvironment that times frames; returns whether its file is written. */

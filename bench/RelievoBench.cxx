@@ -30,6 +30,8 @@ const std::vector<RelievoBenchEntry>& RelievoBenchEntries()
     { "depth", "error of the depth formats against bytes and far / near", RelievoBenchDepth },
     { "position", "error of positions against bytes and frame time", RelievoBenchPosition },
     { "gbuffer", "what layers cost a frame, against VTK's plain frame", RelievoBenchGBuffer },
+    { "effects", "what the first of each effect costs a frame, alone and in pairs",
+      RelievoBenchEffects },
     { "capture", "capture of depth, normal and cell against VTK's own means", RelievoBenchCapture },
     { "shadow-frames", "what shadows cost a frame, still and moving, against a peer",
       RelievoBenchShadowFrames },

@@ -104,6 +104,9 @@ int RelievoBenchParticles(const std::string& outDir);
 /** What a normal map costs a full-screen frame, against VTK's own textures. Half a minute. */
 int RelievoBenchNormalMaps(const std::string& outDir);
 
+/** What the first of each effect costs a frame, alone and in pairs, beside VTK's. A minute. */
+int RelievoBenchEffects(const std::string& outDir);
+
 /** Error and hue of tone operators, bands with and without dithering, frames. Half a minute. */
 int RelievoBenchTone(const std::string& outDir);
 

@@ -13,6 +13,9 @@
 #include "vtkRelievoTiles.h"
 #include "vtkShaderProgram.h"
 
+#include <algorithm>
+#include <cmath>
+
 //------------------------------------------------------------------------------
 void vtkRelievoLampLight::Take(
   vtkRelievoFrameContext& context, const std::vector<vtkRelievoLamps*>& sets, int casting)
@@ -39,7 +42,7 @@ bool vtkRelievoLampLight::HasQuads() const
 
 //------------------------------------------------------------------------------
 std::string vtkRelievoLampLight::Prepare(
-  vtkRelievoFrameContext& context, int way, bool floats, bool counts)
+  vtkRelievoFrameContext& context, int way, bool floats, bool sums, bool counts)
 {
   this->Way = way;
   this->Counting = counts;
@@ -63,6 +66,13 @@ std::string vtkRelievoLampLight::Prepare(
   {
     this->CastingQuads.Release(context.Window);
     this->CastingLamps.Release(context.Window);
+  }
+  if (!sums)
+  {
+    this->Sum.Release(context.Window);
+    this->Gloss.Release(context.Window);
+    this->Counts.Release(context.Window);
+    return {};
   }
   // Half floats lose what is small beside the sum so far: rectangles add to floats.
   const bool white = this->List.IsWhite();
@@ -106,6 +116,60 @@ std::string vtkRelievoLampLight::Draw(vtkRelievoFrameContext& context, bool glos
   {
     wrong = this->DrawInto(context, this->Counts, this->Counter, "#define RELIEVO_COUNT_LAMPS\n");
     this->SumCounts();
+  }
+  return wrong;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkRelievoLampLight::Add(vtkRelievoFrameContext& context, bool glossy)
+{
+  this->DrawCalls = 0;
+  // The part of the picture that lamps reach.
+  const int* size = context.View.Viewport + 2;
+  float least[2] = { 1.0f, 1.0f };
+  float most[2] = { -1.0f, -1.0f };
+  for (const vtkRelievoLampList::Lamp& lamp : this->List.GetLamps())
+  {
+    const float* r = lamp.Rectangle;
+    const bool seen = r[0] < r[2] && r[1] < r[3];
+    for (int axis = 0; seen && axis < 2; ++axis)
+    {
+      least[axis] = std::min(least[axis], r[axis]);
+      most[axis] = std::max(most[axis], r[axis + 2]);
+    }
+  }
+  if (least[0] >= most[0])
+  {
+    return {};
+  }
+  int part[4];
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    const auto pixel = [&](float ndc) {
+      return 0.5f * (ndc + 1.0f) * static_cast<float>(size[axis]);
+    };
+    part[axis] = std::max(0, static_cast<int>(std::floor(pixel(least[axis]))));
+    const int end = static_cast<int>(std::ceil(pixel(most[axis])));
+    part[axis + 2] = std::min(size[axis], end) - part[axis];
+  }
+  std::string wrong = this->Upload(context);
+  const bool clusters = this->Way == vtkRelievoLampsStage::CLUSTERS;
+  const std::string few =
+    "#define RELIEVO_FEW_LAMPS " + std::to_string(this->List.GetLamps().size()) + "\n";
+  std::string defines = "#define RELIEVO_LAMPS_ON_COLOR\n";
+  defines += glossy ? "#define RELIEVO_GLOSS\n" : "";
+  defines += !clusters && this->List.GetLamps().size() <= 4 ? few : "";
+  if (wrong.empty())
+  {
+    const std::vector<std::string> reads{ "depth", "normal", "surface", "color" };
+    if (vtkShaderProgram* program = this->ReadyPixels(context, this->Adder, reads, defines))
+    {
+      this->Bind(program, false);
+      context.DrawColor(this->Adder, true, part);
+      this->Unbind();
+      ++this->DrawCalls;
+    }
+    wrong = this->Adder.GetWrong();
   }
   return wrong;
 }
@@ -209,23 +273,35 @@ std::string vtkRelievoLampLight::DrawQuads(
 std::string vtkRelievoLampLight::DrawPixels(vtkRelievoFrameContext& context,
   vtkRelievoScreenTarget& target, vtkRelievoScreenQuad& quad, const std::string& defines)
 {
-  std::string all = defines;
-  all += this->Way == vtkRelievoLampsStage::CLUSTERS ? "#define RELIEVO_LAMPS_IN_CLUSTERS\n" : "";
-  all += context.View.Parallel ? "#define RELIEVO_LINEAR_SLICES\n" : "";
   std::vector<std::string> reads{ "depth", "normal" };
   if (&target == &this->Gloss)
   {
     reads.emplace_back("surface");
   }
-  if (vtkShaderProgram* program = quad.Ready(context, "deferred/lampsFS.glsl", reads, all))
+  if (vtkShaderProgram* program = this->ReadyPixels(context, quad, reads, defines))
   {
     this->Bind(program, false);
-    program->SetUniformi("relievoLampCount", static_cast<int>(this->List.GetLamps().size()));
     quad.Draw(context, target.GetArea());
     this->Unbind();
     ++this->DrawCalls;
   }
   return quad.GetWrong();
+}
+
+//------------------------------------------------------------------------------
+// The quad of which every pixel finds its lamps.
+vtkShaderProgram* vtkRelievoLampLight::ReadyPixels(vtkRelievoFrameContext& context,
+  vtkRelievoScreenQuad& quad, const std::vector<std::string>& reads, std::string defines)
+{
+  defines +=
+    this->Way == vtkRelievoLampsStage::CLUSTERS ? "#define RELIEVO_LAMPS_IN_CLUSTERS\n" : "";
+  defines += context.View.Parallel ? "#define RELIEVO_LINEAR_SLICES\n" : "";
+  vtkShaderProgram* program = quad.Ready(context, "deferred/lampsFS.glsl", reads, defines);
+  if (program)
+  {
+    program->SetUniformi("relievoLampCount", static_cast<int>(this->List.GetLamps().size()));
+  }
+  return program;
 }
 
 //------------------------------------------------------------------------------
@@ -264,6 +340,7 @@ void vtkRelievoLampLight::Release(vtkWindow* window)
   this->Sum.Release(window);
   this->Gloss.Release(window);
   this->Counts.Release(window);
+  this->Adder.Release(window);
   this->Lights.Release(window);
   this->Glosses.Release(window);
   this->Counter.Release(window);

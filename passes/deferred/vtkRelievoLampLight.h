@@ -24,11 +24,16 @@ public:
   // is wrong, in words.
   void Take(
     vtkRelievoFrameContext& context, const std::vector<vtkRelievoLamps*>& sets, int casting);
-  std::string Prepare(vtkRelievoFrameContext& context, int way, bool floats, bool counts);
+  std::string Prepare(
+    vtkRelievoFrameContext& context, int way, bool floats, bool sums, bool counts);
 
   // Sums the light and, of surfaces that are more than matte, the gloss; and counts. Returns what
   // is wrong, in words.
   std::string Draw(vtkRelievoFrameContext& context, bool glossy);
+
+  // Adds all of it to the linear colour in one step, where lamps are not drawn as quads and Prepare
+  // has been told that no sums are wanted.
+  std::string Add(vtkRelievoFrameContext& context, bool glossy);
 
   const vtkRelievoLampList& GetList() const { return this->List; } // but for those that cast
   const vtkRelievoLampList& GetCasting() const { return this->Casting; }
@@ -54,6 +59,8 @@ private:
     vtkRelievoFrameContext& context, vtkRelievoScreenTarget& target, const std::string& defines);
   std::string DrawPixels(vtkRelievoFrameContext& context, vtkRelievoScreenTarget& target,
     vtkRelievoScreenQuad& quad, const std::string& defines);
+  vtkShaderProgram* ReadyPixels(vtkRelievoFrameContext& context, vtkRelievoScreenQuad& quad,
+    const std::vector<std::string>& reads, std::string defines);
   bool HasQuads() const;
   void SumCounts();
 
@@ -71,6 +78,7 @@ private:
   vtkRelievoScreenTarget Sum{ "relievoLight" };
   vtkRelievoScreenTarget Gloss{ "relievoGlossSum" };
   vtkRelievoScreenTarget Counts{ "relievoLampCounts" };
+  vtkRelievoScreenQuad Adder;
   vtkRelievoScreenQuad Lights;
   vtkRelievoScreenQuad Glosses;
   vtkRelievoScreenQuad Counter;

@@ -33,7 +33,9 @@ const char* const Gloss = "lamp gloss";
 const char* const LampShadows = "lamp shadows";
 const std::vector<std::string> WayNames{ "auto", "quads", "clusters", "all" };
 
-// Up to so many lamps rectangles are drawn by themselves: clusters cost more to list.
+// So few lamps are computed in every pixel, where nothing wants their sums. Up to so many,
+// rectangles are drawn: clusters cost more to list.
+constexpr int MostAll = 4;
 constexpr int MostQuads = 8;
 
 // Which lamps cast, and why they do not if they should, as a part of a sentence.
@@ -72,6 +74,7 @@ public:
   int LeftOut = 0;
   bool Any = false;      // lamps in this frame, perhaps: on all processes alike
   bool SomeCast = false; // of them
+  bool Adds = false;     // to the linear colour, without sums
 };
 
 //------------------------------------------------------------------------------
@@ -188,10 +191,12 @@ bool vtkRelievoLampsStage::Prepare(vtkRelievoFrameContext& context)
   {
     in.LeftOut += lamps->GetNumberLeftOut();
   }
-  const int automatic = others <= MostQuads ? QUADS : CLUSTERS;
-  this->WayTaken = this->Way == AUTOMATIC ? automatic : this->Way;
   const bool counts = context.IsAsked(this, Evaluations) || context.IsAsked(this, Reaching);
-  std::string wrong = in.Light.Prepare(context, this->WayTaken, this->Floats, counts);
+  in.Adds = !counts && !context.IsAsked(this, Light) && this->NumberCasting == 0;
+  const int automatic = in.Adds && others <= MostAll ? ALL : others <= MostQuads ? QUADS : CLUSTERS;
+  this->WayTaken = this->Way == AUTOMATIC ? automatic : this->Way;
+  in.Adds = in.Adds && this->WayTaken != QUADS;
+  std::string wrong = in.Light.Prepare(context, this->WayTaken, this->Floats, !in.Adds, counts);
   if (!this->Translucent || !context.IsAsked(this, "color"))
   {
     in.Translucent->ReleaseGraphicsResources(context.Window);
@@ -215,9 +220,17 @@ void vtkRelievoLampsStage::Execute(vtkRelievoFrameContext& context)
   const vtkRelievoResource* surface = colors ? context.Find(Surface) : nullptr;
   const bool glossy =
     surface && surface->GetDefines().find("RELIEVO_GLOSSY_SURFACES") != std::string::npos;
-  std::string wrong = in.Light.Draw(context, glossy);
+  std::string wrong;
+  if (!in.Adds)
+  {
+    wrong = in.Light.Draw(context, glossy);
+  }
+  else if (colors)
+  {
+    wrong = in.Light.Add(context, glossy);
+  }
   this->DrawCalls = in.Light.GetDrawCalls();
-  if (wrong.empty())
+  if (wrong.empty() && !in.Adds)
   {
     context.ProvideLayer(Light, &in.Light.GetSum());
     for (const char* name : { Evaluations, Reaching })
@@ -228,7 +241,7 @@ void vtkRelievoLampsStage::Execute(vtkRelievoFrameContext& context)
       }
     }
   }
-  if (wrong.empty() && colors)
+  if (wrong.empty() && colors && !in.Adds)
   {
     std::vector<std::string> reads{ Surface, Light };
     if (glossy)

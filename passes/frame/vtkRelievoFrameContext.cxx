@@ -2,10 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRelievoFrameContext.h"
 
+#include "vtkRelievoColorBuffers.h"
 #include "vtkRelievoColorTarget.h"
 #include "vtkRelievoResource.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace
 {
@@ -77,6 +80,20 @@ vtkRelievoResource* vtkRelievoFrameContext::Find(const std::string& name) const
 vtkRelievoResource* vtkRelievoFrameContext::FindLayer(const std::string& name) const
 {
   return FindFirst(name, this->Layers, this->Resources);
+}
+
+//------------------------------------------------------------------------------
+double vtkRelievoFrameContext::GetDrawnDepthError() const
+{
+  if (vtkRelievoColorBuffers::GetBoundSamples() > 0)
+  {
+    return std::numeric_limits<double>::infinity();
+  }
+  // A step of z, and as much for what the rasteriser interpolates.
+  const int bits = std::min(vtkRelievoColorBuffers::GetBoundDepthBits(), 24);
+  const double range = this->View.Far - this->View.Near;
+  const double slope = this->View.Parallel ? range : this->View.Far * range / this->View.Near;
+  return std::ldexp(slope, 1 - bits);
 }
 
 //------------------------------------------------------------------------------

@@ -95,9 +95,14 @@ public:
   vtkRelievoResource* FindLayer(const std::string& name) const;
   ///@}
 
-  // Draws the quad, after its Ready, over the linear colour: as the new colour of every pixel if
-  // `replaces`, otherwise blended as OpenGL's state says, only in `part` of the viewport (x, y,
-  // width, height in pixels) if that is given. False if there is no linear colour.
+  // How far depths from the z that the delegate leaves, which the resource `drawn` has, are from the
+  // truth at most, in world units; infinite where a pixel has several samples.
+  double GetDrawnDepthError() const;
+
+  // Draws the quad, after its Ready, over the linear colour: as the new colour if `replaces`,
+  // otherwise blended as OpenGL's state says. Outside `part` of the viewport (x, y, width, height in
+  // pixels), if that is given, it must change nothing: it is not drawn there, or only where the
+  // colour has been changed before. False if there is no linear colour.
   bool DrawColor(vtkRelievoScreenQuad& quad, bool replaces = true, const int* part = nullptr);
 
   // Draws the quad, after its Ready, as the picture of the linear colour, in the place of the sRGB

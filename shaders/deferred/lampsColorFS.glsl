@@ -6,8 +6,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What lamps add to the linear colour: their light times the surface's colour, and its gloss.
 //RELIEVO::Include(gbuffer/read.glsl)
-//RELIEVO::Include(formulas/srgb.glsl)
 //RELIEVO::Include(deferred/light.glsl)
+//RELIEVO::Include(deferred/matte.glsl)
 in vec2 texCoord;
 uniform vec2 relievoSize;
 #ifdef RELIEVO_GLOSS
@@ -17,17 +17,7 @@ uniform sampler2D relievoGlossSum;
 void main()
 {
   ivec2 pixel = ivec2(floor(texCoord * relievoSize));
-  relievoSurface surface = relievoFetchSurface(pixel);
-  vec3 color = vec3(0.0);
-  if (surface.shading == RELIEVO_SHADING_PHONG)
-  {
-    color = surface.diffuse * relievoLinearColorFromSrgb(surface.color);
-  }
-  else if (surface.shading == RELIEVO_SHADING_PBR)
-  {
-    color = (1.0 - surface.metallic) * surface.color;
-  }
-  vec3 sum = color * relievoFetchLight(pixel);
+  vec3 sum = relievoMatte(relievoFetchSurface(pixel)) * relievoFetchLight(pixel);
 #ifdef RELIEVO_GLOSS
   sum += texelFetch(relievoGlossSum, pixel, 0).rgb;
 #endif

@@ -8,10 +8,13 @@
 #endif
 //VTK::Output::Dec
 // The light of lamps at each pixel's point. RELIEVO_LAMPS_IN_CLUSTERS: of those that its cluster
-// lists; RELIEVO_LAMP_IN_QUAD: of the one whose rectangle is drawn; else of all.
+// lists; RELIEVO_LAMP_IN_QUAD: of the one whose rectangle is drawn; RELIEVO_FEW_LAMPS: of so many;
+// else of all.
 // RELIEVO_COUNT_LAMPS: instead, how many were computed, and how many reach the point.
 // RELIEVO_GLOSS: instead, what is given back beside the light times the surface's colour, linear:
 // Phong's highlights; of PBR what its highlights give, less what they take.
+// RELIEVO_LAMPS_ON_COLOR: instead, the linear colour with what lamps add, with RELIEVO_GLOSS that
+// as well.
 // RELIEVO_HALVES: the sum is stored in half floats.
 // RELIEVO_LAMP_SHADOWS: of RELIEVO_LAMP_IN_QUAD, the lamp casts shadows.
 //RELIEVO::Include(gbuffer/read.glsl)
@@ -21,6 +24,10 @@
 #ifdef RELIEVO_LAMP_SHADOWS
 //RELIEVO::Include(shadow/lamp.glsl)
 vec3 relievoFaceVC = vec3(0.0); // the triangle's normal
+#endif
+#ifdef RELIEVO_LAMPS_ON_COLOR
+//RELIEVO::Include(frame/color.glsl)
+//RELIEVO::Include(deferred/matte.glsl)
 #endif
 uniform mat4 relievoProjection;
 #ifdef RELIEVO_LAMP_IN_QUAD
@@ -38,6 +45,7 @@ uniform int relievoLampCount;
 struct relievoLampSum
 {
   vec3 light;
+  vec3 gloss;
   float computed;
   float reaching;
 };
@@ -66,12 +74,11 @@ void relievoAddLamp(int i, int end, vec3 positionVC, vec3 normalVC, inout reliev
 #ifdef RELIEVO_GLOSS
     if (ray.reaches && cosine > 0.0)
     {
-      sum.light += ray.light *
+      sum.gloss += ray.light *
         relievoGloss(relievoLit, normalVC, ray.toLamp / ray.range, normalize(-positionVC));
     }
-#else
-    sum.light += ray.light * cosine;
 #endif
+    sum.light += ray.light * cosine;
     sum.computed += 1.0;
     sum.reaching += ray.reaches ? 1.0 : 0.0;
   }
@@ -86,14 +93,16 @@ void main()
 #endif
   float depth = relievoFetchDepth(pixel);
   vec3 normalVC = relievoFetchNormal(pixel);
-  relievoLampSum sum = relievoLampSum(vec3(0.0), 0.0, 0.0);
+  relievoLampSum sum = relievoLampSum(vec3(0.0), vec3(0.0), 0.0, 0.0);
 #ifdef RELIEVO_GLOSS
   relievoLit = relievoFetchSurface(pixel);
-  bool glossy = relievoIsGlossy(relievoLit);
-#else
-  bool glossy = true;
 #endif
-  if (!isinf(depth) && glossy)
+#if defined(RELIEVO_GLOSS) && !defined(RELIEVO_LAMPS_ON_COLOR)
+  bool lit = !isinf(depth) && relievoIsGlossy(relievoLit);
+#else
+  bool lit = !isinf(depth);
+#endif
+  if (lit)
   {
     vec3 positionVC =
       relievoEyePosition(relievoNdcFromPixel(vec2(pixel), relievoSize), depth, relievoProjection);
@@ -111,7 +120,12 @@ void main()
     int from = 0;
     int to = relievoLampCount;
 #endif
-#ifndef RELIEVO_LAMP_IN_QUAD
+#ifdef RELIEVO_FEW_LAMPS
+    for (int lamp = 0; lamp < RELIEVO_FEW_LAMPS; ++lamp)
+    {
+      relievoAddLamp(lamp, RELIEVO_FEW_LAMPS, positionVC, normalVC, sum);
+    }
+#elif !defined(RELIEVO_LAMP_IN_QUAD)
     // Four a turn: in Mesa's software all turns of a shader end after 65535.
     for (; from < to; from += 4)
     {
@@ -124,12 +138,21 @@ void main()
   }
 #ifdef RELIEVO_COUNT_LAMPS
   gl_FragData[0] = vec4(sum.computed, sum.reaching, 0.0, 0.0);
+#elif defined(RELIEVO_LAMPS_ON_COLOR)
+  vec4 color = relievoFetchColor(pixel);
+  gl_FragData[0] =
+    vec4(color.rgb + relievoMatte(relievoFetchSurface(pixel)) * sum.light + sum.gloss, color.a);
 #else
+#ifdef RELIEVO_GLOSS
+  vec3 given = sum.gloss;
+#else
+  vec3 given = sum.light;
+#endif
 #ifdef RELIEVO_HALVES
   // Mesa's software cuts the bits off that a half does not have.
-  sum.light = vec3(relievoRoundToHalf(sum.light.x), relievoRoundToHalf(sum.light.y),
-    relievoRoundToHalf(sum.light.z));
+  given = vec3(relievoRoundToHalf(given.x), relievoRoundToHalf(given.y),
+    relievoRoundToHalf(given.z));
 #endif
-  gl_FragData[0] = vec4(sum.light, 0.0);
+  gl_FragData[0] = vec4(given, 0.0);
 #endif
 }

@@ -5,8 +5,12 @@
 //VTK::Output::Dec
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Optical depth of one sphere at a pixel, and its colour times that.
+// Optical depth of one sphere at a pixel, and its colour times that. RELIEVO_FOG_DRAWN_DEPTH: before
+// what has been drawn, whatever has layers.
+//RELIEVO::Include(frame/drawn_depth.glsl)
+#ifndef RELIEVO_FOG_DRAWN_DEPTH
 //RELIEVO::Include(gbuffer/read.glsl)
+#endif
 //RELIEVO::Include(frame/translucent_depth.glsl)
 //RELIEVO::Include(formulas/fog.glsl)
 flat in vec4 fogLinear;
@@ -24,7 +28,11 @@ void main()
 {
   vec2 direction = fogDirection + fogDirectionStep.xy * gl_FragCoord.x +
     fogDirectionStep.zw * gl_FragCoord.y;
+#ifdef RELIEVO_FOG_DRAWN_DEPTH
+  float end = relievoFetchDrawnDepth(ivec2(gl_FragCoord.xy));
+#else
   float end = relievoFetchDepth(ivec2(gl_FragCoord.xy));
+#endif
 #ifdef RELIEVO_TRANSLUCENT_DEPTH
   end = min(end, relievoFetchTranslucentDepth(ivec2(gl_FragCoord.xy)));
 #endif

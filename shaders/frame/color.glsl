@@ -1,9 +1,24 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 // The linear colour of the frame, premultiplied; pixel (0, 0) is the viewport's lower left one.
+// Where no stage has changed it, it is made here of what the delegate drew: everywhere with
+// RELIEVO_COLOR_DRAWN, outside a rectangle with RELIEVO_COLOR_PART.
+//RELIEVO::Include(frame/linear.glsl)
 uniform sampler2D relievoColor;
+#ifdef RELIEVO_COLOR_PART
+uniform ivec2 relievoColorFrom;
+uniform ivec2 relievoColorTo; // beyond the last pixel
+#endif
 
 vec4 relievoFetchColor(ivec2 pixel)
 {
+#if defined(RELIEVO_COLOR_DRAWN)
+  return relievoFetchLinear(pixel);
+#elif defined(RELIEVO_COLOR_PART)
+  bool changed = all(greaterThanEqual(pixel, relievoColorFrom)) &&
+    all(lessThan(pixel, relievoColorTo));
+  return changed ? texelFetch(relievoColor, pixel, 0) : relievoFetchLinear(pixel);
+#else
   return texelFetch(relievoColor, pixel, 0);
+#endif
 }

@@ -3,17 +3,24 @@
 //VTK::Output::Dec
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-// From linear light to the display, and the depth as the delegate left it.
+// From linear light to the display, or, with RELIEVO_AS_DRAWN, what is made for it already; and
+// the depth as the delegate left it.
+//RELIEVO::Include(frame/drawn.glsl)
+#ifndef RELIEVO_AS_DRAWN
 //RELIEVO::Include(formulas/srgb.glsl)
 //RELIEVO::Include(frame/color.glsl)
-//RELIEVO::Include(frame/drawn.glsl)
+#endif
 in vec2 texCoord;
 uniform vec2 relievoSize;
 
 void main()
 {
   ivec2 pixel = ivec2(floor(texCoord * relievoSize));
+#ifdef RELIEVO_AS_DRAWN
+  gl_FragData[0] = texelFetch(relievoDrawn, pixel + relievoDrawnOffset, 0);
+#else
   vec4 color = relievoFetchColor(pixel);
   gl_FragData[0] = vec4(relievoSrgbColorFromLinear(color.rgb), color.a);
+#endif
   gl_FragDepth = texelFetch(relievoDrawnZ, pixel + relievoDrawnOffset, 0).r;
 }

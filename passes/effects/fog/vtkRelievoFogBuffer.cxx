@@ -112,14 +112,16 @@ std::string vtkRelievoFogBuffer::Compile(
 
 //------------------------------------------------------------------------------
 std::string vtkRelievoFogBuffer::Draw(vtkRelievoFrameContext& context,
-  const vtkRelievoSphereRays& rays, bool chord, bool dominant, vtkRelievoResource* translucent)
+  const vtkRelievoSphereRays& rays, bool chord, bool dominant, bool everywhere,
+  vtkRelievoResource* translucent)
 {
   const int which = translucent ? 1 : 0;
   vtkRelievoScreenTarget::Format format;
   format.Halves = false;
   format.Depth = dominant;
   std::string wrong = this->Target.Prepare(context, format);
-  vtkRelievoResource* depth = context.Find("depth");
+  vtkRelievoResource* layers = context.Find("depth");
+  vtkRelievoResource* depth = layers ? layers : context.Find("drawn");
   const bool any = !this->Texels.empty();
   if (wrong.empty() && any && !depth)
   {
@@ -132,7 +134,8 @@ std::string vtkRelievoFogBuffer::Draw(vtkRelievoFrameContext& context,
   if (wrong.empty() && any)
   {
     wrong = this->Compile(context,
-      depth->GetDefines() + (translucent ? translucent->GetDefines() : "") +
+      depth->GetDefines() + (layers ? "" : "#define RELIEVO_FOG_DRAWN_DEPTH\n") +
+        (translucent ? translucent->GetDefines() : "") +
         (chord ? "#define RELIEVO_FOG_CHORD\n" : "") +
         (dominant ? "#define RELIEVO_FOG_DOMINANT\n" : ""),
       which);
@@ -142,7 +145,7 @@ std::string vtkRelievoFogBuffer::Draw(vtkRelievoFrameContext& context,
     return wrong;
   }
 
-  this->Target.Begin(context);
+  this->Target.Begin(context, 0.0f, everywhere || !any ? nullptr : this->Part);
   if (any)
   {
     vtkOpenGLState* state = context.Window->GetState();
@@ -170,6 +173,9 @@ std::string vtkRelievoFogBuffer::Draw(vtkRelievoFrameContext& context,
     program->SetUniform2f("fogDirection", first);
     program->SetUniform4f("fogDirectionStep", step);
     program->SetUniformf("fogBegin", static_cast<float>(rays.GetBegin()));
+    const float range[3] = { static_cast<float>(context.View.Near),
+      static_cast<float>(context.View.Far), context.View.Parallel ? 1.0f : 0.0f };
+    program->SetUniform3f("relievoDrawnRange", range);
     depth->Activate(program);
     if (translucent)
     {

@@ -33,10 +33,10 @@ public:
   // The pixels of the viewport with spheres: x, y, width, height.
   const int* GetPart() const { return this->Part; }
 
-  // Draws them before what is opaque, and only before what is translucent if that is given. Returns
-  // what is wrong, in words.
+  // Draws them before what is opaque, and only before what is translucent if that is given. Pixels
+  // without spheres have no fog if `everywhere`, else anything. Returns what is wrong, in words.
   std::string Draw(vtkRelievoFrameContext& context, const vtkRelievoSphereRays& rays, bool chord,
-    bool dominant, vtkRelievoResource* translucent = nullptr);
+    bool dominant, bool everywhere, vtkRelievoResource* translucent = nullptr);
 
   // Colour times optical depth, and optical depth; `fogDepth` in shaders.
   vtkRelievoScreenTarget Target;

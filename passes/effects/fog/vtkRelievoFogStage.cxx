@@ -82,7 +82,6 @@ void vtkRelievoFogStage::Describe(vtkRelievoStageDescription& description)
   description.Help = "Fog in spheres, which are given to it as data.";
   description.Slot = vtkRelievoStageDescription::COMPOSITE;
   description.Order = -5; // over markers, before what is translucent, see the stage `blend`
-  description.Reads = { "depth" };
   description.Writes = { "color" };
   description.Layers = { "fog" };
   description.OnByDefault = true;
@@ -116,6 +115,34 @@ void vtkRelievoFogStage::Declare(
 }
 
 //------------------------------------------------------------------------------
+// A picture has what the delegate draws, with its z: enough, unless fog is so dense that the step
+// of z shows.
+std::vector<std::string> vtkRelievoFogStage::GetReadsFor(
+  const vtkRelievoFrameContext& context, const std::vector<std::string>& asked) const
+{
+  using Fog = vtkRelievoFogSpheres;
+  constexpr double seen = 1.0 / 1024.0; // a quarter of what eight bits tell apart
+  const bool picture = std::find(asked.begin(), asked.end(), "color") != asked.end();
+  const bool layer = std::find(asked.begin(), asked.end(), "fog") != asked.end();
+  if (!picture || layer || this->IsTogether())
+  {
+    return { "depth" };
+  }
+  double densities = 0.0; // where all overlap, of a unit of length
+  for (vtkRelievoFogSpheres* fog : this->GetSets<vtkRelievoFogSpheres>())
+  {
+    const double* row = fog->GetRows().data();
+    for (int i = 0; i < fog->GetNumberOfPoints(); ++i, row += fog->GetRowWidth())
+    {
+      densities +=
+        this->Mode == CHORD ? row[Fog::DENSITY] / (2.0 * row[Fog::RADIUS]) : row[Fog::DENSITY];
+    }
+  }
+  return context.GetDrawnDepthError() * densities <= seen ? std::vector<std::string>()
+                                                          : std::vector<std::string>{ "depth" };
+}
+
+//------------------------------------------------------------------------------
 void vtkRelievoFogStage::Execute(vtkRelievoFrameContext& context)
 {
   Internals& in = *this->Internal;
@@ -140,7 +167,8 @@ void vtkRelievoFogStage::Execute(vtkRelievoFrameContext& context)
     wrong = this->DrawBeforeTranslucent(context, rays);
     if (wrong.empty())
     {
-      wrong = in.Buffer.Draw(context, rays, this->Mode == CHORD, this->Overlap == DOMINANT);
+      wrong = in.Buffer.Draw(context, rays, this->Mode == CHORD, this->Overlap == DOMINANT,
+        context.IsAsked(this, "fog"));
     }
   }
   if (wrong.empty())
@@ -185,7 +213,7 @@ std::string vtkRelievoFogStage::DrawBeforeTranslucent(
     return {};
   }
   const std::string wrong =
-    in.Buffer.Draw(context, rays, this->Mode == CHORD, this->Overlap == DOMINANT, depth);
+    in.Buffer.Draw(context, rays, this->Mode == CHORD, this->Overlap == DOMINANT, false, depth);
   if (!wrong.empty())
   {
     return wrong;

@@ -7,6 +7,7 @@
 #include "vtkOpenGLFramebufferObject.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
+#include "vtkRelievoSoftwareOpenGL.h"
 #include "vtkRenderbuffer.h"
 #include "vtkTextureObject.h"
 
@@ -81,6 +82,28 @@ unsigned int vtkRelievoColorBuffers::GetBoundDepthFormat()
 }
 
 //------------------------------------------------------------------------------
+int vtkRelievoColorBuffers::GetBoundSamples()
+{
+  GLint samples = 0;
+  glGetIntegerv(GL_SAMPLES, &samples);
+  return samples;
+}
+
+//------------------------------------------------------------------------------
+int vtkRelievoColorBuffers::GetBoundDepthBits()
+{
+  return GetBoundDepth().Bits;
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoColorBuffers::HasBoundDepth() const
+{
+  const DepthFormat bound = GetBoundDepth();
+  return bound.Bits == this->DepthOf.Bits && bound.Float == this->DepthOf.Float &&
+    bound.Stencil == this->DepthOf.Stencil;
+}
+
+//------------------------------------------------------------------------------
 vtkSmartPointer<vtkTextureObject> vtkRelievoColorBuffers::MakeTexture(
   vtkOpenGLRenderWindow* window, unsigned int format, int width, int height)
 {
@@ -108,25 +131,26 @@ int vtkRelievoColorBuffers::GetBoundFramebuffer(bool reading)
 //------------------------------------------------------------------------------
 void vtkRelievoColorBuffers::Allocate(vtkOpenGLRenderWindow* window, const int viewport[4])
 {
-  GLint samples = 0;
-  glGetIntegerv(GL_SAMPLES, &samples);
-  const DepthFormat depth = GetBoundDepth();
+  const int samples = GetBoundSamples();
   const int size[4] = { viewport[0] + viewport[2], viewport[1] + viewport[3], viewport[2],
     viewport[3] };
   if (this->Window == window && this->Framebuffer && samples == this->NumberOfSamples &&
-    depth.Bits == this->DepthOf.Bits && depth.Float == this->DepthOf.Float &&
-    depth.Stencil == this->DepthOf.Stencil && std::equal(size, size + 4, this->Size))
+    this->HasBoundDepth() && std::equal(size, size + 4, this->Size))
   {
     return;
   }
+  const DepthFormat depth = GetBoundDepth();
   this->Release(this->Window);
   this->Window = window;
   this->NumberOfSamples = samples;
   this->DepthOf = depth;
   std::copy_n(size, 4, this->Size);
-  this->Color = MakeTexture(this->Window, GL_RGBA16F, size[0], size[1]);
-  this->Linear[0] = MakeTexture(this->Window, GL_RGBA16F, size[2], size[3]);
-  this->Linear[1] = MakeTexture(this->Window, GL_RGBA16F, size[2], size[3]);
+  // Processors blend floats faster than halves, which they convert.
+  this->Floats = vtkRelievoIsSoftwareOpenGL();
+  const unsigned int format = this->Floats ? GL_RGBA32F : GL_RGBA16F;
+  this->Color = MakeTexture(this->Window, format, size[0], size[1]);
+  this->Linear[0] = MakeTexture(this->Window, format, size[2], size[3]);
+  this->Linear[1] = MakeTexture(this->Window, format, size[2], size[3]);
   this->Depth = vtkSmartPointer<vtkTextureObject>::New();
   this->Depth->SetContext(this->Window);
   if (depth.Stencil)
@@ -147,7 +171,7 @@ void vtkRelievoColorBuffers::Allocate(vtkOpenGLRenderWindow* window, const int v
   state->PushFramebufferBindings();
   if (samples > 0)
   {
-    const unsigned int formats[2] = { GL_RGBA16F, GetInternalFormat(depth) };
+    const unsigned int formats[2] = { format, GetInternalFormat(depth) };
     for (int i = 0; i < 2; ++i)
     {
       this->Samples[i] = vtkSmartPointer<vtkRenderbuffer>::New();
@@ -184,8 +208,9 @@ vtkIdType vtkRelievoColorBuffers::GetBytes() const
   }
   const vtkIdType all = static_cast<vtkIdType>(this->Size[0]) * this->Size[1];
   const vtkIdType seen = static_cast<vtkIdType>(this->Size[2]) * this->Size[3];
-  // Half floats of four components, and a depth in a word.
-  return (8 + 4) * all * (1 + this->NumberOfSamples) + 2 * 8 * seen;
+  // Four components, and a depth in a word.
+  const vtkIdType color = this->Floats ? 16 : 8;
+  return (color + 4) * all * (1 + this->NumberOfSamples) + 2 * color * seen;
 }
 
 //------------------------------------------------------------------------------
@@ -201,5 +226,6 @@ void vtkRelievoColorBuffers::Release(vtkWindow* window)
     ReleaseAndForget(this->Linear[i], window);
     ReleaseAndForget(this->Samples[i], window);
   }
+  this->DepthCopied = false;
   this->Window = nullptr;
 }

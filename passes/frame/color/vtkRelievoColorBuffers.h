@@ -39,6 +39,15 @@ struct vtkRelievoColorBuffers
   // For drawing, or for reading.
   static int GetBoundFramebuffer(bool reading = false);
 
+  // Whether what is bound for drawing keeps depths as these buffers do.
+  bool HasBoundDepth() const;
+
+  ///@{
+  // What is bound for drawing: samples of each pixel, 0 for one; bits of its depth.
+  static int GetBoundSamples();
+  static int GetBoundDepthBits();
+  ///@}
+
   // OpenGL's format for depths as what is bound for drawing has them.
   static unsigned int GetBoundDepthFormat();
 
@@ -56,6 +65,8 @@ struct vtkRelievoColorBuffers
   int Size[4] = { 0, 0, 0, 0 }; // of the framebuffer, and of the viewport
   int NumberOfSamples = 0;
   DepthFormat DepthOf;
+  bool Floats = false;      // instead of half floats
+  bool DepthCopied = false; // this OpenGL has copied it to what was bound
 };
 
 #endif

@@ -16,6 +16,7 @@
 #include "vtkTextureObject.h"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 //------------------------------------------------------------------------------
@@ -85,6 +86,7 @@ void vtkRelievoColorTarget::Begin(vtkRelievoFrameContext& context)
   vtkRenderer* renderer = context.Renderer;
   vtkOpenGLState* state = context.Window->GetState();
   this->Separated = false;
+  this->Made = Rectangle();
   const int before = vtkRelievoColorBuffers::GetBoundFramebuffer();
   state->PushFramebufferBindings();
   this->Buffers.Framebuffer->Bind();
@@ -194,17 +196,76 @@ void vtkRelievoColorTarget::Resolve(vtkRelievoFrameContext& context)
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoColorTarget::MakeLinear(vtkRelievoFrameContext& context)
+vtkRelievoColorTarget::Rectangle vtkRelievoColorTarget::Rectangle::With(
+  const Rectangle& other) const
 {
-  this->Valid = this->ToLinear.Ready(context, "frame/toLinearFS.glsl", { "drawn" }) &&
-    this->Draw(context, this->ToLinear, true);
+  if (this->IsEmpty() || other.IsEmpty())
+  {
+    return this->IsEmpty() ? other : *this;
+  }
+  Rectangle both;
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    both.From[axis] = std::min(this->From[axis], other.From[axis]);
+    both.To[axis] = std::max(this->To[axis], other.To[axis]);
+  }
+  return both;
+}
+
+//------------------------------------------------------------------------------
+std::vector<vtkRelievoColorTarget::Rectangle> vtkRelievoColorTarget::Rectangle::Without(
+  const Rectangle& inner) const
+{
+  if (inner.IsEmpty())
+  {
+    return { *this };
+  }
+  const Rectangle around[] = {
+    { { this->From[0], this->From[1] }, { this->To[0], inner.From[1] } },
+    { { this->From[0], inner.To[1] }, { this->To[0], this->To[1] } },
+    { { this->From[0], inner.From[1] }, { inner.From[0], inner.To[1] } },
+    { { inner.To[0], inner.From[1] }, { this->To[0], inner.To[1] } },
+  };
+  std::vector<Rectangle> rest;
+  std::copy_if(std::begin(around), std::end(around), std::back_inserter(rest),
+    [](const Rectangle& each) { return !each.IsEmpty(); });
+  return rest;
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoColorTarget::Rectangle vtkRelievoColorTarget::GetAll() const
+{
+  return { { 0, 0 }, { this->Buffers.Size[2], this->Buffers.Size[3] } };
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoColorTarget::IsWhole() const
+{
+  return this->GetAll().Without(this->Made).empty();
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoColorTarget::MakeLinear(vtkRelievoFrameContext& context, const Rectangle& where)
+{
+  const Rectangle all = this->Made.With(where);
+  for (const Rectangle& rest : all.Without(this->Made))
+  {
+    this->Valid =
+      this->Valid && this->ToLinear.Ready(context, "frame/toLinearFS.glsl", { "drawn" });
+    if (this->Valid)
+    {
+      this->DrawOnto(context, this->ToLinear, 0, false, rest);
+    }
+  }
+  this->Made = all;
 }
 
 //------------------------------------------------------------------------------
 void vtkRelievoColorTarget::Separate(vtkRelievoFrameContext& context)
 {
   this->Resolve(context);
-  this->MakeLinear(context);
+  this->Valid = true;
+  this->MakeLinear(context, this->GetAll());
   this->Separated = true;
   context.Provide("color", this);
 }
@@ -226,9 +287,11 @@ void vtkRelievoColorTarget::End(vtkRelievoFrameContext& context)
 {
   this->Resolve(context);
   context.Window->GetState()->PopFramebufferBindings();
-  if (!this->Separated)
+  this->Valid = this->Valid || !this->Separated;
+  const auto& read = context.ReadBack;
+  if (std::find(read.begin(), read.end(), "color") != read.end())
   {
-    this->MakeLinear(context);
+    this->MakeLinear(context, this->GetAll());
   }
   this->Presented = false;
   if (this->Valid)
@@ -254,51 +317,124 @@ void vtkRelievoColorTarget::EndAside(vtkRelievoFrameContext& context)
 bool vtkRelievoColorTarget::Draw(
   vtkRelievoFrameContext& context, vtkRelievoScreenQuad& quad, bool replaces, const int* part)
 {
-  if (!this->Buffers.Pen || (!this->Valid && &quad != &this->ToLinear))
+  if (!this->Buffers.Pen || !this->Valid)
   {
     return false;
   }
-  const int area[4] = { 0, 0, this->Buffers.Size[2], this->Buffers.Size[3] };
-  vtkOpenGLState* state = context.Window->GetState();
+  Rectangle where = this->GetAll();
+  for (int axis = 0; part && axis < 2; ++axis)
   {
-    const vtkRelievoScopedState kept(state);
-    this->Buffers.Pen->Bind();
-    this->Buffers.Pen->AddColorAttachment(0, this->Buffers.Linear[replaces ? 1 : 0]);
-    this->Buffers.Pen->ActivateDrawBuffer(0);
-    if (replaces)
-    {
-      state->vtkglDisable(GL_BLEND);
-    }
-    quad.Draw(context, area, false, replaces ? nullptr : part);
+    where.From[axis] = std::max(0, part[axis]);
+    where.To[axis] = std::min(where.To[axis], part[axis] + part[axis + 2]);
+  }
+  if (where.IsEmpty())
+  {
+    return true;
   }
   if (replaces)
   {
+    where = this->Made.With(where);
+    this->DrawOnto(context, quad, 1, false, where);
     std::swap(this->Buffers.Linear[0], this->Buffers.Linear[1]);
+    this->Made = where;
   }
-  return true;
+  else
+  {
+    this->MakeLinear(context, where);
+    this->DrawOnto(context, quad, 0, true, where);
+  }
+  return this->Valid;
+}
+
+//------------------------------------------------------------------------------
+// Onto one of the two linear colours; if it does not blend, in place of what is there.
+void vtkRelievoColorTarget::DrawOnto(vtkRelievoFrameContext& context, vtkRelievoScreenQuad& quad,
+  int which, bool blends, const Rectangle& where)
+{
+  const int area[4] = { 0, 0, this->Buffers.Size[2], this->Buffers.Size[3] };
+  const int part[4] = { where.From[0], where.From[1], where.To[0] - where.From[0],
+    where.To[1] - where.From[1] };
+  vtkOpenGLState* state = context.Window->GetState();
+  const vtkRelievoScopedState kept(state);
+  this->Buffers.Pen->Bind();
+  this->Buffers.Pen->AddColorAttachment(0, this->Buffers.Linear[which]);
+  this->Buffers.Pen->ActivateDrawBuffer(0);
+  if (!blends)
+  {
+    state->vtkglDisable(GL_BLEND);
+  }
+  quad.Draw(context, area, false, part);
 }
 
 //------------------------------------------------------------------------------
 bool vtkRelievoColorTarget::Present(vtkRelievoFrameContext& context, vtkRelievoScreenQuad* quad)
 {
-  const auto readyCurve = [&]() {
-    return this->ToDisplay.Ready(context, "frame/toDisplayFS.glsl", { "color", "drawn" });
-  };
-  if (!this->Valid || this->Presented || (!quad && !readyCurve()))
+  if (!this->Valid || this->Presented)
   {
     return false;
   }
   const vtkRelievoScopedState kept(context.Window->GetState());
   context.Window->GetState()->vtkglDisable(GL_BLEND);
-  (quad ? *quad : this->ToDisplay).Draw(context, nullptr, true);
+  const bool draws = !this->PresentDepth(context); // the depth, with the colour
+  const auto present = [&](vtkRelievoScreenQuad& each, const Rectangle& where) {
+    const int* v = context.View.Viewport;
+    const int part[4] = { v[0] + where.From[0], v[1] + where.From[1], where.To[0] - where.From[0],
+      where.To[1] - where.From[1] };
+    each.Draw(context, nullptr, draws, part);
+  };
+  if (quad)
+  {
+    present(*quad, this->GetAll());
+  }
+  else
+  {
+    if (!this->Made.IsEmpty() &&
+      this->ToDisplay.Ready(context, "frame/toDisplayFS.glsl", { "color", "drawn" }))
+    {
+      present(this->ToDisplay, this->Made);
+    }
+    for (const Rectangle& rest : this->GetAll().Without(this->Made))
+    {
+      if (this->ToDisplayAsDrawn.Ready(
+            context, "frame/toDisplayFS.glsl", { "drawn" }, "#define RELIEVO_AS_DRAWN\n"))
+      {
+        present(this->ToDisplayAsDrawn, rest);
+      }
+    }
+  }
   this->Presented = true;
   return true;
 }
 
 //------------------------------------------------------------------------------
+// Copies the depth as it is. False if what is bound for drawing is of another kind.
+bool vtkRelievoColorTarget::PresentDepth(vtkRelievoFrameContext& context)
+{
+  if (this->Buffers.Resolved || vtkRelievoColorBuffers::GetBoundSamples() > 0 ||
+    !this->Buffers.HasBoundDepth())
+  {
+    return false;
+  }
+  const int* v = context.View.Viewport;
+  vtkOpenGLState* state = context.Window->GetState();
+  state->PushReadFramebufferBinding();
+  this->Buffers.Framebuffer->Bind(GL_READ_FRAMEBUFFER);
+  state->vtkglDisable(GL_SCISSOR_TEST);
+  state->vtkglDepthMask(GL_TRUE);
+  state->vtkglBlitFramebuffer(v[0], v[1], v[0] + v[2], v[1] + v[3], v[0], v[1], v[0] + v[2],
+    v[1] + v[3], GL_DEPTH_BUFFER_BIT, GL_NEAREST);
+  state->PopReadFramebufferBinding();
+  if (!this->Buffers.DepthCopied) // then it always can
+  {
+    this->Buffers.DepthCopied = glGetError() == GL_NO_ERROR;
+  }
+  return this->Buffers.DepthCopied;
+}
+
+//------------------------------------------------------------------------------
 std::string vtkRelievoColorTarget::Read(vtkImageData* image)
 {
-  if (!this->Valid || !this->Buffers.Window)
+  if (!this->Valid || !this->Buffers.Window || !this->IsWhole())
   {
     return "the last frame made no linear colour; ask for it (RequestLayer) and render before";
   }
@@ -332,8 +468,22 @@ std::string vtkRelievoColorTarget::Read(vtkImageData* image)
 }
 
 //------------------------------------------------------------------------------
+std::string vtkRelievoColorTarget::GetDefines() const
+{
+  return this->Made.IsEmpty() ? "#define RELIEVO_COLOR_DRAWN\n"
+    : this->IsWhole()         ? ""
+                              : "#define RELIEVO_COLOR_PART\n";
+}
+
+//------------------------------------------------------------------------------
 void vtkRelievoColorTarget::Activate(vtkShaderProgram* program)
 {
+  if (!this->IsWhole())
+  {
+    this->Drawn->Activate(program);
+    program->SetUniform2i("relievoColorFrom", this->Made.From);
+    program->SetUniform2i("relievoColorTo", this->Made.To);
+  }
   this->Buffers.Linear[0]->Activate();
   program->SetUniformi("relievoColor", this->Buffers.Linear[0]->GetTextureUnit());
 }
@@ -342,13 +492,18 @@ void vtkRelievoColorTarget::Activate(vtkShaderProgram* program)
 void vtkRelievoColorTarget::Deactivate()
 {
   this->Buffers.Linear[0]->Deactivate();
+  if (!this->IsWhole())
+  {
+    this->Drawn->Deactivate();
+  }
 }
 
 //------------------------------------------------------------------------------
 void vtkRelievoColorTarget::Release(vtkWindow* window)
 {
   this->Buffers.Release(window);
-  for (vtkRelievoScreenQuad* quad : { &this->ToLinear, &this->ToDisplay, &this->Copy })
+  for (vtkRelievoScreenQuad* quad :
+    { &this->ToLinear, &this->ToDisplay, &this->ToDisplayAsDrawn, &this->Copy })
   {
     quad->Release(window);
   }

@@ -6,8 +6,9 @@
 //
 // The delegate draws into a float framebuffer in the place of the one that was bound, of the same
 // multisampling; its colours, which VTK makes for display, go through the inverse of the sRGB curve
-// once, the stages change them, and Present puts them through the curve into the framebuffer that
-// was bound before, with the depth.
+// where stages change them, and Present puts those through the curve into the framebuffer that was
+// bound before, the others as they were drawn, with the depth. Shaders that read the colour make it
+// of what was drawn where it has not been changed, see frame/color.glsl.
 #ifndef vtkRelievoColorTarget_h
 #define vtkRelievoColorTarget_h
 
@@ -17,6 +18,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 class vtkImageData;
 class vtkRelievoFrameContext;
@@ -55,7 +57,8 @@ public:
   void EndAside(vtkRelievoFrameContext& context);
   ///@}
 
-  // Draws the quad over the linear colour: as the new colour, or blended, also over a part only.
+  // Draws the quad, which is ready, over the linear colour: as the new colour, or blended, also over
+  // a part only.
   bool Draw(vtkRelievoFrameContext& context, vtkRelievoScreenQuad& quad, bool replaces,
     const int* part = nullptr);
 
@@ -69,12 +72,29 @@ public:
   vtkIdType GetBytes() const { return this->Buffers.GetBytes(); }
   void Release(vtkWindow* window);
 
+  std::string GetDefines() const override;
   void Activate(vtkShaderProgram* program) override;
   void Deactivate() override;
 
 private:
+  // Pixels of the viewport, from the first ones to those beyond the last.
+  struct Rectangle
+  {
+    int From[2] = { 0, 0 };
+    int To[2] = { 0, 0 };
+
+    bool IsEmpty() const { return this->From[0] >= this->To[0] || this->From[1] >= this->To[1]; }
+    Rectangle With(const Rectangle& other) const;
+    std::vector<Rectangle> Without(const Rectangle& inner) const; // that lies within it
+  };
+
+  Rectangle GetAll() const;
+  bool IsWhole() const; // the linear colour is there for every pixel
   void CopyWhatIsThere(vtkRelievoFrameContext& context, int framebuffer);
-  void MakeLinear(vtkRelievoFrameContext& context);
+  void MakeLinear(vtkRelievoFrameContext& context, const Rectangle& where);
+  void DrawOnto(vtkRelievoFrameContext& context, vtkRelievoScreenQuad& quad, int which, bool blends,
+    const Rectangle& where);
+  bool PresentDepth(vtkRelievoFrameContext& context);
 
   class Input;
   std::unique_ptr<Input> Drawn; // what the delegate drew, as a resource
@@ -82,6 +102,8 @@ private:
   vtkRelievoScreenQuad ToLinear;
   vtkRelievoScreenQuad ToDisplay;
   vtkRelievoScreenQuad Copy;
+  vtkRelievoScreenQuad ToDisplayAsDrawn;
+  Rectangle Made; // where the linear colour is there
   bool Valid = false;
   bool Separated = false; // the linear colour was made before all was drawn
   bool Presented = false;

@@ -6,17 +6,10 @@
 #include "vtkOpenGLError.h" // for OpenGL
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkRelievoScopedContext.h"
+#include "vtkRelievoSoftwareOpenGL.h"
 
 namespace
 {
-bool DefersDrawing()
-{
-  const auto* name = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
-  const std::string renderer = name ? name : "";
-  return renderer.find("llvmpipe") != std::string::npos ||
-    renderer.find("softpipe") != std::string::npos;
-}
-
 // Milliseconds when all commands so far have been carried out.
 double Finish()
 {
@@ -40,7 +33,7 @@ void vtkRelievoGpuTimer::BeginFrame(vtkOpenGLRenderWindow* window)
   {
     this->Release();
     this->Window = window;
-    this->Defers = DefersDrawing();
+    this->Defers = vtkRelievoIsSoftwareOpenGL();
   }
   this->Current = nullptr;
   this->Finishes = this->Defers && this->Wanted > 0;

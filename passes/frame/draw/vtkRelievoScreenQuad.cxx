@@ -73,6 +73,8 @@ void vtkRelievoScreenQuad::Draw(
   vtkRelievoFrameContext& context, const int* viewport, bool depth, const int* part)
 {
   vtkShaderProgram* program = this->Quad->Program;
+  // Another quad may have been drawn since.
+  context.Window->GetShaderCache()->ReadyShaderProgram(program);
   const vtkRelievoFrameCamera& view = context.View;
   const int* area = viewport ? viewport : view.Viewport;
   const float size[2] = { static_cast<float>(view.Viewport[2]),
@@ -94,6 +96,7 @@ void vtkRelievoScreenQuad::Draw(
   state->vtkglViewport(area[0], area[1], area[2], area[3]);
   const int* drawn = part ? part : area;
   state->vtkglScissor(drawn[0], drawn[1], drawn[2], drawn[3]);
+  state->vtkglEnable(GL_SCISSOR_TEST);
   // OpenGL writes depths only where it tests them.
   state->SetEnumState(GL_DEPTH_TEST, depth);
   state->vtkglDepthFunc(depth ? GL_ALWAYS : GL_LEQUAL);

@@ -112,11 +112,17 @@ std::string vtkRelievoScreenTarget::Prepare(vtkRelievoFrameContext& context, con
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoScreenTarget::Begin(vtkRelievoFrameContext& context, float value)
+void vtkRelievoScreenTarget::Begin(vtkRelievoFrameContext& context, float value, const int* part)
 {
   this->GoOn(context);
   const float values[4] = { value, value, value, value };
+  vtkOpenGLState* state = context.Window->GetState();
+  if (part)
+  {
+    state->vtkglScissor(part[0], part[1], part[2], part[3]);
+  }
   glClearBufferfv(GL_COLOR, 0, values);
+  state->vtkglScissor(0, 0, this->Area[2], this->Area[3]);
 }
 
 //------------------------------------------------------------------------------
@@ -128,6 +134,7 @@ void vtkRelievoScreenTarget::GoOn(vtkRelievoFrameContext& context)
   this->Framebuffer->ActivateDrawBuffer(0);
   state->vtkglViewport(0, 0, this->Area[2], this->Area[3]);
   state->vtkglScissor(0, 0, this->Area[2], this->Area[3]);
+  state->vtkglEnable(GL_SCISSOR_TEST);
   state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   state->vtkglDisable(GL_BLEND);
   state->vtkglDisable(GL_DEPTH_TEST);

@@ -45,8 +45,8 @@ public:
   ///@{
   // Binds it for drawing, cleared to the value in every channel; gives back what was bound, and
   // OpenGL's state. Viewport and scissor cover all of it; there is no blending and no depth test.
-  // GoOn does not clear.
-  void Begin(vtkRelievoFrameContext& context, float value = 0.0f);
+  // GoOn does not clear. With a part (x, y, width, height in pixels) only that is cleared.
+  void Begin(vtkRelievoFrameContext& context, float value = 0.0f, const int* part = nullptr);
   void GoOn(vtkRelievoFrameContext& context);
   void End();
   ///@}

@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRelievoShadowPlanning.h"
 
-#include "vtkOpenGLError.h" // for OpenGL
 #include "vtkRelievoFrameContext.h"
 #include "vtkRelievoProbeView.h"
 #include "vtkRelievoShadowContext.h"
 #include "vtkRelievoShadowLights.h"
 #include "vtkRelievoShadowMethodExact.h"
 #include "vtkRelievoShadowStage.h"
+#include "vtkRelievoSoftwareOpenGL.h"
 
 #include <algorithm>
 #include <chrono>
@@ -25,14 +25,6 @@ constexpr double LawsFactor = 2.5;
 
 // Maps of more bytes are not chosen.
 constexpr vtkIdType MostBytes = vtkIdType(1) << 31;
-
-bool IsSoftware()
-{
-  const auto* name = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
-  const std::string renderer = name ? name : "";
-  return renderer.find("llvmpipe") != std::string::npos ||
-    renderer.find("softpipe") != std::string::npos;
-}
 
 double GetNow()
 {
@@ -226,7 +218,7 @@ void vtkRelievoShadowPlanning::Make(
   this->Cost.Maps = scene.Together ? this->Cost.Lights : this->Probe.GetNumberOfMaps();
   this->Cost.Triangles = own(static_cast<double>(this->Probe.GetNumberOfTriangles()));
   this->Cost.Props = own(static_cast<double>(scene.Work.Props.GetAllBoxes().size()));
-  this->Cost.Software = !scene.Together && IsSoftware();
+  this->Cost.Software = !scene.Together && vtkRelievoIsSoftwareOpenGL();
   const std::vector<vtkRelievoShadowPlanner::Choice> choices = this->GetChoices(scene, settings);
   if (choices.empty())
   {
