@@ -1151,6 +1151,89 @@ bool vtkRelievoRayScene::GetIsGlyphs(int prop)
 }
 
 //------------------------------------------------------------------------------
+int vtkRelievoRayScene::GetNumberOfMeshes()
+{
+  return static_cast<int>(this->Scene->Meshes.size());
+}
+
+//------------------------------------------------------------------------------
+int vtkRelievoRayScene::GetMeshProp(int mesh)
+{
+  return mesh >= 0 && mesh < this->GetNumberOfMeshes()
+    ? this->Scene->Sources[static_cast<std::size_t>(mesh)].Prop
+    : -1;
+}
+
+//------------------------------------------------------------------------------
+int vtkRelievoRayScene::GetMeshBlock(int mesh)
+{
+  return mesh >= 0 && mesh < this->GetNumberOfMeshes()
+    ? this->Scene->Meshes[static_cast<std::size_t>(mesh)].Block
+    : -1;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoRayScene::CopyMesh(int number, vtkPolyData* copy)
+{
+  if (!copy || number < 0 || number >= this->GetNumberOfMeshes())
+  {
+    vtkErrorMacro("CopyMesh: got " << (copy ? "" : "nothing to copy to and ") << "mesh " << number
+                                   << ", expected one of " << this->GetNumberOfMeshes());
+    return;
+  }
+  const vtkRelievoPlacedMesh& placed = this->Scene->Meshes[static_cast<std::size_t>(number)];
+  const Held::Source& source = this->Scene->Sources[static_cast<std::size_t>(number)];
+  vtkPolyData* mesh = placed.Mesh;
+  const vtkIdType count = mesh->GetNumberOfPoints();
+  const std::size_t places = placed.GetNumberOfPlaces();
+  copy->Initialize();
+  if (!placed.Places)
+  {
+    copy->GetPointData()->ShallowCopy(mesh->GetPointData());
+    copy->GetCellData()->ShallowCopy(mesh->GetCellData());
+    copy->GetPointData()->SetNormals(nullptr); // they are not turned
+    copy->GetCellData()->SetNormals(nullptr);
+  }
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  for (std::size_t k = 0; k < places; ++k)
+  {
+    const glm::dmat4 matrix = placed.GetPlace(k);
+    for (vtkIdType i = 0; i < count; ++i)
+    {
+      glm::dvec4 point(0.0, 0.0, 0.0, 1.0);
+      mesh->GetPoint(i, &point.x);
+      point = matrix * point;
+      points->InsertNextPoint(point.x / point.w, point.y / point.w, point.z / point.w);
+    }
+  }
+  copy->SetPoints(points);
+  vtkNew<vtkIdTypeArray> ids;
+  ids->SetName("cell");
+  vtkIdType first = 0;
+  const auto gather = [&](vtkCellArray* cells) {
+    auto all = vtkSmartPointer<vtkCellArray>::New();
+    for (std::size_t k = 0; k < places; ++k)
+    {
+      all->Append(cells, static_cast<vtkIdType>(k) * count);
+      for (vtkIdType i = first; i < first + cells->GetNumberOfCells(); ++i)
+      {
+        ids->InsertNextValue(placed.Points ? (*placed.Points)[k]
+            : source.Cells                 ? source.Cells->GetValue(i)
+                                           : i);
+      }
+    }
+    first += cells->GetNumberOfCells();
+    return all;
+  };
+  copy->SetVerts(gather(mesh->GetVerts()));
+  copy->SetLines(gather(mesh->GetLines()));
+  copy->SetPolys(gather(mesh->GetPolys()));
+  copy->SetStrips(gather(mesh->GetStrips()));
+  copy->GetCellData()->AddArray(ids);
+}
+
+//------------------------------------------------------------------------------
 int vtkRelievoRayScene::GetNumberOfPropsLeftOut()
 {
   return static_cast<int>(this->Scene->LeftOut.size());

@@ -38,6 +38,7 @@ class vtkDataObject;
 class vtkDoubleArray;
 class vtkMapper;
 class vtkMatrix4x4;
+class vtkPolyData;
 class vtkProp;
 class vtkRenderer;
 class vtkTable;
@@ -164,6 +165,19 @@ public:
   int GetNumberOfProps();
   vtkDataObject* GetPropData(int prop);
   bool GetIsGlyphs(int prop);
+  ///@}
+
+  ///@{
+  /**
+   * The meshes that rays meet, as of the last update, and the prop and the block that the hits of
+   * each have. CopyMesh gives one in world coordinates, in double: of glyphs all of them, without
+   * arrays, of others with its arrays, but normals. The cell array `cell` (vtkIdType) is the column
+   * of hits by this name.
+   */
+  int GetNumberOfMeshes();
+  int GetMeshProp(int mesh);
+  int GetMeshBlock(int mesh);
+  void CopyMesh(int mesh, vtkPolyData* copy);
   ///@}
 
   ///@{

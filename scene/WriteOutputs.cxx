@@ -4,6 +4,7 @@
 
 #include "DressedScene.h"
 #include "Errors.h"
+#include "Flow.h"
 #include "Frame.h"
 #include "Lens.h"
 #include "Messages.h"
@@ -25,6 +26,7 @@
 #include "vtkRelievoLayerCatalogue.h"
 #include "vtkRelievoLayerSource.h"
 #include "vtkRelievoPass.h"
+#include "vtkRelievoRayLayers.h"
 #include "vtkRelievoShadowCertificate.h"
 #include "vtkRelievoShadowStage.h"
 #include "vtkRelievoStage.h"
@@ -59,10 +61,26 @@ void CheckLayer(const std::string& option, const std::string& name, const Scene&
   {
     return;
   }
+  if (option == "--layers" && vtkRelievoRayLayers::IsFlow(name.c_str()))
+  {
+    RefuseValue(option, name,
+      "several times beside it, as in --times 0:1:0.1: it goes from each frame to the one before");
+  }
   const std::vector<std::string> arrays(scene.Arrays.begin(), scene.Arrays.end());
   RefuseValue(option, name,
     "one of " + vtkRelievoLayerCatalogue::GetLayerNames() +
       (arrays.empty() ? "; the files hold no arrays" : ", or an array: " + Join(arrays, ", ")));
+}
+
+// Throws UsageError for a camera whose pixels rays of a pinhole do not follow.
+void CheckFlow(const std::string& name, const RenderOptions& options)
+{
+  if (options.ParallelScale && options.Lens.empty())
+  {
+    throw UsageError("--layers " + name +
+      " and --parallel-scale: give --lens orthographic as "
+      "well, whose pixels have rays");
+  }
 }
 
 // The layer that is shown as the picture, if one is.
@@ -91,10 +109,17 @@ std::vector<std::string> LayersToCapture(const RenderOptions& options, const Sce
   const bool unnamed = options.Layers.empty() && !options.EXR.empty();
   for (const std::string& name : unnamed ? DefaultLayers : options.Layers)
   {
-    CheckLayer("--layers", name, scene);
-    if (!options.Lens.empty())
+    if (IsFlowOfFrames(options, name))
     {
-      CheckLensLayer(name);
+      CheckFlow(name, options);
+    }
+    else
+    {
+      CheckLayer("--layers", name, scene);
+      if (!options.Lens.empty())
+      {
+        CheckLensLayer(name);
+      }
     }
     if (std::find(layers.begin(), layers.end(), name) == layers.end())
     {
@@ -267,7 +292,8 @@ std::vector<std::pair<std::string, std::string>> GetPlaces(const RenderOptions& 
 //------------------------------------------------------------------------------
 // Draws the scene as it is and writes what is asked for, whole.
 void DrawFrame(const Scene& scene, vtkRelievoPass* pass, const std::vector<std::string>& layers,
-  const RenderOptions& options, Outputs& outputs, Progress& progress, const std::string& what)
+  const RenderOptions& options, FlowOfFrames& flow, Outputs& outputs, Progress& progress,
+  const std::string& what)
 {
   vtkRenderer* renderer = scene.Renderer;
   vtkRenderWindow* window = renderer->GetRenderWindow();
@@ -299,6 +325,10 @@ void DrawFrame(const Scene& scene, vtkRelievoPass* pass, const std::vector<std::
     source->Update();
     // The image and not the source's port: a source of layers draws anew whenever it is asked.
     seen = source->GetOutput();
+  }
+  if (!options.EXR.empty())
+  {
+    flow.AddTo(seen, renderer, options);
   }
   if (options.Transparent)
   {
@@ -427,7 +457,8 @@ std::string WriteOutputs(DressedScene& dressed, const RenderOptions& options,
   const std::vector<std::string>& inputs, std::unique_ptr<Outputs> outputs, Progress& progress)
 {
   vtkRenderer* renderer = dressed.GetRenderer();
-  const std::vector<std::string> layers = LayersToCapture(options, dressed.GetScene());
+  std::vector<std::string> layers = LayersToCapture(options, dressed.GetScene());
+  FlowOfFrames flow(options, layers);
   CheckShownLayer(options, dressed.GetScene());
   const int lights = CountLights(renderer);
   CheckShadowLayers(options, lights, lights == 1 ? "light" : "lights");
@@ -446,7 +477,8 @@ std::string WriteOutputs(DressedScene& dressed, const RenderOptions& options,
   vtkRelievoPass* pass = frame.Get();
   if (frames == 0)
   {
-    DrawFrame(dressed.GetScene(), pass, layers, options, *outputs, progress, "rendering " + size);
+    DrawFrame(
+      dressed.GetScene(), pass, layers, options, flow, *outputs, progress, "rendering " + size);
   }
   const std::string certificate = options.Certify ? Certify(pass, *options.Certify) : "";
   if (frames == 0)
@@ -461,7 +493,7 @@ std::string WriteOutputs(DressedScene& dressed, const RenderOptions& options,
       outputs = OpenOutputs(own, inputs);
       PlayScene(dressed.GetScene(), options, *own.Model.Time, progress);
     }
-    DrawFrame(dressed.GetScene(), pass, layers, own, *outputs, progress,
+    DrawFrame(dressed.GetScene(), pass, layers, own, flow, *outputs, progress,
       "rendering " + size + ", frame " + std::to_string(number + 1) + " of " +
         std::to_string(frames));
     outputs->Commit();

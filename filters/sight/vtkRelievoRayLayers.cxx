@@ -15,6 +15,7 @@
 #include "vtkPointData.h"
 #include "vtkRelievoAbort.h"
 #include "vtkRelievoCameraModel.h"
+#include "vtkRelievoFlow.h"
 #include "vtkRelievoLayer.h"
 #include "vtkRelievoLayerCatalogue.h"
 #include "vtkRelievoRayScene.h"
@@ -337,6 +338,56 @@ vtkRelievoCameraModel* vtkRelievoRayLayers::GetCamera()
 }
 
 //------------------------------------------------------------------------------
+void vtkRelievoRayLayers::SetOther(vtkRelievoRayScene* scene, vtkRelievoCameraModel* camera)
+{
+  this->OtherScene = scene;
+  this->OtherCamera = camera;
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoRayScene* vtkRelievoRayLayers::GetOtherScene()
+{
+  return this->OtherScene;
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoCameraModel* vtkRelievoRayLayers::GetOtherCamera()
+{
+  return this->OtherCamera;
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoRayLayers::IsFlow(const char* given)
+{
+  const std::string name = given ? given : "";
+  return name == "flow" || name == "motion" || name == "flow_valid";
+}
+
+//------------------------------------------------------------------------------
+// From this state to the other one. False after an error, or an abort.
+bool vtkRelievoRayLayers::FindFlow(vtkImageData* image)
+{
+  if (!this->OtherCamera->HasPlaces())
+  {
+    vtkErrorMacro("A " << this->OtherCamera->GetClassName()
+                       << " has no places for points in its picture; give SetOther another camera");
+    return false;
+  }
+  vtkNew<vtkRelievoFlow> flow;
+  flow->SetFrom(this->Scene, this->Camera);
+  flow->SetTo(this->OtherScene, this->OtherCamera);
+  flow->Update();
+  image->ShallowCopy(flow->GetOutput());
+  if (image->GetNumberOfPoints() == 0)
+  {
+    vtkErrorMacro("The flow was not found; see the errors before.");
+    return false;
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
 void vtkRelievoRayLayers::AddLayer(const char* name)
 {
   this->Layers.emplace_back(name ? name : "");
@@ -408,8 +459,21 @@ int vtkRelievoRayLayers::RequestData(
   this->Scene->Update();
   const Blocks blocks = GetBlocks(this->Scene);
   std::vector<Layer> layers;
+  vtkNew<vtkImageData> flow;
+  const bool hasOther = this->OtherScene && this->OtherCamera;
+  if (hasOther &&
+    std::any_of(this->Layers.begin(), this->Layers.end(),
+      [](const std::string& name) { return IsFlow(name.c_str()); }) &&
+    !this->FindFlow(flow))
+  {
+    return 0;
+  }
   for (const std::string& name : this->Layers)
   {
+    if (hasOther && IsFlow(name.c_str()))
+    {
+      continue;
+    }
     Layer layer;
     layer.Name = name;
     const vtkRelievoLayer& known = vtkRelievoLayerCatalogue::Find(name);
@@ -422,8 +486,11 @@ int vtkRelievoRayLayers::RequestData(
     else if (known.Kind != vtkRelievoLayer::ARRAY ||
       !layer.MakeOfData(this->Scene, blocks, columns * rows))
     {
-      vtkErrorMacro("Rays have no layer '" << name << "'; they have " << GetLayerNames()
-                                           << ", and arrays of what is in the scene.");
+      vtkErrorMacro("Rays have no layer '"
+        << name << "'; they have " << GetLayerNames() << ", and arrays of what is in the scene"
+        << (IsFlow(name.c_str()) ? "; flow goes to another state of the scene, and "
+                                   "there is none."
+                                 : "."));
       return 0;
     }
     layers.push_back(layer);
@@ -439,7 +506,7 @@ int vtkRelievoRayLayers::RequestData(
     sky.Points = vtkRelievoSkySamples::Get(this->AmbientSamples, false);
   }
   const vtkIdType rowsAtOnce = std::max<vtkIdType>(1, RaysAtOnce / columns);
-  for (vtkIdType row = 0; row < rows; row += rowsAtOnce)
+  for (vtkIdType row = 0; row < rows && !layers.empty(); row += rowsAtOnce)
   {
     const vtkIdType end = std::min(rows, row + rowsAtOnce);
     this->Camera->GetRowRays(static_cast<int>(row), static_cast<int>(end), origins, directions);
@@ -487,9 +554,12 @@ int vtkRelievoRayLayers::RequestData(
     }
   }
   image->SetDimensions(static_cast<int>(columns), static_cast<int>(rows), 1);
-  for (const Layer& layer : layers)
+  auto found = layers.begin();
+  for (const std::string& name : this->Layers)
   {
-    image->GetPointData()->AddArray(layer.Array);
+    const bool isFlow = hasOther && IsFlow(name.c_str());
+    image->GetPointData()->AddArray(
+      isFlow ? flow->GetPointData()->GetArray(name.c_str()) : (found++)->Array.GetPointer());
   }
   this->Camera->AddTo(image->GetFieldData());
   return 1;
@@ -501,6 +571,8 @@ void vtkRelievoRayLayers::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Scene: " << this->Scene << "\n";
   os << indent << "Camera: " << this->Camera << "\n";
+  os << indent << "OtherScene: " << this->OtherScene << "\n";
+  os << indent << "OtherCamera: " << this->OtherCamera << "\n";
   os << indent << "Layers:";
   for (const std::string& name : this->Layers)
   {

@@ -16,9 +16,14 @@
  * surface sees on the side of its triangle that is met, as vtkRelievoAmbientStage has it; for rays
  * all surfaces are opaque.
  *
+ * `flow`, `motion` and `flow_valid`, if there is another state (SetOther), are those of
+ * vtkRelievoFlow, from this state to the other one; arrays of these names are `point:flow` or
+ * `cell:flow` then.
+ *
  * Field data: the calibration (vtkRelievoCameraModel::AddTo).
  *
- * Errors: no scene or camera, a layer that rays do not have or no data has.
+ * Errors: no scene or camera, a layer that rays do not have or no data has; another state whose
+ * camera has no places for points.
  */
 #ifndef vtkRelievoRayLayers_h
 #define vtkRelievoRayLayers_h
@@ -31,6 +36,7 @@
 #include <vector> // for names
 
 class vtkDoubleArray;
+class vtkImageData;
 class vtkRelievoCameraModel;
 class vtkRelievoRayScene;
 class vtkTable;
@@ -48,6 +54,13 @@ public:
   vtkRelievoRayScene* GetScene();
   void SetCamera(vtkRelievoCameraModel* camera);
   vtkRelievoCameraModel* GetCamera();
+  ///@}
+
+  ///@{
+  /** The scene at another moment, and what sees it then; default: none. */
+  void SetOther(vtkRelievoRayScene* scene, vtkRelievoCameraModel* camera);
+  vtkRelievoRayScene* GetOtherScene();
+  vtkRelievoCameraModel* GetOtherCamera();
   ///@}
 
   ///@{
@@ -79,6 +92,9 @@ public:
   /** Whether rays have a layer of this name; of one that no catalogue lists, data may. */
   static bool HasLayer(const char* name);
 
+  /** Whether a layer of this name needs another state: flow, motion, flow_valid. */
+  static bool IsFlow(const char* name);
+
   /** Always newer than before, because the scene may change without notice. */
   vtkMTimeType GetMTime() override;
 
@@ -95,10 +111,13 @@ private:
   void operator=(const vtkRelievoRayLayers&) = delete;
 
   struct SkyRays;
+  bool FindFlow(vtkImageData* flow);
   bool FindAmbient(SkyRays& sky, vtkTable* hits, vtkIdType firstPixel, std::vector<double>& share);
 
   vtkSmartPointer<vtkRelievoRayScene> Scene;
   vtkSmartPointer<vtkRelievoCameraModel> Camera;
+  vtkSmartPointer<vtkRelievoRayScene> OtherScene;
+  vtkSmartPointer<vtkRelievoCameraModel> OtherCamera;
   std::vector<std::string> Layers;
   int AmbientSamples = 64;
   double AmbientRadius = 0.0;

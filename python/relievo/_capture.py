@@ -12,21 +12,22 @@ from vtkmodules.vtkRenderingCore import vtkRenderWindow, vtkWindowToImageFilter
 from vtkmodules.vtkRenderingOpenGL2 import vtkTextureObject
 
 from ._arrays import why_not
-from ._cameras import CameraModel
+from ._cameras import CameraModel, Pinhole
 from ._errors import Watch, describe
 from ._frame import put, take
 from ._image import from_image
 from ._keep import kept
 from ._picture import captured, write_png
 from ._renderers import renderer_of
-from ._sight import layers_by_rays
+from ._sight import FLOW_LAYERS, Moment, layers_by_rays
 from .vtkRelievoPasses import vtkRelievoDisplay, vtkRelievoLayerSource, vtkRelievoLensPicture
 
 _LARGEST = 16384  # pixels each way; OpenGL's own limit, asked when there is a window, may be lower
 _SIZE_OF_DATA = (1024, 768)
 
 
-def capture(renderer, layers=("depth",), size=None, hdr=False, camera=None, ambient=None):
+def capture(renderer, layers=("depth",), size=None, hdr=False, camera=None, ambient=None,
+            previous=None):
     """Draws the renderer once and returns the layers of what is visible.
 
     renderer: a vtkRenderer, or an object whose attribute `renderer` is one (a plotter). Its camera,
@@ -50,6 +51,11 @@ def capture(renderer, layers=("depth",), size=None, hdr=False, camera=None, ambi
     ambient: of the layer `ambient` with a CameraModel, a dict of samples (rays of each pixel, 64),
         radius (beyond which nothing hides the sky, world units; 0: no limit), weighting ("cosine"
         or "uniform") and seed (0). Without one the stage has them: stage(renderer, "ambient", ...).
+    previous: what moment() kept of the scene earlier. It gives the layers flow (2 floats: pixels,
+        x right, y down, from this picture to where the same point of the surface was in that one;
+        NaN where there is none), motion (3 floats: from here to there, world units) and flow_valid
+        (1 where that picture shows the point), by rays; see flow(). An array of such a name is
+        "point:flow" or "cell:flow" then.
 
     Returns vtkImageData, which notebooks show as pictures, of (columns, rows, 1) points with one
     point array per layer; VTK's row 0 is the BOTTOM of the picture (layer() gives numpy arrays with
@@ -61,24 +67,27 @@ def capture(renderer, layers=("depth",), size=None, hdr=False, camera=None, ambi
     the limit, and RuntimeError if the layers cannot be drawn, or there is no display.
     """
     layers = _names(layers)
+    flows = _check_flow(layers, previous)
     if camera is not None:
         if not isinstance(camera, CameraModel):
             raise ValueError(f"camera: got {describe(camera)}, expected a CameraModel such as "
                              f"relievo.Fisheye; relievo.camera() sets a renderer's own")
         if size not in (None, camera.size):
             raise ValueError(f"size: got {size!r}, expected none with a camera, which has its own")
-        return captured(_by_sensor(renderer, layers, hdr, camera, ambient))
+        return captured(_by_sensor(renderer, layers, hdr, camera, ambient, previous))
     if ambient is not None:
         raise ValueError("ambient: got settings without a camera, expected them of the stage: "
                          "relievo.stage(renderer, 'ambient', samples=...)")
+    thing = renderer
     renderer, made = renderer_of(renderer)
     if made and size is None:
         size = _SIZE_OF_DATA
     if size is not None:
         size = _pixels(size)
+    drawn = [name for name in layers if name not in flows] or ["depth"]
     source = vtkRelievoLayerSource()
     source.SetHDR(bool(hdr))
-    for name in layers:
+    for name in drawn:
         source.AddLayer(name)
     found = kept(renderer)
     held = nullcontext() if found is None else found.held()
@@ -93,12 +102,41 @@ def capture(renderer, layers=("depth",), size=None, hdr=False, camera=None, ambi
             for i in range(frame.GetNumberOfStages())
         )
     wrong_name = not failed and source.GetErrorCode() == vtkRelievoLayerSource.NO_SUCH_LAYER
-    for name in layers if wrong_name else ():
+    for name in drawn if wrong_name else ():
         wrong = why_not(name, renderer, None)  # which names the arrays that there are
         if wrong:
-            raise ValueError(f"capture: {wrong}")
+            hint = "; this layer needs previous=, from moment()" if name in FLOW_LAYERS else ""
+            raise ValueError(f"capture: {wrong}{hint}")
     watch.raise_as(ValueError if wrong_name else RuntimeError, f"capture {', '.join(layers)}")
-    return captured(source.GetOutput())
+    image = source.GetOutput()
+    if flows:
+        sensor = Pinhole.of(renderer, image.GetDimensions()[:2])
+        image = _merged(layers, image, layers_by_rays(thing, flows, sensor, None, previous))
+    return captured(image)
+
+
+def _check_flow(layers, previous):
+    """Those of the layers that go to another moment."""
+    if previous is None:
+        return []
+    flows = [name for name in layers if name in FLOW_LAYERS]
+    if not isinstance(previous, Moment):
+        raise ValueError(f"previous: got {describe(previous)}, expected what moment() returns")
+    if not flows:
+        raise ValueError(f"previous: got a moment, expected one of {', '.join(FLOW_LAYERS)} among "
+                         f"the layers, which go to it")
+    return flows
+
+
+def _merged(layers, *images):
+    """One image with layers that several have, in this order."""
+    image = images[0].NewInstance()
+    image.CopyStructure(images[0])
+    image.SetFieldData(images[0].GetFieldData())
+    for name in layers:
+        arrays = (each.GetPointData().GetArray(name) for each in images)
+        image.GetPointData().AddArray(next(each for each in arrays if each is not None))
+    return image
 
 
 def screenshot(renderer, path=None, size=None, transparent=False):
@@ -179,9 +217,9 @@ def _without_background(renderer):
         renderer.SetTexturedBackground(textured)
 
 
-def _by_sensor(thing, layers, hdr, camera, ambient):
+def _by_sensor(thing, layers, hdr, camera, ambient, previous):
     names = [name for name in layers if name != "color"]
-    image = layers_by_rays(thing, names, camera, ambient) if names else None
+    image = layers_by_rays(thing, names, camera, ambient, previous) if names else None
     if len(names) == len(layers):
         return image
     renderer, _ = renderer_of(thing)
@@ -197,14 +235,7 @@ def _by_sensor(thing, layers, hdr, camera, ambient):
             source.Update()
     watch.raise_as(ValueError if source.GetErrorCode() else RuntimeError, "capture color")
     drawn = source.GetOutput()
-    if image is None:
-        return drawn
-    for name in layers:  # in the order in which they were asked for
-        data = (drawn if name == "color" else image).GetPointData()
-        array = data.GetArray(name)
-        data.RemoveArray(name)
-        image.GetPointData().AddArray(array)
-    return image
+    return drawn if image is None else _merged(layers, image, drawn)
 
 
 def _names(layers):

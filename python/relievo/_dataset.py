@@ -2,7 +2,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Data sets to learn from, or to judge by: pictures, depth, masks, boxes, poses."""
 
-import math
 import os
 from contextlib import nullcontext
 
@@ -10,32 +9,37 @@ from vtkmodules.util.misc import calldata_type
 from vtkmodules.util.vtkConstants import VTK_DOUBLE
 
 from ._cameras import CameraModel, Pinhole
+from ._cameras import lens as lens_of
 from ._capture import _frame_of, _names, _pixels
 from ._errors import Watch, describe, is_a
 from ._keep import kept
 from ._renderers import renderer_of
 from ._wrapped import vtkRelievoDatasetWriter, vtkRelievoScene
+from .vtkRelievoCameras import vtkRelievoCalibration
 
 _FORMATS = ("bop", "coco", "nerf", "npz")
+_SIZE = (640, 480)
 
 
-def write_dataset(renderer, cameras, directory, format="bop", layers=(), size=(640, 480),
+def write_dataset(renderer, cameras, directory, format="bop", layers=(), size=None,
                   objects="actor", depth_step=None, mm_per_unit=1000, seed=0, random_sun=False,
-                  up="y", views=None, description="", progress=None):
+                  up="y", views=None, description="", progress=None, lens=None):
     """Writes what cameras see of a scene, as a data set. See docs/datasets.md.
 
         relievo.write_dataset(renderer, "random:200", "train/000000", seed=7)
 
     renderer: a vtkRenderer, or an object whose attribute `renderer` is one (a plotter, a scene);
         or data or an actor, as for capture(). It, and its window, are as before afterwards.
-    cameras: "orbit:N", "random:N" or the path of a file of poses, for pinholes of 30 degrees; or a
-        list of CameraModels, or of vtkCameras as seen in `size` pixels. What is no pinhole, such as
-        a Fisheye, goes by rays: format "npz" alone, without a picture.
+    cameras: "orbit:N", "random:N" or the path of a file of poses, for `lens`; or a list of
+        CameraModels, or of vtkCameras as seen in `size` pixels. What is no pinhole, such as a
+        Fisheye, goes by rays, and its picture is drawn by pinholes; a Pushbroom or a Lidar has no
+        picture, and format "npz" alone.
     directory: a folder that is empty or not there; or one that was begun by the same call, which
         goes on with the views that lack.
     format: "bop", "coco", "nerf" or "npz".
     layers: names of layers that are written as floats: as arrays of npz, else in layers/NUMBER.exr.
-    size: (columns, rows) of pictures, where the cameras do not say it.
+    size: (columns, rows) of pictures, where the cameras do not say it; None for those of the
+        lens's file, or (640, 480).
     objects: what an object is: "actor", "block" (of composite data), or a list of names, one for
         each of renderer.GetActors(): actors of one name are one object, those of None hide others
         and are none.
@@ -47,6 +51,8 @@ def write_dataset(renderer, cameras, directory, format="bop", layers=(), size=(6
     description: what the data set is of: a folder that was begun with another one is refused.
     progress: called with the share done behind each view; if it returns False, the call ends with a
         RuntimeError, and the same call goes on from there.
+    lens: of poses in words or in a file: words or a calibration's file as for lens(), or a
+        CameraModel; None for a pinhole of 30 degrees.
 
     Returns how many views were written. Raises ValueError for wrong arguments, such as settings
     that are not those the folder was begun with, OSError for files that cannot be written or read,
@@ -77,7 +83,7 @@ def write_dataset(renderer, cameras, directory, format="bop", layers=(), size=(6
     for name in _names(layers) if layers else ():
         writer.AddLayer(name)
     _name_objects(writer, made, objects)
-    _add_views(writer, cameras, _pixels(size))
+    _add_views(writer, cameras, None if size is None else _pixels(size), lens)
     found = kept(made)
     held = nullcontext() if found is None else found.held()
     with held, _frame_of(made):
@@ -133,15 +139,14 @@ def _name_objects(writer, renderer, objects):
         writer.SetObjectName(number, name or "")
 
 
-def _add_views(writer, cameras, size):
+def _add_views(writer, cameras, size, lens):
     if isinstance(cameras, (str, os.PathLike)):
-        focal = size[1] / 2 / math.tan(math.radians(30 / 2))
-        middle = (size[0] - 1) / 2, (size[1] - 1) / 2
-        K = [[focal, 0, middle[0]], [0, focal, middle[1]], [0, 0, 1]]
-        like = Pinhole(K, size).model
-        words = os.fspath(cameras)
+        words, like = os.fspath(cameras), _like(lens, size).model
         _run(writer, lambda: writer.AddViews(words, like))
         return
+    if lens is not None:
+        raise ValueError(f"lens: got {describe(lens)}, expected none with cameras of their own")
+    size = _SIZE if size is None else size
     single = isinstance(cameras, CameraModel) or is_a(cameras, "vtkCamera")
     for camera in cameras if not single and hasattr(cameras, "__iter__") else [cameras]:
         if isinstance(camera, CameraModel):
@@ -151,6 +156,24 @@ def _add_views(writer, cameras, size):
         else:
             raise ValueError(f"cameras: got {describe(camera)}, expected CameraModels, vtkCameras, "
                              "'orbit:N', 'random:N' or the path of a file of poses")
+
+
+def _like(lens, size):
+    """The camera that poses are copies of."""
+    if isinstance(lens, CameraModel):
+        if size not in (None, lens.size):
+            raise ValueError(f"size: got {size!r}, expected none with a lens that has its own")
+        return lens
+    if not isinstance(lens, (str, os.PathLike, type(None))):
+        raise ValueError(f"lens: got {describe(lens)}, expected words, a calibration's file or a "
+                         "CameraModel")
+    words = "pinhole" if lens is None else os.fspath(lens)
+    if words == "orthographic":
+        raise ValueError("lens: got 'orthographic', expected the pixels for a world unit as well, "
+                         "as in 'orthographic:100'")
+    if size is None and not vtkRelievoCalibration.IsFile(words):
+        size = _SIZE
+    return lens_of(words, size)
 
 
 def _whole(name, value, least=-(1 << 31)):

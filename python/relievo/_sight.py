@@ -4,14 +4,18 @@
 
 import datetime
 
+import numpy
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData
+from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
+from vtkmodules.vtkFiltersCore import vtkAppendPolyData
 from vtkmodules.vtkFiltersGeometry import vtkCompositeDataGeometryFilter, vtkGeometryFilter
 
 from ._cameras import CameraModel, Pinhole
 from ._data import need_data
 from ._errors import Watch, describe, is_a
 from ._rays import rays
-from ._renderers import inner_renderer
+from ._renderers import inner_renderer, prop_of
 from .vtkRelievoFilters import (
     vtkRelievoFlow,
     vtkRelievoRayLayers,
@@ -21,10 +25,15 @@ from .vtkRelievoFilters import (
 from .vtkRelievoRays import vtkRelievoRayScene
 
 
-def layers_by_rays(thing, names, sensor, ambient=None):
+FLOW_LAYERS = ("flow", "motion", "flow_valid")
+
+
+def layers_by_rays(thing, names, sensor, ambient=None, previous=None):
     """The image of layers that a CameraModel sees; see capture()."""
     scene = rays(thing).scene
     source = vtkRelievoRayLayers()
+    if previous is not None:
+        source.SetOther(previous.scene, previous.sensor.model)
     _set_ambient(source, {} if ambient is None else ambient)
     source.SetScene(scene)
     source.SetCamera(sensor.model)
@@ -52,13 +61,15 @@ def _set_ambient(source, settings):
     source.SetSeed(_number("seed", settings.get("seed", 0), 0, 2**31 - 1, whole=True))
 
 
-def visible(mesh, cameras, occluders=(), size=None, cloud=False):
-    """Returns the mesh with what cameras see of it.
+def visible(thing, cameras, occluders=(), size=None, cloud=False):
+    """Returns a mesh, or each prop of a scene, with what cameras see of it.
 
         seen = relievo.visible(mesh, [relievo.Pinhole(K, (1280, 720), R, t), ...])
         share = (vtk_to_numpy(seen.GetCellData().GetArray("seen")) > 0).mean()
+        of_actors = relievo.visible(renderer, sensors)
 
-    mesh: a dataset or a filter that makes one; of other data than polygons the outer surface.
+    thing: a dataset or a filter that makes one; of other data than polygons the outer surface. Or a
+        scene as for rays(): a renderer, a plotter, an actor, a list of actors or of data.
     cameras: CameraModels (Pinhole, Fisheye, ...), or vtkCameras, renderers and plotters, of which
         `size` is the picture's (columns, rows); one or a list.
     occluders: other data that hides it, one or a list.
@@ -68,16 +79,108 @@ def visible(mesh, cameras, occluders=(), size=None, cloud=False):
     (steradians, both summed over the cameras) and the point array seen; or with `cloud` that and
     the points. A cell smaller than a pixel is not lost: rays go to points of its own.
 
+    Of a scene it is a list of these, one for each of rays(thing).props, all of which hide each
+    other: in world coordinates, with the cell arrays block and cell as the layers of these names;
+    None for a prop that rays do not meet. The points have the array actor as well.
+
     Raises ValueError for wrong arguments.
     """
     filter_ = vtkRelievoVisibility()
     for each in _listed(cameras):
         filter_.AddCamera(_sensor(each, size).model)
     filter_.SetCloud(bool(cloud))
-    _give(filter_, mesh, occluders)
+    is_scene = (isinstance(thing, list) or inner_renderer(thing) is not None
+                or prop_of(thing) is not None)
+    props = _Props(rays(thing)) if is_scene else None
+    _give(filter_, thing if props is None else props.mesh, occluders)
     _run(filter_, "visible")
-    found = [_copy(filter_.GetOutput(port)) for port in (0, 1)]
-    return tuple(found) if cloud else found[0]
+    seen, points = (_copy(filter_.GetOutput(port)) for port in (0, 1))
+    if props is not None:
+        seen, points = props.split(seen), props.number(points)
+    return (seen, points) if cloud else seen
+
+
+class _Props:
+    """The meshes of a scene as one, in the world, and what is found of it as theirs."""
+
+    def __init__(self, scene):
+        scene.scene.Update()
+        meshes = [[] for _ in scene.props]
+        parts = []
+        for number in range(scene.scene.GetNumberOfMeshes()):
+            mesh = vtkPolyData()
+            scene.scene.CopyMesh(number, mesh)
+            block = numpy.full(mesh.GetNumberOfCells(), scene.scene.GetMeshBlock(number))
+            _add(mesh.GetCellData(), "block", block.astype(numpy.int32))
+            prop = scene.scene.GetMeshProp(number)
+            if prop < 0:  # it hides, and has no number
+                parts.append((-1, mesh))
+            else:
+                meshes[prop].append(mesh)
+        self._meshes = [_append(each) if each else None for each in meshes]
+        parts += [(prop, mesh) for prop, mesh in enumerate(self._meshes) if mesh is not None]
+        self.mesh = _append([_numbered(mesh, prop) for prop, mesh in parts])
+
+    def split(self, seen):
+        """The arrays of all, as those of each prop; None for one that has no mesh."""
+        for name in ("GetCellData", "GetPointData"):
+            data = getattr(seen, name)()
+            prop, place = (_values(data, each) for each in (_PROP, _PLACE))
+            for number, mesh in enumerate(self._meshes):
+                for array in ("seen", "pixels", "solid_angle"):
+                    if mesh is not None and data.HasArray(array):
+                        found = _values(data, array)
+                        own = numpy.empty(numpy.count_nonzero(prop == number), found.dtype)
+                        own[place[prop == number]] = found[prop == number]
+                        _add(getattr(mesh, name)(), array, own)
+        return self._meshes
+
+    def number(self, points):
+        """The points with the arrays actor, and cell of its own."""
+        data = points.GetPointData()
+        if data.HasArray("cell"):
+            cell = _values(data, "cell")
+            prop, own = (_values(self.mesh.GetCellData(), each)[cell] for each in (_PROP, "cell"))
+            _add(data, "actor", prop)
+            _add(data, "cell", own)
+        return points
+
+
+_PROP, _PLACE = "relievo:prop", "relievo:place"  # of a cell or a point: whose it is, and which
+
+
+def _numbered(mesh, prop):
+    """The mesh with these arrays, and of others its cells' numbers alone."""
+    copy = vtkPolyData()
+    copy.CopyStructure(mesh)
+    copy.GetCellData().AddArray(mesh.GetCellData().GetArray("cell"))
+    for data, count in ((copy.GetCellData(), mesh.GetNumberOfCells()),
+                        (copy.GetPointData(), mesh.GetNumberOfPoints())):
+        _add(data, _PROP, numpy.full(count, prop, numpy.int32))
+        _add(data, _PLACE, numpy.arange(count))
+    return copy
+
+
+def _append(meshes):
+    if len(meshes) == 1:
+        return meshes[0]
+    append = vtkAppendPolyData()
+    append.SetOutputPointsPrecision(vtkAlgorithm.DOUBLE_PRECISION)
+    for mesh in meshes:
+        append.AddInputData(mesh)
+    if meshes:
+        append.Update()
+    return _copy(append.GetOutput())
+
+
+def _values(data, name):
+    return vtk_to_numpy(data.GetArray(name))
+
+
+def _add(data, name, values):
+    array = numpy_to_vtk(values, deep=True)
+    array.SetName(name)
+    data.AddArray(array)
 
 
 def sun_exposure(mesh, latitude, longitude, first, last=None, occluders=(), step=20, every=1,
@@ -140,6 +243,8 @@ def moment(thing, camera=None, size=None):
 
 def flow(before, thing, camera=None, size=None):
     """Returns where the pixels of a moment are now: optical flow and scene flow, in double.
+
+    From now to a moment, as layers beside others: capture(…, previous=).
 
         before = relievo.moment(renderer, size=(640, 480))
         actor.RotateY(5)

@@ -5,15 +5,16 @@
 #include "DatasetFiles.h"
 #include "DatasetObjects.h"
 #include "DatasetView.h"
+#include "Errors.h"
 #include "Lens.h"
 
 #include "vtkFieldData.h"
-#include "vtkMath.h"
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkRelievoCameraModel.h"
 #include "vtkRelievoEXRWriter.h"
+#include "vtkRelievoLensCamera.h"
 
 #include <algorithm>
 #include <cmath>
@@ -27,29 +28,21 @@ namespace
 {
 using Json = nlohmann::ordered_json;
 
-// The steps of a depth; 0: none, or beyond the last.
+// The steps of a depth; 0: none, beyond the last, or behind the plane of the camera.
 unsigned short GetSteps(double depth, double step)
 {
   const double steps = std::round(depth / step);
-  return std::isfinite(depth) && steps <= MostDepthSteps
+  return std::isfinite(depth) && depth > 0.0 && steps <= MostDepthSteps
     ? static_cast<unsigned short>(std::max(1.0, steps))
     : 0;
 }
 
-// The pose of an object in a camera: a rotation, and a translation in world units. What its matrix
-// scales or mirrors belongs to the object.
+// The pose of an object in a camera: a rotation, and a translation in world units.
 Json DescribePose(vtkMatrix4x4* matrix, vtkRelievoCameraModel* camera)
 {
-  double turned[3][3];
-  for (int i = 0; i < 3; ++i)
-  {
-    for (int j = 0; j < 3; ++j)
-    {
-      turned[i][j] = matrix->GetElement(i, j);
-    }
-  }
-  vtkMath::Orthogonalize3x3(turned, turned);
-  const double sign = vtkMath::Determinant3x3(turned) < 0.0 ? -1.0 : 1.0;
+  double turned[9];
+  double origin[3];
+  GetRigidPose(matrix, turned, origin);
   const double* rotation = camera->GetRotation();
   std::vector<double> all(9);
   std::vector<double> place(3);
@@ -58,10 +51,10 @@ Json DescribePose(vtkMatrix4x4* matrix, vtkRelievoCameraModel* camera)
     place[i] = camera->GetTranslation()[i];
     for (std::size_t k = 0; k < 3; ++k)
     {
-      place[i] += rotation[3 * i + k] * matrix->GetElement(static_cast<int>(k), 3);
+      place[i] += rotation[3 * i + k] * origin[k];
       for (std::size_t j = 0; j < 3; ++j)
       {
-        all[3 * i + j] += sign * rotation[3 * i + k] * turned[k][j];
+        all[3 * i + j] += rotation[3 * i + k] * turned[3 * k + j];
       }
     }
   }
@@ -217,19 +210,24 @@ void WriteArrays(const DatasetStyle& style, const DatasetView& view, const Datas
     archive.Add(array, "<f8", shape, values.data(), values.size() * sizeof(double));
   };
   add("object_to_world", { count, 4, 4 }, matrices);
-  for (const char* array : { "K", "R" })
+  for (const auto& [array, value] : record["camera"].items())
   {
-    if (record["camera"].contains(array))
+    if (value.is_string())
     {
-      add(array, { 3, 3 }, record["camera"][array].get<std::vector<double>>());
+      std::vector<std::int32_t> letters; // ASCII
+      for (const char letter : value.get<std::string>())
+      {
+        letters.push_back(letter);
+      }
+      archive.Add(array, "<U" + std::to_string(letters.size()), {}, letters.data(),
+        letters.size() * sizeof(letters[0]));
     }
-  }
-  for (const char* array : { "t", "distortion" })
-  {
-    if (record["camera"].contains(array))
+    else if (array != "size") // which all arrays have
     {
-      const auto values = record["camera"][array].get<std::vector<double>>();
-      add(array, { values.size() }, values);
+      const auto values = value.get<std::vector<double>>();
+      const bool isMatrix = array == "K" || array == "R";
+      add(
+        array, isMatrix ? std::vector<std::size_t>{ 3, 3 } : std::vector{ values.size() }, values);
     }
   }
   const std::string path = style.Folder + "/" + name + ".npz";
@@ -265,6 +263,13 @@ void WriteBOP(const DatasetStyle& style, const std::vector<Json>& records)
     const Json& camera = record["camera"];
     cameras[key] = { { "cam_K", camera["K"] }, { "depth_scale", style.DepthStep * scale },
       { "cam_R_w2c", camera["R"] }, { "cam_t_w2c", Scaled(camera["t"], scale) } };
+    for (const char* name : { "lens", "distortion" })
+    {
+      if (camera.contains(name))
+      {
+        cameras[key][name] = camera[name];
+      }
+    }
     poses[key] = Json::array();
     infos[key] = Json::array();
     for (const Json& object : record["objects"])
@@ -326,18 +331,32 @@ void WriteCOCO(const DatasetStyle& style, const std::vector<std::string>& object
 }
 
 //------------------------------------------------------------------------------
+bool IsFisheye(const Json& camera)
+{
+  return camera.contains("lens") && camera["lens"] == "fisheye";
+}
+
 // What transforms.json says of a camera: (0, 0) is the corner of the first pixel.
 Json DescribeIntrinsics(const Json& camera)
 {
   const Json& k = camera["K"];
-  return { { "w", camera["size"][0] }, { "h", camera["size"][1] }, { "fl_x", k[0] },
-    { "fl_y", k[4] }, { "cx", k[2].get<double>() + 0.5 }, { "cy", k[5].get<double>() + 0.5 },
-    { "k1", 0.0 }, { "k2", 0.0 }, { "p1", 0.0 }, { "p2", 0.0 } };
+  Json all = { { "w", camera["size"][0] }, { "h", camera["size"][1] }, { "fl_x", k[0] },
+    { "fl_y", k[4] }, { "cx", k[2].get<double>() + 0.5 }, { "cy", k[5].get<double>() + 0.5 } };
+  const std::vector<const char*> names = IsFisheye(camera)
+    ? std::vector<const char*>{ "k1", "k2", "k3", "k4" }
+    : std::vector<const char*>{ "k1", "k2", "p1", "p2", "k3" }; // OpenCV's orders
+  for (std::size_t i = 0; i < names.size(); ++i)
+  {
+    all[names[i]] = camera.contains("distortion") ? camera["distortion"][i] : Json(0.0);
+  }
+  return all;
 }
 
 void WriteNeRF(const DatasetStyle& style, const std::vector<Json>& records)
 {
-  Json all = { { "camera_model", "OPENCV" }, { "depth_unit_scale_factor", style.DepthStep } };
+  const bool isFisheye = !records.empty() && IsFisheye(records[0]["camera"]); // then all are
+  Json all = { { "camera_model", isFisheye ? "OPENCV_FISHEYE" : "OPENCV" },
+    { "is_fisheye", isFisheye }, { "depth_unit_scale_factor", style.DepthStep } };
   const bool alike = std::all_of(records.begin(), records.end(), [&](const Json& record) {
     return DescribeIntrinsics(record["camera"]) == DescribeIntrinsics(records[0]["camera"]);
   });
@@ -407,9 +426,9 @@ bool IsDatasetRecord(DatasetFormat format, const Json& record, std::size_t objec
     return false;
   }
   const Json& camera = record["camera"];
-  const bool isPinhole = format != DatasetFormat::Numpy; // all views are
+  const bool needsK = format == DatasetFormat::BOP || format == DatasetFormat::NeRF;
   if (!has(camera, "size", 2) || !has(camera, "R", 9) || !has(camera, "t", 3) ||
-    (isPinhole && !has(camera, "K", 9)))
+    (needsK && !has(camera, "K", 9)))
   {
     return false;
   }
@@ -423,6 +442,50 @@ bool IsDatasetRecord(DatasetFormat format, const Json& record, std::size_t objec
       (!isBOP || (hasNumber(object, "silhouette_pixels") && has(object, "silhouette_box", 4))) &&
       (!isCOCO || (hasText(object, "visible_runs") && hasText(object, "amodal_runs")));
   });
+}
+
+//------------------------------------------------------------------------------
+void CheckDatasetCamera(
+  DatasetFormat format, vtkRelievoCameraModel* camera, const std::string& view)
+{
+  auto* lens = vtkRelievoLensCamera::SafeDownCast(camera);
+  const std::string got = lens ? "" : DescribeDatasetCamera(camera)["lens"].get<std::string>();
+  if (format != DatasetFormat::Numpy && !HasDatasetPicture(camera))
+  {
+    throw UsageError(view + ": got the sensor " + got +
+      ", which has no picture; expected the "
+      "format npz");
+  }
+  if ((format == DatasetFormat::BOP || format == DatasetFormat::NeRF) && !lens)
+  {
+    throw UsageError(view + ": got the sensor " + got +
+      ", which has no K; expected the format "
+      "coco or npz");
+  }
+  if (format != DatasetFormat::NeRF)
+  {
+    return;
+  }
+  const auto refuse = [&view](const std::string& what) {
+    throw UsageError(view + ": " + what +
+      ", which transforms.json cannot say; expected another format, or another camera");
+  };
+  if (lens->GetSkew() != 0.0)
+  {
+    refuse("K has a skew");
+  }
+  if (lens->GetLens() == vtkRelievoLensCamera::DIVISION)
+  {
+    refuse("the lens is one by division");
+  }
+  constexpr int last = 5; // k1 k2 p1 p2 k3
+  for (int i = last; i < vtkRelievoLensCamera::MOST_COEFFICIENTS; ++i)
+  {
+    if (lens->GetCoefficient(i) != 0.0)
+    {
+      refuse("the lens has k" + std::to_string(i - 1));
+    }
+  }
 }
 
 //------------------------------------------------------------------------------

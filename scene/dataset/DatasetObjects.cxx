@@ -109,6 +109,26 @@ std::vector<std::pair<vtkActor*, vtkSmartPointer<vtkMatrix4x4>>> GetPlacedActors
 }
 
 //------------------------------------------------------------------------------
+void GetRigidPose(vtkMatrix4x4* pose, double rotation[9], double place[3])
+{
+  double turned[3][3];
+  for (int i = 0; i < 3; ++i)
+  {
+    for (int j = 0; j < 3; ++j)
+    {
+      turned[i][j] = pose->GetElement(i, j);
+    }
+    place[i] = pose->GetElement(i, 3);
+  }
+  vtkMath::Orthogonalize3x3(turned, turned);
+  const double sign = vtkMath::Determinant3x3(turned) < 0.0 ? -1.0 : 1.0;
+  for (int i = 0; i < 9; ++i)
+  {
+    rotation[i] = sign * turned[i / 3][i % 3];
+  }
+}
+
+//------------------------------------------------------------------------------
 DatasetObjects::DatasetObjects(
   vtkRenderer* renderer, const std::map<int, std::string>& names, bool blocks)
   : Renderer(renderer)
@@ -302,6 +322,28 @@ DatasetObjects::Alone::~Alone()
       attributes->RemoveBlockVisibility(block->Data);
     }
     block->Actor->GetMapper()->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+DatasetObjects::OpaqueOnly::OpaqueOnly(const DatasetObjects& objects)
+{
+  for (const Part& part : objects.Parts)
+  {
+    if (part.Actor->GetVisibility() && !part.Actor->HasOpaqueGeometry())
+    {
+      part.Actor->VisibilityOff();
+      this->Hidden.push_back(part.Actor);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+DatasetObjects::OpaqueOnly::~OpaqueOnly()
+{
+  for (vtkActor* actor : this->Hidden)
+  {
+    actor->VisibilityOn();
   }
 }
 }

@@ -29,6 +29,10 @@ struct DatasetObject
   vtkSmartPointer<vtkMatrix4x4> Pose; ///< from its data to the world; the first of several
 };
 
+/// A pose as a rotation, row by row, and a place: what its matrix scales or mirrors belongs to the
+/// object.
+void GetRigidPose(vtkMatrix4x4* pose, double rotation[9], double place[3]);
+
 class DatasetObjects
 {
 public:
@@ -68,6 +72,19 @@ public:
     };
     std::vector<vtkProp*> Hidden;
     std::vector<Block> Blocks;
+  };
+
+  /// While it lives, the renderer shows no mesh that has nothing opaque.
+  class OpaqueOnly
+  {
+  public:
+    explicit OpaqueOnly(const DatasetObjects& objects);
+    ~OpaqueOnly();
+    OpaqueOnly(const OpaqueOnly&) = delete;
+    void operator=(const OpaqueOnly&) = delete;
+
+  private:
+    std::vector<vtkActor*> Hidden;
   };
 
 private:

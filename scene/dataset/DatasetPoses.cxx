@@ -73,6 +73,11 @@ double GetFittingDistance(vtkRelievoCameraModel* camera)
 }
 
 //------------------------------------------------------------------------------
+bool IsStanding(const std::string& words)
+{
+  return words.rfind("orbit:", 0) == 0 || words.rfind("random:", 0) == 0;
+}
+
 // Named numbers behind a word, each with its default, and what it lies between.
 struct Named
 {
@@ -80,14 +85,16 @@ struct Named
   double Value, Low, High;
 };
 
-void Take(const std::string& option, const NamedWords& words, std::vector<Named>& numbers)
+void Take(
+  const std::string& option, const std::vector<std::string>& parts, std::vector<Named>& numbers)
 {
   std::string all;
   for (const Named& number : numbers)
   {
     all += std::string(all.empty() ? "" : ", ") + number.Name;
   }
-  for (const auto& [name, value] : words)
+  for (const auto& [name, value] :
+    ParseNamedWords(option, parts, "NAME=VALUE with a NAME of " + all))
   {
     const auto found = std::find_if(numbers.begin(), numbers.end(),
       [&name = name](const Named& number) { return name == number.Name; });
@@ -95,26 +102,34 @@ void Take(const std::string& option, const NamedWords& words, std::vector<Named>
     {
       RefuseValue(option, name, "one of " + all);
     }
-    const double number = ParseNumbers(option + " " + name, value, 1, "a number")[0];
+    std::string expected = "from " + Json(found->Low).dump();
+    expected += std::isfinite(found->High) ? " to " + Json(found->High).dump() : " on";
+    const double number = ParseNumbers(option + ", " + name, value, 1, expected)[0];
     if (number < found->Low || number > found->High)
     {
-      std::string expected = "a number from " + Json(found->Low).dump();
-      expected += std::isfinite(found->High) ? " to " + Json(found->High).dump() : " on";
-      RefuseValue(option + " " + name, value, expected);
+      RefuseValue(option + ", " + name, value, "a number " + expected);
     }
     found->Value = number;
   }
 }
 
 //------------------------------------------------------------------------------
-Cameras StandAround(const std::string& option, const std::string& word, vtkRelievoCameraModel* like,
-  const DatasetSurroundings& around)
+// Words that say where cameras stand around something.
+struct Standing
+{
+  bool Orbit;
+  int Count;
+  std::vector<Named> Numbers;
+};
+
+Standing ParseStanding(const std::string& option, const std::string& word)
 {
   const double infinity = std::numeric_limits<double>::infinity();
   const std::size_t colon = word.find(':');
   const bool orbit = word.compare(0, colon, "orbit") == 0;
   std::vector<std::string> parts = Split(word.substr(colon + 1), ',');
-  const int count = ParseWhole(option + " " + word, parts.front(), 1, MostViews);
+  const int count =
+    ParseWhole(option + " " + word + ", number of views", parts.front(), 1, MostViews);
   parts.erase(parts.begin());
   // The distance in those from which everything is seen.
   std::vector<Named> numbers = { { "elevation", 30.0, -90.0, 90.0 },
@@ -124,7 +139,7 @@ Cameras StandAround(const std::string& option, const std::string& word, vtkRelie
     numbers = { { "lowest", 0.0, -90.0, 90.0 }, { "highest", 90.0, -90.0, 90.0 },
       { "nearest", 1.0, 1e-6, infinity }, { "farthest", 1.5, 1e-6, infinity } };
   }
-  Take(option, ParseNamedWords(option, parts, "NAME=VALUE"), numbers);
+  Take(option + " " + word, parts, numbers);
   if (!orbit)
   {
     for (const std::size_t low : { 0, 2 })
@@ -136,6 +151,13 @@ Cameras StandAround(const std::string& option, const std::string& word, vtkRelie
       }
     }
   }
+  return { orbit, count, numbers };
+}
+
+Cameras StandAround(const std::string& option, const std::string& word, vtkRelievoCameraModel* like,
+  const DatasetSurroundings& around)
+{
+  const auto [orbit, count, numbers] = ParseStanding(option, word);
   if (!around.Box.IsValid())
   {
     throw UsageError(
@@ -252,29 +274,54 @@ void SetSize(
 }
 
 //------------------------------------------------------------------------------
-// Throws UsageError for lenses of transforms.json that bend rays.
-void CheckPinhole(const Json& frame, const std::string& where)
+// The lens of transforms.json: k1, k2, p1, p2, k3 of Brown and Conrady, or k1 to k4 of a fisheye.
+// Without any, that of the camera stays; throws UsageError if both bend, and for other lenses.
+void SetLens(
+  vtkRelievoCameraModel* camera, const Json& frame, const Json& all, const std::string& where)
 {
   static const std::vector<std::string> models = { "PINHOLE", "SIMPLE_PINHOLE", "PERSPECTIVE",
-    "OPENCV", "FULL_OPENCV", "RADIAL", "SIMPLE_RADIAL" };
-  const Json& model = frame.contains("camera_model") ? frame["camera_model"] : Json(models[0]);
+    "OPENCV", "FULL_OPENCV", "RADIAL", "SIMPLE_RADIAL", "OPENCV_FISHEYE" };
+  const auto get = [&](const char* name, const Json& otherwise) {
+    return frame.contains(name) ? frame[name] : all.contains(name) ? all[name] : otherwise;
+  };
+  const Json model = get("camera_model", models[0]);
   if (!model.is_string() ||
     std::find(models.begin(), models.end(), model.get<std::string>()) == models.end())
   {
-    throw UsageError(where + ", camera_model: got " + model.dump() +
-      ", expected a pinhole: " + Join(models, ", "));
+    throw UsageError(
+      where + ", camera_model: got " + model.dump() + ", expected one of " + Join(models, ", "));
   }
-  if (frame.contains("is_fisheye") && frame["is_fisheye"] != false)
-  {
-    throw UsageError(where + ", is_fisheye: expected a pinhole");
-  }
+  const bool isFisheye = model == models.back() || get("is_fisheye", false) == true;
+  const std::vector<std::string> own = isFisheye
+    ? std::vector<std::string>{ "k1", "k2", "k3", "k4" }
+    : std::vector<std::string>{ "k1", "k2", "p1", "p2", "k3" };
+  std::vector<double> coefficients(own.size());
   for (const char* name : { "k1", "k2", "k3", "k4", "k5", "k6", "p1", "p2" })
   {
-    if (frame.contains(name) && TakeNumbers(frame[name], 1, where + ", " + name)[0] != 0.0)
+    const double value = TakeNumbers(get(name, 0.0), 1, where + ", " + name)[0];
+    const auto place = std::find(own.begin(), own.end(), name);
+    if (place != own.end())
     {
-      throw UsageError(where + ", " + name + ": got " + frame[name].dump() +
-        ", expected 0: poses are those of pinholes, so undistort the pictures before");
+      coefficients[static_cast<std::size_t>(place - own.begin())] = value;
     }
+    else if (value != 0.0)
+    {
+      throw UsageError(where + ", " + name + ": got " + Json(value).dump() +
+        ", expected 0: the lens has " + Join(own, ", "));
+    }
+  }
+  const bool bends = isFisheye ||
+    std::any_of(coefficients.begin(), coefficients.end(), [](double value) { return value != 0; });
+  auto* lens = vtkRelievoLensCamera::SafeDownCast(camera);
+  if (bends && (!lens || lens->GetLens() != vtkRelievoLensCamera::PINHOLE))
+  {
+    throw UsageError(
+      where + ": has a lens, and another one is given beside the file; expected one of them");
+  }
+  if (bends)
+  {
+    lens->SetLens(isFisheye ? vtkRelievoLensCamera::FISHEYE : vtkRelievoLensCamera::BROWN_CONRADY,
+      static_cast<int>(coefficients.size()), coefficients.data());
   }
 }
 
@@ -289,8 +336,7 @@ void SetFromFrame(
     return from.contains(name) ? TakeNumbers(from[name], 1, where + ", " + name)[0]
                                : std::numeric_limits<double>::quiet_NaN();
   };
-  CheckPinhole(all, where);
-  CheckPinhole(frame, where);
+  SetLens(camera, frame, all, where);
   if (std::isnan(get("w")) != std::isnan(get("h")))
   {
     throw UsageError(where + ": expected both w and h");
@@ -429,21 +475,27 @@ double DatasetRandom::Next(double low, double high)
 }
 
 //------------------------------------------------------------------------------
-Cameras MakeDatasetPoses(const std::string& option, const std::string& words,
-  vtkRelievoCameraModel* like, const DatasetSurroundings& around)
+void CheckDatasetPoses(const std::string& option, const std::string& words)
 {
-  const bool stands = words.rfind("orbit:", 0) == 0 || words.rfind("random:", 0) == 0;
-  if (stands)
-  {
-    return StandAround(option, words, like, around);
-  }
   const std::filesystem::path path(words);
   std::error_code trouble;
-  if (path.extension() != ".json" && !std::filesystem::exists(path, trouble))
+  if (IsStanding(words))
+  {
+    ParseStanding(option, words);
+  }
+  else if (path.extension() != ".json" && !std::filesystem::exists(path, trouble))
   {
     RefuseValue(option, words, "orbit:N, random:N or a FILE.json");
   }
-  return ReadPoses(option, words, like, around.UpAxis);
+}
+
+//------------------------------------------------------------------------------
+Cameras MakeDatasetPoses(const std::string& option, const std::string& words,
+  vtkRelievoCameraModel* like, const DatasetSurroundings& around)
+{
+  CheckDatasetPoses(option, words);
+  return IsStanding(words) ? StandAround(option, words, like, around)
+                           : ReadPoses(option, words, like, around.UpAxis);
 }
 
 //------------------------------------------------------------------------------

@@ -43,6 +43,9 @@ struct DatasetSurroundings
 std::vector<vtkSmartPointer<vtkRelievoCameraModel>> MakeDatasetPoses(const std::string& option,
   const std::string& words, vtkRelievoCameraModel* like, const DatasetSurroundings& around);
 
+/// Throws UsageError for words that say no poses, whatever there is to see; files are not read.
+void CheckDatasetPoses(const std::string& option, const std::string& words);
+
 /// A direction towards the sun of a view, by its number: 15 to 75 degrees above the horizon.
 std::array<double, 3> MakeDatasetSun(int seed, int view, int upAxis);
 }

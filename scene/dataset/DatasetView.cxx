@@ -7,6 +7,7 @@
 #include "Messages.h"
 
 #include "vtkDoubleArray.h"
+#include "vtkErrorCode.h"
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
 #include "vtkMath.h"
@@ -15,6 +16,9 @@
 #include "vtkPointData.h"
 #include "vtkRelievoLayerSource.h"
 #include "vtkRelievoLensCamera.h"
+#include "vtkRelievoLensPicture.h"
+#include "vtkRelievoOrthographicCamera.h"
+#include "vtkRelievoPanoramaCamera.h"
 #include "vtkRelievoPass.h"
 #include "vtkRelievoRayLayers.h"
 #include "vtkRenderer.h"
@@ -24,6 +28,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace scene
@@ -50,10 +55,10 @@ void CheckWindowSize(vtkRenderWindow* window, const int size[2])
   }
 }
 
-// Columns and rows at each side of a picture: as many as its own, but where that is too large.
-std::array<int, 2> GetMargin(vtkRenderWindow* window, int columns, int rows)
+// Columns and rows at each side of a picture: as many as its own, but where all of them are more
+// than a limit each way, or too many pixels.
+std::array<int, 2> GetMargin(double limit, int columns, int rows)
 {
-  const double limit = GetLimit(window);
   const double pixels = static_cast<double>(columns) * rows;
   const double widest =
     std::min({ 3.0, limit / columns, limit / rows, std::sqrt(MostPixelsBeyond / pixels) });
@@ -130,6 +135,29 @@ ObjectReach FindReach(vtkRelievoLensCamera* camera, const DatasetObjects& object
                                                  : ObjectReach::Beyond;
 }
 
+// All of an object, of what is in the picture and what is beyond it, in a picture that is wider by
+// a margin at each side.
+DatasetSilhouette JoinSilhouette(
+  const DatasetMask& whole, const DatasetMask& beyond, const std::array<int, 2>& margin)
+{
+  DatasetSilhouette all = { whole.GetCount(), whole.GetBox() };
+  if (beyond.GetCount() == 0)
+  {
+    return all;
+  }
+  std::array<int, 4> other = beyond.GetBox();
+  other[0] -= margin[0];
+  other[1] -= margin[1];
+  std::array<int, 4> both = other;
+  for (std::size_t axis = 0; axis < 2 && all.Count > 0; ++axis)
+  {
+    both[axis] = std::min(all.Box[axis], other[axis]);
+    both[axis + 2] =
+      std::max(all.Box[axis] + all.Box[axis + 2], other[axis] + other[axis + 2]) - both[axis];
+  }
+  return { all.Count + beyond.GetCount(), both };
+}
+
 void FindVisible(const DatasetObjects& objects, DatasetView& view)
 {
   ForEachObject(objects, view.Layers, [&view](std::size_t pixel, int object) {
@@ -156,14 +184,25 @@ std::vector<double> DatasetView::GetLayer(const std::string& name, int& componen
 }
 
 //------------------------------------------------------------------------------
+bool HasDatasetPicture(vtkRelievoCameraModel* camera)
+{
+  return vtkRelievoLensCamera::SafeDownCast(camera) ||
+    vtkRelievoPanoramaCamera::SafeDownCast(camera) ||
+    vtkRelievoOrthographicCamera::SafeDownCast(camera);
+}
+
+//------------------------------------------------------------------------------
 DatasetPainter::DatasetPainter(vtkRenderer* renderer, const DatasetObjects& objects,
   const std::vector<std::string>& layers, bool silhouettes)
   : Renderer(renderer)
   , Objects(objects)
-  , Layers(layers)
   , Silhouettes(silhouettes)
   , HadLights(renderer->GetLights()->GetNumberOfItems() > 0)
 {
+  for (const std::string& layer : layers)
+  {
+    (vtkRelievoRayLayers::IsFlow(layer.c_str()) ? this->Flow : this->Layers).push_back(layer);
+  }
   for (const char* own : { "depth", "actor", "block" })
   {
     if (std::find(layers.begin(), layers.end(), own) == layers.end())
@@ -233,8 +272,8 @@ void DatasetPainter::OpenWindow()
 }
 
 //------------------------------------------------------------------------------
-DatasetView DatasetPainter::Draw(
-  vtkRelievoCameraModel* camera, const std::optional<std::array<double, 3>>& sun)
+DatasetView DatasetPainter::Draw(vtkRelievoCameraModel* camera, vtkRelievoCameraModel* before,
+  const std::optional<std::array<double, 3>>& sun)
 {
   DatasetView view;
   view.Columns = camera->GetSize()[0];
@@ -249,10 +288,19 @@ DatasetView DatasetPainter::Draw(
   if (lens && lens->GetLens() == vtkRelievoLensCamera::PINHOLE)
   {
     this->DrawInWindow(lens, view);
+    if (!this->Flow.empty())
+    {
+      const DatasetObjects::OpaqueOnly opaque(this->Objects);
+      const auto traced = this->TraceLayers(camera, before, this->Flow);
+      for (const std::string& layer : this->Flow)
+      {
+        view.Layers->GetPointData()->AddArray(traced->GetPointData()->GetArray(layer.c_str()));
+      }
+    }
   }
   else
   {
-    this->FollowRays(camera, view);
+    this->FollowRays(camera, before, view);
   }
   return view;
 }
@@ -410,7 +458,7 @@ void DatasetPainter::DrawInWindow(vtkRelievoLensCamera* camera, DatasetView& vie
 // mask that touches the edge counts as well.
 void DatasetPainter::LookBeyond(vtkRelievoLensCamera* camera, DatasetView& view)
 {
-  const std::array<int, 2> margin = GetMargin(this->Window, view.Columns, view.Rows);
+  const std::array<int, 2> margin = GetMargin(GetLimit(this->Window), view.Columns, view.Rows);
   const std::array<int, 2> all = { view.Columns + 2 * margin[0], view.Rows + 2 * margin[1] };
   const std::array<std::size_t, 4> middle = { static_cast<std::size_t>(margin[0]),
     static_cast<std::size_t>(margin[1]), static_cast<std::size_t>(margin[0] + view.Columns),
@@ -420,8 +468,7 @@ void DatasetPainter::LookBeyond(vtkRelievoLensCamera* camera, DatasetView& view)
   {
     const std::array<int, 4> box = view.Whole[i].GetBox();
     view.Silhouettes.push_back({ view.Whole[i].GetCount(), box });
-    const bool isSeen = view.Whole[i].GetCount() > 0;
-    const bool isTouching = isSeen &&
+    const bool isTouching = view.Whole[i].GetCount() > 0 &&
       (box[0] == 0 || box[1] == 0 || box[0] + box[2] == view.Columns ||
         box[1] + box[3] == view.Rows);
     const auto object = static_cast<int>(i);
@@ -454,36 +501,61 @@ void DatasetPainter::LookBeyond(vtkRelievoLensCamera* camera, DatasetView& view)
           beyond.Add(pixel);
         }
       });
-    if (beyond.GetCount() > 0)
-    {
-      std::array<int, 4> other = beyond.GetBox();
-      other[0] -= margin[0];
-      other[1] -= margin[1];
-      std::array<int, 4> both = other;
-      for (std::size_t axis = 0; axis < 2 && isSeen; ++axis)
-      {
-        both[axis] = std::min(box[axis], other[axis]);
-        both[axis + 2] =
-          std::max(box[axis] + box[axis + 2], other[axis] + other[axis + 2]) - both[axis];
-      }
-      view.Silhouettes[i] = { view.Whole[i].GetCount() + beyond.GetCount(), both };
-    }
+    view.Silhouettes[i] = JoinSilhouette(view.Whole[i], beyond, margin);
   }
 }
 
 //------------------------------------------------------------------------------
-// All of an object is where a ray meets it, behind whatever others: the first hit is one of all.
-void DatasetPainter::FollowRays(vtkRelievoCameraModel* camera, DatasetView& view)
+// What the sensor sees by pinholes around its rays.
+void DatasetPainter::TakePicture(vtkRelievoCameraModel* camera, DatasetView& view)
+{
+  this->OpenWindow();
+  CheckWindowSize(this->Window, camera->GetSize());
+  vtkNew<vtkRelievoLensPicture> source;
+  source->SetRenderer(this->Renderer);
+  source->SetCamera(camera);
+  source->PictureOn();
+  source->Update();
+  vtkImageData* image = source->GetOutput();
+  const bool isUsage = source->GetErrorCode() == vtkErrorCode::UserError;
+  try
+  {
+    Messages::Check("the picture", image->GetNumberOfPoints() == 0);
+  }
+  catch (const WorkError& error)
+  {
+    if (isUsage)
+    {
+      throw UsageError(error.what());
+    }
+    throw;
+  }
+  vtkDataArray* shown = image->GetPointData()->GetScalars();
+  view.Picture.resize(static_cast<std::size_t>(shown->GetNumberOfValues()));
+  ForEachPixel(image, [&](std::size_t pixel, vtkIdType point) {
+    for (int i = 0; i < 3; ++i)
+    {
+      view.Picture[3 * pixel + static_cast<std::size_t>(i)] =
+        static_cast<unsigned char>(shown->GetComponent(point, i));
+    }
+  });
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkImageData> DatasetPainter::TraceLayers(vtkRelievoCameraModel* camera,
+  vtkRelievoCameraModel* before, const std::vector<std::string>& layers)
 {
   if (!this->Rays)
   {
     this->Rays = vtkSmartPointer<vtkRelievoRayScene>::New();
     this->Rays->SetRenderer(this->Renderer);
+    this->Nothing = vtkSmartPointer<vtkRelievoRayScene>::New();
   }
   vtkNew<vtkRelievoRayLayers> source;
   source->SetScene(this->Rays);
   source->SetCamera(camera);
-  for (const std::string& layer : this->Layers)
+  source->SetOther(before ? this->Rays : this->Nothing, before ? before : camera);
+  for (const std::string& layer : layers)
   {
     source->AddLayer(layer.c_str());
   }
@@ -496,35 +568,90 @@ void DatasetPainter::FollowRays(vtkRelievoCameraModel* camera, DatasetView& view
   {
     throw UsageError(error.what());
   }
-  view.Layers = source->GetOutput();
+  return source->GetOutput();
+}
+
+//------------------------------------------------------------------------------
+void DatasetPainter::FollowRays(
+  vtkRelievoCameraModel* camera, vtkRelievoCameraModel* before, DatasetView& view)
+{
+  if (HasDatasetPicture(camera))
+  {
+    this->TakePicture(camera, view);
+  }
+  const DatasetObjects::OpaqueOnly opaque(this->Objects); // as in the layers of the frame
+  std::vector<std::string> layers = this->Layers;
+  layers.insert(layers.end(), this->Flow.begin(), this->Flow.end());
+  view.Layers = this->TraceLayers(camera, before, layers);
   FindVisible(this->Objects, view);
+  this->FindWhole(camera, view);
+}
+
+//------------------------------------------------------------------------------
+// All of an object is where a ray meets it, behind whatever others: the first hit is one of all. A
+// lens bends what is straight, so that corners within the picture do not say that all is in it: for
+// silhouettes the rays go beyond it for every object.
+void DatasetPainter::FindWhole(vtkRelievoCameraModel* camera, DatasetView& view)
+{
+  const std::array<int, 2> margin = this->Silhouettes
+    ? GetMargin(std::numeric_limits<double>::infinity(), view.Columns, view.Rows)
+    : std::array<int, 2>{};
+  const int columns = view.Columns + 2 * margin[0];
+  const int rows = view.Rows + 2 * margin[1];
+  std::vector<DatasetMask> beyond(view.Whole.size(), DatasetMask(columns, rows));
+  vtkNew<vtkDoubleArray> places;
   vtkNew<vtkDoubleArray> origins;
   vtkNew<vtkDoubleArray> directions;
   vtkNew<vtkTable> hits;
-  const int step = std::max(1, RaysWithAllHits / view.Columns);
-  for (int row = 0; row < view.Rows; row += step)
+  places->SetNumberOfComponents(2);
+  const int step = std::max(1, RaysWithAllHits / columns);
+  for (int first = 0; first < rows; first += step)
   {
-    camera->GetRowRays(row, std::min(view.Rows, row + step), origins, directions);
-    this->Rays->FindAll(origins, directions, hits);
-    Messages::Check("rays");
-    const auto column = [&hits](const char* name) {
-      return vtkDataArray::SafeDownCast(hits->GetColumnByName(name));
-    };
-    vtkDataArray* rays = column("ray");
-    vtkDataArray* props = column("prop");
-    vtkDataArray* blocks = column("block");
-    const std::size_t first =
-      static_cast<std::size_t>(row) * static_cast<std::size_t>(view.Columns);
-    for (vtkIdType i = 0; i < hits->GetNumberOfRows(); ++i)
+    places->SetNumberOfTuples(0);
+    for (int row = first; row < std::min(rows, first + step); ++row)
     {
-      const std::size_t pixel = first + static_cast<std::size_t>(rays->GetComponent(i, 0));
-      const int object = this->Objects.Find(
-        static_cast<int>(props->GetComponent(i, 0)), static_cast<int>(blocks->GetComponent(i, 0)));
-      if (object >= 0)
+      for (int column = 0; column < columns; ++column)
       {
-        view.Whole[static_cast<std::size_t>(object)].Add(pixel);
+        places->InsertNextTuple2(column - margin[0], row - margin[1]);
       }
     }
+    camera->GetRays(places, origins, directions);
+    this->Rays->FindAll(origins, directions, hits);
+    Messages::Check("rays");
+    const auto getColumn = [&hits](const char* name) {
+      return vtkDataArray::SafeDownCast(hits->GetColumnByName(name));
+    };
+    vtkDataArray* rays = getColumn("ray");
+    vtkDataArray* props = getColumn("prop");
+    vtkDataArray* blocks = getColumn("block");
+    for (vtkIdType i = 0; i < hits->GetNumberOfRows(); ++i)
+    {
+      const int object = this->Objects.Find(
+        static_cast<int>(props->GetComponent(i, 0)), static_cast<int>(blocks->GetComponent(i, 0)));
+      if (object < 0)
+      {
+        continue;
+      }
+      const auto ray = static_cast<int>(rays->GetComponent(i, 0));
+      const int column = ray % columns - margin[0];
+      const int row = first + ray / columns - margin[1];
+      const auto number = static_cast<std::size_t>(object);
+      if (column >= 0 && row >= 0 && column < view.Columns && row < view.Rows)
+      {
+        view.Whole[number].Add(
+          static_cast<std::size_t>(row) * static_cast<std::size_t>(view.Columns) +
+          static_cast<std::size_t>(column));
+      }
+      else
+      {
+        beyond[number].Add(static_cast<std::size_t>(first) * static_cast<std::size_t>(columns) +
+          static_cast<std::size_t>(ray));
+      }
+    }
+  }
+  for (std::size_t i = 0; i < view.Whole.size() && this->Silhouettes; ++i)
+  {
+    view.Silhouettes.push_back(JoinSilhouette(view.Whole[i], beyond[i], margin));
   }
 }
 }

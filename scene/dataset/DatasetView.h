@@ -37,7 +37,7 @@ struct DatasetSilhouette
 struct DatasetView
 {
   int Columns = 0, Rows = 0;
-  std::vector<unsigned char> Picture;         ///< RGB, row by row from the top; empty: no pinhole
+  std::vector<unsigned char> Picture;         ///< RGB, row by row from the top; empty: none
   std::vector<int> Objects;                   ///< of each pixel, from the top; -1: none
   std::vector<DatasetMask> Visible, Whole;    ///< of each object: what is seen of it, and all of it
   std::vector<DatasetSilhouette> Silhouettes; ///< of each object, if they are asked for
@@ -46,6 +46,9 @@ struct DatasetView
   /// A layer's values row by row from the top.
   std::vector<double> GetLayer(const std::string& name, int& components) const;
 };
+
+/// Whether a sensor has a picture: its rays are those of pinholes, bent or not, or parallel.
+bool HasDatasetPicture(vtkRelievoCameraModel* camera);
 
 /// Draws views. The renderer, its camera, its lights and its window are as before when it is gone.
 class DatasetPainter
@@ -58,9 +61,11 @@ public:
   DatasetPainter(const DatasetPainter&) = delete;
   void operator=(const DatasetPainter&) = delete;
 
-  /// The direction towards the sun, in place of that of the scene's first. Throws UsageError for
-  /// layers that there are not, WorkError.
-  DatasetView Draw(vtkRelievoCameraModel* camera, const std::optional<std::array<double, 3>>& sun);
+  /// What the view before was seen by, which flow goes to, or nullptr; and the direction towards
+  /// the sun, in place of that of the scene's first. Throws UsageError for layers that there are
+  /// not, WorkError.
+  DatasetView Draw(vtkRelievoCameraModel* camera, vtkRelievoCameraModel* before,
+    const std::optional<std::array<double, 3>>& sun);
 
 private:
   struct Lamp
@@ -73,14 +78,18 @@ private:
   void SetSun(const std::array<double, 3>& direction);
   void RestoreLights();
   void DrawInWindow(vtkRelievoLensCamera* camera, DatasetView& view);
-  void FollowRays(vtkRelievoCameraModel* camera, DatasetView& view);
+  void FollowRays(vtkRelievoCameraModel* camera, vtkRelievoCameraModel* before, DatasetView& view);
   vtkSmartPointer<vtkImageData> DrawLayers(const std::vector<std::string>& layers);
   void TakePicture(DatasetView& view);
+  void TakePicture(vtkRelievoCameraModel* camera, DatasetView& view);
+  vtkSmartPointer<vtkImageData> TraceLayers(vtkRelievoCameraModel* camera,
+    vtkRelievoCameraModel* before, const std::vector<std::string>& layers);
+  void FindWhole(vtkRelievoCameraModel* camera, DatasetView& view);
   void LookBeyond(vtkRelievoLensCamera* camera, DatasetView& view);
 
   vtkRenderer* Renderer;
   const DatasetObjects& Objects;
-  std::vector<std::string> Layers;
+  std::vector<std::string> Layers, Flow; // drawn, or traced for sensors; traced for all
   bool Silhouettes, HadLights;
   vtkSmartPointer<vtkCamera> Before, Camera;
   vtkSmartPointer<vtkRenderWindow> Window;
@@ -91,7 +100,7 @@ private:
   std::array<double, 3> SunPosition{}, SunFocus{};
   vtkSmartPointer<vtkMatrix4x4> SunMatrix;
   bool IsOwnSun = false;
-  vtkSmartPointer<vtkRelievoRayScene> Rays;
+  vtkSmartPointer<vtkRelievoRayScene> Rays, Nothing;
 };
 }
 

@@ -4,6 +4,7 @@
 
 #include "DatasetFiles.h"
 #include "DatasetFormats.h"
+#include "DatasetModels.h"
 #include "DatasetObjects.h"
 #include "DatasetPoses.h"
 #include "DatasetView.h"
@@ -40,10 +41,10 @@ using Json = nlohmann::ordered_json;
 constexpr const char* SettingsFile = "/dataset.json";
 constexpr const char* Records = "/views";
 
-bool IsPinhole(vtkRelievoCameraModel* camera)
+bool IsFisheye(vtkRelievoCameraModel* camera)
 {
   auto* lens = vtkRelievoLensCamera::SafeDownCast(camera);
-  return lens && lens->GetLens() == vtkRelievoLensCamera::PINHOLE;
+  return lens && lens->GetLens() == vtkRelievoLensCamera::FISHEYE;
 }
 
 Json Parse(const std::string& path)
@@ -339,7 +340,8 @@ void vtkRelievoDatasetWriter::Internals::Check(int format) const
       "the renderer's viewport is a part of its window; give one that fills it");
   }
   static const std::set<std::string> own = { "color", "object", "visible_masks", "amodal_masks",
-    "visible_boxes", "amodal_boxes", "object_to_world", "K", "R", "t", "distortion" };
+    "visible_boxes", "amodal_boxes", "object_to_world", "K", "R", "t", "lens", "distortion",
+    "field_of_view", "orthographic", "push_broom", "elevations", "azimuths" };
   for (const std::string& layer : this->Layers)
   {
     if (format == NPZ && own.count(layer) > 0)
@@ -350,16 +352,13 @@ void vtkRelievoDatasetWriter::Internals::Check(int format) const
   }
   for (std::size_t i = 0; i < this->Cameras.size(); ++i)
   {
-    const std::string view = "view " + std::to_string(i) + ": ";
-    if (format != NPZ && !IsPinhole(this->Cameras[i]))
+    const std::string view = "view " + std::to_string(i);
+    scene::CheckDatasetCamera(static_cast<scene::DatasetFormat>(format), this->Cameras[i], view);
+    if (format == NERF && IsFisheye(this->Cameras[i]) != IsFisheye(this->Cameras[0]))
     {
-      throw scene::UsageError(view + "is seen by a " + this->Cameras[i]->GetClassName() +
-        " that is no pinhole, which has no picture; expected the format npz");
-    }
-    auto* lens = vtkRelievoLensCamera::SafeDownCast(this->Cameras[i]);
-    if (format == NERF && lens->GetSkew() != 0.0)
-    {
-      throw scene::UsageError(view + "K has a skew, which transforms.json cannot say");
+      throw scene::UsageError(view +
+        ": transforms.json has one kind of lens for all views, and "
+        "view 0 has another; expected fisheyes alone, or none");
     }
   }
 }
@@ -428,10 +427,16 @@ void vtkRelievoDatasetWriter::WriteViews()
   self.Check(this->Format);
   const int views = this->GetNumberOfViews();
   const int end = this->Range[1] < 0 ? views : this->Range[1];
-  if (this->Range[0] < 0 || this->Range[0] > end || end > views)
+  const std::string range =
+    "views: got " + std::to_string(this->Range[0]) + ":" + std::to_string(end);
+  if (this->Range[0] > end)
   {
-    throw scene::UsageError("views: got " + std::to_string(this->Range[0]) + ":" +
-      std::to_string(end) + ", expected views from 0 to " + std::to_string(views));
+    throw scene::UsageError(range + ", expected the first view to be before the end");
+  }
+  if (this->Range[0] < 0 || end > views)
+  {
+    throw scene::UsageError(range + ", expected views from 0 to " + std::to_string(views) +
+      ": there are " + std::to_string(views));
   }
   const scene::DatasetObjects objects(self.Renderer, self.Names, this->ObjectsByBlock);
   std::vector<std::string> names;
@@ -472,7 +477,8 @@ void vtkRelievoDatasetWriter::WriteViews()
         sun = scene::MakeDatasetSun(this->Seed, i, this->UpAxis);
         record["sun"] = *sun;
       }
-      const scene::DatasetView view = painter.Draw(camera, sun);
+      const scene::DatasetView view =
+        painter.Draw(camera, i > 0 ? self.Cameras[number - 1].GetPointer() : nullptr, sun);
       beyond += scene::WriteDatasetView(style, view, objects, camera, number, record);
       scene::WriteWhole(path, scene::WriteDatasetJson(record));
       ++this->NumberOfViewsWritten;
@@ -486,10 +492,15 @@ void vtkRelievoDatasetWriter::WriteViews()
     }
   }
   self.WriteIndex(style, names);
+  if (this->Format == BOP)
+  {
+    scene::WriteDatasetModels(self.Directory, self.Renderer, objects, this->MillimetersPerUnit);
+  }
   if (beyond > 0)
   {
     scene::Messages::Warn(self.Directory + ": " + std::to_string(beyond) +
-      " pixels are farther than 65535 steps of depth, and are 0; a larger depth step reaches them");
+      " pixels are farther than 65535 steps of depth, or behind the plane of the camera, and "
+      "are 0; a larger depth step reaches the former");
   }
 }
 

@@ -36,18 +36,17 @@ namespace
 {
 constexpr double WidestFit = 120.0; // of a camera that is fitted, degrees
 
-// The words' sensor, as it is for this view. Throws FileError and UsageError.
-vtkRelievoCameraModel* MakeSensor(
+vtkSmartPointer<vtkRelievoCameraModel> MakeSensor(
   vtkRelievoCalibration* calibration, const RenderOptions& options, vtkCamera* view)
 {
   const vtkNew<vtkCallbackCommand> silent; // what it says is thrown
   calibration->AddObserver(vtkCommand::ErrorEvent, silent);
-  if (!calibration->SetWords(options.Lens) || !calibration->Read())
+  if ((!options.Lens.empty() && !calibration->SetWords(options.Lens)) || !calibration->Read())
   {
     throw FileError(calibration->GetFailureText());
   }
   const bool sized = options.IsSized || calibration->GetFileSize()[0] == 0;
-  vtkRelievoCameraModel* sensor =
+  vtkSmartPointer<vtkRelievoCameraModel> sensor =
     calibration->MakeCamera(view, sized ? options.Size[0] : calibration->GetFileSize()[0],
       sized ? options.Size[1] : calibration->GetFileSize()[1]);
   if (!sensor)
@@ -56,6 +55,13 @@ vtkRelievoCameraModel* MakeSensor(
   }
   return sensor;
 }
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkRelievoCameraModel> MakeSensor(const RenderOptions& options, vtkCamera* view)
+{
+  vtkNew<vtkRelievoCalibration> calibration;
+  return MakeSensor(calibration, options, view);
 }
 
 //------------------------------------------------------------------------------
@@ -111,7 +117,7 @@ RenderOptions FollowLens(RenderOptions options)
   vtkNew<vtkRelievoCalibration> calibration;
   vtkNew<vtkCamera> view;
   view->SetViewAngle(options.ViewAngle.value_or(StandardViewAngle));
-  vtkRelievoCameraModel* sensor = MakeSensor(calibration, options, view);
+  const auto sensor = MakeSensor(calibration, options, view);
   std::copy_n(sensor->GetSize(), 2, options.Size.begin());
   const double angle = calibration->GetAngleOfWords();
   if (angle > 0.0 && !options.ViewAngle && !options.ParallelScale)
@@ -126,8 +132,7 @@ vtkSmartPointer<vtkImageData> DrawLens(vtkRenderer* renderer, const RenderOption
   const std::vector<std::string>& layers, vtkSmartPointer<vtkImageData>& picture,
   Progress& progress)
 {
-  vtkNew<vtkRelievoCalibration> calibration;
-  vtkRelievoCameraModel* sensor = MakeSensor(calibration, options, renderer->GetActiveCamera());
+  const auto sensor = MakeSensor(options, renderer->GetActiveCamera());
   auto image = vtkSmartPointer<vtkImageData>::New();
   vtkNew<vtkRelievoLensPicture> drawn;
   drawn->SetRenderer(renderer);

@@ -13,8 +13,10 @@
 #include <string>
 #include <vector>
 
+class vtkCamera;
 class vtkImageData;
 class vtkFieldData;
+class vtkRelievoCameraModel;
 class vtkRenderer;
 
 namespace scene
@@ -27,6 +29,10 @@ void CheckLens(const RenderOptions& options);
 
 /// Throws UsageError for a layer that rays do not have.
 void CheckLensLayer(const std::string& name);
+
+/// The sensor of the option's words, or a pinhole without them, with the pose and the angle of a
+/// view. Throws FileError, and UsageError for a size or an angle that it cannot have.
+vtkSmartPointer<vtkRelievoCameraModel> MakeSensor(const RenderOptions& options, vtkCamera* view);
 
 /// The options with what the lens says: the size, if a file says it and no option does, and the
 /// angle to which a camera is fitted. Throws FileError, and UsageError for a size or an angle that

@@ -70,6 +70,32 @@ class Dataset(CliTest):
         self.assertEqual([each["bbox_obj"] for each in info], [[15, 10, 10, 10], [12, 7, 16, 16]])
         self.assertEqual(info[1]["px_count_visib"], 16 * 16 - 10 * 10)
 
+    def test_lens(self):
+        """Pixels of a barrel's plates by Brown and Conrady's formula; a file's size and K."""
+        k1, k2 = -0.2, 0.05
+        (self.folder / "camera.yml").write_text(
+            "image_width: 41\nimage_height: 31\ndistortion_model: plumb_bob\n"
+            "camera_matrix:\n  rows: 3\n  cols: 3\n  data: [20, 0, 20, 0, 20, 15, 0, 0, 1]\n"
+            f"distortion_coefficients:\n  rows: 1\n  cols: 5\n  data: [{k1}, {k2}, 0, 0, 0]\n")
+        pose = {"R": [1, 0, 0, 0, -1, 0, 0, 0, -1], "t": [0, 0, 4.5]}
+        (self.folder / "poses.json").write_text(json.dumps([pose]))
+        self.relievo("dataset", "near.off", "far.off", "--out", "set", "--poses", "poses.json",
+                     "--lens", "camera.yml", "--shadows", "map")  # fmt: skip
+        self.assertEqual(self.json("set", "scene_camera.json")["0"]["distortion"][:2], [k1, k2])
+        near = read_png(self.folder / "set" / "mask_visib" / "000000_000000.png")[..., 0] > 0
+        self.assertEqual(near.shape, (31, 41))
+        # The rays by a fixed point of the formula.
+        v, u = numpy.mgrid[:31, :41]
+        bent = numpy.stack([(u - 20) / 20, (v - 15) / 20])
+        straight = bent.copy()
+        for _ in range(200):
+            r = (straight**2).sum(axis=0)
+            straight = bent / (1 + k1 * r + k2 * r * r)
+        inside = 4 * numpy.abs(straight).max(axis=0)
+        sure = numpy.abs(inside - 1) > 1e-6
+        numpy.testing.assert_array_equal(near[sure], (inside < 1)[sure])
+        self.assertGreater(near.sum(), 50)
+
     def test_names(self):
         """Each file is an object of its own, whatever the files are called."""
         for name in ("a", "b"):
@@ -122,21 +148,35 @@ class Dataset(CliTest):
         for words, says in (
             (["--out", "set"], "--poses orbit:N"),
             (["--poses", "orbit:4"], "--out DIR"),
-            (["--poses", "orbit:x", "--out", "set"], "'x'"),
+            (["--poses", "orbit:1:0", "--out", "set"],
+             "--poses orbit:1:0, number of views: got '1:0', expected a whole number from 1"),
             (["--poses", "orbit", "--out", "set"],
-             "got 'orbit', expected orbit:N, random:N or a FILE.json"),
-            (["--poses", "orbit:4", "--out", "set", "--camera", "0,0,5,0,0,0,0,1,0"], "--camera"),
+             "--poses: got 'orbit', expected orbit:N, random:N or a FILE.json"),
+            (["--poses", "random:4,nearest=2", "--out", "set"],
+             "--poses random:4,nearest=2: nearest is above farthest"),
+            (["--poses", "orbit:4", "--out", "set", "--camera", "0,0,5,0,0,0,0,1,0"],
+             "--camera: is an option of relievo render; of a data set --poses says"),
             (["--poses", "orbit:4", "--out", "set", "--seed=1", "--seed=2"], "given twice"),
-            (["--poses", "orbit:4", "--out", "set", "--lens", "fisheye"], "no such option"),
+            (["--poses", "orbit:4", "--out", "set", "--lens", "fish"], "--lens: "),
+            (["--poses", "orbit:4", "--out", "set", "--lens", "orthographic"],
+             "as in orthographic:100"),
+            (["--poses", "orbit:4", "--out", "set", "--lens", "cube"], "six times as wide"),
+            (["--poses", "orbit:4", "--out", "set", "--lens", "equirectangular"],
+             "got the sensor equirectangular, which has no K; expected the format coco or npz"),
+            (["--poses", "orbit:4", "--out", "set", "--lens", "fisheye", "--grid"], "--grid"),
             (["--poses", "orbit:4", "--out", "set", "--format", "voc"], "bop, coco, nerf, npz"),
             (["--poses", "orbit:4", "--out", "set", "--views", "3"], "A:B"),
             (["--poses", "orbit:4", "--out", "set", "--views", "3:5"],
-             "views: got 3:5, expected views from 0 to 4"),
+             "--views: got 3:5, expected views from 0 to 4"),
+            (["--poses", "orbit:4", "--out", "set", "--views", "5:3"],
+             "--views: got '5:3', expected the first view to be before the end"),
             (["--poses", "orbit:4", "--out", "set", "--depth-step", "-1"], "--depth-step"),
         ):
             with self.subTest(words):
                 self.refused("dataset", "near.off", *words, status=2, says=says)
         self.refused("dataset", "--poses", "orbit:4", "--out", "set", status=2, says="no FILE")
+        self.refused("dataset", "near.off", "--poses", "orbit:4", "--out", "set", "--lens",
+                     "none.yml", status=1, says="none.yml")  # fmt: skip
         self.refused("dataset", "near.off", "--poses", "none.json", "--out", "set", status=1,
                      says="none.json: cannot be read")  # fmt: skip
         if os.getuid() != 0:

@@ -3,6 +3,7 @@
 #include "DatasetOptions.h"
 
 #include "Arguments.h"
+#include "DatasetPoses.h"
 #include "Errors.h"
 #include "Options.h"
 #include "Values.h"
@@ -18,8 +19,8 @@ namespace
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 
 // Options of render that poses, or the data set's own files, are in the place of.
-constexpr const char* OfRender[] = { "--camera", "--parallel-scale", "--clip", "--lens", "--times",
-  "--png", "--exr", "--report", "--layers", "--hdr", "--transparent", "--certify" };
+constexpr const char* OfRender[] = { "--camera", "--parallel-scale", "--clip", "--times", "--png",
+  "--exr", "--report", "--hdr", "--transparent", "--certify" };
 
 const std::vector<scene::KnownOption> Own = { { "--poses", false }, { "--out", false },
   { "--format", false }, { "--layers", false }, { "--objects", false }, { "--depth-step", false },
@@ -37,6 +38,10 @@ void TakeRange(DatasetOptions& options, const std::string& name, const std::stri
     options.Range[i] =
       scene::ParseWhole(name + " " + value, parts[i], 0, std::numeric_limits<int>::max());
   }
+  if (options.Range[0] > options.Range[1])
+  {
+    scene::RefuseValue(name, value, "the first view to be before the end");
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -44,6 +49,7 @@ void Take(DatasetOptions& options, const std::string& name, const std::string& v
 {
   if (name == "--poses")
   {
+    scene::CheckDatasetPoses(name, value);
     options.Poses = value;
   }
   else if (name == "--out")
@@ -103,7 +109,7 @@ DatasetOptions ParseDataset(const std::vector<std::string>& words)
   std::vector<scene::KnownOption> known = Own;
   for (const scene::KnownOption& option : scene::GetRenderOptions())
   {
-    if (std::find(std::begin(OfRender), std::end(OfRender), option.Name) == std::end(OfRender))
+    if (!isOwn(option.Name))
     {
       known.push_back(option);
     }
@@ -117,6 +123,13 @@ DatasetOptions ParseDataset(const std::vector<std::string>& words)
       const bool isFlag = std::any_of(known.begin(), known.end(),
         [&name](const scene::KnownOption& each) { return each.Name == name && each.IsFlag; });
       const std::string word = isFlag ? name : name + "=" + value;
+      if (!isOwn(name) &&
+        std::find(std::begin(OfRender), std::end(OfRender), name) != std::end(OfRender))
+      {
+        throw scene::UsageError(name +
+          ": is an option of relievo render; of a data set --poses "
+          "says where the cameras are, --format and --out what is written");
+      }
       if (!isOwn(name))
       {
         options.Scene.push_back(word);
@@ -152,9 +165,12 @@ DatasetOptions ParseDataset(const std::vector<std::string>& words)
   {
     to->insert(to->end(), files.begin(), files.end());
   }
-  const scene::RenderOptions render = scene::ParseOptions(options.Scene);
-  options.Size = render.Size;
-  options.ViewAngle = render.ViewAngle.value_or(options.ViewAngle);
+  options.Render = scene::ParseOptions(options.Scene);
+  if (options.Render.Lens == "orthographic")
+  {
+    throw scene::UsageError("--lens orthographic: no camera says its scale here; give the pixels "
+                            "for a world unit, as in orthographic:100");
+  }
   return options;
 }
 }

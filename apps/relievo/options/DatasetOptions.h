@@ -3,6 +3,8 @@
 #ifndef DatasetOptions_h
 #define DatasetOptions_h
 
+#include "Options.h"
+
 #include <array>
 #include <string>
 #include <vector>
@@ -21,8 +23,7 @@ struct DatasetOptions
 {
   std::vector<std::string> Scene; ///< files and options in the words of render
   std::vector<std::string> Words; ///< all words but where to write, and which views
-  std::array<int, 2> Size;        ///< columns and rows of the pictures
-  double ViewAngle = 30.;         ///< full vertical angle, degrees
+  scene::RenderOptions Render;    ///< of these words
   std::string Poses;              ///< "orbit:N", "random:N", or a file
   std::string Folder;
   int Format = 0; ///< vtkRelievoDatasetWriter::Formats

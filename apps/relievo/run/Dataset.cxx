@@ -4,18 +4,19 @@
 
 #include "DatasetOptions.h"
 #include "Errors.h"
+#include "Lens.h"
 #include "Messages.h"
+#include "Scene.h"
 #include "SceneWork.h"
 #include "Values.h"
 
 #include "vtkActorCollection.h"
-#include "vtkMath.h"
+#include "vtkCamera.h"
 #include "vtkNew.h"
+#include "vtkRelievoCameraModel.h"
 #include "vtkRelievoDatasetWriter.h"
-#include "vtkRelievoLensCamera.h"
 #include "vtkRenderer.h"
 
-#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <map>
@@ -63,15 +64,19 @@ void NameObjects(
   writer->SetObjectsByBlock(options.Objects == DatasetParts::Block);
 }
 
+// What the writer says of `word` is said of the option of this name.
+void CheckWriter(vtkRelievoDatasetWriter* writer, bool done, const std::string& word)
+{
+  const std::string text = writer->GetFailureText();
+  CheckDone(done, writer->GetFailure(), text.rfind(word, 0) == 0 ? "--" + text : text);
+}
+
 void AddViews(vtkRelievoDatasetWriter* writer, const DatasetOptions& options)
 {
-  vtkNew<vtkRelievoLensCamera> like;
-  const double focal =
-    options.Size[1] / 2. / std::tan(vtkMath::RadiansFromDegrees(options.ViewAngle / 2.));
-  like->SetSize(options.Size[0], options.Size[1]);
-  like->SetIntrinsics(focal, focal, 0., (options.Size[0] - 1) / 2., (options.Size[1] - 1) / 2.);
-  const bool done = writer->AddViews(options.Poses, like);
-  CheckDone(done, writer->GetFailure(), writer->GetFailureText());
+  vtkNew<vtkCamera> view;
+  view->SetViewAngle(options.Render.ViewAngle.value_or(scene::StandardViewAngle));
+  const bool done = writer->AddViews(options.Poses, scene::MakeSensor(options.Render, view));
+  CheckWriter(writer, done, "poses");
 }
 }
 
@@ -107,8 +112,7 @@ void Dataset(const DatasetOptions& options)
     scene::Progress progress;
     progress.Begin("writing " + options.Folder);
     progress.Observe(writer);
-    const bool done = writer->Write();
-    CheckDone(done, writer->GetFailure(), writer->GetFailureText());
+    CheckWriter(writer, writer->Write(), "views: got");
   }
   std::printf("%s: %d of %d views written", options.Folder.c_str(),
     writer->GetNumberOfViewsWritten(), writer->GetNumberOfViews());
