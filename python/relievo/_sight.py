@@ -123,22 +123,24 @@ class _Props:
 
     def split(self, seen):
         """The arrays of all, as those of each prop; None for one that has no mesh."""
-        for name in ("GetCellData", "GetPointData"):
-            data = getattr(seen, name)()
+        there = [number for number, mesh in enumerate(self._meshes) if mesh is not None]
+        for kind in ("GetCellData", "GetPointData") if there else ():
+            data = getattr(seen, kind)()
             prop, place = (_values(data, each) for each in (_PROP, _PLACE))
-            for number, mesh in enumerate(self._meshes):
-                for array in ("seen", "pixels", "solid_angle"):
-                    if mesh is not None and data.HasArray(array):
-                        found = _values(data, array)
-                        own = numpy.empty(numpy.count_nonzero(prop == number), found.dtype)
-                        own[place[prop == number]] = found[prop == number]
-                        _add(getattr(mesh, name)(), array, own)
+            order = numpy.lexsort((place, prop))
+            begins, ends = (numpy.searchsorted(prop[order], there, side)
+                            for side in ("left", "right"))
+            for name in ("seen", "pixels", "solid_angle"):
+                if data.HasArray(name):
+                    values = _values(data, name)[order]
+                    for number, begin, end in zip(there, begins, ends):
+                        _add(getattr(self._meshes[number], kind)(), name, values[begin:end])
         return self._meshes
 
     def number(self, points):
         """The points with the arrays actor, and cell of its own."""
         data = points.GetPointData()
-        if data.HasArray("cell"):
+        if data.HasArray("cell") and points.GetNumberOfPoints() > 0:
             cell = _values(data, "cell")
             prop, own = (_values(self.mesh.GetCellData(), each)[cell] for each in (_PROP, "cell"))
             _add(data, "actor", prop)

@@ -386,7 +386,7 @@ std::vector<OptionRow> MakeRows()
       "layers in the EXR besides its colour (depth), of "
       "@layers@ "
       "(shadow_N: visibility of the Nth --light, from 0: 1 lit, 0 dark), or the name "
-      "of a point or cell array",
+      "of a point or cell array; with --times flow, motion and flow_valid, to the frame before",
       TakeLayers, true },
     { "--png", "F", "the picture",
       [](RenderOptions& options, const std::string& word) {

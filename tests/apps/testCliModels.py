@@ -162,6 +162,36 @@ class Models(CliTest):
             for edge in (seen[0], seen[-1], seen[:, 0], seen[:, -1]):
                 self.assertFalse(edge.any(), i)
 
+    def test_sequence_of_flow(self):
+        """Where a pixel was, the frame before shows the point from where the motion comes."""
+        words = ("--size", "160x120", "--times", "0:1.5:0.5", "--layers",
+                 "position,flow,motion,flow_valid", "--exr", "f%d.exr")  # fmt: skip
+        self.relievo("render", SKIN, *words)
+        frames = [self.exr(f"f{i}.exr")[1] for i in range(4)]
+
+        def get(i, name, axes="XYZ"):
+            return numpy.stack([frames[i][f"{name}.{axis}"] for axis in axes], -1)
+
+        self.assertTrue(numpy.isnan(get(0, "flow", "XY")).all())
+        self.assertFalse(frames[0]["flow_valid.V"].any())
+        for i in (1, 2, 3):
+            valid = frames[i]["flow_valid.V"] == 1
+            self.assertGreater(valid.sum(), 500)
+            rows, columns = numpy.nonzero(valid)
+            flow = get(i, "flow", "XY")[valid]
+            self.assertEqual(numpy.abs(flow).max() > 20, i < 3)  # then it keeps its pose
+            before = numpy.rint(numpy.stack([columns, rows], -1) + flow).astype(int)
+            shown = get(i - 1, "position")[before[:, 1], before[:, 0]]
+            come = get(i, "position")[valid] + get(i, "motion")[valid]
+            apart = numpy.linalg.norm(shown - come, axis=-1)
+            size = numpy.ptp(come, axis=0).max()
+            self.assertLess(numpy.median(apart), 0.01 * size)
+        self.before = self.names()
+        self.refused("render", SKIN, *words[:2], "--layers", "flow", "--exr", "a.exr", status=2,
+                     says=["--layers: got 'flow'", "--times"])  # fmt: skip
+        self.refused("render", SKIN, *words, "--parallel-scale", "2", status=2,
+                     says="--layers flow and --parallel-scale: give --lens orthographic")
+
     def test_look_inside(self):
         bare = self.depths(TUBE, "--time", "0.5", "--color-by", "first_bone")
         lines = self.depths(TUBE, "--time", "0.5", "--skeleton", "--skin", "off")

@@ -8,8 +8,8 @@ import numpy
 import scenes
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
-from vtkmodules.vtkFiltersSources import vtkCubeSource, vtkSphereSource
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkMultiBlockDataSet, vtkPolyData
+from vtkmodules.vtkFiltersSources import vtkCubeSource, vtkPlaneSource, vtkSphereSource
 from vtkmodules.vtkRenderingCore import (
     vtkActor,
     vtkGlyph3DMapper,
@@ -276,6 +276,90 @@ class Seen(unittest.TestCase):
             relievo.visible(mesh, [])
 
 
+class SeenScene(unittest.TestCase):
+    """visible() of a renderer: props that hide each other, in the world."""
+
+    def scene(self):
+        """A plate of 10 x 10 cells, and one of 4 x 4 that an actor moves before its left half."""
+        renderer = vtkRenderer()
+        for mesh in (grid((-1, -1, 0), (1, -1, 0), (-1, 1, 0), 10, 10),
+                     grid((-5, -1, 0), (-4, -1, 0), (-5, 1, 0), 4, 4)):  # fmt: skip
+            mapper = vtkPolyDataMapper()
+            mapper.SetInputData(mesh)
+            actor = vtkActor()
+            actor.SetMapper(mapper)
+            renderer.AddActor(actor)
+        actor.SetPosition(8, 0, 2)
+        actor.SetScale(2, 1, 1)  # x from -2 to 0
+        return renderer
+
+    def test_props(self):
+        renderer = self.scene()
+        sensor = relievo.Pinhole([[90, 0, 60.3], [0, 90, 60.2], [0, 0, 1]], (121, 121))
+        sensor.look_at((0, 0, 4), (0, 0, 0))
+        found, cloud = relievo.visible(renderer, sensor, cloud=True)
+        self.assertEqual(len(found), 2)
+        far, near = (vtk_to_numpy(each.GetCellData().GetArray("seen")) for each in found)
+        expected = numpy.arange(10) >= 5  # the edge is on the axis
+        numpy.testing.assert_array_equal(far.reshape(10, 10), numpy.tile(expected, (10, 1)))
+        # The near one reaches out of the picture, by tan(33.8 degrees) times 2 = 1.34.
+        self.assertEqual((near.reshape(4, 4) == 1).any(axis=0).tolist(), [False, True, True, True])
+        bounds = found[1].GetBounds()
+        numpy.testing.assert_allclose(bounds, (-2, 0, -1, 1, 2, 2), atol=1e-12)
+        # Pixels by prop and cell are those of the frame, drawn by OpenGL.
+        image = relievo.capture(renderer, ["actor", "cell"], camera=sensor)
+        relievo.camera(renderer, K=sensor.K, R=sensor.R, t=sensor.t, size=sensor.size)
+        drawn = relievo.capture(renderer, ["actor", "cell"], size=sensor.size)
+        numpy.testing.assert_array_equal(relievo.layer(drawn, "actor"),
+                                         relievo.layer(image, "actor"))
+        for number, mesh in enumerate(found):
+            cells = relievo.layer(drawn, "cell")[relievo.layer(drawn, "actor") == number]
+            count = numpy.bincount(cells, minlength=mesh.GetNumberOfCells())
+            wrong = numpy.abs(array(mesh, "pixels") - count)
+            self.assertLessEqual(wrong.sum(), 0.01 * count.sum())
+            mine = vtk_to_numpy(cloud.GetPointData().GetArray("actor")) == number
+            self.assertEqual(mine.sum(), array(mesh, "pixels").sum())
+            own = vtk_to_numpy(cloud.GetPointData().GetArray("cell"))[mine]
+            numpy.testing.assert_array_equal(
+                numpy.bincount(own, minlength=mesh.GetNumberOfCells()), array(mesh, "pixels"))
+        # Points: of the far one the right half, and the edge under the axis.
+        points = vtk_to_numpy(found[0].GetPointData().GetArray("seen")).reshape(11, 11)
+        self.assertTrue((points[:, 6:] == 1).all() and (points[:, :5] == 0).all())
+
+    def test_what_has_no_mesh(self):
+        renderer = self.scene()
+        far, near = renderer.GetActors()
+        near.VisibilityOff()
+        sensor = relievo.Pinhole(K, SIZE).look_at((0, 0, 4), (0, 0, 0))
+        found = relievo.visible(renderer, sensor)
+        self.assertIsNone(found[1])
+        self.assertTrue((array(found[0], "seen") == 1).all())
+
+    def test_lists_and_blocks(self):
+        """Data and actors in a list; of blocks each cell says whose it is."""
+        near, far = box((0, 0, 1), 0.2), box((0, 0, -1), 0.2)
+        sensor = relievo.Pinhole(K, SIZE).look_at((0, 0, 4), (0, 0, 0))
+        found = relievo.visible([near, far], sensor)
+        alone = relievo.visible(near, sensor)
+        numpy.testing.assert_array_equal(array(found[0], "pixels"), array(alone, "pixels"))
+        self.assertEqual(array(found[1], "seen").sum(), 0)
+        blocks = vtkMultiBlockDataSet()
+        blocks.SetBlock(0, near)
+        blocks.SetBlock(1, far)
+        (whole,) = relievo.visible([blocks], sensor)
+        self.assertEqual(array(whole, "block").tolist(), [1] * 6 + [2] * 6)
+        self.assertEqual(array(whole, "cell").tolist(), [*range(6)] * 2)
+        numpy.testing.assert_array_equal(array(whole, "pixels")[:6], array(alone, "pixels"))
+        self.assertEqual(array(whole, "pixels")[6:].sum(), 0)
+        (actor, _) = self.scene().GetActors()
+        self.assertTrue((array(relievo.visible(actor, sensor)[0], "seen") == 1).all())
+
+    def test_nothing(self):
+        sensor = relievo.Pinhole(K, SIZE).look_at((0, 0, 4), (0, 0, 0))
+        found, cloud = relievo.visible(vtkRenderer(), sensor, cloud=True)
+        self.assertEqual((found, cloud.GetNumberOfPoints()), ([], 0))
+
+
 class Sun(unittest.TestCase):
     """sun_exposure(): shadows of a wall and a courtyard by hand, from the sun's own angles."""
 
@@ -535,6 +619,94 @@ class Flow(unittest.TestCase):
         self.assertEqual(set(numpy.unique(glyph)), {-1, 0, 1, 2})
         for i, way in enumerate(ways):
             numpy.testing.assert_allclose(motion[glyph == i] - way, 0, atol=1e-6)
+
+    def wall(self, angle=0.0, focal=100.0):
+        """A sensor before a wall that fills its picture, turned about its axis."""
+        turn = numpy.array([[numpy.cos(angle), -numpy.sin(angle), 0],
+                            [numpy.sin(angle), numpy.cos(angle), 0], [0, 0, 1]])  # fmt: skip
+        center = numpy.array([61.4, 40.2])
+        K = [[focal, 0, center[0]], [0, focal, center[1]], [0, 0, 1]]
+        return {"K": K, "R": turn @ numpy.diag([1.0, -1, -1]), "t": (0, 0, 5), "size": (120, 90)}
+
+    def test_layers_of_a_turned_and_a_zoomed_camera(self):
+        """In captures: flow to the moment before is a turn, or a zoom, about the principal point."""
+        v, u = numpy.mgrid[:90, :120]
+        about = numpy.stack([u, v], -1) - (61.4, 40.2)
+        turn = numpy.radians(7.0)
+        back = numpy.array([[numpy.cos(turn), numpy.sin(turn)],
+                            [-numpy.sin(turn), numpy.cos(turn)]])  # fmt: skip
+        for now, expected in ((self.wall(angle=turn), about @ back.T - about),
+                              (self.wall(focal=110.0), about / 1.1 - about)):  # fmt: skip
+            renderer = vtkRenderer()
+            source = vtkPlaneSource()
+            source.SetOrigin(-9, -9, 0.5)
+            source.SetPoint1(9, -9, -1)
+            source.SetPoint2(-9, 9, 0.2)
+            scenes.add(renderer, source)
+            relievo.camera(renderer, **self.wall())
+            before = relievo.moment(renderer, size=(120, 90))
+            relievo.camera(renderer, **now)
+            names = ["flow", "depth", "flow_valid", "motion"]
+            image = relievo.capture(renderer, names, size=(120, 90), previous=before)
+            found = [image.GetPointData().GetArrayName(i) for i in range(4)]
+            self.assertEqual(found, names)
+            self.assertLess(numpy.abs(relievo.layer(image, "flow") - expected).max(), 0.01)
+            self.assertLess(numpy.abs(relievo.layer(image, "motion")).max(), 1e-6)
+            self.assertTrue(numpy.isfinite(relievo.layer(image, "depth")).all())
+            target = numpy.stack([u, v], -1) + expected
+            inside = ((target > -0.5) & (target < (119.5, 89.5))).all(axis=-1)
+            numpy.testing.assert_array_equal(relievo.layer(image, "flow_valid"), inside)
+            sensor = relievo.Pinhole(now["K"], (120, 90), now["R"], now["t"])
+            traced = relievo.capture(renderer, ["color", "flow"], camera=sensor, previous=before)
+            numpy.testing.assert_allclose(relievo.layer(traced, "flow"),
+                                          relievo.layer(image, "flow"), atol=1e-4)
+            alone = relievo.capture(renderer, "flow", size=(120, 90), previous=before)
+            self.assertEqual(alone.GetPointData().GetNumberOfArrays(), 1)
+
+    def test_layers_of_a_turned_actor(self):
+        renderer = vtkRenderer()
+        source = vtkPlaneSource()
+        source.SetOrigin(-1, -1, 0)
+        source.SetPoint1(1, -1, 0)
+        source.SetPoint2(-1, 1, 0)
+        actor = scenes.add(renderer, source)
+        relievo.camera(renderer, **self.wall())
+        before = relievo.moment(renderer, size=(120, 90))
+        actor.RotateZ(9)
+        image = relievo.capture(renderer, ["flow", "motion", "position"], size=(120, 90),
+                                previous=before)  # fmt: skip
+        flow = relievo.layer(image, "flow")
+        seen = numpy.isfinite(flow).all(axis=-1)
+        self.assertGreater(seen.sum(), 1000)
+        # y is down in the picture: back by 9 degrees is clockwise in the world, y up.
+        angle = numpy.radians(9)
+        back = numpy.array([[numpy.cos(angle), -numpy.sin(angle)],
+                            [numpy.sin(angle), numpy.cos(angle)]])  # fmt: skip
+        v, u = numpy.nonzero(seen)
+        about = numpy.stack([u, v], -1) - (61.4, 40.2)
+        self.assertLess(numpy.abs(flow[seen] - (about @ back.T - about)).max(), 0.01)
+
+    def test_layers_are_refused_without_a_moment(self):
+        renderer = self.renderer()
+        before = relievo.moment(renderer, size=SIZE)
+        sensor = relievo.Pinhole.of(renderer, SIZE)
+        for words, says in (
+            ({"layers": ["flow"]}, "flow.*needs previous=, from moment"),
+            ({"layers": ["motion"], "camera": sensor, "size": None}, "another state"),
+            ({"layers": ["depth"], "previous": before}, "previous: got a moment, expected one of"),
+            ({"layers": ["flow"], "previous": sensor}, "previous: got .*expected what moment"),
+        ):
+            with self.subTest(words), self.assertRaisesRegex(ValueError, says):
+                relievo.capture(renderer, **{"size": SIZE, **words})
+        # An array of the name is one, without a moment and by its kind.
+        mesh = grid((-1, -1, 0), (1, -1, 0), (-1, 1, 0), 2, 2)
+        add_field(mesh, "flow", numpy.full(9, 3.0))
+        image = relievo.capture(mesh, ["flow"], camera=sensor)
+        self.assertAlmostEqual(numpy.nanmax(relievo.layer(image, "flow")), 3, 12)
+        moment = relievo.moment(mesh, sensor)
+        image = relievo.capture(mesh, ["flow", "point:flow"], camera=sensor, previous=moment)
+        self.assertAlmostEqual(numpy.nanmax(relievo.layer(image, "point:flow")), 3, 12)
+        self.assertLess(numpy.nanmax(numpy.abs(relievo.layer(image, "flow"))), 1e-6)
 
     def test_hidden_is_not_valid(self):
         plate = grid((-1, -1, 0), (1, -1, 0), (-1, 1, 0), 1, 1)

@@ -33,8 +33,8 @@ render draws the FILEs off screen and writes the outputs that you request.
 
 dataset writes what many cameras see of the FILEs as a data set, to learn from or to judge by:
   pictures, depth, masks of each object, its boxes and poses, and the cameras. It takes the options
-  of render that shape the scene and its look; --size and --view-angle are the cameras'. The same
-  call goes on where an earlier one ended.
+  of render that shape the scene and its look; --size, --view-angle and --lens are the cameras'.
+  The same call goes on where an earlier one ended.
 
   --poses POSES           orbit:N[,elevation=30][,distance=1], places around the scene;
                           random:N[,lowest=0][,highest=90][,nearest=1][,farthest=1.5], anywhere
@@ -43,7 +43,8 @@ dataset writes what many cameras see of the FILEs as a data set, to learn from o
                           transforms.json
   --out DIR               the folder: new, empty, or begun by the same call
   --format FORMAT         bop, coco, nerf or npz (bop)
-  --layers A,B...         layers that are written as floats: in layers/NUMBER.exr, of npz as arrays
+  --layers A,B...         layers that are written as floats: in layers/NUMBER.exr, of npz as arrays;
+                          flow, motion and flow_valid go to the view before
   --objects KIND          what an object is: file, actor (of a file with several materials or parts)
                           or block (file)
   --depth-step S          world units of a step of 16-bit depth (to reach what is farthest)

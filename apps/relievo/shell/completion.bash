@@ -25,7 +25,7 @@ _relievo()
 
     # A data set is of a scene of render, but poses and files of its own are in the place of these.
     if [[ ${words[1]} == dataset ]]; then
-        outputs='@(--camera|--parallel-scale|--clip|--lens|--times|--png|--exr|--report|--layers|--hdr|--transparent|--certify)'
+        outputs='@(--camera|--parallel-scale|--clip|--times|--png|--exr|--report|--layers|--hdr|--transparent|--certify)'
     fi
 
     [[ ${_relievo_help-} ]] || _relievo_help=$("$program" --help 2>/dev/null)
