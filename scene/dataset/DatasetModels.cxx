@@ -8,6 +8,7 @@
 #include "Messages.h"
 
 #include "vtkBoundingBox.h"
+#include "vtkCallbackCommand.h"
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
@@ -239,6 +240,8 @@ void WriteDatasetModels(const std::string& folder, vtkRenderer* renderer,
     return;
   }
   vtkNew<vtkRelievoRayScene> scene;
+  const vtkNew<vtkCallbackCommand> silent; // what is left out of an object is said of it below
+  scene->AddObserver(vtkCommand::WarningEvent, silent);
   scene->SetRenderer(renderer);
   scene->Update();
   std::vector<Model> models(objects.Get().size());

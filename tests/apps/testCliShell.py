@@ -64,8 +64,8 @@ class Completion(unittest.TestCase):
             known = set(options_of(verb))
             if verb == "dataset":  # of a scene of render, but poses and files of its own
                 known |= set(options_of("render")) - {
-                    "--camera", "--parallel-scale", "--clip", "--lens", "--times", "--png",
-                    "--exr", "--report", "--hdr", "--transparent", "--certify"}  # fmt: skip
+                    "--camera", "--parallel-scale", "--clip", "--times", "--png", "--exr",
+                    "--report", "--hdr", "--transparent", "--certify"}  # fmt: skip
             self.assertEqual(sorted(offered), sorted(known))
 
     def test_the_viewer_takes_the_words_of_render(self):

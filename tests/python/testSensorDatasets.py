@@ -13,6 +13,7 @@ from testDatasets import (
     K,
     SIZE,
     add,
+    bop_inout,
     box_of,
     follow,
     heap,
@@ -27,6 +28,9 @@ from vtkmodules.vtkFiltersSources import vtkConeSource, vtkCubeSource
 from vtkmodules.vtkRenderingCore import vtkActor, vtkGlyph3DMapper, vtkRenderer
 
 import relievo
+
+if bop_inout:
+    from bop_toolkit_lib import misc as bop_misc
 
 BROWN = [0.06, 0.02, 0.004, -0.006, 0.01]
 RATIONAL = [-0.2, 0.03, 0.002, 0.001, 0.004, 0.05, 0.01, 0.002]
@@ -193,6 +197,9 @@ class SensorDatasets(unittest.TestCase):
                 about["distortion"][: len(coefficients)], coefficients, rtol=1e-15
             )
             self.assertEqual(about["lens"], "fisheye" if lens is fisheye else "Brown-Conrady")
+            if bop_inout:
+                theirs = bop_inout.load_scene_camera(folder / "scene_camera.json")[0]
+                numpy.testing.assert_allclose(theirs["cam_K"], K, rtol=1e-15)
             truth = Truth(camera, lens, coefficients, actors, 1)
             middle = numpy.s_[SIZE[1] : 2 * SIZE[1], SIZE[0] : 2 * SIZE[0]]
             depth = read_png(folder / "depth" / "000000.png")
@@ -392,6 +399,12 @@ class SensorDatasets(unittest.TestCase):
                                           rtol=1e-6)  # fmt: skip
             apart = numpy.linalg.norm(points[:, None] - points[None], axis=-1)
             self.assertAlmostEqual(info["diameter"] / apart.max(), 1, delta=1e-6)
+            if bop_inout:
+                model = bop_inout.load_ply(self.folder / "models" / f"obj_{number:06d}.ply")
+                numpy.testing.assert_array_equal(model["pts"], points)
+                numpy.testing.assert_array_equal(model["faces"], ids)
+                self.assertAlmostEqual(bop_misc.calc_pts_diameter(points) / info["diameter"], 1,
+                                       delta=1e-6)  # fmt: skip
 
     def test_diameters(self):
         """Of shapes whose farthest points are many: a fine sphere; and of one point far away."""

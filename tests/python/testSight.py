@@ -629,7 +629,7 @@ class Flow(unittest.TestCase):
         return {"K": K, "R": turn @ numpy.diag([1.0, -1, -1]), "t": (0, 0, 5), "size": (120, 90)}
 
     def test_layers_of_a_turned_and_a_zoomed_camera(self):
-        """In captures: flow to the moment before is a turn, or a zoom, about the principal point."""
+        """In captures flow to the moment before turns, or zooms, about the principal point."""
         v, u = numpy.mgrid[:90, :120]
         about = numpy.stack([u, v], -1) - (61.4, 40.2)
         turn = numpy.radians(7.0)
