@@ -240,7 +240,7 @@ void WriteDatasetModels(const std::string& folder, vtkRenderer* renderer,
     return;
   }
   vtkNew<vtkRelievoRayScene> scene;
-  const vtkNew<vtkCallbackCommand> silent; // what is left out of an object is said of it below
+  const vtkNew<vtkCallbackCommand> silent; // of an object that has none it is said below
   scene->AddObserver(vtkCommand::WarningEvent, silent);
   scene->SetRenderer(renderer);
   scene->Update();

@@ -12,8 +12,10 @@
  * have the shape that is left.
  *
  * Pinholes are drawn in the renderer's window (one of its own, off screen, if it has none), which
- * afterwards is as before. Other cameras are followed by rays, which have no picture and meet
- * translucent surfaces as well: NPZ only.
+ * afterwards is as before. Of other cameras masks and layers are by rays (vtkRelievoRayScene says
+ * what these do not meet), and the picture is that of vtkRelievoLensPicture. BOP and NERF need a K,
+ * NERF a lens without skew that k1, k2, p1, p2, k3 or a fisheye's k1 to k4 say; what has no picture
+ * (vtkRelievoLidar, vtkRelievoPushbroomCamera) is for NPZ only.
  *
  * The folder has dataset.json, the settings; views/NUMBER.json, a record of each view, which is
  * written when all else of the view is there; and the format's own files. Write() goes on where an
@@ -58,8 +60,9 @@ public:
 
   enum Formats
   {
-    BOP = 0,  ///< a scene of the Benchmark for 6D Object Pose Estimation; how much of an object is
-              ///< seen is judged by its silhouette up to a picture's size beyond the picture
+    BOP = 0,  ///< a scene of the Benchmark for 6D Object Pose Estimation, with the models that its
+              ///< poses place; how much of an object is seen is judged by its silhouette up to a
+              ///< picture's size beyond the picture
     COCO = 1, ///< instances.json, with runs of pixels
     NERF = 2, ///< transforms.json
     NPZ = 3   ///< arrays that numpy.load() reads
@@ -80,7 +83,7 @@ public:
    * - "random:N[,lowest=0][,highest=90][,nearest=1][,farthest=1.5]": N places by the seed, evenly
    *   over the sphere between two elevations, and between two such distances
    * - a file of JSON: a list of {"R", "t"} or {"position", "target"[, "up"]}, each with "K" and
-   *   "size" by choice, or a transforms.json
+   *   "size" by choice, or a transforms.json, which may say the lens of a camera that is a pinhole
    */
   void AddView(vtkRelievoCameraModel* camera);
   bool AddViews(RELIEVO_TEXT words, vtkRelievoCameraModel* like);
@@ -90,7 +93,10 @@ public:
   ///@}
 
   ///@{
-  /** Layers that are written as floats: in NPZ as arrays, else in layers/NUMBER.exr. */
+  /**
+   * Layers that are written as floats: in NPZ as arrays, else in layers/NUMBER.exr. Those of
+   * vtkRelievoFlow go from each view to the one before; the first has none.
+   */
   void AddLayer(RELIEVO_TEXT name);
   void RemoveAllLayers();
   ///@}

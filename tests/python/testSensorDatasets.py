@@ -24,6 +24,7 @@ from testDatasets import (
     sphere,
     triangles,
 )
+from vtkmodules.vtkCommonDataModel import vtkPlane
 from vtkmodules.vtkFiltersSources import vtkConeSource, vtkCubeSource
 from vtkmodules.vtkRenderingCore import vtkActor, vtkGlyph3DMapper, vtkRenderer
 
@@ -326,6 +327,19 @@ class SensorDatasets(unittest.TestCase):
         numpy.testing.assert_array_equal(found["visible_masks"][1][truth.sure],
                                          truth.seen[truth.sure])  # fmt: skip
         self.assertTrue(all(actor.GetVisibility() for actor in renderer.GetActors()))
+
+    def test_what_rays_do_not_meet(self):
+        """Is in the picture alone, and a warning says so."""
+        renderer = vtkRenderer()
+        add(renderer, plate(0.8))
+        clipped = add(renderer, plate(0.4), (0, 0, 0.5))
+        clipped.GetMapper().AddClippingPlane(vtkPlane())
+        lens = relievo.Fisheye(K, SIZE, FISHEYE).look_at((0, 0, 4), (0, 0, 0))
+        with self.assertWarnsRegex(RuntimeWarning, "Rays do not meet .*clipped meshes"):
+            relievo.write_dataset(renderer, lens, self.folder, "npz")
+        found = numpy.load(self.folder / "000000.npz")
+        self.assertFalse(found["visible_masks"][1].any())
+        self.assertTrue(found["visible_masks"][0].any())
 
     def test_lens_of_poses(self):
         """Words, a file that says the size, and a sensor; what they do not go with is refused."""
