@@ -445,8 +445,8 @@ bool IsDatasetRecord(DatasetFormat format, const Json& record, std::size_t objec
 }
 
 //------------------------------------------------------------------------------
-void CheckDatasetCamera(
-  DatasetFormat format, vtkRelievoCameraModel* camera, const std::string& view)
+void CheckDatasetCamera(DatasetFormat format, vtkRelievoCameraModel* camera,
+  vtkRelievoCameraModel* first, const std::string& view)
 {
   auto* lens = vtkRelievoLensCamera::SafeDownCast(camera);
   const std::string got = lens ? "" : DescribeDatasetCamera(camera)["lens"].get<std::string>();
@@ -485,6 +485,12 @@ void CheckDatasetCamera(
     {
       refuse("the lens has k" + std::to_string(i - 1));
     }
+  }
+  if (IsFisheye(DescribeDatasetCamera(camera)) != IsFisheye(DescribeDatasetCamera(first)))
+  {
+    throw UsageError(view +
+      ": transforms.json has one kind of lens for all views, and view 0 has another; expected "
+      "fisheyes alone, or none");
   }
 }
 

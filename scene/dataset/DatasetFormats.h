@@ -50,9 +50,10 @@ std::string WriteDatasetJson(const nlohmann::ordered_json& json);
 bool IsDatasetRecord(
   DatasetFormat format, const nlohmann::ordered_json& record, std::size_t objects);
 
-/// Throws UsageError for a camera that a format does not know; `view` names it.
-void CheckDatasetCamera(
-  DatasetFormat format, vtkRelievoCameraModel* camera, const std::string& view);
+/// Throws UsageError for a camera that a format cannot say, beside that of the first view; `view`
+/// names it.
+void CheckDatasetCamera(DatasetFormat format, vtkRelievoCameraModel* camera,
+  vtkRelievoCameraModel* first, const std::string& view);
 
 /// What a record says of a camera: size, R, t, and what it is calibrated by.
 nlohmann::ordered_json DescribeDatasetCamera(vtkRelievoCameraModel* camera);

@@ -190,7 +190,7 @@ void AddMesh(Model& model, vtkPolyData* mesh, const DatasetObject& object, doubl
     });
 }
 
-void Append(std::string& bytes, const void* values, std::size_t size)
+void AppendBytes(std::string& bytes, const void* values, std::size_t size)
 {
   bytes.append(static_cast<const char*>(values), size);
 }
@@ -205,12 +205,12 @@ std::string EncodePLY(const Model& model)
     "\nproperty list uchar int vertex_indices\nend_header\n";
   for (const Point& point : model.Points)
   {
-    Append(bytes, point.data(), sizeof(point));
+    AppendBytes(bytes, point.data(), sizeof(point));
   }
   for (const std::array<std::int32_t, 3>& triangle : model.Triangles)
   {
     bytes += static_cast<char>(triangle.size());
-    Append(bytes, triangle.data(), sizeof(triangle));
+    AppendBytes(bytes, triangle.data(), sizeof(triangle));
   }
   return bytes;
 }

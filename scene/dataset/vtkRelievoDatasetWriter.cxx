@@ -15,7 +15,7 @@
 
 #include "vtkCommand.h"
 #include "vtkObjectFactory.h"
-#include "vtkRelievoLensCamera.h"
+#include "vtkRelievoCameraModel.h"
 #include "vtkRelievoScene.h"
 #include "vtkRenderer.h"
 
@@ -40,12 +40,6 @@ using Json = nlohmann::ordered_json;
 
 constexpr const char* SettingsFile = "/dataset.json";
 constexpr const char* Records = "/views";
-
-bool IsFisheye(vtkRelievoCameraModel* camera)
-{
-  auto* lens = vtkRelievoLensCamera::SafeDownCast(camera);
-  return lens && lens->GetLens() == vtkRelievoLensCamera::FISHEYE;
-}
 
 Json Parse(const std::string& path)
 {
@@ -352,14 +346,8 @@ void vtkRelievoDatasetWriter::Internals::Check(int format) const
   }
   for (std::size_t i = 0; i < this->Cameras.size(); ++i)
   {
-    const std::string view = "view " + std::to_string(i);
-    scene::CheckDatasetCamera(static_cast<scene::DatasetFormat>(format), this->Cameras[i], view);
-    if (format == NERF && IsFisheye(this->Cameras[i]) != IsFisheye(this->Cameras[0]))
-    {
-      throw scene::UsageError(view +
-        ": transforms.json has one kind of lens for all views, and "
-        "view 0 has another; expected fisheyes alone, or none");
-    }
+    scene::CheckDatasetCamera(static_cast<scene::DatasetFormat>(format), this->Cameras[i],
+      this->Cameras[0], "view " + std::to_string(i));
   }
 }
 
