@@ -72,17 +72,6 @@ void CheckLayer(const std::string& option, const std::string& name, const Scene&
       (arrays.empty() ? "; the files hold no arrays" : ", or an array: " + Join(arrays, ", ")));
 }
 
-// Throws UsageError for a camera whose pixels rays of a pinhole do not follow.
-void CheckFlow(const std::string& name, const RenderOptions& options)
-{
-  if (options.ParallelScale && options.Lens.empty())
-  {
-    throw UsageError("--layers " + name +
-      " and --parallel-scale: give --lens orthographic as "
-      "well, whose pixels have rays");
-  }
-}
-
 // The layer that is shown as the picture, if one is.
 void CheckShownLayer(const RenderOptions& options, const Scene& scene)
 {
@@ -109,11 +98,7 @@ std::vector<std::string> LayersToCapture(const RenderOptions& options, const Sce
   const bool unnamed = options.Layers.empty() && !options.EXR.empty();
   for (const std::string& name : unnamed ? DefaultLayers : options.Layers)
   {
-    if (IsFlowOfFrames(options, name))
-    {
-      CheckFlow(name, options);
-    }
-    else
+    if (!IsFlowOfFrames(options, name))
     {
       CheckLayer("--layers", name, scene);
       if (!options.Lens.empty())

@@ -137,11 +137,7 @@ class Pinhole(CameraModel):
     def of(cls, camera, size):
         """The pinhole that a vtkCamera, a renderer or a plotter is in a picture of (columns, rows).
         Raises ValueError for one that is no perspective camera."""
-        renderer = None if is_a(camera, "vtkCamera") else inner_renderer(camera)
-        found = camera if renderer is None else renderer.GetActiveCamera()
-        if not is_a(found, "vtkCamera"):
-            raise ValueError(f"camera: got {describe(camera)}, expected a vtkCamera, a renderer or "
-                             f"something with a .renderer")
+        found = _camera_of(camera)
         taken = Pinhole(numpy.eye(3), size)
         taken._call("camera", taken.model.TakeFrom, found, *taken.size)
         return taken
@@ -229,6 +225,23 @@ class Orthographic(CameraModel):
         if center is None:
             center = (numpy.array(self.size) - 1) / 2
         self.model.SetPrincipalPoint(*_numbers("center", center, 2).tolist())
+
+    @classmethod
+    def of(cls, camera, size):
+        """The map that a vtkCamera of parallel projection, a renderer or a plotter with one is in a
+        picture of (columns, rows). Raises ValueError for another camera, or one with transforms of
+        its own."""
+        found = _camera_of(camera)
+        if (not found.GetParallelProjection() or found.GetUserTransform() is not None
+                or found.GetUserViewTransform() is not None
+                or found.GetViewShear() != (0, 0, 1)):
+            raise ValueError("camera: expected one of parallel projection, without shear and "
+                             "transforms of its own")
+        columns, rows = _whole(size)
+        x, y = found.GetWindowCenter()
+        center = (1 - x) * columns / 2 - 0.5, (1 + y) * rows / 2 - 0.5
+        made = Orthographic(rows / (2 * found.GetParallelScale()), (columns, rows), center)
+        return made.look_at(found.GetPosition(), found.GetFocalPoint(), found.GetViewUp())
 
 
 class Pushbroom(CameraModel):
@@ -385,6 +398,21 @@ def extrinsics(camera):
     vtkCamera, a renderer or a plotter, the camera. Raises ValueError for one that is no pinhole."""
     taken = Pinhole.of(camera, (1, 1))
     return taken.R, taken.t
+
+
+def sensor_of(camera, size):
+    """The pinhole or the map that a vtkCamera, a renderer or a plotter is in a picture."""
+    of = Orthographic.of if _camera_of(camera).GetParallelProjection() else Pinhole.of
+    return of(camera, size)
+
+
+def _camera_of(camera):
+    renderer = None if is_a(camera, "vtkCamera") else inner_renderer(camera)
+    found = camera if renderer is None else renderer.GetActiveCamera()
+    if not is_a(found, "vtkCamera"):
+        raise ValueError(f"camera: got {describe(camera)}, expected a vtkCamera, a renderer or "
+                         f"something with a .renderer")
+    return found
 
 
 def _numbers(name, values, count):

@@ -12,7 +12,7 @@ from vtkmodules.vtkRenderingCore import vtkRenderWindow, vtkWindowToImageFilter
 from vtkmodules.vtkRenderingOpenGL2 import vtkTextureObject
 
 from ._arrays import why_not
-from ._cameras import CameraModel, Pinhole
+from ._cameras import CameraModel, sensor_of
 from ._errors import Watch, describe
 from ._frame import put, take
 from ._image import from_image
@@ -110,7 +110,7 @@ def capture(renderer, layers=("depth",), size=None, hdr=False, camera=None, ambi
     watch.raise_as(ValueError if wrong_name else RuntimeError, f"capture {', '.join(layers)}")
     image = source.GetOutput()
     if flows:
-        sensor = Pinhole.of(renderer, image.GetDimensions()[:2])
+        sensor = sensor_of(renderer, image.GetDimensions()[:2])
         image = _merged(layers, image, layers_by_rays(thing, flows, sensor, None, previous))
     return captured(image)
 

@@ -8,7 +8,7 @@ from contextlib import nullcontext
 from vtkmodules.util.misc import calldata_type
 from vtkmodules.util.vtkConstants import VTK_DOUBLE
 
-from ._cameras import CameraModel, Pinhole
+from ._cameras import CameraModel, sensor_of
 from ._cameras import lens as lens_of
 from ._capture import _frame_of, _names, _pixels
 from ._errors import Watch, describe, is_a
@@ -152,7 +152,7 @@ def _add_views(writer, cameras, size, lens):
         if isinstance(camera, CameraModel):
             writer.AddView(camera.model)
         elif is_a(camera, "vtkCamera"):
-            writer.AddView(Pinhole.of(camera, size).model)
+            writer.AddView(sensor_of(camera, size).model)
         else:
             raise ValueError(f"cameras: got {describe(camera)}, expected CameraModels, vtkCameras, "
                              "'orbit:N', 'random:N' or the path of a file of poses")

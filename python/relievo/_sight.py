@@ -11,7 +11,7 @@ from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
 from vtkmodules.vtkFiltersCore import vtkAppendPolyData
 from vtkmodules.vtkFiltersGeometry import vtkCompositeDataGeometryFilter, vtkGeometryFilter
 
-from ._cameras import CameraModel, Pinhole
+from ._cameras import CameraModel, sensor_of
 from ._data import need_data
 from ._errors import Watch, describe, is_a
 from ._rays import rays
@@ -289,7 +289,7 @@ def _sensor(camera, size):
         return camera
     if size is None:
         raise ValueError("size: expected (columns, rows) of the picture of a vtkCamera")
-    return Pinhole.of(camera, size)
+    return sensor_of(camera, size)
 
 
 def _listed(things):

@@ -27,9 +27,11 @@ vtkSmartPointer<vtkRelievoCameraModel> GetSensor(
   vtkRenderer* renderer, const RenderOptions& options)
 {
   vtkCamera* camera = renderer->GetActiveCamera();
-  if (!options.Lens.empty())
+  if (!options.Lens.empty() || camera->GetParallelProjection())
   {
-    return MakeSensor(options, camera);
+    RenderOptions own = options;
+    own.Lens = options.Lens.empty() ? "orthographic" : options.Lens;
+    return MakeSensor(own, camera);
   }
   auto pinhole = vtkSmartPointer<vtkRelievoLensCamera>::New();
   pinhole->TakeFrom(camera, options.Size[0], options.Size[1]);

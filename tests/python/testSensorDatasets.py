@@ -26,7 +26,7 @@ from testDatasets import (
 )
 from vtkmodules.vtkCommonDataModel import vtkPlane
 from vtkmodules.vtkFiltersSources import vtkConeSource, vtkCubeSource
-from vtkmodules.vtkRenderingCore import vtkActor, vtkGlyph3DMapper, vtkRenderer
+from vtkmodules.vtkRenderingCore import vtkActor, vtkCamera, vtkGlyph3DMapper, vtkRenderer
 
 import relievo
 
@@ -284,6 +284,15 @@ class SensorDatasets(unittest.TestCase):
                     with self.assertRaisesRegex(ValueError, f"view 0: got the sensor {name}, which "
                                                             "has no K; expected the format coco"):
                         relievo.write_dataset(renderer, sensor, self.folder / "x", format)
+        camera = vtkCamera()
+        camera.SetParallelProjection(True)
+        camera.SetParallelScale(0.5 * SIZE[1] / 20)
+        camera.SetPosition(PLACE[0])
+        camera.SetFocalPoint(PLACE[1])
+        relievo.write_dataset(renderer, camera, self.folder / "vtk", "coco", size=SIZE)
+        names = ("vtk", "orthographic")
+        masks = [read_json(self.folder / each / "instances.json")["annotations"] for each in names]
+        self.assertEqual(*masks)
         relievo.write_dataset(renderer, panorama, self.folder / "npz", "npz")
         found = numpy.load(self.folder / "npz" / "000000.npz")
         self.assertEqual((found["lens"], found["field_of_view"].tolist()),

@@ -663,6 +663,33 @@ class Flow(unittest.TestCase):
             alone = relievo.capture(renderer, "flow", size=(120, 90), previous=before)
             self.assertEqual(alone.GetPointData().GetNumberOfArrays(), 1)
 
+    def test_layers_of_a_parallel_camera(self):
+        """What a map sees moves by its shift, and from its principal point as it zooms."""
+        renderer = scenes.plane_and_sphere(parallel=True)
+        camera = renderer.GetActiveCamera()
+        camera.SetParallelScale(2.0)
+        camera.SetWindowCenter(0.2, -0.1)
+        before = relievo.moment(renderer, size=SIZE)
+        # Rays of the map are those of the frame.
+        traced = relievo.capture(renderer, ["depth", "actor"], camera=before.sensor)
+        drawn = relievo.capture(renderer, ["depth", "actor"], size=SIZE)
+        same = relievo.layer(traced, "actor") == relievo.layer(drawn, "actor")
+        self.assertGreater(same.mean(), 0.999)
+        depths = (relievo.layer(each, "depth")[same] for each in (traced, drawn))
+        numpy.testing.assert_allclose(*depths, rtol=1e-5)
+        axis = numpy.array([0.8 * SIZE[0] / 2 - 0.5, 0.9 * SIZE[1] / 2 - 0.5])
+        v, u = numpy.mgrid[: SIZE[1], : SIZE[0]]
+        camera.SetParallelScale(2.5)
+        image = relievo.capture(renderer, ["flow", "depth"], size=SIZE, previous=before)
+        expected = 0.25 * (numpy.stack([u, v], -1) - axis)
+        flow = relievo.layer(image, "flow")
+        seen = numpy.isfinite(flow).all(axis=-1)
+        self.assertGreater(seen.mean(), 0.9)
+        self.assertLess(numpy.abs(flow - expected)[seen].max(), 0.01)
+        camera.SetViewShear(0.1, 0, 1)
+        with self.assertRaisesRegex(ValueError, "camera: expected .* without shear"):
+            relievo.capture(renderer, ["flow"], size=SIZE, previous=before)
+
     def test_layers_of_a_turned_actor(self):
         renderer = vtkRenderer()
         source = vtkPlaneSource()
