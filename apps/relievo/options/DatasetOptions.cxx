@@ -26,6 +26,11 @@ const std::vector<scene::KnownOption> Own = { { "--poses", false }, { "--out", f
   { "--format", false }, { "--layers", false }, { "--objects", false }, { "--depth-step", false },
   { "--mm-per-unit", false }, { "--seed", false }, { "--random-sun", true }, { "--views", false } };
 
+bool IsOfRender(const std::string& name)
+{
+  return std::find(std::begin(OfRender), std::end(OfRender), name) != std::end(OfRender);
+}
+
 void TakeRange(DatasetOptions& options, const std::string& name, const std::string& value)
 {
   const std::vector<std::string> parts = scene::Split(value, ':');
@@ -109,9 +114,23 @@ DatasetOptions ParseDataset(const std::vector<std::string>& words)
   std::vector<scene::KnownOption> known = Own;
   for (const scene::KnownOption& option : scene::GetRenderOptions())
   {
-    if (!isOwn(option.Name))
+    if (!isOwn(option.Name) && !IsOfRender(option.Name))
     {
       known.push_back(option);
+    }
+  }
+  for (const std::string& word : words)
+  {
+    const std::string name = word.substr(0, word.find('='));
+    if (IsOfRender(name))
+    {
+      throw scene::UsageError(name +
+        ": is an option of relievo render; of a data set --poses says where the cameras are, "
+        "--format and --out what is written");
+    }
+    if (word == "--")
+    {
+      break;
     }
   }
   DatasetOptions options;
@@ -123,13 +142,6 @@ DatasetOptions ParseDataset(const std::vector<std::string>& words)
       const bool isFlag = std::any_of(known.begin(), known.end(),
         [&name](const scene::KnownOption& each) { return each.Name == name && each.IsFlag; });
       const std::string word = isFlag ? name : name + "=" + value;
-      if (!isOwn(name) &&
-        std::find(std::begin(OfRender), std::end(OfRender), name) != std::end(OfRender))
-      {
-        throw scene::UsageError(name +
-          ": is an option of relievo render; of a data set --poses "
-          "says where the cameras are, --format and --out what is written");
-      }
       if (!isOwn(name))
       {
         options.Scene.push_back(word);
