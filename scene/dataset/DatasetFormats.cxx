@@ -449,18 +449,15 @@ void CheckDatasetCamera(DatasetFormat format, vtkRelievoCameraModel* camera,
   vtkRelievoCameraModel* first, const std::string& view)
 {
   auto* lens = vtkRelievoLensCamera::SafeDownCast(camera);
-  const std::string got = lens ? "" : DescribeDatasetCamera(camera)["lens"].get<std::string>();
+  const std::string got = view + ": got the sensor " +
+    DescribeDatasetCamera(camera).value("lens", std::string(camera->GetClassName()));
   if (format != DatasetFormat::Numpy && !HasDatasetPicture(camera))
   {
-    throw UsageError(view + ": got the sensor " + got +
-      ", which has no picture; expected the "
-      "format npz");
+    throw UsageError(got + ", which has no picture; expected the format npz");
   }
   if ((format == DatasetFormat::BOP || format == DatasetFormat::NeRF) && !lens)
   {
-    throw UsageError(view + ": got the sensor " + got +
-      ", which has no K; expected the format "
-      "coco or npz");
+    throw UsageError(got + ", which has no K; expected the format coco or npz");
   }
   if (format != DatasetFormat::NeRF)
   {
