@@ -120,12 +120,11 @@ const std::vector<Way>& Ways()
     { "fog and a lamp", { AddFog, AddLamp } },
     { "shadows and tone", { AddShadows, AddTone } },
     { "shadows, tone, fog, a lamp", { AddShadows, AddTone, AddFog, AddLamp } },
-    { "vtkToneMappingPass",
-      { [](vtkRenderer* renderer) {
-        vtkNew<vtkToneMappingPass> tone;
-        tone->SetDelegatePass(vtkNew<vtkRenderStepsPass>());
-        renderer->SetPass(tone);
-      } } },
+    { "vtkToneMappingPass", { [](vtkRenderer* renderer) {
+       vtkNew<vtkToneMappingPass> tone;
+       tone->SetDelegatePass(vtkNew<vtkRenderStepsPass>());
+       renderer->SetPass(tone);
+     } } },
     { "vtkShadowMapPass", { [](vtkRenderer* r) { UseShadowPeer(r, MapSize); } } },
   };
   return ways;

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Faces of a cube about an eye, in camera space: the axis to the right in each, downwards in it, and
-// outwards.
+// Faces of a cube about an eye, in camera space: the axis to the right in each, downwards in it,
+// and outwards.
 #ifndef vtkRelievoCubeFaces_h
 #define vtkRelievoCubeFaces_h
 

@@ -5,8 +5,8 @@
 //VTK::Output::Dec
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Optical depth of one sphere at a pixel, and its colour times that. RELIEVO_FOG_DRAWN_DEPTH: before
-// what has been drawn, whatever has layers.
+// Optical depth of one sphere at a pixel, and its colour times that. RELIEVO_FOG_DRAWN_DEPTH:
+// before what has been drawn, whatever has layers.
 //RELIEVO::Include(frame/drawn_depth.glsl)
 #ifndef RELIEVO_FOG_DRAWN_DEPTH
 //RELIEVO::Include(gbuffer/read.glsl)

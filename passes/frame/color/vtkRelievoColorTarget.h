@@ -57,8 +57,8 @@ public:
   void EndAside(vtkRelievoFrameContext& context);
   ///@}
 
-  // Draws the quad, which is ready, over the linear colour: as the new colour, or blended, also over
-  // a part only.
+  // Draws the quad, which is ready, over the linear colour: as the new colour, or blended,
+  // also over a part only.
   bool Draw(vtkRelievoFrameContext& context, vtkRelievoScreenQuad& quad, bool replaces,
     const int* part = nullptr);
 
