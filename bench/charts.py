@@ -183,6 +183,18 @@ def gbuffer(rows):
         panels(shown, "times a plain frame", method="frame"), kind="bars")  # fmt: skip
 
 
+@bench("effects.csv")
+def effects(rows):
+    """Frames by what they do."""
+    yield Chart(
+        "effects", "Frames by what they do", "The first of each effect, and several. Grey: VTK's "
+        "passes. Software OpenGL, processor time of all threads.",
+        Axis("times a plain frame"), Axis(),
+        panels([row for row in rows if row["frame"] != "plain"], "times the plain frame's",
+               method=lambda row: "VTK's shading" if row["frame"].startswith("vtk") else "Relievo",
+               name="frame"), kind="bars", columns=2)  # fmt: skip
+
+
 @bench("f3d.csv")
 def f3d(rows):
     """The first picture and the frames of another viewer, by bench/f3d_frames.py."""
