@@ -155,6 +155,7 @@ void vtkRelievoLampsStage::Declare(
   {
     // Without lamps the layers are still what they say: no light.
     declaration.Writes.clear();
+    declaration.ReasonCode = "idle";
     declaration.Reason = "there are no lamps";
   }
 }

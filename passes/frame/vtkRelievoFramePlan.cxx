@@ -312,8 +312,10 @@ void vtkRelievoFramePlan::Mark(
     }
     node.Needed = false;
     node.Asked.clear();
-    node.ReasonCode = node.Declaration.Runs ? "not_asked" : node.Declaration.ReasonCode;
-    node.Reason = node.Declaration.Runs ? "no output asks for it" : node.Declaration.Reason;
+    // What runs only for a layer has told why it leaves the picture alone.
+    const bool told = !node.Declaration.Runs || !node.Declaration.ReasonCode.empty();
+    node.ReasonCode = told ? node.Declaration.ReasonCode : "not_asked";
+    node.Reason = told ? node.Declaration.Reason : "no output asks for it";
   }
   for (const std::string& layer : layers)
   {

@@ -21,7 +21,8 @@
 // What a stage would do in a frame.
 struct VTKRELIEVOFRAME_EXPORT vtkRelievoDeclaration
 {
-  // Whether there is anything to do; if not, ReasonCode and Reason say why (vtkRelievoStage).
+  // Whether there is anything to do; if not, ReasonCode and Reason say why (vtkRelievoStage). What
+  // runs, but for layers alone, has them for pictures that ask for none of these.
   // The words of what is "refused" are an error, which the frame says once.
   bool Runs = true;
   std::string ReasonCode;

@@ -543,7 +543,11 @@ void vtkRelievoShadowStage::Declare(
   {
     declaration.OptionalWrites.emplace_back("shadow maps");
   }
-  declaration.Reason = this->Visible ? "" : "shadows are off";
+  else
+  {
+    declaration.ReasonCode = "idle";
+    declaration.Reason = "they are not to be visible in the picture";
+  }
   this->DeclareSoft(context, declaration);
 }
 

@@ -1,8 +1,10 @@
 //VTK::System::Dec
+//RELIEVO::Defines
 //VTK::Output::Dec
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 // How much of a pixel lines cover, by its distance to the nearest side that is one; premultiplied.
+// LINES_HIDDEN: or what dashed ones do.
 //RELIEVO::Include(formulas/srgb.glsl)
 in vec2 texCoord;
 uniform vec2 relievoSize;
@@ -39,6 +41,9 @@ void main()
     }
   }
   float cover = clamp(reach - nearest, 0.0, 1.0);
+#ifdef LINES_HIDDEN
+  cover = max(cover, texelFetch(linesSides, pixel, 0).z);
+#endif
   if (!(cover > 0.0))
   {
     discard;

@@ -159,7 +159,7 @@ void TestCost()
   LampScene scene(64, 48);
   scene.Window->Render();
   RELIEVO_CHECK(scene.Frame->GetBytesHeld() == 0);
-  RELIEVO_CHECK(scene.Stage->GetReasonCode() == "not_asked");
+  RELIEVO_CHECK(scene.Stage->GetReasonCode() == "idle");
   vtkNew<vtkRelievoLamps> lamps;
   scene.Stage->AddPoints(lamps);
   scene.Window->Render();

@@ -520,7 +520,12 @@ void TestPicture()
   scene.Stage->VisibleOff();
   RELIEVO_CHECK(Same(plain, relievoTest::Picture(scene.Window)));
   RELIEVO_CHECK(scene.Frame->GetBytesHeld() == 0);
-  RELIEVO_CHECK(scene.Stage->GetReasonCode() == "not_asked");
+  RELIEVO_CHECK(scene.Stage->GetReasonCode() == "idle");
+  RELIEVO_CHECK(scene.Stage->GetReason() == "it is not to be visible in the picture");
+  scene.Stage->VisibleOn();
+  scene.Stage->SetStrength(0.0);
+  scene.Window->Render();
+  RELIEVO_CHECK(scene.Stage->GetReason() == "the strength is 0");
   gl.Poll("end of the test");
 }
 }

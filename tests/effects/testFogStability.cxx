@@ -39,7 +39,7 @@ void TestData()
 {
   FogScene scene(60, 45);
   const auto plain = Picture(scene.Window);
-  RELIEVO_CHECK(scene.Stage->GetReasonCode() == "not_asked" && scene.Frame->GetBytesHeld() == 0);
+  RELIEVO_CHECK(scene.Stage->GetReasonCode() == "idle" && scene.Frame->GetBytesHeld() == 0);
 
   scene.Set({ Good });
   const Layers expected = scene.Read({ "fog", "color" });

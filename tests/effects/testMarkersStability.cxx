@@ -48,7 +48,7 @@ void TestData()
 {
   MarkerScene scene(60, 45);
   const auto plain = Picture(scene.Window);
-  RELIEVO_CHECK(scene.Stage->GetReasonCode() == "not_asked" && scene.Frame->GetBytesHeld() == 0);
+  RELIEVO_CHECK(scene.Stage->GetReasonCode() == "idle" && scene.Frame->GetBytesHeld() == 0);
   scene.Set(M::RING, { Good });
   const Layers expected = scene.Read({ "marker", "color" });
   Mark nowhere = Good;

@@ -57,6 +57,7 @@ WRITES = {
     "26_wall_thickness.py": ["thickness.png", "thickness.vtp"],
     "27_sunlight_of_a_year.py": ["sunlight.png", "sunlight.vtp"],
     "28_training_pictures.py": ["train", "train.png"],
+    "29_technical_drawing.py": ["drawing.png"],
 }  # fmt: skip
 
 # ParaView's own interpreter runs these: tests/paraview.

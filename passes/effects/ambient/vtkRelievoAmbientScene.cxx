@@ -2,13 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRelievoAmbientScene.h"
 
-#include "vtkActor.h"
-#include "vtkProp.h"
 #include "vtkRelievoFrameContext.h"
-#include "vtkRelievoPropMeshes.h"
 #include "vtkShaderProgram.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace
@@ -33,36 +29,13 @@ glm::dvec3 GetOrigin(const vtkRelievoFrameCamera& view)
   const double step = std::exp2(std::ceil(std::log2(size)));
   return step * glm::round(middle / step);
 }
-
-bool IsMesh(const vtkRelievoFrameProp& prop)
-{
-  return std::any_of(prop.Parts.begin(), prop.Parts.end(), [](const auto& part) {
-    vtkActor* actor = vtkRelievoPropParts::GetMeshActor(part);
-    return actor && !vtkRelievoPropParts::IsAnnotation(actor);
-  });
-}
 }
 
 //------------------------------------------------------------------------------
 std::string vtkRelievoAmbientScene::Begin(const vtkRelievoFrameContext& context)
 {
-  std::vector<vtkRelievoPlacedMesh> meshes;
-  this->LeftOut = 0;
-  for (const vtkRelievoFrameProp& prop : vtkRelievoFrameScene::FindVisible(context.Renderer))
-  {
-    if (!IsMesh(prop))
-    {
-      continue;
-    }
-    prop.Prop->GetBounds(); // brings what it draws up to date
-    if (!vtkRelievoPropMeshes::Collect(
-          prop.Prop, vtkRelievoPropMeshes::Wanted::Opaque, this->Glyphs, meshes))
-    {
-      ++this->LeftOut;
-    }
-  }
-  const std::string wrong =
-    this->Tree.Update(context.Window, meshes, GetOrigin(context.SteadyView));
+  const std::string wrong = this->Tree.Update(
+    context.Window, this->Meshes.Find(context.Renderer), GetOrigin(context.SteadyView));
   return !wrong.empty() ? wrong
     : this->Tree.Bind() ? std::string()
                         : "all texture units of this OpenGL are taken";
@@ -89,5 +62,5 @@ void vtkRelievoAmbientScene::SetUniforms(
 void vtkRelievoAmbientScene::Release(vtkWindow* window)
 {
   this->Tree.Release(window);
-  this->Glyphs = vtkRelievoGlyphPlaces();
+  this->Meshes = vtkRelievoOpaqueMeshes();
 }

@@ -6,7 +6,7 @@
 #ifndef vtkRelievoAmbientScene_h
 #define vtkRelievoAmbientScene_h
 
-#include "vtkRelievoGlyphPlaces.h"
+#include "vtkRelievoOpaqueMeshes.h"
 #include "vtkRelievoTreeBuffer.h"
 
 #include <string>
@@ -24,15 +24,15 @@ public:
   void End() { this->Tree.Unbind(); }
 
   vtkIdType GetNumberOfTriangles() const { return this->Tree.GetNumberOfTriangles(); }
-  int GetNumberOfPropsLeftOut() const { return this->LeftOut; } // that rays cannot follow
+  // That rays cannot follow.
+  int GetNumberOfPropsLeftOut() const { return this->Meshes.GetNumberOfPropsLeftOut(); }
 
   vtkIdType GetBytes() const { return this->Tree.GetBytes(); }
   void Release(vtkWindow* window);
 
 private:
   vtkRelievoTreeBuffer Tree;
-  vtkRelievoGlyphPlaces Glyphs; // what is known of them from before
-  int LeftOut = 0;
+  vtkRelievoOpaqueMeshes Meshes;
 };
 
 #endif

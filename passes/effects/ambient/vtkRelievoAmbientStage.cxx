@@ -111,6 +111,7 @@ void vtkRelievoAmbientStage::Declare(
   if (!this->Visible || this->Strength == 0.0)
   {
     declaration.Writes.clear();
+    declaration.ReasonCode = "idle";
     declaration.Reason =
       this->Visible ? "the strength is 0" : "it is not to be visible in the picture";
   }

@@ -110,6 +110,7 @@ void vtkRelievoFogStage::Declare(
   {
     // Without fog in view the layer is still what it says: all passes.
     declaration.Writes.clear();
+    declaration.ReasonCode = "idle";
     declaration.Reason = "no fog is in view";
   }
 }

@@ -77,6 +77,7 @@ void vtkRelievoMarkersStage::Declare(
   {
     // Without markers in view the layer is still what it says: nothing is covered.
     declaration.Writes.clear();
+    declaration.ReasonCode = "idle";
     declaration.Reason = "no markers are in view";
   }
 }

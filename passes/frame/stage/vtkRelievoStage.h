@@ -80,7 +80,7 @@ public:
   ///@{
   /**
    * Why the stage ran, or did not, in the last frame: in words, and as a code for programs. Codes:
-   * "ran", "off" (switched off), "idle" (its parameters leave it nothing to do), "not_asked"
+   * "ran", "off" (switched off), "idle" (it has nothing to do for the picture), "not_asked"
    * (nothing that it writes is requested), "hidden" (what it writes is not visible), "refused" (the
    * frame could not place it), "failed", and others that a stage's own documentation lists.
    */

@@ -13,6 +13,10 @@
  *
  * A line is drawn along the sides of the pixels between which it is, with its middle there: within
  * half a pixel of the edge itself.
+ *
+ * By choice what is hidden is drawn as well, dashed (Hidden): the edges of the opaque meshes where
+ * one ends, where it is a crease, and where it turns away from the eye. They are found in the
+ * meshes, in double, and drawn where the frame's depth has something before them.
  */
 #ifndef vtkRelievoLinesStage_h
 #define vtkRelievoLinesStage_h
@@ -59,6 +63,32 @@ public:
   vtkGetMacro(CreaseAngle, double);
   ///@}
 
+  enum HiddenLines
+  {
+    OFF = 0,
+    DASHED = 1
+  };
+
+  ///@{
+  /**
+   * Whether lines that are hidden behind opaque surfaces are drawn, dashed. Creases are if Creases
+   * is on, silhouettes and a mesh's ends if Outlines or Folds is. Default OFF.
+   */
+  vtkSetClampMacro(Hidden, int, OFF, DASHED);
+  vtkGetMacro(Hidden, int);
+  void SetHiddenToOff() { this->SetHidden(OFF); }
+  void SetHiddenToDashed() { this->SetHidden(DASHED); }
+  ///@}
+
+  ///@{
+  /**
+   * Length of a dash in pixels, 1 to 100; gaps are half as long. Both are stretched to fit whole
+   * into a line. Default 6.
+   */
+  vtkSetClampMacro(Dash, double, 1.0, 100.0);
+  vtkGetMacro(Dash, double);
+  ///@}
+
   vtkIdType GetBytesHeld() override;
   void ReleaseGraphicsResources(vtkWindow* window) override;
 
@@ -77,12 +107,15 @@ protected:
   double Width = 1.5;
   double Color[3] = { 0.0, 0.0, 0.0 };
   double CreaseAngle = 30.0;
+  int Hidden = OFF;
+  double Dash = 6.0;
 
 private:
   vtkRelievoLinesStage(const vtkRelievoLinesStage&) = delete;
   void operator=(const vtkRelievoLinesStage&) = delete;
 
   std::string Draw(vtkRelievoFrameContext& context);
+  std::string DrawHidden(vtkRelievoFrameContext& context);
 
   class Internals;
   std::unique_ptr<Internals> Internal;

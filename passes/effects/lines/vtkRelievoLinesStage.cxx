@@ -9,6 +9,7 @@
 #include "vtkOpenGLState.h"
 #include "vtkRelievoFrameContext.h"
 #include "vtkRelievoFramePlan.h"
+#include "vtkRelievoHiddenLines.h"
 #include "vtkRelievoScopedState.h"
 #include "vtkRelievoScreenQuad.h"
 #include "vtkRelievoScreenTarget.h"
@@ -24,6 +25,7 @@ public:
   vtkRelievoScreenTarget Sides{ "linesSides" };
   vtkRelievoScreenQuad Find;
   vtkRelievoScreenQuad Draw;
+  vtkRelievoHiddenLines Hidden;
   std::string Failed; // said once
 };
 
@@ -66,6 +68,14 @@ void vtkRelievoLinesStage::Describe(vtkRelievoStageDescription& description)
   description.AddFlag(
     "folds", this->Folds, [this](bool on) { this->SetFolds(on); },
     "Lines where a part lies before itself.");
+  description.AddChoice(
+    "hidden", this->Hidden, [this](int hidden) { this->SetHidden(hidden); }, { "off", "dashed" },
+    "Whether lines behind opaque surfaces are drawn, dashed.");
+  description
+    .AddNumber(
+      "dash", this->Dash, [this](double dash) { this->SetDash(dash); }, 1.0, 100.0, "pixels",
+      "How long a dash is; a gap is half as long.")
+    .OnlyIf = "hidden=dashed";
 }
 
 //------------------------------------------------------------------------------
@@ -90,7 +100,7 @@ std::string vtkRelievoLinesStage::Draw(vtkRelievoFrameContext& context)
 {
   Internals& in = *this->Internal;
   vtkRelievoScreenTarget::Format format;
-  format.Channels = 2;
+  format.Channels = this->Hidden == DASHED ? 4 : 2;
   std::string wrong = in.Sides.Prepare(context, format);
   if (!wrong.empty())
   {
@@ -116,9 +126,15 @@ std::string vtkRelievoLinesStage::Draw(vtkRelievoFrameContext& context)
   in.Find.Draw(context, in.Sides.GetArea());
   in.Sides.End();
   this->DrawCalls = 1;
+  wrong = this->DrawHidden(context);
+  if (!wrong.empty())
+  {
+    return wrong;
+  }
 
   context.Provide("lines sides", &in.Sides);
-  program = in.Draw.Ready(context, "lines/linesFS.glsl", { "lines sides" });
+  program = in.Draw.Ready(context, "lines/linesFS.glsl", { "lines sides" },
+    this->Hidden == DASHED ? "#define LINES_HIDDEN\n" : "");
   if (!program)
   {
     return in.Draw.GetWrong();
@@ -133,6 +149,37 @@ std::string vtkRelievoLinesStage::Draw(vtkRelievoFrameContext& context)
   state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   this->DrawCalls += context.DrawColor(in.Draw, false) ? 1 : 0;
   return {};
+}
+
+//------------------------------------------------------------------------------
+std::string vtkRelievoLinesStage::DrawHidden(vtkRelievoFrameContext& context)
+{
+  Internals& in = *this->Internal;
+  if (this->Hidden == OFF)
+  {
+    in.Hidden.Release(context.Window);
+    return {};
+  }
+  vtkRelievoHiddenLines::Settings settings;
+  settings.Silhouettes = this->Outlines || this->Folds;
+  settings.Creases = this->Creases;
+  settings.CreaseCosine = std::cos(vtkMath::RadiansFromDegrees(this->CreaseAngle));
+  settings.HalfWidth = 0.5 * this->Width;
+  settings.Dash = this->Dash;
+  const std::string wrong = in.Hidden.Draw(context, in.Sides, settings);
+  if (wrong.empty())
+  {
+    ++this->DrawCalls;
+    const int leftOut = in.Hidden.GetNumberOfPropsLeftOut();
+    if (leftOut > 0)
+    {
+      this->Explain("ran",
+        std::to_string(leftOut) +
+          (leftOut == 1 ? " prop whose triangles cannot be followed has no hidden lines"
+                        : " props whose triangles cannot be followed have no hidden lines"));
+    }
+  }
+  return wrong;
 }
 
 //------------------------------------------------------------------------------
@@ -154,7 +201,7 @@ void vtkRelievoLinesStage::Execute(vtkRelievoFrameContext& context)
 //------------------------------------------------------------------------------
 vtkIdType vtkRelievoLinesStage::GetBytesHeld()
 {
-  return this->Internal->Sides.GetBytes();
+  return this->Internal->Sides.GetBytes() + this->Internal->Hidden.GetBytes();
 }
 
 //------------------------------------------------------------------------------
@@ -163,6 +210,7 @@ void vtkRelievoLinesStage::ReleaseGraphicsResources(vtkWindow* window)
   this->Internal->Sides.Release(window);
   this->Internal->Find.Release(window);
   this->Internal->Draw.Release(window);
+  this->Internal->Hidden.Release(window);
   this->DrawCalls = 0;
   this->Superclass::ReleaseGraphicsResources(window);
 }

@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The opaque meshes of all of a renderer's visible props, those outside the view included.
+#ifndef vtkRelievoOpaqueMeshes_h
+#define vtkRelievoOpaqueMeshes_h
+
+#include "vtkRelievoGlyphPlaces.h"
+#include "vtkRelievoPlacedMesh.h"
+
+#include <vector>
+
+class vtkRenderer;
+
+class vtkRelievoOpaqueMeshes
+{
+public:
+  // As they are now. Good until a mapper's pipeline changes.
+  std::vector<vtkRelievoPlacedMesh> Find(vtkRenderer* renderer);
+
+  // Props with meshes that Find could not follow triangle by triangle.
+  int GetNumberOfPropsLeftOut() const { return this->LeftOut; }
+
+private:
+  vtkRelievoGlyphPlaces Glyphs; // what is known of them from before
+  int LeftOut = 0;
+};
+
+#endif
