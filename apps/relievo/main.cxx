@@ -12,7 +12,11 @@
 #include "Render.h"
 #include "Stages.h"
 #include "StandardError.h"
+#include "SunHours.h"
+#include "SunOptions.h"
 #include "Version.h"
+#include "Visible.h"
+#include "VisibleOptions.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -35,8 +39,8 @@ int Run(std::vector<std::string> words)
   }
   if (words.empty())
   {
-    throw scene::UsageError(
-      "no command given, expected render, dataset, cave, stages or bench; see relievo --help");
+    throw scene::UsageError("no command given, expected render, dataset, visible, sun, cave, "
+                            "stages or bench; see relievo --help");
   }
   const std::string command = words.front();
   words.erase(words.begin());
@@ -47,6 +51,14 @@ int Run(std::vector<std::string> words)
   else if (command == "dataset")
   {
     cli::Dataset(cli::ParseDataset(words));
+  }
+  else if (command == "visible")
+  {
+    cli::Visible(cli::ParseVisible(words));
+  }
+  else if (command == "sun")
+  {
+    cli::SunHours(cli::ParseSun(words));
   }
   else if (command == "cave")
   {
@@ -67,7 +79,8 @@ int Run(std::vector<std::string> words)
   else
   {
     throw scene::UsageError("got '" + command +
-      "', expected render, dataset, cave, stages, bench, --help or --version; see relievo --help");
+      "', expected render, dataset, visible, sun, cave, stages, bench, --help or --version; see "
+      "relievo --help");
   }
   return 0;
 }

@@ -14,7 +14,7 @@ RELIEVO = os.environ["RELIEVO"]
 HELP = subprocess.run(
     [RELIEVO, "--help"], stdout=subprocess.PIPE, text=True, check=True
 ).stdout
-VERBS = ("render", "dataset", "cave", "bench")
+VERBS = ("render", "dataset", "visible", "sun", "cave", "bench")
 
 # What bash-completion brings, in so far as the completion of files and colons goes.
 STUBS = """
@@ -28,7 +28,7 @@ compopt() { :; }
 
 def options_of(verb):
     """Each option of that part of the help, with what is said of it."""
-    end = "(?=^(?:dataset|cave|stages|bench|Options) )"
+    end = "(?=^(?:dataset|visible|sun|cave|stages|bench|Options) )"
     part = re.search(rf"^{verb} (?:.|\n)*?{end}", HELP, re.M).group()
     found = re.split(r"^  (--?[a-z][a-z-]*)", part, flags=re.M)[1:]
     return dict(zip(found[::2], found[1::2]))

@@ -27,6 +27,8 @@ FILTERS = {
     "Skin": ["Method"],
     "BoneWeights": [],
     "SurfaceParticles": ["Place"],
+    "SunExposure": ["UpAxis"],
+    "Visibility": [],
 }
 SOURCES = ["Caves"]
 
@@ -129,6 +131,51 @@ output.VTKObject.SetPolys(cells)
         # integral over the sphere.
         self.assertEqual(rows.GetNumberOfRows(), 9)
         self.assertLess(numpy.abs(first / numpy.sqrt(4 * numpy.pi) - 0.5).max(), 0.01)
+
+    def test_sun_exposure(self):
+        """Level ground at an equinox, and below a roof; a wall that faces north."""
+        ground = simple.Plane()  # in z = 0, faces z
+        sun = simple.SunExposure(
+            Input=ground, Latitude=40.0, FirstDay=[2026, 3, 20], LastDay=[2026, 3, 20], Step=10.0
+        )
+        sun.SkySamples = 64
+
+        def found(name):
+            return vtk_to_numpy(servermanager.Fetch(sun).GetCellData().GetArray(name))
+
+        self.assertAlmostEqual(found("sun_hours")[0], 12, delta=0.2)
+        self.assertAlmostEqual(
+            found("insolation")[0], 24 / numpy.pi * numpy.cos(numpy.radians(40)), delta=0.1)
+        self.assertAlmostEqual(found("sky_view")[0], 1, delta=1e-6)
+        sun.Occluder = simple.Plane(
+            Origin=[-99, -99, 0.1], Point1=[99, -99, 0.1], Point2=[-99, 99, 0.1])
+        self.assertEqual(found("sun_hours")[0], 0)
+        sun.Occluder = None
+        sun.UpAxis = "Y"  # north is -z: the ground is a wall that faces south
+        sun.FirstDay = sun.LastDay = [2026, 6, 21]
+        self.assertLess(found("sun_hours")[0], 12)
+        self.assertGreater(found("sun_hours")[0], 5)
+
+    def test_visibility(self):
+        """A square's solid angle in closed form; what hides it; all around; points."""
+        square = simple.Plane()
+        seen = simple.Visibility(Input=square, Position=[0, 0, 2], Size=[400, 400])
+        seen.ViewAngle = 60.0
+
+        def found(name):
+            return vtk_to_numpy(servermanager.Fetch(seen).GetCellData().GetArray(name))
+
+        expected = 4 * numpy.arctan(0.25 / (2 * numpy.sqrt(0.5 + 4)))
+        self.assertEqual(found("seen").tolist(), [1])
+        self.assertAlmostEqual(found("solid_angle")[0], expected, delta=0.01 * expected)
+        seen.MakeCloud = 1
+        cloud = servermanager.Fetch(servermanager.OutputPort(seen, 1))
+        self.assertEqual(cloud.GetNumberOfPoints(), found("pixels")[0])
+        seen.Lens = "equirectangular"
+        seen.Size = [800, 400]
+        self.assertAlmostEqual(found("solid_angle")[0], expected, delta=0.02 * expected)
+        seen.Occluder = simple.Plane(Origin=[-1, -1, 1], Point1=[1, -1, 1], Point2=[-1, 1, 1])
+        self.assertEqual(found("seen").tolist(), [0])
 
     def test_smooth_blocks(self):
         """Labels on points; lists of labels; the seams are the second output."""

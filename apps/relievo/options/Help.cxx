@@ -17,6 +17,8 @@ const char* const Page = R"(relievo - pictures and measurable layers of meshes a
 
   relievo render FILE... [options] --png F | --exr F | --report F
   relievo dataset FILE... --poses POSES --out DIR [options]
+  relievo visible FILE... --poses POSES -o FILE.vtp [options]
+  relievo sun FILE... --place LATITUDE,LONGITUDE --dates DATES -o FILE.vtp [options]
   relievo cave [options] -o FILE.vti
   relievo stages
   relievo bench NAME... [--out DIR] [--beside DIR] [--quick]
@@ -52,6 +54,33 @@ dataset writes what many cameras see of the FILEs as a data set, to learn from o
   --seed N                of all that is random (0)
   --random-sun            the sun stands elsewhere in each view
   --views A:B             from view A to before view B, as one of several processes (all)
+
+visible finds by rays which cells of a mesh cameras see, in how many pixels and under which solid
+  angle, and writes the mesh with the arrays seen, pixels and solid_angle. The first FILE is the
+  mesh, the others hide it.
+
+  --poses POSES           orbit:N, random:N or a FILE.json, as of dataset
+  -o FILE.vtp             the mesh
+  --cloud FILE.vtp        what the pixels show of the mesh, as points
+  --size WxH              pixels of each camera (1024x768)
+  --view-angle DEG        full vertical angle of each camera (30)
+  --lens LENS             pinhole, brown:..., fisheye, division:..., equirectangular, cube, orthographic
+                          or a file, as of render (pinhole)
+  --up AXIS               the axis that points up, x, y or z (by the first FILE)
+  --seed N                of random poses (0)
+
+sun finds by rays how long the sun shines on a mesh, and writes it with the arrays sun_hours and
+  insolation (each hour times the cosine to the normal). The first FILE is the mesh, the others
+  shade it. North is z, -z or y where x, y or z points up.
+
+  --place LAT,LON         degrees; north and east are positive
+  --dates DATES           FIRST[:LAST[:EVERY]], days such as 2026-01-01:2026-12-31:7, which both
+                          count; of every so many days one stands for all
+  -o FILE.vtp             the mesh
+  --step MINUTES          from one place of the sun to the next, 0.1 to 240 (20)
+  --points                points are judged, rather than cells
+  --sky N                 also the array sky_view, the share of the sky that is seen, by N rays (0)
+  --up AXIS               the axis that points up, x, y or z (by the first FILE)
 
 cave makes winding caves from a seed and writes them as an image.
 
@@ -100,6 +129,9 @@ Examples
   relievo render buildings.obj --up z --markers sites.vtp,radius=30,shape=glow --png sites.png
   relievo render walk.fbx --times 0:2:0.04 --shadows map --png walk_%03d.png
   relievo dataset mug.obj table.stl --poses random:500 --seed 7 --random-sun --out train/000000
+  relievo visible bunny.off --poses orbit:24 -o seen.vtp
+  relievo sun town.obj --place 48.2,16.4 --dates 2026-06-21 --sky 256 -o sun.vtp
+  relievo render sun.vtp --color-by sun_hours --scalar-bar --png sun.png
   relievo cave --size 256x128x256 --seed 7 -o cave.vti
   relievo bench normals --out charts
   relievo bench all --out here --beside docs/charts

@@ -19,7 +19,7 @@ _relievo()
         outputs='@(--png|--exr|--report|--layers|--hdr|--lens|--transparent|--certify)' # the window has its own
         more='--once --help --version'
     elif ((cword == 1)); then
-        mapfile -t COMPREPLY < <(compgen -W 'render dataset cave stages bench --help --version' -- "$cur")
+        mapfile -t COMPREPLY < <(compgen -W 'render dataset visible sun cave stages bench --help --version' -- "$cur")
         return
     fi
 
@@ -32,7 +32,7 @@ _relievo()
     local line part="" options=$more wants_value=""
     while IFS= read -r line; do
         case $line in
-            'render '* | 'dataset '* | 'cave '* | 'stages '* | 'bench '* | 'Options '*) part=${line%% *} ;;
+            'render '* | 'dataset '* | 'visible '* | 'sun '* | 'cave '* | 'stages '* | 'bench '* | 'Options '*) part=${line%% *} ;;
             '  -'*)
                 if [[ $part == "${words[1]}" || (${words[1]} == dataset && $part == render) ]]; then
                     line=${line#  }
@@ -76,17 +76,20 @@ _relievo()
         --png) _filedir png; return ;;
         --exr) _filedir exr; return ;;
         --report) _filedir json; return ;;
-        -o) _filedir vti; return ;;
+        -o | --cloud)
+            if [[ ${words[1]} == cave ]]; then _filedir vti; else _filedir vtp; fi
+            return
+            ;;
         --normal-map | --height-map | --environment) _filedir "$images"; return ;;
         --lamps | --fog | --markers) _filedir "$meshes"; return ;;
         --beside | --out) _filedir -d; return ;;
         *) [[ $wants_value ]] && return ;;
     esac
-    [[ ! $values && ($cur == -* || ${words[1]} != @(render|dataset)) ]] && values=$options
+    [[ ! $values && ($cur == -* || ${words[1]} != @(render|dataset|visible|sun)) ]] && values=$options
     if [[ $values ]]; then
         mapfile -t COMPREPLY < <(compgen -W "$values" -- "$cur")
         [[ $cur != *:* ]] || __ltrim_colon_completions "$cur"
-    elif [[ ${words[1]} == @(render|dataset) ]]; then
+    elif [[ ${words[1]} == @(render|dataset|visible|sun) ]]; then
         _filedir "$meshes"
     fi
 } && complete -F _relievo relievo relievo-viewer

@@ -17,7 +17,7 @@ function quoted(text) {
 function say(text) { print quoted(text) }
 # VERB begins the part that is about the command of that name.
 function heading(verb) {
-  if (verb == "render" || verb == "dataset" || verb == "cave" || verb == "stages" || verb == "bench") {
+  if (verb ~ /^(render|dataset|visible|sun|cave|stages|bench)$/) {
     print ".SH RELIEVO " toupper(verb)
   }
 }

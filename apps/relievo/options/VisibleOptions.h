@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef VisibleOptions_h
+#define VisibleOptions_h
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace cli
+{
+struct VisibleOptions
+{
+  std::vector<std::string> Files; ///< the mesh, and what hides it
+  std::string File;               ///< a .vtp
+  std::string Cloud;              ///< a .vtp; "": none
+  std::string Poses;              ///< "orbit:N", "random:N", or a file
+  std::string Lens = "pinhole";
+  std::array<int, 2> Size = { 1024, 768 };
+  double ViewAngle = 30.; ///< full vertical angle, degrees
+  int Up = -1;            ///< axis; -1: by the file
+  int Seed = 0;
+};
+
+/// The words after "visible", as said.
+VisibleOptions ParseVisible(const std::vector<std::string>& words);
+}
+
+#endif

@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SightFiles.h"
+
+#include "DataSets.h"
+#include "Errors.h"
+#include "Messages.h"
+#include "Outputs.h"
+#include "Progress.h"
+#include "Readers.h"
+#include "UpAxis.h"
+
+#include "vtkAppendPolyData.h"
+#include "vtkErrorCode.h"
+#include "vtkNew.h"
+#include "vtkPolyData.h"
+#include "vtkRelievoSightAlgorithm.h"
+#include "vtkXMLPolyDataWriter.h"
+
+namespace cli
+{
+//------------------------------------------------------------------------------
+int ReadMeshes(const std::vector<std::string>& files, vtkRelievoSightAlgorithm* filter,
+  scene::Progress& progress)
+{
+  int up = 1;
+  for (std::size_t i = 0; i < files.size(); ++i)
+  {
+    scene::CheckReadable(files[i]);
+    vtkNew<vtkAppendPolyData> all;
+    scene::ForEachDataSet(scene::ReadSurface(files[i], false, false, progress),
+      [&all](vtkDataSet* data) { all->AddInputData(vtkPolyData::SafeDownCast(data)); });
+    if (all->GetNumberOfInputConnections(0) > 0)
+    {
+      all->Update();
+    }
+    vtkPolyData* mesh = all->GetOutput();
+    if (mesh->GetNumberOfPolys() + mesh->GetNumberOfStrips() == 0)
+    {
+      throw scene::WorkError(files[i] + ": it has no surface");
+    }
+    if (i == 0)
+    {
+      up = scene::FindUpAxis(files[i], mesh->GetBounds());
+    }
+    filter->AddInputDataObject(i == 0 ? 0 : 1, mesh);
+  }
+  return up;
+}
+
+//------------------------------------------------------------------------------
+void WriteMesh(vtkPolyData* mesh, const std::string& option, const std::string& path,
+  const scene::Outputs& outputs, scene::Progress& progress)
+{
+  vtkNew<vtkXMLPolyDataWriter> writer;
+  writer->SetInputData(mesh);
+  writer->SetFileName(outputs.Temporary(path).c_str());
+  // Not appended: Debian's mended expat keeps VTK before 9.3.1 from reading that.
+  writer->SetDataModeToBinary();
+  progress.Begin("writing " + path);
+  progress.Observe(writer);
+  const bool written = writer->Write() == 1 && writer->GetErrorCode() == vtkErrorCode::NoError;
+  scene::Messages::Check(
+    option + " " + path, !written, vtkErrorCode::GetStringFromErrorCode(writer->GetErrorCode()));
+}
+}

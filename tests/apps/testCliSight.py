@@ -1,0 +1,132 @@
+# SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""relievo visible and relievo sun: scenes whose answer is known, their options, words refused."""
+
+import json
+import math
+
+import numpy
+from cli import CliTest, main
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
+
+# Level ground of two cells in y = 0, seen from y > 0, and a roof over the one with x < 0.
+GROUND = "OFF\n6 2 0\n-2 0 -1\n-2 0 1\n0 0 1\n0 0 -1\n2 0 1\n2 0 -1\n4 0 1 2 3\n4 3 2 4 5\n"
+ROOF = "OFF\n4 1 0\n-99 0.01 -99\n-99 0.01 99\n0 0.01 99\n0 0.01 -99\n4 0 1 2 3\n"
+SUN = ["--place", "40,10", "--dates", "2026-03-20"]
+
+
+class Sight(CliTest):
+    def setUp(self):
+        super().setUp()
+        (self.folder / "ground.off").write_text(GROUND)
+        (self.folder / "roof.off").write_text(ROOF)
+        above = {"position": [0, 10, 0.001], "target": [0, 0, 0]}
+        (self.folder / "above.json").write_text(json.dumps([above]))
+        self.before = self.names()
+
+    def read(self, name):
+        reader = vtkXMLPolyDataReader()
+        reader.SetFileName(str(self.folder / name))
+        reader.Update()
+        return reader.GetOutput()
+
+    def cells(self, name, array):
+        return vtk_to_numpy(self.read(name).GetCellData().GetArray(array))
+
+    def sun(self, *words):
+        return self.relievo("sun", "ground.off", *words, "-o", "sun.vtp")
+
+    def test_sun(self):
+        done = self.sun(*SUN, "roof.off", "--step", "10", "--up", "y")
+        self.assertEqual(done.stderr, "")
+        open_ground = self.cells("sun.vtp", "sun_hours")[1]
+        self.assertAlmostEqual(open_ground, 12, delta=0.2)  # of an equinox
+        self.assertEqual(self.cells("sun.vtp", "sun_hours")[0], 0)  # below the roof
+        self.assertIn(f"{open_ground / 2:.1f} hours of sun in the mean of 2 cells", done.stdout)
+        # The mean over the day of the sine of the height, by its closed form at an equinox.
+        self.assertAlmostEqual(self.cells("sun.vtp", "insolation")[1],
+                               24 / math.pi * math.cos(math.radians(40)), delta=0.1)  # fmt: skip
+        self.assertEqual(self.names(), sorted([*self.before, "sun.vtp"]))
+        # Readable beside every expat, by any VTK.
+        self.assertNotIn(b"<AppendedData", (self.folder / "sun.vtp").read_bytes())
+
+    def test_sun_options(self):
+        self.sun(*SUN, "--up=y")
+        day = self.cells("sun.vtp", "sun_hours")
+        self.sun("--place", "40,10", "--dates", "2026-03-20:2026-03-22", "--up", "y")
+        numpy.testing.assert_allclose(self.cells("sun.vtp", "sun_hours"), 3 * day, rtol=0.03)
+        # Of every three days the middle one would be another, but it stands for three.
+        self.sun("--place", "40,10", "--dates", "2026-03-20:2026-03-22:3", "--up", "y")
+        numpy.testing.assert_allclose(self.cells("sun.vtp", "sun_hours"), 3 * day, rtol=0.03)
+        # Beyond the polar circle at midsummer, and midwinter.
+        self.sun("--place", "80,10", "--dates", "2026-06-21", "--up", "y")
+        numpy.testing.assert_allclose(self.cells("sun.vtp", "sun_hours"), 24, rtol=1e-6)
+        self.sun("--place", "80,10", "--dates", "2026-12-21", "--up", "y")
+        numpy.testing.assert_array_equal(self.cells("sun.vtp", "sun_hours"), 0)
+        # With z up the ground is a wall that faces north, where the sun never is.
+        self.sun("--place", "40,10", "--dates", "2026-12-21", "--up", "z")
+        numpy.testing.assert_array_equal(self.cells("sun.vtp", "sun_hours"), 0)
+        self.sun(*SUN, "--points", "--sky", "64", "--up", "y")
+        points = self.read("sun.vtp").GetPointData()
+        numpy.testing.assert_allclose(vtk_to_numpy(points.GetArray("sky_view")), 1, atol=1e-6)
+        self.assertEqual(points.GetArray("sun_hours").GetNumberOfTuples(), 6)
+
+    def test_visible(self):
+        look = ["--poses", "above.json", "--size", "200x100", "--view-angle", "20"]
+        done = self.relievo("visible", "ground.off", *look, "-o", "seen.vtp")
+        self.assertEqual(done.stderr, "")
+        self.assertIn("2 of 2 cells are seen by 1 camera\n", done.stdout)
+        numpy.testing.assert_array_equal(self.cells("seen.vtp", "seen"), 1)
+        # A rectangle right below, 2 by 2 and to one side: its solid angle in closed form.
+        expected = 2 * math.atan(2 * 1 / (10 * math.sqrt(10**2 + 2**2 + 1**2)))
+        numpy.testing.assert_allclose(
+            self.cells("seen.vtp", "solid_angle"), expected, rtol=0.02)  # of pixels
+        done = self.relievo("visible", "ground.off", "roof.off", *look, "-o", "seen.vtp",
+                            "--cloud", "cloud.vtp")  # fmt: skip
+        self.assertIn("1 of 2 cells are seen by 1 camera\n", done.stdout)
+        numpy.testing.assert_array_equal(self.cells("seen.vtp", "seen"), [0, 1])
+        cloud = vtk_to_numpy(self.read("cloud.vtp").GetPoints().GetData())
+        self.assertEqual(len(cloud), self.cells("seen.vtp", "pixels").sum())
+        self.assertTrue((cloud[:, 0] >= -1e-6).all() and (abs(cloud[:, 1]) < 1e-6).all())
+        # All around, through a panorama, from above and from below.
+        done = self.relievo("visible", "ground.off", "--poses", "random:6", "--seed", "4",
+                            "--lens", "equirectangular", "--size", "64x32", "--up", "y",
+                            "-o", "seen.vtp")  # fmt: skip
+        numpy.testing.assert_array_equal(self.cells("seen.vtp", "seen"), 6)
+
+    def test_refused(self):
+        look = ["--poses", "orbit:2"]
+        out = ["-o", "a.vtp"]
+        for words, says in (
+            (["sun", *SUN, *out], "sun: no FILE given"),
+            (["sun", "ground.off", *SUN], "no file to write; give -o FILE.vtp"),
+            (["sun", "ground.off", *SUN, "-o", "a.vtu"], ["-o", "'a.vtu'", ".vtp"]),
+            (["sun", "ground.off", *SUN[:2], *out], "--dates FIRST"),
+            (["sun", "ground.off", *SUN[2:], *out], "--place LATITUDE,LONGITUDE"),
+            (["sun", "ground.off", *out, "--place", "91,0"], ["--place", "'91,0'"]),
+            (["sun", "ground.off", *out, "--dates", "today"], ["--dates", "'today'"]),
+            (["sun", "ground.off", *out, *SUN, "--dates", "2026-02-30"], "2026-2-30, expected"),
+            (["sun", "ground.off", *out, *SUN, "--dates", "2026-02-02:2026-02-01"],
+             ["--dates", "expected"]),
+            (["sun", "ground.off", *out, *SUN, "--step", "0"], ["--step", "'0'"]),
+            (["sun", "ground.off", *out, *SUN, "--sky", "-1"], ["--sky", "'-1'"]),
+            (["sun", "town.gltf", *out, *SUN], ["town.gltf", "expected data"]),
+            (["sun", "ground.png", *out, *SUN], "ground.png"),
+            (["visible", "ground.off", *out], "give --poses"),
+            (["visible", "ground.off", *out, "--poses", "lots"], ["--poses", "'lots'"]),
+            (["visible", "ground.off", *out, *look, "--size", "5"], ["--size", "'5'", "WxH"]),
+            (["visible", "ground.off", *out, *look, "--lens", "wide"], ["--lens", "'wide'"]),
+            (["visible", "ground.off", *out, *look, "--cloud", "c.png"], ["--cloud", "'c.png'"]),
+            (["visible", "ground.off", *out, *look, "--fog", "1"], "--fog"),
+        ):  # fmt: skip
+            with self.subTest(words=words):
+                self.refused(*words, status=2, says=says)
+        self.refused("sun", "nothing.off", *out, *SUN, status=1, says="nothing.off")
+        (self.folder / "points.off").write_text("OFF\n1 0 0\n0 0 0\n")
+        self.before = self.names()
+        self.refused("sun", "points.off", *out, *SUN, status=1, says="points.off")
+
+
+if __name__ == "__main__":
+    main()
