@@ -144,6 +144,15 @@ struct RaySizes
   int Divisions = 2; // of the bunny's triangles, into four each
 };
 
+struct SunSizes
+{
+  int Side = 48;                                              // of the courtyard's floor, in cells
+  std::vector<double> Steps = { 60., 30., 20., 10., 5., 2. }; // minutes
+  std::vector<int> Samples = { 4, 16, 64, 256, 1024, 4096 };
+  double TruthStep = 2.; // seconds
+  int Rounds = 7;
+};
+
 struct ParticleSizes
 {
   std::vector<int> Numbers = { 1000, 10000, 100000, 1000000 };
@@ -175,6 +184,7 @@ int BenchBlocks(const std::string& outDir, const BlockSizes& sizes);
 int BenchCaves(const std::string& outDir, const CaveSizes& sizes);
 int BenchVoxels(const std::string& outDir, const VoxelSizes& sizes);
 int BenchRays(const std::string& outDir, const RaySizes& sizes);
+int BenchSun(const std::string& outDir, const SunSizes& sizes);
 int BenchSkin(const std::string& outDir, const SkinSizes& sizes);
 int BenchParticles(const std::string& outDir, const ParticleSizes& sizes);
 int BenchSoftShadows(const std::string& outDir, const SoftShadowSizes& sizes);

@@ -69,6 +69,7 @@ const std::vector<RelievoBenchEntry>& RelievoBenchEntries()
     { "voxels", "cells inside bodies: excess and missed against time, beside VTK's own",
       RelievoBenchVoxels },
     { "rays", "rays a second of a core past meshes, and bytes, beside Embree's", RelievoBenchRays },
+    { "sun", "error of hours of sun by step, and of the sky's share by rays", RelievoBenchSun },
     { "skin", "error of bones by keys per second; volume of twist and bend; time of points",
       RelievoBenchSkin },
     { "particles", "particles on surfaces: time of a step by number, and drift by steps",

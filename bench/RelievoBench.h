@@ -95,6 +95,9 @@ int RelievoBenchVoxels(const std::string& outDir);
 /** Rays a second of a core past meshes of many sizes, and bytes, beside Embree's. A minute. */
 int RelievoBenchRays(const std::string& outDir);
 
+/** Hours of sun and sky of a courtyard: error and time by step and rays. A minute. */
+int RelievoBenchSun(const std::string& outDir);
+
 /** Bones: error by keys, volume of twist and bend, time of a million points. Half a minute. */
 int RelievoBenchSkin(const std::string& outDir);
 

@@ -107,6 +107,7 @@ METHODS = {
     "rays": "blue o -", "vtkSSAOPass": "grey x --",
     # rays
     "rays in double": "blue o -", "Embree": "grey x --",
+    "Embree's boxes, triangles in double": "orange s - Embree's boxes, our test",
     # cells inside bodies
     "parity": "blue o -", "two views": "vermillion s -.", "six views": "green D --",
     "six views, drawn": "purple ^ : … drawn",

@@ -535,6 +535,16 @@ def rays(rows):
                "bytes per triangle", panel=None))  # fmt: skip
 
 
+@bench("sun.csv")
+def sun(rows):
+    """Errors of hours of sun and of the sky, by time."""
+    yield Chart(
+        "sun", "A courtyard's floor: error against time",
+        "Lower left is better. Along the curves steps of 60 to 2 minutes, and 4 to 4096 rays.",
+        Axis("core milliseconds for 2304 places", log=True), Axis("rms error: hours, share", log=True),
+        panels(rows, "core milliseconds", "rms", panel="of"))
+
+
 @bench("skin-keys.csv", "skin-volume.csv", "skin.csv")
 def skin(keys, volumes, times):
     """Errors of motions by their keys, a tube's volume, and the time of points."""

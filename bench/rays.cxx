@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Rays a second of one core past meshes of many sizes, and bytes for a triangle, beside Embree's.
+// Rays a second of one core past meshes of many sizes, and bytes for a triangle, beside Embree's; and
+// beside what Embree finds when it asks our test in double about the triangles of its boxes.
 // Rays are incoherent: from places on a sphere around the mesh to places in its box.
 #include "BenchSizes.h"
 #include "RelievoBench.h"
@@ -14,9 +15,11 @@
 #include <vtkLinearSubdivisionFilter.h>
 #include <vtkNew.h>
 #include <vtkPolyData.h>
+#include <vtkRelievoRay.h>
 #include <vtkRelievoRayTree.h>
 
 #include <embree3/rtcore.h>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include <algorithm>
@@ -24,6 +27,7 @@
 #include <ctime>
 #include <functional>
 #include <iostream>
+#include <iterator>
 #include <limits>
 #include <memory>
 #include <random>
@@ -61,75 +65,37 @@ std::vector<RayLine> DrawLines(const double bounds[6], int count)
   return lines;
 }
 
-// Embree's, of the same triangles in float about the middle of their box, with its robust flag.
-class EmbreePeer
+// A scene of Embree's, and what it holds.
+class EmbreeWorld
 {
 public:
-  EmbreePeer(vtkPolyData* mesh, const double bounds[6])
+  EmbreeWorld()
     : Device(rtcNewDevice("threads=1"))
   {
     rtcSetDeviceMemoryMonitorFunction(
       this->Device.get(),
       [](void* own, ssize_t bytes, bool) {
-        static_cast<EmbreePeer*>(own)->Bytes += static_cast<double>(bytes);
+        static_cast<EmbreeWorld*>(own)->Bytes += static_cast<double>(bytes);
         return true;
       },
       this);
     this->Scene.reset(rtcNewScene(this->Device.get()));
     rtcSetSceneFlags(this->Scene.get(), RTC_SCENE_FLAG_ROBUST);
-    RTCGeometry triangles = rtcNewGeometry(this->Device.get(), RTC_GEOMETRY_TYPE_TRIANGLE);
-    const vtkIdType points = mesh->GetNumberOfPoints();
-    auto* places = static_cast<float*>(rtcSetNewGeometryBuffer(triangles, RTC_BUFFER_TYPE_VERTEX, 0,
-      RTC_FORMAT_FLOAT3, 3 * sizeof(float), static_cast<std::size_t>(points)));
-    for (vtkIdType i = 0; i < points; ++i)
-    {
-      double p[3];
-      mesh->GetPoint(i, p);
-      for (int k = 0; k < 3; ++k)
-      {
-        places[3 * i + k] = static_cast<float>(p[k] - 0.5 * (bounds[2 * k] + bounds[2 * k + 1]));
-      }
-    }
-    const vtkIdType count = mesh->GetNumberOfPolys();
-    auto* corners = static_cast<unsigned*>(rtcSetNewGeometryBuffer(triangles, RTC_BUFFER_TYPE_INDEX,
-      0, RTC_FORMAT_UINT3, 3 * sizeof(unsigned), static_cast<std::size_t>(count)));
-    for (vtkIdType i = 0; i < count; ++i)
-    {
-      vtkIdType size = 0;
-      const vtkIdType* ids = nullptr;
-      mesh->GetCellPoints(i, size, ids);
-      std::transform(
-        ids, ids + 3, corners + 3 * i, [](vtkIdType id) { return static_cast<unsigned>(id); });
-    }
-    rtcCommitGeometry(triangles);
-    rtcAttachGeometry(this->Scene.get(), triangles);
-    rtcReleaseGeometry(triangles);
-    rtcCommitScene(this->Scene.get());
   }
+  EmbreeWorld(const EmbreeWorld&) = delete;
+  void operator=(const EmbreeWorld&) = delete;
 
   double GetBytes() const { return this->Bytes; }
 
-  bool Nearest(const RayLine& line) const
+protected:
+  void Hold(RTCGeometry geometry)
   {
-    RTCRayHit hit{};
-    hit.ray = MakeRay(line);
-    hit.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-    RTCIntersectContext context;
-    rtcInitIntersectContext(&context);
-    rtcIntersect1(this->Scene.get(), &context, &hit);
-    return hit.hit.geomID != RTC_INVALID_GEOMETRY_ID;
+    rtcCommitGeometry(geometry);
+    rtcAttachGeometry(this->Scene.get(), geometry);
+    rtcReleaseGeometry(geometry);
+    rtcCommitScene(this->Scene.get());
   }
 
-  bool Any(const RayLine& line) const
-  {
-    RTCRay ray = MakeRay(line);
-    RTCIntersectContext context;
-    rtcInitIntersectContext(&context);
-    rtcOccluded1(this->Scene.get(), &context, &ray);
-    return ray.tfar < 0.f;
-  }
-
-private:
   static RTCRay MakeRay(const RayLine& line)
   {
     RTCRay ray{};
@@ -154,6 +120,168 @@ private:
   std::unique_ptr<std::remove_pointer_t<RTCScene>, Release> Scene;
 };
 
+glm::dvec3 GetMiddle(const double bounds[6])
+{
+  return 0.5 * glm::dvec3(bounds[0] + bounds[1], bounds[2] + bounds[3], bounds[4] + bounds[5]);
+}
+
+// Embree's, of the same triangles in float about the middle of their box, with its robust flag.
+class EmbreePeer : public EmbreeWorld
+{
+public:
+  EmbreePeer(vtkPolyData* mesh, const double bounds[6])
+  {
+    RTCGeometry triangles = rtcNewGeometry(this->Device.get(), RTC_GEOMETRY_TYPE_TRIANGLE);
+    const vtkIdType points = mesh->GetNumberOfPoints();
+    auto* places = static_cast<float*>(rtcSetNewGeometryBuffer(triangles, RTC_BUFFER_TYPE_VERTEX, 0,
+      RTC_FORMAT_FLOAT3, 3 * sizeof(float), static_cast<std::size_t>(points)));
+    const glm::dvec3 middle = GetMiddle(bounds);
+    for (vtkIdType i = 0; i < points; ++i)
+    {
+      double p[3];
+      mesh->GetPoint(i, p);
+      for (int k = 0; k < 3; ++k)
+      {
+        places[3 * i + k] = static_cast<float>(p[k] - middle[k]);
+      }
+    }
+    const vtkIdType count = mesh->GetNumberOfPolys();
+    auto* corners = static_cast<unsigned*>(rtcSetNewGeometryBuffer(triangles, RTC_BUFFER_TYPE_INDEX,
+      0, RTC_FORMAT_UINT3, 3 * sizeof(unsigned), static_cast<std::size_t>(count)));
+    for (vtkIdType i = 0; i < count; ++i)
+    {
+      vtkIdType size = 0;
+      const vtkIdType* ids = nullptr;
+      mesh->GetCellPoints(i, size, ids);
+      std::transform(
+        ids, ids + 3, corners + 3 * i, [](vtkIdType id) { return static_cast<unsigned>(id); });
+    }
+    this->Hold(triangles);
+  }
+
+  bool Nearest(const RayLine& line) const
+  {
+    RTCRayHit hit{};
+    hit.ray = MakeRay(line);
+    hit.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    rtcIntersect1(this->Scene.get(), &context, &hit);
+    return hit.hit.geomID != RTC_INVALID_GEOMETRY_ID;
+  }
+
+  bool Any(const RayLine& line) const
+  {
+    RTCRay ray = MakeRay(line);
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    rtcOccluded1(this->Scene.get(), &context, &ray);
+    return ray.tfar < 0.f;
+  }
+};
+
+// Embree's tree over the boxes of triangles, with room for rays that are floats there, and our own
+// test of the triangles in it: what a backend of the same answers would be.
+class EmbreeBoxes : public EmbreeWorld
+{
+public:
+  EmbreeBoxes(vtkPolyData* mesh, const double bounds[6])
+  {
+    const glm::dvec3 middle = GetMiddle(bounds);
+    for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
+    {
+      glm::dvec3 p;
+      mesh->GetPoint(i, &p.x);
+      this->Places.push_back(p - middle);
+    }
+    for (vtkIdType i = 0; i < mesh->GetNumberOfPolys(); ++i)
+    {
+      vtkIdType size = 0;
+      const vtkIdType* ids = nullptr;
+      mesh->GetCellPoints(i, size, ids);
+      std::transform(ids, ids + 3, std::back_inserter(this->Corners),
+        [](vtkIdType id) { return static_cast<unsigned>(id); });
+    }
+    this->Room = 1e-6 *
+      glm::distance(
+        glm::dvec3(bounds[0], bounds[2], bounds[4]), glm::dvec3(bounds[1], bounds[3], bounds[5]));
+    RTCGeometry boxes = rtcNewGeometry(this->Device.get(), RTC_GEOMETRY_TYPE_USER);
+    rtcSetGeometryUserPrimitiveCount(boxes, static_cast<unsigned>(this->Corners.size() / 3));
+    rtcSetGeometryUserData(boxes, this);
+    rtcSetGeometryBoundsFunction(boxes, GetBox, nullptr);
+    rtcSetGeometryIntersectFunction(boxes, Intersect);
+    this->Hold(boxes);
+    this->Bytes += static_cast<double>(
+      this->Places.size() * sizeof(glm::dvec3) + this->Corners.size() * sizeof(unsigned));
+  }
+
+  // How far along the ray; infinity: nothing is met.
+  double Nearest(const RayLine& line) const
+  {
+    const vtkRelievoRay ray(line.From, line.Direction);
+    Asked asked;
+    rtcInitIntersectContext(&asked.Context);
+    asked.Ray = &ray;
+    RTCRayHit hit{};
+    hit.ray = MakeRay(line);
+    hit.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+    rtcIntersect1(this->Scene.get(), &asked.Context, &hit);
+    return asked.Nearest;
+  }
+
+private:
+  struct Asked
+  {
+    RTCIntersectContext Context; // first: callbacks are given it
+    const vtkRelievoRay* Ray;
+    double Nearest = Endless;
+  };
+
+  const glm::dvec3& Get(unsigned triangle, unsigned corner) const
+  {
+    return this->Places[this->Corners[3 * triangle + corner]];
+  }
+
+  static void GetBox(const RTCBoundsFunctionArguments* asked)
+  {
+    const auto* own = static_cast<const EmbreeBoxes*>(asked->geometryUserPtr);
+    const glm::dvec3& a = own->Get(asked->primID, 0);
+    const glm::dvec3& b = own->Get(asked->primID, 1);
+    const glm::dvec3& c = own->Get(asked->primID, 2);
+    const glm::vec3 low(glm::min(glm::min(a, b), c) - own->Room);
+    const glm::vec3 high(glm::max(glm::max(a, b), c) + own->Room);
+    RTCBounds& box = *asked->bounds_o;
+    box.lower_x = low.x;
+    box.lower_y = low.y;
+    box.lower_z = low.z;
+    box.upper_x = high.x;
+    box.upper_y = high.y;
+    box.upper_z = high.z;
+  }
+
+  static void Intersect(const RTCIntersectFunctionNArguments* given)
+  {
+    const auto* own = static_cast<const EmbreeBoxes*>(given->geometryUserPtr);
+    auto* asked = reinterpret_cast<Asked*>(given->context);
+    double t = 0.;
+    glm::dvec3 sides;
+    if (asked->Ray->Meets(own->Get(given->primID, 0), own->Get(given->primID, 1),
+          own->Get(given->primID, 2), t, sides) &&
+      t >= 0. && t < asked->Nearest)
+    {
+      asked->Nearest = t;
+      RTCRayHitN* hit = given->rayhit;
+      RTCRayN_tfar(RTCRayHitN_RayN(hit, given->N), given->N, 0) =
+        static_cast<float>(t * (1. + 1e-6) + own->Room);
+      RTCHitN_geomID(RTCRayHitN_HitN(hit, given->N), given->N, 0) = given->geomID;
+    }
+  }
+
+  std::vector<glm::dvec3> Places; // about the middle
+  std::vector<unsigned> Corners;
+  double Room;
+};
+
 struct Way
 {
   const char* Method;
@@ -173,6 +301,7 @@ bool Measure(const std::string& name, vtkPolyData* mesh, const RaySizes& sizes, 
   vtkRelievoRayTree tree;
   tree.SetMeshes({ placed });
   const EmbreePeer peer(mesh, bounds);
+  const EmbreeBoxes boxes(mesh, bounds);
   const std::vector<RayLine> lines = DrawLines(bounds, sizes.Rays);
   const auto own = static_cast<double>(tree.GetBytes());
   Way ways[] = {
@@ -183,6 +312,8 @@ bool Measure(const std::string& name, vtkPolyData* mesh, const RaySizes& sizes, 
       own },
     { "Embree", "nearest", [&](const RayLine& line) { return peer.Nearest(line); },
       peer.GetBytes() },
+    { "Embree's boxes, triangles in double", "nearest",
+      [&](const RayLine& line) { return boxes.Nearest(line) < Endless; }, boxes.GetBytes() },
     { "rays in double", "any",
       [&](const RayLine& line) { return tree.MeetsAny(line.From, line.Direction, 0., Endless); },
       own },
@@ -219,6 +350,17 @@ bool Measure(const std::string& name, vtkPolyData* mesh, const RaySizes& sizes, 
               << " bytes for a triangle" << std::endl;
     alike = alike && std::abs(way.Hits - ways[0].Hits) <= 1 + sizes.Rays / 10000;
   }
+  // Both in double: the same number but for the rounding of their own origins.
+  const double size = glm::distance(
+    glm::dvec3(bounds[0], bounds[2], bounds[4]), glm::dvec3(bounds[1], bounds[3], bounds[5]));
+  const auto differ = std::count_if(lines.begin(), lines.end(), [&](const RayLine& line) {
+    const double here = tree.FindNearest(line.From, line.Direction, 0., Endless).T;
+    const double there = boxes.Nearest(line);
+    return here != there && !(std::abs(here - there) <= 1e-9 * size);
+  });
+  std::cout << name << ": " << differ << " of " << sizes.Rays
+            << " nearest hits differ between both ways in double" << std::endl;
+  alike = alike && differ == 0;
   if (!alike)
   {
     std::cerr << name << ": the numbers of hits differ by more than edges do\n";

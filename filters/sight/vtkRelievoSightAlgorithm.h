@@ -20,6 +20,9 @@ class VTKRELIEVOFILTERS_EXPORT vtkRelievoSightAlgorithm : public vtkPolyDataAlgo
 public:
   vtkAbstractTypeMacro(vtkRelievoSightAlgorithm, vtkPolyDataAlgorithm);
 
+  /** Takes all of input 1 away. */
+  void RemoveOccluders() { this->SetInputConnection(1, nullptr); }
+
 protected:
   vtkRelievoSightAlgorithm();
   ~vtkRelievoSightAlgorithm() override = default;

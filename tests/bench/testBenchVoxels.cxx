@@ -73,7 +73,7 @@ void CheckRays(const std::string& folder)
   sizes.Divisions = 1;
   RELIEVO_CHECK(relievoBench::BenchRays(folder, sizes) == 0);
   const std::vector<Row> rows = relievoTest::ReadCsv(folder + "/rays.csv");
-  RELIEVO_CHECK(rows.size() == 8);
+  RELIEVO_CHECK(rows.size() == 10);
   for (const Row& row : rows)
   {
     const std::string name = row.at("method") + ", " + row.at("triangles");

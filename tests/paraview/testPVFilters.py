@@ -147,10 +147,13 @@ output.VTKObject.SetPolys(cells)
         self.assertAlmostEqual(
             found("insolation")[0], 24 / numpy.pi * numpy.cos(numpy.radians(40)), delta=0.1)
         self.assertAlmostEqual(found("sky_view")[0], 1, delta=1e-6)
-        sun.Occluder = simple.Plane(
-            Origin=[-99, -99, 0.1], Point1=[99, -99, 0.1], Point2=[-99, 99, 0.1])
+        roofs = [
+            simple.Plane(Origin=[-99, y, 0.1], Point1=[99, y, 0.1], Point2=[-99, y + 99, 0.1])
+            for y in (-99, 0)
+        ]
+        sun.Occluders = roofs
         self.assertEqual(found("sun_hours")[0], 0)
-        sun.Occluder = None
+        sun.Occluders = []
         sun.UpAxis = "Y"  # north is -z: the ground is a wall that faces south
         sun.FirstDay = sun.LastDay = [2026, 6, 21]
         self.assertLess(found("sun_hours")[0], 12)
@@ -169,12 +172,12 @@ output.VTKObject.SetPolys(cells)
         self.assertEqual(found("seen").tolist(), [1])
         self.assertAlmostEqual(found("solid_angle")[0], expected, delta=0.01 * expected)
         seen.MakeCloud = 1
-        cloud = servermanager.Fetch(servermanager.OutputPort(seen, 1))
+        cloud = servermanager.Fetch(seen, idx=1)
         self.assertEqual(cloud.GetNumberOfPoints(), found("pixels")[0])
         seen.Lens = "equirectangular"
         seen.Size = [800, 400]
         self.assertAlmostEqual(found("solid_angle")[0], expected, delta=0.02 * expected)
-        seen.Occluder = simple.Plane(Origin=[-1, -1, 1], Point1=[1, -1, 1], Point2=[-1, 1, 1])
+        seen.Occluders = simple.Plane(Origin=[-1, -1, 1], Point1=[1, -1, 1], Point2=[-1, 1, 1])
         self.assertEqual(found("seen").tolist(), [0])
 
     def test_smooth_blocks(self):
