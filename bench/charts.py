@@ -541,7 +541,8 @@ def sun(rows):
     yield Chart(
         "sun", "A courtyard's floor: error against time",
         "Lower left is better. Along the curves steps of 60 to 2 minutes, and 4 to 4096 rays.",
-        Axis("core milliseconds for 2304 places", log=True), Axis("rms error: hours, share", log=True),
+        Axis("core milliseconds for 2304 places", log=True),
+        Axis("rms error: hours, share", log=True),
         panels(rows, "core milliseconds", "rms", panel="of"))
 
 

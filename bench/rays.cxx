@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Rays a second of one core past meshes of many sizes, and bytes for a triangle, beside Embree's; and
-// beside what Embree finds when it asks our test in double about the triangles of its boxes.
+// Rays a second of one core past meshes of many sizes, and bytes for a triangle, beside Embree's;
+// and beside what Embree finds when it asks our test in double about the triangles of its boxes.
 // Rays are incoherent: from places on a sphere around the mesh to places in its box.
 #include "BenchSizes.h"
 #include "RelievoBench.h"

@@ -3,8 +3,8 @@
 //
 // The floor of a courtyard twice as wide as high: how far hours of sun are off by the step of time,
 // and the share of the sky by the number of rays, against time. Truth has no rays: the sky is the
-// opening's in closed form, and the sun of every few seconds is seen where the line to it passes the
-// opening.
+// opening's in closed form, and the sun of every few seconds is seen where the line to it passes
+// the opening.
 #include "BenchSizes.h"
 #include "RelievoBench.h"
 #include "Table.h"

@@ -64,8 +64,8 @@ visible finds by rays which cells of a mesh cameras see, in how many pixels and 
   --cloud FILE.vtp        what the pixels show of the mesh, as points
   --size WxH              pixels of each camera (1024x768)
   --view-angle DEG        full vertical angle of each camera (30)
-  --lens LENS             pinhole, brown:..., fisheye, division:..., equirectangular, cube, orthographic
-                          or a file, as of render (pinhole)
+  --lens LENS             pinhole, brown:..., fisheye, division:..., equirectangular, cube,
+                          orthographic or a file, as of render (pinhole)
   --up AXIS               the axis that points up, x, y or z (by the first FILE)
   --seed N                of random poses (0)
 
