@@ -198,7 +198,7 @@ TRUTH = {
                            "[method]", "[samples]", "[penumbra rms]"),
     "ambient": points(
         "ambient", lambda row: {"bunny": "the bunny on a ground", "room": "a room"}[row["scene"]],
-        "[method]", "[core milliseconds]", "[rms]"),
+        "[method]", "[milliseconds]", "[rms]"),
     "planner-error": planner("planner", "[expected wrong %]", "[wrong %]", ("map", "warped"),
                              (0.003, 3)),
     "planner-choice": planner("planner-choices", "[tolerance %]", "[wrong %]",
@@ -258,7 +258,7 @@ TRUTH = {
         "rays", "", "[method]", lambda row: round(float(row["triangles"]) / 1000),
         "[bytes per triangle]", None,
         lambda row: row["mesh"] == "bunny" and row["answer"] == "nearest"),
-    "sun": points("sun", "[of]", "[method]", "[milliseconds]", "[rms]"),
+    "sun": points("sun", "[of]", "[method]", "[core milliseconds]", "[rms]"),
     "skin-keys": points(
         "skin-keys", "[motion]", "[method]", "[keys per second]",
         "[largest error of the arm's end, arm's lengths]", None,
