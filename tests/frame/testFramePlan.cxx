@@ -359,6 +359,25 @@ void TestOnlyIfColorChanges()
   RELIEVO_CHECK(
     (Run(nodes, { "half" }) == Names{ "shadows", "delegate", "gbuffer", "lamps", "reads" }));
 }
+
+// What is not needed says why: nobody asks for what it would write, or it has nothing for the
+// picture, and runs where its layer is asked for.
+void TestReasons()
+{
+  std::vector<Plan::Node> nodes = MakeOwn(false);
+  Plan::Node clear = Make("clear", D::SHADE, {}, {});
+  clear.Declaration.Layers = { "clarity" };
+  clear.Declaration.ReasonCode = "idle";
+  clear.Declaration.Reason = "the strength is 0";
+  nodes.push_back(clear);
+  Plan plan;
+  plan.Make(nodes, {}, true);
+  RELIEVO_CHECK(!nodes[3].Needed && nodes[3].ReasonCode == "idle");
+  RELIEVO_CHECK(nodes[3].Reason == "the strength is 0");
+  RELIEVO_CHECK(nodes[1].ReasonCode == "not_asked" && nodes[1].Reason == "no output asks for it");
+  plan.Make(nodes, { "clarity" }, true);
+  RELIEVO_CHECK(nodes[3].Needed);
+}
 }
 
 int main()
@@ -374,5 +393,6 @@ int main()
   TestMissing();
   TestNoColor();
   TestOnlyIfColorChanges();
+  TestReasons();
   return session.Result();
 }
