@@ -121,8 +121,9 @@ void CheckDashes(
     {
       continue;
     }
-    const double x = static_cast<double>(static_cast<int>(i) % columns);
-    const double y = static_cast<double>(static_cast<int>(i) / columns);
+    const int row = static_cast<int>(i) / columns;
+    const double x = static_cast<int>(i) - row * columns;
+    const double y = row;
     std::array<double, 2> nearest{};
     farthest = std::max(farthest, places.GetDistance(x, y, nearest));
     const auto at =
