@@ -9,12 +9,17 @@ vec4 relievoOver(vec4 front, vec4 behind)
   return front + (float(1.0) - front.w) * behind;
 }
 
-// From premultiplied colours for display to premultiplied linear light. What is brighter than its
-// cover, a highlight or what shines by itself, is linear as if it covered as much as it shines: its
-// colour divided by a small cover would leave the curve's range.
-vec4 relievoLinearLayerFromSrgb(vec4 layer)
+// From premultiplied colours for display to premultiplied linear light, without a limit. Where a
+// layer shines, adding light that covers less than it is bright, it is linear as if it covered as
+// much: towards a point's rim the cover fades faster than the light, and their quotient has no
+// bound.
+vec4 relievoLinearLayerFromSrgb(vec4 layer, bool shines)
 {
-  float cover = max(max(layer.x, layer.y), max(layer.z, layer.w));
+  float cover = layer.w;
+  if (shines)
+  {
+    cover = max(max(layer.x, layer.y), max(layer.z, layer.w));
+  }
   if (!(cover > float(0.0)))
   {
     return vec4(float(0.0), float(0.0), float(0.0), layer.w);

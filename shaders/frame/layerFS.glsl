@@ -9,11 +9,12 @@
 //RELIEVO::Include(frame/layer.glsl)
 in vec2 texCoord;
 uniform vec2 relievoSize;
+uniform int relievoShines; // the layer may have light that covers less than it is bright
 
 void main()
 {
-  vec4 layer =
-    relievoLinearLayerFromSrgb(relievoFetchLayer(ivec2(floor(texCoord * relievoSize))));
+  vec4 layer = relievoLinearLayerFromSrgb(
+    relievoFetchLayer(ivec2(floor(texCoord * relievoSize))), relievoShines != 0);
   gl_FragData[0] = vec4(relievoRoundToHalf(layer.r), relievoRoundToHalf(layer.g),
     relievoRoundToHalf(layer.b), relievoRoundToHalf(layer.a));
 }

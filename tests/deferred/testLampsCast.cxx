@@ -6,8 +6,11 @@
 #include "Check.h"
 #include "EmbreeScene.h"
 #include "GLCheck.h"
+#include "HardMeshes.h"
 #include "LampScenes.h"
 #include "Layers.h"
+#include "Props.h"
+#include "Scenes.h"
 #include "Session.h"
 #include "ShadowErrors.h"
 #include "View.h"
@@ -16,6 +19,8 @@
 #include <vtkActor.h>
 #include <vtkActorCollection.h>
 #include <vtkCamera.h>
+#include <vtkCubeSource.h>
+#include <vtkCylinderSource.h>
 #include <vtkImageData.h>
 #include <vtkLight.h>
 #include <vtkProperty.h>
@@ -24,6 +29,8 @@
 #include <algorithm>
 #include <cmath>
 #include <iostream>
+#include <numeric>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -41,7 +48,8 @@ int GetFact(vtkRelievoStage* stage, const char* name)
 
 // Three lamps, each in a channel of its own: the light with shadows over the light without, against
 // rays to the lamps.
-void CheckAgainstRays(LampScene& scene, const glm::dvec3* places, const std::string& what)
+std::vector<ShadowErrors> CompareWithRays(
+  LampScene& scene, const glm::dvec3* places, const std::string& what)
 {
   std::vector<Lamp> lamps;
   for (int c = 0; c < 3; ++c)
@@ -59,6 +67,7 @@ void CheckAgainstRays(LampScene& scene, const glm::dvec3* places, const std::str
   const Layers shadowed(scene.Read(Light));
   RELIEVO_CHECK(scene.Stage->GetNumberCasting() == 3);
   const TruthImage view = truth.Trace(View(scene.Renderer));
+  std::vector<ShadowErrors> found;
   for (int c = 0; c < 3; ++c)
   {
     vtkNew<vtkLight> light;
@@ -75,12 +84,20 @@ void CheckAgainstRays(LampScene& scene, const glm::dvec3* places, const std::str
         visibility.push_back(all > 0.0 ? static_cast<float>(seen / all) : 1.0f);
       }
     }
-    const ShadowErrors errors = CompareShadow(TraceShadow(truth, view, light), visibility.data());
-    std::cout << what << ", lamp " << c << ": " << errors.ToString() << "\n";
-    RELIEVO_CHECK_AT_MOST(errors.Wrong(), 0.002, what + ", lamp " + std::to_string(c));
-    RELIEVO_CHECK(errors.Dark > 100);
+    found.push_back(CompareShadow(TraceShadow(truth, view, light), visibility.data()));
+    std::cout << what << ", lamp " << c << ": " << found.back().ToString() << "\n";
   }
   scene.Stage->RemoveAllPoints();
+  return found;
+}
+
+void CheckAgainstRays(LampScene& scene, const glm::dvec3* places, const std::string& what)
+{
+  for (const ShadowErrors& errors : CompareWithRays(scene, places, what))
+  {
+    RELIEVO_CHECK_AT_MOST(errors.Wrong(), 0.002, what);
+    RELIEVO_CHECK(errors.Dark > 100);
+  }
 }
 
 const glm::dvec3 Around[3] = { { -2.0, 1.6, 2.0 }, { 0.2, 2.4, 0.3 }, { 2.6, 0.4, -0.8 } };
@@ -110,6 +127,93 @@ void TestRays()
   LampScene scene(200, 150);
   const glm::dvec3 within[3] = { { -0.7, 0.8, 0.0 }, { 0.2, 1e-3, 1.5 }, { 1.0, 0.3, 0.4 } };
   CheckAgainstRays(scene, within, "inside and on surfaces");
+}
+
+// Things and lamps by lot.
+struct Lots
+{
+  std::mt19937 Random{ 31 };
+  double Between(double low, double high)
+  {
+    return low + (high - low) * static_cast<double>(this->Random()) / 4294967296.0;
+  }
+};
+
+// Boxes and cylinders, askew, and in every third scene the bunny; or one mesh.
+void AddRandomThings(LampScene& scene, int number, vtkPolyData* mesh, Lots& lots)
+{
+  vtkActorCollection* actors = scene.Renderer->GetActors();
+  for (int i = 0; i < 2; ++i) // the ball and the cone
+  {
+    scene.Renderer->RemoveActor(vtkActor::SafeDownCast(actors->GetItemAsObject(0)));
+  }
+  if (mesh)
+  {
+    AddActor(scene.Renderer, mesh);
+    return;
+  }
+  const auto bunny = number % 3 == 0 ? LoadMesh("bunny") : nullptr;
+  if (bunny)
+  {
+    AddActor(scene.Renderer, PlaceMesh(bunny, false));
+  }
+  for (int i = bunny ? 1 : 0; i < 5; ++i)
+  {
+    vtkNew<vtkCubeSource> cube;
+    vtkNew<vtkCylinderSource> cylinder;
+    cube->SetXLength(lots.Between(0.1, 1.1));
+    cube->SetYLength(lots.Between(0.1, 1.1));
+    cube->SetZLength(lots.Between(0.1, 1.1));
+    cylinder->SetRadius(lots.Between(0.05, 0.45));
+    cylinder->SetHeight(lots.Between(0.2, 1.7));
+    cylinder->SetResolution(24);
+    cube->Update();
+    cylinder->Update();
+    const auto actor =
+      AddActor(scene.Renderer, i % 2 == 0 ? cube->GetOutput() : cylinder->GetOutput());
+    actor->RotateWXYZ(
+      lots.Between(0.0, 360.0), lots.Between(0.1, 1.0), lots.Between(0.0, 1.0), 0.5);
+    actor->SetPosition(lots.Between(-2.0, 2.0), lots.Between(0.2, 1.2), lots.Between(-1.5, 2.0));
+  }
+}
+
+// The error is the map's: it falls with the map's size, and grows with the density of edges.
+void TestRandomScenes(const std::string& name, int scenes, vtkPolyData* mesh, double limit)
+{
+  Lots lots;
+  const int sizes[] = { 512, 1024, 2048 };
+  std::vector<double> wrong[3];
+  for (int i = 0; i < scenes; ++i)
+  {
+    LampScene scene(200, 150);
+    AddRandomThings(scene, i, mesh, lots);
+    glm::dvec3 places[3];
+    for (glm::dvec3& place : places)
+    {
+      place = { lots.Between(-2.5, 2.5), lots.Between(0.4, 3.0), lots.Between(-1.8, 2.2) };
+    }
+    for (int size = 0; size < 3; ++size)
+    {
+      scene.Frame->GetShadowStage()->SetLampMapSize(sizes[size]);
+      for (const ShadowErrors& errors :
+        CompareWithRays(scene, places, name + " " + std::to_string(i)))
+      {
+        wrong[size].push_back(errors.Wrong());
+      }
+    }
+  }
+  double means[3];
+  for (int size = 0; size < 3; ++size)
+  {
+    const std::vector<double>& each = wrong[size];
+    means[size] = std::accumulate(each.begin(), each.end(), 0.0) / static_cast<double>(each.size());
+    std::cout << name << ", maps of " << sizes[size] << ": mean " << means[size] << ", worst "
+              << *std::max_element(each.begin(), each.end()) << " of " << each.size() << "\n";
+  }
+  RELIEVO_CHECK_AT_MOST(
+    *std::max_element(wrong[1].begin(), wrong[1].end()), limit, name + ": worst, maps of 1024");
+  RELIEVO_CHECK_AT_MOST(means[1], 0.75 * means[0], name + ": maps of 1024 over those of 512");
+  RELIEVO_CHECK_AT_MOST(means[2], 0.75 * means[1], name + ": maps of 2048 over those of 1024");
 }
 
 // A lamp lights white surfaces as VTK's own positional light does with the shadow stage's maps:
@@ -357,6 +461,9 @@ int main()
 {
   relievoTest::Session session;
   TestRays();
+  TestRandomScenes("random things", 12, nullptr, 0.002);
+  TestRandomScenes("arrows", 4, MakeArrows(), 0.02);
+  TestRandomScenes("a tree", 4, MakeTree(), 0.005);
   TestPointLight();
   TestCasters();
   TestReceivers();

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Lamps on a pane: what they add to the layer `blend`, against the sum over all lamps in double at
-// the pane's plane.
+// Lamps on a pane: what they add to the layer `blend` and to the linear colour, against the sum
+// over all lamps in double at the pane's plane.
 #include "Check.h"
 #include "GLCheck.h"
 #include "LampScenes.h"
@@ -78,7 +78,7 @@ double CheckPane(PaneScene& scene, const std::vector<Lamp>& lamps, const glm::dv
 {
   const GLCheck gl(scene.Window);
   const auto set = scene.AddLamps(lamps);
-  const std::vector<std::string> wanted{ "blend", "depth", "light" };
+  const std::vector<std::string> wanted{ "blend", "color", "depth", "light" };
   scene.Stage->TranslucentOff();
   const Layers unlit(scene.Read(wanted));
   scene.Stage->TranslucentOn();
@@ -113,9 +113,12 @@ double CheckPane(PaneScene& scene, const std::vector<Lamp>& lamps, const glm::dv
       for (int c = 0; c < 3; ++c)
       {
         const double added = pane ? Opacity * own[c] * sum.Light[c] : 0.0;
-        const double expected = unlit.Value("blend", x, y, c) + added;
-        const double error = std::abs(lit.Value("blend", x, y, c) - expected);
-        worst = std::max(worst, error / (absolute ? 1.0 : expected + 0.02));
+        for (const char* layer : { "blend", "color" })
+        {
+          const double expected = unlit.Value(layer, x, y, c) + added;
+          const double error = std::abs(lit.Value(layer, x, y, c) - expected);
+          worst = std::max(worst, error / (absolute ? 1.0 : expected + 0.02));
+        }
         most = std::max(most, added);
       }
       inside += pane ? 1 : 0;
@@ -160,6 +163,40 @@ void TestSums()
     CheckPane(scene, many, GetLinear(), Halves, "parallel");
     scene.Window->SetMultiSamples(8);
     CheckPane(scene, few, GetLinear(), Halves, "8 samples");
+  }
+}
+
+// Lamps whose sum on the pane is far above white, where it is brightest: the light is not clamped.
+void TestBright()
+{
+  constexpr double Brightest = 45.0;
+  for (const std::vector<Lamp>& given :
+    { std::vector<Lamp>{ { glm::dvec3(0.4, 1.0, 1.9), 2.0, 1.0, glm::dvec3(1.0, 0.9, 0.7) } },
+      RandomLamps(300, 0.8, false) })
+  {
+    const std::string what = std::to_string(given.size()) + " bright lamps";
+    std::vector<Lamp> lamps = given;
+    double most = 0.0;
+    for (double x = -1.8; x <= 1.8; x += 0.02)
+    {
+      for (double y = 0.2; y <= 2.2; y += 0.02)
+      {
+        const glm::dvec3 light = SumLight(lamps, vtkRelievoLamps::LINEAR, glm::dvec3(1.0),
+          glm::dvec3(x, y, Z), glm::dvec3(0.0, 0.0, 1.0))
+                                   .Light;
+        most = std::max({ most, light.x, light.y, light.z });
+      }
+    }
+    for (Lamp& lamp : lamps)
+    {
+      lamp.Intensity *= Brightest / most;
+    }
+    PaneScene scene;
+    scene.Pane->GetProperty()->SetColor(1.0, 1.0, 1.0);
+    RELIEVO_CHECK(
+      CheckPane(scene, lamps, glm::dvec3(1.0), Halves, what) > 0.8 * Opacity * Brightest);
+    scene.Pane->GetProperty()->SetInterpolationToPBR();
+    CheckPane(scene, lamps, glm::dvec3(1.0), Halves, what + ", PBR");
   }
 }
 
@@ -224,6 +261,7 @@ int main()
 {
   relievoTest::Session session;
   TestSums();
+  TestBright();
   TestMaterials();
   TestToggles();
   return session.Result();

@@ -138,7 +138,7 @@ void TestLayers()
     const glm::dvec4 all = f64::relievoOver(f64::relievoOver(a, b), c);
     apart = std::max(apart, glm::length(all - f64::relievoOver(a, f64::relievoOver(b, c))));
     RELIEVO_CHECK_NEAR(1. - all.w, (1. - a.w) * (1. - b.w) * (1. - c.w), 1e-14, "let through");
-    const glm::dvec4 linear = f64::relievoLinearLayerFromSrgb(a);
+    const glm::dvec4 linear = f64::relievoLinearLayerFromSrgb(a, i % 2 != 0);
     RELIEVO_CHECK_NEAR(
       linear.y, a.w * f64::relievoLinearFromSrgb(a.y / a.w), 1e-14, "linear layer");
     RELIEVO_CHECK(linear.w == a.w);
@@ -146,11 +146,18 @@ void TestLayers()
     RELIEVO_CHECK_NEAR(cover, 1. - a.w, 1e-6, "cover by alpha");
   }
   RELIEVO_CHECK_AT_MOST(apart, 1e-15, "another grouping");
-  RELIEVO_CHECK(f64::relievoLinearLayerFromSrgb(glm::dvec4(0.)) == glm::dvec4(0.));
+  for (const bool shines : { false, true })
+  {
+    RELIEVO_CHECK(f64::relievoLinearLayerFromSrgb(glm::dvec4(0.), shines) == glm::dvec4(0.));
+  }
+  // Brighter than white under a cover: the curve goes on.
+  const glm::dvec4 bright(2., 1., 0.2, 0.5);
+  RELIEVO_CHECK_NEAR(f64::relievoLinearLayerFromSrgb(bright, false).x,
+    0.5 * std::pow((4. + 0.055) / 1.055, 2.4), 1e-12, "bright");
   // Light that covers little or nothing: as bright as it shines.
   for (const double a : { 0., 1e-4, 0.1, 0.3 })
   {
-    const glm::dvec4 shines = f64::relievoLinearLayerFromSrgb(glm::dvec4(0.3, 0.15, 0., a));
+    const glm::dvec4 shines = f64::relievoLinearLayerFromSrgb(glm::dvec4(0.3, 0.15, 0., a), true);
     RELIEVO_CHECK_NEAR(shines.x, 0.3, 1e-15, "shines");
     RELIEVO_CHECK(shines.y < 0.15 && shines.z == 0. && shines.w == a);
   }

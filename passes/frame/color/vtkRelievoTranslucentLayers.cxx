@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRelievoTranslucentLayers.h"
 
+#include "vtkActor.h"
 #include "vtkDualDepthPeelingPass.h"
 #include "vtkInformation.h"
 #include "vtkInformationObjectBaseVectorKey.h"
@@ -10,6 +11,7 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 #include "vtkOrderIndependentTranslucentPass.h"
+#include "vtkPointGaussianMapper.h"
 #include "vtkPropCollection.h"
 #include "vtkRelievoColorTarget.h"
 #include "vtkRelievoFrameContext.h"
@@ -42,6 +44,25 @@ bool HasVolumes(const vtkRelievoFrameContext& context)
     vtkNew<vtkPropCollection> volumes;
     prop->GetVolumes(volumes);
     return volumes->GetNumberOfItems() > 0;
+  });
+}
+
+// Points that add light, whatever they cover.
+bool HasShiningPoints(const vtkRelievoFrameContext& context)
+{
+  return AnyProp(context, [](vtkProp* prop) {
+    vtkNew<vtkPropCollection> actors;
+    prop->GetActors(actors);
+    for (int i = 0; i < actors->GetNumberOfItems(); ++i)
+    {
+      auto* actor = vtkActor::SafeDownCast(actors->GetItemAsObject(i));
+      auto* points = vtkPointGaussianMapper::SafeDownCast(actor ? actor->GetMapper() : nullptr);
+      if (points && points->GetEmissive())
+      {
+        return true;
+      }
+    }
+    return false;
   });
 }
 
@@ -160,6 +181,7 @@ void vtkRelievoTranslucentLayers::Close()
         this->ToLinear.Ready(*this->Context, "frame/layerFS.glsl", { "drawn" }))
   {
     program->SetUniformi("relievoAveraged", this->Averaged);
+    program->SetUniformi("relievoShines", HasShiningPoints(*this->Context));
     this->Context->Translucent->GoOn(*this->Context);
     vtkOpenGLState* state = this->Context->Window->GetState();
     state->vtkglEnable(GL_BLEND);
