@@ -106,6 +106,21 @@ struct SoftShadowSizes
   int Height = 180;
 };
 
+struct ExactHardSizes
+{
+  std::vector<std::string> Scenes = { "fins", "folds", "arrows", "tree", "bunny", "motorBike" };
+  int Width = 1000;
+  int Height = 800;
+};
+
+struct PlannerCaseSizes
+{
+  int Scenes = 54; // with 5 tolerances each
+  unsigned int Seed = 1;
+  int Width = 560;
+  int Height = 420;
+};
+
 struct AmbientSizes
 {
   std::vector<std::string> Scenes = { "bunny", "room" };
@@ -188,9 +203,11 @@ int BenchSun(const std::string& outDir, const SunSizes& sizes);
 int BenchSkin(const std::string& outDir, const SkinSizes& sizes);
 int BenchParticles(const std::string& outDir, const ParticleSizes& sizes);
 int BenchSoftShadows(const std::string& outDir, const SoftShadowSizes& sizes);
+int BenchExactHard(const std::string& outDir, const ExactHardSizes& sizes);
 int BenchAmbient(const std::string& outDir, const AmbientSizes& sizes);
 int BenchPlanner(const std::string& outDir, const PlannerSizes& sizes);
 int BenchEffects(const std::string& outDir, const EffectSizes& sizes);
+int BenchPlannerCases(const std::string& outDir, const PlannerCaseSizes& sizes);
 int BenchFog(const std::string& outDir, const FogSizes& sizes);
 
 /** The part of BenchEnvironment that times frames; returns whether its file is written. */

@@ -3,6 +3,7 @@
 #include "CodedScenes.h"
 
 #include "FrameBench.h"
+#include "MadeMeshes.h"
 
 #include <vtkAppendPolyData.h>
 #include <vtkCamera.h>
@@ -135,6 +136,10 @@ vtkSmartPointer<vtkPolyData> ShadowSceneMesh(const std::string& name)
   return name == SpheresScene ? Spheres()
     : name == HorizonScene    ? Poles()
     : name == SlabsScene      ? Slabs()
+    : name == FinsScene       ? relievoTest::MakeFins()
+    : name == FoldsScene      ? relievoTest::MakeFolds()
+    : name == ArrowsScene     ? relievoTest::MakeArrows()
+    : name == TreeScene       ? relievoTest::MakeTree()
                               : SceneMesh(name);
 }
 

@@ -24,6 +24,12 @@ constexpr const char* SpheresScene = "spheres";
 constexpr const char* HorizonScene = "horizon";
 constexpr const char* SlabsScene = "slabs";
 
+/** Those of MadeMeshes.h on the ground of the reference scenes; the folds, which hide it. */
+constexpr const char* FinsScene = "fins";
+constexpr const char* FoldsScene = "folds";
+constexpr const char* ArrowsScene = "arrows";
+constexpr const char* TreeScene = "tree";
+
 /** A light of these scenes; at, or its sun towards, (3, 5, 2) unless Elevation says otherwise. */
 struct ShadowLight
 {

@@ -53,11 +53,17 @@ int RelievoBenchShadows(const std::string& outDir);
 /** What the planner of shadows expects and chooses, against what there is. A quarter of an hour. */
 int RelievoBenchPlanner(const std::string& outDir);
 
+/** How often what is chosen for a tolerance meets it, over cases by lot. Two minutes. */
+int RelievoBenchPlannerCases(const std::string& outDir);
+
 /** Chart 5: false shadow against leak as the bias grows, three heights of the sun. Minutes. */
 int RelievoBenchBias(const std::string& outDir);
 
 /** Chart 11: error of soft shadows against samples. Some minutes. */
 int RelievoBenchSoftShadows(const std::string& outDir);
+
+/** Wrong exact shadows where edges lie densely, against what is expected. A minute. */
+int RelievoBenchExactHard(const std::string& outDir);
 
 /** Error of ambient occlusion against time, by rays, beside VTK's own. Two minutes. */
 int RelievoBenchAmbient(const std::string& outDir);

@@ -82,6 +82,7 @@ METHODS = {
     # shadows
     "map": "blue o -", "forward": "vermillion s -.", "warped": "green D --", "exact": "orange v -",
     "constant, computed": "purple ^ : constant bias", "vtkShadowMapPass": "grey x -- VTK",
+    "with ties": "orange v -", "without ties": "blue o -", "expected": "grey x --",
     # lamps
     "quads": "blue o -", "clusters": "vermillion s -.", "every lamp": "purple ^ -",
     "VTK's lights": "grey x --", "deferred": "green D -", "VTK's shading": "grey x -- VTK",

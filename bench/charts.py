@@ -252,7 +252,23 @@ def soft_shadows(rows):
         Axis("samples", True, numbers(rows, "samples")),
         Axis("rms error of pixels in the penumbra", log=True),
         panels(rows, "samples", "penumbra rms",
-               panel=lambda row: f"{row['scene']}, {row['light']}"))  # fmt: skip
+               panel=lambda row: f"{row['scene']}, {row['light']}" +
+               (f" of {row['size']}" if row["light"] == "point" else "")))  # fmt: skip
+
+
+@bench("exact-hard.csv")
+def exact_hard(rows):
+    """Errors of exact shadows where edges lie densely."""
+    columns = {"with ties": "wrong %", "without ties": "wrong without ties %",
+               "expected": "expected %"}  # fmt: skip
+    shown = [{"scene": row["scene"], "share": share, "%": row[column]}
+             for row in rows if row["light"] == "sun"
+             for share, column in columns.items()]  # fmt: skip
+    yield Chart(
+        "exact-hard", "Exact shadows where edges lie densely, under the sun",
+        "Ties: OpenGL's grid decides which side of an edge a pixel shows. Grey: what is expected.",
+        Axis("wrong verdicts, % of pixels"), Axis(), panels(shown, "%", method="share"),
+        kind="bars")  # fmt: skip
 
 
 @bench("ambient.csv")

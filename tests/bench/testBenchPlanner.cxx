@@ -70,6 +70,31 @@ void TestBudgets(const std::vector<Row>& budgets, const Ways& ways)
 }
 }
 
+// Cases by lot: the promise holds, and both maps and rays are chosen.
+void TestCases(const std::string& folder)
+{
+  relievoBench::PlannerCaseSizes sizes;
+  sizes.Scenes = 6;
+  sizes.Seed = 4;
+  sizes.Width = 320;
+  sizes.Height = 240;
+  RELIEVO_CHECK(relievoBench::BenchPlannerCases(folder, sizes) == 0);
+  const auto rows = relievoTest::ReadCsv(folder + "/planner-cases.csv");
+  RELIEVO_CHECK(rows.size() == 30);
+  int over = 0;
+  std::map<std::string, int> methods;
+  for (const Row& row : rows)
+  {
+    const double times = Value(row, "wrong %") / Value(row, "tolerance %");
+    RELIEVO_CHECK_NEAR(Value(row, "wrong / tolerance"), times, 1e-3 * times, "times the tolerance");
+    RELIEVO_CHECK_AT_MOST(times, 3., "scene " + row.at("scene") + ": times the tolerance");
+    over += times > 1.5 ? 1 : 0;
+    ++methods[row.at("method")];
+  }
+  RELIEVO_CHECK_AT_MOST(over, 2, "of 30 cases, over 1.5 times the tolerance");
+  RELIEVO_CHECK(methods["exact"] > 0 && methods["map"] > 0);
+}
+
 //------------------------------------------------------------------------------
 int main()
 {
@@ -93,5 +118,6 @@ int main()
   TestChoices(relievoTest::ReadCsv(folder + "/planner-choices.csv"), ways);
   TestBudgets(relievoTest::ReadCsv(folder + "/planner-budgets.csv"), ways);
   RELIEVO_CHECK(relievoBench::DrawCharts("planner", folder));
+  TestCases(folder);
   return session.Result();
 }

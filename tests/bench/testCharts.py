@@ -36,7 +36,7 @@ import charts  # noqa: E402
 UNSHOWN = {
     "blocks-labels", "blocks-labels-vtk97", "blocks-threads", "blocks-vtk97", "capture",
     "environment-frames", "lamp-shadows", "lights-peer", "normal-maps", "paraview-frames",
-    "relief-geometry", "shadow-frames", "tone", "tone-dither", "tone-frames",
+    "planner-cases", "relief-geometry", "shadow-frames", "tone", "tone-dither", "tone-frames",
 }  # fmt: skip
 
 
@@ -101,6 +101,16 @@ def shadows(panels, x):
         lambda row: row["method"] == "map" and row["map"] == "2048",
         lambda row: panel(row) and row["window"] == "600x600" and row["shading"] == "flat"
         and row["method"] in ("map", "warped", "forward", "exact", "vtkShadowMapPass"))  # fmt: skip
+
+
+def soft_panel(row):
+    panel = f"{row['scene']}, {row['light']}"
+    return f"{panel} of {row['size']}" if row["light"] == "point" else panel
+
+
+def exact_hard(share, x):
+    return points("exact-hard", "[scene]", share, x, share, None,
+                  lambda row: row["light"] == "sun")  # fmt: skip
 
 
 def planner(table, x, y, methods, ends):
@@ -194,8 +204,9 @@ TRUTH = {
                               "horizon, sun at 10 degrees": "the same, sun at 10°"}, "[map]"),
     "shadows-time": shadows({"bunny, sun": "bunny", "motorBike, sun": "motorBike",
                              "horizon, sun at 10 degrees": "horizon, sun at 10°"}, "[moving ms]"),
-    "soft-shadows": points("soft-shadows", lambda row: f"{row['scene']}, {row['light']}",
-                           "[method]", "[samples]", "[penumbra rms]"),
+    "soft-shadows": points("soft-shadows", soft_panel, "[method]", "[samples]", "[penumbra rms]"),
+    "exact-hard": exact_hard("with ties", "[wrong %]")
+    + exact_hard("without ties", "[wrong without ties %]") + exact_hard("expected", "[expected %]"),
     "ambient": points(
         "ambient", lambda row: {"bunny": "the bunny on a ground", "room": "a room"}[row["scene"]],
         "[method]", "[milliseconds]", "[rms]"),
@@ -314,7 +325,7 @@ def comparable(all_points, figure):
     return sorted(kept, key=str)
 
 
-WITH_ROWS = ("depth-bytes", "position-bytes", "gbuffer", "f3d-first")
+WITH_ROWS = ("depth-bytes", "position-bytes", "gbuffer", "f3d-first", "exact-hard")
 ROW_NAMES = {y for stem in WITH_ROWS for *_, y, _ in TRUTH[stem]}
 
 

@@ -6,9 +6,9 @@
 #include "Check.h"
 #include "EmbreeScene.h"
 #include "GLCheck.h"
-#include "HardMeshes.h"
 #include "LampScenes.h"
 #include "Layers.h"
+#include "MadeMeshes.h"
 #include "Props.h"
 #include "Scenes.h"
 #include "Session.h"
@@ -19,8 +19,6 @@
 #include <vtkActor.h>
 #include <vtkActorCollection.h>
 #include <vtkCamera.h>
-#include <vtkCubeSource.h>
-#include <vtkCylinderSource.h>
 #include <vtkImageData.h>
 #include <vtkLight.h>
 #include <vtkProperty.h>
@@ -30,7 +28,6 @@
 #include <cmath>
 #include <iostream>
 #include <numeric>
-#include <random>
 #include <string>
 #include <vector>
 
@@ -129,64 +126,26 @@ void TestRays()
   CheckAgainstRays(scene, within, "inside and on surfaces");
 }
 
-// Things and lamps by lot.
-struct Lots
-{
-  std::mt19937 Random{ 31 };
-  double Between(double low, double high)
-  {
-    return low + (high - low) * static_cast<double>(this->Random()) / 4294967296.0;
-  }
-};
-
-// Boxes and cylinders, askew, and in every third scene the bunny; or one mesh.
-void AddRandomThings(LampScene& scene, int number, vtkPolyData* mesh, Lots& lots)
-{
-  vtkActorCollection* actors = scene.Renderer->GetActors();
-  for (int i = 0; i < 2; ++i) // the ball and the cone
-  {
-    scene.Renderer->RemoveActor(vtkActor::SafeDownCast(actors->GetItemAsObject(0)));
-  }
-  if (mesh)
-  {
-    AddActor(scene.Renderer, mesh);
-    return;
-  }
-  const auto bunny = number % 3 == 0 ? LoadMesh("bunny") : nullptr;
-  if (bunny)
-  {
-    AddActor(scene.Renderer, PlaceMesh(bunny, false));
-  }
-  for (int i = bunny ? 1 : 0; i < 5; ++i)
-  {
-    vtkNew<vtkCubeSource> cube;
-    vtkNew<vtkCylinderSource> cylinder;
-    cube->SetXLength(lots.Between(0.1, 1.1));
-    cube->SetYLength(lots.Between(0.1, 1.1));
-    cube->SetZLength(lots.Between(0.1, 1.1));
-    cylinder->SetRadius(lots.Between(0.05, 0.45));
-    cylinder->SetHeight(lots.Between(0.2, 1.7));
-    cylinder->SetResolution(24);
-    cube->Update();
-    cylinder->Update();
-    const auto actor =
-      AddActor(scene.Renderer, i % 2 == 0 ? cube->GetOutput() : cylinder->GetOutput());
-    actor->RotateWXYZ(
-      lots.Between(0.0, 360.0), lots.Between(0.1, 1.0), lots.Between(0.0, 1.0), 0.5);
-    actor->SetPosition(lots.Between(-2.0, 2.0), lots.Between(0.2, 1.2), lots.Between(-1.5, 2.0));
-  }
-}
-
 // The error is the map's: it falls with the map's size, and grows with the density of edges.
-void TestRandomScenes(const std::string& name, int scenes, vtkPolyData* mesh, double limit)
+void TestScenesByLot(const std::string& name, int scenes, vtkPolyData* mesh, double limit)
 {
-  Lots lots;
+  Lots lots(31);
   const int sizes[] = { 512, 1024, 2048 };
   std::vector<double> wrong[3];
   for (int i = 0; i < scenes; ++i)
   {
     LampScene scene(200, 150);
-    AddRandomThings(scene, i, mesh, lots);
+    vtkActorCollection* actors = scene.Renderer->GetActors();
+    for (int j = 0; j < 2; ++j) // the ball and the cone
+    {
+      scene.Renderer->RemoveActor(vtkActor::SafeDownCast(actors->GetItemAsObject(0)));
+    }
+    AddActor(scene.Renderer, mesh ? vtkSmartPointer<vtkPolyData>(mesh) : MakeThings(lots));
+    const auto bunny = mesh || i % 3 != 0 ? nullptr : LoadMesh("bunny");
+    if (bunny)
+    {
+      AddActor(scene.Renderer, PlaceMesh(bunny, false));
+    }
     glm::dvec3 places[3];
     for (glm::dvec3& place : places)
     {
@@ -461,9 +420,9 @@ int main()
 {
   relievoTest::Session session;
   TestRays();
-  TestRandomScenes("random things", 12, nullptr, 0.002);
-  TestRandomScenes("arrows", 4, MakeArrows(), 0.02);
-  TestRandomScenes("a tree", 4, MakeTree(), 0.005);
+  TestScenesByLot("things by lot", 12, nullptr, 0.002);
+  TestScenesByLot("arrows", 4, MakeArrows(), 0.02);
+  TestScenesByLot("a tree", 4, MakeTree(), 0.005);
   TestPointLight();
   TestCasters();
   TestReceivers();

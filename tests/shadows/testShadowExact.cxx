@@ -7,6 +7,7 @@
 #include "EmbreeScene.h"
 #include "GLCheck.h"
 #include "Layers.h"
+#include "MadeMeshes.h"
 #include "Props.h"
 #include "Scenes.h"
 #include "Session.h"
@@ -31,7 +32,6 @@
 #include <cmath>
 #include <iostream>
 #include <limits>
-#include <random>
 #include <vector>
 
 namespace
@@ -286,12 +286,7 @@ void TestSlivers()
 {
   ShadowStage stage(500, 400);
   stage.AddGround();
-  std::mt19937 random(7);
-  for (int i = 0; i < 40; ++i)
-  {
-    const double height = 0.3 + 0.9 * static_cast<double>(random()) / 4294967296.;
-    stage.AddBox({ -1.9977 + 0.1 * i, 0.5 * height, 0. }, { 0.0046, height, 2. });
-  }
+  relievoTest::AddActor(stage.Renderer, relievoTest::MakeFins());
   vtkCamera* camera = stage.Renderer->GetActiveCamera();
   camera->SetPosition(2.5, 3., 6.);
   camera->SetFocalPoint(0., 0.5, 0.);
@@ -305,51 +300,8 @@ void TestSlivers()
 // fold is concave and the pixel's centre on it.
 void TestCreases()
 {
-  constexpr int Cells = 128;
-  std::mt19937 random(11);
-  std::vector<double> height((Cells + 1) * (Cells + 1), 0.);
-  const auto at = [&](int i, int j) -> double& { return height[j * (Cells + 1) + i]; };
-  // Midpoints are displaced by half as much in each step.
-  const auto rough = [&](int step) {
-    return 0.4 * step / Cells * (static_cast<double>(random()) / 2147483648. - 1.);
-  };
-  for (int step = Cells; step > 1; step /= 2)
-  {
-    const int half = step / 2;
-    for (int j = 0; j <= Cells; j += half)
-    {
-      for (int i = 0; i <= Cells; i += half)
-      {
-        const int x = i % step, y = j % step;
-        if (x != 0 || y != 0)
-        {
-          at(i, j) =
-            0.25 * (at(i - x, j - y) + at(i + x, j - y) + at(i - x, j + y) + at(i + x, j + y)) +
-            rough(step);
-        }
-      }
-    }
-  }
-  std::vector<glm::dvec3> points;
-  for (int j = 0; j <= Cells; ++j)
-  {
-    for (int i = 0; i <= Cells; ++i)
-    {
-      points.emplace_back(4. * i / Cells - 2., at(i, j), 2. - 4. * j / Cells);
-    }
-  }
-  const auto mesh = relievoTest::MakePolygons(points);
-  for (int j = 0; j < Cells; ++j)
-  {
-    for (int i = 0; i < Cells; ++i)
-    {
-      const vtkIdType a = j * (Cells + 1) + i;
-      mesh->GetPolys()->InsertNextCell({ a, a + 1, a + Cells + 2 });
-      mesh->GetPolys()->InsertNextCell({ a, a + Cells + 2, a + Cells + 1 });
-    }
-  }
   ShadowStage stage(600, 450);
-  relievoTest::AddActor(stage.Renderer, mesh);
+  relievoTest::AddActor(stage.Renderer, relievoTest::MakeFolds());
   stage.AddSun(3., 2., 2.);
   stage.GetShadows()->SetMethodToExact();
   relievoTest::CheckShadow(stage, 0, Limit, "creases");

@@ -44,7 +44,7 @@ void TestTolerances(ShadowStage& stage, const std::string& what)
 {
   Pass* shadows = stage.GetShadows();
   stage.GetFrame()->ShadowsOn();
-  for (const double tolerance : { 2e-3, 5e-4, 2e-5 })
+  for (const double tolerance : { 2e-3, 5e-4, 4e-5 })
   {
     shadows->SetTolerance(tolerance);
     stage.Window->Render();

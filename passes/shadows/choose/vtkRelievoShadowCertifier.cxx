@@ -70,6 +70,13 @@ std::string DrawLayers(vtkRenderer* renderer, vtkRelievoFramePass* frame,
   return fault;
 }
 
+// A step beside the centre of a pixel, to one of four sides.
+vtkRelievoPixelRay GetBeside(const vtkRelievoShadowPixels& pixels, int x, int y, int corner)
+{
+  return pixels.GetRay(
+    x + 0.5 + (corner & 1 ? SubPixel : -SubPixel), y + 0.5 + (corner & 2 ? SubPixel : -SubPixel));
+}
+
 // What is drawn into maps as points and lines is wider there than its box, by some texels.
 double GetWidth(const vtkRelievoShadowCache& cache)
 {
@@ -158,6 +165,16 @@ vtkRelievoShadowCertifier::Findings vtkRelievoShadowCertifier::Judge(int x, int 
   const vtkRelievoCasterRays::Meeting seen =
     this->Rays.Find(eye.From, eye.Ray, depth - window, depth + window, wanted);
   const float drawn = this->Visibility[light][pixel];
+  // On an outline OpenGL may draw what a ray through the pixel's centre just misses.
+  for (int corner = 0; corner < 4 && seen.Surface < 0; ++corner)
+  {
+    const vtkRelievoPixelRay beside = GetBeside(pixels, x, y, corner);
+    if (this->Rays.Find(beside.From, beside.Ray, depth - window, depth + window, wanted).Surface >=
+      0)
+    {
+      return TIE;
+    }
+  }
   if (seen.Surface < 0 || !std::isfinite(drawn))
   {
     return UNKNOWN;
@@ -182,8 +199,7 @@ vtkRelievoShadowCertifier::Findings vtkRelievoShadowCertifier::Judge(int x, int 
   // Before it is known what was drawn: it must not decide what is counted.
   for (int corner = 0; corner < 4; ++corner)
   {
-    const vtkRelievoPixelRay beside = pixels.GetRay(
-      x + 0.5 + (corner & 1 ? SubPixel : -SubPixel), y + 0.5 + (corner & 2 ? SubPixel : -SubPixel));
+    const vtkRelievoPixelRay beside = GetBeside(pixels, x, y, corner);
     const double t = glm::dot(seen.Normal, place - beside.From) / glm::dot(seen.Normal, beside.Ray);
     const glm::dvec3 at = beside.From + t * beside.Ray;
     const vtkRelievoToLight other(this->Lights[light], at, this->Rays.GetCenter());

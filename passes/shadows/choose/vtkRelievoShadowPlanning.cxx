@@ -72,6 +72,7 @@ double vtkRelievoShadowPlanning::GetShareInView(
   {
     vtkRelievoShadowDemand demand;
     demand.Farness = vtkRelievoShadowMethodExact::GetFarness(scene.Work);
+    demand.EdgeShare = this->Probe.GetEdgeShare();
     // What cannot be followed is looked up in maps.
     return !scene.Together && !this->Probe.HasUnfollowed()
       ? vtkRelievoShadowMethod::Make(Stage::METHOD_EXACT)->Estimate(demand).WrongShare

@@ -69,6 +69,12 @@ double Place(const vtkRelievoMapAxis& axis, double from)
     (from - axis.From[i]) * (axis.To[i + 1] - axis.To[i]) / (axis.From[i + 1] - axis.From[i]);
 }
 
+// n.l of what is seen.
+double GetFacing(const vtkRelievoCasterRays::Meeting& seen, const vtkRelievoToLight& to)
+{
+  return glm::dot(glm::normalize(seen.Normal), glm::normalize(to.Ray));
+}
+
 // A place on the map, both 0 to 1; false outside it.
 bool Project(const vtkRelievoShadowView& view, const glm::dvec3& world, glm::dvec2& at)
 {
@@ -186,17 +192,30 @@ void vtkRelievoShadowProbe::TakeSamples(
       }
       const glm::dvec3 place = eye.From + seen.T * eye.Ray;
       const double blur = vtkRelievoPlaceBlur * std::abs(seen.T) * glm::length(eye.Ray);
+      // To the right, the left, above or below.
+      const glm::dvec2 aside = (i & 2 ? -0.5 : 0.5) * glm::dvec2(i & 1, ~i & 1);
+      const vtkRelievoPixelRay beside =
+        pixels.GetRay(x * view.Viewport[2] + aside.x, y * view.Viewport[3] + aside.y);
+      const vtkRelievoCasterRays::Meeting next =
+        this->Rays.FindFirst(beside.From, beside.Ray, nearest);
+      const glm::dvec3 there = beside.From + next.T * beside.Ray;
       for (std::size_t light = 0; light < this->Lights.size(); ++light)
       {
         const vtkRelievoToLight to(this->Lights[light], place, center);
-        if (!to.Lights ||
-          !(glm::dot(glm::normalize(seen.Normal), glm::normalize(to.Ray)) > vtkRelievoLeastFacing))
+        if (!to.Lights || !(GetFacing(seen, to) > vtkRelievoLeastFacing))
         {
           continue;
         }
         lost[i] = lost[i] || vtkRelievoMeetsAny(this->Unfollowed, center, place, to.Ray, to.Last);
-        found[i].push_back({ place, seen, blur, static_cast<int>(light),
-          this->Rays.Pass(place, to.Ray, to.Last, seen, blur) > 0.0 });
+        const bool lit = this->Rays.Pass(place, to.Ray, to.Last, seen, blur) > 0.0;
+        bool otherLit = lit; // where nothing is seen, no verdict is
+        if (next.Surface >= 0)
+        {
+          const vtkRelievoToLight other(this->Lights[light], there, center);
+          otherLit = GetFacing(next, other) > 0.0 &&
+            this->Rays.Pass(there, other.Ray, other.Last, next, blur) > 0.0;
+        }
+        found[i].push_back({ place, seen, blur, static_cast<int>(light), lit, lit != otherLit });
       }
     };
     vtkRelievoWithThreads([&]() {
@@ -340,4 +359,13 @@ double vtkRelievoShadowProbe::GetWrongShare(int size, bool warped) const
   const double power = std::min(Power, std::max(LeastPower, found + 0.3));
   return std::min(
     1.0, WrongOfCounted * share * std::pow(static_cast<double>(size) / Sides[1], -power));
+}
+
+//------------------------------------------------------------------------------
+double vtkRelievoShadowProbe::GetEdgeShare() const
+{
+  const auto edges = std::count_if(
+    this->Samples.begin(), this->Samples.end(), [](const Sample& sample) { return sample.AtEdge; });
+  return static_cast<double>(edges) /
+    static_cast<double>(std::max<std::size_t>(1, this->Samples.size()));
 }

@@ -47,6 +47,10 @@ public:
   // size x size texels, `warped` or not.
   double GetWrongShare(int size, bool warped) const;
 
+  // The share of pixels that face a light whose verdict is another half a pixel aside: how densely
+  // edges lie in the picture, of shadows, and of what is lit before what is not.
+  double GetEdgeShare() const;
+
   long long GetNumberOfTriangles() const { return this->Rays.GetNumberOfTriangles(); }
   int GetNumberOfMaps() const { return this->Maps; }
   int GetUpdates() const { return this->Updates; } // how often rays were sent
@@ -59,6 +63,7 @@ private:
     double Blur;
     int Light;
     bool Lit;
+    bool AtEdge; // half a pixel aside the verdict is another
   };
   // Of a method's maps: pixels, and the expected number of wrong ones in the coarse maps.
   static constexpr int Levels = 2;

@@ -32,6 +32,7 @@ struct vtkRelievoShadowDemand
   int Width = 0;  // of the picture in pixels
   int Height = 0;
   double Farness = 0.0; // how far casters and eye are, in halves of the view's height at the scene
+  double EdgeShare = 0.0; // of the pixels, whose verdict is another half a pixel aside
 };
 
 struct vtkRelievoShadowEstimate

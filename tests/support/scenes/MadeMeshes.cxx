@@ -1,45 +1,32 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "HardMeshes.h"
+#include "MadeMeshes.h"
 
 #include <vtkAppendPolyData.h>
 #include <vtkArrowSource.h>
 #include <vtkCellArray.h>
 #include <vtkCubeSource.h>
+#include <vtkCylinderSource.h>
 #include <vtkFloatArray.h>
 #include <vtkGlyph3D.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyDataAlgorithm.h>
+#include <vtkTransform.h>
+#include <vtkTransformFilter.h>
 #include <vtkTriangleFilter.h>
 #include <vtkTubeFilter.h>
 
 #include <glm/glm.hpp>
 
 #include <cmath>
-#include <random>
 #include <vector>
 
 namespace relievoTest
 {
 namespace
 {
-// Equal on every machine, which the standard's distributions are not.
-class Lots
-{
-public:
-  explicit Lots(unsigned int seed)
-    : Random(seed)
-  {
-  }
-  double Share() { return static_cast<double>(this->Random()) / 4294967296.; }
-  double Between(double low, double high) { return low + (high - low) * this->Share(); }
-
-private:
-  std::mt19937 Random;
-};
-
 // Points and triangles alone.
 vtkSmartPointer<vtkPolyData> GetTriangles(vtkPolyDataAlgorithm* source)
 {
@@ -77,6 +64,33 @@ struct Branches
     }
   }
 };
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkPolyData> MakeThings(Lots& lots)
+{
+  vtkNew<vtkAppendPolyData> all;
+  for (int i = 0; i < 5; ++i)
+  {
+    vtkNew<vtkCubeSource> box;
+    box->SetXLength(lots.Between(0.1, 1.1));
+    box->SetYLength(lots.Between(0.1, 1.1));
+    box->SetZLength(lots.Between(0.1, 1.1));
+    vtkNew<vtkCylinderSource> cylinder;
+    cylinder->SetRadius(lots.Between(0.05, 0.45));
+    cylinder->SetHeight(lots.Between(0.2, 1.7));
+    cylinder->SetResolution(24);
+    const double at[3] = { lots.Between(-2., 2.), lots.Between(0.2, 1.2), lots.Between(-1.5, 2.) };
+    const double axis[3] = { lots.Between(-1., 1.), lots.Between(-1., 1.), lots.Between(0.2, 1.) };
+    vtkNew<vtkTransform> place;
+    place->Translate(at);
+    place->RotateWXYZ(lots.Between(0., 360.), axis);
+    vtkNew<vtkTransformFilter> placed;
+    placed->SetTransform(place);
+    placed->SetInputConnection(i % 2 == 0 ? box->GetOutputPort() : cylinder->GetOutputPort());
+    all->AddInputConnection(placed->GetOutputPort());
+  }
+  return GetTriangles(all);
 }
 
 //------------------------------------------------------------------------------
