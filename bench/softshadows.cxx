@@ -44,6 +44,9 @@ const SizedLight Lights[] = {
   { { "sun", SceneLight::Sun, 0. }, 0.53, false },
   { { "spot", SceneLight::Spot, 0. }, 0.2, false },
   { { "point", SceneLight::Point, 0. }, 0.2, false },
+  { { "point", SceneLight::Point, 0. }, 0.5, false },
+  { { "point", SceneLight::Point, 0. }, 1., false },
+  { { "point", SceneLight::Point, 0. }, 2., false },
   { { "rectangle", SceneLight::Spot, 0. }, 0., true },
 };
 const relievoTest::LightEdges Edges = { { 0.8, 0., 0. }, { 0., 0.1, 0.2 } };

@@ -26,7 +26,7 @@ int main()
   sizes.Height = 90;
   RELIEVO_CHECK(relievoBench::BenchSoftShadows(folder, sizes) == 0);
   const auto rows = relievoTest::ReadCsv(folder + "/soft-shadows.csv");
-  RELIEVO_CHECK(rows.size() == 4 * 2 * 3);
+  RELIEVO_CHECK(rows.size() == 7 * 2 * 3);
   for (std::size_t i = 0; i + 2 < rows.size(); i += 3)
   {
     const double hard = relievoTest::Value(rows[i], "penumbra rms");

@@ -66,6 +66,17 @@ struct Source
       const double sine = std::sqrt(std::max(0., 1. - cosine * cosine));
       return sine * (std::cos(turn) * right + std::sin(turn) * up) - cosine * axis;
     }
+    if (!this->Spot)
+    {
+      // To the ball's front, evenly over what a surface sees of it that faces it.
+      const double far = glm::length(this->Position - from);
+      const glm::dvec3 off = this->Size / far * (x * right + y * up);
+      const double sine2 = glm::dot(off, off);
+      const double cosine = std::sqrt(1. - sine2);
+      const double to =
+        far * cosine - std::sqrt(std::max(0., this->Size * this->Size - far * far * sine2));
+      return to * (off - cosine * axis);
+    }
     return this->Position + this->Size * (x * right + y * up) - from;
   }
 };

@@ -43,12 +43,12 @@ struct SoftShadowErrors
 
 /**
  * `size`: the angle in degrees that a directional light appears under, or the radius of a
- * positional one: a spot's disc across its axis, or a ball, which is a disc from wherever it is
- * seen; with `edges` the light is a parallelogram instead. Rays go to 32 x 32 cells of equal area,
- * each to a place of its own within its cell, or, if 8 x 8 of them agree, to no more. Judged are
- * pixels whose normal n turns to the light's middle, n * l > 0.05, within the cone of a spot, and
- * whose verdict to the light's middle four rays that start beside it agree with. A point of the
- * light behind the pixel's own plane is blocked.
+ * positional one: a spot's disc across its axis, or a glowing ball, of which a pixel gets what a
+ * surface that faces it would; with `edges` the light is a parallelogram instead. Rays go to
+ * 32 x 32 cells of equal area, each to a place of its own within its cell, or, if 8 x 8 of them
+ * agree, to no more. Judged are pixels whose normal n turns to the light's middle, n * l > 0.05,
+ * within the cone of a spot, and whose verdict to the light's middle four rays that start beside it
+ * agree with. A point of the light behind the pixel's own plane is blocked.
  */
 SoftShadowTruth TraceSoftShadow(const EmbreeScene& scene, const TruthImage& view, vtkLight* light,
   double size, const LightEdges* edges = nullptr);
