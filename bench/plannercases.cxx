@@ -74,8 +74,8 @@ std::vector<double> Measure(int number, const PlannerCaseSizes& sizes, Lots& lot
   vtkRelievoShadowStage* shadows = frame->GetShadowStage();
   frame->ShadowsOn();
   const auto rays = scene.MakeTruth();
-  const auto truth = relievoTest::TraceShadow(
-    *rays, rays->Trace(relievoTest::View(scene.Renderer)), scene.Light);
+  const auto truth =
+    relievoTest::TraceShadow(*rays, rays->Trace(relievoTest::View(scene.Renderer)), scene.Light);
   vtkNew<vtkRelievoLayerSource> source;
   source->SetRenderer(scene.Renderer);
   source->AddLayer("shadow_0");
@@ -92,9 +92,9 @@ std::vector<double> Measure(int number, const PlannerCaseSizes& sizes, Lots& lot
     shares.push_back(errors.Wrong() / tolerance);
     const bool exact = shadows->GetMethodUsed() == vtkRelievoShadowStage::METHOD_EXACT;
     table.AddRow({ std::to_string(number), kind.Name, Number(100. * tolerance),
-      exact                                                                     ? "exact"
+      exact                                                                ? "exact"
         : shadows->GetMethodUsed() == vtkRelievoShadowStage::METHOD_WARPED ? "warped"
-                                                                                : "map",
+                                                                           : "map",
       exact ? "" : std::to_string(shadows->GetMapSizeUsed()), Number(100. * errors.Wrong()),
       Number(shares.back()) });
   }

@@ -50,17 +50,42 @@ float relievoMarkerBelow(float range, float radius, float footprint)
     : range < radius ? float(1.0) : float(0.0);
 }
 
-// The share that lies in [-radius, radius]: as from one rim to the other.
-float relievoMarkerDisc(float range, float radius, float footprint)
+// How much of a pixel's width the disc covers, and the box that it is drawn around, along the chord
+// so far from its middle.
+float relievoMarkerChord(float at, float radius, float box, float width)
 {
-  return relievoMarkerBelow(range, radius, footprint) -
+  float chord = float(2.0) * sqrt(max((radius - at) * (radius + at), float(0.0))) + box;
+  return min(float(1.0), chord / width);
+}
+
+// The share that lies in [-radius, radius]: as from one rim to the other; and less where that is
+// narrower than the pixel, by the mean of its chords (by Gauss's three places).
+//   pixel  area that the pixel shows, on the surface
+//   box    width of the box
+float relievoMarkerDisc(float range, float radius, float footprint, float pixel, float box)
+{
+  float share = relievoMarkerBelow(range, radius, footprint) -
     relievoMarkerBelow(range, -radius, footprint);
+  if (share > float(0.0) && footprint > float(0.0))
+  {
+    float low = max(-radius, range - float(0.5) * footprint);
+    float high = min(radius, range + float(0.5) * footprint);
+    float middle = float(0.5) * (low + high);
+    float off = float(0.3872983346207417) * (high - low);
+    float width = pixel / footprint;
+    share *= (float(4.0) * relievoMarkerChord(middle, radius, box, width) +
+      float(2.5) * relievoMarkerChord(middle - off, radius, box, width) +
+      float(2.5) * relievoMarkerChord(middle + off, radius, box, width)) / float(9.0);
+  }
+  return share;
 }
 
 // Between the inner and the outer radius.
-float relievoMarkerRing(float range, float inner, float outer, float footprint)
+float relievoMarkerRing(
+  float range, float inner, float outer, float footprint, float pixel, float box)
 {
-  return relievoMarkerDisc(range, outer, footprint) - relievoMarkerDisc(range, inner, footprint);
+  return relievoMarkerDisc(range, outer, footprint, pixel, box) -
+    relievoMarkerDisc(range, inner, footprint, pixel, box);
 }
 
 // (1 - (range / radius)^2)^2. Where the footprint is not small, both are added up, and the height

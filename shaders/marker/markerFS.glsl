@@ -74,8 +74,8 @@ void main()
   {
     vec3 along = vec3(dot(markerAxisX.xyz, place), dot(markerAxisY.xyz, place),
       dot(markerAxisZ.xyz, place));
-    vec3 inAxes =
-      relievoMarkerWay(along, vec3(markerAxisX.w, markerAxisY.w, markerAxisZ.w));
+    vec3 halves = vec3(markerAxisX.w, markerAxisY.w, markerAxisZ.w);
+    vec3 inAxes = relievoMarkerWay(along, halves);
     vec3 way = inAxes.x * markerAxisX.xyz + inAxes.y * markerAxisY.xyz +
       inAxes.z * markerAxisZ.xyz;
     float slopeX =
@@ -88,10 +88,12 @@ void main()
       -slopeY);
     float range = length(way);
     float footprint = relievoMarkerFootprint(way, alongX, alongY);
+    float shown = length(cross(alongX, alongY));
+    float box = 2.0 * length(halves);
     share = markerDepth.w == 0.0
-      ? relievoMarkerRing(range, markerEdges.y, markerEdges.x, footprint)
+      ? relievoMarkerRing(range, markerEdges.y, markerEdges.x, footprint, shown, box)
       : markerDepth.w == 1.0 ? relievoMarkerGlow(range, markerEdges.x, footprint)
-                             : relievoMarkerDisc(range, markerEdges.x, footprint);
+                             : relievoMarkerDisc(range, markerEdges.x, footprint, shown, box);
   }
   float alpha = markerColor.a * share;
   if (!(alpha > 0.0))

@@ -162,6 +162,40 @@ double Overlap(double from, double to, double radius)
   return std::max(0., std::min(to, radius) - std::max(from, -radius));
 }
 
+// How much of a pixel lies within the radius: along the way, and across it by three chords. `box`
+// is the width of the box, `pixel` the area that the pixel shows.
+double Cover(double from, double to, double radius, double pixel, double box)
+{
+  const double length = Overlap(from, to, radius);
+  if (!(length > 0.))
+  {
+    return 0.;
+  }
+  const double across = pixel / (to - from);
+  double sum = 0.;
+  for (const int node : { -1, 0, 1 }) // of Gauss and Legendre
+  {
+    const double at = std::max(from, -radius) + length * (0.5 + node * std::sqrt(0.15));
+    const double chord = 2. * std::sqrt(std::max(0., radius * radius - at * at)) + box;
+    sum += (node == 0 ? 8. : 5.) / 18. * std::min(1., chord / across);
+  }
+  return sum * length / (to - from);
+}
+
+double GetBoxWidth(vtkActor* actor)
+{
+  const double* b = actor->GetMapper()->GetBounds();
+  const double corners[2][4] = { { b[0], b[2], b[4], 1. }, { b[1], b[3], b[5], 1. } };
+  glm::dvec3 ends[2];
+  for (int i = 0; i < 2; ++i)
+  {
+    double p[4];
+    actor->GetMatrix()->MultiplyPoint(corners[i], p);
+    ends[i] = glm::dvec3(p[0], p[1], p[2]);
+  }
+  return glm::distance(ends[0], ends[1]);
+}
+
 double Share(const Mark& mark, int shape, const Place& place, const glm::dvec3& up)
 {
   if (shape == vtkRelievoMarkers::SHADOW)
@@ -187,7 +221,9 @@ double Share(const Mark& mark, int shape, const Place& place, const glm::dvec3& 
   const double from = range - footprint / 2.;
   const double to = range + footprint / 2.;
   const double inner = shape == vtkRelievoMarkers::RING ? r * std::max(0., 1. - mark.Width) : 0.;
-  return (Overlap(from, to, r) - Overlap(from, to, inner)) / footprint;
+  const double pixel = glm::length(glm::cross(place.Along[0], place.Along[1]));
+  const double box = mark.Actor ? GetBoxWidth(mark.Actor) : 0.;
+  return Cover(from, to, r, pixel, box) - Cover(from, to, inner, pixel, box);
 }
 }
 
