@@ -126,7 +126,9 @@ public:
   /**
    * The expected share of wrong pixels in the last frame's view of the scene, by rays as for
    * SetTolerance; 2.5 times EstimateWrongShare where they cannot tell (several processes,
-   * casters that are not followed triangle by triangle). -1 if no frame has made shadows of lights.
+   * casters that are not followed triangle by triangle). For METHOD_EXACT it grows with the edges
+   * that these rays meet, and with the distance of casters and eye; ties within a pixel's rounding
+   * are in it. -1 if no frame has made shadows of lights.
    */
   double EstimateWrongShareInView(int method, int size);
 
@@ -296,7 +298,7 @@ public:
    * Share of wrong pixels: of those that face the light, 0 to 1. Measured on real meshes in
    * pictures of 600 x 600 pixels (docs/charts/README.md), where each scene is within a factor of
    * 2.5; scenes that extend to the horizon, and larger pictures, have more. For METHOD_EXACT it is
-   * 0.00002; EstimateWrongShareInView knows that far casters and eyes have more.
+   * 0.00002; EstimateWrongShareInView knows that dense edges, far casters and eyes have more.
    */
   vtkIdType EstimateBytes(int method, int size, int maps, int lights, int width, int height);
   int EstimateDrawCalls(int method, int maps, int props);

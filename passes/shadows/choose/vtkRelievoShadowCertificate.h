@@ -12,8 +12,8 @@
  *
  * Counted apart, and no part of any share:
  * - ties: within the pixel's own rounding, 1/256 of a pixel each way, to which OpenGL places edges,
- *   the verdict of the ray changes, or another triangle is seen that has another; it does not
- *   depend on what was drawn;
+ *   the verdict of the ray changes, another triangle is seen that has another, or the surface ends;
+ *   it does not depend on what was drawn;
  * - grazing: the surface is turned away from the light, or nearly so (n.l at most 0.05);
  * - unlit: outside a spot's cone, beyond a light's reach, or on what receives no shadows;
  * - unknown: what is seen there, or may be between it and the light, cannot be followed triangle by
