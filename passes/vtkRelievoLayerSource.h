@@ -63,10 +63,10 @@ public:
 
   ///@{
   /**
-   * Whether the layer `color` is the frame's linear colour, unclamped, in half floats, without
-   * texts and bars, and drawn without changing the window. Off (default), it is the window's
-   * picture of 8 bits, including all that is drawn over the scene; but where the stage `tone` makes
-   * the picture, the linear colour before it.
+   * Whether the layer `color` is the frame's linear colour, unclamped, with the digits of half
+   * floats or more, without texts and bars, and drawn without changing the window. Off (default),
+   * it is the window's picture of 8 bits, including all that is drawn over the scene; but where the
+   * stage `tone` makes the picture, the linear colour before it.
    */
   vtkSetMacro(HDR, bool);
   vtkGetMacro(HDR, bool);

@@ -9,7 +9,7 @@
  * stored or looked up; the frame report says what ran, why, and what it cost.
  *
  * Layers: those of vtkRelievoLayerCatalogue (depth, normal, position, cell ...; shadow_N of the
- * renderer's light N; color, the linear colour in half floats), and any point or cell array by name
+ * renderer's light N; color, the linear colour), and any point or cell array by name
  * (`point:NAME` or `cell:NAME` to name one that shares a layer's name).
  */
 #ifndef vtkRelievoPass_h

@@ -121,53 +121,57 @@ std::string vtkRelievoLampLight::Draw(vtkRelievoFrameContext& context, bool glos
 }
 
 //------------------------------------------------------------------------------
-std::string vtkRelievoLampLight::Add(vtkRelievoFrameContext& context, bool glossy)
+double vtkRelievoLampLight::FindReached(float all[4]) const
 {
-  this->DrawCalls = 0;
-  // The part of the picture that lamps reach.
-  const int* size = context.View.Viewport + 2;
-  float least[2] = { 1.0f, 1.0f };
-  float most[2] = { -1.0f, -1.0f };
+  double sum = 0.0;
   for (const vtkRelievoLampList::Lamp& lamp : this->List.GetLamps())
   {
     const float* r = lamp.Rectangle;
-    const bool seen = r[0] < r[2] && r[1] < r[3];
-    for (int axis = 0; seen && axis < 2; ++axis)
+    if (r[0] >= r[2] || r[1] >= r[3])
     {
-      least[axis] = std::min(least[axis], r[axis]);
-      most[axis] = std::max(most[axis], r[axis + 2]);
+      continue;
     }
+    for (int axis = 0; axis < 2; ++axis)
+    {
+      all[axis] = sum > 0.0 ? std::min(all[axis], r[axis]) : r[axis];
+      all[axis + 2] = sum > 0.0 ? std::max(all[axis + 2], r[axis + 2]) : r[axis + 2];
+    }
+    sum += static_cast<double>(r[2] - r[0]) * (r[3] - r[1]);
   }
-  if (least[0] >= most[0])
+  return sum > 0.0 ? sum / (static_cast<double>(all[2] - all[0]) * (all[3] - all[1])) : 0.0;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkRelievoLampLight::Add(vtkRelievoFrameContext& context, bool glossy)
+{
+  this->DrawCalls = 0;
+  float all[4];
+  if (!(this->FindReached(all) > 0.0))
   {
     return {};
   }
+  const int* size = context.View.Viewport + 2;
   int part[4];
   for (int axis = 0; axis < 2; ++axis)
   {
-    const auto pixel = [&](float ndc) {
-      return 0.5f * (ndc + 1.0f) * static_cast<float>(size[axis]);
-    };
-    part[axis] = std::max(0, static_cast<int>(std::floor(pixel(least[axis]))));
-    const int end = static_cast<int>(std::ceil(pixel(most[axis])));
+    const auto scale = 0.5f * static_cast<float>(size[axis]);
+    part[axis] = std::max(0, static_cast<int>(std::floor(scale * (all[axis] + 1.0f))));
+    const int end = static_cast<int>(std::ceil(scale * (all[axis + 2] + 1.0f)));
     part[axis + 2] = std::min(size[axis], end) - part[axis];
   }
   std::string wrong = this->Upload(context);
   const bool clusters = this->Way == vtkRelievoLampsStage::CLUSTERS;
-  const std::string few =
-    "#define RELIEVO_FEW_LAMPS " + std::to_string(this->List.GetLamps().size()) + "\n";
   std::string defines = "#define RELIEVO_LAMPS_ON_COLOR\n";
   defines += glossy ? "#define RELIEVO_GLOSS\n" : "";
-  defines += !clusters && this->List.GetLamps().size() <= 4 ? few : "";
+  defines += !clusters && this->List.GetLamps().size() == 1 ? "#define RELIEVO_ONE_LAMP\n" : "";
   if (wrong.empty())
   {
     const std::vector<std::string> reads{ "depth", "normal", "surface", "color" };
     if (vtkShaderProgram* program = this->ReadyPixels(context, this->Adder, reads, defines))
     {
       this->Bind(program, false);
-      context.DrawColor(this->Adder, true, part);
+      this->DrawCalls += context.DrawColor(this->Adder, true, part) ? 1 : 0;
       this->Unbind();
-      ++this->DrawCalls;
     }
     wrong = this->Adder.GetWrong();
   }

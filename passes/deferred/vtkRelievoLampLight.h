@@ -35,6 +35,10 @@ public:
   // has been told that no sums are wanted.
   std::string Add(vtkRelievoFrameContext& context, bool glossy);
 
+  // The rectangle in NDC around what lamps but for those that cast reach. Returns how often it is
+  // covered by their own rectangles, on average; 0: none is in sight.
+  double FindReached(float all[4]) const;
+
   const vtkRelievoLampList& GetList() const { return this->List; } // but for those that cast
   const vtkRelievoLampList& GetCasting() const { return this->Casting; }
   vtkRelievoScreenTarget& GetSum() { return this->Sum; }

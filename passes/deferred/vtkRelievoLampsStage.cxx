@@ -33,9 +33,11 @@ const char* const Gloss = "lamp gloss";
 const char* const LampShadows = "lamp shadows";
 const std::vector<std::string> WayNames{ "auto", "quads", "clusters", "all" };
 
-// So few lamps are computed in every pixel, where nothing wants their sums. Up to so many,
-// rectangles are drawn: clusters cost more to list.
+// So few lamps are computed in every pixel of a rectangle around them, which they cover at least so
+// often, where nothing wants their sums. Up to so many, rectangles are drawn: clusters cost more to
+// list.
 constexpr int MostAll = 4;
+constexpr double LeastCovered = 0.5;
 constexpr int MostQuads = 8;
 
 // Which lamps cast, and why they do not if they should, as a part of a sentence.
@@ -194,7 +196,9 @@ bool vtkRelievoLampsStage::Prepare(vtkRelievoFrameContext& context)
   }
   const bool counts = context.IsAsked(this, Evaluations) || context.IsAsked(this, Reaching);
   in.Adds = !counts && !context.IsAsked(this, Light) && this->NumberCasting == 0;
-  const int automatic = in.Adds && others <= MostAll ? ALL : others <= MostQuads ? QUADS : CLUSTERS;
+  float reached[4];
+  const bool all = in.Adds && others <= MostAll && in.Light.FindReached(reached) >= LeastCovered;
+  const int automatic = all ? ALL : others <= MostQuads ? QUADS : CLUSTERS;
   this->WayTaken = this->Way == AUTOMATIC ? automatic : this->Way;
   in.Adds = in.Adds && this->WayTaken != QUADS;
   std::string wrong = in.Light.Prepare(context, this->WayTaken, this->Floats, !in.Adds, counts);

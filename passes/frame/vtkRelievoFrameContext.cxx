@@ -83,17 +83,20 @@ vtkRelievoResource* vtkRelievoFrameContext::FindLayer(const std::string& name) c
 }
 
 //------------------------------------------------------------------------------
-double vtkRelievoFrameContext::GetDrawnDepthError() const
+double vtkRelievoFrameContext::GetDrawnDepthError(double depth) const
 {
   if (vtkRelievoColorBuffers::GetBoundSamples() > 0)
   {
     return std::numeric_limits<double>::infinity();
   }
-  // A step of z, and as much for what the rasteriser interpolates.
+  // A step of z, as much for what the rasteriser interpolates, and what is lost in floats when z
+  // becomes a depth again.
   const int bits = std::min(vtkRelievoColorBuffers::GetBoundDepthBits(), 24);
   const double range = this->View.Far - this->View.Near;
-  const double slope = this->View.Parallel ? range : this->View.Far * range / this->View.Near;
-  return std::ldexp(slope, 1 - bits);
+  const double slope =
+    this->View.Parallel ? range : depth * depth * range / (this->View.Far * this->View.Near);
+  return std::ldexp(slope, 2 - bits) +
+    std::ldexp(this->View.Parallel ? this->View.Far : depth, -22);
 }
 
 //------------------------------------------------------------------------------

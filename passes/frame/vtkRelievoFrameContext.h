@@ -95,14 +95,15 @@ public:
   vtkRelievoResource* FindLayer(const std::string& name) const;
   ///@}
 
-  // How far depths from the z that the delegate leaves, which the resource `drawn` has, are from
+  // How far a depth from the z that the delegate leaves, which the resource `drawn` has, is from
   // the truth at most, in world units; infinite where a pixel has several samples.
-  double GetDrawnDepthError() const;
+  double GetDrawnDepthError(double depth) const;
 
   // Draws the quad, after its Ready, over the linear colour: as the new colour if `replaces`,
-  // otherwise blended as OpenGL's state says. Outside `part` of the viewport (x, y, width, height
-  // in pixels), if that is given, it must change nothing: it is not drawn there, or only where the
-  // colour has been changed before. False if there is no linear colour.
+  // otherwise blended as OpenGL's state says. What blends does not read
+  // `color`. Outside `part` of the viewport (x, y, width, height in pixels), if that is given, it
+  // must change nothing: it is drawn there at most within the rectangle around the part and what
+  // has been changed before. False if there is no linear colour.
   bool DrawColor(vtkRelievoScreenQuad& quad, bool replaces = true, const int* part = nullptr);
 
   // Draws the quad, after its Ready, as the picture of the linear colour, in the place of the sRGB

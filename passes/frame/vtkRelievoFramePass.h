@@ -10,9 +10,9 @@
  * slots and of what they read and write. All other stages release what they hold.
  *
  * The linear colour `color` exists while a stage reads it or it is requested: the delegate then
- * draws into a framebuffer of half floats, whose values are decoded by the inverse of the sRGB
- * curve, and the picture is encoded from it by that curve. Otherwise the delegate draws where it
- * would without the frame.
+ * draws into a framebuffer of half floats (floats on software OpenGL), whose values are decoded by
+ * the inverse of the sRGB curve, and the picture is encoded from it by that curve. Otherwise the
+ * delegate draws where it would without the frame.
  *
  * vtkRelievoPass is a frame with Relievo's own stages.
  */

@@ -322,7 +322,7 @@ int vtkRelievoFrameRun::DrawDelegate(vtkRelievoDelegate& delegate, vtkRenderPass
       }
     };
   }
-  // Linear colours are half floats; the next picture may be drawn without them, or without a frame.
+  // Linear colours are floats; the next picture may be drawn without them, or without a frame.
   const bool linear = this->ColorOpen;
   if (linear)
   {

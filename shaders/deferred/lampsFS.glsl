@@ -8,8 +8,8 @@
 #endif
 //VTK::Output::Dec
 // The light of lamps at each pixel's point. RELIEVO_LAMPS_IN_CLUSTERS: of those that its cluster
-// lists; RELIEVO_LAMP_IN_QUAD: of the one whose rectangle is drawn; RELIEVO_FEW_LAMPS: of so many;
-// else of all.
+// lists; RELIEVO_LAMP_IN_QUAD: of the one whose rectangle is drawn; RELIEVO_ONE_LAMP: of the only
+// one; else of all.
 // RELIEVO_COUNT_LAMPS: instead, how many were computed, and how many reach the point.
 // RELIEVO_GLOSS: instead, what is given back beside the light times the surface's colour, linear:
 // Phong's highlights; of PBR what its highlights give, less what they take.
@@ -19,6 +19,7 @@
 // RELIEVO_LAMP_SHADOWS: of RELIEVO_LAMP_IN_QUAD, the lamp casts shadows.
 //RELIEVO::Include(gbuffer/read.glsl)
 //RELIEVO::Include(formulas/half.glsl)
+//RELIEVO::Include(formulas/srgb.glsl)
 //RELIEVO::Include(formulas/unproject.glsl)
 //RELIEVO::Include(deferred/lamp.glsl)
 #ifdef RELIEVO_LAMP_SHADOWS
@@ -72,7 +73,7 @@ void relievoAddLamp(int i, int end, vec3 positionVC, vec3 normalVC, inout reliev
     }
 #endif
 #ifdef RELIEVO_GLOSS
-    if (ray.reaches && cosine > 0.0)
+    if (ray.reaches && cosine > 0.0 && relievoIsGlossy(relievoLit))
     {
       sum.gloss += ray.light *
         relievoGloss(relievoLit, normalVC, ray.toLamp / ray.range, normalize(-positionVC));
@@ -97,12 +98,7 @@ void main()
 #ifdef RELIEVO_GLOSS
   relievoLit = relievoFetchSurface(pixel);
 #endif
-#if defined(RELIEVO_GLOSS) && !defined(RELIEVO_LAMPS_ON_COLOR)
-  bool lit = !isinf(depth) && relievoIsGlossy(relievoLit);
-#else
-  bool lit = !isinf(depth);
-#endif
-  if (lit)
+  if (!isinf(depth))
   {
     vec3 positionVC =
       relievoEyePosition(relievoNdcFromPixel(vec2(pixel), relievoSize), depth, relievoProjection);
@@ -120,11 +116,8 @@ void main()
     int from = 0;
     int to = relievoLampCount;
 #endif
-#ifdef RELIEVO_FEW_LAMPS
-    for (int lamp = 0; lamp < RELIEVO_FEW_LAMPS; ++lamp)
-    {
-      relievoAddLamp(lamp, RELIEVO_FEW_LAMPS, positionVC, normalVC, sum);
-    }
+#ifdef RELIEVO_ONE_LAMP
+    relievoAddLamp(0, 1, positionVC, normalVC, sum);
 #elif !defined(RELIEVO_LAMP_IN_QUAD)
     // Four a turn: in Mesa's software all turns of a shader end after 65535.
     for (; from < to; from += 4)

@@ -120,8 +120,7 @@ std::string vtkRelievoFogBuffer::Draw(vtkRelievoFrameContext& context,
   format.Halves = false;
   format.Depth = dominant;
   std::string wrong = this->Target.Prepare(context, format);
-  vtkRelievoResource* layers = context.Find("depth");
-  vtkRelievoResource* depth = layers ? layers : context.Find("drawn");
+  vtkRelievoResource* depth = context.Find(this->BeforeDrawn ? "drawn" : "depth");
   const bool any = !this->Texels.empty();
   if (wrong.empty() && any && !depth)
   {
@@ -134,7 +133,7 @@ std::string vtkRelievoFogBuffer::Draw(vtkRelievoFrameContext& context,
   if (wrong.empty() && any)
   {
     wrong = this->Compile(context,
-      depth->GetDefines() + (layers ? "" : "#define RELIEVO_FOG_DRAWN_DEPTH\n") +
+      depth->GetDefines() + (this->BeforeDrawn ? "#define RELIEVO_FOG_DRAWN_DEPTH\n" : "") +
         (translucent ? translucent->GetDefines() : "") +
         (chord ? "#define RELIEVO_FOG_CHORD\n" : "") +
         (dominant ? "#define RELIEVO_FOG_DOMINANT\n" : ""),

@@ -38,6 +38,9 @@ public:
   std::string Draw(vtkRelievoFrameContext& context, const vtkRelievoSphereRays& rays, bool chord,
     bool dominant, bool everywhere, vtkRelievoResource* translucent = nullptr);
 
+  // Whether fog ends at the z that is drawn, rather than at the layer `depth`.
+  bool BeforeDrawn = false;
+
   // Colour times optical depth, and optical depth; `fogDepth` in shaders.
   vtkRelievoScreenTarget Target;
 

@@ -116,31 +116,49 @@ void vtkRelievoFogStage::Declare(
 }
 
 //------------------------------------------------------------------------------
-// A picture has what the delegate draws, with its z: enough, unless fog is so dense that the step
-// of z shows.
-std::vector<std::string> vtkRelievoFogStage::GetReadsFor(
-  const vtkRelievoFrameContext& context, const std::vector<std::string>& asked) const
+// A picture has what the delegate draws, with its z: enough where that changes white fog before
+// black, where it is seen most, by less than a quarter of what eight bits tell apart.
+void vtkRelievoFogStage::Synchronize(vtkRelievoFrameContext& context)
 {
+  this->Superclass::Synchronize(context);
   using Fog = vtkRelievoFogSpheres;
-  constexpr double seen = 1.0 / 1024.0; // a quarter of what eight bits tell apart
-  const bool picture = std::find(asked.begin(), asked.end(), "color") != asked.end();
-  const bool layer = std::find(asked.begin(), asked.end(), "fog") != asked.end();
-  if (!picture || layer || this->IsTogether())
-  {
-    return { "depth" };
-  }
-  double densities = 0.0; // where all overlap, of a unit of length
+  constexpr double seen = 1.0 / (4.0 * 255.0 * 12.92);
+  int left = 1000; // of more, the layer is not what costs
+  this->DrawnDepthSuffices = false;
+  const vtkRelievoSphereRays rays(context.View);
+  double densities = 0.0; // where all overlap, of a unit of length, times how bright they are
+  double farthest = context.View.Near;
   for (vtkRelievoFogSpheres* fog : this->GetSets<vtkRelievoFogSpheres>())
   {
+    left -= fog->GetNumberOfPoints();
     const double* row = fog->GetRows().data();
-    for (int i = 0; i < fog->GetNumberOfPoints(); ++i, row += fog->GetRowWidth())
+    vtkRelievoSphereRays::Sphere sphere;
+    for (int i = 0; left >= 0 && i < fog->GetNumberOfPoints(); ++i, row += fog->GetRowWidth())
     {
-      densities +=
-        this->Mode == CHORD ? row[Fog::DENSITY] / (2.0 * row[Fog::RADIUS]) : row[Fog::DENSITY];
+      const double radius = row[Fog::RADIUS];
+      if (rays.Find({ row[0], row[1], row[2] }, radius, sphere))
+      {
+        const double length = this->Mode == CHORD ? 2.0 * radius : 1.0;
+        densities += row[Fog::DENSITY] / length *
+          std::max({ 1.0, row[Fog::RED], row[Fog::GREEN], row[Fog::BLUE] });
+        farthest = std::max(farthest, rays.GetBegin() + sphere.MiddleDepth + radius);
+      }
     }
   }
-  return context.GetDrawnDepthError() * densities <= seen ? std::vector<std::string>()
-                                                          : std::vector<std::string>{ "depth" };
+  if (left >= 0 && !this->IsTogether())
+  {
+    farthest = std::min(farthest, context.View.Far);
+    this->DrawnDepthSuffices = context.GetDrawnDepthError(farthest) * densities <= seen;
+  }
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::string> vtkRelievoFogStage::GetReadsFor(
+  const vtkRelievoFrameContext&, const std::vector<std::string>& asked) const
+{
+  const bool layer = std::find(asked.begin(), asked.end(), "fog") != asked.end();
+  return layer || !this->DrawnDepthSuffices ? std::vector<std::string>{ "depth" }
+                                            : std::vector<std::string>();
 }
 
 //------------------------------------------------------------------------------
@@ -150,6 +168,7 @@ void vtkRelievoFogStage::Execute(vtkRelievoFrameContext& context)
   this->DrawCalls = 0;
   this->NumberDrawn = 0;
   const vtkRelievoSphereRays rays(context.View);
+  in.Buffer.BeforeDrawn = this->DrawnDepthSuffices && !context.IsAsked(this, "fog");
   std::string wrong;
   int spheres = 0;
   if (!rays.IsUsual())

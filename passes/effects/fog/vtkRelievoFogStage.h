@@ -75,6 +75,7 @@ protected:
 
   const char* GetFailure() const override { return "There is no fog"; }
   void Describe(vtkRelievoStageDescription& description) override;
+  void Synchronize(vtkRelievoFrameContext& context) override;
   void Declare(
     const vtkRelievoFrameContext& context, vtkRelievoDeclaration& declaration) const override;
   std::vector<std::string> GetReadsFor(
@@ -87,6 +88,7 @@ protected:
 
   int Mode = BEER;
   int Overlap = SUM;
+  bool DrawnDepthSuffices = false; // in this frame, for its picture
 
 private:
   vtkRelievoFogStage(const vtkRelievoFogStage&) = delete;

@@ -147,7 +147,7 @@ void vtkRelievoColorBuffers::Allocate(vtkOpenGLRenderWindow* window, const int v
   std::copy_n(size, 4, this->Size);
   // Processors blend floats faster than halves, which they convert.
   this->Floats = vtkRelievoIsSoftwareOpenGL();
-  const unsigned int format = this->Floats ? GL_RGBA32F : GL_RGBA16F;
+  const unsigned int format = this->GetFormat();
   this->Color = MakeTexture(this->Window, format, size[0], size[1]);
   this->Linear[0] = MakeTexture(this->Window, format, size[2], size[3]);
   this->Linear[1] = MakeTexture(this->Window, format, size[2], size[3]);
@@ -197,6 +197,12 @@ void vtkRelievoColorBuffers::Allocate(vtkOpenGLRenderWindow* window, const int v
   this->Framebuffer->ActivateDrawBuffer(0);
   this->Framebuffer->ActivateReadBuffer(0);
   state->PopFramebufferBindings();
+}
+
+//------------------------------------------------------------------------------
+unsigned int vtkRelievoColorBuffers::GetFormat() const
+{
+  return this->Floats ? GL_RGBA32F : GL_RGBA16F;
 }
 
 //------------------------------------------------------------------------------

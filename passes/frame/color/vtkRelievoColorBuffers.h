@@ -51,6 +51,9 @@ struct vtkRelievoColorBuffers
   // OpenGL's format for depths as what is bound for drawing has them.
   static unsigned int GetBoundDepthFormat();
 
+  // OpenGL's format of the colours.
+  unsigned int GetFormat() const;
+
   vtkIdType GetBytes() const;
   void Release(vtkWindow* window);
 

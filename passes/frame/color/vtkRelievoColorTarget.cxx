@@ -75,7 +75,9 @@ std::string vtkRelievoColorTarget::Prepare(vtkRelievoFrameContext& context)
   {
     const int samples = this->Buffers.NumberOfSamples;
     this->Release(context.Window);
-    return "this OpenGL cannot draw to half floats with " + std::to_string(samples) + " samples";
+    return std::string("this OpenGL cannot draw to ") +
+      (this->Buffers.Floats ? "floats with " : "half floats with ") + std::to_string(samples) +
+      " samples";
   }
   return std::string();
 }
@@ -131,8 +133,8 @@ void vtkRelievoColorTarget::CopyWhatIsThere(vtkRelievoFrameContext& context, int
   vtkOpenGLState* state = context.Window->GetState();
   const vtkRelievoScopedState kept(state);
   // Samples are resolved into what they have been made of, on every OpenGL.
-  vtkSmartPointer<vtkTextureObject> there = vtkRelievoColorBuffers::MakeTexture(
-    context.Window, this->Buffers.NumberOfSamples > 0 ? GL_RGBA8 : GL_RGBA16F, v[2], v[3]);
+  vtkSmartPointer<vtkTextureObject> there = vtkRelievoColorBuffers::MakeTexture(context.Window,
+    this->Buffers.NumberOfSamples > 0 ? GL_RGBA8 : this->Buffers.GetFormat(), v[2], v[3]);
   this->Buffers.Pen->Bind(GL_DRAW_FRAMEBUFFER);
   this->Buffers.Pen->AddColorAttachment(0, there);
   this->Buffers.Pen->ActivateDrawBuffer(0);
@@ -382,28 +384,31 @@ bool vtkRelievoColorTarget::Present(vtkRelievoFrameContext& context, vtkRelievoS
       where.To[1] - where.From[1] };
     each.Draw(context, nullptr, draws, part);
   };
+  bool ready = true;
   if (quad)
   {
     present(*quad, this->GetAll());
   }
-  else
+  else if (!this->Made.IsEmpty())
   {
-    if (!this->Made.IsEmpty() &&
-      this->ToDisplay.Ready(context, "frame/toDisplayFS.glsl", { "color", "drawn" }))
+    ready = this->ToDisplay.Ready(context, "frame/toDisplayFS.glsl", { "color", "drawn" });
+    if (ready)
     {
       present(this->ToDisplay, this->Made);
     }
-    for (const Rectangle& rest : this->GetAll().Without(this->Made))
+  }
+  for (const Rectangle& rest : quad ? std::vector<Rectangle>() : this->GetAll().Without(this->Made))
+  {
+    ready = ready &&
+      this->ToDisplayAsDrawn.Ready(
+        context, "frame/toDisplayFS.glsl", { "drawn" }, "#define RELIEVO_AS_DRAWN\n");
+    if (ready)
     {
-      if (this->ToDisplayAsDrawn.Ready(
-            context, "frame/toDisplayFS.glsl", { "drawn" }, "#define RELIEVO_AS_DRAWN\n"))
-      {
-        present(this->ToDisplayAsDrawn, rest);
-      }
+      present(this->ToDisplayAsDrawn, rest);
     }
   }
-  this->Presented = true;
-  return true;
+  this->Presented = ready;
+  return ready;
 }
 
 //------------------------------------------------------------------------------
@@ -421,6 +426,10 @@ bool vtkRelievoColorTarget::PresentDepth(vtkRelievoFrameContext& context)
   this->Buffers.Framebuffer->Bind(GL_READ_FRAMEBUFFER);
   state->vtkglDisable(GL_SCISSOR_TEST);
   state->vtkglDepthMask(GL_TRUE);
+  while (!this->Buffers.DepthCopied && glGetError() != GL_NO_ERROR)
+  {
+    // What others did wrong.
+  }
   state->vtkglBlitFramebuffer(v[0], v[1], v[0] + v[2], v[1] + v[3], v[0], v[1], v[0] + v[2],
     v[1] + v[3], GL_DEPTH_BUFFER_BIT, GL_NEAREST);
   state->PopReadFramebufferBinding();

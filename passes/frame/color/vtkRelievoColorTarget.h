@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The resource `color`: what the delegate draws, unclamped, in linear light, RGBA16F,
-// premultiplied.
+// The resource `color`: what the delegate draws, unclamped, in linear light, premultiplied,
+// in half floats, or in floats where OpenGL draws with the processor.
 //
 // The delegate draws into a float framebuffer in the place of the one that was bound, of the same
 // multisampling; its colours, which VTK makes for display, go through the inverse of the sRGB curve
