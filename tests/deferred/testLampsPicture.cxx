@@ -3,6 +3,7 @@
 //
 // What lamps make of the picture: its linear colour plus what surfaces give back of their light.
 #include "Check.h"
+#include "vtkRelievoSoftwareOpenGL.h"
 #include "GLCheck.h"
 #include "LampScenes.h"
 #include "Layers.h"
