@@ -221,6 +221,7 @@ struct vtkRelievoRayScene::Held
     bool OfCells = false;
     vtkIdTypeArray* Cells = nullptr; // in the data, of the mesh's; none: the same
     vtkIdTypeArray* Points = nullptr;
+    bool IsOpaque = true; // as VTK draws it
   };
 
   // Data that was added.
@@ -243,13 +244,15 @@ struct vtkRelievoRayScene::Held
   std::map<vtkDataSet*, Surface> Surfaces; // of Data
   vtkRelievoGlyphPlaces Glyphs;
   std::vector<vtkRelievoPlacedMesh> Meshes;
-  std::vector<vtkSmartPointer<vtkPolyData>> Kept; // of Meshes, one each
+  std::vector<vtkSmartPointer<vtkPolyData>> Kept; // of Meshes, at least
   std::vector<Source> Sources;                    // of Meshes, one each
   std::vector<vtkSmartPointer<vtkProp>> LeftOut;
   std::set<vtkProp*> Warned; // of LeftOut
   std::string Fault;         // of Data
   class Correspondence;
   bool Frozen = false; // a copy of another scene's state: nothing is looked at again
+  std::vector<vtkRelievoPlacedMesh> FrozenMeshes;
+  std::vector<Source> FrozenSources;
   std::vector<Meeting>* Meetings = nullptr; // of the nearest hits, for who wants them
   vtkRelievoRayTree Tree;
 
@@ -257,6 +260,7 @@ struct vtkRelievoRayScene::Held
   void AddProps();
   void AddActors(vtkProp* prop, std::map<vtkProp*, int>& numbers);
   void AddAdded();
+  bool SetMeshes(bool opaqueOnly);
   std::string AddBlock(vtkDataObject* data, int block, int prop, vtkMatrix4x4* matrix);
   void Write(const Columns& columns, vtkIdType row, const Beam& beam, const Meeting& meeting) const;
   glm::dvec3 GetShadingNormal(
@@ -364,13 +368,19 @@ void vtkRelievoRayScene::Held::AddActors(vtkProp* prop, std::map<vtkProp*, int>&
   {
     this->LeftOut.emplace_back(prop);
   }
+  vtkActor* last = nullptr; // blocks of one actor follow each other
+  bool isOpaque = true;
   for (std::size_t i = before; i < this->Meshes.size(); ++i)
   {
     const vtkRelievoPlacedMesh& mesh = this->Meshes[i];
+    isOpaque = mesh.Actor == last ? isOpaque : mesh.Actor->HasOpaqueGeometry() != 0;
+    last = mesh.Actor;
     Source source;
     const auto number = numbers.find(mesh.Actor);
     source.Prop = number == numbers.end() ? -1 : number->second;
     source.Actor = mesh.Actor;
+    // A block may be translucent where its actor has others that are not.
+    source.IsOpaque = isOpaque && (mesh.Actor->GetForceOpaque() || !(mesh.Passes > 0.0));
     if (mesh.Actor->GetProperty()->GetInterpolation() != VTK_FLAT)
     {
       FindNormals(mesh.Mesh, source);
@@ -460,6 +470,28 @@ std::string vtkRelievoRayScene::Held::AddBlock(
   this->Sources.push_back(source);
   this->Kept.emplace_back(placed.Mesh);
   return {};
+}
+
+//------------------------------------------------------------------------------
+// Whether anything has changed.
+bool vtkRelievoRayScene::Held::SetMeshes(bool opaqueOnly)
+{
+  std::size_t count = 0;
+  for (std::size_t i = 0; opaqueOnly && i < this->Sources.size(); ++i)
+  {
+    if (this->Sources[i].IsOpaque)
+    {
+      this->Meshes[count] = this->Meshes[i];
+      this->Sources[count] = this->Sources[i];
+      ++count;
+    }
+  }
+  if (opaqueOnly)
+  {
+    this->Meshes.resize(count);
+    this->Sources.resize(count);
+  }
+  return this->Tree.SetMeshes(this->Meshes);
 }
 
 //------------------------------------------------------------------------------
@@ -593,6 +625,7 @@ void vtkRelievoRayScene::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Triangles: " << this->GetNumberOfTriangles() << '\n';
   os << indent << "MinimumDistance: " << this->MinimumDistance << '\n';
   os << indent << "MaximumDistance: " << this->MaximumDistance << '\n';
+  os << indent << "OpaqueOnly: " << this->OpaqueOnly << '\n';
   os << indent << "Abort: " << this->Abort << '\n';
 }
 
@@ -655,7 +688,9 @@ bool vtkRelievoRayScene::Update()
   Held& scene = *this->Scene;
   if (scene.Frozen)
   {
-    return scene.Tree.SetMeshes(scene.Meshes);
+    scene.Meshes = scene.FrozenMeshes;
+    scene.Sources = scene.FrozenSources;
+    return scene.SetMeshes(this->OpaqueOnly);
   }
   // Meshes are let go when the trees have taken the new ones.
   const std::vector<vtkSmartPointer<vtkPolyData>> before = std::move(scene.Kept);
@@ -688,7 +723,7 @@ bool vtkRelievoRayScene::Update()
                                            "clipped meshes, grids (give them as data) and "
                                            "actors with shaders of their own are left out");
   }
-  return scene.Tree.SetMeshes(scene.Meshes);
+  return scene.SetMeshes(this->OpaqueOnly);
 }
 
 //------------------------------------------------------------------------------
@@ -1064,7 +1099,9 @@ void vtkRelievoRayScene::CopyStateOf(vtkRelievoRayScene* other)
     placed.Actor = nullptr;
     kept.push_back(copy);
   }
-  to.Tree.SetMeshes(to.Meshes);
+  to.FrozenMeshes = to.Meshes;
+  to.FrozenSources = to.Sources;
+  to.SetMeshes(this->OpaqueOnly);
   to.Kept = kept;
   this->Modified();
 }

@@ -69,6 +69,16 @@ public:
 
   ///@{
   /**
+   * Whether of a renderer only what VTK draws as opaque is met, as in the layers of a frame;
+   * default: no. Of a copied state too, if it was copied with all.
+   */
+  vtkSetMacro(OpaqueOnly, bool);
+  vtkGetMacro(OpaqueOnly, bool);
+  vtkBooleanMacro(OpaqueOnly, bool);
+  ///@}
+
+  ///@{
+  /**
    * From where to where along a ray there are hits, in world units; default: 0 to infinity, both
    * included. At least 0.
    */
@@ -204,6 +214,7 @@ private:
   std::unique_ptr<Held> Scene;
   double MinimumDistance = 0.0;
   double MaximumDistance;
+  bool OpaqueOnly = false;
   bool Abort = false;
 };
 

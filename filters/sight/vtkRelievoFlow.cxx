@@ -103,7 +103,8 @@ int vtkRelievoFlow::RequestData(
   if (!this->To.Camera->HasPlaces())
   {
     vtkErrorMacro("A " << this->To.Camera->GetClassName()
-                       << " has no places for points in its picture; give SetTo another camera.");
+                       << " has no places for points in its picture; expected another camera "
+                          "to go to.");
     return 0;
   }
   vtkImageData* image = vtkImageData::GetData(outputs);

@@ -3,10 +3,12 @@
 #include "vtkRelievoRayLayers.h"
 
 #include "vtkCellData.h"
+#include "vtkCommand.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataSet.h"
 #include "vtkDoubleArray.h"
+#include "vtkExecutive.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -365,26 +367,44 @@ bool vtkRelievoRayLayers::IsFlow(const char* given)
 }
 
 //------------------------------------------------------------------------------
-// From this state to the other one. False after an error, or an abort.
-bool vtkRelievoRayLayers::FindFlow(vtkImageData* image)
+// From this state to the other one, as a share of all that is done. False after an error, or an
+// abort.
+bool vtkRelievoRayLayers::FindFlow(vtkImageData* image, double share)
 {
-  if (!this->OtherCamera->HasPlaces())
-  {
-    vtkErrorMacro("A " << this->OtherCamera->GetClassName()
-                       << " has no places for points in its picture; give SetOther another camera");
-    return false;
-  }
   vtkNew<vtkRelievoFlow> flow;
   flow->SetFrom(this->Scene, this->Camera);
   flow->SetTo(this->OtherScene, this->OtherCamera);
+  this->FlowShare = share;
+  this->FlowError.clear();
+  flow->AddObserver(vtkCommand::ProgressEvent, this, &vtkRelievoRayLayers::FollowFlow);
+  flow->AddObserver(vtkCommand::ErrorEvent, this, &vtkRelievoRayLayers::FollowFlow);
+  flow->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, this, &vtkRelievoRayLayers::FollowFlow);
   flow->Update();
   image->ShallowCopy(flow->GetOutput());
-  if (image->GetNumberOfPoints() == 0)
+  if (!this->FlowError.empty())
   {
-    vtkErrorMacro("The flow was not found; see the errors before.");
-    return false;
+    vtkErrorMacro(<< this->FlowError);
   }
-  return true;
+  return image->GetNumberOfPoints() > 0;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoRayLayers::FollowFlow(vtkObject* caller, unsigned long event, void* data)
+{
+  if (event == vtkCommand::ProgressEvent)
+  {
+    auto* flow = static_cast<vtkRelievoFlow*>(caller);
+    this->UpdateProgress(this->FlowShare * flow->GetProgress());
+    flow->SetAbortExecute(relievo::IsStopped(this));
+  }
+  else if (this->FlowError.empty())
+  {
+    // Behind the file, the line, the class and its address.
+    const std::string text = static_cast<const char*>(data);
+    const std::size_t place = text.find("): ");
+    this->FlowError = text.substr(place == std::string::npos ? 0 : place + 3);
+    this->FlowError.erase(this->FlowError.find_last_not_of('\n') + 1);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -461,12 +481,14 @@ int vtkRelievoRayLayers::RequestData(
   std::vector<Layer> layers;
   vtkNew<vtkImageData> flow;
   const bool hasOther = this->OtherScene && this->OtherCamera;
-  if (hasOther &&
-    std::any_of(this->Layers.begin(), this->Layers.end(),
-      [](const std::string& name) { return IsFlow(name.c_str()); }) &&
-    !this->FindFlow(flow))
+  const auto flows = std::count_if(this->Layers.begin(), this->Layers.end(),
+    [hasOther](const std::string& name) { return hasOther && IsFlow(name.c_str()); });
+  const bool isAll = flows == static_cast<std::ptrdiff_t>(this->Layers.size());
+  const double flowShare = flows == 0 ? 0.0 : isAll ? 1.0 : 0.5;
+  if (flows > 0 && !this->FindFlow(flow, flowShare))
   {
-    return 0;
+    relievo::Discard(outputs);
+    return relievo::IsStopped(this) ? 1 : 0;
   }
   for (const std::string& name : this->Layers)
   {
@@ -546,7 +568,8 @@ int vtkRelievoRayLayers::RequestData(
         }
       }
     }
-    this->UpdateProgress(static_cast<double>(end) / static_cast<double>(rows));
+    this->UpdateProgress(
+      flowShare + (1.0 - flowShare) * static_cast<double>(end) / static_cast<double>(rows));
     if (relievo::IsStopped(this))
     {
       relievo::Discard(outputs);

@@ -111,7 +111,8 @@ private:
   void operator=(const vtkRelievoRayLayers&) = delete;
 
   struct SkyRays;
-  bool FindFlow(vtkImageData* flow);
+  bool FindFlow(vtkImageData* flow, double share);
+  void FollowFlow(vtkObject* flow, unsigned long event, void* data);
   bool FindAmbient(SkyRays& sky, vtkTable* hits, vtkIdType firstPixel, std::vector<double>& share);
 
   vtkSmartPointer<vtkRelievoRayScene> Scene;
@@ -123,6 +124,8 @@ private:
   double AmbientRadius = 0.0;
   bool AmbientByCosine = true;
   int Seed = 0;
+  double FlowShare = 0.0; // of the progress, while flow is found
+  std::string FlowError;
 };
 
 #endif

@@ -229,19 +229,29 @@ class Orthographic(CameraModel):
     @classmethod
     def of(cls, camera, size):
         """The map that a vtkCamera of parallel projection, a renderer or a plotter with one is in a
-        picture of (columns, rows). Raises ValueError for another camera, or one with transforms of
-        its own."""
+        picture of (columns, rows): by its matrices, whoever made them. Raises ValueError for
+        another camera: one with shear, a parallel scale of 0, or pixels that are not square."""
         found = _camera_of(camera)
-        if (not found.GetParallelProjection() or found.GetUserTransform() is not None
-                or found.GetUserViewTransform() is not None
-                or found.GetViewShear() != (0, 0, 1)):
-            raise ValueError("camera: expected one of parallel projection, without shear and "
-                             "transforms of its own")
         columns, rows = _whole(size)
-        x, y = found.GetWindowCenter()
-        center = (1 - x) * columns / 2 - 0.5, (1 + y) * rows / 2 - 0.5
-        made = Orthographic(rows / (2 * found.GetParallelScale()), (columns, rows), center)
-        return made.look_at(found.GetPosition(), found.GetFocalPoint(), found.GetViewUp())
+        projection, view = numpy.empty((4, 4)), numpy.empty((4, 4))
+        matrices = (found.GetProjectionTransformMatrix(columns / rows, -1, 1),
+                    found.GetModelViewTransformMatrix())
+        for array, matrix in zip((projection, view), matrices):
+            array.flat = [matrix.GetElement(i, j) for i in range(4) for j in range(4)]
+        with numpy.errstate(all="ignore"):
+            projection /= projection[3, 3]
+        half = numpy.array([columns, rows]) / 2
+        scale = half[1] * projection[1, 1]
+        expected = projection.copy()  # of parallel rays, along z alone, to square pixels
+        expected[3] = 0, 0, 0, 1
+        expected[:2, :3] = numpy.diag((*(scale / half), 0))[:2]
+        if not (found.GetParallelProjection() and numpy.isfinite(projection).all() and scale > 0
+                and numpy.allclose(projection, expected, rtol=1e-9, atol=1e-9 * scale / max(half))):
+            raise ValueError("camera: expected one of parallel projection, with a scale above 0 "
+                             "and square pixels, without shear")
+        center = half * (1 + projection[:2, 3] * (1, -1)) - 0.5
+        turn = numpy.diag((1, -1, -1)) @ view[:3]  # to y down and z forward
+        return Orthographic(scale, (columns, rows), center, turn[:, :3], turn[:, 3])
 
 
 class Pushbroom(CameraModel):

@@ -19,7 +19,7 @@ from ._image import from_image
 from ._keep import kept
 from ._picture import captured, write_png
 from ._renderers import renderer_of
-from ._sight import FLOW_LAYERS, Moment, layers_by_rays
+from ._sight import FLOW_LAYERS, NEEDS_MOMENT, Moment, layers_by_rays
 from .vtkRelievoPasses import vtkRelievoDisplay, vtkRelievoLayerSource, vtkRelievoLensPicture
 
 _LARGEST = 16384  # pixels each way; OpenGL's own limit, asked when there is a window, may be lower
@@ -54,8 +54,10 @@ def capture(renderer, layers=("depth",), size=None, hdr=False, camera=None, ambi
     previous: what moment() kept of the scene earlier. It gives the layers flow (2 floats: pixels,
         x right, y down, from this picture to where the same point of the surface was in that one;
         NaN where there is none), motion (3 floats: from here to there, world units) and flow_valid
-        (1 where that picture shows the point), by rays; see flow(). An array of such a name is
-        "point:flow" or "cell:flow" then.
+        (1 where that picture shows the point), by rays; see flow(). They are of opaque surfaces, as
+        the other layers; with a CameraModel all have translucent ones too. Where no other layer is
+        asked, nothing is drawn, and the field data is that of a CameraModel. An array of such a
+        name is "point:flow" or "cell:flow" then.
 
     Returns vtkImageData, which notebooks show as pictures, of (columns, rows, 1) points with one
     point array per layer; VTK's row 0 is the BOTTOM of the picture (layer() gives numpy arrays with
@@ -84,7 +86,11 @@ def capture(renderer, layers=("depth",), size=None, hdr=False, camera=None, ambi
         size = _SIZE_OF_DATA
     if size is not None:
         size = _pixels(size)
-    drawn = [name for name in layers if name not in flows] or ["depth"]
+    drawn = [name for name in layers if name not in flows]
+    if not drawn and not made:
+        sensor = sensor_of(renderer, _viewport_of(renderer) if size is None else size)
+        return captured(layers_by_rays(thing, flows, sensor, None, previous, opaque_only=True))
+    drawn = drawn or ["depth"]  # which fits the camera to data
     source = vtkRelievoLayerSource()
     source.SetHDR(bool(hdr))
     for name in drawn:
@@ -105,14 +111,22 @@ def capture(renderer, layers=("depth",), size=None, hdr=False, camera=None, ambi
     for name in drawn if wrong_name else ():
         wrong = why_not(name, renderer, None)  # which names the arrays that there are
         if wrong:
-            hint = "; this layer needs previous=, from moment()" if name in FLOW_LAYERS else ""
+            hint = NEEDS_MOMENT if name in FLOW_LAYERS else ""
             raise ValueError(f"capture: {wrong}{hint}")
     watch.raise_as(ValueError if wrong_name else RuntimeError, f"capture {', '.join(layers)}")
     image = source.GetOutput()
     if flows:
         sensor = sensor_of(renderer, image.GetDimensions()[:2])
-        image = _merged(layers, image, layers_by_rays(thing, flows, sensor, None, previous))
+        found = layers_by_rays(thing, flows, sensor, None, previous, opaque_only=True)
+        image = _merged(layers, image, found)
     return captured(image)
+
+
+def _viewport_of(renderer):
+    """The size of its part of its window."""
+    if renderer.GetRenderWindow() is None:
+        raise ValueError("size: the renderer has no window, expected size=(columns, rows)")
+    return tuple(renderer.GetSize())
 
 
 def _check_flow(layers, previous):
@@ -326,7 +340,7 @@ def _window_of(renderer, size):
     window = renderer.GetRenderWindow()
     if window is None:
         if size is None:
-            raise ValueError("size: the renderer has no window, expected size=(columns, rows)")
+            size = _viewport_of(renderer)
         window = _spare_window()
         window.AddRenderer(renderer)
         try:

@@ -26,11 +26,14 @@ from .vtkRelievoRays import vtkRelievoRayScene
 
 
 FLOW_LAYERS = ("flow", "motion", "flow_valid")
+NEEDS_MOMENT = "; this layer needs previous=, from moment()"
 
 
-def layers_by_rays(thing, names, sensor, ambient=None, previous=None):
-    """The image of layers that a CameraModel sees; see capture()."""
+def layers_by_rays(thing, names, sensor, ambient=None, previous=None, opaque_only=False):
+    """The image of layers that a CameraModel sees; see capture(). opaque_only: of surfaces those
+    that the layers of a frame have."""
     scene = rays(thing).scene
+    scene.SetOpaqueOnly(opaque_only)
     source = vtkRelievoRayLayers()
     if previous is not None:
         source.SetOther(previous.scene, previous.sensor.model)
@@ -39,7 +42,17 @@ def layers_by_rays(thing, names, sensor, ambient=None, previous=None):
     source.SetCamera(sensor.model)
     for name in names:
         source.AddLayer(name)
-    return _image(source, f"capture {', '.join(names)}", scene)
+    try:
+        if previous is not None:
+            previous.scene.SetOpaqueOnly(opaque_only)
+        return _image(source, f"capture {', '.join(names)}", scene)
+    except ValueError as error:
+        if previous is None and any(f"'{name}'" in str(error) for name in FLOW_LAYERS):
+            raise ValueError(f"{error}{NEEDS_MOMENT}") from None
+        raise
+    finally:
+        if previous is not None:
+            previous.scene.SetOpaqueOnly(False)
 
 
 def _set_ambient(source, settings):
@@ -140,11 +153,12 @@ class _Props:
     def number(self, points):
         """The points with the arrays actor, and cell of its own."""
         data = points.GetPointData()
+        prop = own = numpy.empty(0, numpy.int64)
         if data.HasArray("cell") and points.GetNumberOfPoints() > 0:
             cell = _values(data, "cell")
             prop, own = (_values(self.mesh.GetCellData(), each)[cell] for each in (_PROP, "cell"))
-            _add(data, "actor", prop)
-            _add(data, "cell", own)
+        _add(data, "actor", prop.astype(numpy.int32))
+        _add(data, "cell", own)
         return points
 
 

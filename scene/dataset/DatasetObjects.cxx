@@ -233,7 +233,7 @@ vtkBoundingBox DatasetObjects::GetOpaqueBounds() const
   vtkBoundingBox box;
   for (const Part& part : this->Parts)
   {
-    if (!part.Actor->HasTranslucentPolygonalGeometry())
+    if (part.Actor->HasOpaqueGeometry())
     {
       AddTo(box, GetCorners(part));
     }
@@ -322,28 +322,6 @@ DatasetObjects::Alone::~Alone()
       attributes->RemoveBlockVisibility(block->Data);
     }
     block->Actor->GetMapper()->Modified();
-  }
-}
-
-//------------------------------------------------------------------------------
-DatasetObjects::OpaqueOnly::OpaqueOnly(const DatasetObjects& objects)
-{
-  for (const Part& part : objects.Parts)
-  {
-    if (part.Actor->GetVisibility() && !part.Actor->HasOpaqueGeometry())
-    {
-      part.Actor->VisibilityOff();
-      this->Hidden.push_back(part.Actor);
-    }
-  }
-}
-
-//------------------------------------------------------------------------------
-DatasetObjects::OpaqueOnly::~OpaqueOnly()
-{
-  for (vtkActor* actor : this->Hidden)
-  {
-    actor->VisibilityOn();
   }
 }
 }

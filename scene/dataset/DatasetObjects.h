@@ -74,19 +74,6 @@ public:
     std::vector<Block> Blocks;
   };
 
-  /// While it lives, the renderer shows no mesh that has nothing opaque.
-  class OpaqueOnly
-  {
-  public:
-    explicit OpaqueOnly(const DatasetObjects& objects);
-    ~OpaqueOnly();
-    OpaqueOnly(const OpaqueOnly&) = delete;
-    void operator=(const OpaqueOnly&) = delete;
-
-  private:
-    std::vector<vtkActor*> Hidden;
-  };
-
 private:
   bool Has(int object, vtkActor* actor) const;
 

@@ -290,7 +290,6 @@ DatasetView DatasetPainter::Draw(vtkRelievoCameraModel* camera, vtkRelievoCamera
     this->DrawInWindow(lens, view);
     if (!this->Flow.empty())
     {
-      const DatasetObjects::OpaqueOnly opaque(this->Objects);
       const auto traced = this->TraceLayers(camera, before, this->Flow);
       for (const std::string& layer : this->Flow)
       {
@@ -549,6 +548,7 @@ vtkSmartPointer<vtkImageData> DatasetPainter::TraceLayers(vtkRelievoCameraModel*
   {
     this->Rays = vtkSmartPointer<vtkRelievoRayScene>::New();
     this->Rays->SetRenderer(this->Renderer);
+    this->Rays->OpaqueOnlyOn(); // as in the layers of the frame
     this->Nothing = vtkSmartPointer<vtkRelievoRayScene>::New();
   }
   vtkNew<vtkRelievoRayLayers> source;
@@ -579,7 +579,6 @@ void DatasetPainter::FollowRays(
   {
     this->TakePicture(camera, view);
   }
-  const DatasetObjects::OpaqueOnly opaque(this->Objects); // as in the layers of the frame
   std::vector<std::string> layers = this->Layers;
   layers.insert(layers.end(), this->Flow.begin(), this->Flow.end());
   view.Layers = this->TraceLayers(camera, before, layers);

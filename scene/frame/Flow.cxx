@@ -67,6 +67,7 @@ void FlowOfFrames::AddTo(vtkImageData* image, vtkRenderer* renderer, const Rende
   {
     this->Scene = vtkSmartPointer<vtkRelievoRayScene>::New();
     this->Scene->SetRenderer(renderer);
+    this->Scene->SetOpaqueOnly(options.Lens.empty()); // the frame's other layers have no more
     this->Before = vtkSmartPointer<vtkRelievoRayScene>::New(); // of nothing
     this->CameraBefore = camera;
   }

@@ -6,12 +6,15 @@ import unittest
 
 import numpy
 import scenes
+from testDatasets import vtkCompositeMapper
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonMath import vtkMatrix4x4
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkMultiBlockDataSet, vtkPolyData
 from vtkmodules.vtkFiltersSources import vtkCubeSource, vtkPlaneSource, vtkSphereSource
 from vtkmodules.vtkRenderingCore import (
     vtkActor,
+    vtkCompositeDataDisplayAttributes,
     vtkGlyph3DMapper,
     vtkLight,
     vtkPolyDataMapper,
@@ -20,6 +23,7 @@ from vtkmodules.vtkRenderingCore import (
 )
 
 import relievo
+from relievo.vtkRelievoFilters import vtkRelievoRayLayers
 
 SIZE = (160, 121)
 K = numpy.array([[180.5, 2, 77.0], [0, 175.25, 63.5], [0, 0, 1]])
@@ -358,6 +362,10 @@ class SeenScene(unittest.TestCase):
         sensor = relievo.Pinhole(K, SIZE).look_at((0, 0, 4), (0, 0, 0))
         found, cloud = relievo.visible(vtkRenderer(), sensor, cloud=True)
         self.assertEqual((found, cloud.GetNumberOfPoints()), ([], 0))
+        self.assertEqual(cloud.GetPointData().GetArray("actor").GetNumberOfTuples(), 0)
+        away = relievo.Pinhole(K, SIZE).look_at((0, 0, 4), (0, 0, 8))
+        _, cloud = relievo.visible(self.scene(), away, cloud=True)
+        self.assertEqual(cloud.GetPointData().GetArray("actor").GetNumberOfTuples(), 0)
 
 
 class Sun(unittest.TestCase):
@@ -566,9 +574,12 @@ class Flow(unittest.TestCase):
                     self.assertGreater(seen.sum(), 10)
                     self.assertLess(numpy.abs(flow[seen]).max(), 1e-9 + 1e-12 * far)
                     self.assertGreater((relievo.layer(image, "flow_valid")[seen] == 1).mean(), 0.98)
+        lidar = relievo.Lidar([0], steps=8)
+        moment = relievo.moment(mesh, lidar)
         with self.assertRaisesRegex(ValueError, "no places"):
-            lidar = relievo.Lidar([0], steps=8)
-            relievo.flow(relievo.moment(mesh, lidar), mesh, lidar)
+            relievo.flow(moment, mesh, lidar)
+        with self.assertRaisesRegex(ValueError, "capture flow: A vtkRelievoLidar has no places"):
+            relievo.capture(mesh, "flow", camera=sensor, previous=moment)
         with self.assertRaisesRegex(ValueError, "no places"):
             relievo.visible(mesh, lidar)
 
@@ -686,8 +697,34 @@ class Flow(unittest.TestCase):
         seen = numpy.isfinite(flow).all(axis=-1)
         self.assertGreater(seen.mean(), 0.9)
         self.assertLess(numpy.abs(flow - expected)[seen].max(), 0.01)
+        # Matrices that others have made say more than scale and centre.
+        explicit = vtkMatrix4x4()
+        explicit.DeepCopy(camera.GetProjectionTransformMatrix(SIZE[0] / SIZE[1], -1, 1))
+        for row in (0, 1):
+            explicit.SetElement(row, row, 1.3 * explicit.GetElement(row, row))
+        explicit.SetElement(0, 3, 0.1)
+        camera.SetExplicitProjectionTransformMatrix(explicit)
+        camera.SetUseExplicitProjectionTransformMatrix(True)
+        sensor = relievo.Orthographic.of(renderer, SIZE)
+        places = numpy.array([[0.2, -0.3, 0.4], [-0.5, 0.1, 0.0]])
+        view = camera.GetModelViewTransformMatrix()
+        expected = []
+        for place in places:
+            x, y, _, _ = explicit.MultiplyPoint(view.MultiplyPoint((*place, 1)))
+            expected.append(((1 + x) * SIZE[0] / 2 - 0.5, (1 - y) * SIZE[1] / 2 - 0.5))
+        numpy.testing.assert_allclose(sensor.project(places), expected, atol=1e-9)
+        explicit.SetElement(0, 0, 1.1 * explicit.GetElement(0, 0))  # of pixels that are not square
+        camera.SetExplicitProjectionTransformMatrix(explicit)
+        refused = self.assertRaisesRegex(ValueError, "camera: expected .* without shear")
+        with refused:
+            relievo.capture(renderer, ["flow"], size=SIZE, previous=before)
+        camera.SetUseExplicitProjectionTransformMatrix(False)
+        camera.SetParallelScale(0)
+        with refused:
+            relievo.Orthographic.of(camera, SIZE)
+        camera.SetParallelScale(2.5)
         camera.SetViewShear(0.1, 0, 1)
-        with self.assertRaisesRegex(ValueError, "camera: expected .* without shear"):
+        with refused:
             relievo.capture(renderer, ["flow"], size=SIZE, previous=before)
 
     def test_layers_of_a_turned_actor(self):
@@ -702,7 +739,8 @@ class Flow(unittest.TestCase):
         actor.RotateZ(9)
         image = relievo.capture(renderer, ["flow", "motion", "position"], size=(120, 90),
                                 previous=before)  # fmt: skip
-        flow = relievo.layer(image, "flow")
+        flow, motion, position = (relievo.layer(image, name)
+                                  for name in ("flow", "motion", "position"))  # fmt: skip
         seen = numpy.isfinite(flow).all(axis=-1)
         self.assertGreater(seen.sum(), 1000)
         # y is down in the picture: back by 9 degrees is clockwise in the world, y up.
@@ -712,6 +750,88 @@ class Flow(unittest.TestCase):
         v, u = numpy.nonzero(seen)
         about = numpy.stack([u, v], -1) - (61.4, 40.2)
         self.assertLess(numpy.abs(flow[seen] - (about @ back.T - about)).max(), 0.01)
+        place = position[seen]  # back in the world turns the other way
+        place[:, :2] = place[:, :2] @ back
+        self.assertLess(numpy.abs(motion[seen] - (place - position[seen])).max(), 1e-6)
+
+    def test_layers_of_what_is_opaque(self):
+        """A pane and a block, translucent, that move are in no layer of a frame and hide none."""
+        corners = numpy.array([(-1, -1, 0), (1, -1, 0), (-1, 1, 0)])
+        blocks = vtkMultiBlockDataSet()
+        for i, z in enumerate((0.5, 0)):
+            blocks.SetBlock(i, grid(*corners + (0, 0, z), 2, 2))
+        mapper = vtkCompositeMapper()
+        mapper.SetInputDataObject(blocks)
+        attributes = vtkCompositeDataDisplayAttributes()
+        attributes.SetBlockOpacity(blocks.GetBlock(0), 0.3)
+        mapper.SetCompositeDataDisplayAttributes(attributes)
+        plate = vtkActor()
+        plate.SetMapper(mapper)
+        renderer = vtkRenderer()
+        renderer.AddActor(plate)
+        source = vtkPlaneSource()
+        pane = scenes.add(renderer, source)
+        pane.SetPosition(0, 0, 1)
+        pane.GetProperty().SetOpacity(0.3)
+        relievo.camera(renderer, **self.wall())
+        names = ["depth", "actor", "block", "motion", "flow_valid"]
+        before = relievo.moment(renderer, size=(120, 90))
+        pane.SetPosition(0.5, 0, 1)
+        vtk_to_numpy(blocks.GetBlock(0).GetPoints().GetData())[:, 0] += 0.5
+        blocks.GetBlock(0).GetPoints().Modified()
+        blocks.GetBlock(0).Modified()
+        image = relievo.capture(renderer, names, size=(120, 90), previous=before)
+        at = 40, 66  # both panes are before it, then and now
+        self.assertEqual([relievo.layer(image, name)[at] for name in names[1:3]], [0, 2])
+        seen = numpy.isfinite(relievo.layer(image, "depth"))
+        self.assertGreater(seen.sum(), 1000)
+        motion = relievo.layer(image, "motion")
+        numpy.testing.assert_array_equal(numpy.isfinite(motion).all(axis=-1), seen)
+        self.assertLess(numpy.abs(motion[seen]).max(), 1e-6)
+        self.assertTrue((relievo.layer(image, "flow_valid")[seen] == 1).all())
+        # By rays all surfaces are seen, also in the moment that was asked.
+        sensor = relievo.Pinhole.of(renderer, (120, 90))
+        image = relievo.capture(renderer, names, camera=sensor, previous=before)
+        self.assertEqual(relievo.layer(image, "actor")[at], 1)
+        numpy.testing.assert_allclose(relievo.layer(image, "motion")[at], (-0.5, 0, 0), atol=1e-6)
+
+    def test_flow_alone_is_not_drawn(self):
+        renderer = self.renderer()
+        before = relievo.moment(renderer, size=SIZE)
+        renderer.GetActiveCamera().Azimuth(2)
+        beside = relievo.capture(renderer, ["depth", "flow"], size=SIZE, previous=before)
+        drawn = []
+        renderer.AddObserver("StartEvent", lambda *_: drawn.append(1))
+        image = relievo.capture(renderer, "flow", size=SIZE, previous=before)
+        self.assertEqual(drawn, [])
+        numpy.testing.assert_array_equal(relievo.layer(image, "flow"),
+                                         relievo.layer(beside, "flow"))  # fmt: skip
+        self.assertGreater(numpy.isfinite(relievo.layer(image, "flow")).sum(), 1000)
+        with self.assertRaisesRegex(ValueError, "size: the renderer has no window"):
+            relievo.capture(renderer, "flow", previous=before)
+
+    def test_progress_and_end_of_flow(self):
+        """Each comes from a share of the rows; who ends it gets nothing."""
+        renderer = self.renderer()
+        moment = relievo.moment(renderer, size=(1024, 1024))  # two lots of rays
+        source = vtkRelievoRayLayers()
+        source.SetScene(moment.scene)
+        source.SetCamera(moment.sensor.model)
+        source.SetOther(moment.scene, moment.sensor.model)
+        for name in ("flow", "depth"):
+            source.AddLayer(name)
+        shares = []
+        source.AddObserver("ProgressEvent", lambda *_: shares.append(source.GetProgress()))
+        source.Update()
+        self.assertEqual(source.GetOutput().GetNumberOfPoints(), 1024 * 1024)
+        self.assertEqual(sorted(shares), shares)
+        self.assertTrue({0.25, 0.5, 0.75, 1.0} <= set(shares), shares)
+        shares.clear()
+        source.AddObserver("ProgressEvent", lambda *_: source.SetAbortExecute(1))
+        source.Update()
+        self.assertEqual(source.GetOutput().GetNumberOfPoints(), 0)
+        self.assertNotIn(0.75, shares)
+        self.assertLessEqual(shares.count(0.5), 1)  # VTK says where the flow ends
 
     def test_layers_are_refused_without_a_moment(self):
         renderer = self.renderer()
@@ -719,7 +839,8 @@ class Flow(unittest.TestCase):
         sensor = relievo.Pinhole.of(renderer, SIZE)
         for words, says in (
             ({"layers": ["flow"]}, "flow.*needs previous=, from moment"),
-            ({"layers": ["motion"], "camera": sensor, "size": None}, "another state"),
+            ({"layers": ["motion"], "camera": sensor, "size": None},
+             "another state.*needs previous=, from moment"),
             ({"layers": ["depth"], "previous": before}, "previous: got a moment, expected one of"),
             ({"layers": ["flow"], "previous": sensor}, "previous: got .*expected what moment"),
         ):
