@@ -18,7 +18,7 @@ from ._wrapped import vtkRelievoDatasetWriter, vtkRelievoScene
 from .vtkRelievoCameras import vtkRelievoCalibration
 
 _FORMATS = ("bop", "coco", "nerf", "npz")
-_SIZE = (640, 480)
+_SIZE = (1024, 768)
 
 
 def write_dataset(renderer, cameras, directory, format="bop", layers=(), size=None,
@@ -39,7 +39,7 @@ def write_dataset(renderer, cameras, directory, format="bop", layers=(), size=No
     format: "bop", "coco", "nerf" or "npz".
     layers: names of layers that are written as floats: as arrays of npz, else in layers/NUMBER.exr.
     size: (columns, rows) of pictures, where the cameras do not say it; None for those of the
-        lens's file, or (640, 480).
+        lens's file, or (1024, 768).
     objects: what an object is: "actor", "block" (of composite data), or a list of names, one for
         each of renderer.GetActors(): actors of one name are one object, those of None hide others
         and are none.

@@ -30,11 +30,11 @@ namespace scene
 namespace
 {
 using Json = nlohmann::ordered_json;
-using Point = std::array<float, 3>;
+using Point = std::array<double, 3>;
 
 double GetSquare(const Point& a, const Point& b)
 {
-  const double between[3] = { double(a[0]) - b[0], double(a[1]) - b[1], double(a[2]) - b[2] };
+  const double between[3] = { a[0] - b[0], a[1] - b[1], a[2] - b[2] };
   return vtkMath::Dot(between, between);
 }
 
@@ -54,9 +54,12 @@ public:
     Point from = points[0];
     for (int i = 0; i < 2; ++i)
     {
-      from = *std::max_element(points.begin(), points.end(),
-        [&](const Point& a, const Point& b) { return GetSquare(from, a) < GetSquare(from, b); });
-      this->Largest = std::max(this->Largest, GetSquare(points[0], from));
+      const Point previous = from;
+      from = *std::max_element(
+        points.begin(), points.end(), [&previous](const Point& a, const Point& b) {
+          return GetSquare(previous, a) < GetSquare(previous, b);
+        });
+      this->Largest = std::max(this->Largest, GetSquare(previous, from));
     }
     this->Build(0, points.size());
     this->Search(0, 0);
@@ -178,7 +181,7 @@ void AddMesh(Model& model, vtkPolyData* mesh, const DatasetObject& object, doubl
         {
           along += turn[3 * k + i] * (point[k] - origin[k]);
         }
-        own[i] = static_cast<float>(scale * along);
+        own[i] = scale * along;
       }
       model.Points.push_back(own);
     }
@@ -200,7 +203,7 @@ std::string EncodePLY(const Model& model)
 {
   std::string bytes = "ply\nformat binary_little_endian 1.0\nelement vertex " +
     std::to_string(model.Points.size()) +
-    "\nproperty float x\nproperty float y\nproperty float z\nelement face " +
+    "\nproperty double x\nproperty double y\nproperty double z\nelement face " +
     std::to_string(model.Triangles.size()) +
     "\nproperty list uchar int vertex_indices\nend_header\n";
   for (const Point& point : model.Points)

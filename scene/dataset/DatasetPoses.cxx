@@ -274,8 +274,9 @@ void SetSize(
 }
 
 //------------------------------------------------------------------------------
-// The lens of transforms.json: k1, k2, p1, p2, k3 of Brown and Conrady, or k1 to k4 of a fisheye.
-// Without any, that of the camera stays; throws UsageError if both bend, and for other lenses.
+// The lens of transforms.json: k1, k2, p1, p2, k3 of Brown and Conrady, k4 to k6 too if it is
+// FULL_OPENCV's, or k1 to k4 of a fisheye. Without any, that of the camera stays; throws UsageError
+// if both bend, and for other lenses.
 void SetLens(
   vtkRelievoCameraModel* camera, const Json& frame, const Json& all, const std::string& where)
 {
@@ -291,10 +292,21 @@ void SetLens(
     throw UsageError(
       where + ", camera_model: got " + model.dump() + ", expected one of " + Join(models, ", "));
   }
-  const bool isFisheye = model == models.back() || get("is_fisheye", false) == true;
-  const std::vector<std::string> own = isFisheye
-    ? std::vector<std::string>{ "k1", "k2", "k3", "k4" }
-    : std::vector<std::string>{ "k1", "k2", "p1", "p2", "k3" };
+  const Json says = get("is_fisheye", false);
+  if (!says.is_boolean())
+  {
+    throw UsageError(where + ", is_fisheye: got " + says.dump() + ", expected true or false");
+  }
+  const bool isFisheye = model == models.back() || says.get<bool>();
+  std::vector<std::string> own = { "k1", "k2", "k3", "k4" };
+  if (!isFisheye)
+  {
+    own = { "k1", "k2", "p1", "p2", "k3" };
+  }
+  if (!isFisheye && model == "FULL_OPENCV")
+  {
+    own.insert(own.end(), { "k4", "k5", "k6" });
+  }
   std::vector<double> coefficients(own.size());
   for (const char* name : { "k1", "k2", "k3", "k4", "k5", "k6", "p1", "p2" })
   {

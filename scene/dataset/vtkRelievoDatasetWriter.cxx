@@ -16,6 +16,7 @@
 #include "vtkCommand.h"
 #include "vtkObjectFactory.h"
 #include "vtkRelievoCameraModel.h"
+#include "vtkRelievoRayLayers.h"
 #include "vtkRelievoScene.h"
 #include "vtkRenderer.h"
 
@@ -344,10 +345,21 @@ void vtkRelievoDatasetWriter::Internals::Check(int format) const
         ": is the name of an array that npz has itself; expected another layer, or another format");
     }
   }
+  const auto flow = std::find_if(this->Layers.begin(), this->Layers.end(),
+    [](const std::string& layer) { return vtkRelievoRayLayers::IsFlow(layer.c_str()); });
   for (std::size_t i = 0; i < this->Cameras.size(); ++i)
   {
-    scene::CheckDatasetCamera(static_cast<scene::DatasetFormat>(format), this->Cameras[i],
-      this->Cameras[0], "view " + std::to_string(i));
+    const std::string view = "view " + std::to_string(i);
+    scene::CheckDatasetCamera(
+      static_cast<scene::DatasetFormat>(format), this->Cameras[i], this->Cameras[0], view);
+    // Flow goes to the view before; that of the first one, which has none, to itself.
+    const bool isGoal = i == 0 || i + 1 < this->Cameras.size();
+    if (flow != this->Layers.end() && isGoal && !this->Cameras[i]->HasPlaces())
+    {
+      throw scene::UsageError(view + ": layer " + *flow +
+        " goes to places in its picture, and a lidar has none between its beams; expected another "
+        "sensor, or layers without flow");
+    }
   }
 }
 

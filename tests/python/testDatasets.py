@@ -669,6 +669,14 @@ class Datasets(unittest.TestCase):
         self.assertAlmostEqual(rotation[0, 2], 0)
         self.assertLess(rotation[1, 2], -0.9)
 
+    def test_rational_lens_of_a_file(self):
+        """OpenCV's eight coefficients, in its order."""
+        said = dict(zip(("k1", "k2", "p1", "p2", "k3", "k4", "k5", "k6"),
+                        (-0.2, 0.03, 0.002, 0.001, 0.004, 0.05, 0.01, 0.002)))  # fmt: skip
+        matrix = {"transform_matrix": numpy.eye(4).tolist()}
+        (camera,) = self.poses_of({"camera_model": "FULL_OPENCV", **said, "frames": [matrix]})
+        self.assertEqual(camera["distortion"], list(said.values()))
+
     def test_poses_that_are_refused(self):
         matrix = {"transform_matrix": numpy.eye(4).tolist()}
         pose = {"R": numpy.eye(3).tolist(), "t": [0, 0, 3]}
@@ -681,6 +689,8 @@ class Datasets(unittest.TestCase):
             ({"k4": 0.1, "frames": [matrix]}, "pose 0, k4: got 0.1, expected 0: .*k2, p1, p2, k3"),
             ({"is_fisheye": True, "frames": [matrix, {**matrix, "p1": 0.1}]},
              "pose 1, p1: got 0.1, expected 0: .*k1, k2, k3, k4"),
+            ({"is_fisheye": 1, "frames": [matrix]}, "pose 0, is_fisheye: got 1, expected true or"),
+            ({"is_fisheye": "true", "frames": [matrix]}, 'is_fisheye: got "true", expected true'),
             ({"camera_model": "FISHEYE624", "frames": [matrix]},
              'pose 0, camera_model: got "FISHEYE624", expected one of PINHOLE'),
             ({"camera_angle_x": 4, "frames": [matrix]}, "camera_angle_x: expected radians"),

@@ -23,10 +23,17 @@ from testDatasets import (
     runs,
     sphere,
     triangles,
+    vtkCompositeMapper,
 )
-from vtkmodules.vtkCommonDataModel import vtkPlane
+from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet, vtkPlane
 from vtkmodules.vtkFiltersSources import vtkConeSource, vtkCubeSource
-from vtkmodules.vtkRenderingCore import vtkActor, vtkCamera, vtkGlyph3DMapper, vtkRenderer
+from vtkmodules.vtkRenderingCore import (
+    vtkActor,
+    vtkCamera,
+    vtkCompositeDataDisplayAttributes,
+    vtkGlyph3DMapper,
+    vtkRenderer,
+)
 
 import relievo
 
@@ -119,10 +126,10 @@ def read_ply(path):
     assert lines[:2] == ["ply", "format binary_little_endian 1.0"]
     counts = [int(line.split()[2]) for line in lines if line.startswith("element")]
     assert [line for line in lines if line.startswith("property")] == [
-        *(f"property float {axis}" for axis in "xyz"), "property list uchar int vertex_indices"
+        *(f"property double {axis}" for axis in "xyz"), "property list uchar int vertex_indices"
     ]  # fmt: skip
-    points = numpy.frombuffer(body, "<f4", 3 * counts[0]).reshape(-1, 3).astype(float)
-    faces = numpy.frombuffer(body[12 * counts[0] :], [("n", "u1"), ("ids", "<i4", 3)])
+    points = numpy.frombuffer(body, "<f8", 3 * counts[0]).reshape(-1, 3)
+    faces = numpy.frombuffer(body[24 * counts[0] :], [("n", "u1"), ("ids", "<i4", 3)])
     assert len(faces) == counts[1] and (faces["n"] == 3).all()
     return points, faces["ids"]
 
@@ -304,6 +311,12 @@ class SensorDatasets(unittest.TestCase):
         found = numpy.load(self.folder / "npz" / "000000.npz")
         self.assertNotIn("color", found)
         self.assertEqual(found["lens"], "lidar")
+        pinhole = relievo.Pinhole(K, SIZE)
+        for cameras, view in (([lidar, pinhole], 0), ([pinhole, lidar, pinhole], 1)):
+            says = f"view {view}: layer flow_valid goes to places"
+            with self.assertRaisesRegex(ValueError, says):
+                relievo.write_dataset(heap(), cameras, self.folder / "x", "npz", ["flow_valid"])
+            self.assertFalse((self.folder / "x").exists())
         with self.assertRaisesRegex(ValueError, "got the sensor lidar, which has no picture"):
             relievo.write_dataset(heap(), lidar, self.folder / "coco", "coco")
 
@@ -336,6 +349,39 @@ class SensorDatasets(unittest.TestCase):
         numpy.testing.assert_array_equal(found["visible_masks"][1][truth.sure],
                                          truth.seen[truth.sure])  # fmt: skip
         self.assertTrue(all(actor.GetVisibility() for actor in renderer.GetActors()))
+
+    def test_translucent_blocks(self):
+        """Hide nothing either, nor does the depth of the others count without them."""
+        renderer = vtkRenderer()
+        blocks = vtkMultiBlockDataSet()
+        for i, z in enumerate((1.0, 0.0)):
+            source = plate(0.5 + 0.3 * i)
+            source.SetCenter(0, 0, z)
+            source.Update()
+            blocks.SetBlock(i, source.GetOutput())
+        mapper = vtkCompositeMapper()
+        mapper.SetInputDataObject(blocks)
+        attributes = vtkCompositeDataDisplayAttributes()
+        attributes.SetBlockOpacity(blocks.GetBlock(0), 0.3)
+        mapper.SetCompositeDataDisplayAttributes(attributes)
+        actor = vtkActor()
+        actor.SetMapper(mapper)
+        renderer.AddActor(actor)
+        for kind in (relievo.Fisheye, relievo.Pinhole):
+            name = kind.__name__
+            with self.subTest(name):
+                lens = kind(K, SIZE).look_at((0, 0, 4), (0, 0, 0))
+                relievo.write_dataset(renderer, lens, self.folder / name, "npz", objects="block")
+                found = numpy.load(self.folder / name / "000000.npz")
+                seen = found["visible_masks"]
+                self.assertFalse(seen[0].any() or found["amodal_masks"][0].any())
+                self.assertGreater(seen[1].sum(), 100)
+                numpy.testing.assert_allclose(found["depth"][seen[1]], 4, atol=1e-5)
+                relievo.write_dataset(renderer, lens, self.folder / (name + "bop"), objects="block")
+                (step,) = {each["depth_scale"] for each in
+                           read_json(self.folder / (name + "bop") / "scene_camera.json").values()}
+                depth = read_png(self.folder / (name + "bop") / "depth" / "000000.png")
+                self.assertAlmostEqual(step * depth.max(), 4000, delta=step)
 
     def test_what_rays_do_not_meet(self):
         """Is in the picture alone, and a warning says so."""
@@ -443,6 +489,20 @@ class SensorDatasets(unittest.TestCase):
         points, _ = read_ply(self.folder / "models" / "obj_000002.ply")
         apart = numpy.linalg.norm(points[:, None] - points[None], axis=-1)
         self.assertAlmostEqual(infos["2"]["diameter"] / apart.max(), 1, delta=1e-6)
+
+    def test_models_far_away(self):
+        """A square of 5 cm at a place of UTM, in coordinates of the world."""
+        renderer = vtkRenderer()
+        source = plate(0.025)
+        source.SetOutputPointsPrecision(1)  # double
+        source.SetCenter(4e5, 5.4e6, 0)
+        add(renderer, source)
+        relievo.write_dataset(renderer, "orbit:1", self.folder, size=(8, 8))
+        info = read_json(self.folder / "models" / "models_info.json")["1"]
+        points, _ = read_ply(self.folder / "models" / "obj_000001.ply")
+        found = [info["size_x"], info["size_y"], info["diameter"]]
+        numpy.testing.assert_allclose(found, (50, 50, 50 * 2**0.5), atol=1e-4)
+        numpy.testing.assert_allclose(numpy.ptp(points, axis=0), (50, 50, 0), atol=1e-4)
 
     def test_models_of_glyphs(self):
         renderer = vtkRenderer()
