@@ -3,8 +3,9 @@
 //
 // exrDump FILE.exr RAW: reads an EXR file with OpenEXR's own C++ interface and nothing of Relievo.
 // The header goes to the standard output as JSON (width, height, compression, channels with name
-// and type as stored, attributes with name and type, matrices and numbers with their values); the
-// channels go to RAW one after the other, top row first, half and float as float32, uint as uint32.
+// and type as stored, attributes with name and type; those of numbers, triples and matrices with
+// their values); the channels go to RAW one after the other, top row first, half and float as
+// float32, uint as uint32.
 
 #include <ImfChannelList.h>
 #include <ImfDoubleAttribute.h>
@@ -14,6 +15,7 @@
 #include <ImfInputFile.h>
 #include <ImfMatrixAttribute.h>
 #include <ImfStringAttribute.h>
+#include <ImfVecAttribute.h>
 
 #include <cstdint>
 #include <exception>
@@ -76,6 +78,11 @@ std::string Value(const Imf::Attribute& attribute)
   else if (const auto* preciseMatrix = dynamic_cast<const Imf::M44dAttribute*>(&attribute))
   {
     text << Numbers(preciseMatrix->value());
+  }
+  else if (const auto* triple = dynamic_cast<const Imf::V3dAttribute*>(&attribute))
+  {
+    const Imath::V3d& value = triple->value();
+    text << '[' << value.x << ", " << value.y << ", " << value.z << ']';
   }
   else
   {
