@@ -3,6 +3,7 @@
 #include "Scene.h"
 
 #include "Actors.h"
+#include "Annotation.h"
 #include "Errors.h"
 #include "FinitePoints.h"
 #include "FittedView.h"
@@ -34,6 +35,7 @@
 #include "vtkProperty.h"
 #include "vtkRelievoFramePass.h"
 #include "vtkRelievoNullLight.h"
+#include "vtkRelievoScaleBar.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkTexture.h"
 #include "vtkVolume.h"
@@ -418,6 +420,15 @@ void DressScene(Scene& scene, const RenderOptions& options)
   scene.Renderer->ComputeVisiblePropBounds(scene.Bounds);
   LayGround(scene, options);
   LayGrid(scene, options);
+  if (options.Look.ScaleBar)
+  {
+    vtkNew<vtkRelievoScaleBar> bar;
+    bar->SetUnit(*options.Look.ScaleBar);
+    // Other backgrounds are painted where a picture is to have none.
+    bar->SetInk(GetInk(scene.Renderer)[0] < 0.5 ? vtkRelievoScaleBar::INK_BLACK
+                                                : vtkRelievoScaleBar::INK_WHITE);
+    scene.Renderer->AddViewProp(bar);
+  }
   PlaceCamera(scene.Renderer, options, scene.Bounds);
 }
 

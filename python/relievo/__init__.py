@@ -95,6 +95,7 @@ from ._layers import layers
 from ._picture import picture, write_png
 from ._points import depth_to_points
 from ._rays import rays
+from ._scale_bar import scale_bar
 from ._scene import scene
 from ._show import show
 from ._sight import flow, moment, sun_exposure, visible
@@ -137,6 +138,7 @@ __all__ = [
     "rays",
     "read_exr",
     "report",
+    "scale_bar",
     "scene",
     "screenshot",
     "show",

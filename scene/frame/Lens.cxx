@@ -80,6 +80,7 @@ void CheckLens(const RenderOptions& options)
     { options.Transparent, "--transparent: its background is told apart in a pinhole's picture" },
     { options.Certify.has_value(), "--certify: it judges a pinhole's picture" },
     { options.Look.Grid, "--grid: it is drawn over a pinhole's picture" },
+    { options.Look.ScaleBar.has_value(), "--scale-bar: it is drawn over a pinhole's picture" },
     { options.Look.ScalarBar, "--scalar-bar: it is drawn over a pinhole's picture" }
   };
   for (const auto& [given, words] : others)

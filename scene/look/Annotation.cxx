@@ -75,6 +75,16 @@ std::array<double, 3> GetInk(vtkRenderer* renderer)
 }
 
 //------------------------------------------------------------------------------
+double RoundDown(double length)
+{
+  const double exponent = std::floor(std::log10(length));
+  const double share = length / std::pow(10.0, exponent);
+  const double digit = share >= 5.0 ? 5.0 : share >= 2.0 ? 2.0 : 1.0;
+  // Powers below 1 are no doubles: the quotient of two that are is rounded once.
+  return exponent < 0.0 ? digit / std::pow(10.0, -exponent) : digit * std::pow(10.0, exponent);
+}
+
+//------------------------------------------------------------------------------
 WrittenValues WriteValues(const std::vector<double>& values)
 {
   const WrittenValues fixed = Write(values, std::chars_format::fixed);

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * What the numbers in a picture have in common, of the colour bar and of the grid.
+ * What the numbers in a picture have in common, of the colour bar, the grid and the scale
+ * bar.
  */
 #ifndef Annotation_h
 #define Annotation_h
@@ -16,6 +17,9 @@ namespace scene
 {
 /// Black or white, whatever is read better on the background.
 std::array<double, 3> GetInk(vtkRenderer* renderer);
+
+/// 1, 2 or 5 times a power of 10, at most that; the double nearest to it.
+double RoundDown(double length);
 
 /// A way to write numbers as printf has it, and values written so.
 struct WrittenValues

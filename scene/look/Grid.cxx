@@ -41,14 +41,6 @@ constexpr int LinesOfText = 45;                 // as high as the picture, about
 constexpr int SmallestText = 9;                 // pixels
 constexpr double FineLine = 900.0; // pixels of a picture's height for each of a line's width
 
-// 1, 2 or 5 times a power of 10, at most that.
-double RoundDown(double step)
-{
-  const double power = std::pow(10.0, std::floor(std::log10(step)));
-  const double digits = step / power;
-  return power * (digits >= 5.0 ? 5.0 : digits >= 2.0 ? 2.0 : 1.0);
-}
-
 int GetShorterSide(vtkRenderer* renderer)
 {
   const int* size = renderer->GetSize();

@@ -16,6 +16,7 @@ namespace scene
 namespace
 {
 constexpr double MostPointSize = 100.0;
+constexpr std::size_t LongestUnit = 32; // bytes
 }
 
 //------------------------------------------------------------------------------
@@ -116,6 +117,17 @@ void TakePointSize(RenderOptions& options, const std::string& word)
     RefuseValue("--point-size", word, "a number of pixels from 1 to 100");
   }
   options.Look.PointSize = size;
+}
+
+//------------------------------------------------------------------------------
+void TakeScaleBar(RenderOptions& options, const std::string& word)
+{
+  const auto isControl = [](char letter) { return static_cast<unsigned char>(letter) < ' '; };
+  if (word.empty() || word.size() > LongestUnit || std::any_of(word.begin(), word.end(), isControl))
+  {
+    RefuseValue("--scale-bar", word, "a unit in a few letters, such as mm, or none");
+  }
+  options.Look.ScaleBar = word == "none" ? "" : word;
 }
 
 //------------------------------------------------------------------------------

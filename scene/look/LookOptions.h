@@ -44,7 +44,8 @@ struct LookChoice
   double PointSize = 1.0; ///< pixels; larger ones are spheres
   bool Edges = false;
   bool Grid = false;
-  std::vector<Color> Background; ///< none: VTK's; two: bottom and top
+  std::optional<std::string> ScaleBar; ///< its unit, which may be empty; none: no bar
+  std::vector<Color> Background;       ///< none: VTK's; two: bottom and top
 };
 
 void TakeColorBy(RenderOptions& options, const std::string& word);
@@ -53,6 +54,7 @@ void TakeColormap(RenderOptions& options, const std::string& word);
 void TakeColor(RenderOptions& options, const std::string& word);
 void TakeOpacity(RenderOptions& options, const std::string& word);
 void TakePointSize(RenderOptions& options, const std::string& word);
+void TakeScaleBar(RenderOptions& options, const std::string& word);
 void TakeBackground(RenderOptions& options, const std::string& word);
 
 /// "#rrggbb", "R/G/B" from 0 to 1, or a name of HTML's.

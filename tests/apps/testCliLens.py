@@ -156,6 +156,7 @@ class Lens(CliTest):
             ("nowhere.yml: No such file", 1, ["--lens", "nowhere.yml"]),
             ("--lens and --transparent", 2, ["--lens", "fisheye", "--transparent"]),
             ("--lens and --grid", 2, ["--lens", "fisheye", "--grid"]),
+            ("--lens and --scale-bar", 2, ["--lens", "fisheye", "--scale-bar", "mm"]),
             ("--lens and --stage display", 2,
              ["--lens", "fisheye", "--stage", "display:layer=depth"]),
             ("--lens and --parallel-scale", 2, ["--lens", "fisheye", "--parallel-scale", "2"]),

@@ -205,6 +205,26 @@ class Studio(CliTest):
         self.assertEqual(len({int(numpy.argmin(abs(expected - c))) for c in columns}), 9)
         self.assertLess(max(abs(expected - c).min() for c in columns), 1.5)
 
+    def test_scale_bar(self):
+        """As long as 2 of the 8 units of the height, at the lower right alone, and in no layer."""
+        self.sphere("ball.obj")
+        for words, ink in (["--preset", "print"], 0), (["--preset", "none"], 255):
+            words = ["ball.obj", *words, "--parallel-scale", "4"]
+            without, bar = (self.picture(*words, *more) for more in ([], ["--scale-bar", "mm"]))
+            apart = (without != bar).any(axis=2)
+            self.assertFalse(apart[:150].any() or apart[:, :180].any())
+            inked = (bar[150:] == ink).all(axis=2) & apart[150:]
+            self.assertLessEqual(abs(inked.sum(axis=1).max() - 2 * 180 / 8), 1)
+            number = self.picture(*words, "--scale-bar=none")
+            self.assertTrue((number != bar).any())
+            layers = []
+            for more in ([], ["--scale-bar", "mm"]):
+                self.relievo("render", *words, *more, *SIZE, "--exr", "a.exr",
+                             "--layers", "depth,actor,normal")  # fmt: skip
+                layers.append(self.exr("a.exr")[1])
+            for name in sorted(set(layers[0]) - set("RGBA")):
+                numpy.testing.assert_array_equal(layers[0][name], layers[1][name], name)
+
     def test_fits(self):
         """The model fills the picture in one direction, and keeps off its edges, whatever its shape
         and the projection."""

@@ -52,6 +52,14 @@ class Transparent(CliTest):
         without = self.compare(*words, "--ground", "off", step=3.5)[..., 3]
         self.assertLess(((without > 40) & (without < 250)).sum(), shadow.sum())
 
+    def test_scale_bar(self):
+        """It is opaque, in the ink that it has on the background that is left out."""
+        for background, ink in ("black", 255), ("white", 0):
+            rgba = self.picture("--preset", "none", "--parallel-scale", "4", "--background",
+                                background, "--scale-bar", "mm", "--transparent")  # fmt: skip
+            bar = (rgba[150:] == (ink, ink, ink, 255)).all(axis=2)
+            self.assertLessEqual(abs(bar.sum(axis=1).max() - 2 * 180 / 8), 1)
+
     def test_bare(self):
         rgba = self.compare("--preset", "none")
         self.assertEqual(sorted(numpy.unique(rgba[..., 3])), [0, 255])

@@ -76,6 +76,7 @@ WRONG_VALUES = [
     ("--shadow-tolerance", "little", "a number between 0 and 1"),
     ("--time-budget", "-3", "a finite number above 0"),
     ("--certify", "0", "whole number from 1"),
+    ("--scale-bar", "m" * 40, "a unit in a few letters"),
     ("--up", "w", "x, y, z"),
     ("--reflectivity", "1.5", "R[,ROUGHNESS], both from 0 to 1"),
     ("--reflectivity", "0.5,-1", "both from 0 to 1"),

@@ -52,6 +52,8 @@ const std::vector<QStringList> Rows = {
   { "--color-by", "Normals,1", "--scalar-bar" },
   { "--background", "#102030,gray" },
   { "--preset", "studio", "--grid" },
+  { "--preset", "print", "--scale-bar", "µm" },
+  { "--scale-bar", "none", "--parallel-scale", "2", "--background", "white" },
   { "--grid", "--environment", "IMAGE", "--background", "white" },
   { "--shadows", "forward" },
   { "--shadows", "warped" },

@@ -136,6 +136,32 @@ private Q_SLOTS:
     QVERIFY(!box->isChecked());
   }
 
+  // By its action and by the panel, which has its unit; the action keeps that.
+  void scaleBar()
+  {
+    this->Open({ this->WriteScene(), "--preset", "studio" });
+    auto* bar = this->Window->findChild<QAction*>("scaleBar");
+    auto* box = this->Window->findChild<QComboBox*>("scalebar");
+    const vtkSmartPointer<vtkImageData> before = this->Grab();
+    bar->trigger();
+    QCOMPARE(box->currentText(), QString("without a unit"));
+    QVERIFY(CountDifferent(before, this->Grab()) > 100);
+    this->Compare("with a scale bar");
+    box->setCurrentText("mm");
+    QVERIFY(bar->isChecked());
+    QCOMPARE(this->Window->GetDocument()->Get().Get("--scale-bar"), std::string("mm"));
+    this->Window->GetView()->GetPicture().LookAlong({ 0.6, 0.3, 0.7 }, { 0, 1, 0 });
+    this->Window->GetView()->Draw();
+    this->Compare("from behind, in millimetres");
+    bar->trigger();
+    QCOMPARE(box->currentText(), QString("off"));
+    this->Compare("without a scale bar");
+    bar->trigger();
+    QCOMPARE(box->currentText(), QString("mm"));
+    this->Window->GetDocument()->Undo();
+    QVERIFY(!bar->isChecked());
+  }
+
   // The axes turn with the camera, and a click on an end looks from there; the picture is without
   // them.
   void axes()

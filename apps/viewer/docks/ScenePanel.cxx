@@ -150,6 +150,20 @@ void ScenePanel::AddScene()
   this->Grid = MakeFlag(this->Edited, "Grid", "--grid", group);
   this->Grid->setToolTip("Round the scene, with numbers on its axes");
   group->GetRows()->addRow(this->Grid);
+  this->ScaleBar = MakeChoice(this->Edited, "--scale-bar", group);
+  this->ScaleBar->setToolTip("A bar of a round length at the lower right, and the unit of the "
+                             "scene's lengths. In perspective it is right in the middle of the "
+                             "view");
+  {
+    const QSignalBlocker quiet(this->ScaleBar);
+    this->ScaleBar->addItem("off", "");
+    this->ScaleBar->addItem("without a unit", "none");
+    for (const char* unit : { "nm", "µm", "mm", "cm", "m", "km" })
+    {
+      this->ScaleBar->addItem(unit, unit);
+    }
+  }
+  group->GetRows()->addRow("Scale bar", this->ScaleBar);
   this->Images = MakeChoice(this->Edited, "--image", group);
   this->Images->setToolTip("How images with depth are shown: regions of one value by their smooth "
                            "surfaces, the surface where a value is reached, all values as a volume "
@@ -223,6 +237,7 @@ void ScenePanel::ShowSettings()
   this->Up->setCurrentIndex(settings.Has("--up") ? options.UpAxis + 1 : 0);
   ShowChoice(this->Ground, settings, "--ground");
   ShowFlag(this->Grid, settings, "--grid");
+  ShowChoice(this->ScaleBar, settings, "--scale-bar");
   ShowChoice(this->Images, settings, "--image");
   this->Angle->SetValue(options.ViewAngle.value_or(scene::StandardViewAngle));
 }

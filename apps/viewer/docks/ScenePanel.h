@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * What is shown and how it stands: the files, preset, up axis, ground and grid, models with bones,
- * the camera's angle.
+ * What is shown and how it stands: the files, preset, up axis, ground, grid and scale bar, models
+ * with bones, the camera's angle.
  */
 #ifndef ScenePanel_h
 #define ScenePanel_h
@@ -35,7 +35,7 @@ private:
   void ShowSettings();
 
   QVBoxLayout* Files;
-  QComboBox *Preset, *Up, *Ground, *Images;
+  QComboBox *Preset, *Up, *Ground, *ScaleBar, *Images;
   QCheckBox* Grid;
   relievoQt::Number* Angle;
 };

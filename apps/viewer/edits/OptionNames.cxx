@@ -24,6 +24,7 @@ constexpr Row Rows[] = {
   { "--preset", "Preset", "Scene", "none|studio|town|print" },
   { "--ground", "Ground", "Scene", "on|off" },
   { "--grid", "Grid", "Scene", "" },
+  { "--scale-bar", "Scale bar", "Scene", "none" },
   { "--up", "Up", "Scene", "x|y|z" },
   { "--view-angle", "View angle", "Scene", "" },
   { "--animation", "Animation", "Scene", "" },

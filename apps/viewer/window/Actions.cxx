@@ -248,6 +248,32 @@ void AddGrid(MainWindow* window, QMenu* menu)
 }
 
 //------------------------------------------------------------------------------
+// Its data is the unit that it had when it was shown last.
+void AddScaleBar(MainWindow* window, QMenu* menu)
+{
+  QAction* bar = NeedPicture(window, menu->addAction("S&cale bar"));
+  bar->setObjectName("scaleBar");
+  bar->setToolTip("A round length at the lower right; the panel Scene has its unit");
+  bar->setCheckable(true);
+  bar->setData("none");
+  Document* document = window->GetDocument();
+  QObject::connect(bar, &QAction::toggled, document, [document, bar](bool on) {
+    document->Change([on, bar](scene::Settings& settings) {
+      on ? settings.Set("--scale-bar", bar->data().toString().toStdString())
+         : settings.Remove("--scale-bar");
+    });
+  });
+  QObject::connect(document, &Document::changed, bar, [document, bar] {
+    const QSignalBlocker quiet(bar);
+    bar->setChecked(document->Get().Has("--scale-bar"));
+    if (bar->isChecked())
+    {
+      bar->setData(QString::fromStdString(document->Get().Get("--scale-bar")));
+    }
+  });
+}
+
+//------------------------------------------------------------------------------
 void AddViewMenu(MainWindow* window)
 {
   QMenu* menu = window->menuBar()->addMenu("&View");
@@ -312,6 +338,7 @@ void AddViewMenu(MainWindow* window)
   menu->addSeparator();
   AddShadows(window, menu);
   AddGrid(window, menu);
+  AddScaleBar(window, menu);
   QAction* axes = menu->addAction("A&xes in the corner");
   axes->setObjectName("axisMarker");
   axes->setToolTip("Of the window alone; no picture that is saved has them");

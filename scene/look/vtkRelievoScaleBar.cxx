@@ -1,0 +1,280 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkRelievoScaleBar.h"
+
+#include "Annotation.h"
+
+#include "vtkCamera.h"
+#include "vtkCellArray.h"
+#include "vtkMatrix4x4.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkPolyDataMapper2D.h"
+#include "vtkProperty2D.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkTextActor.h"
+#include "vtkTextProperty.h"
+#include "vtkTextRenderer.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+
+namespace
+{
+constexpr int LinesOfText = 40; // as high as the picture's shorter side
+constexpr int SmallestText = 9; // pixels, as all below are in shares of the text's size
+constexpr double Margin = 0.9;  // to the picture's edges
+constexpr double Thickness = 0.25;
+constexpr double Gap = 0.3; // between the bar and its label
+constexpr double Halo = 0.08;
+constexpr double Jitter = 1e-6; // by which the lengths that tiles see may differ
+
+// Of a length of one across the view; 0 where the camera or the tile sees none.
+double GetPixelsPerUnit(vtkRenderer* renderer, double depth)
+{
+  vtkCamera* camera = renderer->GetActiveCamera();
+  int size[2], lower[2];
+  renderer->GetTiledSizeAndOrigin(size, size + 1, lower, lower + 1);
+  if (size[0] < 1 || size[1] < 1)
+  {
+    return 0.0;
+  }
+  double point[4], along[3];
+  camera->GetPosition(point);
+  camera->GetDirectionOfProjection(along);
+  for (int i = 0; i < 3; ++i)
+  {
+    point[i] += (depth > 0.0 ? depth : camera->GetDistance()) * along[i];
+  }
+  point[3] = 1.0;
+  const vtkMatrix4x4* toView = camera->GetViewTransformMatrix();
+  double right[4] = { toView->GetElement(0, 0), toView->GetElement(0, 1),
+    toView->GetElement(0, 2), 0.0 };
+  const double norm = std::hypot(right[0], right[1], right[2]);
+  vtkMatrix4x4* toNDC = camera->GetCompositeProjectionTransformMatrix(
+    renderer->GetTiledAspectRatio(), -1.0, 1.0);
+  double moved[4];
+  toNDC->MultiplyPoint(right, moved);
+  toNDC->MultiplyPoint(point, point);
+  // Across the view w stays as it is.
+  const double pixels = 0.5 * size[0] * moved[0] / (norm * point[3]);
+  return std::isfinite(pixels) ? std::max(pixels, 0.0) : 0.0;
+}
+
+std::string WriteLength(double length)
+{
+  const bool plain = length >= 1e-4 && length < 1e7;
+  std::array<char, 32> letters;
+  const std::to_chars_result end = std::to_chars(letters.begin(), letters.end(), length,
+    plain ? std::chars_format::fixed : std::chars_format::general);
+  return { letters.data(), end.ptr };
+}
+}
+
+//------------------------------------------------------------------------------
+struct vtkRelievoScaleBar::Internals
+{
+  // A rectangle of one colour.
+  struct Box
+  {
+    vtkNew<vtkPoints> Corners;
+    vtkNew<vtkActor2D> Actor;
+
+    Box()
+    {
+      this->Corners->SetNumberOfPoints(4);
+      vtkNew<vtkCellArray> cells;
+      cells->InsertNextCell({ 0, 1, 2, 3 });
+      vtkNew<vtkPolyData> data;
+      data->SetPoints(this->Corners);
+      data->SetPolys(cells);
+      vtkNew<vtkPolyDataMapper2D> mapper;
+      mapper->SetInputData(data);
+      this->Actor->SetMapper(mapper);
+    }
+
+    void Render(vtkViewport* viewport, double left, double bottom, double right, double top)
+    {
+      const double x[] = { left, right, right, left };
+      const double y[] = { bottom, bottom, top, top };
+      for (int i = 0; i < 4; ++i)
+      {
+        this->Corners->SetPoint(i, x[i], y[i], 0.0);
+      }
+      this->Corners->Modified();
+      this->Actor->RenderOverlay(viewport);
+    }
+  };
+
+  std::string Unit;
+  double Refused = 0.0; // the length that was named as too long
+  Box Edge, Bar;
+  vtkNew<vtkTextActor> EdgeText, Text;
+
+  // Sets the texts and returns their size in pixels; no wider than the room.
+  std::array<double, 2> SetText(
+    vtkRenderer* renderer, const std::string& label, double& size, double room)
+  {
+    const int dpi = renderer->GetRenderWindow()->GetDPI();
+    std::array<int, 4> box{};
+    for (int fit = 0; fit < 2; ++fit)
+    {
+      // Points, of which 72 are an inch.
+      this->Text->GetTextProperty()->SetFontSize(std::max(1, static_cast<int>(size * 72 / dpi)));
+      vtkTextRenderer::GetInstance()->GetBoundingBox(
+        this->Text->GetTextProperty(), label, box.data(), dpi);
+      const double wide = box[1] - box[0] + 1;
+      if (wide <= room)
+      {
+        break;
+      }
+      size = std::max(1.0, size * room / wide);
+    }
+    this->EdgeText->GetTextProperty()->SetFontSize(this->Text->GetTextProperty()->GetFontSize());
+    this->Text->SetInput(label.c_str());
+    this->EdgeText->SetInput(label.c_str());
+    return { box[1] - box[0] + 1.0, box[3] - box[2] + 1.0 };
+  }
+
+  static void RenderAt(vtkTextActor* text, vtkViewport* viewport, double x, double y)
+  {
+    text->SetPosition(x, y);
+    text->RenderOpaqueGeometry(viewport); // which makes its image
+    text->RenderOverlay(viewport);
+  }
+};
+
+vtkStandardNewMacro(vtkRelievoScaleBar);
+
+//------------------------------------------------------------------------------
+vtkRelievoScaleBar::vtkRelievoScaleBar()
+  : Internal(new Internals)
+{
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoScaleBar::~vtkRelievoScaleBar() = default;
+
+//------------------------------------------------------------------------------
+void vtkRelievoScaleBar::SetUnit(RELIEVO_TEXT unit)
+{
+  if (this->Internal->Unit != unit)
+  {
+    this->Internal->Unit = unit;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+std::string vtkRelievoScaleBar::GetUnit()
+{
+  return this->Internal->Unit;
+}
+
+//------------------------------------------------------------------------------
+double vtkRelievoScaleBar::GetShownLength(vtkRenderer* renderer)
+{
+  if (!renderer || !renderer->GetRenderWindow())
+  {
+    return 0.0;
+  }
+  const double perUnit = GetPixelsPerUnit(renderer, this->Depth);
+  const int width = renderer->GetSize()[0];
+  if (perUnit <= 0.0 || (this->Length > 0.0 && this->Length * perUnit > width))
+  {
+    return 0.0;
+  }
+  return this->Length > 0.0 ? this->Length
+                            : scene::RoundDown((1.0 + Jitter) * this->Share * width / perUnit);
+}
+
+//------------------------------------------------------------------------------
+std::string vtkRelievoScaleBar::GetLabel(vtkRenderer* renderer)
+{
+  const double length = this->GetShownLength(renderer);
+  const std::string& unit = this->Internal->Unit;
+  return length > 0.0 ? WriteLength(length) + (unit.empty() ? "" : " " + unit) : "";
+}
+
+//------------------------------------------------------------------------------
+int vtkRelievoScaleBar::RenderOverlay(vtkViewport* viewport)
+{
+  auto* renderer = vtkRenderer::SafeDownCast(viewport);
+  const double perUnit = renderer ? GetPixelsPerUnit(renderer, this->Depth) : 0.0;
+  if (perUnit <= 0.0)
+  {
+    return 0;
+  }
+  Internals& own = *this->Internal;
+  const double width = renderer->GetSize()[0];
+  const double length = this->GetShownLength(renderer);
+  if (length <= 0.0)
+  {
+    if (own.Refused != this->Length)
+    {
+      own.Refused = this->Length;
+      vtkErrorMacro("Length is " << this->Length << ", and the picture is " << width / perUnit
+                                 << " wide: give a shorter one, or 0 for one that fits");
+    }
+    return 0;
+  }
+  double size = std::max<double>(
+    SmallestText, std::min(renderer->GetSize()[0], renderer->GetSize()[1]) / LinesOfText);
+  const double margin = std::round(Margin * size);
+  const double thick = std::max(2.0, std::round(Thickness * size));
+  const double halo = std::max(1.0, std::round(Halo * size));
+  const double gap = std::round(Gap * size);
+  const double bar = std::max(1.0, std::round(length * perUnit));
+  const double right = std::round(std::max(width - margin, 0.5 * (width + bar)));
+  const double ink =
+    this->Ink == INK_AUTOMATIC ? scene::GetInk(renderer)[0] : this->Ink == INK_WHITE;
+  own.Bar.Actor->GetProperty()->SetColor(ink, ink, ink);
+  own.Edge.Actor->GetProperty()->SetColor(1.0 - ink, 1.0 - ink, 1.0 - ink);
+  own.Text->GetTextProperty()->SetColor(ink, ink, ink);
+  own.EdgeText->GetTextProperty()->SetColor(1.0 - ink, 1.0 - ink, 1.0 - ink);
+  own.Edge.Render(
+    viewport, right - bar - halo, margin - halo, right + halo, margin + thick + halo);
+  own.Bar.Render(viewport, right - bar, margin, right, margin + thick);
+
+  const double wide =
+    own.SetText(renderer, this->GetLabel(renderer), size, width - 2.0 * margin)[0];
+  const double x = std::round(std::min(right - 0.5 * (bar + wide), width - margin - wide));
+  const double y = margin + thick + gap;
+  for (const double dx : { -halo, 0.0, halo })
+  {
+    for (const double dy : { -halo, 0.0, halo })
+    {
+      Internals::RenderAt(own.EdgeText, viewport, x + dx, y + dy);
+    }
+  }
+  Internals::RenderAt(own.Text, viewport, x, y);
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoScaleBar::ReleaseGraphicsResources(vtkWindow* window)
+{
+  Internals& own = *this->Internal;
+  for (vtkActor2D* each : std::initializer_list<vtkActor2D*>{
+         own.Edge.Actor, own.Bar.Actor, own.EdgeText, own.Text })
+  {
+    each->ReleaseGraphicsResources(window);
+  }
+  this->Superclass::ReleaseGraphicsResources(window);
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoScaleBar::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Unit: " << this->Internal->Unit << "\n";
+  os << indent << "Length: " << this->Length << "\n";
+  os << indent << "Share: " << this->Share << "\n";
+  os << indent << "Depth: " << this->Depth << "\n";
+  os << indent << "Ink: " << this->Ink << "\n";
+}
