@@ -24,7 +24,9 @@ def scale_bar(renderer, unit=None, length=None):
     length: of the bar, world units; None: 1, 2 or 5 times a power of ten that takes up to a fifth
         of the picture's width (bar.SetShare()). One that is wider than the picture is not drawn.
 
-    Returns the vtkRelievoScaleBar. Another call replaces it. Raises ValueError for a wrong argument.
+    Returns the vtkRelievoScaleBar. Another call replaces it.
+
+    Raises ValueError for a wrong argument.
     """
     inner = need_renderer(renderer)
     if unit is not None and (not isinstance(unit, str) or "\n" in unit):

@@ -23,6 +23,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <initializer_list>
 
 namespace
 {
@@ -53,11 +54,11 @@ double GetPixelsPerUnit(vtkRenderer* renderer, double depth)
   }
   point[3] = 1.0;
   const vtkMatrix4x4* toView = camera->GetViewTransformMatrix();
-  double right[4] = { toView->GetElement(0, 0), toView->GetElement(0, 1),
-    toView->GetElement(0, 2), 0.0 };
+  double right[4] = { toView->GetElement(0, 0), toView->GetElement(0, 1), toView->GetElement(0, 2),
+    0.0 };
   const double norm = std::hypot(right[0], right[1], right[2]);
-  vtkMatrix4x4* toNDC = camera->GetCompositeProjectionTransformMatrix(
-    renderer->GetTiledAspectRatio(), -1.0, 1.0);
+  vtkMatrix4x4* toNDC =
+    camera->GetCompositeProjectionTransformMatrix(renderer->GetTiledAspectRatio(), -1.0, 1.0);
   double moved[4];
   toNDC->MultiplyPoint(right, moved);
   toNDC->MultiplyPoint(point, point);
@@ -116,9 +117,8 @@ struct vtkRelievoScaleBar::Internals
   Box Edge, Bar;
   vtkNew<vtkTextActor> EdgeText, Text;
 
-  // Sets the texts and returns their size in pixels; no wider than the room.
-  std::array<double, 2> SetText(
-    vtkRenderer* renderer, const std::string& label, double& size, double room)
+  // Sets the texts and returns their width in pixels, which is at most the room.
+  double SetText(vtkRenderer* renderer, const std::string& label, double size, double room)
   {
     const int dpi = renderer->GetRenderWindow()->GetDPI();
     std::array<int, 4> box{};
@@ -138,7 +138,7 @@ struct vtkRelievoScaleBar::Internals
     this->EdgeText->GetTextProperty()->SetFontSize(this->Text->GetTextProperty()->GetFontSize());
     this->Text->SetInput(label.c_str());
     this->EdgeText->SetInput(label.c_str());
-    return { box[1] - box[0] + 1.0, box[3] - box[2] + 1.0 };
+    return box[1] - box[0] + 1.0;
   }
 
   static void RenderAt(vtkTextActor* text, vtkViewport* viewport, double x, double y)
@@ -223,7 +223,7 @@ int vtkRelievoScaleBar::RenderOverlay(vtkViewport* viewport)
     }
     return 0;
   }
-  double size = std::max<double>(
+  const double size = std::max<double>(
     SmallestText, std::min(renderer->GetSize()[0], renderer->GetSize()[1]) / LinesOfText);
   const double margin = std::round(Margin * size);
   const double thick = std::max(2.0, std::round(Thickness * size));
@@ -237,12 +237,10 @@ int vtkRelievoScaleBar::RenderOverlay(vtkViewport* viewport)
   own.Edge.Actor->GetProperty()->SetColor(1.0 - ink, 1.0 - ink, 1.0 - ink);
   own.Text->GetTextProperty()->SetColor(ink, ink, ink);
   own.EdgeText->GetTextProperty()->SetColor(1.0 - ink, 1.0 - ink, 1.0 - ink);
-  own.Edge.Render(
-    viewport, right - bar - halo, margin - halo, right + halo, margin + thick + halo);
+  own.Edge.Render(viewport, right - bar - halo, margin - halo, right + halo, margin + thick + halo);
   own.Bar.Render(viewport, right - bar, margin, right, margin + thick);
 
-  const double wide =
-    own.SetText(renderer, this->GetLabel(renderer), size, width - 2.0 * margin)[0];
+  const double wide = own.SetText(renderer, this->GetLabel(renderer), size, width - 2.0 * margin);
   const double x = std::round(std::min(right - 0.5 * (bar + wide), width - margin - wide));
   const double y = margin + thick + gap;
   for (const double dx : { -halo, 0.0, halo })
@@ -260,8 +258,8 @@ int vtkRelievoScaleBar::RenderOverlay(vtkViewport* viewport)
 void vtkRelievoScaleBar::ReleaseGraphicsResources(vtkWindow* window)
 {
   Internals& own = *this->Internal;
-  for (vtkActor2D* each : std::initializer_list<vtkActor2D*>{
-         own.Edge.Actor, own.Bar.Actor, own.EdgeText, own.Text })
+  for (vtkActor2D* each :
+    std::initializer_list<vtkActor2D*>{ own.Edge.Actor, own.Bar.Actor, own.EdgeText, own.Text })
   {
     each->ReleaseGraphicsResources(window);
   }

@@ -6,11 +6,11 @@
  *
  * It is added to a renderer like any prop (vtkRenderer::AddViewProp): a horizontal bar and its
  * length above it, drawn over the picture, without light or tone, and in no layer. Each frame is
- * laid out anew for the renderer's camera and size, also in tiles. Both are black or white, whatever
- * is read better on the renderer's background, with an edge of the other, and as large as fits the
- * shorter side of the picture.
+ * laid out anew for the renderer's camera and size, also in tiles. Both are black or white,
+ * whatever is read better on the renderer's background, with an edge of the other, and as large as
+ * fits the shorter side of the picture.
  *
- * In a parallel projection the bar is right everywhere, to half a pixel at each end. In perspective
+ * In a parallel projection the bar is right everywhere, to half a pixel. In perspective
  * what is near looks larger: there it is right at Depth, for what lies across the view.
  *
  * Errors: a Length that is wider than the picture is named once, and no bar is drawn.
@@ -35,7 +35,7 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /** The unit of the world's lengths, which is written behind the number, in UTF-8. Default: none. */
+  /** The unit of the world's lengths, in UTF-8, which the label ends with. Default: none. */
   void SetUnit(RELIEVO_TEXT unit);
   std::string GetUnit();
   ///@}

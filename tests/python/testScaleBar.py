@@ -112,7 +112,7 @@ class Length(unittest.TestCase):
                 bar = relievo.scale_bar(renderer, "mm", length)
                 pixels, shown = self.check(renderer, window, bar)
                 self.assertEqual(bar.GetLabel(renderer), label)
-                self.assertLessEqual(abs(pixels - float(label[:-3]) * size[1] / 14), 1)
+                self.assertLessEqual(abs(pixels - float(label[:-3]) * size[1] / 14), 0.5)
 
     def test_perspective(self):
         """At the focal point, at a depth of its own, and by the angle of the width."""
@@ -126,7 +126,7 @@ class Length(unittest.TestCase):
                 pixels, shown = self.check(renderer, window, bar, depth)
                 at = depth or numpy.sqrt(2**2 + 6**2 + 13**2)
                 half = at * numpy.tan(numpy.radians(20)) * (299 / 431 if horizontal else 1)
-                self.assertLessEqual(abs(pixels - shown * 299 / (2 * half)), 1)
+                self.assertLessEqual(abs(pixels - shown * 299 / (2 * half)), 0.5)
 
     def test_cameras(self):
         """Off axis, by a calibration's matrix, and in a part of the window."""

@@ -152,8 +152,8 @@ void ScenePanel::AddScene()
   group->GetRows()->addRow(this->Grid);
   this->ScaleBar = MakeChoice(this->Edited, "--scale-bar", group);
   this->ScaleBar->setToolTip("A bar of a round length at the lower right, and the unit of the "
-                             "scene's lengths. In perspective it is right in the middle of the "
-                             "view");
+                             "scene's lengths. In perspective it is right at the depth of the "
+                             "camera's focal point");
   {
     const QSignalBlocker quiet(this->ScaleBar);
     this->ScaleBar->addItem("off", "");
