@@ -53,7 +53,7 @@ const std::vector<QStringList> Rows = {
   { "--background", "#102030,gray" },
   { "--preset", "studio", "--grid" },
   { "--preset", "print", "--scale-bar", "µm" },
-  { "--scale-bar", "none", "--parallel-scale", "2", "--background", "white" },
+  { "--scale-bar", "none", "--background", "white" },
   { "--grid", "--environment", "IMAGE", "--background", "white" },
   { "--shadows", "forward" },
   { "--shadows", "warped" },
