@@ -94,6 +94,14 @@ void vtkRelievoSolarPosition::GetDirection(double direction[3])
 }
 
 //------------------------------------------------------------------------------
+bool vtkRelievoSolarPosition::IsDay(int year, int month, int day)
+{
+  const bool leap = (year % 4 == 0 && year % 100 != 0) || year % 400 == 0;
+  const int days[12] = { 31, leap ? 29 : 28, 31, 30, 31, 30, 31, 31, 30, 31, 30, 31 };
+  return month >= 1 && month <= 12 && day >= 1 && day <= days[month - 1];
+}
+
+//------------------------------------------------------------------------------
 double vtkRelievoSolarPosition::GetAzimuth()
 {
   double direction[3];

@@ -59,6 +59,9 @@ public:
   vtkGetMacro(Longitude, double);
   ///@}
 
+  /** Whether the Gregorian calendar has this day. */
+  static bool IsDay(int year, int month, int day);
+
   /** Degrees from north, clockwise seen from above: 90 is east, 180 south; 0 to 360. */
   double GetAzimuth();
 

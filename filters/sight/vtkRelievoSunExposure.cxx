@@ -45,12 +45,6 @@ long CountDays(const int date[3])
   return 146097 * cycle + 365 * inCycle + inCycle / 4 - inCycle / 100 + day - 719468;
 }
 
-bool IsDate(const int date[3])
-{
-  const int days[12] = { 31, 29, 31, 30, 31, 30, 31, 31, 30, 31, 30, 31 };
-  return date[1] >= 1 && date[1] <= 12 && date[2] >= 1 && date[2] <= days[date[1] - 1];
-}
-
 // Where the mesh is judged: places before it, and the way it faces.
 class Places
 {
@@ -238,6 +232,23 @@ void AddArray(vtkFieldData* data, const char* name, const std::vector<double>& v
 vtkRelievoSunExposure::vtkRelievoSunExposure() = default;
 
 //------------------------------------------------------------------------------
+std::string vtkRelievoSunExposure::CheckDays(const int first[3], const int last[3])
+{
+  for (const int* day : { first, last })
+  {
+    if (!vtkRelievoSolarPosition::IsDay(day[0], day[1], day[2]))
+    {
+      return "got the day " + std::to_string(day[0]) + "-" + std::to_string(day[1]) + "-" +
+        std::to_string(day[2]) + ", expected year, month and day of the calendar";
+    }
+  }
+  const long after = CountDays(last) - CountDays(first);
+  return after >= 0 && after < MostDays ? ""
+                                        : "got a last day " + std::to_string(after) +
+      " days after the first, expected 0 to " + std::to_string(MostDays - 1);
+}
+
+//------------------------------------------------------------------------------
 struct vtkRelievoSunExposure::Sun
 {
   Vector Direction;
@@ -282,20 +293,10 @@ int vtkRelievoSunExposure::RequestData(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   relievo::Begin(outputs);
-  for (const int* date : { this->FirstDay, this->LastDay })
+  const std::string wrong = CheckDays(this->FirstDay, this->LastDay);
+  if (!wrong.empty())
   {
-    if (!IsDate(date))
-    {
-      vtkErrorMacro("There is no day " << date[0] << "-" << date[1] << "-" << date[2]
-                                       << ", expected year, month 1 to 12 and day.");
-      return 0;
-    }
-  }
-  const long days = CountDays(this->LastDay) - CountDays(this->FirstDay) + 1;
-  if (days < 1 || days > MostDays)
-  {
-    vtkErrorMacro("The last day is " << days - 1 << " days after the first, expected 0 to "
-                                     << MostDays - 1 << ".");
+    vtkErrorMacro(<< wrong);
     return 0;
   }
   vtkPolyData* mesh = vtkPolyData::GetData(inputs[0]);

@@ -31,6 +31,7 @@
 #include "vtkRelievoFiltersModule.h" // for the export macro
 #include "vtkRelievoSightAlgorithm.h"
 
+#include <string> // for what is wrong
 #include <vector> // for the sun's places
 
 class VTKRELIEVOFILTERS_EXPORT vtkRelievoSunExposure : public vtkRelievoSightAlgorithm
@@ -58,6 +59,9 @@ public:
   vtkSetVector3Macro(LastDay, int);
   vtkGetVector3Macro(LastDay, int);
   ///@}
+
+  /** What is wrong with a first and a last day: "got ..., expected ..."; empty if nothing is. */
+  static std::string CheckDays(const int first[3], const int last[3]);
 
   ///@{
   /** Every so many days count, each for as many; for a year 7 will do. 1 to 366; default 1. */

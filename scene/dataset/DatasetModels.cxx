@@ -264,8 +264,8 @@ void WriteDatasetModels(const std::string& folder, vtkRenderer* renderer,
   {
     if (models[i].Triangles.empty())
     {
-      Messages::Warn(folder + ": " + objects.Get()[i].Name +
-        " has no model: it is no triangles that rays follow, or has none");
+      Messages::Warn(folder + ": no model of " + objects.Get()[i].Name +
+        ": rays cannot follow its triangles, or it has none");
       continue;
     }
     WriteWhole(path + "obj_" + WriteDatasetNumber(i + 1) + ".ply", EncodePLY(models[i]));

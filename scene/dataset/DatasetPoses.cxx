@@ -102,14 +102,7 @@ void Take(
     {
       RefuseValue(option, name, "one of " + all);
     }
-    std::string expected = "from " + Json(found->Low).dump();
-    expected += std::isfinite(found->High) ? " to " + Json(found->High).dump() : " on";
-    const double number = ParseNumbers(option + ", " + name, value, 1, expected)[0];
-    if (number < found->Low || number > found->High)
-    {
-      RefuseValue(option + ", " + name, value, "a number " + expected);
-    }
-    found->Value = number;
+    found->Value = ParseNumberFrom(option + ", " + name, value, found->Low, found->High);
   }
 }
 

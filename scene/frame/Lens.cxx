@@ -55,6 +55,14 @@ vtkSmartPointer<vtkRelievoCameraModel> MakeSensor(
   }
   return sensor;
 }
+
+vtkSmartPointer<vtkRelievoCameraModel> MakeSensor(
+  vtkRelievoCalibration* calibration, const RenderOptions& options)
+{
+  vtkNew<vtkCamera> view;
+  view->SetViewAngle(options.ViewAngle.value_or(StandardViewAngle));
+  return MakeSensor(calibration, options, view);
+}
 }
 
 //------------------------------------------------------------------------------
@@ -62,6 +70,13 @@ vtkSmartPointer<vtkRelievoCameraModel> MakeSensor(const RenderOptions& options, 
 {
   vtkNew<vtkRelievoCalibration> calibration;
   return MakeSensor(calibration, options, view);
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkRelievoCameraModel> MakeSensor(const RenderOptions& options)
+{
+  vtkNew<vtkRelievoCalibration> calibration;
+  return MakeSensor(calibration, options);
 }
 
 //------------------------------------------------------------------------------
@@ -101,6 +116,16 @@ void CheckLens(const RenderOptions& options)
 }
 
 //------------------------------------------------------------------------------
+void CheckLensScale(const RenderOptions& options)
+{
+  if (options.Lens == "orthographic")
+  {
+    throw UsageError("--lens orthographic: no camera says its scale here; give the pixels for a "
+                     "world unit, as in orthographic:100");
+  }
+}
+
+//------------------------------------------------------------------------------
 void CheckLensLayer(const std::string& name)
 {
   if (name != vtkRelievoLayerCatalogue::GetPicture().Name &&
@@ -116,9 +141,7 @@ void CheckLensLayer(const std::string& name)
 RenderOptions FollowLens(RenderOptions options)
 {
   vtkNew<vtkRelievoCalibration> calibration;
-  vtkNew<vtkCamera> view;
-  view->SetViewAngle(options.ViewAngle.value_or(StandardViewAngle));
-  const auto sensor = MakeSensor(calibration, options, view);
+  const auto sensor = MakeSensor(calibration, options);
   std::copy_n(sensor->GetSize(), 2, options.Size.begin());
   const double angle = calibration->GetAngleOfWords();
   if (angle > 0.0 && !options.ViewAngle && !options.ParallelScale)

@@ -30,9 +30,15 @@ void CheckLens(const RenderOptions& options);
 /// Throws UsageError for a layer that rays do not have.
 void CheckLensLayer(const std::string& name);
 
+/// Throws UsageError for a lens that takes its scale from a camera, where no camera says any.
+void CheckLensScale(const RenderOptions& options);
+
 /// The sensor of the option's words, or a pinhole without them, with the pose and the angle of a
 /// view. Throws FileError, and UsageError for a size or an angle that it cannot have.
 vtkSmartPointer<vtkRelievoCameraModel> MakeSensor(const RenderOptions& options, vtkCamera* view);
+
+/// That sensor with the angle of the options, or the standard one, before it has a pose.
+vtkSmartPointer<vtkRelievoCameraModel> MakeSensor(const RenderOptions& options);
 
 /// The options with what the lens says: the size, if a file says it and no option does, and the
 /// angle to which a camera is fitted. Throws FileError, and UsageError for a size or an angle that

@@ -100,12 +100,7 @@ void TakeColor(RenderOptions& options, const std::string& word)
 //------------------------------------------------------------------------------
 void TakeOpacity(RenderOptions& options, const std::string& word)
 {
-  const double opacity = ParseNumbers("--opacity", word, 1, "0 to 1")[0];
-  if (opacity < 0.0 || opacity > 1.0)
-  {
-    RefuseValue("--opacity", word, "a number from 0 to 1");
-  }
-  options.Look.Opacity = opacity;
+  options.Look.Opacity = ParseNumberFrom("--opacity", word, 0.0, 1.0);
 }
 
 //------------------------------------------------------------------------------

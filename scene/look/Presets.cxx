@@ -142,12 +142,7 @@ void TakePreset(RenderOptions& options, const std::string& word)
 //------------------------------------------------------------------------------
 void TakeFill(RenderOptions& options, const std::string& word)
 {
-  const double share = ParseNumbers("--fill", word, 1, "0 to 1").front();
-  if (share < 0.0 || share > 1.0)
-  {
-    RefuseValue("--fill", word, "a number from 0 to 1");
-  }
-  options.Fill = share;
+  options.Fill = ParseNumberFrom("--fill", word, 0.0, 1.0);
 }
 
 //------------------------------------------------------------------------------

@@ -29,14 +29,6 @@ void SineCosine(double degrees, double& sine, double& cosine)
   }
 }
 
-int GetDays(int year, int month)
-{
-  const bool leap = (year % 4 == 0 && year % 100 != 0) || year % 400 == 0;
-  return month == 2                                         ? (leap ? 29 : 28)
-    : month == 4 || month == 6 || month == 9 || month == 11 ? 30
-                                                            : 31;
-}
-
 std::string Digits(long number, std::size_t count)
 {
   const std::string digits = std::to_string(number);
@@ -108,8 +100,7 @@ SunTime ParseSunTime(const std::string& option, const std::string& numbers)
   time.Day = get(3);
   time.Hour = get(4) + get(5) / 60.0 + get(7) / 3600.0;
   time.TimeZone = (get(10) + get(11) / 60.0) * (parts[9].str() == "-" ? -1.0 : 1.0);
-  if (time.Month < 1 || time.Month > 12 || time.Day < 1 ||
-    time.Day > GetDays(time.Year, time.Month))
+  if (!vtkRelievoSolarPosition::IsDay(time.Year, time.Month, time.Day))
   {
     RefuseValue(option, numbers, "a day of the calendar");
   }

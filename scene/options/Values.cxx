@@ -153,6 +153,19 @@ double ParseNumberBetween(
 }
 
 //------------------------------------------------------------------------------
+double ParseNumberFrom(const std::string& option, const std::string& word, double low, double high)
+{
+  double number = 0.0;
+  if (!ReadFinite(word, number) || number < low || number > high)
+  {
+    RefuseValue(option, word,
+      std::isfinite(high) ? "a number from " + Show(low) + " to " + Show(high)
+                          : "a finite number from " + Show(low) + " on");
+  }
+  return number;
+}
+
+//------------------------------------------------------------------------------
 double ParseShare(const std::string& option, const std::string& word)
 {
   const bool percent = !word.empty() && word.back() == '%';

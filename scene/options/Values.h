@@ -43,6 +43,9 @@ std::vector<double> ParseNumbers(
 double ParseNumberBetween(
   const std::string& option, const std::string& word, double low, double high);
 
+/// One finite number with low <= number <= high.
+double ParseNumberFrom(const std::string& option, const std::string& word, double low, double high);
+
 /// A share: a number between 0 and 1, or a percentage such as 0.05%.
 double ParseShare(const std::string& option, const std::string& word);
 

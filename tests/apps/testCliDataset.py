@@ -167,7 +167,7 @@ class Dataset(CliTest):
             (["--poses", "orbit:4", "--out", "set", "--format", "voc"], "bop, coco, nerf, npz"),
             (["--poses", "orbit:4", "--out", "set", "--views", "3"], "A:B"),
             (["--poses", "orbit:4", "--out", "set", "--views", "3:5"],
-             "--views: got 3:5, expected views from 0 to 4"),
+             "--views: got '3:5', expected views from 0 to 4"),
             (["--poses", "orbit:4", "--out", "set", "--views", "5:3"],
              "--views: got '5:3', expected the first view to be before the end"),
             (["--poses", "orbit:4", "--out", "set", "--depth-step", "-1"], "--depth-step"),

@@ -77,6 +77,10 @@ class Sight(CliTest):
         done = self.relievo("visible", "ground.off", *look, "-o", "seen.vtp")
         self.assertEqual(done.stderr, "")
         self.assertIn("2 of 2 cells are seen by 1 camera\n", done.stdout)
+        # The height of 100 spans 20 degrees 10 away: 2 by 2 units by hand.
+        a_unit = 50 / (10 * math.tan(math.radians(10)))
+        numpy.testing.assert_allclose(
+            self.cells("seen.vtp", "pixels"), (2 * a_unit) ** 2, rtol=0.05)
         numpy.testing.assert_array_equal(self.cells("seen.vtp", "seen"), 1)
         # A rectangle right below, 2 by 2 and to one side: its solid angle in closed form.
         expected = 2 * math.atan(2 * 1 / (10 * math.sqrt(10**2 + 2**2 + 1**2)))
@@ -95,6 +99,29 @@ class Sight(CliTest):
                             "-o", "seen.vtp")  # fmt: skip
         numpy.testing.assert_array_equal(self.cells("seen.vtp", "seen"), 6)
 
+    def test_seed(self):
+        def angles(*words):
+            self.relievo("visible", "ground.off", "--poses", "random:3", *words, "--up", "y",
+                         "--lens", "equirectangular", "--size", "64x32", "-o", "seen.vtp")  # fmt: skip
+            return self.cells("seen.vtp", "solid_angle").tolist()
+
+        self.assertEqual(angles("--seed", "4"), angles("--seed", "4"))
+        self.assertNotEqual(angles("--seed", "4"), angles("--seed", "5"))
+        self.assertEqual(angles("--seed", "0"), angles())
+
+    def test_lens_of_a_file(self):
+        """Its size counts unless another of its shape is said; a unit is 20 pixels 10 away."""
+        (self.folder / "camera.yml").write_text(
+            "%YAML:1.0\nimage_width: 200\nimage_height: 100\n"
+            "camera_matrix: !!opencv-matrix\n   rows: 3\n   cols: 3\n   dt: d\n"
+            "   data: [ 200., 0., 99.5, 0., 200., 49.5, 0., 0., 1. ]\n"
+        )
+        for words, unit in (([], 20), (["--size", "400x200"], 40)):
+            self.relievo("visible", "ground.off", "--poses", "above.json", "--lens", "camera.yml",
+                         *words, "-o", "seen.vtp")  # fmt: skip
+            numpy.testing.assert_allclose(
+                self.cells("seen.vtp", "pixels"), (2 * unit) ** 2, rtol=0.06)
+
     def test_refused(self):
         look = ["--poses", "orbit:2"]
         out = ["-o", "a.vtp"]
@@ -107,16 +134,23 @@ class Sight(CliTest):
             (["sun", "ground.off", *out, "--place", "91,0"], ["--place", "'91,0'"]),
             (["sun", "ground.off", *out, "--dates", "today"], ["--dates", "'today'"]),
             (["sun", "ground.off", *out, *SUN, "--dates", "2026-02-30"], "2026-2-30, expected"),
+            (["sun", "nothing.off", *out, *SUN, "--dates", "2026-02-29"], "2026-2-29, expected"),
+            (["sun", "ground.off", *out, "--place", "40,181"], ["--place", "-180 to 180"]),
             (["sun", "ground.off", *out, *SUN, "--dates", "2026-02-02:2026-02-01"],
              ["--dates", "expected"]),
-            (["sun", "ground.off", *out, *SUN, "--step", "0"], ["--step", "'0'"]),
+            (["sun", "ground.off", *out, *SUN, "--step", "0"], ["'0'", "from 0.1 to 240"]),
+            (["sun", "ground.off", *out, *SUN, "--step", "0.05"], ["'0.05'", "from 0.1 to 240"]),
             (["sun", "ground.off", *out, *SUN, "--sky", "-1"], ["--sky", "'-1'"]),
             (["sun", "town.gltf", *out, *SUN], ["town.gltf", "expected data"]),
             (["sun", "ground.png", *out, *SUN], "ground.png"),
             (["visible", "ground.off", *out], "give --poses"),
-            (["visible", "ground.off", *out, "--poses", "lots"], ["--poses", "'lots'"]),
+            (["visible", "nothing.off", *out, "--poses", "lots"], ["--poses", "'lots'"]),
+            (["visible", "nothing.off", *out, "--poses", "orbit:2,elevation=x"],
+             ["elevation", "'x'", "a number from -90 to 90"]),
             (["visible", "ground.off", *out, *look, "--size", "5"], ["--size", "'5'", "WxH"]),
             (["visible", "ground.off", *out, *look, "--lens", "wide"], ["--lens", "'wide'"]),
+            (["visible", "ground.off", *out, *look, "--lens", "cube"], "six times as wide"),
+            (["visible", "ground.off", *out, *look, "--lens", "orthographic"], "orthographic:100"),
             (["visible", "ground.off", *out, *look, "--cloud", "c.png"], ["--cloud", "'c.png'"]),
             (["visible", "ground.off", *out, *look, "--fog", "1"], "--fog"),
         ):  # fmt: skip

@@ -61,7 +61,7 @@ WRONG_VALUES = [
     ("--light", "sun:2026-06-21T12:00Z,91,11", "latitude from -90 to 90"),
     ("--light", "sun:2026-06-21T12:00Z,48,east", "2 finite numbers"),
     ("--fill", "1.5", "a number from 0 to 1"),
-    ("--fill", "much", "a finite number"),
+    ("--fill", "much", "a number from 0 to 1"),
     ("--shadows", "soft", "off, map, forward, warped, exact"),
     ("--shadows", "warp", "off, map, forward, warped, exact"),
     ("--shadow-size", "0", "whole number from 16"),

@@ -5,6 +5,7 @@
 #include "Arguments.h"
 #include "DatasetPoses.h"
 #include "Errors.h"
+#include "Lens.h"
 #include "Options.h"
 #include "Values.h"
 
@@ -178,11 +179,7 @@ DatasetOptions ParseDataset(const std::vector<std::string>& words)
     to->insert(to->end(), files.begin(), files.end());
   }
   options.Render = scene::ParseOptions(options.Scene);
-  if (options.Render.Lens == "orthographic")
-  {
-    throw scene::UsageError("--lens orthographic: no camera says its scale here; give the pixels "
-                            "for a world unit, as in orthographic:100");
-  }
+  scene::CheckLensScale(options.Render);
   return options;
 }
 }

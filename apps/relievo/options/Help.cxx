@@ -65,13 +65,13 @@ visible finds by rays which cells of a mesh cameras see, in how many pixels and 
   --size WxH              pixels of each camera (1024x768)
   --view-angle DEG        full vertical angle of each camera (30)
   --lens LENS             pinhole, brown:..., fisheye, division:..., equirectangular, cube,
-                          orthographic or a file, as of render (pinhole)
+                          orthographic:PIXELS or a file, as of render (pinhole)
   --up AXIS               the axis that points up, x, y or z (by the first FILE)
   --seed N                of random poses (0)
 
 sun finds by rays how long the sun shines on a mesh, and writes it with the arrays sun_hours and
-  insolation (each hour times the cosine to the normal). The first FILE is the mesh, the others
-  shade it. North is z, -z or y where x, y or z points up.
+  insolation (each hour times the cosine between the sun and the normal). The first FILE is the
+  mesh, the others shade it. North is z, -z or y where x, y or z points up.
 
   --place LAT,LON         degrees; north and east are positive
   --dates DATES           FIRST[:LAST[:EVERY]], days such as 2026-01-01:2026-12-31:7, which both

@@ -7,6 +7,8 @@
 #include "MeshNames.h"
 #include "Values.h"
 
+#include "vtkRelievoSunExposure.h"
+
 #include <cmath>
 #include <regex>
 
@@ -17,9 +19,9 @@ namespace
 void TakePlace(SunOptions& options, const std::string& value)
 {
   const std::vector<double> place = scene::ParseNumbers("--place", value, 2, "LATITUDE,LONGITUDE");
-  if (std::abs(place[0]) > 90. || std::abs(place[1]) > 360.)
+  if (std::abs(place[0]) > 90. || std::abs(place[1]) > 180.)
   {
-    scene::RefuseValue("--place", value, "a latitude from -90 to 90, a longitude from -360 to 360");
+    scene::RefuseValue("--place", value, "a latitude from -90 to 90, a longitude from -180 to 180");
   }
   options.Latitude = place[0];
   options.Longitude = place[1];
@@ -42,6 +44,12 @@ void TakeDates(SunOptions& options, const std::string& value)
     {
       options.Days[i][k] = std::stoi(numbers[k + 1].str());
     }
+  }
+  const std::string wrong =
+    vtkRelievoSunExposure::CheckDays(options.Days[0].data(), options.Days[1].data());
+  if (!wrong.empty())
+  {
+    throw scene::UsageError("--dates " + value + ": " + wrong);
   }
   if (parts.size() == 3)
   {
@@ -77,11 +85,7 @@ SunOptions ParseSun(const std::vector<std::string>& words)
       }
       else if (name == "--step")
       {
-        options.Step = scene::ParseNumberBetween(name, value, 0., 1e9);
-        if (options.Step < 0.1 || options.Step > 240.)
-        {
-          scene::RefuseValue(name, value, "minutes from 0.1 to 240");
-        }
+        options.Step = scene::ParseNumberFrom(name, value, 0.1, 240.);
       }
       else if (name == "--up")
       {

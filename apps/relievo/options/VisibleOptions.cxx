@@ -3,38 +3,21 @@
 #include "VisibleOptions.h"
 
 #include "Arguments.h"
+#include "DatasetPoses.h"
 #include "Errors.h"
+#include "Lens.h"
 #include "MeshNames.h"
 #include "Values.h"
-
-#include "vtkRelievoCalibration.h"
 
 #include <limits>
 
 namespace cli
 {
-namespace
-{
-constexpr int MostPixels = 16384; // along an axis
-
-void TakeSize(VisibleOptions& options, const std::string& value)
-{
-  const std::vector<std::string> parts = scene::Split(value, 'x');
-  if (parts.size() != 2)
-  {
-    scene::RefuseValue("--size", value, "WxH, such as 1024x768");
-  }
-  for (std::size_t i = 0; i < 2; ++i)
-  {
-    options.Size[i] = scene::ParseWhole("--size " + value, parts[i], 1, MostPixels);
-  }
-}
-}
-
 //------------------------------------------------------------------------------
 VisibleOptions ParseVisible(const std::vector<std::string>& words)
 {
   VisibleOptions options;
+  std::vector<std::string> ofCameras; // in the words of render
   scene::ParseArguments(
     words, "visible",
     { { "-o", false }, { "--poses", false }, { "--size", false }, { "--view-angle", false },
@@ -46,24 +29,12 @@ VisibleOptions ParseVisible(const std::vector<std::string>& words)
       }
       else if (name == "--poses")
       {
+        scene::CheckDatasetPoses(name, value);
         options.Poses = value;
       }
-      else if (name == "--size")
+      else if (name == "--size" || name == "--view-angle" || name == "--lens")
       {
-        TakeSize(options, value);
-      }
-      else if (name == "--view-angle")
-      {
-        options.ViewAngle = scene::ParseNumberBetween(name, value, 0., 180.);
-      }
-      else if (name == "--lens")
-      {
-        const std::string wrong = vtkRelievoCalibration::Check(value);
-        if (!wrong.empty())
-        {
-          throw scene::UsageError(name + ": " + wrong);
-        }
-        options.Lens = value;
+        ofCameras.push_back(name + "=" + value);
       }
       else if (name == "--cloud")
       {
@@ -85,6 +56,8 @@ VisibleOptions ParseVisible(const std::vector<std::string>& words)
   {
     throw scene::UsageError("visible: no cameras; give --poses orbit:N, random:N or FILE.json");
   }
+  options.Render = scene::ParseOptions(ofCameras);
+  scene::CheckLensScale(options.Render);
   if (!options.Cloud.empty())
   {
     CheckMeshName("--cloud", options.Cloud);

@@ -3,7 +3,8 @@
 #ifndef VisibleOptions_h
 #define VisibleOptions_h
 
-#include <array>
+#include "Options.h"
+
 #include <string>
 #include <vector>
 
@@ -15,10 +16,8 @@ struct VisibleOptions
   std::string File;               ///< a .vtp
   std::string Cloud;              ///< a .vtp; "": none
   std::string Poses;              ///< "orbit:N", "random:N", or a file
-  std::string Lens = "pinhole";
-  std::array<int, 2> Size = { 1024, 768 };
-  double ViewAngle = 30.; ///< full vertical angle, degrees
-  int Up = -1;            ///< axis; -1: by the file
+  scene::RenderOptions Render;    ///< the cameras: size, view angle, lens
+  int Up = -1;                    ///< axis; -1: by the file
   int Seed = 0;
 };
 

@@ -6,12 +6,10 @@
 #include "Errors.h"
 #include "Lens.h"
 #include "Messages.h"
-#include "Scene.h"
 #include "SceneWork.h"
 #include "Values.h"
 
 #include "vtkActorCollection.h"
-#include "vtkCamera.h"
 #include "vtkNew.h"
 #include "vtkRelievoCameraModel.h"
 #include "vtkRelievoDatasetWriter.h"
@@ -64,19 +62,18 @@ void NameObjects(
   writer->SetObjectsByBlock(options.Objects == DatasetParts::Block);
 }
 
-// What the writer says of `word` is said of the option of this name.
-void CheckWriter(vtkRelievoDatasetWriter* writer, bool done, const std::string& word)
-{
-  const std::string text = writer->GetFailureText();
-  CheckDone(done, writer->GetFailure(), text.rfind(word, 0) == 0 ? "--" + text : text);
-}
-
 void AddViews(vtkRelievoDatasetWriter* writer, const DatasetOptions& options)
 {
-  vtkNew<vtkCamera> view;
-  view->SetViewAngle(options.Render.ViewAngle.value_or(scene::StandardViewAngle));
-  const bool done = writer->AddViews(options.Poses, scene::MakeSensor(options.Render, view));
-  CheckWriter(writer, done, "poses");
+  const bool done = writer->AddViews(options.Poses, scene::MakeSensor(options.Render));
+  const bool usage = writer->GetFailure() == vtkRelievoScene::USAGE_FAILURE;
+  CheckDone(done, writer->GetFailure(), (usage ? "--" : "") + writer->GetFailureText());
+  const int views = writer->GetNumberOfViews();
+  if (options.Range[1] > views)
+  {
+    scene::RefuseValue("--views",
+      std::to_string(options.Range[0]) + ":" + std::to_string(options.Range[1]),
+      "views from 0 to " + std::to_string(views) + ": there are " + std::to_string(views));
+  }
 }
 }
 
@@ -112,7 +109,8 @@ void Dataset(const DatasetOptions& options)
     scene::Progress progress;
     progress.Begin("writing " + options.Folder);
     progress.Observe(writer);
-    CheckWriter(writer, writer->Write(), "views: got");
+    const bool done = writer->Write();
+    CheckDone(done, writer->GetFailure(), writer->GetFailureText());
   }
   std::printf("%s: %d of %d views written", options.Folder.c_str(),
     writer->GetNumberOfViewsWritten(), writer->GetNumberOfViews());

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SunHours.h"
 
-#include "Errors.h"
 #include "Messages.h"
 #include "Outputs.h"
 #include "Progress.h"
@@ -22,24 +21,6 @@ namespace cli
 {
 namespace
 {
-// Days that are none are wrong words.
-void CheckSun()
-{
-  try
-  {
-    scene::Messages::Check("--dates");
-  }
-  catch (const scene::WorkError& error)
-  {
-    const std::string text = error.what();
-    if (text.find(", expected ") != std::string::npos)
-    {
-      throw scene::UsageError(text);
-    }
-    throw scene::WorkError("sun" + text.substr(text.find(':')));
-  }
-}
-
 void Print(const SunOptions& options, vtkPolyData* mesh)
 {
   vtkDataSetAttributes* where = mesh->GetCellData();
@@ -78,7 +59,7 @@ void SunHours(const SunOptions& options)
   progress.Begin("following the sun");
   progress.Observe(sun);
   sun->Update();
-  CheckSun();
+  scene::Messages::Check("sun");
   WriteMesh(sun->GetOutput(), "-o", options.File, outputs, progress);
   outputs.Commit();
   progress.End();

@@ -3,18 +3,17 @@
 #include "Visible.h"
 
 #include "DatasetPoses.h"
-#include "Errors.h"
+#include "Lens.h"
 #include "Messages.h"
 #include "Outputs.h"
 #include "Progress.h"
 #include "SightFiles.h"
 #include "VisibleOptions.h"
 
-#include "vtkCamera.h"
 #include "vtkCellData.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
-#include "vtkRelievoCalibration.h"
+#include "vtkRelievoCameraModel.h"
 #include "vtkRelievoVisibility.h"
 
 #include <cstdio>
@@ -25,18 +24,7 @@ namespace
 {
 void AddCameras(const VisibleOptions& options, int up, vtkRelievoVisibility* visibility)
 {
-  vtkNew<vtkCamera> view;
-  view->SetViewAngle(options.ViewAngle);
-  vtkNew<vtkRelievoCalibration> lens;
-  vtkRelievoCameraModel* like = nullptr;
-  if (lens->SetWords(options.Lens) && lens->Read())
-  {
-    like = lens->MakeCamera(view, options.Size[0], options.Size[1]);
-  }
-  if (!like)
-  {
-    throw scene::WorkError("--lens: " + lens->GetFailureText());
-  }
+  const auto like = scene::MakeSensor(options.Render);
   scene::DatasetSurroundings around;
   around.Box = vtkBoundingBox(vtkPolyData::SafeDownCast(visibility->GetInput())->GetBounds());
   around.UpAxis = up;
