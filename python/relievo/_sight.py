@@ -207,7 +207,7 @@ def sun_exposure(mesh, latitude, longitude, first, last=None, occluders=(), step
 
     mesh: a dataset or a filter that makes one; of other data than polygons the outer surface.
         Normals point outwards.
-    latitude, longitude: degrees, north and east positive.
+    latitude, longitude: degrees, -90 to 90 and -180 to 180, north and east positive.
     first, last: the first and the last day, as datetime.date or "2026-06-21"; last None: one day.
     occluders: other data that shades it, one or a list.
     step: minutes between two places of the sun. every: every so many days count, each for as many.
@@ -221,7 +221,7 @@ def sun_exposure(mesh, latitude, longitude, first, last=None, occluders=(), step
     """
     filter_ = vtkRelievoSunExposure()
     filter_.SetLatitude(_number("latitude", latitude, -90, 90))
-    filter_.SetLongitude(_number("longitude", longitude, -360, 360))
+    filter_.SetLongitude(_number("longitude", longitude, -180, 180))
     filter_.SetFirstDay(*_day("first", first))
     filter_.SetLastDay(*_day("last", first if last is None else last))
     filter_.SetStep(_number("step", step, 0.1, 240))

@@ -480,7 +480,8 @@ class Sun(unittest.TestCase):
         roof = grid((0, 0, 0), (1, 0, 0), (0, 0, -1), 1, 1)
         for words, change in (("first", {"first": "June"}), ("latitude", {"latitude": 91}),
                               ("up", {"up": "w"}), ("step", {"step": 0}),
-                              ("longitude", {"longitude": numpy.nan}), ("every", {"every": 1.5}),
+                              ("longitude", {"longitude": numpy.nan}),
+                              ("longitude", {"longitude": 181}), ("every", {"every": 1.5}),
                               ("step", {"step": None}), ("last day", {"last": "2026-06-20"})):
             with self.subTest(words=words), self.assertRaisesRegex(ValueError, words):
                 relievo.sun_exposure(roof, **{**self.PLACE, "first": "2026-06-21", **change})
