@@ -101,8 +101,8 @@ class Sight(CliTest):
 
     def test_seed(self):
         def angles(*words):
-            self.relievo("visible", "ground.off", "--poses", "random:3", *words, "--up", "y",
-                         "--lens", "equirectangular", "--size", "64x32", "-o", "seen.vtp")  # fmt: skip
+            look = ["--poses", "random:3", "--lens", "equirectangular", "--size", "64x32"]
+            self.relievo("visible", "ground.off", *look, *words, "--up", "y", "-o", "seen.vtp")
             return self.cells("seen.vtp", "solid_angle").tolist()
 
         self.assertEqual(angles("--seed", "4"), angles("--seed", "4"))
