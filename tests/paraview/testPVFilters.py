@@ -133,7 +133,7 @@ output.VTKObject.SetPolys(cells)
         self.assertLess(numpy.abs(first / numpy.sqrt(4 * numpy.pi) - 0.5).max(), 0.01)
 
     def test_sun_exposure(self):
-        """Level ground at an equinox, and below a roof; a wall that faces north."""
+        """Level ground at an equinox, and below a roof; a wall that faces south."""
         ground = simple.Plane()  # in z = 0, faces z
         sun = simple.SunExposure(
             Input=ground, Latitude=40.0, FirstDay=[2026, 3, 20], LastDay=[2026, 3, 20], Step=10.0
@@ -155,9 +155,14 @@ output.VTKObject.SetPolys(cells)
         self.assertEqual(found("sun_hours")[0], 0)
         sun.Occluders = []
         sun.UpAxis = "Y"  # north is -z: the ground is a wall that faces south
+        # On the equator the sun's cosine to the south is sin(40) times that of its hour.
+        self.assertAlmostEqual(found("sun_hours")[0], 12, delta=0.2)
+        self.assertAlmostEqual(
+            found("insolation")[0], 24 / numpy.pi * numpy.sin(numpy.radians(40)), delta=0.1)
         sun.FirstDay = sun.LastDay = [2026, 6, 21]
-        self.assertLess(found("sun_hours")[0], 12)
-        self.assertGreater(found("sun_hours")[0], 5)
+        # At midsummer it is south of east and west while cos(hour) > tan(declination) / tan(40).
+        half = numpy.arccos(numpy.tan(numpy.radians(23.44)) / numpy.tan(numpy.radians(40)))
+        self.assertAlmostEqual(found("sun_hours")[0], 24 / numpy.pi * half, delta=0.35)
 
     def test_visibility(self):
         """A square's solid angle in closed form; what hides it; all around; points."""
@@ -171,14 +176,39 @@ output.VTKObject.SetPolys(cells)
         expected = 4 * numpy.arctan(0.25 / (2 * numpy.sqrt(0.5 + 4)))
         self.assertEqual(found("seen").tolist(), [1])
         self.assertAlmostEqual(found("solid_angle")[0], expected, delta=0.01 * expected)
+        # The height of 400 spans 60 degrees 2 away, in pixels by hand.
+        side = 200 / (2 * numpy.tan(numpy.radians(30)))
+        self.assertAlmostEqual(found("pixels")[0], side**2, delta=2 * side)
         seen.MakeCloud = 1
         cloud = servermanager.Fetch(seen, idx=1)
         self.assertEqual(cloud.GetNumberOfPoints(), found("pixels")[0])
         seen.Lens = "equirectangular"
         seen.Size = [800, 400]
         self.assertAlmostEqual(found("solid_angle")[0], expected, delta=0.02 * expected)
+        # Aimed 30 degrees aside, a picture twice as wide as high that spans 60 degrees of height:
+        # lying it sees all, standing the half from its middle on.
+        seen.Lens = "pinhole"
+        seen.Size = [400, 200]
+        seen.FocalPoint = [2 * numpy.tan(numpy.radians(30)), 0, 0]
+        self.assertAlmostEqual(found("solid_angle")[0], expected, delta=0.03 * expected)
+        seen.ViewUp = [1, 0, 0]
+        self.assertAlmostEqual(found("solid_angle")[0], expected / 2, delta=0.03 * expected)
         seen.Occluders = simple.Plane(Origin=[-1, -1, 1], Point1=[1, -1, 1], Point2=[-1, 1, 1])
         self.assertEqual(found("seen").tolist(), [0])
+
+    def test_lens_of_a_file(self):
+        """Its size counts unless one is said: 100 pixels for a unit that is 2 away."""
+        path = pv.OUTPUT / "visibility.yml"
+        path.write_text(
+            "%YAML:1.0\nimage_width: 300\nimage_height: 200\n"
+            "camera_matrix: !!opencv-matrix\n   rows: 3\n   cols: 3\n   dt: d\n"
+            "   data: [ 200., 0., 149.5, 0., 200., 99.5, 0., 0., 1. ]\n"
+        )
+        seen = simple.Visibility(Input=simple.Plane(), Position=[0, 0, 2], Lens=str(path))
+        for size, side in (([0, 0], 100), ([600, 400], 200)):
+            seen.Size = size
+            pixels = vtk_to_numpy(servermanager.Fetch(seen).GetCellData().GetArray("pixels"))
+            self.assertAlmostEqual(pixels[0], side**2, delta=2 * side)
 
     def test_smooth_blocks(self):
         """Labels on points; lists of labels; the seams are the second output."""
@@ -309,7 +339,7 @@ output.VTKObject.SetPolys(cells)
         """What is wrong is said in the words of menus and panels."""
         said = pv.run(__file__, "wrong")
         parts = said.split("case ")[1:]
-        self.assertEqual(len(parts), 8, said)
+        self.assertEqual(len(parts), 9, said)
         for part in parts:
             self.assertEqual(len(pv.messages(part)), 1, part)
             self.assertNotRegex(part, pv.NAMES_OF_CODE)
@@ -344,6 +374,9 @@ def wrong():
         sys.stdout.flush()
         print("case", name, file=sys.stderr, flush=True)
         getattr(simple, name)(Input=given).UpdatePipeline()
+    sys.stdout.flush()
+    print("case Visibility", file=sys.stderr, flush=True)
+    simple.Visibility(Input=ball, Lens="orthographic").UpdatePipeline()
 
 
 if sys.argv[1:2] == ["wrong"]:

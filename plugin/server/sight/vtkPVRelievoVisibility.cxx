@@ -55,10 +55,21 @@ int vtkPVRelievoVisibility::RequestData(
   vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   this->RemoveAllCameras();
+  if (this->Lens == "orthographic")
+  {
+    vtkErrorMacro("Lens: got 'orthographic', expected the pixels for a world unit as well, as in "
+                  "'orthographic:100'");
+    return 0;
+  }
   vtkNew<vtkRelievoCalibration> lens;
-  vtkRelievoCameraModel* camera = lens->SetWords(this->Lens.c_str()) && lens->Read()
-    ? lens->MakeCamera(this->View, this->Size[0], this->Size[1])
-    : nullptr;
+  vtkRelievoCameraModel* camera = nullptr;
+  if (lens->SetWords(this->Lens.c_str()) && lens->Read())
+  {
+    const int standard[2] = { 1024, 768 };
+    const int* unsaid = lens->GetFileSize()[0] > 0 ? lens->GetFileSize() : standard;
+    const int* size = this->Size[0] > 0 && this->Size[1] > 0 ? this->Size : unsaid;
+    camera = lens->MakeCamera(this->View, size[0], size[1]);
+  }
   if (!camera)
   {
     return 0; // it has said why
@@ -71,6 +82,13 @@ int vtkPVRelievoVisibility::RequestData(
 void vtkPVRelievoVisibility::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  const auto print = [&](const char* name, const double* place) {
+    os << indent << name << ": " << place[0] << ", " << place[1] << ", " << place[2] << "\n";
+  };
+  print("Position", this->View->GetPosition());
+  print("FocalPoint", this->View->GetFocalPoint());
+  print("ViewUp", this->View->GetViewUp());
+  os << indent << "ViewAngle: " << this->View->GetViewAngle() << "\n";
   os << indent << "Size: " << this->Size[0] << " x " << this->Size[1] << "\n";
   os << indent << "Lens: " << this->Lens << "\n";
 }

@@ -4,7 +4,7 @@
  * @class vtkPVRelievoVisibility
  * @brief vtkRelievoVisibility of one camera, which ParaView's properties describe.
  *
- * Errors: what vtkRelievoCalibration says of the lens.
+ * Errors: what vtkRelievoCalibration says of the lens; `orthographic` without its pixels.
  */
 #ifndef vtkPVRelievoVisibility_h
 #define vtkPVRelievoVisibility_h
@@ -33,7 +33,9 @@ public:
   ///@}
 
   ///@{
-  /** Columns and rows of its picture. Default 1024, 768. */
+  /**
+   * Columns and rows of its picture. Default 0, 0: as the file of the lens says, or 1024, 768.
+   */
   vtkSetVector2Macro(Size, int);
   vtkGetVector2Macro(Size, int);
   ///@}
@@ -53,7 +55,7 @@ private:
   void operator=(const vtkPVRelievoVisibility&) = delete;
 
   vtkNew<vtkCamera> View;
-  int Size[2] = { 1024, 768 };
+  int Size[2] = { 0, 0 };
   std::string Lens = "pinhole";
 };
 
