@@ -59,7 +59,7 @@ int vtkPVRelievoVisibility::RequestData(
   {
     vtkErrorMacro("Lens: got 'orthographic', expected the pixels for a world unit as well, as in "
                   "'orthographic:100'");
-    return 0;
+    return 1; // of a 0 the executive speaks in words of code
   }
   vtkNew<vtkRelievoCalibration> lens;
   vtkRelievoCameraModel* camera = nullptr;
@@ -72,7 +72,7 @@ int vtkPVRelievoVisibility::RequestData(
   }
   if (!camera)
   {
-    return 0; // it has said why
+    return 1; // it has said why
   }
   this->AddCamera(camera);
   return this->Superclass::RequestData(request, inputs, outputs);
