@@ -3,7 +3,6 @@
 //
 // What lamps make of the picture: its linear colour plus what surfaces give back of their light.
 #include "Check.h"
-#include "vtkRelievoSoftwareOpenGL.h"
 #include "GLCheck.h"
 #include "LampScenes.h"
 #include "Layers.h"
@@ -16,6 +15,7 @@
 #include <vtkCamera.h>
 #include <vtkImageData.h>
 #include <vtkProperty.h>
+#include <vtkRelievoSoftwareOpenGL.h>
 
 #include <cmath>
 #include <functional>
