@@ -20,7 +20,7 @@ class VTKRELIEVOFILTERS_EXPORT vtkRelievoSightAlgorithm : public vtkPolyDataAlgo
 public:
   vtkAbstractTypeMacro(vtkRelievoSightAlgorithm, vtkPolyDataAlgorithm);
 
-  /** Takes all of input 1 away. */
+  /** Removes all occluders (input 1). */
   void RemoveOccluders() { this->SetInputConnection(1, nullptr); }
 
 protected:

@@ -330,7 +330,7 @@ void WriteCOCO(const DatasetStyle& style, const std::vector<std::string>& object
       { "images", images }, { "annotations", annotations }, { "categories", categories } });
 }
 
-//------------------------------------------------------------------------------
+// Whether a camera's record, by DescribeDatasetCamera, is that of a fisheye lens.
 bool IsFisheye(const Json& camera)
 {
   return camera.contains("lens") && camera["lens"] == "fisheye";

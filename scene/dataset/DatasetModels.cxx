@@ -198,7 +198,7 @@ void AppendBytes(std::string& bytes, const void* values, std::size_t size)
   bytes.append(static_cast<const char*>(values), size);
 }
 
-// Binary, the lowest byte first, as this program's machines have them.
+// A PLY file, binary and little-endian: the machines that Relievo is built for are.
 std::string EncodePLY(const Model& model)
 {
   std::string bytes = "ply\nformat binary_little_endian 1.0\nelement vertex " +

@@ -4,7 +4,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 // How much of a pixel lines cover, by its distance to the nearest side that is one; premultiplied.
-// LINES_HIDDEN: or what dashed ones do.
+// LINES_HIDDEN: a pixel is covered at least as much as by the dashes of hidden lines, which
+// hiddenFS.glsl has drawn.
 //RELIEVO::Include(formulas/srgb.glsl)
 in vec2 texCoord;
 uniform vec2 relievoSize;
