@@ -6,6 +6,7 @@
 #include "vtkActorCollection.h"
 #include "vtkAlgorithm.h"
 #include "vtkCellArray.h"
+#include "vtkCellArrayIterator.h"
 #include "vtkCellData.h"
 #include "vtkCommand.h"
 #include "vtkCompositeDataIterator.h"
@@ -92,6 +93,29 @@ vtkSmartPointer<vtkPolyData> CopyShape(vtkPolyData* mesh)
   strips->DeepCopy(mesh->GetStrips());
   copy->SetStrips(strips);
   return copy;
+}
+
+// Cells of a mesh that a matrix has mirrored, with the outside outside again: polygons the other
+// way around from the same corner, so that they are cut into the same triangles, and strips from
+// their first corner twice.
+void AppendTurned(vtkCellArray* all, vtkCellArray* cells, vtkIdType first, bool strips)
+{
+  auto it = vtkSmartPointer<vtkCellArrayIterator>::Take(cells->NewIterator());
+  for (it->GoToFirstCell(); !it->IsDoneWithTraversal(); it->GoToNextCell())
+  {
+    vtkIdType count = 0;
+    const vtkIdType* ids = nullptr;
+    it->GetCurrentCell(count, ids);
+    all->InsertNextCell(static_cast<int>(count + (strips && count > 0 ? 1 : 0)));
+    for (vtkIdType i = 0; i < count; ++i)
+    {
+      all->InsertCellPoint(first + ids[strips || i == 0 ? i : count - i]);
+      if (strips && i == 0)
+      {
+        all->InsertCellPoint(first + ids[0]);
+      }
+    }
+  }
 }
 
 // A ray about the scene's centre. Not valid: it meets nothing.
@@ -1250,9 +1274,19 @@ void vtkRelievoRayScene::CopyMesh(int number, vtkPolyData* copy)
   vtkIdType first = 0;
   const auto gather = [&](vtkCellArray* cells) {
     auto all = vtkSmartPointer<vtkCellArray>::New();
+    const bool strips = cells == mesh->GetStrips();
+    const bool turns = strips || cells == mesh->GetPolys();
     for (std::size_t k = 0; k < places; ++k)
     {
-      all->Append(cells, static_cast<vtkIdType>(k) * count);
+      const vtkIdType offset = static_cast<vtkIdType>(k) * count;
+      if (turns && glm::determinant(glm::dmat3(placed.GetPlace(k))) < 0.0)
+      {
+        AppendTurned(all, cells, offset, strips);
+      }
+      else
+      {
+        all->Append(cells, offset);
+      }
       for (vtkIdType i = first; i < first + cells->GetNumberOfCells(); ++i)
       {
         ids->InsertNextValue(placed.Points ? (*placed.Points)[k]

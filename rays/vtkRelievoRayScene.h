@@ -180,9 +180,11 @@ public:
   ///@{
   /**
    * The meshes that rays meet, as of the last update, and the prop and the block that the hits of
-   * each have. CopyMesh gives one in world coordinates, in double: of glyphs all of them, without
-   * arrays, of others with its arrays, but normals. The cell array `cell` (vtkIdType) is the column
-   * of hits by this name.
+   * each have; -1 for a number that is no mesh's. CopyMesh gives one in world coordinates, in
+   * double: of glyphs all of them, without arrays, of others with its arrays, but normals. The cell
+   * array `cell` (vtkIdType) is the column of hits by this name. What is outside stays outside
+   * where a matrix mirrors. Error: nothing to copy to, or a number that is no mesh's; the copy
+   * stays as it was.
    */
   int GetNumberOfMeshes();
   int GetMeshProp(int mesh);

@@ -12,6 +12,7 @@
 #include <vtkActor.h>
 #include <vtkCallbackCommand.h>
 #include <vtkCellArray.h>
+#include <vtkCubeSource.h>
 #include <vtkDoubleArray.h>
 #include <vtkFloatArray.h>
 #include <vtkGlyph3DMapper.h>
@@ -31,8 +32,10 @@
 #include <vtkRenderer.h>
 #include <vtkSkybox.h>
 #include <vtkSphereSource.h>
+#include <vtkStripper.h>
 #include <vtkTable.h>
 #include <vtkTransform.h>
+#include <vtkTriangleFilter.h>
 #include <vtkUnsignedCharArray.h>
 
 #include <glm/geometric.hpp>
@@ -42,6 +45,7 @@
 #include <iostream>
 #include <random>
 #include <string>
+#include <vector>
 
 namespace
 {
@@ -539,6 +543,91 @@ void TestRenderer()
   }
 }
 
+// The volume within a mesh's triangles, positive if they are wound as seen from outside.
+double GetVolume(vtkPolyData* mesh)
+{
+  vtkNew<vtkTriangleFilter> triangles;
+  triangles->SetInputData(mesh);
+  triangles->PassVertsOff();
+  triangles->PassLinesOff();
+  triangles->Update();
+  double volume = 0.;
+  for (vtkIdType i = 0; i < triangles->GetOutput()->GetNumberOfCells(); ++i)
+  {
+    vtkPoints* corners = triangles->GetOutput()->GetCell(i)->GetPoints();
+    glm::dvec3 p[3];
+    for (int k = 0; k < 3; ++k)
+    {
+      corners->GetPoint(k, &p[k].x);
+    }
+    volume += glm::dot(p[0], glm::cross(p[1], p[2])) / 6.;
+  }
+  return volume;
+}
+
+// Copies of meshes and glyphs have their outside outside, also where matrices mirror.
+void TestMirrored()
+{
+  vtkNew<vtkCubeSource> box; // of quads
+  box->SetXLength(2.);
+  box->SetYLength(3.);
+  box->SetCenter(0.5, 1., 2.);
+  vtkNew<vtkTriangleFilter> cut;
+  cut->SetInputConnection(box->GetOutputPort());
+  vtkNew<vtkStripper> strips;
+  strips->SetInputConnection(cut->GetOutputPort());
+  strips->Update();
+  RELIEVO_CHECK(strips->GetOutput()->GetNumberOfStrips() > 0);
+  vtkNew<vtkPoints> places;
+  vtkNew<vtkDoubleArray> scales;
+  scales->SetName("scale");
+  scales->SetNumberOfComponents(3);
+  for (const double side : { 1., -1. })
+  {
+    places->InsertNextPoint(7. * side, 0., 0.);
+    scales->InsertNextTuple3(1., side, 1.);
+  }
+  vtkNew<vtkPolyData> points;
+  points->SetPoints(places);
+  points->GetPointData()->AddArray(scales);
+  for (vtkAlgorithm* source :
+    { static_cast<vtkAlgorithm*>(box), static_cast<vtkAlgorithm*>(strips) })
+  {
+    vtkNew<vtkRenderer> renderer;
+    vtkNew<vtkPolyDataMapper> mapper;
+    mapper->SetInputConnection(source->GetOutputPort());
+    vtkNew<vtkGlyph3DMapper> glyphs;
+    glyphs->SetInputData(points);
+    glyphs->SetSourceConnection(source->GetOutputPort());
+    glyphs->SetScaleArray("scale");
+    glyphs->SetScaleModeToScaleByVectorComponents();
+    std::vector<double> expected;
+    for (const double side : { 1., -1. })
+    {
+      for (vtkMapper* each : { static_cast<vtkMapper*>(mapper), static_cast<vtkMapper*>(glyphs) })
+      {
+        vtkNew<vtkActor> actor;
+        actor->SetMapper(each);
+        actor->SetScale(side, 1., 2.);
+        actor->RotateZ(20.);
+        renderer->AddActor(actor);
+        expected.push_back(each == mapper ? 12. : 24.);
+      }
+    }
+    vtkNew<vtkRelievoRayScene> scene;
+    scene->SetRenderer(renderer);
+    scene->Update();
+    RELIEVO_CHECK(scene->GetNumberOfMeshes() == 4);
+    for (int i = 0; i < scene->GetNumberOfMeshes(); ++i)
+    {
+      vtkNew<vtkPolyData> copy;
+      scene->CopyMesh(i, copy);
+      const auto prop = static_cast<std::size_t>(scene->GetMeshProp(i));
+      RELIEVO_CHECK_NEAR(GetVolume(copy), expected[prop], 1e-5, "volume of a copy");
+    }
+  }
+}
+
 // Data of other kinds than meshes, by their own cells and points; blocks by their flat index.
 void TestData()
 {
@@ -650,6 +739,7 @@ int main()
   TestWatertight();
   TestMoves();
   TestRenderer();
+  TestMirrored();
   TestData();
   TestRefusals();
   return session.Result();
