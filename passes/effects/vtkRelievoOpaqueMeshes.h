@@ -15,7 +15,7 @@ class vtkRenderer;
 class vtkRelievoOpaqueMeshes
 {
 public:
-  // The meshes as they are now. Their places and points are valid until a mapper's pipeline changes.
+  // The meshes as they are now: their places and points are valid until a pipeline changes.
   std::vector<vtkRelievoPlacedMesh> Find(vtkRenderer* renderer);
 
   // Props with meshes that Find could not follow triangle by triangle.
