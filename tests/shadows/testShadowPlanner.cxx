@@ -22,6 +22,7 @@
 #include <vtkRelievoShadowStage.h>
 #include <vtkWindowToImageFilter.h>
 
+#include <algorithm>
 #include <cmath>
 #include <iostream>
 #include <limits>
@@ -44,17 +45,24 @@ void TestTolerances(ShadowStage& stage, const std::string& what)
 {
   Pass* shadows = stage.GetShadows();
   stage.GetFrame()->ShadowsOn();
-  for (const double tolerance : { 2e-3, 5e-4, 4e-5 })
+  for (const double tolerance : { 2e-3, 5e-4, 4e-5, 2e-5 })
   {
     shadows->SetTolerance(tolerance);
     stage.Window->Render();
     const relievoTest::ShadowErrors errors = relievoTest::JudgeShadow(stage, 0);
     std::cout << what << ": " << shadows->GetPlan() << "; " << errors.ToString() << "\n";
     RELIEVO_CHECK_THAT(errors.Compared > 3000, what + ": what is compared");
-    RELIEVO_CHECK_AT_MOST(errors.Wrong() / tolerance, 1.5, what + ": share over the tolerance");
-    RELIEVO_CHECK(shadows->GetPlan().find("not met") == std::string::npos);
+    // Exact shadows are chosen for the last two. They may be expected to miss the last: it is said.
+    const bool exact = shadows->GetMethodUsed() == Pass::METHOD_EXACT;
+    RELIEVO_CHECK_THAT(exact || tolerance > 1e-4, what + ": maps for a small tolerance");
+    const double expected =
+      exact ? shadows->EstimateWrongShareInView(Pass::METHOD_EXACT, 1) : tolerance;
+    RELIEVO_CHECK_AT_MOST(
+      errors.Wrong() / std::max(expected, tolerance), 1.5, what + ": share over what is expected");
+    const bool met = shadows->GetPlan().find("the tolerance is not met") == std::string::npos;
+    RELIEVO_CHECK_THAT(met == (expected <= tolerance), what + ": " + shadows->GetPlan());
+    RELIEVO_CHECK(met || tolerance < 4e-5);
   }
-  RELIEVO_CHECK(shadows->GetMethodUsed() == Pass::METHOD_EXACT); // for the last one
 }
 
 void TestScenes()

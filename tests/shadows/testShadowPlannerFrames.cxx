@@ -5,11 +5,13 @@
 // samples, frames that plan anew tell the time as others do, and a capture or a certificate leaves
 // what the picture took; and what exact shadows are expected to get wrong far away.
 #include "Check.h"
+#include "Props.h"
 #include "Session.h"
 #include "ShadowScenes.h"
 
 #include <vtkActor.h>
 #include <vtkCamera.h>
+#include <vtkDiskSource.h>
 #include <vtkMapper.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
@@ -19,6 +21,7 @@
 #include <vtkRelievoShadowStage.h>
 #include <vtkRenderer.h>
 
+#include <cmath>
 #include <iostream>
 #include <string>
 
@@ -138,6 +141,33 @@ void TestFarness()
   }
 }
 
+// A lamp over a hole. As wide as the lamp's cone its rim is no edge: no pixel beyond it is judged.
+void TestCone()
+{
+  for (const double width : { 1.0002, 0.7 }) // of the cone
+  {
+    ShadowStage stage(60, 45); // few pixels, so that many are at the rim
+    stage.AddGround();
+    const double angle = 10.;
+    stage.AddLamp({ 0., 8., 0. }, { 0., 0., 0. }, angle);
+    vtkNew<vtkDiskSource> disk;
+    disk->SetInnerRadius(width * std::tan(angle * 3.14159265358979 / 180.));
+    disk->SetOuterRadius(5.);
+    disk->SetCircumferentialResolution(360);
+    disk->Update();
+    const auto actor = relievoTest::AddActor(stage.Renderer, disk->GetOutput());
+    actor->RotateX(90.);
+    actor->SetPosition(0., 7., 0.);
+    Pass* shadows = stage.GetShadows();
+    shadows->SetMethodToExact();
+    stage.GetFrame()->ShadowsOn();
+    stage.Window->Render();
+    const double share = shadows->EstimateWrongShareInView(Pass::METHOD_EXACT, 1);
+    std::cout << "hole of " << width << " cones: expected " << share << "\n";
+    RELIEVO_CHECK((share == 2e-5) == (width > 1.));
+  }
+}
+
 void TestTimeTaken()
 {
   Things things;
@@ -167,5 +197,6 @@ int main()
   TestMovingPoints();
   TestTimeTaken();
   TestFarness();
+  TestCone();
   return session.Result();
 }

@@ -65,18 +65,20 @@ void vtkRelievoShadowPlanning::UpdateProbe(
 
 //------------------------------------------------------------------------------
 double vtkRelievoShadowPlanning::GetShareInView(
-  const Scene& scene, const Settings& settings, int method, int size) const
+  const Scene& scene, const Settings& settings, int method, int size)
 {
   const double law = GetLaw(method, size);
   if (method == Stage::METHOD_EXACT)
   {
+    if (scene.Together || this->Probe.HasUnfollowed())
+    {
+      // What cannot be followed is looked up in maps.
+      return std::min(1.0, LawsFactor * GetLaw(Stage::METHOD_MAP, settings.MapSize));
+    }
     vtkRelievoShadowDemand demand;
     demand.Farness = vtkRelievoShadowMethodExact::GetFarness(scene.Work);
     demand.EdgeShare = this->Probe.GetEdgeShare();
-    // What cannot be followed is looked up in maps.
-    return !scene.Together && !this->Probe.HasUnfollowed()
-      ? vtkRelievoShadowMethod::Make(Stage::METHOD_EXACT)->Estimate(demand).WrongShare
-      : std::min(1.0, LawsFactor * GetLaw(Stage::METHOD_MAP, settings.MapSize));
+    return vtkRelievoShadowMethod::Make(Stage::METHOD_EXACT)->Estimate(demand).WrongShare;
   }
   if (scene.Together || !this->Probe.IsKnown())
   {
@@ -148,7 +150,7 @@ bool vtkRelievoShadowPlanning::Fits(int method, int size, int lights) const
 
 //------------------------------------------------------------------------------
 std::vector<vtkRelievoShadowPlanner::Choice> vtkRelievoShadowPlanning::GetChoices(
-  const Scene& scene, const Settings& settings) const
+  const Scene& scene, const Settings& settings)
 {
   const std::vector<vtkRelievoShadowLight>& casting = scene.Lights.GetCasting();
   const bool suns = std::any_of(casting.begin(), casting.end(),

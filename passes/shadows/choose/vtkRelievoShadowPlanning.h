@@ -56,7 +56,7 @@ public:
   // The share of wrong verdicts that a method is expected to have in the picture, by the probe's
   // rays where they can tell. The probe is brought up to date first.
   void UpdateProbe(const Scene& scene, const Settings& settings, vtkRenderer* renderer);
-  double GetShareInView(const Scene& scene, const Settings& settings, int method, int size) const;
+  double GetShareInView(const Scene& scene, const Settings& settings, int method, int size);
   ///@}
 
   ///@{
@@ -81,7 +81,7 @@ private:
   bool HasRoom(int size) const;
   bool Fits(int method, int size, int lights) const;
   std::vector<vtkRelievoShadowPlanner::Choice> GetChoices(
-    const Scene& scene, const Settings& settings) const;
+    const Scene& scene, const Settings& settings);
 
   vtkRelievoShadowProbe Probe;
   vtkRelievoShadowPlanner Planner;

@@ -145,9 +145,9 @@ void vtkRelievoShadowProbe::Update(const vtkRelievoShadowContext& work,
   this->Unfollowed.clear();
   this->Rays.SetSurfaces(work.Props.CollectSurfaces(false, this->Unfollowed));
   const vtkRelievoShadowScene scene = GetScene(work, view);
-  this->TakeSamples(view,
-    std::max(first, view.Parallel ? 2.0 * view.Near - view.Far : 1e-9 * view.Near),
-    vtkRelievoProbeView::GetPart(scene.Receivers, scene.WorldToNDC));
+  this->Nearest = std::max(first, view.Parallel ? 2.0 * view.Near - view.Far : 1e-9 * view.Near);
+  this->EdgeShare = -1.0;
+  this->TakeSamples(view, vtkRelievoProbeView::GetPart(scene.Receivers, scene.WorldToNDC));
   vtkRelievoShadowCache even;
   even.Update(casting, scene, *vtkRelievoShadowMethod::Make(vtkRelievoShadowStage::METHOD_MAP));
   this->Maps = even.GetNumberOfMaps();
@@ -166,8 +166,7 @@ void vtkRelievoShadowProbe::Update(const vtkRelievoShadowContext& work,
 //------------------------------------------------------------------------------
 // Places that face a light, at pixels that fill the part evenly (M. Roberts, The unreasonable
 // effectiveness of quasirandom sequences, 2018).
-void vtkRelievoShadowProbe::TakeSamples(
-  const vtkRelievoFrameCamera& view, double nearest, const glm::dvec4& part)
+void vtkRelievoShadowProbe::TakeSamples(const vtkRelievoFrameCamera& view, const glm::dvec4& part)
 {
   const vtkRelievoShadowPixels pixels(view, this->Rays.GetCenter());
   const glm::dvec3 center = this->Rays.GetCenter();
@@ -183,7 +182,8 @@ void vtkRelievoShadowProbe::TakeSamples(
       const double x = part.x + part.z * std::fmod(0.5 + 0.7548776662466927 * (first + i), 1.0);
       const double y = part.y + part.w * std::fmod(0.5 + 0.5698402909980532 * (first + i), 1.0);
       const vtkRelievoPixelRay eye = pixels.GetRay(x * view.Viewport[2], y * view.Viewport[3]);
-      const vtkRelievoCasterRays::Meeting seen = this->Rays.FindFirst(eye.From, eye.Ray, nearest);
+      const vtkRelievoCasterRays::Meeting seen =
+        this->Rays.FindFirst(eye.From, eye.Ray, this->Nearest);
       lost[i] = vtkRelievoMeetsAny(
         this->Unfollowed, center, eye.From, eye.Ray, seen.Surface < 0 ? 1e300 : seen.T);
       if (seen.Surface < 0 || lost[i] || !this->Rays.GetSurfaces()[seen.Surface].Receives)
@@ -196,9 +196,6 @@ void vtkRelievoShadowProbe::TakeSamples(
       const glm::dvec2 aside = (i & 2 ? -0.5 : 0.5) * glm::dvec2(i & 1, ~i & 1);
       const vtkRelievoPixelRay beside =
         pixels.GetRay(x * view.Viewport[2] + aside.x, y * view.Viewport[3] + aside.y);
-      const vtkRelievoCasterRays::Meeting next =
-        this->Rays.FindFirst(beside.From, beside.Ray, nearest);
-      const glm::dvec3 there = beside.From + next.T * beside.Ray;
       for (std::size_t light = 0; light < this->Lights.size(); ++light)
       {
         const vtkRelievoToLight to(this->Lights[light], place, center);
@@ -208,14 +205,7 @@ void vtkRelievoShadowProbe::TakeSamples(
         }
         lost[i] = lost[i] || vtkRelievoMeetsAny(this->Unfollowed, center, place, to.Ray, to.Last);
         const bool lit = this->Rays.Pass(place, to.Ray, to.Last, seen, blur) > 0.0;
-        bool otherLit = lit; // where nothing is seen, no verdict is
-        if (next.Surface >= 0)
-        {
-          const vtkRelievoToLight other(this->Lights[light], there, center);
-          otherLit = GetFacing(next, other) > 0.0 &&
-            this->Rays.Pass(there, other.Ray, other.Last, next, blur) > 0.0;
-        }
-        found[i].push_back({ place, seen, blur, static_cast<int>(light), lit, lit != otherLit });
+        found[i].push_back({ place, seen, blur, beside, static_cast<int>(light), lit });
       }
     };
     vtkRelievoWithThreads([&]() {
@@ -362,10 +352,43 @@ double vtkRelievoShadowProbe::GetWrongShare(int size, bool warped) const
 }
 
 //------------------------------------------------------------------------------
-double vtkRelievoShadowProbe::GetEdgeShare() const
+double vtkRelievoShadowProbe::GetEdgeShare()
 {
-  const auto edges = std::count_if(
-    this->Samples.begin(), this->Samples.end(), [](const Sample& sample) { return sample.AtEdge; });
-  return static_cast<double>(edges) /
-    static_cast<double>(std::max<std::size_t>(1, this->Samples.size()));
+  if (this->EdgeShare < 0.0)
+  {
+    std::vector<char> edges(this->Samples.size());
+    vtkRelievoWithThreads([&]() {
+      vtkSMPTools::For(0, static_cast<vtkIdType>(edges.size()), [&](vtkIdType from, vtkIdType to) {
+        for (vtkIdType i = from; i < to; ++i)
+        {
+          edges[i] = this->IsAtEdge(this->Samples[i]) ? 1 : 0;
+        }
+      });
+    });
+    this->EdgeShare = static_cast<double>(std::count(edges.begin(), edges.end(), 1)) /
+      static_cast<double>(std::max<std::size_t>(1, edges.size()));
+  }
+  return this->EdgeShare;
+}
+
+//------------------------------------------------------------------------------
+// No edge is where nothing is seen aside, or what is seen is outside the light's cone: there is no
+// verdict.
+bool vtkRelievoShadowProbe::IsAtEdge(const Sample& sample) const
+{
+  const vtkRelievoPixelRay& eye = sample.Beside;
+  const vtkRelievoCasterRays::Meeting seen = this->Rays.FindFirst(eye.From, eye.Ray, this->Nearest);
+  if (seen.Surface < 0)
+  {
+    return false;
+  }
+  const glm::dvec3 place = eye.From + seen.T * eye.Ray;
+  const vtkRelievoToLight to(this->Lights[sample.Light], place, this->Rays.GetCenter());
+  if (!to.Lights)
+  {
+    return false;
+  }
+  const bool lit =
+    GetFacing(seen, to) > 0.0 && this->Rays.Pass(place, to.Ray, to.Last, seen, sample.Blur) > 0.0;
+  return lit != sample.Lit;
 }

@@ -48,8 +48,9 @@ public:
   double GetWrongShare(int size, bool warped) const;
 
   // The share of pixels that face a light whose verdict is another half a pixel aside: how densely
-  // edges lie in the picture, of shadows, and of what is lit before what is not.
-  double GetEdgeShare() const;
+  // edges lie in the picture, of shadows, and of what is lit before what is not. Sends as many rays
+  // again, once for what the probe was brought up to date with.
+  double GetEdgeShare();
 
   long long GetNumberOfTriangles() const { return this->Rays.GetNumberOfTriangles(); }
   int GetNumberOfMaps() const { return this->Maps; }
@@ -61,9 +62,9 @@ private:
     glm::dvec3 Place;
     vtkRelievoCasterRays::Meeting Seen;
     double Blur;
+    vtkRelievoPixelRay Beside; // of the eye, half a pixel aside
     int Light;
     bool Lit;
-    bool AtEdge; // half a pixel aside the verdict is another
   };
   // Of a method's maps: pixels, and the expected number of wrong ones in the coarse maps.
   static constexpr int Levels = 2;
@@ -74,7 +75,8 @@ private:
   };
 
   // At pixels of a part of the window, its low corner and its size as shares of it.
-  void TakeSamples(const vtkRelievoFrameCamera& view, double nearest, const glm::dvec4& part);
+  void TakeSamples(const vtkRelievoFrameCamera& view, const glm::dvec4& part);
+  bool IsAtEdge(const Sample& sample) const;
   Count Ask(const vtkRelievoShadowCache& cache, double bias) const;
   void AddWrong(const Sample& sample, const vtkRelievoShadowView& view, double bias,
     double (&wrong)[Levels]) const;
@@ -85,8 +87,10 @@ private:
   std::vector<Sample> Samples;
   std::vector<double> Key; // what the rays were sent for
   std::vector<std::uint64_t> Scene;
+  double Nearest = 0.0; // where rays of the eye begin
   Count Even;
   Count Warped;
+  double EdgeShare = -1.0; // -1: not asked for yet
   bool Known = false;
   int Maps = 0;
   int Updates = 0;
