@@ -8,6 +8,7 @@
 namespace
 {
 using Piece = vtkRelievoDashes::Piece;
+using Meeting = vtkRelievoDashes::Meeting;
 
 constexpr double Straight = 0.5; // cosine of the turn by which a line still goes on
 constexpr double Around = 16.0;  // pixels: a line beside the picture reaches into it
@@ -16,11 +17,16 @@ constexpr int None = -1;
 class Chains
 {
 public:
-  Chains(const std::vector<Piece>& pieces, std::uint32_t points)
+  // Of the meetings, by point, only those at ends of pieces are written and read.
+  Chains(const std::vector<Piece>& pieces, std::vector<Meeting>& meetings)
     : Pieces(pieces)
-    , At(points)
+    , At(meetings)
     , Done(pieces.size(), false)
   {
+    for (const Piece& piece : pieces)
+    {
+      this->At[piece.Points[0]].Count = this->At[piece.Points[1]].Count = 0;
+    }
     for (std::size_t i = 0; i < pieces.size(); ++i)
     {
       for (const std::uint32_t point : pieces[i].Points)
@@ -74,14 +80,8 @@ public:
   bool IsDone(int piece) const { return this->Done[static_cast<std::size_t>(piece)]; }
 
 private:
-  struct Meeting
-  {
-    int First[2] = { None, None };
-    int Count = 0;
-  };
-
   const std::vector<Piece>& Pieces;
-  std::vector<Meeting> At;
+  std::vector<Meeting>& At;
   std::vector<bool> Done;
 };
 
@@ -111,7 +111,12 @@ bool Clip(const glm::dvec2& from, const glm::dvec2& to, const glm::dvec2& size, 
 void vtkRelievoDashes::Append(const std::vector<Piece>& pieces, std::uint32_t points, double dash,
   const glm::dvec2& size, std::vector<float>& texels)
 {
-  Chains chains(pieces, points);
+  if (pieces.empty())
+  {
+    return;
+  }
+  this->Meetings.resize(std::max<std::size_t>(this->Meetings.size(), points));
+  Chains chains(pieces, this->Meetings);
   const auto append = [&](int first, int start) {
     const auto line = chains.Follow(first, start);
     double length = 0.0;

@@ -27,10 +27,21 @@ public:
 
   static constexpr double Share = 2.0 / 3.0; // that dashes are of a line
 
+  // The pieces that meet at a point: how many, and the first two of them.
+  struct Meeting
+  {
+    int First[2];
+    int Count = 0;
+  };
+
   // Appends what shaders/lines/hiddenVS.glsl reads of each piece that is near the picture: two
-  // texels of four floats. A dash is about so many pixels long; lines shorter than one are whole.
-  static void Append(const std::vector<Piece>& pieces, std::uint32_t points, double dash,
+  // texels of four floats. Points are numbered from 0 to `points` - 1. A dash is about so many
+  // pixels long; lines shorter than one are whole.
+  void Append(const std::vector<Piece>& pieces, std::uint32_t points, double dash,
     const glm::dvec2& size, std::vector<float>& texels);
+
+private:
+  std::vector<Meeting> Meetings; // by point; good where a piece of the latest call has one
 };
 
 #endif

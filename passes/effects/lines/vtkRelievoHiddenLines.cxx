@@ -6,7 +6,6 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLShaderCache.h"
 #include "vtkOpenGLState.h"
-#include "vtkOpenGLVertexArrayObject.h"
 #include "vtkPolyData.h"
 #include "vtkRelievoDashes.h"
 #include "vtkRelievoFrameContext.h"
@@ -126,6 +125,7 @@ std::vector<float> vtkRelievoHiddenLines::FindPieces(
   std::map<vtkPolyData*, Held> before = std::move(this->Edges);
   this->Edges.clear();
   std::vector<float> texels;
+  vtkRelievoDashes dashes;
   const glm::dvec2 size(context.View.Viewport[2], context.View.Viewport[3]);
   for (const vtkRelievoPlacedMesh& mesh : meshes)
   {
@@ -140,7 +140,7 @@ std::vector<float> vtkRelievoHiddenLines::FindPieces(
     for (std::size_t i = 0; i < mesh.GetNumberOfPlaces(); ++i)
     {
       const Finder finder(context.View, settings, mesh.GetPlace(i));
-      vtkRelievoDashes::Append(finder.Find(held.Edges),
+      dashes.Append(finder.Find(held.Edges),
         static_cast<std::uint32_t>(held.Edges.GetPoints().size()), settings.Dash, size, texels);
     }
   }
@@ -202,17 +202,17 @@ std::string vtkRelievoHiddenLines::Draw(
   target.GoOn(context);
   depth->Activate(this->Program);
   this->Pieces.Activate(this->Program, "linesPieces");
-  if (!this->Nothing)
+  if (!this->Arrays)
   {
-    this->Nothing = vtkSmartPointer<vtkOpenGLVertexArrayObject>::New();
+    glGenVertexArrays(1, &this->Arrays);
   }
-  this->Nothing->Bind();
+  glBindVertexArray(this->Arrays);
   vtkOpenGLState* state = context.Window->GetState();
   state->vtkglEnable(GL_BLEND);
   state->vtkglBlendEquation(GL_MAX);
   glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(texels.size() / 8));
   state->vtkglBlendEquation(GL_FUNC_ADD);
-  this->Nothing->Release();
+  glBindVertexArray(0);
   this->Pieces.Deactivate();
   depth->Deactivate();
   target.End();
@@ -222,12 +222,12 @@ std::string vtkRelievoHiddenLines::Draw(
 //------------------------------------------------------------------------------
 void vtkRelievoHiddenLines::Release(vtkWindow* window)
 {
-  if (this->Nothing)
+  if (this->Arrays && window)
   {
     const vtkRelievoScopedContext context(window);
-    this->Nothing->ReleaseGraphicsResources();
-    this->Nothing = nullptr;
+    glDeleteVertexArrays(1, &this->Arrays);
   }
+  this->Arrays = 0;
   this->Program = nullptr;
   this->Key.clear();
   this->Pieces.Release(window);

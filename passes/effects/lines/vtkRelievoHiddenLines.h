@@ -10,13 +10,11 @@
 #include "vtkRelievoFeatureEdges.h"
 #include "vtkRelievoOpaqueMeshes.h"
 #include "vtkRelievoTextureBuffer.h"
-#include "vtkSmartPointer.h"
 #include "vtkWeakPointer.h"
 
 #include <map>
 #include <string>
 
-class vtkOpenGLVertexArrayObject;
 class vtkRelievoFrameContext;
 class vtkRelievoScreenTarget;
 class vtkShaderProgram;
@@ -62,7 +60,7 @@ private:
   vtkRelievoTextureBuffer Pieces;
   std::string Key;                     // what the program was compiled for
   vtkShaderProgram* Program = nullptr; // null: it did not compile
-  vtkSmartPointer<vtkOpenGLVertexArrayObject> Nothing;
+  unsigned int Arrays = 0;             // none, but OpenGL draws nothing without their object
 };
 
 #endif

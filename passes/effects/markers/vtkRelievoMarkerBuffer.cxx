@@ -7,7 +7,6 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLShaderCache.h"
 #include "vtkOpenGLState.h"
-#include "vtkOpenGLVertexArrayObject.h"
 #include "vtkRelievoFrameContext.h"
 #include "vtkRelievoMarkerList.h"
 #include "vtkRelievoScopedContext.h"
@@ -109,28 +108,28 @@ void vtkRelievoMarkerBuffer::DrawAll(vtkRelievoFrameContext& context, int count)
   this->Program->SetUniform2f("markerDirection", first);
   this->Program->SetUniform4f("markerDirectionStep", step);
   this->Markers.Activate(this->Program, "markers");
-  if (!this->Nothing)
+  if (!this->Arrays)
   {
-    this->Nothing = vtkSmartPointer<vtkOpenGLVertexArrayObject>::New();
+    glGenVertexArrays(1, &this->Arrays);
   }
-  this->Nothing->Bind();
+  glBindVertexArray(this->Arrays);
   vtkOpenGLState* state = context.Window->GetState();
   state->vtkglEnable(GL_BLEND);
   state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, count);
-  this->Nothing->Release();
+  glBindVertexArray(0);
   this->Markers.Deactivate();
 }
 
 //------------------------------------------------------------------------------
 void vtkRelievoMarkerBuffer::Release(vtkWindow* window)
 {
-  if (this->Nothing)
+  if (this->Arrays && window)
   {
     const vtkRelievoScopedContext context(window);
-    this->Nothing->ReleaseGraphicsResources();
-    this->Nothing = nullptr;
+    glDeleteVertexArrays(1, &this->Arrays);
   }
+  this->Arrays = 0;
   this->Program = nullptr;
   this->Key.clear();
   this->Target.Release(window);

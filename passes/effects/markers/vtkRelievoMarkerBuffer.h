@@ -10,7 +10,6 @@
 
 #include <string>
 
-class vtkOpenGLVertexArrayObject;
 class vtkRelievoFrameContext;
 class vtkRelievoMarkerList;
 class vtkShaderProgram;
@@ -38,7 +37,7 @@ private:
   vtkRelievoTextureBuffer Markers;
   std::string Key;                     // what the program was compiled for
   vtkShaderProgram* Program = nullptr; // null: it did not compile
-  vtkSmartPointer<vtkOpenGLVertexArrayObject> Nothing;
+  unsigned int Arrays = 0;             // none, but OpenGL draws nothing without their object
 };
 
 #endif
