@@ -7,12 +7,15 @@
 #include "Check.h"
 #include "GLCheck.h"
 #include "Session.h"
+#include "SrgbCurve.h"
 #include "Window.h"
 
+#include <vtkActor.h>
 #include <vtkCameraPass.h>
 #include <vtkDepthPeelingPass.h>
 #include <vtkDualDepthPeelingPass.h>
 #include <vtkImageData.h>
+#include <vtkLight.h>
 #include <vtkLightsPass.h>
 #include <vtkOpaquePass.h>
 #include <vtkOrderIndependentTranslucentPass.h>
@@ -288,6 +291,44 @@ void TestEmissive()
   }
 }
 
+// Emissive points change how a highlight on a pane is decoded, as the document says: as much where
+// they are out of view, so that turning the camera changes no pane.
+void TestEmissiveOutOfView()
+{
+  BlendScene scene;
+  scene.Lamps->EnabledOff();
+  scene.Frame->SetDelegatePass(vtkNew<vtkRenderStepsPass>());
+  vtkNew<vtkLight> bright;
+  bright->SetLightTypeToHeadlight();
+  bright->SetIntensity(4.0);
+  scene.Renderer->AddLight(bright);
+  scene.Panes[1]->GetProperty()->LightingOn();
+  vtkNew<vtkPoints> points;
+  points->InsertNextPoint(0.0, 0.0, 0.0);
+  vtkNew<vtkPolyData> places;
+  places->SetPoints(points);
+  vtkNew<vtkPointGaussianMapper> mapper;
+  mapper->SetInputData(places);
+  mapper->SetScaleFactor(0.1);
+  mapper->EmissiveOn();
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  actor->GetProperty()->SetOpacity(0.6);
+  scene.Renderer->AddActor(actor);
+  const auto look = [&]() { return GetColor(scene.Read({ "blend" }), "blend", 50, 20); };
+  actor->SetPosition(-2.5, -1.5, 0.5);
+  const glm::dvec4 inView = look();
+  actor->SetPosition(-250.0, -1.5, 0.5);
+  const glm::dvec4 outOfView = look();
+  actor->VisibilityOff();
+  const glm::dvec4 none = look();
+  RELIEVO_CHECK(outOfView == inView);
+  RELIEVO_CHECK(none.b > none.a && inView.b > inView.a && none.b - inView.b > 0.1);
+  // sRGB's curve in double of what VTK drew, over the cover that the document says.
+  const double drawn = none.a * SrgbFromLinear(none.b / none.a);
+  RELIEVO_CHECK_NEAR(inView.b, drawn, 0.01, "what is brighter than it covers");
+}
+
 // FXAA smooths what VTK has blended; a delegate with a framebuffer of its own blends in there.
 void TestLeftAlone()
 {
@@ -346,6 +387,7 @@ int main()
   TestVolumes();
   TestUnchanged();
   TestEmissive();
+  TestEmissiveOutOfView();
   TestLeftAlone();
   TestToggles();
   return session.Result();

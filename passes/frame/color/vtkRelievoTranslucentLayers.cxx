@@ -19,6 +19,7 @@
 #include "vtkRelievoTranslucentDepth.h"
 #include "vtkRelievoVTKVersions.h"
 #include "vtkRenderState.h"
+#include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
 
 #include <algorithm>
@@ -47,13 +48,18 @@ bool HasVolumes(const vtkRelievoFrameContext& context)
   });
 }
 
-// Points that add light, whatever they cover.
+// Points that add light, whatever they cover; also out of view, so that a pane looks the same
+// wherever the camera turns.
 bool HasShiningPoints(const vtkRelievoFrameContext& context)
 {
-  return AnyProp(context, [](vtkProp* prop) {
+  vtkPropCollection* props = context.Renderer->GetViewProps();
+  vtkCollectionSimpleIterator it;
+  props->InitTraversal(it);
+  while (vtkProp* prop = props->GetNextProp(it))
+  {
     vtkNew<vtkPropCollection> actors;
     prop->GetActors(actors);
-    for (int i = 0; i < actors->GetNumberOfItems(); ++i)
+    for (int i = 0; prop->GetVisibility() && i < actors->GetNumberOfItems(); ++i)
     {
       auto* actor = vtkActor::SafeDownCast(actors->GetItemAsObject(i));
       auto* points = vtkPointGaussianMapper::SafeDownCast(actor ? actor->GetMapper() : nullptr);
@@ -62,8 +68,8 @@ bool HasShiningPoints(const vtkRelievoFrameContext& context)
         return true;
       }
     }
-    return false;
-  });
+  }
+  return false;
 }
 
 // Whether a pass of this class draws the prop now.
