@@ -50,6 +50,15 @@ float relievoMarkerBelow(float range, float radius, float footprint)
     : range < radius ? float(1.0) : float(0.0);
 }
 
+// Width of the box across the way, on a surface of that normal; its diagonal where there is no
+// way. All in the box's own axes.
+float relievoMarkerBoxWidth(vec3 way, vec3 normal, vec3 halves)
+{
+  vec3 across = cross(normal, way);
+  float size = length(across);
+  return float(2.0) * (size > float(0.0) ? dot(abs(across), halves) / size : length(halves));
+}
+
 // How much of a pixel's width the disc covers, and the box that it is drawn around, along the chord
 // so far from its middle.
 float relievoMarkerChord(float at, float radius, float box, float width)
@@ -61,7 +70,7 @@ float relievoMarkerChord(float at, float radius, float box, float width)
 // The share that lies in [-radius, radius]: as from one rim to the other; and less where that is
 // narrower than the pixel, by the mean of its chords (by Gauss's three places).
 //   pixel  area that the pixel shows, on the surface
-//   box    width of the box
+//   box    width of the box across the way
 float relievoMarkerDisc(float range, float radius, float footprint, float pixel, float box)
 {
   float share = relievoMarkerBelow(range, radius, footprint) -

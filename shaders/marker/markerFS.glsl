@@ -88,8 +88,10 @@ void main()
       -slopeY);
     float range = length(way);
     float footprint = relievoMarkerFootprint(way, alongX, alongY);
-    float shown = length(cross(alongX, alongY));
-    float box = 2.0 * length(halves);
+    vec3 normal = cross(alongX, alongY);
+    float shown = length(normal);
+    float box = relievoMarkerBoxWidth(inAxes, vec3(dot(markerAxisX.xyz, normal),
+      dot(markerAxisY.xyz, normal), dot(markerAxisZ.xyz, normal)) / shown, halves);
     share = markerDepth.w == 0.0
       ? relievoMarkerRing(range, markerEdges.y, markerEdges.x, footprint, shown, box)
       : markerDepth.w == 1.0 ? relievoMarkerGlow(range, markerEdges.x, footprint)

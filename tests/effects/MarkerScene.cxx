@@ -163,7 +163,7 @@ double Overlap(double from, double to, double radius)
 }
 
 // How much of a pixel lies within the radius: along the way, and across it by three chords. `box`
-// is the width of the box, `pixel` the area that the pixel shows.
+// is the width of the box across the way, `pixel` the area that the pixel shows.
 double Cover(double from, double to, double radius, double pixel, double box)
 {
   const double length = Overlap(from, to, radius);
@@ -182,18 +182,24 @@ double Cover(double from, double to, double radius, double pixel, double box)
   return sum * length / (to - from);
 }
 
-double GetBoxWidth(vtkActor* actor)
+// The extent of the actor's box across the way, on the plane around the pixel; its diagonal where
+// there is no way.
+double GetBoxWidth(vtkActor* actor, const Place& place, const glm::dvec3& way)
 {
   const double* b = actor->GetMapper()->GetBounds();
-  const double corners[2][4] = { { b[0], b[2], b[4], 1. }, { b[1], b[3], b[5], 1. } };
-  glm::dvec3 ends[2];
-  for (int i = 0; i < 2; ++i)
+  const glm::dvec3 across = glm::cross(glm::cross(place.Along[0], place.Along[1]), way);
+  double squares = 0.;
+  double width = 0.;
+  for (int axis = 0; axis < 3; ++axis)
   {
-    double p[4];
-    actor->GetMatrix()->MultiplyPoint(corners[i], p);
-    ends[i] = glm::dvec3(p[0], p[1], p[2]);
+    double edge[4] = { 0., 0., 0., 0. };
+    edge[axis] = b[2 * axis + 1] - b[2 * axis];
+    actor->GetMatrix()->MultiplyPoint(edge, edge);
+    const glm::dvec3 side(edge[0], edge[1], edge[2]);
+    squares += glm::dot(side, side);
+    width += std::abs(glm::dot(side, across));
   }
-  return glm::distance(ends[0], ends[1]);
+  return way == glm::dvec3(0.) ? std::sqrt(squares) : width / glm::length(across);
 }
 
 double Share(const Mark& mark, int shape, const Place& place, const glm::dvec3& up)
@@ -222,7 +228,7 @@ double Share(const Mark& mark, int shape, const Place& place, const glm::dvec3& 
   const double to = range + footprint / 2.;
   const double inner = shape == vtkRelievoMarkers::RING ? r * std::max(0., 1. - mark.Width) : 0.;
   const double pixel = glm::length(glm::cross(place.Along[0], place.Along[1]));
-  const double box = mark.Actor ? GetBoxWidth(mark.Actor) : 0.;
+  const double box = mark.Actor ? GetBoxWidth(mark.Actor, place, way) : 0.;
   return Cover(from, to, r, pixel, box) - Cover(from, to, inner, pixel, box);
 }
 }
@@ -311,7 +317,13 @@ MarkerErrors MarkerScene::Compare()
       errors.Covered = error > errors.Covered || std::isnan(error) ? error : errors.Covered;
       errors.Marked += passes < 0.99 ? 1 : 0;
       errors.Edges += passes < 0.99 && passes > 0.25 ? 1 : 0;
-      errors.Picture = std::max(errors.Picture, pictures.GetError(x, y, passes, color));
+      // The picture is to be as the layer says, whatever that is.
+      const double covered = layers.Value("marker", x, y);
+      const glm::dvec3 own = passes < 1. ? color / (1. - passes)
+        : shadow                         ? glm::dvec3(0.)
+                                         : this->Marks[0].Color;
+      errors.Picture =
+        std::max(errors.Picture, pictures.GetError(x, y, 1. - covered, covered * own));
     }
   }
   return errors;

@@ -39,7 +39,7 @@ constexpr double PictureLimit = 1.2;
 struct MarkerErrors
 {
   double Covered = 0.; // of the layer `marker`
-  double Picture = 0.; // levels of 255
+  double Picture = 0.; // levels of 255, by what the layer `marker` covers
   int Marked = 0;      // pixels of which more than a hundredth is covered
   int Edges = 0;       // of these, not wholly
 };
