@@ -194,6 +194,10 @@ TRUTH = {
         "gbuffer", "[scene]", "[frame]", "[times a plain frame]",
         lambda row: FRAMES.get(row["frame"], row["frame"]), None,
         lambda row: row["pixels"] == "1920x1080" and row["frame"] != "plain"),
+    "effects": points(
+        "effects", "[scene]",
+        lambda row: "VTK's shading" if row["frame"].startswith("vtk") else "Relievo",
+        "[times the plain frame's]", "[frame]", None, lambda row: row["frame"] != "plain"),
     "f3d-first": f3d("first picture"),
     "f3d-frame": f3d("frame"),
     "shadows-meshes": shadows({"bunny, sun": "bunny", "motorBike, sun": "motorBike",
@@ -325,7 +329,7 @@ def comparable(all_points, figure):
     return sorted(kept, key=str)
 
 
-WITH_ROWS = ("depth-bytes", "position-bytes", "gbuffer", "f3d-first", "exact-hard")
+WITH_ROWS = ("depth-bytes", "position-bytes", "gbuffer", "effects", "f3d-first", "exact-hard")
 ROW_NAMES = {y for stem in WITH_ROWS for *_, y, _ in TRUTH[stem]}
 
 
