@@ -235,7 +235,7 @@ bool ViewerTest::RunCommand(const scene::Settings& settings, const QStringList& 
   }
   QProcess command;
   command.start(qEnvironmentVariable("RELIEVO"), words);
-  if (!command.waitForFinished(60000) || command.exitCode() != 0)
+  if (!command.waitForFinished(600000) || command.exitCode() != 0)
   {
     qWarning() << words << command.readAllStandardError();
     return false;
@@ -262,7 +262,7 @@ vtkSmartPointer<vtkImageData> ViewerTest::RunPython()
     viewer::WritePython(this->Window->GetViewSettings(), this->Path("python.png"));
   QProcess python;
   python.start(qEnvironmentVariable("PYTHON"), { "-c", QString::fromStdString(script) });
-  if (!python.waitForFinished(60000) || python.exitCode() != 0)
+  if (!python.waitForFinished(600000) || python.exitCode() != 0)
   {
     qWarning() << script.c_str() << python.readAllStandardError();
     return nullptr;

@@ -359,7 +359,7 @@ private Q_SLOTS:
     shell.setProcessEnvironment(variables);
     shell.setWorkingDirectory(QString::fromStdString(this->Path("")));
     shell.start("sh", { "-c", text });
-    QVERIFY(shell.waitForFinished(60000));
+    QVERIFY(shell.waitForFinished(600000));
     QVERIFY2(shell.exitCode() == 0, shell.readAllStandardError().constData());
     QCOMPARE(CountDifferent(this->Grab(), ReadPNG(this->Path("picture.png"))), 0);
   }
