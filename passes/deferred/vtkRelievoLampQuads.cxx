@@ -5,15 +5,11 @@
 #include "vtkObject.h"
 #include "vtkOpenGLError.h" // for OpenGL
 #include "vtkOpenGLRenderWindow.h"
-#include "vtkOpenGLShaderCache.h"
 #include "vtkOpenGLState.h"
-#include "vtkOpenGLVertexArrayObject.h"
 #include "vtkRelievoFrameContext.h"
 #include "vtkRelievoLampList.h"
 #include "vtkRelievoLampShadows.h"
-#include "vtkRelievoScopedContext.h"
 #include "vtkRelievoScreenTarget.h"
-#include "vtkRelievoShaderLibrary.h"
 #include "vtkShaderProgram.h"
 
 //------------------------------------------------------------------------------
@@ -50,29 +46,14 @@ std::string vtkRelievoLampQuads::Draw(vtkRelievoFrameContext& context,
   }
   vtkRelievoResource* layers = context.Find("depth");
   vtkRelievoResource* normals = context.Find("normal");
-  const std::string casting = shadows ? shadows->GetDefines() : std::string();
-  std::string vertices = vtkRelievoShaderLibrary::Get("deferred/lampQuadVS.glsl");
-  vtkShaderProgram::Substitute(vertices, "//RELIEVO::Defines", casting, false);
-  std::string fragments = vtkRelievoShaderLibrary::Get("deferred/lampsFS.glsl");
-  vtkShaderProgram::Substitute(fragments, "//RELIEVO::Defines",
-    layers->GetDefines() + (normals == layers ? "" : normals->GetDefines()) + defines + casting +
-      "#define RELIEVO_LAMP_IN_QUAD\n",
-    false);
   vtkShaderProgram* program =
-    context.Window->GetShaderCache()->ReadyShaderProgram(vertices.c_str(), fragments.c_str(), "");
+    this->Lamps.Ready(context, "deferred/lampQuadVS.glsl", "deferred/lampsFS.glsl",
+      layers->GetDefines() + (normals == layers ? "" : normals->GetDefines()) + defines +
+        (shadows ? shadows->GetDefines() : std::string()) + "#define RELIEVO_LAMP_IN_QUAD\n");
   if (!program)
   {
-    return "its shader deferred/lampsFS.glsl does not compile; see the errors before";
+    return this->Lamps.GetWrong();
   }
-  const vtkRelievoFrameCamera& view = context.View;
-  const float size[2] = { static_cast<float>(view.Viewport[2]),
-    static_cast<float>(view.Viewport[3]) };
-  glm::mat4 projection = view.GetProjection();
-  program->SetUniform2f("relievoSize", size);
-  program->SetUniformMatrix4x4("relievoProjection", &projection[0][0]);
-  program->SetUniformf("relievoNear", static_cast<float>(view.Near));
-  program->SetUniformf("relievoFar", static_cast<float>(view.Far));
-  program->SetUniformi("relievoParallel", view.Parallel);
   layers->Activate(program);
   if (normals != layers)
   {
@@ -80,11 +61,6 @@ std::string vtkRelievoLampQuads::Draw(vtkRelievoFrameContext& context,
   }
   bind(program);
   this->Rectangles.Activate(program, "relievoRectangles");
-  if (!this->Nothing)
-  {
-    this->Nothing = vtkSmartPointer<vtkOpenGLVertexArrayObject>::New();
-  }
-  this->Nothing->Bind();
   vtkOpenGLState* state = context.Window->GetState();
   state->vtkglEnable(GL_DEPTH_TEST);
   state->vtkglDepthFunc(GL_LEQUAL);
@@ -99,17 +75,16 @@ std::string vtkRelievoLampQuads::Draw(vtkRelievoFrameContext& context,
     {
       program->SetUniformi("relievoCastingLamp", lamp);
       shadows->SetLamp(program, lamp);
-      glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+      this->Lamps.Draw(1);
     }
     shadows->Deactivate();
     draws += lamps;
   }
   else
   {
-    glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, lamps);
+    this->Lamps.Draw(lamps);
     ++draws;
   }
-  this->Nothing->Release();
   this->Rectangles.Deactivate();
   if (normals != layers)
   {
@@ -124,10 +99,5 @@ void vtkRelievoLampQuads::Release(vtkWindow* window)
 {
   this->Surfaces.Release(window);
   this->Rectangles.Release(window);
-  if (this->Nothing)
-  {
-    const vtkRelievoScopedContext context(window);
-    this->Nothing->ReleaseGraphicsResources();
-    this->Nothing = nullptr;
-  }
+  this->Lamps.Release(window);
 }

@@ -6,14 +6,13 @@
 #ifndef vtkRelievoLampQuads_h
 #define vtkRelievoLampQuads_h
 
+#include "vtkRelievoInstancedQuads.h"
 #include "vtkRelievoScreenQuad.h"
 #include "vtkRelievoTextureBuffer.h"
-#include "vtkSmartPointer.h"
 
 #include <functional>
 #include <string>
 
-class vtkOpenGLVertexArrayObject;
 class vtkRelievoLampList;
 class vtkRelievoLampShadows;
 class vtkRelievoScreenTarget;
@@ -38,7 +37,7 @@ public:
 private:
   vtkRelievoScreenQuad Surfaces; // their depth
   vtkRelievoTextureBuffer Rectangles;
-  vtkSmartPointer<vtkOpenGLVertexArrayObject> Nothing; // OpenGL draws nothing without one
+  vtkRelievoInstancedQuads Lamps;
 };
 
 #endif

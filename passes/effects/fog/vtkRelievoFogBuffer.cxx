@@ -5,12 +5,9 @@
 #include "vtkObject.h"
 #include "vtkOpenGLError.h" // for OpenGL
 #include "vtkOpenGLRenderWindow.h"
-#include "vtkOpenGLShaderCache.h"
 #include "vtkOpenGLState.h"
 #include "vtkRelievoFogSpheres.h"
 #include "vtkRelievoFrameContext.h"
-#include "vtkRelievoScopedContext.h"
-#include "vtkRelievoShaderLibrary.h"
 #include "vtkRelievoSphereRays.h"
 #include "vtkShaderProgram.h"
 
@@ -89,33 +86,12 @@ void vtkRelievoFogBuffer::Add(
 }
 
 //------------------------------------------------------------------------------
-std::string vtkRelievoFogBuffer::Compile(
-  vtkRelievoFrameContext& context, const std::string& defines, int which)
-{
-  vtkShaderProgram*& program = this->Programs[which];
-  vtkOpenGLShaderCache* cache = context.Window->GetShaderCache();
-  if (this->Keys[which] != defines)
-  {
-    std::string text = vtkRelievoShaderLibrary::Get("fog/sphereFS.glsl");
-    vtkShaderProgram::Substitute(text, "//RELIEVO::Defines", defines, false);
-    this->Keys[which] = defines;
-    program = cache->ReadyShaderProgram(
-      vtkRelievoShaderLibrary::Get("fog/sphereVS.glsl").c_str(), text.c_str(), "");
-  }
-  else if (program)
-  {
-    program = cache->ReadyShaderProgram(program);
-  }
-  return program ? std::string()
-                 : "its shader fog/sphereFS.glsl does not compile; see the errors before";
-}
-
-//------------------------------------------------------------------------------
 std::string vtkRelievoFogBuffer::Draw(vtkRelievoFrameContext& context,
   const vtkRelievoSphereRays& rays, bool chord, bool dominant, bool everywhere,
   vtkRelievoResource* translucent)
 {
-  const int which = translucent ? 1 : 0;
+  vtkRelievoInstancedQuads& quads = this->Quads[translucent ? 1 : 0];
+  vtkShaderProgram* program = nullptr;
   vtkRelievoScreenTarget::Format format;
   format.Halves = false;
   format.Depth = dominant;
@@ -132,12 +108,12 @@ std::string vtkRelievoFogBuffer::Draw(vtkRelievoFrameContext& context,
   }
   if (wrong.empty() && any)
   {
-    wrong = this->Compile(context,
+    program = quads.Ready(context, "fog/sphereVS.glsl", "fog/sphereFS.glsl",
       depth->GetDefines() + (this->BeforeDrawn ? "#define RELIEVO_FOG_DRAWN_DEPTH\n" : "") +
         (translucent ? translucent->GetDefines() : "") +
         (chord ? "#define RELIEVO_FOG_CHORD\n" : "") +
-        (dominant ? "#define RELIEVO_FOG_DOMINANT\n" : ""),
-      which);
+        (dominant ? "#define RELIEVO_FOG_DOMINANT\n" : ""));
+    wrong = quads.GetWrong();
   }
   if (!wrong.empty())
   {
@@ -161,14 +137,10 @@ std::string vtkRelievoFogBuffer::Draw(vtkRelievoFrameContext& context,
       state->vtkglEnable(GL_BLEND);
       state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE, GL_ONE, GL_ONE);
     }
-    vtkShaderProgram* program = this->Programs[which];
-    const float size[2] = { static_cast<float>(context.View.Viewport[2]),
-      static_cast<float>(context.View.Viewport[3]) };
     const glm::vec2 direction(rays.GetDirection(glm::dvec2(0.0)));
     const glm::mat2 directions(rays.GetDirections());
     const float step[4] = { directions[0].x, directions[0].y, directions[1].x, directions[1].y };
     const float first[2] = { direction.x, direction.y };
-    program->SetUniform2f("relievoSize", size);
     program->SetUniform2f("fogDirection", first);
     program->SetUniform4f("fogDirectionStep", step);
     program->SetUniformf("fogBegin", static_cast<float>(rays.GetBegin()));
@@ -181,13 +153,7 @@ std::string vtkRelievoFogBuffer::Draw(vtkRelievoFrameContext& context,
       translucent->Activate(program);
     }
     this->Spheres.Activate(program, "fogSpheres");
-    if (!this->Arrays)
-    {
-      glGenVertexArrays(1, &this->Arrays);
-    }
-    glBindVertexArray(this->Arrays);
-    glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, this->GetNumberOfSpheres());
-    glBindVertexArray(0);
+    quads.Draw(this->GetNumberOfSpheres());
     this->Spheres.Deactivate();
     depth->Deactivate();
     if (translucent)
@@ -202,16 +168,9 @@ std::string vtkRelievoFogBuffer::Draw(vtkRelievoFrameContext& context,
 //------------------------------------------------------------------------------
 void vtkRelievoFogBuffer::Release(vtkWindow* window)
 {
-  if (this->Arrays && window)
+  for (vtkRelievoInstancedQuads& quads : this->Quads)
   {
-    const vtkRelievoScopedContext context(window);
-    glDeleteVertexArrays(1, &this->Arrays);
-  }
-  this->Arrays = 0;
-  for (int which = 0; which < 2; ++which)
-  {
-    this->Programs[which] = nullptr;
-    this->Keys[which].clear();
+    quads.Release(window);
   }
   this->Target.Release(window);
   this->Spheres.Release(window);

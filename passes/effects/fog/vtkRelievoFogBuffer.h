@@ -6,6 +6,7 @@
 #ifndef vtkRelievoFogBuffer_h
 #define vtkRelievoFogBuffer_h
 
+#include "vtkRelievoInstancedQuads.h"
 #include "vtkRelievoScreenTarget.h"
 #include "vtkRelievoTextureBuffer.h"
 
@@ -15,7 +16,6 @@
 class vtkRelievoSphereRays;
 class vtkRelievoFogSpheres;
 class vtkRelievoFrameContext;
-class vtkShaderProgram;
 class vtkWindow;
 
 class vtkRelievoFogBuffer
@@ -48,14 +48,10 @@ public:
   void Release(vtkWindow* window);
 
 private:
-  std::string Compile(vtkRelievoFrameContext& context, const std::string& defines, int which);
-
   std::vector<float> Texels;
   int Part[4] = { 0, 0, 0, 0 };
   vtkRelievoTextureBuffer Spheres;
-  std::string Keys[2]; // what the programs were compiled for: before opaque, and translucent
-  vtkShaderProgram* Programs[2] = { nullptr, nullptr }; // null: it did not compile
-  unsigned int Arrays = 0;
+  vtkRelievoInstancedQuads Quads[2]; // before opaque, and translucent
 };
 
 #endif

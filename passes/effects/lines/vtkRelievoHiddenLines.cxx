@@ -4,14 +4,11 @@
 
 #include "vtkOpenGLError.h" // for OpenGL
 #include "vtkOpenGLRenderWindow.h"
-#include "vtkOpenGLShaderCache.h"
 #include "vtkOpenGLState.h"
 #include "vtkPolyData.h"
 #include "vtkRelievoDashes.h"
 #include "vtkRelievoFrameContext.h"
-#include "vtkRelievoScopedContext.h"
 #include "vtkRelievoScreenTarget.h"
-#include "vtkRelievoShaderLibrary.h"
 #include "vtkShaderProgram.h"
 
 #include <algorithm>
@@ -148,27 +145,6 @@ std::vector<float> vtkRelievoHiddenLines::FindPieces(
 }
 
 //------------------------------------------------------------------------------
-std::string vtkRelievoHiddenLines::Compile(
-  vtkRelievoFrameContext& context, const std::string& defines)
-{
-  vtkOpenGLShaderCache* cache = context.Window->GetShaderCache();
-  if (this->Key != defines)
-  {
-    std::string text = vtkRelievoShaderLibrary::Get("lines/hiddenFS.glsl");
-    vtkShaderProgram::Substitute(text, "//RELIEVO::Defines", defines, false);
-    this->Key = defines;
-    this->Program = cache->ReadyShaderProgram(
-      vtkRelievoShaderLibrary::Get("lines/hiddenVS.glsl").c_str(), text.c_str(), "");
-  }
-  else if (this->Program)
-  {
-    this->Program = cache->ReadyShaderProgram(this->Program);
-  }
-  return this->Program ? std::string()
-                       : "its shader lines/hiddenFS.glsl does not compile; see the errors before";
-}
-
-//------------------------------------------------------------------------------
 std::string vtkRelievoHiddenLines::Draw(
   vtkRelievoFrameContext& context, vtkRelievoScreenTarget& target, const Settings& settings)
 {
@@ -182,37 +158,27 @@ std::string vtkRelievoHiddenLines::Draw(
   {
     return {};
   }
-  std::string wrong = this->Pieces.Upload(context.Window, texels, 4);
-  wrong = wrong.empty() ? this->Compile(context, depth->GetDefines()) : wrong;
+  const std::string wrong = this->Pieces.Upload(context.Window, texels, 4);
   if (!wrong.empty())
   {
     return wrong;
   }
-  const vtkRelievoFrameCamera& view = context.View;
-  const float size[2] = { static_cast<float>(view.Viewport[2]),
-    static_cast<float>(view.Viewport[3]) };
-  glm::mat4 projection = view.GetProjection();
-  this->Program->SetUniform2f("relievoSize", size);
-  this->Program->SetUniformf("relievoNear", static_cast<float>(view.Near));
-  this->Program->SetUniformf("relievoFar", static_cast<float>(view.Far));
-  this->Program->SetUniformi("relievoParallel", view.Parallel);
-  this->Program->SetUniformMatrix4x4("relievoProjection", &projection[0][0]);
-  this->Program->SetUniformf("linesHalfWidth", static_cast<float>(settings.HalfWidth));
-  this->Program->SetUniformf("linesDashShare", static_cast<float>(vtkRelievoDashes::Share));
-  target.GoOn(context);
-  depth->Activate(this->Program);
-  this->Pieces.Activate(this->Program, "linesPieces");
-  if (!this->Arrays)
+  vtkShaderProgram* program =
+    this->Quads.Ready(context, "lines/hiddenVS.glsl", "lines/hiddenFS.glsl", depth->GetDefines());
+  if (!program)
   {
-    glGenVertexArrays(1, &this->Arrays);
+    return this->Quads.GetWrong();
   }
-  glBindVertexArray(this->Arrays);
+  program->SetUniformf("linesHalfWidth", static_cast<float>(settings.HalfWidth));
+  program->SetUniformf("linesDashShare", static_cast<float>(vtkRelievoDashes::Share));
+  target.GoOn(context);
+  depth->Activate(program);
+  this->Pieces.Activate(program, "linesPieces");
   vtkOpenGLState* state = context.Window->GetState();
   state->vtkglEnable(GL_BLEND);
   state->vtkglBlendEquation(GL_MAX);
-  glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(texels.size() / 8));
+  this->Quads.Draw(static_cast<int>(texels.size() / 8));
   state->vtkglBlendEquation(GL_FUNC_ADD);
-  glBindVertexArray(0);
   this->Pieces.Deactivate();
   depth->Deactivate();
   target.End();
@@ -222,14 +188,7 @@ std::string vtkRelievoHiddenLines::Draw(
 //------------------------------------------------------------------------------
 void vtkRelievoHiddenLines::Release(vtkWindow* window)
 {
-  if (this->Arrays && window)
-  {
-    const vtkRelievoScopedContext context(window);
-    glDeleteVertexArrays(1, &this->Arrays);
-  }
-  this->Arrays = 0;
-  this->Program = nullptr;
-  this->Key.clear();
+  this->Quads.Release(window);
   this->Pieces.Release(window);
   this->Edges.clear();
   this->Meshes = vtkRelievoOpaqueMeshes();

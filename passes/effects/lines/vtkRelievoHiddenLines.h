@@ -8,6 +8,7 @@
 #define vtkRelievoHiddenLines_h
 
 #include "vtkRelievoFeatureEdges.h"
+#include "vtkRelievoInstancedQuads.h"
 #include "vtkRelievoOpaqueMeshes.h"
 #include "vtkRelievoTextureBuffer.h"
 #include "vtkWeakPointer.h"
@@ -17,7 +18,6 @@
 
 class vtkRelievoFrameContext;
 class vtkRelievoScreenTarget;
-class vtkShaderProgram;
 class vtkWindow;
 
 class vtkRelievoHiddenLines
@@ -53,14 +53,11 @@ private:
   };
 
   std::vector<float> FindPieces(const vtkRelievoFrameContext& context, const Settings& settings);
-  std::string Compile(vtkRelievoFrameContext& context, const std::string& defines);
 
   vtkRelievoOpaqueMeshes Meshes;
   std::map<vtkPolyData*, Held> Edges; // of what was drawn last
   vtkRelievoTextureBuffer Pieces;
-  std::string Key;                     // what the program was compiled for
-  vtkShaderProgram* Program = nullptr; // null: it did not compile
-  unsigned int Arrays = 0;             // none, but OpenGL draws nothing without their object
+  vtkRelievoInstancedQuads Quads;
 };
 
 #endif

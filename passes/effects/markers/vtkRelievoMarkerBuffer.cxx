@@ -5,12 +5,9 @@
 #include "vtkObject.h"
 #include "vtkOpenGLError.h" // for OpenGL
 #include "vtkOpenGLRenderWindow.h"
-#include "vtkOpenGLShaderCache.h"
 #include "vtkOpenGLState.h"
 #include "vtkRelievoFrameContext.h"
 #include "vtkRelievoMarkerList.h"
-#include "vtkRelievoScopedContext.h"
-#include "vtkRelievoShaderLibrary.h"
 #include "vtkShaderProgram.h"
 
 //------------------------------------------------------------------------------
@@ -21,27 +18,6 @@ vtkRelievoMarkerBuffer::vtkRelievoMarkerBuffer()
 
 //------------------------------------------------------------------------------
 vtkRelievoMarkerBuffer::~vtkRelievoMarkerBuffer() = default;
-
-//------------------------------------------------------------------------------
-std::string vtkRelievoMarkerBuffer::Compile(
-  vtkRelievoFrameContext& context, const std::string& defines)
-{
-  vtkOpenGLShaderCache* cache = context.Window->GetShaderCache();
-  if (this->Key != defines)
-  {
-    std::string text = vtkRelievoShaderLibrary::Get("marker/markerFS.glsl");
-    vtkShaderProgram::Substitute(text, "//RELIEVO::Defines", defines, false);
-    this->Key = defines;
-    this->Program = cache->ReadyShaderProgram(
-      vtkRelievoShaderLibrary::Get("marker/markerVS.glsl").c_str(), text.c_str(), "");
-  }
-  else if (this->Program)
-  {
-    this->Program = cache->ReadyShaderProgram(this->Program);
-  }
-  return this->Program ? std::string()
-                       : "its shader marker/markerFS.glsl does not compile; see the errors before";
-}
 
 //------------------------------------------------------------------------------
 std::string vtkRelievoMarkerBuffer::Draw(
@@ -61,11 +37,13 @@ std::string vtkRelievoMarkerBuffer::Draw(
   {
     wrong = this->Markers.Upload(context.Window, list.GetTexels(), 4);
   }
+  vtkShaderProgram* program = nullptr;
   if (wrong.empty() && count > 0)
   {
-    wrong = this->Compile(context,
+    program = this->Quads.Ready(context, "marker/markerVS.glsl", "marker/markerFS.glsl",
       depth->GetDefines() + (normal == depth ? "" : normal->GetDefines()) +
         (list.GetShadows() ? "#define RELIEVO_MARKER_SHADOWS\n" : ""));
+    wrong = this->Quads.GetWrong();
   }
   if (!wrong.empty())
   {
@@ -74,12 +52,12 @@ std::string vtkRelievoMarkerBuffer::Draw(
   this->Target.Begin(context);
   if (count > 0)
   {
-    depth->Activate(this->Program);
+    depth->Activate(program);
     if (normal != depth)
     {
-      normal->Activate(this->Program);
+      normal->Activate(program);
     }
-    this->DrawAll(context, count);
+    this->DrawAll(context, program, count);
     if (normal != depth)
     {
       normal->Deactivate();
@@ -91,47 +69,28 @@ std::string vtkRelievoMarkerBuffer::Draw(
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoMarkerBuffer::DrawAll(vtkRelievoFrameContext& context, int count)
+void vtkRelievoMarkerBuffer::DrawAll(
+  vtkRelievoFrameContext& context, vtkShaderProgram* program, int count)
 {
-  const vtkRelievoFrameCamera& view = context.View;
-  const vtkRelievoSphereRays rays(view);
-  const float size[2] = { static_cast<float>(view.Viewport[2]),
-    static_cast<float>(view.Viewport[3]) };
+  const vtkRelievoSphereRays rays(context.View);
   const glm::vec2 direction(rays.GetDirection(glm::dvec2(0.0)));
   const glm::mat2 directions(rays.GetDirections());
   const float first[2] = { direction.x, direction.y };
   const float step[4] = { directions[0].x, directions[0].y, directions[1].x, directions[1].y };
-  this->Program->SetUniform2f("relievoSize", size);
-  this->Program->SetUniformf("relievoNear", static_cast<float>(view.Near));
-  this->Program->SetUniformf("relievoFar", static_cast<float>(view.Far));
-  this->Program->SetUniformi("relievoParallel", view.Parallel);
-  this->Program->SetUniform2f("markerDirection", first);
-  this->Program->SetUniform4f("markerDirectionStep", step);
-  this->Markers.Activate(this->Program, "markers");
-  if (!this->Arrays)
-  {
-    glGenVertexArrays(1, &this->Arrays);
-  }
-  glBindVertexArray(this->Arrays);
+  program->SetUniform2f("markerDirection", first);
+  program->SetUniform4f("markerDirectionStep", step);
+  this->Markers.Activate(program, "markers");
   vtkOpenGLState* state = context.Window->GetState();
   state->vtkglEnable(GL_BLEND);
   state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-  glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, count);
-  glBindVertexArray(0);
+  this->Quads.Draw(count);
   this->Markers.Deactivate();
 }
 
 //------------------------------------------------------------------------------
 void vtkRelievoMarkerBuffer::Release(vtkWindow* window)
 {
-  if (this->Arrays && window)
-  {
-    const vtkRelievoScopedContext context(window);
-    glDeleteVertexArrays(1, &this->Arrays);
-  }
-  this->Arrays = 0;
-  this->Program = nullptr;
-  this->Key.clear();
+  this->Quads.Release(window);
   this->Target.Release(window);
   this->Markers.Release(window);
 }

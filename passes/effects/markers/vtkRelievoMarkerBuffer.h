@@ -5,6 +5,7 @@
 #ifndef vtkRelievoMarkerBuffer_h
 #define vtkRelievoMarkerBuffer_h
 
+#include "vtkRelievoInstancedQuads.h"
 #include "vtkRelievoScreenTarget.h"
 #include "vtkRelievoTextureBuffer.h"
 
@@ -31,13 +32,10 @@ public:
   void Release(vtkWindow* window);
 
 private:
-  std::string Compile(vtkRelievoFrameContext& context, const std::string& defines);
-  void DrawAll(vtkRelievoFrameContext& context, int count);
+  void DrawAll(vtkRelievoFrameContext& context, vtkShaderProgram* program, int count);
 
   vtkRelievoTextureBuffer Markers;
-  std::string Key;                     // what the program was compiled for
-  vtkShaderProgram* Program = nullptr; // null: it did not compile
-  unsigned int Arrays = 0;             // none, but OpenGL draws nothing without their object
+  vtkRelievoInstancedQuads Quads;
 };
 
 #endif
