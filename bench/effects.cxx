@@ -24,7 +24,9 @@
 #include <vtkRelievoToneStage.h>
 #include <vtkRenderStepsPass.h>
 #include <vtkRenderer.h>
+#if __has_include(<vtkToneMappingPass.h>) // PyVista's VTK leaves the class out
 #include <vtkToneMappingPass.h>
+#endif
 
 #include <cmath>
 #include <cstddef>
@@ -120,11 +122,13 @@ const std::vector<Way>& Ways()
     { "fog and a lamp", { AddFog, AddLamp } },
     { "shadows and tone", { AddShadows, AddTone } },
     { "shadows, tone, fog, a lamp", { AddShadows, AddTone, AddFog, AddLamp } },
+#if __has_include(<vtkToneMappingPass.h>)
     { "vtkToneMappingPass", { [](vtkRenderer* renderer) {
        vtkNew<vtkToneMappingPass> tone;
        tone->SetDelegatePass(vtkNew<vtkRenderStepsPass>());
        renderer->SetPass(tone);
      } } },
+#endif
     { "vtkShadowMapPass", { [](vtkRenderer* r) { UseShadowPeer(r, MapSize); } } },
   };
   return ways;

@@ -10,10 +10,15 @@
 #include "Window.h"
 
 #include <vtkCamera.h>
+#include <vtkImageData.h>
+#include <vtkImageProperty.h>
+#include <vtkImageSlice.h>
+#include <vtkImageSliceMapper.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkUnsignedCharArray.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -222,6 +227,42 @@ void TestRequests()
   RELIEVO_CHECK(without.Value("fog", 30, 22) == 1. && without.Value("fog", 0, 0) == 1.);
   CheckOff(scene, "fog", "fog");
 }
+
+// Fog ends at what is drawn, if it has layers or not, whatever else is asked of the frame. Where z
+// is too coarse for the fog, the layer of depths is taken.
+void TestDrawn()
+{
+  FogScene scene(60, 45);
+  scene.Set({ Good });
+  const auto open = Picture(scene.Window);
+  RELIEVO_CHECK(scene.Frame->GetStage("gbuffer")->GetReasonCode() == "not_asked");
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(8, 8, 1);
+  image->SetSpacing(0.4, 0.4, 1.);
+  image->SetOrigin(-1.4, -0.9, 0.8); // through the fog's front
+  image->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+  std::fill_n(static_cast<unsigned char*>(image->GetScalarPointer()), 3 * 8 * 8, 0);
+  vtkNew<vtkImageSliceMapper> mapper;
+  mapper->SetInputData(image);
+  vtkNew<vtkImageSlice> slice;
+  slice->SetMapper(mapper);
+  slice->GetProperty()->SetInterpolationTypeToNearest();
+  scene.Renderer->AddViewProp(slice);
+  const auto sliced = Picture(scene.Window);
+  RELIEVO_CHECK(std::abs(open->GetScalarComponentAsDouble(30, 22, 0, 1) -
+                  sliced->GetScalarComponentAsDouble(30, 22, 0, 1)) > 20.);
+  scene.Frame->RequestLayer("depth");
+  const auto asked = Picture(scene.Window);
+  RELIEVO_CHECK(scene.Frame->GetStage("gbuffer")->GetReasonCode() == "ran");
+  RELIEVO_CHECK(SamePicture(sliced, asked, "with the layer depth"));
+  scene.Frame->ReleaseLayers();
+  scene.Renderer->RemoveViewProp(slice);
+
+  scene.Renderer->GetActiveCamera()->SetClippingRange(1e-4, 1e4);
+  Picture(scene.Window);
+  RELIEVO_CHECK(scene.Frame->GetStage("gbuffer")->GetReasonCode() == "ran");
+  CheckAgainstTruth(scene, "a near plane of 1e-4");
+}
 }
 
 //------------------------------------------------------------------------------
@@ -235,5 +276,6 @@ int main()
   TestPlaces();
   TestToggles();
   TestRequests();
+  TestDrawn();
   return session.Result();
 }
