@@ -35,10 +35,11 @@ def install_lines():
 def linked(text, depth):
     """Links out of docs/ to what the site has of it: examples as pages, other sources as files."""
     up = "../" * depth
-    text = re.sub(r"\]\(\.\./examples/(\w+)\.py\)", rf"]({up}examples/\1.md)", text)
-    text = text.replace("](../examples)", f"]({up}examples/index.md)")
-    text = text.replace("](../CONTRIBUTING.md", f"]({up}contributing.md")
-    return re.sub(r"\]\(\.\./(shaders/[^)#]*)\)", rf"]({up}sources/\1)", text)
+    root = re.escape("](../" + up)  # of the sources
+    text = re.sub(rf"{root}examples/(\w+)\.py\)", rf"]({up}examples/\1.md)", text)
+    text = re.sub(rf"{root}examples\)", f"]({up}examples/index.md)", text)
+    text = re.sub(rf"{root}CONTRIBUTING\.md", f"]({up}contributing.md", text)
+    return re.sub(rf"{root}(shaders/[^)#]*)\)", rf"]({up}sources/\1)", text)
 
 
 def lay_pages(dest):
