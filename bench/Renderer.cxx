@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Renderer.h"
 
+#include "vtkRelievoSoftwareOpenGL.h"
+
 #include <vtkNew.h>
 #include <vtkRenderWindow.h>
 
@@ -28,7 +30,8 @@ bool WriteRenderer(const std::string& folder)
   window->SetSize(1, 1);
   window->Render();
   std::ofstream file(PathIn(folder), std::ios::binary);
-  file << FindRenderer(window->ReportCapabilities()) << "\n";
+  file << (vtkRelievoIsSoftwareOpenGL() ? Software : FindRenderer(window->ReportCapabilities()))
+       << "\n";
   file.close();
   if (!file)
   {
@@ -43,10 +46,6 @@ std::string ReadRenderer(const std::string& folder)
   std::string name;
   std::ifstream file(PathIn(folder));
   std::getline(file, name);
-  for (const char* part : { "llvmpipe", "softpipe", "swrast", "SWR", "Software" })
-  {
-    name = name.find(part) == std::string::npos ? name : "";
-  }
   return name.empty() ? Software : name;
 }
 

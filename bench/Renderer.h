@@ -12,15 +12,13 @@
 namespace relievoBench
 {
 /**
- * Writes the name that OpenGL gives its renderer into FOLDER/renderer.txt. Needs a display. False,
- * with a message on the standard error, if that cannot be written.
+ * Writes into FOLDER/renderer.txt the name that OpenGL gives its renderer, or "software OpenGL"
+ * where the processor draws. Needs a display. False, with a message on the standard error, if that
+ * cannot be written.
  */
 bool WriteRenderer(const std::string& folder);
 
-/**
- * What FOLDER/renderer.txt says; "software OpenGL" if there is none, and for the names of renderers
- * without a graphics card.
- */
+/** What FOLDER/renderer.txt says; "software OpenGL" if there is none. */
 std::string ReadRenderer(const std::string& folder);
 
 /** The name in a report of VTK's (vtkRenderWindow::ReportCapabilities); empty: it has none. */

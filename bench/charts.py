@@ -23,7 +23,7 @@ except ModuleNotFoundError as missing:
     draw = None
 
 NO_MATPLOTLIB = 3  # exit status
-SOFTWARE = ("llvmpipe", "softpipe", "swrast", "SWR", "Software")  # of renderers' names
+SOFTWARE = "software OpenGL"  # in renderer.txt
 BENCHES = {}  # name: (its files, the function that makes its charts)
 PEER = "Ring: the default. Grey: not offered."
 LEAST = 1e-3  # percent, where an axis is logarithmic: two or three pixels of a picture, and fewer
@@ -185,12 +185,21 @@ def gbuffer(rows):
 
 @bench("effects.csv")
 def effects(rows):
-    """Frames by what they do."""
+    """Frames by what they do; of a GPU, its own time."""
+    plain = {row["scene"]: row for row in rows if row["frame"] == "plain"}
+    on_gpu = any(row["GPU ms"] for row in rows)
+
+    clock = "its own time." if on_gpu else "processor time of all threads."
+
+    def times(row):
+        return number(row, "GPU ms") / number(plain[row["scene"]], "GPU ms")
+
     yield Chart(
         "effects", "Frames by what they do", "The first of each effect, and several. Grey: VTK's "
-        "passes. Software OpenGL, processor time of all threads.",
+        f"passes. Software OpenGL, {clock}",
         Axis("times a plain frame"), Axis(),
-        panels([row for row in rows if row["frame"] != "plain"], "times the plain frame's",
+        panels([row for row in rows if row["frame"] != "plain"],
+               times if on_gpu else "times the plain frame's",
                method=lambda row: "VTK's shading" if row["frame"].startswith("vtk") else "Relievo",
                name="frame"), kind="bars", columns=2)  # fmt: skip
 
@@ -603,7 +612,7 @@ def read_renderer(folder):
     """What has drawn the frames that the tables in a folder measure; empty: software OpenGL."""
     file = folder / "renderer.txt"
     name = file.read_text(encoding="utf-8").split("\n")[0] if file.exists() else ""
-    return "" if any(part in name for part in SOFTWARE) else name
+    return "" if name == SOFTWARE else name
 
 
 def charts_of(name, folder):

@@ -2,19 +2,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // What the first of each effect costs a frame, alone and in pairs: ratios to the plain frame, drawn
-// in turn in one process, with VTK's passes beside them.
+// in turn in one process, with VTK's passes beside them. On a GPU its own time is measured, too.
 #include "RelievoBench.h"
 
 #include "BenchSizes.h"
 #include "FrameBench.h"
 #include "LampWindows.h"
+#include "Rounds.h"
 #include "ShadowWays.h"
 #include "Table.h"
+#include "vtkRelievoSoftwareOpenGL.h"
 
 #include <vtkCamera.h>
 #include <vtkCameraPass.h>
 #include <vtkDoubleArray.h>
 #include <vtkNew.h>
+#include <vtkOpenGLError.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
@@ -33,6 +36,7 @@
 #include <ctime>
 #include <functional>
 #include <iostream>
+#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
@@ -100,6 +104,76 @@ void AddLayers(vtkRenderer* renderer)
   }
 }
 
+// A GPU's own time of frames. It waits for commands while a frame is made, and its clock runs on:
+// it is given other work first, during which the processor sends the whole frame.
+class GpuClock
+{
+public:
+  explicit GpuClock(vtkRenderWindow* window)
+    : Window(window)
+  {
+    window->MakeCurrent();
+    glCreateTextures(GL_TEXTURE_2D, 1, &this->Texture);
+    glTextureStorage2D(this->Texture, 1, GL_RGBA32F, Side, Side);
+    glCreateQueries(GL_TIMESTAMP, 2, this->Queries);
+  }
+  GpuClock(const GpuClock&) = delete;
+  void operator=(const GpuClock&) = delete;
+  ~GpuClock()
+  {
+    this->Window->MakeCurrent();
+    glDeleteTextures(1, &this->Texture);
+    glDeleteQueries(2, this->Queries);
+  }
+
+  double SecondsOfFrame()
+  {
+    this->Window->MakeCurrent();
+    for (int i = 0; i < Clears; ++i)
+    {
+      glClearTexImage(this->Texture, 0, GL_RGBA, GL_FLOAT, nullptr);
+    }
+    glQueryCounter(this->Queries[0], GL_TIMESTAMP);
+    this->Window->Render();
+    glQueryCounter(this->Queries[1], GL_TIMESTAMP);
+    GLuint64 times[2];
+    glGetQueryObjectui64v(this->Queries[0], GL_QUERY_RESULT, &times[0]);
+    glGetQueryObjectui64v(this->Queries[1], GL_QUERY_RESULT, &times[1]);
+    return 1e-9 * static_cast<double>(times[1] - times[0]);
+  }
+
+private:
+  static constexpr int Side = 4096;  // 256 MiB
+  static constexpr int Clears = 100; // some ten milliseconds of memory's full speed
+  vtkRenderWindow* Window;
+  GLuint Texture = 0;
+  GLuint Queries[2] = {};
+};
+
+// Medians of the GPU's own times of the windows' frames, in milliseconds; NaN where the processor
+// draws: llvmpipe takes timestamps when it draws tiles, not where they stand among the commands.
+std::vector<double> GpuMilliseconds(
+  const std::vector<std::unique_ptr<SceneWindow>>& windows, int rounds)
+{
+  std::vector<double> medians(windows.size(), std::numeric_limits<double>::quiet_NaN());
+  windows.front()->Window->MakeCurrent();
+  if (vtkRelievoIsSoftwareOpenGL())
+  {
+    return medians;
+  }
+  for (std::size_t i = 0; i < windows.size(); ++i) // which have drawn before
+  {
+    GpuClock clock(windows[i]->Window);
+    Timing timing;
+    for (int round = 0; round < rounds; ++round)
+    {
+      timing.Seconds.push_back(clock.SecondsOfFrame());
+    }
+    medians[i] = 1e3 * timing.Median();
+  }
+  return medians;
+}
+
 struct Way
 {
   const char* Name;
@@ -142,8 +216,9 @@ int relievoBench::BenchEffects(const std::string& outDir, const EffectSizes& siz
   {
     return 1;
   }
-  Table table({ "scene", "pixels", "frame", "milliseconds", "times a plain frame", "+-",
-    "processor ms", "times the plain frame's", "processor +-", "bytes per pixel", "load" });
+  Table table(
+    { "scene", "pixels", "frame", "milliseconds", "times a plain frame", "+-", "processor ms",
+      "times the plain frame's", "processor +-", "GPU ms", "bytes per pixel", "load" });
   for (const std::string& name : sizes.Meshes)
   {
     const vtkSmartPointer<vtkPolyData> mesh = SceneMesh(name);
@@ -173,6 +248,7 @@ int relievoBench::BenchEffects(const std::string& outDir, const EffectSizes& siz
       };
     }
     const std::vector<Timing> times = TimeInTurn(frames, sizes.Rounds);
+    const std::vector<double> gpu = GpuMilliseconds(windows, GetRounds(sizes.Rounds));
     std::vector<Timing> processors(frames.size());
     for (std::size_t i = 0; i < frames.size(); ++i)
     {
@@ -192,6 +268,7 @@ int relievoBench::BenchEffects(const std::string& outDir, const EffectSizes& siz
         Ways()[i].Name, Number(1e3 * times[i].Median(), 4), Number(pair.Ratio(), 4),
         Number(pair.RatioSpread(), 2), Number(1e3 * processors[i].Median(), 4),
         Number(cpu.Ratio(), 4), Number(cpu.RatioSpread(), 2),
+        std::isnan(gpu[i]) ? "" : Number(gpu[i], 4),
         Number(pass ? static_cast<double>(pass->GetBytesHeld()) / pixels : 0., 3),
         Number(LoadAverage(), 2) });
     }

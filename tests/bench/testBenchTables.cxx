@@ -48,12 +48,9 @@ void TestRenderer()
   const std::string folder = relievoTest::OutputFolder() + "/renderer";
   RELIEVO_CHECK(RelievoBench("depth", folder) == 0);
   RELIEVO_CHECK(std::ifstream(folder + "/renderer.txt").good());
-  const auto write = [&folder](const std::string& name) {
-    std::ofstream(folder + "/renderer.txt") << name << "\n";
-  };
-  write("llvmpipe (LLVM 15.0.6, 256 bits)");
-  RELIEVO_CHECK(ReadRenderer(folder) == "software OpenGL");
-  write("NVIDIA H200/PCIe/SSE2");
+  const std::string drawn = ReadRenderer(folder); // one of the two, and never a software's name
+  RELIEVO_CHECK(!drawn.empty() && drawn.find("pipe") == std::string::npos);
+  std::ofstream(folder + "/renderer.txt") << "NVIDIA H200/PCIe/SSE2\n";
   RELIEVO_CHECK(ReadRenderer(folder) == "NVIDIA H200/PCIe/SSE2");
   RELIEVO_CHECK(ReadRenderer(folder + "/none") == "software OpenGL");
   RELIEVO_CHECK(FindRenderer("OpenGL vendor string:  A\nOpenGL renderer string:  B C\nD") == "B C");
