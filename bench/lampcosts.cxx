@@ -9,9 +9,13 @@
 #include "LampWindows.h"
 #include "Table.h"
 
+#include <vtkNew.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
+#include <vtkRenderWindow.h>
+#include <vtkUnsignedCharArray.h>
 
+#include <algorithm>
 #include <chrono>
 #include <iostream>
 #include <memory>
@@ -35,17 +39,31 @@ double SecondsOf(const Timed& frame)
   return time.count();
 }
 
+// VTK's shader of many lights may be more than an OpenGL takes: the mesh is missing then.
+bool ShowsMesh(vtkRenderWindow* window, int pixels)
+{
+  vtkNew<vtkUnsignedCharArray> colors;
+  window->GetPixelData(0, 0, pixels - 1, pixels - 1, 1, colors);
+  const unsigned char* first = colors->GetPointer(0);
+  return !std::equal(first + 3, first + colors->GetNumberOfValues(), first);
+}
+
 void MeasurePeer(
   const std::string& scene, vtkPolyData* mesh, int count, const LightSizes& sizes, Table& table)
 {
   const vtkSmartPointer<vtkPolyData> lamps = MakeLamps(count);
   LitWindow lit(mesh, sizes.Pixels, lamps, RadiusFor(count, Few), vtkRelievoLampsStage::AUTOMATIC);
   const std::unique_ptr<SceneWindow> peer = MakePeer(mesh, sizes.Pixels, lamps);
-  const std::vector<Timed> frames = { lit.Frame(), peer->Frame() };
+  std::vector<Timed> frames = { lit.Frame(), peer->Frame() };
   const char* const names[] = { "lamps", "VTK's lights" };
   const double first[] = { SecondsOf(frames[0]), SecondsOf(frames[1]) };
+  if (!ShowsMesh(peer->Window, sizes.Pixels))
+  {
+    std::cout << scene << ", " << count << " VTK's lights: VTK draws no mesh with them here\n";
+    frames.pop_back();
+  }
   const std::vector<Timing> times = TimeInTurn(frames, sizes.Rounds);
-  for (int i = 0; i < 2; ++i)
+  for (std::size_t i = 0; i < frames.size(); ++i)
   {
     const auto ratio = PairOf(times[i], times[0]);
     std::cout << scene << ", " << count << " " << names[i] << ": first frame "

@@ -12,7 +12,11 @@
 
 namespace
 {
-constexpr int LampsInAPiece = 512;
+// Of the lamps that one thread takes at once: work for all threads, and few lists of lists.
+constexpr int MostPieces = 32;
+constexpr int LeastLamps = 16;
+constexpr int MostLamps = 512;
+
 constexpr int MostSlices = 256;
 
 // Memory and time of the lists stay bounded: cells are made larger instead.
@@ -216,14 +220,15 @@ void vtkRelievoLampClusters::Build(
 {
   this->Divide(view, list);
   const int count = static_cast<int>(list.GetLamps().size());
-  const int pieces = (count + LampsInAPiece - 1) / LampsInAPiece;
+  const int size = std::clamp(count / MostPieces, LeastLamps, MostLamps);
+  const int pieces = (count + size - 1) / size;
   std::vector<std::vector<std::vector<Span>>> found(static_cast<std::size_t>(pieces));
   vtkSMPTools::For(0, pieces, 1, [&](vtkIdType from, vtkIdType to) {
     for (vtkIdType piece = from; piece < to; ++piece)
     {
       found[piece].resize(static_cast<std::size_t>(this->Slices));
-      const int end = std::min(count, static_cast<int>(piece + 1) * LampsInAPiece);
-      for (int lamp = static_cast<int>(piece) * LampsInAPiece; lamp < end; ++lamp)
+      const int end = std::min(count, static_cast<int>(piece + 1) * size);
+      for (int lamp = static_cast<int>(piece) * size; lamp < end; ++lamp)
       {
         this->AddSpans(list, lamp, found[piece]);
       }
