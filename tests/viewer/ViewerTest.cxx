@@ -74,6 +74,13 @@ void ViewerTest::cleanup()
 }
 
 //------------------------------------------------------------------------------
+void ViewerTest::cleanupTestCase()
+{
+  this->Python.closeWriteChannel();
+  this->Python.waitForFinished();
+}
+
+//------------------------------------------------------------------------------
 std::string ViewerTest::Path(const std::string& name) const
 {
   return this->Folder->filePath(QString::fromStdString(name)).toStdString();
@@ -174,10 +181,10 @@ std::string ViewerTest::WriteOBJ(bool both) const
 }
 
 //------------------------------------------------------------------------------
-void ViewerTest::Open(const std::vector<std::string>& words)
+void ViewerTest::Open(const std::vector<std::string>& words, const QSize& size)
 {
   this->Window = std::make_unique<viewer::MainWindow>();
-  this->Window->resize(800, 480);
+  this->Window->resize(size);
   this->Window->show();
   QVERIFY(QTest::qWaitForWindowExposed(this->Window.get()));
   QSignalSpy ready(this->Window.get(), &viewer::MainWindow::ready);
@@ -258,13 +265,26 @@ void ViewerTest::Compare(const char* what)
 //------------------------------------------------------------------------------
 vtkSmartPointer<vtkImageData> ViewerTest::RunPython()
 {
+  // Loading VTK takes longer than most pictures: one process runs all programs.
+  const char* all = "import sys\nfor path in sys.stdin:\n    exec(open(path.strip()).read(), "
+                    "{'__name__': '__main__'})\n    print('drawn', flush=True)\n";
   const std::string script =
     viewer::WritePython(this->Window->GetViewSettings(), this->Path("python.png"));
-  QProcess python;
-  python.start(qEnvironmentVariable("PYTHON"), { "-c", QString::fromStdString(script) });
-  if (!python.waitForFinished(600000) || python.exitCode() != 0)
+  this->WriteText("shown.py", script);
+  if (this->Python.state() == QProcess::NotRunning)
   {
-    qWarning() << script.c_str() << python.readAllStandardError();
+    this->Python.start(qEnvironmentVariable("PYTHON"), { "-c", all });
+  }
+  this->Python.write(QByteArray::fromStdString(this->Path("shown.py") + "\n"));
+  QByteArray said;
+  while (!said.endsWith("drawn\n") && this->Python.waitForReadyRead(600000))
+  {
+    said += this->Python.readAllStandardOutput();
+  }
+  if (!said.endsWith("drawn\n"))
+  {
+    this->Python.waitForFinished(1000);
+    qWarning() << script.c_str() << said << this->Python.readAllStandardError();
     return nullptr;
   }
   return ReadPNG(this->Path("python.png"));

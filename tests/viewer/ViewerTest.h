@@ -17,6 +17,8 @@
 #include <QObject>
 #include <QPoint>
 #include <QPointer>
+#include <QProcess>
+#include <QSize>
 #include <QString>
 #include <QStringList>
 #include <QTemporaryDir>
@@ -51,7 +53,7 @@ protected:
   void WriteText(const std::string& name, const std::string& text) const;
 
   /// Opens a window with these words and waits until it shows them.
-  void Open(const std::vector<std::string>& words);
+  void Open(const std::vector<std::string>& words, const QSize& size = QSize(800, 480));
 
   /// The window changes its settings and has read what it needs.
   void Change(const std::function<void(scene::Settings&)>& edit);
@@ -91,8 +93,10 @@ protected:
 private Q_SLOTS:
   void init();
   void cleanup();
+  void cleanupTestCase();
 
 private:
+  QProcess Python; // runs programs one after another
   std::unique_ptr<QTemporaryDir> Folder;
   QPointer<QWidget> Held; // by the mouse's button
 };

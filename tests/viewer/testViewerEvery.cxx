@@ -82,6 +82,9 @@ const std::set<std::string> OfStages = { "--shadow-size", "--soft-shadows", "--s
 // What it comes to follows from times that are measured.
 const std::string Measured = "time_budget";
 
+// Of the window: a picture of each value takes long where it is large.
+const QSize Small(500, 300);
+
 // Other values than the default.
 std::vector<std::string> GetValues(const vtkRelievoParameter& parameter)
 {
@@ -170,7 +173,7 @@ private Q_SLOTS:
     {
       own.insert(own.end(), { "--light", "sun:0.4,1,0.6" });
     }
-    this->Open(own);
+    this->Open(own, Small);
     for (QString word : words)
     {
       word.replace("POINTS", QString::fromStdString(this->WritePoints()));
@@ -199,8 +202,9 @@ private Q_SLOTS:
     QFETCH(QString, stage);
     const std::string points = this->WritePoints();
     this->Open({ this->WriteScene(), this->WriteOBJ(), "--light", "sun:0.4,1,0.6", "--shadows",
-      "map", "--lamps", points, "--fog", points + ",density=0.4", "--markers", points, "--stage",
-      "display:layer=" });
+                 "map", "--lamps", points, "--fog", points + ",density=0.4", "--markers", points,
+                 "--stage", "display:layer=" },
+      Small);
     const scene::Settings before = this->Window->GetDocument()->Get();
     const std::string name = stage.toStdString();
     const vtkNew<vtkRelievoPass> frame;
@@ -243,8 +247,9 @@ private Q_SLOTS:
     QFETCH(QString, name);
     const std::string image = this->WriteImage();
     this->Open({ this->WriteScene(), this->WriteOBJ(), "--light", "sun:0.4,1,0.6", "--shadows",
-      "map", "--normal-map", image, "--height-map", image + ",0.1", "--environment", image,
-      "--reflectivity", "0.3,0" });
+                 "map", "--normal-map", image, "--height-map", image + ",0.1", "--environment",
+                 image, "--reflectivity", "0.3,0" },
+      Small);
     const scene::Settings before = this->Window->GetDocument()->Get();
     const std::string given = name.toStdString();
     const vtkRelievoParameter* found = scene::GetMaterialValues().Find(given);
@@ -267,7 +272,7 @@ private Q_SLOTS:
   // What has no effect any longer goes, and its row is idle and says why.
   void idleSurfaceValues()
   {
-    this->Open({ this->WriteScene(), "--height-map", this->WriteImage() });
+    this->Open({ this->WriteScene(), "--height-map", this->WriteImage() }, Small);
     auto* edit = this->Window->findChild<viewer::ParameterEdit*>("bisections");
     Q_EMIT edit->edited("3");
     QCOMPARE(this->Window->GetDocument()->Get().Get("--material"), std::string("bisections=3"));
@@ -283,7 +288,8 @@ private Q_SLOTS:
   {
     const std::string points = this->WritePoints();
     this->Open({ this->WriteScene(), this->WriteOBJ(), "--light", "sun:0.4,1,0.6", "--lamps",
-      points, "--fog", points, "--markers", points });
+                 points, "--fog", points, "--markers", points },
+      Small);
     for (int i = 0; i < vtkRelievoLayerCatalogue::GetNumberOfLayers(); ++i)
     {
       const std::string given = vtkRelievoLayerCatalogue::GetLayerName(i);
