@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A floor and a ball under lamps. As a script: lampScene.py FOLDER NAME [PORT THRESHOLD]."""
+"""A floor and a ball under lamps. As a script: lampScene.py FOLDER NAMES [PORT]."""
 
 import sys
 
@@ -84,14 +84,20 @@ def light(place, normal, places=PLACES, radii=RADII):
     return total
 
 
-def draw_ranks(folder, name, port=None, threshold="0"):
-    """Pictures by all ranks, or by a server: without and with lamps, hidden, fog, and markers."""
+def draw_ranks(folder, names, port=None):
+    """Pictures by all ranks or by a server, and of the name `client` by its client: without and
+    with lamps, hidden, fog, and markers. One process draws for all names, `server,client`."""
     if port:
         simple.Connect("localhost", int(port))
         pv.load(remote=True)
     pv.load()
     scene = Scene()
-    scene.view.RemoteRenderThreshold = float(threshold)
+    for name in names.split(","):
+        scene.view.RemoteRenderThreshold = 1e9 if name == "client" else 0
+        draw_steps(scene, folder, name)
+
+
+def draw_steps(scene, folder, name):
     for step, lamps, fog, markers, visible in (
             ("off", 0, 0, 0, 1), ("on", 1, 0, 0, 1), ("far", 1, 0, 0, 1), ("cast", 1, 0, 0, 1),
             ("hidden", 1, 1, 1, 0), ("fog", 0, 1, 0, 1), ("markers", 0, 0, 1, 1)):  # fmt: skip

@@ -3,8 +3,8 @@
 """A white square, seen straight from above in the light of one lamp at the camera; and maps.
 
 With the words `restore FILE PICTURE` the script loads a state and draws it; with `wrong` it gives
-wrong files and values and says what came of them; with `ranks FOLDER NAME [PORT THRESHOLD]` it
-draws parts of a square that lie on the ranks, with a server from so many megabytes on.
+wrong files and values and says what came of them; with `ranks FOLDER NAMES [PORT]` it draws parts
+of a square that lie on the ranks, or with a server, and for the name `client` as its client.
 """
 
 import math
@@ -184,8 +184,8 @@ self.GetOutput().ShallowCopy(made)
 """
 
 
-def draw_ranks(folder, name, port=None, threshold=None):
-    """Writes FOLDER/NAME-STEP.png for each step."""
+def draw_ranks(folder, names, port=None):
+    """Writes FOLDER/NAME-STEP.png for each step, and each of the names `server,client`."""
     if port:
         simple.Connect("localhost", int(port))
         pv.load()
@@ -194,10 +194,13 @@ def draw_ranks(folder, name, port=None, threshold=None):
     stripes.OutputDataSetType = "vtkPolyData"
     stripes.Script = STRIPES
     scene = Scene(stripes, light=(1.0, 1.0, 2.0))
-    if threshold:
-        scene.view.RemoteRenderThreshold = float(threshold)
     scene.view.CameraPosition = [0.9, -1.1, 1.2]
+    for name in names.split(","):
+        scene.view.RemoteRenderThreshold = 1e9 if name == "client" else 0
+        draw_steps(scene, folder, name)
 
+
+def draw_steps(scene, folder, name):
     def step(what):
         pv.write(f"{folder}/{name}-{what}.png", pv.picture(scene.view))
 
@@ -224,6 +227,9 @@ def draw_ranks(folder, name, port=None, threshold=None):
     scene.view.RelievoSkybox = 0
     scene.shown.RelievoMaterial = 0
     step("off-again")
+    # For the next name.
+    scene.view.RelievoEnvironment = scene.shown.RelievoNormalMap = ""
+    scene.shown.RelievoMirror = 0
 
 
 if __name__ == "__main__":

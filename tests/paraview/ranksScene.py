@@ -71,7 +71,6 @@ view.CameraViewAngle = 20
 
 def step(name):
     """The picture now."""
-    simple.Render(view)
     pv.write(f"{FOLDER}/{name}-{NAME}.png", pv.picture(view))
 
 

@@ -22,7 +22,7 @@ from paraview import simple
 
 LAYERS = "depth normal position albedo actor cell color".split()
 SIZES = (400, 260), (333, 241), (520, 300), (256, 256)
-STEPS, SEED = 60, 1
+STEPS, SEED = 40, 1
 
 
 def shadow_layers(view):

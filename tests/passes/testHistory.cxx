@@ -115,7 +115,7 @@ void Walk(int steps, unsigned int seed)
 int main(int argc, char* argv[])
 {
   relievoTest::Session session;
-  const int steps = argc > 1 ? std::atoi(argv[1]) : 500;
+  const int steps = argc > 1 ? std::atoi(argv[1]) : 300;
   const auto seed = static_cast<unsigned int>(argc > 2 ? std::atoi(argv[2]) : 1);
   Walk(steps, seed);
   std::cout << steps << " steps from seed " << seed << "\n";

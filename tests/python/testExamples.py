@@ -6,7 +6,6 @@ import datetime
 import math
 import os
 import pathlib
-import shutil
 import subprocess
 import sys
 import tempfile
@@ -76,16 +75,23 @@ def read_png(path):
 
 
 class Examples(unittest.TestCase):
-    def setUp(self):
-        kept = tempfile.TemporaryDirectory()
-        self.addCleanup(kept.cleanup)
-        self.folder = pathlib.Path(kept.name)
+    @classmethod
+    def setUpClass(cls):
+        cls.kept = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(cls.kept.cleanup)
+        cls.ran = {}
 
     def run_example(self, name):
-        done = subprocess.run(
-            [sys.executable, EXAMPLES / name, self.folder / "out", *WORDS.get(name, [])],
-            cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, timeout=600,
-        )  # fmt: skip
+        """What the example said; its files are in self.folder / "out". It runs once for all tests."""
+        if name not in self.ran:
+            folder = pathlib.Path(self.kept.name) / name
+            folder.mkdir()
+            done = subprocess.run(
+                [sys.executable, EXAMPLES / name, folder / "out", *WORDS.get(name, [])], cwd=folder,
+                stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, timeout=600,
+            )  # fmt: skip
+            self.ran[name] = folder, done
+        self.folder, done = self.ran[name]
         self.assertEqual((done.returncode, done.stderr), (0, ""))
         return done.stdout
 
@@ -102,7 +108,6 @@ class Examples(unittest.TestCase):
                     self.assertIn(file, said)
                 for path in (self.folder / "out").glob("*"):
                     self.assertIn(path.name, files)
-                    shutil.rmtree(path) if path.is_dir() else path.unlink()
                 for path in self.folder.glob("*"):
                     self.assertEqual(path.name, "out")
 
