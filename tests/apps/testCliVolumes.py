@@ -12,6 +12,7 @@ from cli import CliTest, main, read_png
 
 STUDIO = {"RELIEVO_PRESET": ""}
 SIZE = ["--size", "240x180"]
+SMALL = ["--size", "120x90"]  # of volumes: rays take long
 SIDE = 40  # points of an image along each axis
 SPACING = (0.5, 0.5, 0.25)
 MIDDLE = numpy.array([0.5, 0.5, 0.25]) * (SIDE - 1) / 2
@@ -41,8 +42,8 @@ class Volumes(CliTest):
         writer.SetInputData(image)
         writer.Write()
 
-    def picture(self, *words, says="", environment=STUDIO):
-        done = self.relievo("render", *words, *SIZE, "--png", "a.png", environment=environment)
+    def picture(self, *words, says="", environment=STUDIO, size=SIZE):
+        done = self.relievo("render", *words, *size, "--png", "a.png", environment=environment)
         self.assertIn(says, done.stderr)
         self.assertEqual(done.stderr == "", says == "", done.stderr)
         return read_png(self.folder / "a.png")[..., :3].astype(int)
@@ -104,15 +105,16 @@ class Volumes(CliTest):
         """Light passes where the values are small, and is stopped where they are large."""
         self.image("ball.vti", (20 - distances()).astype(numpy.float32))
         words = ["ball.vti", "--ground", "off", "--stage", "antialias:samples=1"]
-        volume = self.picture(*words, "--image", "volume", says="antialias")
-        box = self.picture(*words, "--image", "box", says="antialias")
+        volume = self.picture(*words, "--image", "volume", says="antialias", size=SMALL)
+        box = self.picture(*words, "--image", "box", says="antialias", size=SMALL)
         nothing = box[0, 0] * 0 + volume[:, :1]  # the background depends on the row alone
         seen = abs(volume - nothing).max(axis=-1) > 2
         boxed = abs(box - nothing).max(axis=-1) > 2
         self.assertFalse((seen & ~boxed).any())
         self.assertLess(seen.sum(), 0.75 * boxed.sum())
         self.assertGreater(seen.sum(), 0.1 * boxed.sum())
-        grey = self.picture(*words, "--image", "volume", "--colormap", "grey", says="antialias")
+        grey = self.picture(*words, "--image", "volume", "--colormap", "grey", says="antialias",
+                            size=SMALL)  # fmt: skip
         self.assertLess((grey.max(axis=-1) - grey.min(axis=-1))[seen].max(), 40)
         self.assertGreater((volume.max(axis=-1) - volume.min(axis=-1))[seen].max(), 80)
 
@@ -127,7 +129,7 @@ class Volumes(CliTest):
                            ("full", white),
                            ("half", [*white, "--opacity", "0.5"]),
                            ("none", [*white, "--opacity", "0"])):  # fmt: skip
-            means[name] = self.picture(*words, *more, says="antialias").mean()
+            means[name] = self.picture(*words, *more, says="antialias", size=SMALL).mean()
         self.assertGreater(means["surface"], 20)
         self.assertGreater(means["full"], 0.5 * means["surface"])
         self.assertLess(means["full"], 1.3 * means["surface"])
@@ -138,7 +140,7 @@ class Volumes(CliTest):
     def test_which(self):
         """Gradients and noise are no labels; what the user asks for is shown."""
         random = numpy.random.default_rng(3)
-        noise = random.integers(0, 255, (SIDE, SIDE, SIDE)).astype(numpy.uint8)
+        noise = random.integers(0, 255, (16, 16, 16)).astype(numpy.uint8)
         self.image("noise.vti", noise)
         self.picture("noise.vti", says="surface")
         self.image("slope.vti", (2 * distances()).astype(numpy.uint8))

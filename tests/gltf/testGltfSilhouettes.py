@@ -38,18 +38,31 @@ MODELS = {
 }
 
 
+SMALL = 8  # pixels across: such triangles, of which files have many, are filled all at once
+
+
+def within(triangles, x, y):
+    """Whether places are in the triangles, whichever way round these are."""
+    corners = numpy.moveaxis(triangles, -2, 0)
+    sides = [(q[..., 0] - p[..., 0]) * (y - p[..., 1]) - (q[..., 1] - p[..., 1]) * (x - p[..., 0])
+             for p, q in zip(corners, numpy.roll(corners, -1, axis=0))]  # fmt: skip
+    return numpy.min(sides, axis=0) * numpy.max(sides, axis=0) >= 0
+
+
 def fill(triangles):
     """Which pixels have their centre in a triangle; corners in pixels from the upper left."""
     covered = numpy.zeros((SIZE, SIZE), bool)
     low = numpy.clip(numpy.floor(triangles.min(axis=1) - 0.5), 0, SIZE).astype(int)
     high = numpy.clip(numpy.ceil(triangles.max(axis=1) + 0.5), 0, SIZE).astype(int)
-    for (a, b, c), (left, top), (right, bottom) in zip(triangles, low, high):
+    small = (high - low).max(axis=1) <= SMALL
+    for place in numpy.ndindex(SMALL, SMALL):
+        mine = small & (low + place < high).all(axis=1)
+        x, y = (low[mine] + place).T
+        inside = within(triangles[mine], x + 0.5, y + 0.5)
+        covered[y[inside], x[inside]] = True
+    for triangle, (left, top), (right, bottom) in zip(triangles[~small], low[~small], high[~small]):
         x, y = numpy.meshgrid(numpy.arange(left, right) + 0.5, numpy.arange(top, bottom) + 0.5)
-        sides = [(q[0] - p[0]) * (y - p[1]) - (q[1] - p[1]) * (x - p[0])
-                 for p, q in ((a, b), (b, c), (c, a))]  # fmt: skip
-        inside = numpy.all([side >= 0 for side in sides], axis=0)
-        inside |= numpy.all([side <= 0 for side in sides], axis=0)
-        covered[top:bottom, left:right] |= inside
+        covered[top:bottom, left:right] |= within(triangle[None, None], x, y)
     return covered
 
 

@@ -327,7 +327,8 @@ private Q_SLOTS:
     writer->SetFileName(this->Path("image.vti").c_str());
     writer->SetInputData(image);
     QVERIFY(writer->Write());
-    this->Open({ this->Path("image.vti"), "--preset", "studio" });
+    // Rays through a volume take long.
+    this->Open({ this->Path("image.vti"), "--preset", "studio" }, QSize(500, 300));
     auto last = this->Grab();
     for (const char* kind : { "surface", "volume", "box" })
     {
@@ -346,7 +347,7 @@ private Q_SLOTS:
         this->Compare(kind);
       }
       const auto shown = this->Grab();
-      QVERIFY2(CountDifferent(shown, last) > 1000, kind);
+      QVERIFY2(CountDifferent(shown, last) > 150, kind);
       last = shown;
     }
     this->Choose("scene", "image", "");
