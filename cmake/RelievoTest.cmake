@@ -93,6 +93,7 @@ function (relievo_add_test)
     "RELIEVO_TEST_OUTPUT=${folder}"
     "RELIEVO_DATA=${RELIEVO_DATA}"
     "RELIEVO_PRESET=none" # VTK's look, which truths are compared with
+    "OPENBLAS_NUM_THREADS=1" # of numpy: threads that wait take the core from the test beside
     "RELIEVO_BASELINES=${RELIEVO_BASELINES}"
     ${RELIEVO_TEST_ENVIRONMENT}
     ${test_ENVIRONMENT})

@@ -62,6 +62,11 @@ class Studio(CliTest):
         layers = self.exr("a.exr")[1]
         return numpy.isfinite(layers["depth.Z"]), layers
 
+    def both(self, *words):
+        """Where the model is, and the picture, by one run."""
+        model, _ = self.seen(*words, "--png", "a.png")
+        return model, read_png(self.folder / "a.png")[..., :3].astype(int)
+
     def test_names(self):
         self.sphere("ball.obj")
         plain = self.picture("ball.obj")
@@ -86,9 +91,9 @@ class Studio(CliTest):
             for x, y, z in SIDES:
                 words = ["ball.obj", "--camera", f"{9 * x},{9 * y},{9 * z},0,0,0,0,1,0",
                          "--preset", preset, "--up", "y", "--ground", "off"]  # fmt: skip
-                model, _ = self.seen(*words)
+                model, picture = self.both(*words)
                 inner = shrunk(model)
-                light = self.picture(*words).max(axis=-1)[inner]
+                light = picture.max(axis=-1)[inner]
                 with self.subTest(preset=preset, side=(x, y, z)):
                     self.assertGreater(inner.sum(), 3000)
                     self.assertGreater(light.min(), 40)
@@ -99,8 +104,7 @@ class Studio(CliTest):
         self.sphere("ball.obj")
         for light in ("sun:1,2,2", "spot:4,8,8,0,0,0,30", "point:4,8,8"):
             words = ["ball.obj", "--light", light, "--camera", "0,3,12,0,0,0,0,1,0"]
-            model, _ = self.seen(*words)
-            lit = self.picture(*words)
+            model, lit = self.both(*words)
             with self.subTest(light=light):
                 inner = shrunk(model)
                 self.assertLess((lit.max(axis=-1)[inner] == 255).mean(), 0.02)
@@ -129,9 +133,8 @@ class Studio(CliTest):
         the shadow: it has no edge."""
         self.sphere("ball.obj")
         without = self.picture("ball.obj", "--ground", "off")
-        ground = self.picture("ball.obj")
+        model, ground = self.both("ball.obj")
         unlit = self.picture("ball.obj", "--shadows", "off")
-        model, _ = self.seen("ball.obj")
         free = shrunk(~model) & (abs(unlit - ground).max(axis=-1) == 0)
         self.assertGreater(abs(ground - without).max(), 50)
         steps = abs(numpy.diff(unlit, axis=0)).max(axis=-1)
@@ -154,7 +157,7 @@ class Studio(CliTest):
             self.skipTest("no bunny.off in RELIEVO_DATA")
         pictures = []
         for words in ([], ["--shadows", "exact", "--soft-shadows", "24"]):
-            self.relievo("render", mesh, *words, "--png", "a.png")
+            self.relievo("render", mesh, *words, "--size", "640x480", "--png", "a.png")
             pictures.append(read_png(self.folder / "a.png")[..., :3].astype(int))
         different = abs(pictures[0] - pictures[1]).max(axis=-1)
         self.assertGreater((different > 0).sum(), 100)  # they are two methods
