@@ -3,6 +3,7 @@
 #include "vtkRelievoParameter.h"
 
 #include "vtkRelievoColorWords.h"
+#include "vtkRelievoFormulas.h"
 
 #include <algorithm>
 #include <cctype>
@@ -258,6 +259,10 @@ std::string vtkRelievoParameter::Parse(const std::string& words) const
   double color[3];
   if (this->Type == COLOR && relievo::ReadColor(words, color))
   {
+    if (this->IsLinear)
+    {
+      std::transform(color, color + 3, color, relievo::f64::relievoLinearFromSrgb);
+    }
     return this->Set({ color[0], color[1], color[2] });
   }
   std::vector<double> values;

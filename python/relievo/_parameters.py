@@ -15,8 +15,8 @@ def words(value):
         return value
     if isinstance(value, (bool, numpy.bool_)):
         return "on" if value else "off"
-    if hasattr(value, "float_rgb"):  # PyVista's colours
-        value = value.float_rgb
+    if hasattr(value, "hex_rgb"):  # PyVista's colours
+        return value.hex_rgb
     if isinstance(value, (list, tuple, numpy.ndarray)) and numpy.ndim(value) == 1:
         return ",".join(words(each) for each in value)
     number = float(value)

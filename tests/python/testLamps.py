@@ -12,6 +12,11 @@ import scenes
 from scenes import PointsTest, point_source, points_at
 
 
+def linear(byte):
+    """Light of a byte that displays show, by IEC 61966-2-1."""
+    return ((byte / 255 + 0.055) / 1.055) ** 2.4 if byte > 10 else byte / 255 / 12.92
+
+
 class Lamps(PointsTest):
     def light(self):
         return relievo.layer(relievo.capture(self.renderer, ["light"]), "light")
@@ -108,8 +113,8 @@ class Lamps(PointsTest):
                 plotter = types.SimpleNamespace(renderer=renderer)
                 relievo.lamps(plotter, given, radius=9, color=color)
                 light = relievo.layer(relievo.capture(renderer, "light", size=(40, 30)), "light")
-                share = {"#ff8000": 128 / 255, "tomato": 99 / 255}.get(str(color), 0.5)
-                blue = 71 / 255 if color == "tomato" else 0
+                shown = {"#ff8000": (128, 0), "tomato": (99, 71)}.get(str(color))
+                share, blue = map(linear, shown) if shown else (0.5, 0)
                 if expected is None:
                     expected = light[..., 0]
                     self.assertGreater(expected.max(), 0.01)

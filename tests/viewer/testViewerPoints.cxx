@@ -120,6 +120,7 @@ private Q_SLOTS:
     this->Type("markers", "color", "0/1/0.25");
     QCOMPARE(this->Get("--markers"), Words{ points + ",shape=disc,color=0/1/0.25" });
     this->Compare("fog and markers");
+    QCOMPARE(viewer::ReadLinearColor("tomato"), QColor("tomato"));
     for (int byte = 0; byte < 256; ++byte)
     {
       const QColor color(byte, 255 - byte, byte / 2);

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LinearColor.h"
 
+#include <vtkRelievoColorWords.h>
+
 #include <QStringList>
 
 #include <algorithm>
@@ -13,6 +15,11 @@ namespace viewer
 // The curve of sRGB, IEC 61966-2-1.
 QColor ReadLinearColor(const QString& text)
 {
+  double named[3];
+  if (relievo::ReadColor(text.toStdString(), named)) // which says how displays show it
+  {
+    return QColor::fromRgbF(named[0], named[1], named[2]);
+  }
   const QStringList parts = QString(text).replace(',', '/').split('/');
   int shown[3] = { 255, 255, 255 };
   for (int i = 0; i < 3 && parts.size() == 3; ++i)

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Colours as screens show them, and as words of linear light, R/G/B.
+ * Colours as screens show them, and as words: R/G/B of linear light, or names and #rrggbb.
  */
 #ifndef LinearColor_h
 #define LinearColor_h

@@ -85,6 +85,7 @@ void vtkRelievoPointValues::AddColorValue(
   vtkRelievoParameter parameter;
   parameter.Name = name;
   parameter.Type = vtkRelievoParameter::COLOR;
+  parameter.IsLinear = true;
   parameter.Least = -std::numeric_limits<double>::infinity();
   parameter.Most = std::numeric_limits<double>::infinity();
   parameter.Help = help;
