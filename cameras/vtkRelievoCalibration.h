@@ -13,10 +13,12 @@
  *   times as wide as high; `orthographic[:PIXELS]`, pixels for a world unit (the view's).
  *
  * Files, by their names:
- * - `.yml`, `.yaml`, `.json`: OpenCV's (cv::FileStorage) and ROS's camera_info: `image_width`,
- *   `image_height`, `camera_matrix`, `distortion_coefficients`, and `distortion_model` (plumb_bob,
- *   rational_polynomial, equidistant, fisheye, division) or `fisheye_model`. Matrices are objects
- *   of `rows`, `cols` and `data`, or lists. Of YAML this subset is read; other entries are left.
+ * - `.yml`, `.yaml`, `.json`: OpenCV's (cv::FileStorage) and those of ROS's calibrator:
+ *   `image_width`, `image_height`, `camera_matrix`, `distortion_coefficients`, and
+ *   `distortion_model` (plumb_bob, rational_polynomial, equidistant, fisheye, division) or
+ *   `fisheye_model`. Or a CameraInfo of ROS, with `width`, `height`, `K` or `k`, `D` or `d`.
+ *   Matrices are objects of `rows`, `cols` and `data`, or lists. Of YAML this subset is read; other
+ *   entries are left.
  *
  * A file's intrinsics hold for its size; for a picture of another size and the same shape they are
  * scaled.

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRelievoCalibrationFile.h"
 
+#include "vtkRelievoLensCamera.h"
+
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -19,9 +21,11 @@ using Numbers = std::vector<double>;
 
 constexpr std::size_t MostBytes = std::size_t(1) << 26; // of a file
 
-int GetMostCoefficients(const std::string& lens)
+int GetLens(const std::string& name)
 {
-  return lens == "brown" ? 8 : lens == "fisheye" ? 4 : 1;
+  return name == "brown" ? vtkRelievoLensCamera::BROWN_CONRADY
+    : name == "fisheye"  ? vtkRelievoLensCamera::FISHEYE
+                         : vtkRelievoLensCamera::DIVISION;
 }
 
 std::string Trim(const std::string& text)
@@ -140,6 +144,18 @@ Json ReadYAMLValue(Lines lines, int depth)
     const std::size_t end = first.find(' ');
     first = end == std::string::npos ? "" : Trim(first.substr(end));
   }
+  if (first.empty() && lines.size() > 1 && Trim(lines[1]).rfind("- ", 0) == 0)
+  {
+    Json list = Json::array();
+    for (std::size_t i = 1; i < lines.size(); ++i)
+    {
+      const std::string item = Trim(lines[i]);
+      const std::string word = item.rfind("- ", 0) == 0 ? Trim(item.substr(2)) : item;
+      const std::optional<double> number = vtkRelievoCalibrationFile::ToNumber(word);
+      list.push_back(number ? Json(*number) : Json(word));
+    }
+    return list;
+  }
   if (first.empty() && lines.size() > 1 && depth > 0)
   {
     Json map = Json::object();
@@ -168,7 +184,40 @@ Json ReadYAMLValue(Lines lines, int depth)
   return number ? Json(*number) : Json(first);
 }
 
-// What calibrations say, of a file in YAML.
+// What is read: its names in OpenCV's files and those of ROS's calibrator, and in a CameraInfo of
+// ROS 1 and 2.
+enum
+{
+  WIDTH,
+  HEIGHT,
+  MATRIX,
+  COEFFICIENTS,
+  MODEL,
+  FISHEYE_MODEL
+};
+const std::vector<std::string> EntryNames[] = { { "image_width", "width" },
+  { "image_height", "height" }, { "camera_matrix", "K", "k" },
+  { "distortion_coefficients", "D", "d" }, { "distortion_model" }, { "fisheye_model" } };
+
+struct Entry
+{
+  std::string Name;
+  Json Value; // null: it is missing
+};
+
+Entry FindEntry(const Json& file, int which)
+{
+  for (const std::string& name : EntryNames[which])
+  {
+    if (file.contains(name))
+    {
+      return { name, file[name] };
+    }
+  }
+  return { EntryNames[which][0], {} };
+}
+
+// The entries that are known, of a file in YAML.
 Json ReadYAML(const std::string& text)
 {
   Lines lines;
@@ -181,10 +230,9 @@ Json ReadYAML(const std::string& text)
   Json file = Json::object();
   for (const auto& [key, value] : GetEntries(lines))
   {
-    for (const char* known : { "image_width", "image_height", "camera_matrix",
-           "distortion_coefficients", "distortion_model", "fisheye_model" })
+    for (const std::vector<std::string>& names : EntryNames)
     {
-      if (key == known)
+      if (std::find(names.begin(), names.end(), key) != names.end())
       {
         file[key] = ReadYAMLValue(value, 1);
       }
@@ -215,6 +263,23 @@ std::optional<Numbers> GetMatrix(const Json& value)
   return numbers;
 }
 
+// How the numbers of a matrix are not those that its own rows and columns say; empty if they are.
+std::string GetMiscount(const Json& value, std::size_t count)
+{
+  double expected = 1.0;
+  for (const char* side : { "rows", "cols" })
+  {
+    if (!value.is_object() || !value.contains(side) || !value[side].is_number())
+    {
+      return "";
+    }
+    expected *= value[side].get<double>();
+  }
+  std::ostringstream words;
+  words << "its rows and cols say " << expected << " numbers, its data has " << count;
+  return expected == static_cast<double>(count) ? "" : words.str();
+}
+
 bool AreAllFinite(const Numbers& numbers)
 {
   return std::all_of(
@@ -227,12 +292,13 @@ std::string GetLensName(const Json& file)
   static const std::vector<std::pair<std::string, std::string>> names = { { "plumb_bob", "brown" },
     { "rational_polynomial", "brown" }, { "equidistant", "fisheye" }, { "fisheye", "fisheye" },
     { "division", "division" }, { "", "brown" } };
-  const Json& flag = file.value("fisheye_model", Json());
+  const Json flag = FindEntry(file, FISHEYE_MODEL).Value;
   if ((flag.is_number() && flag.get<double>() != 0.0) || (flag.is_boolean() && flag.get<bool>()))
   {
     return "fisheye";
   }
-  const Json& model = file.value("distortion_model", Json(""));
+  const Json given = FindEntry(file, MODEL).Value;
+  const Json model = given.is_null() ? Json("") : given;
   const auto found = std::find_if(names.begin(), names.end(),
     [&model](const auto& each) { return model.is_string() && each.first == model; });
   return found == names.end() ? "" : found->second;
@@ -243,22 +309,21 @@ vtkRelievoCalibrationFile Interpret(const Json& file)
   vtkRelievoCalibrationFile found;
   for (int i = 0; i < 2; ++i)
   {
-    const char* name = i == 0 ? "image_width" : "image_height";
-    const Json& size = file.value(name, Json());
+    const auto [name, size] = FindEntry(file, i == 0 ? WIDTH : HEIGHT);
     const double pixels = size.is_number() ? size.get<double>() : 0.0;
     if (!(pixels >= 1.0 && pixels <= 1 << 20 && pixels == std::floor(pixels)))
     {
-      found.Wrong = std::string(name) + ": " + (size.is_null() ? "it is missing, " : "") +
+      found.Wrong = name + ": " + (size.is_null() ? "it is missing, " : "") +
         "expected a whole number of pixels";
       return found;
     }
     found.Size[i] = static_cast<int>(pixels);
   }
-  const Json& given = file.value("camera_matrix", Json());
-  const Numbers k = GetMatrix(given).value_or(Numbers());
+  const Entry given = FindEntry(file, MATRIX);
+  const Numbers k = GetMatrix(given.Value).value_or(Numbers());
   if (!vtkRelievoCalibrationFile::IsMatrix(k))
   {
-    found.Wrong = std::string("camera_matrix: ") + (given.is_null() ? "it is missing, " : "") +
+    found.Wrong = given.Name + ": " + (given.Value.is_null() ? "it is missing, " : "") +
       "expected 9 numbers, row by row: fx, skew, cx, 0, fy, cy, 0, 0, 1, fx and fy above 0";
     return found;
   }
@@ -266,23 +331,38 @@ vtkRelievoCalibrationFile Interpret(const Json& file)
   found.Kind = GetLensName(file);
   if (found.Kind.empty())
   {
-    found.Wrong = "distortion_model: got " + file["distortion_model"].dump() +
+    found.Wrong = "distortion_model: got " + FindEntry(file, MODEL).Value.dump() +
       ", expected plumb_bob, rational_polynomial, equidistant, fisheye or division";
     return found;
   }
-  const Json& coefficients = file.value("distortion_coefficients", Json::array());
-  const std::optional<Numbers> values = GetMatrix(coefficients);
-  const auto most = static_cast<std::size_t>(GetMostCoefficients(found.Kind));
-  if (!values || !AreAllFinite(*values) ||
-    std::any_of(values->begin() + static_cast<std::ptrdiff_t>(std::min(most, values->size())),
-      values->end(), [](double value) { return value != 0.0; }))
+  const Entry coefficients = FindEntry(file, COEFFICIENTS);
+  const std::optional<Numbers> values =
+    coefficients.Value.is_null() ? Numbers() : GetMatrix(coefficients.Value);
+  const std::string miscount =
+    values ? GetMiscount(coefficients.Value, values->size()) : std::string();
+  if (!miscount.empty())
   {
-    found.Wrong = "distortion_coefficients: expected at most " + std::to_string(most) +
-      " finite numbers, of the lens " + found.Kind + ", and zeros behind them";
+    found.Wrong = coefficients.Name + ": " + miscount;
     return found;
   }
-  found.Values.assign(
-    values->begin(), values->begin() + static_cast<std::ptrdiff_t>(std::min(most, values->size())));
+  // OpenCV's longer models are this one where what is behind it is 0.
+  const int lens = GetLens(found.Kind);
+  found.Values = values.value_or(Numbers());
+  const auto isTaken = [&found, lens] {
+    return vtkRelievoLensCamera::TakesCount(lens, static_cast<int>(found.Values.size()));
+  };
+  while (!isTaken() && found.Values.back() == 0.0)
+  {
+    found.Values.pop_back();
+  }
+  if (!values || !AreAllFinite(*values) || !isTaken())
+  {
+    found.Wrong = coefficients.Name + ": " +
+      (values ? "got " + std::to_string(values->size()) + " numbers, " : "") + "expected " +
+      vtkRelievoLensCamera::GetCounts(lens) + " finite numbers, of the lens " + found.Kind +
+      ", and zeros behind them";
+    return found;
+  }
   if (found.Kind != "fisheye" &&
     std::all_of(
       found.Values.begin(), found.Values.end(), [](double value) { return value == 0.0; }))

@@ -13,12 +13,14 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <vector>
 
 vtkStandardNewMacro(vtkRelievoLensCamera);
 
 namespace
 {
 constexpr int Used[] = { 0, 8, 4, 1 }; // coefficients of each lens
+const std::vector<int> Counts[] = { { 0 }, { 0, 2, 4, 5, 8 }, { 0, 1, 2, 3, 4 }, { 0, 1 } };
 const char* const Names[] = { "pinhole", "Brown-Conrady", "fisheye", "division" };
 
 constexpr double WidestTangent = 1e4; // an angle that no polynomial of the tangent is made for
@@ -123,13 +125,12 @@ void vtkRelievoLensCamera::SetLens(int lens, int count, const double* coefficien
       "There is no lens " << lens << ", expected " << PINHOLE << " to " << DIVISION << ".");
     return;
   }
-  if (count < 0 || count > Used[lens] ||
+  if (!TakesCount(lens, count) ||
     !std::all_of(
       coefficients, coefficients + count, [](double value) { return std::isfinite(value); }))
   {
-    vtkErrorMacro("The lens " << Names[lens] << " was given " << count
-                              << " coefficients, expected at most " << Used[lens]
-                              << ", all of them finite.");
+    vtkErrorMacro("The lens " << Names[lens] << " was given " << count << " coefficients, expected "
+                              << GetCounts(lens) << ", all of them finite.");
     return;
   }
   this->Lens = lens;
@@ -137,6 +138,28 @@ void vtkRelievoLensCamera::SetLens(int lens, int count, const double* coefficien
   std::copy_n(coefficients, count, this->Coefficients);
   this->Limit = this->GetLimit();
   this->Modified();
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoLensCamera::TakesCount(int lens, int count)
+{
+  return lens >= PINHOLE && lens <= DIVISION &&
+    std::count(Counts[lens].begin(), Counts[lens].end(), count) != 0;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkRelievoLensCamera::GetCounts(int lens)
+{
+  std::string words;
+  for (int count = 0; count <= MOST_COEFFICIENTS; ++count)
+  {
+    if (TakesCount(lens, count))
+    {
+      const bool isLast = count == Counts[lens].back();
+      words += (words.empty() ? "" : isLast ? " or " : ", ") + std::to_string(count);
+    }
+  }
+  return words;
 }
 
 //------------------------------------------------------------------------------

@@ -9,10 +9,10 @@
  *
  * Lenses, with r = sqrt(x² + y²) / z and coefficients in OpenCV's order:
  * - PINHOLE: a = x/z, b = y/z; no coefficients.
- * - BROWN_CONRADY (Brown 1971): k1 k2 p1 p2 k3 k4 k5 k6, the last four by choice; radially by
+ * - BROWN_CONRADY (Brown 1971): k1 k2 p1 p2 k3 k4 k5 k6, or the first 2, 4 or 5; radially by
  *   (1 + k1 r² + k2 r⁴ + k3 r⁶) / (1 + k4 r² + k5 r⁴ + k6 r⁶), and tangentially by p1, p2.
- * - FISHEYE (Kannala and Brandt 2006): k1 k2 k3 k4; the angle t from the axis becomes the radius
- *   t (1 + k1 t² + k2 t⁴ + k3 t⁶ + k4 t⁸), also beyond 90 degrees.
+ * - FISHEYE (Kannala and Brandt 2006): k1 k2 k3 k4, or the first of them; the angle t from the axis
+ *   becomes the radius t (1 + k1 t² + k2 t⁴ + k3 t⁶ + k4 t⁸), also beyond 90 degrees.
  * - DIVISION (Fitzgibbon 2001): k1; the ray of (a, b) is (a, b, 1 + k1 (a² + b²)), also beyond 90
  *   degrees.
  *
@@ -24,6 +24,8 @@
 #define vtkRelievoLensCamera_h
 
 #include "vtkRelievoCameraModel.h"
+
+#include <string> // for words
 
 class vtkCamera;
 
@@ -63,11 +65,17 @@ public:
   ///@{
   /**
    * The lens, one of the enumeration, and its coefficients; those that are not given are 0. Default
-   * PINHOLE. An error for more than the lens has, or such that are not finite.
+   * PINHOLE. An error for a number of them that the lens does not have, or such that are not
+   * finite.
    */
   void SetLens(int lens, int count, const double* coefficients) VTK_SIZEHINT(coefficients, count);
   vtkGetMacro(Lens, int);
   double GetCoefficient(int i);
+
+  ///@{
+  /** Whether a lens takes so many coefficients, and how many it takes: "0, 2, 4, 5 or 8". */
+  static bool TakesCount(int lens, int count);
+  static std::string GetCounts(int lens);
   ///@}
 
   ///@{

@@ -115,7 +115,7 @@ class CameraModel:
 class Pinhole(CameraModel):
     """A camera with intrinsics K (3, 3), and OpenCV's distortion by choice.
 
-    distortion: k1, k2, p1, p2[, k3[, k4, k5, k6]] of Brown and Conrady, in OpenCV's order.
+    distortion: k1, k2[, p1, p2[, k3[, k4, k5, k6]]] of Brown and Conrady, in OpenCV's order.
     size: (columns, rows). R, t: the pose; see CameraModel.pose.
 
     Raises ValueError for wrong arguments.
@@ -152,7 +152,7 @@ class Pinhole(CameraModel):
 
 class Fisheye(Pinhole):
     """A fisheye with intrinsics K (3, 3) and OpenCV's fisheye coefficients D: k1, k2, k3, k4
-    (Kannala and Brandt). Without coefficients, angles are equal steps of the radius.
+    (Kannala and Brandt). Those not given are 0; without any, angles are equal steps of the radius.
 
     size: (columns, rows). R, t: the pose; see CameraModel.pose.
 

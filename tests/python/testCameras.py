@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Cameras by their calibration: pictures against projections by hand, lenses against OpenCV."""
 
+import json
 import os
 import tempfile
 import unittest
@@ -266,7 +267,7 @@ class Lenses(unittest.TestCase):
     def test_nothing_is_seen_twice(self):
         # r - 0.2 r^3 grows up to r = sqrt(5 / 3), where it is 2 / 3 of that.
         sensor = relievo.Pinhole([[100, 0, 150], [0, 100, 150], [0, 0, 1]], (301, 301),
-                                 distortion=(-0.2,))
+                                 distortion=(-0.2, 0))
         seen = self.check_inverse(sensor, 0.25, 1e-6)
         radius = numpy.linalg.norm(places_of((301, 301)) - 150.0, axis=-1)
         edge = 100 * 2 / 3 * numpy.sqrt(5 / 3)
@@ -332,8 +333,10 @@ class Lenses(unittest.TestCase):
 
     def test_refused(self):
         for words, make in (
-            ("at most 8", lambda: relievo.Pinhole(K, SIZE, distortion=[0.1] * 12)),
-            ("at most 4", lambda: relievo.Fisheye(K, SIZE, [0.1] * 5)),
+            *((f"given {n} coefficients, expected 0, 2, 4, 5 or 8",
+               lambda n=n: relievo.Pinhole(K, SIZE, distortion=[0.1] * n))
+              for n in (1, 3, 6, 7, 12)),
+            ("expected 0, 1, 2, 3 or 4", lambda: relievo.Fisheye(K, SIZE, [0.1] * 5)),
             ("field", lambda: relievo.Equirectangular((8, 4), (400, 180))),
             ("pixels_per_unit", lambda: relievo.Orthographic(0, SIZE)),
             ("pixels_per_unit", lambda: relievo.Orthographic("a", SIZE)),
@@ -418,6 +421,63 @@ rectification_matrix:
   cols: 3
   data: [1, 0, 0, 0, 1, 0, 0, 0, 1]
 """
+# What `rostopic echo -n 1` and `ros2 topic echo --once` print of a CameraInfo.
+ROS_MESSAGE = """header:
+  seq: 12
+  stamp:
+    secs: 1700000000
+    nsecs: 100000000
+  frame_id: "narrow"
+height: 480
+width: 640
+distortion_model: "plumb_bob"
+D: [-0.25, 0.07, 0.001, -0.0007, -0.01]
+K: [820.5, 0.0, 333.25, 0.0, 790.25, 210.75, 0.0, 0.0, 1.0]
+R: [1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0]
+P: [800.0, 0.0, 330.0, 0.0, 0.0, 780.0, 210.0, 0.0, 0.0, 0.0, 1.0, 0.0]
+binning_x: 0
+binning_y: 0
+roi:
+  x_offset: 0
+  y_offset: 0
+  height: 0
+  width: 0
+  do_rectify: False
+---
+"""
+ROS2_MESSAGE = """header:
+  stamp:
+    sec: 1700000000
+    nanosec: 100000000
+  frame_id: narrow
+height: 480
+width: 640
+distortion_model: equidistant
+d:
+- 0.02
+- -0.013
+- 0.006
+- -0.0011
+k:
+- 820.5
+- 0.0
+- 333.25
+- 0.0
+- 790.25
+- 210.75
+- 0.0
+- 0.0
+- 1.0
+r:
+- 1.0
+p:
+- 800.0
+binning_x: 0
+roi:
+  height: 0
+  width: 0
+---
+"""
 
 
 class Words(unittest.TestCase):
@@ -442,7 +502,17 @@ class Words(unittest.TestCase):
     def test_files_of_others(self):
         for name, text, lens in (
             ("a.yml", OPENCV_YAML, "brown"), ("b.JSON", OPENCV_JSON, "fisheye"),
-            ("c.yaml", ROS_YAML, "rational"),
+            ("c.yaml", ROS_YAML, "rational"), ("d.yaml", ROS_MESSAGE, "brown"),
+            ("e.yml", ROS2_MESSAGE, "fisheye"),
+            ("f.json", json.dumps({"width": 640, "height": 480, "K": K.ravel().tolist(),
+                                   "distortion_model": "rational_polynomial", "D": RATIONAL}),
+             "rational"),
+            # OpenCV's model of 14 numbers, the last six of them 0, and its first 5.
+            ("g.yml", ROS_YAML.replace("cols: 8", "cols: 14")
+             .replace("2e-2]", "2e-2, 0, 0, 0, 0, 0, 0]"), "rational"),
+            ("h.yml", ROS_YAML.replace("cols: 8", "cols: 4").replace("rational_polynomial", '""')
+             .replace("0.4, -0.1, 0.0006, 0.0011, 0.03, 0.65, -0.05, 2e-2", "0, 0, 0, 0"),
+             "pinhole"),
         ):
             with self.subTest(file=name):
                 path = self.file(name, text)
@@ -504,8 +574,18 @@ class Words(unittest.TestCase):
             ("camera_matrix: expected 9", self.file("d.yml", OPENCV_YAML.replace("1. ]", "1."))),
             ("distortion_model: got \"bent\"",
              self.file("e.yml", ROS_YAML.replace("rational_polynomial", "bent"))),
-            ("distortion_coefficients: expected at most 8",
-             self.file("f.yml", ROS_YAML.replace("2e-2]", "2e-2, 0.1]"))),
+            # One number is lost: those behind it would each be taken for the one before.
+            ("distortion_coefficients: its rows and cols say 5 numbers, its data has 4",
+             self.file("f.yml", OPENCV_YAML.replace("-0.25, ", ""))),
+            ("distortion_coefficients: its rows and cols say 8 numbers, its data has 9",
+             self.file("h.yml", ROS_YAML.replace("2e-2]", "2e-2, 0.1]"))),
+            ("D: got 3 numbers, expected 0, 2, 4, 5 or 8 finite numbers, of the lens brown",
+             self.file("i.yml", ROS_MESSAGE.replace("-0.0007, -0.01", ""))),
+            ("d: got 5 numbers, expected 0, 1, 2, 3 or 4 finite",
+             self.file("j.yml", ROS2_MESSAGE.replace("d:\n", "d:\n- 0.1\n"))),
+            ("distortion_coefficients: expected 0, 2, 4, 5 or 8 finite",
+             self.file("k.yml", OPENCV_YAML.replace("-0.25", ".nan"))),
+            ("k: expected 9 numbers", self.file("l.yml", ROS2_MESSAGE.replace("- 790.25\n", ""))),
             ("pictures of 640x480.*shape", self.file("g.yml", OPENCV_YAML)),
         ):
             with self.subTest(words=words), self.assertRaisesRegex(ValueError, f"lens: .*{part}"):

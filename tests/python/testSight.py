@@ -562,7 +562,7 @@ class Flow(unittest.TestCase):
         for far in (0, 5e7):
             mesh = box((far, 0, 0), 0.5)
             for sensor in (
-                relievo.Pinhole(K60, (81, 61), distortion=(-0.1,)),
+                relievo.Pinhole(K60, (81, 61), distortion=(-0.1, 0)),
                 relievo.Division(K60, (81, 61), -0.1),
                 relievo.Equirectangular((80, 40)), relievo.Cube(17),
                 relievo.Orthographic(30, (81, 61)), relievo.Pushbroom(60, (0, 0.03, 0), (81, 61)),
