@@ -69,6 +69,9 @@ public:
   bool Project(const double point[3], double pixel[2]);
   ///@}
 
+  /** Columns of a whole turn, behind which the same directions come again; 0 of most sensors. */
+  virtual double GetColumnsOfTurn() { return 0.0; }
+
   ///@{
   /**
    * The rays of all pixels in the world, row by row from the top, of the rows from one to before

@@ -98,6 +98,12 @@ bool vtkRelievoPanoramaCamera::ProjectCameraPoint(const double point[3], double 
 }
 
 //------------------------------------------------------------------------------
+double vtkRelievoPanoramaCamera::GetColumnsOfTurn()
+{
+  return this->Layout == CUBE ? 0.0 : 360.0 / this->FieldOfView[0] * this->Size[0];
+}
+
+//------------------------------------------------------------------------------
 double vtkRelievoPanoramaCamera::GetDepth(const double origin[3], const double point[3])
 {
   return std::sqrt(vtkMath::Distance2BetweenPoints(origin, point));

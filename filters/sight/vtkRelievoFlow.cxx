@@ -111,6 +111,8 @@ int vtkRelievoFlow::RequestData(
   const vtkIdType columns = this->From.Camera->GetSize()[0];
   const vtkIdType rows = this->From.Camera->GetSize()[1];
   const int* seen = this->To.Camera->GetSize();
+  const double turnOfTo = this->To.Camera->GetColumnsOfTurn();
+  const double turn = turnOfTo == this->From.Camera->GetColumnsOfTurn() ? turnOfTo : 0.0;
   constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
   const auto flow = NewArray<vtkFloatArray>("flow", 2, columns * rows, nothing);
   const auto motion = NewArray<vtkFloatArray>("motion", 3, columns * rows, nothing);
@@ -157,7 +159,8 @@ int vtkRelievoFlow::RequestData(
         motion->SetComponent(pixel, k, to[k] - before->GetComponent(i, k));
       }
       const double* target = targets->GetPointer(2 * i);
-      flow->SetComponent(pixel, 0, target[0] - static_cast<double>(i % columns));
+      const double across = target[0] - static_cast<double>(i % columns);
+      flow->SetComponent(pixel, 0, turn > 0.0 ? std::remainder(across, turn) : across);
       flow->SetComponent(pixel, 1, target[1] - static_cast<double>(row + i / columns));
       const bool inside = target[0] >= -0.5 && target[0] <= seen[0] - 0.5 && target[1] >= -0.5 &&
         target[1] <= seen[1] - 0.5;

@@ -12,7 +12,9 @@
  *
  * Output: vtkImageData of the first camera's columns and rows, row 0 at the bottom:
  * - flow (2 float): pixels from here to there, x right, y down; NaN where nothing is seen, or the
- *   second camera has no place for the point;
+ *   second camera has no place for the point. Between equirectangular panoramas of equal steps it
+ *   goes the shorter way round, also across the seam, and then beyond the picture's edge: the place
+ *   there is that modulo the columns of a whole turn;
  * - motion (3 float): the point's way in world units; NaN where nothing is seen, or the point is no
  *   longer there;
  * - flow_valid (unsigned char): 1 where the point is within the second picture and nothing lies

@@ -584,6 +584,25 @@ class Flow(unittest.TestCase):
         with self.assertRaisesRegex(ValueError, "no places"):
             relievo.visible(mesh, lidar)
 
+    def test_the_shorter_way_round(self):
+        """In a panorama whose camera turns all directions move by the turn, also at the seam."""
+        mesh = box((0, 0, 0), 1)
+        for field, degrees in (((360, 180), 10), ((360, 180), -35), ((300, 100), 70)):
+            with self.subTest(field=field, degrees=degrees):
+                size = (120, 30)
+                steps = -degrees * size[0] / field[0]
+                before = relievo.moment(mesh, relievo.Equirectangular(size, field))
+                after = relievo.Equirectangular(size, field, R=(0, -numpy.radians(degrees), 0))
+                image = relievo.flow(before, mesh, after)
+                flow = relievo.layer(image, "flow")
+                numpy.testing.assert_allclose(flow[..., 0], steps, atol=1e-4)
+                numpy.testing.assert_allclose(flow[..., 1], 0, atol=1e-4)
+                # A whole panorama goes on behind its edge; a part of one ends there.
+                there = numpy.arange(size[0]) + steps
+                inside = (there >= -0.5) & (there <= size[0] - 0.5) | (field[0] == 360)
+                valid = relievo.layer(image, "flow_valid") == 1
+                self.assertGreater((valid == inside).mean(), 0.98)
+
     def test_actors_that_go(self):
         renderer = vtkRenderer()
         actors = []
