@@ -153,9 +153,10 @@ std::string vtkRelievoParameter::GetExpected() const
 {
   const std::string unit = this->Unit.empty() ? "" : " (" + this->Unit + ")";
   const bool bounded = std::isfinite(this->Least) && std::isfinite(this->Most);
-  const std::string range = bounded ? " from " + Write(this->Least) + " to " + Write(this->Most)
-    : std::isfinite(this->Least)    ? ", " + Write(this->Least) + " or more"
-                                    : "";
+  const std::string bounds = bounded ? "from " + Write(this->Least) + " to " + Write(this->Most)
+    : std::isfinite(this->Least)     ? Write(this->Least) + " or more"
+                                     : "";
+  const std::string range = bounds.empty() ? "" : (bounded ? " " : ", ") + bounds;
   const std::string orArray = this->PerPoint ? ", or the name of a point array" : "";
   switch (this->Type)
   {
@@ -166,9 +167,7 @@ std::string vtkRelievoParameter::GetExpected() const
     case NUMBER:
       return "a number" + range + unit + orArray;
     case COLOR:
-      return (range.empty() ? "three numbers, red, green and blue"
-                            : "red,green,blue, each" + range) +
-        ", #rrggbb, or a colour's name" + orArray;
+      return "red,green,blue, each " + bounds + ", #rrggbb, or a colour's name" + orArray;
     case PAIR:
       return "two numbers" + unit;
     case VECTOR:

@@ -39,8 +39,8 @@ struct VTKRELIEVODESCRIBE_EXPORT vtkRelievoParameter
   std::vector<std::string> ChoiceLabels; // of each of them; empty: by their names
   bool IsDirection = false;              // of a vector: not 0 0 0
   bool IsLinear = false; // of a colour: numbers are of light, names and #rrggbb as displays show it
-  double Usual = 0.0;                    // up to which a slider goes; 0: to Most
-  bool PerPoint = false;                 // the name of a point array gives each point its own value
+  double Usual = 0.0;    // up to which a slider goes; 0: to Most
+  bool PerPoint = false; // the name of a point array gives each point its own value
   bool Advanced = false; // for those who know the method: ParaView shows it behind its gear, the
                          // viewer among what is folded
 

@@ -14,7 +14,8 @@ vtkRelievoLamps::vtkRelievoLamps()
 {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   constexpr double white[3] = { 1.0, 1.0, 1.0 };
-  this->SetThings("lamps", "places must be finite, radii above 0 and intensities other than 0");
+  this->SetThings("lamps",
+    "places must be finite, radii above 0, intensities other than 0, colours not negative");
   this->AddValue("radius", 1.0, 0.0, infinity, "world units", "How far the lamps shine.");
   this
     ->AddValue("intensity", 1.0, -infinity, infinity, "",

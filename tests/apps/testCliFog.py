@@ -75,7 +75,7 @@ class Fog(CliTest):
             ("fog.vtp,density=-0.5", ["density", "'-0.5'"]),
             ("fog.vtp,radius=-1", ["radius", "'-1'"]),
             ("fog.vtp,radius=", ["radius", "the name of a point array"]),
-            ("fog.vtp,color=1/0", ["color", "three numbers"]),
+            ("fog.vtp,color=1/0", ["color", "red,green,blue"]),
             ("fog.vtp,mode=linear", ["mode", "'linear'", "beer, chord"]),
             ("fog.vtp,mode=beer,mode=beer", ["FILE[,NAME=VALUE]", "each once"]),
             (",density=1", ["FILE[,NAME=VALUE]"]),

@@ -157,7 +157,7 @@ class Lamps(CliTest):
             "lamps.vtk,radius=1,radius=2": "each once",
             "lamps.vtk,radius=-1": ["--lamps radius", "-1", "0 or more"],
             "lamps.vtk,radius=": ["--lamps radius", "a number", "or the name of a point array"],
-            "lamps.vtk,color=1/2": ["--lamps color", "three numbers"],
+            "lamps.vtk,color=1/2": ["--lamps color", "red,green,blue"],
             "lamps.vtk,falloff=cubic": ["--lamps falloff", "cubic", "inverse-square"],
             "lamps.vtk,attenuation=1/0/0": "falloff=vtk",
             "lamps.vtk,casting=9": ["--lamps casting", "9", "0 to 8"],

@@ -98,7 +98,7 @@ class Markers(CliTest):
             ("marks.vtp,shape=square", ["shape", "'square'", "ring, glow, disc, shadow"]),
             ("marks.vtp,up=0/0/0", ["up", "a direction"]),
             ("marks.vtp,up=0/1", ["up", "three numbers"]),
-            ("marks.vtp,color=1/0", ["color", "three numbers"]),
+            ("marks.vtp,color=1/0", ["color", "red,green,blue"]),
             ("marks.vtp,radius=1,radius=2", ["FILE[,NAME=VALUE]", "each once"]),
             ("marks.xyz", ["marks.xyz", ".vtp"]),
         ):

@@ -80,11 +80,12 @@ void TestValues()
   all.push_back({ glm::dvec3(0.0, 0.6, 1.0), 0.0, 1.0, White });
   all.push_back({ glm::dvec3(0.0, 0.6, 1.0), -2.0, 1.0, White });
   all.push_back({ glm::dvec3(0.0, 0.6, 1.0), 2.0, 0.0, White });
+  all.push_back({ glm::dvec3(0.0, 0.6, 1.0), 2.0, 1.0, glm::dvec3(1.0, -0.5, 0.0) });
   const auto set = scene.AddLamps(all);
   RELIEVO_CHECK(CheckLight(scene.Read(Needed), good, vtkRelievoLamps::LINEAR, White,
                   "among lamps that are none") > 0);
   RELIEVO_CHECK(set->GetNumberOfPoints() == 1);
-  RELIEVO_CHECK(set->GetNumberLeftOut() == 15);
+  RELIEVO_CHECK(set->GetNumberLeftOut() == 16);
 }
 
 // An array that does not fit is said once, in words that have `text`; one value is taken for all.

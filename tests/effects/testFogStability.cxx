@@ -51,10 +51,11 @@ void TestData()
   scene.Set({ { { NaN, 0., 0. }, 1., 1., White }, { { 0., Infinity, 0. }, 1., 1., White },
     { { 0., 0., 0. }, NaN, 1., White }, { { 0., 0., 0. }, Infinity, 1., White },
     { { 0., 0., 0. }, 1., -Infinity, White }, { { 0., 0., 0. }, 1., 1., { NaN, 0., 0. } }, Good,
-    { { 0., 0., 0. }, 0., 1., White }, { { 0., 0., 0. }, -1., 1., White },
-    { { 0., 0., 0. }, 1., 0., White }, { { 0., 0., 0. }, 1., -2., White } });
+    { { 0., 0., 0. }, 1., 1., { 1., 0., -0.1 } }, { { 0., 0., 0. }, 0., 1., White },
+    { { 0., 0., 0. }, -1., 1., White }, { { 0., 0., 0. }, 1., 0., White },
+    { { 0., 0., 0. }, 1., -2., White } });
   CheckSame(expected, scene, "fog");
-  RELIEVO_CHECK(scene.Fog->GetNumberLeftOut() == 10 && scene.Stage->GetNumberDrawn() == 1);
+  RELIEVO_CHECK(scene.Fog->GetNumberLeftOut() == 11 && scene.Stage->GetNumberDrawn() == 1);
 
   // None at all: nothing is held, and the picture is VTK's own.
   scene.Set({ { { 0., 0., 0. }, 0., 1., White } });

@@ -57,14 +57,16 @@ void TestData()
   away.Center.y = Infinity;
   Mark colorless = Good;
   colorless.Color.y = NaN;
+  Mark negative = Good;
+  negative.Color.z = -0.1;
   Mark far = Good;
   far.Center.x = 1e300;
   scene.Set(M::RING,
-    { nowhere, away, far, colorless, With(&Mark::Radius, 0.), With(&Mark::Radius, -1.),
+    { nowhere, away, far, colorless, negative, With(&Mark::Radius, 0.), With(&Mark::Radius, -1.),
       With(&Mark::Radius, NaN), With(&Mark::Radius, Infinity), With(&Mark::Width, 0.),
       With(&Mark::Width, -0.5), With(&Mark::Opacity, 0.), With(&Mark::Opacity, -1.), Good });
   CheckSame(expected, scene, "marker");
-  RELIEVO_CHECK(scene.Markers->GetNumberLeftOut() == 11 && scene.Stage->GetNumberDrawn() == 1);
+  RELIEVO_CHECK(scene.Markers->GetNumberLeftOut() == 12 && scene.Stage->GetNumberDrawn() == 1);
   scene.Set(M::SHADOW, { With(&Mark::Reach, 0.), With(&Mark::Reach, -1.), With(&Mark::Width, 0.) });
   scene.Window->Render();
   RELIEVO_CHECK(scene.Markers->GetNumberLeftOut() == 2 && scene.Stage->GetNumberDrawn() == 1);

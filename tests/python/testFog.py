@@ -70,7 +70,8 @@ class Fog(PointsTest):
             ({"radius": (1, 2)}, "radius"),
             ({"radius": True}, "radius.*0 or more"),
             ({"density": float("nan")}, "density.*0 or more"),
-            ({"color": (1, 2)}, "color.*three numbers"),
+            ({"color": (1, 2)}, "color.*red,green,blue, each 0 or more"),
+            ({"color": (0, 0, -0.5)}, "color.*red,green,blue, each 0 or more"),
             ({"mode": "linear"}, "mode.*beer, chord"),
             ({"mode": "beer", "overlap": 3}, "overlap.*sum, dominant"),
         ))  # fmt: skip

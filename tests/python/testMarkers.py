@@ -87,7 +87,8 @@ class Markers(PointsTest):
             ({"radius": -1}, "radius.*0 or more"),
             ({"width": (1, 2)}, "width"),
             ({"opacity": float("nan")}, "opacity.*from 0 to 1"),
-            ({"color": (1, 2)}, "color.*three numbers"),
+            ({"color": (1, 2)}, "color.*red,green,blue, each 0 or more"),
+            ({"color": (0, 0, -0.5)}, "color.*red,green,blue, each 0 or more"),
             ({"up": (0, 0, 0)}, "up.*a direction"),
             ({"up": 3}, "up.*three numbers"),
         ))  # fmt: skip

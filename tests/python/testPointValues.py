@@ -93,7 +93,7 @@ class Values(unittest.TestCase):
         for name, words, says in (
             ("radius", "-1", "0 or more"),
             ("radius", "", "a number"),
-            ("color", "1/2", "three numbers"),
+            ("color", "1/2", "red,green,blue, each 0 or more"),
             ("falloff", "cubic", "one of linear"),
             ("attenuation", "a", "three numbers"),
             ("size", "1", "one of radius, intensity"),

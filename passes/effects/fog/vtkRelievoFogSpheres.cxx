@@ -14,7 +14,8 @@ vtkRelievoFogSpheres::vtkRelievoFogSpheres()
 {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   constexpr double white[3] = { 1.0, 1.0, 1.0 };
-  this->SetThings("fog", "places must be finite, radii and densities above 0");
+  this->SetThings(
+    "fog", "places must be finite, radii and densities above 0, colours not negative");
   this->AddValue("radius", 1.0, 0.0, infinity, "world units", "How large the spheres are.");
   this
     ->AddValue("density", 1.0, 0.0, infinity, "per world unit",

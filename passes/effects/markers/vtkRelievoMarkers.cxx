@@ -90,7 +90,8 @@ vtkRelievoMarkers::vtkRelievoMarkers()
 {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   this->SetThings("markers",
-    "places must be finite, radii, opacities, widths of rings and reaches of shadows above 0");
+    "places must be finite, radii, opacities, widths of rings and reaches of shadows above 0, "
+    "colours not negative");
   this->AddValue("radius", 1.0, 0.0, infinity, "world units", "How far the markers reach.");
   this->AddValue("width", 0.2, 0.0, 1.0, "radii", "How wide rings are.").OnlyIf = "shape=ring";
   vtkRelievoParameter& reach =

@@ -86,7 +86,6 @@ void vtkRelievoPointValues::AddColorValue(
   parameter.Name = name;
   parameter.Type = vtkRelievoParameter::COLOR;
   parameter.IsLinear = true;
-  parameter.Least = -std::numeric_limits<double>::infinity();
   parameter.Most = std::numeric_limits<double>::infinity();
   parameter.Help = help;
   this->AddPerPoint(parameter, forAll, 0.0);
@@ -362,7 +361,7 @@ void vtkRelievoPointValues::Take(vtkDataSet* data)
     }
     const bool finite =
       std::all_of(row, row + this->Width, [](double v) { return std::isfinite(v); });
-    if (!finite || !this->HasEffect(row))
+    if (!finite || !this->HasColors(row) || !this->HasEffect(row))
     {
       ++this->NumberLeftOut;
       continue;
@@ -374,6 +373,22 @@ void vtkRelievoPointValues::Take(vtkDataSet* data)
     kept += this->Width;
   }
   this->Rows.resize(first + static_cast<std::size_t>(kept - rows));
+}
+
+//------------------------------------------------------------------------------
+// Whether no part of the row's colours is negative.
+bool vtkRelievoPointValues::HasColors(const double* row) const
+{
+  const double* column = row + 3;
+  for (const Value& value : this->Values)
+  {
+    if (value.Components == 3 && *std::min_element(column, column + 3) < 0.0)
+    {
+      return false;
+    }
+    column += value.Components;
+  }
+  return true;
 }
 
 //------------------------------------------------------------------------------

@@ -6,7 +6,8 @@
  *
  * Input: any vtkDataSet (vtkPolyData usually) or composite dataset. Each point is one thing. A
  * value comes from a point array, by default the array of the value's name, or is one for all
- * points. Points whose place or values are not finite, and ghosts, are left out and counted.
+ * points. Points whose place or values are not finite, or whose colour is negative, and ghosts, are
+ * left out and counted.
  *
  * A class that derives from it describes its values once, in its constructor; the command line,
  * Python, ParaView and the viewer take them from there.
@@ -100,7 +101,7 @@ public:
   /** Brings the points up to date; when they, or a setting, have last changed. */
   vtkMTimeType GetUpdatedTime();
 
-  /** Points that were left out, because their place or values are not finite, or have no effect. */
+  /** Points left out: the place or a value is not finite, a colour negative, or has no effect. */
   vtkGetMacro(NumberLeftOut, int);
 
 #ifndef __VTK_WRAP__
@@ -183,6 +184,7 @@ private:
     const vtkRelievoParameter& parameter, const double* forAll, double first);
   const Value* FindValue(const std::string& name) const;
   void Take(vtkDataSet* data);
+  bool HasColors(const double* row) const;
   void Fill(vtkDataSet* data, const Value& value, double* column);
   void ReportOnce(const std::string& words);
 
