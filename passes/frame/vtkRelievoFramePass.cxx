@@ -10,6 +10,7 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLRenderer.h"
 #include "vtkRelievoAccess.h"
+#include "vtkRelievoColorBuffers.h"
 #include "vtkRelievoColorTarget.h"
 #include "vtkRelievoDelegate.h"
 #include "vtkRelievoFrameContext.h"
@@ -53,10 +54,12 @@ public:
   vtkWeakPointer<vtkOpenGLRenderWindow> Window; // of the last frame
 
   // While something moves, pictures have the first sample alone of those that smooth edges: what
-  // that shows is filtered, not what is gathered.
+  // that shows is filtered, not what is gathered. A window with multisampling has smoothed it, and
+  // its framebuffer cannot be copied to be filtered.
   void SmoothFirst(const vtkRelievoFrameContext& context)
   {
-    if (context.OffsetsSamples && context.Sample == 0 && context.Picture && context.Last)
+    if (context.OffsetsSamples && context.Sample == 0 && context.Picture && context.Last &&
+      vtkRelievoColorBuffers::GetBoundSamples() == 0)
     {
       this->Filter->Execute(static_cast<vtkOpenGLRenderer*>(context.Renderer));
     }
