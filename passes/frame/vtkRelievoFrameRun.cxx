@@ -260,7 +260,9 @@ int vtkRelievoFrameRun::DrawDelegate(vtkRelievoDelegate& delegate, vtkRenderPass
   auto* renderer = static_cast<vtkOpenGLRenderer*>(this->Context.Renderer);
   if (!this->Nodes[0].Needed)
   {
-    // The delegate would have done it: VTK's shaders are built for the lights that it counts.
+    // The delegate would have done it: VTK's shaders are built for the lights that it counts, and
+    // what is read back tells where the lights are.
+    vtkRelievoAccess::Renderer::FollowCamera(renderer);
     renderer->UpdateLights();
     return 0;
   }

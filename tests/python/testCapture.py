@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """capture(): layers against truth in double, sizes, windows, what it leaves behind, errors."""
 
+import json
 import os
 import subprocess
 import sys
@@ -14,6 +15,7 @@ from vtkmodules.vtkCommonCore import vtkVersion
 from vtkmodules.vtkFiltersSources import vtkSphereSource
 from vtkmodules.vtkRenderingCore import (
     vtkActor,
+    vtkLight,
     vtkPointGaussianMapper,
     vtkRenderer,
     vtkWindowToImageFilter,
@@ -103,6 +105,34 @@ class Layers(unittest.TestCase):
             [origin.GetValue(i) for i in range(3)],
             [float(numpy.float32(v)) for v in (0.1, 0.2, 0.3)],
         )
+
+    def test_lights_follow_the_camera(self):
+        """Each capture tells where the lights at the eye are, whatever it draws."""
+        camera = self.renderer.GetActiveCamera()
+        for layers in ["depth"], ["color"], ["normal", "light"]:
+            for kind in "headlight", "camera":
+                self.renderer.RemoveAllLights()
+                light = vtkLight()
+                light.SetLightTypeToHeadlight()
+                if kind == "camera":
+                    light.SetLightTypeToCameraLight()
+                    light.SetPosition(0.3, 0.2, 1)
+                self.renderer.AddLight(light)
+                for x in (1, 2, 3):
+                    camera.SetPosition(x, 2, 4)
+                    image = relievo.capture(self.renderer, layers, size=(20, 10))
+                    (told,) = map(json.loads, relievo.attributes(image)["lights"])
+                    eye = numpy.array((x, 2, 4), float)
+                    place = told["position"], told["focal_point"]
+                    if kind == "camera":  # its position is in units of the distance to the focus
+                        rotation, _ = relievo.extrinsics(camera)
+                        right, down, ahead = rotation
+                        off = 0.3 * right - 0.2 * down
+                        eye = eye + camera.GetDistance() * off
+                    with self.subTest(layers=layers, kind=kind, x=x):
+                        self.assertEqual(told["frame"], kind)
+                        numpy.testing.assert_allclose(place, (eye, camera.GetFocalPoint()),
+                                                      atol=1e-9)
 
     def test_background_and_types(self):
         names = ["depth", "range", "normal", "geometric_normal", "position", "albedo", "color",
