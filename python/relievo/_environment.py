@@ -10,7 +10,7 @@ import textwrap
 import numpy
 from vtkmodules.vtkCommonCore import vtkWeakReference
 from vtkmodules.vtkCommonDataModel import vtkImageData
-from vtkmodules.vtkRenderingCore import vtkCamera
+from vtkmodules.vtkRenderingCore import vtkCamera, vtkLight
 
 from ._errors import Watch, is_a, require
 from ._errors import describe as described
@@ -82,6 +82,7 @@ def environment(*arguments, **given):
     own.relievo_own = True
     for actor in actors:
         _placed.append(_Placed(inner, actor, made, own))
+    object.__setattr__(inner, "relievo_null_light", _NullLight(inner))
     return made
 
 
@@ -157,6 +158,31 @@ class _Placed:
             material.relievo_before = None
 
 
+class _NullLight:
+    """A light of no intensity while a frame is drawn in which no light is on: without any VTK's
+    shaders shade nothing, show all colours in full, and have no normals to be lit about."""
+
+    def __init__(self, renderer):
+        self._light = vtkLight()
+        self._light.SetLightTypeToHeadlight()
+        self._light.SetIntensity(0)
+        self._tags = [renderer.AddObserver("StartEvent", self._place),
+                      renderer.AddObserver("EndEvent", self._remove)]
+
+    def take_away(self, renderer):
+        for tag in self._tags:
+            renderer.RemoveObserver(tag)
+
+    def _place(self, renderer, _event):
+        lights = list(renderer.GetLights())
+        makes_one = not lights and renderer.GetAutomaticLightCreation()
+        if not makes_one and not any(light.GetSwitch() for light in lights):
+            renderer.AddLight(self._light)
+
+    def _remove(self, renderer, _event):
+        renderer.RemoveLight(self._light)
+
+
 _placed = []  # by all calls
 
 
@@ -169,6 +195,10 @@ def _remove(renderer):
         if frame_of(renderer) is not None:
             stage(renderer, "tone", on=False)
         object.__setattr__(renderer, "relievo_tone", False)
+    null_light = getattr(renderer, "relievo_null_light", None)
+    if null_light is not None:
+        null_light.take_away(renderer)
+        object.__setattr__(renderer, "relievo_null_light", None)
     for prop in list(renderer.GetViewProps()):
         if _is_own(prop) and prop.IsA("vtkRelievoSkybox"):
             renderer.RemoveViewProp(prop)

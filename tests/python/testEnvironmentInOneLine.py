@@ -105,6 +105,55 @@ class Environment(unittest.TestCase):
             self.assertEqual(made.GetIntensity(), 2)
             numpy.testing.assert_allclose(self.look((0, 0, -1)), encoded(0.5), atol=3)
 
+    def test_without_lights(self):
+        """Where no light is on, the environment's is all there is; others count as ever."""
+        self.actor.GetProperty().SetColor(1, 1, 1)
+        light = numpy.full((16, 32, 3), 0.25, numpy.float32)
+        self.renderer.AutomaticLightCreationOff()
+        relievo.environment(self.renderer, light, reflectivity=0, roughness=0)
+
+        def ball():
+            lights = list(self.renderer.GetLights())
+            seen = self.look((0, 0, -1))[25:35, 40:50]
+            self.assertEqual(list(self.renderer.GetLights()), lights)
+            told = relievo.attributes(relievo.capture(self.renderer))["lights"]
+            self.assertEqual(len(told), sum(each.GetSwitch() for each in lights))
+            return seen
+
+        numpy.testing.assert_allclose(ball(), numpy.full((10, 10, 3), encoded(0.25)), atol=3)
+        for interpolation in ("Flat", "PBR"):
+            with self.subTest(interpolation):
+                getattr(self.actor.GetProperty(), f"SetInterpolationTo{interpolation}")()
+                numpy.testing.assert_allclose(
+                    ball(), numpy.full((10, 10, 3), encoded(0.25)), atol=12)
+        self.actor.GetProperty().SetInterpolationToGouraud()
+        sun = vtkLight()
+        sun.SetLightTypeToHeadlight()
+        sun.SetIntensity(0.2)
+        sun.SwitchOff()
+        self.renderer.AddLight(sun)
+        numpy.testing.assert_allclose(ball(), numpy.full((10, 10, 3), encoded(0.25)), atol=3)
+        sun.SwitchOn()
+        numpy.testing.assert_allclose(ball()[5, 5], encoded(0.25 + 0.2**2.2), atol=3)
+        # VTK makes its own light where it may, and draws as before when the environment is gone.
+        self.renderer.RemoveAllLights()
+        relievo.environment(self.renderer, None)
+        numpy.testing.assert_allclose(ball()[5, 5], (255, 255, 255), atol=1e-3)
+        self.renderer.AutomaticLightCreationOn()
+        relievo.environment(self.renderer, light, reflectivity=0, roughness=0)
+        self.look((0, 0, -1))
+        self.assertEqual(self.renderer.GetLights().GetNumberOfItems(), 1)
+        # Frames that gather samples come to an end.
+        self.renderer.RemoveAllLights()
+        self.renderer.AutomaticLightCreationOff()
+        relievo.stage(self.renderer, "antialias", samples=4)
+        frame = relievo.attach(self.renderer)
+        left = []
+        for _ in range(4):
+            self.window.Render()
+            left.append(frame.GetSamplesLeft())
+        self.assertEqual(left, [3, 2, 1, 0])
+
     def test_bytes_are_srgb(self):
         path = self.folder / "grey.png"
         writer = vtkPNGWriter()
