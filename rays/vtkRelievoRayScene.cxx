@@ -311,6 +311,20 @@ bool IsShown(vtkProp* prop)
   return false;
 }
 
+// Whether the meshes from that one on draw points or lines, and no triangle.
+bool DrawLinesAlone(const std::vector<vtkRelievoPlacedMesh>& meshes, std::size_t first)
+{
+  vtkIdType others = 0;
+  vtkIdType surfaces = 0;
+  for (std::size_t i = first; i < meshes.size(); ++i)
+  {
+    vtkPolyData* mesh = meshes[i].Mesh;
+    others += mesh->GetNumberOfVerts() + mesh->GetNumberOfLines();
+    surfaces += mesh->GetNumberOfPolys() + mesh->GetNumberOfStrips();
+  }
+  return surfaces == 0 && others > 0;
+}
+
 void UpdateMapper(vtkMapper* mapper)
 {
   for (int port = 0; mapper && port < mapper->GetNumberOfInputPorts(); ++port)
@@ -386,8 +400,13 @@ void vtkRelievoRayScene::Held::AddActors(vtkProp* prop, std::map<vtkProp*, int>&
     }
   }
   const std::size_t before = this->Meshes.size();
-  const bool followed = vtkRelievoPropMeshes::Collect(
+  bool followed = vtkRelievoPropMeshes::Collect(
     prop, vtkRelievoPropMeshes::Wanted::Geometry, this->Glyphs, this->Meshes);
+  if (DrawLinesAlone(this->Meshes, before))
+  {
+    followed = false;
+    this->Meshes.resize(before);
+  }
   if (!(meshes && followed) && IsShown(prop))
   {
     this->LeftOut.emplace_back(prop);

@@ -94,7 +94,9 @@ def visible(thing, cameras, occluders=(), size=None, cloud=False):
 
     Of a scene it is a list of these, one for each of rays(thing).props, all of which hide each
     other: in world coordinates, with the cell arrays block and cell as the layers of these names;
-    None for a prop that rays do not meet. The points have the array actor as well.
+    None for a prop that rays do not meet, or that is translucent: it is seen through. Surfaces have
+    two sides, whatever their culling. The points have the array actor as well. What rays cannot
+    follow is left out with a RuntimeWarning.
 
     Raises ValueError for wrong arguments.
     """
@@ -104,7 +106,13 @@ def visible(thing, cameras, occluders=(), size=None, cloud=False):
     filter_.SetCloud(bool(cloud))
     is_scene = (isinstance(thing, list) or inner_renderer(thing) is not None
                 or prop_of(thing) is not None)
-    props = _Props(rays(thing)) if is_scene else None
+    props = None
+    if is_scene:
+        scene = rays(thing)
+        scene.scene.OpaqueOnlyOn()  # as in the layers of a frame
+        with Watch(scene.scene):
+            scene.scene.Update()
+        props = _Props(scene)
     _give(filter_, thing if props is None else props.mesh, occluders)
     _run(filter_, "visible")
     seen, points = (_copy(filter_.GetOutput(port)) for port in (0, 1))
@@ -117,7 +125,6 @@ class _Props:
     """The meshes of a scene as one, in the world, and what is found of it as theirs."""
 
     def __init__(self, scene):
-        scene.scene.Update()
         meshes = [[] for _ in scene.props]
         parts = []
         for number in range(scene.scene.GetNumberOfMeshes()):
@@ -241,8 +248,10 @@ class Moment:
 
     def __init__(self, thing, camera, size):
         self.scene = vtkRelievoRayScene()
-        self.scene.CopyStateOf(rays(thing).scene)
         self.sensor = _sensor_of(thing, camera, size).copy()
+        scene = rays(thing).scene
+        with Watch(scene):
+            self.scene.CopyStateOf(scene)
 
 
 def moment(thing, camera=None, size=None):

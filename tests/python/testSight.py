@@ -11,7 +11,12 @@ from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonMath import vtkMatrix4x4
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkMultiBlockDataSet, vtkPolyData
-from vtkmodules.vtkFiltersSources import vtkCubeSource, vtkPlaneSource, vtkSphereSource
+from vtkmodules.vtkFiltersSources import (
+    vtkCubeSource,
+    vtkLineSource,
+    vtkPlaneSource,
+    vtkSphereSource,
+)
 from vtkmodules.vtkRenderingCore import (
     vtkActor,
     vtkCompositeDataDisplayAttributes,
@@ -338,6 +343,44 @@ class SeenScene(unittest.TestCase):
         found = relievo.visible(renderer, sensor)
         self.assertIsNone(found[1])
         self.assertTrue((array(found[0], "seen") == 1).all())
+
+    def test_translucent(self):
+        """What is translucent is seen through, as in the layers of a frame."""
+        renderer = self.scene()
+        _, near = renderer.GetActors()
+        near.GetProperty().SetOpacity(0.5)
+        sensor = relievo.Pinhole([[90, 0, 60.3], [0, 90, 60.2], [0, 0, 1]], (121, 121))
+        sensor.look_at((0, 0, 4), (0, 0, 0))
+        found, cloud = relievo.visible(renderer, sensor, cloud=True)
+        self.assertIsNone(found[1])
+        relievo.camera(renderer, K=sensor.K, R=sensor.R, t=sensor.t, size=sensor.size)
+        drawn = relievo.capture(renderer, ["actor", "cell"], size=sensor.size)
+        self.assertEqual(set(relievo.layer(drawn, "actor").ravel()), {-1, 0})
+        cells = relievo.layer(drawn, "cell")[relievo.layer(drawn, "actor") == 0]
+        wrong = numpy.abs(array(found[0], "pixels") - numpy.bincount(cells, minlength=100))
+        self.assertLessEqual(wrong.sum(), 0.01 * len(cells))
+        self.assertEqual(set(vtk_to_numpy(cloud.GetPointData().GetArray("actor"))), {0})
+
+    def test_what_is_left_out_is_told(self):
+        """Of lines and wireframes, once each, as a warning of Python's."""
+        renderer = self.scene()
+        far, near = renderer.GetActors()
+        source, lines = vtkLineSource(), vtkPolyDataMapper()
+        lines.SetInputConnection(source.GetOutputPort())
+        sensor = relievo.Pinhole(K, SIZE).look_at((0, 0, 4), (0, 0, 0))
+        shown = near.GetProperty()
+        for mapper, representation in (
+                (near.GetMapper(), shown.SetRepresentationToWireframe),
+                (lines, shown.SetRepresentationToSurface)):  # fmt: skip
+            near.SetMapper(mapper)
+            representation()
+            with self.assertWarnsRegex(RuntimeWarning, "Rays do not meet vtk.*Actor: ") as told:
+                found = relievo.visible(renderer, sensor)
+            self.assertEqual(told.filename, __file__)
+            self.assertIsNone(found[1])
+            self.assertTrue((array(found[0], "seen") == 1).all())
+            with self.assertWarnsRegex(RuntimeWarning, "Rays do not meet vtk.*Actor: "):
+                relievo.moment(renderer, sensor)
 
     def test_lists_and_blocks(self):
         """Data and actors in a list; of blocks each cell says whose it is."""

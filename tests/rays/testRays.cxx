@@ -19,6 +19,7 @@
 #include <vtkIdTypeArray.h>
 #include <vtkImageData.h>
 #include <vtkIntArray.h>
+#include <vtkLineSource.h>
 #include <vtkMath.h>
 #include <vtkMatrix4x4.h>
 #include <vtkMultiBlockDataSet.h>
@@ -506,6 +507,13 @@ void TestRenderer()
   wires->GetProperty()->SetRepresentationToWireframe();
   renderer->AddActor(wires);
 
+  vtkNew<vtkLineSource> line;
+  vtkNew<vtkPolyDataMapper> lineMapper;
+  lineMapper->SetInputConnection(line->GetOutputPort());
+  vtkNew<vtkActor> lines;
+  lines->SetMapper(lineMapper);
+  renderer->AddActor(lines);
+
   vtkNew<vtkSkybox> sky;
   renderer->AddActor(sky);
 
@@ -526,11 +534,12 @@ void TestRenderer()
   vtkNew<vtkRelievoRayScene> scene;
   scene->SetRenderer(renderer);
   {
-    relievoTest::ExpectMessage expect("Rays do not meet vtkOpenGLActor:");
+    relievoTest::ExpectMessage expect("Rays do not meet vtkOpenGLActor, vtkOpenGLActor:");
     scene->Update();
     RELIEVO_CHECK(expect.Count() == 1);
   }
-  RELIEVO_CHECK(scene->GetNumberOfPropsLeftOut() == 1 && scene->GetPropLeftOut(0) == wires.Get());
+  RELIEVO_CHECK(scene->GetNumberOfPropsLeftOut() == 2 && scene->GetPropLeftOut(0) == wires.Get() &&
+    scene->GetPropLeftOut(1) == lines.Get());
   Rays rays;
   rays.AddThrough(truth.GetLow(), truth.GetHigh(), 150);
   Compare(scene, truth, rays, "glyphs and a mesh"); // and no second warning
