@@ -6,8 +6,8 @@
 // the catalogue. Run by the build.
 //
 // A comment in the template that stands alone becomes: `points`, the proxies of points of surfaces,
-// for every stage that draws such; `stages: properties`, the properties of every stage that is not
-// always there, and `stages: exposed` their groups in the render view; so for `shadows`, `sun`,
+// for every stage that draws such; `stages: properties`, the properties of every stage that can be
+// switched, and `stages: exposed` their groups in the render view; so for `shadows`, `sun`,
 // `environment`, `selection` and `material`, which have groups of their own; `layers`, the names of
 // layers; `layers: shown`, those that can be shown as the picture. In other lines @layers: help@ is
 // what they are, @layers: count@ how many values a selection of layers has, and @layers: A B@ the
@@ -111,12 +111,23 @@ std::string Decorate(const std::string& property, const std::string& value, bool
 
 std::string DecorateIf(const Described& described, const vtkRelievoParameter::Condition& condition)
 {
+  if (condition.Name == "visible") // the stage's switch
+  {
+    return Decorate(described.Exposed + described.Prefix, "1", false);
+  }
   if (const vtkRelievoParameter* other = described.List.Find(condition.Name))
   {
-    const auto place = std::find(other->Choices.begin(), other->Choices.end(), condition.Value);
-    return Decorate(described.GetExposedName(condition.Name),
-      other->Choices.empty() ? condition.Value : std::to_string(place - other->Choices.begin()),
-      condition.Other);
+    std::string value = condition.Value;
+    if (other->Type == vtkRelievoParameter::FLAG)
+    {
+      value = value == "on" ? "1" : "0";
+    }
+    else if (!other->Choices.empty())
+    {
+      const auto place = std::find(other->Choices.begin(), other->Choices.end(), value);
+      value = std::to_string(place - other->Choices.begin());
+    }
+    return Decorate(described.GetExposedName(condition.Name), value, condition.Other);
   }
   const bool given = condition.Value.empty();
   return condition.Name == "environment"
@@ -277,16 +288,33 @@ std::string MakeSwitch(const std::string& name, const std::string& label,
     Documentation(help) + "      </RelievoIntVectorProperty>\n";
 }
 
+// Shows properties while a stage is switched on, or any of its layers is the picture.
+std::string DecorateInUse(const std::string& on, const std::vector<std::string>& layers)
+{
+  std::string either = Decorate(on, "1", false);
+  for (const std::string& layer : layers)
+  {
+    either += Decorate("RelievoDisplayLayer", layer, false);
+  }
+  return layers.empty() ? either
+                        : "          <PropertyWidgetDecorator type=\"CompositeDecorator\">\n"
+                          "          <Expression type=\"or\">\n" +
+      either + "          </Expression>\n          </PropertyWidgetDecorator>\n";
+}
+
 // The group of a stage in the view's properties.
 void AddStage(vtkRelievoStage* stage, std::map<std::string, std::string>& made)
 {
   const vtkRelievoStageDescription& says = stage->GetDescription();
   const std::string name = "Stage" + vtkRelievoCapitalize(says.Name, false);
+  const vtkRelievoParameter* visible = says.Find("visible");
   const Described described = { says, "SetStage", says.Name + ":", name, "Relievo",
-    Decorate("Relievo" + name, "1", false) };
-  made["stages: properties"] +=
-    MakeSwitch(name, says.Label, "SetStageOn", says.Name, says.OnByDefault, says.Help) +
-    MakeProperties(described);
+    DecorateInUse("Relievo" + name, visible ? says.Layers : std::vector<std::string>()) };
+  made["stages: properties"] += visible
+    ? MakeSwitch(name, says.Label, "SetStageValue", says.Name + ":visible",
+        visible->GetValues()[0] != 0.0, says.Help)
+    : MakeSwitch(name, says.Label, "SetStageOn", says.Name, says.OnByDefault, says.Help);
+  made["stages: properties"] += MakeProperties(described);
   made["stages: exposed"] += "          <PropertyGroup label=\"" + Escape(says.Label) +
     " (Relievo)\">\n" + Expose(name, "Relievo" + name) + MakeExposed(described) +
     "          </PropertyGroup>\n";
@@ -404,7 +432,8 @@ std::map<std::string, std::string> MakeAll()
   for (int i = 0; i < frame->GetNumberOfStages(); ++i)
   {
     const vtkRelievoStageDescription& stage = frame->GetStage(i)->GetDescription();
-    if (!stage.OnByDefault || stage.TakesData)
+    const bool isSwitched = !stage.OnByDefault || stage.TakesData || stage.Find("visible");
+    if (isSwitched && frame->GetStage(i) != frame->GetShadowStage())
     {
       AddStage(frame->GetStage(i), made);
     }

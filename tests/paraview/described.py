@@ -85,8 +85,11 @@ def of_view():
     }
     for i in range(frame.GetNumberOfStages()):
         stage = frame.GetStage(i)
-        if not stage.GetEnabled() or stage.IsA("vtkRelievoPointStage"):
+        says = [stage.GetParameterName(k) for k in range(stage.GetNumberOfParameters())]
+        shown = "visible" in says and stage.GetStageName() != "shadows"
+        if shown or not stage.GetEnabled() or stage.IsA("vtkRelievoPointStage"):
             name = "RelievoStage" + capitalize(stage.GetStageName())
-            found[name] = (int(stage.GetEnabled()), 1 - int(stage.GetEnabled()))
-            found.update(properties(stage, name))
+            on = stage.GetParameter("visible") == "on" if shown else stage.GetEnabled()
+            found[name] = (int(on), 1 - int(on))
+            found.update(properties(stage, name, ("visible",)))
     return found

@@ -39,6 +39,33 @@ class Pictures(judge.StageTest):
         self.scene.sun()
         self.same(alpha(), own, "opacity")
 
+    def test_ambient_occlusion(self):
+        """A ground before an endless wall: the picture's light times the share of the sky."""
+        pv.clear()
+        view = simple.CreateView("RenderView", ViewSize=[200, 200])
+        view.OrientationAxesVisibility = view.UseFXAA = 0
+        simple.Show(simple.Plane(Origin=[0, -99, 0], Point1=[9, -99, 0], Point2=[0, 99, 0]), view)
+        simple.Show(simple.Plane(Origin=[0, -99, 0], Point1=[0, 99, 0], Point2=[0, -99, 2]), view)
+        view.CameraPosition, view.CameraFocalPoint = [2, 0, 9], [2, 0, 0]
+        view.CameraViewUp = [0, 1, 0]
+        view.CameraParallelProjection, view.CameraParallelScale = 1, 1
+
+        def light():
+            code = numpy.mean(pv.picture(view)[..., 0] / 255, axis=0)
+            return numpy.where(code < 0.04045, code / 12.92, ((code + 0.055) / 1.055) ** 2.4)
+
+        own, first = pv.picture(view), light()
+        view.RelievoStageAmbient = 1
+        x = 1 + (numpy.arange(200) + 0.5) / 100
+        share = (1 + x / numpy.sqrt(x**2 + 2**2)) / 2  # of the sky that the wall leaves
+        numpy.testing.assert_allclose(light() / first, share, atol=0.02)
+        view.RelievoStageAmbientStrength = 0.5
+        numpy.testing.assert_allclose(light() / first, (1 + share) / 2, atol=0.02)
+        view.RelievoStageAmbient = 0
+        self.same(pv.picture(view), own, "off again")
+        view.UpdatePropertyInformation()
+        self.assertEqual(view.GetProperty("RelievoFrameReport").GetElement(0), "")
+
     def test_stereo_has_each_eyes_shadows(self):
         self.view.StereoRender = 1
         self.view.StereoType = "Red-Blue"

@@ -7,6 +7,7 @@ With the words `restore plugin|none FILE PICTURE` the script loads a state and d
 """
 
 import json
+import pathlib
 import re
 import sys
 
@@ -17,6 +18,8 @@ import numpy
 import pv
 import stage
 from paraview import simple, smstate, smtrace
+
+DOCS = pathlib.Path(__file__).parents[2] / "docs"
 
 # Every property of the view: default, another value as a script gives it.
 PROPERTIES = {
@@ -146,6 +149,20 @@ class Scripting(judge.StageTest):
         for name, (default, _) in PROPERTIES.items():
             self.assertEqual(value(self.view, name), default, name)
             self.assertGreater(len(getattr(type(self.view), name).__doc__.strip()), 15, name)
+
+    def test_groups_that_the_docs_name(self):
+        """They are in the panel of the view, or of what it shows."""
+        proxies = (self.view.SMProxy, self.scene.ball_shown.SMProxy)
+        groups = {
+            proxy.GetPropertyGroup(i).GetXMLLabel()
+            for proxy in proxies
+            for i in range(proxy.GetNumberOfPropertyGroups())
+        }
+        named = set()
+        for page in [DOCS / "paraview.md", *(DOCS / "passes").glob("*.md")]:
+            named.update(re.findall(r"\*([^*]+ \(Relievo\))\*", page.read_text()))
+        self.assertGreater(len(named), 5)
+        self.assertLessEqual(named, groups)
 
     def test_trace_records_every_property(self):
         light = simple.AddLight(self.view)

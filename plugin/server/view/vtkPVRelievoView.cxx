@@ -184,8 +184,8 @@ vtkPVRelievoView* vtkPVRelievoView::Find(vtkPVView* view)
 //------------------------------------------------------------------------------
 bool vtkPVRelievoView::IsAnythingOn()
 {
-  return this->GetShadows() || this->Internal->Frame->GetDisplayLayer() ||
-    !this->Internal->Asked.empty() || this->IsAnyStageOn() || this->Internal->Selection.On ||
+  return this->Internal->Frame->GetDisplayLayer() || !this->Internal->Asked.empty() ||
+    this->IsAnyStageOn() || this->Internal->Selection.On ||
     vtkPVRelievoPoints::IsAny(this->Internal->View);
 }
 
@@ -580,7 +580,10 @@ bool vtkPVRelievoView::IsAnyStageOn()
   for (int i = 0; i < frame->GetNumberOfStages(); ++i)
   {
     vtkRelievoStage* stage = frame->GetStage(i);
-    if (stage->GetEnabled() && !stage->GetDescription().OnByDefault)
+    const vtkRelievoStageDescription& says = stage->GetDescription();
+    // What is always there waits for data, or for a layer's name, unless it is to be visible.
+    const vtkRelievoParameter* visible = says.Find("visible");
+    if (stage->GetEnabled() && (visible ? visible->GetValues()[0] != 0.0 : !says.OnByDefault))
     {
       return true;
     }
