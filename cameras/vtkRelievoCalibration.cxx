@@ -323,13 +323,21 @@ vtkRelievoCameraModel* vtkRelievoCalibration::MakeCamera(vtkCamera* view, int co
       ", expected one of that shape");
     return nullptr;
   }
+  const double* const position = view->GetPosition();
+  const std::string wrong =
+    vtkRelievoCameraModel::CheckView(position, view->GetFocalPoint(), view->GetViewUp());
+  if (!wrong.empty())
+  {
+    this->Fail(wrong);
+    return nullptr;
+  }
   vtkRelievoCameraModel* made = this->MakeLens(view, columns, rows);
   if (!made)
   {
     return nullptr;
   }
   made->SetSize(columns, rows);
-  made->LookAt(view->GetPosition(), view->GetFocalPoint(), view->GetViewUp());
+  made->LookAt(position, view->GetFocalPoint(), view->GetViewUp());
   if (this->Camera)
   {
     this->Camera->Delete();

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <sstream>
 
 namespace
 {
@@ -31,6 +32,19 @@ void Turn(const double rotation[9], const double camera[3], double world[3])
   {
     world[i] = rotation[i] * from[0] + rotation[3 + i] * from[1] + rotation[6 + i] * from[2];
   }
+}
+
+// Right, down and forward of a view; false if it has no direction.
+bool FindAxes(
+  const double position[3], const double target[3], const double up[3], double axes[3][3])
+{
+  double* const forward = axes[2];
+  vtkMath::Subtract(target, position, forward);
+  const bool apart = vtkMath::Normalize(forward) > 0.0;
+  vtkMath::Cross(forward, up, axes[0]);
+  const bool isView = apart && vtkMath::Normalize(axes[0]) > 0.0 && AreFinite(position, 3);
+  vtkMath::Cross(forward, axes[0], axes[1]);
+  return isView;
 }
 }
 
@@ -92,31 +106,45 @@ void vtkRelievoCameraModel::SetExtrinsics(const double rotation[9], const double
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoCameraModel::LookAt(
+std::string vtkRelievoCameraModel::CheckView(
   const double position[3], const double target[3], const double up[3])
 {
-  double forward[3];
-  double right[3];
-  double down[3];
-  vtkMath::Subtract(target, position, forward);
-  const bool apart = vtkMath::Normalize(forward) > 0.0;
-  vtkMath::Cross(forward, up, right);
-  if (!apart || !(vtkMath::Normalize(right) > 0.0) || !AreFinite(position, 3))
+  double axes[3][3];
+  if (FindAxes(position, target, up, axes))
   {
-    vtkErrorMacro("From (" << position[0] << ", " << position[1] << ", " << position[2] << ") to ("
-                           << target[0] << ", " << target[1] << ", " << target[2] << ") with ("
-                           << up[0] << ", " << up[1] << ", " << up[2]
-                           << ") upwards is no view, expected two places, and another direction.");
-    return;
+    return std::string();
   }
-  vtkMath::Cross(forward, right, down);
-  const double* const axes[3] = { right, down, forward };
+  std::ostringstream text;
+  const auto write = [&text](const double* place) {
+    text << "(" << place[0] << ", " << place[1] << ", " << place[2] << ")";
+  };
+  text << "from ";
+  write(position);
+  text << " to ";
+  write(target);
+  text << " with ";
+  write(up);
+  text << " upwards is no view, expected two places, and upwards another direction";
+  return text.str();
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoCameraModel::LookAt(
+  const double position[3], const double target[3], const double up[3])
+{
+  double axes[3][3];
+  if (!FindAxes(position, target, up, axes))
+  {
+    vtkErrorMacro(<< CheckView(position, target, up));
+    return false;
+  }
   for (int i = 0; i < 3; ++i)
   {
     std::copy_n(axes[i], 3, this->Rotation + 3 * i);
     this->Translation[i] = -vtkMath::Dot(axes[i], position);
   }
   this->Modified();
+  return true;
 }
 
 //------------------------------------------------------------------------------

@@ -19,6 +19,8 @@
 #include "vtkObject.h"
 #include "vtkRelievoCamerasModule.h" // for the export macro
 
+#include <string> // for what is wrong
+
 class vtkDoubleArray;
 class vtkFieldData;
 
@@ -46,9 +48,13 @@ public:
 
   /**
    * The pose of a camera at this place that looks at that one, the third vector upwards in the
-   * picture. An error if they say no direction.
+   * picture. False, with an error, if they say no direction.
    */
-  virtual void LookAt(const double position[3], const double target[3], const double up[3]);
+  virtual bool LookAt(const double position[3], const double target[3], const double up[3]);
+
+  /** What is wrong with these three, and what is expected; empty if nothing is. */
+  static std::string CheckView(
+    const double position[3], const double target[3], const double up[3]);
 
   ///@{
   /**

@@ -92,13 +92,11 @@ void vtkRelievoLidar::SetDirections(int beams, const double* azimuths, const dou
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoLidar::LookAt(const double position[3], const double target[3], const double up[3])
+bool vtkRelievoLidar::LookAt(const double position[3], const double target[3], const double up[3])
 {
-  const vtkMTimeType before = this->GetMTime();
-  this->Superclass::LookAt(position, target, up);
-  if (this->GetMTime() == before)
+  if (!this->Superclass::LookAt(position, target, up))
   {
-    return; // it was no view
+    return false;
   }
   // From right, down, forward to forward, left, up.
   const auto turn = [](double* right, double* down, double* forward) {
@@ -113,6 +111,7 @@ void vtkRelievoLidar::LookAt(const double position[3], const double target[3], c
     turn(this->Rotation + i, this->Rotation + 3 + i, this->Rotation + 6 + i);
   }
   turn(this->Translation, this->Translation + 1, this->Translation + 2);
+  return true;
 }
 
 //------------------------------------------------------------------------------

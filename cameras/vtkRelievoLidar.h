@@ -43,7 +43,7 @@ public:
     VTK_SIZEHINT(azimuths, beams) VTK_SIZEHINT(elevations, beams);
 
   /** The pose of a sensor at this place whose x axis points to that one. */
-  void LookAt(const double position[3], const double target[3], const double up[3]) override;
+  bool LookAt(const double position[3], const double target[3], const double up[3]) override;
 
   bool GetCameraRay(double u, double v, double origin[3], double direction[3]) override;
   bool ProjectCameraPoint(const double point[3], double pixel[2]) override;

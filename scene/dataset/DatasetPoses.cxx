@@ -421,7 +421,15 @@ void SetFromPose(
   {
     up = take("up", 3);
   }
-  camera->LookAt(take("position", 3).data(), take("target", 3).data(), up.data());
+  const std::vector<double> position = take("position", 3);
+  const std::vector<double> target = take("target", 3);
+  const std::string wrong =
+    vtkRelievoCameraModel::CheckView(position.data(), target.data(), up.data());
+  if (!wrong.empty())
+  {
+    throw UsageError(where + ": " + wrong);
+  }
+  camera->LookAt(position.data(), target.data(), up.data());
 }
 
 //------------------------------------------------------------------------------

@@ -158,7 +158,11 @@ class Sight(CliTest):
                 self.refused(*words, status=2, says=says)
         self.refused("sun", "nothing.off", *out, *SUN, status=1, says="nothing.off")
         (self.folder / "points.off").write_text("OFF\n1 0 0\n0 0 0\n")
+        nowhere = [{"position": [0, 5, 0], "target": [0, 5, 0]}]
+        (self.folder / "nowhere.json").write_text(json.dumps(nowhere))
         self.before = self.names()
+        self.refused("visible", "ground.off", *out, "--poses", "nowhere.json", status=2,
+                     says=["nowhere.json", "(0, 5, 0)", "is no view, expected"])  # fmt: skip
         self.refused("sun", "points.off", *out, *SUN, status=1, says="points.off")
 
 

@@ -12,6 +12,7 @@ import scenes
 from vtkmodules.vtkRenderingCore import vtkCamera, vtkRenderWindow
 
 import relievo
+from relievo.vtkRelievoCameras import vtkRelievoCalibration
 
 # cv2.projectPoints and cv2.fisheye.projectPoints of OpenCV 5.0.0 of these points, pose and lenses.
 POINTS = numpy.array([[0, 0, 0], [1, 0.5, -0.3], [-0.8, 0.7, 0.4], [0.5, -0.9, 1.2],
@@ -330,6 +331,12 @@ class Lenses(unittest.TestCase):
         self.assertGreater(sensor.project([(1.1, 2, 0)])[0, 0], K[0, 2])
         with self.assertRaisesRegex(ValueError, "no view"):
             sensor.look_at((1, 2, 3), (1, 2, 9), (0, 0, 1))
+        calibration, view, said = vtkRelievoCalibration(), vtkCamera(), []
+        calibration.AddObserver("ErrorEvent", lambda *_: said.append("error"))
+        view.SetViewUp(0, 0, 1)
+        self.assertIsNone(calibration.MakeCamera(view, 64, 48))
+        self.assertIn("no view", calibration.GetFailureText())
+        self.assertEqual(said, ["error"])
 
     def test_refused(self):
         for words, make in (

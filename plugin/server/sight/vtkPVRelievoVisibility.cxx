@@ -3,6 +3,7 @@
 #include "vtkPVRelievoVisibility.h"
 
 #include "vtkCamera.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkRelievoCalibration.h"
 #include "vtkRelievoCameraModel.h"
@@ -14,34 +15,6 @@ vtkPVRelievoVisibility::vtkPVRelievoVisibility() = default;
 
 //------------------------------------------------------------------------------
 vtkPVRelievoVisibility::~vtkPVRelievoVisibility() = default;
-
-//------------------------------------------------------------------------------
-void vtkPVRelievoVisibility::SetPosition(double x, double y, double z)
-{
-  this->View->SetPosition(x, y, z);
-  this->Modified();
-}
-
-//------------------------------------------------------------------------------
-void vtkPVRelievoVisibility::SetFocalPoint(double x, double y, double z)
-{
-  this->View->SetFocalPoint(x, y, z);
-  this->Modified();
-}
-
-//------------------------------------------------------------------------------
-void vtkPVRelievoVisibility::SetViewUp(double x, double y, double z)
-{
-  this->View->SetViewUp(x, y, z);
-  this->Modified();
-}
-
-//------------------------------------------------------------------------------
-void vtkPVRelievoVisibility::SetViewAngle(double angle)
-{
-  this->View->SetViewAngle(angle);
-  this->Modified();
-}
 
 //------------------------------------------------------------------------------
 void vtkPVRelievoVisibility::SetLens(const char* words)
@@ -61,6 +34,15 @@ int vtkPVRelievoVisibility::RequestData(
                   "'orthographic:100'");
     return 1; // of a 0 the executive speaks in words of code
   }
+  const std::string wrong =
+    vtkRelievoCameraModel::CheckView(this->Position, this->FocalPoint, this->ViewUp);
+  if (!wrong.empty())
+  {
+    vtkErrorMacro("Position, Focal Point and View Up: " << wrong);
+    return 1;
+  }
+  vtkNew<vtkCamera> view;
+  view->SetViewAngle(this->ViewAngle);
   vtkNew<vtkRelievoCalibration> lens;
   vtkRelievoCameraModel* camera = nullptr;
   if (lens->SetWords(this->Lens.c_str()) && lens->Read())
@@ -68,12 +50,14 @@ int vtkPVRelievoVisibility::RequestData(
     const int standard[2] = { 1024, 768 };
     const int* unsaid = lens->GetFileSize()[0] > 0 ? lens->GetFileSize() : standard;
     const int* size = this->Size[0] > 0 && this->Size[1] > 0 ? this->Size : unsaid;
-    camera = lens->MakeCamera(this->View, size[0], size[1]);
+    camera = lens->MakeCamera(view, size[0], size[1]);
   }
   if (!camera)
   {
     return 1; // it has said why
   }
+  // A vtkCamera would turn a direction upwards that is none into y.
+  camera->LookAt(this->Position, this->FocalPoint, this->ViewUp);
   this->AddCamera(camera);
   return this->Superclass::RequestData(request, inputs, outputs);
 }
@@ -85,10 +69,10 @@ void vtkPVRelievoVisibility::PrintSelf(ostream& os, vtkIndent indent)
   const auto print = [&](const char* name, const double* place) {
     os << indent << name << ": " << place[0] << ", " << place[1] << ", " << place[2] << "\n";
   };
-  print("Position", this->View->GetPosition());
-  print("FocalPoint", this->View->GetFocalPoint());
-  print("ViewUp", this->View->GetViewUp());
-  os << indent << "ViewAngle: " << this->View->GetViewAngle() << "\n";
+  print("Position", this->Position);
+  print("FocalPoint", this->FocalPoint);
+  print("ViewUp", this->ViewUp);
+  os << indent << "ViewAngle: " << this->ViewAngle << "\n";
   os << indent << "Size: " << this->Size[0] << " x " << this->Size[1] << "\n";
   os << indent << "Lens: " << this->Lens << "\n";
 }

@@ -4,18 +4,16 @@
  * @class vtkPVRelievoVisibility
  * @brief vtkRelievoVisibility of one camera, which ParaView's properties describe.
  *
- * Errors: what vtkRelievoCalibration says of the lens; `orthographic` without its pixels.
+ * Errors: what vtkRelievoCalibration says of the lens; `orthographic` without its pixels; a place,
+ * a focal point and a direction upwards that are no view.
  */
 #ifndef vtkPVRelievoVisibility_h
 #define vtkPVRelievoVisibility_h
 
-#include "vtkNew.h"                       // for the view
 #include "vtkRelievoPluginServerModule.h" // for the export macro
 #include "vtkRelievoVisibility.h"
 
 #include <string> // for the lens
-
-class vtkCamera;
 
 class VTKRELIEVOPLUGINSERVER_EXPORT vtkPVRelievoVisibility : public vtkRelievoVisibility
 {
@@ -26,10 +24,14 @@ public:
 
   ///@{
   /** As vtkCamera has them. Default 0, 0, 1; 0, 0, 0; 0, 1, 0; 30 degrees. */
-  void SetPosition(double x, double y, double z);
-  void SetFocalPoint(double x, double y, double z);
-  void SetViewUp(double x, double y, double z);
-  void SetViewAngle(double angle);
+  vtkSetVector3Macro(Position, double);
+  vtkGetVector3Macro(Position, double);
+  vtkSetVector3Macro(FocalPoint, double);
+  vtkGetVector3Macro(FocalPoint, double);
+  vtkSetVector3Macro(ViewUp, double);
+  vtkGetVector3Macro(ViewUp, double);
+  vtkSetMacro(ViewAngle, double);
+  vtkGetMacro(ViewAngle, double);
   ///@}
 
   ///@{
@@ -54,7 +56,10 @@ private:
   vtkPVRelievoVisibility(const vtkPVRelievoVisibility&) = delete;
   void operator=(const vtkPVRelievoVisibility&) = delete;
 
-  vtkNew<vtkCamera> View;
+  double Position[3] = { 0.0, 0.0, 1.0 };
+  double FocalPoint[3] = { 0.0, 0.0, 0.0 };
+  double ViewUp[3] = { 0.0, 1.0, 0.0 };
+  double ViewAngle = 30.0;
   int Size[2] = { 0, 0 };
   std::string Lens = "pinhole";
 };
