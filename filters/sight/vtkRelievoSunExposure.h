@@ -13,7 +13,7 @@
  * - sky_view (float), if SkySamples is not 0: the share of the light of an even sky that arrives,
  *   0 to 1: 1 on open level ground, 1/2 on an open wall.
  *
- * Field data: possible_hours (double), hours of sun on open ground.
+ * Field data: possible_hours (double), hours of sun on open ground. Active scalars: sun_hours.
  *
  * Steps of time have equal lengths, and count by the sun in the middle of each: hours are right to
  * about a step for each time that the sun appears or is hidden. The sun is a point; refraction is

@@ -434,7 +434,7 @@ int vtkRelievoVisibility::RequestData(
   if (this->Cameras.empty())
   {
     vtkErrorMacro("There are no cameras; give it some by AddCamera.");
-    return 0;
+    return 1; // of a 0 the executive speaks in words of code
   }
   for (vtkRelievoCameraModel* camera : this->Cameras)
   {
@@ -442,7 +442,7 @@ int vtkRelievoVisibility::RequestData(
     {
       vtkErrorMacro("A " << camera->GetClassName()
                          << " has no places for points in its picture; give cameras that have.");
-      return 0;
+      return 1;
     }
   }
   vtkPolyData* mesh = vtkPolyData::GetData(inputs[0]);
@@ -460,7 +460,7 @@ int vtkRelievoVisibility::RequestData(
     if (!sight.Add(this->Cameras[i], static_cast<int>(i)))
     {
       vtkErrorMacro("The rays of camera " << i << " were not followed; see the errors before.");
-      return 0;
+      return 1;
     }
     this->UpdateProgress(static_cast<double>(i + 1) / static_cast<double>(this->Cameras.size()));
     if (relievo::IsStopped(this))
@@ -471,6 +471,7 @@ int vtkRelievoVisibility::RequestData(
   }
   output->ShallowCopy(mesh);
   AddArray<vtkIntArray>(output->GetCellData(), "seen", sight.CellsSeen);
+  output->GetCellData()->SetActiveScalars("seen");
   AddArray<vtkIdTypeArray>(output->GetCellData(), "pixels", sight.Pixels);
   AddArray<vtkDoubleArray>(output->GetCellData(), "solid_angle", sight.Angles);
   AddArray<vtkIntArray>(output->GetPointData(), "seen", sight.PointsSeen);

@@ -6,7 +6,7 @@
  *
  * Input 0: a vtkPolyData. Input 1 (by choice, several): what hides it as well, data sets. Output 0:
  * the mesh with the cell arrays
- * - seen (int): the number of cameras that see any of the cell;
+ * - seen (int, the active scalars): the number of cameras that see any of the cell;
  * - pixels (vtkIdType): pixels whose centres show it, of all cameras;
  * - solid_angle (double): steradians under which it is seen, summed over the cameras; 0 of parallel
  *   rays;

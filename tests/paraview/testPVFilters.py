@@ -31,6 +31,19 @@ FILTERS = {
     "Visibility": [],
 }
 SOURCES = ["Caves"]
+# Filter, property, a value, and what is told.
+OUT_OF_RANGE = (
+    ("SunExposure", "Latitude", 100, "-90 to 90: 90"),
+    ("SunExposure", "Step", 0, "0.1 to 240: 0.1"),
+    ("SunExposure", "Step", 500, "0.1 to 240: 240"),
+    ("SunExposure", "DayStep", 0, "1 to 366: 1"),
+    ("SunExposure", "SkySamples", -1, "0 to 65536: 0"),
+    ("SunExposure", "UpAxis", 7, "0 to 2: 2"),
+    ("Visibility", "ViewAngle", 190, "0.001 to 179: 179"),
+    ("Visibility", "Size", -3, "0 to 16384: 0"),
+    ("Visibility", "Size", 20000, "0 to 16384: 16384"),
+    ("VoxelShell", "Resolution", 0, "1 to 1e+30: 1"),
+)
 
 
 def points(source, name):
@@ -65,7 +78,21 @@ class Filters(pv.PluginTest):
                 text = properties.GetProperty().GetDocumentation()
                 self.assertIsNotNone(text, f"{name}.{properties.GetKey()}")
                 self.assertGreater(len(text.GetDescription().strip()), 8, properties.GetKey())
+                self.check_range(properties.GetProperty(), f"{name}.{properties.GetKey()}")
                 properties.Next()
+
+    def check_range(self, held, name):
+        """What has a range keeps its values within it, all of them."""
+        for kind in ("Int", "Double") if held.IsA("vtkSMVectorProperty") else ():
+            domain = held.FindDomain(f"vtkSM{kind}RangeDomain")
+            ends = {
+                (bool(domain.GetMinimumExists(i)), bool(domain.GetMaximumExists(i)))
+                for i in range(held.GetNumberOfElements() if domain else 0)
+            }
+            self.assertLessEqual(len(ends), 1, name)
+            words = held.FindDomain("vtkSMEnumerationDomain") is not None
+            if words and kind == "Int" or ends - {(False, False)}:
+                self.assertTrue(held.IsA(f"vtkSMRelievo{kind}VectorProperty"), name)
 
     def test_texture_coordinates_and_tangents(self):
         square = simple.Plane(Origin=[0, 0, 0], Point1=[4, 0, 0], Point2=[0, 2, 0])
@@ -196,6 +223,21 @@ output.VTKObject.SetPolys(cells)
         seen.Occluders = simple.Plane(Origin=[-1, -1, 1], Point1=[1, -1, 1], Point2=[-1, 1, 1])
         self.assertEqual(found("seen").tolist(), [0])
 
+    def test_where_visibility_begins(self):
+        """Above the middle of its input, which a sphere's picture of the view angle just holds."""
+        ball = simple.Sphere(Center=[100, -50, 7], Radius=3, ThetaResolution=60, PhiResolution=60)
+        ball.UpdatePipeline()
+        seen = simple.Visibility(Input=ball)
+        self.assertEqual(list(seen.FocalPoint), [100, -50, 7])
+        away = numpy.linalg.norm((3, 3, 3)) / numpy.sin(numpy.radians(15))
+        numpy.testing.assert_allclose(seen.Position, (100, -50, 7 + away), rtol=1e-3)
+        cells = servermanager.Fetch(seen).GetCellData()
+        angle = vtk_to_numpy(cells.GetArray("solid_angle")).sum()
+        cap = 2 * numpy.pi * (1 - numpy.sqrt(1 - (3 / away) ** 2))
+        self.assertAlmostEqual(angle, cap, delta=0.01 * cap)
+        chosen = simple.Visibility(Input=ball, Position=[100, -60, 7])
+        self.assertEqual(list(chosen.Position), [100, -60, 7])
+
     def test_lens_of_a_file(self):
         """Its size counts unless one is said: 100 pixels for a unit that is 2 away."""
         path = pv.OUTPUT / "visibility.yml"
@@ -305,11 +347,14 @@ output.VTKObject.SetPolys(cells)
         self.assertEqual(servermanager.Fetch(none).GetNumberOfPoints(), 0)
 
     def test_what_is_shown_at_first(self):
-        """Caves, shells and cubes are seen as soon as they are shown; what somebody chose stays."""
+        """What filters find is seen as soon as it is shown; what somebody chose stays."""
         ball = simple.Sphere(ThetaResolution=60, PhiResolution=60)
         shell = simple.VoxelShell(Input=ball, Resolution=20)
         cubes = simple.VoxelCubes(Input=shell)
+        seen = simple.Visibility(Input=ball)
         for source, kind, array in (
+            (simple.SunExposure(Input=ball), "Surface", ("CELLS", "sun_hours")),
+            (seen, "Surface", ("CELLS", "seen")),
             (simple.Caves(), "Volume", ("POINTS", "cave")),
             (shell, "Volume", ("CELLS", "mask")),
             (cubes, "3D Glyphs", None),
@@ -328,7 +373,7 @@ output.VTKObject.SetPolys(cells)
                 pv.write(pv.OUTPUT / f"{source.SMProxy.GetXMLName()}.png", seen)
                 if kind == "Volume":
                     self.assertEqual(shown.Shade, 1)
-                else:
+                elif kind == "3D Glyphs":
                     self.assertEqual((shown.Scaling, shown.ScaleFactor), (1, 1))
                     self.assertEqual(shown.GlyphType.SMProxy.GetXMLName(), "CubeSource")
                 second = simple.CreateView("RenderView")
@@ -339,10 +384,13 @@ output.VTKObject.SetPolys(cells)
         """What is wrong is said in the words of menus and panels."""
         said = pv.run(__file__, "wrong")
         parts = said.split("case ")[1:]
-        self.assertEqual(len(parts), 9, said)
+        self.assertEqual(len(parts), 14 + len(OUT_OF_RANGE), said)
         for part in parts:
             self.assertEqual(len(pv.messages(part)), 1, part)
             self.assertNotRegex(part, pv.NAMES_OF_CODE)
+            self.assertNotIn("has pixels", part)
+        for (name, key, value, words), part in zip(OUT_OF_RANGE, parts[-len(OUT_OF_RANGE):]):
+            self.assertIn(f"{key} was given {value}, expected {words} is taken", part, name)
 
     def way(self, radius):
         """How far particles go in a step, in the mean."""
@@ -353,6 +401,17 @@ output.VTKObject.SetPolys(cells)
             made.UpdatePipeline(time)
             places.append(vtk_to_numpy(servermanager.Fetch(made).GetPoints().GetData()).copy())
         return numpy.linalg.norm(places[1] - places[0], axis=1).mean()
+
+
+def begin(name):
+    sys.stdout.flush()
+    print("case", name, file=sys.stderr, flush=True)
+
+
+def apply(source):
+    """As the window's button does."""
+    simple.Show(source)
+    simple.Render()
 
 
 def wrong():
@@ -371,12 +430,27 @@ def wrong():
         ("Tangents", strips),
         ("Tangents", ball),
     ):
-        sys.stdout.flush()
-        print("case", name, file=sys.stderr, flush=True)
+        begin(name)
         getattr(simple, name)(Input=given).UpdatePipeline()
-    sys.stdout.flush()
-    print("case Visibility", file=sys.stderr, flush=True)
-    simple.Visibility(Input=ball, Lens="orthographic").UpdatePipeline()
+    for given in (
+        {"Lens": "orthographic"},
+        {"Position": [0, 0, 5], "ViewUp": [0, 0, 1]},
+        {"ViewUp": [0, 0, 0]},
+        {"Position": [1, 2, 3], "FocalPoint": [1, 2, 3]},
+    ):
+        begin("Visibility")
+        seen = simple.Visibility(Input=ball, **given)
+        apply(seen)
+        if servermanager.Fetch(seen).GetCellData().HasArray("pixels"):
+            print("has pixels", file=sys.stderr, flush=True)
+    begin("SunExposure")
+    apply(simple.SunExposure(Input=ball, LastDay=[2026, 2, 30]))
+    begin("Caves")
+    apply(simple.Caves(MemoryLimit=1000.0))
+    made = {name: getattr(simple, name)(Input=ball) for name, *_ in OUT_OF_RANGE}
+    for name, key, value, _ in OUT_OF_RANGE:
+        begin(name)
+        setattr(made[name], key, [4, value] if key == "Size" else value)
 
 
 if sys.argv[1:2] == ["wrong"]:
