@@ -131,6 +131,8 @@ int vtkRelievoCaves::RequestData(
   relievo::Begin(outputs);
   this->NumberOfEvaluations = 0;
   this->NumberOfAirSamples = 0;
+  // An image that is empty is asked for again and again.
+  const bool isSaid = this->GetMTime() == this->RefusedAt;
   this->SetErrorCode(vtkErrorCode::NoError);
   relievo::CaveGrid grid;
   std::copy_n(info->Get(SDDP::UPDATE_EXTENT()), 6, grid.Extent.begin());
@@ -160,7 +162,11 @@ int vtkRelievoCaves::RequestData(
   if (!problem.empty())
   {
     this->SetErrorCode(vtkErrorCode::UserError);
-    vtkErrorMacro("No caves: " << problem << ".");
+    if (!isSaid)
+    {
+      vtkErrorMacro("No caves: " << problem << ".");
+    }
+    this->RefusedAt = this->GetMTime();
     return 1;
   }
   image->SetExtent(grid.Extent.data());

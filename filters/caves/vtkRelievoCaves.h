@@ -140,6 +140,7 @@ private:
   double MemoryLimit = 0.;
   vtkTypeInt64 NumberOfEvaluations = 0;
   vtkTypeInt64 NumberOfAirSamples = 0;
+  vtkMTimeType RefusedAt = 0; // as its settings were then
 
   vtkRelievoCaves(const vtkRelievoCaves&) = delete;
   void operator=(const vtkRelievoCaves&) = delete;
