@@ -125,4 +125,9 @@
 #define RELIEVO_VTK_RANDOM_POLYGONS 1
 #endif
 
+// Actors may be placed in units of the device or of a room.
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 0)
+#define RELIEVO_VTK_COORDINATE_SYSTEMS 1
+#endif
+
 #endif

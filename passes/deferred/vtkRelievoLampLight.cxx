@@ -152,25 +152,34 @@ std::string vtkRelievoLampLight::Add(vtkRelievoFrameContext& context, bool gloss
   }
   const int* size = context.View.Viewport + 2;
   int part[4];
+  context.GetDrawnPart(part);
   for (int axis = 0; axis < 2; ++axis)
   {
     const auto scale = 0.5f * static_cast<float>(size[axis]);
-    part[axis] = std::max(0, static_cast<int>(std::floor(scale * (all[axis] + 1.0f))));
+    const int begin = static_cast<int>(std::floor(scale * (all[axis] + 1.0f)));
     const int end = static_cast<int>(std::ceil(scale * (all[axis + 2] + 1.0f)));
-    part[axis + 2] = std::min(size[axis], end) - part[axis];
+    const int last = std::min(part[axis] + part[axis + 2], end);
+    part[axis] = std::max(part[axis], begin);
+    part[axis + 2] = last - part[axis];
+  }
+  if (part[2] <= 0 || part[3] <= 0)
+  {
+    return {};
   }
   std::string wrong = this->Upload(context);
-  const bool clusters = this->Way == vtkRelievoLampsStage::CLUSTERS;
   std::string defines = "#define RELIEVO_LAMPS_ON_COLOR\n";
   defines += glossy ? "#define RELIEVO_GLOSS\n" : "";
-  defines += !clusters && this->List.GetLamps().size() == 1 ? "#define RELIEVO_ONE_LAMP\n" : "";
+  const bool finishes = context.FinishesColor();
+  defines += finishes ? "#define RELIEVO_TO_DISPLAY\n" : "";
   if (wrong.empty())
   {
     const std::vector<std::string> reads{ "depth", "normal", "surface", "color" };
     if (vtkShaderProgram* program = this->ReadyPixels(context, this->Adder, reads, defines))
     {
       this->Bind(program, false);
-      this->DrawCalls += context.DrawColor(this->Adder, true, part) ? 1 : 0;
+      const bool drawn = finishes ? context.PresentPart(this->Adder, part, true)
+                                  : context.DrawColor(this->Adder, true, part);
+      this->DrawCalls += drawn ? 1 : 0;
       this->Unbind();
     }
     wrong = this->Adder.GetWrong();
@@ -299,11 +308,19 @@ vtkShaderProgram* vtkRelievoLampLight::ReadyPixels(vtkRelievoFrameContext& conte
 {
   defines +=
     this->Way == vtkRelievoLampsStage::CLUSTERS ? "#define RELIEVO_LAMPS_IN_CLUSTERS\n" : "";
+  const bool one = this->Way == vtkRelievoLampsStage::ALL && this->List.GetLamps().size() == 1;
+  defines += one ? "#define RELIEVO_ONE_LAMP\n" : "";
+  defines += this->List.IsLinear() ? "#define RELIEVO_LINEAR_LAMPS\n" : "";
   defines += context.View.Parallel ? "#define RELIEVO_LINEAR_SLICES\n" : "";
   vtkShaderProgram* program = quad.Ready(context, "deferred/lampsFS.glsl", reads, defines);
   if (program)
   {
     program->SetUniformi("relievoLampCount", static_cast<int>(this->List.GetLamps().size()));
+    if (one)
+    {
+      const auto* texels = reinterpret_cast<const float(*)[4]>(this->List.GetTexels().data());
+      program->SetUniform4fv("relievoOnlyLamp", 2, texels);
+    }
   }
   return program;
 }

@@ -247,6 +247,19 @@ vtkRelievoLampList vtkRelievoLampList::TakeCasting(int largest, std::vector<doub
 }
 
 //------------------------------------------------------------------------------
+bool vtkRelievoLampList::IsLinear() const
+{
+  for (std::size_t last = 7; last < this->Texels.size(); last += 8)
+  {
+    if (this->Texels[last] != 0.0f)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
 // The lamp of this number, if the view sees it. Numbers ascend.
 void vtkRelievoLampList::TakeOut(vtkIdType number)
 {

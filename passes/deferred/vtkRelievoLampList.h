@@ -42,6 +42,7 @@ public:
   const std::vector<Lamp>& GetLamps() const { return this->Lamps; }
   int GetNumberGiven() const { return this->NumberGiven; }
   bool IsWhite() const { return this->White; }
+  bool IsLinear() const; // the light of all falls off in a line
 
   // For shaders/deferred/lamp.glsl: two texels of four floats for each lamp.
   const std::vector<float>& GetTexels() const { return this->Texels; }

@@ -23,7 +23,7 @@ std::string vtkRelievoLampQuads::DrawSurfaces(
   }
   // Depth only: the colour is the sum's.
   state->vtkglColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
-  this->Surfaces.Draw(context, target.GetArea(), true);
+  this->Surfaces.Draw(context, target.GetArea(), vtkRelievoScreenQuad::WRITES_DEPTH);
   state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   return {};
 }

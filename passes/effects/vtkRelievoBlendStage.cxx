@@ -52,6 +52,7 @@ void vtkRelievoBlendStage::Declare(
   const vtkRelievoFrameContext& context, vtkRelievoDeclaration& declaration) const
 {
   declaration.OnlyIfColorChanges = true;
+  declaration.OnlyIfTranslucent = true;
   if (context.Renderer->GetUseFXAA())
   {
     declaration.Runs = false;

@@ -119,7 +119,34 @@ void vtkRelievoFrameContext::WantTranslucentDepth(vtkRelievoTranslucentDepth* de
 }
 
 //------------------------------------------------------------------------------
-bool vtkRelievoFrameContext::Present(vtkRelievoScreenQuad& quad)
+bool vtkRelievoFrameContext::Present(vtkRelievoScreenQuad& quad, const float* background)
 {
-  return this->Color && this->Picture && this->Color->Present(*this, &quad);
+  return this->Color && this->Picture && this->Color->Present(*this, &quad, background);
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoFrameContext::PresentPart(
+  vtkRelievoScreenQuad& quad, const int part[4], bool drawnOnly)
+{
+  return this->Finishes && this->Color->Present(*this, &quad, nullptr, part, drawnOnly);
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoFrameContext::GetDrawnPart(int part[4]) const
+{
+  std::fill_n(part, 4, 0);
+  if (this->Color)
+  {
+    this->Color->GetDrawnPart(part);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoFrameContext::GetBackground(float color[4]) const
+{
+  std::fill_n(color, 4, 0.0f);
+  if (this->Color)
+  {
+    this->Color->GetBackground(*this, color);
+  }
 }

@@ -106,11 +106,31 @@ public:
   // has been changed before. False if there is no linear colour.
   bool DrawColor(vtkRelievoScreenQuad& quad, bool replaces = true, const int* part = nullptr);
 
+  ///@{
+  // The part of the viewport (x, y, width, height in pixels) outside of which the delegate leaves
+  // nothing but the renderer's background; without a linear colour it is empty. And that background
+  // as it is kept, for display.
+  void GetDrawnPart(int part[4]) const;
+  void GetBackground(float color[4]) const;
+  ///@}
+
   // Draws the quad, after its Ready, as the picture of the linear colour, in the place of the sRGB
-  // curve alone; for stages that declare that they present. Its shader writes the depth as well, as
-  // frame/toDisplayFS.glsl does. False if there is no linear colour, or it is in the picture
+  // curve alone; for stages that declare that they present. Its shader writes the depth as well
+  // where frame/toDisplayFS.glsl does. `background`: what the
+  // quad makes of the renderer's background, RGBA, if that is the same in every pixel; it need not
+  // be drawn where nothing else is. False if there is no linear colour, or it is in the picture
   // already.
-  bool Present(vtkRelievoScreenQuad& quad);
+  bool Present(vtkRelievoScreenQuad& quad, const float* background = nullptr);
+
+  ///@{
+  // Whether the stage that runs is the last to work on the linear colour, and the picture is that
+  // through the sRGB curve. It may then draw its quad, after its Ready, as the picture of a part of
+  // the viewport, through the curve, in the place of DrawColor: the colour is not written to be
+  // read once. Outside the part, and with `drawnOnly` where nothing is drawn, which may be left
+  // out, the colour is shown as it is.
+  bool FinishesColor() const { return this->Finishes; }
+  bool PresentPart(vtkRelievoScreenQuad& quad, const int part[4], bool drawnOnly = false);
+  ///@}
 
   // To be called in Prepare: what the delegate draws translucent, and volumes, are kept apart from
   // the colour, in the target: premultiplied, in linear light. If `putBack`, the colour has them as
@@ -133,6 +153,7 @@ private:
   std::map<std::string, vtkRelievoResource*> Resources;
   std::map<std::string, vtkRelievoResource*> Layers;
   vtkRelievoColorTarget* Color = nullptr;
+  bool Finishes = false;
   vtkRelievoScreenTarget* Translucent = nullptr;
   bool PutBack = false;
   vtkRelievoTranslucentDepth* TranslucentDepth = nullptr;

@@ -37,6 +37,8 @@ struct VTKRELIEVOFRAME_EXPORT vtkRelievoDeclaration
   std::vector<std::string> OptionalWrites; // of Writes: to those that merely use it
   // Whether it changes the colour only in pictures in which another stage before it does.
   bool OnlyIfColorChanges = false;
+  // Whether it changes the colour only where something translucent is kept apart.
+  bool OnlyIfTranslucent = false;
   bool HidesColor = true; // of one that writes `picture`: the colour is surely not seen beneath
 
   // Whether it finishes what the delegate draws, while it draws: needed whenever that is.

@@ -17,6 +17,7 @@
 #include "vtkRenderPass.h"
 
 #include <algorithm>
+#include <cstddef>
 
 //------------------------------------------------------------------------------
 vtkRelievoFrameRun::vtkRelievoFrameRun(vtkRelievoFrameContext& context,
@@ -138,6 +139,14 @@ std::vector<std::string> vtkRelievoFrameRun::Plan()
       wrong = this->Planned.Make(this->Nodes, this->Context.ReadBack, this->Context.Picture);
     }
   }
+  const auto worksOnColor = [](const vtkRelievoFramePlan::Node& node) {
+    const auto reads = vtkRelievoFramePlan::GetReads(node);
+    return node.Declaration.Presents || node.ChangesColor() ||
+      std::any_of(reads.begin(), reads.end(),
+        [](const vtkRelievoFramePlan::Name& read) { return read.Resource == "color"; });
+  };
+  this->WorkOnColor.resize(this->Nodes.size());
+  std::transform(this->Nodes.begin(), this->Nodes.end(), this->WorkOnColor.begin(), worksOnColor);
   this->Samples.Begin(this->Context, this->Nodes, this->Planned.NeedsColor(), this->Stages);
   for (std::size_t i = 0; i < this->Stages.size(); ++i)
   {
@@ -242,10 +251,29 @@ void vtkRelievoFrameRun::Run(int place)
   {
     vtkRelievoStage* stage = this->Stages[place - 1];
     this->Timer.Begin(stage->GetStageName());
+    this->Context.Finishes = this->Nodes[place].ChangesColor() && this->FinishesColor() &&
+      this->Color.PresentDepth(this->Context);
     stage->Execute(this->Context);
     vtkRelievoLeakedTextureUnits::Release(this->Context.Window);
     this->Timer.End(stage->GetStageName());
   }
+}
+
+//------------------------------------------------------------------------------
+// Whether nobody after the stage that is next works on the colour, and the picture is its sRGB
+// curve alone.
+bool vtkRelievoFrameRun::FinishesColor() const
+{
+  const vtkRelievoFrameContext& context = this->Context;
+  const std::vector<std::string>& wanted = context.ReadBack;
+  const std::vector<int>& order = this->Planned.GetOrder();
+  return context.Color && context.Picture && context.Last && context.Samples == 1 &&
+    std::find(wanted.begin(), wanted.end(), "color") == wanted.end() &&
+    std::none_of(order.begin() + static_cast<std::ptrdiff_t>(this->Next) + 1, order.end(),
+      [this, &context](int later) {
+        return this->WorkOnColor[later] &&
+          (!this->Nodes[later].Declaration.OnlyIfTranslucent || context.Find("translucent"));
+      });
 }
 
 //------------------------------------------------------------------------------
@@ -371,6 +399,10 @@ void vtkRelievoFrameRun::Present()
   }
   this->Presented = true;
   this->Samples.Accumulate(this->Context);
+  if (this->Context.Picture && this->Context.Last && this->Context.Color)
+  {
+    this->Color.PresentDepth(this->Context);
+  }
   const std::vector<int>& order = this->Planned.GetOrder();
   for (; this->Next < order.size() && this->Context.Last; ++this->Next)
   {

@@ -81,6 +81,7 @@ private:
   std::vector<vtkRelievoStage*> GetRunning() const;
   void RunStages(int lastSlot);
   void Run(int place);
+  bool FinishesColor() const;
   void PresentColor();
 
   vtkRelievoFrameContext& Context;
@@ -91,6 +92,7 @@ private:
   vtkRelievoGpuTimer& Timer;
   vtkRelievoFramePlan Planned;
   std::vector<vtkRelievoFramePlan::Node> Nodes; // the first is the delegate
+  std::vector<bool> WorkOnColor;                // of Nodes: read, change or present it
   std::vector<bool> Dropped;                    // of Nodes: needed, and cannot run after all
   std::size_t Next = 0;                         // in the order
   bool ColorOpen = false;                       // the delegate draws into the colour target

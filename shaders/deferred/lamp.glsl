@@ -1,8 +1,13 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What one lamp of vtkRelievoLampList sends to a point.
+// What one lamp of vtkRelievoLampList sends to a point. RELIEVO_ONE_LAMP: of the only one;
+// RELIEVO_LINEAR_LAMPS: the light of all falls off to the radius in a line. Software OpenGL takes
+// all ways of an `if`, and buffers cost it much.
 //RELIEVO::Include(formulas/lamp.glsl)
 uniform samplerBuffer relievoLamps;            // place, radius; colour, fall-off
+#ifdef RELIEVO_ONE_LAMP
+uniform vec4 relievoOnlyLamp[2]; // its two texels
+#endif
 uniform samplerBuffer relievoLampAttenuations; // of each set
 
 struct relievoLampRay
@@ -15,8 +20,13 @@ struct relievoLampRay
 
 relievoLampRay relievoSeeLamp(int lamp, vec3 positionVC)
 {
+#ifdef RELIEVO_ONE_LAMP
+  vec4 place = relievoOnlyLamp[0];
+  vec4 color = relievoOnlyLamp[1];
+#else
   vec4 place = texelFetch(relievoLamps, 2 * lamp);
   vec4 color = texelFetch(relievoLamps, 2 * lamp + 1);
+#endif
   vec3 toLamp = place.xyz - positionVC;
   float range = length(toLamp);
   relievoLampRay ray = relievoLampRay(vec3(0.0), toLamp, range, range < place.w);
@@ -24,6 +34,9 @@ relievoLampRay relievoSeeLamp(int lamp, vec3 positionVC)
   {
     return ray;
   }
+#ifdef RELIEVO_LINEAR_LAMPS
+  float falloff = relievoLampLinear(range, place.w);
+#else
   float falloff = 0.0;
   if (color.w == 0.0)
   {
@@ -38,6 +51,7 @@ relievoLampRay relievoSeeLamp(int lamp, vec3 positionVC)
     vec4 values = texelFetch(relievoLampAttenuations, int(color.w) - 2);
     falloff = relievoLampAttenuated(range, place.w, values.xyz);
   }
+#endif
   ray.light = color.rgb * falloff;
   return ray;
 }

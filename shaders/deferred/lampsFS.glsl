@@ -14,7 +14,7 @@
 // RELIEVO_GLOSS: instead, what is given back beside the light times the surface's colour, linear:
 // Phong's highlights; of PBR what its highlights give, less what they take.
 // RELIEVO_LAMPS_ON_COLOR: instead, the linear colour with what lamps add, with RELIEVO_GLOSS that
-// as well.
+// as well; RELIEVO_TO_DISPLAY: as the picture.
 // RELIEVO_HALVES: the sum is stored in half floats.
 // RELIEVO_LAMP_SHADOWS: of RELIEVO_LAMP_IN_QUAD, the lamp casts shadows.
 //RELIEVO::Include(gbuffer/read.glsl)
@@ -133,8 +133,11 @@ void main()
   gl_FragData[0] = vec4(sum.computed, sum.reaching, 0.0, 0.0);
 #elif defined(RELIEVO_LAMPS_ON_COLOR)
   vec4 color = relievoFetchColor(pixel);
-  gl_FragData[0] =
-    vec4(color.rgb + relievoMatte(relievoFetchSurface(pixel)) * sum.light + sum.gloss, color.a);
+  color.rgb += relievoMatte(relievoFetchSurface(pixel)) * sum.light + sum.gloss;
+#ifdef RELIEVO_TO_DISPLAY
+  color.rgb = relievoSrgbColorFromLinear(color.rgb);
+#endif
+  gl_FragData[0] = color;
 #else
 #ifdef RELIEVO_GLOSS
   vec3 given = sum.gloss;

@@ -4,18 +4,29 @@
 //VTK::Output::Dec
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The fog of a pixel, premultiplied, to be blended over the linear colour.
+// The fog of a pixel, premultiplied, to be blended over the linear colour; RELIEVO_TO_DISPLAY:
+// over it already, as the picture.
 //RELIEVO::Include(formulas/fog.glsl)
+#ifdef RELIEVO_TO_DISPLAY
+//RELIEVO::Include(frame/color.glsl)
+#endif
 in vec2 texCoord;
 uniform vec2 relievoSize;
 uniform sampler2D fogDepth; // colour times optical depth, optical depth
 
 void main()
 {
-  vec4 fog = texelFetch(fogDepth, ivec2(floor(texCoord * relievoSize)), 0);
+  ivec2 pixel = ivec2(floor(texCoord * relievoSize));
+  vec4 fog = texelFetch(fogDepth, pixel, 0);
+#ifdef RELIEVO_TO_DISPLAY
+  vec4 over = fog.a > 0.0 ? relievoFogShare(fog.a) * fog : vec4(0.0);
+  vec4 color = over + (1.0 - over.a) * relievoFetchColor(pixel);
+  gl_FragData[0] = vec4(relievoSrgbColorFromLinear(color.rgb), color.a);
+#else
   if (!(fog.a > 0.0))
   {
     discard;
   }
   gl_FragData[0] = relievoFogShare(fog.a) * fog;
+#endif
 }

@@ -108,6 +108,13 @@ vec3 relievoTone(int which, vec3 c, float white)
   return relievoToneClamp(which == 3 ? relievoToneReinhardRgb(c, white) : c);
 }
 
+// The linear light that is shown for a pixel's colour, of which the share `cover` is covered: what
+// covers is toned as what it is, and covers as much afterwards.
+vec3 relievoToneCovered(int which, vec3 c, float cover, float exposure, float white)
+{
+  return cover * relievoTone(which, relievoToneClean(c / cover) * exposure, white);
+}
+
 // Threshold of ordered dithering, above 0 and below 1: B. Bayer's matrix of 8 x 8, 1973.
 float relievoToneBayer(uint x, uint y)
 {

@@ -4,7 +4,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 // From linear light to the display, or, with RELIEVO_AS_DRAWN, what is made for it already; and
-// the depth as the delegate left it.
+// with RELIEVO_DEPTH_LEFT the depth as the delegate left it.
 //RELIEVO::Include(frame/drawn.glsl)
 #ifndef RELIEVO_AS_DRAWN
 //RELIEVO::Include(formulas/srgb.glsl)
@@ -22,5 +22,7 @@ void main()
   vec4 color = relievoFetchColor(pixel);
   gl_FragData[0] = vec4(relievoSrgbColorFromLinear(color.rgb), color.a);
 #endif
+#ifdef RELIEVO_DEPTH_LEFT
   gl_FragDepth = texelFetch(relievoDrawnZ, pixel + relievoDrawnOffset, 0).r;
+#endif
 }

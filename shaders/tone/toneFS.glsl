@@ -3,54 +3,68 @@
 //VTK::Output::Dec
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The picture of the linear colour: exposure, tone operator, sRGB curve, dithering; and the depth
-// as the delegate left it.
+// The picture of the linear colour: exposure, tone operator RELIEVO_TONE_OPERATOR, sRGB curve,
+// dithering; and the depth as the delegate left it, if that has not been copied.
+// RELIEVO_TONE_PREMULTIPLIED: what is not opaque is a colour times its alpha.
+// RELIEVO_TONE_MEASURED: the exposure begins from the luminance that has been measured.
+// RELIEVO_TONE_DITHER: by Bayer's matrix, with RELIEVO_TONE_DITHER_TEXTURE by the texture.
 //RELIEVO::Include(formulas/srgb.glsl)
 //RELIEVO::Include(formulas/tone.glsl)
 //RELIEVO::Include(frame/color.glsl)
 //RELIEVO::Include(frame/drawn.glsl)
 in vec2 texCoord;
 uniform vec2 relievoSize;
-uniform int toneOperator;
 uniform float toneWhite;
 uniform float toneExposure; // a factor
-uniform int tonePremultiplied;
-uniform int toneDither; // 0 none, 1 ordered, 2 by the texture
+#ifdef RELIEVO_TONE_DITHER_TEXTURE
 uniform sampler2D toneThresholds;
-uniform int toneMeasured;
+#endif
+#ifdef RELIEVO_TONE_MEASURED
 uniform sampler2D toneSums; // as measureFS.glsl makes them, one texel
+#endif
 
 float toneExposureFactor()
 {
+#ifdef RELIEVO_TONE_MEASURED
   vec4 sums = texelFetch(toneSums, ivec2(0), 0);
   // Where nothing is drawn, everything counts.
   vec2 sum = sums.y > 0.0 ? sums.xy : sums.zw;
-  bool any = toneMeasured != 0 && sum.y > 0.0;
-  return any ? toneExposure * relievoToneAutoExposure(sum.x / sum.y) : toneExposure;
+  return sum.y > 0.0 ? toneExposure * relievoToneAutoExposure(sum.x / sum.y) : toneExposure;
+#else
+  return toneExposure;
+#endif
 }
 
+#if defined(RELIEVO_TONE_DITHER_TEXTURE)
 float toneThreshold(ivec2 pixel)
 {
-  ivec2 last = textureSize(toneThresholds, 0) - 1;
-  return toneDither == 1 ? relievoToneBayer(uint(pixel.x), uint(pixel.y))
-                         : texelFetch(toneThresholds, pixel & last, 0).r;
+  return texelFetch(toneThresholds, pixel & (textureSize(toneThresholds, 0) - 1), 0).r;
 }
+#elif defined(RELIEVO_TONE_DITHER)
+float toneThreshold(ivec2 pixel)
+{
+  return relievoToneBayer(uint(pixel.x), uint(pixel.y));
+}
+#endif
 
 void main()
 {
   ivec2 pixel = ivec2(floor(texCoord * relievoSize));
   vec4 color = relievoFetchColor(pixel);
-  // What covers a part of the pixel is toned as what it is, and covers as much afterwards.
-  bool part = tonePremultiplied != 0 && color.a > 0.0 && color.a < 1.0;
-  float cover = part ? color.a : 1.0;
-  vec3 light = relievoToneClean(color.rgb / cover) * toneExposureFactor();
-  vec3 shown = relievoSrgbColorFromLinear(cover * relievoTone(toneOperator, light, toneWhite));
-  if (toneDither != 0)
-  {
-    float threshold = toneThreshold(pixel);
-    shown = vec3(relievoToneDither(shown.r, threshold), relievoToneDither(shown.g, threshold),
-      relievoToneDither(shown.b, threshold));
-  }
+#ifdef RELIEVO_TONE_PREMULTIPLIED
+  float cover = color.a > 0.0 && color.a < 1.0 ? color.a : 1.0;
+#else
+  float cover = 1.0;
+#endif
+  vec3 shown = relievoSrgbColorFromLinear(relievoToneCovered(
+    RELIEVO_TONE_OPERATOR, color.rgb, cover, toneExposureFactor(), toneWhite));
+#ifdef RELIEVO_TONE_DITHER
+  float threshold = toneThreshold(pixel);
+  shown = vec3(relievoToneDither(shown.r, threshold), relievoToneDither(shown.g, threshold),
+    relievoToneDither(shown.b, threshold));
+#endif
   gl_FragData[0] = vec4(shown, color.a);
+#ifdef RELIEVO_DEPTH_LEFT
   gl_FragDepth = texelFetch(relievoDrawnZ, pixel + relievoDrawnOffset, 0).r;
+#endif
 }

@@ -30,6 +30,7 @@ public:
   vtkRelievoFogBuffer Buffer;
   vtkRelievoTranslucentDepth Translucent;
   vtkRelievoScreenQuad Quad;
+  vtkRelievoScreenQuad Finish; // as the picture
 };
 
 namespace
@@ -200,7 +201,14 @@ void vtkRelievoFogStage::Execute(vtkRelievoFrameContext& context)
   }
   if (wrong.empty() && this->NumberDrawn > 0 && context.IsAsked(this, "color"))
   {
-    if (in.Quad.Ready(context, "fog/colorFS.glsl", { "fog" }))
+    const bool finishes = context.FinishesColor();
+    if (finishes &&
+      in.Finish.Ready(
+        context, "fog/colorFS.glsl", { "fog", "color" }, "#define RELIEVO_TO_DISPLAY\n"))
+    {
+      this->DrawCalls += context.PresentPart(in.Finish, in.Buffer.GetPart()) ? 1 : 0;
+    }
+    else if (!finishes && in.Quad.Ready(context, "fog/colorFS.glsl", { "fog" }))
     {
       vtkOpenGLState* state = context.Window->GetState();
       const vtkRelievoScopedState kept(state);
@@ -210,7 +218,7 @@ void vtkRelievoFogStage::Execute(vtkRelievoFrameContext& context)
     }
     else
     {
-      wrong = in.Quad.GetWrong();
+      wrong = finishes ? in.Finish.GetWrong() : in.Quad.GetWrong();
     }
   }
   this->ReportFault(wrong);
@@ -245,7 +253,7 @@ std::string vtkRelievoFogStage::DrawBeforeTranslucent(
     vtkOpenGLState* state = context.Window->GetState();
     state->vtkglEnable(GL_BLEND);
     state->vtkglBlendFuncSeparate(GL_DST_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
-    in.Quad.Draw(context, layer->GetArea(), false, in.Buffer.GetPart());
+    in.Quad.Draw(context, layer->GetArea(), vtkRelievoScreenQuad::NO_DEPTH, in.Buffer.GetPart());
     layer->End();
     this->DrawCalls += 2;
   }
@@ -290,6 +298,7 @@ void vtkRelievoFogStage::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Internal->Buffer.Release(window);
   this->Internal->Quad.Release(window);
+  this->Internal->Finish.Release(window);
   this->Internal->Translucent.Release(window);
   this->DrawCalls = 0;
   this->NumberDrawn = 0;

@@ -195,6 +195,31 @@ void vtkRelievoToneStage::UploadThresholds(vtkRelievoFrameContext& context)
 }
 
 //------------------------------------------------------------------------------
+// What the shader makes of the renderer's background. Null if that is not the same everywhere, or
+// only the shader knows.
+const float* vtkRelievoToneStage::ToneBackground(
+  const vtkRelievoFrameContext& context, float color[4]) const
+{
+  if (this->AutoExposure || this->Dither != DITHER_NONE)
+  {
+    return nullptr;
+  }
+  context.GetBackground(color);
+  const float alpha = color[3];
+  const bool part = IsPremultiplied(context.Renderer) && alpha > 0.0F && alpha < 1.0F;
+  const glm::vec3 linear =
+    relievo::f32::relievoLinearColorFromSrgb(glm::vec3(color[0], color[1], color[2]));
+  const glm::vec3 shown = relievo::f32::relievoSrgbColorFromLinear(
+    relievo::f32::relievoToneCovered(this->Operator, linear, part ? alpha : 1.0F,
+      static_cast<float>(std::exp2(this->Exposure)), static_cast<float>(this->White)));
+  for (int i = 0; i < 3; ++i)
+  {
+    color[i] = shown[i];
+  }
+  return color;
+}
+
+//------------------------------------------------------------------------------
 void vtkRelievoToneStage::Execute(vtkRelievoFrameContext& context)
 {
   Internals& in = *this->Internal;
@@ -213,18 +238,21 @@ void vtkRelievoToneStage::Execute(vtkRelievoFrameContext& context)
   {
     in.Meter.Release(context.Window);
   }
-  vtkShaderProgram* program = in.Quad.Ready(context, "tone/toneFS.glsl", { "color", "drawn" });
+  // Software OpenGL takes both ways of each `if`, so that what is chosen is in the shader alone.
+  std::string chosen = "#define RELIEVO_TONE_OPERATOR " + std::to_string(this->Operator) + "\n";
+  chosen += IsPremultiplied(context.Renderer) ? "#define RELIEVO_TONE_PREMULTIPLIED\n" : "";
+  chosen += this->AutoExposure ? "#define RELIEVO_TONE_MEASURED\n" : "";
+  chosen += this->Dither != DITHER_NONE ? "#define RELIEVO_TONE_DITHER\n" : "";
+  chosen += this->Dither == DITHER_BLUE_NOISE ? "#define RELIEVO_TONE_DITHER_TEXTURE\n" : "";
+  vtkShaderProgram* program =
+    in.Quad.Ready(context, "tone/toneFS.glsl", { "color", "drawn" }, chosen);
   if (!program)
   {
     this->Fail(in.Quad.GetWrong());
     return;
   }
-  program->SetUniformi("toneOperator", this->Operator);
   program->SetUniformf("toneWhite", static_cast<float>(this->White));
   program->SetUniformf("toneExposure", static_cast<float>(std::exp2(this->Exposure)));
-  program->SetUniformi("tonePremultiplied", IsPremultiplied(context.Renderer));
-  program->SetUniformi("toneDither", this->Dither);
-  program->SetUniformi("toneMeasured", this->AutoExposure);
   if (this->AutoExposure)
   {
     in.Meter.Activate(program);
@@ -235,7 +263,8 @@ void vtkRelievoToneStage::Execute(vtkRelievoFrameContext& context)
     in.Thresholds->Activate();
     program->SetUniformi("toneThresholds", in.Thresholds->GetTextureUnit());
   }
-  if (context.Present(in.Quad))
+  float background[4];
+  if (context.Present(in.Quad, this->ToneBackground(context, background)))
   {
     ++this->DrawCalls;
   }

@@ -137,6 +137,7 @@ private:
   bool HasWork() const;
   void Fail(const std::string& wrong);
   void UploadThresholds(vtkRelievoFrameContext& context);
+  const float* ToneBackground(const vtkRelievoFrameContext& context, float color[4]) const;
 
   class Internals;
   std::unique_ptr<Internals> Internal;

@@ -9,6 +9,8 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 #include "vtkPointData.h"
+#include "vtkRelievoDrawnPart.h"
+#include "vtkRelievoFormulas.h"
 #include "vtkRelievoFrameContext.h"
 #include "vtkRelievoScopedState.h"
 #include "vtkRenderer.h"
@@ -26,6 +28,10 @@ public:
   vtkRelievoColorTarget* Target = nullptr;
   int Offset[2] = { 0, 0 };
 
+  std::string GetDefines() const override
+  {
+    return this->Target->DepthPresented ? "" : "#define RELIEVO_DEPTH_LEFT\n";
+  }
   void Activate(vtkShaderProgram* program) override
   {
     this->Target->Buffers.Color->Activate();
@@ -88,7 +94,12 @@ void vtkRelievoColorTarget::Begin(vtkRelievoFrameContext& context)
   vtkRenderer* renderer = context.Renderer;
   vtkOpenGLState* state = context.Window->GetState();
   this->Separated = false;
+  this->DepthPresented = false;
   this->Made = Rectangle();
+  vtkRelievoDrawnPart drawn;
+  drawn.Find(context);
+  this->DrawnOn = this->GetAll().Within(Rectangle::Of(drawn.Part));
+  this->TellsByDepth = drawn.TellsByDepth;
   const int before = vtkRelievoColorBuffers::GetBoundFramebuffer();
   state->PushFramebufferBindings();
   this->Buffers.Framebuffer->Bind();
@@ -215,6 +226,39 @@ vtkRelievoColorTarget::Rectangle vtkRelievoColorTarget::Rectangle::With(
 }
 
 //------------------------------------------------------------------------------
+vtkRelievoColorTarget::Rectangle vtkRelievoColorTarget::Rectangle::Of(const int part[4])
+{
+  return { { part[0], part[1] }, { part[0] + part[2], part[1] + part[3] } };
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoColorTarget::Rectangle vtkRelievoColorTarget::Rectangle::Within(
+  const Rectangle& other) const
+{
+  Rectangle both;
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    both.From[axis] = std::max(this->From[axis], other.From[axis]);
+    both.To[axis] = std::min(this->To[axis], other.To[axis]);
+  }
+  return both.IsEmpty() ? Rectangle() : both;
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoColorTarget::Rectangles vtkRelievoColorTarget::Outside(
+  const Rectangles& all, const Rectangle& other)
+{
+  Rectangles outside;
+  for (const Rectangle& each : all)
+  {
+    const Rectangles rest = each.Without(each.Within(other));
+    std::copy_if(rest.begin(), rest.end(), std::back_inserter(outside),
+      [](const Rectangle& part) { return !part.IsEmpty(); });
+  }
+  return outside;
+}
+
+//------------------------------------------------------------------------------
 std::vector<vtkRelievoColorTarget::Rectangle> vtkRelievoColorTarget::Rectangle::Without(
   const Rectangle& inner) const
 {
@@ -323,12 +367,7 @@ bool vtkRelievoColorTarget::Draw(
   {
     return false;
   }
-  Rectangle where = this->GetAll();
-  for (int axis = 0; part && axis < 2; ++axis)
-  {
-    where.From[axis] = std::max(0, part[axis]);
-    where.To[axis] = std::min(where.To[axis], part[axis] + part[axis + 2]);
-  }
+  Rectangle where = part ? this->GetAll().Within(Rectangle::Of(part)) : this->GetAll();
   if (where.IsEmpty())
   {
     return true;
@@ -365,11 +404,12 @@ void vtkRelievoColorTarget::DrawOnto(vtkRelievoFrameContext& context, vtkRelievo
   {
     state->vtkglDisable(GL_BLEND);
   }
-  quad.Draw(context, area, false, part);
+  quad.Draw(context, area, vtkRelievoScreenQuad::NO_DEPTH, part);
 }
 
 //------------------------------------------------------------------------------
-bool vtkRelievoColorTarget::Present(vtkRelievoFrameContext& context, vtkRelievoScreenQuad* quad)
+bool vtkRelievoColorTarget::Present(vtkRelievoFrameContext& context, vtkRelievoScreenQuad* quad,
+  const float* background, const int* part, bool drawnOnly)
 {
   if (!this->Valid || this->Presented)
   {
@@ -377,51 +417,91 @@ bool vtkRelievoColorTarget::Present(vtkRelievoFrameContext& context, vtkRelievoS
   }
   const vtkRelievoScopedState kept(context.Window->GetState());
   context.Window->GetState()->vtkglDisable(GL_BLEND);
-  const bool draws = !this->PresentDepth(context); // the depth, with the colour
-  const auto present = [&](vtkRelievoScreenQuad& each, const Rectangle& where) {
+  const auto present = [&](vtkRelievoScreenQuad& each, const Rectangle& where, bool drawn) {
     const int* v = context.View.Viewport;
-    const int part[4] = { v[0] + where.From[0], v[1] + where.From[1], where.To[0] - where.From[0],
+    const int place[4] = { v[0] + where.From[0], v[1] + where.From[1], where.To[0] - where.From[0],
       where.To[1] - where.From[1] };
-    each.Draw(context, nullptr, draws, part);
+    each.Draw(context, nullptr,
+      !this->DepthPresented           ? vtkRelievoScreenQuad::WRITES_DEPTH
+        : drawn && this->TellsByDepth ? vtkRelievoScreenQuad::WHERE_DRAWN
+                                      : vtkRelievoScreenQuad::NO_DEPTH,
+      place);
   };
-  bool ready = true;
-  if (quad)
+  // What is changed; what is as it was drawn; the background elsewhere, if its colour is known. A
+  // quad takes the place of the curve, in its part or for all.
+  vtkRelievoScreenQuad* whole = part ? nullptr : quad;
+  float drawn[4];
+  this->GetBackground(context, drawn);
+  const float* elsewhere = whole ? background : drawn;
+  const bool some = this->DepthPresented && elsewhere;
+  const Rectangle by = part ? this->GetAll().Within(Rectangle::Of(part)) : Rectangle();
+  const Rectangles changed = Outside({ this->Made }, by);
+  const Rectangles others =
+    Outside(Outside({ some ? this->DrawnOn : this->GetAll() }, this->Made), by);
+  if (some)
   {
-    present(*quad, this->GetAll());
+    this->PresentBackground(context, elsewhere);
   }
-  else if (!this->Made.IsEmpty())
+  const bool ready = whole ||
+    ((changed.empty() ||
+       this->ToDisplay.Ready(context, "frame/toDisplayFS.glsl", { "color", "drawn" })) &&
+      (others.empty() ||
+        this->ToDisplayAsDrawn.Ready(
+          context, "frame/toDisplayFS.glsl", { "drawn" }, "#define RELIEVO_AS_DRAWN\n")));
+  if (!ready)
   {
-    ready = this->ToDisplay.Ready(context, "frame/toDisplayFS.glsl", { "color", "drawn" });
-    if (ready)
-    {
-      present(this->ToDisplay, this->Made);
-    }
+    return false;
   }
-  for (const Rectangle& rest : quad ? std::vector<Rectangle>() : this->GetAll().Without(this->Made))
+  for (const Rectangle& where : changed)
   {
-    ready = ready &&
-      this->ToDisplayAsDrawn.Ready(
-        context, "frame/toDisplayFS.glsl", { "drawn" }, "#define RELIEVO_AS_DRAWN\n");
-    if (ready)
-    {
-      present(this->ToDisplayAsDrawn, rest);
-    }
+    present(whole ? *whole : this->ToDisplay, where, false);
   }
-  this->Presented = ready;
-  return ready;
+  for (const Rectangle& where : others)
+  {
+    present(whole ? *whole : this->ToDisplayAsDrawn, where, some);
+  }
+  if (!by.IsEmpty())
+  {
+    present(*quad, by, drawnOnly && this->Made.IsEmpty());
+  }
+  this->Presented = true;
+  return true;
 }
 
 //------------------------------------------------------------------------------
-// Copies the depth as it is. False if what is bound for drawing is of another kind.
+// The background, to be drawn over where there is more.
+void vtkRelievoColorTarget::PresentBackground(vtkRelievoFrameContext& context, const float* color)
+{
+  if (!this->TellsByDepth && this->GetAll().Without(this->DrawnOn).empty())
+  {
+    return;
+  }
+  const int* v = context.View.Viewport;
+  const int* size = context.Window->GetActualSize();
+  vtkOpenGLState* state = context.Window->GetState();
+  state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  // Software OpenGL clears all faster than a part.
+  const bool all = v[0] == 0 && v[1] == 0 && v[2] == size[0] && v[3] == size[1];
+  state->SetEnumState(GL_SCISSOR_TEST, !all);
+  state->vtkglScissor(v[0], v[1], v[2], v[3]);
+  glClearBufferfv(GL_COLOR, 0, color);
+}
+
+//------------------------------------------------------------------------------
 bool vtkRelievoColorTarget::PresentDepth(vtkRelievoFrameContext& context)
 {
-  if (this->Buffers.Resolved || vtkRelievoColorBuffers::GetBoundSamples() > 0 ||
-    !this->Buffers.HasBoundDepth())
+  if (this->DepthPresented)
+  {
+    return true;
+  }
+  if (!this->Valid || this->Presented || this->Buffers.Resolved ||
+    vtkRelievoColorBuffers::GetBoundSamples() > 0 || !this->Buffers.HasBoundDepth())
   {
     return false;
   }
   const int* v = context.View.Viewport;
   vtkOpenGLState* state = context.Window->GetState();
+  const vtkRelievoScopedState kept(state);
   state->PushReadFramebufferBinding();
   this->Buffers.Framebuffer->Bind(GL_READ_FRAMEBUFFER);
   state->vtkglDisable(GL_SCISSOR_TEST);
@@ -437,7 +517,8 @@ bool vtkRelievoColorTarget::PresentDepth(vtkRelievoFrameContext& context)
   {
     this->Buffers.DepthCopied = glGetError() == GL_NO_ERROR;
   }
-  return this->Buffers.DepthCopied;
+  this->DepthPresented = this->Buffers.DepthCopied;
+  return this->DepthPresented;
 }
 
 //------------------------------------------------------------------------------
@@ -474,6 +555,28 @@ std::string vtkRelievoColorTarget::Read(vtkImageData* image)
   state->PopFramebufferBindings();
   image->GetPointData()->AddArray(color);
   return std::string();
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoColorTarget::GetBackground(
+  const vtkRelievoFrameContext& context, float color[4]) const
+{
+  std::copy_n(context.Renderer->GetBackground(), 3, color);
+  color[3] = static_cast<float>(context.Renderer->GetBackgroundAlpha());
+  if (!this->Buffers.Floats)
+  {
+    std::transform(color, color + 4, color, relievo::f32::relievoRoundToHalf);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoColorTarget::GetDrawnPart(int part[4]) const
+{
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    part[axis] = this->DrawnOn.From[axis];
+    part[axis + 2] = this->DrawnOn.To[axis] - this->DrawnOn.From[axis];
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -62,15 +62,29 @@ public:
   bool Draw(vtkRelievoFrameContext& context, vtkRelievoScreenQuad& quad, bool replaces,
     const int* part = nullptr);
 
+  // Copies the depth as it is to what is bound, if that is of one kind, once after each End;
+  // otherwise Present writes it with the colour, and shaders that read `drawn` know by
+  // RELIEVO_DEPTH_LEFT. To be called before those that present are made ready.
+  bool PresentDepth(vtkRelievoFrameContext& context);
+
   // Writes the colour and the depth into the framebuffer that is bound, once after each End:
-  // through the sRGB curve, or as the quad does, which is ready. False if it was done before.
-  bool Present(vtkRelievoFrameContext& context, vtkRelievoScreenQuad* quad = nullptr);
+  // through the sRGB curve, or as the quad does, which is ready, with what it makes of the
+  // background, if that is known; or as the quad does in a part alone, there perhaps only where
+  // something is drawn. False if it was done before.
+  bool Present(vtkRelievoFrameContext& context, vtkRelievoScreenQuad* quad = nullptr,
+    const float* background = nullptr, const int* part = nullptr, bool drawnOnly = false);
 
   // Adds the colour as the point array `color`, 4 float.
   std::string Read(vtkImageData* image);
 
   vtkIdType GetBytes() const { return this->Buffers.GetBytes(); }
   void Release(vtkWindow* window);
+
+  ///@{
+  // Where the delegate may have drawn: x, y, width, height; and what is outside, as it is kept.
+  void GetDrawnPart(int part[4]) const;
+  void GetBackground(const vtkRelievoFrameContext& context, float color[4]) const;
+  ///@}
 
   std::string GetDefines() const override;
   void Activate(vtkShaderProgram* program) override;
@@ -84,18 +98,24 @@ private:
     int To[2] = { 0, 0 };
 
     bool IsEmpty() const { return this->From[0] >= this->To[0] || this->From[1] >= this->To[1]; }
+    static Rectangle Of(const int part[4]); // x, y, width, height
     Rectangle With(const Rectangle& other) const;
+    Rectangle Within(const Rectangle& other) const;
     std::vector<Rectangle> Without(const Rectangle& inner) const; // that lies within it
   };
+
+  using Rectangles = std::vector<Rectangle>;
+
+  // Of the rectangles what lies outside the other.
+  static Rectangles Outside(const Rectangles& all, const Rectangle& other);
 
   Rectangle GetAll() const;
   bool IsWhole() const; // the linear colour is there for every pixel
   void CopyWhatIsThere(vtkRelievoFrameContext& context, int framebuffer);
   void MakeLinear(vtkRelievoFrameContext& context, const Rectangle& where);
+  void PresentBackground(vtkRelievoFrameContext& context, const float* color);
   void DrawOnto(vtkRelievoFrameContext& context, vtkRelievoScreenQuad& quad, int which, bool blends,
     const Rectangle& where);
-  bool PresentDepth(vtkRelievoFrameContext& context);
-
   class Input;
   std::unique_ptr<Input> Drawn; // what the delegate drew, as a resource
   vtkRelievoColorBuffers Buffers;
@@ -103,10 +123,13 @@ private:
   vtkRelievoScreenQuad ToDisplay;
   vtkRelievoScreenQuad Copy;
   vtkRelievoScreenQuad ToDisplayAsDrawn;
-  Rectangle Made; // where the linear colour is there
+  Rectangle Made;            // where the linear colour is there
+  Rectangle DrawnOn;         // where the delegate may have drawn: outside is the background
+  bool TellsByDepth = false; // see vtkRelievoDrawnPart
   bool Valid = false;
   bool Separated = false; // the linear colour was made before all was drawn
   bool Presented = false;
+  bool DepthPresented = false;
 };
 
 #endif

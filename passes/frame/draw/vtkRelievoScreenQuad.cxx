@@ -70,7 +70,7 @@ vtkShaderProgram* vtkRelievoScreenQuad::Ready(vtkRelievoFrameContext& context,
 
 //------------------------------------------------------------------------------
 void vtkRelievoScreenQuad::Draw(
-  vtkRelievoFrameContext& context, const int* viewport, bool depth, const int* part)
+  vtkRelievoFrameContext& context, const int* viewport, DepthUse depth, const int* part)
 {
   vtkShaderProgram* program = this->Quad->Program;
   // Another quad may have been drawn since.
@@ -98,9 +98,11 @@ void vtkRelievoScreenQuad::Draw(
   state->vtkglScissor(drawn[0], drawn[1], drawn[2], drawn[3]);
   state->vtkglEnable(GL_SCISSOR_TEST);
   // OpenGL writes depths only where it tests them.
-  state->SetEnumState(GL_DEPTH_TEST, depth);
-  state->vtkglDepthFunc(depth ? GL_ALWAYS : GL_LEQUAL);
-  state->vtkglDepthMask(depth ? GL_TRUE : GL_FALSE);
+  state->SetEnumState(GL_DEPTH_TEST, depth != NO_DEPTH);
+  state->vtkglDepthFunc(depth == WRITES_DEPTH ? GL_ALWAYS
+      : depth == WHERE_DRAWN                  ? GL_GREATER
+                                              : GL_LEQUAL);
+  state->vtkglDepthMask(depth == WRITES_DEPTH ? GL_TRUE : GL_FALSE);
   this->Quad->Render();
   for (vtkRelievoResource* resource : this->Resources)
   {

@@ -38,12 +38,20 @@ public:
     const std::vector<std::string>& reads, const std::string& defines = "");
   const std::string& GetWrong() const { return this->Wrong; }
 
+  // What a quad does with the depth that is bound: nothing; the shader's depth is written; only
+  // pixels whose depth something has written are drawn.
+  enum DepthUse
+  {
+    NO_DEPTH,
+    WRITES_DEPTH,
+    WHERE_DRAWN
+  };
+
   // Draws with the program that Ready returned into x, y, width, height (default: the frame's
-  // viewport) of the bound framebuffer, without depth test; the depth from the shader is written if
-  // `depth`. Blending is as the caller set it. Only the pixels of `part` (x, y, width, height) are
-  // drawn, if it is given.
-  void Draw(vtkRelievoFrameContext& context, const int* viewport = nullptr, bool depth = false,
-    const int* part = nullptr);
+  // viewport) of the bound framebuffer. Blending is as the caller set it. Only the pixels of `part`
+  // (x, y, width, height) are drawn, if it is given.
+  void Draw(vtkRelievoFrameContext& context, const int* viewport = nullptr,
+    DepthUse depth = NO_DEPTH, const int* part = nullptr);
 
   void Release(vtkWindow* window);
 

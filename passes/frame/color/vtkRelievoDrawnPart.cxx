@@ -1,0 +1,145 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkRelievoDrawnPart.h"
+
+#include "vtkActor.h"
+#include "vtkMapper.h"
+#include "vtkMath.h"
+#include "vtkProperty.h"
+#include "vtkRelievoFrameContext.h"
+#include "vtkRelievoVTKVersions.h"
+#include "vtkRenderState.h"
+#include "vtkRenderer.h"
+#include "vtkShaderProperty.h"
+
+#include <glm/common.hpp>
+#include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace
+{
+bool HasUsualBackground(vtkRenderer* renderer)
+{
+  return renderer->GetLayer() == 0 && renderer->GetErase() && !renderer->GetPreserveColorBuffer() &&
+    !renderer->GetGradientBackground() && !renderer->GetTexturedBackground() &&
+    !renderer->GetUseFXAA() && !renderer->GetUseSSAO();
+}
+
+// Whether the actor is drawn within its box, and lines and points as wide as they are around it.
+// Classes are compared by name: what is derived from them may draw anything.
+bool IsWithinBox(vtkActor* actor)
+{
+  vtkMapper* mapper = actor->GetMapper();
+  if (!mapper || std::string(actor->GetClassName()) != "vtkOpenGLActor")
+  {
+    return false;
+  }
+#ifdef RELIEVO_VTK_COORDINATE_SYSTEMS
+  if (actor->GetCoordinateSystem() != vtkProp3D::WORLD)
+  {
+    return false;
+  }
+#endif
+  vtkShaderProperty* shaders = actor->GetShaderProperty();
+  if (shaders->HasVertexShaderCode() || shaders->HasGeometryShaderCode() ||
+    shaders->GetNumberOfShaderReplacements() > 0)
+  {
+    return false;
+  }
+  const std::string name = mapper->GetClassName();
+  return name == "vtkOpenGLPolyDataMapper" || name == "vtkDataSetMapper" ||
+    name == "vtkCompositePolyDataMapper2" || name == "vtkCompositePolyDataMapper";
+}
+
+// A rectangle in NDC, with depths.
+struct Extent
+{
+  glm::dvec3 Least = glm::dvec3(VTK_DOUBLE_MAX);
+  glm::dvec3 Most = glm::dvec3(-VTK_DOUBLE_MAX);
+
+  // False if a corner of the box is not before the eye.
+  bool Add(const glm::dmat4& toClip, const double bounds[6])
+  {
+    for (int corner = 0; corner < 8; ++corner)
+    {
+      const glm::dvec4 clip = toClip *
+        glm::dvec4(
+          bounds[corner & 1], bounds[2 + ((corner >> 1) & 1)], bounds[4 + (corner >> 2)], 1.0);
+      const glm::dvec3 ndc = glm::dvec3(clip) / clip.w;
+      if (!(clip.w > 0.0) || !std::isfinite(ndc.x + ndc.y + ndc.z))
+      {
+        return false;
+      }
+      this->Least = glm::min(this->Least, ndc);
+      this->Most = glm::max(this->Most, ndc);
+    }
+    return true;
+  }
+};
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoDrawnPart::Find(const vtkRelievoFrameContext& context)
+{
+  const int* size = context.View.Viewport + 2;
+  this->Part[0] = this->Part[1] = 0;
+  this->Part[2] = size[0];
+  this->Part[3] = size[1];
+  this->TellsByDepth = false;
+  if (!context.OwnSteps || context.Nested || !HasUsualBackground(context.Renderer))
+  {
+    return;
+  }
+  const glm::dmat4 toClip = context.View.ViewToNDC * context.View.WorldToView;
+  Extent extent;
+  double wide = 0.0; // of the widest line or point
+  bool opaque = true;
+  vtkProp** props = context.State->GetPropArray();
+  for (int i = 0; i < context.State->GetPropArrayCount(); ++i)
+  {
+    if (props[i]->IsA("vtkActor2D"))
+    {
+      continue; // over the finished picture
+    }
+    auto* actor = vtkActor::SafeDownCast(props[i]);
+    if (!actor || !IsWithinBox(actor))
+    {
+      return;
+    }
+    const double* bounds = actor->GetBounds();
+    if (!bounds || !vtkMath::AreBoundsInitialized(bounds))
+    {
+      continue; // nothing to draw
+    }
+    if (!extent.Add(toClip, bounds))
+    {
+      return;
+    }
+    vtkProperty* property = actor->GetProperty();
+    wide = std::max({ wide, static_cast<double>(property->GetLineWidth()),
+      static_cast<double>(property->GetPointSize()) });
+    opaque = opaque && !actor->HasTranslucentPolygonalGeometry();
+  }
+  // A pixel for the rasteriser, and one for samples that are moved within the pixel.
+  const double margin = std::ceil(wide) + 2.0;
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    const double half = 0.5 * size[axis];
+    const double from = std::floor(half * (extent.Least[axis] + 1.0) - margin);
+    const double to = std::ceil(half * (extent.Most[axis] + 1.0) + margin);
+    this->Part[axis] = static_cast<int>(std::clamp(from, 0.0, 2.0 * half));
+    this->Part[axis + 2] = static_cast<int>(std::clamp(to, 0.0, 2.0 * half)) - this->Part[axis];
+  }
+  if (this->Part[2] <= 0 || this->Part[3] <= 0)
+  {
+    std::fill_n(this->Part, 4, 0);
+  }
+  // What is farthest must be nearer than z can tell from the far plane, and than what VTK moves
+  // coincident surfaces by.
+  this->TellsByDepth = opaque && extent.Most.z < 1.0 - std::ldexp(1.0, -14);
+}

@@ -1,0 +1,299 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Pixels on which nothing is drawn are left to the background: whatever is drawn outside its box,
+// or as far away as can be, is in the picture all the same. The truth is VTK's own picture.
+#include "Check.h"
+#include "Session.h"
+#include "Window.h"
+
+#include <vtkActor.h>
+#include <vtkBillboardTextActor3D.h>
+#include <vtkCamera.h>
+#include <vtkCubeAxesActor.h>
+#include <vtkCubeSource.h>
+#include <vtkDoubleArray.h>
+#include <vtkGlyph3DMapper.h>
+#include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkPlaneSource.h>
+#include <vtkPointData.h>
+#include <vtkPointGaussianMapper.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
+#include <vtkRelievoFogSpheres.h>
+#include <vtkRelievoFogStage.h>
+#include <vtkRelievoFormulas.h>
+#include <vtkRelievoLamps.h>
+#include <vtkRelievoLampsStage.h>
+#include <vtkRelievoPass.h>
+#include <vtkRelievoToneStage.h>
+#include <vtkRelievoVTKVersions.h>
+#include <vtkRenderWindow.h>
+#include <vtkRenderer.h>
+#include <vtkShaderProperty.h>
+#include <vtkSphereSource.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace
+{
+using relievoTest::Picture;
+
+// A cube in the middle of a window, seen from the front; the rest is background.
+struct Scene
+{
+  vtkNew<vtkRenderer> Renderer;
+  vtkNew<vtkActor> Actor;
+  vtkSmartPointer<vtkRenderWindow> Window;
+
+  Scene()
+  {
+    vtkNew<vtkCubeSource> cube;
+    cube->SetXLength(0.5);
+    vtkNew<vtkPolyDataMapper> mapper;
+    mapper->SetInputConnection(cube->GetOutputPort());
+    this->Actor->SetMapper(mapper);
+    this->Actor->GetProperty()->SetColor(0.8, 0.5, 0.2);
+    this->Renderer->AddActor(this->Actor);
+    this->Renderer->SetBackground(0.1, 0.2, 0.4);
+    this->Window = relievoTest::MakeWindow(120, 90, this->Renderer);
+    vtkCamera* camera = this->Renderer->GetActiveCamera();
+    camera->SetPosition(0.3, 0.4, 5.0);
+    camera->SetFocalPoint(0.0, 0.0, 0.0);
+    camera->SetClippingRange(1.0, 20.0);
+  }
+
+  vtkActor* Add(vtkMapper* mapper)
+  {
+    vtkNew<vtkActor> actor;
+    actor->SetMapper(mapper);
+    this->Renderer->AddActor(actor);
+    return actor;
+  }
+
+  vtkActor* Add(vtkAlgorithm* source)
+  {
+    vtkNew<vtkPolyDataMapper> mapper;
+    mapper->SetInputConnection(source->GetOutputPort());
+    return this->Add(mapper);
+  }
+};
+
+vtkSmartPointer<vtkPolyData> MakePoints()
+{
+  vtkNew<vtkPoints> points;
+  points->InsertNextPoint(-1.0, 0.0, 0.0);
+  points->InsertNextPoint(1.0, 0.2, 0.0);
+  auto data = vtkSmartPointer<vtkPolyData>::New();
+  data->SetPoints(points);
+  data->Allocate(1);
+  const vtkIdType both[2] = { 0, 1 };
+  data->InsertNextCell(VTK_LINE, 2, both);
+  for (const vtkIdType& id : both)
+  {
+    data->InsertNextCell(VTK_VERTEX, 1, &id);
+  }
+  return data;
+}
+
+void AddWide(Scene& scene)
+{
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(MakePoints());
+  vtkActor* actor = scene.Add(mapper);
+  actor->GetProperty()->SetLineWidth(9.0F);
+  actor->GetProperty()->SetPointSize(25.0F);
+}
+
+void AddGlyphs(Scene& scene)
+{
+  vtkNew<vtkSphereSource> ball;
+  vtkNew<vtkGlyph3DMapper> mapper;
+  mapper->SetInputData(MakePoints());
+  mapper->SetSourceConnection(ball->GetOutputPort());
+  scene.Add(mapper);
+}
+
+void AddSplats(Scene& scene)
+{
+  vtkNew<vtkPointGaussianMapper> mapper;
+  mapper->SetInputData(MakePoints());
+  mapper->SetScaleFactor(0.3);
+  mapper->EmissiveOff();
+  scene.Add(mapper);
+}
+
+// The cube to the left by the shader alone.
+void MoveByShader(Scene& scene)
+{
+  scene.Actor->GetShaderProperty()->AddVertexShaderReplacement("//VTK::PositionVC::Impl", true,
+    "//VTK::PositionVC::Impl\n  gl_Position.x -= 0.4 * gl_Position.w;\n", false);
+}
+
+void AddText(Scene& scene)
+{
+  vtkNew<vtkBillboardTextActor3D> text;
+  text->SetInput("far from its place");
+  text->SetPosition(0.5, 0.5, 0.0);
+  scene.Renderer->AddActor(text);
+}
+
+void AddAxes(Scene& scene)
+{
+  vtkNew<vtkCubeAxesActor> axes;
+  axes->SetBounds(scene.Actor->GetBounds());
+  axes->SetCamera(scene.Renderer->GetActiveCamera());
+  scene.Renderer->AddActor(axes);
+}
+
+// A plane so near to the far plane that its window z is 1.
+void AddFarPlane(Scene& scene)
+{
+  vtkCamera* camera = scene.Renderer->GetActiveCamera();
+  camera->SetPosition(0.0, 0.0, 5.0);
+  camera->SetClippingRange(0.01, 15.001);
+  vtkNew<vtkPlaneSource> plane;
+  plane->SetOrigin(-3.0, -2.0, -10.0);
+  plane->SetPoint1(3.0, -2.0, -10.0);
+  plane->SetPoint2(-3.0, 2.0, -10.0);
+  scene.Add(plane);
+}
+
+void AddGlass(Scene& scene)
+{
+  vtkNew<vtkSphereSource> ball;
+  ball->SetCenter(0.8, 0.0, 0.0);
+  scene.Add(ball)->GetProperty()->SetOpacity(0.5);
+}
+
+void AddBehindEye(Scene& scene)
+{
+  vtkNew<vtkPlaneSource> plane;
+  plane->SetOrigin(-9.0, -0.6, 9.0);
+  plane->SetPoint1(9.0, -0.6, 9.0);
+  plane->SetPoint2(-9.0, -0.6, -9.0);
+  scene.Add(plane);
+}
+
+void AddGradient(Scene& scene)
+{
+  scene.Renderer->GradientBackgroundOn();
+  scene.Renderer->SetBackground2(0.9, 0.8, 0.1);
+}
+
+#ifdef RELIEVO_VTK_COORDINATE_SYSTEMS
+void PlaceOnDevice(Scene& scene)
+{
+  vtkNew<vtkSphereSource> ball;
+  ball->SetCenter(0.7, 0.6, 0.0);
+  ball->SetRadius(0.2);
+  scene.Add(ball)->SetCoordinateSystemToDevice();
+}
+#endif
+
+// Another renderer beside, whose pixels are its own.
+void AddBeside(Scene& scene)
+{
+  vtkNew<vtkRenderer> other;
+  other->SetBackground(0.9, 0.1, 0.1);
+  other->SetViewport(0.0, 0.0, 0.4, 1.0);
+  scene.Window->AddRenderer(other);
+  scene.Renderer->SetViewport(0.4, 0.0, 1.0, 1.0);
+}
+
+// Levels of 255 between a picture and what it follows from, at most.
+double Compare(vtkImageData* plain, vtkImageData* shown, const std::function<double(int)>& follows)
+{
+  double most = 0.0;
+  for (vtkIdType i = 0; i < plain->GetNumberOfPoints(); ++i)
+  {
+    for (int c = 0; c < 3; ++c)
+    {
+      const auto value = [i, c](vtkImageData* picture) {
+        return static_cast<int>(picture->GetPointData()->GetScalars()->GetComponent(i, c));
+      };
+      most = std::max(most, std::abs(value(shown) - follows(value(plain))));
+    }
+  }
+  return most;
+}
+
+double AsItIs(int level)
+{
+  return level;
+}
+
+double Toned(int level)
+{
+  namespace f64 = relievo::f64;
+  const double light = f64::relievoLinearFromSrgb(level / 255.0);
+  return 255.0 * f64::relievoSrgbFromLinear(f64::relievoToneSimple(glm::dvec3(light)).x);
+}
+
+void TestWith(const std::string& what, const std::function<void(Scene&)>& add)
+{
+  Scene scene;
+  add(scene);
+  const auto plain = Picture(scene.Window);
+  vtkRelievoPass* frame = vtkRelievoPass::Attach(scene.Renderer);
+  vtkRelievoToneStage* tone = frame->GetToneStage();
+  const bool beside = scene.Window->GetRenderers()->GetNumberOfItems() > 1;
+  if (!beside)
+  {
+    tone->SetOperatorToSimple();
+    tone->EnabledOn();
+    // VTK's bytes, through the operator, are half a level off at most, and rounded once more.
+    RELIEVO_CHECK_AT_MOST(Compare(plain, Picture(scene.Window), Toned), 1.5, what + ", tone");
+    tone->EnabledOff();
+  }
+
+  vtkNew<vtkPoints> place;
+  place->InsertNextPoint(0.0, 0.0, 0.0);
+  vtkNew<vtkPolyData> points;
+  points->SetPoints(place);
+  vtkNew<vtkRelievoFogSpheres> fog; // of no density to speak of, over a part
+  fog->SetInputData(points);
+  fog->SetRadius(0.6);
+  fog->SetDensity(1e-5);
+  frame->GetFogStage()->AddPoints(fog);
+  RELIEVO_CHECK_AT_MOST(Compare(plain, Picture(scene.Window), AsItIs), 1.0, what + ", fog");
+  frame->GetFogStage()->RemovePoints(fog);
+
+  vtkNew<vtkRelievoLamps> lamps;
+  lamps->SetInputData(points);
+  lamps->SetRadius(30.0);
+  lamps->SetIntensity(1e-5);
+  auto* stage = vtkRelievoLampsStage::SafeDownCast(frame->GetStage("lamps"));
+  stage->AddPoints(lamps);
+  RELIEVO_CHECK_AT_MOST(Compare(plain, Picture(scene.Window), AsItIs), 1.0, what + ", lamp");
+}
+}
+
+int main()
+{
+  relievoTest::Session session;
+  TestWith("a cube", [](Scene&) {});
+  TestWith("nothing", [](Scene& scene) { scene.Renderer->RemoveAllViewProps(); });
+  TestWith("wide lines and points", AddWide);
+  TestWith("glyphs", AddGlyphs);
+  TestWith("splats", AddSplats);
+  TestWith("a shader that moves", MoveByShader);
+  TestWith("text that faces the eye", AddText);
+  TestWith("axes with labels", AddAxes);
+  TestWith("a plane at the far plane", AddFarPlane);
+  TestWith("glass", AddGlass);
+  TestWith("a plane that goes on behind the eye", AddBehindEye);
+  TestWith("a gradient", AddGradient);
+  TestWith("another renderer beside", AddBeside);
+#ifdef RELIEVO_VTK_COORDINATE_SYSTEMS
+  TestWith("an actor in units of the device", PlaceOnDevice);
+#endif
+  return session.Result();
+}
