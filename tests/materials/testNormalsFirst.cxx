@@ -26,6 +26,7 @@
 #include <vtkProperty.h>
 #include <vtkRelievoMaterial.h>
 #include <vtkRelievoPass.h>
+#include <vtkRelievoShadowStage.h>
 #include <vtkRenderer.h>
 #include <vtkShader.h>
 #include <vtkSmartPointer.h>
@@ -191,7 +192,7 @@ vtkSmartPointer<vtkPolyData> MakeMesh(const Case& of)
 // A wavy square below a ball that throws a shadow on it.
 struct Scene
 {
-  relievoTest::Stage Stage{ 80, 60 };
+  relievoTest::Stage Stage{ 160, 120 };
   vtkNew<OrderedMapper> Mapper;
   vtkNew<vtkActor> Actor;
   vtkNew<vtkLight> Sun;
@@ -219,7 +220,9 @@ struct Scene
     this->Sun->SetFocalPoint(0., 0., 0.);
     renderer->AddLight(this->Sun);
     LookAtRelief(renderer, 40.);
-    vtkRelievoPass::Attach(renderer)->ShadowsOn();
+    vtkRelievoPass* frame = vtkRelievoPass::Attach(renderer);
+    frame->ShadowsOn();
+    frame->GetShadowStage()->SetMapSize(256); // the relief is searched in each of its texels
     this->Material->SetNormalMap(NormalImage(Waves, 32));
     this->Material->SetHeightMap(HeightImage(Waves, 32));
     this->Material->SetHeightScale(0.1);
@@ -273,7 +276,7 @@ void TestCase(const Case& of)
     const auto picture = Picture(usual.Stage.Window);
     usualLayers.emplace_back(usual.Stage.Renderer, names, Way::Shared);
     const Layers& layers = usualLayers.back();
-    RELIEVO_CHECK_THAT(layers.CountId("cell", 8) > 5, what + ": cells are known");
+    RELIEVO_CHECK_THAT(layers.CountId("cell", 8) > 20, what + ": cells are known");
     Scene next(of, true, handsCellsOn);
     SamePicture(picture, Picture(next.Stage.Window), what);
     const Layers others(next.Stage.Renderer, names, Way::Shared);
@@ -290,7 +293,7 @@ void TestCase(const Case& of)
   {
     const int components = name == "depth" ? 1 : 3;
     RELIEVO_CHECK_AT_MOST(
-      CountFar(usualLayers[0], usualLayers[1], name, components), 5, what + name);
+      CountFar(usualLayers[0], usualLayers[1], name, components), 20, what + name);
   }
 }
 
@@ -308,12 +311,12 @@ void TestShown()
       dark += layers.Value("shadow_0", x, y) < 0.5 ? 1 : 0;
     }
   }
-  RELIEVO_CHECK_THAT(dark > 25, "something is in shadow");
+  RELIEVO_CHECK_THAT(dark > 100, "something is in shadow");
   scene.Material->EnabledOff();
   const Layers plain(scene.Stage.Renderer, { "normal" }, Way::Shared);
   scene.Material->EnabledOn();
   const Layers mapped(scene.Stage.Renderer, { "normal" }, Way::Shared);
-  RELIEVO_CHECK_THAT(CountDifferent(plain, mapped, "normal") > 250, "the material is seen");
+  RELIEVO_CHECK_THAT(CountDifferent(plain, mapped, "normal") > 1000, "the material is seen");
 }
 }
 
