@@ -50,6 +50,17 @@ unsigned int FindFreeAttachment(unsigned int from)
   return GL_NONE;
 }
 
+constexpr int BandBytes = 1 << 18;
+
+// Every `stride`-th of the words.
+void Gather(const std::uint32_t* from, int stride, std::uint32_t* to, std::ptrdiff_t count)
+{
+  for (std::ptrdiff_t i = 0; i < count; ++i)
+  {
+    to[i] = from[i * stride];
+  }
+}
+
 // Draw buffer 0 is the colour's.
 void ClearToBackground(const vtkRelievoGBufferLayout& layout)
 {
@@ -304,7 +315,8 @@ void vtkRelievoGBufferTarget::WriteLayers(bool on)
 }
 
 //------------------------------------------------------------------------------
-bool vtkRelievoGBufferTarget::Read(int attachment, const int region[4], std::uint32_t* words)
+bool vtkRelievoGBufferTarget::Read(
+  int attachment, const int region[4], const std::vector<std::uint32_t*>& planes)
 {
   if (attachment < 0 || attachment >= static_cast<int>(this->Textures.size()) || !this->Window)
   {
@@ -324,8 +336,22 @@ bool vtkRelievoGBufferTarget::Read(int attachment, const int region[4], std::uin
   // Reading waits for the drawing anyway; Mesa's software OpenGL forgets to wait for what a
   // framebuffer drew that is no longer bound, and gives some tiles as they were before.
   glFinish();
-  glReadPixels(region[0], region[1], region[2], region[3], GetTexelFormat(channels).External,
-    GL_UNSIGNED_INT, words);
+  // Row by row of what the processor's cache holds: then each word is fetched from memory once.
+  const int width = region[2];
+  const int most = std::max(1, BandBytes / std::max(1, 4 * channels * width));
+  std::vector<std::uint32_t> band(static_cast<std::size_t>(most) * channels * width);
+  for (int y = 0; y < region[3]; y += most)
+  {
+    const int rows = std::min(most, region[3] - y);
+    glReadPixels(region[0], region[1] + y, width, rows, GetTexelFormat(channels).External,
+      GL_UNSIGNED_INT, band.data());
+    const std::ptrdiff_t first = static_cast<std::ptrdiff_t>(y) * width;
+    for (std::size_t k = 0; k < planes.size(); ++k)
+    {
+      Gather(
+        band.data() + k, channels, planes[k] + first, static_cast<std::ptrdiff_t>(rows) * width);
+    }
+  }
   state->PopFramebufferBindings();
   glDeleteFramebuffers(1, &reader);
   return true;

@@ -43,8 +43,9 @@ public:
   // Between Begin/Attach and End/Detach: whether the draw calls that follow write the layers.
   void WriteLayers(bool on);
 
-  // Four, two or one words per pixel of the region, row 0 at the bottom, into room for all of them.
-  bool Read(int attachment, const int region[4], std::uint32_t* words);
+  // The attachment's words, each of them for all pixels of the region, row 0 at the bottom, into
+  // its own of the planes.
+  bool Read(int attachment, const int region[4], const std::vector<std::uint32_t*>& planes);
 
   vtkTextureObject* GetTexture(int attachment);
   vtkIdType GetBytes() const;

@@ -62,12 +62,11 @@ private:
 };
 
 //------------------------------------------------------------------------------
-vtkRelievoDepthRefiner::vtkRelievoDepthRefiner(const vtkRelievoDrawTable& draws,
-  const vtkRelievoFrameCamera& view, const std::uint32_t* words, int stride)
+vtkRelievoDepthRefiner::vtkRelievoDepthRefiner(
+  const vtkRelievoDrawTable& draws, const vtkRelievoFrameCamera& view, const std::uint32_t* words)
   : Draws(draws)
   , View(view)
   , Words(words)
-  , Stride(stride)
 {
 }
 
@@ -83,7 +82,7 @@ bool vtkRelievoDepthRefiner::RunsOn(const Point& nearest, double depth) const
 //------------------------------------------------------------------------------
 std::uint32_t vtkRelievoDepthRefiner::GetWord(int x, int y) const
 {
-  return this->Words[(static_cast<std::ptrdiff_t>(y) * this->View.Viewport[2] + x) * this->Stride];
+  return this->Words[static_cast<std::ptrdiff_t>(y) * this->View.Viewport[2] + x];
 }
 
 //------------------------------------------------------------------------------
@@ -317,14 +316,14 @@ void vtkRelievoDepthRefiner::RefineRow(
   int y, float* depths, Recent& recent, std::vector<Pixel>& open) const
 {
   const std::uint32_t* words =
-    this->Words + static_cast<std::ptrdiff_t>(y) * this->View.Viewport[2] * this->Stride;
+    this->Words + static_cast<std::ptrdiff_t>(y) * this->View.Viewport[2];
   std::uint32_t last = Nothing;
   Triangle triangle;
   Weights weights{};
   int first = 0; // the pixel that the weights are of
   for (int x = 0; x < this->View.Viewport[2]; ++x)
   {
-    const std::uint32_t word = words[static_cast<std::ptrdiff_t>(x) * this->Stride];
+    const std::uint32_t word = words[x];
     if (word == Nothing)
     {
       continue;

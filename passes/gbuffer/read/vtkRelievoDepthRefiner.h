@@ -13,6 +13,7 @@
 #define vtkRelievoDepthRefiner_h
 
 #include "vtkRelievoDrawTable.h"
+#include "vtkRelievoGBufferModule.h" // for the export macro
 
 #include <limits>
 #include <vector>
@@ -21,12 +22,13 @@ class vtkIdList;
 class vtkRelievoMeshLinks;
 struct vtkRelievoFrameCamera;
 
-class vtkRelievoDepthRefiner
+// Hidden, so that the compiler may put its methods into the loops over all pixels.
+class VTKRELIEVOGBUFFER_NO_EXPORT vtkRelievoDepthRefiner
 {
 public:
   // The id words of the whole view.
   vtkRelievoDepthRefiner(const vtkRelievoDrawTable& draws, const vtkRelievoFrameCamera& view,
-    const std::uint32_t* words, int stride);
+    const std::uint32_t* words);
 
   // Replaces the view's depths where a triangle of a mesh is seen.
   void Refine(float* depths, vtkRelievoMeshLinks& links);
@@ -94,7 +96,6 @@ private:
   const vtkRelievoDrawTable& Draws;
   const vtkRelievoFrameCamera& View;
   const std::uint32_t* Words;
-  int Stride;
 };
 
 #endif

@@ -17,6 +17,7 @@
 #include "vtkRelievoFrameCamera.h"
 #include "vtkRelievoGBufferLayout.h"
 #include "vtkRelievoGBufferTarget.h"
+#include "vtkRelievoImageMemory.h"
 #include "vtkRelievoLayerCatalogue.h"
 #include "vtkRelievoLayersStage.h"
 #include "vtkRelievoRows.h"
@@ -36,8 +37,7 @@ template <typename Array>
 vtkSmartPointer<Array> NewArray(int components, vtkIdType tuples)
 {
   auto array = vtkSmartPointer<Array>::New();
-  array->SetNumberOfComponents(components);
-  array->SetNumberOfTuples(tuples);
+  vtkRelievoAllocateImage(array, components, tuples);
   return array;
 }
 
@@ -98,7 +98,7 @@ vtkRelievoLayerReader::vtkRelievoLayerReader(const vtkRelievoGBufferLayout& layo
   , Target(target)
   , Region{ region[0], region[1], region[2], region[3] }
   , View(view)
-  , Words(static_cast<std::size_t>(layout.GetNumberOfAttachments()))
+  , Words(static_cast<std::size_t>(layout.GetNumberOfWords()))
 {
 }
 
@@ -136,18 +136,21 @@ vtkIdType vtkRelievoLayerReader::GetNumberOfPixels() const
 }
 
 //------------------------------------------------------------------------------
-const std::uint32_t* vtkRelievoLayerReader::GetWords(int word, int& stride)
+const std::uint32_t* vtkRelievoLayerReader::GetWords(int word)
 {
-  const int attachment = word / 4;
-  stride = this->Layout.GetNumberOfChannels(attachment);
-  std::unique_ptr<std::uint32_t[]>& words = this->Words[attachment];
-  if (!words)
+  if (!this->Words[word])
   {
-    // Not cleared first: all of it is read.
-    words.reset(new std::uint32_t[static_cast<std::size_t>(this->GetNumberOfPixels()) * stride]);
-    this->Target.Read(attachment, this->Region, words.get());
+    const int first = word / 4 * 4;
+    std::vector<std::uint32_t*> planes;
+    for (int i = first; i < std::min(first + 4, this->Layout.GetNumberOfWords()); ++i)
+    {
+      this->Words[i].reset(static_cast<std::uint32_t*>(
+        vtkRelievoNewImageMemory(this->GetNumberOfPixels() * sizeof(std::uint32_t))));
+      planes.push_back(this->Words[i].get());
+    }
+    this->Target.Read(word / 4, this->Region, planes);
   }
-  return words.get() + word % 4;
+  return this->Words[word].get();
 }
 
 //------------------------------------------------------------------------------
@@ -216,31 +219,46 @@ std::string vtkRelievoLayerReader::Read(const std::string& layer, vtkImageData* 
 //------------------------------------------------------------------------------
 vtkSmartPointer<vtkFloatArray> vtkRelievoLayerReader::ReadDepth()
 {
+  if (this->Layout.NormalDepthWord < 0 &&
+    this->Layout.DepthFormat == vtkRelievoLayersStage::DEPTH_32F)
+  {
+    // The words are the depths.
+    this->GetWords(this->Layout.DepthWord);
+    auto depths = vtkSmartPointer<vtkFloatArray>::New();
+    depths->SetVoidArray(this->Words[this->Layout.DepthWord].release(), this->GetNumberOfPixels(),
+      0, vtkAbstractArray::VTK_DATA_ARRAY_FREE);
+    if (this->Refines && this->Layout.IdWord >= 0)
+    {
+      this->RefineDepth(depths->GetPointer(0));
+    }
+    return depths;
+  }
   auto array = NewArray<vtkFloatArray>(1, this->GetNumberOfPixels());
   float* out = array->GetPointer(0);
-  int stride = 0;
   if (this->Layout.NormalDepthWord >= 0)
   {
-    const std::uint32_t* words = this->GetWords(this->Layout.NormalDepthWord, stride);
+    const int count = vtkRelievoGBufferLayout::GetNormalDepthWords(this->Layout.NormalDepth);
+    const std::uint32_t* words[4] = {};
+    for (int k = 0; k < count; ++k)
+    {
+      words[k] = this->GetWords(this->Layout.NormalDepthWord + k);
+    }
     ForPixels(this->Region, [&](vtkIdType i, int, int) {
-      out[i] = vtkRelievoWordDecoder::DecodeNormalDepth(
-        words + i * stride, this->Layout.NormalDepth, this->View)
-                 .w;
+      std::uint32_t packed[4] = {};
+      for (int k = 0; k < count; ++k)
+      {
+        packed[k] = words[k][i];
+      }
+      out[i] =
+        vtkRelievoWordDecoder::DecodeNormalDepth(packed, this->Layout.NormalDepth, this->View).w;
     });
     return array;
   }
-  const std::uint32_t* words = this->GetWords(this->Layout.DepthWord, stride);
-  const bool isFloat = this->Layout.DepthFormat == vtkRelievoLayersStage::DEPTH_32F;
+  const std::uint32_t* words = this->GetWords(this->Layout.DepthWord);
   ForPixels(this->Region, [&](vtkIdType i, int, int) {
-    const std::uint32_t word = words[i * stride];
-    out[i] = isFloat ? relievo::f32::relievoUnpackDepth32F(word)
-                     : static_cast<float>(vtkRelievoWordDecoder::DecodeDepth(
-                         word, this->Layout.DepthFormat, this->View));
+    out[i] = static_cast<float>(
+      vtkRelievoWordDecoder::DecodeDepth(words[i], this->Layout.DepthFormat, this->View));
   });
-  if (this->Refines && isFloat && this->Layout.IdWord >= 0)
-  {
-    this->RefineDepth(out);
-  }
   return array;
 }
 
@@ -268,9 +286,8 @@ void vtkRelievoLayerReader::ResolveDraws()
 void vtkRelievoLayerReader::RefineDepth(float* depths)
 {
   this->ResolveDraws();
-  int stride = 0;
-  const std::uint32_t* words = this->GetWords(this->Layout.IdWord, stride);
-  vtkRelievoDepthRefiner(*this->Draws, this->View, words, stride).Refine(depths, *this->Links);
+  const std::uint32_t* words = this->GetWords(this->Layout.IdWord);
+  vtkRelievoDepthRefiner(*this->Draws, this->View, words).Refine(depths, *this->Links);
 }
 
 //------------------------------------------------------------------------------
@@ -283,13 +300,11 @@ void vtkRelievoLayerReader::PreparePlaces()
   }
   this->ResolveDraws();
   this->GetDepth();
-  this->Ids = this->GetWords(this->Layout.IdWord, this->IdStride);
-  // Two words, which may lie in two attachments.
-  int strides[2];
+  this->Ids = this->GetWords(this->Layout.IdWord);
   const std::uint32_t* words[2];
   for (int k = 0; k < 2; ++k)
   {
-    words[k] = this->GetWords(this->Layout.PlaceWord + k, strides[k]);
+    words[k] = this->GetWords(this->Layout.PlaceWord + k);
   }
   this->Places.resize(2 * static_cast<std::size_t>(this->GetNumberOfPixels()));
   for (vtkIdType i = 0; i < this->GetNumberOfPixels(); ++i)
@@ -297,7 +312,7 @@ void vtkRelievoLayerReader::PreparePlaces()
     for (int k = 0; k < 2; ++k)
     {
       this->Places[2 * static_cast<std::size_t>(i) + static_cast<std::size_t>(k)] =
-        relievo::bits::ToFloat(words[k][i * strides[k]]);
+        relievo::bits::ToFloat(words[k][i]);
     }
   }
 }
@@ -305,7 +320,7 @@ void vtkRelievoLayerReader::PreparePlaces()
 //------------------------------------------------------------------------------
 const glm::dvec3* vtkRelievoLayerReader::GetPlace(vtkIdType pixel, glm::dvec3& eye)
 {
-  if (this->Places.empty() || !this->Draws->Find(this->Ids[pixel * this->IdStride]).Moved)
+  if (this->Places.empty() || !this->Draws->Find(this->Ids[pixel]).Moved)
   {
     return nullptr;
   }
@@ -374,16 +389,14 @@ vtkSmartPointer<vtkDataArray> vtkRelievoLayerReader::ReadNormal(int firstWord)
   auto array = NewArray<vtkFloatArray>(3, this->GetNumberOfPixels());
   float* out = array->GetPointer(0);
   const bool together = firstWord < 0;
-  // Words may begin in one attachment and end in the next.
   const int count = together
     ? vtkRelievoGBufferLayout::GetNormalDepthWords(this->Layout.NormalDepth)
     : vtkRelievoGBufferLayout::GetNormalWords(this->Layout.ChosenNormalFormat);
   const std::uint32_t* words[4] = {};
-  int strides[4] = {};
   const int first = together ? this->Layout.NormalDepthWord : firstWord;
   for (int k = 0; k < count; ++k)
   {
-    words[k] = this->GetWords(first + k, strides[k]);
+    words[k] = this->GetWords(first + k);
   }
   // From view to world: the transposed matrix is right for normals whatever the matrix scales.
   const glm::mat3 toSpace = this->WorldNormals
@@ -399,7 +412,7 @@ vtkSmartPointer<vtkDataArray> vtkRelievoLayerReader::ReadNormal(int firstWord)
       bool same = i > from * width;
       for (int k = 0; k < count; ++k)
       {
-        const std::uint32_t word = words[k][i * strides[k]];
+        const std::uint32_t word = words[k][i];
         same = same && word == packed[k];
         packed[k] = word;
       }
@@ -426,10 +439,11 @@ vtkSmartPointer<vtkDataArray> vtkRelievoLayerReader::ReadNormal(int firstWord)
 vtkSmartPointer<vtkDataArray> vtkRelievoLayerReader::ReadId(const std::string& layer)
 {
   this->ResolveDraws();
+  const bool actor = layer == "actor";
+  const bool block = layer == "block";
   auto array = NewArray<vtkIntArray>(1, this->GetNumberOfPixels());
   int* out = array->GetPointer(0);
-  int stride = 0;
-  const std::uint32_t* words = this->GetWords(this->Layout.IdWord, stride);
+  const std::uint32_t* words = this->GetWords(this->Layout.IdWord);
   const vtkIdType width = this->Region[2];
   vtkRelievoForRows(this->Region[3], this->Region[2], [&](vtkIdType from, vtkIdType to) {
     std::uint32_t last = vtkRelievoDrawTable::Nothing;
@@ -437,14 +451,12 @@ vtkSmartPointer<vtkDataArray> vtkRelievoLayerReader::ReadId(const std::string& l
     PolygonNumbers numbers;
     for (vtkIdType i = from * width; i < to * width; ++i)
     {
-      const std::uint32_t word = words[i * stride];
+      const std::uint32_t word = words[i];
       if (word != last)
       {
         last = word;
         const auto hit = this->Draws->Find(word);
-        value = layer == "actor" ? hit.Actor
-          : layer == "block"     ? hit.Block
-                                 : static_cast<int>(numbers.Get(hit));
+        value = actor ? hit.Actor : block ? hit.Block : static_cast<int>(numbers.Get(hit));
       }
       out[i] = value;
     }
@@ -466,10 +478,8 @@ vtkSmartPointer<vtkDataArray> vtkRelievoLayerReader::ReadNamedArray(
   }
   vtkSmartPointer<vtkDataArray> array;
   array.TakeReference(vtkDataArray::CreateDataArray(type));
-  array->SetNumberOfComponents(components);
-  array->SetNumberOfTuples(this->GetNumberOfPixels());
-  int stride = 0;
-  const std::uint32_t* words = this->GetWords(this->Layout.IdWord, stride);
+  vtkRelievoAllocateImage(array, components, this->GetNumberOfPixels());
+  const std::uint32_t* words = this->GetWords(this->Layout.IdWord);
   const vtkIdType width = this->Region[2];
   this->PreparePlaces();
   vtkRelievoForRows(this->Region[3], this->Region[2], [&](vtkIdType from, vtkIdType to) {
@@ -477,7 +487,7 @@ vtkSmartPointer<vtkDataArray> vtkRelievoLayerReader::ReadNamedArray(
     double values[vtkRelievoArraySampler::MaximumComponents];
     for (vtkIdType i = from * width; i < to * width; ++i)
     {
-      sampler.Enter(words[i * stride], place);
+      sampler.Enter(words[i], place);
       glm::dvec3 eye;
       sampler.Sample(place, static_cast<int>(i % width), static_cast<int>(i / width),
         this->GetPlace(i, eye), values);
@@ -490,19 +500,16 @@ vtkSmartPointer<vtkDataArray> vtkRelievoLayerReader::ReadNamedArray(
 //------------------------------------------------------------------------------
 vtkSmartPointer<vtkDataArray> vtkRelievoLayerReader::ReadAlbedo()
 {
-  auto array = vtkSmartPointer<vtkUnsignedCharArray>::New();
-  array->SetNumberOfComponents(4);
-  array->SetNumberOfTuples(this->GetNumberOfPixels());
+  auto array = NewArray<vtkUnsignedCharArray>(4, this->GetNumberOfPixels());
   unsigned char* out = array->GetPointer(0);
-  int stride = 0;
-  const std::uint32_t* words = this->GetWords(this->Layout.AlbedoWord, stride);
+  const std::uint32_t* words = this->GetWords(this->Layout.AlbedoWord);
   const vtkIdType width = this->Region[2];
   vtkRelievoForRows(this->Region[3], this->Region[2], [&](vtkIdType from, vtkIdType to) {
     for (vtkIdType i = from * width; i < to * width; ++i)
     {
       for (int k = 0; k < 4; ++k)
       {
-        out[4 * i + k] = static_cast<unsigned char>(words[i * stride] >> (8 * k));
+        out[4 * i + k] = static_cast<unsigned char>(words[i] >> (8 * k));
       }
     }
   });
@@ -522,17 +529,15 @@ vtkSmartPointer<vtkDataArray> vtkRelievoLayerReader::ReadShadow(int light, std::
   const std::vector<int>& shadows = this->Layout.Shadows;
   const int place =
     static_cast<int>(std::lower_bound(shadows.begin(), shadows.end(), light) - shadows.begin());
-  auto array = vtkSmartPointer<vtkFloatArray>::New();
-  array->SetNumberOfTuples(this->GetNumberOfPixels());
+  auto array = NewArray<vtkFloatArray>(1, this->GetNumberOfPixels());
   float* out = array->GetPointer(0);
-  int stride = 0;
-  const std::uint32_t* words = this->GetWords(this->Layout.ShadowWord + place / 2, stride);
+  const std::uint32_t* words = this->GetWords(this->Layout.ShadowWord + place / 2);
   const int shift = 16 * (place % 2);
   const vtkIdType width = this->Region[2];
   vtkRelievoForRows(this->Region[3], this->Region[2], [&](vtkIdType from, vtkIdType to) {
     for (vtkIdType i = from * width; i < to * width; ++i)
     {
-      out[i] = static_cast<float>((words[i * stride] >> shift) & 0xffffu) / 65535.0f;
+      out[i] = static_cast<float>((words[i] >> shift) & 0xffffu) / 65535.0f;
     }
   });
   return array;

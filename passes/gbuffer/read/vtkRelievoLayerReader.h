@@ -10,6 +10,7 @@
 #include <glm/vec3.hpp>
 
 #include <cstdint>
+#include <cstdlib>
 #include <memory>
 #include <string>
 #include <vector>
@@ -51,7 +52,8 @@ public:
   std::string Read(const std::string& layer, vtkImageData* image);
 
 private:
-  const std::uint32_t* GetWords(int word, int& stride);
+  // A word of the layout, of every pixel.
+  const std::uint32_t* GetWords(int word);
   vtkIdType GetNumberOfPixels() const;
 
   // Looks up what the words mean, once.
@@ -87,9 +89,12 @@ private:
   bool Resolved = false;
   std::vector<float> Places; // x and y of each pixel in eye space; empty: as pixel and depth say
   const std::uint32_t* Ids = nullptr;
-  int IdStride = 0;
   vtkSmartPointer<vtkFloatArray> Depth;
-  std::vector<std::unique_ptr<std::uint32_t[]>> Words; // by attachment, as read
+  struct Freed
+  {
+    void operator()(std::uint32_t* words) const { std::free(words); }
+  };
+  std::vector<std::unique_ptr<std::uint32_t[], Freed>> Words; // by word; null: not read yet
 };
 
 #endif
