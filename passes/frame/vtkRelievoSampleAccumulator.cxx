@@ -214,17 +214,12 @@ std::string vtkRelievoSampleAccumulator::Add(vtkRelievoFrameContext& context, Su
 }
 
 //------------------------------------------------------------------------------
-std::string vtkRelievoSampleAccumulator::AccumulateColor(vtkRelievoFrameContext& context)
+std::string vtkRelievoSampleAccumulator::ShowMean(vtkRelievoFrameContext& context)
 {
-  if (!context.Find("color"))
-  {
-    return "the frame has made no linear colour";
-  }
-  std::string wrong = this->Add(context, *this->Color, "color", "", 4);
   const bool own = this->Color->Count == 1 && !context.Window->GetAbortRender();
-  if (!wrong.empty() || this->Color->Count == 0 || own)
+  if (this->Color->Count == 0 || own)
   {
-    return wrong; // one is its own mean
+    return {}; // one is its own mean
   }
   context.Provide("gathered", &this->Color->Target);
   vtkShaderProgram* program = this->Mean.Ready(context, "frame/meanFS.glsl", { "gathered" });
@@ -264,17 +259,22 @@ void vtkRelievoSampleAccumulator::Accumulate(vtkRelievoFrameContext& context)
   }
   if (this->Fault.empty() && this->Asked.Color)
   {
-    this->Fault = this->AccumulateColor(context);
+    this->Fault = context.Find("color") ? this->Add(context, *this->Color, "color", "", 4)
+                                        : "the frame has made no linear colour";
+  }
+  if (!context.Last && this->Fault.empty() &&
+    (context.Window->GetAbortRender() || context.Window->CheckAbortStatus()))
+  {
+    context.Last = true; // the mean of those so far
+  }
+  if (context.Last && this->Fault.empty() && this->Asked.Color)
+  {
+    this->Fault = this->ShowMean(context);
   }
   if (!this->Fault.empty())
   {
     this->ReleaseSums(context.Window);
     context.Last = context.Sample == 0; // or once more, with that
-  }
-  else if (!context.Last &&
-    (context.Window->GetAbortRender() || context.Window->CheckAbortStatus()))
-  {
-    context.Last = true; // the mean of those so far
   }
 }
 

@@ -75,7 +75,7 @@ private:
     const std::vector<vtkRelievoFramePlan::Node>& nodes, bool hasColor);
   void Choose(vtkRelievoFrameContext& context);
   void ReleaseSums(vtkWindow* window);
-  std::string AccumulateColor(vtkRelievoFrameContext& context);
+  std::string ShowMean(vtkRelievoFrameContext& context);
   std::string Add(vtkRelievoFrameContext& context, Sum& sum, const std::string& resource,
     const std::string& defines, int channels);
 
