@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRelievoScene.h"
 
+#include "Apart.h"
 #include "Display.h"
 #include "DressedScene.h"
 #include "Errors.h"
@@ -26,6 +27,8 @@
 
 #include <algorithm>
 #include <array>
+#include <exception>
+#include <utility>
 #include <vector>
 
 vtkStandardNewMacro(vtkRelievoScene);
@@ -54,6 +57,7 @@ struct vtkRelievoScene::Internals : public scene::ProgressListener
   scene::Settings Settings;
   vtkSmartPointer<vtkRenderWindow> Window;
   bool IsOwnWindow = false;
+  std::exception_ptr NoWindow;     // why it could not be made while a file was read
   std::array<int, 2> Size{};       // that the own window was given
   std::string ReadingKey;          // of what was read; empty: nothing
   bool Played = false;             // a sequence has moved the models from the time of reading
@@ -203,6 +207,18 @@ void vtkRelievoScene::Internals::Read(scene::Progress& progress)
   {
     return;
   }
+  // Starting OpenGL takes about as long as reading a mesh. What is wrong with files is told first.
+  this->NoWindow = nullptr;
+  const scene::WhileReading window([this] {
+    try
+    {
+      this->MakeWindow();
+    }
+    catch (const scene::WorkError&)
+    {
+      this->NoWindow = std::current_exception();
+    }
+  });
   std::vector<std::string> opened;
   const scene::OpenedFiles listed(opened);
   const scene::Scene read = OnFiles([&] { return scene::ReadScene(this->Options, progress); });
@@ -233,6 +249,10 @@ void vtkRelievoScene::Internals::Update(scene::Progress& progress)
     scene::PlayScene(
       this->Dressed.GetScene(), this->Options, this->Options.Model.Time.value_or(0.0), progress);
     this->Played = false;
+  }
+  if (this->NoWindow)
+  {
+    std::rethrow_exception(std::exchange(this->NoWindow, nullptr));
   }
   this->MakeWindow();
   vtkRenderer* renderer = this->Dressed.GetRenderer();

@@ -15,6 +15,7 @@
 
 #include <cstdint>
 #include <new>
+#include <utility>
 #include <vector>
 
 namespace scene
@@ -57,6 +58,8 @@ public:
 private:
   const vtkRelievoReaderProcess::Say& Tell;
 };
+
+thread_local std::function<void()> Meanwhile;
 
 // In the process of the file.
 void Answer(
@@ -111,6 +114,10 @@ vtkSmartPointer<vtkDataObject> ReadApart(
   progress.Begin(reading);
   std::string step = reading;
   const auto show = [&](const std::string& what, double share) {
+    if (const auto meanwhile = std::exchange(Meanwhile, nullptr))
+    {
+      meanwhile();
+    }
     if (!what.empty() && what != step)
     {
       step = what;
@@ -158,5 +165,17 @@ vtkSmartPointer<vtkDataObject> ReadApart(
     throw WorkError(path + ": holds nothing that can be drawn");
   }
   return data;
+}
+
+//------------------------------------------------------------------------------
+WhileReading::WhileReading(std::function<void()> work)
+{
+  Meanwhile = std::move(work);
+}
+
+//------------------------------------------------------------------------------
+WhileReading::~WhileReading()
+{
+  Meanwhile = nullptr;
 }
 }

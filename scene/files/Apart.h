@@ -8,6 +8,7 @@
 
 #include "vtkSmartPointer.h"
 
+#include <functional>
 #include <string>
 
 class vtkDataObject;
@@ -23,6 +24,17 @@ using ReadingWork = vtkSmartPointer<vtkDataObject> (*)(const std::string& path, 
 /// if it were done here. Throws WorkError if the process of the file ends badly.
 vtkSmartPointer<vtkDataObject> ReadApart(
   ReadingWork work, const std::string& path, Progress& progress);
+
+/// While it lives: what the thread does once, instead of waiting, when another process reads a file
+/// for it. It may be done never, and throws nothing.
+class WhileReading
+{
+public:
+  explicit WhileReading(std::function<void()> work);
+  ~WhileReading();
+  WhileReading(const WhileReading&) = delete;
+  void operator=(const WhileReading&) = delete;
+};
 }
 
 #endif

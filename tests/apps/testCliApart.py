@@ -200,6 +200,18 @@ class Processes(CliTest):
         self.assertEqual(self.ends(command, server, worker), "")
         self.assertEqual(command.returncode, -signal.SIGINT)
 
+    def test_opengl_starts_while_it_reads(self):
+        command, server, worker = self.start()
+        drivers = "_dri.so", "libgallium", "libnvidia-glcore", "libnvidia-eglcore"
+
+        def has_driver():
+            maps = pathlib.Path(f"/proc/{command.pid}/maps").read_text()
+            return any(each in maps for each in drivers)
+        self.assertTrue(wait_for(has_driver, 10))
+        self.assertIn(worker, children(server))
+        os.kill(worker, signal.SIGKILL)
+        self.assertIn("was ended by the system", self.ends(command, server, worker))
+
     def test_reader_is_killed(self):
         command, server, worker = self.start()
         os.kill(worker, signal.SIGKILL)
