@@ -1,0 +1,105 @@
+# SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What `relievo render` takes from its start to the written picture, beside F3D.
+
+    python bench/command_start.py RELIEVO DATA [--rounds N] [--looks none,studio]
+        [--against RELIEVO] >command-start.csv
+
+RELIEVO is the command, DATA the folder that tools/unpack-data fills. In every round each program
+is started anew, in an order by chance, and writes bunny.off as a PNG of 1920 x 1080 pixels: the
+command with --preset none (one sample of VTK's headlight) and with its default (the preset studio:
+24 samples, soft shadows), another build of it with --against, and F3D, if this Python has it, with
+its own look. A ratio is the median of the rounds' ratios to the first of these, +- half the
+distance of its quartiles; processor time is that of all threads and processes. The pictures of
+both builds must be the same. A display is needed (tools/with-display).
+Exit status: 0; 1 if a program fails, or the builds draw different pictures.
+"""
+
+import argparse
+import csv
+import importlib.util
+import os
+import pathlib
+import random
+import resource
+import statistics
+import subprocess
+import sys
+import tempfile
+import time
+
+from f3d_frames import ratio
+
+SIZE = (1920, 1080)
+F3D = """
+import sys, f3d
+engine = f3d.Engine.create(True)
+engine.window.size = int(sys.argv[3]), int(sys.argv[4])
+engine.scene.add(sys.argv[1])
+engine.window.render_to_image().save(sys.argv[2])
+"""
+
+
+def commands(given, mesh, folder):
+    """What to start, by name; and the picture that it writes."""
+    found = {}
+    builds = {"relievo": given.relievo, "relievo, the other build": given.against}
+    for name, path in builds.items():
+        for look in given.looks.split(",") if path else ():
+            picture = folder / f"{len(found)}.png"
+            found[f"{name}, {look}"] = picture, [
+                path, "render", mesh, "--preset", look, "--size", f"{SIZE[0]}x{SIZE[1]}",
+                "--png", str(picture)]  # fmt: skip
+    if importlib.util.find_spec("f3d"):
+        picture = folder / "f3d.png"
+        found["F3D"] = picture, [sys.executable, "-c", F3D, mesh, str(picture),
+                                 *map(str, SIZE)]  # fmt: skip
+    return found
+
+
+def run(words):
+    """Seconds by the clock, and of processor time, of a program that is started and ends."""
+    before, began = resource.getrusage(resource.RUSAGE_CHILDREN), time.monotonic()
+    done = subprocess.run(words, capture_output=True, text=True, check=False)
+    after, ended = resource.getrusage(resource.RUSAGE_CHILDREN), time.monotonic()
+    if done.returncode != 0:
+        raise SystemExit(f"command_start: {words[0]} failed\n{done.stderr}")
+    return ended - began, (after.ru_utime + after.ru_stime) - (before.ru_utime + before.ru_stime)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("relievo")
+    parser.add_argument("data")
+    parser.add_argument("--rounds", type=int, default=15)
+    parser.add_argument("--looks", default="none,studio")
+    parser.add_argument("--against")
+    given = parser.parse_args()
+    with tempfile.TemporaryDirectory() as folder:
+        programs = commands(given, str(pathlib.Path(given.data) / "bunny.off"),
+                            pathlib.Path(folder))  # fmt: skip
+        times = {name: [] for name in programs}
+        for number in range(given.rounds + 1):  # the first warms the files and the shaders' cache
+            for name in random.sample(list(programs), len(programs)):
+                taken = run(programs[name][1])
+                if number:
+                    times[name].append(taken)
+        for look in given.looks.split(",") if given.against else ():
+            names = (f"relievo, {look}", f"relievo, the other build, {look}")
+            if len({programs[name][0].read_bytes() for name in names}) > 1:
+                raise SystemExit(f"command_start: the builds draw --preset {look} differently")
+    writer = csv.writer(sys.stdout, lineterminator="\n")
+    writer.writerow(["program", "milliseconds", "ratio", "+-", "processor milliseconds",
+                     "processor ratio", "processor +-", "rounds", "load"])  # fmt: skip
+    for name in programs:
+        cells = [name]
+        for clock in (0, 1):
+            own, peer = ([each[clock] for each in times[which]]
+                         for which in (name, next(iter(programs))))  # fmt: skip
+            found = ratio(own, peer)
+            cells += [f"{1e3 * statistics.median(own):.0f}", f"{found[0]:.3f}", f"{found[1]:.3f}"]
+        writer.writerow([*cells, given.rounds, f"{os.getloadavg()[0]:.1f}"])
+
+
+if __name__ == "__main__":
+    main()
