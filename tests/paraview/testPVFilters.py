@@ -42,7 +42,7 @@ OUT_OF_RANGE = (
     ("Visibility", "ViewAngle", 190, "0.001 to 179: 179"),
     ("Visibility", "Size", -3, "0 to 16384: 0"),
     ("Visibility", "Size", 20000, "0 to 16384: 16384"),
-    ("VoxelShell", "Resolution", 0, "1 to 1e+30: 1"),
+    ("VoxelShell", "Resolution", 0, "1 or more: 1"),
 )
 
 

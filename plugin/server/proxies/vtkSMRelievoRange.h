@@ -15,15 +15,27 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 #include <string>
 
 namespace vtkSMRelievoRange
 {
+constexpr double Endless = 1e30;
+
 struct Range
 {
-  double Least = -1e30;
-  double Most = 1e30;
+  double Least = -Endless;
+  double Most = Endless;
 };
+
+// "0 to 1", "1 or more".
+inline std::string Write(const Range& range)
+{
+  std::ostringstream out;
+  const bool open = range.Most >= Endless && range.Least > -Endless;
+  open ? out << range.Least << " or more" : out << range.Least << " to " << range.Most;
+  return out.str();
+}
 
 template <typename RangeDomain>
 Range Find(vtkSMProperty* property, unsigned int element)
@@ -86,8 +98,8 @@ void Enforce(Property* property)
     if (taken != given)
     {
       vtkWarningWithObjectMacro(property, << GetName(property) << " was given "
-                                          << property->GetElement(i) << ", expected " << range.Least
-                                          << " to " << range.Most << ": " << taken << " is taken.");
+                                          << property->GetElement(i) << ", expected "
+                                          << Write(range) << ": " << taken << " is taken.");
       property->SetElement(i, static_cast<decltype(property->GetElement(i))>(taken));
     }
   }
