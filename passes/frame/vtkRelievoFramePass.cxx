@@ -6,13 +6,12 @@
 #include "vtkLightCollection.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
-#include "vtkOpenGLFXAAFilter.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLRenderer.h"
 #include "vtkRelievoAccess.h"
-#include "vtkRelievoColorBuffers.h"
 #include "vtkRelievoColorTarget.h"
 #include "vtkRelievoDelegate.h"
+#include "vtkRelievoEdgeFilter.h"
 #include "vtkRelievoFrameContext.h"
 #include "vtkRelievoFrameReader.h"
 #include "vtkRelievoFrameReport.h"
@@ -50,18 +49,16 @@ public:
   vtkRelievoTranslucentLayers Translucent;
   vtkRelievoSampleAccumulator Samples;
   vtkRelievoFrameReader Reader{ Color, Samples };
-  vtkNew<vtkOpenGLFXAAFilter> Filter;           // of pictures with one sample of many
+  vtkRelievoEdgeFilter Filter;                  // of pictures with one sample of many
   vtkWeakPointer<vtkOpenGLRenderWindow> Window; // of the last frame
 
   // While something moves, pictures have the first sample alone of those that smooth edges: what
-  // that shows is filtered, not what is gathered. A window with multisampling has smoothed it, and
-  // its framebuffer cannot be copied to be filtered.
+  // that shows is filtered, not what is gathered.
   void SmoothFirst(const vtkRelievoFrameContext& context)
   {
-    if (context.OffsetsSamples && context.Sample == 0 && context.Picture && context.Last &&
-      vtkRelievoColorBuffers::GetBoundSamples() == 0)
+    if (context.OffsetsSamples && context.Sample == 0 && context.Picture && context.Last)
     {
-      this->Filter->Execute(static_cast<vtkOpenGLRenderer*>(context.Renderer));
+      this->Filter.Execute(context);
     }
   }
 
@@ -440,7 +437,7 @@ void vtkRelievoFramePass::ReleaseStages(vtkWindow* window)
   this->Internal->Color.Release(window);
   this->Internal->Translucent.Release(window);
   this->Internal->Samples.Release(window);
-  this->Internal->Filter->ReleaseGraphicsResources();
+  this->Internal->Filter.Release(window);
   this->Internal->Timer.Release();
 }
 

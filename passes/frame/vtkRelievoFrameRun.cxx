@@ -131,7 +131,11 @@ std::vector<std::string> vtkRelievoFrameRun::Plan()
     this->Planned.Make(this->Nodes, this->Context.ReadBack, this->Context.Picture);
   if (this->Planned.NeedsColor())
   {
-    const std::string noColor = this->Color.Prepare(this->Context);
+    // Samples at places of their own need none of OpenGL's, which averages encoded colours.
+    const bool single = std::any_of(this->Nodes.begin(), this->Nodes.end(), [](const auto& node) {
+      return node.Needed && node.Declaration.OffsetsSamples && node.Declaration.Samples > 1;
+    });
+    const std::string noColor = this->Color.Prepare(this->Context, single);
     if (!noColor.empty())
     {
       this->Planned.SetNoColor(noColor);

@@ -129,9 +129,9 @@ int vtkRelievoColorBuffers::GetBoundFramebuffer(bool reading)
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoColorBuffers::Allocate(vtkOpenGLRenderWindow* window, const int viewport[4])
+void vtkRelievoColorBuffers::Allocate(
+  vtkOpenGLRenderWindow* window, const int viewport[4], int samples)
 {
-  const int samples = GetBoundSamples();
   const int size[4] = { viewport[0] + viewport[2], viewport[1] + viewport[3], viewport[2],
     viewport[3] };
   if (this->Window == window && this->Framebuffer && samples == this->NumberOfSamples &&

@@ -28,9 +28,9 @@ struct vtkRelievoColorBuffers
 
   ~vtkRelievoColorBuffers();
 
-  // Buffers for a viewport x, y, width, height, as the framebuffer that is bound for drawing has
-  // them.
-  void Allocate(vtkOpenGLRenderWindow* window, const int viewport[4]);
+  // Buffers for a viewport x, y, width, height, with so many samples of each pixel, 0 for one, and
+  // depths as the framebuffer that is bound for drawing has them.
+  void Allocate(vtkOpenGLRenderWindow* window, const int viewport[4], int samples);
 
   // A texture of one of OpenGL's formats with four components.
   static vtkSmartPointer<vtkTextureObject> MakeTexture(

@@ -61,7 +61,7 @@ vtkRelievoColorTarget::~vtkRelievoColorTarget()
 }
 
 //------------------------------------------------------------------------------
-std::string vtkRelievoColorTarget::Prepare(vtkRelievoFrameContext& context)
+std::string vtkRelievoColorTarget::Prepare(vtkRelievoFrameContext& context, bool single)
 {
   this->Valid = false;
   vtkRenderer* renderer = context.Renderer;
@@ -71,7 +71,8 @@ std::string vtkRelievoColorTarget::Prepare(vtkRelievoFrameContext& context)
       ? "the renderer keeps another renderer's depth (PreserveDepthBuffer)"
       : "the renderer keeps what was drawn before (EraseOff)";
   }
-  this->Buffers.Allocate(context.Window, context.View.Viewport);
+  this->Buffers.Allocate(
+    context.Window, context.View.Viewport, single ? 0 : vtkRelievoColorBuffers::GetBoundSamples());
   vtkOpenGLState* state = context.Window->GetState();
   state->PushFramebufferBindings();
   this->Buffers.Framebuffer->Bind();
@@ -101,13 +102,14 @@ void vtkRelievoColorTarget::Begin(vtkRelievoFrameContext& context)
   this->DrawnOn = this->GetAll().Within(Rectangle::Of(drawn.Part));
   this->TellsByDepth = drawn.TellsByDepth;
   const int before = vtkRelievoColorBuffers::GetBoundFramebuffer();
+  const bool resolves = vtkRelievoColorBuffers::GetBoundSamples() > 0;
   state->PushFramebufferBindings();
   this->Buffers.Framebuffer->Bind();
   const bool keeps =
     renderer->GetLayer() > 0 || !renderer->GetErase() || renderer->GetPreserveColorBuffer();
   if (context.Picture && (keeps || context.Nested))
   {
-    this->CopyWhatIsThere(context, before);
+    this->CopyWhatIsThere(context, before, resolves);
   }
   else if (keeps || renderer->GetPreserveDepthBuffer())
   {
@@ -138,14 +140,15 @@ void vtkRelievoColorTarget::Begin(vtkRelievoFrameContext& context)
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoColorTarget::CopyWhatIsThere(vtkRelievoFrameContext& context, int framebuffer)
+void vtkRelievoColorTarget::CopyWhatIsThere(
+  vtkRelievoFrameContext& context, int framebuffer, bool resolves)
 {
   const int* v = context.View.Viewport;
   vtkOpenGLState* state = context.Window->GetState();
   const vtkRelievoScopedState kept(state);
   // Samples are resolved into what they have been made of, on every OpenGL.
-  vtkSmartPointer<vtkTextureObject> there = vtkRelievoColorBuffers::MakeTexture(context.Window,
-    this->Buffers.NumberOfSamples > 0 ? GL_RGBA8 : this->Buffers.GetFormat(), v[2], v[3]);
+  vtkSmartPointer<vtkTextureObject> there = vtkRelievoColorBuffers::MakeTexture(
+    context.Window, resolves ? GL_RGBA8 : this->Buffers.GetFormat(), v[2], v[3]);
   this->Buffers.Pen->Bind(GL_DRAW_FRAMEBUFFER);
   this->Buffers.Pen->AddColorAttachment(0, there);
   this->Buffers.Pen->ActivateDrawBuffer(0);

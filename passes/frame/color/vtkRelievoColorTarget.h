@@ -30,8 +30,9 @@ public:
   vtkRelievoColorTarget();
   ~vtkRelievoColorTarget() override;
 
-  // Makes the float framebuffer for what the delegate draws. Returns why it cannot, in words.
-  std::string Prepare(vtkRelievoFrameContext& context);
+  // Makes the float framebuffer for what the delegate draws: of a single sample, or of as many as
+  // what is bound for drawing has. Returns why it cannot, in words.
+  std::string Prepare(vtkRelievoFrameContext& context, bool single);
 
   // Binds it.
   void Begin(vtkRelievoFrameContext& context);
@@ -111,7 +112,7 @@ private:
 
   Rectangle GetAll() const;
   bool IsWhole() const; // the linear colour is there for every pixel
-  void CopyWhatIsThere(vtkRelievoFrameContext& context, int framebuffer);
+  void CopyWhatIsThere(vtkRelievoFrameContext& context, int framebuffer, bool resolves);
   void MakeLinear(vtkRelievoFrameContext& context, const Rectangle& where);
   void PresentBackground(vtkRelievoFrameContext& context, const float* color);
   void DrawOnto(vtkRelievoFrameContext& context, vtkRelievoScreenQuad& quad, int which, bool blends,
