@@ -119,6 +119,7 @@ class Antialias(unittest.TestCase):
         shares = covered(CORNERS)
         edges = (shares > 0) & (shares < 1)
         single = self.error(1, shares)
+        resting = set()
         # 0 last: FXAA that fails shows what it has seen before.
         for multi in vtkRenderWindow().GetMultiSamples(), 4, 0:
             with self.subTest(multisamples=multi):
@@ -139,6 +140,8 @@ class Antialias(unittest.TestCase):
                 for _ in range(14):
                     self.window.Render()
                 numpy.testing.assert_array_equal(picture(self.window), gathered)
+                resting.add(gathered.tobytes())
+        self.assertEqual(len(resting), 1)
 
     def test_projections(self):
         """In every kind of projection the sum of the light is that of the exact areas."""
