@@ -40,8 +40,29 @@ linesPixel linesFetch(ivec2 pixel)
   return found;
 }
 
-// Between b and c of four pixels in a row.
-bool linesIsSide(linesPixel a, linesPixel b, linesPixel c, linesPixel d)
+// So many pixels' widths in depth: a pixel's width at depth z is this of z, or this in all depths;
+// in 1 / z it is this of 1 / z.
+float linesDepthOf(float widths, linesPixel a, linesPixel b)
+{
+  float width = 2.0 / (relievoProjection[1][1] * relievoSize.y);
+  return widths * width * (relievoParallel != 0 ? 1.0 : min(a.depth, b.depth));
+}
+
+// Whether a surface without a crease may lead from one pixel to the next.
+bool linesLeads(linesPixel a, linesPixel b)
+{
+  return a.part == b.part && a.part != uint(0) && dot(a.normal, b.normal) >= linesCreaseCosine &&
+    abs(a.depth - b.depth) <= linesDepthOf(linesJump * linesSteep, a, b);
+}
+
+bool linesLeads(linesPixel a, linesPixel b, linesPixel c, linesPixel d)
+{
+  return linesLeads(a, b) && linesLeads(b, c) && linesLeads(c, d);
+}
+
+// Between b and c of four pixels in a row. around: a surface without a crease leads from one to the
+// other through the pixels beside them: their triangles touch in a corner alone.
+bool linesIsSide(linesPixel a, linesPixel b, linesPixel c, linesPixel d, bool around)
 {
   if (b.part != c.part)
   {
@@ -56,17 +77,14 @@ bool linesIsSide(linesPixel a, linesPixel b, linesPixel c, linesPixel d)
   if (linesFolds != 0 && (before || after))
   {
     float slope = max(before ? abs(b.depth - a.depth) : 0.0, after ? abs(d.depth - c.depth) : 0.0);
-    // A pixel's width at depth z is this of z, or this in all depths; in 1 / z it is this of 1 / z.
-    float width = 2.0 / (relievoProjection[1][1] * relievoSize.y);
-    float steep = linesSteep * width * (relievoParallel != 0 ? 1.0 : min(b.depth, c.depth));
-    if (abs(c.depth - b.depth) > linesJump * slope + steep)
+    if (abs(c.depth - b.depth) > linesJump * slope + linesDepthOf(linesSteep, b, c))
     {
       return true;
     }
   }
 #ifdef LINES_CREASES
   float jump = dot(b.normal, c.normal);
-  if (jump < linesCreaseCosine)
+  if (jump < linesCreaseCosine && !around)
   {
     // Where it curves as much on both sides it is no crease, but round, or too far to see.
     float beside =
@@ -81,13 +99,23 @@ void main()
 {
   ivec2 pixel = ivec2(floor(texCoord * relievoSize));
   linesPixel here = linesFetch(pixel);
+  linesPixel left = linesFetch(pixel - ivec2(1, 0));
   linesPixel right = linesFetch(pixel + ivec2(1, 0));
+  linesPixel below = linesFetch(pixel - ivec2(0, 1));
   linesPixel above = linesFetch(pixel + ivec2(0, 1));
+  bvec2 around = bvec2(false);
+#ifdef LINES_CREASES
+  linesPixel corner = linesFetch(pixel + ivec2(1, 1));
+  around.x = linesLeads(here, above, corner, right) ||
+    linesLeads(here, below, linesFetch(pixel + ivec2(1, -1)), right);
+  around.y = linesLeads(here, right, corner, above) ||
+    linesLeads(here, left, linesFetch(pixel + ivec2(-1, 1)), above);
+#endif
   // The picture ends without a line.
   bvec2 inside = lessThan(pixel + 1, ivec2(relievoSize));
-  bool x = inside.x &&
-    linesIsSide(linesFetch(pixel - ivec2(1, 0)), here, right, linesFetch(pixel + ivec2(2, 0)));
-  bool y = inside.y &&
-    linesIsSide(linesFetch(pixel - ivec2(0, 1)), here, above, linesFetch(pixel + ivec2(0, 2)));
+  bool x =
+    inside.x && linesIsSide(left, here, right, linesFetch(pixel + ivec2(2, 0)), around.x);
+  bool y =
+    inside.y && linesIsSide(below, here, above, linesFetch(pixel + ivec2(0, 2)), around.y);
   gl_FragData[0] = vec4(x ? 1.0 : 0.0, y ? 1.0 : 0.0, 0.0, 0.0);
 }

@@ -9,20 +9,28 @@
 #include "Session.h"
 
 #include <vtkAppendPolyData.h>
-
+#include <vtkCell.h>
 #include <vtkCubeSource.h>
 #include <vtkFloatArray.h>
 #include <vtkGlyph3DMapper.h>
+#include <vtkIdList.h>
 #include <vtkMultiBlockDataSet.h>
 #include <vtkNew.h>
 #include <vtkPlaneSource.h>
 #include <vtkPoints.h>
+#include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkRelievoCompositeMapper.h>
 #include <vtkSphereSource.h>
 
+#include <glm/glm.hpp>
+
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 using namespace linesTest;
@@ -231,6 +239,142 @@ void TestGround()
   }
 }
 
+// The edges of a mesh of triangles, as they are projected, in double. Creases: of the angle, and
+// seen from outside. Lines: all where there may be one, with silhouettes and angles a little less.
+struct ProjectedEdges
+{
+  using Edge = std::array<glm::dvec2, 2>;
+  std::vector<Edge> Creases;
+  std::vector<Edge> Lines;
+
+  ProjectedEdges(Scene& scene, vtkPolyData* mesh, double angle)
+  {
+    struct Face
+    {
+      glm::dvec3 Normal;
+      bool Front;
+    };
+    glm::dvec3 eye;
+    scene.Renderer->GetActiveCamera()->GetPosition(&eye.x);
+    std::map<std::pair<vtkIdType, vtkIdType>, std::vector<Face>> edges;
+    for (vtkIdType cell = 0; cell < mesh->GetNumberOfCells(); ++cell)
+    {
+      vtkIdList* ids = mesh->GetCell(cell)->GetPointIds();
+      RELIEVO_CHECK(ids->GetNumberOfIds() == 3);
+      glm::dvec3 corners[3];
+      for (int i = 0; i < 3; ++i)
+      {
+        mesh->GetPoint(ids->GetId(i), &corners[i].x);
+      }
+      Face face;
+      face.Normal = glm::normalize(glm::cross(corners[1] - corners[0], corners[2] - corners[0]));
+      face.Front = glm::dot(face.Normal, eye - corners[0]) > 0.0;
+      for (int i = 0; i < 3; ++i)
+      {
+        edges[std::minmax(ids->GetId(i), ids->GetId((i + 1) % 3))].push_back(face);
+      }
+    }
+    for (const auto& edge : edges)
+    {
+      const Face& one = edge.second.front();
+      const Face& other = edge.second.back();
+      RELIEVO_CHECK(edge.second.size() == 2);
+      const double between = std::acos(std::min(1.0, glm::dot(one.Normal, other.Normal)));
+      const double degrees = between * 180.0 / M_PI;
+      Edge projected;
+      const vtkIdType ends[2] = { edge.first.first, edge.first.second };
+      for (int i = 0; i < 2; ++i)
+      {
+        scene.Project(mesh->GetPoint(ends[i]), &projected[static_cast<std::size_t>(i)].x);
+      }
+      if (one.Front && other.Front && degrees > angle + 0.5)
+      {
+        this->Creases.push_back(projected);
+      }
+      if (one.Front != other.Front || degrees > angle - 0.5)
+      {
+        this->Lines.push_back(projected);
+      }
+    }
+  }
+
+  static double GetDistance(const glm::dvec2& point, const Edge& edge)
+  {
+    const glm::dvec2 along = edge[1] - edge[0];
+    const double t = glm::dot(point - edge[0], along) / std::max(1e-12, glm::dot(along, along));
+    return glm::length(point - edge[0] - glm::clamp(t, 0.0, 1.0) * along);
+  }
+};
+
+// On balls of facets: dark pixels are within `limit` pixels of creases and silhouettes, none where
+// triangles touch in a corner alone, and creases are covered but for their last pixels.
+void TestFacets(
+  int theta, int phi, double angle, const glm::dvec3& eye, int size, double limit = 2.5)
+{
+  const std::string what = std::to_string(theta) + " x " + std::to_string(phi) + " from " +
+    std::to_string(eye.x) + " in " + std::to_string(size) + " pixels";
+  Scene scene;
+  scene.Window->SetSize(size, size);
+  scene.Look(eye.x, eye.y, eye.z);
+  vtkNew<vtkSphereSource> ball;
+  ball->SetThetaResolution(theta);
+  ball->SetPhiResolution(phi);
+  scene.Add(ball);
+  scene.Stage->SetCreaseAngle(angle);
+  const std::vector<double> cover = scene.Cover();
+  const ProjectedEdges edges(scene, ball->GetOutput(), angle);
+  std::vector<glm::dvec2> dark;
+  double farthest = 0.0;
+  for (int i = 0; i < size * size; ++i)
+  {
+    if (cover[static_cast<std::size_t>(i)] > 0.3)
+    {
+      const glm::dvec2 pixel(i % size, i / size);
+      double nearest = HUGE_VAL;
+      for (const ProjectedEdges::Edge& edge : edges.Lines)
+      {
+        nearest = std::min(nearest, ProjectedEdges::GetDistance(pixel, edge));
+      }
+      farthest = std::max(farthest, nearest);
+      dark.push_back(pixel);
+    }
+  }
+  RELIEVO_CHECK(dark.size() > 300);
+  RELIEVO_CHECK_AT_MOST(farthest, limit, "pixels from creases and silhouettes, " + what);
+  double worst = 0.0;
+  for (const ProjectedEdges::Edge& edge : edges.Creases)
+  {
+    const double length = glm::length(edge[1] - edge[0]);
+    for (double at = 3.5; at < length - 3.5; at += 1.0)
+    {
+      const glm::dvec2 point = edge[0] + at / length * (edge[1] - edge[0]);
+      double nearest = HUGE_VAL;
+      for (const glm::dvec2& pixel : dark)
+      {
+        nearest = std::min(nearest, glm::length(pixel - point));
+      }
+      worst = std::max(worst, nearest);
+    }
+  }
+  RELIEVO_CHECK_AT_MOST(worst, 1.0, "pixels from lines on creases, " + what);
+}
+
+void TestFacets()
+{
+  for (const int size : { 201, 403 })
+  {
+    for (const glm::dvec3& eye :
+      { glm::dvec3(0.0, 0.0, 2.0), glm::dvec3(0.6, 0.4, 1.9), glm::dvec3(1.4, -1.1, 1.0) })
+    {
+      TestFacets(8, 8, 30.0, eye, size);
+      TestFacets(12, 12, 30.0, eye, size);
+      TestFacets(16, 16, 20.0, eye, size);
+      // Where facets are slivers, beside the silhouette, their corners are several pixels long.
+      TestFacets(40, 35, 10.0, eye, size, 10.0);
+    }
+  }
+}
+
 // Parts: actors, glyphs and blocks side by side in one plane have lines between them; pieces of one
 // actor have none.
 void TestParts()
@@ -331,6 +475,7 @@ int main()
   TestCreases();
   TestFolds();
   TestGround();
+  TestFacets();
   TestParts();
   TestSettings();
   return session.Result();
