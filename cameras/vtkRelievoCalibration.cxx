@@ -31,19 +31,23 @@ struct SensorKind
   const char* Form;        // of its words
   std::vector<int> Counts; // of its numbers
   int Lens;                // -1: it has no intrinsics
+  const char* Range;       // of its numbers
 };
 
 const std::vector<SensorKind>& GetKinds()
 {
   using Lens = vtkRelievoLensCamera;
+  const char* const ofLenses = ": finite numbers, FX and FY above 0, DEG above 0 and at most 360";
   static const std::vector<SensorKind> kinds = {
-    { "pinhole", "pinhole", { 0 }, Lens::PINHOLE },
-    { "brown", "brown:K1,K2[,P1,P2[,K3[,K4,K5,K6]]]", { 2, 4, 5, 8 }, Lens::BROWN_CONRADY },
-    { "fisheye", "fisheye[:K1,K2,K3,K4]", { 0, 1, 2, 3, 4 }, Lens::FISHEYE },
-    { "division", "division:K", { 1 }, Lens::DIVISION },
-    { "equirectangular", "equirectangular[:H,V]", { 0, 2 }, -1 },
-    { "cube", "cube", { 0 }, -1 },
-    { "orthographic", "orthographic[:PIXELS]", { 0, 1 }, -1 },
+    { "pinhole", "pinhole", { 0 }, Lens::PINHOLE, ofLenses },
+    { "brown", "brown:K1,K2[,P1,P2[,K3[,K4,K5,K6]]]", { 2, 4, 5, 8 }, Lens::BROWN_CONRADY,
+      ofLenses },
+    { "fisheye", "fisheye[:K1,K2,K3,K4]", { 0, 1, 2, 3, 4 }, Lens::FISHEYE, ofLenses },
+    { "division", "division:K", { 1 }, Lens::DIVISION, ofLenses },
+    { "equirectangular", "equirectangular[:H,V]", { 0, 2 }, -1,
+      ": degrees above 0, H at most 360 and V at most 180" },
+    { "cube", "cube", { 0 }, -1, " alone" },
+    { "orthographic", "orthographic[:PIXELS]", { 0, 1 }, -1, ": a finite number above 0" },
   };
   return kinds;
 }
@@ -93,7 +97,7 @@ Parsed Parse(const std::string& words)
     const std::string mark = kind->Counts.back() ? "," : ":";
     form += ", and by choice " + mark + "K=FX/FY/CX/CY or " + mark + "angle=DEG";
   }
-  form += ": finite numbers";
+  form += kind->Range;
   bool good = true;
   const std::vector<std::string> parts = colon == std::string::npos
     ? std::vector<std::string>()

@@ -787,7 +787,7 @@ bool vtkRelievoRayScene::Begin(vtkDataArray* origins, vtkDataArray* directions, 
   }
   if (!fault.empty())
   {
-    vtkErrorMacro("Rays: " << fault);
+    vtkErrorMacro(<< fault);
   }
   return fault.empty();
 }

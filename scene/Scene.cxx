@@ -424,6 +424,7 @@ void DressScene(Scene& scene, const RenderOptions& options)
   {
     vtkNew<vtkRelievoScaleBar> bar;
     bar->SetUnit(*options.Look.ScaleBar);
+    bar->SetLength(options.Look.ScaleBarLength);
     // Other backgrounds are painted where a picture is to have none.
     bar->SetInk(GetInk(scene.Renderer)[0] < 0.5 ? vtkRelievoScaleBar::INK_BLACK
                                                 : vtkRelievoScaleBar::INK_WHITE);

@@ -117,6 +117,13 @@ bool GetCamera(vtkFieldData* fields, Camera& camera, std::string& problem)
 {
   f64::mat4 worldToCamera;
   f64::mat4 worldToNdc;
+  if (!fields->GetAbstractArray("worldToCamera") && fields->GetAbstractArray("R"))
+  {
+    problem = "the input is of a sensor, which R and t in its field data place, and not of a "
+              "renderer's camera with the matrices worldToCamera and worldToNDC; capture the layer "
+              "position, whose values are the points";
+    return false;
+  }
   if (!GetMatrix(fields, "worldToCamera", worldToCamera, problem) ||
     !GetMatrix(fields, "worldToNDC", worldToNdc, problem))
   {

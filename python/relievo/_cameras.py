@@ -366,13 +366,16 @@ def lens(words, size=None, view_angle=30, R=None, t=None):
     size: (columns, rows) of the picture; None for the file's. A file's K is scaled to it.
     view_angle: degrees that the height of the picture spans, where the words say neither.
 
-    R, t: the pose; see CameraModel.pose. Returns a CameraModel. Raises ValueError for wrong words,
-    files and sizes.
+    R, t: the pose; see CameraModel.pose. Returns a CameraModel. Raises ValueError for wrong words
+    and sizes and for files that are no calibrations, OSError for a file that cannot be read.
     """
+    words = str(words)
+    if vtkRelievoCalibration.IsFile(words):
+        open(words, "rb").close()  # raises what the system says
     calibration = vtkRelievoCalibration()
     view = vtkCamera()
     with Watch(calibration) as watch:
-        read = calibration.SetWords(str(words)) and calibration.Read()
+        read = calibration.SetWords(words) and calibration.Read()
         if read and size is None:
             size = calibration.GetFileSize()
             if not any(size):

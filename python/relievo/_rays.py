@@ -138,7 +138,13 @@ class Rays:
                 f"origins, directions: got {len(origins)} and {len(directions)}, expected as many, "
                 "or one for all"
             )
-        minimum, maximum = float(minimum), float(maximum)
+        try:
+            minimum, maximum = float(minimum), float(maximum)
+        except (TypeError, ValueError):
+            raise ValueError(
+                f"minimum, maximum: got {describe(minimum)} and {describe(maximum)}, expected a "
+                "number each"
+            ) from None
         if not 0.0 <= minimum <= maximum:
             raise ValueError(
                 f"minimum, maximum: got {minimum:g} and {maximum:g}, expected 0 or more, the "

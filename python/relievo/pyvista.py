@@ -23,6 +23,9 @@ import weakref
 
 import pyvista
 
+if not hasattr(pyvista, "register_plotter_component"):
+    raise ImportError(f"relievo.pyvista: got PyVista {pyvista.__version__}, expected 0.48 or later")
+
 from . import _capture, _environment, _exr, _frame, _image, _stages, _things
 from ._errors import describe, is_a
 from ._keep import kept

@@ -441,9 +441,8 @@ Cameras ReadPoses(
   const Json& list = frames ? all["frames"] : all;
   if (!list.is_array() || list.empty())
   {
-    throw FileError(path +
-      ": expected JSON, a list of poses with R and t, or frames with a "
-      "transform_matrix");
+    throw FileError(path + ": " + (all.is_discarded() ? "is no JSON" : "has no poses") +
+      ", expected a list of poses with R and t, or frames with a transform_matrix");
   }
   Cameras cameras;
   for (std::size_t i = 0; i < list.size(); ++i)

@@ -90,8 +90,17 @@ void OpenFolder(const std::string& folder, const Json& settings)
   }
   const Json before = Parse(path);
   const Json now = Json::parse(scene::WriteDatasetJson(settings)); // as a file has it
+  // A depth step that is reckoned is by all that was set: what differs there is what to name.
+  std::vector<std::string> names;
   for (const auto& [name, value] : now.items())
   {
+    names.push_back(name);
+  }
+  std::stable_partition(
+    names.begin(), names.end(), [](const std::string& name) { return name != "depth_step"; });
+  for (const std::string& name : names)
+  {
+    const Json& value = now[name];
     if (!before.contains(name) || before[name] != value)
     {
       if (FindOther(folder).empty())
@@ -429,7 +438,7 @@ void vtkRelievoDatasetWriter::WriteViews()
   const int end = this->Range[1] < 0 ? views : this->Range[1];
   const std::string range =
     "views: got " + std::to_string(this->Range[0]) + ":" + std::to_string(end);
-  if (this->Range[0] > end)
+  if (this->Range[0] >= end)
   {
     throw scene::UsageError(range + ", expected the first view to be before the end");
   }

@@ -10,6 +10,7 @@
 #include "vtkRelievoColorWords.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace scene
 {
@@ -117,12 +118,21 @@ void TakePointSize(RenderOptions& options, const std::string& word)
 //------------------------------------------------------------------------------
 void TakeScaleBar(RenderOptions& options, const std::string& word)
 {
+  const std::string mark = ",length=";
+  const std::string unit = word.substr(0, word.find(','));
+  const std::string rest = word.substr(unit.size());
   const auto isControl = [](char letter) { return static_cast<unsigned char>(letter) < ' '; };
-  if (word.empty() || word.size() > LongestUnit || std::any_of(word.begin(), word.end(), isControl))
+  if (unit.empty() || unit.size() > LongestUnit ||
+    std::any_of(unit.begin(), unit.end(), isControl) || !(rest.empty() || rest.rfind(mark, 0) == 0))
   {
-    RefuseValue("--scale-bar", word, "a unit in a few letters, such as mm, or none");
+    RefuseValue("--scale-bar", word,
+      "a unit in a few letters, such as mm, or none, and by choice behind it ,length=LENGTH");
   }
-  options.Look.ScaleBar = word == "none" ? "" : word;
+  options.Look.ScaleBar = unit == "none" ? "" : unit;
+  options.Look.ScaleBarLength = rest.empty()
+    ? 0.0
+    : ParseNumberBetween("--scale-bar length", rest.substr(mark.size()), 0.0,
+        std::numeric_limits<double>::infinity());
 }
 
 //------------------------------------------------------------------------------

@@ -45,6 +45,7 @@ struct LookChoice
   bool Edges = false;
   bool Grid = false;
   std::optional<std::string> ScaleBar; ///< its unit, which may be empty; none: no bar
+  double ScaleBarLength = 0.0;         ///< world units; 0: a round one
   std::vector<Color> Background;       ///< none: VTK's; two: bottom and top
 };
 

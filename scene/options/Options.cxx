@@ -241,10 +241,10 @@ std::vector<OptionRow> MakeRows()
     { "--grid", "",
       "shows a grid round the scene, with numbers on its axes x, y and z, in the picture alone",
       [](RenderOptions& options, const std::string&) { options.Look.Grid = true; } },
-    { "--scale-bar", "UNIT",
-      "shows a bar of a round length at the lower right, in the picture alone, with its number and "
-      "the unit of the scene's lengths, such as mm; none: the number alone. In perspective it is "
-      "right at the depth of the focal point",
+    { "--scale-bar", "UNIT[,length=LENGTH]",
+      "shows a bar of a round length, or of LENGTH, at the lower right, in the picture alone, with "
+      "its number and the unit of the scene's lengths, such as mm; none: the number alone. In "
+      "perspective it is right at the depth of the focal point",
       TakeScaleBar },
     { "--color-by", "NAME[,COMPONENT]",
       "colours by a point or cell array, point:NAME or cell:NAME where two share a "

@@ -143,7 +143,7 @@ class Lens(CliTest):
 
     def test_refused(self):
         (self.folder / "wide.yml").write_text(CALIBRATION)
-        (self.folder / "bad.yml").write_text(CALIBRATION.replace("image_width", "width"))
+        (self.folder / "bad.yml").write_text(CALIBRATION.replace("image_width", "breadth"))
         self.before = self.names()
         for says, status, words in (
             ("--lens: got 'fishy', expected pinhole, brown:", 2, ["--lens", "fishy"]),

@@ -218,6 +218,10 @@ class Studio(CliTest):
             self.assertFalse(apart[:150].any() or apart[:, :180].any())
             inked = (bar[150:] == ink).all(axis=2) & apart[150:]
             self.assertLessEqual(abs(inked.sum(axis=1).max() - 2 * 180 / 8), 1)
+            # 1 of the 8 units of the height.
+            short = self.picture(*words, "--scale-bar", "mm,length=1")
+            inked = (short[150:] == ink).all(axis=2) & (without != short).any(axis=2)[150:]
+            self.assertLessEqual(abs(inked.sum(axis=1).max() - 180 / 8), 1)
             number = self.picture(*words, "--scale-bar=none")
             self.assertTrue((number != bar).any())
             layers = []

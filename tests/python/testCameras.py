@@ -572,8 +572,12 @@ class Words(unittest.TestCase):
             ("finite", "fisheye:"), ("fisheye", "fisheye:1,2,3,4,5"),
             ("angle=DEG", "fisheye:angle=0"), ("angle=DEG", "fisheye:angle=90,0.1"),
             ("angle=DEG", "pinhole:angle=9,K=1/1/1/1"), ("K=FX", "fisheye:K=1/2/3"),
-            ("six times.*288x48", "cube"), ("cannot be read", "/nowhere/a.yml"),
-            ("sees no 200 degrees", "pinhole"), ("equirectangular", "equirectangular:400,20"),
+            ("FX and FY above 0", "fisheye:K=0/1/0/0"),
+            ("DEG above 0 and at most 360", "pinhole:angle=400"),
+            ("six times.*288x48", "cube"), ("expected cube alone", "cube:3"),
+            ("sees no 200 degrees", "pinhole"),
+            ("degrees above 0, H at most 360 and V at most 180", "equirectangular:400,20"),
+            ("PIXELS.: a finite number above 0", "orthographic:-1"),
             ("JSON object", self.file("a.json", "[1, 2")),
             ("image_width: it is missing", self.file("b.yml", "camera_matrix: 1\n")),
             ("camera_matrix: expected 9",
@@ -599,6 +603,8 @@ class Words(unittest.TestCase):
                 relievo.lens(words, (64, 49) if "shape" in part else (64, 48), 200)
         with self.assertRaisesRegex(ValueError, "size: got None"):
             relievo.lens("fisheye")
+        with self.assertRaisesRegex(FileNotFoundError, "/nowhere/a.yml"):
+            relievo.lens("/nowhere/a.yml")
 
 
 if __name__ == "__main__":

@@ -594,6 +594,7 @@ class Datasets(unittest.TestCase):
             ({"cameras": "orbit:3,30"}, "'30', expected NAME=VALUE with a NAME of elevation, dist"),
             ({"cameras": "orbit:3,elevation=a"}, "elevation: got 'a', expected .*-90 to 90"),
             ({"views": (1, 0)}, "got 1:0, expected the first view to be before the end"),
+            ({"views": (1, 1)}, "got 1:1, expected the first view to be before the end"),
             ({"cameras": "random:3,lowest=100"}, "from -90 to 90"),
             ({"cameras": []}, "no views"),
             ({"cameras": 5}, "cameras: got .*5.*expected CameraModels"),
@@ -604,6 +605,17 @@ class Datasets(unittest.TestCase):
         moved = relievo.Pinhole(K, SIZE).look_at((0.5, 1.0, 3.3), (0, -0.1, 0))
         with self.assertRaisesRegex(ValueError, "depth_step|another camera"):
             relievo.write_dataset(renderer, moved, self.folder / "set")
+        # Cameras of another seed lie elsewhere, and so does what a depth step reaches.
+        words = {"cameras": "random:2", "directory": self.folder / "seeds", "size": SIZE}
+        relievo.write_dataset(renderer, **words)
+        with self.assertRaisesRegex(ValueError, "was begun with seed 0, now it is 5"):
+            relievo.write_dataset(renderer, seed=5, **words)
+        poses = self.folder / "poses.json"
+        for text, says in (("[]", "has no poses, expected a list"), ("{}", "has no poses"),
+                           ("[", "is no JSON, expected a list of poses with R and t")):
+            poses.write_text(text)
+            with self.assertRaisesRegex(OSError, f"poses.json: {says}"):
+                relievo.write_dataset(renderer, poses, self.folder / "none")
         (self.folder / "mine").mkdir()
         (self.folder / "mine" / "thesis.txt").write_text("mine")
         with self.assertRaisesRegex(ValueError, "holds other files, such as thesis.txt"):

@@ -52,6 +52,10 @@ class Points(unittest.TestCase):
         with self.assertRaises(ValueError) as caught:
             relievo.depth_to_points(vtkImageData())
         self.assertIn("'depth'", str(caught.exception))
+        lens = relievo.lens("fisheye", (40, 30))
+        image = relievo.capture(vtkSphereSource(), "depth", camera=lens)
+        with self.assertRaisesRegex(ValueError, "of a sensor.*capture the layer position"):
+            relievo.depth_to_points(image)
 
 
 class Rays(unittest.TestCase):
@@ -140,6 +144,7 @@ class Rays(unittest.TestCase):
             ("directions: got an array of <U1", ([1, 2, 3], ["a", "b", "c"])),
             ("got 2 and 3, expected as many", (numpy.ones((2, 3)), numpy.ones((3, 3)))),
             ("got 2 and 1, expected 0 or more", ([0, 0, 0], [0, 0, 1], 2, 1)),
+            ("got 0.0 and \\[1, 9\\], expected a number each", ([0, 0, 0], [0, 0, 1], 0.0, [1, 9])),
         ):
             with self.assertRaisesRegex(ValueError, words):
                 rays.nearest(*wrong)
@@ -152,7 +157,7 @@ class Rays(unittest.TestCase):
             with self.assertRaisesRegex(ValueError, words):
                 relievo.rays(*things)
         flat = relievo.rays((vtkSphereSource(), numpy.diag([1.0, 0, 1, 1])))
-        with self.assertRaisesRegex(ValueError, "got a matrix that flattens"):
+        with self.assertRaisesRegex(ValueError, "^rays: (?!Rays).*got a matrix that flattens"):
             flat.any([0, 0, 0], [0, 0, 1])
 
 

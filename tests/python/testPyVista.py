@@ -3,6 +3,7 @@
 """PyVista finds Relievo by its metadata: against a stand-in of the documented protocol."""
 
 import pathlib
+import subprocess
 import sys
 import tempfile
 import unittest
@@ -93,6 +94,14 @@ class Metadata(unittest.TestCase):
         for group, name in groups.items():
             self.assertEqual([each.name for each in entry_points(group=group)], [name])
         self.assertRegex(version("relievo"), r"^\d+\.\d+\.\d+$")
+
+    def test_older_versions(self):
+        code = ("import sys, types; older = types.ModuleType('pyvista'); "
+                "older.__version__ = '0.44.1'; sys.modules['pyvista'] = older; "
+                "import relievo.pyvista")  # fmt: skip
+        done = subprocess.run([sys.executable, "-c", code], stderr=subprocess.PIPE, text=True)
+        self.assertIn("ImportError: relievo.pyvista: got PyVista 0.44.1, expected 0.48 or later",
+                      done.stderr)  # fmt: skip
 
 
 class Component(unittest.TestCase):

@@ -44,7 +44,7 @@ void TakeRange(DatasetOptions& options, const std::string& name, const std::stri
     options.Range[i] =
       scene::ParseWhole(name + " " + value, parts[i], 0, std::numeric_limits<int>::max());
   }
-  if (options.Range[0] > options.Range[1])
+  if (options.Range[0] >= options.Range[1])
   {
     scene::RefuseValue(name, value, "the first view to be before the end");
   }
