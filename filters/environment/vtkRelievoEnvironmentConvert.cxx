@@ -120,6 +120,8 @@ int vtkRelievoEnvironmentConvert::RequestData(
 {
   vtkImageData* input = vtkImageData::GetData(inputs[0]);
   vtkImageData* output = vtkImageData::GetData(outputs);
+  // An image that is empty is asked for again and again.
+  const bool isSaid = this->GetMTime() == this->RefusedAt;
   this->SetErrorCode(vtkErrorCode::NoError);
   output->Initialize();
   if (input->GetNumberOfPoints() == 0)
@@ -132,7 +134,11 @@ int vtkRelievoEnvironmentConvert::RequestData(
   if (!problem.empty())
   {
     this->SetErrorCode(vtkErrorCode::UserError);
-    vtkErrorMacro("No environment: " << problem << ".");
+    if (!isSaid)
+    {
+      vtkErrorMacro("No environment: " << problem << ".");
+    }
+    this->RefusedAt = this->GetMTime();
     return 1;
   }
   int size[3];

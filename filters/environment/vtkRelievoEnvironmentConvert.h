@@ -136,6 +136,7 @@ private:
   bool InputMirrored = false;
   bool OutputMirrored = false;
   int SamplesPerTexel = 2;
+  vtkMTimeType RefusedAt = 0; // as its settings were then
 
   vtkRelievoEnvironmentConvert(const vtkRelievoEnvironmentConvert&) = delete;
   void operator=(const vtkRelievoEnvironmentConvert&) = delete;

@@ -227,6 +227,8 @@ int vtkRelievoHeightsToNormals::RequestData(
 {
   vtkImageData* input = vtkImageData::GetData(inputs[0]);
   vtkImageData* output = vtkImageData::GetData(outputs);
+  // An image that is empty is asked for again and again.
+  const bool isSaid = this->GetMTime() == this->RefusedAt;
   this->SetErrorCode(vtkErrorCode::NoError);
   output->Initialize();
   if (input->GetNumberOfPoints() == 0)
@@ -259,7 +261,11 @@ int vtkRelievoHeightsToNormals::RequestData(
   if (!problem.empty())
   {
     this->SetErrorCode(vtkErrorCode::UserError);
-    vtkErrorMacro("No normals: " << problem << ".");
+    if (!isSaid)
+    {
+      vtkErrorMacro("No normals: " << problem << ".");
+    }
+    this->RefusedAt = this->GetMTime();
     return 1;
   }
 

@@ -140,6 +140,7 @@ private:
   bool WrapColumns = false;
   bool WrapRows = false;
   bool FlipGreen = false;
+  vtkMTimeType RefusedAt = 0; // as its settings were then
 
   vtkRelievoHeightsToNormals(const vtkRelievoHeightsToNormals&) = delete;
   void operator=(const vtkRelievoHeightsToNormals&) = delete;

@@ -431,7 +431,7 @@ def wrong():
         ("Tangents", ball),
     ):
         begin(name)
-        getattr(simple, name)(Input=given).UpdatePipeline()
+        apply(getattr(simple, name)(Input=given))
     for given in (
         {"Lens": "orthographic"},
         {"Position": [0, 0, 5], "ViewUp": [0, 0, 1]},
