@@ -95,7 +95,8 @@ std::string vtkRelievoParticleMaps::SetImages(const std::vector<vtkImageData*>& 
       !vtkRelievoVoxelDepths::GetMatrix(image, "worldToNDC", ndc))
     {
       return which +
-        "its field data has no 'worldToCamera' and 'worldToNDC' of 16 numbers, as captures have";
+        "its field data has no 'worldToCamera' and 'worldToNDC' of 16 numbers, as "
+        "captures by a renderer's camera have";
     }
     const double scale = ndc[15];
     const bool parallel =

@@ -41,7 +41,8 @@ std::string Understand(vtkImageData* image, Side& side)
   if (!vtkRelievoVoxelDepths::GetMatrix(image, "worldToCamera", worldToCamera) ||
     !vtkRelievoVoxelDepths::GetMatrix(image, "worldToNDC", side.WorldToNDC))
   {
-    return "its field data has no 'worldToCamera' and 'worldToNDC' of 16 numbers, as captures have";
+    return "its field data has no 'worldToCamera' and 'worldToNDC' of 16 numbers, as "
+           "captures by a renderer's camera have";
   }
   side.Size[0] = size[0];
   side.Size[1] = size[1];

@@ -89,7 +89,7 @@ class Lamps(PointsTest):
             ({"radius": (1, 2)}, "radius"),
             ({"intensity": float("nan")}, "intensity.*a number"),
             ({"color": (1, float("nan"), 0)}, "color.*red,green,blue, each 0 or more"),
-            ({"color": (-1, 0, 0)}, "color: .-1,0,0. was given, expected red,green,blue, each 0 or more, #"),
+            ({"color": (-1, 0, 0)}, "color: '-1,0,0' was given.* red,green,blue, each 0 or more"),
             ({"intensity": None, "color": (1, 2)}, "color.*red,green,blue"),
             ({"falloff": "cubic"}, "falloff.*inverse-square"),
             ({"attenuation": (1, 0, 0)}, "attenuation.*falloff='vtk'"),

@@ -421,7 +421,6 @@ class SensorDatasets(unittest.TestCase):
             ({"lens": 3}, "lens: got 3, expected words"),
             ({"lens": sensor, "size": (3, 3)}, "size: got .*expected none with a lens"),
             ({"lens": "fisheye", "cameras": [sensor]}, "lens: got 'fisheye', expected none with"),
-            ({"lens": str(self.folder / "none.yml")}, "none.yml"),
         ):
             with self.subTest(words), self.assertRaisesRegex(ValueError, says):
                 relievo.write_dataset(renderer, **{"cameras": "orbit:2", **words},
@@ -432,6 +431,9 @@ class SensorDatasets(unittest.TestCase):
         with self.assertRaisesRegex(ValueError, "the lens is one by division"):
             relievo.write_dataset(renderer, relievo.Division(K, SIZE, -0.1), self.folder / "x",
                                   "nerf")  # fmt: skip
+        with self.assertRaisesRegex(FileNotFoundError, "none.yml"):
+            relievo.write_dataset(renderer, "orbit:2", self.folder / "x", "npz",
+                                  lens=self.folder / "none.yml")  # fmt: skip
 
     def test_models(self):
         """By their poses they are what the actors draw: moved, turned, scaled, mirrored, of two."""
