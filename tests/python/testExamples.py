@@ -82,7 +82,7 @@ class Examples(unittest.TestCase):
         cls.ran = {}
 
     def run_example(self, name):
-        """What the example said; its files are in self.folder / "out". It runs once for all tests."""
+        """What the example said; its files are in self.folder / "out". It runs once for all."""
         if name not in self.ran:
             folder = pathlib.Path(self.kept.name) / name
             folder.mkdir()
