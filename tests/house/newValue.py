@@ -27,9 +27,11 @@ def add(tree):
     fog.write_text(text, encoding="utf-8")
     page = tree / "docs" / "passes" / "Fog.md"
     text = page.read_text(encoding="utf-8")
-    last = "| `color` | linear RGB; arrays of bytes are 0 to 255 | 1,1,1 |\n"
-    assert text.count(last) == 1, text
-    page.write_text(text.replace(last, last + ROW), encoding="utf-8")
+    lines = text.splitlines(keepends=True)
+    last = [at for at, line in enumerate(lines) if line.startswith("| `color` |")]
+    assert len(last) == 1, text
+    lines.insert(last[0] + 1, ROW)
+    page.write_text("".join(lines), encoding="utf-8")
 
 
 def on_the_command_line(run, build, folder):
