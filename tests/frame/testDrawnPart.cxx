@@ -10,11 +10,15 @@
 #include <vtkActor.h>
 #include <vtkBillboardTextActor3D.h>
 #include <vtkCamera.h>
+#include <vtkCompositePolyDataMapper.h>
 #include <vtkCubeAxesActor.h>
 #include <vtkCubeSource.h>
 #include <vtkDoubleArray.h>
 #include <vtkGlyph3DMapper.h>
 #include <vtkImageData.h>
+#include <vtkMapper.h>
+#include <vtkMatrix4x4.h>
+#include <vtkMultiBlockDataSet.h>
 #include <vtkNew.h>
 #include <vtkPlaneSource.h>
 #include <vtkPointData.h>
@@ -199,6 +203,59 @@ void PlaceOnDevice(Scene& scene)
 }
 #endif
 
+// Spheres whose z VTK leaves at 1 where it moves coincident surfaces.
+void AddBalls(Scene& scene)
+{
+  vtkMapper::SetResolveCoincidentTopologyToPolygonOffset();
+  scene.Actor->GetProperty()->SetRepresentationToPoints();
+  scene.Actor->GetProperty()->RenderPointsAsSpheresOn();
+  scene.Actor->GetProperty()->SetPointSize(20.0F);
+}
+
+void WriteFarDepth(Scene& scene)
+{
+  scene.Actor->GetShaderProperty()->SetFragmentShaderCode(
+    "//VTK::System::Dec\n//VTK::Output::Dec\nvoid main()\n{\n"
+    "  gl_FragDepth = 1.0;\n  gl_FragData[0] = vec4(0.2, 0.7, 0.4, 1.0);\n}\n");
+}
+
+// Its mapper knows the box of the first piece.
+void AddInPieces(Scene& scene)
+{
+  vtkNew<vtkSphereSource> ball;
+  ball->SetCenter(0.8, 0.0, 0.0);
+  vtkPolyDataMapper::SafeDownCast(scene.Add(ball)->GetMapper())->SetNumberOfSubPieces(3);
+}
+
+// A block that moves after frames, of which its mapper keeps the box.
+void AddMovedBlock(Scene& scene)
+{
+  vtkNew<vtkSphereSource> ball;
+  ball->Update();
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(0, ball->GetOutput());
+  vtkNew<vtkCompositePolyDataMapper> mapper;
+  mapper->SetInputDataObject(blocks);
+  scene.Add(mapper);
+  scene.Renderer->RemoveActor(scene.Actor);
+  scene.Window->Render();
+  vtkPoints* points = ball->GetOutput()->GetPoints();
+  for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
+  {
+    const double* p = points->GetPoint(i);
+    points->SetPoint(i, p[0] + 0.9, p[1], p[2]);
+  }
+  points->Modified();
+  ball->GetOutput()->Modified();
+}
+
+void Project(Scene& scene)
+{
+  vtkNew<vtkMatrix4x4> matrix;
+  matrix->SetElement(3, 0, 5.0);
+  scene.Actor->SetUserMatrix(matrix);
+}
+
 // Another renderer beside, whose pixels are its own.
 void AddBeside(Scene& scene)
 {
@@ -238,9 +295,10 @@ double Toned(int level)
   return 255.0 * f64::relievoSrgbFromLinear(f64::relievoToneSimple(glm::dvec3(light)).x);
 }
 
-// What is translucent VTK blends in bytes, and fog and lamps in linear light.
+// With tone alone where something is translucent, which VTK blends in bytes, and fog and lamps in
+// linear light; or has no layers, which they read.
 void TestWith(
-  const std::string& what, const std::function<void(Scene&)>& add, bool translucent = false)
+  const std::string& what, const std::function<void(Scene&)>& add, bool toneAlone = false)
 {
   Scene scene;
   add(scene);
@@ -254,10 +312,10 @@ void TestWith(
     tone->EnabledOn();
     // VTK's bytes, through the operator, are half a level off at most, and rounded once more.
     RELIEVO_CHECK_AT_MOST(
-      Compare(plain, Picture(scene.Window), Toned), translucent ? 2.5 : 1.5, what + ", tone");
+      Compare(plain, Picture(scene.Window), Toned), toneAlone ? 2.5 : 1.5, what + ", tone");
     tone->EnabledOff();
   }
-  if (translucent)
+  if (toneAlone)
   {
     return;
   }
@@ -297,6 +355,12 @@ int main()
   TestWith("axes with labels", AddAxes);
   TestWith("a plane at the far plane", AddFarPlane);
   TestWith("glass", AddGlass, true);
+  TestWith("points as spheres, moved z", AddBalls);
+  vtkMapper::SetResolveCoincidentTopologyToOff();
+  TestWith("a shader of depth", WriteFarDepth, true);
+  TestWith("in pieces", AddInPieces);
+  TestWith("a block that moves", AddMovedBlock);
+  TestWith("a projection", Project, true);
   TestWith("a plane that goes on behind the eye", AddBehindEye);
   TestWith("a gradient", AddGradient);
   TestWith("another renderer beside", AddBeside);

@@ -5,6 +5,9 @@
 #include "vtkActor.h"
 #include "vtkMapper.h"
 #include "vtkMath.h"
+#include "vtkMatrix4x4.h"
+#include "vtkNew.h"
+#include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
 #include "vtkRelievoFrameContext.h"
 #include "vtkRelievoVTKVersions.h"
@@ -47,13 +50,37 @@ bool IsWithinBox(vtkActor* actor)
 #endif
   vtkShaderProperty* shaders = actor->GetShaderProperty();
   if (shaders->HasVertexShaderCode() || shaders->HasGeometryShaderCode() ||
-    shaders->GetNumberOfShaderReplacements() > 0)
+    shaders->HasFragmentShaderCode() || shaders->GetNumberOfShaderReplacements() > 0)
   {
     return false;
   }
+  vtkNew<vtkMatrix4x4> matrix;
+  actor->GetMatrix(matrix);
+  if (matrix->Element[3][0] != 0.0 || matrix->Element[3][1] != 0.0 ||
+    matrix->Element[3][2] != 0.0 || matrix->Element[3][3] != 1.0)
+  {
+    return false; // what is projected may be outside what its corners are projected to
+  }
+  // Not of composite data: VTK's mappers may keep the box that a changed block had.
   const std::string name = mapper->GetClassName();
-  return name == "vtkOpenGLPolyDataMapper" || name == "vtkDataSetMapper" ||
-    name == "vtkCompositePolyDataMapper2" || name == "vtkCompositePolyDataMapper";
+  auto* lines = vtkPolyDataMapper::SafeDownCast(mapper);
+  return (name == "vtkOpenGLPolyDataMapper" && lines->GetNumberOfSubPieces() <= 1) ||
+    name == "vtkDataSetMapper";
+}
+
+// Whether floats tell points of the box apart well enough: those far from the origin may be drawn
+// beside it.
+bool IsNearOrigin(const double bounds[6])
+{
+  double largest = 0.0;
+  double square = 0.0;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double* ends = bounds + 2 * axis;
+    largest = std::max({ largest, std::abs(ends[0]), std::abs(ends[1]) });
+    square += (ends[1] - ends[0]) * (ends[1] - ends[0]);
+  }
+  return largest <= 1e3 * std::sqrt(square);
 }
 
 // A rectangle in NDC, with depths.
@@ -102,9 +129,9 @@ void vtkRelievoDrawnPart::Find(const vtkRelievoFrameContext& context)
   vtkProp** props = context.State->GetPropArray();
   for (int i = 0; i < context.State->GetPropArrayCount(); ++i)
   {
-    if (props[i]->IsA("vtkActor2D"))
+    if (props[i]->IsA("vtkActor2D") && !props[i]->IsA("vtkCaptionActor2D"))
     {
-      continue; // over the finished picture
+      continue; // over the finished picture, which leaders of captions are not
     }
     auto* actor = vtkActor::SafeDownCast(props[i]);
     if (!actor || !IsWithinBox(actor))
@@ -116,7 +143,7 @@ void vtkRelievoDrawnPart::Find(const vtkRelievoFrameContext& context)
     {
       continue; // nothing to draw
     }
-    if (!extent.Add(toClip, bounds))
+    if (!IsNearOrigin(bounds) || !extent.Add(toClip, bounds))
     {
       return;
     }
@@ -139,7 +166,8 @@ void vtkRelievoDrawnPart::Find(const vtkRelievoFrameContext& context)
   {
     std::fill_n(this->Part, 4, 0);
   }
-  // What is farthest must be nearer than z can tell from the far plane, and than what VTK moves
-  // coincident surfaces by.
-  this->TellsByDepth = opaque && extent.Most.z < 1.0 - std::ldexp(1.0, -14);
+  // What is farthest must be nearer than z can tell from the far plane. Where VTK moves coincident
+  // surfaces, their z may be anything.
+  this->TellsByDepth = opaque && extent.Most.z < 1.0 - std::ldexp(1.0, -14) &&
+    vtkMapper::GetResolveCoincidentTopology() == VTK_RESOLVE_OFF;
 }

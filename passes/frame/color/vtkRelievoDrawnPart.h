@@ -12,7 +12,7 @@ struct vtkRelievoDrawnPart
 {
   // Pixels of the viewport around the props' boxes: x, y, width, height; 0 if there are none. The
   // whole viewport where something may be drawn outside its prop's box, such as glyphs, volumes, a
-  // skybox, or a pass of one's own, and where the background has not one colour.
+  // skybox, composite data, or a pass of one's own, and where the background has not one colour.
   int Part[4] = { 0, 0, 0, 0 };
 
   // Whether z is below 1 wherever something is drawn.
