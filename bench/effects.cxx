@@ -144,7 +144,7 @@ public:
 
 private:
   static constexpr int Side = 4096;  // 256 MiB
-  static constexpr int Clears = 100; // some ten milliseconds of memory's full speed
+  static constexpr int Clears = 5;   // some twenty milliseconds on an H100
   vtkRenderWindow* Window;
   GLuint Texture = 0;
   GLuint Queries[2] = {};

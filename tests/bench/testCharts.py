@@ -35,6 +35,7 @@ import charts  # noqa: E402
 # Tables that no chart shows.
 UNSHOWN = {
     "blocks-labels", "blocks-labels-vtk97", "blocks-threads", "blocks-vtk97", "capture",
+    "command-start",
     "environment-frames", "lamp-shadows", "lights-peer", "normal-maps", "paraview-frames",
     "planner-cases", "relief-geometry", "shadow-frames", "tone", "tone-dither", "tone-frames",
 }  # fmt: skip
