@@ -143,8 +143,8 @@ public:
   }
 
 private:
-  static constexpr int Side = 4096;  // 256 MiB
-  static constexpr int Clears = 5;   // some twenty milliseconds on an H100
+  static constexpr int Side = 4096; // 256 MiB
+  static constexpr int Clears = 5;  // some twenty milliseconds on an H100
   vtkRenderWindow* Window;
   GLuint Texture = 0;
   GLuint Queries[2] = {};
