@@ -8,6 +8,7 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 #include "vtkRelievoGBufferLayout.h"
+#include "vtkRelievoSoftwareOpenGL.h"
 #include "vtkTextureObject.h"
 
 #include <algorithm>
@@ -336,20 +337,44 @@ bool vtkRelievoGBufferTarget::Read(
   // Reading waits for the drawing anyway; Mesa's software OpenGL forgets to wait for what a
   // framebuffer drew that is no longer bound, and gives some tiles as they were before.
   glFinish();
-  // Row by row of what the processor's cache holds: then each word is fetched from memory once.
   const int width = region[2];
-  const int most = std::max(1, BandBytes / std::max(1, 4 * channels * width));
-  std::vector<std::uint32_t> band(static_cast<std::size_t>(most) * channels * width);
-  for (int y = 0; y < region[3]; y += most)
-  {
-    const int rows = std::min(most, region[3] - y);
-    glReadPixels(region[0], region[1] + y, width, rows, GetTexelFormat(channels).External,
-      GL_UNSIGNED_INT, band.data());
+  const GLenum format = GetTexelFormat(channels).External;
+  const auto gather = [&](const std::uint32_t* band, int y, int rows) {
     const std::ptrdiff_t first = static_cast<std::ptrdiff_t>(y) * width;
     for (std::size_t k = 0; k < planes.size(); ++k)
     {
-      Gather(
-        band.data() + k, channels, planes[k] + first, static_cast<std::ptrdiff_t>(rows) * width);
+      Gather(band + k, channels, planes[k] + first, static_cast<std::ptrdiff_t>(rows) * width);
+    }
+  };
+  // A GPU waits for each call, and copies fastest into memory that OpenGL gives.
+  const auto bytes = static_cast<GLsizeiptr>(sizeof(std::uint32_t)) * channels * width * region[3];
+  const void* read = nullptr;
+  if (!vtkRelievoIsSoftwareOpenGL())
+  {
+    GLuint buffer = 0;
+    glGenBuffers(1, &buffer);
+    glBindBuffer(GL_PIXEL_PACK_BUFFER, buffer);
+    glBufferData(GL_PIXEL_PACK_BUFFER, bytes, nullptr, GL_STREAM_READ);
+    glReadPixels(region[0], region[1], width, region[3], format, GL_UNSIGNED_INT, nullptr);
+    read = glMapBufferRange(GL_PIXEL_PACK_BUFFER, 0, bytes, GL_MAP_READ_BIT);
+    if (read)
+    {
+      gather(static_cast<const std::uint32_t*>(read), 0, region[3]);
+      glUnmapBuffer(GL_PIXEL_PACK_BUFFER);
+    }
+    glBindBuffer(GL_PIXEL_PACK_BUFFER, 0);
+    glDeleteBuffers(1, &buffer);
+  }
+  if (!read)
+  {
+    // Row by row of what the processor's cache holds: then each word is fetched from memory once.
+    const int most = std::max(1, BandBytes / std::max(1, 4 * channels * width));
+    std::vector<std::uint32_t> band(static_cast<std::size_t>(most) * channels * width);
+    for (int y = 0; y < region[3]; y += most)
+    {
+      const int rows = std::min(most, region[3] - y);
+      glReadPixels(region[0], region[1] + y, width, rows, format, GL_UNSIGNED_INT, band.data());
+      gather(band.data(), y, rows);
     }
   }
   state->PopFramebufferBindings();
