@@ -9,6 +9,8 @@
 #include <vtksys/SystemTools.hxx>
 
 #include <chrono>
+#include <cstddef>
+#include <ctime>
 #include <iostream>
 #include <limits>
 
@@ -61,6 +63,29 @@ std::vector<relievoTest::Timing> TimeInTurn(
     }
   }
   return timings;
+}
+
+//------------------------------------------------------------------------------
+std::vector<relievoTest::Timing> TimeInTurn(
+  std::vector<relievoTest::Timed> ways, int rounds, std::vector<relievoTest::Timing>& processor)
+{
+  processor.assign(ways.size(), {});
+  for (std::size_t i = 0; i < ways.size(); ++i)
+  {
+    ways[i].Work = [work = ways[i].Work, &taken = processor[i].Seconds]() {
+      const std::clock_t begin = std::clock();
+      work();
+      taken.push_back(static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC);
+    };
+  }
+  std::vector<relievoTest::Timing> times = TimeInTurn(ways, rounds);
+  for (std::size_t i = 0; i < ways.size(); ++i) // without rounds that do not count
+  {
+    std::vector<double>& taken = processor[i].Seconds;
+    const auto counted = static_cast<std::ptrdiff_t>(times[i].Seconds.size());
+    taken.erase(taken.begin(), taken.end() - counted);
+  }
+  return times;
 }
 
 //------------------------------------------------------------------------------

@@ -44,6 +44,10 @@ vtkSmartPointer<vtkPolyData> SceneMesh(const std::string& name);
 std::vector<relievoTest::Timing> TimeInTurn(
   const std::vector<relievoTest::Timed>& ways, int rounds, int warmUp = 3);
 
+/** Also takes the processor time of all threads, which other work on the machine hardly changes. */
+std::vector<relievoTest::Timing> TimeInTurn(
+  std::vector<relievoTest::Timed> ways, int rounds, std::vector<relievoTest::Timing>& processor);
+
 /** Two of them, for Ratio() and RatioSpread(). */
 relievoTest::TimingPair PairOf(const relievoTest::Timing& a, const relievoTest::Timing& b);
 

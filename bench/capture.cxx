@@ -19,8 +19,6 @@
 #include <vtkRenderer.h>
 #include <vtkWindowToImageFilter.h>
 
-#include <cstddef>
-#include <ctime>
 #include <iostream>
 #include <string>
 #include <vector>
@@ -138,23 +136,8 @@ bool Measure(const std::string& name, Table& table)
         image->Initialize();
       } });
   }
-  // Processor time as well, of all threads: other work on the machine hardly changes it.
-  std::vector<std::vector<double>> processor(ways.size());
-  for (std::size_t i = 0; i < ways.size(); ++i)
-  {
-    ways[i].Work = [work = ways[i].Work, &taken = processor[i]]() {
-      const std::clock_t begin = std::clock();
-      work();
-      taken.push_back(static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC);
-    };
-  }
-  const std::vector<Timing> times = TimeInTurn(ways, Rounds);
-  std::vector<Timing> processors(ways.size());
-  for (std::size_t i = 0; i < ways.size(); ++i)
-  {
-    const auto counted = static_cast<std::ptrdiff_t>(times[i].Seconds.size());
-    processors[i].Seconds.assign(processor[i].end() - counted, processor[i].end());
-  }
+  std::vector<Timing> processors;
+  const std::vector<Timing> times = TimeInTurn(ways, Rounds, processors);
 
   const auto ours = Capture(source);
   const double differing = Differing(ours, CaptureCells(peer.Scene.Renderer));

@@ -33,7 +33,6 @@
 
 #include <cmath>
 #include <cstddef>
-#include <ctime>
 #include <functional>
 #include <iostream>
 #include <limits>
@@ -237,24 +236,9 @@ int relievoBench::BenchEffects(const std::string& outDir, const EffectSizes& siz
       }
       frames.push_back(windows.back()->Frame());
     }
-    // Processor time as well, of all threads: other work on the machine hardly changes it.
-    std::vector<std::vector<double>> processor(frames.size());
-    for (std::size_t i = 0; i < frames.size(); ++i)
-    {
-      frames[i].Work = [work = frames[i].Work, &taken = processor[i]]() {
-        const std::clock_t begin = std::clock();
-        work();
-        taken.push_back(static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC);
-      };
-    }
-    const std::vector<Timing> times = TimeInTurn(frames, sizes.Rounds);
+    std::vector<Timing> processors;
+    const std::vector<Timing> times = TimeInTurn(frames, sizes.Rounds, processors);
     const std::vector<double> gpu = GpuMilliseconds(windows, GetRounds(sizes.Rounds));
-    std::vector<Timing> processors(frames.size());
-    for (std::size_t i = 0; i < frames.size(); ++i)
-    {
-      const auto counted = static_cast<std::ptrdiff_t>(times[i].Seconds.size());
-      processors[i].Seconds.assign(processor[i].end() - counted, processor[i].end());
-    }
     const double pixels = static_cast<double>(sizes.Width) * sizes.Height;
     for (std::size_t i = 0; i < times.size(); ++i)
     {

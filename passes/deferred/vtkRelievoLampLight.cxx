@@ -173,7 +173,11 @@ std::string vtkRelievoLampLight::Add(vtkRelievoFrameContext& context, bool gloss
   defines += finishes ? "#define RELIEVO_TO_DISPLAY\n" : "";
   if (wrong.empty())
   {
-    const std::vector<std::string> reads{ "depth", "normal", "surface", "color" };
+    std::vector<std::string> reads{ "depth", "normal", "surface", "color" };
+    if (finishes)
+    {
+      reads.emplace_back("drawn");
+    }
     if (vtkShaderProgram* program = this->ReadyPixels(context, this->Adder, reads, defines))
     {
       this->Bind(program, false);

@@ -249,7 +249,7 @@ vtkRelievoLampList vtkRelievoLampList::TakeCasting(int largest, std::vector<doub
 //------------------------------------------------------------------------------
 bool vtkRelievoLampList::IsLinear() const
 {
-  for (std::size_t last = 7; last < this->Texels.size(); last += 8)
+  for (std::size_t last = TexelFloats - 1; last < this->Texels.size(); last += TexelFloats)
   {
     if (this->Texels[last] != 0.0f)
     {

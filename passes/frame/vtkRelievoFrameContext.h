@@ -55,6 +55,9 @@ public:
   // Layers that will be read back to the CPU.
   std::vector<std::string> ReadBack;
 
+  // The linear colour is among the layers that are read, now or by a stage that shows it.
+  bool ReadsColor = false;
+
   // Layers that are a light's visibility, and the light's index in vtkRenderer::GetLights().
   std::map<std::string, int> Lights;
 

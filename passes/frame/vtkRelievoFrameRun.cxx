@@ -149,6 +149,13 @@ std::vector<std::string> vtkRelievoFrameRun::Plan()
       std::any_of(reads.begin(), reads.end(),
         [](const vtkRelievoFramePlan::Name& read) { return read.Resource == "color"; });
   };
+  const auto hasColor = [](const std::vector<std::string>& layers) {
+    return std::find(layers.begin(), layers.end(), "color") != layers.end();
+  };
+  this->Context.ReadsColor = hasColor(this->Context.ReadBack) ||
+    std::any_of(this->Nodes.begin(), this->Nodes.end(), [&hasColor](const auto& node) {
+      return node.Needed && hasColor(node.Declaration.ReadsLayers);
+    });
   this->WorkOnColor.resize(this->Nodes.size());
   std::transform(this->Nodes.begin(), this->Nodes.end(), this->WorkOnColor.begin(), worksOnColor);
   this->Samples.Begin(this->Context, this->Nodes, this->Planned.NeedsColor(), this->Stages);
@@ -269,10 +276,9 @@ void vtkRelievoFrameRun::Run(int place)
 bool vtkRelievoFrameRun::FinishesColor() const
 {
   const vtkRelievoFrameContext& context = this->Context;
-  const std::vector<std::string>& wanted = context.ReadBack;
   const std::vector<int>& order = this->Planned.GetOrder();
   return context.Color && context.Picture && context.Last && context.Samples == 1 &&
-    std::find(wanted.begin(), wanted.end(), "color") == wanted.end() &&
+    !context.ReadsColor &&
     std::none_of(order.begin() + static_cast<std::ptrdiff_t>(this->Next) + 1, order.end(),
       [this, &context](int later) {
         return this->WorkOnColor[later] &&

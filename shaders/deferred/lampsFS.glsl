@@ -135,7 +135,7 @@ void main()
   vec4 color = relievoFetchColor(pixel);
   color.rgb += relievoMatte(relievoFetchSurface(pixel)) * sum.light + sum.gloss;
 #ifdef RELIEVO_TO_DISPLAY
-  color.rgb = relievoSrgbColorFromLinear(color.rgb);
+  color = relievoShownColor(pixel, color);
 #endif
   gl_FragData[0] = color;
 #else

@@ -21,7 +21,7 @@ void main()
 #ifdef RELIEVO_TO_DISPLAY
   vec4 over = fog.a > 0.0 ? relievoFogShare(fog.a) * fog : vec4(0.0);
   vec4 color = over + (1.0 - over.a) * relievoFetchColor(pixel);
-  gl_FragData[0] = vec4(relievoSrgbColorFromLinear(color.rgb), color.a);
+  gl_FragData[0] = relievoShownColor(pixel, color);
 #else
   if (!(fog.a > 0.0))
   {

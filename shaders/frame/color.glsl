@@ -22,3 +22,12 @@ vec4 relievoFetchColor(ivec2 pixel)
   return texelFetch(relievoColor, pixel, 0);
 #endif
 }
+
+// The picture of a linear colour, in shaders that read `drawn`, too. What no stage has changed is
+// as it was drawn: the curve and its inverse may round to the byte beside.
+vec4 relievoShownColor(ivec2 pixel, vec4 color)
+{
+  vec4 drawn = texelFetch(relievoDrawn, pixel + relievoDrawnOffset, 0);
+  vec4 shown = vec4(relievoSrgbColorFromLinear(color.rgb), color.a);
+  return all(lessThan(abs(shown - drawn), vec4(2.0e-6))) ? drawn : shown;
+}

@@ -19,8 +19,7 @@ void main()
 #ifdef RELIEVO_AS_DRAWN
   gl_FragData[0] = texelFetch(relievoDrawn, pixel + relievoDrawnOffset, 0);
 #else
-  vec4 color = relievoFetchColor(pixel);
-  gl_FragData[0] = vec4(relievoSrgbColorFromLinear(color.rgb), color.a);
+  gl_FragData[0] = relievoShownColor(pixel, relievoFetchColor(pixel));
 #endif
 #ifdef RELIEVO_DEPTH_LEFT
   gl_FragDepth = texelFetch(relievoDrawnZ, pixel + relievoDrawnOffset, 0).r;

@@ -340,11 +340,41 @@ void TestWith(
   stage->AddPoints(lamps);
   RELIEVO_CHECK_AT_MOST(Compare(plain, Picture(scene.Window), AsItIs), 1.0, what + ", lamp");
 }
+
+// A background that lies between two bytes stays one colour, in and beside what is looked at.
+void TestBetweenBytes(int samples)
+{
+  Scene scene;
+  scene.Renderer->SetBackground(0.1, 0.3, 0.7);
+  scene.Window->SetMultiSamples(samples);
+  vtkNew<vtkPoints> place;
+  place->InsertNextPoint(0.0, 0.0, 2.0);
+  vtkNew<vtkPolyData> points;
+  points->SetPoints(place);
+  vtkNew<vtkRelievoLamps> lamps;
+  lamps->SetInputData(points);
+  lamps->SetRadius(30.0);
+  vtkRelievoPass* frame = vtkRelievoPass::Attach(scene.Renderer);
+  auto* stage = vtkRelievoLampsStage::SafeDownCast(frame->GetStage("lamps"));
+  stage->AddPoints(lamps);
+  const auto picture = Picture(scene.Window);
+  vtkDataArray* bytes = picture->GetPointData()->GetScalars();
+  int beside = 0;
+  for (vtkIdType i = 1; i < picture->GetNumberOfPoints(); ++i)
+  {
+    const double more = bytes->GetComponent(i, 2) - bytes->GetComponent(0, 2);
+    beside += std::abs(more) == 1.0 ? 1 : 0;
+  }
+  RELIEVO_CHECK_AT_MOST(
+    beside, 0, std::to_string(samples) + " samples: pixels a level beside the background's");
+}
 }
 
 int main()
 {
   relievoTest::Session session;
+  TestBetweenBytes(0);
+  TestBetweenBytes(8);
   TestWith("a cube", [](Scene&) {});
   TestWith("nothing", [](Scene& scene) { scene.Renderer->RemoveAllViewProps(); });
   TestWith("wide lines and points", AddWide);

@@ -20,11 +20,16 @@
 #include <vtkFloatArray.h>
 #include <vtkImageData.h>
 #include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
 #include <vtkProperty.h>
 #include <vtkRelievoDisplayStage.h>
+#include <vtkRelievoLamps.h>
+#include <vtkRelievoLampsStage.h>
 #include <vtkRelievoLinearDepthPass.h>
 #include <vtkRelievoPass.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <functional>
@@ -335,9 +340,44 @@ void TestLinearDepth()
 }
 
 //------------------------------------------------------------------------------
+// The linear colour, shown through the sRGB curve, is the picture, whatever else is in the frame.
+void TestColor()
+{
+  for (const bool lit : { false, true })
+  {
+    Fixture fixture;
+    vtkNew<vtkPoints> place;
+    place->InsertNextPoint(fixture.Renderer->GetActiveCamera()->GetFocalPoint());
+    vtkNew<vtkPolyData> points;
+    points->SetPoints(place);
+    vtkNew<vtkRelievoLamps> lamps;
+    lamps->SetInputData(points);
+    vtkRelievoPass* frame = vtkRelievoPass::Attach(fixture.Renderer);
+    if (lit)
+    {
+      vtkRelievoLampsStage::SafeDownCast(frame->GetStage("lamps"))->AddPoints(lamps);
+    }
+    const auto picture = relievoTest::Picture(fixture.Window);
+    frame->SetDisplayLayer("color");
+    const auto shown = relievoTest::Picture(fixture.Window);
+    double most = 0.0;
+    for (vtkIdType i = 0; i < shown->GetNumberOfPoints(); ++i)
+    {
+      for (int c = 0; c < 3; ++c)
+      {
+        most = std::max(most,
+          std::abs(shown->GetPointData()->GetScalars()->GetComponent(i, c) -
+            picture->GetPointData()->GetScalars()->GetComponent(i, c)));
+      }
+    }
+    RELIEVO_CHECK_AT_MOST(most, 1.0, "the colour, levels of 255");
+  }
+}
+
 int main()
 {
   relievoTest::Session session;
+  TestColor();
   TestLayers();
   TestGround();
   TestColormaps();

@@ -204,7 +204,7 @@ void vtkRelievoFogStage::Execute(vtkRelievoFrameContext& context)
     const bool finishes = context.FinishesColor();
     if (finishes &&
       in.Finish.Ready(
-        context, "fog/colorFS.glsl", { "fog", "color" }, "#define RELIEVO_TO_DISPLAY\n"))
+        context, "fog/colorFS.glsl", { "fog", "color", "drawn" }, "#define RELIEVO_TO_DISPLAY\n"))
     {
       this->DrawCalls += context.PresentPart(in.Finish, in.Buffer.GetPart()) ? 1 : 0;
     }

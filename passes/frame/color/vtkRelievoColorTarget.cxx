@@ -337,8 +337,7 @@ void vtkRelievoColorTarget::End(vtkRelievoFrameContext& context)
   this->Resolve(context);
   context.Window->GetState()->PopFramebufferBindings();
   this->Valid = this->Valid || !this->Separated;
-  const auto& read = context.ReadBack;
-  if (std::find(read.begin(), read.end(), "color") != read.end())
+  if (context.ReadsColor)
   {
     this->MakeLinear(context, this->GetAll());
   }
