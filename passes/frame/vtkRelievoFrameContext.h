@@ -17,6 +17,7 @@
 #include <vector>
 
 class vtkImageData;
+class vtkMultiProcessController;
 class vtkOpenGLRenderWindow;
 class vtkRelievoColorTarget;
 class vtkRelievoFramePass;
@@ -51,6 +52,9 @@ public:
 
   // Another pass is around the frame's (ParaView's camera pass), and has cleared where it draws.
   bool Nested = false;
+
+  // The processes that draw the frame together with this one, each its own props; or nullptr.
+  vtkMultiProcessController* Controller = nullptr;
 
   // Layers that will be read back to the CPU.
   std::vector<std::string> ReadBack;

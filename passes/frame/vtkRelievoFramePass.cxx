@@ -4,6 +4,7 @@
 
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
+#include "vtkMultiProcessController.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
@@ -47,6 +48,7 @@ public:
   vtkRelievoDelegate Picture;
   vtkRelievoColorTarget Color;
   vtkRelievoTranslucentLayers Translucent;
+  vtkSmartPointer<vtkMultiProcessController> Controller;
   vtkRelievoSampleAccumulator Samples;
   vtkRelievoFrameReader Reader{ Color, Samples };
   vtkRelievoEdgeFilter Filter;                  // of pictures with one sample of many
@@ -348,6 +350,9 @@ bool vtkRelievoFramePass::DrawSample(const vtkRenderState* s)
   context.Picture = !this->LayersOnly;
   context.Waits = this->WaitForSamples;
   context.Delegate = in.Delegate;
+  context.Controller = in.Controller && in.Controller->GetNumberOfProcesses() > 1
+    ? in.Controller.GetPointer()
+    : nullptr;
   context.OwnSteps = !in.Delegate && !s->GetFrameBuffer();
   context.Frame = this;
   context.Nested = renderer->GetPass() != this;
@@ -398,6 +403,18 @@ bool vtkRelievoFramePass::DrawSample(const vtkRenderState* s)
   }
   run.Report(in.Report, in.Delegate);
   return context.Last;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoFramePass::SetController(vtkMultiProcessController* controller)
+{
+  this->Internal->Controller = controller;
+}
+
+//------------------------------------------------------------------------------
+vtkMultiProcessController* vtkRelievoFramePass::GetController()
+{
+  return this->Internal->Controller;
 }
 
 //------------------------------------------------------------------------------
@@ -479,5 +496,6 @@ void vtkRelievoFramePass::PrintSelf(ostream& os, vtkIndent indent)
   }
   os << "\n";
   os << indent << "LayersOnly: " << this->LayersOnly << "\n";
+  os << indent << "Controller: " << this->Internal->Controller.GetPointer() << "\n";
   os << indent << "WaitForSamples: " << this->WaitForSamples << "\n";
 }

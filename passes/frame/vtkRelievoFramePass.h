@@ -28,6 +28,7 @@
 #include <vector> // for names
 
 class vtkImageData;
+class vtkMultiProcessController;
 class vtkRelievoStage;
 class vtkRenderer;
 
@@ -106,6 +107,16 @@ public:
   vtkSetMacro(WaitForSamples, bool);
   vtkGetMacro(WaitForSamples, bool);
   vtkBooleanMacro(WaitForSamples, bool);
+  ///@}
+
+  ///@{
+  /**
+   * The processes that draw the frame together, each its own props: samples are gathered by all or
+   * none, and rays of the stage `ambient` pass what any of them has. All of them draw each frame,
+   * with equal settings. Shadows and stages of points have controllers of their own. Default none.
+   */
+  virtual void SetController(vtkMultiProcessController* controller);
+  vtkMultiProcessController* GetController();
   ///@}
 
   ///@{

@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRelievoSampleAccumulator.h"
 
+#include "vtkCommunicator.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
+#include "vtkMultiProcessController.h"
 #include "vtkOpenGLError.h" // for OpenGL
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
@@ -108,10 +110,20 @@ void vtkRelievoSampleAccumulator::Begin(vtkRelievoFrameContext& context,
   context.Last = true;
   ++this->Turns;
   this->Asked = GetDemand(context, nodes, hasColor);
-  const bool nothing = !this->Asked.Color && this->Asked.Layers.empty();
-  if (this->Asked.Samples == 1 || nothing)
+  if (!this->Asked.Color && this->Asked.Layers.empty())
   {
     this->Asked.Samples = 1;
+  }
+  // Within a frame only once: what changes whenever it is drawn would never be gathered.
+  bool begins = this->Asked.Samples > 1 && this->Turns == 1 &&
+    (this->Asked.Samples != this->Before || this->Asked.Offsets != this->OffsetsBefore ||
+      !this->State.IsOf(context, stages));
+  if (context.Controller)
+  {
+    this->AgreeOnSamples(context.Controller, begins);
+  }
+  if (this->Asked.Samples == 1)
+  {
     if (context.Picture) // a capture of layers without samples leaves the window's
     {
       this->Before = 1;
@@ -119,12 +131,9 @@ void vtkRelievoSampleAccumulator::Begin(vtkRelievoFrameContext& context,
     }
     return;
   }
-  const bool others =
-    this->Asked.Samples != this->Before || this->Asked.Offsets != this->OffsetsBefore;
   this->Before = this->Asked.Samples;
   this->OffsetsBefore = this->Asked.Offsets;
-  // Within a frame only once: what changes whenever it is drawn would never be gathered.
-  if (this->Turns == 1 && (others || !this->State.IsOf(context, stages)))
+  if (begins)
   {
     this->Release(context.Window);
   }
@@ -134,6 +143,27 @@ void vtkRelievoSampleAccumulator::Begin(vtkRelievoFrameContext& context,
     return;
   }
   this->Choose(context);
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoSampleAccumulator::AgreeOnSamples(
+  vtkMultiProcessController* controller, bool& begins)
+{
+  const bool able = begins || this->Fault.empty();
+  const int own[2] = { able ? this->Asked.Samples : 1, begins ? 0 : 1 };
+  int all[2] = { 1, 1 };
+  controller->AllReduce(own, all, 2, vtkCommunicator::MIN_OP);
+  this->Asked.Samples = all[0];
+  begins = all[1] == 0;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoSampleAccumulator::AgreeOnLast(vtkRelievoFrameContext& context)
+{
+  const int own = context.Last ? 1 : 0;
+  int all = 0;
+  context.Controller->AllReduce(&own, &all, 1, vtkCommunicator::MIN_OP);
+  context.Last = all != 0;
 }
 
 //------------------------------------------------------------------------------
@@ -267,15 +297,30 @@ void vtkRelievoSampleAccumulator::Accumulate(vtkRelievoFrameContext& context)
   {
     context.Last = true; // the mean of those so far
   }
+  if (!this->Fault.empty())
+  {
+    this->GiveUp(context);
+  }
+  if (context.Controller)
+  {
+    AgreeOnLast(context);
+  }
   if (context.Last && this->Fault.empty() && this->Asked.Color)
   {
     this->Fault = this->ShowMean(context);
+    if (!this->Fault.empty())
+    {
+      this->GiveUp(context);
+      context.Last = context.Last || context.Controller; // as all have agreed
+    }
   }
-  if (!this->Fault.empty())
-  {
-    this->ReleaseSums(context.Window);
-    context.Last = context.Sample == 0; // or once more, with that
-  }
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoSampleAccumulator::GiveUp(vtkRelievoFrameContext& context)
+{
+  this->ReleaseSums(context.Window);
+  context.Last = context.Sample == 0; // or once more, with that
 }
 
 //------------------------------------------------------------------------------

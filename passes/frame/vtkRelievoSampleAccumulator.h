@@ -19,6 +19,7 @@
 #include <vector>
 
 class vtkImageData;
+class vtkMultiProcessController;
 class vtkRelievoFrameContext;
 class vtkRelievoStage;
 class vtkWindow;
@@ -71,10 +72,16 @@ private:
     void Release(vtkWindow* window);
   };
 
+  // What all processes that draw together do: as many samples as the least of them, begun again if
+  // any of them begins; and the frame's last turn, if it is that of all.
+  void AgreeOnSamples(vtkMultiProcessController* controller, bool& begins);
+  static void AgreeOnLast(vtkRelievoFrameContext& context);
+
   static Demand GetDemand(const vtkRelievoFrameContext& context,
     const std::vector<vtkRelievoFramePlan::Node>& nodes, bool hasColor);
   void Choose(vtkRelievoFrameContext& context);
   void ReleaseSums(vtkWindow* window);
+  void GiveUp(vtkRelievoFrameContext& context);
   std::string ShowMean(vtkRelievoFrameContext& context);
   std::string Add(vtkRelievoFrameContext& context, Sum& sum, const std::string& resource,
     const std::string& defines, int channels);

@@ -6,8 +6,8 @@
 #define vtkRelievoShadowContext_h
 
 #include "vtkRelievoCasterDraw.h"
-#include "vtkRelievoCasterExchange.h"
 #include "vtkRelievoFrameCamera.h"
+#include "vtkRelievoMeshExchange.h"
 #include "vtkRelievoShadowCache.h"
 #include "vtkRelievoShadowMaps.h"
 #include "vtkRelievoShadowProps.h"
@@ -34,8 +34,8 @@ struct vtkRelievoShadowContext
   vtkRelievoFrameCamera SteadyView; // without the sample's offset: what maps are fitted to
   vtkRelievoShadowProps& Props;
   vtkRelievoCasterDraw& PlainDraw;
-  bool& DrawingAnyMaps;            // these or others of the same casters
-  vtkRelievoCasterExchange Others; // that draw together with this process
+  bool& DrawingAnyMaps;          // these or others of the same casters
+  vtkRelievoMeshExchange Others; // that draw together with this process
   vtkRelievoShadowCache Cache;
   vtkRelievoShadowMaps Maps;
   vtkRelievoShadowSplice::Structure Structure;

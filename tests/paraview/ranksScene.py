@@ -112,6 +112,13 @@ view.RelievoDisplayLayer = "None"
 view.RelievoSun = 0
 view.RelievoShadows = 0
 simple.RemoveLight(light)
+view.UseFXAA = 0  # which one process draws before the picture is darkened, and several after it
+step("without-ambient")
+view.RelievoStageAmbient = 1
+step("ambient")
+print("sky:", view.SMProxy.UpdatePropertyInformation(), view.GetProperty("RelievoFrameReport"))
+view.RelievoStageAmbient = 0
+view.UseFXAA = 1
 view.CameraPosition = [5, -7, 5]
 step("off-again")
 pv.clear()  # no sys.exit() here: the other ranks would not hear of it

@@ -7,7 +7,7 @@ import pathlib
 import pv
 
 STEPS = "off kit sun moved-sun moved-camera warped forward exact exact-moved lamp normal".split()
-STEPS += ["depth", "off-again"]
+STEPS += ["depth", "without-ambient", "ambient", "off-again"]
 SCENE = pathlib.Path(__file__).with_name("ranksScene.py")
 
 
@@ -31,6 +31,7 @@ class Ranks(pv.Test):
         self.differ(self.one["kit"], self.one["off"], "kit", share=0.004)
         self.differ(self.one["sun"], self.one["moved-sun"], "moved sun")
         self.differ(self.one["lamp"], self.one["moved-camera"], "lamp")
+        self.differ(self.one["ambient"], self.one["without-ambient"], "ambient")
         self.same(self.one["off"], self.one["off-again"], "off again")
 
     def check(self, ranks, level=1):
@@ -43,6 +44,7 @@ class Ranks(pv.Test):
         self.assertIn(f"merged over {ranks} processes", said)
         # Rays of the exact steps pass what the other ranks cast.
         self.assertRegex(said, r"(?s)rays: .*, [1-9]\d* of them from other processes")
+        self.assertRegex(said, r"(?s)sky: .*rays of each pixel past .*, [1-9]\d* of them from other")
         for name in STEPS:
             with self.subTest(step=name, ranks=ranks):
                 self.near(self.one[name], several[name], f"{name} {ranks}", level, share=0.0002)

@@ -32,10 +32,33 @@ glm::dvec3 GetOrigin(const vtkRelievoFrameCamera& view)
 }
 
 //------------------------------------------------------------------------------
-std::string vtkRelievoAmbientScene::Begin(const vtkRelievoFrameContext& context)
+std::string vtkRelievoAmbientScene::Begin(
+  const vtkRelievoFrameContext& context, const std::string& wrong)
 {
-  const std::string wrong = this->Tree.Update(
-    context.Window, this->Meshes.Find(context.Renderer), GetOrigin(context.SteadyView));
+  const glm::dvec3 origin = GetOrigin(context.SteadyView);
+  vtkRelievoMeshPart part;
+  part.Meshes = this->Meshes.Find(context.Renderer);
+  this->Others.SetController(context.Controller);
+  if (!this->Others.IsOn())
+  {
+    return wrong.empty() ? this->Update(context.Window, part.Meshes, origin) : wrong;
+  }
+  const bool ready = wrong.empty() && this->Tree.IsIn(context.Window, origin) && this->Tree.Bind();
+  std::string fault = this->Others.Share(part, ready);
+  if (!fault.empty())
+  {
+    return fault;
+  }
+  fault =
+    wrong.empty() ? this->Update(context.Window, this->Others.GetWhole().Meshes, origin) : wrong;
+  return this->Others.Confirm(fault);
+}
+
+//------------------------------------------------------------------------------
+std::string vtkRelievoAmbientScene::Update(vtkOpenGLRenderWindow* window,
+  const std::vector<vtkRelievoPlacedMesh>& meshes, const glm::dvec3& origin)
+{
+  const std::string wrong = this->Tree.Update(window, meshes, origin);
   return !wrong.empty() ? wrong
     : this->Tree.Bind() ? std::string()
                         : "all texture units of this OpenGL are taken";
@@ -63,4 +86,5 @@ void vtkRelievoAmbientScene::Release(vtkWindow* window)
 {
   this->Tree.Release(window);
   this->Meshes = vtkRelievoOpaqueMeshes();
+  this->Others.Clear();
 }

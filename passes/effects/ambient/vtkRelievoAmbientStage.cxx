@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRelievoAmbientStage.h"
 
+#include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLError.h" // for OpenGL
 #include "vtkOpenGLRenderWindow.h"
@@ -129,7 +130,7 @@ std::string vtkRelievoAmbientStage::DrawShare(vtkRelievoFrameContext& context)
   {
     wrong = in.Noise.Upload(context.Window, vtkRelievoBlueNoise::GetThresholds(), 1);
   }
-  wrong = wrong.empty() ? in.Scene.Begin(context) : wrong;
+  wrong = in.Scene.Begin(context, wrong);
   if (!wrong.empty())
   {
     return wrong;
@@ -201,7 +202,8 @@ void vtkRelievoAmbientStage::Execute(vtkRelievoFrameContext& context)
     const int rays = std::min(this->Samples, this->SamplesPerFrame);
     std::ostringstream words;
     words << rays * (context.Sample + 1) << " of " << rays * context.Samples
-          << " rays of each pixel past " << in.Scene.GetNumberOfTriangles() << " triangles";
+          << " rays of each pixel past " << in.Scene.GetNumberOfTriangles() << " triangles"
+          << in.Scene.GetReport();
     if (in.Scene.GetNumberOfPropsLeftOut() > 0)
     {
       words << "; " << in.Scene.GetNumberOfPropsLeftOut()
@@ -213,7 +215,9 @@ void vtkRelievoAmbientStage::Execute(vtkRelievoFrameContext& context)
   else
   {
     this->Explain("failed", wrong);
-    if (in.Failed != wrong)
+    // One process speaks for all.
+    vtkMultiProcessController* all = context.Controller;
+    if (in.Failed != wrong && (!all || all->GetLocalProcessId() == 0))
     {
       vtkErrorMacro("There is no ambient occlusion: " << wrong << ".");
     }

@@ -12,7 +12,8 @@
  *
  * Opaque surfaces that are made of triangles hide the sky, those outside the view included; what is
  * translucent hides nothing, and is not darkened. Points, lines, volumes and cut-out surfaces,
- * which rays cannot follow, hide nothing either.
+ * which rays cannot follow, hide nothing either. Processes that draw together
+ * (vtkRelievoFramePass::SetController) each hold the triangles of all.
  *
  * The picture is darkened (Visible) where all that VTK has drawn is in it: lights, ambient light
  * and environments together, since VTK's shaders add them up. What lamps (vtkRelievoLampsStage),

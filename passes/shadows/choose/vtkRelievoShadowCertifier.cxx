@@ -43,6 +43,30 @@ bool AreHalf(const float* depths, vtkIdType count)
   });
 }
 
+// Adds what the other processes cast with, and where own meshes have copies of the others' cells,
+// what casts in their place.
+void AddOthers(const vtkRelievoMeshExchange& others, std::vector<vtkRelievoSurface>& surfaces)
+{
+  for (std::size_t i = 0, own = surfaces.size(); i < own; ++i)
+  {
+    vtkRelievoSurface casting = surfaces[i];
+    casting.Caster.Mesh = others.GetOwn(casting.Caster.Mesh);
+    if (casting.Casts && casting.Caster.Mesh != surfaces[i].Caster.Mesh)
+    {
+      surfaces[i].Casts = false;
+      casting.Seen = casting.Receives = false;
+      surfaces.push_back(casting);
+    }
+  }
+  for (const vtkRelievoPlacedMesh& mesh : others.GetOthers())
+  {
+    vtkRelievoSurface surface;
+    surface.Caster = mesh;
+    surface.Seen = surface.Receives = false;
+    surfaces.push_back(surface);
+  }
+}
+
 // The renderer alone draws the layers, into a framebuffer of the frame's own; "" or what is wrong.
 std::string DrawLayers(vtkRenderer* renderer, vtkRelievoFramePass* frame,
   const std::vector<std::string>& layers, vtkImageData* image)
@@ -133,7 +157,7 @@ vtkSmartPointer<vtkRelievoShadowCertificate> vtkRelievoShadowCertifier::CertifyP
     picture.Work.Props.CollectSurfaces(certifier.Attenuates, certifier.Unfollowed);
   if (certifier.Attenuates && picture.Work.Others.IsOn())
   {
-    picture.Work.Others.AddTo(surfaces);
+    AddOthers(picture.Work.Others, surfaces);
     const std::vector<vtkRelievoBox>& others = picture.Work.Others.GetWhole().InMaps;
     certifier.Unfollowed.insert(certifier.Unfollowed.end(), others.begin(), others.end());
   }

@@ -57,18 +57,6 @@ double Cross(const glm::dvec2& a, const glm::dvec2& b)
 }
 
 //------------------------------------------------------------------------------
-std::array<glm::dvec3, 8> vtkRelievoBox::GetCorners() const
-{
-  std::array<glm::dvec3, 8> corners;
-  for (int i = 0; i < 8; ++i)
-  {
-    corners[i] = glm::dvec3(i & 1 ? this->Max.x : this->Min.x, i & 2 ? this->Max.y : this->Min.y,
-      i & 4 ? this->Max.z : this->Min.z);
-  }
-  return corners;
-}
-
-//------------------------------------------------------------------------------
 Polygon vtkRelievoShadowRegion::Clip(const Polygon& polygon, const glm::dvec4& plane)
 {
   // Sutherland and Hodgman (1974).
@@ -151,23 +139,6 @@ std::vector<glm::dvec3> vtkRelievoShadowRegion::GetPoints(const std::vector<Poly
     points.insert(points.end(), polygon.begin(), polygon.end());
   }
   return points;
-}
-
-//------------------------------------------------------------------------------
-void vtkRelievoShadowRegion::Join(const vtkRelievoBox& box, std::vector<vtkRelievoBox>& boxes)
-{
-  const auto known = std::lower_bound(boxes.begin(), boxes.end(), box,
-    [](const vtkRelievoBox& a, const vtkRelievoBox& b) { return a.Number < b.Number; });
-  if (known != boxes.end() && known->Number == box.Number)
-  {
-    known->Min = glm::min(known->Min, box.Min);
-    known->Max = glm::max(known->Max, box.Max);
-    known->Loose = known->Loose || box.Loose;
-  }
-  else
-  {
-    boxes.insert(known, box);
-  }
 }
 
 //------------------------------------------------------------------------------

@@ -6,20 +6,9 @@
 #ifndef vtkRelievoShadowRegion_h
 #define vtkRelievoShadowRegion_h
 
-#include "vtkRelievoFormulas.h" // for GLM
+#include "vtkRelievoBox.h"
 
-#include <array>
 #include <vector>
-
-struct vtkRelievoBox
-{
-  glm::dvec3 Min;
-  glm::dvec3 Max;
-  int Number = 0;     // of the prop in its renderer
-  bool Loose = false; // its mapper may draw beyond the box
-
-  std::array<glm::dvec3, 8> GetCorners() const;
-};
 
 namespace vtkRelievoShadowRegion
 {
@@ -40,10 +29,6 @@ std::vector<Polygon> Clip(std::vector<Polygon> polygons, const std::vector<glm::
 
 // The corners of all of them.
 std::vector<glm::dvec3> GetPoints(const std::vector<Polygon>& polygons);
-
-// Adds a box to boxes in the order of their props' numbers. The processes' parts of one prop make
-// the box that the whole prop has: what follows from boxes does not depend on how many share it.
-void Join(const vtkRelievoBox& box, std::vector<vtkRelievoBox>& boxes);
 
 // The middle of the polygons' extent.
 glm::dvec3 GetMiddle(const std::vector<Polygon>& polygons);

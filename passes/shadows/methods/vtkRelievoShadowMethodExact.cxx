@@ -7,8 +7,8 @@
 #include "vtkObject.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkProperty.h"
-#include "vtkRelievoCasterExchange.h"
-#include "vtkRelievoCasterMessage.h"
+#include "vtkRelievoMeshExchange.h"
+#include "vtkRelievoMeshMessage.h"
 #include "vtkRelievoShadowContext.h"
 #include "vtkRelievoShadowMethodMap.h"
 #include "vtkRelievoShadowRegion.h"
@@ -90,8 +90,8 @@ std::string vtkRelievoShadowMethodExact::Prepare(
   vtkRelievoShadowContext& work, vtkRenderer* renderer)
 {
   auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
-  vtkRelievoCasterPart part;
-  part.Casters = work.Props.Follow();
+  vtkRelievoMeshPart part;
+  part.Meshes = work.Props.Follow();
   part.Receivers = work.Props.GetReceiverBoxes();
   part.InMaps = work.Props.GetCasterBoxes(true);
   this->InMaps = part.InMaps.size();
@@ -108,7 +108,7 @@ std::string vtkRelievoShadowMethodExact::Prepare(
     }
     part = work.Others.GetWhole();
   }
-  fault = this->Tree.Update(window, part.Casters, GetOrigin(work.View, part.Receivers));
+  fault = this->Tree.Update(window, part.Meshes, GetOrigin(work.View, part.Receivers));
   this->Colored = fault.empty() && work.ColoredShadows && this->Tree.HasColors();
   const vtkRelievoVisibilityPrepass::Kind kind = this->Colored ? vtkRelievoVisibilityPrepass::Colors
     : this->Tree.HasTranslucent()                              ? vtkRelievoVisibilityPrepass::Shares

@@ -35,7 +35,7 @@ const double* Take(const double* from, std::vector<vtkRelievoBox>& boxes)
     box.Min = glm::dvec3(from[1], from[2], from[3]);
     box.Max = glm::dvec3(from[4], from[5], from[6]);
     box.Loose = from[7] != 0.0;
-    vtkRelievoShadowRegion::Join(box, boxes);
+    vtkRelievoBox::Join(box, boxes);
   }
   return from;
 }

@@ -330,6 +330,7 @@ void vtkPVRelievoView::ChooseProcesses()
     // A process without geometry in view would not be asked to draw, and the others would wait.
     passes->SetRenderEmptyImages(true);
   }
+  in.Frame->SetController(together ? controller : nullptr);
   in.Frame->GetShadowStage()->SetController(together ? controller : nullptr);
   this->GivePoints(in.View, together ? controller : nullptr);
 }

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "vtkRelievoCasterMessage.h"
+#include "vtkRelievoMeshMessage.h"
 
 #include "vtkCellArray.h"
 #include "vtkDataArray.h"
@@ -155,7 +155,7 @@ void ReadMesh(Reader& from, vtkPolyData* mesh)
 }
 
 //------------------------------------------------------------------------------
-bool vtkRelievoCasterSender::IsSame(
+bool vtkRelievoMeshSender::IsSame(
   const vtkRelievoPlacedMesh& now, const vtkRelievoPlacedMesh& before) const
 {
   const auto sent = this->Meshes.find(now.Mesh);
@@ -166,12 +166,12 @@ bool vtkRelievoCasterSender::IsSame(
 }
 
 //------------------------------------------------------------------------------
-bool vtkRelievoCasterSender::IsNews(const vtkRelievoCasterPart& part) const
+bool vtkRelievoMeshSender::IsNews(const vtkRelievoMeshPart& part) const
 {
   return !this->Written || !::IsSame(part.Receivers, this->Last.Receivers) ||
     !::IsSame(part.InMaps, this->Last.InMaps) ||
-    !std::equal(part.Casters.begin(), part.Casters.end(), this->Last.Casters.begin(),
-      this->Last.Casters.end(),
+    !std::equal(part.Meshes.begin(), part.Meshes.end(), this->Last.Meshes.begin(),
+      this->Last.Meshes.end(),
       [this](const vtkRelievoPlacedMesh& now, const vtkRelievoPlacedMesh& before) {
         return this->IsSame(now, before);
       });
@@ -179,7 +179,7 @@ bool vtkRelievoCasterSender::IsNews(const vtkRelievoCasterPart& part) const
 
 //------------------------------------------------------------------------------
 // Points that triangles have, as floats or doubles; triangles, if they are others than before.
-int vtkRelievoCasterSender::WriteMesh(Sent& sent, vtkPolyData* mesh, vtkRelievoBytes& bytes)
+int vtkRelievoMeshSender::WriteMesh(Sent& sent, vtkPolyData* mesh, vtkRelievoBytes& bytes)
 {
   const std::vector<vtkMTimeType> times = GetTimes(mesh);
   const bool known = sent.Data == mesh;
@@ -190,12 +190,12 @@ int vtkRelievoCasterSender::WriteMesh(Sent& sent, vtkPolyData* mesh, vtkRelievoB
   sent.Id = known ? sent.Id : this->NextId++;
   sent.Data = mesh;
   sent.Times = times;
-  sent.Casting = vtkRelievoNonGhostCells::Find(mesh);
+  sent.Own = vtkRelievoNonGhostCells::Find(mesh);
   std::vector<int> places(static_cast<std::size_t>(mesh->GetNumberOfPoints()), -1);
   std::vector<vtkIdType> ids;
   std::vector<int> triangles;
   vtkRelievoPolygonCut::ForEachTriangle(
-    sent.Casting, [&](vtkIdType a, vtkIdType b, vtkIdType c, vtkIdType) {
+    sent.Own, [&](vtkIdType a, vtkIdType b, vtkIdType c, vtkIdType) {
       for (const vtkIdType id : { a, b, c })
       {
         int& place = places[static_cast<std::size_t>(id)];
@@ -224,7 +224,7 @@ int vtkRelievoCasterSender::WriteMesh(Sent& sent, vtkPolyData* mesh, vtkRelievoB
 }
 
 //------------------------------------------------------------------------------
-vtkRelievoBytes vtkRelievoCasterSender::Write(vtkRelievoCasterPart& part)
+vtkRelievoBytes vtkRelievoMeshSender::Write(vtkRelievoMeshPart& part)
 {
   vtkRelievoBytes bytes;
   if (this->IsNews(part))
@@ -233,29 +233,29 @@ vtkRelievoBytes vtkRelievoCasterSender::Write(vtkRelievoCasterPart& part)
     this->Last = part;
     this->Written = true;
   }
-  for (vtkRelievoPlacedMesh& caster : part.Casters)
+  for (vtkRelievoPlacedMesh& placed : part.Meshes)
   {
-    caster.Mesh = this->Meshes[caster.Mesh].Casting;
+    placed.Mesh = this->Meshes[placed.Mesh].Own;
   }
   return bytes;
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoCasterSender::WritePart(const vtkRelievoCasterPart& part, vtkRelievoBytes& bytes)
+void vtkRelievoMeshSender::WritePart(const vtkRelievoMeshPart& part, vtkRelievoBytes& bytes)
 {
   std::map<vtkPolyData*, Sent> meshes;
   std::map<const void*, int> places;
-  vtkRelievoBytes written[3]; // meshes, places, who casts with them
-  int counts[3] = { 0, 0, static_cast<int>(part.Casters.size()) };
-  for (const vtkRelievoPlacedMesh& caster : part.Casters)
+  vtkRelievoBytes written[3]; // meshes, places, what stands there
+  int counts[3] = { 0, 0, static_cast<int>(part.Meshes.size()) };
+  for (const vtkRelievoPlacedMesh& placed : part.Meshes)
   {
-    auto known = meshes.find(caster.Mesh);
+    auto known = meshes.find(placed.Mesh);
     if (known == meshes.end())
     {
-      known = meshes.emplace(caster.Mesh, std::move(this->Meshes[caster.Mesh])).first;
-      counts[0] += this->WriteMesh(known->second, caster.Mesh, written[0]);
+      known = meshes.emplace(placed.Mesh, std::move(this->Meshes[placed.Mesh])).first;
+      counts[0] += this->WriteMesh(known->second, placed.Mesh, written[0]);
     }
-    const auto* at = caster.Places.get();
+    const auto* at = placed.Places.get();
     if (at && places.count(at) == 0)
     {
       const auto before = this->Places.find(at);
@@ -271,10 +271,10 @@ void vtkRelievoCasterSender::WritePart(const vtkRelievoCasterPart& part, vtkReli
     }
     Put(written[2], known->second.Id);
     Put(written[2], at ? places[at] : -1);
-    Put(written[2], &caster.MeshToWorld[0][0], 16);
-    Put(written[2], &caster.Color.x, 3);
-    Put(written[2], caster.Passes);
-    Put(written[2], caster.Reach);
+    Put(written[2], &placed.MeshToWorld[0][0], 16);
+    Put(written[2], &placed.Color.x, 3);
+    Put(written[2], placed.Passes);
+    Put(written[2], placed.Reach);
   }
   for (int i = 0; i < 3; ++i)
   {
@@ -288,15 +288,14 @@ void vtkRelievoCasterSender::WritePart(const vtkRelievoCasterPart& part, vtkReli
 }
 
 //------------------------------------------------------------------------------
-vtkPolyData* vtkRelievoCasterSender::GetCasting(vtkPolyData* mesh) const
+vtkPolyData* vtkRelievoMeshSender::GetOwn(vtkPolyData* mesh) const
 {
   const auto sent = this->Meshes.find(mesh);
-  return sent != this->Meshes.end() && sent->second.Data == mesh ? sent->second.Casting.Get()
-                                                                 : mesh;
+  return sent != this->Meshes.end() && sent->second.Data == mesh ? sent->second.Own.Get() : mesh;
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoCasterReceiver::Read(const vtkRelievoBytes& bytes)
+void vtkRelievoMeshReceiver::Read(const vtkRelievoBytes& bytes)
 {
   if (bytes.empty())
   {
@@ -321,31 +320,31 @@ void vtkRelievoCasterReceiver::Read(const vtkRelievoBytes& bytes)
   }
   std::map<int, vtkSmartPointer<vtkPolyData>> meshes;
   std::map<int, std::shared_ptr<const std::vector<glm::mat4>>> places;
-  this->Part.Casters.resize(static_cast<std::size_t>(from.Take<int>()));
-  for (vtkRelievoPlacedMesh& caster : this->Part.Casters)
+  this->Part.Meshes.resize(static_cast<std::size_t>(from.Take<int>()));
+  for (vtkRelievoPlacedMesh& placed : this->Part.Meshes)
   {
     const int mesh = from.Take<int>();
     const int place = from.Take<int>();
     meshes[mesh] = this->Meshes[mesh];
-    caster.Mesh = meshes[mesh];
+    placed.Mesh = meshes[mesh];
     if (place >= 0)
     {
       places[place] = this->Places[place];
     }
-    caster.Places = place >= 0 ? places[place] : nullptr;
-    from.Take(&caster.MeshToWorld[0][0], 16);
-    from.Take(&caster.Color.x, 3);
-    caster.Passes = from.Take<double>();
-    caster.Reach = from.Take<double>();
+    placed.Places = place >= 0 ? places[place] : nullptr;
+    from.Take(&placed.MeshToWorld[0][0], 16);
+    from.Take(&placed.Color.x, 3);
+    placed.Passes = from.Take<double>();
+    placed.Reach = from.Take<double>();
   }
   this->Part.Receivers = TakeBoxes(from);
   this->Part.InMaps = TakeBoxes(from);
-  this->Meshes.swap(meshes); // what casts no more is forgotten, here and by the sender
+  this->Meshes.swap(meshes); // what is there no more is forgotten, here and by the sender
   this->Places.swap(places);
 }
 
 //------------------------------------------------------------------------------
-vtkIdType vtkRelievoCasterReceiver::GetNumberOfTriangles() const
+vtkIdType vtkRelievoMeshReceiver::GetNumberOfTriangles() const
 {
   vtkIdType count = 0;
   for (const auto& mesh : this->Meshes)

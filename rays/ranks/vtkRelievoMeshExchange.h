@@ -1,22 +1,22 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What casts in any process, brought to all of them: rays need all of it. Processes that draw
-// together send rays all or none. A frame in which nothing has changed takes one reduction of a few
-// numbers; otherwise what has changed travels, and all hear whether any of them has no room for it.
-#ifndef vtkRelievoCasterExchange_h
-#define vtkRelievoCasterExchange_h
+// What any process has in the way of rays, brought to all of them: rays need all of it. Processes
+// that draw together send rays all or none. A frame in which nothing has changed takes one reduction
+// of a few numbers; otherwise what has changed travels, and all hear whether any of them has no room
+// for it.
+#ifndef vtkRelievoMeshExchange_h
+#define vtkRelievoMeshExchange_h
 
 #include "vtkMultiProcessController.h"
-#include "vtkRelievoCasterMessage.h"
+#include "vtkRelievoMeshMessage.h"
+#include "vtkRelievoRaysModule.h" // for the export macro
 #include "vtkSmartPointer.h"
 
 #include <string>
 #include <vector>
 
-struct vtkRelievoSurface;
-
-class vtkRelievoCasterExchange
+class VTKRELIEVORAYS_EXPORT vtkRelievoMeshExchange
 {
 public:
   void SetController(vtkMultiProcessController* controller);
@@ -31,7 +31,7 @@ public:
 
   // The part of this process becomes known to all. `ready`: what is made of the whole scene is
   // still right if nothing has changed. Returns why there are no rays, in words.
-  std::string Share(const vtkRelievoCasterPart& own, bool ready);
+  std::string Share(const vtkRelievoMeshPart& own, bool ready);
 
   // Whether that was another process's method: no reason not to ask again.
   bool IsDeclined() const { return this->Declined; }
@@ -39,13 +39,14 @@ public:
   // Why this process cannot send rays with the whole scene, or ""; returns why not all of them can.
   std::string Confirm(const std::string& fault);
 
-  // What Share has brought: the casters in the order of the processes, the receivers' boxes joined,
-  // and the others' casters that cannot be followed.
-  const vtkRelievoCasterPart& GetWhole() const { return this->Whole; }
+  // What Share has brought: the meshes in the order of the processes, the receivers' boxes joined,
+  // and the boxes of what rays cannot follow in the others.
+  const vtkRelievoMeshPart& GetWhole() const { return this->Whole; }
 
-  // What the others cast with, and where own meshes have copies of the others' cells, what casts in
-  // their place.
-  void AddTo(std::vector<vtkRelievoSurface>& surfaces) const;
+  // The others' meshes, and what is in the whole in the place of an own one: its cells that are no
+  // copies of another process's.
+  std::vector<vtkRelievoPlacedMesh> GetOthers() const;
+  vtkPolyData* GetOwn(vtkPolyData* mesh) const { return this->Sender.GetOwn(mesh); }
 
   std::string GetReport() const;
   void Clear();
@@ -66,12 +67,12 @@ private:
   };
   Answer Ask(Voice voice, bool changed);
   std::vector<vtkRelievoBytes> Gather(const vtkRelievoBytes& own);
-  void MakeWhole(const vtkRelievoCasterPart& own);
+  void MakeWhole(const vtkRelievoMeshPart& own);
 
   vtkSmartPointer<vtkMultiProcessController> Controller;
-  vtkRelievoCasterSender Sender;
-  std::vector<vtkRelievoCasterReceiver> Others; // one for each process, also for this one
-  vtkRelievoCasterPart Whole;
+  vtkRelievoMeshSender Sender;
+  std::vector<vtkRelievoMeshReceiver> Others; // one for each process, also for this one
+  vtkRelievoMeshPart Whole;
   bool Lost = true;
   bool Changed = false;
   bool Declined = false;

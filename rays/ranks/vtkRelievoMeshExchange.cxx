@@ -1,10 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "vtkRelievoCasterExchange.h"
+#include "vtkRelievoMeshExchange.h"
 
 #include "vtkCommunicator.h"
 #include "vtkPolyData.h"
-#include "vtkRelievoCasterRays.h"
 #include "vtkTimerLog.h"
 
 #include <algorithm>
@@ -16,24 +15,27 @@ constexpr vtkIdType MostAtOnce = vtkIdType(1) << 28; // bytes: MPI counts them i
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoCasterExchange::SetController(vtkMultiProcessController* controller)
+void vtkRelievoMeshExchange::SetController(vtkMultiProcessController* controller)
 {
-  this->Controller = controller;
-  this->Clear();
+  if (this->Controller != controller)
+  {
+    this->Controller = controller;
+    this->Clear();
+  }
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoCasterExchange::Clear()
+void vtkRelievoMeshExchange::Clear()
 {
   this->Sender.Clear();
   this->Others.clear();
-  this->Whole = vtkRelievoCasterPart();
+  this->Whole = vtkRelievoMeshPart();
   this->Lost = true;
   this->Changed = false;
 }
 
 //------------------------------------------------------------------------------
-vtkRelievoCasterExchange::Answer vtkRelievoCasterExchange::Ask(Voice voice, bool changed)
+vtkRelievoMeshExchange::Answer vtkRelievoMeshExchange::Ask(Voice voice, bool changed)
 {
   const int own[4] = { voice, -voice, changed ? 0 : 1, this->Lost ? 0 : 1 };
   int all[4] = { Never, Never, 0, 0 };
@@ -42,7 +44,7 @@ vtkRelievoCasterExchange::Answer vtkRelievoCasterExchange::Ask(Voice voice, bool
 }
 
 //------------------------------------------------------------------------------
-bool vtkRelievoCasterExchange::Decline(bool refused)
+bool vtkRelievoMeshExchange::Decline(bool refused)
 {
   this->Clear();
   const Answer answer = this->Ask(refused ? Refused : Never, true);
@@ -50,7 +52,7 @@ bool vtkRelievoCasterExchange::Decline(bool refused)
 }
 
 //------------------------------------------------------------------------------
-std::string vtkRelievoCasterExchange::Share(const vtkRelievoCasterPart& own, bool ready)
+std::string vtkRelievoMeshExchange::Share(const vtkRelievoMeshPart& own, bool ready)
 {
   const bool changed = !ready || this->Lost || this->Sender.IsNews(own);
   Answer answer = this->Ask(Ready, changed);
@@ -75,8 +77,8 @@ std::string vtkRelievoCasterExchange::Share(const vtkRelievoCasterPart& own, boo
     this->Clear();
     this->Changed = true;
   }
-  vtkRelievoCasterPart casting = own;
-  const std::vector<vtkRelievoBytes> all = this->Gather(this->Sender.Write(casting));
+  vtkRelievoMeshPart part = own;
+  const std::vector<vtkRelievoBytes> all = this->Gather(this->Sender.Write(part));
   this->Others.resize(all.size());
   this->Bytes = 0.0;
   for (std::size_t i = 0; i < all.size(); ++i)
@@ -84,24 +86,24 @@ std::string vtkRelievoCasterExchange::Share(const vtkRelievoCasterPart& own, boo
     this->Others[i].Read(all[i]);
     this->Bytes += static_cast<double>(all[i].size());
   }
-  this->MakeWhole(casting);
+  this->MakeWhole(part);
   this->Lost = false;
   this->Seconds = vtkTimerLog::GetUniversalTime() - start;
   return {};
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoCasterExchange::MakeWhole(const vtkRelievoCasterPart& own)
+void vtkRelievoMeshExchange::MakeWhole(const vtkRelievoMeshPart& own)
 {
   const auto here = static_cast<std::size_t>(this->Controller->GetLocalProcessId());
-  this->Whole = vtkRelievoCasterPart();
+  this->Whole = vtkRelievoMeshPart();
   for (std::size_t i = 0; i < this->Others.size(); ++i)
   {
-    const vtkRelievoCasterPart& part = i == here ? own : this->Others[i].GetPart();
-    this->Whole.Casters.insert(this->Whole.Casters.end(), part.Casters.begin(), part.Casters.end());
+    const vtkRelievoMeshPart& part = i == here ? own : this->Others[i].GetPart();
+    this->Whole.Meshes.insert(this->Whole.Meshes.end(), part.Meshes.begin(), part.Meshes.end());
     for (const vtkRelievoBox& box : part.Receivers)
     {
-      vtkRelievoShadowRegion::Join(box, this->Whole.Receivers);
+      vtkRelievoBox::Join(box, this->Whole.Receivers);
     }
     if (i != here)
     {
@@ -112,7 +114,7 @@ void vtkRelievoCasterExchange::MakeWhole(const vtkRelievoCasterPart& own)
 
 //------------------------------------------------------------------------------
 // The bytes of every process, but for its own.
-std::vector<vtkRelievoBytes> vtkRelievoCasterExchange::Gather(const vtkRelievoBytes& own)
+std::vector<vtkRelievoBytes> vtkRelievoMeshExchange::Gather(const vtkRelievoBytes& own)
 {
   const int processes = this->Controller->GetNumberOfProcesses();
   const int here = this->Controller->GetLocalProcessId();
@@ -147,7 +149,7 @@ std::vector<vtkRelievoBytes> vtkRelievoCasterExchange::Gather(const vtkRelievoBy
 }
 
 //------------------------------------------------------------------------------
-std::string vtkRelievoCasterExchange::Confirm(const std::string& fault)
+std::string vtkRelievoMeshExchange::Confirm(const std::string& fault)
 {
   if (!this->Changed)
   {
@@ -172,40 +174,26 @@ std::string vtkRelievoCasterExchange::Confirm(const std::string& fault)
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoCasterExchange::AddTo(std::vector<vtkRelievoSurface>& surfaces) const
+std::vector<vtkRelievoPlacedMesh> vtkRelievoMeshExchange::GetOthers() const
 {
-  for (std::size_t i = 0, own = surfaces.size(); i < own; ++i)
+  std::vector<vtkRelievoPlacedMesh> meshes;
+  for (const vtkRelievoMeshReceiver& other : this->Others)
   {
-    vtkRelievoSurface casting = surfaces[i];
-    casting.Caster.Mesh = this->Sender.GetCasting(casting.Caster.Mesh);
-    if (casting.Casts && casting.Caster.Mesh != surfaces[i].Caster.Mesh)
-    {
-      surfaces[i].Casts = false;
-      casting.Seen = casting.Receives = false;
-      surfaces.push_back(casting);
-    }
+    const std::vector<vtkRelievoPlacedMesh>& part = other.GetPart().Meshes;
+    meshes.insert(meshes.end(), part.begin(), part.end());
   }
-  for (const vtkRelievoCasterReceiver& other : this->Others)
-  {
-    for (const vtkRelievoPlacedMesh& caster : other.GetPart().Casters)
-    {
-      vtkRelievoSurface surface;
-      surface.Caster = caster;
-      surface.Seen = surface.Receives = false;
-      surfaces.push_back(surface);
-    }
-  }
+  return meshes;
 }
 
 //------------------------------------------------------------------------------
-std::string vtkRelievoCasterExchange::GetReport() const
+std::string vtkRelievoMeshExchange::GetReport() const
 {
   if (this->Others.empty())
   {
     return {};
   }
   vtkIdType triangles = 0;
-  for (const vtkRelievoCasterReceiver& other : this->Others)
+  for (const vtkRelievoMeshReceiver& other : this->Others)
   {
     triangles += other.GetNumberOfTriangles();
   }
