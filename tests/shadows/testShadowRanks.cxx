@@ -190,24 +190,6 @@ std::vector<float> DrawAll(vtkMultiProcessController* controller)
   return numbers;
 }
 
-// Of each pixel the values of the process that sees the nearest surface.
-std::vector<float> Compose(const std::vector<std::vector<float>>& parts)
-{
-  std::vector<float> all = parts[0];
-  for (const std::vector<float>& part : parts)
-  {
-    for (std::size_t i = 0; i + Values <= std::min(all.size(), part.size()); i += Values)
-    {
-      if (part[i] < all[i])
-      {
-        std::copy_n(part.begin() + static_cast<std::ptrdiff_t>(i), Values,
-          all.begin() + static_cast<std::ptrdiff_t>(i));
-      }
-    }
-  }
-  return all;
-}
-
 std::string Describe(const float* pixel)
 {
   std::string words;
@@ -235,12 +217,14 @@ bool AreUnlike(const float* a, const float* b, Likeness like)
 int main()
 {
   relievoTest::Session session;
-  const std::vector<float> one = Compose(relievoTest::RunRanks(1, DrawAll));
+  const std::vector<float> one =
+    relievoTest::ComposeNearest(relievoTest::RunRanks(1, DrawAll), Values);
   const std::size_t expected = Steps.size() * Pixels * Values;
   RELIEVO_CHECK(one.size() == expected);
   for (const int ranks : { 2, 4 })
   {
-    const std::vector<float> several = Compose(relievoTest::RunRanks(ranks, DrawAll));
+    const std::vector<float> several =
+      relievoTest::ComposeNearest(relievoTest::RunRanks(ranks, DrawAll), Values);
     if (one.size() != expected || !RELIEVO_CHECK(several.size() == expected))
     {
       continue;

@@ -143,6 +143,25 @@ vtkStandardNewMacro(Sockets);
 }
 
 //------------------------------------------------------------------------------
+std::vector<float> ComposeNearest(const std::vector<std::vector<float>>& parts, int values)
+{
+  std::vector<float> all = parts[0];
+  const auto step = static_cast<std::size_t>(values);
+  for (const std::vector<float>& part : parts)
+  {
+    for (std::size_t i = 0; i + step <= std::min(all.size(), part.size()); i += step)
+    {
+      if (part[i] < all[i])
+      {
+        std::copy_n(part.begin() + static_cast<std::ptrdiff_t>(i), step,
+          all.begin() + static_cast<std::ptrdiff_t>(i));
+      }
+    }
+  }
+  return all;
+}
+
+//------------------------------------------------------------------------------
 long long GetBytesSent()
 {
   return BytesSent;

@@ -23,6 +23,12 @@ namespace relievoTest
 std::vector<std::vector<float>> RunRanks(
   int ranks, const std::function<std::vector<float>(vtkMultiProcessController*)>& work);
 
+/**
+ * What processes have recorded in RunRanks, so many values for each pixel, put together: of each
+ * pixel the values of the process whose first value, the depth, is least.
+ */
+std::vector<float> ComposeNearest(const std::vector<std::vector<float>>& parts, int values);
+
 /** Bytes that this process has sent to others, in all. */
 long long GetBytesSent();
 }
