@@ -133,6 +133,7 @@ std::string vtkRelievoAmbientStage::DrawShare(vtkRelievoFrameContext& context)
   wrong = in.Scene.Begin(context, wrong);
   if (!wrong.empty())
   {
+    in.Scene.End(); // another process may be the one that cannot
     return wrong;
   }
   vtkShaderProgram* program =
