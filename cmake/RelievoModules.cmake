@@ -55,11 +55,11 @@ set(relievo_of_data ${relievo_modules})
 list(REMOVE_ITEM relievo_of_data Relievo::Describe Relievo::Shaders Relievo::Layers)
 relievo_precompile_headers(${relievo_of_data})
 # A quarter of the time to compile. Off by default: it hides an #include that a file forgot, and one
-# changed file compiles eight. Names in one library's unnamed namespaces must differ for it; those of
+# changed file compiles eight. Names in one target's unnamed namespaces must differ for it; those of
 # Materials, the marks of its shaders, do not.
-option(RELIEVO_UNITY_BUILD "Compile the sources of the libraries several at once" OFF)
+option(RELIEVO_UNITY_BUILD "Compile the sources of libraries, programs and plugin several at once" OFF)
 if (RELIEVO_UNITY_BUILD)
-  foreach (module IN LISTS relievo_modules)
+  foreach (module IN LISTS relievo_modules relievo_plugin_modules)
     get_target_property(target "${module}" ALIASED_TARGET)
     if (NOT module STREQUAL "Relievo::Materials")
       set_target_properties("${target}" PROPERTIES UNITY_BUILD ON)

@@ -45,6 +45,8 @@ function (relievo_add_test)
     target_link_libraries("${test_NAME}" PRIVATE relievoTestSupport ${test_LIBRARIES})
     relievo_precompile_headers("${test_NAME}")
     target_include_directories("${test_NAME}" PRIVATE ${test_PRIVATE_INCLUDES})
+    # A third less to compile, and most of a test's time is spent in libraries.
+    target_compile_options("${test_NAME}" PRIVATE "$<$<CONFIG:Release>:-O1>")
     set_target_properties("${test_NAME}" PROPERTIES
       RUNTIME_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}/tests/bin")
     set(command "$<TARGET_FILE:${test_NAME}>")

@@ -155,8 +155,6 @@ class Lamps(lampScene.Test):
                 seen = surface if step == "fog" and together else True
                 self.near(alone[step] * seen, pictures[step] * seen, f"{step} {where}", level=1)
 
-        (pictures,) = draw("of3", launcher=pv.mpirun(3), tool="pvbatch")
-        compare(pictures, "on 3 ranks", True)
         for launcher, names in ((), "server,client"), (pv.mpirun(2), "two"):
             with self.subTest(names), pv.Server(launcher=launcher) as server:
                 for where, pictures in zip(names.split(","), draw(names, server.port)):

@@ -196,7 +196,7 @@ private Q_SLOTS:
     }
   }
 
-  // Each value alone; then in Python too.
+  // Each value alone, and in Python the first other value of every parameter at once.
   void stages()
   {
     QFETCH(QString, stage);
@@ -209,23 +209,29 @@ private Q_SLOTS:
     const std::string name = stage.toStdString();
     const vtkNew<vtkRelievoPass> frame;
     this->Change([&name](scene::Settings& settings) { settings.AskStage(name, true); });
+    scene::Settings others = this->Window->GetDocument()->Get();
     this->CompareAll(name);
     for (const vtkRelievoParameter& parameter : frame->GetStage(name)->GetDescription().Parameters)
     {
-      for (const std::string& value : GetValues(parameter))
+      const std::vector<std::string> values = GetValues(parameter);
+      if (parameter.Name == Measured || values.empty())
       {
-        if (parameter.Name == Measured)
-        {
-          continue;
-        }
+        continue;
+      }
+      others.SetParameter(name, parameter.Name, values.front());
+      for (const std::string& value : values)
+      {
         this->Window->GetDocument()->Set(before);
         this->Change([&](scene::Settings& settings) {
           settings.AskStage(name, true);
           settings.SetParameter(name, parameter.Name, value);
         });
-        this->CompareAll(name + ":" + parameter.Name + "=" + value);
+        this->Compare((name + ":" + parameter.Name + "=" + value).c_str());
       }
     }
+    this->Window->GetDocument()->Set(others);
+    this->WaitUntilRead();
+    this->CompareAll(name + " with other values");
   }
 
   void surfaceValues_data()

@@ -22,7 +22,7 @@ namespace viewer
 namespace
 {
 const char* const KeptLayers = "saved_layers"; // in the settings: names
-constexpr int ListHeight = 130;
+constexpr int LayersHeight = 130;
 
 const QStringList UsualLayers = { "color", "depth", "position", "normal", "actor", "block",
   "cell" };
@@ -172,7 +172,7 @@ std::optional<LayersChoice> AskLayers(
   list->setResizeMode(QListView::Adjust);
   list->setWrapping(true);
   list->setSpacing(2);
-  list->setFixedHeight(ListHeight);
+  list->setFixedHeight(LayersHeight);
   const QStringList kept = QSettings().value(KeptLayers, UsualLayers).toStringList();
   for (const std::string& layer : layers)
   {

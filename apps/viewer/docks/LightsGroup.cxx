@@ -28,7 +28,7 @@ namespace viewer
 {
 namespace
 {
-constexpr int ListHeight = 108;
+constexpr int LightsHeight = 108;
 constexpr int SwatchSize = 14;
 const char* const Kinds[] = { "sun", "spot", "point" };
 
@@ -72,7 +72,7 @@ LightsGroup::LightsGroup(Document* document, QWidget* parent)
   this->List->setColumnCount(2);
   this->List->setHeaderHidden(true);
   this->List->setRootIsDecorated(false);
-  this->List->setFixedHeight(ListHeight);
+  this->List->setFixedHeight(LightsHeight);
   this->List->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed);
   this->List->header()->setStretchLastSection(false);
   this->List->header()->setSectionResizeMode(0, QHeaderView::Stretch);

@@ -21,8 +21,8 @@ namespace
 const char* const Kept = "axis_marker"; // in the settings
 constexpr int Side = 96;                // pixels
 constexpr double Length = 33.0;
-constexpr double Ball = 9.0;      // radius of a named end
-constexpr double OtherBall = 6.0; // and of the other
+constexpr double BallRadius = 9.0; // radius of a named end
+constexpr double OtherBall = 6.0;  // and of the other
 const QColor Colors[] = { { 214, 64, 64 }, { 76, 158, 58 }, { 64, 112, 224 } };
 const char* const Names[] = { "x", "y", "z" };
 }
@@ -88,7 +88,7 @@ std::optional<int> AxisMarker::Find(const QPointF& at) const
   {
     const QPointF away = this->GetEnd(end) - at;
     const double depth = this->Axes[static_cast<std::size_t>(end % 3)][2] * (end < 3 ? 1 : -1);
-    if (std::hypot(away.x(), away.y()) <= Ball && (!found || depth > nearest))
+    if (std::hypot(away.x(), away.y()) <= BallRadius && (!found || depth > nearest))
     {
       found = end;
       nearest = depth;
@@ -145,9 +145,10 @@ void AxisMarker::paintEvent(QPaintEvent*)
       painter.drawLine(QPointF(0.5 * Side, 0.5 * Side), at);
       painter.setPen(Qt::NoPen);
       painter.setBrush(color);
-      painter.drawEllipse(at, Ball, Ball);
+      painter.drawEllipse(at, BallRadius, BallRadius);
       painter.setPen(Qt::white);
-      painter.drawText(QRectF(at - QPointF(Ball, Ball + 1), QSizeF(2 * Ball, 2 * Ball)),
+      painter.drawText(
+        QRectF(at - QPointF(BallRadius, BallRadius + 1), QSizeF(2 * BallRadius, 2 * BallRadius)),
         Qt::AlignCenter, Names[end]);
     }
     else

@@ -18,7 +18,7 @@ namespace viewer
 namespace
 {
 // Pixels
-constexpr double Ball = 9.0;  // radius
+constexpr double HandleRadius = 9.0;
 constexpr double Ring = 7.0;  // radius
 constexpr double Ray = 14.0;  // its end, from the middle
 constexpr double Border = 20; // that handles keep from the border of the view
@@ -309,14 +309,14 @@ void LightHandles::paintEvent(QPaintEvent*)
       for (int i = 0; i < 8; ++i)
       {
         const QPointF along(std::cos(0.25 * M_PI * i), std::sin(0.25 * M_PI * i));
-        painter.drawLine(handle.Place + Ball * along, handle.Place + (Ray - 2.0) * along);
+        painter.drawLine(handle.Place + HandleRadius * along, handle.Place + (Ray - 2.0) * along);
       }
     });
     painter.setBrush(handle.Color);
     const QColor rim = handle.Light == this->Current ? this->palette().color(QPalette::Highlight)
                                                      : QColor(40, 40, 40);
     painter.setPen(QPen(rim, handle.Light == this->Current ? 2.5 : 1.5));
-    painter.drawEllipse(handle.Place, Ball - 2.0, Ball - 2.0);
+    painter.drawEllipse(handle.Place, HandleRadius - 2.0, HandleRadius - 2.0);
   }
 }
 }

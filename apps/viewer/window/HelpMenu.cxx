@@ -17,7 +17,7 @@ namespace viewer
 {
 namespace
 {
-QString WriteRow(const QString& key, const QString& text)
+QString WriteKey(const QString& key, const QString& text)
 {
   return "<tr><td><b>" + key.toHtmlEscaped() + "</b>&nbsp;&nbsp;&nbsp;</td><td>" +
     text.toHtmlEscaped() + "</td></tr>";
@@ -32,13 +32,13 @@ QString WriteKeys(MainWindow* window)
     {
       if (!action->shortcut().isEmpty())
       {
-        rows += WriteRow(action->shortcut().toString(QKeySequence::NativeText),
+        rows += WriteKey(action->shortcut().toString(QKeySequence::NativeText),
           QString(action->text()).remove('&').remove("..."));
       }
     }
   }
-  return "<table>" + WriteRow("Left button", "turns") + WriteRow("Middle button", "moves") +
-    WriteRow("Right button, wheel", "zooms") + WriteRow("Space", "Plays the animation") + rows +
+  return "<table>" + WriteKey("Left button", "turns") + WriteKey("Middle button", "moves") +
+    WriteKey("Right button, wheel", "zooms") + WriteKey("Space", "Plays the animation") + rows +
     "</table>";
 }
 

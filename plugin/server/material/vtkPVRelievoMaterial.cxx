@@ -23,37 +23,37 @@ vtkStandardNewMacro(vtkPVRelievoMaterial);
 
 namespace
 {
-std::vector<vtkPVRelievoMaterial*>& GetAll()
+std::vector<vtkPVRelievoMaterial*>& GetAllMaterials()
 {
   // Never destroyed: ParaView may delete its proxies' objects after this library's statics.
   static auto* all = new std::vector<vtkPVRelievoMaterial*>;
   return *all;
 }
-
-// A file that a property names, and what is in it.
-struct Map
-{
-  std::string Property;
-  std::string Path;
-  bool Read = false;
-  vtkSmartPointer<vtkImageData> Image;
-
-  void Name(const char* file)
-  {
-    const std::string path = file ? file : "";
-    if (path != this->Path)
-    {
-      this->Path = path;
-      this->Read = false;
-      this->Image = nullptr;
-    }
-  }
-};
 }
 
 class vtkPVRelievoMaterial::Internals
 {
 public:
+  // A file that a property names, and what is in it.
+  struct Map
+  {
+    std::string Property;
+    std::string Path;
+    bool Read = false;
+    vtkSmartPointer<vtkImageData> Image;
+
+    void Name(const char* file)
+    {
+      const std::string path = file ? file : "";
+      if (path != this->Path)
+      {
+        this->Path = path;
+        this->Read = false;
+        this->Image = nullptr;
+      }
+    }
+  };
+
   bool ColorsInterpolated = false; // by this object, not by the representation's own setting
   vtkWeakPointer<vtkGeometryRepresentation> Representation;
   vtkNew<vtkRelievoMaterial> Material;
@@ -66,13 +66,14 @@ vtkPVRelievoMaterial::vtkPVRelievoMaterial()
   : Internal(new Internals)
 {
   this->Internal->Material->AddObserver(vtkCommand::ErrorEvent, this, &vtkPVRelievoMaterial::Say);
-  GetAll().push_back(this);
+  GetAllMaterials().push_back(this);
 }
 
 //------------------------------------------------------------------------------
 vtkPVRelievoMaterial::~vtkPVRelievoMaterial()
 {
-  GetAll().erase(std::remove(GetAll().begin(), GetAll().end(), this), GetAll().end());
+  GetAllMaterials().erase(
+    std::remove(GetAllMaterials().begin(), GetAllMaterials().end(), this), GetAllMaterials().end());
   vtkGeometryRepresentation* surface = this->Internal->Representation;
   using Actors = std::vector<vtkActor*>;
   for (vtkActor* actor : surface ? vtkPVRelievoAccess::Surface::Actors(surface) : Actors())
@@ -104,7 +105,7 @@ void vtkPVRelievoMaterial::Apply()
   {
     return;
   }
-  for (Map* map : { &in.Normals, &in.Heights })
+  for (Internals::Map* map : { &in.Normals, &in.Heights })
   {
     if (!this->Enabled || map->Read || map->Path.empty())
     {
@@ -190,15 +191,16 @@ bool vtkPVRelievoMaterial::IsMirroring(vtkPVView* view)
 //------------------------------------------------------------------------------
 bool vtkPVRelievoMaterial::IsMirrored(vtkPVView* view, bool rough)
 {
-  return std::any_of(GetAll().begin(), GetAll().end(), [view, rough](vtkPVRelievoMaterial* each) {
-    return each->IsMirroring(view) && (!rough || each->GetMaterial()->GetRoughness() > 0.0);
-  });
+  return std::any_of(
+    GetAllMaterials().begin(), GetAllMaterials().end(), [view, rough](vtkPVRelievoMaterial* each) {
+      return each->IsMirroring(view) && (!rough || each->GetMaterial()->GetRoughness() > 0.0);
+    });
 }
 
 //------------------------------------------------------------------------------
 void vtkPVRelievoMaterial::Prepare(vtkPVView* view, vtkRelievoEnvironment* environment)
 {
-  for (vtkPVRelievoMaterial* each : GetAll())
+  for (vtkPVRelievoMaterial* each : GetAllMaterials())
   {
     Internals& in = *each->Internal;
     each->KeepCoordinates(); // the representation may have got its own setting after this did
@@ -213,7 +215,7 @@ void vtkPVRelievoMaterial::Prepare(vtkPVView* view, vtkRelievoEnvironment* envir
 //------------------------------------------------------------------------------
 void vtkPVRelievoMaterial::Forget(vtkRelievoEnvironment* environment)
 {
-  for (vtkPVRelievoMaterial* each : GetAll())
+  for (vtkPVRelievoMaterial* each : GetAllMaterials())
   {
     vtkRelievoMaterial* material = each->Internal->Material;
     vtkRelievoEnvironment* own = material->GetEnvironment();

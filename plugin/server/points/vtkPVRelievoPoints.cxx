@@ -22,7 +22,7 @@ vtkStandardNewMacro(vtkPVRelievoPoints);
 
 namespace
 {
-std::vector<vtkPVRelievoPoints*>& GetAll()
+std::vector<vtkPVRelievoPoints*>& GetAllPoints()
 {
   // Never destroyed: ParaView may delete its proxies' objects after this library's statics.
   static auto* all = new std::vector<vtkPVRelievoPoints*>;
@@ -42,13 +42,14 @@ public:
 vtkPVRelievoPoints::vtkPVRelievoPoints()
   : Internal(new Internals)
 {
-  GetAll().push_back(this);
+  GetAllPoints().push_back(this);
 }
 
 //------------------------------------------------------------------------------
 vtkPVRelievoPoints::~vtkPVRelievoPoints()
 {
-  GetAll().erase(std::remove(GetAll().begin(), GetAll().end(), this), GetAll().end());
+  GetAllPoints().erase(
+    std::remove(GetAllPoints().begin(), GetAllPoints().end(), this), GetAllPoints().end());
 }
 
 //------------------------------------------------------------------------------
@@ -76,7 +77,7 @@ bool vtkPVRelievoPoints::IsIn(vtkPVView* view)
 //------------------------------------------------------------------------------
 bool vtkPVRelievoPoints::IsAny(vtkPVView* view)
 {
-  return std::any_of(GetAll().begin(), GetAll().end(),
+  return std::any_of(GetAllPoints().begin(), GetAllPoints().end(),
     [view](vtkPVRelievoPoints* each) { return each->IsIn(view); });
 }
 
@@ -85,7 +86,7 @@ void vtkPVRelievoPoints::Prepare(vtkPVView* view, vtkRelievoPointStage* stage,
   const std::vector<vtkRelievoPointValues*>& more, vtkMultiProcessController* controller)
 {
   std::vector<vtkRelievoPointValues*> wanted;
-  for (vtkPVRelievoPoints* each : GetAll())
+  for (vtkPVRelievoPoints* each : GetAllPoints())
   {
     if (each->IsIn(view) && each->Internal->Stage == stage->GetStageName())
     {

@@ -41,7 +41,7 @@ vtkStandardNewMacro(vtkPVRelievoView);
 
 namespace
 {
-std::vector<vtkPVRelievoView*>& GetAll()
+std::vector<vtkPVRelievoView*>& GetAllViews()
 {
   // Never destroyed: ParaView may delete its proxies' objects after this library's statics.
   static auto* all = new std::vector<vtkPVRelievoView*>;
@@ -109,13 +109,14 @@ vtkPVRelievoView::vtkPVRelievoView()
   vtkRelievoShadowStage::AddPlainActorClass("vtkPVLODActor");
   this->Internal->Environment.Environment->GammaCorrectOn();
   this->Internal->Environment.Environment->SetUpAxis(2);
-  GetAll().push_back(this);
+  GetAllViews().push_back(this);
 }
 
 //------------------------------------------------------------------------------
 vtkPVRelievoView::~vtkPVRelievoView()
 {
-  GetAll().erase(std::remove(GetAll().begin(), GetAll().end(), this), GetAll().end());
+  GetAllViews().erase(
+    std::remove(GetAllViews().begin(), GetAllViews().end(), this), GetAllViews().end());
   if (this->Internal->View)
   {
     vtkRenderer* renderer = this->Internal->View->GetRenderer();
@@ -171,7 +172,7 @@ void vtkPVRelievoView::SetView(vtkPVView* view)
 //------------------------------------------------------------------------------
 vtkPVRelievoView* vtkPVRelievoView::Find(vtkPVView* view)
 {
-  for (vtkPVRelievoView* each : GetAll())
+  for (vtkPVRelievoView* each : GetAllViews())
   {
     if (view && each->Internal->View == view)
     {
