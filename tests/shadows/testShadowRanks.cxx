@@ -217,41 +217,29 @@ bool AreUnlike(const float* a, const float* b, Likeness like)
 int main()
 {
   relievoTest::Session session;
-  const std::vector<float> one =
-    relievoTest::ComposeNearest(relievoTest::RunRanks(1, DrawAll), Values);
-  const std::size_t expected = Steps.size() * Pixels * Values;
-  RELIEVO_CHECK(one.size() == expected);
-  for (const int ranks : { 2, 4 })
-  {
-    const std::vector<float> several =
-      relievoTest::ComposeNearest(relievoTest::RunRanks(ranks, DrawAll), Values);
-    if (one.size() != expected || !RELIEVO_CHECK(several.size() == expected))
+  const auto compare = [](int ranks, const float* one, const float* several) {
+    for (const auto& step : Steps)
     {
-      continue;
-    }
-    for (std::size_t step = 0; step < Steps.size(); ++step)
-    {
-      const float* a = one.data() + step * Pixels * Values;
-      const float* b = several.data() + step * Pixels * Values;
       int unlike = 0;
       std::string first;
       int dark = 0;
       int covered = 0;
-      for (int i = 0; i < Pixels * Values; i += Values)
+      for (int pixel = 0; pixel < Pixels; ++pixel, one += Values, several += Values)
       {
-        if (AreUnlike(a + i, b + i, Steps[step].Like) && unlike++ == 0)
+        if (AreUnlike(one, several, step.Like) && unlike++ == 0)
         {
-          first = Describe(a + i) + " and " + Describe(b + i);
+          first = Describe(one) + " and " + Describe(several);
         }
-        covered += std::isfinite(a[i]) ? 1 : 0;
-        dark += a[i + 1] < 1.f || a[i + 2] < 1.f ? 1 : 0;
+        covered += std::isfinite(one[0]) ? 1 : 0;
+        dark += one[1] < 1.f || one[2] < 1.f ? 1 : 0;
       }
-      const std::string what = Steps[step].Name + ", " + std::to_string(ranks) + " processes";
-      RELIEVO_CHECK_AT_MOST(unlike, Steps[step].Like == Same ? 0 : 2e-4 * Pixels,
-        what + ": pixels that differ " + first);
+      const std::string what = step.Name + ", " + std::to_string(ranks) + " processes";
+      RELIEVO_CHECK_AT_MOST(
+        unlike, step.Like == Same ? 0 : 2e-4 * Pixels, what + ": pixels that differ " + first);
       RELIEVO_CHECK_THAT(covered > Pixels / 4 && dark > covered / 20,
         what + ": " + std::to_string(covered) + " pixels, " + std::to_string(dark) + " dark");
     }
-  }
+  };
+  relievoTest::CompareRanks(DrawAll, Values, Steps.size() * Pixels * Values, compare);
   return session.Result();
 }

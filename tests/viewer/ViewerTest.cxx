@@ -24,6 +24,7 @@
 #include "vtkUnsignedCharArray.h"
 #include "vtkXMLPolyDataWriter.h"
 
+#include <QDir>
 #include <QFile>
 #include <QMouseEvent>
 #include <QProcess>
@@ -36,6 +37,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
+#include <utility>
 
 namespace viewerTest
 {
@@ -254,11 +256,24 @@ bool ViewerTest::RunCommand(const scene::Settings& settings, const QStringList& 
 void ViewerTest::Compare(const char* what)
 {
   const vtkSmartPointer<vtkImageData> shown = this->Grab();
-  const int different = CountDifferent(shown, this->RenderCommand());
+  const vtkSmartPointer<vtkImageData> command = this->RenderCommand();
+  const int different = CountDifferent(shown, command);
+  if (different > 0)
+  {
+    const QDir folder(qEnvironmentVariable("RELIEVO_TEST_OUTPUT", "."));
+    vtkNew<vtkPNGWriter> writer;
+    for (const auto& [name, image] : { std::pair("shown.png", shown), { "command.png", command } })
+    {
+      writer->SetFileName(folder.filePath(name).toStdString().c_str());
+      writer->SetInputData(image);
+      writer->Write();
+    }
+  }
   QVERIFY2(different == 0,
-    qPrintable(QString("%1: %2 pixels differ; %3")
+    qPrintable(QString("%1: %2 pixels differ, by up to %3; %4")
                  .arg(what)
                  .arg(different)
+                 .arg(different > 0 ? MostDifferent(shown, command) : 0)
                  .arg(this->Window->GetTrouble())));
 }
 

@@ -140,9 +140,7 @@ vtkStandardNewMacro(Sockets);
   std::cout.flush();
   _exit(NumberOfFailures() > before ? 1 : 0);
 }
-}
 
-//------------------------------------------------------------------------------
 std::vector<float> ComposeNearest(const std::vector<std::vector<float>>& parts, int values)
 {
   std::vector<float> all = parts[0];
@@ -159,6 +157,7 @@ std::vector<float> ComposeNearest(const std::vector<std::vector<float>>& parts, 
     }
   }
   return all;
+}
 }
 
 //------------------------------------------------------------------------------
@@ -241,5 +240,22 @@ std::vector<std::vector<float>> RunRanks(
       "process " + std::to_string(i) + " of " + std::to_string(ranks) + " has failed");
   }
   return numbers;
+}
+
+//------------------------------------------------------------------------------
+void CompareRanks(const std::function<std::vector<float>(vtkMultiProcessController*)>& work,
+  int values, std::size_t size,
+  const std::function<void(int ranks, const float* one, const float* several)>& compare)
+{
+  const std::vector<float> one = ComposeNearest(RunRanks(1, work), values);
+  RELIEVO_CHECK(one.size() == size);
+  for (const int ranks : { 2, 4 })
+  {
+    const std::vector<float> several = ComposeNearest(RunRanks(ranks, work), values);
+    if (RELIEVO_CHECK(several.size() == size) && one.size() == size)
+    {
+      compare(ranks, one.data(), several.data());
+    }
+  }
 }
 }

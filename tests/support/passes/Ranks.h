@@ -7,6 +7,7 @@
 #ifndef relievoTestRanks_h
 #define relievoTestRanks_h
 
+#include <cstddef>
 #include <functional>
 #include <vector>
 
@@ -24,10 +25,13 @@ std::vector<std::vector<float>> RunRanks(
   int ranks, const std::function<std::vector<float>(vtkMultiProcessController*)>& work);
 
 /**
- * What processes have recorded in RunRanks, so many values for each pixel, put together: of each
- * pixel the values of the process whose first value, the depth, is least.
+ * Runs `work`, which records `size` numbers in all, so many values for each pixel, in one process, in
+ * two and in four; `compare` gets how many there were, what the one has recorded, and what the
+ * several have, put together: of each pixel the values of the process whose first, the depth, is least.
  */
-std::vector<float> ComposeNearest(const std::vector<std::vector<float>>& parts, int values);
+void CompareRanks(const std::function<std::vector<float>(vtkMultiProcessController*)>& work,
+  int values, std::size_t size,
+  const std::function<void(int ranks, const float* one, const float* several)>& compare);
 
 /** Bytes that this process has sent to others, in all. */
 long long GetBytesSent();

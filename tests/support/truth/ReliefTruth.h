@@ -60,7 +60,7 @@ ReliefRay RayOf(vtkRenderer* renderer, int x, int y);
  * Where the ray meets the field, below the plane: depth from 0 (plane) to 1 (ground), to 1e-9. The
  * field is looked at `looks` times along the way first.
  */
-double MeetRelief(const HeightField& field, const ReliefRay& ray, double scale, int looks = 20000);
+double MeetRelief(const HeightField& field, const ReliefRay& ray, double scale, int looks = 5000);
 
 /** How far what is seen is from the truth. */
 struct ReliefErrors
