@@ -13,6 +13,7 @@ from cli import CliTest, main, read_png
 STUDIO = {"RELIEVO_PRESET": ""}
 SIZE = ["--size", "240x180"]
 SMALL = ["--size", "120x90"]  # of volumes: rays take long
+ONCE = ["--stage", "antialias:samples=1", "--soft-shadows", "1"]  # drawn once, not for each sample
 SIDE = 40  # points of an image along each axis
 SPACING = (0.5, 0.5, 0.25)
 MIDDLE = numpy.array([0.5, 0.5, 0.25]) * (SIDE - 1) / 2
@@ -104,7 +105,7 @@ class Volumes(CliTest):
     def test_volume(self):
         """Light passes where the values are small, and is stopped where they are large."""
         self.image("ball.vti", (20 - distances()).astype(numpy.float32))
-        words = ["ball.vti", "--ground", "off", "--stage", "antialias:samples=1"]
+        words = ["ball.vti", "--ground", "off", *ONCE]
         volume = self.picture(*words, "--image", "volume", says="antialias", size=SMALL)
         box = self.picture(*words, "--image", "box", says="antialias", size=SMALL)
         nothing = box[0, 0] * 0 + volume[:, :1]  # the background depends on the row alone
@@ -121,8 +122,7 @@ class Volumes(CliTest):
     def test_volume_of_even_values(self):
         """It is as bright as its surface, and opacity makes it see-through."""
         self.image("parted.vti", numpy.where(distances() < 12, 30, 0).astype(numpy.uint8))
-        words = ["parted.vti", "--ground", "off", "--background", "black",
-                 "--stage", "antialias:samples=1"]  # fmt: skip
+        words = ["parted.vti", "--ground", "off", "--background", "black", *ONCE]
         white = ["--image", "volume", "--colormap", "white,white"]
         means = {}
         for name, more in (("surface", ["--image", "surface=15", "--color", "white"]),
