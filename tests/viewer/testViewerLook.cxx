@@ -353,7 +353,13 @@ private Q_SLOTS:
         this->Compare(kind);
       }
       const auto shown = this->Grab();
-      QVERIFY2(CountDifferent(shown, last) > 150, kind);
+      const int different = CountDifferent(shown, last);
+      QVERIFY2(different > 150,
+        qPrintable(QString("%1: %2 of %3 pixels, %4 before")
+                     .arg(kind)
+                     .arg(different)
+                     .arg(shown->GetNumberOfPoints())
+                     .arg(last->GetNumberOfPoints())));
       last = shown;
     }
     this->Choose("scene", "image", "");
