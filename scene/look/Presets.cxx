@@ -53,6 +53,9 @@ constexpr double LastFill = 0.8;
 // Of soft shadows and of smooth edges.
 constexpr int Samples = 24;
 
+// Of both beside a volume, which has no edges, casts no shadows, and takes long to draw.
+constexpr int SamplesOfVolumes = 4;
+
 // Of clouds, so that they are seen on a light background.
 constexpr double PointSize = 4.0;
 
@@ -106,7 +109,7 @@ void AddSuns(RenderOptions& options, const Preset& preset, bool others)
 }
 
 // Where nothing is said of shadows; layers and verdicts are those of lights that are points.
-void AddShadows(RenderOptions& options, const std::set<std::string>& given)
+void AddShadows(RenderOptions& options, const std::set<std::string>& given, int samples)
 {
   if (given.count("--shadows") == 0)
   {
@@ -115,7 +118,7 @@ void AddShadows(RenderOptions& options, const std::set<std::string>& given)
     if (!says("--soft-shadows") && !says("--certify") && !says("--shadow-tolerance") &&
       !says("--time-budget") && !says("--layers"))
     {
-      options.SoftShadows = Samples;
+      options.SoftShadows = samples;
     }
   }
 }
@@ -246,18 +249,19 @@ void ApplyPreset(RenderOptions& options, const std::set<std::string>& given)
   }
   options.ViewFrom = ThreeQuarter;
   options.FindsUp = given.count("--up") == 0;
+  const int samples = options.Image.Is == ImageChoice::Kind::Volume ? SamplesOfVolumes : Samples;
   const auto smooths = [](const StageChoice& stage) { return stage.Name == "antialias"; };
   if (std::none_of(options.Stages.begin(), options.Stages.end(), smooths))
   {
     AddStage(options.Stages, "antialias", "--preset")
-      .Parameters.emplace_back("samples", std::to_string(Samples));
+      .Parameters.emplace_back("samples", std::to_string(samples));
   }
   if (lights)
   {
     AddSuns(options, *preset, given.count("--light") > 0);
     if (preset->Angle >= 0.0)
     {
-      AddShadows(options, given);
+      AddShadows(options, given, samples);
       options.Ground = options.Ground.value_or(true);
     }
   }

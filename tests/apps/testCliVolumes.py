@@ -119,6 +119,15 @@ class Volumes(CliTest):
         self.assertLess((grey.max(axis=-1) - grey.min(axis=-1))[seen].max(), 40)
         self.assertGreater((volume.max(axis=-1) - volume.min(axis=-1))[seen].max(), 80)
 
+    def test_samples(self):
+        """Of a volume, which takes long and has no edges, the preset draws fewer."""
+        self.image("ball.vti", (20 - distances()).astype(numpy.float32))
+        for kind, samples in (("volume", 4), ("surface", 24)):
+            self.relievo("render", "ball.vti", "--image", kind, *SMALL, "--png", "a.png",
+                         "--report", "a.json", environment=STUDIO)  # fmt: skip
+            said = (self.folder / "a.json").read_text(encoding="utf-8")
+            self.assertIn(f"{samples} of {samples} samples", said)
+
     def test_volume_of_even_values(self):
         """It is as bright as its surface, and opacity makes it see-through."""
         self.image("parted.vti", numpy.where(distances() < 12, 30, 0).astype(numpy.uint8))

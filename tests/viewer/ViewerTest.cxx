@@ -198,6 +198,7 @@ void ViewerTest::Open(const std::vector<std::string>& words, const QSize& size)
 void ViewerTest::WaitUntilRead()
 {
   QTRY_VERIFY_WITH_TIMEOUT(!this->Window->IsReading(), 60000);
+  QCoreApplication::processEvents(); // the bar of the work gives its room back to the view
 }
 
 //------------------------------------------------------------------------------
