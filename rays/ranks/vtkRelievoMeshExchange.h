@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // What any process has in the way of rays, brought to all of them: rays need all of it. Processes
-// that draw together send rays all or none. A frame in which nothing has changed takes one reduction
-// of a few numbers; otherwise what has changed travels, and all hear whether any of them has no room
-// for it.
+// that draw together send rays all or none. A frame in which nothing has changed takes one
+// reduction of a few numbers; otherwise what has changed travels, and all hear whether any of them
+// has no room for it.
 #ifndef vtkRelievoMeshExchange_h
 #define vtkRelievoMeshExchange_h
 

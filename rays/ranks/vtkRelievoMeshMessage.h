@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What a process tells others of what rays meet in it, as bytes: meshes as their triangles, once and
-// again when they change; and, if anything has changed, the list of where they stand.
+// What a process tells others of what rays meet in it, as bytes: meshes as their triangles, once
+// and again when they change; and, if anything has changed, the list of where they stand.
 #ifndef vtkRelievoMeshMessage_h
 #define vtkRelievoMeshMessage_h
 

@@ -44,7 +44,7 @@ class Ranks(pv.Test):
         self.assertIn(f"merged over {ranks} processes", said)
         # Rays of the exact steps pass what the other ranks cast.
         self.assertRegex(said, r"(?s)rays: .*, [1-9]\d* of them from other processes")
-        self.assertRegex(said, r"(?s)sky: .*rays of each pixel past .*, [1-9]\d* of them from other")
+        self.assertRegex(said, r"(?s)sky: .*of each pixel past .*, [1-9]\d* of them from other")
         for name in STEPS:
             with self.subTest(step=name, ranks=ranks):
                 self.near(self.one[name], several[name], f"{name} {ranks}", level, share=0.0002)

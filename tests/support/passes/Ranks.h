@@ -25,9 +25,10 @@ std::vector<std::vector<float>> RunRanks(
   int ranks, const std::function<std::vector<float>(vtkMultiProcessController*)>& work);
 
 /**
- * Runs `work`, which records `size` numbers in all, so many values for each pixel, in one process, in
- * two and in four; `compare` gets how many there were, what the one has recorded, and what the
- * several have, put together: of each pixel the values of the process whose first, the depth, is least.
+ * Runs `work`, which records `size` numbers in all, so many values for each pixel, in one process,
+ * in two and in four; `compare` gets how many there were, what the one has recorded, and what the
+ * several have, put together: of each pixel the values of the process whose first, the depth, is
+ * least.
  */
 void CompareRanks(const std::function<std::vector<float>(vtkMultiProcessController*)>& work,
   int values, std::size_t size,
