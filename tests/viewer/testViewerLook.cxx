@@ -312,20 +312,16 @@ private Q_SLOTS:
   // Images with depth and clouds of points, as the command draws them.
   void imagesWithDepth()
   {
-    constexpr int side = 24;
     vtkNew<vtkImageData> image;
-    image->SetDimensions(side, side, side);
+    image->SetDimensions(24, 24, 24);
     image->AllocateScalars(VTK_UNSIGNED_CHAR, 1);
-    for (int i = 0; i < side * side * side; ++i)
+    for (int i = 0; i < 24 * 24 * 24; ++i)
     {
-      const int x = i % side - side / 2;
-      const int y = i / side % side - side / 2;
-      const int z = i / (side * side) - side / 2;
+      const int x = i % 24 - 12;
+      const int y = i / 24 % 24 - 12;
+      const int z = i / 576 - 12;
       const bool within = x * x + y * y + z * z < 90;
-      image->SetScalarComponentFromDouble(x + side / 2, y + side / 2, z + side / 2, 0,
-        !within   ? 0
-          : x < 0 ? 1
-                  : 2);
+      image->SetScalarComponentFromDouble(x + 12, y + 12, z + 12, 0, !within ? 0 : x < 0 ? 1 : 2);
     }
     vtkNew<vtkXMLImageDataWriter> writer;
     writer->SetFileName(this->Path("image.vti").c_str());
