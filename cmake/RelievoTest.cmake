@@ -1,12 +1,13 @@
 # Declares one test:
 #
 #   relievo_add_test(
-#     NAME name                 name of the test and, with SOURCES, of its executable
-#     SOURCES a.cxx...          a program with its own main(); links relievoTestSupport
+#     NAME name                 name of the test
+#     SOURCES a.cxx...          the case of a.cxx (TestCase.h) in the program of the folder, which is built
+#                               of all sources that its tests name, and links relievoTestSupport
 #     | PYTHON script.py        run by the Python that VTK's modules belong to
 #     | COMMAND program...      anything else; generator expressions are welcome
-#     [LIBRARIES target...]     linked to the program besides relievoTestSupport
-#     [PRIVATE_INCLUDES dir...] searched by the program's compiler
+#     [LIBRARIES target...]     linked to the folder's program besides relievoTestSupport
+#     [PRIVATE_INCLUDES dir...] searched by its compiler
 #     [ARGS word...]            words of the test's command line
 #     [LABELS unit|gl|image|slow|...]   default: unit, or with DISPLAY, which adds it, gl
 #     [TIMEOUT seconds]         default: 600; against hanging alone: speed is measured in bench/
@@ -15,7 +16,9 @@
 #     [SERIAL]                  runs alone (timings)
 #     [ENVIRONMENT VAR=value...])
 #
-# Every test runs in a folder of its own, <build>/Testing/output/<name>, and finds in its environment
+# The program of tests/shadows is tests/bin/relievo_tests_shadows; `--all` runs all its cases.
+# Every test runs in a folder of its own, <build>/Testing/output/<name>, where it leaves the processor
+# seconds it took (tools/test-times), and finds in its environment
 #   RELIEVO_TEST_OUTPUT  that folder
 #   RELIEVO_DATA         the folder that tools/unpack-data fills
 #   RELIEVO_BASELINES    the folder of the expected images
@@ -24,11 +27,34 @@ include_guard(GLOBAL)
 
 set(RELIEVO_DATA "${PROJECT_SOURCE_DIR}/build/data" CACHE PATH
   "Folder of the real meshes, filled by tools/unpack-data")
-set(RELIEVO_TEST_LABELS_NOT_BUILT "" CACHE STRING
-  "Labels of tests whose programs are built by their names only")
-set(RELIEVO_TESTS_NOT_BUILT "" CACHE STRING "Regular expression of names of such tests")
+set(RELIEVO_TESTS_LEFT_OUT "" CACHE STRING
+  "Labels of tests that this build does without, such as `once`; their sources are not compiled")
 set(RELIEVO_TEST_OUTPUT "${PROJECT_BINARY_DIR}/Testing/output")
 set(RELIEVO_BASELINES "${PROJECT_SOURCE_DIR}/tests/baselines")
+
+# Adds the sources to the program of the current folder, once each, and returns its name.
+function (relievo_test_program result)
+  cmake_path(RELATIVE_PATH CMAKE_CURRENT_SOURCE_DIR BASE_DIRECTORY "${PROJECT_SOURCE_DIR}/tests"
+    OUTPUT_VARIABLE folder)
+  string(REPLACE "/" "_" program "relievo_tests_${folder}")
+  set("${result}" "${program}" PARENT_SCOPE)
+  if (NOT TARGET "${program}")
+    add_executable("${program}")
+    target_link_libraries("${program}" PRIVATE relievoTestMain relievoTestSupport)
+    relievo_precompile_headers("${program}")
+    # A third less to compile, and most of a test's time is spent in libraries.
+    target_compile_options("${program}" PRIVATE "$<$<CONFIG:Release>:-O1>")
+    set_target_properties("${program}" PROPERTIES
+      RUNTIME_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}/tests/bin"
+      UNITY_BUILD ON)
+  endif ()
+  get_target_property(present "${program}" SOURCES)
+  foreach (source IN LISTS ARGN)
+    if (NOT source IN_LIST present)
+      target_sources("${program}" PRIVATE "${source}")
+    endif ()
+  endforeach ()
+endfunction ()
 
 function (relievo_add_test)
   cmake_parse_arguments(PARSE_ARGV 0 test "DISPLAY;OWN_DISPLAY;SERIAL" "NAME;PYTHON;TIMEOUT"
@@ -40,16 +66,22 @@ function (relievo_add_test)
     message(FATAL_ERROR "relievo_add_test: NAME is missing")
   endif ()
 
+  if (NOT test_LABELS AND NOT test_DISPLAY)
+    set(test_LABELS unit)
+  endif ()
+  foreach (label IN LISTS test_LABELS)
+    if (label IN_LIST RELIEVO_TESTS_LEFT_OUT)
+      return ()
+    endif ()
+  endforeach ()
+
   if (test_SOURCES)
-    add_executable("${test_NAME}" ${test_SOURCES})
-    target_link_libraries("${test_NAME}" PRIVATE relievoTestSupport ${test_LIBRARIES})
-    relievo_precompile_headers("${test_NAME}")
-    target_include_directories("${test_NAME}" PRIVATE ${test_PRIVATE_INCLUDES})
-    # A third less to compile, and most of a test's time is spent in libraries.
-    target_compile_options("${test_NAME}" PRIVATE "$<$<CONFIG:Release>:-O1>")
-    set_target_properties("${test_NAME}" PROPERTIES
-      RUNTIME_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}/tests/bin")
-    set(command "$<TARGET_FILE:${test_NAME}>")
+    list(GET test_SOURCES 0 case)
+    get_filename_component(case "${case}" NAME_WE)
+    relievo_test_program(program ${test_SOURCES})
+    target_link_libraries("${program}" PRIVATE ${test_LIBRARIES})
+    target_include_directories("${program}" PRIVATE ${test_PRIVATE_INCLUDES})
+    set(command "$<TARGET_FILE:${program}>" --case "${case}")
   elseif (test_PYTHON)
     get_filename_component(script "${test_PYTHON}" ABSOLUTE)
     set(command "${Python3_EXECUTABLE}" "${script}")
@@ -61,9 +93,6 @@ function (relievo_add_test)
     message(FATAL_ERROR "relievo_add_test(${test_NAME}): give SOURCES, PYTHON or COMMAND")
   endif ()
 
-  if (NOT test_LABELS AND NOT test_DISPLAY)
-    set(test_LABELS unit)
-  endif ()
   if (test_DISPLAY)
     if (test_OWN_DISPLAY)
       list(PREPEND command --own)
@@ -75,22 +104,12 @@ function (relievo_add_test)
   if (NOT test_TIMEOUT)
     set(test_TIMEOUT 600)
   endif ()
-  set(not_built OFF)
-  if (RELIEVO_TESTS_NOT_BUILT AND test_NAME MATCHES "${RELIEVO_TESTS_NOT_BUILT}")
-    set(not_built ON)
-  endif ()
-  foreach (label IN LISTS test_LABELS)
-    if (label IN_LIST RELIEVO_TEST_LABELS_NOT_BUILT)
-      set(not_built ON)
-    endif ()
-  endforeach ()
-  if (test_SOURCES AND not_built)
-    set_target_properties("${test_NAME}" PROPERTIES EXCLUDE_FROM_ALL ON)
-  endif ()
 
   set(folder "${RELIEVO_TEST_OUTPUT}/${test_NAME}")
   file(MAKE_DIRECTORY "${folder}")
-  add_test(NAME "${test_NAME}" COMMAND ${command} ${test_ARGS} WORKING_DIRECTORY "${folder}")
+  add_test(NAME "${test_NAME}"
+    COMMAND "${PROJECT_SOURCE_DIR}/tools/count-seconds" "${folder}/seconds" ${command} ${test_ARGS}
+    WORKING_DIRECTORY "${folder}")
   set(environment
     "RELIEVO_TEST_OUTPUT=${folder}"
     "RELIEVO_DATA=${RELIEVO_DATA}"

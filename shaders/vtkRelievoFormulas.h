@@ -140,10 +140,10 @@ inline float uintBitsToFloat(uint word)
 {
   return bits::ToFloat(word);
 }
-inline uint packHalf2x16(const vec2& v)
-{
+// An object: a call of a function of this name would mean GLM's as well, which rounds in another way.
+constexpr auto packHalf2x16 = [](const vec2& v) {
   return bits::ToHalf(v.x) | (bits::ToHalf(v.y) << 16);
-}
+};
 inline vec2 unpackHalf2x16(uint word)
 {
   return vec2(bits::FromHalf(word & 0xffffu), bits::FromHalf(word >> 16));
@@ -172,10 +172,9 @@ inline double uintBitsToFloat(uint word)
 {
   return bits::ToFloat(word);
 }
-inline uint packHalf2x16(const vec2& v)
-{
+constexpr auto packHalf2x16 = [](const vec2& v) {
   return bits::ToHalf(static_cast<float>(v.x)) | (bits::ToHalf(static_cast<float>(v.y)) << 16);
-}
+};
 inline vec2 unpackHalf2x16(uint word)
 {
   return vec2(bits::FromHalf(word & 0xffffu), bits::FromHalf(word >> 16));

@@ -6,6 +6,7 @@
 #include "Check.h"
 #include "Session.h"
 #include "SkinScenes.h"
+#include "TestCase.h"
 
 #include <vtkDataArray.h>
 #include <vtkFieldData.h>
@@ -21,6 +22,8 @@
 #include <cmath>
 #include <string>
 
+namespace testBoneWeights
+{
 namespace
 {
 using namespace relievoTest;
@@ -177,7 +180,7 @@ void TestMoved()
 }
 
 //------------------------------------------------------------------------------
-int main()
+RELIEVO_TEST_CASE(testBoneWeights)
 {
   relievoTest::Session session;
   TestValues();
@@ -185,4 +188,5 @@ int main()
   TestMissing();
   TestMoved();
   return session.Result();
+}
 }

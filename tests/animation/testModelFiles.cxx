@@ -7,6 +7,7 @@
 #include "FileBytes.h"
 #include "ReaderErrors.h"
 #include "Session.h"
+#include "TestCase.h"
 
 #include <vtkMultiBlockDataSet.h>
 #include <vtkNew.h>
@@ -23,6 +24,8 @@
 #include <sys/stat.h>
 #include <utility>
 
+namespace testModelFiles
+{
 namespace
 {
 using namespace relievoTest;
@@ -183,7 +186,7 @@ void TestReadAgain()
 }
 
 //------------------------------------------------------------------------------
-int main()
+RELIEVO_TEST_CASE(testModelFiles)
 {
   relievoTest::Session session;
   TestNoModel();
@@ -200,4 +203,5 @@ int main()
     TestCut(name, least);
   }
   return session.Result();
+}
 }

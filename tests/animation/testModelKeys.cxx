@@ -6,6 +6,7 @@
 #include "Check.h"
 #include "ModelScenes.h"
 #include "Session.h"
+#include "TestCase.h"
 
 #include <vtkDataArray.h>
 #include <vtkInformation.h>
@@ -25,6 +26,8 @@
 #include <string>
 #include <vector>
 
+namespace testModelKeys
+{
 namespace
 {
 using namespace relievoTest;
@@ -217,7 +220,7 @@ void TestDeepTree()
 }
 
 //------------------------------------------------------------------------------
-int main()
+RELIEVO_TEST_CASE(testModelKeys)
 {
   relievoTest::Session session;
   TestInterpolation();
@@ -226,4 +229,5 @@ int main()
   TestChoice();
   TestDeepTree();
   return session.Result();
+}
 }

@@ -7,6 +7,7 @@
 #include "GltfScene.h"
 #include "ReaderErrors.h"
 #include "Session.h"
+#include "TestCase.h"
 
 #include <vtkCompositeDataIterator.h>
 #include <vtkGLTFReader.h>
@@ -26,6 +27,8 @@
 #include <fstream>
 #include <sstream>
 
+namespace testModelModes
+{
 namespace
 {
 using namespace relievoTest;
@@ -244,7 +247,7 @@ void TestUnfit()
 }
 
 //------------------------------------------------------------------------------
-int main()
+RELIEVO_TEST_CASE(testModelModes)
 {
   relievoTest::Session session;
   TestSteps("steps.gltf", true);
@@ -256,4 +259,5 @@ int main()
   TestAgainstVTK();
   TestUnfit();
   return session.Result();
+}
 }

@@ -9,6 +9,7 @@
 #include "FileBytes.h"
 #include "ReaderErrors.h"
 #include "Session.h"
+#include "TestCase.h"
 
 #include <vtkDataArray.h>
 #include <vtkFieldData.h>
@@ -28,6 +29,8 @@
 #include <string>
 #include <vector>
 
+namespace testModelMutants
+{
 namespace
 {
 using namespace relievoTest;
@@ -173,7 +176,7 @@ void TestMutants(const std::string& name, int first, int count)
 }
 
 //------------------------------------------------------------------------------
-int main(int argc, char* argv[])
+RELIEVO_TEST_CASE(testModelMutants)
 {
   relievoTest::Session session;
   const int first = argc > 2 ? std::atoi(argv[1]) : 0;
@@ -189,4 +192,5 @@ int main(int argc, char* argv[])
     TestMutants(name, first, count);
   }
   return session.Result();
+}
 }

@@ -5,6 +5,7 @@
 #include "Check.h"
 #include "ModelScenes.h"
 #include "Session.h"
+#include "TestCase.h"
 
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
@@ -20,6 +21,8 @@
 #include <string>
 #include <vector>
 
+namespace testModelPlay
+{
 namespace
 {
 using namespace relievoTest;
@@ -191,7 +194,7 @@ void TestLook()
 }
 
 //------------------------------------------------------------------------------
-int main()
+RELIEVO_TEST_CASE(testModelPlay)
 {
   relievoTest::Session session;
   TestBlend();
@@ -199,4 +202,5 @@ int main()
   TestWholeKeys();
   TestLook();
   return session.Result();
+}
 }

@@ -7,6 +7,7 @@
 #include "ModelScenes.h"
 #include "Session.h"
 #include "SkinScenes.h"
+#include "TestCase.h"
 
 #include <vtkDataArray.h>
 #include <vtkFieldData.h>
@@ -25,6 +26,8 @@
 #include <string>
 #include <vector>
 
+namespace testModelRigs
+{
 namespace
 {
 using namespace relievoTest;
@@ -202,7 +205,7 @@ void TestVoxels()
 }
 
 //------------------------------------------------------------------------------
-int main()
+RELIEVO_TEST_CASE(testModelRigs)
 {
   relievoTest::Session session;
   TestSharedBone();
@@ -213,4 +216,5 @@ int main()
   TestBind("FBX/huesitos.fbx");
   TestVoxels();
   return session.Result();
+}
 }

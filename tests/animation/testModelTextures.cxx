@@ -8,6 +8,7 @@
 #include "GltfScene.h"
 #include "ReaderErrors.h"
 #include "Session.h"
+#include "TestCase.h"
 
 #include <vtkDataArray.h>
 #include <vtkFieldData.h>
@@ -28,6 +29,8 @@
 #include <string>
 #include <vector>
 
+namespace testModelTextures
+{
 namespace
 {
 using namespace relievoTest;
@@ -309,7 +312,7 @@ void TestAgainstFile()
 }
 
 //------------------------------------------------------------------------------
-int main()
+RELIEVO_TEST_CASE(testModelTextures)
 {
   relievoTest::Session session;
   TestWritten();
@@ -317,4 +320,5 @@ int main()
   TestModels();
   TestAgainstFile();
   return session.Result();
+}
 }

@@ -7,6 +7,7 @@
 #include "AssimpPose.h"
 #include "Check.h"
 #include "Session.h"
+#include "TestCase.h"
 
 #include <vtkDataArray.h>
 #include <vtkFieldData.h>
@@ -30,6 +31,8 @@
 #include <set>
 #include <string>
 
+namespace testModels
+{
 namespace
 {
 using namespace relievoTest;
@@ -264,7 +267,7 @@ void TestModel(const std::filesystem::path& path)
 }
 
 //------------------------------------------------------------------------------
-int main()
+RELIEVO_TEST_CASE(testModels)
 {
   relievoTest::Session session;
   const std::filesystem::path folder =
@@ -287,4 +290,5 @@ int main()
     TestModel(path);
   }
   return session.Result();
+}
 }

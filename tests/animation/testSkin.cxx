@@ -6,6 +6,7 @@
 #include "Check.h"
 #include "Session.h"
 #include "SkinScenes.h"
+#include "TestCase.h"
 
 #include <vtkDataArray.h>
 #include <vtkNew.h>
@@ -22,6 +23,8 @@
 #include <string>
 #include <vector>
 
+namespace testSkin
+{
 namespace
 {
 using namespace relievoTest;
@@ -252,7 +255,7 @@ void TestInputStays()
 }
 
 //------------------------------------------------------------------------------
-int main()
+RELIEVO_TEST_CASE(testSkin)
 {
   relievoTest::Session session;
   TestTwist();
@@ -265,4 +268,5 @@ int main()
   TestThreads();
   TestInputStays();
   return session.Result();
+}
 }

@@ -5,6 +5,7 @@
 #include "Check.h"
 #include "Session.h"
 #include "SkinScenes.h"
+#include "TestCase.h"
 
 #include <vtkDataArray.h>
 #include <vtkFieldData.h>
@@ -20,6 +21,8 @@
 #include <cmath>
 #include <limits>
 
+namespace testSkinFailures
+{
 namespace
 {
 using namespace relievoTest;
@@ -170,7 +173,7 @@ void TestComposite()
 }
 
 //------------------------------------------------------------------------------
-int main()
+RELIEVO_TEST_CASE(testSkinFailures)
 {
   relievoTest::Session session;
   TestWeights();
@@ -178,4 +181,5 @@ int main()
   TestMissing();
   TestComposite();
   return session.Result();
+}
 }

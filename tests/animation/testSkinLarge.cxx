@@ -5,6 +5,7 @@
 #include "Check.h"
 #include "Session.h"
 #include "SkinScenes.h"
+#include "TestCase.h"
 
 #include <vtkNew.h>
 #include <vtkPoints.h>
@@ -14,6 +15,8 @@
 
 #include <vector>
 
+namespace testSkinLarge
+{
 namespace
 {
 using namespace relievoTest;
@@ -55,9 +58,10 @@ void TestLarge()
 }
 
 //------------------------------------------------------------------------------
-int main()
+RELIEVO_TEST_CASE(testSkinLarge)
 {
   relievoTest::Session session;
   TestLarge();
   return session.Result();
+}
 }

@@ -9,6 +9,7 @@
 #include "Session.h"
 #include "ShadowPictures.h"
 #include "SkinnedScenes.h"
+#include "TestCase.h"
 #include "Window.h"
 
 #include <vtkFloatArray.h>
@@ -23,6 +24,8 @@
 #include <cmath>
 #include <string>
 
+namespace testSkinnedActor
+{
 namespace
 {
 using namespace relievoTest;
@@ -216,7 +219,7 @@ void TestModel()
 }
 
 //------------------------------------------------------------------------------
-int main()
+RELIEVO_TEST_CASE(testSkinnedActor)
 {
   relievoTest::Session session;
   TestTwist();
@@ -226,4 +229,5 @@ int main()
   TestLooks();
   TestModel();
   return session.Result();
+}
 }

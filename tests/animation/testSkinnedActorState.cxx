@@ -9,6 +9,7 @@
 #include "Session.h"
 #include "ShadowPictures.h"
 #include "SkinnedScenes.h"
+#include "TestCase.h"
 #include "Window.h"
 
 #include <vtkCamera.h>
@@ -24,6 +25,8 @@
 #include <string>
 #include <vector>
 
+namespace testSkinnedActorState
+{
 namespace
 {
 using namespace relievoTest;
@@ -214,7 +217,7 @@ void TestMissing()
 }
 
 //------------------------------------------------------------------------------
-int main()
+RELIEVO_TEST_CASE(testSkinnedActorState)
 {
   relievoTest::Session session;
   TestSwitches();
@@ -223,4 +226,5 @@ int main()
   TestReplacements();
   TestMissing();
   return session.Result();
+}
 }

@@ -7,6 +7,7 @@
 #include "Layers.h"
 #include "Session.h"
 #include "SkinnedScenes.h"
+#include "TestCase.h"
 #include "Window.h"
 
 #include <vtkCamera.h>
@@ -27,6 +28,8 @@
 #include <random>
 #include <string>
 
+namespace testSkinnedActorUse
+{
 namespace
 {
 using namespace relievoTest;
@@ -263,7 +266,7 @@ void TestMarkers()
 }
 
 //------------------------------------------------------------------------------
-int main()
+RELIEVO_TEST_CASE(testSkinnedActorUse)
 {
   relievoTest::Session session;
   TestBounds();
@@ -273,4 +276,5 @@ int main()
   TestMovedMesh();
   TestMarkers();
   return session.Result();
+}
 }

@@ -13,6 +13,7 @@
 #include "ShadowErrors.h"
 #include "ShadowScenes.h"
 #include "SkinnedScenes.h"
+#include "TestCase.h"
 
 #include <vtkActor.h>
 #include <vtkCamera.h>
@@ -39,6 +40,8 @@
 #include <string>
 #include <vector>
 
+namespace testSkinnedFar
+{
 namespace
 {
 using namespace relievoTest;
@@ -379,7 +382,7 @@ void TestShadows()
 }
 
 //------------------------------------------------------------------------------
-int main()
+RELIEVO_TEST_CASE(testSkinnedFar)
 {
   relievoTest::Session session;
   TestLayers();
@@ -387,4 +390,5 @@ int main()
   TestUse();
   TestShadows();
   return session.Result();
+}
 }

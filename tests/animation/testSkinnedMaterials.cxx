@@ -9,6 +9,7 @@
 #include "Session.h"
 #include "ShadowPictures.h"
 #include "SkinnedScenes.h"
+#include "TestCase.h"
 #include "Window.h"
 
 #include <vtkFloatArray.h>
@@ -24,6 +25,8 @@
 #include <cmath>
 #include <string>
 
+namespace testSkinnedMaterials
+{
 namespace
 {
 using namespace relievoTest;
@@ -116,7 +119,7 @@ void Test(bool withTangents, int method)
 }
 
 //------------------------------------------------------------------------------
-int main()
+RELIEVO_TEST_CASE(testSkinnedMaterials)
 {
   relievoTest::Session session;
   for (const int method : { vtkRelievoSkin::LINEAR, vtkRelievoSkin::DUAL_QUATERNION })
@@ -125,4 +128,5 @@ int main()
     Test(true, method);
   }
   return session.Result();
+}
 }

@@ -12,6 +12,7 @@
 #include "Session.h"
 #include "ShadowPictures.h"
 #include "SkinnedScenes.h"
+#include "TestCase.h"
 #include "Window.h"
 
 #include <vtkCamera.h>
@@ -37,6 +38,8 @@
 #include <string>
 #include <vector>
 
+namespace testSkinnedShadows
+{
 namespace
 {
 using namespace relievoTest;
@@ -318,7 +321,7 @@ void TestRedraws()
 }
 
 //------------------------------------------------------------------------------
-int main()
+RELIEVO_TEST_CASE(testSkinnedShadows)
 {
   relievoTest::Session session;
   TestAgainstRays();
@@ -328,4 +331,5 @@ int main()
   TestKept();
   TestRedraws();
   return session.Result();
+}
 }

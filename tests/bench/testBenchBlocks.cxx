@@ -8,6 +8,7 @@
 #include "Check.h"
 #include "CsvFile.h"
 #include "Session.h"
+#include "TestCase.h"
 
 #include <vtksys/SystemTools.hxx>
 
@@ -15,6 +16,8 @@
 #include <string>
 #include <vector>
 
+namespace testBenchBlocks
+{
 namespace
 {
 using relievoTest::Row;
@@ -60,7 +63,7 @@ void CheckBlocks(const std::string& folder)
 }
 
 //------------------------------------------------------------------------------
-int main()
+RELIEVO_TEST_CASE(testBenchBlocks)
 {
   relievoTest::Session session;
   const std::string folder = relievoTest::OutputFolder() + "/blocks";
@@ -68,4 +71,5 @@ int main()
   CheckBlocks(folder);
   RELIEVO_CHECK(relievoBench::DrawCharts("blocks", folder));
   return session.Result();
+}
 }

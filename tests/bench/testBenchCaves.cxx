@@ -9,6 +9,7 @@
 #include "Check.h"
 #include "CsvFile.h"
 #include "Session.h"
+#include "TestCase.h"
 
 #include <vtksys/SystemTools.hxx>
 
@@ -17,6 +18,8 @@
 #include <string>
 #include <vector>
 
+namespace testBenchCaves
+{
 namespace
 {
 using relievoTest::Row;
@@ -97,7 +100,7 @@ void TestBench(const std::string& folder)
 }
 
 //------------------------------------------------------------------------------
-int main()
+RELIEVO_TEST_CASE(testBenchCaves)
 {
   relievoTest::Session session;
   const std::string folder = relievoTest::OutputFolder() + "/caves";
@@ -105,4 +108,5 @@ int main()
   TestShapes();
   TestBench(folder);
   return session.Result();
+}
 }

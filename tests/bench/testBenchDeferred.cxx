@@ -7,11 +7,14 @@
 #include "Check.h"
 #include "CsvFile.h"
 #include "Session.h"
+#include "TestCase.h"
 
 #include <string>
 #include <vector>
 
-int main()
+namespace testBenchDeferred
+{
+RELIEVO_TEST_CASE(testBenchDeferred)
 {
   relievoTest::Session session;
   using relievoTest::Value;
@@ -35,4 +38,5 @@ int main()
   }
   RELIEVO_CHECK(relievoBench::DrawCharts("deferred", folder));
   return session.Result();
+}
 }

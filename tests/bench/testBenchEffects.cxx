@@ -8,13 +8,16 @@
 #include "Check.h"
 #include "CsvFile.h"
 #include "Session.h"
+#include "TestCase.h"
 
 #include <vtksys/SystemTools.hxx>
 
 #include <map>
 #include <string>
 
-int main()
+namespace testBenchEffects
+{
+RELIEVO_TEST_CASE(testBenchEffects)
 {
   relievoTest::Session session;
   const std::string folder = relievoTest::OutputFolder() + "/effects";
@@ -43,4 +46,5 @@ int main()
   RELIEVO_CHECK(bytes["five layers"] > 0. && bytes["five layers"] < bytes["tone"]);
   RELIEVO_CHECK(relievoBench::DrawCharts("effects", folder));
   return session.Result();
+}
 }

@@ -8,14 +8,17 @@
 #include "Check.h"
 #include "CsvFile.h"
 #include "Session.h"
+#include "TestCase.h"
 
 #include <vtksys/SystemTools.hxx>
 
 #include <map>
 #include <string>
 
+namespace testBenchExactHard
+{
 //------------------------------------------------------------------------------
-int main()
+RELIEVO_TEST_CASE(testBenchExactHard)
 {
   relievoTest::Session session;
   const std::string folder = relievoTest::OutputFolder() + "/exact-hard";
@@ -43,4 +46,5 @@ int main()
   RELIEVO_CHECK(expected["tree"] > expected["fins"]);
   RELIEVO_CHECK(relievoBench::DrawCharts("exact-hard", folder));
   return session.Result();
+}
 }

@@ -8,6 +8,7 @@
 #include "Check.h"
 #include "CsvFile.h"
 #include "Session.h"
+#include "TestCase.h"
 
 #include <vtksys/SystemTools.hxx>
 
@@ -16,6 +17,8 @@
 #include <string>
 #include <vector>
 
+namespace testBenchFog
+{
 namespace
 {
 using relievoTest::Row;
@@ -66,7 +69,7 @@ void CheckFog(const std::string& folder)
 }
 
 //------------------------------------------------------------------------------
-int main()
+RELIEVO_TEST_CASE(testBenchFog)
 {
   relievoTest::Session session;
   const std::string folder = relievoTest::OutputFolder() + "/fog";
@@ -74,4 +77,5 @@ int main()
   CheckFog(folder);
   RELIEVO_CHECK(relievoBench::DrawCharts("fog", folder));
   return session.Result();
+}
 }

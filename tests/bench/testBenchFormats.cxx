@@ -7,6 +7,7 @@
 #include "CsvFile.h"
 #include "RelievoBench.h"
 #include "Session.h"
+#include "TestCase.h"
 
 #include <vtksys/SystemTools.hxx>
 
@@ -15,6 +16,8 @@
 #include <string>
 #include <vector>
 
+namespace testBenchFormats
+{
 namespace
 {
 using relievoTest::Row;
@@ -95,7 +98,7 @@ void CheckPosition(const std::vector<Row>& rows)
 }
 
 //------------------------------------------------------------------------------
-int main(int argc, char* argv[])
+RELIEVO_TEST_CASE(testBenchFormats)
 {
   relievoTest::Session session;
   const std::string name = argc > 1 ? argv[1] : "";
@@ -116,4 +119,5 @@ int main(int argc, char* argv[])
     CheckDepth(rows);
   }
   return session.Result();
+}
 }

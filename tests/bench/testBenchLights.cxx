@@ -8,12 +8,15 @@
 #include "Check.h"
 #include "CsvFile.h"
 #include "Session.h"
+#include "TestCase.h"
 
 #include <cmath>
 #include <string>
 #include <vector>
 
-int main()
+namespace testBenchLights
+{
+RELIEVO_TEST_CASE(testBenchLights)
 {
   relievoTest::Session session;
   using relievoTest::Value;
@@ -61,4 +64,5 @@ int main()
   RELIEVO_CHECK(shadows.size() == 4 && Value(shadows[3], "times without") > 0.);
   RELIEVO_CHECK(relievoBench::DrawCharts("lights", folder));
   return session.Result();
+}
 }

@@ -9,6 +9,7 @@
 #include "Check.h"
 #include "CsvFile.h"
 #include "Session.h"
+#include "TestCase.h"
 
 #include <vtksys/SystemTools.hxx>
 
@@ -18,6 +19,8 @@
 #include <utility>
 #include <vector>
 
+namespace testBenchMaterials
+{
 namespace
 {
 using relievoTest::Row;
@@ -171,7 +174,7 @@ void CheckRelief(const std::string& folder)
 }
 
 //------------------------------------------------------------------------------
-int main(int argc, char* argv[])
+RELIEVO_TEST_CASE(testBenchMaterials)
 {
   relievoTest::Session session;
   const std::string name = argc > 1 ? argv[1] : "";
@@ -181,4 +184,5 @@ int main(int argc, char* argv[])
   (relief ? CheckRelief : CheckEnvironment)(folder);
   RELIEVO_CHECK(relievoBench::DrawCharts(name, folder));
   return session.Result();
+}
 }

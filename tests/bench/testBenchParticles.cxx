@@ -8,14 +8,17 @@
 #include "Check.h"
 #include "CsvFile.h"
 #include "Session.h"
+#include "TestCase.h"
 
 #include <vtksys/SystemTools.hxx>
 
 #include <map>
 #include <string>
 
+namespace testBenchParticles
+{
 //------------------------------------------------------------------------------
-int main()
+RELIEVO_TEST_CASE(testBenchParticles)
 {
   relievoTest::Session session;
   const std::string folder = relievoTest::OutputFolder() + "/particles";
@@ -49,4 +52,5 @@ int main()
   RELIEVO_CHECK(rows["depth maps"] == 2 && rows["not held"] == 2);
   RELIEVO_CHECK(relievoBench::DrawCharts("particles", folder));
   return session.Result();
+}
 }

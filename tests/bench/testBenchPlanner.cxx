@@ -8,6 +8,7 @@
 #include "Check.h"
 #include "CsvFile.h"
 #include "Session.h"
+#include "TestCase.h"
 
 #include <vtksys/SystemTools.hxx>
 
@@ -16,6 +17,8 @@
 #include <utility>
 #include <vector>
 
+namespace testBenchPlanner
+{
 namespace
 {
 using relievoTest::Row;
@@ -96,7 +99,7 @@ void TestCases(const std::string& folder)
 }
 
 //------------------------------------------------------------------------------
-int main()
+RELIEVO_TEST_CASE(testBenchPlanner)
 {
   relievoTest::Session session;
   const std::string folder = relievoTest::OutputFolder() + "/planner";
@@ -120,4 +123,5 @@ int main()
   RELIEVO_CHECK(relievoBench::DrawCharts("planner", folder));
   TestCases(folder);
   return session.Result();
+}
 }

@@ -7,6 +7,7 @@
 #include "Session.h"
 #include "ShadowSimulation.h"
 #include "ShadowVerdicts.h"
+#include "TestCase.h"
 
 #include <vtkDataArray.h>
 #include <vtkFloatArray.h>
@@ -22,6 +23,8 @@
 #include <cstdlib>
 #include <string>
 
+namespace testBenchShadows
+{
 namespace
 {
 using namespace relievoBench;
@@ -115,7 +118,7 @@ void TestScene(const std::string& name)
 }
 
 //------------------------------------------------------------------------------
-int main()
+RELIEVO_TEST_CASE(testBenchShadows)
 {
   relievoTest::Session session;
   TestPictures();
@@ -123,4 +126,5 @@ int main()
   TestScene(SlabsScene);
   TestScene(HorizonScene);
   return session.Result();
+}
 }

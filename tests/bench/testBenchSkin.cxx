@@ -7,6 +7,7 @@
 #include "Check.h"
 #include "CsvFile.h"
 #include "Session.h"
+#include "TestCase.h"
 
 #include <vtksys/SystemTools.hxx>
 
@@ -14,8 +15,10 @@
 #include <string>
 #include <vector>
 
+namespace testBenchSkin
+{
 //------------------------------------------------------------------------------
-int main()
+RELIEVO_TEST_CASE(testBenchSkin)
 {
   using relievoTest::Row;
   using relievoTest::Value;
@@ -72,4 +75,5 @@ int main()
   RELIEVO_CHECK(!vtksys::SystemTools::FileExists(folder + "/skin-peer.glb"));
   RELIEVO_CHECK(relievoBench::DrawCharts("skin", folder));
   return session.Result();
+}
 }

@@ -7,14 +7,17 @@
 #include "Check.h"
 #include "CsvFile.h"
 #include "Session.h"
+#include "TestCase.h"
 
 #include <vtksys/SystemTools.hxx>
 
 #include <string>
 #include <vector>
 
+namespace testBenchSoftShadows
+{
 //------------------------------------------------------------------------------
-int main()
+RELIEVO_TEST_CASE(testBenchSoftShadows)
 {
   relievoTest::Session session;
   const std::string folder = relievoTest::OutputFolder() + "/soft-shadows";
@@ -39,4 +42,5 @@ int main()
   }
   RELIEVO_CHECK(relievoBench::DrawCharts("soft-shadows", folder));
   return session.Result();
+}
 }

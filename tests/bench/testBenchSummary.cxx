@@ -7,6 +7,7 @@
 #include "Check.h"
 #include "Session.h"
 #include "Table.h"
+#include "TestCase.h"
 
 #include <cmath>
 #include <cstdio>
@@ -15,6 +16,8 @@
 #include <string>
 #include <vector>
 
+namespace testBenchSummary
+{
 namespace
 {
 using namespace relievoBench;
@@ -138,7 +141,7 @@ void TestRefusals(const std::string& there)
 }
 }
 
-int main()
+RELIEVO_TEST_CASE(testBenchSummary)
 {
   relievoTest::Session session;
   const std::string here = relievoTest::OutputFolder() + "/here";
@@ -148,4 +151,5 @@ int main()
   TestWritten(here, there);
   TestRefusals(there);
   return session.Result();
+}
 }

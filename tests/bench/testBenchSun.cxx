@@ -8,10 +8,13 @@
 #include "Check.h"
 #include "CsvFile.h"
 #include "Session.h"
+#include "TestCase.h"
 
 #include <vtksys/SystemTools.hxx>
 
-int main()
+namespace testBenchSun
+{
+RELIEVO_TEST_CASE(testBenchSun)
 {
   relievoTest::Session session;
   const std::string folder = relievoTest::OutputFolder() + "/sun";
@@ -33,4 +36,5 @@ int main()
   RELIEVO_CHECK_AT_MOST(get(3, "most"), 0.005, "share of the sky by 4096 rays");
   RELIEVO_CHECK(relievoBench::DrawCharts("sun", folder));
   return session.Result();
+}
 }

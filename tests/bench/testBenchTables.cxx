@@ -8,6 +8,7 @@
 #include "Renderer.h"
 #include "Session.h"
 #include "Table.h"
+#include "TestCase.h"
 
 #include <cmath>
 #include <fstream>
@@ -15,6 +16,8 @@
 #include <string>
 #include <vector>
 
+namespace testBenchTables
+{
 namespace
 {
 using namespace relievoBench;
@@ -66,11 +69,12 @@ void TestNames()
 }
 
 //------------------------------------------------------------------------------
-int main()
+RELIEVO_TEST_CASE(testBenchTables)
 {
   relievoTest::Session session;
   TestTable();
   TestRenderer();
   TestNames();
   return session.Result();
+}
 }

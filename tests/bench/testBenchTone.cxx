@@ -8,6 +8,7 @@
 #include "Check.h"
 #include "CsvFile.h"
 #include "Session.h"
+#include "TestCase.h"
 
 #include <vtksys/SystemTools.hxx>
 
@@ -15,6 +16,8 @@
 #include <string>
 #include <vector>
 
+namespace testBenchTone
+{
 namespace
 {
 using relievoTest::Row;
@@ -89,7 +92,7 @@ void CheckDithering(const std::string& folder)
 }
 
 //------------------------------------------------------------------------------
-int main()
+RELIEVO_TEST_CASE(testBenchTone)
 {
   relievoTest::Session session;
   const std::string folder = relievoTest::OutputFolder() + "/tone";
@@ -103,4 +106,5 @@ int main()
   CheckDithering(folder);
   RELIEVO_CHECK(relievoBench::DrawCharts("tone", folder));
   return session.Result();
+}
 }

@@ -8,6 +8,7 @@
 #include "Check.h"
 #include "CsvFile.h"
 #include "Session.h"
+#include "TestCase.h"
 
 #include <vtksys/SystemTools.hxx>
 
@@ -15,6 +16,8 @@
 #include <string>
 #include <vector>
 
+namespace testBenchVoxels
+{
 namespace
 {
 using relievoTest::Row;
@@ -87,7 +90,7 @@ void CheckRays(const std::string& folder)
 }
 
 //------------------------------------------------------------------------------
-int main()
+RELIEVO_TEST_CASE(testBenchVoxels)
 {
   relievoTest::Session session;
   const std::string folder = relievoTest::OutputFolder() + "/voxels";
@@ -97,4 +100,5 @@ int main()
   CheckRays(folder);
   RELIEVO_CHECK(relievoBench::DrawCharts("rays", folder));
   return session.Result();
+}
 }

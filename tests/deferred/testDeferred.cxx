@@ -7,6 +7,7 @@
 #include "DeferredScenes.h"
 #include "GLCheck.h"
 #include "Session.h"
+#include "TestCase.h"
 #include "Window.h"
 
 #include <vtkCamera.h>
@@ -18,6 +19,8 @@
 #include <string>
 #include <vector>
 
+namespace testDeferred
+{
 namespace
 {
 using namespace relievoTest;
@@ -230,11 +233,12 @@ void TestViews()
 }
 }
 
-int main()
+RELIEVO_TEST_CASE(testDeferred)
 {
   relievoTest::Session session;
   TestSurfaces();
   TestLights();
   TestViews();
   return session.Result();
+}
 }

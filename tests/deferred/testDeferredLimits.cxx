@@ -9,6 +9,7 @@
 #include "ImageCompare.h"
 #include "Layers.h"
 #include "Session.h"
+#include "TestCase.h"
 #include "Window.h"
 
 #include <vtkCamera.h>
@@ -31,6 +32,8 @@
 #include <functional>
 #include <string>
 
+namespace testDeferredLimits
+{
 namespace
 {
 using namespace relievoTest;
@@ -260,7 +263,7 @@ void TestToggles()
 }
 }
 
-int main()
+RELIEVO_TEST_CASE(testDeferredLimits)
 {
   relievoTest::Session session;
   TestAllLeft();
@@ -271,4 +274,5 @@ int main()
   TestLinear();
   TestToggles();
   return session.Result();
+}
 }

@@ -6,6 +6,7 @@
 #include "Check.h"
 #include "LampScenes.h"
 #include "Session.h"
+#include "TestCase.h"
 
 #include <vtkDoubleArray.h>
 #include <vtkPointData.h>
@@ -20,6 +21,8 @@
 #include <random>
 #include <string>
 
+namespace testLampClusters
+{
 namespace
 {
 using namespace relievoTest;
@@ -190,7 +193,7 @@ void TestChoice()
 }
 }
 
-int main()
+RELIEVO_TEST_CASE(testLampClusters)
 {
   relievoTest::Session session;
   const vtkRelievoFrameCamera usual = MakeView(600, 600, false, 2.0, 14.0);
@@ -212,4 +215,5 @@ int main()
   TestView(MakeView(333, 77, false, 1e-4, 1e3), 1000, 0.3, "far / near of 1e7");
   TestChoice();
   return session.Result();
+}
 }

@@ -7,6 +7,7 @@
 #include "GLCheck.h"
 #include "LampScenes.h"
 #include "Session.h"
+#include "TestCase.h"
 
 #include <vtkCamera.h>
 #include <vtkImageData.h>
@@ -14,6 +15,8 @@
 
 #include <string>
 
+namespace testLamps
+{
 namespace
 {
 using namespace relievoTest;
@@ -157,7 +160,7 @@ void TestFarAway()
 }
 }
 
-int main()
+RELIEVO_TEST_CASE(testLamps)
 {
   relievoTest::Session session;
   TestNumbers();
@@ -165,4 +168,5 @@ int main()
   TestViews();
   TestFarAway();
   return session.Result();
+}
 }

@@ -6,6 +6,7 @@
 #include "LampScenes.h"
 #include "Layers.h"
 #include "Session.h"
+#include "TestCase.h"
 #include "Window.h"
 
 #include <vtkImageData.h>
@@ -17,6 +18,8 @@
 #include <string>
 #include <vector>
 
+namespace testLampsBesideLights
+{
 namespace
 {
 using namespace relievoTest;
@@ -76,10 +79,11 @@ void TestBesideLights()
 }
 
 //------------------------------------------------------------------------------
-int main()
+RELIEVO_TEST_CASE(testLampsBesideLights)
 {
   Session session;
   TestFirstFrame();
   TestBesideLights();
   return session.Result();
+}
 }

@@ -13,6 +13,7 @@
 #include "Scenes.h"
 #include "Session.h"
 #include "ShadowErrors.h"
+#include "TestCase.h"
 #include "View.h"
 #include "Window.h"
 
@@ -31,6 +32,8 @@
 #include <string>
 #include <vector>
 
+namespace testLampsCast
+{
 namespace
 {
 using namespace relievoTest;
@@ -416,7 +419,7 @@ void TestRefusals()
 }
 }
 
-int main()
+RELIEVO_TEST_CASE(testLampsCast)
 {
   relievoTest::Session session;
   TestRays();
@@ -431,4 +434,5 @@ int main()
   TestToggles();
   TestRefusals();
   return session.Result();
+}
 }

@@ -8,6 +8,7 @@
 #include "LampScenes.h"
 #include "Layers.h"
 #include "Session.h"
+#include "TestCase.h"
 #include "Window.h"
 
 #include <vtkCamera.h>
@@ -20,6 +21,8 @@
 #include <limits>
 #include <string>
 
+namespace testLampsFailures
+{
 namespace
 {
 using namespace relievoTest;
@@ -223,7 +226,7 @@ void TestToggles()
 }
 }
 
-int main()
+RELIEVO_TEST_CASE(testLampsFailures)
 {
   relievoTest::Session session;
   TestPlaces();
@@ -232,4 +235,5 @@ int main()
   TestSizes();
   TestToggles();
   return session.Result();
+}
 }

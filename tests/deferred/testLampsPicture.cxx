@@ -8,6 +8,7 @@
 #include "Layers.h"
 #include "Session.h"
 #include "SrgbCurve.h"
+#include "TestCase.h"
 #include "Window.h"
 
 #include <vtkActor.h>
@@ -22,6 +23,8 @@
 #include <string>
 #include <vector>
 
+namespace testLampsPicture
+{
 namespace
 {
 using namespace relievoTest;
@@ -192,11 +195,12 @@ void TestCost()
 }
 }
 
-int main()
+RELIEVO_TEST_CASE(testLampsPicture)
 {
   relievoTest::Session session;
   TestMaterials();
   TestHighlights();
   TestCost();
   return session.Result();
+}
 }

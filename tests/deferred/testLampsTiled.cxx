@@ -5,6 +5,7 @@
 #include "Check.h"
 #include "LampScenes.h"
 #include "Session.h"
+#include "TestCase.h"
 #include "Window.h"
 
 #include <vtkCallbackCommand.h>
@@ -19,6 +20,8 @@
 #include <string>
 #include <vector>
 
+namespace testLampsTiled
+{
 namespace
 {
 using namespace relievoTest;
@@ -119,11 +122,12 @@ void CheckTiles(bool parallel, int way)
 }
 }
 
-int main()
+RELIEVO_TEST_CASE(testLampsTiled)
 {
   relievoTest::Session session;
   CheckTiles(true, vtkRelievoLampsStage::QUADS);
   CheckTiles(false, vtkRelievoLampsStage::QUADS);
   CheckTiles(false, vtkRelievoLampsStage::CLUSTERS);
   return session.Result();
+}
 }

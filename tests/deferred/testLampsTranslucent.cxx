@@ -9,6 +9,7 @@
 #include "Layers.h"
 #include "Session.h"
 #include "SrgbCurve.h"
+#include "TestCase.h"
 #include "View.h"
 #include "Window.h"
 
@@ -25,6 +26,8 @@
 #include <string>
 #include <vector>
 
+namespace testLampsTranslucent
+{
 namespace
 {
 using namespace relievoTest;
@@ -257,7 +260,7 @@ void TestToggles()
 }
 }
 
-int main()
+RELIEVO_TEST_CASE(testLampsTranslucent)
 {
   relievoTest::Session session;
   TestSums();
@@ -265,4 +268,5 @@ int main()
   TestMaterials();
   TestToggles();
   return session.Result();
+}
 }

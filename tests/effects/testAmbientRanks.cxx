@@ -9,6 +9,7 @@
 #include "Props.h"
 #include "Ranks.h"
 #include "Session.h"
+#include "TestCase.h"
 #include "Window.h"
 
 #include <vtkActor.h>
@@ -33,6 +34,8 @@
 #include <string>
 #include <vector>
 
+namespace testAmbientRanks
+{
 namespace
 {
 constexpr int Width = 120;
@@ -189,7 +192,7 @@ std::vector<float> DrawAll(vtkMultiProcessController* controller)
 }
 }
 
-int main()
+RELIEVO_TEST_CASE_APART(testAmbientRanks)
 {
   relievoTest::Session session;
   const auto compare = [](int ranks, const float* one, const float* several) {
@@ -209,4 +212,5 @@ int main()
   };
   relievoTest::CompareRanks(DrawAll, Values, Steps.size() * Pixels * Values, compare);
   return session.Result();
+}
 }

@@ -8,6 +8,7 @@
 #include "GLCheck.h"
 #include "Layers.h"
 #include "Session.h"
+#include "TestCase.h"
 #include "Window.h"
 
 #include <vtkActor.h>
@@ -40,6 +41,8 @@
 #include <string>
 #include <vector>
 
+namespace testAmbientStage
+{
 namespace
 {
 constexpr int Size = 96;
@@ -530,7 +533,7 @@ void TestPicture()
 }
 }
 
-int main()
+RELIEVO_TEST_CASE(testAmbientStage)
 {
   relievoTest::Session session;
   TestClosedForms();
@@ -539,4 +542,5 @@ int main()
   TestWhatHides();
   TestPicture();
   return session.Result();
+}
 }

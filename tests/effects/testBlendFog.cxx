@@ -6,6 +6,7 @@
 #include "Check.h"
 #include "GLCheck.h"
 #include "Session.h"
+#include "TestCase.h"
 
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
@@ -16,6 +17,8 @@
 #include <cmath>
 #include <string>
 
+namespace testBlendFog
+{
 namespace
 {
 using namespace relievoTest;
@@ -86,9 +89,10 @@ void TestFog()
 }
 }
 
-int main()
+RELIEVO_TEST_CASE(testBlendFog)
 {
   Session session;
   TestFog();
   return session.Result();
+}
 }

@@ -8,6 +8,7 @@
 #include "GLCheck.h"
 #include "Session.h"
 #include "SrgbCurve.h"
+#include "TestCase.h"
 #include "Window.h"
 
 #include <vtkActor.h>
@@ -37,6 +38,8 @@
 #include <functional>
 #include <string>
 
+namespace testBlendStage
+{
 namespace
 {
 using namespace relievoTest;
@@ -380,7 +383,7 @@ void TestToggles()
 }
 }
 
-int main()
+RELIEVO_TEST_CASE(testBlendStage)
 {
   Session session;
   TestWays();
@@ -391,4 +394,5 @@ int main()
   TestLeftAlone();
   TestToggles();
   return session.Result();
+}
 }

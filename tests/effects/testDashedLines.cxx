@@ -8,6 +8,7 @@
 #include "GLCheck.h"
 #include "LinesScene.h"
 #include "Session.h"
+#include "TestCase.h"
 
 #include <vtkActorCollection.h>
 #include <vtkCubeSource.h>
@@ -28,6 +29,8 @@
 #include <string>
 #include <vector>
 
+namespace testDashedLines
+{
 using namespace linesTest;
 
 namespace
@@ -476,7 +479,7 @@ void TestSettings()
 }
 }
 
-int main()
+RELIEVO_TEST_CASE(testDashedLines)
 {
   relievoTest::Session session;
   TestCube();
@@ -488,4 +491,5 @@ int main()
   TestStability();
   TestSettings();
   return session.Result();
+}
 }

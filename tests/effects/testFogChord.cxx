@@ -7,6 +7,7 @@
 #include "FogChord.h"
 #include "FogTruth.h"
 #include "Session.h"
+#include "TestCase.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 
@@ -16,6 +17,8 @@
 #include <string>
 #include <vector>
 
+namespace testFogChord
+{
 namespace
 {
 using namespace relievoTest;
@@ -269,7 +272,7 @@ void TestOpticalDepths()
 }
 
 //------------------------------------------------------------------------------
-int main()
+RELIEVO_TEST_CASE(testFogChord)
 {
   relievoTest::Session session;
   TestClosedForms();
@@ -278,4 +281,5 @@ int main()
   TestOutlines();
   TestOpticalDepths();
   return session.Result();
+}
 }

@@ -7,6 +7,7 @@
 #include "FogScene.h"
 #include "GLCheck.h"
 #include "Session.h"
+#include "TestCase.h"
 #include "Window.h"
 
 #include <vtkCamera.h>
@@ -24,6 +25,8 @@
 #include <string>
 #include <vector>
 
+namespace testFogStability
+{
 namespace
 {
 using namespace relievoTest;
@@ -267,7 +270,7 @@ void TestDrawn()
 }
 
 //------------------------------------------------------------------------------
-int main()
+RELIEVO_TEST_CASE(testFogStability)
 {
   Session session;
   TestData();
@@ -279,4 +282,5 @@ int main()
   TestRequests();
   TestDrawn();
   return session.Result();
+}
 }

@@ -7,6 +7,7 @@
 #include "FogScene.h"
 #include "GLCheck.h"
 #include "Session.h"
+#include "TestCase.h"
 
 #include <vtkCamera.h>
 #include <vtkImageData.h>
@@ -17,6 +18,8 @@
 #include <string>
 #include <vector>
 
+namespace testFogStage
+{
 namespace
 {
 using namespace relievoTest;
@@ -181,7 +184,7 @@ void TestSamples()
 }
 
 //------------------------------------------------------------------------------
-int main()
+RELIEVO_TEST_CASE(testFogStage)
 {
   Session session;
   TestLayer();
@@ -191,4 +194,5 @@ int main()
   TestTranslucent();
   TestSamples();
   return session.Result();
+}
 }

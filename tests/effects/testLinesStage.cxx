@@ -7,6 +7,7 @@
 #include "GLCheck.h"
 #include "LinesScene.h"
 #include "Session.h"
+#include "TestCase.h"
 
 #include <vtkAppendPolyData.h>
 #include <vtkCell.h>
@@ -33,6 +34,8 @@
 #include <utility>
 #include <vector>
 
+namespace testLinesStage
+{
 using namespace linesTest;
 
 namespace
@@ -468,7 +471,7 @@ void TestSettings()
 }
 }
 
-int main()
+RELIEVO_TEST_CASE(testLinesStage)
 {
   relievoTest::Session session;
   TestSilhouette();
@@ -479,4 +482,5 @@ int main()
   TestParts();
   TestSettings();
   return session.Result();
+}
 }

@@ -10,6 +10,7 @@
 #include "Props.h"
 #include "Session.h"
 #include "Stage.h"
+#include "TestCase.h"
 #include "Window.h"
 
 #include <vtkCamera.h>
@@ -20,6 +21,8 @@
 #include <string>
 #include <vector>
 
+namespace testMarkersStability
+{
 namespace
 {
 using namespace relievoTest;
@@ -248,7 +251,7 @@ void TestRequests()
 }
 
 //------------------------------------------------------------------------------
-int main()
+RELIEVO_TEST_CASE(testMarkersStability)
 {
   Session session;
   TestData();
@@ -259,4 +262,5 @@ int main()
   TestToggles();
   TestRequests();
   return session.Result();
+}
 }

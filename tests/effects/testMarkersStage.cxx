@@ -11,6 +11,7 @@
 #include "Props.h"
 #include "Session.h"
 #include "Stage.h"
+#include "TestCase.h"
 #include "Window.h"
 
 #include <vtkCamera.h>
@@ -27,6 +28,8 @@
 #include <string>
 #include <vector>
 
+namespace testMarkersStage
+{
 namespace
 {
 using namespace relievoTest;
@@ -385,7 +388,7 @@ void TestSamples()
 }
 
 //------------------------------------------------------------------------------
-int main()
+RELIEVO_TEST_CASE(testMarkersStage)
 {
   Session session;
   TestLayer();
@@ -396,4 +399,5 @@ int main()
   TestOrder();
   TestSamples();
   return session.Result();
+}
 }

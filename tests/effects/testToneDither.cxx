@@ -5,6 +5,7 @@
 // same thresholds on the GPU as in C++, and the spectrum that makes noise blue.
 #include "Check.h"
 #include "Session.h"
+#include "TestCase.h"
 #include "ToneScene.h"
 
 #include <complex>
@@ -12,6 +13,8 @@
 #include <string>
 #include <vector>
 
+namespace testToneDither
+{
 namespace
 {
 using relievoTest::IsSame;
@@ -191,7 +194,7 @@ void TestSpectrum()
 }
 
 //------------------------------------------------------------------------------
-int main()
+RELIEVO_TEST_CASE(testToneDither)
 {
   relievoTest::Session session;
   TestMeans();
@@ -199,4 +202,5 @@ int main()
   TestThresholds();
   TestSpectrum();
   return session.Result();
+}
 }

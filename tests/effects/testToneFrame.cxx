@@ -6,6 +6,7 @@
 #include "Check.h"
 #include "GLCheck.h"
 #include "Session.h"
+#include "TestCase.h"
 #include "ToneScene.h"
 
 #include <vtkActor.h>
@@ -32,6 +33,8 @@
 
 #include <string>
 
+namespace testToneFrame
+{
 namespace
 {
 using relievoTest::IsSame;
@@ -335,7 +338,7 @@ void TestParameters()
 }
 
 //------------------------------------------------------------------------------
-int main()
+RELIEVO_TEST_CASE(testToneFrame)
 {
   relievoTest::Session session;
   TestCombinations();
@@ -348,4 +351,5 @@ int main()
 #endif
   TestParameters();
   return session.Result();
+}
 }

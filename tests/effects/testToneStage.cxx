@@ -8,6 +8,7 @@
 #include "GLCheck.h"
 #include "Session.h"
 #include "SrgbCurve.h"
+#include "TestCase.h"
 #include "ToneScene.h"
 
 #include <vtkDataArray.h>
@@ -17,6 +18,8 @@
 #include <limits>
 #include <string>
 
+namespace testToneStage
+{
 namespace
 {
 using relievoTest::IsSame;
@@ -288,7 +291,7 @@ void TestAutoExposureIsOfThisFrame()
 }
 
 //------------------------------------------------------------------------------
-int main()
+RELIEVO_TEST_CASE(testToneStage)
 {
   relievoTest::Session session;
   TestOperators();
@@ -299,4 +302,5 @@ int main()
   TestAutoExposure();
   TestAutoExposureIsOfThisFrame();
   return session.Result();
+}
 }

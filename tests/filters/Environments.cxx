@@ -3,6 +3,7 @@
 #include "Environments.h"
 
 #include <vtkFloatArray.h>
+#include <vtkMath.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 
@@ -15,11 +16,6 @@
 
 namespace relievoTest
 {
-namespace
-{
-constexpr double Pi = 3.14159265358979323846;
-}
-
 //------------------------------------------------------------------------------
 glm::dvec3 DirectionOf(int projection, const int size[3], int slice, double column, double row)
 {
@@ -27,8 +23,8 @@ glm::dvec3 DirectionOf(int projection, const int size[3], int slice, double colu
   const double v = row / size[1];
   if (projection == Equirectangular)
   {
-    const double longitude = 2. * Pi * (u - 0.5); // 0 towards +x, a quarter towards +z
-    const double latitude = Pi * (v - 0.5);
+    const double longitude = 2. * vtkMath::Pi() * (u - 0.5); // 0 towards +x, a quarter towards +z
+    const double latitude = vtkMath::Pi() * (v - 0.5);
     return { std::cos(latitude) * std::cos(longitude), std::sin(latitude),
       std::cos(latitude) * std::sin(longitude) };
   }
@@ -69,9 +65,9 @@ double SolidAngleOf(int projection, const int size[3], int slice, int column, in
   if (projection == Equirectangular)
   {
     // Between two parallels, exactly.
-    const double top = std::sin(Pi * ((row + 1.) / size[1] - 0.5));
-    const double bottom = std::sin(Pi * (double(row) / size[1] - 0.5));
-    return 2. * Pi / size[0] * (top - bottom);
+    const double top = std::sin(vtkMath::Pi() * ((row + 1.) / size[1] - 0.5));
+    const double bottom = std::sin(vtkMath::Pi() * (double(row) / size[1] - 0.5));
+    return 2. * vtkMath::Pi() / size[0] * (top - bottom);
   }
   // Of the rectangle from the middle of the face to (x, y), exactly; the texel is four of them.
   const auto corner = [&](int i, int j) {

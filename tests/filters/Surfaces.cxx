@@ -4,6 +4,7 @@
 
 #include <vtkCellArray.h>
 #include <vtkFloatArray.h>
+#include <vtkMath.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
@@ -14,11 +15,6 @@
 
 namespace relievoTest
 {
-namespace
-{
-constexpr double Pi = 3.14159265358979323846;
-}
-
 //------------------------------------------------------------------------------
 SurfacePoint PlanePoint(double u, double v)
 {
@@ -28,8 +24,8 @@ SurfacePoint PlanePoint(double u, double v)
 //------------------------------------------------------------------------------
 SurfacePoint SpherePoint(double u, double v)
 {
-  const double a = 2. * Pi * u;
-  const double b = Pi * (v - 0.5);
+  const double a = 2. * vtkMath::Pi() * u;
+  const double b = vtkMath::Pi() * (v - 0.5);
   const glm::dvec3 place(std::cos(b) * std::cos(a), std::cos(b) * std::sin(a), std::sin(b));
   return { place, place, { -std::sin(a), std::cos(a), 0. } };
 }
@@ -37,8 +33,8 @@ SurfacePoint SpherePoint(double u, double v)
 //------------------------------------------------------------------------------
 SurfacePoint TorusPoint(double u, double v)
 {
-  const double a = 2. * Pi * u;
-  const double b = 2. * Pi * v;
+  const double a = 2. * vtkMath::Pi() * u;
+  const double b = 2. * vtkMath::Pi() * v;
   const glm::dvec3 normal(std::cos(b) * std::cos(a), std::cos(b) * std::sin(a), std::sin(b));
   const glm::dvec3 ring(std::cos(a), std::sin(a), 0.);
   return { ring + 0.4 * normal, normal, { -std::sin(a), std::cos(a), 0. } };

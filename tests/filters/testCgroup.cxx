@@ -4,6 +4,7 @@
 // What control groups leave of memory, of both versions, from folders like those of Linux.
 #include "Check.h"
 #include "Session.h"
+#include "TestCase.h"
 #include "vtkRelievoCgroup.h"
 
 #include <vtksys/SystemTools.hxx>
@@ -12,6 +13,8 @@
 #include <fstream>
 #include <string>
 
+namespace testCgroup
+{
 namespace
 {
 void Write(const std::string& path, const std::string& text)
@@ -22,7 +25,7 @@ void Write(const std::string& path, const std::string& text)
 }
 
 //------------------------------------------------------------------------------
-int main()
+RELIEVO_TEST_CASE(testCgroup)
 {
   relievoTest::Session session;
   const std::string root = relievoTest::OutputFolder() + "/cgroup";
@@ -56,4 +59,5 @@ int main()
   RELIEVO_CHECK(free() == 3250.);
   RELIEVO_CHECK(relievo::FreeBytesOfCgroup() >= 0.);
   return session.Result();
+}
 }

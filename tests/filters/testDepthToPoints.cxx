@@ -7,6 +7,7 @@
 #include "DepthImage.h"
 #include "Refusal.h"
 #include "Session.h"
+#include "TestCase.h"
 #include "vtkRelievoDepthToPoints.h"
 
 #include <vtkCellArray.h>
@@ -29,6 +30,8 @@
 #include <limits>
 #include <string>
 
+namespace testDepthToPoints
+{
 namespace
 {
 using namespace relievoTest;
@@ -233,7 +236,7 @@ void TestRefusals()
 }
 
 //------------------------------------------------------------------------------
-int main()
+RELIEVO_TEST_CASE(testDepthToPoints)
 {
   Session session;
   TestViews();
@@ -243,4 +246,5 @@ int main()
   TestNothingThere();
   TestRefusals();
   return session.Result();
+}
 }

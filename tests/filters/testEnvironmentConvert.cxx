@@ -9,6 +9,7 @@
 #include "Refusal.h"
 #include "Session.h"
 #include "SrgbCurve.h"
+#include "TestCase.h"
 #include "vtkRelievoEnvironmentConvert.h"
 
 #include <vtkErrorCode.h>
@@ -27,6 +28,8 @@
 #include <random>
 #include <string>
 
+namespace testEnvironmentConvert
+{
 namespace
 {
 using namespace relievoTest;
@@ -318,7 +321,7 @@ void TestRefusals()
 }
 
 //------------------------------------------------------------------------------
-int main()
+RELIEVO_TEST_CASE(testEnvironmentConvert)
 {
   Session session;
   TestAxes();
@@ -329,4 +332,5 @@ int main()
   TestSizes();
   TestRefusals();
   return session.Result();
+}
 }

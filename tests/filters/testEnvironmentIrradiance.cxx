@@ -6,6 +6,7 @@
 #include "Check.h"
 #include "Environments.h"
 #include "Session.h"
+#include "TestCase.h"
 #include "vtkRelievoEnvironmentIrradiance.h"
 
 #include <vtkDataArray.h>
@@ -24,6 +25,8 @@
 #include <string>
 #include <vector>
 
+namespace testEnvironmentIrradiance
+{
 namespace
 {
 using namespace relievoTest;
@@ -257,7 +260,7 @@ void TestRefusals()
 }
 
 //------------------------------------------------------------------------------
-int main()
+RELIEVO_TEST_CASE(testEnvironmentIrradiance)
 {
   Session session;
   TestClosedForms();
@@ -266,4 +269,5 @@ int main()
   TestTable();
   TestRefusals();
   return session.Result();
+}
 }

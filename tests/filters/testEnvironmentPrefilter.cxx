@@ -7,6 +7,7 @@
 #include "Check.h"
 #include "Environments.h"
 #include "Session.h"
+#include "TestCase.h"
 #include "vtkRelievoEnvironmentPrefilter.h"
 
 #include <vtkCompositeDataSet.h>
@@ -29,6 +30,8 @@
 #include <string>
 #include <vector>
 
+namespace testEnvironmentPrefilter
+{
 namespace
 {
 using namespace relievoTest;
@@ -267,7 +270,7 @@ void TestStructure()
 }
 
 //------------------------------------------------------------------------------
-int main()
+RELIEVO_TEST_CASE(testEnvironmentPrefilter)
 {
   Session session;
   TestFurnace();
@@ -277,4 +280,5 @@ int main()
   TestSuns();
   TestStructure();
   return session.Result();
+}
 }

@@ -7,6 +7,7 @@
 #include "Check.h"
 #include "Environments.h"
 #include "Session.h"
+#include "TestCase.h"
 #include "Window.h"
 #include "vtkRelievoEnvironmentConvert.h"
 
@@ -34,6 +35,8 @@
 #include <string>
 #include <vector>
 
+namespace testEnvironmentVTK
+{
 namespace
 {
 using namespace relievoTest;
@@ -176,7 +179,7 @@ void TestSkybox()
 }
 
 //------------------------------------------------------------------------------
-int main()
+RELIEVO_TEST_CASE(testEnvironmentVTK)
 {
   Session session;
 #if __has_include(<vtkEquirectangularToCubeMapTexture.h>)
@@ -184,4 +187,5 @@ int main()
 #endif
   TestSkybox();
   return session.Result();
+}
 }

@@ -8,6 +8,7 @@
 #include "HeightFields.h"
 #include "Refusal.h"
 #include "Session.h"
+#include "TestCase.h"
 #include "vtkRelievoHeightsToNormals.h"
 
 #include <vtkDoubleArray.h>
@@ -25,6 +26,8 @@
 #include <limits>
 #include <string>
 
+namespace testHeightsToNormals
+{
 namespace
 {
 using namespace relievoTest;
@@ -305,7 +308,7 @@ void TestRefusals()
 }
 
 //------------------------------------------------------------------------------
-int main()
+RELIEVO_TEST_CASE(testHeightsToNormals)
 {
   Session session;
   TestExact();
@@ -316,4 +319,5 @@ int main()
   TestTypesAndOptions();
   TestRefusals();
   return session.Result();
+}
 }

@@ -5,6 +5,7 @@
 // promises, and what it leaves out.
 #include "Check.h"
 #include "Session.h"
+#include "TestCase.h"
 #include "vtkRelievoSolarPosition.h"
 
 #include <vtkNew.h>
@@ -13,6 +14,8 @@
 #include <iostream>
 #include <string>
 
+namespace testSolarPosition
+{
 namespace
 {
 constexpr double Degree = 3.14159265358979323846 / 180.0;
@@ -155,7 +158,7 @@ void TestGeometry()
 }
 }
 
-int main()
+RELIEVO_TEST_CASE(testSolarPosition)
 {
   relievoTest::Session session;
   std::cout.precision(10);
@@ -165,4 +168,5 @@ int main()
   TestEquationOfTime();
   TestGeometry();
   return session.Result();
+}
 }

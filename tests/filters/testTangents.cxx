@@ -7,6 +7,7 @@
 #include "Refusal.h"
 #include "Session.h"
 #include "Surfaces.h"
+#include "TestCase.h"
 #include "vtkRelievoTangents.h"
 
 #include <vtkCellArray.h>
@@ -27,6 +28,8 @@
 #include <cmath>
 #include <string>
 
+namespace testTangents
+{
 namespace
 {
 using namespace relievoTest;
@@ -382,7 +385,7 @@ void TestRefusals()
 }
 
 //------------------------------------------------------------------------------
-int main()
+RELIEVO_TEST_CASE(testTangents)
 {
   Session session;
   TestSurfaces();
@@ -392,4 +395,5 @@ int main()
   TestFlat();
   TestRefusals();
   return session.Result();
+}
 }

@@ -5,6 +5,7 @@
 // reference/tangents.txt, made by reference/makeTangents.py.
 #include "Check.h"
 #include "Session.h"
+#include "TestCase.h"
 #include "vtkRelievoTangents.h"
 
 #include <vtkCellArray.h>
@@ -27,6 +28,8 @@
 #include <string>
 #include <vector>
 
+namespace testTangentsReference
+{
 namespace
 {
 using namespace relievoTest;
@@ -132,7 +135,7 @@ void Compare(const std::string& name, const Reference& reference)
 }
 
 //------------------------------------------------------------------------------
-int main()
+RELIEVO_TEST_CASE(testTangentsReference)
 {
   Session session;
   std::ifstream file(RELIEVO_TANGENTS);
@@ -156,4 +159,5 @@ int main()
   }
   RELIEVO_CHECK(count == 3);
   return session.Result();
+}
 }

@@ -8,6 +8,7 @@
 #include "Refusal.h"
 #include "Session.h"
 #include "Surfaces.h"
+#include "TestCase.h"
 #include "vtkRelievoOFFReader.h"
 #include "vtkRelievoTangents.h"
 #include "vtkRelievoTextureCoordinates.h"
@@ -28,6 +29,8 @@
 #include <cmath>
 #include <string>
 
+namespace testTextureCoordinates
+{
 namespace
 {
 using namespace relievoTest;
@@ -342,7 +345,7 @@ void TestMeshes()
 }
 
 //------------------------------------------------------------------------------
-int main()
+RELIEVO_TEST_CASE(testTextureCoordinates)
 {
   Session session;
   TestPlane();
@@ -350,4 +353,5 @@ int main()
   TestSphere();
   TestMeshes();
   return session.Result();
+}
 }

@@ -6,6 +6,7 @@
 #include "Check.h"
 #include "Samples.h"
 #include "Session.h"
+#include "TestCase.h"
 #include "vtkRelievoFormulas.h"
 
 #include <algorithm>
@@ -14,6 +15,8 @@
 #include <random>
 #include <unordered_set>
 
+namespace testFormulasColor
+{
 namespace
 {
 using namespace relievoTest;
@@ -165,7 +168,7 @@ void TestLayers()
 }
 
 //------------------------------------------------------------------------------
-int main()
+RELIEVO_TEST_CASE(testFormulasColor)
 {
   relievoTest::Session session;
   TestSrgb();
@@ -173,4 +176,5 @@ int main()
   TestColormap();
   TestLayers();
   return session.Result();
+}
 }

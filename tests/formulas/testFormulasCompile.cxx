@@ -5,6 +5,7 @@
 // stands in vtkRelievoFormulaFiles.h, so that C++ has it too.
 #include "Check.h"
 #include "Session.h"
+#include "TestCase.h"
 #include "Window.h"
 #include "vtkRelievoShaderLibrary.h"
 
@@ -16,6 +17,8 @@
 #include <sstream>
 #include <string>
 
+namespace testFormulasCompile
+{
 namespace
 {
 bool Compiles(const std::string& formulas, std::string& error)
@@ -41,7 +44,7 @@ std::string Read(const std::string& path)
 }
 
 //------------------------------------------------------------------------------
-int main()
+RELIEVO_TEST_CASE(testFormulasCompile)
 {
   relievoTest::Session session;
   {
@@ -68,4 +71,5 @@ int main()
     RELIEVO_CHECK(!Compiles("float relievoBroken() { return vec2(1.0); }", error));
   }
   return session.Result();
+}
 }

@@ -6,6 +6,7 @@
 #include "Check.h"
 #include "Samples.h"
 #include "Session.h"
+#include "TestCase.h"
 #include "vtkRelievoFormulas.h"
 
 #include <algorithm>
@@ -13,6 +14,8 @@
 #include <cstdint>
 #include <string>
 
+namespace testFormulasDepth
+{
 namespace
 {
 using namespace relievoTest;
@@ -248,7 +251,7 @@ void TestHalves()
 }
 
 //------------------------------------------------------------------------------
-int main()
+RELIEVO_TEST_CASE(testFormulasDepth)
 {
   relievoTest::Session session;
   TestHalves();
@@ -259,4 +262,5 @@ int main()
   TestNormalDepth();
   TestInfiniteFar();
   return session.Result();
+}
 }

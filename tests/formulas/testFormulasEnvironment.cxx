@@ -7,6 +7,7 @@
 #include "Check.h"
 #include "Samples.h"
 #include "Session.h"
+#include "TestCase.h"
 #include "vtkRelievoFormulas.h"
 
 #include <algorithm>
@@ -15,6 +16,8 @@
 #include <string>
 #include <vector>
 
+namespace testFormulasEnvironment
+{
 namespace
 {
 using namespace relievoTest;
@@ -313,7 +316,7 @@ void TestPrefilter()
 }
 
 //------------------------------------------------------------------------------
-int main()
+RELIEVO_TEST_CASE(testFormulasEnvironment)
 {
   Session session;
   TestAxes();
@@ -324,4 +327,5 @@ int main()
   TestHarmonics();
   TestPrefilter();
   return session.Result();
+}
 }

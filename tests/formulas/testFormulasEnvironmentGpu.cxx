@@ -8,6 +8,7 @@
 #include "GpuCompare.h"
 #include "Samples.h"
 #include "Session.h"
+#include "TestCase.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,6 +16,8 @@
 #include <string>
 #include <vector>
 
+namespace testFormulasEnvironmentGpu
+{
 namespace
 {
 using namespace relievoTest;
@@ -121,7 +124,7 @@ void TestSamplerCube()
 }
 
 //------------------------------------------------------------------------------
-int main()
+RELIEVO_TEST_CASE(testFormulasEnvironmentGpu)
 {
   Session session;
   {
@@ -133,4 +136,5 @@ int main()
   }
   TestSamplerCube();
   return session.Result();
+}
 }

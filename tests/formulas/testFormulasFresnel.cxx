@@ -6,12 +6,15 @@
 #include "Check.h"
 #include "Samples.h"
 #include "Session.h"
+#include "TestCase.h"
 #include "vtkRelievoFormulas.h"
 
 #include <algorithm>
 #include <cmath>
 #include <string>
 
+namespace testFormulasFresnel
+{
 namespace
 {
 using namespace relievoTest;
@@ -110,11 +113,12 @@ void TestRoughness()
 }
 
 //------------------------------------------------------------------------------
-int main()
+RELIEVO_TEST_CASE(testFormulasFresnel)
 {
   relievoTest::Session session;
   TestSchlick();
   TestFresnel();
   TestRoughness();
   return session.Result();
+}
 }

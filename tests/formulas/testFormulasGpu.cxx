@@ -10,6 +10,7 @@
 #include "GpuCompare.h"
 #include "Samples.h"
 #include "Session.h"
+#include "TestCase.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,6 +20,8 @@
 #include <random>
 #include <string>
 
+namespace testFormulasGpu
+{
 namespace
 {
 using namespace relievoTest;
@@ -348,7 +351,7 @@ void TestSkin(relievoTest::GpuCases& gpu)
 }
 
 //------------------------------------------------------------------------------
-int main()
+RELIEVO_TEST_CASE(testFormulasGpu)
 {
   relievoTest::Session session;
   {
@@ -366,4 +369,5 @@ int main()
     }
   }
   return session.Result();
+}
 }

@@ -6,6 +6,7 @@
 // cells away; and no repetition after the periods that other noises have.
 #include "Check.h"
 #include "Session.h"
+#include "TestCase.h"
 #include "vtkRelievoFormulas.h"
 
 #include <algorithm>
@@ -14,6 +15,8 @@
 #include <random>
 #include <string>
 
+namespace testFormulasNoise
+{
 namespace
 {
 namespace f32 = relievo::f32;
@@ -264,7 +267,7 @@ void TestPeriods()
 }
 
 //------------------------------------------------------------------------------
-int main()
+RELIEVO_TEST_CASE(testFormulasNoise)
 {
   relievoTest::Session session;
   TestValues();
@@ -274,4 +277,5 @@ int main()
   TestSlope();
   TestPeriods();
   return session.Result();
+}
 }

@@ -6,6 +6,7 @@
 #include "Check.h"
 #include "Samples.h"
 #include "Session.h"
+#include "TestCase.h"
 #include "vtkRelievoFormulas.h"
 
 #include <algorithm>
@@ -15,6 +16,8 @@
 #include <string>
 #include <vector>
 
+namespace testFormulasNormals
+{
 namespace
 {
 using namespace relievoTest;
@@ -295,7 +298,7 @@ void TestFloats(const std::vector<glm::dvec3>& directions)
 }
 
 //------------------------------------------------------------------------------
-int main()
+RELIEVO_TEST_CASE(testFormulasNormals)
 {
   relievoTest::Session session;
   const std::vector<glm::dvec3> directions = Directions(1000000);
@@ -311,4 +314,5 @@ int main()
   TestNoDirection();
   TestLengths();
   return session.Result();
+}
 }

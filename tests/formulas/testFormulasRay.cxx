@@ -5,12 +5,15 @@
 // that two triangles share: in float no line slips through.
 #include "Check.h"
 #include "Session.h"
+#include "TestCase.h"
 #include "vtkRelievoFormulas.h"
 
 #include <cmath>
 #include <random>
 #include <string>
 
+namespace testFormulasRay
+{
 namespace
 {
 namespace f32 = relievo::f32;
@@ -125,7 +128,7 @@ void TestBoxes()
 }
 
 //------------------------------------------------------------------------------
-int main()
+RELIEVO_TEST_CASE(testFormulasRay)
 {
   relievoTest::Session session;
   TestTriangles(true);
@@ -133,4 +136,5 @@ int main()
   TestSharedEdges();
   TestBoxes();
   return session.Result();
+}
 }

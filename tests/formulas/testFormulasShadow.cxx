@@ -6,6 +6,7 @@
 // light; the filter's weights.
 #include "Check.h"
 #include "Session.h"
+#include "TestCase.h"
 #include "vtkRelievoFormulas.h"
 
 #include <algorithm>
@@ -14,6 +15,8 @@
 #include <string>
 #include <vector>
 
+namespace testFormulasShadow
+{
 namespace
 {
 namespace f32 = relievo::f32;
@@ -165,7 +168,7 @@ void TestWeights()
 }
 
 //------------------------------------------------------------------------------
-int main()
+RELIEVO_TEST_CASE(testFormulasShadow)
 {
   relievoTest::Session session;
   for (const Light& light : MakeLights())
@@ -174,4 +177,5 @@ int main()
   }
   TestWeights();
   return session.Result();
+}
 }

@@ -6,6 +6,7 @@
 #include "Check.h"
 #include "Samples.h"
 #include "Session.h"
+#include "TestCase.h"
 #include "vtkRelievoFormulas.h"
 
 #include <glm/gtc/quaternion.hpp>
@@ -15,6 +16,8 @@
 #include <cmath>
 #include <string>
 
+namespace testFormulasSkin
+{
 namespace
 {
 using namespace relievoTest;
@@ -126,11 +129,12 @@ void TestNormals()
 }
 
 //------------------------------------------------------------------------------
-int main()
+RELIEVO_TEST_CASE(testFormulasSkin)
 {
   relievoTest::Session session;
   TestBetweenKeys();
   TestMotions();
   TestNormals();
   return session.Result();
+}
 }

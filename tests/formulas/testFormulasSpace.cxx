@@ -6,6 +6,7 @@
 #include "Check.h"
 #include "Samples.h"
 #include "Session.h"
+#include "TestCase.h"
 #include "vtkRelievoFormulas.h"
 
 #include <algorithm>
@@ -14,6 +15,8 @@
 #include <string>
 #include <vector>
 
+namespace testFormulasSpace
+{
 namespace
 {
 using namespace relievoTest;
@@ -200,7 +203,7 @@ void TestWindow()
 }
 
 //------------------------------------------------------------------------------
-int main()
+RELIEVO_TEST_CASE(testFormulasSpace)
 {
   relievoTest::Session session;
   for (const View& view : Views())
@@ -211,4 +214,5 @@ int main()
   TestRange();
   TestWindow();
   return session.Result();
+}
 }

@@ -6,6 +6,7 @@
 #include "Check.h"
 #include "Samples.h"
 #include "Session.h"
+#include "TestCase.h"
 #include "vtkRelievoFormulas.h"
 
 #include <algorithm>
@@ -15,6 +16,8 @@
 #include <string>
 #include <vector>
 
+namespace testFormulasTone
+{
 namespace
 {
 using namespace relievoTest;
@@ -212,7 +215,7 @@ void TestDithering()
 }
 
 //------------------------------------------------------------------------------
-int main()
+RELIEVO_TEST_CASE(testFormulasTone)
 {
   relievoTest::Session session;
   TestCurves();
@@ -221,4 +224,5 @@ int main()
   TestAutoExposure();
   TestDithering();
   return session.Result();
+}
 }

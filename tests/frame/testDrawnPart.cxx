@@ -5,6 +5,7 @@
 // or as far away as can be, is in the picture all the same. The truth is VTK's own picture.
 #include "Check.h"
 #include "Session.h"
+#include "TestCase.h"
 #include "Window.h"
 
 #include <vtkActor.h>
@@ -47,6 +48,8 @@
 #include <string>
 #include <vector>
 
+namespace testDrawnPart
+{
 namespace
 {
 using relievoTest::Picture;
@@ -370,7 +373,7 @@ void TestBetweenBytes(int samples)
 }
 }
 
-int main()
+RELIEVO_TEST_CASE(testDrawnPart)
 {
   relievoTest::Session session;
   TestBetweenBytes(0);
@@ -398,4 +401,5 @@ int main()
   TestWith("an actor in units of the device", PlaceOnDevice);
 #endif
   return session.Result();
+}
 }

@@ -8,11 +8,14 @@
 #include "GLCheck.h"
 #include "NamedSquare.h"
 #include "Session.h"
+#include "TestCase.h"
 
 #include <vtkRelievoLayerSource.h>
 #include <vtkRelievoPass.h>
 #include <vtkUnsignedCharArray.h>
 
+namespace testFrameArrays
+{
 namespace
 {
 using relievoTest::ColorStage;
@@ -102,9 +105,10 @@ void TestArrays()
 }
 }
 
-int main()
+RELIEVO_TEST_CASE(testFrameArrays)
 {
   relievoTest::Session session;
   TestArrays();
   return session.Result();
+}
 }

@@ -6,6 +6,7 @@
 #include "Check.h"
 #include "GLCheck.h"
 #include "Session.h"
+#include "TestCase.h"
 #include "Window.h"
 
 #include <vtkActor.h>
@@ -32,6 +33,8 @@
 #include <string>
 #include <vector>
 
+namespace testFrameCapture
+{
 namespace
 {
 constexpr int Width = 120;
@@ -253,11 +256,12 @@ void TestScissor()
 }
 }
 
-int main()
+RELIEVO_TEST_CASE(testFrameCapture)
 {
   relievoTest::Session session;
   TestTexts();
   TestNoGhosts();
   TestScissor();
   return session.Result();
+}
 }

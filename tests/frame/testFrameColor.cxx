@@ -8,6 +8,7 @@
 #include "ColorStage.h"
 #include "GLCheck.h"
 #include "Session.h"
+#include "TestCase.h"
 #include "Window.h"
 
 #include <vtkActor.h>
@@ -41,6 +42,8 @@
 #include <string>
 #include <vector>
 
+namespace testFrameColor
+{
 namespace
 {
 using relievoTest::ColorStage;
@@ -311,7 +314,7 @@ void TestLayersOfRenderers()
 }
 }
 
-int main()
+RELIEVO_TEST_CASE(testFrameColor)
 {
   relievoTest::Session session;
   TestValues();
@@ -319,4 +322,5 @@ int main()
   TestTexts();
   TestLayersOfRenderers();
   return session.Result();
+}
 }

@@ -5,6 +5,7 @@
 #include "Check.h"
 #include "ColorStage.h"
 #include "Session.h"
+#include "TestCase.h"
 #include "Window.h"
 
 #include <vtkActor.h>
@@ -21,6 +22,8 @@
 #include <string>
 #include <vector>
 
+namespace testFramePhases
+{
 namespace
 {
 std::vector<std::string> Trace;
@@ -176,7 +179,7 @@ void TestOrder(const std::vector<std::string>& diagram)
 }
 
 //------------------------------------------------------------------------------
-int main(int argc, char* argv[])
+RELIEVO_TEST_CASE(testFramePhases)
 {
   relievoTest::Session session;
   RELIEVO_CHECK(argc == 2);
@@ -184,4 +187,5 @@ int main(int argc, char* argv[])
   RELIEVO_CHECK_THAT(diagram.size() == 10, "phases of the diagram: " + Join(diagram));
   TestOrder(diagram);
   return session.Result();
+}
 }

@@ -5,6 +5,7 @@
 // the order in which they are given; and what is refused, by name.
 #include "Check.h"
 #include "Session.h"
+#include "TestCase.h"
 
 #include <vtkRelievoFramePlan.h>
 #include <vtkRelievoStageDescription.h>
@@ -14,6 +15,8 @@
 #include <string>
 #include <vector>
 
+namespace testFramePlan
+{
 namespace
 {
 using Plan = vtkRelievoFramePlan;
@@ -380,7 +383,7 @@ void TestReasons()
 }
 }
 
-int main()
+RELIEVO_TEST_CASE(testFramePlan)
 {
   relievoTest::Session session;
   TestReached();
@@ -395,4 +398,5 @@ int main()
   TestOnlyIfColorChanges();
   TestReasons();
   return session.Result();
+}
 }

@@ -8,6 +8,7 @@
 #include "GLCheck.h"
 #include "NamedSquare.h"
 #include "Session.h"
+#include "TestCase.h"
 
 #include <vtkOpenGLError.h> // for OpenGL
 #include <vtkOpenGLRenderWindow.h>
@@ -20,6 +21,8 @@
 #include <string>
 #include <vector>
 
+namespace testFrameRefusals
+{
 namespace
 {
 using relievoTest::ColorStage;
@@ -269,7 +272,7 @@ void TestReplaced()
 }
 }
 
-int main()
+RELIEVO_TEST_CASE(testFrameRefusals)
 {
   relievoTest::Session session;
   TestOff();
@@ -277,4 +280,5 @@ int main()
   TestNoColor();
   TestReplaced();
   return session.Result();
+}
 }

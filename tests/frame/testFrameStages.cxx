@@ -7,6 +7,7 @@
 #include "ColorStage.h"
 #include "GLCheck.h"
 #include "Session.h"
+#include "TestCase.h"
 #include "Window.h"
 
 #include <vtkActor.h>
@@ -25,6 +26,8 @@
 #include <cstring>
 #include <string>
 
+namespace testFrameStages
+{
 namespace
 {
 using relievoTest::ColorStage;
@@ -203,7 +206,7 @@ void TestRegistry()
 }
 }
 
-int main()
+RELIEVO_TEST_CASE(testFrameStages)
 {
   relievoTest::Session session;
   TestOrder();
@@ -211,4 +214,5 @@ int main()
   TestLayersOnly();
   TestRegistry();
   return session.Result();
+}
 }

@@ -6,6 +6,7 @@
 // since 9.6 VTK leaves a unit in use for each.
 #include "Check.h"
 #include "Session.h"
+#include "TestCase.h"
 #include "ToneScene.h"
 #include "Window.h"
 
@@ -28,6 +29,8 @@
 #include <string>
 #include <vector>
 
+namespace testManyComposites
+{
 namespace
 {
 const int SIDE = 9; // 81 actors; there are 16 to 32 units
@@ -105,11 +108,12 @@ void TestPictures(bool drawnBefore)
 }
 }
 
-int main()
+RELIEVO_TEST_CASE(testManyComposites)
 {
   relievoTest::Session session;
   session.Allow("Hardware does not support the number of textures"); // of VTK's first frame
   TestPictures(false);
   TestPictures(true);
   return session.Result();
+}
 }

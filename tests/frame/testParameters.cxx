@@ -4,6 +4,7 @@
 // Every registered stage's description: whole, and true of what the stage takes.
 #include "Check.h"
 #include "Session.h"
+#include "TestCase.h"
 
 #include <vtkNew.h>
 #include <vtkRelievoPass.h>
@@ -15,6 +16,8 @@
 #include <set>
 #include <string>
 
+namespace testParameters
+{
 namespace
 {
 void TestDescription(vtkRelievoStage* stage)
@@ -171,7 +174,7 @@ void TestLabelsOfStages()
 }
 }
 
-int main()
+RELIEVO_TEST_CASE(testParameters)
 {
   relievoTest::Session session;
   TestDescriptions();
@@ -181,4 +184,5 @@ int main()
   TestLabels();
   TestLabelsOfStages();
   return session.Result();
+}
 }

@@ -4,6 +4,7 @@
 // The rectangles of spheres against many points of each: none outside, and none much larger.
 #include "Check.h"
 #include "Session.h"
+#include "TestCase.h"
 
 #include <vtkRelievoSphereBounds.h>
 
@@ -15,6 +16,8 @@
 #include <random>
 #include <string>
 
+namespace testSphereBounds
+{
 namespace
 {
 // Extremes of the sphere's points between two depths, sampled.
@@ -98,7 +101,7 @@ void TestProjection(const glm::dmat4& projection, const std::string& what)
 }
 }
 
-int main()
+RELIEVO_TEST_CASE(testSphereBounds)
 {
   relievoTest::Session session;
   const glm::dmat4 perspective = glm::frustum(-0.3, 0.3, -0.2, 0.2, 0.5, 9.0);
@@ -122,4 +125,5 @@ int main()
   RELIEVO_CHECK(!bounds.FindRectangle({ { 0.0, 0.0, -20.0 }, 2.0 }, 0.5, 9.0, rectangle));
   RELIEVO_CHECK(!bounds.FindRectangle({ { 90.0, 0.0, -5.0 }, 2.0 }, 0.5, 9.0, rectangle));
   return session.Result();
+}
 }

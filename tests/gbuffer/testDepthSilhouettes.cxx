@@ -10,6 +10,7 @@
 #include "Scenes.h"
 #include "Session.h"
 #include "Stage.h"
+#include "TestCase.h"
 #include "View.h"
 
 #include <vtkCamera.h>
@@ -29,6 +30,8 @@
 #include <iostream>
 #include <vector>
 
+namespace testDepthSilhouettes
+{
 namespace
 {
 using relievoTest::Layers;
@@ -224,7 +227,7 @@ void CheckCrossing()
 }
 
 //------------------------------------------------------------------------------
-int main()
+RELIEVO_TEST_CASE(testDepthSilhouettes)
 {
   relievoTest::Session session;
   CheckCrossing();
@@ -236,4 +239,5 @@ int main()
     }
   }
   return session.Result();
+}
 }

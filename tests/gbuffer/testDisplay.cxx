@@ -12,6 +12,7 @@
 #include "Props.h"
 #include "Session.h"
 #include "Stage.h"
+#include "TestCase.h"
 #include "Window.h"
 
 #include <vtkActor.h>
@@ -34,6 +35,8 @@
 #include <cstring>
 #include <functional>
 
+namespace testDisplay
+{
 namespace
 {
 using relievoTest::Layers;
@@ -374,7 +377,7 @@ void TestColor()
   }
 }
 
-int main()
+RELIEVO_TEST_CASE(testDisplay)
 {
   relievoTest::Session session;
   TestColor();
@@ -384,4 +387,5 @@ int main()
   TestNoRecompile();
   TestLinearDepth();
   return session.Result();
+}
 }

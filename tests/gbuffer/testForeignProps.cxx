@@ -10,6 +10,7 @@
 #include "Props.h"
 #include "Session.h"
 #include "Stage.h"
+#include "TestCase.h"
 #include "Window.h"
 
 #include <vtkActor.h>
@@ -48,6 +49,8 @@
 #include <vtkLeaderActor2D.h>
 #endif
 
+namespace testForeignProps
+{
 namespace
 {
 using relievoTest::Layers;
@@ -378,7 +381,7 @@ void TestFollower()
 }
 
 //------------------------------------------------------------------------------
-int main()
+RELIEVO_TEST_CASE(testForeignProps)
 {
   relievoTest::Session session;
   for (const Case& c : Cases)
@@ -391,4 +394,5 @@ int main()
   }
   TestFollower();
   return session.Result();
+}
 }

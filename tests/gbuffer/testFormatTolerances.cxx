@@ -9,6 +9,7 @@
 #include "Props.h"
 #include "Session.h"
 #include "Stage.h"
+#include "TestCase.h"
 
 #include <vtkRelievoLayersStage.h>
 #include <vtkRelievoPass.h>
@@ -19,6 +20,8 @@
 #include <limits>
 #include <string>
 
+namespace testFormatTolerances
+{
 namespace
 {
 using relievoTest::Layers;
@@ -134,10 +137,11 @@ void TestChoices()
 }
 
 //------------------------------------------------------------------------------
-int main()
+RELIEVO_TEST_CASE(testFormatTolerances)
 {
   relievoTest::Session session;
   TestChoices();
   TestTolerances();
   return session.Result();
+}
 }

@@ -10,6 +10,7 @@
 #include "Props.h"
 #include "Session.h"
 #include "Stage.h"
+#include "TestCase.h"
 
 #include <vtkActor.h>
 #include <vtkCamera.h>
@@ -21,6 +22,8 @@
 #include <cmath>
 #include <limits>
 
+namespace testFormatWords
+{
 namespace
 {
 using Pass = vtkRelievoLayersStage;
@@ -263,7 +266,7 @@ void TestAuto(const Stage& stage)
 }
 
 //------------------------------------------------------------------------------
-int main()
+RELIEVO_TEST_CASE(testFormatWords)
 {
   relievoTest::Session session;
   {
@@ -278,4 +281,5 @@ int main()
     TestTogether(stage);
   }
   return session.Result();
+}
 }

@@ -9,6 +9,7 @@
 #include "Props.h"
 #include "Session.h"
 #include "Stage.h"
+#include "TestCase.h"
 #include "Truth.h"
 
 #include <vtkCamera.h>
@@ -19,6 +20,8 @@
 
 #include <cmath>
 
+namespace testFormats
+{
 namespace
 {
 using relievoTest::Layers;
@@ -323,7 +326,7 @@ void TestVariants()
 }
 
 //------------------------------------------------------------------------------
-int main()
+RELIEVO_TEST_CASE(testFormats)
 {
   relievoTest::Session session;
   {
@@ -337,4 +340,5 @@ int main()
     TestVariants();
   }
   return session.Result();
+}
 }

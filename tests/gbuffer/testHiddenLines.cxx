@@ -9,6 +9,7 @@
 #include "Props.h"
 #include "Session.h"
 #include "Stage.h"
+#include "TestCase.h"
 #include "Window.h"
 
 #include <vtkActor.h>
@@ -23,6 +24,8 @@
 
 #include <cmath>
 
+namespace testHiddenLines
+{
 namespace
 {
 using relievoTest::Layers;
@@ -110,7 +113,7 @@ void Test(bool removal, bool wireFrameFirst, bool share)
 }
 
 //------------------------------------------------------------------------------
-int main()
+RELIEVO_TEST_CASE(testHiddenLines)
 {
   relievoTest::Session session;
   for (const bool removal : { false, true })
@@ -124,4 +127,5 @@ int main()
     }
   }
   return session.Result();
+}
 }

@@ -10,6 +10,7 @@
 #include "Props.h"
 #include "Session.h"
 #include "Stage.h"
+#include "TestCase.h"
 
 #include <vtkActor.h>
 #include <vtkCellData.h>
@@ -25,6 +26,8 @@
 
 #include <functional>
 
+namespace testLayersAlbedo
+{
 namespace
 {
 using relievoTest::Layers;
@@ -210,7 +213,7 @@ void TestAlbedo(const Material& material)
 }
 
 //------------------------------------------------------------------------------
-int main()
+RELIEVO_TEST_CASE(testLayersAlbedo)
 {
   relievoTest::Session session;
   for (const Material& material : Materials)
@@ -218,4 +221,5 @@ int main()
     TestAlbedo(material);
   }
   return session.Result();
+}
 }

@@ -9,6 +9,7 @@
 #include "Props.h"
 #include "Session.h"
 #include "Stage.h"
+#include "TestCase.h"
 #include "Truth.h"
 #include "View.h"
 
@@ -26,6 +27,8 @@
 
 #include <string>
 
+namespace testLayersBlocks
+{
 namespace
 {
 using relievoTest::EmbreeScene;
@@ -125,7 +128,7 @@ void TestCellData(CellData data)
 }
 
 //------------------------------------------------------------------------------
-int main()
+RELIEVO_TEST_CASE(testLayersBlocks)
 {
   relievoTest::Session session;
   for (const CellData data : { CellData::Colors, CellData::Normals, CellData::Both })
@@ -133,4 +136,5 @@ int main()
     TestCellData(data);
   }
   return session.Result();
+}
 }

@@ -10,6 +10,7 @@
 #include "Props.h"
 #include "Session.h"
 #include "Stage.h"
+#include "TestCase.h"
 
 #include <vtkActorCollection.h>
 #include <vtkAssembly.h>
@@ -32,6 +33,8 @@
 #include <vtkRelievoPass.h>
 #include <vtkUnstructuredGrid.h>
 
+namespace testLayersComposites
+{
 namespace
 {
 // Draws through an actor of its own, as VTK's and ParaView's actors with levels of detail do.
@@ -379,7 +382,7 @@ void TestDataSetMapper()
 }
 
 //------------------------------------------------------------------------------
-int main()
+RELIEVO_TEST_CASE(testLayersComposites)
 {
   relievoTest::Session session;
   TestBlocks();
@@ -390,4 +393,5 @@ int main()
   TestForeignPart();
   TestDataSetMapper();
   return session.Result();
+}
 }

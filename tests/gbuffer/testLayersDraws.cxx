@@ -11,6 +11,7 @@
 #include "Props.h"
 #include "Session.h"
 #include "Stage.h"
+#include "TestCase.h"
 
 #include <vtkActor.h>
 #include <vtkAssembly.h>
@@ -29,6 +30,8 @@
 #include <cmath>
 #include <iostream>
 
+namespace testLayersDraws
+{
 namespace
 {
 using relievoTest::BothWays;
@@ -295,7 +298,7 @@ void TestChangedMesh()
 }
 
 //------------------------------------------------------------------------------
-int main()
+RELIEVO_TEST_CASE(testLayersDraws)
 {
   relievoTest::Session session;
   TestSharedMapper();
@@ -304,4 +307,5 @@ int main()
   TestDrawnTwice();
   TestChangedMesh();
   return session.Result();
+}
 }

@@ -10,6 +10,7 @@
 #include "Props.h"
 #include "Session.h"
 #include "Stage.h"
+#include "TestCase.h"
 
 #include <vtkActor.h>
 #include <vtkBitArray.h>
@@ -29,6 +30,8 @@
 #include <vtkSphereSource.h>
 #include <vtkTransform.h>
 
+namespace testLayersGlyphs
+{
 namespace
 {
 using relievoTest::AngleDegrees;
@@ -367,7 +370,7 @@ void TestManyBlocks()
 }
 
 //------------------------------------------------------------------------------
-int main()
+RELIEVO_TEST_CASE(testLayersGlyphs)
 {
   relievoTest::Session session;
   TestScales(false, true);
@@ -379,4 +382,5 @@ int main()
   TestCulling();
   TestManyBlocks();
   return session.Result();
+}
 }

@@ -10,6 +10,7 @@
 #include "Props.h"
 #include "Session.h"
 #include "Stage.h"
+#include "TestCase.h"
 
 #include <vtkActor.h>
 #include <vtkCamera.h>
@@ -30,6 +31,8 @@
 
 #include <algorithm>
 
+namespace testLayersImpostors
+{
 namespace
 {
 using relievoTest::AngleDegrees;
@@ -392,7 +395,7 @@ void TestLinesAsTubes(bool parallel, bool slanted)
 }
 
 //------------------------------------------------------------------------------
-int main()
+RELIEVO_TEST_CASE(testLayersImpostors)
 {
   relievoTest::Session session;
   TestLinesAsTubes(true, false);
@@ -409,4 +412,5 @@ int main()
     TestLinesAsTubes(parallel, true);
   }
   return session.Result();
+}
 }

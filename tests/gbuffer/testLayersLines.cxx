@@ -9,6 +9,7 @@
 #include "Props.h"
 #include "Session.h"
 #include "Stage.h"
+#include "TestCase.h"
 #include "View.h"
 
 #include <vtkActor.h>
@@ -23,6 +24,8 @@
 
 #include <algorithm>
 
+namespace testLayersLines
+{
 namespace
 {
 using relievoTest::Layers;
@@ -282,7 +285,7 @@ void TestSplats()
 }
 
 //------------------------------------------------------------------------------
-int main()
+RELIEVO_TEST_CASE(testLayersLines)
 {
   relievoTest::Session session;
   TestRepresentation("points and lines", VTK_SURFACE, 1., 1., false, true);
@@ -293,4 +296,5 @@ int main()
   TestVertices();
   TestSplats();
   return session.Result();
+}
 }

@@ -11,6 +11,7 @@
 #include "Props.h"
 #include "Session.h"
 #include "Stage.h"
+#include "TestCase.h"
 
 #include <vtkCamera.h>
 #include <vtkMatrix4x4.h>
@@ -25,6 +26,8 @@
 #include <functional>
 #include <iostream>
 
+namespace testLayersNormals
+{
 namespace
 {
 using relievoTest::AddActor;
@@ -338,7 +341,7 @@ void TestFarAway()
 }
 
 //------------------------------------------------------------------------------
-int main()
+RELIEVO_TEST_CASE(testLayersNormals)
 {
   relievoTest::Session session;
   TestBoxes();
@@ -355,4 +358,5 @@ int main()
   TestViewSpace();
   TestFarAway();
   return session.Result();
+}
 }

@@ -9,6 +9,7 @@
 #include "LayerErrors.h"
 #include "Scenes.h"
 #include "Session.h"
+#include "TestCase.h"
 #include "Window.h"
 
 #include <vtkActor.h>
@@ -19,6 +20,8 @@
 #include <cmath>
 #include <iostream>
 
+namespace testLayersOfMeshes
+{
 namespace
 {
 using relievoTest::LayerErrors;
@@ -74,7 +77,7 @@ void Judge(const std::string& what, const LayerErrors& e)
 }
 
 //------------------------------------------------------------------------------
-int main()
+RELIEVO_TEST_CASE(testLayersOfMeshes)
 {
   relievoTest::Session session;
   for (const std::string& mesh : relievoTest::ReferenceMeshes())
@@ -99,4 +102,5 @@ int main()
     gl.Poll(mesh);
   }
   return session.Result();
+}
 }

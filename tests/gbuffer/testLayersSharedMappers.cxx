@@ -10,6 +10,7 @@
 #include "Props.h"
 #include "Session.h"
 #include "Stage.h"
+#include "TestCase.h"
 #include "Window.h"
 
 #include <vtkActor.h>
@@ -32,6 +33,8 @@
 #include <string>
 #include <vector>
 
+namespace testLayersSharedMappers
+{
 namespace
 {
 using relievoTest::Layers;
@@ -184,7 +187,7 @@ void Test(Kind kind, bool wiresFirst)
 }
 
 //------------------------------------------------------------------------------
-int main()
+RELIEVO_TEST_CASE(testLayersSharedMappers)
 {
   relievoTest::Session session;
   for (const Kind kind : { Kind::SurfaceAndWires, Kind::LinesOfBlocks })
@@ -193,4 +196,5 @@ int main()
     Test(kind, true);
   }
   return session.Result();
+}
 }

@@ -10,6 +10,7 @@
 #include "Props.h"
 #include "Session.h"
 #include "Stage.h"
+#include "TestCase.h"
 
 #include <vtkActor.h>
 #include <vtkCamera.h>
@@ -20,6 +21,8 @@
 #include <vtkProperty.h>
 #include <vtkTexture.h>
 
+namespace testLayersSurfaces
+{
 namespace
 {
 using relievoTest::AddActor;
@@ -206,7 +209,7 @@ void TestCoincident(double zNear, double zFar)
 }
 
 //------------------------------------------------------------------------------
-int main()
+RELIEVO_TEST_CASE(testLayersSurfaces)
 {
   relievoTest::Session session;
   TestCutOut();
@@ -214,4 +217,5 @@ int main()
   TestCoincident(2., 14.);
   TestCoincident(1e-3, 1e4);
   return session.Result();
+}
 }

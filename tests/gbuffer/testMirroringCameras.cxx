@@ -9,6 +9,7 @@
 #include "Props.h"
 #include "Session.h"
 #include "Stage.h"
+#include "TestCase.h"
 #include "Truth.h"
 
 #include <vtkActor.h>
@@ -23,6 +24,8 @@
 #include <algorithm>
 #include <cmath>
 
+namespace testMirroringCameras
+{
 namespace
 {
 using relievoTest::Layers;
@@ -105,7 +108,7 @@ void Test(const std::string& by, bool lit, relievoTest::Way way)
 }
 
 //------------------------------------------------------------------------------
-int main()
+RELIEVO_TEST_CASE(testMirroringCameras)
 {
   relievoTest::Session session;
   for (const char* by : { "view", "model", "projection" })
@@ -117,4 +120,5 @@ int main()
     }
   }
   return session.Result();
+}
 }

@@ -9,6 +9,7 @@
 #include "Props.h"
 #include "Session.h"
 #include "Stage.h"
+#include "TestCase.h"
 #include "Window.h"
 
 #include <vtkAssembly.h>
@@ -23,6 +24,8 @@
 #include <vtkRelievoPass.h>
 #include <vtkTextActor3D.h>
 
+namespace testMixedAssemblies
+{
 namespace
 {
 using relievoTest::Layers;
@@ -171,7 +174,7 @@ void TestLone()
 }
 
 //------------------------------------------------------------------------------
-int main()
+RELIEVO_TEST_CASE(testMixedAssemblies)
 {
   relievoTest::Session session;
   for (const Case& c : Cases)
@@ -188,4 +191,5 @@ int main()
   }
   TestLone();
   return session.Result();
+}
 }

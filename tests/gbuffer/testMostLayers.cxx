@@ -8,6 +8,7 @@
 #include "Props.h"
 #include "Session.h"
 #include "Stage.h"
+#include "TestCase.h"
 #include "Window.h"
 
 #include <vtkDataArray.h>
@@ -21,6 +22,8 @@
 #include <string>
 #include <vector>
 
+namespace testMostLayers
+{
 namespace
 {
 using relievoTest::Layers;
@@ -98,9 +101,10 @@ void TestMost()
 }
 
 //------------------------------------------------------------------------------
-int main()
+RELIEVO_TEST_CASE(testMostLayers)
 {
   relievoTest::Session session;
   TestMost();
   return session.Result();
+}
 }

@@ -11,6 +11,7 @@
 #include "Props.h"
 #include "Session.h"
 #include "Stage.h"
+#include "TestCase.h"
 
 #include <vtkActor.h>
 #include <vtkCamera.h>
@@ -33,6 +34,8 @@
 #include <cmath>
 #include <limits>
 
+namespace testNamedArrays
+{
 namespace
 {
 using relievoTest::Layers;
@@ -364,7 +367,7 @@ void TestErrors()
 }
 
 //------------------------------------------------------------------------------
-int main()
+RELIEVO_TEST_CASE(testNamedArrays)
 {
   relievoTest::Session session;
   CheckValues("ball", relievoTest::MakeBall(1.), {}, false);
@@ -377,4 +380,5 @@ int main()
   TestHidden();
   TestErrors();
   return session.Result();
+}
 }

@@ -9,6 +9,7 @@
 #include "Props.h"
 #include "Session.h"
 #include "Stage.h"
+#include "TestCase.h"
 #include "View.h"
 #include "Window.h"
 
@@ -27,6 +28,8 @@
 #include <algorithm>
 #include <cstdio>
 
+namespace testPrimitiveIds
+{
 namespace
 {
 using relievoTest::ExpectMessage;
@@ -269,7 +272,7 @@ void TestQuiet()
 }
 
 //------------------------------------------------------------------------------
-int main()
+RELIEVO_TEST_CASE(testPrimitiveIds)
 {
   relievoTest::Session session;
   TestJudgement();
@@ -279,4 +282,5 @@ int main()
   TestUnknownOutputs();
   TestQuiet();
   return session.Result();
+}
 }

@@ -5,6 +5,7 @@
 // none.
 #include "Check.h"
 #include "Session.h"
+#include "TestCase.h"
 
 #include <vtkBitArray.h>
 #include <vtkCellArray.h>
@@ -36,6 +37,8 @@
 #include <string>
 #include <vector>
 
+namespace testDataBytes
+{
 namespace
 {
 using relievo::ByteReader;
@@ -385,7 +388,7 @@ void TestDamage()
 }
 }
 
-int main()
+RELIEVO_TEST_CASE(testDataBytes)
 {
   relievoTest::Session session;
   TestMeshes();
@@ -395,4 +398,5 @@ int main()
   TestComposites();
   TestDamage();
   return session.Result();
+}
 }

@@ -6,6 +6,7 @@
 
 #include "Check.h"
 #include "Session.h"
+#include "TestCase.h"
 #include "vtkRelievoEXRReader.h"
 #include "vtkRelievoEXRWriter.h"
 
@@ -25,6 +26,8 @@
 #include <sys/resource.h>
 #include <sys/stat.h>
 
+namespace testEXRFailures
+{
 using Imath::Box2i;
 using Imath::V2i;
 
@@ -352,7 +355,7 @@ void TestReplacing()
 }
 }
 
-int main()
+RELIEVO_TEST_CASE_APART(testEXRFailures)
 {
   relievoTest::Session session;
   std::filesystem::remove_all(Folder());
@@ -369,4 +372,5 @@ int main()
   TestAbort();
   TestReplacing();
   return session.Result();
+}
 }

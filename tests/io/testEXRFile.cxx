@@ -5,6 +5,7 @@
 
 #include "Check.h"
 #include "Session.h"
+#include "TestCase.h"
 #include "vtkRelievoEXRWriter.h"
 
 #include <vtkDataArray.h>
@@ -26,6 +27,8 @@
 #include <algorithm>
 #include <cmath>
 
+namespace testEXRFile
+{
 namespace
 {
 std::string File()
@@ -244,7 +247,7 @@ void TestSameBytes()
 }
 }
 
-int main()
+RELIEVO_TEST_CASE(testEXRFile)
 {
   relievoTest::Session session;
   TestChannels();
@@ -254,4 +257,5 @@ int main()
   TestChoices();
   TestSameBytes();
   return session.Result();
+}
 }

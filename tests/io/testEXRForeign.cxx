@@ -6,6 +6,7 @@
 
 #include "Check.h"
 #include "Session.h"
+#include "TestCase.h"
 #include "vtkRelievoEXRReader.h"
 
 #include <vtkDataArray.h>
@@ -24,6 +25,8 @@
 
 #include <algorithm>
 
+namespace testEXRForeign
+{
 using Imath::Box2i;
 using Imath::V2i;
 using ioTest::MakeHeader;
@@ -335,7 +338,7 @@ void TestManners()
 }
 }
 
-int main()
+RELIEVO_TEST_CASE(testEXRForeign)
 {
   relievoTest::Session session;
   TestScanLines();
@@ -350,4 +353,5 @@ int main()
   TestCamera();
   TestManners();
   return session.Result();
+}
 }

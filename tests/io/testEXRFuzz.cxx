@@ -7,12 +7,15 @@
 
 #include "Check.h"
 #include "Session.h"
+#include "TestCase.h"
 
 #include <sys/resource.h>
 
 #include <fstream>
 #include <iostream>
 
+namespace testEXRFuzz
+{
 namespace
 {
 // From here on this process may take 1 GiB of addresses more. Sanitizers need more than that.
@@ -59,11 +62,12 @@ void TestRun()
 }
 }
 
-int main()
+RELIEVO_TEST_CASE_APART(testEXRFuzz)
 {
   relievoTest::Session session;
   LimitMemory();
   TestMutator();
   TestRun();
   return session.Result();
+}
 }

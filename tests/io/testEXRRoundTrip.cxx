@@ -5,6 +5,7 @@
 
 #include "Check.h"
 #include "Session.h"
+#include "TestCase.h"
 #include "vtkRelievoEXRReader.h"
 #include "vtkRelievoEXRWriter.h"
 
@@ -27,6 +28,8 @@
 #include <set>
 #include <string>
 
+namespace testEXRRoundTrip
+{
 namespace
 {
 std::string File()
@@ -446,7 +449,7 @@ void TestPieces()
 }
 }
 
-int main()
+RELIEVO_TEST_CASE(testEXRRoundTrip)
 {
   relievoTest::Session session;
   TestCompressions();
@@ -465,4 +468,5 @@ int main()
   TestThreads();
   TestPieces();
   return session.Result();
+}
 }

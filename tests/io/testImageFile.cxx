@@ -7,6 +7,7 @@
 // format.
 #include "Check.h"
 #include "Session.h"
+#include "TestCase.h"
 
 #include <vtkBMPWriter.h>
 #include <vtkDataArray.h>
@@ -32,6 +33,8 @@
 #include <string>
 #include <unistd.h>
 
+namespace testImageFile
+{
 namespace
 {
 void Refuses(const std::string& path, const std::string& says)
@@ -172,7 +175,7 @@ void TestColors()
 }
 
 //------------------------------------------------------------------------------
-int main()
+RELIEVO_TEST_CASE(testImageFile)
 {
   // The factory keeps its readers, unlike all that is watched from here.
   vtk::TakeSmartPointer(vtkImageReader2Factory::CreateImageReader2FromExtension(".png"));
@@ -208,4 +211,5 @@ int main()
   Refuses(cut, "it ends too early");
   fs::remove_all(folder);
   return session.Result();
+}
 }

@@ -5,6 +5,7 @@
 // them is left.
 #include "Check.h"
 #include "Session.h"
+#include "TestCase.h"
 
 #include <vtkRelievoReaderProcess.h>
 
@@ -25,6 +26,8 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
+namespace testReaderProcess
+{
 namespace
 {
 using relievo::ByteReader;
@@ -334,7 +337,7 @@ void TestGone()
 }
 }
 
-int main()
+RELIEVO_TEST_CASE_APART(testReaderProcess)
 {
   RELIEVO_CHECK(!vtkRelievoReaderProcess::IsThere());
   RELIEVO_CHECK(vtkRelievoReaderProcess::Start() && vtkRelievoReaderProcess::IsThere());
@@ -346,4 +349,5 @@ int main()
   TestTime();
   TestGone();
   return session.Result();
+}
 }

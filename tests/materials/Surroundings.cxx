@@ -7,6 +7,7 @@
 
 #include <vtkCamera.h>
 #include <vtkImageData.h>
+#include <vtkMath.h>
 #include <vtkPointData.h>
 #include <vtkRenderWindow.h>
 #include <vtkUnsignedCharArray.h>
@@ -16,11 +17,6 @@
 
 namespace relievoTest
 {
-namespace
-{
-constexpr double Pi = 3.14159265358979323846;
-}
-
 //------------------------------------------------------------------------------
 glm::dvec3 SixColors(const glm::dvec3& d)
 {
@@ -53,7 +49,7 @@ glm::dvec3 IrradianceOverPi(const Light& light, const glm::dvec3& normal)
     const double z = (2. * i + 1.) / Rings - 1.;
     for (int j = 0; j < 2 * Rings; ++j)
     {
-      const double turn = Pi * (j + 0.5) / Rings;
+      const double turn = vtkMath::Pi() * (j + 0.5) / Rings;
       const double r = std::sqrt(1. - z * z);
       const glm::dvec3 d(r * std::cos(turn), r * std::sin(turn), z);
       sum += std::max(glm::dot(d, normal), 0.) * light(d);

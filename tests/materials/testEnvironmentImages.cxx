@@ -7,6 +7,7 @@
 #include "Session.h"
 #include "Stage.h"
 #include "Surroundings.h"
+#include "TestCase.h"
 
 #include <vtkDoubleArray.h>
 #include <vtkFloatArray.h>
@@ -20,6 +21,8 @@
 
 #include <cmath>
 
+namespace testEnvironmentImages
+{
 namespace
 {
 using namespace relievoTest;
@@ -146,11 +149,12 @@ void TestLevels()
 }
 }
 
-int main()
+RELIEVO_TEST_CASE(testEnvironmentImages)
 {
   relievoTest::Session session;
   TestShapes();
   TestValues();
   TestLevels();
   return session.Result();
+}
 }

@@ -11,6 +11,7 @@
 #include "Session.h"
 #include "Stage.h"
 #include "Surroundings.h"
+#include "TestCase.h"
 #include "View.h"
 
 #include <vtkCamera.h>
@@ -32,6 +33,8 @@
 #include <algorithm>
 #include <cmath>
 
+namespace testEnvironmentStability
+{
 namespace
 {
 using namespace relievoTest;
@@ -328,7 +331,7 @@ void TestTogether()
 }
 }
 
-int main()
+RELIEVO_TEST_CASE(testEnvironmentStability)
 {
   relievoTest::Session session;
   TestSun();
@@ -337,4 +340,5 @@ int main()
   TestMeshes();
   TestTogether();
   return session.Result();
+}
 }

@@ -8,6 +8,7 @@
 #include "Props.h"
 #include "Session.h"
 #include "Stage.h"
+#include "TestCase.h"
 
 #include <vtkActor.h>
 #include <vtkCamera.h>
@@ -24,6 +25,8 @@
 #include <cmath>
 #include <string>
 
+namespace testMaterialCutoff
+{
 namespace
 {
 using namespace relievoTest;
@@ -141,10 +144,11 @@ void TestHoles(bool pbr)
 }
 
 //------------------------------------------------------------------------------
-int main()
+RELIEVO_TEST_CASE(testMaterialCutoff)
 {
   Session session;
   TestHoles(false);
   TestHoles(true);
   return session.Result();
+}
 }

@@ -7,6 +7,7 @@
 #include "MirrorScene.h"
 #include "ReliefTruth.h"
 #include "Session.h"
+#include "TestCase.h"
 #include "View.h"
 
 #include <vtkCamera.h>
@@ -27,6 +28,8 @@
 
 #include <cmath>
 
+namespace testMaterialEnvironment
+{
 namespace
 {
 using namespace relievoTest;
@@ -277,7 +280,7 @@ void TestIrradiance()
 }
 }
 
-int main()
+RELIEVO_TEST_CASE(testMaterialEnvironment)
 {
   relievoTest::Session session;
   TestSides();
@@ -289,4 +292,5 @@ int main()
   TestFurnace();
   TestIrradiance();
   return session.Result();
+}
 }

@@ -5,6 +5,7 @@
 #include "Check.h"
 #include "MirrorScene.h"
 #include "Session.h"
+#include "TestCase.h"
 
 #include <vtkCamera.h>
 #include <vtkMatrix4x4.h>
@@ -12,6 +13,8 @@
 #include <algorithm>
 #include <string>
 
+namespace testMaterialEyes
+{
 namespace
 {
 using namespace relievoTest;
@@ -78,9 +81,10 @@ void TestEyes()
 }
 }
 
-int main()
+RELIEVO_TEST_CASE(testMaterialEyes)
 {
   relievoTest::Session session;
   TestEyes();
   return session.Result();
+}
 }

@@ -9,6 +9,7 @@
 #include "Props.h"
 #include "Session.h"
 #include "Stage.h"
+#include "TestCase.h"
 
 #include <vtkCamera.h>
 #include <vtkCompositeDataIterator.h>
@@ -36,6 +37,8 @@
 #include <map>
 #include <string>
 
+namespace testMaterialGLTF
+{
 namespace
 {
 using namespace relievoTest;
@@ -248,7 +251,7 @@ void TestModel()
 }
 
 //------------------------------------------------------------------------------
-int main()
+RELIEVO_TEST_CASE(testMaterialGLTF)
 {
   // Made once by VTK and kept until the process ends: not to be counted as forgotten.
   {
@@ -258,4 +261,5 @@ int main()
   Session session;
   TestModel();
   return session.Result();
+}
 }

@@ -10,6 +10,7 @@
 #include "ReliefTruth.h"
 #include "Session.h"
 #include "Stage.h"
+#include "TestCase.h"
 
 #include <vtkCamera.h>
 #include <vtkFloatArray.h>
@@ -23,6 +24,8 @@
 #include <algorithm>
 #include <cmath>
 
+namespace testMaterialNormals
+{
 namespace
 {
 using namespace relievoTest;
@@ -286,11 +289,12 @@ void TestKeeps()
 }
 }
 
-int main()
+RELIEVO_TEST_CASE(testMaterialNormals)
 {
   relievoTest::Session session;
   TestFormats();
   TestFrames();
   TestKeeps();
   return session.Result();
+}
 }

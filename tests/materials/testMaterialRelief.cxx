@@ -8,6 +8,7 @@
 #include "ReliefTruth.h"
 #include "Session.h"
 #include "Stage.h"
+#include "TestCase.h"
 
 #include <vtkCamera.h>
 #include <vtkImageData.h>
@@ -21,6 +22,8 @@
 #include <cmath>
 #include <iostream>
 
+namespace testMaterialRelief
+{
 namespace
 {
 using namespace relievoTest;
@@ -194,7 +197,7 @@ void TestSelfShadow()
 }
 }
 
-int main()
+RELIEVO_TEST_CASE(testMaterialRelief)
 {
   relievoTest::Session session;
   TestWaves();
@@ -202,4 +205,5 @@ int main()
   TestPosts();
   TestSelfShadow();
   return session.Result();
+}
 }

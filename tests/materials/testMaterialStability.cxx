@@ -10,6 +10,7 @@
 #include "ReliefTruth.h"
 #include "Session.h"
 #include "Stage.h"
+#include "TestCase.h"
 
 #include <vtkCamera.h>
 #include <vtkFloatArray.h>
@@ -28,6 +29,8 @@
 #include <cmath>
 #include <limits>
 
+namespace testMaterialStability
+{
 namespace
 {
 using namespace relievoTest;
@@ -386,7 +389,7 @@ void TestTogether()
 }
 }
 
-int main()
+RELIEVO_TEST_CASE(testMaterialStability)
 {
   relievoTest::Session session;
   TestMeshes();
@@ -396,4 +399,5 @@ int main()
   TestBlocks();
   TestTogether();
   return session.Result();
+}
 }

@@ -10,6 +10,7 @@
 #include "ReliefTruth.h"
 #include "Session.h"
 #include "Stage.h"
+#include "TestCase.h"
 
 #include <vtkCamera.h>
 #include <vtkDataArray.h>
@@ -28,6 +29,8 @@
 #include <cmath>
 #include <string>
 
+namespace testMaterialTangents
+{
 namespace
 {
 using namespace relievoTest;
@@ -240,11 +243,12 @@ void TestPBR()
 }
 
 //------------------------------------------------------------------------------
-int main()
+RELIEVO_TEST_CASE(testMaterialTangents)
 {
   relievoTest::Session session;
   TestMaterial();
   TestOwnTexture();
   TestPBR();
   return session.Result();
+}
 }

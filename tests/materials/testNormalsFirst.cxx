@@ -11,6 +11,7 @@
 #include "ReliefTruth.h"
 #include "Session.h"
 #include "Stage.h"
+#include "TestCase.h"
 #include "Window.h"
 
 #include <vtkActor.h>
@@ -36,6 +37,8 @@
 #include <string>
 #include <vector>
 
+namespace testNormalsFirst
+{
 namespace
 {
 using namespace relievoTest;
@@ -320,7 +323,7 @@ void TestShown()
 }
 }
 
-int main()
+RELIEVO_TEST_CASE(testNormalsFirst)
 {
   relievoTest::Session session;
   for (const Case& of : Cases)
@@ -329,4 +332,5 @@ int main()
   }
   TestShown();
   return session.Result();
+}
 }

@@ -10,6 +10,7 @@
 #include "Session.h"
 #include "Stage.h"
 #include "Surroundings.h"
+#include "TestCase.h"
 #include "View.h"
 
 #include <vtkCamera.h>
@@ -23,6 +24,8 @@
 
 #include <cmath>
 
+namespace testSkybox
+{
 namespace
 {
 using namespace relievoTest;
@@ -356,7 +359,7 @@ void TestKeeps()
 }
 }
 
-int main()
+RELIEVO_TEST_CASE(testSkybox)
 {
   relievoTest::Session session;
   TestSides();
@@ -368,4 +371,5 @@ int main()
   TestSeams();
   TestKeeps();
   return session.Result();
+}
 }

@@ -9,6 +9,7 @@
 #include "Props.h"
 #include "Session.h"
 #include "Stage.h"
+#include "TestCase.h"
 #include "Window.h"
 
 #include <vtkActor.h>
@@ -27,6 +28,8 @@
 #include <cmath>
 #include <string>
 
+namespace testVoxelCubesActor
+{
 namespace
 {
 using namespace relievoTest;
@@ -286,7 +289,7 @@ void TestBounds()
 }
 
 //------------------------------------------------------------------------------
-int main()
+RELIEVO_TEST_CASE(testVoxelCubesActor)
 {
   relievoTest::Session session;
   TestSettings();
@@ -294,4 +297,5 @@ int main()
   TestSame();
   TestBounds();
   return session.Result();
+}
 }

@@ -29,13 +29,13 @@
 
 namespace relievoTest
 {
-namespace
-{
 int Pick(std::mt19937& random, int count)
 {
   return static_cast<int>(random() % static_cast<unsigned int>(count));
 }
 
+namespace
+{
 // Ground, box, ball, blocks, glyphs, a card with holes, a wall.
 constexpr int Glyphs = 4;
 

@@ -25,6 +25,9 @@ class vtkImageData;
 
 namespace relievoTest
 {
+/** One of the numbers below `count`. */
+int Pick(std::mt19937& random, int count);
+
 /** Everything that a picture may depend on, and nothing that it may not. */
 struct HistoryState
 {

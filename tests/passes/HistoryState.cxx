@@ -8,11 +8,6 @@ namespace relievoTest
 {
 namespace
 {
-int Pick(std::mt19937& random, int count)
-{
-  return static_cast<int>(random() % static_cast<unsigned int>(count));
-}
-
 double Between(std::mt19937& random, double low, double high)
 {
   return low + (high - low) * static_cast<double>(random() % 1000u) / 999.;

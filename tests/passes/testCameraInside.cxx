@@ -13,6 +13,7 @@
 #include "ShadowErrors.h"
 #include "ShadowScenes.h"
 #include "Solids.h"
+#include "TestCase.h"
 #include "Window.h"
 
 #include <vtkCamera.h>
@@ -44,6 +45,8 @@
 #include <string>
 #include <vector>
 
+namespace testCameraInside
+{
 namespace
 {
 using relievoTest::EmbreeScene;
@@ -344,11 +347,12 @@ void TestCubes()
 }
 
 //------------------------------------------------------------------------------
-int main()
+RELIEVO_TEST_CASE(testCameraInside)
 {
   relievoTest::Session session;
   TestBlocks();
   TestCaves();
   TestCubes();
   return session.Result();
+}
 }

@@ -9,6 +9,7 @@
 #include "Props.h"
 #include "Session.h"
 #include "Stage.h"
+#include "TestCase.h"
 #include "Window.h"
 
 #include <vtkActor.h>
@@ -43,6 +44,8 @@
 #include <functional>
 #include <iostream>
 
+namespace testDelegates
+{
 namespace
 {
 using relievoTest::Layers;
@@ -269,7 +272,7 @@ void TestFloatFramebuffer(bool part, bool withDelegate)
 }
 
 //------------------------------------------------------------------------------
-int main()
+RELIEVO_TEST_CASE(testDelegates)
 {
   relievoTest::Session session;
   for (const Chain& chain : Chains)
@@ -283,4 +286,5 @@ int main()
     TestFloatFramebuffer(part, false);
   }
   return session.Result();
+}
 }

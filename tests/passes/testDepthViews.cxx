@@ -9,6 +9,7 @@
 #include "Layers.h"
 #include "Session.h"
 #include "Solids.h"
+#include "TestCase.h"
 #include "Window.h"
 
 #include <vtkActor.h>
@@ -37,6 +38,8 @@
 #include <limits>
 #include <vector>
 
+namespace testDepthViews
+{
 namespace
 {
 using namespace relievoTest;
@@ -321,7 +324,7 @@ void TestAbort()
 }
 }
 
-int main()
+RELIEVO_TEST_CASE(testDepthViews)
 {
   relievoTest::Session session;
   TestAgainstDouble();
@@ -332,4 +335,5 @@ int main()
   TestRefusals();
   TestAbort();
   return session.Result();
+}
 }

@@ -8,6 +8,7 @@
 #include "FrameTimes.h"
 #include "Session.h"
 #include "ShadowScenes.h"
+#include "TestCase.h"
 #include "Window.h"
 
 #include <vtkLight.h>
@@ -21,6 +22,8 @@
 #include <iostream>
 #include <string>
 
+namespace testFrameTimes
+{
 namespace
 {
 using relievoTest::FrameTimes;
@@ -111,10 +114,11 @@ void TestOwnWork()
 }
 
 //------------------------------------------------------------------------------
-int main()
+RELIEVO_TEST_CASE(testFrameTimes)
 {
   relievoTest::Session session;
   TestMapsThatAreDrawn();
   TestOwnWork();
   return session.Result();
+}
 }

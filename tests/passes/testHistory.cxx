@@ -10,6 +10,7 @@
 #include "GLCheck.h"
 #include "HistoryScene.h"
 #include "Session.h"
+#include "TestCase.h"
 
 #include <vtkDataArray.h>
 #include <vtkFieldData.h>
@@ -21,6 +22,8 @@
 #include <deque>
 #include <iostream>
 
+namespace testHistory
+{
 namespace
 {
 using relievoTest::HistoryScene;
@@ -112,7 +115,7 @@ void Walk(int steps, unsigned int seed)
 }
 
 //------------------------------------------------------------------------------
-int main(int argc, char* argv[])
+RELIEVO_TEST_CASE(testHistory)
 {
   relievoTest::Session session;
   const int steps = argc > 1 ? std::atoi(argv[1]) : 300;
@@ -120,4 +123,5 @@ int main(int argc, char* argv[])
   Walk(steps, seed);
   std::cout << steps << " steps from seed " << seed << "\n";
   return session.Result();
+}
 }

@@ -9,6 +9,7 @@
 #include "Props.h"
 #include "Session.h"
 #include "Stage.h"
+#include "TestCase.h"
 #include "Window.h"
 
 #include <vtkImageData.h>
@@ -24,6 +25,8 @@
 
 #include <functional>
 
+namespace testScopedState
+{
 namespace
 {
 using relievoTest::Picture;
@@ -156,7 +159,7 @@ void Test(const Case& c)
 }
 
 //------------------------------------------------------------------------------
-int main()
+RELIEVO_TEST_CASE(testScopedState)
 {
   relievoTest::Session session;
   for (const Case& c : Cases)
@@ -164,4 +167,5 @@ int main()
     Test(c);
   }
   return session.Result();
+}
 }

@@ -8,6 +8,7 @@
 #include "Props.h"
 #include "Session.h"
 #include "Stage.h"
+#include "TestCase.h"
 #include "Window.h"
 
 #include <vtkActor.h>
@@ -21,6 +22,8 @@
 
 #include <cmath>
 
+namespace testShaderFailures
+{
 namespace
 {
 using relievoTest::ExpectMessage;
@@ -106,7 +109,7 @@ void Test(const Case& c, bool early, bool last)
 }
 
 //------------------------------------------------------------------------------
-int main()
+RELIEVO_TEST_CASE(testShaderFailures)
 {
   relievoTest::Session session;
   for (const Case& c : Cases)
@@ -115,4 +118,5 @@ int main()
     Test(c, false, true);
   }
   return session.Result();
+}
 }

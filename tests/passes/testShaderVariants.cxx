@@ -11,6 +11,7 @@
 #include "Props.h"
 #include "Session.h"
 #include "Stage.h"
+#include "TestCase.h"
 
 #include <vtkActor.h>
 #include <vtkCamera.h>
@@ -43,6 +44,8 @@
 #include <functional>
 #include <iostream>
 
+namespace testShaderVariants
+{
 namespace
 {
 using Pass = vtkRelievoLayersStage;
@@ -360,7 +363,7 @@ void Test(const Stage& stage, const std::string& what, const Layout& layout, Way
 }
 
 //------------------------------------------------------------------------------
-int main()
+RELIEVO_TEST_CASE(testShaderVariants)
 {
   relievoTest::Session session;
   {
@@ -412,4 +415,5 @@ int main()
     std::cout << count << " kinds of actors\n";
   }
   return session.Result();
+}
 }

@@ -10,6 +10,7 @@
 #include "Props.h"
 #include "Session.h"
 #include "Stage.h"
+#include "TestCase.h"
 #include "Window.h"
 
 #include <vtkActor.h>
@@ -29,6 +30,8 @@
 
 #include <functional>
 
+namespace testSharedKeys
+{
 namespace
 {
 using relievoTest::Layers;
@@ -298,7 +301,7 @@ void TestStray()
 }
 
 //------------------------------------------------------------------------------
-int main()
+RELIEVO_TEST_CASE(testSharedKeys)
 {
   relievoTest::Session session;
   for (const Case& c : Cases)
@@ -308,4 +311,5 @@ int main()
   TestReceiving();
   TestStray();
   return session.Result();
+}
 }

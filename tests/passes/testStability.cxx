@@ -10,6 +10,7 @@
 #include "Props.h"
 #include "Session.h"
 #include "Stage.h"
+#include "TestCase.h"
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
@@ -25,6 +26,8 @@
 #include <iostream>
 #include <limits>
 
+namespace testStability
+{
 namespace
 {
 using relievoTest::Layers;
@@ -233,7 +236,7 @@ void TestEmptyMeshes()
 }
 
 //------------------------------------------------------------------------------
-int main()
+RELIEVO_TEST_CASE(testStability)
 {
   relievoTest::Session session;
   TestPoints();
@@ -241,4 +244,5 @@ int main()
   TestArrays();
   TestEmptyMeshes();
   return session.Result();
+}
 }

@@ -11,6 +11,7 @@
 #include "Props.h"
 #include "Session.h"
 #include "Stage.h"
+#include "TestCase.h"
 #include "Window.h"
 
 #include <vtkCamera.h>
@@ -38,6 +39,8 @@
 #include <cstring>
 #include <iostream>
 
+namespace testToggle
+{
 namespace
 {
 using relievoTest::Picture;
@@ -326,7 +329,7 @@ void TestSelection()
 }
 
 //------------------------------------------------------------------------------
-int main()
+RELIEVO_TEST_CASE(testToggle)
 {
   relievoTest::Session session;
   TestChains();
@@ -336,4 +339,5 @@ int main()
   TestTimes();
   TestSelection();
   return session.Result();
+}
 }

@@ -9,6 +9,7 @@
 #include "Props.h"
 #include "Session.h"
 #include "Stage.h"
+#include "TestCase.h"
 #include "Window.h"
 
 #include <vtkCamera.h>
@@ -22,6 +23,8 @@
 #include <cmath>
 #include <cstring>
 
+namespace testViews
+{
 namespace
 {
 using relievoTest::Layers;
@@ -237,7 +240,7 @@ void TestTwoWindows()
 }
 
 //------------------------------------------------------------------------------
-int main()
+RELIEVO_TEST_CASE(testViews)
 {
   relievoTest::Session session;
   session.Allow("Resetting view-up");
@@ -247,4 +250,5 @@ int main()
   TestViewports();
   TestTwoWindows();
   return session.Result();
+}
 }

@@ -9,6 +9,7 @@
 #include "Props.h"
 #include "Session.h"
 #include "Stage.h"
+#include "TestCase.h"
 #include "Window.h"
 
 #include <vtkActor.h>
@@ -27,6 +28,8 @@
 
 #include <functional>
 
+namespace testWindows
+{
 namespace
 {
 using relievoTest::Layers;
@@ -349,7 +352,7 @@ void TestProjections()
 }
 
 //------------------------------------------------------------------------------
-int main()
+RELIEVO_TEST_CASE(testWindows)
 {
   relievoTest::Session session;
   TestMultisampled();
@@ -360,4 +363,5 @@ int main()
   TestImpossibleSizes();
   TestProjections();
   return session.Result();
+}
 }

@@ -8,6 +8,7 @@
 #include "EmbreeScene.h"
 #include "Scenes.h"
 #include "Session.h"
+#include "TestCase.h"
 
 #include <vtkActor.h>
 #include <vtkCallbackCommand.h>
@@ -48,6 +49,8 @@
 #include <string>
 #include <vector>
 
+namespace testRays
+{
 namespace
 {
 using relievoTest::BruteAnswer;
@@ -736,7 +739,7 @@ void TestRefusals()
 }
 
 //------------------------------------------------------------------------------
-int main()
+RELIEVO_TEST_CASE(testRays)
 {
   relievoTest::Session session;
   TestTriangle();
@@ -752,4 +755,5 @@ int main()
   TestData();
   TestRefusals();
   return session.Result();
+}
 }

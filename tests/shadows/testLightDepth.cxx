@@ -6,6 +6,7 @@
 #include "Check.h"
 #include "GLCheck.h"
 #include "Session.h"
+#include "TestCase.h"
 #include "Window.h"
 
 #include <vtkActor.h>
@@ -30,6 +31,8 @@
 #include <string>
 #include <utility>
 
+namespace testLightDepth
+{
 namespace
 {
 constexpr int Width = 240;
@@ -209,7 +212,7 @@ void TestWhichLight()
 }
 }
 
-int main()
+RELIEVO_TEST_CASE(testLightDepth)
 {
   relievoTest::Session session;
   TestSun();
@@ -217,4 +220,5 @@ int main()
   TestSpotAndLamp();
   TestWhichLight();
   return session.Result();
+}
 }

@@ -10,6 +10,7 @@
 #include "Session.h"
 #include "ShadowPictures.h"
 #include "ShadowScenes.h"
+#include "TestCase.h"
 #include "Window.h"
 
 #include <vtkActor.h>
@@ -25,6 +26,8 @@
 
 #include <string>
 
+namespace testShadowBlocks
+{
 namespace
 {
 using relievoTest::Picture;
@@ -90,10 +93,11 @@ void TestChanges(int method)
 }
 
 //------------------------------------------------------------------------------
-int main()
+RELIEVO_TEST_CASE(testShadowBlocks)
 {
   relievoTest::Session session;
   TestChanges(vtkRelievoShadowStage::METHOD_MAP);
   TestChanges(vtkRelievoShadowStage::METHOD_EXACT);
   return session.Result();
+}
 }

@@ -10,6 +10,7 @@
 #include "Props.h"
 #include "Session.h"
 #include "ShadowPictures.h"
+#include "TestCase.h"
 #include "Window.h"
 
 #include <vtkAssembly.h>
@@ -33,6 +34,8 @@
 #include <functional>
 #include <set>
 
+namespace testShadowCache
+{
 namespace
 {
 using relievoTest::Picture;
@@ -403,7 +406,7 @@ void TestOrbitOverWideGround()
 }
 
 //------------------------------------------------------------------------------
-int main(int argc, char* argv[])
+RELIEVO_TEST_CASE(testShadowCache)
 {
   relievoTest::Session session;
   Exact = argc > 1 && std::string(argv[1]) == "exact";
@@ -420,4 +423,5 @@ int main(int argc, char* argv[])
     TestOrbitOverWideGround();
   }
   return session.Result();
+}
 }

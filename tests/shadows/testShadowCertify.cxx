@@ -10,6 +10,7 @@
 #include "Session.h"
 #include "ShadowErrors.h"
 #include "ShadowScenes.h"
+#include "TestCase.h"
 #include "Window.h"
 
 #include <vtkActor.h>
@@ -31,6 +32,8 @@
 #include <iostream>
 #include <string>
 
+namespace testShadowCertify
+{
 namespace
 {
 using Certificate = vtkRelievoShadowCertificate;
@@ -292,7 +295,7 @@ void TestRefusals()
 }
 
 //------------------------------------------------------------------------------
-int main()
+RELIEVO_TEST_CASE(testShadowCertify)
 {
   relievoTest::Session session;
   TestBound();
@@ -306,4 +309,5 @@ int main()
   TestNested();
   TestMesh("bunny", SceneLight::Point);
   return session.Result();
+}
 }

@@ -10,6 +10,7 @@
 #include "Session.h"
 #include "ShadowErrors.h"
 #include "ShadowScenes.h"
+#include "TestCase.h"
 
 #include <vtkActor.h>
 #include <vtkCamera.h>
@@ -31,6 +32,8 @@
 #include <set>
 #include <string>
 
+namespace testShadowCertifyCasters
+{
 namespace
 {
 using Certificate = vtkRelievoShadowCertificate;
@@ -216,11 +219,12 @@ void TestProbes()
 }
 
 //------------------------------------------------------------------------------
-int main()
+RELIEVO_TEST_CASE(testShadowCertifyCasters)
 {
   relievoTest::Session session;
   TestPanes();
   TestBlocks();
   TestProbes();
   return session.Result();
+}
 }

@@ -6,6 +6,7 @@
 // times wobble, where the camera stops and goes, and where a way takes longer than expected.
 #include "Check.h"
 #include "Session.h"
+#include "TestCase.h"
 #include "vtkRelievoShadowPlanner.h"
 
 #include <vtkRelievoShadowStage.h>
@@ -17,6 +18,8 @@
 #include <string>
 #include <vector>
 
+namespace testShadowChoices
+{
 namespace
 {
 using Planner = vtkRelievoShadowPlanner;
@@ -324,7 +327,7 @@ void TestEstimates()
 }
 
 //------------------------------------------------------------------------------
-int main()
+RELIEVO_TEST_CASE(testShadowChoices)
 {
   relievoTest::Session session;
   TestTolerance();
@@ -334,4 +337,5 @@ int main()
   TestSlowerThanExpected();
   TestEstimates();
   return session.Result();
+}
 }

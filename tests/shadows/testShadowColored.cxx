@@ -12,6 +12,7 @@
 #include "ShadowPictures.h"
 #include "ShadowScenes.h"
 #include "SrgbCurve.h"
+#include "TestCase.h"
 #include "Window.h"
 
 #include <vtkActor.h>
@@ -40,6 +41,8 @@
 #include <utility>
 #include <vector>
 
+namespace testShadowColored
+{
 namespace
 {
 using relievoTest::LinearFromSrgb;
@@ -379,7 +382,7 @@ void TestSoft()
 }
 
 //------------------------------------------------------------------------------
-int main()
+RELIEVO_TEST_CASE(testShadowColored)
 {
   relievoTest::Session session;
   TestProduct();
@@ -393,4 +396,5 @@ int main()
   TestArrays();
   TestSoft();
   return session.Result();
+}
 }

@@ -9,6 +9,7 @@
 #include "Layers.h"
 #include "Session.h"
 #include "ShadowPictures.h"
+#include "TestCase.h"
 #include "Window.h"
 
 #include <vtkCallbackCommand.h>
@@ -45,6 +46,8 @@
 #include <iostream>
 #include <vector>
 
+namespace testShadowCombinations
+{
 namespace
 {
 using relievoTest::Picture;
@@ -308,7 +311,7 @@ void TestStereoStays()
 }
 
 //------------------------------------------------------------------------------
-int main()
+RELIEVO_TEST_CASE(testShadowCombinations)
 {
   relievoTest::Session session;
   for (const Feature& feature : Features)
@@ -320,4 +323,5 @@ int main()
   TestStereo();
   TestStereoStays();
   return session.Result();
+}
 }

@@ -12,6 +12,7 @@
 #include "Session.h"
 #include "ShadowErrors.h"
 #include "ShadowScenes.h"
+#include "TestCase.h"
 #include "Window.h"
 
 #include <vtkActor.h>
@@ -32,6 +33,8 @@
 #include <string>
 #include <vector>
 
+namespace testShadowEstimate
+{
 namespace
 {
 using Pass = vtkRelievoShadowStage;
@@ -228,7 +231,7 @@ void TestWrongQuestions()
 }
 
 //------------------------------------------------------------------------------
-int main(int argc, char* argv[])
+RELIEVO_TEST_CASE(testShadowEstimate)
 {
   relievoTest::Session session;
   RELIEVO_CHECK(argc == 2);
@@ -243,4 +246,5 @@ int main(int argc, char* argv[])
     TestMesh(mesh, SceneLight::Point, "point");
   }
   return session.Result();
+}
 }

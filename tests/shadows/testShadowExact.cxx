@@ -13,6 +13,7 @@
 #include "Session.h"
 #include "ShadowErrors.h"
 #include "ShadowScenes.h"
+#include "TestCase.h"
 #include "Window.h"
 
 #include <vtkActor.h>
@@ -34,6 +35,8 @@
 #include <limits>
 #include <vector>
 
+namespace testShadowExact
+{
 namespace
 {
 using relievoTest::Layers;
@@ -342,7 +345,7 @@ void TestOthers()
 }
 
 //------------------------------------------------------------------------------
-int main(int argc, char* argv[])
+RELIEVO_TEST_CASE(testShadowExact)
 {
   relievoTest::Session session;
   if (argc > 1 && std::string(argv[1]) == "few")
@@ -367,4 +370,5 @@ int main(int argc, char* argv[])
   TestCreases();
   TestOthers();
   return session.Result();
+}
 }

@@ -9,6 +9,7 @@
 #include "Props.h"
 #include "Session.h"
 #include "ShadowScenes.h"
+#include "TestCase.h"
 
 #include <vtkActor.h>
 #include <vtkActorCollection.h>
@@ -36,6 +37,8 @@
 #include <string>
 #include <vector>
 
+namespace testShadowExactDouble
+{
 namespace
 {
 using relievoTest::BruteScene;
@@ -208,7 +211,7 @@ void AddLight(ShadowStage& stage, int kind)
 }
 
 //------------------------------------------------------------------------------
-int main()
+RELIEVO_TEST_CASE(testShadowExactDouble)
 {
   relievoTest::Session session;
   const std::array<std::array<int, 2>, 3> windows = { { { 360, 300 }, { 480, 225 },
@@ -234,4 +237,5 @@ int main()
     }
   }
   return session.Result();
+}
 }

@@ -7,6 +7,7 @@
 #include "Session.h"
 #include "ShadowErrors.h"
 #include "ShadowScenes.h"
+#include "TestCase.h"
 
 #include <vtkActor.h>
 #include <vtkCamera.h>
@@ -31,6 +32,8 @@
 #include <string>
 #include <vector>
 
+namespace testShadowExactSheets
+{
 namespace
 {
 using relievoTest::ShadowStage;
@@ -251,7 +254,7 @@ void TestTableTexture()
 }
 
 //------------------------------------------------------------------------------
-int main()
+RELIEVO_TEST_CASE(testShadowExactSheets)
 {
   relievoTest::Session session;
   TestWatertight();
@@ -261,4 +264,5 @@ int main()
   TestOffset();
   TestTableTexture();
   return session.Result();
+}
 }

@@ -11,6 +11,7 @@
 #include "ShadowErrors.h"
 #include "ShadowPictures.h"
 #include "ShadowScenes.h"
+#include "TestCase.h"
 #include "Window.h"
 
 #include <vtkActor.h>
@@ -49,6 +50,8 @@
 #include <utility>
 #include <vector>
 
+namespace testShadowGlyphs
+{
 namespace
 {
 using relievoTest::EmbreeScene;
@@ -388,7 +391,7 @@ void TestMany()
 }
 
 //------------------------------------------------------------------------------
-int main()
+RELIEVO_TEST_CASE(testShadowGlyphs)
 {
   relievoTest::Session session;
   TestWays();
@@ -397,4 +400,5 @@ int main()
   TestBlocks();
   TestMany();
   return session.Result();
+}
 }

@@ -10,6 +10,7 @@
 #include "Props.h"
 #include "Session.h"
 #include "ShadowPictures.h"
+#include "TestCase.h"
 #include "Window.h"
 
 #include <vtkActorCollection.h>
@@ -33,6 +34,8 @@
 #include <string>
 #include <vector>
 
+namespace testShadowLights
+{
 namespace
 {
 using relievoTest::CheckShadow;
@@ -377,7 +380,7 @@ void Test(const Material& material, const std::vector<int>& numbers)
 }
 
 //------------------------------------------------------------------------------
-int main()
+RELIEVO_TEST_CASE(testShadowLights)
 {
   relievoTest::Session session;
   TestKinds();
@@ -395,4 +398,5 @@ int main()
     Test(material, all ? std::vector<int>{ 0, 1, 2 } : std::vector<int>{ turn++ % 3 });
   }
   return session.Result();
+}
 }

@@ -10,6 +10,7 @@
 #include "Props.h"
 #include "Session.h"
 #include "ShadowScenes.h"
+#include "TestCase.h"
 
 #include <vtkActor.h>
 #include <vtkCellArray.h>
@@ -31,6 +32,8 @@
 #include <iostream>
 #include <string>
 
+namespace testShadowManyTriangles
+{
 namespace
 {
 using relievoTest::ShadowStage;
@@ -222,9 +225,10 @@ void Test(double wanted)
 }
 
 //------------------------------------------------------------------------------
-int main(int argc, char* argv[])
+RELIEVO_TEST_CASE(testShadowManyTriangles)
 {
   relievoTest::Session session;
   Test(argc > 1 ? std::atof(argv[1]) : 1e7);
   return session.Result();
+}
 }

@@ -7,6 +7,7 @@
 #include "Layers.h"
 #include "Session.h"
 #include "ShadowPictures.h"
+#include "TestCase.h"
 #include "Window.h"
 
 #include <vtkImageData.h>
@@ -21,6 +22,8 @@
 
 #include <dlfcn.h>
 
+namespace testShadowMemory
+{
 namespace
 {
 bool Full = false;
@@ -207,7 +210,7 @@ void TestVerdicts()
 }
 
 //------------------------------------------------------------------------------
-int main()
+RELIEVO_TEST_CASE(testShadowMemory)
 {
   relievoTest::Session session;
   TestMaps();
@@ -215,4 +218,5 @@ int main()
   TestVerdicts();
   TestPlanned();
   return session.Result();
+}
 }

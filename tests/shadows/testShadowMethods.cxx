@@ -8,6 +8,7 @@
 #include "Layers.h"
 #include "Session.h"
 #include "ShadowScenes.h"
+#include "TestCase.h"
 
 #include <vtkCallbackCommand.h>
 #include <vtkCamera.h>
@@ -34,6 +35,8 @@
 #include <string>
 #include <vector>
 
+namespace testShadowMethods
+{
 namespace
 {
 using relievoTest::ShadowStage;
@@ -248,7 +251,7 @@ void TestPeer()
 }
 
 //------------------------------------------------------------------------------
-int main()
+RELIEVO_TEST_CASE(testShadowMethods)
 {
   relievoTest::Session session;
   TestErrors();
@@ -258,4 +261,5 @@ int main()
   TestDraws();
   TestPeer();
   return session.Result();
+}
 }

@@ -10,6 +10,7 @@
 #include "Session.h"
 #include "ShadowErrors.h"
 #include "ShadowScenes.h"
+#include "TestCase.h"
 #include "Window.h"
 
 #include <vtkActor.h>
@@ -30,6 +31,8 @@
 #include <utility>
 #include <vector>
 
+namespace testShadowPlanner
+{
 namespace
 {
 using Pass = vtkRelievoShadowStage;
@@ -323,7 +326,7 @@ void TestRefusals()
 }
 
 //------------------------------------------------------------------------------
-int main()
+RELIEVO_TEST_CASE(testShadowPlanner)
 {
   relievoTest::Session session;
   TestNoWish();
@@ -335,4 +338,5 @@ int main()
   TestEntering();
   TestLightsGone();
   return session.Result();
+}
 }

@@ -11,6 +11,7 @@
 #include "Session.h"
 #include "ShadowErrors.h"
 #include "ShadowScenes.h"
+#include "TestCase.h"
 #include "Window.h"
 
 #include <vtkFloatArray.h>
@@ -30,6 +31,8 @@
 #include <string>
 #include <vector>
 
+namespace testShadowPlannerCases
+{
 namespace
 {
 using Pass = vtkRelievoShadowStage;
@@ -136,7 +139,7 @@ void JudgeStages(Cases& cases)
 }
 
 //------------------------------------------------------------------------------
-int main()
+RELIEVO_TEST_CASE(testShadowPlannerCases)
 {
   relievoTest::Session session;
   Cases cases;
@@ -153,4 +156,5 @@ int main()
     static_cast<double>(cases.Over) / cases.Count, 0.05, "share of cases over 1.5 times");
   RELIEVO_CHECK_AT_MOST(cases.Worst, 3., "the worst, times the tolerance");
   return session.Result();
+}
 }

@@ -8,6 +8,7 @@
 #include "Props.h"
 #include "Session.h"
 #include "ShadowScenes.h"
+#include "TestCase.h"
 
 #include <vtkActor.h>
 #include <vtkCamera.h>
@@ -25,6 +26,8 @@
 #include <iostream>
 #include <string>
 
+namespace testShadowPlannerFrames
+{
 namespace
 {
 using Pass = vtkRelievoShadowStage;
@@ -186,7 +189,7 @@ void TestTimeTaken()
 }
 
 //------------------------------------------------------------------------------
-int main()
+RELIEVO_TEST_CASE(testShadowPlannerFrames)
 {
   relievoTest::Session session;
   for (const double budget : { 0., 1e6 })
@@ -199,4 +202,5 @@ int main()
   TestFarness();
   TestCone();
   return session.Result();
+}
 }

@@ -10,6 +10,7 @@
 #include "Props.h"
 #include "Session.h"
 #include "ShadowPictures.h"
+#include "TestCase.h"
 #include "Window.h"
 
 #include <vtkAppendPolyData.h>
@@ -36,6 +37,8 @@
 #include <string>
 #include <vector>
 
+namespace testShadowProps
+{
 namespace
 {
 using relievoTest::AddActor;
@@ -305,7 +308,7 @@ void TestSharedMapper()
 }
 
 //------------------------------------------------------------------------------
-int main()
+RELIEVO_TEST_CASE(testShadowProps)
 {
   relievoTest::Session session;
   for (const Kind& kind : Kinds)
@@ -315,4 +318,5 @@ int main()
   TestPixelSized();
   TestSharedMapper();
   return session.Result();
+}
 }

@@ -7,6 +7,7 @@
 #include "RankScene.h"
 #include "Ranks.h"
 #include "Session.h"
+#include "TestCase.h"
 
 #include <vtkActor.h>
 #include <vtkCamera.h>
@@ -27,6 +28,8 @@
 #include <string>
 #include <vector>
 
+namespace testShadowRanks
+{
 namespace
 {
 using relievoTest::Pixels;
@@ -214,7 +217,7 @@ bool AreUnlike(const float* a, const float* b, Likeness like)
 }
 }
 
-int main()
+RELIEVO_TEST_CASE_APART(testShadowRanks)
 {
   relievoTest::Session session;
   const auto compare = [](int ranks, const float* one, const float* several) {
@@ -242,4 +245,5 @@ int main()
   };
   relievoTest::CompareRanks(DrawAll, Values, Steps.size() * Pixels * Values, compare);
   return session.Result();
+}
 }

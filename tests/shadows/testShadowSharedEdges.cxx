@@ -9,6 +9,7 @@
 #include "Props.h"
 #include "Session.h"
 #include "ShadowScenes.h"
+#include "TestCase.h"
 
 #include <vtkActor.h>
 #include <vtkCamera.h>
@@ -25,6 +26,8 @@
 #include <cmath>
 #include <string>
 
+namespace testShadowSharedEdges
+{
 namespace
 {
 using relievoTest::ShadowStage;
@@ -120,7 +123,7 @@ void TestRays(double passes, bool turned)
 }
 
 //------------------------------------------------------------------------------
-int main()
+RELIEVO_TEST_CASE(testShadowSharedEdges)
 {
   relievoTest::Session session;
   TestPane(2, 0.5, "pane");
@@ -132,4 +135,5 @@ int main()
     TestRays(passes, true);
   }
   return session.Result();
+}
 }

@@ -12,6 +12,7 @@
 #include "Session.h"
 #include "ShadowScenes.h"
 #include "SoftShadowTruth.h"
+#include "TestCase.h"
 #include "View.h"
 #include "Window.h"
 
@@ -29,6 +30,8 @@
 #include <string>
 #include <vector>
 
+namespace testShadowSoft
+{
 namespace
 {
 using relievoTest::Layers;
@@ -295,7 +298,7 @@ void TestEdges()
 }
 
 //------------------------------------------------------------------------------
-int main()
+RELIEVO_TEST_CASE(testShadowSoft)
 {
   relievoTest::Session session;
   TestSamples();
@@ -312,4 +315,5 @@ int main()
   TestMesh("bunny", SceneLight::Sun, 6., Limit,
     { vtkRelievoShadowStage::METHOD_MAP, vtkRelievoShadowStage::METHOD_EXACT });
   return session.Result();
+}
 }

@@ -9,6 +9,7 @@
 #include "Session.h"
 #include "ShadowPictures.h"
 #include "SoftStage.h"
+#include "TestCase.h"
 #include "Window.h"
 
 #include <vtkActor.h>
@@ -37,6 +38,8 @@
 #include <string>
 #include <vector>
 
+namespace testShadowSoftFrames
+{
 namespace
 {
 using relievoTest::CountUnlike;
@@ -235,7 +238,7 @@ void TestOtherPictures()
 }
 
 //------------------------------------------------------------------------------
-int main()
+RELIEVO_TEST_CASE(testShadowSoftFrames)
 {
   relievoTest::Session session;
   TestGathering();
@@ -244,4 +247,5 @@ int main()
   TestTiles();
   TestOtherPictures();
   return session.Result();
+}
 }

@@ -10,6 +10,7 @@
 #include "Session.h"
 #include "ShadowPictures.h"
 #include "SoftStage.h"
+#include "TestCase.h"
 
 #include <vtkBillboardTextActor3D.h>
 #include <vtkImageData.h>
@@ -29,6 +30,8 @@
 #include <string>
 #include <vector>
 
+namespace testShadowSoftState
+{
 namespace
 {
 using relievoTest::CountUnlike;
@@ -237,7 +240,7 @@ void TestTimes()
 }
 
 //------------------------------------------------------------------------------
-int main()
+RELIEVO_TEST_CASE(testShadowSoftState)
 {
   relievoTest::Session session;
   TestChange<Environment>("an environment's irradiance");
@@ -247,4 +250,5 @@ int main()
   TestChange<ActorLevels>("a level of detail by the window's rate");
   TestTimes();
   return session.Result();
+}
 }

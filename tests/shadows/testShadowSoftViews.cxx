@@ -8,6 +8,7 @@
 #include "Session.h"
 #include "ShadowPictures.h"
 #include "SoftStage.h"
+#include "TestCase.h"
 
 #include <vtkActorCollection.h>
 #include <vtkCallbackCommand.h>
@@ -21,6 +22,8 @@
 #include <cstdlib>
 #include <string>
 
+namespace testShadowSoftViews
+{
 namespace
 {
 using relievoTest::SamePicture;
@@ -205,7 +208,7 @@ void TestExact()
 }
 
 //------------------------------------------------------------------------------
-int main()
+RELIEVO_TEST_CASE_APART(testShadowSoftViews)
 {
   relievoTest::Session session;
   TestUnsteady();
@@ -215,4 +218,5 @@ int main()
   TestSeveralViews();
   TestExact();
   return session.Result();
+}
 }

@@ -12,6 +12,7 @@
 #include "Session.h"
 #include "ShadowPictures.h"
 #include "ShadowScenes.h"
+#include "TestCase.h"
 #include "Window.h"
 
 #include <vtkCamera.h>
@@ -31,6 +32,8 @@
 #include <iostream>
 #include <string>
 
+namespace testShadowStability
+{
 namespace
 {
 using relievoTest::MakePolygons;
@@ -371,7 +374,7 @@ void TestConvergence()
 }
 
 //------------------------------------------------------------------------------
-int main(int argc, char* argv[])
+RELIEVO_TEST_CASE(testShadowStability)
 {
   relievoTest::Session session;
   Exact = argc > 1 && std::string(argv[1]) == "exact";
@@ -387,4 +390,5 @@ int main(int argc, char* argv[])
   TestGlyphs();
   TestConvergence();
   return session.Result();
+}
 }

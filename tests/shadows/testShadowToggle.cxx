@@ -9,6 +9,7 @@
 #include "Layers.h"
 #include "Session.h"
 #include "ShadowPictures.h"
+#include "TestCase.h"
 #include "Window.h"
 
 #include <vtkDataArray.h>
@@ -31,6 +32,8 @@
 #include <string>
 #include <vector>
 
+namespace testShadowToggle
+{
 namespace
 {
 using relievoTest::Picture;
@@ -315,7 +318,7 @@ void TestSelection()
 }
 
 //------------------------------------------------------------------------------
-int main()
+RELIEVO_TEST_CASE(testShadowToggle)
 {
   relievoTest::Session session;
   TestCycles();
@@ -325,4 +328,5 @@ int main()
   TestRoom();
   TestSelection();
   return session.Result();
+}
 }

@@ -10,6 +10,7 @@
 #include "Layers.h"
 #include "Session.h"
 #include "ShadowPictures.h"
+#include "TestCase.h"
 #include "Window.h"
 
 #include <vtkColorTransferFunction.h>
@@ -28,6 +29,8 @@
 
 #include <string>
 
+namespace testShadowTranslucent
+{
 namespace
 {
 using relievoTest::CheckPictures;
@@ -179,10 +182,11 @@ void TestOthers()
 }
 
 //------------------------------------------------------------------------------
-int main()
+RELIEVO_TEST_CASE(testShadowTranslucent)
 {
   relievoTest::Session session;
   TestTranslucent();
   TestOthers();
   return session.Result();
+}
 }

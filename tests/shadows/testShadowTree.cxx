@@ -11,6 +11,7 @@
 #include "Session.h"
 #include "ShadowScenes.h"
 #include "Stage.h"
+#include "TestCase.h"
 #include "vtkRelievoTextureBuffer.h"
 
 #include <vtkActor.h>
@@ -26,6 +27,8 @@
 #include <string>
 #include <vector>
 
+namespace testShadowTree
+{
 namespace
 {
 using relievoTest::Stage;
@@ -194,7 +197,7 @@ void TestFallback(bool planned)
 }
 
 //------------------------------------------------------------------------------
-int main()
+RELIEVO_TEST_CASE(testShadowTree)
 {
   relievoTest::Session session;
   {
@@ -208,4 +211,5 @@ int main()
   TestFallback(false);
   TestFallback(true);
   return session.Result();
+}
 }

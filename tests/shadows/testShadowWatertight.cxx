@@ -10,6 +10,7 @@
 #include "Props.h"
 #include "Session.h"
 #include "ShadowScenes.h"
+#include "TestCase.h"
 
 #include <vtkActor.h>
 #include <vtkCamera.h>
@@ -29,6 +30,8 @@
 #include <string>
 #include <vector>
 
+namespace testShadowWatertight
+{
 namespace
 {
 using relievoTest::ShadowStage;
@@ -193,7 +196,7 @@ void TestAbove(double cone, const std::string& what)
 }
 
 //------------------------------------------------------------------------------
-int main()
+RELIEVO_TEST_CASE(testShadowWatertight)
 {
   relievoTest::Session session;
   TestInside(Flat, 60., "spot");
@@ -203,4 +206,5 @@ int main()
   TestAbove(35., "spot");
   TestAbove(90., "point light");
   return session.Result();
+}
 }

@@ -10,6 +10,7 @@
 #include "Scenes.h"
 #include "Session.h"
 #include "ShadowErrors.h"
+#include "TestCase.h"
 #include "Window.h"
 
 #include <vtkActor.h>
@@ -22,6 +23,8 @@
 #include <iostream>
 #include <map>
 
+namespace testShadowsOfMeshes
+{
 namespace
 {
 using relievoTest::Layers;
@@ -79,7 +82,7 @@ void Test(const std::string& mesh, SceneLight kind, const std::string& name, dou
 }
 
 //------------------------------------------------------------------------------
-int main()
+RELIEVO_TEST_CASE(testShadowsOfMeshes)
 {
   relievoTest::Session session;
   for (const std::string& mesh : relievoTest::ReferenceMeshes())
@@ -90,4 +93,5 @@ int main()
     Test(mesh, SceneLight::Point, "point", 2. * limit);
   }
   return session.Result();
+}
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // A screen with two pixels for each of the desktop's, and dark controls.
+#include "TestCase.h"
 #include "ViewerTest.h"
 
 #include "ColorButton.h"
@@ -22,6 +23,8 @@
 #include <algorithm>
 #include <cmath>
 
+namespace testViewerAppearance
+{
 namespace
 {
 // WCAG 2.1: relative luminance, and the contrast of two.
@@ -192,11 +195,12 @@ private Q_SLOTS:
   }
 };
 
-int main(int argc, char* argv[])
+RELIEVO_TEST_CASE_APART(testViewerAppearance)
 {
   qputenv("QT_SCALE_FACTOR", "2");
   TestViewerAppearance tests;
   return viewerTest::Run(tests, argc, argv);
+}
 }
 
 #include "testViewerAppearance.moc"

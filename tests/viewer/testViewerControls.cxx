@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // The time bar, the report, and the values under the mouse of arrays of any name and width.
+#include "TestCase.h"
 #include "ViewerTest.h"
 
 #include "LayersPanel.h"
@@ -32,6 +33,8 @@
 #include <cmath>
 #include <map>
 
+namespace testViewerControls
+{
 class TestViewerControls : public viewerTest::ViewerTest
 {
   Q_OBJECT
@@ -208,10 +211,11 @@ private Q_SLOTS:
   }
 };
 
-int main(int argc, char* argv[])
+RELIEVO_TEST_CASE_APART(testViewerControls)
 {
   TestViewerControls tests;
   return viewerTest::Run(tests, argc, argv);
+}
 }
 
 #include "testViewerControls.moc"

@@ -3,6 +3,7 @@
 //
 // Every option, every parameter of every stage and every layer: the window's picture equals that of
 // the command line, byte for byte, and where Python is wrapped that of the copied program too.
+#include "TestCase.h"
 #include "ViewerTest.h"
 
 #include "Arguments.h"
@@ -26,6 +27,8 @@
 #include <string>
 #include <vector>
 
+namespace testViewerEvery
+{
 using scene::Settings;
 
 namespace
@@ -307,10 +310,11 @@ private Q_SLOTS:
   }
 };
 
-int main(int argc, char* argv[])
+RELIEVO_TEST_CASE_APART(testViewerEvery)
 {
   TestViewerEvery tests;
   return viewerTest::Run(tests, argc, argv);
+}
 }
 
 #include "testViewerEvery.moc"

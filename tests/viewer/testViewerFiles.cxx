@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Files that cannot be shown, that follow one another, that are saved, and none at all.
+#include "TestCase.h"
 #include "ViewerTest.h"
 
 #include "Errors.h"
@@ -26,6 +27,8 @@
 
 #include <cmath>
 
+namespace testViewerFiles
+{
 using scene::Settings;
 
 namespace
@@ -345,11 +348,12 @@ private Q_SLOTS:
   }
 };
 
-int main(int argc, char* argv[])
+RELIEVO_TEST_CASE_APART(testViewerFiles)
 {
   TestViewerFiles tests;
   QCoreApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
   return viewerTest::Run(tests, argc, argv);
+}
 }
 
 #include "testViewerFiles.moc"

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Keys of the window and of its controls, the wheel, and edits that are undone.
+#include "TestCase.h"
 #include "ViewerTest.h"
 
 #include "vtkCamera.h"
@@ -29,6 +30,8 @@
 
 #include <cmath>
 
+namespace testViewerKeys
+{
 using scene::Settings;
 
 class TestViewerKeys : public viewerTest::ViewerTest
@@ -372,10 +375,11 @@ private Q_SLOTS:
   }
 };
 
-int main(int argc, char* argv[])
+RELIEVO_TEST_CASE_APART(testViewerKeys)
 {
   TestViewerKeys tests;
   return viewerTest::Run(tests, argc, argv);
+}
 }
 
 #include "testViewerKeys.moc"

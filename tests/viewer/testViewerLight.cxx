@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // The controls of lights: they write what was edited, and leave all other words as they are.
+#include "TestCase.h"
 #include "ViewerTest.h"
 
 #include "ColorButton.h"
@@ -38,6 +39,8 @@
 #include <cmath>
 #include <cstdlib>
 
+namespace testViewerLight
+{
 using scene::Settings;
 using Words = std::vector<std::string>;
 
@@ -691,10 +694,11 @@ private Q_SLOTS:
   }
 };
 
-int main(int argc, char* argv[])
+RELIEVO_TEST_CASE_APART(testViewerLight)
 {
   TestViewerLight tests;
   return viewerTest::Run(tests, argc, argv);
+}
 }
 
 #include "testViewerLight.moc"

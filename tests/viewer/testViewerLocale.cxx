@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Files with decimal points, where the user's locale has commas.
+#include "TestCase.h"
 #include "ViewerTest.h"
 
 #include <QProcess>
@@ -11,6 +12,8 @@
 #include <clocale>
 #include <cstdio>
 
+namespace testViewerLocale
+{
 class TestViewerLocale : public viewerTest::ViewerTest
 {
   Q_OBJECT
@@ -71,7 +74,7 @@ private Q_SLOTS:
   }
 };
 
-int main(int argc, char* argv[])
+RELIEVO_TEST_CASE_APART(testViewerLocale)
 {
   if (!qEnvironmentVariableIsSet("LOCPATH"))
   {
@@ -88,12 +91,13 @@ int main(int argc, char* argv[])
         std::fputs("localedef makes no such locale; install the package locales\n", stderr);
         return 1;
       }
-      status |= QProcess::execute(QString::fromLocal8Bit(argv[0]), {});
+      status |= QProcess::execute("/proc/self/exe", { "--case", "testViewerLocale" });
     }
     return status;
   }
   TestViewerLocale tests;
   return viewerTest::Run(tests, argc, argv);
+}
 }
 
 #include "testViewerLocale.moc"

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Colours, materials, models with bones and the view angle, by their controls.
+#include "TestCase.h"
 #include "ViewerTest.h"
 
 #include "FileEdit.h"
@@ -29,6 +30,8 @@
 #include <QToolButton>
 #include <QtTest>
 
+namespace testViewerLook
+{
 using scene::Settings;
 
 class TestViewerLook : public viewerTest::ViewerTest
@@ -395,10 +398,11 @@ private Q_SLOTS:
   }
 };
 
-int main(int argc, char* argv[])
+RELIEVO_TEST_CASE_APART(testViewerLook)
 {
   TestViewerLook tests;
   return viewerTest::Run(tests, argc, argv);
+}
 }
 
 #include "testViewerLook.moc"

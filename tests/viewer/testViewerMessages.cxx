@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // What went wrong is seen where it cannot be overlooked, until it is closed or mended.
+#include "TestCase.h"
 #include "ViewerTest.h"
 
 #include "Arguments.h"
@@ -22,6 +23,8 @@
 #include <QToolButton>
 #include <QtTest>
 
+namespace testViewerMessages
+{
 namespace
 {
 // What the words are whenever a widget is painted.
@@ -237,10 +240,11 @@ private Q_SLOTS:
   }
 };
 
-int main(int argc, char* argv[])
+RELIEVO_TEST_CASE_APART(testViewerMessages)
 {
   TestViewerMessages tests;
   return viewerTest::Run(tests, argc, argv);
+}
 }
 
 #include "testViewerMessages.moc"

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // The panels: their order, what is in which, what folds, what is idle; layouts of older windows.
+#include "TestCase.h"
 #include "ViewerTest.h"
 
 #include "ColorStage.h"
@@ -29,6 +30,8 @@
 #include <map>
 #include <set>
 
+namespace testViewerPanels
+{
 namespace
 {
 const char* const Docks[] = { "scene", "light", "look", "layers", "report" };
@@ -341,11 +344,12 @@ private Q_SLOTS:
   }
 };
 
-int main(int argc, char* argv[])
+RELIEVO_TEST_CASE_APART(testViewerPanels)
 {
   vtkRelievoStageRegistry::Add([]() -> vtkRelievoStage* { return NewUnplaced(); });
   TestViewerPanels tests;
   return viewerTest::Run(tests, argc, argv);
+}
 }
 
 #include "testViewerPanels.moc"

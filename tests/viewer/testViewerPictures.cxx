@@ -3,6 +3,7 @@
 //
 // The picture of every switch equals that of the command line, byte for byte; so does what is left
 // when it is switched off again.
+#include "TestCase.h"
 #include "ViewerTest.h"
 
 #include <QFile>
@@ -13,6 +14,8 @@
 #include <QTimer>
 #include <QtTest>
 
+namespace testViewerPictures
+{
 using scene::Settings;
 
 class TestViewerPictures : public viewerTest::ViewerTest
@@ -146,10 +149,11 @@ private Q_SLOTS:
   }
 };
 
-int main(int argc, char* argv[])
+RELIEVO_TEST_CASE_APART(testViewerPictures)
 {
   TestViewerPictures tests;
   return viewerTest::Run(tests, argc, argv);
+}
 }
 
 #include "testViewerPictures.moc"

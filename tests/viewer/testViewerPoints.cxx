@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Stages that work on files of points, and what their points are, by the controls.
+#include "TestCase.h"
 #include "ViewerTest.h"
 
 #include "ColorButton.h"
@@ -16,6 +17,8 @@
 #include <QPushButton>
 #include <QtTest>
 
+namespace testViewerPoints
+{
 using scene::Settings;
 using Words = std::vector<std::string>;
 
@@ -152,10 +155,11 @@ private Q_SLOTS:
   }
 };
 
-int main(int argc, char* argv[])
+RELIEVO_TEST_CASE_APART(testViewerPoints)
 {
   TestViewerPoints tests;
   return viewerTest::Run(tests, argc, argv);
+}
 }
 
 #include "testViewerPoints.moc"

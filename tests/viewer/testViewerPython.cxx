@@ -2,10 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // The picture of the Python program that the window copies equals the window's, byte for byte.
+#include "TestCase.h"
 #include "ViewerTest.h"
 
 #include <QtTest>
 
+namespace testViewerPython
+{
 class TestViewerPython : public viewerTest::ViewerTest
 {
   Q_OBJECT
@@ -75,10 +78,11 @@ private Q_SLOTS:
   }
 };
 
-int main(int argc, char* argv[])
+RELIEVO_TEST_CASE_APART(testViewerPython)
 {
   TestViewerPython tests;
   return viewerTest::Run(tests, argc, argv);
+}
 }
 
 #include "testViewerPython.moc"

@@ -3,6 +3,7 @@
 //
 // Files with materials, textures, bones, blocks and holes: the window's picture equals the command
 // line's and that of the Python program that the window copies, byte for byte.
+#include "TestCase.h"
 #include "ViewerTest.h"
 
 #include "vtkImageData.h"
@@ -23,6 +24,8 @@
 #include <string>
 #include <vector>
 
+namespace testViewerPythonFiles
+{
 class TestViewerPythonFiles : public viewerTest::ViewerTest
 {
   Q_OBJECT
@@ -287,10 +290,11 @@ private Q_SLOTS:
   }
 };
 
-int main(int argc, char* argv[])
+RELIEVO_TEST_CASE_APART(testViewerPythonFiles)
 {
   TestViewerPythonFiles tests;
   return viewerTest::Run(tests, argc, argv);
+}
 }
 
 #include "testViewerPythonFiles.moc"

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // While files are read: what is opened next, what is set meanwhile, and what stays after it.
+#include "TestCase.h"
 #include "ViewerTest.h"
 
 #include "Options.h"
@@ -29,6 +30,8 @@
 #include <memory>
 #include <mutex>
 
+namespace testViewerReading
+{
 using scene::Settings;
 
 namespace
@@ -268,10 +271,11 @@ private Q_SLOTS:
   }
 };
 
-int main(int argc, char* argv[])
+RELIEVO_TEST_CASE_APART(testViewerReading)
 {
   TestViewerReading tests;
   return viewerTest::Run(tests, argc, argv);
+}
 }
 
 #include "testViewerReading.moc"

@@ -2,10 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Materials of files, models at a time and fog equal the command line's, also after a change.
+#include "TestCase.h"
 #include "ViewerTest.h"
 
 #include <QtTest>
 
+namespace testViewerScenes
+{
 using scene::Settings;
 
 class TestViewerScenes : public viewerTest::ViewerTest
@@ -69,10 +72,11 @@ private Q_SLOTS:
   }
 };
 
-int main(int argc, char* argv[])
+RELIEVO_TEST_CASE_APART(testViewerScenes)
 {
   TestViewerScenes tests;
   return viewerTest::Run(tests, argc, argv);
+}
 }
 
 #include "testViewerScenes.moc"

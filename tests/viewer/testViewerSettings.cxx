@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // scene::Settings say what the words said, in words again.
+#include "TestCase.h"
 #include "ViewerTest.h"
 
 #include "Errors.h"
@@ -10,6 +11,8 @@
 
 #include <QtTest>
 
+namespace testViewerSettings
+{
 using scene::Settings;
 using Words = std::vector<std::string>;
 
@@ -240,10 +243,11 @@ private Q_SLOTS:
   }
 };
 
-int main(int argc, char* argv[])
+RELIEVO_TEST_CASE_APART(testViewerSettings)
 {
   TestViewerSettings tests;
   return viewerTest::Run(tests, argc, argv);
+}
 }
 
 #include "testViewerSettings.moc"

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // The sun against published positions, from angles to directions and back, and its words.
+#include "TestCase.h"
 #include "ViewerTest.h"
 
 #include "LightOptions.h"
@@ -11,6 +12,8 @@
 
 #include <cmath>
 
+namespace testViewerSun
+{
 using scene::SunAngles;
 
 class TestViewerSun : public QObject
@@ -88,10 +91,11 @@ private Q_SLOTS:
   }
 };
 
-int main(int argc, char* argv[])
+RELIEVO_TEST_CASE_APART(testViewerSun)
 {
   TestViewerSun tests;
   return viewerTest::Run(tests, argc, argv);
+}
 }
 
 #include "testViewerSun.moc"

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // The tool bar, and what else surrounds the picture without being part of it.
+#include "TestCase.h"
 #include "ViewerTest.h"
 
 #include "AxisMarker.h"
@@ -30,6 +31,8 @@
 #include <QToolButton>
 #include <QtTest>
 
+namespace testViewerTools
+{
 class TestViewerTools : public viewerTest::ViewerTest
 {
   Q_OBJECT
@@ -314,10 +317,11 @@ private Q_SLOTS:
   }
 };
 
-int main(int argc, char* argv[])
+RELIEVO_TEST_CASE_APART(testViewerTools)
 {
   TestViewerTools tests;
   return viewerTest::Run(tests, argc, argv);
+}
 }
 
 #include "testViewerTools.moc"

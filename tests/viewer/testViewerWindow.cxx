@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Files in by every way, switches by mouse, the probe, sessions, memory.
+#include "TestCase.h"
 #include "ViewerTest.h"
 
 #include "Probe.h"
@@ -37,6 +38,8 @@
 #include <malloc.h>
 #include <unistd.h>
 
+namespace testViewerWindow
+{
 using scene::Settings;
 
 namespace
@@ -365,10 +368,11 @@ private Q_SLOTS:
   }
 };
 
-int main(int argc, char* argv[])
+RELIEVO_TEST_CASE_APART(testViewerWindow)
 {
   TestViewerWindow tests;
   return viewerTest::Run(tests, argc, argv);
+}
 }
 
 #include "testViewerWindow.moc"

@@ -5,6 +5,7 @@
 // again, and VTK's filters that take implicit functions.
 #include "Check.h"
 #include "Session.h"
+#include "TestCase.h"
 #include "vtkRelievoCaveFunction.h"
 
 #include <vtkDataArray.h>
@@ -22,6 +23,8 @@
 #include <string>
 #include <vector>
 
+namespace testCaveFunction
+{
 namespace
 {
 using Function = vtkRelievoCaveFunction;
@@ -167,7 +170,7 @@ void TestSampled()
 }
 
 //------------------------------------------------------------------------------
-int main()
+RELIEVO_TEST_CASE(testCaveFunction)
 {
   relievoTest::Session session;
   TestGradient();
@@ -175,4 +178,5 @@ int main()
   TestSeeds();
   TestSampled();
   return session.Result();
+}
 }

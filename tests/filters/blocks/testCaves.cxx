@@ -6,6 +6,7 @@
 // asked for.
 #include "Check.h"
 #include "Session.h"
+#include "TestCase.h"
 #include "vtkRelievoCaveFunction.h"
 #include "vtkRelievoCaves.h"
 
@@ -23,6 +24,8 @@
 #include <string>
 #include <vector>
 
+namespace testCaves
+{
 namespace
 {
 using Caves = vtkRelievoCaves;
@@ -318,7 +321,7 @@ void TestEvaluations()
 }
 
 //------------------------------------------------------------------------------
-int main()
+RELIEVO_TEST_CASE(testCaves)
 {
   relievoTest::Session session;
   TestNaive();
@@ -327,4 +330,5 @@ int main()
   TestWidth();
   TestEvaluations();
   return session.Result();
+}
 }

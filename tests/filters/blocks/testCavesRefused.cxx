@@ -5,6 +5,7 @@
 #include "Check.h"
 #include "Refusal.h"
 #include "Session.h"
+#include "TestCase.h"
 #include "vtkRelievoCaveFunction.h"
 #include "vtkRelievoCaves.h"
 
@@ -19,6 +20,8 @@
 #include <limits>
 #include <string>
 
+namespace testCavesRefused
+{
 namespace
 {
 using relievoTest::ExpectMessage;
@@ -124,11 +127,12 @@ void TestAbort()
 }
 
 //------------------------------------------------------------------------------
-int main()
+RELIEVO_TEST_CASE(testCavesRefused)
 {
   relievoTest::Session session;
   TestRefusals();
   TestNothing();
   TestAbort();
   return session.Result();
+}
 }

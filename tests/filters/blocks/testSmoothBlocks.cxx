@@ -6,6 +6,7 @@
 #include "BlockScenes.h"
 #include "Check.h"
 #include "Session.h"
+#include "TestCase.h"
 #include "vtkRelievoSmoothBlocks.h"
 
 #include <vtkCell.h>
@@ -23,6 +24,8 @@
 #include <random>
 #include <string>
 
+namespace testSmoothBlocks
+{
 namespace
 {
 using namespace relievoTest;
@@ -286,7 +289,7 @@ void TestGeometry()
 }
 
 //------------------------------------------------------------------------------
-int main()
+RELIEVO_TEST_CASE(testSmoothBlocks)
 {
   relievoTest::Session session;
   TestBall();
@@ -294,4 +297,5 @@ int main()
   TestVolumes();
   TestGeometry();
   return session.Result();
+}
 }

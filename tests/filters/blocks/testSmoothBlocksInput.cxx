@@ -6,6 +6,7 @@
 #include "Check.h"
 #include "Refusal.h"
 #include "Session.h"
+#include "TestCase.h"
 #include "vtkRelievoCaves.h"
 #include "vtkRelievoSmoothBlocks.h"
 #include "vtkRelievoVTKVersions.h"
@@ -30,6 +31,8 @@
 #include <cstdlib>
 #include <string>
 
+namespace testSmoothBlocksInput
+{
 namespace
 {
 using namespace relievoTest;
@@ -295,7 +298,7 @@ void TestMessages()
 }
 
 //------------------------------------------------------------------------------
-int main()
+RELIEVO_TEST_CASE(testSmoothBlocksInput)
 {
   relievoTest::Session session;
   TestTypes();
@@ -309,4 +312,5 @@ int main()
 #endif
   TestMessages();
   return session.Result();
+}
 }

@@ -6,6 +6,7 @@
 #include "BlockScenes.h"
 #include "Check.h"
 #include "Session.h"
+#include "TestCase.h"
 #include "vtkRelievoSmoothBlocks.h"
 
 #include <vtkCellData.h>
@@ -23,6 +24,8 @@
 #include <map>
 #include <string>
 
+namespace testSmoothBlocksOptions
+{
 namespace
 {
 using namespace relievoTest;
@@ -278,7 +281,7 @@ void TestWeights()
 }
 
 //------------------------------------------------------------------------------
-int main()
+RELIEVO_TEST_CASE(testSmoothBlocksOptions)
 {
   relievoTest::Session session;
   TestNormals();
@@ -289,4 +292,5 @@ int main()
   TestWeights();
   TestMirroredWeights();
   return session.Result();
+}
 }

@@ -7,6 +7,7 @@
 #include "BlockScenes.h"
 #include "Check.h"
 #include "Session.h"
+#include "TestCase.h"
 #include "vtkRelievoSmoothBlocks.h"
 
 #include <vtkCellArray.h>
@@ -33,6 +34,8 @@
 #include <thread>
 #include <vector>
 
+namespace testSmoothBlocksPieces
+{
 namespace
 {
 using namespace relievoTest;
@@ -366,7 +369,7 @@ void TestThreads()
 }
 
 //------------------------------------------------------------------------------
-int main()
+RELIEVO_TEST_CASE(testSmoothBlocksPieces)
 {
   relievoTest::Session session;
   for (const int options : { 0, 1, 2 })
@@ -378,4 +381,5 @@ int main()
   TestNoGhosts();
   TestThreads();
   return session.Result();
+}
 }

@@ -7,6 +7,7 @@
 // level, and for samples of up to six labels.
 #include "Check.h"
 #include "Session.h"
+#include "TestCase.h"
 #include "vtkRelievoBlockRule.h"
 
 #include <algorithm>
@@ -16,6 +17,8 @@
 #include <random>
 #include <string>
 
+namespace testSmoothBlocksRule
+{
 namespace
 {
 using namespace relievoTest;
@@ -273,7 +276,7 @@ void TestLabels()
 }
 
 //------------------------------------------------------------------------------
-int main()
+RELIEVO_TEST_CASE(testSmoothBlocksRule)
 {
   relievoTest::Session session;
   TestSymmetry();
@@ -282,4 +285,5 @@ int main()
   TestSpecialNeighbours();
   TestLabels();
   return session.Result();
+}
 }

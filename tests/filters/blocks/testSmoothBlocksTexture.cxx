@@ -6,6 +6,7 @@
 #include "BlockScenes.h"
 #include "Check.h"
 #include "Session.h"
+#include "TestCase.h"
 #include "vtkRelievoSmoothBlocks.h"
 
 #include <vtkCellData.h>
@@ -24,6 +25,8 @@
 #include <set>
 #include <string>
 
+namespace testSmoothBlocksTexture
+{
 namespace
 {
 using namespace relievoTest;
@@ -184,11 +187,12 @@ void TestAtlasOfNoise()
 }
 
 //------------------------------------------------------------------------------
-int main()
+RELIEVO_TEST_CASE(testSmoothBlocksTexture)
 {
   relievoTest::Session session;
   TestTextureLengths();
   TestAtlas();
   TestAtlasOfNoise();
   return session.Result();
+}
 }

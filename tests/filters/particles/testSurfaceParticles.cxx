@@ -7,6 +7,7 @@
 #include "Particles.h"
 #include "Session.h"
 #include "Solids.h"
+#include "TestCase.h"
 #include "vtkRelievoSurfaceParticles.h"
 
 #include <vtkFloatArray.h>
@@ -20,6 +21,8 @@
 #include <cmath>
 #include <string>
 
+namespace testSurfaceParticles
+{
 namespace
 {
 using relievoTest::Places;
@@ -196,7 +199,7 @@ void TestInside(const Solid& solid)
 }
 
 //------------------------------------------------------------------------------
-int main()
+RELIEVO_TEST_CASE(testSurfaceParticles)
 {
   relievoTest::Session session;
   const glm::dmat3 tilted = relievoTest::Turn({ 1., 0.3, 0.2 }, 37.);
@@ -212,4 +215,5 @@ int main()
   TestInside(relievoTest::MakeTorus(1e-3, tilted));
   TestInside(relievoTest::MakeBox(tilted));
   return session.Result();
+}
 }

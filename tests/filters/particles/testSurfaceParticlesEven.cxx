@@ -7,6 +7,7 @@
 #include "Particles.h"
 #include "Session.h"
 #include "Solids.h"
+#include "TestCase.h"
 #include "vtkRelievoSurfaceParticles.h"
 
 #include <vtkCubeSource.h>
@@ -25,6 +26,8 @@
 #include <string>
 #include <vector>
 
+namespace testSurfaceParticlesEven
+{
 namespace
 {
 using Part = std::function<std::size_t(const glm::dvec3&)>;
@@ -105,7 +108,7 @@ void Check(const std::string& what, vtkPolyData* mesh, const glm::dmat3& turn,
 }
 
 //------------------------------------------------------------------------------
-int main()
+RELIEVO_TEST_CASE(testSurfaceParticlesEven)
 {
   relievoTest::Session session;
   for (const glm::dmat3& turn : Turns)
@@ -144,4 +147,5 @@ int main()
       Sector(std::atan2(p.z, std::hypot(p.x, p.y) - 1.), 8);
   });
   return session.Result();
+}
 }

@@ -7,6 +7,7 @@
 #include "Particles.h"
 #include "Session.h"
 #include "Solids.h"
+#include "TestCase.h"
 #include "vtkRelievoSurfaceParticles.h"
 
 #include <vtkAppendPolyData.h>
@@ -27,6 +28,8 @@
 #include <cmath>
 #include <string>
 
+namespace testSurfaceParticlesInputs
+{
 namespace
 {
 using relievoTest::Moved;
@@ -203,7 +206,7 @@ void TestMemoryOfSteps()
 }
 
 //------------------------------------------------------------------------------
-int main()
+RELIEVO_TEST_CASE(testSurfaceParticlesInputs)
 {
   relievoTest::Session session;
   TestSpeedJumps();
@@ -212,4 +215,5 @@ int main()
   TestAbort();
   TestMemoryOfSteps();
   return session.Result();
+}
 }

@@ -8,6 +8,7 @@
 #include "Refusal.h"
 #include "Session.h"
 #include "Solids.h"
+#include "TestCase.h"
 #include "vtkRelievoSurfaceParticles.h"
 
 #include <vtkAppendPolyData.h>
@@ -26,6 +27,8 @@
 #include <limits>
 #include <string>
 
+namespace testSurfaceParticlesLimits
+{
 namespace
 {
 using relievoTest::LargestDistance;
@@ -323,7 +326,7 @@ void TestFarAway()
 }
 
 //------------------------------------------------------------------------------
-int main()
+RELIEVO_TEST_CASE(testSurfaceParticlesLimits)
 {
   relievoTest::Session session;
   TestSteps();
@@ -335,4 +338,5 @@ int main()
   TestImage();
   TestFarAway();
   return session.Result();
+}
 }

@@ -7,6 +7,7 @@
 #include "Particles.h"
 #include "Session.h"
 #include "Solids.h"
+#include "TestCase.h"
 #include "vtkRelievoSurfaceParticles.h"
 
 #include <vtkCallbackCommand.h>
@@ -24,6 +25,8 @@
 #include <functional>
 #include <string>
 
+namespace testSurfaceParticlesMoving
+{
 namespace
 {
 using relievoTest::Moved;
@@ -204,11 +207,12 @@ void TestSameInputAgain()
 }
 
 //------------------------------------------------------------------------------
-int main()
+RELIEVO_TEST_CASE(testSurfaceParticlesMoving)
 {
   relievoTest::Session session;
   TestMovingInput();
   TestMovingPointsAndField();
   TestSameInputAgain();
   return session.Result();
+}
 }

@@ -7,6 +7,7 @@
 #include "Particles.h"
 #include "Session.h"
 #include "Solids.h"
+#include "TestCase.h"
 #include "vtkRelievoSurfaceParticles.h"
 
 #include <vtkDoubleArray.h>
@@ -28,6 +29,8 @@
 #include <sys/resource.h>
 #endif
 
+namespace testSurfaceParticlesStart
+{
 namespace
 {
 using relievoTest::Places;
@@ -198,7 +201,7 @@ void TestHeldMemory()
 }
 
 //------------------------------------------------------------------------------
-int main()
+RELIEVO_TEST_CASE_APART(testSurfaceParticlesStart)
 {
   relievoTest::Session session;
   TestThin();
@@ -207,4 +210,5 @@ int main()
   TestHeldMemory();
 #endif
   return session.Result();
+}
 }

@@ -7,6 +7,7 @@
 #include "Particles.h"
 #include "Session.h"
 #include "Solids.h"
+#include "TestCase.h"
 #include "vtkRelievoSurfaceParticles.h"
 
 #include <vtkIdTypeArray.h>
@@ -22,6 +23,8 @@
 #include <string>
 #include <vector>
 
+namespace testSurfaceParticlesTime
+{
 namespace
 {
 using relievoTest::Places;
@@ -152,7 +155,7 @@ void TestChanges(vtkPolyData* mesh)
 }
 
 //------------------------------------------------------------------------------
-int main()
+RELIEVO_TEST_CASE(testSurfaceParticlesTime)
 {
   relievoTest::Session session;
   {
@@ -167,4 +170,5 @@ int main()
     TestChanges(torus.Mesh);
   }
   return session.Result();
+}
 }

@@ -6,6 +6,7 @@
 #include "Check.h"
 #include "Refusal.h"
 #include "Session.h"
+#include "TestCase.h"
 #include "vtkRelievoVoxelCubes.h"
 
 #include <vtkCellData.h>
@@ -28,6 +29,8 @@
 #include <random>
 #include <vector>
 
+namespace testVoxelCubes
+{
 namespace
 {
 constexpr int Size[3] = { 13, 9, 11 };
@@ -310,7 +313,7 @@ void TestNoMask()
 }
 }
 
-int main()
+RELIEVO_TEST_CASE(testVoxelCubes)
 {
   relievoTest::Session session;
   TestSizes();
@@ -320,4 +323,5 @@ int main()
   TestTurned();
   TestNoMask();
   return session.Result();
+}
 }

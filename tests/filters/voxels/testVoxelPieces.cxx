@@ -7,6 +7,7 @@
 #include "Refusal.h"
 #include "Session.h"
 #include "Solids.h"
+#include "TestCase.h"
 
 #include <vtkCallbackCommand.h>
 #include <vtkCellData.h>
@@ -34,6 +35,8 @@
 #include <cmath>
 #include <set>
 
+namespace testVoxelPieces
+{
 namespace
 {
 using SDDP = vtkStreamingDemandDrivenPipeline;
@@ -296,7 +299,7 @@ void TestMemoryOfCubes()
 }
 }
 
-int main()
+RELIEVO_TEST_CASE(testVoxelPieces)
 {
   relievoTest::Session session;
   TestTimes();
@@ -306,4 +309,5 @@ int main()
   TestAbort();
   TestMemoryOfCubes();
   return session.Result();
+}
 }

@@ -6,6 +6,7 @@
 #include "Check.h"
 #include "Session.h"
 #include "Solids.h"
+#include "TestCase.h"
 #include "vtkRelievoVoxelShell.h"
 
 #include <vtkCellData.h>
@@ -26,6 +27,8 @@
 #include <string>
 #include <vector>
 
+namespace testVoxelShell
+{
 namespace
 {
 using namespace relievoTest;
@@ -302,7 +305,7 @@ void TestFieldData()
 }
 }
 
-int main()
+RELIEVO_TEST_CASE(testVoxelShell)
 {
   relievoTest::Session session;
   TestParity();
@@ -312,4 +315,5 @@ int main()
   TestThreads();
   TestFieldData();
   return session.Result();
+}
 }

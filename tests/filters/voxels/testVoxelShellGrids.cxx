@@ -6,6 +6,7 @@
 #include "Check.h"
 #include "Session.h"
 #include "Solids.h"
+#include "TestCase.h"
 #include "VoxelCells.h"
 
 #include <vtkDoubleArray.h>
@@ -26,6 +27,8 @@
 #include <limits>
 #include <string>
 
+namespace testVoxelShellGrids
+{
 namespace
 {
 using namespace relievoTest;
@@ -304,7 +307,7 @@ void TestDepthImages()
 }
 }
 
-int main()
+RELIEVO_TEST_CASE(testVoxelShellGrids)
 {
   relievoTest::Session session;
   TestGrids();
@@ -313,4 +316,5 @@ int main()
   TestInfinite();
   TestDepthImages();
   return session.Result();
+}
 }

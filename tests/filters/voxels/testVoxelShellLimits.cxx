@@ -6,6 +6,7 @@
 #include "Check.h"
 #include "Session.h"
 #include "Solids.h"
+#include "TestCase.h"
 #include "VoxelCells.h"
 
 #include <vtkAppendFilter.h>
@@ -29,6 +30,8 @@
 #include <cmath>
 #include <string>
 
+namespace testVoxelShellLimits
+{
 namespace
 {
 using namespace relievoTest;
@@ -329,7 +332,7 @@ void TestMoving()
 }
 }
 
-int main()
+RELIEVO_TEST_CASE(testVoxelShellLimits)
 {
   relievoTest::Session session;
   TestHoles();
@@ -340,4 +343,5 @@ int main()
   TestConcavePolygons();
   TestMoving();
   return session.Result();
+}
 }

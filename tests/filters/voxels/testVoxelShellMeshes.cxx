@@ -7,6 +7,7 @@
 #include "EmbreeScene.h"
 #include "Scenes.h"
 #include "Session.h"
+#include "TestCase.h"
 #include "VoxelTruth.h"
 #include "vtkRelievoVoxelShell.h"
 
@@ -24,6 +25,8 @@
 #include <string>
 #include <vector>
 
+namespace testVoxelShellMeshes
+{
 namespace
 {
 using namespace relievoTest;
@@ -96,11 +99,12 @@ void TestMesh(const std::string& name, int resolution, bool closed)
 }
 }
 
-int main()
+RELIEVO_TEST_CASE(testVoxelShellMeshes)
 {
   relievoTest::Session session;
   TestMesh("bunny", 40, true);
   TestMesh("armadillo", 40, true);
   TestMesh("elephant", 40, true);
   return session.Result();
+}
 }

@@ -5,6 +5,7 @@
 #include "Check.h"
 #include "Session.h"
 #include "Solids.h"
+#include "TestCase.h"
 #include "VoxelCells.h"
 
 #include <vtkAppendPolyData.h>
@@ -13,6 +14,8 @@
 #include <vtkTransform.h>
 #include <vtkTransformFilter.h>
 
+namespace testVoxelShellOverlap
+{
 namespace
 {
 using namespace relievoTest;
@@ -77,10 +80,11 @@ void TestWithin()
 }
 }
 
-int main()
+RELIEVO_TEST_CASE(testVoxelShellOverlap)
 {
   relievoTest::Session session;
   TestOverlap();
   TestWithin();
   return session.Result();
+}
 }

@@ -5,6 +5,7 @@
 #include "Check.h"
 #include "FrameTimer.h"
 #include "Session.h"
+#include "TestCase.h"
 #include "Window.h"
 
 #include <vtkNew.h>
@@ -17,6 +18,8 @@
 #include <numeric>
 #include <thread>
 
+namespace testFrameTimer
+{
 namespace
 {
 using relievoTest::Interleave;
@@ -91,7 +94,7 @@ void TestFrames()
 }
 
 //------------------------------------------------------------------------------
-int main()
+RELIEVO_TEST_CASE(testFrameTimer)
 {
   relievoTest::Session session;
   TestNumbers();
@@ -99,4 +102,5 @@ int main()
   TestClock();
   TestFrames();
   return session.Result();
+}
 }

@@ -6,6 +6,7 @@
 #include "Check.h"
 #include "GLCheck.h"
 #include "Session.h"
+#include "TestCase.h"
 #include "Window.h"
 
 #include <vtkActor.h>
@@ -23,6 +24,8 @@
 #include <iostream>
 #include <string>
 
+namespace testGLCheck
+{
 namespace
 {
 vtkSmartPointer<vtkRenderer> Sphere()
@@ -126,7 +129,7 @@ void TestClosedWindow()
 }
 
 //------------------------------------------------------------------------------
-int main()
+RELIEVO_TEST_CASE(testGLCheck)
 {
   relievoTest::Session session;
   TestErrors();
@@ -134,4 +137,5 @@ int main()
   TestBytes();
   TestClosedWindow();
   return session.Result();
+}
 }

@@ -5,6 +5,7 @@
 #include "Check.h"
 #include "LeakCounter.h"
 #include "Session.h"
+#include "TestCase.h"
 
 #include <vtkNew.h>
 #include <vtkPolyData.h>
@@ -13,6 +14,8 @@
 
 #include <limits>
 
+namespace testSession
+{
 namespace
 {
 // `work` must count exactly `wanted` failures.
@@ -101,7 +104,7 @@ void TestResult()
 }
 
 //------------------------------------------------------------------------------
-int main()
+RELIEVO_TEST_CASE(testSession)
 {
   {
     relievoTest::Session session;
@@ -118,4 +121,5 @@ int main()
   TestResult();
   relievoTest::Session session;
   return session.Result();
+}
 }

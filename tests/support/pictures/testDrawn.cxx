@@ -8,6 +8,7 @@
 #include "Scenes.h"
 #include "Session.h"
 #include "Stage.h"
+#include "TestCase.h"
 #include "Window.h"
 
 #include <vtkActor.h>
@@ -25,6 +26,8 @@
 #include <string>
 #include <vector>
 
+namespace testDrawn
+{
 namespace
 {
 using relievoTest::PixelTruth;
@@ -170,7 +173,7 @@ void TestCells()
 }
 
 //------------------------------------------------------------------------------
-int main()
+RELIEVO_TEST_CASE(testDrawn)
 {
   relievoTest::Session session;
   for (const Case& test : Cases)
@@ -179,4 +182,5 @@ int main()
   }
   TestCells();
   return session.Result();
+}
 }

@@ -5,6 +5,7 @@
 #include "Check.h"
 #include "ImageCompare.h"
 #include "Session.h"
+#include "TestCase.h"
 
 #include <vtkImageData.h>
 #include <vtkImageDifference.h>
@@ -15,6 +16,8 @@
 #include <cstdlib>
 #include <iostream>
 
+namespace testImageCompare
+{
 namespace
 {
 using relievoTest::CompareImages;
@@ -191,7 +194,7 @@ void TestBaseline()
 }
 
 //------------------------------------------------------------------------------
-int main()
+RELIEVO_TEST_CASE(testImageCompare)
 {
   relievoTest::Session session;
   TestLimits();
@@ -201,4 +204,5 @@ int main()
   TestWhatVTKDoesNotSee();
   TestBaseline();
   return session.Result();
+}
 }

@@ -6,6 +6,7 @@
 #include "Check.h"
 #include "ImageCompare.h"
 #include "Session.h"
+#include "TestCase.h"
 
 #include <vtkImageData.h>
 
@@ -17,6 +18,8 @@
 #include <string>
 #include <sys/wait.h>
 
+namespace testImageTools
+{
 namespace
 {
 std::string Folder;
@@ -102,7 +105,7 @@ void TestUpdate(const std::string& cmake, const std::string& script)
 }
 
 //------------------------------------------------------------------------------
-int main(int argc, char* argv[])
+RELIEVO_TEST_CASE(testImageTools)
 {
   relievoTest::Session session;
   Folder = relievoTest::OutputFolder();
@@ -112,4 +115,5 @@ int main(int argc, char* argv[])
     TestUpdate(argv[2], argv[3]);
   }
   return session.Result();
+}
 }

@@ -4,6 +4,7 @@
 // vtkRelievoOFFReader reads what it promises, and refuses broken files with one clear message.
 #include "Check.h"
 #include "Session.h"
+#include "TestCase.h"
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
@@ -18,6 +19,8 @@
 #include <iostream>
 #include <random>
 
+namespace testOFFReader
+{
 namespace
 {
 std::string Path;
@@ -256,7 +259,7 @@ void TestRealMeshes()
 }
 
 //------------------------------------------------------------------------------
-int main()
+RELIEVO_TEST_CASE(testOFFReader)
 {
   relievoTest::Session session;
   Path = relievoTest::OutputFolder() + "/mesh.off";
@@ -267,4 +270,5 @@ int main()
   TestMutations();
   TestRealMeshes();
   return session.Result();
+}
 }

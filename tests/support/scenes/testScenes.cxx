@@ -8,6 +8,7 @@
 #include "ImageCompare.h"
 #include "Scenes.h"
 #include "Session.h"
+#include "TestCase.h"
 #include "Window.h"
 
 #include <vtkCamera.h>
@@ -20,6 +21,8 @@
 #include <cmath>
 #include <iostream>
 
+namespace testScenes
+{
 namespace
 {
 using relievoTest::PixelTruth;
@@ -183,7 +186,7 @@ void TestMistakes()
 }
 
 //------------------------------------------------------------------------------
-int main()
+RELIEVO_TEST_CASE(testScenes)
 {
   relievoTest::Session session;
   // The shares are the design's, measured before this code was written.
@@ -195,4 +198,5 @@ int main()
   }
   TestMistakes();
   return session.Result();
+}
 }

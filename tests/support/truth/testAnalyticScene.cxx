@@ -5,6 +5,7 @@
 #include "AnalyticScene.h"
 #include "Check.h"
 #include "Session.h"
+#include "TestCase.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,6 +14,8 @@
 #include <random>
 #include <string>
 
+namespace testAnalyticScene
+{
 namespace
 {
 using relievoTest::AnalyticScene;
@@ -247,7 +250,7 @@ void TestMatrix()
 }
 
 //------------------------------------------------------------------------------
-int main()
+RELIEVO_TEST_CASE(testAnalyticScene)
 {
   relievoTest::Session session;
   TestShapes();
@@ -256,4 +259,5 @@ int main()
   TestRoots();
   TestMatrix();
   return session.Result();
+}
 }

@@ -7,6 +7,7 @@
 #include "EmbreeScene.h"
 #include "Session.h"
 #include "Stage.h"
+#include "TestCase.h"
 
 #include <vtkCamera.h>
 #include <vtkMatrix4x4.h>
@@ -26,6 +27,8 @@
 #include <random>
 #include <string>
 
+namespace testEmbreeScene
+{
 namespace
 {
 using relievoTest::AnalyticScene;
@@ -306,7 +309,7 @@ void TestShadows()
 }
 
 //------------------------------------------------------------------------------
-int main()
+RELIEVO_TEST_CASE(testEmbreeScene)
 {
   relievoTest::Session session;
   TestBoxes("boxes", glm::dvec3(0.), 1e-14);
@@ -315,4 +318,5 @@ int main()
   TestInner();
   TestShadows();
   return session.Result();
+}
 }

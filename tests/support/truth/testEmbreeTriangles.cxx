@@ -7,6 +7,7 @@
 #include "ScreenTriangle.h"
 #include "Session.h"
 #include "Stage.h"
+#include "TestCase.h"
 
 #include <vtkActor.h>
 #include <vtkCamera.h>
@@ -20,6 +21,8 @@
 #include <cmath>
 #include <limits>
 
+namespace testEmbreeTriangles
+{
 namespace
 {
 using relievoTest::EmbreeScene;
@@ -195,7 +198,7 @@ void TestRenderer()
 }
 
 //------------------------------------------------------------------------------
-int main()
+RELIEVO_TEST_CASE(testEmbreeTriangles)
 {
   relievoTest::Session session;
   TestCells();
@@ -204,4 +207,5 @@ int main()
   TestInsideAndRange();
   TestRenderer();
   return session.Result();
+}
 }

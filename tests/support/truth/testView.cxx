@@ -4,6 +4,7 @@
 // The rays of a View against VTK's own transforms, which share no line with it.
 #include "Check.h"
 #include "Session.h"
+#include "TestCase.h"
 #include "View.h"
 #include "Window.h"
 
@@ -20,6 +21,8 @@
 #include <random>
 #include <vector>
 
+namespace testView
+{
 namespace
 {
 struct Case
@@ -161,7 +164,7 @@ void TestRefusals()
 }
 
 //------------------------------------------------------------------------------
-int main()
+RELIEVO_TEST_CASE(testView)
 {
   relievoTest::Session session;
   for (const Case& test : Cases)
@@ -171,4 +174,5 @@ int main()
   TestRange();
   TestRefusals();
   return session.Result();
+}
 }
