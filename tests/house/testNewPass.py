@@ -86,8 +86,8 @@ def main(source, cmake, ctest, *options):
     paraview = "-DRELIEVO_USE_PARAVIEW=ON" in options and shutil.which("pvpython")
     plugin = ["Relievo"] if paraview else []
     listed = run([cmake, "--build", build, "--target", "help"])
-    viewer = [name for name in ("testViewerEvery",) if f"{name}:" in listed]
-    targets = [f"test{NAME}Stage", "relievo", "relievo_python", *plugin, *viewer]
+    viewer = [name for name in ("relievo_tests_viewer",) if f"{name}:" in listed]
+    targets = ["relievo_tests_effects", "relievo", "relievo_python", *plugin, *viewer]
     run([cmake, "--build", build, "--target", *targets])
     pages = "testPython_test(Layers|PointValues|SurfaceValues)"
     output = run([ctest, "--test-dir", build, "-R", f"^(test{NAME}Stage|{pages})$",

@@ -113,7 +113,7 @@ void Check(ShadowStage& stage, const EmbreeScene& truth, const std::string& what
       vtkFloatArray::SafeDownCast(image->GetPointData()->GetArray("shadow_0"))->GetPointer(0));
     const std::string which = what + (exact ? ", exact" : ", map");
     std::cout << which << ": " << wrong.ToString() << "\n";
-    RELIEVO_CHECK_THAT(wrong.Compared > 20000 && wrong.Dark > 500, which + ": too little");
+    RELIEVO_CHECK_THAT(wrong.Compared > 11000 && wrong.Dark > 280, which + ": too little");
     RELIEVO_CHECK_AT_MOST(
       wrong.Wrong(), exact ? limits.Exact : limits.Map, which + ": share of wrong verdicts");
   }
@@ -170,7 +170,7 @@ void TestBlocks()
   };
   for (const auto& one : cases)
   {
-    ShadowStage stage(320, 240);
+    ShadowStage stage(240, 180);
     const auto actor = relievoTest::AddActor(stage.Renderer, surface);
     actor->GetMapper()->ScalarVisibilityOff();
     actor->GetProperty()->SetColor(0.8, 0.75, 0.6);
@@ -259,7 +259,7 @@ void TestCaves()
             << ", one looks " << glm::length(way) << " far\n";
   for (const bool back : { false, true })
   {
-    ShadowStage stage(320, 240);
+    ShadowStage stage(240, 180);
     relievoTest::AddActor(stage.Renderer, blocks->GetOutput())->GetMapper()->ScalarVisibilityOff();
     const glm::dvec3 aside(0.7, -0.4, 0.3);
     stage.AddLamp(room + (back ? 0.35 : -0.05) * way + aside, room, 90.);
@@ -324,7 +324,7 @@ void TestCubes()
       cubes[i]->SetInstanced(i == 1);
       cubes[i]->Update();
     }
-    ShadowStage stage(320, 240);
+    ShadowStage stage(240, 180);
     vtkNew<vtkRelievoVoxelCubesActor> actor;
     actor->SetInputConnection(cubes[1]->GetOutputPort());
     actor->SetCellSize(shell->GetOutput()->GetSpacing());

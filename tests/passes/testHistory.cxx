@@ -118,7 +118,7 @@ void Walk(int steps, unsigned int seed)
 RELIEVO_TEST_CASE(testHistory)
 {
   relievoTest::Session session;
-  const int steps = argc > 1 ? std::atoi(argv[1]) : 300;
+  const int steps = argc > 1 ? std::atoi(argv[1]) : 100;
   const auto seed = static_cast<unsigned int>(argc > 2 ? std::atoi(argv[2]) : 1);
   Walk(steps, seed);
   std::cout << steps << " steps from seed " << seed << "\n";

@@ -394,9 +394,9 @@ void TestOrbitOverWideGround()
   stage.Window->Render();
   RELIEVO_CHECK(stage.GetShadows()->GetNumberOfMapsDrawn() == 1);
   int drawn = 0;
-  for (int i = 0; i < 60; ++i)
+  for (int i = 0; i < 30; ++i)
   {
-    stage.Renderer->GetActiveCamera()->Azimuth(6.);
+    stage.Renderer->GetActiveCamera()->Azimuth(12.);
     stage.Window->Render();
     drawn += stage.GetShadows()->GetNumberOfMapsDrawn();
   }

@@ -5,6 +5,7 @@
 #include "Check.h"
 #include "GLCheck.h"
 #include "Session.h"
+#include "TestCase.h"
 #include "Window.h"
 
 #include <vtkActor.h>
@@ -23,6 +24,8 @@
 #include <cstring>
 #include <string>
 
+namespace testSampleStage
+{
 namespace
 {
 // A white square without light at depth 3, on blue; seen from near 1 to far 5.
@@ -105,9 +108,10 @@ void TestStage()
 }
 }
 
-int main()
+RELIEVO_TEST_CASE(testSampleStage)
 {
   relievoTest::Session session;
   TestStage();
   return session.Result();
+}
 }

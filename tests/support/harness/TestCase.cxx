@@ -59,6 +59,12 @@ TestCase::TestCase(const char* name, Function function, bool apart)
 {
   GetCases()[name] = { function, apart };
 }
+
+//------------------------------------------------------------------------------
+bool IsLong(int argc, char* argv[])
+{
+  return argc > 1 && std::string(argv[1]) == "long";
+}
 }
 
 //------------------------------------------------------------------------------

@@ -32,6 +32,9 @@ public:
 
   TestCase(const char* name, Function function, bool apart);
 };
+
+/** Whether the case's first word is `long`: tests labelled `nightly` go through all there is. */
+bool IsLong(int argc, char* argv[]);
 }
 
 #define RELIEVO_DECLARED_TEST_CASE(name, apart)                                                    \
