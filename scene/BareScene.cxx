@@ -12,25 +12,27 @@
 #include "vtkPropCollection.h"
 
 #include <algorithm>
-#include <utility>
+#include <map>
 
 namespace scene
 {
 namespace
 {
-// VTK's copy of a property gives its textures back without having taken them.
+// VTK's copy of a property gives its textures back without having taken them: once for each name that
+// it knows them by.
 vtkSmartPointer<vtkProperty> Copy(vtkProperty* property)
 {
-  std::vector<std::pair<vtkTexture*, int>> uses;
+  std::map<vtkTexture*, int> counts; // of references, with those of the copy
   for (const auto& named : property->GetAllTextures())
   {
-    uses.emplace_back(named.second, named.second->GetReferenceCount());
+    const auto known = counts.emplace(named.second, named.second->GetReferenceCount()).first;
+    ++known->second;
   }
   auto copy = vtkSmartPointer<vtkProperty>::New();
   copy->DeepCopy(property);
-  for (const auto& [texture, count] : uses)
+  for (const auto& [texture, count] : counts)
   {
-    if (texture->GetReferenceCount() == count)
+    while (texture->GetReferenceCount() < count)
     {
       texture->Register(copy);
     }

@@ -13,7 +13,9 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <ctime>
 #include <exception>
+#include <fstream>
 #include <memory>
 #include <new>
 #include <stdexcept>
@@ -32,9 +34,9 @@ namespace
 {
 constexpr std::uint64_t Memory = std::uint64_t(8) << 30;
 constexpr std::uint64_t MemoryOfMiB = std::uint64_t(32) << 20;
-constexpr std::uint64_t ProcessorSeconds = 15;
-constexpr std::uint64_t Seconds = 60;
-constexpr std::uint64_t SecondsOfMiB = 2; // of both
+constexpr std::uint64_t SecondsOfMiB = 2; // of both that follow
+std::uint64_t ProcessorSeconds = 15;
+std::uint64_t WaitingSeconds = 60;
 
 // A file: open, and closed with this.
 class Descriptor
@@ -74,13 +76,14 @@ struct Note
   enum Kinds : int
   {
     Progress,
+    Began,    // Status: the number of the process
     Opened,   // Size
     NoMemory, // which the reader may get over
     Whole,    // all that was made is written
     Ended     // Status, of the process
   };
   Kinds Kind = Progress;
-  int Status = 0;
+  int Status = 0; // of the process, or its number
   std::uint64_t Size = 0;
   double Share = 0.;
   char What[5000] = "";
@@ -90,6 +93,7 @@ struct Request
 {
   vtkRelievoReaderProcess::Work Work = nullptr;
   std::uint64_t Size = 0; // of what is asked, which the first socket brings; it takes what is made
+  std::uint64_t ProcessorSeconds = 0;
 };
 
 int Server = -1; // the program's end of the line to the process; -1: there is none
@@ -240,6 +244,28 @@ std::uint64_t GetSeconds(std::uint64_t least, std::uint64_t size)
   return least + SecondsOfMiB * (size >> 20);
 }
 
+// Of the seconds since a process began, those in which it waited: it neither computed, in any of its
+// threads, nor would its first thread have computed if it had been given a processor. On a busy
+// machine a file may take long without waiting.
+double GetWaitingSeconds(pid_t process, double passed)
+{
+  clockid_t clock = 0;
+  timespec computed = {};
+  if (process == 0) // it has not begun
+  {
+    return passed;
+  }
+  if (clock_getcpuclockid(process, &clock) != 0 || clock_gettime(clock, &computed) != 0)
+  {
+    return 0.0; // it has ended
+  }
+  std::ifstream statistics("/proc/" + std::to_string(process) + "/schedstat");
+  std::uint64_t ran = 0, queued = 0;
+  statistics >> ran >> queued; // in nanoseconds; 0 where the kernel keeps none
+  return passed - static_cast<double>(computed.tv_sec) -
+    1e-9 * (static_cast<double>(computed.tv_nsec) + static_cast<double>(queued));
+}
+
 // The user's own limits, which may be lower, stay.
 template <typename Resource>
 void Limit(Resource resource, std::uint64_t most)
@@ -264,8 +290,13 @@ void LimitAll(std::uint64_t size)
 {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   prctl(PR_SET_DUMPABLE, 0); // no core
+  ProcessorSeconds = request.ProcessorSeconds;
   LimitAll(0);
   Line = line;
+  Note began;
+  began.Kind = Note::Began;
+  began.Status = getpid();
+  Send(line, began);
   std::set_new_handler([] {
     vtkRelievoReaderProcess::LackMemory();
     throw std::bad_alloc();
@@ -537,6 +568,7 @@ std::string vtkRelievoReaderProcess::Run(Work work,
   Request request;
   request.Work = work;
   request.Size = asked.size();
+  request.ProcessorSeconds = ProcessorSeconds;
   const auto fail = [] {
     waitpid(Process, nullptr, WNOHANG);
     return "cannot be started: the process that reads files has been ended; start the program "
@@ -552,6 +584,7 @@ std::string vtkRelievoReaderProcess::Run(Work work,
 
   using Clock = std::chrono::steady_clock;
   const Clock::time_point began = Clock::now();
+  pid_t process = 0;
   constexpr int patience = 50; // milliseconds between two looks whether to go on
   std::uint64_t size = 0;
   std::string what;
@@ -581,6 +614,7 @@ std::string vtkRelievoReaderProcess::Run(Work work,
         break; // what was sent has found nobody any more
       }
       ended = note.Kind == Note::Ended;
+      process = note.Kind == Note::Began ? note.Status : process;
       size += note.Kind == Note::Opened ? note.Size : 0;
       whole = whole || note.Kind == Note::Whole;
       lackedMemory = lackedMemory || note.Kind == Note::NoMemory;
@@ -590,7 +624,9 @@ std::string vtkRelievoReaderProcess::Run(Work work,
     }
     const bool unwanted = stopped || late;
     stopped = stopped || (tells && !say(what, share));
-    late = late || Clock::now() - began > std::chrono::seconds(GetSeconds(Seconds, size)) ||
+    const auto patient = static_cast<double>(GetSeconds(WaitingSeconds, size));
+    const double passed = std::chrono::duration<double>(Clock::now() - began).count();
+    late = late || (!ended && passed > patient && GetWaitingSeconds(process, passed) > patient) ||
       answer.GetSize() > GetMemory(size);
     if (!unwanted && (stopped || late))
     {
@@ -603,7 +639,7 @@ std::string vtkRelievoReaderProcess::Run(Work work,
   }
   if (!whole && late && !lackedMemory)
   {
-    return "did not end within " + std::to_string(GetSeconds(Seconds, size)) + " s";
+    return "waited for more than " + std::to_string(GetSeconds(WaitingSeconds, size)) + " s";
   }
   if (!whole)
   {
@@ -639,6 +675,14 @@ void vtkRelievoReaderProcess::Allow(std::uint64_t size)
 }
 
 //------------------------------------------------------------------------------
+void vtkRelievoReaderProcess::SetLimits(
+  std::uint64_t processorSeconds, std::uint64_t waitingSeconds)
+{
+  ProcessorSeconds = processorSeconds;
+  WaitingSeconds = waitingSeconds;
+}
+
+//------------------------------------------------------------------------------
 void vtkRelievoReaderProcess::LackMemory()
 {
   if (Line >= 0)
@@ -671,6 +715,8 @@ std::string vtkRelievoReaderProcess::Run(Work, const std::function<void(relievo:
 }
 
 void vtkRelievoReaderProcess::Allow(std::uint64_t) {}
+
+void vtkRelievoReaderProcess::SetLimits(std::uint64_t, std::uint64_t) {}
 
 void vtkRelievoReaderProcess::LackMemory() {}
 #endif

@@ -3,6 +3,7 @@
 """Pictures of glTF files by the reader's properties, textures and lights: silhouettes against
 triangles that numpy fills, colours against the file's numbers and the specification's formulas."""
 
+import gc
 import itertools
 import unittest
 
@@ -16,6 +17,7 @@ from vtkmodules.vtkRenderingCore import (
     vtkPolyDataMapper,
     vtkRenderer,
     vtkRenderWindow,
+    vtkTexture,
     vtkWindowToImageFilter,
 )
 
@@ -226,6 +228,30 @@ class Textures(GltfTest):
         normal = properties[2].GetTexture("normalTex")
         self.assertFalse(normal.GetUseSRGBColorSpace())
         self.assertEqual([p.GetBackfaceCulling() for p in properties], [1, 0, 1])
+
+    def test_one_image_twice(self):
+        """A material may use an image in any of its slots; the scene can be let go of."""
+        alone = vtkTexture()
+        alone.GetExecutive()  # which refers to it
+        slots = ["baseColorTexture", "metallicRoughnessTexture"]
+        slots += ["normalTexture", "occlusionTexture", "emissiveTexture"]
+        for count in range(2, len(slots) + 1):
+            for used in itertools.combinations(slots, count):
+                writer = Writer()
+                info = textured(writer, TEXELS)
+                rough = {slot: info for slot in used if slot in slots[:2]}
+                material = {slot: info for slot in used if slot not in rough}
+                material.update(pbrMetallicRoughness=rough, emissiveFactor=[1, 1, 1])
+                quad(writer, material, TEXCOORD_0=(0, 1))
+                scene = relievo.scene(writer.save(self.folder / "twice.glb"))
+                actor = scene.renderer.GetActors().GetLastActor()
+                names = ("albedoTex", "materialTex", "normalTex", "emissiveTex")
+                textures = {actor.GetProperty().GetTexture(name) for name in names} - {None}
+                self.assertGreater(len(textures), 0, used)
+                del scene, actor
+                gc.collect()
+                counts = {each.GetReferenceCount() for each in textures}
+                self.assertEqual(counts, {alone.GetReferenceCount()}, used)
 
     def test_material(self):
         """Every factor, in the property."""

@@ -9,9 +9,11 @@
 
 #include <vtkRelievoReaderProcess.h>
 
+#include <atomic>
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
+#include <ctime>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -86,6 +88,14 @@ void Exit(ByteReader&, const Say&, ByteWriter&)
 void Spin(ByteReader&, const Say&, ByteWriter&)
 {
   for (volatile unsigned int i = 0;; i = i + 1)
+  {
+  }
+}
+
+// Two seconds of processor time.
+void Compute(ByteReader&, const Say&, ByteWriter&)
+{
+  while (std::clock() < 2 * CLOCKS_PER_SEC)
   {
   }
 }
@@ -301,15 +311,35 @@ void TestLimits()
 #endif
 }
 
-// One that computes without end, and one that waits.
+// One that computes without end, and one that waits; and one that is given a processor for less than
+// half of the time, which is no waiting.
 void TestTime()
 {
-  std::string spun;
-  std::thread spinning([&spun] { spun = Run(Spin); });
+  vtkRelievoReaderProcess::SetLimits(2, 2);
+  const std::string spun = Run(Spin);
   const std::string slept = Run(Sleep);
-  spinning.join();
-  RELIEVO_CHECK_THAT(spun == "did not end within 15 s of processor time", spun);
-  RELIEVO_CHECK_THAT(slept == "did not end within 60 s", slept);
+  RELIEVO_CHECK_THAT(spun == "did not end within 2 s of processor time", spun);
+  RELIEVO_CHECK_THAT(slept == "waited for more than 2 s", slept);
+
+  vtkRelievoReaderProcess::SetLimits(15, 1);
+  std::atomic<bool> busy(true);
+  std::vector<std::thread> others;
+  for (unsigned int i = 0; i < 2 * std::thread::hardware_concurrency(); ++i)
+  {
+    others.emplace_back([&busy] {
+      while (busy)
+      {
+      }
+    });
+  }
+  const std::string computed = Run(Compute);
+  busy = false;
+  for (std::thread& other : others)
+  {
+    other.join();
+  }
+  RELIEVO_CHECK_THAT(computed.empty(), computed);
+  vtkRelievoReaderProcess::SetLimits(15, 60);
 }
 
 // Somebody ends the process that would fork the next: this is said, and what to do.
