@@ -109,6 +109,13 @@ private Q_SLOTS:
     QCOMPARE(CountDifferent(before, this->Grab()), 0);
     this->Window->GetDocument()->Undo();
     QVERIFY(!shadows->isChecked());
+    // Two switches are two steps, however soon one follows the other.
+    this->Window->GetDocument()->Undo();
+    QVERIFY(shadows->isChecked() && !this->Window->GetDocument()->CanUndo());
+    shadows->trigger();
+    shadows->trigger();
+    this->Window->GetDocument()->Undo();
+    QVERIFY(!shadows->isChecked());
   }
 
   // By its action and by the panel; it goes round with the camera, and can be undone.
