@@ -19,6 +19,8 @@ vtkStandardNewMacro(vtkRelievoDepthSplice);
 
 namespace
 {
+constexpr const char* SlopeOfDepth = "FragDepth), dFdy("; // as VTK asks for it
+
 bool MayWriteDepth(const vtkRelievoPropParts::Part& part)
 {
   vtkActor* actor = vtkRelievoPropParts::GetMeshActor(part);
@@ -61,13 +63,13 @@ void vtkRelievoDepthSplice::SpliceShaders(
 {
   using namespace vtkRelievoSpliceText;
   std::string& fragment = shaders.Fragment;
-  if (!Has(fragment, "dFdx(gl_FragDepth)"))
+  if (!Has(fragment, SlopeOfDepth))
   {
     return;
   }
   // A statement before the one that reads, whatever else that line says.
   TrySplice(shaders, this->Window, actor, [&fragment]() {
-    const std::size_t read = fragment.find("dFdx(gl_FragDepth)");
+    const std::size_t read = fragment.find(SlopeOfDepth);
     const std::size_t line = fragment.rfind('\n', read);
     fragment.insert(line == std::string::npos ? 0 : line + 1,
       vtkRelievoShaderLibrary::GetSection("splice/depth.glsl", "UniformFlow"));
