@@ -12,6 +12,7 @@
 #include "vtkRelievoAccess.h"
 #include "vtkRelievoColorTarget.h"
 #include "vtkRelievoDelegate.h"
+#include "vtkRelievoDepthSplice.h"
 #include "vtkRelievoEdgeFilter.h"
 #include "vtkRelievoFrameContext.h"
 #include "vtkRelievoFrameReader.h"
@@ -48,6 +49,7 @@ public:
   vtkRelievoDelegate Picture;
   vtkRelievoColorTarget Color;
   vtkRelievoTranslucentLayers Translucent;
+  vtkNew<vtkRelievoDepthSplice> Depth;
   vtkSmartPointer<vtkMultiProcessController> Controller;
   vtkRelievoSampleAccumulator Samples;
   vtkRelievoFrameReader Reader{ Color, Samples };
@@ -388,11 +390,13 @@ bool vtkRelievoFramePass::DrawSample(const vtkRenderState* s)
   const vtkRelievoSampleOffset offset(context);
   in.Timer.Begin("frame");
   run.Prepare();
+  in.Depth->Begin(context.Scene, window);
   run.DrawLightMaps();
   this->NumberOfRenderedProps = run.DrawDelegate(in.Picture, in.Delegate);
   run.DrawStages();
   run.Present();
   in.SmoothFirst(context);
+  in.Depth->End();
   run.Finish();
   in.Timer.End("frame");
 

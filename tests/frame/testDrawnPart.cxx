@@ -21,6 +21,8 @@
 #include <vtkMatrix4x4.h>
 #include <vtkMultiBlockDataSet.h>
 #include <vtkNew.h>
+#include <vtkOpenGLPolyDataMapper.h>
+#include <vtkOpenGLVertexBufferObject.h>
 #include <vtkPlaneSource.h>
 #include <vtkPointData.h>
 #include <vtkPointGaussianMapper.h>
@@ -60,6 +62,7 @@ struct Scene
   vtkNew<vtkRenderer> Renderer;
   vtkNew<vtkActor> Actor;
   vtkSmartPointer<vtkRenderWindow> Window;
+  bool Moves = false; // between VTK's picture and ours, z of all coincident surfaces alike
 
   Scene()
   {
@@ -206,13 +209,61 @@ void PlaceOnDevice(Scene& scene)
 }
 #endif
 
-// Spheres whose z VTK leaves at 1 where it moves coincident surfaces.
+// A cube that floats place beside its box: far from the origin of its own coordinates.
+void PlaceByFloats(Scene& scene)
+{
+  constexpr double away = 67108864.0; // where floats are 8 apart
+  constexpr double size = 16.0;
+  vtkNew<vtkCubeSource> cube;
+  cube->SetCenter(away, 0.0, 0.0);
+  cube->SetXLength(size);
+  cube->SetYLength(size);
+  cube->SetZLength(size);
+  auto* mapper = vtkOpenGLPolyDataMapper::SafeDownCast(scene.Actor->GetMapper());
+  mapper->SetInputConnection(cube->GetOutputPort());
+  mapper->SetVBOShiftScaleMethod(vtkOpenGLVertexBufferObject::DISABLE_SHIFT_SCALE);
+  scene.Actor->SetScale(1.0 / size);
+  scene.Actor->SetPosition(-away / size, 0.0, 0.0);
+  scene.Renderer->GetActiveCamera()->SetViewAngle(28.0); // of which the sums in floats are far off
+}
+
+// Spheres that overlap. Where VTK moves coincident surfaces, it reads their depth before it writes
+// it: what is in front depends on the machine. The truth is the picture without, as all spheres
+// are moved alike.
 void AddBalls(Scene& scene)
 {
-  vtkMapper::SetResolveCoincidentTopologyToPolygonOffset();
+  scene.Moves = true;
   scene.Actor->GetProperty()->SetRepresentationToPoints();
   scene.Actor->GetProperty()->RenderPointsAsSpheresOn();
   scene.Actor->GetProperty()->SetPointSize(20.0F);
+}
+
+// Wide lines as tubes, likewise: without what VTK adds by their slope.
+void AddTubes(Scene& scene)
+{
+  scene.Moves = true;
+  double factor = 0.0;
+  double units = 0.0;
+  vtkMapper::GetResolveCoincidentTopologyLineOffsetParameters(factor, units);
+  scene.Actor->GetMapper()->SetRelativeCoincidentTopologyLineOffsetParameters(-factor, 0.0);
+  scene.Actor->GetProperty()->SetRepresentationToWireframe();
+  scene.Actor->GetProperty()->RenderLinesAsTubesOn();
+  scene.Actor->GetProperty()->SetLineWidth(9.0F);
+  scene.Actor->RotateY(30.0);
+}
+
+// Surfaces that VTK moves to the far plane, whose z is 1 then.
+void MoveToFarPlane(Scene& scene)
+{
+  vtkMapper::SetResolveCoincidentTopologyToPolygonOffset();
+  scene.Actor->GetMapper()->SetRelativeCoincidentTopologyPolygonOffsetParameters(0.0, 65000.0);
+}
+
+// VTK moves surfaces below their edges, whatever it is told of coincident ones.
+void MoveBelowEdges(Scene& scene)
+{
+  scene.Actor->GetMapper()->SetRelativeCoincidentTopologyPolygonOffsetParameters(0.0, 65000.0);
+  scene.Actor->GetProperty()->EdgeVisibilityOn();
 }
 
 void WriteFarDepth(Scene& scene)
@@ -306,6 +357,10 @@ void TestWith(
   Scene scene;
   add(scene);
   const auto plain = Picture(scene.Window);
+  if (scene.Moves)
+  {
+    vtkMapper::SetResolveCoincidentTopologyToPolygonOffset();
+  }
   vtkRelievoPass* frame = vtkRelievoPass::Attach(scene.Renderer);
   vtkRelievoToneStage* tone = frame->GetToneStage();
   const bool beside = scene.Window->GetRenderers()->GetNumberOfItems() > 1;
@@ -390,6 +445,12 @@ RELIEVO_TEST_CASE(testDrawnPart)
   TestWith("glass", AddGlass, true);
   TestWith("points as spheres, moved z", AddBalls);
   vtkMapper::SetResolveCoincidentTopologyToOff();
+  TestWith("lines as tubes, moved z", AddTubes);
+  vtkMapper::SetResolveCoincidentTopologyToOff();
+  TestWith("moved to the far plane", MoveToFarPlane);
+  vtkMapper::SetResolveCoincidentTopologyToOff();
+  TestWith("moved below its edges", MoveBelowEdges);
+  TestWith("far from its own origin", PlaceByFloats);
   TestWith("a shader of depth", WriteFarDepth, true);
   TestWith("in pieces", AddInPieces);
   TestWith("a block that moves", AddMovedBlock);

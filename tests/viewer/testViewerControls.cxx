@@ -55,13 +55,26 @@ private Q_SLOTS:
       qPrintable(QString("%1 of %2 to %3").arg(time).arg(times[0]).arg(times[1])));
     QVERIFY(CountDifferent(before, this->Grab()) > 100);
     this->Compare("at a quarter");
-    // What is refused while it plays ends the playing, and so does a file in which nothing moves.
+    // As long as it plays is one edit, after that of the slider.
     QAction* play = this->Window->findChild<QToolBar*>("time")->actions().first();
+    viewer::Document* document = this->Window->GetDocument();
+    const auto now = [document] { return document->Get().Parse().Model.Time.value_or(-1.0); };
+    play->setChecked(true);
+    for (int i = 0; i < 3; ++i)
+    {
+      const double last = now();
+      QTRY_VERIFY_WITH_TIMEOUT(now() != last, 20000);
+    }
+    play->setChecked(false);
+    this->WaitUntilRead();
+    document->Undo();
+    this->WaitUntilRead();
+    QCOMPARE(now(), time);
+    // What is refused while it plays ends the playing, and so does a file in which nothing moves.
     play->setChecked(true);
     QCOMPARE(play->text(), QString("Pause"));
-    QTRY_VERIFY(this->Window->GetDocument()->Get().Parse().Model.Time.value_or(time) != time);
-    this->Window->GetDocument()->Change(
-      [](scene::Settings& settings) { settings.Set("--opacity", "7"); });
+    QTRY_VERIFY_WITH_TIMEOUT(now() != time, 20000);
+    document->Change([](scene::Settings& settings) { settings.Set("--opacity", "7"); });
     QVERIFY(!play->isChecked());
     this->WaitUntilRead();
     slider->setValue(0);
@@ -83,18 +96,33 @@ private Q_SLOTS:
     QTRY_VERIFY_WITH_TIMEOUT(chart->GetStages().size() > 1, 20000);
     QVERIFY2(chart->isVisible() && chart->GetStages().size() > 1,
       this->Window->GetView()->GetPicture().GetFrame()->GetFrameReport().c_str());
-    QTest::qWait(600); // until what was drawn last is in the table
-    QString words;
-    for (const QLabel* label : table->findChildren<QLabel*>())
-    {
-      if (label->isVisible() && label->objectName().endsWith("_reason"))
+    const auto reasons = [table] {
+      QList<const QLabel*> labels;
+      for (const QLabel* label : table->findChildren<QLabel*>())
       {
-        QVERIFY(label->width() >= table->width() - 30); // across the table and in full
-        QVERIFY(label->height() >= label->heightForWidth(label->width()));
+        if (label->isVisible() && label->objectName().endsWith("_reason"))
+        {
+          labels.append(label);
+        }
+      }
+      return labels;
+    };
+    const auto say = [&reasons] {
+      QString words;
+      for (const QLabel* label : reasons())
+      {
         words += label->text() + "\n";
       }
+      return words;
+    };
+    // Until what was drawn last is in the table.
+    QTRY_VERIFY_WITH_TIMEOUT(say().contains("1 light casts") && say().contains("Lamps: "), 20000);
+    const QString words = say();
+    for (const QLabel* label : reasons())
+    {
+      QVERIFY(label->width() >= table->width() - 30); // across the table and in full
+      QVERIFY(label->height() >= label->heightForWidth(label->width()));
     }
-    QVERIFY2(words.contains("1 light casts") && words.contains("Lamps: "), qPrintable(words));
     QVERIFY2(!words.contains("no output") && !words.contains("EnabledOff"), qPrintable(words));
     QVERIFY2(words.contains("switched off") && words.contains("does not need"), qPrintable(words));
     for (const QLabel* label : table->findChildren<QLabel*>())

@@ -64,6 +64,32 @@ private:
     QTest::keyClick(this->Window->GetView(), key, with);
   }
 
+  // The mouse presses a slider, which goes to these values, and lets go.
+  void Drag(QSlider* slider, const std::vector<int>& values)
+  {
+    QTest::mousePress(slider, Qt::LeftButton, Qt::NoModifier, QPoint(1, 1));
+    for (const int value : values)
+    {
+      slider->setValue(value);
+    }
+    QTest::mouseRelease(slider, Qt::LeftButton, Qt::NoModifier, QPoint(1, 1));
+    for (int i = 0; i < 3; ++i)
+    {
+      QCoreApplication::processEvents(); // until it is let go
+    }
+  }
+
+  // Undoes all there is.
+  int CountEdits()
+  {
+    int count = 0;
+    for (; this->Window->GetDocument()->CanUndo(); ++count)
+    {
+      this->Window->GetDocument()->Undo();
+    }
+    return count;
+  }
+
 private Q_SLOTS:
   void parallelKey()
   {
@@ -220,10 +246,7 @@ private Q_SLOTS:
     QVERIFY(!undo->isEnabled() && !redo->isEnabled()); // opening is no edit
     auto* number = this->Window->findChild<QGroupBox*>("surfaces")->findChild<QWidget*>("opacity");
     auto* opacity = number->findChild<QSlider*>();
-    for (const int value : { 80, 60, 40 })
-    {
-      opacity->setValue(value);
-    }
+    this->Drag(opacity, { 80, 60, 40 });
     this->Window->findChild<QCheckBox*>("edges")->setChecked(false);
     this->Change([](scene::Settings& settings) { settings.Set("--color-by", "nothing"); });
     QVERIFY(this->Window->GetTrouble().contains("Colour by"));
@@ -349,29 +372,111 @@ private Q_SLOTS:
     QVERIFY(this->Window->GetDocument()->Get() == opened);
   }
 
-  // A slider that is drawn is one edit, however long it is held and wherever it begins.
+  // A slider that is dragged is one edit, wherever it begins; the next drag is another, however
+  // soon it follows.
   void undoOfDrag()
   {
     this->Open({ this->WriteScene() });
     this->Window->findChild<QDockWidget*>("light")->raise();
-    const auto drag = [this](const char* group, const char* name) {
-      auto* slider = this->Window->findChild<QGroupBox*>(group)
-                       ->findChild<QWidget*>(name)
-                       ->findChild<QSlider*>();
-      QVERIFY(slider);
-      QTest::mousePress(slider, Qt::LeftButton, Qt::NoModifier, QPoint(1, 1));
-      slider->setValue(slider->minimum() + 3);
-      QTest::qWait(1100);
-      slider->setValue(slider->minimum() + 5);
-      QTest::mouseRelease(slider, Qt::LeftButton, Qt::NoModifier, QPoint(1, 1));
-      QTest::qWait(50);
-    };
+    auto* slider = this->Window->findChild<QGroupBox*>("shadows")
+                     ->findChild<QWidget*>("filter_radius")
+                     ->findChild<QSlider*>();
+    QVERIFY(slider);
     auto* undo = this->Window->findChild<QAction*>("undo");
     const scene::Settings opened = this->Window->GetDocument()->Get();
-    drag("shadows", "filter_radius"); // the first value asks for the stage
+    this->Drag(slider, { 3, 5 }); // the first value asks for the stage
     undo->trigger();
     QVERIFY(this->Window->GetDocument()->Get() == opened);
     QVERIFY(!undo->isEnabled());
+    this->Drag(slider, { 3, 5 });
+    const scene::Settings once = this->Window->GetDocument()->Get();
+    this->Drag(slider, { 7, 9 });
+    undo->trigger();
+    QVERIFY(this->Window->GetDocument()->Get() == once);
+    // There and back in one drag is no edit, but what comes then is.
+    this->Drag(slider, { 7, 5, 8 });
+    undo->trigger();
+    QVERIFY(this->Window->GetDocument()->Get() == once);
+    QCOMPARE(this->CountEdits(), 1);
+  }
+
+  // Each click is an edit, however soon it follows, and if it is the second of two.
+  void undoOfClicks()
+  {
+    this->Open({ this->WriteScene() });
+    this->Window->findChild<QDockWidget*>("look")->raise();
+    auto* edges = this->Window->findChild<QCheckBox*>("edges");
+    QTRY_VERIFY(edges->isVisible());
+    const QPoint at(5, edges->height() / 2);
+    const auto click = [edges, &at](QEvent::Type press) {
+      for (const auto& each : { std::pair{ press, Qt::LeftButton },
+             std::pair{ QEvent::MouseButtonRelease, Qt::NoButton } })
+      {
+        QMouseEvent event(
+          each.first, at, edges->mapToGlobal(at), Qt::LeftButton, each.second, Qt::NoModifier);
+        QApplication::sendEvent(edges, &event); // with nothing between
+      }
+    };
+    click(QEvent::MouseButtonPress);
+    click(QEvent::MouseButtonDblClick);
+    click(QEvent::MouseButtonPress);
+    QVERIFY(edges->isChecked());
+    QCOMPARE(this->CountEdits(), 3);
+    QVERIFY(this->Activate());
+    edges->setFocus();
+    for (int i = 0; i < 3; ++i)
+    {
+      QTest::keyClick(edges, Qt::Key_Space);
+    }
+    QCOMPARE(this->CountEdits(), 3);
+  }
+
+  // What wheel and keys turn one control by is one edit, until something else is done.
+  void undoOfTurning()
+  {
+    this->Open({ this->WriteScene() });
+    this->Window->findChild<QDockWidget*>("look")->raise();
+    auto* number = this->Window->findChild<QGroupBox*>("surfaces")->findChild<QWidget*>("opacity");
+    auto* digits = number->findChild<QDoubleSpinBox*>();
+    auto* slider = number->findChild<QSlider*>();
+    auto* edges = this->Window->findChild<QCheckBox*>("edges");
+    QTRY_VERIFY(digits->isVisible());
+    QVERIFY(this->Activate());
+    const auto turn = [](QWidget* control, Qt::Key key) {
+      control->setFocus();
+      for (int i = 0; i < 3; ++i)
+      {
+        QTest::keyClick(control, key);
+      }
+    };
+    turn(digits, Qt::Key_Down);
+    QCOMPARE(digits->value(), 0.97);
+    const auto wheel = [](QWidget* over) {
+      QWheelEvent event(QPointF(2, 2), over->mapToGlobal(QPoint(2, 2)), QPoint(), QPoint(0, -120),
+        Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase, false);
+      QSpontaneKeyEvent::setSpontaneous(&event);
+      qApp->notify(over, &event);
+    };
+    wheel(digits->findChild<QLineEdit*>());
+    wheel(digits);
+    QCOMPARE(digits->value(), 0.95);
+    QCOMPARE(this->CountEdits(), 1);
+    // Another control; a number that is typed; and the first again, after something else.
+    turn(digits, Qt::Key_Down);
+    turn(slider, Qt::Key_Left);
+    turn(digits, Qt::Key_Down);
+    digits->selectAll();
+    QTest::keyClicks(digits, "0.5");
+    QTest::keyClick(digits, Qt::Key_Return);
+    digits->selectAll();
+    QTest::keyClicks(digits, "0.6");
+    QTest::keyClick(digits, Qt::Key_Return);
+    QCOMPARE(digits->value(), 0.6);
+    turn(digits, Qt::Key_Up);
+    edges->toggle();
+    QTest::mouseClick(edges, Qt::LeftButton, Qt::NoModifier, QPoint(5, edges->height() / 2));
+    turn(digits, Qt::Key_Up);
+    QCOMPARE(this->CountEdits(), 8);
   }
 };
 

@@ -217,8 +217,7 @@ private Q_SLOTS:
     this->Change(
       [&image](scene::Settings& settings) { settings.Set("--environment", image.toStdString()); });
     QVERIFY2(watcher.Seen.contains("Preparing " + image), qPrintable(watcher.Seen.join(", ")));
-    QTest::qWait(100);
-    QVERIFY(!bar->isVisible());
+    QTRY_VERIFY_WITH_TIMEOUT(!bar->isVisible(), 20000);
     QCOMPARE(this->Window->findChild<QLabel*>("words")->text(), QString());
     this->Compare("with an environment");
   }

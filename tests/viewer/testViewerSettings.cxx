@@ -182,10 +182,10 @@ private Q_SLOTS:
     edged.Set("--edges", "");
     viewer::History history;
     QVERIFY(!history.CanUndo() && !history.Undo(at("0.1")));
-    history.Add(at("0.1"), at("0.3"), 0); // a slider
-    history.Add(at("0.3"), at("0.4"), 500);
-    history.Add(at("0.4"), at("0.5"), 1400);
-    history.Add(at("0.5"), edged, 1500); // something else
+    history.Add(at("0.1"), at("0.3"), 1); // a slider
+    history.Add(at("0.3"), at("0.4"), 1);
+    history.Add(at("0.4"), at("0.5"), 1);
+    history.Add(at("0.5"), edged); // something else
     QVERIFY(*history.Undo(edged) == at("0.5"));
     QVERIFY(*history.Undo(at("0.5")) == at("0.1"));
     QVERIFY(!history.CanUndo() && history.CanRedo());
@@ -193,13 +193,35 @@ private Q_SLOTS:
     QVERIFY(*history.Redo(at("0.5")) == edged);
     QVERIFY(!history.CanRedo());
     QVERIFY(*history.Undo(edged) == at("0.5"));
-    history.Add(at("0.5"), at("0.6"), 1600); // what was undone is not done again any more
+    history.Add(at("0.5"), at("0.6"), 1); // what was undone is not done again any more
     QVERIFY(!history.CanRedo());
     QVERIFY(*history.Undo(at("0.6")) == at("0.5")); // not one with what came before undoing
-    history.Add(at("0.5"), at("0.6"), 9000);
-    history.Add(at("0.6"), at("0.7"), 12000); // later, another edit
-    history.DropUntil(at("0.6"));             // it was refused
+    history.Add(at("0.5"), at("0.6"));
+    history.Add(at("0.6"), at("0.7")); // another edit
+    history.DropUntil(at("0.6"));      // it was refused
     QVERIFY(*history.Undo(at("0.6")) == at("0.5"));
+    // There and back is no edit, and what follows in the same drag is one of its own.
+    history.Clear();
+    history.Add(at("0.1"), at("0.2"));
+    history.Add(at("0.2"), at("0.3"), 2);
+    history.Add(at("0.3"), at("0.2"), 2);
+    history.Add(at("0.2"), at("0.4"), 2);
+    history.Add(at("0.4"), at("0.5"), 2);
+    QVERIFY(*history.Undo(at("0.5")) == at("0.2"));
+    QVERIFY(*history.Undo(at("0.2")) == at("0.1"));
+    QVERIFY(!history.CanUndo());
+    // Undone in the middle of a drag: what follows goes back to there.
+    history.Add(at("0.1"), at("0.2"));
+    history.Add(at("0.2"), at("0.3"), 3);
+    QVERIFY(*history.Undo(at("0.3")) == at("0.2"));
+    history.Add(at("0.2"), at("0.4"), 3);
+    QVERIFY(*history.Undo(at("0.4")) == at("0.2"));
+    // The same twice is two edits, however soon.
+    history.Clear();
+    history.Add(at("0.1"), at("0.2"));
+    history.Add(at("0.2"), at("0.1"));
+    QVERIFY(*history.Undo(at("0.1")) == at("0.2"));
+    QVERIFY(*history.Undo(at("0.2")) == at("0.1"));
   }
 
   // The mode is the stage's, and said once; the last word counts, as in the command line.

@@ -70,7 +70,8 @@ double TimeBar::GetTime() const
 void TimeBar::SetTime(double seconds)
 {
   this->Edited->Change(
-    [seconds](scene::Settings& settings) { settings.Set("--time", scene::WriteNumber(seconds)); });
+    [seconds](scene::Settings& settings) { settings.Set("--time", scene::WriteNumber(seconds)); },
+    this->Played);
 }
 
 //------------------------------------------------------------------------------
@@ -99,6 +100,7 @@ void TimeBar::Play(bool on)
   this->Playing->setIcon(MakeIcon(on ? "pause" : "play"));
   this->Playing->setText(on ? "Pause" : "Play");
   this->Clock.start();
+  this->Played = on ? this->Edited->MakeEdit() : 0;
   on ? this->Next.start(0) : this->Next.stop();
 }
 

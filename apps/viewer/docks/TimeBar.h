@@ -42,6 +42,7 @@ private:
   QLabel* Words;
   QTimer Next;
   QElapsedTimer Clock;
+  int Played = 0; // as long as it plays, times are one edit
 };
 }
 

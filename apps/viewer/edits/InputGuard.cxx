@@ -6,6 +6,7 @@
 #include "Panel.h"
 
 #include <QAbstractButton>
+#include <QAbstractSlider>
 #include <QAbstractSpinBox>
 #include <QApplication>
 #include <QComboBox>
@@ -25,6 +26,41 @@ bool IsTurnedByWheel(QWidget* widget)
 {
   return qobject_cast<QAbstractSpinBox*>(widget) || qobject_cast<QComboBox*>(widget) ||
     qobject_cast<QSlider*>(widget) || qobject_cast<QDial*>(widget);
+}
+
+// The control that a widget is, or is a part of, as the digits are of a spin box.
+QWidget* FindTurned(QWidget* widget)
+{
+  while (widget && !IsTurnedByWheel(widget))
+  {
+    widget = widget->isWindow() ? nullptr : widget->parentWidget();
+  }
+  return widget;
+}
+
+bool IsTurningKey(QWidget* control, const QKeyEvent& event)
+{
+  switch (event.key())
+  {
+    case Qt::Key_Up:
+    case Qt::Key_Down:
+    case Qt::Key_PageUp:
+    case Qt::Key_PageDown:
+      return true;
+    case Qt::Key_Left:
+    case Qt::Key_Right:
+    case Qt::Key_Home:
+    case Qt::Key_End:
+      return qobject_cast<QAbstractSlider*>(control) != nullptr;
+    default:
+      return false;
+  }
+}
+
+bool IsModifier(const QKeyEvent& event)
+{
+  return event.key() == Qt::Key_Shift || event.key() == Qt::Key_Control ||
+    event.key() == Qt::Key_Alt || event.key() == Qt::Key_Meta;
 }
 
 bool IsInPanel(QWidget* widget)
@@ -94,19 +130,39 @@ bool InputGuard::eventFilter(QObject* watched, QEvent* event)
       }
       return false;
     case QEvent::MouseButtonPress:
-      this->Edited->BeginDrag();
+    case QEvent::MouseButtonDblClick: // the second press of two
+      this->Held = true;
+      this->Turned = nullptr;
+      this->Edit = this->Edited->BeginEdit();
       return false;
-    case QEvent::MouseButtonRelease: // controls may change once more when they are let go
-      QTimer::singleShot(0, this->Edited, [this] { this->Edited->EndDrag(); });
+    case QEvent::MouseButtonRelease:
+    {
+      // Controls may change once more when they are let go, by a timer of their own.
+      this->Held = false;
+      const auto end = [this, edit = this->Edit] { this->Edited->EndEdit(edit); };
+      QTimer::singleShot(
+        0, this->Edited, [this, end] { QTimer::singleShot(0, this->Edited, end); });
       return false;
+    }
     case QEvent::Wheel:
       if (IsTurnedByWheel(widget) && IsInPanel(widget) && !widget->hasFocus())
       {
         event->ignore(); // goes on to the panel
         return true;
       }
+      this->Turn(FindTurned(widget));
       return false;
-    case QEvent::ShortcutOverride:
+    case QEvent::FocusOut:
+      if (widget == this->Turned)
+      {
+        this->Stop();
+      }
+      return false;
+    case QEvent::KeyPress:
+      this->TakeKey(*static_cast<QKeyEvent*>(event));
+      return false;
+    case QEvent::ShortcutOverride: // the only one of keys that are shortcuts
+      this->TakeKey(*static_cast<QKeyEvent*>(event));
       if (IsIdleUndo(widget, *static_cast<QKeyEvent*>(event)))
       {
         event->ignore(); // the window undoes
@@ -120,6 +176,42 @@ bool InputGuard::eventFilter(QObject* watched, QEvent* event)
       return false;
     default:
       return false;
+  }
+}
+
+//------------------------------------------------------------------------------
+// Of parents, which get what controls leave alone, it is the same key.
+void InputGuard::TakeKey(const QKeyEvent& key)
+{
+  QWidget* control = FindTurned(QApplication::focusWidget());
+  if (!IsModifier(key))
+  {
+    this->Turn(control && IsTurningKey(control, key) ? control : nullptr);
+  }
+}
+
+//------------------------------------------------------------------------------
+// No control: something else is done.
+void InputGuard::Turn(QWidget* control)
+{
+  if (!control)
+  {
+    this->Stop();
+  }
+  else if (!this->Held && this->Turned != control)
+  {
+    this->Turned = control;
+    this->Edit = this->Edited->BeginEdit();
+  }
+}
+
+//------------------------------------------------------------------------------
+void InputGuard::Stop()
+{
+  if (!this->Held)
+  {
+    this->Turned = nullptr;
+    this->Edited->EndEdit(this->Edit);
   }
 }
 }

@@ -3,13 +3,18 @@
 /**
  * The wheel and the keys belong to the control that has the focus. The wheel over any other control
  * of a panel scrolls the panel, and the window's keys without modifiers leave alone what controls
- * use them for. What the mouse changes while it holds a control is one edit of the document. A
- * filter of the application's events, so that new controls need no word of it.
+ * use them for. One edit of the document is what the mouse changes from its press to its release,
+ * and what wheel and keys turn one control by, until anything else is done. A filter of the
+ * application's events, so that new controls need no word of it.
  */
 #ifndef InputGuard_h
 #define InputGuard_h
 
 #include <QObject>
+#include <QPointer>
+
+class QKeyEvent;
+class QWidget;
 
 namespace viewer
 {
@@ -26,7 +31,14 @@ protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
+  void TakeKey(const QKeyEvent& key);
+  void Turn(QWidget* control);
+  void Stop();
+
   Document* Edited;
+  int Edit = 0;      // that the mouse, the wheel or a key has begun last
+  bool Held = false; // by the mouse
+  QPointer<QWidget> Turned;
 };
 }
 

@@ -24,7 +24,6 @@ bool IsOfShadows(const std::string& change)
 Document::Document(QObject* parent)
   : QObject(parent)
 {
-  this->Clock.start();
 }
 
 //------------------------------------------------------------------------------
@@ -42,7 +41,7 @@ scene::Settings Document::FromWords(const std::vector<std::string>& words)
 }
 
 //------------------------------------------------------------------------------
-void Document::Set(const scene::Settings& settings)
+void Document::Set(const scene::Settings& settings, int number)
 {
   if (settings == this->Now)
   {
@@ -57,7 +56,7 @@ void Document::Set(const scene::Settings& settings)
     this->Refuse(this->Now, QString::fromStdString(error.what()));
     return;
   }
-  this->Past.Add(this->Now, settings, this->Clock.elapsed(), this->Drag);
+  this->Past.Add(this->Now, settings, this->UnderWay != 0 ? this->UnderWay : number);
   this->GoTo(settings);
 }
 
@@ -93,13 +92,13 @@ void Document::ForgetPast()
 }
 
 //------------------------------------------------------------------------------
-void Document::Change(const std::function<void(scene::Settings&)>& edit)
+void Document::Change(const std::function<void(scene::Settings&)>& edit, int number)
 {
   scene::Settings settings = this->Now;
   edit(settings);
   scene::DropIdleSurface(settings);
   scene::DropIdleFill(settings);
-  this->Set(settings);
+  this->Set(settings, number);
 }
 
 //------------------------------------------------------------------------------

@@ -10,7 +10,6 @@
 #include "History.h"
 #include "Settings.h"
 
-#include <QElapsedTimer>
 #include <QObject>
 #include <QString>
 
@@ -32,9 +31,10 @@ public:
 
   const scene::Settings& Get() const { return this->Now; }
 
-  /// Refuses settings that the command line would refuse.
-  void Set(const scene::Settings& settings);
-  void Change(const std::function<void(scene::Settings&)>& edit);
+  /// Refuses settings that the command line would refuse. A number (MakeEdit): that of the edit
+  /// that this is a part of, unless one is under way (BeginEdit).
+  void Set(const scene::Settings& settings, int number = 0);
+  void Change(const std::function<void(scene::Settings&)>& edit, int number = 0);
 
   /// These settings, known to be good, are a part of the edit before: undoing undoes both.
   void Amend(const scene::Settings& settings);
@@ -57,9 +57,16 @@ public:
   bool CanRedo() const { return this->Past.CanRedo(); }
   void ForgetPast();
 
-  /// While the mouse holds a control, what changes the same is one edit.
-  void BeginDrag() { this->Drag = ++this->Drags; }
-  void EndDrag() { this->Drag = 0; }
+  ///@}
+
+  ///@{
+  /// What changes from here on is one edit, until it ends or another begins: that of a slider that
+  /// is dragged, or of a number that the wheel turns. Everything else is an edit of its own.
+  int BeginEdit() { return this->UnderWay = this->MakeEdit(); }
+  void EndEdit(int number) { this->UnderWay = this->UnderWay == number ? 0 : this->UnderWay; }
+
+  /// The number of an edit whose parts come one by one, while others may be made.
+  int MakeEdit() { return ++this->Edits; }
   ///@}
 
   ///@{
@@ -87,9 +94,8 @@ private:
 
   scene::Settings Now;
   History Past;
-  QElapsedTimer Clock;
-  int Drags = 0;
-  int Drag = 0; // its number; 0: none
+  int Edits = 0;
+  int UnderWay = 0; // an edit's number; 0: none
   Facts Known;
   scene::Settings Unswitched, Switched; // before and after shadows were switched
 };

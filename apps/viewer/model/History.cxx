@@ -2,13 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "History.h"
 
-#include <iterator>
-
 namespace viewer
 {
 namespace
 {
-constexpr std::int64_t OneEdit = 1000; // milliseconds
 constexpr std::size_t Most = 200;
 
 std::optional<scene::Settings> Step(
@@ -23,34 +20,13 @@ std::optional<scene::Settings> Step(
   from.pop_back();
   return next;
 }
-
-// A stage's first parameter asks for the stage as well.
-std::set<std::string> GetChanges(const scene::Settings& before, const scene::Settings& after)
-{
-  std::set<std::string> changes = before.GetChanges(after);
-  for (auto change = changes.begin(); change != changes.end();)
-  {
-    const auto next = std::next(change); // parameters follow their stage
-    const bool asked = change->size() > 1 && change->back() == ':' && next != changes.end() &&
-      next->rfind(*change, 0) == 0;
-    change = asked ? changes.erase(change) : next;
-  }
-  return changes;
-}
 }
 
 //------------------------------------------------------------------------------
-void History::Add(
-  const scene::Settings& before, const scene::Settings& after, std::int64_t time, int drag)
+void History::Add(const scene::Settings& before, const scene::Settings& after, int number)
 {
-  const std::set<std::string> changed = GetChanges(before, after);
-  const bool played = changed == std::set<std::string>{ "--time" }; // as long as it takes
-  const bool soon = changed == this->Changed && (played || time - this->Time < OneEdit);
-  const bool same = !this->Past.empty() && this->Future.empty() &&
-    (drag != 0 && this->Drag != 0 ? drag == this->Drag : soon);
-  this->Changed = changed;
-  this->Time = time;
-  this->Drag = drag;
+  const bool same = number != 0 && number == this->Number && !this->Past.empty();
+  this->Number = number;
   this->Future.clear();
   if (!same)
   {
@@ -59,7 +35,7 @@ void History::Add(
   else if (this->Past.back() == after)
   {
     this->Past.pop_back();
-    this->Changed.clear();
+    this->Number = 0; // what comes next begins anew
   }
   if (this->Past.size() > Most)
   {
@@ -70,14 +46,14 @@ void History::Add(
 //------------------------------------------------------------------------------
 std::optional<scene::Settings> History::Undo(const scene::Settings& now)
 {
-  this->Changed.clear();
+  this->Number = 0;
   return Step(this->Past, this->Future, now);
 }
 
 //------------------------------------------------------------------------------
 std::optional<scene::Settings> History::Redo(const scene::Settings& now)
 {
-  this->Changed.clear();
+  this->Number = 0;
   return Step(this->Future, this->Past, now);
 }
 
@@ -87,7 +63,7 @@ void History::DropUntil(const scene::Settings& settings)
   while (!this->Past.empty() && this->Past.back() == settings)
   {
     this->Past.pop_back();
-    this->Changed.clear();
+    this->Number = 0;
   }
 }
 
@@ -96,6 +72,6 @@ void History::Clear()
 {
   this->Past.clear();
   this->Future.clear();
-  this->Changed.clear();
+  this->Number = 0;
 }
 }

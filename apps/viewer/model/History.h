@@ -1,18 +1,15 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Settings as they were before each edit, to go back to and forth again. What follows soon and
- * changes the same, as a slider that is drawn, is one edit.
+ * Settings as they were before each edit, to go back to and forth again. Changes of one number, as
+ * those of a slider that is dragged, are one edit.
  */
 #ifndef History_h
 #define History_h
 
 #include "Settings.h"
 
-#include <cstdint>
 #include <optional>
-#include <set>
-#include <string>
 #include <vector>
 
 namespace viewer
@@ -20,9 +17,9 @@ namespace viewer
 class History
 {
 public:
-  /// An edit, at a time in milliseconds, in the drag of a number that is not 0, or in none.
-  void Add(
-    const scene::Settings& before, const scene::Settings& after, std::int64_t time, int drag = 0);
+  /// A change that is an edit of its own, or, with a number, of one edit with those that came right
+  /// before it with the same number.
+  void Add(const scene::Settings& before, const scene::Settings& after, int number = 0);
 
   ///@{
   /// The settings to go to from those of now; none: there are no more.
@@ -40,9 +37,7 @@ public:
 
 private:
   std::vector<scene::Settings> Past, Future;
-  std::set<std::string> Changed; // by the last edit
-  std::int64_t Time = 0;         // of it
-  int Drag = 0;                  // of it
+  int Number = 0; // of the last edit; 0: nothing goes on with it
 };
 }
 

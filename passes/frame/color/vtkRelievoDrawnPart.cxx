@@ -16,7 +16,9 @@
 #include "vtkShaderProperty.h"
 
 #include <glm/common.hpp>
+#include <glm/gtc/type_ptr.hpp>
 #include <glm/mat4x4.hpp>
+#include <glm/matrix.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
@@ -68,22 +70,14 @@ bool IsWithinBox(vtkActor* actor)
     name == "vtkDataSetMapper";
 }
 
-// Whether floats tell points of the box apart well enough: those far from the origin may be drawn
-// beside it.
-bool IsNearOrigin(const double bounds[6])
+// Whether VTK moves the actor's surfaces in z: coincident ones, and those below their edges.
+bool IsMovedInDepth(vtkProperty* property)
 {
-  double largest = 0.0;
-  double square = 0.0;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    const double* ends = bounds + 2 * axis;
-    largest = std::max({ largest, std::abs(ends[0]), std::abs(ends[1]) });
-    square += (ends[1] - ends[0]) * (ends[1] - ends[0]);
-  }
-  return largest <= 1e3 * std::sqrt(square);
+  return vtkMapper::GetResolveCoincidentTopology() != VTK_RESOLVE_OFF ||
+    property->GetEdgeVisibility() || property->GetVertexVisibility();
 }
 
-// A rectangle in NDC, with depths.
+// A rectangle in NDC, with depths, and with what floats may make of them.
 struct Extent
 {
   glm::dvec3 Least = glm::dvec3(VTK_DOUBLE_MAX);
@@ -92,22 +86,39 @@ struct Extent
   // False if a corner of the box is not before the eye.
   bool Add(const glm::dmat4& toClip, const double bounds[6])
   {
+    glm::dmat4 sizes;
+    for (int column = 0; column < 4; ++column)
+    {
+      sizes[column] = glm::abs(toClip[column]);
+    }
     for (int corner = 0; corner < 8; ++corner)
     {
-      const glm::dvec4 clip = toClip *
-        glm::dvec4(
-          bounds[corner & 1], bounds[2 + ((corner >> 1) & 1)], bounds[4 + (corner >> 2)], 1.0);
+      const glm::dvec4 place(
+        bounds[corner & 1], bounds[2 + ((corner >> 1) & 1)], bounds[4 + (corner >> 2)], 1.0);
+      const glm::dvec4 clip = toClip * place;
+      // VTK's shaders compute the same in floats: each of four products has the rounding of its
+      // factors and its own, and the sum three more, 2^-24 each.
+      const glm::dvec4 rounding = std::ldexp(6.0, -24) * (sizes * glm::abs(place));
       const glm::dvec3 ndc = glm::dvec3(clip) / clip.w;
-      if (!(clip.w > 0.0) || !std::isfinite(ndc.x + ndc.y + ndc.z))
+      if (!(clip.w > 2.0 * rounding.w) || !std::isfinite(ndc.x + ndc.y + ndc.z))
       {
         return false;
       }
-      this->Least = glm::min(this->Least, ndc);
-      this->Most = glm::max(this->Most, ndc);
+      const glm::dvec3 slack =
+        (glm::dvec3(rounding) + glm::abs(ndc) * rounding.w) / (clip.w - rounding.w);
+      this->Least = glm::min(this->Least, ndc - slack);
+      this->Most = glm::max(this->Most, ndc + slack);
     }
     return true;
   }
 };
+
+glm::dmat4 GetMatrix(vtkActor* actor)
+{
+  vtkNew<vtkMatrix4x4> rows;
+  actor->GetMatrix(rows);
+  return glm::transpose(glm::make_mat4(rows->GetData()));
+}
 }
 
 //------------------------------------------------------------------------------
@@ -125,7 +136,7 @@ void vtkRelievoDrawnPart::Find(const vtkRelievoFrameContext& context)
   const glm::dmat4 toClip = context.View.ViewToNDC * context.View.WorldToView;
   Extent extent;
   double wide = 0.0; // of the widest line or point
-  bool opaque = true;
+  bool tells = true;
   vtkProp** props = context.State->GetPropArray();
   for (int i = 0; i < context.State->GetPropArrayCount(); ++i)
   {
@@ -138,19 +149,19 @@ void vtkRelievoDrawnPart::Find(const vtkRelievoFrameContext& context)
     {
       return;
     }
-    const double* bounds = actor->GetBounds();
+    const double* bounds = actor->GetMapper()->GetBounds();
     if (!bounds || !vtkMath::AreBoundsInitialized(bounds))
     {
       continue; // nothing to draw
     }
-    if (!IsNearOrigin(bounds) || !extent.Add(toClip, bounds))
+    if (!extent.Add(toClip * GetMatrix(actor), bounds))
     {
       return;
     }
     vtkProperty* property = actor->GetProperty();
     wide = std::max({ wide, static_cast<double>(property->GetLineWidth()),
       static_cast<double>(property->GetPointSize()) });
-    opaque = opaque && !actor->HasTranslucentPolygonalGeometry();
+    tells = tells && !actor->HasTranslucentPolygonalGeometry() && !IsMovedInDepth(property);
   }
   // A pixel for the rasteriser, and one for samples that are moved within the pixel.
   const double margin = std::ceil(wide) + 2.0;
@@ -166,8 +177,8 @@ void vtkRelievoDrawnPart::Find(const vtkRelievoFrameContext& context)
   {
     std::fill_n(this->Part, 4, 0);
   }
-  // What is farthest must be nearer than z can tell from the far plane. Where VTK moves coincident
-  // surfaces, their z may be anything.
-  this->TellsByDepth = opaque && extent.Most.z < 1.0 - std::ldexp(1.0, -14) &&
-    vtkMapper::GetResolveCoincidentTopology() == VTK_RESOLVE_OFF;
+  // What is farthest must be nearer than z can tell from the far plane, also z of 16 bits, of which
+  // half a step is 2^-16 in NDC, and what rasterisers make of it. Where VTK moves surfaces, their z
+  // may be anything.
+  this->TellsByDepth = tells && extent.Most.z < 1.0 - std::ldexp(1.0, -14);
 }
