@@ -66,7 +66,7 @@ def children(parent):
     return found
 
 
-def wait_for(condition, seconds=30):
+def wait_for(condition, seconds=300):  # against hanging alone
     until = time.monotonic() + seconds
     while not condition() and time.monotonic() < until:
         time.sleep(0.002)
@@ -154,7 +154,8 @@ class Processes(CliTest):
             LEGACY.format("ASCII") + "POINTS 3000000 double\n" + numbers)
 
     def start(self):
-        """The command while it reads, and its processes."""
+        """The command while it reads, and its processes; the reader stands still, so that it does
+        not end before the test goes on."""
         command = subprocess.Popen(
             [RELIEVO, "render", "slow.vtk", "--png", "a.png"], cwd=self.folder, text=True,
             stdout=subprocess.PIPE, stderr=subprocess.PIPE)  # fmt: skip
@@ -164,7 +165,9 @@ class Processes(CliTest):
             found[:] = children(command.pid)
             return len(found) == 1 and len(children(found[0])) == 1
         self.assertTrue(wait_for(reads))
-        return command, found[0], children(found[0])[0]
+        worker = children(found[0])[0]
+        os.kill(worker, signal.SIGSTOP)
+        return command, found[0], worker
 
     def ends(self, command, *others):
         said = command.communicate(timeout=60)[1]
@@ -206,7 +209,7 @@ class Processes(CliTest):
         def has_driver():
             maps = pathlib.Path(f"/proc/{command.pid}/maps").read_text()
             return any(each in maps for each in drivers)
-        self.assertTrue(wait_for(has_driver, 10))
+        self.assertTrue(wait_for(has_driver))
         self.assertIn(worker, children(server))
         os.kill(worker, signal.SIGKILL)
         self.assertIn("was ended by the system", self.ends(command, server, worker))
