@@ -74,7 +74,8 @@ class Driver:
             return f"took more than {seconds:.0f} s"
         line = self.process.stdout.readline()
         if line:
-            return json.loads(line)
+            answer = json.loads(line)
+            return {"status": answer["status"], "say": answer["say"]}
         status = self.process.wait()
         self.errors.seek(0)
         return f"ended with status {status}: {self.errors.read()[-600:].decode(errors='replace')}"

@@ -70,6 +70,12 @@ WORDS = {"06_sun_study.py": ["--every", "120"], "10_relief_terrain.py": ["257"],
 # file name: constants that the copy which is run has instead, for the same reason
 SMALLER = {
     "06_sun_study.py": {"SIZE": (480, 270)},
+    "07_three_spots.py": {"SIZE": (720, 360)},
+    "09_environment.py": {"SIZE": (600, 338)},
+    "12_town_at_night.py": {"SIZE": (640, 360)},
+    "13_fog_valley.py": {"SIZE": (600, 300)},
+    "14_markers.py": {"SIZE": (600, 300)},
+    "15_blocks.py": {"SIZE": (640, 360)},
     "16_caves.py": {"SIZE": (320, 180), "BLOCKS": (96, 96, 48)},
     "27_sunlight_of_a_year.py": {"GROUND": 40, "DAYS": 183, "MINUTES": 240},
     "28_training_pictures.py": {"VIEWS": 2},
@@ -204,7 +210,7 @@ class Examples(unittest.TestCase):
         picture = read_png(self.folder / "out" / "town.png").astype(float)
         # Most lamps are warm, and the sky above them is dark.
         self.assertGreater((picture[..., 0] > 1.2 * picture[..., 2] + 20).mean(), 0.1)
-        self.assertLess(picture[:40].mean(), 30)
+        self.assertLess(picture[:20].mean(), 30)
 
     def test_relief_terrain(self):
         said = self.run_example("10_relief_terrain.py")
@@ -220,7 +226,7 @@ class Examples(unittest.TestCase):
         picture = read_png(self.folder / "out" / "environment.png").astype(float)
         red, green, blue = picture[..., 0], picture[..., 1], picture[..., 2]
         self.assertGreater((red > 1.5 * numpy.maximum(green, blue) + 30).mean(), 0.02, "the paint")
-        self.assertGreater(picture[:100].std(), 3, "the sky is even")
+        self.assertGreater(picture[:50].std(), 3, "the sky is even")
         balls = read_png(self.folder / "out" / "environment_balls.png").astype(float)
         # The third ball is rough: what it mirrors changes less from pixel to pixel.
         columns = numpy.linspace(0, balls.shape[1], 7).astype(int)
