@@ -5,11 +5,11 @@
 refused with one message that names it; nothing crashes, hangs or takes too much memory, and nothing
 is left.
 
-    fuzz.py [--seconds N] [--seed N] [--only N] [--formats A,B,...]
+    fuzz.py [--seconds N | --files N] [--seed N] [--only N] [--formats A,B,...]
 
---seconds: how long new files are made (RELIEVO_FUZZ_SECONDS, or 300). --seed: another seed, other
-files (RELIEVO_FUZZ_SEED, or one of the clock, which is printed). --only: file N alone, which stays
-in the folder that is printed. A file that fails is kept below RELIEVO_TEST_OUTPUT (or the current
+--seconds: how long new files are made (RELIEVO_FUZZ_SECONDS, or 300). --files: so many, however long
+that takes. --seed: another seed, other files (RELIEVO_FUZZ_SEED, or one of the clock, which is
+printed). --only: file N alone, which stays in the folder that is printed. A file that fails is kept below RELIEVO_TEST_OUTPUT (or the current
 folder) in fuzz-failures, with the command that repeats it. Exit: 0 no failure, 1 failures.
 
 Environment: RELIEVO_FUZZ (the program relievo-fuzz-files), RELIEVO and VIEWER (the command and the
@@ -74,7 +74,8 @@ class Driver:
             return f"took more than {seconds:.0f} s"
         line = self.process.stdout.readline()
         if line:
-            return json.loads(line)
+            answer = json.loads(line)
+            return {"status": answer["status"], "say": answer["say"]}
         status = self.process.wait()
         self.errors.seek(0)
         return f"ended with status {status}: {self.errors.read()[-600:].decode(errors='replace')}"
@@ -227,14 +228,14 @@ class Campaign:
                 self.keep(number, sample, folder, whole, wrong)
         return not isinstance(answer, str) or session
 
-    def work(self, first, step, until, only):
+    def work(self, first, step, goes_on, only):
         with tempfile.TemporaryDirectory() as base:
             folder, temporary = pathlib.Path(base) / "files", pathlib.Path(base) / "temporary"
             folder.mkdir()
             temporary.mkdir()
             driver = Driver(folder, temporary)
             number = first
-            while time.monotonic() < until or number == first:
+            while goes_on(number) or number == first:
                 of_use = self.try_one(number, driver, folder, temporary)
                 if not of_use or driver.drawn >= BATCH:
                     self.renew(driver)
@@ -249,12 +250,16 @@ class Campaign:
         with self.lock:
             self.memory = max(self.memory, memory)
 
-    def run(self, seconds, only):
+    def run(self, seconds, files, only):
         self.check_samples()
         until = time.monotonic() + seconds
+
+        def goes_on(number):
+            return number < files if files else time.monotonic() < until
+
         step = 1 if only is not None else max(1, (os.cpu_count() or 1))
         alone = only is not None
-        threads = [threading.Thread(target=self.work, args=(only or i, step, until, alone))
+        threads = [threading.Thread(target=self.work, args=(only or i, step, goes_on, alone))
                    for i in range(step)]  # fmt: skip
         for thread in threads:
             thread.start()
@@ -281,13 +286,15 @@ def main():
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--seconds", type=float,
                         default=float(os.environ.get("RELIEVO_FUZZ_SECONDS", 300)))  # fmt: skip
+    parser.add_argument("--files", type=int)
     parser.add_argument("--seed", type=int,
                         default=int(os.environ.get("RELIEVO_FUZZ_SEED", time.time())))  # fmt: skip
     parser.add_argument("--only", type=int)
     parser.add_argument("--formats", type=lambda text: text.split(","))
     given = parser.parse_args()
     print(f"seed {given.seed}", flush=True)
-    sys.exit(Campaign(given.seed, given.formats).run(given.seconds, given.only))
+    sys.exit(Campaign(given.seed, given.formats).run(
+        given.seconds, given.files, given.only))
 
 
 if __name__ == "__main__":

@@ -1,11 +1,14 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// relievo-fuzz-files: `relievo render` many times in one process, for fuzz.py. Each line of the
-// standard input is a JSON list of the words behind `relievo render`; each line of the output is an
-// object with the `status` of the command and the lines that it would `say`.
+// relievo-fuzz-files: `relievo render` many times in one process, for fuzz.py and the tests of the
+// command (tests/apps/cli.py), to which a process for each picture is most of the time. Each line of
+// the standard input is a JSON list of the words behind `relievo render`; each line of the output is
+// an object with the `status` of the command, the lines that it would `say`, and the `certificate`.
+#include "Display.h"
 #include "Errors.h"
 #include "Messages.h"
+#include "Options.h"
 #include "Outputs.h"
 #include "StandardError.h"
 
@@ -21,9 +24,31 @@
 
 #include <iostream>
 #include <string>
+#include <vector>
 
 namespace
 {
+// The window of the scene before, which takes long to open, in the size that a scene gives its own.
+// None where a lens says the size, or OpenGL has no such: the scene's own window is refused then.
+vtkSmartPointer<vtkRenderWindow> Reuse(
+  vtkSmartPointer<vtkRenderWindow> window, const std::vector<std::string>& words)
+{
+  const scene::RenderOptions options = scene::ParseOptions(words);
+  if (!window || !options.Lens.empty())
+  {
+    return nullptr;
+  }
+  try
+  {
+    scene::CheckSize(window, options.Size);
+  }
+  catch (const scene::WorkError&)
+  {
+    return nullptr;
+  }
+  return window;
+}
+
 void Say(nlohmann::json& lines, const std::string& before, vtkStringArray* said)
 {
   for (vtkIdType i = 0; i < said->GetNumberOfValues(); ++i)
@@ -35,18 +60,21 @@ void Say(nlohmann::json& lines, const std::string& before, vtkStringArray* said)
 nlohmann::json Render(const nlohmann::json& words, vtkSmartPointer<vtkRenderWindow>& window)
 {
   vtkNew<vtkStringArray> given;
-  for (const nlohmann::json& word : words)
+  for (const std::string& word : words.get<std::vector<std::string>>())
   {
-    given->InsertNextValue(word.get<std::string>());
+    given->InsertNextValue(word);
   }
   vtkNew<vtkRelievoScene> scene;
   nlohmann::json lines = nlohmann::json::array();
   int status = 0;
   if (scene->SetWords(given))
   {
-    scene->SetRenderWindow(window);
+    scene->SetRenderWindow(Reuse(window, words));
     scene->Write();
-    window = scene->GetRenderWindow(); // which takes long to open
+    if (scene->GetRenderWindow())
+    {
+      window = scene->GetRenderWindow();
+    }
   }
   if (scene->GetFailure() != vtkRelievoScene::NO_FAILURE)
   {
@@ -66,7 +94,7 @@ nlohmann::json Render(const nlohmann::json& words, vtkSmartPointer<vtkRenderWind
   catch (const scene::WorkError&) // the failure, which is an error event, too
   {
   }
-  return { { "status", status }, { "say", lines } };
+  return { { "status", status }, { "say", lines }, { "certificate", scene->GetCertificate() } };
 }
 }
 

@@ -6,7 +6,9 @@ import json
 import os
 import pathlib
 import re
+import shutil
 import subprocess
+import sys
 import tempfile
 import unittest
 
@@ -15,6 +17,7 @@ import numpy
 RELIEVO = os.environ["RELIEVO"]
 EXR_DUMP = os.environ["EXR_DUMP"]
 BENCHES = os.environ["BENCHES"] == "1"  # whether the command was built with them
+MANY = os.environ.get("RELIEVO_FUZZ")  # what is `relievo render` many times; a wheel has none
 
 # VTK's version, as 9.7; from 9.4 on it opens windows without a display.
 VERSION = subprocess.run(
@@ -30,35 +33,95 @@ LOOK = ["--camera", "0,0,5,0,0,0,0,1,0", "--clip", "1,10"]
 # What a step that takes more than two seconds says in between, on a busy machine any step.
 PROGRESS = re.compile(r"relievo: .* \d+ %")
 
+KEPT = tempfile.TemporaryDirectory()
+FOLDER = pathlib.Path(KEPT.name).resolve()
+
+
+class Many:
+    """`relievo render` many times in one process: a process for each picture, with a window for
+    each, takes ten times as long as the picture."""
+
+    running = {}  # by the environment that differs
+
+    def __init__(self, environment):
+        self.errors, self.seen = tempfile.TemporaryFile("a+b"), 0  # what libraries print is there
+        self.process = subprocess.Popen(
+            [MANY], cwd=FOLDER, env={**os.environ, **environment}, stdin=subprocess.PIPE,
+            stdout=subprocess.PIPE, stderr=self.errors)  # fmt: skip
+
+    @classmethod
+    def run(cls, words, environment):
+        """What the command would have become of."""
+        kind = tuple(sorted(environment.items()))
+        if kind not in cls.running:
+            cls.running[kind] = cls(environment)
+        return cls.running[kind].draw(words) or cls.running.pop(kind).broken(words)
+
+    def draw(self, words):
+        self.process.stdin.write(json.dumps(words).encode() + b"\n")
+        self.process.stdin.flush()
+        line = self.process.stdout.readline()
+        if not line:
+            return None
+        answer = json.loads(line)
+        said = answer["certificate"]
+        return subprocess.CompletedProcess(
+            words, answer["status"], f"relievo: certified shadows: {said}\n" if said else "",
+            "".join(f"relievo: {each}\n" for each in answer["say"]) + self.printed())  # fmt: skip
+
+    def printed(self):
+        self.errors.seek(self.seen)
+        text = self.errors.read()
+        self.seen += len(text)
+        return text.decode(errors="replace")
+
+    def broken(self, words):
+        raise AssertionError(f"{words}: ended with status {self.process.wait()}: {self.printed()}")
+
+    def end(self):
+        self.process.stdin.close()
+        return self.process.wait(timeout=60)
+
 
 class CliTest(unittest.TestCase):
-    """Each test runs in an empty folder of its own that holds triangle.off."""
+    """Each test runs in an empty folder that holds triangle.off."""
 
     def setUp(self):
-        kept = tempfile.TemporaryDirectory()
-        self.addCleanup(kept.cleanup)
-        self.folder = pathlib.Path(kept.name).resolve()
+        for left in FOLDER.iterdir():
+            shutil.rmtree(left) if left.is_dir() and not left.is_symlink() else left.unlink()
+        self.folder = FOLDER
         (self.folder / "triangle.off").write_text(TRIANGLE)
         self.before = self.names()
 
     def names(self):
         return sorted(path.name for path in self.folder.rglob("*"))
 
-    def relievo(self, *words, status=0, environment=None, wrapper=()):
+    def finished(self, *words, environment=None, wrapper=(), whole=False):
         """Runs the command and returns the finished process, without what it says of its progress
-        on a busy machine; its exit status must be as said."""
-        done = subprocess.run(
-            [*wrapper, RELIEVO, *map(str, words)],
-            cwd=self.folder,
-            env={**os.environ, **(environment or {})},
-            stdout=subprocess.PIPE,
-            stderr=subprocess.PIPE,
-            text=True,
-            timeout=600,
-        )
-        self.assertEqual(done.returncode, status, f"{words}: {done.stderr}")
+        on a busy machine. What is rendered is so in one process for all, unless a whole one is
+        asked for, or must be one for its wrapper."""
+        words, environment = [str(word) for word in words], environment or {}
+        if MANY and words[:1] == ["render"] and not (
+                whole or wrapper or {"-h", "--help", "--version"} & set(words)):  # fmt: skip
+            done = Many.run(words[1:], environment)
+        else:
+            done = subprocess.run(
+                [*wrapper, RELIEVO, *words],
+                cwd=self.folder,
+                env={**os.environ, **environment},
+                stdout=subprocess.PIPE,
+                stderr=subprocess.PIPE,
+                text=True,
+                timeout=600,
+            )
         done.stderr = "".join(line for line in done.stderr.splitlines(True)
                               if not PROGRESS.fullmatch(line.rstrip("\n")))  # fmt: skip
+        return done
+
+    def relievo(self, *words, status=0, **more):
+        """The finished process, whose exit status must be as said."""
+        done = self.finished(*words, **more)
+        self.assertEqual(done.returncode, status, f"{words}: {done.stderr}")
         return done
 
     def refused(self, *words, status, says, **more):
@@ -125,4 +188,6 @@ def write_image(writer, path, values):
 
 
 def main():
-    unittest.main(verbosity=2)
+    done = unittest.main(verbosity=2, exit=False).result.wasSuccessful()
+    ended = [each.end() for each in Many.running.values()]
+    sys.exit(0 if done and not any(ended) else f"failed; ended with {ended}")

@@ -66,7 +66,7 @@ def children(parent):
     return found
 
 
-def wait_for(condition, seconds=30):
+def wait_for(condition, seconds=300):  # against hanging alone
     until = time.monotonic() + seconds
     while not condition() and time.monotonic() < until:
         time.sleep(0.002)
@@ -74,12 +74,10 @@ def wait_for(condition, seconds=30):
 
 
 class Untrusted(CliTest):
-    def refused_apart(self, name, text, says):
+    def refused_apart(self, name, text, says, **more):
         (self.folder / name).write_bytes(text if isinstance(text, bytes) else text.encode())
         self.before = self.names()
-        began = time.monotonic()
-        self.refused("render", name, "--png", "a.png", status=1, says=[name, says])
-        self.assertLess(time.monotonic() - began, 60)
+        self.refused("render", name, "--png", "a.png", status=1, says=[name, says], **more)
 
     def test_whole(self):
         (self.folder / "whole.dae").write_text(COLLADA % "")
@@ -87,7 +85,8 @@ class Untrusted(CliTest):
 
     def test_nodes_that_instance_themselves(self):
         self.refused_apart("self.dae", COLLADA % '<instance_node url="#n"/>',
-                           "the reader (Assimp) crashed (segmentation fault)")  # fmt: skip
+                           "the reader (Assimp) crashed (segmentation fault)",
+                           whole=True)  # fmt: skip
 
     def test_nested_nodes(self):
         self.refused_apart("deep.dae", COLLADA % ("<node>" * DEEP + "</node>" * DEEP),
@@ -106,7 +105,7 @@ class Untrusted(CliTest):
         """VTK gets over the memory that it lacks, and finds the file too short."""
         text = LEGACY.format("ASCII") + "POINTS 3 double\n0 0 0 1 0 0 0 1 0\n"
         self.refused_apart("cells.vtk", text + "POLYGONS 2000000000 4000000000\n3 0 1 2\n",
-                           "cells.vtk")  # fmt: skip
+                           "cells.vtk", whole=True)  # fmt: skip
         used = resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss
         self.assertLess(used << 10, LIMIT)
 
@@ -155,7 +154,8 @@ class Processes(CliTest):
             LEGACY.format("ASCII") + "POINTS 3000000 double\n" + numbers)
 
     def start(self):
-        """The command while it reads, and its processes."""
+        """The command while it reads, and its processes; the reader stands still, so that it does
+        not end before the test goes on."""
         command = subprocess.Popen(
             [RELIEVO, "render", "slow.vtk", "--png", "a.png"], cwd=self.folder, text=True,
             stdout=subprocess.PIPE, stderr=subprocess.PIPE)  # fmt: skip
@@ -165,7 +165,9 @@ class Processes(CliTest):
             found[:] = children(command.pid)
             return len(found) == 1 and len(children(found[0])) == 1
         self.assertTrue(wait_for(reads))
-        return command, found[0], children(found[0])[0]
+        worker = children(found[0])[0]
+        os.kill(worker, signal.SIGSTOP)
+        return command, found[0], worker
 
     def ends(self, command, *others):
         said = command.communicate(timeout=60)[1]
@@ -207,7 +209,7 @@ class Processes(CliTest):
         def has_driver():
             maps = pathlib.Path(f"/proc/{command.pid}/maps").read_text()
             return any(each in maps for each in drivers)
-        self.assertTrue(wait_for(has_driver, 10))
+        self.assertTrue(wait_for(has_driver))
         self.assertIn(worker, children(server))
         os.kill(worker, signal.SIGKILL)
         self.assertIn("was ended by the system", self.ends(command, server, worker))
@@ -332,10 +334,13 @@ class Alike(CliTest):
                               cwd=self.folder / "here", check=True, text=True,
                               stdout=subprocess.PIPE, stderr=subprocess.DEVNULL,
                               timeout=600).stdout  # fmt: skip
+        kinds = set()  # of each, the first is drawn and the first refused by the command itself
         for i, said in enumerate(json.loads(here)):
             with self.subTest(file=samples[i]):
                 failed = bool(said["failure"])
-                done = self.relievo(*words[i], status=int(failed))
+                kind = pathlib.Path(samples[i]).suffix.lower(), failed
+                done = self.relievo(*words[i], status=int(failed), whole=kind not in kinds)
+                kinds.add(kind)
                 lines = [said["failure"]] if failed else said["notes"]
                 self.assertEqual(done.stderr.splitlines(), [f"relievo: {line}" for line in lines])
                 for name in [] if failed else [f"{i}.png", f"{i}.exr"]:
@@ -347,16 +352,21 @@ def draw_here(words):
     """Draws all in this process, and prints what was said as JSON."""
     from relievo.vtkRelievoScene import vtkRelievoScene
 
-    said = []
+    said, window = [], None
     for each in json.loads(pathlib.Path(words).read_text()):
         scene, given = vtkRelievoScene(), vtkStringArray()
         for word in each:
             given.InsertNextValue(word)
-        done = scene.SetWords(given) and scene.Write()
+        done = scene.SetWords(given)
+        if done:
+            scene.SetRenderWindow(window)  # that of the one before: all are of one size
+            done = scene.Write()
+            window = scene.GetRenderWindow()
         notes = [scene.GetNotes().GetValue(i) for i in range(scene.GetNotes().GetNumberOfValues())]
         warnings = scene.GetWarnings()
         notes += ["warning: " + warnings.GetValue(i) for i in range(warnings.GetNumberOfValues())]
         said.append({"failure": "" if done else scene.GetFailureText(), "notes": notes})
+        scene.SetRenderWindow(None)
     print(json.dumps(said))
 
 

@@ -6,6 +6,7 @@ what is refused."""
 import filecmp
 import json
 import os
+import shutil
 import signal
 import subprocess
 import time
@@ -114,25 +115,30 @@ class Dataset(CliTest):
 
     def test_goes_on_and_shares(self):
         """Ended by a signal and gone on with, or by two processes at once: the same bytes."""
-        words = ["--poses", "random:24", "--seed", "3", "--random-sun", "--format", "coco"]
+        words = ["--poses", "random:12", "--seed", "3", "--random-sun", "--format", "coco",
+                 "--shadow-size", "256"]  # fmt: skip
         self.dataset("whole", *words)
         command = [RELIEVO, "dataset", "near.off", "far.off", *SMALL, *words, "--out"]
-        one = subprocess.Popen([*command, "broken"], cwd=self.folder, stdout=subprocess.DEVNULL,
-                               stderr=subprocess.DEVNULL)  # fmt: skip
-        while not (self.folder / "broken" / "views" / "000001.json").exists():
-            self.assertIsNone(one.poll())
-            time.sleep(0.002)
-        one.send_signal(signal.SIGINT)
-        self.assertEqual(one.wait(), -signal.SIGINT)
+        for _ in range(20):  # a run that was faster than the signal is run again
+            shutil.rmtree(self.folder / "broken", ignore_errors=True)
+            one = subprocess.Popen([*command, "broken"], cwd=self.folder, stderr=subprocess.DEVNULL,
+                                   stdout=subprocess.DEVNULL)  # fmt: skip
+            while (one.poll() is None
+                   and not (self.folder / "broken" / "views" / "000001.json").exists()):
+                time.sleep(0.001)
+            one.send_signal(signal.SIGINT)
+            if one.wait() != 0:
+                break
+        self.assertEqual(one.returncode, -signal.SIGINT)
         self.assertFalse((self.folder / "broken" / "instances.json").exists())
         self.assertFalse([name for name in self.names() if name.endswith(".tmp")])
         done = self.dataset("broken", *words)
-        self.assertRegex(done.stdout, r"broken: \d+ of 24 views written, \d+ were there\n")
+        self.assertRegex(done.stdout, r"broken: \d+ of 12 views written, \d+ were there\n")
         self.check_same("whole", "broken")
         shares = [
             subprocess.Popen([*command, "shared", "--views", views], cwd=self.folder,
                              stdout=subprocess.DEVNULL)
-            for views in ("0:11", "11:24")
+            for views in ("0:5", "5:12")
         ]  # fmt: skip
         self.assertEqual([each.wait() for each in shares], [0, 0])
         self.check_same("whole", "shared")

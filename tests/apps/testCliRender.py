@@ -427,9 +427,15 @@ class Report(CliTest):
 
 @unittest.skipUnless(BENCHES, "built without benches")
 class Bench(CliTest):
+    def without_matplotlib(self):
+        """The environment of a command that finds none; to draw charts takes longest."""
+        (self.folder / "matplotlib.py").write_text(
+            "raise ModuleNotFoundError('none', name='matplotlib')")  # fmt: skip
+        return {"PYTHONPATH": str(self.folder)}
+
     def test_depth(self):
         """Charts are drawn where this Python, which the command runs too, has matplotlib."""
-        done = self.relievo("bench", "depth", "--out", "charts/new")
+        done = self.relievo("bench", "depth", "--quick", "--out", "charts/new")
         self.assertEqual(done.stderr, "")
         names = {path.name for path in (self.folder / "charts" / "new").iterdir()}
         self.assertIn("depth.csv", names)
@@ -443,10 +449,8 @@ class Bench(CliTest):
 
     def test_without_matplotlib(self):
         """It measures, and says in one line how charts are drawn."""
-        (self.folder / "matplotlib.py").write_text(
-            "raise ModuleNotFoundError('none', name='matplotlib')")  # fmt: skip
-        done = self.relievo("bench", "depth", "--out", "new",
-                            environment={"PYTHONPATH": str(self.folder)})  # fmt: skip
+        done = self.relievo("bench", "depth", "--quick", "--out", "new",
+                            environment=self.without_matplotlib())  # fmt: skip
         self.assertEqual(done.stderr, "")
         said = [line for line in done.stdout.splitlines() if "charts" in line]
         self.assertEqual(len(said), 1, done.stdout)
@@ -457,13 +461,14 @@ class Bench(CliTest):
     def test_several(self):
         """One fails for want of meshes, the other is done, and is not run again; the summary tells
         both, and puts times beside those of a folder."""
-        words = ("bench", "capture", "depth", "--out", "here", "--beside", "there")
+        words = ("bench", "capture", "depth", "--quick", "--out", "here", "--beside", "there")
         self.refused(*words, status=2, says=["--beside", "'there'"])
+        plain = {**self.without_matplotlib(), "RELIEVO_DATA": ""}
         (self.folder / "there").mkdir()
         (self.folder / "there" / "other.csv").write_text("scene,ms\nbunny,1\n")
-        done = self.relievo(*words, status=1, environment={"RELIEVO_DATA": ""})
+        done = self.relievo(*words, status=1, environment=plain)
         self.assertIn("capture ... failed, status 1: relievo: bench:", done.stdout)
-        self.assertRegex(done.stdout, r"depth ... done, [\d.]+ s")
+        self.assertRegex(done.stdout, r"depth ... done quickly, [\d.]+ s")
         here = self.folder / "here"
         self.assertIn("RELIEVO_DATA", (here / "logs" / "capture.txt").read_text())
         self.assertTrue((here / "depth.csv").exists())
@@ -471,7 +476,7 @@ class Bench(CliTest):
         for words_of in ("renderer ", "| capture | failed", "| depth | done"):
             self.assertIn(words_of, summary)
         written = (here / "depth.csv").stat().st_mtime_ns
-        again = self.relievo(*words, status=1, environment={"RELIEVO_DATA": ""})
+        again = self.relievo(*words, status=1, environment=plain)
         self.assertIn("depth ... done before", again.stdout)
         self.assertEqual((here / "depth.csv").stat().st_mtime_ns, written)
 
@@ -481,10 +486,11 @@ class Bench(CliTest):
         (self.folder / "there" / "other.csv").write_text("scene,ms\nbunny,1\n")
         words = ("bench", "depth", "--out", "here", "--beside", "there")
         quick, before = (*words, "--quick"), "depth ... done before"
-        self.assertIn("depth ... done quickly,", self.relievo(*quick).stdout)
-        self.assertIn(before, self.relievo(*quick).stdout)
-        self.assertIn("depth ... done, ", self.relievo(*words).stdout)
-        self.assertIn(before, self.relievo(*quick).stdout)
+        plain = self.without_matplotlib()
+        self.assertIn("depth ... done quickly,", self.relievo(*quick, environment=plain).stdout)
+        self.assertIn(before, self.relievo(*quick, environment=plain).stdout)
+        self.assertIn("depth ... done, ", self.relievo(*words, environment=plain).stdout)
+        self.assertIn(before, self.relievo(*quick, environment=plain).stdout)
         self.assertIn("renderer", (self.folder / "here" / "summary.md").read_text())
         self.assertTrue((self.folder / "here" / "renderer.txt").read_text().strip())
 

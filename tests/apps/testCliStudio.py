@@ -16,6 +16,9 @@ from cli import CliTest, main, read_png
 
 STUDIO = {"RELIEVO_PRESET": ""}
 SIZE = ["--size", "240x180"]
+# Where it shows as well: each picture has 24 samples, each with shadows of its own.
+SMALL = ["--size", "120x90"]
+COARSE = ["--shadow-size", "256"]
 # From all sides, and as the file's y or z is up.
 SIDES = [(1, 0, 0), (-1, 0, 0), (0, 0, 1), (0, 0, -1), (0.6, 0.8, 0), (-0.6, 0.8, 0), (0, 0.8, 0.6)]
 
@@ -50,36 +53,38 @@ class Studio(CliTest):
         ball.SetPhiResolution(64)
         self.write(name, ball)
 
-    def picture(self, *words, **more):
-        done = self.relievo("render", *words, *SIZE, "--png", "a.png", **more)
+    def picture(self, *words, size=SIZE, **more):
+        done = self.relievo("render", *words, *size, "--png", "a.png", **more)
         self.assertEqual(done.stderr, "")
         return read_png(self.folder / "a.png")[..., :3].astype(int)
 
-    def seen(self, *words):
+    def seen(self, *words, size=SIZE):
         """Where the model is in the picture, and the EXR's layers."""
-        done = self.relievo("render", *words, *SIZE, "--exr", "a.exr", "--layers", "depth,actor")
+        done = self.relievo("render", *words, *size, "--exr", "a.exr", "--layers", "depth,actor")
         self.assertEqual(done.stderr, "")
         layers = self.exr("a.exr")[1]
         return numpy.isfinite(layers["depth.Z"]), layers
 
-    def both(self, *words):
+    def both(self, *words, size=SIZE):
         """Where the model is, and the picture, by one run."""
-        model, _ = self.seen(*words, "--png", "a.png")
+        model, _ = self.seen(*words, "--png", "a.png", size=size)
         return model, read_png(self.folder / "a.png")[..., :3].astype(int)
 
     def test_names(self):
         self.sphere("ball.obj")
-        plain = self.picture("ball.obj")
+        plain = self.picture("ball.obj", *COARSE, size=SMALL)
         for words, environment in (
             (["--preset", "studio"], {"RELIEVO_PRESET": "print"}),
             ([], {"RELIEVO_PRESET": "studio"}),
         ):
             numpy.testing.assert_array_equal(
-                self.picture("ball.obj", *words, environment=environment), plain)  # fmt: skip
-        bare = self.picture("ball.obj", "--preset", "none")
+                self.picture("ball.obj", *words, *COARSE, environment=environment, size=SMALL),
+                plain)  # fmt: skip
+        bare = self.picture("ball.obj", "--preset", "none", size=SMALL)
         self.assertEqual(tuple(bare[0, 0]), (0, 0, 0))
         numpy.testing.assert_array_equal(
-            self.picture("ball.obj", environment={"RELIEVO_PRESET": "none"}), bare)  # fmt: skip
+            self.picture("ball.obj", environment={"RELIEVO_PRESET": "none"}, size=SMALL),
+            bare)  # fmt: skip
         done = self.relievo("render", "ball.obj", "--png", "b.png", status=2,
                             environment={"RELIEVO_PRESET": "desert"})  # fmt: skip
         for word in ("RELIEVO_PRESET", "desert", "none", "studio", "town", "print"):
@@ -90,12 +95,13 @@ class Studio(CliTest):
         for preset in ("studio", "town", "print"):
             for x, y, z in SIDES:
                 words = ["ball.obj", "--camera", f"{9 * x},{9 * y},{9 * z},0,0,0,0,1,0",
-                         "--preset", preset, "--up", "y", "--ground", "off"]  # fmt: skip
-                model, picture = self.both(*words)
+                         "--preset", preset, "--up", "y", "--ground", "off",
+                         *([] if preset == "print" else COARSE)]  # fmt: skip
+                model, picture = self.both(*words, size=SMALL)
                 inner = shrunk(model)
                 light = picture.max(axis=-1)[inner]
                 with self.subTest(preset=preset, side=(x, y, z)):
-                    self.assertGreater(inner.sum(), 3000)
+                    self.assertGreater(inner.sum(), 700)
                     self.assertGreater(light.min(), 40)
                     self.assertLess(light.max(), 255)
 
@@ -104,50 +110,52 @@ class Studio(CliTest):
         self.sphere("ball.obj")
         for light in ("sun:1,2,2", "spot:4,8,8,0,0,0,30", "point:4,8,8"):
             words = ["ball.obj", "--light", light, "--camera", "0,3,12,0,0,0,0,1,0"]
-            model, lit = self.both(*words)
+            model, lit = self.both(*words, *COARSE, size=SMALL)
             with self.subTest(light=light):
                 inner = shrunk(model)
                 self.assertLess((lit.max(axis=-1)[inner] == 255).mean(), 0.02)
                 self.assertGreater(lit.max(axis=-1)[inner].min(), 15)
-                without = self.picture(*words, "--shadows", "off")
+                without = self.picture(*words, "--shadows", "off", size=SMALL)
                 darker = (without - lit).max(axis=-1)[~model] > 40
-                self.assertGreater(darker.sum(), 100, "no shadow on the ground")
+                self.assertGreater(darker.sum(), 25, "no shadow on the ground")
 
     def test_fill(self):
         """Its share is that of the light where nothing else lights; what is said by default."""
         self.sphere("ball.obj")
-        words = ["ball.obj", "--camera", "0,3,12,0,0,0,0,1,0", "--ground", "off"]
+        words = ["ball.obj", "--camera", "0,3,12,0,0,0,0,1,0", "--ground", "off", *COARSE]
         for light in ([], ["--light", "sun:-1,0.2,-1"]):
-            lit = {f: self.picture(*words, *light, "--fill", f) for f in ("0", "0.4", "0.5", "1")}
-            shade = self.seen(*words)[0] & (lit["0"].max(axis=-1) == 0)
-            self.assertGreater(shade.sum(), 1000)
+            lit = {f: self.picture(*words, *light, "--fill", f, size=SMALL)
+                   for f in ("0", "0.4", "0.5", "1")}  # fmt: skip
+            shade = self.seen(*words, size=SMALL)[0] & (lit["0"].max(axis=-1) == 0)
+            self.assertGreater(shade.sum(), 250)
             self.assertGreater(lit["1"][shade].min(), 20)
             for share in ("0.4", "0.5"):
                 numpy.testing.assert_allclose(
                     lit[share][shade], float(share) * lit["1"][shade], atol=1)  # fmt: skip
             numpy.testing.assert_array_equal(
-                self.picture(*words, *light), lit["0.4" if light else "1"])  # fmt: skip
+                self.picture(*words, *light, size=SMALL), lit["0.4" if light else "1"])  # fmt: skip
 
     def test_ground(self):
         """Below the model, in the picture alone, and not to be told from the background but for
         the shadow: it has no edge."""
         self.sphere("ball.obj")
-        without = self.picture("ball.obj", "--ground", "off")
-        model, ground = self.both("ball.obj")
+        without = self.picture("ball.obj", *COARSE, "--ground", "off")
+        model, ground = self.both("ball.obj", *COARSE)
         unlit = self.picture("ball.obj", "--shadows", "off")
         free = shrunk(~model) & (abs(unlit - ground).max(axis=-1) == 0)
         self.assertGreater(abs(ground - without).max(), 50)
         steps = abs(numpy.diff(unlit, axis=0)).max(axis=-1)
         self.assertLess(steps[free[1:] & free[:-1]].max(), 8)
-        layers = [self.seen("ball.obj", "--ground", word)[1] for word in ("on", "off")]
+        layers = [self.seen("ball.obj", *COARSE, "--ground", word)[1] for word in ("on", "off")]
         for name in ("depth.Z", "actor.id"):
             numpy.testing.assert_array_equal(layers[0][name], layers[1][name])
-        below = ["ball.obj", "--camera", "0,-9,3,0,0,0,0,1,0"]
+        below = ["ball.obj", *COARSE, "--camera", "0,-9,3,0,0,0,0,1,0"]
         self.assertLess(
             abs(self.picture(*below) - self.picture(*below, "--ground", "off")).max(), 3)
         self.box("flat.obj", (0, 0, 0), (2, 1, 0))
         numpy.testing.assert_array_equal(
-            self.picture("flat.obj"), self.picture("flat.obj", "--ground", "off"))  # fmt: skip
+            self.picture("flat.obj", *COARSE),
+            self.picture("flat.obj", *COARSE, "--ground", "off"))  # fmt: skip
 
     def test_speckle(self):
         """The default picture has no pixel that stands out from one whose shadows are exact."""
@@ -157,10 +165,10 @@ class Studio(CliTest):
             self.skipTest("no bunny.off in RELIEVO_DATA")
         pictures = []
         for words in ([], ["--shadows", "exact", "--soft-shadows", "24"]):
-            self.relievo("render", mesh, *words, "--size", "640x480", "--png", "a.png")
+            self.relievo("render", mesh, *words, "--size", "320x240", "--png", "a.png")
             pictures.append(read_png(self.folder / "a.png")[..., :3].astype(int))
         different = abs(pictures[0] - pictures[1]).max(axis=-1)
-        self.assertGreater((different > 0).sum(), 100)  # they are two methods
+        self.assertGreater((different > 0).sum(), 25)  # they are two methods
         self.assertEqual((different > 0.08 * 255).sum(), 0)
 
     def test_grid(self):
@@ -168,7 +176,8 @@ class Studio(CliTest):
         ground stay as they are."""
         self.sphere("ball.obj")
         camera = ["--camera", "5,4,12,0,0,0,0,1,0"]
-        for words in ([], ["--preset", "none"], ["--preset", "print", "--parallel-scale", "4"],
+        for words in (COARSE, ["--preset", "none"],
+                      ["--preset", "print", "--parallel-scale", "4"],
                       [*camera, "--shadows", "exact", "--colored-shadows"]):  # fmt: skip
             with self.subTest(words=words):
                 without, grid = (self.picture("ball.obj", *words, *more)
@@ -299,7 +308,7 @@ class Studio(CliTest):
         }))  # fmt: skip
         model, _ = self.seen("a.gltf")
         inner = shrunk(model)
-        own, asked = (self.picture("a.gltf", *words)[inner]
+        own, asked = (self.picture("a.gltf", *COARSE, *words)[inner]
                       for words in ([], ["--preset", "studio"]))  # fmt: skip
         self.assertEqual(own[:, [0, 2]].max(), 0)
         self.assertGreater(own[:, 1].min(), 60)
@@ -310,7 +319,7 @@ class Studio(CliTest):
         self.sphere("ball.obj")
         shades = []
         for words in ([], ["--stage", "antialias:samples=1"]):
-            done = self.relievo("render", "ball.obj", "--background", "black", "--ground", "off",
+            done = self.relievo("render", "ball.obj", "--background", "black", "--ground", "off", *COARSE,
                                 *SIZE, "--png", "a.png", *words)  # fmt: skip
             del done  # which notes that one sample smooths nothing
             shades.append(len(numpy.unique(read_png(self.folder / "a.png")[..., 0])))

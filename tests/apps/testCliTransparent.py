@@ -40,7 +40,8 @@ class Transparent(CliTest):
 
     def test_studio(self):
         # The light, and so its shadow on white, is a little yellow; edges are mixed linearly.
-        words = ["--preset", "studio", "--soft-shadows", "8", "--shadows", "map"]
+        words = ["--preset", "studio", "--soft-shadows", "4", "--shadows", "map",
+                 "--shadow-size", "256"]  # fmt: skip
         rgba = self.compare(*words, step=3.5)
         alpha = rgba[..., 3]
         self.assertEqual(alpha[0, 0], 0)

@@ -12,7 +12,7 @@ from cli import CliTest, main, read_png
 
 STUDIO = {"RELIEVO_PRESET": ""}
 SIZE = ["--size", "240x180"]
-SMALL = ["--size", "120x90"]  # of volumes: rays take long
+SMALL = ["--size", "120x90"]  # rays and samples take long
 ONCE = ["--stage", "antialias:samples=1", "--soft-shadows", "1"]  # drawn once, not for each sample
 SIDE = 40  # points of an image along each axis
 SPACING = (0.5, 0.5, 0.25)
@@ -43,7 +43,9 @@ class Volumes(CliTest):
         writer.SetInputData(image)
         writer.Write()
 
-    def picture(self, *words, says="", environment=STUDIO, size=SIZE):
+    def picture(self, *words, says="", environment=STUDIO, size=SMALL):
+        if environment and "--shadows" not in words:
+            words = (*words, "--shadow-size", "256")  # each sample has its own
         done = self.relievo("render", *words, *size, "--png", "a.png", environment=environment)
         self.assertIn(says, done.stderr)
         self.assertEqual(done.stderr == "", says == "", done.stderr)
@@ -82,7 +84,7 @@ class Volumes(CliTest):
         # The steps of the labels are up to 0.9 points off the ball, and a gap would be deeper.
         self.assertLess(abs(radii - 15).max(), 1.0)
         self.assertLess(numpy.std(radii), 0.25)
-        colors = self.picture(*front, *ALONG_Z, "--preset", "print", "--shadows", "off")
+        colors = self.picture(*front, *ALONG_Z, "--preset", "print", "--shadows", "off", size=SIZE)
         left, right = colors[90, 90], colors[90, 150]
         self.assertGreater(abs(left - right).max(), 40)
 
@@ -106,16 +108,15 @@ class Volumes(CliTest):
         """Light passes where the values are small, and is stopped where they are large."""
         self.image("ball.vti", (20 - distances()).astype(numpy.float32))
         words = ["ball.vti", "--ground", "off", *ONCE]
-        volume = self.picture(*words, "--image", "volume", says="antialias", size=SMALL)
-        box = self.picture(*words, "--image", "box", says="antialias", size=SMALL)
+        volume = self.picture(*words, "--image", "volume", says="antialias")
+        box = self.picture(*words, "--image", "box", says="antialias")
         nothing = box[0, 0] * 0 + volume[:, :1]  # the background depends on the row alone
         seen = abs(volume - nothing).max(axis=-1) > 2
         boxed = abs(box - nothing).max(axis=-1) > 2
         self.assertFalse((seen & ~boxed).any())
         self.assertLess(seen.sum(), 0.75 * boxed.sum())
         self.assertGreater(seen.sum(), 0.1 * boxed.sum())
-        grey = self.picture(*words, "--image", "volume", "--colormap", "grey", says="antialias",
-                            size=SMALL)  # fmt: skip
+        grey = self.picture(*words, "--image", "volume", "--colormap", "grey", says="antialias")
         self.assertLess((grey.max(axis=-1) - grey.min(axis=-1))[seen].max(), 40)
         self.assertGreater((volume.max(axis=-1) - volume.min(axis=-1))[seen].max(), 80)
 
@@ -138,7 +139,7 @@ class Volumes(CliTest):
                            ("full", white),
                            ("half", [*white, "--opacity", "0.5"]),
                            ("none", [*white, "--opacity", "0"])):  # fmt: skip
-            means[name] = self.picture(*words, *more, says="antialias", size=SMALL).mean()
+            means[name] = self.picture(*words, *more, says="antialias").mean()
         self.assertGreater(means["surface"], 20)
         self.assertGreater(means["full"], 0.5 * means["surface"])
         self.assertLess(means["full"], 1.3 * means["surface"])
@@ -202,11 +203,12 @@ class Volumes(CliTest):
         writer.SetInputData(cloud)
         writer.Write()
         words = ["cloud.vtp", "--ground", "off", "--stage", "antialias:samples=1"]
-        shown = self.picture(*words, says="antialias")
-        numpy.testing.assert_array_equal(self.picture(*words, "--up", "z", says="antialias"), shown)
+        shown = self.picture(*words, says="antialias", size=SIZE)
+        numpy.testing.assert_array_equal(
+            self.picture(*words, "--up", "z", says="antialias", size=SIZE), shown)  # fmt: skip
         differs = abs(shown - shown[:, :1]).max(axis=-1)
         self.assertGreater((differs > 40).sum(), 2000)  # of 512 points of 13 pixels, some hidden
-        thin = self.picture(*words, "--point-size", "1", says="antialias")
+        thin = self.picture(*words, "--point-size", "1", says="antialias", size=SIZE)
         self.assertLess((abs(thin - thin[:, :1]).max(axis=-1) > 40).sum(), 600)
         self.before = self.names()
         self.refused("render", "cloud.vtp", "--point-size", "0", "--png", "b.png", status=2,

@@ -219,6 +219,7 @@ class CutOut(unittest.TestCase):
     def check_shadows(self, opaque):
         frame = relievo.attach(self.renderer)
         stage = frame.GetShadowStage()
+        stage.SetMapSize(1024)
         for method in (stage.METHOD_MAP, stage.METHOD_WARPED, stage.METHOD_FORWARD,
                        stage.METHOD_EXACT):
             with self.subTest(method=method):
@@ -244,6 +245,7 @@ class CutOut(unittest.TestCase):
         frame = relievo.attach(self.renderer)
         stage = frame.GetShadowStage()
         stage.SetSoftSamples(8)
+        stage.SetMapSize(512)
         for method in (stage.METHOD_MAP, stage.METHOD_EXACT):
             stage.SetMethod(method)
             image = relievo.capture(self.renderer, ["actor", "position", "shadow_0"])
