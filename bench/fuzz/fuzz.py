@@ -7,10 +7,11 @@ is left.
 
     fuzz.py [--seconds N | --files N] [--seed N] [--only N] [--formats A,B,...]
 
---seconds: how long new files are made (RELIEVO_FUZZ_SECONDS, or 300). --files: so many, however long
-that takes. --seed: another seed, other files (RELIEVO_FUZZ_SEED, or one of the clock, which is
-printed). --only: file N alone, which stays in the folder that is printed. A file that fails is kept below RELIEVO_TEST_OUTPUT (or the current
-folder) in fuzz-failures, with the command that repeats it. Exit: 0 no failure, 1 failures.
+--seconds: how long new files are made (RELIEVO_FUZZ_SECONDS, or 300). --files: so many, however
+long that takes. --seed: another seed, other files (RELIEVO_FUZZ_SEED, or one of the clock, which is
+printed). --only: file N alone, which stays in the folder that is printed. A file that fails is kept
+below RELIEVO_TEST_OUTPUT (or the current folder) in fuzz-failures, with the command that repeats
+it. Exit: 0 no failure, 1 failures.
 
 Environment: RELIEVO_FUZZ (the program relievo-fuzz-files), RELIEVO and VIEWER (the command and the
 viewer; may be missing), RELIEVO_DATA.

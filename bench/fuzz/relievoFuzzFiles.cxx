@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // relievo-fuzz-files: `relievo render` many times in one process, for fuzz.py and the tests of the
-// command (tests/apps/cli.py), to which a process for each picture is most of the time. Each line of
-// the standard input is a JSON list of the words behind `relievo render`; each line of the output is
-// an object with the `status` of the command, the lines that it would `say`, and the `certificate`.
+// command (tests/apps/cli.py), in which a process for each picture takes most of the time. Each
+// line of the standard input is a JSON list of the words behind `relievo render`; each line of the
+// output is an object with the `status` of the command, the lines that it would `say`, and the
+// `certificate`.
 #include "Display.h"
 #include "Errors.h"
 #include "Messages.h"

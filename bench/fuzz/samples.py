@@ -226,7 +226,8 @@ def of_images():
     for kind, content in images:
         name = "a." + kind
         # The readers are the same; what an environment makes of it takes long.
-        for option in ("--height-map", "--environment")[: 2 if kind in ("png", "hdr", "exr") else 1]:
+        options = ["--height-map", *(["--environment"] if kind in ("png", "hdr", "exr") else [])]
+        for option in options:
             yield Sample(kind, {name: content, "m.off": MESH}, [name], ["m.off", option, name])
 
 

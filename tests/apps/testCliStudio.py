@@ -319,8 +319,8 @@ class Studio(CliTest):
         self.sphere("ball.obj")
         shades = []
         for words in ([], ["--stage", "antialias:samples=1"]):
-            done = self.relievo("render", "ball.obj", "--background", "black", "--ground", "off", *COARSE,
-                                *SIZE, "--png", "a.png", *words)  # fmt: skip
+            done = self.relievo("render", "ball.obj", "--background", "black", "--ground", "off",
+                                *COARSE, *SIZE, "--png", "a.png", *words)  # fmt: skip
             del done  # which notes that one sample smooths nothing
             shades.append(len(numpy.unique(read_png(self.folder / "a.png")[..., 0])))
         self.assertLess(shades[1] + 20, shades[0])

@@ -67,7 +67,7 @@ def fill(triangles):
 
 
 class Silhouettes(GltfTest):
-    def look(self, path, view, truth, time):
+    def look(self, scene, view, truth):
         """What is seen, and the corners of each primitive's cells in pixels."""
         right, up, back = view
         corners = numpy.concatenate([each.points.reshape(-1, 3) for each in truth])
@@ -75,9 +75,7 @@ class Silhouettes(GltfTest):
         half = 1.1 * numpy.abs((corners - middle) @ numpy.array([right, up]).T).max()
         far = 3 * numpy.linalg.norm(corners - middle, axis=1).max()
         place = ",".join(map(repr, map(float, (*(middle + far * back), *middle, *up))))
-        settings = {"time": time} if time is not None else {}
-        scene = relievo.scene(path, size=f"{SIZE}x{SIZE}", camera=place,
-                              parallel_scale=float(half), **settings)  # fmt: skip
+        scene.set(camera=place, parallel_scale=float(half))
         layers = relievo.capture(scene.renderer, layers=["depth"])
         depth = vtk_to_numpy(layers.GetPointData().GetArray("depth")).reshape(SIZE, SIZE)[::-1]
         pixels = [((each.points - middle) @ numpy.array([right, -up]).T / half + 1) * SIZE / 2
@@ -86,8 +84,10 @@ class Silhouettes(GltfTest):
 
     def check(self, path, time=None, least=100):
         truth = evaluator.Scene(path, None if time is None else 0, time or 0.0).primitives()
+        settings = {"time": time} if time is not None else {}
+        scene = relievo.scene(path, size=f"{SIZE}x{SIZE}", **settings)
         for view in VIEWS:
-            seen, pixels = self.look(path, view, truth, time)
+            seen, pixels = self.look(scene, view, truth)
             shown = []
             for primitive, corners in zip(truth, pixels):
                 a, b, c = corners.transpose(1, 0, 2)
@@ -130,8 +130,9 @@ class Silhouettes(GltfTest):
             meshes.scene(writer, {"attributes": {"POSITION": points}, "mode": mode})
             path = writer.save(self.folder / "lines.glb")
             truth = evaluator.Scene(path).primitives()
+            scene = relievo.scene(path, size=f"{SIZE}x{SIZE}")
             for view in VIEWS:
-                seen, pixels = self.look(path, view, truth, None)
+                seen, pixels = self.look(scene, view, truth)
                 places = numpy.concatenate([
                     cell[0] + share * (cell[-1] - cell[0])
                     for cell in pixels[0] for share in numpy.linspace(0, 1, 400)[:, None]
