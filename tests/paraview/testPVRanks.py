@@ -54,12 +54,12 @@ class Ranks(pv.Test):
         self.check_layers()
 
     def check_layers(self):
-        """In numbers they are those of one rank, and say which rank drew."""
+        """In numbers they are those of one rank but for edges, and say which rank drew."""
         one, two = (numpy.load(pv.OUTPUT / f"layers-{ranks}.npz") for ranks in (1, 2))
         self.assertEqual(set(two.files), {*one.files, "process"})
         for name in set(one.files) - {"cell"}:  # of which each rank counts its own
             self.assertEqual(one[name].dtype, two[name].dtype)
-            self.assertLessEqual((~layers.alike(one[name], two[name])).sum(), 10, name)
+            self.assertLessEqual((~layers.alike(one[name], two[name])).sum(), 40, name)
         seen = numpy.isfinite(two["depth"])
         self.assertTrue(((two["process"] == -1) == ~seen).all())
         self.assertEqual(set(two["process"][seen]), {0, 1})
