@@ -63,7 +63,7 @@ def materials(scene):
 def selection(scene):
     """Selected cells of the sphere, drawn as ParaView does."""
     scene.render()
-    simple.SelectSurfaceCells(Rectangle=[180, 150, 210, 180], View=scene.view)
+    simple.SelectSurfaceCells(Rectangle=[120, 100, 150, 130], View=scene.view)
 
 
 def wires(scene, hidden=0):

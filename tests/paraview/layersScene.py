@@ -4,8 +4,8 @@
 
     layersScene.py FOLDER NAME [PORT server|client...]
 
-With a port the scene is a pvserver's, drawn by it or by this client; without, this process's (and
-its ranks'). Writes FOLDER/NAME.npz, with a server NAME-server.npz and NAME-client.npz: the layers,
+With a port the scene is a pvserver's, drawn by it or by this client; without, this process's.
+Writes FOLDER/NAME.npz, with a server NAME-server.npz and NAME-client.npz: the layers,
 those of an exported and of a saved file, the number of points made of them.
 """
 

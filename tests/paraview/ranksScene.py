@@ -2,12 +2,14 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Draws pictures of a scene whose parts lie on the ranks: ranksScene.py FOLDER NAME
 
-With several ranks the ground is on the last one and the rest spread over the others, so that what
-casts and what receives are never on the same rank. Writes FOLDER/STEP-NAME.png for every step.
+The ground is on the last rank and what casts is spread over all, so that part of it casts from
+another rank than the one that receives. Writes FOLDER/STEP-NAME.png for every step, and FOLDER/layers-NAME.npz.
 """
 
 import sys
 
+import layers
+import numpy
 import pv
 from paraview import simple
 
@@ -24,7 +26,6 @@ from vtkmodules.vtkFiltersSources import vtkPlaneSource, vtkSphereSource
 from vtkmodules.vtkParallelCore import vtkMultiProcessController
 controller = vtkMultiProcessController.GetGlobalController()
 ranks, rank = controller.GetNumberOfProcesses(), controller.GetLocalProcessId()
-others = ranks - 1 if ranks > 1 else 1
 if "WHAT" == "ground" and rank == ranks - 1:
     plane = vtkPlaneSource()
     plane.SetOrigin(-3, -3, 0)
@@ -32,7 +33,7 @@ if "WHAT" == "ground" and rank == ranks - 1:
     plane.SetPoint2(-3, 3, 0)
     plane.Update()
     self.GetOutput().ShallowCopy(plane.GetOutput())
-elif "WHAT" == "bunny" and (ranks == 1 or rank < others):
+elif "WHAT" == "bunny":
     words = pathlib.Path("DATA/bunny.off").read_text().split()
     points, faces = int(words[1]), int(words[2])
     xyz = numpy.array(words[4 : 4 + 3 * points], float).reshape(-1, 3)
@@ -42,7 +43,7 @@ elif "WHAT" == "bunny" and (ranks == 1 or rank < others):
     xyz = (xyz - 0.5 * (low + high)) * (2.0 / (high - low).max())
     xyz = numpy.stack([xyz[:, 0], -xyz[:, 2], xyz[:, 1] - xyz[:, 1].min()], 1)
     xyz = numpy.ascontiguousarray(xyz)
-    mine = numpy.array_split(cells, others)[rank]
+    mine = numpy.array_split(cells, ranks)[rank]
     output = self.GetOutput()
     output.SetPoints(vtkPoints())
     output.GetPoints().SetData(numpy_to_vtk(xyz, deep=True))
@@ -54,7 +55,7 @@ elif "WHAT" == "bunny" and (ranks == 1 or rank < others):
 
 pv.load()
 view = simple.CreateView("RenderView")
-view.ViewSize = [450, 300]
+view.ViewSize = [300, 200]
 for what in ("ground", "bunny"):
     part = simple.ProgrammableSource()
     part.OutputDataSetType = "vtkPolyData"
@@ -109,6 +110,9 @@ view.RelievoDisplayRange = [1, 8]
 view.RelievoDisplayLayer = "depth"
 step("depth")
 view.RelievoDisplayLayer = "None"
+source = simple.RelievoLayers(View=view, Layers=["depth", "position", "actor", "cell"])
+numpy.savez(f"{FOLDER}/layers-{NAME}.npz", **layers.arrays(source))
+simple.Delete(source)
 view.RelievoSun = 0
 view.RelievoShadows = 0
 simple.RemoveLight(light)

@@ -8,7 +8,7 @@ from paraview import simple
 CENTER = numpy.array([0.0, 0.0, 1.1])
 RADIUS = 0.8
 HALF = 3.0  # of the ground's side
-SIZE = (400, 260)
+SIZE = (280, 182)
 AZIMUTH, ELEVATION = 240.0, 40.0
 NONE, DARK, LIT, UNSURE = 0, 1, 2, 3
 

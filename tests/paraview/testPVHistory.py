@@ -1,9 +1,9 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
 """A picture is a function of scene, camera, lights and settings: a random walk through them, with
-screenshots, layers, selections and interaction on the way. After every tenth step a state file is
-saved, and a fresh process that loads it draws the same picture and gives the same layers, bit for
-bit.
+screenshots, layers, selections and interaction on the way. After every twentieth step a state file
+is saved, and a fresh process that loads it draws the same picture and gives the same layers, bit
+for bit.
 
     testPVHistory.py [STEPS [SEED]]
 
@@ -241,7 +241,7 @@ class History(pv.Test):
         taken = []
         for i in range(1, STEPS + 1):
             taken.append(walk.step())
-            if i % 10 == 0:
+            if i % 20 == 0:
                 with self.subTest(seed=SEED, step=i):
                     self.compare(walk.view, i, "\n  ".join(taken))
                 taken.clear()

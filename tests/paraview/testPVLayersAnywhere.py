@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
 """A view's layers are the same wherever its picture is drawn: by ParaView alone, by a pvserver or
-its client, by one rank or several, each with a part of the scene."""
+its client, by one rank or two, each with a part of the scene. testPVRanks has those of pvbatch."""
 
 import pathlib
 
@@ -67,11 +67,6 @@ class Anywhere(pv.Test):
     def test_a_server_of_two(self):
         self.server("server", launcher=pv.mpirun(2))
         self.check("remote-server", parts=2, edges=10)
-
-    def test_three_ranks(self):
-        said = pv.run(SCENE, pv.OUTPUT, "ranks", launcher=pv.mpirun(3), tool="pvbatch")
-        self.assertEqual(pv.messages(said), [])
-        self.check("ranks", parts=3, edges=10)
 
 
 if __name__ == "__main__":

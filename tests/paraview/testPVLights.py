@@ -73,7 +73,7 @@ class Lights(judge.StageTest):
                 self.view.RelievoSunIntensity = intensity
                 pictures.append(pv.picture(self.view))
             truth = self.scene.verdicts(light=numpy.array(towards))
-            judge.shadows(self, pictures, truth, axis + " up")
+            judge.shadows(self, pictures, truth, axis + " up", least=0.015)
 
     def left(self):
         """Samples of soft shadows that the last picture lacks."""

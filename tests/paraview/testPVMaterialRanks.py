@@ -37,18 +37,12 @@ class MaterialRanks(pv.Test):
         for first, second in zip(STEPS, STEPS[1:]):
             self.differ(self.alone[first], self.alone[second], f"{first} {second}", share=0.1)
 
-    def test_two_ranks(self):
-        """A square in two parts."""
-        (pictures,) = draw("two", tool="pvbatch", launcher=pv.mpirun(2))
-        self.compare(pictures, "on two ranks")
-
-    def test_servers(self):
-        """Drawn by a server of one rank, of two, and by their client."""
-        for words, names in ((), "server,client"), (pv.mpirun(2), "two"):
-            with self.subTest(names), pv.Server(launcher=words) as server:
-                for where, pictures in zip(names.split(","), draw(names, server.port)):
-                    self.compare(pictures, f"by {where}")
-                self.assertEqual(pv.messages(server.text()), [])
+    def test_server(self):
+        """A square in two parts, drawn by a server's two ranks and by its client."""
+        with pv.Server(launcher=pv.mpirun(2)) as server:
+            for where, pictures in zip(("server", "client"), draw("server,client", server.port)):
+                self.compare(pictures, f"by {where}")
+            self.assertEqual(pv.messages(server.text()), [])
 
 
 if __name__ == "__main__":

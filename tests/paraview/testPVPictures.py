@@ -157,7 +157,7 @@ class Pictures(judge.StageTest):
     def test_selected_cells_are_the_same(self):
         def ids():
             simple.ClearSelection()
-            simple.SelectSurfaceCells(Rectangle=[180, 150, 210, 180], View=self.view)
+            simple.SelectSurfaceCells(Rectangle=[120, 100, 150, 130], View=self.view)
             return list(self.scene.ball.GetSelectionInput(0).Input[0].IDs)
 
         own = ids()

@@ -76,7 +76,7 @@ class Representations(pv.Test):
                 found = pv.picture(scene.view)
                 darker = (lit.astype(int) - found.astype(int)).max(axis=2) > 40
                 if casts:
-                    self.assertGreater((darker & ground).mean(), 1e-4)
+                    self.assertGreater((darker & ground).mean(), 5e-5)
                 else:
                     self.same(found, lit, name)
                 scene.sun(on=False, shadows=False)

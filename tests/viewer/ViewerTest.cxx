@@ -4,6 +4,7 @@
 
 #include "Application.h"
 #include "Messages.h"
+#include "Options.h"
 #include "QtVersions.h"
 #include "Scripts.h"
 
@@ -13,6 +14,7 @@
 #include "vtkFloatArray.h"
 #include "vtkIntArray.h"
 #include "vtkNew.h"
+#include "vtkOpenGLRenderWindow.h"
 #include "vtkPNGReader.h"
 #include "vtkPNGWriter.h"
 #include "vtkPlaneSource.h"
@@ -20,13 +22,17 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkRelievoReaderProcess.h"
+#include "vtkRelievoScene.h"
+#include "vtkRenderer.h"
 #include "vtkSphereSource.h"
+#include "vtkStringArray.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkXMLPolyDataWriter.h"
 
 #include <QDir>
 #include <QFile>
 #include <QMouseEvent>
+#include <QOpenGLContext>
 #include <QProcess>
 #include <QSettings>
 #include <QSignalSpy>
@@ -78,6 +84,7 @@ void ViewerTest::cleanup()
 //------------------------------------------------------------------------------
 void ViewerTest::cleanupTestCase()
 {
+  this->Command = nullptr; // while its display is there
   this->Python.closeWriteChannel();
   this->Python.waitForFinished();
 }
@@ -189,6 +196,12 @@ void ViewerTest::Open(const std::vector<std::string>& words, const QSize& size)
   this->Window->resize(size);
   this->Window->show();
   QVERIFY(QTest::qWaitForWindowExposed(this->Window.get()));
+  this->OpenAgain(words);
+}
+
+//------------------------------------------------------------------------------
+void ViewerTest::OpenAgain(const std::vector<std::string>& words)
+{
   QSignalSpy ready(this->Window.get(), &viewer::MainWindow::ready);
   this->Window->Open(viewer::Document::FromWords(words));
   QVERIFY(ready.wait(60000));
@@ -230,9 +243,46 @@ void ViewerTest::SendMouse(QEvent::Type type, const QPoint& place, Qt::MouseButt
 //------------------------------------------------------------------------------
 vtkSmartPointer<vtkImageData> ViewerTest::RenderCommand()
 {
-  const QStringList png = { "--png", QString::fromStdString(this->Path("command.png")) };
-  return this->RunCommand(this->Window->GetViewSettings(), png) ? ReadPNG(this->Path("command.png"))
-                                                                : nullptr;
+  const scene::Settings settings = this->Window->GetViewSettings();
+  const std::string png = this->Path("command.png");
+  vtkNew<vtkStringArray> words;
+  words->InsertNextValue("--png");
+  words->InsertNextValue(png);
+  for (const std::string& word : settings.GetWords())
+  {
+    words->InsertNextValue(word);
+  }
+  if (QOpenGLContext* current = QOpenGLContext::currentContext())
+  {
+    current->doneCurrent(); // Qt does not see that VTK takes its place
+  }
+  if (!this->Command)
+  {
+    this->Command = vtkSmartPointer<vtkRenderWindow>::New();
+    this->Command->SetOffScreenRendering(1);
+    this->Command->SetMultiSamples(0);
+  }
+  const std::array<int, 2> size = settings.Parse().Size;
+  this->Command->SetSize(size[0], size[1]);
+  vtkSmartPointer<vtkRenderer> renderer;
+  bool written = false;
+  {
+    // Another each time: what a scene makes of changed words is what the window is tested for.
+    vtkNew<vtkRelievoScene> scene;
+    scene->SetRenderWindow(this->Command);
+    written = scene->SetWords(words) && scene->Write();
+    renderer = scene->GetRenderer();
+    if (!written)
+    {
+      qWarning() << scene->GetFailureText().c_str();
+    }
+  }
+  if (renderer)
+  {
+    this->Command->RemoveRenderer(renderer);
+  }
+  static_cast<vtkOpenGLRenderWindow*>(this->Command.Get())->ReleaseCurrent();
+  return written ? ReadPNG(png) : nullptr;
 }
 
 //------------------------------------------------------------------------------
@@ -279,11 +329,24 @@ void ViewerTest::Compare(const char* what)
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkImageData> ViewerTest::RunPython()
+QByteArray ViewerTest::AskPython(const char* task)
 {
   // Loading VTK takes longer than most pictures: one process runs all programs.
-  const char* all = "import sys\nfor path in sys.stdin:\n    exec(open(path.strip()).read(), "
-                    "{'__name__': '__main__'})\n    print('drawn', flush=True)\n";
+  const char* all = R"(
+import relievo._scene
+import sys
+
+def say(scene, png):
+    words = scene._scene.GetWords()
+    print("\n".join(words.GetValue(i) for i in range(words.GetNumberOfValues())))
+
+draw = relievo._scene.Scene.render
+for line in sys.stdin:
+    task, path = line.strip().split(" ", 1)
+    relievo._scene.Scene.render = say if task == "say" else draw
+    exec(open(path).read(), {"__name__": "__main__"})
+    print("done", flush=True)
+)";
   const std::string script =
     viewer::WritePython(this->Window->GetViewSettings(), this->Path("python.png"));
   this->WriteText("shown.py", script);
@@ -291,19 +354,37 @@ vtkSmartPointer<vtkImageData> ViewerTest::RunPython()
   {
     this->Python.start(qEnvironmentVariable("PYTHON"), { "-c", all });
   }
-  this->Python.write(QByteArray::fromStdString(this->Path("shown.py") + "\n"));
+  this->Python.write(QByteArray::fromStdString(task + (" " + this->Path("shown.py")) + "\n"));
   QByteArray said;
-  while (!said.endsWith("drawn\n") && this->Python.waitForReadyRead(600000))
+  while (!said.endsWith("done\n") && this->Python.waitForReadyRead(600000))
   {
     said += this->Python.readAllStandardOutput();
   }
-  if (!said.endsWith("drawn\n"))
+  if (!said.endsWith("done\n"))
   {
     this->Python.waitForFinished(1000);
     qWarning() << script.c_str() << said << this->Python.readAllStandardError();
-    return nullptr;
+    return {};
   }
-  return ReadPNG(this->Path("python.png"));
+  return said;
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkImageData> ViewerTest::RunPython()
+{
+  return this->AskPython("draw").isEmpty() ? nullptr : ReadPNG(this->Path("python.png"));
+}
+
+//------------------------------------------------------------------------------
+scene::Settings ViewerTest::RunPythonForWords()
+{
+  std::vector<std::string> words;
+  for (const QByteArray& word : this->AskPython("say").split('\n'))
+  {
+    words.push_back(word.toStdString());
+  }
+  words.resize(words.size() < 2 ? 0 : words.size() - 2); // without "done" and its end
+  return scene::Settings::FromWords(words);
 }
 
 //------------------------------------------------------------------------------

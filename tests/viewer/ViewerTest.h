@@ -11,6 +11,7 @@
 #include "Settings.h"
 
 #include "vtkImageData.h"
+#include "vtkRenderWindow.h"
 #include "vtkSmartPointer.h"
 
 #include <QEvent>
@@ -55,15 +56,19 @@ protected:
   /// Opens a window with these words and waits until it shows them.
   void Open(const std::vector<std::string>& words, const QSize& size = QSize(800, 480));
 
+  /// The same window opens these words, as a scene that nothing has changed.
+  void OpenAgain(const std::vector<std::string>& words);
+
   /// The window changes its settings and has read what it needs.
   void Change(const std::function<void(scene::Settings&)>& edit);
   void WaitUntilRead();
 
-  /// What the window shows, and what `relievo render` makes of the words that the window copies.
+  /// What the window shows, and what `relievo render` makes of the words that the window copies, in
+  /// this process: another's OpenGL and shaders take much longer than a picture.
   vtkSmartPointer<vtkImageData> Grab();
   vtkSmartPointer<vtkImageData> RenderCommand();
 
-  /// The command runs with other settings, and more words.
+  /// The command runs, as a process, with other settings, and more words.
   bool RunCommand(const scene::Settings& settings, const QStringList& more);
 
   /// The test fails unless both are the same.
@@ -79,6 +84,9 @@ protected:
 
   /// What the Python program that the window copies writes.
   vtkSmartPointer<vtkImageData> RunPython();
+
+  /// What this program says to the class that the command has too, without drawing.
+  scene::Settings RunPythonForWords();
 
   static vtkSmartPointer<vtkImageData> ReadPNG(const std::string& path);
 
@@ -96,7 +104,11 @@ private Q_SLOTS:
   void cleanupTestCase();
 
 private:
-  QProcess Python; // runs programs one after another
+  // What Python answers to the program that the window copies, whole; empty if it fails.
+  QByteArray AskPython(const char* task);
+
+  vtkSmartPointer<vtkRenderWindow> Command; // off screen, of all pictures of the command
+  QProcess Python;                          // runs programs one after another
   std::unique_ptr<QTemporaryDir> Folder;
   QPointer<QWidget> Held; // by the mouse's button
 };

@@ -19,6 +19,8 @@ import numpy  # noqa: E402
 import pv  # noqa: E402
 
 HERE = pathlib.Path(__file__).resolve().parent
+# The user's, for shaders that are built already: each window has a home of its own.
+CACHE = os.environ.get("XDG_CACHE_HOME") or str(pathlib.Path.home() / ".cache")
 # How Qt's and QtTesting's messages begin in ParaView's output.
 QT_MESSAGE = re.compile(r"^(critical|warning|fatal): .*(\n(?!debug:).+)*", re.MULTILINE)
 
@@ -35,7 +37,7 @@ def play(script, *words, seconds=600, **environment):
                f"--data-directory={pathlib.Path(pv.PLUGIN).parent}", *words]
     process = subprocess.run(
         command, env={**os.environ, "HOME": str(home), "XDG_RUNTIME_DIR": str(home),
-                      "PYTHONPATH": str(HERE), **environment},
+                      "PYTHONPATH": str(HERE), "MESA_SHADER_CACHE_DIR": CACHE, **environment},
         stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=seconds, check=False,
         text=True, errors="replace")
     (pv.OUTPUT / f"{script}.log").write_text(process.stdout, encoding="utf-8")
