@@ -18,8 +18,8 @@ namespace scene
 {
 namespace
 {
-// VTK's copy of a property gives its textures back without having taken them: once for each name that
-// it knows them by.
+// VTK's copy of a property gives its textures back without having taken them: once for each name
+// that it knows them by.
 vtkSmartPointer<vtkProperty> Copy(vtkProperty* property)
 {
   std::map<vtkTexture*, int> counts; // of references, with those of the copy

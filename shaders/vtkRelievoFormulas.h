@@ -140,7 +140,7 @@ inline float uintBitsToFloat(uint word)
 {
   return bits::ToFloat(word);
 }
-// An object: a call of a function of this name would mean GLM's as well, which rounds in another way.
+// An object: a call of a function of this name would mean GLM's as well, which rounds otherwise.
 constexpr auto packHalf2x16 = [](const vec2& v) {
   return bits::ToHalf(v.x) | (bits::ToHalf(v.y) << 16);
 };

@@ -244,9 +244,9 @@ std::uint64_t GetSeconds(std::uint64_t least, std::uint64_t size)
   return least + SecondsOfMiB * (size >> 20);
 }
 
-// Of the seconds since a process began, those in which it waited: it neither computed, in any of its
-// threads, nor would its first thread have computed if it had been given a processor. On a busy
-// machine a file may take long without waiting.
+// The seconds since a process began in which it waited: none of its threads computed, and its first
+// thread would not have computed if it had been given a processor. On a busy machine a file may
+// take long without waiting.
 double GetWaitingSeconds(pid_t process, double passed)
 {
   clockid_t clock = 0;

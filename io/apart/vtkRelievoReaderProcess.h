@@ -6,9 +6,9 @@
 // forks one more for each file; this one is limited in memory and time and hands back what it made
 // of the file. Elsewhere, as in Python, there is none, and files are read in the process itself.
 //
-// Limits: 8 GiB of memory, 15 s of processor time and 60 s of waiting, as for a disk; for each MiB of
-// the files that are opened 32 MiB and 2 s of both more. How long a file takes by the clock does not
-// count, since that depends on what else the machine does.
+// Limits: 8 GiB of memory, 15 s of processor time and 60 s of waiting, as for a disk; for each MiB
+// of the files that are opened 32 MiB and 2 s of both more. How long a file takes by the clock does
+// not count, since that depends on what else the machine does.
 #ifndef vtkRelievoReaderProcess_h
 #define vtkRelievoReaderProcess_h
 

@@ -108,7 +108,8 @@ def in_python(run, build, python, folder):
 def in_the_viewer(run, build, python):
     """The viewer's own test finds the value's row of its panel."""
     path = os.pathsep.join([str(build / "python"), os.environ["PYTHONPATH"]])
-    run([build / "tests" / "bin" / "relievo_tests_viewer", "--case", "testViewerEvery", "surfaceValues"],
+    viewer = build / "tests" / "bin" / "relievo_tests_viewer"
+    run([viewer, "--case", "testViewerEvery", "surfaceValues"],
         env={**os.environ, "PYTHONPATH": path, "PYTHON": python,
              "RELIEVO": str(build / "bin" / "relievo")})  # fmt: skip
 

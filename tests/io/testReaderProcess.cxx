@@ -311,8 +311,8 @@ void TestLimits()
 #endif
 }
 
-// One that computes without end, and one that waits; and one that is given a processor for less than
-// half of the time, which is no waiting.
+// One that computes without end, and one that waits; and one that is given a processor for less
+// than half of the time, which is no waiting.
 void TestTime()
 {
   vtkRelievoReaderProcess::SetLimits(2, 2);

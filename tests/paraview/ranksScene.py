@@ -3,7 +3,8 @@
 """Draws pictures of a scene whose parts lie on the ranks: ranksScene.py FOLDER NAME
 
 The ground is on the last rank and what casts is spread over all, so that part of it casts from
-another rank than the one that receives. Writes FOLDER/STEP-NAME.png for every step, and FOLDER/layers-NAME.npz.
+another rank than the one that receives. Writes FOLDER/STEP-NAME.png for every step, and
+FOLDER/layers-NAME.npz.
 """
 
 import sys
