@@ -86,8 +86,11 @@ const std::set<std::string> OfStages = { "--shadow-size", "--soft-shadows", "--s
 // What it comes to follows from times that are measured.
 const std::string Measured = "time_budget";
 
-// Of the window: a picture of each value takes long where it is large.
-const QSize Small(500, 300);
+// Of the view: a picture of each value takes long where it is large.
+const char* const Small = "150x110";
+
+// Of a shadow map's side: more than that take longer than all else.
+const char* const Texels = "256";
 
 // Other values than the default.
 std::vector<std::string> GetValues(const vtkRelievoParameter& parameter)
@@ -197,13 +200,18 @@ private Q_SLOTS:
   // One row after the other in one window.
   void options()
   {
-    const std::vector<std::string> files = { this->WriteScene(), this->WriteOBJ() };
+    const std::vector<std::string> files = { this->WriteScene(), this->WriteOBJ(), "--size",
+      Small };
     const QString points = QString::fromStdString(this->WritePoints());
     const QString image = QString::fromStdString(this->WriteImage());
-    this->Open(files, Small);
+    this->Open(files);
     for (const QStringList& row : Rows)
     {
       std::vector<std::string> own = files;
+      if (row.contains("--shadows"))
+      {
+        own.insert(own.end(), { "--shadow-size", Texels });
+      }
       if (!row.contains("--light") && !row.contains("--preset"))
       {
         own.insert(own.end(), { "--light", "sun:0.4,1,0.6" });
@@ -223,9 +231,8 @@ private Q_SLOTS:
   {
     const std::string points = this->WritePoints();
     this->Open({ this->WriteScene(), this->WriteOBJ(), "--light", "sun:0.4,1,0.6", "--shadows",
-                 "map", "--lamps", points, "--fog", points + ",density=0.4", "--markers", points,
-                 "--stage", "display:layer=" },
-      Small);
+      "map", "--shadow-size", Texels, "--lamps", points, "--fog", points + ",density=0.4",
+      "--markers", points, "--stage", "display:layer=", "--size", Small });
     const scene::Settings before = this->Window->GetDocument()->Get();
     const vtkNew<vtkRelievoPass> frame;
     for (int i = 0; i < frame->GetNumberOfStages(); ++i)
@@ -239,9 +246,10 @@ private Q_SLOTS:
   {
     const std::string image = this->WriteImage();
     const std::vector<std::string> words = { this->WriteScene(), this->WriteOBJ(), "--light",
-      "sun:0.4,1,0.6", "--shadows", "map", "--normal-map", image, "--height-map", image + ",0.1",
-      "--environment", image, "--reflectivity", "0.3,0" };
-    this->Open(words, Small);
+      "sun:0.4,1,0.6", "--shadows", "map", "--shadow-size", Texels, "--normal-map", image,
+      "--height-map", image + ",0.1", "--environment", image, "--reflectivity", "0.3,0", "--size",
+      Small };
+    this->Open(words);
     const scene::Settings before = this->Window->GetDocument()->Get();
     for (const vtkRelievoParameterList* list :
       { &scene::GetMaterialValues(), &scene::GetEnvironmentValues() })
@@ -270,7 +278,7 @@ private Q_SLOTS:
   // What has no effect any longer goes, and its row is idle and says why.
   void idleSurfaceValues()
   {
-    this->Open({ this->WriteScene(), "--height-map", this->WriteImage() }, Small);
+    this->Open({ this->WriteScene(), "--height-map", this->WriteImage(), "--size", Small });
     auto* edit = this->Window->findChild<viewer::ParameterEdit*>("bisections");
     Q_EMIT edit->edited("3");
     QCOMPARE(this->Window->GetDocument()->Get().Get("--material"), std::string("bisections=3"));
@@ -286,8 +294,7 @@ private Q_SLOTS:
   {
     const std::string points = this->WritePoints();
     this->Open({ this->WriteScene(), this->WriteOBJ(), "--light", "sun:0.4,1,0.6", "--lamps",
-                 points, "--fog", points, "--markers", points },
-      Small);
+      points, "--fog", points, "--markers", points, "--size", Small });
     for (int i = 0; i < vtkRelievoLayerCatalogue::GetNumberOfLayers(); ++i)
     {
       const std::string given = vtkRelievoLayerCatalogue::GetLayerName(i);
