@@ -3,12 +3,11 @@
 """testNewPass.py SOURCE [CMAKE CTEST [OPTIONS...]]: a pass and a layer, added as CONTRIBUTING says.
 
 In a copy of the tree, tools/new-pass adds a pass. With the words of a build, which takes minutes
-and is left to the night, the copy is built, the new pass's own test runs, and the pass is used from the
-command line, Python and ParaView, whose sources are as they were. So is a layer that one entry adds
-to the catalogue (newLayer.py), and values that their class and its page have, of fog (newValue.py)
-and of materials (newSurfaceValue.py). The tests that compare pages with the code pass with all of
-them.
-The copy keeps its build, so that a second run compiles only what changed.
+and is left to the night, the copy is built, the new pass's own test runs, and the pass is used from
+the command line, Python and ParaView, whose sources are as they were. So is a layer that one entry
+adds to the catalogue (newLayer.py), and values that their class and its page have, of fog
+(newValue.py) and of materials (newSurfaceValue.py). The tests that compare pages with the code pass
+with all of them.
 """
 
 import filecmp
