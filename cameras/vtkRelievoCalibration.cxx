@@ -82,7 +82,7 @@ struct Parsed
 Parsed Parse(const std::string& words)
 {
   Parsed parsed;
-  const std::size_t colon = words.find(':');
+  const std::size_t colon = words.find_first_of(":,");
   parsed.Kind = words.substr(0, colon);
   const SensorKind* kind = FindKind(parsed.Kind);
   const std::string got = "got '" + words + "', expected ";
@@ -94,8 +94,7 @@ Parsed Parse(const std::string& words)
   std::string form = kind->Form;
   if (kind->Lens >= 0)
   {
-    const std::string mark = kind->Counts.back() ? "," : ":";
-    form += ", and by choice " + mark + "K=FX/FY/CX/CY or " + mark + "angle=DEG";
+    form += ", and by choice ,K=FX/FY/CX/CY or ,angle=DEG";
   }
   form += kind->Range;
   bool good = true;
@@ -133,7 +132,9 @@ Parsed Parse(const std::string& words)
     }
   }
   const auto count = static_cast<int>(parsed.Values.size());
-  good = good && (colon == std::string::npos || !parts.empty()) &&
+  // Behind a comma there is no coefficient.
+  good = good && (colon == std::string::npos || words[colon] == ':' || count == 0) &&
+    (colon == std::string::npos || !parts.empty()) &&
     std::count(kind->Counts.begin(), kind->Counts.end(), count) != 0;
   if (good && !parsed.Intrinsics.empty())
   {

@@ -20,6 +20,7 @@ using Json = nlohmann::json;
 using Numbers = std::vector<double>;
 
 constexpr std::size_t MostBytes = std::size_t(1) << 26; // of a file
+constexpr int MostDepth = 8;                            // of lists in lists, and objects in objects
 
 int GetLens(const std::string& name)
 {
@@ -68,9 +69,13 @@ std::string DropComment(const std::string& line)
   return line;
 }
 
-// A list in brackets, lists among its items.
-Json ReadFlow(const std::string& text, std::size_t& at)
+// A list in brackets, lists among its items; null if it has too many lists in lists.
+Json ReadFlow(const std::string& text, std::size_t& at, int depth = 0)
 {
+  if (depth > MostDepth)
+  {
+    return {};
+  }
   Json list = Json::array();
   std::string item;
   const auto finish = [&] {
@@ -86,7 +91,7 @@ Json ReadFlow(const std::string& text, std::size_t& at)
   {
     if (text[at] == '[')
     {
-      list.push_back(ReadFlow(text, at));
+      list.push_back(ReadFlow(text, at, depth + 1));
     }
     else if (text[at] == ']')
     {
@@ -193,11 +198,15 @@ enum
   MATRIX,
   COEFFICIENTS,
   MODEL,
-  FISHEYE_MODEL
+  FISHEYE_MODEL,
+  BINNING_X,
+  BINNING_Y,
+  REGION
 };
 const std::vector<std::string> EntryNames[] = { { "image_width", "width" },
   { "image_height", "height" }, { "camera_matrix", "K", "k" },
-  { "distortion_coefficients", "D", "d" }, { "distortion_model" }, { "fisheye_model" } };
+  { "distortion_coefficients", "D", "d" }, { "distortion_model" }, { "fisheye_model" },
+  { "binning_x" }, { "binning_y" }, { "roi" } };
 
 struct Entry
 {
@@ -304,6 +313,54 @@ std::string GetLensName(const Json& file)
   return found == names.end() ? "" : found->second;
 }
 
+// A whole number of pixels from 0; nothing that is missing is 0 too.
+std::optional<int> GetPixels(const Json& value)
+{
+  const double pixels = value.is_number() ? value.get<double>() : 0.0;
+  const bool good = (value.is_null() || value.is_number()) && pixels >= 0.0 && pixels <= 1 << 20 &&
+    pixels == std::floor(pixels);
+  return good ? std::optional<int>(static_cast<int>(pixels)) : std::nullopt;
+}
+
+// The picture is a part of the sensor's, whose pixels are taken together (`roi`, in pixels of the
+// sensor, and `binning_x`, `binning_y` of a CameraInfo, all of which the matrix does not know): its
+// size and its matrix. A pixel's centre is the middle of those that it is made of.
+void TakePart(const Json& file, vtkRelievoCalibrationFile& found)
+{
+  const Json region = FindEntry(file, REGION).Value;
+  for (int i = 0; i < 2; ++i)
+  {
+    const auto [name, binning] = FindEntry(file, i == 0 ? BINNING_X : BINNING_Y);
+    const std::optional<int> together = GetPixels(binning);
+    const auto get = [&region](const char* key) {
+      return GetPixels(region.is_object() && region.contains(key) ? region[key] : Json());
+    };
+    const std::optional<int> offset = get(i == 0 ? "x_offset" : "y_offset");
+    const std::optional<int> size = get(i == 0 ? "width" : "height");
+    const int all = found.Size[i];
+    const int part = size.value_or(0) > 0 ? *size : all - offset.value_or(0);
+    const int bin = std::max(together.value_or(0), 1); // 0 says 1
+    if (!(region.is_null() || region.is_object()) || !offset || !size || part < 1 ||
+      *offset + part > all)
+    {
+      found.Wrong = "roi: got " + region.dump() +
+        ", expected x_offset, y_offset, width and height of a part of the picture";
+      return;
+    }
+    if (!together || part / bin < 1)
+    {
+      found.Wrong = name + ": got " + binning.dump() + ", expected a whole number of pixels";
+      return;
+    }
+    found.Size[i] = part / bin;
+    double& focal = found.Intrinsics[i];
+    double& center = found.Intrinsics[3 + i];
+    focal /= bin;
+    center = (center - *offset + 0.5) / bin - 0.5;
+    found.Intrinsics[2] /= i == 0 ? bin : 1; // the skew, in columns
+  }
+}
+
 vtkRelievoCalibrationFile Interpret(const Json& file)
 {
   vtkRelievoCalibrationFile found;
@@ -328,6 +385,11 @@ vtkRelievoCalibrationFile Interpret(const Json& file)
     return found;
   }
   found.Intrinsics = { k[0], k[4], k[1], k[2], k[5] };
+  TakePart(file, found);
+  if (!found.Wrong.empty())
+  {
+    return found;
+  }
   found.Kind = GetLensName(file);
   if (found.Kind.empty())
   {
@@ -423,7 +485,11 @@ vtkRelievoCalibrationFile vtkRelievoCalibrationFile::Read(const std::string& pat
   Json file;
   if (GetExtension(path) == ".json")
   {
-    file = Json::parse(text, nullptr, false, true); // OpenCV's may have comments
+    // What lies deeper has nothing of a calibration; OpenCV's files may have comments.
+    const auto isHigh = [](int depth, Json::parse_event_t, const Json&) {
+      return depth <= MostDepth;
+    };
+    file = Json::parse(text, isHigh, false, true);
   }
   else
   {

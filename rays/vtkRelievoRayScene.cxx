@@ -14,6 +14,7 @@
 #include "vtkDataSet.h"
 #include "vtkDataSetSurfaceFilter.h"
 #include "vtkDoubleArray.h"
+#include "vtkIdList.h"
 #include "vtkIdTypeArray.h"
 #include "vtkIntArray.h"
 #include "vtkMapper.h"
@@ -42,6 +43,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <cstring>
 #include <iterator>
 #include <limits>
 #include <map>
@@ -50,6 +52,7 @@
 #include <string>
 #include <tuple>
 #include <unordered_map>
+#include <unordered_set>
 #include <vector>
 
 vtkStandardNewMacro(vtkRelievoRayScene);
@@ -982,9 +985,45 @@ unsigned long vtkRelievoRayScene::GetActualMemorySize()
   return static_cast<unsigned long>((this->Scene->Tree.GetBytes() + 1023) / 1024);
 }
 
+namespace
+{
+bool AreEqual(vtkDataArray* a, vtkDataArray* b)
+{
+  if (a == b || !a || !b)
+  {
+    return a == b;
+  }
+  const vtkIdType count = a->GetNumberOfValues();
+  if (a->GetDataType() != b->GetDataType() || count != b->GetNumberOfValues())
+  {
+    return false;
+  }
+  if (a->HasStandardMemoryLayout() && b->HasStandardMemoryLayout())
+  {
+    return count == 0 ||
+      std::memcmp(a->GetVoidPointer(0), b->GetVoidPointer(0),
+        static_cast<std::size_t>(count) * static_cast<std::size_t>(a->GetDataTypeSize())) == 0;
+  }
+  vtkIdType i = 0;
+  while (i < count && a->GetComponent(i, 0) == b->GetComponent(i, 0)) // both have one component
+  {
+    ++i;
+  }
+  return i == count;
+}
+
+bool AreEqual(vtkCellArray* a, vtkCellArray* b)
+{
+  return a == b ||
+    (AreEqual(a->GetOffsetsArray(), b->GetOffsetsArray()) &&
+      AreEqual(a->GetConnectivityArray(), b->GetConnectivityArray()));
+}
+}
+
 //------------------------------------------------------------------------------
 // Which points of another state of a scene are those of this one: of a mesh of the same actor, or
-// data in the same place of the list, and block; where one has several, in their order.
+// data in the same place of the list, and block; where one has several, in their order. A mesh with
+// another number of points has other points, and a cell that the other state lacks has none there.
 class vtkRelievoRayScene::Held::Correspondence
 {
 public:
@@ -1006,11 +1045,23 @@ public:
       const bool known = std::get<0>(wanted[i]) || std::get<1>(wanted[i]) >= 0;
       this->Meshes[i] = known && found != targets.end() ? found->second : -1;
     }
-    for (const int mesh : this->Meshes)
+    for (std::size_t i = 0; i < this->Meshes.size(); ++i)
     {
+      const int mesh = this->Meshes[i];
       if (mesh >= 0)
       {
         this->Add(mesh);
+        const auto other = static_cast<std::size_t>(mesh);
+        const bool samePoints = this->HasSamePoints(i, other);
+        this->IsChanged.push_back(!samePoints || !this->HasSameCells(i, other));
+        if (this->IsChanged.back() && samePoints)
+        {
+          this->AddCells(mesh);
+        }
+      }
+      else
+      {
+        this->IsChanged.push_back(true);
       }
     }
   }
@@ -1042,6 +1093,10 @@ public:
       instance = at->second;
     }
     const vtkRelievoMeshTree& triangles = this->From.Tree.GetMeshTree(meeting.Place);
+    if (this->IsChanged[from] && !this->HasCell(from, triangles.GetCell(meeting.Triangle), target))
+    {
+      return nowhere;
+    }
     vtkIdTypeArray* ids = this->From.Sources[from].Points;
     glm::dvec3 sum(0.0);
     for (int i = 0; i < 3; ++i)
@@ -1065,19 +1120,99 @@ public:
   }
 
 private:
+  // A cell by its points in the data, in ascending order.
+  using CellPoints = std::vector<vtkIdType>;
+
+  struct HashOfCellPoints
+  {
+    std::size_t operator()(const CellPoints& points) const
+    {
+      std::size_t hash = points.size();
+      for (const vtkIdType point : points)
+      {
+        hash = (hash ^ static_cast<std::size_t>(point)) * 0x9e3779b97f4a7c15u;
+        hash ^= hash >> 32;
+      }
+      return hash;
+    }
+  };
+
   // Actor, place in the list of data, block, and which of those that are alike.
   using Key = std::tuple<vtkActor*, int, int, int>;
 
   struct Target
   {
-    std::unordered_map<vtkIdType, std::size_t> Places; // of glyphs, by the input's point
-    std::unordered_map<vtkIdType, vtkIdType> Points;   // of the mesh, by those of the data
+    std::unordered_map<vtkIdType, std::size_t> Places;      // of glyphs, by the input's point
+    std::unordered_map<vtkIdType, vtkIdType> Points;        // of the mesh, by those of the data
+    std::unordered_set<CellPoints, HashOfCellPoints> Cells; // if they are others than before
   };
 
   const Held& From;
   const Held& To;
   std::vector<int> Meshes;       // of To, by those of From; -1: none
+  std::vector<bool> IsChanged;   // whether its cells are others, by the meshes of From
   std::map<int, Target> Targets; // by the meshes of To
+
+  // `names`: in the data, of the mesh's points; null: the same.
+  static void TakeCellPoints(
+    vtkCellArray* cells, vtkIdType cell, vtkIdTypeArray* names, vtkIdList* list, CellPoints& points)
+  {
+    cells->GetCellAtId(cell, list);
+    points.clear();
+    for (vtkIdType i = 0; i < list->GetNumberOfIds(); ++i)
+    {
+      points.push_back(names ? names->GetValue(list->GetId(i)) : list->GetId(i));
+    }
+    std::sort(points.begin(), points.end());
+  }
+
+  bool HasSameCells(std::size_t from, std::size_t to) const
+  {
+    vtkPolyData* before = this->From.Meshes[from].Mesh;
+    vtkPolyData* after = this->To.Meshes[to].Mesh;
+    return AreEqual(this->From.Sources[from].Points, this->To.Sources[to].Points) &&
+      AreEqual(before->GetPolys(), after->GetPolys()) &&
+      AreEqual(before->GetStrips(), after->GetStrips());
+  }
+
+  // Points are known by their numbers in the data: if these are others, nothing is known.
+  bool HasSamePoints(std::size_t from, std::size_t to) const
+  {
+    const auto count = [](const Held& scene, std::size_t mesh) {
+      vtkDataSet* data = scene.Sources[mesh].Points ? nullptr : scene.Meshes[mesh].Mesh;
+      return data ? data->GetNumberOfPoints() : -1; // of a surface, whose points have their names
+    };
+    return count(this->From, from) == count(this->To, to);
+  }
+
+  bool HasCell(std::size_t from, vtkIdType cell, const Target& target) const
+  {
+    vtkPolyData* mesh = this->From.Meshes[from].Mesh;
+    const vtkIdType polygon = cell - mesh->GetNumberOfVerts() - mesh->GetNumberOfLines();
+    const vtkIdType polygons = mesh->GetNumberOfPolys();
+    vtkNew<vtkIdList> list;
+    CellPoints points;
+    TakeCellPoints(polygon < polygons ? mesh->GetPolys() : mesh->GetStrips(),
+      polygon < polygons ? polygon : polygon - polygons, this->From.Sources[from].Points, list,
+      points);
+    return target.Cells.count(points) != 0;
+  }
+
+  void AddCells(int mesh)
+  {
+    vtkPolyData* data = this->To.Meshes[static_cast<std::size_t>(mesh)].Mesh;
+    vtkIdTypeArray* names = this->To.Sources[static_cast<std::size_t>(mesh)].Points;
+    vtkNew<vtkIdList> list;
+    CellPoints points;
+    for (vtkCellArray* cells : { data->GetPolys(), data->GetStrips() })
+    {
+      for (vtkIdType cell = 0; cell < cells->GetNumberOfCells(); ++cell)
+      {
+        TakeCellPoints(cells, cell, names, list, points);
+        this->Targets[mesh].Cells.insert(points);
+      }
+    }
+  }
 
   static std::vector<Key> GetKeys(const Held& scene)
   {

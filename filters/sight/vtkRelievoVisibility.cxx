@@ -26,6 +26,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 vtkStandardNewMacro(vtkRelievoVisibility);
 
@@ -38,6 +39,10 @@ constexpr double Corner = 0.5 - 1e-7;
 
 // Points beside a cell's corners, towards its middle.
 constexpr double Inwards = 0.1;
+
+// Cells below so many pixels have the solid angle of their triangles, larger ones that of the
+// pixels that show them: a few pixels may be twice as large as the cell, or half.
+constexpr double SmallPixels = 8.0;
 
 // The solid angle of three unit directions.
 double GetSolidAngle(const double a[3], const double b[3], const double c[3])
@@ -115,13 +120,21 @@ public:
   {
     this->Camera = camera;
     this->Met.assign(this->Pixels.size(), false);
-    if (!this->AddPixels(number) || !this->AddSmallCells() || !this->AddPoints())
+    this->Shown.assign(this->Pixels.size(), 0.0);
+    this->PixelsShown = 0;
+    if (!this->AddPixels(number))
+    {
+      return false;
+    }
+    this->TakeAngles();
+    if (!this->AddSmallCells() || !this->AddPoints())
     {
       return false;
     }
     for (std::size_t cell = 0; cell < this->Met.size(); ++cell)
     {
       this->CellsSeen[cell] += this->Met[cell] ? 1 : 0;
+      this->Angles[cell] += this->Shown[cell];
     }
     return true;
   }
@@ -137,7 +150,11 @@ private:
 
   std::vector<Triangle> Triangles;
   vtkRelievoCameraModel* Camera = nullptr;
-  std::vector<bool> Met; // cells, by this camera
+  std::vector<bool> Met;     // cells, by this camera
+  std::vector<double> Shown; // solid angles of cells, for this camera
+  std::vector<bool> Large;   // cells whose solid angle is that of the pixels that show them
+  vtkIdType PixelsShown = 0; // of the mesh, by this camera
+  double PixelAngle = 0.0;   // their mean solid angle
   vtkNew<vtkDoubleArray> Places;
   vtkNew<vtkDoubleArray> Origins;
   vtkNew<vtkDoubleArray> Directions;
@@ -188,7 +205,8 @@ private:
         }
         const auto at = static_cast<std::size_t>(cell);
         ++this->Pixels[at];
-        this->Angles[at] += angles.Get(i);
+        ++this->PixelsShown;
+        this->Shown[at] += angles.Get(i);
         this->Met[at] = true;
         if (this->Cloud)
         {
@@ -222,15 +240,39 @@ private:
     return true;
   }
 
-  // Cells that no pixel's centre shows, by points of each of their triangles.
+  // Which of the cells that pixels show keep the solid angle of these pixels: that of the others is
+  // found by points of theirs, as that of cells that no pixel's centre shows.
+  void TakeAngles()
+  {
+    const double sum = std::accumulate(this->Shown.begin(), this->Shown.end(), 0.0);
+    this->PixelAngle = this->PixelsShown > 0 ? sum / static_cast<double>(this->PixelsShown) : 0.0;
+    std::vector<double> whole(this->Met.size(), 0.0);
+    for (const Triangle& triangle : this->Triangles)
+    {
+      const auto at = static_cast<std::size_t>(triangle.Cell);
+      if (this->Met[at])
+      {
+        whole[at] += this->GetWholeAngle(triangle);
+      }
+    }
+    this->Large.assign(this->Met.size(), false);
+    for (std::size_t cell = 0; cell < this->Met.size(); ++cell)
+    {
+      // Without an angle: it reaches to where the camera has no rays.
+      this->Large[cell] =
+        this->Met[cell] && !(whole[cell] < SmallPixels * this->PixelAngle && whole[cell] > 0.0);
+      this->Shown[cell] = this->Large[cell] ? this->Shown[cell] : 0.0;
+    }
+  }
+
+  // Cells that no pixel's centre shows, and small ones, by points of each of their triangles.
   bool AddSmallCells()
   {
-    const std::vector<bool> shown = this->Met;
     std::vector<const Triangle*> asked; // four places each
     this->Places->Reset();
     for (const Triangle& triangle : this->Triangles)
     {
-      if (!shown[static_cast<std::size_t>(triangle.Cell)])
+      if (!this->Large[static_cast<std::size_t>(triangle.Cell)])
       {
         asked.push_back(&triangle);
         this->AddSamples(triangle);
@@ -292,7 +334,10 @@ private:
       {
         const auto at = static_cast<std::size_t>(triangle.Cell);
         this->Met[at] = true;
-        this->Angles[at] += this->GetWholeAngle(triangle) * seen / Samples;
+        // A large cell that no pixel's centre shows is seen in a strip narrower than a pixel.
+        const double most =
+          this->PixelAngle > 0.0 ? SmallPixels * this->PixelAngle : vtkMath::Inf();
+        this->Shown[at] += std::min(most, this->GetWholeAngle(triangle) * seen / Samples);
       }
     }
     return true;

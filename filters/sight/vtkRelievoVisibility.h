@@ -15,10 +15,11 @@
  * Output 1, if Cloud is on: what the pixels' centres show of the mesh, as points with the arrays
  * cell and camera (int) and normal (3 float, geometric, towards the camera).
  *
- * A ray goes through each pixel's centre, and to cells that none has met through points of their
- * triangles, the middle and one beside each corner: a cell smaller than a pixel is not lost. Its
- * solid angle is then that of its triangles (A. Van Oosterom, J. Strackee 1983) times the share of
- * their points that are seen; of others it is that of the pixels. Cells are seen from both sides.
+ * A ray goes through each pixel's centre. Further rays go to cells that none of these has met, and
+ * to those smaller than 8 pixels, through points of their triangles, the middle and one beside each
+ * corner: a cell smaller than a pixel is not lost. The solid angle of these cells is that of their
+ * triangles (A. Van Oosterom, J. Strackee 1983) times the share of their points that are seen; that
+ * of larger cells is the sum of their pixels' angles. Cells are seen from both sides.
  * Vertices and lines hide nothing, and no camera sees them.
  *
  * Errors: no cameras, a camera that has no places for points (vtkRelievoLidar).

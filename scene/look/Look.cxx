@@ -33,6 +33,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <map>
 #include <vector>
 
@@ -172,12 +173,38 @@ void AddRange(vtkDataArray* array, int component, bool positive, std::array<doub
   }
 }
 
+// How far numbers of an array's type, and magnitudes of several, are off by rounding; of their size.
+double GetRounding(vtkDataArray* array)
+{
+  constexpr double steps = 8.0;
+  switch (array->GetDataType())
+  {
+    case VTK_FLOAT:
+      return steps * std::numeric_limits<float>::epsilon();
+    case VTK_DOUBLE:
+      return steps * std::numeric_limits<double>::epsilon();
+    default:
+      return 0.0;
+  }
+}
+
+// Of values that differ by their rounding alone, the range of one value: a colour map over it
+// would show noise.
+std::array<double, 2> WithoutRounding(const std::array<double, 2>& range, double rounding)
+{
+  const double size = std::max(std::abs(range[0]), std::abs(range[1]));
+  return range[0] < range[1] && range[1] - range[0] <= rounding * size
+    ? std::array<double, 2>{ range[0], range[0] }
+    : range;
+}
+
 //------------------------------------------------------------------------------
 // Empty where there are no values.
 std::array<double, 2> FindRange(
   const std::vector<Coloring>& all, const LookChoice& look, bool positive)
 {
   std::array<double, 2> range = { VTK_DOUBLE_MAX, -VTK_DOUBLE_MAX };
+  double rounding = 0.0;
   for (const Coloring& each : all)
   {
     if (AreColors(each.Arrays, look))
@@ -188,9 +215,10 @@ std::array<double, 2> FindRange(
     {
       AddRange(array, look.Component.value_or(array->GetNumberOfComponents() > 1 ? -1 : 0),
         positive, range);
+      rounding = std::max(rounding, GetRounding(array));
     }
   }
-  return range;
+  return WithoutRounding(range, rounding);
 }
 
 //------------------------------------------------------------------------------
@@ -301,7 +329,7 @@ void SetColors(const Scene& scene, const LookChoice& look, bool mapped)
     const std::string name = values->GetName() ? values->GetName() : "";
     std::array<double, 2> range = { VTK_DOUBLE_MAX, -VTK_DOUBLE_MAX };
     AddRange(values, 0, Colormap::Parse(look.Colormap).Log, range);
-    range = ChooseRange(range, look, name);
+    range = ChooseRange(WithoutRounding(range, GetRounding(values)), look, name);
     volume->GetProperty()->SetColor(MakeColormap(look.Colormap, range, true));
     if (look.ScalarBar && ++bars == 1)
     {

@@ -63,6 +63,10 @@ class Look(CliTest):
         x = vtk_to_numpy(plane.GetPoints().GetData())[:, 0].astype(float)
         add(plane.GetPointData(), "across", 3 + 2 * x)  # 1 to 5
         add(plane.GetPointData(), "wind", numpy.c_[x, 0 * x, 0 * x + 1])
+        turned = numpy.c_[numpy.cos(7 * x), numpy.sin(7 * x), 0 * x]
+        add(plane.GetPointData(), "unit", turned.astype(numpy.float32))
+        add(plane.GetPointData(), "still", 300 + 1e-13 * x)
+        add(plane.GetPointData(), "slow", (300 + 1e-3 * x).astype(numpy.float32))
         add(plane.GetPointData(), LONG, x)
         add(plane.GetPointData(), "paint", numpy.tile(numpy.uint8([30, 200, 90]), (len(x), 1)))
         glass = numpy.tile(numpy.uint8([200, 255, 200, 128]), (len(x), 1))
@@ -108,6 +112,13 @@ class Look(CliTest):
         self.judge(self.albedo(*grey, "paint,1", "--range", "0,200"), numpy.ones(SIDE))
         self.judge(self.albedo("--color", "#1e90ff"),
                    numpy.tile(numpy.array([30, 144, 255]) / 255, (SIDE, 1)))  # fmt: skip
+
+    def test_constant_up_to_rounding(self):
+        """Values that differ by their rounding alone have one colour, others the whole map."""
+        for name, least, most in (("unit", 0, 0.01), ("still", 0, 0.01), ("slow", 0.9, 1)):
+            found = self.albedo("--colormap", "grey", "--color-by", name)
+            spread = found.max() - found.min()
+            self.assertTrue(least <= spread <= most, f"{name}: {spread}")
 
     def test_maps(self):
         """The ends of each map, as their authors publish them."""

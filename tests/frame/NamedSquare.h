@@ -7,6 +7,7 @@
 #ifndef relievoTestNamedSquare_h
 #define relievoTestNamedSquare_h
 
+#include "ImageCompare.h"
 #include "Window.h"
 
 #include <vtkActor.h>
@@ -22,7 +23,6 @@
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
 
-#include <cstring>
 #include <string>
 #include <vector>
 
@@ -68,11 +68,6 @@ struct NamedSquare
     this->Renderer->ResetCamera(-1.0, 1.0, -1.0, 1.0, 0.0, 0.0);
   }
 };
-
-inline bool IsSame(vtkImageData* a, vtkImageData* b)
-{
-  return std::memcmp(a->GetScalarPointer(), b->GetScalarPointer(), 3 * a->GetNumberOfPoints()) == 0;
-}
 }
 
 #endif

@@ -6,6 +6,7 @@
 #include "Check.h"
 #include "ColorStage.h"
 #include "GLCheck.h"
+#include "ImageCompare.h"
 #include "Session.h"
 #include "TestCase.h"
 #include "Window.h"
@@ -31,6 +32,7 @@ namespace testFrameStages
 namespace
 {
 using relievoTest::ColorStage;
+using relievoTest::IsSame;
 using relievoTest::Picture;
 
 struct Scene
@@ -62,11 +64,6 @@ struct Scene
     this->Renderer->ResetCamera();
   }
 };
-
-bool IsSame(vtkImageData* a, vtkImageData* b)
-{
-  return std::memcmp(a->GetScalarPointer(), b->GetScalarPointer(), 3 * a->GetNumberOfPoints()) == 0;
-}
 
 vtkSmartPointer<ColorStage> MakeStage(const char* name, double factor, double shift)
 {

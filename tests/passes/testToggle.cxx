@@ -43,6 +43,7 @@ namespace testToggle
 {
 namespace
 {
+using relievoTest::IsSame;
 using relievoTest::Picture;
 
 // A ball and a box, opaque, and a ball that lets them be seen through it.
@@ -57,13 +58,6 @@ void Fill(vtkRenderer* renderer)
   glass->SetPosition(0.8, 1., 1.2);
   glass->GetProperty()->SetOpacity(0.4);
   renderer->SetBackground(0.1, 0.2, 0.3);
-}
-
-bool IsSame(vtkImageData* a, vtkImageData* b)
-{
-  return a->GetNumberOfPoints() == b->GetNumberOfPoints() &&
-    std::memcmp(a->GetScalarPointer(), b->GetScalarPointer(),
-      static_cast<size_t>(a->GetNumberOfPoints()) * a->GetNumberOfScalarComponents()) == 0;
 }
 
 template <typename Pass>

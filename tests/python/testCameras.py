@@ -552,6 +552,29 @@ class Words(unittest.TestCase):
                 self.same(relievo.lens(words, size, 40, VECTOR, SHIFT), other)
         self.same(relievo.lens("cube", (96, 16)), relievo.Cube(16))
 
+    def test_part_of_the_sensor(self):
+        """A CameraInfo of a part of the sensor's picture, or with several of its pixels in one."""
+        part = {"x_offset: 0": "x_offset: 40", "y_offset: 0": "y_offset: 100",
+                "  height: 0": "  height: 302", "  width: 0": "  width: 404"}
+        whole = relievo.lens(self.file("whole.yml", ROS_MESSAGE), R=VECTOR, t=SHIFT)
+        for name, changes, size, offset, bins in (
+            ("part", part, (404, 302), (40, 100), (1, 1)),
+            ("bins", {"binning_x: 0": "binning_x: 2", "binning_y: 0": "binning_y: 4"},
+             (320, 120), (0, 0), (2, 4)),
+            ("both", {**part, "binning_x: 0": "binning_x: 3"}, (134, 302), (40, 100), (3, 1)),
+            ("rest", {"x_offset: 0": "x_offset: 600"}, (40, 480), (600, 0), (1, 1)),
+        ):
+            with self.subTest(name=name):
+                text = ROS_MESSAGE
+                for old, new in changes.items():
+                    self.assertEqual(text.count(old), 1)
+                    text = text.replace(old, new)
+                made = relievo.lens(self.file(f"{name}.yml", text), R=VECTOR, t=SHIFT)
+                self.assertEqual(made.size, size)
+                # A pixel's edges are those of the pixels that it is made of.
+                places = (whole.project(POINTS) + 0.5 - offset) / bins - 0.5
+                numpy.testing.assert_allclose(made.project(POINTS), places, atol=1e-9)
+
     def test_view_angle(self):
         """Without K the picture's height spans the angle, through the lens."""
         for words, angle in (("pinhole", 50), ("brown:-0.1,0.01,0.001,0.002", 50), ("fisheye", 200),
@@ -562,8 +585,8 @@ class Words(unittest.TestCase):
                 between = numpy.arctan2(edges[:, 1], edges[:, 2])
                 self.assertAlmostEqual(numpy.degrees(between[1] - between[0]), angle,
                                        delta=0.2 if words.startswith("brown") else 1e-9)
-                mark = "," if ":" in words else ":"
-                self.same(relievo.lens(f"{words}{mark}angle={angle}", (65, 48), 20), made)
+                for mark in ",:" if ":" not in words else ",":
+                    self.same(relievo.lens(f"{words}{mark}angle={angle}", (65, 48), 20), made)
 
     def test_refused(self):
         for part, words in (
@@ -598,6 +621,21 @@ class Words(unittest.TestCase):
              self.file("k.yml", OPENCV_YAML.replace("-0.25", ".nan"))),
             ("k: expected 9 numbers", self.file("l.yml", ROS2_MESSAGE.replace("- 790.25\n", ""))),
             ("pictures of 640x480.*shape", self.file("g.yml", OPENCV_YAML)),
+            ("brown:K1,K2", "brown,0.1,0.2"), ("equirectangular", "equirectangular,angle=90"),
+            ("roi: got .*expected x_offset",
+             self.file("m.yml", ROS_MESSAGE.replace("x_offset: 0", "x_offset: 640"))),
+            ("roi: got ", self.file("n.yml", ROS_MESSAGE.replace("  width: 0", "  width: 641"))),
+            ("binning_y: got 0.5, expected a whole number",
+             self.file("o.yml", ROS_MESSAGE.replace("binning_y: 0", "binning_y: 0.5"))),
+            # Lists in lists, more than a stack has room for.
+            ("camera_matrix: it is missing, expected 9", self.file("p.yml", OPENCV_YAML.replace(
+                "camera_matrix: !!opencv-matrix", "camera_matrix: " + "[" * 40000))),
+            ("camera_matrix: expected 9", self.file("q.json", json.dumps(
+                {"image_width": 64, "image_height": 49, "camera_matrix": "@"}).replace(
+                    '"@"', "[" * 40000 + "]" * 40000))),
+            ("distortion_model: got", self.file("r.json", json.dumps(
+                {"width": 64, "height": 49, "K": K.ravel().tolist(), "distortion_model": "@"})
+                .replace('"@"', "[" * 40000 + "]" * 40000))),
         ):
             with self.subTest(words=words), self.assertRaisesRegex(ValueError, f"lens: .*{part}"):
                 relievo.lens(words, (64, 49) if "shape" in part else (64, 48), 200)

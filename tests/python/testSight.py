@@ -233,6 +233,22 @@ class Seen(unittest.TestCase):
         numpy.testing.assert_allclose(angles, 4 * numpy.pi / 6, rtol=0.01)
         self.assertAlmostEqual(angles.sum(), 4 * numpy.pi, 3)
 
+    def test_solid_angles_of_small_cells(self):
+        """Cells of any number of pixels sum to the square's closed form, whole or half hidden."""
+        half, away = 1.0, 3.0
+        truth = 4 * numpy.arcsin(half**2 / (half**2 + away**2))
+        half_wall = grid((0, -1, 1), (1, -1, 1), (0, 1, 1), 1, 1)
+        for pixels in (100, 20, 8, 3, 1, 0.4, 0.2, 0.03):
+            count = round(64 / pixels**0.5)  # the square is 64 pixels wide
+            square = grid((-1, -1, 0), (1, -1, 0), (-1, 1, 0), count, count)
+            sensor = relievo.Pinhole([[96, 0, 47.3], [0, 96, 48.1], [0, 0, 1]], (96, 96))
+            sensor.look_at((0, 0, away), (0, 0, 0), (0, 1, 0))
+            whole = array(relievo.visible(square, sensor), "solid_angle").sum()
+            self.assertAlmostEqual(whole / truth, 1, delta=0.005, msg=f"{pixels} pixels a cell")
+            seen = relievo.visible(square, [sensor, sensor], occluders=half_wall)
+            left = array(seen, "solid_angle").sum() / 2
+            self.assertAlmostEqual(left / truth, 0.5, delta=0.02, msg=f"{pixels} pixels a cell")
+
     def test_nothing_is_too_small(self):
         # Each cell of 100 x 100 in a picture of 20 x 20 pixels; half are behind a wall.
         floor = grid((-1, 0, 1), (1, 0, 1), (-1, 0, -1), 100, 100)
@@ -645,6 +661,35 @@ class Flow(unittest.TestCase):
                 inside = (numpy.arange(size[0]) + steps) % turn < size[0]
                 valid = relievo.layer(image, "flow_valid") == 1
                 self.assertGreater((valid == inside).mean(), 0.98)
+
+    def test_cells_that_go(self):
+        """A cell is followed if it is still there, of its points; others have no flow."""
+        sensor = relievo.Pinhole([[60, 0, 40], [0, 60, 30], [0, 0, 1]], (81, 61))
+        sensor.look_at((0, 0, 3), (0, 0, 0), (0, 1, 0))
+        corners = [(-1, -1, 0), (1, -1, 0), (1, 1, 0), (-1, 1, 0)]
+        whole = mesh_of(corners, [(0, 1, 2), (0, 2, 3)])
+        which = relievo.layer(relievo.capture(whole, "cell", camera=sensor), "cell")
+        five = [*corners, (0, 0, 0)]
+        for name, other, kept in (
+            ("one has gone", mesh_of(corners, [(0, 2, 3)]), [False, True]),
+            ("in another order", mesh_of(corners, [(3, 0, 2), (0, 1, 2)]), [True, True]),
+            ("cut otherwise", mesh_of(corners, [(0, 1, 3), (1, 2, 3)]), [False, False]),
+            ("one of them cut", mesh_of(corners, [(0, 1, 2), (0, 3, 2)]), [True, True]),
+            ("of five points", mesh_of(five, [(0, 1, 4), (1, 2, 4), (2, 3, 4), (3, 0, 4)]),
+             [False, False]),
+            ("of points that may be others", mesh_of(five, [(0, 1, 2), (0, 2, 3)]),
+             [False, False]),
+        ):  # fmt: skip
+            with self.subTest(name=name):
+                before = relievo.moment(whole, sensor)
+                image = relievo.flow(before, other, sensor)
+                flow = relievo.layer(image, "flow")
+                valid = relievo.layer(image, "flow_valid")
+                for cell in (0, 1):
+                    seen = which == cell
+                    self.assertGreater(seen.sum(), 500)
+                    self.assertTrue((numpy.isfinite(flow[seen]) == kept[cell]).all())
+                    self.assertTrue((valid[seen] == kept[cell]).mean() > 0.99)
 
     def test_actors_that_go(self):
         renderer = vtkRenderer()

@@ -8,6 +8,7 @@
 #ifndef relievoTestToneScene_h
 #define relievoTestToneScene_h
 
+#include "ImageCompare.h"
 #include "PaintStage.h"
 #include "Window.h"
 
@@ -20,7 +21,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <random>
 
 namespace relievoTest
@@ -90,14 +90,6 @@ struct ToneScene
     return most;
   }
 };
-
-/** Whether two pictures of the same number of components are the same. */
-inline bool IsSame(vtkImageData* a, vtkImageData* b)
-{
-  const vtkIdType bytes = a->GetNumberOfPoints() * a->GetNumberOfScalarComponents();
-  return bytes == b->GetNumberOfPoints() * b->GetNumberOfScalarComponents() &&
-    std::memcmp(a->GetScalarPointer(), b->GetScalarPointer(), bytes) == 0;
-}
 }
 
 #endif

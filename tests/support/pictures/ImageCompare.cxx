@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <iostream>
 #include <sstream>
 
@@ -199,6 +200,14 @@ vtkSmartPointer<vtkImageData> ReadImage(const std::string& path, std::string* re
     *reason = text;
   }
   return image;
+}
+
+//------------------------------------------------------------------------------
+bool IsSame(vtkImageData* a, vtkImageData* b)
+{
+  const vtkIdType bytes = a->GetNumberOfPoints() * a->GetNumberOfScalarComponents();
+  return bytes == b->GetNumberOfPoints() * b->GetNumberOfScalarComponents() &&
+    std::memcmp(a->GetScalarPointer(), b->GetScalarPointer(), static_cast<std::size_t>(bytes)) == 0;
 }
 
 //------------------------------------------------------------------------------

@@ -70,6 +70,9 @@ vtkSmartPointer<vtkImageData> TenfoldDifference(vtkImageData* actual, vtkImageDa
  */
 vtkSmartPointer<vtkImageData> ReadImage(const std::string& path, std::string* reason = nullptr);
 
+/** Whether two pictures have the same bytes. */
+bool IsSame(vtkImageData* a, vtkImageData* b);
+
 /** Writes a PNG; false when it cannot be written. */
 bool WriteImage(const std::string& path, vtkImageData* image);
 
