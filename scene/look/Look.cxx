@@ -173,7 +173,8 @@ void AddRange(vtkDataArray* array, int component, bool positive, std::array<doub
   }
 }
 
-// How far numbers of an array's type, and magnitudes of several, are off by rounding; of their size.
+// How far numbers of an array's type, and magnitudes of several, are off by rounding, of their
+// size.
 double GetRounding(vtkDataArray* array)
 {
   constexpr double steps = 8.0;
