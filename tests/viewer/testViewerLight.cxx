@@ -246,7 +246,7 @@ private Q_SLOTS:
     QFETCH(QString, up);
     QFETCH(bool, beside);
     this->Open({ this->WriteScene(), "--color", "white", "--preset", preset.toStdString(), "--up",
-      up.toStdString(), "--shadows", "off" });
+      up.toStdString(), "--shadows", "off", "--stage", "antialias:samples=1" });
     if (beside)
     {
       this->GetButton("makeOwn")->click();
@@ -371,7 +371,9 @@ private Q_SLOTS:
   void presetsLights()
   {
     QFETCH(QString, preset);
-    this->Open({ this->WriteScene(), "--preset", preset.toStdString() });
+    // Fewer samples than the preset's, which take long.
+    this->Open({ this->WriteScene(), "--preset", preset.toStdString(), "--stage",
+      "shadows:soft_samples=2", "--stage", "antialias:samples=2" });
     QCOMPARE(
       this->GetRows(), (QStringList{ preset + ": key light|sun", preset + ": fill|4 suns" }));
     const double* p = this->GetLight(0)->GetPosition();
