@@ -114,7 +114,8 @@ private Q_SLOTS:
   // By its action and by the panel; it goes round with the camera, and can be undone.
   void grid()
   {
-    this->Open({ this->WriteScene(), "--preset", "studio", "--stage", "antialias:samples=2" });
+    this->Open({ this->WriteScene(), "--preset", "studio", "--stage", "antialias:samples=2",
+      "--stage", "shadows:soft_samples=2,map_size=256" });
     auto* grid = this->Window->findChild<QAction*>("grid");
     auto* box = this->Window->findChild<QCheckBox*>("grid");
     viewer::Picture& picture = this->Window->GetView()->GetPicture();
@@ -139,7 +140,8 @@ private Q_SLOTS:
   // By its action and by the panel, which has its unit; the action keeps that.
   void scaleBar()
   {
-    this->Open({ this->WriteScene(), "--preset", "studio", "--stage", "antialias:samples=2" });
+    this->Open({ this->WriteScene(), "--preset", "studio", "--stage", "antialias:samples=2",
+      "--stage", "shadows:soft_samples=2,map_size=256" });
     auto* bar = this->Window->findChild<QAction*>("scaleBar");
     auto* box = this->Window->findChild<QComboBox*>("scalebar");
     const vtkSmartPointer<vtkImageData> before = this->Grab();
