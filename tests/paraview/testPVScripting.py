@@ -20,6 +20,7 @@ import stage
 from paraview import simple, smstate, smtrace
 
 DOCS = pathlib.Path(__file__).parents[2] / "docs"
+EXAMPLES = DOCS.parent / "examples"
 
 # Every property of the view: default, another value as a script gives it.
 PROPERTIES = {
@@ -163,6 +164,19 @@ class Scripting(judge.StageTest):
             named.update(re.findall(r"\*([^*]+ \(Relievo\))\*", page.read_text()))
         self.assertGreater(len(named), 5)
         self.assertLessEqual(named, groups)
+
+    def test_names_in_the_examples(self):
+        """testPVTour runs them, at night."""
+        simple.AddLight(self.view)
+        (light, *_) = self.view.AdditionalLights
+        known = set()
+        for proxy in (self.view, self.scene.ball_shown, light):
+            known.update(proxy.ListProperties())
+        named = set()
+        for page in EXAMPLES.glob("*paraview*.py"):
+            named.update(re.findall(r"\.(Relievo\w+)(?! *\()", page.read_text()))
+        self.assertGreater(len(named), 30)
+        self.assertLessEqual(named, known)
 
     def test_trace_records_every_property(self):
         light = simple.AddLight(self.view)

@@ -243,14 +243,21 @@ void ViewerTest::SendMouse(QEvent::Type type, const QPoint& place, Qt::MouseButt
 //------------------------------------------------------------------------------
 vtkSmartPointer<vtkImageData> ViewerTest::RenderCommand()
 {
-  const scene::Settings settings = this->Window->GetViewSettings();
   const std::string png = this->Path("command.png");
+  return this->RunCommand(this->Window->GetViewSettings(), { "--png", png }) ? ReadPNG(png)
+                                                                             : nullptr;
+}
+
+//------------------------------------------------------------------------------
+bool ViewerTest::RunCommand(const scene::Settings& settings, const std::vector<std::string>& more)
+{
   vtkNew<vtkStringArray> words;
-  words->InsertNextValue("--png");
-  words->InsertNextValue(png);
-  for (const std::string& word : settings.GetWords())
+  for (const std::vector<std::string>& some : { more, settings.GetWords() })
   {
-    words->InsertNextValue(word);
+    for (const std::string& word : some)
+    {
+      words->InsertNextValue(word);
+    }
   }
   if (QOpenGLContext* current = QOpenGLContext::currentContext())
   {
@@ -282,25 +289,7 @@ vtkSmartPointer<vtkImageData> ViewerTest::RenderCommand()
     this->Command->RemoveRenderer(renderer);
   }
   static_cast<vtkOpenGLRenderWindow*>(this->Command.Get())->ReleaseCurrent();
-  return written ? ReadPNG(png) : nullptr;
-}
-
-//------------------------------------------------------------------------------
-bool ViewerTest::RunCommand(const scene::Settings& settings, const QStringList& more)
-{
-  QStringList words = QStringList("render") + more;
-  for (const std::string& word : settings.GetWords())
-  {
-    words += QString::fromStdString(word);
-  }
-  QProcess command;
-  command.start(qEnvironmentVariable("RELIEVO"), words);
-  if (!command.waitForFinished(600000) || command.exitCode() != 0)
-  {
-    qWarning() << words << command.readAllStandardError();
-    return false;
-  }
-  return true;
+  return written;
 }
 
 //------------------------------------------------------------------------------

@@ -21,7 +21,6 @@
 #include <QProcess>
 #include <QSize>
 #include <QString>
-#include <QStringList>
 #include <QTemporaryDir>
 
 #include <memory>
@@ -68,8 +67,8 @@ protected:
   vtkSmartPointer<vtkImageData> Grab();
   vtkSmartPointer<vtkImageData> RenderCommand();
 
-  /// The command runs, as a process, with other settings, and more words.
-  bool RunCommand(const scene::Settings& settings, const QStringList& more);
+  /// The command with other settings, and more words.
+  bool RunCommand(const scene::Settings& settings, const std::vector<std::string>& more);
 
   /// The test fails unless both are the same.
   void Compare(const char* what);

@@ -249,7 +249,7 @@ private Q_SLOTS:
     QFETCH(QString, up);
     QFETCH(bool, beside);
     this->Open({ this->WriteScene(), "--color", "white", "--preset", preset.toStdString(), "--up",
-      up.toStdString(), "--shadows", "off" });
+      up.toStdString(), "--shadows", "off", "--stage", "antialias:samples=1" });
     if (beside)
     {
       this->GetButton("makeOwn")->click();
@@ -372,7 +372,9 @@ private Q_SLOTS:
   void presetsLights()
   {
     QFETCH(QString, preset);
-    this->Open({ this->WriteScene(), "--preset", preset.toStdString() });
+    // Fewer samples than the preset's, which take long.
+    this->Open({ this->WriteScene(), "--preset", preset.toStdString(), "--stage",
+      "shadows:soft_samples=2,map_size=256", "--stage", "antialias:samples=2" });
     QCOMPARE(
       this->GetRows(), (QStringList{ preset + ": key light|sun", preset + ": fill|4 suns" }));
     const double* p = this->GetLight(0)->GetPosition();
@@ -446,7 +448,8 @@ private Q_SLOTS:
   // A share of the fill, which goes with the preset.
   void fill()
   {
-    this->Open({ this->WriteScene(), "--preset", "studio", "--light", "sun:0,1,0" });
+    this->Open({ this->WriteScene(), "--preset", "studio", "--light", "sun:0,1,0", "--stage",
+      "shadows:soft_samples=2,map_size=256", "--stage", "antialias:samples=2" });
     QCOMPARE(this->Shown("fill"), 0.4);
     this->Type("fill", 0.25);
     QCOMPARE(this->Window->GetDocument()->Get().Get("--fill"), std::string("0.25"));
@@ -488,9 +491,10 @@ private Q_SLOTS:
   // or on the ground. It turns nothing.
   void placedInThePicture()
   {
-    this->Open({ this->WriteScene(), "--preset", "studio", "--up", "y", "--light",
-      "spot:2,5,2,0,0,0,30", "--light", "point:3,4,-2", "--camera", "0,12,0.001,0,0,0,0,0,-1",
-      "--parallel-scale", "3" });
+    this->Open(
+      { this->WriteScene(), "--preset", "studio", "--up", "y", "--light", "spot:2,5,2,0,0,0,30",
+        "--light", "point:3,4,-2", "--camera", "0,12,0.001,0,0,0,0,0,-1", "--parallel-scale", "3",
+        "--stage", "shadows:soft_samples=2,map_size=256", "--stage", "antialias:samples=2" });
     viewer::PictureView* view = this->Window->GetView();
     auto* button = static_cast<QPushButton*>(this->FindEdit("placeInPicture"));
     const QPoint middle(view->width() / 2, view->height() / 2);

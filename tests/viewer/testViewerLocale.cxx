@@ -5,11 +5,15 @@
 #include "TestCase.h"
 #include "ViewerTest.h"
 
+#include "vtkRenderer.h"
+
 #include <QProcess>
 #include <QTemporaryDir>
 #include <QtTest>
 
+#include <array>
 #include <clocale>
+#include <cmath>
 #include <cstdio>
 
 namespace testViewerLocale
@@ -19,11 +23,21 @@ class TestViewerLocale : public viewerTest::ViewerTest
   Q_OBJECT
 
 private:
-  void Check(const std::string& name, const std::string& text)
+  // The command reads the file in this locale, too: the truth are the bounds, that of z up to its
+  // sign.
+  void Check(const std::string& name, const std::string& text,
+    const std::array<double, 4>& bounds = { 0.25, 1.75, 0.25, 1.75 })
   {
     this->WriteText(name, text);
-    this->Open({ this->Path(name) });
+    this->Window ? this->OpenAgain({ this->Path(name) }) : this->Open({ this->Path(name) });
     this->Compare(name.c_str());
+    double found[6];
+    this->Window->GetView()->GetPicture().GetRenderer()->ComputeVisiblePropBounds(found);
+    for (int i = 0; i < 4; ++i)
+    {
+      QVERIFY2(std::abs(found[i] - bounds[i]) < 1e-6, name.c_str());
+    }
+    QVERIFY2(std::abs(std::abs(found[4]) - 0.5) < 1e-6 && found[4] == found[5], name.c_str());
   }
 
 private Q_SLOTS:
@@ -53,7 +67,8 @@ private Q_SLOTS:
       "<VTKFile type=\"ImageData\"><ImageData WholeExtent=\"0 1 0 1 0 0\" Origin=\"0.5 0.25 0.5\" "
       "Spacing=\"0.5 0.75 0.5\"><Piece Extent=\"0 1 0 1 0 0\"><PointData Scalars=\"h\"><DataArray "
       "type=\"Float32\" Name=\"h\" format=\"ascii\">0.5 1.5 2.5 3.5</DataArray></PointData>"
-      "</Piece></ImageData></VTKFile>");
+      "</Piece></ImageData></VTKFile>",
+      { 0.5, 1.0, 0.25, 1.0 });
     this->Check("a.dae.x",
       "xof 0303txt 0032\nMesh a {\n3;\n0.25;0.25;0.5;,\n1.75;0.5;0.5;,\n0.5;1.75;0.5;;\n1;\n"
       "3;0,1,2;;\n}\n");

@@ -46,6 +46,14 @@ private Q_SLOTS:
     QCOMPARE(CountDifferent(shown, this->RunPython()), 0);
   }
 
+  void files()
+  {
+    const std::string data = qgetenv("RELIEVO_DATA").toStdString();
+    this->CompareProgram({ "--time", "1.5", "--skin", "dual-quaternion", "--skeleton",
+      data + "/models/glTF2/simple_skin/simple_skin.gltf",
+      data + "/textured/glTF2/BoxTextured-glTF-Binary/BoxTextured.glb" });
+  }
+
   void points()
   {
     const std::string file = this->WritePoints();

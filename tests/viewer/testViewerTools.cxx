@@ -101,7 +101,7 @@ private Q_SLOTS:
 
   void shadows()
   {
-    this->Open({ this->WriteScene(), "--preset", "studio" });
+    this->Open({ this->WriteScene(), "--preset", "studio", "--stage", "antialias:samples=2" });
     auto* shadows = this->Window->findChild<QAction*>("shadowsOn");
     QVERIFY(shadows->isChecked());
     const vtkSmartPointer<vtkImageData> before = this->Grab();
@@ -124,7 +124,8 @@ private Q_SLOTS:
   // By its action and by the panel; it goes round with the camera, and can be undone.
   void grid()
   {
-    this->Open({ this->WriteScene(), "--preset", "studio" });
+    this->Open({ this->WriteScene(), "--preset", "studio", "--stage", "antialias:samples=2",
+      "--stage", "shadows:soft_samples=2,map_size=256" });
     auto* grid = this->Window->findChild<QAction*>("grid");
     auto* box = this->Window->findChild<QCheckBox*>("grid");
     viewer::Picture& picture = this->Window->GetView()->GetPicture();
@@ -149,7 +150,8 @@ private Q_SLOTS:
   // By its action and by the panel, which has its unit; the action keeps that.
   void scaleBar()
   {
-    this->Open({ this->WriteScene(), "--preset", "studio" });
+    this->Open({ this->WriteScene(), "--preset", "studio", "--stage", "antialias:samples=2",
+      "--stage", "shadows:soft_samples=2,map_size=256" });
     auto* bar = this->Window->findChild<QAction*>("scaleBar");
     auto* box = this->Window->findChild<QComboBox*>("scalebar");
     const vtkSmartPointer<vtkImageData> before = this->Grab();
