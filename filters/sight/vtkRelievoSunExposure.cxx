@@ -92,7 +92,8 @@ public:
     }
   }
 
-  // A point faces as its own normal, or as the triangles around it in the mean, by their areas.
+  // A point faces as its own normal, or as the triangles around it in the mean, by their angles at
+  // the point (G. Thürmer, C. A. Wüthrich 1998): however a face is cut, it counts alike.
   void TakePoints(vtkPolyData* mesh, double before)
   {
     this->Normals.assign(static_cast<std::size_t>(mesh->GetNumberOfPoints()), Vector{});
@@ -101,11 +102,17 @@ public:
     {
       vtkRelievoPolygonCut::ForEachTriangle(
         mesh, [&](vtkIdType a, vtkIdType b, vtkIdType c, vtkIdType) {
-          const Triangle triangle(mesh, a, b, c);
-          for (const vtkIdType point : { a, b, c })
+          Vector unit = Triangle(mesh, a, b, c).Cross;
+          vtkMath::Normalize(unit.data());
+          for (const auto& [point, next, last] :
+            { std::array<vtkIdType, 3>{ a, b, c }, { b, c, a }, { c, a, b } })
           {
+            const double angle = GetAngle(mesh, point, next, last);
             Vector& sum = this->Normals[static_cast<std::size_t>(point)];
-            vtkMath::Add(sum.data(), triangle.Cross.data(), sum.data());
+            for (std::size_t i = 0; i < 3; ++i)
+            {
+              sum[i] += angle * unit[i];
+            }
           }
         });
     }
@@ -146,6 +153,19 @@ private:
       }
     }
   };
+
+  // At a point between two others.
+  static double GetAngle(vtkPolyData* mesh, vtkIdType at, vtkIdType a, vtkIdType b)
+  {
+    Vector middle;
+    Vector sides[2];
+    mesh->GetPoint(at, middle.data());
+    mesh->GetPoint(a, sides[0].data());
+    mesh->GetPoint(b, sides[1].data());
+    vtkMath::Subtract(sides[0].data(), middle.data(), sides[0].data());
+    vtkMath::Subtract(sides[1].data(), middle.data(), sides[1].data());
+    return vtkMath::AngleBetweenVectors(sides[0].data(), sides[1].data());
+  }
 
   void Add(Vector place, double before)
   {
@@ -256,7 +276,8 @@ struct vtkRelievoSunExposure::Sun
 };
 
 //------------------------------------------------------------------------------
-// The sun in the middle of each step by day, in the world.
+// The sun in the middle of each step by day, or of the part of it in which the sun is up, in the
+// world.
 std::vector<vtkRelievoSunExposure::Sun> vtkRelievoSunExposure::GetSuns() const
 {
   vtkNew<vtkRelievoSolarPosition> sun;
@@ -264,7 +285,25 @@ std::vector<vtkRelievoSunExposure::Sun> vtkRelievoSunExposure::GetSuns() const
   sun->SetLongitude(this->Longitude);
   sun->SetTimeZone(this->Longitude / 15.0);
   sun->SetDate(this->FirstDay[0], this->FirstDay[1], this->FirstDay[2]);
-  const auto steps = static_cast<int>(std::ceil(HoursOfDay * 60.0 / this->Step - 1e-9));
+  const double length = this->Step / 60.0;
+  const auto steps = static_cast<int>(std::ceil(HoursOfDay / length - 1e-9));
+  const auto getDirection = [&sun](double hour) {
+    Vector local; // east, north, up
+    sun->SetHour(hour);
+    sun->GetDirection(local.data());
+    return local;
+  };
+  const auto isUp = [&getDirection](double hour) { return getDirection(hour)[2] > 0.0; };
+  // When the sun rises or sets between two times.
+  const auto findHorizon = [&isUp](double before, double after) {
+    const bool rises = isUp(after);
+    for (int i = 0; i < 32; ++i) // to a microsecond
+    {
+      const double middle = 0.5 * (before + after);
+      (isUp(middle) == rises ? after : before) = middle;
+    }
+    return after;
+  };
   const long days = CountDays(this->LastDay) - CountDays(this->FirstDay) + 1;
   std::vector<Sun> suns;
   for (long day = 0; day < days; day += this->DayStep)
@@ -273,15 +312,33 @@ std::vector<vtkRelievoSunExposure::Sun> vtkRelievoSunExposure::GetSuns() const
     const double middle = static_cast<double>(day + (counted - 1) / 2);
     for (int step = 0; step < steps; ++step)
     {
-      sun->SetHour(HoursOfDay * (middle + (step + 0.5) / steps));
-      double local[3]; // east, north, up
-      sun->GetDirection(local);
-      if (local[2] > 0.0)
+      const double begin = HoursOfDay * middle + step * length;
+      const double end = std::min(HoursOfDay * (middle + 1.0), begin + length);
+      // In each half the sun crosses the horizon once at most.
+      std::vector<std::array<double, 2>> parts;
+      const double times[] = { begin, 0.5 * (begin + end), end };
+      for (int half = 0; half < 2; ++half)
       {
+        const double from = times[half];
+        const double to = times[half + 1];
+        const bool up[2] = { isUp(from), isUp(to) };
+        if (up[0] && !parts.empty())
+        {
+          parts.back()[1] = up[1] ? to : findHorizon(from, to);
+        }
+        else if (up[0] || up[1])
+        {
+          parts.push_back(
+            { up[0] ? from : findHorizon(from, to), up[1] ? to : findHorizon(from, to) });
+        }
+      }
+      for (const auto& [from, to] : parts)
+      {
+        const Vector local = getDirection(0.5 * (from + to));
         const Vector direction = this->UpAxis == 0 ? Vector{ local[2], local[0], local[1] }
           : this->UpAxis == 1                      ? Vector{ local[0], local[2], -local[1] }
                                                    : Vector{ local[0], local[1], local[2] };
-        suns.push_back({ direction, HoursOfDay * counted / steps });
+        suns.push_back({ direction, static_cast<double>(counted) * (to - from) });
       }
     }
   }

@@ -15,8 +15,9 @@
  *
  * Field data: possible_hours (double), hours of sun on open ground. Active scalars: sun_hours.
  *
- * Steps of time have equal lengths, and count by the sun in the middle of each: hours are right to
- * about a step for each time that the sun appears or is hidden. The sun is a point; refraction is
+ * Steps of time, the last of a day shorter if it must be, count by the sun in their middle; of the
+ * steps in which the sun rises or sets, the part by day counts. Hours are right to about a step for
+ * each time that the sun appears behind something or is hidden. The sun is a point; refraction is
  * left out (vtkRelievoSolarPosition). Normals point outwards; a surface gets no sun from behind.
  * Cells are judged at their middles; vertices and lines have 0. The world is in any unit: north is
  * z, -z or y where x, y or z points up.

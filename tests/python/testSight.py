@@ -501,6 +501,33 @@ class Sun(unittest.TestCase):
                        "insolation")[0] for up, mesh in tilted.items()]
         numpy.testing.assert_allclose(found, found[0], rtol=1e-6)
 
+    def test_steps_of_any_length(self):
+        """A day is as long whatever the step, and an east wall gets as much."""
+        roof = grid((0, 0, 0), (1, 0, 0), (0, 0, -1), 1, 1)
+        wall = grid((0, 0, 0), (0, 0, -1), (0, 1, 0), 1, 1)  # faces east
+        day = {**self.PLACE, "first": "2026-03-05"}
+        truth = [array(relievo.sun_exposure(mesh, **day, step=0.1), name)[0]
+                 for mesh, name in ((roof, "sun_hours"), (wall, "insolation"))]
+        for step in (5, 20, 37, 60, 61, 100):
+            with self.subTest(step=step):
+                hours = array(relievo.sun_exposure(roof, **day, step=step), "sun_hours")[0]
+                self.assertAlmostEqual(hours, truth[0], 4)
+                east = array(relievo.sun_exposure(wall, **day, step=step), "insolation")[0]
+                self.assertAlmostEqual(east / truth[1], 1, delta=0.002 * step / 20)
+
+    def test_normals_of_points(self):
+        """A face counts alike however it is cut: a cube's corners face along its diagonals."""
+        corners = [(x, y, z) for z in (0, 1) for y in (0, 1) for x in (0, 1)]
+        faces = [(0, 2, 3, 1), (4, 5, 7, 6), (0, 1, 5, 4), (2, 6, 7, 3), (0, 4, 6, 2), (1, 3, 7, 5)]
+        cut = [triangle for a, b, c, d in faces for triangle in ((a, b, c), (a, c, d))]
+        skies = [array(relievo.sun_exposure(mesh_of(corners, cells), **self.PLACE, points=True,
+                                            first="2026-06-21", sky=4096), "sky_view")
+                 for cells in (faces, cut)]
+        numpy.testing.assert_allclose(skies[0], skies[1], atol=1e-6)
+        # Half of the sky lies before a surface that faces the diagonal up: (1 + cos a) / 2.
+        numpy.testing.assert_allclose(skies[1].reshape(2, 2, 2)[:, 1].ravel(),
+                                      0.5 * (1 + 3**-0.5), atol=0.01)
+
     def test_year_by_steps_of_days(self):
         roof = grid((0, 0, 0), (1, 0, 0), (0, 0, -1), 1, 1)
         whole = relievo.sun_exposure(roof, **self.PLACE, first="2026-01-01", last="2026-12-31")
