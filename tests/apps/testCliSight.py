@@ -72,6 +72,15 @@ class Sight(CliTest):
         numpy.testing.assert_allclose(vtk_to_numpy(points.GetArray("sky_view")), 1, atol=1e-6)
         self.assertEqual(points.GetArray("sun_hours").GetNumberOfTuples(), 6)
 
+    def test_disk_full(self):
+        """One line says so, and nothing is left; a limit on the size of files does so too."""
+        full = ["/bin/bash", "-c", 'ulimit -f 1 && exec "$0" "$@"']
+        for words in (["visible", "ground.off", "--poses", "above.json"],
+                      ["sun", "ground.off", *SUN]):
+            with self.subTest(words=words):
+                self.refused(*words, "-o", "a.vtp", status=1, says=["-o a.vtp", "too large"],
+                             wrapper=full)  # fmt: skip
+
     def test_visible(self):
         look = ["--poses", "above.json", "--size", "200x100", "--view-angle", "20"]
         done = self.relievo("visible", "ground.off", *look, "-o", "seen.vtp")

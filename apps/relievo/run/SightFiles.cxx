@@ -17,6 +17,10 @@
 #include "vtkRelievoSightAlgorithm.h"
 #include "vtkXMLPolyDataWriter.h"
 
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+
 namespace cli
 {
 //------------------------------------------------------------------------------
@@ -54,13 +58,19 @@ void WriteMesh(vtkPolyData* mesh, const std::string& option, const std::string& 
 {
   vtkNew<vtkXMLPolyDataWriter> writer;
   writer->SetInputData(mesh);
-  writer->SetFileName(outputs.Temporary(path).c_str());
+  // VTK's writer of meshes crashes on a full disk.
+  writer->WriteToOutputStringOn();
   // Not appended: Debian's mended expat keeps VTK before 9.3.1 from reading that.
   writer->SetDataModeToBinary();
   progress.Begin("writing " + path);
   progress.Observe(writer);
-  const bool written = writer->Write() == 1 && writer->GetErrorCode() == vtkErrorCode::NoError;
+  const bool made = writer->Write() == 1 && writer->GetErrorCode() == vtkErrorCode::NoError;
   scene::Messages::Check(
-    option + " " + path, !written, vtkErrorCode::GetStringFromErrorCode(writer->GetErrorCode()));
+    option + " " + path, !made, vtkErrorCode::GetStringFromErrorCode(writer->GetErrorCode()));
+  std::ofstream file(outputs.Temporary(path), std::ios::binary);
+  errno = 0;
+  file << writer->GetOutputString();
+  file.close();
+  scene::Messages::Check(option + " " + path, !file, std::strerror(errno));
 }
 }
