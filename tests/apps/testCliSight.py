@@ -42,7 +42,8 @@ class Sight(CliTest):
         self.assertEqual(done.stderr, "")
         open_ground = self.cells("sun.vtp", "sun_hours")[1]
         self.assertAlmostEqual(open_ground, 12, delta=0.2)  # of an equinox
-        self.assertEqual(self.cells("sun.vtp", "sun_hours")[0], 0)  # below the roof
+        # Below the roof, but for a sun below 0.57 degrees, which rises by 11.5 degrees an hour.
+        self.assertLess(self.cells("sun.vtp", "sun_hours")[0], 0.06)
         self.assertIn(f"{open_ground / 2:.1f} hours of sun in the mean of 2 cells", done.stdout)
         # The mean over the day of the sine of the height, by its closed form at an equinox.
         self.assertAlmostEqual(self.cells("sun.vtp", "insolation")[1],
