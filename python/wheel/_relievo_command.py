@@ -4,9 +4,11 @@
 
 import os
 import pathlib
+import signal
 import sys
 
 
 def main():
     program = pathlib.Path(__file__).parent / "relievo" / "bin" / "relievo"
+    signal.signal(signal.SIGPIPE, signal.SIG_DFL)  # which Python ignores, and programs inherit
     os.execv(program, [sys.argv[0], *sys.argv[1:]])
