@@ -360,7 +360,7 @@ class Look(CliTest):
     def test_refused(self):
         for words, says in (
             (["--color-by", "acros"],
-             ["'acros'", f"across, column, glass, label,1, paint, {LONG}, wind"]),
+             ["'acros'", f"glass, label,1, paint, slow, still, {LONG}, unit, wind"]),
             (["--color-by", "wind,3"], ["component 3", "0 to 2"]),
             (["--colormap", "viridian"], ["'viridian'", "viridis, cool-warm"]),
             (["--colormap", "black,viridian"], ["'viridian'", "colour's name"]),
