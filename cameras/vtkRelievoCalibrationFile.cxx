@@ -485,7 +485,7 @@ vtkRelievoCalibrationFile vtkRelievoCalibrationFile::Read(const std::string& pat
   Json file;
   if (GetExtension(path) == ".json")
   {
-    // What lies deeper has nothing of a calibration; OpenCV's files may have comments.
+    // Deeper values are no part of a calibration; OpenCV's files may have comments.
     const auto isHigh = [](int depth, Json::parse_event_t, const Json&) {
       return depth <= MostDepth;
     };

@@ -225,7 +225,7 @@ def of_images():
     images.append(("exr", exr(rng.random((6, 12)).astype(numpy.float32))))
     for kind, content in images:
         name = "a." + kind
-        # The readers are the same; what an environment makes of it takes long.
+        # The readers are the same; making an environment of an image takes long.
         options = ["--height-map", *(["--environment"] if kind in ("png", "hdr", "exr") else [])]
         for option in options:
             yield Sample(kind, {name: content, "m.off": MESH}, [name], ["m.off", option, name])

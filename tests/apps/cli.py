@@ -17,7 +17,7 @@ import numpy
 RELIEVO = os.environ["RELIEVO"]
 EXR_DUMP = os.environ["EXR_DUMP"]
 BENCHES = os.environ["BENCHES"] == "1"  # whether the command was built with them
-MANY = os.environ.get("RELIEVO_FUZZ")  # what is `relievo render` many times; a wheel has none
+MANY = os.environ.get("RELIEVO_FUZZ")  # runs `relievo render` many times; a wheel has none
 
 # VTK's version, as 9.7; from 9.4 on it opens windows without a display.
 VERSION = subprocess.run(
@@ -51,7 +51,7 @@ class Many:
 
     @classmethod
     def run(cls, words, environment):
-        """What the command would have become of."""
+        """The result, as a finished process of the command would have it."""
         kind = tuple(sorted(environment.items()))
         if kind not in cls.running:
             cls.running[kind] = cls(environment)

@@ -238,7 +238,7 @@ void AddBalls(Scene& scene)
   scene.Actor->GetProperty()->SetPointSize(20.0F);
 }
 
-// Wide lines as tubes, likewise: without what VTK adds by their slope.
+// Wide lines as tubes: without the offset that VTK adds by their slope.
 void AddTubes(Scene& scene)
 {
   scene.Moves = true;

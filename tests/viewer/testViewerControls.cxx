@@ -55,7 +55,7 @@ private Q_SLOTS:
       qPrintable(QString("%1 of %2 to %3").arg(time).arg(times[0]).arg(times[1])));
     QVERIFY(CountDifferent(before, this->Grab()) > 100);
     this->Compare("at a quarter");
-    // As long as it plays is one edit, after that of the slider.
+    // Playing is one edit, however long it lasts, after that of the slider.
     QAction* play = this->Window->findChild<QToolBar*>("time")->actions().first();
     viewer::Document* document = this->Window->GetDocument();
     const auto now = [document] { return document->Get().Parse().Model.Time.value_or(-1.0); };

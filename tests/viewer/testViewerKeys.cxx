@@ -393,7 +393,7 @@ private Q_SLOTS:
     this->Drag(slider, { 7, 9 });
     undo->trigger();
     QVERIFY(this->Window->GetDocument()->Get() == once);
-    // There and back in one drag is no edit, but what comes then is.
+    // There and back in one drag is no edit, but the next change is.
     this->Drag(slider, { 7, 5, 8 });
     undo->trigger();
     QVERIFY(this->Window->GetDocument()->Get() == once);

@@ -193,7 +193,7 @@ private Q_SLOTS:
     QVERIFY(*history.Redo(at("0.5")) == edged);
     QVERIFY(!history.CanRedo());
     QVERIFY(*history.Undo(edged) == at("0.5"));
-    history.Add(at("0.5"), at("0.6"), 1); // what was undone is not done again any more
+    history.Add(at("0.5"), at("0.6"), 1); // an undone edit cannot be done again any more
     QVERIFY(!history.CanRedo());
     QVERIFY(*history.Undo(at("0.6")) == at("0.5")); // not one with what came before undoing
     history.Add(at("0.5"), at("0.6"));
@@ -216,7 +216,7 @@ private Q_SLOTS:
     QVERIFY(*history.Undo(at("0.3")) == at("0.2"));
     history.Add(at("0.2"), at("0.4"), 3);
     QVERIFY(*history.Undo(at("0.4")) == at("0.2"));
-    // The same twice is two edits, however soon.
+    // Two equal changes are two edits, however soon.
     history.Clear();
     history.Add(at("0.1"), at("0.2"));
     history.Add(at("0.2"), at("0.1"));
