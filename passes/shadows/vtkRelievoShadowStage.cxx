@@ -936,7 +936,6 @@ double vtkRelievoShadowStage::GetExpectedWrongShare() const
   }
   vtkRelievoShadowDemand demand;
   demand.MapSize = this->Internal->Work.Maps.GetSize();
-  demand.Farness = vtkRelievoShadowMethodExact::GetFarness(this->Internal->Work);
   return this->Internal->Method->Estimate(demand).WrongShare;
 }
 

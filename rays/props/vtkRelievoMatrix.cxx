@@ -4,6 +4,10 @@
 
 #include "vtkMatrix4x4.h"
 
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+
 //------------------------------------------------------------------------------
 glm::dmat4 vtkRelievoToGlm(vtkMatrix4x4* matrix)
 {
@@ -23,4 +27,11 @@ bool vtkRelievoIsProjective(vtkMatrix4x4* matrix)
 {
   return matrix->GetElement(3, 0) != 0.0 || matrix->GetElement(3, 1) != 0.0 ||
     matrix->GetElement(3, 2) != 0.0 || matrix->GetElement(3, 3) != 1.0;
+}
+
+//------------------------------------------------------------------------------
+double vtkRelievoGetScale(const glm::dmat4& matrix)
+{
+  const glm::dmat3 axes(matrix);
+  return std::max({ glm::length(axes[0]), glm::length(axes[1]), glm::length(axes[2]) });
 }

@@ -18,4 +18,7 @@ VTKRELIEVORAYS_EXPORT glm::dmat4 vtkRelievoToGlm(vtkMatrix4x4* matrix);
 // them where they are without.
 VTKRELIEVORAYS_EXPORT bool vtkRelievoIsProjective(vtkMatrix4x4* matrix);
 
+// The most by which it stretches an axis.
+VTKRELIEVORAYS_EXPORT double vtkRelievoGetScale(const glm::dmat4& matrix);
+
 #endif

@@ -25,7 +25,7 @@ struct vtkRelievoPlacedMesh
   int Block = 0;           // its flat index in composite data; of glyphs, that of their points
   double Passes = 0.0;     // of the light: 1 - opacity; NaN: not known, or not one for all
   glm::dvec3 Color{ 1.0 }; // of what passes
-  double Reach = 0.0;      // largest coordinate that was rounded before the mesh knew it
+  double Reach = 0.0;      // of the mesh, the largest coordinate that OpenGL rounds to draw it
   bool CullsFront = false; // to the eye; it casts from both sides
   bool CullsBack = false;
 

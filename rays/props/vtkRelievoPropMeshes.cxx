@@ -4,6 +4,7 @@
 
 #include "vtkAbstractMapper.h"
 #include "vtkActor.h"
+#include "vtkBoundingBox.h"
 #include "vtkCellArray.h"
 #include "vtkCompositeDataDisplayAttributes.h"
 #include "vtkCompositeDataIterator.h"
@@ -18,7 +19,10 @@
 #include "vtkLODProp3D.h"
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
+#include "vtkOpenGLPolyDataMapper.h"
+#include "vtkOpenGLVertexBufferObject.h"
 #include "vtkPlaneCollection.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
@@ -35,6 +39,7 @@
 #include "vtkTexture.h"
 #include "vtkUnsignedCharArray.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <optional>
@@ -54,7 +59,7 @@ struct Manner
   bool Overrides = false;   // Color is a block's: it wins over arrays
   bool ArraysKnown = false; // Color is right whatever the mesh has
   bool Visible = true;
-  double Reach = 0.0; // of vtkRelievoPlacedMesh
+  double Reach = 0.0; // of vtkRelievoPlacedMesh; 0: that of the mesh alone
   Wanted Meshes = Wanted::Opaque;
   bool OpacityKnown = true; // and one for all
   vtkActor* Actor = nullptr;
@@ -156,6 +161,69 @@ bool HasAlpha(vtkMapper* mapper, vtkDataObject* data)
   return GetAlpha(mapper, data) != 1.0;
 }
 
+// The mappers that tell how they shift coordinates before they round them to floats.
+#ifdef RELIEVO_VTK_COMPOSITE_HELPERS
+using Shifting = vtkOpenGLPolyDataMapper;
+#else
+using Shifting = vtkPolyDataMapper;
+#endif
+
+// The largest coordinate that VTK's buffer of these points holds as a float, in units of the mesh:
+// VTK shifts what is large or far from the origin to its middle. Blocks are shifted together.
+double GetReach(vtkMapper* mapper, const vtkBoundingBox& points, bool blocks)
+{
+  using Buffer = vtkOpenGLVertexBufferObject;
+  glm::dvec3 low(0.0);
+  glm::dvec3 high(0.0);
+  if (points.IsValid())
+  {
+    points.GetBounds(low.x, high.x, low.y, high.y, low.z, high.z);
+  }
+  const glm::dvec3 half = 0.5 * (high - low);
+  const glm::dvec3 most = glm::max(glm::abs(low), glm::abs(high));
+  auto* shifting = Shifting::SafeDownCast(mapper);
+  const int method = !Buffer::GetGlobalCoordShiftAndScaleEnabled() ? Buffer::DISABLE_SHIFT_SCALE
+    : shifting ? shifting->GetVBOShiftScaleMethod()
+               : Buffer::AUTO_SHIFT_SCALE;
+  bool shifts = method != Buffer::DISABLE_SHIFT_SCALE;
+  if (method == Buffer::AUTO_SHIFT_SCALE && !blocks)
+  {
+    // The rule of vtkOpenGLVertexBufferObject.
+    const double size = 2.0 * glm::length(half);
+    const double away = 0.5 * glm::length(low + high);
+    shifts = size > 0.0 ? away > 1e3 * size || std::abs(std::log10(size)) > 1.5 : away > 1e3;
+  }
+  // Of blocks, the other methods take one block's middle for all.
+  const bool first = blocks && method != Buffer::AUTO_SHIFT_SCALE;
+  const glm::dvec3 reach = !shifts ? most : first ? 2.0 * half : half;
+  const double largest = std::max({ reach.x, reach.y, reach.z });
+  return std::isfinite(largest) ? largest : 0.0; // VTK draws nothing then
+}
+
+vtkBoundingBox GetBox(vtkPolyData* mesh)
+{
+  vtkPoints* points = mesh ? mesh->GetPoints() : nullptr;
+  return points && points->GetNumberOfPoints() > 0 ? vtkBoundingBox(points->GetBounds())
+                                                   : vtkBoundingBox();
+}
+
+double GetReachOfBlocks(vtkRelievoCompositeMapper* mapper)
+{
+  vtkDataObject* data = mapper->GetInputDataObject(0, 0);
+  auto* blocks = vtkCompositeDataSet::SafeDownCast(data);
+  if (!blocks)
+  {
+    return GetReach(mapper, GetBox(vtkPolyData::SafeDownCast(data)), true);
+  }
+  vtkBoundingBox box;
+  auto it = vtkSmartPointer<vtkCompositeDataIterator>::Take(blocks->NewIterator());
+  for (it->InitTraversal(); !it->IsDoneWithTraversal(); it->GoToNextItem())
+  {
+    box.AddBox(GetBox(vtkPolyData::SafeDownCast(it->GetCurrentDataObject())));
+  }
+  return GetReach(mapper, box, true);
+}
+
 bool AddMesh(vtkPolyData* mesh, const Manner& manner, std::vector<vtkRelievoPlacedMesh>& meshes)
 {
   if (!mesh || !manner.Visible || !(manner.Opacity > 0.0) ||
@@ -180,7 +248,7 @@ bool AddMesh(vtkPolyData* mesh, const Manner& manner, std::vector<vtkRelievoPlac
   {
     placed.Color = glm::clamp(manner.Color, 0.0, 1.0);
   }
-  placed.Reach = manner.Reach;
+  placed.Reach = manner.Reach > 0.0 ? manner.Reach : GetReach(manner.Mapper, GetBox(mesh), false);
   placed.CullsFront = manner.CullsFront;
   placed.CullsBack = manner.CullsBack;
   return true;
@@ -327,6 +395,7 @@ bool AddActor(vtkActor* actor, vtkMatrix4x4* matrix, Wanted wanted, vtkRelievoGl
     {
       return false; // blocks have opacities of their own
     }
+    manner.Reach = GetReachOfBlocks(composite);
     int index = 0;
     return AddBlocks(composite->GetInputDataObject(0, 0),
       composite->GetCompositeDataDisplayAttributes(), manner, index, meshes);
@@ -378,6 +447,23 @@ bool AddActor(vtkActor* actor, vtkMatrix4x4* matrix, Wanted wanted, vtkRelievoGl
   }
   return AddMesh(mesh, manner, meshes);
 }
+}
+
+//------------------------------------------------------------------------------
+double vtkRelievoPropMeshes::GetRoundedReach(const vtkRelievoPlacedMesh& mesh)
+{
+  double reach = mesh.Reach;
+  if (mesh.Places)
+  {
+    double largest = 0.0;
+    for (const glm::mat4& place : *mesh.Places)
+    {
+      const double from = glm::length(glm::vec3(place[3]));
+      largest = std::max(largest, from + reach * vtkRelievoGetScale(glm::dmat4(place)));
+    }
+    reach = largest;
+  }
+  return reach * vtkRelievoGetScale(mesh.MeshToWorld);
 }
 
 //------------------------------------------------------------------------------

@@ -29,6 +29,9 @@ enum class Wanted
 // shaders, colours of their own opacity, glyphs whose places are not known, other mappers.
 VTKRELIEVORAYS_EXPORT bool Collect(vtkProp* prop, Wanted wanted, vtkRelievoGlyphPlaces& glyphs,
   std::vector<vtkRelievoPlacedMesh>& meshes);
+
+// The largest coordinate that OpenGL rounds to a float to draw the mesh, in units of the world.
+VTKRELIEVORAYS_EXPORT double GetRoundedReach(const vtkRelievoPlacedMesh& mesh);
 }
 
 #endif

@@ -61,9 +61,8 @@ std::vector<glm::vec3> GetCorners(
   return corners;
 }
 
-// The middle of what has a place; and the largest coordinate that is rounded to a float, here, in
-// VTK's buffer, or by its shader's matrices: it shifts what lies 10^4 times its size away.
-glm::dvec3 GetMiddle(vtkPolyData* data, const std::vector<vtkIdType>& triangles, double& reach)
+// The middle of what has a place.
+glm::dvec3 GetMiddle(vtkPolyData* data, const std::vector<vtkIdType>& triangles)
 {
   glm::dvec3 low(1e300);
   glm::dvec3 high(-1e300);
@@ -77,20 +76,7 @@ glm::dvec3 GetMiddle(vtkPolyData* data, const std::vector<vtkIdType>& triangles,
       high = glm::max(high, p);
     }
   }
-  if (low.x > high.x)
-  {
-    reach = 0.0;
-    return glm::dvec3(0.0);
-  }
-  const glm::dvec3 half = 0.5 * (high - low);
-  const glm::dvec3 most = glm::max(glm::abs(low), glm::abs(high));
-  reach = std::max({ half.x, half.y, half.z });
-  const double farthest = std::max({ most.x, most.y, most.z });
-  if (farthest <= 2e4 * reach)
-  {
-    reach = farthest;
-  }
-  return 0.5 * (low + high);
+  return low.x > high.x ? glm::dvec3(0.0) : 0.5 * (low + high);
 }
 
 // With room for rounding: a ray along an axis, in a side of two boxes, meets both.
@@ -134,7 +120,7 @@ bool vtkRelievoMeshTexels::Update(vtkPolyData* data)
   const bool sameCells = this->Times.size() == times.size() &&
     std::equal(times.begin() + 1, times.end(), this->Times.begin() + 1);
   const std::vector<vtkIdType> triangles = GetTriangles(data);
-  this->Origin = GetMiddle(data, triangles, this->Reach);
+  this->Origin = GetMiddle(data, triangles);
   const std::vector<glm::vec3> corners = GetCorners(data, triangles, this->Origin);
   const std::vector<vtkRelievoBoxTree::Box> boxes = GetBoxes(corners);
   if (sameCells && boxes.size() == this->Tree.GetOrder().size())

@@ -30,7 +30,6 @@ public:
   bool WasRefitted() const { return this->Refitted; } // by the last update
 
   const glm::dvec3& GetOrigin() const { return this->Origin; }
-  double GetReach() const { return this->Reach; }          // largest coordinate that is rounded
   void GetBounds(glm::dvec3& low, glm::dvec3& high) const; // about the origin
 
 private:
@@ -39,7 +38,6 @@ private:
   vtkRelievoBoxTree Tree;
   std::vector<glm::vec4> Texels;
   glm::dvec3 Origin{ 0.0 };
-  double Reach = 0.0;
   double CostWhenBuilt = 0.0;
   bool Refitted = false;
   std::vector<vtkMTimeType> Times; // of points, polygons and strips

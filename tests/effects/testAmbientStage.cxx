@@ -55,6 +55,7 @@ struct Scene
   vtkRelievoPass* Frame = nullptr;
   vtkRelievoAmbientStage* Stage = nullptr;
   double Offset[3] = { 0.0, 0.0, 0.0 }; // of all that is added
+  bool InPoints = false;                // the offset of plates, and not in their actors' positions
 
   explicit Scene(int size = Size)
   {
@@ -95,11 +96,18 @@ struct Scene
   // A rectangle by a corner and the ends of two edges.
   vtkActor* AddPlate(const glm::dvec3& corner, const glm::dvec3& first, const glm::dvec3& second)
   {
+    const glm::dvec3 o(this->Offset[0], this->Offset[1], this->Offset[2]);
+    const glm::dvec3 from = this->InPoints ? o : glm::dvec3(0.0);
     vtkNew<vtkPlaneSource> plate;
-    plate->SetOrigin(corner.x, corner.y, corner.z);
-    plate->SetPoint1(first.x, first.y, first.z);
-    plate->SetPoint2(second.x, second.y, second.z);
-    return this->Add(plate);
+    plate->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+    const glm::dvec3 corners[3] = { corner + from, first + from, second + from };
+    plate->SetOrigin(corners[0].x, corners[0].y, corners[0].z);
+    plate->SetPoint1(corners[1].x, corners[1].y, corners[1].z);
+    plate->SetPoint2(corners[2].x, corners[2].y, corners[2].z);
+    vtkActor* actor = this->Add(plate);
+    const glm::dvec3 position = o - from;
+    actor->SetPosition(position.x, position.y, position.z);
+    return actor;
   }
 
   void AddGround(double half = 100.0)
@@ -169,10 +177,10 @@ void GetRange(const relievoTest::Layers& layers, double& least, double& most)
 }
 
 // Before an endless wall of the height 1 on level ground.
-void AddWall(Scene& scene)
+void AddWall(Scene& scene, double half = 100.0)
 {
-  scene.AddGround();
-  scene.AddPlate({ 0.0, -100.0, 0.0 }, { 0.0, 100.0, 0.0 }, { 0.0, -100.0, 1.0 });
+  scene.AddGround(half);
+  scene.AddPlate({ 0.0, -half, 0.0 }, { 0.0, half, 0.0 }, { 0.0, -half, 1.0 });
 }
 
 double GetBehindWall(double x, double)
@@ -345,6 +353,18 @@ void TestAllOrNothing()
     far.Look(3.0, 0.0, 2.5, 1.0);
     RELIEVO_CHECK_AT_MOST(GetError(far, GetBehindWall), Bound,
       "rms before a wall, " + std::to_string(offset) + " from the origin");
+  }
+  const double places[3][4] = { { 5e5, 5.3e6, 200.0, 300.0 }, { 1e6, 0.0, 0.0, 100.0 },
+    { 1e5, 0.0, 0.0, 20.0 } };
+  for (const auto& place : places)
+  {
+    Scene survey;
+    survey.InPoints = true;
+    std::copy_n(place, 3, survey.Offset);
+    AddWall(survey, place[3]);
+    survey.Look(3.0, 0.0, 2.5, 1.0);
+    RELIEVO_CHECK_AT_MOST(GetError(survey, GetBehindWall), Bound,
+      "rms before a wall with points at " + std::to_string(place[0]));
   }
   {
     Scene formats;

@@ -11,9 +11,12 @@
 #include "TestCase.h"
 
 #include <vtkActor.h>
+#include <vtkActorCollection.h>
 #include <vtkCamera.h>
 #include <vtkDiskSource.h>
 #include <vtkMapper.h>
+#include <vtkOpenGLPolyDataMapper.h>
+#include <vtkOpenGLVertexBufferObject.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
@@ -115,12 +118,19 @@ void TestFarness()
     const char* Name;
     bool FarCaster;
     bool FarEye;
-  } const cases[] = { { "near", false, false }, { "a caster far away", true, false },
-    { "an eye far away", false, true } };
+    bool Rounded;
+  } const cases[] = { { "near", false, false, false }, { "a caster far away", true, false, false },
+    { "an eye far away", false, true, false }, { "rounded corners", false, false, true } };
   for (const auto& one : cases)
   {
-    ShadowStage stage;
+    ShadowStage stage(240, 180, 1., one.Rounded ? glm::dvec3(3e4, -3e4, 0.) : glm::dvec3(0.));
     stage.AddThings();
+    for (int i = 0; one.Rounded && i < stage.Renderer->GetActors()->GetNumberOfItems(); ++i)
+    {
+      auto* actor = vtkActor::SafeDownCast(stage.Renderer->GetActors()->GetItemAsObject(i));
+      vtkOpenGLPolyDataMapper::SafeDownCast(actor->GetMapper())
+        ->SetVBOShiftScaleMethod(vtkOpenGLVertexBufferObject::DISABLE_SHIFT_SCALE);
+    }
     if (one.FarCaster)
     {
       stage.AddBox({ 3e4, 4e4, 2e4 }, { 1., 0.1, 1. });
@@ -139,7 +149,15 @@ void TestFarness()
     const double share = shadows->EstimateWrongShareInView(Pass::METHOD_EXACT, 1);
     std::cout << one.Name << ": expected " << share << ", " << errors.ToString() << "\n";
     RELIEVO_CHECK_AT_MOST(errors.Wrong() / share, 1.5, std::string(one.Name) + ": wrong pixels");
-    RELIEVO_CHECK((share == 2e-5) == !(one.FarCaster || one.FarEye));
+    RELIEVO_CHECK((share == 2e-5) == !(one.FarCaster || one.FarEye || one.Rounded));
+    const std::string report = stage.GetFrame()->GetFrameReport();
+    const std::string key = "\"expected_wrong_share\": ";
+    const double reported = std::stod(report.substr(report.find(key) + key.size()));
+    RELIEVO_CHECK_NEAR(reported, share, 1e-5 * share, std::string(one.Name) + ": reported");
+    auto* certificate = shadows->Certify(100000);
+    RELIEVO_CHECK(certificate && certificate->GetJudged() > 20000);
+    RELIEVO_CHECK_AT_MOST(certificate ? certificate->GetWrongShare() : 1., share,
+      std::string(one.Name) + ": certified share of wrong verdicts");
     RELIEVO_CHECK_AT_MOST(share, 2e-3, std::string(one.Name) + ": what is expected");
   }
 }

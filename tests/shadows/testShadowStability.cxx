@@ -244,6 +244,38 @@ void TestWorlds()
     1e-3, 1., glm::dvec3(0.), 2e-4); // nor in eye space, so far from the eye
 }
 
+// Floors with a wall, in one mesh, far from the origin and wider than what the camera sees.
+void TestSurveys()
+{
+  struct
+  {
+    glm::dvec3 Origin;
+    double Half; // of the floor's width
+  } const cases[] = { { { 5e5, 5.3e6, 200. }, 300. }, { { 1e6, 0., 0. }, 100. },
+    { { 1e5, 0., 0. }, 10. } };
+  for (const auto& one : cases)
+  {
+    Test(
+      "a floor of half width " + std::to_string(one.Half),
+      [&one](ShadowStage& s) {
+        const double b = one.Half;
+        std::vector<glm::dvec3> corners = { { -b, 0., 0.5 * b }, { b, 0., 0.5 * b },
+          { b, 0., -0.5 * b }, { -b, 0., -0.5 * b }, { -1.5, 0., -0.4 }, { 1.5, 0., 0. },
+          { 1.5, 1., 0. }, { -1.5, 1., -0.4 } };
+        for (glm::dvec3& corner : corners)
+        {
+          corner = s.Place(corner);
+        }
+        const auto mesh = MakePolygons(corners);
+        mesh->GetPolys()->InsertNextCell({ 0, 1, 2, 3 });
+        mesh->GetPolys()->InsertNextCell({ 4, 5, 6, 7 });
+        relievoTest::AddActor(s.Renderer, mesh);
+        s.AddSun(-2., 2., -3.);
+      },
+      1e-3, 1., one.Origin, 1e-4); // where corners of the wall meet the floor
+  }
+}
+
 // A scene is the same picture wherever it lies, but for what rounding does to edges.
 void TestPlaces()
 {
@@ -381,6 +413,7 @@ RELIEVO_TEST_CASE(testShadowStability)
   TestContacts();
   TestPlacesOfLights();
   TestWorlds();
+  TestSurveys();
   if (Exact)
   {
     return session.Result();

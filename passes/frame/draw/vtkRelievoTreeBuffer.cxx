@@ -6,6 +6,7 @@
 #include "vtkOpenGLError.h" // for OpenGL
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkPolyData.h"
+#include "vtkRelievoMatrix.h"
 #include "vtkRelievoThreads.h"
 
 #include <algorithm>
@@ -31,12 +32,6 @@ glm::vec3 Below(const glm::dvec3& v)
   const glm::vec3 f(v);
   return glm::vec3(std::nextafter(f.x, -HUGE_VALF), std::nextafter(f.y, -HUGE_VALF),
     std::nextafter(f.z, -HUGE_VALF));
-}
-
-double GetScale(const glm::dmat4& m)
-{
-  const glm::dmat3 axes(m);
-  return std::max({ glm::length(axes[0]), glm::length(axes[1]), glm::length(axes[2]) });
 }
 
 // In threads where it pays.
@@ -285,15 +280,14 @@ std::vector<glm::vec4> vtkRelievoTreeBuffer::MakeFront()
     // coordinates in the actor, which VTK does not shift.
     const double size =
       glm::length(glm::max(glm::abs(low), glm::abs(high)) + glm::abs(held.Mesh.GetOrigin()));
-    const double actorUlp = Ulp * GetScale(caster.MeshToWorld);
-    const double reach = std::max(held.Mesh.GetReach(), caster.Reach);
+    const double actorUlp = Ulp * vtkRelievoGetScale(caster.MeshToWorld);
     const glm::vec3 colors(caster.Passes * caster.Color);
     const auto make = [&](std::size_t i) {
       const glm::dmat4 aboutToLocal = worldToLocal * caster.GetPlace(i) * aboutToMesh;
       const glm::dmat4 localToAbout = glm::inverse(aboutToLocal);
       const double rounding = caster.Places ? actorUlp *
           (glm::length(glm::dvec3((*caster.Places)[i][3])) +
-            size * GetScale(glm::dmat4((*caster.Places)[i])))
+            size * vtkRelievoGetScale(glm::dmat4((*caster.Places)[i])))
                                             : 0.0;
       glm::dvec3 least(1e300);
       glm::dvec3 most(-1e300);
@@ -321,7 +315,7 @@ std::vector<glm::vec4> vtkRelievoTreeBuffer::MakeFront()
         static_cast<float>(held.Mesh.GetNumberOfNodes()), static_cast<float>(caster.Passes),
         colors.r);
       record[4] = glm::vec4(static_cast<float>(scale),
-        static_cast<float>(Ulp * reach + scale * rounding), colors.g, colors.b);
+        static_cast<float>(Ulp * caster.Reach + scale * rounding), colors.g, colors.b);
     };
     const std::size_t places = caster.GetNumberOfPlaces();
     ForEach(places, make);

@@ -76,8 +76,10 @@ double vtkRelievoShadowPlanning::GetShareInView(
       return std::min(1.0, LawsFactor * GetLaw(Stage::METHOD_MAP, settings.MapSize));
     }
     vtkRelievoShadowDemand demand;
-    demand.Farness = vtkRelievoShadowMethodExact::GetFarness(scene.Work);
+    demand.Farness =
+      vtkRelievoShadowMethodExact::GetFarness(scene.Work, this->Probe.GetRoundedReach());
     demand.EdgeShare = this->Probe.GetEdgeShare();
+    demand.Height = scene.Work.View.Viewport[3];
     return vtkRelievoShadowMethod::Make(Stage::METHOD_EXACT)->Estimate(demand).WrongShare;
   }
   if (scene.Together || !this->Probe.IsKnown())

@@ -3,6 +3,7 @@
 #include "vtkRelievoShadowProbe.h"
 
 #include "vtkRelievoProbeView.h"
+#include "vtkRelievoPropMeshes.h"
 #include "vtkRelievoShadowContext.h"
 #include "vtkRelievoShadowMethod.h"
 #include "vtkRelievoShadowStage.h"
@@ -161,6 +162,17 @@ void vtkRelievoShadowProbe::Update(const vtkRelievoShadowContext& work,
       casting, scene, *vtkRelievoShadowMethod::Make(vtkRelievoShadowStage::METHOD_WARPED));
     this->Warped = this->Ask(warped, work.Bias);
   }
+}
+
+//------------------------------------------------------------------------------
+double vtkRelievoShadowProbe::GetRoundedReach() const
+{
+  double reach = 0.0;
+  for (const vtkRelievoSurface& surface : this->Rays.GetSurfaces())
+  {
+    reach = std::max(reach, vtkRelievoPropMeshes::GetRoundedReach(surface.Caster));
+  }
+  return reach;
 }
 
 //------------------------------------------------------------------------------

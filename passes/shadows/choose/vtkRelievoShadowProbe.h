@@ -52,6 +52,7 @@ public:
   // again, once for what the probe was brought up to date with.
   double GetEdgeShare();
 
+  double GetRoundedReach() const; // of all meshes, in units of the world
   long long GetNumberOfTriangles() const { return this->Rays.GetNumberOfTriangles(); }
   int GetNumberOfMaps() const { return this->Maps; }
   int GetUpdates() const { return this->Updates; } // how often rays were sent

@@ -31,7 +31,7 @@ struct vtkRelievoShadowDemand
   int Props = 0;  // that cast or receive, with one draw call each
   int Width = 0;  // of the picture in pixels
   int Height = 0;
-  double Farness = 0.0; // how far casters and eye are, in halves of the view's height at the scene
+  double Farness = 0.0;   // the largest coordinate that is rounded, in halves of the view's height
   double EdgeShare = 0.0; // of the pixels, whose verdict is another half a pixel aside
 };
 

@@ -9,6 +9,7 @@
 #include "vtkProperty.h"
 #include "vtkRelievoMeshExchange.h"
 #include "vtkRelievoMeshMessage.h"
+#include "vtkRelievoPropMeshes.h"
 #include "vtkRelievoShadowContext.h"
 #include "vtkRelievoShadowMethodMap.h"
 #include "vtkRelievoShadowRegion.h"
@@ -17,6 +18,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iomanip>
 #include <set>
 #include <sstream>
 
@@ -26,13 +28,16 @@ namespace
 constexpr vtkRelievoShadowErrorLaw ExactLaw = { 2e-5, 0.0 };
 
 // More where floats have no digits left: testShadowStability has 0.11 % at a farness of 27000, and
-// 0.02 % at 3800.
+// 0.02 % at 3800. Corners are rounded twice, in VTK's buffer and on their way through the raster:
+// certificates have 2.5 % where coordinates of a caster reach 400000 times as far as the view.
 constexpr double FarLaw = 5e-8;
+constexpr double CornerRoundings = 2.0;
 
 // And where edges lie densely: OpenGL places corners in steps of 1/256 of a pixel, and decides on
 // which side of an edge so near a pixel's middle is. Edges within half a pixel are 128 times as
-// many. Fitted to docs/charts/exact-hard.csv.
-constexpr double EdgeLaw = 0.3 / 128.0;
+// many. Fitted to docs/charts/exact-hard.csv. Roundings of more than a step are worth as many.
+constexpr double Steps = 256.0;
+constexpr double EdgeLaw = 0.6 / Steps;
 
 // Roundings on a place's way from the vertex buffer through the camera's matrix and the raster.
 constexpr double Roundings = 4.0;
@@ -43,6 +48,12 @@ double GetSizeInView(const vtkRelievoFrameCamera& view, const glm::dvec3& center
 {
   const double away = -(view.WorldToView * glm::dvec4(center, 1.0)).z;
   return (view.Parallel ? 1.0 : std::abs(away)) / std::abs(view.ViewToNDC[1][1]);
+}
+
+// How far places are off that are rounded so far, in pixels of a picture of this height.
+double GetPixels(double farness, int height)
+{
+  return 0.5 * Ulp * farness * height;
 }
 
 // The middle of what the view shows of the receivers.
@@ -67,14 +78,15 @@ glm::dvec3 GetOrigin(const vtkRelievoFrameCamera& view, const std::vector<vtkRel
 }
 
 //------------------------------------------------------------------------------
-double vtkRelievoShadowMethodExact::GetFarness(const vtkRelievoShadowContext& work)
+double vtkRelievoShadowMethodExact::GetFarness(const vtkRelievoShadowContext& work, double reach)
 {
   // With several processes, what all of them receive on.
   const std::vector<vtkRelievoBox>& others = work.Others.GetWhole().Receivers;
   const glm::dvec3 center =
     GetCenter(work.View, others.empty() ? work.Props.GetReceiverBoxes() : others);
   const double size = GetSizeInView(work.View, center);
-  double away = glm::length(glm::dvec3(work.View.WorldToView * glm::dvec4(center, 1.0)));
+  const glm::dvec3 toEye(work.View.WorldToView * glm::dvec4(center, 1.0));
+  double away = std::max(CornerRoundings * reach, glm::length(toEye));
   for (const auto* boxes : { &work.Props.GetAllBoxes(), &others })
   {
     for (const vtkRelievoBox& box : *boxes)
@@ -121,6 +133,13 @@ std::string vtkRelievoShadowMethodExact::Prepare(
   {
     fault = work.Others.Confirm(fault);
   }
+  double reach = 0.0;
+  for (const vtkRelievoPlacedMesh& mesh : part.Meshes)
+  {
+    reach = std::max(reach, vtkRelievoPropMeshes::GetRoundedReach(mesh));
+  }
+  this->Farness = GetFarness(work, reach);
+  this->Rounding = GetPixels(this->Farness, work.View.Viewport[3]);
   work.WithoutFollowed = fault.empty();
   this->Surfaces.clear();
   if (fault.empty())
@@ -245,9 +264,10 @@ vtkRelievoShadowEstimate vtkRelievoShadowMethodExact::Estimate(
   vtkRelievoShadowEstimate estimate;
   // The triangles, 56 bytes each, come to it.
   estimate.Bytes = vtkRelievoVisibilityPrepass::GetBytes(demand.Width, demand.Height);
+  const double farness = std::max(this->Farness, demand.Farness);
   estimate.WrongShare = std::min(1.0,
-    std::max(
-      { ExactLaw.GetShare(demand.MapSize), FarLaw * demand.Farness, EdgeLaw * demand.EdgeShare }));
+    std::max({ ExactLaw.GetShare(demand.MapSize), FarLaw * farness,
+      EdgeLaw * demand.EdgeShare * (1.0 + Steps * GetPixels(farness, demand.Height)) }));
   if (this->InMaps > 0)
   {
     estimate.WrongShare =
@@ -266,6 +286,11 @@ std::string vtkRelievoShadowMethodExact::GetReport() const
   if (this->Tree.GetNumberOfGlyphs() > 0)
   {
     out << " at the places of " << this->Tree.GetNumberOfGlyphs() << " glyphs";
+  }
+  if (this->Rounding > 0.25)
+  {
+    out << "; coordinates are rounded by up to " << std::setprecision(2) << this->Rounding
+        << std::setprecision(6) << " pixels, and more is wrong where edges lie densely";
   }
   if (this->InMaps > 0)
   {

@@ -29,8 +29,8 @@ public:
   void SetActorUniforms(
     vtkShaderProgram* program, const vtkRelievoShadowContext& work, vtkActor* actor) const override;
   // Of the frame's scene, as a vtkRelievoShadowDemand has it: how many times more than the view
-  // shows is rounded.
-  static double GetFarness(const vtkRelievoShadowContext& work);
+  // shows is rounded. `reach`: of vtkRelievoPropMeshes::GetRoundedReach, the casters' largest.
+  static double GetFarness(const vtkRelievoShadowContext& work, double reach);
 
   vtkRelievoShadowEstimate Estimate(const vtkRelievoShadowDemand& demand) const override;
   std::string GetReport() const override;
@@ -56,6 +56,8 @@ private:
 
   vtkRelievoTreeBuffer Tree;
   vtkRelievoVisibilityPrepass Seen;
+  double Farness = 0.0;            // of this frame
+  double Rounding = 0.0;           // of coordinates, in pixels
   std::size_t InMaps = 0;          // casters that cannot be followed
   std::vector<vtkActor*> Surfaces; // of this frame, whose verdicts are found
   bool Colored = false;            // some of them colour what passes
