@@ -80,6 +80,7 @@ uniform vec2 relievoNormalWeight; // of the map's x and y: strength; negative y 
 #undef RELIEVO_RECEIVER
 #define RELIEVO_RECEIVER(matrix, place) ((place) + (matrix) * vec4(relievoShiftVC, 0.0))
 uniform sampler2D relievoHeightMap;
+uniform int relievoFromLight; // of shadow/: the mesh casts, not its relief
 uniform vec2 relievoHeightDecode; // from the texture's values to 0 .. 1: scale, offset
 uniform vec2 relievoHeightSize; // texels
 uniform float relievoHeightScale; // length in the world of a height of 1
@@ -242,7 +243,7 @@ float relievoReliefLit(vec3 towardsVC)
 #endif
     relievoFaceVC = dot(relievoFaceVC, gazeVC) > 0.0 ? -relievoFaceVC : relievoFaceVC;
 #ifdef RELIEVO_HEIGHT_MAP
-    if (relievoFramed)
+    if (relievoFramed && relievoFromLight == 0)
     {
       relievoSeeRelief(gazeVC, vertexVC.xyz);
       relievoTCoord = (relievoUV - relievoTextureTransform.zw) / relievoTextureTransform.xy;
@@ -256,7 +257,9 @@ float relievoReliefLit(vec3 towardsVC)
 
 //RELIEVO::Section(Clip)
   // Behind all of //VTK::UniformFlow::Impl: beside what is discarded there are no derivatives.
-  if (any(lessThan(relievoUV, vec2(0.0))) || any(greaterThan(relievoUV, vec2(1.0))))
+  bool relievoBeyond =
+    any(lessThan(relievoUV, vec2(0.0))) || any(greaterThan(relievoUV, vec2(1.0)));
+  if (relievoBeyond && relievoFromLight == 0)
   {
     discard;
   }

@@ -21,6 +21,10 @@
 // RELIEVO_ALPHA(alpha)        material     gbuffer   float, 0 to 1: the opacity that is drawn,
 //                                                    of that of colours and textures
 //
+// relievoFromLight            shadow       material  uniform int, 1 while what a light sees is
+//                                                    drawn, else and without shadow/ 0; whoever
+//                                                    reads it declares it
+//
 // A macro is expanded where it is read: what it names must be declared further up by then.
 // material/ declares behind //VTK::PositionVC::Dec, shadow/ behind //VTK::Light::Dec, gbuffer/
 // behind //VTK::Output::Dec; in main(), material/ writes before //VTK::UniformFlow::Impl, shadow/

@@ -13,7 +13,9 @@
 #include "TestCase.h"
 
 #include <vtkCamera.h>
+#include <vtkCellArray.h>
 #include <vtkFloatArray.h>
+#include <vtkLight.h>
 #include <vtkMultiBlockDataSet.h>
 #include <vtkOpenGLRenderWindow.h>
 #include <vtkPointData.h>
@@ -387,6 +389,59 @@ void TestTogether()
   scene.Material->ReleaseGraphicsResources(scene.Stage.Window);
   RELIEVO_CHECK(scene.Material->GetBytesHeld() == 0);
 }
+
+// A relief that is deeper than the gap to the ground casts the shadow of its mesh, in the frame in
+// which VTK's own shaders draw it into the map and in later ones, whatever changes.
+void TestCasts()
+{
+  constexpr double Gap = 0.1;
+  Scene scene;
+  vtkRenderer* renderer = scene.Stage.Renderer;
+  const auto ground =
+    MakePolygons({ { -3., -3., -Gap }, { 3., -3., -Gap }, { 3., 3., -Gap }, { -3., 3., -Gap } });
+  ground->GetPolys()->InsertNextCell({ 0, 1, 2, 3 });
+  AddActor(renderer, ground);
+  renderer->RemoveAllLights();
+  vtkNew<vtkLight> sun;
+  sun->SetLightTypeToSceneLight();
+  sun->SetPosition(-3., 0., 1.);
+  renderer->AddLight(sun);
+  vtkRelievoPass::Attach(renderer);
+  const auto check = [&scene, renderer](const std::string& what) {
+    const Layers layers(renderer, { "shadow_0", "position" });
+    int dark = 0;
+    int wrong = 0;
+    for (int y = 0; y < Height; ++y)
+    {
+      for (int x = 0; x < Width; ++x)
+      {
+        // Where the ray to the sun passes the mesh's plane; its square is between -1 and 1.
+        const glm::dvec3 place = layers.Vector("position", x, y);
+        const double along = place.x - 3. * Gap;
+        const bool nearEdge =
+          std::abs(along - 1.) < 0.03 || std::abs(std::abs(place.y) - 1.) < 0.03;
+        if (std::abs(place.z + Gap) < 1e-4 && place.x > 1.02 && !nearEdge)
+        {
+          const bool blocked = along < 1. && std::abs(place.y) < 1.;
+          dark += blocked ? 1 : 0;
+          wrong += (layers.Value("shadow_0", x, y) < 0.5) != blocked ? 1 : 0;
+        }
+      }
+    }
+    RELIEVO_CHECK_THAT(dark > 100, what + ": pixels in the mesh's shadow");
+    RELIEVO_CHECK_AT_MOST(wrong, 0, what + ": pixels of the ground in a wrong light");
+  };
+  check("the first frame");
+  scene.Material->SetAlphaCutoff(0.1);
+  check("with a cutoff");
+  scene.Material->SetAlphaCutoff(0.);
+  check("without it again");
+  scene.Material->SetTextureOffset(0.5, 0.5);
+  scene.Material->ClipAtBordersOn();
+  scene.Actor->SetPosition(0., 0., 1e-9); // draws the map again
+  check("clipped");
+  vtkRelievoPass::Detach(renderer);
+}
 }
 
 RELIEVO_TEST_CASE(testMaterialStability)
@@ -398,6 +453,7 @@ RELIEVO_TEST_CASE(testMaterialStability)
   TestViews();
   TestBlocks();
   TestTogether();
+  TestCasts();
   return session.Result();
 }
 }

@@ -269,7 +269,6 @@ private Q_SLOTS:
           QVERIFY2(scene::GetSurfaceValue(after.Parse(), name) == value, what.c_str());
           this->WaitUntilRead();
           this->Compare(what.c_str());
-          this->OpenAgain(words);
         }
       }
     }
