@@ -9,6 +9,7 @@
 #include "vtkOpenGLState.h"
 #include "vtkRelievoGBufferLayout.h"
 #include "vtkRelievoSoftwareOpenGL.h"
+#include "vtkRelievoTextureRoom.h"
 #include "vtkTextureObject.h"
 
 #include <algorithm>
@@ -131,6 +132,13 @@ std::string vtkRelievoGBufferTarget::Allocate(
   for (int count : channels)
   {
     const TexelFormat format = GetTexelFormat(count);
+    const std::string fault =
+      vtkRelievoFindTextureFault(format.Internal, format.External, GL_UNSIGNED_INT, width, height);
+    if (!fault.empty())
+    {
+      this->Release(window);
+      return fault;
+    }
     auto texture = vtkSmartPointer<vtkTextureObject>::New();
     texture->SetContext(window);
     texture->SetInternalFormat(format.Internal);

@@ -16,6 +16,7 @@
 #include <vtkRelievoLayerSource.h>
 #include <vtkRelievoPass.h>
 #include <vtkRelievoShadowStage.h>
+#include <vtkRelievoTextureRoom.h>
 
 #include <sstream>
 #include <string>
@@ -270,6 +271,40 @@ void TestReplaced()
     RELIEVO_CHECK(frame->GetStage("display") == own[0]);
   }
 }
+
+// Textures that OpenGL does not make are known before it refuses them, and those that it makes.
+void TestTextures()
+{
+  Scene scene;
+  scene.Window->Render();
+  const auto ask = [](int width, int height) {
+    return vtkRelievoFindTextureFault(GL_RGBA32UI, GL_RGBA_INTEGER, GL_UNSIGNED_INT, width, height);
+  };
+  RELIEVO_CHECK(ask(64, 32).empty());
+  GLint most = 0;
+  glGetIntegerv(GL_MAX_TEXTURE_SIZE, &most);
+  for (const int width : { most, 2 * most })
+  {
+    const std::string fault = ask(width, most);
+    GLuint texture = 0;
+    glGenTextures(1, &texture);
+    glBindTexture(GL_TEXTURE_2D, texture);
+    glTexImage2D(
+      GL_TEXTURE_2D, 0, GL_RGBA32UI, width, most, 0, GL_RGBA_INTEGER, GL_UNSIGNED_INT, nullptr);
+    RELIEVO_CHECK_THAT(
+      (glGetError() != GL_NO_ERROR) == !fault.empty(), "OpenGL's answer: " + fault);
+    glDeleteTextures(1, &texture);
+    const std::string before = "at most one of ";
+    const std::size_t at = fault.find(before);
+    if (at != std::string::npos)
+    {
+      int size[2] = { 0, 0 };
+      char x = 0;
+      std::istringstream(fault.substr(at + before.size())) >> size[0] >> x >> size[1];
+      RELIEVO_CHECK_THAT(size[1] > most / 8 && ask(size[0], size[1]).empty(), fault);
+    }
+  }
+}
 }
 
 RELIEVO_TEST_CASE(testFrameRefusals)
@@ -279,6 +314,7 @@ RELIEVO_TEST_CASE(testFrameRefusals)
   TestAdder();
   TestNoColor();
   TestReplaced();
+  TestTextures();
   return session.Result();
 }
 }

@@ -8,6 +8,7 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 #include "vtkRelievoSoftwareOpenGL.h"
+#include "vtkRelievoTextureRoom.h"
 #include "vtkRenderbuffer.h"
 #include "vtkTextureObject.h"
 
@@ -129,7 +130,7 @@ int vtkRelievoColorBuffers::GetBoundFramebuffer(bool reading)
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoColorBuffers::Allocate(
+std::string vtkRelievoColorBuffers::Allocate(
   vtkOpenGLRenderWindow* window, const int viewport[4], int samples)
 {
   const int size[4] = { viewport[0] + viewport[2], viewport[1] + viewport[3], viewport[2],
@@ -137,7 +138,7 @@ void vtkRelievoColorBuffers::Allocate(
   if (this->Window == window && this->Framebuffer && samples == this->NumberOfSamples &&
     this->HasBoundDepth() && std::equal(size, size + 4, this->Size))
   {
-    return;
+    return {};
   }
   const DepthFormat depth = GetBoundDepth();
   this->Release(this->Window);
@@ -148,6 +149,12 @@ void vtkRelievoColorBuffers::Allocate(
   // Processors blend floats faster than halves, which they convert.
   this->Floats = vtkRelievoIsSoftwareOpenGL();
   const unsigned int format = this->GetFormat();
+  const std::string fault = vtkRelievoFindTextureFault(format, GL_RGBA, GL_FLOAT, size[0], size[1]);
+  if (!fault.empty())
+  {
+    this->Release(window);
+    return fault;
+  }
   this->Color = MakeTexture(this->Window, format, size[0], size[1]);
   this->Linear[0] = MakeTexture(this->Window, format, size[2], size[3]);
   this->Linear[1] = MakeTexture(this->Window, format, size[2], size[3]);
@@ -197,6 +204,7 @@ void vtkRelievoColorBuffers::Allocate(
   this->Framebuffer->ActivateDrawBuffer(0);
   this->Framebuffer->ActivateReadBuffer(0);
   state->PopFramebufferBindings();
+  return {};
 }
 
 //------------------------------------------------------------------------------

@@ -11,6 +11,8 @@
 #include "vtkType.h"
 #include "vtkWeakPointer.h"
 
+#include <string>
+
 class vtkOpenGLFramebufferObject;
 class vtkOpenGLRenderWindow;
 class vtkRenderbuffer;
@@ -29,8 +31,8 @@ struct vtkRelievoColorBuffers
   ~vtkRelievoColorBuffers();
 
   // Buffers for a viewport x, y, width, height, with so many samples of each pixel, 0 for one, and
-  // depths as the framebuffer that is bound for drawing has them.
-  void Allocate(vtkOpenGLRenderWindow* window, const int viewport[4], int samples);
+  // depths as the framebuffer that is bound for drawing has them. Returns why not, in words.
+  std::string Allocate(vtkOpenGLRenderWindow* window, const int viewport[4], int samples);
 
   // A texture of one of OpenGL's formats with four components.
   static vtkSmartPointer<vtkTextureObject> MakeTexture(

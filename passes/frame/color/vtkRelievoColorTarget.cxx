@@ -71,8 +71,12 @@ std::string vtkRelievoColorTarget::Prepare(vtkRelievoFrameContext& context, bool
       ? "the renderer keeps another renderer's depth (PreserveDepthBuffer)"
       : "the renderer keeps what was drawn before (EraseOff)";
   }
-  this->Buffers.Allocate(
+  const std::string fault = this->Buffers.Allocate(
     context.Window, context.View.Viewport, single ? 0 : vtkRelievoColorBuffers::GetBoundSamples());
+  if (!fault.empty())
+  {
+    return fault;
+  }
   vtkOpenGLState* state = context.Window->GetState();
   state->PushFramebufferBindings();
   this->Buffers.Framebuffer->Bind();

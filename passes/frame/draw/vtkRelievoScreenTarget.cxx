@@ -12,6 +12,7 @@
 #include "vtkPointData.h"
 #include "vtkRelievoFrameContext.h"
 #include "vtkRelievoScopedState.h"
+#include "vtkRelievoTextureRoom.h"
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
 
@@ -71,11 +72,17 @@ std::string vtkRelievoScreenTarget::Prepare(vtkRelievoFrameContext& context, con
     return "the viewport has " + std::to_string(width) + " x " + std::to_string(height) +
       " pixels, this OpenGL makes 1 to " + std::to_string(limit);
   }
+  const TexelFormat texel = GetTexelFormat(format);
+  const std::string fault =
+    vtkRelievoFindTextureFault(texel.Internal, texel.External, GL_FLOAT, width, height);
+  if (!fault.empty())
+  {
+    return fault;
+  }
   this->Window = context.Window;
   this->Shape = format;
   this->Area[2] = width;
   this->Area[3] = height;
-  const TexelFormat texel = GetTexelFormat(format);
   this->Texture = vtkSmartPointer<vtkTextureObject>::New();
   this->Texture->SetContext(context.Window);
   this->Texture->SetInternalFormat(texel.Internal);
