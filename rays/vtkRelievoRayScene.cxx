@@ -507,9 +507,10 @@ std::string vtkRelievoRayScene::Held::AddBlock(
     source.Points =
       vtkIdTypeArray::SafeDownCast(placed.Mesh->GetPointData()->GetArray("vtkOriginalPointIds"));
   }
-  if (!vtkRelievoMeshTexels::Follows(placed.Mesh))
+  if (const vtkIdType triangles = vtkRelievoMeshTexels::CountTooMany(placed.Mesh))
   {
-    return "there are too many triangles, expected at most 16777216 in a block";
+    return "there are " + std::to_string(triangles) + " triangles, expected at most " +
+      std::to_string(vtkRelievoMeshTexels::GetMostTriangles()) + " in a block";
   }
   FindNormals(placed.Mesh, source);
   this->Meshes.push_back(placed);

@@ -25,6 +25,7 @@ std::vector<vtkRelievoPlacedMesh> vtkRelievoOpaqueMeshes::Find(vtkRenderer* rend
 {
   std::vector<vtkRelievoPlacedMesh> meshes;
   this->LeftOut = 0;
+  this->TooManyTriangles = 0;
   for (const vtkRelievoFrameProp& prop : vtkRelievoFrameScene::FindVisible(renderer))
   {
     if (!IsMesh(prop))
@@ -32,8 +33,8 @@ std::vector<vtkRelievoPlacedMesh> vtkRelievoOpaqueMeshes::Find(vtkRenderer* rend
       continue;
     }
     prop.Prop->GetBounds(); // brings what it draws up to date
-    if (!vtkRelievoPropMeshes::Collect(
-          prop.Prop, vtkRelievoPropMeshes::Wanted::Opaque, this->Glyphs, meshes))
+    if (!vtkRelievoPropMeshes::Collect(prop.Prop, vtkRelievoPropMeshes::Wanted::Opaque,
+          this->Glyphs, meshes, &this->TooManyTriangles))
     {
       ++this->LeftOut;
     }

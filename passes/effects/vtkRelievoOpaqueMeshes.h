@@ -21,9 +21,13 @@ public:
   // Props with meshes that Find could not follow triangle by triangle.
   int GetNumberOfPropsLeftOut() const { return this->LeftOut; }
 
+  // Of a mesh that was left out for them; 0: there is none.
+  vtkIdType GetTooManyTriangles() const { return this->TooManyTriangles; }
+
 private:
   vtkRelievoGlyphPlaces Glyphs; // what is known of them from before
   int LeftOut = 0;
+  vtkIdType TooManyTriangles = 0;
 };
 
 #endif

@@ -16,6 +16,7 @@
 #include "vtkRelievoFramePlan.h"
 #include "vtkRelievoLampMaps.h"
 #include "vtkRelievoLightSamples.h"
+#include "vtkRelievoMeshTexels.h"
 #include "vtkRelievoPlainActor.h"
 #include "vtkRelievoShadowCertificate.h"
 #include "vtkRelievoShadowCertifier.h"
@@ -804,6 +805,14 @@ void vtkRelievoShadowStage::PrepareMethod(vtkRelievoFrameContext& context)
     {
       vtkWarningMacro("Shadows are made with maps: " << fault << ".");
     }
+  }
+  const vtkIdType triangles =
+    in.Work.WithoutFollowed ? in.Work.Props.GetTooManyTriangles() : vtkIdType(0);
+  if (triangles > 0 && in.Reported.insert("triangles").second)
+  {
+    vtkWarningMacro("A mesh of " << triangles << " triangles casts its shadow by a map: rays "
+                                 << "follow at most " << vtkRelievoMeshTexels::GetMostTriangles()
+                                 << " of a mesh. Split it into several.");
   }
 }
 

@@ -66,6 +66,7 @@ struct Manner
   int Block = 0;
   bool CullsFront = false;
   bool CullsBack = false;
+  vtkIdType* TooMany = nullptr; // triangles of a mesh that is not followed for them
 };
 
 // Numbers that the texture maps to colours have the opacity of these.
@@ -232,7 +233,12 @@ bool AddMesh(vtkPolyData* mesh, const Manner& manner, std::vector<vtkRelievoPlac
     return true;
   }
   const bool others = mesh->GetNumberOfVerts() > 0 || mesh->GetNumberOfLines() > 0;
-  if ((others && manner.Meshes != Wanted::Geometry) || !vtkRelievoMeshTexels::Follows(mesh))
+  const vtkIdType triangles = vtkRelievoMeshTexels::CountTooMany(mesh);
+  if (triangles > 0 && manner.TooMany)
+  {
+    *manner.TooMany = triangles;
+  }
+  if ((others && manner.Meshes != Wanted::Geometry) || triangles > 0)
   {
     return false;
   }
@@ -359,7 +365,7 @@ bool AddGlyphs(const std::vector<vtkRelievoGlyphPlaces::Group>& groups, const Ma
 }
 
 bool AddActor(vtkActor* actor, vtkMatrix4x4* matrix, Wanted wanted, vtkRelievoGlyphPlaces& glyphs,
-  std::vector<vtkRelievoPlacedMesh>& meshes)
+  std::vector<vtkRelievoPlacedMesh>& meshes, vtkIdType* tooMany)
 {
   vtkMapper* mapper = actor->GetMapper();
   const bool anyOpacity = wanted == Wanted::Geometry;
@@ -382,6 +388,7 @@ bool AddActor(vtkActor* actor, vtkMatrix4x4* matrix, Wanted wanted, vtkRelievoGl
   manner.CullsFront = actor->GetProperty()->GetFrontfaceCulling() != 0;
   manner.CullsBack = actor->GetProperty()->GetBackfaceCulling() != 0;
   manner.Meshes = wanted;
+  manner.TooMany = tooMany;
   manner.OpacityKnown =
     !anyOpacity || actor->GetForceOpaque() || (HasOpaqueColors(mapper) && IsSurface(actor, false));
   if (!(std::abs(glm::determinant(manner.MeshToWorld)) > 0.0) ||
@@ -468,7 +475,7 @@ double vtkRelievoPropMeshes::GetRoundedReach(const vtkRelievoPlacedMesh& mesh)
 
 //------------------------------------------------------------------------------
 bool vtkRelievoPropMeshes::Collect(vtkProp* prop, Wanted wanted, vtkRelievoGlyphPlaces& glyphs,
-  std::vector<vtkRelievoPlacedMesh>& meshes)
+  std::vector<vtkRelievoPlacedMesh>& meshes, vtkIdType* tooMany)
 {
   if (vtkLODProp3D::SafeDownCast(prop))
   {
@@ -480,7 +487,7 @@ bool vtkRelievoPropMeshes::Collect(vtkProp* prop, Wanted wanted, vtkRelievoGlyph
   for (const vtkRelievoPropParts::Part& part : parts)
   {
     vtkActor* actor = vtkRelievoPropParts::GetMeshActor(part);
-    if (actor && !AddActor(actor, part.Matrix, wanted, glyphs, own))
+    if (actor && !AddActor(actor, part.Matrix, wanted, glyphs, own, tooMany))
     {
       return false;
     }

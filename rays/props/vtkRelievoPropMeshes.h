@@ -26,9 +26,10 @@ enum class Wanted
 
 // Appends the meshes that a prop draws. False, and nothing appended, if any of it is no triangles,
 // or not those of its data: points, lines, wireframes, impostors, cut-outs, clipping planes, own
-// shaders, colours of their own opacity, glyphs whose places are not known, other mappers.
+// shaders, colours of their own opacity, glyphs whose places are not known, other mappers; or if a
+// mesh has too many triangles: so many, in `tooMany`, which is otherwise left as it is.
 VTKRELIEVORAYS_EXPORT bool Collect(vtkProp* prop, Wanted wanted, vtkRelievoGlyphPlaces& glyphs,
-  std::vector<vtkRelievoPlacedMesh>& meshes);
+  std::vector<vtkRelievoPlacedMesh>& meshes, vtkIdType* tooMany = nullptr);
 
 // The largest coordinate that OpenGL rounds to a float to draw the mesh, in units of the world.
 VTKRELIEVORAYS_EXPORT double GetRoundedReach(const vtkRelievoPlacedMesh& mesh);

@@ -14,8 +14,7 @@
 namespace
 {
 constexpr int LeafSize = 4;
-constexpr vtkIdType Most = 1 << 24; // that a float counts
-constexpr double Worn = 1.5;        // times what the tree cost when it was built
+constexpr double Worn = 1.5; // times what the tree cost when it was built
 
 std::vector<vtkIdType> GetTriangles(vtkPolyData* data)
 {
@@ -97,14 +96,17 @@ std::vector<vtkRelievoBoxTree::Box> GetBoxes(const std::vector<glm::vec3>& corne
 }
 
 //------------------------------------------------------------------------------
-bool vtkRelievoMeshTexels::Follows(vtkPolyData* data)
+vtkIdType vtkRelievoMeshTexels::MostTriangles = 1 << 24;
+
+//------------------------------------------------------------------------------
+vtkIdType vtkRelievoMeshTexels::CountTooMany(vtkPolyData* data)
 {
   vtkIdType triangles = 0;
   for (vtkCellArray* cells : { data->GetPolys(), data->GetStrips() })
   {
     triangles += cells->GetNumberOfConnectivityIds() - 2 * cells->GetNumberOfCells();
   }
-  return triangles <= Most;
+  return triangles > MostTriangles ? triangles : 0;
 }
 
 //------------------------------------------------------------------------------

@@ -17,8 +17,12 @@ class vtkPolyData;
 class VTKRELIEVORAYS_EXPORT vtkRelievoMeshTexels
 {
 public:
-  // Whether there are not too many triangles.
-  static bool Follows(vtkPolyData* data);
+  // At most so many triangles of a mesh are followed: a float counts them. Tests say fewer.
+  static vtkIdType GetMostTriangles() { return MostTriangles; }
+  static void SetMostTriangles(vtkIdType most) { MostTriangles = most; }
+
+  // How many triangles there are if these are too many; otherwise 0.
+  static vtkIdType CountTooMany(vtkPolyData* data);
 
   // Makes what has changed. Returns whether anything has.
   bool Update(vtkPolyData* data);
@@ -33,6 +37,8 @@ public:
   void GetBounds(glm::dvec3& low, glm::dvec3& high) const; // about the origin
 
 private:
+  static vtkIdType MostTriangles;
+
   void Pack(const std::vector<glm::vec3>& corners);
 
   vtkRelievoBoxTree Tree;

@@ -26,6 +26,7 @@
 #include <vtkProperty.h>
 #include <vtkRelievoAmbientStage.h>
 #include <vtkRelievoLayersStage.h>
+#include <vtkRelievoMeshTexels.h>
 #include <vtkRelievoOFFReader.h>
 #include <vtkRelievoPass.h>
 #include <vtkRenderWindow.h>
@@ -449,6 +450,28 @@ void TestWhatHides()
 }
 
 // Byte by byte.
+// What rays cannot follow hides nothing, which is said once.
+void TestTooManyTriangles()
+{
+  const vtkIdType most = vtkRelievoMeshTexels::GetMostTriangles();
+  vtkRelievoMeshTexels::SetMostTriangles(1);
+  Scene scene;
+  scene.AddGround();
+  scene.AddBall(0.0, 0.0, 1.25, 1.0, 24);
+  scene.Look(5.0, 0.0, 2.0);
+  {
+    const relievoTest::ExpectMessage said(
+      " triangles hides no sky: rays follow at most 1 of a mesh.");
+    double least = 0.0;
+    double greatest = 0.0;
+    GetRange(relievoTest::Layers(scene.Renderer, { "ambient", "depth" }), least, greatest);
+    scene.Window->Render();
+    RELIEVO_CHECK(said.Count() == 1);
+    RELIEVO_CHECK_NEAR(least, 1.0, 0.0, "the sky seen under a ball that rays cannot follow");
+  }
+  vtkRelievoMeshTexels::SetMostTriangles(most);
+}
+
 bool Same(vtkImageData* a, vtkImageData* b)
 {
   return relievoTest::SamePicture(a, b, "pictures");
@@ -560,6 +583,7 @@ RELIEVO_TEST_CASE(testAmbientStage)
   TestEmbree();
   TestAllOrNothing();
   TestWhatHides();
+  TestTooManyTriangles();
   TestPicture();
   return session.Result();
 }

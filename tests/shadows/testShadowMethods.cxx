@@ -23,6 +23,7 @@
 #include <vtkPointData.h>
 #include <vtkProperty.h>
 #include <vtkRelievoCompositeMapper.h>
+#include <vtkRelievoMeshTexels.h>
 #include <vtkRelievoPass.h>
 #include <vtkRelievoShadowStage.h>
 #include <vtkRenderPassCollection.h>
@@ -248,6 +249,27 @@ void TestPeer()
     "VTK's own shadows beside ours: said " + (said.empty() ? "nothing" : said[0]) + ", times " +
       std::to_string(said.size()));
 }
+
+// A mesh of more triangles than rays follow casts by a map, which is said once.
+void TestTooManyTriangles()
+{
+  const vtkIdType most = vtkRelievoMeshTexels::GetMostTriangles();
+  vtkRelievoMeshTexels::SetMostTriangles(11); // of a box's 12
+  ShadowStage stage;
+  stage.AddThings();
+  stage.AddSun(-3., 4., -2.);
+  stage.GetShadows()->SetMethodToExact();
+  {
+    const relievoTest::ExpectMessage said(
+      "A mesh of 12 triangles casts its shadow by a map: rays follow at most 11 of a mesh.");
+    const relievoTest::ShadowErrors errors = relievoTest::JudgeShadow(stage, 0);
+    relievoTest::CaptureShadow(stage, 0);
+    RELIEVO_CHECK(said.Count() == 1);
+    RELIEVO_CHECK(errors.Dark > 500);
+    RELIEVO_CHECK_AT_MOST(errors.Wrong(), 1e-3, "boxes that are not followed: wrong pixels");
+  }
+  vtkRelievoMeshTexels::SetMostTriangles(most);
+}
 }
 
 //------------------------------------------------------------------------------
@@ -260,6 +282,7 @@ RELIEVO_TEST_CASE(testShadowMethods)
   TestChanges();
   TestDraws();
   TestPeer();
+  TestTooManyTriangles();
   return session.Result();
 }
 }

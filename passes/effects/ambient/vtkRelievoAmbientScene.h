@@ -31,6 +31,7 @@ public:
   std::string GetReport() const { return this->Others.GetReport(); } // of other processes
   // That rays cannot follow.
   int GetNumberOfPropsLeftOut() const { return this->Meshes.GetNumberOfPropsLeftOut(); }
+  vtkIdType GetTooManyTriangles() const { return this->Meshes.GetTooManyTriangles(); }
 
   vtkIdType GetBytes() const { return this->Tree.GetBytes(); }
   void Release(vtkWindow* window);

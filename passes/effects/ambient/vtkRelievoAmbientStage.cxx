@@ -11,6 +11,7 @@
 #include "vtkRelievoBlueNoise.h"
 #include "vtkRelievoFrameContext.h"
 #include "vtkRelievoFramePlan.h"
+#include "vtkRelievoMeshTexels.h"
 #include "vtkRelievoScopedState.h"
 #include "vtkRelievoScreenQuad.h"
 #include "vtkRelievoScreenTarget.h"
@@ -42,6 +43,7 @@ public:
   vtkRelievoScreenQuad Darken;
   std::vector<vtkRelievoSkySamples::Point> Points; // of all frames
   std::string Failed;                              // said once
+  bool ToldOfTriangles = false;
 
   Internals() { this->Share.SetDefines("#define RELIEVO_GATHERED ambientShare\n"); }
 };
@@ -212,6 +214,14 @@ void vtkRelievoAmbientStage::Execute(vtkRelievoFrameContext& context)
             << " that rays cannot follow hide nothing";
     }
     this->Explain("ran", words.str());
+    const vtkIdType triangles = in.Scene.GetTooManyTriangles();
+    if (triangles > 0 && !in.ToldOfTriangles)
+    {
+      vtkWarningMacro("A mesh of " << triangles << " triangles hides no sky: rays follow at most "
+                                   << vtkRelievoMeshTexels::GetMostTriangles()
+                                   << " of a mesh. Split it into several.");
+    }
+    in.ToldOfTriangles = triangles > 0;
   }
   else
   {

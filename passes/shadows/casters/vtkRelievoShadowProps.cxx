@@ -444,10 +444,12 @@ std::vector<vtkRelievoPlacedMesh> vtkRelievoShadowProps::Follow()
 {
   std::vector<vtkRelievoPlacedMesh> followed;
   this->Followed.clear();
+  this->TooManyTriangles = 0;
   for (const Caster& caster : this->Casters)
   {
     const Wanted wanted = caster.Attenuates ? Wanted::Translucent : Wanted::Opaque;
-    if (vtkRelievoPropMeshes::Collect(caster.Prop, wanted, this->Glyphs, followed))
+    if (vtkRelievoPropMeshes::Collect(
+          caster.Prop, wanted, this->Glyphs, followed, &this->TooManyTriangles))
     {
       this->Followed.insert(caster.Prop);
     }

@@ -68,6 +68,8 @@ public:
 
   // What casts and can be followed triangle by triangle.
   std::vector<vtkRelievoPlacedMesh> Follow();
+  // Of a mesh that Follow has left for them; 0: there is none.
+  vtkIdType GetTooManyTriangles() const { return this->TooManyTriangles; }
 
   // Everything that casts or is seen and can be followed, and the boxes of what cannot. Without
   // `attenuates`, what is translucent and casts lets no light pass.
@@ -128,6 +130,7 @@ private:
   std::vector<Caster> Casters;
   std::vector<vtkRelievoBox> CasterBoxes; // of Casters, one each
   std::set<vtkProp*> Followed;            // of Casters
+  vtkIdType TooManyTriangles = 0;         // of a mesh that is not followed for them
   std::vector<vtkRelievoBox> ReceiverBoxes;
   std::vector<vtkRelievoBox> AllBoxes; // of what was chosen to receive and what was not
   std::set<vtkProp*> Parts;            // that draw themselves
