@@ -482,6 +482,7 @@ std::string vtkRelievoRayScene::Held::AddBlock(
   vtkRelievoPlacedMesh placed;
   placed.Mesh = vtkPolyData::SafeDownCast(set);
   placed.Block = block;
+  placed.ByOutline = true;
   Source source;
   source.Prop = prop;
   if (matrix)

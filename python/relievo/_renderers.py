@@ -10,6 +10,7 @@ from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkRenderer
 
 from ._data import EXPECTED, cloud_of, data_of
 from ._errors import describe, is_a
+from .vtkRelievoFilters import vtkRelievoConvexPolygons
 
 
 def inner_renderer(thing):
@@ -72,7 +73,7 @@ def _actor(data):
     if surface.GetNumberOfCells() == 0:
         raise ValueError("renderer: the data has no cells to draw")
     mapper = vtkPolyDataMapper()
-    mapper.SetInputData(surface)
+    mapper.SetInputData(_run(vtkRelievoConvexPolygons(), surface))
     actor = vtkActor()
     actor.SetMapper(mapper)
     return actor

@@ -28,6 +28,7 @@ struct vtkRelievoPlacedMesh
   double Reach = 0.0;      // largest coordinate that was rounded before the mesh knew it
   bool CullsFront = false; // to the eye; it casts from both sides
   bool CullsBack = false;
+  bool ByOutline = false; // polygons are what their outlines enclose, not what VTK draws of them
 
   std::size_t GetNumberOfPlaces() const { return this->Places ? this->Places->size() : 1; }
   glm::dmat4 GetPlace(std::size_t i) const // to the world

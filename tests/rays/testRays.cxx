@@ -39,10 +39,12 @@
 #include <vtkTransform.h>
 #include <vtkTriangleFilter.h>
 #include <vtkUnsignedCharArray.h>
+#include <vtkUnstructuredGrid.h>
 
 #include <glm/geometric.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iostream>
 #include <random>
@@ -466,6 +468,114 @@ void TestMoves()
   compare("points all over the place", 1, 0);
 }
 
+// Polygons of data are what their outlines enclose, whatever corner they begin with, however they
+// are wound, in grids too, and after their points have moved.
+void TestConcave()
+{
+  using Corner = std::array<double, 2>;
+  const std::vector<std::vector<Corner>> outlines = {
+    { { 0., 0. }, { 2., 0. }, { 2., 1. }, { 1., 1. }, { 1., 2. }, { 0., 2. } }, // an L
+    { { 0., 0. }, { 3., 0. }, { 3., 3. }, { 2., 3. }, { 2., 1. }, { 1., 1. }, { 1., 3. },
+      { 0., 3. } },                                    // a U
+    { { 0., 0. }, { 2., 1. }, { 4., 0. }, { 2., 3. } } // an arrow
+  };
+  vtkNew<vtkTransform> turn;
+  turn->Translate(5., -3., 2.);
+  turn->RotateWXYZ(40., 1., 2., 3.);
+  const auto place = [&turn](double x, double y, double z) {
+    const double from[3] = { x, y, z };
+    glm::dvec3 to;
+    turn->TransformPoint(from, &to.x);
+    return to;
+  };
+  const auto isInside = [](const std::vector<Corner>& outline, double x, double y) {
+    bool inside = false;
+    for (std::size_t i = 0; i < outline.size(); ++i)
+    {
+      const Corner& a = outline[i];
+      const Corner& b = outline[(i + 1) % outline.size()];
+      if ((a[1] > y) != (b[1] > y))
+      {
+        inside ^= x < a[0] + (y - a[1]) / (b[1] - a[1]) * (b[0] - a[0]);
+      }
+    }
+    return inside;
+  };
+  int wrong = 0;
+  for (std::size_t i = 0; i < 4 * outlines.size(); ++i)
+  {
+    const std::vector<Corner>& outline = outlines[i / 4];
+    std::vector<Corner> mirrored = outline;
+    for (Corner& corner : mirrored)
+    {
+      std::swap(corner[0], corner[1]);
+    }
+    const auto count = static_cast<vtkIdType>(outline.size());
+    for (vtkIdType first = 0; first < count; ++first)
+    {
+      // A triangle apart, and then the polygon.
+      std::vector<vtkIdType> ids;
+      vtkNew<vtkPoints> points;
+      points->SetDataTypeToDouble();
+      points->SetNumberOfPoints(count);
+      for (int k = 0; k < 3; ++k)
+      {
+        points->InsertNextPoint(&place(9. + k % 2, 9. + k / 2, 0.).x);
+      }
+      for (vtkIdType k = 0; k < count; ++k)
+      {
+        ids.push_back(k);
+      }
+      const vtkIdType apart[3] = { count, count + 1, count + 2 };
+      vtkNew<vtkPolyData> mesh;
+      vtkNew<vtkUnstructuredGrid> grid;
+      vtkNew<vtkCellArray> polygons;
+      polygons->InsertNextCell(3, apart);
+      polygons->InsertNextCell(count, ids.data());
+      mesh->SetPoints(points);
+      mesh->SetPolys(polygons);
+      grid->SetPoints(points);
+      grid->SetCells(VTK_POLYGON, polygons);
+      vtkNew<vtkRelievoRayScene> scene;
+      scene->AddData(i % 4 < 2 ? static_cast<vtkDataSet*>(mesh) : grid);
+      // Mirrored, and begun one corner on: others turn in.
+      for (const auto* now : { &outline, &mirrored })
+      {
+        for (vtkIdType k = 0; k < count; ++k)
+        {
+          const vtkIdType corner = first + (i % 2 ? k : count - k) + (now == &outline ? 0 : 1);
+          const Corner& at = (*now)[static_cast<std::size_t>(corner % count)];
+          points->SetPoint(k, &place(at[0], at[1], 0.).x);
+        }
+        points->Modified();
+        grid->Modified();
+        Rays rays;
+        std::vector<int> expected;
+        for (int k = 0; k < 50; ++k)
+        {
+          const double x = Draw(-0.5, 4.5);
+          const double y = Draw(-0.5, 4.5);
+          expected.push_back(isInside(*now, x, y) ? 1 : 0);
+          rays.Add(place(x, y, 3.), place(x, y, -1.) - place(x, y, 3.));
+        }
+        vtkNew<vtkTable> hits;
+        RELIEVO_CHECK(scene->FindAll(rays.Origins, rays.Directions, hits));
+        std::vector<int> met(expected.size());
+        for (vtkIdType row = 0; row < hits->GetNumberOfRows(); ++row)
+        {
+          ++met[static_cast<std::size_t>(GetNumber(hits, "ray", row))];
+          wrong += GetNumber(hits, "cell", row) == 1. ? 0 : 1;
+        }
+        for (std::size_t k = 0; k < expected.size(); ++k)
+        {
+          wrong += met[k] == expected[k] ? 0 : 1;
+        }
+      }
+    }
+  }
+  RELIEVO_CHECK_NEAR(wrong, 0, 0, "rays at polygons that are not convex");
+}
+
 // Glyphs by the thousands beside a mesh, blocks and what rays cannot follow, of a renderer.
 void TestRenderer()
 {
@@ -750,6 +860,7 @@ RELIEVO_TEST_CASE(testRays)
   TestMesh(MakeSphere(glm::dvec3(1e6, -1e6, 1e6), 20), 1000, "a million away");
   TestWatertight();
   TestMoves();
+  TestConcave();
   TestRenderer();
   TestMirrored();
   TestData();
