@@ -5,6 +5,7 @@
 import numpy
 from vtkmodules.util.numpy_support import numpy_to_vtkIdTypeArray
 from vtkmodules.vtkCommonDataModel import vtkPolyData
+from vtkmodules.vtkFiltersCore import vtkReverseSense
 from vtkmodules.vtkFiltersGeometry import vtkCompositeDataGeometryFilter, vtkGeometryFilter
 from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkRenderer
 
@@ -69,7 +70,7 @@ def _actor(data):
     elif is_a(data, "vtkCompositeDataSet"):
         surface = _run(vtkCompositeDataGeometryFilter(), data)
     else:
-        surface = _run(vtkGeometryFilter(), _numbered(data))
+        surface = outwards(_run(vtkGeometryFilter(), _numbered(data)), data)
     if surface.GetNumberOfCells() == 0:
         raise ValueError("renderer: the data has no cells to draw")
     mapper = vtkPolyDataMapper()
@@ -77,6 +78,13 @@ def _actor(data):
     actor = vtkActor()
     actor.SetMapper(mapper)
     return actor
+
+
+def outwards(surface, data):
+    """The surface of the data: faces that VTK turns inside out, of left-handed images, are back."""
+    left_handed = (is_a(data, "vtkImageData") and data.GetDataDimension() == 3
+                   and data.GetDirectionMatrix().Determinant() < 0)
+    return _run(vtkReverseSense(), surface) if left_handed else surface
 
 
 def _place_camera(renderer):

@@ -10,7 +10,12 @@ from testDatasets import vtkCompositeMapper
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonMath import vtkMatrix4x4
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkMultiBlockDataSet, vtkPolyData
+from vtkmodules.vtkCommonDataModel import (
+    vtkCellArray,
+    vtkImageData,
+    vtkMultiBlockDataSet,
+    vtkPolyData,
+)
 from vtkmodules.vtkFiltersSources import (
     vtkCubeSource,
     vtkLineSource,
@@ -513,6 +518,18 @@ class Sun(unittest.TestCase):
             floor = mesh_of([(x, y, 0) for x, y in outline[first:] + outline[:first]], [range(8)])
             lit = relievo.sun_exposure(floor, 0, 0, "2026-03-20", step=60, up="z", occluders=hood)
             self.assertGreater(array(lit, "sun_hours")[0], 8.0, first)
+
+    def test_left_handed_images_have_their_outside_outside(self):
+        image = vtkImageData()
+        image.SetDimensions(3, 3, 3)
+        hours = []
+        for z in (1, -1):  # no cell of the top looks down, and none of the bottom up
+            image.SetDirectionMatrix(1, 0, 0, 0, 1, 0, 0, 0, z)
+            lit = relievo.sun_exposure(image, 0, 0, "2026-03-20", step=60, up="z")
+            hours.append(array(lit, "sun_hours").max())
+            height = [numpy.mean(lit.GetCell(i).GetBounds()[4:]) for i in range(24)]
+            top = array(lit, "sun_hours")[numpy.isclose(height, max(height))]
+            self.assertEqual((len(top), len(set(top)), top[0]), (4, 1, hours[0]))
 
     def test_from_behind_and_points(self):
         roof = grid((0, 0, 0), (1, 0, 0), (0, 0, -1), 1, 1)
