@@ -41,6 +41,7 @@
 #include "vtkWeakPointer.h"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cmath>
 #include <cstring>
@@ -64,6 +65,8 @@ using Meeting = vtkRelievoRayTree::Meeting;
 constexpr double Endless = std::numeric_limits<double>::infinity();
 constexpr vtkIdType Batch = 1 << 16; // rays between two reports of progress
 constexpr vtkIdType Grain = 512;     // rays that a thread takes
+constexpr double Flat = 1e-6;        // volume of a box, of that which its sides would have upright
+constexpr vtkIdType MostCorners = 1 << 24; // of copies
 
 vtkSmartPointer<vtkPolyData> MakeSurface(vtkDataSet* data)
 {
@@ -119,6 +122,122 @@ void AppendTurned(vtkCellArray* all, vtkCellArray* cells, vtkIdType first, bool 
       }
     }
   }
+}
+
+// All places of a mesh, in the world; `cellsOfData`: those of the mesh's cells, or none.
+void CopyInWorld(const vtkRelievoPlacedMesh& placed, vtkIdTypeArray* cellsOfData, vtkPolyData* copy)
+{
+  vtkPolyData* mesh = placed.Mesh;
+  const vtkIdType count = mesh->GetNumberOfPoints();
+  const std::size_t places = placed.GetNumberOfPlaces();
+  copy->Initialize();
+  if (!placed.Places)
+  {
+    copy->GetPointData()->ShallowCopy(mesh->GetPointData());
+    copy->GetCellData()->ShallowCopy(mesh->GetCellData());
+    copy->GetPointData()->SetNormals(nullptr); // they are not turned
+    copy->GetCellData()->SetNormals(nullptr);
+  }
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  for (std::size_t k = 0; k < places; ++k)
+  {
+    const glm::dmat4 matrix = placed.GetPlace(k);
+    for (vtkIdType i = 0; i < count; ++i)
+    {
+      glm::dvec4 point(0.0, 0.0, 0.0, 1.0);
+      mesh->GetPoint(i, &point.x);
+      point = matrix * point;
+      points->InsertNextPoint(point.x / point.w, point.y / point.w, point.z / point.w);
+    }
+  }
+  copy->SetPoints(points);
+  vtkNew<vtkIdTypeArray> ids;
+  ids->SetName("cell");
+  vtkIdType first = 0;
+  const auto gather = [&](vtkCellArray* cells) {
+    auto all = vtkSmartPointer<vtkCellArray>::New();
+    const bool strips = cells == mesh->GetStrips();
+    const bool turns = strips || cells == mesh->GetPolys();
+    for (std::size_t k = 0; k < places; ++k)
+    {
+      const vtkIdType offset = static_cast<vtkIdType>(k) * count;
+      if (turns && glm::determinant(placed.GetPlace(k)) < 0.0)
+      {
+        AppendTurned(all, cells, offset, strips);
+      }
+      else
+      {
+        all->Append(cells, offset);
+      }
+      for (vtkIdType i = first; i < first + cells->GetNumberOfCells(); ++i)
+      {
+        ids->InsertNextValue(placed.Points ? (*placed.Points)[k]
+            : cellsOfData                  ? cellsOfData->GetValue(i)
+                                           : i);
+      }
+    }
+    first += cells->GetNumberOfCells();
+    return all;
+  };
+  copy->SetVerts(gather(mesh->GetVerts()));
+  copy->SetLines(gather(mesh->GetLines()));
+  copy->SetPolys(gather(mesh->GetPolys()));
+  copy->SetStrips(gather(mesh->GetStrips()));
+  copy->GetCellData()->AddArray(ids);
+}
+
+// How rays come into a mesh.
+enum class Entry
+{
+  ByMatrix,
+  ByScaledMatrix, // divided by its last element
+  ByCopy,         // of the mesh in the world: the matrix has no inverse, or none that is exact
+  None            // a matrix is not finite, or sends points behind infinity; or of too many copies
+};
+
+bool IsCopiedAtMost(const vtkRelievoPlacedMesh& placed, vtkIdType most)
+{
+  const vtkIdType corners = placed.Mesh->GetPolys()->GetNumberOfConnectivityIds() +
+    placed.Mesh->GetStrips()->GetNumberOfConnectivityIds();
+  return corners <= most / static_cast<vtkIdType>(placed.GetNumberOfPlaces());
+}
+
+Entry FindEntry(const vtkRelievoPlacedMesh& placed)
+{
+  const glm::dmat4& matrix = placed.MeshToWorld;
+  const double* const first = &matrix[0][0];
+  const glm::dvec4 last(matrix[0][3], matrix[1][3], matrix[2][3], matrix[3][3]);
+  const glm::dmat3 turn(matrix);
+  const double volume = std::abs(glm::determinant(turn));
+  if (!std::all_of(first, first + 16, [](double x) { return std::isfinite(x); }) ||
+    !std::isfinite(volume))
+  {
+    return Entry::None;
+  }
+  const bool isAffine = glm::dvec3(last) == glm::dvec3(0.0);
+  if (isAffine && last.w > 0.0 &&
+    volume > Flat * glm::length(turn[0]) * glm::length(turn[1]) * glm::length(turn[2]))
+  {
+    return last.w == 1.0 ? Entry::ByMatrix : Entry::ByScaledMatrix;
+  }
+  if (!IsCopiedAtMost(placed, MostCorners) || (isAffine && !(last.w > 0.0)))
+  {
+    return Entry::None;
+  }
+  for (std::size_t k = 0; k < placed.GetNumberOfPlaces() && !isAffine; ++k)
+  {
+    for (vtkIdType i = 0; i < placed.Mesh->GetNumberOfPoints(); ++i)
+    {
+      glm::dvec4 point(0.0, 0.0, 0.0, 1.0);
+      placed.Mesh->GetPoint(i, &point.x);
+      if (!((placed.GetPlace(k) * point).w > 0.0))
+      {
+        return Entry::None;
+      }
+    }
+  }
+  return Entry::ByCopy;
 }
 
 // A ray about the scene's centre. Not valid: it meets nothing.
@@ -248,7 +367,8 @@ struct vtkRelievoRayScene::Held
     bool OfCells = false;
     vtkIdTypeArray* Cells = nullptr; // in the data, of the mesh's; none: the same
     vtkIdTypeArray* Points = nullptr;
-    bool IsOpaque = true; // as VTK draws it
+    vtkIdType PointsOfPlace = 0; // of glyphs whose places are one mesh: how many each has
+    bool IsOpaque = true;        // as VTK draws it
   };
 
   // Data that was added.
@@ -266,10 +386,22 @@ struct vtkRelievoRayScene::Held
     vtkSmartPointer<vtkPolyData> Mesh;
   };
 
+  // What a mesh is in the world, where rays have no way through its matrix.
+  struct Copy
+  {
+    vtkWeakPointer<vtkPolyData> Mesh;
+    vtkMTimeType Time = 0;
+    std::shared_ptr<const std::vector<glm::dmat4>> Places;
+    vtkSmartPointer<vtkPolyData> InWorld;
+  };
+  using CopyKey = std::tuple<vtkPolyData*, const void*, std::array<double, 16>>;
+
   vtkSmartPointer<vtkRenderer> Renderer;
   std::vector<Added> Data;
   std::map<vtkDataSet*, Surface> Surfaces; // of Data
-  vtkRelievoGlyphPlaces Glyphs;
+  std::map<CopyKey, Copy> Copies;          // of the last update
+  std::map<CopyKey, Copy> CopiesBefore;    // and of the one before it
+  vtkRelievoGlyphPlaces Glyphs{ vtkRelievoGlyphPlaces::Numbers::Exact };
   std::vector<vtkRelievoPlacedMesh> Meshes;
   std::vector<vtkSmartPointer<vtkPolyData>> Kept; // of Meshes, at least
   std::vector<Source> Sources;                    // of Meshes, one each
@@ -284,6 +416,7 @@ struct vtkRelievoRayScene::Held
   vtkRelievoRayTree Tree;
 
   static void FindNormals(vtkPolyData* mesh, Source& source);
+  void Enter(vtkRelievoPlacedMesh& placed, Source& source);
   void AddProps();
   void AddActors(vtkProp* prop, std::map<vtkProp*, int>& numbers);
   void AddAdded();
@@ -361,6 +494,39 @@ void vtkRelievoRayScene::Held::FindNormals(vtkPolyData* mesh, Source& source)
 }
 
 //------------------------------------------------------------------------------
+// What a matrix flattens, or moves in perspective, is taken as it is in the world.
+void vtkRelievoRayScene::Held::Enter(vtkRelievoPlacedMesh& placed, Source& source)
+{
+  const Entry entry = FindEntry(placed);
+  if (entry == Entry::ByScaledMatrix)
+  {
+    placed.MeshToWorld /= placed.MeshToWorld[3][3];
+  }
+  if (entry != Entry::ByCopy)
+  {
+    return;
+  }
+  CopyKey key(placed.Mesh, placed.Places.get(), {});
+  std::copy_n(&placed.MeshToWorld[0][0], 16, std::get<2>(key).begin());
+  const auto before = this->CopiesBefore.find(key);
+  Copy& copy = before == this->CopiesBefore.end()
+    ? this->Copies[key]
+    : this->Copies.try_emplace(key, before->second).first->second;
+  if (copy.Mesh != placed.Mesh || copy.Time != placed.Mesh->GetMTime())
+  {
+    copy = { placed.Mesh, placed.Mesh->GetMTime(), placed.Places,
+      vtkSmartPointer<vtkPolyData>::New() };
+    CopyInWorld(placed, source.Cells, copy.InWorld);
+  }
+  source.PointsOfPlace = placed.Places ? placed.Mesh->GetNumberOfPoints() : 0;
+  source.Cells = vtkIdTypeArray::SafeDownCast(copy.InWorld->GetCellData()->GetArray("cell"));
+  placed.Mesh = copy.InWorld;
+  placed.MeshToWorld = glm::dmat4(1.0);
+  placed.Places = nullptr;
+  placed.Points = nullptr;
+}
+
+//------------------------------------------------------------------------------
 void vtkRelievoRayScene::Held::AddProps()
 {
   std::map<vtkProp*, int> numbers;
@@ -405,7 +571,10 @@ void vtkRelievoRayScene::Held::AddActors(vtkProp* prop, std::map<vtkProp*, int>&
   const std::size_t before = this->Meshes.size();
   bool followed = vtkRelievoPropMeshes::Collect(
     prop, vtkRelievoPropMeshes::Wanted::Geometry, this->Glyphs, this->Meshes);
-  if (DrawLinesAlone(this->Meshes, before))
+  const bool enters =
+    std::none_of(this->Meshes.begin() + static_cast<std::ptrdiff_t>(before), this->Meshes.end(),
+      [](const vtkRelievoPlacedMesh& mesh) { return FindEntry(mesh) == Entry::None; });
+  if (!enters || DrawLinesAlone(this->Meshes, before))
   {
     followed = false;
     this->Meshes.resize(before);
@@ -418,7 +587,7 @@ void vtkRelievoRayScene::Held::AddActors(vtkProp* prop, std::map<vtkProp*, int>&
   bool isOpaque = true;
   for (std::size_t i = before; i < this->Meshes.size(); ++i)
   {
-    const vtkRelievoPlacedMesh& mesh = this->Meshes[i];
+    vtkRelievoPlacedMesh& mesh = this->Meshes[i];
     isOpaque = mesh.Actor == last ? isOpaque : mesh.Actor->HasOpaqueGeometry() != 0;
     last = mesh.Actor;
     Source source;
@@ -427,6 +596,7 @@ void vtkRelievoRayScene::Held::AddActors(vtkProp* prop, std::map<vtkProp*, int>&
     source.Actor = mesh.Actor;
     // A block may be translucent where its actor has others that are not.
     source.IsOpaque = isOpaque && (mesh.Actor->GetForceOpaque() || !(mesh.Passes > 0.0));
+    this->Enter(mesh, source);
     if (mesh.Actor->GetProperty()->GetInterpolation() != VTK_FLAT)
     {
       FindNormals(mesh.Mesh, source);
@@ -482,17 +652,12 @@ std::string vtkRelievoRayScene::Held::AddBlock(
   vtkRelievoPlacedMesh placed;
   placed.Mesh = vtkPolyData::SafeDownCast(set);
   placed.Block = block;
+  placed.ByOutline = true;
   Source source;
   source.Prop = prop;
   if (matrix)
   {
     placed.MeshToWorld = vtkRelievoToGlm(matrix);
-    const double size = glm::determinant(placed.MeshToWorld);
-    if (!(std::abs(size) > 0.0) || !std::isfinite(size) || vtkRelievoIsProjective(matrix))
-    {
-      return "got a matrix that flattens or is projective, expected one that moves, turns and "
-             "scales";
-    }
   }
   if (!placed.Mesh)
   {
@@ -512,6 +677,12 @@ std::string vtkRelievoRayScene::Held::AddBlock(
     return "there are " + std::to_string(triangles) + " triangles, expected at most " +
       std::to_string(vtkRelievoMeshTexels::GetMostTriangles()) + " in a block";
   }
+  if (FindEntry(placed) == Entry::None)
+  {
+    return "got a matrix that is not finite, or sends points to infinity or behind it, expected a "
+           "last row that is positive for all points, such as 0 0 0 1";
+  }
+  this->Enter(placed, source);
   FindNormals(placed.Mesh, source);
   this->Meshes.push_back(placed);
   this->Sources.push_back(source);
@@ -587,7 +758,9 @@ void vtkRelievoRayScene::Held::Write(
   for (int i = 0; i < 3; ++i)
   {
     const vtkIdType point = mesh.GetPoint(meeting.Triangle, i);
-    columns.Points[3 * row + i] = source.Points ? source.Points->GetValue(point) : point;
+    columns.Points[3 * row + i] = source.Points ? source.Points->GetValue(point)
+      : source.PointsOfPlace                    ? point % source.PointsOfPlace
+                                                : point;
   }
   Columns::Set(columns.Weights, row, details.Weights);
   Columns::Set(columns.Position, row, details.Position);
@@ -746,6 +919,8 @@ bool vtkRelievoRayScene::Update()
   scene.Sources.clear();
   scene.LeftOut.clear();
   scene.Fault.clear();
+  scene.CopiesBefore.swap(scene.Copies);
+  scene.Copies.clear();
   for (auto it = scene.Surfaces.begin(); it != scene.Surfaces.end();)
   {
     it = it->second.Data ? std::next(it) : scene.Surfaces.erase(it);
@@ -755,6 +930,7 @@ bool vtkRelievoRayScene::Update()
     scene.AddProps();
   }
   scene.AddAdded();
+  scene.CopiesBefore.clear();
   std::string names;
   for (vtkProp* prop : scene.LeftOut)
   {
@@ -767,8 +943,10 @@ bool vtkRelievoRayScene::Update()
   {
     vtkWarningMacro("Rays do not meet " << names
                                         << ": volumes, wireframes, points, lines, cut-outs, "
-                                           "clipped meshes, grids (give them as data) and "
-                                           "actors with shaders of their own are left out");
+                                           "clipped meshes, grids (give them as data), actors "
+                                           "with shaders of their own and such as have matrices "
+                                           "that are not finite or send points to infinity are "
+                                           "left out");
   }
   return scene.SetMeshes(this->OpaqueOnly);
 }
@@ -1399,64 +1577,7 @@ void vtkRelievoRayScene::CopyMesh(int number, vtkPolyData* copy)
   }
   const vtkRelievoPlacedMesh& placed = this->Scene->Meshes[static_cast<std::size_t>(number)];
   const Held::Source& source = this->Scene->Sources[static_cast<std::size_t>(number)];
-  vtkPolyData* mesh = placed.Mesh;
-  const vtkIdType count = mesh->GetNumberOfPoints();
-  const std::size_t places = placed.GetNumberOfPlaces();
-  copy->Initialize();
-  if (!placed.Places)
-  {
-    copy->GetPointData()->ShallowCopy(mesh->GetPointData());
-    copy->GetCellData()->ShallowCopy(mesh->GetCellData());
-    copy->GetPointData()->SetNormals(nullptr); // they are not turned
-    copy->GetCellData()->SetNormals(nullptr);
-  }
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  for (std::size_t k = 0; k < places; ++k)
-  {
-    const glm::dmat4 matrix = placed.GetPlace(k);
-    for (vtkIdType i = 0; i < count; ++i)
-    {
-      glm::dvec4 point(0.0, 0.0, 0.0, 1.0);
-      mesh->GetPoint(i, &point.x);
-      point = matrix * point;
-      points->InsertNextPoint(point.x / point.w, point.y / point.w, point.z / point.w);
-    }
-  }
-  copy->SetPoints(points);
-  vtkNew<vtkIdTypeArray> ids;
-  ids->SetName("cell");
-  vtkIdType first = 0;
-  const auto gather = [&](vtkCellArray* cells) {
-    auto all = vtkSmartPointer<vtkCellArray>::New();
-    const bool strips = cells == mesh->GetStrips();
-    const bool turns = strips || cells == mesh->GetPolys();
-    for (std::size_t k = 0; k < places; ++k)
-    {
-      const vtkIdType offset = static_cast<vtkIdType>(k) * count;
-      if (turns && glm::determinant(glm::dmat3(placed.GetPlace(k))) < 0.0)
-      {
-        AppendTurned(all, cells, offset, strips);
-      }
-      else
-      {
-        all->Append(cells, offset);
-      }
-      for (vtkIdType i = first; i < first + cells->GetNumberOfCells(); ++i)
-      {
-        ids->InsertNextValue(placed.Points ? (*placed.Points)[k]
-            : source.Cells                 ? source.Cells->GetValue(i)
-                                           : i);
-      }
-    }
-    first += cells->GetNumberOfCells();
-    return all;
-  };
-  copy->SetVerts(gather(mesh->GetVerts()));
-  copy->SetLines(gather(mesh->GetLines()));
-  copy->SetPolys(gather(mesh->GetPolys()));
-  copy->SetStrips(gather(mesh->GetStrips()));
-  copy->GetCellData()->AddArray(ids);
+  CopyInWorld(placed, source.Cells, copy);
 }
 
 //------------------------------------------------------------------------------

@@ -9,12 +9,15 @@
  * matrices have moved, and made again otherwise. A mesh is held once, however many actors, glyphs
  * or matrices place it.
  *
- * Surfaces are met from both sides, whatever their culling: the triangles that VTK draws of meshes,
- * blocks and glyphs (polygons and strips of vtkPolyData; of other data the outer surface). Hidden
- * props and blocks are not there, nor is what has an opacity of 0. Of a renderer, what rays cannot
- * follow is left out, with one warning: volumes, wireframes, points, lines, impostors, cut-outs,
- * clipped meshes, grids that vtkDataSetMapper draws, actors with shaders of their own
- * (GetNumberOfPropsLeftOut). A triangle with a corner that is not finite is met by nothing.
+ * Surfaces are met from both sides, whatever their culling: of a renderer the triangles that VTK
+ * draws of meshes, blocks and glyphs; of data polygons, convex or not, and strips (of other data
+ * than vtkPolyData the outer surface's). Hidden props and blocks are not there, nor is what has an
+ * opacity of 0. What a matrix flattens, or divides by a last row other than 0 0 0 1, is met as it
+ * is in the world. Of a renderer, what rays cannot follow is left out, with one warning: volumes,
+ * wireframes, points, lines, impostors, cut-outs, clipped meshes, grids that vtkDataSetMapper
+ * draws, actors with shaders of their own, or with matrices that are not finite or send points to
+ * infinity (GetNumberOfPropsLeftOut). A triangle with a corner that is not finite is met by
+ * nothing.
  *
  * A ray has an origin and a direction, in world coordinates, of any length but 0; distances count
  * in world units from the origin. A ray that is not finite, or has no direction, meets nothing,

@@ -52,8 +52,9 @@ public:
   std::vector<Vector> At;
   std::vector<Vector> Normals; // 0 where there is no surface
 
-  // Polygons and strips, at the middle of their triangles by signed areas: those of a concave
-  // polygon may overlap.
+  // Polygons and strips, at the middle of their triangles by areas, moved along the normal onto the
+  // triangle that it lies over; over none (of a U it is between the legs): at the middle of the
+  // largest triangle.
   void TakeCells(vtkPolyData* mesh, double before)
   {
     const auto count = static_cast<std::size_t>(mesh->GetNumberOfCells());
@@ -63,9 +64,11 @@ public:
     std::vector<double> areas(count);
     const auto forEach = [&](const auto& take) {
       vtkRelievoPolygonCut::ForEachTriangle(
-        mesh, [&](vtkIdType a, vtkIdType b, vtkIdType c, vtkIdType cell) {
+        mesh,
+        [&](vtkIdType a, vtkIdType b, vtkIdType c, vtkIdType cell) {
           take(static_cast<std::size_t>(first + cell), Triangle(mesh, a, b, c));
-        });
+        },
+        vtkRelievoPolygonCut::Rule::ByOutline);
     };
     forEach([&](std::size_t at, const Triangle& triangle) {
       vtkMath::Add(this->Normals[at].data(), triangle.Cross.data(), this->Normals[at].data());
@@ -88,7 +91,21 @@ public:
       {
         vtkMath::MultiplyScalar(middles[at].data(), 1.0 / areas[at]);
       }
-      this->Add(middles[at], before);
+    }
+    std::vector<Vector> places = middles;
+    std::vector<double> largest(count); // infinity: the middle lies over a triangle
+    forEach([&](std::size_t at, const Triangle& triangle) {
+      const double area = vtkMath::Dot(triangle.Cross.data(), this->Normals[at].data());
+      const bool over = triangle.IsBelow(middles[at], this->Normals[at]);
+      if (over ? std::isfinite(largest[at]) : area > largest[at])
+      {
+        largest[at] = over ? vtkMath::Inf() : area;
+        places[at] = over ? triangle.Project(middles[at], this->Normals[at]) : triangle.Middle;
+      }
+    });
+    for (const Vector& place : places)
+    {
+      this->Add(place, before);
     }
   }
 
@@ -101,7 +118,8 @@ public:
     if (!own)
     {
       vtkRelievoPolygonCut::ForEachTriangle(
-        mesh, [&](vtkIdType a, vtkIdType b, vtkIdType c, vtkIdType) {
+        mesh,
+        [&](vtkIdType a, vtkIdType b, vtkIdType c, vtkIdType) {
           Vector unit = Triangle(mesh, a, b, c).Cross;
           vtkMath::Normalize(unit.data());
           for (const auto& [point, next, last] :
@@ -114,7 +132,8 @@ public:
               sum[i] += angle * unit[i];
             }
           }
-        });
+        },
+        vtkRelievoPolygonCut::Rule::ByOutline);
     }
     for (vtkIdType point = 0; point < mesh->GetNumberOfPoints(); ++point)
     {
@@ -133,24 +152,56 @@ public:
 private:
   struct Triangle
   {
+    Vector Corners[3];
     Vector Cross; // as long as twice its area
     Vector Middle;
 
     Triangle(vtkPolyData* mesh, vtkIdType a, vtkIdType b, vtkIdType c)
     {
-      Vector corners[3];
-      mesh->GetPoint(a, corners[0].data());
-      mesh->GetPoint(b, corners[1].data());
-      mesh->GetPoint(c, corners[2].data());
-      Vector ab;
-      Vector ac;
-      vtkMath::Subtract(corners[1].data(), corners[0].data(), ab.data());
-      vtkMath::Subtract(corners[2].data(), corners[0].data(), ac.data());
+      mesh->GetPoint(a, this->Corners[0].data());
+      mesh->GetPoint(b, this->Corners[1].data());
+      mesh->GetPoint(c, this->Corners[2].data());
+      const Vector ab = From(this->Corners[0], this->Corners[1]);
+      const Vector ac = From(this->Corners[0], this->Corners[2]);
       vtkMath::Cross(ab.data(), ac.data(), this->Cross.data());
       for (std::size_t i = 0; i < 3; ++i)
       {
-        this->Middle[i] = corners[0][i] + (ab[i] + ac[i]) / 3.0;
+        this->Middle[i] = this->Corners[0][i] + (ab[i] + ac[i]) / 3.0;
       }
+    }
+
+    // Whether a line along a normal through a place meets it.
+    bool IsBelow(const Vector& place, const Vector& normal) const
+    {
+      bool below = vtkMath::Dot(this->Cross.data(), normal.data()) > 0.0;
+      for (std::size_t i = 0; i < 3 && below; ++i)
+      {
+        const Vector side = From(this->Corners[i], this->Corners[(i + 1) % 3]);
+        const Vector to = From(this->Corners[i], place);
+        Vector cross;
+        vtkMath::Cross(side.data(), to.data(), cross.data());
+        below = vtkMath::Dot(cross.data(), normal.data()) >= 0.0;
+      }
+      return below;
+    }
+
+    // Where it does.
+    Vector Project(const Vector& place, const Vector& normal) const
+    {
+      const Vector to = From(place, this->Corners[0]);
+      const double along = vtkMath::Dot(to.data(), this->Cross.data()) /
+        vtkMath::Dot(normal.data(), this->Cross.data());
+      Vector projected = place;
+      for (std::size_t i = 0; i < 3; ++i)
+      {
+        projected[i] += along * normal[i];
+      }
+      return projected;
+    }
+
+    static Vector From(const Vector& a, const Vector& b)
+    {
+      return { b[0] - a[0], b[1] - a[1], b[2] - a[2] };
     }
   };
 

@@ -19,7 +19,8 @@
  * steps in which the sun rises or sets, the part by day counts. Hours are right to about a step for
  * each time that the sun appears behind something or is hidden. The sun is a point; refraction is
  * left out (vtkRelievoSolarPosition). Normals point outwards; a surface gets no sun from behind.
- * Cells are judged at their middles; vertices and lines have 0. The world is in any unit: north is
+ * Cells, convex or not, are judged at their middles, or within their largest triangle where the
+ * middle lies outside; vertices and lines have 0. The world is in any unit: north is
  * z, -z or y where x, y or z points up.
  *
  * Rays are in double (vtkRelievoRayScene) and begin 1e-7 of the mesh's size before the surface.

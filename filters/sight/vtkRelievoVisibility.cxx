@@ -103,9 +103,11 @@ public:
     this->Places->SetNumberOfComponents(2);
     const vtkIdType first = mesh->GetNumberOfVerts() + mesh->GetNumberOfLines();
     vtkRelievoPolygonCut::ForEachTriangle(
-      mesh, [this, first](vtkIdType a, vtkIdType b, vtkIdType c, vtkIdType cell) {
+      mesh,
+      [this, first](vtkIdType a, vtkIdType b, vtkIdType c, vtkIdType cell) {
         this->Triangles.push_back({ first + cell, { a, b, c } });
-      });
+      },
+      vtkRelievoPolygonCut::Rule::ByOutline);
   }
 
   vtkPolyData* Mesh;

@@ -10,6 +10,7 @@
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkLookupTable.h"
+#include "vtkMatrix3x3.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkMultiPieceDataSet.h"
 #include "vtkNew.h"
@@ -206,6 +207,11 @@ void PutImage(ByteWriter& writer, vtkImageData* image)
   for (int i = 0; i < 3; ++i)
   {
     writer(image->GetOrigin()[i], image->GetSpacing()[i]);
+  }
+  const double* direction = image->GetDirectionMatrix()->GetData();
+  for (int i = 0; i < 9; ++i)
+  {
+    writer(direction[i]);
   }
   PutAttributes(writer, image->GetPointData());
   PutAttributes(writer, image->GetCellData());
@@ -451,6 +457,12 @@ vtkSmartPointer<vtkImageData> GetImage(ByteReader& reader)
   }
   image->SetOrigin(origin);
   image->SetSpacing(spacing);
+  double direction[9];
+  for (double& element : direction)
+  {
+    reader(element);
+  }
+  image->SetDirectionMatrix(direction);
   GetAttributes(reader, image->GetPointData(), image->GetNumberOfPoints());
   GetAttributes(reader, image->GetCellData(), image->GetNumberOfCells());
   GetField(reader, image->GetFieldData());

@@ -8,6 +8,7 @@ from contextlib import contextmanager, nullcontext
 
 import numpy
 from vtkmodules import vtkCommonCore
+from vtkmodules.vtkCommonCore import vtkVersion
 from vtkmodules.vtkRenderingCore import vtkRenderWindow, vtkWindowToImageFilter
 from vtkmodules.vtkRenderingOpenGL2 import vtkTextureObject
 
@@ -178,8 +179,10 @@ def screenshot(renderer, path=None, size=None, transparent=False):
         waits = frame.GetWaitForSamples()
         frame.WaitForSamplesOn()
         try:
-            with _without_background(renderer) if transparent else nullcontext():
-                pixels = _grab(renderer, frame, transparent)
+            if transparent:
+                pixels = _grab_transparent(renderer, frame)
+            else:
+                pixels = _grab(renderer, frame)
         finally:
             frame.SetWaitForSamples(waits)
     if path is not None:
@@ -187,7 +190,34 @@ def screenshot(renderer, path=None, size=None, transparent=False):
     return pixels
 
 
-def _grab(renderer, frame, transparent):
+def _grab_transparent(renderer, frame):
+    with _background(renderer, 0):
+        pixels = _grab(renderer, frame, alpha=True)
+    alpha = pixels[..., 3:]
+    if _loses_alpha(renderer, frame):
+        with _background(renderer, 1):
+            over_white = _grab(renderer, frame).astype(int)
+        through = (over_white - pixels[..., :3]).mean(axis=-1, keepdims=True)
+        alpha[...] = numpy.clip(numpy.rint(255 - through), 0, 255)
+    # Over black: premultiplied.
+    straight = numpy.minimum(pixels[..., :3] * 255.0 / numpy.maximum(alpha, 1) + 0.5, 255)
+    pixels[..., :3] = numpy.where(alpha > 0, straight, 0)
+    return pixels
+
+
+def _loses_alpha(renderer, frame):
+    """Whether VTK has blended what is translucent by its weighted average, which before 9.3 leaves
+    a (1 - a) where the alpha is a."""
+    version = vtkVersion()
+    return (
+        (version.GetVTKMajorVersion(), version.GetVTKMinorVersion()) < (9, 3)
+        and not renderer.GetUseDepthPeeling()
+        and frame.GetStage("blend").GetReasonCode() != "ran"
+        and any(prop.HasTranslucentPolygonalGeometry() for prop in renderer.GetViewProps())
+    )
+
+
+def _grab(renderer, frame, alpha=False):
     window = renderer.GetRenderWindow()
     no_display = vtkRelievoDisplay.Check(window)
     if no_display:
@@ -197,7 +227,7 @@ def _grab(renderer, frame, transparent):
     watch.raise_as(RuntimeError, "screenshot")
     grab = vtkWindowToImageFilter()
     grab.SetInput(window)
-    grab.SetInputBufferType(4 if transparent else 3)  # VTK_RGBA, VTK_RGB
+    grab.SetInputBufferType(4 if alpha else 3)  # VTK_RGBA, VTK_RGB
     grab.ReadFrontBufferOff()
     grab.ShouldRerenderOff()
     grab.Update()
@@ -205,20 +235,15 @@ def _grab(renderer, frame, transparent):
     left, below = renderer.GetOrigin()
     columns, rows = renderer.GetSize()
     top = shown.shape[0] - below - rows
-    pixels = shown[top:top + rows, left:left + columns].copy()
-    if transparent:  # over black: premultiplied
-        alpha = pixels[..., 3:]
-        straight = numpy.minimum(pixels[..., :3] * 255.0 / numpy.maximum(alpha, 1) + 0.5, 255)
-        pixels[..., :3] = numpy.where(alpha > 0, straight, 0)
-    return pixels
+    return shown[top:top + rows, left:left + columns].copy()
 
 
 @contextmanager
-def _without_background(renderer):
-    """Black without alpha; afterwards as before."""
+def _background(renderer, level):
+    """A grey from 0 to 1 without alpha; afterwards as before."""
     background, alpha = renderer.GetBackground(), renderer.GetBackgroundAlpha()
     gradient, textured = renderer.GetGradientBackground(), renderer.GetTexturedBackground()
-    renderer.SetBackground(0, 0, 0)
+    renderer.SetBackground(level, level, level)
     renderer.SetBackgroundAlpha(0)
     renderer.SetGradientBackground(False)
     renderer.SetTexturedBackground(False)

@@ -5,11 +5,13 @@
 import numpy
 from vtkmodules.util.numpy_support import numpy_to_vtkIdTypeArray
 from vtkmodules.vtkCommonDataModel import vtkPolyData
+from vtkmodules.vtkFiltersCore import vtkReverseSense
 from vtkmodules.vtkFiltersGeometry import vtkCompositeDataGeometryFilter, vtkGeometryFilter
 from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkRenderer
 
 from ._data import EXPECTED, cloud_of, data_of
 from ._errors import describe, is_a
+from .vtkRelievoFilters import vtkRelievoConvexPolygons
 
 
 def inner_renderer(thing):
@@ -68,14 +70,21 @@ def _actor(data):
     elif is_a(data, "vtkCompositeDataSet"):
         surface = _run(vtkCompositeDataGeometryFilter(), data)
     else:
-        surface = _run(vtkGeometryFilter(), _numbered(data))
+        surface = outwards(_run(vtkGeometryFilter(), _numbered(data)), data)
     if surface.GetNumberOfCells() == 0:
         raise ValueError("renderer: the data has no cells to draw")
     mapper = vtkPolyDataMapper()
-    mapper.SetInputData(surface)
+    mapper.SetInputData(_run(vtkRelievoConvexPolygons(), surface))
     actor = vtkActor()
     actor.SetMapper(mapper)
     return actor
+
+
+def outwards(surface, data):
+    """The surface of the data: faces that VTK turns inside out, of left-handed images, are back."""
+    left_handed = (is_a(data, "vtkImageData") and data.GetDataDimension() == 3
+                   and data.GetDirectionMatrix().Determinant() < 0)
+    return _run(vtkReverseSense(), surface) if left_handed else surface
 
 
 def _place_camera(renderer):

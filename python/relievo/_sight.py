@@ -15,7 +15,7 @@ from ._cameras import CameraModel, sensor_of
 from ._data import need_data
 from ._errors import Watch, describe, is_a
 from ._rays import rays
-from ._renderers import inner_renderer, prop_of
+from ._renderers import inner_renderer, outwards, prop_of
 from .vtkRelievoFilters import (
     vtkRelievoFlow,
     vtkRelievoRayLayers,
@@ -353,7 +353,7 @@ def _surface(thing):
     )
     surface.SetInputDataObject(data)
     surface.Update()
-    return surface.GetOutputDataObject(0)
+    return outwards(surface.GetOutputDataObject(0), data)
 
 
 def _give(filter_, mesh, occluders):

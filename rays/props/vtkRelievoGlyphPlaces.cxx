@@ -24,6 +24,7 @@
 namespace
 {
 using Matrices = vtkRelievoGlyphPlaces::Matrices;
+using Numbers = vtkRelievoGlyphPlaces::Numbers;
 using Meshes = std::vector<vtkPolyData*>;
 
 constexpr vtkIdType MostGlyphs = 1 << 22;
@@ -259,8 +260,10 @@ struct SourcePlaces
   std::shared_ptr<std::vector<vtkIdType>> Points = std::make_shared<std::vector<vtkIdType>>();
 };
 
-// Appends to the places of each source. False if one of them is flat: no way back from the world.
-bool AddPlaces(const Rules& rules, vtkIdType points, std::vector<SourcePlaces>& places)
+// Appends to the places of each source. False if one of them is flat: no way back from the world by
+// floats.
+bool AddPlaces(
+  const Rules& rules, vtkIdType points, Numbers numbers, std::vector<SourcePlaces>& places)
 {
   for (vtkIdType i = 0; i < points; ++i)
   {
@@ -270,19 +273,20 @@ bool AddPlaces(const Rules& rules, vtkIdType points, std::vector<SourcePlaces>& 
     }
     const glm::dvec3 size = rules.GetSize(i);
     const glm::dvec3 sides = glm::abs(size);
-    if (std::min({ sides.x, sides.y, sides.z }) < Flat * std::max({ sides.x, sides.y, sides.z }))
+    if (numbers == Numbers::AsDrawn &&
+      std::min({ sides.x, sides.y, sides.z }) < Flat * std::max({ sides.x, sides.y, sides.z }))
     {
       return false;
     }
     const glm::dmat3 turn = rules.GetTurn(i);
-    const glm::mat4 place(
-      glm::dmat4(glm::dvec4(size.x * turn[0], 0.0), glm::dvec4(size.y * turn[1], 0.0),
-        glm::dvec4(size.z * turn[2], 0.0), glm::dvec4(rules.GetPoint(i), 1.0)));
+    const glm::dmat4 place(glm::dvec4(size.x * turn[0], 0.0), glm::dvec4(size.y * turn[1], 0.0),
+      glm::dvec4(size.z * turn[2], 0.0), glm::dvec4(rules.GetPoint(i), 1.0));
+    const glm::mat4 drawn(place);
     // What has no place is drawn nowhere.
-    if (std::all_of(&place[0][0], &place[0][0] + 16, [](float x) { return std::isfinite(x); }))
+    if (std::all_of(&drawn[0][0], &drawn[0][0] + 16, [](float x) { return std::isfinite(x); }))
     {
       SourcePlaces& source = places[rules.GetSource(i)];
-      source.Places->push_back(place);
+      source.Places->push_back(numbers == Numbers::AsDrawn ? glm::dmat4(drawn) : place);
       source.Points->push_back(i);
     }
   }
@@ -332,8 +336,8 @@ const std::vector<vtkRelievoGlyphPlaces::Group>* vtkRelievoGlyphPlaces::Find(
       const vtkIdType points = each.Points->GetNumberOfPoints();
       std::vector<SourcePlaces> places(sources.size());
       count += points;
-      held.Known =
-        held.Known && count <= MostGlyphs && rules.AreSound() && AddPlaces(rules, points, places);
+      held.Known = held.Known && count <= MostGlyphs && rules.AreSound() &&
+        AddPlaces(rules, points, this->Kind, places);
       for (std::size_t i = 0; i < sources.size() && held.Known; ++i)
       {
         for (vtkPolyData* mesh : sources[i])

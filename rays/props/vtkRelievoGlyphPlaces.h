@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Where a vtkGlyph3DMapper puts its sources: the matrices that VTK hands to OpenGL and to nobody
-// else, by its rules for masks, sources, orientations and scales.
+// else, by its rules for masks, sources, orientations and scales, as they are drawn or exact.
 #ifndef vtkRelievoGlyphPlaces_h
 #define vtkRelievoGlyphPlaces_h
 
@@ -23,8 +23,19 @@ class vtkPolyData;
 class VTKRELIEVORAYS_EXPORT vtkRelievoGlyphPlaces
 {
 public:
-  // From a source to the actor: floats, as VTK has them.
-  using Matrices = std::vector<glm::mat4>;
+  // From a source to the actor.
+  using Matrices = std::vector<glm::dmat4>;
+
+  enum class Numbers
+  {
+    AsDrawn, // rounded to floats, as VTK has them; without flat glyphs: floats have no way back
+    Exact
+  };
+
+  explicit vtkRelievoGlyphPlaces(Numbers numbers = Numbers::AsDrawn)
+    : Kind(numbers)
+  {
+  }
 
   // A mesh of a source, and all of its places in a block of the input, with the block's flat index
   // and its points. Good until the mapper's pipeline changes.
@@ -37,8 +48,8 @@ public:
   };
 
   // Calculated when the mapper, its points or its sources have changed. Null if they are not to be
-  // had: glyphs that OpenGL culls, blocks with a visibility or an opacity of their own, flattened
-  // ones, input that VTK does not draw.
+  // had: glyphs that OpenGL culls, blocks with a visibility or an opacity of their own, input that
+  // VTK does not draw.
   const std::vector<Group>* Find(vtkGlyph3DMapper* mapper);
 
 private:
@@ -49,6 +60,7 @@ private:
     bool Known = false;
     std::vector<Group> Groups;
   };
+  Numbers Kind;
   std::map<vtkGlyph3DMapper*, Held> Mappers;
 };
 

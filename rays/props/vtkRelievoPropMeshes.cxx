@@ -391,8 +391,9 @@ bool AddActor(vtkActor* actor, vtkMatrix4x4* matrix, Wanted wanted, vtkRelievoGl
   manner.TooMany = tooMany;
   manner.OpacityKnown =
     !anyOpacity || actor->GetForceOpaque() || (HasOpaqueColors(mapper) && IsSurface(actor, false));
-  if (!(std::abs(glm::determinant(manner.MeshToWorld)) > 0.0) ||
-    vtkRelievoIsProjective(matrix ? matrix : actor->GetMatrix()))
+  if (!anyOpacity &&
+    (!(std::abs(glm::determinant(manner.MeshToWorld)) > 0.0) ||
+      vtkRelievoIsProjective(matrix ? matrix : actor->GetMatrix())))
   {
     return false; // flattened: no way back from the world; or rays are bent on the way
   }

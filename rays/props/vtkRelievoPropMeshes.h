@@ -21,7 +21,8 @@ enum class Wanted
 {
   Opaque,
   Translucent, // also those, if all of a mesh has one opacity
-  Geometry     // all, whatever their opacity, and whatever points and lines are drawn beside them
+  Geometry // all, whatever their opacity and matrix, which may flatten them or be projective, and
+           // whatever points and lines are drawn beside them
 };
 
 // Appends the meshes that a prop draws. False, and nothing appended, if any of it is no triangles,

@@ -314,12 +314,12 @@ void vtkRelievoMeshReceiver::Read(const vtkRelievoBytes& bytes)
   for (int count = from.Take<int>(); count > 0; --count)
   {
     auto& places = this->Places[from.Take<int>()];
-    auto matrices = std::make_shared<std::vector<glm::mat4>>(from.Take<std::size_t>());
+    auto matrices = std::make_shared<std::vector<glm::dmat4>>(from.Take<std::size_t>());
     from.Take(matrices->data(), matrices->size());
     places = matrices;
   }
   std::map<int, vtkSmartPointer<vtkPolyData>> meshes;
-  std::map<int, std::shared_ptr<const std::vector<glm::mat4>>> places;
+  std::map<int, std::shared_ptr<const std::vector<glm::dmat4>>> places;
   this->Part.Meshes.resize(static_cast<std::size_t>(from.Take<int>()));
   for (vtkRelievoPlacedMesh& placed : this->Part.Meshes)
   {

@@ -77,7 +77,7 @@ public:
 private:
   vtkRelievoMeshPart Part;
   std::map<int, vtkSmartPointer<vtkPolyData>> Meshes;
-  std::map<int, std::shared_ptr<const std::vector<glm::mat4>>> Places;
+  std::map<int, std::shared_ptr<const std::vector<glm::dmat4>>> Places;
 };
 
 #endif

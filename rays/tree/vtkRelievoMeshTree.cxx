@@ -5,7 +5,6 @@
 #include "vtkCellArray.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "vtkRelievoPolygonCut.h"
 #include "vtkRelievoThreads.h"
 
 #include <cmath>
@@ -20,6 +19,28 @@ constexpr double NoBound = std::numeric_limits<double>::infinity();
 bool HasPlace(const glm::dvec3& p)
 {
   return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
+}
+
+// A number for the triangles that polygons are cut into, if they may be others when points move.
+std::uint64_t NumberCuts(vtkPolyData* data, vtkRelievoPolygonCut::Rule rule)
+{
+  std::uint64_t number = 0;
+  const bool fans =
+    rule == vtkRelievoPolygonCut::Rule::AsDrawn && vtkRelievoPolygonCut::IsFan(VTK_INT_MAX);
+  if (!fans && data->GetPolys()->IsHomogeneous() != 3)
+  {
+    vtkRelievoPolygonCut::ForEachTriangle(
+      data,
+      [&number](vtkIdType a, vtkIdType b, vtkIdType c, vtkIdType) {
+        for (const vtkIdType id : { a, b, c })
+        {
+          number = (number ^ static_cast<std::uint64_t>(id)) * 0x100000001b3u; // FNV-1a
+          number ^= number >> 32;
+        }
+      },
+      rule);
+  }
+  return number;
 }
 }
 
@@ -70,7 +91,7 @@ void vtkRelievoMeshTree::TakePlaces(vtkPolyData* data)
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoMeshTree::TakeTriangles(vtkPolyData* data)
+void vtkRelievoMeshTree::TakeTriangles(vtkPolyData* data, vtkRelievoPolygonCut::Rule rule)
 {
   this->Points.resize(static_cast<std::size_t>(data->GetNumberOfPoints()));
   std::iota(this->Points.begin(), this->Points.end(), std::uint32_t(0));
@@ -82,7 +103,8 @@ void vtkRelievoMeshTree::TakeTriangles(vtkPolyData* data)
   this->Corners.reserve(3 * polygons);
   this->Cells.reserve(polygons);
   vtkRelievoPolygonCut::ForEachTriangle(
-    data, [&](vtkIdType a, vtkIdType b, vtkIdType c, vtkIdType cell) {
+    data,
+    [&](vtkIdType a, vtkIdType b, vtkIdType c, vtkIdType cell) {
       if (std::min({ a, b, c }) < 0 || std::max({ a, b, c }) >= points)
       {
         return; // of a point that is not there
@@ -92,7 +114,8 @@ void vtkRelievoMeshTree::TakeTriangles(vtkPolyData* data)
         this->Corners.push_back(static_cast<std::uint32_t>(id));
       }
       this->Cells.push_back(static_cast<std::uint32_t>(cell));
-    });
+    },
+    rule);
 }
 
 //------------------------------------------------------------------------------
@@ -155,7 +178,7 @@ void vtkRelievoMeshTree::SortPoints()
 }
 
 //------------------------------------------------------------------------------
-bool vtkRelievoMeshTree::Update(vtkPolyData* data)
+bool vtkRelievoMeshTree::Update(vtkPolyData* data, vtkRelievoPolygonCut::Rule rule)
 {
   const std::vector<vtkMTimeType> times = { data->GetPoints() ? data->GetPoints()->GetMTime() : 0,
     data->GetPolys()->GetMTime(), data->GetStrips()->GetMTime(),
@@ -166,9 +189,11 @@ bool vtkRelievoMeshTree::Update(vtkPolyData* data)
     return false;
   }
   this->Refitted = false;
-  const bool sameCells = this->Times.size() == times.size() &&
+  const std::uint64_t cuts = NumberCuts(data, rule);
+  const bool sameCells = this->Times.size() == times.size() && cuts == this->Cuts &&
     std::equal(times.begin() + 1, times.end(), this->Times.begin() + 1);
   this->Times = times;
+  this->Cuts = cuts;
   if (sameCells)
   {
     // Triangles keep the order of the leaves.
@@ -177,7 +202,7 @@ bool vtkRelievoMeshTree::Update(vtkPolyData* data)
   }
   if (!this->Refitted)
   {
-    this->TakeTriangles(data);
+    this->TakeTriangles(data, rule);
     this->TakePlaces(data);
     this->Tree.Build(this->GetBoxes(), ToALeaf);
     this->Sort(this->Corners, 3);

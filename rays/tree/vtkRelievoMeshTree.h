@@ -6,6 +6,7 @@
 #ifndef vtkRelievoMeshTree_h
 #define vtkRelievoMeshTree_h
 
+#include "vtkRelievoPolygonCut.h"
 #include "vtkRelievoRay.h"
 #include "vtkRelievoRaysModule.h" // for the export macro
 #include "vtkRelievoWideTree.h"
@@ -20,8 +21,9 @@ class VTKRELIEVORAYS_EXPORT vtkRelievoMeshTree
 {
 public:
   // Brings up to date what has changed: points that moved are fitted. Returns whether anything has.
-  // A triangle with a corner that is not finite is met by nothing.
-  bool Update(vtkPolyData* data);
+  // A triangle with a corner that is not finite is met by nothing. The rule stays that of the first
+  // call.
+  bool Update(vtkPolyData* data, vtkRelievoPolygonCut::Rule rule);
   bool WasRefitted() const { return this->Refitted; } // by the last update
 
   int GetNumberOfTriangles() const { return static_cast<int>(this->Corners.size() / 3); }
@@ -60,13 +62,14 @@ private:
     return this->Corners.data() + 3 * static_cast<std::size_t>(triangle);
   }
   void TakePlaces(vtkPolyData* data);
-  void TakeTriangles(vtkPolyData* data);
+  void TakeTriangles(vtkPolyData* data, vtkRelievoPolygonCut::Rule rule);
   void SortPoints();
   std::vector<vtkRelievoBoxTree::Box> GetBoxes() const;
   template <typename Value>
   void Sort(std::vector<Value>& values, std::size_t size) const;
 
   std::vector<vtkMTimeType> Times; // of points, polygons and strips
+  std::uint64_t Cuts = 0;          // stands for the triangles of polygons that may be cut in ways
   glm::dvec3 Origin{ 0.0 };
   glm::dvec3 Low{ 1.0 };
   glm::dvec3 High{ -1.0 };

@@ -1,17 +1,20 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The triangles that VTK's mappers cut a polygon into, in the order in which they are drawn.
+// The triangles of polygons and strips: those that VTK's mappers draw, in their order, or such as
+// cover each polygon once.
 #ifndef vtkRelievoPolygonCut_h
 #define vtkRelievoPolygonCut_h
 
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
 #include "vtkPolyData.h"
+#include "vtkRelievoPolygonOutline.h"
 #include "vtkRelievoRaysModule.h" // for the export macro
 #include "vtkSmartPointer.h"
 
 #include <array>
+#include <optional>
 #include <vector>
 
 class VTKRELIEVORAYS_EXPORT vtkRelievoPolygonCut
@@ -20,15 +23,23 @@ public:
   // Places in the polygon of a triangle's corners.
   using Triangle = std::array<vtkIdType, 3>;
 
-  // Whether a polygon of that many points becomes a fan about its first.
+  // How polygons become triangles.
+  enum class Rule
+  {
+    AsDrawn,  // by VTK's mappers: before 9.7 a fan, which covers too much of what is not convex
+    ByOutline // by vtkRelievoPolygonOutline
+  };
+
+  // Whether a polygon of that many points is drawn as a fan about its first.
   static bool IsFan(vtkIdType count);
 
   // Calls f with the points of each triangle of polygons and then strips, wound as VTK winds them,
   // and its cell, counted from the first polygon.
   template <typename Function>
-  static void ForEachTriangle(vtkPolyData* mesh, Function f);
+  static void ForEachTriangle(vtkPolyData* mesh, Function f, Rule rule = Rule::AsDrawn);
 
-  // Of a polygon of the mesh with these points, three or more. Valid until the next call.
+  // As it is drawn, of a polygon of the mesh with these points, three or more. Valid until the next
+  // call.
   const std::vector<Triangle>& Cut(vtkPolyData* mesh, const vtkIdType* points, vtkIdType count);
 
 private:
@@ -55,24 +66,40 @@ void vtkRelievoPolygonCut::ForEachCell(vtkCellArray* cells, Function f)
 }
 
 template <typename Function>
-void vtkRelievoPolygonCut::ForEachTriangle(vtkPolyData* mesh, Function f)
+void vtkRelievoPolygonCut::ForEachTriangle(vtkPolyData* mesh, Function f, Rule rule)
 {
+  using Way = vtkRelievoPolygonOutline::Way;
   vtkRelievoPolygonCut cut;
+  std::optional<vtkRelievoPolygonOutline> outline;
+  if (rule == Rule::ByOutline && mesh->GetPoints())
+  {
+    outline.emplace(mesh->GetPoints());
+  }
   vtkIdType cell = 0;
   ForEachCell(mesh->GetPolys(), [&](vtkIdType count, const vtkIdType* ids) {
-    if (!vtkRelievoPolygonCut::IsFan(count))
-    {
-      for (const Triangle& triangle : cut.Cut(mesh, ids, count))
+    const auto add = [&](const auto& triangles) {
+      for (const auto& triangle : triangles)
       {
         f(ids[triangle[0]], ids[triangle[1]], ids[triangle[2]], cell);
+      }
+    };
+    const Way way = outline ? outline->Look(count, ids) : Way::AsItIs;
+    if (way == Way::Cut)
+    {
+      add(outline->GetTriangles());
+    }
+    else if (outline || vtkRelievoPolygonCut::IsFan(count))
+    {
+      const auto first =
+        way == Way::Turned ? static_cast<vtkIdType>(outline->GetFirst()) : vtkIdType(0);
+      for (vtkIdType i = 2; i < count; ++i)
+      {
+        f(ids[first], ids[(first + i - 1) % count], ids[(first + i) % count], cell);
       }
     }
     else
     {
-      for (vtkIdType i = 2; i < count; ++i)
-      {
-        f(ids[0], ids[i - 1], ids[i], cell);
-      }
+      add(cut.Cut(mesh, ids, count));
     }
     ++cell;
   });

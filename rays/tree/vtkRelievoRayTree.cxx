@@ -13,7 +13,8 @@ constexpr double NoEnd = std::numeric_limits<double>::infinity();
 
 bool IsSamePlace(const vtkRelievoPlacedMesh& a, const vtkRelievoPlacedMesh& b)
 {
-  return a.Mesh == b.Mesh && a.MeshToWorld == b.MeshToWorld && a.Places == b.Places;
+  return a.Mesh == b.Mesh && a.MeshToWorld == b.MeshToWorld && a.Places == b.Places &&
+    a.ByOutline == b.ByOutline;
 }
 }
 
@@ -22,20 +23,22 @@ bool vtkRelievoRayTree::UpdateMeshes(const std::vector<vtkRelievoPlacedMesh>& me
 {
   this->MeshesBuilt = 0;
   this->MeshesRefitted = 0;
-  std::map<vtkPolyData*, Held> before;
+  std::map<Key, Held> before;
   before.swap(this->Trees);
   for (const vtkRelievoPlacedMesh& mesh : meshes)
   {
-    Held& held = this->Trees[mesh.Mesh];
+    const Key key(mesh.Mesh, mesh.ByOutline);
+    Held& held = this->Trees[key];
     if (held.Triangles)
     {
       continue;
     }
-    const auto old = before.find(mesh.Mesh);
+    const auto old = before.find(key);
     held = old != before.end() && old->second.Data == mesh.Mesh
       ? old->second
       : Held{ mesh.Mesh, std::make_shared<vtkRelievoMeshTree>() };
-    if (held.Triangles->Update(mesh.Mesh))
+    using Rule = vtkRelievoPolygonCut::Rule;
+    if (held.Triangles->Update(mesh.Mesh, mesh.ByOutline ? Rule::ByOutline : Rule::AsDrawn))
     {
       ++(held.Triangles->WasRefitted() ? this->MeshesRefitted : this->MeshesBuilt);
     }
@@ -80,7 +83,7 @@ void vtkRelievoRayTree::Place()
   {
     const vtkRelievoPlacedMesh& mesh = this->Meshes[i];
     Placed placed;
-    placed.Triangles = this->Trees[mesh.Mesh].Triangles.get();
+    placed.Triangles = this->Trees[{ mesh.Mesh, mesh.ByOutline }].Triangles.get();
     placed.Mesh = static_cast<int>(i);
     const std::size_t count = placed.Triangles->IsEmpty() ? 0 : mesh.GetNumberOfPlaces();
     for (std::size_t k = 0; k < count; ++k)

@@ -15,6 +15,7 @@
 #include <limits>
 #include <map>
 #include <memory>
+#include <utility>
 #include <vector>
 
 class VTKRELIEVORAYS_EXPORT vtkRelievoRayTree
@@ -88,6 +89,7 @@ private:
     int Instance = 0;
     glm::dmat4 ToMesh{ 1.0 }; // about its origin
   };
+  using Key = std::pair<vtkPolyData*, bool>; // and whether its polygons are taken by their outlines
   struct Held
   {
     vtkWeakPointer<vtkPolyData> Data;
@@ -105,7 +107,7 @@ private:
       glm::dvec3(placed.ToMesh * glm::dvec4(from, 1.0)), glm::dmat3(placed.ToMesh) * ray);
   }
 
-  std::map<vtkPolyData*, Held> Trees;
+  std::map<Key, Held> Trees;
   std::vector<vtkRelievoPlacedMesh> Meshes;
   std::vector<Placed> Places; // of Meshes, one or more each
   vtkRelievoWideTree Tree;    // over Places, about the centre, in units of Size

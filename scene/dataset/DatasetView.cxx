@@ -266,9 +266,17 @@ void DatasetPainter::OpenWindow()
   window->SetUseOffScreenBuffers(true);
   this->Before =
     this->Renderer->IsActiveCameraCreated() ? this->Renderer->GetActiveCamera() : nullptr;
+  this->Window = window;
+}
+
+//------------------------------------------------------------------------------
+// Each view has a new camera: what one keeps of the view before, such as its distance, changes the
+// last digits of its matrices, and files would depend on which views a call writes.
+void DatasetPainter::BeginView()
+{
+  this->OpenWindow();
   this->Camera = vtkSmartPointer<vtkCamera>::Take(this->Renderer->MakeCamera());
   this->Renderer->SetActiveCamera(this->Camera);
-  this->Window = window;
 }
 
 //------------------------------------------------------------------------------
@@ -424,7 +432,7 @@ void DatasetPainter::TakePicture(DatasetView& view)
 // among others shows it alone.
 void DatasetPainter::DrawInWindow(vtkRelievoLensCamera* camera, DatasetView& view)
 {
-  this->OpenWindow();
+  this->BeginView();
   CheckWindowSize(this->Window, camera->GetSize());
   this->Window->vtkRenderWindow::SetSize(view.Columns, view.Rows);
   camera->ApplyTo(this->Camera);
@@ -508,7 +516,7 @@ void DatasetPainter::LookBeyond(vtkRelievoLensCamera* camera, DatasetView& view)
 // What the sensor sees by pinholes around its rays.
 void DatasetPainter::TakePicture(vtkRelievoCameraModel* camera, DatasetView& view)
 {
-  this->OpenWindow();
+  this->BeginView();
   CheckWindowSize(this->Window, camera->GetSize());
   vtkNew<vtkRelievoLensPicture> source;
   source->SetRenderer(this->Renderer);

@@ -75,6 +75,7 @@ private:
   };
 
   void OpenWindow();
+  void BeginView();
   void SetSun(const std::array<double, 3>& direction);
   void RestoreLights();
   void DrawInWindow(vtkRelievoLensCamera* camera, DatasetView& view);

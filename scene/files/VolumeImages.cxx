@@ -21,7 +21,9 @@
 #include "vtkNew.h"
 #include "vtkPiecewiseFunction.h"
 #include "vtkPointData.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkReverseSense.h"
 #include "vtkSmartVolumeMapper.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkVolume.h"
@@ -113,6 +115,40 @@ std::array<unsigned char, 3> GetLabelColor(std::size_t number)
   std::transform(rgb, rgb + 3, bytes.begin(),
     [](double part) { return static_cast<unsigned char>(std::lround(255.0 * part)); });
   return bytes;
+}
+
+// The image along the axes of its indices: some filters follow a direction matrix, others do not.
+vtkSmartPointer<vtkImageData> WithoutDirection(vtkImageData* image)
+{
+  auto upright = vtkSmartPointer<vtkImageData>::New();
+  upright->ShallowCopy(image);
+  upright->SetDirectionMatrix(vtkNew<vtkMatrix3x3>());
+  return upright;
+}
+
+// What was made of that, in the world.
+vtkSmartPointer<vtkPolyData> WithDirection(vtkPolyData* mesh, vtkImageData* image)
+{
+  vtkMatrix3x3* direction = image->GetDirectionMatrix();
+  if (direction->IsIdentity() || mesh->GetNumberOfPoints() == 0)
+  {
+    return mesh;
+  }
+  const double* origin = image->GetOrigin();
+  vtkNew<vtkPoints> points;
+  points->SetDataType(mesh->GetPoints()->GetDataType());
+  points->SetNumberOfPoints(mesh->GetNumberOfPoints());
+  for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
+  {
+    double point[3];
+    mesh->GetPoint(i, point);
+    vtkMath::Subtract(point, origin, point);
+    direction->MultiplyPoint(point, point);
+    vtkMath::Add(point, origin, point);
+    points->SetPoint(i, point);
+  }
+  mesh->SetPoints(points);
+  return TurnOutwards(mesh, image);
 }
 
 // The region's steps, closed where the image ends. Its cells have the label and the color.
@@ -261,9 +297,23 @@ bool HasLabels(vtkImageData* image)
 }
 
 //------------------------------------------------------------------------------
+vtkSmartPointer<vtkPolyData> TurnOutwards(vtkPolyData* surface, vtkImageData* image)
+{
+  if (image->GetDataDimension() < 3 || image->GetDirectionMatrix()->Determinant() >= 0.0)
+  {
+    return surface;
+  }
+  vtkNew<vtkReverseSense> turned;
+  turned->SetInputData(surface);
+  turned->Update();
+  return turned->GetOutput();
+}
+
+//------------------------------------------------------------------------------
 vtkSmartPointer<vtkPolyData> MakeLabelSurfaces(vtkImageData* image, Progress& progress)
 {
   const std::map<double, Extent> labels = FindLabels(image);
+  const vtkSmartPointer<vtkImageData> upright = WithoutDirection(image);
   if (labels.size() > MostLabels)
   {
     return nullptr;
@@ -272,7 +322,7 @@ vtkSmartPointer<vtkPolyData> MakeLabelSurfaces(vtkImageData* image, Progress& pr
   std::size_t number = 0;
   for (const auto& [label, box] : labels)
   {
-    all->AddInputData(MakeRegion(image, label, box, GetLabelColor(number)));
+    all->AddInputData(MakeRegion(upright, label, box, GetLabelColor(number)));
     progress.Update(static_cast<double>(++number) / static_cast<double>(labels.size()));
   }
   if (all->GetNumberOfInputConnections(0) == 0)
@@ -293,7 +343,7 @@ vtkSmartPointer<vtkPolyData> MakeLabelSurfaces(vtkImageData* image, Progress& pr
   smooth->NonManifoldSmoothingOn();
   progress.Observe(smooth);
   smooth->Update();
-  return smooth->GetOutput();
+  return WithDirection(smooth->GetOutput(), image);
 }
 
 //------------------------------------------------------------------------------
@@ -349,12 +399,12 @@ vtkSmartPointer<vtkPolyData> MakeIsosurface(vtkImageData* image, double value, P
 {
   vtkNew<vtkFlyingEdges3D> surface;
   progress.Observe(surface);
-  surface->SetInputData(image);
+  surface->SetInputData(WithoutDirection(image));
   surface->SetValue(0, value);
   surface->ComputeNormalsOff();
   surface->InterpolateAttributesOn();
   surface->Update();
-  vtkSmartPointer<vtkPolyData> made = surface->GetOutput();
+  const vtkSmartPointer<vtkPolyData> made = WithDirection(surface->GetOutput(), image);
   made->GetPointData()->SetActiveScalars(nullptr); // one value gives no colours
   return made;
 }

@@ -44,6 +44,10 @@ ImageChoice ParseImage(const std::string& word);
 /// values of cells are at points then. Null: other data.
 vtkSmartPointer<vtkImageData> GetVolumeImage(vtkDataObject* data);
 
+/// A surface of the image by VTK, with triangles that a left-handed image has turned inside out
+/// turned back.
+vtkSmartPointer<vtkPolyData> TurnOutwards(vtkPolyData* surface, vtkImageData* image);
+
 /// Whether the values are whole numbers that hardly change from a point to the next.
 bool HasLabels(vtkImageData* image);
 

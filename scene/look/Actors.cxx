@@ -7,6 +7,7 @@
 #include "FinitePoints.h"
 #include "Messages.h"
 #include "Progress.h"
+#include "VolumeImages.h"
 
 #include "vtkActor.h"
 #include "vtkCellArray.h"
@@ -17,6 +18,7 @@
 #include "vtkDataSet.h"
 #include "vtkGeometryFilter.h"
 #include "vtkIdList.h"
+#include "vtkImageData.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
@@ -118,7 +120,10 @@ vtkSmartPointer<vtkDataObject> Surface(vtkDataObject* data, Progress& progress)
     if (structured) // of which there may be more cells than memory has numbers for
     {
       surface->PassThroughCellIdsOn();
-      return RunSurface(surface, block, progress);
+      const vtkSmartPointer<vtkDataObject> made = RunSurface(surface, block, progress);
+      auto* image = vtkImageData::SafeDownCast(block);
+      auto* faces = vtkPolyData::SafeDownCast(made);
+      return image && faces ? vtkSmartPointer<vtkDataObject>(TurnOutwards(faces, image)) : made;
     }
     // The filter's own numbers are those of its copy without nonlinear cells, where there are any.
     const vtkSmartPointer<vtkDataObject> numbered = CopyDataSets(block);

@@ -18,6 +18,7 @@
 #include <vtkImageData.h>
 #include <vtkInformation.h>
 #include <vtkLookupTable.h>
+#include <vtkMatrix3x3.h>
 #include <vtkMultiBlockDataSet.h>
 #include <vtkMultiPieceDataSet.h>
 #include <vtkNew.h>
@@ -309,6 +310,7 @@ void TestImages()
   image->SetExtent(-2, 3, 0, 4, 7, 7);
   image->SetOrigin(0.1, -2., 1e300);
   image->SetSpacing(0.3, 2., 5.);
+  image->SetDirectionMatrix(0., -0.6, 0.8, 1., 0., 0., 0., 0.8, 0.6);
   image->AllocateScalars(VTK_UNSIGNED_SHORT, 3);
   Fill(image->GetPointData()->GetScalars(), 5);
   const auto copy = Copy(image.Get());
@@ -317,6 +319,11 @@ void TestImages()
     RELIEVO_CHECK(copy->GetExtent()[i] == image->GetExtent()[i]);
     RELIEVO_CHECK(copy->GetOrigin()[i / 2] == image->GetOrigin()[i / 2]);
     RELIEVO_CHECK(copy->GetSpacing()[i / 2] == image->GetSpacing()[i / 2]);
+  }
+  for (int i = 0; i < 9; ++i)
+  {
+    RELIEVO_CHECK(copy->GetDirectionMatrix()->GetElement(i / 3, i % 3) ==
+      image->GetDirectionMatrix()->GetElement(i / 3, i % 3));
   }
   RELIEVO_CHECK(AreSameAttributes(image->GetPointData(), copy->GetPointData()));
 }

@@ -12,11 +12,12 @@ from unittest import mock
 import numpy
 import scenes
 from vtkmodules.vtkCommonCore import vtkVersion
-from vtkmodules.vtkFiltersSources import vtkSphereSource
+from vtkmodules.vtkFiltersSources import vtkPlaneSource, vtkSphereSource
 from vtkmodules.vtkRenderingCore import (
     vtkActor,
     vtkLight,
     vtkPointGaussianMapper,
+    vtkPolyDataMapper,
     vtkRenderer,
     vtkWindowToImageFilter,
 )
@@ -222,6 +223,44 @@ class Windows(unittest.TestCase):
             image = relievo.capture(renderer, "depth", size=size)
             self.assertEqual(image.GetDimensions()[:2], size)
         self.assertEqual(window.GetSize(), (400, 200))
+
+    def test_alpha_of_screenshots(self):
+        """Straight, of panes over nothing, over what is opaque, and of all that a sphere hides."""
+        renderer = vtkRenderer()
+        renderer.SetBackground(0.2, 0.4, 0.6)
+        renderer.GetActiveCamera().ParallelProjectionOn()
+        renderer.GetActiveCamera().SetParallelScale(2)
+        renderer.GetActiveCamera().SetPosition(0, 0, 10)
+        plane, sphere = vtkPlaneSource(), vtkSphereSource()
+
+        def add(source, place, opacity, color):
+            mapper = vtkPolyDataMapper()
+            mapper.SetInputConnection(source.GetOutputPort())
+            actor = vtkActor()
+            actor.SetMapper(mapper)
+            actor.SetPosition(*place)
+            actor.GetProperty().SetColor(*color)
+            actor.GetProperty().SetOpacity(opacity)
+            actor.GetProperty().LightingOff()
+            renderer.AddActor(actor)
+
+        blue = (0, 0.2, 1)
+        add(plane, (-1, 1, 0), 0.5, blue)
+        add(plane, (-1, 1, 1), 0.5, blue)
+        add(plane, (1, 1, 0), 1, blue)
+        add(plane, (1, 1, 1), 0.5, blue)
+        add(plane, (-1, -1, 0), 0.2, blue)
+        add(sphere, (1, -1, 0), 0.99, blue)
+        for peeling in (False, True):
+            renderer.SetUseDepthPeeling(peeling)
+            shot = relievo.screenshot(renderer, size=(80, 80), transparent=True).astype(int)
+            for place, alpha in (((20, 20), 0.75), ((20, 60), 1), ((60, 20), 0.2), ((60, 60), 1),
+                                 ((40, 40), 0)):  # fmt: skip
+                pixel = shot[place]
+                self.assertAlmostEqual(pixel[3], 255 * alpha, delta=1.5, msg=(place, peeling))
+                expected = numpy.array(blue) * 255 * (alpha > 0)
+                numpy.testing.assert_allclose(pixel[:3], expected, atol=6, err_msg=str(place))
+        self.assertEqual(renderer.GetBackground(), (0.2, 0.4, 0.6))
 
     def test_without_a_window(self):
         renderer = scenes.plane_and_sphere()

@@ -543,7 +543,8 @@ class Datasets(unittest.TestCase):
     def test_goes_on(self):
         """Interrupted and gone on with, in parts, or twice by one seed: the same bytes."""
         renderer = heap()
-        words = {"cameras": "random:5,nearest=0.8", "size": (40, 30), "random_sun": True}
+        words = {"cameras": "random:5,nearest=0.8", "size": (40, 30), "random_sun": True,
+                 "layers": ["normal"]}
         whole, parts, broken = (self.folder / name for name in ("whole", "parts", "broken"))
         self.assertEqual(relievo.write_dataset(renderer, directory=whole, **words), 5)
         for views in ((2, 5), (0, 2)):

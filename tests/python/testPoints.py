@@ -156,9 +156,9 @@ class Rays(unittest.TestCase):
         ):
             with self.assertRaisesRegex(ValueError, words):
                 relievo.rays(*things)
-        flat = relievo.rays((vtkSphereSource(), numpy.diag([1.0, 0, 1, 1])))
-        with self.assertRaisesRegex(ValueError, "^rays: (?!Rays).*got a matrix that flattens"):
-            flat.any([0, 0, 0], [0, 0, 1])
+        nowhere = relievo.rays((vtkSphereSource(), numpy.diag([1.0, 1, 1, 0])))
+        with self.assertRaisesRegex(ValueError, "^rays: (?!Rays).*got a matrix that is not finite"):
+            nowhere.any([0, 0, 0], [0, 0, 1])
 
 
 if __name__ == "__main__":

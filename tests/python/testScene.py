@@ -14,9 +14,12 @@ import warnings
 
 import numpy
 import relievo
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkOutputWindow
+from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkFiltersCore import vtkTriangleFilter
 from vtkmodules.vtkIOLegacy import vtkPolyDataReader
-from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
+from vtkmodules.vtkIOXML import vtkXMLImageDataWriter, vtkXMLPolyDataWriter
 from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow
 
 # A roof over a floor, in two heights, with values at the points.
@@ -246,6 +249,55 @@ class Scene(unittest.TestCase):
             scene.render(self.path("no folder/a.png"))
         self.assertEqual(sorted(os.listdir(self.folder)), ["lamps.vtk", "roof.vtk", "scene.png"])
         self.assertEqual(self.picture(scene), plain)
+
+    def test_images_have_their_direction(self):
+        """Surfaces and volumes are where the image says that its points are, outside outwards."""
+        turned = numpy.array([[0, -0.6, 0.8], [1, 0, 0], [0, 0.8, 0.6]])
+        for direction in (turned, numpy.diag([1, 1, -1]), turned @ numpy.diag([-1, 1, 1])):
+            image = vtkImageData()
+            image.SetExtent(3, 12, -2, 9, 0, 8)
+            image.SetOrigin(10, 20, 30)
+            image.SetSpacing(1, 2, 1.5)
+            image.SetDirectionMatrix(direction.ravel())
+            values = numpy.zeros((9, 12, 10), numpy.int16)  # z, y, x
+            values[2:7, 3:9, 4:8] = 4  # indices 7 to 10, 1 to 6, 2 to 6
+            array = numpy_to_vtk(values.ravel(), deep=True)
+            array.SetName("label")
+            image.GetPointData().SetScalars(array)
+            writer = vtkXMLImageDataWriter()
+            writer.SetFileName(self.path("image.vti"))
+            writer.SetInputData(image)
+            writer.Write()
+            block = [(6.5, 10.5), (0.5, 6.5), (1.5, 6.5)]
+            whole = [(3, 12), (-2, 9), (0, 8)]
+            for kind, bounds, off in (("surface=2", block, 1e-5), ("labels", block, 0.5),
+                                      ("box", whole, 1e-5)):  # fmt: skip
+                made = relievo.scene(self.path("image.vti"), image=kind, ground=False)
+                actor = next(iter(made.renderer.GetActors()))
+                mesh = actor.GetMapper().GetInputDataObject(0, 0)
+                indices = numpy.zeros((mesh.GetNumberOfPoints(), 3))
+                for i, index in enumerate(indices):
+                    image.TransformPhysicalPointToContinuousIndex(mesh.GetPoint(i), index)
+                numpy.testing.assert_allclose(indices.min(axis=0), [b[0] for b in bounds],
+                                              atol=off, err_msg=kind)
+                numpy.testing.assert_allclose(indices.max(axis=0), [b[1] for b in bounds],
+                                              atol=off, err_msg=kind)
+                # As it is wound, its volume is positive: labels smooth some of it off.
+                triangles = vtkTriangleFilter()
+                triangles.SetInputData(mesh)
+                triangles.Update()
+                points = vtk_to_numpy(triangles.GetOutput().GetPoints().GetData()).astype(float)
+                cells = vtk_to_numpy(triangles.GetOutput().GetPolys().GetConnectivityArray())
+                corners = points[cells.reshape(-1, 3)] - points.mean(axis=0)
+                volume = numpy.linalg.det(corners).sum() / 6
+                expected = 3 * numpy.prod([b[1] - b[0] for b in bounds])
+                self.assertGreater(volume, 0.5 * expected, kind)
+                self.assertLess(volume, 1.001 * expected, kind)
+            made = relievo.scene(self.path("image.vti"), image="volume", ground=False)
+            volume = made.renderer.GetVolumes().GetItemAsObject(0)
+            matrix = volume.GetMapper().GetInputDataObject(0, 0).GetDirectionMatrix()
+            found = [[matrix.GetElement(i, j) for j in range(3)] for i in range(3)]
+            numpy.testing.assert_array_equal(found, direction)
 
     def test_notes_and_warnings(self):
         """What a command prints is a scene's notes; a good one has none, and warns of nothing."""

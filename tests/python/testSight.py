@@ -10,7 +10,12 @@ from testDatasets import vtkCompositeMapper
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonMath import vtkMatrix4x4
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkMultiBlockDataSet, vtkPolyData
+from vtkmodules.vtkCommonDataModel import (
+    vtkCellArray,
+    vtkImageData,
+    vtkMultiBlockDataSet,
+    vtkPolyData,
+)
 from vtkmodules.vtkFiltersSources import (
     vtkCubeSource,
     vtkLineSource,
@@ -249,6 +254,27 @@ class Seen(unittest.TestCase):
             left = array(seen, "solid_angle").sum() / 2
             self.assertAlmostEqual(left / truth, 0.5, delta=0.02, msg=f"{pixels} pixels a cell")
 
+    def test_concave_cells_are_seen_whole(self):
+        # An L from above, whatever its first corner: by pixels whose rays end within it.
+        outline = [(0, 0), (2, 0), (2, 1), (1, 1), (1, 2), (0, 2)]
+        camera = relievo.Pinhole(K, SIZE).look_at((1.03, 1.04, 4), (1.03, 1.04, 0), up=(0, 1, 0))
+        plane = grid((-9, -9, 0), (9, -9, 0), (-9, 9, 0), 1, 1)
+        there = relievo.layer(relievo.capture(plane, ["position"], camera=camera), "position")
+        x, y = there[..., 0], there[..., 1]
+        inside = (x > 0) & (y > 0) & (x < 2) & (y < 2) & ((x < 1) | (y < 1))
+        for first in range(6):
+            turned = outline[first:] + outline[:first]
+            ell = mesh_of([(x, y, 0) for x, y in turned], [range(6)])
+            self.assertEqual(array(relievo.visible(ell, camera), "pixels")[0], inside.sum())
+            cell = relievo.layer(relievo.capture(ell, ["cell"], camera=camera), "cell")
+            numpy.testing.assert_array_equal(cell >= 0, inside)
+            # Drawn, fitted to the picture: three quarters of a square.
+            drawn = relievo.layer(relievo.capture(ell, ["cell"], size=(200, 200)), "cell")
+            rows, columns = numpy.nonzero(drawn >= 0)
+            square = (numpy.ptp(rows) + 1) * (numpy.ptp(columns) + 1)
+            self.assertAlmostEqual((drawn >= 0).sum() / square, 0.75, delta=0.02)
+            self.assertEqual(drawn.max(), 0)
+
     def test_nothing_is_too_small(self):
         # Each cell of 100 x 100 in a picture of 20 x 20 pixels; half are behind a wall.
         floor = grid((-1, 0, 1), (1, 0, 1), (-1, 0, -1), 100, 100)
@@ -482,6 +508,28 @@ class Sun(unittest.TestCase):
             possible = lit.GetFieldData().GetArray("possible_hours").GetValue(0)
             missing = possible - array(lit, "sun_hours")[0]
             self.assertEqual(missing > 0.03, dark, place)
+
+    def test_cells_are_judged_within(self):
+        # A U of legs of 1 by 2 on a foot of 3 by 1: its middle, (3/2, 17/14), is between the legs,
+        # where a box is all around it.
+        outline = [(0, 0), (3, 0), (3, 3), (2, 3), (2, 1), (1, 1), (1, 3), (0, 3)]
+        hood = box((1.5, 1.5, 0), 0.45)
+        for first in range(8):
+            floor = mesh_of([(x, y, 0) for x, y in outline[first:] + outline[:first]], [range(8)])
+            lit = relievo.sun_exposure(floor, 0, 0, "2026-03-20", step=60, up="z", occluders=hood)
+            self.assertGreater(array(lit, "sun_hours")[0], 8.0, first)
+
+    def test_left_handed_images_have_their_outside_outside(self):
+        image = vtkImageData()
+        image.SetDimensions(3, 3, 3)
+        hours = []
+        for z in (1, -1):  # no cell of the top looks down, and none of the bottom up
+            image.SetDirectionMatrix(1, 0, 0, 0, 1, 0, 0, 0, z)
+            lit = relievo.sun_exposure(image, 0, 0, "2026-03-20", step=60, up="z")
+            hours.append(array(lit, "sun_hours").max())
+            height = [numpy.mean(lit.GetCell(i).GetBounds()[4:]) for i in range(24)]
+            top = array(lit, "sun_hours")[numpy.isclose(height, max(height))]
+            self.assertEqual((len(top), len(set(top)), top[0]), (4, 1, hours[0]))
 
     def test_from_behind_and_points(self):
         roof = grid((0, 0, 0), (1, 0, 0), (0, 0, -1), 1, 1)

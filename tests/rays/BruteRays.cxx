@@ -45,7 +45,7 @@ void BruteRays::Add(vtkPolyData* mesh, int prop, vtkMatrix4x4* matrix, long long
       {
         matrix->MultiplyPoint(p, p);
       }
-      triangle.Corners[k] = glm::dvec3(p[0], p[1], p[2]);
+      triangle.Corners[k] = glm::dvec3(p[0], p[1], p[2]) / p[3];
       finite = finite && std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
     }
     if (finite)

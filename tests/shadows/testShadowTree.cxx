@@ -94,7 +94,7 @@ void TestRefit(vtkOpenGLRenderWindow* window)
 void TestTooMany(vtkOpenGLRenderWindow* window)
 {
   const auto ball = MakeBall();
-  const auto places = std::make_shared<const std::vector<glm::mat4>>(1 << 20);
+  const auto places = std::make_shared<const std::vector<glm::dmat4>>(1 << 20);
   vtkRelievoPlacedMesh caster;
   caster.Mesh = ball;
   caster.Places = places;

@@ -50,4 +50,3 @@ private:
 };
 
 #endif
-// VTK-HeaderTest-Exclude: vtkRelievoEarCutter.h
