@@ -328,7 +328,8 @@ Scene ReadScene(const RenderOptions& options, Progress& progress)
     const int volumes = scene.Renderer->GetVolumes()->GetNumberOfItems();
     if (IsModel(path))
     {
-      scene.Models.push_back(ReadModel(path, options.Model, smooth, progress));
+      scene.Models.push_back(
+        ReadModel(path, options.AllowedFolders, options.Model, smooth, progress));
       WidenTimes(scene);
       for (const PosedModel::Part& part : scene.Models.back().Parts)
       {
@@ -341,16 +342,17 @@ Scene ReadScene(const RenderOptions& options, Progress& progress)
     {
       scene.Dimensions.resize(scene.Counts.size() + 1);
       const bool images = options.Image.Is != ImageChoice::Kind::Box;
-      vtkSmartPointer<vtkDataObject> surface = ReadSurface(path, smooth, images, progress);
+      vtkSmartPointer<vtkDataObject> surface =
+        ReadSurface(path, options.AllowedFolders, smooth, images, progress);
       progress.Begin("preparing " + path);
+      NoteIdleImage(surface, options, path);
       if (auto* image = vtkImageData::SafeDownCast(surface))
       {
-      NoteIdleImage(surface, options, path);
         image->GetDimensions(scene.Dimensions.back().data());
         surface = ShowImage(image, options.Image, scene.Renderer, path, progress);
         surface = surface ? MakeSurface(surface, smooth, path, progress) : nullptr;
       }
-      const auto parts = surface ? SplitByMaterials(surface, path, progress)
+      const auto parts = surface ? SplitByMaterials(surface, path, options.AllowedFolders, progress)
                                  : std::vector<vtkSmartPointer<vtkActor>>();
       for (vtkActor* actor : parts)
       {

@@ -266,6 +266,24 @@ class Scene(unittest.TestCase):
         scene = relievo.scene(self.path("hole.vtp"), size=SIZE).update()
         self.assertRegex(" ".join(scene.notes), "left out 1 cell")
 
+    def test_folders_of_named_files(self):
+        """Those beside the file's own are read where they are allowed, also later."""
+        with tempfile.TemporaryDirectory() as folder:
+            inside, beside = pathlib.Path(folder, "inside"), pathlib.Path(folder, "beside")
+            inside.mkdir()
+            beside.mkdir()
+            (beside / "m.mtl").write_text("newmtl a\nKd 1 0 0\n")
+            (inside / "a.obj").write_text(
+                "mtllib ../beside/m.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl a\nf 1 2 3\n")
+            scene = relievo.scene(inside / "a.obj").update()
+            self.assertRegex("\n".join(scene.notes), "m.mtl: it lies outside.*--allow-folder")
+            scene.set(allow_folder=[beside]).update()
+            self.assertEqual(scene.notes, [])
+            actor = scene.renderer.GetActors().GetLastActor()
+            self.assertEqual(actor.GetProperty().GetDiffuseColor(), (1, 0, 0))
+            with self.assertRaisesRegex(OSError, "--allow-folder none"):
+                relievo.scene(inside / "a.obj", allow_folder=["none"]).update()
+
     def test_names_of_bytes(self):
         """File names of any bytes, and names that begin with a dash."""
         for name in (b"-roof.vtk", b"r\xff\xfe.vtk", "dächer.vtk".encode()):
