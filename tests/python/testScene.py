@@ -247,6 +247,17 @@ class Scene(unittest.TestCase):
         self.assertEqual(sorted(os.listdir(self.folder)), ["lamps.vtk", "roof.vtk", "scene.png"])
         self.assertEqual(self.picture(scene), plain)
 
+    def test_errors_of_opengl(self):
+        """VTK's list of them becomes what to do."""
+        scene = relievo.scene(self.mesh, size=SIZE)
+        text = ("ERROR: In vtkOpenGLError.h, line 9\nvtkTextureObject (0x1): failed after Create2D "
+                "1 OpenGL errors detected\n  0 : (1285) Out of memory\n")  # fmt: skip
+        scene._scene.AddObserver(
+            "ProgressEvent", lambda *_: vtkOutputWindow.GetInstance().DisplayErrorText(text))
+        with self.assertRaisesRegex((OSError, RuntimeError),
+                                    "OpenGL failed: out of memory.*--size"):  # fmt: skip
+            scene.update()
+
     def test_notes_and_warnings(self):
         """What a command prints is a scene's notes; a good one has none, and warns of nothing."""
         with warnings.catch_warnings():
