@@ -9,9 +9,11 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <sstream>
+#include <system_error>
 #include <utility>
 
 namespace
@@ -474,12 +476,24 @@ std::string vtkRelievoCalibrationFile::GetExtension(const std::string& path)
 vtkRelievoCalibrationFile vtkRelievoCalibrationFile::Read(const std::string& path)
 {
   vtkRelievoCalibrationFile failed;
-  std::ifstream stream(path, std::ios::binary);
-  std::string text(std::istreambuf_iterator<char>(stream), {});
-  if (!stream.is_open() || stream.bad() || text.size() > MostBytes)
+  // A pipe would be waited for, and a device need not end.
+  std::error_code trouble;
+  const bool isFile = std::filesystem::is_regular_file(path, trouble);
+  if (std::filesystem::exists(path, trouble) && !isFile)
   {
-    failed.Wrong =
-      text.size() > MostBytes ? "it is larger than a calibration is" : "cannot be read";
+    failed.Wrong = "expected a file, not a folder, a pipe or a device";
+    return failed;
+  }
+  const bool isLarge = isFile && std::filesystem::file_size(path, trouble) > MostBytes;
+  std::ifstream stream(path, std::ios::binary);
+  std::string text;
+  if (!isLarge)
+  {
+    text.assign(std::istreambuf_iterator<char>(stream), {});
+  }
+  if (!stream.is_open() || stream.bad() || isLarge)
+  {
+    failed.Wrong = isLarge ? "it is larger than a calibration is" : "cannot be read";
     return failed;
   }
   Json file;

@@ -2,7 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRelievoFileKind.h"
 
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
 #include <filesystem>
+#include <fstream>
 #include <system_error>
 
 //------------------------------------------------------------------------------
@@ -23,4 +27,34 @@ std::string vtkRelievoFileKind::FindInstead(const std::string& path)
     default:
       return "";
   }
+}
+
+//------------------------------------------------------------------------------
+std::string vtkRelievoFileKind::ReadWhole(
+  const std::string& path, std::size_t most, std::string& bytes)
+{
+  bytes.clear();
+  const std::string instead = FindInstead(path);
+  if (!instead.empty())
+  {
+    return "expected a file, but " + instead;
+  }
+  errno = 0;
+  std::ifstream file(path, std::ios::binary);
+  if (!file)
+  {
+    return std::strerror(errno);
+  }
+  // Not by the size that the file system says, which need not be the file's.
+  char part[1 << 16];
+  while (bytes.size() <= most && (file.read(part, sizeof part) || file.gcount() > 0))
+  {
+    bytes.append(part, static_cast<std::size_t>(file.gcount()));
+  }
+  if (bytes.size() > most)
+  {
+    bytes.clear();
+    return "it has more than " + std::to_string(most >> 20) + " MiB, expected at most these";
+  }
+  return file.bad() ? "it cannot be read" : "";
 }

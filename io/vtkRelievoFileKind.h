@@ -8,6 +8,7 @@
 
 #include "vtkRelievoIOModule.h" // for the export macro
 
+#include <cstddef>
 #include <string>
 
 namespace vtkRelievoFileKind
@@ -15,6 +16,10 @@ namespace vtkRelievoFileKind
 // What is there instead of a file, to follow "expected a file, but": "it is a folder", "it is a
 // pipe". Empty for a regular file or a link to one, and where nothing is, which opening it tells.
 VTKRELIEVOIO_EXPORT std::string FindInstead(const std::string& path);
+
+// Reads a file of at most so many bytes. Returns "", or what is wrong with it.
+VTKRELIEVOIO_EXPORT std::string ReadWhole(
+  const std::string& path, std::size_t most, std::string& bytes);
 }
 
 #endif

@@ -18,8 +18,8 @@ namespace scene
 {
 namespace
 {
-constexpr const char* Reading[] = { "--time", "--times", "--animation", "--blend", "--loop",
-  "--image", "--skeleton", "--bone-weight", "--skin", "--normal-map", "--height-map",
+constexpr const char* Reading[] = { "--allow-folder", "--time", "--times", "--animation", "--blend",
+  "--loop", "--image", "--skeleton", "--bone-weight", "--skin", "--normal-map", "--height-map",
   "--texture-coordinates", "--up" };
 constexpr const char* Wearing[] = { "--normal-map", "--height-map", "--relief", "--material",
   "--texture-coordinates", "--opacity", "--environment", "--reflectivity", "--skybox", "--up" };

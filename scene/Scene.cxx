@@ -248,13 +248,13 @@ vtkSmartPointer<vtkDataObject> ShowImage(vtkImageData* image, const ImageChoice&
     {
       Messages::Note(path + ": holds labels, shown by their surfaces; --image box shows the image");
     }
-    const vtkSmartPointer<vtkDataObject> surfaces = MakeLabelSurfaces(image, progress);
-    if (!surfaces)
+    const std::string wrong = found ? "" : CheckLabels(image);
+    if (!wrong.empty())
     {
-      throw WorkError(path + ": --image labels: holds more than " + std::to_string(MostLabels) +
-        " values; --image surface shows where one is reached");
+      throw WorkError(path + ": --image labels: " + wrong +
+        "; --image surface shows where one is reached, --image volume all of them");
     }
-    return surfaces;
+    return MakeLabelSurfaces(image, progress);
   }
   double range[2];
   image->GetPointData()->GetScalars()->GetFiniteRange(range);
@@ -275,6 +275,22 @@ vtkSmartPointer<vtkDataObject> ShowImage(vtkImageData* image, const ImageChoice&
       "; --image volume shows all of them, --image box the outer faces");
   }
   return MakeIsosurface(image, value, progress);
+}
+
+//------------------------------------------------------------------------------
+// Of data that --image, where it was asked for, does not change.
+void NoteIdleImage(vtkDataObject* data, const RenderOptions& options, const std::string& path)
+{
+  using Kind = ImageChoice::Kind;
+  const std::string extension = ExtensionOf(path);
+  const bool asked = options.Image.Is != Kind::Found && options.Image.Is != Kind::Box;
+  const bool concerns =
+    extension == ".vti" || extension == ".pvti" || options.Files.size() == 1; // not a mesh beside
+  if (asked && concerns && !vtkImageData::SafeDownCast(data))
+  {
+    Messages::Note(path +
+      ": --image changed nothing: it shows images with depth and one value for each point or cell");
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -312,7 +328,8 @@ Scene ReadScene(const RenderOptions& options, Progress& progress)
     const int volumes = scene.Renderer->GetVolumes()->GetNumberOfItems();
     if (IsModel(path))
     {
-      scene.Models.push_back(ReadModel(path, options.Model, smooth, progress));
+      scene.Models.push_back(
+        ReadModel(path, options.AllowedFolders, options.Model, smooth, progress));
       WidenTimes(scene);
       for (const PosedModel::Part& part : scene.Models.back().Parts)
       {
@@ -325,15 +342,17 @@ Scene ReadScene(const RenderOptions& options, Progress& progress)
     {
       scene.Dimensions.resize(scene.Counts.size() + 1);
       const bool images = options.Image.Is != ImageChoice::Kind::Box;
-      vtkSmartPointer<vtkDataObject> surface = ReadSurface(path, smooth, images, progress);
+      vtkSmartPointer<vtkDataObject> surface =
+        ReadSurface(path, options.AllowedFolders, smooth, images, progress);
       progress.Begin("preparing " + path);
+      NoteIdleImage(surface, options, path);
       if (auto* image = vtkImageData::SafeDownCast(surface))
       {
         image->GetDimensions(scene.Dimensions.back().data());
         surface = ShowImage(image, options.Image, scene.Renderer, path, progress);
         surface = surface ? MakeSurface(surface, smooth, path, progress) : nullptr;
       }
-      const auto parts = surface ? SplitByMaterials(surface, path, progress)
+      const auto parts = surface ? SplitByMaterials(surface, path, options.AllowedFolders, progress)
                                  : std::vector<vtkSmartPointer<vtkActor>>();
       for (vtkActor* actor : parts)
       {

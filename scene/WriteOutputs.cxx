@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "WriteOutputs.h"
 
+#include "DataSets.h"
 #include "DressedScene.h"
 #include "Errors.h"
 #include "Flow.h"
@@ -17,11 +18,22 @@
 #include "Transparency.h"
 #include "Values.h"
 
+#include "vtkActor.h"
+#include "vtkActorCollection.h"
+#include "vtkCellArray.h"
+#include "vtkCellArrayIterator.h"
+#include "vtkCellData.h"
+#include "vtkDataSet.h"
 #include "vtkFieldData.h"
 #include "vtkImageData.h"
+#include "vtkMapper.h"
+#include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkPNGWriter.h"
 #include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkPolygon.h"
+#include "vtkProperty.h"
 #include "vtkRelievoEXRWriter.h"
 #include "vtkRelievoLayerCatalogue.h"
 #include "vtkRelievoLayerSource.h"
@@ -33,6 +45,7 @@
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkUnsignedCharArray.h"
+#include "vtkVolumeCollection.h"
 #include "vtkWindowToImageFilter.h"
 
 #include <algorithm>
@@ -151,6 +164,67 @@ bool ShowsNothing(vtkRenderWindow* window, vtkImageData* picture, const RenderOp
 }
 
 //------------------------------------------------------------------------------
+// Whether it has a polygon with area, a line or a point. Of data that is drawn in its own colours,
+// these are not all transparent.
+bool HasVisibleCells(vtkDataSet* data, bool isColored)
+{
+  auto* colors = vtkUnsignedCharArray::SafeDownCast(data->GetPointData()->GetScalars()
+      ? data->GetPointData()->GetScalars()
+      : data->GetCellData()->GetScalars());
+  if (isColored && colors && colors->GetNumberOfComponents() == 4 && colors->GetRange(3)[1] == 0.)
+  {
+    return false;
+  }
+  auto* mesh = vtkPolyData::SafeDownCast(data);
+  if (!mesh || mesh->GetNumberOfLines() + mesh->GetNumberOfVerts() + mesh->GetNumberOfStrips() > 0)
+  {
+    return true;
+  }
+  const auto cells = vtk::TakeSmartPointer(mesh->GetPolys()->NewIterator());
+  vtkIdType size = 0;
+  const vtkIdType* corners = nullptr;
+  for (cells->GoToFirstCell(); !cells->IsDoneWithTraversal(); cells->GoToNextCell())
+  {
+    cells->GetCurrentCell(size, corners);
+    double normal[3];
+    vtkPolygon::ComputeNormal(mesh->GetPoints(), static_cast<int>(size), corners, normal);
+    if (vtkMath::Norm(normal) > 0.)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+// Whether the ground is all that can be seen: such a picture is not empty.
+bool ShowsGroundAlone(const Scene& scene, const RenderOptions& options)
+{
+  if (!scene.Ground || scene.Grid || !options.Points.empty() ||
+    scene.Renderer->GetVolumes()->GetNumberOfItems() > 0)
+  {
+    return false;
+  }
+  bool shown = false;
+  vtkActorCollection* actors = scene.Renderer->GetActors();
+  vtkCollectionSimpleIterator at;
+  actors->InitTraversal(at);
+  while (vtkActor* actor = actors->GetNextActor(at))
+  {
+    vtkMapper* mapper = actor->GetMapper();
+    vtkDataObject* data = mapper ? mapper->GetInputDataObject(0, 0) : nullptr;
+    if (data && actor != scene.Ground && actor->GetVisibility() &&
+      actor->GetProperty()->GetOpacity() > 0.)
+    {
+      const bool isColored =
+        mapper->GetScalarVisibility() && mapper->GetScalarMode() == VTK_SCALAR_MODE_DEFAULT;
+      ForEachDataSet(
+        data, [&](vtkDataSet* part) { shown = shown || HasVisibleCells(part, isColored); });
+    }
+  }
+  return !shown;
+}
+
+//------------------------------------------------------------------------------
 vtkSmartPointer<vtkImageData> Grab(vtkRenderWindow* window)
 {
   vtkNew<vtkWindowToImageFilter> grab;
@@ -170,7 +244,7 @@ vtkSmartPointer<vtkImageData> DrawOver(const Scene& scene, double grey)
 }
 
 //------------------------------------------------------------------------------
-void WritePNG(vtkRenderWindow* window, vtkImageData* picture, const RenderOptions& options,
+void WritePNG(const Scene& scene, vtkImageData* picture, const RenderOptions& options,
   const Outputs& outputs, Progress& progress)
 {
   progress.Begin("writing " + options.PNG);
@@ -184,7 +258,12 @@ void WritePNG(vtkRenderWindow* window, vtkImageData* picture, const RenderOption
   }
   progress.End();
   Messages::Check(options.PNG, writer->GetErrorCode() != 0, "cannot be written; is the disk full?");
-  if (ShowsNothing(window, picture, options))
+  if (ShowsGroundAlone(scene, options))
+  {
+    Messages::Note(options.PNG +
+      ": shows nothing but the ground: all else is wholly transparent, or has no area");
+  }
+  else if (ShowsNothing(scene.Renderer->GetRenderWindow(), picture, options))
   {
     Messages::Note(options.PNG +
       ": shows nothing but the background: all else is out of sight, thinner than a pixel, or has "
@@ -339,7 +418,7 @@ void DrawFrame(const Scene& scene, vtkRelievoPass* pass, const std::vector<std::
   {
     if (!options.PNG.empty())
     {
-      WritePNG(window, picture, options, outputs, progress);
+      WritePNG(scene, picture, options, outputs, progress);
     }
     if (!options.EXR.empty())
     {

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRelievoGltfContainer.h"
 
+#include "vtkRelievoFileKind.h"
+
 #include <algorithm>
 #include <cstring>
 #include <filesystem>
@@ -63,18 +65,14 @@ bool HasScheme(const std::string& uri)
 std::vector<unsigned char> ReadBytes(const std::string& path, std::uintmax_t& read)
 {
   std::error_code unknown;
-  const std::filesystem::file_status status = std::filesystem::status(path, unknown);
-  if (std::filesystem::is_directory(status))
+  const std::string instead = vtkRelievoFileKind::FindInstead(path);
+  if (!instead.empty())
   {
-    throw GltfError("is a folder, expected a file");
+    throw GltfError(instead.substr(3) + ", expected a file"); // it ...
   }
-  if (!std::filesystem::exists(status))
+  if (!std::filesystem::exists(path, unknown))
   {
     throw GltfError("is not there");
-  }
-  if (!std::filesystem::is_regular_file(status))
-  {
-    throw GltfError("is a pipe or a device, expected a file");
   }
   const std::uintmax_t size = std::filesystem::file_size(path, unknown);
   if (unknown || size > gltf::MostBytes - std::min(read, gltf::MostBytes))
@@ -132,8 +130,10 @@ std::size_t ReadLittle(const unsigned char* at, int bytes)
 }
 
 //------------------------------------------------------------------------------
-GltfContainer::GltfContainer(const std::string& path, ModelSources& sources)
+GltfContainer::GltfContainer(
+  const std::string& path, const vtkRelievoAllowedFolders& allowed, ModelSources& sources)
   : Path(path)
+  , Allowed(allowed)
   , Sources(sources)
 {
   this->Open();
@@ -290,6 +290,24 @@ std::vector<std::string> GltfContainer::GetUnread() const
 }
 
 //------------------------------------------------------------------------------
+std::string GltfContainer::FindNamed(const std::string& uri) const
+{
+  const std::filesystem::path folder = std::filesystem::path(this->Path).parent_path();
+  std::error_code unknown;
+  const std::string named = (folder / DecodeUri(uri)).string();
+  const bool isCoded = std::filesystem::exists(named, unknown) ||
+    !std::filesystem::exists(folder / uri, unknown); // of writers that do not code
+  return isCoded ? named : (folder / uri).string();
+}
+
+//------------------------------------------------------------------------------
+std::string GltfContainer::FindObstacle(std::size_t image) const
+{
+  const std::string uri = this->Get("images").At(image).Get("uri").GetText("");
+  return uri.empty() || HasScheme(uri) ? "" : this->Allowed.FindObstacle(this->FindNamed(uri));
+}
+
+//------------------------------------------------------------------------------
 std::vector<unsigned char> GltfContainer::ReadUri(const GltfValue& owner, const std::string& uri)
 {
   std::vector<unsigned char> bytes;
@@ -299,12 +317,11 @@ std::vector<unsigned char> GltfContainer::ReadUri(const GltfValue& owner, const 
     {
       owner.Fail("names " + uri + ", expected a file beside it or data: with base64");
     }
-    const std::filesystem::path folder = std::filesystem::path(this->Path).parent_path();
-    std::error_code unknown;
-    std::string named = (folder / DecodeUri(uri)).string();
-    if (!std::filesystem::exists(named, unknown) && std::filesystem::exists(folder / uri, unknown))
+    const std::string named = this->FindNamed(uri);
+    const std::string obstacle = this->Allowed.FindObstacle(named);
+    if (!obstacle.empty())
     {
-      named = (folder / uri).string(); // of writers that do not code
+      owner.Fail("names " + DecodeUri(uri) + ": " + obstacle);
     }
     this->Sources.Add(named);
     try

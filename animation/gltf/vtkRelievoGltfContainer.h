@@ -7,6 +7,7 @@
 #ifndef vtkRelievoGltfContainer_h
 #define vtkRelievoGltfContainer_h
 
+#include "vtkRelievoAllowedFolders.h"
 #include "vtkRelievoGltfValue.h"
 #include "vtkRelievoModelSources.h"
 
@@ -48,7 +49,8 @@ class GltfContainer
 {
 public:
   /// Reads the file, and adds it to the sources as it does each file that is named by it.
-  GltfContainer(const std::string& path, ModelSources& sources);
+  GltfContainer(
+    const std::string& path, const vtkRelievoAllowedFolders& allowed, ModelSources& sources);
 
   GltfValue Get(const char* key) const;
   /// The extensions that the file uses and that are not read.
@@ -56,6 +58,9 @@ public:
 
   /// The bytes of a buffer view.
   GltfBytes GetView(std::size_t view);
+
+  /// Why the file of an image may not be read; "" if it may, or there is none.
+  std::string FindObstacle(std::size_t image) const;
 
   /// The bytes of an image, and its name: what the file names, or its place in the file.
   GltfBytes GetImage(std::size_t image, std::string& name);
@@ -65,9 +70,11 @@ private:
   void Parse(const unsigned char* text, std::size_t size);
   void CheckExtensions() const;
   GltfBytes GetBuffer(std::size_t buffer);
+  std::string FindNamed(const std::string& uri) const; // the path of a file
   std::vector<unsigned char> ReadUri(const GltfValue& owner, const std::string& uri);
 
   std::string Path;
+  const vtkRelievoAllowedFolders& Allowed;
   ModelSources& Sources;
   nlohmann::json Json;
   std::vector<unsigned char> Chunk; // of a .glb

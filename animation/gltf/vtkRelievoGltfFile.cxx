@@ -17,10 +17,10 @@ bool GetIsGltfExtension(const std::string& path)
 }
 
 //------------------------------------------------------------------------------
-void ReadGltf(const std::string& path, int weights, const std::function<bool(double)>& progress,
-  ModelSources& sources, Model& model)
+void ReadGltf(const std::string& path, const vtkRelievoAllowedFolders& allowed, int weights,
+  const std::function<bool(double)>& progress, ModelSources& sources, Model& model)
 {
-  GltfDocument document(path, sources);
+  GltfDocument document(path, allowed, sources);
   for (const std::string& name : document.GetUnread())
   {
     model.Notes.push_back("uses " + name + ", which is not read");

@@ -12,6 +12,8 @@
 #include <functional>
 #include <string>
 
+class vtkRelievoAllowedFolders;
+
 namespace relievo
 {
 /// Whether the extension is one of glTF's.
@@ -19,8 +21,8 @@ bool GetIsGltfExtension(const std::string& path);
 
 /// Fills the model. Throws what is wrong and where in the file. The arguments are those of
 /// ReadModel.
-void ReadGltf(const std::string& path, int weights, const std::function<bool(double)>& progress,
-  ModelSources& sources, Model& model);
+void ReadGltf(const std::string& path, const vtkRelievoAllowedFolders& allowed, int weights,
+  const std::function<bool(double)>& progress, ModelSources& sources, Model& model);
 }
 
 #endif

@@ -158,12 +158,22 @@ private:
   }
 
   //----------------------------------------------------------------------------
+  // The image's name; "" if it may not be read, which is noted.
   std::string ReadImage(std::size_t place)
   {
     const auto known = this->Names.find(place);
     if (known != this->Names.end())
     {
       return known->second;
+    }
+    const std::string obstacle = this->Document.FindObstacle(place);
+    if (!obstacle.empty())
+    {
+      const GltfValue value = this->Document.Get("images").At(place);
+      this->Result.Notes.push_back("drawn without " + value.GetPlace() + ", " +
+        value.Get("uri").GetText("") + ": " + obstacle);
+      this->Names.emplace(place, "");
+      return "";
     }
     std::string name;
     const GltfBytes bytes = this->Document.GetImage(place, name);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRelievoModelFile.h"
 
+#include "vtkRelievoAllowedFolders.h"
 #include "vtkRelievoFileKind.h"
 #include "vtkRelievoGltfFile.h"
 #include "vtkRelievoModelBytes.h"
@@ -32,6 +33,11 @@ namespace
 {
 // Deeper trees than any tool writes overflow the stacks of those that walk them by calls.
 constexpr int DeepestTree = 2000;
+
+// Of files whose counts are wrong, as a rule.
+const char* const TooMuch =
+  "what it says that it holds does not fit into memory, expected counts that its size bears out; "
+  "is it damaged?";
 
 class Handler : public Assimp::ProgressHandler
 {
@@ -93,19 +99,27 @@ std::string ReadWideXML(Assimp::IOStream& stream)
 class Files : public Assimp::DefaultIOSystem
 {
 public:
-  explicit Files(ModelSources& sources)
-    : Sources(sources)
+  Files(const std::string& model, const vtkRelievoAllowedFolders& allowed, ModelSources& sources,
+    std::vector<std::string>& notes)
+    : Model(model)
+    , Allowed(allowed)
+    , Sources(sources)
+    , Notes(notes)
   {
   }
 
   bool Exists(const char* path) const override
   {
     this->Sources.Add(path);
-    return this->DefaultIOSystem::Exists(path);
+    return this->DefaultIOSystem::Exists(path) && this->IsAllowed(path);
   }
 
   Assimp::IOStream* Open(const char* path, const char* mode) override
   {
+    if (!this->IsAllowed(path))
+    {
+      return nullptr;
+    }
     this->Sources.Add(path);
     Assimp::IOStream* stream = this->DefaultIOSystem::Open(path, mode);
     const std::string kind =
@@ -122,7 +136,30 @@ public:
   }
 
 private:
+  bool IsAllowed(const std::string& path) const
+  {
+    if (path == this->Model)
+    {
+      return true;
+    }
+    std::string obstacle = this->Allowed.FindObstacle(path);
+    if (obstacle.empty())
+    {
+      obstacle = vtkRelievoFileKind::FindInstead(path);
+    }
+    const std::string note = "read without " + path + ": " + obstacle;
+    if (!obstacle.empty() &&
+      std::find(this->Notes.begin(), this->Notes.end(), note) == this->Notes.end())
+    {
+      this->Notes.push_back(note);
+    }
+    return obstacle.empty();
+  }
+
+  std::string Model; // which the user names
+  const vtkRelievoAllowedFolders& Allowed;
   ModelSources& Sources;
+  std::vector<std::string>& Notes;
 };
 
 bool IsFinite(const glm::dmat4& m)
@@ -272,11 +309,12 @@ std::string CheckMeshes(const aiScene* scene)
   return "";
 }
 
-std::string Import(const std::string& path, int weights,
+std::string Import(const std::string& path, const vtkRelievoAllowedFolders& allowed, int weights,
   const std::function<bool(double)>& progress, ModelSources& sources, Model& model)
 {
   Assimp::Importer importer;
-  importer.SetIOHandler(new Files(sources)); // both of which the importer deletes
+  // Both handlers are deleted by the importer.
+  importer.SetIOHandler(new Files(path, allowed, sources, model.Notes));
   importer.SetProgressHandler(new Handler(progress));
   const aiScene* scene = importer.ReadFile(path, 0);
   if (scene)
@@ -292,6 +330,10 @@ std::string Import(const std::string& path, int weights,
   if (!scene || !scene->mRootNode)
   {
     const std::string why = importer.GetErrorString();
+    if (why == std::bad_alloc().what() || why == std::bad_array_new_length().what())
+    {
+      return TooMuch;
+    }
     return why.empty() ? "Assimp does not read it" : why;
   }
   if (scene->mNumMeshes == 0 && scene->mNumAnimations == 0)
@@ -328,13 +370,14 @@ std::string Import(const std::string& path, int weights,
   return "";
 }
 
-std::string ReadHere(const std::string& path, int weights,
+std::string ReadHere(const std::string& path, const std::vector<std::string>& folders, int weights,
   const std::function<bool(double)>& progress, ModelSources& sources, Model& model)
 {
   sources.Add(path);
+  const vtkRelievoAllowedFolders allowed(path, folders);
   if (GetIsGltfExtension(path))
   {
-    ReadGltf(path, weights, progress, sources, model);
+    ReadGltf(path, allowed, weights, progress, sources, model);
     return "";
   }
   if (!vtksys::SystemTools::FileExists(path, true))
@@ -342,7 +385,7 @@ std::string ReadHere(const std::string& path, int weights,
     return "there is no such file";
   }
   const std::string instead = vtkRelievoFileKind::FindInstead(path);
-  return instead.empty() ? Import(path, weights, progress, sources, model)
+  return instead.empty() ? Import(path, allowed, weights, progress, sources, model)
                          : "expected a file, but " + instead;
 }
 
@@ -350,6 +393,7 @@ std::string ReadHere(const std::string& path, int weights,
 void AnswerApart(ByteReader& asked, const vtkRelievoReaderProcess::Say& say, ByteWriter& made)
 {
   const auto path = asked.Get<std::string>();
+  const auto folders = asked.Get<std::vector<std::string>>();
   const auto weights = asked.Get<int>();
   ModelSources sources;
   Model model;
@@ -357,7 +401,7 @@ void AnswerApart(ByteReader& asked, const vtkRelievoReaderProcess::Say& say, Byt
   try
   {
     wrong = ReadHere(
-      path, weights, [&say](double share) { return say("", share); }, sources, model);
+      path, folders, weights, [&say](double share) { return say("", share); }, sources, model);
   }
   catch (const std::bad_alloc&)
   {
@@ -371,12 +415,12 @@ void AnswerApart(ByteReader& asked, const vtkRelievoReaderProcess::Say& say, Byt
   PutModel(made, wrong.empty() ? model : Model());
 }
 
-std::string ReadApart(const std::string& path, int weights,
+std::string ReadApart(const std::string& path, const std::vector<std::string>& folders, int weights,
   const std::function<bool(double)>& progress, ModelSources& sources, Model& model)
 {
   std::string wrong;
   const std::string failure = vtkRelievoReaderProcess::Run(
-    AnswerApart, [&](ByteWriter& asked) { asked(path, weights); },
+    AnswerApart, [&](ByteWriter& asked) { asked(path, folders, weights); },
     [&progress](const std::string&, double share) { return progress(share); },
     [&](ByteReader& made) {
       made(wrong, sources);
@@ -406,7 +450,7 @@ std::vector<glm::dmat4> GetWorldMatrices(
 }
 
 //------------------------------------------------------------------------------
-std::string ReadModel(const std::string& path, int weights,
+std::string ReadModel(const std::string& path, const std::vector<std::string>& folders, int weights,
   const std::function<bool(double)>& progress, ModelSources& sources, Model& model)
 {
   model = Model();
@@ -414,10 +458,14 @@ std::string ReadModel(const std::string& path, int weights,
   std::string wrong;
   try
   {
-    wrong = vtkRelievoReaderProcess::IsThere() ? ReadApart(path, weights, progress, sources, model)
-                                               : ReadHere(path, weights, progress, sources, model);
+    wrong = (vtkRelievoReaderProcess::IsThere() ? ReadApart : ReadHere)(
+      path, folders, weights, progress, sources, model);
   }
-  catch (const std::exception& error) // of Assimp, glTF, and memory
+  catch (const std::bad_alloc&)
+  {
+    wrong = TooMuch;
+  }
+  catch (const std::exception& error) // of Assimp and glTF
   {
     wrong = error.what();
   }

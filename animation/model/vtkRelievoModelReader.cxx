@@ -49,6 +49,7 @@ struct vtkRelievoModelReader::Internals
   relievo::Model Model;
   // What the model was read from.
   std::string Path;
+  std::vector<std::string> Folders;
   relievo::ModelSources Sources;
   int Weights = 0;
   bool Stands = false;
@@ -299,6 +300,12 @@ void vtkRelievoModelReader::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";
+  os << indent << "AllowedFolders:";
+  for (const std::string& folder : this->AllowedFolders)
+  {
+    os << ' ' << folder;
+  }
+  os << "\n";
   os << indent << "Animation: " << (this->Animation ? this->Animation : "(the first)") << "\n";
   os << indent << "BlendAnimation: " << (this->BlendAnimation ? this->BlendAnimation : "(none)")
      << "\n";
@@ -315,16 +322,38 @@ void vtkRelievoModelReader::PrintSelf(ostream& os, vtkIndent indent)
 }
 
 //------------------------------------------------------------------------------
+void vtkRelievoModelReader::AddAllowedFolder(const char* folder)
+{
+  if (folder && *folder)
+  {
+    this->AllowedFolders.push_back(folder);
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoModelReader::RemoveAllAllowedFolders()
+{
+  if (!this->AllowedFolders.empty())
+  {
+    this->AllowedFolders.clear();
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
 bool vtkRelievoModelReader::Read()
 {
   Internals& self = *this->Self;
   const std::string path = this->FileName ? this->FileName : "";
-  if (path == self.Path && this->WeightsPerPoint == self.Weights && self.Sources.AreSame())
+  if (path == self.Path && this->AllowedFolders == self.Folders &&
+    this->WeightsPerPoint == self.Weights && self.Sources.AreSame())
   {
     return self.Stands; // what is wrong with it was said
   }
   self = Internals();
   self.Path = path;
+  self.Folders = this->AllowedFolders;
   self.Weights = this->WeightsPerPoint;
   if (path.empty())
   {
@@ -337,8 +366,8 @@ bool vtkRelievoModelReader::Read()
     this->UpdateProgress(share);
     return !this->GetAbortExecute();
   };
-  const std::string wrong =
-    relievo::ReadModel(path, this->WeightsPerPoint, progress, self.Sources, self.Model);
+  const std::string wrong = relievo::ReadModel(
+    path, self.Folders, this->WeightsPerPoint, progress, self.Sources, self.Model);
   self.Stands = wrong.empty();
   self.SunDistance = relievo::GetSunDistance(self.Model);
   self.Lights.resize(self.Model.Lights.size());

@@ -51,6 +51,7 @@
 
 #include <memory> // for std::unique_ptr
 #include <string> // for what was read
+#include <vector> // for folders
 
 class vtkActor;
 class vtkCamera;
@@ -72,6 +73,16 @@ public:
   /** Path of the file. Default: none. */
   vtkSetFilePathMacro(FileName);
   vtkGetFilePathMacro(FileName);
+  ///@}
+
+  ///@{
+  /**
+   * Folders of files that the model may name, such as buffers, images and materials; those in its
+   * own folder and below are read always. Links count as what they lead to. A buffer elsewhere is
+   * an error, all else is left out with a note. Default: none.
+   */
+  void AddAllowedFolder(VTK_FILEPATH const char* folder);
+  void RemoveAllAllowedFolders();
   ///@}
 
   /** Whether the file exists and its extension is glTF's or one that Assimp reads. */
@@ -305,6 +316,7 @@ private:
   void MakeMesh(std::size_t place, const Moment& moment, vtkPolyData* skeleton, vtkPolyData* mesh);
 
   char* FileName = nullptr;
+  std::vector<std::string> AllowedFolders;
   char* Animation = nullptr;
   char* BlendAnimation = nullptr;
   double BlendWeight = 0.5;

@@ -58,6 +58,10 @@ says what was given. The package also contains the wrapped classes (vtkRelievoPa
 vtkRelievoEXRWriter, ...).
 """
 
+from . import _one_vtk
+
+_one_vtk.check()
+
 try:
     import vtkmodules.vtkRenderingOpenGL2  # noqa: F401  (its factories draw)
 except ImportError as error:

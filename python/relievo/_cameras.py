@@ -7,7 +7,7 @@ from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkDoubleArray
 from vtkmodules.vtkRenderingCore import vtkCamera
 
-from ._errors import Watch, describe, is_a
+from ._errors import Watch, check_file, describe, is_a
 from ._renderers import inner_renderer
 from .vtkRelievoCameras import (
     vtkRelievoCalibration,
@@ -371,7 +371,7 @@ def lens(words, size=None, view_angle=30, R=None, t=None):
     """
     words = str(words)
     if vtkRelievoCalibration.IsFile(words):
-        open(words, "rb").close()  # raises what the system says
+        check_file(words)
     calibration = vtkRelievoCalibration()
     view = vtkCamera()
     with Watch(calibration) as watch:

@@ -12,7 +12,7 @@ from vtkmodules.vtkCommonCore import vtkWeakReference
 from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkRenderingCore import vtkCamera, vtkLight
 
-from ._errors import Watch, is_a, require
+from ._errors import Watch, check_file, is_a, require
 from ._errors import describe as described
 from ._frame import frame_of
 from ._image import to_image
@@ -268,8 +268,7 @@ def _fill(made, path, rough):
 
 
 def _read(path):
-    # Python's own errors for what is missing or forbidden, without waiting for what is a pipe.
-    os.close(os.open(path, os.O_RDONLY | os.O_NONBLOCK))
+    check_file(path)
     if os.path.isdir(path):
         raise IsADirectoryError(errno.EISDIR, os.strerror(errno.EISDIR), path)
     reader = vtkRelievoImageReader()

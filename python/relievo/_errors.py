@@ -2,13 +2,14 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """VTK's error events as Python exceptions."""
 
+import os
 import re
 import reprlib
 import warnings
 
 from vtkmodules.util.misc import calldata_type
 from vtkmodules.util.vtkConstants import VTK_STRING
-from vtkmodules.vtkCommonCore import vtkObjectBase
+from vtkmodules.vtkCommonCore import vtkLogger, vtkObject, vtkObjectBase, vtkOutputWindow
 
 _PREAMBLE = re.compile(r"^(ERROR|Warning): In .*, line \d+\n\w+ \(0x[0-9a-f]+\): ")
 
@@ -19,7 +20,8 @@ class Watch:
     """Collects the error and warning events of VTK objects while it is entered.
 
     An algorithm's executive is watched with it: failures that the pipeline notices are its events.
-    Observed messages are not printed.
+    Observed messages are not printed. vtkObject.GlobalWarningDisplayOff(), without which VTK has no
+    such events, only keeps others from being printed.
     """
 
     def __init__(self, *objects):
@@ -46,9 +48,21 @@ class Watch:
         for thing in self._objects:
             self._observed.append((thing, thing.AddObserver("ErrorEvent", collect)))
             self._observed.append((thing, thing.AddObserver("WarningEvent", note)))
+        self._quiet = None
+        if not vtkObject.GetGlobalWarningDisplay():
+            window = vtkOutputWindow.GetInstance()
+            self._quiet = window, window.GetDisplayMode(), vtkLogger.GetCurrentVerbosityCutoff()
+            window.SetDisplayModeToNever()
+            vtkLogger.SetStderrVerbosity(vtkLogger.VERBOSITY_OFF)
+            vtkObject.GlobalWarningDisplayOn()
         return self
 
     def __exit__(self, *_):
+        if self._quiet:
+            window, mode, verbosity = self._quiet
+            vtkObject.GlobalWarningDisplayOff()
+            vtkLogger.SetStderrVerbosity(verbosity)
+            window.SetDisplayMode(mode)
         for thing, tag in self._observed:
             thing.RemoveObserver(tag)
         self._observed = []
@@ -59,6 +73,11 @@ class Watch:
         """Raises kind("subject: the first error") if there was one: the rest are its echoes."""
         if self.errors:
             raise kind(f"{subject}: {self.errors[0]}")
+
+
+def check_file(path):
+    """Raises Python's own errors for what is missing or forbidden. A pipe is not waited for."""
+    os.close(os.open(path, os.O_RDONLY | os.O_NONBLOCK))
 
 
 def is_a(thing, class_name):

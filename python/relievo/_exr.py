@@ -3,11 +3,10 @@
 """OpenEXR files, out and in."""
 
 import os
-import stat
 
 import numpy
 
-from ._errors import Watch, require
+from ._errors import Watch, check_file, require
 from ._image import to_image
 from ._picture import captured
 from .vtkRelievoIO import vtkRelievoEXRReader, vtkRelievoEXRWriter
@@ -92,9 +91,7 @@ def read_exr(path):
     not a complete OpenEXR file.
     """
     name = os.fspath(path)
-    if not stat.S_ISFIFO(os.stat(name).st_mode):  # which would wait for somebody to write
-        with open(name, "rb"):  # Python's own errors for what is missing or forbidden
-            pass
+    check_file(name)
     reader = vtkRelievoEXRReader()
     reader.SetFileName(name)
     with Watch(reader) as watch:

@@ -7,6 +7,7 @@
 #include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkPNGWriter.h"
+#include "vtkRelievoFileKind.h"
 #include "vtkRelievoTemporaryFile.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtk_zlib.h"
@@ -15,7 +16,6 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
-#include <sstream>
 #include <system_error>
 
 namespace scene
@@ -119,14 +119,14 @@ void WriteWhole(const std::string& path, const std::string& bytes)
 //------------------------------------------------------------------------------
 std::string ReadWhole(const std::string& path)
 {
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream bytes;
-  bytes << file.rdbuf();
-  if (!file)
+  constexpr std::size_t most = std::size_t(1) << 28;
+  std::string bytes;
+  const std::string wrong = vtkRelievoFileKind::ReadWhole(path, most, bytes);
+  if (!wrong.empty())
   {
-    throw FileError(path + ": cannot be read");
+    throw FileError(path + ": " + wrong);
   }
-  return bytes.str();
+  return bytes;
 }
 
 //------------------------------------------------------------------------------

@@ -21,7 +21,7 @@ void MakeFolder(const std::string& folder);
 void WriteWhole(const std::string& path, const std::function<bool(const std::string&)>& write);
 void WriteWhole(const std::string& path, const std::string& bytes);
 
-/// The file's bytes. Throws FileError.
+/// The bytes of a file of at most 256 MiB. Throws FileError.
 std::string ReadWhole(const std::string& path);
 
 /// Pixels row by row from the top, as a PNG.

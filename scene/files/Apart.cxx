@@ -67,6 +67,7 @@ void Answer(
 {
   const auto work = reinterpret_cast<ReadingWork>(asked.Get<std::uintptr_t>());
   const auto path = asked.Get<std::string>();
+  const auto folders = asked.Get<std::vector<std::string>>();
   Said said;
   vtkSmartPointer<vtkDataObject> data;
   {
@@ -78,7 +79,7 @@ void Answer(
     OpenedFiles::Add(path);
     try
     {
-      data = work(path, progress);
+      data = work(path, folders, progress);
     }
     catch (const UsageError& error)
     {
@@ -103,12 +104,12 @@ void Answer(
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkDataObject> ReadApart(
-  ReadingWork work, const std::string& path, Progress& progress)
+vtkSmartPointer<vtkDataObject> ReadApart(ReadingWork work, const std::string& path,
+  const std::vector<std::string>& folders, Progress& progress)
 {
   if (!vtkRelievoReaderProcess::IsThere())
   {
-    return work(path, progress);
+    return work(path, folders, progress);
   }
   const std::string reading = "reading " + path;
   progress.Begin(reading);
@@ -130,7 +131,9 @@ vtkSmartPointer<vtkDataObject> ReadApart(
   vtkSmartPointer<vtkDataObject> data;
   const std::string failure = vtkRelievoReaderProcess::Run(
     Answer,
-    [&](relievo::ByteWriter& asked) { asked(reinterpret_cast<std::uintptr_t>(work), path); }, show,
+    [&](
+      relievo::ByteWriter& asked) { asked(reinterpret_cast<std::uintptr_t>(work), path, folders); },
+    show,
     [&](relievo::ByteReader& made) {
       made(said);
       data = relievo::GetData(made);

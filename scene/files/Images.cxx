@@ -13,6 +13,7 @@
 #include "vtkInformation.h"
 #include "vtkInformationStringKey.h"
 #include "vtkProperty.h"
+#include "vtkRelievoAllowedFolders.h"
 #include "vtkRelievoImageFile.h"
 
 #include <algorithm>
@@ -38,6 +39,16 @@ void CheckImage(const std::string& option, const std::string& path)
     RefuseValue(option, path, "an image: " + Join(extensions, " "));
   }
   CheckReadable(path);
+}
+
+//------------------------------------------------------------------------------
+void CheckAllowed(const std::string& path, const vtkRelievoAllowedFolders& allowed)
+{
+  const std::string obstacle = allowed.FindObstacle(path);
+  if (!obstacle.empty())
+  {
+    throw WorkError(path + ": " + obstacle);
+  }
 }
 
 //------------------------------------------------------------------------------

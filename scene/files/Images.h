@@ -14,6 +14,7 @@
 
 class vtkActor;
 class vtkImageData;
+class vtkRelievoAllowedFolders;
 
 namespace scene
 {
@@ -22,6 +23,9 @@ class Progress;
 /// Throws UsageError if the path, which came with `option`, has no extension of an image that is
 /// read, WorkError if it cannot be opened.
 void CheckImage(const std::string& option, const std::string& path);
+
+/// Throws WorkError with the path unless it may be read, which a file names.
+void CheckAllowed(const std::string& path, const vtkRelievoAllowedFolders& allowed);
 
 /// The image, row 0 lowest, its numbers as they are in the file. Throws WorkError with the path.
 vtkSmartPointer<vtkImageData> ReadImage(const std::string& path, Progress& progress);

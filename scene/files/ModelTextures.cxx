@@ -5,6 +5,7 @@
 #include "Errors.h"
 #include "Images.h"
 #include "Messages.h"
+#include "MtlLibrary.h"
 #include "Progress.h"
 
 #include "vtkActor.h"
@@ -17,34 +18,11 @@
 #include "vtkRelievoWrapTexture.h"
 #include "vtkStringArray.h"
 
-#include <algorithm>
 #include <exception>
 #include <filesystem>
-#include <system_error>
-#include <vector>
 
 namespace scene
 {
-namespace
-{
-// Files name textures by paths of the machine that wrote them: the name alone is looked for too.
-std::string FindFile(std::string name, const std::string& path)
-{
-  std::replace(name.begin(), name.end(), '\\', '/');
-  const std::filesystem::path folder = std::filesystem::path(path).parent_path();
-  for (const std::filesystem::path& candidate :
-    { folder / name, folder / std::filesystem::path(name).filename() })
-  {
-    std::error_code trouble;
-    if (std::filesystem::is_regular_file(candidate, trouble))
-    {
-      return candidate.string();
-    }
-  }
-  return "";
-}
-}
-
 //------------------------------------------------------------------------------
 vtkSmartPointer<vtkImageData> ModelTextures::Read(const std::string& name, Progress& progress)
 {
@@ -54,11 +32,10 @@ vtkSmartPointer<vtkImageData> ModelTextures::Read(const std::string& name, Progr
     Messages::Check("in the file", !image, "expected an image");
     return image;
   }
-  const std::string file = FindFile(name, this->Path);
-  if (file.empty())
-  {
-    throw WorkError("there is no such file");
-  }
+  // Files name textures by paths of the machine that wrote them: the name alone is looked for too.
+  const std::string file =
+    FindNamedFile(name, std::filesystem::path(this->Path).parent_path(), this->Allowed);
+  CheckAllowed(file, this->Allowed);
   CheckImage("texture", file);
   return ReadImage(file, progress);
 }

@@ -7,6 +7,7 @@
 #define ModelTextures_h
 
 #include "vtkImageData.h"
+#include "vtkRelievoAllowedFolders.h"
 #include "vtkRelievoMaterial.h"
 #include "vtkSmartPointer.h"
 #include "vtkTexture.h"
@@ -14,6 +15,7 @@
 #include <map>
 #include <string>
 #include <tuple>
+#include <vector>
 
 class vtkActor;
 class vtkDataSet;
@@ -26,9 +28,12 @@ class Progress;
 class ModelTextures
 {
 public:
-  ModelTextures(vtkRelievoModelReader* reader, const std::string& path)
+  /// `folders`: where images may lie, besides the file's own folder and below.
+  ModelTextures(
+    vtkRelievoModelReader* reader, const std::string& path, const std::vector<std::string>& folders)
     : Reader(reader)
     , Path(path)
+    , Allowed(path, folders)
   {
   }
 
@@ -46,6 +51,7 @@ private:
 
   vtkRelievoModelReader* Reader;
   std::string Path;
+  vtkRelievoAllowedFolders Allowed;
   // Meshes share them, where they are alike.
   std::map<vtkImageData*, vtkSmartPointer<vtkTexture>> Textures;
   std::map<std::tuple<vtkImageData*, double, double, bool>, vtkSmartPointer<vtkRelievoMaterial>>

@@ -114,8 +114,8 @@ vtkSmartPointer<vtkActor> MakeSkeletonActor(vtkRelievoModelReader* reader)
 }
 
 //------------------------------------------------------------------------------
-PosedModel ReadModel(
-  const std::string& path, const ModelChoice& choice, bool smooth, Progress& progress)
+PosedModel ReadModel(const std::string& path, const std::vector<std::string>& folders,
+  const ModelChoice& choice, bool smooth, Progress& progress)
 {
   progress.Begin("reading " + path);
   PosedModel model;
@@ -124,6 +124,10 @@ PosedModel ReadModel(
   model.Reader = vtkSmartPointer<vtkRelievoModelReader>::New();
   vtkRelievoModelReader* reader = model.Reader;
   reader->SetFileName(path.c_str());
+  for (const std::string& folder : folders)
+  {
+    reader->AddAllowedFolder(folder.c_str());
+  }
   reader->SetAnimation(choice.Animation.c_str());
   reader->SetBlendAnimation(choice.Blend.c_str());
   reader->SetBlendWeight(choice.BlendWeight);
@@ -174,7 +178,7 @@ PosedModel ReadModel(
     }
   }
   vtkMultiBlockDataSet* output = reader->GetOutput();
-  ModelTextures textures(reader, path);
+  ModelTextures textures(reader, path, folders);
   for (unsigned int i = 0; i < output->GetNumberOfBlocks(); ++i)
   {
     vtkDataSet* mesh = vtkDataSet::SafeDownCast(output->GetBlock(i));

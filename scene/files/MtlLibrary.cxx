@@ -3,14 +3,11 @@
 #include "MtlLibrary.h"
 
 #include "OpenedFiles.h"
+#include "vtkRelievoAllowedFolders.h"
 #include "vtkRelievoFileKind.h"
 
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <locale>
 #include <optional>
 #include <sstream>
@@ -22,6 +19,7 @@ namespace scene
 namespace
 {
 const char* const Blanks = " \t";
+constexpr std::size_t MostBytes = std::size_t(1) << 28; // of a library
 
 std::string TrimLine(const std::string& line)
 {
@@ -106,7 +104,8 @@ bool IsWithoutEffect(const std::string& option, const std::vector<std::string>& 
 
 //------------------------------------------------------------------------------
 // Options, then the file.
-void TakeTexture(std::string rest, const std::filesystem::path& folder, MtlMaterial& material)
+void TakeTexture(std::string rest, const std::filesystem::path& folder,
+  const vtkRelievoAllowedFolders& allowed, MtlMaterial& material)
 {
   std::fill_n(material.TextureScale, 2, 1.0);
   std::fill_n(material.TextureOffset, 2, 0.0);
@@ -132,11 +131,12 @@ void TakeTexture(std::string rest, const std::filesystem::path& folder, MtlMater
       }
     }
   }
-  material.Texture = rest.empty() ? "" : FindNamedFile(rest, folder);
+  material.Texture = rest.empty() ? "" : FindNamedFile(rest, folder, allowed);
 }
 
 //------------------------------------------------------------------------------
-void TakeLine(const std::string& line, const std::filesystem::path& folder, MtlMaterial& material)
+void TakeLine(const std::string& line, const std::filesystem::path& folder,
+  const vtkRelievoAllowedFolders& allowed, MtlMaterial& material)
 {
   std::string rest = line;
   const std::string name = TakeWord(rest);
@@ -178,18 +178,19 @@ void TakeLine(const std::string& line, const std::filesystem::path& folder, MtlM
   }
   else if (name == "Tr" && !material.Dissolves && words >> number)
   {
-    // Some programs write 1 for what is opaque; then they write d as well.
+    // Some programs write 1 for what is opaque, and d as well, or only that: see ObjMaterials.
     material.Opacity = 1.0 - std::clamp(number, 0.0, 1.0);
   }
   else if (name == "map_Kd")
   {
-    TakeTexture(rest, folder, material);
+    TakeTexture(rest, folder, allowed, material);
   }
 }
 }
 
 //------------------------------------------------------------------------------
-std::string FindNamedFile(std::string name, const std::filesystem::path& folder)
+std::string FindNamedFile(
+  std::string name, const std::filesystem::path& folder, const vtkRelievoAllowedFolders& allowed)
 {
   if (name.size() > 2 && name.front() == '"' && name.back() == '"')
   {
@@ -199,26 +200,26 @@ std::string FindNamedFile(std::string name, const std::filesystem::path& folder)
   const std::filesystem::path named = (folder / name).lexically_normal();
   const std::filesystem::path beside = folder / named.filename();
   std::error_code trouble;
-  const bool isThere = std::filesystem::exists(named, trouble);
+  const bool isThere =
+    allowed.FindObstacle(named.string()).empty() && std::filesystem::exists(named, trouble);
   return (!isThere && std::filesystem::is_regular_file(beside, trouble) ? beside : named).string();
 }
 
 //------------------------------------------------------------------------------
-std::string ReadMtlLibrary(const std::string& path, std::map<std::string, MtlMaterial>& materials)
+std::string ReadMtlLibrary(const std::string& path, const vtkRelievoAllowedFolders& allowed,
+  std::map<std::string, MtlMaterial>& materials)
 {
-  const std::string instead = vtkRelievoFileKind::FindInstead(path);
-  if (!instead.empty())
+  std::string text;
+  std::string wrong = allowed.FindObstacle(path);
+  if (wrong.empty())
   {
-    return instead;
+    wrong = vtkRelievoFileKind::ReadWhole(path, MostBytes, text);
   }
-  errno = 0;
-  std::ifstream file(path, std::ios::binary);
-  if (!file)
+  if (!wrong.empty())
   {
-    return std::strerror(errno);
+    return wrong;
   }
   OpenedFiles::Add(path);
-  const std::string text{ std::istreambuf_iterator<char>(file), {} };
   const std::filesystem::path folder = std::filesystem::path(path).parent_path();
   MtlMaterial* material = nullptr;
   std::size_t begin = text.compare(0, 3, "\xef\xbb\xbf") == 0 ? 3 : 0;
@@ -235,7 +236,7 @@ std::string ReadMtlLibrary(const std::string& path, std::map<std::string, MtlMat
     }
     else if (material)
     {
-      TakeLine(line, folder, *material);
+      TakeLine(line, folder, allowed, *material);
     }
   }
   return "";

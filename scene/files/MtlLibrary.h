@@ -10,6 +10,8 @@
 #include <map>
 #include <string>
 
+class vtkRelievoAllowedFolders;
+
 namespace scene
 {
 struct MtlMaterial
@@ -28,14 +30,16 @@ struct MtlMaterial
 };
 
 /// The path of a file that another one in the folder names, in quotes or not, with slashes of
-/// either kind. Files name others by paths of the machine that wrote them: where nothing is there,
-/// and the folder has a file of that name, it is taken.
-std::string FindNamedFile(std::string name, const std::filesystem::path& folder);
+/// either kind. Files name others by paths of the machine that wrote them: where nothing is there
+/// that is allowed, and the folder has a file of that name, it is taken.
+std::string FindNamedFile(
+  std::string name, const std::filesystem::path& folder, const vtkRelievoAllowedFolders& allowed);
 
 /// Adds the materials of a library, by name; later ones replace earlier ones. Of what a line gives,
 /// the parts that cannot be read keep their defaults. Returns why there are none where the library
-/// cannot be opened, and otherwise nothing.
-std::string ReadMtlLibrary(const std::string& path, std::map<std::string, MtlMaterial>& materials);
+/// is not allowed or cannot be opened, and otherwise nothing.
+std::string ReadMtlLibrary(const std::string& path, const vtkRelievoAllowedFolders& allowed,
+  std::map<std::string, MtlMaterial>& materials);
 }
 
 #endif

@@ -22,6 +22,7 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
+#include "vtkRelievoAllowedFolders.h"
 #include "vtkRelievoMaterial.h"
 #include "vtkStringArray.h"
 #include "vtkTexture.h"
@@ -54,13 +55,13 @@ std::vector<std::string> GetStrings(vtkPolyData* mesh, const char* name)
 }
 
 //------------------------------------------------------------------------------
-std::map<std::string, MtlMaterial> ReadLibraries(
-  const std::vector<std::string>& libraries, const std::string& path)
+std::map<std::string, MtlMaterial> ReadLibraries(const std::vector<std::string>& libraries,
+  const std::string& path, const vtkRelievoAllowedFolders& allowed)
 {
   std::map<std::string, MtlMaterial> materials;
   const auto read = [&](const std::string& name) {
-    return ReadMtlLibrary(
-      FindNamedFile(name, std::filesystem::path(path).parent_path()), materials);
+    const std::filesystem::path folder = std::filesystem::path(path).parent_path();
+    return ReadMtlLibrary(FindNamedFile(name, folder, allowed), allowed, materials);
   };
   for (const std::string& line : libraries)
   {
@@ -90,6 +91,27 @@ std::map<std::string, MtlMaterial> ReadLibraries(
     }
   }
   return materials;
+}
+
+// Several scanners write Tr 1 without d for what is opaque.
+void MendTransparency(std::map<std::string, MtlMaterial>& materials, const std::string& path)
+{
+  std::string first;
+  int count = 0;
+  for (auto& [name, material] : materials)
+  {
+    if (!material.Dissolves && material.Opacity == 0.0)
+    {
+      material.Opacity = 1.0;
+      first = count++ == 0 ? name : first;
+    }
+  }
+  if (count > 0)
+  {
+    Messages::Note(path + ": drawn as opaque in spite of Tr 1, as several scanners mean it: " +
+      std::to_string(count) + (count == 1 ? " material" : " materials, such as") + " '" + first +
+      "'; d 0 makes one invisible");
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -158,7 +180,8 @@ void DropFlatTextureCoordinates(vtkPolyData* part)
 }
 
 //------------------------------------------------------------------------------
-void Wear(vtkActor* actor, const MtlMaterial& material, const std::string& path, Progress& progress)
+void Wear(vtkActor* actor, const MtlMaterial& material, const std::string& path,
+  const vtkRelievoAllowedFolders& allowed, Progress& progress)
 {
   vtkProperty* property = actor->GetProperty();
   property->SetDiffuseColor(material.Diffuse);
@@ -173,6 +196,7 @@ void Wear(vtkActor* actor, const MtlMaterial& material, const std::string& path,
   }
   try
   {
+    CheckAllowed(material.Texture, allowed);
     CheckImage("map_Kd", material.Texture);
     const vtkSmartPointer<vtkImageData> image = ReadImage(material.Texture, progress);
     const vtkSmartPointer<vtkTexture> texture = MakeTexture(image);
@@ -206,8 +230,8 @@ void Wear(vtkActor* actor, const MtlMaterial& material, const std::string& path,
 }
 
 //------------------------------------------------------------------------------
-std::vector<vtkSmartPointer<vtkActor>> SplitByMaterials(
-  vtkDataObject* surface, const std::string& path, Progress& progress)
+std::vector<vtkSmartPointer<vtkActor>> SplitByMaterials(vtkDataObject* surface,
+  const std::string& path, const std::vector<std::string>& folders, Progress& progress)
 {
   auto* mesh = vtkPolyData::SafeDownCast(surface);
   auto* ids =
@@ -216,7 +240,9 @@ std::vector<vtkSmartPointer<vtkActor>> SplitByMaterials(
   {
     return {};
   }
-  const auto materials = ReadLibraries(GetStrings(mesh, "MaterialLibraries"), path);
+  const vtkRelievoAllowedFolders allowed(path, folders);
+  auto materials = ReadLibraries(GetStrings(mesh, "MaterialLibraries"), path, allowed);
+  MendTransparency(materials, path);
   if (!ids || materials.empty())
   {
     return {};
@@ -240,7 +266,11 @@ std::vector<vtkSmartPointer<vtkActor>> SplitByMaterials(
     const auto known = i > 0 ? materials.find(names[i - 1]) : materials.end();
     if (known != materials.end())
     {
-      Wear(part, known->second, path, progress);
+      Wear(part, known->second, path, allowed, progress);
+      if (known->second.Opacity == 0.0)
+      {
+        Messages::Note(path + ": the material '" + names[i - 1] + "' is invisible, by its d 0");
+      }
     }
     else if (i > 0)
     {

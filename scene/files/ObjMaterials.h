@@ -21,9 +21,10 @@ class Progress;
 /// An actor for each material of the surface of an OBJ file, those without one first, then by the
 /// first use of the name; the cell array `vtkOriginalCellIds` has the numbers that cells have in
 /// the surface, or had in the file. None if the file is no OBJ file, or no library has a material.
-/// What is named and cannot be read is noted, and drawn without.
-std::vector<vtkSmartPointer<vtkActor>> SplitByMaterials(
-  vtkDataObject* surface, const std::string& path, Progress& progress);
+/// What is named and cannot be read, or lies neither in the file's own folder nor in these, is
+/// noted, and drawn without.
+std::vector<vtkSmartPointer<vtkActor>> SplitByMaterials(vtkDataObject* surface,
+  const std::string& path, const std::vector<std::string>& folders, Progress& progress);
 }
 
 #endif

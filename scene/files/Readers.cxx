@@ -14,14 +14,20 @@
 #include "VolumeImages.h"
 
 #include "vtkAlgorithm.h"
+#include "vtkCallbackCommand.h"
 #include "vtkDataObject.h"
+#include "vtkDataObjectTypes.h"
 #include "vtkGenericDataObjectReader.h"
 #include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkRelievoAllowedFolders.h"
 #include "vtkRelievoFileKind.h"
 #include "vtkRelievoOBJReader.h"
 #include "vtkRelievoOFFReader.h"
 #include "vtkRelievoPLYReader.h"
 #include "vtkSTLReader.h"
+#include "vtkXMLDataElement.h"
+#include "vtkXMLDataParser.h"
 #include "vtkXMLGenericDataObjectReader.h"
 
 #include <algorithm>
@@ -94,66 +100,107 @@ vtkSmartPointer<vtkAlgorithm> OpenSTL(const std::string& path)
   return Open<vtkSTLReader>(path);
 }
 
-std::string WithoutEntities(std::string text)
+// Of legacy files VTK says only that it does not read them.
+vtkSmartPointer<vtkAlgorithm> OpenLegacy(const std::string& path)
 {
-  const std::pair<const char*, const char*> entities[] = { { "&lt;", "<" }, { "&gt;", ">" },
-    { "&quot;", "\"" }, { "&apos;", "'" }, { "&amp;", "&" } };
-  for (const auto& [entity, letter] : entities)
+  vtkNew<vtkGenericDataObjectReader> reader;
+  reader->SetFileName(path.c_str());
+  const vtkNew<vtkCallbackCommand> nothing;
+  reader->AddObserver(vtkCommand::ErrorEvent, nothing);
+  const bool isKnown = reader->ReadOutputType() >= 0;
+  if (!isKnown)
   {
-    for (std::size_t at = text.find(entity); at != std::string::npos;
-         at = text.find(entity, at + 1))
-    {
-      text.replace(at, std::strlen(entity), letter);
-    }
+    throw WorkError(path +
+      ": expected DATASET with a mesh or a grid, such as POLYDATA or UNSTRUCTURED_GRID, behind the "
+      "three lines of its head, and there is none; is it whole, and has it geometry?");
   }
-  return text;
+  return Open<vtkGenericDataObjectReader>(path);
 }
 
-// The values of an attribute in a text of XML.
-std::vector<std::string> FindValues(const std::string& text, const std::string& attribute)
+// What VTK's own parser finds in a file that holds XML, even in a form that nobody writes.
+void ListPieces(vtkXMLDataElement* element, std::vector<std::string>& pieces)
 {
-  const char* const blanks = " \t\r\n";
-  std::vector<std::string> values;
-  for (std::size_t at = text.find(attribute); at != std::string::npos;
-       at = text.find(attribute, at + 1))
+  for (const char* attribute : { "Source", "file" })
   {
-    const bool begins = at > 0 && std::strchr(blanks, text[at - 1]);
-    std::size_t next = text.find_first_not_of(blanks, at + attribute.size());
-    if (!begins || next == std::string::npos || text[next] != '=')
+    if (const char* name = element->GetAttribute(attribute))
     {
-      continue;
-    }
-    next = text.find_first_not_of(blanks, next + 1);
-    if (next != std::string::npos && (text[next] == '"' || text[next] == '\''))
-    {
-      const std::size_t end = text.find(text[next], next + 1);
-      values.push_back(WithoutEntities(text.substr(next + 1, end - next - 1)));
+      pieces.emplace_back(name);
     }
   }
-  return values;
+  for (int i = 0; i < element->GetNumberOfNestedElements(); ++i)
+  {
+    ListPieces(element->GetNestedElement(i), pieces);
+  }
 }
 
-// VTK's files of several pieces name them, and it does not say which it opens.
-void AddPieces(const std::string& path)
+// VTK's number of what the file's first element is; below 0: nothing of VTK's.
+int FindKind(const std::string& path, bool& isParallel)
 {
+  vtkNew<vtkXMLGenericDataObjectReader> reader;
+  const vtkNew<vtkCallbackCommand> nothing; // it says no more
+  reader->AddObserver(vtkCommand::ErrorEvent, nothing);
+  return reader->ReadOutputType(path.c_str(), isParallel);
+}
+
+vtkSmartPointer<vtkAlgorithm> OpenXML(const std::string& path)
+{
+  bool isParallel = false;
+  if (FindKind(path, isParallel) < 0)
+  {
+    throw WorkError(path + ": " + NotAsNamed(path));
+  }
+  return Open<vtkXMLGenericDataObjectReader>(path);
+}
+
+// Whether VTK opens other files for one: by its name or by its first element.
+bool HasPieces(const std::string& path)
+{
+  const std::string extension = ExtensionOf(path);
+  bool isParallel = false;
+  const int kind = FindKind(path, isParallel);
+  return isParallel || extension.rfind(".pvt", 0) == 0 || extension.rfind(".vtm", 0) == 0 ||
+    !vtkDataObjectTypes::TypeIdIsA(kind, VTK_DATA_SET);
+}
+
+// VTK's files of several pieces name them, and it opens them whatever they are. Throws WorkError
+// for those that are not to be read.
+void AddPieces(const std::string& path, const std::vector<std::string>& folders)
+{
+  const vtkRelievoAllowedFolders allowed(path, folders);
   std::vector<std::string> files = { path };
   std::set<std::string> known = { path };
   for (std::size_t i = 0; i < files.size(); ++i)
   {
     const std::string of = files[i];
     OpenedFiles::Add(of);
-    const std::string extension = ExtensionOf(of);
-    const bool isParallel = extension.rfind(".pvt", 0) == 0;
-    const bool hasPieces = isParallel || extension == ".vtm" || extension == ".vtmb";
-    if (!hasPieces || !vtkRelievoFileKind::FindInstead(of).empty())
+    std::vector<std::string> pieces;
+    if (HasPieces(of))
     {
-      continue;
+      vtkNew<vtkXMLDataParser> parser;
+      vtkNew<vtkCallbackCommand> nothing; // what is wrong, the reader tells
+      parser->AddObserver(vtkCommand::ErrorEvent, nothing);
+      parser->SetFileName(of.c_str());
+      parser->Parse();
+      if (vtkXMLDataElement* root = parser->GetRootElement())
+      {
+        ListPieces(root, pieces);
+      }
     }
-    std::ifstream file(of, std::ios::binary);
-    const std::string text{ std::istreambuf_iterator<char>(file), {} };
-    for (const std::string& name : FindValues(text, isParallel ? "Source" : "file"))
+    for (const std::string& name : pieces)
     {
-      const std::string piece = (std::filesystem::path(of).parent_path() / name).string();
+      // VTK takes what begins like a drive for a whole path.
+      const std::filesystem::path folder = std::filesystem::path(of).parent_path();
+      const bool isWhole = name.size() > 1 && name[1] == ':';
+      const std::string piece = isWhole ? name : (folder / name).string();
+      std::string wrong = allowed.FindObstacle(piece);
+      if (wrong.empty())
+      {
+        wrong = vtkRelievoFileKind::FindInstead(piece);
+      }
+      if (!wrong.empty())
+      {
+        throw WorkError(of + ": names the piece " + name + ": " + wrong);
+      }
       if (known.insert(piece).second)
       {
         files.push_back(piece);
@@ -168,7 +215,7 @@ struct ReaderRow
   vtkSmartPointer<vtkAlgorithm> (*Make)(const std::string& path); // nullptr: models
 };
 
-constexpr auto XML = Open<vtkXMLGenericDataObjectReader>;
+constexpr auto XML = OpenXML;
 const ReaderRow Rows[] = {
   { ".vtp", XML },
   { ".vtu", XML },
@@ -182,7 +229,7 @@ const ReaderRow Rows[] = {
   { ".pvti", XML },
   { ".pvtr", XML },
   { ".pvts", XML },
-  { ".vtk", Open<vtkGenericDataObjectReader> },
+  { ".vtk", OpenLegacy },
   { ".stl", OpenSTL },
   { ".ply", Open<vtkRelievoPLYReader> },
   { ".obj", Open<vtkRelievoOBJReader> },
@@ -275,6 +322,16 @@ void CheckReadable(const std::string& path)
 }
 
 //------------------------------------------------------------------------------
+void CheckFolder(const std::string& path)
+{
+  std::error_code trouble;
+  if (!std::filesystem::is_directory(path, trouble))
+  {
+    throw WorkError("--allow-folder " + path + ": expected a folder that is there");
+  }
+}
+
+//------------------------------------------------------------------------------
 std::string NotAsNamed(const std::string& path)
 {
   return "cannot be read as " + ExtensionOf(path) + "; is it what its name says, and whole?";
@@ -283,11 +340,13 @@ std::string NotAsNamed(const std::string& path)
 namespace
 {
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkDataObject> ReadData(const std::string& path, Progress& progress)
+vtkSmartPointer<vtkDataObject> ReadData(
+  const std::string& path, const std::vector<std::string>& folders, Progress& progress)
 {
   progress.Begin("reading " + path);
-  AddPieces(path);
-  const vtkSmartPointer<vtkAlgorithm> reader = FindRow(path)->Make(path);
+  const auto make = FindRow(path)->Make;
+  make == XML ? AddPieces(path, folders) : OpenedFiles::Add(path);
+  const vtkSmartPointer<vtkAlgorithm> reader = make(path);
   progress.Observe(reader);
   reader->Update();
   const vtkSmartPointer<vtkDataObject> data = reader->GetOutputDataObject(0);
@@ -305,9 +364,10 @@ vtkSmartPointer<vtkDataObject> ReadData(const std::string& path, Progress& progr
 }
 
 template <bool Smooth, bool Images>
-vtkSmartPointer<vtkDataObject> ReadShown(const std::string& path, Progress& progress)
+vtkSmartPointer<vtkDataObject> ReadShown(
+  const std::string& path, const std::vector<std::string>& folders, Progress& progress)
 {
-  const vtkSmartPointer<vtkDataObject> data = ReadData(path, progress);
+  const vtkSmartPointer<vtkDataObject> data = ReadData(path, folders, progress);
   vtkSmartPointer<vtkDataObject> image;
   if (Images)
   {
@@ -316,24 +376,26 @@ vtkSmartPointer<vtkDataObject> ReadShown(const std::string& path, Progress& prog
   return image ? image : MakeSurface(data, Smooth, path, progress);
 }
 
-vtkSmartPointer<vtkDataObject> ReadBare(const std::string& path, Progress& progress)
+vtkSmartPointer<vtkDataObject> ReadBare(
+  const std::string& path, const std::vector<std::string>& folders, Progress& progress)
 {
-  return KeepPoints(ReadData(path, progress));
+  return KeepPoints(ReadData(path, folders, progress));
 }
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkDataObject> ReadSurface(
-  const std::string& path, bool smooth, bool images, Progress& progress)
+vtkSmartPointer<vtkDataObject> ReadSurface(const std::string& path,
+  const std::vector<std::string>& folders, bool smooth, bool images, Progress& progress)
 {
   const ReadingWork works[2][2] = { { ReadShown<false, false>, ReadShown<false, true> },
     { ReadShown<true, false>, ReadShown<true, true> } };
-  return ReadApart(works[smooth][images], path, progress);
+  return ReadApart(works[smooth][images], path, folders, progress);
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkDataObject> ReadPoints(const std::string& path, Progress& progress)
+vtkSmartPointer<vtkDataObject> ReadPoints(
+  const std::string& path, const std::vector<std::string>& folders, Progress& progress)
 {
-  return ReadApart(ReadBare, path, progress);
+  return ReadApart(ReadBare, path, folders, progress);
 }
 }

@@ -39,16 +39,21 @@ std::string GetReaderName(const std::string& path);
 /// Throws WorkError unless the path is a file that can be opened.
 void CheckReadable(const std::string& path);
 
+/// Throws WorkError unless the path, which came with --allow-folder, is a folder.
+void CheckFolder(const std::string& path);
+
 /// What is said of a file that no reader understands and VTK has no words for.
 std::string NotAsNamed(const std::string& path);
 
 /// What there is to draw of a file: its surface, as MakeSurface. With `images`, one that
-/// GetVolumeImage takes stays an image. Throws WorkError with its name.
-vtkSmartPointer<vtkDataObject> ReadSurface(
-  const std::string& path, bool smooth, bool images, Progress& progress);
+/// GetVolumeImage takes stays an image. `folders`: where pieces may lie, besides the file's own
+/// folder and below. Throws WorkError with its name.
+vtkSmartPointer<vtkDataObject> ReadSurface(const std::string& path,
+  const std::vector<std::string>& folders, bool smooth, bool images, Progress& progress);
 
 /// The points of a file with their arrays. Throws WorkError with its name.
-vtkSmartPointer<vtkDataObject> ReadPoints(const std::string& path, Progress& progress);
+vtkSmartPointer<vtkDataObject> ReadPoints(
+  const std::string& path, const std::vector<std::string>& folders, Progress& progress);
 }
 
 #endif

@@ -40,6 +40,9 @@ namespace scene
 namespace
 {
 constexpr int Bins = 256;
+constexpr std::size_t MostLabels = 2000;
+// Samples that are looked at for all labels of an image without regions, each in its own box.
+constexpr double MostSamples = 1e8;
 // Of neighbours along x, in regions: in noise and steep gradients far fewer are equal.
 constexpr double LeastEqual = 0.6;
 // Of those that are unlike: in gradients of bytes hardly any differ by more than 1.
@@ -310,14 +313,28 @@ vtkSmartPointer<vtkPolyData> TurnOutwards(vtkPolyData* surface, vtkImageData* im
 }
 
 //------------------------------------------------------------------------------
+std::string CheckLabels(vtkImageData* image)
+{
+  const std::map<double, Extent> labels = FindLabels(image);
+  if (labels.size() > MostLabels)
+  {
+    return "holds more than " + std::to_string(MostLabels) + " values";
+  }
+  double samples = 0.;
+  for (const auto& [label, box] : labels)
+  {
+    samples += (box[1] - box[0] + 1.) * (box[3] - box[2] + 1.) * (box[5] - box[4] + 1.);
+  }
+  return samples > MostSamples && !HasLabels(image) ? "holds " + std::to_string(labels.size()) +
+      " values that change from nearly every point to the next, expected regions of equal values"
+                                                    : "";
+}
+
+//------------------------------------------------------------------------------
 vtkSmartPointer<vtkPolyData> MakeLabelSurfaces(vtkImageData* image, Progress& progress)
 {
   const std::map<double, Extent> labels = FindLabels(image);
   const vtkSmartPointer<vtkImageData> upright = WithoutDirection(image);
-  if (labels.size() > MostLabels)
-  {
-    return nullptr;
-  }
   vtkNew<vtkAppendPolyData> all;
   std::size_t number = 0;
   for (const auto& [label, box] : labels)

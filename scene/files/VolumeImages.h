@@ -51,11 +51,11 @@ vtkSmartPointer<vtkPolyData> TurnOutwards(vtkPolyData* surface, vtkImageData* im
 /// Whether the values are whole numbers that hardly change from a point to the next.
 bool HasLabels(vtkImageData* image);
 
-/// Values that MakeLabelSurfaces takes.
-constexpr std::size_t MostLabels = 2000;
+/// Why MakeLabelSurfaces does not take the image: its values are too many, or those of a grey one,
+/// whose surfaces are nearly as many as its points. "" if it does.
+std::string CheckLabels(vtkImageData* image);
 
-/// The smoothed surface of each region whose value is not 0, with a colour for each value. Null:
-/// there are more values than MostLabels.
+/// The smoothed surface of each region whose value is not 0, with a colour for each value.
 vtkSmartPointer<vtkPolyData> MakeLabelSurfaces(vtkImageData* image, Progress& progress);
 
 /// The value that parts the image's histogram best (Otsu, 1979).

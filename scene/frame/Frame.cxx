@@ -16,6 +16,10 @@ namespace scene
 //------------------------------------------------------------------------------
 std::vector<std::string> CheckInputs(const RenderOptions& options)
 {
+  for (const std::string& folder : options.AllowedFolders)
+  {
+    CheckFolder(folder);
+  }
   for (const std::string& path : options.Files)
   {
     CheckExtension(path);

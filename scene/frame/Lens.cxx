@@ -46,6 +46,13 @@ vtkSmartPointer<vtkRelievoCameraModel> MakeSensor(
     throw FileError(calibration->GetFailureText());
   }
   const bool sized = options.IsSized || calibration->GetFileSize()[0] == 0;
+  const int* given = calibration->GetFileSize();
+  if (!sized && std::max(given[0], given[1]) > LargestSize)
+  {
+    throw UsageError("--lens " + options.Lens + ": its pictures have " + std::to_string(given[0]) +
+      "x" + std::to_string(given[1]) + " pixels, expected at most " + std::to_string(LargestSize) +
+      " each way; give a smaller --size of that shape");
+  }
   vtkSmartPointer<vtkRelievoCameraModel> sensor =
     calibration->MakeCamera(view, sized ? options.Size[0] : calibration->GetFileSize()[0],
       sized ? options.Size[1] : calibration->GetFileSize()[1]);

@@ -259,7 +259,7 @@ FramePoints ReadFramePoints(const RenderOptions& options, Progress& progress)
   for (const PointsChoice& choice : options.Points)
   {
     const vtkSmartPointer<vtkRelievoPointValues> points = MakePoints(choice.Stage);
-    points->SetInputData(ReadPoints(choice.File, progress));
+    points->SetInputData(ReadPoints(choice.File, options.AllowedFolders, progress));
     if (points->GetDescription().Find("up")) // unless it is given
     {
       points->SetParameter("up",

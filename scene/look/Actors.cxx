@@ -23,6 +23,7 @@
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkPolyDataNormals.h"
@@ -33,6 +34,8 @@
 #include "vtkRelievoVTKVersions.h"
 #include "vtkSMPTools.h"
 
+#include <algorithm>
+#include <numeric>
 #include <string>
 #include <vector>
 
@@ -167,6 +170,73 @@ bool LeavesUnlit(vtkPolyData* mesh)
 }
 
 //------------------------------------------------------------------------------
+// The time that VTK takes for normals goes with the square or the cube of the number of polygons at
+// a point or an edge. Where there are many, as in one that is repeated, each gets points of its
+// own, and so the normal of its plane.
+vtkSmartPointer<vtkDataObject> SeparateCrowded(vtkPolyData* mesh)
+{
+  constexpr int mostAtEdge = 64;
+  constexpr int mostAtPoint = 4096;
+  std::vector<int> counts(static_cast<std::size_t>(mesh->GetNumberOfPoints()), 0);
+  const auto cells = vtk::TakeSmartPointer(mesh->GetPolys()->NewIterator());
+  vtkIdType size = 0;
+  const vtkIdType* corners = nullptr;
+  for (cells->GoToFirstCell(); !cells->IsDoneWithTraversal(); cells->GoToNextCell())
+  {
+    cells->GetCurrentCell(size, corners);
+    std::for_each(
+      corners, corners + size, [&](vtkIdType point) { ++counts[static_cast<std::size_t>(point)]; });
+  }
+  if (*std::max_element(counts.begin(), counts.end()) <= mostAtEdge)
+  {
+    return mesh;
+  }
+  const auto isCrowded = [&] {
+    const auto above = [&](int most) {
+      return std::count_if(corners, corners + size,
+        [&](vtkIdType point) { return counts[static_cast<std::size_t>(point)] > most; });
+    };
+    return above(mostAtEdge) > 1 || above(mostAtPoint) > 0;
+  };
+  std::vector<vtkIdType> sources(counts.size()); // of each point, in the mesh
+  std::iota(sources.begin(), sources.end(), vtkIdType(0));
+  vtkNew<vtkCellArray> separate;
+  for (cells->GoToFirstCell(); !cells->IsDoneWithTraversal(); cells->GoToNextCell())
+  {
+    cells->GetCurrentCell(size, corners);
+    const bool alone = isCrowded();
+    separate->InsertNextCell(static_cast<int>(size));
+    for (vtkIdType i = 0; i < size; ++i)
+    {
+      separate->InsertCellPoint(alone ? static_cast<vtkIdType>(sources.size()) : corners[i]);
+      if (alone)
+      {
+        sources.push_back(corners[i]);
+      }
+    }
+  }
+  if (sources.size() == counts.size())
+  {
+    return mesh;
+  }
+  vtkNew<vtkIdList> from;
+  from->SetNumberOfIds(static_cast<vtkIdType>(sources.size()));
+  std::copy(sources.begin(), sources.end(), from->GetPointer(0));
+  auto result = vtkSmartPointer<vtkPolyData>::New();
+  result->ShallowCopy(mesh);
+  vtkNew<vtkPoints> points;
+  points->SetDataType(mesh->GetPoints()->GetDataType());
+  mesh->GetPoints()->GetPoints(from, points);
+  result->SetPoints(points);
+  result->SetPolys(separate);
+  result->GetPointData()->Initialize();
+  result->GetPointData()->CopyAllOn();
+  result->GetPointData()->CopyAllocate(mesh->GetPointData(), from->GetNumberOfIds());
+  result->GetPointData()->CopyData(mesh->GetPointData(), from);
+  return result;
+}
+
+//------------------------------------------------------------------------------
 // Meshes whose lines would be black by that stay as they are.
 vtkSmartPointer<vtkDataObject> WithNormals(
   vtkDataObject* data, const std::string& path, Progress& progress)
@@ -190,7 +260,7 @@ vtkSmartPointer<vtkDataObject> WithNormals(
     }
     vtkNew<vtkPolyDataNormals> normals;
     normals->ConsistencyOff(); // the file's own winding is what its author sees everywhere else
-    return Run(normals, block, progress);
+    return Run(normals, SeparateCrowded(mesh), progress);
   });
   if (unlit)
   {

@@ -90,6 +90,14 @@ private:
         text.erase(0, address + 3);
       }
     }
+    // A list of numbers, and the place in VTK.
+    if (text.find("OpenGL errors detected") != std::string::npos)
+    {
+      const bool lacks = text.find("Out of memory") != std::string::npos;
+      return std::string("OpenGL failed") + (lacks ? ": out of memory" : "") +
+        ": the scene or the picture is more than this driver takes; give a smaller --size, fewer "
+        "samples or smaller files, or another driver, such as Mesa's (LIBGL_ALWAYS_SOFTWARE=1)";
+    }
     std::string words;
     bool gap = false;
     for (const char letter : text)
@@ -123,6 +131,7 @@ struct Replaced
   int Scopes = 0;
   vtkSmartPointer<vtkOutputWindow> Window;
   vtkLogger::Verbosity Verbosity = vtkLogger::VERBOSITY_INVALID;
+  vtkTypeBool Display = 1;
 };
 
 Replaced& GetReplaced()
@@ -142,7 +151,9 @@ Messages::Scope::Scope()
     replaced.Window = vtkOutputWindow::GetInstance();
     replaced.Verbosity = vtkLogger::GetCurrentVerbosityCutoff();
     vtkOutputWindow::SetInstance(Collector());
+    replaced.Display = vtkObject::GetGlobalWarningDisplay();
     vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF); // which prints each text again
+    vtkObject::GlobalWarningDisplayOn();                     // or nothing is said, to nobody
   }
 }
 
@@ -155,6 +166,7 @@ Messages::Scope::~Scope()
   {
     vtkOutputWindow::SetInstance(replaced.Window);
     vtkLogger::SetStderrVerbosity(replaced.Verbosity);
+    vtkObject::SetGlobalWarningDisplay(replaced.Display);
     replaced.Window = nullptr;
   }
 }

@@ -195,6 +195,14 @@ struct OptionRow
 std::vector<OptionRow> MakeRows()
 {
   std::vector<OptionRow> rows = {
+    { "--allow-folder", "DIR",
+      "a folder that files may name others in, such as textures, buffers and pieces (each file's "
+      "own "
+      "folder); with what is below it",
+      [](RenderOptions& options, const std::string& word) {
+        options.AllowedFolders.push_back(word);
+      },
+      true },
     { "--size", "WxH", "size of the picture in pixels, 1 to 16384 (1024x768)", TakeSize },
     { "--camera", "PX,PY,PZ,FX,FY,FZ,UX,UY,UZ",
       "position, focal point, up (fitted to the scene, from the upper right, or with "

@@ -71,6 +71,7 @@ struct CameraPlace
 struct RenderOptions
 {
   std::vector<std::string> Files;
+  std::vector<std::string> AllowedFolders;       ///< of what files name, besides their own folders
   std::array<int, 2> Size = { 1024, 768 };       ///< width, height in pixels
   bool IsSized = false;                          ///< the size was given
   std::string Lens;                              ///< in place of a pinhole; empty: none

@@ -24,7 +24,8 @@ const std::set<std::string> OutputOptions = { "--png", "--exr", "--report", "--c
 const std::set<std::string> SaidByStages = { "--stage", "--shadow-size", "--soft-shadows",
   "--ambient", "--shadow-tolerance", "--time-budget", "--deferred", "--tone", "--exposure" };
 
-constexpr const char* BeginWithPath[] = { "--normal-map", "--height-map", "--environment" };
+constexpr const char* BeginWithPath[] = { "--allow-folder", "--normal-map", "--height-map",
+  "--environment" };
 
 std::string GetFirstTime(const std::string& times)
 {

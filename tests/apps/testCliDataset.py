@@ -185,7 +185,7 @@ class Dataset(CliTest):
         self.refused("dataset", "near.off", "--poses", "orbit:4", "--out", "set", "--lens",
                      "none.yml", status=1, says="none.yml")  # fmt: skip
         self.refused("dataset", "near.off", "--poses", "none.json", "--out", "set", status=1,
-                     says="none.json: cannot be read")  # fmt: skip
+                     says="none.json: No such file")  # fmt: skip
         if os.getuid() != 0:
             self.refused("dataset", "near.off", "--poses", "orbit:1", "--out", "/nowhere/set",
                          status=1, says="/nowhere/set: cannot be made")  # fmt: skip

@@ -15,7 +15,7 @@ import unittest
 
 import locales
 import numpy
-from cli import LOOK, NEEDS_DISPLAY, RELIEVO, CliTest, main, write_image
+from cli import LOOK, NEEDS_DISPLAY, RELIEVO, CliTest, main, read_png, write_image
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkIOImage import vtkPNGWriter
@@ -118,6 +118,34 @@ class Inputs(CliTest):
         self.before = self.names()
         self.refused("render", "blanks.gltf", *OUTPUTS, status=1,
                      says=["blanks.gltf", "holds nothing that can be drawn"])  # fmt: skip
+
+    def test_causes(self):
+        """What was expected and what to do, where libraries say only that they failed."""
+        huge = 4 * 10**12
+        (self.folder / "huge.bvh").write_text(
+            "HIERARCHY\nROOT a\n{\nOFFSET 0 0 0\nCHANNELS 3 Xposition Yposition Zposition\n"
+            f"End Site\n{{\nOFFSET 0 1 0\n}}\n}}\nMOTION\nFrames: {huge}\nFrame Time: 1\n0 0 0\n")
+        (self.folder / "huge.dae").write_text(
+            '<COLLADA xmlns="http://www.collada.org/2005/11/COLLADASchema" version="1.4.1">'
+            "<library_geometries><geometry id='g'><mesh><source id='p'><float_array id='a' "
+            f"count='{huge}'>0 0 0</float_array></source></mesh></geometry></library_geometries>"
+            "</COLLADA>")
+        head = "# vtk DataFile Version 3.0\na\nASCII\n"
+        (self.folder / "field.vtk").write_text(head + "FIELD f 1\nx 1 1 double\n1\n")
+        (self.folder / "none.vtk").write_text(head + "DATASET NONE\n")
+        (self.folder / "words.vtp").write_text("none")
+        (self.folder / "large.json").write_text(json.dumps({
+            "image_width": 100000, "image_height": 100000, "distortion_coefficients": [0] * 4,
+            "camera_matrix": [[50, 0, 32], [0, 50, 24], [0, 0, 1]]}))  # fmt: skip
+        self.before = self.names()
+        memory = ["does not fit into memory", "is it damaged"]
+        for name, says in (("huge.bvh", memory), ("huge.dae", memory),
+                           ("field.vtk", ["DATASET", "geometry"]), ("none.vtk", ["DATASET"]),
+                           ("words.vtp", ["cannot be read as .vtp", "whole"])):  # fmt: skip
+            with self.subTest(name):
+                self.refused("render", name, "--png", "a.png", status=1, says=[name, *says])
+        self.refused("render", "triangle.off", "--lens", "large.json", "--png", "a.png", status=2,
+                     says=["large.json", "100000x100000", "16384", "--size"])  # fmt: skip
 
     def test_no_geometry(self):
         (self.folder / "points.off").write_text("OFF\n0 0 0\n")
@@ -279,6 +307,209 @@ class InputsOfInputs(CliTest):
             '<Piece Source="three.vtp"/></PPolyData></VTKFile>\n')
         self.keeps("a.vtm", "one & two.vtp", "three.vtp")
         self.keeps("a.pvtp", "three.vtp")
+
+
+class Named(CliTest):
+    """Files that a file names are read from its own folder and below, and from allowed ones."""
+
+    def setUp(self):
+        super().setUp()
+        self.secret = self.folder / "secret"
+        self.inside = self.folder / "inside"
+        for each in (self.secret, self.inside / "below"):
+            each.mkdir(parents=True)
+        red = numpy.tile(numpy.uint8([255, 0, 0]), (4, 4, 1))
+        write_image(vtkPNGWriter(), self.secret / "red.png", red)
+        writer = vtkXMLPolyDataWriter()
+        writer.SetFileName(str(self.secret / "piece.vtp"))
+        writer.SetInputData(polydata([(-1, -1, 0), (1, -1, 0), (-1, 1, 0)], [(0, 1, 2)]))
+        writer.SetDataModeToAscii()
+        writer.Write()
+        (self.secret / "m.mtl").write_text("newmtl a\nKd 1 0 0\n")
+        for name in ("red.png", "piece.vtp", "m.mtl", "points.bin"):
+            os.symlink(self.secret / name, self.inside / "below" / name)
+
+    def places(self, name):
+        """The forms in which a file can name another outside its folder."""
+        return (f"../secret/{name}", str(self.secret / name), f"below/../../secret/{name}",
+                f"below/{name}")  # fmt: skip
+
+    def is_red(self):
+        found = read_png(self.folder / "a.png")[20, 12]
+        return bool(found[0] > 100 and found[1] < 20)
+
+    def left_out(self, name, *more):
+        """Noted once, with the option by which it is drawn."""
+        done = self.relievo("render", f"inside/{name}", *LOOK, "--size", "32x32", "--png", "a.png")
+        for text in ("outside the folder", f"{self.secret}", "--allow-folder", *more):
+            self.assertIn(text, done.stderr)
+        self.assertEqual(len(done.stderr.splitlines()), 1, done.stderr)
+        self.assertFalse(self.is_red())
+        done = self.relievo("render", f"inside/{name}", *LOOK, "--size", "32x32", "--png", "a.png",
+                            "--allow-folder", "secret")  # fmt: skip
+        self.assertEqual(done.stderr, "")
+        self.assertTrue(self.is_red())
+
+    def refused_then_read(self, name):
+        words = ("render", f"inside/{name}", *LOOK, "--png", "a.png")
+        self.before = self.names()
+        self.refused(*words, status=1, says=[name, "outside the folder", str(self.secret),
+                                             "--allow-folder"])  # fmt: skip
+        self.relievo(*words, "--allow-folder", "none", "--allow-folder=secret", status=1)
+        self.relievo(*words, "--allow-folder", ".", "--allow-folder=secret")
+        (self.folder / "a.png").unlink()
+
+    def test_materials_and_textures_of_obj(self):
+        mesh = "v -1 -1 0\nv 1 -1 0\nv -1 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nvn 0 0 1\nusemtl a\n"
+        mesh += "f 1/1/1 2/2/1 3/3/1\n"
+        (self.inside / "a.obj").write_text("mtllib a.mtl\n" + mesh)
+        for place in self.places("red.png"):
+            (self.inside / "a.mtl").write_text(f"newmtl a\nKd 1 1 1\nmap_Kd {place}\n")
+            with self.subTest(texture=place):
+                self.left_out("a.obj", "red.png")
+        (self.inside / "a.mtl").unlink()
+        for place in self.places("m.mtl"):
+            (self.inside / "a.obj").write_text(f"mtllib {place}\n" + mesh)
+            with self.subTest(library=place):
+                self.left_out("a.obj", "m.mtl")
+
+    def test_buffers_and_images_of_gltf(self):
+        points = numpy.float32([[-1, -1, 0], [1, -1, 0], [-1, 1, 0]])
+        normals, places = numpy.float32([[0, 0, 1]] * 3), points[:, :2].copy()
+        parts = [part.tobytes() for part in (points, normals, places)]
+        for folder in (self.secret, self.inside):
+            (folder / "points.bin").write_bytes(b"".join(parts))
+        starts = [sum(map(len, parts[:i])) for i in range(3)]
+
+        def scene(buffer, image):
+            (self.inside / "a.gltf").write_text(json.dumps({
+                "asset": {"version": "2.0"}, "nodes": [{"mesh": 0}],
+                "meshes": [{"primitives": [{"material": 0, "attributes": {
+                    "POSITION": 0, "NORMAL": 1, "TEXCOORD_0": 2}}]}],
+                "extensionsUsed": ["KHR_materials_unlit"],
+                "materials": [{"pbrMetallicRoughness": {"baseColorTexture": {"index": 0}},
+                               "extensions": {"KHR_materials_unlit": {}}}],
+                "textures": [{"source": 0}], "images": [{"uri": image}],
+                "buffers": [{"uri": buffer, "byteLength": sum(map(len, parts))}],
+                "bufferViews": [{"buffer": 0, "byteOffset": start, "byteLength": len(part)}
+                                for start, part in zip(starts, parts)],
+                "accessors": [{"bufferView": i, "componentType": 5126, "count": 3, "type": kind,
+                               **({"min": [-1, -1, 0], "max": [1, 1, 0]} if i == 0 else {})}
+                              for i, kind in enumerate(("VEC3", "VEC3", "VEC2"))],
+            }))  # fmt: skip
+
+        def coded(name):
+            return *self.places(name), f"%2e%2e%2fsecret%2f{name}"
+        for image in coded("red.png"):
+            scene("points.bin", image)
+            with self.subTest(image=image):
+                self.left_out("a.gltf", "images[0]")
+        for buffer in coded("points.bin"):
+            scene(buffer, "../secret/red.png")
+            with self.subTest(buffer=buffer):
+                self.refused_then_read("a.gltf")
+
+    def test_textures_of_collada(self):
+        """Of the formats that Assimp reads; of a name that is there as well, the folder's own."""
+        source = '<source id="{0}"><float_array id="{0}a" count="{2}">{1}</float_array>'
+        source += '<technique_common><accessor source="#{0}a" count="3" stride="{3}">{4}</accessor>'
+        source += "</technique_common></source>"
+
+        def array(name, values, axes):
+            params = "".join(f'<param name="{axis}" type="float"/>' for axis in axes)
+            return source.format(name, values, len(values.split()), len(axes), params)
+        for place in self.places("red.png"):
+            (self.inside / "a.dae").write_text(
+                '<COLLADA xmlns="http://www.collada.org/2005/11/COLLADASchema" version="1.4.1">'
+                "<asset><up_axis>Y_UP</up_axis></asset><library_images><image id='i'><init_from>"
+                f"{place}</init_from></image></library_images><library_effects><effect id='e'>"
+                "<profile_COMMON><newparam sid='s'><surface type='2D'><init_from>i</init_from>"
+                "</surface></newparam><newparam sid='t'><sampler2D><source>s</source></sampler2D>"
+                "</newparam><technique sid='c'><lambert><diffuse><texture texture='t' "
+                "texcoord='u'/></diffuse></lambert></technique></profile_COMMON></effect>"
+                "</library_effects>"
+                "<library_materials><material id='m'><instance_effect url='#e'/></material>"
+                "</library_materials><library_geometries><geometry id='g'><mesh>"
+                + array("p", "-1 -1 0 1 -1 0 -1 1 0", "XYZ") + array("u", "0 0 1 0 0 1", "ST")
+                + "<vertices id='v'><input semantic='POSITION' source='#p'/></vertices>"
+                "<triangles count='1' material='x'><input semantic='VERTEX' source='#v' "
+                "offset='0'/><input semantic='TEXCOORD' source='#u' offset='0' set='0'/>"
+                "<p>0 1 2</p></triangles></mesh></geometry></library_geometries>"
+                "<library_visual_scenes><visual_scene id='w'>"
+                "<node id='n'><instance_geometry url='#g'><bind_material><technique_common>"
+                "<instance_material symbol='x' target='#m'><bind_vertex_input semantic='u' "
+                "input_semantic='TEXCOORD' input_set='0'/></instance_material></technique_common>"
+                "</bind_material></instance_geometry></node></visual_scene></library_visual_scenes>"
+                "<scene><instance_visual_scene url='#w'/></scene></COLLADA>")
+            with self.subTest(texture=place):
+                self.left_out("a.dae", "red.png")
+
+    def write_pieces(self, place, name="a.vtm", kind="vtkMultiBlockDataSet"):
+        piece = f'<DataSet index="0" file="{place}"/>'
+        if kind == "PPolyData":
+            piece = '<PPoints><PDataArray type="Float64" NumberOfComponents="3"/></PPoints>'
+            piece += f'<Piece Source="{place}"/>'
+        (self.inside / name).write_text(
+            f'<VTKFile type="{kind}" version="1.0"><{kind}>{piece}</{kind}></VTKFile>\n')
+
+    def test_pieces_of_vtk(self):
+        """In any form, and of any of VTK's readers, which goes by what the file holds."""
+        for place in (*self.places("piece.vtp"), "..&#x2f;secret&#47;piece.vtp"):
+            self.write_pieces(place)
+            with self.subTest(place=place):
+                self.refused_then_read("a.vtm")
+        for name, kind in (("a.pvtp", "PPolyData"), ("a.vtp", "vtkMultiBlockDataSet"),
+                           ("b.vtp", "PPolyData")):  # fmt: skip
+            self.write_pieces(place, name, kind)
+            with self.subTest(name=name):
+                self.refused_then_read(name)
+
+    def test_points_of_pieces(self):
+        """Other doors: points of stages, and the commands that work on meshes."""
+        self.write_pieces("../secret/piece.vtp")
+        self.before = self.names()
+        outside = ["a.vtm", "outside the folder", "--allow-folder"]
+        lamps = ("render", "triangle.off", "--lamps", "inside/a.vtm", "--png", "a.png")
+        seen = ("visible", "inside/a.vtm", "--poses", "orbit:1", "--size", "9x9", "-o", "a.vtp")
+        sun = ("sun", "inside/a.vtm", "--place", "0,0", "--dates", "2026-06-21", "-o", "a.vtp")
+        for words in (lamps, seen, sun):
+            self.refused(*words, status=1, says=outside)
+        for words in (seen, sun):
+            self.relievo(*words, "--allow-folder", "secret")
+
+    def test_pieces_that_never_end(self):
+        os.mkfifo(self.inside / "pipe.vtp")
+        os.symlink("/dev/zero", self.inside / "zero.vtp")
+        for place, *more in (("pipe.vtp",), ("zero.vtp", "--allow-folder", "/dev")):
+            for name, kind in (("a.vtm", "vtkMultiBlockDataSet"), ("a.pvtp", "PPolyData")):
+                self.write_pieces(place, name, kind)
+                self.before = self.names()
+                self.refused("render", f"inside/{name}", "--png", "a.png", *more, status=1,
+                             says=[name, place, "it is a "])  # fmt: skip
+
+    def test_poses_that_never_end(self):
+        os.mkfifo(self.folder / "pipe.json")
+        os.symlink("/dev/zero", self.folder / "zero.json")
+        (self.folder / "long.json").touch()
+        os.truncate(self.folder / "long.json", 1 << 40)  # holes
+        for name, says in (("pipe", "a pipe"), ("zero", "a device"), ("long", "256 MiB")):
+            self.before = self.names()
+            for words in (("visible", "-o", "a.vtp"), ("dataset", "--out", "out")):
+                self.refused(words[0], "triangle.off", "--poses", f"{name}.json", *words[1:],
+                             status=1, says=[f"{name}.json", says])  # fmt: skip
+
+    def test_a_data_set_that_never_ends(self):
+        words = ("dataset", "triangle.off", "--poses", "orbit:1", "--size", "9x9", "--out", "out")
+        self.relievo(*words)
+        for path in sorted((self.folder / "out").rglob("*.json")):
+            content = path.read_bytes()
+            path.unlink()
+            os.mkfifo(path)
+            done = self.finished(*words)
+            if done.returncode:
+                self.assertIn("it is a pipe", done.stderr)
+            path.unlink()
+            path.write_bytes(content)
 
 
 class Outputs(CliTest):

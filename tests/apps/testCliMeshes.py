@@ -149,10 +149,10 @@ class OBJ(CliTest):
         (self.folder / "folder.mtl").mkdir()
         face = LEFT + RIGHT + "vt 0 0\nvt 1 1\nusemtl a\nf 1/1 5/2 6/2 4/1\n"
         for name, *says in (("pipe.mtl", "it is a pipe"), ("gone.mtl", "No such file"),
-                            ("folder.mtl", "it is a folder"), ("/dev/zero", "it is a device")):
+                            ("folder.mtl", "it is a folder"), ("/dev/zero", "outside the folder")):
             self.write("a.obj", f"mtllib {name}\n" + face)
             self.draw(says=[("a.obj: drawn without the materials of " + name, *says)])
-        for name, *says in (("pipe.png", "it is a pipe"), ("zero.png", "it is a device"),
+        for name, *says in (("pipe.png", "it is a pipe"), ("zero.png", "outside the folder"),
                             ("gone.png", "No such file")):  # fmt: skip
             self.write("m.mtl", f"newmtl a\nmap_Kd {name}\n")
             self.write("a.obj", "mtllib m.mtl\n" + face)
@@ -361,6 +361,52 @@ class FlatScenes(CliTest):
             self.assertEqual("nothing but the background" in done.stderr, not seen, done.stderr)
         done = self.relievo("render", "triangle.off", "--color", "black", "--png", "a.png")
         self.assertIn("a.png: shows nothing but the background", done.stderr)
+
+    def test_nothing_above_the_ground(self):
+        """A word where the ground alone is seen: transparent as a whole, or without area."""
+        small = ["--size", "40x30", "--preset", "studio", "--shadows", "off", "--stage",
+                 "antialias:samples=1", "--png", "a.png"]  # fmt: skip
+        nothing = "a.png: shows nothing but the ground"
+        cube = "".join(f"v {i & 1} {i >> 1 & 1} {i >> 2}\n" for i in range(8))
+        cube += "usemtl glass\nf 1 2 4 3\nf 5 7 8 6\nusemtl rest\nf 1 5 6 2\nf 3 4 8 7\n"
+        (self.folder / "a.obj").write_text("mtllib a.mtl\n" + cube)
+        for text, says in (("Kd 1 0 0\n", []), ("d 0.0\n", ["'glass' is invisible", nothing]),
+                           ("d 1\nTr 1\n", []),
+                           ("Tr 1.0\n", ["in spite of Tr 1", "2 materials", "'glass'"])):
+            library = "".join(f"newmtl {name}\n{text}" for name in ("glass", "rest"))
+            (self.folder / "a.mtl").write_text(library)
+            done = self.relievo("render", "a.obj", *small)
+            for each in says:
+                self.assertIn(each, done.stderr)
+            self.assertEqual(nothing in done.stderr, nothing in says, done.stderr)
+        (self.folder / "a.mtl").write_text("newmtl glass\nd 0\nnewmtl rest\nTr 1\n")
+        done = self.relievo("render", "a.obj", *small)
+        for each in ("'glass' is invisible", "in spite of Tr 1", "1 material 'rest'"):
+            self.assertIn(each, done.stderr)
+        self.assertNotIn(nothing, done.stderr)
+        (self.folder / "b.obj").write_text(cube)
+        self.assertIn(nothing, self.relievo("render", "b.obj", "--opacity", "0", *small).stderr)
+        flat = "v 0 0 0\nv 1 1 1\nv 2 2 2\nv 0 1 0\nf 1 2 3\nf 2 2 4\nf 4 4 4\n"
+        (self.folder / "c.obj").write_text(flat)
+        self.assertIn(nothing, self.relievo("render", "c.obj", *small).stderr)
+        (self.folder / "c.obj").write_text(flat + "f 1 2 4\n")
+        self.assertNotIn(nothing, self.relievo("render", "c.obj", *small).stderr)
+
+    def test_a_repeated_triangle(self):
+        """It is read within a reader's processor time, with the normal of its plane, and so are
+        many at an edge and at a point. What is beside it keeps its smooth normals."""
+        ring = [(numpy.cos(a), numpy.sin(a)) for a in numpy.linspace(0, 6, 5000)]
+        corners = "".join(f"v {x / 2} {y / 2} 0.1\n" for x, y in ring)
+        fan = "".join(f"f 1 {i} {i + 1}\n" for i in range(2, 5001))
+        book = "".join(f"f 2 3 {i}\n" for i in range(4, 3000))
+        for text in ("v -1 -1 0\nv 1 -1 0\nv -1 1 0\n" + 3000 * "f 1 2 3\n",
+                     "v 0 0 0.1\n" + corners + fan, "v 0 0 0.1\n" + corners + book):
+            (self.folder / "a.obj").write_text(text)
+            self.relievo("render", "a.obj", *LOOK, "--exr", "a.exr", "--layers", "normal")
+            normal = self.exr("a.exr")[1]
+            seen = normal["normal.Z"] != 0
+            self.assertGreater(seen.sum(), 100)
+            numpy.testing.assert_allclose(abs(normal["normal.Z"][seen]), 1, atol=1e-6)
 
 
 class Skeletons(CliTest):

@@ -191,6 +191,44 @@ class Volumes(CliTest):
         self.refused("render", "ids.vti", "--image", "labels", "--png", "b.png", status=1,
                      says=["labels", "2000"], environment=STUDIO)  # fmt: skip
 
+    def test_grey_labels(self):
+        """A grey image has 255 values in boxes as large as it: minutes, and gigabytes."""
+        side = 80
+        z, y, x = numpy.mgrid[0:side, 0:side, 0:side]
+        self.image("grey.vti", (128 + 127 * numpy.sin(x / 9 + y / 7 + z / 5)).astype(numpy.uint8))
+        self.before = self.names()
+        self.refused("render", "grey.vti", "--image", "labels", "--png", "b.png", status=1,
+                     says=["grey.vti: --image labels", "values that change", "--image surface"])
+        # Of regions there may be as many, also where each is all over the image.
+        labels = 1 + (x // 8 * 10 + y // 8 + z // 40 * 100).astype(numpy.uint8)
+        self.image("labels.vti", labels)
+        self.relievo("render", "labels.vti", "--image", "labels", "--size", "9x9", "--png", "b.png")
+
+    def test_images_of_colors(self):
+        """They have no one value: --image says that it changes nothing, once."""
+        colors = numpy.tile(numpy.uint8([200, 100, 50, 255]), (SIDE**3, 1))
+        for components in (3, 4):
+            image = vtkImageData()
+            image.SetDimensions(SIDE, SIDE, SIDE)
+            image.GetPointData().SetScalars(
+                numpy_to_vtk(numpy.ascontiguousarray(colors[:, :components]), deep=True))
+            writer = vtkXMLImageDataWriter()
+            writer.SetFileName(str(self.folder / "colors.vti"))
+            writer.SetInputData(image)
+            writer.Write()
+            for kind in ("volume", "surface", "surface=7", "labels"):
+                self.picture("colors.vti", "--image", kind, environment={},
+                             says="colors.vti: --image changed nothing")  # fmt: skip
+            self.picture("colors.vti", "--image", "box", environment={})
+        # Nor is one seen whose alpha is 0, but in other colours.
+        image.GetPointData().GetScalars().FillComponent(3, 0)
+        writer.Write()
+        nothing = "a.png: shows nothing but the ground"
+        for words in ([], ["--color", "red"]):
+            done = self.relievo("render", "colors.vti", *words, *SMALL, "--png", "a.png",
+                                environment=STUDIO)  # fmt: skip
+            self.assertEqual(nothing in done.stderr, not words, done.stderr)
+
     def test_cloud(self):
         """Points are seen on a light background, lit as balls; a wide flat cloud lies."""
         place = numpy.mgrid[-3:3:16j, -3:3:16j, -1:1:2j].reshape(3, -1).T

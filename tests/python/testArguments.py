@@ -4,14 +4,18 @@
 
 import os
 import re
+import shutil
 import signal
+import subprocess
 import sys
+import tempfile
 import types
 import unittest
 
 import numpy
 import relievo
 import scenes
+from vtkmodules.vtkCommonCore import vtkObject
 
 NUMBERS = {"int": 1, "float": 0.5, "bool": True}
 SURROGATE = "a\ud800"  # no Unicode text
@@ -156,6 +160,58 @@ class Package(unittest.TestCase):
         for name, call in calls.items():
             with self.subTest(name):
                 self.assertRaises((ValueError, OSError), call)
+
+    def test_without_display_of_warnings(self):
+        """vtkObject.GlobalWarningDisplayOff() silences VTK, not what is raised, and stays."""
+        renderer = scenes.plane_and_sphere()
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.addCleanup(vtkObject.SetGlobalWarningDisplay, vtkObject.GetGlobalWarningDisplay())
+
+        def broken(name):
+            path = os.path.join(folder.name, name)
+            with open(path, "w", encoding="utf-8") as file:
+                file.write("{")
+            return path
+        exr, image, lens, model, mesh = map(
+            broken, ("a.exr", "a.png", "a.yml", "a.gltf", "a.vtp"))  # fmt: skip
+        for call in (
+            lambda: relievo.read_exr(exr), lambda: relievo.environment(renderer, exr),
+            lambda: relievo.environment(renderer, image), lambda: relievo.lens(lens),
+            lambda: relievo.lens("fisheye:1,2,x"), lambda: relievo.scene(model).update(),
+            lambda: relievo.scene(mesh).update(),
+            lambda: relievo.capture(renderer, ["none such"], (30, 20)),
+            lambda: relievo.stage(renderer, "tone", operator="none such"),
+        ):  # fmt: skip
+            said = []
+            for switch in (True, False):
+                vtkObject.SetGlobalWarningDisplay(switch)
+                with self.assertRaises((ValueError, OSError)) as caught:
+                    call()
+                said.append((type(caught.exception), str(caught.exception)))
+                self.assertEqual(bool(vtkObject.GetGlobalWarningDisplay()), switch)
+            self.assertEqual(*said)
+
+    def test_a_pipe_for_a_lens(self):
+        with tempfile.TemporaryDirectory() as folder:
+            os.mkfifo(f"{folder}/pipe.yml")
+            with self.assertRaisesRegex(ValueError, "pipe.yml: expected a file, not a .*pipe"):
+                relievo.lens(f"{folder}/pipe.yml")
+
+    @unittest.skipUnless(shutil.which("cc"), "there is no compiler")
+    def test_a_program_with_another_vtk(self):
+        """ParaView's Python, by a library that has a function of VTK for everybody."""
+        with tempfile.TemporaryDirectory() as folder:
+            library = f"{folder}/libvtkCommonCore-pv0.so.1"
+            subprocess.run(
+                ["cc", "-shared", "-fPIC", "-xc", "-o", library, "-"], check=True, text=True,
+                input="void *_ZN9vtkObject3NewEv(void) { return 0; }")  # fmt: skip
+            done = subprocess.run(
+                [sys.executable, "-c", "import relievo"], text=True, stderr=subprocess.PIPE,
+                env={**os.environ, "LD_PRELOAD": library}, check=False)  # fmt: skip
+        self.assertEqual(done.returncode, 1)
+        self.assertRegex(done.stderr.splitlines()[-1],
+                         "^ImportError: relievo: .*libvtkCommonCore-pv0.*ParaView")  # fmt: skip
 
     def test_another_vtk(self):
         """A renderer of another VTK in the process is refused, with the packages of both."""

@@ -299,6 +299,17 @@ class Scene(unittest.TestCase):
             found = [[matrix.GetElement(i, j) for j in range(3)] for i in range(3)]
             numpy.testing.assert_array_equal(found, direction)
 
+    def test_errors_of_opengl(self):
+        """VTK's list of them becomes what to do."""
+        scene = relievo.scene(self.mesh, size=SIZE)
+        text = ("ERROR: In vtkOpenGLError.h, line 9\nvtkTextureObject (0x1): failed after Create2D "
+                "1 OpenGL errors detected\n  0 : (1285) Out of memory\n")  # fmt: skip
+        scene._scene.AddObserver(
+            "ProgressEvent", lambda *_: vtkOutputWindow.GetInstance().DisplayErrorText(text))
+        with self.assertRaisesRegex((OSError, RuntimeError),
+                                    "OpenGL failed: out of memory.*--size"):  # fmt: skip
+            scene.update()
+
     def test_notes_and_warnings(self):
         """What a command prints is a scene's notes; a good one has none, and warns of nothing."""
         with warnings.catch_warnings():
@@ -317,6 +328,24 @@ class Scene(unittest.TestCase):
         writer.Write()
         scene = relievo.scene(self.path("hole.vtp"), size=SIZE).update()
         self.assertRegex(" ".join(scene.notes), "left out 1 cell")
+
+    def test_folders_of_named_files(self):
+        """Those beside the file's own are read where they are allowed, also later."""
+        with tempfile.TemporaryDirectory() as folder:
+            inside, beside = pathlib.Path(folder, "inside"), pathlib.Path(folder, "beside")
+            inside.mkdir()
+            beside.mkdir()
+            (beside / "m.mtl").write_text("newmtl a\nKd 1 0 0\n")
+            (inside / "a.obj").write_text(
+                "mtllib ../beside/m.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl a\nf 1 2 3\n")
+            scene = relievo.scene(inside / "a.obj").update()
+            self.assertRegex("\n".join(scene.notes), "m.mtl: it lies outside.*--allow-folder")
+            scene.set(allow_folder=[beside]).update()
+            self.assertEqual(scene.notes, [])
+            actor = scene.renderer.GetActors().GetLastActor()
+            self.assertEqual(actor.GetProperty().GetDiffuseColor(), (1, 0, 0))
+            with self.assertRaisesRegex(OSError, "--allow-folder none"):
+                relievo.scene(inside / "a.obj", allow_folder=["none"]).update()
 
     def test_names_of_bytes(self):
         """File names of any bytes, and names that begin with a dash."""

@@ -37,6 +37,7 @@ namespace
 // What options take, where it is not in other tests: of switches in testViewerPictures, of models
 // in testViewerPythonFiles. Words that others need stand in front.
 const std::vector<QStringList> Rows = {
+  { "--allow-folder", "/" },
   { "--clip", "0.5,40" },
   { "--view-angle", "47" },
   { "--shading", "gouraud" },

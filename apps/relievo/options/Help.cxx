@@ -61,6 +61,7 @@ visible finds by rays which cells of a mesh cameras see, in how many pixels and 
 
   --poses POSES           orbit:N, random:N or a FILE.json, as of dataset
   -o FILE.vtp             the mesh
+  --allow-folder DIR      a folder that files may name pieces in, besides their own; repeatable
   --cloud FILE.vtp        what the pixels show of the mesh, as points
   --size WxH              pixels of each camera (1024x768)
   --view-angle DEG        full vertical angle of each camera (30)
@@ -77,6 +78,7 @@ sun finds by rays how long the sun shines on a mesh, and writes it with the arra
   --dates DATES           FIRST[:LAST[:EVERY]], days such as 2026-01-01:2026-12-31:7, which both
                           count; of every so many days one stands for all
   -o FILE.vtp             the mesh
+  --allow-folder DIR      a folder that files may name pieces in, besides their own; repeatable
   --step MINUTES          from one place of the sun to the next, 0.1 to 240 (20)
   --points                points are judged, rather than cells
   --sky N                 also the array sky_view, the share of the sky that is seen, by N rays (0)

@@ -66,12 +66,16 @@ SunOptions ParseSun(const std::vector<std::string>& words)
   bool dates = false;
   scene::ParseArguments(
     words, "sun",
-    { { "-o", false }, { "--place", false }, { "--dates", false }, { "--step", false },
-      { "--up", false }, { "--points", true }, { "--sky", false } },
+    { { "-o", false }, { "--allow-folder", false }, { "--place", false }, { "--dates", false },
+      { "--step", false }, { "--up", false }, { "--points", true }, { "--sky", false } },
     [&](const std::string& name, const std::string& value) {
       if (name == "-o")
       {
         options.File = value;
+      }
+      else if (name == "--allow-folder")
+      {
+        options.AllowedFolders.push_back(value);
       }
       else if (name == "--place")
       {

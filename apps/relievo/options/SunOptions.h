@@ -11,8 +11,9 @@ namespace cli
 {
 struct SunOptions
 {
-  std::vector<std::string> Files; ///< the mesh, and what shades it
-  std::string File;               ///< a .vtp
+  std::vector<std::string> Files;          ///< the mesh, and what shades it
+  std::vector<std::string> AllowedFolders; ///< of pieces, besides the files' own
+  std::string File;                        ///< a .vtp
   double Latitude;
   double Longitude;
   std::array<int, 3> Days[2]; ///< first and last

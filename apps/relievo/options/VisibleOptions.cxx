@@ -20,12 +20,17 @@ VisibleOptions ParseVisible(const std::vector<std::string>& words)
   std::vector<std::string> ofCameras; // in the words of render
   scene::ParseArguments(
     words, "visible",
-    { { "-o", false }, { "--poses", false }, { "--size", false }, { "--view-angle", false },
-      { "--lens", false }, { "--cloud", false }, { "--up", false }, { "--seed", false } },
+    { { "-o", false }, { "--allow-folder", false }, { "--poses", false }, { "--size", false },
+      { "--view-angle", false }, { "--lens", false }, { "--cloud", false }, { "--up", false },
+      { "--seed", false } },
     [&](const std::string& name, const std::string& value) {
       if (name == "-o")
       {
         options.File = value;
+      }
+      else if (name == "--allow-folder")
+      {
+        options.AllowedFolders.push_back(value);
       }
       else if (name == "--poses")
       {

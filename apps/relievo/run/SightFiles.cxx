@@ -24,15 +24,19 @@
 namespace cli
 {
 //------------------------------------------------------------------------------
-int ReadMeshes(const std::vector<std::string>& files, vtkRelievoSightAlgorithm* filter,
-  scene::Progress& progress)
+int ReadMeshes(const std::vector<std::string>& files, const std::vector<std::string>& folders,
+  vtkRelievoSightAlgorithm* filter, scene::Progress& progress)
 {
+  for (const std::string& folder : folders)
+  {
+    scene::CheckFolder(folder);
+  }
   int up = 1;
   for (std::size_t i = 0; i < files.size(); ++i)
   {
     scene::CheckReadable(files[i]);
     vtkNew<vtkAppendPolyData> all;
-    scene::ForEachDataSet(scene::ReadSurface(files[i], false, false, progress),
+    scene::ForEachDataSet(scene::ReadSurface(files[i], folders, false, false, progress),
       [&all](vtkDataSet* data) { all->AddInputData(vtkPolyData::SafeDownCast(data)); });
     if (all->GetNumberOfInputConnections(0) > 0)
     {

@@ -21,9 +21,10 @@ class Progress;
 
 namespace cli
 {
-/// Gives the filter the surfaces of the files. Returns the up axis of the first.
-int ReadMeshes(const std::vector<std::string>& files, vtkRelievoSightAlgorithm* filter,
-  scene::Progress& progress);
+/// Gives the filter the surfaces of the files; `folders` are those that files may name others in,
+/// besides their own. Returns the up axis of the first.
+int ReadMeshes(const std::vector<std::string>& files, const std::vector<std::string>& folders,
+  vtkRelievoSightAlgorithm* filter, scene::Progress& progress);
 
 /// Writes what is to be at the path of the outputs.
 void WriteMesh(vtkPolyData* mesh, const std::string& option, const std::string& path,

@@ -46,7 +46,7 @@ void SunHours(const SunOptions& options)
   outputs.Add("-o", options.File, options.Files);
   scene::Progress progress;
   vtkNew<vtkRelievoSunExposure> sun;
-  const int up = ReadMeshes(options.Files, sun, progress);
+  const int up = ReadMeshes(options.Files, options.AllowedFolders, sun, progress);
   sun->SetLatitude(options.Latitude);
   sun->SetLongitude(options.Longitude);
   sun->SetFirstDay(options.Days[0].data());

@@ -48,7 +48,7 @@ void Visible(const VisibleOptions& options)
   }
   scene::Progress progress;
   vtkNew<vtkRelievoVisibility> visibility;
-  const int up = ReadMeshes(options.Files, visibility, progress);
+  const int up = ReadMeshes(options.Files, options.AllowedFolders, visibility, progress);
   AddCameras(options, options.Up < 0 ? up : options.Up, visibility);
   visibility->SetCloud(!options.Cloud.empty());
   progress.Begin("following rays");

@@ -82,7 +82,7 @@ _relievo()
             ;;
         --normal-map | --height-map | --environment) _filedir "$images"; return ;;
         --lamps | --fog | --markers) _filedir "$meshes"; return ;;
-        --beside | --out) _filedir -d; return ;;
+        --allow-folder | --beside | --out) _filedir -d; return ;;
         *) [[ $wants_value ]] && return ;;
     esac
     [[ ! $values && ($cur == -* || ${words[1]} != @(render|dataset|visible|sun)) ]] && values=$options

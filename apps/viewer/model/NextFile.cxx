@@ -24,8 +24,8 @@ struct Dropped
   const char* Words; // empty: not worth a word
 };
 
-constexpr Dropped OfFiles[] = { { "--color-by", "" }, { "--range", "" }, { "--scalar-bar", "" },
-  { "--clip", "the clipping distances" }, { "--up", "the up axis" },
+constexpr Dropped OfFiles[] = { { "--allow-folder", "" }, { "--color-by", "" }, { "--range", "" },
+  { "--scalar-bar", "" }, { "--clip", "the clipping distances" }, { "--up", "the up axis" },
   { "--image", "how the image is shown" }, { "--normal-map", "the normal map" },
   { "--height-map", "the height map" }, { "--relief", "" }, { "--texture-coordinates", "" } };
 

@@ -77,18 +77,16 @@ void SaveSession(const QString& path, const scene::Settings& view)
 //------------------------------------------------------------------------------
 scene::Settings LoadSession(const QString& path)
 {
-  const std::string instead = vtkRelievoFileKind::FindInstead(path.toStdString());
-  if (!instead.empty())
+  constexpr std::size_t most = std::size_t(1) << 26;
+  std::string text;
+  const std::string wrong = vtkRelievoFileKind::ReadWhole(path.toStdString(), most, text);
+  if (!wrong.empty())
   {
-    Fail(path, "expected a session, but " + QString::fromStdString(instead));
-  }
-  QFile file(path);
-  if (!file.open(QIODevice::ReadOnly))
-  {
-    Fail(path, file.errorString());
+    Fail(path, QString::fromStdString(wrong));
   }
   QJsonParseError trouble;
-  const QJsonObject root = QJsonDocument::fromJson(file.readAll(), &trouble).object();
+  const QJsonObject root =
+    QJsonDocument::fromJson(QByteArray::fromStdString(text), &trouble).object();
   if (root[Mark].toInt() != Version || !root["words"].isArray())
   {
     Fail(path,
