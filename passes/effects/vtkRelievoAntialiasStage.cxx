@@ -63,6 +63,7 @@ void vtkRelievoAntialiasStage::Declare(
   {
     declaration.Samples = this->Samples;
     declaration.OffsetsSamples = true;
+    declaration.AnyRaster = true;
     return;
   }
   declaration.Runs = false;
@@ -74,7 +75,7 @@ void vtkRelievoAntialiasStage::Execute(vtkRelievoFrameContext& context)
 {
   this->Explain("ran",
     "smooths edges, " + std::to_string(context.Sample + 1) + " of " +
-      std::to_string(context.Samples) + " samples");
+      std::to_string(context.Samples) + " samples" + (context.Lattice ? ", drawn at once" : ""));
 }
 
 //------------------------------------------------------------------------------

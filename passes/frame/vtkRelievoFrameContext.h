@@ -22,6 +22,7 @@ class vtkOpenGLRenderWindow;
 class vtkRelievoColorTarget;
 class vtkRelievoFramePass;
 class vtkRelievoResource;
+class vtkRelievoSampleLattice;
 class vtkRelievoScreenQuad;
 class vtkRelievoScreenTarget;
 class vtkRelievoStage;
@@ -75,6 +76,11 @@ public:
 
   // Whether samples lie at different places within each pixel, for smooth edges.
   bool OffsetsSamples = false;
+
+  // Where they lie, if the frame draws all of them at once, into a raster that is finer than the
+  // pixels; otherwise nullptr.
+  const vtkRelievoSampleLattice* Lattice = nullptr;
+  bool OneByOne = false; // that could not be done
 
   // Lamps whose shadows are wanted, as the resource `lamp shadows`; from Prepare on.
   std::vector<vtkRelievoCastingLamp> CastingLamps;

@@ -22,6 +22,7 @@
 #include "vtkRelievoLeakedTextureUnits.h"
 #include "vtkRelievoSampleAccumulator.h"
 #include "vtkRelievoSampleOffset.h"
+#include "vtkRelievoSampleRaster.h"
 #include "vtkRelievoStage.h"
 #include "vtkRelievoStageRegistry.h"
 #include "vtkRelievoTranslucentLayers.h"
@@ -52,6 +53,7 @@ public:
   vtkNew<vtkRelievoDepthSplice> Depth;
   vtkSmartPointer<vtkMultiProcessController> Controller;
   vtkRelievoSampleAccumulator Samples;
+  vtkRelievoSampleRaster Raster; // of all samples at once
   vtkRelievoFrameReader Reader{ Color, Samples };
   vtkRelievoEdgeFilter Filter;                  // of pictures with one sample of many
   vtkWeakPointer<vtkOpenGLRenderWindow> Window; // of the last frame
@@ -363,7 +365,8 @@ bool vtkRelievoFramePass::DrawSample(const vtkRenderState* s)
     return in.Reader.Read(names, image);
   };
   const std::vector<vtkRelievoStage*> stages = in.GetStages();
-  vtkRelievoFrameRun run(context, stages, in.Color, in.Translucent, in.Samples, in.Timer);
+  vtkRelievoFrameRun run(
+    context, stages, in.Color, in.Translucent, in.Samples, in.Raster, in.Timer);
   run.Synchronize();
   run.Declare();
   for (const std::string& wrong : run.Plan())
@@ -404,6 +407,10 @@ bool vtkRelievoFramePass::DrawSample(const vtkRenderState* s)
   if (!in.Samples.GetFault().empty() && in.Reported.insert(in.Samples.GetFault()).second)
   {
     vtkErrorMacro("Samples are not gathered: " << in.Samples.GetFault() << ".");
+  }
+  if (!in.Raster.GetFault().empty() && in.Reported.insert(in.Raster.GetFault()).second)
+  {
+    vtkWarningMacro("Samples are drawn one by one: " << in.Raster.GetFault() << ".");
   }
   run.Report(in.Report, in.Delegate);
   return context.Last;
@@ -458,6 +465,7 @@ void vtkRelievoFramePass::ReleaseStages(vtkWindow* window)
   this->Internal->Color.Release(window);
   this->Internal->Translucent.Release(window);
   this->Internal->Samples.Release(window);
+  this->Internal->Raster.Release(window);
   this->Internal->Filter.Release(window);
   this->Internal->Timer.Release();
 }

@@ -57,6 +57,10 @@ struct VTKRELIEVOFRAME_EXPORT vtkRelievoDeclaration
   std::vector<std::string> Gathered;
   bool AtOnce = false;
   bool OffsetsSamples = false;
+  // Whether what it does holds as well where all samples are drawn at once, in a raster that is
+  // finer than the pixels (vtkRelievoFrameContext::Lattice): shader code that it splices reads no
+  // texture by the pixel.
+  bool AnyRaster = false;
 };
 
 class VTKRELIEVOFRAME_EXPORT vtkRelievoFramePlan

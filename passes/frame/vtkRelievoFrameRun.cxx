@@ -12,6 +12,7 @@
 #include "vtkRelievoGpuTimer.h"
 #include "vtkRelievoLeakedTextureUnits.h"
 #include "vtkRelievoSampleAccumulator.h"
+#include "vtkRelievoSampleRaster.h"
 #include "vtkRelievoStage.h"
 #include "vtkRelievoTranslucentLayers.h"
 #include "vtkRenderPass.h"
@@ -23,12 +24,13 @@
 vtkRelievoFrameRun::vtkRelievoFrameRun(vtkRelievoFrameContext& context,
   const std::vector<vtkRelievoStage*>& stages, vtkRelievoColorTarget& color,
   vtkRelievoTranslucentLayers& translucent, vtkRelievoSampleAccumulator& samples,
-  vtkRelievoGpuTimer& timer)
+  vtkRelievoSampleRaster& raster, vtkRelievoGpuTimer& timer)
   : Context(context)
   , Stages(stages)
   , Color(color)
   , Translucent(translucent)
   , Samples(samples)
+  , Raster(raster)
   , Timer(timer)
   , Nodes(stages.size() + 1)
   , Dropped(stages.size() + 1, false)
@@ -158,6 +160,7 @@ std::vector<std::string> vtkRelievoFrameRun::Plan()
     });
   this->WorkOnColor.resize(this->Nodes.size());
   std::transform(this->Nodes.begin(), this->Nodes.end(), this->WorkOnColor.begin(), worksOnColor);
+  this->Context.OneByOne = !this->Raster.GetFault().empty();
   this->Samples.Begin(this->Context, this->Nodes, this->Planned.NeedsColor(), this->Stages);
   for (std::size_t i = 0; i < this->Stages.size(); ++i)
   {
@@ -323,9 +326,24 @@ int vtkRelievoFrameRun::DrawDelegate(vtkRelievoDelegate& delegate, vtkRenderPass
   // Opaque geometry: stages write beside the colour while VTK draws it.
   if (!running.empty())
   {
-    events.OpaqueBegins = [&]() { interrupt([&]() { forEach(&vtkRelievoStage::BeginOpaque); }); };
+    events.OpaqueBegins = [&]() {
+      interrupt([&]() { forEach(&vtkRelievoStage::BeginOpaque); });
+      if (this->Context.Lattice)
+      {
+        this->Raster.Begin(this->Context, this->Color);
+        if (!this->Raster.GetFault().empty())
+        {
+          this->Context.Lattice = nullptr; // nothing is shown of this turn
+          this->Context.Last = false;
+        }
+      }
+    };
     events.OpaqueEnds = [&]() {
       vtkRelievoLeakedTextureUnits::Release(this->Context.Window);
+      if (this->Context.Lattice)
+      {
+        this->Raster.End(this->Context, this->Color);
+      }
       interrupt([&]() { forEach(&vtkRelievoStage::EndOpaque); });
     };
   }

@@ -15,6 +15,7 @@ class vtkRelievoColorTarget;
 class vtkRelievoDelegate;
 class vtkRelievoFrameContext;
 class vtkRelievoSampleAccumulator;
+class vtkRelievoSampleRaster;
 class vtkRelievoFrameReport;
 class vtkRelievoGpuTimer;
 class vtkRelievoStage;
@@ -26,7 +27,8 @@ class vtkRelievoFrameRun
 public:
   vtkRelievoFrameRun(vtkRelievoFrameContext& context, const std::vector<vtkRelievoStage*>& stages,
     vtkRelievoColorTarget& color, vtkRelievoTranslucentLayers& translucent,
-    vtkRelievoSampleAccumulator& samples, vtkRelievoGpuTimer& timer);
+    vtkRelievoSampleAccumulator& samples, vtkRelievoSampleRaster& raster,
+    vtkRelievoGpuTimer& timer);
 
   ///@{
   // The phases of a frame, to be called in this order.
@@ -89,6 +91,7 @@ private:
   vtkRelievoColorTarget& Color;
   vtkRelievoTranslucentLayers& Translucent;
   vtkRelievoSampleAccumulator& Samples;
+  vtkRelievoSampleRaster& Raster;
   vtkRelievoGpuTimer& Timer;
   vtkRelievoFramePlan Planned;
   std::vector<vtkRelievoFramePlan::Node> Nodes; // the first is the delegate

@@ -11,7 +11,9 @@
 #include "vtkOpenGLState.h"
 #include "vtkPointData.h"
 #include "vtkRelievoFrameContext.h"
+#include "vtkRelievoSampleRaster.h"
 #include "vtkRelievoScopedState.h"
+#include "vtkRelievoStageDescription.h"
 #include "vtkRenderer.h"
 #include "vtkRendererCollection.h"
 #include "vtkShaderProgram.h"
@@ -41,6 +43,14 @@ bool IsOneOfSeveral(const vtkRelievoFrameContext& context)
     }
   }
   return false;
+}
+
+//------------------------------------------------------------------------------
+// What is shown in the end is made of the mean, whatever that is of.
+bool IsOfAnyRaster(const vtkRelievoFramePlan::Node& node)
+{
+  return !node.Needed || node.Delegate || node.Declaration.AnyRaster ||
+    node.Slot == vtkRelievoStageDescription::DISPLAY;
 }
 }
 
@@ -97,6 +107,9 @@ vtkRelievoSampleAccumulator::Demand vtkRelievoSampleAccumulator::GetDemand(
   {
     demand.Layers.push_back(light.first);
   }
+  demand.AnyRaster = !context.OneByOne && demand.Offsets && demand.Color && demand.Layers.empty() &&
+    std::all_of(nodes.begin(), nodes.end(), IsOfAnyRaster) &&
+    vtkRelievoSampleRaster::FindObstacle(context).empty();
   return demand;
 }
 
@@ -209,14 +222,27 @@ void vtkRelievoSampleAccumulator::Choose(vtkRelievoFrameContext& context)
   context.OffsetsSamples = demand.Offsets;
   context.Sample = std::min(next, demand.Samples - 1);
   const bool atOnce = demand.AtOnce || IsOneOfSeveral(context);
-  context.Last = !atOnce || next + 1 >= demand.Samples || this->Turns >= demand.Samples;
+  // While something moves, one sample is drawn; then all others at once.
+  if (demand.AnyRaster && next < demand.Samples && (atOnce || next > 0))
+  {
+    if (!this->Lattice || this->Lattice->GetNumberOfSamples() != demand.Samples)
+    {
+      this->Lattice.reset(new vtkRelievoSampleLattice(demand.Samples));
+    }
+    context.Lattice = this->Lattice.get();
+    context.Sample = demand.Samples - 1;
+  }
+  context.Last = !atOnce || next + 1 >= demand.Samples || this->Turns >= demand.Samples ||
+    context.Lattice != nullptr;
 }
 
 //------------------------------------------------------------------------------
 std::string vtkRelievoSampleAccumulator::Add(vtkRelievoFrameContext& context, Sum& sum,
   const std::string& resource, const std::string& defines, int channels)
 {
-  if (sum.Count != context.Sample || context.Window->GetAbortRender())
+  const bool wanted =
+    context.Lattice ? sum.Count < this->Asked.Samples : sum.Count == context.Sample;
+  if (!wanted || context.Window->GetAbortRender())
   {
     return {}; // it has this sample, or not all of this was drawn
   }
@@ -232,6 +258,10 @@ std::string vtkRelievoSampleAccumulator::Add(vtkRelievoFrameContext& context, Su
   {
     return wrong;
   }
+  if (context.Lattice)
+  {
+    sum.Count = sum.Weight = 0;
+  }
   sum.Count == 0 ? sum.Target.Begin(context) : sum.Target.GoOn(context);
   vtkOpenGLState* state = context.Window->GetState();
   state->vtkglEnable(GL_BLEND);
@@ -239,14 +269,16 @@ std::string vtkRelievoSampleAccumulator::Add(vtkRelievoFrameContext& context, Su
   state->vtkglBlendFunc(GL_ONE, GL_ONE);
   sum.Quad.Draw(context, sum.Target.GetArea());
   sum.Target.End();
-  ++sum.Count;
+  sum.Count = context.Lattice ? this->Asked.Samples : sum.Count + 1;
+  ++sum.Weight;
   return {};
 }
 
 //------------------------------------------------------------------------------
 std::string vtkRelievoSampleAccumulator::ShowMean(vtkRelievoFrameContext& context)
 {
-  const bool own = this->Color->Count == 1 && !context.Window->GetAbortRender();
+  const bool own =
+    (context.Lattice || this->Color->Count == 1) && !context.Window->GetAbortRender();
   if (this->Color->Count == 0 || own)
   {
     return {}; // one is its own mean
@@ -257,7 +289,7 @@ std::string vtkRelievoSampleAccumulator::ShowMean(vtkRelievoFrameContext& contex
   {
     return this->Mean.GetWrong();
   }
-  program->SetUniformf("relievoCount", static_cast<float>(this->Color->Count));
+  program->SetUniformf("relievoCount", static_cast<float>(this->Color->Weight));
   context.DrawColor(this->Mean);
   return {};
 }
@@ -352,7 +384,7 @@ std::string vtkRelievoSampleAccumulator::Read(const std::string& layer, vtkImage
   }
   auto* values = vtkFloatArray::SafeDownCast(image->GetPointData()->GetArray(layer.c_str()));
   float* value = values->GetPointer(0);
-  const auto count = static_cast<float>(sum.Count);
+  const auto count = static_cast<float>(sum.Weight);
   std::for_each(
     value, value + values->GetNumberOfValues(), [count](float& each) { each /= count; });
   return {};

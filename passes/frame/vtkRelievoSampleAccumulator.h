@@ -8,6 +8,7 @@
 #define vtkRelievoSampleAccumulator_h
 
 #include "vtkRelievoFramePlan.h"
+#include "vtkRelievoSampleLattice.h"
 #include "vtkRelievoSceneFingerprint.h"
 #include "vtkRelievoScreenQuad.h"
 #include "vtkRelievoScreenTarget.h"
@@ -61,6 +62,7 @@ private:
     bool AtOnce = false;  // in this frame, not one in each
     bool Offsets = false; // within the pixel
     bool Color = false;
+    bool AnyRaster = false; // all can be drawn at once
     std::vector<std::string> Layers; // lights' visibility, and what stages say
   };
   struct Sum
@@ -68,6 +70,7 @@ private:
     vtkRelievoScreenTarget Target{ "relievoGathered" };
     vtkRelievoScreenQuad Quad;
     int Count = 0;
+    int Weight = 0;    // of the sum: 1 if it is the mean of all
     bool There = true; // the frame makes what is to be added
     void Release(vtkWindow* window);
   };
@@ -94,6 +97,7 @@ private:
   std::string Fault;
   vtkRelievoSceneFingerprint State;
   std::unique_ptr<Sum> Color;
+  std::unique_ptr<vtkRelievoSampleLattice> Lattice;
   bool ColorOfPicture = false; // not of a capture without the picture
   std::map<std::string, std::unique_ptr<Sum>> Layers;
   vtkRelievoScreenQuad Mean;

@@ -42,7 +42,7 @@ double GetOffset(int sample, int samples, int base)
 vtkRelievoSampleOffset::vtkRelievoSampleOffset(vtkRelievoFrameContext& context)
 {
   const int* viewport = context.View.Viewport;
-  if (!context.OffsetsSamples || viewport[2] <= 0 || viewport[3] <= 0)
+  if (!context.OffsetsSamples || context.Lattice || viewport[2] <= 0 || viewport[3] <= 0)
   {
     return;
   }

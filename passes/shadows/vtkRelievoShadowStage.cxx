@@ -550,6 +550,10 @@ void vtkRelievoShadowStage::Declare(
     declaration.Reason = "they are not to be visible in the picture";
   }
   this->DeclareSoft(context, declaration);
+  // Soft shadows have maps of another place of the light for each sample, and other methods than
+  // these know what is seen at pixels.
+  declaration.AnyRaster = declaration.Samples == 1 && this->Tolerance == 0.0 &&
+    this->TimeBudget == 0.0 && (this->Method == METHOD_MAP || this->Method == METHOD_WARPED);
 }
 
 //------------------------------------------------------------------------------

@@ -49,6 +49,11 @@ public:
   void Resolve(vtkRelievoFrameContext& context);
   ///@}
 
+  // Before End: puts what quads make, which are ready, in the place of what has been drawn in a part
+  // of the viewport: linear colours, and depths.
+  void Put(vtkRelievoFrameContext& context, vtkRelievoScreenQuad& colors,
+    vtkRelievoScreenQuad& depths, const int part[4]);
+
   // Binds what was bound before Begin; the linear colour is there from now on.
   void End(vtkRelievoFrameContext& context);
 
@@ -77,6 +82,9 @@ public:
 
   // Adds the colour as the point array `color`, 4 float.
   std::string Read(vtkImageData* image);
+
+  // OpenGL's format of what the delegate draws.
+  unsigned int GetFormat() const { return this->Buffers.GetFormat(); }
 
   vtkIdType GetBytes() const { return this->Buffers.GetBytes(); }
   void Release(vtkWindow* window);

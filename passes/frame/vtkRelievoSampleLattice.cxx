@@ -1,0 +1,179 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkRelievoSampleLattice.h"
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <numeric>
+#include <tuple>
+
+namespace
+{
+// How good a lattice of so many places a pixel is: by its places in x and in y, of which edges along
+// the axes see only the different ones; by the least distance between two places; and by the cells
+// that the raster of a square picture needs.
+struct Quality
+{
+  int Levels = 0;
+  int Distance = 0; // squared, times the square of the number of samples
+  int Cells = 0;
+
+  bool IsBetter(const Quality& other) const
+  {
+    return std::make_tuple(this->Levels, this->Distance, -this->Cells) >
+      std::make_tuple(other.Levels, other.Distance, -other.Cells);
+  }
+};
+
+Quality GetQuality(const glm::ivec2& right, const glm::ivec2& up)
+{
+  // Steps between places, times the number of samples.
+  const glm::ivec2 a(up.y, -right.y);
+  const glm::ivec2 b(-up.x, right.x);
+  const int samples = right.x * up.y - right.y * up.x;
+  Quality quality;
+  quality.Levels = std::min(samples / std::gcd(std::gcd(a.x, b.x), samples),
+    samples / std::gcd(std::gcd(a.y, b.y), samples));
+  quality.Distance = samples * samples;
+  for (int i = -3; i <= 3; ++i)
+  {
+    for (int j = -3; j <= 3; ++j)
+    {
+      const glm::ivec2 step = i * a + j * b;
+      const int distance = step.x * step.x + step.y * step.y;
+      quality.Distance = distance > 0 ? std::min(quality.Distance, distance) : quality.Distance;
+    }
+  }
+  quality.Cells = (right.x + std::abs(up.x)) * (up.y + std::abs(right.y));
+  return quality;
+}
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoSampleLattice::vtkRelievoSampleLattice(int samples)
+{
+  Quality best;
+  const int most = 2 * static_cast<int>(std::ceil(std::sqrt(std::max(samples, 1))));
+  for (int x = 1; x <= most; ++x)
+  {
+    for (int y = -x; y <= x; ++y)
+    {
+      for (int u = -most; u <= most; ++u)
+      {
+        // The fourth number makes the area that of the samples.
+        const int v = (samples + y * u) / x;
+        if (x * v - y * u != samples || v <= 0 || v > 2 * most)
+        {
+          continue;
+        }
+        const Quality quality = GetQuality({ x, y }, { u, v });
+        if (quality.IsBetter(best))
+        {
+          best = quality;
+          this->Right = { x, y };
+          this->Up = { u, v };
+        }
+      }
+    }
+  }
+  // Places that are moved may leave the pixel, and others come in.
+  for (int i = 0; i < 8; ++i)
+  {
+    this->FindCells();
+    glm::dvec2 mean(0.0);
+    for (const glm::ivec2& cell : this->Cells)
+    {
+      mean += this->GetPlace(cell) / static_cast<double>(this->Cells.size());
+    }
+    if (glm::length(mean - 0.5) < 1e-9)
+    {
+      break;
+    }
+    this->Shift += 0.5 - mean;
+  }
+  std::stable_sort(
+    this->Cells.begin(), this->Cells.end(), [this](const glm::ivec2& a, const glm::ivec2& b) {
+      return glm::length(this->GetPlace(a) - 0.5) < glm::length(this->GetPlace(b) - 0.5);
+    });
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoSampleLattice::FindCells()
+{
+  this->Cells.clear();
+  const glm::ivec2 reach = glm::abs(this->Right) + glm::abs(this->Up) + 1;
+  for (int y = -reach.y; y <= reach.y; ++y)
+  {
+    for (int x = -reach.x; x <= reach.x; ++x)
+    {
+      const glm::dvec2 place = this->GetPlace({ x, y });
+      // Places on an edge, up to rounding, belong to one pixel of two.
+      const glm::dvec2 inside = glm::floor(place + 1e-9);
+      if (inside == glm::dvec2(0.0))
+      {
+        this->Cells.emplace_back(x, y);
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+glm::dvec2 vtkRelievoSampleLattice::GetPlace(const glm::ivec2& cell) const
+{
+  const glm::dvec2 center = glm::dvec2(cell) + 0.5;
+  const double area = this->Right.x * this->Up.y - this->Right.y * this->Up.x;
+  return glm::dvec2(this->Up.y * center.x - this->Up.x * center.y,
+           this->Right.x * center.y - this->Right.y * center.x) /
+    area +
+    this->Shift;
+}
+
+//------------------------------------------------------------------------------
+glm::ivec2 vtkRelievoSampleLattice::GetOrigin(const glm::ivec2& pixels) const
+{
+  const glm::ivec2 none(0);
+  glm::ivec2 low(0);
+  for (const glm::ivec2& cell : this->Cells)
+  {
+    low = glm::min(low, cell);
+  }
+  return -(glm::min((pixels.x - 1) * this->Right, none) + glm::min((pixels.y - 1) * this->Up, none) +
+    low);
+}
+
+//------------------------------------------------------------------------------
+glm::ivec2 vtkRelievoSampleLattice::GetSize(const glm::ivec2& pixels) const
+{
+  const glm::ivec2 none(0);
+  glm::ivec2 high(0);
+  for (const glm::ivec2& cell : this->Cells)
+  {
+    high = glm::max(high, cell);
+  }
+  return this->GetOrigin(pixels) + glm::max((pixels.x - 1) * this->Right, none) +
+    glm::max((pixels.y - 1) * this->Up, none) + high + 1;
+}
+
+//------------------------------------------------------------------------------
+glm::dmat4 vtkRelievoSampleLattice::GetToRaster(
+  const glm::ivec2& viewport, const int part[4]) const
+{
+  const glm::ivec2 pixels(part[2], part[3]);
+  const glm::dvec2 scale = 2.0 / glm::dvec2(this->GetSize(pixels));
+  const glm::dvec2 half = 0.5 * glm::dvec2(viewport);
+  const glm::dvec2 right(this->Right);
+  const glm::dvec2 up(this->Up);
+  // Of the viewport's centre, in pixels of the part, as GetPlace has them.
+  const glm::dvec2 center = half - glm::dvec2(part[0], part[1]) - this->Shift;
+  const glm::dvec2 at =
+    center.x * right + center.y * up + glm::dvec2(this->GetOrigin(pixels));
+  glm::dmat4 toRaster(1.0);
+  toRaster[0] = glm::dvec4(scale * half.x * right, 0.0, 0.0);
+  toRaster[1] = glm::dvec4(scale * half.y * up, 0.0, 0.0);
+  toRaster[3] = glm::dvec4(scale * at - 1.0, 0.0, 1.0);
+  return toRaster;
+}

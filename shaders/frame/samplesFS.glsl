@@ -1,0 +1,60 @@
+//VTK::System::Dec
+//RELIEVO::Include(extensions.glsl)
+//RELIEVO::Defines
+//VTK::Output::Dec
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The mean, in linear light, of the samples of a pixel in a finer raster, which are premultiplied and
+// lie over what was drawn before. With RELIEVO_DEPTH: the z of the sample that is next to
+// the pixel's centre, the first one. RELIEVO_SAMPLES: of each pixel.
+//RELIEVO::Include(formulas/half.glsl)
+#ifndef RELIEVO_DEPTH
+//RELIEVO::Include(formulas/blend.glsl)
+//RELIEVO::Include(formulas/srgb.glsl)
+//RELIEVO::Include(frame/drawn.glsl)
+#endif
+in vec2 texCoord;
+uniform vec2 relievoSize;
+uniform sampler2D relievoRasterColor; // as VTK makes it for display
+uniform sampler2D relievoRasterZ;
+uniform vec2 relievoRasterCells[RELIEVO_SAMPLES]; // of the viewport's first pixel; whole numbers
+uniform ivec2 relievoRasterFirst; // where these are counted from
+uniform ivec2 relievoRasterRight;                  // to the next pixel
+uniform ivec2 relievoRasterUp;
+
+void main()
+{
+  ivec2 pixel = ivec2(floor(texCoord * relievoSize));
+  ivec2 first = relievoRasterFirst + pixel.x * relievoRasterRight + pixel.y * relievoRasterUp;
+#ifdef RELIEVO_DEPTH
+  gl_FragData[0] = vec4(0.0);
+  gl_FragDepth = texelFetch(relievoRasterZ, first + ivec2(relievoRasterCells[0]), 0).r;
+#else
+  vec4 behind = texelFetch(relievoDrawn, pixel + relievoDrawnOffset, 0);
+  vec4 sum = vec4(0.0);
+  vec4 least = vec4(1e30);
+  vec4 most = vec4(-1e30);
+  for (int i = 0; i < RELIEVO_SAMPLES; ++i)
+  {
+    vec4 drawn = texelFetch(relievoRasterColor, first + ivec2(relievoRasterCells[i]), 0);
+    sum += drawn;
+    least = min(least, drawn);
+    most = max(most, drawn);
+  }
+  vec4 shown = relievoOver(sum / float(RELIEVO_SAMPLES), behind);
+  vec4 mean = vec4(relievoLinearColorFromSrgb(shown.rgb), shown.a);
+  // Values for display that differ by no more have a mean in linear light that is off by less than
+  // 0.00015, half the curve's second derivative times the square of half the difference.
+  bool alike = all(lessThan(most - least, vec4(0.02)));
+  vec4 linear = vec4(0.0);
+  for (int i = 0; i < (alike ? 0 : RELIEVO_SAMPLES); ++i)
+  {
+    vec4 each =
+      relievoOver(texelFetch(relievoRasterColor, first + ivec2(relievoRasterCells[i]), 0), behind);
+    linear += vec4(relievoLinearColorFromSrgb(each.rgb), each.a);
+  }
+  mean = alike ? mean : linear / float(RELIEVO_SAMPLES);
+  gl_FragData[0] = vec4(relievoRoundToHalf(mean.r), relievoRoundToHalf(mean.g),
+    relievoRoundToHalf(mean.b), relievoRoundToHalf(mean.a));
+#endif
+}
