@@ -287,7 +287,7 @@ std::vector<glm::vec4> vtkRelievoTreeBuffer::MakeFront()
       const glm::dmat4 localToAbout = glm::inverse(aboutToLocal);
       const double rounding = caster.Places ? actorUlp *
           (glm::length(glm::dvec3((*caster.Places)[i][3])) +
-            size * vtkRelievoGetScale(glm::dmat4((*caster.Places)[i])))
+            size * vtkRelievoGetScale((*caster.Places)[i]))
                                             : 0.0;
       glm::dvec3 least(1e300);
       glm::dvec3 most(-1e300);
