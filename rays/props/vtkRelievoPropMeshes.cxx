@@ -464,10 +464,10 @@ double vtkRelievoPropMeshes::GetRoundedReach(const vtkRelievoPlacedMesh& mesh)
   if (mesh.Places)
   {
     double largest = 0.0;
-    for (const glm::mat4& place : *mesh.Places)
+    for (const glm::dmat4& place : *mesh.Places)
     {
-      const double from = glm::length(glm::vec3(place[3]));
-      largest = std::max(largest, from + reach * vtkRelievoGetScale(glm::dmat4(place)));
+      const double from = glm::length(glm::dvec3(place[3]));
+      largest = std::max(largest, from + reach * vtkRelievoGetScale(place));
     }
     reach = largest;
   }
