@@ -13,6 +13,7 @@
 #include "vtkPVDataInformation.h"
 #include "vtkSMParaViewPipelineControllerWithRendering.h"
 #include "vtkSMPropertyHelper.h"
+#include "vtkSMRelievoUpOfView.h"
 #include "vtkSMSessionProxyManager.h"
 #include "vtkSMSourceProxy.h"
 #include "vtkSMTrace.h"
@@ -76,9 +77,12 @@ vtkBoundingBox GetBox(pqDataRepresentation* shown)
   return box;
 }
 
+// The sun's while it is on, or once it was chosen.
 int GetUpAxis(pqView* view)
 {
-  return std::clamp(pqRelievoViewSettings::Get(view, "RelievoSunUpAxis").toInt(), 0, 2);
+  const int given = std::clamp(pqRelievoViewSettings::Get(view, "RelievoSunUpAxis").toInt(), 0, 2);
+  return pqRelievoViewSettings::IsSunOn(view) || given != 2 ? given
+                                                            : pqRelievoScene::FindUpAxis(view);
 }
 }
 
@@ -125,6 +129,13 @@ bool pqRelievoScene::GetBounds(pqView* view, double bounds[6])
   }
   all.GetBounds(bounds);
   return all.IsValid() != 0;
+}
+
+//------------------------------------------------------------------------------
+int pqRelievoScene::FindUpAxis(pqView* view)
+{
+  double bounds[6];
+  return GetBounds(view, bounds) ? vtkSMRelievoUpOfView::FindUpAxis(view->getProxy(), bounds) : 2;
 }
 
 //------------------------------------------------------------------------------
