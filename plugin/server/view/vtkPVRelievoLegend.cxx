@@ -6,13 +6,13 @@
 #include "vtkPVRenderView.h"
 #include "vtkProp.h"
 #include "vtkPropCollection.h"
-#include "vtkProperty2D.h"
 #include "vtkRelievoColormaps.h"
 #include "vtkRelievoDisplayStage.h"
 #include "vtkRenderer.h"
 #include "vtkScalarBarActor.h"
 #include "vtkTextProperty.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace
@@ -21,9 +21,12 @@ constexpr double Left = 0.87; // of the picture, as all below
 constexpr double Bottom = 0.05;
 constexpr double Width = 0.11;
 constexpr double Height = 0.4;
-constexpr double Dark = 0.08; // its ground, on which white is read whatever is behind
+constexpr double Dark = 0.08; // the ground of texts, on which white is read whatever is behind
 constexpr double Opacity = 0.75;
 constexpr int Labels = 3;
+constexpr int Lines = 38; // of text in the picture's height
+constexpr int LeastFont = 8;
+constexpr int Pad = 4; // pixels
 }
 
 //------------------------------------------------------------------------------
@@ -35,13 +38,15 @@ vtkPVRelievoLegend::vtkPVRelievoLegend()
   this->Bar->SetPosition(Left, Bottom);
   this->Bar->SetWidth(Width);
   this->Bar->SetHeight(Height);
-  this->Bar->DrawBackgroundOn();
-  this->Bar->GetBackgroundProperty()->SetColor(Dark, Dark, Dark);
-  this->Bar->GetBackgroundProperty()->SetOpacity(Opacity);
+  this->Bar->UnconstrainedFontSizeOn();
+  this->Bar->SetTextPad(Pad);
+  this->Bar->SetVerticalTitleSeparation(Pad);
   for (vtkTextProperty* text :
     { this->Bar->GetTitleTextProperty(), this->Bar->GetLabelTextProperty() })
   {
     text->SetColor(1.0, 1.0, 1.0);
+    text->SetBackgroundColor(Dark, Dark, Dark);
+    text->SetBackgroundOpacity(Opacity);
     text->BoldOff();
     text->ItalicOff();
     text->ShadowOff();
@@ -86,6 +91,11 @@ void vtkPVRelievoLegend::Place(
   vtkRelievoColormaps::Fill(
     this->Colors, stage->GetShownColormap(), range[reversed ? 1 : 0], range[reversed ? 0 : 1]);
   this->Bar->SetTitle(stage->GetLayer().c_str());
+  for (vtkTextProperty* text :
+    { this->Bar->GetTitleTextProperty(), this->Bar->GetLabelTextProperty() })
+  {
+    text->SetFontSize(std::max(LeastFont, renderer->GetSize()[1] / Lines));
+  }
   renderer->AddViewProp(this->Bar);
 }
 
