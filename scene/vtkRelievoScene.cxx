@@ -17,6 +17,7 @@
 #include "vtkCommand.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkRelievoCalibration.h"
 #include "vtkRelievoPass.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
@@ -139,7 +140,9 @@ bool vtkRelievoScene::SetWords(vtkStringArray* words)
       this->Self->Words->InsertNextValue(word);
     }
     std::vector<std::string> files = options.Files;
-    files.insert(files.end(), { options.Environment, options.NormalMap, options.HeightMap });
+    files.insert(files.end(),
+      { options.Environment, options.NormalMap, options.HeightMap,
+        vtkRelievoCalibration::IsFile(options.Lens) ? options.Lens : "" });
     for (const scene::PointsChoice& points : options.Points)
     {
       files.push_back(points.File);

@@ -250,12 +250,13 @@ class Scene(unittest.TestCase):
             ([self.mesh, missing], {}),
             ([self.mesh], {"environment": missing}),
             ([self.mesh], {"lamps": missing + ",radius=0.5"}),
+            ([self.mesh], {"lens": self.path("no.yml")}),
             ([self.mesh], {"allow_folder": [missing]}),
         ):
             with self.assertRaises(FileNotFoundError) as raised:
                 relievo.scene(*files, **options)
             self.assertEqual(raised.exception.errno, errno.ENOENT)
-            self.assertEqual(raised.exception.filename, missing)
+            self.assertEqual(raised.exception.filename, options.get("lens", missing))
         for options in ({}, {"normal_map": self.folder}):
             with self.assertRaises(IsADirectoryError) as raised:
                 relievo.scene(self.mesh if options else self.folder, **options)
