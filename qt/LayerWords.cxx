@@ -105,10 +105,9 @@ LayerWords DescribeLayer(vtkRelievoDisplayStage* stage, bool isDrawnHere)
     words.Words = ("Nothing to see: all pixels are alike. " + words.Words).trimmed();
     return words;
   }
-  const int components = stage->GetShownComponents();
-  const QString colors = DescribeColors(known, components);
+  const QString colors = DescribeColors(known, stage->GetShownComponents());
   words.Words = (words.Words + " " + colors).trimmed();
-  if (!colors.isEmpty() || known.Kind == vtkRelievoLayer::COLOR)
+  if (!stage->HasScale())
   {
     return words;
   }
@@ -125,10 +124,7 @@ LayerWords DescribeLayer(vtkRelievoDisplayStage* stage, bool isDrawnHere)
     words.First += ": in shadow";
     words.Last += ": lit";
   }
-  const auto map = static_cast<std::size_t>(
-    stage->GetGrey() || share ? vtkRelievoDisplayStage::GREY : stage->GetColormap());
-  words.Strip = MakeStrip(
-    vtkRelievoColormaps::GetNames()[map], stage->GetReversed() && !stage->GetGrey() && !share);
+  words.Strip = MakeStrip(stage->GetShownColormap(), stage->GetShownReversed());
   return words;
 }
 }

@@ -17,6 +17,7 @@
 #include "vtkCommand.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkRelievoCalibration.h"
 #include "vtkRelievoPass.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
@@ -52,7 +53,7 @@ struct vtkRelievoScene::Internals : public scene::ProgressListener
   void Update(scene::Progress& progress);
 
   vtkRelievoScene* Owner;
-  vtkNew<vtkStringArray> Words, Notes, Warnings;
+  vtkNew<vtkStringArray> Words, InputFiles, Notes, Warnings;
   scene::RenderOptions Options; // of the words
   scene::Settings Settings;
   vtkSmartPointer<vtkRenderWindow> Window;
@@ -138,6 +139,22 @@ bool vtkRelievoScene::SetWords(vtkStringArray* words)
     {
       this->Self->Words->InsertNextValue(word);
     }
+    std::vector<std::string> files = options.Files;
+    files.insert(files.end(),
+      { options.Environment, options.NormalMap, options.HeightMap,
+        vtkRelievoCalibration::IsFile(options.Lens) ? options.Lens : "" });
+    for (const scene::PointsChoice& points : options.Points)
+    {
+      files.push_back(points.File);
+    }
+    this->Self->InputFiles->Initialize();
+    for (const std::string& file : files)
+    {
+      if (!file.empty())
+      {
+        this->Self->InputFiles->InsertNextValue(file);
+      }
+    }
     this->Modified();
   });
 }
@@ -146,6 +163,12 @@ bool vtkRelievoScene::SetWords(vtkStringArray* words)
 vtkStringArray* vtkRelievoScene::GetWords()
 {
   return this->Self->Words;
+}
+
+//------------------------------------------------------------------------------
+vtkStringArray* vtkRelievoScene::GetInputFiles()
+{
+  return this->Self->InputFiles;
 }
 
 //------------------------------------------------------------------------------

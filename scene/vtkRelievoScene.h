@@ -47,6 +47,9 @@ public:
   vtkStringArray* GetWords();
   ///@}
 
+  /** The files that the words name to be read: those shown, and those of options. */
+  vtkStringArray* GetInputFiles();
+
   /**
    * The window that the renderer is in, which keeps its size; set it before Update(). Default:
    * one of the scene's own, off screen, of the size that the words say.

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pqRelievoViewSettings.h"
 
+#include "pqRelievoScene.h"
 #include "pqUndoStack.h"
 #include "pqView.h"
 #include "vtkPVRelievoView.h"
@@ -23,6 +24,8 @@ namespace
 constexpr const char* NoLayer = "None";
 // On a view whose shadows came with its sun.
 constexpr const char* SunsShadows = "RelievoShadowsOfSun";
+// On a view whose sun was switched on before.
+constexpr const char* SunHasUp = "RelievoSunHasUp";
 
 void Push(vtkSMProxy* proxy, const QVector<pqRelievoViewSettings::Change>& changes)
 {
@@ -181,6 +184,16 @@ void pqRelievoViewSettings::SetSun(pqView* view, bool on)
     return;
   }
   QVector<Change> changes = { { "RelievoSun", on ? 1 : 0 } };
+  if (on && !view->property(SunHasUp).toBool())
+  {
+    // Later switches leave what the user may have chosen since.
+    const int up = pqRelievoScene::FindUpAxis(view);
+    if (up != 2 && GetNumber(view, "RelievoSunUpAxis") == 2)
+    {
+      changes.append({ "RelievoSunUpAxis", up });
+    }
+    view->setProperty(SunHasUp, true);
+  }
   const bool brings = on && !AreShadowsOn(view);
   const bool takes = !on && AreShadowsOn(view) && view->property(SunsShadows).toBool();
   if (brings || takes)

@@ -2,7 +2,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The light of a picture of all directions, in one line."""
 
-import errno
 import inspect
 import os
 import textwrap
@@ -269,8 +268,6 @@ def _fill(made, path, rough):
 
 def _read(path):
     check_file(path)
-    if os.path.isdir(path):
-        raise IsADirectoryError(errno.EISDIR, os.strerror(errno.EISDIR), path)
     reader = vtkRelievoImageReader()
     reader.SetFileName(path)
     with Watch(reader) as watch:

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """VTK's error events as Python exceptions."""
 
+import errno
 import os
 import re
 import reprlib
@@ -76,8 +77,11 @@ class Watch:
 
 
 def check_file(path):
-    """Raises Python's own errors for what is missing or forbidden. A pipe is not waited for."""
+    """Raises Python's own errors for what is missing, forbidden or a folder. A pipe is not waited
+    for."""
     os.close(os.open(path, os.O_RDONLY | os.O_NONBLOCK))
+    if os.path.isdir(path):
+        raise IsADirectoryError(errno.EISDIR, os.strerror(errno.EISDIR), path)
 
 
 def is_a(thing, class_name):

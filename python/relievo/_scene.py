@@ -11,7 +11,7 @@ import warnings
 
 from vtkmodules.vtkCommonCore import vtkStringArray
 
-from ._errors import Watch, require
+from ._errors import Watch, check_file, require
 from ._wrapped import vtkRelievoScene
 
 _OPTIONS = {
@@ -78,6 +78,7 @@ class Scene:
             raise ValueError(f"{bad[0]}: got an option of outputs, which render() takes")
         wanted = {**self._options, **options}
         self._say(wanted)
+        self._check_files(wanted)
         self._options = {name: value for name, value in wanted.items() if value is not None}
         self._stale = True
         return self
@@ -88,6 +89,7 @@ class Scene:
         The camera goes where the options put it: fitted, if none is given.
         """
         self._say(self._options)
+        self._check_files(self._options)
         self._run(self._scene.Update)
         self._stale = False
         return self
@@ -115,6 +117,7 @@ class Scene:
         outputs["layers"] = ",".join(layers) if layers and not isinstance(layers, str) else layers
         self._stale = True
         self._say({**self._options, **outputs})
+        self._check_files(self._options)
         self._run(self._scene.Write)
         self._stale = False
         return self._scene.GetCertificate() or None
@@ -174,6 +177,15 @@ class Scene:
             words.InsertNextValue(path)
         self._run(lambda: self._scene.SetWords(words))
 
+    def _check_files(self, options):
+        """Raises Python's own errors for what cannot be opened."""
+        files = self._scene.GetInputFiles()
+        for i in range(files.GetNumberOfValues()):
+            check_file(files.GetValue(i))
+        folders = options.get("allow_folder") or []
+        for folder in folders if isinstance(folders, list) else [folders]:
+            os.scandir(folder).close()
+
     def _run(self, work):
         with Watch(self._scene):
             done = work()
@@ -203,8 +215,9 @@ def _describe():
 
 files: what `relievo --help` lists. Options are those of the command, with _ for -: text as behind
 the option, a number, a tuple of numbers, True for an option without a value; a list for one that
-may be repeated. Raises ValueError for wrong options, OSError for a file that cannot be read or
-written, RuntimeError for drawing that fails.
+may be repeated. Raises ValueError for wrong options; FileNotFoundError, IsADirectoryError or
+another OSError for a file that cannot be opened, at once, and OSError for one that cannot be read
+or written; RuntimeError for drawing that fails.
 
 '''
     for name, row in _OPTIONS.items():

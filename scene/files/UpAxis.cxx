@@ -28,12 +28,20 @@ int FindUpAxis(const std::string& path, const double bounds[6])
   const auto standsOn = [&](int axis) {
     return extent(axis) > 1e-3 * largest && std::abs(bounds[2 * axis]) <= 1e-3 * largest;
   };
+  // What is low along z lies flat: a terrain, a plate, a scan of the ground. What stands on y = 0
+  // over the origin is a figure; a terrain may begin there, with x beside the origin as well.
+  const bool low =
+    extent(2) > 1e-3 * largest && extent(2) < LowShare * std::min(extent(0), extent(1));
+  const bool overOrigin = std::min(-bounds[0], bounds[1]) > 1e-3 * largest;
+  if (low && !(standsOn(1) && overOrigin))
+  {
+    return 2;
+  }
   if (standsOn(1) != standsOn(2))
   {
     return standsOn(2) ? 2 : 1;
   }
-  // What is low along z lies flat: a terrain, a plate, a scan of the ground.
-  if (extent(2) > 1e-3 * largest && extent(2) < LowShare * std::min(extent(0), extent(1)))
+  if (low)
   {
     return 2;
   }

@@ -54,7 +54,9 @@ constexpr double SameShare = 1e-6;
 constexpr float SampleShare = 0.5F;
 // Of a volume's range: differences between neighbours from which on a sample stops all its light.
 constexpr double EvenShare = 0.002;
+constexpr double EvenLabels = 0.1;  // of labels, which differ by 1 at least
 constexpr double LeastShare = 1e-9; // of light that is stopped
+constexpr double MostOpacity = 0.7; // per hundredth of the image's diagonal
 
 using Extent = std::array<int, 6>;
 
@@ -439,12 +441,23 @@ vtkSmartPointer<vtkVolume> MakeVolume(vtkImageData* image)
 {
   double range[2];
   image->GetPointData()->GetScalars()->GetFiniteRange(range);
-  const double threshold = FindThreshold(image);
+  const bool labels = HasLabels(image);
   vtkNew<vtkPiecewiseFunction> opacity; // per hundredth of the image's diagonal
-  opacity->AddPoint(range[0], 0.0);
-  opacity->AddPoint(range[0] + 0.8 * (threshold - range[0]), 0.0);
-  opacity->AddPoint(threshold, 0.15);
-  opacity->AddPoint(range[1], 0.7);
+  if (labels) // which are whole numbers: all are seen but 0, the background
+  {
+    opacity->AddPoint(-0.5, MostOpacity);
+    opacity->AddPoint(-0.25, 0.0);
+    opacity->AddPoint(0.25, 0.0);
+    opacity->AddPoint(0.5, MostOpacity);
+  }
+  else
+  {
+    const double threshold = FindThreshold(image);
+    opacity->AddPoint(range[0], 0.0);
+    opacity->AddPoint(range[0] + 0.8 * (threshold - range[0]), 0.0);
+    opacity->AddPoint(threshold, 0.15);
+    opacity->AddPoint(range[1], MostOpacity);
+  }
   auto volume = vtkSmartPointer<vtkVolume>::New();
   vtkNew<vtkSmartVolumeMapper> mapper;
   mapper->SetInputData(image);
@@ -457,7 +470,8 @@ vtkSmartPointer<vtkVolume> MakeVolume(vtkImageData* image)
   vtkVolumeProperty* property = volume->GetProperty();
   property->SetScalarOpacity(opacity);
   SetVolumeOpacity(volume, 1.0);
-  property->SetInterpolationTypeToLinear();
+  // Between labels 2 and 6 there is no 4.
+  property->SetInterpolationType(labels ? VTK_NEAREST_INTERPOLATION : VTK_LINEAR_INTERPOLATION);
   property->ShadeOn();
   // Volumes are as bright as surfaces.
   property->SetDiffuse(1.0);
@@ -468,7 +482,7 @@ vtkSmartPointer<vtkVolume> MakeVolume(vtkImageData* image)
     // fall on: it would be black.
     vtkNew<vtkPiecewiseFunction> even;
     even->AddPoint(0.0, 0.0);
-    even->AddPoint(EvenShare * (range[1] - range[0]), 1.0);
+    even->AddPoint(labels ? EvenLabels : EvenShare * (range[1] - range[0]), 1.0);
     property->SetGradientOpacity(even);
   }
   return volume;

@@ -7,6 +7,7 @@
 #include "Triples.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace scene
 {
@@ -17,6 +18,16 @@ void TakeSun(LightChoice& light, const std::string& numbers)
   if (IsSunTime(numbers))
   {
     light.Time = ParseSunTime("--light sun", numbers);
+    return;
+  }
+  if (std::count(numbers.begin(), numbers.end(), ',') == 1)
+  {
+    const std::vector<double> angles = ParseNumbers("--light sun", numbers, 2, "AZIMUTH,ELEVATION");
+    light.Angles = { angles[0], angles[1] };
+    if (std::abs(light.Angles->Elevation) > 90.0)
+    {
+      RefuseValue("--light sun", numbers, "an elevation from -90 to 90 degrees");
+    }
     return;
   }
   light.Position = Triple(ParseNumbers("--light sun", numbers, 3, "DX,DY,DZ"), 0);
@@ -125,7 +136,8 @@ LightWords SplitLight(const std::string& word)
   const std::string::size_type colon = word.find(':');
   if (colon == std::string::npos)
   {
-    RefuseValue("--light", word, "sun:DX,DY,DZ or spot:PX,PY,PZ,FX,FY,FZ,CONE or point:PX,PY,PZ");
+    RefuseValue("--light", word,
+      "sun:DX,DY,DZ or sun:AZIMUTH,ELEVATION or spot:PX,PY,PZ,FX,FY,FZ,CONE or point:PX,PY,PZ");
   }
   const std::vector<std::string> parts = SplitEscaped(word.substr(colon + 1), ',');
   const auto named = std::find_if(parts.begin(), parts.end(),
@@ -172,6 +184,7 @@ LightChoice ParseLight(const std::string& word)
 std::array<double, 3> LightChoice::GetDirection(int upAxis) const
 {
   return this->Time ? GetSunDirection(GetSunAngles(*this->Time), upAxis)
+    : this->Angles  ? GetSunDirection(*this->Angles, upAxis)
     : this->InView  ? FittedView(upAxis).ToWorld(this->Position)
                     : this->Position;
 }
@@ -182,6 +195,7 @@ std::string DescribeLights()
   std::string text =
     "may be repeated (the file's lights, else the environment alone, else a headlight); LIGHT is\n"
     "  sun:DX,DY,DZ                    direction towards the sun\n"
+    "  sun:AZIMUTH,ELEVATION           degrees from north, clockwise, and above the horizon\n"
     "  sun:TIME,LATITUDE,LONGITUDE     TIME such as 2026-06-21T15:30+02:00\n"
     "  spot:PX,PY,PZ,FX,FY,FZ,CONE     CONE: half the opening, degrees\n"
     "  point:PX,PY,PZ\n"

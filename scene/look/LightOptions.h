@@ -26,6 +26,7 @@ struct LightChoice
   Kind Is = Kind::Sun;
   std::array<double, 3> Position; ///< for a sun, the unit direction towards it
   bool InView = false; ///< that direction is right, up and to the camera before it is fitted
+  std::optional<SunAngles> Angles;  ///< of a sun that stands by them, instead
   std::optional<SunTime> Time;      ///< of a sun that stands by it, instead
   std::array<double, 3> FocalPoint; ///< of a spot
   double ConeAngle = 180.0;         ///< degrees, half the opening

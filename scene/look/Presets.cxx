@@ -178,9 +178,11 @@ std::string WriteKeyLight(const Settings& settings, int upAxis)
     return "";
   }
   const LightChoice& key = lights.front();
-  const std::array<double, 3> towards = key.GetDirection(upAxis);
+  // By angles, which hold with any axis: a direction of the world's axes lights the next file from
+  // beneath where another axis of it points up.
+  const SunAngles angles = GetSunAngles(key.GetDirection(upAxis), upAxis);
   const auto number = [](double value) { return WriteNumber(value); };
-  LightWords words = { "sun", WriteNumbers({ towards.begin(), towards.end() }), {} };
+  LightWords words = { "sun", WriteNumbers({ angles.Azimuth, angles.Elevation }), {} };
   words.Values.emplace_back(
     "color", number(key.Color[0]) + "/" + number(key.Color[1]) + "/" + number(key.Color[2]));
   words.Values.emplace_back(

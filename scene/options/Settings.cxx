@@ -155,34 +155,46 @@ void Settings::DropValue(const std::string& option, const std::string& name)
 }
 
 //------------------------------------------------------------------------------
-void Settings::MakePathsAbsolute(const std::string& folder)
+void Settings::ChangePaths(const std::string& folder, PathChange change)
 {
-  const auto complete = [](std::string& path, const std::string& in) {
-    if (!path.empty())
-    {
-      path = (std::filesystem::path(in) / path).string(); // as it is, if it is absolute
-    }
-  };
   for (std::string& file : this->Files)
   {
-    complete(file, folder);
+    file = file.empty() ? file : change(file, folder);
   }
-  const auto completeAll = [&](const std::string& option, const std::string& in) {
+  const auto changeAll = [&](const std::string& option, const std::string& in) {
     std::vector<std::string> words = this->GetAll(option);
     for (std::string& word : words)
     {
-      complete(word, in);
+      word = word.empty() ? word : change(word, in);
     }
     this->SetAll(option, words);
   };
   for (const char* option : BeginWithPath)
   {
-    completeAll(option, folder);
+    changeAll(option, folder);
   }
   for (const PointStage& stage : GetPointStages())
   {
-    completeAll("--" + stage.Name, JoinEscaped({ folder }, ','));
+    changeAll("--" + stage.Name, JoinEscaped({ folder }, ','));
   }
+}
+
+//------------------------------------------------------------------------------
+void Settings::MakePathsAbsolute(const std::string& folder)
+{
+  this->ChangePaths(folder, [](const std::string& path, const std::string& in) {
+    return (std::filesystem::path(in) / path).string(); // as it is, if it is absolute
+  });
+}
+
+//------------------------------------------------------------------------------
+void Settings::MakePathsRelative(const std::string& folder)
+{
+  this->ChangePaths(folder, [](const std::string& path, const std::string& in) {
+    const std::string before = in + "/";
+    const bool inside = path.size() > before.size() && path.rfind(before, 0) == 0;
+    return inside ? path.substr(before.size()) : path;
+  });
 }
 
 //------------------------------------------------------------------------------

@@ -32,6 +32,9 @@ public:
   /// Files of all options as seen from a folder: they hold in another one's shell too.
   void MakePathsAbsolute(const std::string& folder);
 
+  /// Those in the folder and below, which move with it; others stay absolute.
+  void MakePathsRelative(const std::string& folder);
+
   /// Options, then files.
   std::vector<std::string> GetWords() const;
 
@@ -83,6 +86,9 @@ public:
 private:
   using Parameters = std::vector<std::pair<std::string, std::string>>;
 
+  using PathChange = std::string (*)(const std::string& path, const std::string& folder);
+
+  void ChangePaths(const std::string& folder, PathChange change);
   void TakeStages(const RenderOptions& options);
   void DropValue(const std::string& option, const std::string& name);
   bool ShowsShadows() const;

@@ -145,6 +145,7 @@ class Picture(CliTest):
         self.assertEqual(brightness("--light", "sun:0,0,1"), 255)
         self.assertAlmostEqual(brightness("--light", "sun:0,3,4"), 255 * 0.8, delta=1)
         self.assertEqual(brightness("--light", "sun:0,0,-1"), 0)
+        self.assertAlmostEqual(brightness("--light", "sun:180,60"), 127.5, delta=1)
         self.assertEqual(brightness("--light", "spot:0,0,4,5,0,4,20"), 0)
         self.assertGreater(brightness("--light", "spot:0,0,4,0,0,0,20"), 200)
         self.assertGreater(brightness("--light", "point:0,0,4"), 200)

@@ -89,6 +89,12 @@ class Shadows(CliTest):
         (reason,) = [stage["reason"] for stage in stages if stage["name"] == "shadows"]
         self.assertIn("Moon, full casts none", reason)
         self.assertNotIn("Porch casts none", reason)
+        fills = ["sun:1,0,1,casts=off,name=fill", "sun:0,1,1,casts=off,name=fill"]
+        self.draw("--png", "a.png", "--shadows", "map", "--report", "a.json",
+                  lights=[*lights, *fills])  # fmt: skip
+        stages = json.loads((self.folder / "a.json").read_text())["stages"]
+        (reason,) = [stage["reason"] for stage in stages if stage["name"] == "shadows"]
+        self.assertIn("; Moon, full, fill (2 lights) cast none: it is chosen so", reason)
 
     def test_all_lights_cast(self):
         lights = list(LIGHTS)

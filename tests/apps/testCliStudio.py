@@ -287,6 +287,15 @@ class Studio(CliTest):
         for name in ("z.obj", "y.obj", "middle.obj", "middle.stl", "y.stl", "grid.vti"):
             with self.subTest(name):
                 self.assertTrue(upright(name))
+        # A terrain with its corner at the origin lies; a relief that stands over the origin stands.
+        def lies(name):
+            rows, columns = numpy.nonzero(self.seen(name)[0])
+            return numpy.ptp(rows) < 0.6 * numpy.ptp(columns)
+
+        self.box("corner.stl", (0, 0, 100), (2000, 2000, 340), vtkSTLWriter)
+        self.box("aside.stl", (10, 10, 100), (2010, 2010, 340), vtkSTLWriter)
+        self.box("relief.stl", (-1000, 0, 100), (1000, 2000, 340), vtkSTLWriter)
+        self.assertTrue(lies("corner.stl") and lies("aside.stl") and not lies("relief.stl"))
         self.assertFalse(upright("z.obj", "--up", "y"))
         self.assertFalse(upright("z.obj", "--preset", "none"))
 

@@ -147,6 +147,27 @@ class Volumes(CliTest):
         self.assertGreater(means["half"], 0.1 * means["full"])
         self.assertEqual(means["none"], 0.0)
 
+    def test_volume_of_labels(self):
+        """Six regions that touch: each is seen, in the colour of its own value and in no other."""
+        values = numpy.zeros((SIDE, SIDE, SIDE), numpy.uint8)
+        colors = numpy.array([(1, 0, 0), (1, 1, 0), (0, 1, 0), (0, 1, 1), (0, 0, 1), (1, 0, 1)])
+        order = (2, 6, 1, 4, 3, 5)
+        for place, label in enumerate(order):
+            x, y = 8 + 8 * (place % 3), 8 + 12 * (place // 3)
+            values[8:32, y : y + 12, x : x + 8] = label
+        self.image("six.vti", values)
+        hues = "red,#ffff00,#00ff00,#00ffff,#0000ff,#ff00ff"
+        found = self.picture("six.vti", "--image", "volume", "--colormap", hues, "--range", "1,6",
+                             *ALONG_Z, environment={}, size=SIZE)  # fmt: skip
+        for place, label in enumerate(order):
+            x, y = 8 + 8 * (place % 3), 8 + 12 * (place // 3)
+            columns = slice(int(120 + 5 * (x + 1 - 19.5)), int(120 + 5 * (x + 6 - 19.5)))
+            rows = slice(int(90 - 5 * (y + 10 - 19.5)), int(90 - 5 * (y + 1 - 19.5)))
+            seen = found[rows, columns].reshape(-1, 3)
+            has = colors[label - 1] == 1
+            self.assertGreater(seen[:, has].min(), 100, label)
+            self.assertLess(seen[:, ~has].max(), 0.2 * seen[:, has].min(), label)
+
     def test_which(self):
         """Gradients and noise are no labels; what the user asks for is shown."""
         random = numpy.random.default_rng(3)

@@ -33,6 +33,8 @@ def settings(scene):
     yield "a spot without shadows", pv.picture(scene.view)
     simple.RemoveLight(light)
     scene.sun(on=False, shadows=False)
+    # Which the legend says: this process does not know what a server finds.
+    scene.view.RelievoDisplayRange = [4.0, 16.0]
     for layer in ("depth", "normal"):
         scene.view.RelievoDisplayLayer = layer
         yield layer, pv.picture(scene.view)

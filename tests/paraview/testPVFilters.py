@@ -164,6 +164,22 @@ output.VTKObject.SetPolys(cells)
         half = numpy.arccos(numpy.tan(numpy.radians(23.44)) / numpy.tan(numpy.radians(40)))
         self.assertAlmostEqual(found("sun_hours")[0], 24 / numpy.pi * half, delta=0.35)
 
+    def test_sun_exposure_takes_the_views_up(self):
+        """At first, but where the mesh is low."""
+        view = simple.CreateView("RenderView")
+        self.addCleanup(simple.Delete, view)
+        simple.SetActiveView(view)
+        for up, box, axis in (
+            ([0, 1, 0], [1, 2, 1], "Y"),
+            ([0.1, 0.2, 0.9], [1, 2, 1], "Z"),
+            ([0, 1, 0], [9, 9, 1], "Z"),
+        ):
+            view.CameraViewUp = up
+            source = simple.Box(XLength=box[0], YLength=box[1], ZLength=box[2])
+            self.assertEqual(simple.SunExposure(Input=source).UpAxis, axis)
+        given = simple.SunExposure(Input=source, UpAxis="X")
+        self.assertEqual(given.UpAxis, "X")
+
     def test_visibility(self):
         """A square's solid angle in closed form; what hides it; all around; points."""
         square = simple.Plane()

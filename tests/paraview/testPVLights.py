@@ -192,6 +192,7 @@ class Lights(judge.StageTest):
         offered = shown.FindDomain("vtkSMStringListDomain")
         names = [offered.GetString(i) for i in range(offered.GetNumberOfStrings())]
         self.assertEqual(names[-2:], layers, "and no light that casts nothing")
+        view.RelievoDisplayLegend = 0  # every pixel is judged
         for layer, truth in (("shadow_sun", self.scene.verdicts()),
                              (added, self.scene.verdicts(lamp=[-1.5, -1.5, 4.5], cone=30.0))):
             view.RelievoDisplayLayer = layer
@@ -212,6 +213,7 @@ class Lights(judge.StageTest):
         self.scene.sun()
         self.view.Background = [0.2, 0.4, 0.6]
         self.view.UseColorPaletteForBackground = 0
+        self.view.RelievoDisplayLegend = 0  # every pixel is judged
         verdicts = self.scene.verdicts()
         self.assertGreater(min((verdicts == each).sum() for each in (0, 1, 2)), 2000)
         for layer in ("shadow_sun", "shadow_0"):

@@ -154,6 +154,33 @@ class Pictures(judge.StageTest):
         self.view.UseInteractiveRenderingForScreenshots = 0
         self.same(pv.picture(self.view), still, "after interaction")
 
+    def test_legend_of_a_layer(self):
+        """It is in the picture in the place of the data's scalar bar, on what is light as well."""
+        shown = self.scene.ball_shown
+        simple.ColorBy(shown, ("POINTS", "Normals"))
+        shown.SetScalarBarVisibility(self.view, True)
+        own = pv.picture(self.view)
+        shown.SetScalarBarVisibility(self.view, False)
+        without = pv.picture(self.view)
+        bar = pv.unlike(own, without)
+        self.assertGreater(bar.sum(), 500)
+        self.view.RelievoDisplayLayer = "depth"
+        self.view.RelievoDisplayLegend = 0
+        bare = pv.picture(self.view)
+        self.view.RelievoDisplayLegend = 1
+        legend = pv.picture(self.view)
+        self.assertGreater(pv.unlike(legend, bare).mean(), 0.01)
+        self.assertLess(pv.unlike(legend, bare).mean(), 0.1)
+        shown.SetScalarBarVisibility(self.view, True)
+        self.same(pv.picture(self.view), legend, "with a scalar bar of the data")
+        self.view.Background = [1.0, 1.0, 1.0]
+        bright = pv.picture(self.view)[pv.unlike(legend, bare)]
+        self.assertLess(bright.min(axis=1).min(), 100)
+        self.assertGreater(bright.min(axis=1).max(), 200)
+        self.view.Background = [0.0, 0.0, 0.0]
+        self.view.RelievoDisplayLayer = "None"
+        self.same(pv.picture(self.view), own, "without the layer")
+
     def test_selected_cells_are_the_same(self):
         def ids():
             simple.ClearSelection()

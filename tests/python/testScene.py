@@ -3,6 +3,7 @@
 """relievo.scene(): what the command draws, in every order of settings, and VTK left as it was."""
 
 import base64
+import errno
 import json
 import os
 import pathlib
@@ -243,8 +244,26 @@ class Scene(unittest.TestCase):
             scene.render(exr=self.path("a.exr"), layers=["depht"])
         with self.assertRaisesRegex(ValueError, "no file"):
             relievo.scene().update()
-        with self.assertRaisesRegex(OSError, "there is not.vtp"):
-            relievo.scene(self.path("there is not.vtp")).update()
+        missing = self.path("there is not.vtp")
+        for files, options in (
+            ([missing], {}),
+            ([self.mesh, missing], {}),
+            ([self.mesh], {"environment": missing}),
+            ([self.mesh], {"lamps": missing + ",radius=0.5"}),
+            ([self.mesh], {"lens": self.path("no.yml")}),
+            ([self.mesh], {"allow_folder": [missing]}),
+        ):
+            with self.assertRaises(FileNotFoundError) as raised:
+                relievo.scene(*files, **options)
+            self.assertEqual(raised.exception.errno, errno.ENOENT)
+            self.assertEqual(raised.exception.filename, options.get("lens", missing))
+        for options in ({}, {"normal_map": self.folder}):
+            with self.assertRaises(IsADirectoryError) as raised:
+                relievo.scene(self.mesh if options else self.folder, **options)
+            self.assertEqual(raised.exception.errno, errno.EISDIR)
+            self.assertEqual(raised.exception.filename, str(self.folder))
+        with self.assertRaises(FileNotFoundError):
+            scene.set(environment=missing)
         with self.assertRaises(OSError):
             scene.render(self.path("no folder/a.png"))
         self.assertEqual(sorted(os.listdir(self.folder)), ["lamps.vtk", "roof.vtk", "scene.png"])
@@ -344,8 +363,8 @@ class Scene(unittest.TestCase):
             self.assertEqual(scene.notes, [])
             actor = scene.renderer.GetActors().GetLastActor()
             self.assertEqual(actor.GetProperty().GetDiffuseColor(), (1, 0, 0))
-            with self.assertRaisesRegex(OSError, "--allow-folder none"):
-                relievo.scene(inside / "a.obj", allow_folder=["none"]).update()
+            with self.assertRaises(NotADirectoryError):
+                relievo.scene(inside / "a.obj", allow_folder=[inside / "a.obj"])
 
     def test_names_of_bytes(self):
         """File names of any bytes, and names that begin with a dash."""

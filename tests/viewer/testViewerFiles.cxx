@@ -174,7 +174,7 @@ private Q_SLOTS:
       { "savePicture", "v1.2", "v1.2.png" }, { "savePicture", "LOUD.PNG", "LOUD.PNG" } };
     for (const auto& row : rows)
     {
-      QString question;
+      QString question, folder;
       bool typed = false;
       QTimer answer;
       QObject::connect(&answer, &QTimer::timeout, &answer, [&] {
@@ -186,6 +186,7 @@ private Q_SLOTS:
         }
         else if (auto* dialog = qobject_cast<QFileDialog*>(asking))
         {
+          folder = typed ? folder : dialog->directory().absolutePath();
           dialog->findChild<QLineEdit*>()->setText(QString::fromStdString(this->Path(row.Typed)));
           const bool again = typed;
           typed = true;
@@ -196,6 +197,8 @@ private Q_SLOTS:
       answer.start(50);
       this->Window->findChild<QAction*>(row.Action)->trigger();
       QVERIFY2(question.contains(row.Asked), qPrintable(row.Typed + (": " + question)));
+      // That of the file which is shown.
+      QCOMPARE(folder, QFileInfo(QString::fromStdString(this->Path("scene.vtp"))).absolutePath());
       QFile file(QString::fromStdString(this->Path(row.Asked)));
       QVERIFY(file.open(QIODevice::ReadOnly));
       QCOMPARE(file.readAll(), QByteArray("mine"));

@@ -143,6 +143,29 @@ private Q_SLOTS:
     }
   }
 
+  // What is edited of the preset's light, and a sun that is added, stand as high with any axis.
+  void editedSunsFollowUp()
+  {
+    this->Open({ this->WriteScene(), "--preset", "print" });
+    this->Type("azimuth", 47.0);
+    this->GetButton("add")->menu()->findChild<QAction*>("sun")->trigger();
+    auto* up = this->Window->findChild<QGroupBox*>("scene")->findChild<QComboBox*>("up");
+    const auto angles = [this](int light, int axis) {
+      const double* d = this->GetLight(light)->GetPosition();
+      return scene::GetSunAngles({ d[0], d[1], d[2] }, axis);
+    };
+    const std::array<double, 2> high = { angles(0, 1).Elevation, angles(1, 1).Elevation };
+    QVERIFY(high[0] > 20.0 && high[1] > 20.0);
+    for (const int axis : { 2, 0, 1 })
+    {
+      up->setCurrentIndex(axis + 1);
+      this->WaitUntilRead();
+      QVERIFY(std::abs(angles(0, axis).Azimuth - 47.0) < 1e-9);
+      QVERIFY(std::abs(angles(0, axis).Elevation - high[0]) < 1e-9);
+      QVERIFY(std::abs(angles(1, axis).Elevation - high[1]) < 1e-9);
+    }
+  }
+
   // Words that are not edited stay, with their order and every digit.
   void severalLights()
   {
@@ -169,7 +192,7 @@ private Q_SLOTS:
       QCOMPARE(after[i], lights[i]);
     }
     QVERIFY(after[1].find(",size=2") != std::string::npos);
-    const scene::SunAngles angles = scene::GetSunAngles(scene::ParseLight(after[1]).Position, 1);
+    const scene::SunAngles angles = *scene::ParseLight(after[1]).Angles;
     QVERIFY(std::abs(angles.Elevation - elevation) < 1e-12);
     QVERIFY(std::abs(angles.Azimuth - 330.0) < 1e-9);
     // Each value of the last.
@@ -279,8 +302,7 @@ private Q_SLOTS:
     QCOMPARE(this->GetLights(), Words{ "sun:2026-06-21T15:00Z,48,0,size=3" });
     this->GetBox("by")->setCurrentIndex(0);
     const scene::SunAngles angles = scene::GetSunAngles(scene::SunTime());
-    const scene::SunAngles found =
-      scene::GetSunAngles(scene::ParseLight(this->GetLights()[0]).Position, 1);
+    const scene::SunAngles found = *scene::ParseLight(this->GetLights()[0]).Angles;
     QVERIFY(std::abs(found.Azimuth - angles.Azimuth) < 1e-9);
     QVERIFY(std::abs(found.Elevation - angles.Elevation) < 1e-9);
     QVERIFY(std::abs(this->Shown("azimuth") - angles.Azimuth) < 0.006);

@@ -256,6 +256,12 @@ private Q_SLOTS:
     QCOMPARE(settings.GetWords(),
       (Words{ "--environment", "/a,b/sky,1", "--fog", R"(/a\,b/f\,g.vtp,density=a\,mode=b)",
         "/a,b/a.vtp" }));
+    settings.MakePathsRelative("/a,b");
+    QCOMPARE(settings.GetWords(),
+      (Words{ "--environment", "sky,1", "--fog", R"(f\,g.vtp,density=a\,mode=b)", "a.vtp" }));
+    settings = scene::Settings::FromWords({ "/a/b.vtp", "/a/c/d.vtp", "/ab/c.vtp" });
+    settings.MakePathsRelative("/a");
+    QCOMPARE(settings.Files, (Words{ "b.vtp", "c/d.vtp", "/ab/c.vtp" }));
   }
 
   void numbers()

@@ -276,6 +276,9 @@ private Q_SLOTS:
     const std::vector<std::string> words = this->Window->GetViewSettings().GetWords();
     const QString path = QString::fromStdString(this->Path("session.json"));
     this->Window->SaveSession(path);
+    QFile saved(path);
+    QVERIFY(saved.open(QIODevice::ReadOnly));
+    QVERIFY(!saved.readAll().contains("/scene.vtp")); // named from the session's folder
     this->Open({ this->WriteScene("other.vtp") });
     QSignalSpy ready(this->Window.get(), &viewer::MainWindow::ready);
     this->Window->OpenFiles({ path });

@@ -3,6 +3,7 @@
 #include "SaveDialog.h"
 
 #include "Options.h"
+#include "RecentFiles.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -121,7 +122,7 @@ QString Run(QFileDialog& dialog, const QString& suffix)
 //------------------------------------------------------------------------------
 QString AskPlace(QWidget* parent, const QString& title, const QString& suffix, QWidget* more)
 {
-  QFileDialog dialog(parent, title, QString(), "*" + suffix);
+  QFileDialog dialog(parent, title, GetLastFolder(), "*" + suffix);
   dialog.setAcceptMode(QFileDialog::AcceptSave);
   dialog.setDefaultSuffix(suffix.mid(1));
   if (more)

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FileEdit.h"
 
+#include "RecentFiles.h"
+
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QHBoxLayout>
@@ -53,8 +55,9 @@ void FileEdit::SetPath(const QString& path)
 //------------------------------------------------------------------------------
 void FileEdit::Ask()
 {
-  const QString path = QFileDialog::getOpenFileName(
-    this, this->Title, QFileInfo(this->Shown).absolutePath(), this->Filter);
+  const QString folder =
+    this->Shown.isEmpty() ? GetLastFolder() : QFileInfo(this->Shown).absolutePath();
+  const QString path = QFileDialog::getOpenFileName(this, this->Title, folder, this->Filter);
   if (!path.isEmpty())
   {
     this->SetPath(path);

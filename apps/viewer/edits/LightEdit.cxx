@@ -252,6 +252,7 @@ void LightEdit::ShowSun(const scene::LightChoice& light)
   this->Sun->Latitude->SetValue(this->Time.Latitude);
   this->Sun->Longitude->SetValue(this->Time.Longitude);
   const scene::SunAngles angles = light.Time ? scene::GetSunAngles(*light.Time)
+    : light.Angles                           ? *light.Angles
                                              : scene::GetSunAngles(light.Position, this->WordUp);
   this->Sun->Azimuth->SetValue(angles.Azimuth);
   this->Sun->Elevation->SetValue(angles.Elevation);
@@ -272,10 +273,8 @@ void LightEdit::WriteSun()
 {
   if (!this->Sun->IsByPlace()) // or the angles that it has
   {
-    const scene::SunAngles angles = { this->Sun->Azimuth->GetValue(),
-      this->Sun->Elevation->GetValue() };
-    const std::array<double, 3> d = scene::GetSunDirection(angles, this->WordUp);
-    this->SetNumbers(scene::WriteNumbers({ d.begin(), d.end() }));
+    this->SetNumbers(
+      scene::WriteNumbers({ this->Sun->Azimuth->GetValue(), this->Sun->Elevation->GetValue() }));
   }
   else
   {

@@ -5,6 +5,7 @@
 #include "ColorButton.h"
 #include "Labels.h"
 #include "LinearColor.h"
+#include "RecentFiles.h"
 
 #include <QComboBox>
 #include <QFileDialog>
@@ -177,7 +178,8 @@ QWidget* PointsEdit::MakeColor(Row& row, const vtkRelievoParameter& value)
 //------------------------------------------------------------------------------
 void PointsEdit::Ask()
 {
-  const QString file = QFileDialog::getOpenFileName(this, "Points for " + Words(this->Stage));
+  const QString file =
+    QFileDialog::getOpenFileName(this, "Points for " + Words(this->Stage), GetLastFolder());
   if (!file.isEmpty())
   {
     std::vector<std::string> words = this->Edited->Get().GetAll(this->Option);

@@ -40,8 +40,12 @@ std::string WriteNewLight(const Document& document, const std::string& kind)
   {
     const double center = 0.5 * (b[2 * i] + b[2 * i + 1]);
     middle.push_back(Round(center, size));
-    position.push_back(
-      kind == "sun" ? Round(towards[i], 1.0) : Round(center + Distance * size * towards[i], size));
+    position.push_back(Round(center + Distance * size * towards[i], size));
+  }
+  if (kind == "sun")
+  {
+    const scene::SunAngles angles = scene::GetSunAngles(towards, document.GetUpAxis());
+    position = { scene::RoundTo(angles.Azimuth, 1.0), scene::RoundTo(angles.Elevation, 1.0) };
   }
   if (kind == "spot")
   {

@@ -10,6 +10,7 @@
 #include "vtkRelievoFileKind.h"
 
 #include <QFile>
+#include <QFileInfo>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
@@ -56,7 +57,9 @@ void PlaceSun(scene::Settings& view, const QJsonObject& sun)
 void SaveSession(const QString& path, const scene::Settings& view)
 {
   QJsonArray words;
-  for (const std::string& word : view.GetWords())
+  scene::Settings moving = view;
+  moving.MakePathsRelative(QFileInfo(path).absolutePath().toStdString());
+  for (const std::string& word : moving.GetWords())
   {
     words.append(QString::fromStdString(word));
   }
@@ -114,6 +117,7 @@ scene::Settings LoadSession(const QString& path)
       scene::CheckExtension(each);
     }
     PlaceSun(view, root["sun"].toObject());
+    view.MakePathsAbsolute(QFileInfo(path).absolutePath().toStdString());
     return view;
   }
   catch (const std::exception& error)

@@ -105,14 +105,15 @@ void AddFileMenu(MainWindow* window, RecentFiles* recent)
 {
   QMenu* menu = window->menuBar()->addMenu("&File");
   Add(menu, window, "&Open...", QKeySequence::Open, "open", [window] {
-    const QStringList paths = QFileDialog::getOpenFileNames(window, "Open");
+    const QStringList paths = QFileDialog::getOpenFileNames(window, "Open", GetLastFolder());
     if (!paths.isEmpty())
     {
       window->OpenFiles(paths);
     }
   });
   Add(menu, window, "Open &beside...", QKeySequence("Ctrl+Shift+O"), "openBeside", [window] {
-    const QStringList paths = QFileDialog::getOpenFileNames(window, "Open beside what is shown");
+    const QStringList paths =
+      QFileDialog::getOpenFileNames(window, "Open beside what is shown", GetLastFolder());
     if (!paths.isEmpty())
     {
       window->OpenFiles(paths, true);

@@ -105,14 +105,17 @@ bool MainWindow::Gather()
   dialog.setMinimumDuration(SavePatience);
   dialog.setAutoReset(false);
   this->Shown->renderWindow()->Render();
-  const int all = frame->GetSamplesLeft();
-  dialog.setMaximum(all);
+  dialog.setMaximum(100);
   int idle = 0; // frames that brought nothing, as where something moves by itself
-  for (int left = all; left > 0 && idle < MostIdle && !dialog.wasCanceled();)
+  int done = 0;
+  for (int left = frame->GetSamplesLeft(); left > 0 && idle < MostIdle && !dialog.wasCanceled();)
   {
-    idle = frame->GetSamplesLeft() < left ? 0 : idle + 1;
-    left = frame->GetSamplesLeft();
-    dialog.setValue(std::max(0, all - left));
+    const int now = frame->GetSamplesLeft();
+    idle = now < left ? 0 : idle + 1;
+    done += std::max(0, left - now);
+    left = now;
+    // Stages find more to do as they go; what was reached is not taken back.
+    dialog.setValue(std::max(dialog.value(), 100 * done / std::max(1, done + left)));
     QApplication::processEvents();
     this->Shown->renderWindow()->Render();
   }

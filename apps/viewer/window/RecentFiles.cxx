@@ -26,6 +26,13 @@ QString GetLabel(const QString& path, const QStringList& all)
 }
 
 //------------------------------------------------------------------------------
+QString GetLastFolder()
+{
+  const QStringList paths = QSettings().value(Key).toStringList();
+  return paths.isEmpty() ? QString() : QFileInfo(paths.front()).path();
+}
+
+//------------------------------------------------------------------------------
 RecentFiles::RecentFiles(QWidget* parent)
   : QMenu("Open &recent", parent)
 {

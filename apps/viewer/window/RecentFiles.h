@@ -11,6 +11,9 @@
 
 namespace viewer
 {
+/// Of the file opened last, for dialogs to start in; "" if there is none.
+QString GetLastFolder();
+
 class RecentFiles : public QMenu
 {
   Q_OBJECT

@@ -37,6 +37,13 @@ std::vector<std::string> GetNeeded(const std::string& layer)
   return vtkRelievoLayerCatalogue::GetIsOfLight(layer) ? std::vector<std::string>{ layer, "depth" }
                                                        : std::vector<std::string>{ layer };
 }
+
+vtkRelievoLayer::Kinds GetKind(const std::string& layer)
+{
+  return vtkRelievoLayerCatalogue::GetIsOfLight(layer) // by any name
+    ? vtkRelievoLayerCatalogue::GetOfLight().Kind
+    : vtkRelievoLayerCatalogue::Find(layer).Kind;
+}
 }
 
 class vtkRelievoDisplayStage::Internals
@@ -279,6 +286,34 @@ void vtkRelievoDisplayStage::Execute(vtkRelievoFrameContext& context)
   {
     in.Map->Deactivate();
   }
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoDisplayStage::HasScale()
+{
+  switch (GetKind(this->Layer))
+  {
+    case vtkRelievoLayer::ID:
+    case vtkRelievoLayer::VECTOR:
+    case vtkRelievoLayer::POSITION:
+    case vtkRelievoLayer::COLOR:
+      return false;
+    default:
+      return this->ShownComponents <= 2;
+  }
+}
+
+//------------------------------------------------------------------------------
+std::string vtkRelievoDisplayStage::GetShownColormap()
+{
+  const bool grey = this->Grey || GetKind(this->Layer) == vtkRelievoLayer::SHARE;
+  return vtkRelievoColormaps::GetNames()[static_cast<std::size_t>(grey ? GREY : this->Colormap)];
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoDisplayStage::GetShownReversed()
+{
+  return this->Reversed && !this->Grey && GetKind(this->Layer) != vtkRelievoLayer::SHARE;
 }
 
 //------------------------------------------------------------------------------

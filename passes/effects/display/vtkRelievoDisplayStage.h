@@ -93,6 +93,21 @@ public:
   vtkBooleanMacro(Grey, bool);
   ///@}
 
+  /**
+   * Whether one row of colours tells all values of the layer: not of ids, colours, vectors and
+   * arrays of three components and more.
+   */
+  bool HasScale();
+
+  ///@{
+  /**
+   * The colour map in which the layer is shown, a name of vtkRelievoColormaps, and whether it is
+   * turned round: grey for shares, and where Grey is on.
+   */
+  std::string GetShownColormap();
+  bool GetShownReversed();
+  ///@}
+
   vtkIdType GetBytesHeld() override;
   void ReleaseGraphicsResources(vtkWindow* window) override;
 

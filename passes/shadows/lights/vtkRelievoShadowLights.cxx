@@ -8,6 +8,7 @@
 #include "vtkRenderer.h"
 
 #include <algorithm>
+#include <map>
 
 namespace
 {
@@ -246,13 +247,26 @@ void vtkRelievoShadowLights::KeepOnly(const std::vector<int>& numbers)
 //------------------------------------------------------------------------------
 std::string vtkRelievoShadowLights::GetReport() const
 {
-  std::string report;
+  // Each reason once, with the lights that it holds for: presets have several fills of one name.
+  std::map<std::string, std::map<std::string, int>> reasons;
   for (const vtkRelievoShadowLight& light : this->All)
   {
     if (!light.NoShadow.empty())
     {
-      report += "; " + this->GetName(light) + " casts none: " + light.NoShadow;
+      ++reasons[light.NoShadow][this->GetName(light)];
     }
+  }
+  std::string report;
+  for (const auto& [reason, names] : reasons)
+  {
+    std::string lights;
+    for (const auto& [name, count] : names)
+    {
+      lights += (lights.empty() ? "" : ", ") + name +
+        (count > 1 ? " (" + std::to_string(count) + " lights)" : "");
+    }
+    const bool one = names.size() == 1 && names.begin()->second == 1;
+    report += "; " + lights + (one ? " casts none: " : " cast none: ") + reason;
   }
   return report;
 }

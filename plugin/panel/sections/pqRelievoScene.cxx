@@ -12,7 +12,9 @@
 #include "vtkNew.h"
 #include "vtkPVDataInformation.h"
 #include "vtkSMParaViewPipelineControllerWithRendering.h"
+#include "vtkSMProperty.h"
 #include "vtkSMPropertyHelper.h"
+#include "vtkSMRelievoUpOfView.h"
 #include "vtkSMSessionProxyManager.h"
 #include "vtkSMSourceProxy.h"
 #include "vtkSMTrace.h"
@@ -21,10 +23,12 @@
 #include "vtkTransform.h"
 
 #include <algorithm>
+#include <vector>
 
 namespace
 {
 constexpr double Reach = 2.0; // of the ground, in radii of the scene, to each side
+constexpr double GreyOfGround = 0.45;
 constexpr double Flat = 0.25; // height over width of what shadows can fall on
 
 // A vector of a representation; the values that are there already where it has none.
@@ -76,9 +80,12 @@ vtkBoundingBox GetBox(pqDataRepresentation* shown)
   return box;
 }
 
+// The sun's while it is on, or once it was chosen.
 int GetUpAxis(pqView* view)
 {
-  return std::clamp(pqRelievoViewSettings::Get(view, "RelievoSunUpAxis").toInt(), 0, 2);
+  const int given = std::clamp(pqRelievoViewSettings::Get(view, "RelievoSunUpAxis").toInt(), 0, 2);
+  return pqRelievoViewSettings::IsSunOn(view) || given != 2 ? given
+                                                            : pqRelievoScene::FindUpAxis(view);
 }
 }
 
@@ -125,6 +132,13 @@ bool pqRelievoScene::GetBounds(pqView* view, double bounds[6])
   }
   all.GetBounds(bounds);
   return all.IsValid() != 0;
+}
+
+//------------------------------------------------------------------------------
+int pqRelievoScene::FindUpAxis(pqView* view)
+{
+  double bounds[6];
+  return GetBounds(view, bounds) ? vtkSMRelievoUpOfView::FindUpAxis(view->getProxy(), bounds) : 2;
 }
 
 //------------------------------------------------------------------------------
@@ -180,7 +194,20 @@ void pqRelievoScene::MakeGround(pqView* view)
   }
   controller->PostInitializeProxy(plane);
   controller->RegisterPipelineProxy(plane, "Ground");
-  controller->Show(plane, 0, view->getViewProxy());
+  vtkSMProxy* shown = controller->Show(plane, 0, view->getViewProxy());
+  vtkSMProperty* ink = view->getProxy()->GetProperty("OrientationAxesLabelColor");
+  if (shown && shown->GetProperty("DiffuseColor") && ink &&
+    vtkSMPropertyHelper(ink).GetAsDouble(0) > 0.5)
+  {
+    // Annotations in front of it are white, as on the view's own background.
+    SM_SCOPED_TRACE(PropertiesModified).arg("proxy", shown);
+    const std::vector<double> color(3, GreyOfGround);
+    for (const char* name : { "AmbientColor", "DiffuseColor" })
+    {
+      vtkSMPropertyHelper(shown, name).Set(color.data(), 3);
+    }
+    shown->UpdateVTKObjects();
+  }
   view->render();
 }
 

@@ -23,6 +23,9 @@ bool IsUsed(pqView* view, const QString& name);
 /** Bounds in the world of all surfaces together; false if there are none. */
 bool GetBounds(pqView* view, double bounds[6]);
 
+/** The axis that points up, by what is shown and by the camera; z where nothing is. */
+int FindUpAxis(pqView* view);
+
 /** Whether one of the surfaces is flat along the up axis: shadows can fall on it. */
 bool HasGround(pqView* view);
 

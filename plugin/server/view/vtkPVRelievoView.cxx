@@ -15,6 +15,7 @@
 #include "vtkPVRelievoAccess.h"
 #include "vtkPVRelievoClamped.h"
 #include "vtkPVRelievoEnvironment.h"
+#include "vtkPVRelievoLegend.h"
 #include "vtkPVRelievoPoints.h"
 #include "vtkPVRelievoSelection.h"
 #include "vtkPVRelievoSun.h"
@@ -92,9 +93,11 @@ public:
   vtkPVRelievoSun Sun;
   vtkPVRelievoEnvironment Environment;
   vtkPVRelievoSelection Selection;
+  vtkPVRelievoLegend Legend;
   unsigned long EarlyTag = 0;
   unsigned long StartTag = 0;
   unsigned long EndTag = 0;
+  unsigned long AnnotatedTag = 0;
   std::map<std::string, int> Asked; // layers, and by how many
   std::string Report;
   std::string ShadowLayers;
@@ -123,6 +126,8 @@ vtkPVRelievoView::~vtkPVRelievoView()
     renderer->RemoveObserver(this->Internal->EarlyTag);
     renderer->RemoveObserver(this->Internal->StartTag);
     renderer->RemoveObserver(this->Internal->EndTag);
+    this->Internal->View->GetNonCompositedRenderer()->RemoveObserver(this->Internal->AnnotatedTag);
+    this->Internal->Legend.Leave(this->Internal->View);
     this->Internal->Environment.Leave(this->Internal->View);
     this->Internal->Sun.On = false;
     this->Internal->Sun.Place(renderer, vtkPVRelievoAccess::View::Kit(this->Internal->View));
@@ -167,6 +172,9 @@ void vtkPVRelievoView::SetView(vtkPVView* view)
     renderer->AddObserver(vtkCommand::StartEvent, this, &vtkPVRelievoView::Prepare, -10.0F);
   // Before those that send it away.
   in.EndTag = renderer->AddObserver(vtkCommand::EndEvent, this, &vtkPVRelievoView::Finish, 10.0F);
+  // Which is drawn after it.
+  in.AnnotatedTag = renderView->GetNonCompositedRenderer()->AddObserver(
+    vtkCommand::EndEvent, this, &vtkPVRelievoView::EndAnnotations);
 }
 
 //------------------------------------------------------------------------------
@@ -244,7 +252,16 @@ void vtkPVRelievoView::Prepare()
 //------------------------------------------------------------------------------
 void vtkPVRelievoView::Finish()
 {
-  this->Internal->Environment.Finish(this->Internal->View);
+  Internals& in = *this->Internal;
+  in.Environment.Finish(in.View);
+  in.Legend.Place(in.View, GetDisplay(this),
+    this->IsInPlace() && !vtkPVRelievoAccess::View::IsDrawnElsewhere(in.View));
+}
+
+//------------------------------------------------------------------------------
+void vtkPVRelievoView::EndAnnotations()
+{
+  this->Internal->Legend.ShowOthers();
 }
 
 //------------------------------------------------------------------------------
@@ -573,6 +590,12 @@ void vtkPVRelievoView::SetDisplayReversed(bool on)
 void vtkPVRelievoView::SetDisplayGrey(bool on)
 {
   this->GetFrame()->SetDisplayGrey(on);
+}
+
+//------------------------------------------------------------------------------
+void vtkPVRelievoView::SetDisplayLegend(bool on)
+{
+  this->Internal->Legend.On = on;
 }
 
 //------------------------------------------------------------------------------

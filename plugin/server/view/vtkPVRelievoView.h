@@ -115,6 +115,12 @@ public:
   void SetDisplayGrey(bool on);
   ///@}
 
+  /**
+   * Whether its legend is in the picture, where one row of colours tells all its values; scalar
+   * bars of the data are out of it. Default on.
+   */
+  void SetDisplayLegend(bool on);
+
   ///@{
   /**
    * A stage of the frame by its name, and its parameters as "stage:parameter", in the numbers of
@@ -192,6 +198,7 @@ private:
   void ChooseProcesses();
   void GivePoints(vtkPVView* view, vtkMultiProcessController* controller);
   void Finish();
+  void EndAnnotations();
 
   class Internals;
   std::unique_ptr<Internals> Internal;

@@ -109,11 +109,12 @@ class Window(pv.Test):
         notes = self.played("scene.xml", PV_PLUGIN_PATH=str(pathlib.Path(pv.PLUGIN).parent))
         # Two radii to each side of the bounds' middle, (0, 3, 5); half their diagonal is 3.
         for name in ("again", "made", "traced"):
-            *corners, seen = notes[name]
+            *corners, seen, color = notes[name]
             true = [[-6, 2, -1], [-6, 2, 11], [6, 2, -1]]
             self.assertLess(numpy.abs(numpy.subtract(corners, true)).max(), 0.02, name)
             self.assertLess(corners[0][1], 2.0, "below what lies flat on it")
             self.assertEqual(seen, 1)
+            self.assertLess(max(color), 0.6, "white annotations are read on it")
         self.assertEqual(notes["soft"], [16, 2])
         self.assertEqual(notes["hard"], [0])
         self.assertEqual(notes["all"], [2, 2])

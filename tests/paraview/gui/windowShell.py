@@ -72,11 +72,12 @@ def move(shown, place):
 
 @noted
 def ground(name):
-    """Keeps the corners of the source that the dock's button makes, and whether it is seen."""
+    """Keeps the corners of the source that the dock's button makes, whether it is seen, and how
+    bright it is."""
     plane = simple.FindSource("Ground")
     shown = simple.GetRepresentation(plane, simple.GetActiveView()) if plane else None
     note(name, plane and [list(plane.Origin), list(plane.Point1), list(plane.Point2),
-                          shown.Visibility])
+                          shown.Visibility, list(shown.DiffuseColor)])
 
 
 @noted
