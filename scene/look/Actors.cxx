@@ -30,6 +30,7 @@
 #include "vtkProperty.h"
 #include "vtkRelievoCompositeMapper.h"
 #include "vtkRelievoConvexPolygons.h"
+#include "vtkRelievoPointNormals.h"
 #include "vtkRelievoVTKVersions.h"
 #include "vtkSMPTools.h"
 
@@ -188,8 +189,14 @@ vtkSmartPointer<vtkDataObject> WithNormals(
     {
       return vtkSmartPointer<vtkDataObject>(block);
     }
+    // Either keeps the file's own winding, which is what its author sees everywhere else.
+    if (mesh->GetNumberOfCells() == mesh->GetNumberOfPolys())
+    {
+      vtkNew<vtkRelievoPointNormals> fast;
+      return Run(fast, block, progress);
+    }
     vtkNew<vtkPolyDataNormals> normals;
-    normals->ConsistencyOff(); // the file's own winding is what its author sees everywhere else
+    normals->ConsistencyOff();
     return Run(normals, block, progress);
   });
   if (unlit)
