@@ -7,6 +7,7 @@
 #include "FinitePoints.h"
 #include "Messages.h"
 #include "Progress.h"
+#include "TriangleMapper.h"
 #include "VolumeImages.h"
 
 #include "vtkActor.h"
@@ -24,7 +25,6 @@
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
 #include "vtkPolyData.h"
-#include "vtkPolyDataMapper.h"
 #include "vtkPolyDataNormals.h"
 #include "vtkPolygon.h"
 #include "vtkProperty.h"
@@ -279,7 +279,7 @@ vtkSmartPointer<vtkActor> DrawSurface(vtkDataObject* surface)
   vtkSmartPointer<vtkMapper> mapper;
   if (vtkPolyData* mesh = vtkPolyData::SafeDownCast(surface))
   {
-    vtkNew<vtkPolyDataMapper> single;
+    vtkNew<TriangleMapper> single;
     single->SetInputData(mesh);
     mapper = single;
   }
