@@ -4,6 +4,7 @@
 
 #include "Actors.h"
 #include "Apart.h"
+#include "BinarySTL.h"
 #include "DataSets.h"
 #include "Errors.h"
 #include "Messages.h"
@@ -96,7 +97,8 @@ vtkSmartPointer<vtkAlgorithm> OpenSTL(const std::string& path)
       Messages::Note(counts + ", which are drawn");
     }
   }
-  return Open<vtkSTLReader>(path);
+  return isText || held < 1. || held > BinarySTL::MostTriangles ? Open<vtkSTLReader>(path)
+                                                                : Open<BinarySTL>(path);
 }
 
 std::string WithoutEntities(std::string text)

@@ -18,6 +18,7 @@ from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkUnsignedCharArray
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkImageData
 from vtkmodules.vtkFiltersCore import vtkTriangleFilter
+from vtkmodules.vtkIOGeometry import vtkSTLReader
 from vtkmodules.vtkIOLegacy import vtkPolyDataReader
 from vtkmodules.vtkIOXML import vtkXMLImageDataWriter, vtkXMLPolyDataWriter
 from vtkmodules.vtkRenderingCore import vtkPolyDataMapper, vtkRenderer, vtkRenderWindow
@@ -254,6 +255,43 @@ class Scene(unittest.TestCase):
                     numpy.testing.assert_array_equal(*pictures)
                     seen.add(pictures[0].tobytes())
             self.assertGreater(len(seen), 4)
+
+    def test_binary_stl_as_vtk_reads_it(self):
+        """Points in their order, also both zeros, NaN and infinity; no triangles of two points."""
+        numbers = numpy.random.default_rng(5)
+        corners = numbers.integers(-9, 9, (3000, 3, 3)) * numpy.float32(0.1)
+        corners[::7] *= -0.0
+        for name, places in (("finite", corners), ("not", corners.copy())):
+            if name == "not":
+                places[5, 1, 2] = places[9, 0] = numpy.nan
+                places[17, 2, 0] = numpy.inf
+            rows = numpy.zeros(3000, [("n", "<f4", 3), ("v", "<f4", (3, 3)), ("a", "<u2")])
+            rows["v"] = places
+            path = self.path(f"{name}.stl")
+            head = bytes(80) + struct.pack("<I", 3000)
+            pathlib.Path(path).write_bytes(head + rows.tobytes() + b"rest")
+            reader = vtkSTLReader()
+            reader.SetFileName(path)
+            reader.Update()
+            expected = reader.GetOutput()
+            scene = relievo.scene(path, shading="flat")
+            if name == "not":
+                scene.render(self.path("a.png"))
+                finite = numpy.isfinite(vtk_to_numpy(expected.GetPoints().GetData())).all(1)
+                kept = vtk_to_numpy(expected.GetPolys().GetConnectivityArray()).reshape(-1, 3)
+                left = (~finite[kept].all(1)).sum()
+                says = rf"left out {left} cells .* not finite \({(~finite).sum()} of"
+                self.assertRegex(" ".join(scene.notes), says)
+                continue
+            found = scene.renderer.GetActors().GetLastActor().GetMapper().GetInput()
+            for mesh in (expected, found):
+                self.assertEqual(mesh.GetPolys().IsHomogeneous(), 3)
+            numpy.testing.assert_array_equal(
+                vtk_to_numpy(found.GetPoints().GetData()).view("u4"),
+                vtk_to_numpy(expected.GetPoints().GetData()).view("u4"))  # fmt: skip
+            numpy.testing.assert_array_equal(
+                vtk_to_numpy(found.GetPolys().GetConnectivityArray()),
+                vtk_to_numpy(expected.GetPolys().GetConnectivityArray()))  # fmt: skip
 
     def test_what_a_script_changes_stays(self):
         """The frame, an actor of the script's, the camera: until update() or render()."""
