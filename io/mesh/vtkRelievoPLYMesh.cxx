@@ -11,13 +11,15 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
+#include "vtkTypeInt32Array.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 #include <map>
-#include <numeric>
 
 namespace relievo::ply
 {
@@ -64,13 +66,46 @@ double GetColorScale(int type)
 }
 
 //------------------------------------------------------------------------------
+// Which of an element's numbers are used, in turn.
+class Order
+{
+public:
+  explicit Order(vtkIdType count = 0)
+    : Same(count)
+  {
+  }
+
+  vtkIdType GetCount() const { return this->Same + static_cast<vtkIdType>(this->Others.size()); }
+  vtkIdType operator[](vtkIdType i) const
+  {
+    return i < this->Same ? i : this->Others[static_cast<std::size_t>(i - this->Same)];
+  }
+
+  void Add(vtkIdType number)
+  {
+    if (this->Others.empty() && number == this->Same)
+    {
+      ++this->Same;
+    }
+    else
+    {
+      this->Others.push_back(number);
+    }
+  }
+
+private:
+  vtkIdType Same; // so many, from the first one on, are in their own order
+  std::vector<vtkIdType> Others;
+};
+
+//------------------------------------------------------------------------------
 // The numbers of an element in an order of their own.
 class Arrays
 {
 public:
-  Arrays(Element& element, const std::vector<vtkIdType>& order)
+  Arrays(Element& element, const Order& order)
     : Of(element)
-    , Order(order)
+    , Used(order)
   {
   }
 
@@ -120,22 +155,31 @@ public:
     auto array = vtk::TakeSmartPointer(vtkDataArray::CreateDataArray(type));
     array->SetName(name);
     array->SetNumberOfComponents(static_cast<int>(columns.size()));
-    array->SetNumberOfTuples(static_cast<vtkIdType>(this->Order.size()));
+    array->SetNumberOfTuples(this->Used.GetCount());
     for (std::size_t c = 0; c < columns.size(); ++c)
     {
-      for (std::size_t i = 0; i < this->Order.size(); ++i)
+      switch (type)
       {
-        array->SetComponent(
-          static_cast<vtkIdType>(i), static_cast<int>(c), GetValue(*columns[c], this->Order[i]));
+        vtkTemplateMacro(this->Fill(
+          static_cast<VTK_TT*>(array->GetVoidPointer(0)) + c, columns.size(), type, *columns[c]));
       }
     }
     return array;
   }
 
 private:
-  static double GetValue(const Column& column, vtkIdType i)
+  // One of every `step` numbers from `to` on.
+  template <typename Number>
+  void Fill(Number* to, std::size_t step, int type, const Column& column) const
   {
-    return column.Values[static_cast<std::size_t>(i)];
+    const Numbers& values = column.Values;
+    const Number* const same = values.GetType() == type ? values.As<Number>() : nullptr;
+    for (vtkIdType i = 0; i < this->Used.GetCount(); ++i)
+    {
+      const auto from = static_cast<std::size_t>(this->Used[i]);
+      to[static_cast<std::size_t>(i) * step] =
+        same ? same[from] : static_cast<Number>(values.Get(from));
+    }
   }
 
   vtkSmartPointer<vtkDataArray> MakeColors(const Columns& columns) const
@@ -143,15 +187,16 @@ private:
     auto array = vtkSmartPointer<vtkUnsignedCharArray>::New();
     array->SetName("RGBA");
     array->SetNumberOfComponents(4);
-    array->SetNumberOfTuples(static_cast<vtkIdType>(this->Order.size()));
+    array->SetNumberOfTuples(this->Used.GetCount());
     array->FillTypedComponent(3, 255);
     for (std::size_t c = 0; c < columns.size(); ++c)
     {
       const double scale = GetColorScale(columns[c]->Type);
-      for (std::size_t i = 0; i < this->Order.size(); ++i)
+      for (vtkIdType i = 0; i < this->Used.GetCount(); ++i)
       {
-        const double level = std::round(scale * GetValue(*columns[c], this->Order[i]));
-        array->SetTypedComponent(static_cast<vtkIdType>(i), static_cast<int>(c),
+        const double level =
+          std::round(scale * columns[c]->Values.Get(static_cast<std::size_t>(this->Used[i])));
+        array->SetTypedComponent(i, static_cast<int>(c),
           static_cast<unsigned char>(level >= 0. ? std::min(level, 255.) : 0.)); // NaN: none
       }
     }
@@ -159,7 +204,7 @@ private:
   }
 
   Element& Of;
-  const std::vector<vtkIdType>& Order;
+  const Order& Used;
 };
 
 //------------------------------------------------------------------------------
@@ -167,25 +212,29 @@ private:
 class FacePoints
 {
 public:
-  FacePoints(std::vector<vtkIdType>& order, const Column* coordinates)
-    : Order(order)
+  FacePoints(Order& order, const Column* coordinates)
+    : Points(order)
     , Coordinates(coordinates)
-    , First(coordinates ? order.size() : 0)
+    , First(coordinates ? static_cast<std::size_t>(order.GetCount()) : 0)
     , Used(this->First.size(), false)
   {
   }
 
+  // Whether a point is one and the same for all faces.
+  bool AreShared() const { return !this->Coordinates; }
+
   // The point for a corner of a face.
-  vtkIdType Get(vtkIdType point, std::size_t face, vtkIdType corner)
+  vtkIdType Get(vtkIdType point, vtkIdType face, vtkIdType corner)
   {
     const auto start = static_cast<std::size_t>(
-      this->Coordinates ? this->Coordinates->Starts[face] + 2 * corner : 0);
+      this->Coordinates ? this->Coordinates->GetStart(face) + 2 * corner : 0);
     if (!this->Coordinates ||
-      start + 1 >= static_cast<std::size_t>(this->Coordinates->Starts[face + 1]))
+      start + 1 >= static_cast<std::size_t>(this->Coordinates->GetStart(face + 1)))
     {
       return point;
     }
-    const Place place = { this->Coordinates->Values[start], this->Coordinates->Values[start + 1] };
+    const Place place = { this->Coordinates->Values.Get(start),
+      this->Coordinates->Values.Get(start + 1) };
     const auto index = static_cast<std::size_t>(point);
     if (!this->Used[index] || this->First[index] == place)
     {
@@ -194,10 +243,10 @@ public:
       return point;
     }
     const auto [known, isNew] =
-      this->Others.emplace(std::pair(point, place), static_cast<vtkIdType>(this->Order.size()));
+      this->Others.emplace(std::pair(point, place), this->Points.GetCount());
     if (isNew)
     {
-      this->Order.push_back(point);
+      this->Points.Add(point);
       this->Added.push_back(place);
     }
     return known->second;
@@ -225,7 +274,7 @@ public:
 private:
   using Place = std::array<double, 2>;
 
-  std::vector<vtkIdType>& Order; // of each point of the mesh the file's point
+  Order& Points; // of each point of the mesh the file's point
   const Column* const Coordinates;
   std::vector<Place> First;
   std::vector<bool> Used;
@@ -253,19 +302,18 @@ vtkIdType GetPoint(double index, vtkIdType numberOfPoints, const char* noun, vtk
 void AddStrips(Element& strips, vtkIdType numberOfPoints, vtkPolyData* mesh)
 {
   const Column* indices = strips.Find("vertex_indices");
-  if (!indices || indices->CountType == 0 || indices->Starts.empty())
+  if (!indices || indices->CountType == 0)
   {
     return;
   }
   vtkNew<vtkCellArray> triangles;
   for (vtkIdType strip = 0; strip < strips.Count; ++strip)
   {
-    const auto place = static_cast<std::size_t>(strip);
     vtkIdType before[2] = { 0, 0 }; // the last two, which change places with each triangle
     vtkIdType count = 0;
-    for (vtkIdType i = indices->Starts[place]; i < indices->Starts[place + 1]; ++i)
+    for (vtkIdType i = indices->GetStart(strip); i < indices->GetStart(strip + 1); ++i)
     {
-      const double index = indices->Values[static_cast<std::size_t>(i)];
+      const double index = indices->Values.Get(static_cast<std::size_t>(i));
       if (index == -1.)
       {
         count = 0; // a strip of its own
@@ -295,19 +343,50 @@ void AddEdges(Element& edges, vtkIdType numberOfPoints, vtkPolyData* mesh)
     return;
   }
   vtkNew<vtkCellArray> lines;
-  std::vector<vtkIdType> order;
   for (vtkIdType edge = 0; edge < edges.Count; ++edge)
   {
     lines->InsertNextCell(2);
     for (const Column* end : ends)
     {
       lines->InsertCellPoint(
-        GetPoint(end->Values[static_cast<std::size_t>(edge)], numberOfPoints, "edge", edge));
+        GetPoint(end->Values.Get(static_cast<std::size_t>(edge)), numberOfPoints, "edge", edge));
     }
-    order.push_back(edge);
   }
   mesh->SetLines(lines);
-  Arrays(edges, order).AddTo(mesh->GetCellData(), ends);
+  Arrays(edges, Order(edges.Count)).AddTo(mesh->GetCellData(), ends);
+}
+
+//------------------------------------------------------------------------------
+// Polygons of one size whose corners are as they lie in the file: without copies. False: they are
+// not, and nothing is changed.
+bool TakeFaces(Column& indices, vtkIdType count, vtkIdType numberOfPoints, vtkPolyData* mesh)
+{
+  const int type = indices.Values.GetType();
+  const auto corners = static_cast<vtkIdType>(indices.Values.GetSize());
+  if ((type != VTK_INT && type != VTK_UNSIGNED_INT) || indices.ListSize < 3 ||
+    corners > std::numeric_limits<std::int32_t>::max() ||
+    numberOfPoints > std::numeric_limits<std::int32_t>::max())
+  {
+    return false;
+  }
+  const auto* const first = indices.Values.As<std::uint32_t>(); // where -1 is out of range too
+  if (std::any_of(first, first + corners,
+        [numberOfPoints](std::uint32_t corner) { return corner >= numberOfPoints; }))
+  {
+    return false; // whoever looks at each of them finds it
+  }
+  vtkNew<vtkTypeInt32Array> starts, points;
+  starts->SetNumberOfValues(count + 1);
+  for (vtkIdType face = 0; face <= count; ++face)
+  {
+    starts->SetValue(face, static_cast<std::int32_t>(face * indices.ListSize));
+  }
+  points->SetArray(static_cast<std::int32_t*>(indices.Values.Release()), corners, 0,
+    vtkAbstractArray::VTK_DATA_ARRAY_FREE);
+  vtkNew<vtkCellArray> polygons;
+  polygons->SetData(starts.Get(), points.Get());
+  mesh->SetPolys(polygons);
+  return true;
 }
 
 //------------------------------------------------------------------------------
@@ -316,8 +395,13 @@ void AddFaces(Element& faces, vtkIdType numberOfPoints, FacePoints& points, vtkP
 {
   Column* indices = faces.Find("vertex_indices");
   indices = indices ? indices : faces.Find("vertex_index");
-  if (!indices || indices->CountType == 0 || indices->Starts.empty())
+  if (!indices || indices->CountType == 0)
   {
+    return;
+  }
+  if (points.AreShared() && TakeFaces(*indices, faces.Count, numberOfPoints, mesh))
+  {
+    Arrays(faces, Order(faces.Count)).AddTo(mesh->GetCellData(), {});
     return;
   }
   vtkNew<vtkCellArray> cells[3];
@@ -325,14 +409,13 @@ void AddFaces(Element& faces, vtkIdType numberOfPoints, FacePoints& points, vtkP
   std::vector<vtkIdType> corners;
   for (vtkIdType face = 0; face < faces.Count; ++face)
   {
-    const auto place = static_cast<std::size_t>(face);
-    const vtkIdType first = indices->Starts[place];
-    const vtkIdType count = indices->Starts[place + 1] - first;
+    const vtkIdType first = indices->GetStart(face);
+    const vtkIdType count = indices->GetStart(face + 1) - first;
     corners.clear();
     for (vtkIdType corner = 0; corner < count; ++corner)
     {
-      const double index = indices->Values[static_cast<std::size_t>(first + corner)];
-      corners.push_back(points.Get(GetPoint(index, numberOfPoints, "face", face), place, corner));
+      const double index = indices->Values.Get(static_cast<std::size_t>(first + corner));
+      corners.push_back(points.Get(GetPoint(index, numberOfPoints, "face", face), face, corner));
     }
     if (count > 0) // some writers delete faces by it
     {
@@ -345,11 +428,15 @@ void AddFaces(Element& faces, vtkIdType numberOfPoints, FacePoints& points, vtkP
   mesh->SetLines(cells[1]);
   mesh->SetPolys(cells[2]);
   // Cell data follow VTK's order: vertices, lines, polygons.
-  for (int kind = 1; kind < 3; ++kind)
+  Order order;
+  for (const std::vector<vtkIdType>& kind : orders)
   {
-    orders[0].insert(orders[0].end(), orders[kind].begin(), orders[kind].end());
+    for (const vtkIdType face : kind)
+    {
+      order.Add(face);
+    }
   }
-  Arrays(faces, orders[0]).AddTo(mesh->GetCellData(), {});
+  Arrays(faces, order).AddTo(mesh->GetCellData(), {});
 }
 }
 
@@ -363,8 +450,7 @@ void MakeMesh(Content& content, vtkPolyData* mesh)
     throw Refusal{ vtkErrorCode::FileFormatError,
       "expected an element vertex with the properties x, y and z" };
   }
-  std::vector<vtkIdType> order(static_cast<std::size_t>(vertices->Count));
-  std::iota(order.begin(), order.end(), vtkIdType(0));
+  Order order(vertices->Count);
   Element* faces = content.Find("face");
   const Column* coordinates = faces ? faces->Find("texcoord") : nullptr;
   FacePoints points(order, coordinates && coordinates->CountType != 0 ? coordinates : nullptr);

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <new>
 
 namespace relievo::ply
 {
@@ -86,9 +87,13 @@ public:
       this->CheckCount(element);
       for (Column& column : element.Columns)
       {
+        const int type = this->Of == Format::Text ? VTK_DOUBLE : column.Type;
         column.Kept = kept;
-        column.Starts.assign(kept && column.CountType != 0 ? 1 : 0, 0);
-        column.Values.reserve(static_cast<std::size_t>(kept ? element.Count : 0));
+        column.Values.SetType(type, this->Of == Format::Text ? sizeof(double) : column.Size);
+        if (kept)
+        {
+          column.Values.Reserve(static_cast<std::size_t>(element.Count));
+        }
       }
       for (vtkIdType i = 0; i < (element.Columns.empty() ? 0 : element.Count); ++i)
       {
@@ -227,6 +232,8 @@ private:
     Column column;
     column.CountType = list ? this->TakeType(words[2]) : 0;
     column.Type = this->TakeType(words[list ? 3 : 1]);
+    column.Size = GetRow(column.Type).Size;
+    column.CountSize = list ? GetRow(column.CountType).Size : 0;
     column.Name = words.back();
     if (column.CountType == VTK_FLOAT || column.CountType == VTK_DOUBLE)
     {
@@ -242,8 +249,8 @@ private:
     std::size_t size = 0;
     for (const Column& column : element.Columns)
     {
-      const int first = column.CountType != 0 ? column.CountType : column.Type;
-      size += this->Of == Format::Text ? 2 : GetRow(first).Size;
+      const std::size_t first = column.CountType != 0 ? column.CountSize : column.Size;
+      size += this->Of == Format::Text ? 2 : first;
     }
     const auto left = static_cast<std::size_t>(this->End - this->Here) + 1; // no end of the line
     if (size > 0 && static_cast<std::size_t>(element.Count) > left / size)
@@ -259,9 +266,11 @@ private:
     vtkIdType count = 1;
     if (column.CountType != 0)
     {
-      const double given = this->Take(element, i, column.CountType);
+      const double given = this->Of == Format::Text
+        ? this->TakeWord(element, i, column.CountType)
+        : this->TakeBytes(element, i, column.CountType, column.CountSize);
       count = given >= 0. ? static_cast<vtkIdType>(given) : -1;
-      const std::size_t size = this->Of == Format::Text ? 2 : GetRow(column.Type).Size;
+      const std::size_t size = this->Of == Format::Text ? 2 : column.Size;
       const auto left = static_cast<std::size_t>(this->End - this->Here) + 1;
       if (count < 0)
       {
@@ -273,18 +282,44 @@ private:
         this->RefuseEnd(element, i);
       }
     }
-    for (vtkIdType value = 0; value < count; ++value)
-    {
-      const double number = this->Take(element, i, column.Type);
-      if (column.Kept)
-      {
-        column.Values.push_back(number);
-      }
-    }
+    this->Of == Format::Text ? this->ReadWords(element, i, column, count)
+                             : this->ReadBytes(element, i, column, count);
     if (column.CountType != 0 && column.Kept)
     {
-      column.Starts.push_back(static_cast<vtkIdType>(column.Values.size()));
+      column.EndList(i, count);
     }
+  }
+
+  void ReadWords(const Element& element, vtkIdType i, Column& column, vtkIdType count)
+  {
+    for (vtkIdType value = 0; value < count; ++value)
+    {
+      const double number = this->TakeWord(element, i, column.Type);
+      if (column.Kept)
+      {
+        *static_cast<double*>(column.Values.Add(1)) = number;
+      }
+    }
+  }
+
+  void ReadBytes(const Element& element, vtkIdType i, Column& column, vtkIdType count)
+  {
+    const std::size_t each = column.Size;
+    const std::size_t size = static_cast<std::size_t>(count) * each;
+    if (static_cast<std::size_t>(this->End - this->Here) < size)
+    {
+      this->RefuseEnd(element, i);
+    }
+    if (column.Kept && size > 0)
+    {
+      char* const to = static_cast<char*>(column.Values.Add(static_cast<std::size_t>(count)));
+      std::memcpy(to, this->Here, size);
+      for (std::size_t at = 0; at < size && this->IsForeign(); at += each)
+      {
+        std::reverse(to + at, to + at + each);
+      }
+    }
+    this->Here += size;
   }
 
   [[noreturn]] void RefuseEnd(const Element& element, vtkIdType i) const
@@ -294,10 +329,13 @@ private:
         std::to_string(element.Count) + ": is it whole?" };
   }
 
-  double Take(const Element& element, vtkIdType i, int type)
+  // Whether bytes are in the other order than this machine's.
+  bool IsForeign() const
   {
-    return this->Of == Format::Text ? this->TakeWord(element, i, type)
-                                    : this->TakeBytes(element, i, type);
+    const std::uint16_t one = 1;
+    unsigned char low = 0;
+    std::memcpy(&low, &one, 1);
+    return (this->Of == Format::LittleEndian) != (low == 1);
   }
 
   double TakeWord(const Element& element, vtkIdType i, int type)
@@ -336,9 +374,9 @@ private:
     return static_cast<double>(number);
   }
 
-  double TakeBytes(const Element& element, vtkIdType i, int type)
+  // The length of a list.
+  double TakeBytes(const Element& element, vtkIdType i, int type, std::size_t size)
   {
-    const std::size_t size = GetRow(type).Size;
     if (static_cast<std::size_t>(this->End - this->Here) < size)
     {
       this->RefuseEnd(element, i);
@@ -346,10 +384,7 @@ private:
     std::array<unsigned char, 8> bytes = {};
     std::memcpy(bytes.data(), this->Here, size);
     this->Here += size;
-    const std::uint16_t one = 1;
-    unsigned char low = 0;
-    std::memcpy(&low, &one, 1);
-    if ((this->Of == Format::LittleEndian) != (low == 1))
+    if (this->IsForeign())
     {
       std::reverse(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(size));
     }
@@ -365,12 +400,8 @@ private:
         return Interpret<std::uint16_t>(bytes.data());
       case VTK_INT:
         return Interpret<std::int32_t>(bytes.data());
-      case VTK_UNSIGNED_INT:
-        return Interpret<std::uint32_t>(bytes.data());
-      case VTK_FLOAT:
-        return Interpret<float>(bytes.data());
       default:
-        return Interpret<double>(bytes.data());
+        return Interpret<std::uint32_t>(bytes.data());
     }
   }
 
@@ -381,6 +412,29 @@ private:
   Format Of = Format::Text;
   Content Out;
 };
+}
+
+//------------------------------------------------------------------------------
+void Numbers::Reserve(std::size_t count)
+{
+  if (count <= this->Room)
+  {
+    return;
+  }
+  void* const grown = std::realloc(this->Bytes, count * this->Each); // which moves pages, no bytes
+  if (!grown)
+  {
+    throw std::bad_alloc();
+  }
+  this->Bytes = static_cast<char*>(grown);
+  this->Room = count;
+}
+
+//------------------------------------------------------------------------------
+void* Numbers::Release()
+{
+  this->Size = this->Room = 0;
+  return std::exchange(this->Bytes, nullptr);
 }
 
 //------------------------------------------------------------------------------

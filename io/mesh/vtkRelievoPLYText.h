@@ -8,24 +8,125 @@
 #define vtkRelievoPLYText_h
 
 #include "vtkRelievoMeshText.h"
+#include "vtkSetGet.h" // for vtkTemplateMacro
 #include "vtkType.h"
 
+#include <algorithm>
+#include <cstdlib>
 #include <functional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace relievo::ply
 {
+// Numbers of one of VTK's types, which may be given away.
+class Numbers
+{
+public:
+  Numbers() = default;
+  Numbers(Numbers&& other) noexcept { *this = std::move(other); }
+  Numbers& operator=(Numbers&& other) noexcept
+  {
+    std::swap(this->Of, other.Of);
+    std::swap(this->Each, other.Each);
+    std::swap(this->Bytes, other.Bytes);
+    std::swap(this->Size, other.Size);
+    std::swap(this->Room, other.Room);
+    return *this;
+  }
+  ~Numbers() { std::free(this->Bytes); }
+
+  // Before there are any.
+  void SetType(int type, std::size_t size)
+  {
+    this->Of = type;
+    this->Each = size;
+  }
+  int GetType() const { return this->Of; }
+  std::size_t GetSize() const { return this->Size; }
+
+  void Reserve(std::size_t count);
+
+  // Where so many more are to be written.
+  void* Add(std::size_t count)
+  {
+    if (count > this->Room - this->Size)
+    {
+      this->Reserve(std::max(this->Size + count, 2 * this->Room));
+    }
+    this->Size += count;
+    return this->Bytes + (this->Size - count) * this->Each;
+  }
+
+  double Get(std::size_t index) const
+  {
+    switch (this->Of)
+    {
+      vtkTemplateMacro(return static_cast<double>(this->As<VTK_TT>()[index]));
+      default:
+        return 0.;
+    }
+  }
+
+  template <typename Number>
+  const Number* As() const
+  {
+    return reinterpret_cast<const Number*>(this->Bytes);
+  }
+
+  // To be freed by who takes them; none are left.
+  void* Release();
+
+private:
+  int Of = VTK_DOUBLE;
+  std::size_t Each = sizeof(double);
+  char* Bytes = nullptr;
+  std::size_t Size = 0;
+  std::size_t Room = 0;
+};
+
 // A property of an element, with its numbers: one for each of them, or lists one after the other.
 struct Column
 {
   std::string Name;
-  int Type = 0;      // of VTK
-  int CountType = 0; // of lists; 0: no list
+  int Type = 0;         // of VTK
+  int CountType = 0;    // of lists; 0: no list
+  std::size_t Size = 0; // of a number, and of a list's length, in bytes
+  std::size_t CountSize = 0;
   bool Kept = true;
-  std::vector<double> Values;
-  std::vector<vtkIdType> Starts; // of lists in the values, and the end
+  Numbers Values; // of the type, or, out of text, doubles
+  // Of lists: the size of all so far, -1 before the first; or, where sizes differ, 0, and where
+  // each begins in the values, and the end.
+  vtkIdType ListSize = -1;
+  std::vector<vtkIdType> Starts;
+
+  // Of a list that is read.
+  vtkIdType GetStart(vtkIdType list) const
+  {
+    return this->Starts.empty() ? list * this->ListSize
+                                : this->Starts[static_cast<std::size_t>(list)];
+  }
+
+  // A list with the last values.
+  void EndList(vtkIdType list, vtkIdType size)
+  {
+    if (this->ListSize < 0)
+    {
+      this->ListSize = size;
+    }
+    if (this->Starts.empty() && size == this->ListSize)
+    {
+      return;
+    }
+    for (auto each = static_cast<vtkIdType>(this->Starts.size()); each <= list; ++each)
+    {
+      this->Starts.push_back(each * this->ListSize); // of the lists before
+    }
+    this->ListSize = 0;
+    this->Starts.push_back(static_cast<vtkIdType>(this->Values.GetSize()));
+  }
 };
 
 struct Element

@@ -4,6 +4,7 @@
 
 #include "Actors.h"
 #include "Apart.h"
+#include "BinarySTL.h"
 #include "DataSets.h"
 #include "Errors.h"
 #include "Messages.h"
@@ -13,14 +14,17 @@
 #include "Values.h"
 #include "VolumeImages.h"
 
+#include "vtkAOSDataArrayTemplate.h"
 #include "vtkAlgorithm.h"
 #include "vtkCallbackCommand.h"
+#include "vtkCellArray.h"
 #include "vtkDataObject.h"
 #include "vtkDataObjectTypes.h"
 #include "vtkGenericDataObjectReader.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkRelievoAllowedFolders.h"
+#include "vtkPolyData.h"
 #include "vtkRelievoFileKind.h"
 #include "vtkRelievoOBJReader.h"
 #include "vtkRelievoOFFReader.h"
@@ -28,6 +32,7 @@
 #include "vtkSTLReader.h"
 #include "vtkXMLDataElement.h"
 #include "vtkXMLDataParser.h"
+#include "vtkTypeInt32Array.h"
 #include "vtkXMLGenericDataObjectReader.h"
 
 #include <algorithm>
@@ -38,6 +43,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <limits>
 #include <set>
 #include <utility>
 #include <vector>
@@ -97,7 +103,8 @@ vtkSmartPointer<vtkAlgorithm> OpenSTL(const std::string& path)
       Messages::Note(counts + ", which are drawn");
     }
   }
-  return Open<vtkSTLReader>(path);
+  return isText || held < 1. || held > BinarySTL::MostTriangles ? Open<vtkSTLReader>(path)
+                                                                : Open<BinarySTL>(path);
 }
 
 // Of legacy files VTK says only that it does not read them.
@@ -340,6 +347,48 @@ std::string NotAsNamed(const std::string& path)
 namespace
 {
 //------------------------------------------------------------------------------
+// Of numbers that are small enough; none of others.
+vtkSmartPointer<vtkTypeInt32Array> Shrink(vtkDataArray* numbers)
+{
+  auto* large = vtkAOSDataArrayTemplate<vtkTypeInt64>::FastDownCast(numbers);
+  if (!large)
+  {
+    return nullptr;
+  }
+  auto small = vtkSmartPointer<vtkTypeInt32Array>::New();
+  small->SetNumberOfValues(large->GetNumberOfValues());
+  std::transform(large->GetPointer(0), large->GetPointer(0) + large->GetNumberOfValues(),
+    small->GetPointer(0), [](vtkTypeInt64 number) { return static_cast<vtkTypeInt32>(number); });
+  return small;
+}
+
+//------------------------------------------------------------------------------
+// With half the memory for the corners of cells, where their numbers are small enough. VTK's own
+// ConvertTo32BitStorage() takes longer than reading them.
+void ShrinkCells(vtkDataObject* data)
+{
+  constexpr vtkIdType most = std::numeric_limits<vtkTypeInt32>::max();
+  auto* mesh = vtkPolyData::SafeDownCast(data);
+  if (!mesh || mesh->GetNumberOfPoints() > most)
+  {
+    return;
+  }
+  for (vtkCellArray* cells :
+    { mesh->GetVerts(), mesh->GetLines(), mesh->GetPolys(), mesh->GetStrips() })
+  {
+    if (cells->GetNumberOfCells() > 0 && cells->GetNumberOfConnectivityIds() <= most)
+    {
+      const auto starts = Shrink(cells->GetOffsetsArray());
+      const auto corners = Shrink(cells->GetConnectivityArray());
+      if (starts && corners)
+      {
+        cells->SetData(starts.Get(), corners.Get());
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
 vtkSmartPointer<vtkDataObject> ReadData(
   const std::string& path, const std::vector<std::string>& folders, Progress& progress)
 {
@@ -360,6 +409,7 @@ vtkSmartPointer<vtkDataObject> ReadData(
     }
   }
   CheckCells(data, path);
+  ShrinkCells(data);
   return data;
 }
 

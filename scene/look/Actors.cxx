@@ -7,6 +7,7 @@
 #include "FinitePoints.h"
 #include "Messages.h"
 #include "Progress.h"
+#include "TriangleMapper.h"
 #include "VolumeImages.h"
 
 #include "vtkActor.h"
@@ -25,12 +26,12 @@
 #include "vtkPointSet.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "vtkPolyDataMapper.h"
 #include "vtkPolyDataNormals.h"
 #include "vtkPolygon.h"
 #include "vtkProperty.h"
 #include "vtkRelievoCompositeMapper.h"
 #include "vtkRelievoConvexPolygons.h"
+#include "vtkRelievoPointNormals.h"
 #include "vtkRelievoVTKVersions.h"
 #include "vtkSMPTools.h"
 
@@ -258,8 +259,14 @@ vtkSmartPointer<vtkDataObject> WithNormals(
     {
       return vtkSmartPointer<vtkDataObject>(block);
     }
+    // Either keeps the file's own winding, which is what its author sees everywhere else.
+    if (mesh->GetNumberOfCells() == mesh->GetNumberOfPolys())
+    {
+      vtkNew<vtkRelievoPointNormals> fast;
+      return Run(fast, block, progress);
+    }
     vtkNew<vtkPolyDataNormals> normals;
-    normals->ConsistencyOff(); // the file's own winding is what its author sees everywhere else
+    normals->ConsistencyOff();
     return Run(normals, SeparateCrowded(mesh), progress);
   });
   if (unlit)
@@ -342,7 +349,7 @@ vtkSmartPointer<vtkActor> DrawSurface(vtkDataObject* surface)
   vtkSmartPointer<vtkMapper> mapper;
   if (vtkPolyData* mesh = vtkPolyData::SafeDownCast(surface))
   {
-    vtkNew<vtkPolyDataMapper> single;
+    vtkNew<TriangleMapper> single;
     single->SetInputData(mesh);
     mapper = single;
   }

@@ -1,7 +1,8 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
 """vtkRelievoConvexPolygons: the fans that VTK draws cover a polygon once, and nothing else. What is
-inside is said by the number of edges that a ray crosses (even or odd)."""
+inside is said by the number of edges that a ray crosses (even or odd). vtkRelievoPointNormals: the
+normals of such meshes."""
 
 import time
 import unittest
@@ -250,6 +251,95 @@ class ConvexPolygons(unittest.TestCase):
         self.assertEqual(list(vtk_to_numpy(data.GetGlobalIds())), of)
         self.assertIs(output.GetPoints(), mesh.GetPoints())
         self.assertEqual(mesh.GetNumberOfPolys(), 4)
+
+
+def smooth(mesh, angle=30):
+    step = relievo.vtkRelievoPointNormals()
+    step.SetFeatureAngle(angle)
+    step.SetInputData(mesh)
+    step.Update()
+    return step.GetOutput()
+
+
+def arrays_of(mesh):
+    return (vtk_to_numpy(mesh.GetPoints().GetData()),
+            vtk_to_numpy(mesh.GetPolys().GetConnectivityArray()),
+            vtk_to_numpy(mesh.GetPointData().GetNormals()))  # fmt: skip
+
+
+class PointNormals(unittest.TestCase):
+    def test_cube(self):
+        """Each corner becomes three, with the normals of its three faces."""
+        points = [(x, y, z) for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)]
+        quads = [(0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3)]
+        mesh = mesh_of(points, quads)
+        values = numpy_to_vtk(numpy.arange(8), deep=True)
+        values.SetName("value")
+        mesh.GetPointData().SetScalars(values)
+        places, corners, normals = arrays_of(smooth(mesh))
+        self.assertEqual(len(places), 24)
+        for quad, made in zip(quads, corners.reshape(6, 4)):
+            numpy.testing.assert_array_equal(places[made], numpy.array(points)[list(quad)])
+            axis = numpy.mean([points[i] for i in quad], axis=0)
+            numpy.testing.assert_array_equal(normals[made], [axis] * 4)
+        copied = vtk_to_numpy(smooth(mesh).GetPointData().GetScalars())
+        numpy.testing.assert_array_equal(copied[corners], numpy.ravel(quads))
+        self.assertEqual(mesh.GetNumberOfPoints(), 8)
+        whole = smooth(mesh, 180)
+        self.assertIs(whole.GetPoints(), mesh.GetPoints())
+        self.assertIs(whole.GetPolys(), mesh.GetPolys())
+        outwards = numpy.array(points) / 3**0.5
+        numpy.testing.assert_allclose(arrays_of(whole)[2], outwards, atol=1e-7)
+
+    def test_angle(self):
+        for bend, count in ((29.9, 4), (30.1, 6)):
+            up = numpy.radians(bend)
+            points = [(0, 0, 0), (0, 1, 0), (-1, 0, 0), (numpy.cos(up), 0, numpy.sin(up))]
+            found = smooth(mesh_of(points, [(0, 1, 2), (1, 0, 3)]))
+            self.assertEqual(found.GetNumberOfPoints(), count)
+
+    def test_as_vtk(self):
+        """The points, their order, the corners and the normals are those of vtkPolyDataNormals."""
+        numbers = numpy.random.default_rng(8)
+        turn = 2 * numpy.pi * numpy.arange(400) / 400
+        tip = numpy.stack([numpy.cos(turn), numpy.sin(turn), 0 * turn], 1)
+        n = 20
+        grid = numpy.array([(i, j, 3 * numbers.random() * (i > 9))
+                            for i in range(n) for j in range(n)])  # fmt: skip
+        squares = [(i * n + j, i * n + j + n, i * n + j + n + 1, i * n + j + 1)
+                   for i in range(n - 1) for j in range(n - 1)]  # fmt: skip
+        tangle = [numbers.permutation(60)[: 3 + i % 3] for i in range(200)]
+        for points, polygons in (
+            (grid, squares),
+            (grid, [part for a, b, c, d in squares for part in ((a, b, c), (a, c, d))]),
+            (numpy.concatenate([[(0, 0, 0.2)], tip]), [(0, 1 + i, 1 + (i + 1) % 400)
+                                                       for i in range(400)]),
+            (numbers.normal(size=(60, 3)), tangle),
+        ):  # fmt: skip
+            for kind in (VTK_FLOAT, VTK_DOUBLE):
+                mesh = mesh_of(points, polygons, kind)
+                step = vtkPolyDataNormals()
+                step.ConsistencyOff()
+                step.SetInputData(mesh)
+                step.Update()
+                expected = arrays_of(step.GetOutput())
+                for _ in range(2):
+                    places, corners, normals = arrays_of(smooth(mesh))
+                    numpy.testing.assert_array_equal(places, expected[0])
+                    numpy.testing.assert_array_equal(corners, expected[1])
+                    numpy.testing.assert_allclose(normals, expected[2], atol=2e-6)
+                    mesh.GetPolys().ConvertTo32BitStorage()
+
+    def test_other_cells(self):
+        mesh = mesh_of([(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)], [(0, 1, 2), (0, 0, 0)])
+        lines = vtkCellArray()
+        lines.InsertNextCell(2, (0, 3))
+        mesh.SetLines(lines)
+        found = smooth(mesh)
+        self.assertIs(found.GetLines(), mesh.GetLines())
+        normals = arrays_of(found)[2]
+        numpy.testing.assert_array_equal(normals[1:4], [(0, 0, 1), (0, 0, 1), (0, 0, 0)])
+        self.assertEqual(smooth(vtkPolyData()).GetNumberOfPoints(), 0)
 
 
 if __name__ == "__main__":

@@ -108,6 +108,31 @@ class PLY(unittest.TestCase):
                     numpy.testing.assert_array_equal(vtk_to_numpy(points.GetData()), SQUARE)
                     self.assertEqual(self.corners(mesh.GetPolys()), [0, 1, 2, 3])
 
+    def test_sizes_of_faces(self):
+        """Of one size, or not, from any face on; as integers of every kind."""
+        for sizes in ([3] * 6, [4] * 5, [3, 3, 3, 4, 3], [4, 3, 4], [3, 0, 3], [0, 0, 3], [0, 0],
+                      [2, 2], [1, 3, 2, 4], [4, 4, 1]):  # fmt: skip
+            rows = [([(i + k) % 4 for k in range(size)], i) for i, size in enumerate(sizes)]
+            by_kind = [[row for row in rows if least <= len(row[0]) <= most]
+                       for least, most in ((1, 1), (2, 2), (3, 4))]  # fmt: skip
+            for form in FORMATS:
+                for kinds in (("uchar", "int"), ("uint", "uint"), ("short", "uchar")):
+                    element = faces(rows, [("short", "part")], kinds=kinds)
+                    mesh = self.read(make(form, [vertices(), element]))
+                    got = [mesh.GetVerts(), mesh.GetLines(), mesh.GetPolys()]
+                    for cells, expected in zip(got, by_kind):
+                        starts = list(vtk_to_numpy(cells.GetOffsetsArray()))
+                        ends = numpy.cumsum([0, *(len(row[0]) for row in expected)])
+                        self.assertEqual(starts if cells.GetNumberOfCells() else [0], list(ends))
+                        corners = [i for row in expected for i in row[0]]
+                        self.assertEqual(self.corners(cells), corners)
+                    parts = [row[1] for rows in by_kind for row in rows]
+                    self.assertEqual(list(self.array(mesh.GetCellData(), "part")), parts)
+        for form in FORMATS[1:]:
+            for kind, wrong in (("int", -1), ("uint", 2**32 - 1), ("uint", 4), ("int", 4)):
+                element = faces([([0, 1, 2],), ([0, 1, wrong],)], kinds=("uchar", kind))
+                self.read(make(form, [vertices(), element]), refused=["face 1:", f"not {wrong}"])
+
     def test_vtk(self):
         """What VTK's writer writes."""
         source = vtkSphereSource()
@@ -282,8 +307,10 @@ class PLY(unittest.TestCase):
                              faces([([0, 1, 2, 3], [0] * 8), ([1], [0, 1])],
                                    [(("uchar", "float"), "texcoord")])])
                  for form in FORMATS]  # fmt: skip
-        for i in range(2000):
-            text = bytearray(goods[i % 3])
+        goods += [make(form, [vertices(), faces([([0, 1, 2],), ([0, 2, 3],)])])
+                  for form in FORMATS[1:]]  # fmt: skip
+        for i in range(2500):
+            text = bytearray(goods[i % len(goods)])
             for _ in range(numbers.randint(1, 2)):
                 place = numbers.randrange(len(text))
                 if numbers.random() < 0.7:

@@ -16,12 +16,13 @@ import warnings
 import numpy
 import relievo
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkOutputWindow
-from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkUnsignedCharArray
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkImageData
 from vtkmodules.vtkFiltersCore import vtkTriangleFilter
+from vtkmodules.vtkIOGeometry import vtkSTLReader
 from vtkmodules.vtkIOLegacy import vtkPolyDataReader
 from vtkmodules.vtkIOXML import vtkXMLImageDataWriter, vtkXMLPolyDataWriter
-from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow
+from vtkmodules.vtkRenderingCore import vtkPolyDataMapper, vtkRenderer, vtkRenderWindow
 
 # A roof over a floor, in two heights, with values at the points.
 MESH = """# vtk DataFile Version 3.0
@@ -196,6 +197,102 @@ class Scene(unittest.TestCase):
         self.assertTrue(window.HasRenderer(other))
         self.assertEqual(window.GetSize(), SIZE)
         self.assertGreater(scene.renderer.VisibleActorCount(), 0)
+
+    def test_triangles_as_vtk_draws_them(self):
+        """Pictures and bounds are those of VTK's own mapper, however the surface is shown."""
+        numbers = numpy.random.default_rng(4)
+        points = numbers.normal(size=(300, 3))
+        points[-1] = 50  # which no triangle has
+        points[7] = points[8]
+        plain = numpy.array([three for three in numbers.integers(0, 299, (400, 3))
+                             if len({8 if i == 7 else i for i in three}) == 3])  # fmt: skip
+        thin = numpy.concatenate([[(7, 8, 9)], plain[:200], [(1, 1, 2)]])
+        window = vtkRenderWindow()
+        window.SetOffScreenRendering(1)
+        window.SetSize(*SIZE)
+
+        def draw():
+            window.Render()
+            pixels = vtkUnsignedCharArray()
+            window.GetRGBACharPixelData(0, 0, SIZE[0] - 1, SIZE[1] - 1, 1, pixels)
+            return vtk_to_numpy(pixels).copy()
+
+        for name, triangles in (("plain", plain), ("thin", thin)):
+            lines = ["OFF", f"{len(points)} {len(triangles)} 0"]
+            lines += [" ".join(map(str, row)) for row in points]
+            lines += [" ".join(map(str, (3, *row))) for row in triangles]
+            path = self.folder / f"{name}.off"
+            path.write_text("\n".join(lines))
+            scene = relievo.scene(path, preset="none")
+            scene.window = window
+            actor = scene.renderer.GetActors().GetLastActor()
+            own, vtks = actor.GetMapper(), vtkPolyDataMapper()
+            own.Update()
+            vtks.SetInputConnection(own.GetInputConnection(0, 0))
+            self.assertEqual(own.GetClassName(), vtks.GetClassName())
+            self.assertEqual(own.GetBounds(), vtks.GetBounds())
+            self.assertLess(own.GetBounds()[1], 50)
+            kept = own.GetInput().GetPolys()
+            half = vtkCellArray()
+            half.DeepCopy(kept)
+            for row in plain[:100]:
+                half.InsertNextCell(3, row)
+            look = actor.GetProperty()
+            seen = set()
+            for step, change in enumerate([
+                lambda: None, look.SetRepresentationToWireframe, look.SetRepresentationToSurface,
+                look.EdgeVisibilityOn, look.EdgeVisibilityOff, look.SetRepresentationToPoints,
+                look.SetRepresentationToSurface, lambda: own.GetInput().SetPolys(half),
+                lambda: look.SetInterpolationToFlat(), lambda: own.GetInput().SetPolys(kept),
+                lambda: own.GetInput().Modified(), look.VertexVisibilityOn,
+                look.VertexVisibilityOff, window.Finalize,
+            ]):  # fmt: skip
+                change()
+                pictures = []
+                for mapper in (own, vtks):
+                    actor.SetMapper(mapper)
+                    pictures.append(draw())
+                with self.subTest(name=name, step=step):
+                    numpy.testing.assert_array_equal(*pictures)
+                    seen.add(pictures[0].tobytes())
+            self.assertGreater(len(seen), 4)
+
+    def test_binary_stl_as_vtk_reads_it(self):
+        """Points in their order, also both zeros, NaN and infinity; no triangles of two points."""
+        numbers = numpy.random.default_rng(5)
+        corners = numbers.integers(-9, 9, (3000, 3, 3)) * numpy.float32(0.1)
+        corners[::7] *= -0.0
+        for name, places in (("finite", corners), ("not", corners.copy())):
+            if name == "not":
+                places[5, 1, 2] = places[9, 0] = numpy.nan
+                places[17, 2, 0] = numpy.inf
+            rows = numpy.zeros(3000, [("n", "<f4", 3), ("v", "<f4", (3, 3)), ("a", "<u2")])
+            rows["v"] = places
+            path = self.path(f"{name}.stl")
+            head = bytes(80) + struct.pack("<I", 3000)
+            pathlib.Path(path).write_bytes(head + rows.tobytes() + b"rest")
+            reader = vtkSTLReader()
+            reader.SetFileName(path)
+            reader.Update()
+            expected = reader.GetOutput()
+            scene = relievo.scene(path, shading="flat")
+            if name == "not":
+                scene.render(self.path("a.png"))
+                finite = numpy.isfinite(vtk_to_numpy(expected.GetPoints().GetData())).all(1)
+                kept = vtk_to_numpy(expected.GetPolys().GetConnectivityArray()).reshape(-1, 3)
+                left = (~finite[kept].all(1)).sum()
+                says = rf"left out {left} cells .* not finite \({(~finite).sum()} of"
+                self.assertRegex(" ".join(scene.notes), says)
+                continue
+            found = scene.renderer.GetActors().GetLastActor().GetMapper().GetInput()
+            for mesh in (expected, found):
+                self.assertEqual(mesh.GetPolys().IsHomogeneous(), 3)
+            numpy.testing.assert_array_equal(
+                vtk_to_numpy(found.GetPoints().GetData()).view("u4"),
+                vtk_to_numpy(expected.GetPoints().GetData()).view("u4"))  # fmt: skip
+            numpy.testing.assert_array_equal(
+                vtk_to_numpy(found.GetPolys().GetConnectivityArray()),
+                vtk_to_numpy(expected.GetPolys().GetConnectivityArray()))  # fmt: skip
 
     def test_what_a_script_changes_stays(self):
         """The frame, an actor of the script's, the camera: until update() or render()."""

@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// VTK's mapper of polygons, faster where all of them are triangles: the corners go to the GPU as
+// they lie in memory, where they are 32-bit integers, and the bounds are found in one pass. VTK
+// gathers the corners cell by cell in an array of its own. The picture is the same, and so is the
+// name of the class, by which passes know what a mapper draws.
+#ifndef TriangleMapper_h
+#define TriangleMapper_h
+
+#include "vtkOpenGLPolyDataMapper.h"
+
+#include <array>
+
+namespace scene
+{
+class TriangleMapper : public vtkOpenGLPolyDataMapper
+{
+public:
+  static TriangleMapper* New();
+  using Superclass = vtkOpenGLPolyDataMapper;
+
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+
+protected:
+  TriangleMapper() = default;
+  ~TriangleMapper() override = default;
+
+  void ComputeBounds() override;
+  void BuildIBO(vtkRenderer* renderer, vtkActor* actor, vtkPolyData* mesh) override;
+
+private:
+  std::array<vtkMTimeType, 2> Uploaded = {}; // the triangles and points on the GPU; 0: VTK's own
+  vtkMTimeType BoundsTime = 0;
+  std::array<double, 6> KnownBounds = {};
+
+  TriangleMapper(const TriangleMapper&) = delete;
+  void operator=(const TriangleMapper&) = delete;
+};
+}
+
+#endif
