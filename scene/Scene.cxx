@@ -352,8 +352,12 @@ Scene ReadScene(const RenderOptions& options, Progress& progress)
         surface = ShowImage(image, options.Image, scene.Renderer, path, progress);
         surface = surface ? MakeSurface(surface, smooth, path, progress) : nullptr;
       }
-      const auto parts = surface ? SplitByMaterials(surface, path, options.AllowedFolders, progress)
-                                 : std::vector<vtkSmartPointer<vtkActor>>();
+      auto parts = surface ? SplitByMaterials(surface, path, options.AllowedFolders, progress)
+                           : std::vector<vtkSmartPointer<vtkActor>>();
+      if (parts.empty() && surface)
+      {
+        parts = DrawTextured(surface, path, options.AllowedFolders, progress);
+      }
       for (vtkActor* actor : parts)
       {
         scene.Renderer->AddActor(actor);
