@@ -66,7 +66,7 @@ std::string GetForms()
   {
     forms += std::string(kind.Form) + ", ";
   }
-  return forms + "or a file .yml, .yaml or .json";
+  return forms + "or a file .yml, .yaml, .json, .xml or .txt";
 }
 
 // Words taken apart.
@@ -178,9 +178,11 @@ bool vtkRelievoCalibration::Fail(const std::string& text)
 //------------------------------------------------------------------------------
 bool vtkRelievoCalibration::IsFile(RELIEVO_TEXT words)
 {
-  const std::string extension = vtkRelievoCalibrationFile::GetExtension(words);
+  static const std::vector<std::string> extensions = { ".yml", ".yaml", ".json", ".xml", ".txt",
+    ".yml.gz", ".yaml.gz", ".json.gz", ".xml.gz" };
   return !FindKind(words.substr(0, words.find(':'))) &&
-    (extension == ".yml" || extension == ".yaml" || extension == ".json");
+    std::find(extensions.begin(), extensions.end(),
+      vtkRelievoCalibrationFile::GetExtension(words)) != extensions.end();
 }
 
 //------------------------------------------------------------------------------

@@ -18,7 +18,12 @@
  *   `distortion_model` (plumb_bob, rational_polynomial, equidistant, fisheye, division) or
  *   `fisheye_model`. Or a CameraInfo of ROS, with `width`, `height`, `K` or `k`, `D` or `d`.
  *   Matrices are objects of `rows`, `cols` and `data`, or lists. Of YAML this subset is read; other
- *   entries are left.
+ *   entries are left. Or Kalibr's chain of one camera, and EuRoC's sensor.yaml, with `resolution`,
+ *   `intrinsics`, `camera_model` pinhole, and `distortion_model` radtan, radial-tangential,
+ *   equidistant or none.
+ * - `.xml`: OpenCV's. All of OpenCV's may be packed, with `.gz` behind.
+ * - `.txt`: COLMAP's cameras.txt of one camera: SIMPLE_PINHOLE, PINHOLE, SIMPLE_RADIAL, RADIAL,
+ *   OPENCV, FULL_OPENCV, OPENCV_FISHEYE, SIMPLE_RADIAL_FISHEYE, RADIAL_FISHEYE.
  *
  * A file's intrinsics hold for its size; for a picture of another size and the same shape they are
  * scaled.

@@ -2,9 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRelievoCalibrationFile.h"
 
+#include "vtkRelievoCalibrationForms.h"
 #include "vtkRelievoLensCamera.h"
-
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <charconv>
@@ -19,24 +18,18 @@
 namespace
 {
 using Json = nlohmann::json;
+using vtkRelievoCalibrationForms::Trim;
 using Numbers = std::vector<double>;
 
 constexpr std::size_t MostBytes = std::size_t(1) << 26; // of a file
-constexpr int MostDepth = 8;                            // of lists in lists, and objects in objects
+constexpr int MostDepth = vtkRelievoCalibrationForms::MostDepth;
 
 int GetLens(const std::string& name)
 {
-  return name == "brown" ? vtkRelievoLensCamera::BROWN_CONRADY
-    : name == "fisheye"  ? vtkRelievoLensCamera::FISHEYE
-                         : vtkRelievoLensCamera::DIVISION;
-}
-
-std::string Trim(const std::string& text)
-{
-  const char* const blanks = " \t\r\n";
-  const std::size_t first = text.find_first_not_of(blanks);
-  return first == std::string::npos ? ""
-                                    : text.substr(first, text.find_last_not_of(blanks) - first + 1);
+  return name == "pinhole" ? vtkRelievoLensCamera::PINHOLE
+    : name == "brown"      ? vtkRelievoLensCamera::BROWN_CONRADY
+    : name == "fisheye"    ? vtkRelievoLensCamera::FISHEYE
+                           : vtkRelievoLensCamera::DIVISION;
 }
 
 // YAML, as far as calibrations need it.
@@ -191,8 +184,8 @@ Json ReadYAMLValue(Lines lines, int depth)
   return number ? Json(*number) : Json(first);
 }
 
-// What is read: its names in OpenCV's files and those of ROS's calibrator, and in a CameraInfo of
-// ROS 1 and 2.
+// What is read: its names in OpenCV's files and those of ROS's calibrator, in a CameraInfo of ROS 1
+// and 2, and in the files of Kalibr and EuRoC.
 enum
 {
   WIDTH,
@@ -203,12 +196,16 @@ enum
   FISHEYE_MODEL,
   BINNING_X,
   BINNING_Y,
-  REGION
+  REGION,
+  CAMERA_MODEL,
+  INTRINSICS,
+  RESOLUTION
 };
 const std::vector<std::string> EntryNames[] = { { "image_width", "width" },
   { "image_height", "height" }, { "camera_matrix", "K", "k" },
-  { "distortion_coefficients", "D", "d" }, { "distortion_model" }, { "fisheye_model" },
-  { "binning_x" }, { "binning_y" }, { "roi" } };
+  { "distortion_coefficients", "D", "d", "distortion_coeffs" }, { "distortion_model" },
+  { "fisheye_model" }, { "binning_x" }, { "binning_y" }, { "roi" }, { "camera_model" },
+  { "intrinsics" }, { "resolution" } };
 
 struct Entry
 {
@@ -228,16 +225,16 @@ Entry FindEntry(const Json& file, int which)
   return { EntryNames[which][0], {} };
 }
 
-// The entries that are known, of a file in YAML.
-Json ReadYAML(const std::string& text)
+// A camera of Kalibr's: cam0, cam1, ...
+bool IsCameraName(const std::string& key)
 {
-  Lines lines;
-  for (const std::string& line : vtkRelievoCalibrationFile::Split(text, '\n'))
-  {
-    const bool isMark =
-      line.rfind('%', 0) == 0 || line.rfind("---", 0) == 0 || line.rfind("...", 0) == 0;
-    lines.push_back(isMark ? "" : DropComment(line));
-  }
+  return key.size() > 3 && key.rfind("cam", 0) == 0 &&
+    key.find_first_not_of("0123456789", 3) == std::string::npos;
+}
+
+// The entries that are known, of a map in YAML, and of the cameras in it.
+Json PickEntries(const Lines& lines, bool hasCameras)
+{
   Json file = Json::object();
   for (const auto& [key, value] : GetEntries(lines))
   {
@@ -248,8 +245,24 @@ Json ReadYAML(const std::string& text)
         file[key] = ReadYAMLValue(value, 1);
       }
     }
+    if (hasCameras && IsCameraName(key))
+    {
+      file[key] = PickEntries(Lines(value.begin() + 1, value.end()), false);
+    }
   }
   return file;
+}
+
+Json ReadYAML(const std::string& text)
+{
+  Lines lines;
+  for (const std::string& line : vtkRelievoCalibrationFile::Split(text, '\n'))
+  {
+    const bool isMark =
+      line.rfind('%', 0) == 0 || line.rfind("---", 0) == 0 || line.rfind("...", 0) == 0;
+    lines.push_back(isMark ? "" : DropComment(line));
+  }
+  return PickEntries(lines, true);
 }
 
 // The numbers of a matrix, row by row; none if it is no matrix.
@@ -301,8 +314,9 @@ bool AreAllFinite(const Numbers& numbers)
 std::string GetLensName(const Json& file)
 {
   static const std::vector<std::pair<std::string, std::string>> names = { { "plumb_bob", "brown" },
-    { "rational_polynomial", "brown" }, { "equidistant", "fisheye" }, { "fisheye", "fisheye" },
-    { "division", "division" }, { "", "brown" } };
+    { "rational_polynomial", "brown" }, { "radtan", "brown" }, { "radial-tangential", "brown" },
+    { "equidistant", "fisheye" }, { "equi", "fisheye" }, { "fisheye", "fisheye" },
+    { "division", "division" }, { "none", "pinhole" }, { "", "brown" } };
   const Json flag = FindEntry(file, FISHEYE_MODEL).Value;
   if ((flag.is_number() && flag.get<double>() != 0.0) || (flag.is_boolean() && flag.get<bool>()))
   {
@@ -363,9 +377,62 @@ void TakePart(const Json& file, vtkRelievoCalibrationFile& found)
   }
 }
 
-vtkRelievoCalibrationFile Interpret(const Json& file)
+// The one camera of Kalibr's chain in place of the chain, and size and matrix in place of the
+// resolution and the intrinsics of Kalibr and EuRoC. What is wrong with them; empty: nothing.
+std::string TakeKalibr(Json& file)
+{
+  std::vector<std::string> cameras;
+  for (const auto& [key, value] : file.items())
+  {
+    if (IsCameraName(key) && value.is_object())
+    {
+      cameras.push_back(key);
+    }
+  }
+  if (cameras.size() > 1)
+  {
+    return "it has " + std::to_string(cameras.size()) + " cameras, " + cameras.front() + " to " +
+      cameras.back() + ", expected one; leave one of them in a file of its own";
+  }
+  if (!cameras.empty())
+  {
+    file = Json(file[cameras[0]]);
+  }
+  const Json intrinsics = FindEntry(file, INTRINSICS).Value;
+  if (intrinsics.is_null() || !FindEntry(file, MATRIX).Value.is_null())
+  {
+    return "";
+  }
+  const Json model = FindEntry(file, CAMERA_MODEL).Value;
+  if (!(model.is_null() || model == "pinhole"))
+  {
+    return "camera_model: got " + model.dump() + ", expected pinhole; " +
+      "other models, as omni, eucm and ds, are not read";
+  }
+  const Numbers k = GetMatrix(intrinsics).value_or(Numbers());
+  if (k.size() != 4)
+  {
+    return "intrinsics: expected 4 numbers: fx, fy, cx, cy";
+  }
+  const Json resolution = FindEntry(file, RESOLUTION).Value;
+  if (!resolution.is_array() || resolution.size() != 2)
+  {
+    return "resolution: expected 2 numbers: columns, rows";
+  }
+  file["image_width"] = resolution[0];
+  file["image_height"] = resolution[1];
+  file["camera_matrix"] = { k[0], 0.0, k[2], 0.0, k[1], k[3], 0.0, 0.0, 1.0 };
+  return "";
+}
+
+vtkRelievoCalibrationFile Interpret(Json file)
 {
   vtkRelievoCalibrationFile found;
+  found.Wrong = TakeKalibr(file);
+  if (!found.Wrong.empty())
+  {
+    return found;
+  }
   for (int i = 0; i < 2; ++i)
   {
     const auto [name, size] = FindEntry(file, i == 0 ? WIDTH : HEIGHT);
@@ -396,7 +463,7 @@ vtkRelievoCalibrationFile Interpret(const Json& file)
   if (found.Kind.empty())
   {
     found.Wrong = "distortion_model: got " + FindEntry(file, MODEL).Value.dump() +
-      ", expected plumb_bob, rational_polynomial, equidistant, fisheye or division";
+      ", expected plumb_bob, radtan, rational_polynomial, equidistant, fisheye, division or none";
     return found;
   }
   const Entry coefficients = FindEntry(file, COEFFICIENTS);
@@ -419,12 +486,24 @@ vtkRelievoCalibrationFile Interpret(const Json& file)
   {
     found.Values.pop_back();
   }
+  if (found.Kind == "brown" && found.Values.size() == 1)
+  {
+    found.Values.push_back(0.0); // k1 alone
+  }
   if (!values || !AreAllFinite(*values) || !isTaken())
   {
     found.Wrong = coefficients.Name + ": " +
       (values ? "got " + std::to_string(values->size()) + " numbers, " : "") + "expected " +
       vtkRelievoLensCamera::GetCounts(lens) + " finite numbers, of the lens " + found.Kind +
       ", and zeros behind them";
+    if (found.Kind == "brown" && found.Values.size() == 3)
+    {
+      found.Wrong += "; the third is p1 in OpenCV's order, k3 stands behind p1 and p2";
+    }
+    else if (found.Kind == "brown" && found.Values.size() > 8)
+    {
+      found.Wrong += "; thin prisms (s1 to s4) and tilted sensors (tau) are not drawn";
+    }
     return found;
   }
   if (found.Kind != "fisheye" &&
@@ -465,11 +544,16 @@ std::vector<std::string> vtkRelievoCalibrationFile::Split(const std::string& tex
 //------------------------------------------------------------------------------
 std::string vtkRelievoCalibrationFile::GetExtension(const std::string& path)
 {
-  const std::size_t dot = path.rfind('.');
-  std::string extension = dot == std::string::npos ? "" : path.substr(dot);
-  std::transform(extension.begin(), extension.end(), extension.begin(),
+  std::string name = path;
+  std::transform(name.begin(), name.end(), name.begin(),
     [](char letter) { return letter >= 'A' && letter <= 'Z' ? char(letter + 32) : letter; });
-  return extension;
+  std::size_t dot = name.rfind('.');
+  if (dot != std::string::npos && dot > 0 && name.compare(dot, std::string::npos, ".gz") == 0)
+  {
+    const std::size_t inner = name.rfind('.', dot - 1);
+    dot = inner == std::string::npos ? dot : inner;
+  }
+  return dot == std::string::npos ? "" : name.substr(dot);
 }
 
 //------------------------------------------------------------------------------
@@ -496,8 +580,18 @@ vtkRelievoCalibrationFile vtkRelievoCalibrationFile::Read(const std::string& pat
     failed.Wrong = isLarge ? "it is larger than a calibration is" : "cannot be read";
     return failed;
   }
+  std::string extension = GetExtension(path);
+  if (extension.size() > 3 && extension.substr(extension.size() - 3) == ".gz")
+  {
+    extension.resize(extension.size() - 3);
+    if (!vtkRelievoCalibrationForms::Unpack(text, MostBytes))
+    {
+      failed.Wrong = "expected data of gzip, whole, and no more of it than a calibration has";
+      return failed;
+    }
+  }
   Json file;
-  if (GetExtension(path) == ".json")
+  if (extension == ".json")
   {
     // Deeper values are no part of a calibration; OpenCV's files may have comments.
     const auto isHigh = [](int depth, Json::parse_event_t, const Json&) {
@@ -505,15 +599,29 @@ vtkRelievoCalibrationFile vtkRelievoCalibrationFile::Read(const std::string& pat
     };
     file = Json::parse(text, isHigh, false, true);
   }
+  else if (extension == ".xml")
+  {
+    file = vtkRelievoCalibrationForms::ReadXML(text);
+  }
+  else if (extension == ".txt")
+  {
+    file = vtkRelievoCalibrationForms::ReadCOLMAP(text, failed.Wrong);
+    if (!failed.Wrong.empty())
+    {
+      return failed;
+    }
+  }
   else
   {
     file = ReadYAML(text);
   }
   if (!file.is_object())
   {
-    failed.Wrong = "it is no JSON object, expected camera_matrix, image_width, image_height and "
-                   "distortion_coefficients";
+    failed.Wrong = std::string("it is no ") +
+      (extension == ".xml" ? "opencv_storage of XML" : "JSON object") +
+      ", expected camera_matrix, image_width, image_height and "
+      "distortion_coefficients";
     return failed;
   }
-  return Interpret(file);
+  return Interpret(std::move(file));
 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What a calibration's file says, as OpenCV and ROS write it in YAML or JSON.
+// What a calibration's file says, as OpenCV, ROS, Kalibr, EuRoC and COLMAP write it.
 #ifndef vtkRelievoCalibrationFile_h
 #define vtkRelievoCalibrationFile_h
 
@@ -27,7 +27,7 @@ struct vtkRelievoCalibrationFile
       k[4] > 0.0 && k[3] == 0.0 && k[6] == 0.0 && k[7] == 0.0 && k[8] == 1.0;
   }
 
-  // In lower case, with its dot.
+  // In lower case, with its dot, and with that before .gz.
   static std::string GetExtension(const std::string& path);
 
   // A word that is a finite number, in every locale.

@@ -33,6 +33,7 @@
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkProperty.h"
+#include "vtkRelievoFormulas.h"
 #include "vtkRelievoFramePass.h"
 #include "vtkRelievoNullLight.h"
 #include "vtkRelievoScaleBar.h"
@@ -165,6 +166,77 @@ std::string WhyNothing(const std::string& path)
 
 }
 
+namespace
+{
+//------------------------------------------------------------------------------
+// How bright the files' lights, in lux and candela, make a white surface in the middle of the scene
+// that faces one of them; white is 1.
+double FindBrightness(const Scene& scene, Shading shading)
+{
+  const vtkBoundingBox box(scene.Bounds);
+  if (!box.IsValid())
+  {
+    return 0.0;
+  }
+  double center[3];
+  box.GetCenter(center);
+  const double nearest = 0.25 * box.GetDiagonalLength(); // of lamps among what they light
+  std::vector<std::array<double, 3>> all;                // the way to each, as long as it is bright
+  for (const PosedModel& model : scene.Models)
+  {
+    for (int i = 0; i < model.Reader->GetNumberOfLights(); ++i)
+    {
+      vtkLight* light = model.Reader->GetLight(i);
+      std::array<double, 3> towards;
+      light->GetTransformedPosition(towards.data());
+      double target[3];
+      light->GetTransformedFocalPoint(target);
+      vtkMath::Subtract(towards.data(), light->GetPositional() ? center : target, towards.data());
+      const double distance = vtkMath::Normalize(towards.data());
+      const double* color = light->GetDiffuseColor();
+      const double divisor =
+        light->GetPositional() ? std::pow(std::max(distance, nearest), 2.0) : 1.0;
+      vtkMath::MultiplyScalar(
+        towards.data(), light->GetIntensity() * *std::max_element(color, color + 3) / divisor);
+      all.push_back(towards);
+    }
+  }
+  double brightest = 0.0;
+  for (const std::array<double, 3>& one : all)
+  {
+    double sum = 0.0;
+    for (const std::array<double, 3>& other : all)
+    {
+      sum += std::max(0.0, vtkMath::Dot(one.data(), other.data()));
+    }
+    brightest = std::max(brightest, sum / std::max(vtkMath::Norm(one.data()), 1e-300));
+  }
+  // VTK's PBR shows a power of the light, and the frame takes what VTK shows as sRGB.
+  const bool isPBR = shading == Shading::FromFile || shading == Shading::PBR;
+  return relievo::f64::relievoLinearFromSrgb(
+    isPBR ? std::pow(brightest / vtkMath::Pi(), 1.0 / 2.2) : brightest);
+}
+
+//------------------------------------------------------------------------------
+// The exposure, in stops, at which the files' lights make white of white. None where the options
+// say one, or where nothing is brighter.
+std::optional<double> FindExposure(const Scene& scene, const RenderOptions& options)
+{
+  const auto exposes = [](const StageChoice& stage) {
+    return stage.Name == "tone" &&
+      std::any_of(stage.Parameters.begin(), stage.Parameters.end(),
+        [](const auto& each) { return each.first == "exposure" || each.first == "auto_exposure"; });
+  };
+  if (!options.YieldsToFile || !scene.HasLights || options.Certify ||
+    std::any_of(options.Stages.begin(), options.Stages.end(), exposes))
+  {
+    return std::nullopt;
+  }
+  const double stops = -std::log2(std::max(FindBrightness(scene, options.ShadingKind), 1.0));
+  return stops < 0.0 ? std::optional<double>(std::max(stops, -20.0)) : std::nullopt;
+}
+}
+
 //------------------------------------------------------------------------------
 RenderOptions FollowFile(RenderOptions options, const Scene& scene)
 {
@@ -175,6 +247,17 @@ RenderOptions FollowFile(RenderOptions options, const Scene& scene)
   if (options.YieldsToFile && scene.HasLights)
   {
     options.Lights.clear();
+    if (const std::optional<double> stops = FindExposure(scene, options))
+    {
+      const bool isToned = std::any_of(options.Stages.begin(), options.Stages.end(),
+        [](const StageChoice& stage) { return stage.Name == "tone"; });
+      auto& parameters = AddStage(options.Stages, "tone", "--preset").Parameters;
+      parameters.emplace_back("exposure", WriteNumber(*stops));
+      if (!isToned)
+      {
+        parameters.emplace_back("operator", "clamp"); // white stays white
+      }
+    }
   }
   return options;
 }
@@ -352,8 +435,12 @@ Scene ReadScene(const RenderOptions& options, Progress& progress)
         surface = ShowImage(image, options.Image, scene.Renderer, path, progress);
         surface = surface ? MakeSurface(surface, smooth, path, progress) : nullptr;
       }
-      const auto parts = surface ? SplitByMaterials(surface, path, options.AllowedFolders, progress)
-                                 : std::vector<vtkSmartPointer<vtkActor>>();
+      auto parts = surface ? SplitByMaterials(surface, path, options.AllowedFolders, progress)
+                           : std::vector<vtkSmartPointer<vtkActor>>();
+      if (parts.empty() && surface)
+      {
+        parts = DrawTextured(surface, path, options.AllowedFolders, progress);
+      }
       for (vtkActor* actor : parts)
       {
         scene.Renderer->AddActor(actor);
@@ -386,6 +473,14 @@ Scene ReadScene(const RenderOptions& options, Progress& progress)
     }
     Messages::Check(
       path, !shows, shows ? "" : "holds nothing that can be drawn: " + WhyNothing(path));
+  }
+  scene.Renderer->ComputeVisiblePropBounds(scene.Bounds);
+  if (const std::optional<double> stops = FindExposure(scene, options))
+  {
+    Messages::Note("the files' lights, in lux and candela, are brighter than white: drawn with "
+                   "--exposure " +
+      WriteNumber(std::round(100.0 * *stops) / 100.0) +
+      ", which darkens the background too; give --exposure to choose it");
   }
   return scene;
 }

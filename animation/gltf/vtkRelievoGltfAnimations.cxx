@@ -186,11 +186,18 @@ private:
     for (std::size_t i = 0; i < count; ++i)
     {
       const double time = keys.Times->Values[i];
-      if (!std::isfinite(time) || time < 0. || (i > 0 && time <= keys.Times->Values[i - 1]))
+      if (!std::isfinite(time) || time < 0. || (i > 0 && time < keys.Times->Values[i - 1]))
       {
         input.Fail("has the time " + std::to_string(time) + " as number " + std::to_string(i) +
           "; expected ascending times of 0 and more");
       }
+    }
+    const std::vector<double>& times = keys.Times->Values;
+    const auto again = std::adjacent_find(times.begin(), times.end());
+    if (again != times.end())
+    {
+      this->Result.Notes.push_back(input.GetPlace() + " has the time " + std::to_string(*again) +
+        " more than once; the value changes at once there");
     }
     const std::vector<double>& all = keys.Values->Values;
     if (!std::all_of(all.begin(), all.end(), [](double v) { return std::isfinite(v); }))

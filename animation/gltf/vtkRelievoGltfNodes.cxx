@@ -97,8 +97,10 @@ std::vector<int> ReadParents(const GltfValue& nodes, std::vector<std::vector<int
   return parents;
 }
 
-// The roots of the scene: the file's own choice, else the first; without scenes all there are.
-std::vector<int> ReadRoots(const GltfDocument& document, const std::vector<int>& parents)
+// The roots of the scene: the file's own choice, else the first; without scenes all there are. A
+// node that stands below another one of them is none.
+std::vector<int> ReadRoots(
+  const GltfDocument& document, const std::vector<int>& parents, std::vector<std::string>& notes)
 {
   const GltfValue scenes = document.Get("scenes");
   const int chosen = document.Get("scene").GetIndex("scenes", scenes.GetSize());
@@ -115,15 +117,33 @@ std::vector<int> ReadRoots(const GltfDocument& document, const std::vector<int>&
     return roots;
   }
   const GltfValue list = scenes.At(static_cast<std::size_t>(std::max(chosen, 0))).Get("nodes");
+  std::vector<bool> isNamed(parents.size(), false);
   for (std::size_t i = 0; i < list.GetSize(); ++i)
   {
     const int root = list.At(i).GetIndex("nodes", parents.size());
-    if (parents[static_cast<std::size_t>(root)] >= 0)
+    isNamed[static_cast<std::size_t>(root)] = true;
+  }
+  for (std::size_t i = 0; i < list.GetSize(); ++i)
+  {
+    const int root = list.At(i).GetIndex("nodes", parents.size());
+    const int parent = parents[static_cast<std::size_t>(root)];
+    if (parent < 0)
     {
-      list.At(i).Fail("names nodes[" + std::to_string(root) + "], which is a child of nodes[" +
-        std::to_string(parents[static_cast<std::size_t>(root)]) + "]; expected a root");
+      roots.push_back(root);
+      continue;
     }
-    roots.push_back(root);
+    int above = parent;
+    while (above >= 0 && !isNamed[static_cast<std::size_t>(above)])
+    {
+      above = parents[static_cast<std::size_t>(above)];
+    }
+    const std::string what = "names nodes[" + std::to_string(root) +
+      "], which is a child of nodes[" + std::to_string(parent) + "]";
+    if (above < 0)
+    {
+      list.At(i).Fail(what + "; expected a root");
+    }
+    notes.push_back(list.At(i).GetPlace() + " " + what + " and is drawn once, there");
   }
   return roots;
 }
@@ -187,7 +207,7 @@ GltfNodes ReadGltfNodes(const GltfDocument& document, Model& model)
   const std::vector<int> parents = ReadParents(list, children);
   GltfNodes nodes;
   std::vector<bool> known(parents.size(), false);
-  Walk(ReadRoots(document, parents), children, known, nodes.Shown);
+  Walk(ReadRoots(document, parents, model.Notes), children, known, nodes.Shown);
   std::vector<int> order = nodes.Shown;
   Walk(FindRootsOfJoints(document, nodes.Shown, parents, known), children, known, order);
   nodes.Numbers.assign(parents.size(), -1);

@@ -275,6 +275,67 @@ std::string ReadNodes(const aiScene* scene, NodeNumbers& numbers,
   return "";
 }
 
+// FBX gives each node a manner to take its parent's scale, and Assimp multiplies matrices whatever
+// it is. Notes the nodes that are elsewhere by that: those that take none below a scaled parent.
+void NoteScales(const aiScene* scene, const std::vector<std::pair<const aiNode*, int>>& hung,
+  std::vector<std::string>& notes)
+{
+  constexpr std::int32_t takesNone = 2; // Rrs
+  constexpr float least = 1e-3f;
+  // Of one node of the file Assimp may make a chain, each part of this in its name.
+  const std::string part = "_$AssimpFbx$_";
+  const auto isPartOf = [&part](const aiNode* node, const std::string& name) {
+    return std::string(node->mName.C_Str()).rfind(name + part, 0) == 0;
+  };
+  const auto isScaled = [scene](const aiNode* node) {
+    aiVector3D scale;
+    aiVector3D place;
+    aiQuaternion turn;
+    node->mTransformation.Decompose(scale, turn, place);
+    const auto isOff = [](const aiVector3D& v) { return !v.Equal(aiVector3D(1.f), least); };
+    bool scaled = isOff(scale);
+    for (unsigned int i = 0; i < scene->mNumAnimations; ++i)
+    {
+      const aiAnimation* animation = scene->mAnimations[i];
+      for (unsigned int j = 0; j < animation->mNumChannels; ++j)
+      {
+        const aiNodeAnim* channel = animation->mChannels[j];
+        scaled = scaled ||
+          (channel->mNodeName == node->mName &&
+            std::any_of(channel->mScalingKeys, channel->mScalingKeys + channel->mNumScalingKeys,
+              [&isOff](const aiVectorKey& key) { return isOff(key.mValue); }));
+      }
+    }
+    return scaled;
+  };
+  for (const auto& [node, number] : hung)
+  {
+    std::int32_t manner = 0;
+    if (!node->mMetaData || !node->mMetaData->Get("InheritType", manner) || manner != takesNone)
+    {
+      continue;
+    }
+    const std::string name = node->mName.C_Str();
+    const aiNode* parent = node->mParent;
+    while (parent && isPartOf(parent, name))
+    {
+      parent = parent->mParent;
+    }
+    const std::string above = parent ? parent->mName.C_Str() : "";
+    bool scaled = parent && isScaled(parent);
+    for (const aiNode* at = parent ? parent->mParent : nullptr; at && isPartOf(at, above);
+         at = at->mParent)
+    {
+      scaled = scaled || isScaled(at);
+    }
+    if (scaled)
+    {
+      notes.push_back("node '" + name + "' is to leave out the scale of its parent '" + above +
+        "' (InheritType 2), and is drawn with it; bake the scale before exporting");
+    }
+  }
+}
+
 // Assimp's steps after reading trust every number of a point. Returns what is wrong, or "". Weights
 // of points that are not there lose their value, and are counted with those.
 std::string CheckMeshes(const aiScene* scene)
@@ -347,6 +408,7 @@ std::string Import(const std::string& path, const vtkRelievoAllowedFolders& allo
   {
     return wrong;
   }
+  NoteScales(scene, hung, model.Notes);
   std::vector<glm::dmat4> locals;
   for (const ModelNode& node : model.Nodes)
   {

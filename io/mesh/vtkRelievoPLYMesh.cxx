@@ -5,12 +5,14 @@
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkErrorCode.h"
+#include "vtkFieldData.h"
 #include "vtkFloatArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
+#include "vtkStringArray.h"
 #include "vtkTypeInt32Array.h"
 #include "vtkUnsignedCharArray.h"
 
@@ -473,5 +475,15 @@ void MakeMesh(Content& content, vtkPolyData* mesh)
   mesh->SetPoints(corners);
   arrays.AddTo(mesh->GetPointData(), places);
   points.AddTo(mesh->GetPointData());
+  if (!content.Textures.empty())
+  {
+    vtkNew<vtkStringArray> names;
+    names->SetName("TextureFiles");
+    for (const std::string& name : content.Textures)
+    {
+      names->InsertNextValue(name);
+    }
+    mesh->GetFieldData()->AddArray(names);
+  }
 }
 }

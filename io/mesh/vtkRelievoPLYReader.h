@@ -19,7 +19,7 @@
  * a list `texcoord`, two numbers for each corner, points at which it differs are split: the first
  * use has the point's number and the others get points at the end. Without faces, the triangles of
  * the element `tristrips` are read, else lines of `edge` (`vertex1`, `vertex2`). Other elements are
- * skipped.
+ * skipped. The files that comments `TextureFile` name are the field array `TextureFiles` (text).
  *
  * Errors: one error event names the file, the element or the line, and what was expected, in
  * particular where the file ends before what its header announces; GetErrorCode() is set and the

@@ -197,6 +197,15 @@ private:
       {
         this->AddColumn(words);
       }
+      else if (word == "comment" && words.size() > 2 && words[1] == "TextureFile")
+      {
+        std::string name = words[2];
+        for (std::size_t i = 3; i < words.size(); ++i)
+        {
+          name += ' ' + words[i];
+        }
+        this->Out.Textures.push_back(name);
+      }
       else if (!word.empty() && word != "comment" && word != "obj_info")
       {
         this->RefuseLine("a line of a header, not '" + Show(word) + "'");

@@ -151,6 +151,7 @@ struct Element
 struct Content
 {
   std::vector<Element> Elements;
+  std::vector<std::string> Textures; // names of files, of the comments TextureFile
 
   Element* Find(const std::string& name)
   {

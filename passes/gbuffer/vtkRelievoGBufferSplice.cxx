@@ -146,6 +146,12 @@ std::string vtkRelievoGBufferSplice::Fill(std::string& vertex, std::string& geom
     FillVarying(vertex, geometry, fragment, "gbuffer/glyph_depth.glsl", false);
   }
 
+  if (mode.LayersOnly)
+  {
+    // Of edges: half a line's width around each triangle.
+    vtkShaderProgram::Substitute(geometry, " + offsets[i]*", " + 0.0*", false);
+  }
+
   // VTK's own, of edges and wide lines, hand the number on as well.
   if (numbered && layout.IdWord >= 0 && geometry.empty() &&
     mode.PrimitiveIds == vtkRelievoPrimitiveIds::ThroughGeometryShader)

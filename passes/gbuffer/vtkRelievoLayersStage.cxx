@@ -199,6 +199,10 @@ bool vtkRelievoLayersStage::Prepare(vtkRelievoFrameContext& context)
   {
     in.NotShared = "far / near is beyond 1e4, where window z orders fragments no more";
   }
+  else if (in.Props.ShowsEdges() && !in.ShadingAsked)
+  {
+    in.NotShared = "the edges of faces are shown, and reach beyond them";
+  }
   return true;
 }
 

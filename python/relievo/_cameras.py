@@ -361,8 +361,8 @@ def lens(words, size=None, view_angle=30, R=None, t=None):
 
     words: pinhole, brown:K1,K2[,P1,P2[,K3[,K4,K5,K6]]], fisheye[:K1,K2,K3,K4], division:K, each
         with ,K=FX/FY/CX/CY or ,angle=DEG by choice; equirectangular[:H,V]; cube;
-        orthographic[:PIXELS]. Or the name of a file .yml, .yaml or .json as OpenCV and ROS write
-        it.
+        orthographic[:PIXELS]. Or the name of a file .yml, .yaml, .json or .xml, also with .gz, as
+        OpenCV, ROS, Kalibr and EuRoC write it, or of COLMAP's cameras.txt.
     size: (columns, rows) of the picture; None for the file's. A file's K is scaled to it.
     view_angle: degrees that the height of the picture spans, where the words say neither.
 

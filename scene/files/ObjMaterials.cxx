@@ -180,24 +180,14 @@ void DropFlatTextureCoordinates(vtkPolyData* part)
 }
 
 //------------------------------------------------------------------------------
-void Wear(vtkActor* actor, const MtlMaterial& material, const std::string& path,
-  const vtkRelievoAllowedFolders& allowed, Progress& progress)
+// `key`: what names the texture.
+void PutTexture(vtkActor* actor, const MtlMaterial& material, const std::string& key,
+  const std::string& path, const vtkRelievoAllowedFolders& allowed, Progress& progress)
 {
-  vtkProperty* property = actor->GetProperty();
-  property->SetDiffuseColor(material.Diffuse);
-  property->SetSpecularColor(material.Specular);
-  const double strongest = *std::max_element(material.Specular, material.Specular + 3);
-  property->SetSpecular(material.Highlights && strongest > 0.0 ? 1.0 : 0.0);
-  property->SetSpecularPower(material.Exponent);
-  property->SetOpacity(material.Opacity);
-  if (material.Texture.empty())
-  {
-    return;
-  }
   try
   {
     CheckAllowed(material.Texture, allowed);
-    CheckImage("map_Kd", material.Texture);
+    CheckImage(key, material.Texture);
     const vtkSmartPointer<vtkImageData> image = ReadImage(material.Texture, progress);
     const vtkSmartPointer<vtkTexture> texture = MakeTexture(image);
     const auto& [scaleU, scaleV] = material.TextureScale;
@@ -227,6 +217,56 @@ void Wear(vtkActor* actor, const MtlMaterial& material, const std::string& path,
     Messages::Note(path + ": drawn without a texture: " + error.what());
   }
 }
+
+//------------------------------------------------------------------------------
+void Wear(vtkActor* actor, const MtlMaterial& material, const std::string& path,
+  const vtkRelievoAllowedFolders& allowed, Progress& progress)
+{
+  vtkProperty* property = actor->GetProperty();
+  property->SetDiffuseColor(material.Diffuse);
+  property->SetSpecularColor(material.Specular);
+  const double strongest = *std::max_element(material.Specular, material.Specular + 3);
+  property->SetSpecular(material.Highlights && strongest > 0.0 ? 1.0 : 0.0);
+  property->SetSpecularPower(material.Exponent);
+  property->SetOpacity(material.Opacity);
+  if (material.Texture.empty())
+  {
+    return;
+  }
+  PutTexture(actor, material, "map_Kd", path, allowed, progress);
+}
+}
+
+//------------------------------------------------------------------------------
+std::vector<vtkSmartPointer<vtkActor>> DrawTextured(vtkDataObject* surface, const std::string& path,
+  const std::vector<std::string>& folders, Progress& progress)
+{
+  auto* mesh = vtkPolyData::SafeDownCast(surface);
+  const std::vector<std::string> names =
+    mesh ? GetStrings(mesh, "TextureFiles") : std::vector<std::string>();
+  if (ExtensionOf(path) != ".ply" || names.empty())
+  {
+    return {};
+  }
+  if (names.size() > 1 || !mesh->GetPointData()->GetTCoords())
+  {
+    Messages::Note(path + ": drawn without " +
+      (names.size() > 1 ? "its " + std::to_string(names.size()) + " textures, expected one"
+                        : names[0] + ", for want of texture coordinates"));
+    return {};
+  }
+  const vtkRelievoAllowedFolders allowed(path, folders);
+  // Colours would be multiplied with the texture; they stay as arrays.
+  vtkNew<vtkPolyData> plain;
+  plain->ShallowCopy(mesh);
+  plain->GetPointData()->SetActiveScalars(nullptr);
+  plain->GetCellData()->SetActiveScalars(nullptr);
+  const vtkSmartPointer<vtkActor> actor = DrawSurface(plain);
+  MtlMaterial material;
+  material.Texture = FindNamedFile(names[0], std::filesystem::path(path).parent_path(), allowed);
+  PutTexture(actor, material, "TextureFile", path, allowed, progress);
+  return actor->GetTexture() ? std::vector<vtkSmartPointer<vtkActor>>{ actor }
+                             : std::vector<vtkSmartPointer<vtkActor>>();
 }
 
 //------------------------------------------------------------------------------

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Materials of OBJ files: colours, highlights, opacity and textures of their MTL libraries.
+ * Materials of OBJ files: colours, highlights, opacity and textures of their MTL libraries; and the
+ * textures of PLY files.
  */
 #ifndef ObjMaterials_h
 #define ObjMaterials_h
@@ -25,6 +26,12 @@ class Progress;
 /// noted, and drawn without.
 std::vector<vtkSmartPointer<vtkActor>> SplitByMaterials(vtkDataObject* surface,
   const std::string& path, const std::vector<std::string>& folders, Progress& progress);
+
+/// An actor for the surface of a PLY file with the texture that its comment `TextureFile` names, in
+/// place of colours; none for any other surface. What cannot be read, or lies neither in the file's
+/// own folder nor in these, is noted, and drawn without.
+std::vector<vtkSmartPointer<vtkActor>> DrawTextured(vtkDataObject* surface, const std::string& path,
+  const std::vector<std::string>& folders, Progress& progress);
 }
 
 #endif

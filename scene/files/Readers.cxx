@@ -23,16 +23,16 @@
 #include "vtkGenericDataObjectReader.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
-#include "vtkRelievoAllowedFolders.h"
 #include "vtkPolyData.h"
+#include "vtkRelievoAllowedFolders.h"
 #include "vtkRelievoFileKind.h"
 #include "vtkRelievoOBJReader.h"
 #include "vtkRelievoOFFReader.h"
 #include "vtkRelievoPLYReader.h"
 #include "vtkSTLReader.h"
+#include "vtkTypeInt32Array.h"
 #include "vtkXMLDataElement.h"
 #include "vtkXMLDataParser.h"
-#include "vtkTypeInt32Array.h"
 #include "vtkXMLGenericDataObjectReader.h"
 
 #include <algorithm>

@@ -17,6 +17,7 @@
 #include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
+#include "vtkDataSetAttributes.h"
 #include "vtkGeometryFilter.h"
 #include "vtkIdList.h"
 #include "vtkImageData.h"
@@ -34,6 +35,9 @@
 #include "vtkRelievoPointNormals.h"
 #include "vtkRelievoVTKVersions.h"
 #include "vtkSMPTools.h"
+#include "vtkThreshold.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
 #include <numeric>
@@ -90,6 +94,53 @@ vtkSmartPointer<vtkDataObject> WithVertices(vtkDataObject* data)
 }
 
 //------------------------------------------------------------------------------
+// Whether a cell is hidden by the array vtkGhostType, as tools hide what is cut off.
+bool IsHidden(vtkDataSet* data, vtkIdType cell)
+{
+  return (data->GetCellGhostArray()->GetValue(cell) & vtkDataSetAttributes::HIDDENCELL) != 0;
+}
+
+bool HasHidden(vtkDataSet* data)
+{
+  const vtkIdType count = data->GetCellGhostArray() ? data->GetNumberOfCells() : 0;
+  vtkIdType cell = 0;
+  while (cell < count && !IsHidden(data, cell))
+  {
+    ++cell;
+  }
+  return cell < count;
+}
+
+// The polygons without hidden ones; those that are left keep their numbers as
+// `vtkOriginalCellIds`.
+vtkSmartPointer<vtkDataObject> LeaveOutHidden(vtkDataObject* surface)
+{
+  return ReplaceDataSets(surface, [](vtkDataObject* block) {
+    auto* mesh = vtkPolyData::SafeDownCast(block);
+    if (!mesh || !HasHidden(mesh))
+    {
+      return vtkSmartPointer<vtkDataObject>(block);
+    }
+    auto shown = vtkSmartPointer<vtkPolyData>::New();
+    shown->ShallowCopy(mesh);
+    if (!shown->GetCellData()->HasArray("vtkOriginalCellIds"))
+    {
+      NumberCells(shown);
+    }
+    shown->BuildCells();
+    for (vtkIdType cell = 0; cell < mesh->GetNumberOfCells(); ++cell)
+    {
+      if (IsHidden(mesh, cell))
+      {
+        shown->DeleteCell(cell);
+      }
+    }
+    shown->RemoveDeletedCells();
+    return vtkSmartPointer<vtkDataObject>(shown);
+  });
+}
+
+//------------------------------------------------------------------------------
 // Where VTK's filter numbers polygons as its threads happen to finish, it works in turn: the layer
 // `cell` shows these numbers.
 vtkSmartPointer<vtkDataObject> RunSurface(
@@ -130,8 +181,27 @@ vtkSmartPointer<vtkDataObject> Surface(vtkDataObject* data, Progress& progress)
       return image && faces ? vtkSmartPointer<vtkDataObject>(TurnOutwards(faces, image)) : made;
     }
     // The filter's own numbers are those of its copy without nonlinear cells, where there are any.
-    const vtkSmartPointer<vtkDataObject> numbered = CopyDataSets(block);
+    vtkSmartPointer<vtkDataObject> numbered = CopyDataSets(block);
     ForEachDataSet(numbered, NumberCells);
+    // Before the surface: cells beside hidden ones have faces there.
+    auto* grid = vtkUnstructuredGrid::SafeDownCast(numbered);
+    if (grid && HasHidden(grid))
+    {
+      const char* const name = "vtkRelievoShown";
+      vtkNew<vtkUnsignedCharArray> shown;
+      shown->SetName(name);
+      for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)
+      {
+        shown->InsertNextValue(IsHidden(grid, cell) ? 0 : 1);
+      }
+      grid->GetCellData()->AddArray(shown);
+      vtkNew<vtkThreshold> threshold;
+      threshold->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, name);
+      threshold->SetThresholdFunction(vtkThreshold::THRESHOLD_UPPER);
+      threshold->SetUpperThreshold(1.0);
+      numbered = Run(threshold, grid, progress);
+      vtkDataSet::SafeDownCast(numbered)->GetCellData()->RemoveArray(name);
+    }
     return RunSurface(surface, numbered, progress);
   });
 }
@@ -327,7 +397,7 @@ vtkSmartPointer<vtkDataObject> MakeSurface(
       path + ": holds a " + data->GetClassName() + ", expected a mesh, a grid or an image");
   }
   vtkSmartPointer<vtkDataObject> surface =
-    LeaveOutInfinite(Surface(WithVertices(data), progress), path);
+    LeaveOutInfinite(LeaveOutHidden(Surface(WithVertices(data), progress)), path);
   // Before normals: those that VTK computes of such polygons may point to their other side.
   surface = ReplaceDataSets(surface, [&progress](vtkDataObject* block) {
     vtkNew<vtkRelievoConvexPolygons> convex;

@@ -222,9 +222,8 @@ std::vector<OptionRow> MakeRows()
       ",K=FX/FY/CX/CY "
       "in pixels or ,angle=DEG that the height spans (the view angle); equirectangular[:H,V], "
       "cube, "
-      "orthographic[:PIXELS]; or a calibration's file by OpenCV or ROS, .yml, .yaml or .json, "
-      "which "
-      "says the size as well",
+      "orthographic[:PIXELS]; or a calibration's file, which says the size as well: .yml, .yaml, "
+      ".json or .xml by OpenCV, ROS, Kalibr or EuRoC, also with .gz, or COLMAP's cameras.txt",
       TakeLens },
     { "--clip", "NEAR,FAR", "clipping distances, 0 < NEAR < FAR (around the scene)", TakeClip },
     { "--image", "KIND",

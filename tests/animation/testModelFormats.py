@@ -238,6 +238,62 @@ class Written(unittest.TestCase):
                 self.assertIn("Kr\u00fcmmung \u4e2d \U0001f600", names)
 
 
+FBX = """; FBX 7.3.0 project file
+FBXHeaderExtension:  {
+    FBXHeaderVersion: 1003
+    FBXVersion: 7300
+}
+Objects:  {
+    Geometry: 10, "Geometry::", "Mesh" {
+        Vertices: *9 {
+            a: 0,0,0,1,0,0,0,1,0
+        }
+        PolygonVertexIndex: *3 {
+            a: 0,1,-3
+        }
+    }
+    Model: 20, "Model::parent", "Null" {
+        Properties70:  {
+            @PIVOT@
+            P: "Lcl Scaling", "Lcl Scaling", "", "A",@SCALE@
+        }
+    }
+    Model: 21, "Model::child", "Mesh" {
+        Properties70:  {
+            P: "InheritType", "enum", "", "",@TYPE@
+            @PIVOT@
+            P: "Lcl Translation", "Lcl Translation", "", "A",1,0,0
+        }
+    }
+}
+Connections:  {
+    C: "OO",20,0
+    C: "OO",21,20
+    C: "OO",10,21
+}
+"""
+
+
+class Scales(unittest.TestCase):
+    def test_inherit_type(self):
+        """What a node does with its parent's scale, which Assimp does not know, is noted."""
+        pivot = 'P: "ScalingPivot", "Vector3D", "Vector", "",1,2,3'  # makes chains of nodes
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder) / "a.fbx"
+            for inherit in (0, 1, 2):
+                for scale in ("1,1,1", "1,3,1"):
+                    for chain in ("", pivot):
+                        text = FBX.replace("@TYPE@", str(inherit)).replace("@SCALE@", scale)
+                        path.write_text(text.replace("@PIVOT@", chain))
+                        reader, errors, _ = read(path)
+                        notes = [reader.GetNote(i) for i in range(reader.GetNumberOfNotes())]
+                        with self.subTest(inherit=inherit, scale=scale, chain=bool(chain)):
+                            self.assertEqual(errors, [])
+                            says = "node 'child' is to leave out the scale of its parent 'parent'"
+                            told = [note for note in notes if says in note]
+                            self.assertEqual(len(told), inherit == 2 and scale != "1,1,1", notes)
+
+
 class Files(unittest.TestCase):
     def test_outside_and_names(self):
         """Blocks have names, without which ParaView reports errors; normals point outwards."""

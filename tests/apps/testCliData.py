@@ -4,18 +4,20 @@
 
 import numpy
 from vtkmodules.util.numpy_support import numpy_to_vtk
-from vtkmodules.vtkCommonCore import vtkBitArray, vtkPoints
+from vtkmodules.vtkCommonCore import vtkBitArray, vtkIdList, vtkPoints
 from vtkmodules.vtkCommonDataModel import (
     VTK_HEXAHEDRON,
     VTK_QUADRATIC_TETRA,
     VTK_TETRA,
     vtkCellArray,
     vtkPolyData,
+    vtkStructuredGrid,
     vtkUnstructuredGrid,
 )
 from vtkmodules.vtkIOXML import (
     vtkXMLPolyDataReader,
     vtkXMLPolyDataWriter,
+    vtkXMLStructuredGridWriter,
     vtkXMLUnstructuredGridWriter,
 )
 
@@ -119,6 +121,52 @@ class Data(CliTest):
             self.assertEqual("warning: " in done.stderr, warned, done.stderr)
             self.assertEqual("16777217" in done.stderr and "'a.exr'" in done.stderr, warned)
             self.assertEqual(self.exr("a.exr")[1]["id.V"][60, 60], 2**24)
+
+    def test_hidden_cells(self):
+        """Cells that vtkGhostType hides are not drawn, and what is behind them is; others keep
+        their numbers."""
+        def hide(data, hidden):
+            flags = numpy_to_vtk(numpy.array([32 * (i == hidden) for i in range(2)], numpy.uint8),
+                                 deep=True)  # fmt: skip
+            flags.SetName("vtkGhostType")
+            data.GetCellData().AddArray(flags)
+            return data
+
+        points = vtkPoints()
+        for z in (-1, 0, 1):
+            for y in (-1, 1):
+                for x in (-1, 1):
+                    points.InsertNextPoint(x, y, z)
+        mesh = vtkPolyData()
+        mesh.SetPoints(points)
+        grid = vtkUnstructuredGrid()
+        grid.SetPoints(points)
+        faces = vtkCellArray()
+        for low in (0, 4):
+            faces.InsertNextCell(4, [low + i for i in (4, 5, 7, 6)])
+            ids = vtkIdList()
+            for i in (0, 1, 3, 2, 4, 5, 7, 6):
+                ids.InsertNextId(low + i)
+            grid.InsertNextCell(12, ids)
+        mesh.SetPolys(faces)
+        blocks = vtkStructuredGrid()
+        blocks.SetDimensions(2, 2, 3)
+        blocks.SetPoints(points)
+        for name, data, writer in (("a.vtp", mesh, vtkXMLPolyDataWriter),
+                                   ("a.vtu", grid, vtkXMLUnstructuredGridWriter),
+                                   ("a.vts", blocks, vtkXMLStructuredGridWriter)):  # fmt: skip
+            for hidden, depth in ((1, 5), (0, 4), (2, 4)):
+                self.write(writer(), name, hide(data, hidden))
+                done = self.relievo("render", name, "--camera", "0,0,5,0,0,0,0,1,0", "--exr",
+                                    "a.exr", "--layers", "depth,vtkOriginalCellIds,vtkGhostType"
+                                    if hidden < 2 else "depth")  # fmt: skip
+                with self.subTest(name=name, hidden=hidden):
+                    self.assertEqual(done.stderr, "")
+                    seen = self.exr("a.exr")[1]
+                    middle = tuple(n // 2 for n in seen["depth.Z"].shape)
+                    self.assertAlmostEqual(seen["depth.Z"][middle], depth, places=5)
+                    if hidden < 2:
+                        self.assertEqual(seen["vtkOriginalCellIds.V"][middle], 1 - hidden)
 
     def test_infinite_points(self):
         """As VTK's own writer has them, with ranges that its reader does not know."""

@@ -234,6 +234,52 @@ class Colors(CliTest):
                    + ";\n}\n}\n")  # fmt: skip
 
 
+class TexturedPLY(CliTest):
+    def write(self, comments, coordinates="property float s\nproperty float t\n"):
+        head = "ply\nformat ascii 1.0\n" + comments + "element vertex 4\n"
+        head += "".join(f"property float {axis}\n" for axis in "xyz")
+        head += "".join(f"property uchar {name}\n" for name in ("red", "green", "blue"))
+        head += coordinates
+        head += "element face 1\nproperty list uchar int vertex_indices\nend_header\n"
+        body = "".join("{} {} 0 0 0 255 {}\n".format(
+            *place, "{} {}".format(*((c + 1) / 2 for c in place)) if coordinates else "")
+            for place in CORNERS)  # fmt: skip
+        (self.folder / "a.ply").write_text(head + body + "4 0 1 2 3\n")
+
+    def draw(self, says, *words):
+        done = self.relievo("render", "a.ply", *LOOK, *words, "--exr", "a.exr", "--layers",
+                            "albedo")  # fmt: skip
+        self.assertEqual(len(done.stderr.splitlines()), len(says), done.stderr)
+        for text in says:
+            self.assertIn(text, done.stderr)
+        seen = self.exr("a.exr")[1]
+        return numpy.stack([seen["albedo." + letter] for letter in "RGB"], axis=-1)
+
+    def test_texture(self):
+        """The comment's picture, its first row uppermost, in place of the points' colours."""
+        (self.folder / "below").mkdir()
+        rows = numpy.zeros((8, 8, 3), numpy.uint8)
+        rows[:4] = (255, 0, 0)  # the lower half, as VTK counts rows
+        rows[4:] = (0, 255, 0)
+        for name in ("below/two halves.png", "halves.png"):
+            write_image(vtkPNGWriter(), self.folder / name, rows)
+        for name in ("below/two halves.png", "C:\\scans\\halves.png"):
+            self.write(f"comment VCGLIB generated\ncomment TextureFile {name}\n")
+            seen = self.draw([])
+            numpy.testing.assert_allclose(seen[25, 50], (0, 1, 0), atol=0.01)
+            numpy.testing.assert_allclose(seen[75, 50], (1, 0, 0), atol=0.01)
+        for comments, coordinates, says in (
+            ("comment TextureFile none.png\n", True, "drawn without a texture: none.png"),
+            ("comment TextureFile /etc/halves.jpg\n", True, "drawn without a texture: "),
+            ("comment TextureFile halves.png\n", False,
+             "drawn without halves.png, for want of texture coordinates"),
+            ("comment TextureFile halves.png\ncomment TextureFile b.png\n", True,
+             "drawn without its 2 textures, expected one"),
+        ):
+            self.write(comments, *([] if coordinates else [""]))
+            numpy.testing.assert_allclose(self.draw([says])[50, 50], (0, 0, 1), atol=0.01)
+
+
 class Clouds(CliTest):
     """Points without cells, of every format that can hold them."""
 

@@ -322,6 +322,23 @@ class Studio(CliTest):
         self.assertEqual(own[:, [0, 2]].max(), 0)
         self.assertGreater(own[:, 1].min(), 60)
         self.assertGreater(asked.min(), 40)
+        # In daylight the exposure is that of a sun that makes white of white, pi lux.
+        text = (self.folder / "a.gltf").read_text()
+        pictures = []
+        shown = (2e4 / numpy.pi) ** (1 / 2.2)  # by VTK's PBR, which the frame takes as sRGB
+        stops = -numpy.log2(((shown + 0.055) / 1.055) ** 2.4)
+        for lux in (numpy.pi, 2e4):
+            lit = text.replace('"intensity": 1', f'"intensity": {lux}')
+            (self.folder / "a.gltf").write_text(lit)
+            done = self.relievo("render", "a.gltf", *COARSE, *SIZE, "--png", "a.png")
+            self.assertEqual(f"with --exposure {stops:.3g}," in done.stderr, lux > 4, done.stderr)
+            pictures.append(read_png(self.folder / "a.png")[inner].astype(int))
+        self.assertLess(pictures[0].min(axis=0)[1], 230)
+        # Darker places by the power 2.4 / 2.2 of VTK's code and sRGB's.
+        self.assertLess(numpy.abs(pictures[0] - pictures[1]).max(), 10)
+        done = self.relievo("render", "a.gltf", *COARSE, *SIZE, "--exposure", 0, "--png", "a.png")
+        self.assertEqual(done.stderr, "")
+        self.assertEqual(read_png(self.folder / "a.png")[inner][:, 1].min(), 255)
 
     def test_edges(self):
         """Are smooth: around a ball there are many shades between it and the background."""

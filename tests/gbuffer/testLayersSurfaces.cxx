@@ -154,10 +154,24 @@ void TestClipping()
     });
   const relievoTest::GLCheck gl(stage.Window);
   CompareActors("clipping planes", stage, truth, 200);
+  const std::vector<std::string> names = { "depth", "cell", "actor" };
+  const Layers plain(stage.Renderer, names);
   box->GetProperty()->EdgeVisibilityOn();
-  box->GetProperty()->SetLineWidth(1.);
-  // Edges widen faces by half a pixel, no more.
-  CompareActors("clipping planes, edges shown", stage, truth, 200);
+  for (const float width : { 1.f, 7.f })
+  {
+    box->GetProperty()->SetLineWidth(width);
+    CompareActors("clipping planes, edges shown", stage, truth, 200);
+    // VTK widens faces by the edges' width, and layers are of the faces.
+    for (const Way way : relievoTest::BothWays)
+    {
+      const Layers edges(stage.Renderer, names, way);
+      for (const std::string& name : names)
+      {
+        RELIEVO_CHECK_AT_MOST(relievoTest::CountDifferent(plain, edges, name), 0,
+          "edges shown, " + relievoTest::ToString(way) + ": pixels of the layer " + name);
+      }
+    }
+  }
 }
 
 // Of two squares in one plane the one that is drawn nearer is seen, at the plane's own depth.

@@ -9,6 +9,7 @@ import sys
 import unittest
 
 import numpy
+from vtkmodules.util.numpy_support import vtk_to_numpy
 
 import reading
 from evaluator import Scene
@@ -215,6 +216,38 @@ class Words(GltfTest):
         writer.add("nodes", {"mesh": 0})
         self.compare(writer.save(self.folder / "four.glb"), notes=["no multiple of 3"])
 
+    def test_child_that_is_a_root_too(self):
+        for order in ([1, 0], [0, 1], [2, 1, 0, 0]):
+            writer = triangle()
+            writer.add("nodes", {"children": [2], "translation": [5, 0, 0]})
+            writer.add("nodes", {"children": [0], "scale": [2, 2, 2]})
+            writer.json["scenes"] = [{"nodes": order}]
+            reader, errors = self.read(writer.save(self.folder / "a.gltf"))
+            with self.subTest(order=order):
+                self.assertEqual(errors, [])
+                self.assertEqual(reader.GetOutput().GetNumberOfBlocks(), 1)
+                points = vtk_to_numpy(reader.GetOutput().GetBlock(0).GetPoints().GetData())
+                numpy.testing.assert_allclose(points, 2 * TRIANGLE + (5, 0, 0))
+                self.assertIn(f"scenes[0].nodes[{order.index(0)}] names nodes[0], which is a child "
+                              "of nodes[2] and is drawn once, there", self.notes(reader))
+
+    def test_repeated_times(self):
+        writer = triangle()
+        times = writer.accessor(numpy.array([0.0, 0, 1, 1, 1, 2, 2]), bounds=True)
+        places = writer.accessor(numpy.random.default_rng(1).random((7, 3)))
+        splines = writer.accessor(numpy.random.default_rng(2).random((21, 3)))
+        turns = writer.accessor(numpy.random.default_rng(3).random((7, 4)))
+        writer.add("animations", {
+            "samplers": [{"input": times, "output": places, "interpolation": "STEP"},
+                         {"input": times, "output": turns},
+                         {"input": times, "output": splines, "interpolation": "CUBICSPLINE"}],
+            "channels": [{"sampler": i, "target": {"node": 0, "path": path}}
+                         for i, path in enumerate(("translation", "rotation", "scale"))]},
+        )  # fmt: skip
+        path = writer.save(self.folder / "a.gltf")
+        for time in (0, 0.3, 0.999, 1, 1.25, 2):
+            self.compare(path, 0, time, ["samplers[0].input has the time 0.000000 more than once"])
+
     def test_data_without_base64(self):
         writer = triangle()
         path = writer.save(self.folder / "coded.gltf")
@@ -407,7 +440,7 @@ class Refusals(GltfTest):
         for name, values, kind, says in (
             (INDICES, [0, 1, 3], "u2", "indices has 3 as number 2, and POSITION has 3 values"),
             (JOINTS, [[0, 1, 0, 0], [0, 2, 0, 0], [0, 0, 0, 0]], "u1", "name joint 2"),
-            (TIMES, [1.0, 1.0], "f4", "input has the time 1.0"),
+            (TIMES, [1.0, 0.5], "f4", "input has the time 0.5"),
             (TIMES, [-1.0, 1.0], "f4", "input has the time -1.0"),
             (TIMES, [0.0, numpy.nan], "f4", "input has the time"),
             (PLACES, [[0, 0, 0], [0, numpy.inf, 0]], "f4", "output has a number that is not"),

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Cameras by their calibration: pictures against projections by hand, lenses against OpenCV."""
 
+import gzip
 import json
 import os
 import tempfile
@@ -485,6 +486,79 @@ roi:
   width: 0
 ---
 """
+# As Kalibr and EuRoC's data sets write them.
+KALIBR_YAML = """cam0:
+  cam_overlaps: []
+  camera_model: pinhole
+  distortion_coeffs: [0.02, -0.013, 0.006, -0.0011]
+  distortion_model: equidistant
+  intrinsics: [820.5, 790.25, 333.25, 210.75]
+  T_cam_imu:
+  - [1.0, 0.0, 0.0, 0.0]
+  - [0.0, 1.0, 0.0, 0.0]
+  resolution: [640, 480]
+  rostopic: /cam0/image_raw
+"""
+EUROC_YAML = """# General sensor definitions.
+sensor_type: camera
+comment: VI-Sensor cam0 (MT9M034)
+
+T_BS:
+  cols: 4
+  rows: 4
+  data: [0.0148655429818, -0.999880929698, 0.00414029679422, -0.0216401454975,
+         0.0, 0.0, 0.0, 1.0]
+
+# Camera specific definitions.
+rate_hz: 20
+resolution: [640, 480]
+camera_model: pinhole
+intrinsics: [820.5, 790.25, 333.25, 210.75] #fu, fv, cu, cv
+distortion_model: radial-tangential
+distortion_coefficients: [-0.25, 0.07, 0.001, -0.0007]
+"""
+OPENCV_XML = """<?xml version="1.0"?>
+<opencv_storage>
+<calibration_time>"Thu Nov 26 20:00:00 2026"</calibration_time>
+<image_width>640</image_width>
+<image_height>480</image_height>
+<!-- flags: +fix_aspectRatio > +fix_principal_point -->
+<flags>6</flags>
+<camera_matrix type_id="opencv-matrix">
+  <rows>3</rows>
+  <cols>3</cols>
+  <dt>d</dt>
+  <data>
+    820.5 0. 333.25 0. 790.25 210.75 0. 0. 1.</data></camera_matrix>
+<distortion_coefficients type_id="opencv-matrix">
+  <rows>5</rows>
+  <cols>1</cols>
+  <dt>d</dt>
+  <data>
+    -0.25 0.070000000000000007 0.001 -0.00069999999999999999
+    -0.01</data></distortion_coefficients>
+<grid_points>
+  1.5 2.</grid_points>
+<views><_><name>"a.png"</name></_></views>
+</opencv_storage>
+"""
+
+
+def bent(k=(), fisheye=False):
+    """Where a lens of K, VECTOR and SHIFT sees POINTS by OpenCV's formulas for k1, k2, p1, p2 or a
+    fisheye's k1, k2."""
+    x, y = projected(numpy.eye(3), LENSES["pinhole"].R, SHIFT, POINTS).T
+    k1, k2, p1, p2 = (*k, 0, 0, 0, 0)[:4]
+    r2 = x * x + y * y
+    if fisheye:
+        angle = numpy.arctan(numpy.sqrt(r2))
+        scale = angle * (1 + k1 * angle**2 + k2 * angle**4) / numpy.sqrt(r2)
+        a, b = scale * x, scale * y
+    else:
+        scale = 1 + k1 * r2 + k2 * r2 * r2
+        a = x * scale + 2 * p1 * x * y + p2 * (r2 + 2 * x * x)
+        b = y * scale + p1 * (r2 + 2 * y * y) + 2 * p2 * x * y
+    return numpy.stack([K[0, 0] * a + K[0, 2], K[1, 1] * b + K[1, 2]], axis=-1)
 
 
 class Words(unittest.TestCase):
@@ -492,8 +566,8 @@ class Words(unittest.TestCase):
 
     def file(self, name, text):
         path = os.path.join(self.folder, name)
-        with open(path, "w") as file:
-            file.write(text)
+        with open(path, "wb") as file:
+            file.write(text if isinstance(text, bytes) else text.encode())
         return path
 
     def setUp(self):
@@ -520,6 +594,10 @@ class Words(unittest.TestCase):
             ("h.yml", ROS_YAML.replace("cols: 8", "cols: 4").replace("rational_polynomial", '""')
              .replace("0.4, -0.1, 0.0006, 0.0011, 0.03, 0.65, -0.05, 2e-2", "0, 0, 0, 0"),
              "pinhole"),
+            ("i.yaml", KALIBR_YAML, "fisheye"), ("j.XML", OPENCV_XML, "brown"),
+            ("k.xml.gz", gzip.compress(OPENCV_XML.encode()), "brown"),
+            ("l.yml.gz", gzip.compress(OPENCV_YAML.encode()), "brown"),
+            ("m.json.gz", gzip.compress(OPENCV_JSON.encode()), "fisheye"),
         ):
             with self.subTest(file=name):
                 path = self.file(name, text)
@@ -530,6 +608,48 @@ class Words(unittest.TestCase):
                 large = relievo.lens(path, (1280, 960), R=VECTOR, t=SHIFT)
                 numpy.testing.assert_allclose(
                     (large.project(POINTS) + 0.5) / 2 - 0.5, OPENCV[lens], atol=1e-9)
+
+    def test_models_of_others(self):
+        """COLMAP's models, whose first pixel has its centre at (0.5, 0.5), Kalibr's and EuRoC's."""
+        def square(places):
+            """Of one focal length."""
+            return (places - K[:2, 2]) * (1, K[0, 0] / K[1, 1]) + K[:2, 2]
+
+        def colmap(model, *k):
+            focal = "820.5" if one_focal(model) else "820.5 790.25"
+            return ("# Camera list with one line of data per camera:\n# Number of cameras: 1\n"
+                    f"1 {model} 640 480 {focal} 333.75 211.25 {' '.join(map(str, k))}\n")
+
+        def one_focal(model):
+            return "SIMPLE" in model or "RADIAL" in model
+
+        for model, k, places in (
+            ("SIMPLE_PINHOLE", (), bent()), ("PINHOLE", (), bent()),
+            ("SIMPLE_RADIAL", BROWN[:1], bent(BROWN[:1])), ("RADIAL", BROWN[:2], bent(BROWN[:2])),
+            ("OPENCV", BROWN[:4], bent(BROWN[:4])), ("FULL_OPENCV", RATIONAL, OPENCV["rational"]),
+            ("OPENCV_FISHEYE", FISHEYE, OPENCV["fisheye"]),
+            ("SIMPLE_RADIAL_FISHEYE", FISHEYE[:1], bent(FISHEYE[:1], True)),
+            ("RADIAL_FISHEYE", FISHEYE[:2], bent(FISHEYE[:2], True)),
+        ):
+            with self.subTest(model=model):
+                made = relievo.lens(self.file("cameras.txt", colmap(model, *k)), None, 30, VECTOR,
+                                    SHIFT)  # fmt: skip
+                self.assertEqual(made.size, SIZE)
+                expected = square(places) if one_focal(model) else places
+                numpy.testing.assert_allclose(made.project(POINTS), expected, atol=1e-9)
+        for name, text, places in (
+            ("EuRoC", EUROC_YAML, bent(BROWN[:4])),
+            ("Kalibr", KALIBR_YAML.replace("equidistant", "radtan")
+             .replace(str(list(FISHEYE)), str(list(BROWN[:4]))), bent(BROWN[:4])),
+            ("none", KALIBR_YAML.replace("equidistant", "none")
+             .replace(str(list(FISHEYE)), "[]"), bent()),
+            ("k1 alone", ROS_MESSAGE.replace(", 0.07, 0.001, -0.0007, -0.01", ""),
+             bent(BROWN[:1])),
+        ):
+            with self.subTest(name=name):
+                made = relievo.lens(self.file("a.yaml", text), R=VECTOR, t=SHIFT)
+                self.assertEqual(made.size, SIZE)
+                numpy.testing.assert_allclose(made.project(POINTS), places, atol=1e-9)
 
     def test_words(self):
         size = (64, 48)
@@ -615,6 +735,44 @@ class Words(unittest.TestCase):
              self.file("h.yml", ROS_YAML.replace("2e-2]", "2e-2, 0.1]"))),
             ("D: got 3 numbers, expected 0, 2, 4, 5 or 8 finite numbers, of the lens brown",
              self.file("i.yml", ROS_MESSAGE.replace("-0.0007, -0.01", ""))),
+            ("third is p1 in OpenCV's order, k3 stands behind p1 and p2",
+             self.file("i3.yml", ROS_MESSAGE.replace(", -0.0007, -0.01", ""))),
+            ("D: got 12 numbers, .*thin prisms", self.file("i12.yml", ROS_MESSAGE.replace(
+                "-0.01]", "-0.01, 0, 0, 0, 0, 0.1, 0, 0]"))),
+            ("there is no lens for the model 'FOV', expected one of SIMPLE_PINHOLE, PINHOLE",
+             self.file("a.txt", "1 FOV 640 480 800 800 320 240 0.9\n")),
+            ("there is no lens for the model 'THIN_PRISM_FISHEYE'",
+             self.file("b.txt", "1 THIN_PRISM_FISHEYE 640 480 8 8 3 2 1 1 1 1 1 1 1 1\n")),
+            ("it has 2 lines, expected COLMAP's cameras.txt of one camera",
+             self.file("c.txt", "1 PINHOLE 640 480 8 8 3 2\n" * 2)),
+            ("it has no camera, expected COLMAP's", self.file("d.txt", "a text\n")),
+            ("got 5 parameters of PINHOLE, expected 4 finite numbers",
+             self.file("e.txt", "1 PINHOLE 640 480 8 8 3 2 1\n")),
+            ("got 4 parameters of PINHOLE, expected 4 finite numbers",
+             self.file("f.txt", "1 PINHOLE 640 480 8 8 3 nan\n")),
+            ("camera_model: got \"omni\", expected pinhole",
+             self.file("s.yaml", KALIBR_YAML.replace("pinhole", "omni"))),
+            ("distortion_model: got \"fov\"",
+             self.file("t.yaml", KALIBR_YAML.replace("equidistant", "fov"))),
+            ("it has 2 cameras, cam0 to cam1, expected one",
+             self.file("u.yaml", KALIBR_YAML + KALIBR_YAML.replace("cam0:", "cam1:"))),
+            ("intrinsics: expected 4 numbers",
+             self.file("v.yaml", EUROC_YAML.replace("820.5, ", ""))),
+            ("resolution: expected 2 numbers",
+             self.file("w.yaml", EUROC_YAML.replace("resolution", "size"))),
+            ("expected 0 finite numbers, of the lens pinhole",
+             self.file("x.yaml", KALIBR_YAML.replace("equidistant", "none"))),
+            ("it is no opencv_storage of XML", self.file("a.xml", OPENCV_XML[:-20])),
+            ("it is no opencv_storage of XML", self.file("b.xml", "<svg></svg>")),
+            ("it is no opencv_storage of XML",
+             self.file("c.xml", "<opencv_storage>" + "<a>" * 40000)),
+            ("it is no opencv_storage of XML",
+             self.file("d.xml", OPENCV_XML.replace("</rows>", "</cols>"))),
+            ("expected data of gzip, whole", self.file("a.yml.gz", OPENCV_YAML)),
+            ("expected data of gzip, whole",
+             self.file("b.yml.gz", gzip.compress(OPENCV_YAML.encode())[:-9])),
+            ("no more of it than a calibration has",
+             self.file("c.yml.gz", gzip.compress(bytes(70 << 20), 1))),
             ("d: got 5 numbers, expected 0, 1, 2, 3 or 4 finite",
              self.file("j.yml", ROS2_MESSAGE.replace("d:\n", "d:\n- 0.1\n"))),
             ("distortion_coefficients: expected 0, 2, 4, 5 or 8 finite",

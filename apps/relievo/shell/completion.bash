@@ -70,7 +70,7 @@ _relievo()
             compopt -o nospace
             ;;
         --lens)
-            [[ $cur == *[./]* ]] && { _filedir '@(json|yml|yaml)'; return; }
+            [[ $cur == *[./]* ]] && { _filedir '@(json|yml|yaml|xml|txt|gz)'; return; }
             values='pinhole brown: fisheye division: equirectangular cube orthographic'
             ;;
         --png) _filedir png; return ;;

@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRelievoOpaqueProps.h"
 
+#include "vtkActor.h"
 #include "vtkHiddenLineRemovalPass.h"
 #include "vtkNew.h"
 #include "vtkProp.h"
+#include "vtkProperty.h"
 #include "vtkRelievoFrameScene.h"
 #include "vtkRenderState.h"
 #include "vtkRenderer.h"
@@ -17,6 +19,7 @@ void vtkRelievoOpaqueProps::Collect(const vtkRelievoFrameScene& scene)
   this->Props.clear();
   this->Mixed.clear();
   this->Foreign.clear();
+  this->Edges = false;
   for (const vtkRelievoFrameProp& drawn : scene.Props)
   {
     vtkProp* prop = drawn.Prop;
@@ -25,9 +28,12 @@ void vtkRelievoOpaqueProps::Collect(const vtkRelievoFrameScene& scene)
     bool foreign = false;
     for (const vtkRelievoPropParts::Part& part : parts)
     {
-      if (vtkRelievoPropParts::GetMeshActor(part))
+      if (vtkActor* actor = vtkRelievoPropParts::GetMeshActor(part))
       {
         writes = true;
+        this->Edges = this->Edges ||
+          (actor->GetProperty()->GetEdgeVisibility() &&
+            actor->GetProperty()->GetRepresentation() == VTK_SURFACE);
       }
       else if (!vtkRelievoPropParts::DrawsNoOpaque(part))
       {

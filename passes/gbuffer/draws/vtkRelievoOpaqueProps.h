@@ -25,6 +25,9 @@ public:
   // Class of a prop that may draw opaque geometry but writes no layers; empty if there is none.
   const std::string& GetForeign() const { return this->Foreign; }
 
+  // Whether faces are drawn with edges, which VTK has reach beyond them.
+  bool ShowsEdges() const { return this->Edges; }
+
   // Splices the pass into the shaders of the props, until it is removed.
   void AddPass(vtkOpenGLRenderPass* pass);
   void RemovePass(vtkOpenGLRenderPass* pass);
@@ -37,6 +40,7 @@ private:
   std::vector<vtkProp*> Props; // in the renderer's order
   std::set<vtkProp*> Mixed;    // of Props: assemblies of which only the meshes write layers
   std::string Foreign;
+  bool Edges = false;
   vtkRelievoSplicedKeys Spliced;
 };
 
