@@ -6,6 +6,7 @@
 #include "vtkObjectFactory.h"
 #include "vtkRelievoFrameContext.h"
 #include "vtkRelievoFramePlan.h"
+#include "vtkRelievoSampleLattice.h"
 
 #include <string>
 
@@ -74,8 +75,10 @@ void vtkRelievoAntialiasStage::Declare(
 void vtkRelievoAntialiasStage::Execute(vtkRelievoFrameContext& context)
 {
   this->Explain("ran",
-    "smooths edges, " + std::to_string(context.Sample + 1) + " of " +
-      std::to_string(context.Samples) + " samples" + (context.Lattice ? ", drawn at once" : ""));
+    context.Lattice ? "smooths edges, " + std::to_string(context.Lattice->GetNumberOfSamples()) +
+        " samples drawn at once"
+                    : "smooths edges, " + std::to_string(context.Sample + 1) + " of " +
+        std::to_string(context.Samples) + " samples");
 }
 
 //------------------------------------------------------------------------------

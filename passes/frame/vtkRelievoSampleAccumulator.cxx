@@ -225,9 +225,10 @@ void vtkRelievoSampleAccumulator::Choose(vtkRelievoFrameContext& context)
   // While something moves, one sample is drawn; then all others at once.
   if (demand.AnyRaster && next < demand.Samples && (atOnce || next > 0))
   {
-    if (!this->Lattice || this->Lattice->GetNumberOfSamples() != demand.Samples)
+    const int samples = vtkRelievoSampleLattice::GetNumberInPlaceOf(demand.Samples);
+    if (!this->Lattice || this->Lattice->GetNumberOfSamples() != samples)
     {
-      this->Lattice.reset(new vtkRelievoSampleLattice(demand.Samples));
+      this->Lattice.reset(new vtkRelievoSampleLattice(samples));
     }
     context.Lattice = this->Lattice.get();
     context.Sample = demand.Samples - 1;

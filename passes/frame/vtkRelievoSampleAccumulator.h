@@ -62,7 +62,7 @@ private:
     bool AtOnce = false;  // in this frame, not one in each
     bool Offsets = false; // within the pixel
     bool Color = false;
-    bool AnyRaster = false; // all can be drawn at once
+    bool AnyRaster = false;          // all can be drawn at once
     std::vector<std::string> Layers; // lights' visibility, and what stages say
   };
   struct Sum

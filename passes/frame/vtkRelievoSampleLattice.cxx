@@ -13,9 +13,9 @@
 
 namespace
 {
-// How good a lattice of so many places a pixel is: by its places in x and in y, of which edges along
-// the axes see only the different ones; by the least distance between two places; and by the cells
-// that the raster of a square picture needs.
+// How good a lattice is: by its places in x and in y, of which edges along the axes see only the
+// different ones; by the least distance between two places; and by the cells that the raster of a
+// square picture needs.
 struct Quality
 {
   int Levels = 0;
@@ -102,6 +102,27 @@ vtkRelievoSampleLattice::vtkRelievoSampleLattice(int samples)
 }
 
 //------------------------------------------------------------------------------
+int vtkRelievoSampleLattice::GetNumberInPlaceOf(int samples)
+{
+  const auto isPrime = [](int number) {
+    for (int i = 2; i * i <= number; ++i)
+    {
+      if (number % i == 0)
+      {
+        return false;
+      }
+    }
+    return true;
+  };
+  int number = samples + samples / 4 + 1;
+  while (!isPrime(number))
+  {
+    ++number;
+  }
+  return number;
+}
+
+//------------------------------------------------------------------------------
 void vtkRelievoSampleLattice::FindCells()
 {
   this->Cells.clear();
@@ -141,8 +162,8 @@ glm::ivec2 vtkRelievoSampleLattice::GetOrigin(const glm::ivec2& pixels) const
   {
     low = glm::min(low, cell);
   }
-  return -(glm::min((pixels.x - 1) * this->Right, none) + glm::min((pixels.y - 1) * this->Up, none) +
-    low);
+  return -(
+    glm::min((pixels.x - 1) * this->Right, none) + glm::min((pixels.y - 1) * this->Up, none) + low);
 }
 
 //------------------------------------------------------------------------------
@@ -159,8 +180,7 @@ glm::ivec2 vtkRelievoSampleLattice::GetSize(const glm::ivec2& pixels) const
 }
 
 //------------------------------------------------------------------------------
-glm::dmat4 vtkRelievoSampleLattice::GetToRaster(
-  const glm::ivec2& viewport, const int part[4]) const
+glm::dmat4 vtkRelievoSampleLattice::GetToRaster(const glm::ivec2& viewport, const int part[4]) const
 {
   const glm::ivec2 pixels(part[2], part[3]);
   const glm::dvec2 scale = 2.0 / glm::dvec2(this->GetSize(pixels));
@@ -169,8 +189,7 @@ glm::dmat4 vtkRelievoSampleLattice::GetToRaster(
   const glm::dvec2 up(this->Up);
   // Of the viewport's centre, in pixels of the part, as GetPlace has them.
   const glm::dvec2 center = half - glm::dvec2(part[0], part[1]) - this->Shift;
-  const glm::dvec2 at =
-    center.x * right + center.y * up + glm::dvec2(this->GetOrigin(pixels));
+  const glm::dvec2 at = center.x * right + center.y * up + glm::dvec2(this->GetOrigin(pixels));
   glm::dmat4 toRaster(1.0);
   toRaster[0] = glm::dvec4(scale * half.x * right, 0.0, 0.0);
   toRaster[1] = glm::dvec4(scale * half.y * up, 0.0, 0.0);

@@ -22,6 +22,10 @@ class VTKRELIEVOFRAME_EXPORT vtkRelievoSampleLattice
 public:
   explicit vtkRelievoSampleLattice(int samples);
 
+  // As many as err no more along edges than so many that are drawn one by one: a third more, since
+  // edges may be parallel to rows of a lattice. A prime, so that no row is sparse.
+  static int GetNumberInPlaceOf(int samples);
+
   int GetNumberOfSamples() const { return static_cast<int>(this->Cells.size()); }
 
   // Cells of the raster from a pixel to the one on its right, and to the one above.

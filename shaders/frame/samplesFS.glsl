@@ -4,9 +4,9 @@
 //VTK::Output::Dec
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The mean, in linear light, of the samples of a pixel in a finer raster, which are premultiplied and
-// lie over what was drawn before. With RELIEVO_DEPTH: the z of the sample that is next to
-// the pixel's centre, the first one. RELIEVO_SAMPLES: of each pixel.
+// The mean, in linear light, of the samples of a pixel in a finer raster, which are premultiplied
+// and lie over what was drawn before. With RELIEVO_DEPTH: the z of the sample that is next to the
+// pixel's centre, the first one. RELIEVO_SAMPLES: of each pixel.
 //RELIEVO::Include(formulas/half.glsl)
 #ifndef RELIEVO_DEPTH
 //RELIEVO::Include(formulas/blend.glsl)

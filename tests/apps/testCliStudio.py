@@ -184,7 +184,7 @@ class Studio(CliTest):
                                  for more in ([], ["--grid"]))  # fmt: skip
                 apart = grid - without
                 model, _ = self.seen("ball.obj", *words)
-                self.assertEqual(abs(apart)[shrunk(model)].max(), 0)
+                self.assertLessEqual(abs(apart)[shrunk(model)].max(), 1)
                 seen = abs(apart).max(axis=-1) > 8
                 self.assertGreater(seen.mean(), 0.04)
                 self.assertGreater(abs(apart).max(), 120)

@@ -90,6 +90,9 @@ class Antialias(unittest.TestCase):
         self.frame = relievo.attach(self.renderer)
         self.frame.WaitForSamplesOn()
 
+    def show_edges(self, shown=True):
+        self.renderer.GetActors().GetLastActor().GetProperty().SetEdgeVisibility(shown)
+
     def smooth(self, samples):
         relievo.stage(self.renderer, "antialias", samples=samples)
         return picture(self.window)
@@ -183,22 +186,47 @@ class Antialias(unittest.TestCase):
         numpy.testing.assert_array_equal(picture(self.window), self.plain)
 
     def test_gathering(self):
-        """One sample in each frame; a resting picture becomes the one that waits for all."""
-        whole = self.smooth(8)
-        self.frame.WaitForSamplesOff()
-        self.camera.Azimuth(1)
-        self.window.Render()
-        self.camera.Azimuth(-1)
-        left = []
-        while not left or left[-1] > 0:
-            last = picture(self.window)
-            left.append(self.frame.GetSamplesLeft())
-        self.assertEqual(left, list(range(7, -1, -1)))
-        numpy.testing.assert_array_equal(last, whole)
-        numpy.testing.assert_array_equal(picture(self.window), whole)
+        """A resting picture becomes the one that waits for all: plain surfaces in the second frame,
+        lines by one sample in each."""
+        for edges, expected in (False, [7, 0]), (True, list(range(7, -1, -1))):
+            with self.subTest(edges=edges):
+                self.show_edges(edges)
+                self.frame.WaitForSamplesOn()
+                whole = self.smooth(8)
+                self.frame.WaitForSamplesOff()
+                self.camera.Azimuth(1)
+                self.window.Render()
+                self.camera.Azimuth(-1)
+                left = []
+                while not left or left[-1] > 0:
+                    last = picture(self.window)
+                    left.append(self.frame.GetSamplesLeft())
+                self.assertEqual(left, expected)
+                numpy.testing.assert_array_equal(last, whole)
+                numpy.testing.assert_array_equal(picture(self.window), whole)
+
+    def test_parts(self):
+        """A raster that is too large for one drawing is drawn in parts, without a seam."""
+        self.window.SetSize(1280, 960)
+        scale = 1280 / COLUMNS
+        smooth = linear(self.smooth(24)[..., 0].astype(float))
+        self.assertIn("drawn at once", self.frame.GetFrameReport())
+        down, across = numpy.mgrid[0:960, 0:1280] + 0.5
+        area = 0.5 * abs(sum(a[0] * b[1] - a[1] * b[0] for a, b in
+                             zip(CORNERS, numpy.roll(CORNERS, -1, axis=0))))  # fmt: skip
+        self.assertAlmostEqual(smooth.sum() / (area * scale**2), 1, delta=2e-4)
+        # Pixels whose centre is a pixel and more inside or outside are whole.
+        distance = numpy.full(down.shape, numpy.inf)
+        for a, b in zip(scale * CORNERS, scale * numpy.roll(CORNERS, -1, axis=0)):
+            along = (b - a) / numpy.linalg.norm(b - a)
+            distance = numpy.minimum(
+                distance, along[0] * (down - a[1]) - along[1] * (across - a[0]))  # fmt: skip
+        numpy.testing.assert_array_equal(smooth[distance > 1], 1)
+        numpy.testing.assert_array_equal(smooth[distance < -1], 0)
 
     def test_captures_and_screenshots_let_it_gather(self):
         """A capture of layers draws none of its samples, a vtkWindowToImageFilter's is one."""
+        self.show_edges()  # so that samples are drawn one by one
         whole = self.smooth(8)
         relievo.capture(self.renderer)  # the first one gives actors their keys, which counts
         self.frame.WaitForSamplesOff()
@@ -243,6 +271,7 @@ class Antialias(unittest.TestCase):
     def test_hard_shadows_stay_hard(self):
         """Samples of edges are none of lights: a sun is a point, and its map stays as it was drawn
         for the first of them."""
+        self.show_edges()  # so that samples are drawn one by one
         sun = vtkLight()
         sun.SetLightTypeToSceneLight()
         sun.SetPosition(1, 2, 3)

@@ -49,8 +49,8 @@ public:
   void Resolve(vtkRelievoFrameContext& context);
   ///@}
 
-  // Before End: puts what quads make, which are ready, in the place of what has been drawn in a part
-  // of the viewport: linear colours, and depths.
+  // Before End: puts what quads make, which are ready, in the place of what has been drawn in a
+  // part of the viewport: linear colours, and depths.
   void Put(vtkRelievoFrameContext& context, vtkRelievoScreenQuad& colors,
     vtkRelievoScreenQuad& depths, const int part[4]);
 

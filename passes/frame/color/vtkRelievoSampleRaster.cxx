@@ -3,9 +3,9 @@
 #include "vtkRelievoSampleRaster.h"
 
 #include "vtkActor.h"
+#include "vtkCell.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
-#include "vtkCell.h"
 #include "vtkGlyph3DMapper.h"
 #include "vtkMapper.h"
 #include "vtkMath.h"
@@ -221,8 +221,8 @@ void vtkRelievoSampleRaster::Begin(
   }
   const auto width = static_cast<unsigned int>(this->Size[0]);
   const auto height = static_cast<unsigned int>(this->Size[1]);
-  this->Color = vtkRelievoColorBuffers::MakeTexture(
-    context.Window, GL_RGBA16F, this->Size[0], this->Size[1]);
+  this->Color =
+    vtkRelievoColorBuffers::MakeTexture(context.Window, GL_RGBA16F, this->Size[0], this->Size[1]);
   this->Depth = vtkSmartPointer<vtkTextureObject>::New();
   this->Depth->SetContext(context.Window);
   this->Depth->AllocateDepth(width, height, vtkTextureObject::Float32);
@@ -303,7 +303,8 @@ void vtkRelievoSampleRaster::DrawTranslucent(vtkRelievoFrameContext& context)
   const vtkRelievoScopedState kept(state);
   state->vtkglDepthMask(GL_FALSE);
   state->vtkglEnable(GL_BLEND);
-  state->vtkglBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  state->vtkglBlendFuncSeparate(
+    GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   vtkProp** props = context.State->GetPropArray();
   for (int i = 0; i < context.State->GetPropArrayCount(); ++i)
   {

@@ -34,7 +34,7 @@ public:
 
   ///@{
   // What the delegate draws between these goes into the raster; End draws the parts that the
-  // delegate has not, and puts the means into the colour and the depth of the target, which is bound.
+  // delegate has not, and puts the means into the target's colour and depth.
   void Begin(vtkRelievoFrameContext& context, const vtkRelievoColorTarget& target);
   void End(vtkRelievoFrameContext& context, vtkRelievoColorTarget& target);
   ///@}
@@ -57,7 +57,7 @@ private:
   void EndPart(vtkRelievoFrameContext& context, vtkRelievoColorTarget& target, const Part& part);
 
   std::vector<Part> Parts;
-  int Size[2] = { 0, 0 }; // of the raster that holds each of them
+  int Size[2] = { 0, 0 };   // of the raster that holds each of them
   std::vector<float> Cells; // two numbers each
   int First[2] = { 0, 0 };
   int Right[2] = { 1, 0 };
