@@ -184,7 +184,9 @@ class Studio(CliTest):
                                  for more in ([], ["--grid"]))  # fmt: skip
                 apart = grid - without
                 model, _ = self.seen("ball.obj", *words)
+                # At edges, samples lie elsewhere within the pixels where lines are drawn.
                 self.assertLessEqual(abs(apart)[shrunk(model)].max(), 1)
+                apart = numpy.where((shrunk(model) | shrunk(~model))[..., None], apart, 0)
                 seen = abs(apart).max(axis=-1) > 8
                 self.assertGreater(seen.mean(), 0.04)
                 self.assertGreater(abs(apart).max(), 120)

@@ -83,9 +83,6 @@ public:
   // Adds the colour as the point array `color`, 4 float.
   std::string Read(vtkImageData* image);
 
-  // OpenGL's format of what the delegate draws.
-  unsigned int GetFormat() const { return this->Buffers.GetFormat(); }
-
   vtkIdType GetBytes() const { return this->Buffers.GetBytes(); }
   void Release(vtkWindow* window);
 
