@@ -303,7 +303,10 @@ vtkSmartPointer<vtkDataObject> SeparateCrowded(vtkPolyData* mesh)
   result->GetPointData()->Initialize();
   result->GetPointData()->CopyAllOn();
   result->GetPointData()->CopyAllocate(mesh->GetPointData(), from->GetNumberOfIds());
-  result->GetPointData()->CopyData(mesh->GetPointData(), from);
+  for (vtkIdType i = 0; i < from->GetNumberOfIds(); ++i)
+  {
+    result->GetPointData()->CopyData(mesh->GetPointData(), from->GetId(i), i);
+  }
   return result;
 }
 
