@@ -205,6 +205,18 @@ class Antialias(unittest.TestCase):
                 numpy.testing.assert_array_equal(last, whole)
                 numpy.testing.assert_array_equal(picture(self.window), whole)
 
+    def test_shaders_that_know_the_pixel(self):
+        """Stripes a pixel wide, by a user's own code, are as wide when edges are smooth."""
+        own = self.renderer.GetActors().GetLastActor().GetShaderProperty()
+        own.AddFragmentShaderReplacement(
+            "//VTK::Light::Impl", True,
+            "//VTK::Light::Impl\n  if (mod(floor(gl_FragCoord.x), 2.0) > 0.5)\n"
+            "    gl_FragData[0].rgb = vec3(0.0);\n", False)  # fmt: skip
+        stripes = self.smooth(8)[15:35, 20:45, 0]
+        self.assertIn("8 of 8 samples", self.frame.GetFrameReport())
+        numpy.testing.assert_array_equal(stripes[:, 1::2], 0)
+        numpy.testing.assert_array_equal(stripes[:, ::2], 255)
+
     def test_parts(self):
         """A raster that is too large for one drawing is drawn in parts, without a seam."""
         self.window.SetSize(1280, 960)

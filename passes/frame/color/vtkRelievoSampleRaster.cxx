@@ -28,10 +28,11 @@
 #include "vtkRenderState.h"
 #include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
+#include "vtkShaderProperty.h"
 #include "vtkTextureObject.h"
 
 #include <algorithm>
-#include <cmath>
+#include <regex>
 
 namespace
 {
@@ -82,6 +83,27 @@ bool IsFlat(vtkDataObject* data)
   return vtkMath::Norm(normal) > 0.0;
 }
 
+// Whether code that a user gave to the actor's shaders knows the pixel, of which the raster has many.
+bool ReadsPixel(vtkActor* actor)
+{
+  vtkShaderProperty* shaders = actor->GetShaderProperty();
+  std::string all;
+  for (const char* code : { shaders->GetFragmentShaderCode(), shaders->GetGeometryShaderCode() })
+  {
+    all += code ? code : "";
+  }
+  for (int i = 0; i < shaders->GetNumberOfShaderReplacements(); ++i)
+  {
+    std::string name;
+    std::string text;
+    bool first = false;
+    bool each = false;
+    shaders->GetNthShaderReplacement(i, name, first, text, each);
+    all += text;
+  }
+  return std::regex_search(all, std::regex("gl_FragCoord\\s*(\\.\\s*[xyrgst]|[^.\\s])|vpDims"));
+}
+
 // Classes are compared by name: what is derived from them may draw anything.
 std::string FindObstacle(vtkActor* actor)
 {
@@ -99,6 +121,10 @@ std::string FindObstacle(vtkActor* actor)
     property->GetVertexVisibility())
   {
     return "lines or points are drawn";
+  }
+  if (ReadsPixel(actor))
+  {
+    return "an actor's own shaders know the pixel";
   }
   mapper->GetBounds(); // brings its input up to date
   const std::string name = mapper->GetClassName();
