@@ -25,6 +25,7 @@
 #include "vtkRelievoPlainActor.h"
 #include "vtkRelievoSampleLattice.h"
 #include "vtkRelievoScopedState.h"
+#include "vtkRelievoShaderLibrary.h"
 #include "vtkRenderState.h"
 #include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
@@ -33,6 +34,7 @@
 
 #include <algorithm>
 #include <regex>
+#include <sstream>
 
 namespace
 {
@@ -83,7 +85,7 @@ bool IsFlat(vtkDataObject* data)
   return vtkMath::Norm(normal) > 0.0;
 }
 
-// Whether code that a user gave to the actor's shaders knows the pixel, of which the raster has many.
+// Whether code that a user gave to the actor's shaders knows the pixel: the raster has other ones.
 bool ReadsPixel(vtkActor* actor)
 {
   vtkShaderProperty* shaders = actor->GetShaderProperty();
@@ -101,7 +103,10 @@ bool ReadsPixel(vtkActor* actor)
     shaders->GetNthShaderReplacement(i, name, first, text, each);
     all += text;
   }
-  return std::regex_search(all, std::regex("gl_FragCoord\\s*(\\.\\s*[xyrgst]|[^.\\s])|vpDims"));
+  std::istringstream pattern(vtkRelievoShaderLibrary::GetSection("frame/pixel.glsl", "Use"));
+  std::string use;
+  std::getline(pattern, use);
+  return std::regex_search(all, std::regex(use));
 }
 
 // Classes are compared by name: what is derived from them may draw anything.
