@@ -7,7 +7,7 @@ import os
 import pathlib
 import re
 
-_LIBRARY = re.compile(rb"(libvtkCommonCore[\w.+-]*?)\.so")
+_LIBRARY = re.compile(rb"(libvtkCommon(?:Core)?(?:-[\w.+-]*?)?)\.so")  # cvista's has more in it
 _FUNCTION = "_ZN9vtkObject3NewEv"  # vtkObject::New()
 
 
