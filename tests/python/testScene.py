@@ -271,20 +271,16 @@ class Scene(unittest.TestCase):
             path = self.path(f"{name}.stl")
             whole = bytes(80) + struct.pack("<I", 3000) + rows.tobytes()
             pathlib.Path(path).write_bytes(whole + b"rest")  # which newer VTKs refuse
+            scene = relievo.scene(path, shading="flat")
+            if name == "not":
+                scene.render(self.path("a.png"))
+                self.assertRegex(" ".join(scene.notes), r"left out 3 cells .* not finite \(3 of")
+                continue
             reader = vtkSTLReader()
             reader.SetFileName(self.path("whole.stl"))
             pathlib.Path(self.path("whole.stl")).write_bytes(whole)
             reader.Update()
             expected = reader.GetOutput()
-            scene = relievo.scene(path, shading="flat")
-            if name == "not":
-                scene.render(self.path("a.png"))
-                finite = numpy.isfinite(vtk_to_numpy(expected.GetPoints().GetData())).all(1)
-                kept = vtk_to_numpy(expected.GetPolys().GetConnectivityArray()).reshape(-1, 3)
-                left = (~finite[kept].all(1)).sum()
-                says = rf"left out {left} cells .* not finite \({(~finite).sum()} of"
-                self.assertRegex(" ".join(scene.notes), says)
-                continue
             found = scene.renderer.GetActors().GetLastActor().GetMapper().GetInput()
             for mesh in (expected, found):
                 self.assertEqual(mesh.GetPolys().IsHomogeneous(), 3)
