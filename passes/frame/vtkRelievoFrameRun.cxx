@@ -331,11 +331,7 @@ int vtkRelievoFrameRun::DrawDelegate(vtkRelievoDelegate& delegate, vtkRenderPass
       if (this->Context.Lattice)
       {
         this->Raster.Begin(this->Context, this->Color);
-        if (!this->Raster.GetFault().empty())
-        {
-          this->Context.Lattice = nullptr; // nothing is shown of this turn
-          this->Context.Last = false;
-        }
+        this->CheckRaster();
       }
     };
     events.OpaqueEnds = [&]() {
@@ -343,6 +339,7 @@ int vtkRelievoFrameRun::DrawDelegate(vtkRelievoDelegate& delegate, vtkRenderPass
       if (this->Context.Lattice)
       {
         this->Raster.End(this->Context, this->Color);
+        this->CheckRaster();
       }
       interrupt([&]() { forEach(&vtkRelievoStage::EndOpaque); });
     };
@@ -398,6 +395,17 @@ int vtkRelievoFrameRun::DrawDelegate(vtkRelievoDelegate& delegate, vtkRenderPass
     this->Color.EndAside(this->Context);
   }
   return drawn;
+}
+
+//------------------------------------------------------------------------------
+// Nothing is shown of a turn whose samples could not be drawn at once: the next one draws the first.
+void vtkRelievoFrameRun::CheckRaster()
+{
+  if (!this->Raster.GetFault().empty())
+  {
+    this->Context.Lattice = nullptr;
+    this->Context.Last = false;
+  }
 }
 
 //------------------------------------------------------------------------------

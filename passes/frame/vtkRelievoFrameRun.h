@@ -85,6 +85,7 @@ private:
   void Run(int place);
   bool FinishesColor() const;
   void PresentColor();
+  void CheckRaster();
 
   vtkRelievoFrameContext& Context;
   const std::vector<vtkRelievoStage*>& Stages; // node i + 1 is stage i

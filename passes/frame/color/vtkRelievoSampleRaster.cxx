@@ -3,10 +3,11 @@
 #include "vtkRelievoSampleRaster.h"
 
 #include "vtkActor.h"
-#include "vtkCell.h"
+#include "vtkCellArray.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkGlyph3DMapper.h"
+#include "vtkIdList.h"
 #include "vtkMapper.h"
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
@@ -60,19 +61,23 @@ bool DrawsSurfacesOnly(vtkDataObject* data)
   return mesh && mesh->GetNumberOfVerts() == 0 && mesh->GetNumberOfLines() == 0;
 }
 
-// Whether all is in one plane: then it is not behind itself, and blends in any order.
+// Whether a mesh lies in one plane: then no part is behind another, and it blends in any order.
 bool IsFlat(vtkDataObject* data)
 {
   auto* mesh = vtkPolyData::SafeDownCast(data);
-  if (!mesh || mesh->GetNumberOfCells() == 0)
+  if (!mesh || mesh->GetNumberOfPolys() == 0)
   {
-    return mesh != nullptr;
+    return false;
   }
+  // Of the polygons alone: asked for a cell, the mesh would build a table of all.
+  vtkNew<vtkIdList> corners;
+  mesh->GetPolys()->GetCellAtId(0, corners);
   const double tolerance = 1e-6 * mesh->GetLength();
   double origin[3];
   double normal[3];
-  mesh->GetPoint(mesh->GetCell(0)->GetPointId(0), origin);
-  vtkPolygon::ComputeNormal(mesh->GetCell(0)->GetPoints(), normal);
+  mesh->GetPoint(corners->GetId(0), origin);
+  vtkPolygon::ComputeNormal(mesh->GetPoints(), static_cast<int>(corners->GetNumberOfIds()),
+    corners->GetPointer(0), normal);
   for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
   {
     double point[3];
@@ -85,7 +90,7 @@ bool IsFlat(vtkDataObject* data)
   return vtkMath::Norm(normal) > 0.0;
 }
 
-// Whether code that a user gave to the actor's shaders knows the pixel: the raster has other ones.
+// Whether a user's own shader code depends on the pixel: the raster has other ones.
 bool ReadsPixel(vtkActor* actor)
 {
   vtkShaderProperty* shaders = actor->GetShaderProperty();
@@ -102,6 +107,10 @@ bool ReadsPixel(vtkActor* actor)
     bool each = false;
     shaders->GetNthShaderReplacement(i, name, first, text, each);
     all += text;
+  }
+  if (all.empty())
+  {
+    return false;
   }
   std::istringstream pattern(vtkRelievoShaderLibrary::GetSection("frame/pixel.glsl", "Use"));
   std::string use;
@@ -327,7 +336,7 @@ void vtkRelievoSampleRaster::EndPart(
 }
 
 //------------------------------------------------------------------------------
-// What the delegate draws of it later is beneath the means.
+// The delegate draws translucent surfaces again later, beneath the means.
 void vtkRelievoSampleRaster::DrawTranslucent(vtkRelievoFrameContext& context)
 {
   vtkOpenGLState* state = context.Window->GetState();
