@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What a calibration's file says, as OpenCV, ROS, Kalibr, EuRoC and COLMAP write it.
+// The contents of a calibration file, in the forms of OpenCV, ROS, Kalibr, EuRoC and COLMAP.
 #ifndef vtkRelievoCalibrationFile_h
 #define vtkRelievoCalibrationFile_h
 

@@ -23,7 +23,7 @@ bool Unpack(std::string& bytes, std::size_t most);
 nlohmann::json ReadXML(const std::string& text);
 
 // The one camera of a cameras.txt by COLMAP, whose first pixel has its centre at (0.5, 0.5), in
-// OpenCV's terms. What is wrong is added; empty: nothing.
+// OpenCV's terms. Faults are added in words; empty: none.
 nlohmann::json ReadCOLMAP(const std::string& text, std::string& wrong);
 }
 

@@ -494,7 +494,7 @@ void vtkRelievoRayScene::Held::FindNormals(vtkPolyData* mesh, Source& source)
 }
 
 //------------------------------------------------------------------------------
-// What a matrix flattens, or moves in perspective, is taken as it is in the world.
+// Meshes that a matrix flattens, or moves in perspective, are taken in world coordinates.
 void vtkRelievoRayScene::Held::Enter(vtkRelievoPlacedMesh& placed, Source& source)
 {
   const Entry entry = FindEntry(placed);

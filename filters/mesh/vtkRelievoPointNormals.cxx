@@ -96,7 +96,7 @@ private:
 };
 
 //------------------------------------------------------------------------------
-// What points of a range need beyond what they have.
+// The points that a range needs beyond those it has.
 struct Splits
 {
   struct Copy

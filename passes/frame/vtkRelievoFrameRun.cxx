@@ -398,7 +398,8 @@ int vtkRelievoFrameRun::DrawDelegate(vtkRelievoDelegate& delegate, vtkRenderPass
 }
 
 //------------------------------------------------------------------------------
-// Nothing is shown of a turn whose samples could not be drawn at once: the next one draws the first.
+// A turn whose samples could not be drawn at once shows nothing: the next one draws the first of
+// them.
 void vtkRelievoFrameRun::CheckRaster()
 {
   if (!this->Raster.GetFault().empty())

@@ -46,7 +46,7 @@ bool IsOneOfSeveral(const vtkRelievoFrameContext& context)
 }
 
 //------------------------------------------------------------------------------
-// What is shown in the end is made of the mean, whatever that is of.
+// Stages that show the picture work on the mean, whichever way it was made.
 bool IsOfAnyRaster(const vtkRelievoFramePlan::Node& node)
 {
   return !node.Needed || node.Delegate || node.Declaration.AnyRaster ||

@@ -22,8 +22,8 @@ class VTKRELIEVOFRAME_EXPORT vtkRelievoSampleLattice
 public:
   explicit vtkRelievoSampleLattice(int samples);
 
-  // As many as err no more along edges than so many that are drawn one by one: a third more, since
-  // edges may be parallel to rows of a lattice. A prime, so that no row is sparse.
+  // The number of samples that err no more along edges than so many drawn one by one: a third more,
+  // since edges may be parallel to rows of a lattice. A prime, so that no row is sparse.
   static int GetNumberInPlaceOf(int samples);
 
   int GetNumberOfSamples() const { return static_cast<int>(this->Cells.size()); }

@@ -60,7 +60,7 @@ std::vector<glm::vec3> GetCorners(
   return corners;
 }
 
-// The middle of what has a place.
+// The middle of the points that have a place.
 glm::dvec3 GetMiddle(vtkPolyData* data, const std::vector<vtkIdType>& triangles)
 {
   glm::dvec3 low(1e300);

@@ -38,8 +38,8 @@ public:
   template <typename Function>
   static void ForEachTriangle(vtkPolyData* mesh, Function f, Rule rule = Rule::AsDrawn);
 
-  // As it is drawn, of a polygon of the mesh with these points, three or more. Valid until the next
-  // call.
+  // The triangles that VTK draws of a polygon of the mesh with these points, three or more. Valid
+  // until the next call.
   const std::vector<Triangle>& Cut(vtkPolyData* mesh, const vtkIdType* points, vtkIdType count);
 
 private:

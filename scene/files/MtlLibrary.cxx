@@ -178,7 +178,7 @@ void TakeLine(const std::string& line, const std::filesystem::path& folder,
   }
   else if (name == "Tr" && !material.Dissolves && words >> number)
   {
-    // Some programs write 1 for what is opaque, and d as well, or only that: see ObjMaterials.
+    // Some programs write 1 for opaque materials, with d or alone: see ObjMaterials.
     material.Opacity = 1.0 - std::clamp(number, 0.0, 1.0);
   }
   else if (name == "map_Kd")

@@ -93,7 +93,7 @@ std::map<std::string, MtlMaterial> ReadLibraries(const std::vector<std::string>&
   return materials;
 }
 
-// Several scanners write Tr 1 without d for what is opaque.
+// Several scanners write Tr 1 without d for opaque materials.
 void MendTransparency(std::map<std::string, MtlMaterial>& materials, const std::string& path)
 {
   std::string first;

@@ -124,7 +124,7 @@ vtkSmartPointer<vtkAlgorithm> OpenLegacy(const std::string& path)
   return Open<vtkGenericDataObjectReader>(path);
 }
 
-// What VTK's own parser finds in a file that holds XML, even in a form that nobody writes.
+// The pieces that VTK's own parser finds in a file of XML, however unusual its form.
 void ListPieces(vtkXMLDataElement* element, std::vector<std::string>& pieces)
 {
   for (const char* attribute : { "Source", "file" })
@@ -140,7 +140,7 @@ void ListPieces(vtkXMLDataElement* element, std::vector<std::string>& pieces)
   }
 }
 
-// VTK's number of what the file's first element is; below 0: nothing of VTK's.
+// VTK's number for the type of the file's first element; below 0: no type of VTK's.
 int FindKind(const std::string& path, bool& isParallel)
 {
   vtkNew<vtkXMLGenericDataObjectReader> reader;

@@ -12,7 +12,7 @@ namespace scene
 {
 namespace
 {
-// The largest height of what lies flat, as a share of its width and of its length.
+// The largest height of a mesh that lies flat, as a share of its width and of its length.
 constexpr double LowShare = 0.34;
 }
 

@@ -131,7 +131,7 @@ vtkSmartPointer<vtkImageData> WithoutDirection(vtkImageData* image)
   return upright;
 }
 
-// What was made of that, in the world.
+// The result, in world coordinates.
 vtkSmartPointer<vtkPolyData> WithDirection(vtkPolyData* mesh, vtkImageData* image)
 {
   vtkMatrix3x3* direction = image->GetDirectionMatrix();

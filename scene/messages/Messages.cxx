@@ -153,7 +153,7 @@ Messages::Scope::Scope()
     vtkOutputWindow::SetInstance(Collector());
     replaced.Display = vtkObject::GetGlobalWarningDisplay();
     vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF); // which prints each text again
-    vtkObject::GlobalWarningDisplayOn();                     // or nothing is said, to nobody
+    vtkObject::GlobalWarningDisplayOn();                     // or no error is reported at all
   }
 }
 

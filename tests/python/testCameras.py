@@ -486,7 +486,7 @@ roi:
   width: 0
 ---
 """
-# As Kalibr and EuRoC's data sets write them.
+# Calibrations in the form of Kalibr's and EuRoC's data sets.
 KALIBR_YAML = """cam0:
   cam_overlaps: []
   camera_model: pinhole

@@ -396,7 +396,7 @@ class Scene(unittest.TestCase):
                                               atol=off, err_msg=kind)
                 numpy.testing.assert_allclose(indices.max(axis=0), [b[1] for b in bounds],
                                               atol=off, err_msg=kind)
-                # As it is wound, its volume is positive: labels smooth some of it off.
+                # The winding makes the volume positive: labels smooth some of it off.
                 triangles = vtkTriangleFilter()
                 triangles.SetInputData(mesh)
                 triangles.Update()

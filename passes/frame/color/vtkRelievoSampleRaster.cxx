@@ -76,8 +76,8 @@ bool IsFlat(vtkDataObject* data)
   double origin[3];
   double normal[3];
   mesh->GetPoint(corners->GetId(0), origin);
-  vtkPolygon::ComputeNormal(mesh->GetPoints(), static_cast<int>(corners->GetNumberOfIds()),
-    corners->GetPointer(0), normal);
+  vtkPolygon::ComputeNormal(
+    mesh->GetPoints(), static_cast<int>(corners->GetNumberOfIds()), corners->GetPointer(0), normal);
   for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
   {
     double point[3];

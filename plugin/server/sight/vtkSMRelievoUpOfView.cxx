@@ -22,7 +22,7 @@ vtkStandardNewMacro(vtkSMRelievoUpOfView);
 
 namespace
 {
-// The largest height of what lies flat, as a share of its width and of its length.
+// The largest height of a mesh that lies flat, as a share of its width and of its length.
 constexpr double LowShare = 0.34;
 
 bool IsLow(const double bounds[6], int axis)
