@@ -78,7 +78,8 @@ void vtkRelievoAntialiasStage::Execute(vtkRelievoFrameContext& context)
     context.Lattice ? "smooths edges, " + std::to_string(context.Lattice->GetNumberOfSamples()) +
         " samples drawn at once"
                     : "smooths edges, " + std::to_string(context.Sample + 1) + " of " +
-        std::to_string(context.Samples) + " samples");
+        std::to_string(context.Samples) + " samples" +
+        (context.Obstacle.empty() ? "" : ", one by one: " + context.Obstacle));
 }
 
 //------------------------------------------------------------------------------

@@ -81,6 +81,7 @@ public:
   // pixels; otherwise nullptr.
   const vtkRelievoSampleLattice* Lattice = nullptr;
   bool OneByOne = false; // that could not be done
+  std::string Obstacle;  // what in the scene stands against it, in words
 
   // Lamps whose shadows are wanted, as the resource `lamp shadows`; from Prepare on.
   std::vector<vtkRelievoCastingLamp> CastingLamps;

@@ -107,9 +107,12 @@ vtkRelievoSampleAccumulator::Demand vtkRelievoSampleAccumulator::GetDemand(
   {
     demand.Layers.push_back(light.first);
   }
-  demand.AnyRaster = !context.OneByOne && demand.Offsets && demand.Color && demand.Layers.empty() &&
-    std::all_of(nodes.begin(), nodes.end(), IsOfAnyRaster) &&
-    vtkRelievoSampleRaster::FindObstacle(context).empty();
+  if (!context.OneByOne && demand.Offsets && demand.Color && demand.Layers.empty() &&
+    std::all_of(nodes.begin(), nodes.end(), IsOfAnyRaster))
+  {
+    demand.Obstacle = vtkRelievoSampleRaster::FindObstacle(context);
+    demand.AnyRaster = demand.Obstacle.empty();
+  }
   return demand;
 }
 
@@ -220,6 +223,7 @@ void vtkRelievoSampleAccumulator::Choose(vtkRelievoFrameContext& context)
   // When all are there the last one stays, and nothing that depends on it is made anew.
   context.Samples = demand.Samples;
   context.OffsetsSamples = demand.Offsets;
+  context.Obstacle = demand.Obstacle;
   context.Sample = std::min(next, demand.Samples - 1);
   const bool atOnce = demand.AtOnce || IsOneOfSeveral(context);
   // While something moves, one sample is drawn; then all others at once.

@@ -63,6 +63,7 @@ private:
     bool Offsets = false; // within the pixel
     bool Color = false;
     bool AnyRaster = false;          // all can be drawn at once
+    std::string Obstacle;            // why they cannot, in words
     std::vector<std::string> Layers; // lights' visibility, and what stages say
   };
   struct Sum
