@@ -217,6 +217,20 @@ def f3d(rows):
                    panel="file", method="program"), kind="bars")  # fmt: skip
 
 
+@bench("studio.csv")
+def studio(rows):
+    """Errors of the default preset against its time, by bench/studio_samples.py."""
+    yield Chart(
+        "studio", "The default preset: error at edges and in penumbras against time",
+        "Lower and further left is better. Points: 4, 8, 16, 24 and 48 samples. Ring: the default. "
+        "Software OpenGL.",
+        Axis("seconds of processor time more than --preset none", True, (0.3, 1, 3, 10)),
+        Axis("rms, levels of 255", True, (1, 2, 5, 10, 20)), panels(
+            rows, "seconds more than none", "rms levels", method="samples",
+            default=lambda row: row["samples"] == "at once" and row["count"] == "24",
+            methods=("at once", "one by one")))  # fmt: skip
+
+
 @bench("shadows.csv")
 def shadows(rows):
     """Wrong verdicts by the size of the map, and by the time of a frame."""

@@ -75,9 +75,8 @@ void vtkRelievoAntialiasStage::Declare(
 void vtkRelievoAntialiasStage::Execute(vtkRelievoFrameContext& context)
 {
   this->Explain("ran",
-    context.Lattice ? "smooths edges, " + std::to_string(context.Lattice->GetNumberOfSamples()) +
-        " samples drawn at once"
-                    : "smooths edges, " + std::to_string(context.Sample + 1) + " of " +
+    context.MeanLattice ? "smooths edges, " + context.MeanWords
+                        : "smooths edges, " + std::to_string(context.Sample + 1) + " of " +
         std::to_string(context.Samples) + " samples" +
         (context.Obstacle.empty() ? "" : ", one by one: " + context.Obstacle));
 }

@@ -80,6 +80,11 @@ public:
   // Where they lie, if the frame draws all of them at once, into a raster that is finer than the
   // pixels; otherwise nullptr.
   const vtkRelievoSampleLattice* Lattice = nullptr;
+
+  // The lattice of the mean that is shown, in this frame and in those that show it again, and how it
+  // was drawn, in words; nullptr and "" if samples were drawn one by one.
+  const vtkRelievoSampleLattice* MeanLattice = nullptr;
+  std::string MeanWords;
   bool OneByOne = false; // that could not be done
   std::string Obstacle;  // what in the scene stands against it, in words
 

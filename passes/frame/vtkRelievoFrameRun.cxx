@@ -404,7 +404,7 @@ void vtkRelievoFrameRun::CheckRaster()
 {
   if (!this->Raster.GetFault().empty())
   {
-    this->Context.Lattice = nullptr;
+    this->Context.Lattice = this->Context.MeanLattice = nullptr;
     this->Context.Last = false;
   }
 }

@@ -237,6 +237,13 @@ void vtkRelievoSampleAccumulator::Choose(vtkRelievoFrameContext& context)
     context.Lattice = this->Lattice.get();
     context.Sample = demand.Samples - 1;
   }
+  // Drawing a sample of a mean that is there, stages go on with what they made for it.
+  context.MeanLattice = context.Lattice;
+  if (demand.AnyRaster && next >= demand.Samples && this->Color->IsDrawnAtOnce())
+  {
+    context.MeanLattice = this->Lattice.get();
+    context.MeanWords = this->Words;
+  }
   context.Last = !atOnce || next + 1 >= demand.Samples || this->Turns >= demand.Samples ||
     context.Lattice != nullptr;
 }
@@ -337,6 +344,10 @@ void vtkRelievoSampleAccumulator::Accumulate(vtkRelievoFrameContext& context)
   if (!this->Fault.empty())
   {
     this->GiveUp(context);
+  }
+  if (context.Lattice)
+  {
+    this->Words = context.MeanWords;
   }
   if (context.Controller)
   {

@@ -73,6 +73,7 @@ private:
     int Count = 0;
     int Weight = 0;    // of the sum: 1 if it is the mean of all
     bool There = true; // the frame makes what is to be added
+    bool IsDrawnAtOnce() const { return this->Weight == 1 && this->Count > 1; }
     void Release(vtkWindow* window);
   };
 
@@ -99,6 +100,7 @@ private:
   vtkRelievoSceneFingerprint State;
   std::unique_ptr<Sum> Color;
   std::unique_ptr<vtkRelievoSampleLattice> Lattice;
+  std::string Words;           // how the mean was drawn with it
   bool ColorOfPicture = false; // not of a capture without the picture
   std::map<std::string, std::unique_ptr<Sum>> Layers;
   vtkRelievoScreenQuad Mean;

@@ -22,10 +22,14 @@ struct Quality
   int Distance = 0; // squared, times the square of the number of samples
   int Cells = 0;
 
-  bool IsBetter(const Quality& other) const
+  // A few percent of the distance are worth less than a smaller raster.
+  bool IsBetter(const Quality& other, int farthest) const
   {
-    return std::make_tuple(this->Levels, this->Distance, -this->Cells) >
-      std::make_tuple(other.Levels, other.Distance, -other.Cells);
+    const auto rate = [farthest](const Quality& each) {
+      return std::make_tuple(
+        each.Levels, std::min(8 * each.Distance, 7 * farthest), -each.Cells, each.Distance);
+    };
+    return rate(*this) > rate(other);
   }
 };
 
@@ -56,30 +60,40 @@ Quality GetQuality(const glm::ivec2& right, const glm::ivec2& up)
 //------------------------------------------------------------------------------
 vtkRelievoSampleLattice::vtkRelievoSampleLattice(int samples)
 {
-  Quality best;
   const int most = 2 * static_cast<int>(std::ceil(std::sqrt(std::max(samples, 1))));
-  for (int x = 1; x <= most; ++x)
-  {
-    for (int y = -x; y <= x; ++y)
+  const auto forEach = [samples, most](const auto& work) {
+    for (int x = 1; x <= most; ++x)
     {
-      for (int u = -most; u <= most; ++u)
+      for (int y = -x; y <= x; ++y)
       {
-        // The fourth number makes the area that of the samples.
-        const int v = (samples + y * u) / x;
-        if (x * v - y * u != samples || v <= 0 || v > 2 * most)
+        for (int u = -most; u <= most; ++u)
         {
-          continue;
-        }
-        const Quality quality = GetQuality({ x, y }, { u, v });
-        if (quality.IsBetter(best))
-        {
-          best = quality;
-          this->Right = { x, y };
-          this->Up = { u, v };
+          // The fourth number makes the area that of the samples.
+          const int v = (samples + y * u) / x;
+          if (x * v - y * u == samples && v > 0 && v <= 2 * most)
+          {
+            work(glm::ivec2(x, y), glm::ivec2(u, v), GetQuality({ x, y }, { u, v }));
+          }
         }
       }
     }
-  }
+  };
+  int levels = 0;
+  int farthest = 0;
+  forEach([&](const glm::ivec2&, const glm::ivec2&, const Quality& quality) {
+    farthest = quality.Levels > levels ? 0 : farthest;
+    levels = std::max(levels, quality.Levels);
+    farthest = quality.Levels == levels ? std::max(farthest, quality.Distance) : farthest;
+  });
+  Quality best;
+  forEach([&](const glm::ivec2& right, const glm::ivec2& up, const Quality& quality) {
+    if (quality.IsBetter(best, farthest))
+    {
+      best = quality;
+      this->Right = right;
+      this->Up = up;
+    }
+  });
   // Places that are moved may leave the pixel, and others come in.
   for (int i = 0; i < 8; ++i)
   {
@@ -114,7 +128,7 @@ int vtkRelievoSampleLattice::GetNumberInPlaceOf(int samples)
     }
     return true;
   };
-  int number = samples + samples / 4 + 1;
+  int number = samples + 2 * samples / 3;
   while (!isPrime(number))
   {
     ++number;
@@ -162,8 +176,29 @@ glm::ivec2 vtkRelievoSampleLattice::GetOrigin(const glm::ivec2& pixels) const
   {
     low = glm::min(low, cell);
   }
-  return -(
+  const glm::ivec2 origin = -(
     glm::min((pixels.x - 1) * this->Right, none) + glm::min((pixels.y - 1) * this->Up, none) + low);
+  // Numbers are counted from the origin's cells, in every raster.
+  const glm::ivec2 step = this->GetNumberStep();
+  for (int more = 0;; ++more)
+  {
+    for (int x = 0; x <= more; ++x)
+    {
+      const glm::ivec2 moved = origin + glm::ivec2(x, more - x);
+      if ((moved.x * step.x + moved.y * step.y) % this->GetNumberOfSamples() == 0)
+      {
+        return moved;
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+// A sample's place in x, in steps of one divided by the number of samples.
+glm::ivec2 vtkRelievoSampleLattice::GetNumberStep() const
+{
+  const int samples = this->GetNumberOfSamples();
+  return { this->Up.y % samples, (samples - this->Up.x % samples) % samples };
 }
 
 //------------------------------------------------------------------------------

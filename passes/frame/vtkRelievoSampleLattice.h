@@ -22,8 +22,9 @@ class VTKRELIEVOFRAME_EXPORT vtkRelievoSampleLattice
 public:
   explicit vtkRelievoSampleLattice(int samples);
 
-  // The number of samples that err no more along edges than so many drawn one by one: a third more,
-  // since edges may be parallel to rows of a lattice. A prime, so that no row is sparse.
+  // The number of samples that err no more along edges and in penumbras than so many drawn one by
+  // one: two thirds more, since edges may be parallel to rows of a lattice, and borders of shadows to
+  // rows of its parts of a light. A prime, so that no row is sparse.
   static int GetNumberInPlaceOf(int samples);
 
   int GetNumberOfSamples() const { return static_cast<int>(this->Cells.size()); }
@@ -34,6 +35,10 @@ public:
 
   // The cells of the samples of the pixel at the origin, the one next to its centre first.
   const std::vector<glm::ivec2>& GetCells() const { return this->Cells; }
+
+  // Which sample of its pixel a cell of the raster has, from 0 on: step.x * x + step.y * y, modulo
+  // their number.
+  glm::ivec2 GetNumberStep() const;
 
   // Where a cell's sample is, in pixels.
   glm::dvec2 GetPlace(const glm::ivec2& cell) const;

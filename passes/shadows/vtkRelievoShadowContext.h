@@ -41,6 +41,9 @@ struct vtkRelievoShadowContext
   vtkRelievoShadowSplice::Structure Structure;
   int Radius = 1;    // of the filter in texels, as the maps' size allows
   double Bias = 0.0; // in texels
+  // Of soft lights' parts, in frames that draw all samples at once: the step of their numbers
+  // (vtkRelievoSampleLattice::GetNumberStep); 0, 0 in others.
+  glm::vec2 PartStep{ 0.f };
   int MapsDrawn = 0; // anew, in this frame
   bool DrawingMaps = false;
   bool DrawingDepth = false; // that the camera sees, for a method

@@ -99,6 +99,8 @@ std::string vtkRelievoShadowSplice::Fill(std::string& vertex, std::string& geome
   std::string flow = Section("UniformFlow");
   std::string visibility;
   std::string colors;
+  const std::pair<vtkActor*, vtkMapper*> drawn(actor, actor->GetMapper());
+  const bool found = std::count(structure.Found.begin(), structure.Found.end(), drawn) > 0;
   int slot = 0;
   int face = 0;
   for (const Structure::Light& light : structure.Lights)
@@ -107,6 +109,7 @@ std::string vtkRelievoShadowSplice::Fill(std::string& vertex, std::string& geome
     const std::string way = !structure.Maps ? "No"
       : light.Cube                          ? "Cube"
       : impostor                            ? "Normal"
+      : light.Soft > 0                      ? "Soft"
       : light.Parallel                      ? "Sun"
                                             : "Lamp";
     visibility += Numbered((way + "Visibility").c_str(), light, slot, face);
@@ -146,6 +149,10 @@ std::string vtkRelievoShadowSplice::Fill(std::string& vertex, std::string& geome
   dec << "#define RELIEVO_SHADOW_LIGHTS " << structure.Lights.size() << "\n";
   dec << "#define RELIEVO_SHADOW_FACES " << structure.GetFaces() << "\n";
   dec << "#define RELIEVO_SHADOW_NUMBERS " << structure.Numbers << "\n";
+  if (structure.Parts > 0)
+  {
+    dec << "#define RELIEVO_SHADOW_PARTS " << structure.Parts << "\n";
+  }
   dec << (structure.WideFilter ? "#define RELIEVO_SHADOW_WIDE\n" : "");
   dec << (structure.Colored ? "#define RELIEVO_SHADOW_COLORED\n" : "");
   dec << (impostor ? "#define RELIEVO_SHADOW_IMPOSTOR\n" : "");
@@ -164,10 +171,8 @@ std::string vtkRelievoShadowSplice::Fill(std::string& vertex, std::string& geome
   const auto ofMethod = [&](const char* section) {
     return vtkRelievoShaderLibrary::GetSection(structure.Method, section);
   };
-  const std::pair<vtkActor*, vtkMapper*> drawn(actor, actor->GetMapper());
-  const bool found = std::count(structure.Found.begin(), structure.Found.end(), drawn) > 0;
   const bool traced = structure.Traced && !found;
-  if (found) // what is seen of it is drawn by another program
+  if (structure.Traced && found) // what is seen of it is drawn by another program
   {
     FillMark(vertex, VertexDec, ofMethod("FoundVertexDec"));
   }

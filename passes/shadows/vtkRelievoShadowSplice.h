@@ -5,6 +5,7 @@
 #ifndef vtkRelievoShadowSplice_h
 #define vtkRelievoShadowSplice_h
 
+#include <algorithm>
 #include <string>
 #include <utility>
 #include <vector>
@@ -23,12 +24,13 @@ struct Structure
     int ShaderIndex; // as VTK's shaders count lights
     bool Parallel;
     bool Cube; // room for six maps instead of one
+    int Soft;  // maps that its parts are looked up in; 0: it is a point
 
-    int GetRoom() const { return this->Cube ? 6 : 1; }
+    int GetRoom() const { return this->Cube ? 6 : std::max(this->Soft, 1); }
     bool operator==(const Light& other) const
     {
       return this->ShaderIndex == other.ShaderIndex && this->Parallel == other.Parallel &&
-        this->Cube == other.Cube;
+        this->Cube == other.Cube && this->Soft == other.Soft;
     }
   };
   std::vector<Light> Lights; // that cast
@@ -38,6 +40,7 @@ struct Structure
   bool Colored = false;      // what passes surfaces has their colours
   bool WideFilter = false;   // of a radius above 1
   int Numbers = 0;           // lights of the renderer
+  int Parts = 0;             // of soft lights
   bool Unlit = false;        // visibility is asked for also where no light is computed
   // Whose verdicts the method finds before the picture, with their mappers, which have the shaders;
   // for comparison only.
@@ -57,7 +60,7 @@ struct Structure
     return this->Lights == other.Lights && this->Method == other.Method &&
       this->Maps == other.Maps && this->Traced == other.Traced && this->Colored == other.Colored &&
       this->WideFilter == other.WideFilter && this->Numbers == other.Numbers &&
-      this->Unlit == other.Unlit && this->Found == other.Found;
+      this->Parts == other.Parts && this->Unlit == other.Unlit && this->Found == other.Found;
   }
 };
 

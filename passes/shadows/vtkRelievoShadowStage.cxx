@@ -18,6 +18,7 @@
 #include "vtkRelievoLightSamples.h"
 #include "vtkRelievoMeshTexels.h"
 #include "vtkRelievoPlainActor.h"
+#include "vtkRelievoSampleLattice.h"
 #include "vtkRelievoShadowCertificate.h"
 #include "vtkRelievoShadowCertifier.h"
 #include "vtkRelievoShadowContext.h"
@@ -43,6 +44,13 @@
 #include <sstream>
 #include <string>
 #include <vector>
+
+namespace
+{
+// Rays of suns are in shaders, as many as a lattice has samples.
+constexpr int MostFollowed = 64;
+constexpr int MostFollowedSuns = 4;
+}
 
 class vtkRelievoShadowStage::Internals
 {
@@ -444,9 +452,14 @@ bool vtkRelievoShadowStage::Internals::UpdateStructure()
   structure.Numbers = static_cast<int>(this->Lights.GetAll().size());
   structure.Unlit = this->LayersAsked;
   structure.WideFilter = this->Work.Radius > 1;
+  structure.Parts = 0;
   for (const auto& entry : this->Work.Cache.GetEntries())
   {
-    structure.Lights.push_back({ entry.Light.ShaderIndex, !entry.Light.Positional, entry.Cube });
+    const int parts = static_cast<int>(entry.Light.Parts.size());
+    const int maps = static_cast<int>(entry.Light.Centers.size());
+    structure.Lights.push_back(
+      { entry.Light.ShaderIndex, !entry.Light.Positional, entry.Cube, maps });
+    structure.Parts = std::max(structure.Parts, parts);
   }
   for (vtkActor* actor : this->Method->GetFound(structure.Lights.size()))
   {
@@ -534,6 +547,17 @@ void vtkRelievoShadowStage::Describe(vtkRelievoStageDescription& description)
 }
 
 //------------------------------------------------------------------------------
+// Whether the samples of all soft lights can be followed through a few maps.
+bool vtkRelievoShadowStage::FollowsSuns(vtkRenderer* renderer) const
+{
+  const Internals& in = *this->Internal;
+  return this->SoftMaps > 0 && this->SoftSamples <= MostFollowed && this->Method == METHOD_MAP &&
+    !in.Schedule.Exchange.IsOn() && !this->ColoredShadows &&
+    in.Lights.CountSized(renderer, in.Sizes, true) == 0 &&
+    in.Lights.CountSized(renderer, in.Sizes, false) <= MostFollowedSuns;
+}
+
+//------------------------------------------------------------------------------
 void vtkRelievoShadowStage::Declare(
   const vtkRelievoFrameContext& context, vtkRelievoDeclaration& declaration) const
 {
@@ -550,10 +574,11 @@ void vtkRelievoShadowStage::Declare(
     declaration.Reason = "they are not to be visible in the picture";
   }
   this->DeclareSoft(context, declaration);
-  // Soft shadows have maps of another place of the light for each sample, and other methods than
-  // these know what is seen at pixels.
-  declaration.AnyRaster = declaration.Samples == 1 && this->Tolerance == 0.0 &&
-    this->TimeBudget == 0.0 && (this->Method == METHOD_MAP || this->Method == METHOD_WARPED);
+  // Other methods than these know what is seen at pixels.
+  const bool ofAnyRaster = this->Tolerance == 0.0 && this->TimeBudget == 0.0 &&
+    (this->Method == METHOD_MAP || this->Method == METHOD_WARPED);
+  declaration.AnyRaster =
+    ofAnyRaster && (declaration.Samples == 1 || this->FollowsSuns(context.Renderer));
 }
 
 //------------------------------------------------------------------------------
@@ -677,6 +702,14 @@ void vtkRelievoShadowStage::DescribeSoft(vtkRelievoStageDescription& description
     .Label = "All Samples At Once";
   description.Parameters.back().Advanced = true;
   onlyIfSoft();
+  description
+    .AddWhole(
+      "soft_maps", this->SoftMaps, [this](int maps) { this->SetSoftMaps(maps); }, 0, 64, "maps",
+      "Maps, of half the width, in which all samples of a sun are looked up where they are drawn "
+      "at once, which is faster than a map for each; 0: a map for each.")
+    .Label = "Maps for All Samples";
+  description.Parameters.back().Advanced = true;
+  onlyIfSoft();
   description.AddNumber(
     "sun_angle", this->SunAngle, [this](double degrees) { this->SetSunAngle(degrees); }, 0.0,
     WidestSun, "degrees", "Angle that suns appear under which have no softness of their own.");
@@ -698,7 +731,9 @@ void vtkRelievoShadowStage::DeclareSoft(
 {
   const Internals& in = *this->Internal;
   if (this->SoftSamples > 1 && !in.Schedule.Exchange.IsOn() &&
-    in.Lights.AreSized(context.Renderer, in.Sizes))
+    in.Lights.CountSized(context.Renderer, in.Sizes, true) +
+        in.Lights.CountSized(context.Renderer, in.Sizes, false) >
+      0)
   {
     declaration.Samples = this->SoftSamples;
     declaration.AtOnce = this->SoftAtOnce;
@@ -713,7 +748,9 @@ std::string vtkRelievoShadowStage::DescribeSamples() const
   {
     return {};
   }
-  return in.Samples > 1 ? ", " + std::to_string(in.Gathered) + " of " + std::to_string(in.Samples) +
+  return in.Work.PartStep != glm::vec2(0.f)
+    ? ", " + std::to_string(in.Samples) + " parts of each sun are followed through its maps"
+    : in.Samples > 1 ? ", " + std::to_string(in.Gathered) + " of " + std::to_string(in.Samples) +
       " samples of the lights' shapes gathered"
     : in.Schedule.Exchange.IsOn()
     ? ", lights are points: several processes draw together"
@@ -836,9 +873,13 @@ std::string vtkRelievoShadowStage::MakeMaps(vtkRelievoFrameContext& context)
     {
       continue;
     }
-    const int size = chosen.Size > 0 ? chosen.Size : this->MapSize;
-    std::string fault = in.Schedule.Fit(in.Work, in.Lights.GetCasting(), *in.Method,
-      this->GetSizeHere(size), this->FilterRadius, context.Renderer);
+    const std::vector<vtkRelievoShadowLight>& casting = in.Lights.GetCasting();
+    const bool followed = std::any_of(casting.begin(), casting.end(),
+      [](const vtkRelievoShadowLight& light) { return !light.Parts.empty(); });
+    const int all = chosen.Size > 0 ? chosen.Size : this->MapSize;
+    const int size = followed ? std::max(16, all / 2) : all;
+    std::string fault = in.Schedule.Fit(
+      in.Work, casting, *in.Method, this->GetSizeHere(size), this->FilterRadius, context.Renderer);
     if (fault.empty() || !planned)
     {
       in.Planning.SetMade(fault.empty() && in.MethodMade == chosen.Method);
@@ -987,7 +1028,14 @@ void vtkRelievoShadowStage::CollectLights(vtkRelievoFrameContext& context)
   const bool soft = this->SoftSamples > 1;
   in.Samples = soft ? context.Samples : 1;
   in.Gathered = soft ? context.Sample + 1 : 1;
-  if (in.Samples > 1)
+  in.Work.PartStep = glm::vec2(0.f);
+  if (in.Samples > 1 && context.MeanLattice)
+  {
+    in.Samples = in.Gathered = context.MeanLattice->GetNumberOfSamples();
+    in.Work.PartStep = glm::vec2(context.MeanLattice->GetNumberStep());
+    in.Lights.Divide(in.Sizes, in.Samples, this->SoftMaps, vtkRelievoShadowMaps::GetMostFaces());
+  }
+  else if (in.Samples > 1)
   {
     in.Lights.Move(in.Sizes, context.Sample, context.Samples);
   }

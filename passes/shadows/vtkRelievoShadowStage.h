@@ -194,6 +194,16 @@ public:
   vtkSetMacro(SoftAtOnce, bool);
   vtkGetMacro(SoftAtOnce, bool);
   vtkBooleanMacro(SoftAtOnce, bool);
+  /**
+   * Number of maps in which all samples of a sun are looked up along their rays, 0 to 64. 0
+   * (default) draws a map for each sample.
+   *
+   * This is for METHOD_MAP, where a frame draws all samples of its pixels at once
+   * (vtkRelievoAntialiasStage) and no lamp has a size. The maps have half of MapSize. Surfaces that
+   * others hide from the centres of these maps cast nothing.
+   */
+  vtkSetClampMacro(SoftMaps, int, 0, 64);
+  vtkGetMacro(SoftMaps, int);
   ///@}
 
   ///@{
@@ -373,6 +383,7 @@ protected:
   bool ColoredShadows = false;
   int SoftSamples = 0;
   bool SoftAtOnce = false;
+  int SoftMaps = 0;
   double SunAngle = 0.53;
   double LampRadius = 0.0;
   int NumberOfMapsDrawn = 0;
@@ -383,6 +394,7 @@ private:
 
   void DescribeSoft(vtkRelievoStageDescription& description);
   void DeclareSoft(const vtkRelievoFrameContext& context, vtkRelievoDeclaration& declaration) const;
+  bool FollowsSuns(vtkRenderer* renderer) const;
   std::string DescribeSamples() const;                   // "; WORDS"
   std::string MakeMaps(vtkRelievoFrameContext& context); // as planned, or why there are none
   void PrepareMethod(vtkRelievoFrameContext& context);   // or maps, with a warning

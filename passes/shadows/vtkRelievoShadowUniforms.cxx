@@ -7,6 +7,7 @@
 #include "vtkProperty.h"
 #include "vtkRelievoShadowContext.h"
 #include "vtkRelievoShadowMapUniforms.h"
+#include "vtkRelievoShadowMaps.h"
 #include "vtkRelievoShadowMethod.h"
 #include "vtkShaderProgram.h"
 
@@ -22,6 +23,8 @@ void vtkRelievoShadowUniforms::SetFrame(vtkShaderProgram* program,
   vtkRelievoShadowMapUniforms faces(work, work.Structure.GetFaces(), center);
   std::vector<float> strengths;
   std::vector<int> slots(work.Structure.Numbers, -1);
+  std::vector<glm::vec3> rays;
+  const auto parts = static_cast<std::ptrdiff_t>(work.Structure.Parts);
   int first = 0;
   for (const auto& entry : work.Cache.GetEntries())
   {
@@ -30,6 +33,19 @@ void vtkRelievoShadowUniforms::SetFrame(vtkShaderProgram* program,
     for (const auto& map : entry.Maps)
     {
       faces.Set(face++, map, method.GetBias(map.View, work.Bias));
+    }
+    rays.resize(rays.size() + work.Structure.Parts, glm::vec3(0.f));
+    if (parts > 0 && light.Parts.size() == static_cast<std::size_t>(parts) &&
+      entry.Maps.size() == light.Centers.size())
+    {
+      std::transform(light.Parts.begin(), light.Parts.end(), rays.end() - parts,
+        [&](const vtkRelievoShadowLight::Part& part) {
+          const vtkRelievoShadowView& view = entry.Maps[static_cast<std::size_t>(part.Map)].View;
+          const glm::dvec3 ray = glm::dmat3(vtkRelievoShadowMaps::GetNDCToMap(work.Maps.GetSize()) *
+                                   view.ViewToNDC * view.WorldToView) *
+            part.Direction;
+          return glm::vec3(-glm::dvec2(ray) / ray.z, part.Map);
+        });
     }
     first += work.Structure.Lights[strengths.size()].GetRoom();
     slots[light.Number] = static_cast<int>(strengths.size());
@@ -42,6 +58,12 @@ void vtkRelievoShadowUniforms::SetFrame(vtkShaderProgram* program,
   program->SetUniform1iv("relievoShadowSlot", work.Structure.Numbers, slots.data());
   const bool mirrored = work.View.GetWinding() < 0.0;
   program->SetUniformf("relievoShadowHand", mirrored ? 1.f : -1.f);
+  if (parts > 0)
+  {
+    program->SetUniform3fv("relievoShadowRays", static_cast<int>(rays.size()),
+      reinterpret_cast<const float(*)[3]>(rays.data()));
+    program->SetUniform2f("relievoShadowPartStep", &work.PartStep.x);
+  }
 }
 
 //------------------------------------------------------------------------------

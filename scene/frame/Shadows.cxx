@@ -79,6 +79,7 @@ void SetShadows(vtkRelievoPass* pass, vtkRenderer* renderer, const RenderOptions
   {
     pass->GetShadowStage()->SetSoftSamples(*options.SoftShadows);
   }
+  pass->GetShadowStage()->SetSoftMaps(options.SoftMaps);
   pass->GetShadowStage()->SetColoredShadows(options.ColoredShadows);
   pass->WaitForSamplesOn();
   pass->GetShadowStage()->SetTolerance(options.ShadowTolerance.value_or(0.0));

@@ -53,6 +53,9 @@ constexpr double LastFill = 0.8;
 // Of soft shadows and of smooth edges.
 constexpr int Samples = 24;
 
+// That the soft shadows of suns are looked up in.
+constexpr int SoftMaps = 8;
+
 // Of both beside a volume, which has no edges, casts no shadows, and takes long to draw.
 constexpr int SamplesOfVolumes = 4;
 
@@ -119,6 +122,7 @@ void AddShadows(RenderOptions& options, const std::set<std::string>& given, int 
       !says("--time-budget") && !says("--layers"))
     {
       options.SoftShadows = samples;
+      options.SoftMaps = SoftMaps;
     }
   }
 }

@@ -91,6 +91,7 @@ struct RenderOptions
   bool YieldsToFile = false;       ///< if the file has lights, they are in the place of these
   Shadows ShadowMethod = Shadows::Off;
   std::optional<int> ShadowSize;         ///< of each map, texels
+  int SoftMaps = 0;                      ///< that these are looked up in, where that can be
   std::optional<int> SoftShadows;        ///< samples of each light's shape
   bool ColoredShadows = false;           ///< what is translucent casts, and colours the light
   std::optional<double> ShadowTolerance; ///< share of wrong pixels, 0 to 1

@@ -4,10 +4,11 @@
 //VTK::Output::Dec
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The mean, in linear light, of the samples of a pixel in a finer raster, which are premultiplied
-// and lie over what was drawn before. With RELIEVO_DEPTH: the z of the sample that is next to the
-// pixel's centre, the first one. RELIEVO_SAMPLES: of each pixel.
+// The mean, in linear light, of the samples of a pixel in a raster, which are premultiplied and lie
+// over what was drawn before; with RELIEVO_MARKED: of pixels that are marked. With RELIEVO_DEPTH: the
+// z of the sample that is next to the pixel's centre.
 //RELIEVO::Include(formulas/half.glsl)
+//RELIEVO::Include(frame/raster.glsl)
 #ifndef RELIEVO_DEPTH
 //RELIEVO::Include(formulas/blend.glsl)
 //RELIEVO::Include(formulas/srgb.glsl)
@@ -15,21 +16,24 @@
 #endif
 in vec2 texCoord;
 uniform vec2 relievoSize;
-uniform sampler2D relievoRasterColor; // as VTK makes it for display
-uniform sampler2D relievoRasterZ;
-uniform vec2 relievoRasterCells[RELIEVO_SAMPLES]; // of the viewport's first pixel; whole numbers
-uniform ivec2 relievoRasterFirst; // where these are counted from
-uniform ivec2 relievoRasterRight;                  // to the next pixel
-uniform ivec2 relievoRasterUp;
+#ifdef RELIEVO_MARKED
+uniform sampler2D relievoMarks;
+#endif
 
 void main()
 {
   ivec2 pixel = ivec2(floor(texCoord * relievoSize));
-  ivec2 first = relievoRasterFirst + pixel.x * relievoRasterRight + pixel.y * relievoRasterUp;
 #ifdef RELIEVO_DEPTH
   gl_FragData[0] = vec4(0.0);
-  gl_FragDepth = texelFetch(relievoRasterZ, first + ivec2(relievoRasterCells[0]), 0).r;
+  gl_FragDepth = texelFetch(relievoRasterZ, relievoRasterCenter(pixel), 0).r;
 #else
+#ifdef RELIEVO_MARKED
+  if (texelFetch(relievoMarks, pixel, 0).r == 0.0)
+  {
+    discard;
+  }
+#endif
+  ivec2 first = relievoRasterFirst + pixel.x * relievoRasterRight + pixel.y * relievoRasterUp;
   vec4 behind = texelFetch(relievoDrawn, pixel + relievoDrawnOffset, 0);
   vec4 sum = vec4(0.0);
   vec4 least = vec4(1e30);

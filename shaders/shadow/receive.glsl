@@ -5,7 +5,7 @@
 //
 // Defines, by vtkRelievoShadowSplice: RELIEVO_SHADOW_LIGHTS (casting lights), RELIEVO_SHADOW_FACES
 // (room for their maps), RELIEVO_SHADOW_NUMBERS (lights of the renderer), RELIEVO_SHADOW_WIDE (the
-// filter's radius is above 1), RELIEVO_SHADOW_COLORED (surfaces colour what passes them), and of
+// filter's radius is above 1), RELIEVO_SHADOW_PARTS (of each soft sun), RELIEVO_SHADOW_COLORED (surfaces colour what passes them), and of
 // the mapper's shader: RELIEVO_SHADOW_TRIANGLES (planes come from derivatives),
 // RELIEVO_SHADOW_IMPOSTOR (VTK moved vertexVC to the impostor, normalVCVSOutput is exact). What it
 // shares with other splices: splice/contract.glsl.
@@ -79,6 +79,10 @@ float relievoShadowLamp(int face, vec4 map, vec3 plane, float facing)
   return map.w > 0.0 && relievoShadowSees(place) ? lit : 1.0;
 }
 
+#ifdef RELIEVO_SHADOW_PARTS
+//RELIEVO::Include(shadow/soft.glsl)
+#endif
+
 //RELIEVO::Section(LightDec)
 vec3 relievoShadowedColorRELIEVO_NUMBER;
 vec3 relievoUnshadowedColorRELIEVO_NUMBER()
@@ -105,6 +109,10 @@ vec3 relievoUnshadowedColorRELIEVO_NUMBER()
     RELIEVO_RECEIVER(
       relievoShadowMatrix[RELIEVO_FACE], vec4(relievoShadowPlaceRELIEVO_SLOT, 1.0)).xyz,
     relievoShadowPlaneRELIEVO_SLOT);
+
+//RELIEVO::Section(SoftVisibility)
+  relievoVisibility[RELIEVO_SLOT] = relievoShadowPart(RELIEVO_SLOT, RELIEVO_FACE,
+    RELIEVO_SHADOW_POSITION, relievoShadowNormalVC);
 
 //RELIEVO::Section(LampFlow)
   vec4 relievoShadowMapRELIEVO_SLOT =

@@ -151,7 +151,7 @@ class Studio(CliTest):
             numpy.testing.assert_array_equal(layers[0][name], layers[1][name])
         below = ["ball.obj", *COARSE, "--camera", "0,-9,3,0,0,0,0,1,0"]
         self.assertLess(
-            abs(self.picture(*below) - self.picture(*below, "--ground", "off")).max(), 3)
+            abs(self.picture(*below) - self.picture(*below, "--ground", "off")).max(), 5)
         self.box("flat.obj", (0, 0, 0), (2, 1, 0))
         numpy.testing.assert_array_equal(
             self.picture("flat.obj", *COARSE),
@@ -169,7 +169,8 @@ class Studio(CliTest):
             pictures.append(read_png(self.folder / "a.png")[..., :3].astype(int))
         different = abs(pictures[0] - pictures[1]).max(axis=-1)
         self.assertGreater((different > 0).sum(), 25)  # they are two methods
-        self.assertEqual((different > 0.08 * 255).sum(), 0)
+        # Both are up to 0.08 from the picture of 256 samples, where their own lie otherwise.
+        self.assertEqual((different > 0.12 * 255).sum(), 0)
 
     def test_grid(self):
         """Behind the model and beside it, in black or white, whatever the size; layers, camera and
@@ -184,14 +185,14 @@ class Studio(CliTest):
                                  for more in ([], ["--grid"]))  # fmt: skip
                 apart = grid - without
                 model, _ = self.seen("ball.obj", *words)
-                # At edges, samples lie elsewhere within the pixels where lines are drawn.
-                self.assertLessEqual(abs(apart)[shrunk(model)].max(), 1)
+                # Where lines are drawn, samples lie elsewhere in pixels and on the sun.
+                self.assertLessEqual(abs(apart)[shrunk(model)].max(), 3)
                 apart = numpy.where((shrunk(model) | shrunk(~model))[..., None], apart, 0)
                 seen = abs(apart).max(axis=-1) > 8
                 self.assertGreater(seen.mean(), 0.04)
                 self.assertGreater(abs(apart).max(), 120)
-                self.assertEqual((apart > 8).any(), "none" in words)  # white, and only there
-                self.assertEqual((apart < -8).any(), "none" not in words)
+                self.assertEqual((apart > 24).any(), "none" in words)  # white, and only there
+                self.assertEqual((apart < -24).any(), "none" not in words)
                 rows, columns = numpy.nonzero(seen)
                 self.assertGreater(min(rows.min(), 179 - rows.max()), 0)  # numbers are whole
                 self.assertGreater(min(columns.min(), 239 - columns.max()), 0)

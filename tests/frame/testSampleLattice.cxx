@@ -31,27 +31,37 @@ void CheckRaster(const vtkRelievoSampleLattice& lattice, const int part[4], cons
   const glm::ivec2 viewport(40, 30);
   const glm::dmat4 toRaster = lattice.GetToRaster(viewport, part);
   std::set<std::pair<int, int>> known;
+  std::vector<int> first;
   double off = 0.0;
   bool inside = true;
+  bool numbered = true;
   for (int y = 0; y < pixels.y; ++y)
   {
     for (int x = 0; x < pixels.x; ++x)
     {
+      std::vector<int> numbers;
       for (const glm::ivec2& cell : lattice.GetCells())
       {
         const glm::ivec2 own =
           lattice.GetOrigin(pixels) + x * lattice.GetRight() + y * lattice.GetUp() + cell;
         inside = inside && own == glm::clamp(own, glm::ivec2(0), size - 1);
         known.emplace(own.x, own.y);
+        const glm::ivec2 steps = own * lattice.GetNumberStep();
+        numbers.push_back((steps.x + steps.y) % lattice.GetNumberOfSamples());
         const glm::dvec2 place = glm::dvec2(part[0] + x, part[1] + y) + lattice.GetPlace(cell);
         const glm::dvec2 ndc = 2.0 * place / glm::dvec2(viewport) - 1.0;
         const glm::dvec4 drawn = toRaster * glm::dvec4(ndc, 0.25, 1.0);
         const glm::dvec2 there = 0.5 * (glm::dvec2(drawn) + 1.0) * glm::dvec2(size);
         off = std::max(off, glm::length(there - glm::dvec2(own) - 0.5));
       }
+      // A number for each sample of a pixel, and the numbers of all pixels alike.
+      first = first.empty() ? numbers : first;
+      numbered = numbered && numbers == first &&
+        std::set<int>(numbers.begin(), numbers.end()).size() == numbers.size();
     }
   }
   RELIEVO_CHECK(inside);
+  RELIEVO_CHECK(numbered);
   RELIEVO_CHECK(known.size() == lattice.GetCells().size() * pixels.x * pixels.y);
   RELIEVO_CHECK_AT_MOST(off, 1e-9, name);
 }
@@ -60,7 +70,7 @@ void CheckRaster(const vtkRelievoSampleLattice& lattice, const int part[4], cons
 RELIEVO_TEST_CASE(testSampleLattice)
 {
   relievoTest::Session session;
-  for (const int samples : { 1, 2, 3, 5, 7, 8, 16, 24, 31, 64, 256 })
+  for (const int samples : { 1, 2, 3, 5, 6, 7, 8, 16, 24, 31, 41, 64, 256 })
   {
     const vtkRelievoSampleLattice lattice(samples);
     const std::string name = std::to_string(samples) + " samples";
@@ -97,7 +107,7 @@ RELIEVO_TEST_CASE(testSampleLattice)
     }
     RELIEVO_CHECK_AT_MOST(uneven, 1e-9, name);
     // Points of a hexagonal lattice would be 1.07 / sqrt(samples) apart.
-    RELIEVO_CHECK(samples < 5 || least > 0.7 / std::sqrt(samples));
+    RELIEVO_CHECK(samples < 7 || least > 0.7 / std::sqrt(samples));
     const int whole[4] = { 0, 0, 40, 30 };
     const int part[4] = { 11, 7, 13, 5 };
     CheckRaster(lattice, whole, name);

@@ -12,6 +12,7 @@
 #include "Session.h"
 #include "ShadowScenes.h"
 #include "SoftShadowTruth.h"
+#include "SrgbCurve.h"
 #include "TestCase.h"
 #include "View.h"
 #include "Window.h"
@@ -19,7 +20,10 @@
 #include <vtkCellArray.h>
 #include <vtkFloatArray.h>
 #include <vtkImageData.h>
+#include <vtkNew.h>
 #include <vtkPointData.h>
+#include <vtkProperty.h>
+#include <vtkRelievoAntialiasStage.h>
 #include <vtkRelievoLightSamples.h>
 #include <vtkRelievoPass.h>
 #include <vtkRelievoShadowStage.h>
@@ -212,6 +216,76 @@ void TestEdge(int method, SceneLight kind, double size, int pixels = 80)
   RELIEVO_CHECK_AT_MOST(std::abs(mean / count), 0.5 * Limit, what + ": mean error");
 }
 
+// The picture of the same edge, whose samples are drawn at once and followed through few maps.
+void TestFollowed(double angle, int maps, double limit)
+{
+  constexpr double Height = 4.;
+  ShadowStage stage(160, 120);
+  const auto ground = stage.AddGround();
+  const auto mesh = relievoTest::MakePolygons(
+    { { 0., Height, 20. }, { 20., Height, 20. }, { 20., Height, -20. }, { 0., Height, -20. } });
+  mesh->GetPolys()->InsertNextCell({ 0, 1, 2, 3 });
+  relievoTest::AddActor(stage.Renderer, mesh);
+  ground->GetProperty()->SetAmbient(0.);
+  ground->GetProperty()->SetSpecular(0.);
+  ground->GetProperty()->SetDiffuse(0.9);
+  ground->GetProperty()->SetColor(1., 1., 1.);
+  stage.AddSun(0., 5., 0.);
+  vtkRelievoShadowStage* shadows = stage.GetShadows();
+  shadows->VisibleOn();
+  shadows->SetMapSize(2048);
+  shadows->SetSoftSamples(24);
+  shadows->SetSunAngle(angle);
+  shadows->SetSoftMaps(maps);
+  vtkNew<vtkRelievoAntialiasStage> antialias;
+  antialias->SetSamples(24);
+  stage.GetFrame()->AddStage(antialias);
+  stage.GetFrame()->WaitForSamplesOn();
+  const auto picture = relievoTest::Picture(stage.Window);
+  RELIEVO_CHECK(antialias->GetReason().find("41 samples in") != std::string::npos);
+  RELIEVO_CHECK(shadows->GetNumberOfMapsDrawn() == maps);
+  relievoTest::EmbreeScene truth;
+  const auto square = relievoTest::MakePolygons(
+    { { -3., 0., 3. }, { 3., 0., 3. }, { 3., 0., -3. }, { -3., 0., -3. } });
+  square->GetPolys()->InsertNextCell({ 0, 1, 2, 3 });
+  truth.AddActor(square);
+  const auto view = truth.Trace(relievoTest::View(stage.Renderer));
+  const auto* bytes = static_cast<unsigned char*>(picture->GetScalarPointer());
+  const double radius = std::tan(0.5 * angle * Pi / 180.);
+  const double white = relievoTest::LinearFromSrgb(std::round(0.9 * 255.) / 255.);
+  double sum = 0.;
+  double mean = 0.;
+  int count = 0;
+  for (std::size_t i = 1; i + 1 < view.Pixels.size(); ++i)
+  {
+    if (!view.Pixels[i - 1].Hit || !view.Pixels[i].Hit || !view.Pixels[i + 1].Hit)
+    {
+      continue;
+    }
+    double share = 0.; // the mean over the pixel
+    for (int part = -3; part <= 3; ++part)
+    {
+      const double x = view.Pixels[i].Position.x +
+        part / 14. * (view.Pixels[i + 1].Position.x - view.Pixels[i - 1].Position.x);
+      share += DiscShare(-x / Height / radius) / 7.;
+    }
+    if (share > 1e-6 && share < 1. - 1e-6)
+    {
+      const double error = relievoTest::LinearFromSrgb(bytes[3 * i] / 255.) / white - share;
+      sum += error * error;
+      mean += error;
+      ++count;
+    }
+  }
+  const std::string what =
+    "followed, " + std::to_string(maps) + " maps, " + Describe(SceneLight::Sun, angle);
+  std::cout << what << ": rms error " << std::sqrt(sum / count) << ", mean " << mean / count
+            << " of " << count << " pixels in the penumbra\n";
+  RELIEVO_CHECK_THAT(count > 150, what + ": too little is in the penumbra");
+  RELIEVO_CHECK_AT_MOST(std::sqrt(sum / count), limit, what + ": rms error");
+  RELIEVO_CHECK_AT_MOST(std::abs(mean / count), Limit, what + ": mean error");
+}
+
 void TestMesh(const std::string& name, SceneLight kind, double size, double limit,
   const std::vector<int>& methods = { vtkRelievoShadowStage::METHOD_EXACT })
 {
@@ -312,6 +386,9 @@ RELIEVO_TEST_CASE(testShadowSoft)
     TestMesh("arrows", SceneLight::Point, radius, 3. * Limit);
   }
   TestEdges();
+  TestFollowed(2., 8, 0.05);  // three pixels of penumbra
+  TestFollowed(10., 8, 0.03); // a map for each of 24 samples: 0.031
+  TestFollowed(10., 1, 0.06);
   TestMesh("bunny", SceneLight::Sun, 6., Limit,
     { vtkRelievoShadowStage::METHOD_MAP, vtkRelievoShadowStage::METHOD_EXACT });
   return session.Result();

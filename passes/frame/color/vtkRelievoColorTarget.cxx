@@ -337,19 +337,23 @@ void vtkRelievoColorTarget::Clear(vtkRelievoFrameContext& context, float alpha)
 
 //------------------------------------------------------------------------------
 void vtkRelievoColorTarget::Put(vtkRelievoFrameContext& context, vtkRelievoScreenQuad& colors,
-  vtkRelievoScreenQuad& depths, const int part[4])
+  vtkRelievoScreenQuad* depths, const int part[4])
 {
   const Rectangle where = Rectangle::Of(part);
   this->DrawOnto(context, colors, 0, false, where);
   this->Made = this->Made.With(where);
   this->Valid = true;
+  if (!depths)
+  {
+    return;
+  }
   const int* v = context.View.Viewport;
   const int place[4] = { v[0] + part[0], v[1] + part[1], part[2], part[3] };
   vtkOpenGLState* state = context.Window->GetState();
   const vtkRelievoScopedState kept(state);
   this->Buffers.Framebuffer->Bind();
   state->vtkglColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
-  depths.Draw(context, nullptr, vtkRelievoScreenQuad::WRITES_DEPTH, place);
+  depths->Draw(context, nullptr, vtkRelievoScreenQuad::WRITES_DEPTH, place);
 }
 
 //------------------------------------------------------------------------------

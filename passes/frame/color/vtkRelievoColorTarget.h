@@ -52,7 +52,7 @@ public:
   // Before End: puts what quads make, which are ready, in the place of what has been drawn in a
   // part of the viewport: linear colours, and depths.
   void Put(vtkRelievoFrameContext& context, vtkRelievoScreenQuad& colors,
-    vtkRelievoScreenQuad& depths, const int part[4]);
+    vtkRelievoScreenQuad* depths, const int part[4]);
 
   // Binds what was bound before Begin; the linear colour is there from now on.
   void End(vtkRelievoFrameContext& context);

@@ -34,6 +34,7 @@
 #include "vtkTextureObject.h"
 
 #include <algorithm>
+#include <iomanip>
 #include <regex>
 #include <sstream>
 
@@ -41,6 +42,9 @@ namespace
 {
 // Cells of a raster that is drawn at once: 12 bytes each.
 constexpr double MostCells = 1 << 24;
+
+// Of each pixel, before it is known which pixels need more.
+constexpr int FewSamples = 5;
 
 // Lines and points are as wide as pixels are.
 bool DrawsSurfacesOnly(vtkDataObject* data)
@@ -203,94 +207,135 @@ std::string vtkRelievoSampleRaster::FindObstacle(const vtkRelievoFrameContext& c
 }
 
 //------------------------------------------------------------------------------
-// The part that is drawn on, in columns and rows that the raster has room for.
-void vtkRelievoSampleRaster::FindParts(const vtkRelievoFrameContext& context, const int drawn[4])
+// A part of the viewport in columns and rows that a raster has room for.
+std::vector<vtkRelievoSampleRaster::Part> vtkRelievoSampleRaster::Divide(
+  const vtkRelievoSampleLattice& lattice, const Part& part, glm::ivec2& pixels)
 {
-  this->Parts.clear();
-  if (drawn[2] <= 0 || drawn[3] <= 0)
-  {
-    return;
-  }
-  const glm::ivec2 all(drawn[2], drawn[3]);
+  const glm::ivec2 all(part[2], part[3]);
   glm::ivec2 count(1);
   const auto getPixels = [&]() { return (all + count - 1) / count; };
   const auto countCells = [&]() {
-    const glm::dvec2 size(context.Lattice->GetSize(getPixels()));
+    const glm::dvec2 size(lattice.GetSize(getPixels()));
     return size.x * size.y;
   };
   while (countCells() > MostCells && (getPixels().x > 1 || getPixels().y > 1))
   {
-    const glm::ivec2 pixels = getPixels();
-    pixels.x > pixels.y ? ++count.x : ++count.y;
+    getPixels().x > getPixels().y ? ++count.x : ++count.y;
   }
-  const glm::ivec2 pixels = getPixels();
-  const glm::ivec2 size = context.Lattice->GetSize(pixels);
-  this->Size[0] = size.x;
-  this->Size[1] = size.y;
+  pixels = getPixels();
+  std::vector<Part> parts;
   for (int y = 0; y < all.y; y += pixels.y)
   {
     for (int x = 0; x < all.x; x += pixels.x)
     {
-      this->Parts.push_back({ drawn[0] + x, drawn[1] + y, std::min(pixels.x, all.x - x),
-        std::min(pixels.y, all.y - y) });
+      parts.push_back(
+        { part[0] + x, part[1] + y, std::min(pixels.x, all.x - x), std::min(pixels.y, all.y - y) });
     }
   }
+  return parts;
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoSampleRaster::Begin(
-  vtkRelievoFrameContext& context, const vtkRelievoColorTarget& target)
+vtkRelievoSampleRaster::vtkRelievoSampleRaster()
+  : FewOfEach(FewSamples)
 {
-  const vtkRelievoSampleLattice& lattice = *context.Lattice;
-  std::copy_n(&lattice.GetRight().x, 2, this->Right);
-  std::copy_n(&lattice.GetUp().x, 2, this->Up);
+}
+
+//------------------------------------------------------------------------------
+std::string vtkRelievoSampleRaster::Grid::Make(
+  vtkRelievoFrameContext& context, const vtkRelievoSampleLattice& lattice, const glm::ivec2& pixels)
+{
+  this->Lattice = &lattice;
   this->Cells.clear();
   for (const glm::ivec2& cell : lattice.GetCells())
   {
     this->Cells.push_back(static_cast<float>(cell.x));
     this->Cells.push_back(static_cast<float>(cell.y));
   }
-  int drawn[4];
-  target.GetDrawnPart(drawn);
-  this->FindParts(context, drawn);
-  vtkOpenGLState* state = context.Window->GetState();
-  state->PushFramebufferBindings();
-  if (this->Parts.empty())
-  {
-    return;
-  }
-  const auto width = static_cast<unsigned int>(this->Size[0]);
-  const auto height = static_cast<unsigned int>(this->Size[1]);
-  this->Color =
-    vtkRelievoColorBuffers::MakeTexture(context.Window, GL_RGBA16F, this->Size[0], this->Size[1]);
+  const glm::ivec2 size = lattice.GetSize(pixels);
+  this->Color = vtkRelievoColorBuffers::MakeTexture(context.Window, GL_RGBA16F, size.x, size.y);
   this->Depth = vtkSmartPointer<vtkTextureObject>::New();
   this->Depth->SetContext(context.Window);
-  this->Depth->AllocateDepth(width, height, vtkTextureObject::Float32);
+  this->Depth->AllocateDepth(static_cast<unsigned int>(size.x), static_cast<unsigned int>(size.y),
+    vtkTextureObject::Float32);
   this->Framebuffer = vtkSmartPointer<vtkOpenGLFramebufferObject>::New();
   this->Framebuffer->SetContext(context.Window);
   this->Framebuffer->Bind();
   this->Framebuffer->AddColorAttachment(0, this->Color);
   this->Framebuffer->AddDepthAttachment(this->Depth);
   this->Framebuffer->ActivateDrawBuffer(0);
-  if (glCheckFramebufferStatus(GL_DRAW_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
-  {
-    this->Fault = "this OpenGL cannot draw to half floats of " + std::to_string(width) + " x " +
-      std::to_string(height) + " pixels";
-    this->Leave(context);
-    return;
-  }
-  this->BeginPart(context, this->Parts.front());
+  return glCheckFramebufferStatus(GL_DRAW_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE
+    ? std::string()
+    : "this OpenGL cannot draw to half floats of " + std::to_string(size.x) + " x " +
+      std::to_string(size.y) + " pixels";
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoSampleRaster::BeginPart(vtkRelievoFrameContext& context, const Part& part)
+glm::dmat4 vtkRelievoSampleRaster::Grid::GetToRaster(
+  const vtkRelievoFrameContext& context, const Part& part) const
 {
-  const vtkRelievoFrameCamera& view = context.View;
+  const int* viewport = context.View.Viewport;
+  return this->Lattice->GetToRaster({ viewport[2], viewport[3] }, part.data());
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoSampleRaster::Grid::Bind(
+  vtkRelievoFrameContext& context, const Part& part, float depth)
+{
   const glm::ivec2 pixels(part[2], part[3]);
-  const glm::ivec2 size = context.Lattice->GetSize(pixels);
-  const glm::dmat4 projection =
-    context.Lattice->GetToRaster({ view.Viewport[2], view.Viewport[3] }, part.data()) *
-    view.ViewToNDC;
+  const glm::ivec2 size = this->Lattice->GetSize(pixels);
+  const glm::ivec2 first = this->Lattice->GetOrigin(pixels) - part[0] * this->Lattice->GetRight() -
+    part[1] * this->Lattice->GetUp();
+  std::copy_n(&first.x, 2, this->First);
+  vtkOpenGLState* state = context.Window->GetState();
+  this->Framebuffer->Bind();
+  state->vtkglViewport(0, 0, size.x, size.y);
+  state->vtkglScissor(0, 0, size.x, size.y);
+  state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  state->vtkglDepthMask(GL_TRUE);
+  const float nothing[4] = { 0.0f, 0.0f, 0.0f, 0.0f };
+  glClearBufferfv(GL_COLOR, 0, nothing);
+  glClearBufferfv(GL_DEPTH, 0, &depth);
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoSampleRaster::Grid::Free(vtkWindow* window)
+{
+  if (this->Framebuffer)
+  {
+    this->Framebuffer->ReleaseGraphicsResources(window);
+    this->Color->ReleaseGraphicsResources(window);
+    this->Depth->ReleaseGraphicsResources(window);
+  }
+  this->Framebuffer = nullptr;
+  this->Color = nullptr;
+  this->Depth = nullptr;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoSampleRaster::Begin(
+  vtkRelievoFrameContext& context, const vtkRelievoColorTarget& target)
+{
+  target.GetDrawnPart(this->Drawn.data());
+  vtkOpenGLState* state = context.Window->GetState();
+  state->PushFramebufferBindings();
+  if (this->Drawn[2] <= 0 || this->Drawn[3] <= 0)
+  {
+    return;
+  }
+  glm::ivec2 pixels;
+  this->Parts = Divide(this->FewOfEach, this->Drawn, pixels);
+  this->Fault = this->Few.Make(context, this->FewOfEach, pixels);
+  this->Fault.empty() ? this->Begin(context, this->Few, this->Parts.front(), 1.0f)
+                      : this->Leave(context);
+}
+
+//------------------------------------------------------------------------------
+// With this depth everywhere.
+void vtkRelievoSampleRaster::Begin(
+  vtkRelievoFrameContext& context, Grid& grid, const Part& part, float depth)
+{
+  const glm::dmat4 projection = grid.GetToRaster(context, part) * context.View.ViewToNDC;
   vtkNew<vtkMatrix4x4> matrix;
   for (int row = 0; row < 4; ++row)
   {
@@ -301,38 +346,67 @@ void vtkRelievoSampleRaster::BeginPart(vtkRelievoFrameContext& context, const Pa
   }
   this->Projection.reset();
   this->Projection.emplace(context.Renderer->GetActiveCamera(), matrix);
-  vtkOpenGLState* state = context.Window->GetState();
-  this->Framebuffer->Bind();
-  state->vtkglViewport(0, 0, size.x, size.y);
-  state->vtkglScissor(0, 0, size.x, size.y);
-  state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-  state->vtkglDepthMask(GL_TRUE);
-  const float nothing[4] = { 0.0f, 0.0f, 0.0f, 0.0f };
-  const float far = 1.0f;
-  glClearBufferfv(GL_COLOR, 0, nothing);
-  glClearBufferfv(GL_DEPTH, 0, &far);
+  grid.Bind(context, part, depth);
+  this->Drawing = &grid;
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoSampleRaster::EndPart(
-  vtkRelievoFrameContext& context, vtkRelievoColorTarget& target, const Part& part)
+// What has been drawn into a raster goes to the target.
+void vtkRelievoSampleRaster::End(
+  vtkRelievoFrameContext& context, vtkRelievoColorTarget& target, const Part& part, bool marked)
 {
   this->Projection.reset();
-  const glm::ivec2 first = context.Lattice->GetOrigin({ part[2], part[3] }) -
-    part[0] * context.Lattice->GetRight() - part[1] * context.Lattice->GetUp();
-  this->First[0] = first.x;
-  this->First[1] = first.y;
-  context.Provide("samples", this);
-  const std::string samples =
-    "#define RELIEVO_SAMPLES " + std::to_string(this->Cells.size() / 2) + "\n";
-  if (!this->Mean.Ready(context, "frame/samplesFS.glsl", { "drawn", "samples" }, samples) ||
-    !this->Nearest.Ready(
-      context, "frame/samplesFS.glsl", { "samples" }, samples + "#define RELIEVO_DEPTH\n"))
+  const std::string defines = marked ? "#define RELIEVO_MARKED\n" : "";
+  std::vector<std::string> reads = { "drawn", "samples" };
+  if (marked)
   {
-    this->Fault = this->Mean.GetWrong() + this->Nearest.GetWrong();
+    reads.emplace_back("marks");
+  }
+  vtkRelievoScreenQuad& mean = marked ? this->MeanOfMarked : this->Mean;
+  if (!mean.Ready(context, "frame/samplesFS.glsl", reads, defines) ||
+    (!marked &&
+      !this->Nearest.Ready(
+        context, "frame/samplesFS.glsl", { "samples" }, "#define RELIEVO_DEPTH\n")))
+  {
+    this->Fault = mean.GetWrong() + this->Nearest.GetWrong();
     return;
   }
-  target.Put(context, this->Mean, this->Nearest, part.data());
+  target.Put(context, mean, marked ? nullptr : &this->Nearest, part.data());
+}
+
+//------------------------------------------------------------------------------
+// Pixels that few samples have marked.
+void vtkRelievoSampleRaster::DrawMarked(
+  vtkRelievoFrameContext& context, vtkRelievoColorTarget& target)
+{
+  glm::ivec2 pixels;
+  const std::vector<Part> parts = Divide(*context.Lattice, this->Marks.GetPart(), pixels);
+  this->Fault = this->All.Make(context, *context.Lattice, pixels);
+  for (const Part& part : parts)
+  {
+    if (!this->Fault.empty())
+    {
+      return;
+    }
+    this->Begin(context, this->All, part, 0.0f);
+    this->Fault = this->Marks.Draw(context, this->All.GetToRaster(context, part));
+    DrawOpaque(context);
+    DrawTranslucent(context);
+    this->End(context, target, part, true);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoSampleRaster::DrawOpaque(vtkRelievoFrameContext& context)
+{
+  vtkProp** props = context.State->GetPropArray();
+  for (int i = 0; i < context.State->GetPropArrayCount(); ++i)
+  {
+    if (vtkActor::SafeDownCast(props[i]))
+    {
+      props[i]->RenderOpaqueGeometry(context.Renderer);
+    }
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -358,27 +432,47 @@ void vtkRelievoSampleRaster::DrawTranslucent(vtkRelievoFrameContext& context)
 //------------------------------------------------------------------------------
 void vtkRelievoSampleRaster::End(vtkRelievoFrameContext& context, vtkRelievoColorTarget& target)
 {
+  context.Provide("samples", this);
+  context.Provide("marks", &this->Marks);
   if (!this->Parts.empty())
   {
     target.Resolve(context);
-    this->DrawTranslucent(context);
-    this->EndPart(context, target, this->Parts.front());
+    this->Fault = this->Marks.Begin(context, this->Drawn.data());
   }
-  vtkProp** props = context.State->GetPropArray();
-  for (std::size_t i = 1; i < this->Parts.size(); ++i)
+  for (std::size_t i = 0; i < this->Parts.size() && this->Fault.empty(); ++i)
   {
-    this->BeginPart(context, this->Parts[i]);
-    for (int j = 0; j < context.State->GetPropArrayCount(); ++j)
+    if (i > 0)
     {
-      if (vtkActor::SafeDownCast(props[j]))
-      {
-        props[j]->RenderOpaqueGeometry(context.Renderer);
-      }
+      this->Begin(context, this->Few, this->Parts[i], 1.0f);
+      DrawOpaque(context);
     }
-    this->DrawTranslucent(context);
-    this->EndPart(context, target, this->Parts[i]);
+    DrawTranslucent(context);
+    this->End(context, target, this->Parts[i], false);
+    this->Fault += this->Marks.Find(context, this->Parts[i].data());
   }
+  if (!this->Parts.empty() && this->Fault.empty())
+  {
+    this->Fault = this->Marks.Collect(context, this->Drawn.data());
+  }
+  if (this->Fault.empty() && !this->Parts.empty() && this->Marks.GetNumber() > 0)
+  {
+    this->DrawMarked(context, target);
+  }
+  context.MeanWords = this->Describe(context);
   this->Leave(context);
+}
+
+//------------------------------------------------------------------------------
+std::string vtkRelievoSampleRaster::Describe(const vtkRelievoFrameContext& context) const
+{
+  const int* viewport = context.View.Viewport;
+  std::ostringstream out;
+  out << context.Lattice->GetNumberOfSamples() << " samples in " << std::fixed
+      << std::setprecision(1)
+      << 100.0 * static_cast<double>(this->Parts.empty() ? 0 : this->Marks.GetNumber()) /
+      std::max(1.0, static_cast<double>(viewport[2]) * viewport[3])
+      << " % of the pixels and " << FewSamples << " in the others, drawn at once";
+  return out.str();
 }
 
 //------------------------------------------------------------------------------
@@ -394,31 +488,40 @@ void vtkRelievoSampleRaster::Leave(vtkRelievoFrameContext& context)
 }
 
 //------------------------------------------------------------------------------
+std::string vtkRelievoSampleRaster::GetDefines() const
+{
+  return "#define RELIEVO_SAMPLES " + std::to_string(this->Drawing->Cells.size() / 2) + "\n";
+}
+
+//------------------------------------------------------------------------------
 void vtkRelievoSampleRaster::Activate(vtkShaderProgram* program)
 {
-  this->Color->Activate();
-  this->Depth->Activate();
-  program->SetUniformi("relievoRasterColor", this->Color->GetTextureUnit());
-  program->SetUniformi("relievoRasterZ", this->Depth->GetTextureUnit());
-  program->SetUniform2i("relievoRasterFirst", this->First);
-  program->SetUniform2i("relievoRasterRight", this->Right);
-  program->SetUniform2i("relievoRasterUp", this->Up);
-  program->SetUniform2fv("relievoRasterCells", static_cast<int>(this->Cells.size() / 2),
-    reinterpret_cast<const float(*)[2]>(this->Cells.data()));
+  const Grid& grid = *this->Drawing;
+  grid.Color->Activate();
+  grid.Depth->Activate();
+  program->SetUniformi("relievoRasterColor", grid.Color->GetTextureUnit());
+  program->SetUniformi("relievoRasterZ", grid.Depth->GetTextureUnit());
+  program->SetUniform2i("relievoRasterFirst", grid.First);
+  program->SetUniform2i("relievoRasterRight", &grid.Lattice->GetRight().x);
+  program->SetUniform2i("relievoRasterUp", &grid.Lattice->GetUp().x);
+  program->SetUniform2fv("relievoRasterCells", static_cast<int>(grid.Cells.size() / 2),
+    reinterpret_cast<const float(*)[2]>(grid.Cells.data()));
 }
 
 //------------------------------------------------------------------------------
 void vtkRelievoSampleRaster::Deactivate()
 {
-  this->Color->Deactivate();
-  this->Depth->Deactivate();
+  this->Drawing->Color->Deactivate();
+  this->Drawing->Depth->Deactivate();
 }
 
 //------------------------------------------------------------------------------
 void vtkRelievoSampleRaster::Release(vtkWindow* window)
 {
   this->Free(window);
+  this->Marks.Release(window);
   this->Mean.Release(window);
+  this->MeanOfMarked.Release(window);
   this->Nearest.Release(window);
   this->Fault.clear();
 }
@@ -427,14 +530,7 @@ void vtkRelievoSampleRaster::Release(vtkWindow* window)
 void vtkRelievoSampleRaster::Free(vtkWindow* window)
 {
   this->Projection.reset();
-  if (this->Framebuffer)
-  {
-    this->Framebuffer->ReleaseGraphicsResources(window);
-    this->Color->ReleaseGraphicsResources(window);
-    this->Depth->ReleaseGraphicsResources(window);
-  }
-  this->Framebuffer = nullptr;
-  this->Color = nullptr;
-  this->Depth = nullptr;
+  this->Few.Free(window);
+  this->All.Free(window);
   this->Parts.clear();
 }

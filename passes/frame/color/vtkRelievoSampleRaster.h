@@ -2,8 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Draws all samples of a picture's opaque surfaces at once, into a raster that is finer than the
-// pixels (vtkRelievoSampleLattice): meshes are transformed once, not once for each sample. The mean
-// of each pixel's samples, in linear light, takes the place of what the delegate draws.
+// pixels (vtkRelievoSampleLattice): meshes are not transformed once for each sample. The mean of each
+// pixel's samples, in linear light, takes the place of what the delegate draws.
+//
+// First a few samples of each pixel are drawn; then all samples, where these say that there is an
+// edge (vtkRelievoSampleMarks): elsewhere the raster's depth leaves nothing visible.
 //
 // Pictures whose raster is large are drawn in parts, one after the other.
 #ifndef vtkRelievoSampleRaster_h
@@ -11,6 +14,8 @@
 
 #include "vtkRelievoAccess.h"
 #include "vtkRelievoResource.h"
+#include "vtkRelievoSampleLattice.h"
+#include "vtkRelievoSampleMarks.h"
 #include "vtkRelievoScreenQuad.h"
 #include "vtkSmartPointer.h"
 
@@ -29,6 +34,8 @@ class vtkWindow;
 class vtkRelievoSampleRaster : public vtkRelievoResource
 {
 public:
+  vtkRelievoSampleRaster();
+
   // Why the frame's samples have to be drawn one by one, in words; "": they need not.
   static std::string FindObstacle(const vtkRelievoFrameContext& context);
 
@@ -43,31 +50,53 @@ public:
   const std::string& GetFault() const { return this->Fault; }
   void Release(vtkWindow* window);
 
+  std::string GetDefines() const override;
   void Activate(vtkShaderProgram* program) override;
   void Deactivate() override;
 
 private:
   using Part = std::array<int, 4>; // x, y, width, height in pixels of the viewport
 
-  void FindParts(const vtkRelievoFrameContext& context, const int drawn[4]);
-  void BeginPart(vtkRelievoFrameContext& context, const Part& part);
+  // A raster of a part.
+  struct Grid
+  {
+    const vtkRelievoSampleLattice* Lattice = nullptr;
+    std::vector<float> Cells; // two numbers each
+    int First[2] = { 0, 0 };
+    vtkSmartPointer<vtkOpenGLFramebufferObject> Framebuffer;
+    vtkSmartPointer<vtkTextureObject> Color;
+    vtkSmartPointer<vtkTextureObject> Depth;
+
+    std::string Make(vtkRelievoFrameContext& context, const vtkRelievoSampleLattice& lattice,
+      const glm::ivec2& pixels); // or why not, in words
+    glm::dmat4 GetToRaster(const vtkRelievoFrameContext& context, const Part& part) const;
+    void Bind(vtkRelievoFrameContext& context, const Part& part, float depth);
+    void Free(vtkWindow* window);
+  };
+
+  static std::vector<Part> Divide(
+    const vtkRelievoSampleLattice& lattice, const Part& part, glm::ivec2& pixels);
+  void Begin(vtkRelievoFrameContext& context, Grid& grid, const Part& part, float depth);
+  void End(
+    vtkRelievoFrameContext& context, vtkRelievoColorTarget& target, const Part& part, bool marked);
+  std::string Describe(const vtkRelievoFrameContext& context) const;
+  void DrawMarked(vtkRelievoFrameContext& context, vtkRelievoColorTarget& target);
   void Leave(vtkRelievoFrameContext& context);
   void Free(vtkWindow* window);
+  static void DrawOpaque(vtkRelievoFrameContext& context);
   static void DrawTranslucent(vtkRelievoFrameContext& context);
-  void EndPart(vtkRelievoFrameContext& context, vtkRelievoColorTarget& target, const Part& part);
 
-  std::vector<Part> Parts;
-  int Size[2] = { 0, 0 };   // of the raster that holds each of them
-  std::vector<float> Cells; // two numbers each
-  int First[2] = { 0, 0 };
-  int Right[2] = { 1, 0 };
-  int Up[2] = { 0, 1 };
+  Part Drawn{};            // of the viewport
+  std::vector<Part> Parts; // of it, each in a raster of few samples
   std::string Fault;
-  vtkSmartPointer<vtkOpenGLFramebufferObject> Framebuffer;
-  vtkSmartPointer<vtkTextureObject> Color;
-  vtkSmartPointer<vtkTextureObject> Depth;
+  vtkRelievoSampleLattice FewOfEach;
+  Grid Few;
+  Grid All;
+  Grid* Drawing = nullptr; // one of these
+  vtkRelievoSampleMarks Marks;
   std::optional<vtkRelievoAccess::Camera::Projection> Projection;
   vtkRelievoScreenQuad Mean;
+  vtkRelievoScreenQuad MeanOfMarked;
   vtkRelievoScreenQuad Nearest;
 };
 

@@ -23,8 +23,24 @@ struct vtkRelievoShadowLight
   glm::dvec3 Position{ 0.0 };         // world, of positional lights
   glm::dvec3 Direction{ 0.0, 0, -1 }; // world, unit, the way the light goes
   double Reach = 0.0;                 // of positional lights: nothing beyond is lit; 0: no end
-  std::string NoShadow;               // why it casts none, in words; empty if it casts
-  bool Broken = false;                // it could not cast if it were asked to: worth a warning
+  // Of a sun whose parts are looked up in a few maps: the way that a part's light goes, and the map;
+  // the way of a map's light, and the tangent of the widest angle to the parts that it is for.
+  // Empty, and 0, of a point.
+  struct Part
+  {
+    glm::dvec3 Direction{ 0.0 };
+    int Map = 0;
+  };
+  struct Center
+  {
+    glm::dvec3 Direction{ 0.0 };
+    double Spread = 0.0;
+  };
+  std::vector<Part> Parts;
+  std::vector<Center> Centers;
+  double Spread = 0.0;  // the same of all parts and the light's own direction
+  std::string NoShadow; // why it casts none, in words; empty if it casts
+  bool Broken = false;  // it could not cast if it were asked to: worth a warning
 
   bool IsSpot() const { return this->Positional && this->ConeAngle < 90.0; }
 

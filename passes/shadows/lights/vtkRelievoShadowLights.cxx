@@ -12,6 +12,46 @@
 
 namespace
 {
+// The tangent of the angle between two directions.
+double GetTangent(const glm::dvec3& a, const glm::dvec3& b)
+{
+  return glm::length(glm::cross(a, b)) / std::max(glm::dot(a, b), 1e-3);
+}
+
+// Groups the parts around so many centres (S. Lloyd, Least squares quantization in PCM, 1982).
+void FindCenters(vtkRelievoShadowLight& light, int count)
+{
+  constexpr int Rounds = 16;
+  for (int i = 0; i < count; ++i)
+  {
+    light.Centers.push_back({ light.Parts[static_cast<std::size_t>(i)].Direction });
+  }
+  for (int round = 0; round < Rounds; ++round)
+  {
+    std::vector<glm::dvec3> sums(light.Centers.size(), glm::dvec3(0.0));
+    for (vtkRelievoShadowLight::Part& part : light.Parts)
+    {
+      const auto nearest = std::max_element(light.Centers.begin(), light.Centers.end(),
+        [&part](const vtkRelievoShadowLight::Center& a, const vtkRelievoShadowLight::Center& b) {
+          return glm::dot(a.Direction, part.Direction) < glm::dot(b.Direction, part.Direction);
+        });
+      part.Map = static_cast<int>(nearest - light.Centers.begin());
+      sums[static_cast<std::size_t>(part.Map)] += part.Direction;
+    }
+    for (std::size_t i = 0; i < sums.size(); ++i)
+    {
+      light.Centers[i].Direction =
+        sums[i] == glm::dvec3(0.0) ? light.Direction : glm::normalize(sums[i]);
+    }
+  }
+  for (const vtkRelievoShadowLight::Part& part : light.Parts)
+  {
+    vtkRelievoShadowLight::Center& center = light.Centers[static_cast<std::size_t>(part.Map)];
+    center.Spread = std::max(center.Spread, GetTangent(part.Direction, center.Direction));
+    light.Spread = std::max(light.Spread, GetTangent(part.Direction, light.Direction));
+  }
+}
+
 std::string Identify(const std::string& name)
 {
   std::string out;
@@ -195,20 +235,48 @@ void vtkRelievoShadowLights::Move(const vtkRelievoLightSizes& sizes, int sample,
 }
 
 //------------------------------------------------------------------------------
-bool vtkRelievoShadowLights::AreSized(
-  vtkRenderer* renderer, const vtkRelievoLightSizes& sizes) const
+void vtkRelievoShadowLights::Divide(
+  const vtkRelievoLightSizes& sizes, int parts, int maps, int most)
 {
+  std::vector<vtkRelievoShadowLight*> suns;
+  for (vtkRelievoShadowLight& light : this->Casting)
+  {
+    if (sizes.IsSized(light.Light) && !light.Positional)
+    {
+      suns.push_back(&light);
+    }
+    else
+    {
+      most -= light.Positional && !light.IsSpot() ? 6 : 1;
+    }
+  }
+  for (vtkRelievoShadowLight* sun : suns)
+  {
+    for (int i = 0; i < parts; ++i)
+    {
+      vtkRelievoShadowLight part = *sun;
+      sizes.Move(part, i, parts);
+      sun->Parts.push_back({ part.Direction });
+    }
+    FindCenters(*sun, std::min({ maps, parts, std::max(1, most / static_cast<int>(suns.size())) }));
+  }
+}
+
+//------------------------------------------------------------------------------
+int vtkRelievoShadowLights::CountSized(
+  vtkRenderer* renderer, const vtkRelievoLightSizes& sizes, bool positional) const
+{
+  int count = 0;
   vtkCollectionSimpleIterator it;
   renderer->GetLights()->InitTraversal(it);
   while (vtkLight* light = renderer->GetLights()->GetNextLight(it))
   {
-    if (light->GetSwitch() && !light->LightTypeIsHeadlight() && this->Casts(light) &&
-      sizes.IsSized(light))
-    {
-      return true;
-    }
+    count += light->GetSwitch() && !light->LightTypeIsHeadlight() && this->Casts(light) &&
+        sizes.IsSized(light) && (light->GetPositional() != 0) == positional
+      ? 1
+      : 0;
   }
-  return false;
+  return count;
 }
 
 //------------------------------------------------------------------------------

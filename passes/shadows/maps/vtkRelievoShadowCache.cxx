@@ -18,7 +18,9 @@ bool IsSame(const vtkRelievoShadowLight& a, const vtkRelievoShadowLight& b)
 {
   return a.Light == b.Light && a.Positional == b.Positional && a.IsSpot() == b.IsSpot() &&
     (!a.IsSpot() || a.ConeAngle == b.ConeAngle) && (!a.Positional || a.Position == b.Position) &&
-    a.Reach == b.Reach && ((a.Positional && !a.IsSpot()) || a.Direction == b.Direction);
+    a.Reach == b.Reach && a.Spread == b.Spread && a.Centers.size() == b.Centers.size() &&
+    a.Parts.size() == b.Parts.size() &&
+    ((a.Positional && !a.IsSpot()) || a.Direction == b.Direction);
 }
 
 bool IsSame(const std::vector<vtkRelievoBox>& a, const std::vector<vtkRelievoBox>& b)

@@ -70,6 +70,35 @@ std::vector<glm::dvec3> GetPointsWithin(
   return points;
 }
 
+// Points, and the corners of what lies between them and a sun's parts, as far as something may cast
+// there: for a map that these are looked up in.
+std::vector<glm::dvec3> Spread(const std::vector<glm::dvec3>& points,
+  const vtkRelievoShadowLight::Center& light, const std::vector<vtkRelievoBox>& casters)
+{
+  double top = -1e300;
+  for (const vtkRelievoBox& box : casters)
+  {
+    for (const glm::dvec3& corner : box.GetCorners())
+    {
+      top = std::max(top, -glm::dot(corner, light.Direction));
+    }
+  }
+  const glm::dvec3 right = Frame::AnySquareTo(light.Direction);
+  const glm::dvec3 up = glm::cross(light.Direction, right);
+  std::vector<glm::dvec3> all = points;
+  for (const glm::dvec3& point : points)
+  {
+    const double height = top + glm::dot(point, light.Direction);
+    for (int side = 0; side < 4 && height > 0.0; ++side)
+    {
+      // A square around the disc.
+      const glm::dvec3 off = ((side & 1) != 0 ? right : -right) + ((side & 2) != 0 ? up : -up);
+      all.push_back(point + height * (light.Spread * off - light.Direction));
+    }
+  }
+  return all;
+}
+
 double GetReach(const glm::dvec3& place, const std::vector<glm::dvec3>& points)
 {
   double reach = 0.0;
@@ -184,6 +213,21 @@ std::vector<glm::dvec4> vtkRelievoShadowFit::GetShadowPlanes(const vtkRelievoSha
   const Frame frame(light.Positional ? light.Position : corners.front(), axis);
   std::vector<glm::dvec2> places;
   double width = 0.0;
+  // What parts of a sun's disc see lies beside what its centre sees.
+  double low = 1e300;
+  double high = -1e300;
+  for (const vtkRelievoBox& box : light.Spread > 0.0 ? receivers : std::vector<vtkRelievoBox>())
+  {
+    for (const glm::dvec3& corner : box.GetCorners())
+    {
+      high = std::max(high, frame.Map(corner).z);
+    }
+  }
+  for (const glm::dvec3& corner : corners)
+  {
+    low = std::min(low, frame.Map(corner).z);
+  }
+  const double beside = light.Spread * std::max(0.0, high - low);
   for (const glm::dvec3& corner : corners)
   {
     const glm::dvec3 place = frame.Map(corner);
@@ -195,7 +239,7 @@ std::vector<glm::dvec4> vtkRelievoShadowFit::GetShadowPlanes(const vtkRelievoSha
   {
     const glm::dvec2 along = glm::normalize(hull[(i + 1) % hull.size()] - hull[i]);
     const glm::dvec2 inwards(-along.y, along.x);
-    const double from = ShadowMargin * width - glm::dot(inwards, hull[i]);
+    const double from = ShadowMargin * width + beside - glm::dot(inwards, hull[i]);
     planes.push_back(frame.GetPlane(inwards.x, inwards.y, light.Positional ? from : 0.0));
     planes.back().w += light.Positional ? 0.0 : from;
   }
@@ -225,7 +269,17 @@ std::vector<vtkRelievoShadowView> vtkRelievoShadowFit::Fit(const vtkRelievoShado
   if (!light.Positional)
   {
     const Frame frame(vtkRelievoShadowRegion::GetMiddle(scene), light.Direction);
-    if (frame.Fit(true, points, all, casters, request, view))
+    for (const vtkRelievoShadowLight::Center& center : light.Centers)
+    {
+      const Frame own(vtkRelievoShadowRegion::GetMiddle(scene), center.Direction);
+      if (!own.Fit(true, Spread(points, center, casters), Spread(all, center, casters), casters,
+            request, view))
+      {
+        return {}; // nor does anything cast for the others
+      }
+      views.push_back(view);
+    }
+    if (light.Centers.empty() && frame.Fit(true, points, all, casters, request, view))
     {
       views.push_back(view);
     }

@@ -1,0 +1,10 @@
+//VTK::System::Dec
+//VTK::Output::Dec
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Their depth alone.
+
+void main()
+{
+  gl_FragData[0] = vec4(0.0);
+}
