@@ -5,13 +5,13 @@
     python bench/studio_samples.py RELIEVO DATA [--rounds N] [--size WxH] [--files a,b] [--most N]
         >studio.csv
 
-RELIEVO is the command, DATA the folder that tools/unpack-data fills. The preset studio draws each
-file with several numbers of samples: `at once`, as it does by default (24), with few maps for the
-soft shadow, and `one by one`, with a map for each sample. Errors are the root mean square, in levels
-of 255, over the pixels that any of the pictures draws otherwise than the truth by more than two
-levels: those of edges and penumbras. The truth has --most samples, one by one (256). Processor time
-is the least of the rounds, of all threads and processes, of whole commands; times over these of
---preset none are what the look costs. A display is needed (tools/with-display), and numpy and
+RELIEVO is the command, DATA the folder that tools/unpack-data fills. The preset studio draws
+each file with several numbers of samples: `at once`, as it does by default (24), with few maps for
+the soft shadow, and `one by one`, with a map for each sample. Errors are the root mean square, in
+levels of 255, over the pixels that any of the pictures draws otherwise than the truth by more than
+two levels: those of edges and penumbras. The truth has --most samples, one by one (256). Processor
+time is the least of the rounds, of all threads and processes, of whole commands; times over these
+of --preset none are what the look costs. A display is needed (tools/with-display), and numpy and
 Pillow. Exit status: 0; 1 if a command fails.
 """
 

@@ -81,8 +81,8 @@ public:
   // pixels; otherwise nullptr.
   const vtkRelievoSampleLattice* Lattice = nullptr;
 
-  // The lattice of the mean that is shown, in this frame and in those that show it again, and how it
-  // was drawn, in words; nullptr and "" if samples were drawn one by one.
+  // The lattice of the mean that is shown, in this frame and in those that show it again, and how
+  // it was drawn, in words; nullptr and "" if samples were drawn one by one.
   const vtkRelievoSampleLattice* MeanLattice = nullptr;
   std::string MeanWords;
   bool OneByOne = false; // that could not be done

@@ -23,8 +23,8 @@ public:
   explicit vtkRelievoSampleLattice(int samples);
 
   // The number of samples that err no more along edges and in penumbras than so many drawn one by
-  // one: two thirds more, since edges may be parallel to rows of a lattice, and borders of shadows to
-  // rows of its parts of a light. A prime, so that no row is sparse.
+  // one: two thirds more, since edges may be parallel to rows of a lattice, and borders of shadows
+  // to rows of its parts of a light. A prime, so that no row is sparse.
   static int GetNumberInPlaceOf(int samples);
 
   int GetNumberOfSamples() const { return static_cast<int>(this->Cells.size()); }

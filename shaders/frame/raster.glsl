@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A raster of samples of a picture's pixels (vtkRelievoSampleRaster), as VTK makes colours for display.
+// A raster of samples of a picture's pixels (vtkRelievoSampleRaster), as VTK makes colours for
+// display.
 // RELIEVO_SAMPLES: of each pixel.
 uniform sampler2D relievoRasterColor;
 uniform sampler2D relievoRasterZ;

@@ -5,8 +5,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 // The mean, in linear light, of the samples of a pixel in a raster, which are premultiplied and lie
-// over what was drawn before; with RELIEVO_MARKED: of pixels that are marked. With RELIEVO_DEPTH: the
-// z of the sample that is next to the pixel's centre.
+// over what was drawn before; with RELIEVO_MARKED: of pixels that are marked. With RELIEVO_DEPTH:
+// the z of the sample that is next to the pixel's centre.
 //RELIEVO::Include(formulas/half.glsl)
 //RELIEVO::Include(frame/raster.glsl)
 #ifndef RELIEVO_DEPTH

@@ -5,8 +5,9 @@
 //
 // Defines, by vtkRelievoShadowSplice: RELIEVO_SHADOW_LIGHTS (casting lights), RELIEVO_SHADOW_FACES
 // (room for their maps), RELIEVO_SHADOW_NUMBERS (lights of the renderer), RELIEVO_SHADOW_WIDE (the
-// filter's radius is above 1), RELIEVO_SHADOW_PARTS (of each soft sun), RELIEVO_SHADOW_COLORED (surfaces colour what passes them), and of
-// the mapper's shader: RELIEVO_SHADOW_TRIANGLES (planes come from derivatives),
+// filter's radius is above 1), RELIEVO_SHADOW_PARTS (of each soft sun), RELIEVO_SHADOW_COLORED
+// (surfaces colour what passes them), and of the mapper's shader: RELIEVO_SHADOW_TRIANGLES (planes
+// come from derivatives),
 // RELIEVO_SHADOW_IMPOSTOR (VTK moved vertexVC to the impostor, normalVCVSOutput is exact). What it
 // shares with other splices: splice/contract.glsl.
 //

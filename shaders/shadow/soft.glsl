@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Whether a part of a sun's disc reaches a place: the part's ray is followed through a map that is
-// seen from the middle of several parts, as relief mapping follows rays through heights (F. Policarpo,
-// M. Oliveira, J. Comba, Real-time relief mapping on arbitrary polygonal surfaces, 2005), in steps
-// that grow with the distance. The ray is blocked where it goes through the surface, up or down, but
-// not where the surface ends above it.
+// seen from the middle of several parts, as relief mapping follows rays through heights (F.
+// Policarpo, M. Oliveira, J. Comba, Real-time relief mapping on arbitrary polygonal surfaces,
+// 2005), in steps that grow with the distance. The ray is blocked where it goes through the
+// surface, up or down, but not where the surface ends above it.
 //
-// The includer has shadow/lookup.glsl, RELIEVO_SHADOW_LIGHTS and RELIEVO_SHADOW_PARTS, the number of
-// parts.
+// The includer has shadow/lookup.glsl, RELIEVO_SHADOW_LIGHTS and RELIEVO_SHADOW_PARTS, the number
+// of parts.
 #define RELIEVO_SHADOW_STEPS 12 // at most
 
 // To each part of the light: texels of its map per depth, and which of the light's maps it is.
@@ -48,8 +48,8 @@ float relievoShadowFollow(int face, vec3 place, vec2 slope, vec2 ray, int steps,
   return lit;
 }
 
-// Of the part that the cell that is drawn takes, from a place relative to the point that lookup.glsl
-// has places from. first: of the light's maps.
+// Of the part that the cell that is drawn takes, from a place relative to the point that
+// lookup.glsl has places from. first: of the light's maps.
 float relievoShadowPart(int light, int first, vec3 position, vec3 normalVC)
 {
   ivec2 cell = ivec2(gl_FragCoord.xy);
@@ -71,9 +71,10 @@ float relievoShadowPart(int light, int first, vec3 position, vec3 normalVC)
     // Between neighbouring texels there is nothing to follow.
     float texels = place.z * max(abs(chosen.x), abs(chosen.y));
     ivec2 at = ivec2(floor(place.xy + 0.5));
+    int steps = clamp(int(ceil(2.0 * texels)), 3, RELIEVO_SHADOW_STEPS);
+    float within = fract(0.6180339887 * float(number) + 0.5);
     lit = texels > 1.0
-      ? relievoShadowFollow(face, place, slope, chosen.xy,
-          clamp(int(ceil(2.0 * texels)), 3, RELIEVO_SHADOW_STEPS), fract(0.6180339887 * float(number) + 0.5))
+      ? relievoShadowFollow(face, place, slope, chosen.xy, steps, within)
       : step(place.z + dot(slope, vec2(at) - place.xy), relievoShadowDepthAt(face, at));
   }
   return relievoShadowSees(place) ? lit : 1.0;

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // The pixels that need all of their samples, by what a few samples of each show: where these, with
-// those of its neighbours, are not the values of a plane, there is an edge, the border of a shadow or
-// a detail of a texture.
+// those of its neighbours, are not the values of a plane, there is an edge, the border of a shadow
+// or a detail of a texture.
 //
 // Means of linear shades are right with a few samples; by the second difference of a sample and of
 // two on either side of it these are told from edges (D. Marr, E. Hildreth, Theory of edge
@@ -31,8 +31,9 @@ class vtkRelievoSampleMarks : public vtkRelievoResource
 {
 public:
   ///@{
-  // Finds them in a part of the viewport (x, y, width, height in pixels): part by part of it, of which
-  // the resource `samples` has few, between Begin and Collect. Each returns what is wrong, in words.
+  // Finds them in a part of the viewport (x, y, width, height in pixels): part by part of it, of
+  // which the resource `samples` has few, between Begin and Collect. Each returns what is wrong, in
+  // words.
   std::string Begin(vtkRelievoFrameContext& context, const int part[4]);
   std::string Find(vtkRelievoFrameContext& context, const int part[4]);
   std::string Collect(vtkRelievoFrameContext& context, const int part[4]);

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Draws all samples of a picture's opaque surfaces at once, into a raster that is finer than the
-// pixels (vtkRelievoSampleLattice): meshes are not transformed once for each sample. The mean of each
-// pixel's samples, in linear light, takes the place of what the delegate draws.
+// pixels (vtkRelievoSampleLattice): meshes are not transformed once for each sample. The mean of
+// each pixel's samples, in linear light, takes the place of what the delegate draws.
 //
 // First a few samples of each pixel are drawn; then all samples, where these say that there is an
 // edge (vtkRelievoSampleMarks): elsewhere the raster's depth leaves nothing visible.

@@ -23,8 +23,8 @@ struct vtkRelievoShadowLight
   glm::dvec3 Position{ 0.0 };         // world, of positional lights
   glm::dvec3 Direction{ 0.0, 0, -1 }; // world, unit, the way the light goes
   double Reach = 0.0;                 // of positional lights: nothing beyond is lit; 0: no end
-  // Of a sun whose parts are looked up in a few maps: the way that a part's light goes, and the map;
-  // the way of a map's light, and the tangent of the widest angle to the parts that it is for.
+  // Of a sun whose parts are looked up in a few maps: the way that a part's light goes, and the
+  // map; the way of a map's light, and the tangent of the widest angle to the parts that it is for.
   // Empty, and 0, of a point.
   struct Part
   {

@@ -43,8 +43,8 @@ public:
   // Those that cast, to where a sample of so many casts its shadow from.
   void Move(const vtkRelievoLightSizes& sizes, int sample, int samples);
 
-  // Suns that cast and have a size, into so many parts, which are looked up in so many maps each, or
-  // fewer, if all lights would have more than `most`.
+  // Suns that cast and have a size, into so many parts, which are looked up in so many maps each,
+  // or fewer, if all lights would have more than `most`.
   void Divide(const vtkRelievoLightSizes& sizes, int parts, int maps, int most);
 
   // Lights that may cast and are more than points: those with a position, or suns.
