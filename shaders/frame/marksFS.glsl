@@ -7,7 +7,7 @@
 // Whether a few samples of a pixel and of its neighbours are not the values of a plane: see
 // vtkRelievoSampleMarks.
 //RELIEVO::Include(frame/raster.glsl)
-#define RELIEVO_MARKS_STEP 0.012 // of three levels of 255
+#define RELIEVO_MARKS_STEP 0.012 // three levels of 255; fewer of dark ones, which may be exposed
 in vec2 texCoord;
 uniform vec2 relievoSize;
 
@@ -31,5 +31,6 @@ void main()
     }
   }
   float step = max(max(most.r, most.g), max(most.b, most.a));
-  gl_FragData[0] = vec4(step > RELIEVO_MARKS_STEP ? 1.0 : 0.0);
+  float bright = clamp(max(own.r, max(own.g, own.b)), 0.25, 1.0); // own is twice the value
+  gl_FragData[0] = vec4(step > bright * RELIEVO_MARKS_STEP ? 1.0 : 0.0);
 }

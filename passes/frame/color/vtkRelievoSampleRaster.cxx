@@ -313,6 +313,13 @@ void vtkRelievoSampleRaster::Grid::Free(vtkWindow* window)
 }
 
 //------------------------------------------------------------------------------
+// Whether it is worth while to draw few samples before.
+bool vtkRelievoSampleRaster::HasFew(const vtkRelievoFrameContext& context)
+{
+  return context.Lattice->GetNumberOfSamples() > 2 * FewSamples;
+}
+
+//------------------------------------------------------------------------------
 void vtkRelievoSampleRaster::Begin(
   vtkRelievoFrameContext& context, const vtkRelievoColorTarget& target)
 {
@@ -323,9 +330,10 @@ void vtkRelievoSampleRaster::Begin(
   {
     return;
   }
+  const vtkRelievoSampleLattice& lattice = HasFew(context) ? this->FewOfEach : *context.Lattice;
   glm::ivec2 pixels;
-  this->Parts = Divide(this->FewOfEach, this->Drawn, pixels);
-  this->Fault = this->Few.Make(context, this->FewOfEach, pixels);
+  this->Parts = Divide(lattice, this->Drawn, pixels);
+  this->Fault = this->Few.Make(context, lattice, pixels);
   this->Fault.empty() ? this->Begin(context, this->Few, this->Parts.front(), 1.0f)
                       : this->Leave(context);
 }
@@ -434,9 +442,13 @@ void vtkRelievoSampleRaster::End(vtkRelievoFrameContext& context, vtkRelievoColo
 {
   context.Provide("samples", this);
   context.Provide("marks", &this->Marks);
+  const bool marks = !this->Parts.empty() && HasFew(context);
   if (!this->Parts.empty())
   {
     target.Resolve(context);
+  }
+  if (marks)
+  {
     this->Fault = this->Marks.Begin(context, this->Drawn.data());
   }
   for (std::size_t i = 0; i < this->Parts.size() && this->Fault.empty(); ++i)
@@ -448,15 +460,18 @@ void vtkRelievoSampleRaster::End(vtkRelievoFrameContext& context, vtkRelievoColo
     }
     DrawTranslucent(context);
     this->End(context, target, this->Parts[i], false);
-    this->Fault += this->Marks.Find(context, this->Parts[i].data());
+    if (marks && this->Fault.empty())
+    {
+      this->Fault = this->Marks.Find(context, this->Parts[i].data());
+    }
   }
-  if (!this->Parts.empty() && this->Fault.empty())
+  if (marks && this->Fault.empty())
   {
     this->Fault = this->Marks.Collect(context, this->Drawn.data());
-  }
-  if (this->Fault.empty() && !this->Parts.empty() && this->Marks.GetNumber() > 0)
-  {
-    this->DrawMarked(context, target);
+    if (this->Fault.empty() && this->Marks.GetNumber() > 0)
+    {
+      this->DrawMarked(context, target);
+    }
   }
   context.MeanWords = this->Describe(context);
   this->Leave(context);
@@ -465,13 +480,18 @@ void vtkRelievoSampleRaster::End(vtkRelievoFrameContext& context, vtkRelievoColo
 //------------------------------------------------------------------------------
 std::string vtkRelievoSampleRaster::Describe(const vtkRelievoFrameContext& context) const
 {
-  const int* viewport = context.View.Viewport;
   std::ostringstream out;
-  out << context.Lattice->GetNumberOfSamples() << " samples in " << std::fixed
-      << std::setprecision(1)
-      << 100.0 * static_cast<double>(this->Parts.empty() ? 0 : this->Marks.GetNumber()) /
-      std::max(1.0, static_cast<double>(viewport[2]) * viewport[3])
-      << " % of the pixels and " << FewSamples << " in the others, drawn at once";
+  out << context.Lattice->GetNumberOfSamples() << " samples";
+  if (HasFew(context))
+  {
+    const int* viewport = context.View.Viewport;
+    const double pixels = static_cast<double>(viewport[2]) * viewport[3];
+    const std::size_t marked = this->Parts.empty() ? 0 : this->Marks.GetNumber();
+    out << " in " << std::fixed << std::setprecision(1)
+        << 100.0 * static_cast<double>(marked) / std::max(1.0, pixels) << " % of the pixels and "
+        << FewSamples << " in the others,";
+  }
+  out << " drawn at once";
   return out.str();
 }
 

@@ -79,6 +79,7 @@ private:
   void Begin(vtkRelievoFrameContext& context, Grid& grid, const Part& part, float depth);
   void End(
     vtkRelievoFrameContext& context, vtkRelievoColorTarget& target, const Part& part, bool marked);
+  static bool HasFew(const vtkRelievoFrameContext& context);
   std::string Describe(const vtkRelievoFrameContext& context) const;
   void DrawMarked(vtkRelievoFrameContext& context, vtkRelievoColorTarget& target);
   void Leave(vtkRelievoFrameContext& context);
