@@ -75,6 +75,9 @@ public:
   bool Project(const double point[3], double pixel[2]);
   ///@}
 
+  /** Whether all rays begin at one point, the origin of camera space. */
+  virtual bool IsCentral() { return false; }
+
   /** Columns of a whole turn, behind which the same directions come again; 0 of most sensors. */
   virtual double GetColumnsOfTurn() { return 0.0; }
 

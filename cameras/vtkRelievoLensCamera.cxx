@@ -220,7 +220,6 @@ double vtkRelievoLensCamera::GetLimit() const
 //------------------------------------------------------------------------------
 bool vtkRelievoLensCamera::Straighten(const double bent[2], double direction[3]) const
 {
-  const double radius = std::hypot(bent[0], bent[1]);
   direction[0] = bent[0];
   direction[1] = bent[1];
   direction[2] = 1.0;
@@ -228,6 +227,7 @@ bool vtkRelievoLensCamera::Straighten(const double bent[2], double direction[3])
   {
     return true;
   }
+  const double radius = std::hypot(bent[0], bent[1]);
   if (this->Lens == DIVISION)
   {
     direction[2] = 1.0 + this->Coefficients[0] * radius * radius;
@@ -309,7 +309,7 @@ bool vtkRelievoLensCamera::Straighten(const double bent[2], double direction[3])
 //------------------------------------------------------------------------------
 bool vtkRelievoLensCamera::Bend(const double point[3], double bent[2]) const
 {
-  const double side = std::hypot(point[0], point[1]);
+  const double side = this->Lens == PINHOLE ? 0.0 : std::hypot(point[0], point[1]);
   const double* c = this->Coefficients;
   if (this->Lens == DIVISION)
   {

@@ -1147,6 +1147,12 @@ vtkIdType vtkRelievoRayScene::GetNumberOfTriangles()
 }
 
 //------------------------------------------------------------------------------
+const vtkRelievoRayTree& vtkRelievoRayScene::GetTree() const
+{
+  return this->Scene->Tree;
+}
+
+//------------------------------------------------------------------------------
 int vtkRelievoRayScene::GetNumberOfMeshesBuilt()
 {
   return this->Scene->Tree.GetMeshesBuilt();

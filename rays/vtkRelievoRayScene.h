@@ -43,6 +43,7 @@ class vtkMapper;
 class vtkMatrix4x4;
 class vtkPolyData;
 class vtkProp;
+class vtkRelievoRayTree;
 class vtkRenderer;
 class vtkTable;
 class vtkUnsignedCharArray;
@@ -202,6 +203,11 @@ public:
   int GetNumberOfPropsLeftOut();
   vtkProp* GetPropLeftOut(int index);
   ///@}
+
+#ifndef __VTK_WRAP__
+  // As of the last update.
+  const vtkRelievoRayTree& GetTree() const;
+#endif
 
 protected:
   vtkRelievoRayScene();

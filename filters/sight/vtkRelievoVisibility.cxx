@@ -19,13 +19,22 @@
 #include "vtkPolyData.h"
 #include "vtkRelievoAbort.h"
 #include "vtkRelievoCameraModel.h"
+#include "vtkRelievoCubeFaces.h"
 #include "vtkRelievoFreeSight.h"
+#include "vtkRelievoLensCamera.h"
 #include "vtkRelievoPolygonCut.h"
 #include "vtkRelievoRayScene.h"
+#include "vtkRelievoThreads.h"
+#include "vtkRelievoTriangleSight.h"
 #include "vtkTable.h"
+
+#include <glm/gtc/type_ptr.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <limits>
+#include <memory>
 #include <numeric>
 
 vtkStandardNewMacro(vtkRelievoVisibility);
@@ -33,6 +42,7 @@ vtkStandardNewMacro(vtkRelievoVisibility);
 namespace
 {
 constexpr vtkIdType RaysOfABatch = 1 << 19;
+constexpr vtkIdType TrianglesOfAThread = 1024;
 
 // Corners of a pixel lie in it: what is beyond may belong to another face of a panorama.
 constexpr double Corner = 0.5 - 1e-7;
@@ -88,6 +98,62 @@ private:
   vtkNew<vtkDoubleArray> Directions;
 };
 
+// The views in which what a central camera sees is found without rays: what its picture shows, or
+// all around.
+std::vector<vtkRelievoTriangleSight::View> GetViews(
+  vtkRelievoCameraModel* camera, const glm::dvec3& sceneCenter)
+{
+  constexpr int steps = 64;       // of each side of the picture
+  constexpr double narrow = 0.3;  // cosine of what is seen farthest beside what is ahead
+  constexpr double beyond = 1.01; // what is seen must be in a view
+  const double* rotation = camera->GetRotation();
+  const glm::dmat3 axes = glm::make_mat3(rotation); // columns: right, down and ahead
+  const glm::dvec3 from = -(axes * glm::make_vec3(camera->GetTranslation()));
+  vtkRelievoTriangleSight::View view;
+  view.From = from - sceneCenter;
+  std::copy_n(&axes[0], 3, view.Axes);
+  view.Low = glm::dvec2(std::numeric_limits<double>::max());
+  view.High = -view.Low;
+  double ahead = 1.0;
+  const double columns = camera->GetSize()[0];
+  const double rows = camera->GetSize()[1];
+  for (int i = 0; i <= steps; ++i)
+  {
+    const double u = columns * i / steps - 0.5;
+    const double v = rows * i / steps - 0.5;
+    const double places[4][2] = { { u, -0.5 }, { u, rows - 0.5 }, { -0.5, v },
+      { columns - 0.5, v } };
+    for (const auto& place : places)
+    {
+      double origin[3];
+      glm::dvec3 d;
+      const bool isSeen = camera->GetCameraRay(place[0], place[1], origin, &d.x);
+      ahead = isSeen ? std::min(ahead, d.z) : -1.0;
+      view.Low = glm::min(view.Low, glm::dvec2(d) / d.z);
+      view.High = glm::max(view.High, glm::dvec2(d) / d.z);
+    }
+  }
+  const glm::dvec2 middle = 0.5 * (view.Low + view.High);
+  if (ahead > narrow && vtkRelievoLensCamera::SafeDownCast(camera))
+  {
+    view.Low = middle + beyond * (view.Low - middle);
+    view.High = middle + beyond * (view.High - middle);
+    return { view };
+  }
+  std::vector<vtkRelievoTriangleSight::View> views;
+  view.Low = glm::dvec2(-beyond);
+  view.High = glm::dvec2(beyond);
+  for (const auto& face : relievo::CubeAxes)
+  {
+    for (int i = 0; i < 3; ++i)
+    {
+      view.Axes[i] = glm::dvec3(face[i][0], face[i][1], face[i][2]);
+    }
+    views.push_back(view);
+  }
+  return views;
+}
+
 // What one camera sees of the mesh.
 class Sight
 {
@@ -108,6 +174,12 @@ public:
         this->Triangles.push_back({ first + cell, { a, b, c } });
       },
       vtkRelievoPolygonCut::Rule::ByOutline);
+    this->Points->SetNumberOfComponents(3);
+    this->Points->SetNumberOfTuples(mesh->GetNumberOfPoints());
+    for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
+    {
+      mesh->GetPoint(i, this->Points->GetPointer(3 * i));
+    }
   }
 
   vtkPolyData* Mesh;
@@ -128,7 +200,9 @@ public:
     {
       return false;
     }
+    this->TakeCorners();
     this->TakeAngles();
+    this->Look();
     if (!this->AddSmallCells() || !this->AddPoints())
     {
       return false;
@@ -142,7 +216,8 @@ public:
   }
 
 private:
-  static constexpr vtkIdType Samples = 4; // of a triangle
+  using State = vtkRelievoTriangleSight::State;
+  static constexpr int Samples = vtkRelievoTriangleSight::Samples;
 
   struct Triangle
   {
@@ -151,12 +226,19 @@ private:
   };
 
   std::vector<Triangle> Triangles;
+  vtkNew<vtkDoubleArray> Points;                  // of the mesh
+  std::unique_ptr<vtkRelievoTriangleSight> Quick; // what is found without rays
+  std::vector<int> QuickTriangles;                // of Quick, by Triangles; -1: none
+  std::vector<std::int64_t> QuickCorners;         // of Quick, by the mesh's points; -1: none
+  bool IsQuick = false;                           // for this camera
   vtkRelievoCameraModel* Camera = nullptr;
   std::vector<bool> Met;     // cells, by this camera
   std::vector<double> Shown; // solid angles of cells, for this camera
   std::vector<bool> Large;   // cells whose solid angle is that of the pixels that show them
   vtkIdType PixelsShown = 0; // of the mesh, by this camera
   double PixelAngle = 0.0;   // their mean solid angle
+  vtkNew<vtkDoubleArray> PointPlaces; // in the picture
+  vtkNew<vtkDoubleArray> PointDirections;
   vtkNew<vtkDoubleArray> Places;
   vtkNew<vtkDoubleArray> Origins;
   vtkNew<vtkDoubleArray> Directions;
@@ -167,19 +249,27 @@ private:
     return vtkDataArray::SafeDownCast(this->Hits->GetColumnByName(column));
   }
 
+  // The mesh's cells that rays have met, -1: none.
+  class Cells
+  {
+  public:
+    explicit Cells(vtkTable* hits)
+      : Prop(vtkIntArray::SafeDownCast(hits->GetColumnByName("prop"))->GetPointer(0))
+      , Cell(vtkIdTypeArray::SafeDownCast(hits->GetColumnByName("cell"))->GetPointer(0))
+    {
+    }
+    vtkIdType Get(vtkIdType ray) const { return this->Prop[ray] == 0 ? this->Cell[ray] : -1; }
+
+  private:
+    const int* Prop;
+    const vtkIdType* Cell;
+  };
+
   // The mesh's cell that each place's ray meets first.
   bool Trace()
   {
     this->Camera->GetRays(this->Places, this->Origins, this->Directions);
     return this->Scene->FindNearest(this->Origins, this->Directions, this->Hits);
-  }
-
-  // Of a ray that met something, or -1.
-  vtkIdType GetCell(vtkIdType ray)
-  {
-    return this->Get("prop")->GetComponent(ray, 0) == 0.0
-      ? static_cast<vtkIdType>(this->Get("cell")->GetComponent(ray, 0))
-      : -1;
   }
 
   bool AddPixels(int number)
@@ -198,9 +288,10 @@ private:
         return false;
       }
       const vtkIdType count = this->Origins->GetNumberOfTuples();
+      const Cells cells(this->Hits);
       for (vtkIdType i = 0; i < count; ++i)
       {
-        const vtkIdType cell = this->GetCell(i);
+        const vtkIdType cell = cells.Get(i);
         if (cell < 0)
         {
           continue;
@@ -228,18 +319,19 @@ private:
     data->GetArray("normal")->InsertNextTuple(this->Get("geometric_normal")->GetTuple(ray));
   }
 
-  // Places of points in the picture; false where there is none within it.
-  bool FindPlace(const double point[3], double place[2])
+  // Not if it is NaN; so many pixels from the border.
+  bool IsInPicture(const double place[2], double room = 0.0) const
   {
     const int* size = this->Camera->GetSize();
-    double found[2];
-    if (!this->Camera->Project(point, found) || found[0] < -0.5 || found[1] < -0.5 ||
-      found[0] > size[0] - 0.5 || found[1] > size[1] - 0.5)
-    {
-      return false;
-    }
-    std::copy_n(found, 2, place);
-    return true;
+    return place[0] >= room - 0.5 && place[1] >= room - 0.5 && place[0] <= size[0] - 0.5 - room &&
+      place[1] <= size[1] - 0.5 - room;
+  }
+
+  // Where the mesh's points are in the picture, and the directions of the rays to them.
+  void TakeCorners()
+  {
+    this->Camera->Project(this->Points, this->PointPlaces);
+    this->Camera->GetRays(this->PointPlaces, this->Origins, this->PointDirections);
   }
 
   // Which of the cells that pixels show keep the solid angle of these pixels: that of the others is
@@ -267,94 +359,227 @@ private:
     }
   }
 
+  // Points of a triangle: the middle, and one beside each corner.
+  static vtkRelievoTriangleSight::Weights GetWeights()
+  {
+    vtkRelievoTriangleSight::Weights weights;
+    weights.fill(glm::dvec3(Inwards / 3.0));
+    weights[0] = glm::dvec3(1.0 / 3.0);
+    for (int k = 0; k < 3; ++k)
+    {
+      weights[static_cast<std::size_t>(k) + 1][k] += 1.0 - Inwards;
+    }
+    return weights;
+  }
+
+  // Whether there is what finds things without rays.
+  bool PrepareQuick()
+  {
+    if (this->Quick)
+    {
+      return true;
+    }
+    this->Scene->Update();
+    const vtkRelievoRayTree& tree = this->Scene->GetTree();
+    if (tree.GetNumberOfPlaces() == 0 || tree.GetMesh(0) != 0)
+    {
+      return false; // no triangle of the mesh has a place
+    }
+    this->Quick = std::make_unique<vtkRelievoTriangleSight>(tree, 0, GetWeights());
+    const vtkRelievoMeshTree& mesh = tree.GetMeshTree(0);
+    const auto isBefore = [](const Triangle& triangle, vtkIdType cell) {
+      return triangle.Cell < cell;
+    };
+    this->QuickTriangles.assign(this->Triangles.size(), -1);
+    for (int i = 0; i < mesh.GetNumberOfTriangles(); ++i)
+    {
+      const vtkIdType cell = mesh.GetCell(i);
+      auto it = std::lower_bound(this->Triangles.begin(), this->Triangles.end(), cell, isBefore);
+      for (; it != this->Triangles.end() && it->Cell == cell; ++it)
+      {
+        if (it->Points[0] == mesh.GetPoint(i, 0) && it->Points[1] == mesh.GetPoint(i, 1) &&
+          it->Points[2] == mesh.GetPoint(i, 2))
+        {
+          this->QuickTriangles[static_cast<std::size_t>(it - this->Triangles.begin())] = i;
+        }
+      }
+    }
+    const std::vector<std::uint32_t>& points = mesh.GetPoints();
+    this->QuickCorners.assign(this->PointsSeen.size(), -1);
+    for (std::size_t i = 0; i < points.size(); ++i)
+    {
+      this->QuickCorners[points[i]] = static_cast<std::int64_t>(i);
+    }
+    return true;
+  }
+
+  // Finds what needs no rays.
+  void Look()
+  {
+    this->IsQuick = this->Camera->IsCentral() && this->PrepareQuick();
+    if (!this->IsQuick)
+    {
+      return;
+    }
+    double largest = 0.0;
+    for (const double* values : { this->Mesh->GetBounds(), this->Camera->GetTranslation() })
+    {
+      const int count = values == this->Camera->GetTranslation() ? 3 : 6;
+      for (int i = 0; i < count; ++i)
+      {
+        largest = std::max(largest, std::abs(values[i]));
+      }
+    }
+    this->Quick->Clear();
+    for (auto& view : GetViews(this->Camera, this->Scene->GetTree().GetCenter()))
+    {
+      view.Rounding = std::numeric_limits<double>::epsilon() * largest;
+      this->Quick->Look(view);
+    }
+  }
+
+  State GetState(std::size_t triangle, int sample) const
+  {
+    const int quick = this->IsQuick ? this->QuickTriangles[triangle] : -1;
+    return quick < 0 ? State::Unknown : this->Quick->GetSample(quick, sample);
+  }
+
+  State GetState(vtkIdType point) const
+  {
+    const std::int64_t quick =
+      this->IsQuick ? this->QuickCorners[static_cast<std::size_t>(point)] : -1;
+    return quick < 0 ? State::Unknown : this->Quick->GetCorner(static_cast<std::size_t>(quick));
+  }
+
   // Cells that no pixel's centre shows, and small ones, by points of each of their triangles.
   bool AddSmallCells()
   {
-    std::vector<const Triangle*> asked; // four places each
+    const auto count = static_cast<vtkIdType>(this->Triangles.size());
+    std::vector<unsigned char> seen(this->Triangles.size(), 0);  // points of each
+    std::vector<unsigned char> asked(this->Triangles.size(), 0); // bits
+    vtkRelievoWithThreads([&] {
+      vtkSMPTools::For(0, count, TrianglesOfAThread, [&](vtkIdType begin, vtkIdType end) {
+        for (vtkIdType i = begin; i < end; ++i)
+        {
+          this->JudgeSamples(static_cast<std::size_t>(i), seen, asked);
+        }
+      });
+    });
+    std::vector<std::size_t> triangles; // of Places
     this->Places->Reset();
-    for (const Triangle& triangle : this->Triangles)
+    for (std::size_t i = 0; i < this->Triangles.size(); ++i)
     {
-      if (!this->Large[static_cast<std::size_t>(triangle.Cell)])
+      for (int sample = 0; sample < Samples; ++sample)
       {
-        asked.push_back(&triangle);
-        this->AddSamples(triangle);
+        double place[2];
+        if ((asked[i] >> sample & 1) && this->FindPlace(this->Triangles[i], sample, place))
+        {
+          this->Places->InsertNextTuple(place);
+          triangles.push_back(i);
+        }
       }
-      const bool last = &triangle == &this->Triangles.back();
-      if (!asked.empty() && (last || this->Places->GetNumberOfTuples() >= RaysOfABatch))
+      const bool last = i + 1 == this->Triangles.size();
+      if (!triangles.empty() && (last || this->Places->GetNumberOfTuples() >= RaysOfABatch))
       {
-        if (!this->TraceSamples(asked))
+        if (!this->Trace())
         {
           return false;
         }
-        asked.clear();
+        const Cells cells(this->Hits);
+        for (std::size_t k = 0; k < triangles.size(); ++k)
+        {
+          const bool isSeen =
+            cells.Get(static_cast<vtkIdType>(k)) == this->Triangles[triangles[k]].Cell;
+          seen[triangles[k]] += isSeen ? 1 : 0;
+        }
+        triangles.clear();
         this->Places->Reset();
+      }
+    }
+    for (std::size_t i = 0; i < this->Triangles.size(); ++i)
+    {
+      if (seen[i] > 0)
+      {
+        const auto at = static_cast<std::size_t>(this->Triangles[i].Cell);
+        this->Met[at] = true;
+        // A large cell that no pixel's centre shows is seen in a strip narrower than a pixel.
+        const double most =
+          this->PixelAngle > 0.0 ? SmallPixels * this->PixelAngle : vtkMath::Inf();
+        this->Shown[at] +=
+          std::min(most, this->GetWholeAngle(this->Triangles[i]) * seen[i] / Samples);
       }
     }
     return true;
   }
 
-  void AddSamples(const Triangle& triangle)
+  // How many of a triangle's points are seen, and which are to be asked by rays.
+  void JudgeSamples(
+    std::size_t number, std::vector<unsigned char>& seen, std::vector<unsigned char>& asked)
   {
-    double corners[3][3];
+    const Triangle& triangle = this->Triangles[number];
+    if (this->Large[static_cast<std::size_t>(triangle.Cell)])
+    {
+      return;
+    }
+    const bool isWithin = this->IsWithin(triangle);
+    for (int sample = 0; sample < Samples; ++sample)
+    {
+      double place[2];
+      const State state = this->GetState(number, sample);
+      if (state == State::Unknown)
+      {
+        asked[number] |= static_cast<unsigned char>(1u << sample);
+      }
+      else if (state == State::Seen && (isWithin || this->FindPlace(triangle, sample, place)))
+      {
+        ++seen[number];
+      }
+    }
+  }
+
+  // Whether a triangle's points are in the picture because its corners are, as those of a pinhole
+  // are.
+  bool IsWithin(const Triangle& triangle) const
+  {
+    constexpr double room = 1e-6; // of pixels, for rounding
+    auto* lens = vtkRelievoLensCamera::SafeDownCast(this->Camera);
+    return lens && lens->GetLens() == vtkRelievoLensCamera::PINHOLE &&
+      std::all_of(triangle.Points, triangle.Points + 3, [this](vtkIdType point) {
+        const double* place = this->PointPlaces->GetPointer(2 * point);
+        return this->IsInPicture(place, room);
+      });
+  }
+
+  // Of a triangle's point; false if it is not in the picture.
+  bool FindPlace(const Triangle& triangle, int sample, double place[2])
+  {
+    const double* corners[3];
     double middle[3] = { 0.0, 0.0, 0.0 };
     for (int k = 0; k < 3; ++k)
     {
-      this->Mesh->GetPoint(triangle.Points[k], corners[k]);
+      corners[k] = this->Points->GetPointer(3 * triangle.Points[k]);
       for (int i = 0; i < 3; ++i)
       {
         middle[i] += corners[k][i] / 3.0;
       }
     }
-    for (int k = -1; k < 3; ++k)
+    double point[3] = { middle[0], middle[1], middle[2] };
+    for (int i = 0; i < 3 && sample > 0; ++i)
     {
-      double point[3] = { middle[0], middle[1], middle[2] };
-      for (int i = 0; i < 3 && k >= 0; ++i)
-      {
-        point[i] = corners[k][i] + Inwards * (middle[i] - corners[k][i]);
-      }
-      double place[2] = { vtkMath::Nan(), vtkMath::Nan() }; // no ray
-      this->FindPlace(point, place);
-      this->Places->InsertNextTuple(place);
+      const double corner = corners[sample - 1][i];
+      point[i] = corner + Inwards * (middle[i] - corner);
     }
-  }
-
-  bool TraceSamples(const std::vector<const Triangle*>& asked)
-  {
-    if (!this->Trace())
-    {
-      return false;
-    }
-    for (std::size_t k = 0; k < asked.size(); ++k)
-    {
-      const Triangle& triangle = *asked[k];
-      int seen = 0;
-      for (vtkIdType i = 0; i < Samples; ++i)
-      {
-        seen += this->GetCell(Samples * static_cast<vtkIdType>(k) + i) == triangle.Cell ? 1 : 0;
-      }
-      if (seen > 0)
-      {
-        const auto at = static_cast<std::size_t>(triangle.Cell);
-        this->Met[at] = true;
-        // A large cell that no pixel's centre shows is seen in a strip narrower than a pixel.
-        const double most =
-          this->PixelAngle > 0.0 ? SmallPixels * this->PixelAngle : vtkMath::Inf();
-        this->Shown[at] += std::min(most, this->GetWholeAngle(triangle) * seen / Samples);
-      }
-    }
-    return true;
+    return this->Camera->Project(point, place) && this->IsInPicture(place);
   }
 
   // From where the camera's rays to the corners begin; 0 if it has no rays to one of them.
   double GetWholeAngle(const Triangle& triangle)
   {
-    double directions[3][3];
+    const double* directions[3];
     for (int k = 0; k < 3; ++k)
     {
-      double place[2];
-      double origin[3];
-      if (!this->Camera->Project(this->Mesh->GetPoint(triangle.Points[k]), place) ||
-        !this->Camera->GetRay(place[0], place[1], origin, directions[k]))
+      directions[k] = this->PointDirections->GetPointer(3 * triangle.Points[k]);
+      if (std::isnan(directions[k][0]))
       {
         return 0.0;
       }
@@ -368,11 +593,19 @@ private:
     this->Places->Reset();
     for (vtkIdType point = 0; point < this->Mesh->GetNumberOfPoints(); ++point)
     {
-      double place[2];
-      if (this->FindPlace(this->Mesh->GetPoint(point), place))
+      const double* place = this->PointPlaces->GetPointer(2 * point);
+      const State state = this->GetState(point);
+      if (state != State::Hidden && this->IsInPicture(place))
       {
-        this->Places->InsertNextTuple(place);
-        points.push_back(point);
+        if (state == State::Seen)
+        {
+          ++this->PointsSeen[static_cast<std::size_t>(point)];
+        }
+        else
+        {
+          this->Places->InsertNextTuple(place);
+          points.push_back(point);
+        }
       }
       const bool last = point + 1 == this->Mesh->GetNumberOfPoints();
       if (!points.empty() && (last || static_cast<vtkIdType>(points.size()) >= RaysOfABatch))
@@ -381,11 +614,12 @@ private:
         {
           return false;
         }
+        vtkDataArray* distances = this->Get("distance");
         for (std::size_t i = 0; i < points.size(); ++i)
         {
           const auto ray = static_cast<vtkIdType>(i);
-          const bool free = vtkRelievoIsFree(this->Get("distance")->GetComponent(ray, 0),
-            this->Origins->GetPointer(3 * ray), this->Mesh->GetPoint(points[i]));
+          const bool free = vtkRelievoIsFree(distances->GetComponent(ray, 0),
+            this->Origins->GetPointer(3 * ray), this->Points->GetPointer(3 * points[i]));
           this->PointsSeen[static_cast<std::size_t>(points[i])] += free ? 1 : 0;
         }
         points.clear();

@@ -19,7 +19,8 @@
  * to those smaller than 8 pixels, through points of their triangles, the middle and one beside each
  * corner: a cell smaller than a pixel is not lost. The solid angle of these cells is that of their
  * triangles (A. Van Oosterom, J. Strackee 1983) times the share of their points that are seen; that
- * of larger cells is the sum of their pixels' angles. Cells are seen from both sides.
+ * of larger cells is the sum of their pixels' angles. Cells are seen from both sides. Of cameras
+ * whose rays begin at one point, most of these answers are found without a ray for each.
  * Vertices and lines hide nothing, and no camera sees them.
  *
  * Errors: no cameras, a camera that has no places for points (vtkRelievoLidar).

@@ -100,37 +100,43 @@ struct vtkRelievoBoxTree::Split
       const glm::vec3 middle = GetMiddle(boxes[order[i]]);
       Add(middles, { middle, middle });
     }
+    const glm::vec3 widths = middles.Max - middles.Min;
+    Box bins[3][Bins];
+    int counts[3][Bins] = {};
+    std::fill_n(bins[0], 3 * Bins, Nothing);
+    for (int i = 0; i < count; ++i)
+    {
+      const Box& box = boxes[order[i]];
+      const glm::vec3 shares = (GetMiddle(box) - middles.Min) / widths;
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        if (widths[axis] > 0.f)
+        {
+          const int bin = std::min(Bins - 1, static_cast<int>(shares[axis] * Bins));
+          Add(bins[axis][bin], box);
+          ++counts[axis][bin];
+        }
+      }
+    }
     for (int axis = 0; axis < 3; ++axis)
     {
-      const float low = middles.Min[axis];
-      const float width = middles.Max[axis] - low;
-      if (!(width > 0.f))
+      if (!(widths[axis] > 0.f))
       {
         continue;
-      }
-      Box bins[Bins];
-      int counts[Bins] = {};
-      std::fill_n(bins, Bins, Nothing);
-      for (int i = 0; i < count; ++i)
-      {
-        const float share = (GetMiddle(boxes[order[i]])[axis] - low) / width;
-        const int bin = std::min(Bins - 1, static_cast<int>(share * Bins));
-        Add(bins[bin], boxes[order[i]]);
-        ++counts[bin];
       }
       float after[Bins];
       Box box = Nothing;
       for (int bin = Bins - 1; bin > 0; --bin)
       {
-        Add(box, bins[bin]);
+        Add(box, bins[axis][bin]);
         after[bin] = GetArea(box);
       }
       box = Nothing;
       int left = 0;
       for (int bin = 0; bin < Bins - 1; ++bin)
       {
-        Add(box, bins[bin]);
-        left += counts[bin];
+        Add(box, bins[axis][bin]);
+        left += counts[axis][bin];
         if (left > 0 && left < count)
         {
           const int whole = std::min(RoundUp(left, leafSize), RoundUp(count, leafSize) - leafSize);
@@ -176,11 +182,13 @@ vtkRelievoBoxTree::Task vtkRelievoBoxTree::MakeNode(
   {
     split = { 0, RoundUp(task.Count / 2, this->LeafSize), 0.f };
   }
-  std::nth_element(order, order + split.Left, order + task.Count, [&](int a, int b) {
-    const float x = GetMiddle(boxes[a])[split.Axis];
-    const float y = GetMiddle(boxes[b])[split.Axis];
-    return x < y || (x == y && a < b);
+  std::vector<std::pair<float, int>> sorted(static_cast<std::size_t>(task.Count));
+  std::transform(order, order + task.Count, sorted.begin(), [&](int box) {
+    return std::make_pair(
+      0.5f * boxes[box].Min[split.Axis] + 0.5f * boxes[box].Max[split.Axis], box);
   });
+  std::nth_element(sorted.begin(), sorted.begin() + split.Left, sorted.end());
+  std::transform(sorted.begin(), sorted.end(), order, [](const auto& each) { return each.second; });
   node.Low.w = static_cast<float>(task.Node + GetNumberOfNodes(task.Count, this->LeafSize));
   node.High.w = 0.f;
   const Task left = { task.Node + 1, task.First, split.Left };

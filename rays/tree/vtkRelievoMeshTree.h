@@ -38,6 +38,16 @@ public:
   {
     return this->Places[this->GetCorners(triangle)[corner]];
   }
+  // The corners of all triangles once each, about the origin, and which of the mesh's points they
+  // are, in the order in which the triangles have them first.
+  const std::vector<glm::dvec3>& GetPlaces() const { return this->Places; }
+  const std::vector<std::uint32_t>& GetPoints() const { return this->Points; }
+  // Three of them, of a triangle.
+  const std::uint32_t* GetCorners(int triangle) const
+  {
+    return this->Corners.data() + 3 * static_cast<std::size_t>(triangle);
+  }
+  const vtkRelievoWideTree& GetTree() const { return this->Tree; }
   // Of the mesh.
   vtkIdType GetPoint(int triangle, int corner) const
   {
@@ -57,10 +67,6 @@ public:
   void Walk(const vtkRelievoRay& ray, double low, double high, Visit visit) const;
 
 private:
-  const std::uint32_t* GetCorners(int triangle) const
-  {
-    return this->Corners.data() + 3 * static_cast<std::size_t>(triangle);
-  }
   void TakePlaces(vtkPolyData* data);
   void TakeTriangles(vtkPolyData* data, vtkRelievoPolygonCut::Rule rule);
   void SortPoints();

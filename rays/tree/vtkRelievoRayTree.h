@@ -58,6 +58,7 @@ public:
   int GetInstance(int place) const { return this->Places[place].Instance; }
   const vtkRelievoMeshTree& GetMeshTree(int place) const { return *this->Places[place].Triangles; }
   const glm::dmat4& GetToMesh(int place) const { return this->Places[place].ToMesh; }
+  glm::dmat4 GetToScene(int place) const { return this->GetToScene(this->Places[place]); }
 
   // Calls visit(place, triangle, t) for every meeting between, near ones first, but not in order;
   // it returns the t up to which more are of interest.

@@ -9,11 +9,8 @@
 #define vtkRelievoWideTree_h
 
 #include "vtkRelievoBoxTree.h"
+#include "vtkRelievoFour.h"
 #include "vtkRelievoRaysModule.h" // for the export macro
-
-#if defined(__SSE2__)
-#include <emmintrin.h>
-#endif
 
 #include <algorithm>
 #include <cmath>
@@ -79,81 +76,13 @@ public:
   template <typename Visit>
   void Walk(const Ray& ray, float last, const void* leaves, std::size_t bytes, Visit visit) const;
 
+  // Calls visit(first, count) for leaves whose boxes share a point with this one; it returns
+  // whether more are of interest.
+  template <typename Visit>
+  void FindOverlaps(const Box& box, Visit visit) const;
+
 private:
-#if defined(__SSE2__)
-  using Four = __m128;
-  static Four All(float x)
-  {
-    return _mm_set1_ps(x);
-  }
-  static Four Min(Four a, Four b)
-  {
-    return _mm_min_ps(a, b);
-  }
-  static Four Max(Four a, Four b)
-  {
-    return _mm_max_ps(a, b);
-  }
-  static Four GetT(Four side, Four from, Four inverse)
-  {
-    return _mm_mul_ps(_mm_sub_ps(side, from), inverse);
-  }
-  static int IsUpTo(Four a, Four b) // a bit for each
-  {
-    return _mm_movemask_ps(_mm_cmple_ps(a, _mm_mul_ps(b, All(Rounding))));
-  }
-  static Four Load(const float* from)
-  {
-    return _mm_load_ps(from);
-  }
-  static void Store(float* to, Four x)
-  {
-    _mm_storeu_ps(to, x);
-  }
-#else
-  struct Four
-  {
-    float X[4];
-  };
-  template <typename Do>
-  static Four Each(Do each)
-  {
-    return { { each(0), each(1), each(2), each(3) } };
-  }
-  static Four All(float x)
-  {
-    return { { x, x, x, x } };
-  }
-  static Four Min(const Four& a, const Four& b)
-  {
-    return Each([&](int i) { return a.X[i] < b.X[i] ? a.X[i] : b.X[i]; });
-  }
-  static Four Max(const Four& a, const Four& b)
-  {
-    return Each([&](int i) { return a.X[i] > b.X[i] ? a.X[i] : b.X[i]; });
-  }
-  static Four GetT(const Four& side, const Four& from, const Four& inverse)
-  {
-    return Each([&](int i) { return (side.X[i] - from.X[i]) * inverse.X[i]; });
-  }
-  static int IsUpTo(const Four& a, const Four& b)
-  {
-    int bits = 0;
-    for (int i = 0; i < 4; ++i)
-    {
-      bits |= a.X[i] <= b.X[i] * Rounding ? 1 << i : 0;
-    }
-    return bits;
-  }
-  static Four Load(const float* from)
-  {
-    return { { from[0], from[1], from[2], from[3] } };
-  }
-  static void Store(float* to, const Four& x)
-  {
-    std::copy_n(x.X, 4, to);
-  }
-#endif
+  using Four = vtkRelievoFour;
   static constexpr float Rounding = 1.0000008f; // of the products on both sides
 
   static constexpr int Width = 8; // boxes of a node
@@ -163,25 +92,12 @@ private:
     int Child[Width];      // a node, or -1 - (Most x first place of a leaf + its boxes - 1)
   };
 #if defined(__GNUC__)
-  static int GetLowest(unsigned bits)
-  {
-    return __builtin_ctz(bits);
-  }
   static void Prefetch(const void* at)
   {
     __builtin_prefetch(at);
     __builtin_prefetch(static_cast<const char*>(at) + 64);
   }
 #else
-  static int GetLowest(unsigned bits)
-  {
-    int lowest = 0;
-    for (; (bits & 1u) == 0; bits >>= 1)
-    {
-      ++lowest;
-    }
-    return lowest;
-  }
   static void Prefetch(const void*) {}
 #endif
   struct Entry
@@ -217,8 +133,11 @@ void vtkRelievoWideTree::Walk(
     large.resize(static_cast<std::size_t>(this->Stack));
     stack = large.data();
   }
-  const Four from[3] = { All(ray.From[0]), All(ray.From[1]), All(ray.From[2]) };
-  const Four inverse[3] = { All(ray.Inverse[0]), All(ray.Inverse[1]), All(ray.Inverse[2]) };
+  const Four from[3] = { Four(ray.From[0]), Four(ray.From[1]), Four(ray.From[2]) };
+  const Four inverse[3] = { Four(ray.Inverse[0]), Four(ray.Inverse[1]), Four(ray.Inverse[2]) };
+  const auto getT = [&](const Node& node, int side, int i, int axis) {
+    return (Four::Load(node.Sides[side] + i) - from[axis]) * inverse[axis];
+  };
   const int nearX = ray.Near[0];
   const int nearY = ray.Near[1];
   const int nearZ = ray.Near[2];
@@ -236,14 +155,14 @@ void vtkRelievoWideTree::Walk(
       unsigned bits = 0;
       for (int i = 0; i < Width; i += 4)
       {
-        const Four low = Max(Max(GetT(Load(node.Sides[nearX] + i), from[0], inverse[0]),
-                               GetT(Load(node.Sides[nearY] + i), from[1], inverse[1])),
-          Max(GetT(Load(node.Sides[nearZ] + i), from[2], inverse[2]), All(0.f)));
-        const Four high = Min(Min(GetT(Load(node.Sides[farX] + i), from[0], inverse[0]),
-                                GetT(Load(node.Sides[farY] + i), from[1], inverse[1])),
-          Min(GetT(Load(node.Sides[farZ] + i), from[2], inverse[2]), All(last)));
-        Store(t + i, low);
-        bits |= static_cast<unsigned>(IsUpTo(low, high)) << i;
+        const Four low =
+          vtkRelievoMax(vtkRelievoMax(getT(node, nearX, i, 0), getT(node, nearY, i, 1)),
+            vtkRelievoMax(getT(node, nearZ, i, 2), Four(0.f)));
+        const Four high =
+          vtkRelievoMin(vtkRelievoMin(getT(node, farX, i, 0), getT(node, farY, i, 1)),
+            vtkRelievoMin(getT(node, farZ, i, 2), Four(last)));
+        low.Store(t + i);
+        bits |= vtkRelievoGetBits(low <= high * Four(Rounding)) << i;
       }
       if (bits == 0)
       {
@@ -251,20 +170,20 @@ void vtkRelievoWideTree::Walk(
       }
       if ((bits & (bits - 1)) == 0) // one
       {
-        next = node.Child[GetLowest(bits)];
+        next = node.Child[vtkRelievoGetLowest(bits)];
         continue;
       }
       const unsigned rest = bits & (bits - 1);
       for (unsigned each = bits; each != 0; each &= each - 1)
       {
-        const int child = node.Child[GetLowest(each)];
+        const int child = node.Child[vtkRelievoGetLowest(each)];
         Prefetch(child >= 0 ? static_cast<const void*>(this->Nodes.data() + child)
                             : static_cast<const char*>(leaves) + bytes * ((-1 - child) / Most));
       }
       if ((rest & (rest - 1)) == 0) // two
       {
-        const int a = GetLowest(bits);
-        const int b = GetLowest(rest);
+        const int a = vtkRelievoGetLowest(bits);
+        const int b = vtkRelievoGetLowest(rest);
         const bool second = t[b] < t[a];
         stack[size++] = { node.Child[second ? a : b], t[second ? a : b] };
         next = node.Child[second ? b : a];
@@ -273,7 +192,7 @@ void vtkRelievoWideTree::Walk(
       const int before = size;
       for (; bits != 0; bits &= bits - 1)
       {
-        const int i = GetLowest(bits);
+        const int i = vtkRelievoGetLowest(bits);
         int k = size++;
         for (; k > before && stack[k - 1].Near < t[i]; --k)
         {
@@ -301,6 +220,53 @@ void vtkRelievoWideTree::Walk(
       --size;
     } while (stack[size].Near > last * Rounding);
     next = stack[size].Child;
+  }
+}
+
+//------------------------------------------------------------------------------
+template <typename Visit>
+void vtkRelievoWideTree::FindOverlaps(const Box& box, Visit visit) const
+{
+  if (this->Nodes.empty())
+  {
+    return;
+  }
+  int local[Few];
+  std::vector<int> large;
+  int* stack = local;
+  if (this->Stack > Few)
+  {
+    large.resize(static_cast<std::size_t>(this->Stack));
+    stack = large.data();
+  }
+  const Four low[3] = { Four(box.Min.x), Four(box.Min.y), Four(box.Min.z) };
+  const Four high[3] = { Four(box.Max.x), Four(box.Max.y), Four(box.Max.z) };
+  int size = 0;
+  stack[size++] = 0;
+  while (size > 0)
+  {
+    const Node& node = this->Nodes[static_cast<std::size_t>(stack[--size])];
+    unsigned bits = 0;
+    for (int i = 0; i < Width; i += 4)
+    {
+      const auto overlap = [&](int axis) {
+        return (Four::Load(node.Sides[axis] + i) <= high[axis]) &
+          (low[axis] <= Four::Load(node.Sides[axis + 3] + i));
+      };
+      bits |= vtkRelievoGetBits(overlap(0) & overlap(1) & overlap(2)) << i;
+    }
+    for (; bits != 0; bits &= bits - 1)
+    {
+      const int child = node.Child[vtkRelievoGetLowest(bits)];
+      if (child >= 0)
+      {
+        stack[size++] = child;
+      }
+      else if (!visit((-1 - child) / Most, (-1 - child) % Most + 1))
+      {
+        return;
+      }
+    }
   }
 }
 

@@ -3,7 +3,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Which lights surely reach all that is seen in a tile of 8 x 8 pixels: where it is one plane, rays
-// from all of its places are followed at once. A sum of 2^light, or -1 where nothing is open.
+// from all of its places are followed at once. A sum of 2^light, -1 where nothing is open, or -2
+// where the verdicts that are there stay: the same is seen, and no ray of it comes near what has
+// moved since.
 //
 // What every place of the tile sees lies in boxes that are larger by half of the tile's extent; and
 // a triangle that no corner of the tile has between itself and the light blocks no ray of it.
@@ -12,6 +14,10 @@
 //RELIEVO::Include(shadow/seen.glsl)
 uniform vec4 relievoSeenSource[24]; // w = 0: the direction to it
 uniform vec3 relievoShadowCenter;
+uniform int relievoSeenKeeps;        // whether verdicts may stay
+uniform sampler2D relievoSeenBefore; // what was seen when they were found
+uniform int relievoMovedCount;
+uniform vec3 relievoMoved[16]; // boxes of local space, two corners each
 
 struct relievoTile
 {
@@ -98,6 +104,20 @@ bool relievoTileMeets(int casters, relievoTile tile, vec4 source)
   return met;
 }
 
+// Whether a ray from the tile may meet what has moved.
+bool relievoTileMeetsMoved(relievoTile tile, vec4 source)
+{
+  float last = source.w != 0.0 ? 1.0 : 1e30;
+  vec3 inverseLC = relievoRayInverse(relievoSeenToLight(source, tile.middle));
+  bool met = false;
+  for (int i = 0; i < relievoMovedCount; ++i)
+  {
+    met = met || relievoRayMeetsBox(tile.middle, inverseLC, last,
+      relievoMoved[2 * i] - tile.extent, relievoMoved[2 * i + 1] + tile.extent);
+  }
+  return met;
+}
+
 void main()
 {
   ivec2 first = 8 * ivec2(gl_FragCoord.xy);
@@ -119,23 +139,30 @@ void main()
   float eye = 1e30;
   bool whole = true;
   bool some = false;
+  bool keep = relievoSeenKeeps != 0;
   for (int i = 0; i < 64; ++i)
   {
     ivec2 texel = min(first + ivec2(i & 7, i >> 3), end);
-    float z = texelFetch(relievoSeen, texel, 0).x;
+    vec2 seen = texelFetch(relievoSeen, texel, 0).xy;
+    float z = seen.x;
     bool there = z > -1e29;
+    keep = keep && seen == texelFetch(relievoSeenBefore, texel, 0).xy;
     whole = whole && there;
     some = some || there;
     vec3 place = relievoTilePlace(vec2(texel), z);
     off = max(off, abs(dot(normal, place - tile.corners[0])));
     eye = min(eye, length(relievoSeenPlace(relievoSeenPixel(vec2(texel)), z)));
-    low = min(low, place);
-    high = max(high, place);
+    low = there ? min(low, place) : low;
+    high = there ? max(high, place) : high;
   }
   tile.middle = 0.5 * low + 0.5 * high;
   tile.extent = 0.5001 * (high - low) + 1e-6 * max(abs(low), abs(high));
   tile.blur = relievoTreeBlur.x + relievoTreeBlur.y * eye;
-  bool plane = whole && wide && off <= 0.4 * tile.blur;
+  for (int light = 0; light < (keep && some ? relievoSeenLights : 0); ++light)
+  {
+    keep = keep && !relievoTileMeetsMoved(tile, relievoSeenSource[light]);
+  }
+  bool plane = !keep && whole && wide && off <= 0.4 * tile.blur;
   float sure = 0.0;
   float digit = 1.0;
   for (int light = 0; light < relievoSeenLights; ++light)
@@ -144,5 +171,5 @@ void main()
     sure += plane && !met ? digit : 0.0;
     digit *= 2.0;
   }
-  gl_FragData[0] = vec4(some && sure < digit - 1.0 ? sure : -1.0, 0.0, 0.0, 0.0);
+  gl_FragData[0] = vec4(keep ? -2.0 : some && sure < digit - 1.0 ? sure : -1.0, 0.0, 0.0, 0.0);
 }

@@ -28,7 +28,9 @@ void main()
   float slant = there ? side / (cameraParallel != 0 ? 1.0 : length(placeVC)) : 1.0;
   vec3 snapLC =
     mat3(relievoShadowToLocal) * relievoSeenSnap(placeVC, slant, cameraParallel != 0);
-  float sure = texelFetch(relievoSeenTiles, texel / 8, 0).x;
+  float tile = texelFetch(relievoSeenTiles, texel / 8, 0).x;
+  bool closed = tile < 0.0; // all lights reach it
+  float sure = closed ? 16777215.0 : tile;
   RELIEVO_PASSES levels = RELIEVO_PASSES(0.0);
   float digit = 1.0;
   for (int light = 0; light < relievoSeenLights; ++light)
@@ -41,7 +43,7 @@ void main()
     bool open = sure - 2.0 * others < 0.5;
     sure = others;
     bool away = plain && dot(normalLC, ray) <= -0.02 * length(ray);
-    bool facing = there && !away;
+    bool facing = closed || (there && !away);
     RELIEVO_PASSES passes = relievoTreeWalk(
       facing && open ? relievoTreeNodes : 0, placeLC, ray, source.w != 0.0, blur, snapLC);
     levels += digit * (facing ? relievoSeenLevel(passes) : RELIEVO_PASSES(0.0));

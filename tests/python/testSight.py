@@ -92,6 +92,25 @@ def array(data, name):
     return vtk_to_numpy(found)
 
 
+def first_hits(origin, directions, corners):
+    """The triangles that rays from a place meet first, -1: none, and at which share of their
+    directions, by Cramer's rule (T. Moeller, B. Trumbore 1997)."""
+    a, b, c = corners.transpose(1, 0, 2)
+    from_a = origin - a
+    normals = numpy.cross(b - a, c - a)
+    sides = numpy.cross(from_a, directions[:, None])
+    with numpy.errstate(divide="ignore", invalid="ignore"):
+        scale = -1 / numpy.einsum("rk,tk->rt", directions, normals)
+        u = numpy.einsum("rtk,tk->rt", sides, c - a) * scale
+        v = -numpy.einsum("rtk,tk->rt", sides, b - a) * scale
+        share = numpy.einsum("tk,tk->t", from_a, normals) * scale
+    met = (u >= 0) & (v >= 0) & (u + v <= 1) & (share >= 0)
+    share = numpy.where(met, share, numpy.inf)
+    first = share.argmin(axis=1)
+    nearest = share[numpy.arange(len(first)), first]
+    return numpy.where(numpy.isfinite(nearest), first, -1), nearest
+
+
 class Layers(unittest.TestCase):
     """capture(camera=) is what the frame draws, where the camera is a pinhole."""
 
@@ -274,6 +293,66 @@ class Seen(unittest.TestCase):
             square = (numpy.ptp(rows) + 1) * (numpy.ptp(columns) + 1)
             self.assertAlmostEqual((drawn >= 0).sum() / square, 0.75, delta=0.02)
             self.assertEqual(drawn.max(), 0)
+
+    def test_each_point_of_cells_by_hand(self):
+        # Spheres in each other, one of them inside out, loose triangles, some of them twice, and a
+        # ground that reaches behind the cameras: by all rays and triangles, in numpy.
+        random = numpy.random.default_rng(3)
+        points, cells = [], []
+        for center, radius, turned in (((0, 0, 0), 1, False), ((0.3, 0.1, 0.2), 0.85, True)):
+            ball = vtkSphereSource()
+            ball.SetThetaResolution(16)
+            ball.SetPhiResolution(10)
+            ball.Update()
+            first = len(points)
+            corners = vtk_to_numpy(ball.GetOutput().GetPoints().GetData()).astype(float)
+            points += list(2 * radius * corners + center)
+            around = vtk_to_numpy(ball.GetOutput().GetPolys().GetConnectivityArray())
+            cells += list((around.reshape(-1, 3) + first)[:, ::-1 if turned else 1])
+        for place in random.uniform(-1.5, 1.5, (120, 3)):
+            cells.append(len(points) + numpy.arange(3))
+            points += list(place + random.normal(scale=0.15, size=(3, 3)))
+        cells += cells[-30:]
+        cells.append(len(points) + numpy.arange(3))
+        points += [(-40, -41, -1.2), (60, -40, -1.25), (0, 70, -1.3)]
+        self.compare_with_rays(numpy.array(points), numpy.array(cells))
+        # Two plates wider than the pictures, one behind the other.
+        points = numpy.stack(numpy.meshgrid(*[numpy.linspace(-30, 30, 15)] * 2), -1).reshape(-1, 2)
+        points = [[0.1 * each, *place] for each in (-3, -7) for place in points]
+        first = numpy.array([15 * j + i for j in range(14) for i in range(14)])[:, None]
+        cells = numpy.concatenate([first + [0, 1, 16], first + [0, 16, 15]])
+        self.compare_with_rays(numpy.array(points), numpy.concatenate([cells, cells + 225]))
+
+    def compare_with_rays(self, points, cells):
+        corners = points[cells]
+        beside = numpy.array([(1 / 3,) * 3, *(numpy.eye(3) * 0.9 + 0.1 / 3)])
+        samples = numpy.einsum("sk,cki->csi", beside, corners).reshape(-1, 3)
+        mesh = mesh_of(points, cells)
+        lens = numpy.array([[30, 0, 19.5], [0, 30, 14.5], [0, 0, 1.0]])
+        for sensor in (relievo.Pinhole(lens, (40, 30)), relievo.Equirectangular((48, 24))):
+            for eye in ((3.5, 1, 0.4), (-1.1, -1.5, 1.2)):
+                sensor.look_at(eye, (0.1, 0, 0), (0, 0, 1))
+                seen = relievo.visible(mesh, sensor)
+                directions = sensor.rays()[1].reshape(-1, 3)
+                cell, _ = first_hits(eye, directions, corners)
+                expected = numpy.bincount(cell[cell >= 0], minlength=len(cells))
+                numpy.testing.assert_array_equal(array(seen, "pixels"), expected)
+                cell, _ = first_hits(eye, samples - eye, corners)
+                own = cell == numpy.repeat(numpy.arange(len(cells)), 4)
+                own &= self.in_picture(sensor, samples)
+                numpy.testing.assert_array_equal(
+                    vtk_to_numpy(seen.GetCellData().GetArray("seen")),
+                    (expected > 0) | own.reshape(-1, 4).any(axis=1))
+                _, share = first_hits(eye, points - eye, corners)
+                free = (share > 1 - 1e-9) & self.in_picture(sensor, points)
+                numpy.testing.assert_array_equal(
+                    vtk_to_numpy(seen.GetPointData().GetArray("seen")), free)
+
+    @staticmethod
+    def in_picture(sensor, points):
+        columns, rows = sensor.size
+        u, v = sensor.project(points).T
+        return (u >= -0.5) & (v >= -0.5) & (u <= columns - 0.5) & (v <= rows - 0.5)
 
     def test_nothing_is_too_small(self):
         # Each cell of 100 x 100 in a picture of 20 x 20 pixels; half are behind a wall.

@@ -382,6 +382,29 @@ void TestOrbit()
   }
 }
 
+// Verdicts that stay while others are found anew are right as well: a box goes over and under
+// others.
+void TestMovesStepByStep()
+{
+  relievoTest::ShadowStage stage;
+  stage.AddGround();
+  stage.AddBox({ -0.6, 0.4, -0.5 }, { 0.5, 0.8, 0.5 });
+  stage.AddBox({ 0.7, 0.3, 0.5 }, { 0.4, 0.6, 0.4 });
+  vtkActor* box = stage.AddBox({ 0., 0.2, 0. }, { 0.4, 0.4, 0.4 });
+  stage.AddSun(-1., 3., -1.);
+  stage.GetFrame()->ShadowsOn();
+  stage.GetShadows()->SetMethodToExact();
+  stage.Window->Render();
+  stage.Window->Render();
+  for (int i = 0; i < 6; ++i)
+  {
+    box->SetPosition(0.25 * i - 0.8, i < 3 ? 1. : 0., 0.2 * i - 0.5);
+    stage.Window->Render();
+    RELIEVO_CHECK(stage.GetShadows()->GetDrawCalls() > 0);
+    relievoTest::CheckShadow(stage, 0, 2e-4, "a box at place " + std::to_string(i), 0.001);
+  }
+}
+
 // The map of a box's shadow on a ground far wider than the view does not change while the camera
 // goes around and sees the shadow.
 void TestOrbitOverWideGround()
@@ -416,6 +439,10 @@ RELIEVO_TEST_CASE(testShadowCache)
     {
       Test(test);
     }
+  }
+  if (Exact)
+  {
+    TestMovesStepByStep();
   }
   if (!Exact)
   {

@@ -66,6 +66,7 @@ void WriteMesh(vtkPolyData* mesh, const std::string& option, const std::string& 
   writer->WriteToOutputStringOn();
   // Not appended: Debian's mended expat keeps VTK before 9.3.1 from reading that.
   writer->SetDataModeToBinary();
+  writer->SetCompressionLevel(1); // half the time, and files that are hardly larger
   progress.Begin("writing " + path);
   progress.Observe(writer);
   const bool made = writer->Write() == 1 && writer->GetErrorCode() == vtkErrorCode::NoError;

@@ -138,6 +138,10 @@ std::string vtkRelievoTreeBuffer::Update(vtkOpenGLRenderWindow* window,
   {
     return {};
   }
+  const bool comparable = !meshes && this->Buffer.IsIn(window) && origin == this->Origin;
+  const std::vector<vtkRelievoPlacedMesh> castersBefore = std::move(this->Casters);
+  const std::vector<vtkRelievoBoxTree::Box> boxesBefore = std::move(this->Boxes);
+  this->OnlyMoved = false;
   this->Version += 1.0;
   this->Origin = origin;
   this->Casters = casters;
@@ -158,7 +162,46 @@ std::string vtkRelievoTreeBuffer::Update(vtkOpenGLRenderWindow* window,
     this->ReleaseBuffer(window);
     return fault;
   }
-  return this->Upload(all, this->MakeFront());
+  const std::vector<glm::vec4> front = this->MakeFront();
+  this->OnlyMoved = comparable && this->FindMoved(castersBefore, boxesBefore);
+  return this->Upload(all, front);
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoTreeBuffer::FindMoved(const std::vector<vtkRelievoPlacedMesh>& castersBefore,
+  const std::vector<vtkRelievoBoxTree::Box>& boxesBefore)
+{
+  this->Moved.clear();
+  if (castersBefore.size() != this->Casters.size() || boxesBefore.size() != this->Boxes.size())
+  {
+    return false;
+  }
+  std::size_t first = 0;
+  for (std::size_t i = 0; i < this->Casters.size(); ++i)
+  {
+    const vtkRelievoPlacedMesh& before = castersBefore[i];
+    const vtkRelievoPlacedMesh& now = this->Casters[i];
+    if (before.Mesh != now.Mesh || before.GetNumberOfPlaces() != now.GetNumberOfPlaces())
+    {
+      return false;
+    }
+    const bool empty = this->Meshes.at(now.Mesh)->Mesh.GetNumberOfTriangles() == 0;
+    const std::size_t places = empty ? 0 : now.GetNumberOfPlaces();
+    if (!IsSame(before, now))
+    {
+      if (this->Moved.size() + places > MostMoved)
+      {
+        return false;
+      }
+      for (std::size_t k = first; k < first + places; ++k)
+      {
+        this->Moved.push_back({ glm::min(boxesBefore[k].Min, this->Boxes[k].Min),
+          glm::max(boxesBefore[k].Max, this->Boxes[k].Max) });
+      }
+    }
+    first += places;
+  }
+  return true;
 }
 
 //------------------------------------------------------------------------------
@@ -253,6 +296,7 @@ void vtkRelievoTreeBuffer::ReleaseBuffer(vtkWindow* window)
   this->Buffer.Release(window);
   this->Texels = 0;
   this->Casters.clear();
+  this->Boxes.clear();
 }
 
 //------------------------------------------------------------------------------
@@ -335,5 +379,6 @@ std::vector<glm::vec4> vtkRelievoTreeBuffer::MakeFront()
     front.insert(front.end(), record, record + RecordTexels);
   }
   this->Nodes = static_cast<int>(tree.GetNodes().size());
+  this->Boxes = std::move(boxes);
   return front;
 }

@@ -47,6 +47,12 @@ public:
   // Another number for each content of the buffer.
   double GetVersion() const { return this->Version; }
 
+  // Whether the last content differs from the one before in the places of some casters alone; then
+  // the boxes of where they were and are, in the tree's coordinates, a few.
+  static constexpr std::size_t MostMoved = 8;
+  bool HasOnlyMoved() const { return this->OnlyMoved; }
+  const std::vector<vtkRelievoBoxTree::Box>& GetMoved() const { return this->Moved; }
+
   // Whether a caster lets part of the light pass.
   bool HasTranslucent() const;
   bool HasColors() const; // and colours it
@@ -78,6 +84,8 @@ private:
   };
   bool UpdateMeshes(const std::vector<vtkRelievoPlacedMesh>& casters);
   std::size_t CountRecords() const;
+  bool FindMoved(const std::vector<vtkRelievoPlacedMesh>& castersBefore,
+    const std::vector<vtkRelievoBoxTree::Box>& boxesBefore);
   // Nodes and records of the casters.
   std::vector<glm::vec4> MakeFront();
   std::string FindFault(std::size_t records) const;
@@ -87,6 +95,9 @@ private:
   vtkWeakPointer<vtkOpenGLRenderWindow> Window;
   std::map<vtkPolyData*, std::unique_ptr<Held>> Meshes;
   std::vector<vtkRelievoPlacedMesh> Casters;
+  std::vector<vtkRelievoBoxTree::Box> Boxes; // of Casters at all of their places
+  std::vector<vtkRelievoBoxTree::Box> Moved;
+  bool OnlyMoved = false;
   glm::dvec3 Origin{ 0.0 };
   int Nodes = 0;
   double Version = 0.0;

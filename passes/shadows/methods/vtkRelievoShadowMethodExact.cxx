@@ -228,12 +228,13 @@ void vtkRelievoShadowMethodExact::Tell(
 int vtkRelievoShadowMethodExact::Draw(vtkRelievoShadowContext& work, vtkRenderer*)
 {
   const Rays rays = this->GetRays(work);
-  std::vector<double> state(1, this->Tree.GetVersion());
-  state.insert(state.end(), &rays.ToLocal[0][0], &rays.ToLocal[0][0] + 16);
+  std::vector<double> state(&rays.ToLocal[0][0], &rays.ToLocal[0][0] + 16);
   state.insert(state.end(), &rays.Center.x, &rays.Center.x + 3);
   state.insert(state.end(), &rays.Blur.x, &rays.Blur.x + 2);
   const int calls = this->Seen.DrawSurfaces(this->Surfaces, work.PlainDraw);
-  return calls + this->Seen.DrawVerdicts(rays.Sources, state, [&](vtkShaderProgram* program) {
+  const vtkRelievoVisibilityPrepass::Past past{ this->Tree.GetVersion(),
+    this->Tree.HasOnlyMoved() ? &this->Tree.GetMoved() : nullptr, rays.Blur.x };
+  return calls + this->Seen.DrawVerdicts(rays.Sources, state, past, [&](vtkShaderProgram* program) {
     this->Tell(program, rays, true);
     program->SetUniform3f("relievoShadowCenter", &rays.Center.x);
   });

@@ -142,8 +142,12 @@ int vtkRelievoVisibilityPrepass::DrawSurfaces(
   {
     return 0;
   }
+  constexpr std::ptrdiff_t camera = 32; // numbers
+  this->HasBefore = !this->SurfacesDrawn.empty() && !this->SurfacesAreNew &&
+    std::equal(seen.begin(), seen.begin() + camera, this->SurfacesDrawn.begin()) &&
+    this->KeepSurfaces();
+  this->SurfacesAreNew = true;
   this->SurfacesDrawn.clear();
-  this->VerdictsDrawn.clear();
   this->BeginDrawing(this->Textures[Surfaces], this->Width, this->Height);
   glFramebufferTexture2D(
     GL_DRAW_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, this->Textures[Depth], 0);
@@ -175,30 +179,40 @@ int vtkRelievoVisibilityPrepass::DrawSurfaces(
 
 //------------------------------------------------------------------------------
 int vtkRelievoVisibilityPrepass::DrawVerdicts(const std::vector<glm::vec4>& sources,
-  const std::vector<double>& rays, const std::function<void(vtkShaderProgram*)>& tell)
+  const std::vector<double>& rays, const Past& past,
+  const std::function<void(vtkShaderProgram*)>& tell)
 {
   if (this->SurfacesDrawn.empty())
   {
     return 0;
   }
   const int lights = std::min(this->GetMostLights(), static_cast<int>(sources.size()));
-  std::vector<double> found = rays;
-  found.push_back(this->Levels);
+  std::vector<double> shine(1, this->Levels);
   for (const glm::vec4& source : sources)
   {
-    found.insert(found.end(), &source.x, &source.x + 4);
+    shine.insert(shine.end(), &source.x, &source.x + 4);
   }
+  std::vector<double> found = rays;
+  found.push_back(past.Version);
+  found.insert(found.end(), shine.begin(), shine.end());
   int calls = 0;
-  if (found != this->VerdictsDrawn)
+  if (found != this->VerdictsDrawn || this->SurfacesAreNew)
   {
+    static const std::vector<vtkRelievoBoxTree::Box> nothing;
+    const bool keeps = this->KeepsVerdicts(shine, past);
+    const auto* moved = past.Version == this->VersionOfVerdicts ? &nothing : past.Moved;
     this->VerdictsDrawn.clear();
-    calls = this->FindVerdicts(sources, lights, tell);
+    calls = this->FindVerdicts(sources, lights, keeps ? moved : nullptr, tell);
     if (calls == 0)
     {
       this->Broken = true;
       return 0;
     }
     this->VerdictsDrawn = found;
+    this->LightsOfVerdicts = shine;
+    this->VersionOfVerdicts = past.Version;
+    this->BlurOfVerdicts = keeps ? this->BlurOfVerdicts : past.Blur;
+    this->SurfacesAreNew = false;
   }
   this->Bind(Surfaces, Verdicts);
   this->Lights = lights;
@@ -206,7 +220,22 @@ int vtkRelievoVisibilityPrepass::DrawVerdicts(const std::vector<glm::vec4>& sour
 }
 
 //------------------------------------------------------------------------------
+// Whether verdicts stay that no ray past what has moved may change. Where the coordinates' center
+// is, which follows the casters, they depend by rounding alone.
+bool vtkRelievoVisibilityPrepass::KeepsVerdicts(
+  const std::vector<double>& lights, const Past& past) const
+{
+  constexpr double most = 1.25; // times as much blur, or as little
+  const bool follows = past.Version == this->VersionOfVerdicts ||
+    (past.Moved && past.Version == this->VersionOfVerdicts + 1.0);
+  return !this->VerdictsDrawn.empty() && follows && lights == this->LightsOfVerdicts &&
+    past.Blur <= most * this->BlurOfVerdicts && this->BlurOfVerdicts <= most * past.Blur &&
+    (this->HasBefore || !this->SurfacesAreNew);
+}
+
+//------------------------------------------------------------------------------
 int vtkRelievoVisibilityPrepass::FindVerdicts(const std::vector<glm::vec4>& sources, int lights,
+  const std::vector<vtkRelievoBoxTree::Box>* moved,
   const std::function<void(vtkShaderProgram*)>& tell)
 {
   const int tiles[2] = { CountTiles(this->Width), CountTiles(this->Height) };
@@ -226,10 +255,23 @@ int vtkRelievoVisibilityPrepass::FindVerdicts(const std::vector<glm::vec4>& sour
     this->Tell(program, lights);
     program->SetUniform4fv(
       "relievoSeenSource", lights, reinterpret_cast<const float(*)[4]>(sources.data()));
+    program->SetUniformi("relievoSeenKeeps", moved ? 1 : 0);
     glBindVertexArray(this->Arrays);
     if (whole)
     {
-      this->Bind(Surfaces, -1);
+      this->Bind(Surfaces, !moved ? -1 : this->SurfacesAreNew ? Before : Surfaces);
+      program->SetUniformi("relievoSeenBefore", this->Units[1]);
+      program->SetUniformi("relievoMovedCount", moved ? static_cast<int>(moved->size()) : 0);
+      if (moved && !moved->empty())
+      {
+        std::vector<glm::vec3> sides;
+        for (const vtkRelievoBoxTree::Box& box : *moved)
+        {
+          sides.insert(sides.end(), { box.Min, box.Max });
+        }
+        program->SetUniform3fv("relievoMoved", static_cast<int>(sides.size()),
+          reinterpret_cast<const float(*)[3]>(sides.data()));
+      }
       glDrawArrays(GL_TRIANGLES, 0, 3);
     }
     else
@@ -238,9 +280,13 @@ int vtkRelievoVisibilityPrepass::FindVerdicts(const std::vector<glm::vec4>& sour
       program->SetUniformi("cameraParallel", this->View.Parallel ? 1 : 0);
       program->SetUniformi("relievoSeenTiles", this->Units[1]);
       program->SetUniform2i("relievoSeenTileCount", tiles);
-      // Where nothing is open all lights reach what is seen.
-      const std::vector<GLfloat> lit(4, static_cast<GLfloat>(std::pow(this->Levels, lights) - 1.0));
-      glClearBufferfv(GL_COLOR, 0, lit.data());
+      if (!moved)
+      {
+        // Where nothing is open all lights reach what is seen.
+        const std::vector<GLfloat> lit(
+          4, static_cast<GLfloat>(std::pow(this->Levels, lights) - 1.0));
+        glClearBufferfv(GL_COLOR, 0, lit.data());
+      }
       glDrawArrays(GL_TRIANGLES, 0, 6 * tiles[0] * tiles[1]);
     }
     glBindVertexArray(0);
@@ -351,16 +397,17 @@ bool vtkRelievoVisibilityPrepass::Allocate()
   }
   // What lies within one step of the picture's depths hides what it hides there.
   const bool stencil = depths == GL_DEPTH24_STENCIL8;
-  const GLint formats[Count] = { GL_RG32F, this->Colored ? GL_RGBA32F : GL_R32F,
+  const GLint formats[Count] = { GL_RG32F, GL_RG32F, this->Colored ? GL_RGBA32F : GL_R32F,
     static_cast<GLint>(depths), GL_R32F };
-  const GLenum channels[Count] = { GL_RG, static_cast<GLenum>(this->Colored ? GL_RGBA : GL_RED),
+  const GLenum channels[Count] = { GL_RG, GL_RG,
+    static_cast<GLenum>(this->Colored ? GL_RGBA : GL_RED),
     static_cast<GLenum>(stencil ? GL_DEPTH_STENCIL : GL_DEPTH_COMPONENT), GL_RED };
   this->Window->GetState()->vtkglActiveTexture(
     GL_TEXTURE0 + static_cast<unsigned int>(this->Units[0]));
   for (int i = 0; i < Count; ++i)
   {
-    const int width = i == Tiles ? CountTiles(this->Width) : this->Width;
-    const int height = i == Tiles ? CountTiles(this->Height) : this->Height;
+    const int width = i == Before ? 1 : i == Tiles ? CountTiles(this->Width) : this->Width;
+    const int height = i == Before ? 1 : i == Tiles ? CountTiles(this->Height) : this->Height;
     glBindTexture(GL_TEXTURE_2D, this->Textures[i]);
     glTexImage2D(GL_TEXTURE_2D, 0, formats[i], width, height, 0, channels[i],
       i == Depth && stencil ? GL_UNSIGNED_INT_24_8 : GL_FLOAT, nullptr);
@@ -371,7 +418,33 @@ bool vtkRelievoVisibilityPrepass::Allocate()
   glBindTexture(GL_TEXTURE_2D, 0);
   this->Window->GetState()->vtkglActiveTexture(GL_TEXTURE0);
   this->Room = glGetError() == GL_NO_ERROR; // else rays for each fragment
+  this->RoomForBefore = false;
   return this->Room;
+}
+
+//------------------------------------------------------------------------------
+// What is seen becomes what was. False if OpenGL has no memory for both.
+bool vtkRelievoVisibilityPrepass::KeepSurfaces()
+{
+  if (!this->RoomForBefore)
+  {
+    for (int i = 0; i < 16 && glGetError() != GL_NO_ERROR; ++i)
+    {
+      // Others' errors: what follows is to be known.
+    }
+    this->Bind(Before, -1);
+    this->Window->GetState()->vtkglActiveTexture(
+      GL_TEXTURE0 + static_cast<unsigned int>(this->Units[0]));
+    glTexImage2D(
+      GL_TEXTURE_2D, 0, GL_RG32F, this->Width, this->Height, 0, GL_RG, GL_FLOAT, nullptr);
+    this->RoomForBefore = glGetError() == GL_NO_ERROR;
+    this->Bind(-1, -1);
+  }
+  if (this->RoomForBefore)
+  {
+    std::swap(this->Textures[Surfaces], this->Textures[Before]);
+  }
+  return this->RoomForBefore;
 }
 
 //------------------------------------------------------------------------------
@@ -424,8 +497,9 @@ bool vtkRelievoVisibilityPrepass::IsReady()
 //------------------------------------------------------------------------------
 vtkIdType vtkRelievoVisibilityPrepass::GetBytes() const
 {
-  const vtkIdType colors = this->Colored ? BytesOfColors * this->Width * this->Height : 0;
-  return this->Room ? GetBytes(this->Width, this->Height) + colors : 0;
+  const vtkIdType more =
+    (this->Colored ? BytesOfColors : 0) + (this->RoomForBefore ? BytesOfBefore : 0);
+  return this->Room ? GetBytes(this->Width, this->Height) + more * this->Width * this->Height : 0;
 }
 
 //------------------------------------------------------------------------------
@@ -457,7 +531,7 @@ void vtkRelievoVisibilityPrepass::Release(vtkWindow* window)
   std::fill_n(this->Units, 2, -1);
   this->Arrays = 0;
   this->Framebuffer = nullptr;
-  this->Room = this->Fits = this->Broken = this->Checked = false;
+  this->Room = this->RoomForBefore = this->Fits = this->Broken = this->Checked = false;
   this->Width = this->Height = this->Lights = 0;
   this->SurfacesDrawn.clear();
   this->VerdictsDrawn.clear();

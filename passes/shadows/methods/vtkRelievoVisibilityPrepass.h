@@ -10,6 +10,7 @@
 #ifndef vtkRelievoVisibilityPrepass_h
 #define vtkRelievoVisibilityPrepass_h
 
+#include "vtkRelievoBoxTree.h"
 #include "vtkRelievoFrameCamera.h"
 #include "vtkRelievoScopedState.h"
 #include "vtkSmartPointer.h"
@@ -32,6 +33,7 @@ class vtkRelievoVisibilityPrepass
 {
 public:
   static constexpr vtkIdType BytesPerPixel = 16; // what is seen, its depth, verdicts
+  static constexpr vtkIdType BytesOfBefore = 8;  // beside, once surfaces have moved
   static constexpr vtkIdType BytesOfColors = 12; // beside
   static constexpr int Tile = 8;                 // pixels: as in shaders/shadow/tilesFS.glsl
 
@@ -60,10 +62,19 @@ public:
   // What is seen of these actors, if it is not known from the frame before. Returns draw calls.
   int DrawSurfaces(const std::vector<vtkActor*>& actors, vtkRelievoCasterDraw& draw);
 
+  // What rays go past.
+  struct Past
+  {
+    double Version = 0.0;
+    // Boxes in the tree's coordinates that hold all that differs from the version before, or null.
+    const std::vector<vtkRelievoBoxTree::Box>* Moved = nullptr;
+    double Blur = 0.0; // of places, in the tree's coordinates
+  };
+
   // What rays find about it, if they have not found it in the frame before. rays: numbers that tell
   // them from others; tell: uniforms of shaders/rays/walk.glsl. Returns draw calls.
   int DrawVerdicts(const std::vector<glm::vec4>& sources, const std::vector<double>& rays,
-    const std::function<void(vtkShaderProgram*)>& tell);
+    const Past& past, const std::function<void(vtkShaderProgram*)>& tell);
 
   // What has been found, for those who look it up; before the verdicts are drawn, nothing.
   void SetUniforms(vtkShaderProgram* program) const;
@@ -83,6 +94,7 @@ private:
   enum Texture
   {
     Surfaces,
+    Before, // what Surfaces were when the verdicts were found
     Verdicts,
     Depth,
     Tiles,
@@ -90,11 +102,14 @@ private:
   };
   static int CountTiles(int pixels) { return (pixels + Tile - 1) / Tile; }
   bool Allocate();
+  bool KeepSurfaces();
   std::string GetSource(const std::string& name) const;
   bool IsReady();
   void Bind(int first, int second);
   void BeginDrawing(unsigned int target, int width, int height);
+  bool KeepsVerdicts(const std::vector<double>& lights, const Past& past) const;
   int FindVerdicts(const std::vector<glm::vec4>& sources, int lights,
+    const std::vector<vtkRelievoBoxTree::Box>* moved,
     const std::function<void(vtkShaderProgram*)>& tell);
   void EndDrawing();
   void Tell(vtkShaderProgram* program, int lights) const;
@@ -110,11 +125,17 @@ private:
   bool Fits = false;             // there is room, and a way from a pixel and its depth to a place
   bool Broken = false;           // the shaders do not compile, or cannot draw
   bool Checked = false;
-  unsigned int Textures[Count] = { 0, 0, 0, 0 };
+  unsigned int Textures[Count] = {};
   vtkSmartPointer<vtkOpenGLFramebufferObject> Framebuffer;
   std::unique_ptr<vtkRelievoScopedState> Kept; // while drawing
   std::vector<double> SurfacesDrawn;           // the state of what is there; none if nothing is
   std::vector<double> VerdictsDrawn;
+  std::vector<double> LightsOfVerdicts;
+  double VersionOfVerdicts = 0.0;
+  double BlurOfVerdicts = 0.0; // when none was kept
+  bool SurfacesAreNew = false; // since the verdicts were found
+  bool HasBefore = false;      // from the same camera
+  bool RoomForBefore = false;
   unsigned int DepthFormat = 0;
   int Width = 0;
   int Height = 0;
