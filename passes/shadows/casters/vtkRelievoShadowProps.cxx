@@ -19,6 +19,7 @@
 #include "vtkRelievoCasterRays.h"
 #include "vtkRelievoCutSurface.h"
 #include "vtkRelievoFrameScene.h"
+#include "vtkRelievoHiddenPoints.h"
 #include "vtkRelievoPropMTime.h"
 #include "vtkRelievoPropMeshes.h"
 #include "vtkRelievoPropParts.h"
@@ -345,6 +346,7 @@ void vtkRelievoShadowProps::Render(vtkProp* prop, bool translucent, vtkRenderer*
   }
   else
   {
+    const vtkRelievoHiddenPoints hidden(prop, renderer, true);
     prop->RenderOpaqueGeometry(renderer);
   }
 }
