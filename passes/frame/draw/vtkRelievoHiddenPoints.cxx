@@ -184,10 +184,10 @@ private:
     const glm::dmat4& m = this->ToNDC;
     const double w = m[0][3] * point[0] + m[1][3] * point[1] + m[2][3] * point[2] + m[3][3];
     const double over = 0.5 / w;
-    const double x = (m[0][0] * point[0] + m[1][0] * point[1] + m[2][0] * point[2] + m[3][0]) *
-        over + 0.5;
-    const double y = (m[0][1] * point[0] + m[1][1] * point[1] + m[2][1] * point[2] + m[3][1]) *
-        over + 0.5;
+    const double x =
+      (m[0][0] * point[0] + m[1][0] * point[1] + m[2][0] * point[2] + m[3][0]) * over + 0.5;
+    const double y =
+      (m[0][1] * point[0] + m[1][1] * point[1] + m[2][1] * point[2] + m[3][1]) * over + 0.5;
     place.Z = (m[0][2] * point[0] + m[1][2] * point[1] + m[2][2] * point[2] + m[3][2]) * over + 0.5;
     const double column = x * this->Size.x;
     const double row = y * this->Size.y;
@@ -407,14 +407,15 @@ bool vtkRelievoHiddenPoints::IsPossible(vtkProp* prop)
 {
   auto* actor = vtkActor::SafeDownCast(prop);
   vtkMapper* any = actor ? actor->GetMapper() : nullptr;
-  if (!any || std::strcmp(any->GetClassName(), "vtkOpenGLPolyDataMapper") != 0)
+  if (!any || !actor->GetProperty()->GetRenderPointsAsSpheres() ||
+    actor->GetProperty()->GetPointSize() > LargestSize ||
+    std::strcmp(any->GetClassName(), "vtkOpenGLPolyDataMapper") != 0)
   {
     return false;
   }
   vtkPolyData* mesh = static_cast<vtkOpenGLPolyDataMapper*>(any)->GetInput();
   return mesh && mesh->GetVerts()->GetNumberOfConnectivityIds() >= FewestPoints &&
-    actor->GetProperty()->GetRenderPointsAsSpheres() &&
-    actor->GetProperty()->GetPointSize() <= LargestSize && vtkRelievoPlainActor::IsOfClass(actor);
+    vtkRelievoPlainActor::IsOfClass(actor);
 }
 
 //------------------------------------------------------------------------------
