@@ -457,6 +457,7 @@ struct ShellCase
   double Zoom;
   bool Parallel;
   bool Sun;
+  bool Forward; // shadows that draw what the camera sees once more
 };
 
 // The picture of the actor over a ground, with a shadow, and how many points were seen.
@@ -491,6 +492,10 @@ vtkSmartPointer<vtkImageData> DrawShell(const ShellCase& test, vtkActor* actor, 
   vtkRelievoPass* frame = vtkRelievoPass::Attach(scene.Renderer);
   frame->ShadowsOn();
   frame->GetShadowStage()->SetMapSize(512);
+  if (test.Forward)
+  {
+    frame->GetShadowStage()->SetMethodToForward();
+  }
   // Once the buffers are made; the map with casters as before would be kept.
   scene.Window->Render();
   light->SetPosition(1.0, 4.0, 2.5);
@@ -503,13 +508,14 @@ vtkSmartPointer<vtkImageData> DrawShell(const ShellCase& test, vtkActor* actor, 
 void TestHiddenPoints()
 {
   const ShellCase cases[] = {
-    { "a shell", 4.0, 0.0, 1.0, 1.0, false, true },
-    { "a shell of large points", 13.5, 0.0, 1.0, 1.0, false, false },
-    { "a shell in parallel projection", 5.0, 0.0, 1.0, 1.0, true, true },
-    { "a shell that the window cuts", 7.0, 0.0, 1.0, 4.0, false, false },
-    { "a shell that the near plane cuts", 6.0, 0.0, 4.9, 1.0, false, true },
-    { "a shell that is all at the far plane", 4.0, 0.0, 0.0005, 1.0, false, false },
-    { "a shell far from its origin", 3.0, 5.0, 1.0, 1.0, false, false },
+    { "a shell", 4.0, 0.0, 1.0, 1.0, false, true, false },
+    { "a shell of large points", 13.5, 0.0, 1.0, 1.0, false, false, false },
+    { "a shell in parallel projection", 5.0, 0.0, 1.0, 1.0, true, true, false },
+    { "a shell that the window cuts", 7.0, 0.0, 1.0, 4.0, false, false, false },
+    { "a shell that the near plane cuts", 6.0, 0.0, 4.9, 1.0, false, true, false },
+    { "a shell that is all at the far plane", 4.0, 0.0, 0.0005, 1.0, false, false, false },
+    { "a shell far from its origin", 3.0, 5.0, 1.0, 1.0, false, false, false },
+    { "a shell with shadows forward", 8.0, 0.0, 1.0, 1.0, false, true, true },
   };
   for (const ShellCase& test : cases)
   {

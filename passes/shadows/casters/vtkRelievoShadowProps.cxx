@@ -346,7 +346,6 @@ void vtkRelievoShadowProps::Render(vtkProp* prop, bool translucent, vtkRenderer*
   }
   else
   {
-    const vtkRelievoHiddenPoints hidden(prop, renderer, true);
     prop->RenderOpaqueGeometry(renderer);
   }
 }
@@ -368,7 +367,10 @@ int vtkRelievoShadowProps::RenderCasters(vtkRenderer* renderer, const vtkRelievo
       plain.push_back(actor);
       continue;
     }
-    this->Render(caster.Prop, false, renderer);
+    {
+      const vtkRelievoHiddenPoints hidden(caster.Prop, renderer, true);
+      this->Render(caster.Prop, false, renderer);
+    }
     if (caster.Translucent)
     {
       this->Render(caster.Prop, true, renderer);
