@@ -338,7 +338,7 @@ std::vector<unsigned int> FindSeen(Finder& finder, const Real* points, vtkPolyDa
   vtkCellArray* verts = mesh->GetVerts();
   const auto find = [&](const auto* numbers) {
     const vtkIdType count = verts->GetNumberOfConnectivityIds();
-    const auto forEach = [&](const auto& visit) {
+    return finder.Find([&](const auto& visit) {
       for (vtkIdType i = 0; i < count; ++i)
       {
         if (numbers[i] >= 0 && numbers[i] < mesh->GetNumberOfPoints())
@@ -346,11 +346,14 @@ std::vector<unsigned int> FindSeen(Finder& finder, const Real* points, vtkPolyDa
           visit(static_cast<unsigned int>(numbers[i]), points + 3 * numbers[i]);
         }
       }
-    };
-    return finder.Find(forEach);
+    });
   };
-  return verts->IsStorage64Bit() ? find(verts->GetConnectivityArray64()->GetPointer(0))
-                                 : find(verts->GetConnectivityArray32()->GetPointer(0));
+  if (const auto* small = GetValues<vtkTypeInt32>(verts->GetConnectivityArray()))
+  {
+    return find(small);
+  }
+  const auto* large = GetValues<vtkTypeInt64>(verts->GetConnectivityArray());
+  return large ? find(large) : std::vector<unsigned int>();
 }
 
 // The mapper, if it draws spheres at the points of vertices and nothing else, as VTK does, from
