@@ -73,11 +73,11 @@ public:
   static constexpr int Lane = 8;    // columns are padded to a multiple of this
 
   Shares(const Spheres& spheres, double slack)
-    : Reach(static_cast<int>(std::ceil(spheres.Radius + 0.5)))
+    : Loose(slack + std::sqrt(0.5) / Phases)
+    , Reach(static_cast<int>(std::ceil(spheres.Radius + this->Loose + 0.5)))
     , Rows(2 * this->Reach)
     , Columns((2 * this->Reach + Lane - 1) / Lane * Lane)
   {
-    const double loose = slack + std::sqrt(0.5) / Phases;
     for (int v = 0; v < Phases; ++v)
     {
       for (int u = 0; u < Phases; ++u)
@@ -88,8 +88,8 @@ public:
           {
             const double distance = std::hypot(column - this->Reach + 0.5 - (u + 0.5) / Phases,
               row - this->Reach + 0.5 - (v + 0.5) / Phases);
-            const double least = distance + loose;
-            const double most = std::max(0.0, distance - loose);
+            const double least = distance + this->Loose;
+            const double most = std::max(0.0, distance - this->Loose);
             this->Least.push_back(least < spheres.Radius
                 ? static_cast<float>(spheres.GetShare(least * least))
                 : -Infinity);
@@ -110,7 +110,8 @@ public:
     return of.data() + static_cast<std::size_t>(phase) * this->Rows * this->Columns;
   }
 
-  const int Reach; // of pixels from the point's own, to the left and down; to the right one less
+  const double Loose; // of places, in pixels
+  const int Reach;    // of pixels from the point's own, to the left and down; to the right one less
   const int Rows;
   const int Columns;
   std::vector<float> Least;
@@ -457,7 +458,8 @@ vtkRelievoHiddenPoints::vtkRelievoHiddenPoints(vtkProp* prop, vtkRenderer* rende
   spheres.S = spheres.Parallel ? depth : 0.5 - 0.5 * depth;
   spheres.R = size / (renderer->GetSize()[0] * viewToNDC->GetElement(0, 0));
   const double loss = GetLoss(mapper);
-  if (!(loss < 20.0 && spheres.R < 0.5))
+  const bool usual = spheres.Parallel ? spheres.S < 0.0 : spheres.S > 1.0;
+  if (!(usual && loss < 20.0 && spheres.R > 0.0 && spheres.R < 0.5))
   {
     return;
   }
