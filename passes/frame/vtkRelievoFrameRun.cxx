@@ -2,20 +2,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRelievoFrameRun.h"
 
+#include "vtkActor.h"
+#include "vtkActor2D.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLRenderer.h"
 #include "vtkRelievoAccess.h"
+#include "vtkRelievoColorBuffers.h"
 #include "vtkRelievoColorTarget.h"
 #include "vtkRelievoDelegate.h"
 #include "vtkRelievoFrameContext.h"
 #include "vtkRelievoFrameReport.h"
 #include "vtkRelievoGpuTimer.h"
+#include "vtkRelievoHiddenPoints.h"
 #include "vtkRelievoLeakedTextureUnits.h"
 #include "vtkRelievoSampleAccumulator.h"
 #include "vtkRelievoSampleRaster.h"
 #include "vtkRelievoStage.h"
 #include "vtkRelievoTranslucentLayers.h"
 #include "vtkRenderPass.h"
+#include "vtkRenderState.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -323,6 +328,7 @@ int vtkRelievoFrameRun::DrawDelegate(vtkRelievoDelegate& delegate, vtkRenderPass
     }
   };
   vtkRelievoDelegate::DelegateEvents events;
+  HiddenPoints hidden;
   // Opaque geometry: stages write beside the colour while VTK draws it.
   if (!running.empty())
   {
@@ -333,8 +339,10 @@ int vtkRelievoFrameRun::DrawDelegate(vtkRelievoDelegate& delegate, vtkRenderPass
         this->Raster.Begin(this->Context, this->Color);
         this->CheckRaster();
       }
+      this->FindHidden(hidden);
     };
     events.OpaqueEnds = [&]() {
+      hidden.clear();
       vtkRelievoLeakedTextureUnits::Release(this->Context.Window);
       if (this->Context.Lattice)
       {
@@ -395,6 +403,46 @@ int vtkRelievoFrameRun::DrawDelegate(vtkRelievoDelegate& delegate, vtkRenderPass
     this->Color.EndAside(this->Context);
   }
   return drawn;
+}
+
+//------------------------------------------------------------------------------
+// Of what the renderer's own steps draw of one camera, in one go, and no layer counts. A mapper
+// that several actors share draws other points for each.
+void vtkRelievoFrameRun::FindHidden(HiddenPoints& hidden) const
+{
+  const vtkRelievoFrameContext& context = this->Context;
+  vtkProp** const props = context.State->GetPropArray();
+  vtkProp** const end = props + context.State->GetPropArrayCount();
+  const std::vector<vtkRelievoStage*> running = this->GetRunning();
+  const auto counts = [](vtkRelievoStage* stage) {
+    return std::string(stage->GetStageName()) == "gbuffer";
+  };
+  if (!context.OwnSteps || context.Nested || context.Lattice ||
+    std::none_of(props, end, vtkRelievoHiddenPoints::IsPossible) ||
+    vtkRelievoColorBuffers::GetBoundSamples() > 0 ||
+    std::any_of(running.begin(), running.end(), counts))
+  {
+    return;
+  }
+  const auto isPlain = [](vtkProp* prop) {
+    return vtkActor::SafeDownCast(prop) || vtkActor2D::SafeDownCast(prop);
+  };
+  if (!std::all_of(props, end, isPlain))
+  {
+    return; // which may hold an actor that shares a mapper
+  }
+  for (vtkProp** prop = props; prop != end; ++prop)
+  {
+    const auto shares = [prop](vtkProp* other) {
+      auto* actor = vtkActor::SafeDownCast(other);
+      return actor && other != *prop &&
+        actor->GetMapper() == static_cast<vtkActor*>(*prop)->GetMapper();
+    };
+    if (vtkRelievoHiddenPoints::IsPossible(*prop) && std::none_of(props, end, shares))
+    {
+      hidden.emplace_back(new vtkRelievoHiddenPoints(*prop, context.Renderer, false));
+    }
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -8,6 +8,7 @@
 #include "vtkRelievoFramePlan.h"
 
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,7 @@ class vtkRelievoSampleAccumulator;
 class vtkRelievoSampleRaster;
 class vtkRelievoFrameReport;
 class vtkRelievoGpuTimer;
+class vtkRelievoHiddenPoints;
 class vtkRelievoStage;
 class vtkRelievoTranslucentLayers;
 class vtkRenderPass;
@@ -86,6 +88,8 @@ private:
   bool FinishesColor() const;
   void PresentColor();
   void CheckRaster();
+  using HiddenPoints = std::vector<std::unique_ptr<vtkRelievoHiddenPoints>>;
+  void FindHidden(HiddenPoints& hidden) const;
 
   vtkRelievoFrameContext& Context;
   const std::vector<vtkRelievoStage*>& Stages; // node i + 1 is stage i

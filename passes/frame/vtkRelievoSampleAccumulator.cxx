@@ -107,12 +107,8 @@ vtkRelievoSampleAccumulator::Demand vtkRelievoSampleAccumulator::GetDemand(
   {
     demand.Layers.push_back(light.first);
   }
-  if (!context.OneByOne && demand.Offsets && demand.Color && demand.Layers.empty() &&
-    std::all_of(nodes.begin(), nodes.end(), IsOfAnyRaster))
-  {
-    demand.Obstacle = vtkRelievoSampleRaster::FindObstacle(context);
-    demand.AnyRaster = demand.Obstacle.empty();
-  }
+  demand.AnyRaster = !context.OneByOne && demand.Offsets && demand.Color && demand.Layers.empty() &&
+    std::all_of(nodes.begin(), nodes.end(), IsOfAnyRaster);
   return demand;
 }
 
@@ -223,11 +219,16 @@ void vtkRelievoSampleAccumulator::Choose(vtkRelievoFrameContext& context)
   // When all are there the last one stays, and nothing that depends on it is made anew.
   context.Samples = demand.Samples;
   context.OffsetsSamples = demand.Offsets;
-  context.Obstacle = demand.Obstacle;
   context.Sample = std::min(next, demand.Samples - 1);
   const bool atOnce = demand.AtOnce || IsOneOfSeveral(context);
   // While something moves, one sample is drawn; then all others at once.
-  if (demand.AnyRaster && next < demand.Samples && (atOnce || next > 0))
+  const bool many = demand.AnyRaster && (atOnce || next > 0);
+  if (many && !this->Obstacle) // which takes as long as a frame where there are many actors
+  {
+    this->Obstacle = vtkRelievoSampleRaster::FindObstacle(context);
+  }
+  context.Obstacle = many ? *this->Obstacle : std::string();
+  if (many && this->Obstacle->empty() && next < demand.Samples)
   {
     const int samples = vtkRelievoSampleLattice::GetNumberInPlaceOf(demand.Samples);
     if (!this->Lattice || this->Lattice->GetNumberOfSamples() != samples)
@@ -458,5 +459,6 @@ void vtkRelievoSampleAccumulator::Release(vtkWindow* window)
 {
   this->ReleaseSums(window);
   this->State.Clear();
+  this->Obstacle.reset();
   this->Fault.clear();
 }

@@ -16,6 +16,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -62,8 +63,7 @@ private:
     bool AtOnce = false;  // in this frame, not one in each
     bool Offsets = false; // within the pixel
     bool Color = false;
-    bool AnyRaster = false;          // all can be drawn at once
-    std::string Obstacle;            // why they cannot, in words
+    bool AnyRaster = false; // all can be drawn at once, if nothing in the scene stands against it
     std::vector<std::string> Layers; // lights' visibility, and what stages say
   };
   struct Sum
@@ -100,8 +100,9 @@ private:
   vtkRelievoSceneFingerprint State;
   std::unique_ptr<Sum> Color;
   std::unique_ptr<vtkRelievoSampleLattice> Lattice;
-  std::string Words;           // how the mean was drawn with it
-  bool ColorOfPicture = false; // not of a capture without the picture
+  std::string Words;                   // how the mean was drawn with it
+  std::optional<std::string> Obstacle; // what in the scene keeps all from being drawn at once
+  bool ColorOfPicture = false;         // not of a capture without the picture
   std::map<std::string, std::unique_ptr<Sum>> Layers;
   vtkRelievoScreenQuad Mean;
 };

@@ -280,14 +280,23 @@ void AddProps(Values& state, vtkRenderer* renderer)
 }
 
 //------------------------------------------------------------------------------
-vtkRelievoSceneFingerprint::State vtkRelievoSceneFingerprint::Make(
-  const vtkRelievoFrameContext& context, const std::vector<vtkRelievoStage*>& stages)
+std::vector<std::uint64_t> vtkRelievoSceneFingerprint::MakeFirst(
+  const vtkRelievoFrameContext& context)
 {
   Values state;
   this->Changes.Watch(context.Renderer);
   state.Add(this->Changes.GetCount());
   AddView(state, context);
   AddRenderer(state, context.Renderer);
+  return state.All;
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoSceneFingerprint::State vtkRelievoSceneFingerprint::Make(
+  const vtkRelievoFrameContext& context, const std::vector<vtkRelievoStage*>& stages)
+{
+  Values state;
+  state.All = this->MakeFirst(context);
   AddProps(state, context.Renderer);
   AddOffsets(state);
   AddPass(state, context.Delegate);
@@ -316,6 +325,12 @@ void vtkRelievoSceneFingerprint::Take(
 bool vtkRelievoSceneFingerprint::IsOf(
   const vtkRelievoFrameContext& context, const std::vector<vtkRelievoStage*>& stages)
 {
+  const std::vector<std::uint64_t> first = this->MakeFirst(context);
+  const std::vector<std::uint64_t>& kept = this->Kept.Values;
+  if (kept.size() < first.size() || !std::equal(first.begin(), first.end(), kept.begin()))
+  {
+    return false; // the view has changed, and the props need not be asked
+  }
   const State now = this->Make(context, stages);
   return now.Values == this->Kept.Values && IsNear(now.Projection, this->Kept.Projection);
 }

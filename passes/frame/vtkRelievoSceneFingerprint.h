@@ -33,6 +33,8 @@ private:
     std::vector<std::uint64_t> Values;
     std::vector<double> Projection; // a vtkWindowToImageFilter's has angles of single precision
   };
+  // What is known without the props, which comes first in a state's values.
+  std::vector<std::uint64_t> MakeFirst(const vtkRelievoFrameContext& context);
   State Make(const vtkRelievoFrameContext& context, const std::vector<vtkRelievoStage*>& stages);
 
   State Kept;

@@ -12,6 +12,7 @@
 #include <cstdlib>
 #include <exception>
 #include <iterator>
+#include <optional>
 #include <vector>
 
 namespace scene
@@ -111,6 +112,19 @@ void AddSuns(RenderOptions& options, const Preset& preset, bool others)
   }
 }
 
+// Of a small picture: four texels for each of its pixels are enough, as the samples of a light's
+// shape leave more noise than its map. Otherwise none, for the stage's own.
+std::optional<int> GetShadowSize(const std::array<int, 2>& picture)
+{
+  constexpr int own = 2048;
+  int size = 256;
+  while (size < own && size < 4 * std::max(picture[0], picture[1]))
+  {
+    size *= 2;
+  }
+  return size < own ? std::optional<int>(size) : std::nullopt;
+}
+
 // Where nothing is said of shadows; layers and verdicts are those of lights that are points.
 void AddShadows(RenderOptions& options, const std::set<std::string>& given, int samples)
 {
@@ -123,6 +137,10 @@ void AddShadows(RenderOptions& options, const std::set<std::string>& given, int 
     {
       options.SoftShadows = samples;
       options.SoftMaps = SoftMaps;
+      if (!says("--shadow-size") && !says("--stage"))
+      {
+        options.ShadowSize = GetShadowSize(options.Size);
+      }
     }
   }
 }

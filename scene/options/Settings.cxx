@@ -90,12 +90,14 @@ void Settings::TakeStages(const RenderOptions& options)
   {
     this->Set("--shadows", "map");
   }
-  const bool soft = this->Has("--soft-shadows"); // or else the preset's, which no word says
+  // Or else the preset's, which no word says.
+  const bool soft = this->Has("--soft-shadows");
+  const bool sized = this->Has("--shadow-size");
   for (const std::string& option : SaidByStages)
   {
     this->Remove(option);
   }
-  if (options.ShadowSize)
+  if (sized)
   {
     this->SetParameter("shadows", "map_size", std::to_string(*options.ShadowSize));
   }

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Pixels on which nothing is drawn are left to the background: whatever is drawn outside its box,
-// or as far away as can be, is in the picture all the same. The truth is VTK's own picture.
+// or as far away as can be, is in the picture all the same. So is each point of which something is
+// seen, where hidden points are left out. The truth is VTK's own picture.
 #include "Check.h"
 #include "Session.h"
 #include "TestCase.h"
@@ -11,16 +12,22 @@
 #include <vtkActor.h>
 #include <vtkBillboardTextActor3D.h>
 #include <vtkCamera.h>
+#include <vtkCellArray.h>
 #include <vtkCompositePolyDataMapper.h>
 #include <vtkCubeAxesActor.h>
 #include <vtkCubeSource.h>
 #include <vtkDoubleArray.h>
 #include <vtkGlyph3DMapper.h>
 #include <vtkImageData.h>
+#include <vtkLight.h>
 #include <vtkMapper.h>
+#include <vtkMath.h>
 #include <vtkMatrix4x4.h>
+#include <vtkMinimalStandardRandomSequence.h>
 #include <vtkMultiBlockDataSet.h>
 #include <vtkNew.h>
+#include <vtkObjectFactory.h>
+#include <vtkOpenGLActor.h>
 #include <vtkOpenGLPolyDataMapper.h>
 #include <vtkOpenGLVertexBufferObject.h>
 #include <vtkPlaneSource.h>
@@ -33,9 +40,12 @@
 #include <vtkRelievoFogSpheres.h>
 #include <vtkRelievoFogStage.h>
 #include <vtkRelievoFormulas.h>
+#include <vtkRelievoHiddenPoints.h>
 #include <vtkRelievoLamps.h>
 #include <vtkRelievoLampsStage.h>
 #include <vtkRelievoPass.h>
+#include <vtkRelievoShadowStage.h>
+#include <vtkRelievoSoftwareOpenGL.h>
 #include <vtkRelievoToneStage.h>
 #include <vtkRelievoVTKVersions.h>
 #include <vtkRenderWindow.h>
@@ -43,10 +53,12 @@
 #include <vtkRendererCollection.h>
 #include <vtkShaderProperty.h>
 #include <vtkSphereSource.h>
+#include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <iostream>
 #include <string>
 #include <vector>
 
@@ -399,6 +411,128 @@ void TestWith(
   RELIEVO_CHECK_AT_MOST(Compare(plain, Picture(scene.Window), AsItIs), 1.0, what + ", lamp");
 }
 
+// A class of which nobody knows what it draws, so that VTK draws all of it.
+class WholeActor : public vtkOpenGLActor
+{
+public:
+  static WholeActor* New() { VTK_STANDARD_NEW_BODY(WholeActor); }
+  vtkTypeMacro(WholeActor, vtkOpenGLActor);
+};
+
+// Many points as spheres, in a shell; `far`: from the origin, in diameters.
+vtkSmartPointer<vtkPolyData> MakeShell(double far, bool floats)
+{
+  vtkNew<vtkMinimalStandardRandomSequence> random;
+  vtkNew<vtkPoints> points;
+  points->SetDataType(floats ? VTK_FLOAT : VTK_DOUBLE);
+  vtkNew<vtkUnsignedCharArray> colors;
+  colors->SetNumberOfComponents(3);
+  vtkNew<vtkCellArray> verts;
+  const auto next = [&random](double from, double to) {
+    random->Next();
+    return random->GetRangeValue(from, to);
+  };
+  for (int i = 0; i < 20000; ++i)
+  {
+    double place[3] = { next(-1.0, 1.0), next(-1.0, 1.0), next(-1.0, 1.0) };
+    const double scale = next(0.45, 0.5) / vtkMath::Norm(place);
+    points->InsertNextPoint(place[0] * scale + far, place[1] * scale, place[2] * scale);
+    colors->InsertNextTuple3(next(0.0, 255.0), next(0.0, 255.0), next(0.0, 255.0));
+    verts->InsertNextCell(1);
+    verts->InsertCellPoint(i);
+  }
+  auto shell = vtkSmartPointer<vtkPolyData>::New();
+  shell->SetPoints(points);
+  shell->GetPointData()->SetScalars(colors);
+  shell->SetVerts(verts);
+  return shell;
+}
+
+struct ShellCase
+{
+  const char* Name;
+  double Size;    // of the points, pixels
+  double Far;     // of the shell from its own origin
+  double Nearest; // clipping distance
+  double Zoom;
+  bool Parallel;
+  bool Sun;
+  bool Forward; // shadows that draw what the camera sees once more
+};
+
+// The picture of the actor over a ground, with a shadow, and how many points were seen.
+vtkSmartPointer<vtkImageData> DrawShell(const ShellCase& test, vtkActor* actor, vtkIdType& seen)
+{
+  Scene scene;
+  scene.Renderer->RemoveActor(scene.Actor);
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(MakeShell(test.Far, test.Sun));
+  actor->SetMapper(mapper);
+  actor->SetPosition(-test.Far * 1.2, 0.0, 0.0);
+  actor->SetScale(1.2, 1.4, 1.3);
+  actor->GetProperty()->RenderPointsAsSpheresOn();
+  actor->GetProperty()->SetPointSize(static_cast<float>(test.Size));
+  scene.Renderer->AddActor(actor);
+  vtkNew<vtkPlaneSource> ground;
+  ground->SetOrigin(-3.0, -1.0, 3.0);
+  ground->SetPoint1(3.0, -1.0, 3.0);
+  ground->SetPoint2(-3.0, -1.0, -3.0);
+  scene.Add(ground);
+  scene.Renderer->RemoveAllLights();
+  vtkNew<vtkLight> light;
+  light->SetPosition(1.0, 4.0, 2.0);
+  light->SetPositional(!test.Sun);
+  light->SetConeAngle(40.0);
+  scene.Renderer->AddLight(light);
+  vtkCamera* camera = scene.Renderer->GetActiveCamera();
+  camera->SetClippingRange(test.Nearest, 20.0);
+  camera->SetParallelProjection(test.Parallel);
+  camera->Zoom(test.Zoom);
+  scene.Renderer->SetViewport(0.1, 0.2, 1.0, 0.9);
+  vtkRelievoPass* frame = vtkRelievoPass::Attach(scene.Renderer);
+  frame->ShadowsOn();
+  frame->GetShadowStage()->SetMapSize(512);
+  if (test.Forward)
+  {
+    frame->GetShadowStage()->SetMethodToForward();
+  }
+  // Once the buffers are made; the map with casters as before would be kept.
+  scene.Window->Render();
+  light->SetPosition(1.0, 4.0, 2.5);
+  const auto picture = Picture(scene.Window);
+  const vtkRelievoHiddenPoints hidden(actor, scene.Renderer, false);
+  seen = hidden.GetNumberOfSeen();
+  return picture;
+}
+
+void TestHiddenPoints()
+{
+  const ShellCase cases[] = {
+    { "a shell", 4.0, 0.0, 1.0, 1.0, false, true, false },
+    { "a shell of large points", 13.5, 0.0, 1.0, 1.0, false, false, false },
+    { "a shell in parallel projection", 4.9, 0.0, 1.0, 1.0, true, true, false },
+    { "a shell that the window cuts", 7.0, 0.0, 1.0, 4.0, false, false, false },
+    { "a shell that the near plane cuts", 6.0, 0.0, 4.9, 1.0, false, true, false },
+    { "a shell that is all at the far plane", 4.0, 0.0, 0.0005, 1.0, false, false, false },
+    { "a shell far from its origin", 3.0, 5.0, 1.0, 1.0, false, false, false },
+    { "a shell with shadows forward", 8.0, 0.0, 1.0, 1.0, false, true, true },
+  };
+  for (const ShellCase& test : cases)
+  {
+    vtkNew<vtkActor> actor;
+    vtkNew<WholeActor> whole;
+    vtkIdType some = 0;
+    vtkIdType all = 0;
+    const auto picture = DrawShell(test, actor, some);
+    const auto truth = DrawShell(test, whole, all);
+    RELIEVO_CHECK_AT_MOST(Compare(truth, picture, AsItIs), 0.0, test.Name);
+    RELIEVO_CHECK_THAT(all == -1, std::string(test.Name) + ": points of an unknown actor left out");
+    std::cout << test.Name << ": " << some << " of 20000 points drawn\n";
+    RELIEVO_CHECK_THAT(!vtkRelievoIsSoftwareOpenGL() || (some > 0 && some < 19000),
+      std::string(test.Name) + ": hidden points are drawn");
+  }
+}
+
 // A background that lies between two bytes stays one colour, in and beside what is looked at.
 void TestBetweenBytes(int samples)
 {
@@ -457,6 +591,7 @@ RELIEVO_TEST_CASE(testDrawnPart)
   TestWith("a projection", Project, true);
   TestWith("a plane that goes on behind the eye", AddBehindEye);
   TestWith("a gradient", AddGradient);
+  TestHiddenPoints();
   TestWith("another renderer beside", AddBeside);
 #ifdef RELIEVO_VTK_COORDINATE_SYSTEMS
   TestWith("an actor in units of the device", PlaceOnDevice);

@@ -220,9 +220,20 @@ public:
   {
     return (mapper->*(&Mapper::Primitives))[type].IBO;
   }
+  // Other ones may be drawn for a time; they must be put back.
+  static vtkOpenGLIndexBufferObject*& IndicesInUse(vtkOpenGLPolyDataMapper* mapper, int type)
+  {
+    return (mapper->*(&Mapper::Primitives))[type].IBO;
+  }
   static int IndexCount(vtkOpenGLPolyDataMapper* mapper, int type)
   {
     return static_cast<int>(Indices(mapper, type)->IndexCount);
+  }
+
+  // Whether cells have colours of their own, which VTK looks up by a primitive's number.
+  static bool HasCellColors(vtkOpenGLPolyDataMapper* mapper)
+  {
+    return mapper->*(&Mapper::HaveCellScalars);
   }
 
   // One of the mapper's PrimitiveTypes; PrimitiveEnd while nothing is bound.

@@ -90,11 +90,18 @@ void ForDrawnTriangles(vtkPolyData* mesh, Function f)
 {
   vtkCellArray* cells = mesh->GetPolys();
   vtkDataArray* points = mesh->GetPoints()->GetData();
-  if (auto* floats = vtkAOSDataArrayTemplate<float>::FastDownCast(points))
+  const auto forPlain = [&](auto* plain) {
+    if (plain)
+    {
+      const auto* p = plain->GetPointer(0);
+      ForDrawnTriangles(
+        cells, [p](vtkIdType i) { return p + 3 * i; }, f);
+    }
+    return plain != nullptr;
+  };
+  if (forPlain(vtkAOSDataArrayTemplate<float>::FastDownCast(points)) ||
+    forPlain(vtkAOSDataArrayTemplate<double>::FastDownCast(points)))
   {
-    const float* p = floats->GetPointer(0);
-    ForDrawnTriangles(
-      cells, [p](vtkIdType i) { return p + 3 * i; }, f);
     return;
   }
   ForDrawnTriangles(

@@ -2,29 +2,70 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRelievoMeshLinks.h"
 
+#include "vtkAOSDataArrayTemplate.h"
+#include "vtkCellArray.h"
 #include "vtkIdList.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
-#include "vtkRelievoCellGeometry.h"
 
 #include <iterator>
+
+namespace
+{
+// Calls visit(point, cell) for the corners, where the arrays are integers of this type.
+template <typename Integer, typename Visit>
+bool VisitTyped(vtkCellArray* cells, const Visit& visit)
+{
+  using Array = vtkAOSDataArrayTemplate<Integer>;
+  auto* offsets = Array::FastDownCast(cells->GetOffsetsArray());
+  auto* corners = Array::FastDownCast(cells->GetConnectivityArray());
+  if (!offsets || !corners)
+  {
+    return false;
+  }
+  const Integer* from = offsets->GetPointer(0);
+  const Integer* points = corners->GetPointer(0);
+  const vtkIdType count = cells->GetNumberOfCells();
+  for (vtkIdType cell = 0; cell < count; ++cell)
+  {
+    for (Integer i = from[cell]; i < from[cell + 1]; ++i)
+    {
+      visit(static_cast<vtkIdType>(points[i]), cell);
+    }
+  }
+  return true;
+}
+
+template <typename Visit>
+void VisitCorners(vtkCellArray* cells, const Visit& visit)
+{
+  if (VisitTyped<vtkTypeInt32>(cells, visit) || VisitTyped<vtkTypeInt64>(cells, visit))
+  {
+    return;
+  }
+  vtkNew<vtkIdList> scratch;
+  for (vtkIdType cell = 0; cell < cells->GetNumberOfCells(); ++cell)
+  {
+    cells->GetCellAtId(cell, scratch);
+    for (vtkIdType i = 0; i < scratch->GetNumberOfIds(); ++i)
+    {
+      visit(scratch->GetId(i), cell);
+    }
+  }
+}
+}
 
 //------------------------------------------------------------------------------
 void vtkRelievoMeshLinks::Links::Build(vtkPolyData* mesh)
 {
   const vtkIdType points = mesh->GetNumberOfPoints();
-  const vtkIdType first = mesh->GetNumberOfVerts() + mesh->GetNumberOfLines();
-  const vtkIdType last = first + mesh->GetNumberOfPolys() + mesh->GetNumberOfStrips();
-  vtkNew<vtkIdList> scratch;
-  auto forCorners = [&](auto f) {
-    for (vtkIdType id = first; id < last; ++id)
-    {
-      const vtkRelievoCell cell(mesh, id, scratch);
-      for (vtkIdType i = 0; i < cell.Count; ++i)
-      {
-        f(cell.Points[i], id);
-      }
-    }
+  const vtkIdType polys = mesh->GetNumberOfVerts() + mesh->GetNumberOfLines();
+  const vtkIdType strips = polys + mesh->GetNumberOfPolys();
+  const auto forCorners = [&](const auto& f) {
+    VisitCorners(
+      mesh->GetPolys(), [&](vtkIdType point, vtkIdType cell) { f(point, polys + cell); });
+    VisitCorners(
+      mesh->GetStrips(), [&](vtkIdType point, vtkIdType cell) { f(point, strips + cell); });
   };
   // Each point's offset is first where its cells end, and goes back by one for every cell put in.
   this->Offsets.assign(static_cast<std::size_t>(points) + 1, 0);

@@ -19,6 +19,7 @@
 #include "vtkRelievoCasterRays.h"
 #include "vtkRelievoCutSurface.h"
 #include "vtkRelievoFrameScene.h"
+#include "vtkRelievoHiddenPoints.h"
 #include "vtkRelievoPropMTime.h"
 #include "vtkRelievoPropMeshes.h"
 #include "vtkRelievoPropParts.h"
@@ -366,7 +367,10 @@ int vtkRelievoShadowProps::RenderCasters(vtkRenderer* renderer, const vtkRelievo
       plain.push_back(actor);
       continue;
     }
-    this->Render(caster.Prop, false, renderer);
+    {
+      const vtkRelievoHiddenPoints hidden(caster.Prop, renderer, true);
+      this->Render(caster.Prop, false, renderer);
+    }
     if (caster.Translucent)
     {
       this->Render(caster.Prop, true, renderer);

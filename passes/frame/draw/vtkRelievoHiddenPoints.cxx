@@ -1,0 +1,509 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkRelievoHiddenPoints.h"
+
+#include "vtkAOSDataArrayTemplate.h"
+#include "vtkActor.h"
+#include "vtkCellArray.h"
+#include "vtkMatrix4x4.h"
+#include "vtkOpenGLCamera.h"
+#include "vtkOpenGLError.h" // for OpenGL
+#include "vtkOpenGLIndexBufferObject.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtkOpenGLVertexBufferObject.h"
+#include "vtkOpenGLVertexBufferObjectGroup.h"
+#include "vtkPlaneCollection.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkProperty.h"
+#include "vtkRelievoAccess.h"
+#include "vtkRelievoCutSurface.h"
+#include "vtkRelievoFrameCamera.h"
+#include "vtkRelievoPlainActor.h"
+#include "vtkRelievoSoftwareOpenGL.h"
+#include "vtkRenderer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <vector>
+
+namespace
+{
+using Access = vtkRelievoAccess::Mapper;
+
+constexpr vtkIdType FewestPoints = 10000; // fewer are drawn as fast as they are looked at
+constexpr double MostPixels = 32.0;       // for each point
+constexpr float LargestSize = 32.0f;      // pixels: the tables below grow with its square
+constexpr float Infinity = std::numeric_limits<float>::infinity();
+
+// How VTK draws a point as a sphere: what is added to the point's z in the window, in the pixels
+// around it, is GetScale(z) times a share that depends on the pixel's place alone
+// (vtkPolyDataFS.glsl).
+struct Spheres
+{
+  double Radius = 0.5; // pixels
+  bool Flat = false;
+  bool Parallel = false;
+  double S = 0.0; // VTK's ZCalcS
+  double R = 0.0; // VTK's ZCalcR
+
+  double GetScale(double z) const
+  {
+    return this->Flat ? -1.0 : this->Parallel ? this->S * this->R : z - this->S;
+  }
+  // At this distance from the centre, squared, in pixels.
+  double GetShare(double distance2) const
+  {
+    const double height =
+      std::sqrt(std::min(std::max(0.0, 1.0 - distance2 / (this->Radius * this->Radius)), 1.0));
+    const double near = height * this->R;
+    return this->Flat ? 0.0 : this->Parallel ? height : near / (1.0 - near);
+  }
+};
+
+// Such shares for points that lie anywhere within their pixel: the least and the most that they may
+// be, in the pixels that are surely drawn, and that may be. Where nothing is drawn it is -infinity.
+class Shares
+{
+public:
+  static constexpr int Phases = 16; // places within the pixel, in each direction
+  static constexpr int Lane = 8;    // columns are padded to a multiple of this
+
+  Shares(const Spheres& spheres, double slack)
+    : Loose(slack + std::sqrt(0.5) / Phases)
+    , Reach(static_cast<int>(std::ceil(spheres.Radius + this->Loose + 0.5)))
+    , Rows(2 * this->Reach)
+    , Columns((2 * this->Reach + Lane - 1) / Lane * Lane)
+  {
+    for (int v = 0; v < Phases; ++v)
+    {
+      for (int u = 0; u < Phases; ++u)
+      {
+        for (int row = 0; row < this->Rows; ++row)
+        {
+          for (int column = 0; column < this->Columns; ++column)
+          {
+            const double distance = std::hypot(column - this->Reach + 0.5 - (u + 0.5) / Phases,
+              row - this->Reach + 0.5 - (v + 0.5) / Phases);
+            const double least = distance + this->Loose;
+            const double most = std::max(0.0, distance - this->Loose);
+            this->Least.push_back(least < spheres.Radius
+                ? static_cast<float>(spheres.GetShare(least * least))
+                : -Infinity);
+            this->Most.push_back(most < spheres.Radius
+                ? static_cast<float>(spheres.GetShare(most * most))
+                : -Infinity);
+          }
+        }
+      }
+    }
+    this->Largest = static_cast<float>(spheres.GetShare(0.0));
+  }
+
+  // Of a point at this place within its pixel.
+  const float* Get(const std::vector<float>& of, double u, double v) const
+  {
+    const int phase = static_cast<int>(v * Phases) * Phases + static_cast<int>(u * Phases);
+    return of.data() + static_cast<std::size_t>(phase) * this->Rows * this->Columns;
+  }
+
+  const double Loose; // of places, in pixels
+  const int Reach;    // of pixels from the point's own, to the left and down; to the right one less
+  const int Rows;
+  const int Columns;
+  std::vector<float> Least;
+  std::vector<float> Most;
+  float Largest; // of all
+};
+
+// A point in the window: its pixel, its place within it, and its z.
+struct Place
+{
+  int X;
+  int Y;
+  double U;
+  double V;
+  double Z;
+};
+
+class Finder
+{
+public:
+  Finder(const glm::dmat4& toNDC, const int viewport[4], const Spheres& spheres, double slack,
+    double tolerance)
+    : ToNDC(toNDC)
+    , Size(viewport[2], viewport[3])
+    , Drawn(spheres)
+    , Tolerance(tolerance)
+    , Table(spheres, slack)
+    , Border(this->Table.Reach + this->Table.Columns)
+    , Stride(this->Size.x + 2 * this->Border)
+    , Height(this->Size.y + 2 * this->Border)
+    , Nearest(static_cast<std::size_t>(this->Stride) * this->Height, Farthest)
+  {
+  }
+
+  // Calls forEach(visit), which calls visit(number, coordinates) for each point.
+  template <typename ForEach>
+  std::vector<unsigned int> Find(const ForEach& forEach)
+  {
+    Place place;
+    forEach([&](unsigned int, const auto* point) {
+      if (this->Project(point, place) == INSIDE)
+      {
+        this->Put(place);
+      }
+    });
+    this->FindBlocks();
+    std::vector<unsigned int> seen;
+    forEach([&](unsigned int number, const auto* point) {
+      const Where where = this->Project(point, place);
+      if (where == UNKNOWN || (where == INSIDE && this->MayBeSeen(place)))
+      {
+        seen.push_back(number);
+      }
+    });
+    return seen;
+  }
+
+private:
+  static constexpr float Farthest = 2.0f; // nothing is
+  static constexpr int Block = 8;         // pixels
+  enum Where
+  {
+    INSIDE,
+    OUTSIDE,
+    UNKNOWN
+  };
+
+  template <typename Real>
+  Where Project(const Real* point, Place& place) const
+  {
+    const glm::dmat4& m = this->ToNDC;
+    const double w = m[0][3] * point[0] + m[1][3] * point[1] + m[2][3] * point[2] + m[3][3];
+    const double over = 0.5 / w;
+    const double x =
+      (m[0][0] * point[0] + m[1][0] * point[1] + m[2][0] * point[2] + m[3][0]) * over + 0.5;
+    const double y =
+      (m[0][1] * point[0] + m[1][1] * point[1] + m[2][1] * point[2] + m[3][1]) * over + 0.5;
+    place.Z = (m[0][2] * point[0] + m[1][2] * point[1] + m[2][2] * point[2] + m[3][2]) * over + 0.5;
+    const double column = x * this->Size.x;
+    const double row = y * this->Size.y;
+    if (!(w > 0.0 && place.Z > 0.0 && place.Z < 1.0 && column > 0.0 && row > 0.0 &&
+          column < this->Size.x && row < this->Size.y))
+    {
+      // OpenGL may draw the inner part of points at the borders.
+      const double size = 2.0 * this->Drawn.Radius;
+      return w > 0.0 &&
+          (column < -size || row < -size || column > this->Size.x + size ||
+            row > this->Size.y + size)
+        ? OUTSIDE
+        : UNKNOWN;
+    }
+    place.X = static_cast<int>(column);
+    place.Y = static_cast<int>(row);
+    place.U = column - place.X;
+    place.V = row - place.Y;
+    return INSIDE;
+  }
+
+  std::size_t GetFirst(const Place& place) const
+  {
+    return static_cast<std::size_t>(place.Y + this->Border - this->Table.Reach) * this->Stride +
+      place.X + this->Border - this->Table.Reach;
+  }
+
+  void Put(const Place& place)
+  {
+    const float* share = this->Table.Get(this->Table.Least, place.U, place.V);
+    const auto z = static_cast<float>(place.Z);
+    const auto scale = static_cast<float>(this->Drawn.GetScale(place.Z));
+    float* nearest = this->Nearest.data() + this->GetFirst(place);
+    for (int row = 0; row < this->Table.Rows; ++row)
+    {
+      for (int column = 0; column < this->Table.Columns; column += Shares::Lane)
+      {
+        PutLane(nearest + column, share + column, z, scale);
+      }
+      nearest += this->Stride;
+      share += this->Table.Columns;
+    }
+  }
+
+  // The farthest of what is nearest in each block of pixels and in those right of and above it.
+  void FindBlocks()
+  {
+    this->Across = (this->Stride + Block - 1) / Block + 1;
+    const int up = (this->Height + Block - 1) / Block + 1;
+    std::vector<float> blocks(static_cast<std::size_t>(this->Across) * up, 0.0f);
+    for (int y = 0; y < this->Height; ++y)
+    {
+      const float* nearest = this->Nearest.data() + static_cast<std::size_t>(y) * this->Stride;
+      float* block = blocks.data() + static_cast<std::size_t>(y / Block) * this->Across;
+      for (int x = 0; x < this->Stride; ++x)
+      {
+        block[x / Block] = std::max(block[x / Block], nearest[x]);
+      }
+    }
+    this->Farthests = blocks;
+    for (int y = 0; y + 1 < up; ++y)
+    {
+      for (int x = 0; x + 1 < this->Across; ++x)
+      {
+        const float* block = blocks.data() + static_cast<std::size_t>(y) * this->Across + x;
+        this->Farthests[block - blocks.data()] =
+          std::max({ block[0], block[1], block[this->Across], block[this->Across + 1] });
+      }
+    }
+  }
+
+  bool MayBeSeen(const Place& place) const
+  {
+    const float* share = this->Table.Get(this->Table.Most, place.U, place.V);
+    const auto z = static_cast<float>(place.Z - this->Tolerance);
+    const auto scale = static_cast<float>(this->Drawn.GetScale(place.Z));
+    const int x = place.X + this->Border - this->Table.Reach;
+    const int y = place.Y + this->Border - this->Table.Reach;
+    if (this->Table.Rows <= Block &&
+      z + scale * this->Table.Largest >
+        this->Farthests[static_cast<std::size_t>(y / Block) * this->Across + x / Block])
+    {
+      return false;
+    }
+    const float* nearest = this->Nearest.data() + this->GetFirst(place);
+    for (int row = 0; row < this->Table.Rows; ++row)
+    {
+      for (int column = 0; column < this->Table.Columns; column += Shares::Lane)
+      {
+        if (IsLaneSeen(nearest + column, share + column, z, scale))
+        {
+          return true;
+        }
+      }
+      nearest += this->Stride;
+      share += this->Table.Columns;
+    }
+    return false;
+  }
+
+  // Without branches, for the compiler to make vectors of. OpenGL clamps what is before the near
+  // plane.
+  static void PutLane(float* nearest, const float* share, float z, float scale)
+  {
+    float made[Shares::Lane];
+    for (int i = 0; i < Shares::Lane; ++i)
+    {
+      made[i] = std::max(z + scale * share[i], 0.0f);
+    }
+    for (int i = 0; i < Shares::Lane; ++i)
+    {
+      nearest[i] = made[i] < nearest[i] ? made[i] : nearest[i];
+    }
+  }
+  static bool IsLaneSeen(const float* nearest, const float* share, float z, float scale)
+  {
+    int seen = 0;
+    for (int i = 0; i < Shares::Lane; ++i)
+    {
+      seen |= z + scale * share[i] <= nearest[i] ? 1 : 0;
+    }
+    return seen != 0;
+  }
+
+  const glm::dmat4 ToNDC;
+  const glm::ivec2 Size;
+  const Spheres Drawn;
+  const double Tolerance; // of z
+  const Shares Table;
+  const int Border;
+  const int Stride;
+  const int Height;
+  std::vector<float> Nearest; // z of each pixel, with a border around the window
+  int Across = 0;
+  std::vector<float> Farthests;
+};
+
+template <typename Value>
+const Value* GetValues(vtkDataArray* array)
+{
+  auto* plain = vtkAOSDataArrayTemplate<Value>::FastDownCast(array);
+  return plain ? plain->GetPointer(0) : nullptr;
+}
+
+template <typename Real>
+std::vector<unsigned int> FindSeen(Finder& finder, const Real* points, vtkPolyData* mesh)
+{
+  vtkCellArray* verts = mesh->GetVerts();
+  const auto find = [&](const auto* numbers) {
+    const vtkIdType count = verts->GetNumberOfConnectivityIds();
+    return finder.Find([&](const auto& visit) {
+      for (vtkIdType i = 0; i < count; ++i)
+      {
+        if (numbers[i] >= 0 && numbers[i] < mesh->GetNumberOfPoints())
+        {
+          visit(static_cast<unsigned int>(numbers[i]), points + 3 * numbers[i]);
+        }
+      }
+    });
+  };
+  if (const auto* small = GetValues<vtkTypeInt32>(verts->GetConnectivityArray()))
+  {
+    return find(small);
+  }
+  const auto* large = GetValues<vtkTypeInt64>(verts->GetConnectivityArray());
+  return large ? find(large) : std::vector<unsigned int>();
+}
+
+// The mapper, if it draws spheres at the points of vertices and nothing else, as VTK does, from
+// buffers that are made already.
+vtkOpenGLPolyDataMapper* GetMapperOfSpheres(vtkProp* prop)
+{
+  if (!vtkRelievoHiddenPoints::IsPossible(prop))
+  {
+    return nullptr;
+  }
+  auto* actor = static_cast<vtkActor*>(prop);
+  auto* mapper = static_cast<vtkOpenGLPolyDataMapper*>(actor->GetMapper());
+  vtkProperty* property = actor->GetProperty();
+  vtkPolyData* mesh = mapper->GetInput();
+  vtkPlaneCollection* planes = mapper->GetClippingPlanes();
+  // Colours of cells are looked up by their number among those that are drawn.
+  const bool others = mesh->GetNumberOfVerts() != mesh->GetNumberOfCells() ||
+    property->GetRepresentation() != VTK_SURFACE || property->GetVertexVisibility() ||
+    actor->GetTexture() || property->GetNumberOfTextures() > 0 ||
+    vtkRelievoPlainActor::HasOwnShaders(actor) ||
+    vtkRelievoCutSurface::GetCutoff(actor->GetPropertyKeys()) > 0.0 ||
+    vtkMapper::GetResolveCoincidentTopology() != VTK_RESOLVE_OFF ||
+    (planes && planes->GetNumberOfItems() > 0) || actor->HasTranslucentPolygonalGeometry() ||
+    Access::HasCellColors(mapper);
+  const bool current = mapper->CurrentInput == mesh &&
+    Access::BuildTime(mapper) >= mesh->GetMTime() &&
+    Access::BuildTime(mapper) >= mapper->GetMTime() && Access::AreBuffersOf(mapper, actor);
+  return current && !others ? mapper : nullptr;
+}
+
+// How many times its digits a place loses in floats, as the buffer has it; 1 around the origin.
+double GetLoss(vtkOpenGLPolyDataMapper* mapper)
+{
+  vtkOpenGLVertexBufferObject* vertices = Access::Buffers(mapper)->GetVBO("vertexMC");
+  if (!vertices || vertices->GetCoordShiftAndScaleEnabled())
+  {
+    return 1.0; // they are around the origin
+  }
+  double bounds[6];
+  mapper->GetInput()->GetBounds(bounds);
+  double far = 0.0;
+  double length = 0.0;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    far = std::max({ far, std::abs(bounds[2 * axis]), std::abs(bounds[2 * axis + 1]) });
+    length = std::max(length, bounds[2 * axis + 1] - bounds[2 * axis]);
+  }
+  return 1.0 + far / length;
+}
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoHiddenPoints::IsPossible(vtkProp* prop)
+{
+  auto* actor = vtkActor::SafeDownCast(prop);
+  vtkMapper* any = actor ? actor->GetMapper() : nullptr;
+  if (!any || !actor->GetProperty()->GetRenderPointsAsSpheres() ||
+    actor->GetProperty()->GetPointSize() > LargestSize ||
+    std::strcmp(any->GetClassName(), "vtkOpenGLPolyDataMapper") != 0)
+  {
+    return false;
+  }
+  vtkPolyData* mesh = static_cast<vtkOpenGLPolyDataMapper*>(any)->GetInput();
+  return mesh && mesh->GetVerts()->GetNumberOfConnectivityIds() >= FewestPoints &&
+    vtkRelievoPlainActor::IsOfClass(actor);
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoHiddenPoints::vtkRelievoHiddenPoints(vtkProp* prop, vtkRenderer* renderer, bool flat)
+{
+  vtkOpenGLPolyDataMapper* mapper = GetMapperOfSpheres(prop);
+  auto* camera = vtkOpenGLCamera::SafeDownCast(renderer->GetActiveCamera());
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  if (!mapper || !camera || !window || !vtkRelievoIsSoftwareOpenGL())
+  {
+    return;
+  }
+  int viewport[4];
+  window->GetState()->vtkglGetIntegerv(GL_VIEWPORT, viewport);
+  vtkPolyData* mesh = mapper->GetInput();
+  if (static_cast<double>(viewport[2]) * viewport[3] >
+    MostPixels * static_cast<double>(mesh->GetVerts()->GetNumberOfConnectivityIds()))
+  {
+    return;
+  }
+  vtkMatrix4x4* worldToView = nullptr;
+  vtkMatrix3x3* normals = nullptr;
+  vtkMatrix4x4* viewToNDC = nullptr;
+  vtkMatrix4x4* worldToNDC = nullptr;
+  camera->GetKeyMatrices(renderer, worldToView, normals, viewToNDC, worldToNDC);
+  auto* actor = static_cast<vtkActor*>(prop);
+  // VTK keeps these transposed.
+  const glm::dmat4 toNDC =
+    glm::transpose(vtkRelievoToGlm(worldToNDC)) * vtkRelievoToGlm(actor->GetMatrix());
+  Spheres spheres;
+  const double size = actor->GetProperty()->GetPointSize();
+  spheres.Radius = 0.5 * size;
+  spheres.Flat = flat;
+  spheres.Parallel = camera->GetParallelProjection() != 0;
+  const double depth = viewToNDC->GetElement(2, 2);
+  spheres.S = spheres.Parallel ? depth : 0.5 - 0.5 * depth;
+  spheres.R = size / (renderer->GetSize()[0] * viewToNDC->GetElement(0, 0));
+  const double loss = GetLoss(mapper);
+  const bool usual = spheres.Parallel ? spheres.S < 0.0 : spheres.S > 1.0;
+  if (!(usual && loss < 20.0 && spheres.R > 0.0 && spheres.R < 0.5))
+  {
+    return;
+  }
+  // OpenGL places points on a grid of 1/256 pixel.
+  const double slack = 0.01 + 1e-6 * loss * std::max(viewport[2], viewport[3]);
+  const double tolerance = 1e-6 * loss * std::max(1.0, std::abs(spheres.S));
+  Finder finder(toNDC, viewport, spheres, slack, tolerance);
+  vtkDataArray* points = mesh->GetPoints()->GetData();
+  std::vector<unsigned int> seen;
+  if (const auto* floats = GetValues<float>(points))
+  {
+    seen = FindSeen(finder, floats, mesh);
+  }
+  else if (const auto* doubles = GetValues<double>(points))
+  {
+    seen = FindSeen(finder, doubles, mesh);
+  }
+  else
+  {
+    return;
+  }
+  if (!seen.empty() && this->Seen->Upload(seen, vtkOpenGLBufferObject::ElementArrayBuffer))
+  {
+    this->Seen->IndexCount = seen.size();
+    this->Mapper = mapper;
+    vtkOpenGLIndexBufferObject*& used =
+      Access::IndicesInUse(mapper, vtkOpenGLPolyDataMapper::PrimitivePoints);
+    this->All = used;
+    used = this->Seen;
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoHiddenPoints::~vtkRelievoHiddenPoints()
+{
+  if (this->Mapper)
+  {
+    Access::IndicesInUse(this->Mapper, vtkOpenGLPolyDataMapper::PrimitivePoints) = this->All;
+    this->Seen->ReleaseGraphicsResources();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkRelievoHiddenPoints::GetNumberOfSeen() const
+{
+  return this->Mapper ? static_cast<vtkIdType>(this->Seen->IndexCount) : -1;
+}
