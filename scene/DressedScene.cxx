@@ -49,8 +49,7 @@ std::string MakeSurfaceKey(const Settings& settings, const RenderOptions& option
 std::string MakeDressKey(const Settings& settings)
 {
   std::vector<const char*> names;
-  const std::vector<KnownOption> known = GetRenderOptions();
-  for (const KnownOption& option : known)
+  for (const vtkRelievoOption& option : GetRenderCommand().Options)
   {
     const auto is = [&option](const char* name) { return option.Name == name; };
     if (std::none_of(std::begin(NoDress), std::end(NoDress), is))

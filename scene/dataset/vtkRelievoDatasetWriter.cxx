@@ -23,6 +23,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <limits>
 #include <map>
 #include <set>
 
@@ -180,6 +181,31 @@ struct vtkRelievoDatasetWriter::Internals
 vtkRelievoDatasetWriter::vtkRelievoDatasetWriter()
   : Self(new Internals)
 {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  constexpr int least = std::numeric_limits<int>::min(), most = std::numeric_limits<int>::max();
+  vtkRelievoParameterList& list = this->Parameters;
+  list.AddChoice(
+    "format", this->Format, [this](int format) { this->SetFormat(format); },
+    scene::DatasetFormatNames, "How files lie in the folder.");
+  list.AddNumber(
+    "depth_step", this->DepthStep, [this](double units) { this->SetDepthStep(units); }, 0.0,
+    infinity, "",
+    "World units of a step of 16-bit depth; 0: such that it reaches what is farthest.");
+  list
+    .AddNumber(
+      "mm_per_unit", this->MillimetersPerUnit,
+      [this](double millimeters) { this->SetMillimetersPerUnit(millimeters); }, 0.0, infinity, "",
+      "Of bop: millimetres in a world unit.")
+    .Open = true;
+  list.AddWhole(
+    "seed", this->Seed, [this](int seed) { this->SetSeed(seed); }, least, most, "",
+    "Of all that is random.");
+  list.AddFlag(
+    "random_sun", this->RandomSun, [this](bool on) { this->SetRandomSun(on); },
+    "The sun stands elsewhere in each view.");
+  list.AddChoice(
+    "up", this->UpAxis, [this](int axis) { this->SetUpAxis(axis); }, { "x", "y", "z" },
+    "The axis that points up.");
 }
 
 //------------------------------------------------------------------------------
@@ -519,15 +545,9 @@ void vtkRelievoDatasetWriter::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Renderer: " << this->Self->Renderer << "\n";
   os << indent << "Directory: " << this->Self->Directory << "\n";
-  os << indent << "Format: " << scene::DatasetFormatNames[static_cast<std::size_t>(this->Format)]
-     << "\n";
   os << indent << "Views: " << this->Self->Cameras.size() << "\n";
   os << indent << "Layers: " << scene::Join(this->Self->Layers, ", ") << "\n";
   os << indent << "ObjectsByBlock: " << this->ObjectsByBlock << "\n";
-  os << indent << "DepthStep: " << this->DepthStep << "\n";
-  os << indent << "MillimetersPerUnit: " << this->MillimetersPerUnit << "\n";
-  os << indent << "RandomSun: " << this->RandomSun << "\n";
-  os << indent << "Seed: " << this->Seed << "\n";
-  os << indent << "UpAxis: " << this->UpAxis << "\n";
+  this->Parameters.Print(os, indent);
   os << indent << "Range: " << this->Range[0] << ", " << this->Range[1] << "\n";
 }

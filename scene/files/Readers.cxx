@@ -270,16 +270,26 @@ std::string ExtensionOf(const std::string& path)
 }
 
 //------------------------------------------------------------------------------
+std::vector<std::string> GetExtensions(bool ofModels)
+{
+  std::vector<std::string> extensions;
+  for (const ReaderRow& row : Rows)
+  {
+    if (!ofModels || !row.Make)
+    {
+      extensions.emplace_back(row.Extension + 1);
+    }
+  }
+  return extensions;
+}
+
+//------------------------------------------------------------------------------
 void CheckExtension(const std::string& path)
 {
   if (!FindRow(path))
   {
-    std::vector<std::string> known;
-    for (const ReaderRow& row : Rows)
-    {
-      known.push_back(row.Extension);
-    }
-    throw UsageError(path + ": no reader for this extension; expected one of " + Join(known, " "));
+    throw UsageError(
+      path + ": no reader for this extension; expected one of ." + Join(GetExtensions(), " ."));
   }
 }
 

@@ -21,6 +21,9 @@ class Progress;
 /// The extension in lower case with its dot, ".vtp"; "" without one.
 std::string ExtensionOf(const std::string& path);
 
+/// Those that readers take, without dots; or those of models alone.
+std::vector<std::string> GetExtensions(bool ofModels = false);
+
 /// Throws UsageError if no reader takes the path's extension.
 void CheckExtension(const std::string& path);
 

@@ -7,13 +7,13 @@
 #ifndef Options_h
 #define Options_h
 
-#include "Arguments.h"
 #include "LightOptions.h"
 #include "LookOptions.h"
 #include "ModelOptions.h"
 #include "Points.h"
 #include "Stages.h"
 #include "VolumeImages.h"
+#include "vtkRelievoOption.h"
 
 #include <array>
 #include <optional>
@@ -118,20 +118,11 @@ struct RenderOptions
   std::string PNG, EXR, Report;     ///< empty: not asked for
 };
 
-/// Every option of render.
-std::vector<KnownOption> GetRenderOptions();
+/// The command `render`, whose options fill these.
+vtkRelievoCommand DescribeRender(RenderOptions& options);
 
-/// What an option is, for people.
-struct OptionHelp
-{
-  std::string Name;
-  std::string Value; ///< its placeholder; empty: a flag, which stands alone
-  std::string Help;  ///< paragraphs, and lines of tables, which begin with blanks
-  bool Repeats;
-};
-
-/// Of every option of render.
-std::vector<OptionHelp> GetRenderHelp();
+/// What there is to know of it.
+const vtkRelievoCommand& GetRenderCommand();
 
 /// Files and options in the words of `relievo render`; files may come later.
 RenderOptions ParseOptions(const std::vector<std::string>& words);

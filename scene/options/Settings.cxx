@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Settings.h"
 
+#include "Arguments.h"
 #include "Options.h"
 #include "Values.h"
 #include "vtkNew.h"
@@ -17,9 +18,6 @@ namespace scene
 {
 namespace
 {
-const std::set<std::string> OutputOptions = { "--png", "--exr", "--report", "--certify", "--hdr",
-  "--layers", "--lens", "--transparent" };
-
 // Said as parameters of stages instead.
 const std::set<std::string> SaidByStages = { "--stage", "--shadow-size", "--soft-shadows",
   "--ambient", "--shadow-tolerance", "--time-budget", "--deferred", "--tone", "--exposure" };
@@ -63,16 +61,16 @@ std::string GetDefault(const std::string& stage, const std::string& parameter)
 Settings Settings::FromWords(const std::vector<std::string>& words)
 {
   Settings settings;
-  ParseArguments(
-    words, "render", GetRenderOptions(),
-    [&settings](const std::string& name, const std::string& value) {
-      if (name == "--times")
+  SplitArguments(
+    words, GetRenderCommand(),
+    [&settings](const vtkRelievoOption& option, const std::string& value) {
+      if (option.Name == "--times")
       {
         settings.Set("--time", GetFirstTime(value));
       }
-      else if (OutputOptions.count(name) == 0)
+      else if (!option.OfOutputs)
       {
-        settings.Values[name].push_back(value);
+        settings.Values[option.Name].push_back(value);
       }
     },
     [&settings](const std::string& word) { settings.Files.push_back(word); });
@@ -218,12 +216,12 @@ std::vector<std::string> Settings::GetAllWords(const std::string& option) const
 std::vector<std::string> Settings::GetWords() const
 {
   std::vector<std::string> words;
-  for (const KnownOption& option : GetRenderOptions())
+  for (const vtkRelievoOption& option : GetRenderCommand().Options)
   {
     for (const std::string& value : this->GetAllWords(option.Name))
     {
       words.push_back(option.Name);
-      if (!option.IsFlag)
+      if (!option.IsFlag())
       {
         words.push_back(value);
       }
@@ -475,7 +473,7 @@ std::set<std::string> Settings::GetChanges(const Settings& other) const
   {
     changes.insert("");
   }
-  for (const KnownOption& option : GetRenderOptions())
+  for (const vtkRelievoOption& option : GetRenderCommand().Options)
   {
     if (this->GetAll(option.Name) != other.GetAll(option.Name))
     {
