@@ -69,8 +69,8 @@ public:
     NPZ = 3   ///< arrays that numpy.load() reads
   };
   ///@{
-  /** Default BOP. */
-  vtkSetClampMacro(Format, int, BOP, NPZ);
+  /** Default BOP. Those besides are words of the parameter `format`. */
+  void SetFormat(int format);
   vtkGetMacro(Format, int);
   ///@}
 

@@ -6,8 +6,9 @@ In a copy of the tree, tools/new-pass adds a pass. With the words of a build, wh
 and is left to the night, the copy is built, the new pass's own test runs, and the pass is used from
 the command line, Python and ParaView, whose sources are as they were. So is a layer that one entry
 adds to the catalogue (newLayer.py), and values that their class and its page have, of fog
-(newValue.py) and of materials (newSurfaceValue.py), and a setting of a filter and an option of a
-command (newSetting.py). The tests that compare pages with the code pass with all of them.
+(newValue.py) and of materials (newSurfaceValue.py), a setting of a filter and an option of a
+command (newSetting.py), and a format of data sets (newFormat.py). The tests that compare pages with
+the code pass with all of them.
 """
 
 import filecmp
@@ -18,6 +19,7 @@ import shutil
 import subprocess
 import sys
 
+import newFormat
 import newLayer
 import newSetting
 import newSurfaceValue
@@ -81,6 +83,7 @@ def main(source, cmake=None, ctest=None, *options):
 
     newLayer.add(tree)
     newSetting.add(tree)
+    newFormat.add(tree)
     newValue.add(tree)
     newSurfaceValue.add(tree)
     if not cmake:
@@ -102,6 +105,7 @@ def main(source, cmake=None, ctest=None, *options):
     on_the_command_line(build)
     newLayer.on_the_command_line(run, build, folder)
     newSetting.on_the_command_line(run, build, folder)
+    newFormat.on_the_command_line(run, build, folder)
     newValue.on_the_command_line(run, build, folder)
     newSurfaceValue.on_the_command_line(run, build, folder)
     python = next(each for each in options if each.startswith("-DPython3_EXECUTABLE"))
@@ -109,6 +113,7 @@ def main(source, cmake=None, ctest=None, *options):
     in_python(build, python)
     newLayer.in_python(run, build, python, folder)
     newSetting.in_python(run, build, python, folder)
+    newFormat.in_python(run, build, python, folder)
     newValue.in_python(run, build, python, folder)
     newSurfaceValue.in_python(run, build, python, folder)
     if viewer:
