@@ -12,14 +12,16 @@
 // and `sun exposure: properties`, those of these filters; `layers`, the names of layers; `layers:
 // shown`, those that can be shown as the picture. In other lines @layers: help@ is what they are,
 // @layers: count@ how many values a selection of layers has, and @layers: A B@ the values of one in
-// which A and B are chosen, A first.
+// which A and B are chosen, A first; @images@ and @models@ are the extensions of their files.
 #include "vtkNew.h"
 #include "vtkPVRelievoSun.h"
 #include "vtkRelievoCaves.h"
 #include "vtkRelievoEnvironment.h"
+#include "vtkRelievoImageFile.h"
 #include "vtkRelievoLayerCatalogue.h"
 #include "vtkRelievoMarkers.h"
 #include "vtkRelievoMaterial.h"
+#include "vtkRelievoModelReader.h"
 #include "vtkRelievoPass.h"
 #include "vtkRelievoPointStage.h"
 #include "vtkRelievoShadowStage.h"
@@ -29,12 +31,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <fstream>
 #include <iostream>
 #include <limits>
 #include <map>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace
@@ -424,9 +428,19 @@ std::string MakeSelection(const std::string& words)
   return out;
 }
 
-// The line with what stands for its @layers: ...@.
+// The line with what stands for its @images@, @models@ and @layers: ...@.
 std::string FillIn(const std::string& line)
 {
+  for (const auto& [mark, extensions] :
+    { std::pair{ "@images@", vtkRelievoImageFile::ListExtensions() },
+      std::pair{ "@models@", vtkRelievoModelReader::GetExtensions() } })
+  {
+    const std::size_t at = line.find(mark);
+    if (at != std::string::npos)
+    {
+      return line.substr(0, at) + extensions + line.substr(at + std::strlen(mark));
+    }
+  }
   const std::string mark = "@layers: ";
   const std::size_t from = line.find(mark);
   const std::size_t to = from == std::string::npos ? from : line.find('@', from + 1);

@@ -159,7 +159,7 @@ void CheckModelOptions(RenderOptions& options)
     std::none_of(options.Files.begin(), options.Files.end(), IsModel))
   {
     throw UsageError(Join(GetModelOptions(), ", ") + ": no FILE can have bones; expected one of ." +
-      Join(GetExtensions(true), " ."));
+      Join(GetModelExtensions(), " ."));
   }
   if (model.Times.empty())
   {

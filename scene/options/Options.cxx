@@ -16,6 +16,7 @@
 #include "Values.h"
 
 #include "vtkRelievoCalibration.h"
+#include "vtkRelievoImageFile.h"
 #include "vtkRelievoLayerCatalogue.h"
 
 #include <algorithm>
@@ -212,8 +213,6 @@ struct Rows
       .Words = choices;
   }
 };
-
-const char* const Images = "png|jpg|jpeg|tif|tiff|bmp|tga|hdr|exr";
 }
 
 //------------------------------------------------------------------------------
@@ -223,19 +222,14 @@ vtkRelievoCommand DescribeRender(RenderOptions& all)
   rows.Command.Name = "render";
   rows.Command.Use = "FILE... --png F | --exr F | --report F";
   rows.Command.About = "render draws the FILEs off screen and writes the outputs that you request.";
-  const std::vector<std::string> models = GetExtensions(true);
-  std::vector<std::string> data = GetExtensions();
-  data.erase(std::remove_if(data.begin(), data.end(),
-               [&models](const std::string& each) {
-                 return std::find(models.begin(), models.end(), each) != models.end();
-               }),
-    data.end());
-  rows.Command.AboutFile = "." + Join(data, " .") + " and models, which may have bones: ." +
-    Join(models, " .") +
+  rows.Command.AboutFile = "." + Join(GetDataExtensions(), " .") +
+    " and models, which may have bones: ." + Join(GetModelExtensions(), " .") +
     "\nGrids and images are drawn by their outer surface. Active scalars give the colour. OBJ and "
     "glTF bring their materials and textures.";
   const std::string extensions = Join(GetExtensions(), "|");
   rows.Command.Files = extensions;
+  const std::string images = vtkRelievoImageFile::ListExtensions("", "|");
+  const std::string listed = vtkRelievoImageFile::ListExtensions(".");
   vtkRelievoOption& allowFolder = rows.Add("--allow-folder", "DIR",
     "a folder that files may name others in, such as textures, buffers and pieces (each file's "
     "own "
@@ -409,16 +403,16 @@ vtkRelievoCommand DescribeRender(RenderOptions& all)
     TakeAmbient);
   rows
     .Add("--normal-map", "F",
-      "normals from an image (.png .jpg .tif .bmp .tga .hdr .exr; OpenGL's green), placed "
-      "by the meshes' texture coordinates; linear values, not sRGB",
+      "normals from an image (" + listed +
+        "; OpenGL's green), placed by the meshes' texture coordinates; linear values, not sRGB",
       TakePath<&RenderOptions::NormalMap>)
-    .Files = Images;
+    .Files = images;
   rows
     .Add("--height-map", "F[,SCALE]",
       "heights from an image; the ground lies SCALE below the mesh, in world units "
       "(0.02 of the scene's longest side)",
       TakeHeightMap)
-    .Files = Images;
+    .Files = images;
   rows.AddChoice("--relief", "METHOD", GetReliefMethods(),
     "how heights are drawn: off (as normals only), parallax, steep, occlusion or relief (relief)",
     [&all](std::size_t place) { all.ReliefMethod = GetReliefMethods()[place]; });
@@ -433,14 +427,12 @@ vtkRelievoCommand DescribeRender(RenderOptions& all)
     });
   rows
     .Add("--environment", "F[,DEG][,NAME=VALUE]...",
-      "light from all directions, which surfaces mirror and are lit by, from an image "
-      "(.exr .hdr .png .jpg .tif .bmp .tga) that is twice as wide as high, or from a square one of "
-      "a "
-      "mirror ball; rotated by DEG about the up axis (0). 8 and 16 bits are sRGB, "
-      "floats linear light. Other values are" +
+      "light from all directions, which surfaces mirror and are lit by, from an image (" + listed +
+        ") that is twice as wide as high, or from a square one of a mirror ball; rotated by DEG "
+        "about the up axis (0). 8 and 16 bits are sRGB, floats linear light. Other values are" +
         DescribeValues(GetEnvironmentValues()),
       TakeEnvironment)
-    .Files = Images;
+    .Files = images;
   rows.Add("--reflectivity", "R[,ROUGHNESS]",
     "share of the environment that is mirrored at normal incidence, and roughness "
     "of the mirror, each 0 to 1 (0.04,0.2)",

@@ -156,6 +156,15 @@ class Pages(unittest.TestCase):
             said = re.findall(r"`(--?[a-z][a-z-]*)[ `\[]", "\n".join(firsts))
             self.assertLessEqual(set(said), set(options_of(verb)), verb)
 
+    def test_files(self):
+        """What is read, in the table and in the words."""
+        page = (DOCS / "command-line.md").read_text(encoding="utf-8")
+        table = page.split("| extension | what is drawn |")[1].split("\n\n")[0]
+        listed = [each for row in table.splitlines()[2:]
+                  for each in re.findall(r"`\.(\w+)`", row.split("|")[1])]  # fmt: skip
+        read = re.search(r"^render \. (.*)$", WORDS, re.M).group(1)
+        self.assertEqual(sorted(listed), sorted(read.split("|")))
+
     def test_synopsis(self):
         """The ways to call it, word for word."""
         page = (DOCS / "command-line.md").read_text(encoding="utf-8")

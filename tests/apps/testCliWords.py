@@ -86,7 +86,7 @@ WRONG_VALUES = [
     ("--reflectivity", "0.5,-1", "both from 0 to 1"),
     ("--reflectivity", "bright", "a finite number"),
     ("--environment", "sky.png,1e999", "a finite number"),
-    ("--environment", "sky.xyz", ".exr .hdr .png"),
+    ("--environment", "sky.xyz", ".png .jpg .jpeg"),
     ("--png", "a.foo", "ends in .png"),
     ("--png", "a", "ends in .png"),
     ("--png", "a.exr", "ends in .png"),

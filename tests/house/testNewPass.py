@@ -7,8 +7,8 @@ and is left to the night, the copy is built, the new pass's own test runs, and t
 the command line, Python and ParaView, whose sources are as they were. So is a layer that one entry
 adds to the catalogue (newLayer.py), and values that their class and its page have, of fog
 (newValue.py) and of materials (newSurfaceValue.py), a setting of a filter and an option of a
-command (newSetting.py), and a format of data sets (newFormat.py). The tests that compare pages with
-the code pass with all of them.
+command (newSetting.py), a format of data sets (newFormat.py), and formats of files
+(newFileFormat.py). The tests that compare pages with the code pass with all of them.
 """
 
 import filecmp
@@ -19,6 +19,7 @@ import shutil
 import subprocess
 import sys
 
+import newFileFormat
 import newFormat
 import newLayer
 import newSetting
@@ -84,6 +85,7 @@ def main(source, cmake=None, ctest=None, *options):
     newLayer.add(tree)
     newSetting.add(tree)
     newFormat.add(tree)
+    newFileFormat.add(tree)
     newValue.add(tree)
     newSurfaceValue.add(tree)
     if not cmake:
@@ -106,6 +108,7 @@ def main(source, cmake=None, ctest=None, *options):
     newLayer.on_the_command_line(run, build, folder)
     newSetting.on_the_command_line(run, build, folder)
     newFormat.on_the_command_line(run, build, folder)
+    newFileFormat.on_the_command_line(run, build, folder)
     newValue.on_the_command_line(run, build, folder)
     newSurfaceValue.on_the_command_line(run, build, folder)
     python = next(each for each in options if each.startswith("-DPython3_EXECUTABLE"))
@@ -114,6 +117,7 @@ def main(source, cmake=None, ctest=None, *options):
     newLayer.in_python(run, build, python, folder)
     newSetting.in_python(run, build, python, folder)
     newFormat.in_python(run, build, python, folder)
+    newFileFormat.in_python(run, build, python, folder)
     newValue.in_python(run, build, python, folder)
     newSurfaceValue.in_python(run, build, python, folder)
     if viewer:
@@ -122,6 +126,7 @@ def main(source, cmake=None, ctest=None, *options):
         in_paraview(build)
         newLayer.in_paraview(run, build, folder)
         newSetting.in_paraview(run, build, folder)
+        newFileFormat.in_paraview(run, build, folder)
         newValue.in_paraview(run, build, folder)
         newSurfaceValue.in_paraview(run, build, folder)
         in_the_dock(source, build)
