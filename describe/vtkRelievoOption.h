@@ -27,6 +27,7 @@ struct VTKRELIEVODESCRIBE_EXPORT vtkRelievoOption
   bool Repeats = false;
   std::string Missing;    // what is said where it is not given; "": it may be left out
   bool OfOutputs = false; // says what is written, and not what there is to see
+  std::string Sets; // what of stages it says, as --stage does: "shadows:map_size", "tone", "any"
 
   // What shells complete: words, which go on behind a colon; and files, of extensions such as
   // "png|jpg", or "/", folders.

@@ -184,7 +184,11 @@ void DressedScene::SetFrame(const RenderOptions& options)
   }
   vtkNew<vtkRelievoPass> wanted;
   scene::SetFrame(wanted, renderer, options, FramePoints());
-  if (options.ColoredShadows != this->Options.ColoredShadows)
+  const auto colors = [](const RenderOptions& of) {
+    const std::string* given = FindStageChoice(of.Stages, "shadows", "colored_shadows");
+    return given && *given == "on";
+  };
+  if (colors(options) != colors(this->Options))
   {
     vtkRelievoPass::Detach(renderer); // for it says of props that they cast
   }

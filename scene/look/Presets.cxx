@@ -118,7 +118,9 @@ void AddShadows(RenderOptions& options, const std::set<std::string>& given, int 
     if (!says("--soft-shadows") && !says("--certify") && !says("--shadow-tolerance") &&
       !says("--time-budget") && !says("--layers"))
     {
-      options.SoftShadows = samples;
+      // Before what is said by --stage, which counts more.
+      options.Stages.insert(options.Stages.begin(),
+        { "shadows", { { "soft_samples", std::to_string(samples) } }, "--preset" });
     }
   }
 }
@@ -133,6 +135,13 @@ std::vector<std::string> GetPresetNames()
     names.emplace_back(preset.Name);
   }
   return names;
+}
+
+//------------------------------------------------------------------------------
+bool IsOfPresets(const std::string& stage, const std::string& parameter)
+{
+  return (stage == "antialias" && parameter == "samples") ||
+    (stage == "shadows" && parameter == "soft_samples");
 }
 
 //------------------------------------------------------------------------------

@@ -6,6 +6,7 @@
 #include "Colormaps.h"
 #include "Errors.h"
 #include "Lens.h"
+#include "Numbers.h"
 #include "Presets.h"
 #include "Readers.h"
 #include "ShadowOptions.h"
@@ -18,6 +19,9 @@
 #include "vtkRelievoCalibration.h"
 #include "vtkRelievoImageFile.h"
 #include "vtkRelievoLayerCatalogue.h"
+#include "vtkRelievoPass.h"
+#include "vtkRelievoStage.h"
+#include "vtkRelievoStageDescription.h"
 
 #include <algorithm>
 #include <cmath>
@@ -92,18 +96,6 @@ void TakeClip(RenderOptions& options, const std::string& word)
     RefuseValue("--clip", word, "NEAR,FAR with 0 < NEAR < FAR");
   }
   options.Clip = { n[0], n[1] };
-}
-
-//------------------------------------------------------------------------------
-void TakeShadowSize(RenderOptions& options, const std::string& word)
-{
-  options.ShadowSize = ParseWhole("--shadow-size", word, SmallestShadowSize, LargestSize);
-}
-
-//------------------------------------------------------------------------------
-void TakeSoftShadows(RenderOptions& options, const std::string& word)
-{
-  options.SoftShadows = ParseWhole("--soft-shadows", word, 1, MostSoftSamples);
 }
 
 //------------------------------------------------------------------------------
@@ -193,6 +185,32 @@ struct Rows
   vtkRelievoOption& AddFlag(const std::string& name, const std::string& help, bool& flag)
   {
     return this->Add(name, "", help, [&flag](RenderOptions&, const std::string&) { flag = true; });
+  }
+
+  // One that is another way to say a parameter of a stage. `help` stands before the bounds and the
+  // default; `read` makes the parameter's words of the option's.
+  vtkRelievoOption& AddOfStage(const std::string& use, const std::string& stage,
+    const std::string& parameter, const std::string& help,
+    const std::function<std::string(const std::string& word)>& read = nullptr)
+  {
+    vtkRelievoParameter set = *GetNewFrame()->GetStage(stage)->GetDescription().Find(parameter);
+    set.Help = help;
+    vtkRelievoOption option = vtkRelievoOption::Of(set, use);
+    option.Sets = stage + ":" + parameter;
+    option.Take = [=, options = &this->Options, check = option.Take, name = option.Name](
+                    const std::string& word) {
+      const std::string words = read ? read(word) : word;
+      const std::string wrong = check(words);
+      set.Parse(set.Default); // of the frame that has only been asked
+      if (wrong.empty())
+      {
+        AddStage(options->Stages, stage, name)
+          .Parameters.emplace_back(parameter, words.empty() ? "on" : words);
+      }
+      return wrong;
+    };
+    this->Command.Options.push_back(option);
+    return this->Command.Options.back();
   }
 
   // @choices@ in the help stands for them.
@@ -372,35 +390,39 @@ vtkRelievoCommand DescribeRender(RenderOptions& all)
         Shadows::Exact };
       all.ShadowMethod = methods[place];
     });
-  rows.Add(
-    "--shadow-size", "N", "side of each shadow map in texels, 16 to 16384 (2048)", TakeShadowSize);
-  rows.Add("--soft-shadows", "N",
-    "shadows of lights with a size: the mean of N samples of each light's shape, 1 "
-    "to 4096",
-    TakeSoftShadows);
-  rows.AddFlag("--colored-shadows",
-    "translucent meshes cast as well, and colour the light that passes them, as "
-    "stained glass does; needs --shadows exact",
-    all.ColoredShadows);
-  rows.Add("--shadow-tolerance", "S",
-    "shadows by the cheapest method that is expected to get at most this share of "
-    "the pixels wrong, such as 0.05% or 0.0005",
-    TakeShadowTolerance);
-  rows.Add("--time-budget", "MS",
-    "shadows by the most accurate method whose frames are expected to take at most "
-    "so many milliseconds",
-    TakeTimeBudget);
+  rows.AddOfStage("--shadow-size N", "shadows", "map_size", "Side of each shadow map");
+  rows.AddOfStage("--soft-shadows N", "shadows", "soft_samples",
+    "Shadows of lights with a size: the mean of N samples of each light's shape");
+  rows.AddOfStage("--colored-shadows", "shadows", "colored_shadows",
+    "Translucent meshes cast as well, and colour the light that passes them, as stained glass "
+    "does; "
+    "needs --shadows exact");
+  rows
+    .AddOfStage("--shadow-tolerance S", "shadows", "tolerance", "-",
+      [](const std::string& word) { return WriteNumber(ParseShare("--shadow-tolerance", word)); })
+    .Help =
+    "shadows by the cheapest method that is expected to get at most this share of the pixels "
+    "wrong, such as 0.05% or 0.0005";
+  rows
+    .AddOfStage("--time-budget MS", "shadows", "time_budget", "-",
+      [](const std::string& word) {
+        return WriteNumber(ParseNumberBetween("--time-budget", word, 0.0, Infinity));
+      })
+    .Help = "shadows by the most accurate method whose frames are expected to take at most so many "
+            "milliseconds";
   rows
     .Add("--certify", "N",
       "judges N verdicts of the shadows, chosen at random, by rays in double "
       "precision, and prints the share that is wrong, with its 95 % bound",
       TakeCertify)
     .OfOutputs = true;
-  rows.Add("--ambient", "STRENGTH[,radius=R][,NAME=VALUE]...",
-    "ambient occlusion: opaque surfaces are darker by up to this share, 0 to 1, where they see "
-    "less of the sky, by rays; beyond R world units nothing hides it (0: no limit). Other values "
-    "are those of the stage ambient, such as samples=N rays of each pixel (64)",
-    TakeAmbient);
+  rows
+    .Add("--ambient", "STRENGTH[,radius=R][,NAME=VALUE]...",
+      "ambient occlusion: opaque surfaces are darker by up to this share, 0 to 1, where they see "
+      "less of the sky, by rays; beyond R world units nothing hides it (0: no limit). Other values "
+      "are those of the stage ambient, such as samples=N rays of each pixel (64)",
+      TakeAmbient)
+    .Sets = "ambient";
   rows
     .Add("--normal-map", "F",
       "normals from an image (" + listed +
@@ -452,29 +474,29 @@ vtkRelievoCommand DescribeRender(RenderOptions& all)
     points.Repeats = true;
     points.Files = extensions;
   }
-  rows.Add("--deferred", "",
+  vtkRelievoOption& deferred = rows.Add("--deferred", "",
     "shades opaque surfaces once for each pixel, after they are drawn: the same "
     "picture, sooner where much is drawn over each other",
     [](RenderOptions& options, const std::string&) {
       AddStage(options.Stages, "deferred", "--deferred");
     });
-  rows
-    .Add("--stage", "NAME[:PARAMETER=VALUE,...]",
-      "runs a stage of the frame with these parameters; may be repeated; `relievo "
-      "stages` lists them",
-      TakeNext<&RenderOptions::Stages, ParseStage>)
-    .Repeats = true;
-  rows
-    .Add("--tone", "OPERATOR[,white=W]",
-      "how light above 1 is shown in the picture: clamp, simple, reinhard or "
-      "reinhard-rgb; W is the light that becomes white (reinhard,white=4, if "
-      "--exposure is given). The EXR's colour is the light before",
-      TakeTone)
-    .Words = { "clamp", "simple", "reinhard", "reinhard-rgb" };
-  rows
-    .Add("--exposure", "STOPS", "multiplies the light by 2 to this power, -20 to 20, or auto (0)",
-      TakeExposure)
-    .Words = { "auto" };
+  deferred.Sets = "deferred";
+  vtkRelievoOption& stage = rows.Add("--stage", "NAME[:PARAMETER=VALUE,...]",
+    "runs a stage of the frame with these parameters; may be repeated; `relievo stages` lists them",
+    TakeNext<&RenderOptions::Stages, ParseStage>);
+  stage.Repeats = true;
+  stage.Sets = "any";
+  vtkRelievoOption& tone = rows.Add("--tone", "OPERATOR[,white=W]",
+    "how light above 1 is shown in the picture: clamp, simple, reinhard or "
+    "reinhard-rgb; W is the light that becomes white (reinhard,white=4, if "
+    "--exposure is given). The EXR's colour is the light before",
+    TakeTone);
+  tone.Sets = "tone";
+  tone.Words = { "clamp", "simple", "reinhard", "reinhard-rgb" };
+  vtkRelievoOption& exposure = rows.Add("--exposure", "STOPS",
+    "multiplies the light by 2 to this power, -20 to 20, or auto (0)", TakeExposure);
+  exposure.Sets = "tone";
+  exposure.Words = { "auto" };
   vtkRelievoOption& layers = rows.Add("--layers", "A,B,...",
     "layers in the EXR besides its colour (depth), of " +
       vtkRelievoLayerCatalogue::GetLayerNames() +
@@ -528,27 +550,31 @@ namespace
 bool SetsShadows(
   const RenderOptions& options, const std::string& parameter, const std::string& value = {})
 {
-  return std::any_of(options.Stages.begin(), options.Stages.end(), [&](const StageChoice& stage) {
-    return stage.Name == "shadows" &&
-      std::any_of(stage.Parameters.begin(), stage.Parameters.end(), [&](const auto& given) {
-        return given.first == parameter && (value.empty() || given.second == value);
-      });
-  });
+  const std::string* given = FindStageChoice(options.Stages, "shadows", parameter, "--stage");
+  return given && (value.empty() || *given == value);
 }
 
 //------------------------------------------------------------------------------
-// An option and a parameter of --stage that set one thing may contradict each other.
-void CheckShadowStage(const RenderOptions& options, const std::set<std::string>& given)
+// An option and a parameter of --stage that set one thing may contradict each other. What points'
+// own options say of their stage counts more.
+void CheckSaidOnce(const RenderOptions& options, const std::set<std::string>& given)
 {
-  constexpr std::pair<const char*, const char*> same[] = { { "--shadows", "visible" },
-    { "--shadows", "method" }, { "--shadow-size", "map_size" },
-    { "--soft-shadows", "soft_samples" }, { "--colored-shadows", "colored_shadows" } };
-  for (const auto& [option, parameter] : same)
+  std::vector<StageChoice> said = options.Stages;
+  if (given.count("--shadows"))
   {
-    if (given.count(option) && SetsShadows(options, parameter))
+    AddStage(said, "shadows", "--shadows").Parameters = { { "visible", "" }, { "method", "" } };
+  }
+  const std::string byStage = StageChoice().Option;
+  for (const StageChoice& own : said)
+  {
+    const bool isOwn = own.Option != byStage && own.Option != "--preset" && given.count(own.Option);
+    for (const auto& [name, value] : isOwn ? own.Parameters : NamedWords())
     {
-      throw UsageError(std::string(option) + " and --stage shadows:" + parameter +
-        ": both set the same; give one of them");
+      if (FindStageChoice(options.Stages, own.Name, name, byStage))
+      {
+        throw UsageError(own.Option + " and " + byStage + " " + own.Name + ":" + name +
+          ": both set the same; give one of them");
+      }
     }
   }
 }
@@ -561,13 +587,15 @@ void CheckShadowsAsked(const RenderOptions& options, const std::set<std::string>
     SetsShadows(options, "visible") ||
     std::any_of(options.Layers.begin(), options.Layers.end(),
       [](const std::string& name) { return vtkRelievoLayerCatalogue::GetLight(name) >= 0; });
-  if (!asked && (options.ShadowSize || options.SoftShadows))
+  const bool sizes = given.count("--shadow-size") > 0;
+  const bool softens = given.count("--soft-shadows") > 0;
+  if (!asked && (sizes || softens))
   {
-    throw UsageError(std::string(options.ShadowSize ? "--shadow-size: there are no shadows to size"
-                                                    : "--soft-shadows: there are no shadows") +
+    throw UsageError(std::string(sizes ? "--shadow-size: there are no shadows to size"
+                                       : "--soft-shadows: there are no shadows") +
       ": give --shadows map, --stage shadows:visible=on, or a layer shadow_N, as well");
   }
-  if (options.ColoredShadows && options.ShadowMethod != Shadows::Exact &&
+  if (given.count("--colored-shadows") && options.ShadowMethod != Shadows::Exact &&
     !SetsShadows(options, "method", "exact"))
   {
     throw UsageError("--colored-shadows: maps know no colours: give --shadows exact as well");
@@ -576,8 +604,7 @@ void CheckShadowsAsked(const RenderOptions& options, const std::set<std::string>
     std::any_of(options.Lights.begin(), options.Lights.end(), [](const LightChoice& light) {
       return light.Size ? *light.Size > 0.0 : light.Is == LightChoice::Kind::Sun;
     });
-  if (options.SoftShadows && !options.Lights.empty() && !sized &&
-    !SetsShadows(options, "lamp_radius"))
+  if (softens && !options.Lights.empty() && !sized && !SetsShadows(options, "lamp_radius"))
   {
     throw UsageError("--soft-shadows: no light has a size: give one, as in --light "
                      "point:PX,PY,PZ,size=RADIUS");
@@ -608,7 +635,6 @@ void CheckTogether(RenderOptions& options, const std::set<std::string>& given)
   CheckLens(options);
   CheckModelOptions(options);
   CheckLookOptions(options, given);
-  CheckToneOptions(options);
   CheckStages(options.Stages);
   if (!options.Lights.empty())
   {
@@ -616,7 +642,7 @@ void CheckTogether(RenderOptions& options, const std::set<std::string>& given)
     CheckShadowLayers(options, lights, lights == 1 ? "--light option" : "--light options");
   }
   CheckSurfaceOptions(options, given);
-  CheckShadowStage(options, given);
+  CheckSaidOnce(options, given);
   CheckShadowsAsked(options, given);
 }
 }

@@ -49,12 +49,6 @@ enum class Mapping
   Sphere
 };
 
-/// Width and height in texels of the smallest shadow map.
-constexpr int SmallestShadowSize = 16;
-
-/// Samples of each light's shape.
-constexpr int MostSoftSamples = 4096;
-
 /// Pixels or texels each way. OpenGL's own limit, which may be lower, is asked when there is one.
 constexpr int LargestSize = 16384;
 
@@ -90,11 +84,6 @@ struct RenderOptions
   std::optional<double> Fill;      ///< share of the preset's weak lights; none: it has no such
   bool YieldsToFile = false;       ///< if the file has lights, they are in the place of these
   Shadows ShadowMethod = Shadows::Off;
-  std::optional<int> ShadowSize;         ///< of each map, texels
-  std::optional<int> SoftShadows;        ///< samples of each light's shape
-  bool ColoredShadows = false;           ///< what is translucent casts, and colours the light
-  std::optional<double> ShadowTolerance; ///< share of wrong pixels, 0 to 1
-  std::optional<double> TimeBudget;      ///< of a frame, milliseconds
   std::optional<int> Certify;            ///< rays
   std::string NormalMap, HeightMap;      ///< files; empty: none
   std::optional<double> HeightScale;     ///< depth of the relief, world units

@@ -4,8 +4,8 @@
 
 #include "Arguments.h"
 #include "Options.h"
+#include "Presets.h"
 #include "Values.h"
-#include "vtkNew.h"
 #include "vtkRelievoPass.h"
 #include "vtkRelievoStage.h"
 #include "vtkRelievoStageDescription.h"
@@ -18,10 +18,6 @@ namespace scene
 {
 namespace
 {
-// Said as parameters of stages instead.
-const std::set<std::string> SaidByStages = { "--stage", "--shadow-size", "--soft-shadows",
-  "--ambient", "--shadow-tolerance", "--time-budget", "--deferred", "--tone", "--exposure" };
-
 constexpr const char* BeginWithPath[] = { "--allow-folder", "--normal-map", "--height-map",
   "--environment" };
 
@@ -36,12 +32,6 @@ std::string GetFirstTime(const std::string& times)
 bool IsOff(const std::string& stage, const std::string& samples)
 {
   return stage == "antialias" && samples == "1";
-}
-
-vtkRelievoPass* GetNewFrame()
-{
-  static const vtkNew<vtkRelievoPass> frame;
-  return frame;
 }
 
 // Of stages that are there without being seen.
@@ -88,26 +78,12 @@ void Settings::TakeStages(const RenderOptions& options)
   {
     this->Set("--shadows", "map");
   }
-  const bool soft = this->Has("--soft-shadows"); // or else the preset's, which no word says
-  for (const std::string& option : SaidByStages)
+  for (const vtkRelievoOption& option : GetRenderCommand().Options)
   {
-    this->Remove(option);
-  }
-  if (options.ShadowSize)
-  {
-    this->SetParameter("shadows", "map_size", std::to_string(*options.ShadowSize));
-  }
-  if (soft)
-  {
-    this->SetParameter("shadows", "soft_samples", std::to_string(*options.SoftShadows));
-  }
-  if (options.ShadowTolerance)
-  {
-    this->SetParameter("shadows", "tolerance", WriteNumber(*options.ShadowTolerance));
-  }
-  if (options.TimeBudget)
-  {
-    this->SetParameter("shadows", "time_budget", WriteNumber(*options.TimeBudget));
+    if (!option.Sets.empty())
+    {
+      this->Remove(option.Name); // said as parameters of stages instead
+    }
   }
   for (const StageChoice& choice : options.Stages)
   {
@@ -310,10 +286,6 @@ std::string Settings::GetParameter(const std::string& stage, const std::string& 
   {
     return this->Get("--shadows");
   }
-  if (stage == "shadows" && parameter == "colored_shadows" && this->Has("--colored-shadows"))
-  {
-    return "on";
-  }
   const std::string* value = this->Find(stage, parameter);
   return value ? *value : GetStandard(stage, parameter);
 }
@@ -322,24 +294,11 @@ std::string Settings::GetParameter(const std::string& stage, const std::string& 
 // Of what no word says: the preset's, where it has one.
 std::string Settings::GetStandard(const std::string& stage, const std::string& parameter) const
 {
-  if (stage == "shadows" && parameter == "soft_samples")
+  if (IsOfPresets(stage, parameter))
   {
-    const std::optional<int> samples = this->Parse().SoftShadows;
-    return samples ? std::to_string(*samples) : GetDefault(stage, parameter);
-  }
-  if (stage == "antialias" && !this->IsStageAsked(stage))
-  {
-    for (const StageChoice& choice : this->Parse().Stages)
-    {
-      for (const auto& [name, value] :
-        choice.Name == stage ? choice.Parameters : decltype(choice.Parameters)())
-      {
-        if (name == parameter)
-        {
-          return value;
-        }
-      }
-    }
+    const std::vector<StageChoice> stages = this->Parse().Stages;
+    const std::string* value = FindStageChoice(stages, stage, parameter, "--preset");
+    return value ? *value : GetDefault(stage, parameter);
   }
   return GetDefault(stage, parameter);
 }
@@ -392,10 +351,6 @@ void Settings::SwitchStage(const std::string& stage, bool on)
 void Settings::SetShadows(bool visible, const std::string& method)
 {
   this->SetGiven("shadows", "method", "map"); // which is the default
-  if (!visible || method != "exact")
-  {
-    this->Remove("--colored-shadows"); // which others refuse
-  }
   if (visible)
   {
     const bool wasOff = this->Get("--shadows") == "off";
@@ -430,10 +385,6 @@ void Settings::SetParameter(
   else if (stage == "shadows" && parameter == "method")
   {
     this->SetShadows(this->ShowsShadows(), value);
-  }
-  else if (stage == "shadows" && parameter == "colored_shadows" && this->Has("--colored-shadows"))
-  {
-    value == "on" ? void() : this->Remove("--colored-shadows");
   }
   else
   {
