@@ -272,18 +272,16 @@ vtkRelievoCommand DescribeRender(RenderOptions& all)
       options.ParallelScale = ParseNumberBetween("--parallel-scale", word, 0.0, Infinity);
     });
   vtkRelievoOption& lens = rows.Add("--lens", "LENS",
-    "what sees in place of a pinhole, in --png and --exr, whose layers are by rays: pinhole, "
-    "brown:K1,K2[,P1,P2[,K3[,K4,K5,K6]]], fisheye[:K1,K2,K3,K4] or division:K, with "
-    ",K=FX/FY/CX/CY "
-    "in pixels or ,angle=DEG that the height spans (the view angle); equirectangular[:H,V], "
-    "cube, "
-    "orthographic[:PIXELS]; or a calibration's file, which says the size as well: .yml, .yaml, "
-    ".json or .xml by OpenCV, ROS, Kalibr or EuRoC, also with .gz, or COLMAP's cameras.txt",
+    "what sees in place of a pinhole, in --png and --exr, whose layers are by rays: " +
+      vtkRelievoCalibration::GetForms(true) +
+      ", with ,K=FX/FY/CX/CY in pixels or ,angle=DEG that the height spans (the view angle); " +
+      vtkRelievoCalibration::GetForms(false) +
+      "; or a calibration's file, which says the size as well: .yml, .yaml, .json or .xml by "
+      "OpenCV, ROS, Kalibr or EuRoC, also with .gz, or COLMAP's cameras.txt",
     TakeLens);
   lens.OfOutputs = true;
   lens.Files = "json|yml|yaml|xml|txt|gz";
-  lens.Words = { "pinhole", "brown:", "fisheye", "division:", "equirectangular", "cube",
-    "orthographic" };
+  lens.Words = vtkRelievoCalibration::GetNames();
   rows.Add("--clip", "NEAR,FAR", "clipping distances, 0 < NEAR < FAR (around the scene)", TakeClip);
   rows
     .Add("--image", "KIND",

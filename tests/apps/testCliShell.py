@@ -165,6 +165,17 @@ class Pages(unittest.TestCase):
         read = re.search(r"^render \. (.*)$", WORDS, re.M).group(1)
         self.assertEqual(sorted(listed), sorted(read.split("|")))
 
+    def test_lenses(self):
+        """The words of sensors, in their page's table and in the help, form by form."""
+        page = (DOCS / "cameras.md").read_text(encoding="utf-8")
+        rows = page.split("### A lens in a word")[1].split("|---|---|\n")[1].splitlines()
+        listed = [form for row in rows[:rows.index(next(r for r in rows if ".yml" in r))]
+                  for form in re.findall(r"`([^`]+)`", row.split("|")[1])]  # fmt: skip
+        said = " ".join(options_of("render")["--lens"].split())
+        said = said.split("by rays: ")[1].split("; or a cal")[0]
+        said = re.sub(r", with ,K=[^;]*;", ",", said)
+        self.assertEqual(listed, re.split(r", (?=[a-z])", said))
+
     def test_synopsis(self):
         """The ways to call it, word for word."""
         page = (DOCS / "command-line.md").read_text(encoding="utf-8")

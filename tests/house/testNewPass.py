@@ -7,8 +7,9 @@ and is left to the night, the copy is built, the new pass's own test runs, and t
 the command line, Python and ParaView, whose sources are as they were. So is a layer that one entry
 adds to the catalogue (newLayer.py), and values that their class and its page have, of fog
 (newValue.py) and of materials (newSurfaceValue.py), a setting of a filter and an option of a
-command (newSetting.py), a format of data sets (newFormat.py), and formats of files
-(newFileFormat.py). The tests that compare pages with the code pass with all of them.
+command (newSetting.py), a format of data sets (newFormat.py), formats of files (newFileFormat.py)
+and a sensor in words (newLens.py). The tests that compare pages with the code pass with all of
+them.
 """
 
 import filecmp
@@ -22,6 +23,7 @@ import sys
 import newFileFormat
 import newFormat
 import newLayer
+import newLens
 import newSetting
 import newSurfaceValue
 import newValue
@@ -86,6 +88,7 @@ def main(source, cmake=None, ctest=None, *options):
     newSetting.add(tree)
     newFormat.add(tree)
     newFileFormat.add(tree)
+    newLens.add(tree)
     newValue.add(tree)
     newSurfaceValue.add(tree)
     if not cmake:
@@ -109,6 +112,7 @@ def main(source, cmake=None, ctest=None, *options):
     newSetting.on_the_command_line(run, build, folder)
     newFormat.on_the_command_line(run, build, folder)
     newFileFormat.on_the_command_line(run, build, folder)
+    newLens.on_the_command_line(run, build, folder)
     newValue.on_the_command_line(run, build, folder)
     newSurfaceValue.on_the_command_line(run, build, folder)
     python = next(each for each in options if each.startswith("-DPython3_EXECUTABLE"))
@@ -118,6 +122,7 @@ def main(source, cmake=None, ctest=None, *options):
     newSetting.in_python(run, build, python, folder)
     newFormat.in_python(run, build, python, folder)
     newFileFormat.in_python(run, build, python, folder)
+    newLens.in_python(run, build, python, folder)
     newValue.in_python(run, build, python, folder)
     newSurfaceValue.in_python(run, build, python, folder)
     if viewer:

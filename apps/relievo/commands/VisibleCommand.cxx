@@ -13,6 +13,7 @@
 #include "vtkCellData.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
+#include "vtkRelievoCalibration.h"
 #include "vtkRelievoCameraModel.h"
 #include "vtkRelievoVisibility.h"
 
@@ -45,8 +46,8 @@ public:
     this->AddOfRender("--size", "pixels of each camera (1024x768)");
     this->AddOfRender("--view-angle", "full vertical angle of each camera (30)");
     this->AddOfRender("--lens",
-      "pinhole, brown:..., fisheye, division:..., equirectangular, cube, orthographic:PIXELS or a "
-      "file, as of render (pinhole)");
+      scene::Join(vtkRelievoCalibration::GetNames(), ", ") +
+        " or a file, as of render; orthographic with its PIXELS (pinhole)");
     this->Add("--seed N", "of random poses (0)", [this](const std::string& value) {
       this->Seed = scene::ParseWhole(
         "--seed", value, std::numeric_limits<int>::min(), std::numeric_limits<int>::max());
