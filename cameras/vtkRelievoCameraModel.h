@@ -75,6 +75,9 @@ public:
   bool Project(const double point[3], double pixel[2]);
   ///@}
 
+  /** Whether a picture shows what it sees: its rays begin at one place, or are parallel. */
+  virtual bool HasPicture() { return true; }
+
   /** Columns of a whole turn, behind which the same directions come again; 0 of most sensors. */
   virtual double GetColumnsOfTurn() { return 0.0; }
 

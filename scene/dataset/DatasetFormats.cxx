@@ -193,7 +193,7 @@ void CheckDatasetCamera(const DatasetFormat& format, vtkRelievoCameraModel* came
       DescribeDatasetCamera(camera).value("lens", std::string(camera->GetClassName())) +
       ", which has no " + what + "; expected the format " + vtkRelievoEither(others));
   };
-  if (format.NeedsPicture && !HasDatasetPicture(camera))
+  if (format.NeedsPicture && !camera->HasPicture())
   {
     refuse("picture", &DatasetFormat::NeedsPicture);
   }

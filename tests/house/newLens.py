@@ -4,7 +4,7 @@
 its page: after that the command, its help, its completion and Python have it. For testNewPass.py,
 which builds the tree anyway.
 
-The sensor sees a slice of the world from a wall: parallel columns, whose rows are angles.
+The sensor is a panorama on a cylinder: columns are angles, rows heights.
 """
 
 import os
@@ -12,22 +12,22 @@ import os
 HEADER = """// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @class vtkRelievoWallCamera
- * @brief Sees along z from a wall: each column from its own place, whose rows are 90 degrees.
+ * @class vtkRelievoCylinderCamera
+ * @brief A panorama on a cylinder: columns are equal steps of the angle, rows of the height.
  */
-#ifndef vtkRelievoWallCamera_h
-#define vtkRelievoWallCamera_h
+#ifndef vtkRelievoCylinderCamera_h
+#define vtkRelievoCylinderCamera_h
 
 #include "vtkRelievoCameraModel.h"
 #include "vtkRelievoSensorWords.h" // for words
 
 #include <vector> // for words
 
-class VTKRELIEVOCAMERAS_EXPORT vtkRelievoWallCamera : public vtkRelievoCameraModel
+class VTKRELIEVOCAMERAS_EXPORT vtkRelievoCylinderCamera : public vtkRelievoCameraModel
 {
 public:
-  static vtkRelievoWallCamera* New();
-  vtkTypeMacro(vtkRelievoWallCamera, vtkRelievoCameraModel);
+  static vtkRelievoCylinderCamera* New();
+  vtkTypeMacro(vtkRelievoCylinderCamera, vtkRelievoCameraModel);
 
 #ifndef __VTK_WRAP__
   /** The words that say it. */
@@ -35,9 +35,9 @@ public:
 #endif
 
   ///@{
-  /** World units from the first column to the last. */
-  vtkSetMacro(Width, double);
-  vtkGetMacro(Width, double);
+  /** Degrees that the columns span. */
+  vtkSetMacro(Turn, double);
+  vtkGetMacro(Turn, double);
   ///@}
 
   bool GetCameraRay(double u, double v, double origin[3], double direction[3]) override;
@@ -46,7 +46,7 @@ public:
   void AddTo(vtkFieldData* fields) override;
 
 private:
-  double Width = 1.0;
+  double Turn = 90.0;
 };
 
 #endif
@@ -54,59 +54,61 @@ private:
 
 SOURCE = """// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "vtkRelievoWallCamera.h"
+#include "vtkRelievoCylinderCamera.h"
 
+#include "vtkMath.h"
 #include "vtkObjectFactory.h"
 
 #include <algorithm>
 #include <cmath>
 
-vtkStandardNewMacro(vtkRelievoWallCamera);
+vtkStandardNewMacro(vtkRelievoCylinderCamera);
 
-std::vector<vtkRelievoSensorWords> vtkRelievoWallCamera::GetWords()
+std::vector<vtkRelievoSensorWords> vtkRelievoCylinderCamera::GetWords()
 {
-  vtkRelievoSensorWords wall = { "wall", "wall:WIDTH", { 1 }, ": a finite number above 0" };
-  wall.IsGood = [](const std::vector<double>& n) { return n[0] > 0.0; };
-  wall.Make = [](const std::vector<double>& n,
+  vtkRelievoSensorWords round = { "cylinder", "cylinder:DEG", { 1 }, ": a finite number above 0" };
+  round.IsGood = [](const std::vector<double>& n) { return n[0] > 0.0; };
+  round.Make = [](const std::vector<double>& n,
                 const vtkRelievoSensorView&) -> vtkRelievoCameraModel* {
-    auto* made = vtkRelievoWallCamera::New();
-    made->SetWidth(n[0]);
+    auto* made = vtkRelievoCylinderCamera::New();
+    made->SetTurn(n[0]);
     return made;
   };
-  return { wall };
+  return { round };
 }
 
-bool vtkRelievoWallCamera::GetCameraRay(
+bool vtkRelievoCylinderCamera::GetCameraRay(
   double u, double v, double origin[3], double direction[3])
 {
-  const double angle = std::atan(1.0) * (2.0 * (v + 0.5) / this->Size[1] - 1.0);
+  const double step = vtkMath::RadiansFromDegrees(this->Turn) / this->Size[0];
+  const double angle = (u + 0.5 - 0.5 * this->Size[0]) * step;
   std::fill_n(origin, 3, 0.0);
-  origin[0] = this->Width * ((u + 0.5) / this->Size[0] - 0.5);
-  direction[0] = 0.0;
-  direction[1] = std::sin(angle);
+  direction[0] = std::sin(angle);
+  direction[1] = (v + 0.5 - 0.5 * this->Size[1]) * step;
   direction[2] = std::cos(angle);
+  vtkMath::Normalize(direction);
   return true;
 }
 
-bool vtkRelievoWallCamera::ProjectCameraPoint(const double point[3], double pixel[2])
+bool vtkRelievoCylinderCamera::ProjectCameraPoint(const double point[3], double pixel[2])
 {
-  const double angle = std::atan2(point[1], point[2]);
-  pixel[0] = (point[0] / this->Width + 0.5) * this->Size[0] - 0.5;
-  pixel[1] = (0.5 + 0.5 * angle / std::atan(1.0)) * this->Size[1] - 0.5;
+  const double step = vtkMath::RadiansFromDegrees(this->Turn) / this->Size[0];
+  pixel[0] = std::atan2(point[0], point[2]) / step + 0.5 * this->Size[0] - 0.5;
+  pixel[1] = point[1] / std::hypot(point[0], point[2]) / step + 0.5 * this->Size[1] - 0.5;
   return true;
 }
 
-void vtkRelievoWallCamera::Copy(vtkRelievoCameraModel* other)
+void vtkRelievoCylinderCamera::Copy(vtkRelievoCameraModel* other)
 {
   this->Superclass::Copy(other);
-  auto* same = vtkRelievoWallCamera::SafeDownCast(other);
-  this->Width = same ? same->Width : this->Width;
+  auto* same = vtkRelievoCylinderCamera::SafeDownCast(other);
+  this->Turn = same ? same->Turn : this->Turn;
 }
 
-void vtkRelievoWallCamera::AddTo(vtkFieldData* fields)
+void vtkRelievoCylinderCamera::AddTo(vtkFieldData* fields)
 {
   this->Superclass::AddTo(fields);
-  AddText(fields, "lens", "wall");
+  AddText(fields, "lens", "cylinder");
 }
 """
 
@@ -120,30 +122,30 @@ def replace(path, old, new):
 def add(tree):
     """The class, its name, and what is written of it."""
     cameras = tree / "cameras"
-    (cameras / "vtkRelievoWallCamera.h").write_text(HEADER, encoding="utf-8")
-    (cameras / "vtkRelievoWallCamera.cxx").write_text(SOURCE, encoding="utf-8")
+    (cameras / "vtkRelievoCylinderCamera.h").write_text(HEADER, encoding="utf-8")
+    (cameras / "vtkRelievoCylinderCamera.cxx").write_text(SOURCE, encoding="utf-8")
     replace(cameras / "CMakeLists.txt", "vtkRelievoOrthographicCamera)",
-            "vtkRelievoOrthographicCamera\n  vtkRelievoWallCamera)")  # fmt: skip
+            "vtkRelievoOrthographicCamera\n  vtkRelievoCylinderCamera)")  # fmt: skip
     replace(tree / "docs" / "cameras.md", "| `orthographic[:PIXELS]` | pixels for a world unit |\n",
             "| `orthographic[:PIXELS]` | pixels for a world unit |\n"
-            "| `wall:WIDTH` | parallel columns over so many world units |\n")  # fmt: skip
+            "| `cylinder:DEG` | a panorama on a cylinder, so many degrees wide |\n")  # fmt: skip
 
 
 def on_the_command_line(run, build, folder):
     """In the help, the completion's words and messages; layers by its rays."""
     relievo = build / "bin" / "relievo"
-    assert "orthographic[:PIXELS], wall:WIDTH; or" in " ".join(run([relievo, "--help"]).split())
-    assert " orthographic wall:\n" in run([relievo, "--words"])
+    assert "orthographic[:PIXELS], cylinder:DEG; or" in " ".join(run([relievo, "--help"]).split())
+    assert " orthographic cylinder:\n" in run([relievo, "--words"])
     mesh = folder / "square.off"
     mesh.write_text("OFF\n4 1 0\n-1 -1 0\n1 -1 0\n1 1 0\n-1 1 0\n4 0 1 2 3\n", encoding="utf-8")
     words = [relievo, "render", mesh, "--camera", "0,0,2,0,0,0,0,1,0", "--size", "80x60",
              "--preset", "none", "--lens"]  # fmt: skip
-    run([*words, "wall:4", "--png", folder / "wall.png", "--exr", folder / "wall.exr", "--layers",
-         "depth"])  # fmt: skip
-    wrong = run([*words, "wall", "--png", folder / "no.png"], status=2)
-    assert "got 'wall', expected wall:WIDTH: a finite number above 0" in wrong, wrong
-    wrong = run([*words, "wal:4", "--png", folder / "no.png"], status=2)
-    assert "orthographic[:PIXELS], wall:WIDTH, or a file" in wrong, wrong
+    run([*words, "cylinder:120", "--png", folder / "round.png", "--exr", folder / "round.exr",
+         "--layers", "depth"])  # fmt: skip
+    wrong = run([*words, "cylinder", "--png", folder / "no.png"], status=2)
+    assert "got 'cylinder', expected cylinder:DEG: a finite number above 0" in wrong, wrong
+    wrong = run([*words, "cylindre:4", "--png", folder / "no.png"], status=2)
+    assert "orthographic[:PIXELS], cylinder:DEG, or a file" in wrong, wrong
 
 
 PYTHON = """
@@ -152,13 +154,14 @@ import sys
 import numpy
 import relievo
 
-assert "wall:WIDTH" in relievo.lens.__doc__
-sensor = relievo.lens("wall:4", size=(80, 60)).look_at((0, 0, 2), (0, 0, 0))
-image = relievo.read_exr(sys.argv[1] + "/wall.exr")
+assert "cylinder:DEG" in relievo.lens.__doc__
+sensor = relievo.lens("cylinder:120", size=(80, 60)).look_at((0, 0, 2), (0, 0, 0))
+image = relievo.read_exr(sys.argv[1] + "/round.exr")
 depth = relievo.layer(image, "depth")
 seen = numpy.isfinite(depth)
-# 2 of 4 world units across; of 90 degrees those whose tangent is below 1/2.
-assert seen[30].sum() == 40 and abs(seen[:, 40].sum() - 60 * numpy.arctan(0.5) / (numpy.pi / 4)) < 2
+# Of 120 degrees in 80 columns, those whose tangent is below 1/2.
+assert abs(seen[30].sum() - 2 * numpy.degrees(numpy.arctan(0.5)) / 1.5) < 1
+assert sensor.project([(0, 0, 0)]).round(6).tolist() == [[39.5, 29.5]]
 assert abs(depth[seen] - 2).max() < 1e-5
 """
 
