@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <charconv>
 #include <cmath>
 #include <locale>
 #include <sstream>
@@ -16,23 +17,19 @@ namespace
 // The shortest digits that give the number back: 0.1, 100, 1e-07.
 std::string Write(double value)
 {
-  std::ostringstream out;
-  out.imbue(std::locale::classic());
-  for (int digits = 6; digits < 18; ++digits)
+  constexpr int most = 17;
+  char text[32];
+  for (int digits = 6;; ++digits)
   {
-    out.str(std::string());
-    out.precision(digits);
-    out << value;
-    std::istringstream in(out.str());
-    in.imbue(std::locale::classic());
+    char* const end =
+      std::to_chars(text, text + sizeof(text), value, std::chars_format::general, digits).ptr;
     double back = 0.0;
-    in >> back;
-    if (back == value)
+    std::from_chars(text, end, back);
+    if (back == value || digits == most)
     {
-      break;
+      return std::string(text, end);
     }
   }
-  return out.str();
 }
 
 bool ReadNumber(const std::string& word, double& value)

@@ -240,14 +240,19 @@ vtkRelievoCommand DescribeRender(RenderOptions& all)
   rows.Command.Name = "render";
   rows.Command.Use = "FILE... --png F | --exr F | --report F";
   rows.Command.About = "render draws the FILEs off screen and writes the outputs that you request.";
-  rows.Command.AboutFile = "." + Join(GetDataExtensions(), " .") +
+  // Words are parsed often: what is long is written once.
+  static const std::string extensions = Join(GetExtensions(), "|");
+  static const std::string aboutFile = "." + Join(GetDataExtensions(), " .") +
     " and models, which may have bones: ." + Join(GetModelExtensions(), " .") +
     "\nGrids and images are drawn by their outer surface. Active scalars give the colour. OBJ and "
     "glTF bring their materials and textures.";
-  const std::string extensions = Join(GetExtensions(), "|");
+  rows.Command.AboutFile = aboutFile;
   rows.Command.Files = extensions;
-  const std::string images = vtkRelievoImageFile::ListExtensions("", "|");
-  const std::string listed = vtkRelievoImageFile::ListExtensions(".");
+  static const std::string images = vtkRelievoImageFile::ListExtensions("", "|");
+  static const std::string listed = vtkRelievoImageFile::ListExtensions(".");
+  static const std::string lights = DescribeLights();
+  static const std::string ofMaterial = DescribeValues(GetMaterialValues());
+  static const std::string ofEnvironment = DescribeValues(GetEnvironmentValues());
   vtkRelievoOption& allowFolder = rows.Add("--allow-folder", "DIR",
     "a folder that files may name others in, such as textures, buffers and pieces (each file's "
     "own "
@@ -348,7 +353,7 @@ vtkRelievoCommand DescribeRender(RenderOptions& all)
   rows.Add("--background", "COLOR[,COLOR]", "one colour, or the bottom's and the top's (black)",
     TakeBackground);
   vtkRelievoOption& light =
-    rows.Add("--light", "LIGHT", DescribeLights(), TakeNext<&RenderOptions::Lights, ParseLight>);
+    rows.Add("--light", "LIGHT", lights, TakeNext<&RenderOptions::Lights, ParseLight>);
   light.Repeats = true;
   light.Words = { "sun:", "spot:", "point:" };
   rows.Add("--fill", "F",
@@ -437,8 +442,7 @@ vtkRelievoCommand DescribeRender(RenderOptions& all)
     "how heights are drawn: off (as normals only), parallax, steep, occlusion or relief (relief)",
     [&all](std::size_t place) { all.ReliefMethod = GetReliefMethods()[place]; });
   rows.Add("--material", "NAME=VALUE[,NAME=VALUE]...",
-    "other values of the material of all surfaces" + DescribeValues(GetMaterialValues()),
-    TakeMaterial);
+    "other values of the material of all surfaces" + ofMaterial, TakeMaterial);
   rows.AddChoice("--texture-coordinates", "METHOD", { "box", "plane", "sphere" },
     "for meshes without them, to place maps: @choices@ (box, with a note)",
     [&all](std::size_t place) {
@@ -450,7 +454,7 @@ vtkRelievoCommand DescribeRender(RenderOptions& all)
       "light from all directions, which surfaces mirror and are lit by, from an image (" + listed +
         ") that is twice as wide as high, or from a square one of a mirror ball; rotated by DEG "
         "about the up axis (0). 8 and 16 bits are sRGB, floats linear light. Other values are" +
-        DescribeValues(GetEnvironmentValues()),
+        ofEnvironment,
       TakeEnvironment)
     .Files = images;
   rows.Add("--reflectivity", "R[,ROUGHNESS]",
@@ -465,10 +469,9 @@ vtkRelievoCommand DescribeRender(RenderOptions& all)
     [&all](std::size_t place) { all.UpAxis = static_cast<int>(place); });
   for (const PointStage& stage : GetPointStages())
   {
-    vtkRelievoOption& points = rows.Add("--" + stage.Name, "FILE[,NAME=VALUE]...",
-      DescribePoints(stage), [name = stage.Name](RenderOptions& of, const std::string& word) {
-        TakePoints(of, name, word);
-      });
+    vtkRelievoOption& points = rows.Add("--" + stage.Name, "FILE[,NAME=VALUE]...", stage.Help,
+      [name = stage.Name](
+        RenderOptions& of, const std::string& word) { TakePoints(of, name, word); });
     points.Repeats = true;
     points.Files = extensions;
   }
