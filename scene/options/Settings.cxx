@@ -18,9 +18,6 @@ namespace scene
 {
 namespace
 {
-constexpr const char* BeginWithPath[] = { "--allow-folder", "--normal-map", "--height-map",
-  "--environment" };
-
 std::string GetFirstTime(const std::string& times)
 {
   RenderOptions options;
@@ -143,13 +140,15 @@ void Settings::ChangePaths(const std::string& folder, PathChange change)
     }
     this->SetAll(option, words);
   };
-  for (const char* option : BeginWithPath)
+  for (const vtkRelievoOption& option : GetRenderCommand().Options)
   {
-    changeAll(option, folder);
-  }
-  for (const PointStage& stage : GetPointStages())
-  {
-    changeAll("--" + stage.Name, JoinEscaped({ folder }, ','));
+    if (!option.Files.empty() && !option.OfOutputs)
+    {
+      // A comma ends the name of a file of points.
+      const bool ofPoints = std::any_of(GetPointStages().begin(), GetPointStages().end(),
+        [&option](const PointStage& stage) { return "--" + stage.Name == option.Name; });
+      changeAll(option.Name, ofPoints ? JoinEscaped({ folder }, ',') : folder);
+    }
   }
 }
 
