@@ -8,9 +8,7 @@
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkRelievoCalibrationFile.h"
-#include "vtkRelievoLensCamera.h"
-#include "vtkRelievoOrthographicCamera.h"
-#include "vtkRelievoPanoramaCamera.h"
+#include "vtkRelievoSensorList.h"
 
 #include <algorithm>
 #include <cmath>
@@ -23,32 +21,18 @@ namespace
 {
 using Numbers = std::vector<double>;
 
-constexpr int CubeFaces = 6;
-
-struct SensorKind
-{
-  const char* Name;
-  const char* Form;        // of its words
-  std::vector<int> Counts; // of its numbers
-  int Lens;                // -1: it has no intrinsics
-  const char* Range;       // of its numbers
-};
+using SensorKind = vtkRelievoSensorWords;
 
 const std::vector<SensorKind>& GetKinds()
 {
-  using Lens = vtkRelievoLensCamera;
-  const char* const ofLenses = ": finite numbers, FX and FY above 0, DEG above 0 and at most 360";
-  static const std::vector<SensorKind> kinds = {
-    { "pinhole", "pinhole", { 0 }, Lens::PINHOLE, ofLenses },
-    { "brown", "brown:K1,K2[,P1,P2[,K3[,K4,K5,K6]]]", { 2, 4, 5, 8 }, Lens::BROWN_CONRADY,
-      ofLenses },
-    { "fisheye", "fisheye[:K1,K2,K3,K4]", { 0, 1, 2, 3, 4 }, Lens::FISHEYE, ofLenses },
-    { "division", "division:K", { 1 }, Lens::DIVISION, ofLenses },
-    { "equirectangular", "equirectangular[:H,V]", { 0, 2 }, -1,
-      ": degrees above 0, H at most 360 and V at most 180" },
-    { "cube", "cube", { 0 }, -1, " alone" },
-    { "orthographic", "orthographic[:PIXELS]", { 0, 1 }, -1, ": a finite number above 0" },
-  };
+  static const std::vector<SensorKind> kinds = [] {
+    std::vector<SensorKind> all;
+    for (const auto& words : { RELIEVO_SENSOR_WORDS })
+    {
+      all.insert(all.end(), words.begin(), words.end());
+    }
+    return all;
+  }();
   return kinds;
 }
 
@@ -57,16 +41,6 @@ const SensorKind* FindKind(const std::string& name)
   const auto found = std::find_if(GetKinds().begin(), GetKinds().end(),
     [&name](const SensorKind& kind) { return name == kind.Name; });
   return found == GetKinds().end() ? nullptr : &*found;
-}
-
-std::string GetForms()
-{
-  std::string forms;
-  for (const SensorKind& kind : GetKinds())
-  {
-    forms += std::string(kind.Form) + ", ";
-  }
-  return forms + "or a file .yml, .yaml, .json, .xml or .txt";
 }
 
 // Words taken apart.
@@ -88,7 +62,8 @@ Parsed Parse(const std::string& words)
   const std::string got = "got '" + words + "', expected ";
   if (!kind)
   {
-    parsed.Wrong = got + GetForms();
+    parsed.Wrong = got + vtkRelievoCalibration::GetForms(true) + ", " +
+      vtkRelievoCalibration::GetForms(false) + ", or a file .yml, .yaml, .json, .xml or .txt";
     return parsed;
   }
   std::string form = kind->Form;
@@ -141,14 +116,9 @@ Parsed Parse(const std::string& words)
     good = parsed.Intrinsics[0] > 0.0 && parsed.Intrinsics[1] > 0.0;
     parsed.Intrinsics.insert(parsed.Intrinsics.begin() + 2, 0.0); // no skew
   }
-  if (good && count > 0 && parsed.Kind == "equirectangular")
+  if (good && count > 0 && kind->IsGood)
   {
-    good = parsed.Values[0] > 0.0 && parsed.Values[0] <= 360.0 && parsed.Values[1] > 0.0 &&
-      parsed.Values[1] <= 180.0;
-  }
-  if (good && count > 0 && parsed.Kind == "orthographic")
-  {
-    good = parsed.Values[0] > 0.0;
+    good = kind->IsGood(parsed.Values);
   }
   parsed.Wrong = good ? "" : got + form;
   return parsed;
@@ -183,6 +153,29 @@ bool vtkRelievoCalibration::IsFile(RELIEVO_TEXT words)
   return !FindKind(words.substr(0, words.find(':'))) &&
     std::find(extensions.begin(), extensions.end(),
       vtkRelievoCalibrationFile::GetExtension(words)) != extensions.end();
+}
+
+//------------------------------------------------------------------------------
+std::string vtkRelievoCalibration::GetForms(bool ofLenses)
+{
+  std::string forms;
+  for (const SensorKind& kind : GetKinds())
+  {
+    forms += (kind.Lens >= 0) != ofLenses ? "" : (forms.empty() ? "" : ", ") + kind.Form;
+  }
+  return forms;
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::string> vtkRelievoCalibration::GetNames()
+{
+  std::vector<std::string> names;
+  for (const SensorKind& kind : GetKinds())
+  {
+    const bool alone = std::count(kind.Counts.begin(), kind.Counts.end(), 0) != 0;
+    names.push_back(kind.Name + (alone ? "" : ":"));
+  }
+  return names;
 }
 
 //------------------------------------------------------------------------------
@@ -238,30 +231,15 @@ vtkRelievoCameraModel* vtkRelievoCalibration::MakeLens(vtkCamera* view, int colu
 {
   vtkMatrix4x4* projection = view->GetProjectionTransformMatrix(double(columns) / rows, -1.0, 1.0);
   const double halfHeight = 1.0 / projection->GetElement(1, 1); // at distance 1, or all over
-  const bool isParallel = view->GetParallelProjection() != 0;
-  if (this->Kind == "equirectangular" || this->Kind == "cube")
+  const SensorKind& kind = *FindKind(this->Kind);
+  if (kind.Make)
   {
-    auto* panorama = vtkRelievoPanoramaCamera::New();
-    panorama->SetLayout(this->Kind == "cube" ? vtkRelievoPanoramaCamera::CUBE
-                                             : vtkRelievoPanoramaCamera::EQUIRECTANGULAR);
-    if (!this->Numbers.empty())
-    {
-      panorama->SetFieldOfView(this->Numbers[0], this->Numbers[1]);
-    }
-    return panorama;
-  }
-  if (this->Kind == "orthographic")
-  {
-    auto* map = vtkRelievoOrthographicCamera::New();
-    map->SetPixelsPerUnit(!this->Numbers.empty()
-        ? this->Numbers[0]
-        : 0.5 * rows / (isParallel ? halfHeight : halfHeight * view->GetDistance()));
-    map->SetPrincipalPoint(0.5 * (columns - 1), 0.5 * (rows - 1));
-    return map;
+    const bool isParallel = view->GetParallelProjection() != 0;
+    return kind.Make(
+      this->Numbers, { columns, rows, isParallel ? halfHeight : halfHeight * view->GetDistance() });
   }
   auto* lens = vtkRelievoLensCamera::New();
-  lens->SetLens(
-    FindKind(this->Kind)->Lens, static_cast<int>(this->Numbers.size()), this->Numbers.data());
+  lens->SetLens(kind.Lens, static_cast<int>(this->Numbers.size()), this->Numbers.data());
   if (!this->Intrinsics.empty())
   {
     const double* k = this->Intrinsics.data();
@@ -313,11 +291,11 @@ vtkRelievoCameraModel* vtkRelievoCalibration::MakeCamera(vtkCamera* view, int co
   {
     return nullptr;
   }
-  if (this->Kind == "cube" && columns != CubeFaces * rows)
+  const SensorKind& kind = *FindKind(this->Kind);
+  const std::string wrongSize = kind.CheckSize ? kind.CheckSize(columns, rows) : "";
+  if (!wrongSize.empty())
   {
-    this->Fail("a cube's six faces lie side by side: got a picture of " + size +
-      ", expected one six times as wide as high, such as " + std::to_string(CubeFaces * rows) +
-      "x" + std::to_string(rows));
+    this->Fail(wrongSize);
     return nullptr;
   }
   // The same shape: rounded from it.

@@ -62,6 +62,16 @@ public:
   /** What is wrong with words: "got ..., expected ..."; empty if nothing is. */
   static std::string Check(RELIEVO_TEXT words);
 
+  ///@{
+  /**
+   * The forms of all words, with commas between them: those of lenses, which may have intrinsics or
+   * an angle behind them, or those of others. Their names, with a colon behind those that need
+   * numbers.
+   */
+  static std::string GetForms(bool ofLenses);
+  static std::vector<std::string> GetNames();
+  ///@}
+
   /** Whether words name a file. */
   static bool IsFile(RELIEVO_TEXT words);
 

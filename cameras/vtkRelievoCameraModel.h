@@ -78,6 +78,9 @@ public:
   /** Whether all rays begin at one point, the origin of camera space. */
   virtual bool IsCentral() { return false; }
 
+  /** Whether a picture shows what it sees: its rays begin at one place, or are parallel. */
+  virtual bool HasPicture() { return true; }
+
   /** Columns of a whole turn, behind which the same directions come again; 0 of most sensors. */
   virtual double GetColumnsOfTurn() { return 0.0; }
 

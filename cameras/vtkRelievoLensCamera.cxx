@@ -84,6 +84,16 @@ double GetDeterminant(const double m[2][2])
 }
 
 //------------------------------------------------------------------------------
+std::vector<vtkRelievoSensorWords> vtkRelievoLensCamera::GetWords()
+{
+  const std::string range = ": finite numbers, FX and FY above 0, DEG above 0 and at most 360";
+  return { { "pinhole", "pinhole", { 0 }, range, PINHOLE },
+    { "brown", "brown:K1,K2[,P1,P2[,K3[,K4,K5,K6]]]", { 2, 4, 5, 8 }, range, BROWN_CONRADY },
+    { "fisheye", "fisheye[:K1,K2,K3,K4]", { 0, 1, 2, 3, 4 }, range, FISHEYE },
+    { "division", "division:K", { 1 }, range, DIVISION } };
+}
+
+//------------------------------------------------------------------------------
 vtkRelievoLensCamera::vtkRelievoLensCamera()
   : Limit(this->GetLimit())
 {

@@ -24,8 +24,10 @@
 #define vtkRelievoLensCamera_h
 
 #include "vtkRelievoCameraModel.h"
+#include "vtkRelievoSensorWords.h" // for words
 
 #include <string> // for words
+#include <vector> // for words
 
 class vtkCamera;
 
@@ -48,6 +50,11 @@ public:
   {
     MOST_COEFFICIENTS = 8
   };
+
+#ifndef __VTK_WRAP__
+  /** The words that say it, for vtkRelievoCalibration. */
+  static std::vector<vtkRelievoSensorWords> GetWords();
+#endif
 
   ///@{
   /**

@@ -45,6 +45,7 @@ public:
   /** The pose of a sensor at this place whose x axis points to that one. */
   bool LookAt(const double position[3], const double target[3], const double up[3]) override;
 
+  bool HasPicture() override { return false; }
   bool GetCameraRay(double u, double v, double origin[3], double direction[3]) override;
   bool ProjectCameraPoint(const double point[3], double pixel[2]) override;
   bool HasPlaces() override { return false; }

@@ -10,6 +10,22 @@
 vtkStandardNewMacro(vtkRelievoOrthographicCamera);
 
 //------------------------------------------------------------------------------
+std::vector<vtkRelievoSensorWords> vtkRelievoOrthographicCamera::GetWords()
+{
+  vtkRelievoSensorWords map = { "orthographic", "orthographic[:PIXELS]", { 0, 1 },
+    ": a finite number above 0" };
+  map.IsGood = [](const std::vector<double>& n) { return n[0] > 0.0; };
+  map.Make = [](const std::vector<double>& n,
+               const vtkRelievoSensorView& view) -> vtkRelievoCameraModel* {
+    auto* made = vtkRelievoOrthographicCamera::New();
+    made->SetPixelsPerUnit(n.empty() ? 0.5 * view.Rows / view.HalfHeight : n[0]);
+    made->SetPrincipalPoint(0.5 * (view.Columns - 1), 0.5 * (view.Rows - 1));
+    return made;
+  };
+  return { map };
+}
+
+//------------------------------------------------------------------------------
 bool vtkRelievoOrthographicCamera::GetCameraRay(
   double u, double v, double origin[3], double direction[3])
 {

@@ -11,6 +11,9 @@
 #define vtkRelievoOrthographicCamera_h
 
 #include "vtkRelievoCameraModel.h"
+#include "vtkRelievoSensorWords.h" // for words
+
+#include <vector> // for words
 
 class VTKRELIEVOCAMERAS_EXPORT vtkRelievoOrthographicCamera : public vtkRelievoCameraModel
 {
@@ -30,6 +33,11 @@ public:
   vtkSetVector2Macro(PrincipalPoint, double);
   vtkGetVector2Macro(PrincipalPoint, double);
   ///@}
+
+#ifndef __VTK_WRAP__
+  /** The words that say it, for vtkRelievoCalibration. */
+  static std::vector<vtkRelievoSensorWords> GetWords();
+#endif
 
   bool GetCameraRay(double u, double v, double origin[3], double direction[3]) override;
   bool ProjectCameraPoint(const double point[3], double pixel[2]) override;

@@ -12,6 +12,38 @@
 vtkStandardNewMacro(vtkRelievoPanoramaCamera);
 
 //------------------------------------------------------------------------------
+std::vector<vtkRelievoSensorWords> vtkRelievoPanoramaCamera::GetWords()
+{
+  vtkRelievoSensorWords whole = { "equirectangular", "equirectangular[:H,V]", { 0, 2 },
+    ": degrees above 0, H at most 360 and V at most 180" };
+  whole.IsGood = [](const std::vector<double>& n) {
+    return n[0] > 0.0 && n[0] <= 360.0 && n[1] > 0.0 && n[1] <= 180.0;
+  };
+  whole.Make = [](const std::vector<double>& n,
+                 const vtkRelievoSensorView&) -> vtkRelievoCameraModel* {
+    auto* made = vtkRelievoPanoramaCamera::New();
+    made->SetFieldOfView(n.empty() ? 360.0 : n[0], n.empty() ? 180.0 : n[1]);
+    return made;
+  };
+  vtkRelievoSensorWords cube = { "cube", "cube", { 0 }, " alone" };
+  cube.CheckSize = [](int columns, int rows) {
+    const std::string wide = std::to_string(relievo::CubeFaces * rows);
+    return columns == relievo::CubeFaces * rows
+      ? ""
+      : "a cube's six faces lie side by side: got a picture of " + std::to_string(columns) + "x" +
+        std::to_string(rows) + ", expected one six times as wide as high, such as " + wide + "x" +
+        std::to_string(rows);
+  };
+  cube.Make = [](
+                const std::vector<double>&, const vtkRelievoSensorView&) -> vtkRelievoCameraModel* {
+    auto* made = vtkRelievoPanoramaCamera::New();
+    made->SetLayout(CUBE);
+    return made;
+  };
+  return { whole, cube };
+}
+
+//------------------------------------------------------------------------------
 void vtkRelievoPanoramaCamera::SetFieldOfView(double horizontal, double vertical)
 {
   if (!(horizontal > 0.0 && horizontal <= 360.0 && vertical > 0.0 && vertical <= 180.0))

@@ -15,6 +15,9 @@
 #define vtkRelievoPanoramaCamera_h
 
 #include "vtkRelievoCameraModel.h"
+#include "vtkRelievoSensorWords.h" // for words
+
+#include <vector> // for words
 
 class VTKRELIEVOCAMERAS_EXPORT vtkRelievoPanoramaCamera : public vtkRelievoCameraModel
 {
@@ -40,6 +43,11 @@ public:
   void SetFieldOfView(double horizontal, double vertical);
   vtkGetVector2Macro(FieldOfView, double);
   ///@}
+
+#ifndef __VTK_WRAP__
+  /** The words that say it, for vtkRelievoCalibration. */
+  static std::vector<vtkRelievoSensorWords> GetWords();
+#endif
 
   bool GetCameraRay(double u, double v, double origin[3], double direction[3]) override;
   bool ProjectCameraPoint(const double point[3], double pixel[2]) override;

@@ -40,6 +40,7 @@ public:
   vtkGetVector3Macro(Velocity, double);
   ///@}
 
+  bool HasPicture() override { return false; }
   bool GetCameraRay(double u, double v, double origin[3], double direction[3]) override;
   bool ProjectCameraPoint(const double point[3], double pixel[2]) override;
   void Copy(vtkRelievoCameraModel* other) override;

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <charconv>
 #include <cmath>
 #include <locale>
 #include <sstream>
@@ -16,23 +17,19 @@ namespace
 // The shortest digits that give the number back: 0.1, 100, 1e-07.
 std::string Write(double value)
 {
-  std::ostringstream out;
-  out.imbue(std::locale::classic());
-  for (int digits = 6; digits < 18; ++digits)
+  constexpr int most = 17;
+  char text[32];
+  for (int digits = 6;; ++digits)
   {
-    out.str(std::string());
-    out.precision(digits);
-    out << value;
-    std::istringstream in(out.str());
-    in.imbue(std::locale::classic());
+    char* const end =
+      std::to_chars(text, text + sizeof(text), value, std::chars_format::general, digits).ptr;
     double back = 0.0;
-    in >> back;
-    if (back == value)
+    std::from_chars(text, end, back);
+    if (back == value || digits == most)
     {
-      break;
+      return std::string(text, end);
     }
   }
-  return out.str();
 }
 
 bool ReadNumber(const std::string& word, double& value)
@@ -83,6 +80,7 @@ std::string vtkRelievoCapitalize(const std::string& name, bool spaces)
 int vtkRelievoParameter::GetNumberOfComponents() const
 {
   return this->Type == TEXT                       ? 0
+    : this->Type == SIZE                          ? static_cast<int>(this->GetValues().size())
     : this->Type == COLOR || this->Type == VECTOR ? 3
     : this->Type == PAIR                          ? 2
                                                   : 1;
@@ -143,20 +141,30 @@ std::string vtkRelievoParameter::Format() const
   std::string words;
   for (double value : values)
   {
-    words += (words.empty() ? "" : ",") + Write(value);
+    words += (words.empty() ? "" : this->Type == SIZE ? "x" : ",") + Write(value);
   }
   return words;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkRelievoParameter::GetBounds() const
+{
+  const std::string least = Write(this->Least), most = Write(this->Most);
+  const bool begins = std::isfinite(this->Least), ends = std::isfinite(this->Most);
+  if (begins && ends)
+  {
+    return this->Open ? "between " + least + " and " + most : "from " + least + " to " + most;
+  }
+  return !begins ? "" : this->Open ? "above " + least : least + " or more";
 }
 
 //------------------------------------------------------------------------------
 std::string vtkRelievoParameter::GetExpected() const
 {
   const std::string unit = this->Unit.empty() ? "" : " (" + this->Unit + ")";
-  const bool bounded = std::isfinite(this->Least) && std::isfinite(this->Most);
-  const std::string bounds = bounded ? "from " + Write(this->Least) + " to " + Write(this->Most)
-    : std::isfinite(this->Least)     ? Write(this->Least) + " or more"
-                                     : "";
-  const std::string range = bounds.empty() ? "" : (bounded ? " " : ", ") + bounds;
+  const std::string bounds = this->GetBounds();
+  const bool orMore = !this->Open && !std::isfinite(this->Most);
+  const std::string range = bounds.empty() ? "" : (orMore ? ", " : " ") + bounds;
   const std::string orArray = this->PerPoint ? ", or the name of a point array" : "";
   switch (this->Type)
   {
@@ -170,6 +178,9 @@ std::string vtkRelievoParameter::GetExpected() const
       return "red,green,blue, each " + bounds + ", #rrggbb, or a colour's name" + orArray;
     case PAIR:
       return "two numbers" + unit;
+    case SIZE:
+      return std::to_string(this->GetNumberOfComponents()) +
+        " whole numbers with x between them, each " + bounds;
     case VECTOR:
       return (this->IsDirection ? "a direction, three numbers" : "three numbers") + unit;
     case CHOICE:
@@ -215,8 +226,9 @@ std::string vtkRelievoParameter::Set(const std::vector<double>& values) const
   for (double value : values)
   {
     good = good && std::isfinite(value) && value >= this->Least && value <= this->Most;
+    good = good && !(this->Open && (value == this->Least || value == this->Most));
     good = good &&
-      ((this->Type != WHOLE && this->Type != CHOICE && this->Type != FLAG) ||
+      ((this->Type != WHOLE && this->Type != CHOICE && this->Type != FLAG && this->Type != SIZE) ||
         value == std::floor(value));
     given += (given.empty() ? "" : ",") + Write(value);
   }
@@ -265,7 +277,7 @@ std::string vtkRelievoParameter::Parse(const std::string& words) const
     return this->Set({ color[0], color[1], color[2] });
   }
   std::vector<double> values;
-  for (const std::string& part : Split(words, ",/"))
+  for (const std::string& part : Split(words, this->Type == SIZE ? "x" : ",/"))
   {
     double value = 0.0;
     if (!ReadNumber(part, value))

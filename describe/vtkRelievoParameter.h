@@ -24,6 +24,7 @@ struct VTKRELIEVODESCRIBE_EXPORT vtkRelievoParameter
     COLOR,  // red, green, blue, from Least to Most each
     PAIR,   // two finite numbers
     VECTOR, // three finite numbers
+    SIZE,   // whole numbers from Least to Most, with x between them
     TEXT
   };
 
@@ -32,6 +33,7 @@ struct VTKRELIEVODESCRIBE_EXPORT vtkRelievoParameter
   Types Type = NUMBER;
   double Least = 0.0;
   double Most = 0.0;
+  bool Open = false;   // Least and Most themselves are not taken
   std::string Unit;    // "" if it has none
   std::string Help;    // one line
   std::string Default; // of a new stage, in words as Format
@@ -71,7 +73,7 @@ struct VTKRELIEVODESCRIBE_EXPORT vtkRelievoParameter
   // That of a choice, by its place: "blue noise" for "blue_noise".
   std::string GetChoiceLabel(std::size_t choice) const;
 
-  // The value in words, which Parse takes: "0.5", "on", "warped", "1,0.5,0" or "1/0.5/0".
+  // The value in words, which Parse takes: "0.5", "on", "warped", "1,0.5,0" or "1/0.5/0", "64x64".
   std::string Format() const;
 
   // Sets the value that the words say. Returns what is wrong with them, in words; nothing is set
@@ -86,6 +88,9 @@ struct VTKRELIEVODESCRIBE_EXPORT vtkRelievoParameter
 
   // The values that it takes, in words: "a number from 0 to 1".
   std::string GetExpected() const;
+
+  // Their bounds, in words: "from 0 to 1", "0 or more", "above 0"; "" if there are none.
+  std::string GetBounds() const;
 };
 
 // "depth_fade" as "Depth Fade", or without the space as "DepthFade".

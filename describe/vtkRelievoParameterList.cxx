@@ -185,6 +185,20 @@ vtkRelievoParameter& vtkRelievoParameterList::AddVector(const std::string& name,
 }
 
 //------------------------------------------------------------------------------
+vtkRelievoParameter& vtkRelievoParameterList::AddSize(const std::string& name,
+  const int (&value)[3], std::function<void(const int*)> set, int least, const std::string& help)
+{
+  vtkRelievoParameter parameter =
+    Make(name, vtkRelievoParameter::SIZE, least, std::numeric_limits<int>::max(), "", help);
+  parameter.GetValues = [&value]() { return std::vector<double>(value, value + 3); };
+  parameter.SetValues = [set](const std::vector<double>& v) {
+    const int size[] = { int(std::lround(v[0])), int(std::lround(v[1])), int(std::lround(v[2])) };
+    set(size);
+  };
+  return this->Add(parameter);
+}
+
+//------------------------------------------------------------------------------
 vtkRelievoParameter& vtkRelievoParameterList::AddText(const std::string& name,
   std::function<std::string()> get, std::function<void(const std::string&)> set,
   const std::string& help)

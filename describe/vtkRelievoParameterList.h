@@ -62,6 +62,8 @@ struct VTKRELIEVODESCRIBE_EXPORT vtkRelievoParameterList
     std::function<void(const double*)> set, const std::string& help);
   vtkRelievoParameter& AddVector(const std::string& name, const double (&value)[3],
     std::function<void(const double*)> set, const std::string& help);
+  vtkRelievoParameter& AddSize(const std::string& name, const int (&value)[3],
+    std::function<void(const int*)> set, int least, const std::string& help);
   vtkRelievoParameter& AddText(const std::string& name, std::function<std::string()> get,
     std::function<void(const std::string&)> set, const std::string& help);
   ///@}

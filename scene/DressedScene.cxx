@@ -49,8 +49,7 @@ std::string MakeSurfaceKey(const Settings& settings, const RenderOptions& option
 std::string MakeDressKey(const Settings& settings)
 {
   std::vector<const char*> names;
-  const std::vector<KnownOption> known = GetRenderOptions();
-  for (const KnownOption& option : known)
+  for (const vtkRelievoOption& option : GetRenderCommand().Options)
   {
     const auto is = [&option](const char* name) { return option.Name == name; };
     if (std::none_of(std::begin(NoDress), std::end(NoDress), is))
@@ -185,7 +184,11 @@ void DressedScene::SetFrame(const RenderOptions& options)
   }
   vtkNew<vtkRelievoPass> wanted;
   scene::SetFrame(wanted, renderer, options, FramePoints());
-  if (options.ColoredShadows != this->Options.ColoredShadows)
+  const auto colors = [](const RenderOptions& of) {
+    const std::string* given = FindStageChoice(of.Stages, "shadows", "colored_shadows");
+    return given && *given == "on";
+  };
+  if (colors(options) != colors(this->Options))
   {
     vtkRelievoPass::Detach(renderer); // for it says of props that they cast
   }

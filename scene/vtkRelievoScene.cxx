@@ -387,10 +387,10 @@ std::string vtkRelievoScene::GetProgressText()
 std::string vtkRelievoScene::GetOptions()
 {
   nlohmann::ordered_json all = nlohmann::ordered_json::array();
-  for (const scene::OptionHelp& option : scene::GetRenderHelp())
+  for (const vtkRelievoOption& option : scene::GetRenderCommand().Options)
   {
-    all.push_back({ { "name", option.Name }, { "value", option.Value },
-      { "repeats", option.Repeats }, { "help", option.Help } });
+    all.push_back({ { "name", option.Name }, { "value", option.Form },
+      { "repeats", option.Repeats }, { "outputs", option.OfOutputs }, { "help", option.Help } });
   }
   return all.dump();
 }

@@ -85,8 +85,15 @@ public:
   void RemoveAllAllowedFolders();
   ///@}
 
-  /** Whether the file exists and its extension is glTF's or one that Assimp reads. */
+  ///@{
+  /**
+   * Whether the file exists and its extension is glTF's or one that Assimp reads. Of these the
+   * extensions of formats that have bones, with blanks between them, are opened as models without
+   * being asked for.
+   */
   static bool CanReadFile(VTK_FILEPATH const char* fileName);
+  static std::string GetExtensions() { return "gltf glb bvh dae fbx iqm ms3d x"; }
+  ///@}
 
   ///@{
   /** Name of the animation to play; empty plays the first. Default: empty. */

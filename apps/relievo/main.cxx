@@ -1,22 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Bench.h"
-#include "BenchOptions.h"
-#include "Cave.h"
-#include "CaveOptions.h"
-#include "Dataset.h"
-#include "DatasetOptions.h"
 #include "Errors.h"
 #include "Help.h"
 #include "Outputs.h"
-#include "Render.h"
-#include "Stages.h"
 #include "StandardError.h"
-#include "SunHours.h"
-#include "SunOptions.h"
+#include "Values.h"
 #include "Version.h"
-#include "Visible.h"
-#include "VisibleOptions.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -26,10 +15,11 @@ namespace
 {
 int Run(std::vector<std::string> words)
 {
+  const cli::Commands commands = cli::MakeCommands();
   const auto end = std::find(words.begin(), words.end(), "--");
   if (std::find(words.begin(), end, "--help") != end || std::find(words.begin(), end, "-h") != end)
   {
-    std::fputs(cli::GetHelpPage().c_str(), stdout);
+    std::fputs(cli::GetHelpPage(commands).c_str(), stdout);
     return 0;
   }
   if (std::find(words.begin(), end, "--version") != end)
@@ -37,52 +27,30 @@ int Run(std::vector<std::string> words)
     std::fputs(scene::DescribeVersions().c_str(), stdout);
     return 0;
   }
+  std::vector<std::string> names;
+  for (const auto& command : commands)
+  {
+    names.push_back(command->Describe().Name);
+  }
   if (words.empty())
   {
-    throw scene::UsageError("no command given, expected render, dataset, visible, sun, cave, "
-                            "stages or bench; see relievo --help");
+    throw scene::UsageError(
+      "no command given, expected " + vtkRelievoEither(names) + "; see relievo --help");
   }
-  const std::string command = words.front();
+  const std::string name = words.front();
+  if (name == "--words")
+  {
+    std::fputs(cli::GetWords(commands).c_str(), stdout);
+    return 0;
+  }
+  const auto found = std::find(names.begin(), names.end(), name);
+  if (found == names.end())
+  {
+    throw scene::UsageError("got '" + name + "', expected " + scene::Join(names, ", ") +
+      ", --help or --version; see relievo --help");
+  }
   words.erase(words.begin());
-  if (command == "render")
-  {
-    cli::Render(words);
-  }
-  else if (command == "dataset")
-  {
-    cli::Dataset(cli::ParseDataset(words));
-  }
-  else if (command == "visible")
-  {
-    cli::Visible(cli::ParseVisible(words));
-  }
-  else if (command == "sun")
-  {
-    cli::SunHours(cli::ParseSun(words));
-  }
-  else if (command == "cave")
-  {
-    cli::Cave(cli::ParseCave(words));
-  }
-  else if (command == "stages")
-  {
-    if (!words.empty())
-    {
-      throw scene::UsageError("stages: got '" + words.front() + "', expected nothing behind it");
-    }
-    std::fputs(scene::DescribeStages().c_str(), stdout);
-  }
-  else if (command == "bench")
-  {
-    return cli::Bench(cli::ParseBench(words));
-  }
-  else
-  {
-    throw scene::UsageError("got '" + command +
-      "', expected render, dataset, visible, sun, cave, stages, bench, --help or --version; see "
-      "relievo --help");
-  }
-  return 0;
+  return commands[static_cast<std::size_t>(found - names.begin())]->Run(words);
 }
 
 int Fail(const char* text, int status)

@@ -27,6 +27,7 @@ namespace relievo
 {
 struct CaveField;
 }
+struct vtkRelievoParameterList;
 
 class VTKRELIEVOFILTERS_EXPORT vtkRelievoCaveFunction : public vtkImplicitFunction
 {
@@ -95,8 +96,11 @@ public:
   void EvaluateGradient(double point[3], double gradient[3]) override;
 
 #ifndef __VTK_WRAP__
+  ///@{
   /** For vtkRelievoCaves. */
   relievo::CaveField GetField() const;
+  void Describe(vtkRelievoParameterList& list);
+  ///@}
 #endif
 
 protected:

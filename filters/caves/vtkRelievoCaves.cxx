@@ -20,6 +20,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <sstream>
 
 vtkStandardNewMacro(vtkRelievoCaves);
@@ -93,6 +94,45 @@ vtkRelievoCaves::vtkRelievoCaves()
   : Function(vtkSmartPointer<vtkRelievoCaveFunction>::New())
 {
   this->SetNumberOfInputPorts(0);
+  vtkRelievoParameterList& list = this->Parameters;
+  list.AddSize(
+    "size", this->Size, [this](const int* size) { this->SetSize(size[0], size[1], size[2]); }, 1,
+    "Samples along x, y and z.");
+  this->Function->Describe(list);
+  list.AddChoice(
+    "content", this->Content, [this](int content) { this->SetContent(content); },
+    { "mask", "density", "labels" },
+    "Of the samples: mask (1 in the air, 0 in the rock), density (-1 in the middle of tunnels, 0 "
+    "at their walls, 1 in the rock) or labels (AirLabel and RockLabel, for smooth blocks).");
+  list
+    .AddWhole(
+      "air_label", this->AirLabel, [this](int label) { this->SetAirLabel(label); }, 0, 255, "",
+      "The label of air.")
+    .Advanced = true;
+  list
+    .AddWhole(
+      "rock_label", this->RockLabel, [this](int label) { this->SetRockLabel(label); }, 0, 255, "",
+      "The label of rock.")
+    .Advanced = true;
+  list
+    .AddVector(
+      "origin", this->Origin,
+      [this](const double* place) { this->SetOrigin(place[0], place[1], place[2]); },
+      "Place of the first sample.")
+    .Advanced = true;
+  list
+    .AddVector(
+      "spacing", this->Spacing,
+      [this](const double* step) { this->SetSpacing(step[0], step[1], step[2]); },
+      "Distance between samples.")
+    .Advanced = true;
+  list
+    .AddNumber(
+      "memory_limit", this->MemoryLimit, [this](double bytes) { this->SetMemoryLimit(bytes); }, 0.,
+      std::numeric_limits<double>::infinity(), "",
+      "The most bytes that the image of a process may take; more are refused; 0: what the machine "
+      "has left.")
+    .Advanced = true;
 }
 
 //------------------------------------------------------------------------------
@@ -294,16 +334,8 @@ double* vtkRelievoCaves::GetShell()
 void vtkRelievoCaves::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Content: " << this->Content << "\n";
-  os << indent << "AirLabel: " << this->AirLabel << "\n";
-  os << indent << "RockLabel: " << this->RockLabel << "\n";
-  os << indent << "Size: " << this->Size[0] << " " << this->Size[1] << " " << this->Size[2] << "\n";
-  os << indent << "Origin: " << this->Origin[0] << " " << this->Origin[1] << " " << this->Origin[2]
-     << "\n";
-  os << indent << "Spacing: " << this->Spacing[0] << " " << this->Spacing[1] << " "
-     << this->Spacing[2] << "\n";
+  this->Parameters.Print(os, indent);
   os << indent << "Skipping: " << (this->Skipping ? "on" : "off") << "\n";
-  os << indent << "MemoryLimit: " << this->MemoryLimit << "\n";
   os << indent << "NumberOfEvaluations: " << this->NumberOfEvaluations << "\n";
   os << indent << "NumberOfAirSamples: " << this->NumberOfAirSamples << "\n";
   os << indent << "Function:\n";

@@ -18,8 +18,10 @@
 #define vtkRelievoCaves_h
 
 #include "vtkImageAlgorithm.h"
-#include "vtkRelievoFiltersModule.h" // for the export macro
-#include "vtkSmartPointer.h"         // for the function
+#include "vtkRelievoFiltersModule.h"   // for the export macro
+#include "vtkRelievoParametersMacro.h" // for the parameters by name
+#include "vtkRelievoText.h"            // for their names and words
+#include "vtkSmartPointer.h"           // for the function
 
 class vtkRelievoCaveFunction;
 
@@ -114,6 +116,19 @@ public:
   ///@}
 
   ///@{
+  /** Parameters by name, with values in words, as of vtkRelievoStage. */
+  vtkRelievoParametersMacro();
+  ///@}
+
+#ifndef __VTK_WRAP__
+  /** What the filter says of them. */
+  const vtkRelievoParameterList& GetParameters() const
+  {
+    return this->Parameters;
+  }
+#endif
+
+  ///@{
   /** Of the last update: how often one noise was evaluated, and the samples in the air. */
   vtkGetMacro(NumberOfEvaluations, vtkTypeInt64);
   vtkGetMacro(NumberOfAirSamples, vtkTypeInt64);
@@ -130,6 +145,7 @@ protected:
 
 private:
   vtkSmartPointer<vtkRelievoCaveFunction> Function;
+  vtkRelievoParameterList Parameters;
   int Content = MASK;
   int AirLabel = 0;
   int RockLabel = 1;

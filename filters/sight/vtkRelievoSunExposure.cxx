@@ -300,7 +300,33 @@ void AddArray(vtkFieldData* data, const char* name, const std::vector<double>& v
 }
 
 //------------------------------------------------------------------------------
-vtkRelievoSunExposure::vtkRelievoSunExposure() = default;
+vtkRelievoSunExposure::vtkRelievoSunExposure()
+{
+  vtkRelievoParameterList& list = this->Parameters;
+  list.AddNumber(
+    "latitude", this->Latitude, [this](double degrees) { this->SetLatitude(degrees); }, -90.0, 90.0,
+    "degrees", "North is positive.");
+  list.AddNumber(
+    "longitude", this->Longitude, [this](double degrees) { this->SetLongitude(degrees); }, -180.0,
+    180.0, "degrees", "East is positive.");
+  list.AddNumber(
+    "step", this->Step, [this](double minutes) { this->SetStep(minutes); }, 0.1, 240.0, "minutes",
+    "From one place of the sun to the next.");
+  list.AddWhole(
+    "day_step", this->DayStep, [this](int days) { this->SetDayStep(days); }, 1, 366, "days",
+    "Every so many count, each for as many; for a year 7 will do.");
+  list.AddChoice(
+    "up_axis", this->UpAxis, [this](int axis) { this->SetUpAxis(axis); }, { "x", "y", "z" },
+    "The axis that points up; north is z, -z or y where x, y or z does.");
+  list
+    .AddFlag(
+      "points", this->Points, [this](bool on) { this->SetPoints(on); },
+      "Points are judged, rather than cells.")
+    .Label = "Of Points";
+  list.AddWhole(
+    "sky_samples", this->SkySamples, [this](int rays) { this->SetSkySamples(rays); }, 0, 65536, "",
+    "Rays of each place for the array sky_view, the share of the sky that is seen; 0: none.");
+}
 
 //------------------------------------------------------------------------------
 std::string vtkRelievoSunExposure::CheckDays(const int first[3], const int last[3])
@@ -481,15 +507,9 @@ int vtkRelievoSunExposure::RequestData(
 void vtkRelievoSunExposure::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Latitude: " << this->Latitude << "\n";
-  os << indent << "Longitude: " << this->Longitude << "\n";
+  this->Parameters.Print(os, indent);
   os << indent << "FirstDay: " << this->FirstDay[0] << "-" << this->FirstDay[1] << "-"
      << this->FirstDay[2] << "\n";
   os << indent << "LastDay: " << this->LastDay[0] << "-" << this->LastDay[1] << "-"
      << this->LastDay[2] << "\n";
-  os << indent << "DayStep: " << this->DayStep << "\n";
-  os << indent << "Step: " << this->Step << "\n";
-  os << indent << "UpAxis: " << this->UpAxis << "\n";
-  os << indent << "Points: " << (this->Points ? "on" : "off") << "\n";
-  os << indent << "SkySamples: " << this->SkySamples << "\n";
 }

@@ -30,8 +30,10 @@
 #ifndef vtkRelievoSunExposure_h
 #define vtkRelievoSunExposure_h
 
-#include "vtkRelievoFiltersModule.h" // for the export macro
+#include "vtkRelievoFiltersModule.h"   // for the export macro
+#include "vtkRelievoParametersMacro.h" // for the parameters by name
 #include "vtkRelievoSightAlgorithm.h"
+#include "vtkRelievoText.h" // for their names and words
 
 #include <string> // for what is wrong
 #include <vector> // for the sun's places
@@ -99,6 +101,19 @@ public:
   vtkGetMacro(SkySamples, int);
   ///@}
 
+  ///@{
+  /** Parameters by name, with values in words, as of vtkRelievoStage; the days are none. */
+  vtkRelievoParametersMacro();
+  ///@}
+
+#ifndef __VTK_WRAP__
+  /** What the filter says of them. */
+  const vtkRelievoParameterList& GetParameters() const
+  {
+    return this->Parameters;
+  }
+#endif
+
 protected:
   vtkRelievoSunExposure();
   ~vtkRelievoSunExposure() override = default;
@@ -113,6 +128,7 @@ private:
   struct Sun;
   std::vector<Sun> GetSuns() const;
 
+  vtkRelievoParameterList Parameters;
   double Latitude = 48.0;
   double Longitude = 0.0;
   int FirstDay[3] = { 2026, 6, 21 };

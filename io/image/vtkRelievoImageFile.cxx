@@ -42,59 +42,85 @@ std::map<std::string, std::pair<Time, vtkWeakPointer<vtkImageData>>>& Held()
   return held;
 }
 
-bool BeginsLikeEXR(const Bytes& bytes)
+using Decoder = vtkSmartPointer<vtkImageData> (*)(const Bytes&);
+
+struct Format
 {
-  return bytes.BeginsWith("\x76\x2f\x31\x01");
+  std::vector<std::string> Extensions;
+  std::vector<std::string> Begins;     // with one of these; empty: by its name, or by Ends
+  Decoder Decode;                      // nullptr: from files alone
+  std::vector<std::string> Types = {}; // MIME, of what is told by its name
+  std::string Ends = {};
+};
+
+const std::vector<Format>& GetFormats()
+{
+  using namespace relievo::image;
+  using std::string;
+  static const std::vector<Format> formats = {
+    { { "png" }, { "\x89PNG\r\n\x1a\n" }, DecodePNG },
+    { { "jpg", "jpeg" }, { "\xff\xd8\xff" }, DecodeJPEG },
+    { { "tif", "tiff" },
+      { string("II*\0", 4), string("MM\0*", 4), string("II+\0", 4), string("MM\0+", 4) },
+      DecodeTIFF },
+    { { "bmp" }, { "BM" }, DecodeBMP },
+    { { "tga" }, {}, DecodeTGA, { "image/tga", "image/x-tga", "image/x-targa" },
+      string("TRUEVISION-XFILE.\0", 18) },
+    { { "hdr" }, { "#?RADIANCE", "#?RGBE" }, DecodeHDR },
+    { { "exr" }, { "\x76\x2f\x31\x01" }, nullptr },
+  };
+  return formats;
 }
 
-// By the name, or by what the newer ones end with.
-bool IsTGA(const Bytes& bytes, const std::string& name)
+bool IsOf(const Format& format, const Bytes& bytes, const std::string& name)
 {
-  const std::string footer("TRUEVISION-XFILE.\0", 18);
-  if (bytes.Size() > footer.size() && bytes.From(bytes.Size() - footer.size()).BeginsWith(footer))
+  if (!format.Begins.empty())
+  {
+    return std::any_of(format.Begins.begin(), format.Begins.end(),
+      [&bytes](const std::string& begin) { return bytes.BeginsWith(begin); });
+  }
+  const std::size_t size = format.Ends.size();
+  if (bytes.Size() > size && bytes.From(bytes.Size() - size).BeginsWith(format.Ends))
   {
     return true;
   }
   const std::string low = vtksys::SystemTools::LowerCase(name);
-  const auto ends = [&low](const std::string& with) {
-    return low.size() >= with.size() &&
-      low.compare(low.size() - with.size(), with.size(), with) == 0;
+  const auto isNamed = [&low](const std::string& extension) {
+    return low == extension || vtksys::SystemTools::StringEndsWith(low, ("." + extension).c_str());
   };
-  return ends(".tga") || ends("image/tga") || ends("image/x-tga") || ends("image/x-targa") ||
-    low == "tga";
+  return std::any_of(format.Extensions.begin(), format.Extensions.end(), isNamed) ||
+    std::any_of(format.Types.begin(), format.Types.end(), [&low](const std::string& type) {
+      return vtksys::SystemTools::StringEndsWith(low, type.c_str());
+    });
 }
 
-using Decoder = vtkSmartPointer<vtkImageData> (*)(const Bytes&);
-
-Decoder FindDecoder(const Bytes& bytes, const std::string& name)
+// What the first bytes say counts more than the name.
+const Format* FindFormat(const Bytes& bytes, const std::string& name)
 {
-  using namespace relievo::image;
-  if (bytes.BeginsWith("\x89PNG\r\n\x1a\n"))
+  const Format* named = nullptr;
+  for (const Format& format : GetFormats())
   {
-    return DecodePNG;
+    if (IsOf(format, bytes, name))
+    {
+      if (!format.Begins.empty())
+      {
+        return &format;
+      }
+      named = &format;
+    }
   }
-  if (bytes.BeginsWith("\xff\xd8\xff"))
-  {
-    return DecodeJPEG;
-  }
-  if (bytes.BeginsWith(std::string("II*\0", 4)) || bytes.BeginsWith(std::string("MM\0*", 4)) ||
-    bytes.BeginsWith(std::string("II+\0", 4)) || bytes.BeginsWith(std::string("MM\0+", 4)))
-  {
-    return DecodeTIFF;
-  }
-  if (bytes.BeginsWith("BM"))
-  {
-    return DecodeBMP;
-  }
-  if (bytes.BeginsWith("#?RADIANCE") || bytes.BeginsWith("#?RGBE"))
-  {
-    return DecodeHDR;
-  }
-  return IsTGA(bytes, name) ? DecodeTGA : nullptr;
+  return named;
 }
 
-const char* const Expected =
-  "an image (png, jpg, tif, bmp, tga, hdr, exr), but its first bytes are of none";
+std::string GetExpected()
+{
+  std::string names;
+  for (const Format& format : GetFormats())
+  {
+    names += (names.empty() ? "" : ", ") + format.Extensions.front();
+  }
+  return "an image (" + names + "), but its first bytes are of none";
+}
 
 // What is thrown becomes the failure.
 vtkSmartPointer<vtkImageData> Attempt(
@@ -123,15 +149,15 @@ vtkSmartPointer<vtkImageData> Attempt(
 vtkSmartPointer<vtkImageData> DecodeBytes(
   const Bytes& bytes, const std::string& name, std::string& failure)
 {
-  const Decoder decode = bytes.Size() > 0 ? FindDecoder(bytes, name) : nullptr;
-  if (!decode)
+  const Format* format = bytes.Size() > 0 ? FindFormat(bytes, name) : nullptr;
+  if (!format || !format->Decode)
   {
     failure = bytes.Size() == 0 ? "an image, but it is empty"
-      : BeginsLikeEXR(bytes)    ? "an image, but OpenEXR is read from files of its own alone"
-                                : Expected;
+      : format                  ? "an image, but OpenEXR is read from files of its own alone"
+                                : GetExpected();
     return nullptr;
   }
-  return Attempt([&] { return decode(bytes); }, failure);
+  return Attempt([&] { return format->Decode(bytes); }, failure);
 }
 
 using Share = std::function<bool(double)>;
@@ -164,7 +190,8 @@ vtkSmartPointer<vtkImageData> ReadFile(
   std::vector<unsigned char> bytes(4);
   file.read(reinterpret_cast<char*>(bytes.data()), 4);
   bytes.resize(static_cast<std::size_t>(file.gcount()));
-  if (BeginsLikeEXR({ bytes.data(), bytes.size() }))
+  const Format* format = FindFormat({ bytes.data(), bytes.size() }, "");
+  if (format && !format->Decode)
   {
     const auto watch = [&progress](vtkAlgorithm* reader) {
       if (progress)
@@ -240,6 +267,21 @@ vtkSmartPointer<vtkImageData> ReadApart(vtkRelievoReaderProcess::Work work,
   failure = end.empty() ? failure : "an image, but its reader " + end;
   return failure.empty() ? image : nullptr;
 }
+}
+
+//------------------------------------------------------------------------------
+std::string vtkRelievoImageFile::ListExtensions(
+  const std::string& before, const std::string& between)
+{
+  std::string list;
+  for (const Format& format : GetFormats())
+  {
+    for (const std::string& extension : format.Extensions)
+    {
+      list += (list.empty() ? "" : between) + before + extension;
+    }
+  }
+  return list;
 }
 
 //------------------------------------------------------------------------------

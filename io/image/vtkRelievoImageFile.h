@@ -27,6 +27,10 @@ namespace vtkRelievoImageFile
 constexpr std::uint64_t MostTexels = std::uint64_t(1) << 28; // as many as 16384 x 16384
 constexpr std::uint64_t MostBytes = std::uint64_t(1) << 31;  // of the image, and of a file
 
+// The extensions of images' files, with this before and between them: "*.png *.jpg".
+VTKRELIEVOIO_EXPORT std::string ListExtensions(
+  const std::string& before = "", const std::string& between = " ");
+
 // The image in a file. Of OpenEXR it is the picture of the display window, 0 where there are no
 // data, of the channels R G B [A], r g b [a], Y [A] (grey) or else those of the first layer, and of
 // the first part. Whoever asks for a file that another holds already gets the same image, unless

@@ -15,6 +15,12 @@
 vtkStandardNewMacro(vtkRelievoImageReader);
 
 //------------------------------------------------------------------------------
+std::string vtkRelievoImageReader::GetExtensions()
+{
+  return vtkRelievoImageFile::ListExtensions();
+}
+
+//------------------------------------------------------------------------------
 vtkRelievoImageReader::vtkRelievoImageReader()
 {
   this->SetNumberOfInputPorts(0);

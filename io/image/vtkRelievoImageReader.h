@@ -26,12 +26,17 @@
 #include "vtkImageAlgorithm.h"
 #include "vtkSmartPointer.h" // for the image
 
+#include <string> // for extensions
+
 class VTKRELIEVOIO_EXPORT vtkRelievoImageReader : public vtkImageAlgorithm
 {
 public:
   static vtkRelievoImageReader* New();
   vtkTypeMacro(vtkRelievoImageReader, vtkImageAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /** Extensions of files that it reads, with blanks between them. */
+  static std::string GetExtensions();
 
   ///@{
   /** Name of the file to read. Default: none. */

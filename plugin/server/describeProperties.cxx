@@ -2,35 +2,43 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // describeProperties TEMPLATE OUTPUT: writes the XML of ParaView's proxies, in which properties are
-// made of what stages, points, materials and environments say of themselves, and lists of layers of
-// the catalogue. Run by the build.
+// made of what stages, points, materials, environments and filters say of themselves, and lists of
+// layers of the catalogue. Run by the build.
 //
 // A comment in the template that stands alone becomes: `points`, the proxies of points of surfaces,
 // for every stage that draws such; `stages: properties`, the properties of every stage that can be
 // switched, and `stages: exposed` their groups in the render view; so for `shadows`, `sun`,
-// `environment`, `selection` and `material`, which have groups of their own; `layers`, the names of
-// layers; `layers: shown`, those that can be shown as the picture. In other lines @layers: help@ is
-// what they are, @layers: count@ how many values a selection of layers has, and @layers: A B@ the
-// values of one in which A and B are chosen, A first.
+// `environment`, `selection` and `material`, which have groups of their own; `caves: properties`
+// and `sun exposure: properties`, those of these filters; `layers`, the names of layers; `layers:
+// shown`, those that can be shown as the picture. In other lines @layers: help@ is what they are,
+// @layers: count@ how many values a selection of layers has, and @layers: A B@ the values of one in
+// which A and B are chosen, A first; @images@ and @models@ are the extensions of their files.
 #include "vtkNew.h"
 #include "vtkPVRelievoSun.h"
+#include "vtkRelievoCaves.h"
 #include "vtkRelievoEnvironment.h"
+#include "vtkRelievoImageFile.h"
 #include "vtkRelievoLayerCatalogue.h"
 #include "vtkRelievoMarkers.h"
 #include "vtkRelievoMaterial.h"
+#include "vtkRelievoModelReader.h"
 #include "vtkRelievoPass.h"
 #include "vtkRelievoPointStage.h"
 #include "vtkRelievoShadowStage.h"
 #include "vtkRelievoStage.h"
+#include "vtkRelievoSunExposure.h"
 #include "vtkSmartPointer.h"
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <fstream>
 #include <iostream>
+#include <limits>
 #include <map>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace
@@ -60,7 +68,8 @@ std::string FormatDefault(const vtkRelievoParameter& parameter)
   }
   else if (parameter.Type != P::TEXT)
   {
-    std::replace(words.begin(), words.end(), ',', ' ');
+    std::replace_if(
+      words.begin(), words.end(), [](char c) { return c == ',' || c == 'x'; }, ' ');
   }
   return Escape(words);
 }
@@ -83,7 +92,7 @@ std::string Documentation(const std::string& help)
 struct Described
 {
   const vtkRelievoParameterList& List;
-  std::string Command; // of the proxy's object
+  std::string Command; // of the proxy's object; empty: the parameter's own method
   std::string Owner;   // what the command is told before the parameter's name
   std::string Prefix;  // of the properties' names in the proxy
   std::string Exposed; // of the names that scripts have, before that
@@ -192,19 +201,29 @@ std::string MakeDomain(const vtkRelievoParameter& parameter)
   {
     out << "        <DoubleRangeDomain name=\"range\" min=\"0 0 0\" max=\"1 1 1\"/>\n";
   }
-  else if (parameter.Type == P::WHOLE || parameter.Type == P::NUMBER)
+  else if (parameter.Type == P::WHOLE || parameter.Type == P::NUMBER || parameter.Type == P::SIZE)
   {
-    const double least = parameter.Usual > 0.0 ? 0.0 : parameter.Least;
+    constexpr double above = 1e-3; // of what is not to be the least itself
+    const double least =
+      parameter.Usual > 0.0 ? 0.0 : parameter.Least + (parameter.Open ? above : 0.0);
     const double most = parameter.Usual > 0.0 ? parameter.Usual : parameter.Most;
-    out << "        <" << (parameter.Type == P::WHOLE ? "Int" : "Double")
+    const auto write = [&](const char* limit, double value) {
+      out << " " << limit << "=\"" << value;
+      for (int i = 1; i < parameter.GetNumberOfComponents(); ++i)
+      {
+        out << " " << value;
+      }
+      out << "\"";
+    };
+    out << "        <" << (parameter.Type == P::NUMBER ? "Double" : "Int")
         << "RangeDomain name=\"range\"";
-    if (std::isfinite(least))
+    if (least > std::numeric_limits<int>::min())
     {
-      out << " min=\"" << least << "\"";
+      write("min", least);
     }
-    if (std::isfinite(most))
+    if (most < std::numeric_limits<int>::max())
     {
-      out << " max=\"" << most << "\"";
+      write("max", most);
     }
     out << "/>\n";
   }
@@ -215,26 +234,29 @@ std::string MakeProperty(const Described& described, const vtkRelievoParameter& 
 {
   using P = vtkRelievoParameter;
   const bool text = parameter.Type == P::TEXT;
-  const bool whole =
-    parameter.Type == P::FLAG || parameter.Type == P::WHOLE || parameter.Type == P::CHOICE;
+  const bool whole = parameter.Type == P::FLAG || parameter.Type == P::WHOLE ||
+    parameter.Type == P::CHOICE || parameter.Type == P::SIZE;
   const std::string kind = text ? "String" : whole ? "Int" : "Double";
-  const std::string element = (text ? "" : "Relievo") + kind + "VectorProperty";
+  const bool own = described.Command.empty();
+  const std::string element = (text || own ? "" : "Relievo") + kind + "VectorProperty";
   const std::string name = described.GetName(parameter.Name);
   const std::string words = described.Owner + parameter.Name;
   P ofAll = parameter;
   ofAll.PerPoint = false; // arrays are properties of their own
   std::ostringstream out;
   out << "      <" << element << " name=\"" << name << "\" label=\"" << Escape(parameter.GetLabel())
-      << "\" command=\"" << described.Command << (text ? "Text" : "Value") << "\" initial_string=\""
-      << words << "\" number_of_elements=\"" << std::max(1, parameter.GetNumberOfComponents())
+      << "\" command=\""
+      << (own ? "Set" + name
+              : described.Command + (text ? "Text" : "Value") + "\" initial_string=\"" + words)
+      << "\" number_of_elements=\"" << std::max(1, parameter.GetNumberOfComponents())
       << "\" default_values=\"" << FormatDefault(parameter) << "\""
-      << (text ? "" : " si_class=\"vtkSI" + kind + "VectorProperty\"")
+      << (text || own ? "" : " si_class=\"vtkSI" + kind + "VectorProperty\"")
       << (parameter.Type == P::COLOR ? " panel_widget=\"color_selector\"" : "")
       << (parameter.Advanced ? " panel_visibility=\"advanced\"" : "") << ">\n"
       << MakeDomain(parameter)
       << Documentation(parameter.Help + (text ? "" : " Takes " + ofAll.GetExpected() + ".") +
            (parameter.PerPoint ? " For points without the array." : ""))
-      << MakeHints(described, parameter, false) << "      </" << element << ">\n";
+      << (own ? "" : MakeHints(described, parameter, false)) << "      </" << element << ">\n";
   if (parameter.PerPoint)
   {
     out << "      <StringVectorProperty name=\"" << name << "Array\" label=\""
@@ -406,9 +428,19 @@ std::string MakeSelection(const std::string& words)
   return out;
 }
 
-// The line with what stands for its @layers: ...@.
+// The line with what stands for its @images@, @models@ and @layers: ...@.
 std::string FillIn(const std::string& line)
 {
+  for (const auto& [mark, extensions] :
+    { std::pair{ "@images@", vtkRelievoImageFile::ListExtensions() },
+      std::pair{ "@models@", vtkRelievoModelReader::GetExtensions() } })
+  {
+    const std::size_t at = line.find(mark);
+    if (at != std::string::npos)
+    {
+      return line.substr(0, at) + extensions + line.substr(at + std::strlen(mark));
+    }
+  }
   const std::string mark = "@layers: ";
   const std::size_t from = line.find(mark);
   const std::size_t to = from == std::string::npos ? from : line.find('@', from + 1);
@@ -474,6 +506,11 @@ std::map<std::string, std::string> MakeAll()
   add("material",
     { material->GetDescription(), "Set", "", "", "Relievo",
       Decorate("RelievoMaterial", "1", false) });
+  vtkNew<vtkRelievoCaves> caves;
+  add("caves", { caves->GetParameters(), "", "", "", "", "" });
+  vtkNew<vtkRelievoSunExposure> exposure;
+  exposure->SetUpAxis(2);
+  add("sun exposure", { exposure->GetParameters(), "", "", "", "", "" });
   return made;
 }
 }

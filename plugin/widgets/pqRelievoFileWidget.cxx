@@ -13,6 +13,17 @@
 #include <QLineEdit>
 
 //------------------------------------------------------------------------------
+QString pqRelievoFileWidget::GetFilter(vtkSMProperty* property)
+{
+  vtkPVXMLElement* hints = property ? property->GetHints() : nullptr;
+  vtkPVXMLElement* files = hints ? hints->FindNestedElementByName("FileChooser") : nullptr;
+  return files ? QString("%1 (*.%2)")
+                   .arg(files->GetAttributeOrEmpty("file_description"))
+                   .arg(QString(files->GetAttributeOrEmpty("extensions")).split(' ').join(" *."))
+               : QString();
+}
+
+//------------------------------------------------------------------------------
 pqRelievoFileWidget::pqRelievoFileWidget(
   vtkSMProxy* proxy, vtkSMProperty* property, QWidget* parentWidget)
   : Superclass(proxy, parentWidget)
@@ -22,14 +33,7 @@ pqRelievoFileWidget::pqRelievoFileWidget(
   this->Chooser->setForceSingleFile(true);
   auto* model = pqApplicationCore::instance()->getServerManagerModel();
   this->Chooser->setServer(model->findServer(proxy->GetSession()));
-  vtkPVXMLElement* hints = property->GetHints();
-  if (vtkPVXMLElement* files = hints ? hints->FindNestedElementByName("FileChooser") : nullptr)
-  {
-    const QString extensions = files->GetAttributeOrEmpty("extensions");
-    this->Chooser->setExtension(QString("%1 (*.%2)")
-                                  .arg(files->GetAttributeOrEmpty("file_description"))
-                                  .arg(extensions.split(' ').join(" *.")));
-  }
+  this->Chooser->setExtension(GetFilter(property));
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(this->Chooser);

@@ -25,6 +25,9 @@ public:
   pqRelievoFileWidget(vtkSMProxy* proxy, vtkSMProperty* property, QWidget* parent = nullptr);
   ~pqRelievoFileWidget() override;
 
+  /** What dialogs offer, by a property's hints: "Images (*.png *.jpg)"; "": everything. */
+  static QString GetFilter(vtkSMProperty* property);
+
   ///@{
   /** The file whose name is finished. */
   QString GetFile() const { return this->File; }

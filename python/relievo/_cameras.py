@@ -354,21 +354,6 @@ def camera(target=None, *, K, size, R=None, t=None, near=None, far=None):
 
 
 def lens(words, size=None, view_angle=30, R=None, t=None):
-    """Returns the camera that a few words or a calibration's file say, as `relievo render --lens`.
-
-        sensor = relievo.lens("calibration.yml").look_at((2, 1, 5), (0, 0, 0))
-        sensor = relievo.lens("fisheye:0.02,-0.013", size=(1280, 720), view_angle=170)
-
-    words: pinhole, brown:K1,K2[,P1,P2[,K3[,K4,K5,K6]]], fisheye[:K1,K2,K3,K4], division:K, each
-        with ,K=FX/FY/CX/CY or ,angle=DEG by choice; equirectangular[:H,V]; cube;
-        orthographic[:PIXELS]. Or the name of a file .yml, .yaml, .json or .xml, also with .gz, as
-        OpenCV, ROS, Kalibr and EuRoC write it, or of COLMAP's cameras.txt.
-    size: (columns, rows) of the picture; None for the file's. A file's K is scaled to it.
-    view_angle: degrees that the height of the picture spans, where the words say neither.
-
-    R, t: the pose; see CameraModel.pose. Returns a CameraModel. Raises ValueError for wrong words
-    and sizes and for files that are no calibrations, OSError for a file that cannot be read.
-    """
     words = str(words)
     if vtkRelievoCalibration.IsFile(words):
         check_file(words)
@@ -391,13 +376,32 @@ def lens(words, size=None, view_angle=30, R=None, t=None):
     return made.pose(R, t)
 
 
+lens.__doc__ = f"""Returns the camera that words or a calibration's file say, as `--lens` does.
+
+    sensor = relievo.lens("calibration.yml").look_at((2, 1, 5), (0, 0, 0))
+    sensor = relievo.lens("fisheye:0.02,-0.013", size=(1280, 720), view_angle=170)
+
+words: {vtkRelievoCalibration.GetForms(True)}, each
+    with ,K=FX/FY/CX/CY or ,angle=DEG by choice; {vtkRelievoCalibration.GetForms(False)}.
+    Or the name of a file .yml, .yaml, .json or .xml, also with .gz, as OpenCV, ROS, Kalibr and
+    EuRoC write it, or of COLMAP's cameras.txt.
+size: (columns, rows) of the picture; None for the file's. A file's K is scaled to it.
+view_angle: degrees that the height of the picture spans, where the words say neither.
+
+R, t: the pose; see CameraModel.pose. Returns a CameraModel. Raises ValueError for wrong words
+and sizes and for files that are no calibrations, OSError for a file that cannot be read.
+"""
+
+
 def _class_of(model):
     if model.IsA("vtkRelievoLensCamera"):
         bent = {vtkRelievoLensCamera.FISHEYE: Fisheye, vtkRelievoLensCamera.DIVISION: Division}
         return bent.get(model.GetLens(), Pinhole)
     if model.IsA("vtkRelievoOrthographicCamera"):
         return Orthographic
-    return Cube if model.GetLayout() == vtkRelievoPanoramaCamera.CUBE else Equirectangular
+    if model.IsA("vtkRelievoPanoramaCamera"):
+        return Cube if model.GetLayout() == vtkRelievoPanoramaCamera.CUBE else Equirectangular
+    return CameraModel
 
 
 def intrinsics(camera, size):

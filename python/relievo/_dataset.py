@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Data sets to learn from, or to judge by: pictures, depth, masks, boxes, poses."""
 
+import inspect
 import os
 from contextlib import nullcontext
 
@@ -13,82 +14,88 @@ from ._cameras import lens as lens_of
 from ._capture import _frame_of, _names, _pixels
 from ._errors import Watch, describe, is_a
 from ._keep import kept
+from ._parameters import bind, defaults_of, describe_all, keywords, keywords_of, set_value
 from ._renderers import renderer_of
 from ._wrapped import vtkRelievoDatasetWriter, vtkRelievoScene
 from .vtkRelievoCameras import vtkRelievoCalibration
 
-_FORMATS = ("bop", "coco", "nerf", "npz")
 _SIZE = (1024, 768)
 
+_OF_WRITER = keywords_of(vtkRelievoDatasetWriter(), {})
+# In the order in which they are given without their names; what the writer has besides comes last.
+_ORDER = ("renderer", "cameras", "directory", "format", "layers", "size", "objects", "depth_step",
+          "mm_per_unit", "seed", "random_sun", "up", "views", "description", "progress", "lens")
+_OTHERS = {
+    **dict.fromkeys(("renderer", "cameras", "directory"), inspect.Parameter.empty),
+    **dict.fromkeys(("size", "views", "progress", "lens")),
+    "layers": (), "objects": "actor", "description": "",
+}  # fmt: skip
+_ALL = {**_OTHERS, **defaults_of(vtkRelievoDatasetWriter(), _OF_WRITER), "depth_step": None}
+_SIGNATURE = inspect.Signature(keywords({name: _ALL[name] for name in [*_ORDER, *_ALL]}))
 
-def write_dataset(renderer, cameras, directory, format="bop", layers=(), size=None,
-                  objects="actor", depth_step=None, mm_per_unit=1000, seed=0, random_sun=False,
-                  up="y", views=None, description="", progress=None, lens=None):
-    """Writes what cameras see of a scene, as a data set. See docs/datasets.md.
 
-        relievo.write_dataset(renderer, "random:200", "train/000000", seed=7)
-
-    renderer: a vtkRenderer, or an object whose attribute `renderer` is one (a plotter, a scene);
-        or data or an actor, as for capture(). It, and its window, are as before afterwards.
-    cameras: "orbit:N", "random:N" or the path of a file of poses, for `lens`; or a list of
-        CameraModels, or of vtkCameras as seen in `size` pixels. What is no pinhole, such as a
-        Fisheye, goes by rays, and its picture is drawn by pinholes; a Pushbroom or a Lidar has no
-        picture, and format "npz" alone.
-    directory: a folder that is empty or not there; or one that was begun by the same call, which
-        goes on with the views that lack.
-    format: "bop", "coco", "nerf" or "npz".
-    layers: names of layers that are written as floats: as arrays of npz, else in layers/NUMBER.exr.
-    size: (columns, rows) of pictures, where the cameras do not say it; None for those of the
-        lens's file, or (1024, 768).
-    objects: what an object is: "actor", "block" (of composite data), or a list of names, one for
-        each of renderer.GetActors(): actors of one name are one object, those of None hide others
-        and are none.
-    depth_step: world units of a step of 16-bit depth; None to reach what is farthest.
-    mm_per_unit: of "bop": millimetres in a world unit.
-    seed: of all that is random. random_sun: whether the sun stands elsewhere in each view.
-    up: the axis that points up, "x", "y" or "z".
-    views: (first, end) of those that this call draws; None for all.
-    description: what the data set is of: a folder that was begun with another one is refused.
-    progress: called with the share done behind each view; if it returns False, the call ends with a
-        RuntimeError, and the same call goes on from there.
-    lens: of poses in words or in a file: words or a calibration's file as for lens(), or a
-        CameraModel; None for a pinhole of 30 degrees.
-
-    Returns how many views were written. Raises ValueError for wrong arguments, such as settings
-    that are not those the folder was begun with, OSError for files that cannot be written or read,
-    RuntimeError for what cannot be drawn.
-    """
-    made, _ = renderer_of(renderer)
+def write_dataset(*arguments, **given):
+    bound = bind("write_dataset", _SIGNATURE, arguments, given)
+    bound.apply_defaults()
+    given = bound.arguments
+    made, _ = renderer_of(given["renderer"])
     writer = vtkRelievoDatasetWriter()
     writer.SetRenderer(made)
-    writer.SetDirectory(os.fspath(directory))
-    if format not in _FORMATS:
-        raise ValueError(f"format: got {format!r}, expected one of {', '.join(_FORMATS)}")
-    writer.SetFormat(_FORMATS.index(format))
-    if up not in ("x", "y", "z"):
-        raise ValueError(f"up: got {up!r}, expected 'x', 'y' or 'z'")
-    writer.SetUpAxis("xyz".index(up))
-    writer.SetSeed(_whole("seed", seed))
-    writer.SetRandomSun(bool(random_sun))
-    if depth_step is not None:
-        writer.SetDepthStep(_positive("depth_step", depth_step))
-    writer.SetMillimetersPerUnit(_positive("mm_per_unit", mm_per_unit))
-    writer.SetDescription(description)
+    writer.SetDirectory(os.fspath(given["directory"]))
+    for keyword, name in _OF_WRITER.items():
+        if given[keyword] is not None:
+            set_value("write_dataset", writer, name, given[keyword], keyword)
+    writer.SetDescription(given["description"])
+    views = given["views"]
     if views is not None:
         try:
             first, end = views
         except (TypeError, ValueError):
             raise ValueError(f"views: got {views!r}, expected (first, end)") from None
-        writer.SetRange(_whole("views", first, 0), _whole("views", end, 0))
-    for name in _names(layers) if layers else ():
+        writer.SetRange(_whole("views", first), _whole("views", end))
+    for name in _names(given["layers"]) if given["layers"] else ():
         writer.AddLayer(name)
-    _name_objects(writer, made, objects)
-    _add_views(writer, cameras, None if size is None else _pixels(size), lens)
+    _name_objects(writer, made, given["objects"])
+    size = given["size"]
+    _add_views(writer, given["cameras"], None if size is None else _pixels(size), given["lens"])
     found = kept(made)
     held = nullcontext() if found is None else found.held()
     with held, _frame_of(made):
-        _run(writer, writer.Write, progress)
+        _run(writer, writer.Write, given["progress"])
     return writer.GetNumberOfViewsWritten()
+
+
+write_dataset.__signature__ = _SIGNATURE
+write_dataset.__doc__ = f"""Writes what cameras see of a scene, as a data set. See docs/datasets.md.
+
+    relievo.write_dataset(renderer, "random:200", "train/000000", seed=7)
+
+renderer: a vtkRenderer, or an object whose attribute `renderer` is one (a plotter, a scene);
+    or data or an actor, as for capture(). It, and its window, are as before afterwards.
+cameras: "orbit:N", "random:N" or the path of a file of poses, for `lens`; or a list of
+    CameraModels, or of vtkCameras as seen in `size` pixels. What is no pinhole, such as a
+    Fisheye, goes by rays, and its picture is drawn by pinholes; a Pushbroom or a Lidar has no
+    picture, and format "npz" alone.
+directory: a folder that is empty or not there; or one that was begun by the same call, which
+    goes on with the views that lack.
+layers: names of layers that are written as floats: as arrays of npz, else in layers/NUMBER.exr.
+size: (columns, rows) of pictures, where the cameras do not say it; None for those of the
+    lens's file, or (1024, 768).
+objects: what an object is: "actor", "block" (of composite data), or a list of names, one for
+    each of renderer.GetActors(): actors of one name are one object, those of None hide others
+    and are none.
+{describe_all(vtkRelievoDatasetWriter(), _OF_WRITER)}
+views: (first, end) of those that this call draws; None for all.
+description: what the data set is of: a folder that was begun with another one is refused.
+progress: called with the share done behind each view; if it returns False, the call ends with a
+    RuntimeError, and the same call goes on from there.
+lens: of poses in words or in a file: words or a calibration's file as for lens(), or a
+    CameraModel; None for a pinhole of 30 degrees.
+
+Returns how many views were written. Raises ValueError for wrong arguments, such as settings
+that are not those the folder was begun with, OSError for files that cannot be written or read,
+RuntimeError for what cannot be drawn.
+"""
 
 
 def _run(writer, work, progress=None):
@@ -176,23 +183,12 @@ def _like(lens, size):
     return lens_of(words, size)
 
 
-def _whole(name, value, least=-(1 << 31)):
+def _whole(name, value):
     try:
         number = int(value)
-        good = number == value and least <= number < 1 << 31
+        good = number == value and 0 <= number < 1 << 31
     except (TypeError, ValueError, OverflowError):
         good = False
     if not good:
-        kind = "a whole number" if least < 0 else f"a whole number from {least}"
-        raise ValueError(f"{name}: got {value!r}, expected {kind}")
-    return number
-
-
-def _positive(name, value):
-    try:
-        number = float(value)
-    except (TypeError, ValueError):
-        number = 0.0
-    if not 0 < number < float("inf"):
-        raise ValueError(f"{name}: got {value!r}, expected a number above 0")
+        raise ValueError(f"{name}: got {value!r}, expected a whole number from 0")
     return number

@@ -87,6 +87,7 @@ def environment(*arguments, **given):
 
 def _describe():
     """The docstring of environment()."""
+    images = vtkRelievoImageReader.GetExtensions().replace(" ", ", ")
     made, own = vtkRelievoEnvironment(), vtkRelievoMaterial()
     lines = [describe(made, name, _DEFAULTS[name]) for name in _OF_ENVIRONMENT]
     lines += [
@@ -103,10 +104,10 @@ renderer: a vtkRenderer, or an object whose attribute `renderer` is one (a plott
     at the time of the call, except unlit ones, lines or points alone, cube axes and VTK's
     skies. An actor's own vtkRelievoMaterial stays and gets
     the environment; None gives its former one back.
-path: a file (exr, hdr, png, jpg, tif, bmp, tga), a numpy array of (rows, columns, 3) with row 0 at
-    the top, a vtkImageData with row 0 at the bottom, as to_image() makes it, or a vtkTexture of
-    one; twice as wide as high (all directions) or square (a mirror ball). Whole
-    numbers are decoded from sRGB, floats are linear light. None takes the environment away.
+path: a file ({images}), a numpy array of (rows, columns, 3) with row 0 at the top, a vtkImageData
+    with row 0 at the bottom, as to_image() makes it, or a vtkTexture of one; twice as wide as
+    high (all directions) or square (a mirror ball). Whole numbers are decoded from sRGB, floats
+    are linear light. None takes the environment away.
 {values}
 sky: whether the picture is shown behind everything.
 tone: whether the stage `tone` brings the light of the picture and of the renderer's lights together

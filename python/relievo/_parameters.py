@@ -3,6 +3,7 @@
 """Parameters that stages, points, materials and environments describe, as keywords of functions."""
 
 import inspect
+import textwrap
 
 import numpy
 
@@ -39,16 +40,32 @@ def value(text):
     return int(number) if number.is_integer() else number
 
 
-def describe(owner, name, default=None):
-    """The line of a docstring."""
+def describe(owner, name, default=None, keyword=None):
+    """The line of a docstring. keyword: what the function calls the parameter."""
     default = owner.GetParameterDefault(name) if default is None else default
-    return f"{name}: {owner.GetParameterHelp(name)} Default {default}."
+    return f"{keyword or name}: {owner.GetParameterHelp(name)} Default {default}."
+
+
+def describe_all(owner, keywords_of):
+    """The lines of a docstring, of parameters by their keywords."""
+    lines = [describe(owner, name, keyword=keyword) for keyword, name in keywords_of.items()]
+    return "\n".join(textwrap.fill(line, 96, subsequent_indent="    ") for line in lines)
 
 
 def keywords(defaults):
     """Parameters of a signature, by name with their defaults."""
     kind = inspect.Parameter.POSITIONAL_OR_KEYWORD
     return [inspect.Parameter(name, kind, default=each) for name, each in defaults.items()]
+
+
+def keywords_of(owner, renamed, without=()):
+    """The names of the owner's parameters, by the keywords of a function."""
+    return {renamed.get(name, name): name for name in names(owner) if name not in without}
+
+
+def defaults_of(owner, named):
+    """The default of each keyword of keywords_of()."""
+    return {keyword: value(owner.GetParameterDefault(name)) for keyword, name in named.items()}
 
 
 def bind(function, signature, arguments, given):
@@ -59,15 +76,17 @@ def bind(function, signature, arguments, given):
         raise TypeError(f"{function}() {error}") from None
 
 
-def set_value(function, owner, name, given):
-    """Sets a parameter; ValueError that names the function for what it does not take."""
+def set_value(function, owner, name, given, keyword=None):
+    """Sets a parameter; ValueError that names the function for what it does not take. keyword: what
+    the function calls the parameter."""
+    keyword = keyword or name
     try:
         text = words(given)
     except (TypeError, ValueError, OverflowError):
         raise ValueError(
-            f"{function}: {name}: got {described(given)}, expected a number, numbers or a word"
+            f"{function}: {keyword}: got {described(given)}, expected a number, numbers or a word"
         ) from None
     wrong = owner.TrySetParameter(name, text)
     if wrong:
         expected = wrong.partition(" given, ")[2]
-        raise ValueError(f"{function}: {name}: got {described(given)}, {expected}")
+        raise ValueError(f"{function}: {keyword}: got {described(given)}, {expected}")

@@ -21,7 +21,7 @@ _OPTIONS = {
 # What stands between the numbers of a tuple; a comma for the others.
 _BETWEEN = {"size": "x", "color": "/", "background": "/"}
 
-_OUTPUTS = ("png", "exr", "report", "layers", "hdr", "transparent", "certify")
+_OUTPUTS = [name for name, row in _OPTIONS.items() if row["outputs"] and name != "lens"]
 
 
 def _word(name, value):

@@ -3,6 +3,7 @@
 """What cameras see, by rays: layers of any sensor, seen cells, flow, hours of sun."""
 
 import datetime
+import inspect
 
 import numpy
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
@@ -14,6 +15,7 @@ from vtkmodules.vtkFiltersGeometry import vtkCompositeDataGeometryFilter, vtkGeo
 from ._cameras import CameraModel, sensor_of
 from ._data import need_data
 from ._errors import Watch, describe, is_a
+from ._parameters import bind, defaults_of, describe_all, keywords, keywords_of, set_value
 from ._rays import rays
 from ._renderers import inner_renderer, outwards, prop_of
 from .vtkRelievoFilters import (
@@ -206,41 +208,49 @@ def _add(data, name, values):
     data.AddArray(array)
 
 
-def sun_exposure(mesh, latitude, longitude, first, last=None, occluders=(), step=20, every=1,
-                 up="y", points=False, sky=0):
-    """Returns the mesh with its hours of sun.
+# What the function calls the filter's parameters. The place is two arguments, the days are dates.
+_OF_SUN = keywords_of(
+    vtkRelievoSunExposure(),
+    {"day_step": "every", "up_axis": "up", "sky_samples": "sky"},
+    without=("latitude", "longitude"),
+)
+_SUN_SIGNATURE = inspect.Signature(
+    keywords(dict.fromkeys(("mesh", "latitude", "longitude", "first"), inspect.Parameter.empty))
+    + keywords({"last": None, "occluders": (), **defaults_of(vtkRelievoSunExposure(), _OF_SUN)})
+)
 
-        town = relievo.sun_exposure(town, 48.2, 16.4, "2026-01-01", "2026-12-31", every=7)
 
-    mesh: a dataset or a filter that makes one; of other data than polygons the outer surface.
-        Normals point outwards.
-    latitude, longitude: degrees, -90 to 90 and -180 to 180, north and east positive.
-    first, last: the first and the last day, as datetime.date or "2026-06-21"; last None: one day.
-    occluders: other data that shades it, one or a list.
-    step: minutes between two places of the sun. every: every so many days count, each for as many.
-    up: the axis that points up, "x", "y" or "z"; north is z, -z or y then.
-    points: whether points are judged, rather than the middles of cells.
-    sky: rays into the sky for each place; 0 for no sky_view.
-
-    Returns vtkPolyData with the arrays sun_hours, insolation (hours times the cosine between the
-    sun and the normal) and sky_view (share of an even sky's light, 0 to 1), and the field data
-    possible_hours. Raises ValueError for wrong arguments.
-    """
+def sun_exposure(*arguments, **given):
+    bound = bind("sun_exposure", _SUN_SIGNATURE, arguments, given)
+    bound.apply_defaults()
+    given = bound.arguments
     filter_ = vtkRelievoSunExposure()
-    filter_.SetLatitude(_number("latitude", latitude, -90, 90))
-    filter_.SetLongitude(_number("longitude", longitude, -180, 180))
+    for keyword, name in {"latitude": "latitude", "longitude": "longitude", **_OF_SUN}.items():
+        set_value("sun_exposure", filter_, name, given[keyword], keyword)
+    first, last = given["first"], given["last"]
     filter_.SetFirstDay(*_day("first", first))
     filter_.SetLastDay(*_day("last", first if last is None else last))
-    filter_.SetStep(_number("step", step, 0.1, 240))
-    filter_.SetDayStep(_number("every", every, 1, 366, whole=True))
-    filter_.SetSkySamples(_number("sky", sky, 0, 65536, whole=True))
-    if up not in ("x", "y", "z"):
-        raise ValueError(f"up: got {up!r}, expected 'x', 'y' or 'z'")
-    filter_.SetUpAxis("xyz".index(up))
-    filter_.SetPoints(bool(points))
-    _give(filter_, mesh, occluders)
+    _give(filter_, given["mesh"], given["occluders"])
     _run(filter_, "sun_exposure")
     return _copy(filter_.GetOutput())
+
+
+sun_exposure.__signature__ = _SUN_SIGNATURE
+sun_exposure.__doc__ = f"""Returns the mesh with its hours of sun.
+
+    town = relievo.sun_exposure(town, 48.2, 16.4, "2026-01-01", "2026-12-31", every=7)
+
+mesh: a dataset or a filter that makes one; of other data than polygons the outer surface.
+    Normals point outwards.
+latitude, longitude: degrees, -90 to 90 and -180 to 180, north and east positive.
+first, last: the first and the last day, as datetime.date or "2026-06-21"; last None: one day.
+occluders: other data that shades it, one or a list.
+{describe_all(vtkRelievoSunExposure(), _OF_SUN)}
+
+Returns vtkPolyData with the arrays sun_hours, insolation (hours times the cosine between the
+sun and the normal) and sky_view (share of an even sky's light, 0 to 1), and the field data
+possible_hours. Raises ValueError for wrong arguments.
+"""
 
 
 class Moment:

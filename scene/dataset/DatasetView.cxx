@@ -17,8 +17,6 @@
 #include "vtkRelievoLayerSource.h"
 #include "vtkRelievoLensCamera.h"
 #include "vtkRelievoLensPicture.h"
-#include "vtkRelievoOrthographicCamera.h"
-#include "vtkRelievoPanoramaCamera.h"
 #include "vtkRelievoPass.h"
 #include "vtkRelievoRayLayers.h"
 #include "vtkRenderer.h"
@@ -181,14 +179,6 @@ std::vector<double> DatasetView::GetLayer(const std::string& name, int& componen
     array->GetTuple(point, values.data() + count * pixel);
   });
   return values;
-}
-
-//------------------------------------------------------------------------------
-bool HasDatasetPicture(vtkRelievoCameraModel* camera)
-{
-  return vtkRelievoLensCamera::SafeDownCast(camera) ||
-    vtkRelievoPanoramaCamera::SafeDownCast(camera) ||
-    vtkRelievoOrthographicCamera::SafeDownCast(camera);
 }
 
 //------------------------------------------------------------------------------
@@ -583,7 +573,7 @@ vtkSmartPointer<vtkImageData> DatasetPainter::TraceLayers(vtkRelievoCameraModel*
 void DatasetPainter::FollowRays(
   vtkRelievoCameraModel* camera, vtkRelievoCameraModel* before, DatasetView& view)
 {
-  if (HasDatasetPicture(camera))
+  if (camera->HasPicture())
   {
     this->TakePicture(camera, view);
   }

@@ -47,9 +47,6 @@ struct DatasetView
   std::vector<double> GetLayer(const std::string& name, int& components) const;
 };
 
-/// Whether a sensor has a picture: its rays are those of pinholes, bent or not, or parallel.
-bool HasDatasetPicture(vtkRelievoCameraModel* camera);
-
 /// Draws views. The renderer, its camera, its lights and its window are as before when it is gone.
 class DatasetPainter
 {

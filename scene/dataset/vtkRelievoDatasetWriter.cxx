@@ -4,7 +4,6 @@
 
 #include "DatasetFiles.h"
 #include "DatasetFormats.h"
-#include "DatasetModels.h"
 #include "DatasetObjects.h"
 #include "DatasetPoses.h"
 #include "DatasetView.h"
@@ -23,8 +22,8 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <limits>
 #include <map>
-#include <set>
 
 vtkStandardNewMacro(vtkRelievoDatasetWriter);
 
@@ -171,7 +170,7 @@ struct vtkRelievoDatasetWriter::Internals
 
   Json ReadRecord(const scene::DatasetStyle& style, std::size_t view, std::size_t objects) const;
 
-  void Check(int format) const;
+  void Check(const scene::DatasetFormat& format) const;
   double GetDepthStep(const scene::DatasetObjects& objects) const;
   void WriteIndex(const scene::DatasetStyle& style, const std::vector<std::string>& objects) const;
 };
@@ -180,10 +179,51 @@ struct vtkRelievoDatasetWriter::Internals
 vtkRelievoDatasetWriter::vtkRelievoDatasetWriter()
   : Self(new Internals)
 {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  constexpr int least = std::numeric_limits<int>::min(), most = std::numeric_limits<int>::max();
+  vtkRelievoParameterList& list = this->Parameters;
+  std::vector<std::string> names;
+  for (const auto& format : scene::GetDatasetFormats())
+  {
+    names.push_back(format->Name);
+  }
+  list.AddChoice(
+    "format", this->Format, [this](int format) { this->SetFormat(format); }, names,
+    "How files lie in the folder.");
+  list.AddNumber(
+    "depth_step", this->DepthStep, [this](double units) { this->SetDepthStep(units); }, 0.0,
+    infinity, "",
+    "World units of a step of 16-bit depth; 0: such that it reaches what is farthest.");
+  list
+    .AddNumber(
+      "mm_per_unit", this->MillimetersPerUnit,
+      [this](double millimeters) { this->SetMillimetersPerUnit(millimeters); }, 0.0, infinity, "",
+      "Of bop: millimetres in a world unit.")
+    .Open = true;
+  list.AddWhole(
+    "seed", this->Seed, [this](int seed) { this->SetSeed(seed); }, least, most, "",
+    "Of all that is random.");
+  list.AddFlag(
+    "random_sun", this->RandomSun, [this](bool on) { this->SetRandomSun(on); },
+    "The sun stands elsewhere in each view.");
+  list.AddChoice(
+    "up", this->UpAxis, [this](int axis) { this->SetUpAxis(axis); }, { "x", "y", "z" },
+    "The axis that points up.");
 }
 
 //------------------------------------------------------------------------------
 vtkRelievoDatasetWriter::~vtkRelievoDatasetWriter() = default;
+
+//------------------------------------------------------------------------------
+void vtkRelievoDatasetWriter::SetFormat(int format)
+{
+  const int known = std::clamp(format, 0, static_cast<int>(scene::GetDatasetFormats().size()) - 1);
+  if (this->Format != known)
+  {
+    this->Format = known;
+    this->Modified();
+  }
+}
 
 //------------------------------------------------------------------------------
 bool vtkRelievoDatasetWriter::Try(const std::function<void()>& work)
@@ -322,7 +362,7 @@ std::string vtkRelievoDatasetWriter::GetDescription()
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoDatasetWriter::Internals::Check(int format) const
+void vtkRelievoDatasetWriter::Internals::Check(const scene::DatasetFormat& format) const
 {
   if (!this->Renderer)
   {
@@ -343,24 +383,16 @@ void vtkRelievoDatasetWriter::Internals::Check(int format) const
     throw scene::UsageError(
       "the renderer's viewport is a part of its window; give one that fills it");
   }
-  static const std::set<std::string> own = { "color", "object", "visible_masks", "amodal_masks",
-    "visible_boxes", "amodal_boxes", "object_to_world", "K", "R", "t", "lens", "distortion",
-    "field_of_view", "orthographic", "push_broom", "elevations", "azimuths" };
   for (const std::string& layer : this->Layers)
   {
-    if (format == NPZ && own.count(layer) > 0)
-    {
-      throw scene::UsageError("layer " + layer +
-        ": is the name of an array that npz has itself; expected another layer, or another format");
-    }
+    format.CheckLayer(layer);
   }
   const auto flow = std::find_if(this->Layers.begin(), this->Layers.end(),
     [](const std::string& layer) { return vtkRelievoRayLayers::IsFlow(layer.c_str()); });
   for (std::size_t i = 0; i < this->Cameras.size(); ++i)
   {
     const std::string view = "view " + std::to_string(i);
-    scene::CheckDatasetCamera(
-      static_cast<scene::DatasetFormat>(format), this->Cameras[i], this->Cameras[0], view);
+    scene::CheckDatasetCamera(format, this->Cameras[i], this->Cameras[0], view);
     // Flow goes to the view before; that of the first one, which has none, to itself.
     const bool isGoal = i == 0 || i + 1 < this->Cameras.size();
     if (flow != this->Layers.end() && isGoal && !this->Cameras[i]->HasPlaces())
@@ -387,7 +419,7 @@ Json vtkRelievoDatasetWriter::Internals::ReadRecord(
 {
   const std::string path = this->GetRecord(view);
   Json record = Parse(path);
-  if (!scene::IsDatasetRecord(style.Format, record, objects) || record["view"] != view)
+  if (!scene::IsDatasetRecord(*style.Format, record, objects) || record["view"] != view)
   {
     throw scene::FileError(path + ": is no record of view " + std::to_string(view) +
       "; remove it, and the same call draws the view again");
@@ -415,7 +447,7 @@ void vtkRelievoDatasetWriter::Internals::WriteIndex(
     {
       records.push_back(this->ReadRecord(style, view, objects.size()));
     }
-    scene::WriteDatasetIndex(style, objects, records);
+    style.Format->WriteIndex(style, objects, records);
     written = views;
     views = this->FindRecords();
   }
@@ -433,7 +465,9 @@ bool vtkRelievoDatasetWriter::Write()
 void vtkRelievoDatasetWriter::WriteViews()
 {
   Internals& self = *this->Self;
-  self.Check(this->Format);
+  const scene::DatasetFormat& format =
+    *scene::GetDatasetFormats()[static_cast<std::size_t>(this->Format)];
+  self.Check(format);
   const int views = this->GetNumberOfViews();
   const int end = this->Range[1] < 0 ? views : this->Range[1];
   const std::string range =
@@ -455,17 +489,17 @@ void vtkRelievoDatasetWriter::WriteViews()
   }
   scene::DatasetStyle style;
   style.Folder = self.Directory;
-  style.Format = static_cast<scene::DatasetFormat>(this->Format);
+  style.Format = &format;
   style.DepthStep = this->DepthStep > 0.0 ? this->DepthStep : self.GetDepthStep(objects);
   style.MillimetersPerUnit = this->MillimetersPerUnit;
   style.Layers = self.Layers;
   OpenFolder(self.Directory,
-    { { "format", scene::DatasetFormatNames[static_cast<std::size_t>(this->Format)] },
-      { "views", views }, { "objects", names }, { "layers", self.Layers },
-      { "depth_step", style.DepthStep }, { "mm_per_unit", this->MillimetersPerUnit },
-      { "random_sun", this->RandomSun }, { "seed", this->Seed },
-      { "up_axis", std::string(1, "xyz"[this->UpAxis]) }, { "scene", self.Description } });
-  scene::DatasetPainter painter(self.Renderer, objects, self.Layers, this->Format == BOP);
+    { { "format", format.Name }, { "views", views }, { "objects", names },
+      { "layers", self.Layers }, { "depth_step", style.DepthStep },
+      { "mm_per_unit", this->MillimetersPerUnit }, { "random_sun", this->RandomSun },
+      { "seed", this->Seed }, { "up_axis", std::string(1, "xyz"[this->UpAxis]) },
+      { "scene", self.Description } });
+  scene::DatasetPainter painter(self.Renderer, objects, self.Layers, format.NeedsSilhouettes);
   std::size_t beyond = 0;
   for (int i = this->Range[0]; i < end; ++i)
   {
@@ -501,10 +535,7 @@ void vtkRelievoDatasetWriter::WriteViews()
     }
   }
   self.WriteIndex(style, names);
-  if (this->Format == BOP)
-  {
-    scene::WriteDatasetModels(self.Directory, self.Renderer, objects, this->MillimetersPerUnit);
-  }
+  format.WriteModels(style, self.Renderer, objects);
   if (beyond > 0)
   {
     scene::Messages::Warn(self.Directory + ": " + std::to_string(beyond) +
@@ -519,15 +550,9 @@ void vtkRelievoDatasetWriter::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Renderer: " << this->Self->Renderer << "\n";
   os << indent << "Directory: " << this->Self->Directory << "\n";
-  os << indent << "Format: " << scene::DatasetFormatNames[static_cast<std::size_t>(this->Format)]
-     << "\n";
   os << indent << "Views: " << this->Self->Cameras.size() << "\n";
   os << indent << "Layers: " << scene::Join(this->Self->Layers, ", ") << "\n";
   os << indent << "ObjectsByBlock: " << this->ObjectsByBlock << "\n";
-  os << indent << "DepthStep: " << this->DepthStep << "\n";
-  os << indent << "MillimetersPerUnit: " << this->MillimetersPerUnit << "\n";
-  os << indent << "RandomSun: " << this->RandomSun << "\n";
-  os << indent << "Seed: " << this->Seed << "\n";
-  os << indent << "UpAxis: " << this->UpAxis << "\n";
+  this->Parameters.Print(os, indent);
   os << indent << "Range: " << this->Range[0] << ", " << this->Range[1] << "\n";
 }

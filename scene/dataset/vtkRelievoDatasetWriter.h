@@ -29,8 +29,9 @@
 #define vtkRelievoDatasetWriter_h
 
 #include "vtkObject.h"
-#include "vtkRelievoSceneModule.h" // for the export macro
-#include "vtkRelievoText.h"        // for names that are given
+#include "vtkRelievoParametersMacro.h" // for the parameters by name
+#include "vtkRelievoSceneModule.h"     // for the export macro
+#include "vtkRelievoText.h"            // for names that are given
 
 #include <functional> // for work that may fail
 #include <memory>     // for what is private
@@ -68,8 +69,8 @@ public:
     NPZ = 3   ///< arrays that numpy.load() reads
   };
   ///@{
-  /** Default BOP. */
-  vtkSetClampMacro(Format, int, BOP, NPZ);
+  /** Default BOP. Those besides are words of the parameter `format`. */
+  void SetFormat(int format);
   vtkGetMacro(Format, int);
   ///@}
 
@@ -163,6 +164,19 @@ public:
   std::string GetDescription();
   ///@}
 
+  ///@{
+  /** Parameters by name, with values in words, as of vtkRelievoStage. */
+  vtkRelievoParametersMacro();
+  ///@}
+
+#ifndef __VTK_WRAP__
+  /** What the writer says of them. */
+  const vtkRelievoParameterList& GetParameters() const
+  {
+    return this->Parameters;
+  }
+#endif
+
   /** Writes what is not there yet. */
   bool Write();
 
@@ -174,12 +188,21 @@ public:
 
   ///@{
   /** Why the last function that may fail did; as of vtkRelievoScene. */
-  int GetFailure() { return this->Failure; }
-  std::string GetFailureText() { return this->FailureText; }
+  int GetFailure()
+  {
+    return this->Failure;
+  }
+  std::string GetFailureText()
+  {
+    return this->FailureText;
+  }
   ///@}
 
   /** Ends the work that goes on, from an observer of its progress. */
-  void SetAbort() { this->Abort = true; }
+  void SetAbort()
+  {
+    this->Abort = true;
+  }
 
 protected:
   vtkRelievoDatasetWriter();
@@ -192,6 +215,7 @@ private:
   bool Try(const std::function<void()>& work);
   void WriteViews();
 
+  vtkRelievoParameterList Parameters;
   int Format = BOP;
   bool ObjectsByBlock = false;
   double DepthStep = 0.0;

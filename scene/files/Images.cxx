@@ -32,11 +32,11 @@ vtkInformationStringKey* FileKey()
 //------------------------------------------------------------------------------
 void CheckImage(const std::string& option, const std::string& path)
 {
-  static const std::vector<std::string> extensions = { ".exr", ".hdr", ".png", ".jpg", ".jpeg",
-    ".tif", ".tiff", ".bmp", ".tga" };
-  if (std::find(extensions.begin(), extensions.end(), ExtensionOf(path)) == extensions.end())
+  const std::string extensions = vtkRelievoImageFile::ListExtensions(".");
+  const std::vector<std::string> known = Split(extensions, ' ');
+  if (std::find(known.begin(), known.end(), ExtensionOf(path)) == known.end())
   {
-    RefuseValue(option, path, "an image: " + Join(extensions, " "));
+    RefuseValue(option, path, "an image: " + extensions);
   }
   CheckReadable(path);
 }

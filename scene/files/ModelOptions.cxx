@@ -51,16 +51,6 @@ void TakeAnimation(RenderOptions& options, const std::string& word)
 }
 
 //------------------------------------------------------------------------------
-void TakeSkin(RenderOptions& options, const std::string& word)
-{
-  constexpr SkinChoice kinds[] = { SkinChoice::Off, SkinChoice::Linear, SkinChoice::DualQuaternion,
-    SkinChoice::KeyMatrix };
-  options.Model.Skin =
-    kinds[ParseChoice("--skin", word, { "off", "linear", "dual-quaternion", "key-matrix" })];
-  options.Model.Given = true;
-}
-
-//------------------------------------------------------------------------------
 void TakeTimes(RenderOptions& options, const std::string& word)
 {
   CheckOneTime(options);
@@ -168,8 +158,8 @@ void CheckModelOptions(RenderOptions& options)
   if (model.Given && !options.Files.empty() &&
     std::none_of(options.Files.begin(), options.Files.end(), IsModel))
   {
-    throw UsageError(Join(GetModelOptions(), ", ") +
-      ": no FILE can have bones; expected one of .bvh .dae .fbx .glb .gltf .iqm .ms3d .x");
+    throw UsageError(Join(GetModelOptions(), ", ") + ": no FILE can have bones; expected one of ." +
+      Join(GetModelExtensions(), " ."));
   }
   if (model.Times.empty())
   {

@@ -43,7 +43,6 @@ const std::vector<std::string>& GetModelOptions();
 
 void TakeTime(RenderOptions& options, const std::string& word);
 void TakeAnimation(RenderOptions& options, const std::string& word);
-void TakeSkin(RenderOptions& options, const std::string& word);
 void TakeTimes(RenderOptions& options, const std::string& word);
 void TakeBlend(RenderOptions& options, const std::string& word);
 void TakeLoop(RenderOptions& options, const std::string& word);

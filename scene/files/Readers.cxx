@@ -26,6 +26,7 @@
 #include "vtkPolyData.h"
 #include "vtkRelievoAllowedFolders.h"
 #include "vtkRelievoFileKind.h"
+#include "vtkRelievoModelReader.h"
 #include "vtkRelievoOBJReader.h"
 #include "vtkRelievoOFFReader.h"
 #include "vtkRelievoPLYReader.h"
@@ -216,47 +217,46 @@ void AddPieces(const std::string& path, const std::vector<std::string>& folders)
   }
 }
 
-struct ReaderRow
+// Files of data; those of models are vtkRelievoModelReader's.
+struct Format
 {
-  const char* Extension;
-  vtkSmartPointer<vtkAlgorithm> (*Make)(const std::string& path); // nullptr: models
+  std::vector<std::string> Extensions;
+  vtkSmartPointer<vtkAlgorithm> (*Open)(const std::string& path);
+  std::string Reader;  // whose it is, for messages
+  bool HasZUp = false; // as tools of CAD and printing have it, and grids in space
 };
 
-constexpr auto XML = OpenXML;
-const ReaderRow Rows[] = {
-  { ".vtp", XML },
-  { ".vtu", XML },
-  { ".vti", XML },
-  { ".vtr", XML },
-  { ".vts", XML },
-  { ".vtm", XML },
-  { ".vtmb", XML },
-  { ".pvtp", XML },
-  { ".pvtu", XML },
-  { ".pvti", XML },
-  { ".pvtr", XML },
-  { ".pvts", XML },
-  { ".vtk", OpenLegacy },
-  { ".stl", OpenSTL },
-  { ".ply", Open<vtkRelievoPLYReader> },
-  { ".obj", Open<vtkRelievoOBJReader> },
-  { ".off", Open<vtkRelievoOFFReader> },
-  { ".gltf", nullptr },
-  { ".glb", nullptr },
-  { ".bvh", nullptr },
-  { ".dae", nullptr },
-  { ".fbx", nullptr },
-  { ".iqm", nullptr },
-  { ".ms3d", nullptr },
-  { ".x", nullptr },
-};
+const std::vector<Format>& GetFormats()
+{
+  static const std::vector<Format> formats = {
+    { { "vtp" }, OpenXML, "VTK" },
+    { { "vtu", "vti", "vtr", "vts" }, OpenXML, "VTK", true },
+    { { "vtm", "vtmb", "pvtp" }, OpenXML, "VTK" },
+    { { "pvtu", "pvti", "pvtr", "pvts" }, OpenXML, "VTK", true },
+    { { "vtk" }, OpenLegacy, "VTK" },
+    { { "stl" }, OpenSTL, "VTK", true },
+    { { "ply" }, Open<vtkRelievoPLYReader>, "ply" },
+    { { "obj" }, Open<vtkRelievoOBJReader>, "obj" },
+    { { "off" }, Open<vtkRelievoOFFReader>, "off" },
+  };
+  return formats;
+}
 
-const ReaderRow* FindRow(const std::string& path)
+// nullptr: of models, or of no format.
+const Format* FindFormat(const std::string& path)
 {
   const std::string extension = ExtensionOf(path);
-  const auto row = std::find_if(std::begin(Rows), std::end(Rows),
-    [&extension](const ReaderRow& candidate) { return extension == candidate.Extension; });
-  return row == std::end(Rows) ? nullptr : row;
+  for (const Format& format : GetFormats())
+  {
+    for (const std::string& each : format.Extensions)
+    {
+      if (extension == "." + each)
+      {
+        return &format;
+      }
+    }
+  }
+  return nullptr;
 }
 }
 
@@ -270,23 +270,45 @@ std::string ExtensionOf(const std::string& path)
 }
 
 //------------------------------------------------------------------------------
+std::vector<std::string> GetDataExtensions()
+{
+  std::vector<std::string> all;
+  for (const Format& format : GetFormats())
+  {
+    all.insert(all.end(), format.Extensions.begin(), format.Extensions.end());
+  }
+  return all;
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::string> GetModelExtensions()
+{
+  return Split(vtkRelievoModelReader::GetExtensions(), ' ');
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::string> GetExtensions()
+{
+  std::vector<std::string> all = GetDataExtensions();
+  const std::vector<std::string> ofModels = GetModelExtensions();
+  all.insert(all.end(), ofModels.begin(), ofModels.end());
+  return all;
+}
+
+//------------------------------------------------------------------------------
 void CheckExtension(const std::string& path)
 {
-  if (!FindRow(path))
+  if (!HasReader(path))
   {
-    std::vector<std::string> known;
-    for (const ReaderRow& row : Rows)
-    {
-      known.push_back(row.Extension);
-    }
-    throw UsageError(path + ": no reader for this extension; expected one of " + Join(known, " "));
+    throw UsageError(
+      path + ": no reader for this extension; expected one of ." + Join(GetExtensions(), " ."));
   }
 }
 
 //------------------------------------------------------------------------------
 bool HasReader(const std::string& path)
 {
-  return FindRow(path) != nullptr;
+  return FindFormat(path) || IsModel(path);
 }
 
 //------------------------------------------------------------------------------
@@ -299,16 +321,23 @@ bool IsGLTF(const std::string& path)
 //------------------------------------------------------------------------------
 bool IsModel(const std::string& path)
 {
-  const ReaderRow* row = FindRow(path);
-  return row && !row->Make;
+  const std::vector<std::string> known = GetModelExtensions();
+  return std::any_of(known.begin(), known.end(),
+    [extension = ExtensionOf(path)](const std::string& each) { return extension == "." + each; });
+}
+
+//------------------------------------------------------------------------------
+bool HasZUp(const std::string& path)
+{
+  const Format* format = FindFormat(path);
+  return format && format->HasZUp;
 }
 
 //------------------------------------------------------------------------------
 std::string GetReaderName(const std::string& path)
 {
-  const std::string extension = ExtensionOf(path);
-  const bool ours = extension == ".ply" || extension == ".obj" || extension == ".off";
-  return ours ? extension.substr(1) : "VTK";
+  const Format* format = FindFormat(path);
+  return format ? format->Reader : "VTK";
 }
 
 //------------------------------------------------------------------------------
@@ -393,8 +422,8 @@ vtkSmartPointer<vtkDataObject> ReadData(
   const std::string& path, const std::vector<std::string>& folders, Progress& progress)
 {
   progress.Begin("reading " + path);
-  const auto make = FindRow(path)->Make;
-  make == XML ? AddPieces(path, folders) : OpenedFiles::Add(path);
+  const auto make = FindFormat(path)->Open;
+  make == OpenXML ? AddPieces(path, folders) : OpenedFiles::Add(path);
   const vtkSmartPointer<vtkAlgorithm> reader = make(path);
   progress.Observe(reader);
   reader->Update();

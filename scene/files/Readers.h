@@ -21,6 +21,13 @@ class Progress;
 /// The extension in lower case with its dot, ".vtp"; "" without one.
 std::string ExtensionOf(const std::string& path);
 
+///@{
+/// Those that readers take, without dots: of data, of models, of both.
+std::vector<std::string> GetDataExtensions();
+std::vector<std::string> GetModelExtensions();
+std::vector<std::string> GetExtensions();
+///@}
+
 /// Throws UsageError if no reader takes the path's extension.
 void CheckExtension(const std::string& path);
 
@@ -32,6 +39,9 @@ bool IsGLTF(const std::string& path);
 
 /// Whether the path's extension is glTF's or that of other models, which ReadModel reads.
 bool IsModel(const std::string& path);
+
+/// Whether files of the path's format have z up, where nothing else says so.
+bool HasZUp(const std::string& path);
 
 /// Whose reader reads the path, for messages: "VTK", or a format that Relievo itself reads.
 std::string GetReaderName(const std::string& path);

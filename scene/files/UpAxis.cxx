@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 
 namespace scene
 {
@@ -45,9 +44,6 @@ int FindUpAxis(const std::string& path, const double bounds[6])
   {
     return 2;
   }
-  // Tools of CAD and printing have z up, and so have grids in space.
-  static const std::set<std::string> withZ = { ".stl", ".vti", ".vtr", ".vts", ".vtu", ".pvti",
-    ".pvtr", ".pvts", ".pvtu" };
-  return withZ.count(ExtensionOf(path)) > 0 && extent(2) > 1e-3 * largest ? 2 : 1;
+  return HasZUp(path) && extent(2) > 1e-3 * largest ? 2 : 1;
 }
 }

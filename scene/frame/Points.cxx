@@ -23,6 +23,17 @@ namespace
 {
 const char* const Form = "FILE[,NAME=VALUE]...";
 
+std::string DescribePoints(const PointStage& stage)
+{
+  std::string text = "the points of FILE as " + stage.Points->GetThings() +
+    "; may be repeated. Values of points are numbers for all, or names of point arrays (those of "
+    "the values' names)" +
+    DescribeValues(stage.Points->GetDescription());
+  return stage.Parameters.empty()
+    ? text
+    : text + "\nand the stage's " + Join(stage.Parameters, ", ") + " (relievo stages)";
+}
+
 std::vector<PointStage> FindPointStages()
 {
   std::vector<PointStage> found;
@@ -32,11 +43,12 @@ std::vector<PointStage> FindPointStages()
     if (auto* stage = vtkRelievoPointStage::SafeDownCast(frame->GetStage(i)))
     {
       found.push_back({ stage->GetStageName(),
-        vtkSmartPointer<vtkRelievoPointValues>::Take(stage->NewPoints()), {} });
+        vtkSmartPointer<vtkRelievoPointValues>::Take(stage->NewPoints()), {}, "" });
       for (int k = 0; k < stage->GetNumberOfParameters(); ++k)
       {
         found.back().Parameters.push_back(stage->GetParameterName(k));
       }
+      found.back().Help = DescribePoints(found.back());
     }
   }
   return found;
@@ -169,18 +181,6 @@ const std::vector<PointStage>& GetPointStages()
 {
   static const std::vector<PointStage> stages = FindPointStages();
   return stages;
-}
-
-//------------------------------------------------------------------------------
-std::string DescribePoints(const PointStage& stage)
-{
-  std::string text = "the points of FILE as " + stage.Points->GetThings() +
-    "; may be repeated. Values of points are numbers for all, or names of point arrays (those of "
-    "the values' names)" +
-    DescribeValues(stage.Points->GetDescription());
-  return stage.Parameters.empty()
-    ? text
-    : text + "\nand the stage's " + Join(stage.Parameters, ", ") + " (relievo stages)";
 }
 
 //------------------------------------------------------------------------------

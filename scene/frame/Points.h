@@ -28,13 +28,11 @@ struct PointStage
   std::string Name;
   vtkSmartPointer<vtkRelievoPointValues> Points; ///< new ones, for what they say of themselves
   std::vector<std::string> Parameters;           ///< of the stage, which its option takes as well
+  std::string Help;                              ///< of the option
 };
 
 /// Of a frame, in its order.
 const std::vector<PointStage>& GetPointStages();
-
-/// What the option of a stage means, for people.
-std::string DescribePoints(const PointStage& stage);
 
 /// What an option asks for.
 struct PointsChoice

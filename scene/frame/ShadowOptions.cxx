@@ -9,7 +9,6 @@
 #include "vtkRelievoLayerCatalogue.h"
 
 #include <algorithm>
-#include <limits>
 
 namespace scene
 {
@@ -20,19 +19,6 @@ bool SetsShadows(const RenderOptions& options)
   return std::any_of(options.Stages.begin(), options.Stages.end(),
     [](const StageChoice& stage) { return stage.Name == "shadows"; });
 }
-}
-
-//------------------------------------------------------------------------------
-void TakeShadowTolerance(RenderOptions& options, const std::string& word)
-{
-  options.ShadowTolerance = ParseShare("--shadow-tolerance", word);
-}
-
-//------------------------------------------------------------------------------
-void TakeTimeBudget(RenderOptions& options, const std::string& word)
-{
-  options.TimeBudget =
-    ParseNumberBetween("--time-budget", word, 0.0, std::numeric_limits<double>::infinity());
 }
 
 //------------------------------------------------------------------------------
@@ -71,11 +57,7 @@ void CheckShadowWishes(RenderOptions& options, const std::set<std::string>& give
 //------------------------------------------------------------------------------
 bool ShowsShadows(const RenderOptions& options)
 {
-  return options.ShadowMethod != Shadows::Off ||
-    std::any_of(options.Stages.begin(), options.Stages.end(), [](const StageChoice& stage) {
-      return stage.Name == "shadows" &&
-        std::any_of(stage.Parameters.begin(), stage.Parameters.end(),
-          [](const auto& given) { return given.first == "visible" && given.second == "on"; });
-    });
+  const std::string* visible = FindStageChoice(options.Stages, "shadows", "visible");
+  return options.ShadowMethod != Shadows::Off || (visible && *visible == "on");
 }
 }

@@ -14,12 +14,6 @@ namespace scene
 {
 struct RenderOptions;
 
-/// "0.05%" or 0.0005.
-void TakeShadowTolerance(RenderOptions& options, const std::string& word);
-
-/// Milliseconds.
-void TakeTimeBudget(RenderOptions& options, const std::string& word);
-
 /// Rays.
 void TakeCertify(RenderOptions& options, const std::string& word);
 

@@ -63,27 +63,19 @@ void SetShadows(vtkRelievoPass* pass, vtkRenderer* renderer, const RenderOptions
 {
   pass->SetShadows(options.ShadowMethod != Shadows::Off);
   SetCasters(pass, renderer, options);
-  if (options.ShadowSize)
+  // In the viewer's words it is --stage: between frames of a widget OpenGL is not to be asked.
+  const std::string option = "--shadow-size";
+  if (const std::string* size = FindStageChoice(options.Stages, "shadows", "map_size", option))
   {
     vtkOpenGLRenderWindow* gl = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
-    const int limit = gl ? vtkTextureObject::GetMaximumTextureSize(gl) : *options.ShadowSize;
-    if (*options.ShadowSize > limit)
+    const int limit = gl ? vtkTextureObject::GetMaximumTextureSize(gl) : 0;
+    if (gl && std::stoi(*size) > limit)
     {
-      RefuseValue("--shadow-size", std::to_string(*options.ShadowSize),
-        "a whole number from " + std::to_string(SmallestShadowSize) + " to " +
-          std::to_string(limit) + ", the largest map that OpenGL makes here");
+      RefuseValue(option, *size,
+        "at most " + std::to_string(limit) + ", the largest map that OpenGL makes here");
     }
-    pass->GetShadowStage()->SetMapSize(*options.ShadowSize);
   }
-  if (options.SoftShadows)
-  {
-    pass->GetShadowStage()->SetSoftSamples(*options.SoftShadows);
-  }
-  pass->GetShadowStage()->SetSoftMaps(options.SoftMaps);
-  pass->GetShadowStage()->SetColoredShadows(options.ColoredShadows);
   pass->WaitForSamplesOn();
-  pass->GetShadowStage()->SetTolerance(options.ShadowTolerance.value_or(0.0));
-  pass->GetShadowStage()->SetTimeBudget(options.TimeBudget.value_or(0.0));
   constexpr int methods[] = { vtkRelievoShadowStage::METHOD_MAP, vtkRelievoShadowStage::METHOD_MAP,
     vtkRelievoShadowStage::METHOD_FORWARD, vtkRelievoShadowStage::METHOD_WARPED,
     vtkRelievoShadowStage::METHOD_EXACT };

@@ -58,6 +58,29 @@ StageChoice ParseStage(const std::string& word)
 }
 
 //------------------------------------------------------------------------------
+const std::string* FindStageChoice(const std::vector<StageChoice>& stages, const std::string& name,
+  const std::string& parameter, const std::string& option)
+{
+  const std::string* found = nullptr;
+  for (const StageChoice& choice : stages)
+  {
+    for (const auto& given : choice.Parameters)
+    {
+      const bool is = choice.Name == name && given.first == parameter;
+      found = is && (option.empty() || choice.Option == option) ? &given.second : found;
+    }
+  }
+  return found;
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoPass* GetNewFrame()
+{
+  static const vtkNew<vtkRelievoPass> frame;
+  return frame;
+}
+
+//------------------------------------------------------------------------------
 void CheckStages(const std::vector<StageChoice>& stages)
 {
   if (!stages.empty())

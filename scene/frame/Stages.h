@@ -29,6 +29,13 @@ StageChoice& AddStage(
 /// The word behind --stage. A value goes on over commas up to the next PARAMETER=.
 StageChoice ParseStage(const std::string& word);
 
+/// The last value of a parameter among the choices, or among those of one option; nullptr: none.
+const std::string* FindStageChoice(const std::vector<StageChoice>& stages, const std::string& name,
+  const std::string& parameter, const std::string& option = "");
+
+/// A frame as it is at first, for what its stages say of themselves.
+vtkRelievoPass* GetNewFrame();
+
 /// Throws UsageError if a frame has no such stage, or if it does not take a parameter's value.
 void CheckStages(const std::vector<StageChoice>& stages);
 

@@ -6,8 +6,6 @@
 #include "Options.h"
 #include "Values.h"
 
-#include <algorithm>
-
 namespace scene
 {
 namespace
@@ -55,30 +53,5 @@ void TakeExposure(RenderOptions& options, const std::string& word)
     RefuseValue("--exposure", word, "a number of stops from -20 to 20, or auto");
   }
   choice.Parameters.emplace_back("exposure", word);
-}
-
-//------------------------------------------------------------------------------
-void CheckToneOptions(const RenderOptions& options)
-{
-  const auto isOfStage = [](const StageChoice& choice) {
-    return choice.Name == Stage && choice.Option == StageChoice().Option;
-  };
-  for (const StageChoice& own : options.Stages)
-  {
-    for (const auto& said : own.Parameters)
-    {
-      const bool twice = !isOfStage(own) && own.Name == Stage &&
-        std::any_of(options.Stages.begin(), options.Stages.end(), [&](const StageChoice& other) {
-          return isOfStage(other) &&
-            std::any_of(other.Parameters.begin(), other.Parameters.end(),
-              [&said](const auto& parameter) { return parameter.first == said.first; });
-        });
-      if (twice)
-      {
-        throw UsageError(
-          own.Option + " and --stage tone:" + said.first + ": both set the same; give one of them");
-      }
-    }
-  }
 }
 }

@@ -14,9 +14,6 @@ struct RenderOptions;
 
 void TakeTone(RenderOptions& options, const std::string& word);
 void TakeExposure(RenderOptions& options, const std::string& word);
-
-/// Refuses what --stage tone says as well, in other words.
-void CheckToneOptions(const RenderOptions& options);
 }
 
 #endif

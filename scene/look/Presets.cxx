@@ -135,12 +135,15 @@ void AddShadows(RenderOptions& options, const std::set<std::string>& given, int 
     if (!says("--soft-shadows") && !says("--certify") && !says("--shadow-tolerance") &&
       !says("--time-budget") && !says("--layers"))
     {
-      options.SoftShadows = samples;
-      options.SoftMaps = SoftMaps;
-      if (!says("--shadow-size") && !says("--stage"))
+      StageChoice chosen{ "shadows",
+        { { "soft_samples", std::to_string(samples) }, { "soft_maps", std::to_string(SoftMaps) } },
+        "--preset" };
+      if (const std::optional<int> size = GetShadowSize(options.Size))
       {
-        options.ShadowSize = GetShadowSize(options.Size);
+        chosen.Parameters.emplace_back("map_size", std::to_string(*size));
       }
+      // Before what is said by --stage and by options, which count more.
+      options.Stages.insert(options.Stages.begin(), chosen);
     }
   }
 }
@@ -155,6 +158,13 @@ std::vector<std::string> GetPresetNames()
     names.emplace_back(preset.Name);
   }
   return names;
+}
+
+//------------------------------------------------------------------------------
+bool IsOfPresets(const std::string& stage, const std::string& parameter)
+{
+  return (stage == "antialias" && parameter == "samples") ||
+    (stage == "shadows" && parameter == "soft_samples");
 }
 
 //------------------------------------------------------------------------------

@@ -19,6 +19,9 @@ class Settings;
 /// "none" first, which is VTK's bare look.
 std::vector<std::string> GetPresetNames();
 
+/// Whether presets may set this parameter of a stage, where no words do.
+bool IsOfPresets(const std::string& stage, const std::string& parameter);
+
 /// Throws UsageError for a name that there is not.
 void TakePreset(RenderOptions& options, const std::string& word);
 

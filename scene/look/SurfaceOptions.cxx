@@ -240,6 +240,12 @@ void TakeMaterial(RenderOptions& options, const std::string& word)
 }
 
 //------------------------------------------------------------------------------
+const std::vector<std::string>& GetReliefMethods()
+{
+  return GetMaterial()->GetDescription().Find("relief_method")->Choices;
+}
+
+//------------------------------------------------------------------------------
 void TakeHeightMap(RenderOptions& options, const std::string& word)
 {
   options.HeightMap = word;
@@ -249,22 +255,6 @@ void TakeHeightMap(RenderOptions& options, const std::string& word)
     options.HeightScale = ParseNumberBetween(
       "--height-map " + word, scale, 0.0, std::numeric_limits<double>::infinity());
   }
-}
-
-//------------------------------------------------------------------------------
-void TakeRelief(RenderOptions& options, const std::string& word)
-{
-  const std::vector<std::string>& methods =
-    GetMaterial()->GetDescription().Find("relief_method")->Choices;
-  options.ReliefMethod = methods[ParseChoice("--relief", word, methods)];
-}
-
-//------------------------------------------------------------------------------
-void TakeTextureCoordinates(RenderOptions& options, const std::string& word)
-{
-  constexpr Mapping methods[] = { Mapping::Box, Mapping::Plane, Mapping::Sphere };
-  options.TextureMapping =
-    methods[ParseChoice("--texture-coordinates", word, { "box", "plane", "sphere" })];
 }
 
 //------------------------------------------------------------------------------
@@ -294,12 +284,6 @@ void TakeReflectivity(RenderOptions& options, const std::string& word)
   }
   options.Reflectivity = n[0];
   options.Roughness = both ? n[1] : options.Roughness;
-}
-
-//------------------------------------------------------------------------------
-void TakeUp(RenderOptions& options, const std::string& word)
-{
-  options.UpAxis = static_cast<int>(ParseChoice("--up", word, { "x", "y", "z" }));
 }
 
 //------------------------------------------------------------------------------

@@ -42,13 +42,13 @@ void SetEnvironmentFile(Settings& settings, const std::string& file, double rota
 /// it would be refused.
 void DropIdleSurface(Settings& settings);
 
+/// The words of vtkRelievoMaterial's relief_method.
+const std::vector<std::string>& GetReliefMethods();
+
 void TakeMaterial(RenderOptions& options, const std::string& word);
 void TakeHeightMap(RenderOptions& options, const std::string& word);
-void TakeRelief(RenderOptions& options, const std::string& word);
-void TakeTextureCoordinates(RenderOptions& options, const std::string& word);
 void TakeEnvironment(RenderOptions& options, const std::string& word);
 void TakeReflectivity(RenderOptions& options, const std::string& word);
-void TakeUp(RenderOptions& options, const std::string& word);
 
 /// `given`: the names of the options that were said.
 void CheckSurfaceOptions(const RenderOptions& options, const std::set<std::string>& given);

@@ -3,16 +3,27 @@
 #include "Arguments.h"
 
 #include "Errors.h"
-#include "Values.h"
 
 #include <algorithm>
 
 namespace scene
 {
+namespace
+{
+std::string ListNames(const vtkRelievoCommand& command)
+{
+  std::string names;
+  for (const vtkRelievoOption& option : command.Options)
+  {
+    names += (names.empty() ? "" : ", ") + option.Name;
+  }
+  return names;
+}
+}
+
 //------------------------------------------------------------------------------
-void ParseArguments(const std::vector<std::string>& words, const std::string& command,
-  const std::vector<KnownOption>& known,
-  const std::function<void(const std::string& name, const std::string& value)>& option,
+void SplitArguments(const std::vector<std::string>& words, const vtkRelievoCommand& command,
+  const std::function<void(const vtkRelievoOption& row, const std::string& value)>& option,
   const std::function<void(const std::string& word)>& plain)
 {
   for (std::size_t i = 0; i < words.size(); ++i)
@@ -30,38 +41,65 @@ void ParseArguments(const std::vector<std::string>& words, const std::string& co
     }
     const std::string::size_type equals = word.find('=');
     const std::string name = word.substr(0, equals);
-    const auto row = std::find_if(known.begin(), known.end(),
-      [&name](const KnownOption& candidate) { return candidate.Name == name; });
-    if (row == known.end())
+    const vtkRelievoOption* row = command.Find(name);
+    if (!row)
     {
-      std::vector<std::string> names;
-      for (const KnownOption& one : known)
-      {
-        names.push_back(one.Name);
-      }
       throw UsageError(
-        name + ": relievo " + command + " has no such option; it has " + Join(names, ", "));
+        name + ": relievo " + command.Name + " has no such option; it has " + ListNames(command));
     }
-    if (row->IsFlag)
+    if (row->IsFlag())
     {
       if (equals != std::string::npos)
       {
         throw UsageError(word + ": " + name + " takes no value");
       }
-      option(name, "");
+      option(*row, "");
     }
     else if (equals != std::string::npos)
     {
-      option(name, word.substr(equals + 1));
+      option(*row, word.substr(equals + 1));
     }
     else if (i + 1 < words.size() && words[i + 1].rfind("--", 0) != 0)
     {
-      option(name, words[++i]);
+      option(*row, words[++i]);
     }
     else
     {
       throw UsageError(name + ": its value is missing; see relievo --help");
     }
   }
+}
+
+//------------------------------------------------------------------------------
+std::set<std::string> TakeArguments(const std::vector<std::string>& words,
+  const vtkRelievoCommand& command, const std::function<void(const std::string& word)>& plain)
+{
+  std::set<std::string> given;
+  SplitArguments(
+    words, command,
+    [&given](const vtkRelievoOption& row, const std::string& value) {
+      if (!given.insert(row.Name).second && !row.Repeats)
+      {
+        throw UsageError(row.Name + ": given twice, expected once");
+      }
+      if (value.empty() && !row.IsFlag())
+      {
+        throw UsageError(row.Name + ": its value is empty; see relievo --help");
+      }
+      const std::string wrong = row.Take(value);
+      if (!wrong.empty())
+      {
+        throw UsageError(row.Name + ": " + wrong);
+      }
+    },
+    plain);
+  for (const vtkRelievoOption& option : command.Options)
+  {
+    if (!option.Missing.empty() && given.count(option.Name) == 0)
+    {
+      throw UsageError(command.Name + ": " + option.Missing);
+    }
+  }
+  return given;
 }
 }

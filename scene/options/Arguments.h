@@ -6,26 +6,27 @@
 #ifndef Arguments_h
 #define Arguments_h
 
+#include "vtkRelievoOption.h"
+
 #include <functional>
+#include <set>
 #include <string>
 #include <vector>
 
 namespace scene
 {
-struct KnownOption
-{
-  std::string Name;
-  bool IsFlag; ///< stands alone; any other takes one value
-  bool Repeats = false;
-};
-
-/// Calls option(name, value) for "--name value" and "--name=value", option(name, "") for a flag,
-/// and plain(word) for the other words and all behind "--". Throws UsageError for an option of
-/// `command` that is not known, a value that is missing, and a flag's value.
-void ParseArguments(const std::vector<std::string>& words, const std::string& command,
-  const std::vector<KnownOption>& known,
-  const std::function<void(const std::string& name, const std::string& value)>& option,
+/// Calls option(row, value) for "--name value" and "--name=value", option(row, "") for a flag, and
+/// plain(word) for the other words and all behind "--". Throws UsageError for an option that the
+/// command does not have, a value that is missing, and a flag's value.
+void SplitArguments(const std::vector<std::string>& words, const vtkRelievoCommand& command,
+  const std::function<void(const vtkRelievoOption& row, const std::string& value)>& option,
   const std::function<void(const std::string& word)>& plain);
+
+/// Has the command's options take their values. Returns the names of those that were given. Throws
+/// UsageError also for one that is given twice and does not repeat, for an empty value, for one
+/// that an option does not take, and for an option that is missing.
+std::set<std::string> TakeArguments(const std::vector<std::string>& words,
+  const vtkRelievoCommand& command, const std::function<void(const std::string& word)>& plain);
 }
 
 #endif

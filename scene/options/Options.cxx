@@ -2,8 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Options.h"
 
+#include "Arguments.h"
+#include "Colormaps.h"
 #include "Errors.h"
 #include "Lens.h"
+#include "Numbers.h"
 #include "Presets.h"
 #include "Readers.h"
 #include "ShadowOptions.h"
@@ -14,7 +17,11 @@
 #include "Values.h"
 
 #include "vtkRelievoCalibration.h"
+#include "vtkRelievoImageFile.h"
 #include "vtkRelievoLayerCatalogue.h"
+#include "vtkRelievoPass.h"
+#include "vtkRelievoStage.h"
+#include "vtkRelievoStageDescription.h"
 
 #include <algorithm>
 #include <cmath>
@@ -92,35 +99,6 @@ void TakeClip(RenderOptions& options, const std::string& word)
 }
 
 //------------------------------------------------------------------------------
-void TakeShading(RenderOptions& options, const std::string& word)
-{
-  constexpr Shading kinds[] = { Shading::Flat, Shading::Gouraud, Shading::Phong, Shading::PBR };
-  options.ShadingKind =
-    kinds[ParseChoice("--shading", word, { "flat", "gouraud", "phong", "pbr" })];
-}
-
-//------------------------------------------------------------------------------
-void TakeShadows(RenderOptions& options, const std::string& word)
-{
-  constexpr Shadows methods[] = { Shadows::Off, Shadows::Map, Shadows::Forward, Shadows::Warped,
-    Shadows::Exact };
-  options.ShadowMethod =
-    methods[ParseChoice("--shadows", word, { "off", "map", "forward", "warped", "exact" })];
-}
-
-//------------------------------------------------------------------------------
-void TakeShadowSize(RenderOptions& options, const std::string& word)
-{
-  options.ShadowSize = ParseWhole("--shadow-size", word, SmallestShadowSize, LargestSize);
-}
-
-//------------------------------------------------------------------------------
-void TakeSoftShadows(RenderOptions& options, const std::string& word)
-{
-  options.SoftShadows = ParseWhole("--soft-shadows", word, 1, MostSoftSamples);
-}
-
-//------------------------------------------------------------------------------
 void TakeAmbient(RenderOptions& options, const std::string& word)
 {
   const std::vector<std::string> pieces = Split(word, ',');
@@ -181,288 +159,423 @@ std::string NamedAs(
 }
 
 //------------------------------------------------------------------------------
-struct OptionRow
+// The rows of a command that fills these options.
+struct Rows
 {
-  std::string Name;
-  std::string Value; // its placeholder in the help; empty: a flag, which stands alone
-  std::string Help;  // lines that begin with blanks stay; @layers@ stands for the layers' names
-  std::function<void(RenderOptions&, const std::string& word)> Take;
-  bool Repeats = false;
+  RenderOptions& Options;
+  vtkRelievoCommand Command;
 
-  bool IsFlag() const { return this->Value.empty(); }
+  using Taker = std::function<void(RenderOptions& options, const std::string& word)>;
+
+  vtkRelievoOption& Add(
+    const std::string& name, const std::string& form, const std::string& help, const Taker& take)
+  {
+    vtkRelievoOption option;
+    option.Name = name;
+    option.Form = form;
+    option.Help = help;
+    option.Take = [options = &this->Options, take](const std::string& word) {
+      take(*options, word);
+      return std::string();
+    };
+    this->Command.Options.push_back(option);
+    return this->Command.Options.back();
+  }
+
+  vtkRelievoOption& AddFlag(const std::string& name, const std::string& help, bool& flag)
+  {
+    return this->Add(name, "", help, [&flag](RenderOptions&, const std::string&) { flag = true; });
+  }
+
+  // One that is another way to say a parameter of a stage. `help` stands before the bounds and the
+  // default; `read` makes the parameter's words of the option's.
+  vtkRelievoOption& AddOfStage(const std::string& use, const std::string& stage,
+    const std::string& parameter, const std::string& help,
+    const std::function<std::string(const std::string& word)>& read = nullptr)
+  {
+    vtkRelievoParameter set = *GetNewFrame()->GetStage(stage)->GetDescription().Find(parameter);
+    set.Help = help;
+    vtkRelievoOption option = vtkRelievoOption::Of(set, use);
+    option.Sets = stage + ":" + parameter;
+    option.Take = [=, options = &this->Options, check = option.Take, name = option.Name](
+                    const std::string& word) {
+      const std::string words = read ? read(word) : word;
+      const std::string wrong = check(words);
+      set.Parse(set.Default); // of the frame that has only been asked
+      if (wrong.empty())
+      {
+        AddStage(options->Stages, stage, name)
+          .Parameters.emplace_back(parameter, words.empty() ? "on" : words);
+      }
+      return wrong;
+    };
+    this->Command.Options.push_back(option);
+    return this->Command.Options.back();
+  }
+
+  // @choices@ in the help stands for them.
+  void AddChoice(const std::string& name, const std::string& form,
+    const std::vector<std::string>& choices, std::string help,
+    const std::function<void(std::size_t place)>& take)
+  {
+    const std::string mark = "@choices@";
+    const std::size_t at = help.find(mark);
+    if (at != std::string::npos)
+    {
+      help.replace(at, mark.size(), vtkRelievoEither(choices));
+    }
+    this
+      ->Add(name, form, help,
+        [name, choices, take](
+          RenderOptions&, const std::string& word) { take(ParseChoice(name, word, choices)); })
+      .Words = choices;
+  }
 };
+}
 
-std::vector<OptionRow> MakeRows()
+//------------------------------------------------------------------------------
+vtkRelievoCommand DescribeRender(RenderOptions& all)
 {
-  std::vector<OptionRow> rows = {
-    { "--allow-folder", "DIR",
-      "a folder that files may name others in, such as textures, buffers and pieces (each file's "
-      "own "
-      "folder); with what is below it",
-      [](RenderOptions& options, const std::string& word) {
-        options.AllowedFolders.push_back(word);
-      },
-      true },
-    { "--size", "WxH", "size of the picture in pixels, 1 to 16384 (1024x768)", TakeSize },
-    { "--camera", "PX,PY,PZ,FX,FY,FZ,UX,UY,UZ",
-      "position, focal point, up (fitted to the scene, from the upper right, or with "
-      "--preset none along -z, y up, or as --up says; at a flat scene from its flat side)",
-      TakeCamera },
-    { "--view-angle", "DEG", "full vertical angle of the perspective, above 0 and below 180 (30)",
-      [](RenderOptions& options, const std::string& word) {
-        options.ViewAngle = ParseNumberBetween("--view-angle", word, 0.0, 180.0);
-      } },
-    { "--parallel-scale", "S", "parallel projection; S is half the picture's height in world units",
-      [](RenderOptions& options, const std::string& word) {
-        options.ParallelScale = ParseNumberBetween("--parallel-scale", word, 0.0, Infinity);
-      } },
-    { "--lens", "LENS",
-      "what sees in place of a pinhole, in --png and --exr, whose layers are by rays: pinhole, "
-      "brown:K1,K2[,P1,P2[,K3[,K4,K5,K6]]], fisheye[:K1,K2,K3,K4] or division:K, with "
-      ",K=FX/FY/CX/CY "
-      "in pixels or ,angle=DEG that the height spans (the view angle); equirectangular[:H,V], "
-      "cube, "
-      "orthographic[:PIXELS]; or a calibration's file, which says the size as well: .yml, .yaml, "
-      ".json or .xml by OpenCV, ROS, Kalibr or EuRoC, also with .gz, or COLMAP's cameras.txt",
-      TakeLens },
-    { "--clip", "NEAR,FAR", "clipping distances, 0 < NEAR < FAR (around the scene)", TakeClip },
-    { "--image", "KIND",
+  Rows rows = { all, {} };
+  rows.Command.Name = "render";
+  rows.Command.Use = "FILE... --png F | --exr F | --report F";
+  rows.Command.About = "render draws the FILEs off screen and writes the outputs that you request.";
+  // Words are parsed often: what is long is written once.
+  static const std::string extensions = Join(GetExtensions(), "|");
+  static const std::string aboutFile = "." + Join(GetDataExtensions(), " .") +
+    " and models, which may have bones: ." + Join(GetModelExtensions(), " .") +
+    "\nGrids and images are drawn by their outer surface. Active scalars give the colour. OBJ and "
+    "glTF bring their materials and textures.";
+  rows.Command.AboutFile = aboutFile;
+  rows.Command.Files = extensions;
+  static const std::string images = vtkRelievoImageFile::ListExtensions("", "|");
+  static const std::string listed = vtkRelievoImageFile::ListExtensions(".");
+  static const std::string lights = DescribeLights();
+  static const std::string ofMaterial = DescribeValues(GetMaterialValues());
+  static const std::string ofEnvironment = DescribeValues(GetEnvironmentValues());
+  vtkRelievoOption& allowFolder = rows.Add("--allow-folder", "DIR",
+    "a folder that files may name others in, such as textures, buffers and pieces (each file's "
+    "own "
+    "folder); with what is below it",
+    [](
+      RenderOptions& options, const std::string& word) { options.AllowedFolders.push_back(word); });
+  allowFolder.Repeats = true;
+  allowFolder.Files = "/";
+  rows.Add("--size", "WxH", "size of the picture in pixels, 1 to 16384 (1024x768)", TakeSize);
+  rows.Add("--camera", "PX,PY,PZ,FX,FY,FZ,UX,UY,UZ",
+    "position, focal point, up (fitted to the scene, from the upper right, or with "
+    "--preset none along -z, y up, or as --up says; at a flat scene from its flat side)",
+    TakeCamera);
+  rows.Add("--view-angle", "DEG",
+    "full vertical angle of the perspective, above 0 and below 180 (30)",
+    [](RenderOptions& options, const std::string& word) {
+      options.ViewAngle = ParseNumberBetween("--view-angle", word, 0.0, 180.0);
+    });
+  rows.Add("--parallel-scale", "S",
+    "parallel projection; S is half the picture's height in world units",
+    [](RenderOptions& options, const std::string& word) {
+      options.ParallelScale = ParseNumberBetween("--parallel-scale", word, 0.0, Infinity);
+    });
+  vtkRelievoOption& lens = rows.Add("--lens", "LENS",
+    "what sees in place of a pinhole, in --png and --exr, whose layers are by rays: " +
+      vtkRelievoCalibration::GetForms(true) +
+      ", with ,K=FX/FY/CX/CY in pixels or ,angle=DEG that the height spans (the view angle); " +
+      vtkRelievoCalibration::GetForms(false) +
+      "; or a calibration's file, which says the size as well: .yml, .yaml, .json or .xml by "
+      "OpenCV, ROS, Kalibr or EuRoC, also with .gz, or COLMAP's cameras.txt",
+    TakeLens);
+  lens.OfOutputs = true;
+  lens.Files = "json|yml|yaml|xml|txt|gz";
+  lens.Words = vtkRelievoCalibration::GetNames();
+  rows.Add("--clip", "NEAR,FAR", "clipping distances, 0 < NEAR < FAR (around the scene)", TakeClip);
+  rows
+    .Add("--image", "KIND",
       "how images with depth (.vti, .vtk) are shown: labels, the smooth surface of each value but "
       "0; surface[=VALUE], where VALUE is reached (that which parts the values best); volume; box, "
       "the outer faces; auto, labels where there are any, else surface (auto with a preset and "
       "without --color-by, else box)",
-      [](RenderOptions& options, const std::string& word) { options.Image = ParseImage(word); } },
-    { "--shading", "KIND", "flat, gouraud, phong or pbr (phong; glTF keeps its own materials)",
-      TakeShading },
-    { "--preset", "NAME",
+      [](RenderOptions& options, const std::string& word) { options.Image = ParseImage(word); })
+    .Words = { "auto", "labels", "surface", "volume", "box" };
+  rows.AddChoice("--shading", "KIND", { "flat", "gouraud", "phong", "pbr" },
+    "@choices@ (phong; glTF keeps its own materials)", [&all](std::size_t place) {
+      constexpr Shading kinds[] = { Shading::Flat, Shading::Gouraud, Shading::Phong, Shading::PBR };
+      all.ShadingKind = kinds[place];
+    });
+  rows
+    .Add("--preset", "NAME",
       "studio, town or print: lights, shadows, ground, background and a view from the upper "
       "right, where no other option says them; none: VTK's headlight on black (studio, or what "
       "the environment variable RELIEVO_PRESET says)",
-      TakePreset },
-    { "--ground", "ON",
-      "on or off: a ground below the scene that catches its shadows, in the picture alone (on with "
-      "the lights of studio and town)",
-      [](RenderOptions& options, const std::string& word) {
-        options.Ground = ParseChoice("--ground", word, { "off", "on" }) == 1;
-      } },
-    { "--grid", "",
-      "shows a grid round the scene, with numbers on its axes x, y and z, in the picture alone",
-      [](RenderOptions& options, const std::string&) { options.Look.Grid = true; } },
-    { "--scale-bar", "UNIT[,length=LENGTH]",
-      "shows a bar of a round length, or of LENGTH, at the lower right, in the picture alone, with "
-      "its number and the unit of the scene's lengths, such as mm; none: the number alone. In "
-      "perspective it is right at the depth of the focal point",
-      TakeScaleBar },
-    { "--color-by", "NAME[,COMPONENT]",
-      "colours by a point or cell array, point:NAME or cell:NAME where two share a "
-      "name; COMPONENT a number from 0, or magnitude (the magnitude; bytes of 3 or 4 "
-      "components are colours)",
-      TakeColorBy },
-    { "--range", "MIN,MAX",
+      TakePreset)
+    .Words = GetPresetNames();
+  rows.AddChoice("--ground", "ON", { "off", "on" },
+    "on or off: a ground below the scene that catches its shadows, in the picture alone (on with "
+    "the lights of studio and town)",
+    [&all](std::size_t place) { all.Ground = place == 1; });
+  rows.AddFlag("--grid",
+    "shows a grid round the scene, with numbers on its axes x, y and z, in the picture alone",
+    all.Look.Grid);
+  rows.Add("--scale-bar", "UNIT[,length=LENGTH]",
+    "shows a bar of a round length, or of LENGTH, at the lower right, in the picture alone, with "
+    "its number and the unit of the scene's lengths, such as mm; none: the number alone. In "
+    "perspective it is right at the depth of the focal point",
+    TakeScaleBar);
+  rows.Add("--color-by", "NAME[,COMPONENT]",
+    "colours by a point or cell array, point:NAME or cell:NAME where two share a "
+    "name; COMPONENT a number from 0, or magnitude (the magnitude; bytes of 3 or 4 "
+    "components are colours)",
+    TakeColorBy);
+  rows
+    .Add("--range", "MIN,MAX",
       "values of the first and the last colour (those of all files together); symmetric: those, as "
       "far below zero as above it",
-      TakeRange },
-    { "--colormap", "NAME",
+      TakeRange)
+    .Words = { "symmetric" };
+  rows
+    .Add("--colormap", "NAME",
       "viridis, cool-warm, grey, hot or rainbow, or colours between commas, evenly placed or by "
       "their share of the range, such as black,0.3=#ff8000,white; behind it :reversed, the other "
       "way round, :log, by the logarithm of the values, :steps=N, in so many colours, :nan=COLOR, "
       "of what is no number (viridis)",
-      TakeColormap },
-    { "--scalar-bar", "", "shows the colours and their values at the right",
-      [](RenderOptions& options, const std::string&) { options.Look.ScalarBar = true; } },
-    { "--color", "COLOR",
-      "one colour for all meshes; COLOR is R/G/B from 0 to 1 as displays show it, "
-      "#rrggbb, or a name such as slategray",
-      TakeColor },
-    { "--opacity", "A", "of all meshes and volumes, 0 to 1 (1)", TakeOpacity },
-    { "--point-size", "PIXELS",
-      "width of points, 1 to 100; those wider than 1 are spheres (4 with a preset, else 1)",
-      TakePointSize },
-    { "--edges", "", "draws the edges of cells",
-      [](RenderOptions& options, const std::string&) { options.Look.Edges = true; } },
-    { "--background", "COLOR[,COLOR]", "one colour, or the bottom's and the top's (black)",
-      TakeBackground },
-    { "--light", "LIGHT", DescribeLights(), TakeNext<&RenderOptions::Lights, ParseLight>, true },
-    { "--fill", "F",
-      "share of the weak suns by which a preset fills what its first light, or --light, leaves "
-      "dark, 0 to 1 (1; 0.4 with --light)",
-      TakeFill },
-    { "--time", "T", "the time of models with bones, in seconds (the animation's start)",
-      TakeTime },
-    { "--times", "START:END:STEP",
-      "a frame for each of these times, the end included; the names of --png, --exr "
-      "and --report hold %d or %04d, the frame's number from 0. The fitted camera "
-      "sees all of them, and each frame's files are written whole before the next "
-      "frame",
-      TakeTimes },
-    { "--animation", "NAME", "which of their animations (the first)", TakeAnimation },
-    { "--blend", "NAME=W", "blends in another animation, W of the way, 0 to 1", TakeBlend },
-    { "--loop", "", "times after an animation's end start anew (the end holds)", TakeLoop },
-    { "--skin", "METHOD",
-      "how their bones move points: linear, dual-quaternion, key-matrix, or off for "
-      "the mesh at rest (linear)",
-      TakeSkin },
-    { "--skeleton", "",
-      "draws the bones, and the axes of their joints in red, green and blue; "
-      "--opacity makes the mesh see-through, not them",
-      TakeSkeleton },
-    { "--bone-weight", "BONE",
-      "colours by the weight of one bone; --color-by first_bone by the strongest", TakeBoneWeight },
-    { "--shadows", "METHOD",
-      "shadows of the lights in the picture: off, map, forward, warped or exact (map with studio "
-      "and town, else off)",
-      TakeShadows },
-    { "--shadow-size", "N", "side of each shadow map in texels, 16 to 16384 (2048)",
-      TakeShadowSize },
-    { "--soft-shadows", "N",
-      "shadows of lights with a size: the mean of N samples of each light's shape, 1 "
-      "to 4096",
-      TakeSoftShadows },
-    { "--colored-shadows", "",
-      "translucent meshes cast as well, and colour the light that passes them, as "
-      "stained glass does; needs --shadows exact",
-      [](RenderOptions& options, const std::string&) { options.ColoredShadows = true; } },
-    { "--shadow-tolerance", "S",
-      "shadows by the cheapest method that is expected to get at most this share of "
-      "the pixels wrong, such as 0.05% or 0.0005",
-      TakeShadowTolerance },
-    { "--time-budget", "MS",
-      "shadows by the most accurate method whose frames are expected to take at most "
-      "so many milliseconds",
-      TakeTimeBudget },
-    { "--certify", "N",
+      TakeColormap)
+    .Words = GetColormapNames();
+  rows.AddFlag(
+    "--scalar-bar", "shows the colours and their values at the right", all.Look.ScalarBar);
+  rows.Add("--color", "COLOR",
+    "one colour for all meshes; COLOR is R/G/B from 0 to 1 as displays show it, "
+    "#rrggbb, or a name such as slategray",
+    TakeColor);
+  rows.Add("--opacity", "A", "of all meshes and volumes, 0 to 1 (1)", TakeOpacity);
+  rows.Add("--point-size", "PIXELS",
+    "width of points, 1 to 100; those wider than 1 are spheres (4 with a preset, else 1)",
+    TakePointSize);
+  rows.AddFlag("--edges", "draws the edges of cells", all.Look.Edges);
+  rows.Add("--background", "COLOR[,COLOR]", "one colour, or the bottom's and the top's (black)",
+    TakeBackground);
+  vtkRelievoOption& light =
+    rows.Add("--light", "LIGHT", lights, TakeNext<&RenderOptions::Lights, ParseLight>);
+  light.Repeats = true;
+  light.Words = { "sun:", "spot:", "point:" };
+  rows.Add("--fill", "F",
+    "share of the weak suns by which a preset fills what its first light, or --light, leaves "
+    "dark, 0 to 1 (1; 0.4 with --light)",
+    TakeFill);
+  rows.Add(
+    "--time", "T", "the time of models with bones, in seconds (the animation's start)", TakeTime);
+  rows.Add("--times", "START:END:STEP",
+    "a frame for each of these times, the end included; the names of --png, --exr "
+    "and --report hold %d or %04d, the frame's number from 0. The fitted camera "
+    "sees all of them, and each frame's files are written whole before the next "
+    "frame",
+    TakeTimes);
+  rows.Add("--animation", "NAME", "which of their animations (the first)", TakeAnimation);
+  rows.Add("--blend", "NAME=W", "blends in another animation, W of the way, 0 to 1", TakeBlend);
+  rows.Add("--loop", "", "times after an animation's end start anew (the end holds)", TakeLoop);
+  rows.AddChoice("--skin", "METHOD", { "linear", "dual-quaternion", "key-matrix", "off" },
+    "how their bones move points: linear, dual-quaternion, key-matrix, or off for the mesh at rest "
+    "(linear)",
+    [&all](std::size_t place) {
+      constexpr SkinChoice kinds[] = { SkinChoice::Linear, SkinChoice::DualQuaternion,
+        SkinChoice::KeyMatrix, SkinChoice::Off };
+      all.Model.Skin = kinds[place];
+      all.Model.Given = true;
+    });
+  rows.Add("--skeleton", "",
+    "draws the bones, and the axes of their joints in red, green and blue; "
+    "--opacity makes the mesh see-through, not them",
+    TakeSkeleton);
+  rows.Add("--bone-weight", "BONE",
+    "colours by the weight of one bone; --color-by first_bone by the strongest", TakeBoneWeight);
+  rows.AddChoice("--shadows", "METHOD", { "off", "map", "forward", "warped", "exact" },
+    "shadows of the lights in the picture: @choices@ (map with studio and town, else off)",
+    [&all](std::size_t place) {
+      constexpr Shadows methods[] = { Shadows::Off, Shadows::Map, Shadows::Forward, Shadows::Warped,
+        Shadows::Exact };
+      all.ShadowMethod = methods[place];
+    });
+  rows.AddOfStage("--shadow-size N", "shadows", "map_size", "Side of each shadow map");
+  rows.AddOfStage("--soft-shadows N", "shadows", "soft_samples",
+    "Shadows of lights with a size: the mean of N samples of each light's shape");
+  rows.AddOfStage("--colored-shadows", "shadows", "colored_shadows",
+    "Translucent meshes cast as well, and colour the light that passes them, as stained glass "
+    "does; "
+    "needs --shadows exact");
+  rows
+    .AddOfStage("--shadow-tolerance S", "shadows", "tolerance", "-",
+      [](const std::string& word) { return WriteNumber(ParseShare("--shadow-tolerance", word)); })
+    .Help =
+    "shadows by the cheapest method that is expected to get at most this share of the pixels "
+    "wrong, such as 0.05% or 0.0005";
+  rows
+    .AddOfStage("--time-budget MS", "shadows", "time_budget", "-",
+      [](const std::string& word) {
+        return WriteNumber(ParseNumberBetween("--time-budget", word, 0.0, Infinity));
+      })
+    .Help = "shadows by the most accurate method whose frames are expected to take at most so many "
+            "milliseconds";
+  rows
+    .Add("--certify", "N",
       "judges N verdicts of the shadows, chosen at random, by rays in double "
       "precision, and prints the share that is wrong, with its 95 % bound",
-      TakeCertify },
-    { "--ambient", "STRENGTH[,radius=R][,NAME=VALUE]...",
+      TakeCertify)
+    .OfOutputs = true;
+  rows
+    .Add("--ambient", "STRENGTH[,radius=R][,NAME=VALUE]...",
       "ambient occlusion: opaque surfaces are darker by up to this share, 0 to 1, where they see "
       "less of the sky, by rays; beyond R world units nothing hides it (0: no limit). Other values "
       "are those of the stage ambient, such as samples=N rays of each pixel (64)",
-      TakeAmbient },
-    { "--normal-map", "F",
-      "normals from an image (.png .jpg .tif .bmp .tga .hdr .exr; OpenGL's green), placed "
-      "by the meshes' texture coordinates; linear values, not sRGB",
-      TakePath<&RenderOptions::NormalMap> },
-    { "--height-map", "F[,SCALE]",
+      TakeAmbient)
+    .Sets = "ambient";
+  rows
+    .Add("--normal-map", "F",
+      "normals from an image (" + listed +
+        "; OpenGL's green), placed by the meshes' texture coordinates; linear values, not sRGB",
+      TakePath<&RenderOptions::NormalMap>)
+    .Files = images;
+  rows
+    .Add("--height-map", "F[,SCALE]",
       "heights from an image; the ground lies SCALE below the mesh, in world units "
       "(0.02 of the scene's longest side)",
-      TakeHeightMap },
-    { "--relief", "METHOD",
-      "how heights are drawn: off (as normals only), parallax, steep, occlusion or "
-      "relief (relief)",
-      TakeRelief },
-    { "--material", "NAME=VALUE[,NAME=VALUE]...",
-      "other values of the material of all surfaces" + DescribeValues(GetMaterialValues()),
-      TakeMaterial },
-    { "--texture-coordinates", "METHOD",
-      "for meshes without them, to place maps: box, plane or sphere (box, with a "
-      "note)",
-      TakeTextureCoordinates },
-    { "--environment", "F[,DEG][,NAME=VALUE]...",
-      "light from all directions, which surfaces mirror and are lit by, from an image "
-      "(.exr .hdr .png .jpg .tif .bmp .tga) that is twice as wide as high, or from a square one of "
-      "a "
-      "mirror ball; rotated by DEG about the up axis (0). 8 and 16 bits are sRGB, "
-      "floats linear light. Other values are" +
-        DescribeValues(GetEnvironmentValues()),
-      TakeEnvironment },
-    { "--reflectivity", "R[,ROUGHNESS]",
-      "share of the environment that is mirrored at normal incidence, and roughness "
-      "of the mirror, each 0 to 1 (0.04,0.2)",
-      TakeReflectivity },
-    { "--skybox", "", "shows the environment behind everything",
-      [](RenderOptions& options, const std::string&) { options.Skybox = true; } },
-    { "--up", "AXIS",
-      "the up axis, x, y or z, of --environment, the fitted camera, the ground, shadows of "
-      "--markers and --texture-coordinates (y with --preset none; else by the first file: z for "
-      "STL, grids with depth, and what stands on z = 0, else y)",
-      TakeUp },
-    { "--deferred", "",
-      "shades opaque surfaces once for each pixel, after they are drawn: the same "
-      "picture, sooner where much is drawn over each other",
-      [](RenderOptions& options, const std::string&) {
-        AddStage(options.Stages, "deferred", "--deferred");
-      } },
-    { "--stage", "NAME[:PARAMETER=VALUE,...]",
-      "runs a stage of the frame with these parameters; may be repeated; `relievo "
-      "stages` lists them",
-      TakeNext<&RenderOptions::Stages, ParseStage>, true },
-    { "--tone", "OPERATOR[,white=W]",
-      "how light above 1 is shown in the picture: clamp, simple, reinhard or "
-      "reinhard-rgb; W is the light that becomes white (reinhard,white=4, if "
-      "--exposure is given). The EXR's colour is the light before",
-      TakeTone },
-    { "--exposure", "STOPS", "multiplies the light by 2 to this power, -20 to 20, or auto (0)",
-      TakeExposure },
-    { "--layers", "A,B,...",
-      "layers in the EXR besides its colour (depth), of "
-      "@layers@ "
-      "(shadow_N: visibility of the Nth --light, from 0: 1 lit, 0 dark), or the name "
-      "of a point or cell array; with --times flow, motion and flow_valid, to the frame before",
-      TakeLayers, true },
-    { "--png", "F", "the picture",
-      [](RenderOptions& options, const std::string& word) {
-        options.PNG = NamedAs(".png", "--png", word);
-      } },
-    { "--transparent", "",
-      "the picture without its background, RGBA; of the ground its shadows remain, as black that "
-      "is seen through",
-      [](RenderOptions& options, const std::string&) { options.Transparent = true; } },
-    { "--exr", "F", "OpenEXR: the colour as R G B A, then the layers as depth.Z normal.X ...",
-      [](RenderOptions& options, const std::string& word) {
-        options.EXR = NamedAs(".exr", "--exr", word);
-      } },
-    { "--hdr", "", "the colour of the EXR as the lights give it, unclamped, half floats",
-      [](RenderOptions& options, const std::string&) { options.HDR = true; } },
-    { "--report", "F", "frame report, JSON: what ran and why, GPU ms, bytes held",
-      TakePath<&RenderOptions::Report> },
-  };
-  // Stages that draw points have options of their names, before those of other stages.
-  auto place = std::find_if(
-    rows.begin(), rows.end(), [](const OptionRow& row) { return row.Name == "--deferred"; });
+      TakeHeightMap)
+    .Files = images;
+  rows.AddChoice("--relief", "METHOD", GetReliefMethods(),
+    "how heights are drawn: off (as normals only), parallax, steep, occlusion or relief (relief)",
+    [&all](std::size_t place) { all.ReliefMethod = GetReliefMethods()[place]; });
+  rows.Add("--material", "NAME=VALUE[,NAME=VALUE]...",
+    "other values of the material of all surfaces" + ofMaterial, TakeMaterial);
+  rows.AddChoice("--texture-coordinates", "METHOD", { "box", "plane", "sphere" },
+    "for meshes without them, to place maps: @choices@ (box, with a note)",
+    [&all](std::size_t place) {
+      constexpr Mapping methods[] = { Mapping::Box, Mapping::Plane, Mapping::Sphere };
+      all.TextureMapping = methods[place];
+    });
+  rows
+    .Add("--environment", "F[,DEG][,NAME=VALUE]...",
+      "light from all directions, which surfaces mirror and are lit by, from an image (" + listed +
+        ") that is twice as wide as high, or from a square one of a mirror ball; rotated by DEG "
+        "about the up axis (0). 8 and 16 bits are sRGB, floats linear light. Other values are" +
+        ofEnvironment,
+      TakeEnvironment)
+    .Files = images;
+  rows.Add("--reflectivity", "R[,ROUGHNESS]",
+    "share of the environment that is mirrored at normal incidence, and roughness "
+    "of the mirror, each 0 to 1 (0.04,0.2)",
+    TakeReflectivity);
+  rows.AddFlag("--skybox", "shows the environment behind everything", all.Skybox);
+  rows.AddChoice("--up", "AXIS", { "x", "y", "z" },
+    "the up axis, @choices@, of --environment, the fitted camera, the ground, shadows of "
+    "--markers and --texture-coordinates (y with --preset none; else by the first file: z for STL, "
+    "grids with depth, and what stands on z = 0, else y)",
+    [&all](std::size_t place) { all.UpAxis = static_cast<int>(place); });
   for (const PointStage& stage : GetPointStages())
   {
-    place = std::next(rows.insert(place,
-      { "--" + stage.Name, "FILE[,NAME=VALUE]...", DescribePoints(stage),
-        [name = stage.Name](
-          RenderOptions& options, const std::string& word) { TakePoints(options, name, word); },
-        true }));
+    vtkRelievoOption& points = rows.Add("--" + stage.Name, "FILE[,NAME=VALUE]...", stage.Help,
+      [name = stage.Name](
+        RenderOptions& of, const std::string& word) { TakePoints(of, name, word); });
+    points.Repeats = true;
+    points.Files = extensions;
   }
-  return rows;
+  vtkRelievoOption& deferred = rows.Add("--deferred", "",
+    "shades opaque surfaces once for each pixel, after they are drawn: the same "
+    "picture, sooner where much is drawn over each other",
+    [](RenderOptions& options, const std::string&) {
+      AddStage(options.Stages, "deferred", "--deferred");
+    });
+  deferred.Sets = "deferred";
+  vtkRelievoOption& stage = rows.Add("--stage", "NAME[:PARAMETER=VALUE,...]",
+    "runs a stage of the frame with these parameters; may be repeated; `relievo stages` lists them",
+    TakeNext<&RenderOptions::Stages, ParseStage>);
+  stage.Repeats = true;
+  stage.Sets = "any";
+  vtkRelievoOption& tone = rows.Add("--tone", "OPERATOR[,white=W]",
+    "how light above 1 is shown in the picture: clamp, simple, reinhard or "
+    "reinhard-rgb; W is the light that becomes white (reinhard,white=4, if "
+    "--exposure is given). The EXR's colour is the light before",
+    TakeTone);
+  tone.Sets = "tone";
+  tone.Words = { "clamp", "simple", "reinhard", "reinhard-rgb" };
+  vtkRelievoOption& exposure = rows.Add("--exposure", "STOPS",
+    "multiplies the light by 2 to this power, -20 to 20, or auto (0)", TakeExposure);
+  exposure.Sets = "tone";
+  exposure.Words = { "auto" };
+  vtkRelievoOption& layers = rows.Add("--layers", "A,B,...",
+    "layers in the EXR besides its colour (depth), of " +
+      vtkRelievoLayerCatalogue::GetLayerNames() +
+      " (shadow_N: visibility of the Nth --light, from 0: 1 lit, 0 dark), or the name "
+      "of a point or cell array; with --times flow, motion and flow_valid, to the frame before",
+    TakeLayers);
+  layers.Repeats = true;
+  layers.OfOutputs = true;
+  vtkRelievoOption& png =
+    rows.Add("--png", "F", "the picture", [](RenderOptions& options, const std::string& word) {
+      options.PNG = NamedAs(".png", "--png", word);
+    });
+  png.OfOutputs = true;
+  png.Files = "png";
+  rows
+    .AddFlag("--transparent",
+      "the picture without its background, RGBA; of the ground its shadows remain, as black that "
+      "is seen through",
+      all.Transparent)
+    .OfOutputs = true;
+  vtkRelievoOption& exr = rows.Add("--exr", "F",
+    "OpenEXR: the colour as R G B A, then the layers as depth.Z normal.X ...",
+    [](RenderOptions& options, const std::string& word) {
+      options.EXR = NamedAs(".exr", "--exr", word);
+    });
+  exr.OfOutputs = true;
+  exr.Files = "exr";
+  rows
+    .AddFlag(
+      "--hdr", "the colour of the EXR as the lights give it, unclamped, half floats", all.HDR)
+    .OfOutputs = true;
+  vtkRelievoOption& report = rows.Add("--report", "F",
+    "frame report, JSON: what ran and why, GPU ms, bytes held", TakePath<&RenderOptions::Report>);
+  report.OfOutputs = true;
+  report.Files = "json";
+  return rows.Command;
 }
 
-const std::vector<OptionRow>& GetRows()
+//------------------------------------------------------------------------------
+const vtkRelievoCommand& GetRenderCommand()
 {
-  static const std::vector<OptionRow> rows = MakeRows();
-  return rows;
+  static RenderOptions none;
+  static const vtkRelievoCommand command = DescribeRender(none);
+  return command;
 }
 
+namespace
+{
 //------------------------------------------------------------------------------
 // Whether --stage sets a parameter of the shadows, to this value if there is one.
 bool SetsShadows(
   const RenderOptions& options, const std::string& parameter, const std::string& value = {})
 {
-  return std::any_of(options.Stages.begin(), options.Stages.end(), [&](const StageChoice& stage) {
-    return stage.Name == "shadows" &&
-      std::any_of(stage.Parameters.begin(), stage.Parameters.end(), [&](const auto& given) {
-        return given.first == parameter && (value.empty() || given.second == value);
-      });
-  });
+  const std::string* given = FindStageChoice(options.Stages, "shadows", parameter, "--stage");
+  return given && (value.empty() || *given == value);
 }
 
 //------------------------------------------------------------------------------
-// An option and a parameter of --stage that set one thing may contradict each other.
-void CheckShadowStage(const RenderOptions& options, const std::set<std::string>& given)
+// An option and a parameter of --stage that set one thing may contradict each other. What points'
+// own options say of their stage counts more.
+void CheckSaidOnce(const RenderOptions& options, const std::set<std::string>& given)
 {
-  constexpr std::pair<const char*, const char*> same[] = { { "--shadows", "visible" },
-    { "--shadows", "method" }, { "--shadow-size", "map_size" },
-    { "--soft-shadows", "soft_samples" }, { "--colored-shadows", "colored_shadows" } };
-  for (const auto& [option, parameter] : same)
+  std::vector<StageChoice> said = options.Stages;
+  if (given.count("--shadows"))
   {
-    if (given.count(option) && SetsShadows(options, parameter))
+    AddStage(said, "shadows", "--shadows").Parameters = { { "visible", "" }, { "method", "" } };
+  }
+  const std::string byStage = StageChoice().Option;
+  for (const StageChoice& own : said)
+  {
+    const bool isOwn = own.Option != byStage && own.Option != "--preset" && given.count(own.Option);
+    for (const auto& [name, value] : isOwn ? own.Parameters : NamedWords())
     {
-      throw UsageError(std::string(option) + " and --stage shadows:" + parameter +
-        ": both set the same; give one of them");
+      if (FindStageChoice(options.Stages, own.Name, name, byStage))
+      {
+        throw UsageError(own.Option + " and " + byStage + " " + own.Name + ":" + name +
+          ": both set the same; give one of them");
+      }
     }
   }
 }
@@ -475,13 +588,15 @@ void CheckShadowsAsked(const RenderOptions& options, const std::set<std::string>
     SetsShadows(options, "visible") ||
     std::any_of(options.Layers.begin(), options.Layers.end(),
       [](const std::string& name) { return vtkRelievoLayerCatalogue::GetLight(name) >= 0; });
-  if (!asked && (options.ShadowSize || options.SoftShadows))
+  const bool sizes = given.count("--shadow-size") > 0;
+  const bool softens = given.count("--soft-shadows") > 0;
+  if (!asked && (sizes || softens))
   {
-    throw UsageError(std::string(options.ShadowSize ? "--shadow-size: there are no shadows to size"
-                                                    : "--soft-shadows: there are no shadows") +
+    throw UsageError(std::string(sizes ? "--shadow-size: there are no shadows to size"
+                                       : "--soft-shadows: there are no shadows") +
       ": give --shadows map, --stage shadows:visible=on, or a layer shadow_N, as well");
   }
-  if (options.ColoredShadows && options.ShadowMethod != Shadows::Exact &&
+  if (given.count("--colored-shadows") && options.ShadowMethod != Shadows::Exact &&
     !SetsShadows(options, "method", "exact"))
   {
     throw UsageError("--colored-shadows: maps know no colours: give --shadows exact as well");
@@ -490,8 +605,7 @@ void CheckShadowsAsked(const RenderOptions& options, const std::set<std::string>
     std::any_of(options.Lights.begin(), options.Lights.end(), [](const LightChoice& light) {
       return light.Size ? *light.Size > 0.0 : light.Is == LightChoice::Kind::Sun;
     });
-  if (options.SoftShadows && !options.Lights.empty() && !sized &&
-    !SetsShadows(options, "lamp_radius"))
+  if (softens && !options.Lights.empty() && !sized && !SetsShadows(options, "lamp_radius"))
   {
     throw UsageError("--soft-shadows: no light has a size: give one, as in --light "
                      "point:PX,PY,PZ,size=RADIUS");
@@ -522,7 +636,6 @@ void CheckTogether(RenderOptions& options, const std::set<std::string>& given)
   CheckLens(options);
   CheckModelOptions(options);
   CheckLookOptions(options, given);
-  CheckToneOptions(options);
   CheckStages(options.Stages);
   if (!options.Lights.empty())
   {
@@ -530,38 +643,9 @@ void CheckTogether(RenderOptions& options, const std::set<std::string>& given)
     CheckShadowLayers(options, lights, lights == 1 ? "--light option" : "--light options");
   }
   CheckSurfaceOptions(options, given);
-  CheckShadowStage(options, given);
+  CheckSaidOnce(options, given);
   CheckShadowsAsked(options, given);
 }
-}
-
-//------------------------------------------------------------------------------
-std::vector<KnownOption> GetRenderOptions()
-{
-  std::vector<KnownOption> known;
-  for (const OptionRow& row : GetRows())
-  {
-    known.push_back({ row.Name, row.IsFlag(), row.Repeats });
-  }
-  return known;
-}
-
-//------------------------------------------------------------------------------
-std::vector<OptionHelp> GetRenderHelp()
-{
-  std::vector<OptionHelp> all;
-  for (const OptionRow& row : GetRows())
-  {
-    std::string help = row.Help;
-    const std::string mark = "@layers@";
-    const std::size_t at = help.find(mark);
-    if (at != std::string::npos)
-    {
-      help.replace(at, mark.size(), vtkRelievoLayerCatalogue::GetLayerNames());
-    }
-    all.push_back({ row.Name, row.Value, help, row.Repeats });
-  }
-  return all;
 }
 
 //------------------------------------------------------------------------------
@@ -582,22 +666,7 @@ void CheckOutputs(const RenderOptions& options)
 RenderOptions ParseOptions(const std::vector<std::string>& words)
 {
   RenderOptions options;
-  std::set<std::string> seen;
-  ParseArguments(
-    words, "render", GetRenderOptions(),
-    [&](const std::string& name, const std::string& value) {
-      const auto row = std::find_if(GetRows().begin(), GetRows().end(),
-        [&name](const OptionRow& candidate) { return name == candidate.Name; });
-      if (!seen.insert(name).second && !row->Repeats)
-      {
-        throw UsageError(name + ": given twice, expected once");
-      }
-      if (value.empty() && !row->IsFlag())
-      {
-        throw UsageError(name + ": its value is empty; see relievo --help");
-      }
-      row->Take(options, value);
-    },
+  const std::set<std::string> seen = TakeArguments(words, DescribeRender(options),
     [&](const std::string& word) { options.Files.push_back(word); });
   // What the points' own options say of their stage counts more than --stage.
   std::stable_partition(options.Stages.begin(), options.Stages.end(),

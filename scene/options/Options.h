@@ -7,13 +7,13 @@
 #ifndef Options_h
 #define Options_h
 
-#include "Arguments.h"
 #include "LightOptions.h"
 #include "LookOptions.h"
 #include "ModelOptions.h"
 #include "Points.h"
 #include "Stages.h"
 #include "VolumeImages.h"
+#include "vtkRelievoOption.h"
 
 #include <array>
 #include <optional>
@@ -48,12 +48,6 @@ enum class Mapping
   Plane,
   Sphere
 };
-
-/// Width and height in texels of the smallest shadow map.
-constexpr int SmallestShadowSize = 16;
-
-/// Samples of each light's shape.
-constexpr int MostSoftSamples = 4096;
 
 /// Pixels or texels each way. OpenGL's own limit, which may be lower, is asked when there is one.
 constexpr int LargestSize = 16384;
@@ -90,12 +84,6 @@ struct RenderOptions
   std::optional<double> Fill;      ///< share of the preset's weak lights; none: it has no such
   bool YieldsToFile = false;       ///< if the file has lights, they are in the place of these
   Shadows ShadowMethod = Shadows::Off;
-  std::optional<int> ShadowSize;         ///< of each map, texels
-  int SoftMaps = 0;                      ///< that these are looked up in, where that can be
-  std::optional<int> SoftShadows;        ///< samples of each light's shape
-  bool ColoredShadows = false;           ///< what is translucent casts, and colours the light
-  std::optional<double> ShadowTolerance; ///< share of wrong pixels, 0 to 1
-  std::optional<double> TimeBudget;      ///< of a frame, milliseconds
   std::optional<int> Certify;            ///< rays
   std::string NormalMap, HeightMap;      ///< files; empty: none
   std::optional<double> HeightScale;     ///< depth of the relief, world units
@@ -119,20 +107,11 @@ struct RenderOptions
   std::string PNG, EXR, Report;     ///< empty: not asked for
 };
 
-/// Every option of render.
-std::vector<KnownOption> GetRenderOptions();
+/// The command `render`, whose options fill these.
+vtkRelievoCommand DescribeRender(RenderOptions& options);
 
-/// What an option is, for people.
-struct OptionHelp
-{
-  std::string Name;
-  std::string Value; ///< its placeholder; empty: a flag, which stands alone
-  std::string Help;  ///< paragraphs, and lines of tables, which begin with blanks
-  bool Repeats;
-};
-
-/// Of every option of render.
-std::vector<OptionHelp> GetRenderHelp();
+/// What there is to know of it.
+const vtkRelievoCommand& GetRenderCommand();
 
 /// Files and options in the words of `relievo render`; files may come later.
 RenderOptions ParseOptions(const std::vector<std::string>& words);

@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Settings.h"
 
+#include "Arguments.h"
 #include "Options.h"
+#include "Presets.h"
 #include "Values.h"
-#include "vtkNew.h"
 #include "vtkRelievoPass.h"
 #include "vtkRelievoStage.h"
 #include "vtkRelievoStageDescription.h"
@@ -17,16 +18,6 @@ namespace scene
 {
 namespace
 {
-const std::set<std::string> OutputOptions = { "--png", "--exr", "--report", "--certify", "--hdr",
-  "--layers", "--lens", "--transparent" };
-
-// Said as parameters of stages instead.
-const std::set<std::string> SaidByStages = { "--stage", "--shadow-size", "--soft-shadows",
-  "--ambient", "--shadow-tolerance", "--time-budget", "--deferred", "--tone", "--exposure" };
-
-constexpr const char* BeginWithPath[] = { "--allow-folder", "--normal-map", "--height-map",
-  "--environment" };
-
 std::string GetFirstTime(const std::string& times)
 {
   RenderOptions options;
@@ -38,12 +29,6 @@ std::string GetFirstTime(const std::string& times)
 bool IsOff(const std::string& stage, const std::string& samples)
 {
   return stage == "antialias" && samples == "1";
-}
-
-vtkRelievoPass* GetNewFrame()
-{
-  static const vtkNew<vtkRelievoPass> frame;
-  return frame;
 }
 
 // Of stages that are there without being seen.
@@ -63,16 +48,16 @@ std::string GetDefault(const std::string& stage, const std::string& parameter)
 Settings Settings::FromWords(const std::vector<std::string>& words)
 {
   Settings settings;
-  ParseArguments(
-    words, "render", GetRenderOptions(),
-    [&settings](const std::string& name, const std::string& value) {
-      if (name == "--times")
+  SplitArguments(
+    words, GetRenderCommand(),
+    [&settings](const vtkRelievoOption& option, const std::string& value) {
+      if (option.Name == "--times")
       {
         settings.Set("--time", GetFirstTime(value));
       }
-      else if (OutputOptions.count(name) == 0)
+      else if (!option.OfOutputs)
       {
-        settings.Values[name].push_back(value);
+        settings.Values[option.Name].push_back(value);
       }
     },
     [&settings](const std::string& word) { settings.Files.push_back(word); });
@@ -90,28 +75,12 @@ void Settings::TakeStages(const RenderOptions& options)
   {
     this->Set("--shadows", "map");
   }
-  // Or else the preset's, which no word says.
-  const bool soft = this->Has("--soft-shadows");
-  const bool sized = this->Has("--shadow-size");
-  for (const std::string& option : SaidByStages)
+  for (const vtkRelievoOption& option : GetRenderCommand().Options)
   {
-    this->Remove(option);
-  }
-  if (sized)
-  {
-    this->SetParameter("shadows", "map_size", std::to_string(*options.ShadowSize));
-  }
-  if (soft)
-  {
-    this->SetParameter("shadows", "soft_samples", std::to_string(*options.SoftShadows));
-  }
-  if (options.ShadowTolerance)
-  {
-    this->SetParameter("shadows", "tolerance", WriteNumber(*options.ShadowTolerance));
-  }
-  if (options.TimeBudget)
-  {
-    this->SetParameter("shadows", "time_budget", WriteNumber(*options.TimeBudget));
+    if (!option.Sets.empty())
+    {
+      this->Remove(option.Name); // said as parameters of stages instead
+    }
   }
   for (const StageChoice& choice : options.Stages)
   {
@@ -171,13 +140,15 @@ void Settings::ChangePaths(const std::string& folder, PathChange change)
     }
     this->SetAll(option, words);
   };
-  for (const char* option : BeginWithPath)
+  for (const vtkRelievoOption& option : GetRenderCommand().Options)
   {
-    changeAll(option, folder);
-  }
-  for (const PointStage& stage : GetPointStages())
-  {
-    changeAll("--" + stage.Name, JoinEscaped({ folder }, ','));
+    if (!option.Files.empty() && !option.OfOutputs)
+    {
+      // A comma ends the name of a file of points.
+      const bool ofPoints = std::any_of(GetPointStages().begin(), GetPointStages().end(),
+        [&option](const PointStage& stage) { return "--" + stage.Name == option.Name; });
+      changeAll(option.Name, ofPoints ? JoinEscaped({ folder }, ',') : folder);
+    }
   }
 }
 
@@ -220,12 +191,12 @@ std::vector<std::string> Settings::GetAllWords(const std::string& option) const
 std::vector<std::string> Settings::GetWords() const
 {
   std::vector<std::string> words;
-  for (const KnownOption& option : GetRenderOptions())
+  for (const vtkRelievoOption& option : GetRenderCommand().Options)
   {
     for (const std::string& value : this->GetAllWords(option.Name))
     {
       words.push_back(option.Name);
-      if (!option.IsFlag)
+      if (!option.IsFlag())
       {
         words.push_back(value);
       }
@@ -314,10 +285,6 @@ std::string Settings::GetParameter(const std::string& stage, const std::string& 
   {
     return this->Get("--shadows");
   }
-  if (stage == "shadows" && parameter == "colored_shadows" && this->Has("--colored-shadows"))
-  {
-    return "on";
-  }
   const std::string* value = this->Find(stage, parameter);
   return value ? *value : GetStandard(stage, parameter);
 }
@@ -326,24 +293,11 @@ std::string Settings::GetParameter(const std::string& stage, const std::string& 
 // Of what no word says: the preset's, where it has one.
 std::string Settings::GetStandard(const std::string& stage, const std::string& parameter) const
 {
-  if (stage == "shadows" && parameter == "soft_samples")
+  if (IsOfPresets(stage, parameter))
   {
-    const std::optional<int> samples = this->Parse().SoftShadows;
-    return samples ? std::to_string(*samples) : GetDefault(stage, parameter);
-  }
-  if (stage == "antialias" && !this->IsStageAsked(stage))
-  {
-    for (const StageChoice& choice : this->Parse().Stages)
-    {
-      for (const auto& [name, value] :
-        choice.Name == stage ? choice.Parameters : decltype(choice.Parameters)())
-      {
-        if (name == parameter)
-        {
-          return value;
-        }
-      }
-    }
+    const std::vector<StageChoice> stages = this->Parse().Stages;
+    const std::string* value = FindStageChoice(stages, stage, parameter, "--preset");
+    return value ? *value : GetDefault(stage, parameter);
   }
   return GetDefault(stage, parameter);
 }
@@ -396,10 +350,6 @@ void Settings::SwitchStage(const std::string& stage, bool on)
 void Settings::SetShadows(bool visible, const std::string& method)
 {
   this->SetGiven("shadows", "method", "map"); // which is the default
-  if (!visible || method != "exact")
-  {
-    this->Remove("--colored-shadows"); // which others refuse
-  }
   if (visible)
   {
     const bool wasOff = this->Get("--shadows") == "off";
@@ -434,10 +384,6 @@ void Settings::SetParameter(
   else if (stage == "shadows" && parameter == "method")
   {
     this->SetShadows(this->ShowsShadows(), value);
-  }
-  else if (stage == "shadows" && parameter == "colored_shadows" && this->Has("--colored-shadows"))
-  {
-    value == "on" ? void() : this->Remove("--colored-shadows");
   }
   else
   {
@@ -477,7 +423,7 @@ std::set<std::string> Settings::GetChanges(const Settings& other) const
   {
     changes.insert("");
   }
-  for (const KnownOption& option : GetRenderOptions())
+  for (const vtkRelievoOption& option : GetRenderCommand().Options)
   {
     if (this->GetAll(option.Name) != other.GetAll(option.Name))
     {

@@ -42,6 +42,15 @@ class Cave(CliTest):
             self.assertTrue((mask != self.values("--size", "48x48x48", *words)).any(), words)
         labels = self.values("--size", "48x48x48", "--content", "labels")
         self.assertTrue((labels == 1 - mask).all())
+        others = self.values("--size", "48x48x48", "--content", "labels", "--air-label", "7",
+                             "--rock-label=9")  # fmt: skip
+        self.assertTrue((others == 9 - 2 * mask).all())
+        # By the thresholds themselves: a wider shell has all the air of a narrower one.
+        wide, narrow = (
+            self.values("--size", "48x48x48", "--width", "0", "--shell", shell) > 0
+            for shell in ("-0.2,0.2", "-0.1,0.1")
+        )
+        self.assertTrue(wide[narrow].all() and wide.sum() > narrow.sum() > 0)
         density = self.values("--size", "48x48x48", "--content", "density")
         self.assertEqual(density.dtype, numpy.float32)
         self.assertTrue(((density < 0) == (mask == 1)).all())
@@ -51,10 +60,15 @@ class Cave(CliTest):
             ([], "no file to write; give -o FILE.vti"),
             (["-o", "a.png"], ["-o", "a.png", ".vti"]),
             (["-o", "a.vti", "--size", "5x5"], ["--size", "5x5", "WxHxD"]),
-            (["-o", "a.vti", "--size", "0x5x5"], ["--size", "'0'"]),
+            (["-o", "a.vti", "--size", "0x5x5"], ["--size", "'0x5x5'", "WxHxD", "from 1 to"]),
+            (["-o", "a.vti", "--size", "5x5x2147483648"], ["--size", "to 2147483647"]),
             (["-o", "a.vti", "--up", "w"], ["--up", "'w'", "x"]),
             (["-o", "a.vti", "--width", "nan"], ["--width", "nan"]),
-            (["-o", "a.vti", "--width", "0"], ["--width", "above 0", "'0'"]),
+            (["-o", "a.vti", "--width", "-1"], ["--width", "0 or more", "'-1'"]),
+            (["-o", "a.vti", "--shell", "1"], ["--shell", "A,B, two numbers", "'1'"]),
+            (["-o", "a.vti", "--rock-label", "256"], ["--rock-label", "from 0 to 255"]),
+            (["-o", "a.vti", "--seed=1", "--seed=2"], "--seed: given twice"),
+            (["-o", "a.vti", "--seed="], "--seed: its value is empty"),
             (["-o", "a.vti", "--scale", "0"], ["--scale", "above 0", "'0'"]),
             (["-o", "a.vti", "--vertical-scale", "-1"], ["--vertical-scale", "above 0", "'-1'"]),
             (["-o", "a.vti", "--content", "air"], ["--content", "mask"]),

@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What a shell knows of the command agrees with the command's own help: completion, manual page."""
+"""What a shell and the pages know of the command agrees with its own help: completion, manual page,
+the tables of options in docs."""
 
 import os
 import pathlib
@@ -14,7 +15,11 @@ RELIEVO = os.environ["RELIEVO"]
 HELP = subprocess.run(
     [RELIEVO, "--help"], stdout=subprocess.PIPE, text=True, check=True
 ).stdout
+WORDS = subprocess.run(
+    [RELIEVO, "--words"], stdout=subprocess.PIPE, text=True, check=True
+).stdout
 VERBS = ("render", "dataset", "visible", "sun", "cave", "bench")
+DOCS = pathlib.Path(COMPLETION).parents[3] / "docs"
 
 # What bash-completion brings, in so far as the completion of files and colons goes.
 STUBS = """
@@ -34,8 +39,8 @@ def options_of(verb):
     return dict(zip(found[::2], found[1::2]))
 
 
-def complete(*words, known=HELP, program=RELIEVO):
-    """What bash offers for the last word; `known` is the help that the completion has asked for
+def complete(*words, known=WORDS, program=RELIEVO):
+    """What bash offers for the last word; `known` are the words that the completion has asked for
     before, so that these tests do not start the command each time."""
     script = f"""{STUBS}
 source {COMPLETION}
@@ -45,7 +50,7 @@ printf '%s\\n' "${{COMPREPLY[@]}}"
 """
     done = subprocess.run(
         ["bash", "-c", script, "bash", *words],
-        env={**os.environ, "_relievo_help": known},
+        env={**os.environ, "_relievo_words": known},
         stdout=subprocess.PIPE,
         text=True,
         check=True,
@@ -100,11 +105,12 @@ class Completion(unittest.TestCase):
             text = " ".join(options_of("render")[option].split())
             listed = re.search(r"((?:[a-z-]+, )+[a-z-]+ or [a-z-]+)", text).group()
             offered = complete("render", option, "")
-            self.assertEqual(sorted(re.split(r", | or ", listed)), sorted(offered))
+            others = ["none"] if option == "--preset" else []
+            self.assertEqual(sorted([*re.split(r", | or ", listed), *others]), sorted(offered))
 
     def test_files(self):
         pattern = complete("render", "")[0]
-        listed = re.search(r"FILE  ((?:\.\w+\s+)+)", HELP).group(1).split()
+        listed = re.findall(r"\.\w+", re.search(r"FILE  +((?:.|\n)+?)Grids", HELP).group(1))
         self.assertGreater(len(listed), 15)
         script = 'for f in "${@:2}"; do [[ ${f#.} == $1 ]] || echo $f; done'
         left_out = subprocess.run(
@@ -114,16 +120,67 @@ class Completion(unittest.TestCase):
             check=True,
         ).stdout
         self.assertEqual(left_out, "")
-        self.assertEqual(complete("render", "a.off", "--png", ""), ["FILE png"])
+        self.assertEqual(complete("render", "a.off", "--png", ""), ["FILE @(png)"])
+        self.assertEqual(complete("cave", "-o", ""), ["FILE @(vti)"])
+        self.assertEqual(complete("dataset", "--out", ""), ["FILE -d"])
+        self.assertEqual(complete("visible", "--lens", "./a"), ["FILE @(json|yml|yaml|xml|txt|gz)"])
 
     def test_first_word(self):
         self.assertEqual(complete("re"), ["render"])
+        self.assertEqual(complete("s"), ["sun", "stages"])
+        self.assertEqual(set(complete("")), {*VERBS, "stages", "--help", "--version"})
         self.assertEqual(complete("stages", ""), [])
 
     def test_nothing_is_offered_for_a_number(self):
         self.assertEqual(complete("render", "--size", ""), [])
         self.assertEqual(complete("cave", "--seed", ""), [])
         self.assertEqual(complete("render", "--edges", ""), complete("render", ""))
+
+
+class Pages(unittest.TestCase):
+    def test_tables(self):
+        """Each command's table has its options, and no others; bench's are in the text."""
+        page = (DOCS / "command-line.md").read_text(encoding="utf-8")
+        for verb, text in (
+            ("render", page.split("## Options")[1]),
+            ("visible", page.split("| option of `visible` |")[1]),
+            ("sun", page.split("| option of `sun` |")[1]),
+            ("dataset", (DOCS / "datasets.md").read_text("utf-8").split("## Options")[1]),
+            ("cave", (DOCS / "caves.md").read_text("utf-8").split("## Settings")[1]),
+        ):
+            table = re.search(r"^\|---.*\n((?:\|.*\n)+)", text, re.M).group(1)
+            cells = [row.split("|")[1:3] for row in table.splitlines()]
+            named = re.findall(r"`(--?[a-z][a-z-]*)[ `\[]", "\n".join(map(str, cells)))
+            self.assertLessEqual(set(options_of(verb)), {*named, "-o"}, verb)
+            firsts = [cell[verb == "cave"] for cell in cells]
+            said = re.findall(r"`(--?[a-z][a-z-]*)[ `\[]", "\n".join(firsts))
+            self.assertLessEqual(set(said), set(options_of(verb)), verb)
+
+    def test_files(self):
+        """What is read, in the table and in the words."""
+        page = (DOCS / "command-line.md").read_text(encoding="utf-8")
+        table = page.split("| extension | what is drawn |")[1].split("\n\n")[0]
+        listed = [each for row in table.splitlines()[2:]
+                  for each in re.findall(r"`\.(\w+)`", row.split("|")[1])]  # fmt: skip
+        read = re.search(r"^render \. (.*)$", WORDS, re.M).group(1)
+        self.assertEqual(sorted(listed), sorted(read.split("|")))
+
+    def test_lenses(self):
+        """The words of sensors, in their page's table and in the help, form by form."""
+        page = (DOCS / "cameras.md").read_text(encoding="utf-8")
+        rows = page.split("### A lens in a word")[1].split("|---|---|\n")[1].splitlines()
+        listed = [form for row in rows[:rows.index(next(r for r in rows if ".yml" in r))]
+                  for form in re.findall(r"`([^`]+)`", row.split("|")[1])]  # fmt: skip
+        said = " ".join(options_of("render")["--lens"].split())
+        said = said.split("by rays: ")[1].split("; or a cal")[0]
+        said = re.sub(r", with ,K=[^;]*;", ",", said)
+        self.assertEqual(listed, re.split(r", (?=[a-z])", said))
+
+    def test_synopsis(self):
+        """The ways to call it, word for word."""
+        page = (DOCS / "command-line.md").read_text(encoding="utf-8")
+        listed = re.findall(r"^    (relievo .*)$", page.split("\n\n`render`")[0], re.M)
+        self.assertEqual(listed, re.findall(r"^  (relievo .*)$", HELP.split("\n\nrender")[0], re.M))
 
 
 class Manual(unittest.TestCase):

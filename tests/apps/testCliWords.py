@@ -70,6 +70,7 @@ WRONG_VALUES = [
     ("--size", "16385x600", "whole number from 1 to 16384"),
     ("--shadow-size", "16385", "whole number from 16 to 16384"),
     ("--shadow-size", "1.5", "whole number"),
+    ("--soft-shadows", "4097", "whole number from 0 to 4096"),
     ("--shadow-tolerance", "0", "a number between 0 and 1"),
     ("--shadow-tolerance", "2", "a number between 0 and 1"),
     ("--shadow-tolerance", "200%", "a percentage between 0% and 100%"),
@@ -86,7 +87,7 @@ WRONG_VALUES = [
     ("--reflectivity", "0.5,-1", "both from 0 to 1"),
     ("--reflectivity", "bright", "a finite number"),
     ("--environment", "sky.png,1e999", "a finite number"),
-    ("--environment", "sky.xyz", ".exr .hdr .png"),
+    ("--environment", "sky.xyz", ".png .jpg .jpeg"),
     ("--png", "a.foo", "ends in .png"),
     ("--png", "a", "ends in .png"),
     ("--png", "a.exr", "ends in .png"),
@@ -180,9 +181,16 @@ class Words(CliTest):
             (["--shadows", "off", "--stage", "shadows:visible=on"], "--shadows", "visible"),
             (["--shadows", "map", "--shadow-size", 64, "--stage", "shadows:map_size=32"],
              "--shadow-size", "map_size"),
+            (["--shadow-tolerance", "1%", "--stage", "shadows:tolerance=0.1"],
+             "--shadow-tolerance", "tolerance"),
+            (["--time-budget", "9", "--stage", "shadows:time_budget=8"], "--time-budget",
+             "time_budget"),
         ):  # fmt: skip
             self.refused("render", "triangle.off", "--png", "a.png", *words, status=2,
                          says=[option, f"shadows:{parameter}", "one of them"])
+        self.refused("render", "triangle.off", "--png", "a.png", "--ambient", "1", "--stage",
+                     "ambient:strength=0.5", status=2,
+                     says="--ambient and --stage ambient:strength: both set the same")  # fmt: skip
 
     def test_unknown_layer(self):
         self.refused("render", "triangle.off", "--exr", "a.exr", "--layers", "depth,detph",

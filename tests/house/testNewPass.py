@@ -6,8 +6,10 @@ In a copy of the tree, tools/new-pass adds a pass. With the words of a build, wh
 and is left to the night, the copy is built, the new pass's own test runs, and the pass is used from
 the command line, Python and ParaView, whose sources are as they were. So is a layer that one entry
 adds to the catalogue (newLayer.py), and values that their class and its page have, of fog
-(newValue.py) and of materials (newSurfaceValue.py). The tests that compare pages with the code pass
-with all of them.
+(newValue.py) and of materials (newSurfaceValue.py), a setting of a filter and an option of a
+command (newSetting.py), a format of data sets (newFormat.py), formats of files (newFileFormat.py)
+and a sensor in words (newLens.py). The tests that compare pages with the code pass with all of
+them.
 """
 
 import filecmp
@@ -18,7 +20,11 @@ import shutil
 import subprocess
 import sys
 
+import newFileFormat
+import newFormat
 import newLayer
+import newLens
+import newSetting
 import newSurfaceValue
 import newValue
 
@@ -79,6 +85,10 @@ def main(source, cmake=None, ctest=None, *options):
     assert not complaints, complaints
 
     newLayer.add(tree)
+    newSetting.add(tree)
+    newFormat.add(tree)
+    newFileFormat.add(tree)
+    newLens.add(tree)
     newValue.add(tree)
     newSurfaceValue.add(tree)
     if not cmake:
@@ -91,7 +101,7 @@ def main(source, cmake=None, ctest=None, *options):
     viewer = [name for name in ("relievo_tests_viewer",) if f"{name}:" in listed]
     targets = ["relievo_tests_effects", "relievo", "relievo_python", *plugin, *viewer]
     run([cmake, "--build", build, "--target", *targets])
-    pages = "testPython_test(Layers|PointValues|SurfaceValues)"
+    pages = "testPython_test(Layers|PointValues|SurfaceValues)|testCliShell"
     output = run([ctest, "--test-dir", build, "-R", f"^(test{NAME}Stage|{pages})$",
                   "--no-tests=error", "--output-on-failure"])
     assert "100% tests passed" in output, output
@@ -99,12 +109,20 @@ def main(source, cmake=None, ctest=None, *options):
     folder = tree.parent
     on_the_command_line(build)
     newLayer.on_the_command_line(run, build, folder)
+    newSetting.on_the_command_line(run, build, folder)
+    newFormat.on_the_command_line(run, build, folder)
+    newFileFormat.on_the_command_line(run, build, folder)
+    newLens.on_the_command_line(run, build, folder)
     newValue.on_the_command_line(run, build, folder)
     newSurfaceValue.on_the_command_line(run, build, folder)
     python = next(each for each in options if each.startswith("-DPython3_EXECUTABLE"))
     python = python.split("=", 1)[1]
     in_python(build, python)
     newLayer.in_python(run, build, python, folder)
+    newSetting.in_python(run, build, python, folder)
+    newFormat.in_python(run, build, python, folder)
+    newFileFormat.in_python(run, build, python, folder)
+    newLens.in_python(run, build, python, folder)
     newValue.in_python(run, build, python, folder)
     newSurfaceValue.in_python(run, build, python, folder)
     if viewer:
@@ -112,6 +130,8 @@ def main(source, cmake=None, ctest=None, *options):
     if paraview:
         in_paraview(build)
         newLayer.in_paraview(run, build, folder)
+        newSetting.in_paraview(run, build, folder)
+        newFileFormat.in_paraview(run, build, folder)
         newValue.in_paraview(run, build, folder)
         newSurfaceValue.in_paraview(run, build, folder)
         in_the_dock(source, build)

@@ -192,7 +192,7 @@ private Q_SLOTS:
         covered.insert(word.toStdString());
       }
     }
-    for (const scene::KnownOption& option : scene::GetRenderOptions())
+    for (const vtkRelievoOption& option : scene::GetRenderCommand().Options)
     {
       QVERIFY2(covered.count(option.Name) != 0, option.Name.c_str());
     }

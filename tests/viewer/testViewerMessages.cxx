@@ -166,7 +166,7 @@ private Q_SLOTS:
       quoted("\u201cExposure\u201d in Look is given, --certify 5"));
     this->Open({ this->WriteScene(), "--scalar-bar", "--color-by", "height" });
     int named = 0;
-    for (const scene::KnownOption& option : scene::GetRenderOptions())
+    for (const vtkRelievoOption& option : scene::GetRenderCommand().Options)
     {
       const viewer::OptionName name = viewer::FindOptionName(QString::fromStdString(option.Name));
       if (name.Panel.isEmpty())

@@ -137,6 +137,12 @@ private Q_SLOTS:
     const scene::Settings soft =
       scene::Settings::FromWords({ "a.vtp", "--preset", "studio", "--soft-shadows", "8" });
     QCOMPARE(soft.GetParameter("shadows", "soft_samples"), std::string("8"));
+    // What words say counts more than the preset, in whichever way they say it.
+    const scene::Settings same = scene::Settings::FromWords(
+      { "a.vtp", "--preset", "studio", "--stage", "shadows:soft_samples=8" });
+    QVERIFY(same == soft);
+    QCOMPARE(
+      *scene::FindStageChoice(same.Parse().Stages, "shadows", "soft_samples"), std::string("8"));
   }
 
   // Shadows that are switched off and on again, or on and off, are as they were.

@@ -15,11 +15,9 @@ function quoted(text) {
   return text
 }
 function say(text) { print quoted(text) }
-# VERB begins the part that is about the command of that name.
-function heading(verb) {
-  if (verb ~ /^(render|dataset|visible|sun|cave|stages|bench)$/) {
-    print ".SH RELIEVO " toupper(verb)
-  }
+# The name of a command begins the part that is about it.
+function heading(word) {
+  if (word in commands) print ".SH RELIEVO " toupper(word)
 }
 
 NR == 1 {
@@ -31,6 +29,7 @@ NR == 1 {
   next
 }
 part == "synopsis" && /^  / {
+  commands[$2] = 1
   print ".B " quoted(substr($0, 3))
   print ".br"
   next

@@ -46,8 +46,7 @@ void LightPanel::AddEnvironment()
   this->Environment->setToolTip(
     "Light from all around, from an image in equirectangular or cross form");
   QFormLayout* rows = GetRows(this->Environment);
-  this->File = new FileEdit("Environment",
-    "Images (*.exr *.hdr *.png *.jpg *.jpeg *.tif *.tiff *.bmp *.tga)", this->Environment);
+  this->File = new FileEdit("Environment", this->Environment);
   this->File->setObjectName("file");
   rows->addRow("Image", this->File);
   const auto add = [&](const char* title, const char* name, double most, double step) {

@@ -18,15 +18,14 @@ namespace viewer
 {
 namespace
 {
-const char* const Images = "Images (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.tga *.hdr *.exr)";
 }
 
 //------------------------------------------------------------------------------
 MaterialGroup::MaterialGroup(Document* document, QWidget* parent)
   : FoldGroup("Material", "material", parent)
   , Edited(document)
-  , Normals(new FileEdit("Normal map", Images, this))
-  , Heights(new FileEdit("Height map", Images, this))
+  , Normals(new FileEdit("Normal map", this))
+  , Heights(new FileEdit("Height map", this))
   , Depth(new relievoQt::Number(0.0, 1e9, 0.01, 6, this))
   , Relief(MakeChoice(document, "--relief", this))
   , Coordinates(MakeChoice(document, "--texture-coordinates", this))

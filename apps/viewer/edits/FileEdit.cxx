@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FileEdit.h"
 
+#include "vtkRelievoImageFile.h"
+
 #include "RecentFiles.h"
 
 #include <QFileDialog>
@@ -13,10 +15,9 @@
 namespace viewer
 {
 //------------------------------------------------------------------------------
-FileEdit::FileEdit(const QString& title, const QString& filter, QWidget* parent)
+FileEdit::FileEdit(const QString& title, QWidget* parent)
   : QWidget(parent)
   , Title(title)
-  , Filter(filter)
   , Line(new QLineEdit(this))
 {
   auto* browse = new QPushButton("...", this);
@@ -57,7 +58,8 @@ void FileEdit::Ask()
 {
   const QString folder =
     this->Shown.isEmpty() ? GetLastFolder() : QFileInfo(this->Shown).absolutePath();
-  const QString path = QFileDialog::getOpenFileName(this, this->Title, folder, this->Filter);
+  const QString path = QFileDialog::getOpenFileName(this, this->Title, folder,
+    QString::fromStdString("Images (" + vtkRelievoImageFile::ListExtensions("*.") + ")"));
   if (!path.isEmpty())
   {
     this->SetPath(path);

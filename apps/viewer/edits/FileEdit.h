@@ -18,8 +18,8 @@ class FileEdit : public QWidget
   Q_OBJECT
 
 public:
-  /// `title` and `filter` are those of the dialog, such as "Images (*.png)".
-  FileEdit(const QString& title, const QString& filter, QWidget* parent = nullptr);
+  /// Of images. `title`: that of the dialog.
+  explicit FileEdit(const QString& title, QWidget* parent = nullptr);
 
   /// Sends no signal.
   void SetPath(const QString& path);
@@ -32,7 +32,7 @@ Q_SIGNALS:
   void edited(const QString& path);
 
 private:
-  QString Title, Filter;
+  QString Title;
   QString Shown;
   QLineEdit* Line;
 };

@@ -16,7 +16,7 @@ namespace
 {
 bool IsOfShadows(const std::string& change)
 {
-  return change == "--shadows" || change == "--colored-shadows" || change.rfind("shadows:", 0) == 0;
+  return change == "--shadows" || change.rfind("shadows:", 0) == 0;
 }
 }
 

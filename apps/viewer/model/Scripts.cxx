@@ -116,13 +116,13 @@ std::string WritePython(const scene::Settings& view, const std::string& png)
   {
     text += "    " + QuoteForPython(file) + ",\n";
   }
-  for (const scene::KnownOption& option : scene::GetRenderOptions())
+  for (const vtkRelievoOption& option : scene::GetRenderCommand().Options)
   {
     const std::vector<std::string> values = view.GetAllWords(option.Name);
     if (!values.empty())
     {
       text += "    " + GetKeyword(option.Name) + "=" +
-        (option.IsFlag       ? "True"
+        (option.IsFlag()     ? "True"
             : option.Repeats ? WriteList(values)
                              : QuoteForPython(values.front())) +
         ",\n";

@@ -6,8 +6,10 @@
 #include "Rows.h"
 #include "pqCoreUtilities.h"
 #include "pqFileDialog.h"
+#include "pqRelievoFileWidget.h"
 #include "pqRelievoScene.h"
 #include "pqView.h"
+#include "vtkSMProxy.h"
 
 #include <QCheckBox>
 #include <QFileInfo>
@@ -82,7 +84,8 @@ void pqRelievoEnvironmentControls::Choose()
     return;
   }
   pqFileDialog dialog(this->View->getServer(), pqCoreUtilities::mainWidget(), "Environment",
-    QString(), "Images (*.hdr *.exr *.png *.jpg *.jpeg *.tif *.tiff *.bmp *.tga)");
+    QString(),
+    pqRelievoFileWidget::GetFilter(this->View->getProxy()->GetProperty("RelievoEnvironment")));
   dialog.setObjectName("RelievoEnvironmentDialog");
   dialog.setFileMode(pqFileDialog::ExistingFile);
   if (dialog.exec() == QDialog::Accepted && !dialog.getSelectedFiles().isEmpty())

@@ -1,0 +1,175 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Command.h"
+
+#include "Arguments.h"
+#include "Errors.h"
+#include "Readers.h"
+#include "Values.h"
+
+#include "vtkRelievoParameterList.h"
+
+#include <algorithm>
+#include <regex>
+
+namespace cli
+{
+namespace
+{
+// The words of a parameter that has none of its own: "--air-label N" of air_label.
+std::string MakeUse(const vtkRelievoParameter& parameter)
+{
+  using P = vtkRelievoParameter;
+  static const std::map<P::Types, std::string> forms = { { P::FLAG, "" }, { P::WHOLE, " N" },
+    { P::NUMBER, " N" }, { P::CHOICE, " KIND" }, { P::COLOR, " COLOR" }, { P::PAIR, " A,B" },
+    { P::VECTOR, " X,Y,Z" }, { P::SIZE, " WxHxD" }, { P::TEXT, " TEXT" } };
+  std::string name = parameter.Name;
+  std::replace(name.begin(), name.end(), '_', '-');
+  return "--" + name + forms.at(parameter.Type);
+}
+}
+
+//------------------------------------------------------------------------------
+Command::Command(const std::string& name, const std::string& use, const std::string& about)
+{
+  this->Rows.Name = name;
+  this->Rows.Use = use;
+  this->Rows.About = about;
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoOption& Command::Add(const std::string& use, const std::string& help,
+  const std::function<void(const std::string& value)>& take)
+{
+  const std::size_t blank = use.find(' ');
+  vtkRelievoOption option;
+  option.Name = use.substr(0, blank);
+  option.Form = blank == std::string::npos ? "" : use.substr(blank + 1);
+  option.Help = help;
+  option.Take = [take](const std::string& value) {
+    take(value);
+    return std::string();
+  };
+  this->Rows.Options.push_back(option);
+  return this->Rows.Options.back();
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoOption& Command::AddWord(
+  const std::string& use, const std::string& help, std::string& word)
+{
+  return this->Add(use, help, [&word](const std::string& value) { word = value; });
+}
+
+//------------------------------------------------------------------------------
+void Command::AddFlag(const std::string& name, const std::string& help, bool& flag)
+{
+  this->Add(name, help, [&flag](const std::string&) { flag = true; });
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoOption& Command::AddOutput(
+  const std::string& use, const std::string& help, std::string& file)
+{
+  const std::string extension = scene::ExtensionOf(use);
+  const std::string name = use.substr(0, use.find(' '));
+  vtkRelievoOption& option =
+    this->Add(use, help, [&file, name, extension](const std::string& value) {
+      if (scene::ExtensionOf(value) != extension)
+      {
+        scene::RefuseValue(name, value, "a name that ends in " + extension);
+      }
+      file = value;
+    });
+  option.Files = extension.substr(1);
+  return option;
+}
+
+//------------------------------------------------------------------------------
+void Command::AddMeshOptions(const std::string& extension)
+{
+  this->Rows.Files = scene::Join(scene::GetExtensions(), "|");
+  this->AddOutput("-o FILE" + extension, "the mesh", this->File).Missing =
+    "no file to write; give -o FILE" + extension;
+  vtkRelievoOption& folders = this->Add("--allow-folder DIR",
+    "a folder that files may name pieces in, besides their own; repeatable",
+    [this](const std::string& value) { this->AllowedFolders.push_back(value); });
+  folders.Files = "/";
+  folders.Repeats = true;
+  const std::vector<std::string> axes = { "x", "y", "z" };
+  this
+    ->Add("--up AXIS",
+      "the axis that points up, " + vtkRelievoEither(axes) + " (by the first FILE)",
+      [this, axes](const std::string& value) {
+        this->Up = static_cast<int>(scene::ParseChoice("--up", value, axes));
+      })
+    .Words = axes;
+}
+
+//------------------------------------------------------------------------------
+void Command::AddParameters(
+  const vtkRelievoParameterList& list, const std::map<std::string, std::string>& uses)
+{
+  const std::size_t before = this->Rows.Options.size();
+  for (const vtkRelievoParameter& parameter : list.Parameters)
+  {
+    const auto found = uses.find(parameter.Name);
+    const std::string use = found == uses.end() ? MakeUse(parameter) : found->second;
+    if (!use.empty())
+    {
+      this->Rows.Options.push_back(vtkRelievoOption::Of(parameter, use));
+      this->OptionOf[vtkRelievoCapitalize(parameter.Name, false)] = this->Rows.Options.back().Name;
+    }
+  }
+  for (std::size_t i = before; i < this->Rows.Options.size(); ++i)
+  {
+    this->Rows.Options[i].Help = this->NameOptions(this->Rows.Options[i].Help);
+  }
+}
+
+//------------------------------------------------------------------------------
+std::string Command::NameOptions(const std::string& text) const
+{
+  std::string named = text;
+  for (const auto& [parameter, option] : this->OptionOf)
+  {
+    named = std::regex_replace(named, std::regex("\\b" + parameter + "\\b"), option);
+  }
+  return named;
+}
+
+//------------------------------------------------------------------------------
+std::set<std::string> Command::Take(const std::vector<std::string>& words)
+{
+  const vtkRelievoCommand command = this->DescribeAll();
+  std::set<std::string> given =
+    scene::TakeArguments(words, command, [this](const std::string& word) {
+      if (this->Rows.Use.empty())
+      {
+        const vtkRelievoOption& first = this->Rows.Options.front();
+        throw scene::UsageError(this->Rows.Name + ": got '" + word +
+          "', expected options; the file is given as " + first.GetUse());
+      }
+      this->Names.push_back(word);
+    });
+  return given;
+}
+
+//------------------------------------------------------------------------------
+void Command::TakeMeshes(const std::vector<std::string>& words)
+{
+  this->Take(words);
+  if (this->Names.empty())
+  {
+    throw scene::UsageError(this->Rows.Name + ": no FILE given");
+  }
+  for (const std::string& file : this->Names)
+  {
+    if (scene::IsModel(file))
+    {
+      throw scene::UsageError(file + ": a model, expected data, such as .vtp, .vtu, .obj or .stl");
+    }
+    scene::CheckExtension(file);
+  }
+}
+}

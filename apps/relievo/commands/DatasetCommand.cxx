@@ -1,0 +1,295 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Command.h"
+#include "DatasetPoses.h"
+#include "Errors.h"
+#include "Lens.h"
+#include "Messages.h"
+#include "Options.h"
+#include "SceneWork.h"
+#include "Values.h"
+
+#include "vtkActorCollection.h"
+#include "vtkNew.h"
+#include "vtkRelievoCameraModel.h"
+#include "vtkRelievoDatasetWriter.h"
+#include "vtkRenderer.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <filesystem>
+#include <limits>
+#include <map>
+#include <set>
+
+namespace cli
+{
+namespace
+{
+// Options of render that poses, or the data set's own files, are in the place of.
+constexpr const char* OfRender[] = { "--camera", "--parallel-scale", "--clip", "--times", "--png",
+  "--exr", "--report", "--hdr", "--transparent", "--certify" };
+
+bool IsOfRender(const std::string& name)
+{
+  return std::find(std::begin(OfRender), std::end(OfRender), name) != std::end(OfRender);
+}
+
+// What an object is.
+enum class DatasetParts
+{
+  File,
+  Actor,
+  Block
+};
+
+// Objects are called by their files; what is of no file, such as a ground, hides and no more.
+void NameObjects(vtkRelievoDatasetWriter* writer, vtkRelievoScene* scene, DatasetParts kind)
+{
+  std::map<std::string, std::string> names; // by file
+  std::map<std::string, int> parts;         // of a file, so far
+  std::set<std::string> ofFiles, ofParts;   // that are taken
+  for (int actor = 0; actor < scene->GetRenderer()->GetActors()->GetNumberOfItems(); ++actor)
+  {
+    const std::string file = scene->GetFileOf(actor);
+    if (file.empty())
+    {
+      writer->SetObjectName(actor, "");
+      continue;
+    }
+    if (names.count(file) == 0)
+    {
+      const std::string stem = std::filesystem::path(file).stem().string();
+      std::string name = stem;
+      for (int same = 2; !ofFiles.insert(name).second; ++same)
+      {
+        name = stem + "_" + std::to_string(same);
+      }
+      names[file] = name;
+    }
+    std::string name = names[file];
+    if (kind != DatasetParts::File)
+    {
+      do
+      {
+        name = names[file] + "_" + std::to_string(parts[file]++);
+      } while (!ofParts.insert(name).second);
+    }
+    writer->SetObjectName(actor, name);
+  }
+  writer->SetObjectsByBlock(kind == DatasetParts::Block);
+}
+
+class DatasetCommand : public Command
+{
+public:
+  DatasetCommand()
+    : Command("dataset", "FILE...",
+        "dataset writes what many cameras see of the FILEs as a data set, to learn from or to "
+        "judge by: pictures, depth, masks of each object, its boxes and poses, and the "
+        "cameras. It takes the options of render that shape the scene and its look; --size, "
+        "--view-angle and --lens are the cameras'. The same call goes on where an earlier one "
+        "ended.")
+  {
+    this->Rows.Files = scene::GetRenderCommand().Files;
+    vtkRelievoOption& poses = this->Add("--poses POSES",
+      "orbit:N[,elevation=30][,distance=1], places around the scene; "
+      "random:N[,lowest=0][,highest=90][,nearest=1][,farthest=1.5], anywhere between two "
+      "elevations and two distances, of which 1 shows everything; or a FILE.json, a list of "
+      "{\"R\", \"t\"} or {\"position\", \"target\"}, or a transforms.json",
+      [this](const std::string& value) {
+        scene::CheckDatasetPoses("--poses", value);
+        this->Poses = value;
+      });
+    poses.Missing = "no cameras; give --poses orbit:N, random:N or FILE.json";
+    poses.Words = { "orbit:", "random:" };
+    poses.Files = "json";
+    vtkRelievoOption& out =
+      this->AddWord("--out DIR", "the folder: new, empty, or begun by the same call", this->Folder);
+    out.Missing = "no folder to write to; give --out DIR";
+    out.Files = "/";
+    this
+      ->Add("--layers A,B...",
+        "layers that are written as floats: in layers/NUMBER.exr, of npz as arrays; flow, motion "
+        "and flow_valid go to the view before",
+        [this](const std::string& value) { this->TakeLayers(value); })
+      .Repeats = true;
+    const std::vector<std::string> kinds = { "file", "actor", "block" };
+    this
+      ->Add("--objects KIND",
+        "what an object is: file, actor (of a file with several materials or parts) or block "
+        "(file)",
+        [this, kinds](const std::string& value) {
+          this->Objects = static_cast<DatasetParts>(scene::ParseChoice("--objects", value, kinds));
+        })
+      .Words = kinds;
+    this->AddParameters(this->Writer->GetParameters(),
+      { { "format", "--format FORMAT" }, { "depth_step", "--depth-step S" },
+        { "mm_per_unit", "--mm-per-unit M" }, { "up", "" } });
+    this->Add("--views A:B", "from view A to before view B, as one of several processes (all)",
+      [this](const std::string& value) { this->TakeRange(value); });
+  }
+
+  // Its own, and those of render for the scene.
+  vtkRelievoCommand DescribeAll() override
+  {
+    vtkRelievoCommand all = this->Rows;
+    for (vtkRelievoOption& option : all.Options)
+    {
+      if (option.Name != "--out" && option.Name != "--views")
+      {
+        option.Take = [this, option](const std::string& value) {
+          this->Words.push_back(option.IsFlag() ? option.Name : option.Name + "=" + value);
+          return option.Take(value);
+        };
+      }
+    }
+    for (vtkRelievoOption option : scene::GetRenderCommand().Options)
+    {
+      if (!this->Rows.Find(option.Name) && !IsOfRender(option.Name))
+      {
+        option.Take = [this, name = option.Name, isFlag = option.IsFlag()](
+                        const std::string& value) {
+          this->Scene.push_back(isFlag ? name : name + "=" + value);
+          this->Words.push_back(this->Scene.back());
+          return std::string();
+        };
+        all.Options.push_back(option);
+      }
+    }
+    return all;
+  }
+
+  int Run(const std::vector<std::string>& words) override
+  {
+    this->TakeAll(words);
+    const scene::Messages::Scope scope;
+    vtkNew<vtkRelievoScene> scene;
+    SetWords(scene, this->Scene);
+    {
+      const SceneSteps steps(scene);
+      const bool done = scene->Update();
+      CheckDone(done, scene->GetFailure(), scene->GetFailureText());
+    }
+    vtkRelievoDatasetWriter* writer = this->Writer;
+    writer->SetRenderer(scene->GetRenderer());
+    writer->SetDirectory(this->Folder);
+    writer->SetUpAxis(scene->GetUpAxis());
+    writer->SetRange(this->Range[0], this->Range[1]);
+    writer->SetDescription(scene::Join(this->Words, " "));
+    NameObjects(writer, scene, this->Objects);
+    this->AddViews();
+    {
+      scene::Progress progress;
+      progress.Begin("writing " + this->Folder);
+      progress.Observe(writer);
+      const bool done = writer->Write();
+      CheckDone(done, writer->GetFailure(), writer->GetFailureText());
+    }
+    std::printf("%s: %d of %d views written", this->Folder.c_str(),
+      writer->GetNumberOfViewsWritten(), writer->GetNumberOfViews());
+    if (writer->GetNumberOfViewsKept() > 0)
+    {
+      std::printf(", %d were there", writer->GetNumberOfViewsKept());
+    }
+    std::printf("\n");
+    PrintMessages(scene);
+    PrintWarnings();
+    return 0;
+  }
+
+private:
+  void TakeLayers(const std::string& value)
+  {
+    for (const std::string& layer : scene::SplitEscaped(value, ','))
+    {
+      if (layer.empty())
+      {
+        scene::RefuseValue("--layers", value, "names between commas, such as depth,normal");
+      }
+      this->Writer->AddLayer(layer);
+    }
+  }
+
+  void TakeRange(const std::string& value)
+  {
+    const std::string name = "--views";
+    const std::vector<std::string> parts = scene::Split(value, ':');
+    if (parts.size() != 2)
+    {
+      scene::RefuseValue(name, value, "A:B, from view A to before view B");
+    }
+    for (std::size_t i = 0; i < 2; ++i)
+    {
+      this->Range[i] =
+        scene::ParseWhole(name + " " + value, parts[i], 0, std::numeric_limits<int>::max());
+    }
+    if (this->Range[0] >= this->Range[1])
+    {
+      scene::RefuseValue(name, value, "the first view to be before the end");
+    }
+  }
+
+  void TakeAll(const std::vector<std::string>& words)
+  {
+    for (const std::string& word : words)
+    {
+      const std::string name = word.substr(0, word.find('='));
+      if (IsOfRender(name))
+      {
+        throw scene::UsageError(name +
+          ": is an option of relievo render; of a data set --poses says where the cameras are, "
+          "--format and --out what is written");
+      }
+      if (word == "--")
+      {
+        break;
+      }
+    }
+    this->Take(words);
+    if (this->Names.empty())
+    {
+      throw scene::UsageError("dataset: no FILE given");
+    }
+    this->Scene.emplace_back("--");
+    for (std::vector<std::string>* to : { &this->Scene, &this->Words })
+    {
+      to->insert(to->end(), this->Names.begin(), this->Names.end());
+    }
+    this->Render = scene::ParseOptions(this->Scene);
+    scene::CheckLensScale(this->Render);
+  }
+
+  void AddViews()
+  {
+    vtkRelievoDatasetWriter* writer = this->Writer;
+    const bool done = writer->AddViews(this->Poses, scene::MakeSensor(this->Render));
+    const bool usage = writer->GetFailure() == vtkRelievoScene::USAGE_FAILURE;
+    CheckDone(done, writer->GetFailure(), (usage ? "--" : "") + writer->GetFailureText());
+    const int views = writer->GetNumberOfViews();
+    if (this->Range[1] > views)
+    {
+      scene::RefuseValue("--views",
+        std::to_string(this->Range[0]) + ":" + std::to_string(this->Range[1]),
+        "views from 0 to " + std::to_string(views) + ": there are " + std::to_string(views));
+    }
+  }
+
+  vtkNew<vtkRelievoDatasetWriter> Writer;
+  std::vector<std::string> Scene; // files and options in the words of render
+  std::vector<std::string> Words; // all words but where to write, and which views
+  scene::RenderOptions Render;    // of these words
+  std::string Poses;              // "orbit:N", "random:N", or a file
+  std::string Folder;
+  DatasetParts Objects = DatasetParts::File;
+  std::array<int, 2> Range = { 0, -1 }; // views from one to before another; -1: all
+};
+}
+
+//------------------------------------------------------------------------------
+std::unique_ptr<Command> MakeDataset()
+{
+  return std::make_unique<DatasetCommand>();
+}
+}

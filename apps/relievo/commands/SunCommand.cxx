@@ -1,0 +1,144 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Command.h"
+#include "Errors.h"
+#include "Messages.h"
+#include "Outputs.h"
+#include "Progress.h"
+#include "SightFiles.h"
+#include "Values.h"
+
+#include "vtkCellData.h"
+#include "vtkFieldData.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkRelievoSunExposure.h"
+
+#include <cmath>
+#include <cstdio>
+#include <regex>
+
+namespace cli
+{
+namespace
+{
+class SunCommand : public Command
+{
+public:
+  SunCommand()
+    : Command("sun", "FILE...",
+        "sun finds by rays how long the sun shines on a mesh, and writes it with the arrays "
+        "sun_hours and insolation (each hour times the cosine between the sun and the "
+        "normal). The first FILE is the mesh, the others shade it. North is z, -z or y where "
+        "x, y or z points up.")
+  {
+    this
+      ->Add("--place LATITUDE,LONGITUDE", "degrees; north and east are positive",
+        [this](const std::string& value) { this->TakePlace(value); })
+      .Missing = "no place; give --place LATITUDE,LONGITUDE";
+    this
+      ->Add("--dates FIRST[:LAST[:EVERY]]",
+        "days such as 2026-01-01:2026-12-31:7, which both count; of every so many days one stands "
+        "for all",
+        [this](const std::string& value) { this->TakeDates(value); })
+      .Missing = "no dates; give --dates FIRST[:LAST[:EVERY]]";
+    this->AddMeshOptions(".vtp");
+    this->AddParameters(this->Sun->GetParameters(),
+      { { "latitude", "" }, { "longitude", "" }, { "day_step", "" }, { "step", "--step MINUTES" },
+        { "up_axis", "" }, { "sky_samples", "--sky N" } });
+  }
+
+  int Run(const std::vector<std::string>& words) override
+  {
+    this->TakeMeshes(words);
+    const scene::Messages::Scope scope;
+    scene::Outputs outputs;
+    outputs.Add("-o", this->File, this->Names);
+    scene::Progress progress;
+    const int up = ReadMeshes(this->Names, this->AllowedFolders, this->Sun, progress);
+    this->Sun->SetUpAxis(this->Up < 0 ? up : this->Up);
+    progress.Begin("following the sun");
+    progress.Observe(this->Sun);
+    this->Sun->Update();
+    scene::Messages::Check("sun");
+    WriteMesh(this->Sun->GetOutput(), "-o", this->File, outputs, progress);
+    outputs.Commit();
+    progress.End();
+    this->Print(this->Sun->GetOutput());
+    return 0;
+  }
+
+private:
+  void TakePlace(const std::string& value)
+  {
+    const std::vector<double> place =
+      scene::ParseNumbers("--place", value, 2, "LATITUDE,LONGITUDE");
+    if (std::abs(place[0]) > 90. || std::abs(place[1]) > 180.)
+    {
+      scene::RefuseValue(
+        "--place", value, "a latitude from -90 to 90, a longitude from -180 to 180");
+    }
+    this->Sun->SetLatitude(place[0]);
+    this->Sun->SetLongitude(place[1]);
+  }
+
+  void TakeDates(const std::string& value)
+  {
+    static const std::regex form("([0-9]{4})-([0-9]{2})-([0-9]{2})");
+    const std::vector<std::string> parts = scene::Split(value, ':');
+    int days[2][3] = {}; // first and last
+    for (std::size_t i = 0; i < 2; ++i)
+    {
+      const std::string& day = parts[i < parts.size() ? i : 0];
+      std::smatch numbers;
+      if (parts.size() > 3 || !std::regex_match(day, numbers, form))
+      {
+        scene::RefuseValue(
+          "--dates", value, "FIRST[:LAST[:EVERY]], such as 2026-06-21 or 2026-01-01:2026-12-31:7");
+      }
+      for (std::size_t k = 0; k < 3; ++k)
+      {
+        days[i][k] = std::stoi(numbers[k + 1].str());
+      }
+    }
+    const std::string wrong = vtkRelievoSunExposure::CheckDays(days[0], days[1]);
+    if (!wrong.empty())
+    {
+      throw scene::UsageError("--dates " + value + ": " + wrong);
+    }
+    this->Sun->SetFirstDay(days[0]);
+    this->Sun->SetLastDay(days[1]);
+    if (parts.size() == 3)
+    {
+      this->Sun->SetDayStep(scene::ParseWhole("--dates " + value, parts[2], 1, 366));
+    }
+  }
+
+  void Print(vtkPolyData* mesh)
+  {
+    vtkDataSetAttributes* where = mesh->GetCellData();
+    where = this->Sun->GetPoints() ? mesh->GetPointData() : where;
+    vtkDataArray* hours = where->GetArray("sun_hours");
+    double sum = 0.;
+    for (vtkIdType i = 0; i < hours->GetNumberOfTuples(); ++i)
+    {
+      sum += hours->GetTuple1(i);
+    }
+    std::printf("%s: %.1f hours of sun in the mean of %lld %s, of %.1f\n", this->File.c_str(),
+      sum / static_cast<double>(hours->GetNumberOfTuples()),
+      static_cast<long long>(hours->GetNumberOfTuples()),
+      this->Sun->GetPoints() ? "points" : "cells",
+      mesh->GetFieldData()->GetArray("possible_hours")->GetTuple1(0));
+  }
+
+  vtkNew<vtkRelievoSunExposure> Sun;
+};
+}
+
+//------------------------------------------------------------------------------
+std::unique_ptr<Command> MakeSun()
+{
+  return std::make_unique<SunCommand>();
+}
+}

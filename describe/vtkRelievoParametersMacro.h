@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What scripts ask of a class that describes its parameters, in its member Parameters. The class
+// includes vtkRelievoText.h as well.
+#ifndef vtkRelievoParametersMacro_h
+#define vtkRelievoParametersMacro_h
+
+#include "vtkRelievoParameterList.h"
+
+#define vtkRelievoParametersMacro()                                                                \
+  int GetNumberOfParameters()                                                                      \
+  {                                                                                                \
+    return this->Parameters.GetNumber();                                                           \
+  }                                                                                                \
+  std::string GetParameterName(int i)                                                              \
+  {                                                                                                \
+    return this->Parameters.GetName(i);                                                            \
+  }                                                                                                \
+  std::string GetParameterHelp(RELIEVO_TEXT name)                                                  \
+  {                                                                                                \
+    return this->Parameters.GetHelp(name);                                                         \
+  }                                                                                                \
+  std::string GetParameterDefault(RELIEVO_TEXT name)                                               \
+  {                                                                                                \
+    return this->Parameters.GetDefault(name);                                                      \
+  }                                                                                                \
+  std::string GetParameter(RELIEVO_TEXT name)                                                      \
+  {                                                                                                \
+    return this->Parameters.GetValue(name);                                                        \
+  }                                                                                                \
+  std::string TrySetParameter(RELIEVO_TEXT name, RELIEVO_TEXT words)                               \
+  {                                                                                                \
+    return this->Parameters.TrySet(name, words);                                                   \
+  }
+
+#endif
