@@ -8,6 +8,7 @@
 #include "Errors.h"
 #include "Lens.h"
 
+#include "vtkDataArray.h"
 #include "vtkFieldData.h"
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"

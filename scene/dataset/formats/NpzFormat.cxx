@@ -6,6 +6,7 @@
 #include "DatasetView.h"
 #include "Errors.h"
 
+#include "vtkDataArray.h"
 #include "vtkMatrix4x4.h"
 #include "vtkPointData.h"
 
