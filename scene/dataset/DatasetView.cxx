@@ -8,6 +8,7 @@
 
 #include "vtkDoubleArray.h"
 #include "vtkErrorCode.h"
+#include "vtkIntArray.h"
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
 #include "vtkMath.h"
@@ -84,13 +85,15 @@ void ForEachPixel(vtkImageData* image, const Call& call)
 template <typename Call>
 void ForEachObject(const DatasetObjects& objects, vtkImageData* layers, const Call& call)
 {
-  vtkDataArray* actors = layers->GetPointData()->GetArray("actor");
-  vtkDataArray* blocks = layers->GetPointData()->GetArray("block");
+  const auto getNumbers = [layers](const char* name) {
+    return vtkIntArray::SafeDownCast(layers->GetPointData()->GetArray(name))->GetPointer(0);
+  };
+  const int* actors = getNumbers("actor");
+  const int* blocks = getNumbers("block");
   std::pair<int, int> last(-1, -1); // neighbours are mostly of the same object
   int object = -1;
   ForEachPixel(layers, [&](std::size_t pixel, vtkIdType point) {
-    const std::pair<int, int> is(static_cast<int>(actors->GetComponent(point, 0)),
-      static_cast<int>(blocks->GetComponent(point, 0)));
+    const std::pair<int, int> is(actors[point], blocks[point]);
     if (is != last)
     {
       object = objects.Find(is.first, is.second);
