@@ -103,7 +103,10 @@ public:
 
   bool GetCameraRay(double u, double v, double origin[3], double direction[3]) override;
   bool ProjectCameraPoint(const double point[3], double pixel[2]) override;
-  bool IsCentral() override { return true; }
+  bool IsCentral() override
+  {
+    return true;
+  }
   void Copy(vtkRelievoCameraModel* other) override;
   void AddTo(vtkFieldData* fields) override;
 
