@@ -12,7 +12,6 @@
 #include <cstdlib>
 #include <exception>
 #include <iterator>
-#include <optional>
 #include <vector>
 
 namespace scene
@@ -112,19 +111,6 @@ void AddSuns(RenderOptions& options, const Preset& preset, bool others)
   }
 }
 
-// Of a small picture: four texels for each of its pixels are enough, as the samples of a light's
-// shape leave more noise than its map. Otherwise none, for the stage's own.
-std::optional<int> GetShadowSize(const std::array<int, 2>& picture)
-{
-  constexpr int own = 2048;
-  int size = 256;
-  while (size < own && size < 4 * std::max(picture[0], picture[1]))
-  {
-    size *= 2;
-  }
-  return size < own ? std::optional<int>(size) : std::nullopt;
-}
-
 // Where nothing is said of shadows; layers and verdicts are those of lights that are points.
 void AddShadows(RenderOptions& options, const std::set<std::string>& given, int samples)
 {
@@ -135,15 +121,12 @@ void AddShadows(RenderOptions& options, const std::set<std::string>& given, int 
     if (!says("--soft-shadows") && !says("--certify") && !says("--shadow-tolerance") &&
       !says("--time-budget") && !says("--layers"))
     {
-      StageChoice chosen{ "shadows",
-        { { "soft_samples", std::to_string(samples) }, { "soft_maps", std::to_string(SoftMaps) } },
-        "--preset" };
-      if (const std::optional<int> size = GetShadowSize(options.Size))
-      {
-        chosen.Parameters.emplace_back("map_size", std::to_string(*size));
-      }
       // Before what is said by --stage and by options, which count more.
-      options.Stages.insert(options.Stages.begin(), chosen);
+      options.Stages.insert(options.Stages.begin(),
+        { "shadows",
+          { { "soft_samples", std::to_string(samples) },
+            { "soft_maps", std::to_string(SoftMaps) } },
+          "--preset" });
     }
   }
 }

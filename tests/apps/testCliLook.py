@@ -299,12 +299,6 @@ class Look(CliTest):
             self.relievo("render", "plane.vtp", "--size", "64x64", "--up", up, "--preset", "town",
                          "--layers", "shadow_0,shadow_2", "--exr", "a.exr")  # fmt: skip
             self.assertIn("shadow_2.V", self.exr("a.exr")[1])
-        for size, more, side in (("64x48", [], 256), ("48x240", [], 1024), ("600x20", [], 2048),
-                                 ("48x64", ["--shadow-size", "512"], 512)):  # fmt: skip
-            self.relievo("render", "triangle.off", "--size", size, "--preset", "studio", *more,
-                         "--report", "a.json")  # fmt: skip
-            self.assertIn(f"8 maps of {side // 2} x {side // 2} texels",
-                          (self.folder / "a.json").read_text(), size)  # fmt: skip
 
     def test_obj_materials(self):
         (self.folder / "two squares.mtl").write_text(MTL)

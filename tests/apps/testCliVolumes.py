@@ -123,11 +123,11 @@ class Volumes(CliTest):
     def test_samples(self):
         """Of a volume, which takes long and has no edges, the preset draws fewer."""
         self.image("ball.vti", (20 - distances()).astype(numpy.float32))
-        for kind, samples in (("volume", 4), ("surface", 24)):
+        for kind, samples in (("volume", "4 of 4 samples"), ("surface", "41 samples in")):
             self.relievo("render", "ball.vti", "--image", kind, *SMALL, "--png", "a.png",
                          "--report", "a.json", environment=STUDIO)  # fmt: skip
             said = (self.folder / "a.json").read_text(encoding="utf-8")
-            self.assertIn(f"{samples} of {samples} samples", said)
+            self.assertIn(samples, said)
 
     def test_volume_of_even_values(self):
         """It is as bright as its surface, and opacity makes it see-through."""
