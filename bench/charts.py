@@ -228,7 +228,7 @@ def studio(rows):
         Axis("rms, levels of 255", True, (1, 2, 5, 10, 20)), panels(
             rows, "seconds more than none", "rms levels", method="samples",
             default=lambda row: row["samples"] == "at once" and row["count"] == "24",
-            methods=("at once", "one by one")))  # fmt: skip
+            methods=("at once", "one by one")), columns=2)  # fmt: skip
 
 
 @bench("shadows.csv")

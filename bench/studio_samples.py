@@ -68,10 +68,11 @@ def measure(given, file, folder):
             times[name] = min(taken, times.get(name, taken))
             pictures[name] = load(picture)
     run([*words, *samples_of("one by one", given.most), "--png", str(picture)])
-    plain = times.pop(("none", 1))
-    del pictures["none", 1]
+    plain = times[("none", 1)]
+    del pictures["none", 1], draws["none", 1]
     found, judged = errors(pictures, load(picture))
-    for (way, count), seconds in times.items():
+    for way, count in draws:
+        seconds = times[way, count]
         yield [file.split(".")[0], way, count, f"{found[way, count]:.2f}", f"{seconds:.2f}",
                f"{seconds - plain:.2f}", f"{100 * judged:.1f}", given.rounds,
                f"{os.getloadavg()[0]:.1f}"]  # fmt: skip
