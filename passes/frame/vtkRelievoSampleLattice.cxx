@@ -22,12 +22,12 @@ struct Quality
   int Distance = 0; // squared, times the square of the number of samples
   int Cells = 0;
 
-  // A few percent of the distance are worth less than a smaller raster.
+  // Beyond four fifths of the largest distance, a smaller raster is worth more.
   bool IsBetter(const Quality& other, int farthest) const
   {
     const auto rate = [farthest](const Quality& each) {
       return std::make_tuple(
-        each.Levels, std::min(8 * each.Distance, 7 * farthest), -each.Cells, each.Distance);
+        each.Levels, std::min(3 * each.Distance, 2 * farthest), -each.Cells, each.Distance);
     };
     return rate(*this) > rate(other);
   }
