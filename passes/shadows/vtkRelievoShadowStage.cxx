@@ -47,7 +47,7 @@
 
 namespace
 {
-// Rays of suns are in shaders, as many as a lattice has samples.
+// Samples of soft lights that are followed through a few maps, and suns.
 constexpr int MostFollowed = 64;
 constexpr int MostFollowedSuns = 4;
 }
@@ -1031,9 +1031,13 @@ void vtkRelievoShadowStage::CollectLights(vtkRelievoFrameContext& context)
   in.Work.PartStep = glm::vec2(0.f);
   if (in.Samples > 1 && context.MeanLattice)
   {
-    in.Samples = in.Gathered = context.MeanLattice->GetNumberOfSamples();
-    in.Work.PartStep = glm::vec2(context.MeanLattice->GetNumberStep());
-    in.Lights.Divide(in.Sizes, in.Samples, this->SoftMaps, vtkRelievoShadowMaps::GetMostFaces());
+    const int lights = std::max(1, static_cast<int>(in.Lights.GetCasting().size()));
+    const int parts = std::min(context.MeanLattice->GetNumberOfSamples(),
+      std::max(1, vtkRelievoShadowMaps::GetMostRays() / lights));
+    const bool divided =
+      in.Lights.Divide(in.Sizes, parts, this->SoftMaps, vtkRelievoShadowMaps::GetMostFaces() / 2);
+    in.Samples = in.Gathered = divided ? parts : 1;
+    in.Work.PartStep = glm::vec2(divided ? context.MeanLattice->GetNumberStep() : glm::ivec2(0));
   }
   else if (in.Samples > 1)
   {

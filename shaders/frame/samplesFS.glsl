@@ -48,7 +48,7 @@ void main()
   vec4 shown = relievoOver(sum / float(RELIEVO_SAMPLES), behind);
   vec4 mean = vec4(relievoLinearColorFromSrgb(shown.rgb), shown.a);
   // Values for display that differ by no more have a mean in linear light that is off by less than
-  // 0.00015, half the curve's second derivative times the square of half the difference.
+  // 0.00016, half the curve's second derivative times the square of half the difference.
   bool alike = all(lessThan(most - least, vec4(0.02)));
   vec4 linear = vec4(0.0);
   for (int i = 0; i < (alike ? 0 : RELIEVO_SAMPLES); ++i)

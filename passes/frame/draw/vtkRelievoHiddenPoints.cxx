@@ -368,6 +368,7 @@ vtkOpenGLPolyDataMapper* GetMapperOfSpheres(vtkProp* prop)
   auto* actor = static_cast<vtkActor*>(prop);
   auto* mapper = static_cast<vtkOpenGLPolyDataMapper*>(actor->GetMapper());
   vtkProperty* property = actor->GetProperty();
+  mapper->GetBounds(); // brings its input up to date
   vtkPolyData* mesh = mapper->GetInput();
   vtkPlaneCollection* planes = mapper->GetClippingPlanes();
   // Colours of cells are looked up by their number among those that are drawn.

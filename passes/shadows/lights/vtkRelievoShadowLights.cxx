@@ -235,7 +235,7 @@ void vtkRelievoShadowLights::Move(const vtkRelievoLightSizes& sizes, int sample,
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoShadowLights::Divide(
+bool vtkRelievoShadowLights::Divide(
   const vtkRelievoLightSizes& sizes, int parts, int maps, int most)
 {
   std::vector<vtkRelievoShadowLight*> suns;
@@ -260,6 +260,7 @@ void vtkRelievoShadowLights::Divide(
     }
     FindCenters(*sun, std::min({ maps, parts, std::max(1, most / static_cast<int>(suns.size())) }));
   }
+  return !suns.empty();
 }
 
 //------------------------------------------------------------------------------

@@ -44,8 +44,8 @@ public:
   void Move(const vtkRelievoLightSizes& sizes, int sample, int samples);
 
   // Suns that cast and have a size, into so many parts, which are looked up in so many maps each,
-  // or fewer, if all lights would have more than `most`.
-  void Divide(const vtkRelievoLightSizes& sizes, int parts, int maps, int most);
+  // or fewer, if all lights would have more than `most`. Returns whether there are any.
+  bool Divide(const vtkRelievoLightSizes& sizes, int parts, int maps, int most);
 
   // Lights that may cast and are more than points: those with a position, or suns.
   int CountSized(vtkRenderer* renderer, const vtkRelievoLightSizes& sizes, bool positional) const;

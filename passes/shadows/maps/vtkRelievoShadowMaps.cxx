@@ -18,6 +18,18 @@
 #include <algorithm>
 #include <cmath>
 
+namespace
+{
+// Of a fragment shader's uniforms, but for those of VTK's own shader.
+int CountFreeNumbers()
+{
+  constexpr int ForOthers = 512;
+  GLint numbers = 0;
+  glGetIntegerv(GL_MAX_FRAGMENT_UNIFORM_COMPONENTS, &numbers);
+  return numbers - ForOthers;
+}
+}
+
 //------------------------------------------------------------------------------
 vtkRelievoShadowMaps::vtkRelievoShadowMaps() = default;
 
@@ -92,14 +104,17 @@ bool vtkRelievoShadowMaps::Allocate(vtkOpenGLRenderWindow* window, int size, int
 //------------------------------------------------------------------------------
 int vtkRelievoShadowMaps::GetMostFaces()
 {
-  // Numbers per face in shaders/shadow/receive.glsl and the methods' files; numbers left to VTK's
-  // own shader.
+  // Numbers per face in shaders/shadow/receive.glsl and the methods' files.
   constexpr int PerFace = 48;
-  constexpr int ForOthers = 512;
   constexpr int Enough = 96;
-  GLint numbers = 0;
-  glGetIntegerv(GL_MAX_FRAGMENT_UNIFORM_COMPONENTS, &numbers);
-  return std::min(Enough, std::max(6, (numbers - ForOthers) / PerFace));
+  return std::min(Enough, std::max(6, CountFreeNumbers() / PerFace));
+}
+
+//------------------------------------------------------------------------------
+int vtkRelievoShadowMaps::GetMostRays()
+{
+  constexpr int PerRay = 4; // as arrays of them are aligned
+  return std::max(1, CountFreeNumbers() / 2 / PerRay);
 }
 
 //------------------------------------------------------------------------------

@@ -47,6 +47,9 @@ public:
   // How many maps a shader of this OpenGL has room for in its uniforms.
   static int GetMostFaces();
 
+  // How many rays of three numbers it has room for beside half as many maps.
+  static int GetMostRays();
+
   // NDC to map space: texels from the centre of the lowest left one, depth in [0, 1].
   static glm::dmat4 GetNDCToMap(int size);
 
