@@ -209,6 +209,9 @@ TRUTH = {
                               "horizon, sun at 10 degrees": "the same, sun at 10°"}, "[map]"),
     "shadows-time": shadows({"bunny, sun": "bunny", "motorBike, sun": "motorBike",
                              "horizon, sun at 10 degrees": "horizon, sun at 10°"}, "[moving ms]"),
+    "studio": points(
+        "studio", "[scene]", "[samples]", "[seconds more than none]", "[rms levels]",
+        lambda row: row["samples"] == "at once" and row["count"] == "24"),
     "soft-shadows": points("soft-shadows", soft_panel, "[method]", "[samples]", "[penumbra rms]"),
     "exact-hard": exact_hard("with ties", "[wrong %]")
     + exact_hard("without ties", "[wrong without ties %]") + exact_hard("expected", "[expected %]"),
