@@ -205,7 +205,7 @@ public:
   ///@}
 
 #ifndef __VTK_WRAP__
-  // As of the last update.
+  // The state of the last update.
   const vtkRelievoRayTree& GetTree() const;
 #endif
 

@@ -24,7 +24,7 @@ public:
   // Whether the prop may be one that draws many points as spheres; fast.
   static bool IsPossible(vtkProp* prop);
 
-  // As long as it lives, the prop is to be drawn by the renderer's camera into OpenGL's viewport.
+  // While this object lives, draw the prop with the renderer's camera into OpenGL's viewport.
   // `flat`: into a map, where spheres are discs. Does nothing where it cannot, or need not.
   vtkRelievoHiddenPoints(vtkProp* prop, vtkRenderer* renderer, bool flat);
   ~vtkRelievoHiddenPoints();

@@ -38,7 +38,7 @@ struct vtkRelievoShadowLight
   };
   std::vector<Part> Parts;
   std::vector<Center> Centers;
-  double Spread = 0.0;  // the same of all parts and the light's own direction
+  double Spread = 0.0;  // the tangent of the widest angle of all parts to the light's direction
   std::string NoShadow; // why it casts none, in words; empty if it casts
   bool Broken = false;  // it could not cast if it were asked to: worth a warning
 

@@ -70,7 +70,7 @@ std::vector<glm::dvec3> GetPointsWithin(
   return points;
 }
 
-// Points, and the corners of what lies between them and a sun's parts, as far as something may cast
+// Points, and the corners of the cones from them to a sun's parts, as far as something may cast
 // there: for a map that these are looked up in.
 std::vector<glm::dvec3> Spread(const std::vector<glm::dvec3>& points,
   const vtkRelievoShadowLight::Center& light, const std::vector<vtkRelievoBox>& casters)
@@ -213,7 +213,7 @@ std::vector<glm::dvec4> vtkRelievoShadowFit::GetShadowPlanes(const vtkRelievoSha
   const Frame frame(light.Positional ? light.Position : corners.front(), axis);
   std::vector<glm::dvec2> places;
   double width = 0.0;
-  // What parts of a sun's disc see lies beside what its centre sees.
+  // Parts of a sun's disc see places beside those that its centre sees.
   double low = 1e300;
   double high = -1e300;
   for (const vtkRelievoBox& box : light.Spread > 0.0 ? receivers : std::vector<vtkRelievoBox>())

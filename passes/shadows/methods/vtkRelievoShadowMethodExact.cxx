@@ -233,7 +233,7 @@ int vtkRelievoShadowMethodExact::Draw(vtkRelievoShadowContext& work, vtkRenderer
   state.insert(state.end(), &rays.Blur.x, &rays.Blur.x + 2);
   const int calls = this->Seen.DrawSurfaces(this->Surfaces, work.PlainDraw);
   const vtkRelievoVisibilityPrepass::Past past{ this->Tree.GetVersion(),
-    this->Tree.HasOnlyMoved() ? &this->Tree.GetMoved() : nullptr, rays.Blur.x };
+    this->Tree.HasOnlyMoved() ? &this->Tree.GetMoved() : nullptr };
   return calls + this->Seen.DrawVerdicts(rays.Sources, state, past, [&](vtkShaderProgram* program) {
     this->Tell(program, rays, true);
     program->SetUniform3f("relievoShadowCenter", &rays.Center.x);

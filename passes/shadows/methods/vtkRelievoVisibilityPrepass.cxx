@@ -199,7 +199,7 @@ int vtkRelievoVisibilityPrepass::DrawVerdicts(const std::vector<glm::vec4>& sour
   if (found != this->VerdictsDrawn || this->SurfacesAreNew)
   {
     static const std::vector<vtkRelievoBoxTree::Box> nothing;
-    const bool keeps = this->KeepsVerdicts(shine, past);
+    const bool keeps = rays == this->RaysOfVerdicts && this->KeepsVerdicts(shine, past);
     const auto* moved = past.Version == this->VersionOfVerdicts ? &nothing : past.Moved;
     this->VerdictsDrawn.clear();
     calls = this->FindVerdicts(sources, lights, keeps ? moved : nullptr, tell);
@@ -211,7 +211,7 @@ int vtkRelievoVisibilityPrepass::DrawVerdicts(const std::vector<glm::vec4>& sour
     this->VerdictsDrawn = found;
     this->LightsOfVerdicts = shine;
     this->VersionOfVerdicts = past.Version;
-    this->BlurOfVerdicts = keeps ? this->BlurOfVerdicts : past.Blur;
+    this->RaysOfVerdicts = rays;
     this->SurfacesAreNew = false;
   }
   this->Bind(Surfaces, Verdicts);
@@ -220,16 +220,13 @@ int vtkRelievoVisibilityPrepass::DrawVerdicts(const std::vector<glm::vec4>& sour
 }
 
 //------------------------------------------------------------------------------
-// Whether verdicts stay that no ray past what has moved may change. Where the coordinates' center
-// is, which follows the casters, they depend by rounding alone.
+// Whether verdicts stay whose rays pass by everything that has moved.
 bool vtkRelievoVisibilityPrepass::KeepsVerdicts(
   const std::vector<double>& lights, const Past& past) const
 {
-  constexpr double most = 1.25; // times as much blur, or as little
   const bool follows = past.Version == this->VersionOfVerdicts ||
     (past.Moved && past.Version == this->VersionOfVerdicts + 1.0);
   return !this->VerdictsDrawn.empty() && follows && lights == this->LightsOfVerdicts &&
-    past.Blur <= most * this->BlurOfVerdicts && this->BlurOfVerdicts <= most * past.Blur &&
     (this->HasBefore || !this->SurfacesAreNew);
 }
 

@@ -68,7 +68,6 @@ public:
     double Version = 0.0;
     // Boxes in the tree's coordinates that hold all that differs from the version before, or null.
     const std::vector<vtkRelievoBoxTree::Box>* Moved = nullptr;
-    double Blur = 0.0; // of places, in the tree's coordinates
   };
 
   // What rays find about it, if they have not found it in the frame before. rays: numbers that tell
@@ -132,7 +131,7 @@ private:
   std::vector<double> VerdictsDrawn;
   std::vector<double> LightsOfVerdicts;
   double VersionOfVerdicts = 0.0;
-  double BlurOfVerdicts = 0.0; // when none was kept
+  std::vector<double> RaysOfVerdicts;
   bool SurfacesAreNew = false; // since the verdicts were found
   bool HasBefore = false;      // from the same camera
   bool RoomForBefore = false;
