@@ -16,6 +16,12 @@
 #include <algorithm>
 #include <vector>
 
+namespace
+{
+// Pixels beside a part whose samples frame/marksFS.glsl looks at.
+constexpr int Reach = 2;
+}
+
 //------------------------------------------------------------------------------
 std::string vtkRelievoSampleMarks::Begin(vtkRelievoFrameContext& context, const int part[4])
 {
@@ -72,7 +78,7 @@ std::string vtkRelievoSampleMarks::Collect(vtkRelievoFrameContext& context, cons
       if (end > x)
       {
         runs.insert(runs.end(),
-          { static_cast<float>(x), static_cast<float>(y), static_cast<float>(end - x), 0.f });
+          { static_cast<float>(x), static_cast<float>(y), static_cast<float>(end - x), 1.f });
         this->Number += static_cast<std::size_t>(end - x);
         least[0] = std::min(least[0], x);
         least[1] = std::min(least[1], y);
@@ -85,6 +91,20 @@ std::string vtkRelievoSampleMarks::Collect(vtkRelievoFrameContext& context, cons
   this->Part = { least[0], least[1], most[0] - least[0], most[1] - least[1] };
   this->NumberOfRuns = runs.size() / 4;
   return runs.empty() ? std::string() : this->Runs.Upload(context.Window, runs, 4);
+}
+
+//------------------------------------------------------------------------------
+std::string vtkRelievoSampleMarks::DrawPart(
+  vtkRelievoFrameContext& context, const int part[4], const glm::dmat4& toRaster)
+{
+  std::vector<float> runs;
+  for (int i = 0; i < 4; ++i)
+  {
+    runs.push_back(static_cast<float>(part[i] + (i < 2 ? -Reach : 2 * Reach)));
+  }
+  this->NumberOfRuns = 1;
+  const std::string wrong = this->Runs.Upload(context.Window, runs, 4);
+  return wrong.empty() ? this->Draw(context, toRaster) : wrong;
 }
 
 //------------------------------------------------------------------------------
@@ -103,7 +123,7 @@ std::string vtkRelievoSampleMarks::Draw(vtkRelievoFrameContext& context, const g
   state->vtkglEnable(GL_DEPTH_TEST);
   state->vtkglDepthFunc(GL_ALWAYS);
   state->vtkglDepthMask(GL_TRUE);
-  state->vtkglColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+  state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   glm::mat4 matrix(toRaster);
   program->SetUniformMatrix4x4("relievoToRaster", &matrix[0][0]);
   this->Runs.Activate(program, "relievoRuns");

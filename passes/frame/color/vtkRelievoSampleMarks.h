@@ -44,9 +44,13 @@ public:
   // The part of the viewport that has all of them.
   const std::array<int, 4>& GetPart() const { return this->Part; }
 
-  // Draws the marked pixels, at the farthest depth, into what is bound. toRaster: from the NDC of
-  // the viewport.
+  ///@{
+  // Draws the marked pixels, or those of a part and all that Find looks at beside it, at the
+  // farthest depth, into the framebuffer that is bound. toRaster: from the NDC of the viewport.
   std::string Draw(vtkRelievoFrameContext& context, const glm::dmat4& toRaster);
+  std::string DrawPart(
+    vtkRelievoFrameContext& context, const int part[4], const glm::dmat4& toRaster);
+  ///@}
 
   void Release(vtkWindow* window);
 
@@ -57,7 +61,7 @@ private:
   vtkRelievoScreenTarget Target{ "relievoMarks" };
   vtkRelievoScreenQuad Quad;
   vtkRelievoInstancedQuads Pixels;
-  vtkRelievoTextureBuffer Runs; // x, y, length, 0 of marked pixels side by side
+  vtkRelievoTextureBuffer Runs; // x, y, width, height of rectangles of pixels
   std::size_t NumberOfRuns = 0;
   std::array<int, 4> Part{};
   std::size_t Number = 0;

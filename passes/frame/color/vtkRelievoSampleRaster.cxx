@@ -279,8 +279,8 @@ glm::dmat4 vtkRelievoSampleRaster::Grid::GetToRaster(
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoSampleRaster::Grid::Bind(
-  vtkRelievoFrameContext& context, const Part& part, float depth)
+// With the nearest depth everywhere; colours are cleared where something is drawn.
+void vtkRelievoSampleRaster::Grid::Bind(vtkRelievoFrameContext& context, const Part& part)
 {
   const glm::ivec2 pixels(part[2], part[3]);
   const glm::ivec2 size = this->Lattice->GetSize(pixels);
@@ -293,9 +293,8 @@ void vtkRelievoSampleRaster::Grid::Bind(
   state->vtkglScissor(0, 0, size.x, size.y);
   state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   state->vtkglDepthMask(GL_TRUE);
-  const float nothing[4] = { 0.0f, 0.0f, 0.0f, 0.0f };
-  glClearBufferfv(GL_COLOR, 0, nothing);
-  glClearBufferfv(GL_DEPTH, 0, &depth);
+  const float nearest = 0.0f;
+  glClearBufferfv(GL_DEPTH, 0, &nearest);
 }
 
 //------------------------------------------------------------------------------
@@ -334,16 +333,17 @@ void vtkRelievoSampleRaster::Begin(
   glm::ivec2 pixels;
   this->Parts = Divide(lattice, this->Drawn, pixels);
   this->Fault = this->Few.Make(context, lattice, pixels);
-  this->Fault.empty() ? this->Begin(context, this->Few, this->Parts.front(), 1.0f)
+  this->Fault.empty() ? this->Begin(context, this->Few, this->Parts.front(), false)
                       : this->Leave(context);
 }
 
 //------------------------------------------------------------------------------
-// With this depth everywhere.
+// The raster reaches beyond the part, and nothing is to be shaded there.
 void vtkRelievoSampleRaster::Begin(
-  vtkRelievoFrameContext& context, Grid& grid, const Part& part, float depth)
+  vtkRelievoFrameContext& context, Grid& grid, const Part& part, bool marked)
 {
-  const glm::dmat4 projection = grid.GetToRaster(context, part) * context.View.ViewToNDC;
+  const glm::dmat4 toRaster = grid.GetToRaster(context, part);
+  const glm::dmat4 projection = toRaster * context.View.ViewToNDC;
   vtkNew<vtkMatrix4x4> matrix;
   for (int row = 0; row < 4; ++row)
   {
@@ -354,7 +354,9 @@ void vtkRelievoSampleRaster::Begin(
   }
   this->Projection.reset();
   this->Projection.emplace(context.Renderer->GetActiveCamera(), matrix);
-  grid.Bind(context, part, depth);
+  grid.Bind(context, part);
+  this->Fault = marked ? this->Marks.Draw(context, toRaster)
+                       : this->Marks.DrawPart(context, part.data(), toRaster);
   this->Drawing = &grid;
 }
 
@@ -396,8 +398,7 @@ void vtkRelievoSampleRaster::DrawMarked(
     {
       return;
     }
-    this->Begin(context, this->All, part, 0.0f);
-    this->Fault = this->Marks.Draw(context, this->All.GetToRaster(context, part));
+    this->Begin(context, this->All, part, true);
     DrawOpaque(context);
     DrawTranslucent(context);
     this->End(context, target, part, true);
@@ -455,7 +456,7 @@ void vtkRelievoSampleRaster::End(vtkRelievoFrameContext& context, vtkRelievoColo
   {
     if (i > 0)
     {
-      this->Begin(context, this->Few, this->Parts[i], 1.0f);
+      this->Begin(context, this->Few, this->Parts[i], false);
       DrawOpaque(context);
     }
     DrawTranslucent(context);

@@ -70,13 +70,13 @@ private:
     std::string Make(vtkRelievoFrameContext& context, const vtkRelievoSampleLattice& lattice,
       const glm::ivec2& pixels); // or why not, in words
     glm::dmat4 GetToRaster(const vtkRelievoFrameContext& context, const Part& part) const;
-    void Bind(vtkRelievoFrameContext& context, const Part& part, float depth);
+    void Bind(vtkRelievoFrameContext& context, const Part& part);
     void Free(vtkWindow* window);
   };
 
   static std::vector<Part> Divide(
     const vtkRelievoSampleLattice& lattice, const Part& part, glm::ivec2& pixels);
-  void Begin(vtkRelievoFrameContext& context, Grid& grid, const Part& part, float depth);
+  void Begin(vtkRelievoFrameContext& context, Grid& grid, const Part& part, bool marked);
   void End(
     vtkRelievoFrameContext& context, vtkRelievoColorTarget& target, const Part& part, bool marked);
   static bool HasFew(const vtkRelievoFrameContext& context);
