@@ -147,8 +147,6 @@ void vtkRelievoShadowMaps::Begin()
   state->vtkglEnable(GL_DEPTH_TEST);
   state->vtkglDepthFunc(GL_LEQUAL);
   state->vtkglDepthMask(GL_TRUE);
-  // Casters before the near plane cast from it.
-  glEnable(GL_DEPTH_CLAMP);
 }
 
 //------------------------------------------------------------------------------
@@ -166,6 +164,8 @@ void vtkRelievoShadowMaps::Draw(int layer, vtkRelievoShadowView& view, vtkRender
   glFramebufferTextureLayer(GL_DRAW_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, this->Texture, 0, layer);
   const GLfloat farthest = 1.0f;
   glClearBufferfv(GL_DEPTH, 0, &farthest);
+  // Casters before the near plane cast from it. Clamped fragments take longer in software OpenGL.
+  view.NearCut || !view.Parallel ? glEnable(GL_DEPTH_CLAMP) : glDisable(GL_DEPTH_CLAMP);
 
   // Far enough off for the direction to keep its digits.
   const double reach =
