@@ -7,6 +7,7 @@
 
 #include "AxisMarker.h"
 #include "LayerLegend.h"
+#include "LayerWords.h"
 #include "Picture.h"
 
 #include "vtkCamera.h"
@@ -23,13 +24,20 @@
 #include <QComboBox>
 #include <QLabel>
 #include <QLineEdit>
+#include <QListWidget>
+#include <QMenu>
 #include <QPushButton>
 #include <QRegularExpression>
 #include <QSignalSpy>
 #include <QTextEdit>
+#include <QTimer>
 #include <QToolBar>
 #include <QToolButton>
 #include <QtTest>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
 
 namespace testViewerTools
 {
@@ -230,6 +238,35 @@ private Q_SLOTS:
     QVERIFY(late < 5);
   }
 
+  // Layers are listed by names for people, and arrays as the data have them.
+  void layerNames()
+  {
+    this->Open({ this->WriteScene() });
+    auto* box = this->Window->findChild<QComboBox*>("layer");
+    for (const auto& [layer, name] : { std::pair("lamp_evaluations", "Lamp evaluations"),
+           std::pair("shadow_0", "Shadow of light 0"),
+           std::pair("geometric_normal", "Geometric normal"), std::pair("height", "height") })
+    {
+      const int row = box->findData(layer);
+      QVERIFY2(row >= 0, layer);
+      QCOMPARE(box->itemText(row), QString(name));
+    }
+    QCOMPARE(relievoQt::NameLayer("shadow_key_light"), QString("Shadow of key light"));
+    QStringList listed;
+    const viewerTest::Dialogs dialogs([&listed](QDialog* dialog) {
+      auto* list = dialog->findChild<QListWidget*>("layersToSave");
+      for (int i = 0; i < list->count(); ++i)
+      {
+        listed += list->item(i)->text();
+      }
+      dialog->reject();
+    });
+    this->Window->findChild<QAction*>("saveLayers")->trigger();
+    QVERIFY2(listed.contains("Lamp evaluations") && listed.contains("height") &&
+        listed.filter("_").isEmpty(),
+      qPrintable(listed.join(", ")));
+  }
+
   // Of each file its own points, cells, bounds and arrays.
   void properties()
   {
@@ -311,7 +348,8 @@ private Q_SLOTS:
     QVERIFY2(show("height").endsWith("\n0\n1"), qPrintable(legend->GetText()));
     QVERIFY2(show("normal").contains("Red"), qPrintable(legend->GetText()));
     QVERIFY(show("cell").contains("colour of its own"));
-    QVERIFY(show("shadow_0").endsWith("\n0: in shadow\n1: lit"));
+    QCOMPARE(show("shadow_0"),
+      QString("Shadow of light 0\nWhat is not blocked of a light.\nin shadow\nlit"));
     this->Compare("with a legend in the window");
     for (const char* blank : { "fog", "lamps_reaching" })
     {
@@ -321,7 +359,7 @@ private Q_SLOTS:
     auto* back = this->Window->findChild<QPushButton*>("showPicture");
     QVERIFY(back->isVisible());
     QCOMPARE(this->Window->findChild<QLabel*>("layerBannerWords")->text(),
-      QString("Showing lamps_reaching"));
+      QString("Showing: Lamps reaching"));
     back->click();
     this->Grab();
     QVERIFY(!back->isVisible());
