@@ -102,6 +102,7 @@ bool MainWindow::Gather()
   }
   this->Time->Stop();
   this->Saving = true;
+  this->Shown->SetHurried(true); // samples as the command draws them
   QProgressDialog dialog("Gathering the samples of the picture", "Cancel", 0, 0, this);
   dialog.setWindowModality(Qt::ApplicationModal);
   dialog.setMinimumDuration(SavePatience);
@@ -122,6 +123,7 @@ bool MainWindow::Gather()
     this->Shown->renderWindow()->Render();
   }
   const bool good = !dialog.wasCanceled();
+  this->Shown->SetHurried(false);
   this->Saving = false;
   if (!good)
   {
