@@ -88,6 +88,7 @@ private Q_SLOTS:
     const std::string models = qgetenv("RELIEVO_DATA").toStdString() + "/models/glTF2/";
     this->Open({ models + "simple_skin/simple_skin.gltf", "--time", "0" });
     auto* file = this->Window->findChild<QLabel*>("file");
+    QVERIFY(file); // or the model is not there
     QTRY_VERIFY(file->isVisible());
     viewer::Document* document = this->Window->GetDocument();
     int frames = 0, blank = 0;
