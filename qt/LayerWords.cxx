@@ -35,7 +35,7 @@ QImage MakeStrip(const std::string& map, bool reversed)
 
 QString MakeTitle(const std::string& layer)
 {
-  QString title = QString::fromStdString(layer);
+  QString title = NameLayer(layer);
   for (const char* name : InWorldUnits)
   {
     title += layer == name ? " (world units)" : "";
@@ -63,6 +63,26 @@ QString DescribeColors(const vtkRelievoLayer& layer, int components)
         : "";
   }
 }
+}
+
+//------------------------------------------------------------------------------
+QString NameLayer(const std::string& layer)
+{
+  using Catalogue = vtkRelievoLayerCatalogue;
+  QString words = QString::fromStdString(layer);
+  const bool light = Catalogue::GetIsOfLight(layer);
+  if (!light && !Catalogue::GetIsLayer(layer))
+  {
+    return words; // an array, as the data name it
+  }
+  words.replace('_', ' ');
+  if (light)
+  {
+    const QString name = words.mid(static_cast<int>(Catalogue::GetOfLight().Name.size()));
+    return (Catalogue::GetLight(layer) < 0 ? "Shadow of " : "Shadow of light ") + name;
+  }
+  words.replace("color", "colour");
+  return words.left(1).toUpper() + words.mid(1);
 }
 
 //------------------------------------------------------------------------------
@@ -105,24 +125,26 @@ LayerWords DescribeLayer(vtkRelievoDisplayStage* stage, bool isDrawnHere)
     words.Words = ("Nothing to see: all pixels are alike. " + words.Words).trimmed();
     return words;
   }
+  const bool given = stage->GetRange()[0] < stage->GetRange()[1];
+  const bool named = light && !given && stage->HasScale(); // the ends say what their values are
   const QString colors = DescribeColors(known, stage->GetShownComponents());
-  words.Words = (words.Words + " " + colors).trimmed();
+  words.Words =
+    named ? words.Words.section(':', 0, 0) + "." : (words.Words + " " + colors).trimmed();
   if (!stage->HasScale())
   {
     return words;
   }
   const bool share = known.Kind == vtkRelievoLayer::SHARE;
-  const bool given = stage->GetRange()[0] < stage->GetRange()[1];
   const double* range = given ? stage->GetRange() : stage->GetShownRange();
   const auto write = [&](double value, const char* unknown) {
     return isDrawnHere || given ? QString::number(value, 'g', ValueDigits) : QString(unknown);
   };
   words.First = write(range[0], share ? "0" : "the least");
   words.Last = write(range[1], share ? "1" : "the greatest");
-  if (light && !given)
+  if (named)
   {
-    words.First += ": in shadow";
-    words.Last += ": lit";
+    words.First = "in shadow";
+    words.Last = "lit";
   }
   words.Strip = MakeStrip(stage->GetShownColormap(), stage->GetShownReversed());
   return words;

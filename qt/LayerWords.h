@@ -9,6 +9,8 @@
 #include <QImage>
 #include <QString>
 
+#include <string>
+
 class vtkRelievoDisplayStage;
 
 namespace relievoQt
@@ -23,6 +25,9 @@ struct LayerWords
   /// All texts, a line each.
   QString GetText() const;
 };
+
+/// The name for people: "Shadow of light 0" for shadow_0; that of an array as it is.
+QString NameLayer(const std::string& layer);
 
 /// `isDrawnHere`: the stage drew the last picture, and knows its values; if not, a server did.
 LayerWords DescribeLayer(vtkRelievoDisplayStage* stage, bool isDrawnHere = true);

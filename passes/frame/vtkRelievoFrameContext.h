@@ -85,7 +85,7 @@ public:
   // it was drawn, in words; nullptr and "" if samples were drawn one by one.
   const vtkRelievoSampleLattice* MeanLattice = nullptr;
   std::string MeanWords;
-  bool OneByOne = false; // that could not be done
+  bool OneByOne = false; // that could not be done, or is not wanted
   std::string Obstacle;  // what in the scene stands against it, in words
 
   // Lamps whose shadows are wanted, as the resource `lamp shadows`; from Prepare on.

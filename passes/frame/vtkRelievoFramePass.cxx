@@ -353,6 +353,7 @@ bool vtkRelievoFramePass::DrawSample(const vtkRenderState* s)
   context.SteadyView = context.View;
   context.Picture = !this->LayersOnly;
   context.Waits = this->WaitForSamples;
+  context.OneByOne = this->SamplesOneByOne && !this->WaitForSamples;
   context.Delegate = in.Delegate;
   context.Controller = in.Controller && in.Controller->GetNumberOfProcesses() > 1
     ? in.Controller.GetPointer()
@@ -510,4 +511,5 @@ void vtkRelievoFramePass::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "LayersOnly: " << this->LayersOnly << "\n";
   os << indent << "Controller: " << this->Internal->Controller.GetPointer() << "\n";
   os << indent << "WaitForSamples: " << this->WaitForSamples << "\n";
+  os << indent << "SamplesOneByOne: " << this->SamplesOneByOne << "\n";
 }

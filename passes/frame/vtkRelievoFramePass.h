@@ -111,6 +111,18 @@ public:
 
   ///@{
   /**
+   * Each frame draws one sample, unless it waits for all: for programs that have to answer
+   * meanwhile on a slow GPU. Otherwise the second frame may draw all others at once, which takes as
+   * long as a dozen frames. Such a picture has more samples, and takes the place of one that was
+   * drawn one by one when this is switched off, or where a frame waits. Default off.
+   */
+  vtkSetMacro(SamplesOneByOne, bool);
+  vtkGetMacro(SamplesOneByOne, bool);
+  vtkBooleanMacro(SamplesOneByOne, bool);
+  ///@}
+
+  ///@{
+  /**
    * The processes that draw the frame together, each its own props: samples are gathered by all or
    * none, and rays of the stage `ambient` pass what any of them has. All of them draw each frame,
    * with equal settings. Shadows and stages of points have controllers of their own. Default none.
@@ -164,6 +176,7 @@ protected:
 
   bool LayersOnly = false;
   bool WaitForSamples = false;
+  bool SamplesOneByOne = false;
 
 private:
   vtkRelievoFramePass(const vtkRelievoFramePass&) = delete;

@@ -165,7 +165,7 @@ std::vector<std::string> vtkRelievoFrameRun::Plan()
     });
   this->WorkOnColor.resize(this->Nodes.size());
   std::transform(this->Nodes.begin(), this->Nodes.end(), this->WorkOnColor.begin(), worksOnColor);
-  this->Context.OneByOne = !this->Raster.GetFault().empty();
+  this->Context.OneByOne = this->Context.OneByOne || !this->Raster.GetFault().empty();
   this->Samples.Begin(this->Context, this->Nodes, this->Planned.NeedsColor(), this->Stages);
   for (std::size_t i = 0; i < this->Stages.size(); ++i)
   {

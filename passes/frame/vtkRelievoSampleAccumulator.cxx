@@ -130,6 +130,10 @@ void vtkRelievoSampleAccumulator::Begin(vtkRelievoFrameContext& context,
   bool begins = this->Asked.Samples > 1 && this->Turns == 1 &&
     (this->Asked.Samples != this->Before || this->Asked.Offsets != this->OffsetsBefore ||
       !this->State.IsOf(context, stages));
+  // A mean that was asked to be drawn one by one, and need not be any more.
+  begins = begins ||
+    (this->Turns == 1 && this->OneByOneBefore && this->Asked.AnyRaster && this->Color &&
+      this->Color->Weight > 1 && vtkRelievoSampleRaster::FindObstacle(context).empty());
   if (context.Controller)
   {
     this->AgreeOnSamples(context.Controller, begins);
@@ -145,6 +149,7 @@ void vtkRelievoSampleAccumulator::Begin(vtkRelievoFrameContext& context,
   }
   this->Before = this->Asked.Samples;
   this->OffsetsBefore = this->Asked.Offsets;
+  this->OneByOneBefore = context.OneByOne;
   if (begins)
   {
     this->Release(context.Window);

@@ -95,6 +95,7 @@ private:
   // What the last frame was asked for, captures of one sample apart.
   int Before = 1;
   bool OffsetsBefore = false;
+  bool OneByOneBefore = false;
   int Turns = 0; // of this frame, this one included
   std::string Fault;
   vtkRelievoSceneFingerprint State;

@@ -56,10 +56,11 @@ pqRelievoPanel::pqRelievoPanel(QWidget* parent)
 
   auto* sections = new QVBoxLayout(this->All);
   sections->setContentsMargins(0, 0, 0, 0);
-  this->Sections = { new pqRelievoShadowControls(this->All), new pqRelievoSunControls(this->All),
+  // The sun brings shadows: their rows come below its own, which stay under the mouse.
+  this->Sections = { new pqRelievoSunControls(this->All), new pqRelievoShadowControls(this->All),
     new pqRelievoEnvironmentControls(this->All), new pqRelievoLayerControls(this->All),
     new pqRelievoStageControls(this->All) };
-  const char* names[] = { "shadows", "sun", "environment", "layers", "stages" };
+  const char* names[] = { "sun", "shadows", "environment", "layers", "stages" };
   for (int i = 0; i < this->Sections.size(); ++i)
   {
     this->Sections[i]->setObjectName(names[i]);

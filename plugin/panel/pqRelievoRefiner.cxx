@@ -70,8 +70,12 @@ void pqRelievoRefiner::Watch(pqView* view)
   timer->setSingleShot(true);
   timer->setInterval(Pause);
   const auto progress = std::make_shared<Progress>();
-  QObject::connect(timer, &QTimer::timeout, this, [this, view, progress]() {
-    if (QApplication::mouseButtons() == Qt::NoButton && !this->Playing)
+  QObject::connect(timer, &QTimer::timeout, this, [this, view, timer, progress]() {
+    if (QApplication::activePopupWidget())
+    {
+      timer->start(); // a menu answers, and the picture goes on later
+    }
+    else if (QApplication::mouseButtons() == Qt::NoButton && !this->Playing)
     {
       progress->Own = true;
       view->render();

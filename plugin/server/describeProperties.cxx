@@ -330,12 +330,14 @@ void AddStage(vtkRelievoStage* stage, std::map<std::string, std::string>& made)
   const vtkRelievoStageDescription& says = stage->GetDescription();
   const std::string name = "Stage" + vtkRelievoCapitalize(says.Name, false);
   const vtkRelievoParameter* visible = says.Find("visible");
+  // The points have boxes of their own.
+  const std::string label = says.TakesData ? "Draw " + says.Label : says.Label;
   const Described described = { says, "SetStage", says.Name + ":", name, "Relievo",
     DecorateInUse("Relievo" + name, visible ? says.Layers : std::vector<std::string>()) };
   made["stages: properties"] += visible
-    ? MakeSwitch(name, says.Label, "SetStageValue", says.Name + ":visible",
+    ? MakeSwitch(name, label, "SetStageValue", says.Name + ":visible",
         visible->GetValues()[0] != 0.0, says.Help)
-    : MakeSwitch(name, says.Label, "SetStageOn", says.Name, says.OnByDefault, says.Help);
+    : MakeSwitch(name, label, "SetStageOn", says.Name, says.OnByDefault, says.Help);
   made["stages: properties"] += MakeProperties(described);
   made["stages: exposed"] += "          <PropertyGroup label=\"" + Escape(says.Label) +
     " (Relievo)\">\n" + Expose(name, "Relievo" + name) + MakeExposed(described) +
@@ -359,7 +361,8 @@ std::string MakePoints(vtkRelievoPointStage* stage)
       << "\" class=\"vtkPVRelievoPoints\" processes=\"client|renderserver\">\n"
       << "      <Documentation short_help=\"Points as " << things << "\">Each point of a surface "
       << "representation, as " << things << " in what the view shows.</Documentation>\n"
-      << MakeSwitch("Enabled", name, "SetEnabled", "", false,
+      << MakeSwitch("Enabled", "Points Are " + vtkRelievoCapitalize(things, true), "SetEnabled", "",
+           false,
            "Whether the points are " + things +
              " in what the view shows. For the representations Surface, Points, Wireframe and the "
              "like.")

@@ -298,6 +298,11 @@ std::vector<std::string> GetExtensions()
 //------------------------------------------------------------------------------
 void CheckExtension(const std::string& path)
 {
+  const std::string extension = ExtensionOf(path);
+  if (extension == ".exr" || extension == ".hdr")
+  {
+    throw UsageError(path + ": is an image, no scene: --environment FILE lights a scene with it");
+  }
   if (!HasReader(path))
   {
     throw UsageError(

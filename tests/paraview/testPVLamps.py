@@ -43,6 +43,13 @@ class Lamps(lampScene.Test):
                     light[there, channel], truth[there], rtol=1e-4, atol=5e-5)
             self.assertFalse(light[~there].any())
 
+    def test_labels(self):
+        """The switches of a surface's points and of the view are told apart."""
+        for name in ("Lamps", "Fog", "Markers"):
+            points, view = (proxy.SMProxy.GetProperty(switch).GetXMLLabel() for proxy, switch in (
+                (self.shown, f"Relievo{name}"), (self.view, f"RelievoStage{name}")))
+            self.assertEqual((points, view), (f"Points Are {name}", f"Draw {name}"))
+
     def test_fog(self):
         """The layer is what all spheres together let through, before surfaces and the sky."""
         names = ("Fog", "FogRadius", "FogRadiusArray", "FogDensity", "FogDensityArray", "FogColor",

@@ -237,6 +237,30 @@ class Antialias(unittest.TestCase):
         numpy.testing.assert_array_equal(smooth[distance > 1], 1)
         numpy.testing.assert_array_equal(smooth[distance < -1], 0)
 
+    def test_one_by_one(self):
+        """A program that must answer meanwhile gets a sample a frame; a picture that waits is that
+        which is drawn at once."""
+        whole = self.smooth(8)
+        self.assertIn("drawn at once", self.frame.GetFrameReport())
+        self.frame.WaitForSamplesOff()
+        for one_by_one, left in ((False, [7, 0, 0]), (True, [7, 6, 5, 4, 3, 2, 1, 0, 0])):
+            self.frame.SetSamplesOneByOne(one_by_one)
+            self.camera.Azimuth(1)
+            self.window.Render()
+            self.camera.Azimuth(-1)
+            found = []
+            for _ in left:
+                last = picture(self.window)
+                found.append(self.frame.GetSamplesLeft())
+            self.assertEqual(found, left)
+            self.assertEqual(one_by_one, (last != whole).any())
+        self.frame.WaitForSamplesOn()
+        numpy.testing.assert_array_equal(picture(self.window), whole)
+        self.frame.WaitForSamplesOff()
+        # It stays, until something changes.
+        numpy.testing.assert_array_equal(picture(self.window), whole)
+        self.assertEqual(self.frame.GetSamplesLeft(), 0)
+
     def test_captures_and_screenshots_let_it_gather(self):
         """A capture of layers draws none of its samples, a vtkWindowToImageFilter's is one."""
         self.show_edges()  # so that samples are drawn one by one

@@ -60,6 +60,19 @@ void Write(vtkPolyData* data, const std::string& path)
 }
 
 //------------------------------------------------------------------------------
+Dialogs::Dialogs(Answer answer)
+{
+  QObject::connect(&this->Timer, &QTimer::timeout, &this->Timer, [this, answer] {
+    if (auto* dialog = qobject_cast<QDialog*>(QApplication::activeModalWidget()))
+    {
+      ++this->Count;
+      answer(dialog);
+    }
+  });
+  this->Timer.start(10);
+}
+
+//------------------------------------------------------------------------------
 vtkSmartPointer<vtkImageData> ViewerTest::ReadPNG(const std::string& path)
 {
   vtkNew<vtkPNGReader> reader;

@@ -14,6 +14,7 @@
 #include "vtkRenderWindow.h"
 #include "vtkSmartPointer.h"
 
+#include <QDialog>
 #include <QEvent>
 #include <QObject>
 #include <QPoint>
@@ -22,13 +23,29 @@
 #include <QSize>
 #include <QString>
 #include <QTemporaryDir>
+#include <QTimer>
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
 
 namespace viewerTest
 {
+/// While one lives, dialogs that wait for the user get an answer, and are counted.
+class Dialogs
+{
+public:
+  using Answer = std::function<void(QDialog*)>;
+
+  explicit Dialogs(Answer answer = [](QDialog* dialog) { dialog->reject(); });
+  int GetCount() const { return this->Count; }
+
+private:
+  QTimer Timer;
+  int Count = 0;
+};
+
 class ViewerTest : public QObject
 {
   Q_OBJECT

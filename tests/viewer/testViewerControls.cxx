@@ -82,6 +82,31 @@ private Q_SLOTS:
     QCOMPARE(CountDifferent(before, this->Grab()), 0);
   }
 
+  // The file's numbers stay to be read while it plays.
+  void filesWhilePlaying()
+  {
+    const std::string models = qgetenv("RELIEVO_DATA").toStdString() + "/models/glTF2/";
+    this->Open({ models + "simple_skin/simple_skin.gltf", "--time", "0" });
+    auto* file = this->Window->findChild<QLabel*>("file");
+    QVERIFY(file); // or the model is not there
+    QTRY_VERIFY(file->isVisible());
+    viewer::Document* document = this->Window->GetDocument();
+    int frames = 0, blank = 0;
+    const QObject here; // for as long
+    QObject::connect(document, &viewer::Document::factsChanged, &here, [&] {
+      ++frames;
+      const auto labels = this->Window->findChildren<QLabel*>("file");
+      blank += labels.size() != 1 || !labels[0]->isVisible() || labels[0]->text().isEmpty();
+    });
+    QAction* play = this->Window->findChild<QToolBar*>("time")->actions().first();
+    play->setChecked(true);
+    QTRY_VERIFY_WITH_TIMEOUT(frames > 2, 20000);
+    play->setChecked(false);
+    this->WaitUntilRead();
+    QCOMPARE(blank, 0);
+    QVERIFY(this->Window->findChild<QLabel*>("file") == file);
+  }
+
   // Bars as long as the table's numbers say, in the palette's colour.
   void chart()
   {

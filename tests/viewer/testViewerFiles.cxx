@@ -205,6 +205,76 @@ private Q_SLOTS:
     }
   }
 
+  // Edits that no session has do not go with the window, unless the user says so.
+  void asksBeforeItQuits()
+  {
+    this->Open({ this->WriteScene(), "--edges" });
+    const auto edit = [this](const char* opacity) {
+      this->Change([opacity](scene::Settings& settings) { settings.Set("--opacity", opacity); });
+    };
+    const auto close = [this](QMessageBox::StandardButton answer) {
+      const viewerTest::Dialogs dialogs([this, answer](QDialog* dialog) {
+        if (auto* box = qobject_cast<QMessageBox*>(dialog))
+        {
+          box->button(answer)->click();
+        }
+        else
+        {
+          const QString place = QString::fromStdString(this->Path("kept.json"));
+          dialog->findChild<QLineEdit*>()->setText(place);
+          QMetaObject::invokeMethod(dialog, "accept");
+        }
+      });
+      this->Window->close();
+      return dialogs.GetCount();
+    };
+    const auto show = [this] {
+      QVERIFY(!this->Window->isVisible());
+      this->Window->show();
+    };
+    // Nothing was edited: the camera, files and moments are no edits.
+    this->Window->GetView()->GetPicture().LookAlong({ -1.0, 0.0, 0.0 }, { 0.0, 1.0, 0.0 });
+    QCOMPARE(close(QMessageBox::Cancel), 0);
+    show();
+    this->Window->OpenFiles({ QString::fromStdString(this->WriteOBJ()) });
+    this->WaitUntilRead();
+    QCOMPARE(close(QMessageBox::Cancel), 0);
+    show();
+    edit("0.5");
+    QCOMPARE(close(QMessageBox::Cancel), 1);
+    QVERIFY(this->Window->isVisible());
+    this->Window->OpenFiles({ QString::fromStdString(this->WriteScene()) });
+    this->WaitUntilRead();
+    QCOMPARE(close(QMessageBox::Cancel), 1); // it is as it was
+    edit("1");
+    this->Change([](scene::Settings& settings) { settings.Remove("--opacity"); });
+    QCOMPARE(close(QMessageBox::Cancel), 0);
+    show();
+    edit("0.25");
+    QCOMPARE(close(QMessageBox::Save), 2);
+    show();
+    QVERIFY(QFileInfo::exists(QString::fromStdString(this->Path("kept.json"))));
+    QCOMPARE(close(QMessageBox::Cancel), 0);
+    show();
+    edit("0.5");
+    QCOMPARE(close(QMessageBox::Discard), 1);
+    show();
+  }
+
+  // A picture that lights a scene is no scene: who opens one is told where it is taken.
+  void environmentIsNoScene()
+  {
+    this->Open({ this->WriteScene() });
+    for (const char* name : { "sky.exr", "sky.HDR" })
+    {
+      this->WriteText(name, "light");
+      this->Window->OpenFiles({ QString::fromStdString(this->Path(name)) });
+      this->WaitUntilRead();
+      QVERIFY2(this->Window->GetTrouble().contains(QString::fromUtf8("“Environment” in Light")),
+        qPrintable(this->Window->GetTrouble()));
+    }
+  }
+
   // Another file begins a new scene: the look and suns stay, and what belongs to the file before
   // goes. Undoing brings that back, with its camera.
   void anotherFile()

@@ -6,6 +6,7 @@
 #include "ViewerTest.h"
 
 #include "ColorButton.h"
+#include "FileEdit.h"
 #include "LightHandles.h"
 #include "LightOptions.h"
 #include "LightsGroup.h"
@@ -38,6 +39,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <functional>
+#include <map>
 
 namespace testViewerLight
 {
@@ -292,6 +295,85 @@ private Q_SLOTS:
     QVERIFY(all > 10000);
     QVERIFY2(burnt < 0.02 * all, qPrintable(QString("%1 of %2 burnt").arg(burnt).arg(all)));
     QVERIFY2(dark < 0.4 * all, qPrintable(QString("%1 of %2 dark").arg(dark).arg(all)));
+  }
+
+  // The first edit makes the preset's light one's own, and no row moves away from the mouse.
+  void rowsStay()
+  {
+    this->Open({ this->WriteScene(), "--preset", "studio", "--shadows", "off", "--stage",
+      "antialias:samples=1" });
+    this->Window->findChild<QDockWidget*>("light")->raise();
+    const auto findPlaces = [this] {
+      std::map<QString, QPoint> places;
+      for (const QString name :
+        { "name", "color", "intensity", "softness", "casts", "by", "azimuth", "elevation", "fill" })
+      {
+        places[name] = this->FindEdit(qPrintable(name))->mapTo(this->Window.get(), QPoint());
+      }
+      return places;
+    };
+    QTRY_VERIFY(this->FindEdit("azimuth")->isVisible());
+    const std::map<QString, QPoint> before = findPlaces();
+    const std::vector<std::function<void()>> edits = { [this] { this->Type("azimuth", 90.0); },
+      [this] { this->Type("elevation", 20.0); }, [this] { this->Type("angle", 3.0); },
+      [this] { static_cast<QCheckBox*>(this->FindEdit("casts"))->setChecked(false); } };
+    for (const auto& edit : edits)
+    {
+      QVERIFY(this->GetLights().empty());
+      edit();
+      QCOMPARE(this->GetLights().size(), std::size_t(1));
+      QCoreApplication::processEvents(); // rows are laid out
+      QVERIFY(findPlaces() == before);
+      this->Window->GetDocument()->Undo();
+    }
+  }
+
+  // What a stage says of its picture moves none of its rows.
+  void reasonsMoveNothing()
+  {
+    this->Open({ this->WriteScene(), "--light", "sun:0.4,1,0.6,casts=off", "--shadows", "map" });
+    this->Window->findChild<QDockWidget*>("light")->raise();
+    auto* group = this->Window->findChild<QGroupBox*>("shadows");
+    auto* reason = group->findChild<QLabel*>("reason");
+    this->Grab();
+    QTRY_VERIFY(!reason->isHidden());
+    const auto findPlaces = [group] {
+      QList<QPoint> places;
+      for (QWidget* edit : group->findChildren<viewer::ParameterEdit*>())
+      {
+        places += edit->mapTo(group, QPoint());
+      }
+      return places;
+    };
+    const QList<QPoint> before = findPlaces();
+    static_cast<QCheckBox*>(this->FindEdit("casts"))->setChecked(true);
+    this->Grab();
+    QTRY_VERIFY(reason->isHidden());
+    QCoreApplication::processEvents(); // rows are laid out
+    QVERIFY(findPlaces() == before);
+  }
+
+  // Switched on without an image, the environment asks for one in its place, without a dialog.
+  void environmentWithoutImage()
+  {
+    this->Open({ this->WriteScene() });
+    auto* group = this->Window->findChild<QGroupBox*>("environment");
+    const viewerTest::Dialogs dialogs;
+    group->setChecked(true);
+    QCOMPARE(dialogs.GetCount(), 0);
+    QVERIFY(group->isChecked() && !group->findChild<QLabel*>("hint")->isHidden());
+    for (const char* idle : { "sky", "rotation", "intensity", "irradiance_weight" })
+    {
+      QVERIFY2(!group->findChild<QWidget*>(idle)->isEnabled(), idle);
+    }
+    auto* file = group->findChild<viewer::FileEdit*>();
+    Q_EMIT file->edited(QString::fromStdString(this->WriteImage()));
+    QVERIFY(this->Window->GetDocument()->Get().Has("--environment"));
+    QVERIFY(group->isChecked() && group->findChild<QLabel*>("hint")->isHidden());
+    QVERIFY(group->findChild<QWidget*>("sky")->isEnabled());
+    QVERIFY(group->findChild<QWidget*>("intensity")->isEnabled());
+    this->Window->GetDocument()->Undo();
+    QVERIFY(!group->isChecked());
   }
 
   // By date and place, and back to angles, which are then those of the date.

@@ -12,6 +12,7 @@
 
 #include <QComboBox>
 #include <QGroupBox>
+#include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QPushButton>
@@ -128,6 +129,34 @@ private Q_SLOTS:
     {
       const QColor color(byte, 255 - byte, byte / 2);
       QCOMPARE(viewer::ReadLinearColor(viewer::WriteLinearColor(color)), color);
+    }
+  }
+
+  // Switched on without a file, a group says what it needs, and opens no dialog.
+  void firstFile()
+  {
+    this->Open({ this->WriteScene() });
+    const scene::Settings before = this->Window->GetDocument()->Get();
+    for (const char* stage : { "lamps", "fog", "markers" })
+    {
+      const viewerTest::Dialogs dialogs;
+      QGroupBox* group = this->Group(stage);
+      group->setChecked(true);
+      QCOMPARE(dialogs.GetCount(), 0);
+      QVERIFY2(group->isChecked() && this->Window->GetDocument()->Get() == before, stage);
+      auto* hint = group->findChild<QLabel*>("hint");
+      QVERIFY2(!hint->isHidden() && hint->text().contains(stage), qPrintable(hint->text()));
+      QVERIFY(this->Find<QPushButton>(stage, "add")->isEnabled());
+      group->setChecked(false);
+      QVERIFY(!group->isChecked());
+      group->setChecked(true);
+      const std::string option = std::string("--") + stage;
+      this->Change(
+        [&](scene::Settings& settings) { settings.SetAll(option, { this->WritePoints() }); });
+      QVERIFY2(group->isChecked() && hint->isHidden(), stage);
+      this->Window->GetDocument()->Undo();
+      this->WaitUntilRead();
+      QVERIFY2(!group->isChecked(), stage);
     }
   }
 

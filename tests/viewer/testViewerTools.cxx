@@ -7,6 +7,7 @@
 
 #include "AxisMarker.h"
 #include "LayerLegend.h"
+#include "LayerWords.h"
 #include "Picture.h"
 
 #include "vtkCamera.h"
@@ -23,13 +24,20 @@
 #include <QComboBox>
 #include <QLabel>
 #include <QLineEdit>
+#include <QListWidget>
+#include <QMenu>
 #include <QPushButton>
 #include <QRegularExpression>
 #include <QSignalSpy>
 #include <QTextEdit>
+#include <QTimer>
 #include <QToolBar>
 #include <QToolButton>
 #include <QtTest>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
 
 namespace testViewerTools
 {
@@ -212,6 +220,58 @@ private Q_SLOTS:
     this->Window->findChild<QAction*>("axisMarker")->trigger();
   }
 
+  // A narrower view shows what the wider one showed, and a wider one shows it as it was.
+  void narrowView()
+  {
+    this->Open({ this->WriteScene() });
+    viewer::PictureView* view = this->Window->GetView();
+    const auto findWidest = [view] { // the place farthest aside, in halves of the view
+      vtkRenderer* renderer = view->GetPicture().GetRenderer();
+      const double* b = view->GetPicture().GetScene().GetBounds();
+      double widest = 0.0;
+      for (int corner = 0; corner < 8; ++corner)
+      {
+        double at[3] = { b[corner & 1], b[2 + ((corner >> 1) & 1)], b[4 + ((corner >> 2) & 1)] };
+        renderer->WorldToView(at[0], at[1], at[2]);
+        widest = std::max(widest, std::abs(at[0]));
+      }
+      return widest;
+    };
+    for (const bool parallel : { false, true })
+    {
+      view->GetPicture().SetParallel(parallel);
+      this->Grab();
+      const QSize before = view->size();
+      const scene::Settings camera = this->Window->GetViewSettings();
+      const double wide = findWidest();
+      QVERIFY2(wide < 1.0, qPrintable(QString::number(wide)));
+      this->Window->resize(1, this->Window->height());
+      QTRY_VERIFY(view->width() <= view->height() * 3 / 5);
+      this->Grab();
+      const double narrow = findWidest();
+      QVERIFY2(narrow > 0.9 && narrow < 1.0 + 1e-6, qPrintable(QString::number(narrow)));
+      this->Window->resize(this->Window->size() + before - view->size());
+      QTRY_COMPARE(view->size(), before);
+      const scene::Settings again = this->Window->GetViewSettings();
+      QCOMPARE(again.Get("--camera"), camera.Get("--camera"));
+      QCOMPARE(again.Get("--parallel-scale"), camera.Get("--parallel-scale"));
+      // What was outside may stay as far outside.
+      vtkCamera* near = view->GetPicture().GetRenderer()->GetActiveCamera();
+      near->Zoom(4.0);
+      this->Grab();
+      const double outside = findWidest();
+      this->Window->resize(1, this->Window->height());
+      QTRY_VERIFY(view->width() <= view->height() * 3 / 5);
+      this->Grab();
+      const double now = findWidest();
+      QVERIFY2(
+        now > 1.0 && now < outside + 1e-6, qPrintable(QString("%1 > %2").arg(now).arg(outside)));
+      this->Window->resize(this->Window->size() + before - view->size());
+      QTRY_COMPARE(view->size(), before);
+      near->Zoom(0.25);
+    }
+  }
+
   // A picture that has all its samples draws no more.
   void rests()
   {
@@ -228,6 +288,70 @@ private Q_SLOTS:
       ++late;
     }
     QVERIFY(late < 5);
+  }
+
+  // Who opens a menu while samples are gathered does not wait for them: they go on afterwards.
+  void menusWhileGathering()
+  {
+    this->Open({ this->WriteScene(), "--preset", "studio", "--stage", "shadows:map_size=256" });
+    viewer::PictureView* view = this->Window->GetView();
+    const auto countLeft = [view] { return view->GetPicture().GetFrame()->GetSamplesLeft(); };
+    QSignalSpy first(view, &viewer::PictureView::drawn);
+    QVERIFY(first.count() > 0 || first.wait(60000));
+    QTRY_COMPARE_WITH_TIMEOUT(countLeft(), 0, 60000);
+    QMenu menu(this->Window.get());
+    menu.addAction("something");
+    QObject::connect(view, &viewer::PictureView::drawn, &menu, [&] {
+      if (countLeft() > 0)
+      {
+        menu.popup(this->Window->mapToGlobal(QPoint(9, 9)));
+      }
+    });
+    view->GetPicture().LookAlong({ -1.0, 0.0, 0.0 }, { 0.0, 1.0, 0.0 });
+    view->Draw();
+    QTRY_VERIFY_WITH_TIMEOUT(menu.isVisible(), 60000);
+    QSignalSpy drawn(view, &viewer::PictureView::drawn);
+    for (int i = 0; i < 3; ++i) // as often as a picture would have been drawn
+    {
+      QTimer tick;
+      tick.setSingleShot(true);
+      QSignalSpy passed(&tick, &QTimer::timeout);
+      tick.start(0);
+      QVERIFY(passed.wait(60000));
+    }
+    QCOMPARE(drawn.count(), 0);
+    QObject::disconnect(view, nullptr, &menu, nullptr);
+    menu.close();
+    QTRY_COMPARE_WITH_TIMEOUT(countLeft(), 0, 60000);
+  }
+
+  // Layers are listed by names for people, and arrays as the data have them.
+  void layerNames()
+  {
+    this->Open({ this->WriteScene() });
+    auto* box = this->Window->findChild<QComboBox*>("layer");
+    for (const auto& [layer, name] : { std::pair("lamp_evaluations", "Lamp evaluations"),
+           std::pair("shadow_0", "Shadow of light 0"),
+           std::pair("geometric_normal", "Geometric normal"), std::pair("height", "height") })
+    {
+      const int row = box->findData(layer);
+      QVERIFY2(row >= 0, layer);
+      QCOMPARE(box->itemText(row), QString(name));
+    }
+    QCOMPARE(relievoQt::NameLayer("shadow_key_light"), QString("Shadow of key light"));
+    QStringList listed;
+    const viewerTest::Dialogs dialogs([&listed](QDialog* dialog) {
+      auto* list = dialog->findChild<QListWidget*>("layersToSave");
+      for (int i = 0; i < list->count(); ++i)
+      {
+        listed += list->item(i)->text();
+      }
+      dialog->reject();
+    });
+    this->Window->findChild<QAction*>("saveLayers")->trigger();
+    QVERIFY2(listed.contains("Lamp evaluations") && listed.contains("height") &&
+        listed.filter("_").isEmpty(),
+      qPrintable(listed.join(", ")));
   }
 
   // Of each file its own points, cells, bounds and arrays.
@@ -311,7 +435,8 @@ private Q_SLOTS:
     QVERIFY2(show("height").endsWith("\n0\n1"), qPrintable(legend->GetText()));
     QVERIFY2(show("normal").contains("Red"), qPrintable(legend->GetText()));
     QVERIFY(show("cell").contains("colour of its own"));
-    QVERIFY(show("shadow_0").endsWith("\n0: in shadow\n1: lit"));
+    QCOMPARE(show("shadow_0"),
+      QString("Shadow of light 0\nWhat is not blocked of a light.\nin shadow\nlit"));
     this->Compare("with a legend in the window");
     for (const char* blank : { "fog", "lamps_reaching" })
     {
@@ -321,7 +446,7 @@ private Q_SLOTS:
     auto* back = this->Window->findChild<QPushButton*>("showPicture");
     QVERIFY(back->isVisible());
     QCOMPARE(this->Window->findChild<QLabel*>("layerBannerWords")->text(),
-      QString("Showing lamps_reaching"));
+      QString("Showing: Lamps reaching"));
     back->click();
     this->Grab();
     QVERIFY(!back->isVisible());

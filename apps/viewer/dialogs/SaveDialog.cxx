@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SaveDialog.h"
 
+#include "LayerWords.h"
 #include "Options.h"
 #include "RecentFiles.h"
 
@@ -178,7 +179,8 @@ std::optional<LayersChoice> AskLayers(
   for (const std::string& layer : layers)
   {
     const QString name = QString::fromStdString(layer);
-    auto* item = new QListWidgetItem(name, list);
+    auto* item = new QListWidgetItem(relievoQt::NameLayer(layer), list);
+    item->setData(Qt::UserRole, name);
     item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsUserCheckable);
     item->setCheckState(kept.contains(name) ? Qt::Checked : Qt::Unchecked);
   }
@@ -191,7 +193,7 @@ std::optional<LayersChoice> AskLayers(
   {
     if (list->item(i)->checkState() == Qt::Checked)
     {
-      names += list->item(i)->text();
+      names += list->item(i)->data(Qt::UserRole).toString();
       choice.Layers.push_back(names.back().toStdString());
     }
   }

@@ -4,6 +4,7 @@
 
 #include "ColormapBox.h"
 #include "Labels.h"
+#include "LayerWords.h"
 #include "Numbers.h"
 #include "RangeEdit.h"
 #include "Values.h"
@@ -188,8 +189,7 @@ void LayersPanel::ShowLayers()
     {
       std::string name = vtkRelievoLayerCatalogue::GetLayerName(i);
       name = vtkRelievoLayerCatalogue::GetIsLayer(name) ? name : "shadow_0";
-      const QString words = QString::fromStdString(name);
-      this->Layer->addItem(words, words);
+      this->Layer->addItem(relievoQt::NameLayer(name), QString::fromStdString(name));
       this->Layer->setItemData(this->Layer->count() - 1,
         QString::fromStdString(vtkRelievoLayerCatalogue::GetLayerHelp(i)), Qt::ToolTipRole);
     }
@@ -211,7 +211,7 @@ void LayersPanel::ShowSettings()
   const QString words = QString::fromStdString(settings.GetParameter(Stage, "layer"));
   if (this->Layer->findData(words) < 0)
   {
-    this->Layer->addItem(words, words);
+    this->Layer->addItem(relievoQt::NameLayer(words.toStdString()), words);
   }
   this->Layer->setCurrentIndex(this->Layer->findData(words));
   this->Grey->setChecked(settings.GetParameter(Stage, "grey") == "on");
@@ -246,7 +246,7 @@ void LayersPanel::ShowValues(const std::vector<ProbeValue>& values)
   for (int row = 0; row < this->Values->rowCount(); ++row)
   {
     const ProbeValue& value = values[static_cast<std::size_t>(row)];
-    const QString texts[] = { QString::fromStdString(value.Layer),
+    const QString texts[] = { relievoQt::NameLayer(value.Layer),
       value.IsBackground ? "background" : WriteValues(value) };
     for (int column = 0; column < 2; ++column)
     {

@@ -3,9 +3,11 @@
 #include "LightPanel.h"
 
 #include "FileEdit.h"
+#include "Labels.h"
 #include "LightsGroup.h"
 #include "Number.h"
 #include "Options.h"
+#include "ParameterEdit.h"
 #include "StageGroup.h"
 #include "SurfaceOptions.h"
 #include "SurfaceValues.h"
@@ -13,6 +15,7 @@
 #include <QCheckBox>
 #include <QFormLayout>
 #include <QGroupBox>
+#include <QLabel>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 
@@ -46,6 +49,10 @@ void LightPanel::AddEnvironment()
   this->Environment->setToolTip(
     "Light from all around, from an image in equirectangular or cross form");
   QFormLayout* rows = GetRows(this->Environment);
+  this->Hint = new QLabel("Choose an image of the light from all around.", this->Environment);
+  this->Hint->setObjectName("hint");
+  this->Hint->setWordWrap(true);
+  rows->addRow(this->Hint);
   this->File = new FileEdit("Environment", this->Environment);
   this->File->setObjectName("file");
   rows->addRow("Image", this->File);
@@ -113,10 +120,10 @@ void LightPanel::SetFile(const std::string& file, double rotation)
 //------------------------------------------------------------------------------
 void LightPanel::SwitchEnvironment(bool on)
 {
-  if (on && !this->Kept.Has("--environment"))
+  if (!this->Kept.Has("--environment") && this->Edited->Get().Parse().Environment.empty())
   {
-    this->File->Ask();
-    this->ShowSettings(); // off again, if there is none
+    this->Waiting = on;
+    this->ShowSettings();
     return;
   }
   scene::Settings kept;
@@ -161,7 +168,18 @@ void LightPanel::ShowSettings()
   const scene::Settings& settings = this->Edited->Get();
   const scene::RenderOptions options = settings.Parse();
   this->Values->ShowSettings();
-  this->Environment->setChecked(!options.Environment.empty());
+  this->Waiting = this->Waiting && options.Environment.empty();
+  this->Environment->setChecked(this->Waiting || !options.Environment.empty());
+  this->Hint->setVisible(this->Waiting);
+  QList<QWidget*> rest = { this->Rotation, this->Reflectivity, this->Roughness, this->Sky };
+  for (ParameterEdit* edit : this->Environment->findChildren<ParameterEdit*>())
+  {
+    this->Waiting ? rest.append(edit) : void(); // which else say themselves why they are idle
+  }
+  for (QWidget* edit : rest)
+  {
+    SetIdle(edit, this->Waiting ? "Has an effect with an image." : "");
+  }
   if (!options.Environment.empty())
   {
     this->Kept = scene::Settings();

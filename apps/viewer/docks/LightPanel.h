@@ -10,6 +10,7 @@
 #include "Values.h"
 
 class QCheckBox;
+class QLabel;
 
 namespace relievoQt
 {
@@ -40,10 +41,12 @@ private:
 
   LightsGroup* Lights;
   FoldGroup* Environment;
+  QLabel* Hint;
   FileEdit* File;
   relievoQt::Number *Rotation, *Reflectivity, *Roughness;
   QCheckBox* Sky;
   SurfaceValues* Values;
+  bool Waiting = false;         // for an image: switched on, and no word says so yet
   scene::Settings Kept;         // the environment while it is switched off
   scene::NamedWords KeptMirror; // and what it is mirrored by
 };

@@ -29,6 +29,7 @@ namespace viewer
 namespace
 {
 constexpr int LightsHeight = 108;
+constexpr int LinesOfNote = 2;
 constexpr int SwatchSize = 14;
 const char* const Kinds[] = { "sun", "spot", "point" };
 
@@ -81,10 +82,16 @@ LightsGroup::LightsGroup(Document* document, QWidget* parent)
   this->GetRows()->addRow(this->MakeButtons());
   this->Note->setObjectName("note");
   this->Note->setWordWrap(true);
+  this->Note->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+  this->Note->setFixedHeight(LinesOfNote * this->Note->fontMetrics().lineSpacing());
   this->GetRows()->addRow(this->Note);
-  this->OwnButton->setObjectName("makeOwn");
-  this->GetRows()->addRow(this->OwnButton);
   this->GetRows()->addRow(this->Light);
+  // The first edit makes a preset's light one's own: nothing may move under the mouse meanwhile.
+  this->OwnButton->setObjectName("makeOwn");
+  QSizePolicy kept = this->OwnButton->sizePolicy();
+  kept.setRetainSizeWhenHidden(true);
+  this->OwnButton->setSizePolicy(kept);
+  this->GetRows()->addRow(this->OwnButton);
   this->AddFill();
   QObject::connect(this->List, &QTreeWidget::currentItemChanged, this, [this] {
     this->Light->StopPlacing(); // which was asked for another one
@@ -306,7 +313,6 @@ void LightsGroup::ShowCurrent()
   this->OwnButton->setToolTip(row && row->IsOn
       ? "The same light as a --light, to be edited: the picture stays"
       : "This light beside yours, to be edited");
-  this->Note->setVisible(row && !own);
   this->Note->setText(row ? row->Tip + "." : QString());
   this->Light->setVisible(row && !row->Word.empty());
   if (row && !row->Word.empty())

@@ -66,13 +66,18 @@ QString WriteArrays(const std::vector<ArrayFacts>& arrays)
                   : words.join(", ");
 }
 
-QLabel* MakeFile(const FileFacts& file, bool full, QWidget* parent)
+QLabel* MakeFile(QWidget* parent)
 {
   auto* label = new QLabel(parent);
   label->setObjectName("file");
   label->setWordWrap(true);
   label->setTextFormat(Qt::RichText);
   label->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  return label;
+}
+
+void ShowFile(const FileFacts& file, bool full, QLabel* label)
+{
   const QFileInfo path(QString::fromStdString(file.Path));
   QFont bold = label->font();
   bold.setBold(true);
@@ -93,7 +98,6 @@ QLabel* MakeFile(const FileFacts& file, bool full, QWidget* parent)
   label->setText("<b>" + name.toHtmlEscaped() + "</b><table>" + rows + "</table>");
   label->setToolTip("<p>" + path.absoluteFilePath().toHtmlEscaped() + "</p><table>" +
     MakeRow("Points", points) + MakeRow("Size", size) + WriteBounds(file.Bounds) + "</table>");
-  return label;
 }
 }
 
@@ -115,8 +119,10 @@ ScenePanel::ScenePanel(Document* document, QWidget* parent)
 void ScenePanel::AddFiles()
 {
   FoldGroup* group = this->AddGroup("Files", "shownFiles");
-  this->Files = new QVBoxLayout();
-  group->GetRows()->addRow(this->Files);
+  this->FileRows = new QVBoxLayout();
+  this->NoFiles = new QLabel("None yet: Ctrl+O opens some.", group);
+  this->FileRows->addWidget(this->NoFiles);
+  group->GetRows()->addRow(this->FileRows);
 }
 
 //------------------------------------------------------------------------------
@@ -211,19 +217,22 @@ void ScenePanel::AddCamera()
 //------------------------------------------------------------------------------
 void ScenePanel::ShowFiles()
 {
-  while (QLayoutItem* item = this->Files->takeAt(0))
-  {
-    delete item->widget();
-    delete item;
-  }
+  // New labels would be blank until they are laid out, while an animation plays for good.
   const std::vector<FileFacts>& files = this->Edited->GetFacts().Files;
-  for (const FileFacts& file : files)
+  this->NoFiles->setVisible(files.empty());
+  while (this->Files.size() > files.size())
   {
-    this->Files->addWidget(MakeFile(file, files.size() <= MostInFull, this->widget()));
+    delete this->Files.back();
+    this->Files.pop_back();
   }
-  if (files.empty())
+  while (this->Files.size() < files.size())
   {
-    this->Files->addWidget(new QLabel("None yet: Ctrl+O opens some.", this->widget()));
+    this->Files.push_back(MakeFile(this->widget()));
+    this->FileRows->addWidget(this->Files.back());
+  }
+  for (std::size_t i = 0; i < files.size(); ++i)
+  {
+    ShowFile(files[i], files.size() <= MostInFull, this->Files[i]);
   }
 }
 

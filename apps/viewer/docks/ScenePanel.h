@@ -9,8 +9,11 @@
 
 #include "Panel.h"
 
+#include <vector>
+
 class QCheckBox;
 class QComboBox;
+class QLabel;
 class QVBoxLayout;
 
 namespace relievoQt
@@ -34,7 +37,9 @@ private:
   void ShowFiles();
   void ShowSettings();
 
-  QVBoxLayout* Files;
+  QVBoxLayout* FileRows;
+  QLabel* NoFiles;
+  std::vector<QLabel*> Files;
   QComboBox *Preset, *Up, *Ground, *ScaleBar, *Images;
   QCheckBox* Grid;
   relievoQt::Number* Angle;

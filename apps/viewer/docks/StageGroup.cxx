@@ -101,7 +101,6 @@ StageGroup::StageGroup(
   this->Reason->setObjectName("reason");
   this->Reason->setWordWrap(true);
   this->Reason->hide();
-  this->GetRows()->addRow(this->Reason);
   const bool ownSwitch = HasSwitchOfItsOwn(description);
   if (description.TakesData && !ownSwitch)
   {
@@ -115,6 +114,7 @@ StageGroup::StageGroup(
       this->AddParameter(parameter);
     }
   }
+  this->AddBelow(this->Reason); // what is said there moves no row under the mouse
   if (!description.OnByDefault || description.TakesData || ownSwitch)
   {
     this->setCheckable(true);
@@ -156,10 +156,10 @@ void StageGroup::Switch(bool on)
     this->Edited->SwitchShadows(on);
     return;
   }
-  if (this->Points && on && !this->Kept)
+  if (this->Points && !this->Kept && !this->IsOn())
   {
-    this->Points->Ask();
-    this->ShowSettings(); // off again, if there is none
+    this->Waiting = on;
+    this->ShowSettings();
     return;
   }
   const scene::Settings before = this->Edited->Get();
@@ -189,7 +189,8 @@ void StageGroup::ShowSettings()
   const bool on = this->IsOn();
   if (this->isCheckable())
   {
-    this->setChecked(on);
+    this->Waiting = this->Waiting && !on;
+    this->setChecked(on || this->Waiting);
   }
   if (on)
   {
@@ -226,8 +227,7 @@ QString StageGroup::WhyIdle(
 void StageGroup::ShowReason(vtkRelievoPass* frame)
 {
   vtkRelievoStage* stage = frame ? frame->GetStage(this->Stage) : nullptr;
-  const bool idle =
-    stage && this->isCheckable() && this->isChecked() && stage->GetReasonCode() != "ran";
+  const bool idle = stage && this->isCheckable() && this->IsOn() && stage->GetReasonCode() != "ran";
   const QString words = idle ? "Changes nothing: " +
       NameOptions(WriteReason(Words(stage->GetReasonCode()), Words(stage->GetReason())))
                              : QString();

@@ -62,6 +62,7 @@ private:
   QLabel* Reason;
   PointsEdit* Points = nullptr; // of a stage that works on data
   std::map<std::string, ParameterEdit*> Edits;
+  bool Waiting = false;                // for the first file: switched on, and no word says so yet
   std::optional<scene::Settings> Kept; // while it is switched off
 };
 }

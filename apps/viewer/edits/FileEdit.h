@@ -24,14 +24,13 @@ public:
   /// Sends no signal.
   void SetPath(const QString& path);
 
-  /// Asks the user; what is chosen is edited.
-  void Ask();
-
 Q_SIGNALS:
   /// An absolute path; empty: no file.
   void edited(const QString& path);
 
 private:
+  void Ask();
+
   QString Title;
   QString Shown;
   QLineEdit* Line;

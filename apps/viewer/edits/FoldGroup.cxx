@@ -21,13 +21,19 @@ QFormLayout* MakeRows()
   return rows;
 }
 
-// Whether there is more than what was hidden. Before the first show all else seems hidden, too.
+// Before the first show what nobody hid seems hidden, too.
+bool IsShown(const QWidget* widget)
+{
+  return !widget->isHidden() || !widget->testAttribute(Qt::WA_WState_ExplicitShowHide);
+}
+
+// Whether there is more than what was hidden.
 bool HasShown(const QFormLayout* rows)
 {
   for (int i = 0; i < rows->count(); ++i)
   {
     const QWidget* widget = rows->itemAt(i)->widget();
-    if (!widget || !widget->isHidden() || !widget->testAttribute(Qt::WA_WState_ExplicitShowHide))
+    if (!widget || IsShown(widget))
     {
       return true;
     }
@@ -87,6 +93,13 @@ QFormLayout* FoldGroup::GetAdvanced()
 }
 
 //------------------------------------------------------------------------------
+void FoldGroup::AddBelow(QWidget* widget)
+{
+  this->Below = widget;
+  this->Column->addWidget(widget);
+}
+
+//------------------------------------------------------------------------------
 void FoldGroup::Fold(bool folded)
 {
   this->Folded = folded;
@@ -110,7 +123,8 @@ void FoldGroup::Arrange()
   const bool on = !this->isCheckable() || this->isChecked();
   this->Folded = this->Folded && (on == this->On);
   this->On = on;
-  const bool empty = !this->Advanced && this->Rows->count() > 0 && !HasShown(this->Rows);
+  const bool none = this->Rows->count() == 0 ? this->Below != nullptr : !HasShown(this->Rows);
+  const bool empty = !this->Advanced && none && !(this->Below && IsShown(this->Below));
   this->Content->setVisible(on && !this->Folded && !empty);
   this->Arrow->setVisible(on && !empty);
   this->Arrow->setArrowType(this->Folded ? Qt::RightArrow : Qt::DownArrow);

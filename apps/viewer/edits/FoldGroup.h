@@ -27,6 +27,9 @@ public:
   /// The rows of the section Advanced. It is there from the first call on.
   QFormLayout* GetAdvanced();
 
+  /// Below all rows, those of the section Advanced too: where it comes and goes, no row moves.
+  void AddBelow(QWidget* widget);
+
   /// The group's own arrow; what is switched on afterwards is unfolded.
   void Fold(bool folded);
 
@@ -53,6 +56,7 @@ private:
   QVBoxLayout* Column;
   QFormLayout* Rows;
   QFormLayout* Advanced = nullptr;
+  QWidget* Below = nullptr;
   QToolButton* Arrow;
   bool On = true;
   bool Folded = false;

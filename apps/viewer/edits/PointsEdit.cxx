@@ -40,12 +40,16 @@ PointsEdit::PointsEdit(Document* document, const std::string& stage, QWidget* pa
   , Edited(document)
   , Stage(stage)
   , Option("--" + stage)
+  , Hint(new QLabel(this))
   , Files(new QListWidget(this))
   , RemoveFile(new QPushButton("Remove", this))
   , Values(new QWidget(this))
 {
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
+  this->Hint->setObjectName("hint");
+  this->Hint->setWordWrap(true);
+  column->addWidget(this->Hint);
   this->Files->setObjectName("files");
   this->Files->setMaximumHeight(60);
   auto* add = new QPushButton("Add file...", this);
@@ -65,6 +69,8 @@ PointsEdit::PointsEdit(Document* document, const std::string& stage, QWidget* pa
     if (known.Name == stage)
     {
       this->Described = &known.Points->GetDescription();
+      this->Hint->setText(
+        "The points of files become " + Words(known.Points->GetThings()) + ": add a file.");
       this->Rows.reserve(this->Described->Parameters.size());
       for (const vtkRelievoParameter& value : this->Described->Parameters)
       {
@@ -265,6 +271,7 @@ void PointsEdit::ShowSettings()
   }
   this->RemoveFile->setEnabled(!words.empty());
   this->Values->setVisible(!words.empty());
+  this->Hint->setVisible(words.empty());
   this->ShowArrays();
   this->ShowValues(false);
 }

@@ -19,6 +19,7 @@
 
 class QComboBox;
 class QFormLayout;
+class QLabel;
 class QListWidget;
 class QPushButton;
 
@@ -31,9 +32,6 @@ class PointsEdit : public QWidget
 public:
   /// `stage`: one that draws points, such as fog; its name is an option too.
   PointsEdit(Document* document, const std::string& stage, QWidget* parent = nullptr);
-
-  /// Asks for another file.
-  void Ask();
 
 private:
   struct Row
@@ -52,6 +50,7 @@ private:
   QWidget* MakeColor(Row& row, const vtkRelievoParameter& value);
   void Connect(QComboBox* box, const std::string& name);
   QString WhyIdle(const Row& row, const scene::NamedWords& values) const;
+  void Ask();
   void Remove();
   void Write(const std::string& name, const QString& text);
   void ShowSettings();
@@ -60,6 +59,7 @@ private:
 
   Document* Edited;
   std::string Stage, Option;
+  QLabel* Hint;
   QListWidget* Files;
   QPushButton* RemoveFile;
   QWidget* Values;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LayerBanner.h"
 
+#include "LayerWords.h"
+
 #include "vtkRelievoPass.h"
 
 #include <QHBoxLayout>
@@ -45,7 +47,7 @@ void LayerBanner::Follow(vtkRelievoPass* frame)
   const char* layer = frame ? frame->GetDisplayLayer() : nullptr;
   if (layer)
   {
-    this->Words->setText(QString("Showing %1").arg(layer));
+    this->Words->setText("Showing: " + relievoQt::NameLayer(layer));
     this->Place();
   }
   this->setVisible(layer != nullptr);

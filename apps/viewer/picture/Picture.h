@@ -63,6 +63,10 @@ public:
   /// Fits the camera to the scene.
   void ResetCamera();
 
+  /// The view's width over its height has become another: the camera steps back as far as is needed
+  /// to see what it saw of the scene, and forth again, until something else moves it.
+  void KeepInView(double before, double now);
+
   /// Looks along a direction at what is shown.
   void LookAlong(const std::array<double, 3>& direction, const std::array<double, 3>& up);
 
@@ -92,10 +96,21 @@ private:
   };
   void Remove(const Contents& contents);
 
+  // Where the camera stands, and the half of what a parallel one sees.
+  struct Stand
+  {
+    scene::CameraPlace Place;
+    double Scale = 0.0;
+    double Angle = 0.0;
+    double Aspect = 0.0; // of the view
+  };
+  Stand GetStand(double aspect) const;
+
   vtkRenderWindow* Window;
   scene::ProgressListener* Listener = nullptr;
   unsigned long Observer;
   Contents Now;
+  Stand Chosen, Kept; // what the view was when its shape changed first, and what it became
 };
 }
 

@@ -9,6 +9,7 @@
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -21,6 +22,65 @@ void Picture::ResetCamera()
   {
     this->GetRenderer()->ResetCamera(this->Now.Scene.GetBounds());
   }
+}
+
+//------------------------------------------------------------------------------
+Picture::Stand Picture::GetStand(double aspect) const
+{
+  vtkCamera* camera = this->GetRenderer()->GetActiveCamera();
+  return { scene::GetPlace(camera), camera->GetParallelScale(), camera->GetViewAngle(), aspect };
+}
+
+//------------------------------------------------------------------------------
+// The camera's vertical angle stays, and a narrower view would cut off both sides.
+void Picture::KeepInView(double before, double now)
+{
+  const double* bounds = this->Now.Scene.GetBounds();
+  if (!this->GetRenderer() || bounds[0] > bounds[1])
+  {
+    return;
+  }
+  const Stand stand = this->GetStand(before);
+  if (stand.Place.Position != this->Kept.Place.Position ||
+    stand.Place.FocalPoint != this->Kept.Place.FocalPoint ||
+    stand.Place.ViewUp != this->Kept.Place.ViewUp || stand.Scale != this->Kept.Scale ||
+    stand.Angle != this->Kept.Angle)
+  {
+    this->Chosen = stand;
+  }
+  vtkCamera* camera = this->GetRenderer()->GetActiveCamera();
+  const double half = std::tan(vtkMath::RadiansFromDegrees(0.5 * camera->GetViewAngle()));
+  const std::array<double, 3>& from = this->Chosen.Place.Position;
+  double along[3], up[3], right[3];
+  camera->GetDirectionOfProjection(along);
+  camera->GetViewUp(up);
+  vtkMath::Cross(along, up, right);
+  vtkMath::Normalize(right);
+  double back = 0.0;
+  double scale = this->Chosen.Scale;
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    const double v[3] = { bounds[corner & 1] - from[0], bounds[2 + ((corner >> 1) & 1)] - from[1],
+      bounds[4 + ((corner >> 2) & 1)] - from[2] };
+    const double aside = std::abs(vtkMath::Dot(v, right));
+    const double depth = vtkMath::Dot(v, along);
+    // Of half the view: what was outside may stay as far outside.
+    const double seen = this->Chosen.Aspect *
+      (camera->GetParallelProjection() ? this->Chosen.Scale : half * std::max(depth, 0.0));
+    const double most = std::max(1.0, aside / seen);
+    scale = std::max(scale, aside / (now * most));
+    back = depth > 0.0 ? std::max(back, aside / (half * now * most) - depth) : back;
+  }
+  if (camera->GetParallelProjection())
+  {
+    camera->SetParallelScale(scale);
+  }
+  else
+  {
+    camera->SetPosition(
+      from[0] - back * along[0], from[1] - back * along[1], from[2] - back * along[2]);
+  }
+  this->Kept = this->GetStand(now);
 }
 
 //------------------------------------------------------------------------------

@@ -12,6 +12,7 @@
 #include "vtkRenderWindowInteractor.h"
 #include "vtkTextureObject.h"
 
+#include <QApplication>
 #include <QMouseEvent>
 
 #include <algorithm>
@@ -20,6 +21,14 @@ namespace viewer
 {
 namespace
 {
+// Milliseconds
+constexpr int BusyPause = 50;
+constexpr int InputPause = 250; // from what the user did last, where a sample takes long
+constexpr int Patience = 100;   // of those who open a menu while samples are gathered
+
+// What all samples at once take, in times of one: 13 on llvmpipe, fewer on GPUs.
+constexpr int SamplesOfAll = 13;
+
 // The keys are the program's, and the clipping planes the picture's.
 class MouseStyle : public vtkInteractorStyleTrackballCamera
 {
@@ -65,11 +74,16 @@ PictureView::PictureView(QWidget* parent)
   vtkNew<vtkCallbackCommand> begin;
   begin->SetClientData(this);
   begin->SetCallback([](vtkObject*, unsigned long, void* self, void*) {
-    static_cast<PictureView*>(self)->LetLinesBeWide();
+    auto* view = static_cast<PictureView*>(self);
+    view->LetLinesBeWide();
+    view->Begun.start();
   });
   this->Beginning = window->AddObserver(vtkCommand::StartEvent, begin);
   this->Soon.setSingleShot(true);
   QObject::connect(&this->Soon, &QTimer::timeout, this, [this] { this->renderWindow()->Render(); });
+  qApp->installEventFilter(this);
+  this->Rest.setSingleShot(true);
+  QObject::connect(&this->Rest, &QTimer::timeout, this, &PictureView::GoOn);
 }
 
 //------------------------------------------------------------------------------
@@ -105,11 +119,56 @@ void PictureView::LetLinesBeWide()
 void PictureView::OnDrawn()
 {
   vtkRelievoPass* frame = this->Shown ? this->Shown->GetFrame() : nullptr;
-  if (frame && frame->GetSamplesLeft() > 0)
+  const int left = frame ? frame->GetSamplesLeft() : 0;
+  if (left > 0 && left >= this->SamplesLeft) // this was the first
   {
-    this->Draw();
+    this->renderWindow()->WaitForCompletion();
+    frame->SetSamplesOneByOne(!this->Hurried && this->Begun.elapsed() * SamplesOfAll > Patience);
   }
+  this->SamplesLeft = left;
+  left > 0 ? this->Rest.start(0) : this->Rest.stop();
   Q_EMIT this->drawn();
+}
+
+//------------------------------------------------------------------------------
+void PictureView::SetHurried(bool on)
+{
+  this->Hurried = on;
+  if (on && this->Shown->GetFrame())
+  {
+    this->Shown->GetFrame()->SamplesOneByOneOff();
+  }
+}
+
+//------------------------------------------------------------------------------
+bool PictureView::eventFilter(QObject* watched, QEvent* event)
+{
+  switch (event->type())
+  {
+    case QEvent::KeyPress:
+    case QEvent::MouseButtonPress:
+    case QEvent::MouseButtonRelease:
+    case QEvent::MouseMove:
+    case QEvent::Wheel:
+      this->SinceInput.start();
+      break;
+    default:
+      break;
+  }
+  return this->QVTKOpenGLNativeWidget::eventFilter(watched, event);
+}
+
+//------------------------------------------------------------------------------
+// With the samples that are left, unless somebody chooses in a menu, or drags, or just did
+// something: that comes first.
+void PictureView::GoOn()
+{
+  vtkRelievoPass* frame = this->Shown->GetFrame();
+  const bool slow = frame && frame->GetSamplesOneByOne();
+  const bool busy = QApplication::activePopupWidget() ||
+    QApplication::mouseButtons() != Qt::NoButton ||
+    (slow && this->SinceInput.isValid() && this->SinceInput.elapsed() < InputPause);
+  busy ? this->Rest.start(BusyPause) : this->renderWindow()->Render();
 }
 
 //------------------------------------------------------------------------------
@@ -169,6 +228,13 @@ void PictureView::leaveEvent(QEvent* event)
 void PictureView::resizeEvent(QResizeEvent* event)
 {
   this->QVTKOpenGLNativeWidget::resizeEvent(event);
+  const auto getAspect = [](const QSize& size) {
+    return static_cast<double>(size.width()) / size.height();
+  };
+  if (!event->oldSize().isEmpty() && !event->size().isEmpty())
+  {
+    this->Shown->KeepInView(getAspect(event->oldSize()), getAspect(event->size()));
+  }
   this->Draw();
 }
 

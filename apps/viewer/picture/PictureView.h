@@ -10,6 +10,7 @@
 
 #include <QVTKOpenGLNativeWidget.h>
 
+#include <QElapsedTimer>
 #include <QSize>
 #include <QSurfaceFormat>
 #include <QTimer>
@@ -55,6 +56,10 @@ public:
   /// Draws soon; several calls draw once.
   void Draw();
 
+  /// Samples are drawn at once, however long the window does not answer; otherwise one by one where
+  /// that takes long. Default off.
+  void SetHurried(bool on);
+
 Q_SIGNALS:
   void drawn();
 
@@ -68,6 +73,7 @@ Q_SIGNALS:
   void picked(int x, int y);
 
 protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
   void initializeGL() override;
   void mousePressEvent(QMouseEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;
@@ -77,11 +83,16 @@ protected:
 private:
   void LetLinesBeWide();
   void OnDrawn();
+  void GoOn();
 
   std::unique_ptr<Picture> Shown;
   unsigned long Beginning;
   bool Picking = false;
-  QTimer Soon;
+  QTimer Soon, Rest;
+  QElapsedTimer Begun; // the frame
+  QElapsedTimer SinceInput;
+  bool Hurried = false;
+  int SamplesLeft = 0;
 };
 }
 

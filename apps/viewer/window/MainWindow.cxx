@@ -495,6 +495,7 @@ void MainWindow::OpenFiles(const QStringList& paths, bool beside)
     }
     if (!beside || first)
     {
+      const bool safe = this->IsSafe || !this->HasEdits();
       const scene::Settings before = this->Edited->Get();
       // Of a file that was opened and is not there yet, nothing has been told and given back.
       const bool pending = this->Reader->IsReading() && this->Colors.Has("--color-by") &&
@@ -502,6 +503,7 @@ void MainWindow::OpenFiles(const QStringList& paths, bool beside)
       const scene::Settings colors = pending ? this->Colors : before;
       const QString told = this->Reader->IsReading() ? this->Dropped : QString();
       this->Open(settings, whole);
+      this->IsSafe = safe;
       this->Dropped = told + (told.isEmpty() || dropped.isEmpty() ? "" : ", ") + dropped;
       for (const char* word : ColorWords)
       {
@@ -562,6 +564,7 @@ void MainWindow::OpenNext(int step)
 void MainWindow::OpenSession(const QString& path)
 {
   this->Open(LoadSession(path), { QFileInfo(path).absoluteFilePath() });
+  this->IsSafe = true;
 }
 
 //------------------------------------------------------------------------------
@@ -587,6 +590,11 @@ void MainWindow::dropEvent(QDropEvent* event)
 //------------------------------------------------------------------------------
 void MainWindow::closeEvent(QCloseEvent* event)
 {
+  if (!this->LetGoOfEdits())
+  {
+    event->ignore();
+    return;
+  }
   this->Reader->Stop();
   this->KeepLayout();
   this->QMainWindow::closeEvent(event);
@@ -601,6 +609,7 @@ void MainWindow::Open(const scene::Settings& settings)
     paths += QString::fromStdString(file);
   }
   this->Open(settings, paths);
+  this->IsSafe = true;
 }
 
 //------------------------------------------------------------------------------
@@ -802,6 +811,7 @@ void MainWindow::StopReading()
 void MainWindow::GiveUp()
 {
   this->Begin();
+  this->IsSafe = false;
   this->Opening.clear();
   this->Dropped.clear();
   this->Colors = scene::Settings();
@@ -900,6 +910,8 @@ QString MainWindow::ShowRead()
     this->Dropped += this->Dropped.isEmpty() ? "the colours" : ", and the colours";
   }
   this->TellDropped();
+  this->Safe = this->IsSafe ? this->Edited->Get() : this->Safe;
+  this->IsSafe = false;
   this->Remember();
   return QString();
 }

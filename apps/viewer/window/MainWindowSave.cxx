@@ -23,8 +23,10 @@
 #include "vtkRelievoPass.h"
 #include "vtkRenderWindow.h"
 
+#include <QAction>
 #include <QApplication>
 #include <QFileInfo>
+#include <QMessageBox>
 #include <QProgressDialog>
 
 #include <algorithm>
@@ -100,6 +102,7 @@ bool MainWindow::Gather()
   }
   this->Time->Stop();
   this->Saving = true;
+  this->Shown->SetHurried(true); // samples as the command draws them
   QProgressDialog dialog("Gathering the samples of the picture", "Cancel", 0, 0, this);
   dialog.setWindowModality(Qt::ApplicationModal);
   dialog.setMinimumDuration(SavePatience);
@@ -120,6 +123,7 @@ bool MainWindow::Gather()
     this->Shown->renderWindow()->Render();
   }
   const bool good = !dialog.wasCanceled();
+  this->Shown->SetHurried(false);
   this->Saving = false;
   if (!good)
   {
@@ -175,8 +179,41 @@ void MainWindow::SaySaved(const QString& path)
 void MainWindow::SaveSession(const QString& path)
 {
   viewer::SaveSession(path, this->GetViewSettings());
+  this->Safe = this->Edited->Get();
   this->Recent->Add(QFileInfo(path).absoluteFilePath());
   this->SaySaved(path);
+}
+
+//------------------------------------------------------------------------------
+// Whether anything was set that no session has. The files are no edits: undoing brings back what
+// went with one of them.
+bool MainWindow::HasEdits() const
+{
+  const auto getEdits = [](scene::Settings settings) {
+    settings.Files.clear();
+    settings.Remove("--time");
+    return settings;
+  };
+  return !this->Shown->GetPicture().IsEmpty() &&
+    getEdits(this->Edited->Get()) != getEdits(this->Safe);
+}
+
+//------------------------------------------------------------------------------
+// Whether the window may close: edits are saved, or the user does not want them.
+bool MainWindow::LetGoOfEdits()
+{
+  if (!this->HasEdits())
+  {
+    return true;
+  }
+  const auto answer = QMessageBox::question(this, "Quit",
+    "What you changed is in no session. Do you want to save it as one?",
+    QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, QMessageBox::Save);
+  if (answer == QMessageBox::Save)
+  {
+    this->findChild<QAction*>("saveSession")->trigger();
+  }
+  return answer == QMessageBox::Save ? !this->HasEdits() : answer == QMessageBox::Discard;
 }
 
 //------------------------------------------------------------------------------

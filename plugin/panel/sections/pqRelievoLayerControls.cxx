@@ -238,11 +238,11 @@ void pqRelievoLayerControls::ShowState()
   this->Layer->addItem("None", QString());
   for (int i = 1; i < names.size(); ++i)
   {
-    this->Layer->addItem(names[i], names[i]);
+    this->Layer->addItem(relievoQt::NameLayer(names[i].toStdString()), names[i]);
   }
   if (!layer.isEmpty() && !names.contains(layer))
   {
-    this->Layer->addItem(layer, layer); // by script: an array
+    this->Layer->addItem(relievoQt::NameLayer(layer.toStdString()), layer); // by script: an array
   }
   this->Layer->setCurrentIndex(std::max(0, this->Layer->findData(layer)));
   const bool probing = this->View && (this->All->isChecked() || !layer.isEmpty());
@@ -474,7 +474,7 @@ void pqRelievoLayerControls::ShowValues(vtkIdType pixel)
     vtkDataArray* array = layers->GetArray(qUtf8Printable(names[row]));
     const bool normal =
       vtkRelievoLayerCatalogue::Find(names[row].toStdString()).Kind == vtkRelievoLayer::VECTOR;
-    const QString texts[] = { names[row],
+    const QString texts[] = { relievoQt::NameLayer(names[row].toStdString()),
       HasNothing(this->Image, names[row], pixel) ? "nothing" : WriteValues(array, normal, pixel) };
     for (int column = 0; column < 2; ++column)
     {
@@ -484,6 +484,7 @@ void pqRelievoLayerControls::ShowValues(vtkIdType pixel)
       }
       this->Values->item(row, column)->setText(texts[column]);
       this->Values->item(row, column)->setToolTip(texts[column]);
+      this->Values->item(row, column)->setData(Qt::UserRole, names[row]);
     }
   }
   this->Values->resizeRowsToContents();
@@ -501,7 +502,7 @@ QString pqRelievoLayerControls::GetProbedLayers() const
   QStringList names;
   for (int row = 0; row < this->Values->rowCount(); ++row)
   {
-    names.append(this->Values->item(row, 0)->text());
+    names.append(this->Values->item(row, 0)->data(Qt::UserRole).toString());
   }
   return names.join(",");
 }

@@ -44,7 +44,6 @@ pqRelievoShadowControls::pqRelievoShadowControls(QWidget* parent)
   Indent(this->Rest);
   this->Hint->setObjectName("hint");
   this->Hint->setWordWrap(true);
-  parts->addWidget(this->Hint);
   this->AddSoft(this->Rest);
   auto* strength = new relievoQt::Number(0.0, 1.0, 0.01, 2, this->Rest);
   strength->setObjectName("strength");
@@ -54,6 +53,7 @@ pqRelievoShadowControls::pqRelievoShadowControls(QWidget* parent)
   relievoQt::AddRow(relievoQt::MakeRows(row), "Strength", strength);
   this->Bind(strength, "RelievoShadowStrength", "Strength of shadows");
   this->AddMethods(this->Rest);
+  parts->addWidget(this->Hint); // which comes and goes with what is drawn
   QObject::connect(this->On, &QCheckBox::toggled, this,
     [this](bool on) { pqRelievoViewSettings::SetShadows(this->View, on); });
   QObject::connect(this->Hint, &QLabel::linkActivated, this, [this](const QString& link) {
