@@ -120,7 +120,7 @@ std::string Decorate(const std::string& property, const std::string& value, bool
 
 std::string DecorateIf(const Described& described, const vtkRelievoParameter::Condition& condition)
 {
-  if (condition.Name == "visible") // the stage's switch
+  if (condition.Name == "enabled") // the stage's switch
   {
     return Decorate(described.Exposed + described.Prefix, "1", false);
   }
@@ -275,8 +275,7 @@ std::string MakeProperties(const Described& described)
   std::string out;
   for (const vtkRelievoParameter& parameter : described.List.Parameters)
   {
-    // Those that are seen are switched by the view's own property.
-    out += parameter.Name == "visible" ? "" : MakeProperty(described, parameter);
+    out += MakeProperty(described, parameter);
   }
   return out;
 }
@@ -293,7 +292,7 @@ std::string MakeExposed(const Described& described)
   {
     const std::string name = described.GetName(parameter.Name);
     const std::string as = described.GetExposedName(parameter.Name);
-    out += parameter.Name == "visible" ? "" : Expose(name, as);
+    out += Expose(name, as);
     out += parameter.PerPoint ? Expose(name + "Array", as + "Array") : "";
   }
   return out;
@@ -329,14 +328,12 @@ void AddStage(vtkRelievoStage* stage, std::map<std::string, std::string>& made)
 {
   const vtkRelievoStageDescription& says = stage->GetDescription();
   const std::string name = "Stage" + vtkRelievoCapitalize(says.Name, false);
-  const vtkRelievoParameter* visible = says.Find("visible");
   const Described described = { says, "SetStage", says.Name + ":", name, "Relievo",
-    DecorateInUse("Relievo" + name, visible ? says.Layers : std::vector<std::string>()) };
-  made["stages: properties"] += visible
-    ? MakeSwitch(name, says.Label, "SetStageValue", says.Name + ":visible",
-        visible->GetValues()[0] != 0.0, says.Help)
-    : MakeSwitch(name, says.Label, "SetStageOn", says.Name, says.OnByDefault, says.Help);
-  made["stages: properties"] += MakeProperties(described);
+    DecorateInUse(
+      "Relievo" + name, says.ServesWhenOff ? says.Layers : std::vector<std::string>()) };
+  made["stages: properties"] +=
+    MakeSwitch(name, says.Label, "SetStageOn", says.Name, says.OnByDefault, says.Help) +
+    MakeProperties(described);
   made["stages: exposed"] += "          <PropertyGroup label=\"" + Escape(says.Label) +
     " (Relievo)\">\n" + Expose(name, "Relievo" + name) + MakeExposed(described) +
     "          </PropertyGroup>\n";
@@ -464,7 +461,7 @@ std::map<std::string, std::string> MakeAll()
   for (int i = 0; i < frame->GetNumberOfStages(); ++i)
   {
     const vtkRelievoStageDescription& stage = frame->GetStage(i)->GetDescription();
-    const bool isSwitched = !stage.OnByDefault || stage.TakesData || stage.Find("visible");
+    const bool isSwitched = !stage.OnByDefault || stage.TakesData;
     if (isSwitched && frame->GetStage(i) != frame->GetShadowStage())
     {
       AddStage(frame->GetStage(i), made);

@@ -14,10 +14,11 @@ from .vtkRelievoPasses import vtkRelievoPass
 def stage(renderer, name, on=True, **parameters):
     """Switches a stage of the renderer's frame on or off and sets its parameters.
 
-        relievo.stage(renderer, "shadows", visible=True, method="warped", bias=2)
+        relievo.stage(renderer, "shadows", method="warped", bias=2)
 
     renderer: a vtkRenderer, or an object whose attribute `renderer` is one (a plotter); the frame
-    is attached if there is none. name: one of stages(). on: whether the frame may run the stage.
+    is attached if there is none. name: one of stages(). on: whether the frame may run the stage;
+    layers of shadows and ambient occlusion are there either way.
     parameters: numbers, True or False, strings, and for a colour three numbers, "#ff8000" or a
     name; stages() gives ranges and defaults.
 
@@ -54,7 +55,7 @@ def stage(renderer, name, on=True, **parameters):
         found = attach(renderer).GetStage(name)
         for key, text in wanted.items():
             found.TrySetParameter(key, text)
-    found.SetEnabled(on)
+    found.SetEnabled(bool(on))
     return found
 
 

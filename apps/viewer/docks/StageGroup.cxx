@@ -51,11 +51,6 @@ std::string GetOption(const std::string& stage)
   return "--" + stage;
 }
 
-bool HasSwitchOfItsOwn(const vtkRelievoStageDescription& description)
-{
-  return !description.Parameters.empty() && description.Parameters[0].Name == "visible";
-}
-
 bool CanBeSet(const vtkRelievoStageDescription& description)
 {
   const bool nothing =
@@ -102,20 +97,16 @@ StageGroup::StageGroup(
   this->Reason->setWordWrap(true);
   this->Reason->hide();
   this->GetRows()->addRow(this->Reason);
-  const bool ownSwitch = HasSwitchOfItsOwn(description);
-  if (description.TakesData && !ownSwitch)
+  if (description.TakesData)
   {
     this->Points = new PointsEdit(this->Edited, this->Stage, this);
     this->GetRows()->addRow(this->Points);
   }
   for (const vtkRelievoParameter& parameter : this->Parameters.Parameters)
   {
-    if (!ownSwitch || parameter.Name != "visible")
-    {
-      this->AddParameter(parameter);
-    }
+    this->AddParameter(parameter);
   }
-  if (!description.OnByDefault || description.TakesData || ownSwitch)
+  if (!description.OnByDefault || description.TakesData)
   {
     this->setCheckable(true);
     QObject::connect(this, &QGroupBox::toggled, this, &StageGroup::Switch);
