@@ -8,10 +8,10 @@ from ._frame import frame_of
 from ._keep import attach
 from ._parameters import names, words
 from ._renderers import need_renderer
-from .vtkRelievoPasses import vtkRelievoPass
+from ._wrapped import vtkRelievoPass, vtkRelievoStage
 
 
-def stage(renderer, name, on=True, **parameters):
+def stage(renderer, name, on=True, **parameters) -> vtkRelievoStage:
     """Switches a stage of the renderer's frame on or off and sets its parameters.
 
         relievo.stage(renderer, "shadows", method="warped", bias=2)
@@ -63,7 +63,7 @@ def _names(frame):
     return [frame.GetStage(i).GetStageName() for i in range(frame.GetNumberOfStages())]
 
 
-def stages():
+def stages() -> dict:
     """Returns all stages of a frame: a dict by name, each value a dict of the stage's parameters.
 
     Each parameter has a pair of strings, default and help: ("0.5", "Fraction of ... from 0 to 1.").

@@ -353,7 +353,7 @@ class Package(unittest.TestCase):
         for name in relievo.__all__:
             function = getattr(relievo, name)
             if inspect.isfunction(function):
-                arguments = str(inspect.signature(function)).replace("'", '"')
+                arguments = str(inspect.signature(function)).replace("'", '"').split(" -> ")[0]
                 heading = re.search(rf"^### {name}(\(.*\.\.\..*\)) →", headings, re.M)
                 if heading:  # values stand in tables of their own
                     wanted = re.escape(heading.group(1)).replace(re.escape("..."), ".*")
