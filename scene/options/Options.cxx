@@ -315,11 +315,13 @@ vtkRelievoCommand DescribeRender(RenderOptions& all)
   rows.AddFlag("--grid",
     "shows a grid round the scene, with numbers on its axes x, y and z, in the picture alone",
     all.Look.Grid);
-  rows.Add("--scale-bar", "UNIT[,length=LENGTH]",
-    "shows a bar of a round length, or of LENGTH, at the lower right, in the picture alone, with "
-    "its number and the unit of the scene's lengths, such as mm; none: the number alone. In "
-    "perspective it is right at the depth of the focal point",
-    TakeScaleBar);
+  rows
+    .Add("--scale-bar", "UNIT[,length=LENGTH]",
+      "shows a bar of a round length, or of LENGTH, at the lower right, in the picture alone, with "
+      "its number and the unit of the scene's lengths, such as mm; none: the number alone. In "
+      "perspective it is right at the depth of the focal point",
+      TakeScaleBar)
+    .Words = { "none" };
   rows.Add("--color-by", "NAME[,COMPONENT]",
     "colours by a point or cell array, point:NAME or cell:NAME where two share a "
     "name; COMPONENT a number from 0, or magnitude (the magnitude; bytes of 3 or 4 "
