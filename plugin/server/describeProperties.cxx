@@ -9,14 +9,15 @@
 // for every stage that draws such; `stages: properties`, the properties of every stage that can be
 // switched, and `stages: exposed` their groups in the render view; so for `shadows`, `sun`,
 // `environment`, `selection` and `material`, which have groups of their own; `caves: properties`
-// and `sun exposure: properties`, those of these filters; `layers`, the names of layers; `layers:
-// shown`, those that can be shown as the picture. In other lines @layers: help@ is what they are,
-// @layers: count@ how many values a selection of layers has, and @layers: A B@ the values of one in
-// which A and B are chosen, A first; @images@ and @models@ are the extensions of their files.
+// and the like, those of filters; `layers`, the names of layers; `layers: shown`, those that can be
+// shown as the picture. In other lines @layers: help@ is what they are, @layers: count@ how many
+// values a selection of layers has, and @layers: A B@ the values of one in which A and B are
+// chosen, A first; @images@ and @models@ are the extensions of their files.
 #include "vtkNew.h"
 #include "vtkPVRelievoSun.h"
 #include "vtkRelievoCaves.h"
 #include "vtkRelievoEnvironment.h"
+#include "vtkRelievoHeightsToNormals.h"
 #include "vtkRelievoImageFile.h"
 #include "vtkRelievoLayerCatalogue.h"
 #include "vtkRelievoMarkers.h"
@@ -25,8 +26,13 @@
 #include "vtkRelievoPass.h"
 #include "vtkRelievoPointStage.h"
 #include "vtkRelievoShadowStage.h"
+#include "vtkRelievoSmoothBlocks.h"
 #include "vtkRelievoStage.h"
 #include "vtkRelievoSunExposure.h"
+#include "vtkRelievoSurfaceParticles.h"
+#include "vtkRelievoTextureCoordinates.h"
+#include "vtkRelievoVoxelCubes.h"
+#include "vtkRelievoVoxelShell.h"
 #include "vtkSmartPointer.h"
 
 #include <algorithm>
@@ -74,9 +80,13 @@ std::string FormatDefault(const vtkRelievoParameter& parameter)
   return Escape(words);
 }
 
-// "Blue Noise" for "blue noise".
-std::string WriteChoice(const std::string& label)
+// "Blue Noise" for "blue noise", and "Blue noise" of a filter, which scripts hold.
+std::string WriteChoice(const std::string& label, bool ofFilter)
 {
+  if (ofFilter)
+  {
+    return vtkRelievoCapitalize(label, true);
+  }
   std::string words = label;
   std::replace(words.begin(), words.end(), ' ', '_');
   return label == "vtk" ? "VTK" : vtkRelievoCapitalize(words, true);
@@ -178,7 +188,7 @@ std::string MakeHints(
 }
 
 // What a control shows. What it takes is more where the description says so.
-std::string MakeDomain(const vtkRelievoParameter& parameter)
+std::string MakeDomain(const vtkRelievoParameter& parameter, bool ofFilter)
 {
   using P = vtkRelievoParameter;
   std::ostringstream out;
@@ -193,7 +203,7 @@ std::string MakeDomain(const vtkRelievoParameter& parameter)
     for (std::size_t i = 0; i < parameter.Choices.size(); ++i)
     {
       out << "          <Entry value=\"" << i << "\" text=\""
-          << Escape(WriteChoice(parameter.GetChoiceLabel(i))) << "\"/>\n";
+          << Escape(WriteChoice(parameter.GetChoiceLabel(i), ofFilter)) << "\"/>\n";
     }
     out << "        </EnumerationDomain>\n";
   }
@@ -253,10 +263,11 @@ std::string MakeProperty(const Described& described, const vtkRelievoParameter& 
       << (text || own ? "" : " si_class=\"vtkSI" + kind + "VectorProperty\"")
       << (parameter.Type == P::COLOR ? " panel_widget=\"color_selector\"" : "")
       << (parameter.Advanced ? " panel_visibility=\"advanced\"" : "") << ">\n"
-      << MakeDomain(parameter)
+      << MakeDomain(parameter, own)
       << Documentation(parameter.Help + (text ? "" : " Takes " + ofAll.GetExpected() + ".") +
            (parameter.PerPoint ? " For points without the array." : ""))
-      << (own ? "" : MakeHints(described, parameter, false)) << "      </" << element << ">\n";
+      << (own && parameter.OnlyIf.empty() ? "" : MakeHints(described, parameter, false))
+      << "      </" << element << ">\n";
   if (parameter.PerPoint)
   {
     out << "      <StringVectorProperty name=\"" << name << "Array\" label=\""
@@ -503,11 +514,21 @@ std::map<std::string, std::string> MakeAll()
   add("material",
     { material->GetDescription(), "Set", "", "", "Relievo",
       Decorate("RelievoMaterial", "1", false) });
-  vtkNew<vtkRelievoCaves> caves;
-  add("caves", { caves->GetParameters(), "", "", "", "", "" });
+  const auto addFilter = [&add](const std::string& name, const auto& filter) {
+    add(name, { filter->GetParameters(), "", "", "", "", "" });
+  };
+  addFilter("caves", vtkNew<vtkRelievoCaves>());
+  addFilter("heights to normals", vtkNew<vtkRelievoHeightsToNormals>());
+  addFilter("smooth blocks", vtkNew<vtkRelievoSmoothBlocks>());
+  addFilter("texture coordinates", vtkNew<vtkRelievoTextureCoordinates>());
+  addFilter("voxel cubes", vtkNew<vtkRelievoVoxelCubes>());
+  addFilter("voxel shell", vtkNew<vtkRelievoVoxelShell>());
+  vtkNew<vtkRelievoSurfaceParticles> particles;
+  particles->SetNoiseSpeed(-1.0); // so that something moves at first
+  addFilter("surface particles", particles);
   vtkNew<vtkRelievoSunExposure> exposure;
   exposure->SetUpAxis(2);
-  add("sun exposure", { exposure->GetParameters(), "", "", "", "", "" });
+  addFilter("sun exposure", exposure);
   return made;
 }
 }
