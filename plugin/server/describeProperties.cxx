@@ -17,6 +17,9 @@
 #include "vtkPVRelievoSun.h"
 #include "vtkRelievoCaves.h"
 #include "vtkRelievoEnvironment.h"
+#include "vtkRelievoEnvironmentConvert.h"
+#include "vtkRelievoEnvironmentIrradiance.h"
+#include "vtkRelievoEnvironmentPrefilter.h"
 #include "vtkRelievoHeightsToNormals.h"
 #include "vtkRelievoImageFile.h"
 #include "vtkRelievoLayerCatalogue.h"
@@ -518,6 +521,9 @@ std::map<std::string, std::string> MakeAll()
     add(name, { filter->GetParameters(), "", "", "", "", "" });
   };
   addFilter("caves", vtkNew<vtkRelievoCaves>());
+  addFilter("environment convert", vtkNew<vtkRelievoEnvironmentConvert>());
+  addFilter("environment irradiance", vtkNew<vtkRelievoEnvironmentIrradiance>());
+  addFilter("environment prefilter", vtkNew<vtkRelievoEnvironmentPrefilter>());
   addFilter("heights to normals", vtkNew<vtkRelievoHeightsToNormals>());
   addFilter("smooth blocks", vtkNew<vtkRelievoSmoothBlocks>());
   addFilter("texture coordinates", vtkNew<vtkRelievoTextureCoordinates>());

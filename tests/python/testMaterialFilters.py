@@ -47,10 +47,12 @@ class Normals(unittest.TestCase):
 class Settings(unittest.TestCase):
     def check(self, made, name):
         """Get and the setting's name gives what its words set, at both ends of its range."""
-        got = getattr(made, "Get" + "".join(word.capitalize() for word in name.split("_")))
+        words = (word.capitalize() for word in name.replace("srgb", "s_r_g_b").split("_"))
+        got = getattr(made, "Get" + "".join(words))
         help_ = made.GetParameterHelp(name)
         choices = re.search(r"Takes one of ([^.]*)\.$", help_)
-        bounds = re.search(r"number,? (?:from )?([\d.]+) (?:to ([\d.e+]+)(?<!\.)|or more)", help_)
+        least = r"number,? (?:from )?([\d.]+(?:e-\d+)?)"
+        bounds = re.search(rf"{least} (?:to ([\d.e+]+)(?<!\.)|or more)", help_)
         if choices:
             for place, word in enumerate(choices[1].split(", ")):
                 self.assertEqual(made.TrySetParameter(name, word), "", name)
@@ -77,8 +79,10 @@ class Settings(unittest.TestCase):
 
     def test_by_name(self):
         checked = 0
-        for kind in ("Caves", "HeightsToNormals", "SmoothBlocks", "SurfaceParticles",
-                     "TextureCoordinates", "VoxelCubes", "VoxelShell"):  # fmt: skip
+        for kind in ("Caves", "EnvironmentConvert", "EnvironmentIrradiance",
+                     "EnvironmentPrefilter", "HeightsToNormals", "SmoothBlocks",
+                     "SurfaceParticles", "TextureCoordinates", "VoxelCubes",
+                     "VoxelShell"):  # fmt: skip
             made = getattr(relievo, f"vtkRelievo{kind}")()
             for i in range(made.GetNumberOfParameters()):
                 with self.subTest(kind, setting=made.GetParameterName(i)):
