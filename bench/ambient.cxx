@@ -273,14 +273,14 @@ public:
     {
       stage->SetSamples(samples);
       stage->SetSamplesPerFrame(std::min(samples, 64));
-      stage->SetVisible(true);
+      stage->SetEnabled(true);
       double strength = 1.0;
       const double time = Time(this->Sizes.Rounds, [&] {
         strength = strength == 1.0 ? 0.99 : 1.0; // all rays anew
         stage->SetStrength(strength);
         relievoTest::Picture(this->Window);
       });
-      stage->SetVisible(false);
+      stage->SetEnabled(false);
       vtkNew<vtkRelievoLayerSource> source;
       source->SetRenderer(this->Renderer);
       source->AddLayer("ambient");

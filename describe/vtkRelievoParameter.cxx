@@ -73,7 +73,8 @@ std::string vtkRelievoCapitalize(const std::string& name, bool spaces)
     label += first ? static_cast<char>(std::toupper(static_cast<unsigned char>(c))) : c;
     first = false;
   }
-  return label;
+  const std::size_t acronym = label.find("Srgb");
+  return acronym == std::string::npos ? label : label.replace(acronym, 4, "SRGB");
 }
 
 //------------------------------------------------------------------------------

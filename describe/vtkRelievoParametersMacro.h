@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // What scripts ask of a class that describes its parameters, in its member Parameters. The class
-// includes vtkRelievoText.h as well.
+// includes vtkRelievoText.h as well. vtkRelievoMember is a member and its Set method, for Add....
 #ifndef vtkRelievoParametersMacro_h
 #define vtkRelievoParametersMacro_h
 
 #include "vtkRelievoParameterList.h"
+
+#define vtkRelievoMember(Name) this->Name, [this](auto value) { this->Set##Name(value); }
 
 #define vtkRelievoParametersMacro()                                                                \
   int GetNumberOfParameters()                                                                      \
@@ -32,6 +34,10 @@
   std::string TrySetParameter(RELIEVO_TEXT name, RELIEVO_TEXT words)                               \
   {                                                                                                \
     return this->Parameters.TrySet(name, words);                                                   \
+  }                                                                                                \
+  const vtkRelievoParameterList& GetParameters() const                                             \
+  {                                                                                                \
+    return this->Parameters;                                                                       \
   }
 
 #endif

@@ -138,7 +138,7 @@ void vtkRelievoPass::SetShadows(bool on)
 {
   if (auto* shadows = FindToSet(this, this->GetShadowStage(), "shadows"))
   {
-    shadows->SetVisible(on);
+    shadows->SetEnabled(on);
   }
 }
 
@@ -162,7 +162,7 @@ bool vtkRelievoPass::GetDeferred()
 bool vtkRelievoPass::GetShadows()
 {
   vtkRelievoShadowStage* shadows = this->GetShadowStage();
-  return shadows && shadows->GetVisible();
+  return shadows && shadows->GetEnabled();
 }
 
 //------------------------------------------------------------------------------

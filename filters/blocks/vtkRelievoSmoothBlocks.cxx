@@ -24,6 +24,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <set>
 #include <string>
 
@@ -62,6 +63,55 @@ vtkRelievoSmoothBlocks::vtkRelievoSmoothBlocks()
   this->SetNumberOfOutputPorts(2);
   this->SetInputArrayToProcess(
     0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, vtkDataSetAttributes::SCALARS);
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  constexpr int least = std::numeric_limits<int>::min(), most = std::numeric_limits<int>::max();
+  vtkRelievoParameterList& list = this->Parameters;
+  list.AddNumber("strength", vtkRelievoMember(Strength), 0.0, 0.25, "blocks",
+    "How far vertices move. 0 leaves cubes, 0.125 makes a step a slope of 45 degrees.");
+  list.AddChoice("surface", vtkRelievoMember(Surface), { "outside", "between_labels" },
+    "The faces between blocks and air, or also those between two labels.");
+  list.AddFlag("close_borders", vtkRelievoMember(CloseBorders),
+    "Whether the surface is closed at the borders of the image.");
+  list.AddChoice("normals", vtkRelievoMember(Normals),
+    { "none", "across_materials", "within_materials" },
+    "Point normals: the mean over all faces at a point, or over those of each label.");
+  list
+    .AddFlag("triangles", vtkRelievoMember(Triangles), "Whether the faces are cut into triangles.")
+    .Advanced = true;
+  vtkRelievoParameter& up = list.AddChoice("up", vtkRelievoMember(Up), { "x", "y", "z" },
+    "The axis of the image that points up, for levels, noise and textures.");
+  up.Label = "Up Axis";
+  up.Advanced = true;
+  list
+    .AddNumber("noise_amplitude", vtkRelievoMember(NoiseAmplitude), 0.0, infinity, "blocks",
+      "Noise that is added to heights.")
+    .Advanced = true;
+  list
+    .AddNumber("noise_scale", vtkRelievoMember(NoiseScale), 0.1, infinity, "blocks",
+      "Size of the noise's cells.")
+    .Advanced = true;
+  list
+    .AddWhole(
+      "noise_seed", vtkRelievoMember(NoiseSeed), least, most, "", "Another seed, another noise.")
+    .Advanced = true;
+  list.AddFlag("texture_coordinates", vtkRelievoMember(TextureCoordinates),
+    "Whether points have texture coordinates, which keep all lengths.");
+  list
+    .AddNumber("tile_size", vtkRelievoMember(TileSize), 0.0, infinity, "",
+      "Size of one copy of the texture, in the data's units; 0 is the longest side of a block.")
+    .Advanced = true;
+  list
+    .AddFlag("material_weights", vtkRelievoMember(MaterialWeights),
+      "Whether points have the share of each label, for soft borders between textures.")
+    .Advanced = true;
+  list
+    .AddFlag("seams", vtkRelievoMember(Seams),
+      "Whether the second output is made: edges that are not used by exactly two faces.")
+    .Advanced = true;
+  list
+    .AddNumber("memory_limit", vtkRelievoMember(MemoryLimit), 0.0, infinity, "bytes",
+      "The most that the surface may take; more are refused. 0: what the machine has left.")
+    .Advanced = true;
 }
 
 //------------------------------------------------------------------------------
@@ -333,6 +383,7 @@ int vtkRelievoSmoothBlocks::GetNumberOfWeightedLabels()
 void vtkRelievoSmoothBlocks::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  this->Parameters.Print(os, indent);
   const auto print = [&](const char* name, const std::set<vtkTypeInt64>& labels) {
     os << indent << name << ":";
     for (const vtkTypeInt64 label : labels)
@@ -342,24 +393,10 @@ void vtkRelievoSmoothBlocks::PrintSelf(ostream& os, vtkIndent indent)
     os << (labels.empty() ? " none\n" : "\n");
   };
   os << indent << "AirLabel: " << this->AirLabel << "\n";
-  os << indent << "Strength: " << this->Strength << "\n";
-  os << indent << "Surface: " << this->Surface << "\n";
-  os << indent << "CloseBorders: " << (this->CloseBorders ? "on" : "off") << "\n";
-  os << indent << "Triangles: " << (this->Triangles ? "on" : "off") << "\n";
-  os << indent << "Normals: " << this->Normals << "\n";
   print("RigidLabels", this->Self->Rigid);
   print("LevelLabels", this->Self->Level);
-  os << indent << "Up: " << this->Up << "\n";
-  os << indent << "NoiseAmplitude: " << this->NoiseAmplitude << "\n";
-  os << indent << "NoiseScale: " << this->NoiseScale << "\n";
-  os << indent << "NoiseSeed: " << this->NoiseSeed << "\n";
   os << indent << "NoiseDimensions: " << this->NoiseDimensions << "\n";
-  os << indent << "TextureCoordinates: " << (this->TextureCoordinates ? "on" : "off") << "\n";
-  os << indent << "TileSize: " << this->TileSize << "\n";
   os << indent << "Atlas: " << this->Atlas[0] << " " << this->Atlas[1] << "\n";
-  os << indent << "MaterialWeights: " << (this->MaterialWeights ? "on" : "off") << "\n";
   print("WeightedLabels", this->Self->Weighted);
-  os << indent << "Seams: " << (this->Seams ? "on" : "off") << "\n";
   os << indent << "OutputPointsPrecision: " << this->OutputPointsPrecision << "\n";
-  os << indent << "MemoryLimit: " << this->MemoryLimit << "\n";
 }

@@ -34,7 +34,9 @@
 #define vtkRelievoSmoothBlocks_h
 
 #include "vtkPolyDataAlgorithm.h"
-#include "vtkRelievoFiltersModule.h" // for the export macro
+#include "vtkRelievoFiltersModule.h"   // for the export macro
+#include "vtkRelievoParametersMacro.h" // for the parameters by name
+#include "vtkRelievoText.h"            // for their names and words
 
 #include <memory> // for the lists of labels
 
@@ -239,6 +241,11 @@ public:
   vtkGetMacro(MemoryLimit, double);
   ///@}
 
+  ///@{
+  /** Parameters by name, with values in words, as of vtkRelievoStage. */
+  vtkRelievoParametersMacro();
+  ///@}
+
 protected:
   vtkRelievoSmoothBlocks();
   ~vtkRelievoSmoothBlocks() override;
@@ -270,6 +277,7 @@ private:
   bool Seams = true;
   int OutputPointsPrecision = DEFAULT_PRECISION;
   double MemoryLimit = 0.;
+  vtkRelievoParameterList Parameters;
 
   vtkRelievoSmoothBlocks(const vtkRelievoSmoothBlocks&) = delete;
   void operator=(const vtkRelievoSmoothBlocks&) = delete;

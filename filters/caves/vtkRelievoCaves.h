@@ -120,14 +120,6 @@ public:
   vtkRelievoParametersMacro();
   ///@}
 
-#ifndef __VTK_WRAP__
-  /** What the filter says of them. */
-  const vtkRelievoParameterList& GetParameters() const
-  {
-    return this->Parameters;
-  }
-#endif
-
   ///@{
   /** Of the last update: how often one noise was evaluated, and the samples in the air. */
   vtkGetMacro(NumberOfEvaluations, vtkTypeInt64);

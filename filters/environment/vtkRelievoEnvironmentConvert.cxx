@@ -27,6 +27,25 @@ namespace f64 = relievo::f64;
 
 vtkStandardNewMacro(vtkRelievoEnvironmentConvert);
 
+//------------------------------------------------------------------------------
+vtkRelievoEnvironmentConvert::vtkRelievoEnvironmentConvert()
+{
+  vtkRelievoParameterList& list = this->Parameters;
+  relievo::DescribeEnvironmentInput(list, vtkRelievoMember(InputProjection),
+    vtkRelievoMember(InputSRGB), vtkRelievoMember(InputMirrored));
+  list.AddWhole("output_size", vtkRelievoMember(OutputSize), 0, 32768, "texels",
+    "Height of an equirectangular image, width of a face or a sphere map. 0 keeps the input's "
+    "detail.");
+  list
+    .AddFlag("output_mirrored", vtkRelievoMember(OutputMirrored),
+      "Whether the output is mirrored, as vtkSkybox expects of cubes.")
+    .Advanced = true;
+  list
+    .AddWhole("samples_per_texel", vtkRelievoMember(SamplesPerTexel), 1, 16, "",
+      "Samples across a texel of the input, in both directions.")
+    .Advanced = true;
+}
+
 namespace
 {
 // Samples across a texel at a place: `rate` to the input's texel, by the widest way of the output's
@@ -188,12 +207,7 @@ int vtkRelievoEnvironmentConvert::RequestData(
 void vtkRelievoEnvironmentConvert::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  this->Parameters.Print(os, indent);
   const char* names[] = { "automatic", "equirectangular", "cube", "sphere map" };
-  os << indent << "InputProjection: " << names[this->InputProjection] << "\n";
   os << indent << "OutputProjection: " << names[this->OutputProjection] << "\n";
-  os << indent << "OutputSize: " << this->OutputSize << "\n";
-  os << indent << "InputSRGB: " << (this->InputSRGB ? "on" : "off") << "\n";
-  os << indent << "InputMirrored: " << (this->InputMirrored ? "on" : "off") << "\n";
-  os << indent << "OutputMirrored: " << (this->OutputMirrored ? "on" : "off") << "\n";
-  os << indent << "SamplesPerTexel: " << this->SamplesPerTexel << "\n";
 }

@@ -36,7 +36,9 @@
 #define vtkRelievoEnvironmentConvert_h
 
 #include "vtkImageAlgorithm.h"
-#include "vtkRelievoFiltersModule.h" // for the export macro
+#include "vtkRelievoFiltersModule.h"   // for the export macro
+#include "vtkRelievoParametersMacro.h" // for the parameters by name
+#include "vtkRelievoText.h"            // for their names and words
 
 class VTKRELIEVOFILTERS_EXPORT vtkRelievoEnvironmentConvert : public vtkImageAlgorithm
 {
@@ -115,8 +117,13 @@ public:
   vtkGetMacro(SamplesPerTexel, int);
   ///@}
 
+  ///@{
+  /** Parameters by name, with values in words, as of vtkRelievoStage. */
+  vtkRelievoParametersMacro();
+  ///@}
+
 protected:
-  vtkRelievoEnvironmentConvert() = default;
+  vtkRelievoEnvironmentConvert();
   ~vtkRelievoEnvironmentConvert() override = default;
 
   int RequestInformation(
@@ -137,6 +144,7 @@ private:
   bool OutputMirrored = false;
   int SamplesPerTexel = 2;
   vtkMTimeType RefusedAt = 0; // as its settings were then
+  vtkRelievoParameterList Parameters;
 
   vtkRelievoEnvironmentConvert(const vtkRelievoEnvironmentConvert&) = delete;
   void operator=(const vtkRelievoEnvironmentConvert&) = delete;

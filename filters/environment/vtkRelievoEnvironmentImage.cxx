@@ -66,6 +66,25 @@ float Number(double value, double scale, bool sRGB)
 }
 
 //------------------------------------------------------------------------------
+void DescribeEnvironmentInput(vtkRelievoParameterList& list, const int& projection,
+  const std::function<void(int)>& setProjection, const bool& srgb,
+  const std::function<void(bool)>& setSRGB, const bool& mirrored,
+  const std::function<void(bool)>& setMirrored)
+{
+  list.AddChoice("input_projection", projection, setProjection,
+    { "automatic", "equirectangular", "cube", "sphere_map" },
+    "The projection of the image. Automatic goes by its size: n x n x 6 is a cube, 2n x n "
+    "equirectangular, n x n a sphere map.");
+  list.AddFlag("input_srgb", srgb, setSRGB,
+    "Whether the image's values are sRGB, as in most 8-bit pictures. Nothing is guessed.");
+  list
+    .AddFlag("input_mirrored", mirrored, setMirrored,
+      "Whether the light of (x, y, z) is in the place of (x, y, -z), as in cubes of six pictures "
+      "taken from inside.")
+    .Advanced = true;
+}
+
+//------------------------------------------------------------------------------
 Projection ProjectionOfSize(const int size[3])
 {
   if (size[0] == size[1] && size[2] == 6)

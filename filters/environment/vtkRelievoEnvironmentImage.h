@@ -11,9 +11,11 @@
 #define vtkRelievoEnvironmentImage_h
 
 #include "vtkRelievoFormulas.h"
+#include "vtkRelievoParameterList.h"
 
 #include "vtkType.h"
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -34,6 +36,12 @@ enum class Projection
 /** The projection of an image of this size, or Automatic where it has none: see the docstring of
  * vtkRelievoEnvironmentConvert::SetInputProjection. */
 Projection ProjectionOfSize(const int size[3]);
+
+/** The settings of a filter's input: each member, and what sets it. */
+void DescribeEnvironmentInput(vtkRelievoParameterList& list, const int& projection,
+  const std::function<void(int)>& setProjection, const bool& srgb,
+  const std::function<void(bool)>& setSRGB, const bool& mirrored,
+  const std::function<void(bool)>& setMirrored);
 
 /** A place of an image: slice (face), and texture coordinates in it. */
 struct EnvironmentPlace

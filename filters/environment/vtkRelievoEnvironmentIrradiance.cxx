@@ -92,6 +92,8 @@ vtkRelievoEnvironmentIrradiance::vtkRelievoEnvironmentIrradiance()
 {
   this->SetInputArrayToProcess(
     0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataSetAttributes::SCALARS);
+  relievo::DescribeEnvironmentInput(this->Parameters, vtkRelievoMember(InputProjection),
+    vtkRelievoMember(InputSRGB), vtkRelievoMember(InputMirrored));
 }
 
 //------------------------------------------------------------------------------
@@ -197,9 +199,7 @@ void vtkRelievoEnvironmentIrradiance::GetIrradiance(const double normal[3], doub
 void vtkRelievoEnvironmentIrradiance::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "InputProjection: " << this->InputProjection << "\n";
-  os << indent << "InputSRGB: " << (this->InputSRGB ? "on" : "off") << "\n";
-  os << indent << "InputMirrored: " << (this->InputMirrored ? "on" : "off") << "\n";
+  this->Parameters.Print(os, indent);
   for (int h = 0; h < 9; ++h)
   {
     const double* of = this->Coefficients[h];

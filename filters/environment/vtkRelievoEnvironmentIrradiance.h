@@ -25,7 +25,9 @@
 #ifndef vtkRelievoEnvironmentIrradiance_h
 #define vtkRelievoEnvironmentIrradiance_h
 
-#include "vtkRelievoFiltersModule.h" // for the export macro
+#include "vtkRelievoFiltersModule.h"   // for the export macro
+#include "vtkRelievoParametersMacro.h" // for the parameters by name
+#include "vtkRelievoText.h"            // for their names and words
 #include "vtkTableAlgorithm.h"
 
 class VTKRELIEVOFILTERS_EXPORT vtkRelievoEnvironmentIrradiance : public vtkTableAlgorithm
@@ -60,6 +62,11 @@ public:
    */
   void GetIrradiance(const double normal[3], double color[3]);
 
+  ///@{
+  /** Parameters by name, with values in words, as of vtkRelievoStage. */
+  vtkRelievoParametersMacro();
+  ///@}
+
 protected:
   vtkRelievoEnvironmentIrradiance();
   ~vtkRelievoEnvironmentIrradiance() override = default;
@@ -75,6 +82,7 @@ private:
   bool InputSRGB = false;
   bool InputMirrored = false;
   double Coefficients[9][3] = {};
+  vtkRelievoParameterList Parameters;
 
   vtkRelievoEnvironmentIrradiance(const vtkRelievoEnvironmentIrradiance&) = delete;
   void operator=(const vtkRelievoEnvironmentIrradiance&) = delete;

@@ -78,6 +78,17 @@ vtkRelievoEnvironmentPrefilter::vtkRelievoEnvironmentPrefilter()
 {
   this->SetInputArrayToProcess(
     0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataSetAttributes::SCALARS);
+  vtkRelievoParameterList& list = this->Parameters;
+  relievo::DescribeEnvironmentInput(list, vtkRelievoMember(InputProjection),
+    vtkRelievoMember(InputSRGB), vtkRelievoMember(InputMirrored));
+  list.AddWhole("size", vtkRelievoMember(Size), 0, 2048, "texels",
+    "Across a face of the first cube. 0 uses the input's detail, up to 256.");
+  list.AddWhole("levels", vtkRelievoMember(Levels), 2, 12, "",
+    "Number of cubes, for roughness 0 to 1 in equal steps.");
+  list
+    .AddNumber("tolerance", vtkRelievoMember(Tolerance), 1e-7, 1.0, "",
+      "The error that one part of the sum may have, as a share of the texel's light.")
+    .Advanced = true;
 }
 
 //------------------------------------------------------------------------------
@@ -166,10 +177,5 @@ int vtkRelievoEnvironmentPrefilter::RequestData(
 void vtkRelievoEnvironmentPrefilter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Size: " << this->Size << "\n";
-  os << indent << "Levels: " << this->Levels << "\n";
-  os << indent << "Tolerance: " << this->Tolerance << "\n";
-  os << indent << "InputProjection: " << this->InputProjection << "\n";
-  os << indent << "InputSRGB: " << (this->InputSRGB ? "on" : "off") << "\n";
-  os << indent << "InputMirrored: " << (this->InputMirrored ? "on" : "off") << "\n";
+  this->Parameters.Print(os, indent);
 }

@@ -30,7 +30,9 @@
 #define vtkRelievoEnvironmentPrefilter_h
 
 #include "vtkMultiBlockDataSetAlgorithm.h"
-#include "vtkRelievoFiltersModule.h" // for the export macro
+#include "vtkRelievoFiltersModule.h"   // for the export macro
+#include "vtkRelievoParametersMacro.h" // for the parameters by name
+#include "vtkRelievoText.h"            // for their names and words
 
 class VTKRELIEVOFILTERS_EXPORT vtkRelievoEnvironmentPrefilter : public vtkMultiBlockDataSetAlgorithm
 {
@@ -82,6 +84,11 @@ public:
   vtkBooleanMacro(InputMirrored, bool);
   ///@}
 
+  ///@{
+  /** Parameters by name, with values in words, as of vtkRelievoStage. */
+  vtkRelievoParametersMacro();
+  ///@}
+
 protected:
   vtkRelievoEnvironmentPrefilter();
   ~vtkRelievoEnvironmentPrefilter() override = default;
@@ -99,6 +106,7 @@ private:
   int InputProjection = 0;
   bool InputSRGB = false;
   bool InputMirrored = false;
+  vtkRelievoParameterList Parameters;
 
   vtkRelievoEnvironmentPrefilter(const vtkRelievoEnvironmentPrefilter&) = delete;
   void operator=(const vtkRelievoEnvironmentPrefilter&) = delete;

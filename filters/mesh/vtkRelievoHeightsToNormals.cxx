@@ -29,6 +29,33 @@ namespace f64 = relievo::f64;
 
 vtkStandardNewMacro(vtkRelievoHeightsToNormals);
 
+//------------------------------------------------------------------------------
+vtkRelievoHeightsToNormals::vtkRelievoHeightsToNormals()
+{
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  vtkRelievoParameterList& list = this->Parameters;
+  list
+    .AddWhole("component", vtkRelievoMember(Component), 0, VTK_INT_MAX, "",
+      "The component of the array that is the height, from 0.")
+    .Advanced = true;
+  list.AddNumber("height_scale", vtkRelievoMember(HeightScale), -infinity, infinity, "",
+    "Units of the spacing per unit of height; a negative value turns hills into pits.");
+  list.AddChoice("kernel", vtkRelievoMember(Kernel), { "central", "sobel", "fourth_order" },
+    "How slopes are computed. Central: from both neighbours. Sobel: averaged over three rows, with "
+    "less noise, and blurred. Fourth order: from two neighbours on each side, the most accurate "
+    "for smooth heights.");
+  list.AddChoice("encoding", vtkRelievoMember(Encoding), { "float", "8_bits", "16_bits" },
+    "Unit vectors in float, or codes of 8 or 16 bits for files.");
+  list.AddFlag("wrap_columns", vtkRelievoMember(WrapColumns),
+    "Whether the map continues at the other side after its last column, as repeated textures do.");
+  list.AddFlag("wrap_rows", vtkRelievoMember(WrapRows),
+    "Whether the map continues at the other side after its last row.");
+  list
+    .AddFlag("flip_green", vtkRelievoMember(FlipGreen),
+      "Whether green points to lower rows, as in DirectX.")
+    .Advanced = true;
+}
+
 namespace
 {
 constexpr double Unknown = std::numeric_limits<double>::quiet_NaN();
@@ -299,13 +326,5 @@ int vtkRelievoHeightsToNormals::RequestData(
 void vtkRelievoHeightsToNormals::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  const char* kernels[] = { "central", "Sobel", "fourth order" };
-  const char* encodings[] = { "float", "unsigned char", "unsigned short" };
-  os << indent << "Kernel: " << kernels[this->Kernel] << "\n";
-  os << indent << "Encoding: " << encodings[this->Encoding] << "\n";
-  os << indent << "HeightScale: " << this->HeightScale << "\n";
-  os << indent << "Component: " << this->Component << "\n";
-  os << indent << "WrapColumns: " << (this->WrapColumns ? "on" : "off") << "\n";
-  os << indent << "WrapRows: " << (this->WrapRows ? "on" : "off") << "\n";
-  os << indent << "FlipGreen: " << (this->FlipGreen ? "on" : "off") << "\n";
+  this->Parameters.Print(os, indent);
 }

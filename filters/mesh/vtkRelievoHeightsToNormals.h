@@ -37,7 +37,9 @@
 #define vtkRelievoHeightsToNormals_h
 
 #include "vtkImageAlgorithm.h"
-#include "vtkRelievoFiltersModule.h" // for the export macro
+#include "vtkRelievoFiltersModule.h"   // for the export macro
+#include "vtkRelievoParametersMacro.h" // for the parameters by name
+#include "vtkRelievoText.h"            // for their names and words
 
 class VTKRELIEVOFILTERS_EXPORT vtkRelievoHeightsToNormals : public vtkImageAlgorithm
 {
@@ -121,8 +123,13 @@ public:
   vtkBooleanMacro(FlipGreen, bool);
   ///@}
 
+  ///@{
+  /** Parameters by name, with values in words, as of vtkRelievoStage. */
+  vtkRelievoParametersMacro();
+  ///@}
+
 protected:
-  vtkRelievoHeightsToNormals() = default;
+  vtkRelievoHeightsToNormals();
   ~vtkRelievoHeightsToNormals() override = default;
 
   int RequestInformation(
@@ -141,6 +148,7 @@ private:
   bool WrapRows = false;
   bool FlipGreen = false;
   vtkMTimeType RefusedAt = 0; // as its settings were then
+  vtkRelievoParameterList Parameters;
 
   vtkRelievoHeightsToNormals(const vtkRelievoHeightsToNormals&) = delete;
   void operator=(const vtkRelievoHeightsToNormals&) = delete;

@@ -26,6 +26,26 @@
 
 vtkStandardNewMacro(vtkRelievoTextureCoordinates);
 
+//------------------------------------------------------------------------------
+vtkRelievoTextureCoordinates::vtkRelievoTextureCoordinates()
+{
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  vtkRelievoParameterList& list = this->Parameters;
+  list.AddChoice("mapping", vtkRelievoMember(Mapping), { "plane", "box", "sphere" },
+    "How the texture is projected.");
+  list.AddNumber("tile_size", vtkRelievoMember(TileSize), 0.0, infinity, "",
+    "Size of one copy of the texture, in the data's units. With 0 one copy covers the whole mesh, "
+    "along its longest side or once around.");
+  vtkRelievoParameter& up = list.AddChoice("up", vtkRelievoMember(Up), { "x", "y", "z" },
+    "The axis of the data that points up; the texture's v grows towards it where possible.");
+  up.Label = "Up Axis";
+  list
+    .AddVector("plane_normal", vtkRelievoMember(PlaneNormal),
+      "The direction from which a plane's texture is projected. 0 0 0 uses the plane that fits "
+      "best.")
+    .OnlyIf = "mapping=plane";
+}
+
 namespace
 {
 // The mesh with its points counted from the lower corner of their bounds.
@@ -357,12 +377,6 @@ int vtkRelievoTextureCoordinates::RequestData(
 void vtkRelievoTextureCoordinates::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  const char* mappings[] = { "plane", "box", "sphere" };
-  os << indent << "Mapping: " << mappings[this->Mapping] << "\n";
-  os << indent << "TileSize: " << this->TileSize << "\n";
-  os << indent << "Up: "
-     << "xyz"[this->Up] << "\n";
-  os << indent << "PlaneNormal: " << this->PlaneNormal[0] << " " << this->PlaneNormal[1] << " "
-     << this->PlaneNormal[2] << "\n";
+  this->Parameters.Print(os, indent);
   os << indent << "NumberOfAddedPoints: " << this->NumberOfAddedPoints << "\n";
 }

@@ -33,7 +33,9 @@
 #define vtkRelievoTextureCoordinates_h
 
 #include "vtkPolyDataAlgorithm.h"
-#include "vtkRelievoFiltersModule.h" // for the export macro
+#include "vtkRelievoFiltersModule.h"   // for the export macro
+#include "vtkRelievoParametersMacro.h" // for the parameters by name
+#include "vtkRelievoText.h"            // for their names and words
 
 class VTKRELIEVOFILTERS_EXPORT vtkRelievoTextureCoordinates : public vtkPolyDataAlgorithm
 {
@@ -87,8 +89,13 @@ public:
   /** Points added by splitting, in the last run. */
   vtkGetMacro(NumberOfAddedPoints, vtkIdType);
 
+  ///@{
+  /** Parameters by name, with values in words, as of vtkRelievoStage. */
+  vtkRelievoParametersMacro();
+  ///@}
+
 protected:
-  vtkRelievoTextureCoordinates() = default;
+  vtkRelievoTextureCoordinates();
   ~vtkRelievoTextureCoordinates() override = default;
 
   int RequestData(
@@ -100,6 +107,7 @@ private:
   int Up = 2;
   double PlaneNormal[3] = { 0., 0., 0. };
   vtkIdType NumberOfAddedPoints = 0;
+  vtkRelievoParameterList Parameters;
 
   vtkRelievoTextureCoordinates(const vtkRelievoTextureCoordinates&) = delete;
   void operator=(const vtkRelievoTextureCoordinates&) = delete;

@@ -28,6 +28,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 vtkStandardNewMacro(vtkRelievoSurfaceParticles);
@@ -215,6 +216,57 @@ vtkRelievoSurfaceParticles::vtkRelievoSurfaceParticles()
   : Self(new Internals)
 {
   this->SetNumberOfInputPorts(Inputs::PORTS);
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  constexpr int least = std::numeric_limits<int>::min(), most = std::numeric_limits<int>::max();
+  vtkRelievoParameterList& list = this->Parameters;
+  list.AddChoice(
+    "place", vtkRelievoMember(Place), { "on_surface", "inside" }, "Where particles are held.");
+  list.AddNumber("noise_speed", vtkRelievoMember(NoiseSpeed), -infinity, infinity, "",
+    "Speed by the curl of noise, in the data's units per unit of time; negative: a hundredth of "
+    "the longest side.");
+  list.AddNumber("noise_scale", vtkRelievoMember(NoiseScale), 0.0, infinity, "",
+    "Width of whirls in the data's units; 0: a fifth of the longest side.");
+  list.AddVector("velocity", vtkRelievoMember(Velocity),
+    "A velocity that is the same everywhere, in the data's units per unit of time. It is added to "
+    "the noise.");
+  list.AddText(
+    "field_array", [this] { return this->FieldArray; },
+    [this](const std::string& array) { this->SetFieldArray(array.c_str()); },
+    "The name of an array of 3 components, at points or cells, that is added as well. Empty: "
+    "none.");
+  list.AddWhole("resolution", vtkRelievoMember(Resolution), 1, 16384, "texels",
+    "Texels of the depth maps along the longest side. Particles are within one of the surface.");
+  list.AddWhole("number_of_steps", vtkRelievoMember(NumberOfSteps), 0, 100000000, "",
+    "Time steps that there are.");
+  vtkRelievoParameter& step = list.AddNumber("time_step", vtkRelievoMember(TimeStep), 0.0, infinity,
+    "", "The time from one step to the next.");
+  step.Open = step.Advanced = true;
+  list
+    .AddNumber("start_time", vtkRelievoMember(StartTime), -infinity, infinity, "",
+      "The time at which particles start.")
+    .Advanced = true;
+  list
+    .AddWhole("checkpoints", vtkRelievoMember(Checkpoints), 0, 10000, "",
+      "Steps that are kept, so that earlier times need not be computed from the start: 25 bytes a "
+      "particle each.")
+    .Advanced = true;
+  list
+    .AddWhole("seed", vtkRelievoMember(Seed), least, most, "",
+      "Another seed, other places to start at and other noise.")
+    .Advanced = true;
+  list
+    .AddNumber("texel_size", vtkRelievoMember(TexelSize), 0.0, infinity, "",
+      "Side of the texels in the data's units; 0: by Resolution.")
+    .Advanced = true;
+  list
+    .AddFlag("orientations", vtkRelievoMember(Orientations),
+      "Whether there is the array orientation: quaternions that turn x to the normal and y to the "
+      "velocity.")
+    .Advanced = true;
+  list
+    .AddNumber("memory_limit", vtkRelievoMember(MemoryLimit), 0.0, infinity, "bytes",
+      "The most that maps and particles may take; more are refused. 0: what the machine has left.")
+    .Advanced = true;
 }
 
 //------------------------------------------------------------------------------
@@ -373,20 +425,6 @@ double vtkRelievoSurfaceParticles::GetUsedTexelSize()
 void vtkRelievoSurfaceParticles::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Place: " << (this->Place == INSIDE ? "inside" : "on surface") << "\n";
+  this->Parameters.Print(os, indent);
   os << indent << "NumberOfParticles: " << this->NumberOfParticles << "\n";
-  os << indent << "Seed: " << this->Seed << "\n";
-  os << indent << "Resolution: " << this->Resolution << "\n";
-  os << indent << "TexelSize: " << this->TexelSize << "\n";
-  os << indent << "Velocity: " << this->Velocity[0] << " " << this->Velocity[1] << " "
-     << this->Velocity[2] << "\n";
-  os << indent << "NoiseSpeed: " << this->NoiseSpeed << "\n";
-  os << indent << "NoiseScale: " << this->NoiseScale << "\n";
-  os << indent << "FieldArray: " << this->FieldArray << "\n";
-  os << indent << "StartTime: " << this->StartTime << "\n";
-  os << indent << "TimeStep: " << this->TimeStep << "\n";
-  os << indent << "NumberOfSteps: " << this->NumberOfSteps << "\n";
-  os << indent << "Checkpoints: " << this->Checkpoints << "\n";
-  os << indent << "Orientations: " << this->Orientations << "\n";
-  os << indent << "MemoryLimit: " << this->MemoryLimit << "\n";
 }

@@ -38,7 +38,9 @@
 #define vtkRelievoSurfaceParticles_h
 
 #include "vtkPolyDataAlgorithm.h"
-#include "vtkRelievoFiltersModule.h" // for the export macro
+#include "vtkRelievoFiltersModule.h"   // for the export macro
+#include "vtkRelievoParametersMacro.h" // for the parameters by name
+#include "vtkRelievoText.h"            // for their names and words
 
 #include <memory> // for the internals
 #include <string> // for a name
@@ -169,6 +171,11 @@ public:
   /** Side of a texel in the last update, the largest where they differ: what errors are below. */
   double GetUsedTexelSize();
 
+  ///@{
+  /** Parameters by name, with values in words, as of vtkRelievoStage. */
+  vtkRelievoParametersMacro();
+  ///@}
+
 protected:
   vtkRelievoSurfaceParticles();
   ~vtkRelievoSurfaceParticles() override;
@@ -199,6 +206,7 @@ private:
   int Checkpoints = 4;
   bool Orientations = false;
   double MemoryLimit = 0.;
+  vtkRelievoParameterList Parameters;
 
   vtkRelievoSurfaceParticles(const vtkRelievoSurfaceParticles&) = delete;
   void operator=(const vtkRelievoSurfaceParticles&) = delete;

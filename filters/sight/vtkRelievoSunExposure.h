@@ -106,14 +106,6 @@ public:
   vtkRelievoParametersMacro();
   ///@}
 
-#ifndef __VTK_WRAP__
-  /** What the filter says of them. */
-  const vtkRelievoParameterList& GetParameters() const
-  {
-    return this->Parameters;
-  }
-#endif
-
 protected:
   vtkRelievoSunExposure();
   ~vtkRelievoSunExposure() override = default;

@@ -69,6 +69,25 @@ bool IsInner(const unsigned char* mask, const std::array<int, 3>& cells, const i
 vtkRelievoVoxelCubes::vtkRelievoVoxelCubes()
 {
   this->SetNumberOfInputPorts(2);
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  vtkRelievoParameterList& list = this->Parameters;
+  list.AddNumber("transition", vtkRelievoMember(Transition), 0.0, infinity, "",
+    "The distance outside over which sizes fall, in the data's units; 0: cubes inside only.");
+  list.AddNumber("rest_size", vtkRelievoMember(RestSize), 0.0, 1.0, "",
+    "Size of cubes that are farther outside.");
+  list.AddFlag("whole_grid", vtkRelievoMember(WholeGrid), "Whether all cells outside have cubes.");
+  list.AddNumber("growth", vtkRelievoMember(Growth), 0.0, 1.0, "",
+    "How much of the sizes above the rest size there is, for animations.");
+  list.AddVector("repeller", vtkRelievoMember(Repeller), "A place that cubes move away from.")
+    .Advanced = true;
+  list
+    .AddNumber("repeller_radius", vtkRelievoMember(RepellerRadius), 0.0, infinity, "",
+      "How far it reaches, in the data's units; 0: nothing moves.")
+    .Advanced = true;
+  list
+    .AddNumber("memory_limit", vtkRelievoMember(MemoryLimit), 0.0, infinity, "bytes",
+      "The most that the cubes may take; more are refused. 0: what the machine has left.")
+    .Advanced = true;
 }
 
 //------------------------------------------------------------------------------
@@ -344,13 +363,6 @@ int vtkRelievoVoxelCubes::RequestData(
 void vtkRelievoVoxelCubes::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "RestSize: " << this->RestSize << "\n";
-  os << indent << "Transition: " << this->Transition << "\n";
-  os << indent << "Growth: " << this->Growth << "\n";
-  os << indent << "WholeGrid: " << this->WholeGrid << "\n";
-  os << indent << "Repeller: " << this->Repeller[0] << " " << this->Repeller[1] << " "
-     << this->Repeller[2] << "\n";
-  os << indent << "RepellerRadius: " << this->RepellerRadius << "\n";
+  this->Parameters.Print(os, indent);
   os << indent << "Instanced: " << this->Instanced << "\n";
-  os << indent << "MemoryLimit: " << this->MemoryLimit << "\n";
 }

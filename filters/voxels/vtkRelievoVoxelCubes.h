@@ -33,7 +33,9 @@
 #define vtkRelievoVoxelCubes_h
 
 #include "vtkPolyDataAlgorithm.h"
-#include "vtkRelievoFiltersModule.h" // for the export macro
+#include "vtkRelievoFiltersModule.h"   // for the export macro
+#include "vtkRelievoParametersMacro.h" // for the parameters by name
+#include "vtkRelievoText.h"            // for their names and words
 
 class VTKRELIEVOFILTERS_EXPORT vtkRelievoVoxelCubes : public vtkPolyDataAlgorithm
 {
@@ -97,6 +99,11 @@ public:
   vtkGetMacro(MemoryLimit, double);
   ///@}
 
+  ///@{
+  /** Parameters by name, with values in words, as of vtkRelievoStage. */
+  vtkRelievoParametersMacro();
+  ///@}
+
 protected:
   vtkRelievoVoxelCubes();
   ~vtkRelievoVoxelCubes() override;
@@ -116,6 +123,7 @@ private:
   double RepellerRadius = 0.;
   bool Instanced = false;
   double MemoryLimit = 0.;
+  vtkRelievoParameterList Parameters;
 
   vtkRelievoVoxelCubes(const vtkRelievoVoxelCubes&) = delete;
   void operator=(const vtkRelievoVoxelCubes&) = delete;

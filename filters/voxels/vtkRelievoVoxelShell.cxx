@@ -29,6 +29,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <sstream>
 #include <vector>
 
@@ -99,6 +100,33 @@ vtkRelievoVoxelShell::vtkRelievoVoxelShell()
   : Self(new Internals)
 {
   this->SetNumberOfInputPorts(2);
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  vtkRelievoParameterList& list = this->Parameters;
+  list.AddChoice("method", vtkRelievoMember(Method), { "two_views", "six_views", "parity" },
+    "Parity finds hollows; views take for solid what is not seen.");
+  list.AddWhole("resolution", vtkRelievoMember(Resolution), 1, VTK_INT_MAX, "",
+    "Cubic cells along the longest side of the grid.");
+  list.AddNumber("cell_size", vtkRelievoMember(CellSize), 0.0, infinity, "",
+    "Side of the cells in the data's units; 0: by Resolution.");
+  list.AddFlag("distances", vtkRelievoMember(Distances),
+    "Whether there are the cell arrays front and back: how far a cell is behind the first surface "
+    "of its column, and before the last.");
+  list
+    .AddChoice("axis", vtkRelievoMember(Axis), { "x", "y", "z" },
+      "The axis that two views look along, and along which parity counts.")
+    .Advanced = true;
+  list
+    .AddSize("dimensions", vtkRelievoMember(Dimensions), 0,
+      "Cells along x, y and z; 0 0 0: by Cell Size or Resolution.")
+    .Advanced = true;
+  list
+    .AddWhole(
+      "padding", vtkRelievoMember(Padding), 0, 1000000, "", "Cells that are added on each side.")
+    .Advanced = true;
+  list
+    .AddNumber("memory_limit", vtkRelievoMember(MemoryLimit), 0.0, infinity, "bytes",
+      "The most that the grid may take; more are refused. 0: what the machine has left.")
+    .Advanced = true;
 }
 
 //------------------------------------------------------------------------------
@@ -367,17 +395,8 @@ std::string vtkRelievoVoxelShell::GetReport()
 void vtkRelievoVoxelShell::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  const char* methods[] = { "two views", "six views", "parity" };
-  os << indent << "Method: " << methods[this->Method] << "\n";
-  os << indent << "Axis: " << this->Axis << "\n";
+  this->Parameters.Print(os, indent);
   os << indent << "Bounds: " << this->Bounds[0] << " " << this->Bounds[1] << " " << this->Bounds[2]
      << " " << this->Bounds[3] << " " << this->Bounds[4] << " " << this->Bounds[5] << "\n";
-  os << indent << "Dimensions: " << this->Dimensions[0] << " " << this->Dimensions[1] << " "
-     << this->Dimensions[2] << "\n";
-  os << indent << "CellSize: " << this->CellSize << "\n";
-  os << indent << "Resolution: " << this->Resolution << "\n";
-  os << indent << "Padding: " << this->Padding << "\n";
-  os << indent << "Distances: " << this->Distances << "\n";
-  os << indent << "MemoryLimit: " << this->MemoryLimit << "\n";
   os << indent << "Report: " << this->Self->Report.Words << "\n";
 }

@@ -38,7 +38,9 @@
 #define vtkRelievoVoxelShell_h
 
 #include "vtkImageAlgorithm.h"
-#include "vtkRelievoFiltersModule.h" // for the export macro
+#include "vtkRelievoFiltersModule.h"   // for the export macro
+#include "vtkRelievoParametersMacro.h" // for the parameters by name
+#include "vtkRelievoText.h"            // for their names and words
 
 #include <memory> // for the internals
 #include <string> // for the report
@@ -138,6 +140,11 @@ public:
   std::string GetReport();
   ///@}
 
+  ///@{
+  /** Parameters by name, with values in words, as of vtkRelievoStage. */
+  vtkRelievoParametersMacro();
+  ///@}
+
 protected:
   vtkRelievoVoxelShell();
   ~vtkRelievoVoxelShell() override;
@@ -164,6 +171,7 @@ private:
   int Padding = 0;
   bool Distances = false;
   double MemoryLimit = 0.;
+  vtkRelievoParameterList Parameters;
 
   vtkRelievoVoxelShell(const vtkRelievoVoxelShell&) = delete;
   void operator=(const vtkRelievoVoxelShell&) = delete;

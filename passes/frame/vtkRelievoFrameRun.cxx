@@ -47,7 +47,7 @@ void vtkRelievoFrameRun::Synchronize()
 {
   for (vtkRelievoStage* stage : this->Stages)
   {
-    if (stage->GetEnabled())
+    if (stage->GetEnabled() || stage->GetDescription().ServesWhenOff)
     {
       stage->Synchronize(this->Context);
     }
@@ -82,13 +82,16 @@ void vtkRelievoFrameRun::Declare()
     node.ReadsFor = [this, stage](const std::vector<std::string>& asked) {
       return stage->GetReadsFor(this->Context, asked);
     };
-    if (stage->GetEnabled())
+    if (stage->GetEnabled() || description.ServesWhenOff)
     {
       stage->Declare(this->Context, node.Declaration);
     }
-    else
+    if (!stage->GetEnabled() && node.Declaration.Runs)
     {
-      node.Declaration.Runs = false;
+      std::vector<std::string>& writes = node.Declaration.Writes;
+      writes.erase(std::remove(writes.begin(), writes.end(), "color"), writes.end());
+      node.Declaration.OptionalWrites.clear();
+      node.Declaration.Runs = description.ServesWhenOff;
       node.Declaration.ReasonCode = "off";
       node.Declaration.Reason = "switched off (EnabledOff)";
     }

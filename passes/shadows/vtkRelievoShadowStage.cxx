@@ -269,7 +269,7 @@ bool vtkRelievoShadowStage::Prepare(vtkRelievoFrameContext& context)
   const bool traces =
     this->Method == METHOD_EXACT || this->Tolerance > 0.0 || this->TimeBudget > 0.0;
   // What is translucent may be another process's.
-  context.ColorsLight = this->Visible && this->ColoredShadows && traces &&
+  context.ColorsLight = this->Enabled && this->ColoredShadows && traces &&
     !in.Lights.GetCasting().empty() &&
     (in.Work.Others.IsOn() || in.Work.Props.HasTranslucentCasters());
   return true;
@@ -494,10 +494,7 @@ void vtkRelievoShadowStage::Describe(vtkRelievoStageDescription& description)
   description.Help = "Shadows of lights (suns, spots and points) and of lamps from data.";
   description.Slot = vtkRelievoStageDescription::LIGHT_MAPS;
   description.Writes = { "shadow maps", "visibility", "lamp shadows" };
-  description.OnByDefault = true;
-  description.AddFlag(
-    "visible", this->Visible, [this](bool on) { this->SetVisible(on); },
-    "Whether shadows are seen in the picture.");
+  description.ServesWhenOff = true;
   description.AddChoice(
     "method", this->Method, [this](int method) { this->SetMethod(method); },
     { "map", "forward", "warped", "exact" },
@@ -561,18 +558,8 @@ bool vtkRelievoShadowStage::FollowsSuns(vtkRenderer* renderer) const
 void vtkRelievoShadowStage::Declare(
   const vtkRelievoFrameContext& context, vtkRelievoDeclaration& declaration) const
 {
-  // The visibility is for layers, and lamps are lit by their own stage, whether shadows of lights
-  // are seen or not.
-  declaration.OptionalWrites.clear();
-  if (this->Visible)
-  {
-    declaration.OptionalWrites.emplace_back("shadow maps");
-  }
-  else
-  {
-    declaration.ReasonCode = "idle";
-    declaration.Reason = "they are not to be visible in the picture";
-  }
+  // The visibility is for layers, and lamps are lit by their own stage.
+  declaration.OptionalWrites = { "shadow maps" };
   this->DeclareSoft(context, declaration);
   // Other methods than these know what is seen at pixels.
   const bool ofAnyRaster = this->Tolerance == 0.0 && this->TimeBudget == 0.0 &&
@@ -1073,7 +1060,7 @@ void vtkRelievoShadowStage::DrawLights(vtkRelievoFrameContext& context)
   const int mapDraws = in.Schedule.Draw(work, context.Renderer);
   this->NumberOfMapsDrawn = work.MapsDrawn;
   work.Maps.Bind(true);
-  in.Strengths.Set(work, this->Visible ? this->Strength : 0.0);
+  in.Strengths.Set(work, this->Enabled ? this->Strength : 0.0);
   context.Provide("shadow maps", &in.Strengths);
   in.ProgramsWithUniforms.clear();
   const int methodDraws = in.Method->Draw(work, context.Renderer);
@@ -1199,7 +1186,7 @@ bool vtkRelievoShadowStage::SetShaderParameters(vtkShaderProgram* program,
     // Another renderer's lights may be newer, and VTK's shader cache gives both the same program.
     program->SetUniformGroupUpdateTime(vtkShaderProgram::LightingGroup, 0);
     vtkRelievoShadowUniforms::SetFrame(
-      program, in.Work, *in.Method, this->Visible ? this->Strength : 0.0);
+      program, in.Work, *in.Method, this->Enabled ? this->Strength : 0.0);
     in.Method->SetFrameUniforms(program, in.Work);
   }
   vtkRelievoShadowUniforms::SetActor(program, in.Work, actor);

@@ -47,13 +47,6 @@ public:
   vtkTypeMacro(vtkRelievoShadowStage, vtkRelievoStage);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  ///@{
-  /** Whether the picture shows shadows. Default off; layers of lights are available either way. */
-  vtkSetMacro(Visible, bool);
-  vtkGetMacro(Visible, bool);
-  vtkBooleanMacro(Visible, bool);
-  ///@}
-
   enum Methods
   {
     METHOD_MAP = 0,
@@ -371,7 +364,6 @@ protected:
   std::map<std::string, int> FindLights(
     const std::vector<std::string>& layers, vtkRenderer* renderer) const override;
 
-  bool Visible = false;
   int Method = METHOD_MAP;
   int MapSize = 2048;
   double Tolerance = 0.0;

@@ -9,14 +9,18 @@
 // for every stage that draws such; `stages: properties`, the properties of every stage that can be
 // switched, and `stages: exposed` their groups in the render view; so for `shadows`, `sun`,
 // `environment`, `selection` and `material`, which have groups of their own; `caves: properties`
-// and `sun exposure: properties`, those of these filters; `layers`, the names of layers; `layers:
-// shown`, those that can be shown as the picture. In other lines @layers: help@ is what they are,
-// @layers: count@ how many values a selection of layers has, and @layers: A B@ the values of one in
-// which A and B are chosen, A first; @images@ and @models@ are the extensions of their files.
+// and the like, those of filters; `layers`, the names of layers; `layers: shown`, those that can be
+// shown as the picture. In other lines @layers: help@ is what they are, @layers: count@ how many
+// values a selection of layers has, and @layers: A B@ the values of one in which A and B are
+// chosen, A first; @images@ and @models@ are the extensions of their files.
 #include "vtkNew.h"
 #include "vtkPVRelievoSun.h"
 #include "vtkRelievoCaves.h"
 #include "vtkRelievoEnvironment.h"
+#include "vtkRelievoEnvironmentConvert.h"
+#include "vtkRelievoEnvironmentIrradiance.h"
+#include "vtkRelievoEnvironmentPrefilter.h"
+#include "vtkRelievoHeightsToNormals.h"
 #include "vtkRelievoImageFile.h"
 #include "vtkRelievoLayerCatalogue.h"
 #include "vtkRelievoMarkers.h"
@@ -25,8 +29,13 @@
 #include "vtkRelievoPass.h"
 #include "vtkRelievoPointStage.h"
 #include "vtkRelievoShadowStage.h"
+#include "vtkRelievoSmoothBlocks.h"
 #include "vtkRelievoStage.h"
 #include "vtkRelievoSunExposure.h"
+#include "vtkRelievoSurfaceParticles.h"
+#include "vtkRelievoTextureCoordinates.h"
+#include "vtkRelievoVoxelCubes.h"
+#include "vtkRelievoVoxelShell.h"
 #include "vtkSmartPointer.h"
 
 #include <algorithm>
@@ -74,9 +83,13 @@ std::string FormatDefault(const vtkRelievoParameter& parameter)
   return Escape(words);
 }
 
-// "Blue Noise" for "blue noise".
-std::string WriteChoice(const std::string& label)
+// "Blue Noise" for "blue noise", and "Blue noise" of a filter, which scripts hold.
+std::string WriteChoice(const std::string& label, bool ofFilter)
 {
+  if (ofFilter)
+  {
+    return vtkRelievoCapitalize(label, true);
+  }
   std::string words = label;
   std::replace(words.begin(), words.end(), ' ', '_');
   return label == "vtk" ? "VTK" : vtkRelievoCapitalize(words, true);
@@ -120,7 +133,7 @@ std::string Decorate(const std::string& property, const std::string& value, bool
 
 std::string DecorateIf(const Described& described, const vtkRelievoParameter::Condition& condition)
 {
-  if (condition.Name == "visible") // the stage's switch
+  if (condition.Name == "enabled") // the stage's switch
   {
     return Decorate(described.Exposed + described.Prefix, "1", false);
   }
@@ -178,7 +191,7 @@ std::string MakeHints(
 }
 
 // What a control shows. What it takes is more where the description says so.
-std::string MakeDomain(const vtkRelievoParameter& parameter)
+std::string MakeDomain(const vtkRelievoParameter& parameter, bool ofFilter)
 {
   using P = vtkRelievoParameter;
   std::ostringstream out;
@@ -193,7 +206,7 @@ std::string MakeDomain(const vtkRelievoParameter& parameter)
     for (std::size_t i = 0; i < parameter.Choices.size(); ++i)
     {
       out << "          <Entry value=\"" << i << "\" text=\""
-          << Escape(WriteChoice(parameter.GetChoiceLabel(i))) << "\"/>\n";
+          << Escape(WriteChoice(parameter.GetChoiceLabel(i), ofFilter)) << "\"/>\n";
     }
     out << "        </EnumerationDomain>\n";
   }
@@ -253,10 +266,11 @@ std::string MakeProperty(const Described& described, const vtkRelievoParameter& 
       << (text || own ? "" : " si_class=\"vtkSI" + kind + "VectorProperty\"")
       << (parameter.Type == P::COLOR ? " panel_widget=\"color_selector\"" : "")
       << (parameter.Advanced ? " panel_visibility=\"advanced\"" : "") << ">\n"
-      << MakeDomain(parameter)
+      << MakeDomain(parameter, own)
       << Documentation(parameter.Help + (text ? "" : " Takes " + ofAll.GetExpected() + ".") +
            (parameter.PerPoint ? " For points without the array." : ""))
-      << (own ? "" : MakeHints(described, parameter, false)) << "      </" << element << ">\n";
+      << (own && parameter.OnlyIf.empty() ? "" : MakeHints(described, parameter, false))
+      << "      </" << element << ">\n";
   if (parameter.PerPoint)
   {
     out << "      <StringVectorProperty name=\"" << name << "Array\" label=\""
@@ -275,8 +289,7 @@ std::string MakeProperties(const Described& described)
   std::string out;
   for (const vtkRelievoParameter& parameter : described.List.Parameters)
   {
-    // Those that are seen are switched by the view's own property.
-    out += parameter.Name == "visible" ? "" : MakeProperty(described, parameter);
+    out += MakeProperty(described, parameter);
   }
   return out;
 }
@@ -293,7 +306,7 @@ std::string MakeExposed(const Described& described)
   {
     const std::string name = described.GetName(parameter.Name);
     const std::string as = described.GetExposedName(parameter.Name);
-    out += parameter.Name == "visible" ? "" : Expose(name, as);
+    out += Expose(name, as);
     out += parameter.PerPoint ? Expose(name + "Array", as + "Array") : "";
   }
   return out;
@@ -329,16 +342,14 @@ void AddStage(vtkRelievoStage* stage, std::map<std::string, std::string>& made)
 {
   const vtkRelievoStageDescription& says = stage->GetDescription();
   const std::string name = "Stage" + vtkRelievoCapitalize(says.Name, false);
-  const vtkRelievoParameter* visible = says.Find("visible");
   // The points have boxes of their own.
   const std::string label = says.TakesData ? "Draw " + says.Label : says.Label;
   const Described described = { says, "SetStage", says.Name + ":", name, "Relievo",
-    DecorateInUse("Relievo" + name, visible ? says.Layers : std::vector<std::string>()) };
-  made["stages: properties"] += visible
-    ? MakeSwitch(name, label, "SetStageValue", says.Name + ":visible",
-        visible->GetValues()[0] != 0.0, says.Help)
-    : MakeSwitch(name, label, "SetStageOn", says.Name, says.OnByDefault, says.Help);
-  made["stages: properties"] += MakeProperties(described);
+    DecorateInUse(
+      "Relievo" + name, says.ServesWhenOff ? says.Layers : std::vector<std::string>()) };
+  made["stages: properties"] +=
+    MakeSwitch(name, label, "SetStageOn", says.Name, says.OnByDefault, says.Help) +
+    MakeProperties(described);
   made["stages: exposed"] += "          <PropertyGroup label=\"" + Escape(says.Label) +
     " (Relievo)\">\n" + Expose(name, "Relievo" + name) + MakeExposed(described) +
     "          </PropertyGroup>\n";
@@ -467,7 +478,7 @@ std::map<std::string, std::string> MakeAll()
   for (int i = 0; i < frame->GetNumberOfStages(); ++i)
   {
     const vtkRelievoStageDescription& stage = frame->GetStage(i)->GetDescription();
-    const bool isSwitched = !stage.OnByDefault || stage.TakesData || stage.Find("visible");
+    const bool isSwitched = !stage.OnByDefault || stage.TakesData;
     if (isSwitched && frame->GetStage(i) != frame->GetShadowStage())
     {
       AddStage(frame->GetStage(i), made);
@@ -509,11 +520,24 @@ std::map<std::string, std::string> MakeAll()
   add("material",
     { material->GetDescription(), "Set", "", "", "Relievo",
       Decorate("RelievoMaterial", "1", false) });
-  vtkNew<vtkRelievoCaves> caves;
-  add("caves", { caves->GetParameters(), "", "", "", "", "" });
+  const auto addFilter = [&add](const std::string& name, const auto& filter) {
+    add(name, { filter->GetParameters(), "", "", "", "", "" });
+  };
+  addFilter("caves", vtkNew<vtkRelievoCaves>());
+  addFilter("environment convert", vtkNew<vtkRelievoEnvironmentConvert>());
+  addFilter("environment irradiance", vtkNew<vtkRelievoEnvironmentIrradiance>());
+  addFilter("environment prefilter", vtkNew<vtkRelievoEnvironmentPrefilter>());
+  addFilter("heights to normals", vtkNew<vtkRelievoHeightsToNormals>());
+  addFilter("smooth blocks", vtkNew<vtkRelievoSmoothBlocks>());
+  addFilter("texture coordinates", vtkNew<vtkRelievoTextureCoordinates>());
+  addFilter("voxel cubes", vtkNew<vtkRelievoVoxelCubes>());
+  addFilter("voxel shell", vtkNew<vtkRelievoVoxelShell>());
+  vtkNew<vtkRelievoSurfaceParticles> particles;
+  particles->SetNoiseSpeed(-1.0); // so that something moves at first
+  addFilter("surface particles", particles);
   vtkNew<vtkRelievoSunExposure> exposure;
   exposure->SetUpAxis(2);
-  add("sun exposure", { exposure->GetParameters(), "", "", "", "", "" });
+  addFilter("sun exposure", exposure);
   return made;
 }
 }

@@ -308,7 +308,7 @@ class Lidar(CameraModel):
             self._call("offsets", self.model.SetAzimuthOffsets, count, offsets)
 
 
-def camera(target=None, *, K, size, R=None, t=None, near=None, far=None):
+def camera(target=None, *, K, size, R=None, t=None, near=None, far=None) -> vtkCamera:
     """Sets a vtkCamera from a calibration, and returns it.
 
         relievo.camera(renderer, K=K, R=R, t=t, size=(1280, 720))
@@ -353,7 +353,7 @@ def camera(target=None, *, K, size, R=None, t=None, near=None, far=None):
     return found
 
 
-def lens(words, size=None, view_angle=30, R=None, t=None):
+def lens(words, size=None, view_angle=30, R=None, t=None) -> CameraModel:
     words = str(words)
     if vtkRelievoCalibration.IsFile(words):
         check_file(words)
@@ -404,13 +404,13 @@ def _class_of(model):
     return CameraModel
 
 
-def intrinsics(camera, size):
+def intrinsics(camera, size) -> numpy.ndarray:
     """Returns K, array of (3, 3) in pixels, of a vtkCamera, a renderer or a plotter, as seen in a
     picture of size (columns, rows). Raises ValueError for one that is no perspective camera."""
     return Pinhole.of(camera, size).K
 
 
-def extrinsics(camera):
+def extrinsics(camera) -> tuple:
     """Returns (R, t), arrays of (3, 3) and 3: from the world to x right, y down, z forward, of a
     vtkCamera, a renderer or a plotter, the camera. Raises ValueError for one that is no pinhole."""
     taken = Pinhole.of(camera, (1, 1))

@@ -9,6 +9,7 @@ from contextlib import contextmanager, nullcontext
 import numpy
 from vtkmodules import vtkCommonCore
 from vtkmodules.vtkCommonCore import vtkVersion
+from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkRenderingCore import vtkRenderWindow, vtkWindowToImageFilter
 from vtkmodules.vtkRenderingOpenGL2 import vtkTextureObject
 
@@ -28,7 +29,7 @@ _SIZE_OF_DATA = (1024, 768)
 
 
 def capture(renderer, layers=("depth",), size=None, hdr=False, camera=None, ambient=None,
-            previous=None):
+            previous=None) -> vtkImageData:
     """Draws the renderer once and returns the layers of what is visible.
 
     renderer: a vtkRenderer, or an object whose attribute `renderer` is one (a plotter). Its camera,
@@ -154,7 +155,7 @@ def _merged(layers, *images):
     return image
 
 
-def screenshot(renderer, path=None, size=None, transparent=False):
+def screenshot(renderer, path=None, size=None, transparent=False) -> numpy.ndarray:
     """Draws the renderer's picture, with all samples of soft shadows, antialiasing and the like.
 
         relievo.screenshot(plotter, "picture.png", size=(1920, 1080))

@@ -31,7 +31,8 @@ _OTHERS = {
     "layers": (), "objects": "actor", "description": "",
 }  # fmt: skip
 _ALL = {**_OTHERS, **defaults_of(vtkRelievoDatasetWriter(), _OF_WRITER), "depth_step": None}
-_SIGNATURE = inspect.Signature(keywords({name: _ALL[name] for name in [*_ORDER, *_ALL]}))
+_SIGNATURE = inspect.Signature(
+    keywords({name: _ALL[name] for name in [*_ORDER, *_ALL]}), return_annotation=int)
 
 
 def write_dataset(*arguments, **given):

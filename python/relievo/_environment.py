@@ -43,7 +43,8 @@ _DEFAULTS = {
 _SIGNATURE = inspect.Signature(
     keywords({"renderer": inspect.Parameter.empty, "path": inspect.Parameter.empty})
     + keywords({**{name: value(text) for name, text in _DEFAULTS.items()}, "sky": True,
-                "tone": False})
+                "tone": False}),
+    return_annotation=vtkRelievoEnvironment,
 )
 
 

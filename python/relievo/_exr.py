@@ -5,6 +5,7 @@
 import os
 
 import numpy
+from vtkmodules.vtkCommonDataModel import vtkImageData
 
 from ._errors import Watch, check_file, require
 from ._image import to_image
@@ -25,7 +26,7 @@ _OTHERS = (".png", ".jpg", ".jpeg", ".tif", ".tiff", ".bmp", ".hdr", ".pfm", ".n
 _FILE_ERRORS = (20001, 20002, 20007)
 
 
-def write_exr(path, image, compression="zip", pixel_types=None):
+def write_exr(path, image, compression="zip", pixel_types=None) -> None:
     """Writes every layer of an image to one OpenEXR file, top row first.
 
     path: name of the file, str or path-like; not one of another kind of image, such as .png. An
@@ -75,7 +76,7 @@ def write_exr(path, image, compression="zip", pixel_types=None):
         raise _refusal(watch, writer, os.fspath(path))
 
 
-def read_exr(path):
+def read_exr(path) -> vtkImageData:
     """Reads the layers of an OpenEXR file as an image.
 
     path: name of the file, str or path-like. Scan lines or tiles, one part or several, any

@@ -123,7 +123,7 @@ def take(renderer):
     return bool(taken)
 
 
-def report(frame):
+def report(frame) -> dict:
     """Returns what the last frames did and why, as a dict.
 
     frame: the vtkRelievoPass, or a renderer (or a plotter) that has one.

@@ -9,14 +9,14 @@ from vtkmodules.vtkCommonDataModel import vtkImageData
 from ._errors import require
 
 
-def layer_names(image):
+def layer_names(image) -> list:
     """Returns the names of the image's layers, a list in the order of capture."""
     require(image, "vtkImageData", "image")
     data = image.GetPointData()
     return [data.GetArrayName(i) for i in range(data.GetNumberOfArrays())]
 
 
-def layer(image, name):
+def layer(image, name) -> numpy.ndarray:
     """Returns one layer of a captured image as a numpy array.
 
     image: vtkImageData from capture() or read_exr().
@@ -37,7 +37,7 @@ def layer(image, name):
     return _rows_of(image, array)
 
 
-def from_image(image):
+def from_image(image) -> numpy.ndarray:
     """Returns the scalars of any image of VTK as a numpy array, ROW 0 AT THE TOP.
 
     image: vtkImageData of (columns, rows, 1) points, of a reader (vtkPNGReader), a
@@ -54,7 +54,7 @@ def from_image(image):
     return _rows_of(image, array)
 
 
-def to_image(values, name="scalars"):
+def to_image(values, name="scalars") -> vtkImageData:
     """Returns a numpy array as an image of VTK, with what is at the top in the array at the top.
 
         texture.SetInputData(relievo.to_image(picture))
@@ -135,7 +135,7 @@ def _rows_of(image, array):
     return vtk_to_numpy(array).reshape(shape)[::-1]
 
 
-def attributes(image):
+def attributes(image) -> dict:
     """Returns the image's field data, with its camera and lights, as a dict.
 
     worldToCamera, worldToNDC: arrays of shape (4, 4), for column vectors: clip = worldToNDC @ p.

@@ -8,11 +8,11 @@ import weakref
 from vtkmodules.vtkCommonCore import vtkWeakReference
 from vtkmodules.vtkRenderingOpenGL2 import vtkRenderPassCollection, vtkSequencePass
 
-from ._frame import Frame, kept_of, put, take
+from ._frame import Frame, kept_of, put, take, vtkRelievoPass
 from ._renderers import need_renderer
 
 
-def attach(renderer):
+def attach(renderer) -> vtkRelievoPass:
     """Puts the Relievo frame around the renderer's pass, and around any that it gets later.
 
     renderer: a vtkRenderer, or an object whose attribute `renderer` is one (a plotter). Its picture
@@ -30,7 +30,7 @@ def attach(renderer):
     return kept(need_renderer(renderer), attach=True).frame
 
 
-def detach(renderer):
+def detach(renderer) -> bool:
     """Removes the frame and restores the pass that the renderer had before.
 
     renderer: as for attach().

@@ -7,7 +7,7 @@ import math
 from .vtkRelievoLayers import vtkRelievoLayerCatalogue
 
 
-def layers():
+def layers() -> dict:
     """Returns all layers: a dict by name, each value a dict that describes the layer.
 
     help: one line. type: "float", "double", "int" or "unsigned char". components: values per

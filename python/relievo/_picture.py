@@ -99,7 +99,7 @@ def png_of(rgb):
     return numpy.asarray(writer.GetResult()).tobytes()
 
 
-def picture(image, name):
+def picture(image, name) -> numpy.ndarray:
     """Returns a layer as a picture: uint8 of shape (rows, columns, 3), ROW 0 AT THE TOP.
 
     image: vtkImageData from capture() or read_exr(). name: the layer's name.
@@ -113,7 +113,7 @@ def picture(image, name):
     return picture_of(name, layer(image, name))[0]
 
 
-def write_png(path, image, name=None, transparent=False):
+def write_png(path, image, name=None, transparent=False) -> None:
     """Writes a layer of an image as a PNG file, 8 bits.
 
         relievo.write_png("picture.png", relievo.capture(renderer, "color", size=(1280, 720)))

@@ -2,11 +2,13 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """From a depth image back to points."""
 
+from vtkmodules.vtkCommonDataModel import vtkPolyData
+
 from ._errors import Watch, require
 from .vtkRelievoFilters import vtkRelievoDepthToPoints
 
 
-def depth_to_points(image):
+def depth_to_points(image) -> vtkPolyData:
     """Returns the surface points of a captured depth layer, as a point cloud.
 
     image: vtkImageData with the layer `depth` and the camera's matrices in its field data, as

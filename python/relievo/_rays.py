@@ -194,7 +194,7 @@ class _Progress:
             raise self._ended
 
 
-def rays(*things):
+def rays(*things) -> Rays:
     """A scene that answers rays, in double precision, on all cores.
 
     things: a vtkRenderer, or an object whose attribute `renderer` is one (a plotter), or actors;

@@ -9,7 +9,7 @@ from ._renderers import need_renderer
 from ._wrapped import vtkRelievoScaleBar
 
 
-def scale_bar(renderer, unit=None, length=None):
+def scale_bar(renderer, unit=None, length=None) -> vtkRelievoScaleBar:
     """Shows a bar of a round length at the lower right of the picture, with its number and unit.
 
         bar = relievo.scale_bar(renderer, "mm")

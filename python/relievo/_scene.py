@@ -202,7 +202,7 @@ class Scene:
             warnings.warn(found.GetValue(i), RuntimeWarning, stacklevel=4)
 
 
-def scene(*files, **options):
+def scene(*files, **options) -> Scene:
     files = [files] if isinstance(files, (str, bytes)) else files
     return Scene(files, options)
 

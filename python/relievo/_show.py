@@ -35,7 +35,7 @@ class Page:
         )
 
 
-def show(image, layers=None, path=None):
+def show(image, layers=None, path=None) -> Page:
     """Shows layers as a page with the values under the cursor, in a notebook or as a file.
 
         relievo.show(relievo.capture(renderer, ["depth", "normal"]))

@@ -76,7 +76,7 @@ def _set_ambient(source, settings):
     source.SetSeed(_number("seed", settings.get("seed", 0), 0, 2**31 - 1, whole=True))
 
 
-def visible(thing, cameras, occluders=(), size=None, cloud=False):
+def visible(thing, cameras, occluders=(), size=None, cloud=False) -> vtkPolyData | list:
     """Returns a mesh, or each prop of a scene, with what cameras see of it.
 
         seen = relievo.visible(mesh, [relievo.Pinhole(K, (1280, 720), R, t), ...])
@@ -216,7 +216,8 @@ _OF_SUN = keywords_of(
 )
 _SUN_SIGNATURE = inspect.Signature(
     keywords(dict.fromkeys(("mesh", "latitude", "longitude", "first"), inspect.Parameter.empty))
-    + keywords({"last": None, "occluders": (), **defaults_of(vtkRelievoSunExposure(), _OF_SUN)})
+    + keywords({"last": None, "occluders": (), **defaults_of(vtkRelievoSunExposure(), _OF_SUN)}),
+    return_annotation=vtkPolyData,
 )
 
 
@@ -264,7 +265,7 @@ class Moment:
             self.scene.CopyStateOf(scene)
 
 
-def moment(thing, camera=None, size=None):
+def moment(thing, camera=None, size=None) -> Moment:
     """Keeps a scene as it is now, for flow(): a copy, which moves no more.
 
     thing: as for rays(): a renderer, a plotter, data.
@@ -276,7 +277,7 @@ def moment(thing, camera=None, size=None):
     return Moment(thing, camera, size)
 
 
-def flow(before, thing, camera=None, size=None):
+def flow(before, thing, camera=None, size=None) -> vtkImageData:
     """Returns where the pixels of a moment are now: optical flow and scene flow, in double.
 
     From now to a moment, as layers beside others: capture(…, previous=).

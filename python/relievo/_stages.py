@@ -8,16 +8,17 @@ from ._frame import frame_of
 from ._keep import attach
 from ._parameters import names, words
 from ._renderers import need_renderer
-from .vtkRelievoPasses import vtkRelievoPass
+from ._wrapped import vtkRelievoPass, vtkRelievoStage
 
 
-def stage(renderer, name, on=True, **parameters):
+def stage(renderer, name, on=True, **parameters) -> vtkRelievoStage:
     """Switches a stage of the renderer's frame on or off and sets its parameters.
 
-        relievo.stage(renderer, "shadows", visible=True, method="warped", bias=2)
+        relievo.stage(renderer, "shadows", method="warped", bias=2)
 
     renderer: a vtkRenderer, or an object whose attribute `renderer` is one (a plotter); the frame
-    is attached if there is none. name: one of stages(). on: whether the frame may run the stage.
+    is attached if there is none. name: one of stages(). on: whether the frame may run the stage;
+    layers of shadows and ambient occlusion are there either way.
     parameters: numbers, True or False, strings, and for a colour three numbers, "#ff8000" or a
     name; stages() gives ranges and defaults.
 
@@ -54,7 +55,7 @@ def stage(renderer, name, on=True, **parameters):
         found = attach(renderer).GetStage(name)
         for key, text in wanted.items():
             found.TrySetParameter(key, text)
-    found.SetEnabled(on)
+    found.SetEnabled(bool(on))
     return found
 
 
@@ -62,7 +63,7 @@ def _names(frame):
     return [frame.GetStage(i).GetStageName() for i in range(frame.GetNumberOfStages())]
 
 
-def stages():
+def stages() -> dict:
     """Returns all stages of a frame: a dict by name, each value a dict of the stage's parameters.
 
     Each parameter has a pair of strings, default and help: ("0.5", "Fraction of ... from 0 to 1.").

@@ -172,7 +172,8 @@ def _make(stage, made):
     of_points, of_stage = names(made), names(stage)
     signature = inspect.Signature(
         keywords(dict.fromkeys(("renderer", "points"), inspect.Parameter.empty))
-        + keywords(dict.fromkeys(of_points + of_stage))
+        + keywords(dict.fromkeys(of_points + of_stage)),
+        return_annotation=type(made),
     )
 
     def function(*arguments, **given):

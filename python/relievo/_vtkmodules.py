@@ -56,7 +56,7 @@ class Alias(importlib.abc.MetaPathFinder, importlib.abc.Loader):
             module.__spec__ = module.__spec__.loader_state
 
 
-def provide_vtkmodules():
+def provide_vtkmodules() -> None:
     """Makes `vtkmodules` the VTK that Relievo is built on, for all later imports of the process.
 
         import relievo

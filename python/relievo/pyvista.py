@@ -104,7 +104,7 @@ class RelievoComponent:
         Lights of PyVista's default kit follow the camera, and so do their shadows; a light with
         light_type="scene light" stays where it is.
         """
-        return self.stage("shadows", visible=bool(on), **parameters)
+        return self.stage("shadows", bool(on), **parameters)
 
     def environment(self, path, **parameters):
         """As relievo.environment(): the light of a picture of all directions, and the sky."""
@@ -112,7 +112,7 @@ class RelievoComponent:
 
     def stage(self, name, on=True, **parameters):
         """As relievo.stage(): one of the frame's stages by name."""
-        if on and (name != "shadows" or parameters.get("visible")):
+        if on:
             self._check(name)
         return self._call(_stages.stage, name, on, **parameters)
 

@@ -169,14 +169,6 @@ public:
   vtkRelievoParametersMacro();
   ///@}
 
-#ifndef __VTK_WRAP__
-  /** What the writer says of them. */
-  const vtkRelievoParameterList& GetParameters() const
-  {
-    return this->Parameters;
-  }
-#endif
-
   /** Writes what is not there yet. */
   bool Write();
 
@@ -188,21 +180,12 @@ public:
 
   ///@{
   /** Why the last function that may fail did; as of vtkRelievoScene. */
-  int GetFailure()
-  {
-    return this->Failure;
-  }
-  std::string GetFailureText()
-  {
-    return this->FailureText;
-  }
+  int GetFailure() { return this->Failure; }
+  std::string GetFailureText() { return this->FailureText; }
   ///@}
 
   /** Ends the work that goes on, from an observer of its progress. */
-  void SetAbort()
-  {
-    this->Abort = true;
-  }
+  void SetAbort() { this->Abort = true; }
 
 protected:
   vtkRelievoDatasetWriter();

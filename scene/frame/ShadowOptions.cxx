@@ -57,7 +57,7 @@ void CheckShadowWishes(RenderOptions& options, const std::set<std::string>& give
 //------------------------------------------------------------------------------
 bool ShowsShadows(const RenderOptions& options)
 {
-  const std::string* visible = FindStageChoice(options.Stages, "shadows", "visible");
-  return options.ShadowMethod != Shadows::Off || (visible && *visible == "on");
+  const std::string* enabled = FindStageChoice(options.Stages, "shadows", "enabled");
+  return enabled ? *enabled == "on" : options.ShadowMethod != Shadows::Off;
 }
 }

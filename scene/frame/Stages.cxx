@@ -12,6 +12,20 @@
 
 namespace scene
 {
+namespace
+{
+// TrySetParameter of the stage's switch.
+std::string TrySwitch(vtkRelievoStage* stage, const std::string& words)
+{
+  const bool enabled = stage->GetEnabled();
+  vtkRelievoParameterList list;
+  list.AddFlag(
+    "enabled", enabled, [stage](bool on) { stage->SetEnabled(on); }, "");
+  const std::string wrong = list.TrySet("enabled", words);
+  return wrong.empty() ? wrong : stage->GetStageName() + ":enabled: " + wrong;
+}
+}
+
 //------------------------------------------------------------------------------
 StageChoice& AddStage(
   std::vector<StageChoice>& stages, const std::string& name, const std::string& option)
@@ -34,8 +48,11 @@ StageChoice ParseStage(const std::string& word)
   {
     RefuseValue("--stage", word, expected);
   }
+  vtkRelievoStage* known = GetNewFrame()->GetStage(stage.Name);
+  const bool serves = known && known->GetDescription().ServesWhenOff;
   if (colon == std::string::npos)
   {
+    stage.Parameters = serves ? NamedWords{ { "enabled", "on" } } : NamedWords{};
     return stage;
   }
   for (const std::string& piece : Split(word.substr(colon + 1), ','))
@@ -43,7 +60,9 @@ StageChoice ParseStage(const std::string& word)
     const std::size_t equals = piece.find('=');
     if (equals != std::string::npos && equals > 0)
     {
-      stage.Parameters.emplace_back(piece.substr(0, equals), piece.substr(equals + 1));
+      const std::string name = piece.substr(0, equals);
+      stage.Parameters.emplace_back(
+        serves && name == "visible" ? "enabled" : name, piece.substr(equals + 1));
     }
     else if (equals == std::string::npos && !stage.Parameters.empty())
     {
@@ -105,10 +124,11 @@ void SetStages(vtkRelievoPass* pass, const std::vector<StageChoice>& stages)
       }
       RefuseValue("--stage", choice.Name, "one of " + Join(names, ", "));
     }
-    stage->EnabledOn();
+    stage->SetEnabled(stage->GetEnabled() || !stage->GetDescription().ServesWhenOff);
     for (const auto& [name, value] : choice.Parameters)
     {
-      const std::string wrong = stage->TrySetParameter(name, value);
+      const std::string wrong =
+        name == "enabled" ? TrySwitch(stage, value) : stage->TrySetParameter(name, value);
       if (!wrong.empty())
       {
         throw UsageError(choice.Option + " " + wrong);

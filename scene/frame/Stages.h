@@ -26,7 +26,8 @@ struct StageChoice
 StageChoice& AddStage(
   std::vector<StageChoice>& stages, const std::string& name, const std::string& option);
 
-/// The word behind --stage. A value goes on over commas up to the next PARAMETER=.
+/// The word behind --stage. A value goes on over commas up to the next PARAMETER=. Of stages that
+/// serve when they are off `visible` is an older word for `enabled`, and the name alone is that.
 StageChoice ParseStage(const std::string& word);
 
 /// The last value of a parameter among the choices, or among those of one option; nullptr: none.
@@ -39,7 +40,8 @@ vtkRelievoPass* GetNewFrame();
 /// Throws UsageError if a frame has no such stage, or if it does not take a parameter's value.
 void CheckStages(const std::vector<StageChoice>& stages);
 
-/// Switches the stages on, with their parameters.
+/// Switches the stages on, with their parameters; those that serve when they are off by
+/// `enabled=on` alone.
 void SetStages(vtkRelievoPass* pass, const std::vector<StageChoice>& stages);
 
 /// Every stage with its parameters, their ranges and defaults, for people to read.

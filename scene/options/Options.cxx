@@ -103,7 +103,7 @@ void TakeAmbient(RenderOptions& options, const std::string& word)
 {
   const std::vector<std::string> pieces = Split(word, ',');
   StageChoice& choice = AddStage(options.Stages, "ambient", "--ambient");
-  choice.Parameters = { { "visible", "on" }, { "strength", pieces[0] } };
+  choice.Parameters = { { "enabled", "on" }, { "strength", pieces[0] } };
   for (auto piece = std::next(pieces.begin()); piece != pieces.end(); ++piece)
   {
     const std::size_t equals = piece->find('=');
@@ -315,11 +315,13 @@ vtkRelievoCommand DescribeRender(RenderOptions& all)
   rows.AddFlag("--grid",
     "shows a grid round the scene, with numbers on its axes x, y and z, in the picture alone",
     all.Look.Grid);
-  rows.Add("--scale-bar", "UNIT[,length=LENGTH]",
-    "shows a bar of a round length, or of LENGTH, at the lower right, in the picture alone, with "
-    "its number and the unit of the scene's lengths, such as mm; none: the number alone. In "
-    "perspective it is right at the depth of the focal point",
-    TakeScaleBar);
+  rows
+    .Add("--scale-bar", "UNIT[,length=LENGTH]",
+      "shows a bar of a round length, or of LENGTH, at the lower right, in the picture alone, with "
+      "its number and the unit of the scene's lengths, such as mm; none: the number alone. In "
+      "perspective it is right at the depth of the focal point",
+      TakeScaleBar)
+    .Words = { "none" };
   rows.Add("--color-by", "NAME[,COMPONENT]",
     "colours by a point or cell array, point:NAME or cell:NAME where two share a "
     "name; COMPONENT a number from 0, or magnitude (the magnitude; bytes of 3 or 4 "
@@ -563,7 +565,7 @@ void CheckSaidOnce(const RenderOptions& options, const std::set<std::string>& gi
   std::vector<StageChoice> said = options.Stages;
   if (given.count("--shadows"))
   {
-    AddStage(said, "shadows", "--shadows").Parameters = { { "visible", "" }, { "method", "" } };
+    AddStage(said, "shadows", "--shadows").Parameters = { { "enabled", "" }, { "method", "" } };
   }
   const std::string byStage = StageChoice().Option;
   for (const StageChoice& own : said)
@@ -585,7 +587,7 @@ void CheckSaidOnce(const RenderOptions& options, const std::set<std::string>& gi
 void CheckShadowsAsked(const RenderOptions& options, const std::set<std::string>& given)
 {
   const bool asked = given.count("--shadows") != 0 || options.ShadowMethod != Shadows::Off ||
-    SetsShadows(options, "visible") ||
+    SetsShadows(options, "enabled") ||
     std::any_of(options.Layers.begin(), options.Layers.end(),
       [](const std::string& name) { return vtkRelievoLayerCatalogue::GetLight(name) >= 0; });
   const bool sizes = given.count("--shadow-size") > 0;
@@ -594,7 +596,7 @@ void CheckShadowsAsked(const RenderOptions& options, const std::set<std::string>
   {
     throw UsageError(std::string(sizes ? "--shadow-size: there are no shadows to size"
                                        : "--soft-shadows: there are no shadows") +
-      ": give --shadows map, --stage shadows:visible=on, or a layer shadow_N, as well");
+      ": give --shadows map, --stage shadows, or a layer shadow_N, as well");
   }
   if (given.count("--colored-shadows") && options.ShadowMethod != Shadows::Exact &&
     !SetsShadows(options, "method", "exact"))

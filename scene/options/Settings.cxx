@@ -31,16 +31,18 @@ bool IsOff(const std::string& stage, const std::string& samples)
   return stage == "antialias" && samples == "1";
 }
 
-// Of stages that are there without being seen.
-bool HasSwitch(const std::string& stage)
+// Of stages that are there without being asked for.
+bool IsThere(const std::string& stage)
 {
-  const auto& parameters = GetNewFrame()->GetStage(stage)->GetDescription().Parameters;
-  return !parameters.empty() && parameters[0].Name == "visible";
+  const vtkRelievoStageDescription& says = GetNewFrame()->GetStage(stage)->GetDescription();
+  return says.OnByDefault || says.ServesWhenOff;
 }
 
 std::string GetDefault(const std::string& stage, const std::string& parameter)
 {
-  return GetNewFrame()->GetStage(stage)->GetParameterDefault(parameter);
+  vtkRelievoStage* found = GetNewFrame()->GetStage(stage);
+  return parameter == "enabled" ? (found->GetDescription().ServesWhenOff ? "off" : "on")
+                                : found->GetParameterDefault(parameter);
 }
 }
 
@@ -103,8 +105,7 @@ void Settings::TakeStages(const RenderOptions& options)
   }
   for (auto stage = this->Stages.begin(); stage != this->Stages.end();)
   {
-    const bool idle =
-      stage->second.empty() && GetNewFrame()->GetStage(stage->first)->GetDescription().OnByDefault;
+    const bool idle = stage->second.empty() && IsThere(stage->first);
     stage = idle ? this->Stages.erase(stage) : std::next(stage);
   }
 }
@@ -182,7 +183,10 @@ std::vector<std::string> Settings::GetAllWords(const std::string& option) const
     {
       word += (word == name ? ":" : ",") + parameter + "=" + value;
     }
-    words.push_back(word);
+    if (!parameters.empty() || !IsThere(name))
+    {
+      words.push_back(word);
+    }
   }
   return words;
 }
@@ -277,7 +281,7 @@ bool Settings::ShowsShadows() const
 //------------------------------------------------------------------------------
 std::string Settings::GetParameter(const std::string& stage, const std::string& parameter) const
 {
-  if (stage == "shadows" && parameter == "visible")
+  if (stage == "shadows" && parameter == "enabled")
   {
     return this->ShowsShadows() ? "on" : "off";
   }
@@ -309,13 +313,10 @@ bool Settings::IsStageOn(const std::string& stage) const
   {
     return this->ShowsShadows();
   }
-  if (HasSwitch(stage))
+  const bool enabled = this->GetParameter(stage, "enabled") == "on";
+  if (!enabled || stage != "antialias") // which presets ask for
   {
-    return this->GetParameter(stage, "visible") == "on";
-  }
-  if (stage != "antialias") // which presets ask for
-  {
-    return this->IsStageAsked(stage);
+    return enabled && this->IsStageAsked(stage);
   }
   const std::vector<StageChoice> stages = this->Parse().Stages;
   return !IsOff(stage, this->GetParameter(stage, "samples")) &&
@@ -328,29 +329,21 @@ void Settings::SwitchStage(const std::string& stage, bool on)
 {
   if (stage == "shadows")
   {
-    this->SetParameter(stage, "visible", on ? "on" : "off");
+    this->SetParameter(stage, "enabled", on ? "on" : "off");
     return;
   }
   this->AskStage(stage, false);
-  if (HasSwitch(stage))
+  if (on != this->IsStageOn(stage)) // which a preset may be the reason of
   {
-    this->SetParameter(stage, "visible", on ? "on" : "off");
-  }
-  else if (on && !this->IsStageOn(stage))
-  {
-    this->AskStage(stage, true);
-  }
-  else if (!on && this->IsStageOn(stage)) // the preset's
-  {
-    this->SetParameter(stage, "samples", "1");
+    this->SetParameter(stage, "enabled", on ? "on" : "off");
   }
 }
 
 //------------------------------------------------------------------------------
-void Settings::SetShadows(bool visible, const std::string& method)
+void Settings::SetShadows(bool on, const std::string& method)
 {
   this->SetGiven("shadows", "method", "map"); // which is the default
-  if (visible)
+  if (on)
   {
     const bool wasOff = this->Get("--shadows") == "off";
     this->Remove("--shadows");
@@ -377,7 +370,7 @@ void Settings::SetShadows(bool visible, const std::string& method)
 void Settings::SetParameter(
   const std::string& stage, const std::string& parameter, const std::string& value)
 {
-  if (stage == "shadows" && parameter == "visible")
+  if (stage == "shadows" && parameter == "enabled")
   {
     this->SetShadows(value == "on", this->GetParameter(stage, "method"));
   }
@@ -403,7 +396,7 @@ void Settings::SetGiven(
   {
     given.emplace_back(parameter, value);
   }
-  else if (given.empty() && GetNewFrame()->GetStage(stage)->GetDescription().OnByDefault)
+  else if (given.empty() && IsThere(stage))
   {
     this->Stages.erase(stage);
   }

@@ -92,7 +92,7 @@ private:
   void TakeStages(const RenderOptions& options);
   void DropValue(const std::string& option, const std::string& name);
   bool ShowsShadows() const;
-  void SetShadows(bool visible, const std::string& method);
+  void SetShadows(bool on, const std::string& method);
   std::string GetStandard(const std::string& stage, const std::string& parameter) const;
   const std::string* Find(const std::string& stage, const std::string& parameter) const;
   void SetGiven(const std::string& stage, const std::string& parameter, const std::string& value);

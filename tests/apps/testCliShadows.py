@@ -171,9 +171,15 @@ class Shadows(CliTest):
         light = ["sun:-1,0,1"]
         done = self.draw("--stage", "shadows:method=warped", "--png", "a.png", lights=light)
         self.assertIn("--stage shadows changed nothing: ", done.stderr)
-        done = self.draw("--stage", "shadows:visible=on,method=warped", "--png", "b.png",
-                         lights=light)  # fmt: skip
-        self.assertNotIn("changed nothing", done.stderr)
+        # One switch for every stage, and its older name.
+        for words in ("shadows", "shadows:enabled=on,method=warped", "shadows:visible=on"):
+            done = self.draw("--stage", words, "--png", "b.png", lights=light)
+            self.assertNotIn("changed nothing", done.stderr)
+            self.assertNotEqual((self.folder / "a.png").read_bytes(),
+                                (self.folder / "b.png").read_bytes(), words)
+        self.draw("--stage", "tone:exposure=2,enabled=off", "--png", "b.png", lights=light)
+        self.assertEqual((self.folder / "a.png").read_bytes(),
+                         (self.folder / "b.png").read_bytes())
 
     def test_the_size_of_the_map(self):
         light = ["sun:-1,0,1"]

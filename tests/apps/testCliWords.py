@@ -178,7 +178,7 @@ class Words(CliTest):
     def test_shadows_said_in_two_ways(self):
         for words, option, parameter in (
             (["--shadows", "warped", "--stage", "shadows:method=map"], "--shadows", "method"),
-            (["--shadows", "off", "--stage", "shadows:visible=on"], "--shadows", "visible"),
+            (["--shadows", "off", "--stage", "shadows:visible=on"], "--shadows", "enabled"),
             (["--shadows", "map", "--shadow-size", 64, "--stage", "shadows:map_size=32"],
              "--shadow-size", "map_size"),
             (["--shadow-tolerance", "1%", "--stage", "shadows:tolerance=0.1"],
@@ -191,6 +191,8 @@ class Words(CliTest):
         self.refused("render", "triangle.off", "--png", "a.png", "--ambient", "1", "--stage",
                      "ambient:strength=0.5", status=2,
                      says="--ambient and --stage ambient:strength: both set the same")  # fmt: skip
+        self.refused("render", "triangle.off", "--png", "a.png", "--stage", "tone:enabled=perhaps",
+                     status=2, says="tone:enabled: 'perhaps' was given, expected on or off")
 
     def test_unknown_layer(self):
         self.refused("render", "triangle.off", "--exr", "a.exr", "--layers", "depth,detph",

@@ -51,10 +51,10 @@ def scene(shadows):
     window.SetSize(*SIZE)
     window.AddRenderer(renderer)
     if shadows == "soft":
-        relievo.stage(renderer, "shadows", visible=True, soft_samples=32, sun_angle=12,
+        relievo.stage(renderer, "shadows", soft_samples=32, sun_angle=12,
                       soft_at_once=True)  # fmt: skip
     elif shadows:
-        relievo.stage(renderer, "shadows", visible=True)
+        relievo.stage(renderer, "shadows")
     return renderer, window
 
 

@@ -64,7 +64,7 @@ struct Part
     this->Frame = vtkRelievoPass::Attach(this->Renderer);
     this->Frame->SetController(controller);
     this->Stage = vtkRelievoAmbientStage::SafeDownCast(this->Frame->GetStage("ambient"));
-    this->Stage->VisibleOn();
+    this->Stage->EnabledOn();
     this->Stage->SetSamples(16);
     this->Stage->SetSamplesPerFrame(16 / Frames);
     vtkNew<vtkPlaneSource> ground;

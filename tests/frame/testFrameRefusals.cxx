@@ -37,21 +37,23 @@ void TestOff()
   Scene scene;
   const auto plain = Picture(scene.Window);
   vtkRelievoPass* frame = vtkRelievoPass::Attach(scene.Renderer);
-  frame->GetShadowStage()->EnabledOff();
-  frame->RequestLayer("shadow_0");
+  frame->GetStage("light_depth")->EnabledOff();
+  frame->RequestLayer("light_depth");
+  frame->RequestLayer("shadow_0"); // whose stage serves when it is off
   frame->RequestLayer("depth");
   scene.Window->Render();
   vtkNew<vtkImageData> image;
-  RELIEVO_CHECK(frame->ReadLayer("depth", image));
+  RELIEVO_CHECK(!frame->GetShadowStage()->GetEnabled());
+  RELIEVO_CHECK(frame->ReadLayers({ "depth", "shadow_0" }, image));
   {
-    relievoTest::ExpectMessage expect("needs 'visibility', which the stage shadows would write");
-    RELIEVO_CHECK(!frame->ReadLayer("shadow_0", image));
-    RELIEVO_CHECK(!frame->ReadLayers({ "depth", "shadow_0" }, image));
+    relievoTest::ExpectMessage expect("which the stage light_depth would write");
+    RELIEVO_CHECK(!frame->ReadLayer("light_depth", image));
+    RELIEVO_CHECK(!frame->ReadLayers({ "depth", "light_depth" }, image));
     RELIEVO_CHECK(expect.Count() == 2);
   }
-  frame->GetShadowStage()->EnabledOn();
+  frame->GetStage("light_depth")->EnabledOn();
   scene.Window->Render();
-  RELIEVO_CHECK(frame->ReadLayer("shadow_0", image));
+  RELIEVO_CHECK(frame->ReadLayer("light_depth", image));
 
   frame->GetStage("gbuffer")->EnabledOff();
   {

@@ -107,7 +107,7 @@ public:
 protected:
   void Declare(const vtkRelievoFrameContext&, vtkRelievoDeclaration& declaration) const override
   {
-    declaration.Reads.emplace_back("shadow maps");
+    declaration.Reads.emplace_back("depth");
   }
 };
 
@@ -116,18 +116,18 @@ void TestMissing()
   Scene scene;
   const auto plain = Picture(scene.Window);
   vtkRelievoPass* frame = vtkRelievoPass::Attach(scene.Renderer);
-  frame->GetStage("shadows")->EnabledOff();
+  frame->GetStage("gbuffer")->EnabledOff();
   vtkNew<Hungry> stage;
   frame->AddStage(stage);
   {
-    relievoTest::ExpectMessage expect("The stage shift does not run: it reads 'shadow maps'");
+    relievoTest::ExpectMessage expect("The stage shift does not run: it reads 'depth'");
     RELIEVO_CHECK(IsSame(plain, Picture(scene.Window)));
     RELIEVO_CHECK(stage->GetReasonCode() == "refused" && stage->Executed == 0);
-    RELIEVO_CHECK(stage->GetReason().find("the stage shadows would write") != std::string::npos);
+    RELIEVO_CHECK(stage->GetReason().find("the stage gbuffer would write") != std::string::npos);
     scene.Window->Render();
     RELIEVO_CHECK_THAT(expect.Count() == 1, "said in every frame");
   }
-  frame->GetStage("shadows")->EnabledOn();
+  frame->GetStage("gbuffer")->EnabledOn();
   scene.Window->Render();
   RELIEVO_CHECK(stage->Executed == 1);
 }

@@ -97,7 +97,7 @@ void TestWords()
   RELIEVO_CHECK(stage->SetParameter("method", "warped"));
   RELIEVO_CHECK(frame->GetShadowStage()->GetMethod() == vtkRelievoShadowStage::METHOD_WARPED);
   RELIEVO_CHECK(stage->SetParameter("bias", "2.25") && frame->GetShadowStage()->GetBias() == 2.25);
-  RELIEVO_CHECK(stage->SetParameter("visible", "on") && frame->GetShadows());
+  RELIEVO_CHECK(!stage->GetEnabled() && !frame->GetShadows());
   frame->GetShadowStage()->SetMapSize(512);
   RELIEVO_CHECK(stage->GetParameter("map_size") == "512");
   const std::string unknown = stage->TrySetParameter("size", "3");

@@ -33,6 +33,7 @@ MUST = {
     "viewer": ["bin/relievo-viewer", "relievo-viewer.desktop"],
     "development": ["libvtkRelievoPasses.so", "RelievoConfig.cmake", "vtkRelievoPass.h"],
     "python": ["relievo/__init__.py", "relievo/_wrapped.py", "relievo/vtkRelievoPasses",
+               "relievo/__init__.pyi", "relievo/py.typed",
                ".dist-info/entry_points.txt"],  # fmt: skip
     "plugin": ["Relievo/Relievo.so", "relievo.plugins.xml"],
 }

@@ -77,7 +77,7 @@ def of_view():
     frame = relievo.vtkRelievoPass()
     found = {
         "RelievoShadowColored": (0, 1),
-        **properties(frame.GetStage("shadows"), "RelievoShadow", ("visible", "colored_shadows")),
+        **properties(frame.GetStage("shadows"), "RelievoShadow", ("colored_shadows",)),
         **properties(
             relievo.vtkRelievoEnvironment(), "RelievoEnvironment", up="z", gamma_correct="on"),
         **properties(
@@ -85,11 +85,9 @@ def of_view():
     }
     for i in range(frame.GetNumberOfStages()):
         stage = frame.GetStage(i)
-        says = [stage.GetParameterName(k) for k in range(stage.GetNumberOfParameters())]
-        shown = "visible" in says and stage.GetStageName() != "shadows"
-        if shown or not stage.GetEnabled() or stage.IsA("vtkRelievoPointStage"):
+        on = stage.GetEnabled()
+        if stage.GetStageName() != "shadows" and (not on or stage.IsA("vtkRelievoPointStage")):
             name = "RelievoStage" + capitalize(stage.GetStageName())
-            on = stage.GetParameter("visible") == "on" if shown else stage.GetEnabled()
             found[name] = (int(on), 1 - int(on))
-            found.update(properties(stage, name, ("visible",)))
+            found.update(properties(stage, name))
     return found

@@ -314,7 +314,7 @@ class Antialias(unittest.TestCase):
         sun.SetPosition(1, 2, 3)
         self.renderer.AddLight(sun)
         self.frame.GetShadowStage().SetLightSize(sun, 10)
-        relievo.stage(self.renderer, "shadows", visible=True)
+        relievo.stage(self.renderer, "shadows")
         for samples, drawn in ((0, 0), (4, 1)):
             relievo.stage(self.renderer, "shadows", soft_samples=samples)
             self.smooth(16)

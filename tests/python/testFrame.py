@@ -58,18 +58,18 @@ class Stages(unittest.TestCase):
         self.first = picture(self.window)
 
     def test_the_example_makes_shadows(self):
-        shadows = relievo.stage(self.renderer, "shadows", visible=True, method="warped", bias=2)
+        shadows = relievo.stage(self.renderer, "shadows", method="warped", bias=2)
         self.assertNotEqual(picture(self.window), self.first)
         self.assertEqual(shadows.GetParameter("method"), "warped")
         self.assertEqual(float(shadows.GetParameter("bias")), 2)
-        relievo.stage(self.renderer, "shadows", visible=numpy.False_, strength=numpy.float32(0.5))
+        relievo.stage(self.renderer, "shadows", on=numpy.False_, strength=numpy.float32(0.5))
         self.assertEqual(picture(self.window), self.first)
 
     def test_wrong_values_change_nothing(self):
         biases = (None, {}, object(), 1j, [[1]], float("nan"), [1, 2, 3])
         for wrong in [*({"bias": each} for each in biases), {"method": "magic"}, {"nosuch": 1}]:
             with self.assertRaisesRegex(ValueError, f"stage: .*{next(iter(wrong))}"):
-                relievo.stage(self.renderer, "shadows", visible=True, **wrong)
+                relievo.stage(self.renderer, "shadows", **wrong)
             self.assertIsNone(self.renderer.GetPass(), "nothing was attached")
         for name in ("bogus", "", None, 3):
             with self.assertRaisesRegex(ValueError, "expected one of .*shadows"):
@@ -353,7 +353,7 @@ class Package(unittest.TestCase):
         for name in relievo.__all__:
             function = getattr(relievo, name)
             if inspect.isfunction(function):
-                arguments = str(inspect.signature(function)).replace("'", '"')
+                arguments = str(inspect.signature(function)).replace("'", '"').split(" -> ")[0]
                 heading = re.search(rf"^### {name}(\(.*\.\.\..*\)) →", headings, re.M)
                 if heading:  # values stand in tables of their own
                     wanted = re.escape(heading.group(1)).replace(re.escape("..."), ".*")

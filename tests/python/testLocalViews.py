@@ -66,7 +66,7 @@ class LocalViews(unittest.TestCase):
 import relievo
 first, second = scene(), scene()
 send(first)
-relievo.stage(first, "shadows", visible=True)
+relievo.stage(first, "shadows")
 relievo.attach(second)
 send(first); send(second); send(first)
 """)

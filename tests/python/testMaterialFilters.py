@@ -1,7 +1,9 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Filters that make materials, from Python: heights to normals, texture coordinates, tangents."""
+"""Filters that make materials, from Python: heights to normals, texture coordinates, tangents; and
+the settings by name of all filters that describe them."""
 
+import re
 import unittest
 
 import numpy
@@ -40,6 +42,53 @@ class Normals(unittest.TestCase):
         self.assertEqual(codes.dtype, numpy.uint8)
         sine = numpy.linalg.norm(numpy.cross(codes * (2 / 255) - 1, truth), axis=-1)
         self.assertLess(numpy.degrees(sine).mean(), 0.3)
+
+
+class Settings(unittest.TestCase):
+    def check(self, made, name):
+        """Get and the setting's name gives what its words set, at both ends of its range."""
+        words = (word.capitalize() for word in name.replace("srgb", "s_r_g_b").split("_"))
+        got = getattr(made, "Get" + "".join(words))
+        help_ = made.GetParameterHelp(name)
+        choices = re.search(r"Takes one of ([^.]*)\.$", help_)
+        least = r"number,? (?:from )?([\d.]+(?:e-\d+)?)"
+        bounds = re.search(rf"{least} (?:to ([\d.e+]+)(?<!\.)|or more)", help_)
+        if choices:
+            for place, word in enumerate(choices[1].split(", ")):
+                self.assertEqual(made.TrySetParameter(name, word), "", name)
+                self.assertEqual(got(), place, name)
+        elif " numbers" in help_.partition("Takes")[2]:
+            values = (4, 5) if "two" in help_ else (4, 5, 6)
+            words = ("x" if "whole" in help_ else ",").join(map(str, values))
+            self.assertEqual(made.TrySetParameter(name, words), "", name)
+            self.assertEqual(tuple(got()), values, name)
+        elif "Takes on or off" in help_:
+            for value in (False, True):
+                self.assertEqual(made.TrySetParameter(name, "on" if value else "off"), "", name)
+                self.assertEqual(got(), value, name)
+        elif " number" in help_.partition("Takes")[2]:
+            least, most = bounds.groups() if bounds else ("3", None)
+            for word in (least, most or "7"):
+                self.assertEqual(made.TrySetParameter(name, word), "", name)
+                self.assertEqual(got(), float(word), name)
+        if "a text" not in help_:
+            wrong = made.TrySetParameter(name, "nonsense")
+            self.assertIn("'nonsense' was given, expected", wrong, name)
+        self.assertEqual(made.TrySetParameter(name, made.GetParameterDefault(name)), "", name)
+        self.assertEqual(made.GetParameter(name), made.GetParameterDefault(name), name)
+
+    def test_by_name(self):
+        checked = 0
+        for kind in ("Caves", "EnvironmentConvert", "EnvironmentIrradiance",
+                     "EnvironmentPrefilter", "HeightsToNormals", "SmoothBlocks",
+                     "SurfaceParticles", "TextureCoordinates", "VoxelCubes",
+                     "VoxelShell"):  # fmt: skip
+            made = getattr(relievo, f"vtkRelievo{kind}")()
+            for i in range(made.GetNumberOfParameters()):
+                with self.subTest(kind, setting=made.GetParameterName(i)):
+                    self.check(made, made.GetParameterName(i))
+                checked += 1
+        self.assertGreater(checked, 60)
 
 
 class Meshes(unittest.TestCase):

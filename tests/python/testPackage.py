@@ -4,12 +4,16 @@
 
 import configparser
 import importlib
+import inspect
 import pathlib
 import re
 import sys
 import tomllib
 import unittest
 from importlib.metadata import metadata, version
+
+import relievo
+from relievo import _stub
 
 ROOT = pathlib.Path(__file__).parents[2]
 PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text())
@@ -64,6 +68,26 @@ class Pyproject(unittest.TestCase):
                        for path in (ROOT / folder).rglob("*") if path.suffix in (".txt", ".cmake"))
         for component in settings["install"]["components"]:
             self.assertIn(f"COMPONENT {component}", used)
+
+
+class Stub(unittest.TestCase):
+    def test_it_says_what_the_package_has(self):
+        """Functions with the parameters, defaults and help that they have when they are called."""
+        stub = {}
+        exec(compile(_stub.make(relievo), "__init__.pyi", "exec"), stub)  # noqa: S102
+        for name in relievo.__all__:
+            has, says = getattr(relievo, name), stub[name]
+            if inspect.isfunction(has):
+                said, wanted = inspect.signature(says), inspect.signature(has)
+                self.assertEqual(said.parameters, wanted.parameters, name)
+                self.assertEqual(inspect.getdoc(says), inspect.getdoc(has), name)
+                self.assertIsNot(wanted.return_annotation, inspect.Signature.empty, name)
+            else:
+                self.assertIs(says, has, name)
+        wrapped = {name for name in dir(relievo) if name.startswith("vtkRelievo")
+                   and isinstance(getattr(relievo, name), type)}
+        self.assertLessEqual(wrapped, stub.keys())
+        self.assertTrue(pathlib.Path(relievo.__file__).with_name("py.typed").is_file())
 
 
 if __name__ == "__main__":

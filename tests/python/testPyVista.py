@@ -159,7 +159,7 @@ class Component(unittest.TestCase):
         plotter.relievo.fog(source, radius=0.1, density=0.1)
         plotter.relievo.lamps(source, radius=0.1)
         plotter.relievo.markers(source, radius=0.1)
-        plotter.relievo.stage("shadows", visible=True, bias=2)
+        plotter.relievo.stage("shadows", bias=2)
         image = plotter.relievo.capture(["depth", "fog"], size=(60, 40))
         self.assertIn("shadows", [each["name"] for each in plotter.relievo.report()["stages"]])
         self.assertIsInstance(image, pyvista.ImageData)
@@ -266,7 +266,7 @@ class Passes(unittest.TestCase):
             ("tone", lambda plotter: plotter.relievo.stage("tone")),
             ("show", lambda plotter: plotter.relievo.show("normal")),
             ("shadows", lambda plotter: plotter.relievo.shadows()),
-            ("shadows", lambda plotter: plotter.relievo.stage("shadows", visible=True)),
+            ("shadows", lambda plotter: plotter.relievo.stage("shadows")),
         ):
             setting = "shadows" if name == "shadows" else "ssao"
             said = f"{name} beside .*plotter.render_passes.*off"

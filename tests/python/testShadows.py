@@ -192,7 +192,7 @@ class Shadows(unittest.TestCase):
         corners = [corner[:3] / corner[3] for corner in corners]
         normal = numpy.cross(corners[1] - corners[0], corners[2] - corners[0])
         for method in ("map", "warped", "forward", "exact"):
-            stage = relievo.stage(self.renderer, "shadows", visible=True, method=method,
+            stage = relievo.stage(self.renderer, "shadows", method=method,
                                   map_size=1024)  # fmt: skip
             said = []
             stage.AddObserver("WarningEvent", lambda *_, said=said: said.append(1))

@@ -232,7 +232,7 @@ void TestFollowed(double angle, int maps, double limit)
   ground->GetProperty()->SetColor(1., 1., 1.);
   stage.AddSun(0., 5., 0.);
   vtkRelievoShadowStage* shadows = stage.GetShadows();
-  shadows->VisibleOn();
+  shadows->EnabledOn();
   shadows->SetMapSize(2048);
   shadows->SetSoftSamples(24);
   shadows->SetSunAngle(angle);

@@ -162,6 +162,9 @@ private Q_SLOTS:
     QCOMPARE(viewer::NameOptions("--scalar-bar: no values; give --color-by NAME as well"),
       quoted("\u201cShow a colour bar\u201d in Look: no values; give \u201cColour by\u201d in "
              "Look as well"));
+    QCOMPARE(viewer::NameOptions("give --relief relief, or --colormap hot"), // of all values
+      quoted("give \u201cRelief method: relief\u201d in Look, or \u201cColour map: hot\u201d in "
+             "Look"));
     QCOMPARE(viewer::NameOptions("--exposure is given, --certify 5"),
       quoted("\u201cExposure\u201d in Look is given, --certify 5"));
     this->Open({ this->WriteScene(), "--scalar-bar", "--color-by", "height" });

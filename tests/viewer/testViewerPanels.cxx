@@ -181,12 +181,10 @@ private Q_SLOTS:
         auto* edit =
           group->findChild<viewer::ParameterEdit*>(QString::fromStdString(parameter.Name));
         const std::string which = stage.Name + ":" + parameter.Name;
-        QVERIFY2((edit != nullptr) == (parameter.Name != "visible"), which.c_str());
-        QVERIFY2(
-          !edit || parameter.Advanced == (section && section->isAncestorOf(edit)), which.c_str());
+        QVERIFY2(edit, which.c_str());
+        QVERIFY2(parameter.Advanced == (section && section->isAncestorOf(edit)), which.c_str());
         marked += parameter.Advanced;
-        for (const QLabel* label :
-          edit ? edit->parentWidget()->findChildren<QLabel*>() : QList<QLabel*>())
+        for (const QLabel* label : edit->parentWidget()->findChildren<QLabel*>())
         {
           if (label->buddy() == edit)
           {

@@ -37,6 +37,9 @@ private Q_SLOTS:
       (Words{ "--shadows", "map", "--stage", "shadows:tolerance=0.0005", "a.vtp" }));
     QCOMPARE(words({ "a.vtp", "--stage", "shadows:visible=on,method=exact" }),
       (Words{ "--shadows", "exact", "a.vtp" }));
+    QCOMPARE(words({ "a.vtp", "--stage", "shadows" }), (Words{ "--shadows", "map", "a.vtp" }));
+    QCOMPARE(words({ "a.vtp", "--ambient", "0.5,radius=2" }),
+      (Words{ "--stage", "ambient:enabled=on,strength=0.5,radius=2", "a.vtp" }));
     QCOMPARE(words({ "a.vtp", "--png", "a.png" }), Words{ "a.vtp" });
     QCOMPARE(words({ "--", "-a.vtp" }), (Words{ "--", "-a.vtp" }));
     QVERIFY_EXCEPTION_THROWN(words({ "a.vtp", "--wrong", "1" }), scene::UsageError);
@@ -57,19 +60,19 @@ private Q_SLOTS:
   {
     scene::Settings settings = scene::Settings::FromWords({ "a.vtp" });
     settings.SetParameter("shadows", "method", "exact");
-    QCOMPARE(settings.GetParameter("shadows", "visible"), std::string("off"));
+    QCOMPARE(settings.GetParameter("shadows", "enabled"), std::string("off"));
     QVERIFY(settings.Parse().ShadowMethod == scene::Shadows::Off);
-    settings.SetParameter("shadows", "visible", "on");
+    settings.SetParameter("shadows", "enabled", "on");
     QVERIFY(settings.Parse().ShadowMethod == scene::Shadows::Exact);
     QCOMPARE(settings.GetParameter("shadows", "method"), std::string("exact"));
-    settings.SetParameter("shadows", "visible", "off");
+    settings.SetParameter("shadows", "enabled", "off");
     QVERIFY(settings.Parse().ShadowMethod == scene::Shadows::Off);
     QCOMPARE(settings.GetParameter("shadows", "method"), std::string("exact"));
     settings.SetParameter("shadows", "method", "map");
     QCOMPARE(settings.GetWords(), Words{ "a.vtp" });
     settings.Set("--preset", "studio"); // which shows them
-    QCOMPARE(settings.GetParameter("shadows", "visible"), std::string("on"));
-    settings.SetParameter("shadows", "visible", "off");
+    QCOMPARE(settings.GetParameter("shadows", "enabled"), std::string("on"));
+    settings.SetParameter("shadows", "enabled", "off");
     QVERIFY(settings.Parse().ShadowMethod == scene::Shadows::Off);
   }
 
@@ -98,7 +101,7 @@ private Q_SLOTS:
     scene::Settings before = scene::Settings::FromWords({ "a.vtp" });
     before.SetParameter("shadows", "method", "exact");
     scene::Settings after = before;
-    after.SetParameter("shadows", "visible", "on");
+    after.SetParameter("shadows", "enabled", "on");
     scene::Settings other = before;
     other.Set("--edges", "");
     other.TakeChanges(before, after);

@@ -79,7 +79,7 @@ def report():
 
 def soft():
     renderer, window = room("ground", "things")
-    relievo.stage(renderer, "shadows", visible=True, method="exact", soft_samples=6, sun_angle=4,
+    relievo.stage(renderer, "shadows", method="exact", soft_samples=6, sun_angle=4,
                   lamp_radius=0.3)  # fmt: skip
     for i in range(7):
         grab(window, f"picture-{i}")

@@ -85,7 +85,7 @@ ColorsGroup::ColorsGroup(
   , Range(new relievoQt::RangeEdit(this))
   , Symmetric(new QCheckBox("Symmetric around zero", this))
   , Seen(new QPushButton("Fit to what is seen", this))
-  , Bar(MakeFlag(document, "Show a colour bar", "--scalar-bar", this))
+  , Bar(MakeFlag(document, "--scalar-bar", this))
   , Solid(new QCheckBox("One colour", this))
   , Color(new ColorButton(this))
 {

@@ -51,15 +51,8 @@ LookPanel::LookPanel(Document* document, ColorsGroup::RangeReader range,
 void LookPanel::AddSurface()
 {
   QGroupBox* group = this->AddGroup("Surfaces", "surfaces");
-  this->Shading = MakeChoice(this->Edited, "--shading", group);
-  this->Shading->setToolTip("How light is computed on surfaces");
-  const QSignalBlocker quiet(this->Shading);
-  this->Shading->addItem("As in the file", "");
-  for (const char* kind : { "flat", "gouraud", "phong", "pbr" })
-  {
-    this->Shading->addItem(kind, kind);
-  }
-  GetRows(group)->addRow("Shading", this->Shading);
+  this->Shading = AddChoice(this->Edited, GetRows(group), "--shading", "As in the file",
+    "How light is computed on surfaces");
   this->Opacity = new relievoQt::Number(0.0, 1.0, 0.01, 2, group);
   this->Opacity->setObjectName("opacity");
   this->Opacity->setToolTip("Of all meshes and volumes; 0 is invisible");
@@ -78,7 +71,7 @@ void LookPanel::AddSurface()
     this->Edited->Change(
       [&](scene::Settings& settings) { settings.Set("--point-size", scene::WriteNumber(value)); });
   });
-  this->Edges = MakeFlag(this->Edited, "Show edges", "--edges", group);
+  this->Edges = MakeFlag(this->Edited, "--edges", group);
   this->Edges->setToolTip("Draws the edges of cells");
   GetRows(group)->addRow(this->Edges);
 }

@@ -12,7 +12,6 @@
 
 #include <QComboBox>
 #include <QFormLayout>
-#include <QSignalBlocker>
 
 namespace viewer
 {
@@ -27,8 +26,6 @@ MaterialGroup::MaterialGroup(Document* document, QWidget* parent)
   , Normals(new FileEdit("Normal map", this))
   , Heights(new FileEdit("Height map", this))
   , Depth(new relievoQt::Number(0.0, 1e9, 0.01, 6, this))
-  , Relief(MakeChoice(document, "--relief", this))
-  , Coordinates(MakeChoice(document, "--texture-coordinates", this))
 {
   QFormLayout* rows = this->GetRows();
   this->Normals->setObjectName("normalmap");
@@ -40,28 +37,13 @@ MaterialGroup::MaterialGroup(Document* document, QWidget* parent)
   this->Depth->SetSpecial("automatic");
   this->Depth->setToolTip("How far below the mesh the lowest heights lie, in world units; by "
                           "itself 0.02 of the scene's longest side");
-  this->Relief->setToolTip("How heights are drawn");
-  this->Coordinates->setToolTip("For meshes without texture coordinates: how maps are placed");
-  {
-    const QSignalBlocker quiet[] = { QSignalBlocker(this->Relief),
-      QSignalBlocker(this->Coordinates) };
-    this->Relief->addItem("relief", "");
-    for (const char* method : { "occlusion", "steep", "parallax" })
-    {
-      this->Relief->addItem(method, method);
-    }
-    this->Relief->addItem("as normals only", "off");
-    this->Coordinates->addItem("automatic", "");
-    for (const char* method : { "box", "plane", "sphere" })
-    {
-      this->Coordinates->addItem(method, method);
-    }
-  }
   rows->addRow("Normal map", this->Normals);
   rows->addRow("Height map", this->Heights);
   rows->addRow("Relief depth", this->Depth);
-  this->GetAdvanced()->addRow("Relief method", this->Relief);
-  this->GetAdvanced()->addRow("Texture coordinates", this->Coordinates);
+  this->Relief = AddChoice(document, this->GetAdvanced(), "--relief", "relief",
+    "How heights are drawn", { { "off", "as normals only" } });
+  this->Coordinates = AddChoice(document, this->GetAdvanced(), "--texture-coordinates", "automatic",
+    "For meshes without texture coordinates: how maps are placed");
   this->Values = new SurfaceValues(document, this);
   for (const vtkRelievoParameter& value : scene::GetMaterialValues().Parameters)
   {

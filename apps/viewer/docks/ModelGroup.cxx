@@ -18,23 +18,15 @@ namespace viewer
 ModelGroup::ModelGroup(Document* document, QWidget* parent)
   : FoldGroup("Models with bones", "model", parent)
   , Edited(document)
-  , Animation(MakeChoice(document, "--animation", this))
-  , Skin(MakeChoice(document, "--skin", this))
-  , Loop(MakeFlag(document, "Start anew after the end", "--loop", this))
-  , Skeleton(MakeFlag(document, "Show the bones", "--skeleton", this))
+  , Loop(MakeFlag(document, "--loop", this))
+  , Skeleton(MakeFlag(document, "--skeleton", this))
 {
   this->setToolTip("Of glTF scenes, too, which stand still without any of these");
   QFormLayout* rows = this->GetRows();
-  this->Skin->setToolTip("How bones move points");
-  {
-    const QSignalBlocker quiet(this->Skin);
-    this->Skin->addItem("linear", "");
-    this->Skin->addItem("dual quaternions", "dual-quaternion");
-    this->Skin->addItem("matrices between keys", "key-matrix");
-    this->Skin->addItem("not at all", "off");
-  }
-  rows->addRow("Animation", this->Animation);
-  rows->addRow("Skinning", this->Skin);
+  this->Animation = AddChoice(document, rows, "--animation", "the first", "");
+  this->Skin = AddChoice(document, rows, "--skin", "linear", "How bones move points",
+    { { "dual-quaternion", "dual quaternions" }, { "key-matrix", "matrices between keys" },
+      { "off", "not at all" } });
   rows->addRow(this->Loop);
   rows->addRow(this->Skeleton);
   QObject::connect(document, &Document::changed, this, &ModelGroup::ShowSettings);

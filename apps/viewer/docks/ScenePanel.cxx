@@ -138,61 +138,28 @@ void ScenePanel::AddScene()
   this->Preset->setToolTip(
     "Lights, shadows, ground, background and view, for what is not set in these panels");
   group->GetRows()->addRow("Preset", this->Preset);
-  this->Up = new QComboBox(group);
-  this->Up->setObjectName("up");
-  this->Up->addItems({ "as the file", "x", "y", "z" });
-  this->Up->setToolTip("The axis of the data that points up. North is then z, -z or y");
-  group->GetRows()->addRow("Up", this->Up);
-  this->Ground = MakeChoice(this->Edited, "--ground", group);
-  this->Ground->setToolTip("A ground below the scene that catches its shadows, in the picture "
-                           "alone");
-  {
-    const QSignalBlocker quiet(this->Ground);
-    this->Ground->addItem("as the preset", "");
-    this->Ground->addItem("on", "on");
-    this->Ground->addItem("off", "off");
-  }
-  group->GetRows()->addRow("Ground", this->Ground);
-  this->Grid = MakeFlag(this->Edited, "Grid", "--grid", group);
+  this->Up = AddChoice(this->Edited, group->GetRows(), "--up", "as the file",
+    "The axis of the data that points up. North is then z, -z or y");
+  this->Ground = AddChoice(this->Edited, group->GetRows(), "--ground", "as the preset",
+    "A ground below the scene that catches its shadows, in the picture alone");
+  this->Grid = MakeFlag(this->Edited, "--grid", group);
   this->Grid->setToolTip("Round the scene, with numbers on its axes");
   group->GetRows()->addRow(this->Grid);
-  this->ScaleBar = MakeChoice(this->Edited, "--scale-bar", group);
-  this->ScaleBar->setToolTip("A bar of a round length at the lower right, and the unit of the "
-                             "scene's lengths. In perspective it is right at the depth of the "
-                             "camera's focal point");
+  this->ScaleBar = AddChoice(this->Edited, group->GetRows(), "--scale-bar", "off",
+    "A bar of a round length at the lower right, and the unit of the scene's lengths. In "
+    "perspective it is right at the depth of the camera's focal point",
+    { { "none", "without a unit" } });
+  for (const char* unit : { "nm", "µm", "mm", "cm", "m", "km" })
   {
-    const QSignalBlocker quiet(this->ScaleBar);
-    this->ScaleBar->addItem("off", "");
-    this->ScaleBar->addItem("without a unit", "none");
-    for (const char* unit : { "nm", "µm", "mm", "cm", "m", "km" })
-    {
-      this->ScaleBar->addItem(unit, unit);
-    }
+    this->ScaleBar->addItem(unit, unit);
   }
-  group->GetRows()->addRow("Scale bar", this->ScaleBar);
-  this->Images = MakeChoice(this->Edited, "--image", group);
-  this->Images->setToolTip("How images with depth are shown: regions of one value by their smooth "
-                           "surfaces, the surface where a value is reached, all values as a volume "
-                           "that light passes, or the outer faces");
-  {
-    const QSignalBlocker quiet(this->Images);
-    this->Images->addItem("as the preset", "");
-    for (const char* kind : { "labels", "surface", "volume", "box" })
-    {
-      this->Images->addItem(kind, kind);
-    }
-  }
-  group->GetRows()->addRow("Images", this->Images);
+  this->Images = AddChoice(this->Edited, group->GetRows(), "--image", "as the preset",
+    "How images with depth are shown: regions of one value by their smooth surfaces, the surface "
+    "where a value is reached, all values as a volume that light passes, or the outer faces");
   const auto changed = static_cast<void (QComboBox::*)(int)>(&QComboBox::currentIndexChanged);
   QObject::connect(this->Preset, changed, this, [this] {
     this->Edited->Change([this](scene::Settings& settings) {
       settings.Set("--preset", this->Preset->currentText().toStdString());
-    });
-  });
-  QObject::connect(this->Up, changed, this, [this] {
-    this->Edited->Change([this](scene::Settings& settings) {
-      const std::string axis = this->Up->currentText().toStdString();
-      this->Up->currentIndex() == 0 ? settings.Remove("--up") : settings.Set("--up", axis);
     });
   });
 }
@@ -239,11 +206,11 @@ void ScenePanel::ShowFiles()
 //------------------------------------------------------------------------------
 void ScenePanel::ShowSettings()
 {
-  const QSignalBlocker quiet[] = { QSignalBlocker(this->Preset), QSignalBlocker(this->Up) };
+  const QSignalBlocker quiet(this->Preset);
   const scene::Settings& settings = this->Edited->Get();
   const scene::RenderOptions options = settings.Parse();
   this->Preset->setCurrentText(QString::fromStdString(options.Preset));
-  this->Up->setCurrentIndex(settings.Has("--up") ? options.UpAxis + 1 : 0);
+  ShowChoice(this->Up, settings, "--up");
   ShowChoice(this->Ground, settings, "--ground");
   ShowFlag(this->Grid, settings, "--grid");
   ShowChoice(this->ScaleBar, settings, "--scale-bar");

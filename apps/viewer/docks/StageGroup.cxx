@@ -51,11 +51,6 @@ std::string GetOption(const std::string& stage)
   return "--" + stage;
 }
 
-bool HasSwitchOfItsOwn(const vtkRelievoStageDescription& description)
-{
-  return !description.Parameters.empty() && description.Parameters[0].Name == "visible";
-}
-
 bool CanBeSet(const vtkRelievoStageDescription& description)
 {
   const bool nothing =
@@ -101,21 +96,17 @@ StageGroup::StageGroup(
   this->Reason->setObjectName("reason");
   this->Reason->setWordWrap(true);
   this->Reason->hide();
-  const bool ownSwitch = HasSwitchOfItsOwn(description);
-  if (description.TakesData && !ownSwitch)
+  if (description.TakesData)
   {
     this->Points = new PointsEdit(this->Edited, this->Stage, this);
     this->GetRows()->addRow(this->Points);
   }
   for (const vtkRelievoParameter& parameter : this->Parameters.Parameters)
   {
-    if (!ownSwitch || parameter.Name != "visible")
-    {
-      this->AddParameter(parameter);
-    }
+    this->AddParameter(parameter);
   }
   this->AddBelow(this->Reason); // what is said there moves no row under the mouse
-  if (!description.OnByDefault || description.TakesData || ownSwitch)
+  if (!description.OnByDefault || description.TakesData)
   {
     this->setCheckable(true);
     QObject::connect(this, &QGroupBox::toggled, this, &StageGroup::Switch);

@@ -2,8 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "OptionEdits.h"
 
+#include "OptionNames.h"
+#include "Options.h"
+
 #include <QCheckBox>
 #include <QComboBox>
+#include <QFormLayout>
 #include <QSignalBlocker>
 
 namespace viewer
@@ -15,10 +19,23 @@ void SetOption(scene::Settings& settings, const char* option, const std::string&
 }
 
 //------------------------------------------------------------------------------
-QComboBox* MakeChoice(Document* document, const char* option, QWidget* parent)
+QComboBox* AddChoice(Document* document, QFormLayout* rows, const char* option,
+  const QString& first, const QString& help, const std::map<std::string, QString>& labels)
 {
-  auto* box = new QComboBox(parent);
+  auto* box = new QComboBox(rows->parentWidget());
   box->setObjectName(QString(option).remove('-'));
+  box->setToolTip(help);
+  box->addItem(first, "");
+  for (const std::string& word : scene::GetRenderCommand().Find(option)->Words)
+  {
+    const QString data = QString::fromStdString(word);
+    const auto label = labels.find(word);
+    if (data != first)
+    {
+      box->addItem(label == labels.end() ? data : label->second, data);
+    }
+  }
+  rows->addRow(FindOptionName(option).Label, box);
   QObject::connect(box, static_cast<void (QComboBox::*)(int)>(&QComboBox::currentIndexChanged),
     document, [document, box, option] {
       document->Change([&](scene::Settings& settings) {
@@ -41,9 +58,9 @@ void ShowChoice(QComboBox* box, const scene::Settings& settings, const char* opt
 }
 
 //------------------------------------------------------------------------------
-QCheckBox* MakeFlag(Document* document, const QString& title, const char* option, QWidget* parent)
+QCheckBox* MakeFlag(Document* document, const char* option, QWidget* parent)
 {
-  auto* box = new QCheckBox(title, parent);
+  auto* box = new QCheckBox(FindOptionName(option).Label, parent);
   box->setObjectName(QString(option).remove('-'));
   QObject::connect(box, &QCheckBox::toggled, document, [document, option](bool on) {
     document->Change(

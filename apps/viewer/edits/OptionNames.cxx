@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "OptionNames.h"
 
+#include "Options.h"
+
 #include <QRegularExpression>
 
 #include <algorithm>
@@ -16,53 +18,52 @@ struct Row
   const char* Option;
   const char* Label;
   const char* Panel;
-  const char* Values; // that are named beside it, between bars
 };
 
 constexpr Row Rows[] = {
-  { "--image", "Images", "Scene", "labels|surface|volume|box" },
-  { "--preset", "Preset", "Scene", "none|studio|town|print" },
-  { "--ground", "Ground", "Scene", "on|off" },
-  { "--grid", "Grid", "Scene", "" },
-  { "--scale-bar", "Scale bar", "Scene", "none" },
-  { "--up", "Up", "Scene", "x|y|z" },
-  { "--view-angle", "View angle", "Scene", "" },
-  { "--animation", "Animation", "Scene", "" },
-  { "--skin", "Skinning", "Scene", "" },
-  { "--loop", "Start anew after the end", "Scene", "" },
-  { "--skeleton", "Show the bones", "Scene", "" },
-  { "--light", "Lights", "Light", "" },
-  { "--fill", "Fill", "Light", "" },
-  { "--environment", "Environment", "Light", "" },
-  { "--reflectivity", "Reflectivity", "Light", "" },
-  { "--skybox", "Show as sky", "Light", "" },
-  { "--shadows", "Shadows", "Light", "off|map|forward|warped|exact" },
-  { "--shadow-size", "Map size", "Light", "" },
-  { "--soft-shadows", "Samples", "Light", "" },
-  { "--colored-shadows", "Coloured shadows", "Light", "" },
-  { "--shadow-tolerance", "Tolerance", "Light", "" },
-  { "--time-budget", "Time budget", "Light", "" },
-  { "--lamps", "Lamps", "Light", "" },
-  { "--shading", "Shading", "Look", "flat|gouraud|phong|pbr" },
-  { "--opacity", "Opacity", "Look", "" },
-  { "--point-size", "Point size", "Look", "" },
-  { "--edges", "Show edges", "Look", "" },
-  { "--color-by", "Colour by", "Look", "" },
-  { "--range", "Range", "Look", "" },
-  { "--colormap", "Colour map", "Look", "" },
-  { "--scalar-bar", "Show a colour bar", "Look", "" },
-  { "--color", "One colour", "Look", "" },
-  { "--normal-map", "Normal map", "Look", "" },
-  { "--height-map", "Height map", "Look", "" },
-  { "--relief", "Relief method", "Look", "off|parallax|steep|occlusion|displacement" },
-  { "--texture-coordinates", "Texture coordinates", "Look", "" },
-  { "--material", "Material", "Look", "" },
-  { "--background", "Background", "Look", "" },
-  { "--tone", "Tone", "Look", "" },
-  { "--exposure", "Exposure", "Look", "" },
-  { "--fog", "Fog", "Look", "" },
-  { "--markers", "Markers", "Look", "" },
-  { "--deferred", "Deferred shading", "Look", "" },
+  { "--image", "Images", "Scene" },
+  { "--preset", "Preset", "Scene" },
+  { "--ground", "Ground", "Scene" },
+  { "--grid", "Grid", "Scene" },
+  { "--scale-bar", "Scale bar", "Scene" },
+  { "--up", "Up", "Scene" },
+  { "--view-angle", "View angle", "Scene" },
+  { "--animation", "Animation", "Scene" },
+  { "--skin", "Skinning", "Scene" },
+  { "--loop", "Start anew after the end", "Scene" },
+  { "--skeleton", "Show the bones", "Scene" },
+  { "--light", "Lights", "Light" },
+  { "--fill", "Fill", "Light" },
+  { "--environment", "Environment", "Light" },
+  { "--reflectivity", "Reflectivity", "Light" },
+  { "--skybox", "Show as sky", "Light" },
+  { "--shadows", "Shadows", "Light" },
+  { "--shadow-size", "Map size", "Light" },
+  { "--soft-shadows", "Samples", "Light" },
+  { "--colored-shadows", "Coloured shadows", "Light" },
+  { "--shadow-tolerance", "Tolerance", "Light" },
+  { "--time-budget", "Time budget", "Light" },
+  { "--lamps", "Lamps", "Light" },
+  { "--shading", "Shading", "Look" },
+  { "--opacity", "Opacity", "Look" },
+  { "--point-size", "Point size", "Look" },
+  { "--edges", "Show edges", "Look" },
+  { "--color-by", "Colour by", "Look" },
+  { "--range", "Range", "Look" },
+  { "--colormap", "Colour map", "Look" },
+  { "--scalar-bar", "Show a colour bar", "Look" },
+  { "--color", "One colour", "Look" },
+  { "--normal-map", "Normal map", "Look" },
+  { "--height-map", "Height map", "Look" },
+  { "--relief", "Relief method", "Look" },
+  { "--texture-coordinates", "Texture coordinates", "Look" },
+  { "--material", "Material", "Look" },
+  { "--background", "Background", "Look" },
+  { "--tone", "Tone", "Look" },
+  { "--exposure", "Exposure", "Look" },
+  { "--fog", "Fog", "Look" },
+  { "--markers", "Markers", "Look" },
+  { "--deferred", "Deferred shading", "Look" },
 };
 
 const Row* FindRow(const QString& option)
@@ -97,7 +98,8 @@ QString NameOptions(const QString& text)
       continue;
     }
     const QString value = match.captured(3);
-    const bool known = !value.isEmpty() && QString(row->Values).split('|').contains(value);
+    const std::vector<std::string>& words = scene::GetRenderCommand().Find(row->Option)->Words;
+    const bool known = std::find(words.begin(), words.end(), value.toStdString()) != words.end();
     named += text.mid(end, static_cast<int>(match.capturedStart()) - end) + QChar(0x201c) +
       row->Label + (known ? ": " + value : QString()) + QChar(0x201d) + " in " + row->Panel;
     const bool whole = known || !match.captured(2).isEmpty();

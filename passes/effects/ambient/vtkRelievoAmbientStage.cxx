@@ -69,15 +69,12 @@ void vtkRelievoAmbientStage::Describe(vtkRelievoStageDescription& description)
   description.Reads = { "depth", "geometric_normal" };
   description.Writes = { "color" };
   description.Layers = { Layer };
-  description.OnByDefault = true;
-  description.AddFlag(
-    "visible", this->Visible, [this](bool on) { this->SetVisible(on); },
-    "Whether the picture is darkened; the layer is there either way.");
+  description.ServesWhenOff = true;
   description
     .AddNumber(
       "strength", this->Strength, [this](double strength) { this->SetStrength(strength); }, 0.0,
       1.0, "", "How much of the light goes where no sky is seen.")
-    .OnlyIf = "visible=on";
+    .OnlyIf = "enabled=on";
   description.AddNumber(
     "radius", this->Radius, [this](double radius) { this->SetRadius(radius); }, 0.0, LargestRadius,
     "world units", "Beyond it nothing hides the sky; 0: no limit.");
@@ -111,12 +108,11 @@ void vtkRelievoAmbientStage::Declare(
   declaration.Gathered = { "color", Layer };
   declaration.Samples = (this->Samples + this->SamplesPerFrame - 1) / this->SamplesPerFrame;
   declaration.AtOnce = this->AtOnce;
-  if (!this->Visible || this->Strength == 0.0)
+  if (this->Strength == 0.0)
   {
     declaration.Writes.clear();
     declaration.ReasonCode = "idle";
-    declaration.Reason =
-      this->Visible ? "the strength is 0" : "it is not to be visible in the picture";
+    declaration.Reason = "the strength is 0";
   }
 }
 

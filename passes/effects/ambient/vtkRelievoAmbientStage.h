@@ -15,7 +15,7 @@
  * which rays cannot follow, hide nothing either. Processes that draw together
  * (vtkRelievoFramePass::SetController) each hold the triangles of all.
  *
- * The picture is darkened (Visible) where all that VTK has drawn is in it: lights, ambient light
+ * The picture is darkened (Enabled) where all that VTK has drawn is in it: lights, ambient light
  * and environments together, since VTK's shaders add them up. What lamps (vtkRelievoLampsStage),
  * markers, lines and fog add comes later and is not darkened.
  */
@@ -32,13 +32,6 @@ class VTKRELIEVOEFFECTS_EXPORT vtkRelievoAmbientStage : public vtkRelievoStage
 public:
   static vtkRelievoAmbientStage* New();
   vtkTypeMacro(vtkRelievoAmbientStage, vtkRelievoStage);
-
-  ///@{
-  /** Whether the picture is darkened; the layer is there either way. Default off. */
-  vtkSetMacro(Visible, bool);
-  vtkGetMacro(Visible, bool);
-  vtkBooleanMacro(Visible, bool);
-  ///@}
 
   ///@{
   /** How much of the light goes where no sky is seen, 0 to 1. Default 1. */
@@ -102,7 +95,6 @@ protected:
   void Execute(vtkRelievoFrameContext& context) override;
   std::string ReadLayers(const std::vector<std::string>& names, vtkImageData* image) override;
 
-  bool Visible = false;
   double Strength = 1.0;
   double Radius = 0.0;
   int Weighting = COSINE;

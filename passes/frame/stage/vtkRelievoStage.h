@@ -38,7 +38,10 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /** Whether a frame may run the stage. Default on. */
+  /**
+   * Whether a frame may run the stage; of `shadows` and `ambient`, whether the picture shows what
+   * they do: their layers are there either way. Default on; in a new frame, as the stage says.
+   */
   vtkSetMacro(Enabled, bool);
   vtkGetMacro(Enabled, bool);
   vtkBooleanMacro(Enabled, bool);

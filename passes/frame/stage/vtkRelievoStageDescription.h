@@ -38,6 +38,10 @@ struct VTKRELIEVOFRAME_EXPORT vtkRelievoStageDescription : vtkRelievoParameterLi
   // Whether a frame runs the stage, when its resources are requested, without being told to.
   bool OnByDefault = false;
 
+  // Whether the switch concerns the picture alone: the stage writes layers, and what other stages
+  // read, while it is off as well.
+  bool ServesWhenOff = false;
+
   // Whether it works on things that are given to it, beside its parameters: idle without any.
   bool TakesData = false;
 

@@ -605,10 +605,8 @@ bool vtkPVRelievoView::IsAnyStageOn()
   for (int i = 0; i < frame->GetNumberOfStages(); ++i)
   {
     vtkRelievoStage* stage = frame->GetStage(i);
-    const vtkRelievoStageDescription& says = stage->GetDescription();
-    // What is always there waits for data, or for a layer's name, unless it is to be visible.
-    const vtkRelievoParameter* visible = says.Find("visible");
-    if (stage->GetEnabled() && (visible ? visible->GetValues()[0] != 0.0 : !says.OnByDefault))
+    // What is on by default waits for data, or for a layer's name.
+    if (stage->GetEnabled() && !stage->GetDescription().OnByDefault)
     {
       return true;
     }
