@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Spliced into VTK's fragment shaders of what catches shadows: what it is darkened by where it sees
-// less of the sky. Other splices into the same shader walk trees of their own: C++ puts `ambient` in
-// the place of `relievo` in all names of this one.
+// less of the sky. Other splices into the same shader walk trees of their own: C++ puts `ambient`
+// in the place of `relievo` in all names of this one.
 //
 // Names of VTK's shaders that are read: vertexVC, normalVCVSOutput, gl_FragData[0].
 

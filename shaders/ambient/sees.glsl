@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The share of the sky that a place sees, by the rays of this frame past the triangles of the scene.
+// The share of the sky that a place sees, by this frame's rays past the triangles of the scene.
 //RELIEVO::Include(formulas/shadow.glsl)
 //RELIEVO::Include(formulas/sky.glsl)
 //RELIEVO::Include(rays/passes.glsl)
