@@ -496,7 +496,7 @@ void LayGround(Scene& scene, const RenderOptions& options)
   if (options.Ground.value_or(false) && vtkMath::AreBoundsInitialized(scene.Bounds) &&
     !FittedView::IsFlat(scene.Bounds))
   {
-    scene.Ground = MakeGround(scene.Bounds, scene.Renderer, options);
+    scene.Ground = MakeGround(scene.Bounds, options);
     scene.Renderer->AddActor(scene.Ground);
   }
 }

@@ -18,6 +18,21 @@ void vtkRelievoSpliceText::MarkBehind(
 }
 
 //------------------------------------------------------------------------------
+const char* const vtkRelievoSpliceText::BehindLight[3] = { "//RELIEVO::Shadow::Caught",
+  "//RELIEVO::Ambient::Impl", "//RELIEVO::Lamps::Impl" };
+
+//------------------------------------------------------------------------------
+void vtkRelievoSpliceText::MarkBehindLight(std::string& source, const char* mark)
+{
+  const char* last = "//VTK::Light::Impl";
+  for (const char* const* each = BehindLight; *each != mark; ++each)
+  {
+    last = Has(source, *each) ? *each : last;
+  }
+  MarkBehind(source, last, mark);
+}
+
+//------------------------------------------------------------------------------
 void vtkRelievoSpliceText::FillMark(
   std::string& source, const std::string& mark, const std::string& text)
 {

@@ -17,6 +17,13 @@ VTKRELIEVOSHADERS_EXPORT bool Has(const std::string& source, const std::string& 
 VTKRELIEVOSHADERS_EXPORT void MarkBehind(
   std::string& source, const std::string& tag, const std::string& mark);
 
+///@{
+// The marks behind VTK's light code, which is in gl_FragData[0] by then, in the order of their
+// texts; MarkBehindLight puts one of them there, whichever are there already.
+VTKRELIEVOSHADERS_EXPORT extern const char* const BehindLight[3]; // catchers, ambient, lamps
+VTKRELIEVOSHADERS_EXPORT void MarkBehindLight(std::string& source, const char* mark);
+///@}
+
 // Puts the text in the place of the first such mark.
 VTKRELIEVOSHADERS_EXPORT void FillMark(
   std::string& source, const std::string& mark, const std::string& text);

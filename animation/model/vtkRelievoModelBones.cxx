@@ -23,6 +23,23 @@ bool IsFinite(const glm::dmat4& m)
   return finite;
 }
 
+// What FBX does to a mesh's points before all else (GeometricTranslation, -Rotation and -Scaling):
+// Assimp makes nodes of it, parents of the mesh's.
+glm::dmat4 GetGeometric(const Model& model, int node)
+{
+  const auto isPart = [&model](int at) {
+    return model.Nodes[static_cast<std::size_t>(at)].Name.find("_$AssimpFbx$_Geometric") !=
+      std::string::npos;
+  };
+  glm::dmat4 all(1.);
+  int at = isPart(node) ? node : model.Nodes[static_cast<std::size_t>(node)].Parent;
+  for (; at >= 0 && isPart(at); at = model.Nodes[static_cast<std::size_t>(at)].Parent)
+  {
+    all = model.Nodes[static_cast<std::size_t>(at)].Rest * all;
+  }
+  return all;
+}
+
 void AddInfluences(const aiBone* bone, int number, std::vector<std::vector<ModelInfluence>>& points,
   ModelWeightFaults& faults)
 {
@@ -60,6 +77,8 @@ void ReadBones(const aiMesh* mesh, int node, const glm::dmat4& place, const Node
   // that flattens has none: the points, all the same, stay.
   const bool flat = std::abs(glm::determinant(glm::dmat3(place))) < 1e-30;
   const glm::dmat4 back = flat ? glm::dmat4(1.) : glm::inverse(place);
+  // A cluster's Transform is that of the mesh's node when it was bound.
+  const glm::dmat4 toBind = GetGeometric(model, node) * back;
   ModelBones bones;
   ModelWeightFaults faults;
   std::vector<std::vector<ModelInfluence>> points(mesh->mNumVertices);
@@ -76,7 +95,7 @@ void ReadBones(const aiMesh* mesh, int node, const glm::dmat4& place, const Node
       continue;
     }
     model.Nodes[static_cast<std::size_t>(found->second)].IsBone = true;
-    AddInfluences(bone, bones.Add(found->second, offset * back), points, faults);
+    AddInfluences(bone, bones.Add(found->second, offset * toBind), points, faults);
   }
   GiveWeights(
     name, weights, points, bones, node, back, mesh->mNumBones == 0, faults, output, model);

@@ -202,13 +202,13 @@ bool vtkRelievoLampsStage::Prepare(vtkRelievoFrameContext& context)
   this->WayTaken = this->Way == AUTOMATIC ? automatic : this->Way;
   in.Adds = in.Adds && this->WayTaken != QUADS;
   std::string wrong = in.Light.Prepare(context, this->WayTaken, this->Floats, !in.Adds, counts);
-  if (!this->Translucent || !context.IsAsked(this, "color"))
+  if (!context.IsAsked(this, "color"))
   {
     in.Translucent->ReleaseGraphicsResources(context.Window);
   }
   else if (wrong.empty())
   {
-    wrong = in.Translucent->Begin(context, sets);
+    wrong = in.Translucent->Begin(context, sets, this->Translucent);
   }
   if (!wrong.empty())
   {
@@ -271,7 +271,10 @@ void vtkRelievoLampsStage::Execute(vtkRelievoFrameContext& context)
     this->Explain("ran",
       std::to_string(this->NumberDrawn) + " of " + std::to_string(this->NumberOfLamps) +
         " lamps may light what is seen; by " + WayNames[this->WayTaken] + DescribeCasting(context) +
-        (in.Translucent->GetNumberOfProps() > 0 ? "; what is translucent is lit" : ""));
+        (in.Translucent->GetNumberOfProps() > 0
+            ? "; " + std::string(this->Translucent ? "what is translucent" : "the shadow catcher") +
+              " is lit"
+            : ""));
   }
 }
 

@@ -9,6 +9,7 @@
 #include "vtkProperty.h"
 #include "vtkRelievoFrameContext.h"
 #include "vtkRelievoShaderLibrary.h"
+#include "vtkRelievoShadowCatcher.h"
 #include "vtkRelievoSpliceText.h"
 #include "vtkRelievoThreads.h"
 #include "vtkRenderState.h"
@@ -23,20 +24,20 @@ namespace
 const char* const File = "deferred/translucent.glsl";
 const char* const Extensions = "//RELIEVO::Lamps::Extensions";
 const char* const Dec = "//RELIEVO::Lamps::Dec";
-const char* const Impl = "//RELIEVO::Lamps::Impl";
+const char* const Impl = BehindLight[2];
 }
 
 //------------------------------------------------------------------------------
 std::string vtkRelievoTranslucentLamps::Begin(
-  vtkRelievoFrameContext& context, const std::vector<vtkRelievoLamps*>& sets)
+  vtkRelievoFrameContext& context, const std::vector<vtkRelievoLamps*>& sets, bool all)
 {
   this->NumberOfProps = 0;
   this->View = context.View;
-  std::vector<vtkProp*> props;
-  for (int i = 0; i < context.State->GetPropArrayCount(); ++i)
+  std::vector<vtkProp*> props = vtkRelievoShadowCatcher::Find(context);
+  for (int i = 0; all && i < context.State->GetPropArrayCount(); ++i)
   {
     vtkProp* prop = context.State->GetPropArray()[i];
-    if (prop->HasTranslucentPolygonalGeometry())
+    if (!vtkRelievoShadowCatcher::Is(prop) && prop->HasTranslucentPolygonalGeometry())
     {
       props.push_back(prop);
     }
@@ -106,7 +107,7 @@ void vtkRelievoTranslucentLamps::MarkShaders(const vtkRelievoShaderTexts& shader
   MarkVaryings(shaders.Vertex, shaders.Geometry, shaders.Fragment);
   MarkBehind(shaders.Fragment, "//VTK::System::Dec", Extensions);
   MarkBehind(shaders.Fragment, "//VTK::Light::Dec", Dec);
-  MarkBehind(shaders.Fragment, "//VTK::Light::Impl", Impl);
+  MarkBehindLight(shaders.Fragment, Impl);
 }
 
 //------------------------------------------------------------------------------
@@ -155,6 +156,7 @@ bool vtkRelievoTranslucentLamps::SetShaderParameters(
   const bool light =
     actor->IsRenderingTranslucentPolygonalGeometry() && actor->GetProperty()->GetLighting();
   program->SetUniformi("relievoLampsLight", light ? 1 : 0);
+  program->SetUniformi("relievoLampsCaught", vtkRelievoShadowCatcher::Is(actor) ? 1 : 0);
   this->Lamps.Activate(program, "relievoLamps");
   this->Attenuations.Activate(program, "relievoLampAttenuations");
   this->Cells.Activate(program, "relievoCells");

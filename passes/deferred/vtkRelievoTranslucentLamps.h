@@ -24,12 +24,13 @@ public:
   static vtkRelievoTranslucentLamps* New();
   vtkTypeMacro(vtkRelievoTranslucentLamps, vtkRelievoSplicedPass);
 
-  // From here to End, the lamps' light is in what VTK draws translucent. The sets are shared or up
-  // to date. Returns what is wrong, in words.
-  std::string Begin(vtkRelievoFrameContext& context, const std::vector<vtkRelievoLamps*>& sets);
+  // From here to End, the lamps' light is in what VTK draws translucent: all of it, or catchers of
+  // shadows alone. The sets are shared or up to date. Returns what is wrong, in words.
+  std::string Begin(
+    vtkRelievoFrameContext& context, const std::vector<vtkRelievoLamps*>& sets, bool all);
   void End();
 
-  // Translucent props of the frame.
+  // Those that are lit in the frame.
   int GetNumberOfProps() const { return this->NumberOfProps; }
 
   vtkIdType GetBytes() const;

@@ -362,7 +362,7 @@ int vtkRelievoFrameRun::DrawDelegate(vtkRelievoDelegate& delegate, vtkRenderPass
     this->ColorOpen = true;
     this->Context.Color = &this->Color;
     // Translucent geometry, and volumes: each into a layer of its own, if a stage wants it apart.
-    if (this->Context.Translucent)
+    if (this->Context.Translucent || vtkRelievoTranslucentLayers::RightsAlpha(this->Context))
     {
       this->Translucent.Begin(this->Context, this->Color);
       events.TranslucentAsked = [&]() { interrupt([&]() { this->Translucent.Ask(); }); };

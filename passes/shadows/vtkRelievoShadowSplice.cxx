@@ -6,10 +6,12 @@
 #include "vtkMapper.h"
 #include "vtkRelievoAccess.h"
 #include "vtkRelievoShaderLibrary.h"
+#include "vtkRelievoShadowCatcher.h"
 #include "vtkRelievoSpliceText.h"
 #include "vtkShaderProgram.h"
 
 #include <algorithm>
+#include <cstring>
 #include <regex>
 #include <sstream>
 
@@ -20,6 +22,8 @@ namespace
 const char* const Dec = "//RELIEVO::Shadow::Dec";
 const char* const VertexDec = "//RELIEVO::Shadow::VertexDec";
 const char* const Impl = "//RELIEVO::Shadow::Impl";
+const char* const Catch = "//RELIEVO::Shadow::Catch";
+const char* const Caught = BehindLight[0];
 const char* const Extensions = "//RELIEVO::Shadow::Extensions";
 const char* const UniformFlow = "//RELIEVO::Shadow::UniformFlow";
 
@@ -64,6 +68,17 @@ void SpareLights(std::string& vertex)
   }
 }
 
+// Has VTK's light code, which is between two marks, once more, without shadows.
+void Compare(std::string& fragment, const std::string& unshadowed)
+{
+  const std::size_t from = fragment.find(Catch) + std::strlen(Catch);
+  const std::string light = fragment.substr(from, fragment.find(Caught) - from);
+  std::string caught = Section("CaughtImpl");
+  FillWord(caught, "RELIEVO_LIGHT_OF_VTK", unshadowed + light);
+  FillMark(fragment, Catch, Section("CatchImpl"));
+  FillMark(fragment, Caught, caught);
+}
+
 std::string Numbered(
   const char* section, const vtkRelievoShadowSplice::Structure::Light& light, int slot, int face)
 {
@@ -82,8 +97,9 @@ void vtkRelievoShadowSplice::Mark(std::string& vertex, std::string& geometry, st
   MarkBehind(vertex, "//VTK::Camera::Dec", VertexDec);
   MarkBehind(fragment, "//VTK::System::Dec", Extensions);
   MarkBehind(fragment, "//VTK::Light::Dec", Dec);
-  vtkShaderProgram::Substitute(
-    fragment, "//VTK::Light::Impl", std::string(Impl) + "\n  //VTK::Light::Impl", false);
+  vtkShaderProgram::Substitute(fragment, "//VTK::Light::Impl",
+    std::string(Impl) + "\n" + Catch + "\n//VTK::Light::Impl", false);
+  MarkBehindLight(fragment, Caught);
   vtkShaderProgram::Substitute(fragment, "//VTK::UniformFlow::Impl",
     std::string(UniformFlow) + "\n  //VTK::UniformFlow::Impl", false);
 }
@@ -99,6 +115,7 @@ std::string vtkRelievoShadowSplice::Fill(std::string& vertex, std::string& geome
   std::string flow = Section("UniformFlow");
   std::string visibility;
   std::string colors;
+  std::string unshadowed;
   const std::pair<vtkActor*, vtkMapper*> drawn(actor, actor->GetMapper());
   const bool found = std::count(structure.Found.begin(), structure.Found.end(), drawn) > 0;
   int slot = 0;
@@ -119,6 +136,7 @@ std::string vtkRelievoShadowSplice::Fill(std::string& vertex, std::string& geome
     {
       lights += Numbered("LightDec", light, slot, face);
       colors += Numbered("LightImpl", light, slot, face);
+      unshadowed += Numbered("UnshadowedImpl", light, slot, face);
     }
     ++slot;
     face += light.GetRoom();
@@ -184,5 +202,9 @@ std::string vtkRelievoShadowSplice::Fill(std::string& vertex, std::string& geome
     ? ofMethod("PlaceImpl") + ofMethod(traced ? "TraceImpl" : "FoundImpl")
     : std::string();
   FillMark(fragment, Impl, normal + visibility + trace + colors);
+  if (vtkRelievoShadowCatcher::Is(actor))
+  {
+    Compare(fragment, unshadowed);
+  }
   return std::string();
 }

@@ -8,8 +8,6 @@
 #include "vtkActor.h"
 #include "vtkCellArray.h"
 #include "vtkDataSet.h"
-#include "vtkLight.h"
-#include "vtkLightCollection.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
@@ -17,7 +15,7 @@
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
-#include "vtkRenderer.h"
+#include "vtkRelievoShadowCatcher.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
@@ -30,9 +28,8 @@ namespace
 {
 constexpr int Sectors = 96;
 constexpr int Rings = 16;
-constexpr double Reach = 3.0;       // in radii of the scene
-constexpr double Solid = 1.2;       // there it begins to fade
-constexpr double ShareOfSuns = 0.6; // of its light; the rest it has in shadows, too
+constexpr double Reach = 3.0; // in radii of the scene
+constexpr double Solid = 1.2; // there it begins to fade
 
 // Opaque inside, nothing at the rim, and smooth in between.
 unsigned char GetAlpha(double radii)
@@ -56,35 +53,10 @@ vtkUnsignedCharArray* GetColors(vtkActor* ground)
   vtkPolyData* disc = GetDisc(ground);
   return vtkUnsignedCharArray::SafeDownCast(disc->GetPointData()->GetScalars());
 }
-
-// What the lights give to a surface at that place that faces up.
-double GetLightFromAbove(vtkRenderer* renderer, const std::array<double, 3>& place, int up)
-{
-  double sum = 0.0;
-  vtkCollectionSimpleIterator it;
-  renderer->GetLights()->InitTraversal(it);
-  while (vtkLight* light = renderer->GetLights()->GetNextLight(it))
-  {
-    std::array<double, 3> position;
-    std::array<double, 3> focus;
-    light->GetTransformedPosition(position.data());
-    light->GetTransformedFocalPoint(focus.data());
-    const std::array<double, 3> towards = Minus(position, light->GetPositional() ? place : focus);
-    const double length = Length(towards);
-    if (light->GetSwitch() && light->LightTypeIsSceneLight() && length > 0.0)
-    {
-      const double* color = light->GetDiffuseColor();
-      sum += std::max(0.0, towards[static_cast<std::size_t>(up)] / length) * light->GetIntensity() *
-        (color[0] + color[1] + color[2]) / 3.0;
-    }
-  }
-  return sum;
-}
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkActor> MakeGround(
-  const double bounds[6], vtkRenderer* renderer, const RenderOptions& options)
+vtkSmartPointer<vtkActor> MakeGround(const double bounds[6], const RenderOptions& options)
 {
   const auto up = static_cast<std::size_t>(options.UpAxis);
   const std::size_t first = (up + 1) % 3; // first x second = up
@@ -145,9 +117,9 @@ vtkSmartPointer<vtkActor> MakeGround(
   vtkProperty* property = actor->GetProperty();
   property->BackfaceCullingOn(); // from below the scene is seen without
   property->SetInterpolationToFlat();
-  const double light = GetLightFromAbove(renderer, middle, options.UpAxis);
-  property->SetDiffuse(light > 0.0 ? ShareOfSuns / light : 0.0);
-  property->SetAmbient(light > 0.0 ? 1.0 - ShareOfSuns : 1.0);
+  property->SetAmbient(1.0);
+  property->SetDiffuse(0.0);
+  vtkRelievoShadowCatcher::Make(actor);
   return actor;
 }
 

@@ -9,17 +9,15 @@
 #include "vtkSmartPointer.h"
 
 class vtkActor;
-class vtkRenderer;
 
 namespace scene
 {
 struct RenderOptions;
 
-/// A disc below these bounds, seen from above, of the background's colour at the bottom: where the
-/// renderer's lights reach it, it cannot be told from that, and it fades away outwards. It is
-/// translucent, so that layers do not have it.
-vtkSmartPointer<vtkActor> MakeGround(
-  const double bounds[6], vtkRenderer* renderer, const RenderOptions& options);
+/// A disc below these bounds, seen from above, that catches shadows: where light reaches it, it has
+/// the background's colour at the bottom and cannot be told from that, and it fades away outwards.
+/// It is translucent, so that layers do not have it.
+vtkSmartPointer<vtkActor> MakeGround(const double bounds[6], const RenderOptions& options);
 
 ///@{
 /// Its colour, 0 to 1, where the lights reach it.

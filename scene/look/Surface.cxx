@@ -142,7 +142,7 @@ void SetSurface(const Scene& scene, const RenderOptions& options, Progress& prog
   actors->InitTraversal(it);
   while (vtkActor* actor = actors->GetNextActor(it))
   {
-    if (scene.Grid && actor == scene.Grid->GetLines())
+    if (actor == scene.Ground || (scene.Grid && actor == scene.Grid->GetLines()))
     {
       continue;
     }

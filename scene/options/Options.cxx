@@ -674,6 +674,14 @@ RenderOptions ParseOptions(const std::vector<std::string>& words)
   std::stable_partition(options.Stages.begin(), options.Stages.end(),
     [](const StageChoice& choice) { return choice.Option.find(' ') == std::string::npos; });
   ApplyPreset(options, seen);
+  const auto darkens = [](const StageChoice& choice) { return choice.Name == "ambient"; };
+  if (options.Ground.value_or(false) && !options.Environment.empty() &&
+    std::none_of(options.Stages.begin(), options.Stages.end(), darkens))
+  {
+    // An environment's light casts no shadows: on the ground it falls as from an even sky.
+    AddStage(options.Stages, "ambient", "--ground").Parameters = { { "enabled", "on" },
+      { "only_catchers", "on" } };
+  }
   CheckShadowWishes(options, seen);
   CheckTogether(options, seen);
   return options;

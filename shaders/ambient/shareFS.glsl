@@ -7,21 +7,12 @@
 // The share of the sky that each pixel's surface sees, by rays past the triangles of the scene; 1
 // where there is no surface.
 //RELIEVO::Include(gbuffer/read.glsl)
-//RELIEVO::Include(formulas/shadow.glsl)
-//RELIEVO::Include(formulas/sky.glsl)
 //RELIEVO::Include(formulas/unproject.glsl)
-//RELIEVO::Include(rays/passes.glsl)
-//RELIEVO::Include(rays/walk.glsl)
+//RELIEVO::Include(ambient/sees.glsl)
 in vec2 texCoord;
 uniform vec2 relievoSize;
 uniform mat4 relievoProjection;
-uniform mat4 ambientToLocal;          // the tree's space, from eye space
-uniform samplerBuffer ambientNoise;   // blue, 64 x 64
-uniform vec2 ambientPoints[64];       // of the unit square, for the rays of this frame
-uniform int ambientRays;
-uniform float ambientStep;            // from one of all frames' points to the next
-uniform float ambientRadius;          // 0: rays do not end
-uniform int ambientByCosine;
+uniform mat4 ambientToLocal; // the tree's space, from eye space
 
 // By how much the depth of a pixel may be off as it is stored.
 float ambientDepthStep(float depth)
@@ -48,11 +39,6 @@ float ambientDepthStep(float depth)
 #endif
 }
 
-float ambientShift(ivec2 pixel)
-{
-  return texelFetch(ambientNoise, (pixel.y & 63) * 64 + (pixel.x & 63)).x;
-}
-
 // Rasters round corners to 1/256 of a pixel: beside an edge that two walls share a pixel may show
 // one of them where it is behind the other, and GPUs give a surface the depth that it has some
 // hundredths of a pixel beside (0.04 on NVIDIA's H100, `relievo bench position`). From so many
@@ -71,8 +57,6 @@ void main()
   bool away = relievoParallel != 0 ? normal.z < 0.0 : dot(normal, place) > 0.0;
   vec3 up = surface ? normalize(mat3(ambientToLocal) * (away ? -normal : normal))
                     : vec3(0.0, 0.0, 1.0);
-  vec3 right = normalize(relievoTangent(up));
-  vec3 ahead = cross(up, right);
   float pixelWidth = (relievoParallel != 0 ? 2.0 : 2.0 * depth) /
     (abs(relievoProjection[1][1]) * relievoSize.y);
   vec3 toEye = relievoParallel != 0 ? vec3(0.0, 0.0, 1.0) : -normalize(place);
@@ -81,17 +65,6 @@ void main()
   float step = ambientDepthStep(depth) * (relievoParallel != 0 ? 1.0 : length(place) / depth);
   vec3 from = (ambientToLocal * vec4(before, 1.0)).xyz + step * up;
   float blur = relievoTreeBlur.x + relievoTreeBlur.y * length(place) + 2.0 * step;
-  vec2 shares = vec2(ambientShift(pixel), ambientShift(pixel + ivec2(37, 17)));
-  bool ends = ambientRadius > 0.0;
-  float sees = 0.0;
-  for (int i = 0; i < ambientRays; ++i)
-  {
-    vec2 point = relievoSkyShift(ambientPoints[i], shares, ambientStep);
-    vec3 ray = relievoSkyDirection(point.x, point.y, ambientByCosine != 0);
-    ray = ray.x * right + ray.y * ahead + ray.z * up;
-    sees += relievoTreeWalk(
-      surface ? relievoTreeNodes : 0, from, ends ? ambientRadius * ray : ray, ends, blur,
-      vec3(0.0));
-  }
-  gl_FragData[0] = vec4(sees / float(ambientRays));
+  gl_FragData[0] =
+    vec4(relievoAmbientSees(surface ? relievoTreeNodes : 0, from, up, blur, pixel));
 }

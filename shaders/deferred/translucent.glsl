@@ -5,13 +5,14 @@
 // RELIEVO_LAMPS_ON_PBR, RELIEVO_LAMPS_ON_BACKFACES (the back has a property of its own).
 //
 // Names of VTK's shaders that are read: vertexVC, normalVCVSOutput, gl_FragData[0]; diffuseColor
-// and diffuseIntensity, or albedo and metallic.
+// and diffuseIntensity, ambientColor, or albedo and metallic.
 
 //RELIEVO::Section(Dec)
 //RELIEVO::Include(formulas/srgb.glsl)
 //RELIEVO::Include(deferred/lamp.glsl)
 //RELIEVO::Include(deferred/clusters.glsl)
 uniform int relievoLampsLight; // whether the actor is drawn translucent, and has light
+uniform int relievoLampsCaught; // whether it catches shadows: all of its colour is ambient
 uniform mat4 relievoLampProjection;
 uniform vec2 relievoLampPixels; // of the viewport
 
@@ -41,9 +42,16 @@ vec3 relievoLampLight(vec3 positionVC, vec3 normalVC)
 #ifdef RELIEVO_LAMPS_ON_BACKFACES
     relievoLampShare = gl_FrontFacing ? diffuseIntensity : diffuseIntensityBF;
 #endif
-    vec3 relievoLampColor = relievoLampShare > 0.0
-      ? relievoLampShare * relievoLinearColorFromSrgb(diffuseColor / relievoLampShare)
-      : vec3(0.0);
+    vec3 relievoLampColor = vec3(0.0);
+    if (relievoLampsCaught != 0)
+    {
+      relievoLampColor = relievoLinearColorFromSrgb(ambientColor);
+    }
+    else if (relievoLampShare > 0.0)
+    {
+      relievoLampColor =
+        relievoLampShare * relievoLinearColorFromSrgb(diffuseColor / relievoLampShare);
+    }
 #endif
     gl_FragData[0].rgb =
       relievoSrgbColorFromLinear(relievoLinearColorFromSrgb(gl_FragData[0].rgb) +

@@ -6,6 +6,14 @@
 // near to its far plane; viewToMap transforms eye space to it (homogeneous; w is 1 for a parallel
 // light, the distance along the light's axis for a perspective one).
 
+// The share that a shadow catcher keeps of its colour, of the light that reaches it and of all that
+// would if nothing were in the way: light that passes it by is in neither. In full shadow a part is
+// left, of a sky that is nowhere else.
+float relievoCatcherShare(float reaches, float all)
+{
+  return all > float(0.0) ? float(0.4) + float(0.6) * min(reaches / all, float(1.0)) : float(1.0);
+}
+
 // A tangent of the plane with this normal: perpendicular to it and about as long.
 vec3 relievoTangent(vec3 normal)
 {

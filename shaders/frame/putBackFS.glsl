@@ -4,7 +4,8 @@
 //VTK::Output::Dec
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A layer that the delegate drew, over the colour as VTK blends: in the values for display.
+// A layer that the delegate drew, over the colour as VTK blends: in the values for display. Alpha
+// is what is covered, also where VTK leaves another one, see relievoAveragedCover.
 //RELIEVO::Include(formulas/half.glsl)
 //RELIEVO::Include(frame/color.glsl)
 //RELIEVO::Include(frame/layer.glsl)
@@ -19,10 +20,7 @@ void main()
   if (layer != vec4(0.0))
   {
     vec4 drawn = relievoOver(layer, vec4(relievoSrgbColorFromLinear(color.rgb), color.a));
-    // The weighted average leaves an alpha of its own, see relievoAveragedCover.
-    float t = 1.0 - layer.a;
-    float alpha = relievoAveraged != 0 ? layer.a * t + t * color.a : drawn.a;
-    color = vec4(relievoLinearColorFromSrgb(drawn.rgb), alpha);
+    color = vec4(relievoLinearColorFromSrgb(drawn.rgb), drawn.a);
   }
   gl_FragData[0] = vec4(relievoRoundToHalf(color.r), relievoRoundToHalf(color.g),
     relievoRoundToHalf(color.b), relievoRoundToHalf(color.a));

@@ -11,6 +11,9 @@
 // RELIEVO_SHADOW_IMPOSTOR (VTK moved vertexVC to the impostor, normalVCVSOutput is exact). What it
 // shares with other splices: splice/contract.glsl.
 //
+// On shadow catchers VTK's light code stands twice, by the sections CatchImpl and CaughtImpl: with
+// shadows and without. Both light a white surface; the catcher's colour is VTK's ambientColor.
+//
 // Between the sections FragmentDec and MapsDec stands the section MethodDec of the method's own
 // file, which declares its uniforms and defines
 //   float relievoShadowVerdict(int face, vec3 place, vec2 slope, float texel)
@@ -152,6 +155,27 @@ vec3 relievoUnshadowedColorRELIEVO_NUMBER()
 #else
   vec3 relievoShadowNormalVC = vec3(0.0, 0.0, 1.0);
 #endif
+
+//RELIEVO::Section(CatchImpl)
+  vec3 relievoCatcherColor = ambientColor;
+  ambientColor = vec3(0.0);
+  diffuseColor = vec3(1.0);
+
+//RELIEVO::Section(UnshadowedImpl)
+#undef lightColorRELIEVO_NUMBER
+
+//RELIEVO::Section(CaughtImpl)
+  vec3 relievoReaches = gl_FragData[0].rgb;
+  {
+RELIEVO_LIGHT_OF_VTK
+  }
+  ambientColor = relievoCatcherColor;
+  diffuseColor = vec3(0.0);
+  for (int i = 0; i < 3; ++i)
+  {
+    gl_FragData[0][i] =
+      ambientColor[i] * relievoCatcherShare(relievoReaches[i], gl_FragData[0][i]);
+  }
 
 //RELIEVO::Section(LightImpl)
   relievoShadowedColorRELIEVO_NUMBER = relievoUnshadowedColorRELIEVO_NUMBER() *

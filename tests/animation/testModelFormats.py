@@ -294,6 +294,111 @@ class Scales(unittest.TestCase):
                             self.assertEqual(len(told), inherit == 2 and scale != "1,1,1", notes)
 
 
+SKIN = FBX[: FBX.index("    Model: 20")] + """
+    Model: 20, "Model::bone", "LimbNode" {
+        Properties70:  {
+            P: "Lcl Translation", "Lcl Translation", "", "A",@BONE@,0,0
+        }
+    }
+    Model: 21, "Model::body", "Mesh" {
+        Properties70:  {
+            P: "Lcl Translation", "Lcl Translation", "", "A",@NODE@,0,0
+            P: "GeometricTranslation", "Vector3D", "Vector", "",@GEOMETRIC@,0,0
+            P: "GeometricRotation", "Vector3D", "Vector", "",0,0,@TURN@
+            P: "GeometricScaling", "Vector3D", "Vector", "",@SIZE@,1,1
+        }
+    }
+    Deformer: 30, "Deformer::", "Skin" {
+        Version: 101
+    }
+    Deformer: 31, "SubDeformer::", "Cluster" {
+        Version: 100
+        Indexes: *3 {
+            a: 0,1,2
+        }
+        Weights: *3 {
+            a: 1,1,1
+        }
+        Transform: *16 {
+            a: 1,0,0,0,0,1,0,0,0,0,1,0,@TRANSFORM@,0,0,1
+        }
+        TransformLink: *16 {
+            a: 1,0,0,0,0,1,0,0,0,0,1,0,@LINK@,0,0,1
+        }
+    }
+    AnimationStack: 50, "AnimStack::take", "" {
+    }
+    AnimationLayer: 51, "AnimLayer::base", "" {
+    }
+    AnimationCurveNode: 52, "AnimCurveNode::T", "" {
+        Properties70:  {
+            P: "d|X", "Number", "", "A",0
+        }
+    }
+    AnimationCurve: 53, "AnimCurve::", "" {
+        KeyTime: *2 {
+            a: 0,46186158000
+        }
+        KeyValueFloat: *2 {
+            a: 0,10
+        }
+    }
+}
+Connections:  {
+    C: "OO",20,0
+    C: "OO",21,@PARENT@
+    C: "OO",10,21
+    C: "OO",30,10
+    C: "OO",31,30
+    C: "OO",20,31
+    C: "OO",51,50
+    C: "OO",52,51
+    C: "OP",52,@MOVES@,"Lcl Translation"
+    C: "OP",53,52,"d|X"
+}
+"""
+
+
+class Skins(unittest.TestCase):
+    def test_own_node(self):
+        """A skinned mesh goes with its bones alone, from where its node was when it was bound:
+        bone now x TransformLink^-1 x node then x geometric, as Autodesk's ViewScene has it; the
+        file's Transform is the middle two. Its own node moves nothing, before or since."""
+        cases = [
+            (node, moves, parent, link, geometric)
+            for node in (0, 5)
+            for moves in (20, 21)
+            for parent in (0, 20)
+            for link in (0, 2)
+            for geometric in ((0, 0, 1), (3, 0, 1), (3, 90, 2))
+        ]
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder) / "a.fbx"
+            for node, moves, parent, link, (along, turn, size) in cases:
+                bound = 7  # the mesh's node, then
+                text = SKIN
+                for name, value in (
+                    ("NODE", node), ("MOVES", moves), ("PARENT", parent), ("LINK", link),
+                    ("BONE", 4), ("TRANSFORM", bound - link), ("GEOMETRIC", along),
+                    ("TURN", turn), ("SIZE", size),
+                ):  # fmt: skip
+                    text = text.replace(f"@{name}@", str(value))
+                path.write_text(text)
+                reader = read(path, relievo.vtkRelievoModelReader.POSE_ANIMATION)[0]
+                for time in (0, 1):
+                    bone = 10 * time if moves == 20 else 4
+                    x = bone - link + bound + along
+                    # The triangle is as wide along x as along y, here or turned by 90 degrees.
+                    low, high = (x, x + size) if turn == 0 else (x - 1, x)
+                    reader.UpdateTimeStep(time)
+                    bounds = [0.0] * 6
+                    reader.GetOutputDataObject(0).GetBounds(bounds)
+                    with self.subTest(node=node, moves=moves, parent=parent, link=link, turn=turn):
+                        numpy.testing.assert_allclose(bounds[:2], (low, high), atol=1e-5)
+                        numpy.testing.assert_allclose(
+                            bounds[2:4], (0, 1 if turn == 0 else size), atol=1e-5)  # fmt: skip
+
+
 class Files(unittest.TestCase):
     def test_outside_and_names(self):
         """Blocks have names, without which ParaView reports errors; normals point outwards."""

@@ -210,6 +210,22 @@ void TestUnchanged()
   RELIEVO_CHECK(CountLevels(frame, plain) == 0);
   const Layers color = scene.Read({ "color" });
   RELIEVO_CHECK(scene.Blend->GetReasonCode() == "not_asked");
+  // VTK's picture has another alpha before 9.3, the layer has not.
+  scene.Wall->VisibilityOff();
+  const Layers bare = scene.Read({ "color" });
+  scene.Wall->VisibilityOn();
+  double worstAlpha = 0.0;
+  for (int y = 0; y < color.Height; ++y)
+  {
+    for (int x = 0; x < color.Width; ++x)
+    {
+      const double panes = scene.GetBlend(x, y, Blending::Averaged).a;
+      const double wall = x >= 4 && x < 56 && y >= 10 && y < 30 ? 1.0 : 0.0;
+      worstAlpha = std::max({ worstAlpha, std::abs(bare.Value("color", x, y, 3) - panes),
+        std::abs(color.Value("color", x, y, 3) - (panes + (1.0 - panes) * wall)) });
+    }
+  }
+  RELIEVO_CHECK_AT_MOST(worstAlpha, Halves, "alpha of the layer color");
   // A layer that is read does not change the picture, in which VTK blends.
   scene.Frame->RequestLayer("blend");
   RELIEVO_CHECK_AT_MOST(CountLevels(Picture(scene.Window), plain), 1, "beside the layer");

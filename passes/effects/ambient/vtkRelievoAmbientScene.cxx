@@ -66,7 +66,7 @@ std::string vtkRelievoAmbientScene::Update(vtkOpenGLRenderWindow* window,
 
 //------------------------------------------------------------------------------
 void vtkRelievoAmbientScene::SetUniforms(
-  vtkShaderProgram* program, const vtkRelievoFrameContext& context) const
+  vtkShaderProgram* program, const vtkRelievoFrameContext& context, const std::string& prefix) const
 {
   glm::dmat4 toTree = glm::inverse(context.View.WorldToView);
   toTree[3] = glm::dvec4(glm::dvec3(toTree[3]) - this->Tree.GetOrigin(), 1.0);
@@ -75,10 +75,10 @@ void vtkRelievoAmbientScene::SetUniforms(
   const float blur[2] = { static_cast<float>(Roundings * Ulp * away),
     static_cast<float>(Roundings * Ulp) };
   program->SetUniformMatrix4x4("ambientToLocal", &rounded[0][0]);
-  program->SetUniform2f("relievoTreeBlur", blur);
-  program->SetUniformi("relievoTree", this->Tree.GetTextureUnit());
-  program->SetUniformi("relievoTreeNodes", this->Tree.GetNumberOfNodes());
-  program->SetUniformi("relievoTreeRecords", this->Tree.GetFirstRecord());
+  program->SetUniform2f((prefix + "TreeBlur").c_str(), blur);
+  program->SetUniformi((prefix + "Tree").c_str(), this->Tree.GetTextureUnit());
+  program->SetUniformi((prefix + "TreeNodes").c_str(), this->Tree.GetNumberOfNodes());
+  program->SetUniformi((prefix + "TreeRecords").c_str(), this->Tree.GetFirstRecord());
 }
 
 //------------------------------------------------------------------------------

@@ -24,7 +24,9 @@ public:
   // Brings it up to date, and takes a texture unit. Returns why not, in words. Processes that draw
   // together all call it, also with what is `wrong` already.
   std::string Begin(const vtkRelievoFrameContext& context, const std::string& wrong);
-  void SetUniforms(vtkShaderProgram* program, const vtkRelievoFrameContext& context) const;
+  // Names of uniforms begin with `relievo`, or with what is in its place.
+  void SetUniforms(vtkShaderProgram* program, const vtkRelievoFrameContext& context,
+    const std::string& prefix = "relievo") const;
   void End() { this->Tree.Unbind(); }
 
   vtkIdType GetNumberOfTriangles() const { return this->Tree.GetNumberOfTriangles(); }

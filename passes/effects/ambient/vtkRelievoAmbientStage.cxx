@@ -3,10 +3,12 @@
 #include "vtkRelievoAmbientStage.h"
 
 #include "vtkMultiProcessController.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLError.h" // for OpenGL
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
+#include "vtkRelievoAmbientCatch.h"
 #include "vtkRelievoAmbientScene.h"
 #include "vtkRelievoBlueNoise.h"
 #include "vtkRelievoFrameContext.h"
@@ -15,6 +17,7 @@
 #include "vtkRelievoScopedState.h"
 #include "vtkRelievoScreenQuad.h"
 #include "vtkRelievoScreenTarget.h"
+#include "vtkRelievoShadowCatcher.h"
 #include "vtkRelievoSkySamples.h"
 #include "vtkShaderProgram.h"
 
@@ -28,9 +31,9 @@ namespace
 {
 constexpr const char* Layer = "ambient";
 constexpr int MostSamples = 4096;
-constexpr int MostPerFrame = 64; // shaders/ambient/shareFS.glsl has room for them
+constexpr int MostPerFrame = 64; // shaders/ambient/sees.glsl has room for them
 constexpr double LargestRadius = 1e9;
-static_assert(vtkRelievoBlueNoise::Size == 64, "shaders/ambient/shareFS.glsl counts on it");
+static_assert(vtkRelievoBlueNoise::Size == 64, "shaders/ambient/sees.glsl counts on it");
 }
 
 class vtkRelievoAmbientStage::Internals
@@ -42,7 +45,9 @@ public:
   vtkRelievoScreenQuad Find;
   vtkRelievoScreenQuad Darken;
   std::vector<vtkRelievoSkySamples::Point> Points; // of all frames
-  std::string Failed;                              // said once
+  vtkNew<vtkRelievoAmbientCatch> Catchers;
+  bool Begun = false; // rays can be followed in this frame
+  std::string Failed; // said once
   bool ToldOfTriangles = false;
 
   Internals() { this->Share.SetDefines("#define RELIEVO_GATHERED ambientShare\n"); }
@@ -70,6 +75,11 @@ void vtkRelievoAmbientStage::Describe(vtkRelievoStageDescription& description)
   description.Writes = { "color" };
   description.Layers = { Layer };
   description.ServesWhenOff = true;
+  description
+    .AddFlag(
+      "only_catchers", this->OnlyCatchers, [this](bool on) { this->SetOnlyCatchers(on); },
+      "Darkens only surfaces that catch shadows, such as the ground of a preset.")
+    .Advanced = true;
   description
     .AddNumber(
       "strength", this->Strength, [this](double strength) { this->SetStrength(strength); }, 0.0,
@@ -108,12 +118,100 @@ void vtkRelievoAmbientStage::Declare(
   declaration.Gathered = { "color", Layer };
   declaration.Samples = (this->Samples + this->SamplesPerFrame - 1) / this->SamplesPerFrame;
   declaration.AtOnce = this->AtOnce;
+  if (this->OnlyCatchers)
+  {
+    declaration.Reads.clear(); // the layer reads them
+  }
   if (this->Strength == 0.0)
   {
     declaration.Writes.clear();
     declaration.ReasonCode = "idle";
     declaration.Reason = "the strength is 0";
   }
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::string> vtkRelievoAmbientStage::GetReadsFor(
+  const vtkRelievoFrameContext&, const std::vector<std::string>& asked) const
+{
+  return std::find(asked.begin(), asked.end(), Layer) != asked.end()
+    ? std::vector<std::string>{ "depth", "geometric_normal" }
+    : std::vector<std::string>();
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoAmbientStage::Prepare(vtkRelievoFrameContext& context)
+{
+  Internals& in = *this->Internal;
+  in.Begun = false;
+  const std::vector<vtkProp*> catchers = context.IsAsked(this, "color")
+    ? vtkRelievoShadowCatcher::Find(context)
+    : std::vector<vtkProp*>();
+  if (!catchers.empty() && this->BeginRays(context).empty())
+  {
+    in.Catchers->Begin(context.Window, catchers, [this, &context](vtkShaderProgram* program) {
+      this->TellRays(program, context);
+      this->Internal->Scene.SetUniforms(program, context, "ambient");
+      program->SetUniformf("ambientStrength", static_cast<float>(this->Strength));
+    });
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoAmbientStage::Finish(vtkRelievoFrameContext&)
+{
+  this->Internal->Catchers->End();
+  this->Internal->Noise.Deactivate();
+  this->Internal->Scene.End();
+}
+
+//------------------------------------------------------------------------------
+std::string vtkRelievoAmbientStage::BeginRays(vtkRelievoFrameContext& context)
+{
+  Internals& in = *this->Internal;
+  if (in.Begun)
+  {
+    return {};
+  }
+  std::string wrong;
+  if (!in.Noise.IsIn(context.Window))
+  {
+    wrong = in.Noise.Upload(context.Window, vtkRelievoBlueNoise::GetThresholds(), 1);
+  }
+  wrong = in.Scene.Begin(context, wrong);
+  in.Begun = wrong.empty();
+  if (!in.Begun)
+  {
+    in.Scene.End(); // another process may be the one that cannot
+  }
+  return wrong;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoAmbientStage::TellRays(
+  vtkShaderProgram* program, const vtkRelievoFrameContext& context)
+{
+  Internals& in = *this->Internal;
+  const int rays = std::min(this->Samples, this->SamplesPerFrame);
+  const auto all = static_cast<std::size_t>(rays) * static_cast<std::size_t>(context.Samples);
+  if (in.Points.size() != all)
+  {
+    in.Points = vtkRelievoSkySamples::Get(static_cast<int>(all), true);
+  }
+  float points[MostPerFrame][2];
+  for (int i = 0; i < rays; ++i)
+  {
+    const auto& point = in.Points[static_cast<std::size_t>(context.Sample * rays + i)];
+    points[i][0] = static_cast<float>(point.X);
+    points[i][1] = static_cast<float>(point.Y);
+  }
+  program->SetUniform2fv("ambientPoints", rays, points);
+  program->SetUniformi("ambientRays", rays);
+  program->SetUniformf("ambientStep", 1.0f / static_cast<float>(all));
+  program->SetUniformf("ambientRadius", static_cast<float>(this->Radius));
+  program->SetUniformi("ambientByCosine", this->Weighting == COSINE);
+  in.Noise.Activate(program, "ambientNoise");
 }
 
 //------------------------------------------------------------------------------
@@ -124,48 +222,22 @@ std::string vtkRelievoAmbientStage::DrawShare(vtkRelievoFrameContext& context)
   format.Channels = 1;
   format.Halves = false;
   std::string wrong = in.Share.Prepare(context, format);
-  if (wrong.empty() && !in.Noise.IsIn(context.Window))
-  {
-    wrong = in.Noise.Upload(context.Window, vtkRelievoBlueNoise::GetThresholds(), 1);
-  }
-  wrong = in.Scene.Begin(context, wrong);
   if (!wrong.empty())
   {
-    in.Scene.End(); // another process may be the one that cannot
     return wrong;
   }
   vtkShaderProgram* program =
     in.Find.Ready(context, "ambient/shareFS.glsl", { "depth", "geometric_normal" });
   if (program)
   {
-    const int rays = std::min(this->Samples, this->SamplesPerFrame);
-    const auto all = static_cast<std::size_t>(rays) * static_cast<std::size_t>(context.Samples);
-    if (in.Points.size() != all)
-    {
-      in.Points = vtkRelievoSkySamples::Get(static_cast<int>(all), true);
-    }
-    float points[MostPerFrame][2];
-    for (int i = 0; i < rays; ++i)
-    {
-      const auto& point = in.Points[static_cast<std::size_t>(context.Sample * rays + i)];
-      points[i][0] = static_cast<float>(point.X);
-      points[i][1] = static_cast<float>(point.Y);
-    }
-    program->SetUniform2fv("ambientPoints", rays, points);
-    program->SetUniformi("ambientRays", rays);
-    program->SetUniformf("ambientStep", 1.0f / static_cast<float>(all));
-    program->SetUniformf("ambientRadius", static_cast<float>(this->Radius));
-    program->SetUniformi("ambientByCosine", this->Weighting == COSINE);
+    this->TellRays(program, context);
     in.Scene.SetUniforms(program, context);
-    in.Noise.Activate(program, "ambientNoise");
     in.Share.Begin(context);
     in.Find.Draw(context, in.Share.GetArea());
     in.Share.End();
-    in.Noise.Deactivate();
     this->DrawCalls = 1;
     context.ProvideLayer(Layer, &in.Share);
   }
-  in.Scene.End();
   return in.Find.GetWrong();
 }
 
@@ -191,8 +263,13 @@ void vtkRelievoAmbientStage::Execute(vtkRelievoFrameContext& context)
 {
   Internals& in = *this->Internal;
   this->DrawCalls = 0;
-  std::string wrong = this->DrawShare(context);
-  if (wrong.empty() && context.IsAsked(this, "color"))
+  std::string wrong = this->BeginRays(context);
+  const bool darkens = !this->OnlyCatchers && context.IsAsked(this, "color");
+  if (wrong.empty() && (darkens || context.IsAsked(this, Layer)))
+  {
+    wrong = this->DrawShare(context);
+  }
+  if (wrong.empty() && darkens)
   {
     wrong = this->DrawColor(context);
   }
@@ -263,6 +340,7 @@ void vtkRelievoAmbientStage::ReleaseGraphicsResources(vtkWindow* window)
   in.Share.Release(window);
   in.Find.Release(window);
   in.Darken.Release(window);
+  in.Catchers->ReleaseGraphicsResources(window);
   this->DrawCalls = 0;
   this->Superclass::ReleaseGraphicsResources(window);
 }

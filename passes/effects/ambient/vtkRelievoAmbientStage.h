@@ -11,8 +11,8 @@
  * nothing of it. Its error falls with the rays' number: 1/64 (rms) at 64 of them.
  *
  * Opaque surfaces that are made of triangles hide the sky, those outside the view included; what is
- * translucent hides nothing, and is not darkened. Points, lines, volumes and cut-out surfaces,
- * which rays cannot follow, hide nothing either. Processes that draw together
+ * translucent hides nothing, and is not darkened unless it catches shadows. Points, lines, volumes
+ * and cut-out surfaces, which rays cannot follow, hide nothing either. Processes that draw together
  * (vtkRelievoFramePass::SetController) each hold the triangles of all.
  *
  * The picture is darkened (Enabled) where all that VTK has drawn is in it: lights, ambient light
@@ -27,11 +27,23 @@
 
 #include <memory> // for the drawing half
 
+class vtkShaderProgram;
+
 class VTKRELIEVOEFFECTS_EXPORT vtkRelievoAmbientStage : public vtkRelievoStage
 {
 public:
   static vtkRelievoAmbientStage* New();
   vtkTypeMacro(vtkRelievoAmbientStage, vtkRelievoStage);
+
+  ///@{
+  /**
+   * Whether only surfaces that catch shadows are darkened, such as the ground of a preset. Default
+   * off.
+   */
+  vtkSetMacro(OnlyCatchers, bool);
+  vtkGetMacro(OnlyCatchers, bool);
+  vtkBooleanMacro(OnlyCatchers, bool);
+  ///@}
 
   ///@{
   /** How much of the light goes where no sky is seen, 0 to 1. Default 1. */
@@ -92,9 +104,14 @@ protected:
   void Describe(vtkRelievoStageDescription& description) override;
   void Declare(
     const vtkRelievoFrameContext& context, vtkRelievoDeclaration& declaration) const override;
+  std::vector<std::string> GetReadsFor(
+    const vtkRelievoFrameContext& context, const std::vector<std::string>& asked) const override;
+  bool Prepare(vtkRelievoFrameContext& context) override;
   void Execute(vtkRelievoFrameContext& context) override;
+  void Finish(vtkRelievoFrameContext& context) override;
   std::string ReadLayers(const std::vector<std::string>& names, vtkImageData* image) override;
 
+  bool OnlyCatchers = false;
   double Strength = 1.0;
   double Radius = 0.0;
   int Weighting = COSINE;
@@ -106,6 +123,8 @@ private:
   vtkRelievoAmbientStage(const vtkRelievoAmbientStage&) = delete;
   void operator=(const vtkRelievoAmbientStage&) = delete;
 
+  std::string BeginRays(vtkRelievoFrameContext& context);
+  void TellRays(vtkShaderProgram* program, const vtkRelievoFrameContext& context);
   std::string DrawShare(vtkRelievoFrameContext& context);
   std::string DrawColor(vtkRelievoFrameContext& context);
 

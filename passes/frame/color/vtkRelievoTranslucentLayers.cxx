@@ -90,6 +90,18 @@ bool IsDrawnBy(vtkProp* prop)
 }
 
 //------------------------------------------------------------------------------
+bool vtkRelievoTranslucentLayers::RightsAlpha(const vtkRelievoFrameContext& context)
+{
+#ifdef RELIEVO_VTK_AVERAGED_TRANSMITTANCE
+  return context.ReadsColor && !context.Renderer->GetUseDepthPeeling() &&
+    !context.Renderer->GetUseFXAA(); // which smooths what is there when surfaces are blended
+#else
+  static_cast<void>(context);
+  return false;
+#endif
+}
+
+//------------------------------------------------------------------------------
 void vtkRelievoTranslucentLayers::Begin(
   vtkRelievoFrameContext& context, vtkRelievoColorTarget& color)
 {
@@ -165,13 +177,17 @@ void vtkRelievoTranslucentLayers::Open()
 {
   if (!this->Any)
   {
-    if (!this->Context->Translucent->Prepare(*this->Context, {}).empty())
+    vtkRelievoScreenTarget* apart = this->Context->Translucent;
+    if (apart && !apart->Prepare(*this->Context, {}).empty())
     {
       return;
     }
     this->Color->Separate(*this->Context);
-    this->Context->Translucent->Begin(*this->Context);
-    this->Context->Translucent->End();
+    if (apart)
+    {
+      apart->Begin(*this->Context);
+      apart->End();
+    }
     this->Any = true;
   }
   this->Color->Clear(*this->Context, 0.0f);
@@ -183,8 +199,10 @@ void vtkRelievoTranslucentLayers::Open()
 void vtkRelievoTranslucentLayers::Close()
 {
   this->Color->Resolve(*this->Context);
-  if (vtkShaderProgram* program =
-        this->ToLinear.Ready(*this->Context, "frame/layerFS.glsl", { "drawn" }))
+  vtkShaderProgram* program = this->Context->Translucent
+    ? this->ToLinear.Ready(*this->Context, "frame/layerFS.glsl", { "drawn" })
+    : nullptr;
+  if (program)
   {
     program->SetUniformi("relievoAveraged", this->Averaged);
     program->SetUniformi("relievoShines", HasShiningPoints(*this->Context));
@@ -196,10 +214,10 @@ void vtkRelievoTranslucentLayers::Close()
     this->Context->Translucent->End();
     this->Context->Provide("translucent", this->Context->Translucent);
   }
-  if (this->Context->PutBack)
+  if (this->Context->PutBack || !this->Context->Translucent)
   {
-    if (vtkShaderProgram* program =
-          this->ToColor.Ready(*this->Context, "frame/putBackFS.glsl", { "color", "drawn" }))
+    program = this->ToColor.Ready(*this->Context, "frame/putBackFS.glsl", { "color", "drawn" });
+    if (program)
     {
       program->SetUniformi("relievoAveraged", this->Averaged);
       this->Color->Draw(*this->Context, this->ToColor, true);

@@ -19,8 +19,12 @@ class vtkWindow;
 class vtkRelievoTranslucentLayers
 {
 public:
+  // Whether layers are needed for the alpha of the colour alone, which is read: before 9.3 VTK
+  // leaves another one.
+  static bool RightsAlpha(const vtkRelievoFrameContext& context);
+
   // For a frame, while the delegate draws into the colour's framebuffer, as the context has been
-  // told (KeepTranslucentApart, WantTranslucentDepth).
+  // told (KeepTranslucentApart, WantTranslucentDepth); else all goes back into the colour.
   void Begin(vtkRelievoFrameContext& context, vtkRelievoColorTarget& color);
 
   ///@{

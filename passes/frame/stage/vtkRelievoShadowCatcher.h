@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Shadow catchers: translucent props that have one colour, which is their ambient one, wherever all
+// light reaches them, whatever the lights are. What keeps light from them is seen on them as a
+// shadow: the stages `shadows` and `ambient` darken them, and `lamps` lights them in any case.
+#ifndef vtkRelievoShadowCatcher_h
+#define vtkRelievoShadowCatcher_h
+
+#include "vtkRelievoFrameModule.h" // for the export macro
+
+#include <vector>
+
+class vtkProp;
+class vtkRelievoFrameContext;
+
+struct VTKRELIEVOFRAME_EXPORT vtkRelievoShadowCatcher
+{
+  // Makes a prop one, before it is drawn for the first time.
+  static void Make(vtkProp* prop);
+  static bool Is(vtkProp* prop);
+
+  // Those of the frame.
+  static std::vector<vtkProp*> Find(const vtkRelievoFrameContext& context);
+};
+
+#endif
