@@ -130,6 +130,7 @@ METHODS = {
     # other viewers
     "Relievo": "blue o -", "Relievo, PBR": "green D -", "Relievo, studio": "vermillion s -",
     "F3D": "grey x --",
+    "Relievo, none": "blue o -", "VTK": "grey v -.", "VTK, normals": "grey ^ :",
 }  # fmt: skip
 
 
@@ -161,7 +162,7 @@ class Series:
 
 @dataclasses.dataclass
 class Chart:
-    """Panels with common axes, {title: [Series]}. Kinds: curves; bars, a row each series, from 0 to
+    """Panels, {title: [Series]}. Kinds: curves; bars, a row each series, from 0 to
     each x; dots, a row each series, with a mark at each x, of which an infinite one is in words."""
 
     stem: str  # of its files
@@ -172,6 +173,7 @@ class Chart:
     panels: dict
     kind: str = "curves"
     columns: int = 3  # at most
+    own_x: bool = False  # each panel's values of x are its own
 
     def __post_init__(self):
         self.panels = self.panels or {"": []}  # nothing was measured
@@ -186,17 +188,18 @@ def draw(chart):
     FigureCanvasAgg(figure)
     columns = min(chart.columns, len(chart.panels))
     rows = -(-len(chart.panels) // columns)
-    axes = figure.subplots(rows, columns, sharex=True, sharey=True, squeeze=False)
+    axes = figure.subplots(rows, columns, sharex=not chart.own_x, sharey=True, squeeze=False)
     for ax in axes.flat[len(chart.panels) :]:
         ax.remove()
     every = [series for panel in chart.panels.values() for series in panel]
-    xlim, xticks = fit(chart.x, [x for each in every for x in each.x], chart.kind == "bars")
     ylim, yticks = fit(chart.y, [y for each in every for y in each.y])
     if chart.rows:
         yticks = {row: series.name for row, series in enumerate(next(iter(chart.panels.values())))}
         ylim = (max(1, len(yticks)) - 0.5, -0.5)
     panels = []
     for ax, (title, panel) in zip(axes.flat, chart.panels.items()):
+        xs = [x for each in (panel if chart.own_x else every) for x in each.x]
+        xlim, xticks = fit(chart.x, xs, chart.kind == "bars")
         ax.set(xscale="log" if chart.x.log else "linear", yscale="log" if chart.y.log else "linear")
         ax.minorticks_off()
         ax.set_xticks(list(xticks), xticks.values())

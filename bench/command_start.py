@@ -15,29 +15,19 @@ both builds must be the same. A display is needed (tools/with-display).
 Exit status: 0; 1 if a program fails, or the builds draw different pictures.
 """
 
-import argparse
 import csv
 import importlib.util
 import os
 import pathlib
 import random
-import resource
 import statistics
-import subprocess
 import sys
 import tempfile
-import time
 
 from f3d_frames import ratio
+from processes import PEERS, parser, run
 
-SIZE = (1920, 1080)
-F3D = """
-import sys, f3d
-engine = f3d.Engine.create(True)
-engine.window.size = int(sys.argv[3]), int(sys.argv[4])
-engine.scene.add(sys.argv[1])
-engine.window.render_to_image().save(sys.argv[2])
-"""
+SIZE = "1920x1080"
 
 
 def commands(given, mesh, folder):
@@ -48,33 +38,20 @@ def commands(given, mesh, folder):
         for look in given.looks.split(",") if path else ():
             picture = folder / f"{len(found)}.png"
             found[f"{name}, {look}"] = picture, [
-                path, "render", mesh, "--preset", look, "--size", f"{SIZE[0]}x{SIZE[1]}",
-                "--png", str(picture)]  # fmt: skip
+                path, "render", mesh, "--preset", look, "--size", SIZE, "--png",
+                str(picture)]  # fmt: skip
     if importlib.util.find_spec("f3d"):
         picture = folder / "f3d.png"
-        found["F3D"] = picture, [sys.executable, "-c", F3D, mesh, str(picture),
-                                 *map(str, SIZE)]  # fmt: skip
+        found["F3D"] = picture, [sys.executable, str(PEERS), "f3d", mesh, str(picture), SIZE]
     return found
 
 
-def run(words):
-    """Seconds by the clock, and of processor time, of a program that is started and ends."""
-    before, began = resource.getrusage(resource.RUSAGE_CHILDREN), time.monotonic()
-    done = subprocess.run(words, capture_output=True, text=True, check=False)
-    after, ended = resource.getrusage(resource.RUSAGE_CHILDREN), time.monotonic()
-    if done.returncode != 0:
-        raise SystemExit(f"command_start: {words[0]} failed\n{done.stderr}")
-    return ended - began, (after.ru_utime + after.ru_stime) - (before.ru_utime + before.ru_stime)
-
-
 def main():
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("relievo")
-    parser.add_argument("data")
-    parser.add_argument("--rounds", type=int, default=15)
-    parser.add_argument("--looks", default="none,studio")
-    parser.add_argument("--against")
-    given = parser.parse_args()
+    options = parser(__doc__, 15)
+    options.add_argument("data")
+    options.add_argument("--looks", default="none,studio")
+    options.add_argument("--against")
+    given = options.parse_args()
     with tempfile.TemporaryDirectory() as folder:
         programs = commands(given, str(pathlib.Path(given.data) / "bunny.off"),
                             pathlib.Path(folder))  # fmt: skip

@@ -15,7 +15,6 @@ of --preset none are what the look costs. A display is needed (tools/with-displa
 Pillow. Exit status: 0; 1 if a command fails.
 """
 
-import argparse
 import csv
 import os
 import pathlib
@@ -24,8 +23,8 @@ import sys
 import tempfile
 
 import numpy
-from command_start import run
 from PIL import Image
+from processes import parser, run
 
 FILES = ("bunny.off", "motorBike.obj", "elephant.off", "buildings.obj")
 SAMPLES = (4, 8, 16, 24, 48)
@@ -64,7 +63,7 @@ def measure(given, file, folder):
     times, pictures = {}, {}
     for _ in range(given.rounds):
         for name in random.sample(list(draws), len(draws)):
-            taken = run([*words, *draws[name], "--png", str(picture)])[1]
+            taken = run([*words, *draws[name], "--png", str(picture)]).processor
             times[name] = min(taken, times.get(name, taken))
             pictures[name] = load(picture)
     run([*words, *samples_of("one by one", given.most), "--png", str(picture)])
@@ -79,14 +78,12 @@ def measure(given, file, folder):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("relievo")
-    parser.add_argument("data")
-    parser.add_argument("--rounds", type=int, default=3)
-    parser.add_argument("--size", default="400x300")
-    parser.add_argument("--files", default=",".join(FILES))
-    parser.add_argument("--most", type=int, default=256)
-    given = parser.parse_args()
+    options = parser(__doc__, 3)
+    options.add_argument("data")
+    options.add_argument("--size", default="400x300")
+    options.add_argument("--files", default=",".join(FILES))
+    options.add_argument("--most", type=int, default=256)
+    given = options.parse_args()
     writer = csv.writer(sys.stdout, lineterminator="\n")
     writer.writerow(["scene", "samples", "count", "rms levels", "processor seconds",
                      "seconds more than none", "judged %", "rounds", "load"])  # fmt: skip

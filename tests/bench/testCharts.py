@@ -93,6 +93,15 @@ def f3d(step):
                   lambda row: row["step"] == step)  # fmt: skip
 
 
+def scale(column):
+    """The last point of each of the default's curves has a ring."""
+    last = {(row["series"], row["method"]): row["size"] for row in rows("scale")}
+    return points("scale", "[series]", "[method]", "[size]", column,
+                  lambda row: row["method"] == "Relievo, studio"
+                  and row["size"] == last[row["series"], row["method"]],
+                  lambda row: row["seconds more"])  # fmt: skip
+
+
 def shadows(panels, x):
     def panel(row):
         return panels.get(f"{row['scene']}, {row['light']}")
@@ -199,6 +208,8 @@ TRUTH = {
         "effects", "[scene]",
         lambda row: "VTK's shading" if row["frame"].startswith("vtk") else "Relievo",
         "[times the plain frame's]", "[frame]", None, lambda row: row["frame"] != "plain"),
+    "scale": scale("[processor seconds]"),
+    "scale-memory": scale("[MiB]"),
     "f3d-first": f3d("first picture"),
     "f3d-frame": f3d("frame"),
     "shadows-meshes": shadows({"bunny, sun": "bunny", "motorBike, sun": "motorBike",

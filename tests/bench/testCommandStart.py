@@ -1,15 +1,34 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""bench/command_start.py with commands that only write a file: what it prints, and refuses."""
+"""Benches of whole commands: bench/command_start.py with commands that only write a file, what it
+prints, and refuses; bench/scale.py with the command itself, in small; and what both count."""
 
 import csv
+import math
+import os
 import pathlib
 import subprocess
 import sys
 import tempfile
 import unittest
 
-SCRIPT = pathlib.Path(__file__).resolve().parents[2] / "bench" / "command_start.py"
+BENCH = pathlib.Path(__file__).resolve().parents[2] / "bench"
+sys.path.insert(0, str(BENCH))
+import processes  # noqa: E402
+import scale  # noqa: E402
+
+# Holds so many MiB for so many processor seconds, and first waits for another that is asked for.
+HOLDS = """
+import subprocess, sys, time
+own, mebibytes, seconds, *more = sys.argv
+held = bytearray(int(mebibytes) << 20)
+for page in range(0, len(held), 4096):
+    held[page] = 1
+if more:
+    subprocess.run([sys.executable, own, *more], check=True)
+while time.process_time() < float(seconds):
+    pass
+"""
 
 
 class Start(unittest.TestCase):
@@ -22,8 +41,8 @@ class Start(unittest.TestCase):
                 command.chmod(0o755)
                 commands.append(str(command))
             return subprocess.run(
-                [sys.executable, SCRIPT, commands[0], folder, "--rounds", "3", "--looks", "none",
-                 *(["--against", commands[1]] if len(commands) > 1 else [])],
+                [sys.executable, BENCH / "command_start.py", commands[0], folder, "--rounds", "3",
+                 "--looks", "none", *(["--against", commands[1]] if len(commands) > 1 else [])],
                 capture_output=True, text=True, check=False)  # fmt: skip
 
     def test_prints_each_program(self):
@@ -39,6 +58,95 @@ class Start(unittest.TestCase):
         done = self.run_with("one", "other")
         self.assertEqual((done.returncode, done.stdout), (1, ""))
         self.assertIn("the builds draw --preset none differently", done.stderr)
+
+
+class Cost(unittest.TestCase):
+    def hold(self, *words):
+        with tempfile.TemporaryDirectory() as folder:
+            script = pathlib.Path(folder, "holds.py")
+            script.write_text(HOLDS)
+            return processes.run([sys.executable, script, *words], peak=True)
+
+    def test_of_all_processes_together(self):
+        least = self.hold("0", "0.1").peak
+        one = self.hold("64", "0.3")
+        both = self.hold("64", "0.3", "32", "0.4")
+        for cost, seconds, starts, mebibytes in ((one, 0.3, 1, 64), (both, 0.7, 2, 96)):
+            self.assertAlmostEqual(cost.processor, seconds, delta=0.1)
+            self.assertGreaterEqual(cost.seconds, 0.3)
+            self.assertAlmostEqual((cost.peak - starts * least) / 2**20, mebibytes, delta=4)
+
+    def test_failures_say_why(self):
+        with self.assertRaisesRegex(SystemExit, "(?s)failed.*ZeroDivisionError"):
+            processes.run([sys.executable, "-c", "1 / 0"])
+
+
+class Scale(unittest.TestCase):
+    def measure(self, *words):
+        with tempfile.TemporaryDirectory() as folder:
+            table = pathlib.Path(folder, "scale.csv")
+            subprocess.run(
+                [sys.executable, BENCH / "scale.py", os.environ["RELIEVO"], "--small", "--size",
+                 "200x150", "--rounds", "1", "--presets", "none", "--f3d", "none", "--vtk", "none",
+                 "--out", table, *words],
+                stdout=subprocess.DEVNULL, check=True)  # fmt: skip
+            with open(table, encoding="utf-8", newline="") as file:
+                return list(csv.DictReader(file))
+
+    def test_exponents(self):
+        """Of a law, less an empty start; of the last decade alone; without noise."""
+        sizes = [10, 30, 100, 1000, 10000]
+        costs = [3 * size**1.5 for size in sizes]
+        self.assertAlmostEqual(scale.exponent(sizes, costs, 2), 1.5)
+        self.assertAlmostEqual(scale.exponent(sizes, [*[7] * 3, 10, 100], 0), 1)
+        self.assertTrue(math.isnan(scale.exponent(sizes, [*costs[:3], 0.1, 9], 2)))
+        self.assertTrue(math.isnan(scale.exponent([10], [5], 0)))
+
+    def test_every_series_grows(self):
+        rows = self.measure()
+        names = {series.of: name for name, series in scale.SERIES.items()}
+        found = {}
+        for row in rows:
+            found.setdefault(names[row["series"]], []).append(row)
+        self.assertEqual(list(found), list(scale.SERIES))
+        for name, (start, *grown) in found.items():
+            with self.subTest(name):
+                self.assertEqual((start["seconds more"], start["exponent"]), ("", ""))
+                self.assertEqual(len(grown), 2)
+                for row, size in zip(grown, scale.SERIES[name].small, strict=True):
+                    self.assertAlmostEqual(int(row["size"]), size, delta=0.02 * size)
+                    self.assertEqual(row["method"], "Relievo, none")
+        for column, names in (
+            ("exponent", ("meshes", "blocks", "objects", "points", "pictures")),
+            ("MiB exponent", ("meshes", "points", "pictures")),
+        ):
+            for name in names:
+                with self.subTest(f"{column} of {name}"):
+                    slope = float(found[name][-1][column])
+                    self.assertTrue(0.5 < slope < 1.5, slope)
+
+    def test_refuses_a_command_that_draws_nothing(self):
+        with tempfile.TemporaryDirectory() as folder:
+            command = pathlib.Path(folder, "command")
+            command.write_text('#!/bin/sh\nfor last; do :; done\necho blank >"$last"\n')
+            command.chmod(0o755)
+            done = subprocess.run(
+                [sys.executable, BENCH / "scale.py", command, "--small", "--series", "points",
+                 "--f3d", "none", "--vtk", "none"], capture_output=True, text=True,
+                check=False)  # fmt: skip
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("Relievo, none draws 100000 points as it draws 1", done.stderr)
+
+    def test_an_unmodified_build_costs_as_much(self):
+        rows = self.measure("--series", "meshes", "--against", os.environ["RELIEVO"])
+        kinds = ("Relievo, none", "Relievo, none, the other build")
+        one, other = ([row for row in rows if row["method"] == kind] for kind in kinds)
+        self.assertEqual(len(one), 3)
+        for a, b in zip(one, other, strict=True):
+            self.assertEqual(a["size"], b["size"])
+            for column, share in (("processor seconds", 0.5), ("MiB", 0.15)):
+                self.assertAlmostEqual(float(a[column]), float(b[column]),
+                                       delta=share * float(a[column]))  # fmt: skip
 
 
 if __name__ == "__main__":
