@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file vtkRelievoAbort.h
- * @brief Work that is cut short: when to stop, and what becomes of the outputs.
+ * @brief Aborting a filter: when to stop, and what happens to the outputs.
  */
 #ifndef vtkRelievoAbort_h
 #define vtkRelievoAbort_h
@@ -12,13 +12,13 @@ class vtkInformationVector;
 
 namespace relievo
 {
-/** Whether the filter is to stop, or, where VTK asks them, one that it has its input from. */
+/** Whether the filter must stop, or, in VTK versions that propagate it, a filter upstream. */
 bool IsStopped(vtkAlgorithm* filter);
 
-/** To be called before outputs are made: what Discard has set is undone. */
+/** Undoes Discard; to be called before outputs are made. */
 void Begin(vtkInformationVector* outputs);
 
-/** Empties the outputs: the next update makes them, though nothing has changed. */
+/** Empties the outputs, so that the next update makes them although nothing has changed. */
 void Discard(vtkInformationVector* outputs);
 }
 

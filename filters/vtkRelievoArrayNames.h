@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file vtkRelievoArrayNames.h
- * @brief The names of the arrays that are there, for messages of filters.
+ * @brief Lists the names of existing arrays, for messages of filters.
  */
 #ifndef vtkRelievoArrayNames_h
 #define vtkRelievoArrayNames_h

@@ -13,7 +13,7 @@ namespace
 {
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 
-// The number that a file begins with, or that is behind a word in it; otherwise the default.
+// The number at the beginning of a file, or after a word in it; otherwise the default.
 double NumberIn(const std::string& path, const std::string& word, double otherwise)
 {
   std::ifstream file(path);
@@ -33,7 +33,7 @@ double NumberIn(const std::string& path, const std::string& word, double otherwi
   return otherwise;
 }
 
-// What the group of a folder leaves.
+// The free memory of the control group of a folder.
 double FreeIn(const std::string& folder, bool second)
 {
   const double limit =

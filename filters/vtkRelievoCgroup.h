@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file vtkRelievoCgroup.h
- * @brief The memory that Linux control groups leave, as containers and batch systems set it.
+ * @brief The free memory within Linux control groups, as set by containers and batch systems.
  */
 #ifndef vtkRelievoCgroup_h
 #define vtkRelievoCgroup_h
@@ -12,9 +12,9 @@
 namespace relievo
 {
 /**
- * Bytes that the process's control group and those around it, of version 1 or 2, leave; infinity
- * without a limit. What the system holds of files may be given back, and counts as free.
- * `processGroups` is the file that names the groups, and `root` the folder that has them.
+ * Free bytes in the process's control group and its ancestors, of version 1 or 2; infinity without
+ * a limit. Inactive file cache can be reclaimed, so it counts as free. `processGroups` is the file
+ * that names the groups, and `root` the folder that contains them.
  */
 double FreeBytesOfCgroup(const std::string& processGroups = "/proc/self/cgroup",
   const std::string& root = "/sys/fs/cgroup");

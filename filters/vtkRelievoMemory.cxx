@@ -13,7 +13,7 @@ namespace relievo
 {
 namespace
 {
-// Infinite where the system does not tell.
+// Infinite if the system does not tell.
 double FreeBytes()
 {
   vtksys::SystemInformation system;
@@ -31,7 +31,7 @@ double FreeBytes()
   return free;
 }
 
-// "1234567 bytes (1.2 MiB)".
+// Formats a number of bytes: "1234567 bytes (1.2 MiB)".
 std::string Words(double bytes)
 {
   static const char* const units[] = { "KiB", "MiB", "GiB", "TiB", "PiB", "EiB" };

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file vtkRelievoMemory.h
- * @brief Whether there is room for what a filter is about to make.
+ * @brief Checks whether there is memory for a filter's output.
  */
 #ifndef vtkRelievoMemory_h
 #define vtkRelievoMemory_h
@@ -12,9 +12,9 @@
 namespace relievo
 {
 /**
- * Empty if so many bytes fit under the limit, or, with a limit of 0, into the memory that the
- * machine and its limits for this process leave; else words for the message, with both numbers. Of
- * these bytes, the caller may hold some already: they are not to be found again.
+ * Empty if so many bytes fit under the limit or, with a limit of 0, into the memory free for this
+ * process; otherwise a text for the message, with both numbers. The caller may hold `held` of these
+ * bytes already; they need not be free.
  */
 std::string LackOfMemory(double bytes, double limit, double held = 0.);
 }

@@ -13,7 +13,7 @@ namespace relievo
 {
 /**
  * Whether float would move points of an image of this whole extent by more than a thousandth of a
- * cell's shortest side. All pieces of the image have the same answer.
+ * cell's shortest side. All pieces of the image give the same answer.
  */
 bool NeedsDouble(vtkImageData* image, const int wholeExtent[6]);
 }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file vtkRelievoReserve.h
- * @brief Room for what is inserted later: growing takes twice the room.
+ * @brief Reserves room for later insertions: growing takes twice the room.
  */
 #ifndef vtkRelievoReserve_h
 #define vtkRelievoReserve_h
@@ -13,7 +13,7 @@
 
 namespace relievo
 {
-/** Room for so many values of an array that is empty. */
+/** Reserves room for so many values in an empty array. */
 inline void Reserve(vtkDataArray* array, vtkIdType values)
 {
 #ifdef RELIEVO_VTK_RESERVE
@@ -23,7 +23,7 @@ inline void Reserve(vtkDataArray* array, vtkIdType values)
 #endif
 }
 
-/** Room for so many points where there are none. */
+/** Reserves room for so many points in an empty set. */
 inline void Reserve(vtkPoints* points, vtkIdType count)
 {
   Reserve(points->GetData(), 3 * count);

@@ -12,7 +12,7 @@ namespace relievo
 {
 namespace
 {
-// How many labels can have weights: those that there are, as far as they are not too many.
+// How many labels can have weights: all labels, up to the limit.
 double CountWeights(const BlockMeshSettings& mesh, vtkDataArray* labels)
 {
   if (!mesh.WeightedLabels.empty())
@@ -63,13 +63,13 @@ double BytesOfBlocks(vtkIdType vertices, vtkIdType faces, const BlockSettings& s
   const double surface =
     count * (place + normal + (settings.KeepOffsets ? sizeof(BlockRule::Offset) : 0.)) +
     quads * sizeof(BlockFace);
-  double around = 0.; // while points of their own are made
+  double around = 0.; // while faces get points of their own
   double kept = 0.;
   if (own)
   {
     around = 3. * Id * count + Id * corners;
     around += mesh.TextureCoordinates ? count * (Id + normal) : 0.;
-    // The labels on one or both sides of each face, and all of them in order.
+    // The labels on one or both sides of each face, and a sorted list of all of them.
     around += mesh.Weights ? quads * Id * (settings.Faces.BetweenLabels ? 4. : 2.) : 0.;
     kept = corners * (Id + texture) + points * (Id + normal) + count * weights;
   }
@@ -94,7 +94,7 @@ double BytesOfBlocks(vtkIdType vertices, vtkIdType faces, const BlockSettings& s
 double BytesOfSeams(vtkIdType seams, const BlockSettings& settings)
 {
   const double place = settings.DoublePoints ? 3. * sizeof(double) : 3. * sizeof(float);
-  // Lists of slabs have room to grow while their seams are put into one.
+  // Each slab's list has room to grow while the seams are joined into one list.
   const double listed = 3. * sizeof(BlockSeam);
   const double line = 2. * place + 3. * sizeof(vtkIdType) + sizeof(int);
   return static_cast<double>(seams) * (listed + line);

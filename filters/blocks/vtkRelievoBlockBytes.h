@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file vtkRelievoBlockBytes.h
- * @brief The memory that a surface of blocks takes.
+ * @brief The memory needed to make a surface of blocks.
  */
 #ifndef vtkRelievoBlockBytes_h
 #define vtkRelievoBlockBytes_h
@@ -12,13 +12,13 @@
 namespace relievo
 {
 /**
- * The bytes of a surface with so many vertices and faces, and of its polygons, while they are made
- * of these labels. Normals that cancel out everywhere take more.
+ * Bytes needed to make a surface with so many vertices and faces, and its polygons, from these
+ * labels. Normals that cancel out everywhere need more.
  */
 double BytesOfBlocks(vtkIdType vertices, vtkIdType faces, const BlockSettings& settings,
   const BlockMeshSettings& mesh, vtkDataArray* labels);
 
-/** The bytes of so many seams, and of their lines. */
+/** Bytes needed for so many seams and their lines. */
 double BytesOfSeams(vtkIdType seams, const BlockSettings& settings);
 }
 

@@ -41,7 +41,7 @@ struct Around
   }
 };
 
-// Groups of a vertex' corners that share a normal: at most as many as there are faces around it.
+// Groups of a vertex's corners that share a normal: at most one for each face around the vertex.
 struct Groups
 {
   static constexpr int Most = 12;
@@ -102,7 +102,7 @@ public:
       {
         continue;
       }
-      // Nothing is left of the sum: each face keeps its own normal, the first one this group.
+      // The normals cancel out: each face keeps its own; the first face stays in this group.
       bool first = true;
       for (int i = 0; i < count; ++i)
       {
@@ -175,7 +175,7 @@ void ForAll(vtkIdType count, Work&& work)
   });
 }
 
-// Half of a face belongs to the label on either side of it, and all of it to one beside air.
+// A face between two labels counts half for each; a face beside air counts fully for its label.
 void MakeWeights(const BlockSurface& surface, const BlockLabels& labels, const Around& around,
   const BlockSettings& settings, std::vector<vtkTypeInt64> weighted, BlockCorners& result)
 {
@@ -245,7 +245,7 @@ void SplitNullNormals(BlockSurface& surface, const BlockLabels& labels,
     const vtkTypeUInt32* points = surface.Faces[face].Points;
     hasNull[face] = std::any_of(points, points + 4, isNull);
   });
-  // The first of the faces at a vertex keeps it, the others get points at the end.
+  // The first face at a vertex keeps the vertex; the others get points at the end.
   std::vector<bool> isKept(vertices, false);
   std::vector<std::pair<vtkIdType, std::array<float, 3>>> kept;
   std::vector<std::pair<vtkIdType, std::array<float, 3>>> added;
@@ -273,7 +273,7 @@ void SplitNullNormals(BlockSurface& surface, const BlockLabels& labels,
   const auto count = vertices + static_cast<vtkIdType>(added.size());
   if (!added.empty())
   {
-    // Keeps what is there, in every VTK: SetNumberOfTuples does not, and Resize is going.
+    // Keeps the values in every VTK: SetNumberOfTuples does not, and Resize is deprecated.
     const double place[3] = { 0.0, 0.0, 0.0 };
     surface.Points->InsertTuple(count - 1, place);
     surface.Normals->InsertTuple(count - 1, place);
@@ -333,7 +333,7 @@ BlockCorners MakeBlockCorners(const BlockSurface& surface, const BlockLabels& la
   {
     return result;
   }
-  // Corners of two faces have different coordinates: each gets a point of its own.
+  // Corners of two faces have different coordinates: each gets its own point.
   const auto corners = static_cast<vtkIdType>(around.Corners.size());
   result.Texture.resize(corners);
   std::vector<vtkIdType> ofCorners(corners);

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file vtkRelievoBlockCorners.h
- * @brief Points of their own for faces that cannot share a vertex: normals, texture coordinates,
- * weights of materials.
+ * @brief Separate points for faces that cannot share a vertex, because of normals, texture
+ * coordinates or weights of materials.
  */
 #ifndef vtkRelievoBlockCorners_h
 #define vtkRelievoBlockCorners_h
@@ -14,24 +14,24 @@
 
 namespace relievo
 {
-/** Points that replace the vertices, four for each face in the order of its points. */
+/** Points that replace the vertices: four per face, in the order of its corners. */
 struct BlockCorners
 {
-  std::vector<vtkIdType> Points;   // of the faces
-  std::vector<vtkIdType> Vertices; // of the points
+  std::vector<vtkIdType> Points;   // point of each face corner
+  std::vector<vtkIdType> Vertices; // vertex of each point
   std::vector<std::array<float, 3>> Normals;
   std::vector<std::array<float, 2>> Texture;
   std::vector<std::string> WeightNames;
-  std::vector<float> Weights; // as many a vertex as there are names
-  double TileSize = 0.;       // that the largest face needs; 0 without an atlas
+  std::vector<float> Weights; // per vertex, one for each name
+  double TileSize = 0.;       // needed by the largest face; 0 without an atlas
 };
 
 BlockCorners MakeBlockCorners(const BlockSurface& surface, const BlockLabels& labels,
   const BlockSettings& settings, const BlockMeshSettings& mesh);
 
 /**
- * Gives faces points of their own where their normals cancel out. The surface then has more points
- * than vertices; room for 12 a vertex must be left below 2^32.
+ * Gives faces separate points where their normals cancel out. The surface then has more points than
+ * vertices; leave room for 12 points per vertex below 2^32.
  */
 void SplitNullNormals(BlockSurface& surface, const BlockLabels& labels,
   const BlockSettings& settings, const BlockMeshSettings& mesh);
@@ -40,7 +40,7 @@ void SplitNullNormals(BlockSurface& surface, const BlockLabels& labels,
 struct FaceTexture
 {
   std::array<std::array<float, 2>, 4> Places;
-  double TileSize = 0.; // that the face needs; 0 without an atlas
+  double TileSize = 0.; // needed by the face; 0 without an atlas
 };
 
 FaceTexture TextureOf(const BlockFace& face, const BlockSurface& surface, const BlockLabels& labels,

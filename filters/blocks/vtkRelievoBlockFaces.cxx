@@ -23,7 +23,7 @@ bool IsIn(const int range[2], int index)
   return index >= range[0] && index <= range[1];
 }
 
-// Of the borders between two rows of blocks those that have an owner.
+// Clears the borders between two rows of blocks that have no owner.
 void KeepOwned(
   const BitSlice& lowSolid, int row, bool lowOwns, bool highOwns, const int range[2], Word* borders)
 {

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file vtkRelievoBlockFaces.h
- * @brief Which faces of a slice of blocks belong to the surface, and which vertices they use, as
- * bits.
+ * @brief Bits that mark the faces of a slice of blocks that belong to the surface, and the vertices
+ * that they use.
  */
 #ifndef vtkRelievoBlockFaces_h
 #define vtkRelievoBlockFaces_h
@@ -12,10 +12,10 @@
 
 namespace relievo
 {
-/** Which faces are made. */
+/** Selects the faces to make. */
 struct FaceChoice
 {
-  bool BetweenLabels = false; // also between two labels that are no air
+  bool BetweenLabels = false; // also between two labels other than air
   // Blocks, numbered as in BlockBox, whose faces are made. A face belongs to the lower of its
   // blocks, unless that is air.
   std::array<int, 6> Owners = {};
@@ -46,7 +46,7 @@ struct VertexSlice
 
   void Make(const BlockBox& box, const FaceSlice& lower, const FaceSlice& upper);
 
-  /** The number of a used vertex in its slice. */
+  /** The number of a used vertex within its slice. */
   int Number(int i, int j) const
   {
     const std::size_t word = static_cast<std::size_t>(j) * this->Used.Words + i / 64;
@@ -63,7 +63,7 @@ struct VertexSlice
   }
 };
 
-/** Bit i is bit i + 1 of the row; the row has a word of zeros at its end. */
+/** The row shifted by one: bit i is the row's bit i + 1. The row ends with a word of zeros. */
 inline BitSlice::Word NextBits(const BitSlice::Word* row, int word, int words)
 {
   return row[word] >> 1 | (word + 1 < words ? row[word + 1] << 63 : 0);
@@ -82,7 +82,7 @@ void ForEachEdges(const FaceSlice& lower, const FaceSlice& upper, int lastRow, E
                      const Word* d) {
     for (int word = 0; word < words; ++word)
     {
-      // The fourth of the faces is that of the next block where the edge is along y or z.
+      // For edges along y or z, the fourth face is that of the next block.
       const Word fourth = shifted ? NextBits(d, word, words) : d[word];
       each(axis, j, word, std::array<Word, 4>{ { a[word], b[word], c[word], fourth } });
     }
@@ -95,7 +95,7 @@ void ForEachEdges(const FaceSlice& lower, const FaceSlice& upper, int lastRow, E
   }
 }
 
-/** The edges of a word that are used other than twice, or not at all. */
+/** The edges of a word that some faces use, but not exactly two. */
 inline BitSlice::Word SeamsOf(const std::array<BitSlice::Word, 4>& faces)
 {
   return (faces[0] ^ faces[1] ^ faces[2] ^ faces[3]) | (faces[0] & faces[1] & faces[2] & faces[3]);

@@ -138,7 +138,7 @@ std::array<int, 6> FindOwnedBlocks(
   }
   for (int axis = 0; onPoints && axis < 3; ++axis)
   {
-    // The last points of the last cells belong to the next piece, where there is one.
+    // The last points of the last cells belong to the next piece, if there is one.
     int& last = owned[2 * axis + 1];
     const bool end =
       last == static_cast<int>(cells[axis]) && extent[2 * axis + 1] == whole[2 * axis + 1];

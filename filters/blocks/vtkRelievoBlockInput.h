@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file vtkRelievoBlockInput.h
- * @brief What vtkRelievoSmoothBlocks needs to know of its input.
+ * @brief Checks and reads the input of vtkRelievoSmoothBlocks.
  */
 #ifndef vtkRelievoBlockInput_h
 #define vtkRelievoBlockInput_h
@@ -17,13 +17,11 @@ class vtkUnsignedCharArray;
 
 namespace relievo
 {
-/**
- * Whether these can be labels of the image's cells or points; if not, with words for the message.
- */
+/** Whether the array can be labels of the image's cells or points; if not, `problem` says why. */
 bool CheckBlockLabels(
   vtkImageData* image, vtkDataArray* labels, bool onPoints, std::string& problem);
 
-/** Marks of blocks that are air whatever their label, where they have one of the bits. */
+/** Blocks that count as air whatever their label: those whose mark has one of the bits. */
 struct HiddenBlocks
 {
   vtkSmartPointer<vtkUnsignedCharArray> Marks; // null: none
@@ -32,14 +30,14 @@ struct HiddenBlocks
 
 HiddenBlocks FindHiddenBlocks(vtkImageData* image, bool onPoints);
 
-/** Blocks, numbered from 1, that belong to this piece of the whole extent. */
+/** The blocks, numbered from 1, that belong to this piece of the whole extent. */
 std::array<int, 6> FindOwnedBlocks(
   vtkImageData* image, bool onPoints, const BlockBox& box, const int whole[6]);
 
-/** Where blocks are in space. */
+/** Sets where the blocks are in space. */
 void SetBlockGeometry(vtkImageData* image, bool onPoints, BlockSettings& settings);
 
-/** A box of blocks with more layers, within the blocks that there are. */
+/** A box of blocks with more layers added, clipped to the existing blocks. */
 std::array<int, 6> GrowBlocks(
   const std::array<int, 6>& box, int by, const std::array<int, 3>& size);
 }

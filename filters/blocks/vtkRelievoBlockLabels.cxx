@@ -46,8 +46,7 @@ vtkIdType BlockLabels::Beside(vtkIdType index, int axis, bool above) const
 
 namespace
 {
-// Bit i of the words tells whether test(i) holds. By bytes first, which compilers turn into
-// vectors.
+// Bit i of the words tells whether test(i) holds. Fills bytes first, as compilers vectorise that.
 template <typename Test>
 void PackBits(int count, BitSlice::Word* words, Test&& test)
 {
@@ -67,14 +66,14 @@ void PackBits(int count, BitSlice::Word* words, Test&& test)
       {
         eight |= static_cast<BitSlice::Word>(bytes[8 * group + i]) << 8 * i;
       }
-      // The product brings the lowest bit of byte i to bit 56 + i.
+      // The product moves the lowest bit of byte i to bit 56 + i.
       word |= (eight * 0x0102040810204080u >> 56) << 8 * group;
     }
     words[first / 64] = word;
   }
 }
 
-// All bits one higher: bit 0 becomes 0.
+// Moves all bits up by one: bit 0 becomes 0.
 void ShiftUp(BitSlice::Word* words, int count)
 {
   for (int word = count - 1; word >= 0; --word)
@@ -130,7 +129,7 @@ public:
       {
         PackBits(width, words, [row, air](int i) { return row[i] != air; });
       }
-      // Bit 0 is the layer around; the row itself begins at bit 1.
+      // Bit 0 is the surrounding layer; the row itself begins at bit 1.
       ShiftUp(words, solid.Words);
       this->SetBit(words, 0, this->Label(0, j, k) != this->AirLabel);
       this->SetBit(words, width + 1, this->Label(width + 1, j, k) != this->AirLabel);
@@ -160,7 +159,7 @@ private:
     words[bit / 64] = value ? words[bit / 64] | mask : words[bit / 64] & ~mask;
   }
 
-  // With rows of a type that holds every label, that of air, too.
+  // Uses rows of a type that holds every label, including air.
   template <typename Id>
   void GetBordersAs(int k, BitSlice& x, BitSlice& y, BitSlice& z) const
   {

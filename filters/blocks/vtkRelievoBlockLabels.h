@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file vtkRelievoBlockLabels.h
- * @brief The labels of a box of blocks, and of the layer of blocks around it.
+ * @brief The labels of a box of blocks and of the layer of blocks around it.
  */
 #ifndef vtkRelievoBlockLabels_h
 #define vtkRelievoBlockLabels_h
@@ -23,7 +23,7 @@ struct BitSlice
 {
   using Word = vtkTypeUInt64;
 
-  int Words = 0; // a row
+  int Words = 0; // per row
   std::vector<Word> Bits;
 
   void Resize(int rows, int words)
@@ -39,8 +39,9 @@ struct BitSlice
 };
 
 /**
- * Blocks are numbered from 1 to Size in each direction; 0 and Size + 1 are the layer around: air
- * where the side is closed, else a copy of the blocks at that side, so that no face lies between.
+ * Blocks are numbered from 1 to Size in each direction; 0 and Size + 1 are the surrounding layer:
+ * air if the side is closed, otherwise a copy of the blocks at that side, so that no face lies
+ * between.
  */
 struct BlockBox
 {
@@ -54,8 +55,8 @@ public:
   virtual ~BlockLabels() = default;
 
   /**
-   * Blocks of an integer array, one value each, x fastest; null for other arrays. Blocks whose
-   * ghost has one of the bits of `hiding` are air.
+   * Blocks of a one-component integer array, x fastest; null for other arrays. Blocks whose ghost
+   * value has one of the bits of `hiding` are air.
    */
   static std::unique_ptr<BlockLabels> New(vtkDataArray* labels, const BlockBox& box,
     vtkTypeInt64 air, vtkUnsignedCharArray* ghosts, unsigned char hiding);
@@ -63,25 +64,25 @@ public:
   /** The label of a block. */
   vtkTypeInt64 Label(int i, int j, int k) const { return this->LabelAt(this->Index(i, j, k)); }
 
-  /** The label at a place in the array; that of air for -1 and for hidden blocks. */
+  /** The label at an index of the array; that of air for -1 and for hidden blocks. */
   virtual vtkTypeInt64 LabelAt(vtkIdType index) const = 0;
 
-  /** Which blocks of a slice are no air: a row of bits for each row of blocks. */
+  /** Marks the blocks of a slice that are not air: a row of bits for each row of blocks. */
   virtual void GetSolid(int k, BitSlice& solid) const = 0;
 
   /**
-   * Where labels of a slice differ: in `x` bit i compares block i with i + 1, in row j of `y` rows
-   * j and j + 1, and in `z` slices k - 1 and k (k at least 1).
+   * Marks differing labels of a slice: bit i of `x` compares blocks i and i + 1; row j of `y`
+   * compares rows j and j + 1; `z` compares slices k - 1 and k (k at least 1).
    */
   virtual void GetBorders(int k, BitSlice& x, BitSlice& y, BitSlice& z) const = 0;
 
-  /** Whether the type of the labels can hold that of air. */
+  /** Whether the labels' type can hold the label of air. */
   virtual bool CanHoldAir() const = 0;
 
-  /** The place of a block in the array; -1 for one of a closed layer. */
+  /** The index of a block in the array; -1 for a block of a closed layer. */
   vtkIdType Index(int i, int j, int k) const;
 
-  /** The place of the block beside a block, along an axis; -1 for air outside. */
+  /** The index of the adjacent block along an axis; -1 for air outside. */
   vtkIdType Beside(vtkIdType index, int axis, bool above) const;
 
   int Words() const { return (this->Box.Size[0] + 2 + 63) / 64 + 1; }

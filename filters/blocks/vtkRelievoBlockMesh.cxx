@@ -53,7 +53,7 @@ bool IsIn(const std::array<int, 6>& range, vtkIdType place, const BlockBox& box)
   return true;
 }
 
-// The numbers of what is kept; all where the list is empty.
+// The indices to keep; an empty list keeps all.
 struct Kept
 {
   std::vector<vtkIdType> List;
@@ -107,8 +107,8 @@ void MakeCells(vtkIdType quads, bool triangles, vtkPolyData* output, PointOf&& p
   output->SetPolys(polygons);
 }
 
-// An array with a value for each cell. VTK's mappers take unsigned bytes for colours: labels are
-// none, and so are short then.
+// An array with a value for each cell. VTK's mappers take unsigned bytes for colours, so labels of
+// that type become short.
 template <typename LabelOfFace>
 void AddLabels(int type, const char* name, vtkIdType faces, int cellsPerFace, vtkPolyData* output,
   LabelOfFace&& labelOf)
@@ -133,7 +133,7 @@ void AddLabels(int type, const char* name, vtkIdType faces, int cellsPerFace, vt
   output->GetCellData()->AddArray(array);
 }
 
-// Copies the tuples of the points that are kept.
+// Copies the tuples of the points to keep.
 template <typename T>
 void CopyTuples(const T* from, int components, const Kept& points, T* to)
 {
@@ -236,7 +236,7 @@ BlockMeshReport MakeBlockMesh(BlockSurface& surface, const BlockLabels& labels, 
   {
     corners = MakeBlockCorners(surface, labels, settings, mesh);
   }
-  std::vector<vtkIdType> cells; // where they are not those of the faces
+  std::vector<vtkIdType> cells; // if they are not those of the faces
   if (own || mesh.HasGhosts)
   {
     cells.resize(4 * faces.Count);
@@ -325,7 +325,7 @@ void MakeBlockSeams(const BlockSurface& surface, const std::array<int, 6>& owned
   vtkNew<vtkCellArray> lines;
   vtkNew<vtkIntArray> uses;
   uses->SetName("uses");
-  // At once, as growing takes twice the room.
+  // Allocated at once: growing takes twice the room.
   const auto most = static_cast<vtkIdType>(surface.Seams.size());
   Reserve(points, 2 * most);
   lines->AllocateExact(most, 2 * most);
@@ -335,7 +335,7 @@ void MakeBlockSeams(const BlockSurface& surface, const std::array<int, 6>& owned
     bool mine = true;
     for (int axis = 0; axis < 3; ++axis)
     {
-      // Vertex i is below block i + 1; the last ones have no such block.
+      // Vertex i is below block i + 1; the last vertices have no such block.
       const int last = owned[2 * axis + 1];
       const int vertex = seam.Vertex[axis] + 1;
       mine = mine && vertex >= owned[2 * axis] &&

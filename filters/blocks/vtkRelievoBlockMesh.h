@@ -29,17 +29,17 @@ struct BlockMeshSettings
   int AtlasRows = 0;
   bool Weights = false;
   std::vector<vtkTypeInt64> WeightedLabels; // empty: all
-  // Blocks, numbered as in BlockBox, whose faces are kept; those outside Owned are ghosts.
+  // The blocks, numbered as in BlockBox, whose faces are kept; faces outside Owned are ghosts.
   std::array<int, 6> Kept = {};
   std::array<int, 6> Owned = {};
-  bool HasGhosts = false; // some faces are to be dropped or marked
+  bool HasGhosts = false; // some faces must be dropped or marked
 };
 
 struct BlockMeshReport
 {
-  // Of how many labels weights were asked; they are left out when there are more than MostWeights.
+  // The number of labels that need weights; above MostWeights there are no weights.
   vtkIdType WeightedLabels = 0;
-  // The tile of the atlas that the largest face needs, in world units; 0 without an atlas.
+  // The atlas tile that the largest face needs, in world units; 0 without an atlas.
   double TileSize = 0.;
 };
 

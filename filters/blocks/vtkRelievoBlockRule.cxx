@@ -78,7 +78,7 @@ BlockRule::Offset BlockRule::Of(const std::array<vtkTypeInt64, 8>& labels) const
   {
     return this->Table[masks[0]];
   }
-  // Counted first, so that the sum does not depend on the order of the labels.
+  // Counts first, so that the sum does not depend on the order of the labels.
   Offset offset;
   for (int axis = 0; axis < 3; ++axis)
   {

@@ -33,14 +33,14 @@ public:
   explicit BlockRule(double strength);
 
   /**
-   * The movement in blocks of the vertex amid blocks of which some are solid: bit x + 2 y + 4 z,
-   * with 1 for the upper side of an axis. The complement of the bits moves it equally.
+   * The movement, in blocks, of the vertex among eight blocks. Bit x + 2 y + 4 z of `solid` marks a
+   * solid block, with 1 for the upper side of an axis. Complementary bits give the same movement.
    */
   const Offset& Of(unsigned int solid) const { return this->Table[solid]; }
 
   /**
-   * The movement amid blocks of many labels, in the same order: with two, that of either; with
-   * more, two thirds of the mean of the movements that each would cause alone.
+   * The movement for blocks of many labels, in that order. With two labels, both give the same
+   * movement; with more, it is two thirds of the mean over the labels.
    */
   Offset Of(const std::array<vtkTypeInt64, 8>& labels) const;
 

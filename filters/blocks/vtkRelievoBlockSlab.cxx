@@ -64,7 +64,7 @@ void BlockSlab::Begin(int first, const std::vector<vtkIdType>& starts)
   this->Faces[1].Make(this->Labels, this->Settings.Faces, first - 1, nullptr);
   if (first > 1)
   {
-    // Sides of the slice below reach up to the first plane of vertices.
+    // Side faces of the slice below reach up to the first plane of vertices.
     this->Faces[0].Make(this->Labels, this->Settings.Faces, first - 2, nullptr);
     this->Faces[1].Make(this->Labels, this->Settings.Faces, first - 1, &this->Faces[0]);
     this->MakePlane(first - 2, this->Faces[0], this->Faces[1], this->Planes[0]);
@@ -161,7 +161,8 @@ BlockRule::Offset BlockSlab::OffsetOf(
   const int up = this->Settings.Up;
   if (level)
   {
-    // Half the movement, too: the full one could fold faces whose other vertices do go up or down.
+    // Level blocks also move half as far sideways: the full movement could fold faces whose other
+    // vertices move up or down.
     for (double& value : offset)
     {
       value *= 0.5;
@@ -259,7 +260,7 @@ void BlockSlab::MakeFace(int axis, int i, int j, int k, bool low, bool write, vt
   const int first = lengths[1] < lengths[0] ? 1 : 0;
   for (int corner = 0; corner < 4; ++corner)
   {
-    // Seen from outside: in order where the axis points out, else against it.
+    // Seen from outside: in order if the axis points outwards, otherwise reversed.
     const bool inOrder = low != this->Mirrored;
     const int from = inOrder ? (first + corner) & 3 : (first + 4 - corner) & 3;
     result.Points[corner] = static_cast<vtkTypeUInt32>(planes[from]->Start + numbers[from]);

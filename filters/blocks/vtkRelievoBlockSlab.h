@@ -17,10 +17,10 @@ public:
   BlockSlab(const BlockLabels& labels, const BlockSettings& settings, const BlockRule& rule,
     BlockSurface& surface);
 
-  /** Prepares for slice `first`; `starts` holds the number of the first vertex of each slice. */
+  /** Prepares for slice `first`; `starts` holds the first vertex number of each slice. */
   void Begin(int first, const std::vector<vtkIdType>& starts);
 
-  /** Writes the faces of slice k, those to the slice below, and the vertices between both. */
+  /** Writes the faces of slice k, those to the slice below, and the vertices between them. */
   void Make(int k, const std::vector<vtkIdType>& starts, vtkIdType firstFace);
 
   std::vector<BlockSeam> Seams;
@@ -51,7 +51,7 @@ private:
   bool NeedsLabels;
   bool Mirrored;           // the axes of the image are left-handed
   double Metric[3];        // squared lengths of the axes
-  double NormalAxes[3][3]; // what turns area vectors of blocks into normals
+  double NormalAxes[3][3]; // turns area vectors of blocks into normals
   FaceSlice Faces[3];      // k - 1, k, k + 1
   Plane Planes[2];         // below and above slice k
 };

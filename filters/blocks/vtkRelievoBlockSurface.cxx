@@ -19,7 +19,7 @@ namespace
 constexpr int SlabSize = 16;  // slices
 constexpr int BatchSize = 16; // slabs between two reports of progress
 
-// Runs work(first, end) for slabs of the slices from 1 to count; false when it is to stop.
+// Runs work(first, end) for slabs of the slices 1 to count; false if stopped.
 template <typename Work>
 bool ForSlabs(int count, const BlockSettings& settings, double from, double to, Work&& work)
 {
@@ -62,7 +62,7 @@ Made MakeBlockSurface(
   const BlockLabels& labels, const BlockSettings& settings, BlockSurface& surface)
 {
   const BlockBox& box = labels.GetBox();
-  // Slice k has its blocks' faces, those to slice k - 1, and the vertices between both.
+  // Slice k has the faces of its blocks, those to slice k - 1, and the vertices between the two.
   const int slices = box.Size[2] + 1;
   std::vector<vtkIdType> vertices(slices + 1, 0);
   std::vector<vtkIdType> faces(slices + 1, 0);

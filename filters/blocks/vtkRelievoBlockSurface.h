@@ -30,7 +30,7 @@ struct BlockNoise
   double Amplitude = 0.; // blocks
   double Scale = 16.;    // blocks of a cell of the noise
   unsigned int Seed = 0;
-  bool Solid = false; // three dimensions; else the same along the axis that points up
+  bool Solid = false; // three dimensions; otherwise constant along the axis that points up
 };
 
 struct BlockSettings
@@ -45,18 +45,18 @@ struct BlockSettings
   bool Seams = true;
   bool DoublePoints = false;
   bool KeepOffsets = false;
-  // Vertex 0 has these block coordinates (whole, or half for labels on points), and is at Origin +
-  // Axes * them, one column an axis.
+  // Vertex 0 has these block coordinates (whole, or half for labels on points). A vertex lies at
+  // Origin + Axes * coordinates, with one column per axis.
   std::array<double, 3> First = {};
   std::array<double, 3> Origin = {};
   double Axes[3][3] = {}; // [row][column]
-  // Called from the thread of the caller with the part that is done; false stops.
+  // Called from the caller's thread with the fraction done; false stops.
   std::function<bool(double)> GoOn;
   // Called with the numbers of vertices, faces and seams before they are made; false stops.
   std::function<bool(vtkIdType, vtkIdType, vtkIdType)> HasRoom;
 };
 
-/** An edge that is used other than twice; corners are vertices of the surface. */
+/** An edge that is not used exactly twice; corners are vertices of the surface. */
 struct BlockSeam
 {
   vtkIdType Points[2];
@@ -67,13 +67,15 @@ struct BlockSeam
 struct BlockFace
 {
   vtkTypeUInt32 Points[4]; // counterclockwise from outside; cut from the first to the third
-  vtkIdType Owner;         // place of its block in the array of labels
+  vtkIdType Owner;         // index of its block in the array of labels
   unsigned char Axis;
-  bool Low;            // the owner is the lower of both
+  bool Low;            // the owner is the lower of the two blocks
   unsigned char First; // which corner comes first: 0 is the lowest along both axes
 };
 
-/** An array whose values begin unset: pages that each thread writes first are near to it. */
+/**
+ * An array with uninitialised values: each thread first writes its own pages, so they lie near it.
+ */
 template <typename T>
 class Unset
 {
@@ -95,20 +97,20 @@ private:
 struct BlockSurface
 {
   vtkSmartPointer<vtkDataArray> Points;
-  vtkSmartPointer<vtkFloatArray> Normals; // 0 where those of the faces add up to nothing
+  vtkSmartPointer<vtkFloatArray> Normals; // 0 where the faces' normals cancel out
   Unset<BlockRule::Offset> Offsets;       // movements in blocks; with KeepOffsets
   Unset<BlockFace> Faces;
   std::vector<BlockSeam> Seams;
-  vtkIdType NullNormals = 0; // vertices whose faces' normals add up to nothing
+  vtkIdType NullNormals = 0; // vertices where the faces' normals cancel out
 };
 
-/** Whether nothing but rounding is left of a sum of area vectors in blocks. */
+/** Whether a sum of area vectors, in blocks, is zero but for rounding. */
 inline bool IsNull(const std::array<double, 3>& area)
 {
   return area[0] * area[0] + area[1] * area[1] + area[2] * area[2] < 1e-18;
 }
 
-/** The area vector in blocks of a face whose corners moved, in the order of BlockFace. */
+/** The area vector, in blocks, of a face with moved corners, in the order of BlockFace. */
 std::array<double, 3> AreaOf(int axis, const BlockRule::Offset* const corners[4]);
 
 enum class Made

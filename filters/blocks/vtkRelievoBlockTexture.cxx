@@ -24,7 +24,7 @@ double Dot(const Vec3& a, const Vec3& b)
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-// The corners laid flat along the diagonal from the first to the third: no length changes.
+// Unfolds the corners into a plane along the diagonal from the first to the third, keeping lengths.
 std::array<Vec2, 4> Unfold(const std::array<Vec3, 4>& corners, int first)
 {
   const Vec3 diagonal = Minus(corners[(first + 2) & 3], corners[first]);
@@ -42,7 +42,7 @@ std::array<Vec2, 4> Unfold(const std::array<Vec3, 4>& corners, int first)
   return flat;
 }
 
-// Turns them so that the mean of both edges along the first axis lies along it, around their mean.
+// Turns the corners about their mean until both edges along the first axis lie along it on average.
 void Straighten(std::array<Vec2, 4>& flat)
 {
   Vec2 along = { flat[1][0] - flat[0][0] + flat[2][0] - flat[3][0],
@@ -88,7 +88,7 @@ FaceTexture TextureOf(const BlockFace& face, const BlockSurface& surface, const 
   std::array<Vec2, 4> flat = Unfold(corners, face.First);
   Straighten(flat);
 
-  // Where the face is among the blocks, so that flat ground has one texture throughout.
+  // The face's place among the blocks: flat ground gets one continuous texture.
   const BlockBox& box = labels.GetBox();
   const vtkIdType place[3] = { face.Owner % box.Size[0], face.Owner / box.Size[0] % box.Size[1],
     face.Owner / (static_cast<vtkIdType>(box.Size[0]) * box.Size[1]) };
@@ -101,7 +101,7 @@ FaceTexture TextureOf(const BlockFace& face, const BlockSurface& surface, const 
     return (settings.First[axis] + static_cast<double>(place[axis]) + 0.5) * std::sqrt(squares);
   };
   Vec2 middle = { middleAlong(u), middleAlong(v) };
-  // Up on sides is up in the texture, and seen from outside nothing is mirrored.
+  // Up on side faces is up in the texture, and nothing is mirrored when seen from outside.
   const bool turned = u == settings.Up;
   const double side = inOrder ? 1. : -1.;
   const auto turn = [turned, side](const Vec2& at) {

@@ -34,7 +34,7 @@ using SDDP = vtkStreamingDemandDrivenPipeline;
 
 namespace
 {
-// The output that is updated: faces or seams.
+// The requested output: faces or seams.
 int GetPort(vtkInformation* request)
 {
   const int port = request->Has(vtkExecutive::FROM_OUTPUT_PORT())
@@ -47,13 +47,13 @@ int GetPort(vtkInformation* request)
 //------------------------------------------------------------------------------
 struct vtkRelievoSmoothBlocks::Internals
 {
-  // A vertex' face normals need the movements of its neighbours, which their neighbours decide.
+  // A vertex's normal needs the movements of adjacent vertices, which depend on their neighbours.
   static constexpr int GhostLevels = 2;
 
   std::set<vtkTypeInt64> Rigid;
   std::set<vtkTypeInt64> Level;
   std::set<vtkTypeInt64> Weighted;
-  bool MissedGhosts = false; // the warning is given
+  bool MissedGhosts = false; // the warning has been given
 };
 
 //------------------------------------------------------------------------------
@@ -174,7 +174,7 @@ int vtkRelievoSmoothBlocks::RequestData(
   }
   if (!problem.empty())
   {
-    // The output stays empty. Status 0 would make the pipeline say it again in its own words.
+    // The output stays empty. Status 0 would make the pipeline report a second error.
     this->SetErrorCode(vtkErrorCode::UserError);
     vtkErrorMacro("No surface of blocks: " << problem << ".");
     return 1;
@@ -221,7 +221,7 @@ int vtkRelievoSmoothBlocks::RequestData(
   const int levels = asked->Get(SDDP::UPDATE_NUMBER_OF_GHOST_LEVELS());
   mesh.Owned = relievo::FindOwnedBlocks(image, onPoints, box, whole);
   mesh.Kept = relievo::GrowBlocks(mesh.Owned, levels, box.Size);
-  // One more layer, for the normals at the border; its own faces are dropped.
+  // One more layer for the normals at the border; its faces are dropped.
   settings.Faces.Owners = relievo::GrowBlocks(mesh.Kept, 1, box.Size);
   if (asked->Get(SDDP::UPDATE_NUMBER_OF_PIECES()) > 1 && !this->Self->MissedGhosts)
   {
@@ -273,7 +273,7 @@ int vtkRelievoSmoothBlocks::RequestData(
     }
     return lack.empty();
   };
-  // Also for faces' own normals, where those at a vertex cancel out.
+  // Also needed for face normals where those at a vertex cancel out.
   settings.KeepOffsets = settings.Normals || mesh.TextureCoordinates || mesh.Weights;
   relievo::BlockSurface surface;
   const relievo::Made made = relievo::MakeBlockSurface(*labels, settings, surface);

@@ -79,14 +79,14 @@ public:
   ///@}
 
   ///@{
-  /** Whether what is outside the image is air, which closes the surface. Default is on. */
+  /** Whether the outside of the image is air, which closes the surface. Default is on. */
   vtkSetMacro(CloseBorders, bool);
   vtkGetMacro(CloseBorders, bool);
   vtkBooleanMacro(CloseBorders, bool);
   ///@}
 
   ///@{
-  /** Whether faces are cut into triangles, along the shorter diagonal. Default is on. */
+  /** Whether faces are cut into triangles along the shorter diagonal. Default is on. */
   vtkSetMacro(Triangles, bool);
   vtkGetMacro(Triangles, bool);
   vtkBooleanMacro(Triangles, bool);
@@ -101,9 +101,9 @@ public:
 
   ///@{
   /**
-   * Point normals: the mean over all faces at a point, by area (ACROSS_MATERIALS, the default), or
-   * over those of one material, with a point for each (WITHIN_MATERIALS). Where they cancel out,
-   * each face has a point with its own normal.
+   * Point normals: the area-weighted mean over all faces at a point (ACROSS_MATERIALS, the
+   * default), or over those of one material, with one point per material (WITHIN_MATERIALS). Where
+   * normals cancel out, each face gets a point with its own normal.
    */
   vtkSetClampMacro(Normals, int, NO_NORMALS, WITHIN_MATERIALS);
   vtkGetMacro(Normals, int);
@@ -134,8 +134,8 @@ public:
 
   ///@{
   /**
-   * Simplex noise that is added to heights, in blocks; 0, the default, adds none. Vertices of rigid
-   * and level blocks get none. Above about a quarter of the scale, faces may fold.
+   * Amplitude of the simplex noise added to heights, in blocks; 0, the default, adds none. Vertices
+   * of rigid and level blocks get none. Above about a quarter of the scale, faces may fold.
    */
   vtkSetClampMacro(NoiseAmplitude, double, 0., VTK_DOUBLE_MAX);
   vtkGetMacro(NoiseAmplitude, double);
@@ -148,15 +148,15 @@ public:
   ///@}
 
   ///@{
-  /** Another seed, another noise. Default is 0. */
+  /** Seed of the noise. Default is 0. */
   vtkSetMacro(NoiseSeed, int);
   vtkGetMacro(NoiseSeed, int);
   ///@}
 
   ///@{
   /**
-   * 2, the default: noise over the ground plane, the same at all heights; 3: also by height. Place
-   * is counted in blocks, from index 0 of the image.
+   * 2, the default: noise over the ground plane, constant along the height; 3: noise that also
+   * varies with height. Positions are counted in blocks, from index 0 of the image.
    */
   vtkSetClampMacro(NoiseDimensions, int, 2, 3);
   vtkGetMacro(NoiseDimensions, int);
@@ -165,8 +165,8 @@ public:
   ///@{
   /**
    * Whether points have texture coordinates that keep all lengths: each triangle is as large in the
-   * texture as in space. Each face then has points of its own. Flat ground has one texture
-   * throughout; up on sides is up in the texture. Default is off.
+   * texture as in space. Each face then has its own points. Flat ground has one continuous texture;
+   * up on side faces is up in the texture. Default is off.
    */
   vtkSetMacro(TextureCoordinates, bool);
   vtkGetMacro(TextureCoordinates, bool);
@@ -175,9 +175,8 @@ public:
 
   ///@{
   /**
-   * Size of one copy of the texture, or of a tile of the atlas, in world units. With 0, the
-   * default, it is the longest side of a block, or twice that for an atlas, so that every face
-   * fits.
+   * Size of one copy of the texture, or of a tile of the atlas, in world units. 0, the default,
+   * uses the longest side of a block, or twice that for an atlas, so that every face fits.
    */
   vtkSetClampMacro(TileSize, double, 0., VTK_DOUBLE_MAX);
   vtkGetMacro(TileSize, double);
@@ -185,10 +184,10 @@ public:
 
   ///@{
   /**
-   * Columns and rows of an atlas, a texture with a tile for each material: label 1 has the one in
-   * the lower left corner, label 2 the next to its right. Faces are in the middle of their tile;
-   * what is larger than TileSize, as by noise, is stretched at its border, with a warning. 0 0, the
-   * default: no atlas, textures repeat.
+   * Columns and rows of an atlas, a texture with a tile for each material: label 1 has the tile in
+   * the lower left corner, label 2 the next to its right. Faces lie in the middle of their tile;
+   * faces larger than TileSize, for example because of noise, are stretched at the tile's border,
+   * with a warning. 0 0, the default: no atlas, textures repeat.
    */
   vtkSetVector2Macro(Atlas, int);
   vtkGetVector2Macro(Atlas, int);
@@ -196,9 +195,9 @@ public:
 
   ///@{
   /**
-   * Whether points have the array "weights", for soft borders between materials: a component for
-   * each label, named after it, with its share of the faces at the point. A face between two labels
-   * is half of either's. The sum is 1 where all labels are weighted. Default is off.
+   * Whether points have the array "weights", for soft borders between materials: one component per
+   * label, named after it, with the label's share of the faces at the point. A face between two
+   * labels counts half for each. Weights sum to 1 if all labels are weighted. Default is off.
    */
   vtkSetMacro(MaterialWeights, bool);
   vtkGetMacro(MaterialWeights, bool);
@@ -207,8 +206,8 @@ public:
 
   ///@{
   /**
-   * Labels with weights; without any, all that have faces. To be given where pieces must have the
-   * same components. At most 64.
+   * Labels with weights; if none are added, all labels that have faces. Add them if pieces must
+   * have the same components. At most 64.
    */
   void AddWeightedLabel(vtkTypeInt64 label);
   void ClearWeightedLabels();
@@ -225,8 +224,8 @@ public:
   ///@{
   /**
    * Type of the points' coordinates, as in vtkAlgorithm. DEFAULT_PRECISION, the default, is double
-   * where float would move points of the whole image by more than a thousandth of a block's
-   * shortest side, and else float.
+   * if float would move points of the whole image by more than a thousandth of a block's shortest
+   * side, otherwise float.
    */
   vtkSetClampMacro(OutputPointsPrecision, int, SINGLE_PRECISION, DEFAULT_PRECISION);
   vtkGetMacro(OutputPointsPrecision, int);
@@ -234,8 +233,8 @@ public:
 
   ///@{
   /**
-   * The most bytes that the surface may take while it is made; 0, the default: what the machine has
-   * left. A surface that needs more is refused before it is made, with the bytes it would take.
+   * Upper bound of the bytes needed to make the surface; 0, the default: all free memory. A surface
+   * that needs more is refused before it is made; the message gives the bytes needed.
    */
   vtkSetClampMacro(MemoryLimit, double, 0., VTK_DOUBLE_MAX);
   vtkGetMacro(MemoryLimit, double);

@@ -43,20 +43,20 @@ void vtkRelievoCaveFunction::Describe(vtkRelievoParameterList& list)
   constexpr int least = std::numeric_limits<int>::min(), most = std::numeric_limits<int>::max();
   list.AddWhole(
     "seed", this->Seed, [this](int seed) { this->SetSeed(seed); }, least, most, "",
-    "Another seed, other caves; the same seed, the same caves.");
+    "Seed of the random caves.");
   list.AddNumber(
     "tunnel_width", this->TunnelWidth, [this](double width) { this->SetTunnelWidth(width); }, 0.,
-    infinity, "", "Width of tunnels in world units, at most half of Scale; 0: as Shell says.");
+    infinity, "", "Width of tunnels in world units, at most half of Scale; 0: use Shell.");
   list
     .AddNumber(
       "scale", this->Scale, [this](double scale) { this->SetScale(scale); }, 0., infinity, "",
-      "How far apart the bends of tunnels are, in world units.")
+      "Distance between the bends of tunnels, in world units.")
     .Open = true;
   list
     .AddNumber(
       "vertical_scale", this->VerticalScale,
       [this](double scale) { this->SetVerticalScale(scale); }, 0., infinity, "",
-      "How much lower than wide caves are.")
+      "Ratio of the width of caves to their height.")
     .Open = true;
   vtkRelievoParameter& up = list.AddChoice(
     "up", this->Up, [this](int axis) { this->SetUp(axis); }, { "x", "y", "z" },
@@ -65,7 +65,7 @@ void vtkRelievoCaveFunction::Describe(vtkRelievoParameterList& list)
   up.Advanced = true;
   vtkRelievoParameter& shell = list.AddPair(
     "shell", this->Shell, [this](const double* limits) { this->SetShell(limits); },
-    "Where TunnelWidth is 0: air is where both noises, from -1 to 1, lie between these "
+    "Used if TunnelWidth is 0: air is where both noises, from -1 to 1, lie between these "
     "thresholds, the lower first.");
   shell.Advanced = true;
 }

@@ -37,22 +37,22 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /** Another seed, other caves. Default is 0; any whole number. */
+  /** Seed of the noises, any integer; another seed gives other caves. Default is 0. */
   vtkSetMacro(Seed, int);
   vtkGetMacro(Seed, int);
   ///@}
 
   ///@{
   /**
-   * Size of the noise's cells along the ground, in world units: how far apart the bends of tunnels
-   * are. Default is 64; above 0.
+   * Size of the noise's cells along the ground, in world units, which sets the distance between the
+   * bends of tunnels. Default is 64; above 0.
    */
   void SetScale(double scale);
   vtkGetMacro(Scale, double);
   ///@}
 
   ///@{
-  /** How much lower than wide caves are. Default is 2; above 0. */
+  /** Ratio of the width of caves to their height. Default is 2; above 0. */
   void SetVerticalScale(double scale);
   vtkGetMacro(VerticalScale, double);
   ///@}
@@ -66,8 +66,8 @@ public:
   ///@{
   /**
    * Width of tunnels in world units, from which the thresholds follow: the mean length of air along
-   * level lines; the side of a square tunnel. At most half of Scale; larger ones count as that. 0:
-   * Shell counts. Default is 6.
+   * level lines, which is the side of a square tunnel. At most half of Scale; larger values count
+   * as that. 0: use Shell. Default is 6.
    */
   void SetTunnelWidth(double width);
   vtkGetMacro(TunnelWidth, double);
@@ -75,24 +75,24 @@ public:
 
   ///@{
   /**
-   * The thresholds where TunnelWidth is 0: of both noises, whose values are in [-1, 1] and nearest
-   * together around 0. The lower comes first. Default is -0.1 0.1.
+   * The thresholds, used if TunnelWidth is 0, for both noises; the noises' values are in [-1, 1]
+   * and densest around 0. The lower comes first. Default is -0.1 0.1.
    */
   void SetShell(double low, double high);
   void SetShell(const double shell[2]) VTK_SIZEHINT(2) { this->SetShell(shell[0], shell[1]); }
   vtkGetVector2Macro(Shell, double);
   ///@}
 
-  /** The thresholds that count: Shell, or those of TunnelWidth. */
+  /** The thresholds in use: Shell, or those of TunnelWidth. */
   void GetThresholds(double thresholds[2]) VTK_SIZEHINT(2);
 
   using vtkImplicitFunction::EvaluateFunction;
   double EvaluateFunction(double point[3]) override;
 
-  /** The values of many points; VTK's own method reads arrays that there are not. */
+  /** Evaluates many points; VTK's own method reads arrays that do not exist. */
   void EvaluateFunction(vtkDataArray* points, vtkDataArray* values) override;
 
-  /** The gradient, a world unit. */
+  /** The gradient, per world unit. */
   void EvaluateGradient(double point[3], double gradient[3]) override;
 
 #ifndef __VTK_WRAP__

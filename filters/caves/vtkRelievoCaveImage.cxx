@@ -16,14 +16,14 @@ namespace
 {
 constexpr int RowBatch = 64; // rows of blocks between two reports of progress
 
-// What two noises may differ by because of rounding: 5e8 cells from the origin, the places of a
-// sample and of the middle of its block are off by at most 6e-7 cells together; the slope is 7.8.
+// Bound of two noises' difference due to rounding: 5e8 cells from the origin, the positions of a
+// sample and of its block's middle are off by at most 6e-7 cells together; the slope is 7.8.
 constexpr double Rounding = 5e-6;
 
-// Half the size of blocks along each axis, in cells: larger ones are rarely proven to be rock.
+// Half the block size along each axis, in cells: larger blocks are rarely proven to be rock.
 constexpr double HalfBlock = 0.03;
 
-// Writes samples; `Limit` is the value of WallOf beyond which a sample is rock whatever it is.
+// Writes samples; a sample whose WallOf exceeds `Limit` is rock.
 struct MaskWriter
 {
   static constexpr double Limit = 0.;
@@ -83,7 +83,7 @@ public:
     this->Margin = Rounding * settings.Field.PerHalf;
     this->PerStep = 1. / (slope * std::abs(grid.Spacing[0] * settings.Field.Cells[0]));
     this->BlockRise = slope * std::sqrt(squares);
-    // A block of a few samples is not worth an evaluation of its own.
+    // Blocks of only a few samples do not repay their own evaluation.
     this->UsesBlocks = settings.Skipping && this->Block[0] * this->Block[1] * this->Block[2] >= 12;
   }
 
@@ -124,7 +124,7 @@ private:
       this->Grid.PointAt(extent[0] + i, extent[2] + j, extent[4] + k).data());
   }
 
-  // Blocks along x.
+  // Makes the samples of a row of blocks along x.
   void MakeRow(int blockY, int blockZ, CaveCounts& counts) const
   {
     const int y[2] = { blockY * this->Block[1],
@@ -140,7 +140,7 @@ private:
       int end = std::min(x + this->Block[0], this->Size[0]);
       const bool fill = rock;
       rock = end < this->Size[0] && isRock(end);
-      // Blocks that are not proven are one, so that steps along them may be long.
+      // Joins adjacent unproven blocks, so that steps along them can be long.
       while (!fill && !rock && end < this->Size[0])
       {
         end = std::min(end + this->Block[0], this->Size[0]);
@@ -169,7 +169,7 @@ private:
     return i + this->Size[0] * (j + this->Size[1] * static_cast<vtkIdType>(k));
   }
 
-  // Whether all of a block is proven to be rock by the noises in its middle.
+  // Whether the noises in the middle of a block prove that the whole block is rock.
   bool IsRock(int x, int y, int z, CaveCounts& counts) const
   {
     const CavePlace first = this->PlaceAt(x, y, z);
@@ -209,7 +209,7 @@ private:
         ++i;
         continue;
       }
-      // The noise cannot come back to the limit within so many more samples: they are rock.
+      // The noise cannot return to the limit within this many samples: they are rock.
       const double steps = (wall - Writer::Limit - this->Margin) * this->PerStep;
       const int more =
         this->Settings.Skipping && steps > 0. ? static_cast<int>(std::min(steps, 1e6)) : 0;
@@ -226,8 +226,8 @@ private:
   int Block[3];  // samples
   int Blocks[3]; // along each axis
   double Margin;
-  double PerStep;   // samples along x that WallOf needs at least to change by 1
-  double BlockRise; // what WallOf changes at most from the middle of a block
+  double PerStep;   // samples along x within which WallOf changes by at most 1
+  double BlockRise; // bound of WallOf's change from the middle of a block
   bool UsesBlocks;
 };
 }

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file vtkRelievoCaveImage.h
- * @brief Samples caves on a grid, and evaluates as little noise as the noise's slope allows.
+ * @brief Samples caves on a grid, skipping evaluations that the noise's slope makes unnecessary.
  *
- * A value of the noise at one place bounds it around there, because the noise is nowhere steeper
- * than relievoSimplexNoiseSlope: what is proven to be rock is not evaluated, first in blocks of
- * samples, then along rows. What is evaluated is what would be without that, so the result is the
- * same bit for bit, for any extent and number of threads.
+ * A value of the noise bounds the values around it, because the noise is nowhere steeper than
+ * relievoSimplexNoiseSlope. Samples proven to be rock are not evaluated, first in blocks, then
+ * along rows. All other samples are evaluated exactly, so the result is the same bit for bit, for
+ * any extent and number of threads.
  */
 #ifndef vtkRelievoCaveImage_h
 #define vtkRelievoCaveImage_h
@@ -38,18 +38,18 @@ struct CaveSettings
 {
   CaveField Field;
   bool Skipping = true;
-  // Called from the thread of the caller with the part that is done; false stops.
+  // Called from the caller's thread with the fraction done; false stops.
   std::function<bool(double)> GoOn;
 };
 
 struct CaveCounts
 {
   vtkTypeInt64 Evaluations = 0; // of one noise
-  vtkTypeInt64 Air = 0;         // samples; of a mask
+  vtkTypeInt64 Air = 0;         // number of samples in air; for masks
   bool Stopped = false;
 };
 
-/** Sets each sample, x fastest, to `air` where there is air, else to `rock`. */
+/** Sets each sample, x fastest, to `air` if it is in air, otherwise to `rock`. */
 CaveCounts MakeCaveMask(const CaveGrid& grid, const CaveSettings& settings, unsigned char air,
   unsigned char rock, unsigned char* values);
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file vtkRelievoCaveNoise.h
- * @brief The noises of caves at a place.
+ * @brief The two noises of caves at a position.
  */
 #ifndef vtkRelievoCaveNoise_h
 #define vtkRelievoCaveNoise_h
@@ -15,8 +15,8 @@ namespace relievo
 {
 namespace // as the formulas
 {
-// One of the two noises. They lie a part of a cell apart: all noises are 0 at the corners of their
-// lattice, where both would have air.
+// One of the two noises. They are offset by part of a cell: every noise is 0 at the corners of its
+// lattice, so a common lattice would put air there.
 class CaveNoise
 {
 public:

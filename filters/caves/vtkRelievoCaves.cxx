@@ -29,7 +29,7 @@ using SDDP = vtkStreamingDemandDrivenPipeline;
 
 namespace
 {
-// Cells of the noise from the origin; its integers reach a little farther.
+// Limit of positions, in cells of the noise from the origin; its integers reach a little farther.
 constexpr double Farthest = 5e8;
 
 std::string Words(const double* numbers)
@@ -39,7 +39,7 @@ std::string Words(const double* numbers)
   return words.str();
 }
 
-// Words for what cannot be made; empty if it can.
+// Why the image cannot be made; empty if it can.
 std::string FindProblem(vtkRelievoCaves* caves, const relievo::CaveField& field)
 {
   std::ostringstream problem;
@@ -102,8 +102,9 @@ vtkRelievoCaves::vtkRelievoCaves()
   list.AddChoice(
     "content", this->Content, [this](int content) { this->SetContent(content); },
     { "mask", "density", "labels" },
-    "Of the samples: mask (1 in the air, 0 in the rock), density (-1 in the middle of tunnels, 0 "
-    "at their walls, 1 in the rock) or labels (AirLabel and RockLabel, for smooth blocks).");
+    "Values of the samples: mask (1 in the air, 0 in the rock), density (-1 in the middle of "
+    "tunnels, 0 at their walls, 1 in the rock) or labels (AirLabel and RockLabel, for smooth "
+    "blocks).");
   list
     .AddWhole(
       "air_label", this->AirLabel, [this](int label) { this->SetAirLabel(label); }, 0, 255, "",
@@ -130,8 +131,7 @@ vtkRelievoCaves::vtkRelievoCaves()
     .AddNumber(
       "memory_limit", this->MemoryLimit, [this](double bytes) { this->SetMemoryLimit(bytes); }, 0.,
       std::numeric_limits<double>::infinity(), "",
-      "The most bytes that the image of a process may take; more are refused; 0: what the machine "
-      "has left.")
+      "Upper bound of the image's bytes per process; more are refused. 0: all free memory.")
     .Advanced = true;
 }
 
@@ -171,7 +171,7 @@ int vtkRelievoCaves::RequestData(
   relievo::Begin(outputs);
   this->NumberOfEvaluations = 0;
   this->NumberOfAirSamples = 0;
-  // An image that is empty is asked for again and again.
+  // The pipeline requests an empty image again and again.
   const bool isSaid = this->GetMTime() == this->RefusedAt;
   this->SetErrorCode(vtkErrorCode::NoError);
   relievo::CaveGrid grid;
@@ -212,7 +212,7 @@ int vtkRelievoCaves::RequestData(
   image->SetExtent(grid.Extent.data());
   image->SetOrigin(this->Origin);
   image->SetSpacing(this->Spacing);
-  if (samples == 0.) // a piece of nothing
+  if (samples == 0.) // an empty piece
   {
     return 1;
   }

@@ -4,23 +4,23 @@
  * @class vtkRelievoCaves
  * @brief An image of winding caves, from a seed: a mask, a density, or labels for smooth blocks.
  *
- * Each point of the image is a sample of vtkRelievoCaveFunction, which says what caves are; its
- * settings are also here. A piece, or any extent, is made without its neighbours and is, bit for
- * bit, that of the whole, with any number of threads. Where the slope of the noise proves that
- * there is rock, nothing is evaluated.
+ * Each point of the image is a sample of vtkRelievoCaveFunction, which defines the caves; its
+ * settings are also here. A piece, or any extent, is made without its neighbours and equals that
+ * part of the whole bit for bit, with any number of threads. Samples that the noise's slope proves
+ * to be rock are not evaluated.
  *
  * Refused with an error, vtkErrorCode::UserError and an empty output: a size without points; an
  * origin or spacing that is not finite; tunnels wider than half of Scale; samples more than 5e8
  * cells of the noise from the origin; a function with a Transform, which only the function itself
- * follows; and images for which there is not enough memory.
+ * applies; and images too large for the memory.
  */
 #ifndef vtkRelievoCaves_h
 #define vtkRelievoCaves_h
 
 #include "vtkImageAlgorithm.h"
 #include "vtkRelievoFiltersModule.h"   // for the export macro
-#include "vtkRelievoParametersMacro.h" // for the parameters by name
-#include "vtkRelievoText.h"            // for their names and words
+#include "vtkRelievoParametersMacro.h" // for named parameters
+#include "vtkRelievoText.h"            // for parameters' names and texts
 #include "vtkSmartPointer.h"           // for the function
 
 class vtkRelievoCaveFunction;
@@ -44,17 +44,16 @@ public:
 
   ///@{
   /**
-   * What points have: the array "cave", 1 in the air and 0 in the rock (MASK, the default); the
-   * array "density", floats from -1 in the middle of tunnels over 0 at their walls to 1 in the rock
-   * (DENSITY), for contours; or the array "label", AirLabel and RockLabel (LABELS). Masks and
-   * labels are unsigned char.
+   * The point array: "cave", 1 in the air and 0 in the rock (MASK, the default); "density", floats
+   * from -1 in the middle of tunnels over 0 at their walls to 1 in the rock (DENSITY), for
+   * contours; or "label", AirLabel and RockLabel (LABELS). Masks and labels are unsigned char.
    */
   vtkSetClampMacro(Content, int, MASK, LABELS);
   vtkGetMacro(Content, int);
   ///@}
 
   ///@{
-  /** Labels of air and rock. Default is 0 and 1; from 0 to 255. */
+  /** Labels of air and rock, 0 to 255. Default is 0 and 1. */
   vtkSetClampMacro(AirLabel, int, 0, 255);
   vtkGetMacro(AirLabel, int);
   vtkSetClampMacro(RockLabel, int, 0, 255);
@@ -68,7 +67,7 @@ public:
   ///@}
 
   ///@{
-  /** The place of sample 0 0 0, and the distance between samples. Default is 0 0 0 and 1 1 1. */
+  /** The position of sample 0 0 0, and the distance between samples. Default is 0 0 0 and 1 1 1. */
   vtkSetVector3Macro(Origin, double);
   vtkGetVector3Macro(Origin, double);
   vtkSetVector3Macro(Spacing, double);
@@ -76,8 +75,8 @@ public:
   ///@}
 
   /**
-   * The caves as an implicit function, which can also be sampled, contoured or clipped with. With a
-   * Transform of its own, no image is made.
+   * The caves as an implicit function, which can also be sampled, contoured or used for clipping.
+   * If it has a Transform, no image is made.
    */
   vtkRelievoCaveFunction* GetFunction();
 
@@ -108,20 +107,20 @@ public:
 
   ///@{
   /**
-   * The most bytes that the image may take; 0, the default: what the machine has left. A larger one
-   * is refused before it is made.
+   * Upper bound of the image's bytes; 0, the default: all free memory. A larger image is refused
+   * before it is made.
    */
   vtkSetClampMacro(MemoryLimit, double, 0., VTK_DOUBLE_MAX);
   vtkGetMacro(MemoryLimit, double);
   ///@}
 
   ///@{
-  /** Parameters by name, with values in words, as of vtkRelievoStage. */
+  /** Access to parameters by name, with values as text, as in vtkRelievoStage. */
   vtkRelievoParametersMacro();
   ///@}
 
   ///@{
-  /** Of the last update: how often one noise was evaluated, and the samples in the air. */
+  /** Counts of the last update: evaluations of one noise, and samples in the air. */
   vtkGetMacro(NumberOfEvaluations, vtkTypeInt64);
   vtkGetMacro(NumberOfAirSamples, vtkTypeInt64);
   ///@}
@@ -148,7 +147,7 @@ private:
   double MemoryLimit = 0.;
   vtkTypeInt64 NumberOfEvaluations = 0;
   vtkTypeInt64 NumberOfAirSamples = 0;
-  vtkMTimeType RefusedAt = 0; // as its settings were then
+  vtkMTimeType RefusedAt = 0; // MTime of the refused settings
 
   vtkRelievoCaves(const vtkRelievoCaves&) = delete;
   void operator=(const vtkRelievoCaves&) = delete;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file vtkRelievoNoiseCell.h
- * @brief Splits a coordinate into a cell of the noise and the part of a cell beyond it.
+ * @brief Splits a coordinate into a noise cell and the fraction within it.
  */
 #ifndef vtkRelievoNoiseCell_h
 #define vtkRelievoNoiseCell_h
@@ -17,8 +17,8 @@ struct NoiseCell
   double Part = 0.; // in [0, 1)
 
   /**
-   * Of a finite coordinate in cells. Noise takes cells from -2^29 to 2^29 - 1: beyond, they begin
-   * again, so noise repeats after 2^30 cells along each axis.
+   * Splits a finite coordinate in cells. Noise takes cells from -2^29 to 2^29 - 1, so it repeats
+   * after 2^30 cells along each axis.
    */
   static NoiseCell Of(double coordinate)
   {

@@ -24,14 +24,14 @@ double SolidAngle(int size, int column, int row)
   return CornerAngle(x1, y1) - CornerAngle(x0, y1) - CornerAngle(x1, y0) + CornerAngle(x0, y0);
 }
 
-// Mean of all directions of a square: by the sum over its edges of half their angle times the
-// normal of their plane, which is the integral of directions over the square.
+// Mean of all directions of a square. The integral of directions over the square is the sum over
+// its edges of half their angle times the normal of their plane.
 f64::vec3 MeanDirection(int face, int size, int column, int row)
 {
   f64::vec3 corners[4];
   for (int k = 0; k < 4; ++k)
   {
-    // Around: (0, 0), (1, 0), (1, 1), (0, 1).
+    // The corners in order: (0, 0), (1, 0), (1, 1), (0, 1).
     const f64::vec2 at(column + (k == 1 || k == 2 ? 1. : 0.), row + k / 2);
     corners[k] =
       glm::normalize(f64::relievoDirectionFromCube(at / static_cast<double>(size), face));
@@ -43,7 +43,7 @@ f64::vec3 MeanDirection(int face, int size, int column, int row)
     const double sine = glm::length(normal);
     sum += 0.5 * std::atan2(sine, glm::dot(corners[k], corners[(k + 1) % 4])) / sine * normal;
   }
-  // Whichever way around that was.
+  // Either winding gives the mean up to its sign.
   const f64::vec3 mean = sum / SolidAngle(size, column, row);
   return glm::dot(mean, corners[0]) < 0. ? -mean : mean;
 }
@@ -53,7 +53,7 @@ float Brightness(const f32::vec3& light)
   return (std::abs(light.x) + std::abs(light.y) + std::abs(light.z)) / 3.f;
 }
 
-// The integral of relievoPrefilterWeight over the sphere: with g = a - b x, of x / (g g).
+// The integral of relievoPrefilterWeight over the sphere: that of x / (g g), with g = a - b x.
 double WholeWeight(double roughness)
 {
   const double alpha2 = std::pow(roughness, 4.);
@@ -63,7 +63,7 @@ double WholeWeight(double roughness)
                   : 2. * f64::relievoPi / (b * b) * (std::log(alpha2 / a) + a / alpha2 - 1.);
 }
 
-// Texels are parted at most so often where a lobe is narrower than they are.
+// Limit of divisions of a texel for lobes narrower than texels.
 constexpr int PartsOfTexels = 4;
 }
 
@@ -71,24 +71,25 @@ struct CubePyramid::Lobe
 {
   f32::vec3 Axis;
   float Alpha2;
-  float Brightness; // of the result, as far as it is known
-  float Most;       // that a square may err by
+  float Brightness; // of the result, as estimated so far
+  float Most;       // error that a square may have
   f64::vec3 Light = f64::vec3(0.);
   double Weight = 0.;
 
-  // relievoPrefilterWeight, with the power taken once.
+  // relievoPrefilterWeight, with the power computed only once.
   float At(float x) const
   {
     const float width = 0.5f * ((1.f - x) + this->Alpha2 * (1.f + x));
     return x > 0.f ? x / (width * width) : 0.f;
   }
 
-  // Takes a square as a whole, or says that it has to be parted.
+  // Adds a whole square; false if it must be divided.
   bool Take(const f32::vec3& direction, float solidAngle, const f32::vec3& light, float unevenness,
     bool last)
   {
     const float x = glm::dot(this->Axis, direction); // the mean cosine
-    const float radius = std::sqrt(solidAngle);      // at least that of the circle about a square
+    const float radius =
+      std::sqrt(solidAngle); // at least that of the square's circumscribed circle
     const float across = std::sqrt(std::max(1.f - x * x, 0.f)) * radius;
     const float reach = across + 0.5f * solidAngle;
     if (x + reach <= 0.f)
@@ -98,14 +99,14 @@ struct CubePyramid::Lobe
     const float weight = this->At(x);
     const float inner = this->At(std::min(x + reach, 1.f));
     const float outer = this->At(x - reach);
-    // Cosines of a square's directions vary about their mean by a twelfth of `across` squared.
+    // The variance of a square's cosines about their mean is a twelfth of `across` squared.
     const float bend = (inner + outer - 2.f * weight) * (across * across) / (24.f * reach * reach);
     if (!last)
     {
       const float change = std::max(std::abs(inner - weight), std::abs(weight - outer));
       const float contrast =
         relievo::Brightness(light - this->Brightness) + 0.1f * this->Brightness;
-      // Where it bends both ways the bend may be 0 and the weight change all the same.
+      // With an inflection, the bend may be 0 although the weight changes.
       const float error = std::max(std::abs(bend), change / 64.f);
       if (solidAngle * error * contrast > this->Most || change * unevenness > 2.f * this->Most)
       {
@@ -221,8 +222,8 @@ f64::vec3 CubePyramid::LobeMean(const f64::vec3& axis, double roughness, double 
   const double least = 1e-6 * this->MeanBrightness;
   double brightness = this->MeanBrightness;
   f64::vec3 mean(0.);
-  // How much may err, and what stands out, is known when the result is: again, while it is far from
-  // what it was taken for.
+  // The tolerance and the contrast depend on the result: repeat while the result is far from its
+  // estimate.
   for (int pass = 0; pass < 6; ++pass)
   {
     Lobe lobe;

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file vtkRelievoCubePyramid.h
- * @brief Means of a cube map's light over larger and larger squares, and over lobes about a way.
+ * @brief Means of a cube map's light over squares of increasing size, and over lobes around a
+ * direction.
  */
 #ifndef vtkRelievoCubePyramid_h
 #define vtkRelievoCubePyramid_h
@@ -15,13 +16,13 @@
 namespace relievo
 {
 /**
- * The texels of a cube of 2^k texels a face, and their means over solid angle by fours, up to whole
- * faces.
+ * The texels of a cube with 2^k texels across a face, and their means by solid angle over groups of
+ * four, up to whole faces.
  *
- * A lobe's mean is a sum over squares of different sizes: a square stays whole where the lobe's
- * weight bends little across it, and where its light is even or the weight changes little; else its
- * four parts are looked at. So a single strong texel is always met by itself where it matters, and
- * the sum has no noise: no texel of the result can stand out that does not in truth.
+ * A lobe's mean is a sum over squares of different sizes. A square stays whole if the lobe's weight
+ * bends little across it, and if its light is even or the weight changes little; otherwise it is
+ * divided into four. So a single strong texel is resolved where it matters, and the sum has no
+ * noise: no texel of the result stands out unless it does so in the exact mean.
  */
 class CubePyramid
 {
@@ -31,7 +32,7 @@ public:
 
   /**
    * Mean light about unit direction `axis`, weighted by relievoPrefilterWeight(cosine, roughness),
-   * roughness > 0. `tolerance`: how much of the result one square may err by.
+   * roughness > 0. `tolerance`: error allowed per square, as a share of the result.
    */
   f64::vec3 LobeMean(const f64::vec3& axis, double roughness, double tolerance) const;
 

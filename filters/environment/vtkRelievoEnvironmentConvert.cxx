@@ -48,9 +48,9 @@ vtkRelievoEnvironmentConvert::vtkRelievoEnvironmentConvert()
 
 namespace
 {
-// Samples across a texel at a place: `rate` to the input's texel, by the widest way of the output's
-// texel against the narrowest of the input's. A texel's light is read as a tent, which samples
-// weigh within 1 / (pi rate)^2 of the whole in each way.
+// Samples across a texel: `rate` per input texel, by the output texel's longest side and the input
+// texel's shortest. A texel's light is read as a tent, whose sum over the samples is within 1 / (pi
+// rate)^2 of the whole in each direction.
 int SamplesAt(
   const EnvironmentShape& from, const EnvironmentShape& to, const EnvironmentPlace& place, int rate)
 {
@@ -139,7 +139,7 @@ int vtkRelievoEnvironmentConvert::RequestData(
 {
   vtkImageData* input = vtkImageData::GetData(inputs[0]);
   vtkImageData* output = vtkImageData::GetData(outputs);
-  // An image that is empty is asked for again and again.
+  // The pipeline requests an empty image again and again.
   const bool isSaid = this->GetMTime() == this->RefusedAt;
   this->SetErrorCode(vtkErrorCode::NoError);
   output->Initialize();
@@ -164,7 +164,7 @@ int vtkRelievoEnvironmentConvert::RequestData(
   this->GetOutputDimensions(input->GetDimensions(), size);
   const EnvironmentShape to(
     static_cast<Projection>(this->OutputProjection), size[0], size[1], this->OutputMirrored);
-  // At 2 the last step would blur as much as the texels themselves.
+  // At 2, the last halving would blur as much as the texels themselves.
   while (image.CanHalve() && image.GetShape().GetDetail() >= 4. * to.GetDetail())
   {
     image = image.Halve();

@@ -57,8 +57,8 @@ public:
 
   ///@{
   /**
-   * The projection of the input. AUTOMATIC goes by its size: n x n x 6 is a cube, 2n x n x 1
-   * equirectangular, n x n x 1 a sphere map, and anything else an error. Default is AUTOMATIC.
+   * The projection of the input. AUTOMATIC is chosen by size: n x n x 6 is a cube, 2n x n x 1
+   * equirectangular, n x n x 1 a sphere map; other sizes are an error. Default is AUTOMATIC.
    */
   vtkSetClampMacro(InputProjection, int, AUTOMATIC, SPHERE_MAP);
   vtkGetMacro(InputProjection, int);
@@ -85,8 +85,8 @@ public:
 
   ///@{
   /**
-   * Whether the input's values are sRGB (as in most 8-bit pictures) and need decoding to linear
-   * light, which is what Relievo computes with. Default is off; nothing is guessed.
+   * Whether the input's values are sRGB (as in most 8-bit pictures) and must be decoded to linear
+   * light, in which Relievo computes. Default is off; it is never guessed.
    */
   vtkSetMacro(InputSRGB, bool);
   vtkGetMacro(InputSRGB, bool);
@@ -143,7 +143,7 @@ private:
   bool InputMirrored = false;
   bool OutputMirrored = false;
   int SamplesPerTexel = 2;
-  vtkMTimeType RefusedAt = 0; // as its settings were then
+  vtkMTimeType RefusedAt = 0; // MTime of the refused settings
   vtkRelievoParameterList Parameters;
 
   vtkRelievoEnvironmentConvert(const vtkRelievoEnvironmentConvert&) = delete;

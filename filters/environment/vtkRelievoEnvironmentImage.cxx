@@ -18,7 +18,7 @@ namespace
 {
 constexpr double Pi = 3.14159265358979323846;
 constexpr double LargestHalf = 65504.;
-// Light is cut there: sums and products of brighter texels leave the range of floats.
+// Light is clamped here: sums and products of brighter texels overflow floats.
 constexpr double Brightest = 1e12;
 
 std::string Sizes(const int size[3])
@@ -27,7 +27,7 @@ std::string Sizes(const int size[3])
     std::to_string(size[2]);
 }
 
-// Whether an image of this size can have the projection; words where it cannot.
+// Whether an image of this size can have the projection; if not, `problem` says why.
 bool Fits(const int size[3], Projection projection, std::string& problem)
 {
   const char* wanted = nullptr;
@@ -147,7 +147,8 @@ f64::vec2 EnvironmentShape::GetSteps(const EnvironmentPlace& place) const
 {
   if (this->Kind == Projection::Cube)
   {
-    // A step of 2 / n in the face's plane, from `far` away: square to the view, or towards it.
+    // A step of 2 / n in the face's plane at distance `far`: perpendicular to the view, or along
+    // it.
     const double far = glm::length(f64::relievoDirectionFromCube(place.At, place.Slice));
     return f64::vec2(2. / this->Width / (far * far), 2. / this->Width / far);
   }
@@ -252,12 +253,12 @@ f32::vec3 EnvironmentImage::FetchCube(int face, int column, int row) const
   }
   if (column != inColumn && row != inRow)
   {
-    // Beyond a corner three texels meet, and no fourth one.
+    // Only three texels meet at a corner.
     return (this->GetTexel(face, inColumn, inRow) + this->FetchCube(face, column, inRow) +
              this->FetchCube(face, inColumn, row)) /
       3.f;
   }
-  // The texel across the edge: look from a little beyond it.
+  // The texel across the edge: found in a direction slightly beyond it.
   const double size = this->Shape.GetWidth();
   const auto beside = [size](int index, int inside) {
     return index == inside ? (index + 0.5) / size
@@ -274,13 +275,13 @@ f32::vec3 EnvironmentImage::FetchCube(int face, int column, int row) const
 //------------------------------------------------------------------------------
 f32::vec3 EnvironmentImage::FetchSphereMap(int column, int row) const
 {
-  // Texels with their centre outside of the circle hold nothing: the one inside that is nearest.
+  // Texels whose centre is outside the circle are empty: the nearest one inside is used.
   const int size = this->Shape.GetWidth();
   f64::vec2 away = f64::vec2(column + 0.5, row + 0.5) - 0.5 * size;
   const double distance = glm::length(away);
   if (distance > 0.5 * size)
   {
-    // Half a texel's diagonal and a little within the circle.
+    // Slightly more than half a texel's diagonal inside the circle.
     away *= std::max(0.5 * size - 0.75, 0.) / distance;
   }
   const f64::vec2 place = away + 0.5 * size;
@@ -299,7 +300,7 @@ f32::vec3 EnvironmentImage::Fetch(int slice, int column, int row) const
       return this->FetchSphereMap(column, row);
     default:
     {
-      // Over a pole one comes down on the other side.
+      // Crossing a pole leads to the other side.
       const int width = this->Shape.GetWidth();
       const int height = this->Shape.GetHeight();
       const bool over = row < 0 || row >= height;
@@ -313,7 +314,7 @@ f32::vec3 EnvironmentImage::Fetch(int slice, int column, int row) const
 //------------------------------------------------------------------------------
 f32::vec3 EnvironmentImage::Sample(const f32::vec3& direction) const
 {
-  // In float: a place's last bit is 1e-7 of the image, and this is what takes the time.
+  // In float: a coordinate's last bit is 1e-7 of the image, and this function dominates the time.
   f32::vec3 d = direction;
   d.z = this->Shape.IsMirrored() ? -d.z : d.z;
   int slice = 0;

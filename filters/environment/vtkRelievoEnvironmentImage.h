@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file vtkRelievoEnvironmentImage.h
- * @brief An environment's light by direction, out of an image of any projection.
+ * @brief The light of an environment image of any projection, by direction.
  *
- * Orientation: shaders/formulas/environment.glsl. A cube is one image of n x n x 6 points, its
- * slices the faces +x -x +y -y +z -z as they are given to OpenGL.
+ * Orientation: shaders/formulas/environment.glsl. A cube is one image of n x n x 6 points; its
+ * slices are the faces +x -x +y -y +z -z in OpenGL's order.
  */
 #ifndef vtkRelievoEnvironmentImage_h
 #define vtkRelievoEnvironmentImage_h
@@ -24,7 +24,7 @@ class vtkImageData;
 
 namespace relievo
 {
-/** The numbers are those of vtkRelievoEnvironmentConvert::ProjectionType. */
+/** Numbered as vtkRelievoEnvironmentConvert::ProjectionType. */
 enum class Projection
 {
   Automatic = 0,
@@ -33,24 +33,26 @@ enum class Projection
   SphereMap = 3
 };
 
-/** The projection of an image of this size, or Automatic where it has none: see the docstring of
- * vtkRelievoEnvironmentConvert::SetInputProjection. */
+/**
+ * The projection of an image of this size; Automatic if none fits. See the docstring of
+ * vtkRelievoEnvironmentConvert::SetInputProjection.
+ */
 Projection ProjectionOfSize(const int size[3]);
 
-/** The settings of a filter's input: each member, and what sets it. */
+/** Describes the settings of a filter's input, each by its member and setter. */
 void DescribeEnvironmentInput(vtkRelievoParameterList& list, const int& projection,
   const std::function<void(int)>& setProjection, const bool& srgb,
   const std::function<void(bool)>& setSRGB, const bool& mirrored,
   const std::function<void(bool)>& setMirrored);
 
-/** A place of an image: slice (face), and texture coordinates in it. */
+/** A position in an image: slice (face) and texture coordinates. */
 struct EnvironmentPlace
 {
   int Slice;
   f64::vec2 At;
 };
 
-/** The shape of an environment image: what its texels look at. */
+/** The shape of an environment image: maps positions to directions and back. */
 class EnvironmentShape
 {
 public:
@@ -66,19 +68,19 @@ public:
     return static_cast<vtkIdType>(this->Width) * this->Height * this->GetSlices();
   }
 
-  /** Direction of a place, not of length 1. */
+  /** Direction of a position, not normalised. */
   f64::vec3 GetDirection(const EnvironmentPlace& place) const;
 
-  /** Solid angle per area of [0, 1]^2 at a place, steradian; 0 outside of a sphere map's circle. */
+  /** Solid angle per area of [0, 1]^2, steradian; 0 outside a sphere map's circle. */
   double GetDensity(const EnvironmentPlace& place) const;
 
-  /** Angle between neighbouring texels about a place, radian: the smaller and the larger way. */
+  /** Angle between adjacent texels, radian: in the narrower and the wider direction. */
   f64::vec2 GetSteps(const EnvironmentPlace& place) const;
 
-  /** The place that looks in a direction, of any length. */
+  /** The position in the image of a direction of any length. */
   EnvironmentPlace GetPlace(const f64::vec3& direction) const;
 
-  /** The width of a cube's face with as much detail. */
+  /** The width of a cube face with the same level of detail. */
   double GetDetail() const;
 
 private:
@@ -93,20 +95,21 @@ class EnvironmentImage
 {
 public:
   /**
-   * Reads the image's array (null: none). One component is grey, of four the fourth is left out;
-   * integers are fractions of their largest number; sRGB makes them, or floats in [0, 1], linear.
-   * NaN counts as 0, infinity as 65504, the largest half. Words in `problem` when it cannot be.
+   * Reads the image's array (null: none). One component is grey; a fourth component is ignored.
+   * Integers are fractions of their type's largest number; sRGB values, also floats in [0, 1],
+   * become linear. NaN counts as 0, infinity as 65504, the largest half. If the image cannot be
+   * read, `problem` says why.
    */
   EnvironmentImage(vtkImageData* image, vtkDataArray* array, Projection projection, bool mirrored,
     bool sRGB, std::string& problem);
 
-  /** The projection that the constructor would take, and its words where there is none. */
+  /** The projection that the constructor would use; `problem` says why if there is none. */
   static Projection Check(
     vtkImageData* image, vtkDataArray* array, Projection projection, std::string& problem);
 
   const EnvironmentShape& GetShape() const { return this->Shape; }
 
-  /** The texel itself. */
+  /** A texel. */
   const f32::vec3& GetTexel(int slice, int column, int row) const
   {
     return this->Texels[(static_cast<std::size_t>(slice) * this->Shape.GetHeight() + row) *
@@ -114,7 +117,7 @@ public:
       column];
   }
 
-  /** The texel; of a sphere map's outside of the circle the nearest one inside. */
+  /** A texel; outside a sphere map's circle, the nearest one inside. */
   f32::vec3 GetLight(int slice, int column, int row) const
   {
     return this->Shape.GetProjection() == Projection::SphereMap
@@ -122,13 +125,16 @@ public:
       : this->GetTexel(slice, column, row);
   }
 
-  /** Between the four texels about a direction, of any length; over seams, poles and edges. */
+  /**
+   * Interpolates between the four texels around a direction of any length, across seams, poles and
+   * edges.
+   */
   f32::vec3 Sample(const f32::vec3& direction) const;
 
-  /** Whether both sizes are even, so that texels can be taken by fours. */
+  /** Whether both sizes are even, so that texels can be averaged in groups of four. */
   bool CanHalve() const;
 
-  /** Half as wide and high: each texel the mean of four over their solid angles. */
+  /** An image half as wide and high: each texel is the mean of four over their solid angles. */
   EnvironmentImage Halve() const;
 
 private:

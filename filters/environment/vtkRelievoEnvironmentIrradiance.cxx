@@ -31,7 +31,7 @@ vtkStandardNewMacro(vtkRelievoEnvironmentIrradiance);
 
 namespace
 {
-// Sums over a part of the sphere: solid angle, and light times harmonics.
+// Sums over part of the sphere: solid angle, and light times harmonics.
 struct Sums
 {
   double SolidAngle = 0.;
@@ -47,7 +47,7 @@ struct Sums
   }
 };
 
-// One line of texels, each of `parts` x `parts` parts with Gauss's 2 x 2 points.
+// Sums a line of texels, each divided into `parts` x `parts` with Gauss's 2 x 2 points.
 Sums SumLine(const EnvironmentImage& image, int slice, int row, int parts)
 {
   const EnvironmentShape& shape = image.GetShape();
@@ -138,7 +138,7 @@ int vtkRelievoEnvironmentIrradiance::RequestData(
   }
   const EnvironmentShape& shape = image.GetShape();
   const int parts = static_cast<int>(std::max(1., std::ceil(32. / shape.GetDetail())));
-  // Summed line by line, then in order: the same numbers with any number of threads.
+  // Summed per line, then in order: the result does not depend on the number of threads.
   std::vector<Sums> lines(static_cast<std::size_t>(shape.GetHeight()) * shape.GetSlices());
   vtkSMPTools::For(0, static_cast<vtkIdType>(lines.size()), [&](vtkIdType begin, vtkIdType end) {
     for (vtkIdType line = begin; line < end; ++line)

@@ -9,7 +9,7 @@
 
 namespace
 {
-// Texels across a face of the sharpest level: a second's work.
+// Texels across a face of the sharpest level: takes about a second.
 constexpr int LevelSize = 128;
 }
 

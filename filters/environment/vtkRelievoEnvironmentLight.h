@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What is made of a picture of all directions before it can be mirrored and light surfaces.
+// Prepares a picture of all directions for reflections and for lighting surfaces.
 #ifndef vtkRelievoEnvironmentLight_h
 #define vtkRelievoEnvironmentLight_h
 
@@ -19,15 +19,15 @@ class vtkAlgorithm;
 struct VTKRELIEVOFILTERS_EXPORT vtkRelievoEnvironmentLight
 {
   vtkSmartPointer<vtkImageData> Image;
-  bool SRGB = false;                            // whole numbers are; floats are linear light
+  bool SRGB = false;                            // integers are sRGB; floats are linear light
   vtkSmartPointer<vtkMultiBlockDataSet> Levels; // for rough mirrors
   vtkSmartPointer<vtkDataArray> Irradiance;     // for diffuse surfaces
 
-  // False, with words of what was expected in `failure`, for an image of another shape than that
-  // of all directions (twice as wide as high) or of a mirror ball (square).
+  // False, with the expected shape in `failure`, unless the image shows all directions (twice as
+  // wide as high) or a mirror ball (square).
   bool SetImage(vtkImageData* image, std::string& failure);
 
-  // Each is made once. tolerance: as of vtkRelievoEnvironmentPrefilter. `watch` sees the filter,
+  // Each is made once. tolerance: as in vtkRelievoEnvironmentPrefilter. `watch` gets the filter,
   // which takes a second, before it runs.
   void MakeIrradiance();
   void MakeLevels(

@@ -45,7 +45,7 @@ int PowerOfTwo(double atLeast)
   return power;
 }
 
-// The level of a roughness above 0, of `size` texels across.
+// The level for a roughness above 0, `size` texels across.
 vtkSmartPointer<vtkFloatArray> Blur(
   const CubePyramid& pyramid, int size, double roughness, double tolerance)
 {

@@ -61,8 +61,8 @@ public:
 
   ///@{
   /**
-   * The error that one square of the sum may have, as a share of the texel's light, 1e-7 to 1; a
-   * smaller one takes more squares. Default is 5e-4.
+   * The error allowed for one square of the sum, as a share of the texel's light, 1e-7 to 1;
+   * smaller values divide into more squares. Default is 5e-4.
    */
   vtkSetClampMacro(Tolerance, double, 1e-7, 1.);
   vtkGetMacro(Tolerance, double);

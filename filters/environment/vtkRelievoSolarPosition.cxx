@@ -19,13 +19,13 @@ double Wrap(double degrees)
   return rest < 0.0 ? rest + 360.0 : rest;
 }
 
-// To -180 up to 180.
+// Wraps degrees to [-180, 180).
 double WrapSigned(double degrees)
 {
   return Wrap(degrees + 180.0) - 180.0;
 }
 
-// The sun among the stars, in degrees.
+// The sun's position among the stars, in degrees.
 struct Sun
 {
   double MeanLongitude;
@@ -141,7 +141,7 @@ double vtkRelievoSolarPosition::GetEquationOfTime()
 double vtkRelievoSolarPosition::GetNoon()
 {
   double noon = 12.0;
-  for (int i = 0; i < 3; ++i) // the equation of time is that of the hour which is sought
+  for (int i = 0; i < 3; ++i) // the equation of time depends on the hour sought
   {
     const double days = this->GetDays(noon);
     const Sun sun = LocateSun(days);

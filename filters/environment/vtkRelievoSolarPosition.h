@@ -25,8 +25,8 @@ public:
 
   ///@{
   /**
-   * Year, month (1 to 12) and day (from 1) of the Gregorian calendar. A day beyond the end of the
-   * month counts on into the next: 30 February is 1 or 2 March. Default 2026, 6, 21.
+   * Year, month (1 to 12) and day (from 1) of the Gregorian calendar. Days beyond the end of the
+   * month continue into the next: 30 February is 1 or 2 March. Default 2026, 6, 21.
    */
   vtkSetVector3Macro(Date, int);
   vtkGetVector3Macro(Date, int);
@@ -34,8 +34,8 @@ public:
 
   ///@{
   /**
-   * Clock time in hours: 15.5 is half past three in the afternoon. Values below 0 and above 24 are
-   * on the days before and after. Default 12.
+   * Clock time in hours: 15.5 is half past three in the afternoon. Values below 0 and above 24 fall
+   * on adjacent days. Default 12.
    */
   vtkSetMacro(Hour, double);
   vtkGetMacro(Hour, double);
@@ -62,7 +62,7 @@ public:
   /** Whether the Gregorian calendar has this day. */
   static bool IsDay(int year, int month, int day);
 
-  /** Degrees from north, clockwise seen from above: 90 is east, 180 south; 0 to 360. */
+  /** Degrees from north, clockwise seen from above, 0 to 360: 90 is east, 180 south. */
   double GetAzimuth();
 
   /** Degrees above the horizon, -90 to 90; below 0 it is night. */

@@ -21,7 +21,7 @@ namespace
 {
 using Way = vtkRelievoPolygonOutline::Way;
 
-// The polygons of the output, of which the first ones are those of the input.
+// The polygons of the output; the first ones are those of the input.
 class PolygonList
 {
 public:
@@ -30,7 +30,7 @@ public:
   {
   }
 
-  // All but the polygons so far, which stay.
+  // Starts to collect polygons after the first `unchanged` ones, which stay.
   void Begin(vtkIdType unchanged)
   {
     this->Cells->AllocateExact(
@@ -56,7 +56,7 @@ public:
 private:
   vtkCellArray* const Before;
   vtkNew<vtkCellArray> Cells;
-  std::vector<vtkIdType> Of; // the input, for each polygon
+  std::vector<vtkIdType> Of; // input polygon of each output polygon
 };
 
 //------------------------------------------------------------------------------
@@ -128,7 +128,7 @@ int vtkRelievoConvexPolygons::RequestData(
     {
       changed = true;
       list.Begin(polygon);
-      polygons->GetCellAtId(polygon, count, ids); // which the list has gone on from
+      polygons->GetCellAtId(polygon, count, ids); // the list has moved on since
     }
     if (way == Way::Turned)
     {

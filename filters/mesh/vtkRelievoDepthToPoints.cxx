@@ -37,7 +37,7 @@ struct Camera
   f64::mat4 Projection = f64::mat4(1.);
 };
 
-// The names of the arrays that are there, for messages.
+// The names of existing arrays, for messages.
 std::string Names(vtkFieldData* fields)
 {
   std::ostringstream names;
@@ -49,7 +49,7 @@ std::string Names(vtkFieldData* fields)
   return fields->GetNumberOfArrays() ? names.str() : "none";
 }
 
-// The depth array, of one component on one slice; null with words for the message.
+// The one-component depth array of a single slice; null, with `problem` set, if there is none.
 vtkDataArray* GetDepth(vtkImageData* image, const std::string& name, std::string& problem)
 {
   if (image->GetDimensions()[2] > 1)
@@ -69,7 +69,7 @@ vtkDataArray* GetDepth(vtkImageData* image, const std::string& name, std::string
   return nullptr;
 }
 
-// 16 numbers, row by row, into columns; false with words for the message.
+// Reads 16 numbers, row by row, into columns; false, with `problem` set, if there are none.
 bool GetMatrix(vtkFieldData* fields, const char* name, f64::mat4& matrix, std::string& problem)
 {
   vtkDataArray* array = fields->GetArray(name);
@@ -95,8 +95,8 @@ bool GetMatrix(vtkFieldData* fields, const char* name, f64::mat4& matrix, std::s
   return true;
 }
 
-// The inverse of an affine matrix by its 3 x 3 part: what is left of a far-away translation when it
-// goes through 4 x 4 determinants is less exact.
+// Inverts an affine matrix by its 3 x 3 part: 4 x 4 determinants would lose digits of a far
+// translation.
 bool InvertAffine(const f64::mat4& matrix, f64::mat4& inverse)
 {
   const f64::mat3 linear(matrix);
@@ -170,11 +170,11 @@ int vtkRelievoDepthToPoints::RequestData(
   this->SetErrorCode(vtkErrorCode::NoError);
   if (input->GetNumberOfPoints() == 0)
   {
-    return 1; // of several processes those without a part of the image
+    return 1; // of several processes, those without part of the image
   }
   if (!GetDepth(input, name, problem) || !GetCamera(input->GetFieldData(), camera, problem))
   {
-    // The output stays empty. Status 0 would make the pipeline say it again in its own words.
+    // The output stays empty. Status 0 would make the pipeline report a second error.
     this->SetErrorCode(vtkErrorCode::UserError);
     vtkErrorMacro("No points: " << problem << ".");
     return 1;

@@ -41,8 +41,8 @@ public:
 
   ///@{
   /**
-   * Whether each point carries the values of all point arrays at its pixel, including depth.
-   * Default is on.
+   * Whether each point has the values of all point arrays at its pixel, including depth. Default is
+   * on.
    */
   vtkSetMacro(KeepArrays, bool);
   vtkGetMacro(KeepArrays, bool);
@@ -51,8 +51,8 @@ public:
 
   ///@{
   /**
-   * Uses every Stride-th column and row, from the lower left pixel. Default is 1, every pixel; at
-   * least 1.
+   * Uses every Stride-th column and row, from the lower left pixel; at least 1. Default is 1, every
+   * pixel.
    */
   vtkSetClampMacro(Stride, int, 1, VTK_INT_MAX);
   vtkGetMacro(Stride, int);

@@ -60,7 +60,7 @@ namespace
 {
 constexpr double Unknown = std::numeric_limits<double>::quiet_NaN();
 
-// One axis of the map: how many texels, how far apart in the array, whether it goes round.
+// One axis of the map: number of texels, their stride in the array, and whether it wraps.
 struct Axis
 {
   vtkIdType Count;
@@ -68,7 +68,7 @@ struct Axis
   bool Wrap;
 };
 
-// Heights of one component of an array, NaN where none is known.
+// Heights of one component of an array; NaN where unknown.
 template <typename ArrayT>
 class Heights
 {
@@ -80,8 +80,8 @@ public:
   {
   }
 
-  // Difference per step along `axis` at texel `i` of the line that starts at `line`; NaN when no
-  // two texels tell it.
+  // Difference per step along `axis` at texel `i` of the line that starts at `line`; NaN if fewer
+  // than two texels are known.
   double Slope(const Axis& axis, vtkIdType line, vtkIdType i) const
   {
     const double previous = this->At(axis, line, i - 1);
@@ -101,13 +101,13 @@ public:
     const double beside = ahead ? next : previous;
     const double beyond = this->At(axis, line, ahead ? i + 2 : i - 2);
     const double sign = ahead ? 1. : -1.;
-    // Through the parabola of three texels; through two where there is no third.
+    // Through the parabola of three texels; through two if there is no third.
     return sign *
       (std::isnan(beyond) ? beside - here : 2. * (beside - here) - 0.5 * (beyond - here));
   }
 
-  // The slope of Sobel's kernel: averaged over the lines beside, where both tell one: one alone
-  // would move the place of the slope.
+  // The slope of Sobel's kernel, averaged over both adjacent lines if both are known: one alone
+  // would shift the slope's position.
   double SmoothSlope(
     const Axis& axis, const Axis& across, vtkIdType slice, vtkIdType i, vtkIdType j) const
   {
@@ -125,7 +125,7 @@ public:
   }
 
 private:
-  // Index of a texel, round the edge or -1 beyond it.
+  // Index of an adjacent texel, wrapped, or -1 beyond the edge.
   static vtkIdType Neighbour(const Axis& axis, vtkIdType i)
   {
     if (axis.Wrap)
@@ -152,7 +152,7 @@ private:
   int Kernel;
 };
 
-// All that does not depend on the type of the heights.
+// The work that does not depend on the type of the heights.
 struct Work
 {
   Axis Columns;
@@ -240,7 +240,7 @@ int vtkRelievoHeightsToNormals::RequestInformation(
 int vtkRelievoHeightsToNormals::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector*)
 {
-  // Whatever part is asked for: a map that wraps needs its other side.
+  // Requests the whole input whatever part is asked for: a map that wraps needs its other side.
   vtkInformation* info = inputs[0]->GetInformationObject(0);
   int whole[6];
   info->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), whole);
@@ -254,7 +254,7 @@ int vtkRelievoHeightsToNormals::RequestData(
 {
   vtkImageData* input = vtkImageData::GetData(inputs[0]);
   vtkImageData* output = vtkImageData::GetData(outputs);
-  // An image that is empty is asked for again and again.
+  // The pipeline requests an empty image again and again.
   const bool isSaid = this->GetMTime() == this->RefusedAt;
   this->SetErrorCode(vtkErrorCode::NoError);
   output->Initialize();

@@ -95,15 +95,15 @@ public:
   ///@}
 
   ///@{
-  /** The component of the height array that is the height, from 0. Default is 0. */
+  /** The component of the array that holds the height, from 0. Default is 0. */
   vtkSetClampMacro(Component, int, 0, VTK_INT_MAX);
   vtkGetMacro(Component, int);
   ///@}
 
   ///@{
   /**
-   * Whether the map continues at the other side, as a repeated texture does: the texel after the
-   * last column (row) is the first one. Default is off for both.
+   * Whether the map continues at the other side, as a repeated texture does: the first column (row)
+   * follows the last one. Default is off for both.
    */
   vtkSetMacro(WrapColumns, bool);
   vtkGetMacro(WrapColumns, bool);
@@ -147,7 +147,7 @@ private:
   bool WrapColumns = false;
   bool WrapRows = false;
   bool FlipGreen = false;
-  vtkMTimeType RefusedAt = 0; // as its settings were then
+  vtkMTimeType RefusedAt = 0; // MTime of the refused settings
   vtkRelievoParameterList Parameters;
 
   vtkRelievoHeightsToNormals(const vtkRelievoHeightsToNormals&) = delete;

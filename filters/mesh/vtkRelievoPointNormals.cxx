@@ -35,7 +35,7 @@ vtkStandardNewMacro(vtkRelievoPointNormals);
 namespace
 {
 constexpr vtkIdType ChunkSize = 65536;  // points
-constexpr std::size_t ManyCorners = 48; // from which on a search pays
+constexpr std::size_t ManyCorners = 48; // above this, searching pays
 
 using Vector = std::array<float, 3>;
 
@@ -51,7 +51,7 @@ struct Polygons
 };
 
 //------------------------------------------------------------------------------
-// The polygons around each point, in their order: once for each of their corners there.
+// The polygons around each point, in order, once for each of their corners there.
 class Links
 {
 public:
@@ -62,7 +62,7 @@ public:
   {
     const vtkIdType corners = polygons.GetStart(polygons.Count);
     this->Of.resize(static_cast<std::size_t>(corners));
-    // Counts, then ends, which are beginnings once the polygons are filled in from the last one.
+    // Counts become ends, which become beginnings as polygons are filled in from the last one.
     for (vtkIdType corner = polygons.GetStart(0); corner < corners; ++corner)
     {
       ++this->Ends[static_cast<std::size_t>(polygons.Corners[corner])];
@@ -96,7 +96,7 @@ private:
 };
 
 //------------------------------------------------------------------------------
-// The points that a range needs beyond those it has.
+// The additional points that a range needs.
 struct Splits
 {
   struct Copy
@@ -107,7 +107,7 @@ struct Splits
   struct Move // of a corner
   {
     vtkIdType Corner;
-    std::size_t To; // one of the copies
+    std::size_t To; // index of the copy
   };
   std::vector<Copy> Copies;
   std::vector<Move> Moves;
@@ -122,7 +122,7 @@ Vector GetUnit(const Vector& sum)
 }
 
 //------------------------------------------------------------------------------
-// Groups the polygons around one point at a time.
+// Groups the polygons around one point.
 template <typename Id>
 class Grouping
 {
@@ -134,7 +134,7 @@ public:
   {
   }
 
-  // The point's own normal. `splits` gets those of its other groups.
+  // Returns the point's own normal; `splits` gets those of its other groups.
   Vector Do(vtkIdType point, const std::uint32_t* begin, const std::uint32_t* end, Splits& splits)
   {
     if (this->Group(point, begin, end) > 1)
@@ -156,12 +156,13 @@ private:
   struct Part // a polygon at the point
   {
     vtkIdType Polygon;
-    Id Beside[2]; // the points of the corners before and behind the point's first one
+    Id Beside[2]; // the points of the corners before and after the point's first one
     int Times;    // corners at the point
     int Group;
   };
   // A point of a part, beside the point of all, and which part it is. There are few, except at the
-  // tip of a cone.
+  // A point adjacent to the current one, and the part that has it. There are few, except at the tip
+  // of a cone.
   using Corner = std::pair<Id, std::uint32_t>;
 
   void AddNormal(vtkIdType polygon, Vector& sum) const
@@ -210,7 +211,7 @@ private:
     }
   }
 
-  // The one other part that has the point `beside`; nullptr: there is none, or there are several.
+  // The only other part with the adjacent point `beside`; nullptr if there is none, or several.
   Part* FindNeighbor(const Part* of, Id beside)
   {
     auto corner = this->Corners.begin();
@@ -243,7 +244,7 @@ private:
              this->Normals + 3 * a->Polygon, this->Normals + 3 * b->Polygon)) > this->LeastCosine;
   }
 
-  // How many groups there are.
+  // Returns the number of groups.
   int Group(vtkIdType point, const std::uint32_t* begin, const std::uint32_t* end)
   {
     this->List(point, begin, end);
@@ -353,7 +354,7 @@ std::vector<float> MakePolygonNormals(
 }
 
 //------------------------------------------------------------------------------
-// `normals` gets those of the points; what is returned is of the points' ranges, in order.
+// Writes the points' normals to `normals`; returns the splits of the points' ranges, in order.
 template <typename Id>
 std::vector<Splits> MakePointNormals(const Polygons<Id>& polygons, const Links& links,
   const float* ofPolygons, double leastCosine, vtkFloatArray* normals)
@@ -375,7 +376,7 @@ std::vector<Splits> MakePointNormals(const Polygons<Id>& polygons, const Links& 
 }
 
 //------------------------------------------------------------------------------
-// Room for the copies behind the points, and the corners that use them.
+// Makes room for the copies after the points, and updates the corners that use them.
 template <typename Id>
 void PutSplits(const std::vector<Splits>& splits, vtkCellArray* cells, vtkFloatArray* normals,
   vtkPolyData* output)
@@ -390,7 +391,7 @@ void PutSplits(const std::vector<Splits>& splits, vtkCellArray* cells, vtkFloatA
     return;
   }
   const vtkIdType before = normals->GetNumberOfTuples();
-  vtkNew<vtkIdList> from, to; // of the copies
+  vtkNew<vtkIdList> from, to; // point ids of the copies
   from->SetNumberOfIds(copies);
   to->SetNumberOfIds(copies);
   using Array = std::conditional_t<sizeof(Id) == 4, vtkTypeInt32Array, vtkTypeInt64Array>;
@@ -508,7 +509,7 @@ int vtkRelievoPointNormals::RequestData(
   {
     make(Large::FastDownCast(starts), Large::FastDownCast(corners));
   }
-  else // computed, or of other integers
+  else // computed, or of another integer type
   {
     vtkNew<vtkTypeInt64Array> allStarts, allCorners;
     allStarts->DeepCopy(starts);

@@ -35,8 +35,10 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /** Angle between the normals of two polygons, in degrees, from which on their edge is sharp:
-   * 0 to 180. Default: 30. */
+  /**
+   * Angle between the normals of two polygons, in degrees, from which their edge is sharp: 0 to
+   * 180. Default: 30.
+   */
   vtkSetClampMacro(FeatureAngle, double, 0., 180.);
   vtkGetMacro(FeatureAngle, double);
   ///@}

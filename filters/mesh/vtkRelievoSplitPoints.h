@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file vtkRelievoSplitPoints.h
- * @brief A mesh whose polygons use points of their own where one point cannot serve them all.
+ * @brief Splits points of a mesh where polygons cannot share one point.
  */
 #ifndef vtkRelievoSplitPoints_h
 #define vtkRelievoSplitPoints_h
@@ -17,8 +17,8 @@ class vtkPolyData;
 namespace relievo
 {
 /**
- * Tells points apart by what their corners ask for: Count numbers. The first one to ask for a point
- * gets the point itself, whoever asks for other numbers gets a new one at the end.
+ * Splits points by the values that their corners request: Count numbers. The first request for a
+ * point gets the point itself; requests with other values get a new point at the end.
  */
 template <std::size_t Count>
 class PointSplitter
@@ -36,7 +36,7 @@ public:
     }
   }
 
-  /** The number of the point that `point` is for a corner with these values. */
+  /** The point to use in place of `point` by a corner with these values. */
   vtkIdType Get(vtkIdType point, const Values& values)
   {
     if (!this->Asked[point].Used)
@@ -60,10 +60,10 @@ public:
     return slot;
   }
 
-  /** Per point of the result the point of the input. */
+  /** The input point of each output point. */
   const std::vector<vtkIdType>& GetOriginals() const { return this->Originals; }
 
-  /** What was asked of a point of the result; zeros when nobody asked. */
+  /** The values requested for an output point; zeros if there was no request. */
   const Values& GetValues(vtkIdType point) const { return this->Asked[point].Of; }
 
 private:

@@ -15,7 +15,7 @@ namespace relievo
 {
 namespace
 {
-// Bit patterns of numbers; -0 is 0.
+// Bit patterns of numbers; -0 counts as 0.
 template <std::size_t Count>
 struct Bits
 {
@@ -53,13 +53,13 @@ glm::dvec3 UnitOrZero(const glm::dvec3& v)
   return size > 0. && std::isfinite(size) ? v / size : glm::dvec3(0.);
 }
 
-// v without its part along the unit normal n, of length 1 or 0.
+// v without its component along the normal n, which has length 1 or 0.
 glm::dvec3 InPlane(const glm::dvec3& v, const glm::dvec3& n)
 {
   return UnitOrZero(v - n * glm::dot(n, v));
 }
 
-// A unit vector across n: along the axis that n has least of.
+// A unit vector perpendicular to n: from the axis along which n is smallest.
 glm::dvec3 AcrossNormal(const glm::dvec3& n)
 {
   const glm::dvec3 size = glm::abs(n);
@@ -145,7 +145,7 @@ void TangentSpace::MeasureFaces()
     const glm::dvec2 t1 = corner[1]->Texture - corner[0]->Texture;
     const glm::dvec2 t2 = corner[2]->Texture - corner[0]->Texture;
     const double area = t1.x * t2.y - t1.y * t2.x;
-    // What coordinates that were floats may make of a triangle without area.
+    // Texture area that rounding to float may give a triangle without area.
     double largest = 0.;
     for (const Vertex* v : corner)
     {
@@ -157,7 +157,7 @@ void TangentSpace::MeasureFaces()
     face.Preserving = area > 0.;
     face.S = UnitOrZero(s) * (face.Preserving ? 1. : -1.);
     face.T = UnitOrZero(t) * (face.Preserving ? 1. : -1.);
-    // Written so that NaN ends up without area.
+    // Written so that NaN counts as without area.
     const bool measured = std::abs(area) > doubt && std::isfinite(area) && glm::dot(s, s) > 0. &&
       glm::dot(t, t) > 0. && std::isfinite(glm::dot(s, s) + glm::dot(t, t));
     face.JoinsAny = face.Collapsed || !measured;
@@ -168,8 +168,8 @@ void TangentSpace::MeasureFaces()
 //------------------------------------------------------------------------------
 void TangentSpace::FindNeighbours()
 {
-  // Faces at each edge in their order, by the two vertices. A neighbour runs through the edge the
-  // other way; where more than two faces meet, they are paired in order.
+  // Faces at each edge, in order, by its two vertices. An adjacent face runs through the edge in
+  // the other direction; if more than two faces meet, they are paired in order.
   struct Edge
   {
     std::uint64_t Key;
@@ -250,7 +250,7 @@ void TangentSpace::Grow(int group, int first)
     }
     face.Group[i] = group;
     all.Faces.push_back(f);
-    // The last one first: a face without texture area goes to whom it meets first.
+    // The last neighbour first: a face without texture area takes the group that reaches it first.
     for (const int next : { face.Neighbour[(i + 2) % 3], face.Neighbour[i] })
     {
       if (next != None)
@@ -285,8 +285,8 @@ void TangentSpace::Average(Group& group)
     }
   }
   const glm::dvec3 tangent = UnitOrZero(sum);
-  // The side on which v grows. Where triangles wind the way their normals want it is told by
-  // `Preserving`, which stands in where it cannot be seen.
+  // The side towards which v grows. If triangles wind as their normals require, `Preserving` tells
+  // it; it also decides where the side cannot be determined.
   const double side = glm::dot(glm::cross(normal, tangent), bitangents);
   const bool right = side != 0. ? side > 0. : group.Preserving;
   group.Tangent =

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file vtkRelievoTangentSpace.h
- * @brief Tangents at the corners of triangles as vtkRelievoTangents makes them, on plain arrays.
+ * @brief Tangents at the corners of triangles, as vtkRelievoTangents makes them, on plain arrays.
  */
 #ifndef vtkRelievoTangentSpace_h
 #define vtkRelievoTangentSpace_h
@@ -18,15 +18,15 @@
 namespace relievo
 {
 /**
- * M. Mikkelsen, Simulation of Wrinkled Surfaces Revisited, 2008: corners are joined where position,
- * normal and texture coordinate are the same numbers; around such a vertex those triangles that
- * meet in edges and whose textures have the same handedness share a tangent: the average of theirs,
- * each put into the plane of the vertex's normal, by the angles of their corners.
+ * Method: M. Mikkelsen, Simulation of Wrinkled Surfaces Revisited, 2008. Corners with equal
+ * position, normal and texture coordinate are joined. Around such a vertex, triangles that share
+ * edges and whose textures have the same handedness share a tangent: the average of theirs, each
+ * projected into the plane of the vertex's normal, weighted by the angles of their corners.
  */
 class TangentSpace
 {
 public:
-  /** What a corner is made of. A normal without length puts nothing into a plane. */
+  /** A corner's values. A normal without length projects nothing. */
   struct Vertex
   {
     glm::dvec3 Position;
@@ -36,13 +36,15 @@ public:
 
   using Triangle = std::array<int, 3>;
 
-  /** Triangles are numbers of vertices; vertices may be the same ones several times. */
+  /** Triangles are triples of indices into the vertices, of which several may be equal. */
   TangentSpace(std::vector<Vertex> vertices, const std::vector<Triangle>& triangles);
 
   /** The unit tangent of a corner, and w: its bitangent is w cross(normal, tangent). */
   glm::dvec4 GetTangent(std::size_t triangle, int corner) const;
 
-  /** Triangles whose texture coordinates (or positions) have no area: no tangent of their own. */
+  /**
+   * Triangles without area in texture coordinates or positions: they have no tangent of their own.
+   */
   std::size_t GetNumberOfDegenerate() const { return this->NumberOfDegenerate; }
 
 private:
@@ -50,14 +52,14 @@ private:
 
   struct Face
   {
-    Triangle Vertex;                               // joined ones, by one of them
+    Triangle Vertex; // joined vertices, each represented by one of them
     Triangle Neighbour = { { None, None, None } }; // across the edge after corner i
     Triangle Group = { { None, None, None } };
     glm::dvec3 S = glm::dvec3(0.); // along growing u
     glm::dvec3 T = glm::dvec3(0.); // along growing v
     bool Preserving = false;       // the texture is not mirrored
-    bool JoinsAny = true;          // no texture area: takes what it is given
-    bool Collapsed = false;        // two corners are in one place
+    bool JoinsAny = true;          // no texture area: takes the tangent of its neighbours
+    bool Collapsed = false;        // two corners coincide
   };
 
   struct Group
@@ -76,7 +78,7 @@ private:
   void Average(Group& group);
 
   std::vector<Vertex> Vertices;
-  std::vector<int> Place; // per vertex one that has its position
+  std::vector<int> Place; // a representative vertex at the same position
   std::vector<Face> Faces;
   std::vector<Group> Groups;
   std::vector<int> GroupOfVertex;

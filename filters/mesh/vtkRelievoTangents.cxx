@@ -29,7 +29,7 @@ vtkStandardNewMacro(vtkRelievoTangents);
 
 namespace
 {
-// Values that a corner asks of its point: tangent, and the normal of a mesh that is flat.
+// Values that a corner requests of its point: its tangent, and the normal of a flat mesh.
 using Splitter = relievo::PointSplitter<7>;
 
 glm::dvec3 VectorAt(vtkDataArray* array, vtkIdType i)
@@ -43,7 +43,7 @@ bool IsVectors(vtkDataArray* array, vtkIdType count)
   return array && array->GetNumberOfComponents() == 3 && array->GetNumberOfTuples() == count;
 }
 
-// The corners' points, three a triangle; empty when a polygon is none.
+// The corners' points, three per triangle; empty if any polygon is not a triangle.
 std::vector<vtkIdType> Corners(vtkCellArray* polys)
 {
   std::vector<vtkIdType> corners;
@@ -71,7 +71,7 @@ TangentSpace::Vertex VertexOf(vtkPolyData* mesh, vtkDataArray* texture, vtkIdTyp
     glm::dvec2(texture->GetComponent(point, 0), texture->GetComponent(point, 1)) };
 }
 
-// Vertices with the points' normals: triangles are their corners.
+// Vertices with the points' normals; corners of triangles refer to them.
 TangentSpace SmoothSpace(vtkPolyData* mesh, vtkDataArray* texture, vtkDataArray* normals,
   const std::vector<vtkIdType>& corners)
 {
@@ -90,13 +90,13 @@ TangentSpace SmoothSpace(vtkPolyData* mesh, vtkDataArray* texture, vtkDataArray*
   return TangentSpace(std::move(vertices), triangles);
 }
 
-// A vertex a corner, with the triangle's normal, which is also written to `flat`.
+// One vertex per corner, with the triangle's normal, which is also written to `flat`.
 TangentSpace FlatSpace(vtkPolyData* mesh, vtkDataArray* texture,
   const std::vector<vtkIdType>& corners, std::vector<glm::dvec3>& flat)
 {
   vtkDataArray* normals = mesh->GetCellData()->GetNormals();
   const bool given = IsVectors(normals, mesh->GetNumberOfCells());
-  // Cells are counted vertices first, then lines, then polygons.
+  // VTK numbers vertices first, then lines, then polygons.
   const vtkIdType first = mesh->GetNumberOfVerts() + mesh->GetNumberOfLines();
   std::vector<TangentSpace::Vertex> vertices;
   std::vector<TangentSpace::Triangle> triangles(corners.size() / 3);
@@ -203,7 +203,7 @@ int vtkRelievoTangents::RequestData(
   };
   const std::string name = this->TangentsName ? this->TangentsName : "tangent";
   makeArray(name.c_str(), 4, 0);
-  // VTK's attribute has three components; what it takes the other side from is its users' affair.
+  // VTK's attribute has three components; its users determine the handedness themselves.
   const std::string active = name == "Tangents" ? "Tangents (active)" : "Tangents";
   makeArray(active.c_str(), 3, 0);
   output->GetPointData()->SetActiveTangents(active.c_str());

@@ -48,7 +48,7 @@ vtkRelievoTextureCoordinates::vtkRelievoTextureCoordinates()
 
 namespace
 {
-// The mesh with its points counted from the lower corner of their bounds.
+// The mesh, with points relative to the lower corner of their bounds.
 class Mesh
 {
 public:
@@ -107,7 +107,7 @@ glm::dvec3 AxisOf(int number)
   return axis;
 }
 
-// A way to look at the mesh: along -normal, v upwards where that can be, u to the right.
+// A projection of the mesh: along -normal, v upwards if possible, u to the right.
 class Side
 {
 public:
@@ -119,7 +119,7 @@ public:
     this->V = v;
   }
 
-  // Counts places from the lower left of what lies in the bounds.
+  // Starts coordinates at the lower left of the projected bounds.
   void StartAtBounds(const glm::dvec3& size)
   {
     const glm::dvec3 none(0.);
@@ -128,7 +128,7 @@ public:
     this->Start = glm::dvec2(u.x + u.y + u.z, v.x + v.y + v.z);
   }
 
-  // The larger extent of the points; places are counted from their lower left.
+  // Starts coordinates at the points' lower left; returns their larger extent.
   double StartAtPoints(const Mesh& mesh)
   {
     glm::dvec2 lower(std::numeric_limits<double>::max());
@@ -155,7 +155,8 @@ private:
   glm::dvec2 Start = glm::dvec2(0.);
 };
 
-// Least squares through the points, from the side that the polygons show.
+// Fits a plane to the points by least squares; returns its normal on the side that the polygons
+// face.
 glm::dvec3 FitNormal(const Mesh& mesh, int up)
 {
   std::vector<glm::dvec3> points;
@@ -196,7 +197,7 @@ glm::dvec3 FitNormal(const Mesh& mesh, int up)
     shown += mesh.GetArea(corners);
   }
   const double side = glm::dot(shown, normal);
-  // A closed body shows no side: from above then.
+  // A closed body faces no side: it is then projected from above.
   const bool open = std::abs(side) > 1e-6 * glm::dot(mesh.GetSize(), mesh.GetSize());
   return (open ? side : normal[up]) < 0. ? -normal : normal;
 }
@@ -206,7 +207,7 @@ double OrOne(double size)
   return size > 0. && std::isfinite(size) ? size : 1.;
 }
 
-// The texture coordinates of one corner after the other.
+// The texture coordinates of all corners in order.
 using Coordinates = std::vector<glm::dvec2>;
 
 Coordinates MapBox(const Mesh& mesh, double tile, int up)
@@ -226,7 +227,7 @@ Coordinates MapBox(const Mesh& mesh, double tile, int up)
     mesh.GetPoly(cell, corners);
     const glm::dvec3 area = mesh.GetArea(corners);
     const glm::dvec3 amount = glm::abs(area);
-    // Polygons without area lie on top.
+    // Polygons without area are projected from above.
     int axis = up;
     for (int other : { (up + 1) % 3, (up + 2) % 3 })
     {
@@ -287,7 +288,7 @@ Coordinates MapSphere(const Mesh& mesh, double tile, int up)
     for (std::size_t i = first; i < result.size(); ++i)
     {
       const bool pole = std::find(poles.begin(), poles.end(), i) != poles.end();
-      // Over the seam: the corners that it has left behind go on above 1.
+      // Corners beyond the seam continue above 1.
       result[i].x += !pole && high - low > 0.5 && result[i].x < 0.5 ? 1. : 0.;
       sum += pole ? 0. : result[i].x;
     }

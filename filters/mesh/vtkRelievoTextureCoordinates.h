@@ -71,7 +71,7 @@ public:
   ///@}
 
   ///@{
-  /** The axis that is up: 0 x, 1 y, 2 z. Default is 2. */
+  /** The axis that points up: 0 x, 1 y, 2 z. Default is 2. */
   vtkSetClampMacro(Up, int, 0, 2);
   vtkGetMacro(Up, int);
   ///@}

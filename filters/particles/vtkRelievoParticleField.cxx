@@ -26,8 +26,8 @@ using namespace relievo;
 
 namespace
 {
-// Rms lengths of the noise's gradient, a cell, and of the product of the two noises' (measured at
-// 3e6 places; testSurfaceParticles checks the speeds).
+// Rms lengths, per cell, of the noise's gradient and of the product of both noises' gradients
+// (measured at 3e6 positions; testSurfaceParticles checks the speeds).
 constexpr double GradientLength = 3.004;
 constexpr double ProductLength = 7.630;
 
@@ -40,11 +40,11 @@ bool IsFinite(const glm::dvec3& v)
 //------------------------------------------------------------------------------
 struct vtkRelievoParticleField::Leaf
 {
-  vtkSmartPointer<vtkDataSet> Data; // as it was, whatever the input becomes
+  vtkSmartPointer<vtkDataSet> Data; // a copy, unaffected by later changes of the input
   vtkImageData* Image = nullptr;    // with the array on its points
   vtkSmartPointer<vtkDataArray> Array;
   bool OnCells = false;
-  vtkNew<vtkStaticCellLocator> Locator; // where there is no image
+  vtkNew<vtkStaticCellLocator> Locator; // used without an image
 };
 
 //------------------------------------------------------------------------------
@@ -112,11 +112,11 @@ vtkRelievoParticleField::Reader::~Reader() = default;
 glm::dvec3 vtkRelievoParticleField::Reader::Gradient(
   const glm::dvec3& position, unsigned int which) const
 {
-  // The two noises lie a part of a cell apart: all noises are 0 at the corners of their lattice.
+  // The two noises are offset by part of a cell: every noise is 0 at the corners of its lattice.
   const glm::dvec3 cells = position / this->Field.NoiseScale + 0.375 * which;
   if (!IsFinite(cells))
   {
-    return glm::dvec3(0.); // cells that are too narrow to be told apart
+    return glm::dvec3(0.); // cells too narrow to be distinguished
   }
   const NoiseCell x = NoiseCell::Of(cells.x);
   const NoiseCell y = NoiseCell::Of(cells.y);
@@ -141,11 +141,11 @@ glm::dvec3 vtkRelievoParticleField::Reader::Sum(const glm::dvec3& position, cons
 glm::dvec3 vtkRelievoParticleField::Reader::OnSurface(
   const glm::dvec3& position, const glm::dvec3& normal)
 {
-  // The curl of noise times the normal: it has no divergence on the surface.
+  // The curl of noise times the normal has no divergence on the surface.
   glm::dvec3 noise(0.);
   if (this->Field.NoiseSpeed != 0.)
   {
-    // Two thirds of a square are tangential.
+    // Two thirds of the squared length are tangential.
     const double scale = this->Field.NoiseSpeed / GradientLength * std::sqrt(1.5);
     noise = scale * glm::cross(normal, this->Gradient(position, 0));
   }
@@ -155,7 +155,7 @@ glm::dvec3 vtkRelievoParticleField::Reader::OnSurface(
 //------------------------------------------------------------------------------
 glm::dvec3 vtkRelievoParticleField::Reader::InSpace(const glm::dvec3& position)
 {
-  // The product of two gradients is the curl of a noise times the gradient of the other.
+  // The cross product of the gradients is the curl of one noise times the gradient of the other.
   glm::dvec3 noise(0.);
   if (this->Field.NoiseSpeed != 0.)
   {
@@ -181,7 +181,7 @@ glm::dvec3 vtkRelievoParticleField::Reader::OfArray(const glm::dvec3& position)
     {
       int cell[3];
       double part[3];
-      // Beyond an image its field is 0.
+      // Outside an image, its field is 0.
       if (least > 0. && leaf->Image->ComputeStructuredCoordinates(&position.x, cell, part))
       {
         least = 0.;
@@ -197,7 +197,7 @@ glm::dvec3 vtkRelievoParticleField::Reader::OfArray(const glm::dvec3& position)
             at[axis] = std::min(cell[axis] + high, extent[2 * axis + 1]);
             weight *= high ? part[axis] : 1. - part[axis];
           }
-          if (weight > 0.) // what is not finite counts only where it is
+          if (weight > 0.) // non-finite values count only where they have weight
           {
             found += weight * value(leaf->Image->ComputePointId(at));
           }
@@ -209,9 +209,9 @@ glm::dvec3 vtkRelievoParticleField::Reader::OfArray(const glm::dvec3& position)
     vtkIdType id = -1;
     int part = 0;
     double distance2 = 0.;
-    glm::dvec3 place = position; // VTK takes no constant
+    glm::dvec3 place = position; // VTK takes no const pointer
     int inside = 0;
-    // Most places are on the data: a small ball is searched much faster than all.
+    // Most positions lie on the data: searching a small ball is much faster than the whole.
     if (!leaf->Locator->FindClosestPointWithinRadius(
           &place.x, this->Field.Near, closest, this->Cell, id, part, distance2, inside))
     {

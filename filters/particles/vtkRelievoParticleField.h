@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What moves particles: the sum of a velocity, the curl of noise, and an array of vectors.
+// The velocity field of particles: the sum of a constant, the curl of noise, and an array of
+// vectors.
 #ifndef vtkRelievoParticleField_h
 #define vtkRelievoParticleField_h
 
@@ -26,18 +27,19 @@ public:
   double NoiseSpeed = 0.; // rms
   double NoiseScale = 1.; // world units between corners of the noise's lattice
   unsigned int NoiseSeed = 0;
-  double Near = 0.; // how far places mostly are from the data that have the array, at most
+  double Near =
+    0.; // typical upper bound of the distance between positions and the data that have the array
 
-  // Vectors with three components at the points of the data, or at their cells. Returns what is
-  // wrong, or an empty text.
+  // Sets an array of three-component vectors at the points or cells of the data. Returns the error,
+  // or an empty text.
   std::string SetArray(vtkDataObject* data, const std::string& name);
 
   void ClearArray();
 
-  // Whether it is the same everywhere.
+  // Whether the field is constant.
   bool IsUniform() const { return this->NoiseSpeed == 0. && this->Leaves.empty(); }
 
-  // A reader for a thread.
+  // Reads the field; one for each thread.
   class Reader
   {
   public:
@@ -45,7 +47,7 @@ public:
     ~Reader();
 
     // The velocity on a surface with this normal, 0 where the field is not finite. Noise is
-    // tangential; the others need not be.
+    // tangential; the other terms need not be.
     glm::dvec3 OnSurface(const glm::dvec3& position, const glm::dvec3& normal);
     // The velocity in space.
     glm::dvec3 InSpace(const glm::dvec3& position);

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The inputs of particles, and keys of what they hold. What executes again and makes the same does
-// not change a key, so what was computed from it stays.
+// The inputs of particles, and keys of their content. An input that executes again with the same
+// result keeps its key, so cached results stay valid.
 #ifndef vtkRelievoParticleInputs_h
 #define vtkRelievoParticleInputs_h
 
@@ -31,28 +31,28 @@ enum Port
   PORTS
 };
 
-// The first data of a port, or nullptr.
+// The first data object of a port, or nullptr.
 vtkDataObject* Get(vtkInformationVector** inputs, int port);
 
-// These differ if anything was executed or modified.
+// Time stamps that change if any input executes or is modified.
 std::vector<vtkMTimeType> GetStamps(vtkInformationVector** inputs);
 
-// Asks for all of an input, at its first time.
+// Requests the whole input at its first time step.
 void RequestWhole(vtkInformation* input);
 
-// The first and the one after the last of so many particles that an output is asked for.
+// The range [first, end) of the particles that an output is asked for.
 std::pair<vtkIdType, vtkIdType> GetPiece(vtkInformation* output, vtkIdType count);
 
-// A hash of 64 bits over all that was added, in order.
+// A 64-bit hash of everything added, in order.
 class Key
 {
 public:
   Key& Add(double value);
   Key& Add(const std::string& text);
   Key& Add(vtkDataArray* array); // or nullptr
-  // Points and cells: those of vtkPolyData and vtkImageData by value, others by their MTime.
+  // Points and cells: vtkPolyData and vtkImageData by value, others by MTime.
   Key& AddShape(vtkDataSet* data);
-  // The shapes of a data set or the leaves of a composite, and the arrays of this name.
+  // The shapes of a data set or of a composite's leaves, and their arrays of this name.
   Key& AddData(vtkDataObject* data, const std::string& array);
   // Depth images of a port.
   Key& AddImages(vtkInformationVector* images);

@@ -15,7 +15,7 @@
 
 namespace
 {
-// Purposes of random numbers below this one are others'.
+// Lower purposes of random numbers are used elsewhere.
 constexpr unsigned int FirstPurpose = 8;
 }
 
@@ -40,7 +40,7 @@ vtkRelievoParticleInterior::vtkRelievoParticleInterior(const vtkRelievoParticleM
   {
     this->FindColumns();
   }
-  // How many places it takes to find one inside: as many for all particles, whoever asks.
+  // Estimates the share of positions inside, equally for all particles and pieces.
   constexpr vtkIdType Samples = 65536;
   std::atomic<vtkIdType> inside{ 0 };
   vtkSMPTools::For(0, Samples, 1024, [&](vtkIdType begin, vtkIdType end) {
@@ -52,14 +52,14 @@ vtkRelievoParticleInterior::vtkRelievoParticleInterior(const vtkRelievoParticleM
     }
     inside += count;
   });
-  // One particle in ten million finds none.
+  // Fails for one particle in ten million.
   constexpr vtkIdType Enough = 16;
   this->Attempts =
     inside < Enough ? 0 : static_cast<unsigned int>((Enough * Samples + inside - 1) / inside);
 }
 
 //------------------------------------------------------------------------------
-// Along the axis that has the least between front and back.
+// Uses the axis with the least volume between front and back.
 void vtkRelievoParticleInterior::FindColumns()
 {
   for (std::size_t front = 0; front + 1 < this->Maps.Views.size(); front += 2)
@@ -100,7 +100,7 @@ bool vtkRelievoParticleInterior::Draw(
   const auto found = std::upper_bound(this->Lengths.begin(), this->Lengths.end(), length);
   if (found == this->Lengths.end())
   {
-    return false; // nothing is between front and back
+    return false; // no space between front and back
   }
   const auto texel = static_cast<std::size_t>(found - this->Lengths.begin());
   const double before = texel > 0 ? this->Lengths[texel - 1] : 0.;

@@ -23,13 +23,13 @@
 
 namespace
 {
-// Texels within which a moved place is on the same surface.
+// Distance in texels up to which a moved position stays on the same surface.
 constexpr double Reach = 1.5;
 
-// Below this cosine another view is looked for. On any surface one of six has 0.577.
+// Below this cosine, another view is tried. On any surface, one of six views has at least 0.577.
 constexpr double Grazing = 0.5;
 
-// From three rows.
+// The matrix with these rows.
 glm::dmat3 Rows(const glm::dvec3& x, const glm::dvec3& y, const glm::dvec3& z)
 {
   return glm::transpose(glm::dmat3(x, y, z));
@@ -177,9 +177,9 @@ bool vtkRelievoParticleMaps::Hold(const glm::dvec3& position, const vtkRelievoPa
 }
 
 //------------------------------------------------------------------------------
-// Where the own view sees nothing more, or another surface. The nearest place that another view
-// sees counts, then the edge of what its own sees. The other side of a sheet does not: a place goes
-// there around its edge only.
+// Used if the current view sees no surface here, or another one. Takes the nearest position that
+// another view sees, or else the edge of the current view's surface. The other side of a sheet does
+// not count: particles get there only around its edge.
 bool vtkRelievoParticleMaps::GoOver(const glm::dvec3& position, const vtkRelievoParticlePlace& from,
   int& view, vtkRelievoParticlePlace& place) const
 {
@@ -229,7 +229,7 @@ bool vtkRelievoParticleMaps::PushInside(glm::dvec3& position, double farthest) c
   vtkRelievoParticlePlace place;
   for (int push = 0; push < Pushes; ++push)
   {
-    // Of the surfaces that it is before, the one that is least far along its normal.
+    // Among the surfaces that the position is in front of, the one nearest along its normal.
     double least = std::numeric_limits<double>::infinity();
     glm::dvec3 inwards(0.);
     bool outside = false;
@@ -245,7 +245,7 @@ bool vtkRelievoParticleMaps::PushInside(glm::dvec3& position, double farthest) c
       {
         continue;
       }
-      // Beside all that a view sees, towards the edge of that.
+      // Beside everything that a view sees: towards the edge of the visible part.
       const bool before = std::isfinite(height);
       const glm::dvec3 way = place.Position - moved;
       const double distance = before ? height * std::max(place.Facing, 0.1) : glm::length(way);
@@ -260,7 +260,7 @@ bool vtkRelievoParticleMaps::PushInside(glm::dvec3& position, double farthest) c
       position = moved;
       return true;
     }
-    // A little farther: on the border itself rounding decides.
+    // Slightly farther: on the border itself, rounding decides.
     moved += inwards * (1. + 1e-6) + glm::sign(inwards) * 1e-9 * this->GetTexelSize();
     if (!(glm::distance(moved, position) <= farthest))
     {
@@ -280,7 +280,7 @@ bool vtkRelievoParticleMaps::FindNearest(glm::dvec3& position, int& view) const
 {
   vtkRelievoParticlePlace place;
   glm::dvec3 nearest(0.);
-  // At the border of what a view sees, the nearest texel may see nothing.
+  // At the border of the visible part, the nearest texel may be empty.
   for (const bool snap : { false, true })
   {
     double least = std::numeric_limits<double>::infinity();
@@ -292,7 +292,7 @@ bool vtkRelievoParticleMaps::FindNearest(glm::dvec3& position, int& view) const
         continue;
       }
       const double distance = glm::distance(place.Position, position) / texel;
-      // Views that graze the surface come last.
+      // Views at grazing angles come last.
       const double rank = distance + (place.Facing < Grazing ? 1. : 0.);
       if (distance <= 1. && rank < least)
       {

@@ -30,7 +30,7 @@ vtkSmartPointer<vtkFloatArray> Floats(const char* name, int components, vtkIdTyp
   return array;
 }
 
-// Turns x to the normal and y to the velocity, or anywhere where there is none.
+// Rotates x to the normal and y to the velocity; any rotation about x without a velocity.
 glm::quat Orientation(const glm::vec3& normal, const glm::vec3& velocity)
 {
   glm::vec3 y = velocity - glm::dot(velocity, normal) * normal;

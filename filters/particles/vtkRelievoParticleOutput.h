@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Particles as points with arrays.
+// Writes particles as points with arrays.
 #ifndef vtkRelievoParticleOutput_h
 #define vtkRelievoParticleOutput_h
 
@@ -25,15 +25,16 @@ struct vtkRelievoParticleOutput
   const vtkRelievoParticleField& Field;
   bool Inside;
   bool Orientations;
-  // Numbers and cells of the particles, which the outputs of all times share; Write makes them if
-  // there are none of that count.
+  // Numbers and cells of the particles, shared by the outputs of all times; Write makes them if
+  // their count differs.
   vtkSmartPointer<vtkIdTypeArray>& Numbers;
   vtkSmartPointer<vtkCellArray>& Vertices;
 
-  // The names of the point data that do not go along, as particles have their own; or nothing.
+  // The names of the start's point arrays that are left out because particles have their own; or an
+  // empty text.
   std::string FindReplaced(vtkDataSet* start) const;
 
-  // Particles, the first of which has this number; their start's point data go along.
+  // Writes particles, numbered from `first`; their start's point data are copied.
   void Write(const vtkRelievoParticleState& state, vtkIdType first, vtkDataSet* start,
     vtkPolyData* output) const;
 

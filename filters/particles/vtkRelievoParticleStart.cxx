@@ -26,7 +26,7 @@ struct Triangle
   double Area = 0.;
 };
 
-// Of the fan of triangles that a polygon is, that which ends at a corner from 2 on.
+// A polygon is a fan of triangles: returns the one that ends at corner `last`, from 2 on.
 Triangle GetTriangle(vtkPolyData* surface, vtkIdList* points, vtkIdType last)
 {
   Triangle triangle;
@@ -102,7 +102,7 @@ void vtkRelievoParticleStart::MeasurePolygons()
   {
     if (surface->GetNumberOfStrips() > 0)
     {
-      this->Areas.clear(); // texels are spread over
+      this->Areas.clear(); // particles are spread over texels
       return;
     }
     this->Firsts.push_back(this->Areas.size());
@@ -121,7 +121,8 @@ void vtkRelievoParticleStart::MeasurePolygons()
 }
 
 //------------------------------------------------------------------------------
-// By area, and again where nothing is seen: even to within the texel that a place is moved by.
+// Samples by area, again if the sample is not visible: even to within the texel by which a position
+// is moved.
 bool vtkRelievoParticleStart::SpreadOnPolygons(
   vtkIdType i, double share, glm::dvec3& position, int& view) const
 {
@@ -254,7 +255,7 @@ vtkRelievoParticleState vtkRelievoParticleStart::AtPoints(
   locator->SetDataSet(seen);
   locator->BuildLocator();
   double any[3];
-  points->GetPoint(0, any); // a data set may make what the threads then share
+  points->GetPoint(0, any); // a data set may first build caches, which threads then share
   vtkSMPTools::For(begin, end, 1024, [&](vtkIdType first, vtkIdType last) {
     for (vtkIdType i = first; i < last; ++i)
     {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Where particles start: evenly spread over what is seen or the space inside, or at given places.
+// Starting positions: evenly spread over the visible surface or the space inside, or given.
 #ifndef vtkRelievoParticleStart_h
 #define vtkRelievoParticleStart_h
 
@@ -21,15 +21,15 @@ class vtkRelievoParticleStart
 public:
   vtkRelievoParticleStart(const vtkRelievoParticleMaps& maps, bool inside, unsigned int seed);
 
-  // Particles begin to end of count. A particle's place does not depend on begin and end. Empty if
-  // nothing is seen.
+  // Particles begin to end of count. A particle's position does not depend on begin and end. Empty
+  // if nothing is visible.
   vtkRelievoParticleState Spread(vtkIdType begin, vtkIdType end, vtkIdType count) const;
 
-  // Those at the points of the data, brought to the nearest place that is seen, or inside. Points
-  // that are not finite start where Spread has them.
+  // Starts at the points of the data, each moved to the nearest visible position, or inside.
+  // Non-finite points start as in Spread.
   vtkRelievoParticleState AtPoints(vtkDataSet* points, vtkIdType begin, vtkIdType end) const;
 
-  // A box around all that is seen: false if nothing is.
+  // A box around everything visible; false if nothing is.
   bool GetBox(glm::dvec3& low, glm::dvec3& high) const;
 
 private:
@@ -46,12 +46,12 @@ private:
   bool Inside;
   unsigned int Seed;
   std::vector<Part> Parts;         // texels that no other view sees better
-  std::vector<double> Shares;      // area of the parts up to each
-  std::vector<double> Areas;       // of the surfaces' polygons up to each, if there are surfaces
-  std::vector<std::size_t> Firsts; // of each surface among the polygons
+  std::vector<double> Shares;      // running sum of the parts' areas
+  std::vector<double> Areas;       // running sum of the polygons' areas, if there are surfaces
+  std::vector<std::size_t> Firsts; // number of each surface's first polygon
   glm::dvec3 Low;
   glm::dvec3 High;
-  std::unique_ptr<vtkRelievoParticleInterior> Space; // where particles are inside
+  std::unique_ptr<vtkRelievoParticleInterior> Space; // for particles inside
 };
 
 #endif

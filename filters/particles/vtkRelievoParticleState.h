@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Where particles are, and which view holds each.
+// The positions of particles, and the view that each belongs to.
 #ifndef vtkRelievoParticleState_h
 #define vtkRelievoParticleState_h
 

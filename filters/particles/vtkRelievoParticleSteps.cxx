@@ -13,10 +13,10 @@
 
 namespace
 {
-// Long ways are taken in parts, so that none leads past a texel: at most so many in a step.
+// Long steps are divided, so that no part crosses more than a texel: maximum number of parts.
 constexpr int Parts = 512;
 
-// The longest time up to `time` in which this speed leads half a texel at most.
+// The longest time up to `time` in which this speed covers at most half a texel.
 double Limit(double time, double texel, double speed)
 {
   return speed * time > 0.5 * texel ? 0.5 * texel / speed : time;
@@ -70,7 +70,7 @@ void vtkRelievoParticleSteps::Begin(
 const vtkRelievoParticleState* vtkRelievoParticleSteps::Get(
   double steps, const std::function<bool(double)>& goesOn)
 {
-  // Rounding of times must not make a whole step two.
+  // Rounding must not turn a whole step into two.
   double part = steps - std::floor(steps);
   const int whole = static_cast<int>(std::floor(steps)) + (part > 1. - 1e-6 ? 1 : 0);
   part = part < 1e-6 || part > 1. - 1e-6 ? 0. : part;
@@ -79,7 +79,7 @@ const vtkRelievoParticleState* vtkRelievoParticleSteps::Get(
   const int from = before->first;
   if (from < whole)
   {
-    // What no later time needs is not copied.
+    // A state that no later time needs is moved, not copied.
     const bool isKept = from % this->Interval == 0;
     vtkRelievoParticleState state;
     if (isKept)
@@ -134,7 +134,7 @@ double vtkRelievoParticleSteps::GetBytesHeld() const
 double vtkRelievoParticleSteps::EstimateBytes(
   vtkIdType particles, int numberOfSteps, int checkpoints)
 {
-  // Beside those that are kept: the first, the last, the one that moves, and a part of a step.
+  // Besides the checkpoints: the first, the last, the moving state, and a fraction of a step.
   const double stored = std::min(checkpoints, numberOfSteps) + 4.;
   return static_cast<double>(particles) *
     (stored * static_cast<double>(vtkRelievoParticleState::GetBytesPerParticle()) + 90.);
@@ -161,7 +161,7 @@ void vtkRelievoParticleSteps::Advance(vtkRelievoParticleState& state, double tim
 }
 
 //------------------------------------------------------------------------------
-// By the midpoint rule, in parts of half a texel by the speed here and halfway.
+// Midpoint rule, in parts of half a texel by the speeds here and halfway.
 void vtkRelievoParticleSteps::AdvanceOnSurface(
   glm::dvec3& position, unsigned char& view, double time) const
 {
@@ -197,7 +197,7 @@ void vtkRelievoParticleSteps::AdvanceOnSurface(
     held = view;
     if (!this->Maps.Hold(here.Position + step * velocity, here, held, next))
     {
-      return; // at the end of what is seen
+      return; // at the end of the visible surface
     }
     here = next;
     position = here.Position;
@@ -230,7 +230,7 @@ void vtkRelievoParticleSteps::AdvanceInside(
     glm::dvec3 to = position + step * velocity;
     if (!this->Maps.IsInside(to) && !this->Maps.PushInside(to, 2. * texel))
     {
-      return; // no way on from here
+      return; // cannot move on
     }
     position = to;
     rest -= step;

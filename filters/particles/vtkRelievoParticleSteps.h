@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Particles' way through the steps of time. What they are at a step follows from their start alone:
-// some steps are kept, and others computed from the kept one before.
+// Moves particles through time steps. A step's result depends only on the start: some steps are
+// cached, and others are computed from the cached step before.
 #ifndef vtkRelievoParticleSteps_h
 #define vtkRelievoParticleSteps_h
 
@@ -17,21 +17,21 @@
 class vtkRelievoParticleSteps
 {
 public:
-  // Gives all that the maps see its velocity.
+  // Sets the velocities of everything visible in the maps.
   static void SetVelocities(vtkRelievoParticleMaps& maps, const vtkRelievoParticleField& field);
 
-  // Held on what the maps see, whose texels have velocities, or inside.
+  // Particles stay on the maps' surface, whose texels have velocities, or inside.
   vtkRelievoParticleSteps(
     const vtkRelievoParticleMaps& maps, const vtkRelievoParticleField& field, bool inside);
 
-  // Starts anew; keeps up to so many checkpoints, beside the first and the last step computed.
+  // Starts again; caches up to `checkpoints` steps, besides the first and the last computed step.
   void Begin(vtkRelievoParticleState start, double timeStep, int numberOfSteps, int checkpoints);
 
-  // The particles after so many steps, a part of one included. Between steps, goesOn is asked with
-  // the share that is done; nullptr if it says no.
+  // The particles after a number of steps, which may have a fraction. Between steps, calls goesOn
+  // with the fraction done; nullptr if goesOn returns false.
   const vtkRelievoParticleState* Get(double steps, const std::function<bool(double)>& goesOn);
 
-  // What is held now, and what so many particles of so many steps take, output included.
+  // Bytes in use now, and an estimate for so many particles and steps, output included.
   double GetBytesHeld() const;
   static double EstimateBytes(vtkIdType particles, int numberOfSteps, int checkpoints);
 
@@ -48,7 +48,7 @@ private:
   int Interval = 1;
   std::map<int, vtkRelievoParticleState> Kept; // by step
   int Latest = 0;
-  vtkRelievoParticleState Between; // a part of a step beyond a kept one
+  vtkRelievoParticleState Between; // a fraction of a step after a cached one
 };
 
 #endif

@@ -16,10 +16,11 @@ namespace
 {
 constexpr float Nothing = std::numeric_limits<float>::infinity();
 
-// In texels: the slope to a neighbour that is steeper may be a step.
+// In texels: a steeper slope to a neighbour may be a step.
 constexpr float Steepest = 6.F;
 
-// Of two differences to neighbours, either of which may be missing or a step to another surface.
+// The slope from two differences to neighbours; either may be missing, or a step to another
+// surface.
 float Slope(bool hasBefore, float before, bool hasAfter, float after)
 {
   if (hasBefore && hasAfter)

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-//
-// An orthographic depth image as a surface that particles are held on. Map coordinates: the centre
-// of texel (i, j) is at (i, j); the third is the depth along the direction of looking. All are in
+// An orthographic depth image as a surface for particles. Map coordinates: the centre of texel (i,
+// j) is at (i, j); the third coordinate is the depth along the viewing direction. All are in
 // texels.
 #ifndef vtkRelievoParticleView_h
 #define vtkRelievoParticleView_h
@@ -17,7 +16,7 @@
 #include <limits>
 #include <vector>
 
-// A place on what a view sees.
+// A position on the surface that a view sees.
 struct vtkRelievoParticlePlace
 {
   glm::dvec3 Position; // world
@@ -29,37 +28,36 @@ struct vtkRelievoParticlePlace
 class vtkRelievoParticleView
 {
 public:
-  // One that is empty: toMap and offset take world to map coordinates.
+  // An empty view: toMap and offset convert world to map coordinates.
   vtkRelievoParticleView(
     int width, int height, const glm::dmat3& toMap, const glm::dvec3& offset, double texel);
 
-  // Depth in texels; infinity where nothing is seen, as in all texels of a new view.
+  // Sets a depth in texels; infinity if nothing is visible, as initially in all texels.
   void SetDepth(std::size_t texel, double depth);
   double GetDepth(std::size_t texel) const { return this->Texels[texel].Depth; }
   bool IsSeen(std::size_t texel) const;
 
-  // From the depths of neighbours, once all depths are set.
+  // Computes normals from adjacent depths, once all depths are set.
   void ComputeNormals();
 
   std::size_t GetNumberOfTexels() const { return this->Texels.size(); }
   double GetTexelSize() const { return this->TexelSize; } // world units
   const glm::dvec3& GetLook() const { return this->Look; }
 
-  // What is seen in a texel; part is a place in it, -0.5 to 0.5 each way.
+  // The surface in a texel; partX and partY are offsets in it, -0.5 to 0.5.
   vtkRelievoParticlePlace At(std::size_t texel, double partX = 0., double partY = 0.) const;
   void SetVelocity(std::size_t texel, const glm::vec3& velocity);
 
-  // What is seen at a place: within one texel of what the nearest texel sees at its centre, and
-  // between the texels around where these see the same surface. False if the nearest texel sees
-  // nothing; with snap, the nearest of its neighbours that sees something takes its place.
+  // The surface at a position: within one texel of the depth at the nearest texel's centre,
+  // interpolated between the surrounding texels that see the same surface. False if the nearest
+  // texel is empty; with `snap`, its nearest non-empty neighbour takes its place.
   bool Find(const glm::dvec3& position, bool snap, vtkRelievoParticlePlace& place) const;
 
-  // The velocity alone, where the four texels around see the surface that the place is on; false
-  // elsewhere.
+  // Only the velocity, if the four surrounding texels see the position's surface; otherwise false.
   bool FindVelocity(const glm::dvec3& position, glm::vec3& velocity) const;
 
-  // How far a place is before (above 0) what the nearest texel sees, in world units along the
-  // direction of looking; infinity where it sees nothing.
+  // Distance of a position in front of the nearest texel's surface (above 0), in world units along
+  // the viewing direction; infinity if the texel is empty.
   double GetHeight(const glm::dvec3& position) const;
 
   static std::size_t GetBytesPerTexel() { return sizeof(Texel); }
@@ -72,7 +70,7 @@ private:
     glm::vec3 Velocity;
   };
   glm::dvec3 ToMap(const glm::dvec3& position) const { return this->Map * position + this->Offset; }
-  // The texel if it sees something.
+  // The texel if it is not empty.
   const Texel* GetSeen(int i, int j) const
   {
     if (i < 0 || i >= this->Width || j < 0 || j >= this->Height)
@@ -86,16 +84,16 @@ private:
   bool Snap(glm::dvec3& map, int& i, int& j) const;
   vtkRelievoParticlePlace Blend(const glm::dvec3& map, const Texel& nearest) const;
 
-  // Texels that are farther apart in depth, in texels, do not see the same surface. A view holds
-  // slopes of up to 60 degrees: a diagonal neighbour is then 2.4 texels farther.
+  // Largest difference of depth, in texels, between texels of one surface. A view covers slopes of
+  // up to 60 degrees: a diagonal neighbour is then 2.4 texels farther.
   static constexpr float Step = 3.F;
 
-  // How far a place may leave the depth of the nearest texel. The corner of a texel is 0.708 texels
-  // from its centre: together that is less than a texel.
+  // Largest difference between a position's depth and the nearest texel's. A texel's corner is
+  // 0.708 texels from its centre: together that is less than a texel.
   static constexpr double Slack = 0.7;
 
-  // The floor of a coordinate that is not far below 0: std::floor is a call where the processor's
-  // oldest instructions must do.
+  // The floor of a coordinate not far below 0: std::floor is a function call on the oldest
+  // supported processors.
   static int WholeOf(double coordinate) { return static_cast<int>(coordinate + 8.) - 8; }
 
   int Width;
@@ -108,7 +106,8 @@ private:
   std::vector<Texel> Texels;
 };
 
-// Here, as libraries keep functions from each other otherwise: these run millions of times a step.
+// Inline in the header, as shared libraries prevent inlining otherwise: these run millions of times
+// per step.
 //------------------------------------------------------------------------------
 inline const vtkRelievoParticleView::Texel* vtkRelievoParticleView::GetNearest(
   const glm::dvec3& map, int& i, int& j) const
@@ -128,12 +127,12 @@ inline vtkRelievoParticlePlace vtkRelievoParticleView::Blend(
   const auto partX = static_cast<float>(map.x - x);
   const auto partY = static_cast<float>(map.y - y);
   float sum = 0.F;
-  float depth = 0.F; // beyond the nearest's
+  float depth = 0.F; // relative to the nearest texel
   glm::vec3 normal(0.F);
   glm::vec3 velocity(0.F);
   const auto add = [&](const Texel& texel, float weight) {
     const float beyond = texel.Depth - nearest.Depth;
-    if (std::abs(beyond) <= Step) // not if it sees nothing
+    if (std::abs(beyond) <= Step) // not if it is empty
     {
       sum += weight;
       depth += weight * beyond;
@@ -160,7 +159,7 @@ inline vtkRelievoParticlePlace vtkRelievoParticleView::Blend(
       }
     }
   }
-  // The nearest texel is one of the four, and has a weight of a quarter at least.
+  // The nearest texel is one of the four and has a weight of at least a quarter.
   vtkRelievoParticlePlace place;
   const double beyond = std::clamp(static_cast<double>(depth) / sum, -Slack, Slack);
   place.Position = this->World * (glm::dvec3(map.x, map.y, nearest.Depth + beyond) - this->Offset);

@@ -37,11 +37,11 @@ using SDDP = vtkStreamingDemandDrivenPipeline;
 
 namespace Inputs = vtkRelievoParticleInputs;
 
-// What was made for the inputs and settings of the last update.
+// The results for the inputs and settings of the last update.
 struct vtkRelievoSurfaceParticles::Internals
 {
   std::vector<vtkMTimeType> Stamps; // of the last update
-  Inputs::Key MapsKey;              // what they were made from
+  Inputs::Key MapsKey;              // of the data that the maps were made from
   Inputs::Key FieldKey;
   Inputs::Key StepsKey;
   vtkRelievoParticleMaps Maps;
@@ -50,7 +50,7 @@ struct vtkRelievoSurfaceParticles::Internals
   vtkSmartPointer<vtkIdTypeArray> Numbers;
   vtkSmartPointer<vtkCellArray> Vertices;
 
-  // Of particles: they are used again, or given back before others are made.
+  // Bytes held for particles, which are reused or freed before new ones are made.
   double GetBytesHeld() const;
   std::string Update(vtkRelievoSurfaceParticles* self, vtkInformationVector** inputs,
     vtkIdType first, vtkIdType end);
@@ -69,7 +69,7 @@ double vtkRelievoSurfaceParticles::Internals::GetBytesHeld() const
 }
 
 //------------------------------------------------------------------------------
-// Makes anew what inputs and settings have changed. Returns what is wrong, or an empty text.
+// Remakes only the results whose inputs or settings changed. Returns the error, or an empty text.
 std::string vtkRelievoSurfaceParticles::Internals::Update(
   vtkRelievoSurfaceParticles* self, vtkInformationVector** inputs, vtkIdType first, vtkIdType end)
 {
@@ -119,7 +119,7 @@ std::string vtkRelievoSurfaceParticles::Internals::Update(
 }
 
 //------------------------------------------------------------------------------
-// Returns what is wrong, or an empty text.
+// Returns the error, or an empty text.
 std::string vtkRelievoSurfaceParticles::Internals::MakeMaps(
   vtkRelievoSurfaceParticles* self, vtkInformationVector** inputs)
 {
@@ -154,7 +154,7 @@ std::string vtkRelievoSurfaceParticles::Internals::MakeMaps(
     return problem;
   }
   const std::array<double, 3> count = fit.Count(box);
-  // A map of either side, and the two depths that are read from the surface.
+  // Two maps per axis, and the two depths read from the surface.
   const double bytes = (count[0] * count[1] + count[1] * count[2] + count[2] * count[0]) *
     static_cast<double>(2 * vtkRelievoParticleView::GetBytesPerTexel() + 2 * sizeof(double));
   const std::string lack = relievo::LackOfMemory(bytes, self->MemoryLimit);
@@ -404,7 +404,7 @@ int vtkRelievoSurfaceParticles::RequestData(
   }
   if (!problem.empty())
   {
-    // The output stays empty. Status 0 would make the pipeline say it again in its own words.
+    // The output stays empty. Status 0 would make the pipeline report a second error.
     this->SetErrorCode(vtkErrorCode::UserError);
     vtkErrorMacro("No particles: " << problem << ".");
   }

@@ -2,37 +2,37 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkRelievoSurfaceParticles
- * @brief Particles that a field moves, and that depth maps hold on a surface or inside it.
+ * @brief Particles moved by a field, held on a surface or inside it by depth maps.
  *
- * Input 0: the surface: a data set or a composite of them; of what is not a vtkPolyData, the outer
- * surface counts. It is seen from six sides. Of inputs that change in time, the first time counts.
+ * Input 0: the surface, a data set or a composite of them; data sets other than vtkPolyData count
+ * by their outer surface. Six views see it. Inputs that change in time count at their first time.
  *
  * Input 1, optional: depth images of parallel projection, from any sides, with the layer `depth`
- * and the field data of captures (vtkRelievoLayerSource, vtkRelievoDepthViews). They then take the
- * place of the surface.
+ * and the field data of captures (vtkRelievoLayerSource, vtkRelievoDepthViews). They then replace
+ * the surface.
  *
- * Input 2, optional: points where particles start, each at the nearest place that is seen. Their
- * point data go along; arrays with the names of the output's own are left out, with a warning.
- * Without them particles are spread evenly.
+ * Input 2, optional: points where particles start, each moved to the nearest visible position.
+ * Their point data are copied; arrays with the names of the output's own are left out, with a
+ * warning. Without this input, particles are spread evenly.
  *
- * Input 3, optional: the data that have FieldArray; without it, they are those of input 0.
+ * Input 3, optional: the data that have FieldArray; by default, input 0.
  *
  * Output: vtkPolyData with a vertex for each particle, and the point arrays `velocity` (3 float),
- * `particle` (its number) and, on a surface, `normal` (3 float), which glyphs may be aligned to.
+ * `particle` (its number) and, on a surface, `normal` (3 float), to which glyphs can be aligned.
  *
- * The filter has time steps. Particles at a time are a function of the inputs, the settings and the
- * time, whichever times were asked for before, whatever the number of threads and pieces. Each
- * piece has its part of the particles, and needs the whole surface.
+ * The filter has time steps. Particles at a time depend only on the inputs, the settings and the
+ * time, and not on the times requested before or the number of threads and pieces. Each piece has
+ * its part of the particles, and needs the whole surface.
  *
- * On a surface, each particle is within one texel of a place that a view sees. Where its view sees
- * no more, at silhouettes and steps of depth, it goes over to what another view sees within 1.5
- * texels, or stays there. Inside, a particle that gets out is pushed back against the normal;
- * inside is what no view sees before its surface, so hollows that are not seen are a part of it. A
- * particle moves half a texel at once, and at most 256 texels a step. Where the field is not
+ * On a surface, each particle is within one texel of a position that a view sees. Where its view
+ * ends, at silhouettes and steps of depth, it passes to a surface that another view sees within 1.5
+ * texels, or stays there. Inside, a particle that gets out is pushed back against the normal. The
+ * inside is the space that no view sees in front of its surface, so hidden hollows belong to it. A
+ * particle moves half a texel at once, and at most 256 texels per step. Where the field is not
  * finite it is 0.
  *
- * Errors: no input, an unknown array, depth images that do not fit, more memory than MemoryLimit. A
- * surface that covers no texel has no particles; that is none.
+ * Errors: no input, an unknown array, invalid depth images, more memory than MemoryLimit. A surface
+ * that covers no texel has no particles; that is no error.
  */
 #ifndef vtkRelievoSurfaceParticles_h
 #define vtkRelievoSurfaceParticles_h
@@ -59,19 +59,19 @@ public:
   };
 
   ///@{
-  /** Where particles are held. Default is ON_SURFACE. */
+  /** Where particles move. Default is ON_SURFACE. */
   vtkSetClampMacro(Place, int, ON_SURFACE, INSIDE);
   vtkGetMacro(Place, int);
   ///@}
 
   ///@{
-  /** How many there are, where no points are given. Default is 10000. */
+  /** Number of particles if no points are given. Default is 10000. */
   vtkSetClampMacro(NumberOfParticles, vtkIdType, 0, VTK_ID_MAX / 64);
   vtkGetMacro(NumberOfParticles, vtkIdType);
   ///@}
 
   ///@{
-  /** Of places to start at, and of noise. Default is 0. */
+  /** Seed of starting positions and of noise. Default is 0. */
   vtkSetMacro(Seed, int);
   vtkGetMacro(Seed, int);
   ///@}
@@ -83,15 +83,15 @@ public:
   ///@}
 
   ///@{
-  /** Side of the texels in world units. Default 0: by Resolution. */
+  /** Side of the texels in world units. Default 0: set by Resolution. */
   vtkSetClampMacro(TexelSize, double, 0., VTK_DOUBLE_MAX);
   vtkGetMacro(TexelSize, double);
   ///@}
 
   ///@{
   /**
-   * A velocity that is equal everywhere, in world units per unit of time. Default 0 0 0. This, the
-   * noise and the array add up; on a surface, particles move by what is tangential of them.
+   * A constant velocity, in world units per unit of time. Default 0 0 0. This, the noise and the
+   * array add up; on a surface, particles move by the tangential part of the sum.
    */
   vtkSetVector3Macro(Velocity, double);
   vtkGetVector3Macro(Velocity, double);
@@ -99,8 +99,8 @@ public:
 
   ///@{
   /**
-   * Speed (rms) by the curl of simplex noise, which has no sources and sinks, in world units per
-   * unit of time. Negative: a hundredth of the longest side. Default is 0.
+   * Rms speed of the curl of simplex noise, which has no sources and sinks, in world units per unit
+   * of time. Negative: a hundredth of the longest side. Default is 0.
    */
   vtkSetMacro(NoiseSpeed, double);
   vtkGetMacro(NoiseSpeed, double);
@@ -114,9 +114,9 @@ public:
 
   ///@{
   /**
-   * The name of an array of 3 components at points or cells, in world units per unit of time.
-   * Between points it is interpolated; off the data, the nearest place counts, but beyond a
-   * vtkImageData there is 0. Default is empty: none.
+   * The name of an array of 3 components at points or cells, in world units per unit of time. It is
+   * interpolated between points; off the data, the nearest position counts, but outside a
+   * vtkImageData the field is 0. Default is empty: none.
    */
   void SetFieldArray(const char* name);
   const char* GetFieldArray() { return this->FieldArray.c_str(); }
@@ -129,21 +129,21 @@ public:
   ///@}
 
   ///@{
-  /** From one step to the next. Default is 1. Times between steps are possible. */
+  /** Duration of a step. Default is 1. Times between steps are possible. */
   vtkSetClampMacro(TimeStep, double, VTK_DBL_MIN, VTK_DOUBLE_MAX);
   vtkGetMacro(TimeStep, double);
   ///@}
 
   ///@{
-  /** Steps that there are. Default is 100. Later times are the last, and earlier ones the start. */
+  /** Number of steps. Default is 100. Later times give the last step, earlier ones the start. */
   vtkSetClampMacro(NumberOfSteps, int, 0, 100000000);
   vtkGetMacro(NumberOfSteps, int);
   ///@}
 
   ///@{
   /**
-   * Steps that are kept, so that earlier times need not be computed from the start, each with 25
-   * bytes a particle. Default is 4.
+   * Number of steps to cache, so that earlier times need not be computed from the start; each takes
+   * 25 bytes per particle. Default is 4.
    */
   vtkSetClampMacro(Checkpoints, int, 0, 10000);
   vtkGetMacro(Checkpoints, int);
@@ -151,8 +151,9 @@ public:
 
   ///@{
   /**
-   * Whether there is the point array `orientation` (quaternions w x y z, 4 float), which turns x to
-   * the normal and y to the velocity, for vtkGlyph3DMapper. On a surface only. Default is off.
+   * Whether the output has the point array `orientation` (quaternions w x y z, 4 float), which
+   * rotates x to the normal and y to the velocity, for vtkGlyph3DMapper. Only on a surface. Default
+   * is off.
    */
   vtkSetMacro(Orientations, bool);
   vtkGetMacro(Orientations, bool);
@@ -161,14 +162,14 @@ public:
 
   ///@{
   /**
-   * The most bytes that maps and particles may take; 0, the default: what the machine has left.
-   * More are refused before they are made.
+   * Upper bound of the bytes of maps and particles; 0, the default: all free memory. If more are
+   * needed, nothing is made.
    */
   vtkSetClampMacro(MemoryLimit, double, 0., VTK_DOUBLE_MAX);
   vtkGetMacro(MemoryLimit, double);
   ///@}
 
-  /** Side of a texel in the last update, the largest where they differ: what errors are below. */
+  /** The largest side of a texel in the last update: an upper bound of errors. */
   double GetUsedTexelSize();
 
   ///@{

@@ -2,25 +2,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkRelievoFlow
- * @brief Where each pixel's surface point goes from one moment to another: optical and scene flow.
+ * @brief Optical and scene flow: the movement of each pixel's surface point between two moments.
  *
- * Two states of a scene (vtkRelievoRayScene, the first one usually by CopyStateOf before things
- * move), each with a camera. A ray through each pixel's centre of the first picture meets a point
- * of a triangle; the point with the same weights of the same triangle in the second state is
- * projected into the second picture. Moved props, moved points and moved cameras are one thing for
- * it, all in double.
+ * Two states of a scene (vtkRelievoRayScene, the first usually made by CopyStateOf before things
+ * move), each with a camera. A ray through each pixel's centre of the first picture hits a point of
+ * a triangle; the point with the same weights in the same triangle of the second state is projected
+ * into the second picture. Moved props, points and cameras are all handled in this way, in double.
  *
  * Output: vtkImageData of the first camera's columns and rows, row 0 at the bottom:
- * - flow (2 float): pixels from here to there, x right, y down; NaN where nothing is seen, or the
- *   second camera has no place for the point. Between equirectangular panoramas of equal steps it
- *   goes the shorter way round, also across the seam, and then beyond the picture's edge: the place
- *   there is that modulo the columns of a whole turn;
- * - motion (3 float): the point's way in world units; NaN where nothing is seen, or the point is no
- *   longer there;
- * - flow_valid (unsigned char): 1 where the point is within the second picture and nothing lies
- *   before it there, else 0.
+ * - flow (2 float): pixels from the first to the second position, x right, y down; NaN if the ray
+ *   hits nothing, or the second camera cannot project the point. Between equirectangular panoramas
+ *   of equal steps it goes the shorter way round, also across the seam, and then leads beyond the
+ *   picture's edge: take the target modulo the columns of a whole turn;
+ * - motion (3 float): the point's movement in world units; NaN if the ray hits nothing, or the
+ *   point no longer exists;
+ * - flow_valid (unsigned char): 1 if the point is within the second picture and unoccluded there,
+ *   otherwise 0.
  *
- * Errors: a scene or a camera is missing; the second camera has no places for points
+ * Errors: a scene or a camera is missing; the second camera cannot project points
  * (vtkRelievoLidar).
  */
 #ifndef vtkRelievoFlow_h
@@ -28,7 +27,7 @@
 
 #include "vtkImageAlgorithm.h"
 #include "vtkRelievoFiltersModule.h" // for the export macro
-#include "vtkSmartPointer.h"         // for what is given
+#include "vtkSmartPointer.h"         // for the scenes and cameras
 
 class vtkRelievoCameraModel;
 class vtkRelievoRayScene;
@@ -41,12 +40,12 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /** The state whose pixels are asked, and the other one. */
+  /** The state whose pixels are traced, and the other one. */
   void SetFrom(vtkRelievoRayScene* scene, vtkRelievoCameraModel* camera);
   void SetTo(vtkRelievoRayScene* scene, vtkRelievoCameraModel* camera);
   ///@}
 
-  /** Always newer than before, because scenes may change without notice. */
+  /** Always newer than before, because scenes can change without notice. */
   vtkMTimeType GetMTime() override;
 
 protected:

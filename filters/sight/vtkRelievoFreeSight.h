@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Whether a point of a surface is the first that a ray to it meets, within what rounding leaves.
+// Whether a surface point is the first hit of a ray to it, within rounding.
 #ifndef vtkRelievoFreeSight_h
 #define vtkRelievoFreeSight_h
 
@@ -15,7 +15,8 @@
 inline bool vtkRelievoIsFree(double nearest, const double origin[3], const double point[3])
 {
   constexpr double share = 1e-9; // of the distance
-  constexpr double steps = 64.0; // of the largest coordinate's last bit, which moves the ray
+  constexpr double steps =
+    64.0; // units in the last place of the largest coordinate, which moves the ray
   double largest = 0.0;
   for (int i = 0; i < 3; ++i)
   {

@@ -39,21 +39,21 @@ namespace
 {
 constexpr vtkIdType RaysAtOnce = 1 << 19;
 
-// The columns of hits that layers are.
+// The columns of hits for these layers.
 const std::map<std::string, const char*> Columns = { { "range", "distance" },
   { "normal", "normal" }, { "geometric_normal", "geometric_normal" }, { "position", "position" },
   { "actor", "prop" }, { "block", "block" }, { "cell", "cell" } };
 
-// Those that are not.
+// Layers without a column.
 constexpr const char* Depth = "depth";
 constexpr const char* Ambient = "ambient";
 
-// An array of data by its name: of points, or else of cells.
+// A named array of the data: of points, otherwise of cells.
 struct Named
 {
   vtkDataArray* OfPoints = nullptr;
   vtkDataArray* OfCells = nullptr;
-  bool OfGlyphs = false; // whose cells are the points
+  bool OfGlyphs = false; // the cells are the points
 
   Named(vtkDataSet* data, const std::string& name, bool glyphs)
     : OfGlyphs(glyphs)
@@ -78,7 +78,7 @@ bool IsExactInFloats(int type)
     type == VTK_UNSIGNED_CHAR || type == VTK_SHORT || type == VTK_UNSIGNED_SHORT;
 }
 
-// The data of a scene by prop and block.
+// The data sets of a scene by prop and block.
 using Blocks = std::map<std::pair<int, int>, vtkDataSet*>;
 
 Blocks GetBlocks(vtkRelievoRayScene* scene)
@@ -107,13 +107,13 @@ Blocks GetBlocks(vtkRelievoRayScene* scene)
   return blocks;
 }
 
-// A layer while it is filled.
+// A layer being filled.
 struct Layer
 {
   std::string Name;
-  const char* Column = nullptr; // none: depth, or of the data
+  const char* Column = nullptr; // none: depth, or an array of the data
   vtkSmartPointer<vtkDataArray> Array;
-  std::map<std::pair<int, int>, Named> Sources; // of the data's arrays
+  std::map<std::pair<int, int>, Named> Sources; // arrays of the data
 
   void Make(int type, int components, double background, vtkIdType pixels)
   {
@@ -127,7 +127,7 @@ struct Layer
     }
   }
 
-  // False if no data has an array of the name.
+  // False if no data set has an array of this name.
   bool MakeOfData(vtkRelievoRayScene* scene, const Blocks& blocks, vtkIdType pixels)
   {
     int components = 0;
@@ -136,7 +136,7 @@ struct Layer
     {
       const Named named(block.second, this->Name, scene->GetIsGlyphs(block.first.first));
       vtkDataArray* array = named.Get();
-      // Of blocks that differ, those count that are as the first one.
+      // If blocks differ, those that match the first one count.
       if (array && (components == 0 || components == array->GetNumberOfComponents()))
       {
         components = array->GetNumberOfComponents();
@@ -152,7 +152,7 @@ struct Layer
   }
 };
 
-// The columns of hits, looked up once.
+// The columns of hits, each looked up once.
 struct Hits
 {
   vtkDataArray* Distance;
@@ -182,7 +182,7 @@ struct Hits
   }
 };
 
-// The value of an array of the data at a hit.
+// Sets the value of a data array at a hit.
 void SetValue(Layer& layer, const Hits& hits, vtkIdType i, vtkIdType pixel)
 {
   const auto prop = static_cast<int>(hits.Prop->GetComponent(i, 0));
@@ -196,7 +196,7 @@ void SetValue(Layer& layer, const Hits& hits, vtkIdType i, vtkIdType pixel)
   const auto cell = static_cast<vtkIdType>(hits.Cell->GetComponent(i, 0));
   if (!named.OfPoints || named.OfGlyphs)
   {
-    layer.Array->SetTuple(pixel, named.Get()->GetTuple(cell)); // of any type, in all versions
+    layer.Array->SetTuple(pixel, named.Get()->GetTuple(cell)); // works for any type in all versions
     return;
   }
   for (int component = 0; component < layer.Array->GetNumberOfComponents(); ++component)
@@ -214,20 +214,20 @@ void SetValue(Layer& layer, const Hits& hits, vtkIdType i, vtkIdType pixel)
 }
 
 //------------------------------------------------------------------------------
-// The rays of the layer `ambient`, one of each pixel at a time.
+// The rays of the layer `ambient`, one per pixel at a time.
 struct vtkRelievoRayLayers::SkyRays
 {
   std::vector<vtkRelievoSkySamples::Point> Points;
-  std::vector<vtkIdType> Hit; // rays of the camera that see something
+  std::vector<vtkIdType> Hit; // rays of the camera that hit something
   vtkNew<vtkDoubleArray> Origins;
   vtkNew<vtkDoubleArray> Directions;
   vtkNew<vtkUnsignedCharArray> Met;
 
-  // Before the surfaces, by what rounding leaves.
+  // Origins lie in front of the surfaces by a bound of rounding.
   void TakeOrigins(const Hits& hits)
   {
     constexpr double share = 1e-9; // of the distance
-    constexpr double steps = 64.0; // of the largest coordinate's last bit
+    constexpr double steps = 64.0; // units in the last place of the largest coordinate
     this->Hit.clear();
     this->Origins->SetNumberOfComponents(3);
     this->Directions->SetNumberOfComponents(3);
@@ -367,8 +367,8 @@ bool vtkRelievoRayLayers::IsFlow(const char* given)
 }
 
 //------------------------------------------------------------------------------
-// From this state to the other one, as a share of all that is done. False after an error, or an
-// abort.
+// Computes the flow to the other state; `share` is its part of the progress. False after an error
+// or an abort.
 bool vtkRelievoRayLayers::FindFlow(vtkImageData* image, double share)
 {
   vtkNew<vtkRelievoFlow> flow;
@@ -399,7 +399,7 @@ void vtkRelievoRayLayers::FollowFlow(vtkObject* caller, unsigned long event, voi
   }
   else if (this->FlowError.empty())
   {
-    // Behind the file, the line, the class and its address.
+    // The message follows the file, the line, the class and its address.
     const std::string text = static_cast<const char*>(data);
     const std::size_t place = text.find("): ");
     this->FlowError = text.substr(place == std::string::npos ? 0 : place + 3);

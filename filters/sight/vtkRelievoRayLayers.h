@@ -2,35 +2,36 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkRelievoRayLayers
- * @brief Layers of any camera model, by a ray for each pixel: exact, without a window or OpenGL.
+ * @brief Layers of any camera model, from one ray per pixel: exact, without a window or OpenGL.
  *
- * What vtkRelievoLayerSource draws for a vtkCamera this asks a vtkRelievoRayScene for: lenses that
- * bend, panoramas, moving lines, lidars. One ray at each pixel's centre, in double.
+ * vtkRelievoLayerSource renders layers of a vtkCamera; this class traces rays in a
+ * vtkRelievoRayScene instead, for distorting lenses, panoramas, line scanners and lidars. One ray
+ * goes through each pixel's centre, in double.
  *
- * Output: vtkImageData of the camera's columns and rows, row 0 at the bottom, a point array for
- * each layer, of the type and with the background that vtkRelievoLayerCatalogue says: depth, range,
- * normal, geometric_normal, position, actor, block, cell, ambient, and arrays by name (point arrays
- * interpolated, cell arrays as they are; `point:NAME`, `cell:NAME` where both have it; the
- * background is NaN). `depth` is z in camera space, or the range of sensors that look all around.
- * `actor` is the number of the prop in the scene. `ambient` is the share of the sky that the
- * surface sees on the side of its triangle that is met, as vtkRelievoAmbientStage has it; for rays
- * all surfaces are opaque.
+ * Output: vtkImageData of the camera's columns and rows, row 0 at the bottom, with a point array
+ * for each layer, of the type and background in vtkRelievoLayerCatalogue: depth, range, normal,
+ * geometric_normal, position, actor, block, cell, ambient, and arrays by name (point arrays
+ * interpolated, cell arrays as they are; `point:NAME`, `cell:NAME` if both exist; the background is
+ * NaN). `depth` is z in camera space, or the range for sensors that look all around. `actor` is the
+ * number of the prop in the scene. `ambient` is the share of the sky that the surface sees on the
+ * side of the triangle that was hit, as in vtkRelievoAmbientStage; rays treat all surfaces as
+ * opaque.
  *
  * `flow`, `motion` and `flow_valid`, if there is another state (SetOther), are those of
- * vtkRelievoFlow, from this state to the other one; arrays of these names are `point:flow` or
- * `cell:flow` then.
+ * vtkRelievoFlow, from this state to the other one; arrays of these names are then `point:flow` or
+ * `cell:flow`.
  *
  * Field data: the calibration (vtkRelievoCameraModel::AddTo).
  *
- * Errors: no scene or camera, a layer that rays do not have or no data has; another state whose
- * camera has no places for points.
+ * Errors: no scene or camera; a layer that neither rays nor data have; another state whose camera
+ * cannot project points.
  */
 #ifndef vtkRelievoRayLayers_h
 #define vtkRelievoRayLayers_h
 
 #include "vtkImageAlgorithm.h"
 #include "vtkRelievoFiltersModule.h" // for the export macro
-#include "vtkSmartPointer.h"         // for what is given
+#include "vtkSmartPointer.h"         // for the scenes and cameras
 
 #include <string> // for names
 #include <vector> // for names
@@ -49,7 +50,7 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /** What is seen, and what sees it. */
+  /** The scene and the camera. */
   void SetScene(vtkRelievoRayScene* scene);
   vtkRelievoRayScene* GetScene();
   void SetCamera(vtkRelievoCameraModel* camera);
@@ -57,7 +58,7 @@ public:
   ///@}
 
   ///@{
-  /** The scene at another moment, and what sees it then; default: none. */
+  /** The scene at another moment, and the camera that sees it then; default: none. */
   void SetOther(vtkRelievoRayScene* scene, vtkRelievoCameraModel* camera);
   vtkRelievoRayScene* GetOtherScene();
   vtkRelievoCameraModel* GetOtherCamera();
@@ -71,9 +72,9 @@ public:
 
   ///@{
   /**
-   * Of the layer `ambient`: rays into the sky for each pixel, 1 to 65536 (64); world units beyond
-   * which nothing hides it (0: no limit); whether parts of the sky count by the cosine to the
-   * normal (default) or evenly; and a number that chooses other rays (0).
+   * Settings of the layer `ambient`: rays into the sky for each pixel, 1 to 65536 (64); world units
+   * beyond which nothing occludes (0: no limit); whether parts of the sky are weighted by the
+   * cosine to the normal (default) or evenly; and the seed of the rays (0).
    */
   vtkSetClampMacro(AmbientSamples, int, 1, 65536);
   vtkGetMacro(AmbientSamples, int);
@@ -86,16 +87,18 @@ public:
   vtkGetMacro(Seed, int);
   ///@}
 
-  /** The names of the layers that rays have, arrays apart, with commas between them. */
+  /** The names of the layers that rays have, except arrays, separated by commas. */
   static std::string GetLayerNames();
 
-  /** Whether rays have a layer of this name; of one that no catalogue lists, data may. */
+  /**
+   * Whether rays may have a layer of this name; names outside all catalogues may be data arrays.
+   */
   static bool HasLayer(const char* name);
 
-  /** Whether a layer of this name needs another state: flow, motion, flow_valid. */
+  /** Whether this layer needs another state: flow, motion, flow_valid. */
   static bool IsFlow(const char* name);
 
-  /** Always newer than before, because the scene may change without notice. */
+  /** Always newer than before, because the scene can change without notice. */
   vtkMTimeType GetMTime() override;
 
 protected:
@@ -124,7 +127,7 @@ private:
   double AmbientRadius = 0.0;
   bool AmbientByCosine = true;
   int Seed = 0;
-  double FlowShare = 0.0; // of the progress, while flow is found
+  double FlowShare = 0.0; // of the progress, while flow is computed
   std::string FlowError;
 };
 

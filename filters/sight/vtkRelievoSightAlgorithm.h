@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkRelievoSightAlgorithm
- * @brief Filters that ask rays what lies before a mesh: the mesh itself, and what else hides it.
+ * @brief Base of filters that trace rays to find what occludes a mesh: the mesh itself or other
+ * data.
  *
- * Input 0: a vtkPolyData. Input 1 (by choice, several): data sets that hide it.
+ * Input 0: a vtkPolyData. Input 1 (optional, repeatable): data sets that occlude it.
  */
 #ifndef vtkRelievoSightAlgorithm_h
 #define vtkRelievoSightAlgorithm_h
@@ -29,7 +30,7 @@ protected:
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
 
-  // The mesh, prop 0, and what hides it.
+  // The mesh, as prop 0, and its occluders.
   static vtkSmartPointer<vtkRelievoRayScene> MakeScene(vtkInformationVector** inputs);
 
 private:

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A direction about z turned to a surface's normal.
+// Rotates a direction about z to a surface's normal.
 #ifndef vtkRelievoSkyTurn_h
 #define vtkRelievoSkyTurn_h
 

@@ -34,7 +34,7 @@ constexpr int MostDays = 366 * 200;
 
 using Vector = std::array<double, 3>;
 
-// Days since 1970-01-01 in the Gregorian calendar, by whole cycles of 400 years from March on.
+// Days since 1970-01-01 in the Gregorian calendar, in whole cycles of 400 years from March on.
 long CountDays(const int date[3])
 {
   const long month = (date[1] + 9) % 12;
@@ -45,16 +45,16 @@ long CountDays(const int date[3])
   return 146097 * cycle + 365 * inCycle + inCycle / 4 - inCycle / 100 + day - 719468;
 }
 
-// Where the mesh is judged: places before it, and the way it faces.
+// The positions at which the mesh is evaluated, in front of it, and their normals.
 class Places
 {
 public:
   std::vector<Vector> At;
   std::vector<Vector> Normals; // 0 where there is no surface
 
-  // Polygons and strips, at the middle of their triangles by areas, moved along the normal onto the
-  // triangle that it lies over; over none (of a U it is between the legs): at the middle of the
-  // largest triangle.
+  // Polygons and strips: the area-weighted middle of their triangles, moved along the normal onto
+  // the triangle behind it. If there is none (in a U, between the legs): the middle of the largest
+  // triangle.
   void TakeCells(vtkPolyData* mesh, double before)
   {
     const auto count = static_cast<std::size_t>(mesh->GetNumberOfCells());
@@ -109,8 +109,9 @@ public:
     }
   }
 
-  // A point faces as its own normal, or as the triangles around it in the mean, by their angles at
-  // the point (G. Thürmer, C. A. Wüthrich 1998): however a face is cut, it counts alike.
+  // A point has its own normal, or the mean of the surrounding triangles' normals weighted by their
+  // angles at the point (G. Thürmer, C. A. Wüthrich 1998), which does not depend on how faces are
+  // cut.
   void TakePoints(vtkPolyData* mesh, double before)
   {
     this->Normals.assign(static_cast<std::size_t>(mesh->GetNumberOfPoints()), Vector{});
@@ -170,7 +171,7 @@ private:
       }
     }
 
-    // Whether a line along a normal through a place meets it.
+    // Whether a line along a normal through a position hits the triangle.
     bool IsBelow(const Vector& place, const Vector& normal) const
     {
       bool below = vtkMath::Dot(this->Cross.data(), normal.data()) > 0.0;
@@ -185,7 +186,7 @@ private:
       return below;
     }
 
-    // Where it does.
+    // The position of that hit.
     Vector Project(const Vector& place, const Vector& normal) const
     {
       const Vector to = From(place, this->Corners[0]);
@@ -205,7 +206,7 @@ private:
     }
   };
 
-  // At a point between two others.
+  // The angle at a point between two others.
   static double GetAngle(vtkPolyData* mesh, vtkIdType at, vtkIdType a, vtkIdType b)
   {
     Vector middle;
@@ -229,7 +230,7 @@ private:
   }
 };
 
-// Which places see anything in a direction: those that face it, by rays.
+// Finds the positions with free sight in a direction: those that face it, by rays.
 class Openings
 {
 public:
@@ -239,8 +240,8 @@ public:
   {
   }
 
-  // Calls what is to be done for each place from which the direction, which may be its own, is
-  // free, with the cosine to its normal.
+  // For each position from which the direction (which may differ per position) is free, calls
+  // `found` with the cosine to its normal.
   template <typename Direction, typename Found>
   bool Find(const Direction& direction, const Found& found)
   {
@@ -353,8 +354,8 @@ struct vtkRelievoSunExposure::Sun
 };
 
 //------------------------------------------------------------------------------
-// The sun in the middle of each step by day, or of the part of it in which the sun is up, in the
-// world.
+// The sun in the middle of each step by day, or of the part of a step in which the sun is up, in
+// world coordinates.
 std::vector<vtkRelievoSunExposure::Sun> vtkRelievoSunExposure::GetSuns() const
 {
   vtkNew<vtkRelievoSolarPosition> sun;
@@ -371,7 +372,7 @@ std::vector<vtkRelievoSunExposure::Sun> vtkRelievoSunExposure::GetSuns() const
     return local;
   };
   const auto isUp = [&getDirection](double hour) { return getDirection(hour)[2] > 0.0; };
-  // When the sun rises or sets between two times.
+  // The time of sunrise or sunset between two times.
   const auto findHorizon = [&isUp](double before, double after) {
     const bool rises = isUp(after);
     for (int i = 0; i < 32; ++i) // to a microsecond
@@ -391,7 +392,7 @@ std::vector<vtkRelievoSunExposure::Sun> vtkRelievoSunExposure::GetSuns() const
     {
       const double begin = HoursOfDay * middle + step * length;
       const double end = std::min(HoursOfDay * (middle + 1.0), begin + length);
-      // In each half the sun crosses the horizon once at most.
+      // In each half of a step the sun crosses the horizon at most once.
       std::vector<std::array<double, 2>> parts;
       const double times[] = { begin, 0.5 * (begin + end), end };
       for (int half = 0; half < 2; ++half)
@@ -431,7 +432,7 @@ int vtkRelievoSunExposure::RequestData(
   if (!wrong.empty())
   {
     vtkErrorMacro(<< wrong);
-    return 1; // of a 0 the executive speaks in words of code
+    return 1; // status 0 would make the executive print an internal error
   }
   vtkPolyData* mesh = vtkPolyData::GetData(inputs[0]);
   vtkPolyData* output = vtkPolyData::GetData(outputs);

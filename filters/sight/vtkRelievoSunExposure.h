@@ -2,41 +2,42 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkRelievoSunExposure
- * @brief Hours of sun on a mesh over a day, a season or a year, and how much of the sky it sees.
+ * @brief Hours of sun on a mesh over a day, a season or a year, and its sky view factor.
  *
- * Input 0: a vtkPolyData. Input 1 (by choice, several): what shades it as well, data sets. Output:
- * the mesh with arrays of its cells, or of its points:
- * - sun_hours (float): hours in which the sun's centre is above the horizon and before the surface,
- *   and nothing lies between;
- * - insolation (float): these hours, each times the cosine between the sun and the surface's
- *   normal: hours of sun at right angles that would bring as much;
- * - sky_view (float), if SkySamples is not 0: the share of the light of an even sky that arrives,
+ * Input 0: a vtkPolyData. Input 1 (optional, repeatable): data sets that also cast shade. Output:
+ * the mesh with arrays on its cells, or on its points:
+ * - sun_hours (float): hours in which the sun's centre is above the horizon and in front of the
+ *   surface, without an occluder;
+ * - insolation (float): these hours times the cosine between the sun and the surface's normal,
+ *   which is the equivalent number of hours at perpendicular incidence;
+ * - sky_view (float), if SkySamples is not 0: the share of the light of a uniform sky that arrives,
  *   0 to 1: 1 on open level ground, 1/2 on an open wall.
  *
  * Field data: possible_hours (double), hours of sun on open ground. Active scalars: sun_hours.
  *
- * Steps of time, the last of a day shorter if it must be, count by the sun in their middle; of the
- * steps in which the sun rises or sets, the part by day counts. Hours are right to about a step for
- * each time that the sun appears behind something or is hidden. The sun is a point; refraction is
- * left out (vtkRelievoSolarPosition). Normals point outwards; a surface gets no sun from behind.
- * Cells, convex or not, are judged at their middles, or within their largest triangle where the
- * middle lies outside; vertices and lines have 0. The world is in any unit: north is
- * z, -z or y where x, y or z points up.
+ * Each step counts by the sun's position in its middle; the last step of a day may be shorter, and
+ * of steps with a sunrise or sunset only the part by day counts. Hours are exact to about one step
+ * for each time that the sun appears or disappears behind something. The sun is a point; refraction
+ * is ignored (vtkRelievoSolarPosition). Normals point outwards; a surface gets no sun from behind.
+ * Cells, convex or not, are evaluated at their middle, or within their largest triangle if the
+ * middle lies outside; vertices and lines have 0. World units are arbitrary: north is z, -z or y if
+ * x, y or z points up.
  *
- * Rays are in double (vtkRelievoRayScene) and begin 1e-7 of the mesh's size before the surface.
+ * Rays are in double (vtkRelievoRayScene) and begin 1e-7 of the mesh's size in front of the
+ * surface.
  *
- * Errors: a date that is none, an end before the start.
+ * Errors: an invalid date, an end before the start.
  */
 #ifndef vtkRelievoSunExposure_h
 #define vtkRelievoSunExposure_h
 
 #include "vtkRelievoFiltersModule.h"   // for the export macro
-#include "vtkRelievoParametersMacro.h" // for the parameters by name
+#include "vtkRelievoParametersMacro.h" // for named parameters
 #include "vtkRelievoSightAlgorithm.h"
-#include "vtkRelievoText.h" // for their names and words
+#include "vtkRelievoText.h" // for parameters' names and texts
 
-#include <string> // for what is wrong
-#include <vector> // for the sun's places
+#include <string> // for error messages
+#include <vector> // for the sun's positions
 
 class VTKRELIEVOFILTERS_EXPORT vtkRelievoSunExposure : public vtkRelievoSightAlgorithm
 {
@@ -55,7 +56,7 @@ public:
 
   ///@{
   /**
-   * Year, month and day of the first and of the last day, which both count, from midnight of local
+   * Year, month and day of the first and of the last day, both included, from midnight of local
    * mean time. Default 2026, 6, 21 both.
    */
   vtkSetVector3Macro(FirstDay, int);
@@ -64,17 +65,20 @@ public:
   vtkGetVector3Macro(LastDay, int);
   ///@}
 
-  /** What is wrong with a first and a last day: "got ..., expected ..."; empty if nothing is. */
+  /** The error of a first and a last day: "got ..., expected ..."; empty if both are valid. */
   static std::string CheckDays(const int first[3], const int last[3]);
 
   ///@{
-  /** Every so many days count, each for as many; for a year 7 will do. 1 to 366; default 1. */
+  /**
+   * Only every DayStep-th day is computed and counts DayStep times; 7 suffices for a year. 1 to
+   * 366; default 1.
+   */
   vtkSetClampMacro(DayStep, int, 1, 366);
   vtkGetMacro(DayStep, int);
   ///@}
 
   ///@{
-  /** Minutes from one place of the sun to the next, 0.1 to 240. Default 20. */
+  /** Minutes between positions of the sun, 0.1 to 240. Default 20. */
   vtkSetClampMacro(Step, double, 0.1, 240.0);
   vtkGetMacro(Step, double);
   ///@}
@@ -86,7 +90,7 @@ public:
   ///@}
 
   ///@{
-  /** Whether points are judged rather than cells. Default off. */
+  /** Whether to evaluate points instead of cells. Default off. */
   vtkSetMacro(Points, bool);
   vtkGetMacro(Points, bool);
   vtkBooleanMacro(Points, bool);
@@ -94,15 +98,18 @@ public:
 
   ///@{
   /**
-   * Rays into the sky for each place, 0 to 65536; 0, the default: no sky_view. Its error is about
-   * 1 / SkySamples for simple horizons.
+   * Rays into the sky for each position, 0 to 65536; 0, the default: no sky_view. Its error is
+   * about 1 / SkySamples for simple horizons.
    */
   vtkSetClampMacro(SkySamples, int, 0, 65536);
   vtkGetMacro(SkySamples, int);
   ///@}
 
   ///@{
-  /** Parameters by name, with values in words, as of vtkRelievoStage; the days are none. */
+  /**
+   * Access to parameters by name, with values as text, as in vtkRelievoStage; the days are not
+   * included.
+   */
   vtkRelievoParametersMacro();
   ///@}
 

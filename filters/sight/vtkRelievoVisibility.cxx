@@ -44,14 +44,15 @@ namespace
 constexpr vtkIdType RaysOfABatch = 1 << 19;
 constexpr vtkIdType TrianglesOfAThread = 1024;
 
-// Corners of a pixel lie in it: what is beyond may belong to another face of a panorama.
+// A pixel's corners are moved slightly inwards: the corner itself may belong to another face of a
+// panorama.
 constexpr double Corner = 0.5 - 1e-7;
 
-// Points beside a cell's corners, towards its middle.
+// Distance of sample points from a cell's corners, towards its middle.
 constexpr double Inwards = 0.1;
 
-// Cells below so many pixels have the solid angle of their triangles, larger ones that of the
-// pixels that show them: a few pixels may be twice as large as the cell, or half.
+// Cells smaller than this many pixels have the solid angle of their triangles, larger ones that of
+// their pixels: a few pixels may be twice or half as large as the cell.
 constexpr double SmallPixels = 8.0;
 
 // The solid angle of three unit directions.
@@ -64,7 +65,7 @@ double GetSolidAngle(const double a[3], const double b[3], const double c[3])
     std::atan2(volume, 1.0 + vtkMath::Dot(a, b) + vtkMath::Dot(b, c) + vtkMath::Dot(c, a));
 }
 
-// Solid angles of pixels, of those whose four corners are seen.
+// Solid angles of pixels whose four corners have rays.
 class PixelAngles
 {
 public:
@@ -98,14 +99,14 @@ private:
   vtkNew<vtkDoubleArray> Directions;
 };
 
-// The views in which what a central camera sees is found without rays: what its picture shows, or
-// all around.
+// The views of a central camera that are evaluated without rays: its picture, or all directions.
 std::vector<vtkRelievoTriangleSight::View> GetViews(
   vtkRelievoCameraModel* camera, const glm::dvec3& sceneCenter)
 {
-  constexpr int steps = 64;       // of each side of the picture
-  constexpr double narrow = 0.3;  // cosine of what is seen farthest beside what is ahead
-  constexpr double beyond = 1.01; // what is seen must be in a view
+  constexpr int steps = 64; // of each side of the picture
+  constexpr double narrow =
+    0.3; // cosine between the viewing direction and the farthest visible one
+  constexpr double beyond = 1.01; // margin around the visible part
   const double* rotation = camera->GetRotation();
   const glm::dmat3 axes = glm::make_mat3(rotation); // columns: right, down and ahead
   const glm::dvec3 from = -(axes * glm::make_vec3(camera->GetTranslation()));
@@ -154,7 +155,7 @@ std::vector<vtkRelievoTriangleSight::View> GetViews(
   return views;
 }
 
-// What one camera sees of the mesh.
+// The part of the mesh that one camera sees.
 class Sight
 {
 public:
@@ -227,16 +228,16 @@ private:
 
   std::vector<Triangle> Triangles;
   vtkNew<vtkDoubleArray> Points;                  // of the mesh
-  std::unique_ptr<vtkRelievoTriangleSight> Quick; // what is found without rays
-  std::vector<int> QuickTriangles;                // of Quick, by Triangles; -1: none
-  std::vector<std::int64_t> QuickCorners;         // of Quick, by the mesh's points; -1: none
+  std::unique_ptr<vtkRelievoTriangleSight> Quick; // finds visible parts without rays
+  std::vector<int> QuickTriangles;                // index in Quick, by Triangles; -1: none
+  std::vector<std::int64_t> QuickCorners;         // index in Quick, by the mesh's points; -1: none
   bool IsQuick = false;                           // for this camera
   vtkRelievoCameraModel* Camera = nullptr;
-  std::vector<bool> Met;     // cells, by this camera
-  std::vector<double> Shown; // solid angles of cells, for this camera
-  std::vector<bool> Large;   // cells whose solid angle is that of the pixels that show them
-  vtkIdType PixelsShown = 0; // of the mesh, by this camera
-  double PixelAngle = 0.0;   // their mean solid angle
+  std::vector<bool> Met;              // cells, by this camera
+  std::vector<double> Shown;          // solid angles of cells, for this camera
+  std::vector<bool> Large;            // cells whose solid angle is that of their pixels
+  vtkIdType PixelsShown = 0;          // of the mesh, by this camera
+  double PixelAngle = 0.0;            // mean solid angle of these pixels
   vtkNew<vtkDoubleArray> PointPlaces; // in the picture
   vtkNew<vtkDoubleArray> PointDirections;
   vtkNew<vtkDoubleArray> Places;
@@ -249,7 +250,7 @@ private:
     return vtkDataArray::SafeDownCast(this->Hits->GetColumnByName(column));
   }
 
-  // The mesh's cells that rays have met, -1: none.
+  // The mesh's cells hit by rays; -1: none.
   class Cells
   {
   public:
@@ -265,7 +266,7 @@ private:
     const vtkIdType* Cell;
   };
 
-  // The mesh's cell that each place's ray meets first.
+  // Finds the first hit of each position's ray.
   bool Trace()
   {
     this->Camera->GetRays(this->Places, this->Origins, this->Directions);
@@ -319,7 +320,7 @@ private:
     data->GetArray("normal")->InsertNextTuple(this->Get("geometric_normal")->GetTuple(ray));
   }
 
-  // Not if it is NaN; so many pixels from the border.
+  // False for NaN; `room` is the distance in pixels from the border.
   bool IsInPicture(const double place[2], double room = 0.0) const
   {
     const int* size = this->Camera->GetSize();
@@ -327,15 +328,15 @@ private:
       place[1] <= size[1] - 0.5 - room;
   }
 
-  // Where the mesh's points are in the picture, and the directions of the rays to them.
+  // Computes the picture positions of the mesh's points, and the directions of their rays.
   void TakeCorners()
   {
     this->Camera->Project(this->Points, this->PointPlaces);
     this->Camera->GetRays(this->PointPlaces, this->Origins, this->PointDirections);
   }
 
-  // Which of the cells that pixels show keep the solid angle of these pixels: that of the others is
-  // found by points of theirs, as that of cells that no pixel's centre shows.
+  // Selects the cells that keep the solid angle of their pixels. The solid angles of other cells
+  // are computed from sample points, as for cells that no pixel's centre hits.
   void TakeAngles()
   {
     const double sum = std::accumulate(this->Shown.begin(), this->Shown.end(), 0.0);
@@ -352,14 +353,14 @@ private:
     this->Large.assign(this->Met.size(), false);
     for (std::size_t cell = 0; cell < this->Met.size(); ++cell)
     {
-      // Without an angle: it reaches to where the camera has no rays.
+      // A whole angle of 0 means that the cell reaches to where the camera has no rays.
       this->Large[cell] =
         this->Met[cell] && !(whole[cell] < SmallPixels * this->PixelAngle && whole[cell] > 0.0);
       this->Shown[cell] = this->Large[cell] ? this->Shown[cell] : 0.0;
     }
   }
 
-  // Points of a triangle: the middle, and one beside each corner.
+  // Sample points of a triangle: its middle, and one near each corner.
   static vtkRelievoTriangleSight::Weights GetWeights()
   {
     vtkRelievoTriangleSight::Weights weights;
@@ -372,7 +373,7 @@ private:
     return weights;
   }
 
-  // Whether there is what finds things without rays.
+  // Prepares the search without rays; false if it is not possible.
   bool PrepareQuick()
   {
     if (this->Quick)
@@ -383,7 +384,7 @@ private:
     const vtkRelievoRayTree& tree = this->Scene->GetTree();
     if (tree.GetNumberOfPlaces() == 0 || tree.GetMesh(0) != 0)
     {
-      return false; // no triangle of the mesh has a place
+      return false; // no triangle of the mesh is in the tree
     }
     this->Quick = std::make_unique<vtkRelievoTriangleSight>(tree, 0, GetWeights());
     const vtkRelievoMeshTree& mesh = tree.GetMeshTree(0);
@@ -413,7 +414,7 @@ private:
     return true;
   }
 
-  // Finds what needs no rays.
+  // Finds everything that needs no rays.
   void Look()
   {
     this->IsQuick = this->Camera->IsCentral() && this->PrepareQuick();
@@ -451,11 +452,11 @@ private:
     return quick < 0 ? State::Unknown : this->Quick->GetCorner(static_cast<std::size_t>(quick));
   }
 
-  // Cells that no pixel's centre shows, and small ones, by points of each of their triangles.
+  // Adds small cells, and those that no pixel's centre hits, by sample points of their triangles.
   bool AddSmallCells()
   {
     const auto count = static_cast<vtkIdType>(this->Triangles.size());
-    std::vector<unsigned char> seen(this->Triangles.size(), 0);  // points of each
+    std::vector<unsigned char> seen(this->Triangles.size(), 0);  // number of points per triangle
     std::vector<unsigned char> asked(this->Triangles.size(), 0); // bits
     vtkRelievoWithThreads([&] {
       vtkSMPTools::For(0, count, TrianglesOfAThread, [&](vtkIdType begin, vtkIdType end) {
@@ -502,7 +503,7 @@ private:
       {
         const auto at = static_cast<std::size_t>(this->Triangles[i].Cell);
         this->Met[at] = true;
-        // A large cell that no pixel's centre shows is seen in a strip narrower than a pixel.
+        // A large cell that no pixel's centre hits is visible in a strip narrower than a pixel.
         const double most =
           this->PixelAngle > 0.0 ? SmallPixels * this->PixelAngle : vtkMath::Inf();
         this->Shown[at] +=
@@ -512,7 +513,7 @@ private:
     return true;
   }
 
-  // How many of a triangle's points are seen, and which are to be asked by rays.
+  // Counts a triangle's visible sample points, and marks those that need rays.
   void JudgeSamples(
     std::size_t number, std::vector<unsigned char>& seen, std::vector<unsigned char>& asked)
   {
@@ -537,8 +538,8 @@ private:
     }
   }
 
-  // Whether a triangle's points are in the picture because its corners are, as those of a pinhole
-  // are.
+  // Whether a triangle's points are in the picture because its corners are, which holds for a
+  // pinhole camera.
   bool IsWithin(const Triangle& triangle) const
   {
     constexpr double room = 1e-6; // of pixels, for rounding
@@ -550,7 +551,7 @@ private:
       });
   }
 
-  // Of a triangle's point; false if it is not in the picture.
+  // The picture position of a triangle's sample point; false if it is outside the picture.
   bool FindPlace(const Triangle& triangle, int sample, double place[2])
   {
     const double* corners[3];
@@ -572,7 +573,7 @@ private:
     return this->Camera->Project(point, place) && this->IsInPicture(place);
   }
 
-  // From where the camera's rays to the corners begin; 0 if it has no rays to one of them.
+  // The solid angle spanned by the rays to the corners; 0 if a corner has no ray.
   double GetWholeAngle(const Triangle& triangle)
   {
     const double* directions[3];
@@ -715,7 +716,7 @@ int vtkRelievoVisibility::RequestData(
   if (this->Cameras.empty())
   {
     vtkErrorMacro("There are no cameras; give it some by AddCamera.");
-    return 1; // of a 0 the executive speaks in words of code
+    return 1; // status 0 would make the executive print an internal error
   }
   for (vtkRelievoCameraModel* camera : this->Cameras)
   {

@@ -2,28 +2,28 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkRelievoVisibility
- * @brief Which cells and points of a mesh cameras see, in how many pixels, under which solid angle.
+ * @brief The cells and points of a mesh that cameras see, their pixels and solid angles.
  *
- * Input 0: a vtkPolyData. Input 1 (by choice, several): what hides it as well, data sets. Output 0:
+ * Input 0: a vtkPolyData. Input 1 (optional, repeatable): data sets that also occlude it. Output 0:
  * the mesh with the cell arrays
- * - seen (int, the active scalars): the number of cameras that see any of the cell;
- * - pixels (vtkIdType): pixels whose centres show it, of all cameras;
- * - solid_angle (double): steradians under which it is seen, summed over the cameras; 0 of parallel
- *   rays;
+ * - seen (int, the active scalars): the number of cameras that see any part of the cell;
+ * - pixels (vtkIdType): the number of pixels whose centres show the cell, over all cameras;
+ * - solid_angle (double): the visible solid angle in steradians, summed over the cameras; 0 for
+ *   parallel rays;
  *
- * and the point array seen (int): the number of cameras from which nothing lies before the point.
- * Output 1, if Cloud is on: what the pixels' centres show of the mesh, as points with the arrays
- * cell and camera (int) and normal (3 float, geometric, towards the camera).
+ * and the point array seen (int): the number of cameras from which the point is not occluded.
+ * Output 1, if Cloud is on: the points of the mesh at the pixels' centres, with the arrays cell and
+ * camera (int) and normal (3 float, geometric, towards the camera).
  *
- * A ray goes through each pixel's centre. Further rays go to cells that none of these has met, and
- * to those smaller than 8 pixels, through points of their triangles, the middle and one beside each
- * corner: a cell smaller than a pixel is not lost. The solid angle of these cells is that of their
- * triangles (A. Van Oosterom, J. Strackee 1983) times the share of their points that are seen; that
- * of larger cells is the sum of their pixels' angles. Cells are seen from both sides. Of cameras
- * whose rays begin at one point, most of these answers are found without a ray for each.
- * Vertices and lines hide nothing, and no camera sees them.
+ * A ray goes through each pixel's centre. Further rays go to cells that none of these hit, and to
+ * cells smaller than 8 pixels, through points of their triangles: the middle and one near each
+ * corner. Cells smaller than a pixel are thus not lost. The solid angle of these cells is that of
+ * their triangles (A. Van Oosterom, J. Strackee 1983) times the share of their points that are
+ * visible; that of larger cells is the sum of their pixels' angles. Cells are visible from both
+ * sides. For cameras whose rays begin at one point, most results are found without a ray for each.
+ * Vertices and lines occlude nothing and are never seen.
  *
- * Errors: no cameras, a camera that has no places for points (vtkRelievoLidar).
+ * Errors: no cameras, a camera that cannot project points (vtkRelievoLidar).
  */
 #ifndef vtkRelievoVisibility_h
 #define vtkRelievoVisibility_h
@@ -44,20 +44,20 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /** From where, and in what pictures. */
+  /** The cameras, which define the viewpoints and pictures. */
   void AddCamera(vtkRelievoCameraModel* camera);
   void RemoveAllCameras();
   int GetNumberOfCameras() { return static_cast<int>(this->Cameras.size()); }
   ///@}
 
   ///@{
-  /** Whether output 1 has what is seen as points. Default off. */
+  /** Whether output 1 has the visible points. Default off. */
   vtkSetMacro(Cloud, bool);
   vtkGetMacro(Cloud, bool);
   vtkBooleanMacro(Cloud, bool);
   ///@}
 
-  /** That of the cameras as well. */
+  /** Includes the cameras' times. */
   vtkMTimeType GetMTime() override;
 
 protected:

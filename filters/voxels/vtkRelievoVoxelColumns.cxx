@@ -11,7 +11,7 @@
 
 namespace
 {
-// Lowers or raises a value that other threads change as well.
+// Lowers or raises a value that other threads also change.
 template <typename Better>
 void Improve(std::atomic<double>& held, double value, Better&& better)
 {
@@ -71,7 +71,7 @@ vtkRelievoVoxelParity::vtkRelievoVoxelParity(
   const auto width = static_cast<std::size_t>(grid.Cells[vtkRelievoVoxelGrid::GetColumn(axis)]);
   surface.ForEach([&](const std::array<const double*, 3>& corners) {
     vtkRelievoScanTriangle(corners, axis, grid.Cells, [&](int column, int row, double depth) {
-      // The first cell whose centre is not before the crossing.
+      // The first cell whose centre is at or behind the crossing.
       const auto cell = static_cast<std::size_t>(
         std::clamp(std::ceil(depth), 0., static_cast<double>(this->Cells)));
       const std::size_t at =

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-//
-// What the columns of a grid along one axis cross: the first and the last place (as two
-// orthographic depth maps see), or, as bits, which cells are behind an odd number of crossings.
+// Crossings of a grid's columns along one axis: the first and the last position (as two
+// orthographic depth maps see them), or, as bits, the cells behind an odd number of crossings.
 #ifndef vtkRelievoVoxelColumns_h
 #define vtkRelievoVoxelColumns_h
 
@@ -15,8 +14,8 @@
 
 class vtkRelievoVoxelSurface;
 
-// Two depth maps: per column the first and the last crossing, in grid coordinates along the axis;
-// +infinity and -infinity where there is none.
+// Two depth maps: the first and the last crossing of each column, in grid coordinates along the
+// axis; +infinity and -infinity if there is none.
 struct vtkRelievoVoxelViews
 {
   int Axis = 0;
@@ -28,8 +27,9 @@ struct vtkRelievoVoxelViews
 };
 
 // Bit k of a column: whether cell k is behind an odd number of crossings. Single-pass solid
-// voxelisation (Eisemann and Decoret 2008), in double: a crossing sets one bit by exclusive or, and
-// a scan along the words then spreads it. The bit beyond the last cell is set in open columns.
+// voxelisation (Eisemann and Decoret 2008), in double: a crossing flips one bit by exclusive or,
+// and a scan along the words then propagates it. The bit after the last cell is set in open
+// columns.
 class vtkRelievoVoxelParity
 {
 public:
@@ -54,7 +54,7 @@ public:
 private:
   void Spread(std::int64_t columns);
 
-  int Cells = 0; // of a column
+  int Cells = 0; // per column
   std::size_t WordsPerColumn = 0;
   std::unique_ptr<std::atomic<std::uint64_t>[]> Words;
   std::int64_t Open = 0;

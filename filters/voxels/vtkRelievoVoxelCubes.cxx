@@ -40,7 +40,7 @@ using SDDP = vtkStreamingDemandDrivenPipeline;
 
 namespace
 {
-// Of instances, where no distance is known: VTK makes of 0 what has no shape.
+// Smallest scale of an instance: VTK ignores shapes of size 0.
 constexpr double LeastInstance = 1e-6;
 
 // Whether the cell and its six neighbours are inside.
@@ -112,26 +112,26 @@ int vtkRelievoVoxelCubes::RequestUpdateExtent(
   vtkInformation* output = outputs->GetInformationObject(0);
   std::array<int, 6> extent;
   input->Get(SDDP::WHOLE_EXTENT(), extent.data());
-  // The nearest cell inside may be anywhere.
+  // The nearest cell inside may be anywhere in the input.
   if (!(this->Transition > 0.))
   {
     const std::array<int, 6> whole = extent;
     extent = vtkRelievoVoxelPieces::Of(input, output);
-    // The neighbours tell which cells are inner ones.
+    // Inner cells are found from their neighbours.
     for (std::size_t i = 0; i < 6 && extent[0] <= extent[1]; i += 2)
     {
       extent[i] = std::max(extent[i] - 1, whole[i]);
       extent[i + 1] = std::min(extent[i + 1] + 1, whole[i + 1]);
     }
   }
-  // The executive would divide the extent of a piece again.
+  // Otherwise the executive would divide the piece's extent again.
   input->Set(SDDP::UPDATE_PIECE_NUMBER(), 0);
   input->Set(SDDP::UPDATE_NUMBER_OF_PIECES(), 1);
   input->Set(SDDP::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
   input->Set(SDDP::UPDATE_EXTENT(), extent.data(), 6);
   for (int i = 0; i < inputs[1]->GetNumberOfInformationObjects(); ++i)
   {
-    // The nearest point may be anywhere.
+    // The nearest point may be anywhere in the model.
     vtkInformation* model = inputs[1]->GetInformationObject(i);
     if (model->Has(SDDP::WHOLE_EXTENT()))
     {
@@ -159,7 +159,7 @@ int vtkRelievoVoxelCubes::RequestData(
   }
   if (!mask || mask->GetNumberOfComponents() != 1)
   {
-    // The output stays empty. Status 0 would make the pipeline say it again in its own words.
+    // The output stays empty. Status 0 would make the pipeline report a second error.
     this->SetErrorCode(vtkErrorCode::UserError);
     vtkErrorMacro("No cubes: the image has no cell array 'mask' of unsigned char; the filter Voxel "
                   "Shell makes such images.");
@@ -179,8 +179,8 @@ int vtkRelievoVoxelCubes::RequestData(
     std::max(1, extent[3] - extent[2]), std::max(1, extent[5] - extent[4]) } };
   std::array<double, 3> spacing;
   image->GetSpacing(spacing.data());
-  // Each cell has its cube in one piece. Of data that came in blocks of their own, all cells that
-  // are no ghosts are this piece's.
+  // Each cell has its cube in one piece. If the data came in separate blocks, all cells other than
+  // ghosts belong to this piece.
   std::array<int, 6> own =
     vtkRelievoVoxelPieces::Of(inputs[0]->GetInformationObject(0), outputs->GetInformationObject(0));
   for (std::size_t i = 0; i < 6; i += 2)
@@ -193,13 +193,13 @@ int vtkRelievoVoxelCubes::RequestData(
   }
   if (own[0] > own[1])
   {
-    return 1; // a piece of nothing
+    return 1; // an empty piece
   }
   auto* ghosts = vtkUnsignedCharArray::SafeDownCast(
     image->GetCellData()->GetArray(vtkDataSetAttributes::GhostArrayName()));
   constexpr unsigned char Blanked =
     vtkDataSetAttributes::HIDDENCELL | vtkDataSetAttributes::REFINEDCELL;
-  std::vector<unsigned char> visible; // of the mask, where cells are blanked
+  std::vector<unsigned char> visible; // marks visible cells of the mask, if any are blanked
   if (ghosts)
   {
     visible.assign(mask->GetPointer(0), mask->GetPointer(0) + mask->GetNumberOfValues());
@@ -269,7 +269,7 @@ int vtkRelievoVoxelCubes::RequestData(
     };
     double cubes = 0.;
     forEachCell([&](vtkIdType, const int*) { cubes += 1.; });
-    // The place, the size and three scales, and the four numbers of a turn.
+    // The position, the size and three scales, and the four numbers of a rotation.
     bytes += cubes * (inDouble ? 3. * sizeof(double) : 3. * sizeof(float)) +
       cubes * (turn.IsTurned() ? 8. : 4.) * sizeof(float) +
       vtkRelievoVoxelNearest::EstimateBytes(model, cubes);
@@ -278,7 +278,7 @@ int vtkRelievoVoxelCubes::RequestData(
     {
       return;
     }
-    // At once, as growing takes twice the room.
+    // Allocated at once: growing takes twice the room.
     relievo::Reserve(points, static_cast<vtkIdType>(cubes));
     relievo::Reserve(sizes, static_cast<vtkIdType>(cubes));
     this->UpdateProgress(0.5);

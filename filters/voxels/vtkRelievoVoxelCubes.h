@@ -2,32 +2,32 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkRelievoVoxelCubes
- * @brief Points with sizes, to be drawn as cubes: 1 inside a mask, less and less outside.
+ * @brief Points with sizes, to be drawn as cubes: size 1 inside a mask, decreasing outside.
  *
  * Input 0: vtkImageData with the cell array `mask` of vtkRelievoVoxelShell. Input 1, optional: a
- * data set whose point data color the cubes: each has those of the nearest point.
+ * data set whose point data color the cubes: each cube gets those of the nearest point.
  *
  * Output: a point at the centre of each cell that has a cube, with the point arrays
  * - size (float): 1 inside, falling to RestSize over Transition outside;
  * - scale (3 float): size times the cell's sides, for vtkGlyph3DMapper's scaling by vector
  *   components with a unit cube;
- * - orientation (4 float): only where the image has a direction matrix that turns, the quaternion
- *   w x y z by which cubes are turned (SetOrientationModeToQuaternion). The matrix must be one of
- *   rotation, or of one and a mirror.
- * Places are double where float would move them by more than a thousandth of a cell's shortest
- * side, and else float.
- * Inner cells, whose six neighbours are inside, are left out: they are not seen.
+ * - orientation (4 float): only if the image's direction matrix rotates, the quaternion w x y z of
+ *   the cubes' rotation (SetOrientationModeToQuaternion). The matrix must be a rotation, or a
+ *   rotation with a reflection.
+ * Positions are double if float would move them by more than a thousandth of a cell's shortest
+ * side, otherwise float. Inner cells, whose six neighbours are inside, are left out because they
+ * are hidden.
  *
- * With Instanced, sizes and places are left to vtkRelievoVoxelCubesActor, which computes them as
- * the cubes are drawn: all cells up to Transition have a point, and it stays at their centre.
- * Instead of the above there is the point array `instance` (3 float): the cell's sides divided by
- * 1 + d, where d is how far outside it is, in longest sides of a cell.
+ * With Instanced, vtkRelievoVoxelCubesActor computes sizes and positions as the cubes are drawn:
+ * all cells up to Transition have a point, which stays at their centre. Instead of the above there
+ * is the point array `instance` (3 float): the cell's sides divided by 1 + d, where d is the cell's
+ * distance outside, in longest sides of a cell.
  *
- * In pieces, each cell has its cube in one of them. Cells that are ghosts or blanked have none, and
- * blanked ones are outside. Ghost arrays of the second input are left out, and so, with a warning,
+ * In pieces, each cell has its cube in one of them. Ghost and blanked cells have none, and blanked
+ * cells count as outside. Ghost arrays of the second input are left out, and so, with a warning,
  * are arrays called `size`, `scale`, `orientation` or `instance`.
  *
- * Errors: an image without `mask` or with cells that are no boxes, more memory than MemoryLimit.
+ * Errors: an image without `mask` or with cells that are not boxes, more memory than MemoryLimit.
  */
 #ifndef vtkRelievoVoxelCubes_h
 #define vtkRelievoVoxelCubes_h
@@ -45,28 +45,28 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /** Size of cubes that are farther outside than Transition, 0 to 1. Default is 0.05. */
+  /** Size of cubes farther outside than Transition, 0 to 1. Default is 0.05. */
   vtkSetClampMacro(RestSize, double, 0., 1.);
   vtkGetMacro(RestSize, double);
   ///@}
 
   ///@{
   /**
-   * The distance, in world units from the nearest cell inside, over which sizes fall to RestSize.
-   * Default 0: there are cubes inside only.
+   * The distance from the nearest cell inside, in world units, over which sizes fall to RestSize.
+   * Default 0: only cells inside have cubes.
    */
   vtkSetClampMacro(Transition, double, 0., VTK_DOUBLE_MAX);
   vtkGetMacro(Transition, double);
   ///@}
 
   ///@{
-  /** How much of the sizes above RestSize there is, 0 to 1, for animations. Default is 1. */
+  /** Fraction of the sizes above RestSize, 0 to 1, for animations. Default is 1. */
   vtkSetClampMacro(Growth, double, 0., 1.);
   vtkGetMacro(Growth, double);
   ///@}
 
   ///@{
-  /** Whether cells farther outside than Transition have cubes, of RestSize. Default is off. */
+  /** Whether cells farther outside than Transition have cubes of RestSize. Default is off. */
   vtkSetMacro(WholeGrid, bool);
   vtkGetMacro(WholeGrid, bool);
   vtkBooleanMacro(WholeGrid, bool);
@@ -74,8 +74,8 @@ public:
 
   ///@{
   /**
-   * A place that cubes move away from: one at the distance d below RepellerRadius r moves to
-   * (r + d d / r) / 2. Cells there have cubes inside as well. Default radius 0: nothing moves.
+   * Centre of a repeller: cubes at distance d below RepellerRadius r move to (r + d d / r) / 2.
+   * There, inner cells have cubes too. Default radius 0: nothing moves.
    */
   vtkSetVector3Macro(Repeller, double);
   vtkGetVector3Macro(Repeller, double);
@@ -84,7 +84,7 @@ public:
   ///@}
 
   ///@{
-  /** Whether sizes and places are left to vtkRelievoVoxelCubesActor. Default is off. */
+  /** Whether vtkRelievoVoxelCubesActor computes sizes and positions. Default is off. */
   vtkSetMacro(Instanced, bool);
   vtkGetMacro(Instanced, bool);
   vtkBooleanMacro(Instanced, bool);
@@ -92,8 +92,8 @@ public:
 
   ///@{
   /**
-   * The most bytes that the cubes may take; 0, the default: what the machine has left. More are
-   * refused before they are made.
+   * Upper bound of the cubes' bytes; 0, the default: all free memory. If more are needed, no cubes
+   * are made.
    */
   vtkSetClampMacro(MemoryLimit, double, 0., VTK_DOUBLE_MAX);
   vtkGetMacro(MemoryLimit, double);

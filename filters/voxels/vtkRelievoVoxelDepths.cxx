@@ -25,7 +25,7 @@ struct Side
   int Size[2] = { 0, 0 };
   double WorldToNDC[16];
   int Axis = -1;
-  int Sign = 0;    // of the direction of looking
+  int Sign = 0;    // of the viewing direction
   double Eye = 0.; // along the axis
 };
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Orthographic depth images, as captures write them, as what columns of cells cross.
+// Reads crossings of columns of cells from orthographic depth images, as captures write them.
 #ifndef vtkRelievoVoxelDepths_h
 #define vtkRelievoVoxelDepths_h
 
@@ -15,15 +15,15 @@ class vtkImageData;
 
 namespace vtkRelievoVoxelDepths
 {
-// The data, or what is in its blocks, if they are images.
+// Adds the data, or a composite's blocks, if they are images.
 void Add(vtkDataObject* data, std::vector<vtkImageData*>& images);
 
-// A matrix of an image's field data, by rows. False if it has none of 16 finite numbers.
+// A matrix of an image's field data, by rows. False without 16 finite numbers.
 bool GetMatrix(vtkImageData* image, const char* name, double matrix[16]);
 
-// Each image looks along an axis; each axis that one looks along needs one from each side. A column
-// takes the texel whose centre is nearest to its own; beyond an image, and where a texel is not
-// finite, there is nothing. Returns what is wrong, or an empty text.
+// Each image looks along an axis; each viewed axis needs an image from each side. A column uses the
+// texel whose centre is nearest to its own; it is empty outside an image and where a texel is not
+// finite. Returns the error, or an empty text.
 std::string Read(const std::vector<vtkImageData*>& images, const vtkRelievoVoxelGrid& grid,
   std::vector<vtkRelievoVoxelViews>& views);
 }

@@ -33,7 +33,7 @@ vtkRelievoVoxelDirection::vtkRelievoVoxelDirection(vtkImageData* image)
   {
     return;
   }
-  // Boxes are their own mirror images.
+  // A box equals its mirror image.
   const double sign = vtkMath::Determinant3x3(columns) < 0. ? -1. : 1.;
   double turn[3][3];
   for (int row = 0; row < 3; ++row)

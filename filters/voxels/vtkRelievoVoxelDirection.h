@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// How the cells of an image are turned by its direction matrix.
+// The rotation of an image's cells by its direction matrix.
 #ifndef vtkRelievoVoxelDirection_h
 #define vtkRelievoVoxelDirection_h
 
@@ -16,10 +16,10 @@ public:
   explicit vtkRelievoVoxelDirection(vtkImageData* image);
 
   bool IsTurned() const { return this->Turned; }
-  // Whether the cells are no boxes.
+  // Whether the cells are not boxes.
   bool IsSkewed() const { return this->Skewed; }
 
-  // The quaternion w x y z, so many times.
+  // An array that repeats the quaternion w x y z.
   vtkSmartPointer<vtkFloatArray> MakeArray(const char* name, vtkIdType tuples) const;
 
 private:

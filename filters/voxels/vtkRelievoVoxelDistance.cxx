@@ -62,7 +62,7 @@ public:
   }
 
 private:
-  // Where the parabola over the cell b begins to be lower than that over a.
+  // The position from which the parabola over cell b is lower than that over a.
   double Meet(int a, int b) const
   {
     const double square = this->Spacing * this->Spacing;

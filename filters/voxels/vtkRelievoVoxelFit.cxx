@@ -51,7 +51,7 @@ std::array<double, 3> vtkRelievoVoxelFit::Count(const double box[6]) const
 std::string vtkRelievoVoxelFit::FindProblem(const double box[6]) const
 {
   std::ostringstream out;
-  // Sums of two ends must be finite as well.
+  // Sums of two ends must also be finite.
   constexpr double Farthest = std::numeric_limits<double>::max() / 4.;
   for (int i = 0; i < 6; ++i)
   {
@@ -65,7 +65,7 @@ std::string vtkRelievoVoxelFit::FindProblem(const double box[6]) const
     }
   }
   const std::array<double, 3> count = this->Count(box);
-  // An extent counts points, one more than cells. NaN fails.
+  // An extent counts points, one more than cells. The test also rejects NaN.
   constexpr double Most = std::numeric_limits<int>::max() - 1.;
   if (!(count[0] <= Most && count[1] <= Most && count[2] <= Most))
   {
@@ -91,7 +91,7 @@ vtkRelievoVoxelGrid vtkRelievoVoxelFit::Fit(const double box[6]) const
   }
   for (int axis = 0; axis < 3; ++axis)
   {
-    // A flat box, too, has cells with a volume.
+    // A flat box also has cells with a volume.
     grid.Spacing[axis] = grid.Spacing[axis] > 0. ? grid.Spacing[axis] : widest > 0. ? widest : 1.;
     grid.Origin[axis] = (box[2 * axis] + box[2 * axis + 1] - count[axis] * grid.Spacing[axis]) / 2.;
   }

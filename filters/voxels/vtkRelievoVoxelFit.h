@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The grid that fits a box.
+// Fits a grid to a box.
 #ifndef vtkRelievoVoxelFit_h
 #define vtkRelievoVoxelFit_h
 
@@ -16,14 +16,14 @@ struct vtkRelievoVoxelFit
   int Resolution = 100;                         // cells along the longest side
   int Padding = 0;                              // cells added on each side
 
-  // How many cells a box takes along each axis, which may be more than fit into an int.
+  // The number of cells along each axis, which may exceed an int.
   std::array<double, 3> Count(const double box[6]) const;
 
-  // Words for a box that no grid can fill: lengths that are not finite, more cells along an axis
-  // than an extent can count. Empty if there is none.
+  // Why no grid can fill the box: lengths that are not finite, or more cells along an axis than an
+  // extent can count. Empty if one can.
   std::string FindProblem(const double box[6]) const;
 
-  // The grid around the middle of a box without such a problem.
+  // The grid, centred on a box without such a problem.
   vtkRelievoVoxelGrid Fit(const double box[6]) const;
 
 private:

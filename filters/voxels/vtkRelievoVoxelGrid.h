@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The cells of an image, and the columns of cells along an axis. Grid coordinates: the centre of
-// cell i of an axis is at i.
+// The cells of an image, and its columns of cells along an axis. Grid coordinates: the centre of
+// cell i along an axis is at i.
 #ifndef vtkRelievoVoxelGrid_h
 #define vtkRelievoVoxelGrid_h
 
@@ -29,14 +29,14 @@ struct vtkRelievoVoxelGrid
     return static_cast<std::int64_t>(this->Cells[0]) * this->Cells[1] * this->Cells[2];
   }
 
-  // The axes across the columns, in the order of memory.
+  // The axes across the columns, in memory order.
   static int GetColumn(int axis) { return axis == 0 ? 1 : 0; }
   static int GetRow(int axis) { return axis == 2 ? 1 : 2; }
   std::int64_t GetNumberOfColumns(int axis) const
   {
     return static_cast<std::int64_t>(this->Cells[GetColumn(axis)]) * this->Cells[GetRow(axis)];
   }
-  // The column along the axis that a cell is in.
+  // The column along the axis that contains a cell.
   std::size_t ColumnOf(int axis, int i, int j, int k) const
   {
     const std::array<int, 3> cell{ { i, j, k } };

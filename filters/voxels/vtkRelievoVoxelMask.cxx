@@ -11,8 +11,8 @@
 
 namespace
 {
-// Calls work(j, k, mask of the row's first cell) for each row of cells along x, in threads; returns
-// how many cells are 1 afterwards.
+// Calls work(j, k, the row's first mask value) in threads for each row of cells along x; returns
+// the number of cells that are then 1.
 template <typename Work>
 std::int64_t ForEachRow(const vtkRelievoVoxelGrid& grid, unsigned char* mask, Work&& work)
 {
@@ -33,7 +33,7 @@ std::int64_t ForEachRow(const vtkRelievoVoxelGrid& grid, unsigned char* mask, Wo
   return inside;
 }
 
-// The cells of a column between its crossings: first to last.
+// The cells between the crossings of a column: first to last.
 struct Between
 {
   std::vector<int> First;
@@ -181,7 +181,7 @@ double vtkRelievoVoxelMask::EstimateBytes(
     const double along = cells[static_cast<std::size_t>(a)];
     const double columns = all / along;
     bytes += parity ? columns * 8. * (std::floor(along / 64.) + 1.) : 0.;
-    // Two doubles while they are made, two that are kept, two indices.
+    // Two doubles used while computing, two kept, two indices.
     bytes += (!parity || distances) && (axis < 0 || axis == a) ? columns * 40. : 0.;
   }
   return bytes;

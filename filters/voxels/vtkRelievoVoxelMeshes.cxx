@@ -52,7 +52,7 @@ bool vtkRelievoVoxelMeshes::GetBounds(vtkDataObject* data, double bounds[6])
       box.AddBounds(own);
       continue;
     }
-    // A point that is not finite spoils VTK's bounds.
+    // Non-finite points spoil VTK's bounds.
     for (vtkIdType i = 0; i < leaf->GetNumberOfPoints(); ++i)
     {
       double place[3];

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The polygons of any data, and the leaves of composite data.
+// The polygons of any data set, and the leaves of composite data.
 #ifndef vtkRelievoVoxelMeshes_h
 #define vtkRelievoVoxelMeshes_h
 
@@ -15,13 +15,13 @@ class vtkPolyData;
 
 namespace vtkRelievoVoxelMeshes
 {
-// The data set, or those in the composite data.
+// The data set, or a composite's data sets.
 std::vector<vtkDataSet*> GetLeaves(vtkDataObject* data);
 
-// False if there is no place with finite coordinates.
+// False if no point has finite coordinates.
 bool GetBounds(vtkDataObject* data, double bounds[6]);
 
-// A vtkPolyData itself, or the outer surface.
+// A vtkPolyData itself, otherwise the outer surface.
 vtkSmartPointer<vtkPolyData> GetSurface(vtkDataSet* data);
 }
 

@@ -18,7 +18,7 @@ namespace
 {
 bool IsGhosts(const std::string& name)
 {
-  return name == vtkDataSetAttributes::GhostArrayName(); // the model's are not the cubes'
+  return name == vtkDataSetAttributes::GhostArrayName(); // the model's ghosts are not the cubes'
 }
 
 bool IsOwn(const std::string& name)
@@ -94,8 +94,8 @@ double EstimateBytes(vtkDataSet* model, double points)
   {
     return 0.;
   }
-  // The nearest points' numbers; a locator has a number and a place in its list for each point, and
-  // about half a bucket.
+  // The nearest points' numbers; a locator has, for each point, a number and an index in its list,
+  // and about half a bucket.
   const double locator = 2.5 * sizeof(vtkIdType) * static_cast<double>(model->GetNumberOfPoints());
   double perPoint = sizeof(vtkIdType);
   vtkPointData* data = model->GetPointData();
@@ -105,7 +105,7 @@ double EstimateBytes(vtkDataSet* model, double points)
     const std::string name = NameOf(array);
     if (!IsGhosts(name) && !IsOwn(name))
     {
-      // Of texts, which have no size of their own, a pointer and some letters.
+      // Strings have no fixed size: a pointer and some letters are assumed.
       const int size = std::max(array->GetDataTypeSize(), array->IsNumeric() ? 1 : 48);
       perPoint += array->GetNumberOfComponents() * size;
     }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The point data of a model for points near it.
+// Copies a model's point data to nearby points.
 #ifndef vtkRelievoVoxelNearest_h
 #define vtkRelievoVoxelNearest_h
 
@@ -15,11 +15,11 @@ class vtkPoints;
 
 namespace vtkRelievoVoxelNearest
 {
-// The data of the nearest point, for each of the points. Returns the names of arrays that are left
-// out, as cubes have their own of these names.
+// Copies the data of the nearest point to each point. Returns the names of arrays left out because
+// cubes have their own arrays of these names.
 std::string Add(vtkDataSet* model, vtkPoints* points, vtkPointData* output);
 
-// The bytes that this takes for so many points.
+// The bytes that Add needs for so many points.
 double EstimateBytes(vtkDataSet* model, double points);
 }
 

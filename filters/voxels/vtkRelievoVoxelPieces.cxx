@@ -65,7 +65,7 @@ void vtkRelievoVoxelPieces::Crop(vtkImageData* image, vtkInformation* output)
   {
     part[i] = std::max(part[i], asked[i]);
     part[i + 1] = std::min(part[i + 1], asked[i + 1]);
-    empty = empty || part[i] >= part[i + 1]; // a layer of points has no cells
+    empty = empty || part[i] >= part[i + 1]; // a single layer of points has no cells
   }
   if (empty)
   {

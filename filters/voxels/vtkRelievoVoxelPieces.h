@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Which part of a grid a request of the pipeline is about.
+// Handles the part of a grid that a pipeline request asks for.
 #ifndef vtkRelievoVoxelPieces_h
 #define vtkRelievoVoxelPieces_h
 
@@ -13,16 +13,16 @@ class vtkInformation;
 
 namespace vtkRelievoVoxelPieces
 {
-// Updates all of an output, for the time that was asked for last.
+// Updates a whole output for the time requested last.
 void UpdateWhole(vtkAlgorithm* producer, int port);
 
-// Sets the whole extent. Who asked for all of the one before is asking for all of this.
+// Sets the whole extent. A request for the whole previous extent becomes one for the new extent.
 void SetWhole(vtkInformation* output, const std::array<int, 6>& extent);
 
-// Leaves the cells in the update extent.
+// Crops the image to the cells in the update extent.
 void Crop(vtkImageData* image, vtkInformation* output);
 
-// The extent of an input that is the piece of an output, without ghosts; each cell is in one piece.
+// The extent of an input for the piece of an output, without ghosts; each cell is in one piece.
 std::array<int, 6> Of(vtkInformation* input, vtkInformation* output);
 }
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What a voxel shell tells of its last update.
+// The report of a voxel shell on its last update.
 #ifndef vtkRelievoVoxelReport_h
 #define vtkRelievoVoxelReport_h
 
@@ -18,17 +18,17 @@ class vtkFieldData;
 struct vtkRelievoVoxelReport
 {
   vtkIdType Inside = 0;
-  vtkIdType Triangles = 0; // that are looked at
+  vtkIdType Triangles = 0; // number of triangles processed
   bool Closed = false;
   std::array<vtkIdType, 3> Open{};
   std::array<vtkIdType, 3> Columns{};
   std::string Words;
 
-  // The columns of an axis.
+  // Counts the columns of an axis.
   void Count(int axis, const vtkRelievoVoxelParity& parity, const vtkRelievoVoxelGrid& grid);
 
-  // Makes the words of the numbers. By parity along an axis, or by views; invalid triangles were
-  // left out.
+  // Makes the text from the numbers, for parity along an axis or for views; `invalid` triangles
+  // were left out.
   void Describe(bool parity, int axis, const std::vector<vtkRelievoVoxelViews>& views,
     const vtkRelievoVoxelGrid& grid, bool fromImages, vtkIdType invalid);
 

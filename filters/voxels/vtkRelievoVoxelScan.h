@@ -1,10 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-//
-// Where the lines through the centres of columns meet a triangle, in double. What a shared edge
-// decides, it decides from its own two ends, and each column is on one side of it: with a surface
-// that uses each edge an even number of times, each column has an even number of crossings,
-// whatever is degenerate, and however numbers are rounded.
+// Hits of the lines through columns' centres with a triangle, in double. Decisions at a shared edge
+// depend only on the edge's two ends, and each column is on one side of it. On a surface that uses
+// each edge an even number of times, each column therefore has an even number of crossings, however
+// degenerate the triangles are and however numbers are rounded.
 #ifndef vtkRelievoVoxelScan_h
 #define vtkRelievoVoxelScan_h
 
@@ -59,7 +58,7 @@ void vtkRelievoScanTriangle(const std::array<const double*, 3>& corners, int axi
       {
         const double t = (row - low[up]) / (high[up] - low[up]);
         const auto [least, most] = std::minmax(low[across], high[across]);
-        // Two of the three edges cross a row, never one or three.
+        // Exactly two of the three edges cross a row.
         found[count & 1].Across =
           std::clamp(low[across] + t * (high[across] - low[across]), least, most);
         found[count & 1].Along = low[axis] + t * (high[axis] - low[axis]);

@@ -50,7 +50,7 @@ struct vtkRelievoVoxelShell::Internals
 {
   vtkRelievoVoxelReport Report;
 
-  // The grid of what the inputs are now; false with the problem where there is none.
+  // Fits the grid to the current inputs; false, with `problem` set, if that fails.
   static bool MakeGrid(vtkRelievoVoxelShell* self, vtkDataObject* surface,
     vtkRelievoVoxelGrid& grid, std::string& problem);
 };
@@ -64,7 +64,7 @@ bool vtkRelievoVoxelShell::Internals::MakeGrid(vtkRelievoVoxelShell* self, vtkDa
   if (!IsBox(box) && !(surface && vtkRelievoVoxelMeshes::GetBounds(surface, box)))
   {
     grid.Cells = { { 0, 0, 0 } };
-    return true; // nothing there
+    return true; // empty data
   }
   vtkRelievoVoxelFit fit;
   std::copy(self->Dimensions, self->Dimensions + 3, fit.Dimensions.begin());
@@ -150,7 +150,7 @@ int vtkRelievoVoxelShell::FillInputPortInformation(int port, vtkInformation* inf
 vtkTypeBool vtkRelievoVoxelShell::ProcessRequest(
   vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  // The input's bounds are known for a time only.
+  // The input's bounds are valid only for one time.
   return request->Has(SDDP::REQUEST_TIME_DEPENDENT_INFORMATION())
     ? this->RequestInformation(request, inputs, outputs)
     : this->Superclass::ProcessRequest(request, inputs, outputs);
@@ -170,7 +170,7 @@ int vtkRelievoVoxelShell::RequestInformation(
       output->Set(SDDP::TIME_DEPENDENT_INFORMATION(), 1);
       output->Set(SDDP::UNRESTRICTED_UPDATE_EXTENT(), 1);
     }
-    // Only the data tell where the grid is.
+    // Only the data determine the grid.
     int port = 0;
     vtkAlgorithm* producer = this->GetInputAlgorithm(0, 0, port);
     vtkRelievoVoxelPieces::UpdateWhole(producer, port);
@@ -195,8 +195,8 @@ int vtkRelievoVoxelShell::RequestUpdateExtent(
   vtkInformation* output = outputs->GetInformationObject(0);
   if (output->Has(SDDP::TIME_DEPENDENT_INFORMATION()) && !IsBox(this->Bounds))
   {
-    // Filters downstream ask for the extent of the time that they saw first. In pieces, the
-    // executive divides this one.
+    // Filters downstream request the extent of the first time they saw. In pieces, the executive
+    // divides this extent.
     output->Set(SDDP::UPDATE_EXTENT(), output->Get(SDDP::WHOLE_EXTENT()), 6);
   }
   for (int port = 0; port < 2; ++port)
@@ -251,7 +251,7 @@ int vtkRelievoVoxelShell::RequestData(
   }
   if (!problem.empty())
   {
-    // The output stays empty. Status 0 would make the pipeline say it again in its own words.
+    // The output stays empty. Status 0 would make the pipeline report a second error.
     this->SetErrorCode(vtkErrorCode::UserError);
     vtkErrorMacro("No cells: " << problem << ".");
     return 1;

@@ -2,37 +2,37 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkRelievoVoxelShell
- * @brief Which cells of a grid are inside a surface: by what is seen of it, or by parity.
+ * @brief Marks the cells of a grid inside a surface, by views or by parity.
  *
- * Input 0: a data set, or a composite of them. Of what is not a vtkPolyData, the outer surface
- * counts. Its data are needed in one piece.
+ * Input 0: a data set, or a composite of them. Data sets other than vtkPolyData count by their
+ * outer surface. The data are needed in one piece.
  *
  * Input 1, optional: orthographic depth images, from each side of one, two or three axes, with the
  * layer `depth` and the field data of captures (vtkRelievoLayerSource, vtkRelievoDepthViews). Each
- * may be a vtkImageData or a vtkMultiBlockDataSet of them. They then take the place of the surface,
- * which is at most asked for its bounds.
+ * may be a vtkImageData or a vtkMultiBlockDataSet of them. They then replace the surface, of which
+ * at most the bounds are used.
  *
  * Output: vtkImageData with the cell array `mask` (unsigned char, 1 inside, 0 outside). A cell is
  * inside if its centre is:
- * - TWO_VIEWS: between what is seen from the front and from the back along Axis;
- * - SIX_VIEWS: that along all three axes. Both take hollows that are not seen for solid;
- * - PARITY: behind an odd number of crossings, which is exact for any closed surface. Where the
- *   surface is not closed, each of the three axes counts, columns with an odd number of crossings
- *   in all do not vote, and the majority decides.
+ * - TWO_VIEWS: between the surfaces seen from the front and from the back along Axis;
+ * - SIX_VIEWS: that along all three axes. Both methods fill hidden hollows;
+ * - PARITY: behind an odd number of crossings, which is exact for any closed surface. If the
+ *   surface is not closed, all three axes vote, except columns with an odd total number of
+ *   crossings, and the majority decides.
  *
- * Places are computed in double, as rays through the centres of columns meet triangles; polygons
- * are cut into triangles. Results do not depend on the number of threads. The time depends on the
+ * Hits of rays through the columns' centres with triangles are computed in double; polygons are cut
+ * into triangles. Results do not depend on the number of threads. The time depends on the
  * triangles, the columns that they cover and, for the output, on the cells.
  *
- * Field data, each also as a method: `inside` (number of cells), `closed` (1 or 0), `columns` and
- * `open_columns` (of each axis that counts), and `report`, a text.
+ * Field data, each also available as a method: `inside` (number of cells), `closed` (1 or 0),
+ * `columns` and `open_columns` (of each counted axis), and `report`, a text.
  *
- * In pieces, each has its part of the cells, and the whole surface is needed for it; numbers and
- * report are those of the whole grid. Where Bounds are the input's and it changes in time, the
- * whole extent does too.
+ * Each piece has its part of the cells and needs the whole surface; numbers and report are those of
+ * the whole grid. If Bounds are the input's and the input changes in time, so does the whole
+ * extent.
  *
- * Errors: no input, a grid that is infinite or would take more than MemoryLimit, depth images that
- * do not fit. An empty surface is none: nothing is inside.
+ * Errors: no input, a grid that is infinite or needs more than MemoryLimit, invalid depth images.
+ * An empty surface is no error: nothing is inside.
  */
 #ifndef vtkRelievoVoxelShell_h
 #define vtkRelievoVoxelShell_h
@@ -60,7 +60,7 @@ public:
   };
 
   ///@{
-  /** How inside is decided. Default is PARITY. Depth images decide by the axes they look along. */
+  /** The method. Default is PARITY. Depth images use views along the axes they look along. */
   vtkSetClampMacro(Method, int, TWO_VIEWS, PARITY);
   vtkGetMacro(Method, int);
   ///@}
@@ -77,20 +77,20 @@ public:
   ///@{
   /**
    * The box that the grid fills: x, y and z, each from and to. While a pair is not in order, as by
-   * default (1, -1, ...), it is the input's bounds. Needed where only depth images are given.
+   * default (1, -1, ...), it is the input's bounds. Required if only depth images are given.
    */
   vtkSetVector6Macro(Bounds, double);
   vtkGetVector6Macro(Bounds, double);
   ///@}
 
   ///@{
-  /** Cells along x, y and z, which fill the box. Default 0 0 0: by CellSize or Resolution. */
+  /** Cells along x, y and z, which fill the box. Default 0 0 0: set by CellSize or Resolution. */
   vtkSetVector3Macro(Dimensions, int);
   vtkGetVector3Macro(Dimensions, int);
   ///@}
 
   ///@{
-  /** Side of the cubic cells in world units. Default 0: by Resolution. */
+  /** Side of the cubic cells in world units. Default 0: set by Resolution. */
   vtkSetClampMacro(CellSize, double, 0., VTK_DOUBLE_MAX);
   vtkGetMacro(CellSize, double);
   ///@}
@@ -102,16 +102,17 @@ public:
   ///@}
 
   ///@{
-  /** Cells that are added on each side of the box. Default is 0. */
+  /** Cells added on each side of the box. Default is 0. */
   vtkSetClampMacro(Padding, int, 0, 1000000);
   vtkGetMacro(Padding, int);
   ///@}
 
   ///@{
   /**
-   * Whether there are the cell arrays `front` and `back` (float): how far a cell's centre is behind
-   * the first surface of its column, and before the last one, in world units along each viewed axis
-   * (PARITY: Axis). Negative outside, NaN in columns without a surface. Default off.
+   * Whether the output has the cell arrays `front` and `back` (float): the distance of a cell's
+   * centre behind the first surface of its column, and in front of the last one, in world units
+   * along each viewed axis (PARITY: Axis). Negative outside, NaN in columns without a surface.
+   * Default off.
    */
   vtkSetMacro(Distances, bool);
   vtkGetMacro(Distances, bool);
@@ -120,8 +121,8 @@ public:
 
   ///@{
   /**
-   * The most bytes that a grid may take, output included; 0, the default: what the machine has
-   * left. A larger one is refused before it is made.
+   * Upper bound of the grid's bytes, output included; 0, the default: all free memory. A larger
+   * grid is refused before it is made.
    */
   vtkSetClampMacro(MemoryLimit, double, 0., VTK_DOUBLE_MAX);
   vtkGetMacro(MemoryLimit, double);
@@ -129,9 +130,9 @@ public:
 
   ///@{
   /**
-   * Of the last update: cells inside; whether the surface uses each edge an even number of times;
-   * columns along an axis with an odd number of crossings, and all of them (0 where crossings were
-   * not counted); and all of this in words.
+   * Results of the last update: cells inside; whether the surface uses each edge an even number of
+   * times; columns along an axis with an odd number of crossings, and all of them (0 if crossings
+   * were not counted); and a report of all of this as text.
    */
   vtkIdType GetNumberOfCellsInside();
   bool IsClosed();

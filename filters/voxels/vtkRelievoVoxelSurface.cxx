@@ -48,7 +48,7 @@ std::uint64_t HashOf(const double* point)
   return hash;
 }
 
-// Cuts polygons that a fan would leave.
+// Cuts polygons whose fan would leave their outline.
 class PolygonCutter
 {
 public:
@@ -57,7 +57,8 @@ public:
   {
   }
 
-  // Whether no corner turns against the others. True where that cannot be told, as without area.
+  // Whether no corner turns against the others. True if that is undefined, for example without
+  // area.
   bool IsConvex(const vtkIdType* ids, vtkIdType size) const
   {
     const glm::dvec3 first = this->PlaceOf(ids[0]);
@@ -80,7 +81,7 @@ public:
     return true;
   }
 
-  // Ears by VTK; a fan where it finds none.
+  // Cuts ears by VTK; uses a fan if VTK finds none.
   template <typename Add>
   void Cut(const vtkIdType* ids, vtkIdType size, Add&& add)
   {
@@ -215,7 +216,7 @@ void vtkRelievoVoxelSurface::HashEdges(std::size_t firstTriangle)
         {
           const std::uint64_t a = this->PointHashes[static_cast<std::size_t>(ids[c])];
           const std::uint64_t b = this->PointHashes[static_cast<std::size_t>(ids[(c + 1) % 3])];
-          sum ^= a == b ? 0 : Mix(a + b); // of no length: it crosses nothing
+          sum ^= a == b ? 0 : Mix(a + b); // zero length: it crosses nothing
         }
       }
       all ^= sum;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Triangles of a surface in grid coordinates, and whether they are closed.
+// The triangles of a surface in grid coordinates, and whether they are closed.
 #ifndef vtkRelievoVoxelSurface_h
 #define vtkRelievoVoxelSurface_h
 
@@ -19,19 +19,19 @@ class vtkPolyData;
 class vtkRelievoVoxelSurface
 {
 public:
-  // Adds polygons and strips as triangles: concave polygons cut by ears, others as fans. Ghosts are
-  // left out.
+  // Adds polygons and strips as triangles: concave polygons are cut by ears, others as fans. Ghosts
+  // are left out.
   void Add(vtkPolyData* mesh, const vtkRelievoVoxelGrid& grid);
 
-  // Whether there are triangles, and each edge is used an even number of times, by places: the
-  // exclusive or of a hash of all edges is 0. Wrongly so with a probability of 2^-64.
+  // Whether there are triangles and each edge, by its end positions, is used an even number of
+  // times: the exclusive or of a hash of all edges is 0. True in error with a probability of 2^-64.
   bool IsClosed() const { return !this->Triangles.empty() && this->EdgeHash == 0; }
 
   vtkIdType GetNumberOfTriangles() const
   {
     return static_cast<vtkIdType>(this->Triangles.size() / 3);
   }
-  // Triangles with a point that is not finite: they are left out.
+  // Triangles with a non-finite point, which are left out.
   vtkIdType GetNumberOfInvalid() const { return this->Invalid; }
 
   // Calls work(corners) for each triangle, in threads.
