@@ -45,7 +45,7 @@ std::string vtkRelievoFileKind::ReadWhole(
   {
     return std::strerror(errno);
   }
-  // Not by the size that the file system says, which need not be the file's.
+  // Does not trust the size reported by the file system, which may be wrong.
   char part[1 << 16];
   while (bytes.size() <= most && (file.read(part, sizeof part) || file.gcount() > 0))
   {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What VTK's objects say, without where they say it.
+// Messages of VTK's objects without their source location.
 #ifndef vtkRelievoMessageText_h
 #define vtkRelievoMessageText_h
 
@@ -9,7 +9,10 @@
 
 namespace vtkRelievoMessageText
 {
-// "ERROR: In a.cxx, line 1\nvtkThing (0x1): text\n\n" becomes "text".
+// Converts "ERROR: In a.cxx, line 1
+// vtkThing (0x1): text
+//
+// " to "text".
 inline std::string OfMessage(std::string text)
 {
   const std::string::size_type line = text.find(", line ");

@@ -19,10 +19,10 @@
 
 namespace
 {
-// Of all files there are. It is never destroyed, and changed by whoever holds the lock.
+// Names of all existing files. Never destroyed; changed only while the lock is held.
 std::vector<std::string>* const Names = new std::vector<std::string>;
 std::atomic_flag Locked = ATOMIC_FLAG_INIT;
-thread_local int Holds = 0; // of this thread
+thread_local int Holds = 0; // locks held by this thread
 
 #ifdef _WIN32
 int GetProcess()
@@ -34,7 +34,7 @@ void Wait() {}
 #else
 constexpr int Ending[] = { SIGHUP, SIGINT, SIGQUIT, SIGPIPE, SIGALRM, SIGTERM, SIGUSR1, SIGUSR2,
   SIGVTALRM, SIGXCPU };
-thread_local sigset_t Before; // of signals that this thread holds back
+thread_local sigset_t Before; // signal mask of this thread before blocking
 
 int GetProcess()
 {
@@ -43,7 +43,7 @@ int GetProcess()
 
 void Wait()
 {
-  poll(nullptr, 0, 1); // a millisecond; signal handlers may call it
+  poll(nullptr, 0, 1); // a millisecond; allowed in signal handlers
 }
 
 extern "C" void RemoveAndEnd(int signal)
@@ -54,11 +54,11 @@ extern "C" void RemoveAndEnd(int signal)
 }
 #endif
 
-// The process that has the files: not one that it forks. 0: no program of ours.
+// The process that owns the files, excluding forks. 0: not one of our programs.
 int Process = 0;
 std::atomic<bool> Removed(false);
 
-// Not without end: a fork of the process may have been made while another thread had the lock.
+// Waits for a limited time: the process may have been forked while another thread held the lock.
 bool Lock()
 {
   constexpr int patience = 5000; // milliseconds
@@ -82,7 +82,7 @@ vtkRelievoTemporaryFile::Uninterrupted::Uninterrupted()
     return;
   }
 #ifndef _WIN32
-  // First, for the handler of a signal to this thread would wait for the lock of this thread.
+  // Before locking: a signal handler in this thread would wait for this thread's own lock.
   sigset_t ending;
   sigemptyset(&ending);
   for (const int signal : Ending)
@@ -120,7 +120,7 @@ vtkRelievoTemporaryFile::vtkRelievoTemporaryFile(
     char name[64];
     std::snprintf(name, sizeof(name), ".relievo-%08x%08x.tmp", random(), random());
     this->Name = (std::filesystem::path(folder) / name).string();
-    file = std::fopen(this->Name.c_str(), "wbx"); // x: nothing, no link either, may have the name
+    file = std::fopen(this->Name.c_str(), "wbx"); // x: fails if the name exists, even as a link
     if (!file && errno != EEXIST)
     {
       break;
@@ -169,7 +169,8 @@ void vtkRelievoTemporaryFile::RemoveAtEnd()
   for (const int signal : Ending)
   {
     struct sigaction now = {};
-    if (sigaction(signal, nullptr, &now) == 0 && now.sa_handler != SIG_IGN) // as nohup has it
+    if (sigaction(signal, nullptr, &now) == 0 &&
+      now.sa_handler != SIG_IGN) // ignored, for example by nohup
     {
       now = {};
       now.sa_handler = RemoveAndEnd;
@@ -183,7 +184,7 @@ void vtkRelievoTemporaryFile::RemoveAtEnd()
 //------------------------------------------------------------------------------
 void vtkRelievoTemporaryFile::RemoveAll()
 {
-  // The lock is kept: nothing is begun, or put in its place, while the program ends.
+  // Keeps the lock: nothing is begun or moved while the program ends.
   if (Process == 0 || Process != GetProcess() || Removed || !Lock())
   {
     return;

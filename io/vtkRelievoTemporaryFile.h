@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A file that is written beside its place, and moved there when it is whole. All that Relievo
-// writes under another name first is one, so that whatever ends the program finds them all.
+// A file that is written under a temporary name and moved when it is complete. Relievo uses it for
+// all such files, so that all of them are removed when the program ends early.
 #ifndef vtkRelievoTemporaryFile_h
 #define vtkRelievoTemporaryFile_h
 
@@ -14,8 +14,8 @@
 class VTKRELIEVOIO_EXPORT vtkRelievoTemporaryFile
 {
 public:
-  // Makes an empty file in the folder, which must be new, of a name that nobody can know before:
-  // `.relievo-NUMBER.tmp`. If that fails, says why and has no name.
+  // Makes a new, empty file in the folder, with an unpredictable name: `.relievo-NUMBER.tmp`. On
+  // failure, sets `trouble` and has no name.
   vtkRelievoTemporaryFile(const std::string& folder, std::error_code& trouble);
   // Removes the file, unless it was moved.
   ~vtkRelievoTemporaryFile();
@@ -24,10 +24,10 @@ public:
 
   const std::string& GetName() const { return this->Name; }
 
-  // Gives the file this name, in the place of what had it.
+  // Moves the file to this name, replacing an existing file.
   void MoveTo(const std::string& place, std::error_code& trouble);
 
-  // While it lives, a signal that ends the program waits, and so do all others of these.
+  // While it exists, signals that end the program wait, and other objects of this class block.
   class VTKRELIEVOIO_EXPORT Uninterrupted
   {
   public:
@@ -37,8 +37,8 @@ public:
     void operator=(const Uninterrupted&) = delete;
   };
 
-  // For programs: from here on, signals that end the program, and exit(), remove all such files
-  // first. Signals that are ignored stay so.
+  // For programs: from now on, signals that end the program, and exit(), first remove all such
+  // files. Ignored signals stay ignored.
   static void RemoveAtEnd();
 
   // Removes all such files of this process; may be called from a signal handler.

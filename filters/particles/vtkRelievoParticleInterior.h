@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
+//
 // Positions evenly spread in the space inside depth maps. They are sampled from columns between the
 // surfaces that two opposite views see, or from a box if views are not opposite, and kept if no
 // other view sees them outside.

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
+//
 // An orthographic depth image as a surface for particles. Map coordinates: the centre of texel (i,
 // j) is at (i, j); the third coordinate is the depth along the viewing direction. All are in
 // texels.

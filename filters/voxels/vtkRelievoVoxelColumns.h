@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
+//
 // Crossings of a grid's columns along one axis: the first and the last position (as two
 // orthographic depth maps see them), or, as bits, the cells behind an odd number of crossings.
 #ifndef vtkRelievoVoxelColumns_h

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
+//
 // Hits of the lines through columns' centres with a triangle, in double. Decisions at a shared edge
 // depend only on the edge's two ends, and each column is on one side of it. On a surface that uses
 // each edge an even number of times, each column therefore has an even number of crossings, however

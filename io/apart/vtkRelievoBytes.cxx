@@ -18,7 +18,7 @@ ByteWriter::ByteWriter(const Give& give)
 //------------------------------------------------------------------------------
 void ByteWriter::PutBytes(const void* bytes, std::size_t size)
 {
-  constexpr std::size_t most = 1 << 16; // that are gathered before they are written
+  constexpr std::size_t most = 1 << 16; // bytes gathered before they are written
   const char* begin = static_cast<const char*>(bytes);
   if (size > most || this->Buffer.size() + size > most)
   {
@@ -65,7 +65,7 @@ ByteReader::ByteReader(const void* bytes, std::size_t size)
 //------------------------------------------------------------------------------
 void ByteReader::Refuse()
 {
-  throw std::runtime_error("what the reader made of it is damaged");
+  throw std::runtime_error("the reader's result is damaged");
 }
 
 //------------------------------------------------------------------------------

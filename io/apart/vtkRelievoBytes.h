@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Values as bytes, for another process of the same program: it has the same types in memory.
+// Values as bytes for another process of the same program, which has the same types in memory.
 #ifndef vtkRelievoBytes_h
 #define vtkRelievoBytes_h
 
-#include "vtkObjectBase.h"      // for those that are read
+#include "vtkObjectBase.h"      // for objects that are read
 #include "vtkRelievoIOModule.h" // for the export macro
 #include "vtkSmartPointer.h"
 
@@ -25,8 +25,8 @@ class vtkPolyData;
 
 namespace relievo
 {
-// What has a function `VisitFields(value, visit)`, which calls visit with all its members, goes by
-// these.
+// Types with a function `VisitFields(value, visit)`, which calls visit with all members, are
+// written through it.
 template <typename Value, typename = void>
 struct HasFields : std::false_type
 {
@@ -38,7 +38,7 @@ struct HasFields<Value,
 {
 };
 
-// Gives bytes away, some at a time.
+// Writes bytes, passing them on in batches.
 class VTKRELIEVOIO_EXPORT ByteWriter
 {
 public:
@@ -56,8 +56,7 @@ public:
     (this->Put(values), ...);
   }
 
-  // Which number an object has among those that are written; -1: it has none yet, and gets the
-  // next.
+  // The number of an object already written; -1: not written yet, it gets the next number.
   std::int64_t FindNumber(const void* object);
 
 private:
@@ -132,8 +131,8 @@ private:
   std::map<const void*, std::int64_t> Numbers;
 };
 
-// Reads what a ByteWriter wrote. Whatever the bytes are, it reads nothing beyond them: it throws
-// std::runtime_error.
+// Reads the output of a ByteWriter. Never reads beyond the given bytes, whatever they contain: it
+// throws std::runtime_error instead.
 class VTKRELIEVOIO_EXPORT ByteReader
 {
 public:
@@ -142,10 +141,10 @@ public:
   void operator=(const ByteReader&) = delete;
 
   void GetBytes(void* bytes, std::size_t size);
-  // Where the next bytes are, which are passed over.
+  // The address of the next bytes, which are then skipped.
   const char* Take(std::size_t size);
   std::size_t GetLeft() const { return static_cast<std::size_t>(this->End - this->At); }
-  // A number of things that take at least so many bytes each.
+  // A number of items that take at least `each` bytes each.
   std::size_t GetCount(std::size_t each);
 
   template <typename... Values>
@@ -162,7 +161,7 @@ public:
     return value;
   }
 
-  // Those that were read, by their numbers.
+  // The objects read so far, by number.
   std::vector<vtkSmartPointer<vtkObjectBase>> Objects;
 
   [[noreturn]] static void Refuse();

@@ -33,7 +33,7 @@ namespace relievo
 {
 namespace
 {
-// Composites deeper than that are no user's.
+// No user has deeper composites.
 constexpr int DeepestBlock = 200;
 
 constexpr std::uint64_t MostOfNone = 1 << 16; // components of an array without tuples
@@ -47,7 +47,7 @@ enum class Kind : unsigned char
   Pieces
 };
 
-// Of arrays.
+// Types of arrays.
 constexpr int Types[] = { VTK_BIT, VTK_CHAR, VTK_SIGNED_CHAR, VTK_UNSIGNED_CHAR, VTK_SHORT,
   VTK_UNSIGNED_SHORT, VTK_INT, VTK_UNSIGNED_INT, VTK_LONG, VTK_UNSIGNED_LONG, VTK_LONG_LONG,
   VTK_UNSIGNED_LONG_LONG, VTK_FLOAT, VTK_DOUBLE, VTK_ID_TYPE, VTK_STRING };
@@ -60,7 +60,7 @@ std::uint64_t CountBytes(vtkAbstractArray* array)
     : values * static_cast<std::uint64_t>(array->GetDataTypeSize());
 }
 
-// An array whose values lie one behind the other.
+// An array with its values in contiguous memory.
 vtkSmartPointer<vtkDataArray> GetPlain(vtkDataArray* array)
 {
   if (array->HasStandardMemoryLayout() || array->GetDataType() == VTK_BIT)
@@ -92,7 +92,7 @@ void PutTable(ByteWriter& writer, vtkLookupTable* table)
     table->GetTableRange()[0], table->GetTableRange()[1]);
 }
 
-// None for what is no array of numbers or strings.
+// Writes none for arrays of neither numbers nor strings.
 void PutArray(ByteWriter& writer, vtkAbstractArray* array)
 {
   auto* numbers = vtkDataArray::SafeDownCast(array);
@@ -140,8 +140,8 @@ void PutField(ByteWriter& writer, vtkFieldData* field)
   }
 }
 
-// An array that was left out has no place among those that are read: attributes go by name of kind
-// and by the array itself.
+// Arrays that were left out get no number when read, so attributes are written by kind and with the
+// array itself.
 void PutAttributes(ByteWriter& writer, vtkDataSetAttributes* attributes)
 {
   PutField(writer, attributes);
@@ -218,7 +218,7 @@ void PutImage(ByteWriter& writer, vtkImageData* image)
   PutField(writer, image->GetFieldData());
 }
 
-// A piece of several, or a block.
+// Writes a piece of several, or a block.
 void PutPart(ByteWriter& writer, bool hasData, vtkInformation* about, vtkDataObject* part)
 {
   PutName(writer,
@@ -292,7 +292,7 @@ vtkSmartPointer<vtkAbstractArray> GetArray(ByteReader& reader)
   auto array = vtkSmartPointer<vtkAbstractArray>::Take(vtkAbstractArray::CreateArray(type));
   auto* numbers = vtkDataArray::SafeDownCast(array);
   auto* strings = vtkStringArray::SafeDownCast(array);
-  // VTK takes memory for the components, too.
+  // VTK also allocates memory per component.
   const std::uint64_t left = 8 * static_cast<std::uint64_t>(reader.GetLeft()); // bits
   const auto mostComponents = tuples > 0 ? left / static_cast<std::uint64_t>(tuples) : MostOfNone;
   if ((!numbers && !strings) || tuples < 0 || components < 1 ||
@@ -324,7 +324,7 @@ vtkSmartPointer<vtkAbstractArray> GetArray(ByteReader& reader)
     return array;
   }
   numbers->SetLookupTable(GetTable(reader));
-  // Memory is taken for what is there.
+  // Allocates only as much memory as there are bytes.
   const bool bits = type == VTK_BIT;
   const auto values = static_cast<std::uint64_t>(tuples) * static_cast<std::uint64_t>(components);
   const auto each = static_cast<std::uint64_t>(array->GetDataTypeSize());
@@ -342,7 +342,7 @@ vtkSmartPointer<vtkAbstractArray> GetArray(ByteReader& reader)
   return array;
 }
 
-// Arrays of at least so many tuples.
+// Reads arrays of at least `least` tuples.
 void GetField(ByteReader& reader, vtkFieldData* field, vtkIdType least = 0)
 {
   for (int count = reader.Get<int>(); count > 0; --count)
@@ -561,7 +561,7 @@ void PutData(ByteWriter& writer, vtkDataObject* data)
   }
   else if (auto* other = vtkCompositeDataSet::SafeDownCast(data))
   {
-    // Others become a list of what they hold.
+    // Other composites become a list of their leaves.
     vtkNew<vtkMultiBlockDataSet> list;
     const auto each = vtkSmartPointer<vtkCompositeDataIterator>::Take(other->NewIterator());
     for (each->InitTraversal(); !each->IsDoneWithTraversal(); each->GoToNextItem())

@@ -34,11 +34,11 @@ namespace
 {
 constexpr std::uint64_t Memory = std::uint64_t(8) << 30;
 constexpr std::uint64_t MemoryOfMiB = std::uint64_t(32) << 20;
-constexpr std::uint64_t SecondsOfMiB = 2; // of both that follow
+constexpr std::uint64_t SecondsOfMiB = 2; // of processor time and of waiting
 std::uint64_t ProcessorSeconds = 15;
 std::uint64_t WaitingSeconds = 60;
 
-// A file: open, and closed with this.
+// A file descriptor, closed by the destructor.
 class Descriptor
 {
 public:
@@ -70,20 +70,20 @@ private:
   int Number;
 };
 
-// What is sent about the work that goes on, in packets.
+// Messages about the work in progress, sent in packets.
 struct Note
 {
   enum Kinds : int
   {
     Progress,
-    Began,    // Status: the number of the process
+    Began,    // Status: the process's number
     Opened,   // Size
-    NoMemory, // which the reader may get over
-    Whole,    // all that was made is written
+    NoMemory, // the reader may still succeed
+    Whole,    // the result is written completely
     Ended     // Status, of the process
   };
   Kinds Kind = Progress;
-  int Status = 0; // of the process, or its number
+  int Status = 0; // exit status of the process, or its number
   std::uint64_t Size = 0;
   double Share = 0.;
   char What[5000] = "";
@@ -92,17 +92,18 @@ struct Note
 struct Request
 {
   vtkRelievoReaderProcess::Work Work = nullptr;
-  std::uint64_t Size = 0; // of what is asked, which the first socket brings; it takes what is made
+  // Bytes of the request, which arrive through the first socket; the result returns through it.
+  std::uint64_t Size = 0;
   std::uint64_t ProcessorSeconds = 0;
 };
 
-int Server = -1; // the program's end of the line to the process; -1: there is none
+int Server = -1; // the program's socket to the process; -1: none
 pid_t Process = 0;
-int Line = -1;            // within a work: to the program
-std::uint64_t Opened = 0; // within a work: bytes of files
+int Line = -1;            // during a work: to the program
+std::uint64_t Opened = 0; // during a work: bytes of files
 
 //------------------------------------------------------------------------------
-// What comes out of a socket, in one piece.
+// Collects the bytes from a socket in contiguous memory.
 class Buffer
 {
 public:
@@ -111,14 +112,14 @@ public:
   Buffer(const Buffer&) = delete;
   void operator=(const Buffer&) = delete;
 
-  // Waits for some bytes, at most so many. False at the end.
+  // Waits for some bytes, at most `most`. False at the end.
   bool Receive(int socket, std::size_t most)
   {
     constexpr std::size_t step = 1 << 20;
     if (this->Size == this->Room)
     {
       const std::size_t room = std::max(2 * this->Room, step);
-      void* grown = std::realloc(this->Bytes, room); // which moves pages and not bytes
+      void* grown = std::realloc(this->Bytes, room); // moves pages instead of bytes
       if (!grown)
       {
         throw std::bad_alloc();
@@ -144,7 +145,7 @@ private:
   std::size_t Room = 0;
 };
 
-// False if there is nobody to take them.
+// False if the other end is closed.
 bool SendBytes(int socket, const char* bytes, std::size_t size)
 {
   while (size > 0)
@@ -183,7 +184,7 @@ bool Receive(int line, Note& note)
   return got == sizeof note;
 }
 
-constexpr std::size_t FilesSent = 2; // the socket of what is asked and made, and the line
+constexpr std::size_t FilesSent = 2; // the socket for request and result, and the line for notes
 
 bool SendRequest(int server, Request& request, const std::array<int, FilesSent>& files)
 {
@@ -245,13 +246,13 @@ std::uint64_t GetSeconds(std::uint64_t least, std::uint64_t size)
 }
 
 // The seconds since a process began in which it waited: none of its threads computed, and its first
-// thread would not have computed if it had been given a processor. On a busy machine a file may
-// take long without waiting.
+// thread was not queued for a processor. So a slow file on a busy machine does not count as
+// waiting.
 double GetWaitingSeconds(pid_t process, double passed)
 {
   clockid_t clock = 0;
   timespec computed = {};
-  if (process == 0) // it has not begun
+  if (process == 0) // not begun yet
   {
     return passed;
   }
@@ -261,12 +262,12 @@ double GetWaitingSeconds(pid_t process, double passed)
   }
   std::ifstream statistics("/proc/" + std::to_string(process) + "/schedstat");
   std::uint64_t ran = 0, queued = 0;
-  statistics >> ran >> queued; // in nanoseconds; 0 where the kernel keeps none
+  statistics >> ran >> queued; // in nanoseconds; 0 if the kernel has no statistics
   return passed - static_cast<double>(computed.tv_sec) -
     1e-9 * (static_cast<double>(computed.tv_nsec) + static_cast<double>(queued));
 }
 
-// The user's own limits, which may be lower, stay.
+// Keeps the user's own limits if they are lower.
 template <typename Resource>
 void Limit(Resource resource, std::uint64_t most)
 {
@@ -278,14 +279,14 @@ void Limit(Resource resource, std::uint64_t most)
 
 void LimitAll(std::uint64_t size)
 {
-  // Sanitizers take terabytes of addresses.
+  // Sanitizers reserve terabytes of address space.
 #ifndef __SANITIZE_ADDRESS__
   Limit(RLIMIT_DATA, GetMemory(size));
 #endif
   Limit(RLIMIT_CPU, GetSeconds(ProcessorSeconds, size));
 }
 
-// The process of one file.
+// Runs in the process of one file.
 [[noreturn]] void Work(const Request& request, int bytes, int line)
 {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
@@ -301,7 +302,7 @@ void LimitAll(std::uint64_t size)
     vtkRelievoReaderProcess::LackMemory();
     throw std::bad_alloc();
   });
-  // VTK throws where malloc() fails, also out of what may not throw.
+  // VTK throws if malloc() fails, even from noexcept functions.
   std::set_terminate([] {
     try
     {
@@ -329,7 +330,7 @@ void LimitAll(std::uint64_t size)
     relievo::ByteWriter writer([bytes](const char* part, std::size_t size) {
       if (!SendBytes(bytes, part, size))
       {
-        _exit(0); // nobody waits for it
+        _exit(0); // the requester has gone
       }
     });
     int percent = -1;
@@ -361,12 +362,12 @@ void LimitAll(std::uint64_t size)
 }
 
 //------------------------------------------------------------------------------
-// A process of one file, as the one that forked it knows it.
+// A process of one file, as seen by the process that forked it.
 struct Child
 {
   pid_t Number = 0;
-  Descriptor Life; // has an end when the process has
-  Descriptor Line; // to who asked
+  Descriptor Life; // readable when the process has ended
+  Descriptor Line; // to the requester
 };
 
 std::unique_ptr<Child> Fork(const Request& request, int bytes, int line)
@@ -401,13 +402,13 @@ void Bury(const Child& child)
 [[noreturn]] void Serve(int server)
 {
   prctl(PR_SET_NAME, "relievo-reader");
-  // What ends the program by these ends this one too, by the end of the line to it.
+  // These signals end the program; this process then ends when the program's socket closes.
   for (const int signal : { SIGHUP, SIGINT, SIGQUIT, SIGTERM })
   {
     std::signal(signal, SIG_IGN);
   }
   const int nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC);
-  dup2(nowhere, STDOUT_FILENO); // whose end others wait for
+  dup2(nowhere, STDOUT_FILENO); // the original's other end may be awaited
   dup2(nowhere, STDERR_FILENO);
   std::vector<std::unique_ptr<Child>> children;
   for (;;)
@@ -430,9 +431,9 @@ void Bury(const Child& child)
         Bury(child);
         children.erase(children.begin() + static_cast<std::ptrdiff_t>(i));
       }
-      else if (ready[2 + 2 * i].revents != 0) // who asked does not want it any more, or is gone
+      else if (ready[2 + 2 * i].revents != 0) // the requester has cancelled or is gone
       {
-        kill(child.Number, SIGKILL); // nobody else has its number before it is buried
+        kill(child.Number, SIGKILL); // its number cannot be reused before waitpid
         pollfd life = { child.Life.Get(), POLLIN, 0 };
         poll(&life, 1, -1);
         Bury(child);
@@ -445,7 +446,7 @@ void Bury(const Child& child)
       Descriptor bytes, line;
       if (!ReceiveRequest(server, request, bytes, line))
       {
-        _exit(0); // and its children with it
+        _exit(0); // its children end with it
       }
       if (auto child = Fork(request, bytes.Get(), line.Get()))
       {
@@ -472,7 +473,7 @@ std::string DescribeSignal(int signal)
   return text;
 }
 
-// What became of a process that made nothing whole.
+// The end of a process that left no complete result, as a text.
 std::string Describe(int status, bool lackedMemory, std::uint64_t size)
 {
   const int signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
@@ -580,12 +581,12 @@ std::string vtkRelievoReaderProcess::Run(Work work,
   }
   its.Close();
   itsLine.Close();
-  SendBytes(bytes.Get(), asked.data(), asked.size()); // or its end is told in time
+  SendBytes(bytes.Get(), asked.data(), asked.size()); // a failure is reported as the process's end
 
   using Clock = std::chrono::steady_clock;
   const Clock::time_point began = Clock::now();
   pid_t process = 0;
-  constexpr int patience = 50; // milliseconds between two looks whether to go on
+  constexpr int patience = 50; // milliseconds between checks whether to go on
   std::uint64_t size = 0;
   std::string what;
   double share = 0.;
@@ -611,7 +612,7 @@ std::string vtkRelievoReaderProcess::Run(Work work,
         {
           return fail();
         }
-        break; // what was sent has found nobody any more
+        break; // the process no longer exists
       }
       ended = note.Kind == Note::Ended;
       process = note.Kind == Note::Began ? note.Status : process;
@@ -645,7 +646,7 @@ std::string vtkRelievoReaderProcess::Run(Work work,
   {
     return Describe(note.Status, lackedMemory, size);
   }
-  while (!made && answer.Receive(bytes.Get(), SIZE_MAX)) // until its end, for nobody else has it
+  while (!made && answer.Receive(bytes.Get(), SIZE_MAX)) // to its end: nothing else reads it
   {
   }
   relievo::ByteReader reader(answer.Get(), answer.GetSize());
@@ -655,7 +656,7 @@ std::string vtkRelievoReaderProcess::Run(Work work,
   }
   catch (const std::runtime_error&)
   {
-    return "crashed: what it made of the file is damaged";
+    return "crashed: its result is damaged";
   }
   return "";
 }

@@ -34,14 +34,14 @@ namespace
 {
 const std::string Prefix = "relievo:";
 const std::string LightPrefix = "relievo:light_";
-constexpr std::size_t MostInList = 4096; // beams of a scanner
+constexpr std::size_t MostInList = 4096; // rays of a scanner
 
-// Attributes that the format itself keeps, and what is written from the arrays.
+// Attributes used by the format itself, and those written from the arrays.
 const std::set<std::string> Structural = { "channels", "chunkCount", "compression", "dataWindow",
   "displayWindow", "dwaCompressionLevel", "lineOrder", "name", "preview", "tiles", "type",
   "version", ArraysAttribute };
 
-// Attributes that come from field data of a meaning of their own.
+// Attributes for field data with a defined meaning.
 const std::set<std::string> Known = { "worldToCamera", "worldToNDC", "near", "far",
   "relievo:origin", "relievo:worldToCamera", "relievo:worldToNDC", "relievo:near", "relievo:far",
   "lights", "chromaticities", "envmap" };
@@ -75,7 +75,7 @@ void WriteStrings(vtkStringArray* strings, const std::string& name, Imf::Header&
   }
 }
 
-// Numbers as vector and matrix attributes of one scalar type.
+// Writes numbers as vector or matrix attributes of one scalar type.
 template <typename T>
 void WriteVector(const std::vector<double>& v, const std::string& name, Imf::Header& header)
 {
@@ -111,7 +111,7 @@ void WriteVector(const std::vector<double>& v, const std::string& name, Imf::Hea
   }
 }
 
-// Doubles of other counts than vectors and matrices have, which are text in a file: [1, 2.5, ...].
+// Writes numbers of doubles that fit no vector or matrix as text: [1, 2.5, ...].
 std::string WriteList(const std::vector<double>& values)
 {
   std::string text;
@@ -124,7 +124,7 @@ std::string WriteList(const std::vector<double>& values)
   return text + "]";
 }
 
-// None if the text is no such list.
+// Empty if the text is not such a list.
 std::vector<double> ReadList(const std::string& text)
 {
   std::vector<double> values;
@@ -219,7 +219,7 @@ void ReadLights(const Imf::Header& header, vtkFieldData* fields)
   }
 }
 
-// Adds the attribute if it is one or several T; returns whether it was.
+// Adds an attribute of one or several T; returns false for other types.
 template <typename T>
 bool ReadVector(
   const Imf::Header& header, const std::string& name, int vtkType, vtkFieldData* fields)
@@ -294,7 +294,7 @@ void ReadOther(const Imf::Header& header, const std::string& name, vtkFieldData*
 //------------------------------------------------------------------------------
 bool IsFreeAttribute(const std::string& name)
 {
-  // Every header has these three, of a fixed type.
+  // Every header has these three, with a fixed type.
   const bool standard =
     name == "pixelAspectRatio" || name == "screenWindowCenter" || name == "screenWindowWidth";
   return !name.empty() && name.size() <= LongestName && !IsReserved(name) && !standard;
@@ -340,7 +340,7 @@ void ReadAttributes(const Imf::Header& header, vtkFieldData* fields)
   {
     const std::string name = attribute.name();
     const bool own = name == "chromaticities" || name == "envmap";
-    // A foreign "lights" would take the place of ours.
+    // A foreign attribute "lights" would replace ours.
     if (!IsReserved(name) || own)
     {
       ReadOther(header, name, fields);

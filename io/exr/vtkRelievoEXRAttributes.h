@@ -31,8 +31,8 @@ class vtkFieldData;
 namespace relievo::exr
 {
 /**
- * Adds the field data to the header, but for arrays with one of the names in `except`.
- * Throws Failure when a known array has the wrong size.
+ * Adds the field data to the header, except arrays named in `except`. Throws Failure if a known
+ * array has the wrong size.
  */
 void WriteAttributes(
   vtkFieldData* fields, const std::set<std::string>& except, Imf::Header& header);
@@ -41,8 +41,8 @@ void WriteAttributes(
 void ReadAttributes(const Imf::Header& header, vtkFieldData* fields);
 
 /**
- * True for names that an attribute of the user's own may have: 1 to 255 bytes, and neither used by
- * the format nor given a meaning by the table above.
+ * True for names available to the user's own attributes: 1 to 255 bytes, neither used by the format
+ * nor given a meaning by the table above.
  */
 bool IsFreeAttribute(const std::string& name);
 }

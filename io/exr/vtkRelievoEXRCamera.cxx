@@ -31,7 +31,7 @@ Imath::M44d ToImath(const Matrix& vtk)
   return m;
 }
 
-// From VTK's world to camera to OpenEXR's: row vectors, and the camera looks along +z.
+// Converts VTK's world-to-camera matrix to OpenEXR's: row vectors, and the camera looks along +z.
 Imath::M44f CameraToStandard(const Matrix& vtk)
 {
   Imath::M44f m;
@@ -58,7 +58,7 @@ Matrix CameraFromStandard(const Imath::M44f& m)
   return vtk;
 }
 
-// From NDC of -1 to 1, y up, to 0 to 1, y down: x' = (x + w) / 2, y' = (w - y) / 2.
+// Converts NDC from -1 .. 1, y up, to 0 .. 1, y down: x' = (x + w) / 2, y' = (w - y) / 2.
 Imath::M44f NdcToStandard(const Matrix& vtk)
 {
   Imath::M44f m;

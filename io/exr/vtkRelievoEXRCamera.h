@@ -28,10 +28,13 @@ class vtkFieldData;
 
 namespace relievo::exr
 {
-/** Adds the camera's attributes; throws Failure when a field array has the wrong size. */
+/** Adds the camera's attributes; throws Failure if a field array has the wrong size. */
 void WriteCamera(vtkFieldData* fields, Imf::Header& header);
 
-/** Adds the camera's field data; the doubles are preferred to the standard attributes. */
+/**
+ * Adds the camera's field data, from the exact doubles if present, otherwise from the standard
+ * attributes.
+ */
 void ReadCamera(const Imf::Header& header, vtkFieldData* fields);
 }
 

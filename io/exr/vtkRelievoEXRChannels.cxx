@@ -53,8 +53,8 @@ std::vector<std::string> Split(const std::string& suffixes)
   return out;
 }
 
-// Of the layer that an array of this name, number of components and kind of numbers is; empty if it
-// is none.
+// The suffixes of the layer with this name, number of components and kind of numbers; empty if
+// there is none.
 std::vector<std::string> LayerSuffixes(const std::string& array, int components, bool integer)
 {
   const vtkRelievoLayer& layer = vtkRelievoLayerCatalogue::Find(array);
@@ -64,13 +64,13 @@ std::vector<std::string> LayerSuffixes(const std::string& array, int components,
   return fits ? Split(layer.Suffixes) : std::vector<std::string>();
 }
 
-// The picture's channels are those that every program looks for.
+// The picture's channels have no prefix: every program looks for R, G and B.
 std::string ChannelPrefix(const std::string& array)
 {
   return array == vtkRelievoLayerCatalogue::GetPicture().Name ? std::string() : array + ".";
 }
 
-// Sorts channels that no record explains; see the table in the header.
+// Groups channels without a record; see the table in the header.
 class Grouping
 {
 public:
@@ -103,7 +103,7 @@ public:
       const std::string layer = channel.Name.substr(0, dot);
       const std::string prefix = layer + ".";
       const std::vector<std::string> suffixes = LayerSuffixes(layer, 1, channel.Integer);
-      if (!suffixes.empty() && suffixes.front() != "V") // which any array may have, below
+      if (!suffixes.empty() && suffixes.front() != "V") // any array may have V, handled below
       {
         const vtkRelievoLayer& known = vtkRelievoLayerCatalogue::Find(layer);
         const bool id = known.Kind == vtkRelievoLayer::ID;
@@ -127,7 +127,7 @@ public:
 private:
   const std::vector<NamedChannel>& Channels;
   std::vector<bool> Taken;
-  std::set<std::string> Names; // of the arrays that are there already
+  std::set<std::string> Names; // of the arrays made so far
   std::map<std::string, int> Index;
   std::vector<ArrayLayout> Layouts;
 
@@ -137,11 +137,11 @@ private:
     return found == this->Index.end() || this->Taken[found->second] ? -1 : found->second;
   }
 
-  // Makes an array of prefix + suffix for the leading suffixes that are there, if at least `least`.
+  // Makes an array of prefix + suffix for the leading suffixes present, if at least `least` are.
   void TryGroup(const std::string& array, const std::string& prefix,
     const std::vector<std::string>& suffixes, std::size_t least, int vtkType = VTK_VOID)
   {
-    // A channel of this very name will be an array of its own.
+    // A channel of exactly this name will be a separate array.
     if (this->Names.count(array) > 0 || this->Index.count(array) > 0)
     {
       return;
@@ -275,7 +275,7 @@ std::vector<ArrayLayout> GroupChannels(
     int components = 0;
     std::string name;
     words >> typeName >> components;
-    words.get(); // the blank before the name, which may hold blanks itself
+    words.get(); // the blank before the name, which may contain blanks
     std::getline(words, name, '\0');
     const auto type = std::find_if(TypeNames.begin(), TypeNames.end(),
       [&](const TypeName& known) { return typeName == known.Name; });
@@ -288,7 +288,7 @@ std::vector<ArrayLayout> GroupChannels(
     for (int i = 0; i < components; ++i)
     {
       const auto found = index.find(ChannelName(name, components, type->Integer, i));
-      // Integers may be stored as FLOAT or HALF if the user asked for it, but never floats as UINT.
+      // Integers may be stored as FLOAT or HALF at the user's request, but never floats as UINT.
       if (found == index.end() || taken[found->second] ||
         (channels[found->second].Integer && !type->Integer))
       {

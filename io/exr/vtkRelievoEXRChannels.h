@@ -35,10 +35,10 @@ namespace relievo::exr
 /** Name of the attribute (a string vector) that records the arrays of a file. */
 constexpr const char* ArraysAttribute = "relievo:arrays";
 
-/** Longest name of a channel or an attribute, in bytes, that OpenEXR reads back. */
+/** Longest name, in bytes, of a channel or an attribute that OpenEXR can read back. */
 constexpr std::size_t LongestName = 255;
 
-/** Most channels of a part that are read. */
+/** Largest number of channels to read from a part. */
 constexpr int MostChannels = 4096;
 
 /**
@@ -50,16 +50,16 @@ constexpr int MostChannels = 4096;
  */
 std::string ChannelName(const std::string& array, int components, bool integer, int component);
 
-/** True for the arrays whose bytes stand for 0 to 1: colours of 8 bits, `color` and `albedo`. */
+/** True for arrays whose bytes represent 0 to 1: 8-bit colours, `color` and `albedo`. */
 bool IsNormalized(const std::string& array, int vtkType, int components);
 
-/** True for arrays of places, which are stored relative to `relievo:origin`: `position`. */
+/** True for arrays of positions, stored relative to `relievo:origin`: `position`. */
 bool IsPosition(const std::string& array, int vtkType, int components);
 
 /** The first of these arrays, or nullptr. */
 vtkDataArray* FindPositions(vtkPointData* points);
 
-/** A channel of a file, as far as its name matters here. */
+/** A channel of a file, as needed for grouping by name. */
 struct NamedChannel
 {
   std::string Name;
@@ -84,7 +84,7 @@ struct ArrayLayout
 std::vector<ArrayLayout> GroupChannels(
   const std::vector<NamedChannel>& channels, const std::vector<std::string>& record);
 
-/** Entry of `relievo:arrays`; empty when EXR cannot hold arrays of this VTK type. */
+/** Entry of `relievo:arrays`; empty if EXR cannot hold arrays of this VTK type. */
 std::string RecordEntry(const std::string& array, int vtkType, int components);
 }
 

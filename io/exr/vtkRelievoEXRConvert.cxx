@@ -41,7 +41,7 @@ void Note(vtkIdType& count, Losses& losses, T value)
   ++count;
 }
 
-// The value that is stored, before it is rounded to the pixel type.
+// The value to store, before it is rounded to the pixel type.
 template <typename T>
 auto Stored(const Component& component, const T* tuple)
 {
@@ -68,7 +68,7 @@ float ToFloat(const Component& component, const T* tuple, Losses& losses)
   {
     if (component.Code != Coding::Position || !HasOrigin(component.Origin))
     {
-      return tuple[component.Index]; // not by way of double: that quietens signalling NaNs
+      return tuple[component.Index]; // not through double, which quietens signalling NaNs
     }
   }
   const auto value = Stored(component, tuple);
@@ -79,7 +79,7 @@ float ToFloat(const Component& component, const T* tuple, Losses& losses)
     {
       Note(losses.Overflows, losses, value);
     }
-    // Layers of integers are doubles, for the background has no value.
+    // Layers of integers are doubles because the background has no value.
     else if (component.Code == Coding::Plain && value == std::floor(value) && result != value)
     {
       Note(losses.Rounded, losses, value);
@@ -91,7 +91,7 @@ float ToFloat(const Component& component, const T* tuple, Losses& losses)
     {
       return result / 255.0f;
     }
-    // In long double every 64-bit integer and every float is exact.
+    // Every 64-bit integer and every float is exact in long double.
     if (static_cast<long double>(result) != static_cast<long double>(value))
     {
       Note(losses.Inexact, losses, value);
@@ -176,7 +176,7 @@ T FromFloat(float pixel, Coding coding)
   {
     const double value =
       coding == Coding::Normalized ? std::round(double(pixel) * 255.0) : std::round(double(pixel));
-    // The limits of 64-bit types are not exact in double: stay clear of the upper one.
+    // The limits of 64-bit types are not exact in double: stays below the upper one.
     const double low = static_cast<double>(std::numeric_limits<T>::min());
     const double high = static_cast<double>(std::numeric_limits<T>::max());
     return std::isnan(value) ? T(0)

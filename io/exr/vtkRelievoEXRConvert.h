@@ -32,7 +32,7 @@ class vtkDataArray;
 
 namespace relievo::exr
 {
-/** How the values of an array stand in its channels. */
+/** How an array's values are coded in its channels. */
 enum class Coding
 {
   Plain,
@@ -40,18 +40,18 @@ enum class Coding
   Position    // three components, relative to the origin
 };
 
-/** What conversion to narrower types lost; the first such value is kept for the message. */
+/** Losses of conversion to narrower types; the first lost value is kept for the message. */
 struct Losses
 {
   vtkIdType Overflows = 0; // finite values that became infinite halfs or floats
   vtkIdType Inexact = 0;   // integers that the pixel type cannot hold
-  vtkIdType Rounded = 0;   // whole numbers among doubles, as layers of integers have them
-  vtkIdType Infinite = 0;  // infinities and NaN, where the compression makes numbers of them
-  vtkIdType Clipped = 0;   // numbers that the compression holds as halfs, and that are beyond these
+  vtkIdType Rounded = 0;   // whole numbers in arrays of double, as layers of integers have them
+  vtkIdType Infinite = 0;  // infinities and NaN that the compression would turn into numbers
+  vtkIdType Clipped = 0; // numbers beyond the range of halfs, in which the compression stores them
   std::string First;
 };
 
-/** One component of an array, as it is stored. */
+/** One component of an array, as stored. */
 struct Component
 {
   vtkDataArray* Array; // with standard memory layout

@@ -13,8 +13,8 @@ namespace relievo::exr
 {
 namespace
 {
-// OpenEXR begins its messages with the name of the file, which ours have already: what it throws
-// reads `Cannot read image file "NAME". Unexpected end of file.`
+// OpenEXR's messages begin with the name of the file, as ours already do: `Cannot read image file
+// "NAME". Unexpected end of file.`
 std::string Reason(const std::string& message)
 {
   const std::size_t end = message.rfind("\". ");
@@ -50,7 +50,7 @@ Failure Translate(const std::string& advice, const std::function<void()>& work)
   }
   catch (const Iex::BaseExc& exception)
   {
-    // Exceptions of the stream come through OpenEXR's threads as text only.
+    // OpenEXR's threads pass on exceptions of the stream only as text.
     const std::string reason = Reason(exception.what());
     const bool end = reason.find("end of file") != std::string::npos;
     return Failure(end ? vtkErrorCode::PrematureEndOfFileError : vtkErrorCode::FileFormatError,
@@ -58,7 +58,7 @@ Failure Translate(const std::string& advice, const std::function<void()>& work)
   }
   catch (const std::length_error&)
   {
-    // What OpenEXR makes of a negative number of chunks.
+    // OpenEXR's message for a negative number of chunks.
     return Failure(vtkErrorCode::FileFormatError, "a size in its header is impossible; " + advice);
   }
   catch (const std::exception& exception)

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file vtkRelievoEXRErrors.h
- * @brief Where exceptions end: whatever reading or writing throws becomes a code and a message.
+ * @brief Converts every exception of reading or writing to a code and a message.
  */
 #ifndef vtkRelievoEXRErrors_h
 #define vtkRelievoEXRErrors_h
@@ -14,9 +14,9 @@
 namespace relievo::exr
 {
 /**
- * Does the work and returns how it failed: code 0 (vtkErrorCode::NoError) when it did not, the code
- * UserError and no message when the user stopped it. Never throws.
- * \param advice  What to do when OpenEXR has failed; ends the message.
+ * Does the work and returns the failure: code 0 (vtkErrorCode::NoError) on success; code UserError
+ * without a message if the user stopped it. Never throws.
+ * \param advice  Advice for failures of OpenEXR; ends the message.
  */
 Failure Translate(const std::string& advice, const std::function<void()>& work);
 }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file vtkRelievoEXRFailure.h
- * @brief What the parts of the EXR reader and writer throw among themselves.
+ * @brief The exception used inside the EXR reader and writer.
  *
  * It never leaves the two classes: they turn it into one vtkErrorMacro and an error code.
  */
@@ -18,8 +18,8 @@ class Failure : public std::runtime_error
 {
 public:
   /**
-   * `code` is one of vtkErrorCode::ErrorIds; `what` says what is wrong and what to do. `system` is
-   * the errno of what the system refused, if it was that.
+   * `code` is one of vtkErrorCode::ErrorIds; `what` names the problem and a remedy. `system` is the
+   * errno of a failed system call, or 0.
    */
   Failure(unsigned long code, const std::string& what, int system = 0)
     : std::runtime_error(what)
@@ -32,12 +32,12 @@ public:
   int System;
 };
 
-/** The user asked to stop (AbortExecute); nobody is told, nothing is left behind. */
+/** The user asked to stop (AbortExecute): no message, and nothing is left behind. */
 class Aborted : public std::exception
 {
 };
 
-/** A name of a file as bytes that can be shown: control characters become '?', long text is cut. */
+/** A name from a file, safe to show: control characters become '?', long text is cut. */
 inline std::string Shown(const std::string& text)
 {
   const std::size_t longest = 80;

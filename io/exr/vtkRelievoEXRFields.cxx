@@ -52,7 +52,7 @@ void AddFieldNumbers(
 //------------------------------------------------------------------------------
 void Insert(Imf::Header& header, const std::string& name, const Imf::Attribute& attribute)
 {
-  // OpenEXR refuses to change the type of an attribute that every header has.
+  // OpenEXR does not allow changing the type of an attribute that every header has.
   const auto found = header.find(name);
   if (found == header.end() || std::string(found.attribute().typeName()) == attribute.typeName())
   {

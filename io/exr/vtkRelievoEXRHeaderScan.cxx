@@ -22,8 +22,8 @@ constexpr int MostParts = 1024;
 constexpr int MostAttributes = 4096;
 constexpr uint64_t MultiPartFlag = 0x1000;
 
-// Sizes in bytes of the attribute types that have one. OpenEXR reads a value by its type, not by
-// the size written before it: with another size it would take the wrong bytes for what follows.
+// Sizes in bytes of the attribute types with a fixed size. OpenEXR reads a value by its type and
+// ignores the size written before it: with another size, it would misread the following bytes.
 const std::map<std::string, uint64_t> FixedSizes = { { "box2f", 16 }, { "box2i", 16 },
   { "chromaticities", 32 }, { "compression", 1 }, { "deepImageState", 1 }, { "double", 8 },
   { "envmap", 1 }, { "float", 4 }, { "int", 4 }, { "keycode", 28 }, { "lineOrder", 1 },
@@ -103,7 +103,7 @@ void ScanStrings(InputStream& stream, uint64_t end, const std::string& name)
   }
 }
 
-// Returns false at the end of a header.
+// Scans one attribute; false at the end of a header.
 bool ScanAttribute(InputStream& stream)
 {
   const std::string name = ReadName(stream, "an attribute");
@@ -151,7 +151,7 @@ bool ScanAttribute(InputStream& stream)
   }
   else if (type == "idmanifest")
   {
-    // OpenEXR 3.1 takes 4 bytes more than the attribute has and loses its place.
+    // OpenEXR 3.1 reads 4 bytes too many and loses its position.
     throw Failure(vtkErrorCode::FileFormatError,
       "it holds an ID manifest, which cannot be read; remove the attribute " + Shown(name));
   }
@@ -163,7 +163,7 @@ struct Demand
 {
   double Chunks;       // entries of the table of offsets, 8 bytes each
   double Bytes;        // of all pixels, unpacked
-  double WorkingBytes; // of the largest piece that is unpacked at once
+  double WorkingBytes; // of the largest piece unpacked at once
 };
 
 uint64_t LevelSize(uint64_t size, int level, Imf::LevelRoundingMode rounding)
@@ -239,7 +239,7 @@ Demand DemandOf(const Imf::Header& header)
   {
     const Imf::TileDescription tiles = header.tileDescription();
     demand.Chunks = NumberOfTiles(width, height, tiles);
-    // A tile, and a whole row of them.
+    // A tile, and a whole row of tiles.
     demand.WorkingBytes =
       bytesPerPixel * tiles.ySize * static_cast<double>(std::max<uint64_t>(tiles.xSize, width));
   }
@@ -252,7 +252,7 @@ Demand DemandOf(const Imf::Header& header)
   return demand;
 }
 
-// Bytes that one packed byte can stand for at most.
+// Largest number of bytes that one packed byte can represent.
 double BestRatio(Imf::Compression compression)
 {
   switch (compression)
@@ -335,7 +335,7 @@ void ScanHeaders(InputStream& stream)
 //------------------------------------------------------------------------------
 void CheckPlausible(const std::vector<const Imf::Header*>& parts, uint64_t fileSize)
 {
-  // Small pictures may have large tiles; what is unpacked at once is allowed this much anyway.
+  // Small pictures may have large tiles: this much memory for unpacking is always allowed.
   const double freeBytes = 128.0 * 1024 * 1024;
   double packedBytes = 0;
   for (const Imf::Header* header : parts)

@@ -2,11 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file vtkRelievoEXRHeaderScan.h
- * @brief Judges a header before OpenEXR acts on it: does what it promises fit the file's size?
+ * @brief Checks, before OpenEXR uses a header, whether the file's size can contain what it
+ * announces.
  *
- * OpenEXR allocates what a header asks for before it reads it. So the header is walked twice:
- * ScanHeaders() checks its bytes before OpenEXR parses them, CheckPlausible() checks the sizes that
- * OpenEXR parsed before anything is allocated for pixels.
+ * OpenEXR allocates the memory that a header asks for before it reads the data. So the header is
+ * checked twice: ScanHeaders() checks its bytes before OpenEXR parses them, CheckPlausible() checks
+ * the parsed sizes before memory for pixels is allocated.
  */
 #ifndef vtkRelievoEXRHeaderScan_h
 #define vtkRelievoEXRHeaderScan_h
@@ -29,9 +30,9 @@ namespace relievo::exr
 void ScanHeaders(InputStream& stream);
 
 /**
- * Throws Failure unless the pixels that the parts promise can have been packed into a file of this
- * size: each part's table of chunks lies in the file, and its pixels are at most as many bytes as
- * the best case of its compression unpacks from the file.
+ * Throws Failure unless the announced pixels of the parts fit into a file of this size: each part's
+ * table of chunks lies in the file, and its pixels have at most as many bytes as its compression
+ * can unpack from the file in the best case.
  */
 void CheckPlausible(const std::vector<const Imf::Header*>& parts, uint64_t fileSize);
 

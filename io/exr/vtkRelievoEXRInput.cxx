@@ -42,15 +42,15 @@ Input::Input(const std::string& fileName)
   : Stream(fileName)
 {
   ScanHeaders(this->Stream);
-  // Damaged tables of offsets are not guessed anew: that reads pixels of unknown places.
+  // Damaged tables of offsets are not reconstructed: that would read pixels of unknown position.
   const bool reconstruct = false;
   this->File =
     std::make_unique<Imf::MultiPartInputFile>(this->Stream, Imf::globalThreadCount(), reconstruct);
   for (int i = 0; i < this->File->parts(); ++i)
   {
     const Imf::Header& header = this->File->header(i);
-    // Names become names of arrays, which end at a zero byte: so end them here, or two that differ
-    // would become one.
+    // Names become names of arrays, which end at a zero byte. Cutting them here prevents two
+    // different names from becoming one.
     const std::string name = header.hasName() ? header.name().c_str() : "";
     this->Parts.push_back({ name, header.type() });
   }
@@ -133,7 +133,7 @@ void Input::ChooseChannels(const std::vector<int>& channels)
   const bool relative = ValueOf<Imath::V3d>(this->GetHeader(), "relievo:origin") != nullptr;
   for (ArrayLayout& array : this->Arrays)
   {
-    // Without a record of its type, a position relative to an origin is worth its double.
+    // Without a record of the type, a position relative to an origin needs double.
     if (!record && relative &&
       IsPosition(array.Name, array.VtkType, static_cast<int>(array.Channels.size())))
     {
@@ -145,7 +145,7 @@ void Input::ChooseChannels(const std::vector<int>& channels)
 //------------------------------------------------------------------------------
 int Input::GetBlockLines(uint64_t width) const
 {
-  // Whole chunks are read at once; more of them as long as the memory for them stays small.
+  // Reads whole chunks, several at once while their memory stays small.
   uint64_t lines = 1;
   for (const int part : this->ChosenParts)
   {
@@ -204,7 +204,7 @@ void Input::Read(vtkPointData* points, const std::function<bool(double)>& progre
         const Channel& channel = this->Channels[this->ChosenChannels[i]];
         if (channel.Part == this->ChosenParts[p])
         {
-          // OpenEXR turns halfs into floats, exactly.
+          // OpenEXR converts halfs to floats, exactly.
           buffer.insert(channel.NameInPart,
             Imf::Slice::Make(channel.Type == Imf::UINT ? Imf::UINT : Imf::FLOAT, pixels[i].get(),
               Imath::V2i(window.min.x, first), width, blockLines));

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file vtkRelievoEXRInput.h
- * @brief An EXR file on its way into arrays. Its methods throw Failure, Aborted or OpenEXR's own.
+ * @brief Reads an EXR file into arrays. Methods throw Failure, Aborted or OpenEXR's exceptions.
  */
 #ifndef vtkRelievoEXRInput_h
 #define vtkRelievoEXRInput_h
@@ -30,7 +30,9 @@ namespace relievo::exr
 class Input
 {
 public:
-  /** A part as its header describes it. Type: scanlineimage, tiledimage, deepscanline, deeptile. */
+  /**
+   * A part, as described by its header. Type: scanlineimage, tiledimage, deepscanline, deeptile.
+   */
   struct Part
   {
     std::string Name;
@@ -56,7 +58,7 @@ public:
   void ChoosePart(int part);
   const std::vector<Channel>& GetChannels() const { return this->Channels; }
 
-  /** Chooses channels by their indices, and sorts them into arrays. */
+  /** Chooses channels by their indices, and groups them into arrays. */
   void ChooseChannels(const std::vector<int>& channels);
   const std::vector<ArrayLayout>& GetArrays() const { return this->Arrays; }
 

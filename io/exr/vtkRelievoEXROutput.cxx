@@ -69,7 +69,7 @@ bool IsDWA(Imf::Compression compression)
   return compression == Imf::DWAA_COMPRESSION || compression == Imf::DWAB_COMPRESSION;
 }
 
-// Whether the channel's pixels come back as others. PXR24 keeps infinities and NaN.
+// Whether compression changes the channel's pixels. PXR24 keeps infinities and NaN.
 bool IsLossy(Imf::Compression compression, const std::string& channel, Imf::PixelType type)
 {
   if (compression == Imf::B44_COMPRESSION || compression == Imf::B44A_COMPRESSION)
@@ -98,8 +98,8 @@ bool IsBackground(const double p[3])
   return p[0] == 0 && p[1] == 0 && p[2] == 0;
 }
 
-// The origin that keeps float differences small where the image names none: (0, 0, 0) if that loses
-// nothing, else the middle of the positions. Background pixels have no position.
+// The origin that keeps float differences small if the image names none: (0, 0, 0) if it loses
+// nothing, otherwise the middle of the positions. Background pixels have no position.
 Imath::V3d ChooseOrigin(vtkDataArray* positions)
 {
   bool exact = true;
@@ -130,7 +130,7 @@ Imath::V3d ChooseOrigin(vtkDataArray* positions)
 Imath::V3d PositionOrigin(vtkImageData* image, vtkDataArray* positions)
 {
   const std::vector<double> given = FieldNumbers(image->GetFieldData(), "relievo:origin", 3);
-  // Floats are stored as they are: subtracting an origin could not keep all their bits.
+  // Floats are stored unchanged: subtracting an origin could lose bits.
   if (!positions || positions->GetDataType() != VTK_DOUBLE)
   {
     return Imath::V3d(0);
@@ -179,7 +179,8 @@ Output::Output(vtkImageData* image, const Settings& settings)
   {
     this->Header.dwaCompressionLevel() = settings.DWALevel;
   }
-  // Names of the user's own attributes. They are not replaced afterwards: Imf::Header::erase leaks.
+  // Names of the user's own attributes, which are not replaced later because Imf::Header::erase
+  // leaks.
   std::set<std::string> names;
   for (const auto& attribute : settings.Strings)
   {
@@ -192,7 +193,7 @@ Output::Output(vtkImageData* image, const Settings& settings)
     Insert(this->Header, attribute.first, Imf::DoubleAttribute(attribute.second));
   }
   WriteAttributes(image->GetFieldData(), names, this->Header);
-  this->PlanArrays(image, settings); // last: the origin may be another than the field data's
+  this->PlanArrays(image, settings); // last, because it may replace the field data's origin
 }
 
 //------------------------------------------------------------------------------
@@ -208,7 +209,7 @@ void Output::PlanWindows(vtkImageData* image)
   }
   Imath::Box2i data(Imath::V2i(0, 0), Imath::V2i(size[0] - 1, size[1] - 1));
   Imath::Box2i display = data;
-  // An image read from a file with windows of its own keeps them as long as its size fits.
+  // An image read from a file with its own windows keeps them if its size still fits.
   Imath::Box2i oldData;
   Imath::Box2i oldDisplay;
   if (ReadWindow(image->GetFieldData(), "dataWindow", oldData) &&
@@ -333,7 +334,7 @@ void Output::Write(Imf::OStream& stream, const std::function<bool(double)>& prog
   const Imath::Box2i window = this->Header.dataWindow();
   const int64_t width = static_cast<int64_t>(window.max.x) - window.min.x + 1;
   const int64_t height = static_cast<int64_t>(window.max.y) - window.min.y + 1;
-  // Whole chunks are written at once, as many as fit into a small buffer.
+  // Writes whole chunks, as many at once as fit into a small buffer.
   const int64_t smallBytes = 16 * 1024 * 1024;
   const int64_t chunk = LinesPerChunk(this->Header.compression());
   const int64_t bytesPerLine = 4 * width * static_cast<int64_t>(this->Channels.size());
@@ -393,10 +394,10 @@ void Output::Warn()
     if (channel.Lost.Clipped > 0)
     {
       add(std::to_string(channel.Lost.Clipped) + " values of " + channel.Name +
-        " are beyond 65504, which is what " + CompressionName(this->Header.compression()) +
-        " compression made of them; zip and piz keep them");
+        " are beyond 65504 and were clamped to it by " +
+        CompressionName(this->Header.compression()) + " compression; zip and piz keep them");
     }
-    // To DWA any channel named Y is a luminance.
+    // DWA treats any channel named Y as luminance.
     const std::size_t size = channel.Name.size();
     if (dwa && channel.Type != Imf::UINT && size > 2 && channel.Name.substr(size - 2) == ".Y")
     {

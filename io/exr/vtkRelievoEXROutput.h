@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file vtkRelievoEXROutput.h
- * @brief An image on its way into an EXR file: which array goes into which channel, and the pixels.
+ * @brief Writes an image to an EXR file: assigns arrays to channels, and writes the pixels.
  *
- * The methods throw Failure, Aborted or OpenEXR's own.
+ * The methods throw Failure, Aborted or OpenEXR's exceptions.
  */
 #ifndef vtkRelievoEXROutput_h
 #define vtkRelievoEXROutput_h
@@ -29,7 +29,7 @@ namespace relievo::exr
 class Output
 {
 public:
-  /** What the user chose. */
+  /** The user's settings. */
   struct Settings
   {
     Imf::Compression Compression = Imf::ZIP_COMPRESSION;
@@ -39,13 +39,13 @@ public:
     std::map<std::string, double> Doubles;
   };
 
-  /** Plans the file; throws Failure when the image or the settings do not fit the format. */
+  /** Plans the file; throws Failure if the image or the settings do not fit the format. */
   Output(vtkImageData* image, const Settings& settings);
 
-  /** Writes it. `progress` takes 0 to 1 and returns false to stop. */
+  /** Writes the file. `progress` takes 0 to 1 and returns false to stop. */
   void Write(Imf::OStream& stream, const std::function<bool(double)>& progress);
 
-  /** After Write(): losses that the user may not expect; empty when there were none. */
+  /** After Write(): losses that the user may not expect; empty if there were none. */
   const std::string& GetWarning() const { return this->Warning; }
 
 private:

@@ -40,14 +40,15 @@ const std::string& Picture()
 struct vtkRelievoEXRReader::Internals
 {
   vtkNew<vtkDataArraySelection> Selection;
-  // What the last file held.
+  // The content of the last file.
   std::vector<Input::Part> Parts;
   std::vector<Input::Channel> Channels;
   std::vector<std::string> Layers;
-  // When reading failed, the reader's time then: said, and so until something changes.
+  // The reader's time when reading failed: the error was reported, and stands until something
+  // changes.
   vtkMTimeType RefusedAt = 0;
 
-  // Opens the file and chooses what the reader is set to read, noting what there is on the way.
+  // Opens the file and chooses parts and channels by the reader's settings, noting all that exist.
   std::unique_ptr<Input> Open(vtkRelievoEXRReader* self);
 };
 
@@ -69,7 +70,7 @@ std::unique_ptr<Input> vtkRelievoEXRReader::Internals::Open(vtkRelievoEXRReader*
   std::vector<int> chosen;
   for (std::size_t i = 0; i < this->Channels.size(); ++i)
   {
-    // Choices that were made before stay; what is new is read.
+    // Keeps earlier choices; new channels are enabled.
     this->Selection->AddArray(this->Channels[i].Name.c_str());
     if (this->Selection->ArrayIsEnabled(this->Channels[i].Name.c_str()))
     {
@@ -213,7 +214,7 @@ int vtkRelievoEXRReader::RequestInformation(
   info->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent, 6);
   info->Set(vtkDataObject::ORIGIN(), origin, 3);
   info->Set(vtkDataObject::SPACING(), spacing, 3);
-  // 1 also on failure: 0 makes the pipeline add a message of its own that says nothing.
+  // 1 also on failure: 0 makes the pipeline add an uninformative message.
   return 1;
 }
 
@@ -266,7 +267,7 @@ void vtkRelievoEXRReader::Report(unsigned long code, const std::string& message)
   this->Self->RefusedAt = 0;
   if (!message.empty())
   {
-    // The pipeline asks again for data that it did not get; the answer is not given twice.
+    // The pipeline requests missing data again; the error is reported only once.
     this->Self->RefusedAt = this->GetMTime();
     vtkErrorMacro(
       "Cannot read '" << (this->FileName ? this->FileName : "") << "': " << message << ".");

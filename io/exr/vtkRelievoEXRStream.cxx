@@ -78,7 +78,7 @@ bool InputStream::read(char* to, int count)
 //------------------------------------------------------------------------------
 void InputStream::seekg(uint64_t position)
 {
-  // Damaged tables of offsets lead anywhere.
+  // Damaged tables of offsets may contain any position.
   if (position > this->Size || Seek(this->File.get(), position) != 0)
   {
     throw Iex::InputExc("Unexpected end of file: an offset leads behind it.");
@@ -110,7 +110,7 @@ OutputStream::OutputStream(const std::string& fileName)
     throw Failure(vtkErrorCode::CannotOpenFileError,
       "something that is not a regular file has this name; choose another name");
   }
-  // Renaming onto a symbolic link would replace the link: write where it leads.
+  // Renaming onto a symbolic link would replace the link: write to its target.
   if (std::filesystem::exists(status))
   {
     const std::filesystem::path real = std::filesystem::canonical(fileName, error);
@@ -140,7 +140,7 @@ OutputStream::OutputStream(const std::string& fileName)
 //------------------------------------------------------------------------------
 OutputStream::~OutputStream()
 {
-  this->File.reset(); // before it is removed
+  this->File.reset(); // closed before it is removed
 }
 
 //------------------------------------------------------------------------------

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file vtkRelievoEXRStream.h
- * @brief The files under OpenEXR: one knows its size, one appears only when it is whole.
+ * @brief OpenEXR's file streams: the input knows its size, the output appears only when it is
+ * complete.
  */
 #ifndef vtkRelievoEXRStream_h
 #define vtkRelievoEXRStream_h
@@ -30,7 +31,7 @@ using FilePointer = std::unique_ptr<std::FILE, CloseFile>;
 class InputStream : public Imf::IStream
 {
 public:
-  /** Opens the file; throws Failure when it is missing, a folder, empty, or may not be read. */
+  /** Opens the file; throws Failure if it is missing, a folder, empty or unreadable. */
   explicit InputStream(const std::string& fileName);
 
   bool read(char* to, int count) override;
@@ -51,14 +52,14 @@ private:
 };
 
 /**
- * A file to write. It is written under another name in the same folder; Commit() gives it its own
- * name in one step. Without Commit(), whatever happened, the destructor removes it, and a file that
- * was there before is as it was.
+ * A file to write. It is written under another name in the same folder; Commit() renames it in one
+ * step. Without Commit(), for whatever reason, the destructor removes it, and a previous file
+ * remains unchanged.
  */
 class OutputStream : public Imf::OStream
 {
 public:
-  /** Makes the file; throws Failure when the folder is missing or may not be written to. */
+  /** Makes the file; throws Failure if the folder is missing or not writable. */
   explicit OutputStream(const std::string& fileName);
   ~OutputStream() override;
 
@@ -67,12 +68,12 @@ public:
   void seekp(uint64_t position) override;
 
   /**
-   * Closes the file and gives it its name; throws Failure when any write failed, also those whose
+   * Closes and renames the file; throws Failure if any write failed, including those whose
    * exception OpenEXR swallows (it writes its table of offsets in a destructor).
    */
   void Commit();
 
-  /** Throws the Failure of the first write that failed, if any. */
+  /** Throws the Failure of the first failed write, if any. */
   void Check() const;
 
 private:

@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file vtkRelievoEXRThreads.h
- * @brief OpenEXR's threads, of which a process has one set.
+ * @brief OpenEXR's threads, one set per process.
  */
 #ifndef vtkRelievoEXRThreads_h
 #define vtkRelievoEXRThreads_h
 
 namespace relievo::exr
 {
-/** Sees to it that OpenEXR has at least `count` threads; never takes any away. Thread-safe. */
+/** Ensures that OpenEXR has at least `count` threads; never removes any. Thread-safe. */
 void StartThreads(int count);
 }
 

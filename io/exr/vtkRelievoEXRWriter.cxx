@@ -196,9 +196,9 @@ int vtkRelievoEXRWriter::Write()
                                       "SetInputConnection.");
     return 0;
   }
-  // Written anew even if nothing has changed: the file may have been removed.
+  // Writes again even if nothing has changed: the file may have been removed.
   this->Modified();
-  // Stays if the pipeline fails before it is our turn.
+  // Remains if the pipeline fails before RequestData.
   this->SetErrorCode(vtkErrorCode::UnknownError);
   this->UpdateWholeExtent();
   return this->GetErrorCode() == vtkErrorCode::NoError ? 1 : 0;
@@ -243,7 +243,7 @@ int vtkRelievoEXRWriter::RequestData(
     }
     catch (const Iex::BaseExc&)
     {
-      stream.Check(); // what the system said is more to the point
+      stream.Check(); // the system's message is more specific
       throw;
     }
     stream.Commit();
@@ -261,6 +261,6 @@ int vtkRelievoEXRWriter::RequestData(
   {
     vtkWarningMacro("In '" << this->FileName << "' " << warning << ".");
   }
-  // 1 also on failure: 0 makes the pipeline add a message of its own that says nothing.
+  // 1 also on failure: 0 makes the pipeline add an uninformative message.
   return 1;
 }

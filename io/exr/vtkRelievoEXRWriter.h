@@ -59,12 +59,12 @@ public:
   };
 
   /**
-   * How pixels are packed. NO_COMPRESSION, RLE, ZIPS (line by line), ZIP (16 lines) and PIZ (32
+   * Compression of pixels. NO_COMPRESSION, RLE, ZIPS (line by line), ZIP (16 lines) and PIZ (32
    * lines) are lossless. PXR24 rounds FLOAT to 24 bits. B44 and B44A lose accuracy in HALF. DWAA
    * and DWAB lose accuracy in channels named R, G, B or Y of any layer, including normal.Y and
-   * position.Y, and the writer warns about it. Infinities and NaN in channels that lose accuracy,
-   * PXR24's excepted, would come back as numbers: Write() refuses them. Of numbers beyond 65504 DWA
-   * makes that, with a warning.
+   * position.Y, and the writer warns about it. Except with PXR24, infinities and NaN in channels
+   * that lose accuracy would be read back as numbers: Write() refuses them. DWA clamps numbers
+   * beyond 65504 to that, with a warning.
    */
   enum CompressionType
   {
@@ -100,7 +100,7 @@ public:
   const char* GetCompressionName();
 
   ///@{
-  /** How much DWAA and DWAB may lose, 0 (almost nothing) to 100000. Default: 45. */
+  /** Loss allowed for DWAA and DWAB, 0 (almost none) to 100000. Default: 45. */
   vtkSetClampMacro(DWALevel, double, 0.0, 100000.0);
   vtkGetMacro(DWALevel, double);
   ///@}
@@ -115,7 +115,7 @@ public:
   virtual void RemoveAllPixelTypes();
   ///@}
 
-  /** The pixel type that was set for this name, or -1. */
+  /** The pixel type set for this name, or -1. */
   virtual int GetPixelType(const char* name);
 
   ///@{
@@ -142,7 +142,7 @@ public:
   /** Writes the file. Returns 1, or 0 after an error or an abort. */
   virtual int Write();
 
-  /** The errno of what the system refused in the last Write(), such as ENOSPC; else 0. */
+  /** The errno of a failed system call in the last Write(), such as ENOSPC; otherwise 0. */
   vtkGetMacro(SystemError, int);
 
 protected:

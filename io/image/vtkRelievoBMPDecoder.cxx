@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Windows bitmaps: 1, 4, 8, 16, 24 and 32 bits, run-length coded or not, with bit fields, from the
-// bottom up or from the top down (Microsoft, Bitmap Storage). Alpha is what bit fields give to it.
+// bottom up or from the top down (Microsoft, Bitmap Storage). Only bit fields provide alpha.
 #include "vtkRelievoImageBytes.h"
 
 #include <algorithm>
@@ -29,7 +29,7 @@ struct BMPHeader
   bool FromTop = false;
   int Bits = 0;
   std::uint32_t Packed = Plain;
-  std::array<std::uint32_t, 4> Masks{}; // of red, green, blue, alpha; 0: there is none
+  std::array<std::uint32_t, 4> Masks{}; // of red, green, blue, alpha; 0: none
   std::vector<std::array<unsigned char, 3>> Colors;
   std::size_t Data = 0;
 };
@@ -39,7 +39,7 @@ BMPHeader ReadBMPHeader(const Bytes& bytes)
   BMPHeader head;
   head.Data = bytes.Little32(10);
   const std::uint32_t size = bytes.Little32(14);
-  const bool old = size == 12; // of OS/2
+  const bool old = size == 12; // the header of OS/2
   if (!old && (size < 40 || size > 1024))
   {
     throw Failure("its header is damaged");
@@ -81,7 +81,7 @@ BMPHeader ReadBMPHeader(const Bytes& bytes)
   std::size_t table = 14 + static_cast<std::size_t>(size);
   if (head.Packed == Fields || head.Packed == FieldsWithAlpha)
   {
-    // Newer headers hold the masks, behind the older ones they come next.
+    // Newer headers contain the masks; after older headers they follow.
     const std::size_t count = head.Packed == FieldsWithAlpha || size >= 56 ? 4 : 3;
     for (std::size_t i = 0; i < count; ++i)
     {
@@ -145,7 +145,7 @@ void PutPlain(const BMPHeader& head, const Bytes& data, vtkImageData* image)
   const std::size_t stride = (static_cast<std::size_t>(head.Width) * head.Bits + 31) / 32 * 4;
   for (std::uint32_t y = 0; y < head.Height; ++y)
   {
-    // Of the last row some writers leave out the filling.
+    // Some writers leave out the padding of the last row.
     const Bytes row =
       data.Part(stride * y, (static_cast<std::size_t>(head.Width) * head.Bits + 7) / 8);
     auto* to = Row<unsigned char>(image, head.FromTop ? head.Height - 1 - y : y);
@@ -174,7 +174,7 @@ void PutPlain(const BMPHeader& head, const Bytes& data, vtkImageData* image)
   }
 }
 
-// What the runs leave out has the palette's first colour.
+// Texels that the runs leave out have the palette's first colour.
 void PutRuns(const BMPHeader& head, const Bytes& data, vtkImageData* image)
 {
   const std::size_t perByte = 8 / static_cast<std::size_t>(head.Bits);
@@ -225,7 +225,7 @@ void PutRuns(const BMPHeader& head, const Bytes& data, vtkImageData* image)
       y += data[at + 1];
       at += 2;
     }
-    else // values one by one, filled up to two bytes
+    else // single values, padded to two bytes
     {
       for (std::size_t i = 0; i < value; ++i)
       {
@@ -243,7 +243,7 @@ vtkSmartPointer<vtkImageData> DecodeBMP(const Bytes& bytes)
   const BMPHeader head = ReadBMPHeader(bytes);
   const Bytes data = bytes.From(head.Data);
   const bool runs = head.Packed == Runs8 || head.Packed == Runs4;
-  // Before memory is taken; a run of 2 bytes is 255 texels at most, a step skips more.
+  // Before memory is allocated: a run of 2 bytes makes at most 255 texels; a step skips more.
   const std::uint64_t rowBytes = static_cast<std::uint64_t>(head.Width) * head.Bits / 8;
   if (!runs && data.Size() < rowBytes * head.Height)
   {

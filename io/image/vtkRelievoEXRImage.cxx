@@ -24,7 +24,7 @@ namespace relievo::image
 {
 namespace
 {
-// The first thing that the reader has to say; it is not printed.
+// Keeps the reader's first message instead of printing it.
 void Keep(vtkObject*, unsigned long, void* words, void* text)
 {
   auto* kept = static_cast<std::string*>(words);
@@ -36,7 +36,7 @@ void Keep(vtkObject*, unsigned long, void* words, void* text)
 
 using Names = std::vector<std::string>;
 
-// These channels after the prefix, if all but the last, which is alpha, are there.
+// These channels after the prefix, if all but the last, which is alpha, exist.
 Names FindColors(const std::set<std::string>& there, const std::string& prefix, const Names& colors)
 {
   Names found;
@@ -68,7 +68,7 @@ Names FindColors(const std::set<std::string>& there, const std::string& prefix)
   return {};
 }
 
-// Empty: there are no colours. `note` is about layers that are not taken.
+// Empty if there are no colours. `note` names layers that are not used.
 Names ChooseChannels(const Names& channels, std::string& note)
 {
   const std::set<std::string> there(channels.begin(), channels.end());
@@ -127,7 +127,7 @@ struct Source
   int Component;
 };
 
-// Where the reader has put these channels: in an array for each, or all of them in one.
+// The reader's arrays for these channels: one for each, or one for all.
 std::vector<Source> FindSources(vtkPointData* points, const Names& channels)
 {
   std::vector<Source> sources;
@@ -150,7 +150,7 @@ std::vector<Source> FindSources(vtkPointData* points, const Names& channels)
 
 struct Window
 {
-  double Left, Top, Right, Bottom; // the pixels' numbers, the last ones included
+  double Left, Top, Right, Bottom; // pixel indices, both ends included
 };
 
 Window GetWindow(vtkImageData* image, const char* name)
@@ -219,7 +219,7 @@ vtkSmartPointer<vtkImageData> ReadEXR(
     watch(reader);
   }
   reader->SetFileName(path.c_str());
-  // The first part with colours, else the first.
+  // The first part with colours, otherwise the first.
   Names channels = ReadNames(reader, 0);
   Names chosen = ChooseChannels(channels, note);
   const int parts = reader->GetNumberOfParts();
@@ -234,7 +234,7 @@ vtkSmartPointer<vtkImageData> ReadEXR(
     said.clear();
     channels = ReadNames(reader, part);
   }
-  // What is wrong with channels that are not asked for is of no interest.
+  // Reports no problems of channels that are not requested.
   if (!chosen.empty())
   {
     said.clear();
@@ -256,7 +256,7 @@ vtkSmartPointer<vtkImageData> ReadEXR(
   }
   if (!said.empty() || reader->GetErrorCode() != 0)
   {
-    // Whoever asked says which file it is.
+    // The caller names the file in its message.
     const std::string named = "Cannot read '" + path + "': ";
     said = said.compare(0, named.size(), named) == 0 ? said.substr(named.size()) : said;
     throw Failure(said.empty() ? "it is damaged" : said);

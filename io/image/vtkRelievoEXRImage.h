@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// An OpenEXR file as a picture: which of its channels are the colours, and where its pixels lie in
-// the picture that they are a part of.
+// An OpenEXR file as a picture: selects its colour channels and places its pixels in the picture.
 #ifndef vtkRelievoEXRImage_h
 #define vtkRelievoEXRImage_h
 
@@ -16,12 +15,12 @@ class vtkAlgorithm;
 
 namespace relievo::image
 {
-// The picture that the display window shows, 0 where the data window has no pixels; what lies
-// beyond the display window is left out. Of several parts it is the first. The channels, HALF,
-// FLOAT or UINT, become floats: R G B [A] or r g b [a]; or else Y [A]; or else the first LAYER.R
-// LAYER.G LAYER.B [LAYER.A], large or small; or else the first array of vtkRelievoEXRReader. Arrays
-// of unsigned char that vtkRelievoEXRWriter has recorded stay so. Throws Failure. `note`: what was
-// left out, in words, or nothing.
+// The picture in the display window, 0 where the data window has no pixels; pixels outside the
+// display window are left out. Of several parts, the first is used. The channels, HALF, FLOAT or
+// UINT, become floats: R G B [A] or r g b [a]; otherwise Y [A]; otherwise the first LAYER.R LAYER.G
+// LAYER.B [LAYER.A], upper or lower case; otherwise the first array of vtkRelievoEXRReader. Arrays
+// of unsigned char recorded by vtkRelievoEXRWriter stay so. Throws Failure. `note`: what was left
+// out, or empty.
 vtkSmartPointer<vtkImageData> ReadEXR(
   const std::string& path, std::string& note, const std::function<void(vtkAlgorithm*)>& watch);
 }

@@ -91,13 +91,13 @@ HDRHeader ReadHDRHeader(const Bytes& bytes)
   return head;
 }
 
-// A scan line in the order of the file. `at` moves on.
+// Reads a scan line in the order of the file, and advances `at`.
 void ReadScanLine(const Bytes& bytes, std::size_t& at, std::vector<Texel>& line)
 {
   const std::size_t length = line.size();
   const bool parted = length >= 8 && length < 32768 && bytes[at] == 2 && bytes[at + 1] == 2 &&
     bytes.Big16(at + 2) == length;
-  if (parted) // runs of each component for itself
+  if (parted) // each component has its own runs
   {
     at += 4;
     for (int c = 0; c < 4; ++c)
@@ -129,7 +129,7 @@ void ReadScanLine(const Bytes& bytes, std::size_t& at, std::vector<Texel>& line)
       shift = 0;
       continue;
     }
-    // The texel before, as often as the exponent says: one run behind another counts higher digits.
+    // Repeats the previous texel by the exponent's count; consecutive runs count higher digits.
     const std::uint64_t count = shift > 24 ? length : static_cast<std::uint64_t>(texel[3]) << shift;
     if (x == 0 || count > length - x)
     {
@@ -156,7 +156,7 @@ void PutColor(const Texel& texel, bool xyz, float* to)
     to[2] = c;
     return;
   }
-  // Of primaries (0.640, 0.330), (0.290, 0.600), (0.150, 0.060) and the white of equal energy.
+  // For primaries (0.640, 0.330), (0.290, 0.600), (0.150, 0.060) and the white of equal energy.
   to[0] = 2.5653f * a - 1.1668f * b - 0.3984f * c;
   to[1] = -1.0221f * a + 1.9783f * b + 0.0438f * c;
   to[2] = 0.0747f * a - 0.2520f * b + 1.1772f * c;
@@ -168,7 +168,7 @@ vtkSmartPointer<vtkImageData> DecodeHDR(const Bytes& bytes)
 {
   const HDRHeader head = ReadHDRHeader(bytes);
   CheckSize(head.Length, head.Lines, 3, sizeof(float));
-  // Before memory is taken: 4 bytes of runs of runs may stand for a whole scan line.
+  // Before memory is allocated: with nested runs, 4 bytes can represent a whole scan line.
   if (head.Lines > (bytes.Size() - head.Data) / 4)
   {
     ThrowCut();

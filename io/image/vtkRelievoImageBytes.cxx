@@ -57,7 +57,7 @@ vtkSmartPointer<vtkImageData> Orient(vtkImageData* image, int orientation)
   {
     return image;
   }
-  // In words of rows from the top: 2 to 4 mirror columns or rows or both, 5 to 8 change rows and
+  // With rows counted from the top: 2 to 4 mirror columns, rows or both; 5 to 8 swap rows and
   // columns.
   const bool swaps = orientation >= 5;
   const bool right = orientation == 2 || orientation == 3 || orientation == 6 || orientation == 7;

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What the decoders of images share: bytes that cannot be read past their end, images that cannot
-// be larger than a limit, what is wrong in words.
+// Shared by the image decoders: bytes with checked ends, images of limited size, and errors as
+// text.
 #ifndef vtkRelievoImageBytes_h
 #define vtkRelievoImageBytes_h
 
@@ -17,7 +17,7 @@
 
 namespace relievo::image
 {
-// What is wrong with an image, as the end of a sentence whose subject is the image.
+// The problem of an image, as the end of a sentence whose subject is the image.
 struct Failure : std::runtime_error
 {
   using std::runtime_error::runtime_error;
@@ -28,7 +28,7 @@ struct Failure : std::runtime_error
   throw Failure("it ends too early");
 }
 
-// A part of a file in memory, which somebody else holds.
+// A part of a file in memory, without ownership.
 class Bytes
 {
 public:
@@ -44,7 +44,7 @@ public:
   {
     return at < this->Length ? this->First[at] : (ThrowCut(), '\0');
   }
-  // Throws Failure if the part is not all there.
+  // Throws Failure if the part exceeds the bytes.
   Bytes Part(std::size_t at, std::size_t size) const
   {
     if (at > this->Length || size > this->Length - at)
@@ -86,10 +86,10 @@ private:
   std::size_t Length;
 };
 
-// Throws Failure for sizes of 0 and for images beyond the limits that vtkRelievoImageFile states.
+// Throws Failure for sizes of 0 and for images beyond the limits of vtkRelievoImageFile.
 void CheckSize(std::uint64_t width, std::uint64_t height, int components, int bytesOfComponent);
 
-// An image of the size, its scalars not yet set. Throws as CheckSize does.
+// An image of this size with uninitialised scalars. Throws as CheckSize does.
 vtkSmartPointer<vtkImageData> MakeImage(
   std::uint64_t width, std::uint64_t height, int type, int components);
 
@@ -100,11 +100,11 @@ T* Row(vtkImageData* image, std::uint64_t row)
   return static_cast<T*>(image->GetScalarPointer(0, static_cast<int>(row), 0));
 }
 
-// The image turned as TIFF and EXIF name it, 1 to 8: where its row 0 and column 0 belong (1: top
-// and left). Other numbers are taken for 1.
+// The image turned by the orientation of TIFF and EXIF, 1 to 8: the sides of its row 0 and column 0
+// (1: top and left). Other numbers count as 1.
 vtkSmartPointer<vtkImageData> Orient(vtkImageData* image, int orientation);
 
-// Of a format each. Throw Failure.
+// One for each format. They throw Failure.
 vtkSmartPointer<vtkImageData> DecodePNG(const Bytes& bytes);
 vtkSmartPointer<vtkImageData> DecodeJPEG(const Bytes& bytes);
 vtkSmartPointer<vtkImageData> DecodeBMP(const Bytes& bytes);

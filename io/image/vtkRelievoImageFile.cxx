@@ -35,7 +35,7 @@ using relievo::image::Bytes;
 using relievo::image::Failure;
 using Time = std::filesystem::file_time_type;
 
-// Images that are in use, and when their files were written.
+// Images in use, and when their files were last written.
 std::map<std::string, std::pair<Time, vtkWeakPointer<vtkImageData>>>& Held()
 {
   static std::map<std::string, std::pair<Time, vtkWeakPointer<vtkImageData>>> held;
@@ -47,9 +47,9 @@ using Decoder = vtkSmartPointer<vtkImageData> (*)(const Bytes&);
 struct Format
 {
   std::vector<std::string> Extensions;
-  std::vector<std::string> Begins;     // with one of these; empty: by its name, or by Ends
-  Decoder Decode;                      // nullptr: from files alone
-  std::vector<std::string> Types = {}; // MIME, of what is told by its name
+  std::vector<std::string> Begins;     // first bytes; empty: detected by its name, or by Ends
+  Decoder Decode;                      // nullptr: only read from files
+  std::vector<std::string> Types = {}; // MIME types, for formats detected by name
   std::string Ends = {};
 };
 
@@ -94,7 +94,7 @@ bool IsOf(const Format& format, const Bytes& bytes, const std::string& name)
     });
 }
 
-// What the first bytes say counts more than the name.
+// The first bytes take precedence over the name.
 const Format* FindFormat(const Bytes& bytes, const std::string& name)
 {
   const Format* named = nullptr;
@@ -122,7 +122,7 @@ std::string GetExpected()
   return "an image (" + names + "), but its first bytes are of none";
 }
 
-// What is thrown becomes the failure.
+// Exceptions become the failure's text.
 vtkSmartPointer<vtkImageData> Attempt(
   const std::function<vtkSmartPointer<vtkImageData>()>& read, std::string& failure)
 {
@@ -135,11 +135,11 @@ vtkSmartPointer<vtkImageData> Attempt(
   {
     wrong = thrown.what();
   }
-  catch (const std::exception&) // memory is short
+  catch (const std::exception&) // out of memory
   {
     wrong = "there is no memory for it";
   }
-  // Some of it may come from the file.
+  // Parts of the text may come from the file.
   std::replace_if(
     wrong.begin(), wrong.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
   failure = "an image, but it cannot be read: " + wrong;
@@ -226,7 +226,7 @@ vtkSmartPointer<vtkImageData> ReadFile(
 using relievo::ByteReader;
 using relievo::ByteWriter;
 
-// Both in the process of the image.
+// Both run in the process of the image.
 void AnswerFile(ByteReader& asked, const vtkRelievoReaderProcess::Say& say, ByteWriter& made)
 {
   const auto path = asked.Get<std::string>();

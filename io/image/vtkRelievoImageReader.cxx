@@ -43,7 +43,7 @@ void vtkRelievoImageReader::PrintSelf(ostream& os, vtkIndent indent)
 //------------------------------------------------------------------------------
 vtkImageData* vtkRelievoImageReader::GetImage()
 {
-  // The size is asked for first, then the image, by one reading; and a refusal is said once.
+  // The size is requested first, then the image; one reading serves both, with one error at most.
   if (this->ImageTime != this->GetMTime())
   {
     const char* name = this->FileName ? this->FileName : "";
@@ -51,7 +51,7 @@ vtkImageData* vtkRelievoImageReader::GetImage()
     std::string note;
     this->Image = *name ? vtkRelievoImageFile::Read(name, failure, nullptr, &note) : nullptr;
     this->SetErrorCode(this->Image ? vtkErrorCode::NoError : vtkErrorCode::FileFormatError);
-    this->ImageTime = this->GetMTime(); // which the code has changed
+    this->ImageTime = this->GetMTime(); // changed by the error code
     if (!this->Image)
     {
       vtkErrorMacro(<< name << ": expected " << failure << ".");

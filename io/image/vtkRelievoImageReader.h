@@ -2,18 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkRelievoImageReader
- * @brief   reads an image file of any format that maps, textures and environments may have
+ * @brief   Reads an image file of any format accepted for maps, textures and environments.
  *
- * PNG, JPEG, TIFF, BMP, Radiance (hdr) and OpenEXR are told by their first bytes, TGA by its name
- * or its end. The output has one slice, row 0 at the bottom, and the numbers of the file: unsigned
- * char for up to 8 bits, unsigned short for 16, float for others; 1 component (grey), 2 (grey and
- * alpha), 3 (RGB) or 4 (RGBA). Palettes become RGB or RGBA, CMYK becomes RGB. TIFF is turned by its
- * orientation; EXIF's in JPEG is not applied. Of OpenEXR it is the picture of the display window,
- * 0 where there are no data, of the channels R G B [A], r g b [a], Y [A] (grey) or else those of
- * the first layer, and of the first part.
+ * PNG, JPEG, TIFF, BMP, Radiance (hdr) and OpenEXR are detected by their first bytes, TGA by its
+ * name or its end. The output has one slice, row 0 at the bottom, and the numbers of the file:
+ * unsigned char for up to 8 bits, unsigned short for 16, float for others; 1 component (grey), 2
+ * (grey and alpha), 3 (RGB) or 4 (RGBA). Palettes become RGB or RGBA, CMYK becomes RGB. TIFF is
+ * turned by its orientation; EXIF's in JPEG is not applied. OpenEXR gives the picture of the
+ * display window, 0 where there are no data, from the channels R G B [A], r g b [a], Y [A] (grey)
+ * or else those of the first layer, of the first part.
  *
- * Damaged files, and images of more than 2^28 texels or 2 GiB, are refused before memory is taken
- * for them: one error names the file and says what is wrong, the output is empty, and
+ * Damaged files, and images of more than 2^28 texels or 2 GiB, are refused before memory is
+ * allocated for them: one error names the file and the problem, the output is empty, and
  * GetErrorCode() is vtkErrorCode::FileFormatError.
  *
  * @sa vtkRelievoEXRReader
@@ -35,7 +35,7 @@ public:
   vtkTypeMacro(vtkRelievoImageReader, vtkImageAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /** Extensions of files that it reads, with blanks between them. */
+  /** The extensions of supported files, separated by blanks. */
   static std::string GetExtensions();
 
   ///@{
@@ -46,9 +46,9 @@ public:
 
   ///@{
   /**
-   * Whether the output is colours for a vtkTexture, which sends all but unsigned char through a
-   * table of colours: 16 bits are rounded to 8, floats (linear light) clamped to 0 to 1 and encoded
-   * by the curve of sRGB. Default off.
+   * Whether the output is colours for a vtkTexture, which maps all types but unsigned char through
+   * a table of colours: 16 bits are rounded to 8, floats (linear light) clamped to 0 to 1 and
+   * encoded by the sRGB curve. Default off.
    */
   vtkSetMacro(Colors, bool);
   vtkGetMacro(Colors, bool);
@@ -73,7 +73,7 @@ private:
   char* FileName = nullptr;
   bool Colors = false;
   vtkSmartPointer<vtkImageData> Image; // of the file
-  vtkMTimeType ImageTime = 0;          // the reader's, when it was read
+  vtkMTimeType ImageTime = 0;          // the reader's time at reading
 };
 
 #endif

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// JPEG by the library that VTK has: grey, colour and CMYK, which becomes RGB as if inks were
-// ideal. EXIF's orientation is not applied: maps are placed by texture coordinates, which are made
-// for the texels as they are stored (glTF 2.0 says so of its images).
+// JPEG by VTK's library: grey, colour and CMYK, which becomes RGB as if inks were ideal. EXIF's
+// orientation is not applied: maps are placed by texture coordinates, which are made for the texels
+// as stored (glTF 2.0 requires this of its images).
 #include "vtkRelievoImageBytes.h"
 
 #include "vtk_jpeg.h"
@@ -17,7 +17,7 @@ namespace relievo::image
 {
 namespace
 {
-constexpr int MostScans = 500; // a progressive image of few bytes could have decoding never end
+constexpr int MostScans = 500; // a small progressive image could otherwise take endlessly to decode
 
 struct Reader
 {
@@ -44,7 +44,7 @@ void Leave(j_common_ptr info)
   std::longjmp(reader->Jump, 1);
 }
 
-// Below 0 is a warning: of data that are not as they should be, which are drawn in grey.
+// Levels below 0 are warnings of damaged data, which would be drawn grey.
 void Hear(j_common_ptr info, int level)
 {
   Reader* reader = ReaderOf(info);
@@ -68,7 +68,7 @@ void CountScans(j_common_ptr info)
   }
 }
 
-// What follows setjmp keeps no object with a destructor: errors jump over it.
+// No object with a destructor may live after setjmp: errors jump over destructors.
 bool Begin(Reader* reader, const Bytes& bytes)
 {
   if (setjmp(reader->Jump))
@@ -78,7 +78,7 @@ bool Begin(Reader* reader, const Bytes& bytes)
   jpeg_create_decompress(&reader->Info);
   reader->Info.client_data = reader;
   reader->Info.progress = &reader->Progress;
-  // Of some versions the parameter is not const.
+  // The parameter is not const in some versions.
   jpeg_mem_src(&reader->Info, const_cast<unsigned char*>(bytes.Data()),
     static_cast<unsigned long>(bytes.Size()));
   jpeg_read_header(&reader->Info, TRUE);
@@ -110,7 +110,7 @@ bool ReadRows(Reader* reader, JSAMPROW* rows)
   throw Failure("it is damaged (" + text + ")");
 }
 
-// Adobe's programs, and so all that mark their files as they do, write inks inverted.
+// Adobe's programs, and others that mark their files alike, write inverted inks.
 vtkSmartPointer<vtkImageData> FromInks(vtkImageData* inks, bool inverted)
 {
   const int* size = inks->GetDimensions();

@@ -29,24 +29,24 @@ struct PNGHeader
 {
   std::uint32_t Width = 0;
   std::uint32_t Height = 0;
-  int Depth = 0; // bits of a sample
+  int Depth = 0; // bits per sample
   int Kind = Grey;
   bool Interlaced = false;
-  int Samples = 1; // of a pixel, in the file
+  int Samples = 1; // per pixel, in the file
 };
 
 struct Transparency
 {
   bool There = false;
-  std::array<unsigned int, 3> Key{}; // the one colour that is transparent, for grey and RGB
+  std::array<unsigned int, 3> Key{}; // the transparent colour, for grey and RGB
 };
 
 struct Content
 {
   PNGHeader Head;
-  std::vector<std::array<unsigned char, 4>> Colors; // of the palette
+  std::vector<std::array<unsigned char, 4>> Colors; // the palette
   Transparency Alpha;
-  std::vector<Bytes> Parts; // of the compressed data
+  std::vector<Bytes> Parts; // the compressed data
 };
 
 PNGHeader ReadPNGHeader(const Bytes& chunk)
@@ -76,7 +76,7 @@ PNGHeader ReadPNGHeader(const Bytes& chunk)
     throw Failure("its header has a width or height beyond what PNG allows");
   }
   head.Samples = samples[head.Kind];
-  // With the alpha component that transparency may add.
+  // Includes the alpha component that transparency may add.
   const int components = head.Kind == Palette || head.Kind == RGB || head.Kind == RGBA ? 4 : 2;
   CheckSize(head.Width, head.Height, components, head.Depth == 16 ? 2 : 1);
   return head;
@@ -165,7 +165,7 @@ Content ReadChunks(const Bytes& bytes)
   return content;
 }
 
-// Unpacks the parts, one after the other.
+// Unpacks the parts in order.
 class Inflater
 {
 public:
@@ -193,7 +193,7 @@ public:
         {
           throw Failure("it has too little data: it ends too early");
         }
-        // zlib has a pointer to what it does not change.
+        // zlib takes a non-const pointer to unchanged data.
         this->Stream.next_in = const_cast<Bytef*>(this->Parts[this->Next].Data());
         this->Stream.avail_in = static_cast<uInt>(this->Parts[this->Next].Size());
         ++this->Next;
@@ -225,7 +225,8 @@ int Paeth(int left, int above, int corner)
   return toLeft <= toAbove && toLeft <= toCorner ? left : toAbove <= toCorner ? above : corner;
 }
 
-// Rows begin with the number of their filter; `pixel` is the bytes from a sample to the one left.
+// Rows begin with their filter's number; `pixel` is the distance in bytes to the sample to the
+// left.
 void Unfilter(std::vector<unsigned char>& row, const std::vector<unsigned char>& above, int pixel)
 {
   const int filter = row[0];
@@ -260,7 +261,7 @@ unsigned int SampleOf(const unsigned char* samples, std::size_t at, int depth)
   return (samples[bit / 8] >> (8 - depth - bit % 8)) & ((1U << depth) - 1);
 }
 
-// A row of the file, or of one of its interlaced pictures, to every `step`-th texel from `to` on.
+// Puts a row of the file, or of one of its interlaced pictures, to every `step`-th texel from `to`.
 template <typename T>
 void PutRow(const Content& content, const unsigned char* samples, std::uint32_t width, T* to,
   std::size_t step)
@@ -337,7 +338,7 @@ vtkSmartPointer<vtkImageData> DecodePNG(const Bytes& bytes)
 {
   const Content content = ReadChunks(bytes);
   const PNGHeader& head = content.Head;
-  // Before memory is taken: deflated data are at least a 1032nd of what they unpack to.
+  // Before memory is allocated: deflate packs data to no less than 1/1032 of their size.
   std::uint64_t packed = 0;
   for (const Bytes& part : content.Parts)
   {

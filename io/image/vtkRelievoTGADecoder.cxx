@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Truevision TGA: the types 1, 2, 3 and their run-length forms 9, 10, 11, of 8, 15, 16, 24 and 32
-// bits (Truevision, TGA File Format Specification, version 2.0). Alpha is what the descriptor
-// counts as attribute bits; without any, 32 bits are opaque.
+// bits (Truevision, TGA File Format Specification, version 2.0). Alpha is taken from the attribute
+// bits in the descriptor; without any, 32-bit images are opaque.
 #include "vtkRelievoImageBytes.h"
 
 #include <algorithm>
@@ -29,7 +29,7 @@ struct TGAHeader
   bool Alpha = false;
   bool FromRight = false;
   bool FromTop = false;
-  std::size_t Data = 0; // where what follows the header and its text begins
+  std::size_t Data = 0; // offset of the data after the header and its text
 };
 
 bool IsColor(int bits)
@@ -159,7 +159,7 @@ vtkSmartPointer<vtkImageData> DecodeTGA(const Bytes& bytes)
   const bool alpha = head.Alpha && (bits == 32 || bits == 16);
   const int components = head.Type == 3 ? (head.Bits == 16 ? 2 : 1) : alpha ? 4 : 3;
   CheckSize(head.Width, head.Height, components, 1);
-  // Before memory is taken: a packet of 2 bytes or more stands for 128 texels at most.
+  // Before memory is allocated: a packet of at least 2 bytes makes at most 128 texels.
   const std::uint64_t texels = static_cast<std::uint64_t>(head.Width) * head.Height;
   if (bytes.Size() < (head.Runs ? texels / 128 : texels))
   {

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// TIFF by the library that VTK has: the first image of a file, in strips or tiles, planes together
-// or apart, turned by its orientation tag. 1 to 8 bits become unsigned char, 16 bits unsigned
-// short, signed and longer numbers float. Grey, RGB and palettes keep their samples; other spaces
-// of colour become RGB of 8 bits.
+// TIFF by VTK's library: the first image of a file, in strips or tiles, planes together or apart,
+// turned by its orientation tag. 1 to 8 bits become unsigned char, 16 bits unsigned short, signed
+// and longer numbers float. Grey, RGB and palettes keep their samples; other colour spaces become
+// RGB of 8 bits.
 #include "vtkRelievoImageBytes.h"
 
 #include "vtk_tiff.h"
@@ -21,9 +21,9 @@ namespace relievo::image
 {
 namespace
 {
-constexpr std::int64_t MostAtOnce = std::int64_t(1) << 30; // bytes of one strip or tile
+constexpr std::int64_t MostAtOnce = std::int64_t(1) << 30; // bytes per strip or tile
 
-// The file in memory, and the first thing that the library has against it.
+// The file in memory, and the library's first message.
 struct Source
 {
   Bytes File;
@@ -119,12 +119,12 @@ struct Layout
   std::uint32_t Width = 0;
   std::uint32_t Height = 0;
   int Bits = 1;
-  int Samples = 1; // of a pixel, in the file
+  int Samples = 1; // per pixel, in the file
   int Format = SAMPLEFORMAT_UINT;
   int Photometric = PHOTOMETRIC_MINISBLACK;
   bool Apart = false; // a plane for each sample
   int Orientation = ORIENTATION_TOPLEFT;
-  int Components = 1; // that are kept
+  int Components = 1; // in the output
   int Type = VTK_UNSIGNED_CHAR;
 
   bool KeepsSamples() const
@@ -194,7 +194,7 @@ T ReadAs(const unsigned char* from)
   return value;
 }
 
-// A sample as a number; the library has put its bytes in the machine's order.
+// A sample as a number, in the machine's byte order thanks to the library.
 double SampleOf(const Layout& layout, const unsigned char* row, std::size_t at)
 {
   const std::size_t bit = at * layout.Bits;
@@ -214,7 +214,7 @@ double SampleOf(const Layout& layout, const unsigned char* row, std::size_t at)
                            : (*from >> (8 - layout.Bits - bit % 8)) & ((1 << layout.Bits) - 1);
 }
 
-// Colours of a palette; samples of other images as they are kept.
+// Converts samples: palettes to colours, others unchanged.
 class Placer
 {
 public:
@@ -260,7 +260,7 @@ public:
 
 private:
   const Layout& Shape;
-  double Most; // that a sample can be
+  double Most; // the largest possible sample
   std::vector<unsigned char> Colors;
 };
 
@@ -358,7 +358,7 @@ void ReadSamples(TIFF* tiff, const Source& source, const Layout& layout, vtkImag
   }
 }
 
-// CMYK, L*a*b*, YCbCr, logarithms: as the library shows them.
+// CMYK, L*a*b*, YCbCr, logarithms: converted by the library.
 void ReadColors(TIFF* tiff, const Source& source, const Layout& layout, vtkImageData* image)
 {
   char text[1024] = {};
@@ -367,7 +367,7 @@ void ReadColors(TIFF* tiff, const Source& source, const Layout& layout, vtkImage
   {
     throw Failure(std::string("it is a kind of TIFF that is not read (") + text + ")");
   }
-  shown.orientation = ORIENTATION_TOPLEFT; // turned by ours, which knows all eight
+  shown.orientation = ORIENTATION_TOPLEFT; // we turn it: our code knows all eight
   shown.req_orientation = ORIENTATION_BOTLEFT;
   std::vector<std::uint32_t> texels(static_cast<std::size_t>(layout.Width) * layout.Height);
   const bool read = TIFFRGBAImageGet(&shown, texels.data(), layout.Width, layout.Height) != 0;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What readers of meshes share: the whole text of a file, and why one is refused.
+// Shared by the mesh readers: the whole text of a file, and the reason for refusing one.
 #ifndef vtkRelievoMeshText_h
 #define vtkRelievoMeshText_h
 
@@ -9,7 +9,7 @@
 
 namespace relievo
 {
-// What is wrong with the file, and the kind of error. Does not leave the readers.
+// The problem of a file, and the error code. Never leaves the readers.
 struct Refusal
 {
   unsigned long Code; // of vtkErrorCode

@@ -57,7 +57,7 @@ vtkIdType At(const std::vector<vtkIdType>& of, vtkIdType corner)
   return of.empty() ? None : of[static_cast<std::size_t>(corner)];
 }
 
-// Corners whose number is that of no numbers have none.
+// Corners with an invalid normal or texture coordinate get none.
 void ForgetWrong(std::vector<vtkIdType>& ofCorners, const std::vector<float>& values, int size)
 {
   bool any = false;
@@ -73,7 +73,7 @@ void ForgetWrong(std::vector<vtkIdType>& ofCorners, const std::vector<float>& va
 }
 
 //------------------------------------------------------------------------------
-// Normals of the corners that have none, in a file that has some.
+// Makes normals for the corners without one, in a file that has some.
 class NormalMaker
 {
 public:
@@ -148,7 +148,7 @@ private:
     return known->second;
   }
 
-  // Twice the area along the normal, by the method of Newell.
+  // The normal with a length of twice the area, by Newell's method.
   Vector GetAreaNormal(std::size_t first, std::size_t end) const
   {
     const auto point = [this](std::size_t corner) {
@@ -168,12 +168,12 @@ private:
 
   Content& All;
   CellList& Faces;
-  std::unordered_map<Corner, vtkIdType, HashCorner> OfGroups; // by point, group and 0
-  std::unordered_map<vtkIdType, Vector> Sums;                 // by the normal's place
+  std::unordered_map<Corner, vtkIdType, HashCorner> OfGroups; // by point and group
+  std::unordered_map<vtkIdType, Vector> Sums;                 // by the normal's index
 };
 
 //------------------------------------------------------------------------------
-// The points of the mesh, of which each has one texture coordinate and normal at most.
+// Splits points so that each point of the mesh has at most one texture coordinate and normal.
 class PointSplitter
 {
 public:
@@ -183,7 +183,7 @@ public:
   {
   }
 
-  // The corners' points become those of the mesh.
+  // Replaces the corners' points by those of the mesh.
   void Split(CellList& cells, bool alwaysNormals)
   {
     for (std::size_t i = 0; i < cells.Points.size(); ++i)
@@ -194,7 +194,7 @@ public:
       Corner& first = this->Uses[static_cast<std::size_t>(use.Point)];
       if (!alwaysNormals && first.Point != Unused)
       {
-        // Lines and vertices of points that have faces take what the faces have.
+        // Lines and vertices use the values that faces have at their points.
         use.TextureCoordinates =
           use.TextureCoordinates == None ? first.TextureCoordinates : use.TextureCoordinates;
         use.Normal = first.Normal;
@@ -216,7 +216,7 @@ public:
     }
   }
 
-  // Of each point of the mesh the file's point; Unused: its own.
+  // The file's point of each point of the mesh; Unused: its own.
   const std::vector<Corner>& GetUses() const { return this->Uses; }
 
   static constexpr vtkIdType Unused = -2;
@@ -250,7 +250,7 @@ std::vector<bool> FindWrong(const Content& content)
 }
 
 //------------------------------------------------------------------------------
-// Without the cells that use wrong points; `left` gets the numbers of the others, from `number` on.
+// Removes cells with invalid points; `left` gets the numbers of the others, counted from `number`.
 void RemoveCells(
   CellList& cells, const std::vector<bool>& wrong, vtkIdType number, std::vector<vtkIdType>& left)
 {
@@ -308,7 +308,7 @@ void AddNames(vtkPolyData* mesh, const char* name, const std::vector<std::string
   mesh->GetFieldData()->AddArray(array);
 }
 
-// What holds for the cells, in VTK's order.
+// Adds arrays of the states that hold for the cells, in VTK's order.
 void AddStates(vtkPolyData* mesh, const Content& content, const char* what, int State::*value,
   const NameList& names)
 {
@@ -330,7 +330,7 @@ void AddStates(vtkPolyData* mesh, const Content& content, const char* what, int 
 }
 
 //------------------------------------------------------------------------------
-// The arrays of the mesh's points.
+// Makes the arrays of the mesh's points.
 class PointArrays
 {
 public:
@@ -341,7 +341,7 @@ public:
   {
   }
 
-  // Of wrong points the place is that of a good one, out of the bounds' way.
+  // Invalid points are put at a valid point's position, so that bounds stay correct.
   void MakePoints(vtkPolyData* mesh, int type, const std::vector<bool>& wrong)
   {
     const auto good =
@@ -374,7 +374,7 @@ public:
     mesh->GetPointData()->SetTCoords(array);
   }
 
-  // Of points without one, away from the middle.
+  // Points without a normal get one that points away from the middle.
   void AddNormals(vtkPolyData* mesh) const
   {
     double middle[3];
@@ -418,7 +418,7 @@ public:
       const float* color = colors.data() + 3 * this->GetSource(i);
       for (int c = 0; c < 3; ++c)
       {
-        // -1 or NaN: none
+        // -1 or NaN: no colour.
         const float level = color[c] >= 0.f ? (bytes ? color[c] : 255.f * color[c]) : 255.f;
         array->SetTypedComponent(
           i, c, static_cast<unsigned char>(std::min(std::round(level), 255.f)));

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file vtkRelievoOBJMesh.h
- * @brief From the tables of an OBJ file to a mesh; private to vtkRelievoOBJReader.
+ * @brief Converts the tables of an OBJ file to a mesh; private to vtkRelievoOBJReader.
  */
 #ifndef vtkRelievoOBJMesh_h
 #define vtkRelievoOBJMesh_h
@@ -13,8 +13,8 @@ class vtkPolyData;
 
 namespace relievo::obj
 {
-// Fills the mesh, and uses the content up. Returns how many cells are left out because of points
-// that are not finite.
+// Fills the mesh and consumes the content. Returns the number of cells left out because of
+// non-finite points.
 vtkIdType MakeMesh(Content& content, int typeOfPoints, bool groups, vtkPolyData* mesh);
 }
 

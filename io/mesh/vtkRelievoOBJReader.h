@@ -68,16 +68,16 @@ public:
   ///@}
 
   ///@{
-  /** Whether the output says of which group (`g`) and object (`o`) each cell is. Default: off. */
+  /** Whether the output has the group (`g`) and object (`o`) of each cell. Default: off. */
   vtkSetMacro(Groups, bool);
   vtkGetMacro(Groups, bool);
   vtkBooleanMacro(Groups, bool);
   ///@}
 
   ///@{
-  /** What was left out of the file that was read last, one line each. */
+  /** Parts of the last file that were left out, one line each. */
   int GetNumberOfNotes() { return static_cast<int>(this->Notes.size()); }
-  const char* GetNote(int index); ///< null when there is none
+  const char* GetNote(int index); ///< null if there is none
   ///@}
 
 protected:
@@ -90,7 +90,7 @@ private:
   vtkRelievoOBJReader(const vtkRelievoOBJReader&) = delete;
   void operator=(const vtkRelievoOBJReader&) = delete;
 
-  // Throws inside the source file what is wrong with the file.
+  // Throws the problem of the file, only inside the source file.
   void Parse(vtkPolyData* output);
 
   char* FileName = nullptr;

@@ -26,8 +26,8 @@ bool IsBlank(char c)
   return c == ' ' || c == '\t' || c == '\f' || c == '\v';
 }
 
-// Walks over the text, line by line. Lines end as those of Unix, Windows or old Macs; a backslash
-// at the end joins the next line.
+// Walks over the text by lines. Lines end as in Unix, Windows or old Mac OS; a backslash at the end
+// joins the next line.
 class Cursor
 {
 public:
@@ -47,7 +47,7 @@ public:
       std::max(static_cast<double>(this->End - this->Begin), 1.);
   }
 
-  // Whether the line has another word; the cursor is at it then.
+  // Moves to the next word of the line; false if there is none.
   bool FindWord()
   {
     while (this->Here != this->End && (IsBlank(*this->Here) || this->AtJoint()))
@@ -71,7 +71,8 @@ public:
     return std::string_view(first, static_cast<std::size_t>(this->Here - first));
   }
 
-  // The rest of the line without blanks around it and without a comment, which a blank begins.
+  // The rest of the line, without surrounding blanks and without a comment, which begins after a
+  // blank.
   std::string TakeRest()
   {
     std::string rest;
@@ -101,7 +102,7 @@ public:
     this->TakeLineEnd();
   }
 
-  // The next number of the line, NaN if the word is none; false if there is no word.
+  // The next number of the line, NaN if the word is not a number; false if there is no word.
   bool TakeNumber(double& number)
   {
     if (!this->FindWord())
@@ -109,7 +110,7 @@ public:
       return false;
     }
     const char* const first = this->Here;
-    // A leading plus is allowed in files, but not by from_chars.
+    // Files may use a leading plus, which from_chars rejects.
     const bool plus = *first == '+' && first + 1 != this->End && first[1] != '-';
     const auto result = std::from_chars(first + (plus ? 1 : 0), this->End, number);
     this->Here = result.ptr;
@@ -120,7 +121,7 @@ public:
     }
     this->Here = first;
     const std::string_view word = this->TakeWord();
-    // Numbers too small for a double are zero; from_chars does not tell them from those too large.
+    // Numbers too small for a double are zero; from_chars reports them like those too large.
     number = result.ec == std::errc::result_out_of_range &&
         word.find_first_of("eE") + 1 == word.find('-', 1)
       ? 0.
@@ -128,7 +129,7 @@ public:
     return true;
   }
 
-  // The whole number that begins here, where there is one.
+  // The integer that begins here; false if there is none.
   bool TakeIndex(vtkIdType& index)
   {
     const auto result = std::from_chars(this->Here, this->End, index);
@@ -175,7 +176,7 @@ private:
   long long Line = 1;
 };
 
-// What must not reach a terminal as it is.
+// Makes a word safe to print on a terminal.
 std::string Show(std::string_view word)
 {
   std::string shown(word.substr(0, 40));
@@ -186,7 +187,7 @@ std::string Show(std::string_view word)
   return shown;
 }
 
-// An index of a kind of table: counted from 1, or, if negative, from the last one so far.
+// Indices into a table: counted from 1 or, if negative, from the last entry so far.
 class Indices
 {
 public:
@@ -195,7 +196,7 @@ public:
   {
   }
 
-  // From 0, and where it is beyond what there is so far, to be proved by what follows.
+  // The index from 0. An index beyond the entries so far is checked at the end of the file.
   vtkIdType Resolve(vtkIdType index, vtkIdType count, long long line)
   {
     const vtkIdType place = index > 0 ? index - 1 : count + index;
@@ -235,7 +236,7 @@ private:
 
   const char* const What;
   vtkIdType Highest = -1;
-  std::vector<std::pair<vtkIdType, long long>> Later; // rising
+  std::vector<std::pair<vtkIdType, long long>> Later; // ascending
 };
 
 //------------------------------------------------------------------------------
@@ -283,7 +284,7 @@ private:
     {
       this->ReadPoint();
     }
-    else if (word == "f" || word == "fo") // the latter is an older name
+    else if (word == "f" || word == "fo") // fo is an older name
     {
       this->ReadCell(3);
     }
@@ -405,7 +406,7 @@ private:
   }
 
   //----------------------------------------------------------------------------
-  // A cell of fewer points than the statement's kind has is one of the kind that they make.
+  // A statement with fewer points than its kind needs makes a cell of the kind for so many points.
   void ReadCell(std::size_t kindOfStatement)
   {
     this->Points.clear();
@@ -475,11 +476,11 @@ private:
 
   Cursor In;
   Content Out;
-  long long Line = 1; // where the statement begins
+  long long Line = 1; // the first line of the statement
   Indices OfPoints{ "point" };
   Indices OfTextureCoordinates{ "texture coordinate" };
   Indices OfNormals{ "normal" };
-  std::vector<vtkIdType> Points; // of the cell, and the others as in CellList
+  std::vector<vtkIdType> Points; // of the cell, and the other vectors as in CellList
   std::vector<vtkIdType> TextureCoordinates;
   std::vector<vtkIdType> Normals;
 };
@@ -488,7 +489,7 @@ private:
 //------------------------------------------------------------------------------
 Content Read(std::string_view text, const std::function<bool(double)>& goOn)
 {
-  // The marks of UTF-16 and UTF-32, or, without one, the zeros of their letters.
+  // The byte-order marks of UTF-16 and UTF-32 or, without one, the zero bytes of their letters.
   const auto byte = [text](std::size_t i) {
     return i < text.size() ? static_cast<unsigned char>(text[i]) : 1;
   };

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file vtkRelievoOBJText.h
- * @brief From the text of an OBJ file to tables; private to vtkRelievoOBJReader.
+ * @brief Reads the text of an OBJ file into tables; private to vtkRelievoOBJReader.
  */
 #ifndef vtkRelievoOBJText_h
 #define vtkRelievoOBJText_h
@@ -18,7 +18,7 @@
 
 namespace relievo::obj
 {
-// How often something was found, and the line of the first.
+// A number of occurrences, and the line of the first.
 struct Tally
 {
   vtkIdType Count = 0;
@@ -27,7 +27,7 @@ struct Tally
   void Add(long long line) { this->Line = this->Count++ == 0 ? line : this->Line; }
 };
 
-// Names in the order in which the file has them first.
+// Names in the order of their first occurrence in the file.
 struct NameList
 {
   std::vector<std::string> Names;
@@ -44,7 +44,7 @@ struct NameList
   }
 };
 
-// What stands before a cell and holds for it; -1: nothing does.
+// Statements in force for a cell; -1: none.
 struct State
 {
   int Material = -1;
@@ -53,8 +53,8 @@ struct State
   int Smoothing = 0;
 };
 
-// The cells of one kind. Of a corner there are its point and, in vectors that are empty where no
-// corner has any, its texture coordinate and normal; -1: none.
+// The cells of one kind. Each corner has a point and, in vectors that are empty if no corner has
+// any, a texture coordinate and a normal; -1: none.
 struct CellList
 {
   std::vector<vtkIdType> Starts = { 0 };
@@ -73,24 +73,24 @@ enum CellKind
 
 struct Content
 {
-  std::vector<double> Points;            // three each; NaN where a coordinate is no number
+  std::vector<double> Points;            // three each; NaN if a coordinate is not a number
   std::vector<float> Colors;             // three each; -1: none; empty if no point has any
-  std::vector<float> TextureCoordinates; // two each; NaN where it is no number
-  std::vector<float> Normals;            // three each; NaN where it is none
+  std::vector<float> TextureCoordinates; // two each; NaN if not a number
+  std::vector<float> Normals;            // three each; NaN if not a number
   CellList Cells[3];
   std::vector<State> States = { {} };
   NameList Materials;
   NameList Groups;
   NameList Objects;
-  std::vector<std::string> Libraries; // what stands behind each mtllib
+  std::vector<std::string> Libraries; // the text after each mtllib
   Tally WrongPoints;
   Tally WrongTextureCoordinates;
   Tally WrongNormals;
   Tally Curves; // and free-form surfaces
 };
 
-// Reads the text, or throws a Refusal. `goOn` is called now and then with the share that is done;
-// when it returns false, what was read so far is returned.
+// Reads the text, or throws a Refusal. `goOn` is called regularly with the share done; if it
+// returns false, the content read so far is returned.
 Content Read(std::string_view text, const std::function<bool(double)>& goOn);
 }
 

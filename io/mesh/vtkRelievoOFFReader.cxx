@@ -34,7 +34,7 @@ using relievo::off::Words;
 
 constexpr unsigned char DefaultGrey = 170;
 
-// What the first word of the file announces.
+// The first word of the file, parsed.
 struct Header
 {
   bool TextureCoordinates = false;
@@ -42,7 +42,7 @@ struct Header
   bool Normals = false;
 };
 
-// True when `word` is a header that is understood.
+// False if the header is not supported.
 bool ParseHeader(std::string word, Header& header)
 {
   const auto take = [&word](const char* prefix) {
@@ -57,7 +57,7 @@ bool ParseHeader(std::string word, Header& header)
   return word == "OFF";
 }
 
-// Colours as they come; they are of 255 when any number of the list is above 1, else of 1.
+// Collects colours; they are fractions of 255 if any number of the list is above 1, otherwise of 1.
 class ColorList
 {
 public:
@@ -117,7 +117,7 @@ public:
     this->TextureCoordinates->SetNumberOfTuples(header.TextureCoordinates ? count : 0);
   }
 
-  // Reads what follows the three coordinates of a vertex, on the same line.
+  // Reads the values after the three coordinates of a vertex, on the same line.
   void Read(vtkIdType point, Words& words)
   {
     if (!this->Kind.Normals && !this->Kind.Colors && !this->Kind.TextureCoordinates)
@@ -174,7 +174,7 @@ private:
   ColorList Colors;
 };
 
-// The faces, by kind of cell, with a colour each.
+// The faces by kind of cell, each with a colour.
 class Faces
 {
 public:
@@ -225,7 +225,7 @@ private:
   bool Colored = false;
 };
 
-// The whole file; the header's word is checked first, so that a huge other file is not read.
+// The whole file; the header is checked first, so that a huge file of another format is not read.
 std::string Load(const char* fileName, Header& header)
 {
   if (!vtksys::SystemTools::FileExists(fileName, true))
@@ -305,7 +305,7 @@ int vtkRelievoOFFReader::RequestData(
 {
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   this->SetErrorCode(vtkErrorCode::NoError);
-  // Never 0 is returned: the pipeline would add an error of its own, which names no file.
+  // Returns 1 even on errors: after 0 the pipeline would add its own error, without a file name.
   if (!this->FileName || !*this->FileName)
   {
     this->SetErrorCode(vtkErrorCode::NoFileNameError);
@@ -332,7 +332,7 @@ void vtkRelievoOFFReader::Parse(vtkPolyData* output)
   const std::string text = Load(this->FileName, header);
   Words words(text);
   words.Next("the header");
-  // A coordinate takes two characters at least, a face four: this bounds what is believed.
+  // A coordinate takes at least two characters, a face four: this limits the announced counts.
   const auto size = static_cast<vtkIdType>(text.size());
   const vtkIdType numberOfPoints = words.Count(size / 6 + 1, "vertices");
   const vtkIdType numberOfFaces = words.Count(size / 4 + 1, "faces");

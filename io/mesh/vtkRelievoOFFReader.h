@@ -61,7 +61,7 @@ private:
   vtkRelievoOFFReader(const vtkRelievoOFFReader&) = delete;
   void operator=(const vtkRelievoOFFReader&) = delete;
 
-  // Throws inside the source file what is wrong with the file.
+  // Throws the problem of the file, only inside the source file.
   void Parse(vtkPolyData* output);
 
   char* FileName = nullptr;

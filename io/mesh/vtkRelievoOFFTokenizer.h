@@ -21,7 +21,7 @@
 
 namespace relievo::off
 {
-// Walks over the words of the text, counting lines and leaving comments out.
+// Walks over the words of the text, counting lines and skipping comments.
 class Words
 {
 public:
@@ -77,11 +77,11 @@ public:
   Number Parse(std::string_view word, const char* expected) const
   {
     Number value{};
-    // A leading plus is allowed in files, but not by from_chars.
+    // Files may use a leading plus, which from_chars rejects.
     const char* first = word.data() + (word.size() > 1 && word[0] == '+' ? 1 : 0);
     const char* last = word.data() + word.size();
     const auto result = std::from_chars(first, last, value);
-    // Numbers too small for a double are zero; from_chars does not tell them from those too large.
+    // Numbers too small for a double are zero; from_chars reports them like those too large.
     const bool tiny = std::is_floating_point<Number>::value &&
       result.ec == std::errc::result_out_of_range && word.find("e-") != std::string_view::npos;
     if (result.ptr != last || (result.ec != std::errc() && !tiny) ||
@@ -94,7 +94,7 @@ public:
 
   Refusal Unexpected(std::string_view word, const std::string& expected) const
   {
-    // What is no text must not reach a terminal as it is.
+    // Makes the word safe to print on a terminal.
     std::string shown(word.substr(0, 40));
     for (char& c : shown)
     {
@@ -119,7 +119,7 @@ public:
     return static_cast<vtkIdType>(value);
   }
 
-  // How many of something the file claims to hold.
+  // The number of items that the file announces.
   vtkIdType Count(vtkIdType limit, const std::string& what)
   {
     const std::string expected = "the number of " + what;

@@ -29,7 +29,7 @@ namespace
 {
 using Columns = std::vector<Column*>;
 
-// The columns of these names, if all are there and no lists.
+// The columns of these names, if all exist and none is a list.
 Columns FindAll(Element& element, const std::vector<std::string>& names)
 {
   Columns found;
@@ -44,7 +44,7 @@ Columns FindAll(Element& element, const std::vector<std::string>& names)
   return found.size() == names.size() ? found : Columns();
 }
 
-// By what a number is to be multiplied so that 255 is the whole.
+// The factor that scales a colour's number to 255.
 double GetColorScale(int type)
 {
   switch (type)
@@ -68,7 +68,7 @@ double GetColorScale(int type)
 }
 
 //------------------------------------------------------------------------------
-// Which of an element's numbers are used, in turn.
+// The indices of an element's numbers to use, in order.
 class Order
 {
 public:
@@ -96,12 +96,12 @@ public:
   }
 
 private:
-  vtkIdType Same; // so many, from the first one on, are in their own order
+  vtkIdType Same; // number of leading indices in their own order
   std::vector<vtkIdType> Others;
 };
 
 //------------------------------------------------------------------------------
-// The numbers of an element in an order of their own.
+// Reorders the numbers of an element.
 class Arrays
 {
 public:
@@ -111,7 +111,7 @@ public:
   {
   }
 
-  // `taken` are no arrays of their own.
+  // The columns in `taken` become no arrays.
   void AddTo(vtkDataSetAttributes* data, Columns taken)
   {
     const auto take = [this, &taken](const std::vector<std::string>& names) {
@@ -170,7 +170,7 @@ public:
   }
 
 private:
-  // One of every `step` numbers from `to` on.
+  // Converts every `step`-th number from `to` on.
   template <typename Number>
   void Fill(Number* to, std::size_t step, int type, const Column& column) const
   {
@@ -210,7 +210,7 @@ private:
 };
 
 //------------------------------------------------------------------------------
-// Splits points that have different texture coordinates in different faces.
+// Splits points with different texture coordinates in different faces.
 class FacePoints
 {
 public:
@@ -222,7 +222,7 @@ public:
   {
   }
 
-  // Whether a point is one and the same for all faces.
+  // Whether faces share their points.
   bool AreShared() const { return !this->Coordinates; }
 
   // The point for a corner of a face.
@@ -285,7 +285,7 @@ private:
 };
 
 //------------------------------------------------------------------------------
-// The number as a point's, or a Refusal that names the `place`.
+// The number as a point's index, or a Refusal that names the `place`.
 vtkIdType GetPoint(double index, vtkIdType numberOfPoints, const char* noun, vtkIdType place,
   const char* otherwise = "")
 {
@@ -300,7 +300,7 @@ vtkIdType GetPoint(double index, vtkIdType numberOfPoints, const char* noun, vtk
 }
 
 //------------------------------------------------------------------------------
-// The triangles of strips.
+// Converts strips to triangles.
 void AddStrips(Element& strips, vtkIdType numberOfPoints, vtkPolyData* mesh)
 {
   const Column* indices = strips.Find("vertex_indices");
@@ -311,14 +311,14 @@ void AddStrips(Element& strips, vtkIdType numberOfPoints, vtkPolyData* mesh)
   vtkNew<vtkCellArray> triangles;
   for (vtkIdType strip = 0; strip < strips.Count; ++strip)
   {
-    vtkIdType before[2] = { 0, 0 }; // the last two, which change places with each triangle
+    vtkIdType before[2] = { 0, 0 }; // the last two, which swap with each triangle
     vtkIdType count = 0;
     for (vtkIdType i = indices->GetStart(strip); i < indices->GetStart(strip + 1); ++i)
     {
       const double index = indices->Values.Get(static_cast<std::size_t>(i));
       if (index == -1.)
       {
-        count = 0; // a strip of its own
+        count = 0; // the strip has ended
         continue;
       }
       const vtkIdType point = GetPoint(index, numberOfPoints, "tristrips", strip, ", or -1");
@@ -359,8 +359,8 @@ void AddEdges(Element& edges, vtkIdType numberOfPoints, vtkPolyData* mesh)
 }
 
 //------------------------------------------------------------------------------
-// Polygons of one size whose corners are as they lie in the file: without copies. False: they are
-// not, and nothing is changed.
+// Takes polygons of one size whose corners lie contiguously in the file, without copying. False,
+// without changes, if they do not.
 bool TakeFaces(Column& indices, vtkIdType count, vtkIdType numberOfPoints, vtkPolyData* mesh)
 {
   const int type = indices.Values.GetType();
@@ -371,11 +371,11 @@ bool TakeFaces(Column& indices, vtkIdType count, vtkIdType numberOfPoints, vtkPo
   {
     return false;
   }
-  const auto* const first = indices.Values.As<std::uint32_t>(); // where -1 is out of range too
+  const auto* const first = indices.Values.As<std::uint32_t>(); // -1 is out of range, too
   if (std::any_of(first, first + corners,
         [numberOfPoints](std::uint32_t corner) { return corner >= numberOfPoints; }))
   {
-    return false; // whoever looks at each of them finds it
+    return false; // checking each index finds it later
   }
   vtkNew<vtkTypeInt32Array> starts, points;
   starts->SetNumberOfValues(count + 1);
@@ -392,7 +392,7 @@ bool TakeFaces(Column& indices, vtkIdType count, vtkIdType numberOfPoints, vtkPo
 }
 
 //------------------------------------------------------------------------------
-// The faces by kind, and their order.
+// Adds the faces by kind, and their order.
 void AddFaces(Element& faces, vtkIdType numberOfPoints, FacePoints& points, vtkPolyData* mesh)
 {
   Column* indices = faces.Find("vertex_indices");
@@ -419,7 +419,7 @@ void AddFaces(Element& faces, vtkIdType numberOfPoints, FacePoints& points, vtkP
       const double index = indices->Values.Get(static_cast<std::size_t>(first + corner));
       corners.push_back(points.Get(GetPoint(index, numberOfPoints, "face", face), face, corner));
     }
-    if (count > 0) // some writers delete faces by it
+    if (count > 0) // some writers delete faces by an empty list
     {
       const auto kind = static_cast<std::size_t>(std::min<vtkIdType>(count, 3) - 1);
       cells[kind]->InsertNextCell(count, corners.data());

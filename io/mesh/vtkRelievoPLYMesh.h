@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file vtkRelievoPLYMesh.h
- * @brief From the tables of a PLY file to a mesh; private to vtkRelievoPLYReader.
+ * @brief Converts the tables of a PLY file to a mesh; private to vtkRelievoPLYReader.
  */
 #ifndef vtkRelievoPLYMesh_h
 #define vtkRelievoPLYMesh_h

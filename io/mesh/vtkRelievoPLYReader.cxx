@@ -38,7 +38,7 @@ int vtkRelievoPLYReader::RequestData(
 {
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   this->SetErrorCode(vtkErrorCode::NoError);
-  // Never 0 is returned: the pipeline would add an error of its own, which names no file.
+  // Returns 1 even on errors: after 0 the pipeline would add its own error, without a file name.
   if (!this->FileName || !*this->FileName)
   {
     this->SetErrorCode(vtkErrorCode::NoFileNameError);
@@ -66,7 +66,7 @@ int vtkRelievoPLYReader::RequestData(
   {
     refuse(refusal.Code, refusal.Text);
   }
-  catch (const std::exception& thrown) // where there is not enough memory
+  catch (const std::exception& thrown) // out of memory
   {
     refuse(vtkErrorCode::OutOfDiskSpaceError, thrown.what());
   }

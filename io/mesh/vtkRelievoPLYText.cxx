@@ -44,7 +44,7 @@ std::string Show(std::string_view word)
   std::string shown(word.substr(0, 40));
   for (char& c : shown)
   {
-    c = c < ' ' || c > '~' ? '?' : c; // what must not reach a terminal as it is
+    c = c < ' ' || c > '~' ? '?' : c; // safe to print on a terminal
   }
   return shown;
 }
@@ -252,7 +252,7 @@ private:
   }
 
   //----------------------------------------------------------------------------
-  // Before anything is believed of it.
+  // Checks an announced count before memory is allocated for it.
   void CheckCount(const Element& element) const
   {
     std::size_t size = 0;
@@ -261,7 +261,8 @@ private:
       const std::size_t first = column.CountType != 0 ? column.CountSize : column.Size;
       size += this->Of == Format::Text ? 2 : first;
     }
-    const auto left = static_cast<std::size_t>(this->End - this->Here) + 1; // no end of the line
+    const auto left =
+      static_cast<std::size_t>(this->End - this->Here) + 1; // the last line may have no end
     if (size > 0 && static_cast<std::size_t>(element.Count) > left / size)
     {
       throw Refusal{ vtkErrorCode::PrematureEndOfFileError,
@@ -358,7 +359,7 @@ private:
       this->RefuseEnd(element, i);
     }
     const char* const end = std::find_if(this->Here, this->End, IsBlank);
-    // A leading plus is allowed in files, but not by from_chars.
+    // Files may use a leading plus, which from_chars rejects.
     const char* const first = this->Here + (*this->Here == '+' && end - this->Here > 1 ? 1 : 0);
     double number = 0.;
     const auto result = std::from_chars(first, end, number);
@@ -430,7 +431,7 @@ void Numbers::Reserve(std::size_t count)
   {
     return;
   }
-  void* const grown = std::realloc(this->Bytes, count * this->Each); // which moves pages, no bytes
+  void* const grown = std::realloc(this->Bytes, count * this->Each); // moves pages instead of bytes
   if (!grown)
   {
     throw std::bad_alloc();

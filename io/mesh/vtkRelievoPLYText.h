@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file vtkRelievoPLYText.h
- * @brief From the bytes of a PLY file to tables; private to vtkRelievoPLYReader.
+ * @brief Reads the bytes of a PLY file into tables; private to vtkRelievoPLYReader.
  */
 #ifndef vtkRelievoPLYText_h
 #define vtkRelievoPLYText_h
@@ -21,7 +21,7 @@
 
 namespace relievo::ply
 {
-// Numbers of one of VTK's types, which may be given away.
+// Numbers of one of VTK's types, whose memory can be passed on.
 class Numbers
 {
 public:
@@ -38,7 +38,7 @@ public:
   }
   ~Numbers() { std::free(this->Bytes); }
 
-  // Before there are any.
+  // To be called while there are no numbers.
   void SetType(int type, std::size_t size)
   {
     this->Of = type;
@@ -49,7 +49,7 @@ public:
 
   void Reserve(std::size_t count);
 
-  // Where so many more are to be written.
+  // Adds room for so many numbers, and returns its address.
   void* Add(std::size_t count)
   {
     if (count > this->Room - this->Size)
@@ -76,7 +76,7 @@ public:
     return reinterpret_cast<const Number*>(this->Bytes);
   }
 
-  // To be freed by who takes them; none are left.
+  // Passes the memory on: the caller must free it.
   void* Release();
 
 private:
@@ -87,7 +87,7 @@ private:
   std::size_t Room = 0;
 };
 
-// A property of an element, with its numbers: one for each of them, or lists one after the other.
+// A property of an element with its numbers: one per element, or concatenated lists.
 struct Column
 {
   std::string Name;
@@ -96,20 +96,20 @@ struct Column
   std::size_t Size = 0; // of a number, and of a list's length, in bytes
   std::size_t CountSize = 0;
   bool Kept = true;
-  Numbers Values; // of the type, or, out of text, doubles
-  // Of lists: the size of all so far, -1 before the first; or, where sizes differ, 0, and where
-  // each begins in the values, and the end.
+  Numbers Values; // of the property's type or, from text, doubles
+  // Lists: their common size, -1 before the first list; if sizes differ, 0, and Starts has the
+  // beginning of each list and the end.
   vtkIdType ListSize = -1;
   std::vector<vtkIdType> Starts;
 
-  // Of a list that is read.
+  // The beginning of a list that has been read.
   vtkIdType GetStart(vtkIdType list) const
   {
     return this->Starts.empty() ? list * this->ListSize
                                 : this->Starts[static_cast<std::size_t>(list)];
   }
 
-  // A list with the last values.
+  // Ends a list with the last `size` values.
   void EndList(vtkIdType list, vtkIdType size)
   {
     if (this->ListSize < 0)
@@ -151,7 +151,7 @@ struct Element
 struct Content
 {
   std::vector<Element> Elements;
-  std::vector<std::string> Textures; // names of files, of the comments TextureFile
+  std::vector<std::string> Textures; // names of files, from the comments TextureFile
 
   Element* Find(const std::string& name)
   {
@@ -167,8 +167,7 @@ struct Content
 };
 
 // Reads the elements `vertex`, `face`, `tristrips` and `edge`, or throws a Refusal. `goOn` is
-// called now and then with the share that is done; when it returns false, what was read so far is
-// returned.
+// called regularly with the share done; if it returns false, the content read so far is returned.
 Content Read(std::string_view text, const std::function<bool(double)>& goOn);
 }
 
