@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * What an algorithm says of a composite, whose blocks VTK hands it one by one: each thing once.
+ * Errors of an algorithm on a composite, whose blocks VTK passes one by one: each error is reported
+ * once.
  */
 #ifndef vtkRelievoErrorOnce_h
 #define vtkRelievoErrorOnce_h
@@ -26,7 +27,7 @@ public:
   bool IsNew(const std::string& error) { return this->Reported.insert(error).second; }
 
 private:
-  // The composite's, and between them those of each block.
+  // Called for the composite and, in between, for each block.
   void Start()
   {
     if (this->Depth++ == 0)

@@ -29,7 +29,7 @@ const GltfKind TurnsKind = { { "VEC4" }, { Float, Byte, UnsignedByte, Short, Uns
 const GltfKind MorphWeightsKind = { { "SCALAR" },
   { Float, Byte, UnsignedByte, Short, UnsignedShort }, true };
 
-// A sampler's keys: `parts` numbers each, and three times as many for splines.
+// A sampler's keys: `parts` numbers per key, and three times as many for splines.
 struct Keys
 {
   KeyMode Mode = KeyMode::Linear;
@@ -37,7 +37,7 @@ struct Keys
   const GltfNumbers* Values = nullptr;
   std::size_t Parts = 0;
 
-  // Of a spline: 0 the slope before, 1 the value, 2 the slope after.
+  // For a spline: 0 the slope before, 1 the value, 2 the slope after.
   const double* At(std::size_t key, std::size_t which) const
   {
     const std::size_t each = this->Mode == KeyMode::Cubic ? 3 : 1;
@@ -107,7 +107,7 @@ private:
     const int node = this->Nodes.Get(static_cast<std::size_t>(place));
     if (node < 0)
     {
-      return; // of another scene
+      return; // a node of another scene
     }
     std::size_t parts = path == Rotation ? 4 : 3;
     if (path == Weights)
@@ -232,7 +232,7 @@ private:
   }
 
   //----------------------------------------------------------------------------
-  // One channel moves all parts of a node.
+  // All parts of a node share one channel.
   ModelChannel& GetChannel(int node, ModelAnimation& animation)
   {
     const auto [found, isNew] = this->Channels.emplace(node, animation.Channels.size());
@@ -247,8 +247,8 @@ private:
   GltfDocument& Document;
   const GltfNodes& Nodes;
   Model& Result;
-  std::size_t Numbers = 0;             // of all keys
-  std::map<int, std::size_t> Channels; // of the animation, by nodes
+  std::size_t Numbers = 0;             // in all keys
+  std::map<int, std::size_t> Channels; // indices in the animation, by node
 };
 }
 

@@ -15,12 +15,12 @@ namespace relievo
 {
 namespace
 {
-// What is read of them; materials' others change how they look, and are noted.
+// Supported extensions; unsupported ones of materials are noted because they change the appearance.
 const std::set<std::string> KnownExtensions = { "KHR_draco_mesh_compression", "KHR_lights_punctual",
   "KHR_materials_emissive_strength", "KHR_materials_unlit", "KHR_mesh_quantization",
   "KHR_texture_transform" };
 
-// The place of a character among those of base64, or -1.
+// The value of a base64 character, or -1.
 int FindDigit(char c)
 {
   return c >= 'A' && c <= 'Z' ? c - 'A'
@@ -39,7 +39,7 @@ int FindHexDigit(char c)
                               : -1;
 }
 
-// %20 and its like are single characters.
+// Escapes such as %20 become single characters.
 std::string DecodeUri(const std::string& uri)
 {
   std::string text;
@@ -54,21 +54,21 @@ std::string DecodeUri(const std::string& uri)
   return text;
 }
 
-// A scheme such as http: stands before the first slash.
+// A scheme such as http: ends before the first slash.
 bool HasScheme(const std::string& uri)
 {
   const std::size_t colon = uri.find(':');
   return colon != std::string::npos && colon > 1 && colon < uri.find('/');
 }
 
-// Throws why the file cannot be read whole. Only regular files are opened: others may never end.
+// Throws why the file cannot be read. Opens only regular files: others may never end.
 std::vector<unsigned char> ReadBytes(const std::string& path, std::uintmax_t& read)
 {
   std::error_code unknown;
   const std::string instead = vtkRelievoFileKind::FindInstead(path);
   if (!instead.empty())
   {
-    throw GltfError(instead.substr(3) + ", expected a file"); // it ...
+    throw GltfError(instead.substr(3) + ", expected a file"); // removes "it "
   }
   if (!std::filesystem::exists(path, unknown))
   {
@@ -91,7 +91,7 @@ std::vector<unsigned char> ReadBytes(const std::string& path, std::uintmax_t& re
   return bytes;
 }
 
-// Whether these are base64 and nothing else; then their bytes.
+// Decodes base64; false if the text contains anything else.
 bool DecodeBase64(const char* text, std::size_t size, std::vector<unsigned char>& bytes)
 {
   while (size > 0 && text[size - 1] == '=' && size % 4 != 1)
@@ -214,7 +214,7 @@ void GltfContainer::Parse(const unsigned char* text, std::size_t size)
   {
     throw GltfError("it is text in UTF-16 or not text, expected JSON in UTF-8");
   }
-  // What reads a value may overflow the stack where they are nested without end.
+  // Parsers may overflow the stack if values are nested too deeply.
   const auto check = [](int depth, nlohmann::json::parse_event_t, nlohmann::json&) {
     if (depth > gltf::DeepestValues)
     {
@@ -231,7 +231,7 @@ void GltfContainer::Parse(const unsigned char* text, std::size_t size)
   {
     std::string what = error.what();
     const std::size_t begin = what.find("] ");
-    // It cites bytes of the file, which need not be text.
+    // The message quotes bytes of the file, which may not be text.
     std::replace_if(
       what.begin(), what.end(), [](char c) { return static_cast<unsigned char>(c) > 126; }, '?');
     throw GltfError(
@@ -296,7 +296,7 @@ std::string GltfContainer::FindNamed(const std::string& uri) const
   std::error_code unknown;
   const std::string named = (folder / DecodeUri(uri)).string();
   const bool isCoded = std::filesystem::exists(named, unknown) ||
-    !std::filesystem::exists(folder / uri, unknown); // of writers that do not code
+    !std::filesystem::exists(folder / uri, unknown); // some writers do not escape names
   return isCoded ? named : (folder / uri).string();
 }
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * A glTF 2 file as a container: its JSON, and the bytes of its buffers and images, in it or beside
- * it. What is wrong is a GltfError.
+ * A glTF 2 file as a container: its JSON, and the bytes of its buffers and images, inside the file
+ * or beside it. Problems are thrown as GltfError.
  */
 #ifndef vtkRelievoGltfContainer_h
 #define vtkRelievoGltfContainer_h
@@ -18,29 +18,29 @@
 
 namespace relievo
 {
-/// Bytes in a buffer that the container holds.
+/// Bytes in a buffer owned by the container.
 struct GltfBytes
 {
   const unsigned char* Data = nullptr;
   std::size_t Size = 0;
 };
 
-/// The whole number of so many bytes, the least significant first.
+/// An unsigned little-endian integer of so many bytes.
 std::size_t ReadLittle(const unsigned char* at, int bytes);
 
 namespace gltf
 {
-/// Most points and most corners of all meshes of a scene, each counted at each node that shows it;
-/// most numbers of all keys of all animations; most values of an accessor that has no bytes, and is
-/// all zeros but for its sparse ones: small files must not take all memory.
+/// Limits against small files that would use up memory: points and corners of all meshes of a
+/// scene, each counted at every node that shows it; numbers of all keys of all animations; and
+/// values of an accessor without bytes, which is all zeros except for its sparse values.
 constexpr std::size_t MostPoints = std::size_t(1) << 25;
 constexpr std::size_t MostCorners = std::size_t(1) << 27;
 constexpr std::size_t MostKeyNumbers = std::size_t(1) << 26;
 constexpr std::size_t MostZeros = std::size_t(1) << 22;
-/// Most bytes of a file together with all those that it names, and of the images that are kept.
+/// Most bytes of a file together with all files that it names, and of the images that are kept.
 constexpr std::uintmax_t MostBytes = std::uintmax_t(1) << 32;
 constexpr std::size_t MostImageBytes = std::size_t(1) << 30;
-/// Nodes below nodes, and values within values of the JSON.
+/// Deepest nesting of nodes, and of values in the JSON.
 constexpr int DeepestNodes = 2000;
 constexpr int DeepestValues = 500;
 }
@@ -48,21 +48,21 @@ constexpr int DeepestValues = 500;
 class GltfContainer
 {
 public:
-  /// Reads the file, and adds it to the sources as it does each file that is named by it.
+  /// Reads the file, and adds it and each file named in it to the sources.
   GltfContainer(
     const std::string& path, const vtkRelievoAllowedFolders& allowed, ModelSources& sources);
 
   GltfValue Get(const char* key) const;
-  /// The extensions that the file uses and that are not read.
+  /// The extensions that the file uses but that are not supported.
   std::vector<std::string> GetUnread() const;
 
   /// The bytes of a buffer view.
   GltfBytes GetView(std::size_t view);
 
-  /// Why the file of an image may not be read; "" if it may, or there is none.
+  /// Why the file of an image may not be read; "" if it may, or if the image has no file.
   std::string FindObstacle(std::size_t image) const;
 
-  /// The bytes of an image, and its name: what the file names, or its place in the file.
+  /// The bytes of an image, and its name: that in the file, or its index.
   GltfBytes GetImage(std::size_t image, std::string& name);
 
 private:
@@ -77,8 +77,8 @@ private:
   const vtkRelievoAllowedFolders& Allowed;
   ModelSources& Sources;
   nlohmann::json Json;
-  std::vector<unsigned char> Chunk; // of a .glb
-  std::uintmax_t Read = 0;          // bytes
+  std::vector<unsigned char> Chunk; // the binary chunk of a .glb
+  std::uintmax_t Read = 0;          // total bytes read
   std::map<std::size_t, std::vector<unsigned char>> Buffers;
   std::map<std::size_t, std::vector<unsigned char>> Images;
 };

@@ -93,7 +93,7 @@ std::string Join(const std::vector<std::string>& words)
 }
 }
 
-// How the values of an accessor lie.
+// The memory layout of an accessor's values.
 struct GltfDocument::Layout
 {
   std::string Type;

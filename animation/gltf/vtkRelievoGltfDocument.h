@@ -1,8 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-/**
- * A glTF 2 file with the numbers of its accessors. What does not fit is a GltfError.
- */
+/** A glTF 2 file with the numbers of its accessors. Mismatches are thrown as GltfError. */
 #ifndef vtkRelievoGltfDocument_h
 #define vtkRelievoGltfDocument_h
 
@@ -16,15 +14,15 @@
 
 namespace relievo
 {
-/// Which values a place in the file takes.
+/// The kinds of values allowed in a place of the file.
 struct GltfKind
 {
   std::vector<std::string> Types;  ///< SCALAR, VEC3 and so on
-  std::vector<int> ComponentTypes; ///< as the file has them
-  bool Normalized = false; ///< whether integers stand for 0 to 1 or -1 to 1 whatever it says
+  std::vector<int> ComponentTypes; ///< with glTF's numbers
+  bool Normalized = false;         ///< integers always represent 0 to 1 or -1 to 1
 };
 
-/// The values of an accessor, sparse ones in place; integers that are normalized as numbers.
+/// An accessor's values, with sparse ones inserted and normalized integers converted.
 struct GltfNumbers
 {
   std::size_t Count = 0;
@@ -52,17 +50,18 @@ class GltfDocument : public GltfContainer
 public:
   using GltfContainer::GltfContainer;
 
-  /// The values of the accessor that stands at this place. They are kept until Forget().
+  /// The values of the accessor named at this place, cached until Forget().
   const GltfNumbers& GetNumbers(const GltfValue& place, const GltfKind& kind);
   void Forget() { this->Numbers.clear(); }
 
-  /// Whether values that were decoded are what the accessor at this place announces; those that it
-  /// calls normalized become so.
+  /// Checks that decoded values match the accessor named at this place, and converts those that it
+  /// declares normalized.
   void CheckDecoded(const GltfValue& place, GltfNumbers& numbers) const;
-  /// Whether the accessor at this place is of the kind; whether its integers are normalized.
+  /// Checks the kind of the accessor named at this place; returns whether its integers are
+  /// normalized.
   bool Check(const GltfValue& place, const GltfKind& kind) const;
 
-  /// How many values the accessor has that stands at this place.
+  /// The number of values of the accessor named at this place.
   std::size_t GetCount(const GltfValue& place) const;
 
 private:
@@ -72,11 +71,11 @@ private:
   Layout GetLayout(const GltfValue& accessor) const;
   void ReadDense(const GltfValue& accessor, const Layout& layout, GltfNumbers& numbers);
   void ReadSparse(const GltfValue& accessor, const Layout& layout, GltfNumbers& numbers);
-  // The bytes from which `count` values, of so many bytes each, are to be read, and their distance.
+  // The address and stride of `count` values with `bytes` bytes each.
   const unsigned char* Find(const GltfValue& owner, const std::string& what, std::size_t count,
     std::size_t bytes, std::size_t alignment, std::size_t& stride);
 
-  std::map<std::pair<std::string, bool>, GltfNumbers> Numbers; // by place, and normalized
+  std::map<std::pair<std::string, bool>, GltfNumbers> Numbers; // by place and whether normalized
 };
 }
 

@@ -11,7 +11,7 @@ namespace relievo
 {
 namespace
 {
-// The attribute's values, one a point; whole numbers as they are.
+// Reads the attribute's values, one per point; integers stay as they are.
 bool ReadValues(const draco::PointAttribute& attribute, std::size_t count, GltfNumbers& numbers)
 {
   numbers.Count = count;

@@ -26,7 +26,8 @@ enum Mode : std::size_t
   TriangleFan
 };
 
-// Of positions, normals, tangents and coordinates, those of integers by KHR_mesh_quantization.
+// Kinds of positions, normals, tangents and coordinates; integers are those of
+// KHR_mesh_quantization.
 const GltfKind PositionKind = { { "VEC3" }, { Float, Byte, UnsignedByte, Short, UnsignedShort } };
 const GltfKind NormalKind = { { "VEC3" }, { Float, Byte, Short }, true };
 const GltfKind TangentKind = { { "VEC4" }, { Float, Byte, Short }, true };
@@ -49,7 +50,7 @@ std::size_t GetMode(const GltfValue& primitive)
   return given;
 }
 
-// The attributes of a primitive by name; those of a compressed one are decoded.
+// The attributes of a primitive by name, decoded if compressed.
 class Attributes
 {
 public:
@@ -65,7 +66,7 @@ public:
 
   const GltfPrimitive& GetCompressed() const { return this->Compressed; }
 
-  // Null if it is not there. One that is there has as many values as there are points.
+  // Null if missing. Checks that an attribute has as many values as there are points.
   const GltfNumbers* Find(const std::string& name, const GltfKind& kind, std::size_t count)
   {
     const auto decoded = this->Compressed.Attributes.find(name);
@@ -92,7 +93,7 @@ private:
   GltfPrimitive Compressed;
 };
 
-// The corners as the file lists them, each one of the points.
+// The corners in the file's order; each is the index of a point.
 std::vector<std::uint32_t> ReadIndices(GltfDocument& document, const GltfValue& primitive,
   const GltfPrimitive& compressed, std::size_t points)
 {
@@ -123,7 +124,7 @@ std::vector<std::uint32_t> ReadIndices(GltfDocument& document, const GltfValue& 
   return indices;
 }
 
-// Cells by the primitive's mode. What is left over at the end makes none.
+// Makes cells by the primitive's mode. Incomplete cells at the end are left out.
 void MakeCells(std::size_t mode, const std::vector<std::uint32_t>& indices, GltfGeometry& result)
 {
   const std::size_t count = indices.size();
@@ -170,8 +171,8 @@ void MakeCells(std::size_t mode, const std::vector<std::uint32_t>& indices, Gltf
   }
 }
 
-// The points that the corners take: each once and in their order, or, where triangles share none,
-// one for each corner. Corners are renumbered.
+// The points that corners use: each once and in order or, if triangles share none, one for each
+// corner. Renumbers the corners.
 std::vector<std::uint32_t> ChoosePoints(
   std::size_t count, bool shared, std::vector<std::uint32_t>& corners)
 {
@@ -222,7 +223,7 @@ bool IsFinite(const double* from)
   return std::isfinite(from[0]) && std::isfinite(from[1]) && std::isfinite(from[2]);
 }
 
-// Cells with points that are not finite are left out. Returns how many points that are.
+// Removes cells with non-finite points. Returns the number of such points.
 std::size_t LeaveOutInfinite(const GltfNumbers& positions, GltfGeometry& result)
 {
   std::vector<std::uint32_t> kept;
@@ -287,13 +288,13 @@ void ReadColors(Attributes& attributes, const std::vector<std::uint32_t>& taken,
     glm::dvec4 color(from[0], from[1], from[2], alpha);
     for (int i = 0; i < 4; ++i)
     {
-      color[i] = color[i] > 0. ? std::min(color[i], 1.) : 0.; // also what is no number
+      color[i] = color[i] > 0. ? std::min(color[i], 1.) : 0.; // also makes NaN 0
     }
     result.Colors.push_back(color);
   }
 }
 
-// Joints and weights come in sets of four. Joints of weight 0 may be any.
+// Joints and weights come in sets of four. Joints of weight 0 may have any value.
 void ReadInfluences(Attributes& attributes, const std::vector<std::uint32_t>& taken,
   std::size_t count, GltfGeometry& result)
 {
@@ -324,7 +325,7 @@ void ReadInfluences(Attributes& attributes, const std::vector<std::uint32_t>& ta
             [joint](const ModelInfluence& other) { return other.Bone == joint; });
           if (same != own.end())
           {
-            same->Weight += weight; // named twice
+            same->Weight += weight; // the joint is listed twice
           }
           else
           {
@@ -386,7 +387,7 @@ GltfGeometry ReadGltfGeometry(GltfDocument& document, const GltfValue& primitive
   GltfGeometry result;
   const int material =
     primitive.Get("material").GetIndex("materials", document.Get("materials").GetSize());
-  // The last one is that of meshes without.
+  // The last material is that of meshes without one.
   result.Material = material < 0 ? model.Materials.size() - 1 : static_cast<std::size_t>(material);
   Attributes attributes(document, primitive);
   const GltfNumbers* positions = attributes.Find("POSITION", PositionKind, 0);
@@ -418,7 +419,7 @@ GltfGeometry ReadGltfGeometry(GltfDocument& document, const GltfValue& primitive
   const std::vector<std::uint32_t> taken = ChoosePoints(count, shared, result.Corners);
   result.Points = Take<glm::dvec3>(positions, taken);
   result.Normals = Take<glm::dvec3>(normals, taken);
-  if (normals) // without them tangents count for nothing
+  if (normals) // tangents are useless without normals
   {
     result.Tangents = Take<glm::dvec4>(attributes.Find("TANGENT", TangentKind, count), taken);
   }

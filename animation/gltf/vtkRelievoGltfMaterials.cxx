@@ -15,7 +15,7 @@ namespace
 {
 constexpr double Unlimited = std::numeric_limits<double>::infinity();
 
-// Of a sampler: OpenGL's numbers.
+// A sampler's wrap mode, in OpenGL's numbers.
 int ReadWrap(const GltfValue& wrap)
 {
   switch (wrap.GetCount(10497))
@@ -149,7 +149,7 @@ private:
       const double turn = moved.Get("rotation").GetNumber(0.);
       const double c = std::cos(turn);
       const double s = std::sin(turn);
-      // Columns: what u makes, what v makes, the offset.
+      // Columns: the images of u and v, and the offset.
       texture.Transform = glm::dmat3(c * scale[0], -s * scale[0], 0., //
         s * scale[1], c * scale[1], 0.,                               //
         offset[0], offset[1], 1.);
@@ -158,7 +158,7 @@ private:
   }
 
   //----------------------------------------------------------------------------
-  // The image's name; "" if it may not be read, which is noted.
+  // The image's name; "" with a note if it may not be read.
   std::string ReadImage(std::size_t place)
   {
     const auto known = this->Names.find(place);
@@ -177,7 +177,7 @@ private:
     }
     std::string name;
     const GltfBytes bytes = this->Document.GetImage(place, name);
-    // Several may be of the same bytes.
+    // Several images may use the same bytes.
     this->Bytes += bytes.Size;
     if (this->Bytes > gltf::MostImageBytes)
     {
@@ -195,7 +195,7 @@ private:
   }
 
   //----------------------------------------------------------------------------
-  // TGA has no mark of its own.
+  // TGA has no signature.
   static std::string GetFormat(const GltfValue& image)
   {
     const std::string uri = image.Get("uri").GetText("");
@@ -206,8 +206,8 @@ private:
   }
 
   //----------------------------------------------------------------------------
-  // A mesh has one set of texture coordinates in VTK's shaders: textures that lie elsewhere than
-  // the first of them are left out.
+  // VTK's shaders have one set of texture coordinates per mesh: textures with other coordinates
+  // than the first are left out.
   void KeepOnePlacing(const GltfValue& value, ModelMaterial& material)
   {
     struct

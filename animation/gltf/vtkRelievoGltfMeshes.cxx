@@ -28,7 +28,7 @@ namespace relievo
 {
 namespace
 {
-// A place that flattens has no inverse by which a pose could find back to the file's points.
+// Without an inverse, a pose cannot lead back to the file's points.
 bool IsFlat(const glm::dmat4& place)
 {
   const glm::dmat3 axes(place);
@@ -45,7 +45,7 @@ vtkSmartPointer<vtkFloatArray> MakeArray(const char* name, int components, std::
   return array;
 }
 
-// What all nodes with one primitive share.
+// Arrays shared by all nodes with this primitive.
 struct SharedArrays
 {
   vtkSmartPointer<vtkFloatArray> Coordinates;
@@ -54,7 +54,7 @@ struct SharedArrays
   vtkSmartPointer<vtkFloatArray> Weights;
 };
 
-// The colours of points times the base colour, as VTK's shader wants them; alpha is their own.
+// The points' colours times the base colour, as VTK's shader expects; alpha is not multiplied.
 vtkSmartPointer<vtkUnsignedCharArray> MakeColors(
   const GltfGeometry& geometry, const ModelMaterial& material)
 {
@@ -96,7 +96,7 @@ SharedArrays MakeShared(const GltfGeometry& geometry, const ModelMaterial& mater
   }
   else if (material.Emission != glm::dvec3(0.) && !material.IsUnlit)
   {
-    // VTK's shader adds what a texture gives off, which then is of one texel.
+    // VTK's shader adds emission only from a texture, which then has one texel.
     shared.Coordinates = MakeArray("TextureCoordinates", 2, geometry.Points.size());
     shared.Coordinates->Fill(0.5);
   }
@@ -110,7 +110,7 @@ SharedArrays MakeShared(const GltfGeometry& geometry, const ModelMaterial& mater
   return shared;
 }
 
-// Where floats would lose what the file has: far from the origin, at rest or where joints are.
+// Whether floats would lose digits of the file: far from the origin, at rest or at the joints.
 bool IsFar(const GltfGeometry& geometry, const glm::dmat4& place, const GltfSkin* skin,
   const std::vector<glm::dmat4>& worlds)
 {
@@ -157,7 +157,7 @@ void AddDirections(const GltfGeometry& geometry, const glm::dmat4& place, vtkPol
   }
   if (!geometry.Tangents.empty())
   {
-    // The side of the bitangent is that of growing v.
+    // The bitangent points towards growing v.
     const auto tangents = MakeArray("Tangents", 3, geometry.Tangents.size());
     for (std::size_t i = 0; i < geometry.Tangents.size(); ++i)
     {
@@ -201,7 +201,7 @@ void AddCells(const GltfGeometry& geometry, bool turned, vtkPolyData* output)
   }
 }
 
-// What targets add to points and directions that a node has placed.
+// The offsets of morph targets for points and directions transformed by a node.
 std::vector<ModelMorph> PlaceTargets(const GltfGeometry& geometry, const glm::dmat4& place)
 {
   const glm::dmat3 axes(place);
@@ -220,7 +220,7 @@ std::vector<ModelMorph> PlaceTargets(const GltfGeometry& geometry, const glm::dm
     {
       add(morph.Points, axes * change);
     }
-    // Those at rest are of length 1: what is added is scaled as they are.
+    // Directions at rest have length 1: their offsets are scaled equally.
     for (std::size_t i = 0; i < target.Normals.size(); ++i)
     {
       const double length = glm::length(turn * geometry.Normals[i]);
@@ -269,7 +269,7 @@ void AddFields(const ModelMaterial& material, vtkPolyData* output)
   }
 }
 
-// Where a node shows a primitive.
+// A node that shows a primitive.
 struct Showing
 {
   std::size_t Node; // in the file
@@ -387,7 +387,7 @@ private:
   std::vector<glm::dmat4> Worlds;
 };
 
-// The weights at rest of a mesh below a node, which has the last word.
+// A mesh's weights at rest, which its node can override.
 void ReadWeights(const GltfValue& node, int number, const GltfValue& mesh, Model& model)
 {
   const GltfValue primitives = mesh.Get("primitives");
@@ -413,7 +413,7 @@ void ReadWeights(const GltfValue& node, int number, const GltfValue& mesh, Model
   model.Weights[static_cast<std::size_t>(number)] = ModelWeights(numbers.data(), numbers.size());
 }
 
-// Throws before memory is taken.
+// Throws before memory is allocated.
 void CheckSize(const GltfDocument& document, const GltfValue& primitive, std::size_t nodes,
   std::size_t& allPoints, std::size_t& allCorners)
 {
@@ -442,7 +442,7 @@ void ReadGltfMeshes(GltfDocument& document, const GltfNodes& nodes, int weights,
   const GltfValue skins = document.Get("skins");
   std::vector<std::vector<Showing>> showings(meshes.GetSize());
   std::map<int, GltfSkin> skinsRead;
-  std::map<int, std::size_t> order; // of the model's nodes
+  std::map<int, std::size_t> order; // by the model's nodes
   for (const int place : nodes.Shown)
   {
     const auto i = static_cast<std::size_t>(place);
@@ -505,7 +505,7 @@ void ReadGltfMeshes(GltfDocument& document, const GltfNodes& nodes, int weights,
       throw GltfError("reading it was stopped");
     }
   }
-  // Placed where the scene has its nodes.
+  // In the order of the scene's nodes.
   std::stable_sort(model.Meshes.begin(), model.Meshes.end(),
     [&order](const ModelMesh& a, const ModelMesh& b) { return order[a.Node] < order[b.Node]; });
 }

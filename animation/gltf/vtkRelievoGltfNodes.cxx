@@ -12,7 +12,7 @@ namespace relievo
 {
 namespace
 {
-// What a node is to its parent: a matrix, or its three parts.
+// A node's transform to its parent: a matrix, or its three parts.
 glm::dmat4 ReadMatrix(const GltfValue& node, std::optional<NodeParts>& parts)
 {
   const GltfValue matrix = node.Get("matrix");
@@ -46,7 +46,7 @@ glm::dmat4 ReadMatrix(const GltfValue& node, std::optional<NodeParts>& parts)
   return m;
 }
 
-// The parents of the file's nodes, -1 of roots. A node with two of them, or below itself, is wrong.
+// The parents of the file's nodes, -1 for roots. Throws for nodes with two parents or in a cycle.
 std::vector<int> ReadParents(const GltfValue& nodes, std::vector<std::vector<int>>& children)
 {
   const std::size_t count = nodes.GetSize();
@@ -67,7 +67,7 @@ std::vector<int> ReadParents(const GltfValue& nodes, std::vector<std::vector<int
       children[i].push_back(static_cast<int>(child));
     }
   }
-  // Each node's root is found within as many steps as there are nodes, or never.
+  // A root is reached within as many steps as there are nodes, or never.
   std::vector<int> depths(count, -1);
   std::vector<int> chain;
   for (std::size_t i = 0; i < count; ++i)
@@ -97,8 +97,8 @@ std::vector<int> ReadParents(const GltfValue& nodes, std::vector<std::vector<int
   return parents;
 }
 
-// The roots of the scene: the file's own choice, else the first; without scenes all there are. A
-// node that stands below another one of them is none.
+// The roots of the scene: the file's choice, otherwise the first scene's; without scenes all roots.
+// A node below another listed node does not count as a root.
 std::vector<int> ReadRoots(
   const GltfDocument& document, const std::vector<int>& parents, std::vector<std::string>& notes)
 {
@@ -148,7 +148,7 @@ std::vector<int> ReadRoots(
   return roots;
 }
 
-// A root and all below it, parents first, each level whole.
+// Visits each root and everything below it, level by level, parents first.
 void Walk(const std::vector<int>& roots, const std::vector<std::vector<int>>& children,
   std::vector<bool>& known, std::vector<int>& order)
 {
@@ -168,7 +168,7 @@ void Walk(const std::vector<int>& roots, const std::vector<std::vector<int>>& ch
   }
 }
 
-// The roots of joints that are in no tree of the scene.
+// The roots of joints outside the trees of the scene.
 std::vector<int> FindRootsOfJoints(const GltfDocument& document, const std::vector<int>& shown,
   const std::vector<int>& parents, const std::vector<bool>& known)
 {

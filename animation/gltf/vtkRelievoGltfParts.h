@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * What the parts of reading glTF share: the file's nodes, and the model that they fill. What is
- * wrong is a GltfError.
+ * Shared by the parts of the glTF reader: the file's nodes, and the model being filled. Problems
+ * are thrown as GltfError.
  */
 #ifndef vtkRelievoGltfParts_h
 #define vtkRelievoGltfParts_h
@@ -16,24 +16,24 @@
 
 namespace relievo
 {
-/// Which of the file's nodes are the model's.
+/// Maps the file's nodes to the model's.
 struct GltfNodes
 {
-  std::vector<int> Numbers; ///< by places in the file: the model's; -1 for those left out
-  std::vector<int> Shown;   ///< places in the file of those of the scene, parents first
+  std::vector<int> Numbers; ///< the model's index of each node of the file; -1 if left out
+  std::vector<int> Shown;   ///< the file's indices of the scene's nodes, parents first
 
   int Get(std::size_t place) const { return this->Numbers[place]; }
 };
 
-/// Those of the scene, and of trees with joints of skins that the scene shows. Fills the model's
-/// nodes.
+/// Takes the nodes of the scene, and of trees with joints of skins shown in the scene. Fills the
+/// model's nodes.
 GltfNodes ReadGltfNodes(const GltfDocument& document, Model& model);
 
-/// The meshes of the nodes that are shown. `weights`: most bones of a point.
+/// Reads the meshes of the shown nodes. `weights`: most bones per point.
 void ReadGltfMeshes(GltfDocument& document, const GltfNodes& nodes, int weights,
   const std::function<bool(double)>& progress, Model& model);
 
-/// The joints of a skin: the model's nodes, and from where each takes the mesh's points.
+/// The joints of a skin: the model's nodes, and the matrices from the mesh's points to each joint.
 struct GltfSkin
 {
   std::vector<int> Nodes;
@@ -44,13 +44,13 @@ GltfSkin ReadGltfSkin(GltfDocument& document, const GltfNodes& nodes, std::size_
 
 void ReadGltfAnimations(GltfDocument& document, const GltfNodes& nodes, Model& model);
 
-/// All of the file's materials, one more for meshes without one, and the images' bytes.
+/// Reads all materials of the file, one more for meshes without any, and the images' bytes.
 void ReadGltfMaterials(GltfDocument& document, Model& model);
 
 void ReadGltfLightsAndCameras(GltfDocument& document, const GltfNodes& nodes, Model& model);
 
-/// What a primitive holds: corners by the topology of its mode, and attributes by name. Of a
-/// compressed one the attributes' accessors describe what was compressed.
+/// A primitive's data: corners by the topology of its mode, and attributes by name. If compressed,
+/// the attributes' accessors describe the compressed data.
 struct GltfPrimitive
 {
   std::vector<std::uint32_t> Indices;

@@ -10,7 +10,7 @@ namespace relievo
 {
 namespace
 {
-// Above, doubles skip whole numbers.
+// Above this, doubles skip integers.
 constexpr double LargestWhole = 9007199254740992.;
 
 std::string Shorten(const nlohmann::json& value)
@@ -132,7 +132,7 @@ std::size_t GltfValue::GetCount(std::size_t otherwise, std::size_t least) const
     return otherwise;
   }
   const double number = this->Value->is_number() ? this->Value->get<double>() : -1.;
-  // Also not a number that is not one.
+  // Also rejects NaN.
   if (!(number >= static_cast<double>(least)) || number > LargestWhole ||
     number != std::floor(number))
   {

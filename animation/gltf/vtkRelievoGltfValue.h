@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * A value in the JSON of a glTF file that knows its place, so that whatever is wrong with it can be
- * said: `materials[2].alphaMode is "FADE", expected OPAQUE, MASK or BLEND`.
+ * A value in the JSON of a glTF file that knows its place, for messages such as:
+ * `materials[2].alphaMode is "FADE", expected OPAQUE, MASK or BLEND`.
  */
 #ifndef vtkRelievoGltfValue_h
 #define vtkRelievoGltfValue_h
@@ -16,7 +16,7 @@
 
 namespace relievo
 {
-/// What is wrong with a file, and where in it.
+/// The problem of a file, with its place.
 class GltfError : public std::runtime_error
 {
 public:
@@ -26,7 +26,7 @@ public:
 class GltfValue
 {
 public:
-  /// `value`: null if it is not there.
+  /// `value`: null if missing.
   GltfValue(const nlohmann::json* value, std::string place)
     : Value(value)
     , Place(std::move(place))
@@ -36,11 +36,11 @@ public:
   bool IsThere() const { return this->Value != nullptr; }
   const std::string& GetPlace() const { return this->Place; }
 
-  /// A member of an object; one that is not there has members that are not there either.
+  /// A member of an object; a missing member has missing members itself.
   GltfValue Get(const char* key) const;
   /// The names of an object's members.
   std::vector<std::string> GetKeys() const;
-  /// Of a list; 0 if it is not there.
+  /// The size of a list; 0 if missing.
   std::size_t GetSize() const;
   GltfValue At(std::size_t i) const;
 
@@ -54,18 +54,18 @@ public:
   std::string GetText(const std::string& otherwise) const;
   ///@}
 
-  /// One of these words; the place of the first of them if it is not there.
+  /// The index of the value among these words; 0 if the value is missing.
   std::size_t GetWord(const std::vector<std::string>& words) const;
 
-  /// As many finite numbers as `otherwise` has, or `otherwise` if they are not there.
+  /// As many finite numbers as `otherwise` has; `otherwise` if missing.
   std::vector<double> GetNumbers(const std::vector<double>& otherwise) const;
 
-  /// The place of an entry of the list `of`, which has `size` of them; -1 if it is not there.
+  /// An index into the list `of`, which has `size` entries; -1 if missing.
   int GetIndex(const char* of, std::size_t size) const;
 
-  /// Throws: this place, its value, and what was expected.
+  /// Throws this place, its value, and the expectation.
   [[noreturn]] void FailExpecting(const std::string& expected) const;
-  /// Throws: this place and `what`.
+  /// Throws this place and `what`.
   [[noreturn]] void Fail(const std::string& what) const;
 
 private:

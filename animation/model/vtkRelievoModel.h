@@ -1,8 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-/**
- * A model with bones as it comes out of a file: nodes, meshes, animations. All in double.
- */
+/** A model with bones as read from a file: nodes, meshes, animations. All in double. */
 #ifndef vtkRelievoModel_h
 #define vtkRelievoModel_h
 
@@ -22,7 +20,7 @@
 
 namespace relievo
 {
-/// A node's place in three parts; what does not fit in (shear) is lost.
+/// A node's transform in three parts; anything else (shear) is lost.
 struct NodeParts
 {
   glm::dvec3 Position = glm::dvec3(0.);
@@ -30,36 +28,36 @@ struct NodeParts
   glm::dvec3 Scale = glm::dvec3(1.);
 };
 
-/// A node of the tree. Parents stand before their children; the root's parent is -1.
+/// A node of the tree. Parents come before their children; the root's parent is -1.
 struct ModelNode
 {
   std::string Name;
   int Parent = -1;
-  glm::dmat4 Rest = glm::dmat4(1.); ///< to the parent
-  std::optional<NodeParts> Parts;   ///< of Rest, where the file has them
-  bool IsBone = false;              ///< of a mesh
+  glm::dmat4 Rest = glm::dmat4(1.); ///< matrix to the parent
+  std::optional<NodeParts> Parts;   ///< of Rest, if the file has them
+  bool IsBone = false;              ///< a bone of a mesh
 };
 
-/// What lies between keys.
+/// The interpolation between keys.
 enum class KeyMode
 {
   Linear, ///< rotations: slerp or nlerp
-  Step,   ///< the key before
+  Step,   ///< the previous key
   Cubic   ///< Hermite splines
 };
 
-/// A value at times in seconds, which ascend; two keys at one time are a jump.
+/// Values at ascending times in seconds; two keys at one time are a jump.
 template <typename Value>
 struct ModelTrack
 {
   std::vector<double> Times;
   std::vector<Value> Values;
   KeyMode Mode = KeyMode::Linear;
-  std::vector<Value> Before; ///< Cubic only: slope a second on the way to the key
-  std::vector<Value> After;  ///< and from it on
+  std::vector<Value> Before; ///< Cubic only: slope per second arriving at the key
+  std::vector<Value> After;  ///< and leaving it
 };
 
-/// What moves one node. A track without keys leaves what the node has at rest.
+/// The movement of one node. A track without keys keeps the node's value at rest.
 struct ModelChannel
 {
   int Node = 0;
@@ -79,16 +77,16 @@ struct ModelMorphChannel
 
 struct ModelAnimation
 {
-  std::string Name; ///< no two alike in a model
+  std::string Name; ///< unique in a model
   double Start = 0.;
   double End = 0.;
   std::vector<ModelChannel> Channels;
   std::vector<ModelMorphChannel> Morphs;
-  std::vector<double> KeyTimes; ///< of all channels, each once
+  std::vector<double> KeyTimes; ///< of all channels, without duplicates
 };
 
-/// What a morph target of full weight adds to the points, normals and tangents of a mesh at rest,
-/// three numbers a point; empty: nothing.
+/// The offsets that a morph target of full weight adds to the points, normals and tangents of a
+/// mesh at rest, three numbers per point; empty: none.
 struct ModelMorph
 {
   std::vector<float> Points;
@@ -96,17 +94,17 @@ struct ModelMorph
   std::vector<float> Tangents;
 };
 
-/// A mesh in the model's rest space, with all that the filter wants.
+/// A mesh in the model's rest space, with everything that the filter needs.
 struct ModelMesh
 {
   std::string Name;
   vtkSmartPointer<vtkPolyData> Data;
-  int Node = 0;      ///< below which it hangs
-  int Material = -1; ///< of the model's; -1: what the mesh's field data say
+  int Node = 0;      ///< its node
+  int Material = -1; ///< index in the model; -1: see the mesh's field data
   std::vector<ModelMorph> Morphs;
-  bool IsPlaced = false;  ///< as its node has it at rest
-  bool IsSkinned = false; ///< moved by bones, and not by its node
-  bool IsFaceted = false; ///< without normals of its own: a face's points have its normal
+  bool IsPlaced = false;  ///< transformed by its node at rest
+  bool IsSkinned = false; ///< moved by bones instead of its node
+  bool IsFaceted = false; ///< without normals in the file: a face's points have its normal
 };
 
 /// A texture of a material.
@@ -116,18 +114,18 @@ struct ModelTexture
   int Wrap[2] = { 1, 1 }; ///< along u and v, as vtkTexture has them
   bool Smooth = true;     ///< interpolated between texels
   bool Mipmaps = true;
-  int Coordinates = 0;                   ///< which set of the mesh
-  glm::dmat3 Transform = glm::dmat3(1.); ///< of coordinates whose v counts downwards
+  int Coordinates = 0;                   ///< the mesh's set of coordinates
+  glm::dmat3 Transform = glm::dmat3(1.); ///< for coordinates with v downwards
 };
 
 enum class AlphaMode
 {
-  Opaque, ///< alpha counts for nothing
-  Mask,   ///< nothing is drawn where it is below the cutoff
+  Opaque, ///< alpha is ignored
+  Mask,   ///< not drawn where alpha is below the cutoff
   Blend
 };
 
-/// A material as glTF has them; colours are linear.
+/// A material as in glTF; colours are linear.
 struct ModelMaterial
 {
   std::string Name;
@@ -144,11 +142,11 @@ struct ModelMaterial
   ModelTexture BaseColorTexture;
   ModelTexture MetalTexture; ///< green is roughness, blue is metal
   ModelTexture NormalTexture;
-  ModelTexture OcclusionTexture; ///< in its red
+  ModelTexture OcclusionTexture; ///< in its red channel
   ModelTexture EmissionTexture;
 };
 
-/// A light at a node, along whose -z it shines.
+/// A light at a node, shining along its -z.
 struct ModelLight
 {
   enum class Kind
@@ -161,29 +159,30 @@ struct ModelLight
   Kind Is = Kind::Point;
   int Node = 0;
   glm::dvec3 Color = glm::dvec3(1.); ///< linear
-  double Intensity = 1.;             ///< candela; of a sun lux
-  double Range = 0.;                 ///< beyond which it does not shine; 0: none
-  double InnerCone = 0.;             ///< half of the opening, in radians
+  double Intensity = 1.;             ///< candela; lux for suns
+  double Range = 0.;                 ///< beyond which it does not shine; 0: unlimited
+  double InnerCone = 0.;             ///< half of the opening angle, in radians
   double OuterCone = 0.;
 };
 
-/// A camera at a node, along whose -z it looks.
+/// A camera at a node, looking along its -z.
 struct ModelCamera
 {
   std::string Name;
   int Node = 0;
   bool IsPerspective = true;
-  double Height = 1.; ///< the opening from bottom to top in radians, or half of the height
+  double Height = 1.; ///< vertical opening in radians, or half of the height
   double Near = 0.;
-  double Far = 0.; ///< 0: none
+  double Far = 0.; ///< 0: unlimited
 };
 
-/// An image in the model's file: of an image's file the bytes, or texels.
+/// An image in the model's file: the bytes of an image file, or texels.
 struct ModelImage
 {
   std::vector<unsigned char> Bytes;
   std::string Format; ///< of a file, as the model has it: "png", "image/tga", a name, or nothing
-  int Width = 0; ///< 0: a file; otherwise each texel has red, green, blue, alpha, the top row first
+  int Width =
+    0; ///< 0: a file; otherwise each texel has red, green, blue, alpha, with the top row first
   int Height = 0;
 };
 
@@ -196,11 +195,11 @@ struct Model
   std::vector<ModelMaterial> Materials;
   std::vector<ModelLight> Lights;
   std::vector<ModelCamera> Cameras;
-  std::map<std::string, ModelImage> Images; ///< by the names that meshes have for them
-  std::vector<std::string> Notes;           ///< what was left out or mended, a sentence each
+  std::map<std::string, ModelImage> Images; ///< by the meshes' names for them
+  std::vector<std::string> Notes;           ///< parts left out or repaired, a sentence each
 };
 
-/// Node to world, for every node, from node to parent.
+/// Node to world for every node, computed from node to parent.
 std::vector<glm::dmat4> GetWorldMatrices(
   const std::vector<ModelNode>& nodes, const std::vector<glm::dmat4>& locals);
 }

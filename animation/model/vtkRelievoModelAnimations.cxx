@@ -13,16 +13,16 @@ namespace relievo
 {
 namespace
 {
-// For files that do not say: what Assimp's own viewer assumes.
+// For files that do not specify it: the default of Assimp's own viewer.
 constexpr double UsualTicksPerSecond = 25.;
 
-// What was wrong with the keys of an animation, for one note each.
+// Problems of an animation's keys, for one note each.
 struct KeyFaults
 {
   int Unfit = 0;
   int Disordered = 0;
   int Doubled = 0;
-  std::set<std::string> Strangers; // nodes that the tree has not
+  std::set<std::string> Strangers; // nodes missing in the tree
 };
 
 bool IsFinite(const glm::dvec3& v)
@@ -72,8 +72,8 @@ ModelTrack<Value> ReadTrack(const Key* keys, unsigned int count, double ticks, K
   ModelTrack<Value> track;
   for (const auto& [time, value] : good)
   {
-    // Two keys at one time are a jump: the first is what the track comes to, the last where it goes
-    // on from. Keys between them are never seen. Without order nothing tells which comes first.
+    // Two keys at one time are a jump: the track arrives at the first and continues from the last.
+    // Keys between these are never seen. Unsorted keys do not tell which comes first.
     const std::size_t kept = track.Times.size();
     const std::size_t most = ordered ? 2 : 1;
     if (kept >= most && track.Times[kept - 1] == time && track.Times[kept - most] == time)

@@ -57,7 +57,7 @@ void AddInfluences(const aiBone* bone, int number, std::vector<std::vector<Model
         [number](const ModelInfluence& other) { return other.Bone == number; });
       if (same != own.end())
       {
-        same->Weight += weight.mWeight; // named twice
+        same->Weight += weight.mWeight; // the bone is listed twice
       }
       else
       {
@@ -73,8 +73,8 @@ void ReadBones(const aiMesh* mesh, int node, const glm::dmat4& place, const Node
   int weights, vtkPolyData* output, Model& model)
 {
   const std::string name = GetMeshName(mesh, node, model);
-  // The points are in their place at rest, so what bones expect lies behind its inverse. A place
-  // that flattens has none: the points, all the same, stay.
+  // The points are transformed to rest, so bones need its inverse first. A flattening transform has
+  // none; the points then stay in place.
   const bool flat = std::abs(glm::determinant(glm::dmat3(place))) < 1e-30;
   const glm::dmat4 back = flat ? glm::dmat4(1.) : glm::inverse(place);
   // A cluster's Transform is that of the mesh's node when it was bound.

@@ -6,7 +6,7 @@
 
 namespace relievo
 {
-// A struct is taken apart into all its members: with one more of them this does not compile.
+// Structs are decomposed into all members: adding a member prevents compilation.
 template <typename Visit>
 void VisitFields(ModelNode& node, Visit&& visit)
 {

@@ -1,8 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-/**
- * A model as bytes, for the program that has another process read its file.
- */
+/** A model as bytes, for programs that let another process read its file. */
 #ifndef vtkRelievoModelBytes_h
 #define vtkRelievoModelBytes_h
 
@@ -13,8 +11,8 @@ namespace relievo
 {
 void PutModel(ByteWriter& writer, const Model& model);
 
-/// Throws std::runtime_error if the bytes are no model, or its nodes, meshes, materials, lights,
-/// cameras and tracks do not fit each other.
+/// Throws std::runtime_error if the bytes are not a model, or its nodes, meshes, materials, lights,
+/// cameras and tracks are inconsistent.
 void GetModel(ByteReader& reader, Model& model);
 }
 

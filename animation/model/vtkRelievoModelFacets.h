@@ -1,8 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-/**
- * Faces of a posed mesh: their normals, and which side is outside.
- */
+/** Faces of a posed mesh: their normals, and their orientation. */
 #ifndef vtkRelievoModelFacets_h
 #define vtkRelievoModelFacets_h
 
@@ -10,14 +8,14 @@
 
 namespace relievo
 {
-/// Gives the points of each polygon its normal, by which its corners turn left. Polygons share no
-/// points.
+/// Sets the points of each polygon to its normal, about which its corners turn left. Polygons share
+/// no points.
 void GiveFaceNormals(vtkPolyData* mesh);
 
-/// Lets the corners of polygons turn the other way round; each begins with the same.
+/// Reverses the order of polygons' corners, keeping the first.
 void TurnFaces(vtkPolyData* mesh);
 
-/// Whether the pose mirrors the mesh from where it is at rest: most of its bones do, or its node.
+/// Whether the pose mirrors the mesh relative to rest: most of its bones do, or its node does.
 bool IsMirroredBy(const ModelMesh& mesh, const std::vector<glm::dmat4>& worlds);
 }
 

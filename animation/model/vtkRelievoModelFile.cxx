@@ -31,10 +31,10 @@ namespace relievo
 {
 namespace
 {
-// Deeper trees than any tool writes overflow the stacks of those that walk them by calls.
+// Deeper trees, which no tool writes, overflow the stacks of recursive functions.
 constexpr int DeepestTree = 2000;
 
-// Of files whose counts are wrong, as a rule.
+// For files with impossible counts.
 const char* const TooMuch =
   "what it says that it holds does not fit into memory, expected counts that its size bears out; "
   "is it damaged?";
@@ -53,8 +53,8 @@ private:
   const std::function<bool(double)>& Progress;
 };
 
-// XML in two bytes a character, of which Assimp expects one, as UTF-8; "" of all else. The stream
-// is at its start again.
+// Converts XML with two bytes per character to UTF-8, as Assimp expects; "" for other files. Resets
+// the stream to its start.
 std::string ReadWideXML(Assimp::IOStream& stream)
 {
   unsigned char head[4] = {};
@@ -95,7 +95,7 @@ std::string ReadWideXML(Assimp::IOStream& stream)
   return text;
 }
 
-// Files as Assimp looks for them.
+// Opens files for Assimp.
 class Files : public Assimp::DefaultIOSystem
 {
 public:
@@ -132,7 +132,7 @@ public:
     this->DefaultIOSystem::Close(stream);
     auto* bytes = new std::uint8_t[text.size()];
     std::copy(text.begin(), text.end(), bytes);
-    return new Assimp::MemoryIOStream(bytes, text.size(), true); // which deletes them
+    return new Assimp::MemoryIOStream(bytes, text.size(), true); // deletes the bytes
   }
 
 private:
@@ -156,7 +156,7 @@ private:
     return obstacle.empty();
   }
 
-  std::string Model; // which the user names
+  std::string Model; // the file that the user names
   const vtkRelievoAllowedFolders& Allowed;
   ModelSources& Sources;
   std::vector<std::string>& Notes;
@@ -172,16 +172,16 @@ bool IsFinite(const glm::dmat4& m)
   return finite;
 }
 
-// A node as the tree is walked: roots before what hangs below them.
+// A node in the walk of the tree: parents before their children.
 struct Visit
 {
   const aiNode* Node;
-  int Parent; // among the visits; the root's is -1
+  int Parent; // index in the walk; -1 for the root
   int Depth;
 };
 
-// Where the node hangs, by its own word: some readers of Assimp's list bones side by side and let
-// each name its parent. A word that leads nowhere, or around, does not count.
+// Sets parents from the nodes' metadata: some readers of Assimp list bones side by side and let
+// each name its parent. Unknown names and cycles are ignored.
 void SetParents(std::vector<Visit>& visits)
 {
   std::map<const aiNode*, int> places;
@@ -205,7 +205,7 @@ void SetParents(std::vector<Visit>& visits)
     }
     if (depths[i] > DeepestTree)
     {
-      return; // around: the tree itself holds for all
+      return; // a cycle: keeps the tree for all
     }
   }
   for (std::size_t i = 1; i < visits.size(); ++i)
@@ -215,7 +215,7 @@ void SetParents(std::vector<Visit>& visits)
   }
 }
 
-// Returns what is wrong, or "". `hung`: nodes with the numbers that they get, in the tree's order.
+// Returns the problem, or "". `hung`: nodes with their new numbers, in the tree's order.
 std::string ReadNodes(const aiScene* scene, NodeNumbers& numbers,
   std::vector<std::pair<const aiNode*, int>>& hung, Model& model)
 {
@@ -275,14 +275,15 @@ std::string ReadNodes(const aiScene* scene, NodeNumbers& numbers,
   return "";
 }
 
-// FBX gives each node a manner to take its parent's scale, and Assimp multiplies matrices whatever
-// it is. Notes the nodes that are elsewhere by that: those that take none below a scaled parent.
+// FBX defines for each node how it inherits its parent's scale, but Assimp always multiplies
+// matrices. Notes the nodes that are misplaced by that: those below a scaled parent that should not
+// inherit.
 void NoteScales(const aiScene* scene, const std::vector<std::pair<const aiNode*, int>>& hung,
   std::vector<std::string>& notes)
 {
   constexpr std::int32_t takesNone = 2; // Rrs
   constexpr float least = 1e-3f;
-  // Of one node of the file Assimp may make a chain, each part of this in its name.
+  // Assimp may split one node of the file into a chain whose names contain this part.
   const std::string part = "_$AssimpFbx$_";
   const auto isPartOf = [&part](const aiNode* node, const std::string& name) {
     return std::string(node->mName.C_Str()).rfind(name + part, 0) == 0;
@@ -336,8 +337,8 @@ void NoteScales(const aiScene* scene, const std::vector<std::pair<const aiNode*,
   }
 }
 
-// Assimp's steps after reading trust every number of a point. Returns what is wrong, or "". Weights
-// of points that are not there lose their value, and are counted with those.
+// Assimp's postprocessing trusts all indices. Returns the problem, or "". Weights of missing points
+// lose their value, and are counted with those.
 std::string CheckMeshes(const aiScene* scene)
 {
   for (unsigned int i = 0; i < scene->mNumMeshes; ++i)
@@ -374,7 +375,7 @@ std::string Import(const std::string& path, const vtkRelievoAllowedFolders& allo
   const std::function<bool(double)>& progress, ModelSources& sources, Model& model)
 {
   Assimp::Importer importer;
-  // Both handlers are deleted by the importer.
+  // The importer deletes both handlers.
   importer.SetIOHandler(new Files(path, allowed, sources, model.Notes));
   importer.SetProgressHandler(new Handler(progress));
   const aiScene* scene = importer.ReadFile(path, 0);
@@ -451,7 +452,7 @@ std::string ReadHere(const std::string& path, const std::vector<std::string>& fo
                          : "expected a file, but " + instead;
 }
 
-// In the process of the file.
+// Runs in the process of the file.
 void AnswerApart(ByteReader& asked, const vtkRelievoReaderProcess::Say& say, ByteWriter& made)
 {
   const auto path = asked.Get<std::string>();
@@ -492,7 +493,7 @@ std::string ReadApart(const std::string& path, const std::vector<std::string>& f
   {
     return wrong;
   }
-  sources.Add(path); // which is not read again while it is the same
+  sources.Add(path); // not read again while unchanged
   const char* const name = GetIsGltfExtension(path) ? "glTF" : "Assimp";
   return std::string("the reader (") + name + ") " + failure;
 }
@@ -527,7 +528,7 @@ std::string ReadModel(const std::string& path, const std::vector<std::string>& f
   {
     wrong = TooMuch;
   }
-  catch (const std::exception& error) // of Assimp and glTF
+  catch (const std::exception& error) // from Assimp and glTF
   {
     wrong = error.what();
   }

@@ -1,8 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-/**
- * Images that are in a model's file.
- */
+/** Images inside a model's file. */
 #ifndef vtkRelievoModelImages_h
 #define vtkRelievoModelImages_h
 
@@ -15,7 +13,8 @@
 
 namespace relievo
 {
-/// The lowest row first, as VTK has images. Null with what is `wrong`.
+/// The image with the lowest row first, as in VTK. Null, with the problem in `wrong`, if it is
+/// damaged.
 vtkSmartPointer<vtkImageData> DecodeImage(const ModelImage& image, std::string& wrong);
 }
 

@@ -35,7 +35,7 @@ vtkSmartPointer<vtkImageData> MakeImage(int width, int height, int components)
   return image;
 }
 
-// Bytes of red, green, blue and, if it counts, alpha; grey is all three.
+// Bytes of red, green, blue and, if it counts, alpha; grey fills all three.
 vtkSmartPointer<vtkImageData> ToBytes(vtkImageData* image, bool alpha)
 {
   vtkDataArray* from = image->GetPointData()->GetScalars();
@@ -65,7 +65,7 @@ vtkSmartPointer<vtkImageData> ToBytes(vtkImageData* image, bool alpha)
   return bytes;
 }
 
-// Green and blue of one image with red of another, of the size of the larger; null: 255.
+// Green and blue of one image with red of another, at the larger size; null: 255.
 vtkSmartPointer<vtkImageData> MergeOcclusion(vtkImageData* metal, vtkImageData* occlusion)
 {
   int sizes[2][3] = { { 1, 1, 1 }, { 1, 1, 1 } };
@@ -89,7 +89,7 @@ vtkSmartPointer<vtkImageData> MergeOcclusion(vtkImageData* metal, vtkImageData* 
       for (int j = 0; j < 3; ++j)
       {
         const int i = j == 0 ? 1 : 0;
-        // 64 bits: the product of two sides need not fit in 32.
+        // 64 bits: the product of two sides may exceed 32.
         const auto scale = [](int at, int own, int all) {
           return static_cast<int>(static_cast<std::int64_t>(at) * own / all);
         };
@@ -136,7 +136,7 @@ vtkSmartPointer<vtkTexture> ModelLook::GetTexture(
   }
   vtkNew<vtkRelievoWrapTexture> made;
   made->SetInputData(image);
-  made->SetWrap(texture.Wrap[0]); // for those who know no other
+  made->SetWrap(texture.Wrap[0]); // for code that knows only vtkTexture
   made->SetWrapU(texture.Wrap[0]);
   made->SetWrapV(texture.Wrap[1]);
   made->SetInterpolate(texture.Smooth);
@@ -147,7 +147,7 @@ vtkSmartPointer<vtkTexture> ModelLook::GetTexture(
 }
 
 //------------------------------------------------------------------------------
-// VTK has occlusion, roughness and metal in one texture.
+// VTK expects occlusion, roughness and metal in one texture.
 vtkSmartPointer<vtkTexture> ModelLook::GetMetalTexture(
   const ModelMaterial& material, const FindImage& images)
 {
@@ -177,8 +177,8 @@ vtkSmartPointer<vtkProperty> ModelLook::MakeProperty(
   glm::dvec3 color(material.BaseColor);
   if (material.IsUnlit)
   {
-    // Nobody decodes or codes what is not lit. A texture's texels are coded: their product with
-    // the factor is that of both coded, as far as the curve is a power.
+    // Unlit colours are never decoded or encoded. A texture's texels are encoded, so the factor is
+    // encoded, too: exact as far as the curve is a power.
     for (int i = 0; i < 3; ++i)
     {
       color[i] = textured ? std::pow(color[i], 1. / 2.2) : ToSrgb(color[i]);
@@ -254,7 +254,7 @@ double FitSpotExponent(double inner, double outer)
     double sum = 0.;
     for (int i = 0; i < steps; ++i)
     {
-      // Equal steps of the cosine are equal solid angles.
+      // Equal steps of the cosine have equal solid angles.
       const double cosine = low + (1. - low) * (i + 0.5) / steps;
       const double share = std::clamp((cosine - low) / span, 0., 1.);
       const double off = std::pow(std::max(cosine, 0.), exponent) - share * share;
@@ -262,7 +262,7 @@ double FitSpotExponent(double inner, double outer)
     }
     return sum;
   };
-  // It falls to its least value and rises: of three parts of the logarithm's range one goes.
+  // A search by thirds: the error falls to its minimum and rises, so each step drops a third.
   double a = -3.;
   double b = 14.;
   for (int i = 0; i < 60; ++i)

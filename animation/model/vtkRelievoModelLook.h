@@ -1,8 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-/**
- * Materials, lights and cameras of a model as VTK has them.
- */
+/** Converts a model's materials, lights and cameras to VTK's. */
 #ifndef vtkRelievoModelLook_h
 #define vtkRelievoModelLook_h
 
@@ -25,28 +23,28 @@ namespace relievo
 class ModelLook
 {
 public:
-  /// A decoded image by its name; null if there is none, or it is damaged.
+  /// A decoded image by name; null if it is missing or damaged.
   using FindImage = std::function<vtkImageData*(const std::string&)>;
 
-  /// A property of one's own, with textures that all with the same image and sampler share.
+  /// A new property; textures of equal image and sampler are shared.
   vtkSmartPointer<vtkProperty> MakeProperty(
     const ModelMaterial& material, bool placed, const FindImage& images);
 
-  /// Of an unlit material its texture, for the actor, where VTK's shaders multiply with it; else
-  /// null.
+  /// The texture of an unlit material, for the actor, where VTK's shaders multiply with it;
+  /// otherwise null.
   vtkSmartPointer<vtkTexture> GetActorTexture(
     const ModelMaterial& material, bool placed, const FindImage& images);
 
 private:
-  // What becomes of an image's texels.
+  // The use of an image's texels.
   enum Use
   {
     Color,       // decoded from sRGB by the graphics card
-    OpaqueColor, // and alpha is left out
-    Plain,       // as they are
+    OpaqueColor, // decoded from sRGB, without alpha
+    Plain,       // unchanged
     OpaquePlain,
-    Occluded, // red is the occlusion of another image, or red alone counts
-    White     // no image: one texel
+    Occluded, // red from another image's occlusion, or red alone
+    White     // no image: one white texel
   };
   using Key = std::pair<std::pair<std::string, std::string>, std::vector<int>>;
 
@@ -58,16 +56,17 @@ private:
   std::map<Key, vtkSmartPointer<vtkTexture>> Textures;
 };
 
-/// A light where its node is, or so far back: color linear, intensity in candela or lux.
+/// Puts a light at its node, or farther back by `back`: color linear, intensity in candela or
+/// lux.
 void PlaceLight(const ModelLight& light, const glm::dmat4& world, double back, vtkLight* output);
 
-/// How far back suns have to stand for VTK to light by them: 0, unless it takes them for lamps.
+/// Distance that suns need so that VTK lights by them: 0, unless VTK treats them as lamps.
 double GetSunDistance(const Model& model);
 
 void PlaceCamera(const ModelCamera& camera, const glm::dmat4& world, vtkCamera* output);
 
-/// The exponent of the cosine that comes closest, over all directions within the outer cone, to
-/// the fall-off of KHR_lights_punctual from an inner cone to an outer; angles in radians.
+/// The exponent of the cosine that best approximates, over all directions within the outer cone,
+/// the fall-off of KHR_lights_punctual between an inner and an outer cone; angles in radians.
 double FitSpotExponent(double inner, double outer);
 }
 

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What a picture needs, for programs that draw: colours as the file has them, sRGB; textures by
+// Materials for programs that draw: colours as in the file, sRGB; textures by name, and images
+// inside the file.
 // their names, and images that are in the file.
 #include "vtkRelievoModelParts.h"
 
@@ -24,7 +25,7 @@ namespace relievo
 {
 namespace
 {
-// Larger ones, of damaged files, no graphics card takes.
+// Larger images, from damaged files, exceed every graphics card.
 constexpr unsigned int WidestImage = 65536;
 
 void AddNumbers(const char* name, std::initializer_list<float> numbers, vtkPolyData* output)
@@ -73,7 +74,7 @@ void ReadImage(const aiTexture* texture, const std::string& name, Model& model)
   model.Images.emplace(name, image);
 }
 
-// The first texture of these kinds that the material has. Returns its kind, or NONE.
+// Reads the material's first texture of these kinds. Returns its kind, or NONE.
 aiTextureType ReadTexture(const aiScene* scene, const aiMaterial* material,
   std::initializer_list<aiTextureType> kinds, const char* array, vtkPolyData* output, Model& model)
 {

@@ -25,7 +25,7 @@ bool IsFinite(const aiVector3D& v)
   return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
-// Where the node puts the mesh far from the origin, floats would lose what the file has.
+// Whether the node puts the mesh so far from the origin that floats would lose digits.
 bool IsFar(const aiMesh* mesh, const glm::dmat4& place)
 {
   SkinBox box;
@@ -63,14 +63,14 @@ void ReadPoints(const aiMesh* mesh, const std::string& name, const glm::dmat4& p
   output->SetPoints(points);
 }
 
-// Assimp's own solid bones, for files that have no meshes.
+// Whether the mesh is one of Assimp's solid bones, made for files without meshes.
 bool IsStandIn(const aiScene* scene, const aiMesh* mesh)
 {
   return scene->mMaterials && mesh->mMaterialIndex < scene->mNumMaterials &&
     scene->mMaterials[mesh->mMaterialIndex]->GetName() == aiString("SkeletonMaterial");
 }
 
-// The normals of stand-ins point against their winding: what VTK draws of that is black.
+// The normals of stand-ins point against their winding, so VTK would draw them black.
 void ReadNormals(
   const aiScene* scene, const aiMesh* mesh, const glm::dmat4& place, vtkPolyData* output)
 {
@@ -118,7 +118,7 @@ void ReadCoordinatesAndColors(const aiMesh* mesh, vtkPolyData* output)
     for (unsigned int i = 0; i < mesh->mNumVertices; ++i)
     {
       const aiColor4D& c = first[i];
-      const float parts[4] = { c.r, c.g, c.b, opaque ? 1.f : c.a }; // some writers leave it at none
+      const float parts[4] = { c.r, c.g, c.b, opaque ? 1.f : c.a }; // some writers leave alpha at 0
       for (int j = 0; j < 4; ++j)
       {
         const float level = std::isfinite(parts[j]) ? 255.f * parts[j] : 0.f;
@@ -130,7 +130,7 @@ void ReadCoordinatesAndColors(const aiMesh* mesh, vtkPolyData* output)
   }
 }
 
-// Faces by kind; those that name points which are not there are left out.
+// Reads faces by kind, leaving out those with missing points.
 void ReadFaces(const aiMesh* mesh, const std::string& name, vtkPolyData* output, Model& model)
 {
   vtkNew<vtkCellArray> cells[3];

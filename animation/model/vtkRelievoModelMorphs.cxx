@@ -14,7 +14,7 @@ namespace relievo
 {
 namespace
 {
-// Adds what the targets have, three numbers a point. Returns whether any has something.
+// Adds the targets' offsets, three numbers per point. Returns whether any target has offsets.
 bool AddChanges(const ModelMesh& mesh, const ModelWeights& weights,
   std::vector<float> ModelMorph::*part, std::vector<double>& values, std::size_t components)
 {
@@ -50,7 +50,7 @@ std::vector<double> GetValues(vtkDataArray* array)
   return values;
 }
 
-// Directions of length 1 with what the targets add, in place of those of the output.
+// Replaces the output's directions by those with the targets' offsets, normalised to length 1.
 void MorphDirections(const ModelMesh& mesh, const ModelWeights& weights,
   std::vector<float> ModelMorph::*part, int attribute, vtkPolyData* output)
 {
@@ -80,7 +80,7 @@ void MorphDirections(const ModelMesh& mesh, const ModelWeights& weights,
     }
     else
     {
-      moved->SetTuple(i, own->GetTuple(i)); // of any type
+      moved->SetTuple(i, own->GetTuple(i)); // works for any type
     }
   }
   output->GetPointData()->SetAttribute(moved, attribute);

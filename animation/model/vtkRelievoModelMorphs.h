@@ -1,8 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-/**
- * Morph targets: shapes between which a mesh changes.
- */
+/** Morph targets: shapes that a mesh blends to. */
 #ifndef vtkRelievoModelMorphs_h
 #define vtkRelievoModelMorphs_h
 
@@ -10,7 +8,7 @@
 
 namespace relievo
 {
-/// The mesh at rest with targets added by their weights; itself where they add nothing.
+/// The mesh at rest with targets added by weight; the mesh itself if they add nothing.
 vtkSmartPointer<vtkPolyData> MorphMesh(const ModelMesh& mesh, const ModelWeights& weights);
 }
 

@@ -1,8 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-/**
- * Names of animations, by which users choose one.
- */
+/** Unique names of animations, by which users choose one. */
 #ifndef vtkRelievoModelNames_h
 #define vtkRelievoModelNames_h
 
@@ -14,7 +12,7 @@
 
 namespace relievo
 {
-/// The wanted name, "animation" for none, with a number where others have it.
+/// The wanted name, "animation" if empty, with a number if it is already used.
 inline std::string GetFreeName(const std::string& wanted, const std::vector<ModelAnimation>& taken)
 {
   const auto isTaken = [&taken](const std::string& name) {

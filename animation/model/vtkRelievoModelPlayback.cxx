@@ -30,7 +30,7 @@ SkeletonPose Play(const Model& model, const ModelPlayback& play, double time)
     {
       return GetWorldMatrices(model.Nodes, GetLocalMatrices(model, *play.First, at, play.Slerp));
     }
-    // Keys of the first may lie beyond an end of the second.
+    // The first animation's keys may lie beyond an end of the second.
     const double second = GetAnimationTime(
       *play.Second, GetAnimationTime(*play.Second, time, play.Loop) + (at - now), play.Loop);
     return GetWorldMatrices(model.Nodes,

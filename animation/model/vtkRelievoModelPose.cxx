@@ -18,7 +18,7 @@ namespace relievo
 {
 namespace
 {
-// Between which keys, and how far.
+// The adjacent keys, and the fraction between them.
 struct Place
 {
   std::size_t Before;
@@ -39,7 +39,7 @@ Place Find(const std::vector<double>& times, double time)
   return { next - 1, next, (time - before) / (times[next] - before) };
 }
 
-// A Hermite spline through the keys, as glTF has them: slopes are of values a second.
+// A Hermite spline through the keys, as in glTF: slopes are per second.
 template <typename Value>
 Value GetSpline(const ModelTrack<Value>& track, const Place& place)
 {
@@ -62,7 +62,7 @@ Value Sample(const ModelTrack<Value>& track, double time, const Value& atRest, B
   }
   if (track.Mode == KeyMode::Step)
   {
-    // Files have times in floats: what rounds to a key's time, such as 1/30, is that time.
+    // Times in files are floats: a time that rounds to a key's time, such as 1/30, counts as that.
     return track.Values[Find(track.Times, std::max(time, double(static_cast<float>(time)))).Before];
   }
   const Place place = Find(track.Times, time);
@@ -80,7 +80,7 @@ glm::dvec3 Mix(const glm::dvec3& a, const glm::dvec3& b, double share)
   return a * (1. - share) + b * share;
 }
 
-// A spline of quaternions that opposite keys lead through none has no direction there.
+// A spline of opposite quaternions may pass through 0, which has no direction.
 glm::dvec4 ToUnit(const glm::dvec4& q)
 {
   const double length = glm::length(q);
@@ -123,7 +123,7 @@ NodeParts GetParts(const glm::dmat4& m)
   NodeParts parts;
   parts.Position = glm::dvec3(m[3]);
   glm::dmat3 axes(m);
-  // A mirror is a negative scale along all axes.
+  // A reflection becomes a negative scale along all axes.
   const double sign = glm::dot(axes[0], glm::cross(axes[1], axes[2])) < 0. ? -1. : 1.;
   for (int i = 0; i < 3; ++i)
   {
@@ -149,7 +149,7 @@ std::vector<glm::dmat4> GetLocalMatrices(
   {
     glm::dmat4& local = locals[static_cast<std::size_t>(channel.Node)];
     const ModelNode& node = model.Nodes[static_cast<std::size_t>(channel.Node)];
-    // What the channel leaves alone is as a channel before it put it.
+    // Parts without keys keep the values of a previous channel.
     const NodeParts rest = MovesAll(channel) ? NodeParts()
       : local == node.Rest                   ? GetPartsOf(node)
                                              : GetParts(local);
@@ -162,7 +162,7 @@ std::vector<glm::dmat4> GetLocalMatrices(
 std::vector<glm::dmat4> GetBlendedMatrices(const Model& model, const ModelAnimation& first,
   double firstTime, const ModelAnimation& second, double secondTime, double weight, bool slerp)
 {
-  // The parts of nodes that either moves.
+  // The parts of nodes that either animation moves.
   std::vector<std::optional<NodeParts>> parts[2];
   const ModelAnimation* const animations[2] = { &first, &second };
   const double times[2] = { firstTime, secondTime };
@@ -172,7 +172,7 @@ std::vector<glm::dmat4> GetBlendedMatrices(const Model& model, const ModelAnimat
     for (const ModelChannel& channel : animations[i]->Channels)
     {
       const auto node = static_cast<std::size_t>(channel.Node);
-      // What the channel leaves alone is as a channel before it put it.
+      // Parts without keys keep the values of a previous channel.
       const NodeParts rest = parts[i][node] ? *parts[i][node]
         : MovesAll(channel)                 ? NodeParts()
                                             : GetPartsOf(model.Nodes[node]);
@@ -255,7 +255,7 @@ KeySpan GetKeySpan(const ModelAnimation& animation, double time, double rate)
 {
   if (rate > 0.)
   {
-    // The end is a whole key, wherever it lies between the others.
+    // The end is always a whole key.
     const double key = std::floor((time - animation.Start) * rate);
     const double before = std::min(animation.Start + key / rate, animation.End);
     const double after = std::min(animation.Start + (key + 1.) / rate, animation.End);
@@ -264,7 +264,7 @@ KeySpan GetKeySpan(const ModelAnimation& animation, double time, double rate)
   }
   const Place place = Find(animation.KeyTimes, time);
   const double before = animation.KeyTimes[place.Before];
-  // Where tracks jump, what they come to, and not where they go on from.
+  // At a jump, uses the value before it.
   return { before, std::nextafter(animation.KeyTimes[place.After], before), place.Share };
 }
 
@@ -280,7 +280,7 @@ double GetAnimationTime(const ModelAnimation& animation, double time, bool loop)
   {
     return std::clamp(time, animation.Start, animation.End);
   }
-  // The end itself is shown where it is asked for, and not the start again.
+  // The end itself is shown when requested, instead of the start.
   if (time >= animation.Start && time <= animation.End)
   {
     return time;

@@ -47,31 +47,31 @@
 struct vtkRelievoModelReader::Internals
 {
   relievo::Model Model;
-  // What the model was read from.
+  // The file and settings that the model was read with.
   std::string Path;
   std::vector<std::string> Folders;
   relievo::ModelSources Sources;
   int Weights = 0;
   bool Stands = false;
-  std::set<std::string> Refused;                               // which names were complained about
-  std::map<std::string, vtkSmartPointer<vtkImageData>> Images; // those that were asked for
+  std::set<std::string> Refused;                               // names already reported
+  std::map<std::string, vtkSmartPointer<vtkImageData>> Images; // requested images
   vtkSmartPointer<vtkStringArray> Names = vtkSmartPointer<vtkStringArray>::New();
   vtkSmartPointer<vtkStringArray> Bones = vtkSmartPointer<vtkStringArray>::New();
 
   relievo::ModelLook Look;
-  std::map<int, vtkSmartPointer<vtkProperty>> Properties; // of blocks that were asked for
+  std::map<int, vtkSmartPointer<vtkProperty>> Properties; // of requested blocks
   std::vector<vtkSmartPointer<vtkLight>> Lights;
   std::vector<vtkSmartPointer<vtkCamera>> Cameras;
   std::vector<glm::dmat4> Rest; // node to world
   double SunDistance = 0.;
 
-  // What is played, as the reader's settings have it.
+  // Sets the playback from the reader's settings.
   void Choose(vtkRelievoModelReader& reader, relievo::ModelPlayback& play);
-  // Whether the pose has the node where it is at rest.
+  // Whether the pose has the node in its rest position.
   bool IsAtRest(std::size_t node, const relievo::SkeletonPose& pose) const;
-  // Lights and cameras where their nodes are.
+  // Moves lights and cameras to their nodes.
   void PlaceScene(const std::vector<glm::dmat4>& worlds);
-  // Null for blocks that are not there, or have no material of the model's.
+  // Null for missing blocks, and for blocks without a material of the model.
   const relievo::ModelMaterial* FindMaterial(int block) const;
   bool HasCoordinates(int block) const;
 };
@@ -243,7 +243,7 @@ int vtkRelievoModelReader::RequestData(
   vtkPolyData* skeletonOutput = vtkPolyData::GetData(outputVector, 1);
   output->Initialize();
   skeletonOutput->Initialize();
-  // Never 0 is returned: the pipeline would add an error of its own, which names no file.
+  // Returns 1 even on errors: after 0 the pipeline would add its own error, without a file name.
   if (!this->Read())
   {
     return 1;
@@ -262,7 +262,7 @@ int vtkRelievoModelReader::RequestData(
   {
     time = model.Animations[static_cast<std::size_t>(place)].Start / this->Speed;
   }
-  // All of it is of the first piece: parallel processes together have it once.
+  // The first piece has everything, so that parallel processes together have it once.
   vtkInformation* asker = outputVector->GetInformationObject(0);
   const bool first = !asker->Has(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER()) ||
     asker->Get(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER()) <= 0;
@@ -349,7 +349,7 @@ bool vtkRelievoModelReader::Read()
   if (path == self.Path && this->AllowedFolders == self.Folders &&
     this->WeightsPerPoint == self.Weights && self.Sources.AreSame())
   {
-    return self.Stands; // what is wrong with it was said
+    return self.Stands; // its error has been reported
   }
   self = Internals();
   self.Path = path;
@@ -655,7 +655,7 @@ void vtkRelievoModelReader::Dress(int block, vtkActor* actor)
   const int alpha = this->GetAlphaMode(block);
   // A mask without a texture shows all or nothing.
   actor->SetForceOpaque(alpha == ALPHA_MASK && property->GetOpacity() > 0.);
-  // VTK asks the actor's own texture, and not those of its property.
+  // VTK checks the actor's own texture, but not those of its property.
   actor->SetForceTranslucent(alpha == ALPHA_BLEND && base && base->IsTranslucent());
   if (vtkMapper* mapper = actor->GetMapper())
   {

@@ -109,8 +109,8 @@ public:
 
   ///@{
   /**
-   * 0 shows Animation alone, 1 BlendAnimation alone. Positions and scales are mixed, rotations take
-   * the shorter arc; each animation is at the same pipeline time, and loops or holds by its own
+   * 0 shows only Animation, 1 only BlendAnimation. Positions and scales are mixed, rotations take
+   * the shorter arc; each animation is at the same pipeline time, and loops or stops by its own
    * range. KEY_MATRIX takes the keys of Animation. 0 to 1. Default: 0.5.
    */
   vtkSetClampMacro(BlendWeight, double, 0., 1.);
@@ -119,29 +119,30 @@ public:
 
   enum Poses
   {
-    POSE_REST = 0,      ///< meshes as the file holds them, in their nodes' place if these move them
-    POSE_NODES = 1,     ///< bones where the nodes' own matrices put them, without an animation
-    POSE_ANIMATION = 2, ///< bones where the animation puts them
-    POSE_BIND = 3,      ///< meshes as at POSE_REST, and the bones where these were bound to them
+    POSE_REST = 0,      ///< meshes as in the file, transformed by their nodes if these move them
+    POSE_NODES = 1,     ///< bones transformed by the nodes' own matrices, without an animation
+    POSE_ANIMATION = 2, ///< bones transformed by the animation
+    POSE_BIND = 3,      ///< meshes as at POSE_REST, and bones in their bind pose
   };
 
   ///@{
   /**
-   * What the bones do. Without an animation POSE_ANIMATION is POSE_NODES. The skeleton at POSE_REST
-   * is that of POSE_ANIMATION, which vtkRelievoSkin then applies. Default: POSE_ANIMATION.
+   * The pose of the bones. Without an animation, POSE_ANIMATION equals POSE_NODES. The skeleton at
+   * POSE_REST is that of POSE_ANIMATION, which vtkRelievoSkin then applies. Default:
+   * POSE_ANIMATION.
    */
   vtkSetClampMacro(Pose, int, POSE_REST, POSE_BIND);
   vtkGetMacro(Pose, int);
   ///@}
 
   ///@{
-  /** How bones are blended: a method of vtkRelievoSkin. Default: vtkRelievoSkin::LINEAR. */
+  /** The blending of bones: a method of vtkRelievoSkin. Default: vtkRelievoSkin::LINEAR. */
   vtkSetClampMacro(Method, int, 0, 2);
   vtkGetMacro(Method, int);
   ///@}
 
   ///@{
-  /** Most bones of a point; the strongest are kept and rescaled. 1 to 8. Default: 8. */
+  /** Most bones per point; the strongest are kept and rescaled. 1 to 8. Default: 8. */
   vtkSetClampMacro(WeightsPerPoint, int, 1, 8);
   vtkGetMacro(WeightsPerPoint, int);
   ///@}
@@ -155,7 +156,7 @@ public:
 
   ///@{
   /**
-   * Whole keys a second that method KEY_MATRIX blends, from the animation's start; 0 takes every
+   * Whole keys per second that method KEY_MATRIX blends, from the animation's start; 0 takes every
    * time at which any node has a key. Default: 0.
    */
   vtkSetClampMacro(KeyRate, double, 0., VTK_DOUBLE_MAX);
@@ -163,21 +164,21 @@ public:
   ///@}
 
   ///@{
-  /** Whether times after the end start anew; otherwise the end holds. Default: off. */
+  /** Whether times after the end restart; otherwise the pose stays at the end. Default: off. */
   vtkSetMacro(Loop, bool);
   vtkGetMacro(Loop, bool);
   vtkBooleanMacro(Loop, bool);
   ///@}
 
   ///@{
-  /** Seconds of the animation in a unit of pipeline time, above 0. Default: 1. */
+  /** Seconds of the animation per unit of pipeline time, above 0. Default: 1. */
   vtkSetClampMacro(Speed, double, 1e-6, 1e6);
   vtkGetMacro(Speed, double);
   ///@}
 
   ///@{
   /**
-   * Whether the skeleton has the axes of its joints too: lines with the cell arrays `axis` (0
+   * Whether the skeleton includes the axes of its joints: lines with the cell arrays `axis` (0
    * between joints, 1 to 3 along x, y, z) and `axis_color` (red, green, blue). Default: off.
    */
   vtkSetMacro(SkeletonAxes, bool);
@@ -193,8 +194,8 @@ public:
 
   ///@{
   /**
-   * Whether points have the array `first_bone`, as scalars: the skeleton's point of the strongest
-   * bone, -1 without one. Default: off.
+   * Whether points have the array `first_bone`, as scalars: the index of the strongest bone in the
+   * skeleton, -1 without one. Default: off.
    */
   vtkSetMacro(FirstBone, bool);
   vtkGetMacro(FirstBone, bool);
@@ -203,8 +204,8 @@ public:
 
   ///@{
   /**
-   * Name of a bone whose weight points have in the array `bone_weight`, as scalars; empty: none.
-   * GetBoneNames lists them. Default: empty.
+   * Name of a bone whose weights the points get as the array `bone_weight`, as scalars; empty:
+   * none. GetBoneNames lists the names. Default: empty.
    */
   vtkSetStringMacro(WeightsOf);
   vtkGetStringMacro(WeightsOf);
@@ -216,15 +217,15 @@ public:
   ///@{
   /** The animations of the file, after UpdateInformation(). */
   int GetNumberOfAnimations();
-  const char* GetAnimationName(int index); ///< null when there is none
+  const char* GetAnimationName(int index); ///< null if there is none
   vtkStringArray* GetAnimationNames();     ///< all of them
   ///@}
 
   ///@{
   /**
-   * An image in the file itself, by the name that a mesh has for it (`base_color_texture`,
-   * `normal_texture`), the lowest row first; nullptr if there is none of this name, or if it is
-   * damaged, or neither PNG, JPEG nor bare texels, which is said once. After Update().
+   * An image inside the file, by its name in a mesh (`base_color_texture`, `normal_texture`), the
+   * lowest row first; nullptr if there is none of this name, or if it is damaged, or neither PNG,
+   * JPEG nor bare texels, which is reported once. After Update().
    */
   vtkImageData* GetEmbeddedTexture(const char* name);
   bool HasEmbeddedTexture(const char* name);
@@ -232,11 +233,11 @@ public:
 
   ///@{
   /**
-   * The files that were looked for to read the model, its own among them, whether they are there or
-   * not: buffers, images, materials. After Update().
+   * The files looked for to read the model, including its own, whether they exist or not: buffers,
+   * images, materials. After Update().
    */
   int GetNumberOfFiles();
-  const char* GetFile(int index); ///< null when there is none
+  const char* GetFile(int index); ///< null if there is none
   ///@}
 
   ///@{
@@ -253,20 +254,20 @@ public:
 
   enum AlphaModes
   {
-    ALPHA_OPAQUE = 0, ///< alpha counts for nothing
-    ALPHA_MASK = 1,   ///< nothing is there where alpha is below the cutoff
+    ALPHA_OPAQUE = 0, ///< alpha is ignored
+    ALPHA_MASK = 1,   ///< not drawn where alpha is below the cutoff
     ALPHA_BLEND = 2
   };
 
-  /** What alpha does on a block: one of AlphaModes. */
+  /** The use of alpha in a block: one of AlphaModes. */
   int GetAlphaMode(int block);
 
   /** The cutoff of a block with ALPHA_MASK; otherwise 0. */
   double GetAlphaCutoff(int block);
 
   /**
-   * Gives an actor, whose mapper draws the block, its property, its texture and its colours of
-   * points, and says whether it is opaque. Nothing happens if GetProperty() is nullptr.
+   * Sets the property, texture and point colours of an actor whose mapper draws the block, and
+   * whether it is opaque. Does nothing if GetProperty() is nullptr.
    */
   void Dress(int block, vtkActor* actor);
   ///@}
@@ -285,17 +286,17 @@ public:
 
   ///@{
   /**
-   * The cameras of the scene, each where its node is at the time of the last Update(). The clipping
-   * range is set where the file has both ends of it. nullptr when there is none.
+   * The cameras of the scene, each at its node's position at the time of the last Update(). The
+   * clipping range is set if the file has both of its ends. nullptr if there is none.
    */
   int GetNumberOfCameras();
   vtkCamera* GetCamera(int index);
   ///@}
 
   ///@{
-  /** What was mended or left out while reading, a sentence each. */
+  /** Parts repaired or left out while reading, a sentence each. */
   int GetNumberOfNotes();
-  const char* GetNote(int index); ///< null when there is none
+  const char* GetNote(int index); ///< null if there is none
   ///@}
 
 protected:
@@ -310,9 +311,9 @@ private:
   vtkRelievoModelReader(const vtkRelievoModelReader&) = delete;
   void operator=(const vtkRelievoModelReader&) = delete;
 
-  // Whether there is a model; reads it when what it depends on has changed.
+  // Whether there is a model; reads it if the file or the settings have changed.
   bool Read();
-  // The place of the animation of this name, or -1 without one, which is said once.
+  // The index of the animation of this name, or -1, which is reported once.
   int FindAnimation(const char* name);
   // The node of the bone of WeightsOf, or -1.
   int FindBone();

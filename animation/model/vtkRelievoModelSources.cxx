@@ -42,7 +42,7 @@ ModelSources::State ModelSources::Look(const std::string& path)
   {
     state.Time = static_cast<std::int64_t>(time.time_since_epoch().count());
     const std::uintmax_t size = std::filesystem::file_size(path, wrong);
-    state.Size = wrong ? 0 : size; // a folder has none
+    state.Size = wrong ? 0 : size; // folders have no size
   }
   return state;
 }

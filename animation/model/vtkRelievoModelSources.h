@@ -16,14 +16,14 @@ namespace relievo
 class ModelSources
 {
 public:
-  /// A file as it is now, be it that it is not there. What was added first stays.
+  /// Adds the current state of a file, which may be missing. The first state added is kept.
   void Add(const std::string& path);
 
-  /// Whether all of them are as they were. A file that is written again within the resolution of
-  /// the file system's times, and has the same size, looks the same.
+  /// Whether all files are unchanged. A file written again within the resolution of the file
+  /// system's times, with the same size, counts as unchanged.
   bool AreSame() const;
 
-  /// All that were added, in this order.
+  /// All added paths, in order.
   const std::vector<std::string>& GetPaths() const { return this->Paths; }
 
 private:
@@ -35,7 +35,7 @@ private:
 
   struct State
   {
-    std::int64_t Time = 0; // in the file system's own steps, which are finer than seconds
+    std::int64_t Time = 0; // in the file system's own units, which are finer than seconds
     std::uintmax_t Size = 0;
     bool IsThere = false;
   };

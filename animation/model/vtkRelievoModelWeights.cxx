@@ -34,7 +34,7 @@ void AddNotes(const std::string& name, int weights, const ModelWeightFaults& fau
   add(faults.Boneless, "points have no bone, and follow the mesh's node");
 }
 
-// The strongest first, at most `weights` of them, which sum to 1.
+// Keeps the strongest bones, at most `weights`, with a sum of 1.
 void Limit(std::vector<ModelInfluence>& influences, int weights, ModelWeightFaults& faults)
 {
   std::stable_sort(influences.begin(), influences.end(),

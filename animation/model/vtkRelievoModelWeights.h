@@ -1,8 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-/**
- * From bones and their weights at points to the arrays that vtkRelievoSkin takes.
- */
+/** Converts bones and their weights at points to the arrays of vtkRelievoSkin. */
 #ifndef vtkRelievoModelWeights_h
 #define vtkRelievoModelWeights_h
 
@@ -24,14 +22,14 @@ struct ModelInfluence
   double Weight;
 };
 
-/// What was mended about a mesh's weights.
+/// Repairs of a mesh's weights.
 struct ModelWeightFaults
 {
-  vtkIdType Cut = 0;      ///< points with more bones than are kept
-  double MostCut = 0.;    ///< largest share of a point's weight that went
-  vtkIdType Unfit = 0;    ///< weights that are not finite, negative, or of points not there
+  vtkIdType Cut = 0;      ///< points with too many bones
+  double MostCut = 0.;    ///< largest share of a point's weight that was removed
+  vtkIdType Unfit = 0;    ///< weights that are not finite, negative, or of missing points
   vtkIdType Rescaled = 0; ///< points whose weights did not sum to 1
-  vtkIdType Boneless = 0; ///< points of no bone
+  vtkIdType Boneless = 0; ///< points without a bone
 };
 
 /// A list of bones with their nodes and offsets, as field data.
@@ -47,9 +45,9 @@ private:
   vtkNew<vtkDoubleArray> Offsets;
 };
 
-/// Gives the mesh's polydata `joints`, `weights` and the bones' field data: of each point the
-/// strongest bones, at most `weights` of them. Points without a bone follow `node`, which takes
-/// them by `offset`. Adds notes about the faults and those that come to it.
+/// Adds `joints`, `weights` and the bones' field data to the mesh's polydata, with at most
+/// `weights` bones per point, the strongest ones. Points without a bone follow `node`, with the
+/// matrix `offset`. Adds notes about the faults.
 void GiveWeights(const std::string& name, int weights,
   std::vector<std::vector<ModelInfluence>>& points, ModelBones& bones, int node,
   const glm::dmat4& offset, bool boneless, ModelWeightFaults& faults, vtkPolyData* output,

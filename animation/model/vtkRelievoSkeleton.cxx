@@ -22,7 +22,7 @@ namespace relievo
 {
 namespace
 {
-// Of the nodes, and again of those whose axes follow.
+// For the nodes, and again for those followed by axes.
 void AddMatrices(const char* name, const std::vector<glm::dmat4>& matrices,
   const std::vector<std::size_t>& sources, vtkPolyData* output)
 {
@@ -40,7 +40,7 @@ void AddMatrices(const char* name, const std::vector<glm::dmat4>& matrices,
   output->GetPointData()->AddArray(array);
 }
 
-// Bones, and nodes that an animation moves.
+// Bones, and nodes moved by an animation.
 std::vector<bool> FindJoints(const Model& model)
 {
   std::vector<bool> joints;
@@ -58,7 +58,7 @@ std::vector<bool> FindJoints(const Model& model)
   return joints;
 }
 
-// Lines with what they stand for.
+// Lines with their meaning.
 struct Lines
 {
   vtkNew<vtkCellArray> Cells;
@@ -161,8 +161,8 @@ double GetAxisLength(const Model& model)
       box.AddPoint(worlds[i][3].x, worlds[i][3].y, worlds[i][3].z);
     }
   }
-  // Points of skinned meshes may be in another unit, which their bones know: they count where
-  // nothing else has an extent.
+  // Points of skinned meshes may be in another unit, which only their bones convert: they count
+  // only if nothing else has an extent.
   for (const bool skinned : { false, true })
   {
     for (const ModelMesh& mesh : model.Meshes)

@@ -19,14 +19,14 @@ struct SkeletonPose
   double Share = 0.;
 };
 
-/// Points where the nodes are, with `pose`, `pose_before`, `pose_after`, `parent`, `is_bone` and
-/// `name`; a line from each bone or moved node to its parent, when that is one too. `axes`: length
-/// of lines along the axes of bones and moved nodes, 0 for none; then cells have `axis` (0 between
+/// Points at the nodes, with `pose`, `pose_before`, `pose_after`, `parent`, `is_bone` and `name`,
+/// and a line from each bone or moved node to its parent if that is also one. `axes`: length of
+/// lines along the axes of bones and moved nodes, 0 for none; cells then have `axis` (0 between
 /// joints, 1 to 3 along x, y, z) and its colours `axis_color`, and the ends of the axes follow the
 /// nodes' points.
 void MakeSkeleton(const Model& model, const SkeletonPose& pose, double axes, vtkPolyData* output);
 
-/// Length of axes that suits the model: a share of the diagonal of its bones and meshes at rest.
+/// A suitable length of axes: a share of the diagonal of bones and meshes at rest.
 double GetAxisLength(const Model& model);
 }
 

@@ -20,7 +20,7 @@ int GetObjectWrap(int wrap)
 //------------------------------------------------------------------------------
 void vtkRelievoWrapTexture::Load(vtkRenderer* renderer)
 {
-  if (!renderer) // which a script may give
+  if (!renderer) // a script may pass None
   {
     return;
   }
@@ -32,7 +32,7 @@ void vtkRelievoWrapTexture::Load(vtkRenderer* renderer)
   {
     object->SetWrapS(u);
     object->SetWrapT(v);
-    object->SendParameters(); // it is bound now
+    object->SendParameters(); // the texture is bound now
   }
 }
 

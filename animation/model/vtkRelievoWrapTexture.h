@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkRelievoWrapTexture
- * @brief A texture that repeats, mirrors or extends its edges along u and along v apart.
+ * @brief A texture with separate wrap modes along u and v: repeated, mirrored or clamped.
  *
- * vtkTexture has one Wrap for both. WrapU and WrapV take its place, and Wrap counts for nothing.
+ * vtkTexture has one Wrap for both. WrapU and WrapV replace it, and Wrap is ignored.
  */
 #ifndef vtkRelievoWrapTexture_h
 #define vtkRelievoWrapTexture_h
@@ -20,7 +20,7 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /** Beyond 0 and 1 of u and of v: vtkTexture::Repeat (default), MirroredRepeat, ClampToEdge. */
+  /** Mode outside 0 to 1 of u and v: vtkTexture::Repeat (default), MirroredRepeat, ClampToEdge. */
   vtkSetClampMacro(WrapU, int, ClampToEdge, MirroredRepeat);
   vtkGetMacro(WrapU, int);
   vtkSetClampMacro(WrapV, int, ClampToEdge, MirroredRepeat);

@@ -22,12 +22,12 @@ public:
   void SetMotions(const std::vector<glm::dmat4>& matrices); ///< for dual quaternions
   std::size_t GetNumberOfTexels() const { return this->Values.size() / 4; }
 
-  /// Brings what was set into the window. Returns "", or why it does not fit.
+  /// Uploads the matrices or motions to the window. Returns "", or why it cannot hold them.
   std::string Upload(vtkOpenGLRenderWindow* window);
 
   void Activate() { this->Buffer.Activate(); }
   void Deactivate() { this->Buffer.Deactivate(); }
-  void SetUniform(vtkShaderProgram* program); ///< between them
+  void SetUniform(vtkShaderProgram* program); ///< while it is active
 
   void Release(vtkWindow* window) { this->Buffer.Release(window); }
 

@@ -126,7 +126,7 @@ int vtkRelievoBoneWeights::RequestData(
     shares->SetValue(i, static_cast<float>(sum > 0. ? own / sum : 0.));
   }
   output->GetPointData()->AddArray(firsts);
-  // Without nodes, joints are places in the mesh's own list: no bone of the skeleton.
+  // Without nodes, joints are indices in the mesh's own list, unrelated to the skeleton.
   if (bone >= 0 && nodes)
   {
     output->GetPointData()->AddArray(shares);

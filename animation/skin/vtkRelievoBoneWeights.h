@@ -25,7 +25,7 @@
 #include "vtkPolyDataAlgorithm.h"
 #include "vtkRelievoAnimationModule.h" // for the export macro
 
-#include <memory> // for what was said
+#include <memory> // for reported errors
 #include <string>
 
 namespace relievo
@@ -41,15 +41,15 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /** The bone whose weights are shown, as a point of the skeleton; -1 for none. Default: -1. */
+  /** The bone whose weights are shown, as an index in the skeleton; -1 for none. Default: -1. */
   vtkSetMacro(Bone, int);
   vtkGetMacro(Bone, int);
   ///@}
 
   ///@{
   /**
-   * The name of the bone whose weights are shown, which goes before Bone; needs the skeleton.
-   * Default: none.
+   * The name of the bone whose weights are shown; overrides Bone and needs the skeleton. Default:
+   * none.
    */
   vtkSetStringMacro(BoneName);
   vtkGetStringMacro(BoneName);

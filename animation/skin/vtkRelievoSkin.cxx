@@ -44,7 +44,7 @@ int vtkRelievoSkin::RequestData(
   {
     vtkErrorMacro("" << wrong);
   }
-  // Never 0: the pipeline would add an error of its own.
+  // Returns 1 even on errors: after 0 the pipeline would add its own error.
   return 1;
 }
 

@@ -32,7 +32,7 @@
 #include "vtkPolyDataAlgorithm.h"
 #include "vtkRelievoAnimationModule.h" // for the export macro
 
-#include <memory> // for what was said
+#include <memory> // for reported errors
 
 namespace relievo
 {
@@ -48,27 +48,28 @@ public:
 
   enum Methods
   {
-    /// Matrices blended component by component: what files are made for. Joints that twist lose
-    /// volume, all of it at half a turn.
+    /// Matrices blended component by component, as files expect. Twisting joints lose volume, all
+    /// of it at half a turn.
     LINEAR = 0,
     /// Rigid motions blended as dual quaternions after blended stretches: twisted limbs keep their
-    /// radius; bent ones bulge a little.
+    /// radius; bent ones bulge slightly.
     DUAL_QUATERNION = 1,
     /// Matrices of the whole keys before and after, blended by time, then as LINEAR: the classic
-    /// cheap way. Bones shrink between keys that are far apart.
+    /// cheap method. Bones shrink between distant keys.
     KEY_MATRIX = 2
   };
 
   ///@{
-  /** How bones are blended. Default: LINEAR. */
+  /** The blending of bones. Default: LINEAR. */
   vtkSetClampMacro(Method, int, LINEAR, KEY_MATRIX);
   vtkGetMacro(Method, int);
   ///@}
 
   ///@{
   /**
-   * Of the points: SINGLE_PRECISION, DOUBLE_PRECISION (computed so as well, for poses far from the
-   * origin, where floats have few digits), or as they were. Default: DEFAULT_PRECISION.
+   * Precision of the points: SINGLE_PRECISION, DOUBLE_PRECISION (also computed in double, for poses
+   * far from the origin, where floats have few digits), or that of the input. Default:
+   * DEFAULT_PRECISION.
    */
   vtkSetClampMacro(OutputPointsPrecision, int, SINGLE_PRECISION, DEFAULT_PRECISION);
   vtkGetMacro(OutputPointsPrecision, int);

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * What the bones of a point do together, by method. Numbers lie by fours, which compilers add and
- * multiply at once; each point is for itself, so that threads change nothing.
+ * The combined effect of a point's bones, by method. Numbers are in groups of four for vector
+ * instructions; each point is computed separately, so threads do not change the result.
  */
 #ifndef vtkRelievoSkinBlend_h
 #define vtkRelievoSkinBlend_h
@@ -48,7 +48,8 @@ Four<Real> ToFour(const glm::vec<4, Real>& v)
   return { { v.x, v.y, v.z, v.w } };
 }
 
-/// What is done to the surroundings of one point: the columns of a matrix, the last one its move.
+/// The transform of one point's surroundings: the columns of a matrix, the last being the
+/// translation.
 template <typename Real>
 struct SkinChange
 {
@@ -78,7 +79,7 @@ public:
     }
   }
 
-  /// Whether the point has any bone.
+  /// Computes the transform; false if the point has no bone.
   bool Get(const int* joints, const float* weights, int count, SkinChange<Real>& change) const
   {
     SkinChange<Real> sum;
@@ -134,7 +135,7 @@ public:
 
   bool Get(const int* joints, const float* weights, int count, SkinChange<Real>& change) const
   {
-    // Of either number type.
+    // For both number types.
     using f32::relievoDualCancels;
     using f32::relievoDualWeight;
     using f64::relievoDualCancels;
@@ -202,7 +203,7 @@ private:
 
   void Apply(const Bone& sum, Real whole, SkinChange<Real>& change) const
   {
-    // Of either number type.
+    // For both number types.
     using f32::relievoDualTranslation;
     using f32::relievoQuaternionMatrix;
     using f64::relievoDualTranslation;

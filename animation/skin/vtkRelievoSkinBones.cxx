@@ -43,7 +43,7 @@ double GetLargest(const glm::dmat3& m)
   return largest;
 }
 
-// Of a matrix that flattens: its axes made perpendicular, those that are gone replaced.
+// For a flattening matrix: makes its axes perpendicular, and replaces missing ones.
 glm::dmat3 GetPerpendicular(const glm::dmat3& m)
 {
   const auto direction = [](const glm::dvec3& v, double least) {
@@ -124,7 +124,7 @@ std::string GetBoneMatrices(
 glm::dmat3 GetClosestRotation(const glm::dmat3& m)
 {
   // Newton's iteration for the polar decomposition, after N. Higham (1986): quadratic convergence.
-  // Far from a size of 1 a turn only halves it.
+  // Far from size 1, an iteration only halves the size.
   const double size = GetLargest(m);
   glm::dmat3 q = size > 0. && std::isfinite(size) ? m / size : m;
   for (int i = 0; i < 40; ++i)

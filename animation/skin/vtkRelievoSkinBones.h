@@ -1,8 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-/**
- * What each bone of a mesh does to points: as a matrix, or as a stretch and a motion.
- */
+/** The transform of each bone of a mesh: as a matrix, or as a stretch and a rigid motion. */
 #ifndef vtkRelievoSkinBones_h
 #define vtkRelievoSkinBones_h
 
@@ -17,7 +15,7 @@ class vtkPolyData;
 
 namespace relievo
 {
-/// First the stretch, then the rotation, then the move: together the bone's matrix, whatever it is.
+/// The bone's matrix, of any kind, as a stretch followed by a rotation and a translation.
 template <typename Real>
 struct BoneMotion
 {
@@ -26,12 +24,12 @@ struct BoneMotion
   glm::vec<4, Real> Dual;
 };
 
-/// Rest to world for each bone of the mesh; with `keys` blended from the whole keys around the
+/// Rest to world for each bone of the mesh; with `keys`, blended from the whole keys around the
 /// time. Returns "", or what is missing.
 std::string GetBoneMatrices(
   vtkPolyData* mesh, vtkPolyData* skeleton, bool keys, std::vector<glm::dmat4>& matrices);
 
-/// The rotation closest to the matrix, turned about where that mirrors.
+/// The rotation closest to the matrix, reversed if the matrix mirrors.
 glm::dmat3 GetClosestRotation(const glm::dmat3& m);
 
 template <typename Real>

@@ -24,7 +24,7 @@ glm::dvec3 GetHalf(const SkinBox& box)
   return (box.High - box.Low) * 0.5;
 }
 
-// Half sizes of a box around a turned box.
+// Half sizes of a box around a rotated box.
 glm::dvec3 Spread(const glm::dmat3& m, const glm::dvec3& half)
 {
   return glm::abs(m[0]) * half.x + glm::abs(m[1]) * half.y + glm::abs(m[2]) * half.z;
@@ -132,10 +132,11 @@ SkinBox SkinBounds::GetOfMatrices(
 }
 
 //------------------------------------------------------------------------------
-// With the origin where the strongest bone s puts the point, and x_i where bone i would put the
-// point as s stretches it, the blended turns put that to the sum of w_i x_i times q_i conj(q), by
-// |q|^2, which is no farther than the sum of w_i |x_i| / |q|, and |q| is at least the sum of
-// w_i q_i.q_s. The blended stretches differ from that of s by the sum of w_i (S_i - S_s).
+// Take as origin the point moved by the strongest bone s, and x_i the point moved by bone i with
+// the stretch of s. The blended rotations then move the point to the sum of w_i x_i times q_i
+// conj(q), divided by |q|^2. Its distance is at most the sum of w_i |x_i| / |q|, and |q| is at
+// least the sum of w_i q_i.q_s. The blended stretches differ from that of s by the sum of w_i (S_i
+// - S_s).
 SkinBox SkinBounds::GetOfMotions(
   const std::vector<glm::dmat4>& matrices, const glm::dvec3& unmovedBy) const
 {

@@ -38,7 +38,7 @@ SkinBox GetBox(vtkPolyData* mesh)
 glm::dvec3 GetFarOrigin(const SkinBox& box, double sizes)
 {
   const glm::dvec3 middle = 0.5 * (box.Low + box.High);
-  // Also where one of them is not finite.
+  // Also true if a number is not finite.
   const bool far = GetLargest(glm::abs(middle)) > sizes * GetLargest(box.High - box.Low);
   return far && GetLargest(glm::abs(middle)) < 1e30 ? glm::dvec3(glm::vec3(middle))
                                                     : glm::dvec3(0.);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Meshes far from the origin, where floats have few digits: their points and bones about a middle.
+ * Meshes far from the origin, where floats have few digits: points and bones relative to a middle.
  */
 #ifndef vtkRelievoSkinOrigin_h
 #define vtkRelievoSkinOrigin_h
@@ -17,14 +17,14 @@ class vtkPolyData;
 
 namespace relievo
 {
-/// Around all points of a mesh, also those of no cell.
+/// A box around all points of a mesh, including those of no cell.
 SkinBox GetBox(vtkPolyData* mesh);
 
-/// The middle of a box that lies farther from the origin than so many times its size (so near as
-/// 16, floats lose no more than four bits), in numbers that floats have; of other boxes the origin.
+/// The middle of a box whose distance from the origin exceeds `sizes` times its size (up to 16
+/// times, floats lose at most four bits), rounded to float; the origin for other boxes.
 glm::dvec3 GetFarOrigin(const SkinBox& box, double sizes = 16.);
 
-/// Matrices that take points about the place `rest` to points about the place `moved`.
+/// Converts matrices to positions relative to `rest` before the movement and to `moved` after it.
 std::vector<glm::dmat4> GetMatricesAbout(
   const std::vector<glm::dmat4>& matrices, const glm::dvec3& rest, const glm::dvec3& moved);
 }

@@ -27,7 +27,7 @@ namespace relievo
 {
 namespace
 {
-// Directions that follow the points, of three or four components; null where there are none.
+// Directions that move with the points, of three or four components; null if there are none.
 struct Directions
 {
   const float* From = nullptr;
@@ -40,7 +40,7 @@ struct Arrays
 {
   const Real* From;
   Real* To;
-  glm::vec<3, Real> Middle; // of the points at rest, about which the matrices take them
+  glm::vec<3, Real> Middle; // of the points at rest; the matrices are relative to it
   Directions Normals;
   Directions Tangents;
 };
@@ -50,7 +50,7 @@ template <typename Real>
 void Turn(const glm::mat<3, 3, Real>& m, const Directions& directions, vtkIdType i, bool normals,
   bool moved)
 {
-  // Of either number type.
+  // For both number types.
   using f32::relievoTurnDirection;
   using f32::relievoTurnNormal;
   using f64::relievoTurnDirection;
@@ -70,7 +70,7 @@ void Turn(const glm::mat<3, 3, Real>& m, const Directions& directions, vtkIdType
   }
 }
 
-// All that it calls is part of it: calls for each point take as long as their work.
+// Everything called is inlined: calls for each point would double the time.
 template <typename Real, typename Blend>
 [[gnu::flatten]] void Move(const Blend& blend, const SkinWeights& weights,
   const Arrays<Real>& arrays, vtkIdType begin, vtkIdType end)
@@ -134,7 +134,7 @@ vtkSmartPointer<Array> As(vtkDataArray* array)
 }
 
 // Directions of the input, and a new array in place of them in the output. `held` keeps what is
-// read.
+// Directions of the input, and the output's new array that replaces them. `held` keeps the input.
 Directions MakeDirections(vtkDataArray* array, int attribute, vtkIdType count, vtkPointData* data,
   std::vector<vtkSmartPointer<vtkFloatArray>>& held)
 {
@@ -192,7 +192,7 @@ std::string SkinMesh(
     return missing;
   }
   output->ShallowCopy(input);
-  TakeBones(output); // skinned once: without them it is refused a second time
+  TakeBones(output); // without bones, a second skinning is refused
   if (vtkDataArray* normals = output->GetCellData()->GetNormals())
   {
     output->GetCellData()->RemoveArray(normals->GetName());
@@ -205,7 +205,7 @@ std::string SkinMesh(
   const Directions tangents = MakeDirections(
     input->GetPointData()->GetTangents(), vtkDataSetAttributes::TANGENTS, count, data, held);
 
-  // Far from the origin, bones whose matrices cancel there lose nothing about the mesh's middle.
+  // Relative to the mesh's middle, matrices that cancel far from the origin lose no digits.
   const glm::dvec3 middle = GetFarOrigin(GetBox(input));
   matrices = GetMatricesAbout(matrices, middle, glm::dvec3(0.));
   vtkDataArray* rest = input->GetPoints()->GetData();

@@ -19,13 +19,13 @@ enum class SkinMethod
   KeyMatrix
 };
 
-/// The output is the input with other points, normals and tangents, and without the bones' field
-/// data. Points without weight stay. `precision`: of the points, as vtkAlgorithm names it. Returns
-/// "", or what is missing, and then the output is empty.
+/// The output is the input with moved points, normals and tangents, and without the bones' field
+/// data. Points without weight stay. `precision`: that of the points, as in vtkAlgorithm. Returns
+/// "", or what is missing; the output is then empty.
 std::string SkinMesh(
   vtkPolyData* input, vtkPolyData* skeleton, SkinMethod method, int precision, vtkPolyData* output);
 
-/// Takes the bones' field data away: the mesh is moved.
+/// Removes the bones' field data, because the mesh has been moved.
 void TakeBones(vtkPolyData* mesh);
 }
 

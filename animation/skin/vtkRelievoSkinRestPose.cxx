@@ -27,12 +27,12 @@ namespace
 {
 constexpr int Most = vtkRelievoSkinRestPose::MostInfluences;
 
-// The bones that move a point, strongest first; of equal ones the first.
+// The bones of a point, strongest first; in case of a tie, the first one.
 struct PointBones
 {
   int Joints[Most];
   float Weights[Most];
-  int Given = 0; // also beyond those that are kept
+  int Given = 0; // includes those left out
 
   int GetKept() const { return std::min(this->Given, Most); }
 
@@ -85,7 +85,7 @@ private:
   }
 };
 
-// Work on ranges of points with a value for each thread; then `take` has all of these values.
+// Runs `work` on ranges of points with a value per thread, and then passes each value to `take`.
 template <typename Value, typename Work, typename Take>
 void ForRanges(vtkIdType count, const Work& work, const Take& take)
 {
@@ -170,7 +170,7 @@ int vtkRelievoSkinRestPose::RequestData(
   {
     output->GetPointData()->AddArray(array);
   }
-  // They would stay as they are, while the faces turn.
+  // Cell normals would stay while the faces turn.
   if (vtkDataArray* normals = output->GetCellData()->GetNormals())
   {
     output->GetCellData()->RemoveArray(normals->GetName());
@@ -206,7 +206,7 @@ void vtkRelievoSkinRestPose::Count(
       own.Cut += given > MostInfluences ? 1 : 0;
     }
   };
-  // Points keep their places by a bone that does nothing, where the mesh has any.
+  // Points stay in place through a bone that does nothing, if the mesh has any bones.
   this->Influences = bones > 0 ? 1 : 0;
   this->Cut = 0;
   ForRanges<Found>(count, work, [this](const Found& own) {
@@ -242,7 +242,7 @@ void vtkRelievoSkinRestPose::Prepare(
     shares[four] = parts->GetPointer(0);
     this->Arrays.insert(this->Arrays.end(), { joints, parts });
   }
-  // What moves points on the CPU is to move them alike.
+  // The CPU must move points identically.
   int* keptJoints = nullptr;
   float* keptWeights = nullptr;
   if (this->Cut > 0)
@@ -260,7 +260,7 @@ void vtkRelievoSkinRestPose::Prepare(
       PointBones point(weights, i, bones);
       point.ScaleToOne();
       const int kept = point.GetKept();
-      // The rest are the strongest again, so that a matrix that is no point's own reaches none.
+      // Repeats the strongest bone, so that no unrelated matrix has an influence.
       for (int k = kept; k < Most; ++k)
       {
         point.Joints[k] = kept > 0 ? point.Joints[0] : 0;

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * Prepares a mesh with bones for the vertex shader: its joints and weights as arrays of four
- * components, strongest first, of sum 1, without joints that are not there. Where points lose
- * influences, `joints` and `weights` lose them too. Port 1 has the same with points about
- * GetMiddle(), for the floats of the graphics card.
+ * components, strongest first, with sum 1, without missing joints. Where points lose influences,
+ * `joints` and `weights` lose them too. Port 1 has these with points relative to GetMiddle(), for
+ * the floats of the graphics card.
  */
 #ifndef vtkRelievoSkinRestPose_h
 #define vtkRelievoSkinRestPose_h
@@ -40,14 +40,14 @@ public:
   static const char* GetJointsName(int four);
   static const char* GetWeightsName(int four);
 
-  int GetInfluences() const { return this->Influences; } ///< most of a point; 0: nothing moves
+  int GetInfluences() const { return this->Influences; } ///< most per point; 0: nothing moves
   const std::string& GetWrong() const { return this->Wrong; }
-  /// Of the points about GetMiddle().
+  /// For the points relative to GetMiddle().
   const relievo::SkinBounds& GetSkinBounds() const { return this->PointBounds; }
-  /// Of a mesh far from the origin, otherwise the origin.
+  /// For a mesh far from the origin, otherwise the origin.
   const glm::dvec3& GetMiddle() const { return this->Middle; }
-  /// Another number when what a pose moves is another: points, directions, joints, weights, bones;
-  /// colours are not. Above 0.
+  /// A number above 0 that changes with the data that a pose moves: points, directions, joints,
+  /// weights, bones; but not with colours.
   vtkMTimeType GetVersion() const { return this->Version; }
   vtkIdType GetNumberOfCut() const { return this->Cut; } ///< points that lost influences
 
@@ -68,9 +68,9 @@ private:
   std::string Wrong;
   relievo::SkinBounds PointBounds;
   glm::dvec3 Middle{ 0. };
-  vtkSmartPointer<vtkPoints> About; // null at the origin
+  vtkSmartPointer<vtkPoints> About; // null if the middle is the origin
   vtkIdType Cut = 0;
-  std::vector<vtkMTimeType> Times;      // of what it was made of
+  std::vector<vtkMTimeType> Times;      // of the arrays used
   std::vector<vtkMTimeType> Directions; // of normals and tangents
   vtkMTimeType Version = 1;
   std::vector<vtkSmartPointer<vtkDataArray>> Arrays;

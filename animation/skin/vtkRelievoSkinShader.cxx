@@ -15,11 +15,11 @@ namespace relievo
 {
 namespace
 {
-// Sections of the shader: what VTK declares; with "Moved", what stands behind it.
+// Sections of the shader: VTK's declarations; with "Moved", the code after them.
 const char* const Declared[] = { "Point", "Normal", "Tangent" };
 const char* const Begin = "//VTK::CustomBegin::Impl";
 
-// Without the ends of its last lines, as VTK's shaders have it.
+// A section's text without its last line ends, as in VTK's shaders.
 std::string GetText(const std::string& section)
 {
   const std::string text = vtkRelievoShaderLibrary::GetSection("skin/skin.glsl", section);
@@ -46,7 +46,7 @@ void SetAttributes(vtkPolyDataMapper* mapper, int influences)
 }
 
 //------------------------------------------------------------------------------
-// By what replaces the points, which nobody else would write.
+// Recognised by the replacement of the points, which is unique.
 bool SkinShader::IsIn(vtkShaderProperty* shaders) const
 {
   bool found = !this->Moves();
@@ -86,7 +86,7 @@ void SkinShader::Set(
     (dual ? "\n#define RELIEVO_SKIN_DUAL\n" : "\n");
   for (const char* section : Declared)
   {
-    // Behind VTK's own and the passes' replacements: what those declare and use is all there.
+    // After VTK's own and the passes' replacements, whose declarations are then available.
     const std::string text = GetText(section);
     const std::string between = section == Declared[0] ? defines : "\n";
     const std::string moved = text + between + GetText(std::string(section) + "Moved");

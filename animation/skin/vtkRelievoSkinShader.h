@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * What moves vertices in the shaders of VTK's mappers: shaders/skin/skin.glsl, by replacements, and
- * the vertex attributes that it reads.
+ * Moves vertices in the shaders of VTK's mappers: shaders/skin/skin.glsl, inserted by replacements,
+ * and the vertex attributes that it reads.
  */
 #ifndef vtkRelievoSkinShader_h
 #define vtkRelievoSkinShader_h
@@ -17,11 +17,11 @@ namespace relievo
 class SkinShader
 {
 public:
-  /// For points of at most so many bones, 0: none that move, of a mesh that vtkRelievoSkinRestPose
-  /// has prepared. What is set already stays, so that VTK makes no shaders anew.
+  /// For points with at most so many bones (0: none moves) of a mesh prepared by
+  /// vtkRelievoSkinRestPose. Existing replacements stay, so that VTK does not rebuild shaders.
   void Set(vtkShaderProperty* shaders, vtkPolyDataMapper* mapper, int influences, bool dual);
 
-  /// Whether they still have what was set.
+  /// Whether the replacements are still in place.
   bool IsIn(vtkShaderProperty* shaders) const;
 
   bool Moves() const { return this->Influences > 0; }
@@ -30,7 +30,7 @@ public:
 private:
   int Influences = 0;
   bool Dual = false;
-  std::string PointText; // what replaces the points
+  std::string PointText; // replacement of the points
 };
 }
 

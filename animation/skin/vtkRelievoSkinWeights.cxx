@@ -11,7 +11,7 @@ namespace relievo
 {
 namespace
 {
-// Whole numbers; -1 for what is none that an int holds, or negative.
+// Converts numbers to integers; -1 for negative numbers and those that int cannot hold.
 vtkSmartPointer<vtkIntArray> ToInts(vtkDataArray* array)
 {
   vtkSmartPointer<vtkIntArray> ints = vtkIntArray::SafeDownCast(array);

@@ -1,8 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-/**
- * Which bones move a point, as all that skins judges it.
- */
+/** The bones that move a point, decided equally for all skinning code. */
 #ifndef vtkRelievoSkinWeights_h
 #define vtkRelievoSkinWeights_h
 
@@ -26,7 +24,7 @@ public:
 
   const int* GetJoints(vtkIdType point) const { return this->First + this->Count * point; }
   const float* GetWeights(vtkIdType point) const { return this->FirstWeight + this->Count * point; }
-  int GetCount() const { return this->Count; } ///< of each point, with those that count for nothing
+  int GetCount() const { return this->Count; } ///< per point, including those without influence
 
 private:
   vtkSmartPointer<vtkIntArray> Joints;
@@ -36,7 +34,7 @@ private:
   int Count = 0;
 };
 
-/// Whether this weight counts, of a mesh with so many bones.
+/// Whether this weight counts, in a mesh with `bones` bones.
 inline bool IsInfluence(int joint, float weight, std::size_t bones)
 {
   return weight > 0.f && weight <= std::numeric_limits<float>::max() &&

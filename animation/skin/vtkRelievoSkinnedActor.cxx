@@ -40,12 +40,12 @@ struct vtkRelievoSkinnedActor::Internals
 {
   vtkNew<vtkRelievoSkinRestPose> Rest;
   vtkNew<vtkPolyData> Nothing;
-  vtkNew<vtkRelievoSkin> Skin; // holds the inputs, and moves on the CPU where that is needed
+  vtkNew<vtkRelievoSkin> Skin; // holds the inputs, and moves the mesh on the CPU if needed
   relievo::BoneTexture Bones;
 
-  // What the pose was made of.
+  // Times of the inputs of the pose.
   vtkMTimeType MeshTime = 0;
-  vtkMTimeType RestVersion = 0; // of what is moved, of all that the mesh has
+  vtkMTimeType RestVersion = 0; // version of the moved data; MeshTime covers all data
   vtkMTimeType SkeletonTime = 0;
   vtkPolyData* Skeleton = nullptr;
   bool BindPose = false;
@@ -53,19 +53,19 @@ struct vtkRelievoSkinnedActor::Internals
 
   std::vector<glm::dmat4> Matrices;
   relievo::SkinBox Box;
-  glm::dvec3 Middle{ 0. };    // about which the shader has its moved points
-  glm::dvec3 UnmovedBy{ 0. }; // of points without a bone: from about one middle to about the other
-  bool Draws = false;         // VTK asks where these points are, not the mesh's own
+  glm::dvec3 Middle{ 0. };    // the shader's moved points are relative to it
+  glm::dvec3 UnmovedBy{ 0. }; // for points without a bone: between the two middles
+  bool Draws = false;         // while VTK draws the moved points
   vtkNew<vtkMatrix4x4> Placed;
   vtkNew<vtkMatrix4x4> PlacedTransposed;
-  double Reach = 0.;     // what the shader rounds
-  std::size_t Unfit = 0; // texels of bones that the window refused; 0: none yet
+  double Reach = 0.;     // bound of the shader's rounding
+  std::size_t Unfit = 0; // number of texels that the window refused; 0: none so far
   std::string WhyUnfit;
-  vtkNew<vtkPolyData> Moved;  // on the CPU, if it is
-  vtkMTimeType MovedTime = 0; // PoseTime, of the pose that it has
-  vtkMTimeType MovedMesh = 0; // MeshTime, of the mesh that it has
+  vtkNew<vtkPolyData> Moved;  // moved on the CPU, if requested
+  vtkMTimeType MovedTime = 0; // PoseTime of its pose
+  vtkMTimeType MovedMesh = 0; // MeshTime of its mesh
   vtkTimeStamp PoseTime;
-  std::string Reported; // what is wrong, for the last time
+  std::string Reported; // the last error
   relievo::SkinShader Shader;
 
   void SetAtRest();
@@ -86,7 +86,7 @@ void CopyBox(const relievo::SkinBox& box, double bounds[6])
   }
 }
 
-// The largest number that moving the points of a box has on its way.
+// The largest number that occurs while the points of a box are moved.
 double GetLargest(const relievo::SkinBox& box, const std::vector<glm::dmat4>& matrices)
 {
   const glm::dvec3 p = glm::max(glm::abs(box.Low), glm::abs(box.High));
@@ -106,9 +106,9 @@ vtkRelievoSkinnedActor::vtkRelievoSkinnedActor()
   : Inside(new Internals)
 {
   this->Disconnect();
-  // Of as many bones as the shader takes.
+  // Limited to the number of bones that the shader supports.
   this->Inside->Skin->SetInputConnection(0, this->Inside->Rest->GetOutputPort());
-  // Bones move points as they are, not shifted and scaled ones.
+  // Bones need original points, not shifted and scaled ones.
   if (auto* mapper = vtkOpenGLPolyDataMapper::SafeDownCast(this->Mesh))
   {
     mapper->SetVBOShiftScaleMethod(vtkOpenGLVertexBufferObject::DISABLE_SHIFT_SCALE);
@@ -182,7 +182,7 @@ double* vtkRelievoSkinnedActor::GetBounds()
     toWorld[i % 4][i / 4] = matrix->GetElement(i / 4, i % 4);
   }
   relievo::SkinBox placed;
-  // Far from the origin VTK places it in double; the box has room for the shader's floats.
+  // Far from the origin, VTK transforms in double; the box has a margin for the shader's floats.
   const bool far = this->Inside->Middle != glm::dvec3(0.);
   placed.Add(box, toWorld, 0., far ? 1e-14 : 1e-6);
   CopyBox(placed, this->Bounds);
@@ -291,7 +291,7 @@ int vtkRelievoSkinnedActor::GetIsIdentity()
 //------------------------------------------------------------------------------
 void vtkRelievoSkinnedActor::GetKeyMatrices(vtkMatrix4x4*& toWorld, vtkMatrix3x3*& normals)
 {
-  // VTK keeps what it computes, from GetMatrix.
+  // VTK caches its result from GetMatrix.
   Internals& in = *this->Inside;
   const bool draws = std::exchange(in.Draws, false);
   this->Superclass::GetKeyMatrices(toWorld, normals);
@@ -300,7 +300,7 @@ void vtkRelievoSkinnedActor::GetKeyMatrices(vtkMatrix4x4*& toWorld, vtkMatrix3x3
   {
     return;
   }
-  // The matrix is transposed, as OpenGL has matrices: the move is the last row.
+  // The matrix is transposed, as in OpenGL: the translation is the last row.
   in.PlacedTransposed->DeepCopy(toWorld);
   for (int i = 0; i < 4; ++i)
   {
@@ -328,7 +328,7 @@ void vtkRelievoSkinnedActor::SetUniforms(vtkObject*, unsigned long, void* progra
 void vtkRelievoSkinnedActor::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Inside->Bones.Release(window);
-  this->Inside->Unfit = 0; // another window may take more
+  this->Inside->Unfit = 0; // another window may support more
   this->Superclass::ReleaseGraphicsResources(window);
 }
 
@@ -341,7 +341,7 @@ void vtkRelievoSkinnedActor::PrintSelf(ostream& os, vtkIndent indent)
 }
 
 //------------------------------------------------------------------------------
-// Said once, until all is well again.
+// Reports an error once, until everything is valid again.
 void vtkRelievoSkinnedActor::Complain(const std::string& wrong)
 {
   if (wrong != this->Inside->Reported)
@@ -371,8 +371,8 @@ void vtkRelievoSkinnedActor::Internals::SetAtRest()
 }
 
 //------------------------------------------------------------------------------
-// Far from the origin the shader has points and bones about a middle, of the mesh and of the pose;
-// what lies between these and the world is in VTK's matrices, in double.
+// Far from the origin, the shader's points and bones are relative to a middle, of the mesh and of
+// the pose; VTK's matrices, in double, contain the remaining translation.
 void vtkRelievoSkinnedActor::Internals::SetMoved(const std::vector<glm::dmat4>& matrices, bool dual)
 {
   const relievo::SkinBounds& bounds = this->Rest->GetSkinBounds();
@@ -387,7 +387,7 @@ void vtkRelievoSkinnedActor::Internals::SetMoved(const std::vector<glm::dmat4>& 
   this->Middle = relievo::GetFarOrigin(this->Box);
   if (this->Middle != glm::dvec3(0.))
   {
-    // Once more, as its rounding is much there.
+    // Computes the box again, relative to its middle, where rounding is small.
     about = relievo::GetMatricesAbout(matrices, rest, this->Middle);
     this->UnmovedBy = rest - this->Middle;
     this->Box = getBox();
@@ -401,18 +401,18 @@ void vtkRelievoSkinnedActor::Internals::SetMoved(const std::vector<glm::dmat4>& 
   {
     this->Bones.SetMatrices(about);
   }
-  // Floats would lose what the pose moves so far.
+  // Floats would lose digits of such large movements.
   this->Skin->SetOutputPointsPrecision(this->Middle != glm::dvec3(0.)
       ? vtkAlgorithm::DOUBLE_PRECISION
       : vtkAlgorithm::DEFAULT_PRECISION);
   relievo::SkinBox box = relievo::GetBox(this->Rest->GetOutput());
   box.Move(-rest);
-  // Roundings in a row, here and in vtkRelievoSkin, which the shader is compared with.
+  // Accumulated rounding, here and in vtkRelievoSkin, which the shader is compared with.
   this->Reach = (dual ? 8. : 4.) * GetLargest(box, about);
 }
 
 //------------------------------------------------------------------------------
-// VTK's mappers want a mesh, be it empty: until it is known that there is one.
+// VTK's mappers need a mesh: an empty one until the input is known.
 void vtkRelievoSkinnedActor::Disconnect()
 {
   Internals& in = *this->Inside;
@@ -527,7 +527,7 @@ void vtkRelievoSkinnedActor::UpdatePose()
     in.SetMoved(matrices, dual);
   }
   in.PoseTime.Modified();
-  // What draws this actor anew: shadow maps, kept frames.
+  // Invalidates cached drawings of this actor: shadow maps, cached frames.
   this->GetShaderProperty()->GetVertexCustomUniforms()->Modified();
 }
 
@@ -551,7 +551,7 @@ vtkPolyData* vtkRelievoSkinnedActor::GetMovedMesh()
   }
   else if (in.MovedMesh != in.MeshTime)
   {
-    // Only what does not move is another, such as colours.
+    // Only unmoved data have changed, such as colours.
     vtkNew<vtkPolyData> moved;
     moved->ShallowCopy(in.Moved);
     in.Moved->ShallowCopy(in.Rest->GetOutput());

@@ -35,10 +35,10 @@
 #include "vtkNew.h" // for the mapper
 #include "vtkOpenGLActor.h"
 #include "vtkRelievoAnimationModule.h" // for the export macro
-#include "vtkRelievoMovedMesh.h"       // for passes that follow triangles
+#include "vtkRelievoMovedMesh.h"       // for passes that process triangles
 
-#include <memory> // for what is inside
-#include <string> // for what is wrong
+#include <memory> // for the internals
+#include <string> // for error messages
 
 class vtkAlgorithmOutput;
 class vtkPolyDataMapper;
@@ -54,8 +54,8 @@ public:
 
   ///@{
   /**
-   * The mesh at rest, polydata with bones, as port 0 of vtkRelievoSkin takes it; of a composite
-   * each block takes an actor.
+   * The mesh at rest, polydata with bones, as port 0 of vtkRelievoSkin takes it; a composite needs
+   * an actor for each block.
    */
   void SetInputConnection(vtkAlgorithmOutput* port);
   void SetInputData(vtkPolyData* mesh);
@@ -68,13 +68,13 @@ public:
   ///@}
 
   ///@{
-  /** How bones are blended: a method of vtkRelievoSkin. Default: vtkRelievoSkin::LINEAR. */
+  /** The blending of bones: a method of vtkRelievoSkin. Default: vtkRelievoSkin::LINEAR. */
   void SetMethod(int method);
   int GetMethod();
   ///@}
 
   ///@{
-  /** Whether the mesh is drawn at rest, whatever the skeleton does. Default: off. */
+  /** Whether the mesh is drawn at rest, independently of the skeleton. Default: off. */
   vtkSetMacro(BindPose, bool);
   vtkGetMacro(BindPose, bool);
   vtkBooleanMacro(BindPose, bool);
@@ -83,13 +83,13 @@ public:
   /** The mapper that draws the mesh. */
   vtkPolyDataMapper* GetPolyDataMapper();
 
-  /** The mesh as it is drawn, moved on the CPU by vtkRelievoSkin; nullptr without a mesh. */
+  /** The mesh as drawn, moved on the CPU by vtkRelievoSkin; nullptr without a mesh. */
   vtkPolyData* GetMovedMesh() override;
 
   using vtkOpenGLActor::GetBounds;
   /**
-   * A box around the moved mesh, from boxes of the points of each bone: with bent joints somewhat
-   * larger than the mesh itself.
+   * A box around the moved mesh, from boxes of each bone's points: with bent joints slightly larger
+   * than the mesh itself.
    */
   double* GetBounds() override;
   /** The box around the moved mesh before the actor's matrix; uninitialized without a mesh. */
@@ -101,8 +101,8 @@ public:
   void Render(vtkRenderer* renderer, vtkMapper* mapper) override;
   ///@{
   /**
-   * The actor's, but for VTK's mapper while it draws a mesh far from the origin: then from where
-   * the shader has its points.
+   * The actor's matrix; only VTK's mapper, while it draws a mesh far from the origin, gets one that
+   * starts at the shader's points.
    */
   using vtkOpenGLActor::GetMatrix;
   vtkMatrix4x4* GetMatrix() override;
