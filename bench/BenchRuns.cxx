@@ -19,7 +19,7 @@ namespace relievoBench
 {
 namespace
 {
-constexpr double TooLong = 7200.; // seconds of one bench: it hangs
+constexpr double TooLong = 7200.; // seconds; a bench that takes longer hangs
 constexpr char Done[] = "done";
 constexpr char DoneQuickly[] = "done quickly"; // fewer rounds
 
@@ -28,7 +28,7 @@ std::string RunsFile(const std::string& folder)
   return folder + "/benches.csv";
 }
 
-// False, with a message, if the file is another table.
+// Reads earlier runs; false, with a message, if the file is another table.
 bool ReadRuns(const std::string& folder, std::vector<BenchRun>& runs)
 {
   if (!vtksys::SystemTools::FileExists(RunsFile(folder), true))
@@ -71,7 +71,7 @@ bool IsDone(const std::string& status, bool quick)
   return status == Done || (quick && status == DoneQuickly);
 }
 
-// How it ended. The last line of the log says why it failed.
+// Runs a bench and returns its status; a failure ends with the last line of the log.
 std::string RunOne(
   const std::string& program, const std::string& name, const std::string& folder, bool quick)
 {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file BenchSizes.h
- * @brief How much the benches of materials look at: the charts' sizes, and smaller ones for tests.
+ * @brief Sizes of benches: those of the charts, and smaller ones for tests.
  */
 #ifndef relievoBenchSizes_h
 #define relievoBenchSizes_h
@@ -16,9 +16,10 @@ namespace relievoBench
 struct EnvironmentSizes
 {
   int Looks = 100000;
-  int Turns = 4; // of the environment against the map: what it holds where is chance
+  int Turns = 4; // random rotations of the environment against the map
   std::vector<int> Sides = { 8, 16, 32, 64, 128 }; // of a cube's face; the last but one by angle
-  double Detail = 1000.; // a texel is looked at Detail / sqrt(texels) times each way, 3 to 40
+  double Detail =
+    1000.; // a texel is sampled Detail / sqrt(texels) times in each direction, 3 to 40
   bool RealWorlds = true;
   int Sky = 256; // texels: height of the equirectangular image of the timed frames
   int Width = 1280;
@@ -29,7 +30,7 @@ struct EnvironmentSizes
 struct ReliefSizes
 {
   int Texels = 512;
-  int FullCells = 1024; // of the full geometry, each way
+  int FullCells = 1024; // of the full geometry, in each direction
   int Width = 600;
   int Height = 450;
   int Rounds = 15;
@@ -40,8 +41,8 @@ struct LightSizes
 {
   std::vector<std::string> Scenes = { "bunny", "motorBike", "buildings" };
   std::vector<int> Lamps = { 1, 10, 100, 1000, 10000, 100000 };
-  int MostAll = 1000; // lamps with which every pixel computes all of them
-  int MostPeer = 100; // lights of VTK's: its shaders are compiled for their number
+  int MostAll = 1000; // lamps up to which every pixel also computes all of them
+  int MostPeer = 100; // VTK lights: its shaders are compiled for their number
   std::vector<int> Casting = { 0, 1, 4, 8 }; // of eight lamps, in BenchLampShadows
   int Pixels = 600;
   int Rounds = 11;
@@ -57,8 +58,8 @@ struct DeferredSizes
 
 struct ToneSizes
 {
-  int Side = 256;  // of the picture with light of every kind, pixels
-  int Rounds = 31; // of timed frames; 0: none are timed
+  int Side = 256;  // pixels of the picture with light of every kind
+  int Rounds = 31; // of timed frames; 0: not timed
 };
 
 struct EffectSizes
@@ -91,15 +92,15 @@ struct CaveSizes
 {
   int Side = 192;                                             // samples
   std::vector<double> Scales = { 16., 32., 64., 128., 256. }; // samples across a cell of the noise
-  std::vector<double> Widths = { 0.05, 0.1, 0.15, 0.2, 0.3, 0.4, 0.5 }; // parts of Scale
-  double Across = 12.; // samples across the tunnels whose width is measured
+  std::vector<double> Widths = { 0.05, 0.1, 0.15, 0.2, 0.3, 0.4, 0.5 }; // fractions of Scale
+  double Across = 12.; // samples across tunnels whose width is measured
   int Rounds = 5;
   int Seeds = 24;
 };
 
 struct SoftShadowSizes
 {
-  // All but the first under the sun alone.
+  // All but the first only under the sun.
   std::vector<std::string> Scenes = { "bunny", "motorBike", "buildings", "spheres", "horizon" };
   std::vector<int> Samples = { 1, 4, 16, 64, 256 };
   int Width = 240;
@@ -127,7 +128,7 @@ struct AmbientSizes
   std::vector<int> Samples = { 1, 4, 16, 64, 256 };
   int Width = 320;
   int Height = 240;
-  int TruthSide = 32; // squared: rays of each pixel
+  int TruthSide = 32; // squared: rays per pixel
   int Rounds = 5;
 };
 
@@ -144,8 +145,8 @@ struct PlannerSizes
 struct VoxelSizes
 {
   std::vector<int> Sizes = { 25, 50, 100 }; // cells along the longest side
-  int Slow = 25;                            // cells up to which slow peers take part
-  double Chord = 2e-4;                      // how far triangles are from the bodies
+  int Slow = 25;                            // cells up to which slow peers are measured
+  double Chord = 2e-4;                      // distance between triangles and the bodies
   int Rounds = 5;
   std::vector<std::string> Meshes = { "bunny" };
   int Large = 300; // cells each way for a sphere of 1.3 million triangles; 0: without
@@ -156,7 +157,7 @@ struct RaySizes
   int Rays = 20000;
   int Rounds = 25;
   std::vector<std::string> Meshes = { "bunny", "armadillo", "elephant" };
-  int Divisions = 2; // of the bunny's triangles, into four each
+  int Divisions = 2; // of the bunny's triangles, into four each time
 };
 
 struct SunSizes
@@ -171,10 +172,10 @@ struct SunSizes
 struct ParticleSizes
 {
   std::vector<int> Numbers = { 1000, 10000, 100000, 1000000 };
-  int MostPeer = 100000; // particles up to which the closest point takes part
+  int MostPeer = 100000; // particles up to which the closest point is measured
   int Rounds = 7;
   int Resolution = 256; // texels along the longest side
-  double Chord = 2e-4;  // how far triangles are from the torus
+  double Chord = 2e-4;  // distance between triangles and the torus
   std::vector<std::string> Meshes = { "bunny" };
   int DriftNumber = 1000;
   std::vector<int> Steps = { 1, 10, 100, 1000 };
@@ -187,7 +188,7 @@ struct SkinSizes
   std::vector<int> Bones = { 4, 32, 100, 1000 };
 };
 
-/** The benches of the same names, smaller or larger; as RelievoBenchEnvironment and so on. */
+/** Benches with other sizes; RelievoBenchEnvironment and so on use those of the charts. */
 int BenchEnvironment(const std::string& outDir, const EnvironmentSizes& sizes);
 int BenchRelief(const std::string& outDir, const ReliefSizes& sizes);
 int BenchLights(const std::string& outDir, const LightSizes& sizes);
@@ -210,10 +211,10 @@ int BenchEffects(const std::string& outDir, const EffectSizes& sizes);
 int BenchPlannerCases(const std::string& outDir, const PlannerCaseSizes& sizes);
 int BenchFog(const std::string& outDir, const FogSizes& sizes);
 
-/** The part of BenchEnvironment that times frames; returns whether its file is written. */
+/** Times the frames of BenchEnvironment; false if the file could not be written. */
 bool BenchEnvironmentFrames(const std::string& outDir, const EnvironmentSizes& sizes);
 
-/** The part of BenchBlocks that counts threads; returns whether its file is written. */
+/** Times BenchBlocks by threads; false if the file could not be written. */
 bool BenchBlockThreads(const std::string& outDir, const BlockSizes& sizes);
 }
 

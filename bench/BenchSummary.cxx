@@ -52,7 +52,8 @@ bool Has(const std::string& name, const char* part)
   return name.find(part) != std::string::npos;
 }
 
-// "ms", "draw ms", "ms per million blocks", "first frame s", "encode ns"; but not "times ...".
+// Names such as "ms", "draw ms", "ms per million blocks", "first frame s", "encode ns"; but not
+// "times ...".
 bool IsTime(const std::string& column)
 {
   const std::string words = " " + column + " ";
@@ -66,7 +67,7 @@ bool IsLeftOut(const std::string& column)
   return column == "load" || Has(column, "+-");
 }
 
-// How many of the first columns it takes to tell all rows apart; none that is measured.
+// The number of leading columns that distinguish all rows and are not measured.
 std::size_t CountKeys(const std::vector<std::vector<std::string>>& rows)
 {
   std::vector<std::vector<std::string>> keys(rows.size() - 1);
@@ -88,7 +89,7 @@ std::size_t CountKeys(const std::vector<std::vector<std::string>>& rows)
   return rows.front().size();
 }
 
-// Whether rows i of both are of the same thing: keys and texts in them are the same.
+// Whether rows i of both have equal keys and texts.
 bool AreAlike(
   const std::vector<std::vector<std::string>>& a, const std::vector<std::vector<std::string>>& b)
 {
@@ -140,7 +141,7 @@ bool CompareColumn(const std::vector<std::vector<std::string>>& a,
   return differs && result.Rows > 0;
 }
 
-// A field of a table in Markdown.
+// Escapes a field for a table in Markdown.
 std::string Cell(std::string text)
 {
   for (std::size_t at = text.find('|'); at != std::string::npos; at = text.find('|', at + 2))

@@ -57,7 +57,7 @@ std::vector<glm::dvec3> BlockShape::Samples(int count) const
     const double x = uniform(random);
     const double y = uniform(random);
     glm::dvec3 place(x, y, uniform(random));
-    // Down to the shape: one step where the distance is one everywhere, two for rounding.
+    // Projects to the shape: one step if the distance is exact, a second for rounding.
     for (int step = 0; step < 2; ++step)
     {
       place -= this->DistanceAt(place) * this->NormalAt(place);

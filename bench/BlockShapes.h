@@ -19,25 +19,25 @@ class vtkImageData;
 
 namespace relievoBench
 {
-/** In blocks; block i of an axis is around the place i. */
+/** In blocks; block i along an axis is centred at i. */
 struct BlockShape
 {
   std::string Name;
-  int Size = 0;                                          // blocks each way
+  int Size = 0;                                          // blocks in each direction
   std::function<double(const glm::dvec3&)> DistanceAt;   // negative inside
   std::function<glm::dvec3(const glm::dvec3&)> NormalAt; // outwards, of length 1
-  double Border = 0.; // what is nearer to the border is not measured
+  double Border = 0.; // parts nearer to the border are not measured
 
   bool IsMeasured(const glm::dvec3& place) const;
 
   /** Labels 0 and 1 on the points of an image. */
   vtkSmartPointer<vtkImageData> Labels() const;
 
-  /** Places on the shape, within what is measured: the same each time. */
+  /** Positions on the measured part of the shape; always the same. */
   std::vector<glm::dvec3> Samples(int count) const;
 };
 
-/** A ball of 0.4 of the size, a tilted torus, and a half space that no axis is along. */
+/** A ball of 0.4 of the size, a tilted torus, and a half space inclined to all axes. */
 std::vector<BlockShape> BlockShapes(int size);
 }
 

@@ -34,8 +34,8 @@ private:
   const std::array<int, 3> Size;
 };
 
-// Corner, edges, faces and cube that begin at the middle of eight cubes, of which some are air: bit
-// x + 2 y + 4 z. Each cell counts where its lowest corner is.
+// The Euler number's contribution of a corner, edges, faces and cube, counted once for eight cubes
+// of which some are air: bit x + 2 y + 4 z.
 int EulerOf(unsigned int air)
 {
   const auto any = [air](unsigned int bits) { return (air & bits) ? 1 : 0; };
@@ -56,7 +56,7 @@ std::size_t RootOf(std::vector<std::size_t>& parents, std::size_t i)
   return i;
 }
 
-// Joins each sample of air with the 13 neighbours before it.
+// Joins each sample of air with its 13 preceding neighbours.
 void CountComponents(const Mask& mask, const std::array<int, 3>& size, CaveShape& shape)
 {
   std::vector<std::size_t> parents(mask.IndexOf(size[0] - 1, size[1] - 1, size[2] - 1) + 1);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file CaveShape.h
- * @brief What a mask of caves is like: how much air, in how many parts, how wide.
+ * @brief Properties of a mask of caves: share of air, number of components, width.
  */
 #ifndef relievoBenchCaveShape_h
 #define relievoBenchCaveShape_h
@@ -22,7 +22,7 @@ struct CaveShape
   double Largest = 0.; // share of the air in the largest component
 };
 
-/** Of a mask, x fastest, 1 where there is air. */
+/** Measures a mask, x fastest, 1 where there is air. */
 CaveShape MeasureCaves(const std::vector<unsigned char>& mask, const std::array<int, 3>& size);
 }
 

@@ -13,7 +13,7 @@ namespace
 {
 constexpr char Script[] = RELIEVO_CHARTS;
 constexpr char Python[] = RELIEVO_CHARTS_PYTHON;
-constexpr int NoMatplotlib = 3; // as charts.py exits
+constexpr int NoMatplotlib = 3; // exit status of charts.py
 }
 
 //------------------------------------------------------------------------------
@@ -35,7 +35,7 @@ bool DrawCharts(const std::string& bench, const std::string& folder)
     }
     vtksysProcess_WaitForExit(process, nullptr);
     const int state = vtksysProcess_GetState(process);
-    // A Python that does not start is none.
+    // A Python that does not start counts as missing.
     status = state == vtksysProcess_State_Exited ? vtksysProcess_GetExitValue(process)
       : state == vtksysProcess_State_Error       ? NoMatplotlib
                                                  : -1;

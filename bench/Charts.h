@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Charts.h
- * @brief The charts of a bench, which charts.py draws.
+ * @brief Draws the charts of a bench with charts.py.
  */
 #ifndef relievoBenchCharts_h
 #define relievoBenchCharts_h
@@ -12,9 +12,9 @@
 namespace relievoBench
 {
 /**
- * Draws the charts of a bench, if it has any, from a folder's CSV files into that folder. Where
- * charts.py, its Python or matplotlib is missing, it says on the standard output how to draw them
- * elsewhere. False, with a message on the standard error, if they cannot be drawn otherwise.
+ * Draws the charts of a bench, if it has any, from a folder's CSV files into that folder. If
+ * charts.py, its Python or matplotlib is missing, prints how to draw them elsewhere. False, with a
+ * message on the standard error, if drawing fails for another reason.
  */
 bool DrawCharts(const std::string& bench, const std::string& folder);
 }

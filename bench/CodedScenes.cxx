@@ -25,7 +25,7 @@ namespace
 {
 using relievoTest::ReferenceScene;
 
-// One mesh of many shapes.
+// Collects shapes in one mesh.
 class Shapes
 {
 public:
@@ -39,7 +39,7 @@ public:
     this->Append->AddInputConnection(sphere->GetOutputPort());
   }
 
-  // Standing on the ground.
+  // Adds a pole that stands on the ground.
   void AddPole(double x, double z, double radius, double height)
   {
     vtkNew<vtkCylinderSource> pole;
@@ -50,7 +50,7 @@ public:
     this->Append->AddInputConnection(pole->GetOutputPort());
   }
 
-  // Its bottom at a height, turned about the y axis.
+  // Adds a slab with its bottom at a height, turned about the y axis.
   void AddSlab(double bottom, double thickness, double width, double degrees)
   {
     vtkNew<vtkCubeSource> slab;
@@ -66,7 +66,7 @@ public:
     this->Append->AddInputConnection(turned->GetOutputPort());
   }
 
-  // Points, in float, and polygons alone.
+  // A mesh of points in float and polygons.
   vtkSmartPointer<vtkPolyData> Mesh()
   {
     this->Append->Update();
@@ -88,7 +88,7 @@ vtkSmartPointer<vtkPolyData> Spheres()
     const double radius = 0.08 + 0.03 * i;
     const double x = -1.5 + 1.5 * (i % 3);
     const double z = -1.5 + 1.5 * static_cast<int>(i / 3);
-    // Every other one floats; the others touch the ground.
+    // Every second sphere floats; the others touch the ground.
     shapes.AddSphere(x, radius + (i % 2) * 0.3, z, radius);
     shapes.AddPole(x + 0.7, z + 0.4, 0.01 + 0.005 * i, 1.2);
   }

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file CodedScenes.h
- * @brief Scenes for the benches of shadows: the real meshes, and shapes made by code.
+ * @brief Scenes for the benches of shadows: real meshes, and generated shapes.
  *
- * The shapes are triangles like the meshes: what is drawn and what the rays meet is the same, so no
- * verdict is wrong for the corners of a sphere.
+ * The shapes are triangles like the meshes: rays hit exactly the drawn triangles, so the
+ * tessellation of spheres causes no errors.
  */
 #ifndef relievoBenchCodedScenes_h
 #define relievoBenchCodedScenes_h
@@ -17,36 +17,36 @@
 namespace relievoBench
 {
 /**
- * Spheres and poles on the ground of the reference scenes; two rows of poles to the horizon,
- * seen from a man's height; thin slabs (1/100) that lie askew on each other and on a thick one.
+ * Spheres and poles on the ground of the reference scenes; two rows of poles to the horizon, seen
+ * from eye height; thin slabs (1/100) lying askew on each other and on a thick one.
  */
 constexpr const char* SpheresScene = "spheres";
 constexpr const char* HorizonScene = "horizon";
 constexpr const char* SlabsScene = "slabs";
 
-/** Those of MadeMeshes.h on the ground of the reference scenes; the folds, which hide it. */
+/** The meshes of MadeMeshes.h on the ground of the reference scenes; the folds hide the ground. */
 constexpr const char* FinsScene = "fins";
 constexpr const char* FoldsScene = "folds";
 constexpr const char* ArrowsScene = "arrows";
 constexpr const char* TreeScene = "tree";
 
-/** A light of these scenes; at, or its sun towards, (3, 5, 2) unless Elevation says otherwise. */
+/** A light of these scenes: at (3, 5, 2), or a sun towards that unless Elevation is set. */
 struct ShadowLight
 {
   const char* Name;
   relievoTest::SceneLight Kind;
-  double Elevation; // of a sun over the ground, degrees; 0: as it is
+  double Elevation; // of a sun above the ground, degrees; 0: unchanged
 };
 
 /**
- * The mesh of that scene, one of the above or of ReferenceMeshes(). Null, with a message on the
- * standard error, when its file is not there.
+ * The mesh of a scene named above or in ReferenceMeshes(). Null, with a message on the standard
+ * error, if its file is missing.
  */
 vtkSmartPointer<vtkPolyData> ShadowSceneMesh(const std::string& name);
 
 /**
- * The scene of that name with that mesh, for verdicts by pictures: white and diffuse, without
- * ambient light, and a spot as bright at its rim as on its axis.
+ * The scene of that name with that mesh, for verdicts from pictures: white and diffuse, without
+ * ambient light, and with spots of equal brightness from axis to rim.
  */
 relievoTest::ReferenceScene MakeShadowScene(
   const std::string& name, vtkPolyData* mesh, const ShadowLight& light);

@@ -88,7 +88,7 @@ double EnvironmentTexels::DensityOf(int face, const glm::dvec2& place) const
   {
     return f64::relievoSphereMapDensity(place);
   }
-  // By differences: of the two ways a direction moves, the area between them.
+  // By finite differences: the area spanned by the direction's two derivatives.
   constexpr double Step = 1e-5;
   const glm::dvec3 x = this->DirectionOf(face, place + glm::dvec2(Step, 0.)) -
     this->DirectionOf(face, place - glm::dvec2(Step, 0.));
@@ -138,7 +138,7 @@ const glm::dvec3& EnvironmentTexels::Fetch(int face, int x, int y) const
   const int inY = std::clamp(y, 0, this->Height - 1);
   if (this->Map == EnvironmentMap::SphereMap)
   {
-    // Outside of the circle: the nearest texel with its middle inside.
+    // Outside the circle: the nearest texel whose middle is inside.
     const double half = 0.5 * this->Width;
     const glm::dvec2 away = glm::dvec2(x, y) + 0.5 - half;
     const double distance = glm::length(away);
@@ -159,13 +159,13 @@ const glm::dvec3& EnvironmentTexels::Fetch(int face, int x, int y) const
   }
   if (this->Map == EnvironmentMap::Octahedral)
   {
-    // Each side of the square is folded about its middle.
+    // Each side of the square is mirrored about its middle.
     const int last = this->Width - 1;
     const bool crossX = x != inX;
     const bool crossY = y != inY;
     return this->At(0, crossY ? last - inX : inX, crossX ? last - inY : inY);
   }
-  // A cube's next face; beyond a corner, where three meet, the one across x.
+  // The adjacent face of a cube; beyond a corner, where three meet, the one across x.
   const double half = 0.5 / this->Width;
   const auto beside = [half, this](int index, int inside) {
     return (inside + 0.5) / this->Width + (index - inside) * (half + 1e-6);

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file EnvironmentMaps.h
- * @brief Ways to keep the light of all directions in texels: cube, tan-warped cube, octahedral,
- * sphere map, latitudes and longitudes.
+ * @brief Maps from directions to texels: cube, tan-warped cube, octahedral, sphere map, latitudes
+ * and longitudes.
  */
 #ifndef relievoBenchEnvironmentMaps_h
 #define relievoBenchEnvironmentMaps_h
@@ -17,33 +17,33 @@
 
 namespace relievoBench
 {
-/** Light by unit direction. */
+/** Light as a function of the unit direction. */
 using Radiance = std::function<glm::dvec3(const glm::dvec3&)>;
 
 enum class EnvironmentMap
 {
   Cube,
-  WarpedCube, // a place s of [-1, 1] on a face is at tan(pi / 4 s) on the cube
+  WarpedCube, // a position s in [-1, 1] on a face is at tan(pi / 4 s) on the cube
   Octahedral,
   SphereMap,
   Latitudes
 };
 
-/** An environment in texels: the mean of the light in each, read bilinearly, over all seams. */
+/** An environment in texels: each is the mean of its light; read bilinearly across all seams. */
 class EnvironmentTexels
 {
 public:
-  /** The size of a map's side that comes nearest to so many texels in all. */
+  /** The side of a map whose total of texels is closest to this number. */
   static int SizeFor(EnvironmentMap map, int texels);
 
-  /** `samples` x `samples` looks at the light to a texel. */
+  /** Samples the light `samples` x `samples` times per texel. */
   EnvironmentTexels(EnvironmentMap map, int size, const Radiance& light, int samples);
 
   int GetNumberOfTexels() const { return static_cast<int>(this->Texels.size()); }
   glm::dvec3 Read(const glm::dvec3& direction) const;
 
 private:
-  // A place counts from 0 to 1 in each way of a face.
+  // The direction of a position, 0 to 1 along both sides of a face.
   glm::dvec3 DirectionOf(int face, const glm::dvec2& place) const;
   int PlaceOf(const glm::dvec3& direction, glm::dvec2& place) const;
   double DensityOf(int face, const glm::dvec2& place) const;

@@ -79,7 +79,7 @@ std::vector<relievoTest::Timing> TimeInTurn(
     };
   }
   std::vector<relievoTest::Timing> times = TimeInTurn(ways, rounds);
-  for (std::size_t i = 0; i < ways.size(); ++i) // without rounds that do not count
+  for (std::size_t i = 0; i < ways.size(); ++i) // no warm-up rounds
   {
     std::vector<double>& taken = processor[i].Seconds;
     const auto counted = static_cast<std::ptrdiff_t>(times[i].Seconds.size());

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file FrameBench.h
- * @brief What the benches of whole frames share: reference scenes in windows, ways timed in turn.
+ * @brief Shared by benches of whole frames: reference scenes in windows, and methods timed in turn.
  */
 #ifndef relievoBenchFrameBench_h
 #define relievoBenchFrameBench_h
@@ -18,7 +18,7 @@
 
 namespace relievoBench
 {
-/** A reference scene in a window of its own: one way's shaders never push out another's. */
+/** A reference scene in its own window, so that methods do not evict each other's shaders. */
 struct SceneWindow
 {
   relievoTest::ReferenceScene Scene;
@@ -26,32 +26,34 @@ struct SceneWindow
 
   SceneWindow(vtkPolyData* mesh, int width, int height);
 
-  /** Work that draws one frame to the end. */
+  /** Draws one complete frame. */
   relievoTest::Timed Frame() const { return relievoTest::Frame(this->Window); }
 };
 
 /**
- * The mesh of a reference scene, placed. Null, with a message on the standard error, when the file
- * is not in the folder that the environment variable RELIEVO_DATA names.
+ * The mesh of a reference scene, placed. Null, with a message on the standard error, if its file is
+ * missing in the folder named by the environment variable RELIEVO_DATA.
  */
 vtkSmartPointer<vtkPolyData> SceneMesh(const std::string& name);
 
 /**
- * Runs every way `rounds` times, in turn, after `warmUp` rounds that do not count; less where
- * SetMostRounds (Rounds.h) says so. The way that begins changes from round to round, so that none
+ * Runs every method `rounds` times, in turn, after `warmUp` unmeasured rounds; fewer if
+ * SetMostRounds (Rounds.h) limits them. The first method changes from round to round, so that none
  * always follows the same other.
  */
 std::vector<relievoTest::Timing> TimeInTurn(
   const std::vector<relievoTest::Timed>& ways, int rounds, int warmUp = 3);
 
-/** Also takes the processor time of all threads, which other work on the machine hardly changes. */
+/**
+ * Also measures the processor time of all threads, which other work on the machine hardly changes.
+ */
 std::vector<relievoTest::Timing> TimeInTurn(
   std::vector<relievoTest::Timed> ways, int rounds, std::vector<relievoTest::Timing>& processor);
 
-/** Two of them, for Ratio() and RatioSpread(). */
+/** Combines two timings, for Ratio() and RatioSpread(). */
 relievoTest::TimingPair PairOf(const relievoTest::Timing& a, const relievoTest::Timing& b);
 
-/** The machine's load average over a minute, for the record beside timings; NaN where not known. */
+/** The machine's load average over a minute, for the record beside timings; NaN if unknown. */
 double LoadAverage();
 }
 

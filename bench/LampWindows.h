@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file LampWindows.h
- * @brief Reference scenes with lamps around them, and with as many lights of VTK's.
+ * @brief Reference scenes surrounded by lamps, and by as many VTK lights.
  */
 #ifndef relievoBenchLampWindows_h
 #define relievoBenchLampWindows_h
@@ -21,23 +21,23 @@ class vtkPolyData;
 namespace relievoBench
 {
 /**
- * The radius of so many lamps, anywhere in a box around the scene, of which `reaching` reach a
+ * The radius for so many lamps, at random in a box around the scene, of which `reaching` reach a
  * point in the middle of the box, on average.
  */
 double RadiusFor(int lamps, double reaching);
 
-/** Lamps in the box, with colours; the same for the same number. */
+/** Lamps in the box, with colours; deterministic for each number. */
 vtkSmartPointer<vtkPolyData> MakeLamps(int count);
 
-/** One way of drawing the scene with the lamps. */
+/** One method of drawing the scene with the lamps. */
 struct LitWindow
 {
   LitWindow(vtkPolyData* mesh, int pixels, vtkPolyData* lamps, double radius, int way);
 
-  /** A frame in which every lamp has moved. */
+  /** Draws a frame in which every lamp has moved. */
   relievoTest::Timed Frame();
 
-  /** Lamps computed and reaching, on average over the pixels. */
+  /** The numbers of lamps computed and reaching, averaged over the pixels. */
   void Count(double& computed, double& reaching);
 
   std::unique_ptr<SceneWindow> Window;
@@ -45,7 +45,7 @@ struct LitWindow
   vtkRelievoLampsStage* Stage = nullptr;
 };
 
-/** Lights of VTK's at the lamps' places, one for each. */
+/** A scene with a VTK light in place of each lamp. */
 std::unique_ptr<SceneWindow> MakePeer(vtkPolyData* mesh, int pixels, vtkPolyData* lamps);
 }
 

@@ -15,7 +15,7 @@
 
 namespace relievoBench
 {
-/** Two values in [0, 1] in one word of 2 x `Bits` bits, and back. */
+/** Packs two values in [0, 1] into a word of 2 x `Bits` bits, and unpacks them. */
 template <int Bits>
 std::uint32_t JoinUnit(glm::vec2 v)
 {
@@ -31,7 +31,7 @@ glm::vec2 SplitUnit(std::uint32_t word)
   return glm::vec2(word & mask, (word >> Bits) & mask) / static_cast<float>(mask);
 }
 
-/** Spherical angles: azimuth and polar angle, evenly. */
+/** Spherical angles: azimuth and polar angle, quantised uniformly. */
 template <int Bits>
 struct Spherical
 {
@@ -53,7 +53,7 @@ struct Spherical
   }
 };
 
-/** Lambert's azimuthal equal-area map, the "spheremap" of game engines; -z is its whole rim. */
+/** Lambert's azimuthal equal-area map, the "spheremap" of game engines; -z is its entire rim. */
 template <int Bits>
 struct Azimuthal
 {

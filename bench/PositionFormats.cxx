@@ -23,7 +23,7 @@ double DepthOfWindowZ(double z, const DepthRange& range)
 }
 }
 
-// One number a call: GCC 12 leaves the rounding out where it sees two doubles go to float and back
+// One number per call: GCC 12 omits the rounding if two doubles are converted to float and back
 // side by side.
 //------------------------------------------------------------------------------
 double ThroughFloat(double value)

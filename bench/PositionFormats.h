@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file PositionFormats.h
- * @brief What textures keep of a coordinate or a depth.
+ * @brief A coordinate or a depth after it was stored in a texture.
  *
- * A room of its own since the formulas and the whole of GLM, which the tests' views need, do not
- * go into one file: both define packHalf2x16.
+ * A separate file, since the formulas and the whole of GLM, which the tests' views need, cannot be
+ * included together: both define packHalf2x16.
  */
 #ifndef relievoBenchPositionFormats_h
 #define relievoBenchPositionFormats_h
@@ -24,7 +24,7 @@ struct DepthRange
   bool Parallel;
 };
 
-/** Depths after they were kept in a texture. */
+/** Depths after they were stored in a texture. */
 double ThroughDepth16F(double depth, const DepthRange& range);
 double ThroughDepth32F(double depth, const DepthRange& range);
 double ThroughWindowZ24(double depth, const DepthRange& range);

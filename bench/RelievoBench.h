@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file RelievoBench.h
- * @brief The benches by name: each measures and writes CSV, of which charts are drawn (Charts.h).
+ * @brief The benches by name: each measures and writes CSV, from which charts are drawn (Charts.h).
  */
 #ifndef RelievoBench_h
 #define RelievoBench_h
@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-/** A bench: the word for the command line, what it measures in a line, and the work. */
+/** A bench: its name on the command line, a line that describes it, and its function. */
 struct RelievoBenchEntry
 {
   const char* Name;
@@ -18,14 +18,14 @@ struct RelievoBenchEntry
   int (*Run)(const std::string& outDir);
 };
 
-/** All benches, in the order to list them. */
+/** All benches, in the order of their list. */
 const std::vector<RelievoBenchEntry>& RelievoBenchEntries();
 
 /**
- * Runs one bench; its files, and what has drawn (Renderer.h), are written into outDir, which is
- * made when it is not there. Progress and measured values go to the standard output, errors to the
- * standard error. Most need a display. Returns 0 when done, 1 when the work failed, 2 when there
- * is no bench of that name.
+ * Runs one bench. Its files, and the renderer's name (Renderer.h), are written into outDir, which
+ * is made if missing. Progress and measured values go to the standard output, errors to the
+ * standard error. Most benches need a display. Returns 0 when done, 1 if the work failed, 2 if
+ * there is no bench of that name.
  */
 int RelievoBench(const std::string& name, const std::string& outDir);
 
@@ -35,25 +35,28 @@ int RelievoBenchNormals(const std::string& outDir);
 /** Chart 2: error of the depth formats against bytes and far / near. A few seconds. */
 int RelievoBenchDepth(const std::string& outDir);
 
-/** Chart 3: error of positions against bytes and frame time, by what is kept. Under a minute. */
+/** Chart 3: error of positions against bytes and frame time, by stored format. Under a minute. */
 int RelievoBenchPosition(const std::string& outDir);
 
-/** What layers cost a frame, against a plain frame and a peer. A few minutes. */
+/** Cost of layers per frame, against a plain frame and a peer. A few minutes. */
 int RelievoBenchGBuffer(const std::string& outDir);
 
 /** Capture of depth, normal and cell against z and cells by VTK's own means. About a minute. */
 int RelievoBenchCapture(const std::string& outDir);
 
-/** What shadows cost a frame, still and moving, against a plain frame and a peer. Minutes. */
+/** Cost of shadows per frame, still and moving, against a plain frame and a peer. Minutes. */
 int RelievoBenchShadowFrames(const std::string& outDir);
 
 /** Chart 4: wrong shadow verdicts against map size and frame time. A few minutes. */
 int RelievoBenchShadows(const std::string& outDir);
 
-/** What the planner of shadows expects and chooses, against what there is. A quarter of an hour. */
+/**
+ * Expected and measured errors and times of the shadow planner, and its choices. A quarter of an
+ * hour.
+ */
 int RelievoBenchPlanner(const std::string& outDir);
 
-/** How often what is chosen for a tolerance meets it, over cases by lot. Two minutes. */
+/** How often shadows chosen for a tolerance meet it, in random cases. Two minutes. */
 int RelievoBenchPlannerCases(const std::string& outDir);
 
 /** Chart 5: false shadow against leak as the bias grows, three heights of the sun. Minutes. */
@@ -62,7 +65,7 @@ int RelievoBenchBias(const std::string& outDir);
 /** Chart 11: error of soft shadows against samples. Some minutes. */
 int RelievoBenchSoftShadows(const std::string& outDir);
 
-/** Wrong exact shadows where edges lie densely, against what is expected. A minute. */
+/** Errors of exact shadows where edges lie densely, against expected errors. A minute. */
 int RelievoBenchExactHard(const std::string& outDir);
 
 /** Error of ambient occlusion against time, by rays, beside VTK's own. Two minutes. */
@@ -71,34 +74,34 @@ int RelievoBenchAmbient(const std::string& outDir);
 /** Chart 8: error of environments against texels and angle, by the map; frames. Three minutes. */
 int RelievoBenchEnvironment(const std::string& outDir);
 
-/** Chart 6: frames with 1 to 100 000 lamps, by the way they are found. Ten minutes. */
+/** Chart 6: frames with 1 to 100 000 lamps, by the method of finding them. Ten minutes. */
 int RelievoBenchLights(const std::string& outDir);
 
-/** Lamps against 100 and 300 lights of VTK's. Five minutes, for its shaders' compiler. */
+/** Lamps against 100 and 300 VTK lights. Five minutes, because of its shaders' compilation. */
 int RelievoBenchLightsPeer(const std::string& outDir);
 
-/** Frames in which 1 to 8 lamps cast shadows, against none. A minute. */
+/** Frames in which 1 to 8 lamps cast shadows, against frames without shadows. A minute. */
 int RelievoBenchLampShadows(const std::string& outDir);
 
 /** Frames with deferred shading against VTK's own, by overdraw and lights. Two minutes. */
 int RelievoBenchDeferred(const std::string& outDir);
 
-/** Chart 7: errors of relief methods against looks and time, and full geometry. Minutes. */
+/** Chart 7: errors of relief methods against reads and time, and full geometry. Minutes. */
 int RelievoBenchRelief(const std::string& outDir);
 
-/** Error of a fog sphere's chord against distance, and what fog costs a frame. A minute. */
+/** Error of a fog sphere's chord against distance, and cost of fog per frame. A minute. */
 int RelievoBenchFog(const std::string& outDir);
 
 /** Chart 9: surfaces of labels: distance and normals against time, with peers. Two minutes. */
 int RelievoBenchBlocks(const std::string& outDir);
 
-/** Caves: evaluations of noise, time, what they are like, width of tunnels. A minute. */
+/** Caves: evaluations of noise, time, shape, width of tunnels. A minute. */
 int RelievoBenchCaves(const std::string& outDir);
 
 /** Chart 10: cells inside bodies: excess and missed against time, with peers. A minute. */
 int RelievoBenchVoxels(const std::string& outDir);
 
-/** Rays a second of a core past meshes of many sizes, and bytes, beside Embree's. A minute. */
+/** Rays per second and core at meshes of many sizes, and bytes, beside Embree's. A minute. */
 int RelievoBenchRays(const std::string& outDir);
 
 /** Hours of sun and sky of a courtyard: error and time by step and rays. A minute. */
@@ -110,10 +113,10 @@ int RelievoBenchSkin(const std::string& outDir);
 /** Particles on surfaces: time of a step, distance by steps, with a peer. Two minutes. */
 int RelievoBenchParticles(const std::string& outDir);
 
-/** What a normal map costs a full-screen frame, against VTK's own textures. Half a minute. */
+/** Cost of a normal map in a full-screen frame, against VTK's own textures. Half a minute. */
 int RelievoBenchNormalMaps(const std::string& outDir);
 
-/** What the first of each effect costs a frame, alone and in pairs, beside VTK's. A minute. */
+/** Cost of the first of each effect per frame, alone and in pairs, beside VTK's. A minute. */
 int RelievoBenchEffects(const std::string& outDir);
 
 /** Error and hue of tone operators, bands with and without dithering, frames. Half a minute. */

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Renderer.h
- * @brief What has drawn what a folder of tables measures: summaries and charts.py name it.
+ * @brief The renderer of a folder of tables, named in summaries and by charts.py.
  */
 #ifndef relievoBenchRenderer_h
 #define relievoBenchRenderer_h
@@ -12,16 +12,16 @@
 namespace relievoBench
 {
 /**
- * Writes into FOLDER/renderer.txt the name that OpenGL gives its renderer, or "software OpenGL"
- * where the processor draws. Needs a display. False, with a message on the standard error, if that
- * cannot be written.
+ * Writes the name of OpenGL's renderer, or "software OpenGL" if the processor draws, into
+ * FOLDER/renderer.txt. Needs a display. False, with a message on the standard error, if that cannot
+ * be written.
  */
 bool WriteRenderer(const std::string& folder);
 
-/** What FOLDER/renderer.txt says; "software OpenGL" if there is none. */
+/** The content of FOLDER/renderer.txt; "software OpenGL" if it is missing. */
 std::string ReadRenderer(const std::string& folder);
 
-/** The name in a report of VTK's (vtkRenderWindow::ReportCapabilities); empty: it has none. */
+/** The name in a report by vtkRenderWindow::ReportCapabilities; empty if it has none. */
 std::string FindRenderer(const std::string& report);
 }
 

@@ -2,20 +2,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Rounds.h
- * @brief How often the benches time what they time: less for a first look.
+ * @brief Limits the rounds of benches, for a quick first run.
  */
 #ifndef relievoBenchRounds_h
 #define relievoBenchRounds_h
 
 namespace relievoBench
 {
-/** How often anything is timed at most; 0, the default: as often as the bench asks. */
+/** The maximum number of timed rounds; 0, the default: as many as the bench asks for. */
 void SetMostRounds(int rounds);
 
-/** So many of the rounds asked for are done. */
+/** The number of rounds to run out of those asked for. */
 int GetRounds(int asked);
 
-/** And of those before them, which do not count: one at most where rounds are limited. */
+/** The number of unmeasured rounds before them: at most one if rounds are limited. */
 int GetWarmUp(int asked);
 }
 

@@ -34,7 +34,7 @@ ShadowSimulation::ShadowSimulation(const relievoTest::EmbreeScene& scene,
       high[i] = std::max(high[i], along);
     }
   }
-  // A texel of room on every side; rays start before anything that could cast into the view.
+  // A margin of a texel on every side; rays start before anything that could cast into the view.
   for (int i = 0; i < 2; ++i)
   {
     this->Texel[i] = (high[i] - low[i]) / (mapSize - 2);
@@ -91,7 +91,7 @@ std::vector<float> ShadowSimulation::Visibility(
       continue;
     }
     const glm::dvec3 place = this->ToMap(pixel.Position);
-    // How the depth of the pixel's plane grows from texel to texel.
+    // The slope of depth of the pixel's plane from texel to texel.
     double slope[2] = { 0., 0. };
     const double facing = glm::dot(pixel.Normal, this->Axes[2]);
     for (int axis = 0; receiverPlane && facing != 0. && axis < 2; ++axis)

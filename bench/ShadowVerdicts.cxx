@@ -37,7 +37,7 @@ void ShadowVerdicts::UsePBR()
     actor->GetProperty()->SetInterpolationToPBR();
   }
   this->Plain = relievoTest::Picture(this->Window);
-  this->Gamma = 2.2; // what the shader encodes its colours for
+  this->Gamma = 2.2; // the display gamma for which the shader encodes its colours
 }
 
 //------------------------------------------------------------------------------

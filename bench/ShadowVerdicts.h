@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file ShadowVerdicts.h
- * @brief A scene of the shadow benches in a window, and how many of its verdicts are wrong.
+ * @brief A scene of the shadow benches in a window, and its number of errors.
  */
 #ifndef relievoBenchShadowVerdicts_h
 #define relievoBenchShadowVerdicts_h
@@ -20,24 +20,24 @@
 
 namespace relievoBench
 {
-/** Share of `part` in `all`, in percent; NaN where there is none. */
+/** Share of `part` in `all`, in percent; NaN if `all` is 0. */
 double Percent(long long part, long long all);
 
-/** One scene, light and window size, with its truth; ways to shadows come and go. */
+/** One scene, light and window size, with its truth, to measure several shadow methods. */
 class ShadowVerdicts
 {
 public:
-  /** `view`: what the pixels show, of another light of the same scene and size, or null. */
+  /** `view`: the pixels of another light of the same scene and size, or null. */
   ShadowVerdicts(const std::string& name, vtkPolyData* mesh, const ShadowLight& light, int width,
     int height, const relievoTest::TruthImage* view = nullptr);
 
-  /** Draws from now on by VTK's physically based shading. */
+  /** Draws by VTK's physically based shading from now on. */
   void UsePBR();
 
-  /** What a way gets wrong; plain frames are drawn again afterwards. */
+  /** Measures the errors of a method; plain frames are drawn again afterwards. */
   relievoTest::ShadowErrors Measure(const ShadowWay& way, int mapSize);
 
-  /** What the renderer's pass as it is gets wrong. */
+  /** Measures the errors of the renderer's current pass. */
   relievoTest::ShadowErrors MeasureAsItIs();
 
   relievoTest::ReferenceScene Scene;

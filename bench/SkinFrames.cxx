@@ -26,7 +26,7 @@ namespace
 {
 constexpr int Width = 640, Height = 480;
 
-// One way of drawing, in a window of its own.
+// One method of drawing, in its own window.
 struct SkinWindow
 {
   vtkNew<vtkRenderer> Renderer;

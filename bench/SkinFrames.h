@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SkinFrames.h
- * @brief Frames of a mesh that the vertex shader moves, beside those of the same mesh held still.
+ * @brief Frames of a mesh moved by the vertex shader, beside those of that mesh without movement.
  */
 #ifndef SkinFrames_h
 #define SkinFrames_h
@@ -15,12 +15,14 @@
 
 namespace relievoBench
 {
-/** A wavy sheet of about so many points, with normals, triangles of equal size, and no bones. */
+/**
+ * A wavy sheet with about so many points, with normals and triangles of equal size, without bones.
+ */
 vtkSmartPointer<vtkPolyData> MakeSheet(int points);
 
 /**
- * Seconds of frames, ascending: of the rigid mesh; moved by matrices; by dual quaternions. Each
- * frame of the latter two has another of the two poses. Drawn in turn, in a window each.
+ * Frame times in seconds, ascending: of the rigid mesh; moved by matrices; by dual quaternions. The
+ * latter two alternate between two poses. All are drawn in turn, each in its own window.
  */
 std::vector<std::vector<double>> TimeSkinnedFrames(
   vtkPolyData* mesh, vtkPolyData* pose, vtkPolyData* otherPose, int rounds);

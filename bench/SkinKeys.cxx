@@ -15,7 +15,8 @@ namespace
 namespace f64 = relievo::f64;
 constexpr double Pi = 3.14159265358979323846;
 
-// Once around in a second about one axis: slerp's own motion. And a swing whose axis wanders.
+// One turn per second about a fixed axis, which slerp reproduces exactly; and a swing about a
+// changing axis.
 glm::dvec4 Turn(double t)
 {
   return AboutAxis(glm::normalize(glm::dvec3(1., 2., 2.)), 2. * Pi * t);
@@ -26,10 +27,10 @@ glm::dvec4 Swing(double t)
     AboutAxis(glm::dvec3(1., 0., 0.), 0.7 * std::sin(4. * Pi * t + 1.)));
 }
 
-// The end of an arm of length 1 that points across the axes.
+// The end of an arm of length 1, oblique to the axes.
 const glm::dvec3 Arm = glm::normalize(glm::dvec3(2., -2., 1.));
 
-// A bone's motion: how it is turned, and where its joint is.
+// A bone's motion: its rotation, and the position of its joint.
 struct Motion
 {
   const char* Name;
@@ -41,7 +42,7 @@ glm::dvec3 Still(double)
 {
   return glm::dvec3(0.);
 }
-// Around the axis of Turn, an arm's length away, and along it: the screw motion of a rigid body.
+// At an arm's length around the axis of Turn, and along it: the screw motion of a rigid body.
 glm::dvec3 Screw(double t)
 {
   const glm::dvec3 axis = glm::normalize(glm::dvec3(1., 2., 2.));
@@ -93,7 +94,7 @@ bool MeasureSkinKeys(const std::string& outDir)
             4. * std::atan2(glm::length(near - truth), glm::length(near + truth)) * 180. / Pi);
           off = std::max(off, glm::length(place + arm - expected));
         }
-        // Blended matrices have no angle of their own: their rotation is nlerp's within a little.
+        // Blended matrices have no exact angle: their rotation nearly equals that of nlerp.
         table.AddRow({ motion.Name, method, std::to_string(keys),
           method == "key-matrix" ? std::string() : Number(angle, 3), Number(off, 3) });
       }

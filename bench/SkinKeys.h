@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SkinKeys.h
- * @brief How far a turning bone is from where it should be, by the number of its keys.
+ * @brief Error of a turning bone by the number of its keys.
  */
 #ifndef SkinKeys_h
 #define SkinKeys_h

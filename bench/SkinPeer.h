@@ -18,14 +18,14 @@ struct SkinnedPoints
   std::vector<float> Points, Normals; ///< three of each
   std::vector<std::uint16_t> Joints;  ///< four of each
   std::vector<float> Weights;         ///< four of each
-  std::vector<float> Turns;           ///< quaternions x, y, z, w of the bones after a second
+  std::vector<float> Turns;           ///< quaternions x, y, z, w of the bones after one second
   int Bones;
 };
 
-/** A .glb of these points, whose bones turn from rest to their turns within a second. */
+/** Writes a .glb of these points, whose bones turn from rest to `Turns` within a second. */
 void WriteSkinned(const std::string& path, const SkinnedPoints& mesh);
 
-/** Milliseconds of each of so many steps of its time; none if VTK sees no animation. */
+/** Milliseconds for each of so many time steps; empty if VTK finds no animation. */
 std::vector<double> TimeVtkReader(const std::string& path, int rounds);
 }
 

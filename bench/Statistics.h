@@ -21,7 +21,7 @@ struct Statistics
   double Max = 0.;
 };
 
-/** Statistics of errors, which are put into another order. NaN counts as the largest. */
+/** Statistics of errors, which are reordered. NaN counts as the largest. */
 inline Statistics Summarize(std::vector<float>& errors)
 {
   Statistics result;

@@ -29,7 +29,7 @@ std::string Field(const std::string& text)
   return quoted + '"';
 }
 
-// The fields of a line; two quotes within quotes are one.
+// The fields of a line; two quotes within quotes mean one.
 std::vector<std::string> FieldsOf(const std::string& line)
 {
   std::vector<std::string> fields(1);

@@ -13,10 +13,10 @@
 
 namespace relievoBench
 {
-/** A number with the given significant digits, as CSV files hold it. */
+/** A number with the given significant digits, as in CSV files. */
 std::string Number(double value, int digits = 4);
 
-/** Named columns and rows of as many fields. */
+/** Rows with named columns. */
 class Table
 {
 public:
@@ -26,8 +26,8 @@ public:
   void AddRow(const std::vector<std::string>& fields);
 
   /**
-   * Writes comma-separated values, fields with commas or quotes quoted. False, with a message on
-   * the standard error, when the file cannot be written.
+   * Writes comma-separated values; fields with commas or quotes are quoted. False, with a message
+   * on the standard error, if the file cannot be written.
    */
   bool WriteCsv(const std::string& path) const;
 
@@ -35,19 +35,19 @@ private:
   std::vector<std::vector<std::string>> Rows;
 };
 
-/** A row of a file: fields by their columns. */
+/** A row of a file: fields by column. */
 using CsvRow = std::map<std::string, std::string>;
 
-/** The number in a field; NaN, if it is empty or there is no such column. */
+/** The number in a field; NaN if the field is empty or there is no such column. */
 double NumberIn(const CsvRow& row, const std::string& column);
 
 /**
- * Reads what Table wrote. False, with a message on the standard error, when there is no such file
- * or a line has not as many fields as there are columns.
+ * Reads a file of Table. False, with a message on the standard error, if it is missing or a line
+ * does not have one field per column.
  */
 bool ReadCsv(const std::string& path, std::vector<CsvRow>& rows);
 
-/** The table as rows of fields, the first of which are the columns. */
+/** The table as rows of fields; the first row names the columns. */
 bool ReadRows(const std::string& path, std::vector<std::vector<std::string>>& rows);
 
 /** Makes the folder and its parents; false, with a message on the standard error, on failure. */

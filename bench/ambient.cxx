@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Ambient occlusion: how far the share of the sky is from many rays, against the time of a frame
-// with it, by the number of rays; beside VTK's own, in screen space. Truth is Embree on the same
-// triangles, with the same radius.
+// Ambient occlusion: error of the sky's share against the time of a frame, by the number of rays;
+// beside VTK's own, in screen space. Truth is Embree on the same triangles, with the same radius
+// and many rays.
 #include "BenchSizes.h"
 #include "EmbreeScene.h"
 #include "FrameBench.h"
@@ -47,7 +47,7 @@ namespace
 {
 using namespace relievoBench;
 
-// White by ambient light alone: a picture is the share itself.
+// White under ambient light only: a picture shows the share itself.
 void Add(vtkRenderer* renderer, vtkPolyData* mesh)
 {
   vtkNew<vtkPolyDataMapper> mapper;
@@ -85,7 +85,8 @@ void AddBox(vtkRenderer* renderer, double x, double y, double z, double sx, doub
   Add(renderer, box);
 }
 
-// A room of 4 x 2.5 x 4, open to the eye, with a table, a cupboard and a ball. Returns the radius.
+// A room of 4 x 2.5 x 4, open to the viewer, with a table, a cupboard and a ball. Returns the
+// radius.
 double MakeRoom(vtkRenderer* renderer)
 {
   const double a[3] = { -2.0, 0.0, -2.0 };
@@ -122,7 +123,7 @@ double MakeRoom(vtkRenderer* renderer)
   return 0.3;
 }
 
-// 0: its file is not there.
+// Returns 0 if the file is missing.
 double MakeBunny(vtkRenderer* renderer)
 {
   const vtkSmartPointer<vtkPolyData> mesh = SceneMesh("bunny");
@@ -146,9 +147,9 @@ double MakeBunny(vtkRenderer* renderer)
   return 0.15 * size;
 }
 
-using Shares = std::vector<double>; // by pixels, NaN where nothing is
+using Shares = std::vector<double>; // by pixels, NaN in the background
 
-// By the cosine, and by solid angles.
+// Weighted by the cosine, and by solid angle.
 struct Truth
 {
   Shares Cosine;
@@ -194,7 +195,7 @@ Truth FindTruth(vtkRenderer* renderer, double radius, int side)
       double all[2] = { 0.0, 0.0 };
       for (int k = 0; k < side * side; ++k)
       {
-        // Even on the half of a sphere; weighed by the cosine, or not.
+        // Stratified on the hemisphere, with or without cosine weighting.
         const double z = 2.0 * (k % side + share(lots)) / side - 1.0;
         const double angle = 2.0 * vtkMath::Pi() * (k / side + share(lots)) / side;
         const double r = std::sqrt(1.0 - z * z);
@@ -232,7 +233,7 @@ double GetRms(const Shares& truth, const std::function<double(std::size_t)>& fou
   return std::sqrt(sum / pixels);
 }
 
-// The best of some frames, each made anew.
+// The best time of some frames, each redrawn.
 double Time(int rounds, const std::function<void()>& frame)
 {
   frame(); // shaders, trees
@@ -276,7 +277,7 @@ public:
       stage->SetEnabled(true);
       double strength = 1.0;
       const double time = Time(this->Sizes.Rounds, [&] {
-        strength = strength == 1.0 ? 0.99 : 1.0; // all rays anew
+        strength = strength == 1.0 ? 0.99 : 1.0; // traces all rays again
         stage->SetStrength(strength);
         relievoTest::Picture(this->Window);
       });
@@ -295,7 +296,7 @@ public:
     vtkRelievoPass::Detach(this->Renderer);
   }
 
-  // Against the truth that it is nearer to.
+  // Compares with the nearer of both truths.
   void MeasurePeer()
   {
     vtkNew<vtkRenderStepsPass> steps;

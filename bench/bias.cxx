@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Chart 5: what grows and what shrinks with the bias of a shadow map: false shadow on what is lit,
-// and leak of light into what is dark, under a high sun, a low one and a grazing one.
+// Chart 5: false shadow on lit surfaces and leak of light into dark ones, by the bias of a shadow
+// map, under a high, a low and a grazing sun.
 //
-// vtkRelievoShadowStage is drawn, and judged by its pictures against Embree. Beside it a constant
+// vtkRelievoShadowStage is drawn, and its pictures are compared with Embree. Beside it: a constant
 // bias, the usual one, computed in double precision from a map of the same size, with and without
 // the receiver's plane; and vtkShadowMapPass, which has no bias to set, as a point.
 #include "RelievoBench.h"

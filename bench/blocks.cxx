@@ -1,9 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Surfaces of labels: how far they are from the shape that was cut into blocks, both ways, how far
-// their normals are off, and how long they take, on one thread, in turn with their peers; and
-// triangles a second by threads.
+// Surfaces of labels: distance to the shape that was cut into blocks, in both directions, error of
+// normals, and time on one thread, in turn with peers; and triangles per second by threads.
 #include "BenchSizes.h"
 #include "RelievoBench.h"
 
@@ -52,8 +51,9 @@ using relievoTest::Timing;
 struct Way
 {
   std::string Name;
-  std::vector<vtkSmartPointer<vtkPolyDataAlgorithm>> Filters; // the last one's output counts
-  bool FaceNormals = false;                                   // the triangles' own
+  std::vector<vtkSmartPointer<vtkPolyDataAlgorithm>>
+    Filters;                // the output of the last one is measured
+  bool FaceNormals = false; // the triangles' own
 };
 
 vtkSmartPointer<vtkRelievoSmoothBlocks> Blocks(vtkImageData* labels, double strength)
@@ -61,7 +61,7 @@ vtkSmartPointer<vtkRelievoSmoothBlocks> Blocks(vtkImageData* labels, double stre
   auto filter = vtkSmartPointer<vtkRelievoSmoothBlocks>::New();
   filter->SetInputData(labels);
   filter->SetStrength(strength);
-  filter->SetCloseBorders(false); // as the peers
+  filter->SetCloseBorders(false); // like the peers
   filter->SetSeams(false);
   filter->SetNormals(
     strength > 0. ? vtkRelievoSmoothBlocks::ACROSS_MATERIALS : vtkRelievoSmoothBlocks::NO_NORMALS);
@@ -113,8 +113,8 @@ std::vector<Way> Ways(vtkImageData* labels)
 
 struct Errors
 {
-  double Hausdorff = 0.; // the larger way of both
-  double Distance = 0.;  // rms, of the surface to the shape
+  double Hausdorff = 0.; // the larger of both directions
+  double Distance = 0.;  // rms, from the surface to the shape
   double Normal = 0.;    // rms, degrees
 };
 
@@ -130,7 +130,7 @@ Errors Measure(const BlockShape& shape, vtkPolyData* surface, bool faceNormals)
   const auto addNormal = [&](const double place[3], const double normal[3]) {
     const glm::dvec3 out = shape.NormalAt({ place[0], place[1], place[2] });
     const double angle = vtkMath::DegreesFromRadians(vtkMath::AngleBetweenVectors(&out[0], normal));
-    // Some peers' normals point inwards.
+    // The normals of some peers point inwards.
     const double off = std::min(angle, faceNormals ? angle : 180. - angle);
     angles += off * off;
     ++normalCount;
@@ -222,7 +222,7 @@ vtkSmartPointer<vtkImageReader2> InriaReader(
   return reader;
 }
 
-// Labels of a brain atlas, a liver or a skull; null where the file is not there.
+// Labels of a brain atlas, a liver or a skull; null if the file is missing.
 vtkSmartPointer<vtkImageData> RealLabels(const std::string& name)
 {
   const char* folder = std::getenv("RELIEVO_DATA");
@@ -239,7 +239,7 @@ vtkSmartPointer<vtkImageData> RealLabels(const std::string& name)
   }
   else if (name == "skull_2.9.inr")
   {
-    // Densities: bone begins at what the file's name says.
+    // Densities: the file's name gives the threshold of bone.
     reader = InriaReader({ 64, 64, 64 }, { 3.94305, 3.94305, 3.65079 }, VTK_FLOAT);
     reader->SetFileName(path.c_str());
     reader->Update();
@@ -263,7 +263,7 @@ vtkSmartPointer<vtkImageData> RealLabels(const std::string& name)
   return reader->GetOutput();
 }
 
-// All surfaces between labels: their time and size. What the labels were made from is not known.
+// Time and size of all surfaces between labels; the original shape is unknown.
 void MeasureReal(const std::string& name, int rounds, Table& table)
 {
   const vtkSmartPointer<vtkImageData> labels = RealLabels(name);

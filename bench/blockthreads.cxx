@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Triangles that smooth blocks make a second, on one thread and on all, where the surface is a
-// small part of the blocks and where it is everywhere.
+// Triangles per second of smooth blocks, on one thread and on all, for a surface in a small part of
+// the blocks and for one everywhere.
 #include "BenchSizes.h"
 
 #include "BlockShapes.h"
@@ -30,7 +30,7 @@
 
 namespace
 {
-// Solid where noise is positive: its cells have 12 blocks.
+// Solid where noise is positive: cells of the noise have 12 blocks.
 vtkSmartPointer<vtkImageData> Sponge(int size)
 {
   vtkNew<vtkUnsignedCharArray> labels;
@@ -71,7 +71,7 @@ bool relievoBench::BenchBlockThreads(const std::string& outDir, const BlockSizes
     filter->SetInputData(input.second);
     filter->SetSeams(false);
     std::vector<relievoTest::Timed> ways;
-    // What cores worked, which other programs of a busy machine do not lengthen much.
+    // Core time, which other work on a busy machine changes little.
     std::array<double, 2> worked = { 1e9, 1e9 };
     for (const int threads : { 1, cores })
     {

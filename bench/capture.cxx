@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What it takes to get depth, normal and cell of every pixel into arrays, against the way that VTK
-// offers: z by vtkWindowToImageFilter and cells by vtkHardwareSelector (and no normals).
+// Time to get depth, normal and cell of every pixel into arrays, against VTK's method: z by
+// vtkWindowToImageFilter and cells by vtkHardwareSelector (and no normals).
 #include "RelievoBench.h"
 
 #include "FrameBench.h"
@@ -50,8 +50,8 @@ vtkSmartPointer<vtkImageData> CaptureZ(vtkRenderWindow* window)
   return filter->GetOutput();
 }
 
-// Cells of all pixels, -1 where nothing is. From the raw buffers: the selector's own
-// GetPixelInformation, pixel by pixel, takes longer.
+// Cells of all pixels, -1 in the background. Read from the raw buffers: the selector's own
+// GetPixelInformation, called per pixel, takes longer.
 std::vector<int> CaptureCells(vtkRenderer* renderer)
 {
   vtkNew<vtkHardwareSelector> selector;
@@ -70,14 +70,14 @@ std::vector<int> CaptureCells(vtkRenderer* renderer)
   {
     const unsigned char* a = actor + 3 * i;
     const unsigned char* c = low + 3 * i;
-    // Actors count from 1, cells from 0.
+    // Actors are numbered from 1, cells from 0.
     cells[i] = (a[0] | a[1] | a[2]) != 0 ? c[0] | (c[1] << 8) | (c[2] << 16) : -1;
   }
   selector->ClearBuffers();
   return cells;
 }
 
-// Share of the pixels in which the two ways name different cells.
+// Share of the pixels in which both methods give different cells.
 double Differing(vtkImageData* ours, const std::vector<int>& theirs)
 {
   vtkDataArray* cells = ours->GetPointData()->GetArray("cell");
@@ -108,7 +108,7 @@ bool Measure(const std::string& name, Table& table)
   {
     source->AddLayer(layer);
   }
-  // Step by step what the source does.
+  // The steps of the source, one by one.
   vtkRelievoPass* pass = vtkRelievoPass::Attach(split.Scene.Renderer);
   for (const std::string& layer : Layers)
   {
@@ -141,7 +141,7 @@ bool Measure(const std::string& name, Table& table)
 
   const auto ours = Capture(source);
   const double differing = Differing(ours, CaptureCells(peer.Scene.Renderer));
-  // z and cells, round by round.
+  // The ratio of z and cells together, by round.
   const auto ratioOf = [](const std::vector<Timing>& all) {
     Timing both;
     for (std::size_t i = 0; i < all[1].Seconds.size(); ++i)

@@ -1,9 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Caves: how often noise is evaluated for a sample and how long that takes, by three orders that
-// make the same mask; how much air there is, in how many parts, with how many loops; and how wide
-// tunnels are against what was asked.
+// Caves: evaluations of noise per sample and their time, for three orders that make the same mask;
+// share of air, number of components and loops; and measured against requested width of tunnels.
 #include "BenchSizes.h"
 #include "RelievoBench.h"
 
@@ -28,7 +27,7 @@ namespace
 {
 using namespace relievoBench;
 
-// Both noises at every sample.
+// Evaluates both noises at every sample.
 void MakeNaive(vtkRelievoCaves* caves, std::vector<unsigned char>& mask)
 {
   double shell[2];
@@ -106,7 +105,7 @@ void MeasureScale(double scale, double width, const CaveSizes& sizes, Table& tab
             << shape.Euler << "; " << different << " samples differ" << std::endl;
 }
 
-// In samples that are small against the tunnels, and over several seeds: the mean is of interest.
+// Samples are small against the tunnels; the result is the mean over several seeds.
 void MeasureWidth(double width, const CaveSizes& sizes, Table& table)
 {
   constexpr double Scale = 1.;
@@ -128,7 +127,7 @@ void MeasureWidth(double width, const CaveSizes& sizes, Table& table)
     const auto* mask = static_cast<unsigned char*>(caves->GetOutput()->GetScalarPointer());
     const CaveShape shape =
       MeasureCaves({ mask, mask + caves->GetOutput()->GetNumberOfPoints() }, size);
-    // Lengths are means over all air: sums of air, over sums of walls.
+    // Lengths are means over all air: the sum of air over the sum of walls.
     air += shape.Air;
     level += shape.Air > 0. ? shape.Air / shape.LevelWidth : 0.;
     upright += shape.Air > 0. ? shape.Air / shape.UprightWidth : 0.;

@@ -1,11 +1,11 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What a chart is, and how it looks: each scene is a panel, a method has one colour, marker and
-dash everywhere, and a curve has its name at its end, so that no legend is needed and none of it
-hangs on colour.
+"""Defines charts and draws them: each scene is a panel, a method has one colour, marker and dash
+everywhere, and a curve has its name at its end, so that no legend is needed and nothing depends on
+colour.
 
-What is drawn depends on the chart and the version of matplotlib alone: not on a user's settings, a
-display, or the day.
+The result depends only on the chart and the version of matplotlib, not on a user's settings, a
+display, or the date.
 """
 
 import dataclasses
@@ -18,26 +18,26 @@ from matplotlib.figure import Figure
 from matplotlib.font_manager import FontProperties
 from matplotlib.ticker import MaxNLocator
 
-# In pixels, of a picture that is 900 wide.
+# In pixels of a picture 900 wide.
 WIDTH = 900
 DPI = 96
-PIXEL = 72 / DPI  # in points, which matplotlib counts in
-EDGE = 12  # of the picture
+PIXEL = 72 / DPI  # in points, matplotlib's unit
+EDGE = 12  # around the picture
 GAP = 14  # from a panel's names to the next panel
 FOOT = 24  # under a panel, for the labels of its axis
-BELOW = FOOT + 17 + EDGE  # the last panel, with the title of that axis
-ROW = 26  # a bar, or a row of marks, with what is between them
-BESIDE = 18  # from the right side of a panel to the names there
-LINE = 16  # from a name to the next
+BELOW = FOOT + 17 + EDGE  # under the last panel, with the title of its axis
+ROW = 26  # height of a bar or a row of marks, with its margin
+BESIDE = 18  # from the right side of a panel to the names beside it
+LINE = 16  # distance of names
 RING = 9  # radius
-MARKER = 6  # half a marker, with some room
+MARKER = 6  # half a marker, with a margin
 STEP = 4  # along lines
-# What a place of a name costs, in pixels that it might be farther away instead.
+# Costs of a name's position, in pixels of distance.
 COVERS_MARKER = 60
-COVERS_LINE = 5  # for each step of it
-CROSSES = 20  # names or lines to names
-NOT_BESIDE = 0.1  # for each pixel that it is higher or lower
-WORDS = 12 * PIXEL  # size of names, and of labels of axes, in points
+COVERS_LINE = 5  # per step of a line
+CROSSES = 20  # for lines to names that cross names or each other
+NOT_BESIDE = 0.1  # per pixel above or below
+WORDS = 12 * PIXEL  # size of names and axis labels, in points
 
 STYLE = {
     "axes.spines.top": False, "axes.spines.right": False, "axes.edgecolor": "#404040",
@@ -45,12 +45,12 @@ STYLE = {
     "grid.linewidth": PIXEL, "lines.scale_dashes": False, "lines.linewidth": 1.8 * PIXEL,
     "xtick.major.size": 0, "ytick.major.size": 0, "xtick.major.pad": 5, "ytick.major.pad": 5,
     "xtick.labelsize": WORDS, "ytick.labelsize": WORDS, "text.parse_math": False,
-    # Words stay words in SVG; where the first font is missing, these take no more room.
+    # Keeps text as text in SVG; the fallback fonts take no more room.
     "svg.fonttype": "none", "font.sans-serif": ["DejaVu Sans", "Verdana", "Arial", "sans-serif"],
     "svg.hashsalt": "relievo",
 }  # fmt: skip
 
-# Of Okabe and Ito, told apart by all kinds of colour vision; then darker, for words on white.
+# By Okabe and Ito, distinguishable with all kinds of colour vision; then darker, for text on white.
 COLORS = {
     "blue": ("#0072b2", "#005a8c"), "vermillion": ("#d55e00", "#a84a00"),
     "green": ("#009e73", "#007756"), "purple": ("#cc79a7", "#9c4a76"),
@@ -60,8 +60,8 @@ COLORS = {
 MARKERS = {"o": 9, "s": 8.4, "D": 8.2, "^": 10, "v": 10, "+": 11, "x": 8}  # sizes
 DASHES = {"-": (), "--": (7, 4), ":": (2, 3), "-.": (8, 3, 2, 3)}  # on, off, ...
 
-# Every method that charts show, by its name in the CSV files: colour, marker, dash, and what charts
-# call it, if not the same. Grey is a peer, or what Relievo does not offer.
+# Every method in charts, by its name in the CSV files: colour, marker, dash, and its name in charts
+# if different. Grey is a peer, or a method that Relievo does not offer.
 METHODS = {
     # normals
     "octahedral": "blue o -", "octahedral precise": "green D --",
@@ -136,23 +136,23 @@ METHODS = {
 
 @dataclasses.dataclass
 class Axis:
-    """One axis, alike in all panels."""
+    """An axis, shared by all panels."""
 
     title: str = ""
     log: bool = False  # values that are not positive are left out
-    ticks: object = ()  # values, or {value: label}; none: powers of ten, or even steps
+    ticks: object = ()  # values, or {value: label}; empty: powers of ten, or even steps
 
 
 @dataclasses.dataclass
 class Series:
-    """What was measured of one method."""
+    """The measured values of one method."""
 
     method: str  # of METHODS
-    name: str = ""  # at the end of the curve, or before the row; empty: the method's own
+    name: str = ""  # at the end of the curve, or before the row; empty: that of the method
     x: list = dataclasses.field(default_factory=list)
     y: list = dataclasses.field(default_factory=list)  # rows need none
-    line: bool = True  # joins the points in their order
-    default: int = -1  # the point that gets a ring; -1: none
+    line: bool = True  # connects the points in order
+    default: int = -1  # index of the point with a ring; -1: none
 
     def __post_init__(self):
         color, self.marker, self.dash, *own = METHODS[self.method].split(" ", 3)
@@ -162,12 +162,12 @@ class Series:
 
 @dataclasses.dataclass
 class Chart:
-    """Panels, {title: [Series]}. Kinds: curves; bars, a row each series, from 0 to
-    each x; dots, a row each series, with a mark at each x, of which an infinite one is in words."""
+    """Panels, {title: [Series]}. Kinds: curves; bars, a row per series, from 0 to each x; dots, a row
+    per series, with a mark at each x, infinity as text."""
 
-    stem: str  # of its files
+    stem: str  # of the file names
     title: str
-    note: str  # a line under the title: what the marks mean
+    note: str  # a line under the title that explains the marks
     x: Axis
     y: Axis
     panels: dict
@@ -176,7 +176,7 @@ class Chart:
     own_x: bool = False  # each panel's values of x are its own
 
     def __post_init__(self):
-        self.panels = self.panels or {"": []}  # nothing was measured
+        self.panels = self.panels or {"": []}  # for empty tables
         self.rows = self.kind != "curves"
 
 
@@ -221,12 +221,12 @@ def save(figure, stem):
 
 
 def has(axis, value):
-    """Whether a value has a place on an axis."""
+    """Whether an axis can show a value."""
     return math.isfinite(value) and (value > 0 or not axis.log)
 
 
 def fit(axis, values, zero=False):
-    """Limits of an axis around the values, or from zero on; and its ticks, {value: label}."""
+    """Limits of an axis around the values, or from zero; and its ticks, {value: label}."""
     named = isinstance(axis.ticks, dict)
     ticks = axis.ticks if named else {tick: label(tick) for tick in axis.ticks}
     places = [math.log10(v) if axis.log else v for v in [*values, *ticks] if has(axis, v)]
@@ -243,7 +243,7 @@ def fit(axis, values, zero=False):
 
 
 def label(value):
-    """A number as people write it, where that is short."""
+    """A number in its usual short notation."""
     power = math.log10(value) if value > 0 else 0
     is_power = power == round(power) and not -3 <= power <= 4
     return f"1e{power:.0f}" if is_power else f"{value + 0.0:.6g}"  # not -0
@@ -251,7 +251,7 @@ def label(value):
 
 def draw_marks(ax, series, x, y):
     """Marks, and a line through them."""
-    if series.line and len(x) > 1:  # dashes lie over what is solid: of two curves both are seen
+    if series.line and len(x) > 1:  # dashes over solid lines: both of two equal curves show
         dashes = [length * PIXEL for length in DASHES[series.dash]]
         over = 2.1 if dashes else 2
         ax.plot(x, y, color=series.color, linestyle=(0, dashes or None), zorder=over)
@@ -267,7 +267,7 @@ def draw_ring(ax, x, y):
 
 
 def draw_curves(ax, chart, panel):
-    """Curves, but for their names; those that have points are returned."""
+    """Draws curves without names; returns those that have points."""
     curves = []
     for series in panel:
         points = enumerate(zip(series.x, series.y))
@@ -282,7 +282,7 @@ def draw_curves(ax, chart, panel):
 
 
 def draw_rows(ax, chart, panel):
-    """Bars or rows of marks. Their names are the axis's labels, so that no curve needs one."""
+    """Draws bars or rows of marks, named by the axis labels."""
     for row, series in enumerate(panel):
         places = [x for x in series.x if has(chart.x, x)]
         if chart.kind == "bars":
@@ -301,13 +301,13 @@ def draw_rows(ax, chart, panel):
 
 
 def arrange(figure, axes, chart, yticks, curves):
-    """Makes room for panels and names, and writes the titles around them. Returns the room for
-    names at the right of each panel."""
+    """Sets the places of panels and writes the titles around them. Returns the width for names at
+    the right of each panel."""
     rows, columns = axes.shape
     names = [width(figure, curve.series.name) for curve in curves if curve.ends_right()]
     beside = max(names) + BESIDE if names else 6
     left = EDGE + max([width(figure, words) for words in yticks], default=0)
-    left += 10 if chart.rows else 31  # with the title of that axis
+    left += 10 if chart.rows else 31  # includes the title of that axis
     wide = (WIDTH - EDGE - left - columns * beside - (columns - 1) * GAP) / columns
     high = (340 if columns < 3 else 300) if rows == 1 else (230 if columns == 1 else 180)
     high = ROW * max(1, len(yticks)) if chart.rows else high
@@ -332,25 +332,25 @@ def arrange(figure, axes, chart, yticks, curves):
 
 
 def width(figure, words):
-    """Of a name, or of a label of an axis."""
+    """The width of a name or an axis label."""
     renderer = figure.canvas.get_renderer()
     return renderer.get_text_width_height_descent(words, FontProperties(size=WORDS), False)[0]
 
 
 class Curve:
-    """A series in a panel: its places in values, and which of them have rings. Its points, in
-    pixels, are known when the panel has its place in the figure."""
+    """A series in a panel, with its points in data coordinates and those that have rings. Pixel
+    coordinates are known once the panel has its place in the figure."""
 
     def __init__(self, ax, series, places, rings):
         self.ax, self.series, self.places, self.rings = ax, series, places, rings
 
     def ends_right(self):
-        """Whether it ends at the right side of the panel: its name stands beside that."""
+        """Whether the curve ends at the right side of the panel, where its name is then written."""
         within = self.ax.transScale + self.ax.transLimits
         return within.transform(self.places[-1])[0] > 0.9
 
     def measure(self):
-        """Its points, and boxes of what names should not cover, each with the cost of that."""
+        """Computes pixel coordinates, and boxes that names should not cover, with their costs."""
         self.points = self.ax.transData.transform(self.places)
         self.size = width(self.ax.figure, self.series.name)
         half = [RING + 2 if place in self.rings else MARKER for place in self.places]
@@ -361,8 +361,8 @@ class Curve:
             self.marks += [(x, y, x, y, COVERS_LINE) for x, y in steps(*ends)]
 
     def write_name(self, at, box, lead=False):
-        """The name in its box, with a line to a point if asked for, or if it is not beside that.
-        Returns marks of that line."""
+        """Writes the name in its box, with a line to a point if requested or if the point is far.
+        Returns the marks of that line."""
         x0, y0, x1, y1 = box
         (x, y), place = self.points[at], self.places[at]
         nearest = np.clip((x, y), box[:2], box[2:])
@@ -380,8 +380,8 @@ class Curve:
 
 
 def name_curves(ax, curves, beside):
-    """Names a panel's curves: beside the panel, which has that much room there, or in it, where the
-    names cover least."""
+    """Names a panel's curves: in the width `beside` the panel, or in the panel where the names
+    cover least."""
     plot = ax.get_window_extent()
     low, high = plot.y0, plot.y1 + 4
     for curve in curves:
@@ -407,9 +407,9 @@ def steps(start, end):
 
 
 def best_place(curve, room, taken, marks):
-    """The point at which a name costs least, and its box."""
+    """The point of least cost for a name, and the name's box."""
     best = (math.inf,)
-    # The beginning of a curve will do where its end is crowded; of marks alone, any.
+    # A crowded end can be replaced by the beginning of a curve; without a line, any point will do.
     ends = {-1: 0, 0: 15} if curve.series.line else dict.fromkeys(range(len(curve.points)), 0)
     for at, cost in ends.items():
         x, y = curve.points[at]
@@ -432,16 +432,16 @@ def best_place(curve, room, taken, marks):
 
 
 def meet(boxes, others):
-    """Which boxes overlap which others: a matrix."""
+    """A matrix of which boxes overlap which others."""
     a, b = boxes[:, None], others[None]
     return ((a[..., :2] < b[..., 2:]) & (b[..., :2] < a[..., 2:])).all(axis=2)
 
 
 def spread(heights, low, high):
-    """Heights for lines between low and high, in the order of what is wanted and as near to that as
-    can be: least squares, by pooling neighbours."""
+    """Heights for lines between low and high, in the given order and as near to the wanted heights
+    as possible: least squares, by pooling neighbours."""
     order = sorted(range(len(heights)), key=lambda i: (heights[i], -i))
-    pools = []  # mean and count; less what must be apart, heights need only not fall
+    pools = []  # mean and count; with distances subtracted, heights must only not fall
     for rank, i in enumerate(order):
         pools.append((heights[i] - LINE * rank, 1))
         while len(pools) > 1 and pools[-2][0] > pools[-1][0]:

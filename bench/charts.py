@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Draws the charts of `relievo bench` as PNG and SVG, from the CSV files that it wrote.
+"""Draws the charts of `relievo bench` as PNG and SVG, from its CSV files.
 
-A bench has a function here, which makes its charts of the rows of its files and of nothing else.
-How they look is in chart_drawing.py.
+Each bench has a function here that makes its charts only from the rows of its files.
+chart_drawing.py draws them.
 """
 
 import argparse
@@ -26,16 +26,16 @@ NO_MATPLOTLIB = 3  # exit status
 SOFTWARE = "software OpenGL"  # in renderer.txt
 BENCHES = {}  # name: (its files, the function that makes its charts)
 PEER = "Ring: the default. Grey: not offered."
-LEAST = 1e-3  # percent, where an axis is logarithmic: two or three pixels of a picture, and fewer
+LEAST = 1e-3  # percent, on logarithmic axes: at most two or three pixels of a picture
 SUNS = ("45", "10", "3")
 
 
 class BadTable(Exception):
-    """A file that cannot be read, or that is not what a bench writes."""
+    """A file that cannot be read, or that no bench wrote."""
 
 
 def bench(*files):
-    """Makes a function that of the bench of its name: it gets the rows of each file."""
+    """Registers a function for the bench of its name; it gets the rows of each file."""
 
     def register(function):
         BENCHES[function.__name__.replace("_", "-")] = (files, function)
@@ -58,22 +58,22 @@ def read(path):
 
 
 def number(row, column):
-    """The number in a column, or what a function says of the row; NaN, if the field is empty."""
+    """The number in a column, or a function's result for the row; NaN if the field is empty."""
     return column(row) if callable(column) else float(row[column] or "nan")
 
 
 def text(row, column):
-    """The words in a column, or what a function says of the row; no column: none."""
+    """The text in a column, or a function's result for the row; "" without a column."""
     return column(row) if callable(column) else row[column] if column else ""
 
 
 def numbers(rows, column):
-    """The different numbers in a column, for ticks."""
+    """The distinct numbers in a column, for ticks."""
     return sorted({number(row, column) for row in rows})
 
 
 def always(words):
-    """A function of rows that says this of each."""
+    """A function of rows that always returns this text."""
     return lambda row: words
 
 
@@ -148,7 +148,7 @@ def depth(rows):
 
 @bench("position.csv")
 def position(rows):
-    """Errors of positions, by what a pixel keeps and by the time of a frame."""
+    """Errors of positions, by stored format and by the time of a frame."""
     alike = {"depth R16F": "R16F, scaled by 2^k", "depth R32F": "R32F, linear",
              "depth R32F + id, refined": "R32F and id, refined"}  # fmt: skip
     scenes = {"origin": "scene at the origin", "(5e5, 5e6, 0)": "scene at (5e5, 5e6, 0)"}
@@ -163,7 +163,7 @@ def position(rows):
         default=lambda row: method(row) == "R32F and id, refined")  # fmt: skip
     pixels = Axis("pixels", log=True)
     yield Chart(
-        "position-bytes", "Positions: largest error by what a pixel keeps", PEER + " Perspective.",
+        "position-bytes", "Positions: largest error by stored format", PEER + " Perspective.",
         pixels, Axis(), panels_of("max", name=with_bytes(method)), kind="dots")  # fmt: skip
     yield Chart(
         "position-time", "Positions: largest error against frame time",
@@ -185,7 +185,7 @@ def gbuffer(rows):
 
 @bench("effects.csv")
 def effects(rows):
-    """Frames by what they do; of a GPU, its own time."""
+    """Frame times by effect; those of a GPU by its own clock."""
     plain = {row["scene"]: row for row in rows if row["frame"] == "plain"}
     on_gpu = any(row["GPU ms"] for row in rows)
 
@@ -195,8 +195,8 @@ def effects(rows):
         return number(row, "GPU ms") / number(plain[row["scene"]], "GPU ms")
 
     yield Chart(
-        "effects", "Frames by what they do", "The first of each effect, and several. Grey: VTK's "
-        f"passes. Software OpenGL, {clock}",
+        "effects", "Cost of effects per frame",
+        f"The first of each effect, and several. Grey: VTK's passes. Software OpenGL, {clock}",
         Axis("times a plain frame"), Axis(),
         panels([row for row in rows if row["frame"] != "plain"],
                times if on_gpu else "times the plain frame's",
@@ -206,7 +206,7 @@ def effects(rows):
 
 @bench("f3d.csv")
 def f3d(rows):
-    """The first picture and the frames of another viewer, by bench/f3d_frames.py."""
+    """The first picture and the further frames of other viewers, by bench/f3d_frames.py."""
     steps = {"first picture": "from the start to the first picture", "frame": "a further frame"}
     for step, title in steps.items():
         yield Chart(
@@ -308,7 +308,7 @@ def exact_hard(rows):
              for share, column in columns.items()]  # fmt: skip
     yield Chart(
         "exact-hard", "Exact shadows where edges lie densely, under the sun",
-        "Ties: OpenGL's grid decides which side of an edge a pixel shows. Grey: what is expected.",
+        "Ties: OpenGL's grid decides which side of an edge a pixel shows. Grey: expected errors.",
         Axis("wrong verdicts, % of pixels"), Axis(), panels(shown, "%", method="share"),
         kind="bars")  # fmt: skip
 
@@ -327,26 +327,26 @@ def ambient(rows):
 
 @bench("planner.csv", "planner-choices.csv", "planner-times.csv", "planner-budgets.csv")
 def planner(errors, choices, times, budgets):
-    """What is expected or asked for, against what there is."""
+    """Measured against expected errors and times, and the planner's choices."""
     percents = (0.001, 0.01, 0.1, 1)
     ways = ("map", "warped", "exact")
     for stem, title, note, rows, methods, x, y, ends, name, axes in (
-        ("error", "Shadows: wrong verdicts against what is expected before drawing",
+        ("error", "Shadows: measured errors against errors expected before drawing",
          "Each mark is a scene, light, window and map size. Below the line: better than that.",
          errors, ("map", "warped"), "expected wrong %", "wrong %", [0.003, 3], "as expected",
          ("expected, % of pixels", "measured, % of pixels", percents)),
-        ("choice", "Shadows: wrong verdicts of the way that is chosen for a tolerance",
+        ("choice", "Shadows: errors of the choice for a tolerance",
          "Each mark is a scene, light and window. Without an error: not shown.",
          choices, ways, "tolerance %", "wrong %", [0.003, 0.3], "tolerance",
          ("tolerance, % of pixels", "measured, % of pixels", percents)),
-        ("time", "Shadows: time of a frame against what is expected after ten frames",
+        ("time", "Shadows: frame time against the time expected after ten frames",
          "Each mark is a scene, light and window; the light moves.",
          times, ways, "expected ms", "taken ms", [10, 1000], "as expected",
          ("expected, milliseconds", "taken, milliseconds", ())),
-        ("budget", "Shadows: time of the way that is chosen for a time, after ten frames",
-         "Each mark is a scene, light, window and time; the light moves. Below: in time.",
+        ("budget", "Shadows: frame time of the choice for a time budget, after ten frames",
+         "Each mark is a scene, light, window and budget; the light moves. Below: in time.",
          budgets, ways, "budget ms", "taken ms", [10, 1000], "budget",
-         ("time to spend, milliseconds", "taken, milliseconds", ())),
+         ("time budget, milliseconds", "taken, milliseconds", ())),
     ):  # fmt: skip
         found = panels(rows, x, y, panel=None, line=False, methods=methods, titles=("",))
         found[""].append(Series("plain", name, ends, ends))
@@ -356,7 +356,7 @@ def planner(errors, choices, times, budgets):
 
 @bench("bias.csv")
 def bias(rows):
-    """Wrong verdicts by the bias, and what lack and excess of it do."""
+    """Wrong verdicts by the bias, and false shadow and leak."""
     note = ("Ring: the default, 1.5 texels. Grey, VTK: vtkShadowMapPass, which has no bias to set. "
             "Maps of 2048.")  # fmt: skip
     peer = "vtkShadowMapPass"
@@ -378,8 +378,8 @@ def bias(rows):
     for sun in SUNS:
         yield Chart(
             f"bias-{sun}", f"False shadow against leak, sun at {sun}°, bias from 0 to 16 texels",
-            note, Axis("leak, % of what is dark", True, powers),
-            Axis("false shadow, % of what is lit", True, {LEAST: "0"} | powers),
+            note, Axis("leak, % of dark pixels", True, powers),
+            Axis("false shadow, % of lit pixels", True, {LEAST: "0"} | powers),
             panels_of(
                 [row for row in rows if row["sun, degrees"] == sun],
                 lambda row: max(LEAST, number(row, "leak % of dark")),
@@ -389,7 +389,7 @@ def bias(rows):
 
 @bench("lights.csv")
 def lights(rows):
-    """Frames by the number of lamps, and how many lamps are computed in vain."""
+    """Frame times by the number of lamps, and the number of lamps computed in vain."""
     few = [row for row in rows if row["size"] == "few"]
     for stem, title, column, ways in (
         ("frames", "Frames with lamps that all move", "times a plain frame",
@@ -408,12 +408,12 @@ def lights(rows):
 
 @bench("deferred.csv")
 def deferred(rows):
-    """Frames by how often a pixel is drawn."""
+    """Frame times by the overdraw of pixels."""
     yield Chart(
         "deferred", "Deferred shading by how often a pixel is drawn",
         "Matte surfaces that fill the window, the farthest first. Grey: VTK's own shading.",
         Axis("surfaces behind a pixel", True, (1, 2, 4, 8, 16)),
-        Axis("milliseconds a frame", True, (5, 10, 20, 50, 100, 200, 500, 1000, 2000)),
+        Axis("milliseconds per frame", True, (5, 10, 20, 50, 100, 200, 500, 1000, 2000)),
         panels([row for row in rows if row["surface"] == "matte"], "overdraw", "milliseconds",
                method="way", methods=("deferred", "VTK's shading"),
                panel=lambda row: row["lights"] + (" light" if row["lights"] == "1" else " lights"),
@@ -422,7 +422,7 @@ def deferred(rows):
 
 @bench("relief.csv")
 def relief(rows):
-    """Errors by looks at the heights and by time, and posts that are missed."""
+    """Errors by reads of the heights and by time, and missed posts."""
 
     def method(row):  # of "relief 16", or "relief, by texels (default)"
         return row["method"].replace(",", " ").split()[0]
@@ -430,7 +430,7 @@ def relief(rows):
     def by_texels(row):
         return f"{method(row)}, by texels" if "by texels" in row["method"] else ""
 
-    def error(row):  # what is missed is off by more than 5 % of the height, and counts as that
+    def error(row):  # misses count as errors of 5 % of the height
         missed = 0.01 * number(row, "missed %")
         return 0.01 * number(row, "depth error % of height") * (1 - missed) + 0.05 * missed
 
@@ -442,8 +442,8 @@ def relief(rows):
         if row["field"] != "waves" and (method(row) == "relief" or by_texels(row))
     ]  # fmt: skip
     for stem, against, axis, x in (
-        ("error", "looks", Axis("looks at the heights per pixel", True, (1, 2, 5, 10, 20, 50)),
-         "looks"),
+        ("error", "reads of the heights",
+         Axis("reads of the heights per pixel", True, (1, 2, 5, 10, 20, 50)), "looks"),
         ("cost", "frame time", Axis("times a plain frame, software OpenGL"),
          "times a plain frame (waves, 60)"),
     ):  # fmt: skip
@@ -454,7 +454,7 @@ def relief(rows):
             panels_of(waves, x, error, name=by_texels,
                       methods=("parallax", "steep", "occlusion", "relief")))  # fmt: skip
     yield Chart(
-        "relief-missed", "Relief: thin posts that are missed",
+        "relief-missed", "Relief: missed thin posts",
         "Posts 4 texels thin. Ring: the default.",
         Axis("degrees off the normal", ticks=(0, 15, 30, 45, 60, 75)), Axis("% of pixels"),
         panels_of(posts, "degrees", "missed %",
@@ -481,10 +481,10 @@ def environment(sizes, angles):
 
 @bench("tone-curves.csv", "tone-bands.csv")
 def tone(curves, bands):
-    """What operators show, and the bands of a gradient."""
+    """Displayed values of operators, and the bands of a gradient."""
     panels_of = functools.partial(panels, curves, "stops", method="operator")
     yield Chart(
-        "tone-curves", "Tone operators: what light is shown as",
+        "tone-curves", "Tone operators: displayed value against light",
         "White at 4, where the Reinhard curves end: 2 stops.",
         Axis("light, stops above 1", ticks=range(-6, 7, 2)), Axis("shown, steps of 255"),
         panels_of("grey, steps of 255", panel=always("grey light"))
@@ -539,7 +539,7 @@ def caves(rows, widths):
         "caves-evaluations", "Caves: evaluations of noise",
         "Lower is better. Same masks; tunnels a tenth of a cell wide. Ring: the default.",
         Axis("samples across a cell of the noise (Scale)", True, (16, 32, 64, 128, 256)),
-        Axis("evaluations a sample"),
+        Axis("evaluations per sample"),
         panels(rows, "scale samples", "evaluations per sample", panel=None,
                methods=("naive", "classic", "skipping"), default=lambda row: (
                    row["method"] == "skipping" and number(row, "scale samples") == 64)))
@@ -560,12 +560,12 @@ def voxels(rows):
         "voxels-wrong", "Cells inside bodies: wrong cells against time",
         "Lower left is better. Each mark is a grid, from coarse to fine. Ring: the default.",
         Axis("milliseconds", log=True), Axis("excess and missed, % of the cells inside"),
-        # The modeller marks cells near the surface, not those inside: it is off this scale.
+        # The modeller marks cells near the surface instead of those inside: it exceeds this scale.
         panels([row for row in judged if row["method"] != "vtkVoxelModeller"], "milliseconds",
                lambda row: number(row, "excess percent") + number(row, "missed percent"),
                panel="body", default=lambda row: row["method"] == "parity"))  # fmt: skip
     found = panels(judged, "cells", "milliseconds", panel="body")
-    last = dict(list(found.items())[-1:])  # a real mesh where there is one; one body is enough
+    last = dict(list(found.items())[-1:])  # a real mesh if there is one; one body is enough
     yield Chart(
         "voxels-time", "Cells inside bodies: time by size of the grid", "Lower is better.",
         Axis("cells along the longest side", True, numbers(judged, "cells")),
@@ -574,21 +574,22 @@ def voxels(rows):
 
 @bench("rays.csv")
 def rays(rows):
-    """Rays a second, and bytes, by triangles: the bunny's, divided."""
+    """Rays per second, and bytes, by triangles of the subdivided bunny."""
     rows = [row for row in rows if row["mesh"] == "bunny"]
     for row in rows:
         row["thousands"] = str(round(number(row, "triangles") / 1000))
     triangles = Axis("thousand triangles of the bunny", True, numbers(rows, "thousands"))
     titles = {"nearest": "the first hit", "any": "any hit"}
     yield Chart(
-        "rays-speed", "Rays past a mesh, of one core",
+        "rays-speed", "Rays at a mesh, on one core",
         "Higher is better. Incoherent rays, one at a time. Embree's hits are floats.",
-        triangles, Axis("million rays a second"),
+        triangles, Axis("million rays per second"),
         panels(rows, "thousands", "million rays per second",
                panel=lambda row: titles[row["answer"]]))
     yield Chart(
-        "rays-bytes", "Rays past a mesh: memory", "Lower is better. With the triangles themselves.",
-        triangles, Axis("bytes for a triangle"),
+        "rays-bytes", "Rays at a mesh: memory",
+        "Lower is better. Includes the triangles themselves.",
+        triangles, Axis("bytes per triangle"),
         panels([row for row in rows if row["answer"] == "nearest"], "thousands",
                "bytes per triangle", panel=None))  # fmt: skip
 
@@ -629,11 +630,11 @@ def skin(keys, volumes, times):
 
 @bench("particles.csv", "particles-drift.csv")
 def particles(times, drifts):
-    """Time of a step by the number of particles, and how far they drift."""
+    """Time of a step by the number of particles, and their drift."""
     yield Chart(
         "particles-time", "Particles on surfaces: time of a step",
-        "Lower is better. Of all cores together.", Axis("particles", log=True),
-        Axis("milliseconds of cores", log=True),
+        "Lower is better. Sum over all cores.", Axis("particles", log=True),
+        Axis("core milliseconds", log=True),
         panels(times, "particles", "core milliseconds", panel="body"))  # fmt: skip
     yield Chart(
         "particles-drift", "Particles on surfaces: largest distance to the surface",
@@ -642,21 +643,21 @@ def particles(times, drifts):
 
 
 def read_renderer(folder):
-    """What has drawn the frames that the tables in a folder measure; empty: software OpenGL."""
+    """The renderer of the frames in a folder's tables; empty: software OpenGL."""
     file = folder / "renderer.txt"
     name = file.read_text(encoding="utf-8").split("\n")[0] if file.exists() else ""
     return "" if name == SOFTWARE else name
 
 
 def charts_of(name, folder):
-    """The charts of a bench from its files in a folder, which name what has drawn."""
+    """The charts of a bench from its files in a folder, naming the renderer."""
     files, function = BENCHES[name]
     rows = [read(folder / file) for file in files]
     try:
         charts = list(function(*rows))
-    except (KeyError, ValueError) as error:  # a column, a method or a number
-        raise BadTable(f"{folder}: {', '.join(files)}: not what {name} writes now, {error!r}; "
-                       "measure it again") from error  # fmt: skip
+    except (KeyError, ValueError) as error:  # an unknown column or method, or an invalid number
+        raise BadTable(f"{folder}: {', '.join(files)}: not written by the current {name}, "
+                       f"{error!r}; measure it again") from error  # fmt: skip
     renderer = read_renderer(folder)
     for chart in charts if renderer else ():
         for part, field in itertools.product((chart, chart.x, chart.y), ("title", "note")):
@@ -666,20 +667,21 @@ def charts_of(name, folder):
 
 
 def parse(words):
-    """The command line; ends the program if it is wrong."""
+    """Parses the command line; ends the program if it is wrong."""
     parser = argparse.ArgumentParser(
         description=__doc__.split("\n")[0],
         epilog="Exit status: 0; 1 if a file cannot be read or written; 2 for a wrong call; "
         f"{NO_MATPLOTLIB} without matplotlib (Debian's python3-matplotlib).")  # fmt: skip
-    parser.add_argument("folder", metavar="FOLDER", type=pathlib.Path, help="of the CSV files")
+    parser.add_argument("folder", metavar="FOLDER", type=pathlib.Path,
+                        help="folder of the CSV files")  # fmt: skip
     parser.add_argument("names", metavar="NAME", nargs="*",
-                        help="a bench; without one, all whose CSV files are there")  # fmt: skip
+                        help="a bench; default: all benches with CSV files in FOLDER")  # fmt: skip
     parser.add_argument("--out", metavar="DIR", type=pathlib.Path,
-                        help="where to write (FOLDER)")  # fmt: skip
+                        help="output folder (default: FOLDER)")  # fmt: skip
     call = parser.parse_intermixed_args(words)
     for name in call.names:  # a bench may have no charts
         if name not in BENCHES and not (call.folder / f"{name}.csv").exists():
-            parser.error(f"no bench '{name}'; those with charts are {', '.join(BENCHES)}")
+            parser.error(f"no bench '{name}'; benches with charts: {', '.join(BENCHES)}")
     call.names = [name for name in call.names if name in BENCHES] if call.names else [
         name for name, (files, _) in BENCHES.items()
         if all((call.folder / file).exists() for file in files)

@@ -1,17 +1,17 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What `relievo render` takes from its start to the written picture, beside F3D.
+"""Time of `relievo render` from its start to the written picture, beside F3D.
 
     python bench/command_start.py RELIEVO DATA [--rounds N] [--looks none,studio]
         [--against RELIEVO] >command-start.csv
 
 RELIEVO is the command, DATA the folder that tools/unpack-data fills. In every round each program
-is started anew, in an order by chance, and writes bunny.off as a PNG of 1920 x 1080 pixels: the
+is started again, in random order, and writes bunny.off as a PNG of 1920 x 1080 pixels: the
 command with --preset none (one sample of VTK's headlight) and with its default (the preset studio:
 24 samples, soft shadows), another build of it with --against, and F3D, if this Python has it, with
 its own look. A ratio is the median of the rounds' ratios to the first of these, +- half the
 distance of its quartiles; processor time is that of all threads and processes. The pictures of
-both builds must be the same. A display is needed (tools/with-display).
+both builds must be equal. A display is needed (tools/with-display).
 Exit status: 0; 1 if a program fails, or the builds draw different pictures.
 """
 
@@ -31,7 +31,7 @@ SIZE = "1920x1080"
 
 
 def commands(given, mesh, folder):
-    """What to start, by name; and the picture that it writes."""
+    """The commands to run, by name; and the picture that each writes."""
     found = {}
     builds = {"relievo": given.relievo, "relievo, the other build": given.against}
     for name, path in builds.items():

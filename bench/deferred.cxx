@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Deferred shading against VTK's own: plates behind each other that fill the window, drawn from the
-// farthest to the nearest, so that every pixel is drawn as often as there are plates; lit by VTK's
-// lights. Frames in turn in one process.
+// Deferred shading against VTK's own: plates behind each other that fill the window, drawn from
+// back to front, so that every pixel is drawn once per plate; lit by VTK's lights. Frames in turn
+// in one process.
 #include "RelievoBench.h"
 
 #include "BenchSizes.h"

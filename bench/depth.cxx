@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Chart 2: what each depth format does to a depth, against its bytes and far / near.
+// Chart 2: error of each depth format, against its bytes and far / near.
 //
-// Depths are float, as a GPU interpolates them; they go into the format and back by the formulas in
-// float, as shaders do; the truth is the depth in double before it was rounded to float.
+// Depths are float, as interpolated by a GPU; they are encoded and decoded by the formulas in
+// float, as in shaders; the truth is the depth in double before it was rounded to float.
 #include "RelievoBench.h"
 
 #include "Statistics.h"
@@ -97,8 +97,8 @@ Statistics RelativeErrors(const Method& method, double ratio)
   return Summarize(errors);
 }
 
-// Of neighbours among evenly spaced depths from near to far: the shares that come back equal, and
-// in the wrong order.
+// Neighbours among evenly spaced depths from near to far: the shares that become equal, or are read
+// back in the wrong order.
 struct Order
 {
   double Equal = 0.;

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What the first of each effect costs a frame, alone and in pairs: ratios to the plain frame, drawn
-// in turn in one process, with VTK's passes beside them. On a GPU its own time is measured, too.
+// Cost of the first of each effect per frame, alone and in pairs: ratios to the plain frame, drawn
+// in turn in one process, beside VTK's passes. On a GPU, its own time is also measured.
 #include "RelievoBench.h"
 
 #include "BenchSizes.h"
@@ -27,7 +27,7 @@
 #include <vtkRelievoToneStage.h>
 #include <vtkRenderStepsPass.h>
 #include <vtkRenderer.h>
-#if __has_include(<vtkToneMappingPass.h>) // PyVista's VTK leaves the class out
+#if __has_include(<vtkToneMappingPass.h>) // missing in PyVista's VTK
 #include <vtkToneMappingPass.h>
 #endif
 
@@ -53,7 +53,7 @@ void AddTone(vtkRenderer* renderer)
   vtkRelievoPass::Attach(renderer)->GetToneStage()->EnabledOn();
 }
 
-// One sphere of fog about the focal point that covers a tenth of the picture.
+// One sphere of fog around the focal point that covers a tenth of the picture.
 void AddFog(vtkRenderer* renderer)
 {
   vtkCamera* camera = renderer->GetActiveCamera();
@@ -103,8 +103,8 @@ void AddLayers(vtkRenderer* renderer)
   }
 }
 
-// A GPU's own time of frames. It waits for commands while a frame is made, and its clock runs on:
-// it is given other work first, during which the processor sends the whole frame.
+// Measures frames by a GPU's own clock. That clock also runs while the GPU waits for commands; so
+// the GPU gets other work first, during which the processor sends the whole frame.
 class GpuClock
 {
 public:
@@ -149,8 +149,8 @@ private:
   GLuint Queries[2] = {};
 };
 
-// Medians of the GPU's own times of the windows' frames, in milliseconds; NaN where the processor
-// draws: llvmpipe takes timestamps when it draws tiles, not where they stand among the commands.
+// Medians of the GPU's own frame times, in milliseconds; NaN for software OpenGL: llvmpipe takes
+// timestamps when it draws tiles, not in the order of commands.
 std::vector<double> GpuMilliseconds(
   const std::vector<std::unique_ptr<SceneWindow>>& windows, int rounds)
 {
@@ -160,7 +160,7 @@ std::vector<double> GpuMilliseconds(
   {
     return medians;
   }
-  for (std::size_t i = 0; i < windows.size(); ++i) // which have drawn before
+  for (std::size_t i = 0; i < windows.size(); ++i) // already drawn once
   {
     GpuClock clock(windows[i]->Window);
     Timing timing;

@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Chart 8: how wrong the light of an environment is when it is kept in texels, by the way it is
-// kept, by the number of texels, and by the angle from the map's axis.
+// Chart 8: error of an environment's light stored in texels, by the map, by the number of texels,
+// and by the angle from the map's axis.
 //
-// Texels are means over their solid angles and are read bilinearly over all seams; the truth is the
-// environment itself, in double, at directions spread evenly over the sphere.
+// Texels are means over their solid angles and are read bilinearly across all seams; the truth is
+// the environment itself, in double, at directions evenly spread over the sphere.
 #include "RelievoBench.h"
 
 #include "BenchSizes.h"
@@ -37,7 +37,7 @@ struct Way
 {
   EnvironmentMap Map;
   const char* Name;
-  int Axis; // from which angles are counted: where the map is at its best, or its pole
+  int Axis; // from which angles are counted: where the map is most accurate, or its pole
 };
 
 const Way Ways[] = {
@@ -48,7 +48,7 @@ const Way Ways[] = {
   { EnvironmentMap::Latitudes, "lat-long", 1 },
 };
 
-// Evenly spread: a spiral of golden angles.
+// Evenly spread directions: a spiral of golden angles.
 glm::dvec3 Look(int i, int looks)
 {
   const double z = 1. - (2. * i + 1.) / looks;
@@ -57,7 +57,7 @@ glm::dvec3 Look(int i, int looks)
   return { r * std::cos(turn), r * std::sin(turn), z };
 }
 
-// About an axis, by an angle, both of golden sections: as different as can be.
+// Rotates about an axis by an angle, both from golden sections: rotations differ strongly.
 glm::dvec3 Turned(int turn, int turns, const glm::dvec3& d)
 {
   const double z = 1. - (2. * turn + 1.) / turns;
@@ -68,8 +68,8 @@ glm::dvec3 Turned(int turn, int turns, const glm::dvec3& d)
     (1. - std::cos(angle)) * glm::dot(axis, d) * axis;
 }
 
-// A sky that is brighter at its horizon, a darker ground, and lobes from 25 to 3 degrees wide about
-// directions spread over the sphere.
+// A sky with a brighter horizon, a darker ground, and lobes 25 to 3 degrees wide around directions
+// spread over the sphere.
 glm::dvec3 SkyAndLobes(const glm::dvec3& d)
 {
   const double up = 1. / (1. + std::exp(-12. * d.y));
@@ -94,8 +94,8 @@ struct Environment
   Radiance Light;
 };
 
-// An image read bilinearly is the environment, wherever its own texels are. Light is cut at 10
-// times its mean: a sun, which would be all of the error, is better a lamp of its own.
+// The environment is an image read bilinearly, whatever its texels are. Light is clamped to 10
+// times its mean: a sun, which would dominate the error, is better a separate lamp.
 bool ReadEnvironment(const std::string& name, std::vector<Environment>& all)
 {
   const char* folder = std::getenv("RELIEVO_DATA");
@@ -161,7 +161,7 @@ struct Result
 Result Measure(
   const Way& way, int texels, const Radiance& light, double mean, const EnvironmentSizes& sizes)
 {
-  // For each texel no fewer looks than the finest map has for its own.
+  // At least as many samples per texel as the finest map has.
   const int samples =
     std::clamp(static_cast<int>(std::lround(sizes.Detail / std::sqrt(texels))), 3, 40);
   Result result;

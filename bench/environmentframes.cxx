@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What mirroring an environment, and light from it, cost a frame that a plane of two triangles
-// fills: ratios to the plain frame, drawn in turn in one process.
+// Cost of reflections of an environment, and of its light, in a frame filled by a plane of two
+// triangles: ratios to the plain frame, drawn in turn in one process.
 #include "BenchSizes.h"
 
 #include "FrameBench.h"

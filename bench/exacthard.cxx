@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Where edges lie densely: how many verdicts of exact shadows are wrong, with and without the
-// pixels in which OpenGL's grid decides which side of an edge is seen, and how many are expected.
-// Truth is Embree on the same triangles.
+// Dense edges: share of errors of exact shadows, with and without the pixels in which OpenGL's grid
+// decides which side of an edge is visible, and the expected share. Truth is Embree on the same
+// triangles.
 #include "RelievoBench.h"
 
 #include "BenchSizes.h"
@@ -38,7 +38,7 @@ const ShadowLight Lights[] = {
   { "point", SceneLight::Point, 0. },
 };
 
-// Of the view at the scenes' middle, world units.
+// At the middle of the scenes, world units.
 constexpr double ViewHeight = 4.;
 
 void Measure(const std::string& name, vtkPolyData* mesh, const ShadowLight& light,
@@ -62,7 +62,7 @@ void Measure(const std::string& name, vtkPolyData* mesh, const ShadowLight& ligh
       ->GetPointer(0);
   const auto rays = scene.MakeTruth();
   const auto view = rays->Trace(relievoTest::View(scene.Renderer));
-  // Two steps of OpenGL's grid, of 1/256 of a pixel: surfaces are seen askew.
+  // Two steps of OpenGL's grid of 1/256 pixel, because surfaces are seen obliquely.
   const double tie = 2. / 256. * ViewHeight / sizes.Height;
   const auto all =
     relievoTest::CompareShadow(relievoTest::TraceShadow(*rays, view, scene.Light, 0.), drawn);

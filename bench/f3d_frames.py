@@ -1,20 +1,19 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Relievo beside F3D, a viewer on VTK as well: how long until it is loaded, until the first picture
-of a file, and for each further frame.
+"""Relievo beside F3D, another viewer on VTK: time to load, to the first picture, and per frame.
 
     python bench/f3d_frames.py DATA [--rounds N] [--files a,b] [--size WxH] >f3d.csv
 
 In a Python that has both: `pip install relievo f3d`. DATA is the folder that tools/unpack-data
-fills. In every round each program is started anew, in an order by chance, and draws the file
+fills. In every round each program is started again, in random order, and draws the file
 off-screen from one camera, which further frames turn: F3D with its own look (PBR under a light
-kit), Relievo with its default (Phong under a headlight), with PBR under the headlight, and with
---preset studio, which has shadows. `loaded` ends when the package is imported, `first picture` when
-its pixels are in memory; `frame` is the median of some. The first pictures are compared: what they
-show must cover the same pixels. A ratio is the median of the rounds' ratios to F3D, +- half the
-distance of its quartiles. On a machine that does other things (the load is in the last column) the
-ratios of processor time, over all threads, are the steadier ones.
-Exit status: 0; 3 if F3D or Relievo cannot be imported; 1 if the programs draw different things.
+kit), Relievo with --preset none (Phong under a headlight), that with PBR, and Relievo with its
+default, the preset studio, which has shadows. `loaded` ends when the package is imported, `first
+picture` when its pixels are in memory; `frame` is the median of some. The objects in the first
+pictures must cover the same pixels. A ratio is the median of the rounds' ratios to F3D, +- half the
+distance of its quartiles. On a machine with other work (the load is in the last column), ratios of
+processor time, over all threads, vary less.
+Exit status: 0; 3 if F3D or Relievo cannot be imported; 1 if the programs draw different objects.
 """
 
 import argparse
@@ -35,8 +34,8 @@ PEER = "F3D"
 PROGRAMS = (PEER, "Relievo", "Relievo, PBR", "Relievo, studio")
 STEPS = ("loaded", "first picture", "frame")
 FRAMES = 15
-TURN = 3  # degrees a frame
-ALIKE = 0.97  # of the pixels that either picture's object covers
+TURN = 3  # degrees per frame
+ALIKE = 0.97  # share of the pixels covered in either picture
 MISSING = 3  # exit status
 BACKGROUND = (51, 51, 51)  # F3D's own
 
@@ -74,7 +73,7 @@ class InF3D:
 
 
 class InRelievo:
-    look = {}
+    look = {"preset": "none"}  # the default is the preset studio
 
     def __init__(self, path, size, camera):
         self.scene = self.package.scene(
@@ -108,7 +107,7 @@ class InRelievo:
 
 
 class InRelievoWithPBR(InRelievo):
-    look = {"shading": "pbr"}
+    look = {"preset": "none", "shading": "pbr"}
 
 
 class InRelievoStudio(InRelievo):
@@ -116,7 +115,7 @@ class InRelievoStudio(InRelievo):
 
 
 def camera_of(path):
-    """Position, focal point and view-up that show all of the file, over its shoulder."""
+    """Position, focal point and view-up of an oblique view of the whole file."""
     InRelievo.load()
     camera = InRelievo.package.scene(str(path)).renderer.GetActiveCamera()
     camera.Azimuth(30)
@@ -126,12 +125,12 @@ def camera_of(path):
 
 
 def clocks():
-    """Seconds since the machine's start, and of the process's processor time."""
+    """Seconds since the start of the machine, and the processor time of this process."""
     return time.monotonic(), time.process_time()
 
 
 def work(program, path, size, camera, started, file):
-    """A process that draws; prints milliseconds by the clock and of processor time of each step."""
+    """Draws in a process; prints the elapsed and processor milliseconds of each step."""
     kinds = (InF3D, InRelievo, InRelievoWithPBR, InRelievoStudio)
     kind = dict(zip(PROGRAMS, kinds, strict=True))[program]
     kind.load()
@@ -151,7 +150,7 @@ def work(program, path, size, camera, started, file):
 
 
 def run(*words):
-    """What a new process of this script prints last: other lines are VTK's and F3D's."""
+    """The last line of a new process of this script; VTK and F3D print others before."""
     done = subprocess.run([sys.executable, __file__, "--work", json.dumps(words)],
                           capture_output=True, text=True, check=False)  # fmt: skip
     if done.returncode != 0:
@@ -160,7 +159,7 @@ def run(*words):
 
 
 def same_object(pictures):
-    """Raises SystemExit unless all cover the same pixels with something."""
+    """Raises SystemExit unless the objects of all pictures cover the same pixels."""
     import numpy
 
     covered = {name: (numpy.abs(each.astype(int) - BACKGROUND) > 2).any(axis=2)
@@ -168,7 +167,7 @@ def same_object(pictures):
     for name, mask in covered.items():
         share = (mask & covered[PEER]).sum() / max(1, (mask | covered[PEER]).sum())
         if share < ALIKE:
-            raise SystemExit(f"f3d_frames: {name} and {PEER} draw different things: "
+            raise SystemExit(f"f3d_frames: {name} and {PEER} draw different objects: "
                              f"{100 * share:.1f} % of the pixels are covered in both")  # fmt: skip
 
 

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Fog: what float leaves of a sphere's chord as it is seen from farther away, by the formula,
-// against long double; and what frames with fog cost, by the number of spheres, as ratios to plain
-// frames that are drawn in turn with them.
+// Fog: error of a sphere's chord in float by the viewing distance, for several formulas, against
+// long double; and the cost of frames with fog, by the number of spheres, as ratios to plain frames
+// drawn in turn with them.
 #include "BenchSizes.h"
 #include "RelievoBench.h"
 
@@ -43,7 +43,7 @@ constexpr double Infinity = std::numeric_limits<double>::infinity();
 constexpr int Width = 641;
 constexpr int Height = 481;
 
-// b^2 - c, as textbooks have it.
+// b^2 - c, as in textbooks.
 template <typename T>
 double Textbook(const glm::dvec3& center, const glm::dvec3& ray)
 {
@@ -55,7 +55,7 @@ double Textbook(const glm::dvec3& center, const glm::dvec3& ray)
   return under > T(0) ? 2. * std::sqrt(under) : 0.;
 }
 
-// 1 - |c - b l|^2: what is squared is the small distance to the ray.
+// 1 - |c - b l|^2: only the small distance to the ray is squared.
 double Perpendicular(const glm::dvec3& center, const glm::dvec3& ray)
 {
   const glm::vec3 c(center);
@@ -68,8 +68,8 @@ double Perpendicular(const glm::dvec3& center, const glm::dvec3& ray)
 const char* const Methods[] = { "textbook, float", "perpendicular, float", "textbook, double",
   "pairs of floats" };
 
-// A sphere of radius 1 that fills the height, seen from this distance, away from the middle of a
-// wide picture: along an axis its coordinates would be rounded less than they are elsewhere.
+// A sphere of radius 1 that fills the height, seen from this distance, off the middle of a wide
+// picture: on an axis, its coordinates would be rounded less than elsewhere.
 void MeasureChords(double distance, int rays, Table& table)
 {
   vtkRelievoFrameCamera view;
@@ -89,7 +89,7 @@ void MeasureChords(double distance, int rays, Table& table)
   std::vector<float> errors[std::size(Methods)];
   while (static_cast<int>(errors[0].size()) < rays)
   {
-    // Its place changes by pixels from ray to ray, so that rays meet it anywhere.
+    // The position varies by pixels between rays, so that rays hit the sphere anywhere.
     const glm::dvec3 center(PointAt(
       view, 0.5 * Width + 4. * uniform(random), 0.5 * Height + 4. * uniform(random), depth));
     const double x = std::floor(Width * uniform(random)) + 0.5;
@@ -124,7 +124,7 @@ struct Way
   const char* Name;
   bool Attached;
   int Spheres;
-  double Share; // of the picture, that each covers
+  double Share; // of the picture, covered by each sphere
 };
 
 const Way Ways[] = { { "plain", false, 0, 0. }, { "no fog", true, 0, 0. },
@@ -132,7 +132,7 @@ const Way Ways[] = { { "plain", false, 0, 0. }, { "no fog", true, 0, 0. },
   { "1, a tenth of the picture", true, 1, 0.1 }, { "1", true, 1, 0.01 }, { "10", true, 10, 0.01 },
   { "100", true, 100, 0.01 }, { "1000", true, 1000, 0.01 } };
 
-// Spheres around the mesh that cover so much of the picture.
+// Spheres around the mesh that cover this share of the picture.
 vtkSmartPointer<vtkPolyData> MakeSpheres(const Way& way, vtkRenderer* renderer, double aspect)
 {
   vtkCamera* camera = renderer->GetActiveCamera();

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What layers cost a frame: ratios to the plain frame of the same scene, drawn in turn in one
-// process. The peer is vtkSSAOPass, which makes a G-buffer of its own (positions and normals), with
-// one sample per pixel.
+// Cost of layers per frame: ratios to the plain frame of the same scene, drawn in turn in one
+// process. The peer is vtkSSAOPass, which makes its own G-buffer (positions and normals), with one
+// sample per pixel.
 #include "RelievoBench.h"
 
 #include "FrameBench.h"
@@ -36,7 +36,7 @@ struct Size
 const Size Sizes[] = { { 600, 600 }, { 800, 600 }, { 1920, 1080 } };
 constexpr int Rounds = 21;
 
-// A way to draw the frame; with layers, vtkRelievoPass makes them.
+// A method of drawing the frame; vtkRelievoPass makes the layers.
 struct Way
 {
   const char* Name;
@@ -69,7 +69,7 @@ const Way Ways[] = {
   { "vtkSSAOPass, kernel 1", {}, UsePeer },
 };
 
-// One scene at one size: a ratio per way.
+// One scene at one size: a ratio per method.
 bool Measure(const std::string& name, vtkPolyData* mesh, const Size& size, Table& table)
 {
   std::vector<std::unique_ptr<SceneWindow>> windows;

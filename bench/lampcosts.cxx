@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Lamps against as many lights of VTK's, whose shaders are compiled for their number: the first
-// frame, and those after it. And what the shadows of lamps cost, moving and still.
+// Lamps against as many VTK lights, whose shaders are compiled for their number: the first frame,
+// and later frames. And the cost of lamps' shadows, moving and still.
 #include "RelievoBench.h"
 
 #include "BenchSizes.h"
@@ -28,7 +28,7 @@ using namespace relievoBench;
 using relievoTest::Timed;
 using relievoTest::Timing;
 
-// So many lamps reach a point in the middle of the box, on average.
+// The number of lamps that reach a point in the middle of the box, on average.
 constexpr double Few = 4.;
 
 double SecondsOf(const Timed& frame)
@@ -39,7 +39,7 @@ double SecondsOf(const Timed& frame)
   return time.count();
 }
 
-// VTK's shader of many lights may be more than an OpenGL takes: the mesh is missing then.
+// VTK's shader of many lights may exceed OpenGL's limits: the mesh is then missing.
 bool ShowsMesh(vtkRenderWindow* window, int pixels)
 {
   vtkNew<vtkUnsignedCharArray> colors;
@@ -86,7 +86,7 @@ void Shift(vtkPolyData* lamps, double by)
   lamps->Modified();
 }
 
-// Eight lamps, of which so many cast; all of them move, or none does.
+// Eight lamps, of which `casting` cast shadows; all of them move, or none.
 void MeasureShadows(
   const std::string& scene, vtkPolyData* mesh, const LightSizes& sizes, Table& table)
 {

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What lamps cost a frame, by their number and size and by the way they are found: ratios to the
-// plain frame and to as many lights of VTK's, drawn in turn in one process; how many lamps are
-// computed for a pixel against how many reach it; and how long the lists of clusters take.
+// Cost of lamps per frame, by their number, size and method: ratios to the plain frame and to as
+// many VTK lights, drawn in turn in one process; the number of lamps computed for a pixel against
+// those that reach it; and the time to list lamps in clusters.
 #include "RelievoBench.h"
 
 #include "BenchSizes.h"
@@ -32,11 +32,11 @@ using relievoTest::Timing;
 
 const char* const Peer = "VTK's lights";
 
-// So many of these reach a point in the middle of the box, on average.
+// The number of these that reach a point in the middle of the box, on average.
 constexpr double Few = 4.;
 constexpr double Many = 40.;
 
-// Milliseconds to take the lamps and to list them, the median of some runs.
+// Milliseconds to read and list the lamps, the median of some runs.
 double ListMilliseconds(const SceneWindow& window, vtkRelievoLamps* lamps, int rounds)
 {
   vtkRelievoFrameCamera view;

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What a normal map costs a frame that its mesh fills, a texel to a pixel: against the plain frame,
-// and against what VTK itself draws with a texture and with the normal map of its PBR shading.
+// Cost of a normal map in a frame filled by its mesh, one texel per pixel: against the plain frame,
+// and against VTK's own frames with a texture and with the normal map of its PBR shading.
 #include "RelievoBench.h"
 
 #include "FrameBench.h"
@@ -37,7 +37,7 @@ namespace
 using namespace relievoBench;
 using namespace relievoTest;
 
-constexpr int Width = 1600; // so that a frame is long against the start of its threads
+constexpr int Width = 1600; // makes frames long compared with the start of their threads
 constexpr int Height = 1200;
 constexpr int Texels = 2048;
 constexpr double ViewAngle = 30.;
@@ -88,7 +88,7 @@ struct PlaneWindow
     this->Actor->SetMapper(mapper);
     this->Renderer->AddActor(this->Actor);
     this->Window = MakeWindow(Width, Height, this->Renderer);
-    // The plane is 2 wide: so many of its texels are as high as the picture.
+    // The plane is 2 wide: this many of its texels fill the picture's height.
     const double height = 2. * Height / Texels;
     const double angle = ViewAngle * std::acos(-1.) / 180.;
     vtkCamera* camera = this->Renderer->GetActiveCamera();

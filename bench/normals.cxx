@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Chart 1: by what angle each normal format turns a direction, against its bits and its time.
+// Chart 1: angular error of each normal format, against its bits and its time.
 //
 // Directions are computed in double, rounded to float, encoded and decoded by the formulas in float
-// as shaders do, and compared with the direction in double.
+// as in shaders, and compared with the direction in double.
 #include "RelievoBench.h"
 
 #include "NormalPeers.h"
@@ -29,7 +29,7 @@ constexpr std::size_t Uniform = 10000000;
 constexpr std::size_t Special = 600000;
 constexpr double Pi = 3.14159265358979323846;
 
-// A number in [0, 1) from a counter: the same on every machine, which std's distributions are not.
+// A number in [0, 1) from a counter: equal on every machine, unlike std's distributions.
 double Unit(std::uint64_t counter)
 {
   std::uint64_t z = (counter + 1u) * 0x9e3779b97f4a7c15u;
@@ -46,8 +46,8 @@ glm::dvec3 UniformDirection(std::size_t i)
   return { radius * std::cos(azimuth), radius * std::sin(azimuth), z };
 }
 
-// Where encodings have their corners: the axes; the planes between octants, exactly and 1e-7 to
-// either side; and the surroundings of the axes, from 1e-1 to 1e-7 radians.
+// Corners of encodings: the axes; the planes between octants, exactly and 1e-7 to either side; and
+// the surroundings of the axes, from 1e-1 to 1e-7 radians.
 glm::dvec3 SpecialDirection(std::size_t i)
 {
   const int axis = static_cast<int>(i % 3);
@@ -138,7 +138,7 @@ Statistics Errors(std::size_t count, glm::dvec3 (*direction)(std::size_t))
   return Summarize(errors);
 }
 
-// Nanoseconds of one call: the fastest of many rounds, for other work only ever adds time.
+// Nanoseconds per call: the fastest of many rounds, since other work only adds time.
 template <typename Work>
 double Nanoseconds(std::size_t count, Work work)
 {
@@ -156,7 +156,7 @@ double Nanoseconds(std::size_t count, Work work)
 template <typename Format>
 Result Measure(const char* family, const std::string& name, int bits)
 {
-  constexpr std::size_t Count = 8192; // all of it stays in the second-level cache
+  constexpr std::size_t Count = 8192; // fits into the second-level cache
   std::vector<glm::vec3> normals(Count);
   std::vector<decltype(Format::Encode(glm::vec3()))> words(Count);
   std::vector<glm::vec3> decoded(Count);

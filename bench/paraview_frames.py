@@ -1,17 +1,17 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the plugin costs ParaView's render view: a frame with it and all off against one without it,
-one with shadows against one without shadows, and the same beside ParaView, of the reference scenes.
+"""Cost of the plugin in ParaView's render view: frames with the plugin, everything off, against
+frames without it; frames with shadows against frames without; and both for VTK alone, in the
+reference scenes.
 
     pvbatch bench/paraview_frames.py PLUGIN DATA [--rounds N] [--scenes a,b] >paraview-frames.csv
 
 PLUGIN is the path of Relievo.so, DATA the folder that tools/unpack-data fills; the package relievo
-is on PYTHONPATH. The two frames of a pair are drawn in turn, a few in every round, the first or the
-second first by chance, so that what else the machine does meets both; frames with and without the
-plugin by two processes, which others follow every few rounds. A ratio is the median of the rounds'
-ratios, +- half the distance of its quartiles. On a machine that does other things (the load is in
-the last column) the ratios of processor time, over all threads, are the steadier ones: with
-software OpenGL they are nearly all of a frame.
+is on PYTHONPATH. The two frames of a pair are drawn in turn, a few in every round, in random order,
+so that other work on the machine affects both; frames with and without the plugin by two processes,
+replaced every few rounds. A ratio is the median of the rounds' ratios, +- half the distance of its
+quartiles. On a machine with other work (the load is in the last column), ratios of processor time,
+over all threads, vary less: with software OpenGL nearly all of a frame is processor time.
 """
 
 import argparse
@@ -26,7 +26,7 @@ import time
 
 SCENES = {"bunny": "bunny.off", "motorBike": "motorBike.obj", "buildings": "buildings.obj"}
 FRAMES = 3  # timed in each turn
-ROUNDS_OF_A_PROCESS = 3  # then others: one may be faster than the other for as long as it lives
+ROUNDS_OF_A_PROCESS = 3  # then new processes: one may be faster than another for its whole life
 MOTIONS = ("still", "camera moves", "light moves")
 # pairs of frames: the process that draws each (none: without the plugin; alone: VTK), sun, shadows
 PAIRS = (
@@ -136,7 +136,7 @@ class InParaView:
 
 
 class Alone:
-    """The same in VTK's renderer, with ParaView's light kit."""
+    """The scene in VTK's renderer, with ParaView's light kit."""
 
     def __init__(self, _, data, name):
         import relievo
@@ -192,8 +192,8 @@ class Alone:
 
 
 def work(kind, data, name):
-    """A process that draws when it is told: lines `SUN SHADOWS ROUND MOTION` come, lines of
-    milliseconds go, by the clock and of processor time. A round is the same path each time."""
+    """Draws on request in a process: reads lines `SUN SHADOWS ROUND MOTION`, writes lines of
+    elapsed and processor milliseconds. Each round has the same path."""
     scene = (Alone if kind == "alone" else InParaView)(kind, data, name)
     print("ready", flush=True)
     for line in open(0, encoding="ascii"):  # sys.stdin is ParaView's own

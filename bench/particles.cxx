@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Particles on surfaces: what a step costs by their number, and how far they get from the surface,
-// held by depth maps, by the closest point (vtkStaticCellLocator), or not at all.
+// Particles on surfaces: time of a step by their number, and distance to the surface, held by depth
+// maps, by the closest point (vtkStaticCellLocator), or not at all.
 #include "BenchSizes.h"
 #include "RelievoBench.h"
 
@@ -48,7 +48,7 @@ struct Body
   vtkSmartPointer<vtkPolyData> Mesh; // with the array "field"
 };
 
-// A turn about a tilted axis through the middle, half a texel a step where it is fastest.
+// A rotation about a tilted axis through the middle; the fastest places move half a texel per step.
 struct Field
 {
   glm::dvec3 Middle;
@@ -113,20 +113,20 @@ Places PlacesOf(Particles* filter)
   return places;
 }
 
-// The particles' rule by the closest point of the mesh, with the field from its formula.
+// Holds particles at the closest point of the mesh, with the field from its formula.
 class ClosestPoints
 {
 public:
   ClosestPoints(const Body& body, int resolution)
     : Flow(body.Mesh, resolution)
   {
-    // To where a step leads.
+    // The farthest distance of a step.
     this->Near = 1.001 * 0.5 * body.Mesh->GetLength() / resolution;
     this->Locator->SetDataSet(body.Mesh);
     this->Locator->BuildLocator();
   }
 
-  // One step; distances only, if there are any, of the places as they are.
+  // One step; `distances`, if given, gets those of the positions before holding.
   void Step(Places& places, bool hold, std::vector<double>* distances = nullptr)
   {
     vtkRelievoWithThreads([&]() {
@@ -153,12 +153,12 @@ private:
   glm::dvec3 Closest(const glm::dvec3& place, vtkGenericCell* cell)
   {
     glm::dvec3 closest(0.);
-    glm::dvec3 from = place; // VTK takes no constant
+    glm::dvec3 from = place; // VTK takes no const pointer
     vtkIdType id = -1;
     int part = 0;
     int inside = 0;
     double distance2 = 0.;
-    // Much faster than to search everywhere, which is left for what is far away.
+    // Much faster than a global search, which is left for distant positions.
     if (!this->Locator->FindClosestPointWithinRadius(
           &from.x, this->Near, &closest.x, cell, id, part, distance2, inside))
     {
@@ -190,7 +190,7 @@ void MeasureTimes(const Body& body, const ParticleSizes& sizes, Table& table)
     for (std::size_t i = 0; i < works.size(); ++i)
     {
       const double milliseconds = 1e3 * times[i].Median();
-      // What all cores work together, which other work on the machine changes less.
+      // Core time, which other work on the machine changes less.
       constexpr int Again = 3;
       const std::clock_t begin = std::clock();
       for (int n = 0; n < Again; ++n)

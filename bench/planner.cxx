@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What the planner of shadows expects of each way against what it gets, error and time, and what it
-// chooses for a tolerance or for a time against the best possible choice.
+// Expected and measured error and time of each shadow method, and the planner's choice for a
+// tolerance or a time budget against the best possible choice.
 //
 // Errors against Embree, as in the bench of shadows. Times are of whole frames in which the light
-// moves, so that maps are drawn anew, all ways in turn.
+// moves, so that maps are drawn again, with all methods in turn.
 #include "RelievoBench.h"
 
 #include "BenchSizes.h"
@@ -35,8 +35,8 @@ using Pass = vtkRelievoShadowStage;
 
 const double Tolerances[] = { 2e-3, 1e-3, 5e-4, 2e-4, 5e-5 };
 constexpr double TimedTolerance = 5e-4;
-const double Budgets[] = { 1.2, 2., 4. }; // times what the fastest way takes
-constexpr int FramesBefore = 10;          // that the planner learns from
+const double Budgets[] = { 1.2, 2., 4. }; // times the fastest method's time
+constexpr int FramesBefore = 10;          // from which the planner learns
 
 const ShadowLight Lights[] = {
   { "sun", SceneLight::Sun, 0. },
@@ -94,7 +94,7 @@ void Use(Pass* shadows, const Way& way)
   }
 }
 
-// What is measured at a time.
+// One measured case.
 struct Case
 {
   std::string Scene;
@@ -110,7 +110,7 @@ struct Case
   }
 };
 
-// A scene in a window of its own whose light moves from frame to frame.
+// A scene in its own window whose light moves from frame to frame.
 struct MovingWindow
 {
   relievoTest::ReferenceScene Scene;
@@ -136,8 +136,7 @@ struct MovingWindow
     return frame;
   }
 
-  // After ten frames that it learns from: what the planner expects of the next ones, and what they
-  // take in the median.
+  // Draws the frames from which the planner learns; then its expected time and the measured median.
   double Learn(double& expected, int rounds)
   {
     relievoTest::Timed frame = this->Frame();
@@ -189,7 +188,7 @@ const Way* FindUsed(const std::vector<Way>& ways, Pass* shadows)
   return &*used;
 }
 
-// The most accurate for a time, against the most accurate of those whose measured time fits.
+// The choice for a time budget, against the most accurate method whose measured time fits.
 void MeasureBudget(const Case& of, double times, const std::vector<Way>& ways, Table& table)
 {
   const auto sooner = [](const Way& a, const Way& b) { return a.Milliseconds < b.Milliseconds; };
@@ -276,7 +275,7 @@ void Measure(const Case& of, const std::vector<int>& maps, Tables& tables)
     {
       continue;
     }
-    // Where no way meets the tolerance there is no best.
+    // If no method meets the tolerance, there is no best.
     const std::string bestName = best ? best->Name() : "none";
     const std::string bestSize = best ? SizeWords(*best) : "-";
     const std::string bestTime = best ? Number(best->Milliseconds) : "-";
@@ -332,7 +331,7 @@ int relievoBench::BenchPlanner(const std::string& outDir, const PlannerSizes& si
       return 1;
     }
   }
-  // Lights and shapes meet differently in each scene. What is measured is written at once.
+  // Lights differ in each scene. Results are written immediately.
   Tables tables;
   bool written = true;
   for (int light = 0; light < sizes.Lights; ++light)

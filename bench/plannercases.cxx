@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What the planner of shadows chooses for a tolerance, over scenes, lights, cameras and tolerances
-// by lot: how often the share of wrong verdicts, against Embree, is within the tolerance.
+// The shadow planner's choices for a tolerance, over random scenes, lights, cameras and tolerances:
+// how often the share of errors, against Embree, is within the tolerance.
 #include "RelievoBench.h"
 
 #include "BenchSizes.h"
@@ -37,7 +37,7 @@ using namespace relievoBench;
 using relievoTest::Lots;
 using relievoTest::SceneLight;
 
-constexpr int Tolerances = 5; // of each scene
+constexpr int Tolerances = 5; // per scene
 constexpr double Least = 5e-5;
 constexpr double Most = 4e-3;
 constexpr double Pi = 3.14159265358979323846;
@@ -48,7 +48,7 @@ const ShadowLight Lights[] = {
   { "point", SceneLight::Point, 0. },
 };
 
-// On a sphere about the scene's middle, from `low` to `high` degrees above the ground.
+// On a sphere around the scene's middle, `low` to `high` degrees above the ground.
 void GetPlace(Lots& lots, double distance, double low, double high, double place[3])
 {
   const double turn = lots.Between(0., 2. * Pi);
@@ -58,7 +58,7 @@ void GetPlace(Lots& lots, double distance, double low, double high, double place
   place[2] = distance * std::cos(up) * std::sin(turn);
 }
 
-// Returns the shares of wrong verdicts over the tolerances.
+// Returns the shares of errors divided by the tolerances.
 std::vector<double> Measure(int number, const PlannerCaseSizes& sizes, Lots& lots, Table& table)
 {
   const ShadowLight& kind = Lights[number % 3];

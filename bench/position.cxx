@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Chart 3: how far from the surface the position of a pixel is, by what is kept in the G-buffer for
-// it, against its bytes and the time of the frame that writes it.
+// Chart 3: distance of a pixel's position from the surface, by the format stored in the G-buffer,
+// against its bytes and the time of the frame that writes it.
 //
-// Truth is Embree on the same triangles, for the pixels whose verdict is sure. What the passes
-// offer is drawn and captured. What they do not offer is computed: the depth that the GPU wrote in
-// 32-bit float, rounded on as such a texture rounds. The error of each format alone is that of the
-// truth rounded so.
+// Truth is Embree on the same triangles, for pixels with a certain verdict. Formats offered by the
+// passes are drawn and captured. Others are computed: the GPU's depth in 32-bit float, rounded
+// further as in such a texture. The error of each format alone is that of the truth rounded in this
+// way.
 #include "RelievoBench.h"
 
 #include "EmbreeScene.h"
@@ -45,10 +45,10 @@ constexpr int Width = 800;
 constexpr int Height = 600;
 constexpr int Rounds = 25;
 
-// OpenGL rounds corners to 1/256 pixel: nearer to an edge, which triangle is met is not determined.
+// OpenGL rounds corners to 1/256 pixel: nearer to an edge, the hit triangle is undetermined.
 constexpr double Grid = 1. / 256.;
 
-// Where a pixel's position at this depth is after it went through a texture.
+// The position of a pixel at a depth after storage in a texture.
 struct Format
 {
   double (*Depth)(double depth, const DepthRange& range);
@@ -90,8 +90,8 @@ void DepthAlone(vtkRelievoLayersStage* gbuffer, int)
 
 void Default(vtkRelievoLayersStage*, int) {}
 
-// Bytes are those of a texture of the format. The frame that is timed asks for `Layer`, set up by
-// SetUp(gbuffer, Setting); where the passes do not have the format, a layer of as many bytes.
+// Bytes are those of a texture of the format. The timed frame requests `Layer`, set up by
+// SetUp(gbuffer, Setting); if the passes lack the format, a layer with as many bytes.
 struct Method
 {
   const char* Name; // with a star: not offered
@@ -158,10 +158,10 @@ void Move(const relievoTest::ReferenceScene& scene, const Case& c)
   camera->SetFocalPoint(&at[0]);
   camera->SetParallelProjection(c.ParallelScale > 0.);
   camera->SetParallelScale(c.ParallelScale > 0. ? c.ParallelScale : 1.);
-  camera->SetClippingRange(2., 14.); // moving the camera fits VTK's own
+  camera->SetClippingRange(2., 14.); // VTK's own range follows the camera's movement
 }
 
-// A layer, drawn.
+// Draws a layer.
 vtkSmartPointer<vtkDataArray> Draw(
   vtkRenderer* renderer, const char* layer, void (*setUp)(vtkRelievoLayersStage*, int), int setting)
 {
@@ -180,7 +180,7 @@ vtkSmartPointer<vtkDataArray> Draw(
 struct Result
 {
   Statistics Drawn;
-  Statistics Alone; // of the format alone
+  Statistics Alone; // error of the format alone
   std::size_t Pixels = 0;
   std::size_t OnEdges = 0;
 };
@@ -219,7 +219,7 @@ Result Measure(
       {
         position = method.Kept.Through(view, ray, drawn->GetComponent(i, 0));
       }
-      // In units of what one pixel spans there, across the view.
+      // In units of a pixel's extent at that depth, across the view.
       const double span =
         glm::length(view.PixelRay(x + 1.5, y + 0.5).At(pixel.Depth) - ray.At(pixel.Depth));
       const auto inPixels = [&](const glm::dvec3& p) {
@@ -235,7 +235,7 @@ Result Measure(
   return result;
 }
 
-// Frames of the methods, times a plain frame.
+// Frame times of the methods, relative to a plain frame.
 std::vector<relievoTest::TimingPair> TimeFrames(vtkPolyData* mesh)
 {
   const SceneWindow plain(mesh, Width, Height);

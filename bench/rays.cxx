@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Rays a second of one core past meshes of many sizes, and bytes for a triangle, beside Embree's;
-// and beside what Embree finds when it asks our test in double about the triangles of its boxes.
-// Rays are incoherent: from places on a sphere around the mesh to places in its box.
+// Rays per second and core at meshes of many sizes, and bytes per triangle, beside Embree's; and
+// beside Embree with boxes only, which calls our test in double for their triangles. Rays are
+// incoherent: from positions on a sphere around the mesh to positions in its box.
 #include "BenchSizes.h"
 #include "RelievoBench.h"
 
@@ -65,7 +65,7 @@ std::vector<RayLine> DrawLines(const double bounds[6], int count)
   return lines;
 }
 
-// A scene of Embree's, and what it holds.
+// An Embree scene with its content.
 class EmbreeWorld
 {
 public:
@@ -125,7 +125,7 @@ glm::dvec3 GetMiddle(const double bounds[6])
   return 0.5 * glm::dvec3(bounds[0] + bounds[1], bounds[2] + bounds[3], bounds[4] + bounds[5]);
 }
 
-// Embree's, of the same triangles in float about the middle of their box, with its robust flag.
+// Embree on the same triangles in float relative to the middle of their box, with its robust flag.
 class EmbreePeer : public EmbreeWorld
 {
 public:
@@ -180,8 +180,8 @@ public:
   }
 };
 
-// Embree's tree over the boxes of triangles, with room for rays that are floats there, and our own
-// test of the triangles in it: what a backend of the same answers would be.
+// Embree's tree over the boxes of triangles, enlarged for rays in float, with our own test of the
+// triangles in it: a backend with equal results.
 class EmbreeBoxes : public EmbreeWorld
 {
 public:
@@ -215,7 +215,7 @@ public:
       this->Places.size() * sizeof(glm::dvec3) + this->Corners.size() * sizeof(unsigned));
   }
 
-  // How far along the ray; infinity: nothing is met.
+  // Distance along the ray; infinity without a hit.
   double Nearest(const RayLine& line) const
   {
     const vtkRelievoRay ray(line.From, line.Direction);
@@ -232,7 +232,7 @@ public:
 private:
   struct Asked
   {
-    RTCIntersectContext Context; // first: callbacks are given it
+    RTCIntersectContext Context; // first, because callbacks get its address
     const vtkRelievoRay* Ray;
     double Nearest = Endless;
   };
@@ -277,7 +277,7 @@ private:
     }
   }
 
-  std::vector<glm::dvec3> Places; // about the middle
+  std::vector<glm::dvec3> Places; // relative to the middle
   std::vector<unsigned> Corners;
   double Room;
 };
@@ -288,7 +288,7 @@ struct Way
   const char* Answer;
   std::function<bool(const RayLine&)> Ask;
   double Bytes;
-  double Best = 1e9; // seconds of the core for all rays
+  double Best = 1e9; // core seconds for all rays
   int Hits = 0;
 };
 
@@ -319,8 +319,7 @@ bool Measure(const std::string& name, vtkPolyData* mesh, const RaySizes& sizes, 
       own },
     { "Embree", "any", [&](const RayLine& line) { return peer.Any(line); }, peer.GetBytes() },
   };
-  // In turn, and each some times before the next: what the others leave in the caches does not
-  // count.
+  // In turn, each several times, so that the caches' content from others does not count.
   for (int round = 0; round < sizes.Rounds; ++round)
   {
     for (Way& way : ways)
@@ -350,7 +349,7 @@ bool Measure(const std::string& name, vtkPolyData* mesh, const RaySizes& sizes, 
               << " bytes for a triangle" << std::endl;
     alike = alike && std::abs(way.Hits - ways[0].Hits) <= 1 + sizes.Rays / 10000;
   }
-  // Both in double: the same number but for the rounding of their own origins.
+  // Both in double: equal but for the rounding of their origins.
   const double size = glm::distance(
     glm::dvec3(bounds[0], bounds[2], bounds[4]), glm::dvec3(bounds[1], bounds[3], bounds[5]));
   const auto differ = std::count_if(lines.begin(), lines.end(), [&](const RayLine& line) {

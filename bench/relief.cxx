@@ -1,12 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Chart 7: what relief methods miss, and how far off they are in depth and normal, against the
-// looks that they take at the heights and the time of a frame; and a plane with relief against the
-// geometry that it stands for.
+// Chart 7: misses of relief methods, and their errors of depth and normal, against the reads of the
+// heights and the time of a frame; and a plane with relief against the geometry that it represents.
 //
 // Truth is a ray marched in double precision through the height field itself, and Embree on the
-// full geometry. Looks are counted by the same steps on the CPU.
+// full geometry. Reads are counted by the same steps on the CPU.
 #include "RelievoBench.h"
 
 #include "BenchSizes.h"
@@ -49,7 +48,7 @@ struct Way
 {
   const char* Name;
   int Method;
-  int Steps; // 0: as many as texels ask for
+  int Steps; // 0: by the number of texels passed over
 };
 const Way Ways[] = {
   { "parallax", Material::METHOD_PARALLAX, 1 },
@@ -112,7 +111,7 @@ struct ReliefWindow
   Timed Frame() const { return relievoTest::Frame(this->Window); }
 };
 
-// Looks at the heights of one ray, by the steps of shaders/material/surface.glsl.
+// Reads of the heights for one ray, by the steps of shaders/material/surface.glsl.
 double CountLooks(Material* surface, const HeightField& field, const ReliefRay& ray)
 {
   if (surface->GetReliefMethod() == Material::METHOD_PARALLAX)
@@ -204,7 +203,7 @@ std::vector<unsigned char> Pixels(vtkRenderWindow* window)
   return { pixels->GetPointer(0), pixels->GetPointer(0) + pixels->GetNumberOfValues() };
 }
 
-// A plane of two triangles with relief in the place of two million triangles.
+// A plane of two triangles with relief against two million triangles.
 bool BenchGeometry(const std::string& outDir)
 {
   ReliefWindow plain(ReliefPlane(1));
@@ -225,7 +224,7 @@ bool BenchGeometry(const std::string& outDir)
     { plain.Frame(), normals.Frame(), mapped.Frame(), off.Frame(), relief.Frame(), full.Frame() },
     Sizes.Rounds);
 
-  // Depth against Embree on the full geometry, and the pictures.
+  // Compares depth with Embree on the full geometry, and the pictures.
   const vtkSmartPointer<vtkImageData> layers = relief.Capture();
   EmbreeScene embree;
   embree.AddActor(mesh);
@@ -318,7 +317,7 @@ int relievoBench::BenchRelief(const std::string& outDir, const ReliefSizes& size
         LookAtRelief(window.Renderer, angle);
         if (!waves)
         {
-          window.Renderer->GetActiveCamera()->SetViewAngle(8.); // a texel is a pixel or more
+          window.Renderer->GetActiveCamera()->SetViewAngle(8.); // makes a texel at least a pixel
         }
         const ReliefErrors e =
           CompareRelief(window.Capture(), window.Renderer, field.Truth, Scale, 9);

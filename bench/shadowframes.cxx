@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What shadows cost a frame: ratios to the plain frame and to vtkShadowMapPass with maps of the
-// same size, drawn in turn in one process: a still scene, a light that moves, a camera that moves.
+// Cost of shadows per frame: ratios to the plain frame and to vtkShadowMapPass with maps of the
+// same size, drawn in turn in one process: a still scene, a moving light, a moving camera.
 #include "RelievoBench.h"
 
 #include "FrameBench.h"
@@ -59,7 +59,7 @@ void UsePeer(vtkRenderer* renderer)
   UseShadowPeer(renderer, MapSize);
 }
 
-constexpr std::size_t Map = 2; // of these
+constexpr std::size_t Map = 2; // index of the method map
 const Way Ways[] = {
   { "plain", nullptr },
   { "attached, shadows off", Attach },
@@ -68,7 +68,7 @@ const Way Ways[] = {
   { "vtkShadowMapPass", UsePeer },
 };
 
-// What changes from frame to frame.
+// A change from frame to frame.
 struct Motion
 {
   const char* Name;
@@ -88,7 +88,7 @@ const Motion Motions[] = {
     } },
 };
 
-// What each casting light costs: the frame must not grow faster than their number.
+// Cost of each casting light: frame time must not grow faster than their number.
 void MeasureLights(const std::string& name, vtkPolyData* mesh, Table& table)
 {
   std::vector<std::unique_ptr<SceneWindow>> windows;

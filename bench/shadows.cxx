@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Chart 4: how many shadow verdicts are wrong, against the size of the map and the time of the
-// frame, for every method and kind of light, with vtkShadowMapPass in the same run.
+// Chart 4: share of wrong shadow verdicts, against the size of the map and the time of the frame,
+// for every method and kind of light, with vtkShadowMapPass in the same run.
 //
-// A verdict is taken from the picture, for every way alike: a pixel is in shadow when it is nearer
-// to black than to the picture without shadows. Truth is Embree on the same triangles. Times are
-// of whole frames, still and with a light that moves, drawn in turn with the plain frame.
+// Verdicts are taken from the picture for all methods: a pixel is in shadow if it is nearer to
+// black than to the picture without shadows. Truth is Embree on the same triangles. Times are of
+// whole frames, still and with a moving light, drawn in turn with the plain frame.
 #include "RelievoBench.h"
 
 #include "FrameBench.h"
@@ -45,7 +45,7 @@ const ShadowLight Lights[] = {
   { "point", SceneLight::Point, 0. },
 };
 
-// What is timed: it takes longest.
+// The timed cases: timing takes longest.
 struct TimedCase
 {
   const char* Scene;
@@ -72,7 +72,7 @@ struct Size
 const Size Square = { 600, 600 };
 const Size OtherShapes[] = { { 800, 450 }, { 400, 1600 } };
 
-// A motion's frame time: milliseconds, and times the plain frame and the peer's.
+// A motion's frame time: in milliseconds, and relative to the plain frame and the peer's.
 struct Time
 {
   double Milliseconds = None;
@@ -118,8 +118,8 @@ void Measure(
   }
 }
 
-// Every light and map size in a square window; of meshes, at the default size, the sun in windows
-// of other shapes, and sun and spot with physically based shading.
+// Every light and map size in a square window; for meshes at the default size, also the sun in
+// windows of other shapes, and sun and spot with physically based shading.
 void MeasureScene(
   const std::string& name, vtkPolyData* mesh, bool isReal, std::vector<Result>& results)
 {
@@ -152,7 +152,7 @@ void MeasureScene(
   }
 }
 
-// A scene in a window of its own, drawn one way.
+// A scene in its own window, drawn by one method.
 struct WayWindow
 {
   relievoTest::ReferenceScene Scene;
@@ -173,7 +173,7 @@ struct WayWindow
   }
 };
 
-// Frame times of some ways in turn with the plain frame and the peer's, which is the last of both.
+// Frame times of some methods in turn with the plain frame and the peer, the last two.
 void TimeWays(const Result& about, bool moving, int rounds, WayWindow& plain,
   const std::vector<const ShadowWay*>& ways, const std::vector<WayWindow*>& windows,
   std::vector<Result>& results)
@@ -214,8 +214,8 @@ void TimeWays(const Result& about, bool moving, int rounds, WayWindow& plain,
   }
 }
 
-// Frame times of every way at every size, into the results that are there. Slow ones are timed
-// apart, first, so that what is written down of the peer is of the longer run.
+// Frame times of every method at every size, added to the results. Slow methods are timed
+// separately and first, so that the peer's recorded time is that of the longer run.
 void TimeScene(const std::string& name, vtkPolyData* mesh, const ShadowLight& light,
   std::vector<Result>& results)
 {
@@ -247,7 +247,7 @@ void TimeScene(const std::string& name, vtkPolyData* mesh, const ShadowLight& li
       }
       for (const bool moving : { false, true })
       {
-        if (ways.size() > 1) // not the peer alone
+        if (ways.size() > 1) // not only the peer
         {
           const int rounds = slow ? SlowRounds : Rounds;
           TimeWays(about, moving, rounds, plain, ways, drawn, results);

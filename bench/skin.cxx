@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Models with bones: what volume a tube keeps that twists or bends, and how long a million points
-// take; and SkinKeys.
+// Models with bones: volume of a twisting or bending tube, and time for a million points; and
+// SkinKeys.
 #include "RelievoBench.h"
 
 #include "BenchSizes.h"
@@ -64,7 +64,7 @@ vtkSmartPointer<vtkPolyData> Skeleton(const std::vector<glm::dmat4>& pose)
   return skeleton;
 }
 
-// Points with `count` bones that do nothing at rest.
+// Adds `count` bones to points, with no effect at rest.
 void SetBones(vtkPolyData* mesh, int count, int weights,
   const std::function<void(vtkIdType, int*, float*)>& fill)
 {
@@ -118,7 +118,7 @@ vtkSmartPointer<vtkPolyData> MakeTube()
   return tube;
 }
 
-// By the divergence theorem, with a fan on each end.
+// Computed by the divergence theorem, with a fan at each end.
 double VolumeOf(vtkPolyData* tube)
 {
   const auto at = [tube](int ring, int side) {
@@ -158,7 +158,7 @@ bool MeasureVolume(const std::string& outDir)
       {
         if (axis.z > 0. && degrees > 120)
         {
-          continue; // further the tube's ends run into each other
+          continue; // beyond that, the tube's ends intersect
         }
         const glm::dvec4 q = AboutAxis(axis, degrees * Pi / 180.);
         vtkNew<vtkRelievoSkin> skin;
@@ -175,7 +175,7 @@ bool MeasureVolume(const std::string& outDir)
   return table.WriteCsv(outDir + "/skin-volume.csv");
 }
 
-// Random points with normals, four bones each; neighbours in the mesh have neighbours' bones.
+// Random points with normals, four bones each; adjacent points have adjacent bones.
 SkinnedPoints MakePoints(int count, int bones)
 {
   std::mt19937 random(3);
@@ -246,7 +246,7 @@ double TimeSkin(vtkPolyData* mesh, vtkPolyData* skeleton, int method)
   return time.count();
 }
 
-// Frames of the graphics card: the same mesh rigid, and moved by a new pose in each frame.
+// Frames of the graphics card: the mesh without movement, and moved by a new pose in each frame.
 void MeasureFrames(const SkinSizes& sizes, int bones, Table& table)
 {
   const vtkSmartPointer<vtkPolyData> sheet = MakeSheet(sizes.Points);
@@ -259,7 +259,7 @@ void MeasureFrames(const SkinSizes& sizes, int bones, Table& table)
       weights[j] = 0.4f - 0.1f * static_cast<float>(j);
     }
   });
-  // Small turns, so that about as much is seen of all.
+  // Small turns, so that about as much is visible in all.
   vtkSmartPointer<vtkPolyData> poses[2];
   for (int which = 0; which < 2; ++which)
   {
@@ -303,7 +303,7 @@ bool MeasureTime(const std::string& outDir, const SkinSizes& sizes)
     }
     const vtkSmartPointer<vtkPolyData> skeleton = Skeleton(pose);
     WriteSkinned(file, points);
-    // Each method in turn, so that what else the machine does meets all of them.
+    // Methods in turn, so that other work on the machine affects all of them.
     std::vector<double> times[3];
     for (int round = 0; round < GetRounds(sizes.Rounds); ++round)
     {

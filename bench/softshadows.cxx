@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Chart 11: how far the share of a light with a size is from rays to all of it, against the number
-// of samples that a capture gathers. Truth is Embree on the same triangles, 1024 rays for each
-// pixel in a penumbra.
+// Chart 11: error of the visible share of an area light, against the number of samples that a
+// capture accumulates. Truth is Embree on the same triangles, 1024 rays for each pixel in a
+// penumbra.
 #include "RelievoBench.h"
 
 #include "BenchSizes.h"

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the samples of the default preset cost, and how far its pictures are from many samples.
+"""Cost of the samples of the default preset, and error of its pictures against many samples.
 
     python bench/studio_samples.py RELIEVO DATA [--rounds N] [--size WxH] [--files a,b] [--most N]
         >studio.csv
@@ -8,10 +8,10 @@
 RELIEVO is the command, DATA the folder that tools/unpack-data fills. The preset studio draws
 each file with several numbers of samples: `at once`, as it does by default (24), with few maps for
 the soft shadow, and `one by one`, with a map for each sample. Errors are the root mean square, in
-levels of 255, over the pixels that any of the pictures draws otherwise than the truth by more than
-two levels: those of edges and penumbras. The truth has --most samples, one by one (256). Processor
-time is the least of the rounds, of all threads and processes, of whole commands; times over these
-of --preset none are what the look costs. A display is needed (tools/with-display), and numpy and
+levels of 255, over the pixels in which any picture differs from the truth by more than two levels:
+those of edges and penumbras. The truth has --most samples, one by one (256). Processor
+time is the minimum over the rounds, of all threads and processes, of whole commands; the excess
+over --preset none is the cost of the look. A display is needed (tools/with-display), and numpy and
 Pillow. Exit status: 0; 1 if a command fails.
 """
 
@@ -33,7 +33,7 @@ DIFFERENT = 2  # levels
 
 
 def samples_of(way, count):
-    """Options that draw so many samples."""
+    """Options to draw so many samples."""
     edges = ["--stage", f"antialias:samples={count}"]
     if way == "one by one":
         return ["--soft-shadows", str(count), *edges]
@@ -41,7 +41,7 @@ def samples_of(way, count):
 
 
 def errors(pictures, truth):
-    """By name; and the share of the pixels that are judged."""
+    """Errors by name; and the share of the evaluated pixels."""
     judged = numpy.zeros(truth.shape[:2], bool)
     for picture in pictures.values():
         judged |= numpy.abs(picture - truth).max(axis=2) > DIFFERENT
@@ -54,7 +54,7 @@ def load(path):
 
 
 def measure(given, file, folder):
-    """A row for each way and number of samples."""
+    """A row for each method and number of samples."""
     words = [given.relievo, "render", str(pathlib.Path(given.data) / file), "--size", given.size]
     picture = folder / "picture.png"
     draws = {("none", 1): ["--preset", "none"]} | {

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The floor of a courtyard twice as wide as high: how far hours of sun are off by the step of time,
-// and the share of the sky by the number of rays, against time. Truth has no rays: the sky is the
-// opening's in closed form, and the sun of every few seconds is seen where the line to it passes
-// the opening.
+// The floor of a courtyard twice as wide as high: error of hours of sun by the time step, and of
+// the sky's share by the number of rays, against time. The truth uses no rays: the sky's share of
+// the opening in closed form, and the sun, every few seconds, where the line to it passes the
+// opening.
 #include "BenchSizes.h"
 #include "RelievoBench.h"
 #include "Table.h"
@@ -50,7 +50,7 @@ std::vector<std::array<double, 2>> GetPlaces(int side)
   return places;
 }
 
-// Of the light of an even sky, what comes through a rectangle above with a corner right above.
+// The share of uniform skylight through a rectangle above, one corner of which is vertically above.
 double GetCorner(double a, double b)
 {
   const double x = a / Height;
@@ -134,7 +134,7 @@ public:
     this->Filter->SetLastDay(Day[0], Day[1], Day[2]);
   }
 
-  // A row: the best time of some rounds, of all cores together, and how far the array is off.
+  // A row: the best time of some rounds, summed over all cores, and the array's error.
   void Measure(const std::string& what, double amount, const char* array,
     const std::vector<double>& truth, int rounds, Table& table)
   {
@@ -181,7 +181,7 @@ int relievoBench::BenchSun(const std::string& outDir, const SunSizes& sizes)
     courtyard.Filter->SetStep(step);
     courtyard.Measure("hours of sun", step, "sun_hours", hours, sizes.Rounds, table);
   }
-  // One place of the sun beside the rays into the sky.
+  // A single sun position while rays into the sky are timed.
   courtyard.Filter->SetStep(240.0);
   const std::vector<double> sky = GetSky(sizes.Side);
   for (const int samples : sizes.Samples)

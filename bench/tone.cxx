@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Tone operators: how far the picture is from the formula in double, what becomes of hue and
-// saturation, how wide the bands of a gradient are with and without dithering, and what the stage
-// costs a frame.
+// Tone operators: error of the picture against the formula in double, changes of hue and
+// saturation, width of bands in a gradient with and without dithering, and the cost of the stage
+// per frame.
 #include "RelievoBench.h"
 
 #include "BenchSizes.h"
@@ -36,7 +36,7 @@ constexpr double Steps = 4.;
 const char* const Operators[] = { "clamp", "simple", "reinhard", "reinhard_rgb" };
 const char* const Ditherings[] = { "none", "ordered", "blue_noise" };
 
-// Hue of a colour in linear light, degrees, and its saturation: what of it is not grey.
+// Hue of a colour in linear light, degrees, and its saturation: the share that is not grey.
 std::pair<double, double> GetHue(const glm::dvec3& c)
 {
   const double across = 0.5 * std::sqrt(3.) * (c.y - c.z);
@@ -76,7 +76,7 @@ bool MeasureOperators(const std::string& outDir, const ToneSizes& sizes)
       rounding = std::max({ rounding, off.x, off.y, off.z });
       if (relievo::f64::relievoLuminance(light) > White)
       {
-        continue; // white, whatever its colour
+        continue; // white, for any colour
       }
       ++colours;
       const auto before = GetHue(light);

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Cells inside bodies: how many are too much or missed, against a formula, or against Embree by a
-// vote of three rays, and how long it takes, in turn with VTK's own ways.
+// Cells inside bodies: excess and missed cells, against a formula, or against Embree by a vote of
+// three rays, and their time, in turn with VTK's own methods.
 #include "BenchSizes.h"
 #include "RelievoBench.h"
 
@@ -61,7 +61,7 @@ struct Body
   InsideFunction IsInside;
 };
 
-// A way from the mesh to cells.
+// A method of converting the mesh to cells.
 struct Way
 {
   std::string Name;
@@ -69,7 +69,7 @@ struct Way
   std::function<vtkDataArray*()> Cells; // not 0 inside, in the order of the grid's cells
 };
 
-// The grid that all ways share.
+// The grid shared by all methods.
 struct Grid
 {
   int Cells[3];
@@ -85,7 +85,7 @@ struct Grid
     {
       length = std::max(length, this->Bounds[2 * axis + 1] - this->Bounds[2 * axis]);
     }
-    // Not through the body's own symmetry planes.
+    // Avoids the body's own symmetry planes.
     this->Spacing = 1.013 * length / longest;
     for (int axis = 0; axis < 3; ++axis)
     {
@@ -115,7 +115,7 @@ Way ShellWay(const std::string& name, vtkPolyData* mesh, const Grid& grid, int m
     [shell]() { return shell->GetOutput()->GetCellData()->GetArray("mask"); } };
 }
 
-// What the frame draws of the mesh as an actor.
+// The frame's view of the mesh as an actor.
 Way DrawnWay(vtkPolyData* mesh, const Grid& grid)
 {
   struct Scene
@@ -166,7 +166,7 @@ Way StencilWay(vtkPolyData* mesh, const Grid& grid)
 }
 #endif
 
-// All cells' centres, each by a ray.
+// Tests each cell's centre with a ray.
 Way EnclosedWay(vtkPolyData* mesh, const Grid& grid)
 {
   vtkNew<vtkImageData> centers;
@@ -195,7 +195,7 @@ Way ModellerWay(vtkPolyData* mesh, const Grid& grid)
   modeller->SetModelBounds(grid.Bounds[0] + half, grid.Bounds[1] - half, grid.Bounds[2] + half,
     grid.Bounds[3] - half, grid.Bounds[4] + half, grid.Bounds[5] - half);
   modeller->SetSampleDimensions(grid.Cells[0], grid.Cells[1], grid.Cells[2]);
-  // By default each triangle visits all cells.
+  // By default, each triangle visits all cells.
   modeller->SetMaximumDistance(0.9 / *std::max_element(grid.Cells, grid.Cells + 3));
   modeller->SetScalarTypeToUnsignedChar();
   return { "vtkVoxelModeller",
@@ -209,7 +209,7 @@ Way ModellerWay(vtkPolyData* mesh, const Grid& grid)
 
 struct Errors
 {
-  double Excess = 0.; // of the cells that are inside
+  double Excess = 0.; // share of the cells that are inside
   double Missed = 0.;
 };
 
@@ -262,7 +262,7 @@ void Measure(const Body& body, int size, int rounds, bool compare, bool withSlow
 #ifdef RELIEVO_BENCH_STENCIL
   ways.push_back(StencilWay(body.Mesh, grid));
 #endif
-  if (withSlow) // a ray for each cell: minutes for large grids
+  if (withSlow) // a ray per cell: minutes for large grids
   {
     ways.push_back(EnclosedWay(body.Mesh, grid));
   }

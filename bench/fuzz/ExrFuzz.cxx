@@ -30,7 +30,7 @@ void Keep(vtkObject*, unsigned long, void* clientData, void* callData)
     ->push_back(callData ? static_cast<const char*>(callData) : "");
 }
 
-// What an algorithm says, instead of printing it.
+// Collects an algorithm's messages instead of printing them.
 class Listener
 {
 public:
@@ -73,7 +73,7 @@ std::string CheckRead(vtkRelievoEXRReader* reader, const Listener& listener)
     {
       return "has an array without one tuple per pixel";
     }
-    // Every byte is looked at, so that a sanitizer sees those that are not there.
+    // Reads every byte, so that a sanitizer finds missing ones.
     const char* bytes = static_cast<const char*>(array->GetVoidPointer(0));
     volatile char sum = 0;
     for (vtkIdType b = 0; b < array->GetNumberOfValues() * array->GetDataTypeSize(); ++b)
@@ -98,7 +98,7 @@ std::string CheckRefused(vtkRelievoEXRReader* reader, const Listener& listener)
   }
   if (reader->GetErrorCode() == vtkErrorCode::UnknownError)
   {
-    return "was refused for want of memory, or by an exception nobody knows: " + listener.Errors[0];
+    return "was refused for want of memory, or by an unknown exception: " + listener.Errors[0];
   }
   if (image->GetNumberOfPoints() != 0 || image->GetPointData()->GetNumberOfArrays() != 0 ||
     image->GetFieldData()->GetNumberOfArrays() != 0)
@@ -108,7 +108,7 @@ std::string CheckRefused(vtkRelievoEXRReader* reader, const Listener& listener)
   return "";
 }
 
-// Pictures with odd names, sizes and attributes: written or refused, but with one word at most.
+// Pictures with odd names, sizes and attributes: written or refused, with at most one message.
 std::string CheckWrite(vtkImageData* image, const std::string& file)
 {
   vtkNew<vtkRelievoEXRWriter> writer;
@@ -131,7 +131,7 @@ Result Run(uint64_t first, uint64_t count, const std::string& folder, double lim
   Result result;
   for (uint64_t index = first; index < first + count; ++index)
   {
-    // Removed first: replacing the contents of a file makes some file systems wait for the disk.
+    // Removed first: replacing a file's contents makes some file systems wait for the disk.
     std::filesystem::remove(file);
     ioTest::WriteBytes(file, mutator.Make(index));
     const auto start = std::chrono::steady_clock::now();

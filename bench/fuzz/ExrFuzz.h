@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file ExrFuzz.h
- * @brief Reads damaged files through vtkRelievoEXRReader and holds it to what it promises.
+ * @brief Reads damaged files through vtkRelievoEXRReader and checks its guarantees.
  */
 #ifndef ExrFuzz_h
 #define ExrFuzz_h
@@ -20,9 +20,9 @@ struct Result
   uint64_t Read = 0;
   uint64_t Refused = 0;
   std::map<unsigned long, uint64_t> RefusedByCode; // vtkErrorCode
-  std::vector<std::string> Faults;                 // promises broken, with the number of the file
+  std::vector<std::string> Faults;                 // broken guarantees, with the number of the file
   double SlowestSeconds = 0;
-  uint64_t Slowest = 0; // its number
+  uint64_t Slowest = 0; // the number of the slowest file
 };
 
 /**

@@ -50,7 +50,8 @@ struct AttributePlace
   std::size_t End;
 };
 
-// Where the attributes of the first header lie, as far as they can be followed; `end` is behind it.
+// The positions of the first header's attributes, as far as they can be parsed; `end` is after the
+// header.
 std::vector<AttributePlace> FindAttributes(const std::string& bytes, std::size_t& end)
 {
   std::vector<AttributePlace> places;
@@ -89,8 +90,8 @@ std::string Mutator::Make(uint64_t index) const
 {
   Random random(index * 0x9e3779b97f4a7c15u + 1);
   std::string bytes = this->Seeds[Below(random, this->Seeds.size())];
-  // A third of the files have damaged headers; in most others the header is sound, so that the
-  // damage reaches what unpacks the pixels.
+  // A third of the files have damaged headers; in most others the header is intact, so that the
+  // damage reaches the decompression of pixels.
   const bool header = Below(random, 3) == 0;
   const bool anywhere = Below(random, 4) == 0;
   const uint64_t count = 1 + Below(random, 4);
@@ -138,7 +139,7 @@ void Mutator::Damage(std::string& bytes, std::size_t from, Random& random) const
     case 6: // an integer
       PutInt(bytes, at, InterestingInt(random));
       break;
-    case 7: // the end is missing, or there is more
+    case 7: // cut off, or lengthened
       if (Below(random, 4) == 0)
       {
         bytes.append(Below(random, 100), static_cast<char>(random()));
@@ -148,13 +149,13 @@ void Mutator::Damage(std::string& bytes, std::size_t from, Random& random) const
         bytes.resize(at);
       }
       break;
-    case 8: // a stretch is missing
+    case 8: // a section is missing
       bytes.erase(at, length);
       break;
-    case 9: // a stretch is there twice
+    case 9: // a section is repeated
       bytes.insert(at, bytes.substr(at, length));
       break;
-    case 10: // a stretch, or the rest, of another file
+    case 10: // a section, or the rest, of another file
     {
       const std::string& other = this->Seeds[Below(random, this->Seeds.size())];
       const std::size_t begin = Below(random, other.size());
@@ -164,7 +165,7 @@ void Mutator::Damage(std::string& bytes, std::size_t from, Random& random) const
                                     : bytes.replace(at, stretch.size(), stretch);
       break;
     }
-    default: // two stretches change places
+    default: // two sections are swapped
     {
       const std::size_t other = from + Below(random, bytes.size() - from);
       for (std::size_t i = 0; i < length && at + i < bytes.size() && other + i < bytes.size(); ++i)
@@ -188,7 +189,7 @@ void Mutator::DamageHeader(std::string& bytes, Random& random) const
   const std::size_t size = place.End - place.Value;
   switch (Below(random, 8))
   {
-    case 0: // another size, the value as it is
+    case 0: // another size, the value unchanged
       PutInt(bytes, place.Size, InterestingInt(random));
       break;
     case 1: // another type
@@ -210,7 +211,7 @@ void Mutator::DamageHeader(std::string& bytes, Random& random) const
           static_cast<char>(Below(random, 3) == 0 ? random() : Below(random, 12));
       }
       break;
-    case 4: // removed, or there twice
+    case 4: // removed, or repeated
       if (Below(random, 2) == 0)
       {
         const std::size_t name = place.Type - 1 - std::strlen(&bytes[8]);
@@ -221,7 +222,7 @@ void Mutator::DamageHeader(std::string& bytes, Random& random) const
         bytes.insert(place.End, bytes.substr(8, place.End - 8));
       }
       break;
-    case 5: // the value is longer or shorter, and says so
+    case 5: // a longer or shorter value, with the right size
     {
       const std::size_t longer = Below(random, 40);
       const bool grow = Below(random, 2) == 0;
@@ -235,7 +236,7 @@ void Mutator::DamageHeader(std::string& bytes, Random& random) const
       bytes[5] =
         static_cast<char>(Below(random, 2) == 0 ? random() : bytes[5] ^ (1 << Below(random, 6)));
       break;
-    default: // an offset of a chunk, or what stands before its pixels
+    default: // an offset of a chunk, or the data before its pixels
       PutInt(bytes, end + 4 * Below(random, 40), InterestingInt(random));
   }
 }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file ExrMutator.h
- * @brief Damages EXR files in the ways that matter; the same number gives the same damage.
+ * @brief Damages EXR files in relevant ways; equal numbers give equal damage.
  */
 #ifndef ExrMutator_h
 #define ExrMutator_h
@@ -17,13 +17,13 @@ namespace exrFuzz
 class Mutator
 {
 public:
-  /** `seeds`: sound files, at least one, none empty. */
+  /** `seeds`: intact files, at least one, none empty. */
   explicit Mutator(std::vector<std::string> seeds);
 
   /**
    * File number `index`: a seed with one to four kinds of damage: bits and bytes changed, the file
-   * cut or lengthened, stretches removed, doubled or taken from another seed, attributes of the
-   * header with other sizes, types or values, other flags, and offsets that lead elsewhere.
+   * cut or lengthened, sections removed, repeated or taken from another seed, attributes of the
+   * header with other sizes, types or values, other flags, and wrong offsets.
    */
   std::string Make(uint64_t index) const;
 

@@ -36,7 +36,7 @@ void WriteLayers(const std::string& file, int compression)
   auto image = ioTest::MakeLayers(11, 9);
   if (compression >= vtkRelievoEXRWriter::DWAA)
   {
-    // Those DWA would warn about.
+    // Channels about which DWA would warn.
     for (const char* name : { "normal", "geometric_normal", "position", "U velocity", "uv" })
     {
       image->GetPointData()->RemoveArray(name);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file ExrSeeds.h
- * @brief Small sound EXR files of every kind: what the fuzz run starts from.
+ * @brief Small intact EXR files of every kind, from which the fuzz run starts.
  */
 #ifndef ExrSeeds_h
 #define ExrSeeds_h

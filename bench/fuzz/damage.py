@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Damages files in the ways that matter to readers, by the random numbers that it is given."""
+"""Damages files in ways relevant to readers, by a given random number generator."""
 
 import re
 import struct
@@ -15,7 +15,7 @@ TOKEN = re.compile(rb"[A-Za-z_#][\w#.:]*|[-+]?\d[\w.+-]*")
 NUMBER = re.compile(rb"(?<![\w.])[-+]?\d+(?:\.\d*)?(?:[eE][-+]?\d+)?")
 NEST = ((b"<node>", b"</node>"), (b"<Piece>", b"</Piece>"), (b"[", b"]"), (b'{"a":', b"}"),
         (b"{", b"}"), (b"(", b")"))  # fmt: skip
-HEADER = 300  # bytes in which half of the damage is
+HEADER = 300  # bytes that get half of the damage
 
 
 def is_text(content):
@@ -103,7 +103,7 @@ OF_TEXT = (number, number, number, token, token, lines, bits, cut, lose, double,
 
 
 def png_sums(content):
-    """A PNG with the checksums that its chunks ought to have."""
+    """A PNG with the correct checksums of its chunks."""
     out, at = content[:8], 8
     while at + 12 <= len(content):
         length = struct.unpack_from(">I", content, at)[0]

@@ -1,17 +1,17 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Damaged files of every format that Relievo reads, the same for the same seed: each is drawn, or
-refused with one message that names it; nothing crashes, hangs or takes too much memory, and nothing
-is left.
+"""Damaged files of every format that Relievo reads, reproducible by seed: each is drawn, or refused
+with one message that names it; nothing crashes, hangs or takes too much memory, and no files are
+left behind.
 
     fuzz.py [--seconds N | --files N] [--seed N] [--only N] [--formats A,B,...]
 
---seconds: how long new files are made (RELIEVO_FUZZ_SECONDS, or 300). --files: so many, however
-long that takes. --seed: another seed, other files (RELIEVO_FUZZ_SEED, or one of the clock, which is
-printed). --only: file N alone, which stays in the folder that is printed. A file that fails is kept
-below RELIEVO_TEST_OUTPUT (or the current folder) in fuzz-failures, with the command that repeats
-it. Exit: 0 no failure, 1 failures.
+--seconds: time to make new files (RELIEVO_FUZZ_SECONDS, or 300). --files: number of files, without
+a time limit. --seed: seed of the files (RELIEVO_FUZZ_SEED, or one from the clock, which is
+printed). --only: only file N, which stays in the printed folder. A failing file is kept below
+RELIEVO_TEST_OUTPUT (or the current folder) in fuzz-failures, with the command to repeat it.
+Exit: 0 no failure, 1 failures.
 
 Environment: RELIEVO_FUZZ (the program relievo-fuzz-files), RELIEVO and VIEWER (the command and the
 viewer; may be missing), RELIEVO_DATA.
@@ -37,22 +37,22 @@ from damage import damage
 from PIL import Image
 from samples import all_samples
 
-SECONDS = 20  # that one file may take, where nothing else runs
-MEMORY = (8 << 30) + (1 << 28)  # of a process: that of small files, and what the program has
-BATCH = 400  # files that one process draws
-BY_COMMAND = 40  # of so many files one is drawn by the command itself, too
+SECONDS = 20  # per file, if nothing else runs
+MEMORY = (8 << 30) + (1 << 28)  # per process: the limit for small files, plus the program
+BATCH = 400  # files drawn by one process
+BY_COMMAND = 40  # one of so many files is also drawn by the command itself
 READER = re.compile(r"reader(?: \(\w+\))? (?:crashed|did not end|used more|ended early|was ended)")
-PROGRESS = re.compile(r"relievo: .* \d+ %")  # of a step that takes more than two seconds
+PROGRESS = re.compile(r"relievo: .* \d+ %")  # of a step of more than two seconds
 LOOK = ["--size", "48x48", "--background", "0.3/0.5/0.7", "--png", "out.png"]
 
 
 def patience():
-    """The seconds for a file beside what else runs."""
+    """The seconds allowed for a file, given the machine's other work."""
     return SECONDS * max(1.0, os.getloadavg()[0] / (os.cpu_count() or 1))
 
 
 class Driver:
-    """A process that draws one file after the other."""
+    """A process that draws files one by one."""
 
     def __init__(self, folder, temporary):
         self.errors = tempfile.TemporaryFile()
@@ -62,7 +62,7 @@ class Driver:
         self.drawn = 0
 
     def draw(self, words):
-        """What it says, or a text of what became of it."""
+        """The answer, or a text on the failure of the process."""
         self.drawn += 1
         try:
             self.process.stdin.write(json.dumps(words).encode() + b"\n")
@@ -82,19 +82,19 @@ class Driver:
         return f"ended with status {status}: {self.errors.read()[-600:].decode(errors='replace')}"
 
     def end(self):
-        """The most memory of it and its readers, in bytes."""
+        """The peak memory of the process and its readers, in bytes."""
         self.process.stdin.close()
         self.process.stdout.close()
         self.errors.close()
         if self.process.returncode is not None:
-            return 0  # somebody has waited for it
+            return 0  # already awaited
         _, status, usage = os.wait4(self.process.pid, 0)
         self.process.returncode = status
         return usage.ru_maxrss << 10
 
 
 def judge(answer, sample, folder):
-    """What is wrong with an answer, or nothing."""
+    """The problem of an answer, or nothing."""
     if isinstance(answer, str):
         return answer
     said = answer["say"]
@@ -104,14 +104,14 @@ def judge(answer, sample, folder):
                 colors = picture.convert("RGB").getcolors(1 << 16)
         except (OSError, SyntaxError) as error:
             return f"done, but its picture cannot be read: {error}"
-        # What is not as it should be is drawn with a note.
+        # Incomplete files are drawn with a note.
         return "an empty picture, without a word" if len(colors) == 1 and not said else ""
     if answer["status"] not in (1, 2):
         return f"exit status {answer['status']}"
     if len(said) != 1 or "\n" in said[0] or not said[0].strip():
         return f"not one line: {said}"
     names = list(sample.files)
-    if sample.kind == "session":  # which may name other files
+    if sample.kind == "session":  # a session may name other files
         names += re.findall(r'"([^"]+)"', (folder / "a.json").read_text(errors="replace"))
     if not any(name in said[0] for name in names):
         return f"a message that names no file: {said[0]}"
@@ -119,10 +119,10 @@ def judge(answer, sample, folder):
 
 
 def by_program(words, program, folder, temporary):
-    """The command or the viewer itself: its answer in the same form."""
+    """The answer of the command or the viewer itself, in the same form."""
     seconds = patience()
     try:
-        with tempfile.TemporaryDirectory() as runtime:  # which Qt would have in TMPDIR
+        with tempfile.TemporaryDirectory() as runtime:  # the folder that Qt would put into TMPDIR
             folders = {"TMPDIR": str(temporary), "XDG_RUNTIME_DIR": runtime}
             done = subprocess.run([program, *words], cwd=folder, capture_output=True,
                                   timeout=seconds, env={**os.environ, **folders})  # fmt: skip
@@ -153,7 +153,7 @@ class Campaign:
         self.lock = threading.Lock()
 
     def check_samples(self):
-        """Draws what is not damaged: all but models of others are sound."""
+        """Draws the undamaged samples: all must be valid, except models from other sources."""
         with tempfile.TemporaryDirectory() as base:
             folder = pathlib.Path(base)
             driver = Driver(folder, folder)
@@ -170,7 +170,7 @@ class Campaign:
             driver.end()
 
     def make(self, number, folder):
-        """Writes the files of a number; which sample they are of."""
+        """Writes the files of a number; returns their sample."""
         rng = random.Random(f"{self.seed}:{number}")
         sample = rng.choice(self.samples[self.kinds[number % len(self.kinds)]])
         name = rng.choice(sample.damaged)
@@ -188,15 +188,15 @@ class Campaign:
         self.failures.append(number)
 
     def left(self, sample, folder, temporary):
-        """What was left, or nothing."""
+        """Files left behind, or nothing."""
         expected = {pathlib.Path(name).parts[0] for name in sample.files} | {"out.png"}
         more = [each.name for each in folder.iterdir() if each.name not in expected]
         more += [each.name for each in temporary.iterdir()]
         return f"left {', '.join(more)}" if more else ""
 
     def try_one(self, number, driver, folder, temporary):
-        """False if the driver is of no use any more."""
-        for each in (*folder.iterdir(), *temporary.iterdir()):  # themselves are the driver's
+        """False if the driver must be replaced."""
+        for each in (*folder.iterdir(), *temporary.iterdir()):  # the driver uses the folders
             shutil.rmtree(each) if each.is_dir() else each.unlink()
         sample = self.make(number, folder)
         session = sample.kind == "session"

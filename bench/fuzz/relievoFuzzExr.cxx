@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 // relievo-fuzz-exr [COUNT [FIRST]]: reads COUNT (default 100000) damaged EXR files, always the same
-// ones, from number FIRST (default 0) on. Exit: 0 no fault, 1 faults, 2 the words were wrong.
-// `relievo-fuzz-exr 1 4711` reads file 4711 alone and leaves it in the folder that it names.
+// ones, from number FIRST (default 0) on. Exit: 0 no fault, 1 faults, 2 wrong arguments.
+// `relievo-fuzz-exr 1 4711` reads only file 4711 and leaves it in the folder that it names.
 #include "ExrFuzz.h"
 
 #include <vtkErrorCode.h>
@@ -14,8 +14,8 @@
 #include <filesystem>
 #include <iostream>
 
-// Sanitizers read these at start. One allocation may not be larger than 1 GiB: a header of a few
-// bytes must not make us ask for more. GNU's and LLVM's runtimes both look for this name.
+// Read by sanitizers at start. Allocations are limited to 1 GiB: a header of a few bytes must not
+// make us ask for more. GNU's and LLVM's runtimes both use this name.
 extern "C" const char* __asan_default_options();
 extern "C" const char* __asan_default_options()
 {

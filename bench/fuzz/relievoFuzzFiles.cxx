@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // relievo-fuzz-files: `relievo render` many times in one process, for fuzz.py and the tests of the
-// command (tests/apps/cli.py), in which a process for each picture takes most of the time. Each
-// line of the standard input is a JSON list of the words behind `relievo render`; each line of the
-// output is an object with the `status` of the command, the lines that it would `say`, and the
-// `certificate`.
+// command (tests/apps/cli.py), since starting a process for each picture would take most of the
+// time. Each line of the standard input is a JSON list of the arguments of `relievo render`; each
+// line of the output is an object with the `status` of the command, the lines that it would `say`,
+// and the `certificate`.
 #include "Display.h"
 #include "Errors.h"
 #include "Messages.h"
@@ -29,8 +29,8 @@
 
 namespace
 {
-// The window of the scene before, which takes long to open, in the size that a scene gives its own.
-// None where a lens says the size, or OpenGL has no such: the scene's own window is refused then.
+// The previous scene's window, which takes long to open, if the new scene sets its size. None if a
+// lens sets the size, or OpenGL does not support it: the scene's own window is refused then.
 vtkSmartPointer<vtkRenderWindow> Reuse(
   vtkSmartPointer<vtkRenderWindow> window, const std::vector<std::string>& words)
 {
@@ -92,7 +92,7 @@ nlohmann::json Render(const nlohmann::json& words, vtkSmartPointer<vtkRenderWind
   {
     scene::Messages::Check("");
   }
-  catch (const scene::WorkError&) // the failure, which is an error event, too
+  catch (const scene::WorkError&) // the failure, which is also an error event
   {
   }
   return { { "status", status }, { "say", lines }, { "certificate", scene->GetCertificate() } };
@@ -107,7 +107,7 @@ int main()
   vtkSmartPointer<vtkRenderWindow> window;
   for (std::string line; std::getline(std::cin, line);)
   {
-    // Names may be no UTF-8.
+    // Names may not be UTF-8.
     std::cout << Render(nlohmann::json::parse(line), window)
                    .dump(-1, ' ', false, nlohmann::json::error_handler_t::replace)
               << std::endl;

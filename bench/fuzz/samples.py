@@ -25,7 +25,7 @@ from vtkmodules.vtkIOLegacy import vtkDataSetWriter
 from vtkmodules.vtkIOPLY import vtkPLYWriter
 from vtkmodules.vtkIOXML import vtkXMLDataSetWriter, vtkXMLMultiBlockDataWriter
 
-LARGEST = 200000  # bytes of a sample from the data folder
+LARGEST = 200000  # bytes per sample from the data folder
 
 MESH = b"OFF\n4 4 0\n-1 -1 0\n1 -1 0\n-1 1 0\n0 0 1\n3 0 1 2\n3 0 1 3\n3 1 2 3\n3 2 0 3\n"
 COLORED = b"COFF\n3 1 0\n-1 -1 0 0.1 0.2 0.3 1\n1 -1 0 1 0 0 1\n-1 1 0 0 1 0 1\n3 0 1 2\n"
@@ -225,14 +225,14 @@ def of_images():
     images.append(("exr", exr(rng.random((6, 12)).astype(numpy.float32))))
     for kind, content in images:
         name = "a." + kind
-        # The readers are the same; making an environment of an image takes long.
+        # Readers are shared; making an environment of an image takes long.
         options = ["--height-map", *(["--environment"] if kind in ("png", "hdr", "exr") else [])]
         for option in options:
             yield Sample(kind, {name: content, "m.off": MESH}, [name], ["m.off", option, name])
 
 
 def exr(values):
-    """An OpenEXR file of scan lines as they are, with one channel."""
+    """An uncompressed OpenEXR file of scan lines with one channel."""
     rows, columns = values.shape
 
     def attribute(name, kind, value):
@@ -254,8 +254,8 @@ def exr(values):
 
 
 def of_models(data):
-    """Models of the data folder, with all files beside them that they name: the small ones, or of a
-    format without any the smallest."""
+    """Models of the data folder with all files that they name beside them: the small ones, or the
+    smallest of a format without any."""
     found = {}
     for path in sorted(data.rglob("*")):
         kind = path.suffix.lower()[1:]
@@ -282,7 +282,7 @@ def of_sessions():
 
 
 def all_samples(data):
-    """By format."""
+    """All samples, by format."""
     samples = [of_one("off", "a.off", MESH),
                of_one("off", "a.off", COLORED),
                Sample("obj", {"a.obj": OBJ, "a.mtl": MTL, "a.png": png()},

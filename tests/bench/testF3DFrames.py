@@ -34,7 +34,7 @@ class Frames(unittest.TestCase):
         same[5:15, 5:25] = 90
         f3d_frames.same_object({"F3D": own, "Relievo": same})
         moved = numpy.roll(own, 1, axis=0)
-        with self.assertRaisesRegex(SystemExit, "different things: 81.8 %"):
+        with self.assertRaisesRegex(SystemExit, "different objects: 81.8 %"):
             f3d_frames.same_object({"F3D": own, "Relievo": moved})
 
 
