@@ -332,7 +332,7 @@ def planner(errors, choices, times, budgets):
     ways = ("map", "warped", "exact")
     for stem, title, note, rows, methods, x, y, ends, name, axes in (
         ("error", "Shadows: measured errors against errors expected before drawing",
-         "Each mark is a scene, light, window and map size. Below the line: better than that.",
+         "Each mark is a scene, light, window and map size. Below the line: better than expected.",
          errors, ("map", "warped"), "expected wrong %", "wrong %", [0.003, 3], "as expected",
          ("expected, % of pixels", "measured, % of pixels", percents)),
         ("choice", "Shadows: errors of the choice for a tolerance",

@@ -312,21 +312,21 @@ vtkRelievoSunExposure::vtkRelievoSunExposure()
     180.0, "degrees", "East is positive.");
   list.AddNumber(
     "step", this->Step, [this](double minutes) { this->SetStep(minutes); }, 0.1, 240.0, "minutes",
-    "From one place of the sun to the next.");
+    "Time step between positions of the sun.");
   list.AddWhole(
     "day_step", this->DayStep, [this](int days) { this->SetDayStep(days); }, 1, 366, "days",
-    "Every so many count, each for as many; for a year 7 will do.");
+    "Only every so many days are computed, each counted as many times; 7 suffices for a year.");
   list.AddChoice(
     "up_axis", this->UpAxis, [this](int axis) { this->SetUpAxis(axis); }, { "x", "y", "z" },
-    "The axis that points up; north is z, -z or y where x, y or z does.");
+    "The axis that points up; north is z, -z or y, respectively.");
   list
     .AddFlag(
       "points", this->Points, [this](bool on) { this->SetPoints(on); },
-      "Points are judged, rather than cells.")
+      "Evaluates points instead of cells.")
     .Label = "Of Points";
   list.AddWhole(
     "sky_samples", this->SkySamples, [this](int rays) { this->SetSkySamples(rays); }, 0, 65536, "",
-    "Rays of each place for the array sky_view, the share of the sky that is seen; 0: none.");
+    "Rays per place for the array sky_view, the visible share of the sky; 0: none.");
 }
 
 //------------------------------------------------------------------------------

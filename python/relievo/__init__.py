@@ -9,14 +9,14 @@
 
     relievo.environment(renderer, "forest.exr")           # light, mirrors and sky
     relievo.scene("bike.obj").render("bike.png")
-    relievo.rays(renderer).nearest(origins, directions)   # what rays meet, in double
+    relievo.rays(renderer).nearest(origins, directions)   # what rays hit, in double
 
 Rows of numpy arrays run downwards, VTK's upwards: layer(), from_image() and to_image() turn them.
 
 Layers, one sample per pixel, at its centre; layers() lists them for scripts:
 
 =================  ==========  ====================================================  ==========
-name               components  what it is                                            background
+name               components  content                                               background
 =================  ==========  ====================================================  ==========
 depth              1 float     distance along the view direction, world units        +infinity
 range              1 float     distance from the eye, world units                    +infinity
@@ -24,24 +24,24 @@ normal             3 float     unit shading normal, world space                 
 geometric_normal   3 float     unit normal of the triangle, world space              0
 position           3 double    world position                                        0
 albedo             4 uint8     surface colour before lighting, RGBA, 0 to 255        0
-light              3 float     what lamps add, before the surface's colour           0
-light_depth        1 float     what a light's shadow map sees, along its axis        +infinity
-lamp_evaluations   1 float     how many lamps were computed for the pixel            0
-lamps_reaching     1 float     how many lamps reach the pixel's surface              0
-blend              4 float     what is translucent, in linear light, premultiplied   0
+light              3 float     light of lamps, before the surface's colour           0
+light_depth        1 float     depth in a light's shadow map, along its axis         +infinity
+lamp_evaluations   1 float     number of lamps computed for the pixel                0
+lamps_reaching     1 float     number of lamps that reach the surface                0
+blend              4 float     translucent surfaces, linear light, premultiplied     0
 color              4 float     the picture in linear light, premultiplied            renderer's
 actor block cell   1 int       ids, from 0                                           -1
-fog                1 float     what fog lets through: 1 all, 0 nothing               1
+fog                1 float     transmittance of fog: 1 all, 0 nothing                1
 ambient            1 float     share of the sky that the surface sees: 1 all, 0 none  1
-marker             1 float     how much of the surface markers cover, 0 to 1         0
+marker             1 float     share of the surface that markers cover               0
 shadow_N           1 float     visibility of light N: 1 lit, 0 dark                  1
 any array's name   the array's  point data interpolated, cell data per cell          NaN
 =================  ==========  ====================================================  ==========
 
 The background of color is the renderer's background in linear light, with its own alpha
 (GetBackgroundAlpha(), 0 by default). N is an index in renderer.GetLights(), from 0;
-shadow_key_light is that of the light named "Key light" (shadows.SetLightName). These layers do not
-need shadows in the picture, which are switched on by
+shadow_key_light belongs to the light named "Key light" (shadows.SetLightName). These layers do not
+need shadows in the picture. Shadows are switched on by
 
     frame = relievo.attach(renderer)
     frame.ShadowsOn()                                 # every light casts; see also ShadowsOff()

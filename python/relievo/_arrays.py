@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Whether a name can be a layer of what a renderer draws."""
+"""Checks whether a name can be a layer of a renderer's data."""
 
 from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet, vtkDataSet
 
@@ -12,7 +12,7 @@ _KINDS = ("point:", "cell:")
 
 
 def why_not(name, renderer, shadows):
-    """What is wrong with a layer's name, in words; None if nothing is, or nobody can know yet.
+    """The problem of a layer's name; None if the name is valid, or cannot be checked yet.
 
     shadows: the vtkRelievoShadowStage that knows the names of the renderer's lights, or None.
     """
@@ -45,8 +45,8 @@ def why_not(name, renderer, shadows):
 
 
 def _arrays_of(renderer):
-    """Names of the arrays that the renderer's mappers are given, with and without their kind; None
-    where that is unknown."""
+    """Names of the arrays in the input of the renderer's mappers, with and without their kind; None
+    if unknown."""
     names = set()
     mappers = 0
     for prop in renderer.GetViewProps():
@@ -72,7 +72,7 @@ def _arrays_of(renderer):
 def add_arrays(data, names):
     """Adds the arrays' names, with and without their kind.
 
-    Returns whether the kind of data is known: graphs, molecules and trees are made into others.
+    Returns False for graphs, molecules and trees, which are converted to unknown data.
     """
     if isinstance(data, vtkCompositeDataSet):
         blocks = data.NewIterator()

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""trame, which shows scenes in browsers: its VTK, and what its local views leave out."""
+"""Support for trame, which shows scenes in browsers: its VTK, and warnings about local views."""
 
 import functools
 import importlib.abc
@@ -13,7 +13,7 @@ from vtkmodules.vtkCommonCore import vtkObjectBase
 
 from .vtkRelievoMaterials import vtkRelievoMaterial
 
-# Where trame keeps what it makes of each class of VTK; imported with an application's first view.
+# The module with trame's serializers of VTK's classes, imported with an application's first view.
 _INITIALIZE = "trame_vtk.modules.vtk.serializers.initialize"
 _REGISTRY = "trame_vtk.modules.vtk.serializers.registry"
 
@@ -25,7 +25,7 @@ _LEFT_OUT = (
 
 
 def _has_relievo(renderer):
-    """Whether something of Relievo's takes part in the renderer's picture."""
+    """Whether Relievo contributes to the renderer's picture."""
     drawn = renderer.GetPass()
     while drawn is not None:
         if drawn.IsA("vtkRelievoPass"):
@@ -40,7 +40,7 @@ def _has_relievo(renderer):
 
 
 def _watch(initialize):
-    """Makes trame's function for renderers say it, once."""
+    """Makes trame's serializer of renderers print the warning, once."""
     serialize = initialize.renderer_serializer
     waiting = [_LEFT_OUT]
 
@@ -74,7 +74,7 @@ class _Finder(importlib.abc.MetaPathFinder):
 
 
 def prepare():
-    """Makes trame, now or later, use Relievo's VTK, and say what its browser leaves out."""
+    """Makes trame, now or later, use Relievo's VTK and warn of parts missing in the browser."""
     package = vtkObjectBase.__module__.split(".")[0]
     if package != "vtkmodules" and "vtkmodules" not in sys.modules:
         os.environ.setdefault("VTK_MODULE_NAME", package)

@@ -25,14 +25,14 @@ _LARGEST = 1 << 20  # pixels each way
 class CameraModel:
     """A sensor: its size, its pose, and the ray of each of its pixels.
 
-    Pixels are counted as OpenCV counts them: column u from the left, row v from the top, the CENTRE
+    Pixels are counted as in OpenCV: column u from the left, row v from the top, the CENTRE
     of the first pixel at (0, 0). The pose takes a world point p to R p + t, where x is right, y is
     down and z is forward (lidars: x forward, y left, z up).
 
-    model: the object of VTK that does the work, of a class vtkRelievo…Camera or vtkRelievoLidar.
+    model: the VTK object behind it, a vtkRelievo…Camera or vtkRelievoLidar.
     size: (columns, rows). R, t: the pose; see pose().
 
-    Raises ValueError for wrong arguments, as all of them do.
+    Raises ValueError for wrong arguments, as all camera classes do.
     """
 
     def __init__(self, model, size, R, t):
@@ -64,7 +64,7 @@ class CameraModel:
 
     def pose(self, R=None, t=None):
         """Sets the pose: R of (3, 3), or a rotation vector of 3 (Rodrigues, radians), and t of 3;
-        None for the identity and 0. Returns self. Raises ValueError if R is no rotation."""
+        None for the identity and 0. Returns self. Raises ValueError if R is not a rotation."""
         R = _rotation(R)
         t = numpy.zeros(3) if t is None else _numbers("t", t, 3)
         self._call("pose", self.model.SetExtrinsics, R.ravel().tolist(), t.tolist())
@@ -72,14 +72,14 @@ class CameraModel:
 
     def look_at(self, position, target, up=(0, 1, 0)):
         """Sets the pose of a camera at `position` that looks at `target`, with `up` upwards in the
-        picture. Returns self. Raises ValueError if these say no direction."""
+        picture. Returns self. Raises ValueError if these define no direction."""
         triples = (_numbers(name, each, 3).tolist() for name, each in
                    (("position", position), ("target", target), ("up", up)))
         self._call("look_at", self.model.LookAt, *triples)
         return self
 
     def copy(self):
-        """Returns a camera of the same kind that does not change with this one."""
+        """Returns an independent copy."""
         other = object.__new__(type(self))
         other.model = self.model.NewInstance()
         other.model.Copy(self.model)
@@ -106,14 +106,14 @@ class CameraModel:
 
     def project(self, points):
         """Returns the places (u, v) of world points (n, 3) in the picture, array of (n, 2); NaN for
-        those that no ray meets. Places may lie outside of the picture."""
+        points that no ray hits. Places may lie outside the picture."""
         places = vtkDoubleArray()
         self.model.Project(_array(_rows("points", points, 3)), places)
         return vtk_to_numpy(places)
 
 
 class Pinhole(CameraModel):
-    """A camera with intrinsics K (3, 3), and OpenCV's distortion by choice.
+    """A camera with intrinsics K (3, 3), and optionally OpenCV's distortion.
 
     distortion: k1, k2[, p1, p2[, k3[, k4, k5, k6]]] of Brown and Conrady, in OpenCV's order.
     size: (columns, rows). R, t: the pose; see CameraModel.pose.
@@ -135,8 +135,8 @@ class Pinhole(CameraModel):
 
     @classmethod
     def of(cls, camera, size):
-        """The pinhole that a vtkCamera, a renderer or a plotter is in a picture of (columns, rows).
-        Raises ValueError for one that is no perspective camera."""
+        """The pinhole equal to a vtkCamera, a renderer's or a plotter's, in a picture of (columns,
+        rows). Raises ValueError for cameras without perspective projection."""
         found = _camera_of(camera)
         taken = Pinhole(numpy.eye(3), size)
         taken._call("camera", taken.model.TakeFrom, found, *taken.size)
@@ -165,8 +165,8 @@ class Fisheye(Pinhole):
 
 
 class Division(Pinhole):
-    """A lens by Fitzgibbon's division model, of one coefficient k in units of K's focal length: the
-    straight place is the bent one over 1 + k r².
+    """A lens by Fitzgibbon's division model, with one coefficient k in units of K's focal length:
+    the undistorted place is the distorted one divided by 1 + k r².
 
     size: (columns, rows). R, t: the pose; see CameraModel.pose.
 
@@ -179,7 +179,7 @@ class Division(Pinhole):
 
 
 class Equirectangular(CameraModel):
-    """A panorama of equal steps of azimuth and elevation, forward in the middle.
+    """A panorama with equal steps of azimuth and elevation, forward in the middle.
 
     size: (columns, rows); a whole panorama is twice as wide as high. field: degrees that its
     columns and rows span, at most (360, 180).
@@ -197,7 +197,7 @@ class Equirectangular(CameraModel):
 class Cube(CameraModel):
     """A panorama of six square faces side by side: front, right, back, left, up, down.
 
-    face: pixels of a face each way; the picture is six times as wide as high.
+    face: pixels along each side of a face; the picture is six times as wide as high.
 
     R, t: the pose; see CameraModel.pose.
 
@@ -210,7 +210,7 @@ class Cube(CameraModel):
 
 
 class Orthographic(CameraModel):
-    """A camera of parallel rays, as a map: so many pixels for a world unit.
+    """A camera of parallel rays, as in a map, with a number of pixels per world unit.
 
     center: the pixel of its axis; None for the middle of the picture.
 
@@ -228,9 +228,9 @@ class Orthographic(CameraModel):
 
     @classmethod
     def of(cls, camera, size):
-        """The map that a vtkCamera of parallel projection, a renderer or a plotter with one is in a
-        picture of (columns, rows): by its matrices, whoever made them. Raises ValueError for
-        another camera: one with shear, a parallel scale of 0, or pixels that are not square."""
+        """The map equal to a vtkCamera of parallel projection, a renderer's or a plotter's, in a
+        picture of (columns, rows), from its matrices. Raises ValueError for other cameras, and for
+        shear, a parallel scale of 0, or pixels that are not square."""
         found = _camera_of(camera)
         columns, rows = _whole(size)
         projection, view = numpy.empty((4, 4)), numpy.empty((4, 4))
@@ -275,11 +275,11 @@ class Pushbroom(CameraModel):
 class Lidar(CameraModel):
     """A laser scanner, whose pose has x forward, y left, z up.
 
-    elevations: degrees of each beam above the plane z = 0.
-    steps: a spinning sensor's steps in a turn: its picture has a row for each beam, a column for
+    elevations: degrees of each ray above the plane z = 0.
+    steps: a spinning sensor's steps in a turn: its picture has a row per elevation, a column for
         each step. turn: azimuths, in degrees from x towards y, of the first step and behind the
-        last one. offsets: azimuths of each beam beside it.
-    azimuths: in place of steps, the azimuth of each beam: a picture of one row.
+        last one. offsets: azimuth of each row relative to the step.
+    azimuths: instead of steps, the azimuth of each ray: a picture of one row.
 
     R, t: the pose; see CameraModel.pose.
 
@@ -318,14 +318,14 @@ def camera(target=None, *, K, size, R=None, t=None, near=None, far=None) -> vtkC
     K: intrinsics (3, 3) in pixels, OpenCV's: fx and fy may differ, the principal point may lie
         anywhere, a skew is allowed. The centre of the first pixel, at the top left, is (0, 0).
     size: (columns, rows) of the picture that K is for. In a window of another shape the
-        height, fx and fy stay; intrinsics() says the rest.
+        height, fx and fy stay; intrinsics() gives the result.
     R, t: the pose, world to camera, x right, y down, z forward; R (3, 3) or a rotation vector; see
         cv2.solvePnP. None for the identity and 0.
     near, far: the clipping planes, world units; None to fit them to what the renderer shows, or to
         leave the camera's.
 
-    Raises ValueError for a K that is no upper triangle, or an R that is no rotation. A camera with
-    a distorting lens is a Pinhole, Fisheye, …, for capture(…, camera=).
+    Raises ValueError for a K that is not upper triangular, or an R that is not a rotation. A camera
+    with a distorting lens is a Pinhole, Fisheye, …, for capture(…, camera=).
     """
     model = Pinhole(K, size, R, t)
     renderer = None if target is None or is_a(target, "vtkCamera") else inner_renderer(target)
@@ -406,19 +406,19 @@ def _class_of(model):
 
 def intrinsics(camera, size) -> numpy.ndarray:
     """Returns K, array of (3, 3) in pixels, of a vtkCamera, a renderer or a plotter, as seen in a
-    picture of size (columns, rows). Raises ValueError for one that is no perspective camera."""
+    picture of size (columns, rows). Raises ValueError unless the projection is perspective."""
     return Pinhole.of(camera, size).K
 
 
 def extrinsics(camera) -> tuple:
     """Returns (R, t), arrays of (3, 3) and 3: from the world to x right, y down, z forward, of a
-    vtkCamera, a renderer or a plotter, the camera. Raises ValueError for one that is no pinhole."""
+    vtkCamera, a renderer or a plotter, the camera. Raises ValueError unless it is a pinhole."""
     taken = Pinhole.of(camera, (1, 1))
     return taken.R, taken.t
 
 
 def sensor_of(camera, size):
-    """The pinhole or the map that a vtkCamera, a renderer or a plotter is in a picture."""
+    """The pinhole or the map equal to a vtkCamera, a renderer's or a plotter's, in a picture."""
     of = Orthographic.of if _camera_of(camera).GetParallelProjection() else Pinhole.of
     return of(camera, size)
 

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""From a renderer to an image of layers."""
+"""Captures a renderer's layers as an image."""
 
 import os
 import threading
@@ -24,7 +24,7 @@ from ._renderers import renderer_of
 from ._sight import FLOW_LAYERS, NEEDS_MOMENT, Moment, layers_by_rays
 from .vtkRelievoPasses import vtkRelievoDisplay, vtkRelievoLayerSource, vtkRelievoLensPicture
 
-_LARGEST = 16384  # pixels each way; OpenGL's own limit, asked when there is a window, may be lower
+_LARGEST = 16384  # pixels each way; OpenGL's own limit, known once there is a window, may be lower
 _SIZE_OF_DATA = (1024, 768)
 
 
@@ -34,32 +34,32 @@ def capture(renderer, layers=("depth",), size=None, hdr=False, camera=None, ambi
 
     renderer: a vtkRenderer, or an object whose attribute `renderer` is one (a plotter). Its camera,
         lights, passes and window stay unchanged; but PyVista's plotter gets the camera that it
-        would be shown with, if nobody has set it. A renderer without a window is drawn in an
+        would be shown with, unless it has been set. A renderer without a window is drawn in an
         off-screen one, and `size` is needed. Or a dataset (also composite), a filter that makes
-        one, something with a `dataset`, points of shape (n, 3), or an actor: that is drawn, data by
-        its surface, seen along -z with y up, fitted to the picture.
+        one, an object with a `dataset`, points of shape (n, 3), or an actor; it is drawn (data by
+        its surface), seen along -z with y up, fitted to the picture.
     layers: names of layers, or one name; see help(relievo). Repeated names count once.
     size: (columns, rows) of the image in pixels, from 1 to 16384, or to OpenGL's limit where that
         is lower; None for the size of the renderer's viewport, (1024, 768) for data.
     hdr: whether the layer `color` is the linear colour of the frame, unclamped, without texts and
-        colour bars; if not, it is the window's picture, converted from 8 bits to linear light
-        (the linear colour all the same where the stage `tone` makes the picture).
-    camera: a CameraModel (Pinhole with distortion, Fisheye, Equirectangular, Lidar, ...) that sees
-        in place of the renderer's camera, in its own size: by a ray for each pixel, in double,
+        colour bars; otherwise it is the window's picture, converted from 8 bits to linear light
+        (but always the linear colour if the stage `tone` makes the picture).
+    camera: a CameraModel (Pinhole with distortion, Fisheye, Equirectangular, Lidar, ...) that
+        replaces the renderer's camera, in its own size: by a ray for each pixel, in double,
         without a window. It has depth, range, normal, geometric_normal, position, actor, block,
         cell, ambient and arrays by name; the field data holds R, t, and K, lens and distortion. It
-        has color as well, but for push-brooms and lidars: drawn by pinholes, which takes a display,
+        also has color, except for push-brooms and lidars: drawn by pinholes, which needs a display,
         and interpolated between their pixels.
-    ambient: of the layer `ambient` with a CameraModel, a dict of samples (rays of each pixel, 64),
-        radius (beyond which nothing hides the sky, world units; 0: no limit), weighting ("cosine"
-        or "uniform") and seed (0). Without one the stage has them: stage(renderer, "ambient", ...).
-    previous: what moment() kept of the scene earlier. It gives the layers flow (2 floats: pixels,
+    ambient: settings of the layer `ambient` with a CameraModel, a dict of samples (rays per pixel,
+        64), radius (beyond which nothing occludes, world units; 0: no limit), weighting ("cosine"
+        or "uniform") and seed (0). Without a CameraModel: stage(renderer, "ambient", ...).
+    previous: an earlier moment() of the scene. It gives the layers flow (2 floats: pixels,
         x right, y down, from this picture to where the same point of the surface was in that one;
         NaN where there is none), motion (3 floats: from here to there, world units) and flow_valid
         (1 where that picture shows the point), by rays; see flow(). They are of opaque surfaces, as
-        the other layers; with a CameraModel all have translucent ones too. Where no other layer is
-        asked, nothing is drawn, and the field data is that of a CameraModel. An array of such a
-        name is "point:flow" or "cell:flow" then.
+        the other layers; with a CameraModel all include translucent ones. If no other layer is
+        requested, nothing is drawn, and the field data is that of a CameraModel. An array of such
+        a name is then "point:flow" or "cell:flow".
 
     Returns vtkImageData, which notebooks show as pictures, of (columns, rows, 1) points with one
     point array per layer; VTK's row 0 is the BOTTOM of the picture (layer() gives numpy arrays with
@@ -92,7 +92,7 @@ def capture(renderer, layers=("depth",), size=None, hdr=False, camera=None, ambi
     if not drawn and not made:
         sensor = sensor_of(renderer, _viewport_of(renderer) if size is None else size)
         return captured(layers_by_rays(thing, flows, sensor, None, previous, opaque_only=True))
-    drawn = drawn or ["depth"]  # which fits the camera to data
+    drawn = drawn or ["depth"]  # fits the camera to data
     source = vtkRelievoLayerSource()
     source.SetHDR(bool(hdr))
     for name in drawn:
@@ -111,7 +111,7 @@ def capture(renderer, layers=("depth",), size=None, hdr=False, camera=None, ambi
         )
     wrong_name = not failed and source.GetErrorCode() == vtkRelievoLayerSource.NO_SUCH_LAYER
     for name in drawn if wrong_name else ():
-        wrong = why_not(name, renderer, None)  # which names the arrays that there are
+        wrong = why_not(name, renderer, None)  # lists the existing arrays
         if wrong:
             hint = NEEDS_MOMENT if name in FLOW_LAYERS else ""
             raise ValueError(f"capture: {wrong}{hint}")
@@ -125,14 +125,14 @@ def capture(renderer, layers=("depth",), size=None, hdr=False, camera=None, ambi
 
 
 def _viewport_of(renderer):
-    """The size of its part of its window."""
+    """The size of the renderer's viewport."""
     if renderer.GetRenderWindow() is None:
         raise ValueError("size: the renderer has no window, expected size=(columns, rows)")
     return tuple(renderer.GetSize())
 
 
 def _check_flow(layers, previous):
-    """Those of the layers that go to another moment."""
+    """The layers that need another moment."""
     if previous is None:
         return []
     flows = [name for name in layers if name in FLOW_LAYERS]
@@ -145,7 +145,7 @@ def _check_flow(layers, previous):
 
 
 def _merged(layers, *images):
-    """One image with layers that several have, in this order."""
+    """One image with the layers of several images, in this order."""
     image = images[0].NewInstance()
     image.CopyStructure(images[0])
     image.SetFieldData(images[0].GetFieldData())
@@ -161,11 +161,11 @@ def screenshot(renderer, path=None, size=None, transparent=False) -> numpy.ndarr
         relievo.screenshot(plotter, "picture.png", size=(1920, 1080))
 
     renderer, size: as for capture(). path: a PNG file to write, None for none.
-    transparent: whether there is alpha, straight: 0 where nothing is drawn.
+    transparent: whether to include alpha, not premultiplied: 0 in the background.
 
     Returns uint8 of (rows, columns, 3), or 4 with alpha, ROW 0 AT THE TOP: what the window shows in
-    the renderer's viewport when nothing is left to gather, with other renderers' layers there. For
-    numbers, capture().
+    the renderer's viewport after all samples, including other renderers' layers. For numbers, use
+    capture().
 
     Raises as capture(), and OSError if the file cannot be written.
     """
@@ -207,8 +207,8 @@ def _grab_transparent(renderer, frame):
 
 
 def _loses_alpha(renderer, frame):
-    """Whether VTK has blended what is translucent by its weighted average, which before 9.3 leaves
-    a (1 - a) where the alpha is a."""
+    """Whether VTK has blended translucent surfaces by its weighted average, which before 9.3 leaves
+    a (1 - a) instead of the alpha a."""
     version = vtkVersion()
     return (
         (version.GetVTKMajorVersion(), version.GetVTKMinorVersion()) < (9, 3)
@@ -241,7 +241,7 @@ def _grab(renderer, frame, alpha=False):
 
 @contextmanager
 def _background(renderer, level):
-    """A grey from 0 to 1 without alpha; afterwards as before."""
+    """Sets a grey background, 0 to 1, without alpha; restores the former one at the end."""
     background, alpha = renderer.GetBackground(), renderer.GetBackgroundAlpha()
     gradient, textured = renderer.GetGradientBackground(), renderer.GetTexturedBackground()
     renderer.SetBackground(level, level, level)
@@ -269,7 +269,7 @@ def _by_sensor(thing, layers, hdr, camera, ambient, previous):
     source.SetHDR(bool(hdr))
     found = kept(renderer)
     held = nullcontext() if found is None else found.held()
-    size = None if renderer.GetRenderWindow() else (1, 1)  # a spare one, resized as is needed
+    size = None if renderer.GetRenderWindow() else (1, 1)  # a spare window, resized as needed
     with held, _window_of(renderer, size), _frame_of(renderer) as frame:
         with Watch(source, frame) as watch:
             source.Update()
@@ -303,7 +303,7 @@ def _pixels(size):
 
 @contextmanager
 def _frame_of(renderer):
-    """The frame of the renderer, which keeps it only if it had it before."""
+    """The frame of the renderer, which is removed at the end if it was attached here."""
     before = renderer.GetPass()
     frame = put(renderer)
     if frame is before:
@@ -329,8 +329,8 @@ _spare_windows = {}  # by thread: a context is current in one only
 
 
 def _spare_window():
-    """The window of renderers that have none, made once: an OpenGL context takes longer to make
-    than many a capture, and an X server that loses its only client starts anew, deaf meanwhile."""
+    """The window of renderers that have none, made once: making an OpenGL context takes longer than
+    many captures, and an X server that loses its only client restarts, unresponsive meanwhile."""
     window = _spare_windows.get(threading.get_ident())
     if window is None:
         window = vtkRenderWindow()
@@ -342,14 +342,14 @@ def _spare_window():
 
 
 def _leave_spare_windows():
-    """A forked process leaves them to its parent, whose connection to the display they close."""
+    """Leaves them to the parent of a forked process, whose display connection they would close."""
     for window in _spare_windows.values():
         window.Register(None)
     _spare_windows.clear()
 
 
 def _leave_threads():
-    """A forked process has none of VTK's pool of threads, for which it would wait for ever."""
+    """A forked process lacks the threads of VTK's pool, and would wait for them for ever."""
     tools = getattr(vtkCommonCore, "vtkSMPTools", None)
     if tools is not None and tools.GetBackend() == "STDThread":
         tools.SetBackend("Sequential")
@@ -362,7 +362,7 @@ if hasattr(os, "register_at_fork"):
 
 @contextmanager
 def _window_of(renderer, size):
-    """The renderer is in a window where its viewport has that size; afterwards all is as before."""
+    """Puts the renderer into a window where its viewport has that size; restores it at the end."""
     window = renderer.GetRenderWindow()
     if window is None:
         if size is None:
@@ -393,7 +393,7 @@ def _fit(window, renderer, size):
     no_display = vtkRelievoDisplay.Check(window)
     if no_display:
         raise RuntimeError(f"capture: {no_display}")
-    window.Initialize()  # at its own size: X ends the process for sizes that it cannot make
+    window.Initialize()  # at its own size: X ends the process for impossible sizes
     window.MakeCurrent()
     if not (window.IsCurrent() or window.IsA("vtkGenericOpenGLRenderWindow")):
         raise RuntimeError(
@@ -419,5 +419,5 @@ def _fit(window, renderer, size):
 
 
 def _resize(window, columns, rows):
-    # The base class's way: the window on the screen stays as it is, only its buffers change.
+    # The base class's method changes only the buffers, not the window on the screen.
     vtkRenderWindow.SetSize(window, columns, rows)

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What people have in hand, as data: datasets, filters, what holds a dataset, points of numpy."""
+"""Converts arguments to data: datasets, filters, objects with a dataset, points of numpy."""
 
 import difflib
 
@@ -15,7 +15,7 @@ EXPECTED = "a dataset, a filter that makes one, or something with a .dataset"
 
 
 def data_of(thing):
-    """The dataset, composite or not, that a thing is, makes, or holds (vedo's objects); or None."""
+    """The dataset, also composite, that an object is, makes or holds (as vedo's do); or None."""
     if is_a(thing, "vtkAlgorithm"):
         thing.Update()
         thing = thing.GetOutputDataObject(0) if thing.GetNumberOfOutputPorts() else None
@@ -34,15 +34,15 @@ def need_data(thing, argument):
 
 
 def cloud_of(values):
-    """Points of numpy, n x 3, or a list of triples, as vertices of a vtkPolyData; None for what is
-    neither."""
+    """Points of numpy, n x 3, or a list of triples, as vertices of a vtkPolyData; None for anything
+    else."""
     if not isinstance(values, (list, tuple, numpy.ndarray)):
         return None
     if numpy.ma.is_masked(values):
-        return None  # what is masked is no place
+        return None  # masked values are no points
     try:
         places = numpy.array(values)
-    except ValueError:  # of rows of different lengths
+    except ValueError:  # rows of different lengths
         return None
     if places.dtype.kind not in "fiu" or places.ndim != 2 or places.shape[1] != 3:
         return None
@@ -59,6 +59,6 @@ def cloud_of(values):
 
 
 def did_you_mean(name, known):
-    """Words that offer the known name that is most like one, or none."""
+    """A text that suggests the most similar known name, or ""."""
     near = difflib.get_close_matches(name, known, 1) if isinstance(name, str) else []
     return f" (did you mean {near[0]!r}?)" if near else ""

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Data sets to learn from, or to judge by: pictures, depth, masks, boxes, poses."""
+"""Data sets for training and evaluation: pictures, depth, masks, boxes, poses."""
 
 import inspect
 import os
@@ -22,7 +22,7 @@ from .vtkRelievoCameras import vtkRelievoCalibration
 _SIZE = (1024, 768)
 
 _OF_WRITER = keywords_of(vtkRelievoDatasetWriter(), {})
-# In the order in which they are given without their names; what the writer has besides comes last.
+# The order of positional arguments; the writer's other parameters come last.
 _ORDER = ("renderer", "cameras", "directory", "format", "layers", "size", "objects", "depth_step",
           "mm_per_unit", "seed", "random_sun", "up", "views", "description", "progress", "lens")
 _OTHERS = {
@@ -67,40 +67,40 @@ def write_dataset(*arguments, **given):
 
 
 write_dataset.__signature__ = _SIGNATURE
-write_dataset.__doc__ = f"""Writes what cameras see of a scene, as a data set. See docs/datasets.md.
+write_dataset.__doc__ = f"""Writes cameras' views of a scene as a data set. See docs/datasets.md.
 
     relievo.write_dataset(renderer, "random:200", "train/000000", seed=7)
 
 renderer: a vtkRenderer, or an object whose attribute `renderer` is one (a plotter, a scene);
-    or data or an actor, as for capture(). It, and its window, are as before afterwards.
+    or data or an actor, as for capture(). The renderer and its window stay unchanged.
 cameras: "orbit:N", "random:N" or the path of a file of poses, for `lens`; or a list of
-    CameraModels, or of vtkCameras as seen in `size` pixels. What is no pinhole, such as a
-    Fisheye, goes by rays, and its picture is drawn by pinholes; a Pushbroom or a Lidar has no
-    picture, and format "npz" alone.
-directory: a folder that is empty or not there; or one that was begun by the same call, which
-    goes on with the views that lack.
-layers: names of layers that are written as floats: as arrays of npz, else in layers/NUMBER.exr.
-size: (columns, rows) of pictures, where the cameras do not say it; None for those of the
+    CameraModels, or of vtkCameras as seen in `size` pixels. Other cameras than pinholes, such
+    as a Fisheye, use rays, and their pictures are drawn by pinholes; a Pushbroom or a Lidar has
+    no picture, and only the format "npz".
+directory: a new or empty folder; or one that an equal call has begun, which is then continued
+    with the missing views.
+layers: names of layers to write as floats: as arrays of npz, otherwise in layers/NUMBER.exr.
+size: (columns, rows) of pictures, unless the cameras have their own; None for the size in the
     lens's file, or (1024, 768).
-objects: what an object is: "actor", "block" (of composite data), or a list of names, one for
-    each of renderer.GetActors(): actors of one name are one object, those of None hide others
-    and are none.
+objects: the kind of objects: "actor", "block" (of composite data), or a list of names, one for
+    each of renderer.GetActors(): actors with equal names are one object; actors named None only
+    occlude others.
 {describe_all(vtkRelievoDatasetWriter(), _OF_WRITER)}
-views: (first, end) of those that this call draws; None for all.
-description: what the data set is of: a folder that was begun with another one is refused.
-progress: called with the share done behind each view; if it returns False, the call ends with a
-    RuntimeError, and the same call goes on from there.
-lens: of poses in words or in a file: words or a calibration's file as for lens(), or a
-    CameraModel; None for a pinhole of 30 degrees.
+views: (first, end) of the views to draw in this call; None for all.
+description: a text about the data set; a folder begun with another description is refused.
+progress: called with the share done after each view; if it returns False, the call ends with a
+    RuntimeError, and an equal call continues from there.
+lens: the camera for poses from a text or a file: a text or a calibration's file as for lens(),
+    or a CameraModel; None for a pinhole of 30 degrees.
 
-Returns how many views were written. Raises ValueError for wrong arguments, such as settings
-that are not those the folder was begun with, OSError for files that cannot be written or read,
-RuntimeError for what cannot be drawn.
+Returns the number of views written. Raises ValueError for wrong arguments, such as settings
+other than those that the folder was begun with, OSError for files that cannot be written or
+read, RuntimeError if drawing fails.
 """
 
 
 def _run(writer, work, progress=None):
-    """Does work of the writer, and raises what it says of it, or what `progress` raised."""
+    """Runs `work`, and raises the writer's errors or those of `progress`."""
     ended = []
 
     @calldata_type(VTK_DOUBLE)
@@ -108,7 +108,7 @@ def _run(writer, work, progress=None):
         try:
             if progress(share) is False:
                 ended.append(RuntimeError(f"write_dataset: ended by progress at {share:.0%}"))
-        except BaseException as error:  # also an interrupt: VTK would swallow it
+        except BaseException as error:  # also interrupts: VTK would swallow them
             ended.append(error)
         if ended:
             writer.SetAbort()
@@ -167,7 +167,7 @@ def _add_views(writer, cameras, size, lens):
 
 
 def _like(lens, size):
-    """The camera that poses are copies of."""
+    """The camera that is copied for each pose."""
     if isinstance(lens, CameraModel):
         if size not in (None, lens.size):
             raise ValueError(f"size: got {size!r}, expected none with a lens that has its own")

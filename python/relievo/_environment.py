@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The light of a picture of all directions, in one line."""
+"""Lights a renderer by a picture of all directions."""
 
 import inspect
 import os
@@ -25,10 +25,10 @@ from .vtkRelievoMaterials import vtkRelievoEnvironment, vtkRelievoMaterial, vtkR
 _NO_SURFACES = ("vtkAxisActor", "vtkCubeAxesActor", "vtkSkybox")
 _MAKE_SURFACES = ("vtkGlyph3DMapper", "vtkOpenGLSphereMapper", "vtkOpenGLStickMapper")  # of points
 _SHARPEST = 128  # texels across a face of the sharpest level
-_TOLERANCE = 2e-3  # what the levels' sums may err by, as the command line has it
+_TOLERANCE = 2e-3  # error of the levels' sums, as on the command line
 
 
-# Of the materials that actors without their own get; other defaults are those of the classes.
+# Defaults of materials for actors without their own; other defaults are those of the classes.
 _OF_MIRRORS = [
     name for name in names(vtkRelievoMaterial())
     if vtkRelievoMaterial().GetParameterCondition(name) == "environment"
@@ -73,7 +73,7 @@ def environment(*arguments, **given):
     if bound.arguments["sky"]:
         shown = vtkRelievoSkybox()
         shown.SetEnvironment(made)
-        # The first frame fits a camera that nobody has asked for.
+        # The first frame resets a camera that has not been requested before.
         camera = inner.GetActiveCamera() if inner.IsActiveCameraCreated() else vtkCamera()
         shown.SetParallelViewAngle(camera.GetViewAngle())
         shown.relievo_own = True
@@ -102,17 +102,17 @@ def _describe():
     relievo.environment(renderer, None)                     # as it was before
 
 renderer: a vtkRenderer, or an object whose attribute `renderer` is one (a plotter); its actors
-    at the time of the call, except unlit ones, lines or points alone, cube axes and VTK's
-    skies. An actor's own vtkRelievoMaterial stays and gets
-    the environment; None gives its former one back.
+    at the time of the call, except unlit ones, those of only lines or points, cube axes and
+    VTK's skies. An actor's own vtkRelievoMaterial stays and gets the environment; None restores
+    its former one.
 path: a file ({images}), a numpy array of (rows, columns, 3) with row 0 at the top, a vtkImageData
     with row 0 at the bottom, as to_image() makes it, or a vtkTexture of one; twice as wide as
     high (all directions) or square (a mirror ball). Whole numbers are decoded from sRGB, floats
     are linear light. None takes the environment away.
 {values}
 sky: whether the picture is shown behind everything.
-tone: whether the stage `tone` brings the light of the picture and of the renderer's lights together
-    into the display's range; without it, what sums up to more than 1 is white.
+tone: whether the stage `tone` maps the sum of the picture's and the renderer's lights to the
+    display's range; without it, sums above 1 are clipped.
 
 Returns the vtkRelievoEnvironment, None for None. Another call replaces it. Roughness above 0 takes
 a second.
@@ -127,7 +127,7 @@ environment.__doc__ = _describe()
 
 
 class _Placed:
-    """An environment on an actor, until it is taken away again. Keeps none of them alive."""
+    """An environment on an actor, until it is removed. Holds only weak references."""
 
     def __init__(self, renderer, actor, environment, own):
         material = vtkRelievoMaterial.Get(actor)
@@ -148,7 +148,7 @@ class _Placed:
         return self._weak[0].Get()
 
     def take_away(self):
-        """Unless somebody has replaced the material or the environment meanwhile."""
+        """Removes the environment unless it or the material has been replaced meanwhile."""
         _, actor, environment, material = [each.Get() for each in self._weak]
         if actor is None or material is None or vtkRelievoMaterial.Get(actor) is not material:
             return
@@ -160,8 +160,8 @@ class _Placed:
 
 
 class _NullLight:
-    """A light of no intensity while a frame is drawn in which no light is on: without any VTK's
-    shaders shade nothing, show all colours in full, and have no normals to be lit about."""
+    """A light of intensity 0 during frames in which no light is on: without any light, VTK's
+    shaders show full colours without shading, and have no normals."""
 
     def __init__(self, renderer):
         self._light = vtkLight()
@@ -184,7 +184,7 @@ class _NullLight:
         renderer.RemoveLight(self._light)
 
 
-_placed = []  # by all calls
+_placed = []  # of all calls
 
 
 def _is_own(thing):
@@ -203,7 +203,7 @@ def _remove(renderer):
     for prop in list(renderer.GetViewProps()):
         if _is_own(prop) and prop.IsA("vtkRelievoSkybox"):
             renderer.RemoveViewProp(prop)
-    # Actors that have been removed from the renderer are among them.
+    # Includes actors that have been removed from the renderer.
     for each in [each for each in _placed if each.renderer() in (renderer, None)]:
         each.take_away()
         _placed.remove(each)

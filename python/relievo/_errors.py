@@ -20,7 +20,7 @@ _ECHO = re.compile(r"^Algorithm \w+ \(0x[0-9a-f]+\) returned failure")
 class Watch:
     """Collects the error and warning events of VTK objects while it is entered.
 
-    An algorithm's executive is watched with it: failures that the pipeline notices are its events.
+    Includes an algorithm's executive, which reports failures of the pipeline.
     Observed messages are not printed. vtkObject.GlobalWarningDisplayOff(), without which VTK has no
     such events, only keeps others from being printed.
     """
@@ -39,7 +39,7 @@ class Watch:
         @calldata_type(VTK_STRING)
         def collect(_caller, _event, text):
             text = " ".join(_PREAMBLE.sub("", text or "").split())
-            # A pipeline's echo of a filter's own error holds nothing but addresses.
+            # A pipeline's echo of a filter's own error contains only addresses.
             self.errors.append("VTK failed without saying why" if _ECHO.match(text) else text)
 
         @calldata_type(VTK_STRING)
@@ -77,21 +77,21 @@ class Watch:
 
 
 def check_file(path):
-    """Raises Python's own errors for what is missing, forbidden or a folder. A pipe is not waited
-    for."""
+    """Raises Python's own errors for missing or forbidden files and for folders. Does not wait for
+    pipes."""
     os.close(os.open(path, os.O_RDONLY | os.O_NONBLOCK))
     if os.path.isdir(path):
         raise IsADirectoryError(errno.EISDIR, os.strerror(errno.EISDIR), path)
 
 
 def is_a(thing, class_name):
-    """Whether thing is an object of that class of VTK, of the VTK that Relievo is built on."""
+    """Whether thing is an object of this class, in the VTK that Relievo is built on."""
     return isinstance(thing, vtkObjectBase) and bool(thing.IsA(class_name))
 
 
 def describe(thing):
-    """A thing that is not what was expected, for a message: its package, if it is another VTK's or
-    has something that is."""
+    """Describes an unexpected object for a message, with its package if it, or an object that it
+    has, belongs to another VTK."""
     for each in ("renderer", "dataset", "actor"):
         inner = getattr(thing, each, None)
         if hasattr(inner, "IsA") and not isinstance(inner, vtkObjectBase):

@@ -18,7 +18,7 @@ _PIXEL_TYPES = {
     "float": vtkRelievoEXRWriter.FLOAT,
 }
 
-# Kinds of images that people may think are written by their names.
+# Extensions of other image formats, which users may expect to select the format.
 _OTHERS = (".png", ".jpg", ".jpeg", ".tif", ".tiff", ".bmp", ".hdr", ".pfm", ".npy", ".npz")
 
 # FileNotFoundError, CannotOpenFileError, OutOfDiskSpaceError of vtkErrorCode, which not every VTK
@@ -103,7 +103,7 @@ def read_exr(path) -> vtkImageData:
 
 
 def _refusal(watch, algorithm, name):
-    """The exception for what an EXR reader or writer failed at."""
+    """The exception for the failure of an EXR reader or writer."""
     said = watch.errors[0] if watch.errors else f"{name}: failed without a message"
     of_the_file = algorithm.GetErrorCode() in _FILE_ERRORS or not watch.errors
     return (OSError if of_the_file else ValueError)(said)

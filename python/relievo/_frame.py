@@ -24,16 +24,16 @@ class Frame(vtkRelievoPasses.vtkRelievoPass):
 
     @staticmethod
     def Attach(renderer):
-        """Puts a frame around the renderer's pass; attach() keeps it around those set later."""
+        """Puts a frame around the renderer's pass; attach() also keeps it around later passes."""
         return put(renderer)
 
     @staticmethod
     def Detach(renderer):
-        """As detach()."""
+        """See detach()."""
         return take(renderer)
 
     def is_detached(self):
-        """Whether detach() has taken it from the renderer that it was attached to."""
+        """Whether detach() has removed the frame from its renderer."""
         return self._renderer.Get() is None
 
     def _check(self, name, method):
@@ -64,14 +64,14 @@ class Frame(vtkRelievoPasses.vtkRelievoPass):
         """
         require(image, "vtkImageData", "image")
         names = list(names)
-        "".join(names).encode()  # VTK's wrapping ends the program where that raises
+        "".join(names).encode()  # VTK's wrapping would end the program where this raises
         with Watch(self) as watch:
             good = super().ReadLayers(names, image)
         watch.raise_as(ValueError, "ReadLayers")
         return good
 
     def TryReadLayers(self, names, image):
-        """As ReadLayers, but returns what is wrong, in words, or nothing."""
+        """Like ReadLayers, but returns the problem as a text, or ""."""
         names = list(names)
         "".join(names).encode()
         return super().TryReadLayers(names, image)
@@ -83,7 +83,7 @@ vtkRelievoPass = Frame
 
 
 def kept_of(renderer):
-    """What keeps the renderer's frame (_keep.py), or None."""
+    """The KeptFrame of the renderer (_keep.py), or None."""
     return getattr(renderer, "relievo_kept", None)
 
 
@@ -101,7 +101,7 @@ def put(renderer):
     there = frame_of(renderer)
     if there is not None:
         if isinstance(there, Frame) and there.is_detached():
-            there._renderer.Set(renderer)  # from one that is gone, or by SetPass()
+            there._renderer.Set(renderer)  # from a deleted one, or by SetPass()
         return there
     frame = vtkRelievoPass()
     frame.SetDelegatePass(renderer.GetPass())
@@ -111,7 +111,7 @@ def put(renderer):
 
 
 def take(renderer):
-    """Removes the frame from the renderer's pass; whether there was one."""
+    """Removes the frame from the renderer's pass; returns whether there was one."""
     found = kept_of(renderer)
     frame = renderer.GetPass() if found is None else found.frame
     if found is not None:
@@ -119,16 +119,16 @@ def take(renderer):
     taken = vtkRelievoPasses.vtkRelievoPass.Detach(renderer)
     if isinstance(frame, Frame) and frame._renderer.Get() is renderer:
         frame._renderer.Set(None)
-        taken = True  # also from behind a pass that was set meanwhile
+        taken = True  # also from within a pass that was set meanwhile
     return bool(taken)
 
 
 def report(frame) -> dict:
-    """Returns what the last frames did and why, as a dict.
+    """Returns a report on the stages of the last frames, as a dict.
 
     frame: the vtkRelievoPass, or a renderer (or a plotter) that has one.
 
-    For each stage the report has whether it ran, the reason in words, GPU milliseconds (read some
+    For each stage the report has whether it ran, the reason as a text, GPU milliseconds (read some
     frames later, so None at first), bytes held and draw calls.
 
     Raises ValueError for anything else.

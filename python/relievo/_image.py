@@ -10,7 +10,7 @@ from ._errors import require
 
 
 def layer_names(image) -> list:
-    """Returns the names of the image's layers, a list in the order of capture."""
+    """Returns the names of the image's layers, in the order of capture."""
     require(image, "vtkImageData", "image")
     data = image.GetPointData()
     return [data.GetArrayName(i) for i in range(data.GetNumberOfArrays())]
@@ -43,7 +43,7 @@ def from_image(image) -> numpy.ndarray:
     image: vtkImageData of (columns, rows, 1) points, of a reader (vtkPNGReader), a
     vtkWindowToImageFilter, a vtkTexture, or to_image(). Point data only.
 
-    Returns an array as layer() does, a view. Layers have names: layer() gives these.
+    Returns an array as layer() does, a view. For layers by name, use layer().
 
     Raises ValueError for an image of more than one slice or without scalars.
     """
@@ -55,7 +55,7 @@ def from_image(image) -> numpy.ndarray:
 
 
 def to_image(values, name="scalars") -> vtkImageData:
-    """Returns a numpy array as an image of VTK, with what is at the top in the array at the top.
+    """Returns a numpy array as an image of VTK, with the array's first row at the top.
 
         texture.SetInputData(relievo.to_image(picture))
         material.SetHeightMap(relievo.to_image(heights))
@@ -68,11 +68,11 @@ def to_image(values, name="scalars") -> vtkImageData:
     name: of the array, if it is one.
 
     Returns vtkImageData of (columns, rows, 1) points with copies of the arrays, VTK's row 0 at the
-    BOTTOM: what all of VTK that takes images expects. from_image() and layer() turn it back. A
-    vtkTexture takes uint8 as colours and sends other numbers through its table of colours.
+    BOTTOM, as all classes of VTK expect. from_image() and layer() convert it back. A vtkTexture
+    takes uint8 as colours and maps other numbers through its table of colours.
 
-    Raises ValueError for other shapes, types that VTK has not (such as complex), masked whole
-    numbers, and no rows.
+    Raises ValueError for other shapes, types that VTK does not have (such as complex), masked
+    integers, and no rows.
     """
     arrays = values if isinstance(values, dict) else {name: values}
     if not arrays:
@@ -139,8 +139,8 @@ def attributes(image) -> dict:
     """Returns the image's field data, with its camera and lights, as a dict.
 
     worldToCamera, worldToNDC: arrays of shape (4, 4), for column vectors: clip = worldToNDC @ p.
-    K, R: arrays of (3, 3), t: array of 3: the camera's calibration, see camera(); not of a parallel
-    projection. near, far: floats, world units. relievo:origin: array of 3. lights: list of JSON
+    K, R: arrays of (3, 3), t: array of 3: the camera's calibration, see camera(); not for parallel
+    projections. near, far: floats, world units. relievo:origin: array of 3. lights: list of JSON
     texts.
     Other field data: arrays of shape (values,) or (tuples, components), texts as lists.
     """

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Frames that stay on renderers whose passes others set: PyVista, its plugins, vedo."""
+"""Keeps frames on renderers whose passes are set by others: PyVista, its plugins, vedo."""
 
 import contextlib
 import weakref
@@ -19,13 +19,13 @@ def attach(renderer) -> vtkRelievoPass:
         does not change: with nothing requested the frame only calls the renderer's own pass. A
         renderer that already has the frame keeps it.
 
-    The frame stays until detach(): a pass that somebody sets (PyVista's enable_ssao(), vedo's
-    ambient occlusion, SetPass()) is within it from the next picture on.
+    The frame stays until detach(): a pass that is set later (PyVista's enable_ssao(), vedo's
+    ambient occlusion, SetPass()) is moved into it at the next picture.
 
     Returns the vtkRelievoPass: its ShadowsOn() makes every light cast, SetDisplayLayer() shows a
     layer as the picture, RequestLayer() renders one in every frame; both raise ValueError for a
     name that is neither a layer nor an array of the data in the renderer. Raises ValueError for
-    anything but a renderer, or what has one.
+    anything but a renderer or an object that has one.
     """
     return kept(need_renderer(renderer), attach=True).frame
 
@@ -35,14 +35,14 @@ def detach(renderer) -> bool:
 
     renderer: as for attach().
 
-    Returns True, or False if no frame was attached. Raises ValueError for anything but a renderer,
-    or what has one.
+    Returns True, or False if no frame was attached. Raises ValueError for anything but a renderer
+    or an object that has one.
     """
     return take(need_renderer(renderer))
 
 
 def kept(renderer, attach=False):
-    """The KeptFrame of a renderer; None if it has none, unless one is to be attached."""
+    """The KeptFrame of a renderer; if it has none, a new one or, without `attach`, None."""
     found = kept_of(renderer)
     if found is not None and found.detached():
         found.let_go()
@@ -55,7 +55,7 @@ def kept(renderer, attach=False):
 
 
 def _has_within(outer, frame):
-    """Whether a pass hands on to the frame, or what it hands on to does."""
+    """Whether the frame is a delegate of a pass, directly or indirectly."""
     if outer is None or outer is frame:
         return outer is not None
     inner = []
@@ -68,14 +68,14 @@ def _has_within(outer, frame):
 
 
 class KeptFrame:
-    """The frame of one renderer: around the pass that somebody sets later, or within it."""
+    """The frame of one renderer: around a pass that is set later, or within it."""
 
     def __init__(self, renderer):
         self._renderer = vtkWeakReference()
         self._renderer.Set(renderer)
         self.frame = put(renderer)
-        self._arranged = None  # the pass that the frame was given into
-        self._given = False  # and that pass is not known yet
+        self._arranged = None  # the pass that contains the frame
+        self._given = False  # whether that pass is not known yet
         self._held = 0
         keep = weakref.WeakMethod(self.keep)
 
@@ -87,15 +87,15 @@ class KeptFrame:
         self._tag = renderer.AddObserver("StartEvent", start, -1.0)
 
     def keep(self):
-        """The frame is back where it belongs, if somebody has set the renderer's pass."""
+        """Restores the frame after another pass has been set."""
         renderer = self._renderer.Get()
         there = renderer.GetPass()
         if self._given:
             self._arranged, self._given = there, False
         if self.detached() or (there is not None and there.IsA("vtkRelievoPass")):
-            return  # itself, or one that is around for a capture
+            return  # itself, or temporarily another for a capture
         if self._arranged is not there and _has_within(there, self.frame):
-            self._arranged = there  # around the frame, by whoever has set it
+            self._arranged = there  # already around the frame
         if there is not None and there is self._arranged:
             if self._held:
                 renderer.SetPass(self.frame)
@@ -106,7 +106,7 @@ class KeptFrame:
 
     @contextlib.contextmanager
     def held(self):
-        """Meanwhile the frame is the renderer's pass, where the functions of this package look."""
+        """Makes the frame the renderer's pass meanwhile, where this package's functions find it."""
         renderer = self._renderer.Get()
         self._held += 1
         try:
@@ -132,13 +132,13 @@ class KeptFrame:
         return isinstance(self.frame, Frame) and self.frame.is_detached()
 
     def let_go(self):
-        """Passes that are set later are no longer drawn within the frame."""
+        """Stops moving later passes into the frame."""
         renderer = self._renderer.Get()
         object.__setattr__(renderer, "relievo_kept", None)
         renderer.RemoveObserver(self._tag)
 
     def release(self):
-        """The renderer is as it would be without the frame."""
+        """Restores the renderer to its state without the frame."""
         renderer = self._renderer.Get()
         self.let_go()
         if renderer.GetPass() is self.frame:

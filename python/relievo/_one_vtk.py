@@ -1,13 +1,13 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Whether Relievo's VTK would be mixed with the one of the program that runs this Python."""
+"""Checks whether the program that runs this Python has another VTK than Relievo's."""
 
 import ctypes
 import os
 import pathlib
 import re
 
-_LIBRARY = re.compile(rb"(libvtkCommon(?:Core)?(?:-[\w.+-]*?)?)\.so")  # cvista's has more in it
+_LIBRARY = re.compile(rb"(libvtkCommon(?:Core)?(?:-[\w.+-]*?)?)\.so")  # cvista's names are longer
 _FUNCTION = "_ZN9vtkObject3NewEv"  # vtkObject::New()
 
 
@@ -17,10 +17,10 @@ class _Place(ctypes.Structure):
 
 
 def check():
-    """Raises ImportError where the program itself has another VTK, as ParaView's Python has.
+    """Raises ImportError if the program itself has another VTK, as ParaView's Python has.
 
-    Its functions would be called in the place of those that Relievo is built on, and crash. A VTK
-    that Python has imported, such as PyPI's `vtk`, is not in the way: nobody else finds its
+    Its functions would be called instead of those that Relievo is built on, and crash. A VTK that
+    Python has imported, such as PyPI's `vtk`, does no harm: other libraries do not find its
     functions.
     """
     everyone = ctypes.CDLL(None)

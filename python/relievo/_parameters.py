@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Parameters that stages, points, materials and environments describe, as keywords of functions."""
+"""Parameters of stages, points, materials and environments as keywords of functions."""
 
 import inspect
 import textwrap
@@ -11,7 +11,7 @@ from ._errors import describe as described
 
 
 def words(value):
-    """A parameter's value in the words of descriptions: "on", "0.5", "1,0.5,0", "warped"."""
+    """A value as a text of parameters: "on", "0.5", "1,0.5,0", "warped"."""
     if isinstance(value, str):
         return value
     if isinstance(value, (bool, numpy.bool_)):
@@ -30,7 +30,7 @@ def names(owner):
 
 
 def value(text):
-    """What a value's words say, as Python has it: "0.5", "on", "y"."""
+    """The Python value of a parameter's text: "0.5", "on", "y"."""
     if text in ("on", "off"):
         return text == "on"
     try:
@@ -41,19 +41,19 @@ def value(text):
 
 
 def describe(owner, name, default=None, keyword=None):
-    """The line of a docstring. keyword: what the function calls the parameter."""
+    """The line of a docstring. keyword: the function's name for the parameter."""
     default = owner.GetParameterDefault(name) if default is None else default
     return f"{keyword or name}: {owner.GetParameterHelp(name)} Default {default}."
 
 
 def describe_all(owner, keywords_of):
-    """The lines of a docstring, of parameters by their keywords."""
+    """The lines of a docstring for parameters by keyword."""
     lines = [describe(owner, name, keyword=keyword) for keyword, name in keywords_of.items()]
     return "\n".join(textwrap.fill(line, 96, subsequent_indent="    ") for line in lines)
 
 
 def keywords(defaults):
-    """Parameters of a signature, by name with their defaults."""
+    """Parameters of a signature, from names and defaults."""
     kind = inspect.Parameter.POSITIONAL_OR_KEYWORD
     return [inspect.Parameter(name, kind, default=each) for name, each in defaults.items()]
 
@@ -69,7 +69,7 @@ def defaults_of(owner, named):
 
 
 def bind(function, signature, arguments, given):
-    """The arguments bound; TypeError that names the function for those that do not fit."""
+    """Binds arguments to a signature; a TypeError for mismatches names the function."""
     try:
         return signature.bind(*arguments, **given)
     except TypeError as error:
@@ -77,8 +77,8 @@ def bind(function, signature, arguments, given):
 
 
 def set_value(function, owner, name, given, keyword=None):
-    """Sets a parameter; ValueError that names the function for what it does not take. keyword: what
-    the function calls the parameter."""
+    """Sets a parameter; a ValueError for invalid values names the function. keyword: the function's
+    name for the parameter."""
     keyword = keyword or name
     try:
         text = words(given)

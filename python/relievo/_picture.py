@@ -11,9 +11,9 @@ from vtkmodules.vtkIOImage import vtkPNGWriter
 
 from ._image import layer, layer_names, to_image
 
-NOTHING = numpy.array((40, 42, 46), numpy.uint8)  # where a layer has no value
+NOTHING = numpy.array((40, 42, 46), numpy.uint8)  # colour of pixels without a value
 
-# Viridis, dark to light and even in lightness; between these colours it is straight to 0.03.
+# Viridis, dark to light with even steps of lightness; linear between these colours within 0.03.
 MAP = numpy.array(
     [
         (0.267, 0.005, 0.329), (0.282, 0.095, 0.417), (0.279, 0.175, 0.483), (0.259, 0.252, 0.525),
@@ -28,10 +28,10 @@ IDS = ("actor", "block", "cell")
 
 
 def picture_of(name, values):
-    """A layer as 8-bit RGB (rows, columns, 3), and words for its caption.
+    """A layer as 8-bit RGB (rows, columns, 3), and a text for its caption.
 
-    Scalars go over their own range, but for the last percent at either end; unit vectors are shown
-    as 0.5 v + 0.5, positions within their bounds, ids each in a colour of its own.
+    Scalars cover their own range, except the last percent at either end; unit vectors are shown as
+    0.5 v + 0.5, positions within their bounds, and each id in a different colour.
     """
     if name == "color":
         return bytes_of(srgb(values[..., :3])), "the picture, shown as sRGB"
@@ -65,13 +65,13 @@ def where(seen, colours):
 
 
 def mapped(share):
-    """Shares from 0 to 1 as colours of the map."""
+    """Values from 0 to 1 as colours of the map."""
     place = numpy.clip(share, 0, 1) * (len(MAP) - 1)
     return numpy.stack([numpy.interp(place, range(len(MAP)), MAP[:, i]) for i in range(3)], axis=-1)
 
 
 def hashed(ids):
-    """A colour for each id: neighbours get hues that are far apart."""
+    """A colour for each id: consecutive ids get very different hues."""
     mixed = (ids.astype(numpy.int64) + 1).astype(numpy.uint64) * numpy.uint64(0x9E3779B97F4A7C15)
     mixed ^= mixed >> numpy.uint64(29)
     hue = (mixed >> numpy.uint64(40)).astype(float) / (1 << 24)
@@ -90,8 +90,8 @@ def srgb(linear):
 
 
 def png_of(rgb):
-    """8 bits, (rows, columns) or (rows, columns, components), row 0 at the top, as the bytes of a
-    PNG file."""
+    """The bytes of a PNG file with 8 bits, (rows, columns) or (rows, columns, components), row 0 at
+    the top."""
     writer = vtkPNGWriter()
     writer.SetInputData(to_image(rgb))
     writer.WriteToMemoryOn()
@@ -104,9 +104,9 @@ def picture(image, name) -> numpy.ndarray:
 
     image: vtkImageData from capture() or read_exr(). name: the layer's name.
 
-    Numbers are shown by viridis over their own range, but for the last percent at either end, unit
-    vectors as 0.5 v + 0.5, positions within their bounds, ids each in a colour of its own, light as
-    sRGB; where a layer has no value it is dark grey. For values, layer().
+    Numbers are shown by viridis over their own range, except the last percent at either end, unit
+    vectors as 0.5 v + 0.5, positions within their bounds, each id in a different colour, light as
+    sRGB, and pixels without a value dark grey. For values, use layer().
 
     Raises ValueError for a name that the image does not have.
     """
@@ -121,10 +121,10 @@ def write_png(path, image, name=None, transparent=False) -> None:
     path: name of the file, str or path-like. An existing file is replaced when the new one is
         complete.
     image: vtkImageData from capture() or read_exr(), or a numpy array of uint8, (rows, columns) or
-        (rows, columns, 1 to 4), which is written as it is.
+        (rows, columns, 1 to 4), which is written unchanged.
     name: the layer; None for `color` if the image has it, else the only one.
-    transparent: whether `color` keeps its alpha, straight: the background's is the renderer's
-        GetBackgroundAlpha(), 0 unless it was set.
+    transparent: whether `color` keeps its alpha, not premultiplied; the background has the
+        renderer's GetBackgroundAlpha(), by default 0.
 
     color is written as sRGB, other layers as picture() shows them.
 
@@ -168,7 +168,7 @@ def write_png(path, image, name=None, transparent=False) -> None:
 
 
 def _rgba(linear):
-    """Linear light, premultiplied, as sRGB of 8 bits with straight alpha."""
+    """Linear light, premultiplied, as 8-bit sRGB with alpha not premultiplied."""
     rgb, alpha = linear[..., :3], linear[..., 3:]
     straight = numpy.divide(rgb, alpha, out=numpy.zeros_like(rgb), where=alpha > 0)
     return numpy.concatenate([bytes_of(srgb(straight)), bytes_of(alpha)], axis=2)

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""From a depth image back to points."""
+"""Converts depth images to points."""
 
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
@@ -21,7 +21,7 @@ def depth_to_points(image) -> vtkPolyData:
     """
     require(image, "vtkImageData", "image")
     if image.GetNumberOfPoints() == 0:
-        # The filter itself lets it pass: of several processes some have no part of an image.
+        # The filter accepts it, because some of several processes have no part of an image.
         raise ValueError(
             "depth_to_points: the image is empty; expected the layer 'depth' and the camera's "
             "matrices, as capture() and read_exr() give them"

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What rays meet, as numpy arrays."""
+"""Hits of rays as numpy arrays."""
 
 from typing import NamedTuple
 
@@ -22,17 +22,17 @@ _EXPECTED = f"a vtkRenderer, something with a .renderer, actors, {EXPECTED}"
 
 
 class Hits(NamedTuple):
-    """Where rays meet surfaces: arrays with a row for each ray (nearest) or each hit (all)."""
+    """Hits of rays with surfaces: arrays with a row for each ray (nearest) or each hit (all)."""
 
     distance: numpy.ndarray
-    """From the origin in world units; infinity where a ray meets nothing."""
+    """From the origin in world units; infinity without a hit."""
     prop: numpy.ndarray
-    """Which of the scene's props, as the layer `actor` for those of a renderer; -1: none, or an
-    actor within a prop assembly, which has no number."""
+    """Index of the prop, equal to the layer `actor` for a renderer's props; -1: no hit, or an actor
+    within a prop assembly, which has no number."""
     block: numpy.ndarray
     """Flat index in composite data, 0 in other data; -1: none."""
     cell: numpy.ndarray
-    """Cell of the mesh that is drawn; of glyphs the input's point; of data its cell; -1: none."""
+    """Cell of the drawn mesh; for glyphs the input's point; for data its cell; -1: none."""
     points: numpy.ndarray
     """n x 3: ids of the triangle's corners in the mesh, or in the data; -1: none."""
     weights: numpy.ndarray
@@ -40,13 +40,13 @@ class Hits(NamedTuple):
     position: numpy.ndarray
     """n x 3: world coordinates, in double; 0: none."""
     normal: numpy.ndarray
-    """n x 3: unit shading normal, world space, turned round where the back is met; 0: none."""
+    """n x 3: unit shading normal, world space, reversed if the back was hit; 0: none."""
     geometric_normal: numpy.ndarray
     """n x 3: unit normal of the triangle, world space, towards the ray's origin; 0: none."""
     ray: numpy.ndarray
-    """Which ray it is a hit of."""
+    """Index of the ray."""
     opacity: numpy.ndarray
-    """Of all hits: 0 to 1; NaN where a mesh has more than one. None for nearest hits."""
+    """For all(): 0 to 1; NaN if a mesh has more than one opacity. None for nearest()."""
 
     @property
     def hit(self):
@@ -55,10 +55,10 @@ class Hits(NamedTuple):
 
 
 class Rays:
-    """A scene that rays are sent through; rays() makes it.
+    """A scene to trace rays in, made by rays().
 
-    It follows the scene: what has changed is seen by the next answer, and what has not is kept.
-    `props` lists what hits are numbered by: the renderer's actors, then the data.
+    It follows the scene: each call uses its current state, and unchanged parts stay cached. `props`
+    lists the numbered props of hits: the renderer's actors, then the data.
     """
 
     def __init__(self, things):
@@ -82,7 +82,7 @@ class Rays:
 
     @property
     def props(self):
-        """What hits are numbered by."""
+        """The props, in the order of the hits' numbers."""
         renderer = self.scene.GetRenderer()
         actors = [] if renderer is None else list(renderer.GetActors())
         return [*actors, *self._data]
@@ -92,11 +92,11 @@ class Rays:
 
         origins, directions: array-like, n x 3, world coordinates; or one origin (or direction) for
             all. Directions have any length but 0.
-        minimum, maximum: from where to where along a ray there are hits, in world units.
+        minimum, maximum: range of hits along a ray, in world units.
         progress: called with the share done after every 65536 rays; if it returns False, the call
             ends with a RuntimeError.
 
-        Raises ValueError for wrong arguments. Rays that are not finite meet nothing.
+        Raises ValueError for wrong arguments. Rays that are not finite hit nothing.
         """
         hits = vtkTable()
         count = self._ask(
@@ -105,15 +105,15 @@ class Rays:
         return _hits(hits, ray=numpy.arange(count), opacity=None)
 
     def any(self, origins, directions, minimum=0.0, maximum=numpy.inf, progress=None):
-        """Whether each ray meets anything: an array of bool. Arguments as for nearest()."""
+        """Whether each ray has a hit: an array of bool. Arguments as for nearest()."""
         met = vtkUnsignedCharArray()
         self._ask(self.scene.FindAny, met, origins, directions, minimum, maximum, progress)
         return vtk_to_numpy(met).astype(bool)
 
     def all(self, origins, directions, minimum=0.0, maximum=numpy.inf, progress=None):
-        """All hits of all rays, as Hits with a row for each hit, by rays and then by distance.
+        """All hits of all rays, as Hits with a row for each hit, sorted by rays and distance.
 
-        Arguments as for nearest(). A ray through an edge meets both of its triangles.
+        Arguments as for nearest(). A ray through an edge hits both of its triangles.
         """
         hits = vtkTable()
         self._ask(self.scene.FindAll, hits, origins, directions, minimum, maximum, progress)
@@ -153,7 +153,7 @@ class Rays:
         self.scene.SetMinimumDistance(minimum)
         self.scene.SetMaximumDistance(maximum)
         report = _Progress(self.scene, progress)
-        # No copies, and so to be held for the call.
+        # Not copied, so these references must last for the call.
         held = [numpy.ascontiguousarray(each) for each in (origins, directions)]
         with Watch(self.scene) as watch, report:
             find(*map(numpy_to_vtk, held), answer)
@@ -163,7 +163,7 @@ class Rays:
 
 
 class _Progress:
-    """Calls back while it is entered; an exception of the callback ends the rays, and is raised."""
+    """Calls back in a `with` block; an exception of the callback ends the rays, and is raised."""
 
     def __init__(self, scene, call):
         self._scene, self._call = scene, call
@@ -178,7 +178,7 @@ class _Progress:
                 try:
                     if self._call(share) is False:
                         self._ended = RuntimeError(f"rays: ended by progress at {share:.0%}")
-                except BaseException as error:  # also an interrupt: VTK would swallow it
+                except BaseException as error:  # also interrupts: VTK would swallow them
                     self._ended = error
                 if self._ended is not None:
                     self._scene.AbortOn()
@@ -195,20 +195,20 @@ class _Progress:
 
 
 def rays(*things) -> Rays:
-    """A scene that answers rays, in double precision, on all cores.
+    """A scene to trace rays in, in double precision, on all cores.
 
     things: a vtkRenderer, or an object whose attribute `renderer` is one (a plotter), or actors;
         datasets, also composite, or filters that make them; pairs of a dataset and its 4 x 4 matrix
         (array-like, or a vtkMatrix4x4 that may be moved later). One renderer at most. The same
-        dataset may be given many times, with other matrices: it is held once.
+        dataset may be given many times, with other matrices: it is stored once.
 
         scene = relievo.rays(renderer)
         hits = scene.nearest(origins, directions)        # n x 3 each
         hits.distance, hits.cell, hits.position ...      # numpy arrays, a row for each ray
         dark = scene.any(hits.position, to_sun, minimum=1e-6)
 
-    Returns Rays. Raises ValueError for wrong arguments. What rays cannot follow of a renderer's
-    props (volumes, lines, points, wireframes, cut-outs) is left out with a warning.
+    Returns Rays. Raises ValueError for wrong arguments. A renderer's props that rays do not support
+    (volumes, lines, points, wireframes, cut-outs) are left out with a warning.
     """
     if not things:
         raise ValueError(f"rays: got nothing, expected {_EXPECTED}")

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What people have in hand, as a renderer: a renderer, a plotter, data, a filter."""
+"""Converts arguments to a renderer: a renderer, a plotter, data, a filter."""
 
 import numpy
 from vtkmodules.util.numpy_support import numpy_to_vtkIdTypeArray
@@ -15,7 +15,7 @@ from .vtkRelievoFilters import vtkRelievoConvexPolygons
 
 
 def inner_renderer(thing):
-    """The thing itself if it is a renderer, or its attribute `renderer` if that is one, or None."""
+    """The object if it is a renderer, its attribute `renderer` if that is one, or None."""
     inner = thing if is_a(thing, "vtkRenderer") else getattr(thing, "renderer", None)
     return inner if is_a(inner, "vtkRenderer") else None
 
@@ -32,10 +32,10 @@ def need_renderer(thing):
 
 
 def renderer_of(thing):
-    """The renderer, and whether it was made here, for data.
+    """The renderer, and whether it was made here to show data.
 
     Data is drawn by its outer surface and seen along -z with y up; polygons and actors as they are.
-    The camera is to be fitted when the size of the picture is known.
+    The caller must reset the camera when the size of the picture is known.
     """
     inner = inner_renderer(thing)
     if inner is not None:
@@ -57,7 +57,7 @@ def renderer_of(thing):
 
 
 def prop_of(thing):
-    """The actor that a thing is, or has (vedo's objects), or None."""
+    """The actor that an object is or has (as vedo's do), or None."""
     for each in (thing, getattr(thing, "actor", None)):
         if is_a(each, "vtkProp3D"):
             return each
@@ -81,21 +81,21 @@ def _actor(data):
 
 
 def outwards(surface, data):
-    """The surface of the data: faces that VTK turns inside out, of left-handed images, are back."""
+    """The surface of the data; faces that VTK turns inwards for left-handed images are reversed."""
     left_handed = (is_a(data, "vtkImageData") and data.GetDataDimension() == 3
                    and data.GetDirectionMatrix().Determinant() < 0)
     return _run(vtkReverseSense(), surface) if left_handed else surface
 
 
 def _place_camera(renderer):
-    """PyVista's plotters place their cameras when they are first shown: so it is done before."""
+    """Places the camera of a PyVista plotter, which would happen only when it is first shown."""
     if getattr(renderer, "camera_set", True) is False and hasattr(renderer, "get_default_cam_pos"):
         renderer.camera_position = renderer.get_default_cam_pos()
         renderer.ResetCamera()
 
 
 def _numbered(grid):
-    """With a number for each cell: the filter counts those of a copy without nonlinear cells."""
+    """A copy with cell numbers: the filter's own are those of a copy without nonlinear cells."""
     ids = numpy_to_vtkIdTypeArray(numpy.arange(grid.GetNumberOfCells()), deep=True)
     ids.SetName("vtkOriginalCellIds")
     copy = grid.NewInstance()

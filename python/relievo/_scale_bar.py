@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""How long the world's lengths are in a picture."""
+"""A bar that shows the scale of a picture."""
 
 import math
 import numbers
@@ -16,15 +16,15 @@ def scale_bar(renderer, unit=None, length=None) -> vtkRelievoScaleBar:
         renderer.RemoveViewProp(bar)
 
     It follows the camera and the picture's size, and is in no layer. In a parallel projection it is
-    right everywhere; in perspective it is right for what lies across the view at the depth of the
-    camera's focal point, or at bar.SetDepth(distance along the view direction, world units).
+    exact everywhere; in perspective it is exact across the view at the depth of the camera's focal
+    point, or at bar.SetDepth(distance along the view direction, world units).
 
     renderer: a vtkRenderer, or an object whose attribute `renderer` is one (a plotter).
-    unit: what the world's lengths are in, a text such as "µm"; None: the number alone.
+    unit: the unit of the world's lengths, a text such as "µm"; None: only the number.
     length: of the bar, world units; None: 1, 2 or 5 times a power of ten that takes up to a fifth
-        of the picture's width (bar.SetShare()). One that is wider than the picture is not drawn.
+        of the picture's width (bar.SetShare()). A bar wider than the picture is not drawn.
 
-    Returns the vtkRelievoScaleBar. Another call replaces it.
+    Returns the vtkRelievoScaleBar. Another call replaces the bar.
 
     Raises ValueError for a wrong argument.
     """

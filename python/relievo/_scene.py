@@ -18,14 +18,14 @@ _OPTIONS = {
     row["name"][2:].replace("-", "_"): row for row in json.loads(vtkRelievoScene.GetOptions())
 }
 
-# What stands between the numbers of a tuple; a comma for the others.
+# Separators of the numbers of a tuple; the default is a comma.
 _BETWEEN = {"size": "x", "color": "/", "background": "/"}
 
 _OUTPUTS = [name for name, row in _OPTIONS.items() if row["outputs"] and name != "lens"]
 
 
 def _word(name, value):
-    """A value as the word behind an option."""
+    """A value as the argument of an option."""
     if isinstance(value, (bytes, str, os.PathLike)):
         return os.fsencode(value)
     if isinstance(value, numbers.Real):
@@ -41,7 +41,7 @@ def _word(name, value):
 
 
 def _words(name, value):
-    """The words of an option: --name value, as often as it is given."""
+    """The command-line arguments of an option: --name value, once for each value."""
     if name not in _OPTIONS:
         raise ValueError(f"{name}: got an option that there is not, expected {', '.join(_OPTIONS)}")
     option = _OPTIONS[name]
@@ -62,7 +62,7 @@ def _words(name, value):
 
 
 class Scene:
-    """Files, and how they are shown; see scene()."""
+    """A scene of files with options; see scene()."""
 
     def __init__(self, files, options):
         self._scene = vtkRelievoScene()
@@ -72,7 +72,7 @@ class Scene:
         self.set(**options)
 
     def set(self, **options):
-        """Changes options; None takes one back. Returns the scene."""
+        """Changes options; None restores the default. Returns the scene."""
         bad = sorted(set(options) & set(_OUTPUTS))
         if bad:
             raise ValueError(f"{bad[0]}: got an option of outputs, which render() takes")
@@ -84,9 +84,9 @@ class Scene:
         return self
 
     def update(self):
-        """Reads what has not been read and sets what has changed. Returns the scene.
+        """Reads new files and applies changed options. Returns the scene.
 
-        The camera goes where the options put it: fitted, if none is given.
+        The camera is set by the options, or fitted if none is given.
         """
         self._say(self._options)
         self._check_files(self._options)
@@ -108,9 +108,9 @@ class Scene:
         """Draws the scene and writes files: a picture, layers, the frame's report; all or none.
 
         png, exr, report: paths. layers: names of layers in the EXR beside its colour (depth).
-        hdr: its colour as the lights give it. transparent: the picture has no background.
-        certify: as many verdicts of the shadows are judged by rays in double precision, and the
-        finding is returned in words.
+        hdr: the EXR's colour is linear light. transparent: the picture has no background.
+        certify: the number of shadow verdicts to check by rays in double precision; the finding
+        is returned as a text.
         """
         outputs = {"png": png, "exr": exr, "report": report, "hdr": hdr, "certify": certify}
         outputs["transparent"] = transparent
@@ -134,7 +134,7 @@ class Scene:
     def renderer(self):
         """The vtkRenderer that shows the scene, up to date with its options.
 
-        What a script changes in it stays until an option changes that as well.
+        Changes by a script stay until an option changes the same setting.
         """
         if self._stale:
             self.update()
@@ -142,7 +142,7 @@ class Scene:
 
     @property
     def window(self):
-        """The vtkRenderWindow that the renderer is in: off screen, unless another was set."""
+        """The renderer's vtkRenderWindow: off screen, unless another was set."""
         if self._stale:
             self.update()
         return self._scene.GetRenderWindow()
@@ -156,14 +156,14 @@ class Scene:
 
     @property
     def frame(self):
-        """The vtkRelievoPass around what VTK draws; None where no option needs one."""
+        """The vtkRelievoPass around VTK's drawing; None if no option needs one."""
         if self._stale:
             self.update()
         return self._scene.GetPass()
 
     @property
     def notes(self):
-        """What the last update or picture left out or mended, a line each."""
+        """Parts that the last update or picture left out or repaired, a line each."""
         notes = self._scene.GetNotes()
         return [notes.GetValue(i) for i in range(notes.GetNumberOfValues())]
 
@@ -178,7 +178,7 @@ class Scene:
         self._run(lambda: self._scene.SetWords(words))
 
     def _check_files(self, options):
-        """Raises Python's own errors for what cannot be opened."""
+        """Raises Python's own errors for files that cannot be opened."""
         files = self._scene.GetInputFiles()
         for i in range(files.GetNumberOfValues()):
             check_file(files.GetValue(i))

@@ -18,7 +18,7 @@ _PAGE = pathlib.Path(__file__).with_name("show.html")
 
 
 class Page:
-    """A page of layers: notebooks show it, write() keeps it."""
+    """A page of layers, displayed by notebooks and saved by write()."""
 
     def __init__(self, text, rows):
         self._text, self._rows = text, rows
@@ -45,9 +45,9 @@ def show(image, layers=None, path=None) -> Page:
     path: where to write the page; it needs no other file, and no network.
 
     Values are those of the layers, at single precision where they are double. The page grows with
-    them: 1.2 MB a component of 640 x 480 pixels, before they are compressed.
+    them: 1.2 MB per component of 640 x 480 pixels, before compression.
 
-    Returns the page; a notebook shows it. Raises ValueError for a name that the image has not.
+    Returns the page; a notebook shows it. Raises ValueError for a name that the image lacks.
     """
     layers = layer_names(image) if layers is None else layers
     names = [layers] if isinstance(layers, str) else list(layers)
@@ -65,7 +65,7 @@ def show(image, layers=None, path=None) -> Page:
         })  # fmt: skip
     if not shown:
         raise ValueError("show: got no layers, expected one or more")
-    data = json.dumps(shown).replace("<", "\\u003c")  # no tag ends the script
+    data = json.dumps(shown).replace("<", "\\u003c")  # so that no tag ends the script
     text = _PAGE.read_text(encoding="utf-8").replace("@LAYERS@", data)
     page = Page(text, shown[0]["rows"])
     if path is not None:

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What cameras see, by rays: layers of any sensor, seen cells, flow, hours of sun."""
+"""Computations by rays: layers of any sensor, visible cells, flow, hours of sun."""
 
 import datetime
 import inspect
@@ -32,8 +32,8 @@ NEEDS_MOMENT = "; this layer needs previous=, from moment()"
 
 
 def layers_by_rays(thing, names, sensor, ambient=None, previous=None, opaque_only=False):
-    """The image of layers that a CameraModel sees; see capture(). opaque_only: of surfaces those
-    that the layers of a frame have."""
+    """The image of layers seen by a CameraModel; see capture(). opaque_only: only the surfaces that
+    layers of a frame include."""
     scene = rays(thing).scene
     scene.SetOpaqueOnly(opaque_only)
     source = vtkRelievoRayLayers()
@@ -77,28 +77,30 @@ def _set_ambient(source, settings):
 
 
 def visible(thing, cameras, occluders=(), size=None, cloud=False) -> vtkPolyData | list:
-    """Returns a mesh, or each prop of a scene, with what cameras see of it.
+    """Returns a mesh, or each prop of a scene, with arrays of its visibility from cameras.
 
         seen = relievo.visible(mesh, [relievo.Pinhole(K, (1280, 720), R, t), ...])
         share = (vtk_to_numpy(seen.GetCellData().GetArray("seen")) > 0).mean()
         of_actors = relievo.visible(renderer, sensors)
 
-    thing: a dataset or a filter that makes one; of other data than polygons the outer surface. Or a
-        scene as for rays(): a renderer, a plotter, an actor, a list of actors or of data.
-    cameras: CameraModels (Pinhole, Fisheye, ...), or vtkCameras, renderers and plotters, of which
-        `size` is the picture's (columns, rows); one or a list.
-    occluders: other data that hides it, one or a list.
-    cloud: also what the pixels show, as points with the arrays cell, camera and normal.
+    thing: a dataset or a filter that makes one; data other than polygons count by their outer
+        surface. Or a scene as for rays(): a renderer, a plotter, an actor, or a list of data or
+        actors.
+    cameras: CameraModels (Pinhole, Fisheye, ...), or vtkCameras, renderers and plotters with
+        pictures of `size` (columns, rows); one or a list.
+    occluders: other data that occludes it, one or a list.
+    cloud: also returns the visible points at pixels' centres, with the arrays cell, camera and
+        normal.
 
     Returns vtkPolyData with the cell arrays seen (number of cameras), pixels and solid_angle
     (steradians, both summed over the cameras) and the point array seen; or with `cloud` that and
-    the points. A cell smaller than a pixel is not lost: rays go to points of its own.
+    the points. Cells smaller than a pixel are not lost: extra rays go to them.
 
-    Of a scene it is a list of these, one for each of rays(thing).props, all of which hide each
+    For a scene, returns a list of these, one for each of rays(thing).props, which occlude each
     other: in world coordinates, with the cell arrays block and cell as the layers of these names;
-    None for a prop that rays do not meet, or that is translucent: it is seen through. Surfaces have
-    two sides, whatever their culling. The points have the array actor as well. What rays cannot
-    follow is left out with a RuntimeWarning.
+    None for a prop that rays do not hit, or that is translucent and occludes nothing. Surfaces are
+    two-sided, whatever their culling. The points also have the array actor. Props that rays do not
+    support are left out with a RuntimeWarning.
 
     Raises ValueError for wrong arguments.
     """
@@ -124,7 +126,7 @@ def visible(thing, cameras, occluders=(), size=None, cloud=False) -> vtkPolyData
 
 
 class _Props:
-    """The meshes of a scene as one, in the world, and what is found of it as theirs."""
+    """The meshes of a scene joined in world coordinates, and results split by props."""
 
     def __init__(self, scene):
         meshes = [[] for _ in scene.props]
@@ -135,7 +137,7 @@ class _Props:
             block = numpy.full(mesh.GetNumberOfCells(), scene.scene.GetMeshBlock(number))
             _add(mesh.GetCellData(), "block", block.astype(numpy.int32))
             prop = scene.scene.GetMeshProp(number)
-            if prop < 0:  # it hides, and has no number
+            if prop < 0:  # an occluder without a number
                 parts.append((-1, mesh))
             else:
                 meshes[prop].append(mesh)
@@ -144,7 +146,7 @@ class _Props:
         self.mesh = _append([_numbered(mesh, prop) for prop, mesh in parts])
 
     def split(self, seen):
-        """The arrays of all, as those of each prop; None for one that has no mesh."""
+        """Splits the arrays by props; None for a prop without a mesh."""
         there = [number for number, mesh in enumerate(self._meshes) if mesh is not None]
         for kind in ("GetCellData", "GetPointData") if there else ():
             data = getattr(seen, kind)()
@@ -160,7 +162,7 @@ class _Props:
         return self._meshes
 
     def number(self, points):
-        """The points with the arrays actor, and cell of its own."""
+        """Sets the points' arrays actor, and cell as its own number."""
         data = points.GetPointData()
         prop = own = numpy.empty(0, numpy.int64)
         if data.HasArray("cell") and points.GetNumberOfPoints() > 0:
@@ -171,11 +173,11 @@ class _Props:
         return points
 
 
-_PROP, _PLACE = "relievo:prop", "relievo:place"  # of a cell or a point: whose it is, and which
+_PROP, _PLACE = "relievo:prop", "relievo:place"  # prop and index of a cell or a point
 
 
 def _numbered(mesh, prop):
-    """The mesh with these arrays, and of others its cells' numbers alone."""
+    """The mesh with these arrays, and otherwise only the cells' numbers."""
     copy = vtkPolyData()
     copy.CopyStructure(mesh)
     copy.GetCellData().AddArray(mesh.GetCellData().GetArray("cell"))
@@ -208,7 +210,7 @@ def _add(data, name, values):
     data.AddArray(array)
 
 
-# What the function calls the filter's parameters. The place is two arguments, the days are dates.
+# The function's names of the filter's parameters. The place is two arguments, the days are dates.
 _OF_SUN = keywords_of(
     vtkRelievoSunExposure(),
     {"day_step": "every", "up_axis": "up", "sky_samples": "sky"},
@@ -241,21 +243,21 @@ sun_exposure.__doc__ = f"""Returns the mesh with its hours of sun.
 
     town = relievo.sun_exposure(town, 48.2, 16.4, "2026-01-01", "2026-12-31", every=7)
 
-mesh: a dataset or a filter that makes one; of other data than polygons the outer surface.
-    Normals point outwards.
+mesh: a dataset or a filter that makes one; data other than polygons count by their outer
+    surface. Normals point outwards.
 latitude, longitude: degrees, -90 to 90 and -180 to 180, north and east positive.
 first, last: the first and the last day, as datetime.date or "2026-06-21"; last None: one day.
-occluders: other data that shades it, one or a list.
+occluders: other data that shade it, one or a list.
 {describe_all(vtkRelievoSunExposure(), _OF_SUN)}
 
 Returns vtkPolyData with the arrays sun_hours, insolation (hours times the cosine between the
-sun and the normal) and sky_view (share of an even sky's light, 0 to 1), and the field data
+sun and the normal) and sky_view (share of a uniform sky's light, 0 to 1), and the field data
 possible_hours. Raises ValueError for wrong arguments.
 """
 
 
 class Moment:
-    """A scene and what looks at it, as they were: moment() makes it, flow() compares it."""
+    """A copy of a scene and its camera, made by moment() and compared by flow()."""
 
     def __init__(self, thing, camera, size):
         self.scene = vtkRelievoRayScene()
@@ -266,7 +268,7 @@ class Moment:
 
 
 def moment(thing, camera=None, size=None) -> Moment:
-    """Keeps a scene as it is now, for flow(): a copy, which moves no more.
+    """Copies the current state of a scene, for flow().
 
     thing: as for rays(): a renderer, a plotter, data.
     camera: a CameraModel, or a vtkCamera; None for the renderer's own, seen in `size` pixels.
@@ -278,9 +280,9 @@ def moment(thing, camera=None, size=None) -> Moment:
 
 
 def flow(before, thing, camera=None, size=None) -> vtkImageData:
-    """Returns where the pixels of a moment are now: optical flow and scene flow, in double.
+    """Returns the movement of a moment's pixels until now: optical and scene flow, in double.
 
-    From now to a moment, as layers beside others: capture(…, previous=).
+    For the flow from now to a moment, as layers: capture(…, previous=).
 
         before = relievo.moment(renderer, size=(640, 480))
         actor.RotateY(5)
@@ -291,8 +293,8 @@ def flow(before, thing, camera=None, size=None) -> vtkImageData:
         size None: that of the moment.
 
     Returns vtkImageData of the moment's size with the layers flow (2 floats: pixels, x right, y
-    down; NaN where nothing is seen), motion (3 floats: world units) and flow_valid (1 where the
-    point is within the picture now and nothing lies before it). Raises ValueError for wrong
+    down; NaN in the background), motion (3 floats: world units) and flow_valid (1 where the point
+    is now within the picture and unoccluded). Raises ValueError for wrong
     arguments.
     """
     if not isinstance(before, Moment):

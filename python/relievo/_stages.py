@@ -23,7 +23,7 @@ def stage(renderer, name, on=True, **parameters) -> vtkRelievoStage:
     name; stages() gives ranges and defaults.
 
     Returns the vtkRelievoStage. Raises ValueError for an unknown stage or parameter, and for a
-    value that the parameter does not take; then no parameter is changed.
+    value that the parameter does not accept; then no parameter is changed.
     """
     renderer = need_renderer(renderer)
     there = frame_of(renderer)
@@ -42,7 +42,7 @@ def stage(renderer, name, on=True, **parameters) -> vtkRelievoStage:
                 f"stage: {name}:{key}: got {describe(value)}, expected a number, True or False, a "
                 f"word, or a sequence of numbers"
             ) from None
-    # On a frame that is not in use yet, to which nothing is attached if a value is wrong.
+    # Checked on an unused frame, so that nothing is attached if a value is invalid.
     before = {key: found.GetParameter(key) for key in wanted if key in names(found)}
     for key, text in wanted.items():
         wrong = found.TrySetParameter(key, text)

@@ -16,7 +16,7 @@ from ._parameters import bind, describe, keywords, names, words
 from ._renderers import need_renderer
 from ._wrapped import vtkRelievoPass
 
-# What is said beside the descriptions of the values.
+# Examples beside the descriptions of values.
 _EXAMPLES = {
     "fog": "relievo.fog(renderer, swamps, radius=30, density=0.05, color=(0.6, 0.7, 0.7))",
     "lamps": "relievo.lamps(renderer, street_lamps, radius=12, color=(1, 0.8, 0.5))",
@@ -25,7 +25,7 @@ _EXAMPLES = {
 
 
 def _set_points(made, name, points):
-    """Connects points to data, to what makes it, or to actors."""
+    """Connects points to data, to an algorithm, or to actors."""
     cloud = cloud_of(points)
     if cloud is not None:
         made.SetInputData(cloud)
@@ -54,7 +54,7 @@ def _set_points(made, name, points):
 
 
 def _set_value(made, name, parameter, value):
-    """Sets a parameter of the points from a number, numbers, a word or the name of an array."""
+    """Sets a parameter of the points from a number, numbers, a text or the name of an array."""
     arrays = _arrays(made)
     text = isinstance(value, str)
     is_switch = isinstance(value, bool) and made.IsPerPoint(parameter)
@@ -65,7 +65,7 @@ def _set_value(made, name, parameter, value):
         said, wrong = "", f"got {described(value)}, expected a number, three numbers or a word"
     per_point = made.IsPerPoint(parameter)
     if text and said and per_point and (said in (arrays or ()) or _is_number(said)):
-        made.SetArray(parameter, said)  # arrays may have the names of numbers and of colours
+        made.SetArray(parameter, said)  # arrays may be named like numbers and colours
     elif not wrong:
         wrong = made.TrySetParameter(parameter, said)
         if not (wrong or text) and per_point and made.GetArray(parameter):
@@ -83,8 +83,8 @@ def _set_value(made, name, parameter, value):
 
 
 def _arrays(made):
-    """Names of the point arrays that the points have now; None of actors, which have none, and of
-    points that are not made yet."""
+    """Names of the current point arrays; None for actors, which have none, and before the points
+    are made."""
     if made.GetNumberOfInputConnections(0) == 0:
         return None
     made.GetInputAlgorithm(0, 0).Update()
@@ -95,7 +95,7 @@ def _arrays(made):
 
 
 def _unlike(made, parameter, name):
-    """What is wrong with an array that is there, in words, or ""."""
+    """The problem of an existing array, or ""."""
     data = made.GetInputDataObject(0, 0)
     array = data.GetPointData().GetAbstractArray(name) if is_a(data, "vtkDataSet") else None
     if array is None:
@@ -118,7 +118,7 @@ def _is_number(words):
 
 
 def _check_together(made, name, given):
-    """Raises ValueError for what has no effect beside the others, values of points apart."""
+    """Raises ValueError for arguments without an effect, except values of points."""
     for parameter, value in given.items():
         condition = "" if made.IsPerPoint(parameter) else made.GetParameterCondition(parameter)
         other, _, needed = condition.partition("=")
@@ -132,7 +132,7 @@ def _describe(stage, made):
     """The docstring of a stage's function."""
     things = made.GetThings()
     lines = [
-        f"Adds {things} to what the renderer draws: each point is one.",
+        f"Adds {things} to the renderer, one at each point.",
         "",
         f"    {_EXAMPLES.get(stage.GetStageName(), '')}",
         "",
@@ -150,7 +150,7 @@ def _describe(stage, made):
         "",
         "A value is a number for all points, three for a colour or a direction, a colour's name or",
         '"#ff8000", or the name of a point array, which goes first; None takes the array of the',
-        "value's name if the points have it, else the default.",
+        "value's name if the points have one, otherwise the default.",
         "",
     ]
     lines += [describe(made, parameter) for parameter in names(made)]
@@ -167,7 +167,7 @@ def _describe(stage, made):
 
 
 def _make(stage, made):
-    """The function of a stage, with the parameters that it and its points say that they have."""
+    """The function of a stage, with the parameters described by the stage and its points."""
     name = stage.GetStageName()
     of_points, of_stage = names(made), names(stage)
     signature = inspect.Signature(

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The VTK of a wheel by the name of ordinary VTK, for packages that know no other."""
+"""Provides a wheel's VTK under the usual name, for packages that know no other."""
 
 import importlib
 import importlib.abc
@@ -10,12 +10,12 @@ import types
 
 _NAME = "vtkmodules"
 
-# What clients derive classes from when they are imported, and cvista lacks: vedo.
+# Base classes that vedo needs at import and cvista lacks.
 _BASES = {"vtkRenderingCore": ("vtkFlagpoleLabel",)}
 
 
 def _missing(name, own):
-    """A class in the place of one that the VTK does not have: it can be derived from, not made."""
+    """A substitute for a class that the VTK lacks: only for use as a base class."""
 
     def fail(self, *_arguments, **_given):
         raise NotImplementedError(f"{name}: {own}, which Relievo is built on, has no such class")
@@ -26,7 +26,7 @@ def _missing(name, own):
 class Alias(importlib.abc.MetaPathFinder, importlib.abc.Loader):
     """Finds each module of `vtkmodules` as the module of another package, loaded once.
 
-    And `vtk` as all of them, which has their names and is a package of the same modules.
+    Also finds `vtk` as a package with all of their names and modules.
     """
 
     def __init__(self, own):
@@ -63,9 +63,9 @@ def provide_vtkmodules() -> None:
         relievo.provide_vtkmodules()
         import vedo
 
-    For packages that know VTK by that name alone, such as vedo, beside a wheel of Relievo, whose
-    VTK is the package `cvista`. Classes that cvista lacks are lacking there as well. In a build on
-    a VTK that is called vtkmodules it does nothing.
+    For packages that know VTK only by that name, such as vedo, beside a wheel of Relievo, whose VTK
+    is the package `cvista`. Classes that cvista lacks are missing there, too. Does nothing in a
+    build whose VTK is called vtkmodules.
 
     Raises ImportError if another VTK has been imported by that name before.
     """

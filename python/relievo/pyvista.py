@@ -13,10 +13,10 @@ PyVista finds this module by the entry points of the installed package `relievo`
     image = pyvista.read("frame.exr")               # one point array per layer
     image.save("copy.exr", compression="piz")
 
-All of these are for the plotter's active renderer, as PyVista's own are; plotter.subplot()
-changes it. What is drawn already changes with plotter.render(). PyVista's passes (EDL, SSAO, blur
-and so on) are switched on and off before or after. Beside pyvista-render-passes the frame is
-within its passes: they smooth and shade what it has drawn.
+All of these are for the plotter's active renderer, like PyVista's own; plotter.subplot()
+changes it. Call plotter.render() to update a picture that is already drawn. PyVista's passes (EDL,
+SSAO, blur and so on) can be switched on and off before or after. With pyvista-render-passes, the
+frame is inside its passes, which smooth and shade the frame's picture.
 """
 
 import weakref
@@ -36,7 +36,7 @@ _OF_LAYERS = ("lamps", "fog", "markers", "tone", "show")
 
 
 def _refusal(used, settings):
-    """Why stages of the frame and settings of pyvista-render-passes do not go together, or None."""
+    """Why stages of the frame and settings of pyvista-render-passes are incompatible, or None."""
     of_layers = [each for each in used if each in _OF_LAYERS]
     if settings.get("ssao") and of_layers:
         return (f"{', '.join(of_layers)} beside SSAO of plotter.render_passes, which draws to "
@@ -48,7 +48,7 @@ def _refusal(used, settings):
 
 
 def _used(frame):
-    """The stages of a frame that settings of pyvista-render-passes may be refused for."""
+    """The stages of a frame that may conflict with settings of pyvista-render-passes."""
     points = ("lamps", "fog", "markers")
     found = [each for each in points if frame.GetStage(each).GetPoints(0) is not None]
     if frame.GetStage("tone").GetEnabled():
@@ -62,7 +62,7 @@ def _used(frame):
 
 @pyvista.register_plotter_component("relievo")
 class RelievoComponent:
-    """What `plotter.relievo` is: the functions of the package `relievo`, for the plotter."""
+    """The accessor `plotter.relievo`: the functions of the package `relievo`, for the plotter."""
 
     def __init__(self, plotter):
         self._plotter = plotter
@@ -102,7 +102,7 @@ class RelievoComponent:
         """Every light casts shadows, or none; parameters as of relievo.stage().
 
         Lights of PyVista's default kit follow the camera, and so do their shadows; a light with
-        light_type="scene light" stays where it is.
+        light_type="scene light" stays in place.
         """
         return self.stage("shadows", bool(on), **parameters)
 
@@ -136,7 +136,7 @@ class RelievoComponent:
         shown = window is not None and not window.GetNeverRendered()
         image = _capture.capture(self._plotter, layers, size, hdr)
         if shown:
-            self._plotter.render()  # PyVista's pictures are of what the window shows
+            self._plotter.render()  # PyVista's pictures are taken from the window
         return image
 
     def screenshot(self, path=None, size=None, transparent=False):
@@ -145,7 +145,7 @@ class RelievoComponent:
         return _capture.screenshot(self._plotter, path, size, transparent)
 
     def report(self):
-        """As relievo.report(): what the last frames did and why."""
+        """As relievo.report(): a report on the stages of the last frames."""
         return _frame.report(self.frame)
 
     @property
@@ -154,7 +154,7 @@ class RelievoComponent:
         return self._kept().frame
 
     def off(self):
-        """Takes Relievo out of the active renderer: environment, frame and all."""
+        """Removes Relievo from the active renderer, including environment and frame."""
         self._clear(self._plotter.renderer)
 
     def _clear(self, renderer):
@@ -193,8 +193,8 @@ for _name, _function in _things.functions().items():
 class RenderPassProvider:
     """The frame among the passes of pyvista-render-passes, which finds it by an entry point.
 
-    It is around what draws the scene, below SSAO, EDL and SSAA, in renderers that plotter.relievo
-    is used for.
+    It is around the scene's pass, below SSAO, EDL and SSAA, in renderers used with
+    plotter.relievo.
     """
 
     name = "relievo"
@@ -203,10 +203,10 @@ class RenderPassProvider:
     def __init__(self):
         self._invalidate = None
         self._renderer = None
-        self.settings = {}  # of the passes, as far as they are known
+        self.settings = {}  # known settings of the passes
 
     def bind(self, invalidate):
-        """Takes what has the passes built anew."""
+        """Stores the callback that rebuilds the passes."""
         self._invalidate = invalidate
         owner = getattr(invalidate, "__self__", None)
         if getattr(owner, "renderer", None) is not None:
@@ -217,7 +217,7 @@ class RenderPassProvider:
         self._renderer = weakref.ref(renderer)
 
     def invalidate(self):
-        """Has the passes built anew before the next frame."""
+        """Rebuilds the passes before the next frame."""
         if self._invalidate is not None:
             self._invalidate()
 
@@ -249,9 +249,9 @@ class RenderPassProvider:
 
 
 def read_exr(path, **options):
-    """What pyvista.read() does with .exr files: relievo.read_exr(), as PyVista's ImageData.
+    """Reads .exr files for pyvista.read(), by relievo.read_exr(), as PyVista's ImageData.
 
-    Addresses are PyVista's to fetch: it calls again with a file.
+    PyVista itself fetches URLs and calls this function with a file.
     """
     if pyvista.has_scheme(str(path)):
         raise pyvista.LocalFileRequiredError(path)
@@ -261,5 +261,5 @@ def read_exr(path, **options):
 
 
 def write_exr(dataset, path, **options):
-    """What save() does with .exr files: relievo.write_exr(), with its compression, pixel_types."""
+    """Writes .exr files for save(), by relievo.write_exr(), with its compression, pixel_types."""
     _exr.write_exr(path, dataset, **options)
