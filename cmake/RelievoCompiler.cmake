@@ -3,10 +3,10 @@
 find_program(RELIEVO_CCACHE ccache DOC "Compiler cache; empty: none")
 mark_as_advanced(RELIEVO_CCACHE)
 if (RELIEVO_CCACHE AND NOT DEFINED CMAKE_CXX_COMPILER_LAUNCHER)
-  # Relative to the source, so that a copy of the tree finds what this one compiled.
+  # Relative to the source, so that copies of the tree share cached objects.
   set(CMAKE_CXX_COMPILER_LAUNCHER
     "${CMAKE_COMMAND}" -E env "CCACHE_BASEDIR=${PROJECT_SOURCE_DIR}"
-    "CCACHE_SLOPPINESS=pch_defines,time_macros" # or it keeps nothing that uses precompiled headers
+    "CCACHE_SLOPPINESS=pch_defines,time_macros" # otherwise it does not cache objects that use precompiled headers
     "${RELIEVO_CCACHE}")
 endif ()
 
@@ -26,8 +26,8 @@ function (relievo_relative_autoinit)
   endforeach ()
 endfunction ()
 
-# What an interpreter that is not instrumented needs in its environment to load what is. Python
-# itself keeps what it allocates: leaks are the business of the C++ tests.
+# The environment in which an uninstrumented interpreter can load instrumented libraries. Python
+# does not free its own memory: leaks are checked by the C++ tests.
 set(relievo_sanitizer_environment)
 if (CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
   add_compile_options("$<$<COMPILE_LANGUAGE:CXX>:-Wall;-Wextra;-Wshadow;-Wnon-virtual-dtor>")
@@ -38,7 +38,7 @@ if (CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
     add_compile_options(-fsanitize=address,undefined -fno-omit-frame-pointer)
     add_link_options(-fsanitize=address,undefined)
     set(relievo_preload)
-    # The C++ library as well: the sanitizer looks there for what it intercepts, when it starts.
+    # Also the C++ library: the sanitizer looks up intercepted functions in it at start.
     foreach (name IN ITEMS libasan.so libstdc++.so)
       execute_process(COMMAND "${CMAKE_CXX_COMPILER}" "-print-file-name=${name}"
         OUTPUT_VARIABLE path OUTPUT_STRIP_TRAILING_WHITESPACE)

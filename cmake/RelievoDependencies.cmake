@@ -1,4 +1,4 @@
-# Finds what Relievo builds on: VTK (ParaView's or a stand-alone one), Python, GLM, OpenEXR, Assimp,
+# Finds Relievo's dependencies: VTK (ParaView's or a stand-alone one), Python, GLM, OpenEXR, Assimp,
 # Draco, nlohmann-json, Embree.
 
 set(Python3_FIND_STRATEGY LOCATION)
@@ -32,7 +32,7 @@ if (RELIEVO_WRAP_PYTHON AND NOT VTK_WRAP_PYTHON)
   message(FATAL_ERROR "RELIEVO_WRAP_PYTHON is ON, but the VTK ${VTK_VERSION} in ${VTK_DIR} has no Python "
     "modules. Name a wrapped VTK by VTK_DIR, or set RELIEVO_WRAP_PYTHON to OFF.")
 endif ()
-# The package that VTK's Python modules are in: vtkmodules, or that of a VTK of another name.
+# The package of VTK's Python modules: vtkmodules, or that of a VTK of another name.
 get_property(relievo_vtk_package TARGET VTK::CommonCore PROPERTY INTERFACE_vtk_module_python_package)
 if (NOT relievo_vtk_package)
   set(relievo_vtk_package vtkmodules)
@@ -40,11 +40,11 @@ endif ()
 if (RELIEVO_WRAP_PYTHON)
   # VTK's Python modules are built for one interpreter, which need not be the first on PATH.
   set(relievo_python_development Development)
-  if (SKBUILD) # where wheels are built there is no library of Python
+  if (SKBUILD) # environments that build wheels have no library of Python
     set(relievo_python_development Development.Module)
   endif ()
   find_package(Python3 REQUIRED COMPONENTS Interpreter ${relievo_python_development})
-  if (RELIEVO_PYTHON_CORE) # the SDK of a VTK is for one version of Python, and this is another
+  if (RELIEVO_PYTHON_CORE) # a VTK SDK is for one version of Python, and this one differs
     set(CVISTA_ABI3 OFF)
     get_filename_component(relievo_python_core "${RELIEVO_PYTHON_CORE}" NAME)
     set_target_properties(VTK::WrappingPythonCore PROPERTIES
@@ -55,7 +55,7 @@ elseif (RELIEVO_BUILD_TESTS)
   find_package(Python3 REQUIRED COMPONENTS Interpreter) # runs the tests of the command line
 endif ()
 find_package(glm REQUIRED)
-# Debian's Imath reports, at length, the library of its Python module: nothing that is used here.
+# Debian's Imath prints long messages about its Python module, which is not used here.
 set(relievo_log_level "${CMAKE_MESSAGE_LOG_LEVEL}")
 set(CMAKE_MESSAGE_LOG_LEVEL NOTICE)
 find_package(OpenEXR 3 REQUIRED CONFIG)
@@ -67,7 +67,7 @@ if (RELIEVO_BUILD_TESTS OR RELIEVO_BUILD_BENCH)
   find_package(embree 3 REQUIRED)
 endif ()
 
-# What PYTHONPATH must hold to import relievo from the build. A VTK unpacked into a folder of its own
+# The PYTHONPATH to import relievo from the build. A VTK unpacked into a folder of its own
 # comes with its modules; one installed for the whole machine is on Python's path already.
 set(relievo_pythonpath "${CMAKE_BINARY_DIR}/python")
 set(relievo_vtk_pythonpath "")

@@ -1,4 +1,4 @@
-# Script: writes one C++ source that holds every GLSL file as text, so that no GLSL lives in C++.
+# Script: writes a C++ source that contains every GLSL file as text, so that no GLSL is written in C++.
 #   cmake -DOUTPUT=F.cxx -DROOT=DIR -DFILES="a.glsl;b.glsl" -P RelievoEmbedShaders.cmake
 set(text "// Made from shaders/*.glsl by cmake/RelievoEmbedShaders.cmake.\n")
 string(APPEND text "#include \"vtkRelievoShaderTable.h\"\n")

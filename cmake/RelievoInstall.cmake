@@ -1,7 +1,7 @@
-# What `find_package(Relievo)` reads, in the build and after `cmake --install`.
+# Files that `find_package(Relievo)` reads, in the build and after `cmake --install`.
 include(CMakePackageConfigHelpers)
 
-# VTK's modules that Relievo's need, by their short names.
+# Short names of the VTK modules that Relievo's need.
 set(relievo_needed_vtk)
 foreach (module IN LISTS relievo_modules)
   foreach (property IN ITEMS depends private_depends)
@@ -40,7 +40,7 @@ if (NOT RELIEVO_DEBIAN AND NOT SKBUILD)
   install(FILES LICENSE DESTINATION "${CMAKE_INSTALL_DOCDIR}" COMPONENT runtime)
 endif ()
 
-# Programs find the libraries of their own prefix, wherever it is moved.
+# Programs find the libraries of their own prefix, even if it is moved.
 if (SKBUILD)
   set(CMAKE_INSTALL_RPATH "$ORIGIN/.." "$ORIGIN/../../${relievo_vtk_package}")
 else ()

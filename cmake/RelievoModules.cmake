@@ -8,7 +8,7 @@ list(TRANSFORM relievo_module_files REPLACE "(.+)" "${CMAKE_CURRENT_SOURCE_DIR}/
 set(relievo_requested Relievo::Describe Relievo::Shaders Relievo::Layers Relievo::Cameras
   Relievo::Rays Relievo::Passes Relievo::Materials Relievo::IO Relievo::Filters Relievo::Animation
   Relievo::Scene)
-# Of ParaView's plugin: not for Python, which reaches it through ParaView's server manager.
+# Modules of ParaView's plugin: not for Python, which uses ParaView's server manager.
 set(relievo_plugin_modules)
 if (RELIEVO_USE_PARAVIEW)
   set(relievo_plugin_modules Relievo::PluginServer)
@@ -30,7 +30,7 @@ endif ()
 set(relievo_library_version
   VERSION "${PROJECT_VERSION}"
   SOVERSION "${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR}")
-if (SKBUILD) # a wheel holds no links, but would hold three copies
+if (SKBUILD) # a wheel would contain three copies instead of links
   set(relievo_library_version)
 endif ()
 # VTK 9.4 and later warn, at length, of headers in folders, which CMake might install with these folders
@@ -50,7 +50,7 @@ vtk_module_build(
 unset(CMAKE_SUPPRESS_DEVELOPER_WARNINGS)
 relievo_relative_autoinit(${relievo_modules})
 list(REMOVE_ITEM relievo_modules ${relievo_plugin_modules})
-# Not the three that know nothing of VTK's data: their macros differ.
+# Not the three modules without VTK's data: their macros differ.
 set(relievo_of_data ${relievo_modules})
 list(REMOVE_ITEM relievo_of_data Relievo::Describe Relievo::Shaders Relievo::Layers)
 relievo_precompile_headers(${relievo_of_data})

@@ -10,7 +10,7 @@ set(relievo_debian_version "${PROJECT_VERSION}-${RELIEVO_DEBIAN_REVISION}")
 
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME relievo)
-set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "") # each package has one of its own
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "") # each package has its own
 set(CPACK_PACKAGE_VENDOR "The Relievo authors")
 set(CPACK_PACKAGE_VERSION "${PROJECT_VERSION}")
 set(CPACK_PACKAGE_DIRECTORY "${CMAKE_BINARY_DIR}/packages")
@@ -72,7 +72,7 @@ function (relievo_package name)
 endfunction ()
 
 if (RELIEVO_USE_PARAVIEW)
-  # ParaView looks for this file beside its programs, and Debian's package has none.
+  # ParaView looks for this file beside its programs; Debian's package has none.
   file(RELATIVE_PATH relievo_plugins_file "/${CMAKE_INSTALL_BINDIR}"
     "/${CMAKE_INSTALL_LIBDIR}/${PARAVIEW_PLUGIN_SUBDIR}/relievo.plugins.xml")
   file(WRITE "${CMAKE_CURRENT_BINARY_DIR}/debian/paraview.conf" "${relievo_plugins_file}\n")

@@ -8,7 +8,7 @@ set(RELIEVO_PLUGIN_GUI AUTO CACHE STRING
   "The plugin's panel, tool bar and help in ParaView's window: ON, OFF, or AUTO (where Qt is)")
 set_property(CACHE RELIEVO_PLUGIN_GUI PROPERTY STRINGS AUTO ON OFF)
 set(relievo_plugin_gui OFF)
-# What differs between ParaView 5.11 and 6 is Qt's major version, which ParaView names since 5.12.
+# ParaView 5.11 and 6 have different major versions of Qt, which ParaView reports since 5.12.
 set(relievo_qt_version 5)
 if (PARAVIEW_QT_MAJOR_VERSION)
   set(relievo_qt_version "${PARAVIEW_QT_MAJOR_VERSION}")
@@ -19,8 +19,7 @@ if (RELIEVO_PLUGIN_GUI)
   if (Qt${relievo_qt_version}_FOUND AND TARGET ParaView::pqComponents)
     set(relievo_plugin_gui ON)
     add_subdirectory("${PROJECT_SOURCE_DIR}/qt" "${PROJECT_BINARY_DIR}/qt")
-    # What these libraries use inside is the linker's to find, not CMake's: it would ask for all
-    # readers again.
+    # The linker finds these libraries' own dependencies; CMake would again ask for all readers.
     foreach (target IN ITEMS ParaView::pqWidgets ParaView::pqCore ParaView::pqComponents)
       get_target_property(configurations ${target} IMPORTED_CONFIGURATIONS)
       foreach (configuration IN LISTS configurations)
@@ -56,7 +55,7 @@ if (relievo_plugin_gui)
     set(relievo_xml_to_help "${ParaViewClient_xsltproc_executable}")
   endif ()
   set(relievo_xml_to_help_fails 1)
-  if (relievo_xml_to_help) # on Debian xmlpatterns may be a link that leads nowhere
+  if (relievo_xml_to_help) # on Debian xmlpatterns may be a broken link
     execute_process(COMMAND "${relievo_xml_to_help}" -version
       RESULT_VARIABLE relievo_xml_to_help_fails OUTPUT_QUIET ERROR_QUIET)
   endif ()
@@ -87,7 +86,7 @@ paraview_plugin_build(
   TARGET_COMPONENT plugin # of the .xml file
   ADD_INSTALL_RPATHS OFF)
 set(CMAKE_INSTALL_RPATH "${relievo_install_rpath}")
-# Where people look for it in a build folder: build/NAME/plugin/Relievo.
+# The documented place in a build folder: build/NAME/plugin/Relievo.
 set(relievo_plugin_folder "${PROJECT_BINARY_DIR}/${CMAKE_INSTALL_LIBDIR}/${PARAVIEW_PLUGIN_SUBDIR}/Relievo")
 file(MAKE_DIRECTORY "${relievo_plugin_folder}")
 file(CREATE_LINK "${relievo_plugin_folder}" "${PROJECT_BINARY_DIR}/plugin/Relievo" SYMBOLIC)

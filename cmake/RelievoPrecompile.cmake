@@ -4,7 +4,7 @@
 
 option(RELIEVO_PRECOMPILE_HEADERS "Compile the headers of VTK and of the standard library once" OFF)
 
-# Nothing of VTK's rendering: each library tells it by a macro which object factories there are.
+# No header of VTK's rendering: a macro in each library tells it the object factories.
 set(relievo_common_headers
   <algorithm> <array> <cmath> <functional> <limits> <map> <memory> <set> <sstream> <string> <vector>
   <glm/geometric.hpp> <glm/mat4x4.hpp> <glm/matrix.hpp> <glm/vec3.hpp> <glm/vec4.hpp>
@@ -24,7 +24,7 @@ if (RELIEVO_PRECOMPILE_HEADERS)
   add_library(relievoPrecompiledLibrary STATIC EXCLUDE_FROM_ALL "${source}")
   target_precompile_headers(relievoPrecompiledLibrary PRIVATE ${relievo_common_headers})
   target_link_libraries(relievoPrecompiledLibrary PRIVATE VTK::CommonDataModel glm::glm)
-  # Not position independent in the way of a library.
+  # Programs are not position independent in the way of libraries.
   add_executable(relievoPrecompiledProgram EXCLUDE_FROM_ALL "${source}")
   target_precompile_headers(relievoPrecompiledProgram PRIVATE
     ${relievo_common_headers} ${relievo_rendering_headers})
@@ -34,7 +34,7 @@ if (RELIEVO_PRECOMPILE_HEADERS)
     RUNTIME_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}/CMakeFiles")
 endif ()
 
-# The targets, libraries or programs without object factories of their own, compile with them.
+# Precompiles headers for targets: libraries, or programs without their own object factories.
 function (relievo_precompile_headers)
   if (NOT RELIEVO_PRECOMPILE_HEADERS)
     return ()

@@ -1,4 +1,4 @@
-# Declares a module of stages, which frames then know by name:
+# Declares a module of stages, which frames find by name:
 #
 #   relievo_add_stages(Relievo::Effects
 #     STAGES [folder/]vtkRelievoHazeStage...  classes that derive from vtkRelievoStage
@@ -22,8 +22,8 @@ function (relievo_add_stages module)
   vtk_module_link("${module}" PRIVATE "$<BUILD_INTERFACE:relievoFormulas>")
 endfunction ()
 
-# The folders that a module's files lie in: on the include path of the module and, in this build, of
-# what links it. Installed headers lie in one folder.
+# The folders of a module's files: on the include path of the module and, in this build, of targets
+# that link it. Installed headers are in one folder.
 function (relievo_module_folders module)
   foreach (folder IN LISTS ARGN)
     vtk_module_include("${module}" PUBLIC "$<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/${folder}>")

@@ -42,7 +42,7 @@ function (relievo_test_program result)
     add_executable("${program}")
     target_link_libraries("${program}" PRIVATE relievoTestMain relievoTestSupport)
     relievo_precompile_headers("${program}")
-    # A third less to compile, and most of a test's time is spent in libraries.
+    # Compiles in a third less time, and most of a test's time is spent in libraries.
     target_compile_options("${program}" PRIVATE "$<$<CONFIG:Release>:-O1>")
     set_target_properties("${program}" PROPERTIES
       RUNTIME_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}/tests/bin"
@@ -113,8 +113,8 @@ function (relievo_add_test)
   set(environment
     "RELIEVO_TEST_OUTPUT=${folder}"
     "RELIEVO_DATA=${RELIEVO_DATA}"
-    "RELIEVO_PRESET=none" # VTK's look, which truths are compared with
-    "OPENBLAS_NUM_THREADS=1" # of numpy: threads that wait take the core from the test beside
+    "RELIEVO_PRESET=none" # VTK's look, for comparisons with truths
+    "OPENBLAS_NUM_THREADS=1" # of numpy: waiting threads occupy other tests' cores
     "RELIEVO_BASELINES=${RELIEVO_BASELINES}"
     ${RELIEVO_TEST_ENVIRONMENT}
     ${test_ENVIRONMENT})

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Many layers into one OpenEXR file, and back as numpy arrays.
+"""Writes many layers to one OpenEXR file, and reads them as numpy arrays.
 
     02_write_exr.py [FOLDER]      writes FOLDER/layers.exr
 """
@@ -26,7 +26,7 @@ known = relievo.attributes(back)
 print("near and far:", known["near"], known["far"])
 print("light 0:", known["lights"][0])
 
-# Layers agree: a pixel shows one point of one surface in all of them.
+# Layers are consistent: a pixel shows one point of one surface in all of them.
 depth, actor = relievo.layer(back, "depth"), relievo.layer(back, "actor")
 for i in range(actor.max() + 1):
     print(f"actor {i}: {(actor == i).sum()} pixels, nearest at {depth[actor == i].min():.4f}")

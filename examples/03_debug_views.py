@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Layers as the picture: what a shader sees, without reading anything back.
+"""Shows layers as the picture, for debugging, without reading anything back.
 
     03_debug_views.py [FOLDER]    writes FOLDER/view_LAYER.png
 """
@@ -24,17 +24,17 @@ def save(window, path):
 
 renderer, window = scene.make()
 folder = scene.folder()
-frame = relievo.attach(renderer)  # around whatever pass the renderer has
+frame = relievo.attach(renderer)  # around the renderer's pass
 for layer in ("depth", "normal", "geometric_normal", "albedo", "actor", "cell", "Elevation"):
     frame.SetDisplayLayer(layer)
     save(window, folder / f"view_{layer}.png")
 
-# Scalars go through a colour map; the values at its ends can be chosen.
+# Scalars are shown by a colour map with adjustable ends.
 frame.SetDisplayLayer("depth")
 frame.SetDisplayRange(4, 9)
 save(window, folder / "view_depth_4_to_9.png")
 
-# Depth in grey as a pass of its own, for a renderer that shows nothing else.
+# Depth in grey as a separate pass, for a renderer that shows nothing else.
 relievo.detach(renderer)
 linear = relievo.vtkRelievoLinearDepthPass()
 linear.NormalizedOff()

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""From a depth image to points in world space, in double, with the other layers as their data.
+"""Converts a depth image to points in world space, in double, with the other layers as data.
 
     04_point_cloud.py [FOLDER]    writes FOLDER/points.vtp
 """
@@ -14,7 +14,7 @@ image = relievo.capture(renderer, ["depth", "normal", "albedo", "actor"])
 cloud = relievo.depth_to_points(image)
 path = scene.folder() / "points.vtp"
 writer = vtkXMLPolyDataWriter()
-writer.SetDataModeToBinary()  # beside newer expats, VTK 9.2 reads nothing appended
+writer.SetDataModeToBinary()  # with newer expat, VTK 9.2 cannot read appended data
 writer.SetFileName(str(path))
 writer.SetInputData(cloud)
 writer.Write()

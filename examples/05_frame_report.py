@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What layers cost: the frame report around a pass of one's own, and everything given back.
+"""Cost of layers: the frame report around a custom pass, and releasing everything.
 
     05_frame_report.py
 """
@@ -18,8 +18,8 @@ frame = relievo.attach(renderer)
 for wanted in ([], ["depth"], ["depth", "normal", "cell"]):
     for layer in wanted:
         frame.RequestLayer(layer)
-    relievo.report(frame)  # OpenGL in software takes times only when somebody has read some
-    for _ in range(5):  # GPU times arrive some frames later and are never waited for
+    relievo.report(frame)  # software OpenGL measures times only after a first read
+    for _ in range(5):  # GPU times arrive some frames later, without waiting
         window.Render()
     print(f"\nasked for {wanted or 'nothing'}")
     for stage in relievo.report(frame)["stages"]:

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A sun study: the shadows of a town over a day, and the hours of sun that every point gets.
+"""A sun study: the shadows of a town over a day, and the hours of sun at every point.
 
     06_sun_study.py [FOLDER] [--latitude DEG] [--date YYYY-MM-DD] [--every MINUTES]
 
@@ -8,7 +8,7 @@ Default: out/sun-study, latitude 48, a spring equinox, every 20 minutes. Writes 
     frame_NN.png     the town in the sun, from sunrise to sunset, for a film
     sun_hours.png    hours of sun as colours: the ground from above, and roofs and walls as well
 
-The buildings (of OpenFOAM's example windAroundBuildings) are in metres, z up; y is taken for north.
+The buildings (of OpenFOAM's example windAroundBuildings) are in metres, z up; y counts as north.
 Needs buildings.obj in the folder RELIEVO_DATA (default: build/data beside this folder);
 tools/unpack-data puts it there.
 """
@@ -62,7 +62,7 @@ def make_actor(source, colour):
     look.SetInterpolationToFlat()
     look.SetColor(*colour)
     look.SetAmbient(0.22)
-    look.SetAmbientColor(0.62, 0.74, 0.95)  # what the sky gives to walls in the shade
+    look.SetAmbientColor(0.62, 0.74, 0.95)  # skylight on shaded walls
     return actor
 
 
@@ -76,7 +76,7 @@ def make_light(renderer, intensity, colour):
 
 
 def make_town():
-    """A renderer in a window, and its lights: the sun, which is light 0, and the sky."""
+    """A renderer in a window, and its lights: the sun, light 0, and the sky."""
     buildings = vtkOBJReader()
     buildings.SetFileName(scene.data("buildings.obj"))
     buildings.Update()
@@ -120,7 +120,7 @@ def look_from_above(camera):
 
 
 def shine(light, towards):
-    """Moves the sun there; low, it is weaker and redder."""
+    """Moves the sun; low suns are weaker and redder."""
     light.SetPosition(*towards)
     height = max(0.0, towards[2])
     weak = min(1.0, height / 0.25)
@@ -129,14 +129,14 @@ def shine(light, towards):
 
 
 def in_colours(hours, longest):
-    """0 dark, the day's length bright; NaN grey."""
+    """Hours as colours: 0 dark, the day's length bright; NaN grey."""
     known = ~numpy.isnan(hours)
     share = numpy.where(known, hours, 0) / longest
     return demo_sheet.where(known, demo_sheet.bytes_of(demo_sheet.mapped(share)))
 
 
 def with_scale(hours, longest):
-    """The hours as colours, with the scale of these along the lower edge."""
+    """The hours as colours, with a legend along the lower edge."""
     picture = in_colours(hours, longest)
     left, wide, top = 20, 300, picture.shape[0] - 46
     picture[top - 12 :, : left + wide + 20] = demo_sheet.PAPER
@@ -167,11 +167,11 @@ def main():
 
     frame = relievo.attach(renderer)
     frame.ShadowsOn()
-    frame.GetShadowStage().SetMapSize(4096)  # a low sun draws a map's texels out along the walls
+    frame.GetShadowStage().SetMapSize(4096)  # a low sun stretches a map's texels along the walls
     frame.GetShadowStage().SetLightCasts(sky, False)  # light from all around has no sharp shadow
 
     count = max(1, round(length * 60 / given.every))
-    part = length / count  # hours that the middle of each part stands for
+    part = length / count  # hours represented by the middle of each part
     south = above = 0.0
     for i in range(count):
         hour = 12 + (i + 0.5 - count / 2) * part

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Three coloured spots on a motorbike: each casts, and where two reach the floor their colours add.
+"""Three coloured spots on a motorbike: each casts shadows, and their colours add on the floor.
 
     07_three_spots.py [FOLDER]    writes FOLDER/three_spots.png and FOLDER/three_spots_layers.png
 
@@ -20,7 +20,7 @@ import demo_sheet
 import scene
 
 SIZE = (1440, 720)
-SPOTS = {  # name: where it stands, its colour
+SPOTS = {  # name: position, colour
     "red": ((-2.7, 2.6, 2.6), (1.0, 0.12, 0.10)),
     "green": ((0.5, 3.6, 3.2), (0.10, 0.85, 0.14)),
     "blue": ((2.9, 2.6, 2.5), (0.14, 0.20, 1.0)),
@@ -28,7 +28,7 @@ SPOTS = {  # name: where it stands, its colour
 
 
 def make_bike():
-    """The bike's actors: those parts that are painted in light grey, the others in darker ones."""
+    """The bike's actors: painted parts in light grey, the others darker."""
     turn = vtkTransform()
     turn.RotateY(24)
     for material, piece in demo_scene.read_bike(scene.data("motorBike.obj")).items():

@@ -1,12 +1,12 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A tour of the ParaView plugin: a town and a motorbike, without and with it, side by side.
+"""A tour of the ParaView plugin: a town and a motorbike, without and with the plugin.
 
     pvbatch 08_paraview_tour.py [FOLDER]
 
 Run it with ParaView's own pvbatch or pvpython. Writes to FOLDER (default: the current one)
     paraview_town.png    a town as ParaView draws it, and with shadows of the sun at 9:30
-    paraview_day.png     the same at 8, 12 and 16 o'clock (UTC; 48 degrees north, 0 east, 20 March)
+    paraview_day.png     the town at 8, 12 and 16 o'clock (UTC; 48 degrees north, 0 east, 20 March)
     paraview_bike.png    a motorbike coloured by height, in a sun and a spot, and the layer `normal`
 
 The plugin is the one in the folder RELIEVO_PLUGIN_PATH (default: build/release/plugin/Relievo
@@ -28,19 +28,19 @@ def make_view():
 
 
 def write(view, words):
-    """Words in the picture's upper left corner."""
+    """Writes a text in the picture's upper left corner."""
     shown = simple.Show(simple.Text(Text=words), view)
     shown.Color, shown.FontSize, shown.WindowLocation = [0.1, 0.1, 0.1], 16, "Upper Left Corner"
 
 
 def let_the_sun_shine(view, hour):
-    """Shadows, and the sun of that hour: the first five lines are all there is to it."""
+    """Shadows, and the sun of that hour: only the first five lines are needed."""
     view.RelievoShadows = 1
     view.RelievoSun = 1
     view.RelievoSunBy = "Date and place"
     view.RelievoSunDate, view.RelievoSunTime = [2026, 3, 20], hour
     view.RelievoSunLatitude, view.RelievoSunLongitude = 48.0, 0.0
-    view.RelievoShadowMapSize = 4096  # a low sun draws a map's texels out along the walls
+    view.RelievoShadowMapSize = 4096  # a low sun stretches a map's texels along the walls
     view.RelievoSunIntensity = 0.9
     view.RelievoSunColor = [1.0, 0.95, 0.85]
     view.UpdatePropertyInformation()
@@ -113,7 +113,7 @@ def bike(folder, data):
 
 def main():
     folder, plugin, data = paraview_sheet.words("buildings.obj", "motorBike.obj")
-    # Before the first view is made; in a client-server session once with remote=True as well.
+    # Before the first view is made; in a client-server session also once with remote=True.
     simple.LoadPlugin(str(plugin), remote=False, ns=globals())
     town(folder, data)
     bike(folder, data)

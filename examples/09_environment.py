@@ -4,9 +4,9 @@
 
     09_environment.py [FOLDER]    writes FOLDER/environment.png and FOLDER/environment_balls.png
 
-The picture's sun is taken out and becomes a lamp where it stood, for only lamps throw sharp
-shadows; the rest lights by nine numbers and is mirrored by six levels of roughness. The second
-picture shows these: balls of roughness 0, 0.2 ... 1, all of a perfect mirror.
+The picture's sun is replaced by a lamp in its direction, since only lamps cast sharp shadows; the
+rest lights by nine numbers and is reflected at six levels of roughness. The second picture shows
+these: perfectly reflecting balls of roughness 0, 0.2 ... 1.
 
 Needs motorBike.obj and forest.exr in the folder RELIEVO_DATA (default: build/data beside this
 folder); tools/unpack-data puts them there. Without forest.exr the sky is a coded one.
@@ -27,8 +27,8 @@ import demo_sheet
 import scene
 
 SIZE = (1200, 675)
-SUN = 6.0  # light above so many times the mean is the sun's
-# What of the bike mirrors how: reflectivity, roughness.
+SUN = 6.0  # light above so many times the mean belongs to the sun
+# Reflectivity and roughness of the bike's parts.
 MIRRORS = {
     "paint": (0.06, 0.0),
     "second paint": (0.06, 0.0),
@@ -74,7 +74,7 @@ def coded_sky(rows):
 
 
 def part_sun(world):
-    """The world without what is far above its mean; the direction towards that, and its colour."""
+    """The world without the light far above its mean; that light's direction and colour."""
     towards, angles = directions(len(world))
     mean = (world * angles[..., None]).sum((0, 1)) / angles.sum()
     rest = numpy.minimum(world, SUN * mean)
@@ -100,7 +100,7 @@ def make_environment(world):
     environment.SetImage(image)
     environment.SetLevels(levels.GetOutput())
     environment.SetIrradiance(irradiance.GetOutput().GetColumnByName("radiance"))
-    environment.GammaCorrectOn()  # colours are those of PBR shading
+    environment.GammaCorrectOn()  # as for PBR shading
     return environment
 
 
@@ -189,10 +189,10 @@ def main():
     folder = scene.folder()
     world, sun, colour = part_sun(read_world())
     print(f"the sun: {math.degrees(math.asin(sun[1])):.0f} degrees high, "
-          f"{colour.mean() / (math.pi + colour.mean()):.0%} of what lights the ground")  # fmt: skip
+          f"{colour.mean() / (math.pi + colour.mean()):.0%} of the ground's light")  # fmt: skip
     environment = make_environment(world)
     environment.SetIntensity(0.5)
-    # Turned until the sun stands behind the camera, to its left.
+    # Rotated until the sun is behind the camera, to its left.
     wanted = math.degrees(math.atan2(-0.95, 0.31))
     environment.SetRotation(wanted - math.degrees(math.atan2(sun[0], sun[2])))
     flat = math.hypot(sun[0], sun[2])

@@ -4,9 +4,9 @@
 
     10_relief_terrain.py [FOLDER [CORNERS]]    writes FOLDER/relief_terrain.png
 
-Relief is on the left, geometry on the right. Prints what each takes a frame, and how far apart the
-depths of the two are. CORNERS (1025) are those of the geometry along a side, one more than the
-texels of the heights.
+Relief is on the left, geometry on the right. Prints the frame time of each, and the difference of
+their depths. CORNERS (1025): corners of the geometry along a side, one more than the texels of the
+heights.
 """
 
 import sys
@@ -36,7 +36,7 @@ HEIGHT = 0.4  # of the terrain, on a square of side 2
 
 
 def terrain(texels):
-    """Heights from 0 to 1 of a terrain without end: waves whose height falls with their number."""
+    """Heights from 0 to 1 of a periodic terrain: waves whose height falls with frequency."""
     random = numpy.random.default_rng(7)
     u = (numpy.arange(texels) + 0.5) / texels
     frequency = numpy.hypot(*numpy.meshgrid(*[numpy.fft.fftfreq(texels, 1 / texels)] * 2))
@@ -72,7 +72,7 @@ def relief_actor(heights):
 
 
 def geometry_actor(heights, corners):
-    """The same surface as triangles."""
+    """The surface as triangles."""
     texels = len(heights)
     at = (numpy.arange(corners) / (corners - 1) * texels).astype(int) % texels
     # A corner lies between four texels.

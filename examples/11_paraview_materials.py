@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Materials in ParaView: a motorbike mirrors a forest on cobbles that are two triangles.
+"""Materials in ParaView: a motorbike reflects a forest, on cobbles made of two triangles.
 
     pvbatch 11_paraview_materials.py [FOLDER]
 
@@ -49,7 +49,7 @@ def write_cobbles(path):
 
 
 def make_view(mesh, ground):
-    """The bike on the ground; the view and how it shows each."""
+    """The bike on the ground; returns the view and the representations."""
     view = simple.CreateView("RenderView")
     view.OrientationAxesVisibility = 0
     view.UseColorPaletteForBackground, view.Background = 0, [0.80, 0.85, 0.92]
@@ -77,7 +77,7 @@ def wear_materials(view, bike, floor, cobbles, forest):
     floor.RelievoMirror = 1
     floor.RelievoRoughness = 0.7
     bike.RelievoIrradianceWeight = floor.RelievoIrradianceWeight = 0.15
-    # The forest's own sun throws no shadow: a lamp does, where it stands, for most of the light.
+    # The forest's own sun casts no shadow: a lamp in its direction does, with most of the light.
     view.RelievoShadows = 1
     view.RelievoSun = 1
     view.RelievoSunAzimuth, view.RelievoSunElevation = 241, 20
@@ -87,7 +87,7 @@ def wear_materials(view, bike, floor, cobbles, forest):
 
 def main():
     folder, plugin, data = paraview_sheet.words("motorBike.obj", "forest.exr")
-    # Before the first view is made; in a client-server session once with remote=True as well.
+    # Before the first view is made; in a client-server session also once with remote=True.
     simple.LoadPlugin(str(plugin), remote=False, ns=globals())
     write_cobbles(folder / "cobbles.png")
     mesh = simple.OpenDataFile(str(data / "motorBike.obj"))

@@ -4,8 +4,8 @@
 
     12_town_at_night.py [FOLDER]    writes FOLDER/town.png and FOLDER/town_lamps.png
 
-Each lamp is a point with a radius and a colour. The second picture shows how many lamps reach each
-pixel, and how many were computed for it.
+Each lamp is a point with a radius and a colour. The second picture shows the number of lamps that
+reach each pixel, and of those computed for it.
 """
 
 import numpy
@@ -40,7 +40,7 @@ def add(renderer, data, colour):
 
 
 def houses():
-    """Four houses a block, higher towards the middle."""
+    """Four houses per block, higher towards the middle."""
     town = vtkAppendPolyData()
     for column in range(BLOCKS):
         for row in range(BLOCKS):

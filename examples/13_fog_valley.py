@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A valley at dawn: fog along its river, from points, and what of the light it lets through.
+"""A valley at dawn: fog along its river, from points, and the fog's transmittance.
 
     13_fog_valley.py [FOLDER]    writes FOLDER/fog.png and FOLDER/fog_layer.png
 
@@ -33,7 +33,7 @@ SPHERES = 900
 
 
 def river(y):
-    """Where the river is, from south to north."""
+    """The river's position, from south to north."""
     return 2.2 * numpy.sin(0.45 * y) + 0.8 * numpy.sin(1.1 * y + 1)
 
 

@@ -5,8 +5,8 @@
     14_markers.py [FOLDER]    writes FOLDER/markers.png and FOLDER/markers_layer.png
 
 The stations are points with the arrays `radius` and `color`; one of the huts is selected, and has a
-ring around its box; each balloon throws a blob shadow on whatever lies below. The second picture
-shows the layer `marker`: how much of each pixel they cover.
+ring around its box; each balloon casts a blob shadow on the surface below. The second picture
+shows the layer `marker`: the share of each pixel that markers cover.
 """
 
 import numpy
@@ -66,7 +66,7 @@ def land():
 
 
 def stations():
-    """Points on the ground with a radius and a colour each."""
+    """Points on the ground, each with a radius and a colour."""
     x = numpy.array([-4.6, -1.6, 2.2, 5.2, -3.2, 0.6, 4.4])
     y = numpy.array([1.5, -0.6, 0.4, 2.6, 5.6, 3.4, 6.6])
     data = vtkPolyData()

@@ -4,8 +4,8 @@
 
     15_blocks.py [FOLDER]    writes FOLDER/blocks.png
 
-Each block has a label. One filter makes the surface, with texture coordinates that do not stretch;
-water stays level, and huts rigid. Prints how long that took.
+Each block has a label. One filter makes the surface, with texture coordinates without distortion;
+water stays level, and huts rigid. Prints the time.
 """
 
 import time
@@ -30,7 +30,7 @@ import scene
 SIZE = (1280, 720)
 BLOCKS, TALL, SEA = 144, 44, 9  # blocks each way, upwards, and of water
 SAND, GRASS, ROCK, SNOW, WATER, WALL, ROOF = range(1, 8)
-# Colours in the picture, and how much each texture varies.
+# Colours in the picture, and the variation of each texture.
 LOOKS = {
     SAND: ((0.80, 0.71, 0.50), 0.10),
     GRASS: ((0.33, 0.46, 0.16), 0.28),
@@ -44,7 +44,7 @@ random = numpy.random.default_rng(11)
 
 
 def waves(size, slope, finest):
-    """Waves without end, from 0 to 1: the height of each falls with its number."""
+    """Periodic waves, from 0 to 1, whose height falls with frequency."""
     frequency = numpy.hypot(*numpy.meshgrid(*[numpy.fft.fftfreq(size, 1 / size)] * 2))
     spectrum = numpy.fft.fft2(random.standard_normal((size, size)))
     spectrum *= numpy.exp(-((frequency / finest) ** 2)) / numpy.maximum(frequency, 1) ** slope

@@ -4,8 +4,8 @@
 
     16_caves.py [FOLDER [SEED]]    writes FOLDER/caves.png
 
-Finds the place in the longest tunnel where one sees farthest, and looks along it from the height of
-eyes. Lamps hang in a row along the way.
+Finds the place with the longest sight in the tunnels, and looks along it from eye height. Lamps
+hang in a row along the way.
 """
 
 import sys
@@ -64,7 +64,7 @@ def surface(image):
 
 
 def rock():
-    """A texture without end: waves whose height falls with their number."""
+    """A seamless texture: waves whose height falls with frequency."""
     size = 512
     frequency = numpy.hypot(*numpy.meshgrid(*[numpy.fft.fftfreq(size, 1 / size)] * 2))
     layers = []
@@ -81,7 +81,7 @@ def rock():
 
 
 def free_way(air, place, direction, most=130.0):
-    """How far one can go from a place until there is rock, in blocks."""
+    """The free distance from a place to the rock, in blocks."""
     steps = numpy.arange(0, most, 0.5)
     at = numpy.rint(place + steps[:, None] * direction).astype(int)
     inside = ((at >= 1) & (at < numpy.array(BLOCKS) - 1)).all(axis=1)
@@ -91,7 +91,7 @@ def free_way(air, place, direction, most=130.0):
 
 
 def lookout(air):
-    """A place to stand, and the direction in which one sees farthest."""
+    """A place to stand, and the direction of the longest sight."""
     floor = air[1:-6] & ~air[:-7] & air[3:-4] & air[6:-1]
     floors = numpy.argwhere(floor)[:, ::-1] + (0, 0, 1)
     best = (0, None, None)
@@ -110,7 +110,7 @@ def lookout(air):
 
 
 def along_the_way(air, eyes, direction, far):
-    """Lamps under the roof, on alternate sides, and how far each shines."""
+    """Lamps under the roof, on alternate sides, and their ranges."""
     sides = numpy.cross(direction, (0, 0, 1))
     lamps = []
     for number, step in enumerate(numpy.arange(7.0, far, 12.0)):

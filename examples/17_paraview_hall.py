@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Lamps, fog, glass and a marker in ParaView: a hall at night, as ParaView draws it and with them.
+"""Lamps, fog, glass and a marker in ParaView: a hall at night, without and with the plugin.
 
     pvbatch 17_paraview_hall.py [FOLDER]    writes FOLDER/paraview_hall.png
 
@@ -45,7 +45,7 @@ def pillar(x, y):
 
 
 def hall():
-    """Walls, pillars and a pedestal with a ball, by what they are."""
+    """Walls, pillars and a pedestal with a ball, by name."""
     pillars = [pillar(side * 0.3 * WIDTH, (bay + 0.5) * LENGTH / BAYS)
                for bay in range(BAYS) for side in (-1, 1)]  # fmt: skip
     parts = {
@@ -59,16 +59,16 @@ def hall():
                                  PhiResolution=64)],
         "glass": [box((2.3, 7.5, 1.5), (2.6, 0.06, 3.0))],
     }  # fmt: skip
-    # One source for each: showing one takes ParaView longer than drawing all of them.
+    # One source for each kind: showing a source takes ParaView longer than drawing all of them.
     return {name: simple.AppendGeometry(Input=each) for name, each in parts.items()}
 
 
 def make_view(parts):
-    """The hall in a view of its own, under little light; what was shown, by what it is."""
+    """The hall in its own view, dimly lit; returns the representations by name."""
     view = simple.CreateView("RenderView")
     view.OrientationAxesVisibility = 0
     view.UseColorPaletteForBackground, view.Background = 0, [0.0, 0.0, 0.0]
-    view.UseFXAA = 0  # which smooths what is behind glass together with the glass
+    view.UseFXAA = 0  # would smooth surfaces behind glass together with the glass
     view.CameraPosition, view.CameraFocalPoint = [-2.4, -1.0, 2.1], [0.4, 12, 1.9]
     view.CameraViewUp, view.CameraViewAngle = [0, 0, 1], 55
     colours = {"stone": [0.62, 0.58, 0.52], "bronze": [0.75, 0.5, 0.28], "glass": [0.5, 0.8, 0.75]}
@@ -115,7 +115,7 @@ def light(view):
 
 def main():
     folder, plugin, _ = paraview_sheet.words()
-    # Before the first view is made; in a client-server session once with remote=True as well.
+    # Before the first view is made; in a client-server session also once with remote=True.
     simple.LoadPlugin(str(plugin), remote=False, ns=globals())
     parts = hall()
     plain, lit = make_view(parts), make_view(parts)

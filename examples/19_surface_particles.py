@@ -1,11 +1,11 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Particles that stream over a knot, and pillars that stand on it.
+"""Particles streaming over a knot, and pillars standing on it.
 
     19_surface_particles.py [FOLDER]    writes FOLDER/particles.png
 
 vtkRelievoSurfaceParticles moves the particles by the curl of noise and holds them on the knot's
-depth maps; it has time steps, as a reader of a series has. In the last picture vtkGlyph3DMapper
+depth maps; it has time steps, like a reader of a series. In the last picture vtkGlyph3DMapper
 turns a pillar to each particle's normal and velocity.
 """
 

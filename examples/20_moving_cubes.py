@@ -1,11 +1,11 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A knot of cubes that grow and step aside, moved by the graphics card alone.
+"""A knot of cubes that grow and move aside, entirely on the graphics card.
 
     20_moving_cubes.py [FOLDER]    writes FOLDER/cubes.png
 
 The filters find the cubes once. vtkRelievoVoxelCubesActor then sizes and places them in the vertex
-shader: a transition from small cubes to the knot, and a place that cubes keep away from. In a
+shader: a transition from small cubes to the knot, and a point that repels cubes. In a
 window with an interactor, set Growth or Repeller before each Render.
 """
 

@@ -1,11 +1,11 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Shadows of a small, a large and a rectangular lamp over the same things, and the share of light.
+"""Shadows of a small, a large and a rectangular lamp in one scene, and the share of light.
 
     21_soft_shadows.py [FOLDER] [SAMPLES]    writes FOLDER/soft_shadows.png
 
-Above, the pictures: a point light, the same lamp as a ball, and as a long tube of a rectangle.
-Below, the layer shadow_0 of each: the share of the lamp that a pixel sees.
+Top: the pictures of a point light, a ball, and a long, tube-like rectangle.
+Bottom: the layer shadow_0 of each, the share of the lamp visible from a pixel.
 """
 
 import sys

@@ -1,11 +1,11 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A model with bones, moved by the graphics card, with its shadow; and a look inside.
+"""A model with bones, moved by the graphics card, with its shadow; and its bone weights.
 
     22_animation.py [FOLDER]    writes FOLDER/animation.png
 
-The meshes are read at rest and sent to the graphics card once. For each time only the skeleton is
-asked for, and the vertex shader moves the meshes (vtkRelievoSkinnedActor). The last two pictures
+The meshes are read at rest and sent to the graphics card once. For each time, only the skeleton is
+updated, and the vertex shader moves the meshes (vtkRelievoSkinnedActor). The last two pictures
 show each point's first bone, and the weights of one bone (vtkRelievoBoneWeights).
 
 Needs models/X/BCN_Epileptic.X in the folder RELIEVO_DATA (default: build/data beside this folder);
@@ -23,11 +23,11 @@ import scene
 
 SIZE = (330, 400)
 TIMES = (0.0, 0.6, 1.2, 1.9, 2.6, 3.2)
-BONE = 12  # whose weights are shown: a point of the skeleton
+BONE = 12  # the bone to show: a point of the skeleton
 
 
 def hues():
-    """Colours for numbers of bones: neighbours get hues that are far apart."""
+    """Colours for numbers of bones: consecutive numbers get very different hues."""
     table = vtkLookupTable()
     table.SetNumberOfTableValues(256)
     for i, (red, green, blue) in enumerate(demo_sheet.hashed(numpy.arange(256)) / 255.0):

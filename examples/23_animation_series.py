@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A model's animation as a series of .vtp, which any program of VTK's reads without bones.
+"""A model's animation as a series of .vtp files, readable without support for bones.
 
     23_animation_series.py [FOLDER] [--model FILE] [--animation NAME] [--rate N] [--method METHOD]
 
@@ -62,10 +62,10 @@ def mesh_at(reader, time):
 
 
 def write(mesh, path):
-    """The file appears when it is whole."""
+    """Writes a file that appears only when it is complete."""
     unfinished = path.with_suffix(".tmp")
     writer = vtkXMLPolyDataWriter()
-    writer.SetDataModeToBinary()  # beside newer expats, VTK 9.2 reads nothing appended
+    writer.SetDataModeToBinary()  # with newer expat, VTK 9.2 cannot read appended data
     writer.SetFileName(str(unfinished))
     writer.SetInputData(mesh)
     if not writer.Write():

@@ -4,8 +4,8 @@
 
     25_certified_shadows.py [FOLDER] [RAYS]    writes FOLDER/certified_shadows.png
 
-Above, the pictures; below, a piece of the layer shadow_0 of each, enlarged. Certify judges RAYS
-pixels, drawn by lot, by rays in double precision, and gives a bound of the share that is wrong.
+Top: the pictures. Bottom: an enlarged piece of the layer shadow_0 of each. Certify checks RAYS
+random pixels by rays in double precision, and returns an upper bound of the share of errors.
 """
 
 import sys

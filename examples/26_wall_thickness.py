@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""How thick a body is at every point of its surface, by rays through it.
+"""The thickness of a body at every point of its surface, by rays through it.
 
     26_wall_thickness.py [FOLDER]
 
@@ -8,9 +8,9 @@ Default: the current folder. Writes to FOLDER
     thickness.vtp    the mesh with the point array "thickness"
     thickness.png    the thickness as colours
 
-From each point a cone of rays goes inwards; the thickness is the median of how far they get (L.
+From each point a cone of rays goes inwards; the thickness is the median of their lengths (L.
 Shapira, A. Shamir, D. Cohen-Or, Consistent mesh partitioning and skeletonisation using the shape
-diameter function, 2008). It needs no window but for the picture.
+diameter function, 2008). Only the picture needs a window.
 Needs armadillo.off in the folder RELIEVO_DATA (default: build/data beside this folder);
 tools/unpack-data puts it there.
 """
@@ -56,7 +56,7 @@ def thickness(mesh):
     )
     took = time.perf_counter() - start
     print(f"{len(hits.distance)} rays in {took:.2f} s, {hits.hit.mean():.1%} met the other side")
-    # A hole lets rays out: they say nothing.
+    # Rays that leave through a hole are ignored.
     far = numpy.where(hits.hit, hits.distance, numpy.nan).reshape(-1, RAYS)
     return numpy.nan_to_num(numpy.nanmedian(far, axis=1))
 
@@ -76,7 +76,7 @@ def main():
     mesh.GetPointData().AddArray(array)
     data, picture = str(folder / "thickness.vtp"), str(folder / "thickness.png")
     writer = vtkXMLPolyDataWriter()
-    writer.SetDataModeToBinary()  # beside newer expats, VTK 9.2 reads nothing appended
+    writer.SetDataModeToBinary()  # with newer expat, VTK 9.2 cannot read appended data
     writer.SetInputData(mesh)
     writer.SetFileName(data)
     if not writer.Write():

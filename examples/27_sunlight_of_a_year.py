@@ -23,8 +23,8 @@ import scene
 
 VIENNA = (48.2, 16.4)
 GROUND = 160  # squares of the ground each way
-DAYS = 61  # every so many days count; fewer for a finer year
-MINUTES = 60  # from one place of the sun to the next
+DAYS = 61  # interval of computed days; smaller is more accurate
+MINUTES = 60  # between positions of the sun
 
 
 def town():
@@ -59,7 +59,7 @@ def main():
           f"hours of sun in the year")
     data, picture = str(folder / "sunlight.vtp"), str(folder / "sunlight.png")
     writer = vtkXMLPolyDataWriter()
-    writer.SetDataModeToBinary()  # beside newer expats, VTK 9.2 reads nothing appended
+    writer.SetDataModeToBinary()  # with newer expat, VTK 9.2 cannot read appended data
     writer.SetInputData(lit)
     writer.SetFileName(data)
     if not writer.Write():

@@ -6,10 +6,10 @@
 
 Default: the current folder. Writes to FOLDER
     train       a scene of BOP: rgb, depth, mask, mask_visib, scene_gt.json, ...
-    train.png   its views: the picture, the depth, what is seen of each body, and all of it
+    train.png   its views: the picture, the depth, and the visible part and outline of each body
 
-The bodies lie, and the cameras and the sun stand, as a seed says: it gives the same bytes again.
-The table hides, and is no object.
+A seed determines the bodies, the cameras and the sun: equal seeds give equal bytes. The table
+occludes but is not an object.
 Needs armadillo.off, bunny.off and elephant.off in the folder RELIEVO_DATA (default: build/data
 beside this folder); tools/unpack-data puts them there.
 """
@@ -41,7 +41,7 @@ SHADES = numpy.array(
 
 
 def body(name, random):
-    """A body that lies with its lowest point on the table, around the middle, on any side."""
+    """A body lying on the table near the middle, on a random side."""
     reader = relievo.vtkRelievoOFFReader()
     reader.SetFileName(scene.data(f"{name}.off"))
     normals = vtkPolyDataNormals()
@@ -64,7 +64,7 @@ def body(name, random):
 
 
 def scatter(bodies, random):
-    """Moves bodies apart, where they may still hide each other."""
+    """Moves bodies apart; they may still occlude each other."""
     places = []
     while len(places) < len(bodies):
         place = random.uniform(-0.14, 0.14, 2)
@@ -100,7 +100,7 @@ def read(path):
 
 
 def row(folder, view, infos):
-    """The picture, the depth, the visible masks, and the outlines of all of each body."""
+    """The picture, the depth, the visible masks, and the full outlines of the bodies."""
     picture = read(folder / "rgb" / f"{view:06d}.png")
     depth = read(folder / "depth" / f"{view:06d}.png")
     near, far = depth[depth > 0].min(), depth.max()

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A machine part as a technical drawing: outlines and creases, and what is hidden dashed.
+"""A machine part as a technical drawing: outlines and creases, hidden lines dashed.
 
     29_technical_drawing.py [FOLDER]
 
@@ -39,7 +39,7 @@ def disc(radius):
 
 
 def bore(x, y, radius):
-    """A hole: it goes round the other way."""
+    """A hole, with reversed orientation."""
     return arc((x, y), radius, 360, 0)
 
 
@@ -53,7 +53,7 @@ def plate(width, depth, radius):
 
 
 def extrude(loops, low, high):
-    """An actor of what lies within the loops, between two heights."""
+    """An actor of the area within the loops, between two heights."""
     points, lines = vtkPoints(), vtkCellArray()
     for loop in loops:
         ids = [points.InsertNextPoint(x, y, low) for x, y in loop]

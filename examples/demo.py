@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The demo: a real scene with shadows, its picture, every layer of it, and what they cost.
+"""The demo: a real scene with shadows, its picture, every layer, and their cost.
 
     demo.py [FOLDER] [--size WxH]      default: out, 1600x900
 
@@ -8,7 +8,7 @@ Writes to FOLDER
     demo.png           the picture with shadows, each pixel the mean of four
     demo_layers.png    every layer as a picture, with captions
     demo.exr           every layer as numbers, in one OpenEXR file
-    demo_report.json   what the frame did and why, GPU time and bytes of each stage
+    demo_report.json   report of the stages, with GPU time and bytes of each
 
 Needs motorBike.obj and bunny.off in the folder RELIEVO_DATA (default: build/data beside this
 folder); tools/unpack-data puts them there. Exit status: 0 done, 1 failed, 2 wrong arguments.
@@ -34,7 +34,7 @@ STEPS = 6
 
 
 class Steps:
-    """Prints what is being done, and how long it took."""
+    """Prints each step and its time."""
 
     def __init__(self):
         self.number = 0
@@ -142,7 +142,7 @@ def main():
     steps.next("writing the frame report")
     for name in LAYERS[1:]:
         frame.RequestLayer(name)
-    for _ in range(4):  # GPU times arrive some frames later and are never waited for
+    for _ in range(4):  # GPU times arrive some frames later, without waiting
         window.Render()
         report = relievo.report(frame)
         if report["gpu_ms"] is not None:

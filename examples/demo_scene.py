@@ -29,14 +29,14 @@ from vtkmodules.vtkRenderingCore import (
 
 import relievo
 
-# VTK 9.3 gave the one what the other had been made for, and later dropped the other.
+# VTK 9.3 extended the one to replace the other, which was removed later.
 if vtkVersion().GetVTKMinorVersion() >= 3:
     from vtkmodules.vtkRenderingCore import vtkCompositePolyDataMapper as CompositeMapper
 else:
     from vtkmodules.vtkRenderingOpenGL2 import vtkCompositePolyDataMapper2 as CompositeMapper
 
-# Parts of the bike by what they are made of: colour, metallic, roughness, and the words that their
-# names begin with; the first that fits. The three painted ones are the blocks of one actor.
+# The bike's materials: colour, metallic, roughness, and the beginnings of parts' names; the first
+# match counts. The three painted ones are the blocks of one actor.
 MATERIALS = {
     "paint": ((0.55, 0.015, 0.02), 0.1, 0.25, ("frt-fairing", "fuel-tank", "fr-mud-guard")),
     "second paint": ((0.78, 0.76, 0.72), 0.1, 0.25, ("rear-body", "rear-mud-guard",
@@ -75,7 +75,7 @@ def read_bike(path):
     group = vtk_to_numpy(mesh.GetCellData().GetArray("GroupIds")).astype(int)
     first = group.min()
     kinds = numpy.array([list(MATERIALS).index(material_of(part)) for part in parts])
-    # Parts called shadow lie in the very place of others: the two would flicker.
+    # Parts called shadow coincide with others and would flicker.
     kinds[["shadow" in part for part in parts]] = -1
     kinds = kinds[group - first]
     pieces = {}
@@ -166,7 +166,7 @@ def smooth(mesh, angle=40):
 
 
 def cove():
-    """A studio's floor that bends up into a wall behind, so that no horizon is seen."""
+    """A studio's floor that bends up into a wall behind, without a horizon."""
     profile = [(9.0, 0.0), (0.0, 0.0), (-2.6, 0.0)]
     for step in range(1, 25):
         angle = math.radians(90 * step / 24)
@@ -185,7 +185,7 @@ def cove():
 
 
 def softboxes(rows=256):
-    """What the studio's lamps and walls look like from its middle: an equirectangular texture."""
+    """The studio's lamps and walls seen from its middle, as an equirectangular texture."""
     columns = 2 * rows
     latitude = (numpy.arange(rows) + 0.5) / rows * math.pi - math.pi / 2
     longitude = (numpy.arange(columns) + 0.5) / columns * 2 * math.pi - math.pi
@@ -234,7 +234,7 @@ def actor(mesh, colour, metallic, roughness, place=None):
 
 
 def blocks_actor(pieces, place):
-    """One actor of several meshes, each a block with a colour of its own. pieces: {name: mesh}."""
+    """One actor of several meshes, each a block with its own colour. pieces: {name: mesh}."""
     blocks = vtkMultiBlockDataSet()
     colours = vtkCompositeDataDisplayAttributes()
     for index, (name, mesh) in enumerate(pieces.items()):

@@ -20,9 +20,9 @@ def shrunk(picture, factor):
 
 
 def contact_sheet(tiles, across, width, title):
-    """Pictures of one shape with captions, as one picture. tiles: (name, words, RGB bytes)."""
+    """Pictures of equal size with captions on one sheet. tiles: (name, text, RGB bytes)."""
     factor = max(1, round(tiles[0][2].shape[1] / width))
-    # A mean of two ids' colours would be the colour of a third.
+    # The mean of two ids' colours could be that of a third id.
     small = [
         (name, words, rgb[::factor, ::factor] if name in IDS else shrunk(rgb, factor))
         for name, words, rgb in tiles

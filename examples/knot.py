@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A tube along a trefoil knot and the room that it is seen in, which several examples share."""
+"""A tube along a trefoil knot and its room, shared by several examples."""
 
 import numpy
 from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
@@ -13,7 +13,7 @@ SIZE = (420, 420)
 
 
 def knot(around=360, across=48, radius=0.62):
-    """A tube along a trefoil knot, closed; its point data say where along the knot a point is."""
+    """A closed tube along a trefoil knot; its point data give the position along the knot."""
     turn = numpy.linspace(0, 2 * numpy.pi, around, endpoint=False)
 
     def line(t):

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the examples for ParaView share: where things are, and views side by side as a picture.
+"""Shared by the examples for ParaView: paths, and views side by side as a picture.
 
 The plugin is the one in the folder RELIEVO_PLUGIN_PATH (default: build/release/plugin/Relievo
 beside this folder); data are files that tools/unpack-data puts into the folder RELIEVO_DATA
@@ -18,7 +18,7 @@ WIDE = 1440
 
 
 def words(*needed):
-    """The folder to write to (the first word, or the current one), the plugin, the data's folder.
+    """The output folder (the first argument, or the current one), the plugin, the data's folder.
 
     Ends with a message if the plugin or one of the needed data files is missing.
     """

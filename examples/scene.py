@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the examples share: where files are, three shapes on a floor, a sunny room."""
+"""Shared by the examples: paths of files, three shapes on a floor, a sunny room."""
 
 import os
 import pathlib
@@ -28,7 +28,7 @@ from vtkmodules.vtkRenderingCore import (
 
 
 def folder():
-    """Where an example writes: the first word of the command line, or the current folder."""
+    """The output folder of an example: the first argument, or the current folder."""
     chosen = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else ".")
     chosen.mkdir(parents=True, exist_ok=True)
     return chosen
@@ -44,7 +44,7 @@ def data(name):
 
 
 def points(places, **arrays):
-    """Points without cells, with an array of each name."""
+    """Points without cells, with the named arrays."""
     data = vtkPolyData()
     at = vtkPoints()
     at.SetData(numpy_to_vtk(numpy.array(places, dtype=float), deep=True))
@@ -134,7 +134,7 @@ def room(actors, size, sun, background):
     fill.SetLightTypeToHeadlight()
     fill.SetIntensity(0.35)
     renderer.AddLight(fill)
-    import relievo  # not before: ParaView's own Python, which has none, reads this file as well
+    import relievo  # not at the top: ParaView's own Python, which lacks it, also imports this file
 
     relievo.attach(renderer).ShadowsOn()
     return renderer, window_of(renderer, size)
@@ -149,7 +149,7 @@ def picture(renderer):
 
 
 def add_sun(renderer, position):
-    """White light from there, towards the origin."""
+    """Adds white light from a position towards the origin."""
     sun = vtkLight()
     sun.SetLightTypeToSceneLight()
     sun.SetPosition(*position)

@@ -1,10 +1,10 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Where the sun stands: declination, direction, and the hours between sunrise and sunset.
+"""The position of the sun: declination, direction, and the hours between sunrise and sunset.
 
-By relievo.vtkRelievoSolarPosition, right to 0.01 degrees. Times are true solar time: the sun is
+By relievo.vtkRelievoSolarPosition, exact to 0.01 degrees. Times are true solar time: the sun is
 highest at 12. (Clocks differ by the longitude within their zone and by the equation of time; the
-class knows these too.) Refraction, 0.6 degrees at the horizon, is left out.
+class also gives these.) Refraction, 0.6 degrees at the horizon, is ignored.
 """
 
 import math
@@ -23,7 +23,7 @@ def position(latitude, date, hour):
 
 
 def declination(date):
-    """Radians, at noon; date: a datetime.date."""
+    """The sun's declination at noon, in radians; date: a datetime.date."""
     return math.radians(position(0.0, date, 12).GetDeclination())
 
 

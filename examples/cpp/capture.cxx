@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Depth and normals of a sphere into an OpenEXR file: capture FILE.exr
+// Writes depth and normals of a sphere to an OpenEXR file: capture FILE.exr
 #include <vtkActor.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What packageScenes.py and filterScenes.py share: MADE DATA NAME are their words."""
+"""Shared by packageScenes.py and filterScenes.py, whose arguments are MADE DATA NAME."""
 
 import json
 import pathlib
@@ -52,7 +52,7 @@ def actor_of(data, color=None):
 
 
 def room(*names, size=SIZE, actors=()):
-    """A renderer of files and actors under two lights, in a window, which must be kept."""
+    """A renderer of files and actors under two lights, and its window; keep both."""
     renderer = vtkRenderer()
     renderer.SetBackground(0.1, 0.15, 0.2)
     for name in names:
@@ -84,14 +84,14 @@ def window_of(renderer, size=SIZE):
 
 
 def save(image, name="frame"):
-    """Each layer as it is, and all as OpenEXR."""
+    """Saves each layer separately, and all as OpenEXR."""
     for layer in relievo.layer_names(image):
         numpy.save(f"{name}-{layer.replace(':', '-')}.npy", relievo.layer(image, layer))
     relievo.write_exr(f"{name}.exr", image)
 
 
 def grab(window, name="picture"):
-    """What the window shows."""
+    """Saves the window's picture."""
     window.Render()
     held = vtkWindowToImageFilter()
     held.SetInput(window)
@@ -108,7 +108,7 @@ def write_report(renderer, name="report"):
 
 
 def keep(data, name):
-    """Points, cells and arrays of a dataset."""
+    """Saves points, cells and arrays of a dataset."""
     if data.IsA("vtkPolyData"):
         numpy.save(f"{name}-points.npy", vtk_to_numpy(data.GetPoints().GetData()))
         numpy.save(f"{name}-cells.npy", vtk_to_numpy(data.GetPolys().GetConnectivityArray()))
@@ -122,7 +122,7 @@ def keep(data, name):
 
 
 def see(actors):
-    """A picture of all that they are, fitted."""
+    """Saves a picture fitted to the actors."""
     renderer = vtkRenderer()
     for actor in actors:
         renderer.AddActor(actor)

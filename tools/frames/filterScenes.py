@@ -28,7 +28,7 @@ from drawing import (
 
 
 def relief():
-    """Material maps on the ground, in every way, with and without its own shadow."""
+    """Material maps on the ground, by every method, with and without self-shadowing."""
     triangles = vtkTriangleFilter()
     triangles.SetInputData(read("ground"))
     laid = relievo.vtkRelievoTextureCoordinates()
@@ -165,7 +165,7 @@ def skinned():
 
 
 def views():
-    """Depth from six sides, and the shell of what they see."""
+    """Depth from six sides, and the shell from these views."""
     renderer, window = room("things", size=(200, 200))
     seen = relievo.vtkRelievoDepthViews()
     seen.SetRenderer(renderer)

@@ -41,7 +41,7 @@ from vtkmodules.vtkIOXML import (
 )
 
 SQUARE = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n"
-# What no reader can take, or only in part.
+# Files that no reader accepts, or only in part.
 BROKEN = {
     "empty.off": "",
     "words.off": "this is no mesh\n",
@@ -77,7 +77,7 @@ def output(source):
 
 
 def add(data, name, values, active=False):
-    """An array of a dataset's points or cells (GetPointData() or GetCellData())."""
+    """Adds an array to a dataset's points or cells (GetPointData() or GetCellData())."""
     array = numpy_to_vtk(numpy.ascontiguousarray(values), deep=True)
     array.SetName(name)
     (data.SetScalars if active else data.AddArray)(array)
@@ -255,7 +255,7 @@ def pictures(folder):
 
 
 def texts(folder):
-    """Meshes that are written by hand, broken ones too."""
+    """Meshes written by hand, including broken ones."""
     for name, text in BROKEN.items():
         (folder / name).write_text(text, encoding="latin-1")
     (folder / "materials.mtl").write_text(
@@ -270,7 +270,7 @@ def texts(folder):
 
 
 def make(folder):
-    """Writes all of them into the folder."""
+    """Writes all files into the folder."""
     folder.mkdir(parents=True, exist_ok=True)
     ground = plane((-3, 0, 3), (3, 0, 3), (-3, 0, -3))
     add(ground.GetPointData(), "paint", numpy.full((4, 3), (95, 95, 110), numpy.uint8), active=True)
@@ -296,7 +296,7 @@ def make(folder):
     writer = vtkXMLPolyDataWriter()
     writer.SetFileName(str(folder / "infinite.vtp"))
     writer.SetInputData(stray)
-    writer.SetDataModeToBinary()  # VTK reads no text of what is no number
+    writer.SetDataModeToBinary()  # VTK does not read NaN as text
     writer.Write()
     text = (folder / "things.vtp").read_text()
     (folder / "cut.vtp").write_text(text[: len(text) // 2])

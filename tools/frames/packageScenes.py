@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Scenes of tools/compare-frames that the Python package draws: packageScenes.py MADE DATA NAME.
 
-They name functions of the package, and parameters of stages by their words, so that they run in
-builds whose methods have other names.
+They use functions of the package, and parameters of stages by name, so that they run in builds
+whose methods have other names.
 """
 
 import json
@@ -87,7 +87,7 @@ def soft():
 
 
 def remove(renderer, stage, made):
-    """Takes points away from a stage, whatever its method for that is called."""
+    """Removes points from a stage, by whichever method the build has."""
     held = relievo.attach(renderer).GetStage(stage)
     names = ("RemovePoints", f"Remove{stage.capitalize()}")
     getattr(held, next(name for name in names if hasattr(held, name)))(made)
@@ -154,7 +154,7 @@ def files():
 
 
 def errors():
-    """What wrong calls raise."""
+    """Exceptions of invalid calls."""
     renderer, window = room("ground", "things")
     frame = relievo.attach(renderer)
     window.Render()
@@ -178,7 +178,7 @@ def errors():
     ):  # fmt: skip
         try:
             print("returned", type(call()).__name__)
-        except Exception as error:  # whichever it is
+        except Exception as error:  # of any type
             print(f"{type(error).__name__}: {error}")
 
 
@@ -205,7 +205,7 @@ def wireframe():
 
 
 def passes():
-    """Linear depth as a pass of its own, the frame around VTK's own passes, many samples."""
+    """Linear depth as a separate pass, the frame around VTK's own passes, many samples."""
     renderer, window = room("ground", "things")
     linear = relievo.vtkRelievoLinearDepthPass()
     linear.NormalizedOff()
@@ -236,7 +236,7 @@ def images():
 
 
 def described():
-    """Everything that the package says of itself."""
+    """The package's own descriptions."""
     print(json.dumps(relievo.layers(), indent=1, default=str))
     print(json.dumps(relievo.stages(), indent=1, default=str))
     empty = vtkPolyData()

@@ -38,7 +38,7 @@ def make_view():
 
 
 def room(*names):
-    """A view of files, and how they are shown, by their names."""
+    """A view of files, and their representations, by name."""
     view = make_view()
     shown = {}
     for name in names:
@@ -67,7 +67,7 @@ def report(view, name="report"):
 
 
 def keep(source, name):
-    """All points and arrays of what a source gives."""
+    """Saves all points and arrays of a source's output."""
     source.UpdatePipeline()
     for which, data in simple.FetchData(source).items():
         keep_data(data, f"{name}-{which}")
@@ -143,7 +143,7 @@ def points():
 
 
 def materials():
-    """Maps in every way, and an environment."""
+    """Maps by every method, and an environment."""
     view, shown = room("ground.vtp", "things.vtp")
     ground = shown["ground.vtp"]
     ground.RelievoMaterial = 1
@@ -223,7 +223,7 @@ def model():
 
 
 def errors():
-    """What is refused, and values that are clamped."""
+    """Invalid values, refused or clamped."""
     view, shown = room("ground.vtp", "things.vtp")
     sun(view)
     shown["ground.vtp"].RelievoMaterial = 1
@@ -245,4 +245,4 @@ def errors():
 simple.LoadPlugin(PLUGIN, remote=False, ns=simple.__dict__)
 globals()[NAME]()
 for kept in simple.GetViews():
-    simple.Delete(kept)  # ParaView 5.11 crashes at its end while there are views
+    simple.Delete(kept)  # ParaView 5.11 crashes at exit if views exist

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""How two results of tools/compare-frames differ, a line for each difference."""
+"""Differences of two results of tools/compare-frames, a line for each."""
 
 import difflib
 import json
@@ -10,11 +10,11 @@ import zlib
 
 import numpy
 
-# Fields of a report that are measured, or follow from what was measured.
+# Fields of a report that are measured, or depend on measurements.
 TIMES = ("gpu_ms", "frame_ms", "expected_frame_ms", "untimed")
-MOST_LINES = 20  # of a text, that are named
+MOST_LINES = 20  # of a text, to print
 EXR_TYPES = (numpy.dtype("<u4"), numpy.dtype("<f2"), numpy.dtype("<f4"))
-EXR_ROWS = {0: 1, 2: 1, 3: 16}  # of a block: not compressed, zips, zip
+EXR_ROWS = {0: 1, 2: 1, 3: 16}  # per block: not compressed, zips, zip
 
 
 def compare(first, second):
@@ -31,7 +31,7 @@ def compare(first, second):
 
 
 def data(before, after):
-    """Of bytes that no other function knows."""
+    """The differences of bytes without another function."""
     if len(before) != len(after):
         return [f"{len(before)} bytes became {len(after)}"]
     places = [i for i, (a, b) in enumerate(zip(before, after)) if a != b]
@@ -39,7 +39,7 @@ def data(before, after):
 
 
 def values(name, before, after):
-    """Of two arrays, bit for bit."""
+    """The differences of two arrays, bit for bit."""
     if (before.shape, before.dtype) != (after.shape, after.dtype):
         return [f"{name}: {before.dtype} {before.shape} became {after.dtype} {after.shape}"]
     size = before.dtype.itemsize
@@ -58,7 +58,7 @@ def values(name, before, after):
 
 
 def pictures(before, after):
-    """Of two PNG files, pixel for pixel."""
+    """The differences of two PNG files, pixel for pixel."""
     first, second = read_png(before), read_png(after)
     if first.shape != second.shape:
         return [f"{first.shape} rows, columns, channels became {second.shape}"]
@@ -109,7 +109,7 @@ def unfilter(kind, line, above, step):
 
 
 def exr(before, after):
-    """Of two OpenEXR files: each attribute of the headers, and each channel, bit for bit."""
+    """The differences of two OpenEXR files: header attributes, and channels bit for bit."""
     (first, start), (second, begin) = read_header(before), read_header(after)
     found = [
         f"attribute {name}: {describe(first.get(name))} became {describe(second.get(name))}"
@@ -127,7 +127,7 @@ def exr(before, after):
 
 
 def describe(attribute):
-    """A type and bytes, as words that say something."""
+    """A type and bytes as readable text."""
     if attribute is None:
         return "nothing"
     kind, held = attribute
@@ -139,7 +139,7 @@ def describe(attribute):
 
 
 def read_header(file):
-    """The attributes of an OpenEXR file of one part, by name: type and bytes; where they end."""
+    """The attributes of a one-part OpenEXR file, by name: type and bytes; and their end."""
     if file[:4] != b"\x76\x2f\x31\x01" or file[5] & 0x1A:
         raise ValueError("no OpenEXR file of one part of lines")
 
@@ -158,7 +158,7 @@ def read_header(file):
 
 
 def read_channels(file, header, at):
-    """Each channel's values in the file's order of rows; None: the compression is another."""
+    """Each channel's values in the file's order of rows; None for other compressions."""
     left, low, right, high = struct.unpack("<4i", header["dataWindow"][1])
     columns, rows = right - left + 1, high - low + 1
     compression, kinds, names = header["compression"][1][0], [], []
@@ -194,14 +194,14 @@ def unpack(packed):
 
 
 def arrays(before, after):
-    """Of two files of numpy."""
+    """The differences of two files of numpy."""
     import io
 
     return values("array", *(numpy.load(io.BytesIO(each)) for each in (before, after)))
 
 
 def reports(before, after):
-    """Of two JSON files: each field but times."""
+    """The differences of two JSON files: each field except times."""
     first, second = (dict(fields(json.loads(each))) for each in (before, after))
     nothing = object()
     return [
@@ -212,7 +212,7 @@ def reports(before, after):
 
 
 def fields(value, name=""):
-    """Every number and text of what JSON holds, with its place; a stage is called by its name."""
+    """Every number and text in JSON, with its place; stages are identified by name."""
     if isinstance(value, dict):
         for key, part in value.items():
             if key not in TIMES:
@@ -228,7 +228,7 @@ def fields(value, name=""):
 
 
 def texts(before, after):
-    """Of two texts, by lines."""
+    """The differences of two texts, by lines."""
     first, second = (each.decode(errors="replace").splitlines() for each in (before, after))
     found = []
     for change, a, b, c, d in difflib.SequenceMatcher(None, first, second, False).get_opcodes():
@@ -243,7 +243,7 @@ def texts(before, after):
 
 
 MILLISECONDS = (re.compile(r"\b\d+(?:\.\d+)?(?:e-?\d+)? ms\b"), "# ms")
-# What varies in a text from run to run: VTK's colours, clock, thread and place in the source,
+# Parts of a text that vary between runs: VTK's colours, clock, thread and place in the source,
 # addresses, times, progress.
 VARYING = (
     (re.compile(r"\x1b\[[0-9;]*m"), ""),
@@ -257,7 +257,7 @@ VARYING = (
 
 
 def steady(text, places):
-    """A text without what varies, and with words for the places that it names."""
+    """A text without varying parts, and with placeholders for the folders that it names."""
     for place, word in places:
         text = text.replace(str(place), word)
     for pattern, instead in VARYING:

@@ -1,23 +1,23 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The scenes of tools/compare-frames: for each the commands that draw it.
+"""The scenes of tools/compare-frames, each with the commands that draw it.
 
 {made} is the folder of inputs.py, {data} that of tools/unpack-data, {tools} this one, {examples}
-those of the tree that the build was made of, {plugin} the build's library for ParaView.
+those of the build's source tree, {plugin} the build's library for ParaView.
 """
 
 import collections
 import shlex
 
-# `status`: the exit statuses of the commands; `program`: what draws them.
+# `status`: the exit statuses of the commands; `program`: the one that draws.
 Scene = collections.namedtuple("Scene", "program commands status")
 
 LOOK = "--camera 2.5,3,6,0,0.5,0,0,1,0 --clip 2,14"
 SEEN = f"{{made}}/ground.vtp {{made}}/things.vtp {LOOK}"
 ROOM = f"{SEEN} --size 300x200"
-WINDOW = "--size 480x400"  # smaller ones have no room for the panels beside them
+WINDOW = "--size 480x400"  # smaller windows have no room for the panels
 SUN = "--light sun:3,5,2"
-BEHIND = "--light sun:1,2,4"  # behind a camera that is fitted
+BEHIND = "--light sun:1,2,4"  # behind a fitted camera
 LIGHTS = f"{SUN} --light spot:-3,4,3,0,0,0,30 --light point:0.6,2.4,1.5"
 SIZED = "--light sun:3,5,2,size=6 --light point:-1,3,2,size=0.3"
 GLASS = "{made}/glass.vtp"
@@ -36,7 +36,7 @@ SIZE = "--size 200x200"
 
 
 def render():
-    """Scenes of `relievo render`: the words after it."""
+    """Scenes of `relievo render`, by their arguments."""
     shadows = "--layers depth,shadow_0,shadow_1,shadow_2"
     for method in ("map", "forward", "warped", "exact"):
         yield f"shadows-{method}", f"{ROOM} {GLASS} {LIGHTS} --shadows {method} {shadows} {ALL}"
@@ -166,7 +166,7 @@ def models():
 
 
 def messages():
-    """Words that are refused, and files that cannot be read, each with its status."""
+    """Refused arguments and unreadable files, each with its status."""
     refused = (
         "", "paint", "render", "render {made}/ground.vtp", "render --png a.png", "bench nothing",
         "cave", "stages more", "render {made}/nothing.off --png a.png",
@@ -209,7 +209,7 @@ def messages():
 
 
 def package():
-    """What the Python package does: scripts of this folder, and the examples with their words."""
+    """Scenes of the Python package: scripts of this folder, and examples with arguments."""
     frames = (
         "layers", "attached", "report", "soft", "lamps", "fog", "markers", "environment", "files",
         "errors", "wireframe", "passes", "images", "described",
@@ -263,5 +263,5 @@ def scenes():
 
 
 def split(command, folders):
-    """A command's words, with the folders put in."""
+    """A command's arguments, with the folders inserted."""
     return [word.format(**folders) for word in shlex.split(command)]

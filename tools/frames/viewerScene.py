@@ -2,9 +2,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A scene of tools/compare-frames in the viewer: viewerScene.py PROGRAM WORD...
 
-Needs a display of its own (tools/with-display --own), where nobody else takes the keyboard. Types
-into the window what a user would: saves picture.png, layers.exr and session.json into the current
-folder, and quits. Exit status: the viewer's; 1 if it does not do so.
+Needs its own display (tools/with-display --own), where no other program takes the keyboard. Types
+into the window as a user would: saves picture.png, layers.exr and session.json into the current
+folder, and quits. Exit status: the viewer's; 1 if a file is not saved.
 """
 
 import ctypes
@@ -45,7 +45,7 @@ class Attributes(ctypes.Structure):
 
 
 class Keyboard:
-    """Of the display: which windows are seen, and keys for them."""
+    """Visible windows of the display, and keys sent to them."""
 
     def __init__(self):
         self.x = ctypes.CDLL("libX11.so.6")
@@ -62,7 +62,7 @@ class Keyboard:
             }  # fmt: skip
             function = getattr(self.x, name)
             function.restype, function.argtypes = kinds[result], [kinds[word] for word in words]
-        # A window may go while it is asked for.
+        # A window may close during a request.
         self.ignore = ctypes.CFUNCTYPE(ctypes.c_int, ctypes.c_void_p, ctypes.c_void_p)(lambda *_: 0)
         self.x.XSetErrorHandler(self.ignore)
         self.display = self.x.XOpenDisplay(None)
@@ -71,7 +71,7 @@ class Keyboard:
         self.root = self.x.XDefaultRootWindow(self.display)
 
     def windows(self):
-        """The windows that are seen, lowest first."""
+        """The visible windows, lowest first."""
         root, parent = ctypes.c_ulong(), ctypes.c_ulong()
         held, count = ctypes.POINTER(ctypes.c_ulong)(), ctypes.c_uint()
         self.x.XQueryTree(self.display, self.root, *map(ctypes.byref, (root, parent, held, count)))
@@ -96,7 +96,7 @@ class Keyboard:
 
 
 class Viewer:
-    """The program, and what is seen of it."""
+    """The program and its windows."""
 
     def __init__(self, words, folder):
         desktop = ("XDG_CURRENT_DESKTOP", "DESKTOP_SESSION", "KDE_FULL_SESSION")
@@ -107,7 +107,7 @@ class Viewer:
         self.window = self.wait("a window", lambda: self.keyboard.windows()[:1])[0]
 
     def wait(self, what, get, again=None):
-        """What `get` returns when that is something; `again` is called every second until then."""
+        """Waits until `get` returns something; calls `again` every second until then."""
         end = time.monotonic() + LIMIT
         turn = time.monotonic()
         while time.monotonic() < end and self.program.poll() is None:
@@ -128,7 +128,7 @@ class Viewer:
         self.program.wait()
 
     def save(self, key, name):
-        """The action of Ctrl and the key, which asks for a file."""
+        """Saves a file by Ctrl and the key, whose action asks for its name."""
         path = pathlib.Path(name)
 
         def others():

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// vtkRelievoSampleStage against its closed form, and that switched off it leaves no trace.
+// vtkRelievoSampleStage against its closed form, and unchanged pictures when it is off.
 #include "Check.h"
 #include "GLCheck.h"
 #include "Session.h"

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkRelievoSampleStage
- * @brief A stage that fades what is far from the eye towards a colour.
+ * @brief A stage that fades distant surfaces towards a colour.
  *
  * The fraction of the colour grows linearly with depth, from 0 at the near plane to Strength at the
- * far plane, and is mixed in linear light; where nothing is drawn the picture stays as it is.
+ * far plane, and is mixed in linear light; the background stays unchanged.
  */
 #ifndef vtkRelievoSampleStage_h
 #define vtkRelievoSampleStage_h
@@ -30,7 +30,7 @@ public:
   ///@}
 
   ///@{
-  /** The colour that things fade to: red, green, blue from 0 to 1, sRGB. Default white. */
+  /** The colour of distant surfaces: red, green, blue from 0 to 1, sRGB. Default white. */
   vtkSetVector3Macro(Color, double);
   vtkGetVector3Macro(Color, double);
   ///@}

@@ -1,8 +1,8 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What ParaView's window shows in the screenshots: the function that the environment variable
-PICTURE names; tools/screenshots runs ParaView with it. The file `ready` in the folder MADE says
-that all is done."""
+"""Sets up ParaView's window for the screenshots, by the function that the environment variable
+PICTURE names; tools/screenshots runs ParaView with it. When done, writes the file `ready` into the
+folder MADE."""
 
 import os
 import pathlib
@@ -14,7 +14,7 @@ MADE, DATA = pathlib.Path(os.environ["MADE"]), pathlib.Path(os.environ["DATA"])
 
 
 def look(view, direction, up, zoom=1.0):
-    """Has all of the scene in view, seen from there."""
+    """Shows the whole scene from this direction."""
     view.CameraFocalPoint = [0.0, 0.0, 0.0]
     view.CameraPosition = direction
     view.CameraViewUp = up
@@ -67,7 +67,7 @@ def surface(view):
 
 
 def model(view):
-    """A model that mirrors an environment, in the sun by date and place."""
+    """A model that reflects an environment, in the sun by date and place."""
     backdrop(view, dark=False)
     bike = simple.WavefrontOBJReader(registrationName="motorBike",
                                      FileName=str(DATA / "motorBike.obj"))
@@ -104,7 +104,7 @@ def labels(view):
 
 
 def layer(view):
-    """A layer as the picture, what its colours mean, and the values under the mouse."""
+    """A layer as the picture, its colour legend, and the values under the mouse."""
     backdrop(view, dark=True)
     town = simple.WavefrontOBJReader(registrationName="buildings",
                                      FileName=str(DATA / "buildings.obj"))

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Data of tools/screenshots, run by pvpython with the plugin: makeData.py DATA DEST
 
-bunny.vtp has its height above the ground, labels.vti is a brain's atlas at half its resolution.
+bunny.vtp has its height above the ground, labels.vti is a brain atlas at half its resolution.
 """
 
 import pathlib
