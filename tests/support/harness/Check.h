@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Check.h
- * @brief Checks of a test: each failure is printed with its place and counted; the test goes on.
+ * @brief Checks of a test: each failure is printed with its location and counted; the test goes on.
  *
- * A test program holds one relievoTest::Session (Session.h), checks, and returns its Result().
+ * A test program has one relievoTest::Session (Session.h), runs checks, and returns its Result().
  */
 #ifndef relievoTestCheck_h
 #define relievoTestCheck_h
@@ -22,7 +22,10 @@ int NumberOfFailures();
 /** Forgets failures counted after the first `count`: for tests that prove that a check can fail. */
 void ForgetFailuresAfter(int count);
 
-/** Number of checks that `work` fails, forgotten again: for tests that prove a check can fail. */
+/**
+ * Number of checks that `work` fails, not counted as failures: for tests that prove a check can
+ * fail.
+ */
 template <typename Work>
 int FailuresOf(Work work)
 {
@@ -44,20 +47,20 @@ bool CheckNear(double value, double expected, double tolerance, const char* file
   const std::string& what);
 
 /**
- * The larger one; NaN if either is NaN, where std::max may forget it, so that the worst of many is
- * no number when one of them is none.
+ * The larger value; NaN if either is NaN, which std::max may ignore, so that the worst of many
+ * values is NaN if one of them is.
  */
 double Larger(double a, double b);
 
 /**
- * The folder of this test's own files: RELIEVO_TEST_OUTPUT, else the current folder.
- * Made when it is not there.
+ * The folder for this test's files: RELIEVO_TEST_OUTPUT, otherwise the current folder. Made if
+ * missing.
  */
 std::string OutputFolder();
 
 /**
- * Path of a real mesh (`bunny.off`) in the folder RELIEVO_DATA.
- * Empty, with a counted failure that says what to run, when the file is not there.
+ * Path of a real mesh (`bunny.off`) in the folder RELIEVO_DATA. Empty, with a counted failure that
+ * names the remedy, if the file is missing.
  */
 std::string DataFile(const std::string& name);
 }

@@ -17,10 +17,10 @@
 
 namespace relievoTest
 {
-/** The fields of a line by the names of their columns. */
+/** The fields of a line by column. */
 using Row = std::map<std::string, std::string>;
 
-/** The fields of a line; a quoted one may hold commas. */
+/** The fields of a line; quoted fields may contain commas. */
 inline std::vector<std::string> Split(const std::string& line)
 {
   std::vector<std::string> fields(1);
@@ -43,7 +43,7 @@ inline std::vector<std::string> Split(const std::string& line)
   return fields;
 }
 
-/** The rows of a file; none, if it cannot be read. Fails at a line of the wrong length. */
+/** The rows of a file; none if it cannot be read. Fails at a line of the wrong length. */
 inline std::vector<Row> ReadCsv(const std::string& path)
 {
   std::ifstream file(path);
@@ -67,7 +67,7 @@ inline std::vector<Row> ReadCsv(const std::string& path)
   return rows;
 }
 
-/** A field as a number; NaN, if there is no such column. */
+/** A field as a number; NaN if there is no such column. */
 inline double Value(const Row& row, const std::string& column)
 {
   const auto at = row.find(column);

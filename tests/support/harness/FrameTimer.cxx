@@ -77,7 +77,7 @@ double TimingPair::RatioSpread() const
     sample.B.Seconds.clear();
     for (size_t j = 0; j < rounds; ++j)
     {
-      // The two of one round stay together: what slows the machine slows both.
+      // Keeps both timings of a round together: a slow machine slows both.
       const size_t round = choose(random);
       sample.A.Seconds.push_back(this->A.Seconds[round]);
       sample.B.Seconds.push_back(this->B.Seconds[round]);

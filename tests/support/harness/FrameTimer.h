@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file FrameTimer.h
- * @brief Times two ways of doing a thing against each other, in turn, in one process.
+ * @brief Times two methods against each other, in turn, in one process.
  */
 #ifndef relievoTestFrameTimer_h
 #define relievoTestFrameTimer_h
@@ -15,17 +15,17 @@ class vtkRenderWindow;
 
 namespace relievoTest
 {
-/** Wall-clock seconds of one way. */
+/** Wall-clock seconds of one method. */
 struct Timing
 {
   std::vector<double> Seconds;
 
   double Median() const;
-  /** The share-th quantile, 0 to 1, between neighbours in proportion. NaN when nothing is timed. */
+  /** The share-th quantile, 0 to 1, interpolated between neighbours. NaN without timings. */
   double Quantile(double share) const;
 };
 
-/** Two ways timed in turn. */
+/** Two methods timed in turn. */
 struct TimingPair
 {
   Timing A;
@@ -36,7 +36,7 @@ struct TimingPair
 
   /**
    * Half the width of the 95 % interval of the ratio, by resampling rounds 2000 times (bootstrap,
-   * fixed seed): a limit that is nearer than this is not decided.
+   * fixed seed): a nearer limit cannot be decided.
    */
   double RatioSpread() const;
 
@@ -52,15 +52,15 @@ struct Timed
 };
 
 /**
- * Runs A and B `rounds` times each, in turn, after `warmUp` rounds that do not count. Which of
- * the two comes first changes from round to round: neither always finds the other's caches.
+ * Runs A and B `rounds` times each, in turn, after `warmUp` unmeasured rounds. Which of the two
+ * comes first changes from round to round, so that neither always finds the other's caches.
  */
 TimingPair Interleave(const Timed& a, const Timed& b, int rounds, int warmUp = 3);
 
 /** Renders a window and waits until the graphics card has finished (glFinish). */
 void RenderAndFinish(vtkRenderWindow* window);
 
-/** Work that renders a window to the end. */
+/** Work that renders a window completely. */
 Timed Frame(
   vtkRenderWindow* window, const std::function<void()>& prepare = std::function<void()>());
 }

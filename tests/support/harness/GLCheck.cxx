@@ -11,7 +11,7 @@
 #include <cstring>
 #include <sstream>
 
-// What functions that the driver calls are declared with, under the names of both GL loaders.
+// Declarations of functions that the driver calls, under the names of both GL loaders.
 #ifndef GLAPIENTRY
 #define GLAPIENTRY GLAD_API_PTR
 #endif
@@ -20,8 +20,8 @@ namespace relievoTest
 {
 namespace
 {
-// Mesa gives the warnings of its shader compiler the high severity, and only when it compiles: its
-// cache on disk keeps silent. These are of VTK's vtkEDLShadeFS.glsl and of its volumes' shaders.
+// Mesa gives its shader compiler's warnings high severity, and only when it compiles, not when it
+// uses its disk cache. These are for VTK's vtkEDLShadeFS.glsl and its volumes' shaders.
 bool IsKnownWarning(GLenum source, const std::string& text)
 {
   if (source != GL_DEBUG_SOURCE_SHADER_COMPILER)
@@ -73,7 +73,7 @@ const char* NameOfError(GLenum error)
   }
 }
 
-// Makes the window current, with its context made when there is none; null when that fails.
+// Makes the window current, creating its context if necessary; null if that fails.
 vtkOpenGLRenderWindow* MakeCurrent(vtkRenderWindow* window)
 {
   vtkOpenGLRenderWindow* gl = vtkOpenGLRenderWindow::SafeDownCast(window);
@@ -85,7 +85,7 @@ vtkOpenGLRenderWindow* MakeCurrent(vtkRenderWindow* window)
   return gl && gl->IsCurrent() ? gl : nullptr;
 }
 
-// Makes the window current if it has a context; one that was closed gets no new one.
+// Makes the window current if it has a context; a closed window gets no new one.
 bool HasContext(vtkOpenGLRenderWindow* window)
 {
   if (window)
@@ -102,7 +102,7 @@ long long TextureBytes(GLuint texture)
   glGetTextureLevelParameteriv(texture, 0, GL_TEXTURE_BUFFER_DATA_STORE_BINDING, &shown);
   if (shown != 0)
   {
-    return 0; // counted as the buffer that it shows; other questions are errors
+    return 0; // counted as the buffer that it shows; other queries are errors
   }
   GLint target = 0;
   glGetTextureParameteriv(texture, GL_TEXTURE_TARGET, &target);
@@ -130,7 +130,7 @@ long long TextureBytes(GLuint texture)
     if (target == GL_TEXTURE_RECTANGLE || target == GL_TEXTURE_2D_MULTISAMPLE ||
       target == GL_TEXTURE_2D_MULTISAMPLE_ARRAY)
     {
-      break; // these have one level, and asking for another is an error
+      break; // these have one level; querying another is an error
     }
   }
   return bytes;
@@ -197,7 +197,7 @@ void GLCheck::Poll(const std::string& where)
   {
     return;
   }
-  // A context that is lost reports for ever: stop after a few.
+  // A lost context reports errors for ever: stops after a few.
   for (int i = 0; i < 8; ++i)
   {
     const GLenum error = glGetError();

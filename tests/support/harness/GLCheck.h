@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file GLCheck.h
- * @brief Watches one OpenGL context: errors and grave messages of the driver fail the test.
+ * @brief Watches one OpenGL context: errors and severe messages of the driver fail the test.
  */
 #ifndef relievoTestGLCheck_h
 #define relievoTestGLCheck_h
@@ -29,16 +29,16 @@ namespace relievoTest
 class GLCheck
 {
 public:
-  /** Initialises the window and makes it current. Fails the test when it cannot be watched. */
+  /** Initialises the window and makes it current. Fails the test if it cannot be watched. */
   explicit GLCheck(vtkRenderWindow* window);
 
-  /** Polls once more and stops watching; harmless when the window has gone before. */
+  /** Polls once more and stops watching; harmless if the window has been deleted. */
   ~GLCheck();
 
-  /** Fails the test when glGetError() reports anything; `where` goes into the message. */
+  /** Fails the test if glGetError() reports anything; `where` goes into the message. */
   void Poll(const std::string& where);
 
-  /** Number of errors and grave messages so far. */
+  /** Number of errors and severe messages so far. */
   int Errors() const;
 
   GLCheck(const GLCheck&) = delete;
@@ -46,11 +46,11 @@ public:
 
 private:
   vtkWeakPointer<vtkOpenGLRenderWindow> Window;
-  // On the heap, for the driver keeps its address.
+  // On the heap, because the driver stores its address.
   std::unique_ptr<int> Count;
 };
 
-/** The objects that live in a window's context, asked from OpenGL itself. */
+/** The objects in a window's context, counted by OpenGL queries. */
 struct GLObjects
 {
   int Textures = 0;
@@ -71,7 +71,7 @@ struct GLObjects
 };
 
 /**
- * Counts the objects of a window's context by asking for every name up to 65535; makes the window
+ * Counts the objects of a window's context by testing every name up to 65535; makes the window
  * current. Needs OpenGL 4.5; fails the test without it.
  */
 GLObjects CountGLObjects(vtkRenderWindow* window);

@@ -18,7 +18,7 @@ struct ObjectBook
   std::unordered_map<const void*, std::string> Living;
 };
 
-// Never deleted: VTK objects still go after the program's own statics have gone.
+// Never deleted: VTK objects are still destroyed after the program's own statics.
 ObjectBook& TheBook()
 {
   static ObjectBook* instance = new ObjectBook;
@@ -27,7 +27,7 @@ ObjectBook& TheBook()
 
 using ObjectFunction = void (*)(void*);
 
-// The library's own function, which ours stands in front of.
+// The library's original function, which ours hides.
 ObjectFunction Original(const char* symbol)
 {
   return reinterpret_cast<ObjectFunction>(dlsym(RTLD_NEXT, symbol));
@@ -66,7 +66,8 @@ extern "C" void relievoTestObjectBaseDestructor(void* object)
 
 #ifdef __SANITIZE_ADDRESS__
 //------------------------------------------------------------------------------
-// A driver that is unloaded has no name in the leak report, and lsan.supp cannot know it: all stay.
+// An unloaded driver has no name in the leak report, so lsan.supp cannot match it: drivers stay
+// loaded.
 extern "C" int dlclose(void*) noexcept
 {
   return 0;
@@ -108,8 +109,8 @@ LeakCounter::LeakCounter()
 //------------------------------------------------------------------------------
 std::string LeakCounter::Leaks() const
 {
-  // Kept by VTK until the process ends, however the work went.
-  // The text renderer keeps the properties of the texts that it drew last.
+  // Kept by VTK until the process ends, in any case. The text renderer keeps the properties of the
+  // texts that it drew last.
   static const char* const singletons[] = { "vtkFreeTypeTools", "vtkMathTextFreeTypeTextRenderer",
     "vtkOutputWindow", "vtkTextProperty" };
   std::ostringstream text;

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file LeakCounter.h
- * @brief Counts living VTK objects by class, in release builds of VTK as well.
+ * @brief Counts living VTK objects by class, also in release builds of VTK.
  *
- * VTK's own vtkDebugLeaks is empty unless VTK is built for it. Here the program stands in front of
- * two functions that every VTK object passes through, vtkObjectBase::InitializeObjectBase and its
- * destructor, by the dynamic linker's rule that the program's symbols come first (ELF only).
+ * VTK's own vtkDebugLeaks is empty unless VTK is built with it. The program replaces two functions
+ * that every VTK object calls, vtkObjectBase::InitializeObjectBase and its destructor, by the
+ * dynamic linker's rule that the program's symbols come first (ELF only).
  */
 #ifndef relievoTestLeakCounter_h
 #define relievoTestLeakCounter_h
@@ -16,10 +16,10 @@
 
 namespace relievoTest
 {
-/** Number of living VTK objects by class name; those made before main() are included. */
+/** Number of living VTK objects by class name, including those made before main(). */
 std::map<std::string, int> LiveObjects();
 
-/** True when counting works with this VTK and linker: makes an object and sees it come and go. */
+/** Whether counting works with this VTK and linker: tested with an object made and destroyed. */
 bool CanCountObjects();
 
 /**
@@ -32,13 +32,13 @@ bool CanCountObjects();
 class LeakCounter
 {
 public:
-  /** Takes the living objects of now as those that may stay. */
+  /** Takes the currently living objects as allowed. */
   LeakCounter();
 
   /**
    * Classes with more living objects than at construction, as `vtkFoo: 2 more, vtkBar: 1 more`;
-   * empty when there are none. VTK's singletons, made at first use and kept until the process
-   * ends, are left out.
+   * empty if there are none. VTK's singletons, made at first use and kept until the process ends,
+   * are not counted.
    */
   std::string Leaks() const;
 

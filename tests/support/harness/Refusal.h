@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Refusal.h
- * @brief Filters that refuse what they are given.
+ * @brief Checks filters that refuse their input.
  */
 #ifndef relievoTestRefusal_h
 #define relievoTestRefusal_h
@@ -16,7 +16,7 @@
 
 namespace relievoTest
 {
-/** Updates a filter, which must say `words` once, as a user's error, and give no points. */
+/** Updates a filter, which must report `words` once, as a user's error, and give no points. */
 template <typename Filter>
 void CheckRefused(Filter* filter, const std::string& words)
 {

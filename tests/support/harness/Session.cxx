@@ -41,7 +41,7 @@ bool TakeExpectedMessage(const std::string& message)
 
 namespace
 {
-// The output window of a test: what VTK would print becomes a failure, unless expected.
+// The output window of a test: messages of VTK become failures, unless expected.
 class Window : public vtkOutputWindow
 {
 public:

@@ -31,14 +31,14 @@ public:
   ~Session();
 
   /**
-   * Lets messages that contain `text` pass: for warnings of VTK's own that the test is not about.
+   * Ignores messages that contain `text`: for VTK's own warnings that are unrelated to the test.
    */
   void Allow(const std::string& text);
 
   /**
-   * Exit status of the test: 0, or 1 after any failed check. Call it last, when the test's own
-   * objects are gone: every VTK object made since construction and still alive is a failure
-   * (see LeakCounter.h; process-wide singletons of VTK are known and not counted).
+   * Exit status of the test: 0, or 1 after any failed check. Call it last, after the test's own
+   * objects are destroyed: every VTK object made since construction and still alive is a failure
+   * (see LeakCounter.h; process-wide singletons of VTK are not counted).
    */
   int Result();
 

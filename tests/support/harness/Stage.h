@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Stage.h
- * @brief Small things to test with: a renderer with the reference camera, a box, loose polygons.
+ * @brief Small test objects: a renderer with the reference camera, a box, loose polygons.
  */
 #ifndef relievoTestStage_h
 #define relievoTestStage_h

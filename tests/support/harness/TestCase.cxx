@@ -4,8 +4,8 @@
 
 #include "Check.h"
 
-#include <vtkRenderingCoreModule.h>   // the macros of both make
-#include <vtkRenderingVolumeModule.h> // object factories known
+#include <vtkRenderingCoreModule.h>   // the macros of both register
+#include <vtkRenderingVolumeModule.h> // object factories
 
 #include <cstdlib>
 #include <iostream>
@@ -20,7 +20,7 @@ struct Declared
   bool Apart;
 };
 
-// Cases of one program by name; a function's variable, since cases of other sources come first.
+// Cases of one program by name; a local static, since other sources register cases first.
 std::map<std::string, Declared>& GetCases()
 {
   static std::map<std::string, Declared> cases;

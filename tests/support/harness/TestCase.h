@@ -27,13 +27,16 @@ namespace relievoTest
 class TestCase
 {
 public:
-  /** Returns the exit status; the words are those of main(), the name of the case first. */
+  /** Returns the exit status; arguments are those of main(), with the case's name first. */
   using Function = int (*)(int argc, char* argv[]);
 
   TestCase(const char* name, Function function, bool apart);
 };
 
-/** Whether the case's first word is `long`: tests labelled `nightly` go through all there is. */
+/**
+ * Whether the case's first argument is `long`, as in tests labelled `nightly`, which cover all
+ * cases.
+ */
 bool IsLong(int argc, char* argv[]);
 }
 
@@ -42,10 +45,12 @@ bool IsLong(int argc, char* argv[]);
   static const relievoTest::TestCase name##Case(#name, name, apart);                               \
   int name([[maybe_unused]] int argc, [[maybe_unused]] char* argv[])
 
-/** Begins a case; `argc` and `argv` are its words. */
+/** Begins a case; `argc` and `argv` are its arguments. */
 #define RELIEVO_TEST_CASE(name) RELIEVO_DECLARED_TEST_CASE(name, false)
 
-/** Begins a case that changes its process for good: limits, signals, the environment, threads. */
+/**
+ * Begins a case that permanently changes its process: limits, signals, the environment, threads.
+ */
 #define RELIEVO_TEST_CASE_APART(name) RELIEVO_DECLARED_TEST_CASE(name, true)
 
 #endif

@@ -35,12 +35,12 @@ void TestNumbers()
   RELIEVO_CHECK(even.Median() == 2.5 && even.Quantile(0.75) == 3.25);
   RELIEVO_CHECK(std::isnan(Timing().Median()));
 
-  // An outlier moves the mean, not the median.
+  // An outlier changes the mean, but not the median.
   TimingPair pair;
   pair.A.Seconds = { 2., 2., 2., 200., 2. };
   pair.B.Seconds = { 1., 1., 1., 1., 1. };
   RELIEVO_CHECK(pair.Ratio() == 2.);
-  // Where all rounds agree there is no doubt; one round alone decides nothing.
+  // If all rounds agree, the interval is empty; a single round decides nothing.
   pair.A.Seconds = { 2., 2., 2. };
   pair.B.Seconds = { 1., 1., 1. };
   RELIEVO_CHECK(pair.RatioSpread() == 0.);
@@ -68,8 +68,8 @@ void TestClock()
   const auto sleep = [](int milliseconds) {
     return [milliseconds] { std::this_thread::sleep_for(std::chrono::milliseconds(milliseconds)); };
   };
-  // What prepares is not timed, and neither is what warms up. A sleep is never shorter than it
-  // says, on a busy machine too, and so neither is what the clock leaves out.
+  // Preparation and warm-up are not timed. A sleep is never shorter than requested, even on a busy
+  // machine, so neither is the time left out.
   const auto begin = std::chrono::steady_clock::now();
   const TimingPair pair =
     Interleave(Timed{ sleep(20), sleep(5) }, Timed{ sleep(5), sleep(20) }, 9, 3);

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The watch over OpenGL is silent for a plain VTK frame, and sees wrong calls, living objects and
-// bytes held.
+// The watch over OpenGL is silent for a plain VTK frame, and detects wrong calls, living objects
+// and their bytes.
 #include "Check.h"
 #include "GLCheck.h"
 #include "Session.h"
@@ -58,7 +58,7 @@ void TestErrors()
     "an error that is swallowed must be seen too");
   RELIEVO_CHECK(gl.Errors() == 3);
 
-  // The picture is there: the sphere is in the middle, the background at the corner.
+  // The picture is drawn: the sphere in the middle, the background at the corner.
   const auto picture = relievoTest::Picture(window);
   RELIEVO_CHECK(picture->GetDimensions()[0] == 64 && picture->GetDimensions()[1] == 48);
   RELIEVO_CHECK(picture->GetScalarComponentAsDouble(32, 24, 0, 0) > 100.);
@@ -70,7 +70,7 @@ void TestErrors()
 int FailuresOfWarning(const std::string& name)
 {
   return relievoTest::FailuresOf([&name] {
-    // Mesa's cache on disk is silent about a text that it knows: each run has one of its own.
+    // Mesa's disk cache emits no warnings for a known text: each run uses a new one.
     const std::string text = "#version 150\nout vec4 color;\nvoid main() { float " + name +
       "; color = vec4(" + name + "); } // " +
       std::to_string(std::chrono::system_clock::now().time_since_epoch().count());
@@ -101,7 +101,7 @@ void TestBytes()
   window->Render();
   const relievoTest::GLObjects before = relievoTest::CountGLObjects(window);
   std::cout << "a plain frame of 64x48: " << before.ToString() << "\n";
-  // At least colour and depth of the window.
+  // At least the window's colour and depth.
   RELIEVO_CHECK(before.Bytes > 64 * 48 * 8 && before.Total() > 4);
 
   vtkNew<vtkTextureObject> texture;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The watch over a test sees VTK's errors and warnings, failed checks, and objects left alive.
+// The watch over a test detects VTK's errors and warnings, failed checks, and objects left alive.
 #include "Check.h"
 #include "LeakCounter.h"
 #include "Session.h"

@@ -19,7 +19,7 @@ namespace relievoTest
 {
 FrameTimes::FrameTimes(const std::string& report)
 {
-  std::istringstream lines(report); // a stage each, then the totals
+  std::istringstream lines(report); // a line for each stage, then the totals
   for (std::string line; std::getline(lines, line);)
   {
     const std::string key = "{\"name\": \"";

@@ -12,7 +12,7 @@
 
 namespace relievoTest
 {
-/** Milliseconds, negative where the report has none. */
+/** Milliseconds, negative if the report has none. */
 struct FrameTimes
 {
   double Frame = -1.0;
@@ -21,8 +21,8 @@ struct FrameTimes
   explicit FrameTimes(const std::string& report);
 
   /**
-   * What holds for the times of any frame: every stage that ran has one, and, since no work is two
-   * stages', they add up to no more than the frame's. "" if so, else what is wrong.
+   * Checks a rule for the times of any frame: every stage that ran has one, and they add up to at
+   * most the frame's time, since no work belongs to two stages. "" if valid, otherwise the problem.
    */
   std::string Judge() const;
 };

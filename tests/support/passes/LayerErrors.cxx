@@ -108,7 +108,7 @@ LayerErrors CompareLayers(vtkImageData* layers, const EmbreeScene& scene, vtkRen
         glm::dvec2 at(0.);
         view.Project(Vector(position, i), at);
         const Ray ray = view.PixelRay(x + 0.5, y + 0.5);
-        // Across the view by projection; along it by the depth that one pixel spans there.
+        // Across the view by projection; along it by the depth range of one pixel.
         const Ray next = view.PixelRay(x + 1.5, y + 0.5);
         const double span = glm::length(next.At(pixel.Depth) - ray.At(pixel.Depth));
         const double off = glm::length(Vector(position, i) - pixel.Position) / span;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file LayerErrors.h
- * @brief How far captured layers are from the truth, in the measures that the design names.
+ * @brief Errors of captured layers against the truth, in the measures of the design.
  */
 #ifndef relievoTestLayerErrors_h
 #define relievoTestLayerErrors_h
@@ -21,12 +21,10 @@ namespace relievoTest
 {
 class EmbreeScene;
 
-/** Errors of the layers that the image has; layers it has not leave theirs at 0. */
+/** Errors of the layers in the image; those of missing layers stay 0. */
 struct LayerErrors
 {
-  /**
-   * Pixels that either side shows, and the share of all where one shows what the other does not.
-   */
+  /** Pixels shown by either side, and the share of them shown only by one. */
   long long Compared = 0;
   double Coverage = 0.;
   /** Inner pixels left out: their triangle is narrower than 1/64 pixel. */
@@ -37,7 +35,10 @@ struct LayerErrors
   double DepthMax = 0.;
   /** Relative error of the range of inner pixels. */
   double RangeMax = 0.;
-  /** Degrees, geometric normal, triangles at least 2 pixels wide, drawn place inside them. */
+  /**
+   * Degrees, geometric normal, triangles at least 2 pixels wide, with the drawn position inside
+   * them.
+   */
   double FaceNormalMax = 0.;
   /** Degrees, of the layer `normal` against the geometric normal (for flat shading). */
   double NormalMax = 0.;
@@ -57,8 +58,8 @@ vtkSmartPointer<vtkImageData> CaptureLayers(
   vtkRenderer* renderer, const std::vector<std::string>& layers);
 
 /**
- * Compares with the truth of the renderer's view. Pixels where two triangles stand at one depth are
- * not asked for their cell.
+ * Compares with the truth of the renderer's view. Pixels where two triangles have equal depth are
+ * not compared by cell.
  */
 LayerErrors CompareLayers(vtkImageData* layers, const EmbreeScene& scene, vtkRenderer* renderer);
 }

@@ -23,7 +23,7 @@
 
 namespace
 {
-// Tests of ids run once more with another route for all of them.
+// Tests of ids are run a second time with another method for all ids.
 [[maybe_unused]] const bool Forced = [] {
   const char* route = std::getenv("RELIEVO_TEST_PRIMITIVE_IDS");
   vtkRelievoPrimitiveIds::Force(route ? std::atoi(route) : -1);
@@ -68,7 +68,7 @@ Layers::Layers(vtkRenderer* renderer, const std::vector<std::string>& names, Way
       pass->RequestLayer(name);
     }
     renderer->GetRenderWindow()->Render();
-    // Edges of faces reach beyond them, and layers get a pass of their own.
+    // Edges of faces extend beyond them, and layers get a separate pass.
     const std::string report = pass->GetFrameReport();
     RELIEVO_CHECK_THAT(pass->GetLayersStage()->GetShared() ||
         report.find("the edges of faces are shown") != std::string::npos,

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Layers.h
- * @brief The layers of a renderer pixel by pixel, made in either of the two ways that there are.
+ * @brief The layers of a renderer by pixel, made by either of the two methods.
  */
 #ifndef relievoTestLayers_h
 #define relievoTestLayers_h
@@ -21,16 +21,16 @@ class vtkRenderer;
 
 namespace relievoTest
 {
-/** How the layers come about. */
+/** How layers are made. */
 enum class Way
 {
-  /** In a geometry pass of their own, without the picture (vtkRelievoLayerSource). */
+  /** In a separate geometry pass, without the picture (vtkRelievoLayerSource). */
   Own,
   /** While the picture is drawn, in the delegate's geometry pass. */
   Shared
 };
 
-/** Both, to loop over, and their names. */
+/** Both methods, to loop over, and their names. */
 const Way BothWays[] = { Way::Own, Way::Shared };
 std::string ToString(Way way);
 
@@ -40,19 +40,22 @@ class Layers
 public:
   /**
    * Makes the layers of a renderer in a window. Fails the test if a layer is missing, or if the
-   * frame took the other way. `set`, when given, is called with the G-buffer stage before.
-   * Afterwards the renderer is as it was.
+   * frame used the other method. `set`, if given, is called with the G-buffer stage before.
+   * Afterwards the renderer is unchanged.
    */
   Layers(vtkRenderer* renderer, const std::vector<std::string>& names, Way way = Way::Own,
     const std::function<void(vtkRelievoLayersStage*)>& set = nullptr);
 
-  /** An image that holds layers already. */
+  /** Reads an image that already contains layers. */
   explicit Layers(vtkImageData* image);
 
   int Width = 0;
   int Height = 0;
 
-  /** A component of a layer at a pixel; row 0 is the bottom one. NaN, with a failure: no layer. */
+  /**
+   * A component of a layer at a pixel; row 0 is at the bottom. NaN, with a failure, without the
+   * layer.
+   */
   double Value(const std::string& name, int x, int y, int component = 0) const;
   glm::dvec3 Vector(const std::string& name, int x, int y) const;
   int Id(const std::string& name, int x, int y) const;
@@ -69,10 +72,10 @@ public:
 /** Number of pixels at which a layer of the two differs in any component; NaN equals NaN. */
 long long CountDifferent(const Layers& a, const Layers& b, const std::string& name);
 
-/** Largest difference of a component of a layer; 1e300 where only one is finite, or on failure. */
+/** Largest difference of a component of a layer; 1e300 if only one is finite, or on failure. */
 double LargestDifference(const Layers& a, const Layers& b, const std::string& name);
 
-/** Whether two pictures are the same in every byte; says where not. */
+/** Whether two pictures are equal in every byte; prints where they differ. */
 bool SamePicture(vtkImageData* a, vtkImageData* b, const std::string& what);
 }
 

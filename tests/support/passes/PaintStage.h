@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file PaintStage.h
- * @brief A stage of the tests' own: the linear colour is an image of floats, whatever is drawn.
+ * @brief A stage for tests: the linear colour is an image of floats, independent of the scene.
  */
 #ifndef relievoTestPaintStage_h
 #define relievoTestPaintStage_h
@@ -33,14 +33,14 @@ public:
   int Width = 0;
   std::vector<glm::vec4> Pixels; ///< by rows of Width from the bottom, premultiplied
 
-  /** One colour for all of width x height pixels. */
+  /** Sets all width x height pixels to one colour. */
   void Fill(int width, int height, const glm::vec4& pixel)
   {
     this->Width = width;
     this->Pixels.assign(static_cast<std::size_t>(width) * height, pixel);
   }
 
-  /** What half floats make of a number. */
+  /** A number rounded to half float. */
   static double GetHalf(double value)
   {
     return relievo::bits::FromHalf(relievo::bits::ToHalf(static_cast<float>(value)));
@@ -70,7 +70,7 @@ protected:
     {
       return;
     }
-    // Pixels are rounded to half floats, as they are stored: OpenGL may round either way.
+    // Pixels are rounded to half floats before the upload: OpenGL may round either way.
     std::vector<glm::vec4> halves = this->Pixels;
     for (glm::vec4& pixel : halves)
     {

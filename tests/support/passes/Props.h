@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Props.h
- * @brief Small things to put before the layers: actors, balls, moved copies, textures.
+ * @brief Small objects for tests of layers: actors, balls, moved copies, textures.
  */
 #ifndef relievoTestProps_h
 #define relievoTestProps_h
@@ -18,7 +18,7 @@ class vtkRenderer;
 
 namespace relievoTest
 {
-/** Adds an actor with a mapper of its own for the mesh. */
+/** Adds an actor with its own mapper for the mesh. */
 vtkSmartPointer<vtkActor> AddActor(vtkRenderer* renderer, vtkPolyData* mesh);
 
 /** A ball about the origin, 12 x 9, with normals at its points, points in float. */
@@ -36,7 +36,7 @@ vtkSmartPointer<vtkPolyData> MakeSquare();
  */
 vtkSmartPointer<vtkTexture> MakeChecker(bool holes);
 
-/** The parity of x + y of the texel at a place of the square; -1 near the border of one. */
+/** The parity of x + y of the texel at a position of the square; -1 near a texel's border. */
 int GetCheckerParity(const glm::dvec3& place);
 }
 

@@ -26,7 +26,7 @@ namespace
 {
 long long BytesSent = 0;
 
-// What is broken here leaves the others waiting: they end as well, by their closed sockets.
+// A failure here would leave the others waiting: closed sockets end them as well.
 [[noreturn]] void GiveUp(const std::string& why)
 {
   std::cerr << "process " << getpid() << ": " << why << std::endl;
@@ -71,7 +71,7 @@ struct Head
   int Tag;
 };
 
-// VTK makes all collective calls of these two.
+// VTK builds all collective calls on these two.
 class Sockets : public vtkCommunicator
 {
 public:
@@ -200,7 +200,7 @@ std::vector<std::vector<float>> RunRanks(
     processes[i] = fork();
     if (processes[i] == 0)
     {
-      for (const int end : all) // a process that has gone is to be noticed
+      for (const int end : all) // notices processes that have gone
       {
         const bool own =
           end == result || std::find(sockets[i].begin(), sockets[i].end(), end) != sockets[i].end();

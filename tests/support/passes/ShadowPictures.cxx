@@ -130,7 +130,7 @@ ShadowPictures::ShadowPictures(ShadowStage& stage, vtkLight* light,
   const std::function<vtkSmartPointer<vtkImageData>()>& picture)
 {
   stage.GetFrame()->ShadowsOff();
-  picture(); // the first frame of some passes is not as the second
+  picture(); // the first frame of some passes differs from the second
   this->Off = picture();
   const double intensity = light->GetIntensity();
   light->SetIntensity(0.);

@@ -14,23 +14,23 @@
 
 namespace relievoTest
 {
-/** Whether a picture shows a light's shadow where the truth has it, and elsewhere nothing new. */
+/** Whether a picture shows a light's shadow where the truth has it, and is unchanged elsewhere. */
 struct PictureErrors
 {
-  long long Lit = 0; // pixels judged: surely lit, with all neighbours within `radius`
+  long long Lit = 0; // compared pixels: certainly lit, with all neighbours within `radius`
   long long LitWrong = 0;
   long long Dark = 0;
   long long DarkWrong = 0;
-  /** Of all pixels: not between what they are with and without the light. */
+  /** Over all pixels: not between their values with and without the light. */
   long long Outside = 0;
 
   std::string ToString() const;
 };
 
 /**
- * `shadows` must be `off` (no shadows) where the light reaches, and `dark` (the light switched off)
- * where it does not, within `slack` of 255. Pixels whose neighbours within `radius` have another
- * verdict, and those that are not judged at all, may be anything in between.
+ * `shadows` must equal `off` (no shadows) where the light reaches, and `dark` (the light switched
+ * off) where it does not, within `slack` of 255. Pixels whose neighbours within `radius` have
+ * another verdict, and those without a verdict, may have any value in between.
  */
 PictureErrors JudgePicture(vtkImageData* shadows, vtkImageData* off, vtkImageData* dark,
   const ShadowTruth& truth, int radius, int slack);
@@ -41,7 +41,7 @@ long long CountUnlike(vtkImageData* a, vtkImageData* b, int slack = 0);
 /** A sun that casts (light 0), and one that does not. Returns the first. */
 vtkSmartPointer<vtkLight> AddTwoSuns(ShadowStage& stage);
 
-/** What a stage shows without shadows, without that light, and with shadows, which stay on. */
+/** Pictures of a stage without shadows, without that light, and with shadows, which stay on. */
 struct ShadowPictures
 {
   vtkSmartPointer<vtkImageData> Off;
@@ -54,8 +54,8 @@ struct ShadowPictures
 };
 
 /**
- * Judges, prints, and fails if more than `limit` of the lit or of the dark pixels are wrong, or if
- * few are judged.
+ * Compares, prints, and fails if more than `limit` of the lit or of the dark pixels are wrong, or
+ * if few pixels are compared.
  */
 PictureErrors CheckPictures(const std::string& what, const ShadowPictures& pictures,
   const ShadowTruth& truth, double limit, int radius = 1, int slack = 1);

@@ -131,7 +131,7 @@ vtkRelievoShadowStage* ShadowStage::GetShadows()
 //------------------------------------------------------------------------------
 vtkSmartPointer<vtkImageData> CaptureShadow(ShadowStage& stage, int number)
 {
-  stage.GetFrame(); // Layers would detach its own
+  stage.GetFrame(); // attached here, because Layers would detach its own frame
   return Layers(stage.Renderer, { "shadow_" + std::to_string(number) }).Image;
 }
 
@@ -158,7 +158,7 @@ ShadowErrors JudgeShadow(ShadowStage& stage, int number, const EmbreeScene* trut
   const auto image = CaptureShadow(stage, number);
   const std::string name = "shadow_" + std::to_string(number);
   auto* array = vtkFloatArray::SafeDownCast(image->GetPointData()->GetArray(name.c_str()));
-  // After the frame: it moves the lights that go with the camera.
+  // After the frame, which moves the lights that follow the camera.
   const ShadowTruth shadow = TraceStage(stage, number, truth);
   if (!RELIEVO_CHECK_THAT(
         array && array->GetNumberOfTuples() == static_cast<vtkIdType>(shadow.Verdicts.size()),

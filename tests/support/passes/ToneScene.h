@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file ToneScene.h
- * @brief A frame with the stage `tone` whose linear colour is painted, and what its picture has to
- * be by the formulas in double.
+ * @brief A frame with the stage `tone` whose linear colour is painted, and its expected picture by
+ * the formulas in double.
  */
 #ifndef relievoTestToneScene_h
 #define relievoTestToneScene_h
@@ -46,7 +46,7 @@ struct ToneScene
     this->Tone->EnabledOn();
   }
 
-  /** Light from 2^-12 to 2^10, each component for itself. */
+  /** Light from 2^-12 to 2^10, independent for each component. */
   void PaintLight(unsigned int seed = 3)
   {
     std::mt19937 random(seed);
@@ -60,7 +60,7 @@ struct ToneScene
 
   vtkSmartPointer<vtkImageData> Picture() { return relievoTest::Picture(this->Window, true); }
 
-  /** What a component of the picture is, in steps of 255 and before rounding. */
+  /** The expected value of a component of the picture, in steps of 255 before rounding. */
   glm::dvec3 GetExpected(const glm::vec4& painted, bool premultiplied = true)
   {
     const double alpha = PaintStage::GetHalf(painted.a);
@@ -74,7 +74,7 @@ struct ToneScene
     return 255. * relievo::f64::relievoSrgbColorFromLinear(cover * shown);
   }
 
-  /** The largest difference of a component from what it has to be, in steps of 255. */
+  /** The largest error of a component, in steps of 255. */
   double GetError(vtkImageData* picture, bool premultiplied = true)
   {
     const auto* bytes = static_cast<unsigned char*>(picture->GetScalarPointer());

@@ -21,7 +21,7 @@ namespace relievoTest
 {
 namespace
 {
-// Why an image cannot be compared; empty when it can.
+// Why an image cannot be compared; empty if it can.
 std::string Complaint(vtkImageData* image, const char* which)
 {
   std::ostringstream text;
@@ -49,7 +49,7 @@ std::string Complaint(vtkImageData* image, const char* which)
   return text.str();
 }
 
-// Why two images cannot be compared; empty when they can.
+// Why two images cannot be compared; empty if they can.
 std::string Complaint(vtkImageData* actual, vtkImageData* expected)
 {
   std::string text = Complaint(actual, "actual");
@@ -156,7 +156,7 @@ vtkSmartPointer<vtkImageData> TenfoldDifference(vtkImageData* actual, vtkImageDa
   auto* out = static_cast<unsigned char*>(image->GetScalarPointer());
   for (long long pixel = 0; pixel < a.Count; ++pixel)
   {
-    // A difference in alpha alone must be seen too: it shows in all three channels.
+    // A difference only in alpha must be visible, too: it is shown in all three channels.
     const int alpha = std::abs(a.Get(pixel, 3) - e.Get(pixel, 3));
     for (int channel = 0; channel < 3; ++channel)
     {

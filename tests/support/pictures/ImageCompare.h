@@ -23,7 +23,7 @@ class vtkImageData;
 
 namespace relievoTest
 {
-/** What two images may differ by and still be the same picture. */
+/** Differences up to which two images count as equal. */
 struct ImageLimits
 {
   /** Share of pixels, in [0, 1], that may differ by more than Threshold in any channel. */
@@ -34,12 +34,12 @@ struct ImageLimits
   double MaxMean = 0.5;
 };
 
-/** How two images differ. */
+/** The difference of two images. */
 struct ImageDifference
 {
-  /** False when the images cannot be compared; Summary says why. */
+  /** False if the images cannot be compared; Summary gives the reason. */
   bool Comparable = false;
-  /** True when both limits hold. */
+  /** Whether both limits hold. */
   bool Passed = false;
   /** Number and share of pixels above the threshold. */
   long long Pixels = 0;
@@ -59,33 +59,33 @@ ImageDifference CompareImages(
   vtkImageData* actual, vtkImageData* expected, const ImageLimits& limits = ImageLimits());
 
 /**
- * The absolute difference times 10, clamped to 255, as RGB: a channel 26 levels off is white.
- * Null when the sizes or types cannot be compared.
+ * The absolute difference times 10, clamped to 255, as RGB: a difference of 26 levels is white.
+ * Null if the sizes or types cannot be compared.
  */
 vtkSmartPointer<vtkImageData> TenfoldDifference(vtkImageData* actual, vtkImageData* expected);
 
 /**
- * Reads a PNG of 8 bits per channel with 3 or 4 channels.
- * Null when there is no such file, or it is another kind; `reason`, when given, says why.
+ * Reads a PNG of 8 bits per channel with 3 or 4 channels. Null if the file is missing or of another
+ * kind; `reason`, if given, gets the reason.
  */
 vtkSmartPointer<vtkImageData> ReadImage(const std::string& path, std::string* reason = nullptr);
 
 /** Whether two pictures have the same bytes. */
 bool IsSame(vtkImageData* a, vtkImageData* b);
 
-/** Writes a PNG; false when it cannot be written. */
+/** Writes a PNG; false on failure. */
 bool WriteImage(const std::string& path, vtkImageData* image);
 
 /**
- * Compares `actual` with `expected`. When they differ, writes NAME.actual.png, NAME.expected.png
- * and NAME.difference.png into `folder`; else removes those of an earlier run.
+ * Compares `actual` with `expected`. If they differ, writes NAME.actual.png, NAME.expected.png and
+ * NAME.difference.png into `folder`; otherwise removes those of an earlier run.
  */
 ImageDifference CompareAndReport(const std::string& name, vtkImageData* actual,
   vtkImageData* expected, const std::string& folder, const ImageLimits& limits = ImageLimits());
 
 /**
- * Compares `actual` with the baseline NAME.png and prints one line. A failure, a missing baseline
- * among them, counts as a failed check of the test and leaves its pictures in OutputFolder().
+ * Compares `actual` with the baseline NAME.png and prints one line. A failure, including a missing
+ * baseline, counts as a failed check of the test and leaves its pictures in OutputFolder().
  */
 bool CheckBaseline(
   const std::string& name, vtkImageData* actual, const ImageLimits& limits = ImageLimits());

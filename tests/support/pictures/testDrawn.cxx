@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// VTK's own drawing shows at every pixel what Embree's truth says, for all kinds of view and cell.
+// VTK's own drawing agrees with Embree's truth at every pixel, for all kinds of views and cells.
 #include "Check.h"
 #include "EmbreeScene.h"
 #include "GLCheck.h"
@@ -88,7 +88,7 @@ void TestView(const Case& test)
     return;
   }
   Paint(scene);
-  // A matrix that turns, stretches and mirrors must be in the truth as well.
+  // The truth must also apply a matrix that rotates, stretches and mirrors.
   scene.MeshActor->SetOrientation(0., 25., 0.);
   scene.MeshActor->SetScale(-0.9, 1., 1.1);
   const auto window = relievoTest::MakeWindow(test.Width, test.Height, scene.Renderer);
@@ -122,7 +122,7 @@ void TestView(const Case& test)
     0.001, name + ": share of another actor");
 }
 
-// VTK's selector says which cell it drew: polygons, also bent and concave ones, and strips.
+// VTK's selector identifies the drawn cell: polygons, also bent and concave ones, and strips.
 void TestCells()
 {
   const auto mesh =

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The image comparator passes what it must, and above all fails what it must.
+// The image comparator accepts equal images, and above all rejects different ones.
 #include "Check.h"
 #include "ImageCompare.h"
 #include "Session.h"
@@ -144,7 +144,7 @@ void TestIncomparable()
   RELIEVO_CHECK(!CompareImages(floats, floats).Passed);
 }
 
-// VTK's own comparison takes grey 96 for grey 200, at least in VTK 9.1 and 9.2; ours must not.
+// VTK's own comparison accepts grey 96 for grey 200, at least in VTK 9.1 and 9.2; ours must not.
 void TestWhatVTKDoesNotSee()
 {
   const auto light = Grey(100, 100, 200);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// relievo-compare-images and the script behind update-baselines, run as a user runs them.
+// relievo-compare-images and the script behind update-baselines, run as by a user.
 //   testImageTools PROGRAM CMAKE SCRIPT
 #include "Check.h"
 #include "ImageCompare.h"

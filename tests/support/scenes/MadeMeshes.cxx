@@ -27,7 +27,7 @@ namespace relievoTest
 {
 namespace
 {
-// Points and triangles alone.
+// A mesh of only points and triangles.
 vtkSmartPointer<vtkPolyData> GetTriangles(vtkPolyDataAlgorithm* source)
 {
   vtkNew<vtkTriangleFilter> triangles;
@@ -118,7 +118,7 @@ vtkSmartPointer<vtkPolyData> MakeFolds()
   Lots random(11);
   std::vector<double> height((Cells + 1) * (Cells + 1), 0.);
   const auto at = [&](int i, int j) -> double& { return height[j * (Cells + 1) + i]; };
-  // Midpoints are displaced by half as much in each step.
+  // Each step halves the displacement of midpoints.
   for (int step = Cells; step > 1; step /= 2)
   {
     const int half = step / 2;

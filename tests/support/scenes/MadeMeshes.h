@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file MadeMeshes.h
- * @brief Meshes made by code: things by lot, and what shadows go wrong on, where edges lie densely.
+ * @brief Generated meshes: random objects, and meshes with dense edges, which are difficult for
+ * shadows.
  *
- * About 4 wide, over the ground of the reference scenes, which is at y = 0.
+ * About 4 wide, on the ground of the reference scenes at y = 0.
  */
 #ifndef relievoTestMadeMeshes_h
 #define relievoTestMadeMeshes_h
@@ -16,7 +17,7 @@
 
 namespace relievoTest
 {
-/** Numbers by lot, equal on every machine, which the standard's distributions are not. */
+/** Random numbers, equal on every machine, unlike those of the standard's distributions. */
 class Lots
 {
 public:
@@ -33,10 +34,12 @@ private:
   std::mt19937 Random;
 };
 
-/** Five boxes and cylinders, askew. */
+/** Five boxes and cylinders at random angles. */
 vtkSmartPointer<vtkPolyData> MakeThings(Lots& lots);
 
-/** 40 upright fins of length 2 whose tops are about a pixel of a picture of 500 wide, or less. */
+/**
+ * 40 upright fins of length 2 whose tops are at most about a pixel wide in a picture of 500 pixels.
+ */
 vtkSmartPointer<vtkPolyData> MakeFins();
 
 /** Mountains of 32 768 triangles, by midpoint displacement: folds in all directions. */

@@ -132,7 +132,7 @@ vtkSmartPointer<vtkPolyData> PlaceMesh(vtkPolyData* mesh, bool zUp)
       p[2] = -y;
     }
   };
-  // Bounds of the points that polygons use: files may hold others.
+  // Bounds of the points that polygons use: files may contain others.
   double low[3] = { VTK_DOUBLE_MAX, VTK_DOUBLE_MAX, VTK_DOUBLE_MAX };
   double high[3] = { -VTK_DOUBLE_MAX, -VTK_DOUBLE_MAX, -VTK_DOUBLE_MAX };
   vtkDataArray* used = mesh->GetPolys()->GetConnectivityArray();
@@ -213,7 +213,7 @@ ReferenceScene MakeReferenceScene(vtkPolyData* mesh, SceneLight light)
   scene.Light->SetPositional(light != SceneLight::Sun);
   if (light != SceneLight::Sun)
   {
-    // From 90 degrees on VTK takes a positional light for one that shines everywhere.
+    // From 90 degrees on, VTK treats a positional light as one that shines everywhere.
     scene.Light->SetConeAngle(light == SceneLight::Spot ? 60. : 90.);
   }
   scene.Renderer->SetAutomaticLightCreation(false);

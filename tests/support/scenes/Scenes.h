@@ -48,7 +48,7 @@ struct ReferenceScene
   vtkSmartPointer<vtkActor> GroundActor;
   vtkSmartPointer<vtkLight> Light;
 
-  /** False when the mesh could not be read; the failure is counted then. */
+  /** False if the mesh could not be read, which is then counted as a failure. */
   bool IsValid() const { return this->Mesh != nullptr; }
 
   /** The scene's actors for the truth: actor 0 is the mesh, actor 1 the ground. */
@@ -62,14 +62,14 @@ std::vector<std::string> ReferenceMeshes();
 std::vector<std::string> OtherMeshes();
 
 /**
- * The mesh as it is in the file (.off or .obj below RELIEVO_DATA): points in float, polygons, no
- * arrays. Null, with a counted failure, for an unknown name or a missing file.
+ * The mesh as in the file (.off or .obj below RELIEVO_DATA): points in float, polygons, no arrays.
+ * Null, with a counted failure, for an unknown name or a missing file.
  */
 vtkSmartPointer<vtkPolyData> LoadMesh(const std::string& name);
 
 /**
- * Turned (from z up if `zUp`), scaled, centred and set on y = 0, as described above. Points are
- * placed in double and stored in float, the precision that the graphics card draws from.
+ * Rotated (from z up if `zUp`), scaled, centred and put on y = 0, as described above. Points are
+ * transformed in double and stored in float, the precision of the graphics card.
  */
 vtkSmartPointer<vtkPolyData> PlaceMesh(vtkPolyData* mesh, bool zUp);
 
@@ -82,7 +82,7 @@ void SetReferenceCamera(vtkRenderer* renderer);
 /** Makes the scene with one of the real meshes. */
 ReferenceScene MakeReferenceScene(const std::string& mesh, SceneLight light = SceneLight::Sun);
 
-/** Makes the scene with a mesh of the caller's, already placed. */
+/** Makes the scene with the caller's mesh, already placed. */
 ReferenceScene MakeReferenceScene(vtkPolyData* mesh, SceneLight light = SceneLight::Sun);
 }
 

@@ -22,13 +22,13 @@ using Profile = std::vector<glm::dvec2>;
 
 const double Pi = vtkMath::Pi();
 
-// Steps of a full turn for which a radius is off by at most half the chord.
+// Steps of a full turn whose radius error is at most half the chord.
 int StepsOf(double radius, double chord)
 {
   return std::max(8, static_cast<int>(std::ceil(Pi / std::acos(1. - chord / 2. / radius))));
 }
 
-// Ends included; angles from +r towards +z.
+// Includes both ends; angles from +r towards +z.
 void AddArc(Profile& profile, const glm::dvec2& middle, double radius, double from, double to,
   double chord, bool first = true)
 {
@@ -41,7 +41,7 @@ void AddArc(Profile& profile, const glm::dvec2& middle, double radius, double fr
   }
 }
 
-// What lies on the axis lies there exactly.
+// Moves ends on the axis exactly onto it.
 void SnapEnds(Profile& profile)
 {
   profile.front().x = 0.;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Solids.h
- * @brief Closed bodies with known inside: turned on a lathe about z, tilted, as triangles.
+ * @brief Closed bodies with a known inside: turned about z, tilted, as triangles.
  */
 #ifndef relievoTestSolids_h
 #define relievoTestSolids_h
@@ -24,21 +24,21 @@ struct Solid
 {
   std::string Name;
   vtkSmartPointer<vtkPolyData> Mesh; // points in double, closed
-  /** Distance to the surface, negative inside: no more than the true one far away. */
+  /** Distance to the surface, negative inside; far away, a lower bound. */
   std::function<double(const glm::dvec3&)> DistanceAt;
   double Volume = 0.;
-  /** How far the triangles are from the true surface at most. */
+  /** Upper bound of the distance between the triangles and the true surface. */
   double Chord = 0.;
 };
 
-/** A turn about the axis by an angle in degrees. */
+/** A rotation about the axis by an angle in degrees. */
 glm::dmat3 Turn(const glm::dvec3& axis, double degrees);
 
 /** The profile (distance from z, z), closed or from z to z, turned about z in so many steps. */
 vtkSmartPointer<vtkPolyData> Lathe(const std::vector<glm::dvec2>& profile, bool closed, int steps,
   const glm::dmat3& rotation = glm::dmat3(1.));
 
-/** `chord`: how far triangles may be from the true surface. */
+/** `chord`: largest allowed distance of triangles from the true surface. */
 Solid MakeBall(double chord = 1e-3, const glm::dmat3& rotation = glm::dmat3(1.));
 Solid MakeTorus(double chord = 1e-3, const glm::dmat3& rotation = glm::dmat3(1.));
 /** A ball of radius 1 with a hollow of 0.5. */

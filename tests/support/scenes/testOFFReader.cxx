@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// vtkRelievoOFFReader reads what it promises, and refuses broken files with one clear message.
+// vtkRelievoOFFReader reads as documented, and refuses broken files with one clear message.
 #include "Check.h"
 #include "Session.h"
 #include "TestCase.h"
@@ -120,7 +120,7 @@ void TestFaces()
   RELIEVO_CHECK(HasColor(colors, 3, 170, 170, 170, 255));
 }
 
-// The file must be refused by one message that holds `words`, with the error code.
+// The file must be refused by one message that contains `words`, with the error code.
 void MustRefuse(const std::string& text, const std::string& words, unsigned long code)
 {
   auto reader = Reader(text);
@@ -184,7 +184,7 @@ void TestRefusals()
   RELIEVO_CHECK(vtkRelievoOFFReader::CanReadFile(nullptr) == 0);
 }
 
-// Broken bytes anywhere: read or refused, never a crash, and never an index out of range.
+// Broken bytes anywhere: the file is read or refused, without a crash or an index out of range.
 void TestMutations()
 {
   std::mt19937 random(20201121);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The reference scenes are as described, and VTK draws what their truth says.
+// The reference scenes are as documented, and VTK's drawing agrees with their truth.
 #include "Check.h"
 #include "EmbreeScene.h"
 #include "GLCheck.h"
@@ -34,7 +34,7 @@ const int Size = 600;
 void TestPlacing(const std::string& name, const relievoTest::ReferenceScene& scene)
 {
   double b[6];
-  // Only the points that polygons use count: cells have bounds, stray points do not.
+  // Only points used by polygons count: cells have bounds, stray points do not.
   scene.Mesh->GetCellsBounds(b);
   const double longest = std::max({ b[1] - b[0], b[3] - b[2], b[5] - b[4] });
   std::cout << name << ": " << scene.Mesh->GetNumberOfPolys() << " cells, " << b[1] - b[0] << " x "
@@ -112,7 +112,7 @@ void TestAgainstDrawn(const std::string& name, const relievoTest::ReferenceScene
   RELIEVO_CHECK_AT_MOST(worst, 10., name + ": depth in units of the buffer's rounding");
 }
 
-// Share of dark pixels among those that face the light, against what was measured elsewhere.
+// Share of dark pixels among those that face the light, against earlier measurements.
 void TestShadowShare(const std::string& name, const relievoTest::EmbreeScene& scene,
   const TruthImage& truth, bool sun, double expected)
 {
@@ -189,7 +189,7 @@ void TestMistakes()
 RELIEVO_TEST_CASE(testScenes)
 {
   relievoTest::Session session;
-  // The shares are the design's, measured before this code was written.
+  // The shares of the design, measured before this code was written.
   for (const Expected& expected : { Expected{ "bunny", 4.9, 9.9 },
          Expected{ "motorBike", 7.9, 8.9 }, Expected{ "buildings", 1.6, 1.9 },
          Expected{ "armadillo", 0., 0. }, Expected{ "elephant", 0., 0. } })

@@ -62,12 +62,12 @@ int Roots(const double* c, int degree, double tMin, double tMax, double* roots)
   return count;
 }
 
-// Where a line is in a ball about the origin; false: nowhere.
+// Where a line enters and leaves a ball about the origin; false if it misses.
 bool CastBall(const Ray& ray, double radius, double& enter, double& leave)
 {
   const double a = glm::dot(ray.Direction, ray.Direction);
   const double closest = -glm::dot(ray.Origin, ray.Direction) / a;
-  // From the closest point: no cancellation however far away the eye is.
+  // From the closest point: no cancellation, even for a distant eye.
   const glm::dvec3 foot = ray.At(closest);
   const double left = radius * radius - glm::dot(foot, foot);
   if (left < 0.)
@@ -80,7 +80,7 @@ bool CastBall(const Ray& ray, double radius, double& enter, double& leave)
   return true;
 }
 
-// Takes the first of two crossings that is in range.
+// Takes the first of two crossings within the range.
 bool First(double enter, double leave, double tMin, double tMax, double& t)
 {
   t = enter >= tMin ? enter : leave;
@@ -172,7 +172,7 @@ bool CastTorus(
     const double move = (glm::length(p - center) - tube) / slope;
     if (!(std::abs(move) < 1e-6 * scale))
     {
-      break; // grazing: what bisection found stays
+      break; // grazing: keeps the result of bisection
     }
     t -= move;
   }
@@ -228,7 +228,7 @@ bool AnalyticScene::CastShape(
       t = -local.Origin.z / local.Direction.z;
       const glm::dvec3 p = local.At(t);
       normal = glm::dvec3(0., 0., 1.);
-      // Written so that NaN, of a ray in the plane, gives false.
+      // Written so that NaN, from a ray in the plane, gives false.
       return t >= tMin && t <= tMax && std::abs(p.x) <= shape.Size.x &&
         std::abs(p.y) <= shape.Size.y;
     }

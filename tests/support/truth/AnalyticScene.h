@@ -16,10 +16,10 @@
 namespace relievoTest
 {
 /**
- * Shapes about their own origin, each placed by an invertible affine matrix (a vtkMatrix4x4 is
- * transposed against it: ToMatrix). Actor of a SurfacePoint is the index that Add... returned.
- * Normals of shapes with an inside point outwards before they are turned to the eye: FrontFacing
- * is false inside. A rectangle's front is its +z side.
+ * Shapes about their own origin, each placed by an invertible affine matrix (transposed against
+ * vtkMatrix4x4: ToMatrix). The actor of a SurfacePoint is the index returned by Add.... Normals of
+ * shapes with an inside point outwards before they are turned to the eye: FrontFacing is false
+ * inside. A rectangle's front is its +z side.
  */
 class AnalyticScene
 {
@@ -35,13 +35,13 @@ public:
   /** Around the z axis: circles of radius `tube` about a circle of radius `ring` in z = 0. */
   int AddTorus(double ring, double tube, const glm::dmat4& place = glm::dmat4(1.));
 
-  /** First meeting of a ray with t in [tMin, tMax]. */
+  /** First hit of a ray with t in [tMin, tMax]. */
   SurfacePoint Cast(const Ray& ray, double tMin, double tMax) const;
 
-  /** True when anything is met with t in [tMin, tMax]. */
+  /** Whether there is a hit with t in [tMin, tMax]. */
   bool Occluded(const Ray& ray, double tMin, double tMax) const;
 
-  /** What every pixel must show. */
+  /** The truth for every pixel. */
   TruthImage Trace(const View& view) const;
 
   /** A matrix as VTK stores it (row by row, 16 values) for this class. */

@@ -78,7 +78,7 @@ void BruteScene::ForEach(const Ray& ray, double tMax, const Each& each) const
       const glm::dvec3 a = this->Triangles[i][0] - ray.Origin;
       const glm::dvec3 b = this->Triangles[i][1] - ray.Origin;
       const glm::dvec3 c = this->Triangles[i][2] - ray.Origin;
-      // Volumes of the ray with each edge: of one sign inside.
+      // Volumes of the ray with each edge: of equal sign inside.
       const double u = glm::dot(ray.Direction, glm::cross(b, c));
       const double v = glm::dot(ray.Direction, glm::cross(c, a));
       const double w = glm::dot(ray.Direction, glm::cross(a, b));
@@ -134,7 +134,7 @@ std::vector<BruteScene::Hit> BruteScene::CastNear(
 //------------------------------------------------------------------------------
 bool BruteScene::Occluded(const Ray& ray, double tMax, std::size_t own) const
 {
-  // Where a double puts the place of a shared edge: less than any distance of a scene.
+  // Rounding of a shared edge's position in double: less than any distance of a scene.
   const double tMin = 1e-9 / glm::length(ray.Direction);
   bool occluded = false;
   this->ForEach(ray, tMax, [&](std::size_t i, double t) {

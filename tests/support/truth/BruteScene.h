@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file BruteScene.h
- * @brief Truth for triangles without any library: all of them are tried, in double precision.
+ * @brief Truth for triangles without a library: tests all of them, in double precision.
  */
 #ifndef relievoTestBruteScene_h
 #define relievoTestBruteScene_h
@@ -18,9 +18,9 @@ class vtkPolyData;
 namespace relievoTest
 {
 /**
- * The polygons of meshes, as fans from their first point. What a ray meets is found by trying every
- * triangle, but for groups of them whose box it misses by far. An edge belongs to both triangles
- * that share it: nothing slips through.
+ * The polygons of meshes, as fans from their first point. Hits are found by testing every triangle,
+ * except groups whose box the ray clearly misses. An edge belongs to both triangles that share it:
+ * no ray slips through.
  */
 class BruteScene
 {
@@ -38,16 +38,16 @@ public:
     bool IsThere() const { return this->T < std::numeric_limits<double>::infinity(); }
   };
 
-  /** The first meeting with t from tMin to tMax. */
+  /** The first hit with t from tMin to tMax. */
   Hit Cast(const Ray& ray, double tMin, double tMax) const;
 
   /**
-   * The first meeting, and all others up to (1 + share) times its t: where triangles touch,
-   * rounding decides which of them is seen.
+   * The first hit, and all others up to (1 + share) times its t: where triangles touch, rounding
+   * decides which of them is visible.
    */
   std::vector<Hit> CastNear(const Ray& ray, double tMin, double tMax, double share) const;
 
-  /** Whether anything but the triangle that a place is in lies between it and t = tMax. */
+  /** Whether anything except the position's own triangle lies between it and t = tMax. */
   bool Occluded(const Ray& ray, double tMax, std::size_t own) const;
 
 private:
@@ -60,7 +60,7 @@ private:
   Hit MakeHit(const Ray& ray, std::size_t triangle, double t) const;
   static bool Meets(const Box& box, const Ray& ray, double tMax);
 
-  // Calls each(index, t) for triangles that the ray meets, until it returns true.
+  // Calls each(index, t) for triangles that the ray hits, until it returns true.
   template <typename Each>
   void ForEach(const Ray& ray, double tMax, const Each& each) const;
 

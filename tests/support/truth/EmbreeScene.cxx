@@ -36,14 +36,14 @@ struct Triangle
   bool Mirrored;
 };
 
-// What the filter of a query needs, beside Embree's own context.
+// Data for the filter of a query, beside Embree's own context.
 struct Context
 {
   RTCIntersectContext Embree;
   unsigned int Ignored;
 };
 
-// Lets rays pass the triangle that they start from.
+// Makes rays pass the triangle that they start from.
 void Filter(const RTCFilterFunctionNArguments* arguments)
 {
   const auto* context = reinterpret_cast<const Context*>(arguments->context);
@@ -96,7 +96,7 @@ struct EmbreeScene::Internals
     this->Triangles.push_back(triangle);
   }
 
-  // Hands the triangles to Embree, in float about the centre; once.
+  // Passes the triangles to Embree, in float relative to the centre; once.
   void Build()
   {
     rtcSetDeviceErrorFunction(this->Device, TakeError, nullptr);
@@ -126,10 +126,10 @@ struct EmbreeScene::Internals
     rtcCommitScene(this->Scene);
   }
 
-  // Narrows [tMin, tMax] to where the ray is in the box around the scene; false: nowhere.
+  // Narrows [tMin, tMax] to the box around the scene; false if the ray misses it.
   bool Enter(const Ray& ray, double& tMin, double& tMax) const
   {
-    // Wider than the box by more than float rounds.
+    // Margin larger than float rounding.
     const glm::dvec3 margin(1e-5 * glm::length(this->Highest - this->Lowest));
     for (int axis = 0; axis < 3; ++axis)
     {
@@ -220,7 +220,7 @@ int EmbreeScene::AddActor(vtkPolyData* mesh, vtkMatrix4x4* matrix)
   forEachCell(mesh->GetStrips(), [&](vtkIdType count, const vtkIdType* ids) {
     for (vtkIdType i = 0; i + 2 < count; ++i)
     {
-      // Every other triangle of a strip runs the other way round.
+      // Every second triangle of a strip has the opposite orientation.
       add(ids[i], ids[i + 1 + i % 2], ids[i + 2 - i % 2]);
     }
   });
@@ -310,7 +310,7 @@ SurfacePoint EmbreeScene::Cast(const Ray& ray, double tMin, double tMax, long lo
   query.ray.id = 0;
   query.ray.flags = 0;
   query.ray.tnear = 0.f;
-  // A hit that double precision puts before tMin is passed over; a few tries are enough.
+  // Skips hits before tMin in double precision; a few attempts suffice.
   for (int attempt = 0; attempt < 16; ++attempt)
   {
     query.ray.tfar = static_cast<float>(end - start);
@@ -363,7 +363,7 @@ ShadowVerdict EmbreeScene::Shadow(
   const auto occluded = [&](const glm::dvec3& from) {
     return this->Cast(Ray{ from, toLight }, tMin, tMax, point.Triangle).Hit;
   };
-  // Two directions in the surface's plane, from the axis that is farthest from its normal.
+  // Two directions in the surface's plane, from the axis farthest from its normal.
   const glm::dvec3 size = glm::abs(point.Normal);
   const glm::dvec3 axis(size.x <= size.y && size.x <= size.z ? 1. : 0.,
     size.y < size.x && size.y <= size.z ? 1. : 0., size.z < size.x && size.z < size.y ? 1. : 0.);

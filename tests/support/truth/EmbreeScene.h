@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file EmbreeScene.h
- * @brief Truth for triangles: Embree finds the triangle, double precision says where it is met.
+ * @brief Truth for triangles: Embree finds the triangle, double precision computes the hit.
  */
 #ifndef relievoTestEmbreeScene_h
 #define relievoTestEmbreeScene_h
@@ -18,11 +18,11 @@ class vtkRenderer;
 
 namespace relievoTest
 {
-/** Whether a place sees a light, and how sure that is. */
+/** Whether a light is visible from a position, and how certain that is. */
 struct ShadowVerdict
 {
   bool Occluded = false;
-  /** False when the verdict flips for one of the jittered rays: leave such a place out. */
+  /** False if the verdict flips for one of the jittered rays: exclude such positions. */
   bool Stable = true;
 };
 
@@ -48,7 +48,7 @@ public:
 
   /**
    * Adds every visible vtkActor of a renderer whose mapper is a vtkPolyDataMapper, in the
-   * renderer's order; others are left out. Returns how many were added.
+   * renderer's order; others are left out. Returns the number of added actors.
    */
   int AddActors(vtkRenderer* renderer);
 
@@ -60,20 +60,20 @@ public:
   /** Ids of a triangle's points in its actor's vtkPolyData. */
   std::array<long long, 3> PointIds(long long triangle) const;
 
-  /** Weights of the corners at a place on the triangle's plane; they sum to 1. */
+  /** Weights of the corners at a position on the triangle's plane; they sum to 1. */
   glm::dvec3 Weights(long long triangle, const glm::dvec3& position) const;
 
-  /** First meeting of a ray with t in [tMin, tMax]. `ignored`: a triangle that is not there. */
+  /** First hit of a ray with t in [tMin, tMax]. `ignored`: a triangle to ignore. */
   SurfacePoint Cast(const Ray& ray, double tMin, double tMax, long long ignored = -1) const;
 
-  /** What every pixel must show. */
+  /** The truth for every pixel. */
   TruthImage Trace(const View& view) const;
 
   /**
-   * Whether the way from a surface point along `toLight` is blocked within tMax times that vector
+   * Whether the path from a surface point along `toLight` is blocked within tMax times that vector
    * (infinity for a sun). The point's own triangle does not block; others do from a millionth of
-   * the scene's size on. The verdict is stable when four more rays, starting `jitter` (world
-   * units) away in the surface's plane, agree.
+   * the scene's size on. The verdict is stable if four more rays, starting `jitter` (world units)
+   * away in the surface's plane, agree.
    */
   ShadowVerdict Shadow(
     const SurfacePoint& point, const glm::dvec3& toLight, double tMax, double jitter) const;

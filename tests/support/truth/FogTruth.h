@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file FogTruth.h
- * @brief How far a pixel's ray runs inside a sphere, in long double, from the camera's matrices.
+ * @brief The length of a pixel's ray inside a sphere, in long double, from the camera's matrices.
  */
 #ifndef relievoTestFogTruth_h
 #define relievoTestFogTruth_h
@@ -40,8 +40,8 @@ inline Long3 PointAt(const vtkRelievoFrameCamera& view, double x, double y, long
 }
 
 /**
- * The length of the ray from its beginning (the eye; in parallel projection depth 0, or the near
- * plane where that is behind) to `end`, a depth, inside the sphere. `center` is in eye space.
+ * The length inside the sphere of the ray from its beginning (the eye; in parallel projection depth
+ * 0, or the near plane if that is behind) to `end`, a depth. `center` is in eye space.
  */
 inline long double ChordTruth(const vtkRelievoFrameCamera& view, double x, double y,
   const glm::dvec3& center, double radius, double end)
@@ -65,7 +65,7 @@ inline long double ChordTruth(const vtkRelievoFrameCamera& view, double x, doubl
   return std::max(0.0L, std::min(middle + half, last) - std::max(middle - half, 0.0L));
 }
 
-/** ChordTruth's length by adding up steps: the closed form must agree with it to a step or two. */
+/** ChordTruth's length by summing steps: the closed form must agree within a step or two. */
 inline long double ChordByQuadrature(const vtkRelievoFrameCamera& view, double x, double y,
   const glm::dvec3& center, double radius, double end, int steps)
 {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file ReliefTruth.h
- * @brief Height fields in closed form below a plane, their images, and where rays meet them.
+ * @brief Height fields in closed form below a plane, their images, and hits of rays.
  *
  * The plane is z = 0 with texture coordinates u = (x + 1) / 2, v = (y + 1) / 2; heights run from 0
  * on the ground, `scale` below the plane, to 1 on it.
@@ -30,7 +30,7 @@ double Waves(const glm::dvec2& uv);
 /** Square posts, 8 x 8 in a tile, with sides of this share of a tile, on level ground. */
 HeightField Posts(double side);
 
-/** What a texture of size x size texels of the field shows: straight between their centres. */
+/** A texture of the field with size x size texels, interpolated linearly between their centres. */
 HeightField Sampled(const HeightField& field, int size);
 
 /** Slope of the field with u and v, by differences in double precision. */
@@ -57,18 +57,18 @@ struct ReliefRay
 ReliefRay RayOf(vtkRenderer* renderer, int x, int y);
 
 /**
- * Where the ray meets the field, below the plane: depth from 0 (plane) to 1 (ground), to 1e-9. The
- * field is looked at `looks` times along the way first.
+ * The ray's hit with the field, below the plane: depth from 0 (plane) to 1 (ground), to 1e-9. The
+ * field is first sampled `looks` times along the ray.
  */
 double MeetRelief(const HeightField& field, const ReliefRay& ray, double scale, int looks = 5000);
 
-/** How far what is seen is from the truth. */
+/** Errors of a picture against the truth. */
 struct ReliefErrors
 {
   int Rays = 0;
-  double Missed = 0.; // share of rays that are off by more than 5 % of the relief's height
-  double Depth = 0.;  // of the others: mean, as a share of the relief's height
-  double Normal = 0.; // of the others: mean, degrees; 0 without the layer
+  double Missed = 0.; // share of rays with an error above 5 % of the relief's height
+  double Depth = 0.;  // mean of the others, as a share of the relief's height
+  double Normal = 0.; // mean of the others, degrees; 0 without the layer
 };
 
 /**
@@ -78,10 +78,10 @@ struct ReliefErrors
 ReliefErrors CompareRelief(vtkImageData* layers, vtkRenderer* renderer, const HeightField& field,
   double scale, int stride = 5);
 
-/** The camera 4 from the plane's middle, so many degrees off its normal. */
+/** Puts the camera 4 from the plane's middle, so many degrees off its normal. */
 void LookAtRelief(vtkRenderer* renderer, double degrees, bool parallel = false);
 
-/** The texture coordinates there. */
+/** The texture coordinates at a depth along the ray. */
 glm::dvec2 ReliefTCoord(const ReliefRay& ray, double scale, double depth);
 }
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file ScreenTriangle.h
- * @brief A triangle as a view draws it: a convex polygon in pixels.
+ * @brief A triangle as drawn in a view: a convex polygon in pixels.
  */
 #ifndef relievoTestScreenTriangle_h
 #define relievoTestScreenTriangle_h
@@ -13,7 +13,7 @@
 
 namespace relievoTest
 {
-/** The part of a triangle before the near plane, projected; empty when there is none. */
+/** The projected part of a triangle in front of the near plane; may be empty. */
 class ScreenTriangle
 {
 public:

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file ShadowErrors.h
- * @brief How many shadow verdicts of a picture are wrong, against rays.
+ * @brief Counts wrong shadow verdicts of a picture, against rays.
  */
 #ifndef relievoTestShadowErrors_h
 #define relievoTestShadowErrors_h
@@ -18,7 +18,7 @@ namespace relievoTest
 {
 class EmbreeScene;
 
-/** What each pixel must show of a light: in shadow, lit, or not to be judged. */
+/** The true verdict of each pixel for a light: in shadow, lit, or excluded. */
 struct ShadowTruth
 {
   enum Verdict : unsigned char
@@ -30,10 +30,10 @@ struct ShadowTruth
   int Width = 0;
   int Height = 0;
   std::vector<Verdict> Verdicts; // row 0 at the bottom
-  long long Flipping = 0;        // pixels left out because a small jitter flips the verdict
+  long long Flipping = 0;        // pixels excluded because a small jitter flips the verdict
 };
 
-/** A picture's verdicts against that truth. */
+/** A picture's verdicts compared with that truth. */
 struct ShadowErrors
 {
   long long Compared = 0;
@@ -42,7 +42,7 @@ struct ShadowErrors
   long long FalseLight = 0;  // in shadow, but drawn lit
   long long Flipping = 0;
 
-  /** Share of the compared pixels that are wrong. */
+  /** Share of errors among the compared pixels. */
   double Wrong() const
   {
     return static_cast<double>(this->FalseShadow + this->FalseLight) /
@@ -52,16 +52,16 @@ struct ShadowErrors
 };
 
 /**
- * Rays from every pixel's place to the light. Judged are pixels that show a surface whose geometric
- * normal n turns to the light, n * l > 0.05 (within the cone of a spot), and whose verdict four
- * rays that start `jitter` (world units) beside agree with.
+ * Traces rays from every pixel's position to the light. Compared are pixels whose surface has a
+ * geometric normal n towards the light, n * l > 0.05 (within the cone of a spot), and whose verdict
+ * agrees with four rays that start `jitter` (world units) beside it.
  */
 ShadowTruth TraceShadow(
   const EmbreeScene& scene, const TruthImage& view, vtkLight* light, double jitter = 1e-5);
 
 /**
- * Without the pixels whose centre lies within 1/256 of a pixel of an edge of the triangle that is
- * there: OpenGL, which places corners in such steps, may show the triangle beside it.
+ * Excludes pixels whose centre lies within 1/256 of a pixel of an edge of its triangle: OpenGL,
+ * which rounds corners to such steps, may show the adjacent triangle.
  */
 ShadowTruth WithoutEdges(const ShadowTruth& truth, const TruthImage& view);
 

@@ -19,10 +19,10 @@ namespace
 {
 constexpr int Cells = 32;
 constexpr int FirstCells = 8;
-constexpr double Jitter = 1e-5; // of the pixel's place
+constexpr double Jitter = 1e-5; // of the pixel's position
 constexpr double Pi = 3.14159265358979323846;
 
-// 0 to 1, by the number alone.
+// A number from 0 to 1 that depends only on n.
 double Hash(std::uint32_t n)
 {
   n ^= n >> 16;
@@ -42,8 +42,8 @@ struct Source
   double Size; // radius, or half the angle in radians
   const LightEdges* Edges;
 
-  // Towards a place of the light, as far as it is; to infinity for a sun. Equal areas of the unit
-  // square are equal areas of the light.
+  // The vector to a point of the light, or to infinity for a sun. Equal areas of the unit square
+  // are equal areas of the light.
   glm::dvec3 Toward(const glm::dvec3& from, double u, double v) const
   {
     if (this->Edges)
@@ -60,7 +60,7 @@ struct Source
     const glm::dvec3 up = glm::cross(axis, right);
     if (!this->Positional)
     {
-      // Equal areas of the disc to equal solid angles: 1 - cosine grows as the area does.
+      // Maps equal areas of the disc to equal solid angles: 1 - cosine grows with the area.
       const double cosine = 1. - (x * x + y * y) * (1. - std::cos(this->Size));
       const double turn = std::atan2(y, x);
       const double sine = std::sqrt(std::max(0., 1. - cosine * cosine));
@@ -68,7 +68,7 @@ struct Source
     }
     if (!this->Spot)
     {
-      // To the ball's front, evenly over what a surface sees of it that faces it.
+      // To the ball's front, evenly over the area visible to a surface that faces it.
       const double far = glm::length(this->Position - from);
       const glm::dvec3 off = this->Size / far * (x * right + y * up);
       const double sine2 = glm::dot(off, off);

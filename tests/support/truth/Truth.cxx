@@ -46,7 +46,7 @@ private:
   std::vector<SurfacePoint> Points;
 };
 
-// Depth along a ray of the plane that touches the surface at a point; NaN for none.
+// Depth along a ray of the tangent plane at a point; NaN for none.
 double DepthOfPlane(const SurfacePoint& point, const Ray& ray)
 {
   const double along = glm::dot(ray.Direction, point.Normal);
@@ -55,9 +55,9 @@ double DepthOfPlane(const SurfacePoint& point, const Ray& ray)
 }
 
 /*
- * Whether two samples lie on one surface. Between them depth changes as the tangent plane of one
- * or of the other says, or, over a crease, as a mixture of both; half as much again is let pass for
- * small triangles in between. A step onto another surface leaves that range, unless it is smaller.
+ * Whether two samples lie on one surface. Between them, depth changes according to one of both
+ * tangent planes or, over a crease, a mixture of both; a margin of half as much allows for small
+ * triangles in between. A step onto another surface leaves that range, unless it is smaller.
  */
 bool Continues(
   const SurfacePoint& here, const Ray& hereRay, const SurfacePoint& there, const Ray& thereRay)

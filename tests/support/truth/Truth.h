@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Truth.h
- * @brief What a pixel must show: filled by the Embree scenes and the analytic scenes alike.
+ * @brief The truth for a pixel, filled by both the Embree scenes and the analytic scenes.
  */
 #ifndef relievoTestTruth_h
 #define relievoTestTruth_h
@@ -15,16 +15,16 @@
 
 namespace relievoTest
 {
-/** Where a ray meets a scene. */
+/** A hit of a ray with a scene. */
 struct SurfacePoint
 {
   bool Hit = false;
   /** The ray's parameter: for a pixel's ray eye space -z, in world units. +infinity: no hit. */
   double Depth = std::numeric_limits<double>::infinity();
   glm::dvec3 Position{ 0. };
-  /** Unit geometric normal, on the side that the ray comes from. */
+  /** Unit geometric normal, on the side of the ray's origin. */
   glm::dvec3 Normal{ 0. };
-  /** True when the ray meets the outside: vertices run counter-clockwise as seen from the eye. */
+  /** Whether the ray hits the outside: vertices run counter-clockwise as seen from the eye. */
   bool FrontFacing = true;
   /** Index of the actor or shape, cell id in its vtkPolyData, triangle of the scene; -1: none. */
   int Actor = -1;
@@ -32,13 +32,13 @@ struct SurfacePoint
   long long Triangle = -1;
 };
 
-/** What a pixel must show, and how sure that is. */
+/** The truth for a pixel, and how certain it is. */
 struct PixelTruth : SurfacePoint
 {
   /**
-   * The centres of all 8 neighbours and the pixel's own 4 corners meet the same actor, and the
-   * depth runs on between them as one surface: no edge of anything is near, so the verdict does
-   * not depend on where exactly in the pixel the sample is.
+   * Whether the centres of all 8 neighbours and the pixel's own 4 corners hit one actor, and the
+   * depth continues between them as on one surface: no edge is near, so the verdict does not depend
+   * on the exact position of the sample in the pixel.
    */
   bool Inner = false;
   /**
@@ -50,7 +50,7 @@ struct PixelTruth : SurfacePoint
   double TriangleWidth = std::numeric_limits<double>::infinity();
 };
 
-/** The truth for all pixels of a view: row 0 at the bottom, as VTK has it. */
+/** The truth for all pixels of a view: row 0 at the bottom, as in VTK. */
 struct TruthImage
 {
   int Width = 0;
@@ -61,12 +61,12 @@ struct TruthImage
   {
     return this->Pixels[static_cast<size_t>(y) * this->Width + x];
   }
-  /** Number of pixels that show anything, and of those that are inner. */
+  /** Number of pixels with a hit, and of inner ones. */
   long long NumberOfHits() const;
   long long NumberOfInner() const;
 };
 
-/** Gives the first meeting with t in [tMin, tMax]; called from several threads. */
+/** Returns the first hit with t in [tMin, tMax]; called from several threads. */
 using CastFunction = std::function<SurfacePoint(const Ray& ray, double tMin, double tMax)>;
 
 /** Completes a pixel whose SurfacePoint is known; called from several threads. */
@@ -74,7 +74,8 @@ using FinishFunction = std::function<void(int x, int y, PixelTruth& pixel)>;
 
 /**
  * Casts the ray of every pixel's centre and corner, from the near to the far plane, and finds the
- * inner pixels. Pixels at the border of the view are judged as well: their neighbours are cast too.
+ * inner pixels. Pixels at the border of the view are included: their outer neighbours are cast,
+ * too.
  */
 TruthImage TraceView(
   const View& view, const CastFunction& cast, const FinishFunction& finish = FinishFunction());

@@ -44,7 +44,7 @@ const char* NotModelled(vtkCamera* camera, vtkRenderWindow* window)
   return nullptr;
 }
 
-// The pixel at which a share of the window's size begins, rounded as VTK rounds it.
+// The pixel at a share of the window's size, rounded as in VTK.
 int PixelAt(double share, int size)
 {
   return static_cast<int>(std::lround(share * size));

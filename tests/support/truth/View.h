@@ -5,7 +5,7 @@
  * @brief The rays of a renderer's pixels, in double precision, from the camera's own numbers.
  *
  * Built from position, focal point, view-up, angle, scale and window centre, without VTK's
- * transforms, so that it can be the truth for what was drawn through them.
+ * transforms, so that it is independent of the drawing that it checks.
  */
 #ifndef relievoTestView_h
 #define relievoTestView_h
@@ -28,15 +28,15 @@ struct Ray
 };
 
 /**
- * What a renderer sees. Pixel coordinates are those of its viewport: (0, 0) is the outer corner at
- * the lower left, the centre of pixel (i, j) is (i + 0.5, j + 0.5).
+ * A renderer's view. Pixel coordinates are those of its viewport: (0, 0) is the outer corner at the
+ * lower left, the centre of pixel (i, j) is (i + 0.5, j + 0.5).
  */
 class View
 {
 public:
   /**
    * Reads the renderer's active camera, viewport and window size. The renderer must be in a window.
-   * Fails the test on what is not modelled: stereo, tiles, view shear, off-axis and explicit
+   * Fails the test for unsupported features: stereo, tiles, view shear, off-axis and explicit
    * projections, user and model transforms.
    */
   explicit View(vtkRenderer* renderer);
@@ -48,8 +48,8 @@ public:
   double Depth(const glm::dvec3& world) const;
 
   /**
-   * Where a point is drawn, in pixels.
-   * False, with `pixel` untouched, for a point at or behind the eye of a perspective view.
+   * The drawn position of a point, in pixels. False, with `pixel` unchanged, for a point at or
+   * behind the eye of a perspective view.
    */
   bool Project(const glm::dvec3& world, glm::dvec2& pixel) const;
 
@@ -65,14 +65,14 @@ public:
   glm::dvec3 Up{ 0. };
   glm::dvec3 Forward{ 0. };
 
-  /** Depths between which things are drawn. */
+  /** The range of depth that is drawn. */
   double Near = 0.;
   double Far = 0.;
 
   bool Parallel = false;
 
 private:
-  // Half the size of what is seen: at depth 1 in perspective, at any depth in parallel projection.
+  // Half the size of the view: at depth 1 in perspective, at any depth in parallel projection.
   glm::dvec2 Half{ 1. };
   // The camera's window centre, in halves of the viewport.
   glm::dvec2 Center{ 0. };

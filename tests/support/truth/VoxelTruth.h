@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file VoxelTruth.h
- * @brief Which cells of a grid are inside: by a formula, or by rays through triangles.
+ * @brief The cells of a grid inside a body, by a formula, or by rays through triangles.
  */
 #ifndef relievoTestVoxelTruth_h
 #define relievoTestVoxelTruth_h
@@ -19,7 +19,7 @@ class EmbreeScene;
 /** Called from several threads. */
 using InsideFunction = std::function<bool(const glm::dvec3&)>;
 
-/** Whether two of three rays from a place cross the scene's triangles an odd number of times. */
+/** Whether two of three rays from a position cross the scene's triangles an odd number of times. */
 bool IsInsideByVote(const EmbreeScene& scene, const glm::dvec3& place);
 
 /** 1 for cells whose centre is inside, x fastest; `origin` is the grid's lower corner. */

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Locales that change what readers could take for numbers and letters: a comma for the decimal
-point, and in Turkish no I for i. Made where they are needed: a system has those of its users."""
+"""Locales that change how readers might parse numbers and letters: a comma as the decimal point,
+and in Turkish no I for i. Generated, because a system has only those of its users."""
 
 import os
 import subprocess
@@ -12,8 +12,9 @@ CATEGORIES = ("CTYPE", "NUMERIC", "MONETARY", "TIME", "MESSAGES", "PAPER", "NAME
 
 
 def make(folder):
-    """Makes them in the folder, where this process and its children find them from then on. The
-    order of words, which takes most of the time to make and which nothing here asks for, is C's."""
+    """Makes the locales in the folder and registers it for this process and its children. The
+    collation
+    order, which takes most of the time and is not needed here, is that of C."""
     os.environ["LOCPATH"] = str(folder)
     for name in NAMES:
         source, own = f"{folder}/{name}.source", name.split(".")[0]

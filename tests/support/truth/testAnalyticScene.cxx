@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Ray casting in closed form against marching along the ray through each shape's own inequality.
+// Ray casting in closed form compared with marching along the ray through each shape's own
+// inequality.
 #include "AnalyticScene.h"
 #include "Check.h"
 #include "Session.h"
@@ -99,12 +100,12 @@ void TestShape(const std::string& name, const AnalyticScene& scene, const Inequa
   double worstAngle = 0.;
   for (int i = 0; i < 3000; ++i)
   {
-    // Starts outside and inside; every third looks at an edge-on place.
+    // Starts outside and inside; every third ray aims at an edge-on position.
     const glm::dvec3 from = point(i % 2 ? 3. : 0.5);
     const Ray ray{ from, point(i % 3 ? 0.6 : 1.2) - from };
     const SurfacePoint found = scene.Cast(ray, 0., 3.);
     const double expected = March(inside, ray, 0., 3.);
-    // Marching steps over what is thinner than a step: a grazed rim, a cut corner.
+    // Marching may step over parts thinner than a step: a grazed rim, a cut corner.
     const SurfacePoint exit = scene.Cast(ray, std::nextafter(found.Depth + 1e-12, 9.), 9.);
     if (found.Hit && exit.Depth - found.Depth < 1.01 * 3. / MarchSteps)
     {
@@ -163,7 +164,7 @@ void TestShapes()
   }
 }
 
-// Depths that are known by heart.
+// Depths known in advance.
 void TestKnown()
 {
   AnalyticScene scene;
@@ -196,7 +197,7 @@ void TestKnown()
   RELIEVO_CHECK(scene.Occluded(up, 0., 1.5) && !scene.Occluded(up, 0., 0.5));
 }
 
-// Seen from 1e6 ring radii away the torus is met as exactly as double coordinates allow.
+// From 1e6 ring radii away, hits with the torus are as exact as double coordinates allow.
 void TestFarAway()
 {
   AnalyticScene scene;

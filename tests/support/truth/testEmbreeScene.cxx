@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Embree's truth against the closed forms, and how sure it is of a pixel.
+// Embree's truth compared with closed forms, and its certainty about a pixel.
 #include "AnalyticScene.h"
 #include "Check.h"
 #include "EmbreeScene.h"
@@ -41,7 +41,7 @@ using relievoTest::SurfacePoint;
 using relievoTest::TruthImage;
 using relievoTest::View;
 
-// Boxes are exact as triangles: depth, position, normal and coverage must be those of closed form.
+// Boxes are exact as triangles: depth, position, normal and coverage must equal the closed form.
 void TestBoxes(const std::string& name, const glm::dvec3& origin, double depthLimit)
 {
   Stage stage(401, 300, origin);
@@ -82,7 +82,7 @@ void TestBoxes(const std::string& name, const glm::dvec3& origin, double depthLi
     {
       const PixelTruth& s = seen.Pixels[i];
       const PixelTruth& t = truth.Pixels[i];
-      // Both tracers must see the same actor, and where it has edges, the same face.
+      // Both tracers must hit the same actor and, if it has edges, the same face.
       if (s.Hit != t.Hit || s.Actor != t.Actor ||
         (s.Hit && relievoTest::AngleDegrees(s.Normal, t.Normal) > 1.))
       {
@@ -133,7 +133,8 @@ void TestTessellations()
     exact.AddSphere(1.);
     const TruthImage seen = embree.Trace(view);
     const TruthImage truth = exact.Trace(view);
-    // A cell spans pi / around both ways: its middle is at most as deep as its half diagonal says.
+    // A cell spans pi / around in both directions: its middle's depth is bounded by its half
+    // diagonal.
     const double half = std::acos(-1.) / around / 2. * std::sqrt(2.);
     const double sag = 1. - std::cos(half);
     double deepest = 0.;
@@ -197,7 +198,7 @@ void TestTessellations()
   }
 }
 
-// Of an inner pixel no ray may show anything else; of others some must.
+// In an inner pixel no ray may hit anything else; in others some must.
 void TestInner()
 {
   Stage stage(300, 200);
@@ -231,7 +232,7 @@ void TestInner()
       }
       flips += pixel.Inner && !same ? 1 : 0;
       outerFlips += !pixel.Inner && !same ? 1 : 0;
-      // Nearer than the edge, the same triangle is met.
+      // Nearer than the edge, the hit triangle does not change.
       const double angle = 6.28 * share(random);
       const double reach = std::min(0.99 * pixel.EdgeDistance, 50.);
       const Ray within =
@@ -247,7 +248,7 @@ void TestInner()
   RELIEVO_CHECK(flips == 0 && outerFlips > 100 && wrongEdge == 0);
 }
 
-// Shadows of a box and a turned box on a ground against closed form.
+// Shadows of a box and a rotated box on a ground compared with closed form.
 void TestShadows()
 {
   Stage stage(300, 300);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Which cell and actor a ray meets, in which order, and how large its triangle is drawn.
+// The cell and actor that a ray hits, in which order, and the drawn size of its triangle.
 #include "Check.h"
 #include "EmbreeScene.h"
 #include "ScreenTriangle.h"
@@ -35,7 +35,7 @@ using relievoTest::SurfacePoint;
 using relievoTest::TruthImage;
 using relievoTest::View;
 
-// Which cell a triangle comes from, however the cells are drawn.
+// The cell of a triangle, for all kinds of cells.
 void TestCells()
 {
   // A vertex, a line, then a pentagon, a quad, and a strip of three triangles.
@@ -62,7 +62,7 @@ void TestCells()
   RELIEVO_CHECK(cast(3.9, 0.5).Cell == 3 && cast(3.1, 0.9).Cell == 3);
   RELIEVO_CHECK(cast(5.1, 0.2).Cell == 4 && cast(5.9, 0.8).Cell == 4 && cast(6.2, 0.1).Cell == 5);
   RELIEVO_CHECK(!cast(2.5, 0.5).Hit && cast(2.5, 0.5).Cell == -1);
-  // All were made counter-clockwise as seen from +z; from behind they show their back.
+  // All were made counter-clockwise as seen from +z; from behind, their back is visible.
   for (const double x : { 0.5, 3.5, 5.1, 5.9, 6.2 })
   {
     RELIEVO_CHECK(cast(x, 0.3).FrontFacing);
@@ -130,7 +130,7 @@ void TestScreenTriangle()
   RELIEVO_CHECK_NEAR(triangle.Distance({ 50., 41. }), 1., 1e-12, "distance inside");
   RELIEVO_CHECK_NEAR(triangle.Distance({ 50., 38. }), -2., 1e-12, "distance outside");
   RELIEVO_CHECK_NEAR(triangle.Distance({ 50., 70. }), -10., 1e-12, "distance beyond a corner");
-  // The other way round is the same triangle.
+  // Reversed, the triangle has equal values.
   const relievoTest::ScreenTriangle reversed(
     view, { glm::dvec3(20., -10., 0.), glm::dvec3(-20., -10., 0.), glm::dvec3(0., 10., 0.) });
   RELIEVO_CHECK_NEAR(reversed.Distance({ 50., 41. }), 1., 1e-12, "reversed");
@@ -149,7 +149,7 @@ void TestScreenTriangle()
 
 void TestInsideAndRange()
 {
-  // Within a box every ray meets its inner side.
+  // Within a box every ray hits its inner side.
   Stage stage(64, 64);
   stage.Renderer->GetActiveCamera()->SetClippingRange(0.01, 100.);
   const View view(stage.Renderer);
@@ -160,7 +160,7 @@ void TestInsideAndRange()
   RELIEVO_CHECK(std::none_of(image.Pixels.begin(), image.Pixels.end(),
     [](const PixelTruth& pixel) { return pixel.FrontFacing; }));
 
-  // The range ends where it says, and what lies before it is passed over.
+  // The range is respected at both ends, and earlier surfaces are skipped.
   EmbreeScene two;
   two.AddActor(MakeBox(1., 1., 1.));
   const Ray ray{ { 0.1, 0.2, 5.5 }, { 0., 0., -2. } };
@@ -172,7 +172,7 @@ void TestInsideAndRange()
   RELIEVO_CHECK(two.Cast(ray, 0., 99., two.Cast(ray, 0., 99.).Triangle).Depth == 3.);
 }
 
-// Actors as a renderer holds them.
+// Actors as in a renderer.
 void TestRenderer()
 {
   Stage stage(64, 64);

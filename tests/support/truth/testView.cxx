@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The rays of a View against VTK's own transforms, which share no line with it.
+// The rays of a View compared with VTK's own transforms, which share no code with it.
 #include "Check.h"
 #include "Session.h"
 #include "TestCase.h"
@@ -114,7 +114,7 @@ void TestCase(const Case& test)
     RELIEVO_CHECK(view.Project(world, back));
     worstBack = std::max(worstBack, glm::length(back - pixel));
   }
-  // Coordinates of 5e6 leave 1e-9 of their own in double.
+  // Coordinates of 5e6 leave a relative rounding of 1e-9 in double.
   const std::string name = test.Name;
   RELIEVO_CHECK_AT_MOST(worstPixel, 1e-6, name + ": pixels off VTK's");
   RELIEVO_CHECK_AT_MOST(worstBack, 1e-6, name + ": pixels off after projecting back");
