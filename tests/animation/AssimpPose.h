@@ -18,7 +18,7 @@
 
 namespace relievoTest
 {
-/** What the reader asks Assimp for, so that points have the same numbers. */
+/** The reader's request to Assimp, so that points have equal numbers. */
 extern const unsigned int AssimpSteps;
 
 /** Node to world at a time in ticks; a null animation is the tree at rest. */

@@ -30,7 +30,7 @@ void WriteGltf(const std::string& path, const std::vector<GltfTrack>& tracks, bo
 /** Whether a path is that of the binary form. */
 bool IsGlb(const std::string& path);
 
-/** What a buffer of these bytes has after its length: nothing in binary, else the bytes as text. */
+/** The part of a buffer after its length: nothing in binary files, otherwise the bytes as text. */
 std::string WriteGltfUri(const std::string& path, const std::string& bytes);
 
 /** The JSON, and in binary the bytes of its first buffer, of a multiple of four. */

@@ -24,10 +24,10 @@ class vtkImageData;
 
 namespace relievoTest
 {
-/** Of the methods of vtkRelievoSkin. */
+/** The name of a method of vtkRelievoSkin. */
 std::string MethodName(int method);
 
-/** Of the methods of vtkRelievoShadowStage. */
+/** A method of vtkRelievoShadowStage. */
 struct ShadowMethod
 {
   const char* Name;
@@ -63,9 +63,9 @@ struct SkinnedPair
   void Set(vtkPolyData* mesh, vtkPolyData* skeleton, int method);
 
   /**
-   * Fails unless layers agree: where ids or what is covered differ, the pixel lies within 1/256 of
-   * a projected edge, and elsewhere the surfaces are within 2e-6 of the mesh's size, and normals
-   * within a thousandth.
+   * Fails unless layers agree: where ids or coverage differ, the pixel lies within 1/256 of a
+   * projected edge; elsewhere the surfaces are within 2e-6 of the mesh's size, and normals within a
+   * thousandth.
    */
   void CompareLayers(const std::string& what);
 

@@ -85,7 +85,7 @@ void TestValues()
     RELIEVO_CHECK_AT_MOST(off, 1e-6, "weights of one bone");
     RELIEVO_CHECK_AT_MOST(wrong, 0, "points with another first bone");
   }
-  // What is added stays with the mesh that is moved.
+  // Added arrays stay with the moved mesh.
   const auto moved = Skin(output, MakeNamedSkeleton(), vtkRelievoSkin::LINEAR);
   RELIEVO_CHECK(moved->GetPointData()->GetArray("first_bone") != nullptr);
   RELIEVO_CHECK(moved->GetPointData()->GetArray("bone_weight") != nullptr);

@@ -65,7 +65,7 @@ void TestInterpolation()
     AngleAt(reader, 0.25), 2. * std::atan2(s, c) * 180. / Pi, 1e-4, "a quarter, nlerp");
   reader->SlerpOn();
 
-  // Loop, speed, and what the pipeline is told.
+  // Loop, speed, and the pipeline's times.
   reader->LoopOn();
   RELIEVO_CHECK_NEAR(AngleAt(reader, 2.25), 22.5, 1e-4, "the second round");
   RELIEVO_CHECK_NEAR(AngleAt(reader, -1.75), 22.5, 1e-4, "the round before");
@@ -100,7 +100,7 @@ void TestBadKeys()
   RELIEVO_CHECK(HasNote(reader, "3 keys are not finite"));
   RELIEVO_CHECK(HasNote(reader, "out of order"));
   RELIEVO_CHECK(HasNote(reader, "1 keys stand at the time of the one before"));
-  // In order, two keys at one time are a jump; what lies between three is never seen.
+  // Sorted, two keys at one time are a jump; keys between three are never seen.
   reader = Read(*MakeScene({ { 0., AboutZ(20.) }, { 10., AboutZ(20.) }, { 10., AboutZ(80.) },
                   { 20., AboutZ(60.) }, { 20., AboutZ(10.) }, { 20., AboutZ(-40.) } }),
     "jump");
@@ -167,7 +167,7 @@ void TestBadWeights()
   vtkDataArray* joints = MeshOf(reader)->GetPointData()->GetArray("joints");
   if (RELIEVO_CHECK(weights && joints && weights->GetNumberOfComponents() == 2))
   {
-    // The strongest, body and root, in this order; 0.6 and 0.3 of what remains.
+    // The strongest, body and root, in this order; 0.6 and 0.3 of the remaining sum.
     RELIEVO_CHECK(joints->GetComponent(0, 0) == 2. && joints->GetComponent(0, 1) == 1.);
     RELIEVO_CHECK_NEAR(weights->GetComponent(0, 0), 2. / 3., 1e-6, "the strongest");
     RELIEVO_CHECK_NEAR(weights->GetComponent(0, 1), 1. / 3., 1e-6, "the second");

@@ -85,7 +85,7 @@ bool IsFinite(vtkDataArray* array)
   return finite;
 }
 
-// Returns what is wrong with a mesh at rest, or "".
+// Returns the problem of a mesh at rest, or "".
 std::string Judge(vtkPolyData* mesh, vtkPolyData* skeleton)
 {
   const vtkIdType count = mesh->GetNumberOfPoints();

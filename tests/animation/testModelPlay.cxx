@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Two animations blended, and what there is to look inside a model.
+// Two animations blended, and the inspection of a model.
 #include "Check.h"
 #include "ModelScenes.h"
 #include "Session.h"
@@ -62,8 +62,8 @@ void TestBlend()
   RELIEVO_CHECK(expect.Count() == 1);
 }
 
-// Two channels of one node, one that turns it and one that moves it, are composed, blended or not.
-// Assimp gives a channel a key of each kind, and so what is not to move has one that is refused.
+// Two channels of one node, one rotating and one moving it, are composed, blended or not. Assimp
+// gives a channel a key of each kind, so parts that should not move have a refused one.
 void TestTwoChannels()
 {
   const auto scene = MakeTwo();

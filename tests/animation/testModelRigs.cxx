@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Rigs of unusual make: a bone that holds two meshes from different places, bones without points,
-// mirroring keys, textures that are not there; the bind pose; and a voxel shell of what is moved.
+// Unusual rigs: a bone with two meshes from different places, bones without points, mirroring keys,
+// missing textures; the bind pose; and a voxel shell of the moved mesh.
 #include "Check.h"
 #include "ModelScenes.h"
 #include "Session.h"

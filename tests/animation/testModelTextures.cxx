@@ -159,7 +159,7 @@ std::string GetName(vtkPolyData* mesh, const char* array)
   return names ? names->GetValue(0) : "";
 }
 
-// Of all pixels, or of those in the fields.
+// The largest error over all pixels, or only those in the fields.
 double LargestOff(vtkImageData* image, bool all)
 {
   double off = 0.;

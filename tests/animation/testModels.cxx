@@ -40,8 +40,8 @@ using namespace relievoTest;
 // Files that tools/unpack-data writes, but for glTF, of which tests/gltf takes care.
 constexpr std::size_t NumberOfModels = 58;
 
-// What Assimp 5.2.5 refuses: a number that begins with a space, Irrlicht's XML in two bytes a
-// character, a binary format that has moved on, animations and textures of other files.
+// Files that Assimp 5.2.5 refuses: a number that begins with a space, Irrlicht's XML in two bytes
+// per character, a changed binary format, animations and textures in other files.
 const std::set<std::string> Refused = { "library_animation_clips.dae", "animMesh.irr",
   "multipleAnimators.irr", "scenegraphAnim.irr", "WusonBlitz2.m3d", "man01.mdl", "manT.mdl" };
 

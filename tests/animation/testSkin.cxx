@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Skinning against closed forms: what twist and bend do to a tube by each method, and points and
-// normals of bones that stretch, mirror and turn, against matrices in double.
+// Skinning compared with closed forms: twist and bend of a tube by each method; points and normals
+// of bones that stretch, mirror and rotate, compared with matrices in double.
 #include "Check.h"
 #include "Session.h"
 #include "SkinScenes.h"

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Where skinning fails: weights and joints that are none, bones that flatten, what is missing.
+// Failures of skinning: invalid weights and joints, bones that flatten, missing parts.
 #include "Check.h"
 #include "Session.h"
 #include "SkinScenes.h"

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What vtkRelievoSkinnedActor holds and says: methods change many times, one actor is shown in two
-// windows, shader code is taken away, what is missing is said once and drawn at rest.
+// State and messages of vtkRelievoSkinnedActor: methods change many times, one actor is in two
+// windows, shader code is removed; missing parts are reported once and the mesh is drawn at rest.
 #include "Check.h"
 #include "Layers.h"
 #include "LeakCounter.h"
@@ -89,7 +89,7 @@ void TestTwoWindows()
   SkinnedSide second(true);
   if (first.Stage.Window->IsA("vtkEGLRenderWindow"))
   {
-    return; // VTK 9.7 loses what two of these windows share, its own actors too
+    return; // VTK 9.7 loses objects shared by two of these windows, even its own actors'
   }
   first.Set(MakeThreeBoneTube(41, 20), MakeBentPose(0.7, 1., 1.), 0);
   first.Stage.Renderer->ResetCamera();
@@ -185,7 +185,7 @@ void TestMissing()
   keyless->GetPointData()->RemoveArray("pose_before");
   refuse(tube, keyless, vtkRelievoSkin::KEY_MATRIX, "no whole keys");
   refuse(MakeTube(41, 20, false), pose, 0, "joints and weights");
-  // Without a mesh nothing is drawn; a composite is none, and the actor says what to do.
+  // Without a mesh nothing is drawn; a composite is refused, and the actor names the remedy.
   rest.Skinned->SetInputConnection(nullptr);
   const auto empty = Picture(rest.Stage.Window);
   RELIEVO_CHECK(CountUnlike(still, empty, 20) > 500);

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Meshes with bones at georeferenced coordinates, where floats have steps of half a unit: what
-// vtkRelievoSkinnedActor draws there is what vtkRelievoSkin moves at the origin, as near as VTK
-// itself draws still meshes there; bounds, picking, clipping planes, and shadows with it.
+// Meshes with bones at georeferenced coordinates, where floats have steps of half a unit: there,
+// vtkRelievoSkinnedActor draws the mesh that vtkRelievoSkin moves at the origin, as accurately as
+// VTK draws still meshes there; also bounds, picking, clipping planes and shadows.
 #include "Check.h"
 #include "EmbreeScene.h"
 #include "GLCheck.h"
@@ -142,7 +142,7 @@ struct Apart
   double Faces = 0.;
 };
 
-// How far `far`, drawn at a place of its own, is from what pair.CPU draws.
+// The difference between `far`, drawn at its own position, and the drawing of pair.CPU.
 Apart Compare(SkinnedPair& pair, vtkRenderer* far, const glm::dvec3& at, const std::string& what)
 {
   const std::vector<std::string> names = { "position", "depth", "cell", "normal",
@@ -204,7 +204,7 @@ void TestLayers()
       Look(pair.GPU.Stage.Renderer, at);
       const std::string what = MethodName(method) + ", " + ToString(where);
       CheckApart(Compare(pair, pair.GPU.Stage.Renderer, at, what), what);
-      // What is moved on the CPU, and the bounds, are there too.
+      // The mesh moved on the CPU and the bounds are there, too.
       vtkPolyData* moved = pair.GPU.Skinned->GetMovedMesh();
       vtkPolyData* truth = pair.CPU.Skin->GetOutput();
       double off = 0.;
@@ -248,7 +248,7 @@ void TestRest()
   CheckApart(Compare(pair, pair.GPU.Stage.Renderer, Far, "the bind pose"), "the bind pose");
 }
 
-// Points of no bone stay; the actor has a matrix; planes clip what is moved.
+// Points without a bone stay; the actor has a matrix; planes clip the moved mesh.
 void TestUse()
 {
   const Rig near(glm::dvec3(0.));

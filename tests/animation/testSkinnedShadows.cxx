@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Shadows of meshes that the vertex shader moves, by every method, against rays at the triangles
-// that vtkRelievoSkin moves; maps are drawn anew when the pose changes, and only
-// then; what is traced is what is drawn.
+// Shadows of meshes moved by the vertex shader, by every method, compared with rays at the
+// triangles moved by vtkRelievoSkin. Maps are redrawn only when the pose changes, and traced meshes
+// equal drawn ones.
 #include "Check.h"
 #include "EmbreeScene.h"
 #include "GLCheck.h"
@@ -160,7 +160,7 @@ void TestFarAway()
   }
 }
 
-// What knows no moved mesh casts by maps.
+// An actor without a known moved mesh casts by maps.
 class Unknown : public vtkRelievoSkinnedActor
 {
 public:
@@ -230,7 +230,7 @@ void TestManyBones()
   RELIEVO_CHECK_AT_MOST(off, 1e-5, "points of ten bones beside those of eight");
 }
 
-// A pose that is the same again moves nothing on the CPU, and what is traced stays.
+// Setting an equal pose moves nothing on the CPU, and cached traces stay.
 void TestKept()
 {
   const auto tube = MakeThreeBoneTube(41, 20);

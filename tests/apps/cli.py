@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the tests of the command share: running it, small scenes, reading what it wrote."""
+"""Shared by the tests of the command: running it, small scenes, reading its output."""
 
 import json
 import os
@@ -30,7 +30,7 @@ NEEDS_DISPLAY = VTK_VERSION < (9, 4)
 TRIANGLE = "OFF\n3 1 0\n-1 -1 0\n1 -1 0\n-1 1 0\n3 0 1 2\n"
 LOOK = ["--camera", "0,0,5,0,0,0,0,1,0", "--clip", "1,10"]
 
-# What a step that takes more than two seconds says in between, on a busy machine any step.
+# Progress of a step that takes more than two seconds, on a busy machine of any step.
 PROGRESS = re.compile(r"relievo: .* \d+ %")
 
 KEPT = tempfile.TemporaryDirectory()

@@ -349,7 +349,7 @@ class Alike(CliTest):
 
 
 def draw_here(words):
-    """Draws all in this process, and prints what was said as JSON."""
+    """Draws everything in this process, and prints the messages as JSON."""
     from relievo.vtkRelievoScene import vtkRelievoScene
 
     said, window = [], None

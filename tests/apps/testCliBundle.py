@@ -32,7 +32,7 @@ class Bundle(unittest.TestCase):
             mesh = pathlib.Path(os.environ["RELIEVO_DATA"]) / name
             if mesh.exists():
                 (data / name).symlink_to(mesh)
-            else:  # what tests do not need; the bench below neither
+            else:  # not needed by tests or the bench below
                 (data / name).write_text("none")
         bundle = folder / "bundle"
         done = run([TOOL, "--build", os.environ["BUILD"], bundle], RELIEVO_DATA=str(data))

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""relievo cave: what it writes, its options, and words refused."""
+"""relievo cave: its output, options and refused arguments."""
 
 import numpy
 from cli import CliTest, main

@@ -47,7 +47,7 @@ def may_be_drawn(kind, count):
 
 class Cells(CliTest):
     def render(self, name, text=None):
-        """The exit status and what was said."""
+        """The exit status and the messages."""
         if text is not None:
             data = text.encode() if isinstance(text, str) else text
             (self.folder / name).write_bytes(data)
@@ -67,7 +67,7 @@ class Cells(CliTest):
         jobs = []
         for kind in range(90):
             fits = [count for count in range(31) if may_be_drawn(kind, count)]
-            # Nothing fits types that nobody has: they are refused as such.
+            # Counts that fit no existing type are refused as such.
             counts = {0, 1, 3, 4, 30, *fits[:2], fits[0] - 1} if fits else {0, 4}
             jobs += [(kind, count) for count in (range(31) if every else counts)]
 
@@ -142,7 +142,7 @@ class Cells(CliTest):
         self.check_refused("y.vtk", straight.format(2, 1, "0"))
 
     def test_large_images(self):
-        """What a file of 200 bytes asks for is not allocated."""
+        """Images announced by a file of 200 bytes are not allocated."""
         for size in (1500, 40000) if "huge" in LACKS else (1500, 40000, 2**31 - 2):
             extent = f"0 {size} 0 {size} 0 {size if size < 40000 else 0}"
             text = (f'<VTKFile type="ImageData" version="0.1"><ImageData WholeExtent="{extent}" '

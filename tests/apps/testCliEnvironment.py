@@ -124,7 +124,7 @@ class Environments(CliTest):
         return self.draw("--skybox", *words, camera=(100 * axis, 200 * axis, up))
 
     def mirror(self, position, *words):
-        """What a perfect mirror in z = 0 shows, each ray in the same direction."""
+        """The picture in a perfect mirror at z = 0, with all rays in one direction."""
         seen = self.draw("--reflectivity", "1,0", "--parallel-scale", "0.2", *words,
                          camera=(position, (0, 0, 0), (0, 0.6, 0.8)))  # fmt: skip
         return seen[4:8, 6:10]
@@ -150,7 +150,7 @@ class Environments(CliTest):
             self.check_sky((1, 1, 1), "--environment", name, off=off)
 
     def test_rotation(self):
-        """By 90: what was along +z is along +x; y stays."""
+        """Rotation by 90: +z becomes +x; y stays."""
         self.check_sky((1, 1, -1), "--environment", "axes.png,90",
                        shows=((0, 0, 1), (0, 1, 0), (-1, 0, 0)))  # fmt: skip
         self.check_sky((-1, 1, 1), "--environment", "axes.png,-90",
@@ -260,7 +260,7 @@ class Environments(CliTest):
         self.assert_colour(seen[:, 4, 0], shown(degrees / 60 + 0.5), 1.5)
 
     def test_refusals(self):
-        """What is no environment is named with what was expected, and nothing is written."""
+        """Invalid environments are named with the expectation, and nothing is written."""
         look = ["render", "plane.obj", "--png", "a.png"]
         (self.folder / "torn.png").write_text("not a picture")
         (self.folder / "torn.exr").write_bytes(b"v/1\1" + (self.folder / "axes.png").read_bytes())

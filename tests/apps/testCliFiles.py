@@ -120,7 +120,7 @@ class Inputs(CliTest):
                      says=["blanks.gltf", "holds nothing that can be drawn"])  # fmt: skip
 
     def test_causes(self):
-        """What was expected and what to do, where libraries say only that they failed."""
+        """Messages with expectation and remedy where libraries only report failure."""
         huge = 4 * 10**12
         (self.folder / "huge.bvh").write_text(
             "HIERARCHY\nROOT a\n{\nOFFSET 0 0 0\nCHANNELS 3 Xposition Yposition Zposition\n"
@@ -554,7 +554,7 @@ class Outputs(CliTest):
                              wrapper=[*full, str(limit)])  # fmt: skip
 
     def test_standard_output_full(self):
-        """What is printed is the result: where it is lost, the run failed."""
+        """Printed output is the result: if it is lost, the run has failed."""
         cave = ["cave", "--size", "4x4x4", "-o", "a.vti"]
         for words in (["--help"], ["--version"], ["stages"], cave):
             for place in ("/dev/full", "&-"):
@@ -679,7 +679,8 @@ class Display(CliTest):
     @unittest.skipIf(NEEDS_DISPLAY, "VTK before 9.4 opens one kind of window")
     @unittest.skipIf(ctypes.util.find_library("OSMesa"), "this machine has OSMesa")
     def test_no_opengl(self):
-        # What VTK takes where neither X nor EGL works, and what crashes without its library.
+        # The window class that VTK uses if neither X nor EGL works, and one that crashes without
+        # its library.
         only = {"VTK_DEFAULT_OPENGL_WINDOW": "vtkOSOpenGLRenderWindow"}
         self.refused("render", "triangle.off", *OUTPUTS, status=1, says=["no OpenGL", "driver"],
                      environment=only, whole=True)  # fmt: skip

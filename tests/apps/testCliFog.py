@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""--fog: what it lets through, in the layer and in the picture; its values, and words refused."""
+"""--fog: its transmittance in the layer and in the picture; its values, and refused arguments."""
 
 import math
 
@@ -52,7 +52,7 @@ class Fog(CliTest):
         self.check(self.passes(), 1, 1)
 
     def test_picture(self):
-        """Over black: the colour of the fog times what it holds back, as sRGB."""
+        """Over black: the colour of the fog times its opacity, as sRGB."""
         for words, color in (([], (1, 0.5, 0)), ([",color=0.2/1/0.4"], (0.2, 1, 0.4))):
             self.render(*SIZE, "--fog", "fog.vtp" + "".join(words), "--png", "a.png")
             found = read_png(self.folder / "a.png")[48, 50]

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Images of all kinds as textures and maps: what must be seen of known texels; damaged ones."""
+"""Images of all kinds as textures and maps: pictures of known texels; damaged images."""
 
 import struct
 import zlib
@@ -83,7 +83,7 @@ class Images(CliTest):
             numpy.testing.assert_allclose(seen, numpy.array((200, 100, 50)) / 255, atol=1 / 255)
 
     def test_cut_outs(self):
-        """Holes show what is behind, in all layers; the rest is opaque, smooth as it is."""
+        """Holes show the background in all layers; the rest is opaque, and stays smooth."""
         for components in (2, 4):
             values = numpy.full((8, 8, components), 255, numpy.uint8)
             values[2:6, 2:6, -1] = 0

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""--lamps: what each point adds, in the layer `light`, against the formula."""
+"""--lamps: the light of each point, in the layer `light`, compared with the formula."""
 
 import json
 
@@ -39,7 +39,7 @@ def vtk_file(places, **arrays):
 
 
 def light(radii, colours, share):
-    """What lamps of these add to the floor: share(distance / radius, distance) of each."""
+    """The light of these lamps on the floor: share(distance / radius, distance) for each."""
     rows, columns = numpy.mgrid[0:SIDE, 0:SIDE] + 0.5
     x, y = (columns - SIDE / 2) / 25, (SIDE / 2 - rows) / 25
     total = numpy.zeros((SIDE, SIDE, 3))
@@ -87,7 +87,7 @@ class Lamps(CliTest):
             light(RADII, [[0, 1, 0.5]] * 3, lambda _, d: 1 / (0.5 + d + 2 * d**2)))
 
     def test_several(self):
-        """Two files add up; without lamps the layer is 0, and so is what lies beside the mesh."""
+        """Two files add up; without lamps the layer is 0, as it is beside the mesh."""
         self.draw("--lamps", "lamps.vtk", "--lamps", "bare.vtk,radius=1", "--layers", "light",
                   "--exr", "a.exr")
         _, channels = self.exr("a.exr")
@@ -97,7 +97,7 @@ class Lamps(CliTest):
         self.assertFalse(self.exr("none.exr")[1]["light.R"].any())
 
     def test_picture_and_report(self):
-        """The picture is lit; the report says how many lamps there are, and what found them."""
+        """The picture is lit; the report gives the number of lamps and the method."""
         self.draw("--light", "sun:0,0,-1", "--lamps", "bare.vtk,radius=size", "--png", "a.png",
                   "--report", "a.json", "--stage", "lamps:way=clusters")
         seen = read_png(self.folder / "a.png")[..., 0] / 255.0

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""--lens: pictures and layers against rays by hand, calibrations of files, what is refused."""
+"""--lens: pictures and layers compared with separate rays, calibrations in files, refusals."""
 
 import json
 

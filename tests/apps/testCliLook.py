@@ -138,7 +138,7 @@ class Look(CliTest):
                 self.assertLess(apart, 4, f"{name}, {bounds}: {found[0, 0] * 255}")
 
     def test_scales(self):
-        """Logarithms, steps, places of own colours, a range around zero, what is no number."""
+        """Logarithms, steps, positions of custom colours, a range around zero, NaN."""
         across, points = 3 + 2 * X, numpy.linspace(-1, 1, CELLS + 1)
         share, log = (across - 1) / 4, numpy.interp(X, points, numpy.log(3 + 2 * points))
         for words, expected in (
@@ -177,7 +177,7 @@ class Look(CliTest):
         for words, color in ((["grey:nan=#ff8000"], (1, 128 / 255, 0)), (["grey"], (0.5,) * 3)):
             found = self.albedo("--color-by", "holes", "--colormap", *words, file="holes.vtp")
             self.judge(found[:, :40], numpy.tile(color, (40, 1)))
-        # What is not above zero has the first colour; the range begins at the least that is.
+        # Values up to zero have the first colour; the range begins at the least positive value.
         found = self.albedo("--color-by", "below", "--colormap", "grey:log", file="holes.vtp")
         columns = numpy.arange(SIDE) * CELLS // SIDE - 4
         self.judge(found, numpy.log(numpy.maximum(columns, 1)) / numpy.log(3))
@@ -287,7 +287,7 @@ class Look(CliTest):
         self.assertLess(dark.mean(), 0.4)
 
     def test_presets(self):
-        """What a preset sets can be said in words, and words come before it."""
+        """A preset's settings can also be given as options, which take precedence."""
         words = ["render", "triangle.off", "--size", "64x64", "--png"]
         self.relievo(*words, "a.png", "--preset", "town", "--shadow-size", "512")
         self.relievo(*words, "a.png", "--preset", "print")
@@ -295,7 +295,7 @@ class Look(CliTest):
         white, black = (read_png(self.folder / name).astype(int) for name in ("a.png", "b.png"))
         self.assertEqual((tuple(white[0, -1]), tuple(black[0, -1])), ((255,) * 3, (0,) * 3))
         for up in ("x", "y", "z"):
-            # The fitted camera and the lights turn together: what is above the mesh is lit.
+            # The fitted camera and the lights rotate together: the upper side of the mesh is lit.
             self.relievo("render", "plane.vtp", "--size", "64x64", "--up", up, "--preset", "town",
                          "--layers", "shadow_0,shadow_2", "--exr", "a.exr")  # fmt: skip
             self.assertIn("shadow_2.V", self.exr("a.exr")[1])

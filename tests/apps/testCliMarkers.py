@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""--markers: what they cover, in the layer and in the picture; their values, and words refused."""
+"""--markers: their coverage in the layer and in the picture; their values, and refused arguments.
+"""
 
 import math
 

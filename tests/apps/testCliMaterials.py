@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Relief and normals by --height-map and --normal-map: what must be seen on a known plane."""
+"""Relief and normals by --height-map and --normal-map: pictures of a known plane."""
 
 import json
 
@@ -104,7 +104,7 @@ class Materials(CliTest):
                      status=2, says=["--material bisections", "--relief relief"])  # fmt: skip
 
     def test_refusals(self):
-        """What is no map, or not there, is named, and nothing is written."""
+        """Invalid and missing maps are named, and nothing is written."""
         look = ["render", "plane.obj", "--png", "a.png"]
         (self.folder / "torn.png").write_text("not a picture")
         write_image(vtkPNGWriter(), self.folder / "grey.png", numpy.zeros((4, 4, 1), numpy.uint8))

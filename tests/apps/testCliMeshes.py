@@ -12,7 +12,7 @@ from vtkmodules.vtkIOImage import vtkPNGWriter
 from cli import CliTest, main, read_png, write_image
 
 SIDE = 100
-# Straight down on -1 to 1: what is seen at a pixel is at its own x and y.
+# Straight down on -1 to 1: each pixel shows its own x and y.
 LOOK = ["--camera", "0,0,5,0,0,0,0,1,0", "--clip", "1,10", "--parallel-scale", "1",
         "--size", f"{SIDE}x{SIDE}"]  # fmt: skip
 LEFT = "v -1 -1 0\nv 0 -1 0\nv 0 1 0\nv -1 1 0\n"
@@ -142,7 +142,7 @@ class OBJ(CliTest):
                     self.assertEqual(found, [0, 1, 0])
 
     def test_named_files(self):
-        """What is not there, or would never end, is named, and the mesh drawn without."""
+        """Missing or endless files are named, and the mesh is drawn without them."""
         os.mkfifo(self.folder / "pipe.png")
         os.mkfifo(self.folder / "pipe.mtl")
         os.symlink("/dev/zero", self.folder / "zero.png")
@@ -163,7 +163,7 @@ class OBJ(CliTest):
         self.assertEqual(seen["albedo.R"].max(), 0)
 
     def test_pipes(self):
-        """Of every door: they are not opened, so nobody has to write into them."""
+        """Pipes are not opened by any reader, so none waits for a writer."""
         for name in ("a.obj", "a.off", "a.ply", "a.stl", "a.vtp", "a.dae", "a.gltf", "a.png"):
             os.mkfifo(self.folder / name)
         self.before = self.names()
@@ -346,7 +346,7 @@ class Clouds(CliTest):
                 self.check("a.vtk")
 
     def test_what_is_left_out(self):
-        """Where nothing is left, the message says what was wrong."""
+        """If nothing is left, the message gives the reason."""
         (self.folder / "flat.obj").write_text("v 0 0\nv 1 0\nv 1 1\nf 1 2 3\n")
         self.before = self.names()
         self.refused("render", "flat.obj", *LOOK, "--png", "a.png", status=1,

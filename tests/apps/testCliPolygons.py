@@ -163,7 +163,7 @@ class Polygons(CliTest):
                 self.assertEqual(set(seen[name][inside]), {value}, name)
 
     def test_shadows(self):
-        """From straight above: what the floor sees of the light is what is not covered."""
+        """From straight above: the floor is lit exactly where it is not covered."""
         for outline in (L, PINWHEEL):
             corners = numpy.column_stack([outline, numpy.ones(len(outline))])
             floor = [(-3, -3, 0), (3, -3, 0), (3, 3, 0), (-3, 3, 0)]

@@ -235,7 +235,7 @@ class Picture(CliTest):
             self.assertAlmostEqual(found, expected, delta=0.003, msg=f"{mode} {alpha}")
 
     def test_gltf_that_is_wrong(self):
-        """One line says what and where; no picture is written."""
+        """One line gives problem and place; no picture is written."""
         for change, says in (
             (lambda file: file["accessors"][0].update(count=65000), "accessors[0] has 65000"),
             (lambda file: file["nodes"][0].update(children=[0]), "nodes[0] is below itself"),
@@ -318,7 +318,7 @@ class Layers(CliTest):
         self.assertAlmostEqual(header["attributes"]["near"]["value"], 1.0)
         self.assertAlmostEqual(header["attributes"]["far"]["value"], 10.0)
 
-        # What the triangle in z = 0 seen from z = 5 must give, and the background's values.
+        # The triangle in z = 0 seen from z = 5, and the background's values.
         hit = numpy.isfinite(channels["depth.Z"])
         self.assertGreater(hit.sum(), 100)
         self.assertFalse(hit.all())

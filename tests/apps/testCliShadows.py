@@ -16,8 +16,8 @@ SIDE = 100
 LOOK = ["--camera", "0,0,5,0,0,0,0,1,0", "--clip", "1,10", "--parallel-scale", "2",
         "--size", f"{SIDE}x{SIDE}", "--shading", "flat"]  # fmt: skip
 
-# Lights and what of the floor each leaves dark: x0, x1, y0, y1. A light at height h over a place
-# throws the plate's edge at e to place + (e - place) h / (h - 1).
+# Lights, and the part of the floor that each leaves dark: x0, x1, y0, y1. A light at height h over
+# a place casts the plate's edge at e to place + (e - place) h / (h - 1).
 LIGHTS = {
     "sun:-1,0,1": (0.5, 1.5, -0.5, 0.5),
     "sun:1,1,1": (-1.5, -0.5, -1.5, -0.5),

@@ -21,7 +21,7 @@ WORDS = subprocess.run(
 VERBS = ("render", "dataset", "visible", "sun", "cave", "bench")
 DOCS = pathlib.Path(COMPLETION).parents[3] / "docs"
 
-# What bash-completion brings, in so far as the completion of files and colons goes.
+# A substitute for the parts of bash-completion that complete files and colons.
 STUBS = """
 _init_completion() { words=("${COMP_WORDS[@]}") cword=$COMP_CWORD
   cur=${COMP_WORDS[COMP_CWORD]} prev=${COMP_WORDS[COMP_CWORD-1]}; }
@@ -157,7 +157,7 @@ class Pages(unittest.TestCase):
             self.assertLessEqual(set(said), set(options_of(verb)), verb)
 
     def test_files(self):
-        """What is read, in the table and in the words."""
+        """Input formats, in the table and in the texts."""
         page = (DOCS / "command-line.md").read_text(encoding="utf-8")
         table = page.split("| extension | what is drawn |")[1].split("\n\n")[0]
         listed = [each for row in table.splitlines()[2:]

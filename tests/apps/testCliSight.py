@@ -57,7 +57,7 @@ class Sight(CliTest):
         day = self.cells("sun.vtp", "sun_hours")
         self.sun("--place", "40,10", "--dates", "2026-03-20:2026-03-22", "--up", "y")
         numpy.testing.assert_allclose(self.cells("sun.vtp", "sun_hours"), 3 * day, rtol=0.03)
-        # Of every three days the middle one would be another, but it stands for three.
+        # Each computed day counts for three.
         self.sun("--place", "40,10", "--dates", "2026-03-20:2026-03-22:3", "--up", "y")
         numpy.testing.assert_allclose(self.cells("sun.vtp", "sun_hours"), 3 * day, rtol=0.03)
         # Beyond the polar circle at midsummer, and midwinter.

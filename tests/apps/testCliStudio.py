@@ -26,7 +26,7 @@ SIDES = [(1, 0, 0), (-1, 0, 0), (0, 0, 1), (0, 0, -1), (0.6, 0.8, 0), (-0.6, 0.8
 
 
 def shrunk(mask):
-    """Without its rim, where pixels have what is behind it as well."""
+    """The mask without its rim, where pixels mix with the background."""
     turned = [numpy.roll(mask, step, axis) for axis in (0, 1) for step in (-2, 2)]
     return numpy.logical_and.reduce([mask, *turned])
 
@@ -122,7 +122,7 @@ class Studio(CliTest):
                 self.assertGreater(darker.sum(), 25, "no shadow on the ground")
 
     def test_fill(self):
-        """Its share is that of the light where nothing else lights; what is said by default."""
+        """Its share of the light where no other light reaches; the default's description."""
         self.sphere("ball.obj")
         words = ["ball.obj", "--camera", "0,3,12,0,0,0,0,1,0", "--ground", "off", *COARSE]
         for light in ([], ["--light", "sun:-1,0.2,-1"]):

@@ -169,7 +169,7 @@ class Volumes(CliTest):
             self.assertLess(seen[:, ~has].max(), 0.2 * seen[:, has].min(), label)
 
     def test_which(self):
-        """Gradients and noise are no labels; what the user asks for is shown."""
+        """Gradients and noise are not detected as labels; explicit requests are respected."""
         random = numpy.random.default_rng(3)
         noise = random.integers(0, 255, (16, 16, 16)).astype(numpy.uint8)
         self.image("noise.vti", noise)
@@ -220,7 +220,7 @@ class Volumes(CliTest):
         self.before = self.names()
         self.refused("render", "grey.vti", "--image", "labels", "--png", "b.png", status=1,
                      says=["grey.vti: --image labels", "values that change", "--image surface"])
-        # Of regions there may be as many, also where each is all over the image.
+        # Regions may be as numerous, even if each is spread over the whole image.
         labels = 1 + (x // 8 * 10 + y // 8 + z // 40 * 100).astype(numpy.uint8)
         self.image("labels.vti", labels)
         self.relievo("render", "labels.vti", "--image", "labels", "--size", "9x9", "--png", "b.png")

@@ -1,12 +1,12 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Wrong words: exit status 2, one line with the option and what was given, nothing written."""
+"""Invalid arguments: exit status 2, one line with the option and the value, nothing written."""
 
 import re
 
 from cli import BENCHES, NEEDS_DISPLAY, CliTest, main
 
-# option, value, and what the message must say besides both
+# option, value, and further required parts of the message
 WRONG_VALUES = [
     ("--size", "800", "WxH"),
     ("--size", "800x", "whole number from 1 to 16384"),

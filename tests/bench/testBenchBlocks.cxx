@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Runs the bench of blocks with a small size, and checks its CSV: all rows, errors within what
-// blocks allow, and its charts.
+// Runs the bench of blocks with a small size, and checks its CSV: all rows, errors within the
+// limits of blocks, and its charts.
 #include "BenchSizes.h"
 #include "Charts.h"
 #include "Check.h"

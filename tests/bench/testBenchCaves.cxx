@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What the bench of caves measures, on shapes whose numbers are known; and the bench itself, small:
-// its rows, that all orders make the same mask, and its charts.
+// The measurements of the bench of caves, on shapes with known numbers; and the bench itself,
+// small: its rows, equal masks from all orders, and its charts.
 #include "BenchSizes.h"
 #include "CaveShape.h"
 #include "Charts.h"

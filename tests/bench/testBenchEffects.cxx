@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Runs the bench of effects on a small picture, and checks its CSV: every frame is there, effects
-// hold what the linear colour takes, and frames that ask nothing hold nothing.
+// Runs the bench of effects on a small picture, and checks its CSV: every frame exists, effects
+// hold the memory of the linear colour, and frames without requests hold none.
 #include "BenchSizes.h"
 #include "Charts.h"
 #include "Check.h"

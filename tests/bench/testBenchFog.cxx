@@ -48,7 +48,7 @@ void CheckFog(const std::string& folder)
     RELIEVO_CHECK_AT_MOST(Value(all["pairs of floats"][distance], "max"), 1e-5,
       "pairs of floats, " + std::to_string(distance) + " radii");
   }
-  // Squares of the distance lose what is left of a radius, the distance itself later.
+  // Squares of the distance lose the digits of a radius, and later those of the distance itself.
   RELIEVO_CHECK(Value(all["textbook, float"][1e3], "max") > 0.5);
   RELIEVO_CHECK(Value(all["textbook, float"][1e5], "error in radii median") > 0.5);
   RELIEVO_CHECK(Value(all["perpendicular, float"][1e3], "max") > 1e-4);

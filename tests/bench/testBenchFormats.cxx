@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Runs one of the benches of formats and checks its CSV against what the formats must reach.
+// Runs one of the benches of formats and checks its CSV against the required accuracies.
 //   testBenchFormats normals|depth|position
 #include "Check.h"
 #include "CsvFile.h"

@@ -146,7 +146,7 @@ void CheckRelief(const std::string& folder)
   const auto looks = [&waves](const std::string& method) { return Value(waves[method], "looks"); };
   const auto missed = [&posts](
                         const std::string& method) { return Value(posts[method], "missed %"); };
-  // Twice the steps halve what steps miss; a line between two quarters it and more.
+  // Doubling the steps halves the misses; a line between two steps quarters them and more.
   for (const auto& [fine, coarse] : { std::pair<const char*, const char*>("steep 32", "steep 16"),
          std::pair<const char*, const char*>("steep 64", "steep 32") })
   {

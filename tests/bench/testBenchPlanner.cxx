@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The bench of shadows' planner, small: its rows tell of ways that were measured, the best of them
-// is the best, and choices for a tolerance are within what the planner promises.
+// The bench of the shadow planner, small: its rows refer to measured methods, the best of them is
+// the best, and choices for a tolerance are within the planner's promise.
 #include "BenchSizes.h"
 #include "Charts.h"
 #include "Check.h"

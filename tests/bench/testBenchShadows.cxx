@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What the benches of shadows stand on: verdicts taken from pictures are those of the layer
-// shadow_0, the computed map agrees with the drawn one, and the scenes made by code cast shadows.
+// Foundations of the benches of shadows: verdicts from pictures equal those of the layer shadow_0,
+// the computed map agrees with the drawn one, and generated scenes cast shadows.
 #include "Check.h"
 #include "Session.h"
 #include "ShadowSimulation.h"

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The summary of several benches: ratios of known tables, and what it cannot compare.
+// The summary of several benches: ratios of known tables, and tables that cannot be compared.
 #include "BenchRuns.h"
 #include "BenchSummary.h"
 #include "Check.h"
@@ -59,7 +59,8 @@ void TestRatios(const std::string& here, const std::string& there)
   Write(here + "/c.csv", "scene,ms\nbunny,1\n");
   Write(there + "/c.csv", "scene,seconds\nbunny,1\n");
   Write(here + "/d.csv", "scene,ms\nbunny,1\n");
-  // The keys are numbers: others, and the same in another order. What follows them is measured.
+  // The keys are numbers: other keys, and equal keys in another order. The other columns are
+  // measured.
   Write(here + "/e.csv", "scene,lights,ms\nbunny,1,2\nbunny,2,3\n");
   Write(there + "/e.csv", "scene,lights,ms\nbunny,1,2\nbunny,4,9\n");
   Write(here + "/f.csv", "lights,size,ms\n1,8,2\n2,8,3\n");
@@ -118,7 +119,7 @@ void TestWritten(const std::string& here, const std::string& there)
   RELIEVO_CHECK(ReadAll(here + "/summary.md").find("## Times") == std::string::npos);
   RELIEVO_CHECK(!WriteSummary(here + "/no-such-folder", "", {}, runs));
 }
-// What cannot work is refused before anything is measured, and nothing is overwritten.
+// Calls that cannot work are refused before measuring, and nothing is overwritten.
 void TestRefusals(const std::string& there)
 {
   const std::string fresh = relievoTest::OutputFolder() + "/fresh";

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Runs the bench of hours of sun with a small size, and checks its CSV: errors fall with steps and
-// rays to what the pages promise; and its chart.
+// Runs the bench of hours of sun with a small size, and checks its CSV: errors decrease with steps
+// and rays to the documented values; and its chart.
 #include "BenchSizes.h"
 #include "Charts.h"
 #include "Check.h"

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Tables of the benches hold what was put in, and say when they cannot be written; a folder of them
-// knows what has drawn.
+// Benches' tables keep their values, and report write errors; a folder of tables names its
+// renderer.
 #include "Check.h"
 #include "RelievoBench.h"
 #include "Renderer.h"

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Runs the bench of tones without its frames, and checks its CSV: all rows, and what operators and
-// ditherings must reach.
+// Runs the bench of tones without its frames, and checks its CSV: all rows, and the required
+// accuracy of operators and dithering.
 #include "BenchSizes.h"
 #include "Charts.h"
 #include "Check.h"

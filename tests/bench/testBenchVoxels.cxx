@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Runs the benches of voxels and of rays with a small size, and checks their CSV: all rows, what
-// parity and views may be off, how many rays hit, and their charts.
+// Runs the benches of voxels and of rays with a small size, and checks their CSV: all rows, errors
+// of parity and views, number of hits, and their charts.
 #include "BenchSizes.h"
 #include "Charts.h"
 #include "Check.h"

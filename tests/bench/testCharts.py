@@ -186,7 +186,7 @@ FRAMES = {
     "the same + geometric normal": "… and facet normal", "vtkSSAOPass, kernel 1": "vtkSSAOPass",
 }  # fmt: skip
 
-# What each chart must show: see points(). Rows of marks have their names as y.
+# The points that each chart must show: see points(). Rows of marks have their names as y.
 TRUTH = {
     "normals-bits": normals("largest error", "[bits]", largest_normal)
     + normals("mean error", "[bits]", "[mean degrees]"),
@@ -328,7 +328,7 @@ def shown(figure):
 
 
 def comparable(all_points, figure):
-    """Sorted, rounded, without what has no place on the axes."""
+    """Points sorted and rounded, without those that the axes cannot show."""
     scales = {-2: figure.axes[0].get_xscale(), -1: figure.axes[0].get_yscale()}
     kept = []
     for point in all_points:
@@ -349,7 +349,8 @@ ROW_NAMES = {y for stem in WITH_ROWS for *_, y, _ in TRUTH[stem]}
 
 
 def faults(figure):
-    """What no chart may do: words that overlap, leave the picture, or are too small to read."""
+    """Faults forbidden in charts: texts that overlap, leave the picture, or are too small to read.
+    """
     figure.canvas.draw()
     renderer = figure.canvas.get_renderer()
     words = [text for text in figure.findobj(Text) if text.get_visible() and text.get_text()]

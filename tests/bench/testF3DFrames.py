@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""bench/f3d_frames.py without F3D: it says that it is skipped, and what it does with numbers."""
+"""bench/f3d_frames.py without F3D: it reports that it is skipped; and its statistics."""
 
 import pathlib
 import subprocess
@@ -22,7 +22,7 @@ class Frames(unittest.TestCase):
         self.assertRegex(done.stderr, "^skipped: this Python has no f3d; `pip install relievo f3d`")
 
     def test_ratio(self):
-        """Of each round, not of the medians: what slows a round slows both."""
+        """Ratios per round, not of medians: a disturbance slows both programs of a round."""
         found = f3d_frames.ratio([2, 40, 6, 80, 10], [1, 20, 30, 40, 5])
         self.assertEqual(found[0], 2)
         self.assertGreater(found[1], 0)

@@ -95,7 +95,7 @@ class Notebook(unittest.TestCase):
         page.wait_for_timeout(1000)
         told = frame.locator("output").evaluate("output => output.value")
         self.assertEqual(told, f"row 30, column 75\nsecond: {30 * 120 + 75}")
-        # The words under the picture, against what is behind them; that, against the notebook.
+        # The text under the picture, compared with its background, and that with the notebook.
         place = frame.locator("output").bounding_box()
         x, y, width, height = (round(place[each]) for each in ("x", "y", "width", "height"))
         words = browser.picture_of(page.screenshot())[y:y + height, x:x + width].reshape(-1, 3)

@@ -101,7 +101,7 @@ class Views(unittest.TestCase):
 
     @contextlib.contextmanager
     def page(self, view, shadows):
-        """The application in Chromium, and the file of what it says."""
+        """The application in Chromium, and the file of its messages."""
         with socket.socket() as free:
             free.bind(("127.0.0.1", 0))
             port = free.getsockname()[1]
@@ -144,7 +144,7 @@ class Views(unittest.TestCase):
             self.assertNotIn("draws this scene itself", log.read_text())
 
     def test_local(self):
-        """The browser draws VTK's picture, and one sentence says what it leaves out."""
+        """The browser draws VTK's picture, and one sentence lists the missing parts."""
         plain = drawn("")
         dark = numpy.abs(drawn("hard") - plain).max(axis=2) > 60
         with self.page("VtkLocalView", "hard") as (page, log):

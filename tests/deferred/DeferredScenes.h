@@ -36,7 +36,7 @@ struct DeferredScene
   void SetTexture(int actor);
 
   /**
-   * Renders without and with deferred shading; afterwards it is on. Returns the largest difference
+   * Renders without and with deferred shading, which then stays on. Returns the largest difference
    * of a channel, in levels of 255. Writes both pictures of `what` if it is above 2.
    */
   int CompareWithVTK(const std::string& what);

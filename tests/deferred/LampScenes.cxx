@@ -160,7 +160,7 @@ long long CheckLight(vtkImageData* image, const std::vector<Lamp>& lamps, int fa
 {
   const Layers layers(image);
   long long lit = 0;
-  double worst = 0.0; // of what is allowed
+  double worst = 0.0; // relative to the limit
   double dark = 0.0;  // light where nothing is
   for (int y = 0; y < layers.Height; ++y)
   {

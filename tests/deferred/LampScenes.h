@@ -59,7 +59,7 @@ std::vector<Lamp> RandomLamps(
 /** The lamps as points with the arrays radius, intensity and color. */
 vtkSmartPointer<vtkPolyData> ToPolyData(const std::vector<Lamp>& lamps);
 
-/** What lamps add at a point. */
+/** The light of lamps at a point. */
 struct LampSum
 {
   glm::dvec3 Light = glm::dvec3(0.0);

@@ -184,7 +184,7 @@ void Compare(const std::string& what, const std::vector<const Case*>& cases, con
   RELIEVO_CHECK((scene.Stage->GetNumberLeft() > 0) == left);
 }
 
-// Kinds of light in turn: VTK's shaders differ by what lights there are, and TestLights has all.
+// Kinds of light in turn: VTK's shaders depend on the lights, and TestLights has all.
 void TestSurfaces()
 {
   const Case* const kinds[] = { &Lights[0], &Lights[1], &Lights[4] };

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What deferred shading leaves to VTK, and says so; with every chain of passes, with effects on the
-// linear colour, with multisampling, off and on again.
+// Cases that deferred shading leaves to VTK and reports; with every chain of passes, with effects
+// on the linear colour, with multisampling, off and on again.
 #include "Check.h"
 #include "DeferredScenes.h"
 #include "GLCheck.h"
@@ -77,7 +77,7 @@ void TestAllLeft()
     "mirrored", "is mirrored", [](DeferredScene& s) { s.Actors[0]->SetScale(-1.0, 1.0, 1.0); });
 }
 
-// What is drawn over surfaces without taking their place: the surfaces need their light before.
+// Props drawn over surfaces without replacing them: the surfaces must be lit before.
 void TestNothingLeft(const char* what, const char* words, const Set& set)
 {
   DeferredScene scene(120, 90);
@@ -162,7 +162,7 @@ void TestChain(const char* name)
   vtkNew<Pass> pass;
   pass->SetDelegatePass(vtkNew<vtkRenderStepsPass>());
   scene.Frame->SetDelegatePass(pass);
-  // FXAA blends by contrast: one level's difference in what it is given becomes up to four.
+  // FXAA blends by contrast: a difference of one level in its input becomes up to four.
   RELIEVO_CHECK_AT_MOST(scene.CompareWithVTK(name), 4, std::string(name) + ": levels");
 }
 

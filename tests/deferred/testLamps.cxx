@@ -135,7 +135,7 @@ void TestViews()
     camera(scene)->SetClippingRange(-6.0, 9.0);
   });
   check("off-centre", [&](LampScene& scene) { camera(scene)->SetWindowCenter(0.7, -0.4); });
-  // Of a shear's two terms, which cancel in the middle of the scene, floats leave less.
+  // Floats lose digits of a shear's two terms, which cancel in the middle of the scene.
   check(
     "sheared", [&](LampScene& scene) { camera(scene)->SetViewShear(0.3, -0.2, 1.0); }, 2e-6);
   check("the eye among the lamps", [&](LampScene& scene) {

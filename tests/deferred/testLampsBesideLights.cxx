@@ -34,7 +34,7 @@ void AddSun(LampScene& scene)
   scene.Frame->ShadowsOn();
 }
 
-// The frame that makes the lamps' maps keeps the sun's: what the sun lights is as in the next one.
+// The frame that makes the lamps' maps keeps the sun's: sunlight equals that of the next frame.
 void TestFirstFrame()
 {
   LampScene scene(120, 90);

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Lamps that cast: what they light, against rays and against VTK's own point lights; which of them
-// cast; and where that fails.
+// Casting lamps: their light compared with rays and with VTK's own point lights; which of them
+// cast; and failures.
 #include "Check.h"
 #include "EmbreeScene.h"
 #include "GLCheck.h"
@@ -229,7 +229,7 @@ void TestPointLight()
   }
 }
 
-// Walls, hidden and shown; what never casts; what is still is not drawn again.
+// Walls, hidden and shown; props that never cast; unchanged props are not redrawn.
 void TestCasters()
 {
   LampScene scene(120, 90);
@@ -255,7 +255,7 @@ void TestCasters()
   RELIEVO_CHECK(CountDifferent(cast, without, "light") > 50);
   shadows->SetPropCasts(ball, vtkRelievoShadowStage::CASTS_IF_OPAQUE);
   RELIEVO_CHECK(CountDifferent(cast, Layers(scene.Read(Light)), "light") == 0);
-  // Hidden, it neither casts nor is seen: what it shaded is as if it had never cast.
+  // Hidden, the ball neither casts nor is visible: its shadow disappears.
   ball->VisibilityOff();
   const Layers hidden(scene.Read(Light));
   shadows->SetPropCasts(ball, vtkRelievoShadowStage::CASTS_NEVER);
@@ -310,7 +310,7 @@ void TestReceivers()
   }
 }
 
-// Of a lamp at the eye, nothing is in shadow that is seen, but for a texel at silhouettes.
+// With a lamp at the eye, no visible surface is in shadow, except a texel at silhouettes.
 void TestAtEye()
 {
   LampScene scene(120, 90);

@@ -136,7 +136,7 @@ void TestArrays()
     const ExpectMessage expect("no value 'size'; expected one of radius, intensity, color, casts");
     set->SetArray("size", "radius");
   }
-  // Colours of bytes, with an opacity that nobody asks for; whole numbers as radius; ghosts.
+  // Colours of bytes, with unused opacity; integers as radius; ghosts.
   vtkSmartPointer<vtkPolyData> data =
     ToPolyData({ { glm::dvec3(0.0), 1.0, 1.0, White }, { White, 1.0, 1.0, White } });
   vtkNew<vtkUnsignedCharArray> bytes;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What lamps make of the picture: its linear colour plus what surfaces give back of their light.
+// The picture with lamps: its linear colour plus the light of lamps reflected by surfaces.
 #include "Check.h"
 #include "GLCheck.h"
 #include "LampScenes.h"
@@ -29,7 +29,7 @@ namespace
 {
 using namespace relievoTest;
 
-// What one lamp's unit of light adds to the linear colour at a point beside diffuse light.
+// The gloss of one lamp's unit of light at a point, in the linear colour, beside diffuse light.
 using Gloss = std::function<glm::dvec3(
   const glm::dvec3& normal, const glm::dvec3& toLamp, const glm::dvec3& toEye)>;
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Lamps on a pane: what they add to the layer `blend` and to the linear colour, against the sum
+// Lamps on a pane: their light in the layer `blend` and in the linear colour, compared with the sum
 // over all lamps in double at the pane's plane.
 #include "Check.h"
 #include "GLCheck.h"
@@ -32,10 +32,10 @@ namespace
 {
 using namespace relievoTest;
 
-// Of the value: half floats for display, whose curve has a slope of up to 2.4, then in linear
-// light, in both pictures. Mesa's software cuts them off.
+// Relative to the value: half floats for display, whose curve has a slope of up to 2.4, then in
+// linear light, in both pictures. Mesa's software truncates them.
 constexpr double Halves = 2.0 * (2.4 + 1.0) / 1024.0;
-// Of 1: bytes for display, in both pictures.
+// Relative to 1: bytes for display, in both pictures.
 constexpr double Bytes = 2.0 * 2.4 / 255.0;
 
 constexpr double Z = 1.5; // of the pane
@@ -74,8 +74,8 @@ struct PaneScene : LampScene
   vtkNew<vtkActor> Pane;
 };
 
-// What lamps add to the pane against what they should: `own` is the share of the light that it
-// gives back; the error is of the value, or of 1. Returns the most that they add.
+// Compares the lamps' light on the pane with the expectation: `own` is the share of light that the
+// pane reflects; the error is relative to the value, or to 1. Returns the largest added light.
 double CheckPane(PaneScene& scene, const std::vector<Lamp>& lamps, const glm::dvec3& own,
   double limit, const std::string& what, bool absolute = false)
 {

@@ -33,8 +33,8 @@ enum class Blending
 };
 
 /**
- * In parallel projection, with the borders of everything on borders of pixels, so that it is known
- * which pixel shows what. The panes are not lit; the wall is, in front of it is a lamp.
+ * In parallel projection, with the borders of everything on borders of pixels, so that each pixel
+ * shows one known surface. The panes are not lit; the wall is, by a lamp in front of it.
  */
 struct BlendScene
 {

@@ -36,8 +36,8 @@ struct EffectPictures
   vtkSmartPointer<vtkImageData> Shown;
 
   /**
-   * Levels of 255 between what is shown at a pixel, at most, and what follows from the plain one:
-   * `passes` of its light, and `added`.
+   * Upper bound of the difference, in levels of 255, between a pixel and the value computed from
+   * the plain picture: `passes` of its light, plus `added`.
    */
   double GetError(int x, int y, double passes, const glm::dvec3& added) const;
 };
@@ -74,7 +74,7 @@ struct Look
 /** In perspective, in parallel, and in parallel sheared and off-centre. */
 extern const std::vector<Look> PlainLooks;
 
-/** Fails the test where a layer, or the colour, is not what is expected to the last bit. */
+/** Fails the test unless each layer and the colour equal the expectation to the last bit. */
 void CheckSame(const Layers& expected, EffectScene& scene, const std::string& layer);
 
 /**
@@ -84,7 +84,7 @@ void CheckSame(const Layers& expected, EffectScene& scene, const std::string& la
 void CheckBlocks(EffectScene& scene, vtkRelievoPointStage* stage, vtkRelievoPointValues* set,
   vtkPolyData* good, vtkPolyData* bad, const Layers& expected, const std::string& layer);
 
-/** An array that a value cannot be taken from, and what is said of it. */
+/** An invalid array for a value, and the message. */
 struct WrongArray
 {
   const char* Value;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// White things without light before white, with the stage `lines`: what is dark is lines.
+// White, unlit objects on white, with the stage `lines`: dark pixels are lines.
 #ifndef LinesScene_h
 #define LinesScene_h
 

@@ -31,15 +31,15 @@ struct Mark
 vtkSmartPointer<vtkPolyData> MakeMarkerPoints(const std::vector<Mark>& marks);
 
 /**
- * Levels of 255 between a picture and what follows from the plain one: both are rounded, and the
- * colour is in half floats, which are cut off twice, by a tenth of a level each.
+ * Levels of 255 between a picture and the value computed from the plain one: both are rounded, and
+ * the colour is in half floats, which are truncated twice, by a tenth of a level each.
  */
 constexpr double PictureLimit = 1.2;
 
 struct MarkerErrors
 {
   double Covered = 0.; // of the layer `marker`
-  double Picture = 0.; // levels of 255, by what the layer `marker` covers
+  double Picture = 0.; // levels of 255, by the coverage in the layer `marker`
   int Marked = 0;      // pixels of which more than a hundredth is covered
   int Edges = 0;       // of these, not wholly
 };
@@ -49,7 +49,7 @@ class MarkerScene : public EffectScene
 public:
   MarkerScene(int width, int height, const glm::dvec3& origin = glm::dvec3(0.));
 
-  /** What the set draws: points, moved by the origin, and actors, which share the last's values. */
+  /** Sets the set's points, moved by the origin, and actors, which share the last mark's values. */
   void Set(int shape, const std::vector<Mark>& marks);
 
   /** The layer and the picture against the markers in double, with the depths of that frame. */

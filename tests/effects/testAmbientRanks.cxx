@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Ambient occlusion of several processes that each hold a part of the scene: what is nearest of
-// their pictures and layers is what one process draws, and all of them gather samples together,
-// whatever moves in one of them or has no room.
+// Ambient occlusion in several processes that each have a part of the scene: the nearest of their
+// pictures and layers equals the result of one process, and all accumulate samples together,
+// whatever moves in one of them or lacks memory.
 #include "Check.h"
 #include "Layers.h"
 #include "Props.h"
@@ -44,7 +44,7 @@ constexpr int Pixels = Width * Height;
 constexpr int Values = 5; // of a pixel: depth, the sky's share, colour
 constexpr int Frames = 4; // that gather all samples
 
-// What a process has of the scene: all props, but a mesh for its own alone.
+// A process's part of the scene: all props, but only its own mesh.
 struct Part
 {
   int Rank;
@@ -100,7 +100,7 @@ struct Part
     return this->Add(box, owner);
   }
 
-  // Appends what the next frame of the window shows, and layers of a capture if there are any.
+  // Appends the window's next frame, and layers of a capture if there are any.
   void Record(bool there, std::vector<float>& numbers)
   {
     const auto picture = relievoTest::Picture(this->Window);
@@ -128,7 +128,7 @@ struct Step
   bool Made = true;
 };
 
-// What one process does, the others do not know.
+// Changes in one process, unknown to the others.
 const std::vector<Step> Steps = {
   { "first", Frames - 1, [](Part&) {} },
   { "second", Frames - 2, [](Part&) {} },

@@ -127,7 +127,7 @@ struct Scene
   }
 };
 
-// The root of the mean square of what the layer is off on the ground, where the truth is known.
+// The root mean square error of the layer on the ground, where the truth is known.
 double GetError(Scene& scene, const std::function<double(double, double)>& truth,
   relievoTest::Way way = relievoTest::Way::Own, long long* count = nullptr)
 {
@@ -212,7 +212,7 @@ void TestClosedForms()
   wall.Renderer->ResetCameraClippingRange();
   RELIEVO_CHECK_AT_MOST(GetError(wall, GetBehindWall), Bound, "rms in parallel projection");
 
-  // Of a high wall what is within the radius is a segment of the disc that the sky is.
+  // Within the radius, a high wall covers a segment of the sky's disc.
   Scene high;
   high.AddGround();
   high.AddPlate({ 0.0, -100.0, 0.0 }, { 0.0, 100.0, 0.0 }, { 0.0, -100.0, 50.0 });
@@ -449,8 +449,7 @@ void TestWhatHides()
     scene.Stage->GetReason().find("1 prop that rays cannot follow") != std::string::npos);
 }
 
-// Byte by byte.
-// What rays cannot follow hides nothing, which is said once.
+// Equal to the last byte. Props without support by rays occlude nothing, which is reported once.
 void TestTooManyTriangles()
 {
   const vtkIdType most = vtkRelievoMeshTexels::GetMostTriangles();
@@ -522,7 +521,7 @@ void TestPicture()
   scene.Stage->SetSamples(64);
   scene.Look(0.3, 0.2, 0.1, -0.5, -0.4, -0.4);
   RELIEVO_CHECK(Same(near, relievoTest::Picture(scene.Window)));
-  // One frame after the other is what a frame that waits shows.
+  // Successive frames give the picture of a frame that waits.
   scene.Frame->WaitForSamplesOff();
   scene.Stage->SetStrength(0.25);
   scene.Stage->SetStrength(0.5);
@@ -536,8 +535,7 @@ void TestPicture()
   }
   RELIEVO_CHECK(frames == 4);
   RELIEVO_CHECK(Same(near, last));
-  // The half of a window shows what one of its own does, but for rays that normals' rounding sends
-  // past an edge.
+  // Half of a window equals a separate window, except rays that rounded normals send past an edge.
   vtkNew<vtkRenderer> other;
   scene.Window->SetSize(192, 96);
   scene.Renderer->SetViewport(0.5, 0.0, 1.0, 1.0);
@@ -562,7 +560,7 @@ void TestPicture()
   scene.Window->RemoveRenderer(other);
   scene.Renderer->SetViewport(0.0, 0.0, 1.0, 1.0);
   scene.Window->SetSize(96, 96);
-  // What is off leaves no trace.
+  // When off, the stage leaves no trace.
   scene.Stage->EnabledOff();
   RELIEVO_CHECK(Same(plain, relievoTest::Picture(scene.Window)));
   RELIEVO_CHECK(scene.Frame->GetBytesHeld() == 0);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Fog and what is translucent, against the closed form: fog before, between and behind.
+// Fog and translucent surfaces, compared with the closed form: fog before, between and behind.
 #include "BlendScene.h"
 #include "Check.h"
 #include "GLCheck.h"
@@ -23,8 +23,8 @@ namespace
 {
 using namespace relievoTest;
 
-// What of light passes from the nearest pane to the eye, in parallel projection: e to the optical
-// depth of the part of the sphere that is before it.
+// The transmittance from the nearest pane to the eye, in parallel projection: e to the optical
+// depth of the part of the sphere in front of it.
 double GetPass(
   const glm::dvec3& center, double radius, double density, double x, double y, double z)
 {
@@ -35,7 +35,7 @@ double GetPass(
   return std::exp(-density * length);
 }
 
-// Fog covers panes by what of it is before them, and what is behind by all of it.
+// Panes are covered by the fog in front of them, and the background by all of it.
 void TestFog()
 {
   for (const bool peeling : { false, true })

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What is translucent, over what is lit: blend + (1 - a) (color + lamps) in double, whichever way
-// VTK blends; volumes; groups of layers; what is unchanged where nothing lights the colour.
+// Translucent over lit surfaces: blend + (1 - a) (color + lamps) in double, for each of VTK's
+// blending methods; volumes; groups of layers; pictures unchanged without lights on the colour.
 #include "BlendScene.h"
 #include "Check.h"
 #include "GLCheck.h"
@@ -194,7 +194,7 @@ void TestVolumes()
   }
 }
 
-// Where nothing lights the colour, or nobody draws it, VTK blends as without Relievo.
+// If nothing lights the colour, or it is not drawn, VTK blends as without Relievo.
 void TestUnchanged()
 {
   BlendScene scene;
@@ -343,12 +343,12 @@ void TestEmissiveOutOfView()
   const glm::dvec4 none = look();
   RELIEVO_CHECK(outOfView == inView);
   RELIEVO_CHECK(none.b > none.a && inView.b > inView.a && none.b - inView.b > 0.1);
-  // sRGB's curve in double of what VTK drew, over the cover that the document says.
+  // VTK's drawing through the sRGB curve in double, over the documented cover.
   const double drawn = none.a * SrgbFromLinear(none.b / none.a);
   RELIEVO_CHECK_NEAR(inView.b, drawn, 0.01, "what is brighter than it covers");
 }
 
-// FXAA smooths what VTK has blended; a delegate with a framebuffer of its own blends in there.
+// FXAA smooths VTK's blended picture; a delegate with its own framebuffer blends in there.
 void TestLeftAlone()
 {
   BlendScene scene;
@@ -393,7 +393,7 @@ void TestToggles()
     }
   }
   RELIEVO_CHECK(CountGLObjects(scene.Window).Bytes == objects.Bytes);
-  // Lamps light through what is not kept apart.
+  // Lamps shine through surfaces that are not kept apart.
   scene.Blend->EnabledOff();
   RELIEVO_CHECK(CountLevels(Picture(scene.Window), first) > 10);
 }

@@ -38,7 +38,7 @@ namespace
 using Point = std::array<double, 3>;
 using Line = std::vector<Point>;
 
-// What dashes add to the lines that are seen.
+// The contribution of dashes to the visible lines.
 std::vector<double> Dashes(Scene& scene)
 {
   scene.Stage->SetHiddenToOff();
@@ -294,7 +294,8 @@ void TestBall()
   RELIEVO_CHECK_NEAR(Total(Dashes(scene)), 0.0, 1e-9, "a ball alone");
 }
 
-// The border of a plate behind another one, part by part: what reaches beyond it is not dashed.
+// The border of a plate behind another one, part by part: parts that extend beyond it are not
+// dashed.
 void TestPlates()
 {
   Scene scene;
@@ -420,7 +421,7 @@ void TestStability()
     CheckDashes(scene, HiddenEdges(0.5), "a cube with broken triangles", 0.08);
   }
   {
-    // Glyphs are placed where VTK draws them; what rays cannot follow is told.
+    // Glyphs are placed where VTK draws them; unsupported props are reported.
     Scene scene;
     scene.Look(1.8, 1.2, 2.4);
     vtkNew<vtkPoints> points;
@@ -449,7 +450,7 @@ void TestStability()
   }
 }
 
-// The picture is one of the scene and not of what was drawn before; moved points count.
+// The picture depends on the scene and not on earlier drawings; moved points count.
 void TestSettings()
 {
   Scene scene;

@@ -105,7 +105,7 @@ std::vector<Case> MakeCases(double distance, double radius)
   const double away = distance * radius;
   for (const bool parallel : { false, true })
   {
-    // The half of what is seen: at depth 1 in perspective.
+    // Half of the view: at depth 1 in perspective.
     const double half = parallel ? 1.3 * radius : 1.3 / std::max(1., distance);
     for (const double shear : { 0., 0.2 })
     {

@@ -146,7 +146,7 @@ void TestSizes()
       { { 1e300, 0., 0. }, 1., 1., White }, Good });
     CheckAgainstTruth(scene, "hardly any");
   }
-  // One pixel's ray meets the centre of what is smaller than a millionth of the pixel.
+  // One pixel's ray hits the centre of a sphere smaller than a millionth of the pixel.
   scene.Renderer->GetActiveCamera()->SetPosition(0., 0.5, 4.5);
   scene.Set({ { { 0., 0.5, 3. }, 1e-6, 1e6, White } });
   const Layers layers = scene.Read({ "fog" });
@@ -220,7 +220,7 @@ void TestRequests()
     255. * layers.Value("fog", 30, 22), 1., "shown as grey");
   scene.Frame->SetDisplayLayer(nullptr);
 
-  // Parameters by name; what is not one is refused in words.
+  // Parameters by name; unknown ones are refused with a message.
   RELIEVO_CHECK(scene.Stage->SetParameter("mode", "chord") && scene.Stage->GetMode() == 1);
   RELIEVO_CHECK(scene.Stage->SetParameter("overlap", "dominant"));
   RELIEVO_CHECK(!scene.Stage->TrySetParameter("mode", "linear").empty());

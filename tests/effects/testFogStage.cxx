@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// vtkRelievoFogStage: what passes in each pixel against sums in long double over all spheres, in
-// every projection; and the picture against color T + fog (1 - T) in linear light.
+// vtkRelievoFogStage: transmittance of each pixel compared with sums in long double over all
+// spheres, in every projection; and the picture with color T + fog (1 - T) in linear light.
 #include "Check.h"
 #include "FogScene.h"
 #include "GLCheck.h"
@@ -73,7 +73,7 @@ void TestLayer()
       }
     }
   }
-  // The comparison finds what is not as the scene says.
+  // The comparison detects deviations from the scene.
   FogScene scene(60, 45);
   scene.Set(SomeSpheres());
   scene.Fog->SetArray("density", "");
@@ -157,7 +157,7 @@ void TestOrder()
   RELIEVO_CHECK_AT_MOST(LargestDifference(many, one, "fog"), 2e-5, "a thousand equal: fog");
 }
 
-// The layer is of what is opaque; testBlendFog has the picture with something translucent.
+// The layer covers opaque surfaces; testBlendFog has pictures with translucent ones.
 void TestTranslucent()
 {
   FogScene scene(60, 45);

@@ -40,7 +40,7 @@ using namespace linesTest;
 
 namespace
 {
-// The middle of what lines cover in a row between two columns; NaN without any.
+// The middle of the coverage by lines in a row between two columns; NaN without any.
 double Middle(const std::vector<double>& cover, int row, int first, int last)
 {
   double sum = 0.0;
@@ -80,7 +80,7 @@ void TestSilhouette()
     }
     ++rows;
     const double side = std::sqrt(radius * radius - off * off);
-    // Across the line: what is off along the row is less across a slanted edge.
+    // Across the line: an offset along the row is smaller across a slanted edge.
     const double slant = side / radius;
     const int middle = Size / 2;
     const double right = Middle(cover, y, middle, Size - 1) - (center + side);

@@ -35,7 +35,7 @@ namespace
 using namespace relievoTest;
 using M = vtkRelievoMarkers;
 
-constexpr double Limit = 5e-5; // of what is covered: depths are floats, and so are their slopes
+constexpr double Limit = 5e-5; // of the coverage: depths and their slopes are floats
 const char* const ShapeNames[] = { "ring", "glow", "disc", "shadow" };
 
 // On the floor, the wall and the ball, before the ball, around the eye, behind it, and in the sky.
@@ -77,7 +77,7 @@ void TestLayer()
     scene.Markers->SetUp(0.5, 2., 0.3);
     Check(scene, std::string(look.Name) + ", shadow from aside", 600);
   }
-  // The comparison finds what is not as the scene says.
+  // The comparison detects deviations from the scene.
   MarkerScene scene(60, 45);
   scene.Set(M::RING, SomeMarks());
   scene.Markers->SetArray("radius", "");
@@ -138,7 +138,7 @@ void TestActors()
   scene.Set(M::SHADOW, { ball });
   Check(scene, "shadow without a radius", 100);
   RELIEVO_CHECK_AT_MOST(LargestOn(scene, 1), 0., "on what throws it");
-  // What is flat and stands on edge still throws a little.
+  // Flat objects on edge still cast a small shadow.
   vtkNew<vtkRenderer> elsewhere;
   auto sheet = AddActor(elsewhere, MakeSquare());
   sheet->SetPosition(0.8, 1.2, 0.9);
@@ -331,7 +331,7 @@ void TestOrder()
   RELIEVO_CHECK(SamePicture(redOver, Picture(scene.Window), "the shadow is below"));
   RELIEVO_CHECK(scene.Stage->GetNumberDrawn() == 3);
 
-  // Fog lies over them: what passes of a marker, and the fog's own.
+  // Fog lies over them: the visible share of a marker, plus the fog's own light.
   scene.Stage->RemoveAllPoints();
   scene.Stage->AddPoints(scene.Markers);
   scene.Set(M::DISC, { { { 0., 0., 0. }, 50., 1., 4., 1., { 1., 0., 0. } } });

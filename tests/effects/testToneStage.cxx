@@ -55,7 +55,7 @@ void TestOperators()
   gl.Poll("operators");
 }
 
-// Light that is as bright as white is white; colours keep their hue; the layer stays what it was.
+// Light as bright as white is white; colours keep their hue; the layer is unchanged.
 void TestWhiteAndLayer()
 {
   ToneScene scene(4, 2);
@@ -171,7 +171,7 @@ void TestBadPixels()
           if (c < 3)
           {
             const int shown = after[4 * (17 * 40 + 21) + c];
-            // An infinity is bright, and so are what it is mixed with; what is no light is black.
+            // An infinity is bright, and so are values mixed with it; NaN is black.
             RELIEVO_CHECK_THAT(bad == infinity ? shown == 255 : shown == 0, what);
           }
           pixel = good;
@@ -207,7 +207,7 @@ void TestAlpha()
   for (const int which : { 1, 2, 3 })
   {
     scene.Tone->SetOperator(which);
-    // Over black the colour is premultiplied; over white of alpha 0 it is what is seen.
+    // Over black the colour is premultiplied; over white of alpha 0 it is the visible colour.
     scene.Renderer->SetBackground(0.0, 0.0, 0.0);
     auto picture = scene.Picture();
     RELIEVO_CHECK_AT_MOST(scene.GetError(picture, true), Rounding, "over black");
