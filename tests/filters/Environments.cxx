@@ -69,7 +69,8 @@ double SolidAngleOf(int projection, const int size[3], int slice, int column, in
     const double bottom = std::sin(vtkMath::Pi() * (double(row) / size[1] - 0.5));
     return 2. * vtkMath::Pi() / size[0] * (top - bottom);
   }
-  // Of the rectangle from the middle of the face to (x, y), exactly; the texel is four of them.
+  // The exact solid angle of the rectangle from the face's middle to (x, y); the texel consists of
+  // four.
   const auto corner = [&](int i, int j) {
     const double x = 2. * i / size[0] - 1.;
     const double y = 2. * j / size[1] - 1.;

@@ -48,7 +48,7 @@ struct NormalErrors
   double SeamMean;
 };
 
-/** Of a map of floats, or of codes of 8 or 16 bits decoded as OpenGL does. */
+/** The errors of a map of floats, or of codes of 8 or 16 bits decoded as in OpenGL. */
 NormalErrors ErrorsOf(vtkImageData* normals, const HeightField& field, const GridOf& grid);
 }
 

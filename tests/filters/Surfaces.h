@@ -16,7 +16,7 @@
 
 namespace relievoTest
 {
-/** Of a place (u, v): position, unit normal, and the unit tangent along growing u. */
+/** Position, unit normal, and unit tangent along growing u at a place (u, v). */
 struct SurfacePoint
 {
   glm::dvec3 Position;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What control groups leave of memory, of both versions, from folders like those of Linux.
+// Free memory in control groups of both versions, from folders like those of Linux.
 #include "Check.h"
 #include "Session.h"
 #include "TestCase.h"

@@ -146,7 +146,7 @@ class ConvexPolygons(unittest.TestCase):
                 self.check(star(numbers, count), samples=1500)
 
     def test_normals(self):
-        """What VTK computes of the output points to the side that the outline runs around."""
+        """VTK's normal of the output points to the side around which the outline runs."""
         numbers = numpy.random.default_rng(12)
         zigzag = [(0.1 * i, 8 - 0.3 * (i % 2)) for i in range(20)]  # all seen from the first corner
         sides = []
@@ -195,7 +195,7 @@ class ConvexPolygons(unittest.TestCase):
 
     # ------------------------------------------------------------------------
     def test_untouched(self):
-        """Triangles, convex polygons and what has no area pass as they are, without a copy."""
+        """Triangles, convex polygons and polygons without area pass unchanged, without a copy."""
         square = [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0), (0, 0, numpy.nan), (0.5, 0, 0)]
         for polygons in ([(0, 1, 2)], [(0, 1, 2, 3)], [(0, 5, 1, 2, 3), (0, 1, 2)], [(0, 1, 1, 0)],
                          [(0, 2, 1, 3)], [(0, 0, 0, 0)], [(0, 1, 4, 3)], []):  # fmt: skip

@@ -60,7 +60,7 @@ glm::dvec3 AxisLight(const glm::dvec3& d)
                       : glm::dvec3(number + 1, (number * 3) % 6, (number * 5) % 7) / 255.;
 }
 
-// What an image holds in the direction nearest to one.
+// The image's value in the nearest direction.
 glm::dvec3 Look(vtkImageData* image, int projection, const glm::dvec3& direction)
 {
   const int* size = image->GetDimensions();
@@ -136,7 +136,7 @@ void TestSmooth()
   }
 }
 
-// Texels of 1e5 in the dark: what of their light is lost or added.
+// Texels of 1e5 in the dark: the light lost or added.
 double LostOf(vtkImageData* image, int from, int to, int samples)
 {
   double worst = 0.;
@@ -209,7 +209,7 @@ void TestMirrored()
 
 void TestNumbers()
 {
-  // Bytes, linear and sRGB; one component; four; what is no number.
+  // Bytes, linear and sRGB; one component; four; NaN.
   vtkNew<vtkImageData> image;
   image->SetDimensions(4, 4, 6);
   vtkNew<vtkUnsignedCharArray> bytes;

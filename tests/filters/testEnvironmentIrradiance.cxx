@@ -159,7 +159,7 @@ void TestSmooth()
       const glm::dvec3 off = glm::abs(IrradianceOf(filter, n) - truth) / truth;
       worst = std::max({ worst, off.x, off.y, off.z });
     }
-    // What orders from 4 on hold is part of it.
+    // Includes the light of orders from 4 on.
     RELIEVO_CHECK_AT_MOST(
       worst, 2e-3, std::string("smooth light, ") + Names[projection] + ": worst, relative");
   }

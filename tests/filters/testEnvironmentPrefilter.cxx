@@ -206,7 +206,7 @@ void TestSuns()
     noise->GetPointData()->GetScalars()->SetTuple3(i, value, value, 1.);
   }
   TestSums("noise", noise, 5e-4, 30, 0.01);
-  // Nothing but a sun: what is left of it elsewhere is as small as it should be.
+  // Only a sun: its remaining light elsewhere is as small as expected.
   const vtkSmartPointer<vtkImageData> alone =
     MakeEnvironment([](const glm::dvec3&) { return glm::dvec3(0.); }, Cube, 64);
   alone->GetPointData()->GetScalars()->SetTuple3(64 * 64 + 64 * 5 + 5, 1e5, 1e5, 1e5);

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Where the sun stands, against published examples and tables: to the 0.01 degrees that the class
-// promises, and what it leaves out.
+// The position of the sun compared with published examples and tables: to the documented 0.01
+// degrees, and effects left out.
 #include "Check.h"
 #include "Session.h"
 #include "TestCase.h"
@@ -39,7 +39,7 @@ void TestMeeus()
   CheckNear(sun->GetEclipticLongitude(), 199.90895, 1e-5, "Meeus 25.a, apparent longitude");
   CheckNear(sun->GetDeclination(), -7.78507, 1e-5, "Meeus 25.a, declination");
   CheckNear(sun->GetEquationOfTime(), 13.0 + 42.6 * Minute, 4.0 * Promised, "Meeus 28.a");
-  // Example 25.b, of the higher accuracy: what the lower one misses.
+  // Example 25.b, of the higher accuracy: the error of the lower one.
   CheckNear(
     sun->GetEclipticLongitude(), 199.0 + (54.0 + 21.818 * Minute) * Minute, Promised, "25.b");
   CheckNear(sun->GetDeclination(), -(7.0 + (47.0 + 1.74 * Minute) * Minute), Promised, "25.b");
@@ -111,7 +111,7 @@ void TestEquationOfTime()
   }
 }
 
-// What follows from the definitions: culmination, day and night, poles, zones, days that roll over.
+// Consequences of the definitions: culmination, day and night, poles, zones, dates that roll over.
 void TestGeometry()
 {
   vtkNew<vtkRelievoSolarPosition> sun;
@@ -126,7 +126,8 @@ void TestGeometry()
       std::abs(std::remainder(sun->GetAzimuth() - (latitude > 0 ? 180. : 0.), 360.)) < 1e-6);
     CheckNear(
       sun->GetElevation(), 90.0 - std::abs(latitude - sun->GetDeclination()), 1e-9, "culmination");
-    // The sun comes and goes where the length of the day says, but for what it moves in between.
+    // The sun rises and sets according to the length of the day, except for its movement in
+    // between.
     const double half = sun->GetDayLength() / 2.0;
     const double noon = sun->GetHour();
     RELIEVO_CHECK(std::abs(half - 6.0) < 0.02); // the equinox

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Tangents of a plane, a sphere and a torus against their formulas; mirrored halves are split and
-// right on both sides; triangles without texture area, flat meshes, what passes through, messages.
+// Tangents of a plane, a sphere and a torus compared with their formulas; mirrored halves are split
+// and correct on both sides; triangles without texture area, flat meshes, passed data, messages.
 #include "Check.h"
 #include "Refusal.h"
 #include "Session.h"
@@ -243,8 +243,8 @@ void TestArraysPass()
   RELIEVO_CHECK_AT_MOST(wrong, 0, "values that are not those of the point before");
 }
 
-// Triangles without texture area, one kind after the other, in a plane: they take what is beside
-// them, and where nothing is, anything across the normal.
+// Triangles without texture area, of one kind after the other, in a plane: they take their
+// neighbours' tangents and, without any, a vector across the normal.
 void TestDegenerate()
 {
   const auto plane = []() { return MakeSurface(PlanePoint, 8, 8); };

@@ -117,7 +117,7 @@ void Compare(const std::string& name, const Reference& reference)
     const glm::dvec3 b(expected);
     if (b == glm::dvec3(1., 0., 0.))
     {
-      ++none; // what the original leaves where it found nothing
+      ++none; // left by the original where it found nothing
       continue;
     }
     handedness += t[3] == expected.w ? 0 : 1;

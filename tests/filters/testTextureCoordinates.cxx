@@ -59,7 +59,7 @@ glm::dvec2 Texture(vtkPolyData* mesh, vtkIdType i)
   return glm::dvec2(texture->GetComponent(i, 0), texture->GetComponent(i, 1));
 }
 
-// What a texture of one tile per unit does to the triangles of a mesh.
+// The effect of a texture with one tile per unit on the triangles of a mesh.
 struct Laid
 {
   double LeastArea = 1e300; // of texture area over area

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file GpuCompare.h
- * @brief Compares what a case gives on the GPU with what it gives in C++ (float).
+ * @brief Compares the results of a case on the GPU and in C++ (float).
  */
 #ifndef relievoTestGpuCompare_h
 #define relievoTestGpuCompare_h

@@ -122,8 +122,8 @@ void TestColormap()
   RELIEVO_CHECK(f64::relievoColormap(NaN) == glm::dvec3(0.));
 }
 
-// Layers over one another: by what each lets through; in any grouping; in linear light as a lone
-// layer's colour is, and never brighter than by its own light.
+// Layers over one another: by transmittance; in any grouping; in linear light like a single layer's
+// colour, and never brighter than by its own light.
 void TestLayers()
 {
   std::mt19937 random(3);

@@ -294,7 +294,7 @@ void TestPrefilter()
       const double gotFloat = factor * f32::relievoPrefilterWeight(float(x), float(roughness));
       const double scale = std::max(expected, 1e-12);
       worst = std::max(worst, std::abs(got - expected) / scale);
-      // x itself, in float, is what sets the error where the lobe is narrow.
+      // For narrow lobes, the rounding of x to float determines the error.
       const double exact = TextbookWeight(float(x), float(roughness));
       worstFloat = std::max(worstFloat, std::abs(gotFloat - exact) / std::max(exact, 1e-12));
     }

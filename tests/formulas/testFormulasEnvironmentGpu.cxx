@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The formulas of environments on the GPU give what they give in C++ (float); and a cube map is
-// looked up where OpenGL's own samplerCube finds it.
+// The formulas of environments on the GPU equal those in C++ (float); and cube maps are looked up
+// as by OpenGL's own samplerCube.
 #include "Check.h"
 #include "CubeLookup.h"
 #include "GpuCompare.h"

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The share of light that is mirrored: Schlick's formula, its limits straight from above and at
-// grazing angles, how near it is to Fresnel's own equations, and what roughness takes.
+// The reflected share of light: Schlick's formula, its limits from straight above and at grazing
+// angles, its difference to Fresnel's equations, and the reduction by roughness.
 #include "Check.h"
 #include "Samples.h"
 #include "Session.h"

@@ -134,8 +134,8 @@ void TestPreciseIsBetter(const std::vector<glm::dvec3>& directions)
   }
 }
 
-// Words decode to what they encode: every code of 2 x 8 but those of the seam, where two words name
-// one direction.
+// Words decode to the encoded direction: every code of 2 x 8 except those of the seam, where two
+// words denote one direction.
 void TestEveryWord()
 {
   int wrong = 0;

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Rotations between keys and rigid motions against GLM's axis and angle, in double, and what is
-// known of nlerp's error.
+// Rotations between keys and rigid motions compared with GLM's axis and angle, in double, and the
+// known error of nlerp.
 #include "Check.h"
 #include "Samples.h"
 #include "Session.h"

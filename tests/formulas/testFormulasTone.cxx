@@ -108,7 +108,7 @@ void TestOperators()
       RELIEVO_CHECK(std::min({ rounded.x, rounded.y, rounded.z }) >= 0.);
       RELIEVO_CHECK(std::max({ rounded.x, rounded.y, rounded.z }) <= 1.);
     }
-    // Luminance is what the curve says, and the hue is the light's, in range or brought into it.
+    // Luminance follows the curve, and the hue is the light's, in range or brought into it.
     luminance = std::max(luminance, std::abs(GetLuminance(exact) - std::min(shown, 1.)));
     if (std::max({ expected[2].x, expected[2].y, expected[2].z }) <= 1.)
     {
@@ -123,7 +123,7 @@ void TestOperators()
   RELIEVO_CHECK_AT_MOST(hue, 1e-10, "hue after Reinhard");
   for (int i = 0; i < 4; ++i)
   {
-    // A bright yellow is moved to white by its distance from blue, 1 / 0.0722 of what is rounded.
+    // A bright yellow is moved to white by its distance from blue, 1 / 0.0722 of the rounded value.
     const double limit = i == 2 ? std::exp2(-23.) / 0.0722 : 2e-7;
     RELIEVO_CHECK_AT_MOST(apart[i], limit, "operator " + std::to_string(i) + ", float");
   }

@@ -28,7 +28,7 @@
 
 namespace relievoTest
 {
-// What stages write for each other, or the frame itself has.
+// Resources that stages exchange, or that the frame itself has.
 const std::vector<std::string> ResourceNames = { "visibility", "picture", "drawn", "shadow maps" };
 
 // A square that fills the window, with arrays that have those names, of values 1, 2 ...

@@ -240,8 +240,8 @@ void PlaceByFloats(Scene& scene)
 }
 
 // Spheres that overlap. Where VTK moves coincident surfaces, it reads their depth before it writes
-// it: what is in front depends on the machine. The truth is the picture without, as all spheres
-// are moved alike.
+// it, so the nearest depends on the machine. The truth is the picture without that, as all spheres
+// are moved equally.
 void AddBalls(Scene& scene)
 {
   scene.Moves = true;
@@ -332,7 +332,7 @@ void AddBeside(Scene& scene)
   scene.Renderer->SetViewport(0.4, 0.0, 1.0, 1.0);
 }
 
-// Levels of 255 between a picture and what it follows from, at most.
+// Upper bound, in levels of 255, of the difference between a picture and its expectation.
 double Compare(vtkImageData* plain, vtkImageData* shown, const std::function<double(int)>& follows)
 {
   double most = 0.0;
@@ -411,7 +411,7 @@ void TestWith(
   RELIEVO_CHECK_AT_MOST(Compare(plain, Picture(scene.Window), AsItIs), 1.0, what + ", lamp");
 }
 
-// A class of which nobody knows what it draws, so that VTK draws all of it.
+// A class with unknown drawing, so that VTK draws all of it.
 class WholeActor : public vtkOpenGLActor
 {
 public:
@@ -457,7 +457,7 @@ struct ShellCase
   double Zoom;
   bool Parallel;
   bool Sun;
-  bool Forward; // shadows that draw what the camera sees once more
+  bool Forward; // shadows that draw the camera's view a second time
 };
 
 // The picture of the actor over a ground, with a shadow, and how many points were seen.
@@ -533,7 +533,7 @@ void TestHiddenPoints()
   }
 }
 
-// A background that lies between two bytes stays one colour, in and beside what is looked at.
+// A background between two bytes stays one colour, inside and outside the requested part.
 void TestBetweenBytes(int samples)
 {
   Scene scene;

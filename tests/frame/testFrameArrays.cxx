@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Arrays are called as they like: those named like what stages write for each other are read and
-// shown as any other, and nothing else is drawn for them.
+// Arrays may have any name: those named like stages' resources are read and shown like any other,
+// and nothing else is drawn for them.
 #include "Check.h"
 #include "ColorStage.h"
 #include "GLCheck.h"

@@ -158,8 +158,7 @@ void TestTexts()
   }
 }
 
-// Where VTK does not clear the colour: no ghosts of what was captured before, nothing of what lies
-// below.
+// If VTK does not clear the colour: no ghosts of earlier captures, nothing of renderers below.
 void TestNoGhosts()
 {
   enum Ways
@@ -228,7 +227,7 @@ void TestNoGhosts()
   }
 }
 
-// What is drawn over the finished picture stays within its renderer.
+// Drawing over the finished picture stays within its renderer.
 void TestScissor()
 {
   for (const int samples : { 0, 8 })

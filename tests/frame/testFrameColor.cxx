@@ -274,7 +274,7 @@ void TestValues()
   gl.Poll("values");
 }
 
-// A renderer over another: its colour begins with what is there.
+// A renderer over another: its colour begins with the existing picture.
 void TestLayersOfRenderers()
 {
   Scene scene;

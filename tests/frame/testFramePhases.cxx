@@ -36,7 +36,7 @@ void Note(const std::string& phase)
   }
 }
 
-// One stage for each slot that has a phase of its own; the second reads what the first writes.
+// One stage for each slot with its own phase; the second reads the output of the first.
 class TracingStage : public vtkRelievoStage
 {
 public:

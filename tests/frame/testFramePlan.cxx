@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The frame's plan by itself, without OpenGL: which stages are reached, in which order, whatever
-// the order in which they are given; and what is refused, by name.
+// The frame's plan by itself, without OpenGL: the stages that are reached and their order, for any
+// input order; and refusals, by name.
 #include "Check.h"
 #include "Session.h"
 #include "TestCase.h"
@@ -33,7 +33,7 @@ Plan::Node Make(const std::string& name, int slot, const Names& reads, const Nam
   return node;
 }
 
-// The frame's own: what VTK draws, the layers, and shadow maps for both.
+// The frame's own nodes: VTK's drawing, the layers, and shadow maps for both.
 std::vector<Plan::Node> MakeOwn(bool shadows)
 {
   Plan::Node delegate = Make("delegate", D::SURFACES, {}, { "picture", "color" });
@@ -100,7 +100,7 @@ void TestReached()
   RELIEVO_CHECK((Run(MakeOwn(true), { "the picture" }) == Names{ "shadows", "delegate" }));
   RELIEVO_CHECK(
     (Run(MakeOwn(false), { "the picture", "depth" }) == Names{ "delegate", "gbuffer" }));
-  // Layers alone draw no picture, and no maps for a picture that nobody sees.
+  // Layers alone draw no picture, and no maps for a picture that is not shown.
   RELIEVO_CHECK((Run(MakeOwn(true), { "depth" }) == Names{ "gbuffer" }));
   RELIEVO_CHECK((Run(MakeOwn(false), { "shadow_0" }) == Names{ "shadows", "gbuffer" }));
   RELIEVO_CHECK(Run(MakeOwn(true), {}).empty());
@@ -125,7 +125,7 @@ void TestColor()
   RELIEVO_CHECK((Run(nodes, { "color" }) == Names{ "delegate", "gbuffer", "fog", "bloom" }));
   RELIEVO_CHECK((Run(nodes, { "normal" }, nullptr, &color) == Names{ "gbuffer" }));
   RELIEVO_CHECK(!color);
-  // What shows a layer hides what works on the colour.
+  // A stage that shows a layer hides stages that work on the colour.
   nodes.push_back(Make("display", D::DISPLAY, { "cell" }, { "picture" }));
   nodes[2].Declaration.OptionalWrites = { "shadow maps" };
   RELIEVO_CHECK(
@@ -136,14 +136,14 @@ void TestColor()
   RELIEVO_CHECK((Run(nodes, { "the picture" }, nullptr, &color) ==
     Names{ "shadows", "delegate", "gbuffer", "fog", "bloom", "display" }));
   RELIEVO_CHECK(color);
-  // What makes the picture of the colour does not hide it.
+  // A stage that makes the picture from the colour does not hide it.
   nodes.back() = Make("tone", D::DISPLAY, { "color" }, { "picture" });
   RELIEVO_CHECK((Run(nodes, { "the picture" }, nullptr, &color) ==
     Names{ "shadows", "delegate", "gbuffer", "fog", "bloom", "tone" }));
   RELIEVO_CHECK(color);
 }
 
-// Several that make the picture: all up to the one that surely covers what is before it.
+// Several stages that make the picture: all up to the one that certainly covers earlier ones.
 void TestPictureMakers()
 {
   std::vector<Plan::Node> nodes = MakeOwn(false);
@@ -201,14 +201,14 @@ void TestRefused()
   RELIEVO_CHECK((Run(nodes, { "the picture" }, &wrong) == Names{ "delegate" }));
   RELIEVO_CHECK(Says(wrong, { "haze", "'smoke'", "no stage writes" }));
 
-  // What would write it is off.
+  // The stage that would write it is off.
   nodes.push_back(Make("fire", D::SHADE, {}, { "smoke" }));
   nodes.back().Declaration.Runs = false;
   nodes.back().Declaration.Reason = "switched off";
   RELIEVO_CHECK((Run(nodes, { "the picture" }, &wrong) == Names{ "delegate" }));
   RELIEVO_CHECK(Says(wrong, { "haze", "'smoke'", "fire", "switched off" }));
 
-  // A circle; what has nothing to do with it runs.
+  // A cycle; unrelated stages run.
   nodes = MakeOwn(false);
   nodes.push_back(Make("chicken", D::COMPOSITE, { "egg", "color" }, { "color", "bird" }));
   nodes.push_back(Make("hen", D::COMPOSITE, { "bird" }, { "egg" }));
@@ -216,7 +216,7 @@ void TestRefused()
   RELIEVO_CHECK((Run(nodes, { "the picture" }, &wrong) == Names{ "delegate", "fog" }));
   RELIEVO_CHECK(Says(wrong, { "chicken", "'egg'", "hen", "'bird'" }));
 
-  // What is written in a later slot.
+  // A resource written in a later slot.
   nodes = MakeOwn(false);
   nodes.push_back(Make("early", D::LIGHT_MAPS, { "depth" }, { "shadow maps" }));
   nodes.back().Declaration.OptionalWrites = { "shadow maps" };
@@ -225,7 +225,7 @@ void TestRefused()
   RELIEVO_CHECK(Says(wrong, { "early", "'depth'", "gbuffer", "light maps", "surfaces" }));
 }
 
-// What only writes onto the colour changes it as well: alone, and beside those that read it.
+// A stage that only writes onto the colour also changes it: alone, and beside those that read it.
 void TestAdders()
 {
   std::vector<Plan::Node> nodes = MakeOwn(false);
@@ -247,7 +247,7 @@ void TestAdders()
   RELIEVO_CHECK((Run(nodes, { "the picture" }) == Names{ "delegate", "gbuffer", "display" }));
 }
 
-// Arrays are called as they like: what stages write for each other is none of theirs.
+// Arrays may have any name: they are unrelated to stages' resources.
 void TestNames()
 {
   for (const bool shadows : { false, true })
@@ -295,7 +295,7 @@ void TestMissing()
   }
 }
 
-// Where there can be no linear colour, what reads or writes it does not run, nor what reads that.
+// Without a linear colour, stages that read or write it do not run, nor do their readers.
 void TestNoColor()
 {
   std::vector<Plan::Node> nodes = MakeOwn(false);
@@ -325,8 +325,8 @@ void TestNoColor()
   RELIEVO_CHECK(Says({ plan.GetMissing().at("color") }, { "it is dark" }));
 }
 
-// What joins in changes the colour where another does before it; what it writes beside can be read
-// anyway, and then there is a linear colour.
+// A joining stage changes the colour if another does before it; its other output can be read
+// anyway, which then creates a linear colour.
 void TestOnlyIfColorChanges()
 {
   std::vector<Plan::Node> nodes = MakeOwn(true);
@@ -363,8 +363,8 @@ void TestOnlyIfColorChanges()
     (Run(nodes, { "half" }) == Names{ "shadows", "delegate", "gbuffer", "lamps", "reads" }));
 }
 
-// What is not needed says why: nobody asks for what it would write, or it has nothing for the
-// picture, and runs where its layer is asked for.
+// Stages that are not needed give the reason: their output is not requested, or they contribute
+// nothing to the picture and run only if their layer is requested.
 void TestReasons()
 {
   std::vector<Plan::Node> nodes = MakeOwn(false);

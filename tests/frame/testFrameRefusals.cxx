@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What a frame cannot do it says, by name, and does the rest: layers whose stage is off, colours
-// where there can be none, stages that take others' places.
+// A frame reports, by name, what it cannot do, and does the rest: layers whose stage is off,
+// colours where none is possible, stages that replace others.
 #include "Check.h"
 #include "ColorStage.h"
 #include "GLCheck.h"
@@ -218,7 +218,7 @@ void TestNoColor()
   }
 }
 
-// Own stages under the names of Relievo's: what is set by short ways says that it is not.
+// Custom stages under the names of Relievo's: shortcut methods report that they have no effect.
 void TestReplaced()
 {
   Scene scene;

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Stages in a frame: their order is the frame's; what cannot run says why and leaves the picture
-// alone; what is not asked for is not done.
+// Stages in a frame: the frame determines their order; stages that cannot run give a reason and
+// leave the picture unchanged; unrequested work is not done.
 #include "Check.h"
 #include "ColorStage.h"
 #include "GLCheck.h"
@@ -97,7 +97,7 @@ void TestOrder()
   RELIEVO_CHECK_THAT(!IsSame(pictures[0], Picture(scene.Window)), "the order is not seen at all");
 }
 
-// A stage that reads what nobody writes.
+// A stage that reads a resource without a writer.
 class Hungry : public ColorStage
 {
 public:
@@ -132,8 +132,7 @@ void TestMissing()
   RELIEVO_CHECK(stage->Executed == 1);
 }
 
-// Layers alone: no map for shadows that nobody sees, no stage on the colour, no pixel of the
-// window.
+// Only layers: no map for invisible shadows, no stage on the colour, no pixel of the window.
 void TestLayersOnly()
 {
   Scene scene;

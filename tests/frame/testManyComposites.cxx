@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// More actors of composite data than a window has texture units have the tone and the shadows of
-// the same surfaces drawn by the plain mapper, from the first frame on, whoever drew the first:
+// With more actors of composite data than a window has texture units, tone and shadows equal those
+// of the surfaces drawn by the plain mapper, from the first frame on, whichever frame was first:
 // since 9.6 VTK leaves a unit in use for each.
 #include "Check.h"
 #include "Session.h"

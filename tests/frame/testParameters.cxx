@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Every registered stage's description: whole, and true of what the stage takes.
+// The description of every registered stage: complete, and consistent with the accepted values.
 #include "Check.h"
 #include "Session.h"
 #include "TestCase.h"
@@ -32,7 +32,7 @@ void TestDescription(vtkRelievoStage* stage)
     const std::string which = name + ":" + parameter.Name;
     RELIEVO_CHECK_THAT(names.insert(parameter.Name).second, which + " is there twice");
     RELIEVO_CHECK_THAT(!parameter.Help.empty() && parameter.Help.back() == '.', which + ": help");
-    // What it says of itself is what it takes.
+    // Described values are accepted.
     const std::string before = stage->GetParameter(parameter.Name);
     RELIEVO_CHECK_THAT(
       stage->TrySetParameter(parameter.Name, before).empty(), which + " = " + before);
@@ -110,7 +110,7 @@ void TestWords()
     stage->GetParameterHelp("map_size").find("16 to 16384 (texels)") != std::string::npos);
 }
 
-// Two numbers, and on what a value depends.
+// Pairs of numbers, and values that depend on others.
 void TestPairsAndConditions()
 {
   double scale[2] = { 1.0, 2.0 };

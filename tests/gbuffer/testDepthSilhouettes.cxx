@@ -146,7 +146,7 @@ void CheckMesh(const std::string& name, int views)
   std::cout << name << ": " << worst.Pixels << " pixels, the worst " << worst.Off
             << " pixels off its triangle\n";
   RELIEVO_CHECK_THAT(worst.Pixels > 100000, name + " is not in the picture");
-  // A tenth where the surface runs on, and what the rasteriser's grid of 1/256 moves.
+  // A tenth where the surface continues, and the movement by the rasteriser's grid of 1/256.
   RELIEVO_CHECK_AT_MOST(worst.Off, 0.15, name + ": pixels off the triangle that is named");
 }
 
@@ -220,7 +220,7 @@ void CheckCrossing()
   }
   std::cout << "spheres: " << pixels << " pixels, the worst " << worst << " pixels off its mesh\n";
   RELIEVO_CHECK(pixels > 100000);
-  // What the rasteriser's grid of 1/256 moves at a silhouette.
+  // The movement of a silhouette by the rasteriser's grid of 1/256.
   RELIEVO_CHECK_AT_MOST(worst, 0.006, "pixels off the mesh that is named");
 }
 }

@@ -199,7 +199,7 @@ const double* GetShownRange(vtkRelievoPass* frame)
   return vtkRelievoDisplayStage::SafeDownCast(frame->GetStage("display"))->GetShownRange();
 }
 
-// A ground to the horizon does not make what stands on it flat; a picture in tiles has one range.
+// A ground to the horizon does not flatten objects on it; a picture in tiles has one range.
 void TestGround()
 {
   Fixture fixture;
@@ -246,7 +246,7 @@ void TestGround()
   frame->SetDisplayLayer("range");
   fixture.Window->Render();
   RELIEVO_CHECK_AT_MOST(std::abs(GetShownRange(frame)[1] - farthest), 1e-4, "farthest");
-  // Where there is nothing else, it is what is seen.
+  // Without anything else, it is visible.
   for (int i = 0; i < 2; ++i)
   {
     vtkActor::SafeDownCast(fixture.Renderer->GetActors()->GetItemAsObject(i))->VisibilityOff();

@@ -170,7 +170,7 @@ void AddCaption(vtkRenderer* renderer)
   renderer->AddActor(caption);
 }
 
-// Drawn before what it stands before.
+// Drawn before the surfaces behind it.
 void AddCaptionFirst(vtkRenderer* renderer)
 {
   vtkSmartPointer<vtkProp> box = renderer->GetViewProps()->GetLastProp();

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Formats by tolerance: what is read is within it of the full floats, and no smaller format would
+// Formats by tolerance: values read are within it of the full floats, and no smaller format would
 // be.
 #include "Check.h"
 #include "EmbreeScene.h"

@@ -72,7 +72,7 @@ long long Bytes(int words)
   return 4LL * (words - rest + (rest == 3 ? 4 : rest)) * Width * Height;
 }
 
-// Renders with the layers asked for, shared or not, and says what was held.
+// Renders with the requested layers, shared or not, and returns the bytes held.
 long long BytesHeld(
   vtkRenderer* renderer, const std::vector<std::string>& names, Way way, Pass* settings)
 {

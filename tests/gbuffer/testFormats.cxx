@@ -171,7 +171,7 @@ void TestDepths()
   for (const bool parallel : { false, true })
   {
     Fixture fixture(parallel);
-    // What the GPU wrote in float: the formats' own loss is asked, not the rasteriser's.
+    // The GPU's result in float: measures the formats' own loss, not the rasteriser's.
     const Layers exact(fixture.Renderer, { "depth" }, Way::Own, [](G* g) { g->RefineDepthOff(); });
     for (const auto& format : formats)
     {
@@ -222,8 +222,8 @@ void TestTogether()
   }
 }
 
-// RefineDepthOff leaves what was drawn, whatever else is asked for; the frame's setting counts, not
-// that of the read.
+// RefineDepthOff returns the drawn depth, whatever else is requested; the frame's setting counts,
+// not that of the read.
 void TestRefineDepth()
 {
   for (const Way way : relievoTest::BothWays)
@@ -256,7 +256,7 @@ void TestRefineDepth()
   vtkRelievoPass::Detach(fixture.Renderer);
 }
 
-// Bytes held for what is asked, 4 for each word of a pixel.
+// Bytes held for the requested layers, 4 for each word of a pixel.
 void TestBytes()
 {
   Fixture fixture(false);

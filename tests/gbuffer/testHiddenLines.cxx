@@ -40,7 +40,7 @@ void Unlit(vtkActor* actor)
   actor->GetProperty()->SetColor(1., 1., 1.);
 }
 
-// White on black: what the picture shows is what has a depth.
+// White on black: pixels shown in the picture are those with a depth.
 void Check(const Layers& layers, vtkImageData* picture, bool removed, const std::string& what)
 {
   vtkDataArray* colors = picture->GetPointData()->GetScalars();

@@ -78,7 +78,7 @@ using relievoTest::Way;
 
 const std::vector<std::string> Names = { "depth", "actor", "block", "cell", "albedo" };
 
-// What is to be read where the truth's actor of this number is seen.
+// The expected values where the truth's actor of this number is visible.
 struct Part
 {
   int Actor;

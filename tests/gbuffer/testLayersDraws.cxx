@@ -203,7 +203,7 @@ void TestPieces()
       CheckSurface(std::to_string(pieces) + " pieces, " + relievoTest::ToString(way), layers,
         truth.Trace(View(stage.Renderer)));
       RELIEVO_CHECK(layers.CountId("actor", 0) == layers.Covered());
-      // Of the point array, which differs from piece to piece: the sphere's own normals.
+      // For the point array, which differs between pieces: the sphere's own normals.
       double worst = 0.;
       const glm::dvec3 centre(0., 1., 0.);
       const View view(stage.Renderer);

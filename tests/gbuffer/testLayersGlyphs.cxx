@@ -46,7 +46,7 @@ using relievoTest::Way;
 const std::vector<std::string> Names = { "depth", "geometric_normal", "normal", "actor", "block",
   "cell", "weight" };
 
-// What is to be read where the truth's actor of this number is seen.
+// The expected values where the truth's actor of this number is visible.
 struct Glyph
 {
   int Block;

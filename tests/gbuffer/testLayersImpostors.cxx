@@ -125,7 +125,7 @@ vtkSmartPointer<vtkPolyData> MakePoints()
   return mesh;
 }
 
-// All points in one cell: what VTK wants to see before it draws anything.
+// All points in one cell, without which VTK draws nothing.
 [[maybe_unused]] void AddOneCell(vtkPolyData* mesh)
 {
   const vtkIdType ids[6] = { 0, 1, 2, 3, 4, 5 };
@@ -289,8 +289,8 @@ void TestStickMapper(bool parallel)
 #endif
 
 // Sprites and tubes are balls and rods in parallel projection (where VTK's own depth buffer has
-// them stand out twice as far as they do). In perspective they are what VTK makes of them: its
-// depth buffer.
+// them protrude twice as far as they should). In perspective they are compared with VTK's depth
+// buffer.
 void CheckAgainstDepthBuffer(const std::string& what, const Stage& stage)
 {
   const Layers layers(stage.Renderer, { "depth" }, Way::Shared);

@@ -89,7 +89,7 @@ vtkSmartPointer<vtkPolyData> MakeMesh(bool withSurfaces, bool withLines)
   return mesh;
 }
 
-// What is drawn of the mesh's cells.
+// The primitives drawn for the mesh's cells.
 std::vector<Primitive> MakePrimitives(vtkPolyData* mesh, int representation)
 {
   std::vector<Primitive> primitives;

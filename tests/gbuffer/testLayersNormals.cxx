@@ -186,7 +186,7 @@ void TestBoxes()
   }
 }
 
-// What is seen when the faces towards the eye are culled: the box from inside.
+// The view with front faces culled: the box from inside.
 void TestInside()
 {
   const Stage stage(160, 120);

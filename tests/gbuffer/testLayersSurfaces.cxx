@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What is left of a surface: holes of cut-out textures, clipping planes,
-// coincident surfaces.
+// Partial surfaces: holes of cut-out textures, clipping planes, coincident surfaces.
 #include "AnalyticScene.h"
 #include "Check.h"
 #include "GLCheck.h"
@@ -111,7 +110,7 @@ void TestCutOut()
   CompareActors("cut-out texture", stage, known, 300);
 }
 
-// Two planes on a mapper: the inside of the box is seen through what they take away.
+// Two planes on a mapper: the inside of the box is visible through the removed parts.
 void TestClipping()
 {
   const Stage stage(200, 160);
@@ -174,7 +173,7 @@ void TestClipping()
   }
 }
 
-// Of two squares in one plane the one that is drawn nearer is seen, at the plane's own depth.
+// Of two squares in one plane, the one drawn nearer is visible, at the plane's own depth.
 void TestCoincident(double zNear, double zFar)
 {
   const Stage stage(160, 120);

@@ -182,7 +182,7 @@ RELIEVO_TEST_CASE(testMixedAssemblies)
     for (int place = 0; place < 3; ++place)
     {
       Test(c, true, place);
-      // vtkAssembly takes actors for what is drawn only.
+      // vtkAssembly accepts only actors for drawing.
       if (vtkProp3D::SafeDownCast(c.Make()))
       {
         Test(c, false, place);

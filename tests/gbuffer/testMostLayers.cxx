@@ -30,7 +30,7 @@ using relievoTest::Layers;
 using relievoTest::Stage;
 using G = vtkRelievoLayersStage;
 
-// 20 words a pixel are the most: what takes more is refused, and said once; the picture stays.
+// 20 words per pixel are the maximum: more are refused, with one message; the picture is unchanged.
 void TestMost()
 {
   const Stage fixture(200, 150);
@@ -87,7 +87,7 @@ void TestMost()
   fixture.Window->Render();
   vtkNew<vtkImageData> image;
   RELIEVO_CHECK(frame->ReadLayer("shadow_22", image));
-  // Of a light that there is not: refused as it is read, the others stay.
+  // The layer of a missing light is refused when read, others are unaffected.
   frame->RequestLayer("shadow_23");
   frame->ReleaseLayer("shadow_0");
   fixture.Window->Render();

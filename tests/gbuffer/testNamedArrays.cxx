@@ -53,7 +53,7 @@ double Linear(const glm::dvec3& p)
   return 1. + 2. * p.x - 3. * p.y + 0.5 * p.z;
 }
 
-// Beyond what a float holds.
+// An integer that a float cannot hold.
 long long Whole(vtkIdType i)
 {
   return (1LL << 45) + 3 * i;
@@ -308,7 +308,7 @@ std::vector<std::string> Refuse(vtkRenderer* renderer, const std::string& name)
   return expected.Messages();
 }
 
-// What fades out, or is hidden, has its arrays still: they have no values anywhere.
+// Props that fade out or are hidden still have their arrays: without values anywhere.
 void TestHidden()
 {
   const Stage stage(60, 40);

@@ -209,7 +209,7 @@ class Scene:
         return found
 
     def lights(self):
-        """Each with position, direction and what the file has of it."""
+        """The lights, each with position, direction and the file's values."""
         extension = self.file.json.get("extensions", {}).get("KHR_lights_punctual", {})
         found = []
         for node in self.shown:

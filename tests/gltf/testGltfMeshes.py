@@ -506,7 +506,7 @@ class Animations(GltfTest):
                     "POSITION": writer.accessor(mesh.points, bounds=True),
                     "NORMAL": writer.accessor(mesh.normals),
                 }
-                # What no track moves stays as the file has it, also a mirror along one axis.
+                # Parts without a track keep the file's values, even a reflection along one axis.
                 scene(
                     writer,
                     {"attributes": attributes},
@@ -551,7 +551,7 @@ class Animations(GltfTest):
                             self.compare_block(reader.GetOutput().GetBlock(0), truth[0])
 
     def test_from_nothing(self):
-        """What has no size at rest grows."""
+        """A node of size 0 at rest grows."""
         mesh = Mesh()
         writer = Writer()
         points = writer.accessor(mesh.points, bounds=True)

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""glTF files as wholes: lights and cameras, names and words that are valid, and what is refused."""
+"""Complete glTF files: lights and cameras, names and valid values, and refusals."""
 
 import json
 import os
@@ -153,7 +153,7 @@ class Lights(GltfTest):
 
 
 class Words(GltfTest):
-    """What is valid, if odd."""
+    """Valid but unusual values."""
 
     def test_files_beside_it(self):
         writer = triangle()
@@ -260,7 +260,7 @@ class Words(GltfTest):
         self.assertEqual(reader.GetOutput().GetBlock(0).GetBounds(), (0, 1, 0, 1, 0, 0))
 
     def test_read_again(self):
-        """When the file or what it names has changed, and not else."""
+        """Files are read again only if they or files that they name have changed."""
         writer = triangle()
         path = writer.save(self.folder / "again.gltf", "points.bin")
         (self.folder / "points.bin").write_bytes(writer.bytes)
@@ -274,7 +274,7 @@ class Words(GltfTest):
 
 
 def change(path_of, value):
-    """What sets a member, which is named by a path, of a file's JSON; None takes it out."""
+    """A change that sets a member, named by a path, of a file's JSON; None removes it."""
 
     def apply(text):
         *parents, last = path_of
@@ -325,7 +325,7 @@ def skinned():
     return writer
 
 
-# Members of the file that skinned() makes, what they become, and what is said of it.
+# Members of the file made by skinned(), their new values, and the message.
 POSITION, JOINTS, WEIGHTS, INDICES, MATRICES, TIMES, PLACES, SPARSE = range(8)
 A = "accessors"
 V = "bufferViews"
@@ -425,7 +425,7 @@ class Refusals(GltfTest):
         for where, value, says in WRONG:
             text = json.loads(json.dumps(whole))
             change(where, value)(text)
-            if where == (A, POSITION, "count") and value == 2:  # what comes first of what is wrong
+            if where == (A, POSITION, "count") and value == 2:  # the first of several problems
                 text["meshes"][0]["primitives"][0].pop("indices")
             path = self.folder / "wrong.gltf"
             path.write_text(json.dumps(text))
@@ -533,7 +533,7 @@ class Refusals(GltfTest):
         self.refused(path, "accessors[5] has 10000000 values without")
 
     def test_memory(self):
-        """What is refused takes less than 300 MB."""
+        """Refused files take less than 300 MB."""
         huge = triangle()
         huge.json["accessors"][0] = {"componentType": 5126, "type": "VEC3", "count": 300_000_000}
         path = huge.save(self.folder / "huge.glb")

@@ -26,7 +26,7 @@ VIEWS = (
     numpy.array([[0.0, 0, -1], [0, 1, 0], [1, 0, 0]]),
     numpy.array([[0.8, 0, -0.6], [-0.36, 0.8, -0.48], [0.48, 0.6, 0.64]]),
 )
-# Of Debian's models those with triangles and without cut-outs, and a time of their animation.
+# Debian's models with triangles and without cut-outs, and a time of their animation.
 MODELS = {
     "2CylinderEngine-glTF-Binary/2CylinderEngine.glb": None,
     "BoxTextured-glTF/BoxTextured.gltf": None,
@@ -68,7 +68,7 @@ def fill(triangles):
 
 class Silhouettes(GltfTest):
     def look(self, scene, view, truth):
-        """What is seen, and the corners of each primitive's cells in pixels."""
+        """The visible pixels, and the corners of each primitive's cells in pixels."""
         right, up, back = view
         corners = numpy.concatenate([each.points.reshape(-1, 3) for each in truth])
         middle = (corners.min(axis=0) + corners.max(axis=0)) / 2

@@ -14,7 +14,7 @@ VIEWER = os.environ["VIEWER"] == "1"
 PYTHON = os.environ["PYTHON_PACKAGE"]  # where it is installed, or empty
 OUTPUT = pathlib.Path(os.environ["RELIEVO_TEST_OUTPUT"])
 
-# What a component may hold, and what it must.
+# The allowed and the required content of a component.
 LIBRARY = r"lib(/[^/]+)*/libvtkRelievo\w+\.so"
 MAY = {
     "runtime": rf"{LIBRARY}\.\d.*|share/doc/.*/LICENSE",

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file ImageTools.h
- * @brief Small pictures to write and ways to compare what is read: shared by the tests of io/.
+ * @brief Shared by the tests of io/: small pictures to write, and comparisons with read images.
  */
 #ifndef ImageTools_h
 #define ImageTools_h

@@ -201,7 +201,7 @@ void TestPlacesThatCannotBeWritten()
   CheckNotWritten(writer, "it is a folder", vtkErrorCode::CannotOpenFileError);
   writer->SetFileName("/dev/null");
   CheckNotWritten(writer, "not a regular file", vtkErrorCode::CannotOpenFileError);
-  writer->SetFileName("/proc/x.exr"); // a folder where nobody, root included, makes files
+  writer->SetFileName("/proc/x.exr"); // a folder where not even root can make files
   CheckNotWritten(writer, "no file can be made in its folder", vtkErrorCode::CannotOpenFileError);
   vtkNew<vtkRelievoEXRWriter> empty;
   empty->SetFileName(File().c_str());

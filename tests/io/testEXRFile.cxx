@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What vtkRelievoEXRWriter puts into a file, seen by OpenEXR itself and not by our reader.
+// Files of vtkRelievoEXRWriter, read by OpenEXR itself instead of our reader.
 #include "ImageTools.h"
 
 #include "Check.h"

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What vtkRelievoEXRWriter writes, vtkRelievoEXRReader reads back bit for bit.
+// vtkRelievoEXRReader reads back files of vtkRelievoEXRWriter bit for bit.
 #include "ImageTools.h"
 
 #include "Check.h"
@@ -195,7 +195,7 @@ void TestFields()
   }
 }
 
-// Threads change neither the file nor what is read. Last of all: they stay.
+// Threads change neither the file nor the image. Last, because they remain.
 void TestThreads()
 {
   auto image = ioTest::MakeLayers(200, 150);

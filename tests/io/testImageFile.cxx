@@ -193,7 +193,7 @@ RELIEVO_TEST_CASE(testImageFile)
   std::string failure;
   RELIEVO_CHECK(vtkRelievoImageFile::Read(good, failure) && failure.empty());
 
-  // An administrator may open any file: as somebody else, then.
+  // An administrator may open any file: so another user tries.
   const bool administrator = geteuid() == 0;
   for (const char* name : { "closed.png", "closed.exr", "closed.bmp" })
   {

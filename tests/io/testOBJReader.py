@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""vtkRelievoOBJReader: what OBJ files say, written by hand; real meshes against VTK's reader."""
+"""vtkRelievoOBJReader: OBJ files written by hand; real meshes compared with VTK's reader."""
 
 import locale
 import os
@@ -226,7 +226,7 @@ class OBJ(unittest.TestCase):
 
     # ------------------------------------------------------------------------
     def test_wrong_points(self):
-        """What is no number takes its faces along, and nothing else; the rest keeps its numbers."""
+        """Invalid points remove only their faces; the rest keeps its numbers."""
         faces = "l 1 5\nl 1 2\nf 1 2 3\nf 3 4 5\nf 5 1 2\nf 1 3 4\n"
         for wrong in ("inf 0 0", "nan 0 0", "0 -nan 0", "0 0 1,5", "abc 0 0", "0 0", "",
                       "1e999 0 0", "0 0x10 0", "1.0.0 0 0", "0 0 -inf"):  # fmt: skip

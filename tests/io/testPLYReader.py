@@ -134,7 +134,7 @@ class PLY(unittest.TestCase):
                 self.read(make(form, [vertices(), element]), refused=["face 1:", f"not {wrong}"])
 
     def test_vtk(self):
-        """What VTK's writer writes."""
+        """Files of VTK's writer."""
         source = vtkSphereSource()
         source.SetThetaResolution(50)
         source.Update()

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Readers that do wrong, each in a process of its own: what becomes of them is said, and nothing of
-// them is left.
+// Failing readers, each in its own process: their failure is reported, and nothing of them is left.
 #include "Check.h"
 #include "Session.h"
 #include "TestCase.h"
@@ -51,7 +50,7 @@ std::string Run(Work work)
 }
 
 //------------------------------------------------------------------------------
-// What readers do wrong.
+// Failures of readers.
 void Crash(ByteReader&, const Say&, ByteWriter&)
 {
   std::raise(SIGSEGV);
@@ -120,7 +119,7 @@ void Gorge(ByteReader&, const Say&, ByteWriter&)
   }
 }
 
-// VTK throws so where malloc() fails, out of what may not throw.
+// VTK throws this if malloc() fails, even from noexcept functions.
 void LackMemory()
 {
   throw std::bad_alloc();
@@ -342,7 +341,7 @@ void TestTime()
   vtkRelievoReaderProcess::SetLimits(15, 60);
 }
 
-// Somebody ends the process that would fork the next: this is said, and what to do.
+// The process that forks the others has ended: this is reported, with a remedy.
 void TestGone()
 {
   std::string killed;

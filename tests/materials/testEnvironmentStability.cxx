@@ -76,8 +76,9 @@ struct Scene
   std::vector<unsigned char> Picture() { return Photo(this->Stage.Window).Bytes; }
 };
 
-// One texel is a sun of 1e5. Bright is only what may see it: where the reflected ray, with what its
-// pixel sees, comes within two texels. All else is what the rest of the environment is.
+// One texel is a sun of 1e5. Only pixels that may see it are bright: those whose reflected ray,
+// with the pixel's footprint, comes within two texels. All others equal the rest of the
+// environment.
 void TestSun()
 {
   constexpr int Texels = 64;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A square whose smooth texture has holes, with a cutoff in opacity: what is left of it, against
+// A square whose smooth texture has holes, with a cutoff in opacity: its visible part compared with
 // bilinear filtering in double, with Phong and PBR; tests/python/testCutOuts.py has the rest.
 #include "Check.h"
 #include "GLCheck.h"
@@ -41,7 +41,7 @@ int AlphaOf(int x, int y)
   return static_cast<int>(std::lround(127.5 + 127.5 * std::sin(1.3 * x + 0.4) * std::cos(0.9 * y)));
 }
 
-// Of a place from 0 to 1 in the square, as OpenGL filters repeated texels.
+// Alpha at a place from 0 to 1 in the square, as OpenGL filters repeated texels.
 double AlphaAt(double u, double v)
 {
   const double x = u * Texels - 0.5;

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What surfaces mirror of an environment, and how it lights them, against the light of reflected
-// rays and sums over the sphere.
+// Reflections of an environment in surfaces, and its light on them, compared with the light of
+// reflected rays and sums over the sphere.
 #include "Check.h"
 #include "MirrorScene.h"
 #include "ReliefTruth.h"
@@ -89,7 +89,7 @@ void TestProjections()
     25., "sphere map, back-facing, 255ths");
 }
 
-// The mirror shows what the sky shows, for any turn; and moved and turned actors mirror the same.
+// The reflection equals the sky for any rotation; moved and rotated actors reflect alike.
 void TestTurns()
 {
   const glm::dvec3 normal = glm::normalize(glm::dvec3(-0.3, 0.8, 0.5));

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What mirrors show where the eye is not at the camera: in stereo and in sheared views.
+// Reflections if the eye is not at the camera: in stereo and in sheared views.
 #include "Check.h"
 #include "MirrorScene.h"
 #include "Session.h"

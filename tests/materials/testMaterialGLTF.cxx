@@ -68,7 +68,7 @@ glm::dvec3 Mapped(vtkImageData* image, const glm::dvec2& uv)
   return 2. * mean / 255. - 1.;
 }
 
-// A triangle of the file: what the specification says of a place on it.
+// A triangle of the file: the specification's values at a place on it.
 struct Face
 {
   glm::dvec3 P[3], N[3];

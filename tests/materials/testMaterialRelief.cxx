@@ -80,7 +80,7 @@ void TestWaves()
   }
 }
 
-// The published order of the methods, and what a method that is too simple does.
+// The published order of the methods, and errors of methods that are too simple.
 void TestMethods()
 {
   Scene scene(Waves);
@@ -120,7 +120,7 @@ void TestPosts()
   RELIEVO_CHECK_THAT(Measure(renderer, seen).Missed > 0.02, "16 steps miss posts at 75");
 }
 
-// What the relief itself blocks of a sun, seen in the picture: dark or not.
+// Self-shadowing of the relief in a sun, by the picture: dark or not.
 void TestSelfShadow()
 {
   Scene scene(Waves);

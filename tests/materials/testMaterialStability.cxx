@@ -66,7 +66,7 @@ struct Scene
     camera->SetFocalPoint(0., 0., 0.);
     camera->SetViewUp(0., 1., 0.);
     camera->SetClippingRange(0.01, 10.);
-    // What grazes is a line from afar.
+    // From afar, a grazing view is a line.
     camera->SetParallelProjection(degrees > 85.);
     camera->SetParallelScale(1.5 * std::cos(angle));
   }

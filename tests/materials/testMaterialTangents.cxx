@@ -36,7 +36,7 @@ namespace
 using namespace relievoTest;
 
 constexpr int Size = 200;
-const glm::dvec3 Mapped(0.48, 0.36, 0.8); // what the whole map holds
+const glm::dvec3 Mapped(0.48, 0.36, 0.8); // the value of the whole map
 
 // v is y less the bend at |x|, u is |x|: along growing u, at the same v, y follows the bend, and so
 // does the tangent; the left half is mirrored.

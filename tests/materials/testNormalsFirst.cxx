@@ -43,7 +43,7 @@ namespace
 {
 using namespace relievoTest;
 
-// Behind VTK's tags nothing but what hands a triangle on.
+// After VTK's tags, only code that passes a triangle on.
 constexpr const char* Geometry = R"(//VTK::System::Dec
 //VTK::PositionVC::Dec
 //VTK::PrimID::Dec
@@ -289,7 +289,7 @@ void TestCase(const Case& of)
     }
     RELIEVO_CHECK_THAT(next.Mapper->Reordered > 0, what + ": the order was changed");
   }
-  // A geometry shader changes what is interpolated by a rounding, and a ray may miss a wave for it.
+  // A geometry shader changes interpolated values by rounding, so a ray may miss a wave.
   const std::string what = std::string(of.Name) + ", with and without a geometry shader: ";
   RELIEVO_CHECK_THAT(CountDifferent(usualLayers[0], usualLayers[1], "cell") == 0, what + "cell");
   for (const std::string name : { "depth", "normal", "geometric_normal", "albedo" })
@@ -300,7 +300,7 @@ void TestCase(const Case& of)
   }
 }
 
-// What is compared is not the same for want of material and shadow.
+// The comparisons are not equal merely because material and shadow are missing.
 void TestShown()
 {
   Scene scene(Cases[1], true, true);

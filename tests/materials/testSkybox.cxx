@@ -139,8 +139,8 @@ void TestViews()
   {
     for (int x = 0; x < beside.Width; ++x)
     {
-      // What the camera sees through a place of the screen, in the camera's own axes, which are the
-      // world's; the eye's place in them is as it was set.
+      // The camera's viewing direction at a place of the screen, in the camera's own axes, which
+      // are the world's; the eye's position in them is as set.
       const glm::dvec3 place(
         4. * (x + 0.5) / beside.Width - 2., 3. * (y + 0.5) / beside.Height - 1.5, 0.);
       const glm::dvec3 off = glm::abs(Smooth(glm::normalize(place - eye)) - beside.At(x, y));
@@ -254,8 +254,8 @@ void TestTurns()
     1.5, "encoded, 255ths");
 }
 
-// Few texels, of unequal light, magnified: what changes from a pixel to the next is less than a
-// 255th, but where a seam is.
+// Few texels, of unequal light, magnified: the change from pixel to pixel is less than a 255th,
+// except at a seam.
 void TestSeams()
 {
   auto image = MakeEnvironment(

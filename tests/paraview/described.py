@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The properties that ParaView must have, from what the package's classes say of their values."""
+"""The properties that ParaView must have, from the package's descriptions of values."""
 
 import re
 
@@ -73,7 +73,7 @@ def of_material():
 
 
 def of_view():
-    """Of shadows, the environment, what is selected and all stages that a view has."""
+    """Properties of shadows, the environment, the selection and all stages of a view."""
     frame = relievo.vtkRelievoPass()
     found = {
         "RelievoShadowColored": (0, 1),

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What a ParaView user may have switched on in a render view: name, and how it is switched on."""
+"""Features that a user may switch on in a render view: name, and how to switch it on."""
 
 import pv
 import stage
@@ -94,7 +94,7 @@ FEATURES = {
 
 
 def make(name, size=stage.SIZE):
-    """A stage with that feature on; a view of its own. What was there before is gone."""
+    """A stage in a new view with that feature on. Earlier content is removed."""
     pv.clear()
     scene = stage.Stage(size)
     FEATURES[name][0](scene)

@@ -75,7 +75,7 @@ class Test(pv.PluginTest):
 
 
 def light(place, normal, places=PLACES, radii=RADII):
-    """What the lamps add at places with normals: (..., 3) each, in double."""
+    """The light of the lamps at places with normals: (..., 3) each, in double."""
     total = numpy.zeros(place.shape[:-1])
     for lamp, radius in zip(places, radii):
         to = numpy.array(lamp) - place

@@ -41,7 +41,7 @@ def scene():
 
 
 def keep(view, name):
-    """Grabs the view's layers in all ways and writes what was found."""
+    """Grabs the view's layers by all methods and writes the results."""
     source = simple.RelievoLayers(View=view, Layers=NAMES)
     found = layers.arrays(source)
     points = simple.DepthToPoints(Input=source)

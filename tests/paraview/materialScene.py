@@ -111,7 +111,7 @@ def say(*words):
     print(*words, file=sys.stderr, flush=True)
 
 
-# Files and values that will not do, and what is said of each.
+# Invalid files and values, and the message for each.
 def wrong():
     """(property, value, words of the message)."""
     text = pv.OUTPUT / "no image.png"
@@ -138,7 +138,7 @@ def wrong():
 
 
 def set_wrong():
-    """Each is set and taken back; what the process writes is the result."""
+    """Sets and resets each; the output of the process is the result."""
     scene = Scene()
     scene.shown.RelievoMaterial = 1
     scene.view.RelievoSkybox = 1
@@ -163,7 +163,7 @@ def set_wrong():
     say("same", numpy.all([(scene.middle()[1] == first).all() for _ in range(3)]))
 
 
-# What a rank makes of its part of a square: as many stripes as there are ranks.
+# A rank's part of a square: as many stripes as there are ranks.
 STRIPES = """
 from vtkmodules.vtkFiltersSources import vtkPlaneSource
 from vtkmodules.vtkParallelCore import vtkMultiProcessController

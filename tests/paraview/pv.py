@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the plugin's tests share: the plugin, pictures as numpy, how two differ, other processes."""
+"""Shared by the plugin's tests: the plugin, pictures as numpy, their differences, other processes.
+"""
 
 import importlib.util
 import json
@@ -28,7 +29,7 @@ VERSION = (
     servermanager.vtkSMProxyManager.GetVersionMinor(),
 )
 TRANSLATION = "Translation" if VERSION >= (5, 13) else "Position"
-# How ParaView and VTK begin what they have to say.
+# Beginnings of messages of ParaView and VTK.
 MESSAGE = re.compile(r"(ERR|WARN|FATAL)\|.*|(ERROR|Warning): In .*")
 
 
@@ -55,19 +56,19 @@ def pixels(image, channels=3):
 
 
 def picture(view):
-    """What the view draws now, at full quality."""
+    """The view's current picture, at full quality."""
     return pixels(view.SMProxy.CaptureWindow(1))
 
 
 def stage(view, name):
-    """What the frame's report says of that stage in the last picture."""
+    """The stage's entry in the report of the last picture."""
     view.SMProxy.UpdatePropertyInformation()
     report = json.loads(view.GetProperty("RelievoFrameReport").GetElement(0))
     return next(each for each in report["stages"] if each["name"] == name)
 
 
 def restore(path, picture_path):
-    """Loads a state file as a user does, and keeps what its view draws: the view."""
+    """Loads a state file as a user does, saves the picture of its view, and returns the view."""
     if path.endswith(".py"):
         with open(path) as state:
             exec(compile(state.read(), path, "exec"), {})
@@ -139,27 +140,27 @@ def unlike(first, second, level=0):
     return (numpy.abs(first.astype(int) - second.astype(int)) > level).any(axis=2)
 
 
-# What ParaView 6.1 says without the plugin too: at its end when it had several views, and of a
-# state that was saved after a selection.
+# Messages that ParaView 6.1 also prints without the plugin: at exit after several views, and for a
+# state saved after a selection.
 OWN = re.compile(
     "There are still active textures|Leaked for texture object"
     "|vtkAppendSelection .* has 0 connections but is not optional"
 )
 
 
-# Names of C++ in a message, where its reader has menus and panels: classes, beyond that which
-# ParaView itself writes first, and methods.
+# Names of C++ in a message for readers of menus and panels: classes, except the one that ParaView
+# itself writes first, and methods.
 NAMES_OF_CODE = re.compile(r"\): .*(\bvtk[A-Z]|\b(Set|Get|Add|Clear)[A-Z]\w+)")
 
 
 def messages(text):
-    """The errors and warnings in what a process wrote, without times and places."""
+    """The errors and warnings in a process's output, without times and places."""
     found = [message.group(0) for message in MESSAGE.finditer(text)]
     return [each for each in found if VERSION < (6, 1) or not OWN.search(each)]
 
 
 class Test(unittest.TestCase):
-    """Comparisons that leave what they saw in the test's folder when they fail."""
+    """Comparisons that leave their pictures in the test's folder on failure."""
 
     def same(self, first, second, what):
         """Two pictures are equal, bit for bit."""
@@ -287,7 +288,7 @@ class Server:
         raise AssertionError(f"pvserver did not start:\n{self.text()}")
 
     def text(self):
-        """What the server wrote so far."""
+        """The server's output so far."""
         return self.log.read_text(errors="replace")
 
     def _end(self):

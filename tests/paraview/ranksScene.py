@@ -16,7 +16,7 @@ from paraview import simple
 
 FOLDER, NAME = sys.argv[1:3]
 
-# What a rank makes of its part of the scene; run by ParaView on each of them.
+# A rank's part of the scene; run by ParaView on each of them.
 PART = """
 import numpy, pathlib
 from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
@@ -106,7 +106,7 @@ light.ConeAngle = 90
 step("lamp")
 view.RelievoDisplayLayer = "normal"
 step("normal")
-# Without a range one process fits the colours to what is seen, and several do not.
+# Without a range, one process fits the colours to the visible values, but several do not.
 view.RelievoDisplayRange = [1, 8]
 view.RelievoDisplayLayer = "depth"
 step("depth")

@@ -55,7 +55,7 @@ class Stage:
         self.look()  # the first call of Render() in a process turns the camera
 
     def sun(self, on=True, shadows=True, intensity=1.0):
-        """The stage's sun and its shadows; intensity 0 is what is left where it does not reach."""
+        """The stage's sun and its shadows; intensity 0 gives the light outside its reach."""
         self.view.RelievoSun = int(on)
         self.view.RelievoSunAzimuth, self.view.RelievoSunElevation = AZIMUTH, ELEVATION
         self.view.RelievoSunIntensity = intensity
@@ -124,7 +124,8 @@ class Stage:
         blocked = (ball > ground) & numpy.isfinite(self.sphere_hit(place + 1e-6 * normal, towards))
         found = numpy.where(blocked | (facing <= 0) | ~within, DARK, LIT)
         found = numpy.where(seen, found, NONE)
-        # Edges of verdicts and things; and where triangles, not the sphere, decide what faces it.
+        # Edges of verdicts and objects; and pixels where triangles, not the sphere, decide the
+        # facing side.
         kind = found + 4 * (ball < ground)
         unsure = seen & (ball < ground) & (numpy.abs(facing) < 0.1)
         for axis in (0, 1):

@@ -33,7 +33,7 @@ def settings(scene):
     yield "a spot without shadows", pv.picture(scene.view)
     simple.RemoveLight(light)
     scene.sun(on=False, shadows=False)
-    # Which the legend says: this process does not know what a server finds.
+    # Shown in the legend: this process does not know a server's values.
     scene.view.RelievoDisplayRange = [4.0, 16.0]
     for layer in ("depth", "normal"):
         scene.view.RelievoDisplayLayer = layer

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A view's environment: what of it is seen behind, mirrored, and lights, as the truth says."""
+"""A view's environment: background, reflections and light, compared with the truth."""
 
 import materialScene
 import numpy

@@ -14,7 +14,7 @@ import numpy
 import pv
 
 
-# What VTK shades although deferred shading is on, and a word of the reason.
+# Props that VTK shades although deferred shading is on, and a word of the reason.
 LEFT_TO_VTK = {
     "8 samples": "multisampled",
     "ambient occlusion": "several buffers",

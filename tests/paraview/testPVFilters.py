@@ -34,7 +34,7 @@ SOURCES = ["Caves"]
 
 
 def points(source, name):
-    """A point array of what a source makes, (points, components)."""
+    """A point array of a source's output, (points, components)."""
     made = servermanager.Fetch(source)
     found = vtk_to_numpy(made.GetPointData().GetArray(name))
     return found.reshape(made.GetNumberOfPoints(), -1)
@@ -181,7 +181,7 @@ output.VTKObject.SetPolys(cells)
         self.assertEqual(given.UpAxis, "X")
 
     def test_visibility(self):
-        """A square's solid angle in closed form; what hides it; all around; points."""
+        """A square's solid angle in closed form; occluders; all around; points."""
         square = simple.Plane()
         seen = simple.Visibility(Input=square, Position=[0, 0, 2], Size=[400, 400])
         seen.ViewAngle = 60.0
@@ -336,7 +336,7 @@ output.VTKObject.SetPolys(cells)
         self.assertEqual(servermanager.Fetch(none).GetNumberOfPoints(), 0)
 
     def test_what_is_shown_at_first(self):
-        """What filters find is seen as soon as it is shown; what somebody chose stays."""
+        """Results of filters are visible as soon as they are shown; the user's choices stay."""
         ball = simple.Sphere(ThetaResolution=60, PhiResolution=60)
         shell = simple.VoxelShell(Input=ball, Resolution=20)
         cubes = simple.VoxelCubes(Input=shell)
@@ -370,7 +370,7 @@ output.VTKObject.SetPolys(cells)
                 self.assertEqual(other.Representation, "Outline")
 
     def test_messages_name_no_code(self):
-        """What is wrong is said in the words of menus and panels."""
+        """Errors are described in the words of menus and panels."""
         said = pv.run(__file__, "wrong")
         parts = said.split("case ")[1:]
         self.assertEqual(len(parts), 14, said)

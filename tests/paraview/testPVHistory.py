@@ -49,7 +49,7 @@ def light(view, place, strength=1.0):
 
 
 class Walk:
-    """A scene, and what a user may do to it: each step returns its words."""
+    """A scene, and possible actions of a user: each step returns its description."""
 
     def __init__(self, seed):
         self.random = random.Random(seed)

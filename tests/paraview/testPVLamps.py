@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Points of a representation as lamps: what they add, their properties, states, and ranks."""
+"""Points of a representation as lamps: their light, their properties, states, and ranks."""
 
 import pathlib
 
@@ -51,7 +51,7 @@ class Lamps(lampScene.Test):
             self.assertEqual((points, view), (f"Points Are {name}", f"Draw {name}"))
 
     def test_fog(self):
-        """The layer is what all spheres together let through, before surfaces and the sky."""
+        """The layer is the joint transmittance of all spheres, in front of surfaces and the sky."""
         names = ("Fog", "FogRadius", "FogRadiusArray", "FogDensity", "FogDensityArray", "FogColor",
                  "FogColorArray")  # fmt: skip
         found = [getattr(self.shown, "Relievo" + name) for name in names]
@@ -106,7 +106,7 @@ class Lamps(lampScene.Test):
             if name in ("RelievoLamps", "RelievoLampsAttenuation"):
                 continue
             setattr(self.shown, name, other)
-            # Of the arrays, only `radius` is there.
+            # Only the array `radius` exists.
             changes = not name.endswith((
                 "IntensityArray", "ColorArray", "LampsRadius", "CastsArray"))
             changed = pv.picture(self.view)

@@ -43,7 +43,7 @@ class Anywhere(pv.Test):
             self.assertEqual(set(process[seen]), set(range(parts)))
 
     def test_the_scene(self):
-        """What the others are compared with is what it says."""
+        """The reference scene has the expected values."""
         self.assertEqual(pv.messages(self.said), [])
         alone = self.alone
         self.assertGreater(numpy.isfinite(alone["depth"]).sum(), 5000)

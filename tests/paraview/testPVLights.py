@@ -93,7 +93,7 @@ class Lights(judge.StageTest):
         soft = pv.picture(self.view)
         between = numpy.any(numpy.abs(soft.astype(int) - hard) > 8, axis=-1)
         self.assertTrue(between.sum() > 100, f"{between.sum()} pixels are softer")
-        # A change begins anew; what is saved does not show it.
+        # A change restarts accumulation; saved pictures do not show it.
         self.view.RelievoShadowStrength = 0.9
         simple.Render(self.view)
         self.view.RelievoShadowStrength = 1.0
@@ -117,7 +117,7 @@ class Lights(judge.StageTest):
         whole = pictures["lit"] - pictures["dark"]
         dark = (self.scene.verdicts() == stage.DARK) & ~ball & (pictures["lit"].max(axis=2) < 255)
         self.assertGreater(dark.sum(), 300)
-        # Without it what is translucent casts nothing.
+        # Without it, translucent surfaces cast nothing.
         numpy.testing.assert_array_equal(pictures["on"][dark], pictures["lit"][dark])
         passed = pictures["dark"] + 0.36 * numpy.array([1.0, 0.25, 0.0]) * whole  # two walls
         self.assertLess(abs(found - passed)[dark].max(), 3.0)
@@ -153,7 +153,7 @@ class Lights(judge.StageTest):
         self.differ(pv.picture(view), night, "by angles again")
 
     def test_the_fill_shows_form_where_the_sun_does_not_reach(self):
-        # The sun behind the ball: what the camera sees of it is in the shade.
+        # The sun behind the ball: the side visible to the camera is in the shade.
         self.view.RelievoSunFill = 0.0
         self.scene.sun(intensity=0.7)
         self.view.RelievoSunAzimuth, self.view.RelievoSunElevation = 325.0, 30.0
@@ -168,8 +168,8 @@ class Lights(judge.StageTest):
         filled = pv.picture(self.view).max(axis=2)[shade]
         self.view.RelievoSun = self.view.RelievoShadows = 0
         kit = pv.picture(self.view).max(axis=2)[shade]
-        # Nearly black without: under a third of what the light kit gives. With it more than half,
-        # and as much contrast, for how bright it is, as the light kit gives.
+        # Nearly black without it: under a third of the light kit's brightness. With it, more than
+        # half, and the light kit's contrast relative to brightness.
         self.assertLess(without.mean(), kit.mean() / 3)
         self.assertGreater(filled.mean(), kit.mean() / 2)
         self.assertGreater(filled.std(), 1.5 * without.std())
@@ -222,14 +222,14 @@ class Lights(judge.StageTest):
             self.assertFalse(unlike_color(shown, (51, 102, 153))[verdicts == stage.NONE].any())
         self.view.RelievoDisplayLayer = "shadow_sun"
         shown = pv.picture(self.view)
-        # What is turned away is not blocked by others: its darkness is not the shadow's alone.
+        # Surfaces turned away are not blocked by others: their darkness is not only the shadow's.
         for verdict, level in ((stage.DARK, 0), (stage.LIT, 255)):
             there = verdicts == verdict
             wrong = unlike_color(shown, (level, level, level))[there]
             self.assertLess(wrong.mean(), 0.01, f"where the sun's light is {level}")
 
     def check_not_in_its_own_shadow(self, source, **look):
-        """Where nothing is above what is shown, the sun lights it, and it casts."""
+        """Without anything above it, the surface is lit by the sun and casts."""
         self.view.RelievoShadows = 0
         bare = pv.picture(self.view)
         shown = simple.Show(source, self.view)

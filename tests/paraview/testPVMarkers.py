@@ -75,7 +75,7 @@ class Markers(lampScene.Test):
             if name == "RelievoMarkers":
                 continue
             setattr(self.shown, name, other)
-            # Of the arrays, only `radius` is there; and these are rings.
+            # Only the array `radius` exists; and these are rings.
             changes = not name.endswith(("Radius", "Reach", "Up")) and (
                 not name.endswith("Array") or name.endswith("RadiusArray"))  # fmt: skip
             changed = pv.picture(self.view)
@@ -89,7 +89,7 @@ class Markers(lampScene.Test):
         self.same(off, pv.picture(self.view), "switched off in the view")
 
     def test_selection(self):
-        """What is selected is marked, whatever it is and wherever it moves, while that is on."""
+        """The selection is marked, of any kind and while it moves, as long as that is on."""
         self.scene.ball.Visibility = 0
         floor = self.scene.floor
         off = pv.picture(self.view)

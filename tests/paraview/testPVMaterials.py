@@ -226,7 +226,7 @@ class Materials(pv.PluginTest):
             simple.Delete(shown)
 
     def test_wrong_files_and_values(self):
-        """One message each that says what was given and expected; the picture stays."""
+        """One message each with the value and the expectation; the picture is unchanged."""
         said = pv.run(SCENE, "wrong")
         cases = said.split("case ")[1:]
         expected = [words for _, _, words in materialScene.wrong()]
@@ -267,7 +267,7 @@ class Materials(pv.PluginTest):
 
     def test_trace(self):
         smtrace.start_trace()
-        # What the panel does when its values are applied.
+        # The panel's actions when its values are applied.
         item = smtrace._create_trace_item_internal(
             "PropertiesModified", kwargs={"proxy": self.shown}
         )

@@ -193,7 +193,7 @@ class Models(pv.PluginTest):
         self.assertEqual(reader.PointData["bone_weight"].GetRange(), (0, 1))
 
     def test_state(self):
-        """What states restore in fresh processes is the picture, to the bit."""
+        """States restored in fresh processes give the picture, to the bit."""
         reader = simple.ModelWithBonesReader(FileName=FIGURE)
         reader.UpdatePipelineInformation()
         for name, value in pose(list(reader.GetProperty("AnimationNames"))).items():

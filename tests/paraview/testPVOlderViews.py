@@ -53,7 +53,7 @@ class OlderViews(pv.Test):
         self.same(pv.picture(OLDER), BEFORE, "off again")
 
     def testDefaults(self):
-        """What the user saved as defaults of new views holds for these as well."""
+        """The user's saved defaults of new views hold for these, too."""
         self.assertEqual(LATER.RelievoShadowMapSize, 512)
         self.assertEqual(OLDER.RelievoShadowMapSize, 512)
         self.assertEqual(OLDER.RelievoSunElevation, LATER.RelievoSunElevation)

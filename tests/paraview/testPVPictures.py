@@ -13,7 +13,7 @@ NAME = str(pv.OUTPUT / "picture.png")
 
 
 def screenshot(what, **more):
-    """What SaveScreenshot writes."""
+    """The file written by SaveScreenshot."""
     simple.SaveScreenshot(NAME, what, **more)
     return pv.read(NAME)
 
@@ -155,7 +155,7 @@ class Pictures(judge.StageTest):
         self.same(pv.picture(self.view), still, "after interaction")
 
     def test_legend_of_a_layer(self):
-        """It is in the picture in the place of the data's scalar bar, on what is light as well."""
+        """The legend replaces the data's scalar bar in the picture, also on bright backgrounds."""
         shown = self.scene.ball_shown
         simple.ColorBy(shown, ("POINTS", "Normals"))
         shown.SetScalarBarVisibility(self.view, True)

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Two ranks, with half of what casts beside what receives, draw what one rank draws."""
+"""Two ranks, with half of the casters beside the receivers, draw the picture of one rank."""
 
 import pathlib
 
@@ -14,7 +14,7 @@ SCENE = pathlib.Path(__file__).with_name("ranksScene.py")
 
 
 def draw(ranks):
-    """All steps' pictures with so many ranks, and what ParaView wrote."""
+    """All steps' pictures with so many ranks, and ParaView's output."""
     launcher = pv.mpirun(ranks) if ranks > 1 else ()
     said = pv.run(SCENE, pv.OUTPUT, ranks, tool="pvbatch", launcher=launcher)
     return {name: pv.read(pv.OUTPUT / f"{name}-{ranks}.png") for name in STEPS}, said
@@ -28,7 +28,7 @@ class Ranks(pv.Test):
         cls.one, cls.said = draw(1)
 
     def test_scene(self):
-        """The steps are what they say: there are shadows, and they move with the sun."""
+        """The steps are as described: there are shadows, and they move with the sun."""
         self.assertEqual(pv.messages(self.said), [])
         self.differ(self.one["kit"], self.one["off"], "kit", share=0.004)
         self.differ(self.one["sun"], self.one["moved-sun"], "moved sun")
@@ -45,7 +45,7 @@ class Ranks(pv.Test):
         self.assertEqual(pv.messages(said), [])
         self.differ(two["moved-camera"], two["exact"], "exact", share=0.0002)
         self.assertIn("merged over 2 processes", said)
-        # Rays of the exact steps pass what the other ranks cast.
+        # Rays of the exact steps pass the other ranks' casters.
         self.assertRegex(said, r"(?s)rays: .*, [1-9]\d* of them from other processes")
         self.assertRegex(said, r"(?s)sky: .*of each pixel past .*, [1-9]\d* of them from other")
         for name in STEPS:

@@ -26,7 +26,7 @@ CASTS = {
     "Volume": False,
     "Wireframe": True,
 }
-# Those without layers of their own: what is behind is seen.
+# Representations without layers: the background is visible.
 WITHOUT_LAYERS = ["Surface LIC", "Volume"]
 
 

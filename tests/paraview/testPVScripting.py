@@ -54,7 +54,7 @@ PROPERTIES = {
     "RelievoDisplayLegend": (1, 0),
 }
 
-# Wrong values, and what the warning or the error says; a word that Python refuses has an exception.
+# Wrong values, and the text of the warning or error; a value that Python refuses has an exception.
 WRONG = (
     ("RelievoShadows", 5, "expected 0 to 1: 1 is taken"),
     ("RelievoShadowMapSize", 3, "expected 16 to 16384: 16 is taken"),
@@ -101,7 +101,7 @@ def read(view, name):
 
 
 def set_wrong_values():
-    """Each wrong value is set and taken back; what the process writes is the result."""
+    """Sets and resets each wrong value; the output of the process is the result."""
     pv.load()
     scene = stage.Stage((120, 80))
     scene.sun()
@@ -153,7 +153,7 @@ class Scripting(judge.StageTest):
             self.assertGreater(len(getattr(type(self.view), name).__doc__.strip()), 15, name)
 
     def test_groups_that_the_docs_name(self):
-        """They are in the panel of the view, or of what it shows."""
+        """Groups named in the docs are in the panel of the view, or of its representations."""
         proxies = (self.view.SMProxy, self.scene.ball_shown.SMProxy)
         groups = {
             proxy.GetPropertyGroup(i).GetXMLLabel()
@@ -182,7 +182,7 @@ class Scripting(judge.StageTest):
     def test_trace_records_every_property(self):
         light = simple.AddLight(self.view)
         smtrace.start_trace()
-        # What the panel does when its values are applied.
+        # The panel's actions when its values are applied.
         for proxy, values in (
             (self.view, {name: other for name, (_, other) in PROPERTIES.items()}),
             (light, {"RelievoShadowStrength": 0.25}),
@@ -267,7 +267,7 @@ class Scripting(judge.StageTest):
             self.assertEqual(text.count(words), 1, f"{name} = {wrong} is told once: {text}")
             self.assertIn("same True", text, f"{name} = {wrong}: the picture afterwards")
             taken = re.search(r"(\S+) is taken", words)
-            if taken:  # the property has what is used
+            if taken:  # the property has the used value
                 held = json.loads(re.search(r"reads (\[.*\])", text).group(1))
                 self.assertIn(float(taken.group(1)), held, f"{name} = {wrong}")
             self.assertNotIn("kept False", text, f"{name} = {wrong}: the picture meanwhile")

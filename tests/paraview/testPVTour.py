@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The tour of the documentation runs, and its pictures show what the page says."""
+"""The documentation's tour runs, and its pictures show the described content."""
 
 import os
 import pathlib

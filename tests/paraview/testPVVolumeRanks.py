@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Filters of blocks, caves, voxels and particles give on two ranks what they give on one."""
+"""Filters of blocks, caves, voxels and particles give equal results on two ranks and on one."""
 
 import pathlib
 
@@ -12,7 +12,7 @@ SCENE = pathlib.Path(__file__).with_name("volumeRanks.py")
 
 
 def make(ranks):
-    """The tables of so many ranks by name, a list with one of each, and what ParaView wrote."""
+    """The tables of so many ranks by name, a list with one of each, and ParaView's output."""
     launcher = pv.mpirun(ranks) if ranks > 1 else ()
     said = pv.run(SCENE, pv.OUTPUT, ranks, tool="pvbatch", launcher=launcher)
     parts = {

@@ -81,7 +81,7 @@ struct HistoryState
 
   HistoryState();
 
-  /** One more step of a walk; says what it was. */
+  /** One more step of a walk; returns its description. */
   std::string Step(std::mt19937& random);
 };
 
@@ -105,7 +105,7 @@ public:
   long long GetBytesHeld();
 
   vtkNew<vtkRenderer> Renderer;
-  vtkNew<vtkRenderer> Back; // draws what no other renderer covers: VTK leaves it as it finds it
+  vtkNew<vtkRenderer> Back; // draws parts covered by no other renderer, which VTK leaves unchanged
   vtkSmartPointer<vtkRenderWindow> Window;
 
 private:

@@ -71,8 +71,8 @@ void Look(ShadowStage& stage, const Eye& eye)
   stage.Renderer->SetBackground(1., 0., 1.);
 }
 
-// What is allowed: of the pixels, shown or not against the truth; relative error of depth and
-// range; of the pixels that face the light, with another verdict by exact shadows and by maps.
+// Limits: share of pixels, shown or not against the truth; relative error of depth and range; share
+// of pixels facing the light with another verdict by exact shadows and by maps.
 struct Limits
 {
   double Coverage = 0.;
@@ -309,7 +309,7 @@ vtkSmartPointer<vtkPolyData> MakeCubes(vtkPolyData* centers)
 }
 
 // A hollow ball of cubes around the camera, with and without smaller cubes that reach into the
-// hollow. What moves in the shader has its shadows in a map, whatever the method.
+// hollow. Props moved in the shader cast by maps, for any method.
 void TestCubes()
 {
   const relievoTest::Solid ball = relievoTest::MakeHollowBall();

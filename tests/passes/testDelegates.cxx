@@ -219,7 +219,7 @@ void TestChain(const Chain& chain, bool part)
   stage.Renderer->SetPass(nullptr);
 }
 
-// The depth in world units, whole in a float framebuffer that somebody else made.
+// The depth in world units, complete in a foreign float framebuffer.
 void TestFloatFramebuffer(bool part, bool withDelegate)
 {
   const Stage stage(160, 120);

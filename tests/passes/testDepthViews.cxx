@@ -247,7 +247,7 @@ void TestStays()
   auto* b = static_cast<unsigned char*>(after->GetScalarPointer());
   RELIEVO_CHECK(std::equal(a, a + 3 * before->GetNumberOfPoints(), b));
   RELIEVO_CHECK(*std::max_element(a, a + 3 * before->GetNumberOfPoints()) > 200);
-  // The cells depend on the scene alone: not on the camera, the viewport, or what was before.
+  // The cells depend only on the scene: not on the camera, the viewport, or earlier results.
   RELIEVO_CHECK(Seen(scene.Renderer, true, 0.1, 0.1) == first);
   scene.Torus->SetPosition(0.5, 0.3, 0.2);
   RELIEVO_CHECK(Seen(scene.Renderer, true, 0.1, 0.1) != first);

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Times of the frame report belong to the stage that did the work, also where OpenGL in software
-// draws long after the commands; frames that nobody wants times of are not slowed for them.
+// Times of the frame report belong to the stage that did the work, even if software OpenGL draws
+// long after the commands; frames whose times are not requested are not slowed.
 #include "Check.h"
 #include "ColorStage.h"
 #include "FrameTimes.h"

@@ -76,7 +76,7 @@ void Compare(HistoryScene& warm, const HistoryState& state, const std::string& w
     RELIEVO_CHECK_THAT(!state.Attached || count == 0,
       what + ": " + std::to_string(count) + " pixels of the layer " + name + " differ");
   }
-  // What depth is refined with is made once depth has been read.
+  // Data for refining depth are made once depth has been read.
   warm.Draw(state);
   cold.Draw(state);
   RELIEVO_CHECK_THAT(warm.GetBytesHeld() == cold.GetBytesHeld(),

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What of OpenGL's state a frame gives back. VTK's own record of it may name buffers that are gone:
-// those are not bound again.
+// The OpenGL state that a frame restores. VTK's own record of it may name deleted buffers: those
+// are not bound again.
 #include "Check.h"
 #include "GLCheck.h"
 #include "Layers.h"
@@ -78,7 +78,7 @@ void LeaveBuffersBehind(vtkRenderWindow* window)
   glDeleteVertexArrays(1, &array);
 }
 
-// What VTK believes, and what is.
+// VTK's record, and the real state.
 struct Record
 {
   GLint Viewport[4];

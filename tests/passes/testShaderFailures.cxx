@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Shaders that no longer compile once Relievo's text is in them: here a user's replacement takes
-// one of its names. What they draw is drawn as VTK does without Relievo; one message says so.
+// Shaders that no longer compile with Relievo's text: here a user's replacement uses one of its
+// names. Their props are drawn as in VTK without Relievo; one message reports it.
 #include "Check.h"
 #include "Layers.h"
 #include "Props.h"

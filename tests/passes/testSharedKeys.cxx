@@ -284,7 +284,7 @@ void TestStray()
     RELIEVO_CHECK_AT_MOST(relievoTest::CountDifferent(before, Layers(image), "normal"), 0,
       "copied keys: pixels of normal");
     vtkRelievoPass::Detach(stage.Renderer);
-    // By the actor of the copied keys itself, without what copies them anew.
+    // By the actor of the copied keys itself, without copying them again.
     stage.Renderer->RemoveActor(actor);
     stage.Renderer->AddActor(actor->Device);
     relievoTest::SamePicture(plain, Picture(stage.Window), "keys with a pass of another frame");

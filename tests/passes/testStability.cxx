@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Broken data: NaN and infinite points, triangles without area, normals of length zero or NaN,
-// arrays of NaN and infinities. What is whole beside it comes out as without it, and OpenGL has no
-// complaint.
+// arrays of NaN and infinities. Valid data beside them are drawn as without them, and OpenGL
+// reports no error.
 #include "Check.h"
 #include "GLCheck.h"
 #include "Layers.h"

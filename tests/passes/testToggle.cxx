@@ -189,7 +189,7 @@ void TestMultisampled()
   TestPicture("4 samples", multi.Renderer, multi.Window, covered);
 }
 
-// 200 times on, off, another size: OpenGL itself says what is held.
+// 200 times on, off, another size: OpenGL itself counts the objects.
 void TestCycles()
 {
   relievoTest::Stage stage(200, 150);
@@ -279,7 +279,7 @@ void TestTimes()
     {
       stage.Window->SetSize(60, 45);
     }
-    frame->GetFrameReport(); // OpenGL in software is timed when somebody reads the times
+    frame->GetFrameReport(); // software OpenGL is timed only after times have been read
     for (int j = 0; j < 8; ++j)
     {
       relievoTest::RenderAndFinish(stage.Window);
@@ -292,7 +292,7 @@ void TestTimes()
   vtkRelievoPass::Detach(stage.Renderer);
 }
 
-// What is picked does not depend on Relievo.
+// Picking does not depend on Relievo.
 void TestSelection()
 {
   relievoTest::Stage stage(120, 90);

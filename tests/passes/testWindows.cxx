@@ -152,7 +152,7 @@ void TestStereo()
   }
 }
 
-// A renderer in a layer above, and one that keeps the colours of what was drawn before.
+// A renderer in a layer above, and one that keeps the existing colours.
 void TestRendererLayers()
 {
   for (const bool keep : { false, true })

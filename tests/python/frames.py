@@ -40,7 +40,7 @@ def renderers_of(window):
 
 
 def capture_surfaces(renderer):
-    """What a capture says of surfaces, whosever they are."""
+    """Captures layers of any surfaces."""
     image = relievo.capture(renderer, SURFACES)
     return {name: relievo.layer(image, name).copy() for name in SURFACES}
 

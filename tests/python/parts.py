@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the scenes of tests/scenes are made of."""
+"""Parts of the scenes in tests/scenes."""
 
 import vtkmodules.vtkRenderingFreeType  # noqa: F401
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
@@ -66,7 +66,7 @@ def actor(drawn, color=(0.8, 0.7, 0.5), at=(0, 0, 0)):
 
 
 def separate(*props):
-    """Actors of their own that show what the props' paths show, each with its own mapper."""
+    """Separate actors that show the props' paths, each with its own mapper."""
     found = []
     for prop in props:
         prop.InitPathTraversal()

@@ -13,7 +13,7 @@ from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkRenderer
 
 
 def add(renderer, source):
-    """An actor of what the source makes; returns the actor."""
+    """Adds an actor of the source's output; returns the actor."""
     mapper = vtkPolyDataMapper()
     mapper.SetInputConnection(source.GetOutputPort())
     actor = vtkActor()

@@ -27,7 +27,7 @@ COLUMNS, ROWS = 64, 48
 
 
 def clip(polygon, axis, limit, sign):
-    """What of the polygon lies on one side of a line: Sutherland and Hodgman, 1974."""
+    """The part of the polygon on one side of a line: Sutherland and Hodgman, 1974."""
     inside = []
     for a, b in zip(polygon, numpy.roll(polygon, -1, axis=0)):
         ahead, behind = sign * (a[axis] - limit), sign * (b[axis] - limit)
@@ -123,7 +123,7 @@ class Antialias(unittest.TestCase):
         edges = (shares > 0) & (shares < 1)
         single = self.error(1, shares)
         resting = set()
-        # 0 last: FXAA that fails shows what it has seen before.
+        # 0 last: after a failure, FXAA shows its earlier picture.
         for multi in vtkRenderWindow().GetMultiSamples(), 4, 0:
             with self.subTest(multisamples=multi):
                 self.window.SetMultiSamples(multi)
@@ -169,7 +169,7 @@ class Antialias(unittest.TestCase):
                 self.assertLess(self.error(64, covered(corners)), 0.02)
 
     def test_camera(self):
-        """Nobody is told of a camera that moves, and afterwards it is as it was."""
+        """A moving camera sends no events, and is restored afterwards."""
         told = []
         self.camera.AddObserver("ModifiedEvent", lambda *_: told.append(1))
         before = self.camera.GetMTime()
@@ -283,7 +283,7 @@ class Antialias(unittest.TestCase):
         while self.frame.GetSamplesLeft() > 0:
             last = picture(self.window)
         numpy.testing.assert_array_equal(last, whole)
-        # What is set on the renderer begins anew.
+        # Changes of the renderer restart accumulation.
         self.renderer.SetTwoSidedLighting(False)
         self.window.Render()
         self.assertEqual(self.frame.GetSamplesLeft(), 7)

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What no method of a wrapped class can use raises, or does nothing; it never ends the program."""
+"""Arguments that a wrapped method cannot use raise, or do nothing; they never end the program."""
 
 import os
 import re
@@ -31,7 +31,7 @@ CHECKED_BELOW = {("vtkRelievoFramePass", "ReadLayers"), ("vtkRelievoFramePass", 
 
 
 def classes():
-    """Those of the package, with what they inherit within it."""
+    """The package's classes, with methods inherited within it."""
     found = []
     for thing in vars(relievo).values():
         for each in thing.__mro__ if isinstance(thing, type) else ():
@@ -71,7 +71,7 @@ def signatures(name, words):
 
 
 def calls_of(kind, text):
-    """Name and arguments of what is tried: all and each argument None, and of text."""
+    """Name and arguments of each attempt: all and each argument None, and text."""
     for name, method in vars(kind).items():
         if name.startswith("_") or name in VTKS_OWN or not callable(method):
             continue
@@ -162,7 +162,7 @@ class Package(unittest.TestCase):
                 self.assertRaises((ValueError, OSError), call)
 
     def test_without_display_of_warnings(self):
-        """vtkObject.GlobalWarningDisplayOff() silences VTK, not what is raised, and stays."""
+        """vtkObject.GlobalWarningDisplayOff() silences VTK but not exceptions, and stays."""
         renderer = scenes.plane_and_sphere()
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)

@@ -166,7 +166,7 @@ class Pictures(unittest.TestCase):
 
 
 class Setting(unittest.TestCase):
-    """What camera() takes, keeps and refuses."""
+    """Values that camera() accepts, keeps and refuses."""
 
     def test_round_trip(self):
         found = relievo.camera(K=SKEWED, size=SIZE, R=VECTOR, t=SHIFT, near=0.5, far=80)
@@ -360,7 +360,7 @@ class Lenses(unittest.TestCase):
                 make()
 
 
-# As cv2.FileStorage of OpenCV 5.0.0 writes them.
+# Written as by cv2.FileStorage of OpenCV 5.0.0.
 OPENCV_YAML = """%YAML 1.2
 ---
 calibration_time: "Thu Nov 26 20:00:00 2026"

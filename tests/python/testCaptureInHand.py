@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""capture() of what else than a renderer people have in hand: data, filters, plotters."""
+"""capture() of other things than a renderer: data, filters, plotters."""
 
 import types
 import unittest

@@ -147,7 +147,7 @@ class CutOut(unittest.TestCase):
         self.assertGreater(sure.mean(), 0.5)
         numpy.testing.assert_array_equal(got[sure], there[sure])
         self.assertLess((got != there).mean(), 0.01)
-        # Each layer is of what the actor's layer says.
+        # Each layer belongs to the actor in the actor's layer.
         position = relievo.layer(image, "position")
         height = numpy.where(got, 0, WALL)
         numpy.testing.assert_allclose(position[actor >= 0][:, 2], height[actor >= 0], atol=1e-5)
@@ -157,7 +157,7 @@ class CutOut(unittest.TestCase):
         self.assertEqual(set(albedo[actor >= 0][:, 3]), {255})
         off = abs(albedo[actor == 1][:, :3] - 255 * numpy.array((0.2, 0.6, 0.3)))
         self.assertLess(off.max(), 1)
-        # And the picture: what is there is as opaque as with a texture that has no alpha.
+        # And the picture: visible parts are as opaque as with a texture without alpha.
         self.check_picture(relievo.layer(image, "color"), got)
 
     def check_picture(self, color, got):
@@ -259,7 +259,7 @@ class CutOut(unittest.TestCase):
         relievo.detach(self.renderer)
 
     def test_relief(self):
-        """A flat ground at half the depth: what is seen is where the ray meets that plane."""
+        """A flat ground at half the depth: pixels show the ray's hit with that plane."""
         heights = numpy.full((16, 16), 0.5, numpy.float32)
         self.material.SetHeightMap(relievo.to_image(heights))
         self.material.SetHeightRange(0, 1)

@@ -96,7 +96,7 @@ def around():
 
 
 def triangles(actor):
-    """The corners of what an actor draws, in the world: n x 3 x 3."""
+    """The corners of an actor's triangles, in the world: n x 3 x 3."""
     source = vtkTriangleFilter()
     source.SetInputConnection(actor.GetMapper().GetInputConnection(0, 0))
     source.Update()
@@ -146,7 +146,7 @@ def follow(camera, local, corners):
 
 
 class Truth:
-    """What a camera sees of actors."""
+    """The true view of actors from a camera."""
 
     def __init__(self, camera, actors):
         found = [trace(camera, triangles(actor)) for actor in actors]
@@ -296,7 +296,7 @@ class Datasets(unittest.TestCase):
         self.assertGreater(len(numpy.unique(picture.reshape(-1, 3), axis=0)), 100)
 
     def check_as_bop_reads(self, cameras, actors):
-        """BOP's own reader and its rule of what is visible, of depths that numpy finds."""
+        """BOP's own reader and its rule of visibility, with depths computed by numpy."""
         scene_camera = bop_inout.load_scene_camera(self.folder / "scene_camera.json")
         scene_gt = bop_inout.load_scene_gt(self.folder / "scene_gt.json")
         for view, camera in enumerate(cameras):
@@ -430,7 +430,7 @@ class Datasets(unittest.TestCase):
         self.assertGreater(visible[0].sum(), 300)
 
     def test_translucent_and_cut_out(self):
-        """What is translucent hides nothing; of a cut-out the rest is there."""
+        """Translucent surfaces occlude nothing; the opaque part of a cut-out does."""
         renderer = vtkRenderer()
         glass = add(renderer, plate(0.5), (0, 0, 1))
         glass.GetProperty().SetOpacity(0.3)
@@ -511,7 +511,7 @@ class Datasets(unittest.TestCase):
         self.assertLess(counts[0][1], 0.9 * counts[1][1])
 
     def test_rays(self):
-        """Of a lens that bends all is what rays meet, as captures have it."""
+        """For a distorting lens, everything is traced by rays, as in captures."""
         renderer = heap()
         lens = relievo.Fisheye(K, SIZE, [0.02, -0.01]).look_at((0.5, 1.0, 3.2), (0, -0.1, 0))
         relievo.write_dataset(renderer, [lens], self.folder, "npz", "normal")
@@ -554,7 +554,7 @@ class Datasets(unittest.TestCase):
             relievo.write_dataset(renderer, directory=broken,
                                   progress=lambda share: share < 0.3, **words)  # fmt: skip
         self.assertFalse((broken / "scene_gt.json").exists())
-        # Of the third view there is something, and no record.
+        # The third view has a file but no record.
         (broken / "rgb" / "000002.png").write_bytes(b"half")
         shares = []
         self.assertEqual(
@@ -606,7 +606,7 @@ class Datasets(unittest.TestCase):
         moved = relievo.Pinhole(K, SIZE).look_at((0.5, 1.0, 3.3), (0, -0.1, 0))
         with self.assertRaisesRegex(ValueError, "depth_step|another camera"):
             relievo.write_dataset(renderer, moved, self.folder / "set")
-        # Cameras of another seed lie elsewhere, and so does what a depth step reaches.
+        # Another seed gives other cameras, and other ranges of a depth step.
         words = {"cameras": "random:2", "directory": self.folder / "seeds", "size": SIZE}
         relievo.write_dataset(renderer, **words)
         with self.assertRaisesRegex(ValueError, "was begun with seed 0, now it is 5"):
@@ -624,7 +624,7 @@ class Datasets(unittest.TestCase):
         (self.folder / "file").write_text("mine")
         with self.assertRaisesRegex(OSError, "cannot be made"):
             relievo.write_dataset(renderer, camera, self.folder / "file" / "set")
-        # What a refused call has begun is no obstacle.
+        # The remains of a refused call are no obstacle.
         relievo.write_dataset(renderer, camera, self.folder / "other")
 
     def test_damaged_records(self):
@@ -676,7 +676,7 @@ class Datasets(unittest.TestCase):
         ):  # fmt: skip
             found = numpy.array(self.poses_of(poses)[0]["K"])
             numpy.testing.assert_allclose(found[[0, 4, 2, 5]], expected, rtol=1e-12)
-        # Where nothing says what is up, the axis of the scene does: z is towards the upper edge.
+        # Without another definition, up is the scene's axis: z is towards the upper edge.
         aside = [{"position": [3, 1, 0.5], "target": [0, 0, 0]}]
         rotation = numpy.array(self.poses_of(aside, up="z")[0]["R"]).reshape(3, 3)
         self.assertAlmostEqual(rotation[0, 2], 0)
@@ -759,7 +759,7 @@ class Datasets(unittest.TestCase):
         numpy.testing.assert_allclose(model, -numpy.eye(3), atol=1e-12)
 
     def test_beyond_the_picture(self):
-        """BOP counts what lies beyond it, also of objects and parts that are out of view."""
+        """BOP counts pixels beyond the picture, also for objects and parts out of view."""
         renderer = vtkRenderer()
         camera = relievo.Pinhole(K, SIZE, numpy.diag([1.0, -1, -1]), (0, 0, 3))
         places = [(0, 0, 0), (3, 0, 0), (2.5, 0.3, 0), (0, 0, 9)]
@@ -780,7 +780,7 @@ class Datasets(unittest.TestCase):
         self.assertEqual([info["px_count_visib"] > 0 for info in infos], [True, False, False])
 
     def test_names_of_any_bytes(self):
-        """What is no Unicode is replaced, and the views are not lost."""
+        """Invalid Unicode is replaced, and the views are not lost."""
         renderer = heap()
         writer = relievo.vtkRelievoDatasetWriter()
         writer.SetRenderer(renderer)

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The demo, small: its files, what is in them, and its errors."""
+"""The demo, small: its files, their content, and its errors."""
 
 import json
 import os

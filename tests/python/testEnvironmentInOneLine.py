@@ -55,7 +55,7 @@ class Environment(unittest.TestCase):
         return 255 * srgb.encoded(color)
 
     def test_sky_lies_as_it_should(self):
-        """In each direction its colour, at the picture's side; what is above stays above."""
+        """In each direction its colour, at the right side of the picture; up stays up."""
         path = self.folder / "sides.exr"
         picture = four_sides()
         picture[: len(picture) // 3] = (0.05, 0.05, 0.4)  # the upper third is blue
@@ -199,7 +199,7 @@ class Environment(unittest.TestCase):
             self.assertIs(own.GetEnvironment(), made)
         relievo.environment(self.renderer, None)
         self.assertIs(own.GetEnvironment(), former)
-        # What was set meanwhile is not ours to replace.
+        # Later settings of the user are not replaced.
         relievo.environment(self.renderer, image, roughness=0)
         other = relievo.vtkRelievoEnvironment()
         own.SetEnvironment(other)
@@ -223,7 +223,7 @@ class Environment(unittest.TestCase):
             self.assertIsNone(own.GetEnvironment())
 
     def test_shared_by_renderers(self):
-        """An actor in two renderers shows what was set last; each None takes one away."""
+        """An actor in two renderers shows the last environment; each None removes one."""
         image = relievo.to_image(four_sides())
         beside = vtkRenderer()
         beside.AddActor(self.actor)
@@ -263,7 +263,7 @@ class Environment(unittest.TestCase):
             self.assertIsNone(material(each))
 
     def test_leaves_the_camera_to_the_first_frame(self):
-        """VTK fits a camera that nobody has asked for, and so it does with a sky."""
+        """VTK fits a camera that has not been requested before, also with a sky."""
         def first_frame(path):
             renderer = vtkRenderer()
             scenes.add(renderer, vtkSphereSource()).SetPosition(50, 0, 0)

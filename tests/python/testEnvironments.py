@@ -83,7 +83,7 @@ def convert(image, projection="Cube", size=0):
 
 
 class Worlds(unittest.TestCase):
-    """What the files hold is measured by numpy, in double, on the full image."""
+    """The files' content is computed by numpy, in double, from the full image."""
 
     @classmethod
     def setUpClass(cls):

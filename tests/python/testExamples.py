@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Every numbered example runs and writes what it says."""
+"""Every numbered example runs and writes the documented files."""
 
 import datetime
 import math
@@ -109,7 +109,7 @@ class Examples(unittest.TestCase):
         cls.ran = {}
 
     def run_example(self, name):
-        """What the example said; its files are in self.folder / "out". It runs once for all."""
+        """The example's output; its files are in self.folder / "out". It runs once for all."""
         if name not in self.ran:
             folder = pathlib.Path(self.kept.name) / name
             folder.mkdir()
@@ -174,7 +174,7 @@ class Examples(unittest.TestCase):
         self.assertGreater(early[50:].std(), 10)
 
     def test_certified_shadows(self):
-        # Three ways, each with its plan and its bound; what is exact has no error.
+        # Three methods, each with its plan and its bound; exact shadows have no error.
         said = self.run_example("25_certified_shadows.py")
         ways = {}
         for line in said.splitlines():
@@ -228,7 +228,7 @@ class Examples(unittest.TestCase):
         self.assertGreater((red > 1.5 * numpy.maximum(green, blue) + 30).mean(), 0.02, "the paint")
         self.assertGreater(picture[:50].std(), 3, "the sky is even")
         balls = read_png(self.folder / "out" / "environment_balls.png").astype(float)
-        # The third ball is rough: what it mirrors changes less from pixel to pixel.
+        # The third ball is rough: its reflection changes less from pixel to pixel.
         columns = numpy.linspace(0, balls.shape[1], 7).astype(int)
         steps = []
         for left, right in zip(columns[:-1], columns[1:]):
@@ -240,7 +240,7 @@ class Examples(unittest.TestCase):
 
 class Sun(unittest.TestCase):
     def test_declination(self):
-        # Of 2026, at noon UT: 2.8 hours before an equinox, 11.9 after the other, at the solstices.
+        # For 2026, at noon UT: 2.8 hours before an equinox, 11.9 after the other, at the solstices.
         truths = {(3, 20): -0.046, (9, 23): -0.193, (6, 21): 23.44, (12, 21): -23.44}
         for day, truth in truths.items():
             found = math.degrees(sun.declination(datetime.date(2026, *day)))

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""relievo.fog: what it takes, what passes, and what it refuses."""
+"""relievo.fog: its arguments, its transmittance, and refusals."""
 
 import unittest
 
@@ -15,7 +15,8 @@ class Fog(PointsTest):
         return relievo.layer(relievo.capture(self.renderer, ["fog"]), "fog")
 
     def expected(self, spheres):
-        """What passes spheres (place, radius, density), by rays that end at the captured depth."""
+        """The transmittance of spheres (place, radius, density), by rays that end at the captured
+        depth."""
         relievo.attach(self.renderer).GetLayersStage().RefineDepthOff()
         depth = relievo.layer(relievo.capture(self.renderer, ["depth"]), "depth").astype(float)
         origin, direction = rays(self.renderer.GetActiveCamera(), 90, 60)

@@ -37,7 +37,7 @@ DOCS = pathlib.Path(os.environ["RELIEVO_EXAMPLES"]).parent / "docs"
 
 
 def picture(window):
-    """What the window draws now, as bytes."""
+    """The window's current picture, as bytes."""
     window.Render()
     grab = vtkWindowToImageFilter()
     grab.SetInput(window)
@@ -135,7 +135,7 @@ class Attach(unittest.TestCase):
         frame.SetDisplayLayer("normal")
         self.assertNotEqual(picture(self.window), smoothed)
         frame.SetDisplayLayer(None)
-        gc.collect()  # nobody else keeps what keeps it
+        gc.collect()  # no other references keep its owner alive
         self.renderer.SetPass(None)
         self.assertEqual(picture(self.window), self.first)
         self.assertIs(self.renderer.GetPass(), frame)
@@ -258,13 +258,13 @@ class Attach(unittest.TestCase):
         actor = vtkActor()
         actor.SetMapper(mapper)
         renderer.AddActor(actor)
-        relievo.attach(renderer).RequestLayer("weight")  # nobody can know
+        relievo.attach(renderer).RequestLayer("weight")  # cannot be checked yet
 
     def test_a_name_that_comes_later(self):
         renderer = vtkRenderer()
         window = scenes.window_of(renderer, 30, 20)
         frame = relievo.attach(renderer)
-        frame.RequestLayer("Normals")  # nothing is drawn: nobody can know
+        frame.RequestLayer("Normals")  # nothing is drawn: it cannot be checked yet
         frame.RequestLayer("bogus")
         scenes.add(renderer, vtkSphereSource())
         window.Render()
@@ -286,7 +286,7 @@ class Attach(unittest.TestCase):
                 frame.RequestLayer("bogus")
 
     def test_more_lights_than_shaders_hold(self):
-        """One message says how many there are, how many there may be, and what to do."""
+        """One message gives the number of lights, the limit, and a remedy."""
         frame = relievo.attach(self.renderer)
         for _ in range(frame.MOST_LIGHTS + 1):  # beside the headlight
             self.renderer.AddLight(vtkLight())

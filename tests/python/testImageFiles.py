@@ -110,7 +110,7 @@ def tiff(values, order="<", orientation=1, photometric=None, bits=None, colormap
 
 
 def stored_as(shown, orientation):
-    """What a TIFF holds so that `shown` is seen: TIFF 6.0, Orientation."""
+    """The texels of a TIFF that is shown as `shown`: TIFF 6.0, Orientation."""
     turned = shown.swapaxes(0, 1) if orientation >= 5 else shown
     # The file's row 0 is the picture's: 1, 2 top; 3, 4 bottom; 5, 8 left; 6, 7 right. Its column 0:
     # 1, 4 left; 2, 3 right; 5, 6 top; 7, 8 bottom.
@@ -529,7 +529,7 @@ class Hdr(Files):
 
 
 class Colors(Files):
-    """What a vtkTexture gets."""
+    """The image passed to a vtkTexture."""
 
     def test_sixteen_bits(self):
         values = numpy.array([[0, 65535, 32768, 257, 100]], numpy.uint16)

@@ -53,7 +53,7 @@ class Rows(unittest.TestCase):
         numpy.testing.assert_array_equal(relievo.from_image(image), values)
 
     def test_as_vtk_sees_it(self):
-        """A texture's upper edge is what is at v = 1, and a PNG's first row is the top."""
+        """A texture's upper edge is at v = 1, and a PNG's first row is the top."""
         picture = numpy.zeros((6, 4, 3), numpy.uint8)
         picture[0] = (255, 0, 0)
         with tempfile.TemporaryDirectory() as folder:
@@ -72,7 +72,7 @@ class Rows(unittest.TestCase):
             numpy.testing.assert_array_equal(relievo.from_image(reader.GetOutput()), picture)
 
     def test_a_captured_picture(self):
-        """What is above in the world is in the upper rows."""
+        """The upper side of the world is in the upper rows."""
         renderer = vtkRenderer()
         above = vtkSphereSource()
         above.SetCenter(0, 0.8, 0)

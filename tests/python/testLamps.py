@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""relievo.lamps: what it takes, what is lit, and what it refuses."""
+"""relievo.lamps: its arguments, its light, and refusals."""
 
 import types
 import unittest

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""layers(): the catalogue says of each layer what a capture gives, and what the documents say."""
+"""layers(): the catalogue agrees with captures and with the documents."""
 
 import os
 import pathlib

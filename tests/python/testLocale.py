@@ -53,7 +53,7 @@ def write_hdr(path):
 
 
 def points_of(mesh):
-    """Of all polydata in what a reader made."""
+    """The points of all polydata in a reader's output."""
     data = [mesh]
     if mesh.IsA("vtkCompositeDataSet"):
         data = []
@@ -104,7 +104,7 @@ class Locale(unittest.TestCase):
                     self.assertEqual(sorted(map(tuple, numpy.abs(found))), sorted(CORNERS))
 
     def test_scene(self):
-        """What `relievo render` reads by VTK's readers."""
+        """Files that `relievo render` reads by VTK's readers."""
         texts = {name: MESHES[name] for name in ("a.stl", "a.PLY", "a.obj", "a.OFF")}
         texts["a.vtk"] = ("# vtk DataFile Version 3.0\na\nASCII\nDATASET POLYDATA\nPOINTS 3 float\n"
                           + " ".join(ROWS) + "\nPOLYGONS 1 4\n3 0 1 2\n")  # fmt: skip
@@ -159,7 +159,7 @@ class Locale(unittest.TestCase):
                 self.assertEqual(told["intensity"], 0.75)
 
     def test_words(self):
-        """Parameters, reports, and what is printed of numbers."""
+        """Parameters, reports, and printed numbers."""
         for _ in self.each():
             renderer = scenes.plane_and_sphere()
             window = scenes.window_of(renderer, 30, 20)

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""relievo.markers: what it takes, what is marked, and what it refuses."""
+"""relievo.markers: its arguments, its coverage, and refusals."""
 
 import unittest
 

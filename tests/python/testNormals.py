@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Layer `normal` of meshes whose normals and winding agree or not, against what VTK lights."""
+"""Layer `normal` of meshes with consistent or inconsistent winding, compared with VTK's shading."""
 
 import itertools
 import os

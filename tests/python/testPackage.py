@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""pyproject.toml against what it names; tools/wheel builds with it."""
+"""pyproject.toml compared with the files it names; tools/wheel builds with it."""
 
 import configparser
 import importlib

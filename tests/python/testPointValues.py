@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What stages of points say of their values is what every door and every page has."""
+"""The stages' descriptions of values agree with every interface and every page."""
 
 import inspect
 import os
@@ -45,7 +45,7 @@ class Values(unittest.TestCase):
                 self.assertEqual(table[name][-1], points.GetParameterDefault(name), name)
 
     def test_command(self):
-        """Each value is in the help, and takes what Python takes."""
+        """Each value is in the help, and accepts Python's values."""
         page = subprocess.run(
             [os.environ["RELIEVO"], "--help"], stdout=subprocess.PIPE, text=True, check=True
         ).stdout
@@ -70,7 +70,7 @@ class Values(unittest.TestCase):
             self.assertEqual(names, ["renderer", "points", *of_points, *of_stage])
 
     def test_words(self):
-        """Numbers, choices and names of arrays are told apart, and what is set is said again."""
+        """Numbers, choices and names of arrays are distinguished, and settings are kept."""
         lamps = relievo.vtkRelievoLamps()
         for name, words, said in (
             ("radius", "2.5", "2.5"),

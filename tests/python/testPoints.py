@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Points from depth; rays as arrays, beside what is captured; errors as exceptions."""
+"""Points from depth; rays as arrays, compared with captures; errors as exceptions."""
 
 import unittest
 
@@ -60,7 +60,7 @@ class Points(unittest.TestCase):
 
 class Rays(unittest.TestCase):
     def check_captured(self, **scene):
-        """What rays through the centres of pixels meet is what the pixels show."""
+        """Hits of rays through the centres of pixels equal the pixels' layers."""
         renderer = scenes.plane_and_sphere(**scene)
         renderer.GetActors().GetItemAsObject(1).SetScale(1, 1.25, 1)
         names = ["range", "normal", "geometric_normal", "position", "actor", "block", "cell"]

@@ -60,7 +60,7 @@ def lit_scene_shown():
 
 
 def shown(plotter):
-    """What the window shows, RGB, row 0 at the top."""
+    """The window's picture, RGB, row 0 at the top."""
     window = plotter.render_window
     columns, rows = window.GetSize()
     pixels = vtkUnsignedCharArray()
@@ -106,7 +106,7 @@ class Metadata(unittest.TestCase):
 
 class Component(unittest.TestCase):
     def test_shadows(self):
-        """What lies in the ball's shadow, which is as wide as the ball, loses the sun's light."""
+        """The ball's shadow, which is as wide as the ball, loses the sun's light."""
         plotter = lit_scene()
         plotter.show()
         plotter.relievo.shadows()
@@ -126,7 +126,7 @@ class Component(unittest.TestCase):
         self.assertTrue((dark[hidden] < 0.01).all() and (bright[hidden] > 0.1).all())
 
     def test_camera_before_the_first_show(self):
-        """A capture before show() sees what PyVista would show."""
+        """A capture before show() has the picture that PyVista would show."""
         early, shown = lit_scene(), lit_scene()
         shown.show()
         numpy.testing.assert_array_equal(
@@ -169,7 +169,7 @@ class Component(unittest.TestCase):
 
 
 class Passes(unittest.TestCase):
-    """What others do with the renderer's pass, before Relievo and after it."""
+    """Other uses of the renderer's pass, before Relievo and after it."""
 
     def test_in_any_order(self):
         before, after = lit_scene(), lit_scene()

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The scale bar is as long as what it measures: a plane of known width that VTK draws."""
+"""The scale bar is as long as the measured length: a plane of known width drawn by VTK."""
 
 import itertools
 import unittest
@@ -27,7 +27,7 @@ def seen(window, scale=1, border=False):
 
 
 def runs(line):
-    """Begins and ends of what is true in a line."""
+    """Beginnings and ends of runs of true values in a line."""
     edges = numpy.flatnonzero(numpy.diff(numpy.concatenate([[0], line, [0]]).astype(int)))
     return list(zip(edges[::2], edges[1::2], strict=True))
 
@@ -207,7 +207,7 @@ class Label(unittest.TestCase):
         self.assertEqual(bar.GetLabel(renderer), "")
 
     def test_shown(self):
-        """What is written follows number and unit alone, is whole and in the picture."""
+        """The text depends only on number and unit, and is completely inside the picture."""
         renderer = placed(True)
         window = scenes.window_of(renderer, 400, 300)
         for unit in (None, "mm", "µm", "light years of some other galaxy"):
@@ -291,7 +291,7 @@ class Picture(unittest.TestCase):
         numpy.testing.assert_array_equal(pictures[0], seen(window))
 
     def test_too_long(self):
-        """Is said once, with what fits, and nothing is drawn."""
+        """Reported once, with a fitting length, and nothing is drawn."""
         renderer = placed(True)
         window = scenes.window_of(renderer, 400, 300)
         without = seen(window)

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""relievo.scene(): what the command draws, in every order of settings, and VTK left as it was."""
+"""relievo.scene(): the command's pictures, for every order of settings; VTK is left unchanged."""
 
 import base64
 import errno
@@ -104,7 +104,7 @@ class Scene(unittest.TestCase):
         return (self.folder / "scene.png").read_bytes()
 
     def test_every_kind_of_value(self):
-        """Text, numbers, tuples, flags, lists: what the command makes of the same words."""
+        """Text, numbers, tuples, flags, lists: equal results to the command's arguments."""
         made = relievo.scene(
             self.mesh,
             size=SIZE,
@@ -146,7 +146,7 @@ class Scene(unittest.TestCase):
             self.assertEqual(self.picture(scene), fresh[i], ways[i])
 
     def test_after_a_sequence(self):
-        """What a sequence moved is back at its time; a script's angle and size do not stay."""
+        """A sequence's movements are undone at its end; a script's angle and size do not stay."""
         path = self.folder / "moving.gltf"
         path.write_text(moving())
         look = {"size": SIZE, "camera": (1, 0, 5, 1, 0, 0, 0, 1, 0)}
@@ -284,7 +284,7 @@ class Scene(unittest.TestCase):
             found = scene.renderer.GetActors().GetLastActor().GetMapper().GetInput()
             for mesh in (expected, found):
                 self.assertEqual(mesh.GetPolys().IsHomogeneous(), 3)
-            # Of both zeros, VTK's versions keep one or the other.
+            # VTK's versions keep either of both zeros.
             numpy.testing.assert_array_equal(
                 vtk_to_numpy(found.GetPoints().GetData()),
                 vtk_to_numpy(expected.GetPoints().GetData()))  # fmt: skip
@@ -312,7 +312,7 @@ class Scene(unittest.TestCase):
         self.assertIs(vtkOutputWindow.GetInstance(), window)
 
     def test_errors(self):
-        """What was given and expected; the scene keeps what it had."""
+        """Errors give value and expectation; the scene keeps its previous values."""
         scene = relievo.scene(self.mesh, size=SIZE, camera=CAMERA)
         plain = self.picture(scene)
         for options, says in (
@@ -414,7 +414,7 @@ class Scene(unittest.TestCase):
             numpy.testing.assert_array_equal(found, direction)
 
     def test_errors_of_opengl(self):
-        """VTK's list of them becomes what to do."""
+        """VTK's list of OpenGL errors becomes a remedy."""
         scene = relievo.scene(self.mesh, size=SIZE)
         text = ("ERROR: In vtkOpenGLError.h, line 9\nvtkTextureObject (0x1): failed after Create2D "
                 "1 OpenGL errors detected\n  0 : (1285) Out of memory\n")  # fmt: skip
@@ -425,7 +425,7 @@ class Scene(unittest.TestCase):
             scene.update()
 
     def test_notes_and_warnings(self):
-        """What a command prints is a scene's notes; a good one has none, and warns of nothing."""
+        """The command's messages are a scene's notes; a valid scene has none, and does not warn."""
         with warnings.catch_warnings():
             warnings.simplefilter("error")
             scene = relievo.scene(self.mesh, size=SIZE).update()

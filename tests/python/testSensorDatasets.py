@@ -95,7 +95,8 @@ def straighten(lens, coefficients, pixels):
 
 
 class Truth:
-    """What a lens sees of actors, also so many pictures beyond each edge of its own."""
+    """The true view of actors through a lens, also so many pixels beyond each edge of the picture.
+    """
 
     def __init__(self, camera, lens, coefficients, actors, beyond=0):
         columns, rows = SIZE
@@ -112,7 +113,7 @@ class Truth:
 
 
 def inner(mask):
-    """What is farther than two pixels from the edge."""
+    """Pixels farther than two pixels from the edge."""
     for _ in range(2):
         padded = numpy.pad(mask, 1)
         mask = mask & padded[:-2, 1:-1] & padded[2:, 1:-1] & padded[1:-1, :-2] & padded[1:-1, 2:]
@@ -190,7 +191,7 @@ class SensorDatasets(unittest.TestCase):
             self.assertLess(numpy.abs(places - numpy.stack([columns, rows], -1)).max(), 1e-3)
 
     def test_bop(self):
-        """The lens stands beside K; what is beyond the picture counts through the lens."""
+        """The lens is stored beside K; parts beyond the picture count through the lens."""
         renderer = heap()
         actors = list(renderer.GetActors())
         for number, (lens, coefficients, camera) in enumerate(self.lenses()):
@@ -321,7 +322,7 @@ class SensorDatasets(unittest.TestCase):
             relievo.write_dataset(heap(), lidar, self.folder / "coco", "coco")
 
     def test_behind_the_camera(self):
-        """What a fisheye sees beyond 90 degrees has no depth above 0: it is 0 in 16 bits."""
+        """Parts that a fisheye sees beyond 90 degrees have no depth above 0: it is 0 in 16 bits."""
         renderer = vtkRenderer()
         add(renderer, plate(0.9), (0, 0, 2))
         add(renderer, plate(0.5), (0, 0, -2))
@@ -397,7 +398,7 @@ class SensorDatasets(unittest.TestCase):
         self.assertTrue(found["visible_masks"][0].any())
 
     def test_lens_of_poses(self):
-        """Words, a file that says the size, and a sensor; what they do not go with is refused."""
+        """Texts, a file with a size, and a sensor; incompatible arguments are refused."""
         renderer = heap()
         calibration = self.folder / "camera.json"
         calibration.write_text(json.dumps({
@@ -436,7 +437,7 @@ class SensorDatasets(unittest.TestCase):
                                   lens=self.folder / "none.yml")  # fmt: skip
 
     def test_models(self):
-        """By their poses they are what the actors draw: moved, turned, scaled, mirrored, of two."""
+        """With their poses, models equal the actors: moved, rotated, scaled, mirrored, joined."""
         renderer = vtkRenderer()
         add(renderer, sphere(0.6), (0.1, 0, 0), 20)
         add(renderer, vtkCubeSource(), (-0.4, -0.1, 0.7), 35, 0.5)
@@ -549,7 +550,7 @@ class SensorDatasets(unittest.TestCase):
             valid = found[now]["flow_valid"]
             self.assertTrue(0.5 < valid[seen].mean() < 1)
             self.assertFalse(valid[~seen].any())
-        # As a range by itself.
+        # Equal to a separate range.
         relievo.write_dataset(renderer, cameras, self.folder / "part", "npz", names, views=(2, 3))
         part = numpy.load(self.folder / "part" / "000002.npz")
         numpy.testing.assert_array_equal(part["flow"], found[2]["flow"])

@@ -182,7 +182,7 @@ class Shadows(unittest.TestCase):
             self.assertGreater((on == off).all(axis=2).mean(), 0.7)
 
     def test_a_projective_matrix(self):
-        """What casts is where it is drawn, by every method; what is wrong on it is said."""
+        """Casters are where they are drawn, by every method; problems are reported."""
         rows = numpy.eye(4)
         rows[3] = 0.25, 0.2, 0.15, 1
         matrix = vtkMatrix4x4()
@@ -237,7 +237,7 @@ class Shadows(unittest.TestCase):
         _, shadows = self.capture()
         self.assertEqual([values[place].max() for values, place in zip(shadows, dark)], [0, 0, 0])
 
-        choices.SetStrength(0.5)  # of the picture: layers say what is blocked
+        choices.SetStrength(0.5)  # for the picture: layers show what is blocked
         _, shadows = self.capture()
         self.assertEqual([values[place].max() for values, place in zip(shadows, dark)], [0, 0, 0])
 

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What sensors see by rays: against frames, closed forms and projections by hand."""
+"""Sensors by rays: compared with frames, closed forms and separate projections."""
 
 import unittest
 
@@ -112,7 +112,7 @@ def first_hits(origin, directions, corners):
 
 
 class Layers(unittest.TestCase):
-    """capture(camera=) is what the frame draws, where the camera is a pinhole."""
+    """capture(camera=) equals the frame's picture if the camera is a pinhole."""
 
     NAMES = ["depth", "range", "position", "normal", "geometric_normal", "actor", "block", "cell"]
 
@@ -466,7 +466,7 @@ class SeenScene(unittest.TestCase):
         self.assertTrue((array(found[0], "seen") == 1).all())
 
     def test_translucent(self):
-        """What is translucent is seen through, as in the layers of a frame."""
+        """Translucent surfaces are transparent to rays, as in the layers of a frame."""
         renderer = self.scene()
         _, near = renderer.GetActors()
         near.GetProperty().SetOpacity(0.5)
@@ -749,7 +749,7 @@ class Flow(unittest.TestCase):
         after = relievo.Pinhole.of(renderer, SIZE)
         done = relievo.flow(before, renderer)
         self.expected(old, done, position, moved, after)
-        # What is said to be seen is what the second picture shows there.
+        # Points reported as visible are shown there in the second picture.
         now = relievo.layer(relievo.capture(renderer, ["position"], camera=after), "position")
         valid = relievo.layer(done, "flow_valid") == 1
         v, u = numpy.nonzero(valid)
@@ -938,7 +938,7 @@ class Flow(unittest.TestCase):
             self.assertEqual(alone.GetPointData().GetNumberOfArrays(), 1)
 
     def test_layers_of_a_parallel_camera(self):
-        """What a map sees moves by its shift, and from its principal point as it zooms."""
+        """A map's view moves by its shift, and from its principal point as it zooms."""
         renderer = scenes.plane_and_sphere(parallel=True)
         camera = renderer.GetActiveCamera()
         camera.SetParallelScale(2.0)
@@ -1418,7 +1418,7 @@ class OwnShaders(unittest.TestCase):
             places[seen] *= (1 - 0.2 * (places[seen]**2).sum(axis=-1))[:, None]
             v, u = numpy.mgrid[:150, :200]
             centres = numpy.stack([(u + 0.5) / 100 - 1, 1 - (v + 0.5) / 75], axis=-1)
-            # Corners are bent, what is between them is straight: 1/50 pixel here.
+            # Corners are distorted, interpolation between them is linear: 1/50 pixel here.
             off = numpy.abs(places - centres) * (100, 75)
             self.assertLess(off[layers["actor"] >= 0].max(), 0.02)
             # The array of places is the position, which lies in the cell that the layer says.

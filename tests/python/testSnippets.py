@@ -109,7 +109,7 @@ def read(path):
 
 
 class Hand:
-    """What a reader has at hand: the names that the snippets of a page use."""
+    """Names available to a reader: those that the snippets of a page use."""
 
     def __init__(self, page):
         self.page = page

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What materials, environments and shadows say of their values is what every door and page has."""
+"""Values described by materials, environments and shadows agree with interfaces and pages."""
 
 import inspect
 import os
@@ -17,7 +17,7 @@ PAGES = {
     "environment.md": relievo.vtkRelievoEnvironment(),
     "shadows.md": relievo.vtkRelievoPass().GetStage("shadows"),
 }
-# What has an option of its own.
+# Values with their own option.
 BY_OPTIONS = ("height_scale", "relief_method", "reflectivity", "roughness", "rotation", "up")
 
 
@@ -74,7 +74,8 @@ class Values(unittest.TestCase):
             self.assertRegex(relievo.environment.__doc__, rf"\b{name}: ", name)
 
     def test_words(self):
-        """Words are taken, come back, and are what the class's own methods set; or say why not."""
+        """Texts are accepted, returned, and equal to the class's own methods; or refused with a
+        reason."""
         material = relievo.vtkRelievoMaterial()
         for name, words, said in (
             ("normal_strength", "-2.5", "-2.5"),

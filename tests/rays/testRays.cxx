@@ -412,7 +412,7 @@ void TestTriangle()
   }
 }
 
-// What moves is fitted, and what is placed often is held once.
+// Moved meshes are refitted, and meshes placed several times are stored once.
 void TestMoves()
 {
   const auto mesh = MakeSoup(400, true);
@@ -468,8 +468,8 @@ void TestMoves()
   compare("points all over the place", 1, 0);
 }
 
-// Polygons of data are what their outlines enclose, whatever corner they begin with, however they
-// are wound, in grids too, and after their points have moved.
+// Polygons of data are the area enclosed by their outlines, for any first corner and winding, also
+// in grids, and after their points have moved.
 void TestConcave()
 {
   using Corner = std::array<double, 2>;

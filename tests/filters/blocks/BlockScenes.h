@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file BlockScenes.h
- * @brief Images of labels, and what tests ask of their surfaces.
+ * @brief Images of labels, and checks of their surfaces.
  */
 #ifndef relievoTestBlockScenes_h
 #define relievoTestBlockScenes_h
@@ -34,7 +34,7 @@ LabelOf BallOf(double radius, const std::array<double, 3>& center);
 /** Any labels from 0 to count - 1, the same for the same seed. */
 LabelOf AnyOf(unsigned int seed, int count);
 
-/** What the filter makes of the image; fails the test if that is an error. */
+/** The filter's result for the image; fails the test on an error. */
 vtkPolyData* Run(vtkRelievoSmoothBlocks* filter, vtkImageData* image);
 
 using Place = std::array<double, 3>;

@@ -296,7 +296,7 @@ void TestWidth()
   }
 }
 
-// What skipping is for; the classic order evaluates the second noise where the first passes.
+// The benefit of skipping; the classic order evaluates the second noise where the first passes.
 void TestEvaluations()
 {
   vtkNew<Caves> caves;

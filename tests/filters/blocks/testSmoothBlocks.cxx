@@ -113,7 +113,7 @@ void TestBall()
     errors.Normal / errors.Cubes, 0.25, "error of normals, as part of that of cubes");
 }
 
-// Wherever the ball is among the blocks. Half a block is what flat surroundings cannot tell.
+// For any position of the ball among the blocks. Flat surroundings leave half a block undetermined.
 void TestBallAnywhere()
 {
   constexpr double Radius = 12.7;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What smooth blocks take: all integer types, blanked blocks; and what they refuse, with a message.
+// Input of smooth blocks: all integer types, blanked blocks; and refused input, with a message.
 #include "BlockScenes.h"
 #include "Check.h"
 #include "Refusal.h"
@@ -63,7 +63,7 @@ void TestTypes()
     MakeBlocks(
       { 3, 1, 1 }, [base](int i, int, int) { return i == 1 ? base + 1 : base; }, VTK_LONG_LONG));
   RELIEVO_CHECK(surface->GetNumberOfPolys() == 12);
-  // The outside of the blocks does not depend on what air is called; an unsigned type lacks -1.
+  // The outside of the blocks does not depend on the label of air; an unsigned type lacks -1.
   vtkNew<Filter> none;
   none->SetAirLabel(-1);
   RELIEVO_CHECK(
@@ -93,8 +93,8 @@ void TestBlanking()
   // A cell that a finer level replaces is not there either.
   image->GetCellGhostArray()->SetValue(13, vtkDataSetAttributes::REFINEDCELL);
   RELIEVO_CHECK(Run(filter, image)->GetNumberOfPolys() == 2 * 6);
-  // What has a hidden point is what the image itself calls hidden; two points hide the 12 cells
-  // around them.
+  // Cells with a hidden point are those that the image itself calls hidden; two points hide the 12
+  // cells around them.
   vtkSmartPointer<vtkImageData> large =
     MakeBlocks({ 5, 4, 6 }, [](int, int, int) { return vtkTypeInt64(2); });
   const auto hide = [](vtkImageData* of, vtkIdType point) {
@@ -117,8 +117,8 @@ void TestBlanking()
   RELIEVO_CHECK(Run(filter, onPoints)->GetNumberOfPolys() == 2 * 6);
 }
 
-// A surface that needs more than there is room for is refused with the bytes that it takes; with
-// just as many it is made, and what is made is not larger.
+// A surface that needs more than the available memory is refused with the required bytes; with
+// exactly that many it is made, and the result is not larger.
 void TestMemory()
 {
   vtkSmartPointer<vtkImageData> image = MakeBlocks({ 30, 31, 32 }, AnyOf(7, 3));
@@ -170,8 +170,8 @@ void TestMemoryOfMany()
     }
     filter->SetMemoryLimit(0.);
     filter->Update();
-    // What is made, and what it is made from: faces of 48 bytes, and lists of seams of 32 bytes, or
-    // the weights of all vertices.
+    // The output and its sources: faces of 48 bytes, and lists of seams of 32 bytes, or the weights
+    // of all vertices.
     const auto lines = static_cast<double>(filter->GetOutput(1)->GetNumberOfLines());
     const auto faces = static_cast<double>(filter->GetOutput()->GetNumberOfPolys()) / 2.;
     RELIEVO_CHECK(seams == (lines > 100000.));
@@ -220,7 +220,7 @@ void TestFarAway()
   RELIEVO_CHECK(Run(plain, image)->GetPoints()->GetDataType() == VTK_FLOAT);
 }
 
-// What was cut short is made by the next update, though nothing changed.
+// The next update makes an aborted output, although nothing has changed.
 void TestAbort()
 {
   vtkNew<vtkCallbackCommand> abort;
@@ -241,7 +241,7 @@ void TestAbort()
 }
 
 #ifdef RELIEVO_VTK_CHECK_ABORT
-// An end of what is before ends this too.
+// Aborting an upstream filter aborts this one, too.
 void TestAbortBefore()
 {
   vtkNew<vtkRelievoCaves> caves;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What surfaces of blocks carry, against what it is defined by: normals within materials and where
+// Options of surfaces of blocks compared with their definitions: normals within materials and where
 // they cancel out; rigid and level labels; noise; weights of materials.
 #include "BlockScenes.h"
 #include "Check.h"

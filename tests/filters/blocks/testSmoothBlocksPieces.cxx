@@ -74,7 +74,7 @@ void Fill(vtkImageData* image, bool onPoints)
   data->SetScalars(labels);
 }
 
-// A source that makes just what it is asked for.
+// A source that makes only the requested part.
 class LabelSource : public vtkImageAlgorithm
 {
 public:

@@ -259,7 +259,7 @@ void TestLabels()
           (vertex & 1) + (block & 1)];
       }
       offsets[vertex] = rule.Of(labels);
-      // The order of labels does not matter, nor what they are.
+      // Neither the order of labels nor their values matter.
       std::array<vtkTypeInt64, 8> renamed = labels;
       for (vtkTypeInt64& label : renamed)
       {

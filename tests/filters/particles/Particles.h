@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Particles.h
- * @brief What the tests of particles share: their places, and how far these are from a surface.
+ * @brief Shared by the tests of particles: their positions, and their distance to a surface.
  */
 #ifndef relievoTestParticles_h
 #define relievoTestParticles_h
@@ -20,7 +20,7 @@ namespace relievoTest
 {
 using Places = std::vector<glm::dvec3>;
 
-/** Of the particles at a time, which the filter must make. */
+/** The particles at a time, which the filter must make. */
 Places PlacesAt(vtkRelievoSurfaceParticles* filter, double time);
 
 /** The largest distance to the mesh's nearest point, by vtkStaticCellLocator. */

@@ -156,7 +156,7 @@ void TestBlocksAndThreads()
   }
 }
 
-// What was cut short is no picture of any time: the next update computes it, unasked.
+// An aborted output belongs to no time: the next update computes it without a request.
 void TestAbort()
 {
   const relievoTest::Solid ball = relievoTest::MakeBall();

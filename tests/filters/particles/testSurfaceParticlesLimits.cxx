@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Where particles may fail: ends of what is seen, steps of depth, sheets, fields that are not
-// finite, surfaces of nothing, depth images, given points, far from the origin, too much memory.
+// Difficult cases of particles: ends of the visible surface, steps of depth, sheets, non-finite
+// fields, empty surfaces, depth images, given points, far from the origin, too much memory.
 #include "Check.h"
 #include "Particles.h"
 #include "Refusal.h"
@@ -306,7 +306,7 @@ void TestImage()
     const double j = (y + 1.) / Texel;
     inHole += i > 11.01 && i < 15.99 && j > 11.01 && j < 15.99 ? 1. : 0.;
   }
-  // At the ends of what is seen, the depth half a texel inwards counts.
+  // At the ends of the visible surface, the depth half a texel inwards counts.
   RELIEVO_CHECK_AT_MOST(away, 0.5 / 3. + 1e-4, "from the slope, texels");
   RELIEVO_CHECK_AT_MOST(inHole, 0., "particles in the hole");
 }

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Inputs that change in time: their first time counts, whichever time particles are asked for and
-// whoever else moves them; what stays the same costs no step anew.
+// Inputs that change in time: their first time counts, for any requested time and whatever else
+// moves them; unchanged inputs cost no new step.
 #include "Check.h"
 #include "Particles.h"
 #include "Session.h"
@@ -162,7 +162,7 @@ void TestSameInputAgain()
     PlacesAt(filter, time);
     return steps;
   };
-  // One step, and what the pipeline says at the end.
+  // One step, and the pipeline's own cost.
   RELIEVO_CHECK(costs(41.) <= 3);
   source->UpdateTimeStep(5.);
   RELIEVO_CHECK(costs(42.) <= 3);

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Where particles start: evenly in thin bodies, the same in all pieces and threads; what they take
-// of their starting points; and memory that is theirs already.
+// Starting positions: evenly in thin bodies, equal in all pieces and threads; data of given points;
+// and memory already held.
 #include "Check.h"
 #include "Particles.h"
 #include "Session.h"
@@ -145,7 +145,7 @@ void TestNames()
 }
 
 #ifdef __linux__
-// Of this process, in bytes: VmRSS or VmData.
+// A memory figure of this process, in bytes: VmRSS or VmData.
 double BytesOf(const std::string& what)
 {
   std::ifstream status("/proc/self/status");
@@ -160,8 +160,8 @@ double BytesOf(const std::string& what)
   return 0.;
 }
 
-// What the filter has of the memory that it needs is not asked for again: with less left than it
-// would take from the start, it still goes on.
+// Memory that the filter already holds is not required again: with less free memory than a start
+// would need, it still continues.
 void TestHeldMemory()
 {
   constexpr double Count = 1e6;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file VoxelCells.h
- * @brief What the tests of voxel shells share: a grid, and the cells that a filter finds.
+ * @brief Shared by the tests of voxel shells: a grid, and the cells that a filter finds.
  */
 #ifndef relievoTestVoxelCells_h
 #define relievoTestVoxelCells_h

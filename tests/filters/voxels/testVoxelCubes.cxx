@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Cubes of a mask: which cells have one, sizes against distances by brute force, what the repeller
-// moves, and data of the nearest point.
+// Cubes of a mask: the cells with cubes, sizes compared with distances by brute force, movement by
+// the repeller, and data of the nearest point.
 #include "Check.h"
 #include "Refusal.h"
 #include "Session.h"
@@ -104,7 +104,7 @@ void TestSizes()
   }
   RELIEVO_CHECK(falling > 100);
   RELIEVO_CHECK_AT_MOST(largest, 1e-6, "sizes against brute force");
-  // Without the grid outside, and without what is not seen.
+  // Without the outer grid and hidden cells.
   cubes->SetGrowth(1.);
   cubes->SetTransition(0.);
   cubes->WholeGridOff();
@@ -192,7 +192,7 @@ void TestColors()
     points->GetPoint(static_cast<vtkIdType>(found->GetTuple1(i)), &chosen[0]);
     RELIEVO_CHECK(glm::distance(place, chosen) < nearest + 1e-6);
   }
-  // What is not the cubes', or would take the place of their own.
+  // Arrays that cubes must not copy, or that would replace their own.
   for (const char* name : { "vtkGhostType", "size", "scale" })
   {
     vtkNew<vtkUnsignedCharArray> array;

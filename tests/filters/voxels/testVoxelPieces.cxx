@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What the pipeline asks of voxel shells and cubes: pieces, times, blanked cells, an end before
-// the end.
+// Pipeline requests to voxel shells and cubes: pieces, times, blanked cells, aborts.
 #include "Check.h"
 #include "Refusal.h"
 #include "Session.h"

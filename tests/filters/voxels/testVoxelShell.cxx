@@ -65,15 +65,15 @@ std::vector<Solid> Solids()
     MakeBowl(1e-3, tilted), MakeBox(), MakeBox(tilted) };
 }
 
-// Where along an axis, through a place, the body begins and ends: by steps along the formula, as
-// one that looks from either side; what the triangles may be off is left open.
+// The beginning and end of the body along an axis through a position, by steps along the formula as
+// seen from either side; the triangles' error is left undecided.
 struct Span
 {
   double First = std::numeric_limits<double>::infinity();
   double Last = -std::numeric_limits<double>::infinity();
 };
 
-// Of a body that is grown by so much.
+// The span of a body grown by this much.
 Span SpanAt(const Solid& solid, glm::dvec3 place, int axis, double grown)
 {
   Span span;
@@ -189,7 +189,7 @@ void TestViews()
   }
 }
 
-// What docs/voxels.md says of the excess.
+// The excess documented in docs/voxels.md.
 void TestExcess()
 {
   struct Case
@@ -225,7 +225,7 @@ void TestExcess()
     RELIEVO_CHECK_NEAR(two, each.Two, 0.004, each.Body.Name + ": excess of two views");
     RELIEVO_CHECK_NEAR(six, each.Six, 0.004, each.Body.Name + ": excess of six views");
     RELIEVO_CHECK_NEAR(inside[2] * 8e-6 / each.Body.Volume, 1., 3e-3, each.Body.Name + ": volume");
-    RELIEVO_CHECK(six <= two && inside[2] <= inside[1]); // they never miss what is solid
+    RELIEVO_CHECK(six <= two && inside[2] <= inside[1]); // solid cells are never missed
   }
 }
 

@@ -142,7 +142,7 @@ void TestTooLarge()
   {
     relievoTest::ExpectMessage expect("at most 2147483646 along an axis");
     filter->SetMemoryLimit(VTK_DOUBLE_MAX);
-    // The last is below what a double divides by.
+    // The last size is below the smallest divisor of a double.
     for (const double size : { 1e-10, 1e-300, 1e-320 })
     {
       filter->SetCellSize(size);

@@ -122,7 +122,7 @@ void TestSheets()
   RELIEVO_CHECK(std::count(cells.begin(), cells.end(), 1) == 0);
 }
 
-// What has no triangles is not closed.
+// A surface without triangles is not closed.
 void TestNoSurface()
 {
   vtkNew<vtkPolyData> nothing;

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""plugin.py FILE.png: a sphere's shadow in ParaView, by a plugin that nobody has loaded."""
+"""plugin.py FILE.png: a sphere's shadow in ParaView, by a plugin that is loaded automatically."""
 
 import sys
 

@@ -38,7 +38,7 @@ private:
   void operator=(const vtkOutsideStage&) = delete;
 
   vtkRelievoScreenQuad Quad;
-  vtkRelievoSplicedKeys Spliced; // where VTK's shaders ask this pass what they are to be
+  vtkRelievoSplicedKeys Spliced; // through which VTK's shaders ask this pass for changes
   int NumberOfMeshes = 0;
 };
 

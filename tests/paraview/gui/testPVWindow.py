@@ -26,7 +26,8 @@ QT_MESSAGE = re.compile(r"^(critical|warning|fatal): .*(\n(?!debug:).+)*", re.MU
 
 
 def play(script, *words, seconds=600, **environment):
-    """Plays a script in a new ParaView window: what it wrote, and what windowShell.py noted."""
+    """Plays a script in a new ParaView window; returns its output and the notes of windowShell.py.
+    """
     home = pv.OUTPUT / "home"
     shutil.rmtree(home, ignore_errors=True)
     home.mkdir(mode=0o700)
@@ -51,7 +52,7 @@ class Window(pv.Test):
     """One case is one window."""
 
     def played(self, script, *words, **environment):
-        """Plays a script that must succeed without a message; what it noted."""
+        """Plays a script that must succeed without a message; returns its notes."""
         process, notes = play(script, *words, **environment)
         said = pv.messages(process.stdout)
         said += [found.group(0) for found in QT_MESSAGE.finditer(process.stdout)]
@@ -83,7 +84,7 @@ class Window(pv.Test):
         self.assertEqual(notes["shadows"][0]["RelievoShadows"], 1)
 
     def testDockControls(self):
-        """The dock's controls change what they say, and nothing else."""
+        """The dock's controls change only their own settings."""
         notes = self.played("dockControls.xml", PV_PLUGIN_PATH=str(pathlib.Path(pv.PLUGIN).parent))
         for name in ("sun", "layer", "last"):
             self.assertEqual(notes["size " + name], notes["size first"], f"the view beside: {name}")
@@ -99,13 +100,14 @@ class Window(pv.Test):
         self.assertAlmostEqual(azimuth, 180, delta=3)
         self.assertAlmostEqual(elevation, 65.44, delta=0.05)
         self.assertLess(notes["sun night"][1], -10)
-        # What is shown is what the view has, beyond the sliders' ranges too; and what is typed.
+        # The dock shows the view's values, also beyond the sliders' ranges; and typed values.
         self.assertEqual(notes["by script"], [5, -30])
         self.assertEqual(notes["typed"], [40, 270])
         self.assertEqual(notes["sun night"][2], lights, "at night it is there, and gives none")
 
     def testScene(self):
-        """What the dock says of the scene and adds to it: hints, ground, light, legends, values."""
+        """The dock's reports on the scene and its additions: hints, ground, light, legends, values.
+        """
         notes = self.played("scene.xml", PV_PLUGIN_PATH=str(pathlib.Path(pv.PLUGIN).parent))
         # Two radii to each side of the bounds' middle, (0, 3, 5); half their diagonal is 3.
         for name in ("again", "made", "traced"):
@@ -150,7 +152,8 @@ class Window(pv.Test):
         self.assertIsNone(notes["closed"])
 
     def testRemote(self):
-        """Loaded on a server and here: a view that was open, what the server's pictures took."""
+        """Loaded on a server and here: an already open view, and the cost of the server's pictures.
+        """
         with pv.Server() as server:
             notes = self.played("remote.xml", f"--server-url=cs://localhost:{server.port}")
         self.assertEqual(pv.messages(server.text()), [], "the server has something to say")

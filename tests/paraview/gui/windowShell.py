@@ -98,7 +98,7 @@ def replay(name):
 
 @noted
 def skyAround():
-    """What the view shows now becomes its environment."""
+    """Sets the view's current picture as its environment."""
     shoot("sky", (400, 200))
     change(RelievoEnvironment=str(OUTPUT / "sky.png"))
 
@@ -112,7 +112,7 @@ def mirrors(name):
 
 @noted
 def shoot(name, size=(400, 300)):
-    """Saves what the active view shows."""
+    """Saves the active view's picture."""
     simple.SaveScreenshot(str(OUTPUT / f"{name}.png"), simple.GetActiveView(),
                           ImageResolution=list(size))
 
@@ -187,7 +187,7 @@ def sun(name):
 
 @noted
 def material(name):
-    """Keeps what the active surface wears."""
+    """Saves the material of the active surface."""
     shown = simple.GetDisplayProperties()
     note(name, [shown.RelievoMaterial, shown.RelievoMirror])
 
@@ -231,7 +231,7 @@ def comparativeView():
 
 @noted
 def startTrace():
-    """From now on what is done is written as Python."""
+    """Starts to trace actions as Python."""
     smtrace.start_trace()
 
 
@@ -258,7 +258,7 @@ def moveBall():
 
 @noted
 def layers(name):
-    """Keeps what the layers are of: the view, its size, how much is seen and how near it is."""
+    """Saves the inputs of the layers: the view, its size, its visible share and nearest depth."""
     source = simple.FindSource("RelievoLayers1")
     if not source.View:
         note(name, None)
