@@ -162,8 +162,8 @@ class Series:
 
 @dataclasses.dataclass
 class Chart:
-    """Panels, {title: [Series]}. Kinds: curves; bars, a row per series, from 0 to each x; dots, a row
-    per series, with a mark at each x, infinity as text."""
+    """Panels, {title: [Series]}. Kinds: curves; bars, a row per series, from 0 to each x; dots, a
+    row per series, with a mark at each x, infinity as text."""
 
     stem: str  # of the file names
     title: str

@@ -234,17 +234,17 @@ def studio(rows):
 @bench("scale.csv")
 def scale(rows):
     """Time and memory of whole commands by the size of the scene, by bench/scale.py."""
-    shown = [row for row in rows if row["seconds more"]]  # not the empty starts
+    shown = [row for row in rows if row["seconds more"]]  # without the empty starts
     for stem, title, column, unit in (
-        ("scale", "How processor time grows with the scene", "processor seconds",
+        ("scale", "Growth of processor time with the scene", "processor seconds",
          Axis("processor seconds", True, (0.1, 0.3, 1, 3, 10, 30))),
-        ("scale-memory", "How memory grows with the scene", "MiB",
-         Axis("most MiB held at a time", True, (50, 100, 300, 1000, 3000))),
+        ("scale-memory", "Growth of memory with the scene", "MiB",
+         Axis("peak MiB", True, (50, 100, 300, 1000, 3000))),
     ):  # fmt: skip
         yield Chart(
             stem, title, "Whole commands to a PNG, software OpenGL. Lower and flatter is better. "
             "Ring: the default preset. Grey: others.",
-            Axis("how many", True), unit,
+            Axis("count", True), unit,
             panels(shown, "size", column, panel="series",
                    default=lambda row: row["method"] == "Relievo, studio"),
             columns=2, own_x=True)  # fmt: skip

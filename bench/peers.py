@@ -1,12 +1,12 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A picture of a file by F3D or by plain VTK, beside which benches put `relievo render`.
+"""Draws a file by F3D or by plain VTK, for benches that compare `relievo render`.
 
     python bench/peers.py f3d|vtk FILE PICTURE.png WxH [--volume] [--normals] [--lights N]
 
 In a Python that has the module `f3d` or `vtkmodules` (also pvpython). F3D draws with its own look.
-VTK reads, maps and draws, and does nothing else unless it is told: --normals makes smooth normals
-of a mesh first, as Relievo does; --lights puts N lights around the scene, in place of a headlight.
+VTK only reads, maps and draws, except for options: --normals first makes smooth normals of a mesh,
+as Relievo does; --lights puts N lights around the scene instead of a headlight.
 """
 
 import argparse
@@ -26,7 +26,7 @@ def draw_with_f3d(given):
 
 
 def props(given, renderer):
-    """Adds what a file shows."""
+    """Adds the props of a file."""
     from vtkmodules.vtkCommonDataModel import vtkPiecewiseFunction
     from vtkmodules.vtkIOImport import vtkGLTFImporter
     from vtkmodules.vtkIOPLY import vtkPLYReader

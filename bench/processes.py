@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What a program costs that is started and ends: of benches that measure whole commands."""
+"""Time and memory of programs, for benches that measure whole commands."""
 
 import argparse
 import contextlib
@@ -14,18 +14,18 @@ import typing
 
 PEERS = pathlib.Path(__file__).with_name("peers.py")
 NAME = pathlib.Path(sys.argv[0]).stem
-PAUSE = 0.005  # seconds between two looks at the memory, which is at least
+PAUSE = 0.005  # minimum seconds between two samples of the memory
 SHARE = 0.005  # of the time since the start
 
 
 class Cost(typing.NamedTuple):
     seconds: float  # by the clock
     processor: float  # seconds of all its threads and processes
-    peak: int = 0  # bytes, where they were asked for
+    peak: int = 0  # bytes, if requested
 
 
 def parser(doc, rounds):
-    """Of the command line of a bench: RELIEVO and --rounds."""
+    """The command-line parser of a bench, with RELIEVO and --rounds."""
     made = argparse.ArgumentParser(description=doc.splitlines()[0])
     made.add_argument("relievo", metavar="RELIEVO", help="the command")
     made.add_argument("--rounds", type=int, default=rounds, help=f"({rounds})")
@@ -33,7 +33,7 @@ def parser(doc, rounds):
 
 
 def children(pid):
-    """A process and all that descend from it."""
+    """A process and all its descendants."""
     yield pid
     for file in pathlib.Path(f"/proc/{pid}/task").glob("*/children"):
         with contextlib.suppress(FileNotFoundError, ProcessLookupError):  # a thread that has ended
@@ -52,7 +52,7 @@ def memory(pid):
         except (FileNotFoundError, ProcessLookupError):
             continue  # it has ended
         kilobytes = {line.split()[0]: int(line.split()[1]) for line in lines if line[-3:] == " kB"}
-        if kilobytes:  # not one that has ended, and waits for its parent
+        if kilobytes:  # excludes zombies
             found.add(tuple(kilobytes[f"{name}:"] for name in ("VmHWM", "RssFile", "RssShmem")))
     own = sum(most - file - shared for most, file, shared in found)
     return 1024 * (own + max((shared for *_, shared in found), default=0))

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""How the time and memory of `relievo render` grow with the scene, beside F3D and plain VTK.
+"""Growth of the time and memory of `relievo render` with the scene, beside F3D and plain VTK.
 
     python bench/scale.py RELIEVO [--out scale.csv] [--size WxH] [--series a,b]
         [--small | --large]
@@ -34,7 +34,7 @@ import typing
 import numpy
 from processes import PEERS, parser, run
 
-BODY, PIECE = 100000, 200  # triangles of what is lit, and of each block and object
+BODY, PIECE = 100000, 200  # triangles of lit bodies, and of each block and object
 DECADE = 12  # sizes are rounded
 NOISE = 0.1  # of an empty start
 MODULES = {"f3d": "f3d", "vtk": "vtkmodules.vtkRenderingOpenGL2"}
@@ -43,7 +43,7 @@ COLUMNS = ("series", "method", "size", "processor seconds", "seconds more", "exp
 
 
 def torus(triangles, center=(0, 0, 0), radius=1.0):
-    """Points and triangles of a bumpy ring; about so many triangles, of shared points."""
+    """Points and triangles of a bumpy ring, with about so many triangles and shared points."""
     around = max(1, round(math.sqrt(triangles / 4)))
     along = 2 * around
     u = numpy.linspace(0, 2 * numpy.pi, along, endpoint=False)[:, None]
@@ -108,7 +108,7 @@ def write_vtp(file, points, cells):
 
 
 def grid(count):
-    """Places of so many pieces, next to each other, and how large they are."""
+    """Positions of so many pieces, next to each other, and their size."""
     side = math.ceil(math.sqrt(count))
     places = [(3 * (i % side), 3 * (i // side), 0) for i in range(count)]
     return numpy.array(places, float) / side, 1 / side
@@ -119,8 +119,8 @@ class Case:
     """One size of a series."""
 
     file: pathlib.Path
-    size: int  # as it became
-    window: str = ""  # where it is not --size
+    size: int  # the actual size
+    window: str = ""  # if other than --size
     relievo: tuple = ()  # options
     peers: tuple = ("f3d", "vtk")
     options: tuple = ()  # of peers.py
@@ -178,7 +178,7 @@ def objects(folder, size):
 
 
 def cloud(count):
-    """Random points on the ring, no two runs different."""
+    """Random points on the ring, equal in all runs."""
     points, _ = torus(40000)
     chance = numpy.random.default_rng(1)
     return (points[chance.integers(len(points), size=count)]
@@ -224,7 +224,7 @@ def lamps(folder, size):
 
 
 class Series(typing.NamedTuple):
-    of: str  # what grows
+    of: str  # the growing quantity
     make: typing.Callable  # a Case of a folder and a size
     start: int  # size of next to nothing
     sizes: tuple
@@ -251,7 +251,7 @@ SERIES = {
 
 
 def finds(module, first):
-    """A Python that has a module; none: None."""
+    """A Python that has a module, or None."""
     for python in (first, sys.executable, "python3", "pvpython"):
         try:
             if python and subprocess.run([python, "-c", f"import {module}"], capture_output=True,
@@ -263,7 +263,7 @@ def finds(module, first):
 
 
 def commands(given, pythons, case, picture):
-    """What draws a case, by method."""
+    """The commands that draw a case, by method."""
     found, window = {}, case.window or given.size
     for build, end in ((given.relievo, ""), (given.against, ", the other build")):
         for preset in given.presets.split(",") if build else ():
@@ -281,7 +281,7 @@ def commands(given, pythons, case, picture):
 
 
 def cost(words, given):
-    """Least processor seconds and most memory; and how often it was measured."""
+    """Minimum processor seconds, peak memory, and the number of measurements."""
     first = run(words, peak=True)
     rounds = given.rounds if 2 * first.processor < given.longest else 1
     more = [run(words) for _ in range(rounds - 1)]
@@ -289,7 +289,7 @@ def cost(words, given):
 
 
 def exponent(sizes, costs, start):
-    """See above; NaN where fewer than two points are left."""
+    """The exponent defined above; NaN with fewer than two points."""
     kept = [(math.log(size), math.log(cost)) for size, cost in zip(sizes, costs, strict=True)
             if DECADE * size >= sizes[-1] and cost > NOISE * start]  # fmt: skip
     return numpy.polyfit(*zip(*kept, strict=True), 1)[0] if len(kept) > 1 else math.nan

@@ -67,7 +67,7 @@ vtkRelievoSmoothBlocks::vtkRelievoSmoothBlocks()
   constexpr int least = std::numeric_limits<int>::min(), most = std::numeric_limits<int>::max();
   vtkRelievoParameterList& list = this->Parameters;
   list.AddNumber("strength", vtkRelievoMember(Strength), 0.0, 0.25, "blocks",
-    "How far vertices move. 0 leaves cubes, 0.125 makes a step a slope of 45 degrees.");
+    "Movement of vertices. 0 leaves cubes, 0.125 makes a step a slope of 45 degrees.");
   list.AddChoice("surface", vtkRelievoMember(Surface), { "outside", "between_labels" },
     "The faces between blocks and air, or also those between two labels.");
   list.AddFlag("close_borders", vtkRelievoMember(CloseBorders),
@@ -84,15 +84,13 @@ vtkRelievoSmoothBlocks::vtkRelievoSmoothBlocks()
   up.Advanced = true;
   list
     .AddNumber("noise_amplitude", vtkRelievoMember(NoiseAmplitude), 0.0, infinity, "blocks",
-      "Noise that is added to heights.")
+      "Amplitude of the noise added to heights.")
     .Advanced = true;
   list
     .AddNumber("noise_scale", vtkRelievoMember(NoiseScale), 0.1, infinity, "blocks",
       "Size of the noise's cells.")
     .Advanced = true;
-  list
-    .AddWhole(
-      "noise_seed", vtkRelievoMember(NoiseSeed), least, most, "", "Another seed, another noise.")
+  list.AddWhole("noise_seed", vtkRelievoMember(NoiseSeed), least, most, "", "Seed of the noise.")
     .Advanced = true;
   list.AddFlag("texture_coordinates", vtkRelievoMember(TextureCoordinates),
     "Whether points have texture coordinates, which keep all lengths.");
@@ -110,7 +108,7 @@ vtkRelievoSmoothBlocks::vtkRelievoSmoothBlocks()
     .Advanced = true;
   list
     .AddNumber("memory_limit", vtkRelievoMember(MemoryLimit), 0.0, infinity, "bytes",
-      "The most that the surface may take; more are refused. 0: what the machine has left.")
+      "Upper bound of the surface's memory; more is refused. 0: all free memory.")
     .Advanced = true;
 }
 

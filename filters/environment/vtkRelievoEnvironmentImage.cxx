@@ -73,10 +73,10 @@ void DescribeEnvironmentInput(vtkRelievoParameterList& list, const int& projecti
 {
   list.AddChoice("input_projection", projection, setProjection,
     { "automatic", "equirectangular", "cube", "sphere_map" },
-    "The projection of the image. Automatic goes by its size: n x n x 6 is a cube, 2n x n "
+    "The projection of the image. Automatic is chosen by size: n x n x 6 is a cube, 2n x n "
     "equirectangular, n x n a sphere map.");
   list.AddFlag("input_srgb", srgb, setSRGB,
-    "Whether the image's values are sRGB, as in most 8-bit pictures. Nothing is guessed.");
+    "Whether the image's values are sRGB, as in most 8-bit pictures. It is never guessed.");
   list
     .AddFlag("input_mirrored", mirrored, setMirrored,
       "Whether the light of (x, y, z) is in the place of (x, y, -z), as in cubes of six pictures "

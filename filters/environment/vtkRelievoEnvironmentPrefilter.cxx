@@ -87,7 +87,7 @@ vtkRelievoEnvironmentPrefilter::vtkRelievoEnvironmentPrefilter()
     "Number of cubes, for roughness 0 to 1 in equal steps.");
   list
     .AddNumber("tolerance", vtkRelievoMember(Tolerance), 1e-7, 1.0, "",
-      "The error that one part of the sum may have, as a share of the texel's light.")
+      "The error allowed for one part of the sum, as a share of the texel's light.")
     .Advanced = true;
 }
 

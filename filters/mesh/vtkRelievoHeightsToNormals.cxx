@@ -36,7 +36,7 @@ vtkRelievoHeightsToNormals::vtkRelievoHeightsToNormals()
   vtkRelievoParameterList& list = this->Parameters;
   list
     .AddWhole("component", vtkRelievoMember(Component), 0, VTK_INT_MAX, "",
-      "The component of the array that is the height, from 0.")
+      "The component of the array that holds the height, from 0.")
     .Advanced = true;
   list.AddNumber("height_scale", vtkRelievoMember(HeightScale), -infinity, infinity, "",
     "Units of the spacing per unit of height; a negative value turns hills into pits.");

@@ -32,7 +32,7 @@ vtkRelievoTextureCoordinates::vtkRelievoTextureCoordinates()
   constexpr double infinity = std::numeric_limits<double>::infinity();
   vtkRelievoParameterList& list = this->Parameters;
   list.AddChoice("mapping", vtkRelievoMember(Mapping), { "plane", "box", "sphere" },
-    "How the texture is projected.");
+    "The projection of the texture.");
   list.AddNumber("tile_size", vtkRelievoMember(TileSize), 0.0, infinity, "",
     "Size of one copy of the texture, in the data's units. With 0 one copy covers the whole mesh, "
     "along its longest side or once around.");

@@ -220,24 +220,22 @@ vtkRelievoSurfaceParticles::vtkRelievoSurfaceParticles()
   constexpr int least = std::numeric_limits<int>::min(), most = std::numeric_limits<int>::max();
   vtkRelievoParameterList& list = this->Parameters;
   list.AddChoice(
-    "place", vtkRelievoMember(Place), { "on_surface", "inside" }, "Where particles are held.");
+    "place", vtkRelievoMember(Place), { "on_surface", "inside" }, "Where particles move.");
   list.AddNumber("noise_speed", vtkRelievoMember(NoiseSpeed), -infinity, infinity, "",
     "Speed by the curl of noise, in the data's units per unit of time; negative: a hundredth of "
     "the longest side.");
   list.AddNumber("noise_scale", vtkRelievoMember(NoiseScale), 0.0, infinity, "",
     "Width of whirls in the data's units; 0: a fifth of the longest side.");
   list.AddVector("velocity", vtkRelievoMember(Velocity),
-    "A velocity that is the same everywhere, in the data's units per unit of time. It is added to "
-    "the noise.");
+    "A constant velocity, in the data's units per unit of time, added to the noise.");
   list.AddText(
     "field_array", [this] { return this->FieldArray; },
     [this](const std::string& array) { this->SetFieldArray(array.c_str()); },
-    "The name of an array of 3 components, at points or cells, that is added as well. Empty: "
-    "none.");
+    "The name of an array of 3 components, at points or cells, that is also added. Empty: none.");
   list.AddWhole("resolution", vtkRelievoMember(Resolution), 1, 16384, "texels",
     "Texels of the depth maps along the longest side. Particles are within one of the surface.");
-  list.AddWhole("number_of_steps", vtkRelievoMember(NumberOfSteps), 0, 100000000, "",
-    "Time steps that there are.");
+  list.AddWhole(
+    "number_of_steps", vtkRelievoMember(NumberOfSteps), 0, 100000000, "", "Number of time steps.");
   vtkRelievoParameter& step = list.AddNumber("time_step", vtkRelievoMember(TimeStep), 0.0, infinity,
     "", "The time from one step to the next.");
   step.Open = step.Advanced = true;
@@ -247,25 +245,25 @@ vtkRelievoSurfaceParticles::vtkRelievoSurfaceParticles()
     .Advanced = true;
   list
     .AddWhole("checkpoints", vtkRelievoMember(Checkpoints), 0, 10000, "",
-      "Steps that are kept, so that earlier times need not be computed from the start: 25 bytes a "
+      "Steps to cache, so that earlier times need not be computed from the start: 25 bytes per "
       "particle each.")
     .Advanced = true;
   list
-    .AddWhole("seed", vtkRelievoMember(Seed), least, most, "",
-      "Another seed, other places to start at and other noise.")
+    .AddWhole(
+      "seed", vtkRelievoMember(Seed), least, most, "", "Seed of starting positions and of noise.")
     .Advanced = true;
   list
     .AddNumber("texel_size", vtkRelievoMember(TexelSize), 0.0, infinity, "",
-      "Side of the texels in the data's units; 0: by Resolution.")
+      "Side of the texels in the data's units; 0: set by Resolution.")
     .Advanced = true;
   list
     .AddFlag("orientations", vtkRelievoMember(Orientations),
-      "Whether there is the array orientation: quaternions that turn x to the normal and y to the "
-      "velocity.")
+      "Whether points have the array orientation: quaternions that rotate x to the normal and y to "
+      "the velocity.")
     .Advanced = true;
   list
     .AddNumber("memory_limit", vtkRelievoMember(MemoryLimit), 0.0, infinity, "bytes",
-      "The most that maps and particles may take; more are refused. 0: what the machine has left.")
+      "Upper bound of the memory of maps and particles; more is refused. 0: all free memory.")
     .Advanced = true;
 }
 

@@ -72,21 +72,21 @@ vtkRelievoVoxelCubes::vtkRelievoVoxelCubes()
   constexpr double infinity = std::numeric_limits<double>::infinity();
   vtkRelievoParameterList& list = this->Parameters;
   list.AddNumber("transition", vtkRelievoMember(Transition), 0.0, infinity, "",
-    "The distance outside over which sizes fall, in the data's units; 0: cubes inside only.");
-  list.AddNumber("rest_size", vtkRelievoMember(RestSize), 0.0, 1.0, "",
-    "Size of cubes that are farther outside.");
+    "The distance outside over which sizes fall, in the data's units; 0: only cubes inside.");
+  list.AddNumber(
+    "rest_size", vtkRelievoMember(RestSize), 0.0, 1.0, "", "Size of cubes farther outside.");
   list.AddFlag("whole_grid", vtkRelievoMember(WholeGrid), "Whether all cells outside have cubes.");
   list.AddNumber("growth", vtkRelievoMember(Growth), 0.0, 1.0, "",
-    "How much of the sizes above the rest size there is, for animations.");
-  list.AddVector("repeller", vtkRelievoMember(Repeller), "A place that cubes move away from.")
-    .Advanced = true;
+    "Fraction of the sizes above the rest size, for animations.");
+  list.AddVector("repeller", vtkRelievoMember(Repeller), "A point that repels cubes.").Advanced =
+    true;
   list
     .AddNumber("repeller_radius", vtkRelievoMember(RepellerRadius), 0.0, infinity, "",
-      "How far it reaches, in the data's units; 0: nothing moves.")
+      "Radius within which cubes are repelled, in the data's units; 0: nothing moves.")
     .Advanced = true;
   list
     .AddNumber("memory_limit", vtkRelievoMember(MemoryLimit), 0.0, infinity, "bytes",
-      "The most that the cubes may take; more are refused. 0: what the machine has left.")
+      "Upper bound of the cubes' memory; more is refused. 0: all free memory.")
     .Advanced = true;
 }
 

@@ -103,29 +103,27 @@ vtkRelievoVoxelShell::vtkRelievoVoxelShell()
   constexpr double infinity = std::numeric_limits<double>::infinity();
   vtkRelievoParameterList& list = this->Parameters;
   list.AddChoice("method", vtkRelievoMember(Method), { "two_views", "six_views", "parity" },
-    "Parity finds hollows; views take for solid what is not seen.");
+    "Parity finds hollows; views fill hidden ones.");
   list.AddWhole("resolution", vtkRelievoMember(Resolution), 1, VTK_INT_MAX, "",
     "Cubic cells along the longest side of the grid.");
   list.AddNumber("cell_size", vtkRelievoMember(CellSize), 0.0, infinity, "",
-    "Side of the cells in the data's units; 0: by Resolution.");
+    "Side of the cells in the data's units; 0: set by Resolution.");
   list.AddFlag("distances", vtkRelievoMember(Distances),
-    "Whether there are the cell arrays front and back: how far a cell is behind the first surface "
-    "of its column, and before the last.");
+    "Whether cells have the arrays front and back: distances behind the first surface of their "
+    "column, and in front of the last.");
   list
     .AddChoice("axis", vtkRelievoMember(Axis), { "x", "y", "z" },
       "The axis that two views look along, and along which parity counts.")
     .Advanced = true;
   list
     .AddSize("dimensions", vtkRelievoMember(Dimensions), 0,
-      "Cells along x, y and z; 0 0 0: by Cell Size or Resolution.")
+      "Cells along x, y and z; 0 0 0: set by Cell Size or Resolution.")
     .Advanced = true;
-  list
-    .AddWhole(
-      "padding", vtkRelievoMember(Padding), 0, 1000000, "", "Cells that are added on each side.")
+  list.AddWhole("padding", vtkRelievoMember(Padding), 0, 1000000, "", "Cells added on each side.")
     .Advanced = true;
   list
     .AddNumber("memory_limit", vtkRelievoMember(MemoryLimit), 0.0, infinity, "bytes",
-      "The most that the grid may take; more are refused. 0: what the machine has left.")
+      "Upper bound of the grid's memory; more is refused. 0: all free memory.")
     .Advanced = true;
 }
 

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Benches of whole commands: bench/command_start.py with commands that only write a file, its output
-and refusals; bench/scale.py with the command itself, in small; and the counts of both."""
+"""Benches of whole commands: bench/command_start.py with commands that only write a file, its
+output and refusals; bench/scale.py with the command itself, in small; and the counts of both."""
 
 import csv
 import math
