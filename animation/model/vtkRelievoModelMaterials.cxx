@@ -3,7 +3,6 @@
 //
 // Materials for programs that draw: colours as in the file, sRGB; textures by name, and images
 // inside the file.
-// their names, and images that are in the file.
 #include "vtkRelievoModelParts.h"
 
 #include "vtkFieldData.h"

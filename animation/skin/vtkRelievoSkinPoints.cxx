@@ -133,7 +133,6 @@ vtkSmartPointer<Array> As(vtkDataArray* array)
   return typed;
 }
 
-// Directions of the input, and a new array in place of them in the output. `held` keeps what is
 // Directions of the input, and the output's new array that replaces them. `held` keeps the input.
 Directions MakeDirections(vtkDataArray* array, int attribute, vtkIdType count, vtkPointData* data,
   std::vector<vtkSmartPointer<vtkFloatArray>>& held)

@@ -160,7 +160,6 @@ private:
     int Times;    // corners at the point
     int Group;
   };
-  // A point of a part, beside the point of all, and which part it is. There are few, except at the
   // A point adjacent to the current one, and the part that has it. There are few, except at the tip
   // of a cone.
   using Corner = std::pair<Id, std::uint32_t>;
