@@ -4,7 +4,7 @@
  * @class vtkRelievoModelReader
  * @brief Reads models with bones and plays their animations.
  *
- * Reads glTF 2 (.gltf, .glb; Khronos, glTF 2.0 specification, 2021) and what Assimp reads: Collada,
+ * Reads glTF 2 (.gltf, .glb; Khronos, glTF 2.0 specification, 2021) and, through Assimp, Collada,
  * FBX, BVH, X, MS3D, SMD, MD5, IQM and more. It offers the times of the chosen animation
  * (TIME_STEPS: its keys, irregular as they are; TIME_RANGE) and answers the time that is asked for,
  * so that the time controls of VTK and ParaView play it.
@@ -31,7 +31,7 @@
  * the key before, its CUBICSPLINE follows the splines. Before the first key and after the last
  * these hold. What was mended or left out while reading is in GetNote().
  *
- * Morph targets of glTF are played; at POSE_REST, too, for vtkRelievoSkin to move what they make.
+ * Morph targets of glTF are played; at POSE_REST, too, for vtkRelievoSkin to move their result.
  *
  * Limits: the up axis and unit are those that Assimp gives; its morph targets are not played. Of
  * glTF 33 554 432 points and 134 217 728 corners are read, each counted at every node that shows
@@ -39,7 +39,7 @@
  * its first one are left out, with a note. A light has no range, and between its cones it falls
  * off by a power of the cosine, the nearest one.
  *
- * Errors: one error event names the file, what is wrong and where in the file; GetErrorCode() is
+ * Errors: one error event names the file, the error and its place in the file; GetErrorCode() is
  * set and the output is empty. A file is read again only when it, a file that it names, or its name
  * has changed, not when the time has.
  */
@@ -78,7 +78,7 @@ public:
   ///@{
   /**
    * Folders of files that the model may name, such as buffers, images and materials; those in its
-   * own folder and below are read always. Links count as what they lead to. A buffer elsewhere is
+   * own folder and below are read always. Links count as their targets. A buffer elsewhere is
    * an error, all else is left out with a note. Default: none.
    */
   void AddAllowedFolder(VTK_FILEPATH const char* folder);

@@ -5,9 +5,9 @@
  * @brief Shows which bones move a mesh: each point's first bone, and the weights of one bone.
  *
  * Port 0 takes a mesh with bones, polydata or a composite of polydata, as vtkRelievoSkin does. Put
- * it before vtkRelievoSkin or vtkRelievoSkinnedActor, whose mesh keeps what is added here; the mesh
- * alone shows it at rest. Port 1, optional, takes the skeleton, whose point array `name` is
- * what BoneName looks in.
+ * it before vtkRelievoSkin or vtkRelievoSkinnedActor, whose mesh keeps the added arrays; the mesh
+ * alone shows them at rest. Port 1, optional, takes the skeleton, in whose point
+ * array `name` BoneName is looked up.
  *
  * Added to the points:
  * - `first_bone` (int): the bone of the largest weight, as a point of the skeleton; -1 for none. A
@@ -17,7 +17,7 @@
  *   share that the bone has in the point.
  *
  * Errors: one error event says that the mesh has no `joints` and `weights`, or that the skeleton
- * has no bone of that name; what cannot be computed is left out.
+ * has no bone of that name; an array that cannot be computed is left out.
  */
 #ifndef vtkRelievoBoneWeights_h
 #define vtkRelievoBoneWeights_h

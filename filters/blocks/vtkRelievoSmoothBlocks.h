@@ -22,9 +22,9 @@
  * touch along an edge only, where three or four labels meet, and at open borders. Cell array
  * "uses".
  *
- * A piece asks its input for two more layers of ghost cells and is then, bit for bit, what the
- * whole has there; an input that does not give them gets one warning. Results do not depend on the
- * number of threads.
+ * A piece asks its input for two more layers of ghost cells and is then, bit for bit, equal to
+ * that part of the whole; an input that does not give them gets one warning. Results do not
+ * depend on the number of threads.
  *
  * The rule is in the spirit of L. Pensjo's smooth worlds from block data (2012), made anew. Memory
  * grows with the surface. With an array of floats, or with none, the filter reports one error, sets

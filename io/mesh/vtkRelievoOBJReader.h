@@ -14,7 +14,7 @@
  *   normals, texture coordinates and scalars. Colours of points, behind their coordinates, are 0 to
  *   255 if any of them is above 1, otherwise 0 to 1;
  * - where the file names materials, the cell array `MaterialIds` (int; -1: none), which counts the
- *   names in the field array `MaterialNames`; in `MaterialLibraries` what stands behind each
+ *   names in the field array `MaterialNames`; `MaterialLibraries` has the words after each
  *   `mtllib`. Libraries are not read;
  * - with Groups on, the cell arrays `GroupIds` and `ObjectIds` and the field arrays `GroupNames`
  *   and `ObjectNames`, alike.
