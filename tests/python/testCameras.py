@@ -211,7 +211,7 @@ class Setting(unittest.TestCase):
     def test_refused(self):
         mirror = numpy.diag([1.0, 1.0, -1.0])
         for words, change in (
-            ("R is no rotation", {"R": numpy.eye(3) * 1.1}),
+            ("R is not a rotation", {"R": numpy.eye(3) * 1.1}),
             ("mirrors", {"R": mirror}),
             ("K: got", {"K": numpy.ones((3, 3))}),
             ("K: .*above 0", {"K": numpy.diag([-1.0, 1, 1])}),
@@ -330,13 +330,13 @@ class Lenses(unittest.TestCase):
         numpy.testing.assert_allclose(sensor.project([(1, 2, 0)]), [K[:2, 2]], atol=1e-9)
         self.assertLess(sensor.project([(1, 2.1, 0)])[0, 1], K[1, 2])
         self.assertGreater(sensor.project([(1.1, 2, 0)])[0, 0], K[0, 2])
-        with self.assertRaisesRegex(ValueError, "no view"):
+        with self.assertRaisesRegex(ValueError, "not a view"):
             sensor.look_at((1, 2, 3), (1, 2, 9), (0, 0, 1))
         calibration, view, said = vtkRelievoCalibration(), vtkCamera(), []
         calibration.AddObserver("ErrorEvent", lambda *_: said.append("error"))
         view.SetViewUp(0, 0, 1)
         self.assertIsNone(calibration.MakeCamera(view, 64, 48))
-        self.assertIn("no view", calibration.GetFailureText())
+        self.assertIn("not a view", calibration.GetFailureText())
         self.assertEqual(said, ["error"])
 
     def test_refused(self):
@@ -718,7 +718,7 @@ class Words(unittest.TestCase):
             ("FX and FY above 0", "fisheye:K=0/1/0/0"),
             ("DEG above 0 and at most 360", "pinhole:angle=400"),
             ("six times.*288x48", "cube"), ("expected cube alone", "cube:3"),
-            ("sees no 200 degrees", "pinhole"),
+            ("cannot span 200 degrees", "pinhole"),
             ("degrees above 0, H at most 360 and V at most 180", "equirectangular:400,20"),
             ("PIXELS.: a finite number above 0", "orthographic:-1"),
             ("JSON object", self.file("a.json", "[1, 2")),
@@ -729,19 +729,19 @@ class Words(unittest.TestCase):
             ("distortion_model: got \"bent\"",
              self.file("e.yml", ROS_YAML.replace("rational_polynomial", "bent"))),
             # One number is lost: those behind it would each be taken for the one before.
-            ("distortion_coefficients: its rows and cols say 5 numbers, its data has 4",
+            ("distortion_coefficients: its rows and cols give 5 numbers, but its data has 4",
              self.file("f.yml", OPENCV_YAML.replace("-0.25, ", ""))),
-            ("distortion_coefficients: its rows and cols say 8 numbers, its data has 9",
+            ("distortion_coefficients: its rows and cols give 8 numbers, but its data has 9",
              self.file("h.yml", ROS_YAML.replace("2e-2]", "2e-2, 0.1]"))),
-            ("D: got 3 numbers, expected 0, 2, 4, 5 or 8 finite numbers, of the lens brown",
+            ("D: got 3 numbers, expected 0, 2, 4, 5 or 8 finite numbers for the lens brown",
              self.file("i.yml", ROS_MESSAGE.replace("-0.0007, -0.01", ""))),
-            ("third is p1 in OpenCV's order, k3 stands behind p1 and p2",
+            ("third is p1 in OpenCV's order, k3 comes after p1 and p2",
              self.file("i3.yml", ROS_MESSAGE.replace(", -0.0007, -0.01", ""))),
             ("D: got 12 numbers, .*thin prisms", self.file("i12.yml", ROS_MESSAGE.replace(
                 "-0.01]", "-0.01, 0, 0, 0, 0, 0.1, 0, 0]"))),
-            ("there is no lens for the model 'FOV', expected one of SIMPLE_PINHOLE, PINHOLE",
+            ("no lens supports the model 'FOV', expected one of SIMPLE_PINHOLE, PINHOLE",
              self.file("a.txt", "1 FOV 640 480 800 800 320 240 0.9\n")),
-            ("there is no lens for the model 'THIN_PRISM_FISHEYE'",
+            ("no lens supports the model 'THIN_PRISM_FISHEYE'",
              self.file("b.txt", "1 THIN_PRISM_FISHEYE 640 480 8 8 3 2 1 1 1 1 1 1 1 1\n")),
             ("it has 2 lines, expected COLMAP's cameras.txt of one camera",
              self.file("c.txt", "1 PINHOLE 640 480 8 8 3 2\n" * 2)),
@@ -760,7 +760,7 @@ class Words(unittest.TestCase):
              self.file("v.yaml", EUROC_YAML.replace("820.5, ", ""))),
             ("resolution: expected 2 numbers",
              self.file("w.yaml", EUROC_YAML.replace("resolution", "size"))),
-            ("expected 0 finite numbers, of the lens pinhole",
+            ("expected 0 finite numbers for the lens pinhole",
              self.file("x.yaml", KALIBR_YAML.replace("equidistant", "none"))),
             ("it is no opencv_storage of XML", self.file("a.xml", OPENCV_XML[:-20])),
             ("it is no opencv_storage of XML", self.file("b.xml", "<svg></svg>")),
@@ -768,10 +768,10 @@ class Words(unittest.TestCase):
              self.file("c.xml", "<opencv_storage>" + "<a>" * 40000)),
             ("it is no opencv_storage of XML",
              self.file("d.xml", OPENCV_XML.replace("</rows>", "</cols>"))),
-            ("expected data of gzip, whole", self.file("a.yml.gz", OPENCV_YAML)),
-            ("expected data of gzip, whole",
+            ("expected complete gzip data", self.file("a.yml.gz", OPENCV_YAML)),
+            ("expected complete gzip data",
              self.file("b.yml.gz", gzip.compress(OPENCV_YAML.encode())[:-9])),
-            ("no more of it than a calibration has",
+            ("no larger than a calibration",
              self.file("c.yml.gz", gzip.compress(bytes(70 << 20), 1))),
             ("d: got 5 numbers, expected 0, 1, 2, 3 or 4 finite",
              self.file("j.yml", ROS2_MESSAGE.replace("d:\n", "d:\n- 0.1\n"))),
