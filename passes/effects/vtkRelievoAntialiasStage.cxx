@@ -14,7 +14,7 @@ vtkStandardNewMacro(vtkRelievoAntialiasStage);
 
 namespace
 {
-// ParaView's servers put the ranks' pictures together behind their own passes.
+// ParaView's servers composite the ranks' pictures behind their own passes.
 bool IsPartOfPicture(const vtkRelievoFrameContext& context)
 {
   vtkMultiProcessController* all = vtkMultiProcessController::GetGlobalController();
@@ -35,12 +35,12 @@ void vtkRelievoAntialiasStage::Describe(vtkRelievoStageDescription& description)
   description.Label = "Smooth Edges";
   description.Help = "Smooths edges: the picture is the mean of samples spread over each pixel.";
   description.Slot = vtkRelievoStageDescription::COMPOSITE;
-  description.Order = 100; // behind all that changes what one sample shows
+  description.Order = 100; // after all stages that change a sample
   description.Reads = { "color" };
   description.Writes = { "color" };
   description.AddWhole(
     "samples", this->Samples, [this](int samples) { this->SetSamples(samples); }, 1, 256, "samples",
-    "Samples of each pixel, one more in each frame in which nothing changes.");
+    "Samples per pixel; each frame in which nothing changes adds one.");
 }
 
 //------------------------------------------------------------------------------
@@ -49,16 +49,16 @@ void vtkRelievoAntialiasStage::Declare(
 {
   if (this->Samples == 1)
   {
-    declaration.Reason = "one sample of each pixel (Samples) smooths nothing";
+    declaration.Reason = "one sample per pixel (Samples) smooths nothing";
   }
   else if (!context.Picture || !context.ReadBack.empty())
   {
-    declaration.Reason = "layers are asked for, which have one sample, at the centre of each pixel";
+    declaration.Reason = "layers are asked for, and layers have one sample, at each pixel's centre";
   }
   else if (IsPartOfPicture(context))
   {
-    declaration.Reason = "several processes draw the picture together, which compare one depth in "
-                         "each pixel";
+    declaration.Reason = "several processes draw the picture together, and compare one depth per "
+                         "pixel";
   }
   else
   {

@@ -4,15 +4,15 @@
  * @class vtkRelievoAntialiasStage
  * @brief The stage that smooths edges: the picture is the mean of samples spread over each pixel.
  *
- * Each frame in which nothing else changes draws one more sample, with everything in it, so that
- * shadows, textures and what other stages add are smoothed as well as edges; frames that wait for
- * samples (vtkRelievoFramePass::SetWaitForSamples) draw them all. Each pixel is then the mean of
- * the linear light that falls on its square (Halton's sequence, 1960). Samples of soft shadows are
- * the same ones, and cost nothing more.
+ * Each frame in which nothing else changes draws one more sample of the whole picture, so that
+ * shadows, textures and the effects of other stages are smoothed as well as edges; frames that wait
+ * for samples (vtkRelievoFramePass::SetWaitForSamples) draw them all. Each pixel is then the mean
+ * of the linear light that falls on its square (Halton's sequence, 1960). Soft shadows use the same
+ * samples, at no further cost.
  *
- * Layers have one sample, at the centre of each pixel: frames that hand out layers are not
- * smoothed, and neither are those that show one. Pictures that several processes draw together are
- * put together by depth, of which a pixel has one: they are not smoothed either.
+ * Layers have one sample, at the centre of each pixel: frames that read or show layers are not
+ * smoothed. Pictures drawn by several processes are composited by one depth per pixel: they are not
+ * smoothed either.
  */
 #ifndef vtkRelievoAntialiasStage_h
 #define vtkRelievoAntialiasStage_h
@@ -29,7 +29,7 @@ public:
 
   ///@{
   /**
-   * Samples of each pixel, 1 to 256; default 16.
+   * Samples per pixel, 1 to 256; default 16.
    */
   vtkSetClampMacro(Samples, int, 1, 256);
   vtkGetMacro(Samples, int);

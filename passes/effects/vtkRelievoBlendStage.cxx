@@ -22,7 +22,7 @@ class vtkRelievoBlendStage::Internals
 public:
   vtkRelievoScreenTarget Layer{ "blendLayer" };
   vtkRelievoScreenQuad Quad;
-  std::string Reported; // what was wrong in the last frame: said once
+  std::string Reported; // the last frame's error, reported once
 };
 
 //------------------------------------------------------------------------------
@@ -38,9 +38,9 @@ vtkRelievoBlendStage::~vtkRelievoBlendStage() = default;
 void vtkRelievoBlendStage::Describe(vtkRelievoStageDescription& description)
 {
   description.Name = "blend";
-  description.Help = "Keeps what is translucent apart until what is opaque has been lit.";
+  description.Help = "Keeps translucent surfaces apart until opaque ones are lit.";
   description.Slot = vtkRelievoStageDescription::COMPOSITE;
-  description.Order = -1; // before stages that change the colour whatever is drawn
+  description.Order = -1; // before stages that change the colour of every pixel
   description.Reads = { "translucent" };
   description.Writes = { "color" };
   description.Layers = { Blend };
@@ -103,11 +103,11 @@ void vtkRelievoBlendStage::Execute(vtkRelievoFrameContext& context)
   }
   this->Explain(wrong.empty() ? "ran" : "failed",
     !wrong.empty() ? wrong
-      : any        ? "keeps what is translucent apart"
+      : any        ? "keeps translucent surfaces apart"
                    : "nothing translucent was drawn into the colour");
   if (!wrong.empty() && in.Reported != wrong)
   {
-    vtkErrorMacro("What is translucent is missing: " << wrong << ".");
+    vtkErrorMacro("Translucent surfaces are missing: " << wrong << ".");
   }
   in.Reported = wrong;
 }

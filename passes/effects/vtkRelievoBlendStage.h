@@ -4,15 +4,15 @@
  * @class vtkRelievoBlendStage
  * @brief The stage that keeps translucent surfaces and volumes apart until opaque ones are lit.
  *
- * Where another stage changes the linear colour of opaque surfaces (lamps, fog), VTK draws what is
- * translucent over nothing instead of over the colour: sorted, by its weighted average, or by depth
- * peeling, as without Relievo. That is the layer `blend`: premultiplied, in linear light, half
- * floats. The stage composites it, blend + (1 - a) color, after those stages, and before stages
- * that change the colour as a whole: in slot COMPOSITE, with order -1. Where nothing before
- * changes the colour, VTK blends as without Relievo, and the stage is idle.
+ * Where another stage changes the linear colour of opaque surfaces (lamps, fog), VTK draws
+ * translucent geometry over an empty buffer instead of over the colour: sorted, by its weighted
+ * average, or by depth peeling, the same as without Relievo. That buffer is the layer `blend`:
+ * premultiplied, in linear light, half floats. The stage composites it, blend + (1 - a) color,
+ * after those stages, and before stages that change the whole colour: in slot COMPOSITE, with order
+ * -1. If no earlier stage changes the colour, VTK blends without Relievo, and the stage is idle.
  *
- * Layers are composited in linear light, VTK blends values for display: the same pane is a little
- * brighter over something dark.
+ * Layers are composited in linear light, whereas VTK blends display values: a pane becomes slightly
+ * brighter over dark surfaces.
  */
 #ifndef vtkRelievoBlendStage_h
 #define vtkRelievoBlendStage_h

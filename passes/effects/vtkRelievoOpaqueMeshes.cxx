@@ -32,7 +32,7 @@ std::vector<vtkRelievoPlacedMesh> vtkRelievoOpaqueMeshes::Find(vtkRenderer* rend
     {
       continue;
     }
-    prop.Prop->GetBounds(); // brings what it draws up to date
+    prop.Prop->GetBounds(); // updates the prop's pipeline
     if (!vtkRelievoPropMeshes::Collect(prop.Prop, vtkRelievoPropMeshes::Wanted::Opaque,
           this->Glyphs, meshes, &this->TooManyTriangles))
     {

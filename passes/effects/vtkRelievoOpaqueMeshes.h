@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The opaque meshes of all of a renderer's visible props, those outside the view included.
+// The opaque meshes of all visible props of a renderer, those outside the view included.
 #ifndef vtkRelievoOpaqueMeshes_h
 #define vtkRelievoOpaqueMeshes_h
 
@@ -15,17 +15,17 @@ class vtkRenderer;
 class vtkRelievoOpaqueMeshes
 {
 public:
-  // The meshes as they are now: their places and points are valid until a pipeline changes.
+  // The present meshes: their positions and points are valid until a pipeline changes.
   std::vector<vtkRelievoPlacedMesh> Find(vtkRenderer* renderer);
 
-  // Props with meshes that Find could not follow triangle by triangle.
+  // Number of props whose meshes Find could not read as triangles.
   int GetNumberOfPropsLeftOut() const { return this->LeftOut; }
 
-  // Of a mesh that was left out for them; 0: there is none.
+  // Number of triangles of a mesh that was left out for its size; 0 if there is none.
   vtkIdType GetTooManyTriangles() const { return this->TooManyTriangles; }
 
 private:
-  vtkRelievoGlyphPlaces Glyphs; // what is known of them from before
+  vtkRelievoGlyphPlaces Glyphs; // cached positions
   int LeftOut = 0;
   vtkIdType TooManyTriangles = 0;
 };

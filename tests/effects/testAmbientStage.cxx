@@ -446,7 +446,7 @@ void TestWhatHides()
   actor->GetProperty()->SetRepresentationToWireframe();
   RELIEVO_CHECK_NEAR(GetError(scene, open), 0.0, 0.0, "under a wireframe");
   RELIEVO_CHECK(
-    scene.Stage->GetReason().find("1 prop that rays cannot follow") != std::string::npos);
+    scene.Stage->GetReason().find("1 prop that rays cannot intersect") != std::string::npos);
 }
 
 // Byte by byte.
@@ -461,7 +461,7 @@ void TestTooManyTriangles()
   scene.Look(5.0, 0.0, 2.0);
   {
     const relievoTest::ExpectMessage said(
-      " triangles hides no sky: rays follow at most 1 of a mesh.");
+      " triangles hides no sky: ray tracing takes at most 1 per mesh. Split the mesh.");
     double least = 0.0;
     double greatest = 0.0;
     GetRange(relievoTest::Layers(scene.Renderer, { "ambient", "depth" }), least, greatest);

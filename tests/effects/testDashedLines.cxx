@@ -437,7 +437,7 @@ void TestStability()
     scene.Renderer->GetActors()->GetLastActor()->GetProperty()->SetRepresentationToWireframe();
     scene.Window->Render();
     RELIEVO_CHECK_THAT(
-      scene.Stage->GetReason() == "1 prop whose triangles cannot be followed has no hidden lines",
+      scene.Stage->GetReason() == "1 prop without readable triangles has no hidden lines",
       scene.Stage->GetReason());
   }
   {

@@ -178,7 +178,7 @@ class Files(judge.StageTest):
             ("save", "no file can be made in its folder"),
             ("no layers", "no layer is chosen"),
             ("unknown layer", "'nonsense' cannot be read"),
-            ("two tones", "tones are mapped once"),
+            ("two tones", "tones can be mapped only once"),
         ):
             self.assertEqual(len(pv.messages(parts[part])), 1, said)
             self.assertIn(words, parts[part])

@@ -47,7 +47,7 @@ class Ranks(pv.Test):
         self.assertIn("merged over 2 processes", said)
         # Rays of the exact steps pass what the other ranks cast.
         self.assertRegex(said, r"(?s)rays: .*, [1-9]\d* of them from other processes")
-        self.assertRegex(said, r"(?s)sky: .*of each pixel past .*, [1-9]\d* of them from other")
+        self.assertRegex(said, r"(?s)sky: .*per pixel through .*, [1-9]\d* of them from other")
         for name in STEPS:
             with self.subTest(step=name):
                 self.near(self.one[name], two[name], name, level=1, share=0.0002)

@@ -9,12 +9,12 @@
 
 namespace
 {
-// On a place's way from the vertex buffer through the raster and back from its depth.
+// Rounding steps of a position, from the vertex buffer through the raster and back from its depth.
 constexpr double Roundings = 8.0;
 constexpr double Ulp = 1.0 / (1 << 23);
 
-// A point amid what is seen, of a grid about as wide as the view there: few moves of the camera
-// take another, and it depends on nothing else.
+// A point in the middle of the view, on a grid about as wide as the view there: the point depends
+// on the camera alone, and few camera moves change it.
 glm::dvec3 GetOrigin(const vtkRelievoFrameCamera& view)
 {
   const glm::dmat4 viewToWorld = glm::inverse(view.WorldToView);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What hides the sky in a renderer, for the rays of shaders/ambient/shareFS.glsl: the opaque
+// The geometry that hides the sky, for the rays of shaders/ambient/shareFS.glsl: the opaque
 // triangles of all visible props, those outside the view included, and of all processes that draw
 // together.
 #ifndef vtkRelievoAmbientScene_h
@@ -21,8 +21,8 @@ class vtkWindow;
 class vtkRelievoAmbientScene
 {
 public:
-  // Brings it up to date, and takes a texture unit. Returns why not, in words. Processes that draw
-  // together all call it, also with what is `wrong` already.
+  // Updates the tree, and takes a texture unit. Returns an error message, or an empty string. All
+  // processes that draw together call this, a process with an error (`wrong`) included.
   std::string Begin(const vtkRelievoFrameContext& context, const std::string& wrong);
   // Names of uniforms begin with `relievo`, or with what is in its place.
   void SetUniforms(vtkShaderProgram* program, const vtkRelievoFrameContext& context,
@@ -30,8 +30,8 @@ public:
   void End() { this->Tree.Unbind(); }
 
   vtkIdType GetNumberOfTriangles() const { return this->Tree.GetNumberOfTriangles(); }
-  std::string GetReport() const { return this->Others.GetReport(); } // of other processes
-  // That rays cannot follow.
+  std::string GetReport() const { return this->Others.GetReport(); } // about the other processes
+  // Props and triangles that rays cannot intersect.
   int GetNumberOfPropsLeftOut() const { return this->Meshes.GetNumberOfPropsLeftOut(); }
   vtkIdType GetTooManyTriangles() const { return this->Meshes.GetTooManyTriangles(); }
 

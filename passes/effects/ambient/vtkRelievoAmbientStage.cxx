@@ -31,9 +31,9 @@ namespace
 {
 constexpr const char* Layer = "ambient";
 constexpr int MostSamples = 4096;
-constexpr int MostPerFrame = 64; // shaders/ambient/sees.glsl has room for them
+constexpr int MostPerFrame = 64; // array size in shaders/ambient/sees.glsl
 constexpr double LargestRadius = 1e9;
-static_assert(vtkRelievoBlueNoise::Size == 64, "shaders/ambient/sees.glsl counts on it");
+static_assert(vtkRelievoBlueNoise::Size == 64, "shaders/ambient/sees.glsl expects this size");
 }
 
 class vtkRelievoAmbientStage::Internals
@@ -46,8 +46,8 @@ public:
   vtkRelievoScreenQuad Darken;
   std::vector<vtkRelievoSkySamples::Point> Points; // of all frames
   vtkNew<vtkRelievoAmbientCatch> Catchers;
-  bool Begun = false; // rays can be followed in this frame
-  std::string Failed; // said once
+  bool Begun = false; // rays can be traced in this frame
+  std::string Failed; // the last error, reported once
   bool ToldOfTriangles = false;
 
   Internals() { this->Share.SetDefines("#define RELIEVO_GATHERED ambientShare\n"); }
@@ -70,7 +70,7 @@ void vtkRelievoAmbientStage::Describe(vtkRelievoStageDescription& description)
   description.Help =
     "Ambient occlusion by rays: surfaces are darker where they see less of the sky.";
   description.Slot = vtkRelievoStageDescription::SHADE;
-  description.Order = -10; // before the light of lamps, which comes straight
+  description.Order = -10; // before the lamps, whose direct light is not darkened
   description.Reads = { "depth", "geometric_normal" };
   description.Writes = { "color" };
   description.Layers = { Layer };
@@ -83,30 +83,31 @@ void vtkRelievoAmbientStage::Describe(vtkRelievoStageDescription& description)
   description
     .AddNumber(
       "strength", this->Strength, [this](double strength) { this->SetStrength(strength); }, 0.0,
-      1.0, "", "How much of the light goes where no sky is seen.")
+      1.0, "", "Share of the light removed where no sky is visible.")
     .OnlyIf = "enabled=on";
   description.AddNumber(
     "radius", this->Radius, [this](double radius) { this->SetRadius(radius); }, 0.0, LargestRadius,
-    "world units", "Beyond it nothing hides the sky; 0: no limit.");
+    "world units", "Distance beyond which nothing hides the sky; 0: no limit.");
   description
     .AddChoice(
       "weighting", this->Weighting, [this](int weighting) { this->SetWeighting(weighting); },
       { "cosine", "uniform" },
-      "How parts of the sky count: by the cosine to the normal, as light arrives, or evenly.")
+      "Weight of each part of the sky: cosine, by its angle to the normal; uniform, by solid "
+      "angle.")
     .Advanced = true;
   description.AddWhole(
     "samples", this->Samples, [this](int samples) { this->SetSamples(samples); }, 1, MostSamples,
-    "rays", "Rays of each pixel that are gathered in all.");
+    "rays", "Total rays per pixel, rounded up to whole frames.");
   description
     .AddWhole(
       "samples_per_frame", this->SamplesPerFrame,
       [this](int samples) { this->SetSamplesPerFrame(samples); }, 1, MostPerFrame, "rays",
-      "How many of them each frame follows.")
+      "Rays per pixel traced in each frame.")
     .Advanced = true;
   description
     .AddFlag(
       "at_once", this->AtOnce, [this](bool on) { this->SetAtOnce(on); },
-      "Whether every frame gathers all samples; otherwise some in each frame.")
+      "Whether each frame traces all rays; otherwise some in each frame.")
     .Advanced = true;
   description.Parameters.back().Label = "All Samples At Once";
 }
@@ -278,28 +279,28 @@ void vtkRelievoAmbientStage::Execute(vtkRelievoFrameContext& context)
     const int rays = std::min(this->Samples, this->SamplesPerFrame);
     std::ostringstream words;
     words << rays * (context.Sample + 1) << " of " << rays * context.Samples
-          << " rays of each pixel past " << in.Scene.GetNumberOfTriangles() << " triangles"
+          << " rays per pixel through " << in.Scene.GetNumberOfTriangles() << " triangles"
           << in.Scene.GetReport();
     if (in.Scene.GetNumberOfPropsLeftOut() > 0)
     {
       words << "; " << in.Scene.GetNumberOfPropsLeftOut()
             << (in.Scene.GetNumberOfPropsLeftOut() == 1 ? " prop" : " props")
-            << " that rays cannot follow hide nothing";
+            << " that rays cannot intersect hide nothing";
     }
     this->Explain("ran", words.str());
     const vtkIdType triangles = in.Scene.GetTooManyTriangles();
     if (triangles > 0 && !in.ToldOfTriangles)
     {
-      vtkWarningMacro("A mesh of " << triangles << " triangles hides no sky: rays follow at most "
-                                   << vtkRelievoMeshTexels::GetMostTriangles()
-                                   << " of a mesh. Split it into several.");
+      vtkWarningMacro("A mesh of "
+        << triangles << " triangles hides no sky: ray tracing takes at most "
+        << vtkRelievoMeshTexels::GetMostTriangles() << " per mesh. Split the mesh.");
     }
     in.ToldOfTriangles = triangles > 0;
   }
   else
   {
     this->Explain("failed", wrong);
-    // One process speaks for all.
+    // Only one process reports the error.
     vtkMultiProcessController* all = context.Controller;
     if (in.Failed != wrong && (!all || all->GetLocalProcessId() == 0))
     {

@@ -2,22 +2,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkRelievoAmbientStage
- * @brief Ambient occlusion by rays: the layer `ambient`, the share of the sky that a surface sees,
- * and the picture darkened by it.
+ * @brief Ambient occlusion by rays: the layer `ambient`, the visible share of the sky at each
+ * surface, and the picture darkened by it.
  *
- * From the place that each pixel shows, rays go into the hemisphere about the triangle's normal, on
- * the side that the eye sees, past the triangles of the scene (as those of exact shadows do). The
- * layer is the share of them that nothing stops: 1 the whole sky, also where there is no surface; 0
- * nothing of it. Its error falls with the rays' number: 1/64 (rms) at 64 of them.
+ * From each pixel's surface point, rays are traced through the scene's triangles (those of exact
+ * shadows) into the hemisphere about the triangle's normal, on the side that faces the eye. The
+ * layer is the share of rays that hit nothing: 1 where the whole sky is visible, or where there is
+ * no surface; 0 where no sky is visible. The error falls with the number of rays: 1/64 (rms) at 64
+ * rays.
  *
- * Opaque surfaces that are made of triangles hide the sky, those outside the view included; what is
- * translucent hides nothing, and is not darkened unless it catches shadows. Points, lines, volumes
- * and cut-out surfaces, which rays cannot follow, hide nothing either. Processes that draw together
- * (vtkRelievoFramePass::SetController) each hold the triangles of all.
+ * Opaque triangle meshes hide the sky, those outside the view included. Translucent surfaces hide
+ * nothing, and are not darkened unless they catch shadows. Points, lines, volumes and cut-out
+ * surfaces hide nothing either, since rays cannot intersect them. Processes that draw together
+ * (vtkRelievoFramePass::SetController) each store the triangles of all processes.
  *
- * The picture is darkened (Enabled) where all that VTK has drawn is in it: lights, ambient light
- * and environments together, since VTK's shaders add them up. What lamps (vtkRelievoLampsStage),
- * markers, lines and fog add comes later and is not darkened.
+ * Enabled darkens the whole light of VTK's picture: lights, ambient light and environments together,
+ * since VTK's shaders add them up. Lamps (vtkRelievoLampsStage), markers, lines and fog are added
+ * later and are not darkened.
  */
 #ifndef vtkRelievoAmbientStage_h
 #define vtkRelievoAmbientStage_h
@@ -46,13 +47,16 @@ public:
   ///@}
 
   ///@{
-  /** How much of the light goes where no sky is seen, 0 to 1. Default 1. */
+  /** Share of the light removed where no sky is visible, 0 to 1. Default 1. */
   vtkSetClampMacro(Strength, double, 0.0, 1.0);
   vtkGetMacro(Strength, double);
   ///@}
 
   ///@{
-  /** World units beyond which nothing hides the sky, at most 1e9; 0, the default: no limit. */
+  /**
+   * Distance beyond which nothing hides the sky, in world units, at most 1e9; 0 (default): no
+   * limit.
+   */
   vtkSetClampMacro(Radius, double, 0.0, 1e9);
   vtkGetMacro(Radius, double);
   ///@}
@@ -65,8 +69,8 @@ public:
 
   ///@{
   /**
-   * How parts of the sky count: COSINE (default), by the cosine to the normal, as the light of an
-   * even sky arrives; UNIFORM, by their solid angles.
+   * Weight of each part of the sky: COSINE (default), by the cosine of its angle to the normal, for
+   * the light of a uniform sky; UNIFORM, by solid angle.
    */
   vtkSetClampMacro(Weighting, int, COSINE, UNIFORM);
   vtkGetMacro(Weighting, int);
@@ -76,10 +80,10 @@ public:
 
   ///@{
   /**
-   * Rays of each pixel in all, 1 to 4096, and how many of them each frame follows, 1 to 64; the
-   * first is rounded up to whole frames. Frames in which nothing else changes show the mean of
-   * those so far; vtkRelievoFramePass::GetSamplesLeft says how many frames are missing. Default 64
-   * and 4.
+   * Total rays per pixel, 1 to 4096, rounded up to whole frames; and rays per pixel traced in each
+   * frame, 1 to 64. Frames in which nothing else changes show the mean of all rays so far;
+   * vtkRelievoFramePass::GetSamplesLeft returns the number of frames still needed. Default 64 and
+   * 4.
    */
   vtkSetClampMacro(Samples, int, 1, 4096);
   vtkGetMacro(Samples, int);
@@ -88,7 +92,7 @@ public:
   ///@}
 
   ///@{
-  /** Whether each picture waits for all rays. Default off. */
+  /** Whether each frame traces all rays. Default off. */
   vtkSetMacro(AtOnce, bool);
   vtkGetMacro(AtOnce, bool);
   vtkBooleanMacro(AtOnce, bool);

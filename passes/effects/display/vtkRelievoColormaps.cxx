@@ -8,7 +8,7 @@
 
 namespace
 {
-constexpr int FormulaSteps = 64; // of maps that a formula gives
+constexpr int FormulaSteps = 64; // of maps defined by a formula
 
 using Map = vtkColorTransferFunction;
 
@@ -19,7 +19,7 @@ struct NamedMap
 };
 
 const NamedMap NamedMaps[] = {
-  // Evenly lighter, also for the colour-blind: S. van der Walt, N. Smith, 2015.
+  // Perceptually uniform, also for colour-blind readers: S. van der Walt, N. Smith, 2015.
   { "viridis",
     [](Map* map, double low, double high) {
       for (int i = 0; i <= FormulaSteps; ++i)
@@ -42,7 +42,7 @@ const NamedMap NamedMaps[] = {
       map->AddRGBPoint(low, 0.0, 0.0, 0.0);
       map->AddRGBPoint(high, 1.0, 1.0, 1.0);
     } },
-  // Black over red and yellow to white, as a body that is heated.
+  // Black, red, yellow, white: the colours of a heated body.
   { "hot",
     [](Map* map, double low, double high) {
       const double width = high - low;
@@ -51,7 +51,7 @@ const NamedMap NamedMaps[] = {
       map->AddRGBPoint(low + 0.8 * width, 0.9, 0.9, 0.0);
       map->AddRGBPoint(high, 1.0, 1.0, 1.0);
     } },
-  // Blue to red by hue, as older pictures have it.
+  // Blue to red by hue, the older default of many tools.
   { "rainbow",
     [](Map* map, double low, double high) {
       map->SetColorSpaceToHSV();

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Colour maps by name: of layers that are shown as the picture, and of scenes.
+// Colour maps by name, for layers shown as the picture and for scenes.
 #ifndef vtkRelievoColormaps_h
 #define vtkRelievoColormaps_h
 
@@ -17,12 +17,12 @@ namespace vtkRelievoColormaps
 {
 VTKRELIEVOEFFECTS_EXPORT const std::vector<std::string>& GetNames();
 
-// Adds the map's points over a range of values, and sets the space between them. `low` may be the
-// larger one: the map is turned round. A name that is unknown adds nothing.
+// Adds the map's points over a range of values, and sets the interpolation space. A `low` above the
+// other end reverses the map. An unknown name adds nothing.
 VTKRELIEVOEFFECTS_EXPORT void Fill(
   vtkColorTransferFunction* map, const std::string& name, double low, double high);
 
-// Colours from the first to the last at even steps, red, green, blue, 0 to 1.
+// Colours from the first to the last at even steps: red, green, blue, 0 to 1.
 VTKRELIEVOEFFECTS_EXPORT std::vector<std::array<float, 3>> Sample(
   const std::string& name, bool reversed, int count);
 }

@@ -31,7 +31,7 @@ namespace
 {
 constexpr int MapColors = 256;
 
-// What is read to show it. What a light reaches is 1 where nothing is, too: depth tells.
+// The layers to read. The visibility of a light is 1 in the background too, which only depth tells.
 std::vector<std::string> GetNeeded(const std::string& layer)
 {
   return vtkRelievoLayerCatalogue::GetIsOfLight(layer) ? std::vector<std::string>{ layer, "depth" }
@@ -40,7 +40,7 @@ std::vector<std::string> GetNeeded(const std::string& layer)
 
 vtkRelievoLayer::Kinds GetKind(const std::string& layer)
 {
-  return vtkRelievoLayerCatalogue::GetIsOfLight(layer) // by any name
+  return vtkRelievoLayerCatalogue::GetIsOfLight(layer) // a light layer may have any name
     ? vtkRelievoLayerCatalogue::GetOfLight().Kind
     : vtkRelievoLayerCatalogue::Find(layer).Kind;
 }
@@ -54,9 +54,9 @@ public:
   vtkSmartPointer<vtkTextureObject> Colors;
   vtkIdType ColorBytes = 0;
   vtkSmartPointer<vtkTextureObject> Map;
-  std::vector<std::array<float, 3>> Row; // of the map's texture
-  std::string Reported; // what was wrong with the layer in the last frame: said once
-  std::string Failed;   // what was wrong with the shader
+  std::vector<std::array<float, 3>> Row; // the map's texture
+  std::string Reported;                  // the layer's error in the last frame, reported once
+  std::string Failed;                    // the shader's error, reported once
 };
 
 //------------------------------------------------------------------------------
@@ -93,17 +93,17 @@ void vtkRelievoDisplayStage::Describe(vtkRelievoStageDescription& description)
     "The layer to show; empty for the picture itself.");
   description.AddPair(
     "range", this->Range, [this](const double* range) { this->SetRange(range[0], range[1]); },
-    "Values of a scalar layer that are the first and the last colour; 0/0 for those that are seen, "
-    "without an endless ground's.");
+    "Values shown in the first and the last colour of a scalar layer; 0/0 for the visible range, "
+    "without an endless ground.");
   description
     .AddChoice(
       "colormap", this->Colormap, [this](int map) { this->SetColormap(map); },
-      vtkRelievoColormaps::GetNames(), "The colours of scalar layers.")
+      vtkRelievoColormaps::GetNames(), "Colour map of scalar layers.")
     .OnlyIf = "grey=off";
   description
     .AddFlag(
       "reversed", this->Reversed, [this](bool on) { this->SetReversed(on); },
-      "The first colour for the greatest value.")
+      "Shows the greatest value in the first colour.")
     .OnlyIf = "grey=off";
   description.AddFlag(
     "grey", this->Grey, [this](bool on) { this->SetGrey(on); },
@@ -122,7 +122,7 @@ void vtkRelievoDisplayStage::Declare(
     return;
   }
   declaration.ReadsLayers = GetNeeded(this->Layer);
-  // Nobody knows yet whether anything drawn has an array; if not, the picture itself is shown.
+  // No earlier step knows whether any drawn mesh has the array; if none has, the picture is shown.
   declaration.HidesColor =
     vtkRelievoLayerCatalogue::Find(this->Layer).Kind != vtkRelievoLayer::ARRAY;
   declaration.Reason = "shows the layer " + this->Layer + " as the picture";

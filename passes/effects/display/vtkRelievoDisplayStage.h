@@ -5,9 +5,9 @@
  * @brief The stage that shows a layer as the picture.
  *
  * Depth, range, normals and albedo are shown directly from the G-buffer's words. Ids, positions and
- * arrays, whose meaning only the CPU knows, are read back first. Scalars go through Colormap over
- * Range, vectors are shown as 0.5 v + 0.5, ids as distinct colours; light (color, light) by
- * the sRGB curve, from 0 to 1 or over Range: `color` is the colour before tone.
+ * arrays, which only the CPU can decode, are read back first. Scalars go through Colormap over
+ * Range, vectors are shown as 0.5 v + 0.5, ids as distinct colours; light (color, light) by the
+ * sRGB curve, from 0 to 1 or over Range: `color` is the colour before tone mapping.
  */
 #ifndef vtkRelievoDisplayStage_h
 #define vtkRelievoDisplayStage_h
@@ -36,28 +36,27 @@ public:
 
   ///@{
   /**
-   * Values shown as the first and the last colour, for scalar layers. Default (0, 0): from the
-   * least to the greatest finite value that is seen. Of depth and range, a ground that is flat and
-   * far wider than all else counts only as near and as far as the rest is; of a picture in tiles
-   * they are those of the scene's bounds, of one that several processes draw together those of the
-   * clipping planes.
+   * Values shown in the first and the last colour of a scalar layer. Default (0, 0): from the least
+   * to the greatest visible finite value. For depth and range, a flat ground far wider than all
+   * other objects counts only within their range; a picture in tiles takes the range of the scene's
+   * bounds, and a picture drawn by several processes that of the clipping planes.
    */
   vtkSetVector2Macro(Range, double);
   vtkGetVector2Macro(Range, double);
   ///@}
 
   /**
-   * Values that the last frame showed as the first and the last colour of a scalar layer; of
-   * several components, those of the first. Infinite where no pixel has a value.
+   * Values shown in the first and the last colour of a scalar layer in the last frame; for several
+   * components, those of the first one. Infinite if no pixel has a value.
    */
   vtkGetVector2Macro(ShownRange, double);
 
-  /** How many components the layer has that the last frame showed; 0 of none. */
+  /** Number of components of the layer shown in the last frame; 0 if none was shown. */
   vtkGetMacro(ShownComponents, int);
 
   /**
-   * Whether the last frame showed a layer that has one value in all pixels; not known, and false,
-   * of depth, range, normals and albedo.
+   * Whether all pixels of the layer shown in the last frame have one value; always false for depth,
+   * range, normals and albedo, where this is not determined.
    */
   vtkGetMacro(Same, bool);
 
@@ -94,15 +93,15 @@ public:
   ///@}
 
   /**
-   * Whether one row of colours tells all values of the layer: not of ids, colours, vectors and
-   * arrays of three components and more.
+   * Whether one colour scale describes the layer: not for ids, colours, vectors and arrays of three
+   * or more components.
    */
   bool HasScale();
 
   ///@{
   /**
-   * The colour map in which the layer is shown, a name of vtkRelievoColormaps, and whether it is
-   * turned round: grey for shares, and where Grey is on.
+   * Name of the layer's colour map (see vtkRelievoColormaps), and whether it is reversed: grey for
+   * shares, and if Grey is on.
    */
   std::string GetShownColormap();
   bool GetShownReversed();
@@ -133,16 +132,16 @@ private:
   vtkRelievoDisplayStage(const vtkRelievoDisplayStage&) = delete;
   void operator=(const vtkRelievoDisplayStage&) = delete;
 
-  // The colours of the layer, made on the CPU, as a texture; false if the layer cannot be read.
+  // Makes the layer's colours on the CPU, as a texture; false if the layer cannot be read.
   bool UploadColors(vtkRelievoFrameContext& context);
 
-  // Says once what is wrong with the layer, and that the stage failed; false if something is.
+  // Reports an error of the layer once and marks the stage as failed; false if there is an error.
   bool IsGood(const std::string& wrong);
 
-  // The colour map as a texture of one row.
+  // Uploads the colour map as a texture of one row.
   void UploadMap(vtkRelievoFrameContext& context);
 
-  // Those of the map.
+  // The colours of the map.
   std::vector<std::array<float, 3>> GetColors() const;
 
   class Internals;

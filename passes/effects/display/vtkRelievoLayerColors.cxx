@@ -67,7 +67,7 @@ std::vector<unsigned char> vtkRelievoLayerColors::Make(vtkImageData* image,
   const vtkRelievoLayer& known = vtkRelievoLayerCatalogue::Find(layer);
   const bool ids = known.Kind == vtkRelievoLayer::ID;
   const bool light = known.Kind == vtkRelievoLayer::COLOR && known.Type == VTK_FLOAT;
-  const bool black = known.Source == vtkRelievoLayer::FROM_PICTURE; // is a colour, too
+  const bool black = known.Source == vtkRelievoLayer::FROM_PICTURE; // black is a colour, too
   const int components = array ? array->GetNumberOfComponents() : 1;
   Extremes extremes[3];
   for (int c = 0; c < std::min(3, components) && !ids && array; ++c)

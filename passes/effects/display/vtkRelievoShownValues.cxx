@@ -23,12 +23,12 @@
 
 namespace
 {
-constexpr int SquareSide = 16;     // pixels of its side, as in extremesFS.glsl
-constexpr double Flat = 1e-3;      // of its longest side, a ground's height at the most
-constexpr double Endless = 1.5;    // of the diagonal of all else, the least side of such a ground
-constexpr double Narrowest = 1e-4; // of the values: what differs less is noise
+constexpr int SquareSide = 16;     // pixels, as in extremesFS.glsl
+constexpr double Flat = 1e-3;      // greatest height of a ground, over its longest side
+constexpr double Endless = 1.5;    // least side of an endless ground, over the diagonal of the rest
+constexpr double Narrowest = 1e-4; // least range, over the values: smaller differences are noise
 
-// Of which each process knows its own part.
+// Each process knows only its own props.
 bool IsOfSeveralProcesses(const vtkRelievoFrameContext& context)
 {
   vtkMultiProcessController* all = vtkMultiProcessController::GetGlobalController();
@@ -41,8 +41,8 @@ bool IsInTiles(const vtkRelievoFrameContext& context)
   return tiles[0] > 1 || tiles[1] > 1;
 }
 
-// The bounds of what is opaque, but for a ground that is far wider than all else, and whether there
-// is one.
+// The bounds of the opaque props, without a ground far wider than all others; `ground` receives
+// whether there is one.
 vtkBoundingBox FindBounds(const vtkRelievoFrameContext& context, bool& ground)
 {
   std::vector<vtkBoundingBox> boxes;
@@ -88,7 +88,7 @@ vtkBoundingBox FindBounds(const vtkRelievoFrameContext& context, bool& ground)
   return bounds;
 }
 
-// How near and how far a box is, between the clipping planes.
+// The nearest and the farthest value of a box, between the clipping planes.
 void FindExtent(
   const vtkRelievoFrameCamera& view, const vtkBoundingBox& box, bool distance, double range[2])
 {
@@ -175,7 +175,7 @@ std::string vtkRelievoShownValues::Find(
   vtkRelievoFrameContext& context, const std::string& layer, double range[2])
 {
   const vtkRelievoFrameCamera& view = context.View;
-  if (IsOfSeveralProcesses(context)) // which have the clipping planes in common
+  if (IsOfSeveralProcesses(context)) // only the clipping planes are common to all
   {
     range[0] = view.Near;
     range[1] = view.Far;
@@ -188,7 +188,7 @@ std::string vtkRelievoShownValues::Find(
   {
     FindExtent(view, box, layer == "range", extent);
   }
-  if (IsInTiles(context)) // of which each shows a part
+  if (IsInTiles(context)) // each tile shows a part
   {
     std::copy(extent, extent + 2, range);
   }
@@ -199,7 +199,7 @@ std::string vtkRelievoShownValues::Find(
     {
       return wrong;
     }
-    // Where only the ground is in sight, all of it is shown.
+    // If only the ground is in sight, its whole range counts.
     if (ground && extent[0] < range[1] && extent[1] > range[0])
     {
       range[0] = std::max(range[0], extent[0]);

@@ -1,10 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The least and the greatest value of depth or range that a frame shows, of what the first and the
-// last colour are for: what is seen, but of a ground that reaches far beyond all else only the part
-// that is as near and as far as the rest. Of a picture in tiles, and where nothing but bounds is
-// known, those of the whole scene.
+// The least and the greatest visible value of depth or range in a frame, for the first and the last
+// colour. A ground that extends far beyond all other objects counts only within their range. A
+// picture in tiles, or one for which only bounds are known, takes the values of the whole scene.
 #ifndef vtkRelievoShownValues_h
 #define vtkRelievoShownValues_h
 
@@ -22,7 +21,7 @@ class vtkWindow;
 class vtkRelievoShownValues
 {
 public:
-  // Returns what is wrong, in words. Infinite where no pixel has a value.
+  // Returns an error message, or an empty string. The range is infinite if no pixel has a value.
   std::string Find(vtkRelievoFrameContext& context, const std::string& layer, double range[2]);
 
   vtkIdType GetBytes() const;

@@ -15,7 +15,7 @@
 
 namespace
 {
-// What the value lacks as a float.
+// The remainder of the value after rounding to float.
 double Lacks(double value)
 {
   return value - static_cast<double>(static_cast<float>(value));
@@ -100,7 +100,7 @@ std::string vtkRelievoFogBuffer::Draw(vtkRelievoFrameContext& context,
   const bool any = !this->Texels.empty();
   if (wrong.empty() && any && !depth)
   {
-    wrong = "the frame has made no 'depth'";
+    wrong = "the frame has no layer 'depth'";
   }
   if (wrong.empty() && any)
   {

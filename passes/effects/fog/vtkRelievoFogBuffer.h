@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Optical depth and colour of fog by pixels: each sphere draws its rectangle, and the depths add up
-// or the greatest is kept.
+// Optical depth and colour of fog at each pixel: each sphere draws its rectangle, and either the
+// depths add up or the greatest one remains.
 #ifndef vtkRelievoFogBuffer_h
 #define vtkRelievoFogBuffer_h
 
@@ -24,21 +24,22 @@ public:
   vtkRelievoFogBuffer();
   ~vtkRelievoFogBuffer();
 
-  // Forgets the spheres, and adds those of which anything is in view. `chord` is the stage's mode.
+  // Removes all spheres; Add() appends the spheres in view. `chord` is the stage's mode.
   void Clear();
   void Add(const vtkRelievoSphereRays& rays, vtkRelievoFogSpheres* fog, bool chord);
 
   int GetNumberOfSpheres() const { return static_cast<int>(this->Texels.size() / 32); }
 
-  // The pixels of the viewport with spheres: x, y, width, height.
+  // The viewport's rectangle with spheres: x, y, width, height.
   const int* GetPart() const { return this->Part; }
 
-  // Draws them before what is opaque, and only before what is translucent if that is given. Pixels
-  // without spheres have no fog if `everywhere`, else anything. Returns what is wrong, in words.
+  // Draws the fog in front of opaque surfaces, and, if `translucent` depth is given, the fog in
+  // front of translucent ones. Pixels without spheres have no fog if `everywhere`, else undefined
+  // values. Returns an error message, or an empty string.
   std::string Draw(vtkRelievoFrameContext& context, const vtkRelievoSphereRays& rays, bool chord,
     bool dominant, bool everywhere, vtkRelievoResource* translucent = nullptr);
 
-  // Whether fog ends at the z that is drawn, rather than at the layer `depth`.
+  // Whether fog ends at the drawn depth instead of the layer `depth`.
   bool BeforeDrawn = false;
 
   // Colour times optical depth, and optical depth; `fogDepth` in shaders.
@@ -51,7 +52,7 @@ private:
   std::vector<float> Texels;
   int Part[4] = { 0, 0, 0, 0 };
   vtkRelievoTextureBuffer Spheres;
-  vtkRelievoInstancedQuads Quads[2]; // before opaque, and translucent
+  vtkRelievoInstancedQuads Quads[2]; // in front of opaque, and of translucent surfaces
 };
 
 #endif

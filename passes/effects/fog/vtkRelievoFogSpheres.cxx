@@ -16,11 +16,11 @@ vtkRelievoFogSpheres::vtkRelievoFogSpheres()
   constexpr double white[3] = { 1.0, 1.0, 1.0 };
   this->SetThings(
     "fog", "places must be finite, radii and densities above 0, colours not negative");
-  this->AddValue("radius", 1.0, 0.0, infinity, "world units", "How large the spheres are.");
+  this->AddValue("radius", 1.0, 0.0, infinity, "world units", "Radius of the spheres.");
   this
     ->AddValue("density", 1.0, 0.0, infinity, "per world unit",
-      "How dense the fog is: over a length of 1 / density, 63 % of the light is held back; in the "
-      "mode chord, 0 to 1, what is held back through a sphere's centre.")
+      "Mode beer: absorption per world unit (63 % of the light over a length of 1 / density); mode "
+      "chord: the share of light absorbed through a sphere's centre, 0 to 1.")
     .Usual = 5.0;
   this->AddColorValue("color", white, "Linear colour of the fog.");
 }

@@ -4,10 +4,11 @@
  * @class vtkRelievoFogSpheres
  * @brief Spheres of fog from data: each point is a sphere (vtkRelievoFogStage::AddPoints).
  *
- * The input's point arrays `radius`, `density` and `color` (SetArray takes others) give each sphere
- * its own values; the values set here are for spheres without. The fog of a sphere is even.
+ * The input's point arrays `radius`, `density` and `color` (SetArray selects others) give each
+ * sphere its own values; the values set here apply to spheres without arrays. Fog is homogeneous
+ * within a sphere.
  *
- * A sphere whose radius or density is 0 or less has no effect, and is counted (GetNumberLeftOut).
+ * Spheres whose radius or density is 0 or less have no effect and are counted (GetNumberLeftOut).
  */
 #ifndef vtkRelievoFogSpheres_h
 #define vtkRelievoFogSpheres_h
@@ -29,22 +30,23 @@ public:
 
   ///@{
   /**
-   * Default 1. In the stage's mode BEER, per world unit: over a length of 1 / density, 63 % of the
-   * light is held back. In the mode CHORD, 0 to 1: what is held back through the sphere's centre.
+   * Default 1. In the stage's mode BEER: absorption per world unit, 63 % of the light over a length
+   * of 1 / density. In the mode CHORD: the share of light absorbed through the sphere's centre, 0
+   * to 1.
    */
   void SetDensity(double density);
   double GetDensity() const { return this->GetForAll(1)[0]; }
   ///@}
 
   ///@{
-  /** Linear RGB, default white. Arrays of bytes are 0 to 255. */
+  /** Linear RGB, default white. Arrays of bytes range from 0 to 255. */
   void SetColor(double red, double green, double blue);
   void SetColor(const double color[3]) { this->SetColor(color[0], color[1], color[2]); }
   void GetColor(double color[3]) const;
   ///@}
 
 #ifndef __VTK_WRAP__
-  // Places in a row of GetRows, behind those of x, y and z: the values in the constructor's order.
+  // Columns of a row of GetRows, after x, y and z: the values in the constructor's order.
   enum Columns
   {
     RADIUS = 3,

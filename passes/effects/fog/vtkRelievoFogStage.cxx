@@ -30,7 +30,7 @@ public:
   vtkRelievoFogBuffer Buffer;
   vtkRelievoTranslucentDepth Translucent;
   vtkRelievoScreenQuad Quad;
-  vtkRelievoScreenQuad Finish; // as the picture
+  vtkRelievoScreenQuad Finish; // adds the fog to the picture
 };
 
 namespace
@@ -80,9 +80,9 @@ vtkRelievoPointValues* vtkRelievoFogStage::NewPoints()
 void vtkRelievoFogStage::Describe(vtkRelievoStageDescription& description)
 {
   description.Name = "fog";
-  description.Help = "Fog in spheres, which are given to it as data.";
+  description.Help = "Fog in spheres, which come from data.";
   description.Slot = vtkRelievoStageDescription::COMPOSITE;
-  description.Order = -5; // over markers, before what is translucent, see the stage `blend`
+  description.Order = -5; // over markers, before the translucent surfaces of the stage `blend`
   description.Writes = { "color" };
   description.Layers = { "fog" };
   description.OnByDefault = true;
@@ -90,13 +90,13 @@ void vtkRelievoFogStage::Describe(vtkRelievoStageDescription& description)
   description
     .AddChoice(
       "mode", this->Mode, [this](int mode) { this->SetMode(mode); }, { "beer", "chord" },
-      "How light passes: beer, e^(-density length); chord, 1 - density length / diameter.")
+      "Transmittance: beer, e^(-density length); chord, 1 - density length / diameter.")
     .ChoiceLabels = { "exponential", "linear" };
   description
     .AddChoice(
       "overlap", this->Overlap, [this](int overlap) { this->SetOverlap(overlap); },
       { "sum", "dominant" },
-      "Where spheres overlap: sum of optical depths, or the dominant sphere alone.")
+      "Overlapping spheres: sum of optical depths, or the dominant sphere alone.")
     .Advanced = true;
 }
 
@@ -109,7 +109,7 @@ void vtkRelievoFogStage::Declare(
   if (rays.IsUsual() && !this->IsTogether() &&
     std::none_of(fogs.begin(), fogs.end(), [&rays](auto* fog) { return Sees(rays, fog); }))
   {
-    // Without fog in view the layer is still what it says: all passes.
+    // Without fog in view the layer is constant: all light passes.
     declaration.Writes.clear();
     declaration.ReasonCode = "idle";
     declaration.Reason = "no fog is in view";
@@ -117,17 +117,18 @@ void vtkRelievoFogStage::Declare(
 }
 
 //------------------------------------------------------------------------------
-// A picture has what the delegate draws, with its z: enough where that changes white fog before
-// black, where it is seen most, by less than a quarter of what eight bits tell apart.
+// The delegate's own depth buffer is precise enough for the picture if its error changes white fog
+// over black, the most sensitive case, by less than a quarter of an 8-bit step.
 void vtkRelievoFogStage::Synchronize(vtkRelievoFrameContext& context)
 {
   this->Superclass::Synchronize(context);
   using Fog = vtkRelievoFogSpheres;
   constexpr double seen = 1.0 / (4.0 * 255.0 * 12.92);
-  int left = 1000; // of more, the layer is not what costs
+  int left = 1000; // with more spheres, the layer's cost no longer matters
   this->DrawnDepthSuffices = false;
   const vtkRelievoSphereRays rays(context.View);
-  double densities = 0.0; // where all overlap, of a unit of length, times how bright they are
+  // Sum over all spheres: optical depth per unit length, times brightness.
+  double densities = 0.0;
   double farthest = context.View.Near;
   for (vtkRelievoFogSpheres* fog : this->GetSets<vtkRelievoFogSpheres>())
   {
@@ -225,7 +226,7 @@ void vtkRelievoFogStage::Execute(vtkRelievoFrameContext& context)
 }
 
 //------------------------------------------------------------------------------
-// The fog before what is translucent covers it as much as it covers what is behind.
+// Fog in front of translucent surfaces covers them as much as the surfaces behind.
 std::string vtkRelievoFogStage::DrawBeforeTranslucent(
   vtkRelievoFrameContext& context, const vtkRelievoSphereRays& rays)
 {

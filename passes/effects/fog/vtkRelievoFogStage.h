@@ -2,24 +2,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkRelievoFogStage
- * @brief Fog in spheres, from data: over the picture, and as the layer `fog`, what it lets through.
+ * @brief Fog in spheres, from data: over the picture, and its transmittance as the layer `fog`.
  *
- * The ray of each pixel runs through a sphere along its chord, from the eye to the surface that the
- * pixel shows; where nothing is shown it does not end. In parallel projection rays begin at depth
- * 0, or at the near plane where that is behind.
+ * The ray of each pixel crosses a sphere along its chord, from the eye to the visible surface; in
+ * the background the ray does not end. In parallel projection rays begin at depth 0, or at the near
+ * plane if that lies behind.
  *
  * Modes:
- * - BEER (default): e^(-density length) of the light passes (Beer and Lambert).
- * - CHORD: 1 - density length / (2 radius) passes, the classic; 0 at the least.
+ * - BEER (default): transmittance e^(-density length) (Beer and Lambert).
+ * - CHORD: transmittance 1 - density length / (2 radius), at least 0; the classic.
  *
  * Where spheres overlap:
- * - SUM (default): optical depths add up, so what they let through is multiplied; their colours are
- *   mixed by optical depth, in any order.
- * - DOMINANT: only the one that lets least through counts.
+ * - SUM (default): optical depths add up, so transmittances multiply; colours are mixed by optical
+ * depth, independent of order.
+ * - DOMINANT: only the sphere with the least transmittance counts.
  *
- * The picture is color T + fog (1 - T), in linear light, where T is what passes; also over the
- * background, whose alpha grows by that of the fog. What is translucent is composited afterwards
- * (vtkRelievoBlendStage), and is covered by the fog before its nearest surface.
+ * The picture is color T + fog (1 - T), in linear light, where T is the transmittance; also over
+ * the background, whose alpha grows by that of the fog. Translucent surfaces are composited
+ * afterwards (vtkRelievoBlendStage), covered by the fog in front of the nearest one.
  */
 #ifndef vtkRelievoFogStage_h
 #define vtkRelievoFogStage_h
@@ -27,7 +27,7 @@
 #include "vtkRelievoEffectsModule.h" // for the export macro
 #include "vtkRelievoPointStage.h"
 
-#include <memory> // for what is drawn
+#include <memory> // for the drawing half
 
 class vtkRelievoSphereRays;
 
@@ -44,7 +44,7 @@ public:
   };
 
   ///@{
-  /** How much passes of a chord: BEER (default) or CHORD. */
+  /** Transmittance along a chord: BEER (default) or CHORD. */
   vtkSetClampMacro(Mode, int, BEER, CHORD);
   vtkGetMacro(Mode, int);
   void SetModeToBeer() { this->SetMode(BEER); }
@@ -58,7 +58,7 @@ public:
   };
 
   ///@{
-  /** What passes where spheres overlap: SUM (default) or DOMINANT. */
+  /** Transmittance of overlapping spheres: SUM (default) or DOMINANT. */
   vtkSetClampMacro(Overlap, int, SUM, DOMINANT);
   vtkGetMacro(Overlap, int);
   void SetOverlapToSum() { this->SetOverlap(SUM); }
@@ -88,7 +88,7 @@ protected:
 
   int Mode = BEER;
   int Overlap = SUM;
-  bool DrawnDepthSuffices = false; // in this frame, for its picture
+  bool DrawnDepthSuffices = false; // for the picture of this frame
 
 private:
   vtkRelievoFogStage(const vtkRelievoFogStage&) = delete;

@@ -12,9 +12,9 @@
 
 namespace
 {
-constexpr double Largest = 1e30;        // that is safe in sums of floats
+constexpr double Largest = 1e30;        // greatest value that is safe in sums of floats
 constexpr double PixelTolerance = 1e-3; // added to rectangles all around
-constexpr double ClosestOfNear = 1e-9;  // bounds are of what is farther than this share of near
+constexpr double ClosestOfNear = 1e-9;  // least depth of bounds, over the near plane's
 
 // The cross product of (x, y, 0) and (direction, -1).
 glm::dvec3 Cross(const glm::dvec2& offset, const glm::dvec2& direction)
@@ -45,8 +45,9 @@ vtkRelievoSphereRays::vtkRelievoSphereRays(const vtkRelievoFrameCamera& view)
   const glm::dmat2 toPlane = glm::inverse(glm::dmat2(p[0][0], p[0][1], p[1][0], p[1][1]));
   const glm::dvec2 byZ(p[2][0], p[2][1]);
   const glm::dvec2 constant(p[3][0], p[3][1]);
-  const glm::dvec2 corner(-1.0);                                          // NDC of pixel (0, 0)
-  const glm::dmat2 ndc(2.0 / this->Size.x, 0.0, 0.0, 2.0 / this->Size.y); // its change
+  const glm::dvec2 corner(-1.0); // NDC of pixel (0, 0)
+  // Change of NDC per pixel.
+  const glm::dmat2 ndc(2.0 / this->Size.x, 0.0, 0.0, 2.0 / this->Size.y);
   if (p[2][3] != 0.0)
   {
     this->Apex = p[3][3] / p[2][3];
@@ -85,7 +86,7 @@ bool vtkRelievoSphereRays::Find(
   {
     return false;
   }
-  // The pixels with centres in it.
+  // The pixels whose centres lie in the rectangle.
   for (int axis = 0; axis < 2; ++axis)
   {
     const double first = 0.5 * (rectangle[axis] + 1.0) * this->Size[axis];
@@ -108,7 +109,8 @@ bool vtkRelievoSphereRays::Find(
   sphere.Offsets = (this->Bases + along * turn) / radius;
   sphere.MiddleDepth = depth - this->Begin;
 
-  // The cross product is linear in the pixel: where both factors change, what is square cancels.
+  // The cross product is linear in the pixel: where both factors change, the quadratic terms
+  // cancel.
   const glm::dvec3 cross = Cross(sphere.Offset, direction);
   glm::dvec3 change[2];
   for (int axis = 0; axis < 2; ++axis)

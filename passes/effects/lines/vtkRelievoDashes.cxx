@@ -10,14 +10,14 @@ namespace
 using Piece = vtkRelievoDashes::Piece;
 using Meeting = vtkRelievoDashes::Meeting;
 
-constexpr double Straight = 0.5; // cosine of the turn by which a line still goes on
-constexpr double Around = 16.0;  // pixels: a line beside the picture reaches into it
+constexpr double Straight = 0.5; // cosine of the largest turn within one line
+constexpr double Around = 16.0;  // pixels around the picture in which lines still count
 constexpr int None = -1;
 
 class Chains
 {
 public:
-  // Of the meetings, by point, only those at ends of pieces are written and read.
+  // Only entries at the pieces' end points are written and read.
   Chains(const std::vector<Piece>& pieces, std::vector<Meeting>& meetings)
     : Pieces(pieces)
     , At(meetings)
@@ -41,7 +41,7 @@ public:
     }
   }
 
-  // Which piece goes on from this one at its end; None: the line ends there.
+  // The piece that continues this one beyond its end; None if the line ends there.
   int FindNext(int piece, int end) const
   {
     const Piece& here = this->Pieces[static_cast<std::size_t>(piece)];
@@ -57,11 +57,11 @@ public:
     const glm::dvec2 after = there.Ends[1 - start] - there.Ends[start];
     const bool goesOn = (here.Smooth && there.Smooth) ||
       glm::dot(before, after) >= Straight * glm::length(before) * glm::length(after);
-    // A piece that was cut off before the eye is not where its point is.
+    // A piece clipped at the eye does not end at its point.
     return goesOn && here.Ends[end] == there.Ends[start] ? next : None;
   }
 
-  // The line from this piece's end on which nothing goes before; of each the end where it begins.
+  // Follows the line from the start of its first piece; each entry is a piece and its starting end.
   std::vector<std::pair<int, int>> Follow(int piece, int start)
   {
     std::vector<std::pair<int, int>> line;
@@ -85,7 +85,8 @@ private:
   std::vector<bool> Done;
 };
 
-// What of a way is in the picture or near it, as shares of it. False: nothing.
+// Clips a segment to the picture and its surroundings, as shares of its length. False if it lies
+// outside.
 bool Clip(const glm::dvec2& from, const glm::dvec2& to, const glm::dvec2& size, double shares[2])
 {
   shares[0] = 0.0;
@@ -125,7 +126,7 @@ void vtkRelievoDashes::Append(const std::vector<Piece>& pieces, std::uint32_t po
       const Piece& piece = pieces[static_cast<std::size_t>(each.first)];
       length += glm::length(piece.Ends[1] - piece.Ends[0]);
     }
-    // In dashes with their gaps; a line that is whole stays at the middle of one.
+    // Dashes with their gaps; a line without gaps stays at the middle of one dash.
     const double perPixel =
       length < dash ? 0.0 : std::max(1.0, std::round(length * Share / dash)) / length;
     double along = 0.0;
@@ -150,7 +151,7 @@ void vtkRelievoDashes::Append(const std::vector<Piece>& pieces, std::uint32_t po
         }
       }
       along += steps;
-      along -= std::floor(along); // floats need not count them
+      along -= std::floor(along); // keeps the floats small
     }
   };
   const auto count = static_cast<int>(pieces.size());
@@ -166,7 +167,7 @@ void vtkRelievoDashes::Append(const std::vector<Piece>& pieces, std::uint32_t po
   }
   for (int i = 0; i < count; ++i)
   {
-    if (!chains.IsDone(i)) // a ring
+    if (!chains.IsDone(i)) // a closed line
     {
       append(i, 0);
     }

@@ -17,7 +17,7 @@ constexpr double InOnePlane = 1.0 - 1e-9; // cosine between normals
 }
 
 //------------------------------------------------------------------------------
-// Returns for each of the mesh's points which of Points is at its place.
+// Returns the index in Points of each of the mesh's points.
 std::vector<std::uint32_t> vtkRelievoFeatureEdges::TakePoints(vtkPolyData* mesh)
 {
   const auto count = static_cast<std::size_t>(mesh->GetNumberOfPoints());
@@ -25,7 +25,7 @@ std::vector<std::uint32_t> vtkRelievoFeatureEdges::TakePoints(vtkPolyData* mesh)
   for (std::size_t i = 0; i < count; ++i)
   {
     mesh->GetPoint(static_cast<vtkIdType>(i), &places[i].x);
-    // What is nowhere has no place in an order.
+    // NaN positions cannot be sorted.
     for (int axis = 0; axis < 3; ++axis)
     {
       places[i][axis] = std::isfinite(places[i][axis]) ? places[i][axis] : HUGE_VAL;
@@ -53,14 +53,14 @@ std::vector<std::uint32_t> vtkRelievoFeatureEdges::TakePoints(vtkPolyData* mesh)
 }
 
 //------------------------------------------------------------------------------
-// Of the sides of all triangles that meet there.
+// `sides`: those of all triangles that meet at the edge.
 void vtkRelievoFeatureEdges::AddEdge(const Side* sides, std::size_t count)
 {
   const glm::dvec3 none(0.0);
   if (std::any_of(
         sides, sides + count, [&](const Side& side) { return this->Normals[side.Face] == none; }))
   {
-    return; // a triangle without an area: which way it lies is not known
+    return; // a triangle without area has no normal
   }
   Edge edge = { { sides[0].Points[0], sides[0].Points[1] }, { sides[0].Face, sides[0].Face },
     false };
@@ -69,8 +69,8 @@ void vtkRelievoFeatureEdges::AddEdge(const Side* sides, std::size_t count)
     edge.Faces[1] = sides[1].Face;
     edge.Flipped = sides[0].Backward == sides[1].Backward;
   }
-  // Of more than two, those that are the least in one plane; which of their sides are outer ones is
-  // not known.
+  // With more than two triangles, the pair furthest from one plane; outer sides cannot be told from
+  // inner ones.
   double least = 2.0;
   for (std::size_t i = 0; i < count && count > 2; ++i)
   {
@@ -113,7 +113,7 @@ void vtkRelievoFeatureEdges::Update(vtkPolyData* mesh)
     mesh, [&](vtkIdType a, vtkIdType b, vtkIdType c, vtkIdType) {
       if (std::min({ a, b, c }) < 0 || std::max({ a, b, c }) >= last)
       {
-        return; // of a point that is not there
+        return; // an index beyond the points
       }
       const std::uint32_t corners[3] = { merged[static_cast<std::size_t>(a)],
         merged[static_cast<std::size_t>(b)], merged[static_cast<std::size_t>(c)] };

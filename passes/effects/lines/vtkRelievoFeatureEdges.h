@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The edges of a mesh that may be lines: of one triangle, or between two that are not in one plane.
-// Points at the same place are one: meshes with normals have several at an edge.
+// The edges of a mesh that may become lines: those of one triangle, or between two triangles that
+// are not in one plane. Points at the same position are merged: meshes with normals have several at
+// an edge.
 #ifndef vtkRelievoFeatureEdges_h
 #define vtkRelievoFeatureEdges_h
 
@@ -20,11 +21,11 @@ public:
   struct Edge
   {
     std::uint32_t Points[2];
-    std::uint32_t Faces[2]; // the same one twice: the mesh ends here
-    bool Flipped;           // the second triangle's normal is to be turned round
+    std::uint32_t Faces[2]; // twice the same one at a mesh's boundary
+    bool Flipped;           // the second triangle's normal is to be reversed
   };
 
-  // Brings them up to date: after a change of points or polygons they are found anew.
+  // Finds the edges; anew only after a change of points or polygons.
   void Update(vtkPolyData* mesh);
 
   const std::vector<glm::dvec3>& GetPoints() const { return this->Points; }
@@ -32,12 +33,12 @@ public:
   const std::vector<Edge>& GetEdges() const { return this->Edges; }
 
 private:
-  // A side of a triangle, from the point with the smaller number.
+  // A side of a triangle, from the point with the smaller number to the other.
   struct Side
   {
     std::uint32_t Points[2];
     std::uint32_t Face;
-    bool Backward; // the triangle goes round by it from the greater one
+    bool Backward; // the triangle runs along it from the greater number
   };
 
   std::vector<std::uint32_t> TakePoints(vtkPolyData* mesh);

@@ -69,13 +69,13 @@ private:
     return (glm::dot(first, toEye) > 0.0) != (glm::dot(second, toEye) > 0.0);
   }
 
-  // What of the edge is between the clipping planes, in the picture. False: nothing.
+  // Projects the edge's part between the clipping planes. False if there is none.
   bool Project(const glm::dvec3& a, const glm::dvec3& b, Piece& piece) const
   {
     glm::dvec4 ends[2] = { this->ToView * glm::dvec4(a, 1.0), this->ToView * glm::dvec4(b, 1.0) };
     double from = 0.0;
     double to = 1.0;
-    const double step = ends[0].z - ends[1].z; // of the depth
+    const double step = ends[0].z - ends[1].z; // of depth
     for (const double side : { 1.0, -1.0 })
     {
       const double inside =
@@ -151,7 +151,7 @@ std::string vtkRelievoHiddenLines::Draw(
   vtkRelievoResource* depth = context.Find("depth");
   if (!depth)
   {
-    return "the frame has made no 'depth'";
+    return "the frame has no layer 'depth'";
   }
   const std::vector<float> texels = this->FindPieces(context, settings);
   if (texels.empty())

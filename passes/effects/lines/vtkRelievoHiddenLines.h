@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// How much of each pixel the dashed lines of hidden edges cover. Edges are those of the meshes
-// themselves, in double: where one ends, where its triangles meet at an angle, and where one faces
-// the eye and the other does not. Nothing is drawn where the frame's depth says that they are seen.
+// The cover of each pixel by dashed lines of hidden edges. The edges are those of the meshes, in
+// double: boundaries, creases between triangles, and silhouettes, where one triangle faces the eye
+// and the other does not. Edges that are visible by the frame's depth are not drawn.
 #ifndef vtkRelievoHiddenLines_h
 #define vtkRelievoHiddenLines_h
 
@@ -25,7 +25,7 @@ class vtkRelievoHiddenLines
 public:
   struct Settings
   {
-    bool Silhouettes; // and where a mesh ends
+    bool Silhouettes; // and boundaries
     bool Creases;
     double CreaseCosine;
     double HalfWidth; // pixels
@@ -35,8 +35,8 @@ public:
   vtkRelievoHiddenLines();
   ~vtkRelievoHiddenLines();
 
-  // Draws the share that is covered into the target's third channel, where it is more than what is
-  // there. Returns what is wrong, in words.
+  // Draws the covered share into the target's third channel, where it exceeds the present value.
+  // Returns an error message, or an empty string.
   std::string Draw(
     vtkRelievoFrameContext& context, vtkRelievoScreenTarget& target, const Settings& settings);
 
@@ -55,7 +55,7 @@ private:
   std::vector<float> FindPieces(const vtkRelievoFrameContext& context, const Settings& settings);
 
   vtkRelievoOpaqueMeshes Meshes;
-  std::map<vtkPolyData*, Held> Edges; // of what was drawn last
+  std::map<vtkPolyData*, Held> Edges; // of the meshes drawn last
   vtkRelievoTextureBuffer Pieces;
   vtkRelievoInstancedQuads Quads;
 };

@@ -26,7 +26,7 @@ public:
   vtkRelievoScreenQuad Find;
   vtkRelievoScreenQuad Draw;
   vtkRelievoHiddenLines Hidden;
-  std::string Failed; // said once
+  std::string Failed; // the last error, reported once
 };
 
 //------------------------------------------------------------------------------
@@ -44,37 +44,37 @@ void vtkRelievoLinesStage::Describe(vtkRelievoStageDescription& description)
   description.Name = "lines";
   description.Help = "Outlines, creases and folds as lines, as in a technical illustration.";
   description.Slot = vtkRelievoStageDescription::COMPOSITE;
-  description.Order = -5; // on surfaces, after markers and before fog
+  description.Order = -5; // on surfaces: after markers, before fog
   description.Reads = { "depth", "geometric_normal", "actor", "color" };
   description.Writes = { "color" };
   description.AddNumber(
     "width", this->Width, [this](double width) { this->SetWidth(width); }, 0.0, 16.0, "pixels",
-    "How wide lines are.");
+    "Width of the lines.");
   description.AddColor(
     "color", this->Color,
     [this](const double* color) { this->SetColor(color[0], color[1], color[2]); },
-    "The lines' colour.");
+    "Colour of the lines.");
   description.AddFlag(
     "outlines", this->Outlines, [this](bool on) { this->SetOutlines(on); },
-    "Lines round parts: actors, blocks and glyphs.");
+    "Lines around parts: actors, blocks and glyphs.");
   description.AddFlag(
     "creases", this->Creases, [this](bool on) { this->SetCreases(on); },
     "Lines where a part's triangles meet at an angle.");
   description
     .AddNumber(
       "crease_angle", this->CreaseAngle, [this](double angle) { this->SetCreaseAngle(angle); }, 1.0,
-      180.0, "degrees", "The smallest angle that is a crease.")
+      180.0, "degrees", "The smallest angle that counts as a crease.")
     .OnlyIf = "creases=on";
   description.AddFlag(
     "folds", this->Folds, [this](bool on) { this->SetFolds(on); },
-    "Lines where a part lies before itself.");
+    "Lines where a part overlaps itself.");
   description.AddChoice(
     "hidden", this->Hidden, [this](int hidden) { this->SetHidden(hidden); }, { "off", "dashed" },
     "Whether lines behind opaque surfaces are drawn, dashed.");
   description
     .AddNumber(
       "dash", this->Dash, [this](double dash) { this->SetDash(dash); }, 1.0, 100.0, "pixels",
-      "How long a dash is; a gap is half as long.")
+      "Length of a dash; a gap is half as long.")
     .OnlyIf = "hidden=dashed";
 }
 
@@ -91,7 +91,7 @@ void vtkRelievoLinesStage::Declare(
   {
     declaration.Runs = false;
     declaration.ReasonCode = "idle";
-    declaration.Reason = this->Width == 0.0 ? "the width is 0" : "no lines are wanted";
+    declaration.Reason = this->Width == 0.0 ? "the width is 0" : "all kinds of lines are off";
   }
 }
 
@@ -175,8 +175,8 @@ std::string vtkRelievoLinesStage::DrawHidden(vtkRelievoFrameContext& context)
     {
       this->Explain("ran",
         std::to_string(leftOut) +
-          (leftOut == 1 ? " prop whose triangles cannot be followed has no hidden lines"
-                        : " props whose triangles cannot be followed have no hidden lines"));
+          (leftOut == 1 ? " prop without readable triangles has no hidden lines"
+                        : " props without readable triangles have no hidden lines"));
     }
   }
   return wrong;

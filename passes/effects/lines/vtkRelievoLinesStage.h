@@ -4,19 +4,18 @@
  * @class vtkRelievoLinesStage
  * @brief A stage that draws outlines, creases and folds as lines, as in a technical illustration.
  *
- * Between two neighbouring pixels there is
- * - an outline where they show different parts: actors, blocks, glyphs, or one and nothing;
- * - a crease where the triangles' normals of one part jump, while on both sides they do not;
- * - a fold where the depth of one part jumps: one side lies before the other, and neither side's
- *   slope leads there. Slopes are of 1 / depth, in which planes are straight in a perspective
- *   picture (Saito and Takahashi 1990 draw lines from such differences).
+ * A line runs between two neighbouring pixels in these cases:
+ * - outline: they show different parts (actors, blocks, glyphs), or a part and the background;
+ * - crease: the triangles' normals of one part jump between them, and do not on either side;
+ * - fold: the depth of one part jumps: one side lies in front of the other, and neither side's
+ * slope leads there. Slopes are those of 1 / depth, in which planes are linear in a perspective
+ * picture (Saito and Takahashi 1990 draw lines from such differences).
  *
- * A line is drawn along the sides of the pixels between which it is, with its middle there: within
- * half a pixel of the edge itself.
+ * A line is centred on the border between the pixels, within half a pixel of the true edge.
  *
- * By choice what is hidden is drawn as well, dashed (Hidden): the edges of the opaque meshes where
- * one ends, where it is a crease, and where it turns away from the eye. They are found in the
- * meshes, in double, and drawn where the frame's depth has something before them.
+ * Hidden lines are optional, and dashed (Hidden): the edges of the opaque meshes at boundaries, at
+ * creases, and at silhouettes. They are found in the meshes, in double, and drawn where the frame's
+ * depth has a surface in front of them.
  */
 #ifndef vtkRelievoLinesStage_h
 #define vtkRelievoLinesStage_h
@@ -33,7 +32,7 @@ public:
   vtkTypeMacro(vtkRelievoLinesStage, vtkRelievoStage);
 
   ///@{
-  /** Which lines are drawn. Default all of them; without any the stage does not run. */
+  /** Kinds of lines. Default all of them; with all off the stage does not run. */
   vtkSetMacro(Outlines, bool);
   vtkGetMacro(Outlines, bool);
   vtkBooleanMacro(Outlines, bool);
@@ -52,13 +51,13 @@ public:
   ///@}
 
   ///@{
-  /** The lines' colour: red, green, blue from 0 to 1, sRGB. Default black. */
+  /** Colour of the lines: red, green, blue from 0 to 1, sRGB. Default black. */
   vtkSetVector3Macro(Color, double);
   vtkGetVector3Macro(Color, double);
   ///@}
 
   ///@{
-  /** Smallest angle between two triangles that is a crease, 1 to 180 degrees. Default 30. */
+  /** Smallest angle between two triangles that counts as a crease, 1 to 180 degrees. Default 30. */
   vtkSetClampMacro(CreaseAngle, double, 1.0, 180.0);
   vtkGetMacro(CreaseAngle, double);
   ///@}
@@ -71,8 +70,8 @@ public:
 
   ///@{
   /**
-   * Whether lines that are hidden behind opaque surfaces are drawn, dashed. Creases are if Creases
-   * is on, silhouettes and a mesh's ends if Outlines or Folds is. Default OFF.
+   * Whether lines behind opaque surfaces are drawn, dashed. They include creases if Creases is on,
+   * and silhouettes and boundaries if Outlines or Folds is. Default OFF.
    */
   vtkSetClampMacro(Hidden, int, OFF, DASHED);
   vtkGetMacro(Hidden, int);
@@ -82,8 +81,8 @@ public:
 
   ///@{
   /**
-   * Length of a dash in pixels, 1 to 100; gaps are half as long. Both are stretched to fit whole
-   * into a line. Default 6.
+   * Length of a dash in pixels, 1 to 100; gaps are half as long. Both are stretched so that whole
+   * dashes fit a line. Default 6.
    */
   vtkSetClampMacro(Dash, double, 1.0, 100.0);
   vtkGetMacro(Dash, double);

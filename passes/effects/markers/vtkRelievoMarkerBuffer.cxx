@@ -31,7 +31,7 @@ std::string vtkRelievoMarkerBuffer::Draw(
   vtkRelievoResource* normal = list.GetShadows() ? context.Find("normal") : depth;
   if (wrong.empty() && count > 0 && (!depth || !normal))
   {
-    wrong = std::string("the frame has made no '") + (depth ? "normal" : "depth") + "'";
+    wrong = std::string("the frame has no layer '") + (depth ? "normal" : "depth") + "'";
   }
   if (wrong.empty() && count > 0)
   {

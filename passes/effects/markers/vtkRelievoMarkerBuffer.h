@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// All markers of each pixel, one over the other: each draws its rectangle.
+// Composites all markers of each pixel in order: each marker draws its rectangle.
 #ifndef vtkRelievoMarkerBuffer_h
 #define vtkRelievoMarkerBuffer_h
 
@@ -22,10 +22,10 @@ public:
   vtkRelievoMarkerBuffer();
   ~vtkRelievoMarkerBuffer();
 
-  // Draws them. Returns what is wrong, in words.
+  // Draws the markers. Returns an error message, or an empty string.
   std::string Draw(vtkRelievoFrameContext& context, const vtkRelievoMarkerList& list);
 
-  // Colour times what is covered, and what is covered; `markersOver` in shaders.
+  // Colour times cover, and cover; `markersOver` in shaders.
   vtkRelievoScreenTarget Target;
 
   vtkIdType GetBytes() const { return this->Target.GetBytes() + this->Markers.GetBytes(); }

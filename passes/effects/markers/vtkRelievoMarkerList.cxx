@@ -15,13 +15,14 @@
 
 namespace
 {
-constexpr double EdgePixels = 1.0;     // beyond the outline, that edges are filtered over
-constexpr double LargestTexel = 1e30;  // that is safe in floats
-constexpr double ShadowOnset = 0.25;   // radii below a point, over which its shadow begins
-constexpr double Thinnest = 1e-4;      // square of a shadow's width, of its mean one
-constexpr double BoxTolerance = 0.001; // of a box's height, above its bottom
+constexpr double EdgePixels = 1.0;    // beyond the outline, for filtered edges
+constexpr double LargestTexel = 1e30; // greatest value that is safe in floats
+constexpr double ShadowOnset = 0.25;  // radii below a point over which its shadow fades in
+// Least squared width of a shadow, over its mean squared width.
+constexpr double Thinnest = 1e-4;
+constexpr double BoxTolerance = 0.001; // share of a box's height above its bottom
 
-// Some direction across this one.
+// A direction perpendicular to this one.
 glm::dvec3 GetAcross(const glm::dvec3& direction)
 {
   const glm::dvec3 size = glm::abs(direction);
@@ -31,28 +32,28 @@ glm::dvec3 GetAcross(const glm::dvec3& direction)
   return glm::normalize(glm::cross(direction, least));
 }
 
-// What the value lacks as a float.
+// The remainder of the value after rounding to float.
 double Remainder(double value)
 {
   return value - static_cast<double>(static_cast<float>(value));
 }
 }
 
-// A point or a box with the values of a row, in the world.
+// A point or a box in the world, with the values of its row.
 struct vtkRelievoMarkerList::Body
 {
   glm::dvec3 Center;
-  glm::dmat3 Axes; // columns
+  glm::dmat3 Axes; // columns: the box's axes
   glm::dvec3 Half;
   const double* Values; // radius, width, reach, opacity, color
   int Shape;
   glm::dvec3 Up;
 };
 
-// What the shader computes with: lengths in units, which is the radius of a sphere around all.
+// Input of the shader: lengths in units of Unit, the radius of a bounding sphere.
 struct vtkRelievoMarkerList::Fit
 {
-  glm::dvec3 Center; // of that sphere, in the world
+  glm::dvec3 Center; // of the bounding sphere, in the world
   double Unit;
   glm::dvec4 Edges{ 0.0 };
   glm::dvec3 Axes[3]; // eye space
@@ -153,7 +154,7 @@ vtkRelievoMarkerList::Fit vtkRelievoMarkerList::FitMarker(const Body& body) cons
 vtkRelievoMarkerList::Fit vtkRelievoMarkerList::FitShadow(const Body& body) const
 {
   const double radius = body.Values[0];
-  // The ellipse around the box as seen from above, grown by the radius.
+  // The ellipse around the box seen from above, grown by the radius.
   glm::dmat3 spread(0.0);
   double bottom = 0.0;
   for (int i = 0; i < 3; ++i)
@@ -165,7 +166,7 @@ vtkRelievoMarkerList::Fit vtkRelievoMarkerList::FitShadow(const Body& body) cons
   }
   const double squares = spread[0][0] + spread[1][1] + spread[2][2];
   const double size = std::sqrt(0.5 * squares) + radius;
-  // What is flat in a direction still has a little.
+  // A flat box still gets a small extent.
   const double grown = std::max(radius * radius, Thinnest * size * size);
   const glm::dvec3 first = GetAcross(body.Up);
   const glm::dvec3 second = glm::cross(body.Up, first);
@@ -180,7 +181,7 @@ vtkRelievoMarkerList::Fit vtkRelievoMarkerList::FitShadow(const Body& body) cons
   const double end = bottom + fade;
   const double onset = isPoint ? ShadowOnset * radius : BoxTolerance * (bottom + size);
   const double start = isPoint ? 0.0 : bottom - 2.0 * onset;
-  const double down = 0.5 * end; // to the middle of the column
+  const double down = 0.5 * end; // to the middle of the shadow's column
   Fit fit;
   fit.Center = body.Center - down * body.Up;
   fit.Unit = std::sqrt(squares + grown + down * down);

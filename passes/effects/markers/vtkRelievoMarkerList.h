@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The markers of a frame as its camera sees them: what shaders/marker/markerFS.glsl needs to know
-// of each, computed in double.
+// A frame's markers as seen by its camera: the input of shaders/marker/markerFS.glsl, computed in
+// double.
 #ifndef vtkRelievoMarkerList_h
 #define vtkRelievoMarkerList_h
 
@@ -18,8 +18,8 @@ struct vtkRelievoFrameCamera;
 class vtkRelievoMarkerList
 {
 public:
-  // Those of which anything is in view, in their order; but shadows are below all others. Of all
-  // processes, if `shared`.
+  // Takes the markers in view, in order, shadows first since they lie below all others; those of
+  // all processes if `shared`.
   void Take(
     const vtkRelievoFrameCamera& view, const std::vector<vtkRelievoMarkers*>& sets, bool shared);
   void Clear();
@@ -30,10 +30,10 @@ public:
   int GetNumberDrawn() const { return static_cast<int>(this->Texels.size() / 36); }
   int GetNumberGiven() const { return this->Given; }
 
-  // Whether any shadow is drawn.
+  // Whether any marker is a shadow.
   bool GetShadows() const { return this->Shadows; }
 
-  // The pixels of the viewport with markers: x, y, width, height.
+  // The viewport's rectangle with markers: x, y, width, height.
   const int* GetPart() const { return this->Part; }
 
 private:

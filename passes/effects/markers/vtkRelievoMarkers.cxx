@@ -36,7 +36,7 @@ enum Values
 };
 
 constexpr double Orange[3] = { 1.0, 0.5, 0.0 };
-constexpr double Skewed = 1e-6; // cosine between axes from which they are not those of a box
+constexpr double Skewed = 1e-6; // cosine between axes beyond which they do not form a box
 
 bool IsBox(const double bounds[6])
 {
@@ -44,8 +44,8 @@ bool IsBox(const double bounds[6])
     bounds[0] <= bounds[1] && bounds[2] <= bounds[3] && bounds[4] <= bounds[5];
 }
 
-// Before the prop's matrix, if it is an actor; of a mesh that its shader moves, where it is drawn:
-// the mapper's is at rest.
+// Bounds without the prop's matrix, if the prop is an actor. For a mesh moved by its shader, the
+// moved bounds: the mapper's are those at rest.
 const double* GetOwnBounds(vtkProp3D* prop, double moved[6])
 {
   if (auto* mover = dynamic_cast<vtkRelievoMovedMesh*>(prop))
@@ -57,7 +57,7 @@ const double* GetOwnBounds(vtkProp3D* prop, double moved[6])
   return actor && actor->GetMapper() ? actor->GetMapper()->GetBounds() : prop->GetBounds();
 }
 
-// The box of bounds under a matrix; false if it leaves none.
+// The box of the bounds under a matrix; false if the matrix shears or flattens it.
 bool FindBox(const double bounds[6], vtkMatrix4x4* matrix, vtkRelievoMarkers::Box& box)
 {
   const double middle[4] = { 0.5 * (bounds[0] + bounds[1]), 0.5 * (bounds[2] + bounds[3]),
@@ -92,22 +92,22 @@ vtkRelievoMarkers::vtkRelievoMarkers()
   this->SetThings("markers",
     "places must be finite, radii, opacities, widths of rings and reaches of shadows above 0, "
     "colours not negative");
-  this->AddValue("radius", 1.0, 0.0, infinity, "world units", "How far the markers reach.");
-  this->AddValue("width", 0.2, 0.0, 1.0, "radii", "How wide rings are.").OnlyIf = "shape=ring";
+  this->AddValue("radius", 1.0, 0.0, infinity, "world units", "Radius of the markers.");
+  this->AddValue("width", 0.2, 0.0, 1.0, "radii", "Width of rings.").OnlyIf = "shape=ring";
   vtkRelievoParameter& reach =
-    this->AddValue("reach", 4.0, 0.0, infinity, "radii", "How far down shadows fall.");
+    this->AddValue("reach", 4.0, 0.0, infinity, "radii", "Length of shadows downwards.");
   reach.OnlyIf = "shape=shadow";
   reach.Usual = 20.0;
-  this->AddValue("opacity", 0.8, 0.0, 1.0, "", "How much of what is below is covered.");
+  this->AddValue("opacity", 0.8, 0.0, 1.0, "", "Opacity over the surface below.");
   this->AddColorValue("color", Orange, "Linear colour of the markers; shadows have none.");
   this->Description.AddChoice(
     "shape", this->Shape, [this](int shape) { this->SetShape(shape); },
     { "ring", "glow", "disc", "shadow" },
-    "What is drawn around each point; shadow is a soft dark blob on what lies below it.");
+    "Shape around each point; shadow is a soft dark blob on the surface below.");
   this->Description
     .AddVector(
       "up", this->Up, [this](const double* up) { this->SetUp(up[0], up[1], up[2]); },
-      "Where shadows fall from: up, or the way to the light.")
+      "Direction that shadows fall from, one for the whole set: up, or towards the light.")
     .IsDirection = true;
 }
 
@@ -159,7 +159,7 @@ void vtkRelievoMarkers::SetUp(double x, double y, double z)
   if (!(length > 0.0) || !std::isfinite(length))
   {
     vtkErrorMacro("SetUp was given (" << x << ", " << y << ", " << z
-                                      << "), expected a direction; nothing is changed.");
+                                      << "), expected a non-zero direction; nothing is changed.");
     return;
   }
   if (!std::equal(up, up + 3, this->Up))
@@ -243,7 +243,7 @@ std::vector<vtkRelievoMarkers::Box> vtkRelievoMarkers::GetBoxes()
     }
     if (!FindBox(bounds, matrix, box))
     {
-      // Sheared, or flat in itself: the box along the world's axes.
+      // A sheared or flat box is replaced by one along the world's axes.
       matrix->Identity();
       bounds = prop->GetBounds();
       if (!bounds || !IsBox(bounds) || !FindBox(bounds, matrix, box))

@@ -49,7 +49,7 @@ void vtkRelievoMarkersStage::Describe(vtkRelievoStageDescription& description)
   description.Name = "markers";
   description.Help = "Rings, glows, discs and blob shadows on surfaces, around points and actors.";
   description.Slot = vtkRelievoStageDescription::COMPOSITE;
-  description.Order = -10; // on surfaces: what is before them comes after
+  description.Order = -10; // on surfaces, before everything in front of them
   description.Reads = { "depth", "normal" };
   description.Writes = { "color" };
   description.Layers = { "marker" };
@@ -75,7 +75,7 @@ void vtkRelievoMarkersStage::Declare(
   if (!this->IsTogether() && list.GetNumberDrawn() == 0 &&
     vtkRelievoSphereRays(context.View).IsUsual())
   {
-    // Without markers in view the layer is still what it says: nothing is covered.
+    // Without markers in view the layer is constant: nothing is covered.
     declaration.Writes.clear();
     declaration.ReasonCode = "idle";
     declaration.Reason = "no markers are in view";

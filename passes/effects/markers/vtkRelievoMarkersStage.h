@@ -3,15 +3,15 @@
 /**
  * @class vtkRelievoMarkersStage
  * @brief Rings, glows, discs and blob shadows on surfaces, around points of data and actors: over
- * the picture, and as the layer `marker`, how much of a pixel they cover.
+ * the picture, and their cover of each pixel as the layer `marker`.
  *
- * The place of each pixel's surface comes from the layer `depth`; a marker colours it by its
- * distance in the world, on whatever surface that is. Edges are filtered over the pixel. Markers
- * lie one over the other in the order of their sets and points; shadows lie below all others.
+ * The position of each pixel's surface comes from the layer `depth`; a marker colours the pixel by
+ * its distance in the world, on any surface. Edges are filtered over the pixel. Markers overlap in
+ * the order of their sets and points; shadows lie below all others.
  *
- * The picture is color (1 - a) + marker a, in linear light. Without a surface there is no marker.
- * Translucent things, which are in the colour already, are covered as the opaque surface behind
- * them.
+ * The picture is color (1 - a) + marker a, in linear light. Pixels without a surface have no
+ * marker. Translucent surfaces already in the colour are covered as much as the opaque surface
+ * behind them.
  */
 #ifndef vtkRelievoMarkersStage_h
 #define vtkRelievoMarkersStage_h
@@ -19,7 +19,7 @@
 #include "vtkRelievoEffectsModule.h" // for the export macro
 #include "vtkRelievoPointStage.h"
 
-#include <memory> // for what is drawn
+#include <memory> // for the drawing half
 
 class VTKRELIEVOEFFECTS_EXPORT vtkRelievoMarkersStage : public vtkRelievoPointStage
 {

@@ -14,8 +14,8 @@ namespace
 constexpr int Size = vtkRelievoBlueNoise::Size;
 constexpr int Count = Size * Size;
 
-// Points on a torus, and how crowded they make each place. In whole numbers, so that what was added
-// can be taken away exactly, and the order is the same on every machine.
+// Points on a torus, and their density at each place: in integers, so that points can be removed
+// exactly, and the order is the same on every machine.
 class Pattern
 {
 public:
@@ -75,7 +75,7 @@ private:
 std::vector<float> MakeThresholds()
 {
   std::vector<int> places(Count);
-  std::mt19937 random(1); // the standard says what it gives
+  std::mt19937 random(1); // the standard defines its sequence
   for (int i = 0; i < Count; ++i)
   {
     places[i] = i;
@@ -87,7 +87,7 @@ std::vector<float> MakeThresholds()
   {
     pattern.Set(places[i], true);
   }
-  // Points move from the tightest cluster into the largest void until they stay where they are.
+  // Points move from the tightest cluster into the largest void until none moves.
   for (int from = -1, to = -2; from != to;)
   {
     from = pattern.FindTightestCluster();
@@ -106,7 +106,7 @@ std::vector<float> MakeThresholds()
     fewer.Set(place, false);
     rank(place, i);
   }
-  // The tightest cluster of what is empty is the largest void: all weights have one sum.
+  // The tightest cluster of empty places is the largest void: all weights have the same sum.
   for (int i = first; i < Count; ++i)
   {
     const int place = pattern.FindLargestVoid();

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The mean logarithm of the linear colour's luminance, made on the GPU from one frame: sums over
-// squares of pixels, and over squares of these, down to one texel. The order of the additions is
-// fixed, so the same colour gives the same bits.
+// The mean logarithm of the linear colour's luminance, computed on the GPU from one frame: sums
+// over squares of pixels, and over squares of these, down to one texel. The order of the additions
+// is fixed, so equal colours give equal bits.
 #ifndef vtkRelievoLuminanceMeter_h
 #define vtkRelievoLuminanceMeter_h
 
@@ -23,16 +23,16 @@ class vtkWindow;
 class vtkRelievoLuminanceMeter
 {
 public:
-  // Sums up the colour that is there now. Returns what is wrong, in words.
+  // Sums up the present colour. Returns an error message, or an empty string.
   std::string Measure(vtkRelievoFrameContext& context);
 
   ///@{
-  // The sums as the uniform toneSums of a program: see measureFS.glsl.
+  // Binds the sums as the uniform toneSums of a program: see measureFS.glsl.
   void Activate(vtkShaderProgram* program);
   void Deactivate();
   ///@}
 
-  // The four sums, read back; false if nothing was measured.
+  // Reads back the four sums; false if nothing was measured.
   bool Read(float sums[4]);
 
   int GetDrawCalls() const { return static_cast<int>(this->Sums.size()); }

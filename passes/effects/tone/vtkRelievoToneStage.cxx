@@ -30,14 +30,14 @@ vtkStandardNewMacro(vtkRelievoToneStage);
 
 namespace
 {
-// Whether a pass, or one that it draws by, is VTK's tone mapping.
+// Whether the pass, or one that it delegates to, is VTK's tone mapping.
 bool MapsTones(vtkRenderPass* pass)
 {
   if (!pass)
   {
     return false;
   }
-  if (pass->IsA("vtkToneMappingPass")) // by name: PyVista's VTK leaves the class out
+  if (pass->IsA("vtkToneMappingPass")) // by name: PyVista's VTK lacks the class
   {
     return true;
   }
@@ -65,8 +65,9 @@ bool MapsTones(vtkRenderPass* pass)
   return false;
 }
 
-// Whether what is not opaque is a colour times its alpha. Over a background that is no such colour,
-// such as white with VTK's usual alpha of 0, pixels contain the background whatever their alpha.
+// Whether pixels that are not opaque hold a colour times its alpha. Over a background that is not
+// premultiplied, such as white with VTK's default alpha of 0, pixels contain the background
+// whatever their alpha.
 bool IsPremultiplied(vtkRenderer* renderer)
 {
   const double alpha = renderer->GetBackgroundAlpha();
@@ -82,9 +83,9 @@ class vtkRelievoToneStage::Internals
 public:
   vtkRelievoScreenQuad Quad;
   vtkRelievoLuminanceMeter Meter;
-  double LastExposure = std::numeric_limits<double>::quiet_NaN(); // of a meter that is released
+  double LastExposure = std::numeric_limits<double>::quiet_NaN(); // of a released meter
   vtkSmartPointer<vtkTextureObject> Thresholds;
-  std::string Reported; // what was wrong, told once
+  std::string Reported; // the last error, reported once
 };
 
 //------------------------------------------------------------------------------
@@ -101,33 +102,32 @@ void vtkRelievoToneStage::Describe(vtkRelievoStageDescription& description)
 {
   description.Name = "tone";
   description.Help =
-    "Makes the picture of the linear colour by exposure, tone operator, dithering.";
+    "Makes the picture from the linear colour by exposure, tone operator and dithering.";
   description.Slot = vtkRelievoStageDescription::DISPLAY;
-  description.Order = -1; // a layer that is shown is drawn over it
+  description.Order = -1; // before the display stage, which draws over it
   description.Reads = { "color" };
   description.Writes = { "picture" };
   description.AddChoice(
     "operator", this->Operator, [this](int which) { this->SetOperator(which); },
     { "clamp", "simple", "reinhard", "reinhard_rgb" },
-    "How light is mapped to the display's range: cut off at 1, x / (1 + x), Reinhard's curve on "
-    "the "
+    "Maps light to the display's range: cut off at 1, x / (1 + x), Reinhard's curve on the "
     "luminance, or on each component.");
   description
     .AddNumber(
       "white", this->White, [this](double white) { this->SetWhite(white); }, 0.01, 65504.0, "",
-      "Light that is shown as white by Reinhard's curves.")
+      "Light that Reinhard's curves show as white.")
     .OnlyIf = "operator!=clamp,operator!=simple";
   description.AddNumber(
     "exposure", this->Exposure, [this](double stops) { this->SetExposure(stops); }, -20.0, 20.0,
-    "stops", "Powers of 2 that the light is multiplied by.");
+    "stops", "The light is multiplied by 2 to this power.");
   description.AddFlag(
     "auto_exposure", this->AutoExposure, [this](bool on) { this->SetAutoExposure(on); },
-    "Brings the log-average luminance of what is drawn to 0.18 first.");
+    "Brings the log-average luminance of the drawn pixels to 0.18 first.");
   description
     .AddChoice(
       "dither", this->Dither, [this](int which) { this->SetDither(which); },
       { "none", "ordered", "blue_noise" },
-      "How values are rounded to 8 bits, so that slow gradients have no bands.")
+      "Thresholds for rounding to 8 bits, so that slow gradients have no bands.")
     .Advanced = true;
 }
 
@@ -148,7 +148,7 @@ bool vtkRelievoToneStage::GetChangesPicture()
 void vtkRelievoToneStage::Declare(
   const vtkRelievoFrameContext& context, vtkRelievoDeclaration& declaration) const
 {
-  declaration.HidesColor = false; // the colour is what it shows
+  declaration.HidesColor = false; // the stage shows the colour
   declaration.Presents = true;
   if (!this->HasWork())
   {
@@ -161,8 +161,8 @@ void vtkRelievoToneStage::Declare(
     declaration.Runs = false;
     declaration.ReasonCode = "refused";
     declaration.Reason = "VTK's own tone mapping, a vtkToneMappingPass, is among the renderer's "
-                         "passes, and tones are mapped once; take that pass away, or switch the "
-                         "stage off";
+                         "passes, and tones can be mapped only once; remove that pass, or switch "
+                         "the stage off";
   }
 }
 
@@ -195,8 +195,8 @@ void vtkRelievoToneStage::UploadThresholds(vtkRelievoFrameContext& context)
 }
 
 //------------------------------------------------------------------------------
-// What the shader makes of the renderer's background. Null if that is not the same everywhere, or
-// only the shader knows.
+// The background after tone mapping. Null if it varies over the picture, or if only the shader can
+// compute it.
 const float* vtkRelievoToneStage::ToneBackground(
   const vtkRelievoFrameContext& context, float color[4]) const
 {
@@ -238,7 +238,7 @@ void vtkRelievoToneStage::Execute(vtkRelievoFrameContext& context)
   {
     in.Meter.Release(context.Window);
   }
-  // Software OpenGL takes both ways of each `if`, so that what is chosen is in the shader alone.
+  // Defines select the code: software OpenGL executes both branches of each `if`.
   std::string chosen = "#define RELIEVO_TONE_OPERATOR " + std::to_string(this->Operator) + "\n";
   chosen += IsPremultiplied(context.Renderer) ? "#define RELIEVO_TONE_PREMULTIPLIED\n" : "";
   chosen += this->AutoExposure ? "#define RELIEVO_TONE_MEASURED\n" : "";
@@ -320,7 +320,7 @@ void vtkRelievoToneStage::ReleaseGraphicsResources(vtkWindow* window)
   in.Quad.Release(window);
   if (in.Meter.GetBytes() > 0)
   {
-    in.LastExposure = this->GetUsedExposure(); // also after a capture that needs no tone
+    in.LastExposure = this->GetUsedExposure(); // remains after a capture without tone mapping
     in.Meter.Release(window);
   }
   if (in.Thresholds)

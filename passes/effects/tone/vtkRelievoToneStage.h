@@ -2,22 +2,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkRelievoToneStage
- * @brief The stage that makes the picture of the linear colour: exposure, tone operator, dithering.
+ * @brief The stage that makes the picture from the linear colour: exposure, tone operator,
+ * dithering.
  *
- * The linear colour has highlights above 1. The stage multiplies it by the exposure, maps it to
- * [0, 1] by the operator, encodes it by the exact sRGB curve, and rounds it to 8 bits, in the place
- * of the curve alone. The layer `color` stays as it was before.
+ * The linear colour has highlights above 1. The stage multiplies it by the exposure, maps it to [0,
+ * 1] by the operator, encodes it by the exact sRGB curve, and rounds it to 8 bits; without the
+ * stage only the curve applies. The layer `color` is not changed.
  *
- * Each pixel depends on its own colour alone, and with AutoExposure on one number of this frame. A
- * component that is negative or not a number counts as 0, an infinite one as 65504.
+ * Each pixel depends only on its own colour, and with AutoExposure on one number of this frame.
+ * Negative components and NaN count as 0, infinite ones as 65504.
  *
- * Where something covers a part of a pixel (alpha below 1), and the renderer's background is black
- * or otherwise a premultiplied colour (no component above its alpha), what is toned is the colour
- * divided by alpha. Over other backgrounds VTK's colours contain the background whatever their
- * alpha is, and are toned as they are.
+ * Where alpha is below 1, and the renderer's background is black or otherwise premultiplied (no
+ * component above its alpha), the stage maps the colour divided by alpha. Over other backgrounds
+ * VTK's colours contain the background whatever their alpha, and are mapped unchanged.
  *
- * With the operator CLAMP, Exposure 0, and neither AutoExposure nor Dither, the stage has nothing
- * to do. It is refused, with an error, beside VTK's own vtkToneMappingPass.
+ * With the operator CLAMP, Exposure 0, and neither AutoExposure nor Dither, the stage is idle.
+ * Beside VTK's own vtkToneMappingPass it does not run, and reports an error.
  */
 #ifndef vtkRelievoToneStage_h
 #define vtkRelievoToneStage_h
@@ -33,17 +33,17 @@ public:
   static vtkRelievoToneStage* New();
   vtkTypeMacro(vtkRelievoToneStage, vtkRelievoStage);
 
-  /** Operators, for x of linear light. */
+  /** Operators, for linear light x. */
   enum Operators
   {
     CLAMP = 0,       ///< min(x, 1)
     SIMPLE = 1,      ///< x / (1 + x), for each component
     REINHARD = 2,    ///< x (1 + x / White^2) / (1 + x) of the luminance: keeps the hue
-    REINHARD_RGB = 3 ///< the same for each component: turns the hue of bright colours
+    REINHARD_RGB = 3 ///< the same for each component: shifts the hue of bright colours
   };
 
   ///@{
-  /** How light is mapped to [0, 1]. Default REINHARD. */
+  /** Maps light to [0, 1]. Default REINHARD. */
   vtkSetClampMacro(Operator, int, CLAMP, REINHARD_RGB);
   vtkGetMacro(Operator, int);
   void SetOperatorToClamp() { this->SetOperator(CLAMP); }
@@ -54,33 +54,33 @@ public:
 
   ///@{
   /**
-   * The smallest luminance (REINHARD) or component (REINHARD_RGB) that is shown as 1, after
-   * exposure, from 0.01 to 65504. Default 4.
+   * The smallest luminance (REINHARD) or component (REINHARD_RGB) shown as 1, after exposure, from
+   * 0.01 to 65504. Default 4.
    */
   vtkSetClampMacro(White, double, 0.01, 65504.0);
   vtkGetMacro(White, double);
   ///@}
 
   ///@{
-  /** Stops by which the light is multiplied: 2 to this power, from -20 to 20. Default 0. */
+  /** Stops: the light is multiplied by 2 to this power, from -20 to 20. Default 0. */
   vtkSetClampMacro(Exposure, double, -20.0, 20.0);
   vtkGetMacro(Exposure, double);
   ///@}
 
   ///@{
   /**
-   * Whether the light is first multiplied such that the log-average of the luminance becomes 0.18,
-   * over the pixels where something is drawn (opaque, or more so than the background), or over all
-   * if there are none; Exposure is then a correction. Measured from the frame's own colour, never
-   * from earlier frames. Luminance below 0.0003, black in 8 bits, counts as that; pixels with
-   * components that are negative, infinite or not a number are left out. Default off.
+   * Whether the light is first scaled such that its log-average luminance becomes 0.18, over the
+   * drawn pixels (opaque, or more so than the background), or over all pixels if none is drawn;
+   * Exposure is then a correction. Measured from the frame's own colour, never from earlier frames.
+   * Luminance below 0.0003, black in 8 bits, counts as 0.0003; pixels with negative, infinite or
+   * NaN components are left out. Default off.
    */
   vtkSetMacro(AutoExposure, bool);
   vtkGetMacro(AutoExposure, bool);
   vtkBooleanMacro(AutoExposure, bool);
   ///@}
 
-  /** Ditherings. */
+  /** Kinds of dithering. */
   enum Ditherings
   {
     DITHER_NONE = 0,      ///< to the nearest of 256 steps, as OpenGL rounds
@@ -90,8 +90,8 @@ public:
 
   ///@{
   /**
-   * How values are rounded to 8 bits: by thresholds that depend on the pixel's place in the
-   * viewport alone, so that slow gradients have no bands. Default DITHER_NONE.
+   * Rounding to 8 bits: by thresholds that depend only on the pixel's position in the viewport, so
+   * that slow gradients have no bands. Default DITHER_NONE.
    */
   vtkSetClampMacro(Dither, int, DITHER_NONE, DITHER_BLUE_NOISE);
   vtkGetMacro(Dither, int);
@@ -100,16 +100,19 @@ public:
   void SetDitherToBlueNoise() { this->SetDither(DITHER_BLUE_NOISE); }
   ///@}
 
-  /** Whether the picture is another than the sRGB curve alone makes. */
+  /** Whether the picture differs from the sRGB curve alone. */
   bool GetChangesPicture();
 
   /**
-   * Stops by which the last picture's light was multiplied, with AutoExposure read back from the
-   * GPU; NaN if none was measured, or the stage is off.
+   * Stops by which the last picture's light was multiplied, read back from the GPU with
+   * AutoExposure; NaN if none was measured, or the stage is off.
    */
   double GetUsedExposure();
 
-  /** Threshold of the blue noise at a pixel, above 0 and below 1; repeats every 64 pixels. */
+  /**
+   * Threshold of the blue noise at a pixel, between 0 and 1, both excluded; repeats every 64
+   * pixels.
+   */
   static double GetBlueNoise(int x, int y);
 
   vtkIdType GetBytesHeld() override;
