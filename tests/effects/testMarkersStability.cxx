@@ -113,7 +113,7 @@ void TestArrays()
     ExpectMessage expect("one of radius, width, reach, opacity, color");
     scene.Markers->SetArray("colour", "radius");
   }
-  ExpectMessage expect("expected a direction");
+  ExpectMessage expect("expected a non-zero direction");
   scene.Markers->SetUp(0., 0., 0.);
   scene.Markers->SetUp(NaN, 0., 1.);
   RELIEVO_CHECK(expect.Count() == 2 && scene.Markers->GetUp()[1] == 1.);
