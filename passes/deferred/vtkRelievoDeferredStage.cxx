@@ -25,7 +25,7 @@ namespace
 const char* const Shading = "shading";
 const char* const ShadowMaps = "shadow maps";
 
-// VTK's declarations of its lights, and the list of them for shaders/deferred/shadeFS.glsl.
+// VTK's declarations of its lights, and the calls for each in shaders/deferred/shadeFS.glsl.
 std::string DescribeLights(const vtkRelievoFrameContext& context)
 {
   auto* renderer = static_cast<vtkOpenGLRenderer*>(context.Renderer);
@@ -61,7 +61,7 @@ class vtkRelievoDeferredStage::Internals
 public:
   vtkRelievoScreenQuad Quad;
   std::set<std::string> Reported;
-  bool Done = false; // in this frame
+  bool Done = false; // whether the lights were added in this frame
 };
 
 //------------------------------------------------------------------------------
@@ -114,15 +114,15 @@ void vtkRelievoDeferredStage::Execute(vtkRelievoFrameContext& context)
   const auto* shading = static_cast<vtkRelievoShading*>(context.Find(Shading));
   if (!shading)
   {
-    this->Explain("failed", "the layers could not be made; VTK lights all surfaces");
+    this->Explain("failed", "the layers could not be made, so VTK lights all surfaces");
     return;
   }
   if (!this->Internal->Done && shading->Deferred > 0)
   {
-    this->AddLights(context); // late, but better than none: the next frames leave it to VTK
+    this->AddLights(context); // later than usual; from the next frame on VTK lights the surfaces
   }
-  std::string words = "shades what " + std::to_string(this->NumberDeferred) +
-    (this->NumberDeferred == 1 ? " draw call drew" : " draw calls drew");
+  std::string words = "shades the surfaces of " + std::to_string(this->NumberDeferred) +
+    (this->NumberDeferred == 1 ? " draw call" : " draw calls");
   if (!shading->WhyNot.empty())
   {
     this->Explain("idle", "VTK lights all surfaces, since " + shading->WhyNot);
@@ -163,11 +163,12 @@ void vtkRelievoDeferredStage::AddLights(vtkRelievoFrameContext& context)
   {
     if (in.Reported.insert(in.Quad.GetWrong()).second)
     {
-      vtkErrorMacro("No light on surfaces: " << in.Quad.GetWrong() << ".");
+      vtkErrorMacro("Surfaces are not lit: " << in.Quad.GetWrong() << ".");
     }
     return;
   }
-  // Another renderer's lights may be newer, and VTK's shader cache gives both the same program.
+  // Another renderer's lights may be newer, and VTK's shader cache gives both renderers one
+  // program.
   program->SetUniformGroupUpdateTime(vtkShaderProgram::LightingGroup, 0);
   renderer->UpdateLightingUniforms(program);
   vtkOpenGLState* state = context.Window->GetState();

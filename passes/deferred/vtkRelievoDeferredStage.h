@@ -5,22 +5,22 @@
  * @brief Shades opaque surfaces once for each pixel, after they are drawn, instead of once for each
  * fragment that is drawn.
  *
- * VTK's shaders then write what a surface is made of (depth, normal, colour; its highlights or
- * metal only if some visible surface has them; the visibility of each light where some cast
- * shadows), and leave the renderer's lights out; this stage adds them. The picture is VTK's own to
- * within 1 of 255 levels for Phong, Gouraud and flat shading, 2 for PBR, as long as the light that
- * reaches a surface is at most twice what shows its full colour.
+ * VTK's shaders then write the surface's properties (depth, normal, colour; highlights or metal
+ * only if some visible surface has them; the visibility of each light if some lights cast shadows)
+ * without the renderer's lights, which this stage adds. The picture matches VTK's to within 1 of
+ * 255 levels for Phong, Gouraud and flat shading, and 2 for PBR, as long as the light on a surface
+ * is at most twice the light that shows its full colour.
  *
- * VTK lights what cannot be deferred, and the frame report says what and why: surfaces with shader
- * code of their own, with relief or environments (vtkRelievoMaterial), PBR with image-based
- * lighting, clear coats, anisotropy, edge tints, an index of refraction other than 1.5 or textures
- * other than albedo and normals, points and lines drawn as spheres and tubes. Unlit surfaces,
- * translucent ones, volumes and texts are drawn by VTK as ever, against the same depth. Nothing is
- * deferred where the layers cannot be written while VTK draws (vtkRelievoLayersStage): in a
- * multisampled window, say; or where light comes through coloured surfaces
+ * VTK lights the surfaces that cannot be deferred, which the frame report lists with reasons:
+ * surfaces with their own shader code, with relief or environments (vtkRelievoMaterial), PBR with
+ * image-based lighting, clear coats, anisotropy, edge tints, an index of refraction other than 1.5
+ * or textures other than albedo and normals, and points and lines drawn as spheres and tubes. VTK
+ * draws unlit and translucent surfaces, volumes and texts without change, against the same depth.
+ * No surface is deferred if the layers cannot be written while VTK draws (vtkRelievoLayersStage),
+ * for example in a multisampled window, or if light passes through coloured surfaces
  * (vtkRelievoShadowStage::ColoredShadows).
  *
- * It pays where many fragments are drawn over each other, or many lights shine (docs/charts).
+ * Deferred shading pays if many fragments overlap or many lights are on (docs/charts).
  */
 #ifndef vtkRelievoDeferredStage_h
 #define vtkRelievoDeferredStage_h
@@ -40,7 +40,7 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /** Draw calls of the last frame whose light was deferred, and that VTK lit by itself. */
+  /** Draw calls of the last frame whose light was deferred, and draw calls that VTK lit. */
   vtkGetMacro(NumberDeferred, int);
   vtkGetMacro(NumberLeft, int);
   ///@}

@@ -12,23 +12,24 @@
 
 namespace
 {
-// Of the lamps that one thread takes at once: work for all threads, and few lists of lists.
+// Threads take lamps in pieces: enough of them to occupy all threads, few enough to join their
+// lists.
 constexpr int MostPieces = 32;
 constexpr int LeastLamps = 16;
 constexpr int MostLamps = 512;
 
 constexpr int MostSlices = 256;
 
-// Memory and time of the lists stay bounded: cells are made larger instead.
+// Bounds memory and time of the lists: with more cells, the cells are made larger.
 constexpr double MostCells = 1 << 21;
 constexpr double MostEntries = 1 << 23;
 
-// Shaders find a pixel's slice with a float's logarithm.
+// Shaders compute a pixel's slice from a logarithm in float.
 constexpr double SliceMargin = 1e-5;
 }
 
 //------------------------------------------------------------------------------
-// Cells about as large as the lamps are: smaller ones cost more to fill than they save.
+// Cells are about as large as the lamps: smaller ones cost more to fill than they save.
 void vtkRelievoLampClusters::Divide(
   const vtkRelievoFrameCamera& view, const vtkRelievoLampList& list)
 {
@@ -38,9 +39,9 @@ void vtkRelievoLampClusters::Divide(
   this->Bounds = vtkRelievoSphereBounds(view.ViewToNDC);
   double from = view.Far;
   double to = view.Near;
-  double across = 0.0; // pixels, of all rectangles
+  double across = 0.0; // sum of the rectangles' mean sides, in pixels
   double thickness = 0.0;
-  // Of all rectangles: area and half the edge, and both times the thickness.
+  // Sums over the rectangles: area, half the edge, and both multiplied by the thickness.
   double area = 0.0;
   double edge = 0.0;
   double volume = 0.0;
@@ -76,8 +77,8 @@ void vtkRelievoLampClusters::Divide(
   const auto cells = [&]() {
     return std::ceil(this->Width / tile) * std::ceil(this->Height / tile) * slices;
   };
-  // The cells that boxes around the lamps' parts in view touch: few large lamps among many small
-  // ones count as what they are.
+  // The number of cells touched by boxes around the lamps' visible parts, so that few large lamps
+  // among many small ones get their due weight.
   const auto entries = [&]() {
     const double perThickness = slices / std::max(range, 1e-300);
     return (area + perThickness * volume) / (tile * tile) + (edge + perThickness * band) / tile +
@@ -139,7 +140,7 @@ void vtkRelievoLampClusters::AddSpans(
     {
       continue;
     }
-    // Pixels whose centres lie in the extent, by a hair more.
+    // Range of pixels whose centres lie in the extent, slightly enlarged.
     const auto firstPixel = [](double ndc, int size) {
       return std::max(0.0, std::ceil(0.5 * (ndc + 1.0) * size - 0.51));
     };
@@ -155,7 +156,7 @@ void vtkRelievoLampClusters::AddSpans(
     const int lastRow = static_cast<int>(top) / this->Tile;
     for (int row = static_cast<int>(bottom) / this->Tile; row <= lastRow; ++row)
     {
-      // What of the sphere lies beyond a plane is within a smaller one, around its middle there.
+      // The sphere's part beyond a plane lies within a smaller sphere, centred on the plane.
       vtkRelievoSphereBounds::Sphere part = sphere;
       bool reaches = true;
       for (int side = 0; side < 2; ++side)

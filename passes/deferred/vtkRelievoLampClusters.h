@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Which lamps reach which part of the view: the view is cut into tiles of pixels and slices of
-// depth, and each cell lists, in the lamps' order, those that may reach a point in it (O. Olsson,
-// M. Billeter, U. Assarsson, Clustered Deferred and Forward Shading, 2012).
+// Lists the lamps that may reach each part of the view: the view is cut into tiles of pixels and
+// slices of depth, and each cell lists its lamps in their order (O. Olsson, M. Billeter, U.
+// Assarsson, Clustered Deferred and Forward Shading, 2012).
 //
-// Lists are counted, then filled: no lamp is dropped, however many there are. Slices grow with the
-// distance in perspective and are equal in parallel projection.
+// Lists are counted, then filled, so that no lamp is dropped, whatever their number. Slices grow
+// with the distance in perspective, and are equal in parallel projection.
 #ifndef vtkRelievoLampClusters_h
 #define vtkRelievoLampClusters_h
 
@@ -23,24 +23,24 @@ class VTKRELIEVODEFERRED_EXPORT vtkRelievoLampClusters
 public:
   void Build(const vtkRelievoFrameCamera& view, const vtkRelievoLampList& list);
 
-  // Cells: columns, rows and slices of the view, and the width of a tile in pixels.
+  // Number of cells: columns, rows and slices of the view; and the width of a tile in pixels.
   int GetColumns() const { return this->Columns; }
   int GetRows() const { return this->Rows; }
   int GetSlices() const { return this->Slices; }
   int GetTile() const { return this->Tile; }
 
-  // The slice of a depth is floor(scale * f(depth) + offset), where f is log2 or, in parallel
-  // projection, the depth itself.
+  // The slice at a depth is floor(scale * f(depth) + offset), where f is log2 in perspective, and
+  // the identity in parallel projection.
   float GetSliceScale() const { return this->SliceScale; }
   float GetSliceOffset() const { return this->SliceOffset; }
 
-  // The uniforms of shaders/deferred/clusters.glsl, but for the lists.
+  // Sets the uniforms of shaders/deferred/clusters.glsl, except the lists.
   void SetUniforms(vtkShaderProgram* program) const;
 
-  // Where the list of each cell begins, columns first, then rows; and where the last one ends.
+  // Start of each cell's list, columns first, then rows; at the end, the end of the last list.
   const std::vector<float>& GetCells() const { return this->Cells; }
 
-  // Lamps by their place in vtkRelievoLampList.
+  // Lamps by their index in vtkRelievoLampList.
   const std::vector<float>& GetLists() const { return this->Lists; }
 
 private:
@@ -70,7 +70,7 @@ private:
   int Width = 0;
   int Height = 0;
   bool Parallel = false;
-  double From = 0.0; // depths that the slices cover
+  double From = 0.0; // range of depths covered by slices
   double To = 1.0;
   float SliceScale = 0.0f;
   float SliceOffset = 0.0f;

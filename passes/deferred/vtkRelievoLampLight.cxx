@@ -34,7 +34,7 @@ void vtkRelievoLampLight::Take(
 }
 
 //------------------------------------------------------------------------------
-// Lamps that cast are drawn as quads, however the others are.
+// Casting lamps are always drawn as quads.
 bool vtkRelievoLampLight::HasQuads() const
 {
   return this->Way == vtkRelievoLampsStage::QUADS || !this->Casting.GetLamps().empty();
@@ -74,7 +74,7 @@ std::string vtkRelievoLampLight::Prepare(
     this->Counts.Release(context.Window);
     return {};
   }
-  // Half floats lose what is small beside the sum so far: rectangles add to floats.
+  // Half floats lose addends that are small beside the sum so far, so rectangles add up in floats.
   const bool white = this->List.IsWhite();
   const std::string wrong = this->Sum.Prepare(context, { white ? 1 : 4, !floats && !quads, quads });
   this->Sum.SetDefines(white ? "#define RELIEVO_WHITE_LIGHT\n" : "");
@@ -274,7 +274,7 @@ std::string vtkRelievoLampLight::DrawQuads(
   }
   if (casting && wrong.empty())
   {
-    // How many lamps are computed does not depend on their shadows.
+    // The count of computed lamps does not depend on their shadows.
     auto* shadows = &target == &this->Counts
       ? nullptr
       : static_cast<vtkRelievoLampShadows*>(context.Find("lamp shadows"));
@@ -306,7 +306,7 @@ std::string vtkRelievoLampLight::DrawPixels(vtkRelievoFrameContext& context,
 }
 
 //------------------------------------------------------------------------------
-// The quad of which every pixel finds its lamps.
+// Prepares the quad in which each pixel loops over its lamps.
 vtkShaderProgram* vtkRelievoLampLight::ReadyPixels(vtkRelievoFrameContext& context,
   vtkRelievoScreenQuad& quad, const std::vector<std::string>& reads, std::string defines)
 {

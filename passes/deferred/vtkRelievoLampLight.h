@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The light buffer: what the lamps of a frame add at each pixel, summed on the GPU in one of the
-// ways of vtkRelievoLampsStage, and how many were computed for it.
+// The light buffer: the light of a frame's lamps at each pixel, summed on the GPU in one of the
+// ways of vtkRelievoLampsStage; and the number of lamps computed for it.
 #ifndef vtkRelievoLampLight_h
 #define vtkRelievoLampLight_h
 
@@ -19,33 +19,33 @@
 class vtkRelievoLampLight
 {
 public:
-  // Takes the lamps, and tells the context which of them cast shadows: so many of the largest, and
-  // those that always do. Then makes the buffers: for counts only if they are wanted. Returns what
-  // is wrong, in words.
+  // Take() selects the lamps, and tells the context which ones cast shadows: the `casting` largest,
+  // and those that always cast. Prepare() makes the buffers, those for counts only if requested,
+  // and returns an error message, or an empty string.
   void Take(
     vtkRelievoFrameContext& context, const std::vector<vtkRelievoLamps*>& sets, int casting);
   std::string Prepare(
     vtkRelievoFrameContext& context, int way, bool floats, bool sums, bool counts);
 
-  // Sums the light and, of surfaces that are more than matte, the gloss; and counts. Returns what
-  // is wrong, in words.
+  // Sums the light, the gloss of glossy surfaces, and the counts. Returns an error message, or an
+  // empty string.
   std::string Draw(vtkRelievoFrameContext& context, bool glossy);
 
-  // Adds all of it to the linear colour in one step, where lamps are not drawn as quads and Prepare
-  // has been told that no sums are wanted.
+  // Adds the light to the linear colour in one step; only if lamps are not drawn as quads and
+  // Prepare() was called without sums.
   std::string Add(vtkRelievoFrameContext& context, bool glossy);
 
-  // The rectangle in NDC around what lamps but for those that cast reach. Returns how often it is
-  // covered by their own rectangles, on average; 0: none is in sight.
+  // Receives the rectangle in NDC around all lamps without shadows. Returns how often their own
+  // rectangles cover it on average; 0 if none is in sight.
   double FindReached(float all[4]) const;
 
-  const vtkRelievoLampList& GetList() const { return this->List; } // but for those that cast
+  const vtkRelievoLampList& GetList() const { return this->List; } // without those that cast
   const vtkRelievoLampList& GetCasting() const { return this->Casting; }
   vtkRelievoScreenTarget& GetSum() { return this->Sum; }
   vtkRelievoScreenTarget& GetGloss() { return this->Gloss; }
   vtkRelievoScreenTarget& GetCounts() { return this->Counts; } // computed, reaching
 
-  // Lamps a pixel in the last frame, on average; -1: they were not counted.
+  // Average number of lamps per pixel in the last frame; -1 if they were not counted.
   double GetComputed() const { return this->Computed; }
   double GetReaching() const { return this->Reaching; }
 

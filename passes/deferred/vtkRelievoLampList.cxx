@@ -13,7 +13,7 @@
 
 namespace
 {
-// Lamps are taken in pieces, which threads share; what they find is joined in the pieces' order.
+// Threads take lamps in pieces; their results are joined in the pieces' order.
 constexpr vtkIdType PieceSize = 1024;
 
 struct Piece
@@ -25,7 +25,7 @@ struct Piece
   bool White = true;
 };
 
-// Where lamps are looked for: the view, or the picture that it is a tile of.
+// The view, or the picture of which the view is a tile.
 struct Frustum
 {
   vtkRelievoSphereBounds Bounds;
@@ -50,7 +50,7 @@ public:
     const glm::dvec4 center = this->View.WorldToView * glm::dvec4(row[0], row[1], row[2], 1.0);
     vtkRelievoLampList::Lamp lamp;
     lamp.Sphere.Center = glm::dvec3(center);
-    // What shaders find of a pixel's place and distance is rounded to float.
+    // Enlarged because shaders compute a pixel's position and distance in floats.
     lamp.Sphere.Radius = row[3] * (1.0 + 1e-5) + 1e-6 * glm::length(lamp.Sphere.Center);
     double rectangle[4] = { 0.0, 0.0, 0.0, 0.0 };
     const bool seen = this->Find(this->Tile, lamp.Sphere, rectangle);
@@ -100,7 +100,7 @@ private:
     }
     for (int axis = 0; axis < 2; ++axis)
     {
-      // In pixels; without the centre of one it lights nothing.
+      // In pixels; a rectangle that contains no pixel's centre lights nothing.
       const double half = 0.5 * frustum.Pixels[axis];
       const double first = std::ceil((rectangle[axis] + 1.0) * half - 0.501);
       const double last = std::floor((rectangle[axis + 2] + 1.0) * half - 0.499);
@@ -118,9 +118,9 @@ private:
   bool InTiles;
 };
 
-constexpr int TexelFloats = 8; // of a lamp
+constexpr int TexelFloats = 8; // per lamp
 
-// A lamp that may cast.
+// A lamp that may cast shadows.
 struct Candidate
 {
   const vtkRelievoLampList::Lamp* Lamp;
@@ -136,7 +136,7 @@ struct Candidate
   }
 };
 
-// Up to so much more than the next lamp's size a shadow is weaker.
+// A shadow fades if its lamp exceeds the next lamp's size by less than this share.
 constexpr double Fade = 0.1;
 }
 
@@ -157,7 +157,7 @@ void vtkRelievoLampList::Take(const vtkRelievoFrameCamera& view,
     const double* rows = sets[set]->GetSharedRows().data();
     const int width = sets[set]->GetRowWidth();
     const auto count = static_cast<vtkIdType>(sets[set]->GetSharedRows().size()) / width;
-    // Linear is 0, inverse square 1; of VTK's, each set has its own: 2 and more.
+    // Codes: 0 linear, 1 inverse square; 2 and more for VTK's, one for each set.
     const int falloff = sets[set]->GetFalloff() == vtkRelievoLamps::VTK
       ? vtkRelievoLamps::VTK + static_cast<int>(set)
       : sets[set]->GetFalloff();
@@ -260,7 +260,7 @@ bool vtkRelievoLampList::IsLinear() const
 }
 
 //------------------------------------------------------------------------------
-// The lamp of this number, if the view sees it. Numbers ascend.
+// Removes the lamp of this number, if it is in view. Numbers ascend.
 void vtkRelievoLampList::TakeOut(vtkIdType number)
 {
   const auto lamp = std::lower_bound(this->Lamps.begin(), this->Lamps.end(), number,

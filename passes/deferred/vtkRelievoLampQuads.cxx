@@ -21,7 +21,7 @@ std::string vtkRelievoLampQuads::DrawSurfaces(
   {
     return this->Surfaces.GetWrong();
   }
-  // Depth only: the colour is the sum's.
+  // Depth only: the colour holds the sum.
   state->vtkglColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
   this->Surfaces.Draw(context, target.GetArea(), vtkRelievoScreenQuad::WRITES_DEPTH);
   state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Draws a rectangle for each lamp, at the front of its sphere and tested against the surfaces'
-// depth, and adds what each lights: lamps behind walls cost nothing.
+// depth, and adds its light: lamps behind walls cost nothing.
 #ifndef vtkRelievoLampQuads_h
 #define vtkRelievoLampQuads_h
 
@@ -20,13 +20,13 @@ class vtkRelievoScreenTarget;
 class vtkRelievoLampQuads
 {
 public:
-  // Draws the surfaces' depth into the target, which was begun and has a depth buffer. Returns what
-  // is wrong, in words.
+  // Draws the surfaces' depth into the target, which is bound by Begin() and has a depth buffer.
+  // Returns an error message, or an empty string.
   std::string DrawSurfaces(vtkRelievoFrameContext& context, vtkRelievoScreenTarget& target);
 
-  // Adds the lamps' light to the target, after the surfaces. `bind` sets what the lamps' shader
-  // reads. The lamps are those of the context that cast, if there are `shadows`. Returns what is
-  // wrong, in words; the number of draw calls is added to `draws`.
+  // Adds the lamps' light to the target, after DrawSurfaces(). `bind` sets the shader's inputs.
+  // With `shadows`, the lamps are the context's casting lamps. Returns an error message, or an
+  // empty string; adds the number of draw calls to `draws`.
   std::string Draw(vtkRelievoFrameContext& context, const vtkRelievoLampList& list,
     const std::string& defines, const std::function<void(vtkShaderProgram*)>& bind,
     vtkRelievoLampShadows* shadows, int& draws);
@@ -35,7 +35,7 @@ public:
   void Release(vtkWindow* window);
 
 private:
-  vtkRelievoScreenQuad Surfaces; // their depth
+  vtkRelievoScreenQuad Surfaces; // draw the surfaces' depth
   vtkRelievoTextureBuffer Rectangles;
   vtkRelievoInstancedQuads Lamps;
 };

@@ -16,25 +16,27 @@ vtkRelievoLamps::vtkRelievoLamps()
   constexpr double white[3] = { 1.0, 1.0, 1.0 };
   this->SetThings("lamps",
     "places must be finite, radii above 0, intensities other than 0, colours not negative");
-  this->AddValue("radius", 1.0, 0.0, infinity, "world units", "How far the lamps shine.");
+  this->AddValue(
+    "radius", 1.0, 0.0, infinity, "world units", "Radius within which the lamps shine.");
   this
     ->AddValue("intensity", 1.0, -infinity, infinity, "",
-      "How bright the lamps are; a negative one takes light away.")
+      "Brightness of the lamps; a negative intensity removes light.")
     .Usual = 5.0;
-  this->AddColorValue("color", white, "Linear colour of their light.");
+  this->AddColorValue("color", white, "Linear colour of the light.");
   this->AddChoiceValue("casts", { "if-large", "never", "always" }, CASTS_IF_LARGE, CASTS_IF_LARGE,
-    "Whether the lamps cast shadows, or shine through walls; if-large: as many of the largest of "
-    "all lamps as the stage's casting says. At most eight cast. An array has -1, 0 or 1 for them.");
+    "Whether the lamps cast shadows, or shine through walls; if-large: only among the largest, as "
+    "many as the stage's casting. At most eight cast. Array values: -1 if-large, 0 never, 1 "
+    "always.");
   this->Description.AddChoice(
     "falloff", this->Falloff, [this](int falloff) { this->SetFalloff(falloff); },
     { "linear", "inverse-square", "vtk" },
-    "How light fades with the distance d of a lamp of radius r: linear, 1 - d / r; "
+    "Fall-off of light at distance d from a lamp of radius r: linear, 1 - d / r; "
     "inverse-square, 1 / d^2, brought to 0 at r; vtk, 1 / (A + B d + C d^2), nothing beyond r.");
   this->Description
     .AddVector(
       "attenuation", this->AttenuationValues,
       [this](const double* values) { this->SetAttenuationValues(values[0], values[1], values[2]); },
-      "A, B and C of the falloff vtk.")
+      "A, B and C of the fall-off vtk.")
     .OnlyIf = "falloff=vtk";
 }
 

@@ -4,9 +4,9 @@
  * @class vtkRelievoLamps
  * @brief Lamps from data: each point is a lamp (vtkRelievoLampsStage::AddPoints).
  *
- * The input's point arrays `radius`, `intensity`, `color` and `casts` (SetArray takes others) give
- * each lamp its own values; the values set here are for lamps without. A lamp shines in all
- * directions, up to its radius, and through walls unless it casts.
+ * The input's point arrays `radius`, `intensity`, `color` and `casts` (SetArray selects others)
+ * give each lamp its own values; the values set here apply to lamps without arrays. A lamp shines
+ * in all directions, up to its radius, and through walls unless it casts shadows.
  *
  * Light at distance d of a lamp of radius r, before colour, intensity and the angle to the surface:
  * - LINEAR: max(0, 1 - d / r), the default.
@@ -14,8 +14,7 @@
  *   Shading in Unreal Engine 4, 2013); d is at least r / 100.
  * - VTK: 1 / (a + b d + c d^2), with the attenuation values of vtkLight; nothing beyond r.
  *
- * A lamp of radius 0 or less, or of intensity 0, has no effect; a negative intensity takes light
- * away.
+ * A lamp of radius 0 or less, or of intensity 0, has no effect; a negative intensity removes light.
  */
 #ifndef vtkRelievoLamps_h
 #define vtkRelievoLamps_h
@@ -51,7 +50,7 @@ public:
   ///@}
 
   ///@{
-  /** Linear RGB, default white. Arrays of bytes are 0 to 255. */
+  /** Linear RGB, default white. Arrays of bytes range from 0 to 255. */
   void SetColor(double red, double green, double blue);
   void SetColor(const double color[3]) { this->SetColor(color[0], color[1], color[2]); }
   void GetColor(double color[3]) const;
@@ -66,9 +65,9 @@ public:
 
   ///@{
   /**
-   * Whether lamps cast shadows: CASTS_IF_LARGE (default) those that the stage chooses
+   * Whether lamps cast shadows: CASTS_IF_LARGE (default) if the stage selects them
    * (vtkRelievoLampsStage::SetCasting), CASTS_NEVER, or CASTS_ALWAYS. At most eight lamps cast in a
-   * picture. In arrays, negative numbers, 0, and positive ones.
+   * picture. In arrays: negative numbers, 0, and positive numbers.
    */
   void SetCasts(int casts);
   int GetCasts() const;
@@ -84,16 +83,16 @@ public:
   ///@}
 
   ///@{
-  /** Constant, linear and quadratic part, as in vtkLight; default 1, 0, 0. For VTK. */
+  /** Constant, linear and quadratic coefficients of VTK, as in vtkLight; default 1, 0, 0. */
   vtkSetVector3Macro(AttenuationValues, double);
   vtkGetVector3Macro(AttenuationValues, double);
   ///@}
 
 #ifndef __VTK_WRAP__
-  // Whether some lamp of this process casts always. Up to date after GetNumberOfPoints.
+  // Whether some lamp of this process always casts. Up to date after GetNumberOfPoints.
   bool GetSomeCastAlways();
 
-  // Of a row of GetRows.
+  // The value `casts` in a row of GetRows.
   static double GetCastsOf(const double* row)
   {
     return row[8];
@@ -106,7 +105,7 @@ protected:
 
   bool HasEffect(const double* row) const override;
 
-  vtkMTimeType LookedAt = 0; // when it was last found out whether
+  vtkMTimeType LookedAt = 0; // when SomeCast was determined
   bool SomeCastAlways = false;
   int Falloff = LINEAR;
   double AttenuationValues[3] = { 1.0, 0.0, 0.0 };

@@ -33,14 +33,14 @@ const char* const Gloss = "lamp gloss";
 const char* const LampShadows = "lamp shadows";
 const std::vector<std::string> WayNames{ "auto", "quads", "clusters", "all" };
 
-// So few lamps are computed in every pixel of a rectangle around them, which they cover at least so
-// often, where nothing wants their sums. Up to so many, rectangles are drawn: clusters cost more to
-// list.
+// Up to MostAll lamps are computed in every pixel of their common rectangle, if they cover it at
+// least LeastCovered times and no layer of sums is requested. Up to MostQuads, rectangles are
+// drawn: the lists of clusters cost more.
 constexpr int MostAll = 4;
 constexpr double LeastCovered = 0.5;
 constexpr int MostQuads = 8;
 
-// Which lamps cast, and why they do not if they should, as a part of a sentence.
+// Describes the casting lamps, or the reason why none casts, as a part of a sentence.
 std::string DescribeCasting(const vtkRelievoFrameContext& context)
 {
   const std::size_t count = context.CastingLamps.size();
@@ -74,8 +74,8 @@ public:
   vtkRelievoScreenQuad Colors;
   vtkNew<vtkRelievoTranslucentLamps> Translucent;
   int LeftOut = 0;
-  bool Any = false;      // lamps in this frame, perhaps: on all processes alike
-  bool SomeCast = false; // of them
+  bool Any = false;      // there may be lamps in this frame; equal on all processes
+  bool SomeCast = false; // some lamps always cast
   bool Adds = false;     // to the linear colour, without sums
 };
 
@@ -99,7 +99,7 @@ void vtkRelievoLampsStage::Describe(vtkRelievoStageDescription& description)
 {
   description.Name = "lamps";
   description.Label = "Lamps";
-  description.Help = "Lights surfaces with lamps from data, as many as there are.";
+  description.Help = "Lights surfaces with lamps from data, in any number.";
   description.Slot = vtkRelievoStageDescription::SHADE;
   description.Reads = { "depth", "normal" };
   description.Writes = { "color" };
@@ -112,7 +112,7 @@ void vtkRelievoLampsStage::Describe(vtkRelievoStageDescription& description)
   };
   description.AddChoice(
     "way", this->Way, [this](int way) { this->SetWay(way); }, WayNames,
-    "How the lamps of a pixel are found; the result is the same.");
+    "Method of finding the lamps of a pixel; the result is the same.");
   name("Lamps Found By", true);
   description.AddFlag(
     "floats", this->Floats, [this](bool on) { this->SetFloats(on); },
@@ -123,7 +123,8 @@ void vtkRelievoLampsStage::Describe(vtkRelievoStageDescription& description)
     "Lights translucent surfaces as well, in VTK's own shaders.");
   description.AddWhole(
     "casting", this->Casting, [this](int lamps) { this->SetCasting(lamps); }, 0, 8, "lamps",
-    "How many lamps, the largest in the picture, cast shadows; the others shine through walls.");
+    "Number of lamps, the largest in the picture, that cast shadows; the others shine through "
+    "walls.");
   name("Lamps With Shadows", false);
 }
 
@@ -155,7 +156,7 @@ void vtkRelievoLampsStage::Declare(
   declaration.Reason = "lights surfaces with lamps";
   if (!this->Internal->Any)
   {
-    // Without lamps the layers are still what they say: no light.
+    // Without lamps the layers are constant: no light.
     declaration.Writes.clear();
     declaration.ReasonCode = "idle";
     declaration.Reason = "there are no lamps";
@@ -270,11 +271,12 @@ void vtkRelievoLampsStage::Execute(vtkRelievoFrameContext& context)
   {
     this->Explain("ran",
       std::to_string(this->NumberDrawn) + " of " + std::to_string(this->NumberOfLamps) +
-        " lamps may light what is seen; by " + WayNames[this->WayTaken] + DescribeCasting(context) +
-        (in.Translucent->GetNumberOfProps() > 0
-            ? "; " + std::string(this->Translucent ? "what is translucent" : "the shadow catcher") +
-              " is lit"
-            : ""));
+        " lamps may light the view; by " + WayNames[this->WayTaken] + DescribeCasting(context) +
+        (in.Translucent->GetNumberOfProps() > 0 ? "; " +
+              std::string(
+                this->Translucent ? "translucent surfaces are" : "the shadow catcher is") +
+              " lit"
+                                                : ""));
   }
 }
 

@@ -2,22 +2,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkRelievoLampsStage
- * @brief The stage that lights surfaces with lamps, as many as there are.
+ * @brief The stage that lights surfaces with lamps, in any number.
  *
- * Adds up, for each pixel's point on an opaque surface, intensity x colour x fall-off x max(0, n.l)
- * of every lamp (vtkRelievoLamps) that reaches it, and adds that, times the surface's colour, to
- * the picture in linear light. The sum is the layer `light`. Lamps shine through walls, but for up
- * to eight that cast shadows (SetCasting, vtkRelievoLamps::SetCasts), by maps of the stage
- * `shadows`. Those are drawn as quads, whichever way the others take.
+ * For each pixel's point on an opaque surface, adds up intensity x colour x fall-off x max(0, n.l)
+ * of every lamp (vtkRelievoLamps) in reach, and adds the sum, times the surface's colour, to the
+ * picture in linear light. The sum is the layer `light`. Lamps shine through walls, except up to
+ * eight that cast shadows (SetCasting, vtkRelievoLamps::SetCasts), by maps of the stage `shadows`.
+ * Casting lamps are always drawn as quads.
  *
  * Ways to find the lamps of a pixel, with the same result:
- * - QUADS: a rectangle is drawn for each lamp, as large as it can be seen, at the front of its
- *   sphere; lamps behind surfaces cost nothing. Sums in floats, because halves lose small addends.
- * - CLUSTERS: the view is cut into tiles of pixels and slices of depth, for each of which the CPU
- *   lists its lamps (O. Olsson, M. Billeter, U. Assarsson, Clustered Deferred and Forward Shading,
- *   2012).
+ * - QUADS: a rectangle is drawn for each lamp, no larger than the lamp appears, at the front of its
+ * sphere; lamps behind surfaces cost nothing. Sums in floats, because half floats lose small
+ * addends.
+ * - CLUSTERS: the view is cut into tiles of pixels and slices of depth, and the CPU lists the lamps
+ * of each cell (O. Olsson, M. Billeter, U. Assarsson, Clustered Deferred and Forward Shading,
+ * 2012).
  * - ALL: every pixel computes every lamp; for comparisons.
- * AUTOMATIC takes quads for few lamps and clusters for many.
+ * AUTOMATIC selects quads for few lamps and clusters for many.
  */
 #ifndef vtkRelievoLampsStage_h
 #define vtkRelievoLampsStage_h
@@ -34,7 +35,7 @@ public:
   vtkTypeMacro(vtkRelievoLampsStage, vtkRelievoPointStage);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /** Ways to find the lamps of a pixel; see the class. */
+  /** Methods of finding the lamps of a pixel; see the class. */
   enum Ways
   {
     AUTOMATIC = 0,
@@ -44,7 +45,7 @@ public:
   };
 
   ///@{
-  /** Default AUTOMATIC. */
+  /** Method of finding the lamps of a pixel. Default AUTOMATIC. */
   vtkSetClampMacro(Way, int, AUTOMATIC, ALL);
   vtkGetMacro(Way, int);
   ///@}
@@ -61,26 +62,26 @@ public:
 
   ///@{
   /**
-   * How many lamps cast shadows beside those that always do (vtkRelievoLamps::SetCasts), 0
-   * (default) to 8 in all: the largest, by brightness times the part of the picture that they may
-   * light. Their shadows fade where the next lamp is nearly as large, so that none comes or goes at
-   * once while the camera moves.
+   * Number of lamps that cast shadows in addition to those that always do
+   * (vtkRelievoLamps::SetCasts), 0 (default) to 8 in all: the largest, by brightness times the part
+   * of the picture that they may light. Their shadows fade if the next lamp is nearly as large, so
+   * that no shadow appears or disappears abruptly while the camera moves.
    */
   vtkSetClampMacro(Casting, int, 0, 8);
   vtkGetMacro(Casting, int);
   ///@}
 
-  /** The way of the last frame. */
+  /** The method of the last frame. */
   vtkGetMacro(WayTaken, int);
 
   ///@{
-  /** Sums in floats instead of half floats in the ways that could do with halves. Default off. */
+  /** Sums light in floats instead of half floats, if the method allows half floats. Default off. */
   vtkSetMacro(Floats, bool);
   vtkGetMacro(Floats, bool);
   vtkBooleanMacro(Floats, bool);
   ///@}
 
-  /** Lamps of the last frame; GetNumberDrawn: those that the picture can have light of. */
+  /** Number of lamps in the last frame; GetNumberDrawn: those whose light may be in the picture. */
   vtkGetMacro(NumberOfLamps, int);
 
   /** Lamps of the last frame that cast shadows. */

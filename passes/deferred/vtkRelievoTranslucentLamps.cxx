@@ -118,7 +118,7 @@ void vtkRelievoTranslucentLamps::SpliceShaders(
   if (!Has(fragment, "normalVCVSOutput") || !Has(fragment, Extensions) || !Has(fragment, Dec) ||
     !Has(fragment, Impl))
   {
-    return; // it is not lit
+    return; // an unlit surface
   }
   const auto fill = [&]() -> std::string {
     if (!EnsurePosition(shaders.Vertex, shaders.Geometry, fragment))
@@ -138,8 +138,8 @@ void vtkRelievoTranslucentLamps::SpliceShaders(
   const vtkRelievoTrialSplice::Outcome outcome = TrySplice(shaders, this->Window, actor, fill);
   if (this->IsNews(mapper, outcome))
   {
-    vtkErrorMacro("No light of lamps on what " << mapper->GetClassName()
-                                               << " draws translucent: " << outcome.Wrong << ".");
+    vtkErrorMacro("Lamps do not light the translucent surfaces of "
+      << mapper->GetClassName() << ": " << outcome.Wrong << ".");
   }
 }
 
@@ -152,7 +152,7 @@ bool vtkRelievoTranslucentLamps::SetShaderParameters(
   {
     return true;
   }
-  // What an actor draws opaque is lit by the stage.
+  // The stage itself lights the actor's opaque surfaces.
   const bool light =
     actor->IsRenderingTranslucentPolygonalGeometry() && actor->GetProperty()->GetLighting();
   program->SetUniformi("relievoLampsLight", light ? 1 : 0);

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Lights what is translucent with lamps, in VTK's own shaders while VTK draws it: each fragment
-// computes the lamps that its cluster lists.
+// Lights translucent surfaces with lamps, in VTK's own shaders while VTK draws them: each fragment
+// computes the lamps of its cluster.
 #ifndef vtkRelievoTranslucentLamps_h
 #define vtkRelievoTranslucentLamps_h
 
@@ -24,13 +24,14 @@ public:
   static vtkRelievoTranslucentLamps* New();
   vtkTypeMacro(vtkRelievoTranslucentLamps, vtkRelievoSplicedPass);
 
-  // From here to End, the lamps' light is in what VTK draws translucent: all of it, or catchers of
-  // shadows alone. The sets are shared or up to date. Returns what is wrong, in words.
+  // From Begin() to End(), VTK's translucent surfaces, or only catchers of shadows, are drawn with
+  // the lamps' light. The sets are shared or up to date. Returns an error message, or an empty
+  // string.
   std::string Begin(
     vtkRelievoFrameContext& context, const std::vector<vtkRelievoLamps*>& sets, bool all);
   void End();
 
-  // Those that are lit in the frame.
+  // Number of lit props in the frame.
   int GetNumberOfProps() const { return this->NumberOfProps; }
 
   vtkIdType GetBytes() const;

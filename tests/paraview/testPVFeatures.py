@@ -54,7 +54,7 @@ class Features(pv.Test):
         level = 4 if name == "FXAA" else 2 if name == "materials" else 1
         self.near(pv.picture(scene.view), own, name + ", deferred", level=level, share=0)
         reason = pv.stage(scene.view, "deferred")["reason"]
-        self.assertIn(LEFT_TO_VTK.get(name, "shades what"), reason, name)
+        self.assertIn(LEFT_TO_VTK.get(name, "shades the surfaces of"), reason, name)
         scene.view.RelievoStageDeferred = 0
 
 
