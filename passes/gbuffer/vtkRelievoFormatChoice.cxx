@@ -11,8 +11,8 @@ namespace
 {
 using Stage = vtkRelievoLayersStage;
 
-// Largest errors, rounded up: what the tests of formats hold them to. From small to large formats;
-// of one size, the cheaper one first.
+// Largest errors, rounded up, which the tests of formats check. In order of size; within a size,
+// the cheaper format first.
 struct Format
 {
   int Code;
@@ -23,7 +23,7 @@ constexpr Format Normals[] = { // degrees
   { Stage::NORMAL_RGB10A2, 0.098 }, { Stage::NORMAL_OCT16, 0.0038 },
   { Stage::NORMAL_OCT16_PRECISE, 0.0026 }, { Stage::NORMAL_FLOAT32, 1e-5 }
 };
-constexpr Format Depths[] = { // of the depth
+constexpr Format Depths[] = { // as a share of the depth
   { Stage::DEPTH_16F, 4.9e-4 }, { Stage::DEPTH_32F, 6e-8 }
 };
 

@@ -8,12 +8,12 @@
 
 namespace vtkRelievoFormatChoice
 {
-// Whether a format keeps the tolerance, or 0 says that none is chosen: normals in degrees, depths
-// as a share of the depth.
+// Whether a format meets the tolerance; 0 is valid and means no tolerance. Normals in degrees,
+// depths as a share of the depth.
 bool IsNormalTolerance(double degrees);
 bool IsDepthTolerance(double share);
 
-// The format for such a tolerance above 0.
+// The format for a valid tolerance above 0.
 int ChooseNormal(double degrees);
 int ChooseDepth(double share);
 }

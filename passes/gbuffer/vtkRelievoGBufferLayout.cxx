@@ -14,7 +14,7 @@
 namespace
 {
 #define RELIEVO_SAME_CODE(name)                                                                    \
-  static_assert(vtkRelievoLayersStage::name == RELIEVO_##name, "as in shaders/codes.glsl")
+  static_assert(vtkRelievoLayersStage::name == RELIEVO_##name, "differs from shaders/codes.glsl")
 RELIEVO_SAME_CODE(NORMAL_FLOAT32);
 RELIEVO_SAME_CODE(NORMAL_FLOAT16);
 RELIEVO_SAME_CODE(NORMAL_OCT16);
@@ -35,7 +35,7 @@ RELIEVO_SAME_CODE(NORMAL_DEPTH_RGBA32F);
 
 constexpr std::uint32_t NothingId = 0xffffffffu;
 
-// The words that decode to a depth of +infinity: the formula file names them.
+// The words that decode to a depth of +infinity, named by the formula file.
 std::uint32_t GetDepthBackground(int format)
 {
   switch (format)
@@ -114,7 +114,7 @@ void vtkRelievoGBufferLayout::Arrange()
   this->ChosenNormalFormat = this->NormalFormat;
   if (this->NormalFormat == vtkRelievoLayersStage::NORMAL_AUTO)
   {
-    // Full floats where they fit into the attachments that are there anyhow, otherwise one word.
+    // Full floats if they fit into the attachments that are needed anyway, otherwise one word.
     const int togetherWords = together ? GetNormalDepthWords(this->NormalDepth) : 0;
     const int others = togetherWords + (depthAlone ? 1 : 0) + (this->Ids ? 1 : 0) +
       (this->Places ? 2 : 0) + (this->Albedo ? 1 : 0) + (this->Surface ? 1 : 0) +
@@ -137,7 +137,7 @@ void vtkRelievoGBufferLayout::Arrange()
   this->SurfaceWord = this->Surface ? add({ 0u }) : -1;
   this->SurfaceDetailWord = this->SurfaceDetail ? add({ 0u }) : -1;
   this->SurfaceSpecularWord = this->SurfaceSpecular ? add({ 0u }) : -1;
-  // Where nothing is, no light is blocked.
+  // In the background no light is blocked.
   this->ShadowWord =
     shadowWords > 0 ? add(std::vector<std::uint32_t>(shadowWords, 0xffffffffu)) : -1;
 }

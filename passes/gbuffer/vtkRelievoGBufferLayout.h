@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Which 32-bit word of a G-buffer pixel holds what. All attachments are unsigned integers
-// (R32UI, RG32UI or RGBA32UI): no blending, no conversion, no clamping on the way, one readback per
+// The content of each 32-bit word of a G-buffer pixel. All attachments are unsigned integers
+// (R32UI, RG32UI or RGBA32UI): no blending, no conversion, no clamping, one readback per
 // attachment, and any mix of formats side by side. A word of a format has the bits that a texture
 // of that format would have.
 #ifndef vtkRelievoGBufferLayout_h
@@ -17,24 +17,24 @@
 
 struct VTKRELIEVOGBUFFER_EXPORT vtkRelievoGBufferLayout
 {
-  // What is asked.
+  // Requested channels.
   bool Depth = false;
   bool Normal = false;
   bool GeometricNormal = false;
   bool Albedo = false;
-  bool Surface = false;         // how surfaces are lit, and their colour
-  bool SurfaceDetail = false;   // and the share, the width of highlights, what metal they are
+  bool Surface = false;         // lighting mode and colour of surfaces
+  bool SurfaceDetail = false;   // and diffuse share, width of highlights, and metal
   bool SurfaceSpecular = false; // and the colour of highlights
-  bool SurfacePbr = false;      // some of them are PBR
+  bool SurfacePbr = false;      // some surfaces are PBR
   bool Ids = false;
-  bool Places = false; // x and y in eye space, of actors whose own shaders move what is seen
-  std::map<std::string, int> Lights; // of layers that are a light's visibility
-  std::vector<int> Shadows;          // lights, by their number in the renderer, ascending
+  bool Places = false; // x and y in eye space, for actors whose own shaders move vertices
+  std::map<std::string, int> Lights; // layers of a light's visibility, and the light's number
+  std::vector<int> Shadows;          // the lights' numbers in the renderer, ascending
   int NormalFormat = 0;              // vtkRelievoLayersStage::NormalFormats
   int DepthFormat = 0;               // vtkRelievoLayersStage::DepthFormats
   int NormalDepth = 0;               // vtkRelievoLayersStage::NormalDepthFormats
 
-  // Where it is: the first word of each, or -1. Set by Arrange().
+  // Position of each channel: its first word, or -1. Set by Arrange().
   int DepthWord = -1;
   int NormalWord = -1;
   int GeometricNormalWord = -1;
@@ -45,12 +45,12 @@ struct VTKRELIEVOGBUFFER_EXPORT vtkRelievoGBufferLayout
   int SurfaceSpecularWord = -1;
   int IdWord = -1;
   int PlaceWord = -1;
-  int ShadowWord = -1; // two lights a word, 16 bits each
+  int ShadowWord = -1; // two lights per word, 16 bits each
 
-  // The format that NORMAL_AUTO came to. Set by Arrange().
+  // The format that NORMAL_AUTO selected. Set by Arrange().
   int ChosenNormalFormat = 0;
 
-  // The background's words, one per word held. Set by Arrange().
+  // The background's value of each word. Set by Arrange().
   std::vector<std::uint32_t> Background;
 
   void Arrange();
@@ -58,7 +58,7 @@ struct VTKRELIEVOGBUFFER_EXPORT vtkRelievoGBufferLayout
   // Outputs of shaders/gbuffer/write.glsl.
   static constexpr int MostAttachments = 5;
 
-  // Whether the sign of a normal can change what is held.
+  // Whether the sign of a normal can affect a requested channel.
   bool TakesNormals() const
   {
     return this->Normal || this->GeometricNormal || this->Surface || !this->Shadows.empty();
@@ -68,17 +68,17 @@ struct VTKRELIEVOGBUFFER_EXPORT vtkRelievoGBufferLayout
   int GetNumberOfWords() const { return static_cast<int>(this->Background.size()); }
   int GetNumberOfAttachments() const { return (this->GetNumberOfWords() + 3) / 4; }
 
-  // 1, 2 or 4: a texture of three words is not renderable everywhere.
+  // 1, 2 or 4: textures of three words are not renderable on every OpenGL.
   int GetNumberOfChannels(int attachment) const;
 
-  // The light whose visibility a layer is, or -1: as in Lights, else N of shadow_N.
+  // The light whose visibility the layer shows, or -1: by Lights, else N of shadow_N.
   int GetLight(const std::string& layer) const;
 
-  // Words of a normal, and of a normal with depth, by format.
+  // Number of words of a normal, and of a normal with depth, by format.
   static int GetNormalWords(int format);
   static int GetNormalDepthWords(int format);
 
-  // The structure as preprocessor defines, for the shaders in shaders/gbuffer.
+  // The layout as preprocessor defines, for the shaders in shaders/gbuffer.
   std::string GetDefines() const;
 
   bool operator==(const vtkRelievoGBufferLayout& other) const

@@ -31,7 +31,7 @@ std::string Section(const char* file, const char* section)
   return vtkRelievoShaderLibrary::GetSection(std::string("gbuffer/") + file, section);
 }
 
-// Normals at the points, which VTK's shader leaves out where it computes no light.
+// Whether there are normals at the points, which VTK's unlit shaders leave out.
 bool HasPointNormals(vtkOpenGLPolyDataMapper* mapper, vtkActor* actor)
 {
   return mapper->CurrentInput && mapper->CurrentInput->GetPointData()->GetNormals() &&
@@ -45,11 +45,11 @@ int vtkRelievoGBufferSplice::GetPrimitiveSource(vtkOpenGLPolyDataMapper* mapper,
 {
   if (vtkOpenGLGlyph3DHelper::SafeDownCast(mapper))
   {
-    // Culling hands out instances in an order of its own.
+    // Culling reorders the instances.
     auto* glyphs = vtkGlyph3DMapper::SafeDownCast(actor->GetMapper());
     return glyphs && glyphs->GetCullingAndLOD() ? NoPrimitive : InstanceOfGlyphs;
   }
-  // By name: PyVista's VTK leaves both classes out.
+  // By name: PyVista's VTK lacks both classes.
   if (mapper->IsA("vtkOpenGLSphereMapper") || mapper->IsA("vtkOpenGLStickMapper"))
   {
     return PointOfMesh;
@@ -126,7 +126,8 @@ std::string vtkRelievoGBufferSplice::Fill(std::string& vertex, std::string& geom
   const bool hasNormal = needsNormal || Has(fragment, "normalVCVSOutput");
   const bool spherePoints = Has(fragment, "ZCalcR") && Has(fragment, "gl_PointCoord");
   const bool tubeLines = Has(fragment, "ZCalcR") && Has(fragment, "float lenZ");
-  // Actors of other representations may share the mapper, and so these shaders: a uniform tells.
+  // Actors of other representations may share the mapper and its shaders, so a uniform
+  // distinguishes them.
   const bool faces = triangles && !impostor;
 
   if (needsNormal)
@@ -148,11 +149,11 @@ std::string vtkRelievoGBufferSplice::Fill(std::string& vertex, std::string& geom
 
   if (mode.LayersOnly)
   {
-    // Of edges: half a line's width around each triangle.
+    // VTK widens edges by half a line's width around each triangle.
     vtkShaderProgram::Substitute(geometry, " + offsets[i]*", " + 0.0*", false);
   }
 
-  // VTK's own, of edges and wide lines, hand the number on as well.
+  // VTK's own geometry shaders, for edges and wide lines, pass the number on as well.
   if (numbered && layout.IdWord >= 0 && geometry.empty() &&
     mode.PrimitiveIds == vtkRelievoPrimitiveIds::ThroughGeometryShader)
   {
@@ -180,11 +181,11 @@ std::string vtkRelievoGBufferSplice::Fill(std::string& vertex, std::string& geom
   define(tubeLines && !spherePoints, "RELIEVO_TUBE_LINES");
   define(Has(fragment, "vec3 albedo ="), "RELIEVO_PBR_ALBEDO");
   define(Has(fragment, "float diffuseIntensityBF;"), "RELIEVO_BACKFACE_PROPERTY");
-  // VTK complains of attributes of culled glyphs that a shader does not use: let it use all.
+  // VTK reports an error if a shader ignores attributes of culled glyphs, so it keeps all of them.
   const bool culledGlyphs = source == NoPrimitive && vtkOpenGLGlyph3DHelper::SafeDownCast(mapper);
   define(mode.LayersOnly && !culledGlyphs, "RELIEVO_LAYERS_ONLY");
   define(mode.LinearVisibility, "RELIEVO_LINEAR_VISIBILITY");
-  // VTK 9.1 adds the offset alone.
+  // VTK 9.1 adds only the offset.
   define(Has(fragment, "FragCoord.z + cFactor") || Has(fragment, "FragCoord.z + 1.0*cOffset"),
     "RELIEVO_COINCIDENT_OFFSET");
 
@@ -197,7 +198,7 @@ std::string vtkRelievoGBufferSplice::Fill(std::string& vertex, std::string& geom
   const std::size_t end = fragment.find("//RELIEVO::Texture::End");
   if (begin != std::string::npos && end != std::string::npos && begin < end)
   {
-    // Of the colour, and of the highlight's.
+    // Once for the colour, once for the highlight's colour.
     FillMark(write, "//RELIEVO::Texture::Copy", fragment.substr(begin, end - begin));
     FillMark(write, "//RELIEVO::Texture::Copy", fragment.substr(begin, end - begin));
   }

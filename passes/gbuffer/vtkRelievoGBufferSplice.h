@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Puts shaders/gbuffer into the shaders that VTK's mappers build, in VTK's two replacement steps.
+// Splices shaders/gbuffer into the shaders of VTK's mappers, in VTK's two replacement steps.
 #ifndef vtkRelievoGBufferSplice_h
 #define vtkRelievoGBufferSplice_h
 
@@ -15,7 +15,7 @@ struct vtkRelievoGBufferLayout;
 
 namespace vtkRelievoGBufferSplice
 {
-// Where a fragment's primitive word comes from.
+// Source of a fragment's primitive word.
 enum PrimitiveSource
 {
   PrimitiveOfMesh = RELIEVO_PRIMITIVE_OF_MESH,
@@ -24,20 +24,21 @@ enum PrimitiveSource
   PointOfMesh = RELIEVO_PRIMITIVE_OF_POINTS // a sphere or a stick at every point
 };
 
-// The source of a mapper that draws for an actor now, and the one that its shader was made with.
+// The source for the mapper's present draw of the actor, and the source that a shader was built
+// with.
 int GetPrimitiveSource(vtkOpenGLPolyDataMapper* mapper, vtkActor* actor);
 int GetPrimitiveSource(const std::string& fragment);
 
-// Marks the places, before VTK fills its own tags.
+// Inserts marks before VTK replaces its own tags.
 void Mark(std::string& vertex, std::string& geometry, std::string& fragment);
 
-// How the layers are drawn, beside what they are.
+// Settings of the drawing, independent of the layout.
 struct Mode
 {
-  bool LayersOnly = false;       // nobody sees the colour
+  bool LayersOnly = false;       // the colour is not shown
   bool LinearVisibility = false; // the depth buffer holds depth / far
   int PrimitiveIds = 0;          // a vtkRelievoPrimitiveIds::Route
-  bool Deferred = false;         // VTK's lights are left out where that can be
+  bool Deferred = false;         // VTK's lights are left out where possible
 
   bool operator!=(const Mode& other) const
   {
@@ -47,7 +48,7 @@ struct Mode
   }
 };
 
-// Fills the places. Returns what is missing, in words, and leaves the shaders as they are then.
+// Fills the marks. On failure returns a message and leaves the shaders unchanged.
 std::string Fill(std::string& vertex, std::string& geometry, std::string& fragment,
   vtkOpenGLPolyDataMapper* mapper, vtkActor* actor, const vtkRelievoGBufferLayout& layout,
   const Mode& mode);

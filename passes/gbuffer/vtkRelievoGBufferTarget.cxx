@@ -36,7 +36,7 @@ TexelFormat GetTexelFormat(int channels)
   }
 }
 
-// The first color attachment from the top that nobody uses.
+// The first unused color attachment from the top.
 unsigned int FindFreeAttachment(unsigned int from)
 {
   for (unsigned int attachment = from; attachment > GL_COLOR_ATTACHMENT0; --attachment)
@@ -54,7 +54,7 @@ unsigned int FindFreeAttachment(unsigned int from)
 
 constexpr int BandBytes = 1 << 18;
 
-// Every `stride`-th of the words.
+// Copies every `stride`-th word.
 void Gather(const std::uint32_t* from, int stride, std::uint32_t* to, std::ptrdiff_t count)
 {
   for (std::ptrdiff_t i = 0; i < count; ++i)
@@ -63,7 +63,7 @@ void Gather(const std::uint32_t* from, int stride, std::uint32_t* to, std::ptrdi
   }
 }
 
-// Draw buffer 0 is the colour's.
+// Draw buffer 0 belongs to the colour.
 void ClearToBackground(const vtkRelievoGBufferLayout& layout)
 {
   for (int i = 0; i < layout.GetNumberOfAttachments(); ++i)
@@ -99,12 +99,12 @@ std::string vtkRelievoGBufferTarget::Allocate(
   {
     this->Release(window);
     std::ostringstream out;
-    out << "layers of " << width << " x " << height
-        << " pixels are asked, this OpenGL makes at most " << limit << " x " << limit
+    out << "the layers need " << width << " x " << height
+        << " pixels, but this OpenGL supports at most " << limit << " x " << limit
         << ": make the window smaller, or capture it in tiles";
     return out.str();
   }
-  // Draw buffer 0 is the colour's.
+  // Draw buffer 0 belongs to the colour.
   GLint buffers = 0;
   GLint attachments = 0;
   glGetIntegerv(GL_MAX_DRAW_BUFFERS, &buffers);
@@ -114,9 +114,9 @@ std::string vtkRelievoGBufferTarget::Allocate(
   {
     this->Release(window);
     std::ostringstream out;
-    out << "the layers that are asked take " << layout.GetNumberOfWords()
-        << " words of 32 bits a pixel, at most " << 4 * most
-        << " are written at once: ask for fewer layers, or choose a smaller format for normals";
+    out << "the requested layers take " << layout.GetNumberOfWords()
+        << " words of 32 bits per pixel, but at most " << 4 * most
+        << " can be written at once: request fewer layers, or choose a smaller format for normals";
     return out.str();
   }
   std::vector<int> channels;
@@ -159,7 +159,7 @@ std::string vtkRelievoGBufferTarget::Allocate(
 std::string vtkRelievoGBufferTarget::AttachShared(
   const vtkRelievoGBufferLayout& layout, const int region[4])
 {
-  // A capture's own depth is not held on to.
+  // A capture does not keep its own depth.
   if (this->Depth)
   {
     this->Depth->ReleaseGraphicsResources(this->Window);
@@ -173,7 +173,8 @@ std::string vtkRelievoGBufferTarget::AttachShared(
   {
     return "the delegate draws to the window itself";
   }
-  // A pass that draws larger and scales down, say: the textures would cut its picture off.
+  // With a pass that draws larger and scales down, for example, the textures would clip the
+  // picture.
   GLint viewport[4] = { 0, 0, 0, 0 };
   glGetIntegerv(GL_VIEWPORT, viewport);
   if (!std::equal(viewport, viewport + 4, region))
@@ -310,8 +311,8 @@ void vtkRelievoGBufferTarget::WriteLayers(bool on)
   {
     return;
   }
-  // Past vtkOpenGLState on purpose: what VTK believes of this framebuffer is true again when the
-  // layers are off.
+  // Bypasses vtkOpenGLState on purpose: VTK's cached state of this framebuffer is valid again once
+  // the layers are off.
   if (on)
   {
     glDrawBuffers(static_cast<GLsizei>(this->DrawBuffers.size()), this->DrawBuffers.data());
@@ -342,8 +343,8 @@ bool vtkRelievoGBufferTarget::Read(
     this->Textures[attachment]->GetHandle(), 0);
   glReadBuffer(GL_COLOR_ATTACHMENT0);
   state->vtkglPixelStorei(GL_PACK_ALIGNMENT, 4);
-  // Reading waits for the drawing anyway; Mesa's software OpenGL forgets to wait for what a
-  // framebuffer drew that is no longer bound, and gives some tiles as they were before.
+  // Reading waits for the drawing anyway. Mesa's software OpenGL does not wait for the drawing of a
+  // framebuffer that is no longer bound, and returns old content for some tiles.
   glFinish();
   const int width = region[2];
   const GLenum format = GetTexelFormat(channels).External;
@@ -354,7 +355,7 @@ bool vtkRelievoGBufferTarget::Read(
       Gather(band + k, channels, planes[k] + first, static_cast<std::ptrdiff_t>(rows) * width);
     }
   };
-  // A GPU waits for each call, and copies fastest into memory that OpenGL gives.
+  // A GPU waits for each call, and copies fastest into memory owned by OpenGL.
   const auto bytes = static_cast<GLsizeiptr>(sizeof(std::uint32_t)) * channels * width * region[3];
   const void* read = nullptr;
   if (!vtkRelievoIsSoftwareOpenGL())
@@ -375,7 +376,7 @@ bool vtkRelievoGBufferTarget::Read(
   }
   if (!read)
   {
-    // Row by row of what the processor's cache holds: then each word is fetched from memory once.
+    // In bands that fit the processor's cache, so that each word is fetched from memory only once.
     const int most = std::max(1, BandBytes / std::max(1, 4 * channels * width));
     std::vector<std::uint32_t> band(static_cast<std::size_t>(most) * channels * width);
     for (int y = 0; y < region[3]; y += most)

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The textures of the G-buffer and how they come before the pen: as further attachments of a
-// framebuffer that somebody else draws to, or in a framebuffer of their own with its own depth.
+// The textures of the G-buffer, bound as additional attachments of another pass's framebuffer, or
+// in a framebuffer of their own with its own depth.
 #ifndef vtkRelievoGBufferTarget_h
 #define vtkRelievoGBufferTarget_h
 
@@ -27,24 +27,25 @@ public:
   vtkRelievoGBufferTarget(const vtkRelievoGBufferTarget&) = delete;
   void operator=(const vtkRelievoGBufferTarget&) = delete;
 
-  // Textures for the layout, width x height texels. Returns what is wrong, in words.
+  // Makes the textures for the layout, width x height texels. Returns an error message, or an empty
+  // string.
   std::string Allocate(
     vtkOpenGLRenderWindow* window, const vtkRelievoGBufferLayout& layout, int width, int height);
 
-  // Adds the textures to the framebuffer bound for drawing; the region x y w h is cleared to the
-  // background. Returns why it cannot be, in words; nothing has changed then.
+  // Adds the textures to the framebuffer bound for drawing, and clears the region x y w h to the
+  // background. Returns an error message, with nothing changed, or an empty string.
   std::string AttachShared(const vtkRelievoGBufferLayout& layout, const int region[4]);
   void DetachShared();
 
-  // Draws into the textures and a depth buffer of their own.
+  // Binds a framebuffer with the textures and its own depth buffer.
   std::string BeginOwn(const vtkRelievoGBufferLayout& layout);
   void EndOwn();
 
-  // Between Begin/Attach and End/Detach: whether the draw calls that follow write the layers.
+  // Between Begin/Attach and End/Detach: whether the following draw calls write the layers.
   void WriteLayers(bool on);
 
-  // The attachment's words, each of them for all pixels of the region, row 0 at the bottom, into
-  // its own of the planes.
+  // Reads the attachment's words for all pixels of the region, row 0 at the bottom, each word into
+  // its own plane.
   bool Read(int attachment, const int region[4], const std::vector<std::uint32_t*>& planes);
 
   vtkTextureObject* GetTexture(int attachment);
@@ -59,7 +60,7 @@ private:
   vtkSmartPointer<vtkOpenGLFramebufferObject> Framebuffer;
   int Width = 0;
   int Height = 0;
-  std::vector<unsigned int> DrawBuffers; // with the layers; location 0 first
+  std::vector<unsigned int> DrawBuffers; // with the layers; index 0 is location 0
   unsigned int SharedFramebuffer = 0;
   unsigned int SharedColorBuffer = 0;
   bool Writing = false;

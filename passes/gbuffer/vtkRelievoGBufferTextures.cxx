@@ -41,7 +41,7 @@ void vtkRelievoGBufferTextures::ActivateParts(vtkShaderProgram* program)
 {
   if (this->Draws)
   {
-    // Numbers of 32 bits in halves, which floats hold.
+    // Splits 32-bit numbers into halves, which floats represent exactly.
     std::vector<float> texels;
     for (const vtkRelievoDrawTable::PartStart& start : this->Draws->GetParts())
     {
@@ -54,7 +54,7 @@ void vtkRelievoGBufferTextures::ActivateParts(vtkShaderProgram* program)
     texels.resize(std::max<std::size_t>(texels.size(), 4));
     if (!this->Parts.Upload(this->Window, texels, 4).empty())
     {
-      this->NumberOfParts = 0; // more than a list can hold: all is one part
+      this->NumberOfParts = 0; // too many for a list: all parts count as one
     }
   }
   this->Parts.Activate(program, "relievoParts");

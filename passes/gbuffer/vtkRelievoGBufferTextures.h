@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The layers of a frame as its stages read them on the GPU: shaders include gbuffer/read.glsl.
+// Gives stages access to a frame's layers on the GPU: shaders include gbuffer/read.glsl.
 #ifndef vtkRelievoGBufferTextures_h
 #define vtkRelievoGBufferTextures_h
 
@@ -17,11 +17,12 @@ struct vtkRelievoGBufferLayout;
 class vtkRelievoGBufferTextures : public vtkRelievoShading
 {
 public:
-  // The viewport begins at `offset` within the textures.
+  // The viewport starts at `offset` within the textures.
   void Set(const vtkRelievoGBufferLayout& layout, vtkRelievoGBufferTarget& target,
     const int offset[2], bool worldNormals);
 
-  // What ids belong together (relievoFetchPart): made of the frame's draws if a shader asks.
+  // Sets the draws from which relievoFetchPart finds connected ids, evaluated only if a shader uses
+  // it.
   void SetDraws(const vtkRelievoDrawTable& draws, vtkOpenGLRenderWindow* window);
   vtkIdType GetBytes() const { return this->Parts.GetBytes(); }
   void Release(vtkWindow* window);
@@ -37,7 +38,7 @@ private:
   vtkRelievoGBufferTarget* Target = nullptr;
   int Offset[2] = { 0, 0 };
   bool WorldNormals = true;
-  const vtkRelievoDrawTable* Draws = nullptr; // until they are in Parts
+  const vtkRelievoDrawTable* Draws = nullptr; // until they are converted to Parts
   vtkOpenGLRenderWindow* Window = nullptr;
   vtkRelievoTextureBuffer Parts;
   int NumberOfParts = 0;

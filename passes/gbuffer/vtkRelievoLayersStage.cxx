@@ -56,24 +56,24 @@ public:
   vtkWeakPointer<vtkRenderer> Renderer;
   vtkRelievoDrawTable Draws;
   vtkRelievoGlyphReach Glyphs;
-  vtkRelievoMeshLinks Links; // built when a read needs them
+  vtkRelievoMeshLinks Links; // built by the first read that needs them
   vtkRelievoOpaqueProps Props;
-  std::set<std::string> Reported; // refusals that have been reported, by reason and mapper's class
+  std::set<std::string> Reported; // reported refusals, by reason and mapper's class
   std::string NotShared;          // why the delegate's geometry pass cannot be shared
   vtkRelievoPrimitiveIds::Route PrimitiveIds = vtkRelievoPrimitiveIds::AsWritten;
   bool Writing = false;
   bool RefinesDepth = true;              // of the last frame
-  bool ShadingAsked = false;             // surfaces are to be lit by a later stage
-  bool Shading = false;                  // and can be
+  bool ShadingAsked = false;             // a later stage requests to light the surfaces
+  bool Shading = false;                  // and is able to
   std::map<vtkMapper*, int> LineShaders; // vtkRelievoSurfaces::LineShaders, where VTK has several
-  bool Alternating = false; // an actor's shaders are wrong for another that shares its mapper
-  std::map<vtkMapper*, std::string> Lit;            // then: why VTK has to light what they draw
-  std::map<vtkShaderProgram*, std::string> LeftOut; // the same of this frame's programs
+  bool Alternating = false;              // actors that share a mapper need different shaders
+  std::map<vtkMapper*, std::string> Lit; // reasons why VTK lights a mapper's surfaces
+  std::map<vtkShaderProgram*, std::string> LeftOut; // reasons of this frame's programs
   bool DrawsWithoutLayers =
-    false;            // something is drawn that writes no layers, and cannot be told apart
+    false;            // a draw writes no layers, and its pixels cannot be told from others
   bool Valid = false; // the textures hold the last frame's layers
 
-  // The layout for what is asked of the stage.
+  // Computes the layout for the stage's requested layers.
   void Arrange(vtkRelievoLayersStage& self, const vtkRelievoFrameContext& context);
 
   void CountLeft(vtkShaderProgram* program, vtkOpenGLPolyDataMapper* mapper, vtkActor* actor);
@@ -117,7 +117,7 @@ void vtkRelievoLayersStage::Describe(vtkRelievoStageDescription& description)
     }
   }
   description.WritesArrays = true;
-  // For stages that light: beside VTK's own light, and in its place.
+  // For lighting stages: next to VTK's own light, and instead of it.
   description.Writes = { "surface", "shading" };
 }
 
@@ -152,13 +152,13 @@ bool vtkRelievoLayersStage::Prepare(vtkRelievoFrameContext& context)
   }
   if (lit != in.Lit)
   {
-    // Actors that share a mapper share its shaders: one may change what is right for all.
+    // Actors that share a mapper share its shaders, so a change of one may affect all.
     in.Lit = lit;
     this->ModifyShaders();
   }
   if (RELIEVO_VTK_WIDE_LINE_NORMALS)
   {
-    // After a change a mapper may still have the shaders of an actor that is hidden now.
+    // After a change a mapper may still have the shaders of an actor that is now hidden.
     std::map<vtkMapper*, int> lines = vtkRelievoSurfaces::FindLineShaders(context.Scene);
     if (lines != in.LineShaders)
     {
@@ -185,7 +185,7 @@ bool vtkRelievoLayersStage::Prepare(vtkRelievoFrameContext& context)
   in.NotShared.clear();
   if (in.ShadingAsked && !in.Shading && context.GetAsked(this).size() == 1)
   {
-    in.NotShared = in.Textures.WhyNot; // nothing else is asked for
+    in.NotShared = in.Textures.WhyNot; // no other layer is requested
   }
   else if (!this->ShareGeometryPass)
   {
@@ -276,8 +276,7 @@ void vtkRelievoLayersStage::Execute(vtkRelievoFrameContext& context)
     if (asked.size() == 1)
     {
       in.Target.Release(context.Window);
-      this->Explain(
-        "idle", "nothing but shading is asked for, and VTK lights: " + in.Textures.WhyNot);
+      this->Explain("idle", "only shading is asked for, and VTK lights: " + in.Textures.WhyNot);
       return;
     }
   }
@@ -324,8 +323,7 @@ void vtkRelievoLayersStage::DrawOwnPass(vtkRelievoFrameContext& context)
     in.Draws.Clear();
     in.Writing = true;
     in.Props.AddPass(this);
-    // Hidden lines are removed where the picture's are: of VTK's ways to draw a picture, only the
-    // renderer's own steps remove them.
+    // Removes hidden lines if the picture does: only the renderer's own steps remove them in VTK.
     in.Props.RenderOpaque(
       context.Renderer, context.Renderer->GetUseHiddenLineRemoval() && context.OwnSteps);
     in.Props.RemovePass(this);
@@ -460,7 +458,7 @@ void vtkRelievoLayersStage::Internals::Arrange(
       vtkRelievoLayerReader::AddChannels(layer, layout);
     }
   }
-  // A depth that shares its texel with the normal is as it was written.
+  // A depth that shares its texel with the normal is not refined.
   const bool together =
     layout.NormalDepth != NORMAL_DEPTH_SEPARATE && layout.Normal && layout.Depth;
   const bool refines = self.RefineDepth && layout.DepthFormat == DEPTH_32F && !together;
@@ -469,7 +467,7 @@ void vtkRelievoLayersStage::Internals::Arrange(
     layout.Ids = layout.Ids ||
       (refines && vtkRelievoLayerCatalogue::Find(layer).Source == vtkRelievoLayer::FROM_DEPTH);
   }
-  // Where a pixel's place does not follow from its depth.
+  // Whether some pixels' positions do not follow from their depth.
   const bool placed = std::any_of(
     context.ReadBack.begin(), context.ReadBack.end(), vtkRelievoLayerReader::NeedsPlaces);
   layout.Places = placed && vtkRelievoSurfaces::AreMoved(context.Scene);
@@ -482,7 +480,7 @@ void vtkRelievoLayersStage::Internals::Arrange(
     layout.SurfaceSpecular = surfaces.Specular;
     layout.SurfacePbr = surfaces.Pbr;
   }
-  std::vector<int> asked; // lights whose visibility is a layer
+  std::vector<int> asked; // lights whose visibility is a requested layer
   this->Textures.WhyNot.clear();
   this->Textures.Left.clear();
   this->Textures.Deferred = this->Textures.NumberOfLights = 0;
@@ -490,7 +488,8 @@ void vtkRelievoLayersStage::Internals::Arrange(
   if (this->ShadingAsked)
   {
     this->Textures.WhyNot = this->DrawsWithoutLayers
-      ? "something has been drawn by a shader that takes no splice, or not in one go"
+      ? "a surface was drawn by a shader that takes no splice, or the delegate draws in several "
+        "steps"
       : context.ColorsLight ? "translucent surfaces colour the light that passes them"
                             : vtkRelievoSurfaces::WhyAllLit(context.Scene, context.Window);
   }
@@ -560,7 +559,7 @@ void vtkRelievoLayersStage::SpliceShaders(
   const std::string name = mapper->GetClassName();
   if (this->IsNews(mapper, outcome))
   {
-    vtkWarningMacro("No layers of what " << name << " draws: " << outcome.Wrong << ".");
+    vtkWarningMacro("No layers of geometry drawn by " << name << ": " << outcome.Wrong << ".");
   }
   const bool numbered = vtkRelievoGBufferSplice::GetPrimitiveSource(mapper, actor) !=
     vtkRelievoGBufferSplice::GetPrimitiveSource(shaders.Fragment);
@@ -568,9 +567,9 @@ void vtkRelievoLayersStage::SpliceShaders(
     in.Mode.PrimitiveIds == vtkRelievoPrimitiveIds::ThroughGeometryShader &&
     in.Reported.insert(name + "ids").second)
   {
-    vtkErrorMacro("No cell ids of what "
-      << name << " draws: with this OpenGL they need a geometry shader, which cannot hand on all "
-      << "that its vertex shader puts out. Declare one output of a simple type on a line.");
+    vtkErrorMacro("No cell ids of geometry drawn by "
+      << name << ": with this OpenGL they need a geometry shader, which cannot pass on all outputs "
+      << "of the vertex shader. Declare one output of a simple type per line.");
   }
 }
 
@@ -585,7 +584,7 @@ bool vtkRelievoLayersStage::SetShaderParameters(vtkShaderProgram* program,
   {
     return true;
   }
-  // Nor into the depth buffer alone (hidden line removal).
+  // Draws into the depth buffer alone (hidden line removal) write no layers.
   unsigned char mask[4] = { 1, 1, 1, 1 };
   static_cast<vtkOpenGLRenderWindow*>(in.Renderer->GetRenderWindow())
     ->GetState()
@@ -603,8 +602,9 @@ bool vtkRelievoLayersStage::SetShaderParameters(vtkShaderProgram* program,
   if (vtkRelievoIsProjective(actor->GetMatrix()) && in.Reported.insert("projective").second)
   {
     vtkWarningMacro("An actor's matrix is projective: its last row is not 0 0 0 1. VTK lights it "
-                    "elsewhere than it draws it, and its depth, positions, normals and shadows are "
-                    "of there; move its points instead, with vtkTransformFilter.");
+                    "at other positions than it draws it, and its depth, positions, normals and "
+                    "shadows are those of the lit positions; transform its points instead, with "
+                    "vtkTransformFilter.");
   }
   if (in.Layout.IdWord >= 0)
   {
@@ -620,8 +620,8 @@ bool vtkRelievoLayersStage::SetShaderParameters(vtkShaderProgram* program,
     program->SetUniformi("relievoFirstPrimitive", static_cast<int>(first));
     if (first == vtkRelievoDrawTable::Nothing && in.Reported.insert("words").second)
     {
-      vtkErrorMacro("More primitives are drawn than 32 bits count: what is drawn last has the ids "
-                    "-1, no arrays, and depth as the rasteriser rounds it. Draw less at once.");
+      vtkErrorMacro("More primitives are drawn than 32 bits can count: the last ones have the ids "
+                    "-1, no arrays, and depth with the rasteriser's rounding. Draw fewer at once.");
     }
   }
   in.Glyphs.SetUniforms(program, mapper);
@@ -640,13 +640,13 @@ bool vtkRelievoLayersStage::SetShaderParameters(vtkShaderProgram* program,
 }
 
 //------------------------------------------------------------------------------
-// Counts the draw among those whose light is left out, or those that VTK lights, and why.
+// Counts the draw as deferred, or as lit by VTK for a reason.
 void vtkRelievoLayersStage::Internals::CountLeft(
   vtkShaderProgram* program, vtkOpenGLPolyDataMapper* mapper, vtkActor* actor)
 {
   if (!this->Mode.Deferred || !actor->GetProperty()->GetLighting())
   {
-    return; // there is nothing to leave out
+    return; // an unlit surface
   }
   auto known = this->LeftOut.find(program);
   if (known == this->LeftOut.end())
@@ -655,14 +655,14 @@ void vtkRelievoLayersStage::Internals::CountLeft(
     const bool out = fragment.find("#define RELIEVO_LIGHT_LEFT_OUT") != std::string::npos;
     std::string why = out ? std::string() : this->WhyLit(actor);
     why = out || !why.empty() ? why : vtkRelievoSurfaces::WhyLit(mapper, fragment);
-    why = out || !why.empty() ? why : "has no light in its shader as VTK writes it";
+    why = out || !why.empty() ? why : "has a shader without VTK's code for lights";
     known = this->LeftOut.emplace(program, why).first;
   }
   ++(known->second.empty() ? this->Textures.Deferred : this->Textures.Left[known->second]);
 }
 
 //------------------------------------------------------------------------------
-// Why VTK has to light the actor: for itself, or for another one that shares its mapper's shaders.
+// The reason why VTK has to light the actor, or an actor that shares its mapper's shaders.
 std::string vtkRelievoLayersStage::Internals::WhyLit(vtkActor* actor) const
 {
   const auto found = this->Lit.find(actor->GetMapper());
@@ -673,7 +673,7 @@ std::string vtkRelievoLayersStage::Internals::WhyLit(vtkActor* actor) const
 //------------------------------------------------------------------------------
 vtkMTimeType vtkRelievoLayersStage::GetShaderStageMTime()
 {
-  // Where actors take turns in a mapper's shaders, each needs its own.
+  // If actors alternate in a mapper's shaders, each needs its own program.
   if (this->Internal->Alternating)
   {
     this->ModifyShaders();

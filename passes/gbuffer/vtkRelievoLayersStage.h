@@ -2,18 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkRelievoLayersStage
- * @brief The stage that makes the layers: depth, normals, albedo, ids, per pixel, single sample.
+ * @brief The stage that makes the layers: depth, normals, albedo and ids per pixel, single sample.
  *
  * The layers are written while the delegate draws its opaque geometry, into additional attachments
- * of the framebuffer that it draws to; where that is impossible (a multisampled framebuffer, a
- * delegate that uses the attachments itself, far/near beyond 1e4, props that write no layers), in a
- * separate geometry pass without lighting. The frame report says which.
+ * of its framebuffer; if that is impossible (a multisampled framebuffer, a delegate that uses the
+ * attachments itself, far/near beyond 1e4, props that write no layers), in a separate geometry pass
+ * without lighting. The frame report tells which.
  *
- * Every value belongs to the pixel's centre. Surfaces, lines and points of vtkPolyDataMapper,
- * composite mappers and vtkGlyph3DMapper, sphere and stick impostors are written; translucent
+ * Every value is that of the pixel's centre. Surfaces, lines and points of vtkPolyDataMapper,
+ * composite mappers and vtkGlyph3DMapper, and sphere and stick impostors are written; translucent
  * geometry, volumes, images, skyboxes, text and 2D actors are not.
  *
- * GPU memory: one or more unsigned integer textures; vtkRelievoGBufferLayout says what a word is.
+ * GPU memory: one or more unsigned integer textures, described in vtkRelievoGBufferLayout.
  */
 #ifndef vtkRelievoLayersStage_h
 #define vtkRelievoLayersStage_h
@@ -34,11 +34,11 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * Formats of a normal. AUTO takes FLOAT32 where it costs no further attachment, otherwise
-   * OCT16. Bits and largest errors: 96 and 1e-5 degrees; 48 and 0.023; 32 and 0.0037; 32 and
-   * 0.0025; 16 and 0.95; 16 and 0.64; 30 and 0.097; 24 and 0.39 (docs/choosing-formats.md).
-   * Octahedral: Cigolle et al., A Survey of Efficient Representations for Independent Unit Vectors,
-   * JCGT 3(2), 2014.
+   * Formats of a normal. AUTO selects FLOAT32 if it costs no further attachment, otherwise OCT16.
+   * Bits and largest errors: 96 and 1e-5 degrees; 48 and 0.023; 32 and 0.0037; 32 and 0.0025; 16
+   * and 0.95; 16 and 0.64; 30 and 0.097; 24 and 0.39 (docs/choosing-formats.md). Octahedral:
+   * Cigolle et al., A Survey of Efficient Representations for Independent Unit Vectors, JCGT 3(2),
+   * 2014.
    */
   enum NormalFormats
   {
@@ -87,18 +87,21 @@ public:
   ///@}
 
   ///@{
-  /** Format of the layer depth, and so of range and position. Default DEPTH_32F. */
+  /**
+   * Format of the layer depth, and of range and position, which depend on it. Default DEPTH_32F.
+   */
   vtkSetClampMacro(DepthFormat, int, DEPTH_32F, DEPTH_REVERSED_32F);
   vtkGetMacro(DepthFormat, int);
   ///@}
 
   ///@{
   /**
-   * The error that a format may have, in place of SetNormalFormat and SetDepthFormat: the smallest
-   * whose largest error is no larger is used, of those that do not depend on the near and far plane
-   * (docs/choosing-formats.md). Normals in degrees, 1e-5 to 180; depth as a share of it, 6e-8 to 1.
-   * 0 (default): the format that is set. An error, and nothing is set, for other values. With a
-   * tolerance, normal and depth do not share a texel, whatever SetNormalDepthFormat says.
+   * The largest allowed error, in place of SetNormalFormat and SetDepthFormat: the stage selects
+   * the smallest format within the tolerance, among those that do not depend on the near and far
+   * planes (docs/choosing-formats.md). Normals in degrees, 1e-5 to 180; depth as a share of the
+   * depth, 6e-8 to 1. 0 (default): the format that is set. Other values are an error, and nothing
+   * is set. With a tolerance, normal and depth do not share a texel, whatever SetNormalDepthFormat
+   * says.
    */
   void SetNormalTolerance(double degrees);
   vtkGetMacro(NormalTolerance, double);
@@ -115,7 +118,7 @@ public:
   ///@}
 
   ///@{
-  /** Space of the normals as they are read: WORLD (default) or VIEW (eye space). */
+  /** Space of the normals that are read: WORLD (default) or VIEW (eye space). */
   vtkSetClampMacro(NormalSpace, int, WORLD, VIEW);
   vtkGetMacro(NormalSpace, int);
   ///@}
@@ -123,7 +126,7 @@ public:
   ///@{
   /**
    * Whether the layers may be written in the delegate's own geometry pass. Default on; off always
-   * takes a pass of their own.
+   * draws a separate pass.
    */
   vtkSetMacro(ShareGeometryPass, bool);
   vtkGetMacro(ShareGeometryPass, bool);
@@ -132,10 +135,9 @@ public:
 
   ///@{
   /**
-   * Whether depth, range and position are refined when they are read: where a triangle of a mesh is
-   * visible, the depth is computed from its corners in double, without the rasteriser's rounding.
-   * Costs the id word. Default on; only for separate DEPTH_32F, and not for actors with shader code
-   * of their own.
+   * Whether depth, range and position are refined when they are read: for a triangle of a mesh, the
+   * depth is computed from its corners in double, without the rasteriser's rounding. Costs the id
+   * word. Default on; only for separate DEPTH_32F, and not for actors with their own shader code.
    */
   vtkSetMacro(RefineDepth, bool);
   vtkGetMacro(RefineDepth, bool);
@@ -150,7 +152,7 @@ public:
   /** Whether the last frame wrote the layers in the delegate's geometry pass. */
   vtkGetMacro(Shared, bool);
 
-  /** Whether the layers of the last frame are held and can be read. */
+  /** Whether the layers of the last frame are available for reading. */
   bool GetHoldsLayers();
 
 #ifndef __VTK_WRAP__
@@ -159,16 +161,16 @@ public:
 #endif
 
   /**
-   * How the last frame got the number of a pixel's primitive, which cell ids and refined depths
-   * need: "as written" (by the fragment shader alone), "through a geometry shader", or "unreliable:
-   * ..." where this OpenGL gives wrong ones; empty if no layer needed it.
+   * Source of a pixel's primitive number in the last frame, which cell ids and refined depths need:
+   * "as written" (by the fragment shader alone), "through a geometry shader", or "unreliable: ..."
+   * if this OpenGL gives wrong ones; empty if no layer needed it.
    */
   std::string GetPrimitiveIds();
 
   /**
-   * How a window's OpenGL gives the number of a pixel's primitive, in GetPrimitiveIds' words: found
-   * by drawing a few triangles on the first call. The window must be initialized, and is made
-   * current.
+   * Tests a window's OpenGL for the source of primitive numbers, returned in GetPrimitiveIds'
+   * words, by drawing a few triangles in the first call. The window must be initialized, and
+   * becomes current.
    */
   static std::string ProbePrimitiveIds(vtkOpenGLRenderWindow* window);
 

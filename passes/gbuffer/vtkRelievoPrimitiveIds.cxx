@@ -40,7 +40,7 @@ bool IsWordPart(char c)
   return std::isalnum(static_cast<unsigned char>(c)) || c == '_';
 }
 
-// The declarations of outputs, one on a line as VTK writes them; false if one is of another form.
+// Parses the declarations of outputs, one per line as VTK writes them; false for any other form.
 bool FindVaryings(const std::string& vertex, std::vector<Varying>& varyings)
 {
   std::istringstream lines(vertex);
@@ -98,7 +98,7 @@ void Rename(std::string& source, const std::string& name, const std::string& oth
   }
 }
 
-// Draws with so many varyings beside the number and reads it back.
+// Draws with `varyings` varyings beside the number, and reads the number back.
 bool Try(vtkOpenGLRenderWindow* window, int varyings, bool geometryShader)
 {
   using namespace vtkRelievoPrimitiveIds;
@@ -110,8 +110,8 @@ bool Try(vtkOpenGLRenderWindow* window, int varyings, bool geometryShader)
   std::string geometry;
   if (geometryShader)
   {
-    // The vertex shader's conditions are resolved here: MakeGeometryShader takes every varying that
-    // it finds in the text.
+    // Resolves the vertex shader's preprocessor conditions, because MakeGeometryShader takes every
+    // varying in the text.
     std::string plain;
     std::istringstream lines(vertex);
     std::string line;
@@ -173,7 +173,7 @@ vtkRelievoPrimitiveIds::Route Probe(vtkOpenGLRenderWindow* window)
   glGenFramebuffers(1, &framebuffer);
   state->vtkglBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
   glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture, 0);
-  // VTK remembers the buffers of the framebuffer bound before and may think that nothing changes.
+  // VTK caches the buffers of the framebuffer bound before, and may skip the change.
   unsigned int buffer = GL_COLOR_ATTACHMENT0;
   state->vtkglDrawBuffers(1, &buffer);
   glDrawBuffers(1, &buffer);
@@ -276,7 +276,7 @@ std::string vtkRelievoPrimitiveIds::MakeGeometryShader(std::string& vertex, int 
   std::string copies;
   for (const Varying& varying : varyings)
   {
-    // VTK's shader cache gives the fragment shader's inputs the ending GSOutput.
+    // VTK's shader cache appends GSOutput to the fragment shader's inputs.
     std::string in = varying.Name;
     std::string out = varying.Name;
     if (Has(in, "VSOut"))

@@ -35,7 +35,7 @@ namespace
 {
 const char* const PointsOrLines = "draws points or lines";
 
-// A section of shaders/gbuffer/lights.glsl without the ends of its lines.
+// A section of shaders/gbuffer/lights.glsl without its line ends.
 std::string Section(const char* name)
 {
   const std::string text = vtkRelievoShaderLibrary::GetSection("gbuffer/lights.glsl", name);
@@ -69,7 +69,7 @@ void ForEachLit(const vtkRelievoFrameScene& scene, const Work& work)
   });
 }
 
-// Data that is no polydata may have any cells.
+// Data other than polydata may have cells of any kind.
 bool HasLines(vtkDataObject* data)
 {
   if (auto* composite = vtkCompositeDataSet::SafeDownCast(data))
@@ -160,7 +160,7 @@ std::map<vtkMapper*, std::string> vtkRelievoSurfaces::FindLit(
   std::map<vtkMapper*, std::string> lit;
   ForEachLit(scene, [&](vtkActor* actor, vtkMatrix4x4* matrix) {
     const bool mirrored = (matrix->Determinant() < 0.0) != mirrors;
-    // VTK turns normals by the winding of faces, which a mirroring matrix inverts.
+    // VTK orients normals by the winding of faces, which a mirroring matrix inverts.
     const std::string why =
       mirrored ? "is mirrored, so that VTK lights its other side" : WhyLit(actor, renderer);
     if (!why.empty())
@@ -195,7 +195,7 @@ std::string vtkRelievoSurfaces::WhyAllLit(
     if (actor->GetForceOpaque() && actor->HasTranslucentPolygonalGeometry() == 0 &&
       property->GetOpacity() < 1.0)
     {
-      why = "something translucent is forced to be drawn among the opaque geometry";
+      why = "a translucent surface is forced to be drawn among the opaque geometry";
     }
     else if (actor->GetMapper()->IsA("vtkPointGaussianMapper"))
     {
@@ -211,7 +211,7 @@ std::string vtkRelievoSurfaces::WhyAllLit(
     }
     else if (shaders && shaders->HasFragmentShaderCode())
     {
-      why = "an actor has a whole fragment shader of its own";
+      why = "an actor replaces the whole fragment shader";
     }
   });
   return why;
@@ -233,7 +233,7 @@ bool vtkRelievoSurfaces::IsMoved(vtkActor* actor)
   {
     return shaders != nullptr;
   }
-  // Skins move in the mesh's space: what they show follows from its depth.
+  // Skins move in the mesh's space, so their position follows from the depth.
   auto* skin = dynamic_cast<vtkRelievoMovedMesh*>(actor);
   const int count = shaders->GetNumberOfShaderReplacements();
   bool found = false;
@@ -253,7 +253,7 @@ bool vtkRelievoSurfaces::LeaveLightOut(std::string& fragment)
     return at == std::string::npos || !behind ? at : at + text.size();
   };
   std::size_t begin = find("PbrBegin", true);
-  // VTK 9.7 has the one in the place of the other.
+  // VTK 9.7 replaces one with the other.
   std::size_t end = std::min(find("PbrEnd", false), find("PbrEndWithoutEnvironment", false));
   std::string unlit;
   if (begin == std::string::npos)
@@ -262,7 +262,7 @@ bool vtkRelievoSurfaces::LeaveLightOut(std::string& fragment)
     end = find("PhongEnd", true);
     unlit = Section("Unlit");
   }
-  // What a clear coat declares there is used behind.
+  // Later code uses variables that a clear coat declares there.
   if (begin >= end || end == std::string::npos || find("CoatBegin", false) != std::string::npos)
   {
     return false;
@@ -296,7 +296,7 @@ std::string vtkRelievoSurfaces::WhyLit(vtkActor* actor, vtkRenderer* renderer)
 //------------------------------------------------------------------------------
 std::string vtkRelievoSurfaces::WhyLit(vtkOpenGLPolyDataMapper* mapper, const std::string& fragment)
 {
-  // A point or a line has one place across its width, spheres and tubes another than VTK lights.
+  // Points and lines have one position across their width; VTK lights spheres and tubes at another.
   if (!vtkRelievoAccess::Mapper::DrawsTriangles(mapper))
   {
     return PointsOrLines;

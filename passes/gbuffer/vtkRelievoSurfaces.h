@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What surfaces do with light, as VTK's properties have it: what of it is stored per pixel, and
-// which of VTK's shaders can leave their lights to a later stage.
+// Lighting properties of surfaces in VTK: the values to store per pixel, and the shaders of VTK
+// that can leave their lights to a later stage.
 #ifndef vtkRelievoSurfaces_h
 #define vtkRelievoSurfaces_h
 
@@ -19,38 +19,39 @@ class vtkShaderProgram;
 
 struct vtkRelievoSurfaces
 {
-  bool Detail = false;   // some visible surface gives back a share only, shines, or is PBR
-  bool Specular = false; // some has a highlight of Phong's
-  bool Pbr = false;      // some is PBR
+  // Some visible surface has a diffuse coefficient below 1, highlights, or is PBR.
+  bool Detail = false;
+  bool Specular = false; // some surface has Phong highlights
+  bool Pbr = false;      // some surface is PBR
 
-  // Of the visible actors.
+  // Evaluates the visible actors.
   static vtkRelievoSurfaces Find(const vtkRelievoFrameScene& scene);
 
-  // Why VTK has to light all of it, in words: something is drawn over surfaces without taking their
-  // place, or in ways that are not known. Empty if it has not.
+  // The reason why VTK has to light all surfaces: something is drawn over surfaces without
+  // replacing them, or in unknown ways. Empty if there is none.
   static std::string WhyAllLit(const vtkRelievoFrameScene& scene, vtkRenderWindow* window);
 
-  // Whether an actor has vertex or geometry shader code of its own, which may move what is seen.
+  // Whether an actor has its own vertex or geometry shader code, which may move vertices.
   static bool AreMoved(const vtkRelievoFrameScene& scene);
   static bool IsMoved(vtkActor* actor);
 
-  // Takes VTK's lights out of its fragment shader. False where they are not found as VTK writes
-  // them.
+  // Removes VTK's lights from its fragment shader. False if VTK's code is not found.
   static bool LeaveLightOut(std::string& fragment);
 
-  // Why VTK has to light the actor, in words; empty if it has not.
+  // The reason why VTK has to light the actor; empty if there is none.
   static std::string WhyLit(vtkActor* actor, vtkRenderer* renderer);
 
-  // Why VTK has to light what each mapper draws, in words; mappers that it need not light are left
-  // out. `mirrors`: the view does.
+  // The reasons why VTK has to light a mapper's surfaces, for each mapper that needs it. `mirrors`:
+  // the view is mirrored.
   static std::map<vtkMapper*, std::string> FindLit(
     const vtkRelievoFrameScene& scene, vtkRenderer* renderer, bool mirrors);
 
-  // Why VTK has to light what the mapper draws now with this fragment shader, in words; empty if it
-  // has not.
+  // The reason why VTK has to light the mapper's present draw with this fragment shader; empty if
+  // there is none.
   static std::string WhyLit(vtkOpenGLPolyDataMapper* mapper, const std::string& fragment);
 
-  // What each mapper draws for the visible actors: lines wider than 1, something else, or both.
+  // Kinds of primitives that each mapper draws for the visible actors: lines wider than 1, others,
+  // or both.
   enum LineShaders
   {
     WideLines = 1,

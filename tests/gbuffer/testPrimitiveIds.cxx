@@ -239,7 +239,7 @@ void TestUnknownOutputs()
     "//VTK::Normal::Impl", true, "//VTK::Normal::Impl\n one = 1.0; two = 2.0;\n", false);
   const Layers written(stage.Renderer, Ids);
   Force(ThroughGeometryShader);
-  ExpectMessage expect("No cell ids of what ");
+  ExpectMessage expect("No cell ids of geometry drawn by ");
   const Layers through(stage.Renderer, Ids);
   RELIEVO_CHECK(expect.Count() == 1);
   Force(-1);

@@ -93,7 +93,7 @@ class Representations(pv.Test):
     def test_gaussian_points_have_no_layers(self):
         said = pv.run(__file__, "layers")
         self.assertEqual(len(pv.messages(said)), 1, said)
-        self.assertIn("No layers of what vtkOpenGLPointGaussianMapperHelper draws", said)
+        self.assertIn("No layers of geometry drawn by vtkOpenGLPointGaussianMapperHelper", said)
         self.assertIn("as it was True", said)
 
 

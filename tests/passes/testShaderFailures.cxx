@@ -43,7 +43,7 @@ const Case Cases[] = {
   { "layers",
     "uint relievoPackDepth(float depth, bool parallel, float zNear, float zFar)"
     " { return uint(0); }\n",
-    false, "No layers of what " },
+    false, "No layers of geometry drawn by " },
   { "shadows", "bool relievoShadowSees(vec3 place) { return false; }\n", true,
     "No shadows on what " },
 };

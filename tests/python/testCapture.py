@@ -316,7 +316,7 @@ class NothingToSee(unittest.TestCase):
         splats = vtkActor()
         splats.SetMapper(mapper)
         renderer.AddActor(splats)
-        with self.assertWarnsRegex(RuntimeWarning, "No layers of what .*PointGaussian"):
+        with self.assertWarnsRegex(RuntimeWarning, "No layers of geometry .*PointGaussian"):
             got = relievo.capture(renderer, ["depth", "actor", "normal"], size=SIZE)
         for name in ("depth", "actor", "normal"):
             numpy.testing.assert_array_equal(

@@ -30,7 +30,8 @@ vtkCellArray* GetCells(vtkPolyData* mesh, int kind)
   return cells[kind];
 }
 
-// How many primitives VTK cuts a cell of so many points into, those without area counted in.
+// The number of primitives that VTK makes from a cell of `points` points, those without area
+// included.
 vtkIdType CountPrimitives(int kind, int representation, vtkIdType points)
 {
   if (kind == Verts || representation == VTK_POINTS)
@@ -50,7 +51,7 @@ vtkIdType CountPrimitives(int kind, int representation, vtkIdType points)
 }
 
 #ifdef RELIEVO_VTK_EAR_CLIPPING
-// All triangles of polygons are drawn, with area or without.
+// VTK draws all triangles of polygons, those without area included.
 constexpr bool DropsTriangles = false;
 #else
 constexpr bool DropsTriangles = true;
@@ -62,8 +63,8 @@ bool AreEqual(const Point& a, const Point& b)
   return a[0] == b[0] && a[1] == b[1] && a[2] == b[2];
 }
 
-// VTK before 9.7 draws no triangle of a polygon's fan that has two corners at one place. Calls
-// f(cell, triangles drawn) for every cell.
+// VTK before 9.7 skips triangles of a polygon's fan with two corners at one position. Calls f(cell,
+// triangles drawn) for every cell.
 template <typename GetPoint, typename Function>
 void ForDrawnTriangles(vtkCellArray* cells, GetPoint getPoint, Function f)
 {
@@ -220,7 +221,7 @@ vtkIdType vtkRelievoCellMap::GetPrimitiveInCell(const Offsets& offsets, vtkIdTyp
   {
     return place % part->PerCell;
   }
-  // A cell may have millions (a long line).
+  // Binary search: a cell may have millions of primitives (a long line).
   const auto end = part->Cells.begin() + place;
   return end - std::lower_bound(part->Cells.begin(), end, part->Cells[place]);
 }
@@ -231,7 +232,7 @@ vtkMTimeType vtkRelievoCellMaps::GetTime(vtkPolyData* mesh)
   vtkMTimeType time = mesh->GetPoints() ? mesh->GetPoints()->GetMTime() : 0;
   for (int kind = 0; kind < vtkRelievoCellMap::Kinds; ++kind)
   {
-    // Without cells VTK gives an array that all meshes share.
+    // For a kind without cells VTK returns an array shared by all meshes.
     vtkCellArray* cells = GetCells(mesh, kind);
     time = std::max(time, cells->GetNumberOfCells() > 0 ? cells->GetMTime() : 0);
   }

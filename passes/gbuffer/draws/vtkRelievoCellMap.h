@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Which cell of a mesh each OpenGL primitive was cut from, in one representation. VTK's mappers
-// have such a map as well, but one for all that they draw: the next actor or piece overwrites it.
+// Maps the OpenGL primitives of a mesh, in one representation, to its cells. VTK's mappers have
+// such a map as well, but only one at a time: the next actor or piece overwrites it.
 #ifndef vtkRelievoCellMap_h
 #define vtkRelievoCellMap_h
 
@@ -21,19 +21,18 @@ class vtkPolyData;
 class vtkRelievoCellMap
 {
 public:
-  // VTK draws verts, lines, polygons and strips one kind after the other.
+  // VTK draws verts, lines, polygons and strips in this order.
   static constexpr int Kinds = 4;
-  // The number of every kind's first primitive as VTK counts them: further apart than needed, now
-  // and then.
+  // The number of every kind's first primitive in VTK's count, which sometimes leaves gaps.
   using Offsets = std::array<vtkIdType, Kinds>;
 
   vtkRelievoCellMap(vtkPolyData* mesh, int representation);
 
-  // The primitive's cell in the mesh, or -1, and which primitive of the cell it is: 0 is the first.
+  // The primitive's cell in the mesh, or -1; and the primitive's index within the cell.
   vtkIdType GetCell(const Offsets& offsets, vtkIdType primitive) const;
   vtkIdType GetPrimitiveInCell(const Offsets& offsets, vtkIdType primitive) const;
 
-  // The number behind that of the last primitive.
+  // The number after the last primitive's.
   vtkIdType GetEnd(const Offsets& offsets) const;
 
 private:
@@ -41,26 +40,26 @@ private:
   {
     vtkIdType FirstCell = 0;
     vtkIdType Size = 0;               // primitives
-    vtkIdType PerCell = 0;            // of every cell; 0: as Cells has it
+    vtkIdType PerCell = 0;            // in every cell; 0: see Cells
     std::vector<std::uint32_t> Cells; // by primitive, from FirstCell on
   };
-  // The part and the place in it; nullptr if there is no such primitive.
+  // Finds the primitive's part and its index there; nullptr if there is no such primitive.
   const Part* Find(const Offsets& offsets, vtkIdType primitive, vtkIdType& place) const;
   void Fill(Part& part, vtkPolyData* mesh, int kind, int representation);
 
   Part Parts[Kinds];
 };
 
-// The maps of the meshes in use; built anew when cells or points have changed.
+// The maps of the meshes in use, rebuilt after a change of cells or points.
 class vtkRelievoCellMaps
 {
 public:
   std::shared_ptr<const vtkRelievoCellMap> Get(vtkPolyData* mesh, int representation);
 
-  // Forgets meshes that are gone.
+  // Removes the maps of deleted meshes.
   void Prune();
 
-  // Later than every change of the mesh's cells and points.
+  // A time after every change of the mesh's cells and points.
   static vtkMTimeType GetTime(vtkPolyData* mesh);
 
 private:

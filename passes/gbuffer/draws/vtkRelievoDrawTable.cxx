@@ -33,14 +33,15 @@ using Composites = vtkRelievoAccess::CompositeHelper;
 
 vtkIdType CountPrimitivesAtMost(vtkPolyData* mesh)
 {
-  // Every primitive ends at another point of its cell; strips drawn as lines have two for a point.
+  // Every primitive ends at a different point of its cell; strips drawn as lines have two for a
+  // point.
   return mesh->GetVerts()->GetNumberOfConnectivityIds() +
     mesh->GetLines()->GetNumberOfConnectivityIds() +
     mesh->GetPolys()->GetNumberOfConnectivityIds() +
     2 * mesh->GetStrips()->GetNumberOfConnectivityIds();
 }
 
-// A draw shows points of one block: no more than the largest has.
+// A draw shows points of one block: at most as many as the largest block has.
 vtkIdType CountGlyphsAtMost(vtkDataObject* input)
 {
   vtkIdType most = 1;
@@ -84,7 +85,7 @@ vtkIdType CountPrimitives(vtkActor* actor, vtkOpenGLPolyDataMapper* mapper, int 
                               : 1;
 }
 
-// VTK 9.6.1 and later let blocks' numbers overlap where its own shaders look nothing up by them.
+// VTK 9.6.1 and later let blocks' numbers overlap unless its own shaders use the numbers.
 void NumberBlocks(vtkOpenGLPolyDataMapper* mapper)
 {
   if (Composites::NumbersPrimitives(mapper))
@@ -99,8 +100,8 @@ void NumberBlocks(vtkOpenGLPolyDataMapper* mapper)
   }
 }
 
-// What the mapper draws now. It draws pieces one after the other from one mesh, filled anew for
-// each: of a piece its arrays are kept.
+// The mesh that the mapper draws now. A mapper may draw several pieces in turn from one mesh
+// object, which it refills, so the table stores the arrays of each piece.
 vtkSmartPointer<vtkPolyData> GetMesh(vtkOpenGLPolyDataMapper* mapper)
 {
   vtkSmartPointer<vtkPolyData> mesh = mapper->CurrentInput;
@@ -130,8 +131,8 @@ std::uint32_t vtkRelievoDrawTable::Add(
   if (!this->Draws.empty())
   {
     Draw& last = this->Draws.back();
-    // A mapper's verts, lines, polys and strips count through. It draws them in this order: where
-    // it begins anew, another piece is drawn, or the actor once more, elsewhere.
+    // A mapper numbers its verts, lines, polys and strips consecutively, and draws them in this
+    // order: a kind that does not come later starts another piece, or draws the actor again.
     if (last.Actor == actor && last.Mapper == mapper && last.PrimitiveSource == primitiveSource &&
       type > last.LastPrimitiveType)
     {
@@ -140,13 +141,13 @@ std::uint32_t vtkRelievoDrawTable::Add(
       return last.First;
     }
     first = last.First + last.Count;
-    // Glyphs take many draws, each of which would look through all blocks.
+    // Glyphs take many draws, and counting looks through all blocks: only the first draw counts.
     const bool goesOn = last.Actor == actor && last.PrimitiveSource == primitiveSource &&
       primitiveSource == vtkRelievoGBufferSplice::InstanceOfGlyphs;
     most = goesOn ? static_cast<vtkIdType>(last.Count) : -1;
   }
   most = most < 0 ? CountPrimitives(actor, mapper, primitiveSource) : most;
-  // From the first draw on that words do not reach, nothing has ids.
+  // Beyond the last number, this and all later draws have no ids.
   const bool reached = most < static_cast<vtkIdType>(Nothing - first);
   const std::uint32_t count = reached ? static_cast<std::uint32_t>(most) : 0;
   first = reached ? first : Nothing;
@@ -227,7 +228,7 @@ void vtkRelievoDrawTable::SetOffset(Draw& draw, vtkOpenGLPolyDataMapper* mapper,
   {
     return;
   }
-  // The map's offset, but for a kind that comes after one of which nothing is drawn.
+  // The map's offset, unless the kind follows one of which nothing is drawn.
   if (!draw.Ranges.empty() && type < vtkRelievoCellMap::Kinds)
   {
     draw.Ranges[0].Offsets[type] = vtkRelievoAccess::Mapper::PrimitiveOffset(mapper);
@@ -254,8 +255,8 @@ void vtkRelievoDrawTable::ResolveGlyphs()
     {
       glyphs = vtkRelievoGetGlyphDraws(mapper);
     }
-    // A mapper that draws in another way than VTK's keeps its points to itself. An actor may be
-    // drawn more than once.
+    // The glyph points of other classes of mappers are unknown. An actor may be drawn several
+    // times.
     const bool known = !glyphs.empty() && draws.size() % glyphs.size() == 0;
     for (std::size_t i = 0; i < draws.size() && known; ++i)
     {
@@ -294,7 +295,7 @@ void vtkRelievoDrawTable::Resolve(vtkRenderer* renderer, const vtkRelievoFrameCa
     draw.ModelToView = view.WorldToView * draw.ModelToWorld;
     draw.ViewToModel = glm::inverse(draw.ModelToView);
     vtkShaderProperty* shaders = draw.Prop ? draw.Prop->GetShaderProperty() : nullptr;
-    // The frame's own stages have left the actor by now; who stays may move what is seen.
+    // The frame's own stages have left the keys; remaining passes may move vertices.
     vtkInformation* keys = draw.Prop ? draw.Prop->GetPropertyKeys() : nullptr;
     draw.Deformed = (keys && keys->Has(vtkOpenGLRenderPass::RenderPasses())) ||
       (shaders &&
@@ -343,7 +344,7 @@ std::vector<vtkRelievoDrawTable::Hit> vtkRelievoDrawTable::GetMeshes() const
 std::vector<vtkRelievoDrawTable::PartStart> vtkRelievoDrawTable::GetParts() const
 {
   std::vector<PartStart> parts;
-  std::map<std::pair<const void*, int>, int> numbers; // pieces of a block are one part
+  std::map<std::pair<const void*, int>, int> numbers; // the pieces of a block form one part
   const auto add = [&](std::uint32_t first, const Draw& draw, int block) {
     const auto number = static_cast<int>(numbers.size());
     parts.push_back({ first,

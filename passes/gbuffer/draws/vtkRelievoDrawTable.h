@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The draw calls of a frame that wrote layers, and what a pixel's id word means: actor, block,
-// cell, and the mesh with its data. The word counts the primitives of the frame through: a draw's
-// first one has the number after the last one of the draw before.
+// The draw calls of a frame that wrote layers, and the meaning of a pixel's id word: actor, block,
+// cell, and the mesh with its data. The word numbers the primitives of the frame consecutively: a
+// draw starts where the draw before it ends.
 #ifndef vtkRelievoDrawTable_h
 #define vtkRelievoDrawTable_h
 
@@ -28,49 +28,50 @@ struct vtkRelievoFrameCamera;
 class vtkRelievoDrawTable
 {
 public:
-  // The word of a pixel that shows nothing.
+  // The word of a background pixel.
   static constexpr std::uint32_t Nothing = 0xffffffffu;
 
   struct Hit
   {
-    int Actor = -1;               // place in vtkRenderer::GetActors()
+    int Actor = -1;               // index in vtkRenderer::GetActors()
     int Block = -1;               // flat index; 0 for data that is not composite
     vtkIdType Cell = -1;          // of Mesh, or a point of Points
-    vtkPolyData* Mesh = nullptr;  // whose triangles, lines or points are seen
-    vtkDataSet* Points = nullptr; // whose points are seen as glyphs, spheres or sticks
+    vtkPolyData* Mesh = nullptr;  // the mesh whose triangles, lines or points are visible
+    vtkDataSet* Points = nullptr; // the points shown as glyphs, spheres or sticks
     vtkActor* Prop = nullptr;
     const glm::dmat4* ViewToModel = nullptr;
     const glm::dmat4* ModelToView = nullptr;
-    int Representation = 0; // as it was drawn
-    bool Deformed = false;  // by shader code of the actor's own
-    bool Moved = false;     // by such, in the picture: its place does not follow from depth
-    bool Changed = false;   // Mesh has other cells or points by now
+    int Representation = 0; // at the time of drawing
+    bool Deformed = false;  // by the actor's own shader code
+    // Deformed in the picture, so that the position does not follow from depth.
+    bool Moved = false;
+    bool Changed = false; // cells or points of Mesh have changed since
 
-    // Which of the OpenGL primitives that Mesh's cell was cut into: 0 is the first.
+    // Index of the OpenGL primitive within Mesh's cell.
     vtkIdType GetPrimitiveInCell() const;
 
-    vtkIdType Primitive = 0; // as OpenGL counts them
+    vtkIdType Primitive = 0; // in OpenGL's count
     const vtkRelievoCellMap* Map = nullptr;
     const vtkRelievoCellMap::Offsets* Offsets = nullptr;
   };
 
   void Clear();
 
-  // A draw call begins; returns the id word of its first primitive, or Nothing for all of them
-  // where no words are left.
+  // Starts a draw call; returns the id word of its first primitive, or Nothing for the whole draw
+  // if the words are used up.
   std::uint32_t Add(vtkActor* actor, vtkOpenGLPolyDataMapper* mapper, int primitiveSource);
 
-  // Whether the words of the draw that was added last cannot tell its blocks apart.
+  // Whether the last draw's words cannot distinguish its blocks.
   bool IsLastAmbiguous() const { return !this->Draws.empty() && this->Draws.back().Ambiguous; }
 
-  // Makes ready for Find(), from what the mappers hold now.
+  // Prepares Find(), from the mappers' present data.
   void Resolve(vtkRenderer* renderer, const vtkRelievoFrameCamera& view);
 
-  // After Resolve(): every mesh and every points that were drawn, with the actor.
+  // After Resolve(): all meshes and point sets that were drawn, with their actors.
   std::vector<Hit> GetMeshes() const;
 
-  // What belongs together among the words: from First on, up to the next one's, they are of part
-  // Part, which is an actor's block, or each of a part of its own, -1: glyphs.
+  // A range of words, from First to the next range's, that belongs to the part Part, an actor's
+  // block; -1 for glyphs, each of which is its own part.
   struct PartStart
   {
     std::uint32_t First;
@@ -78,7 +79,7 @@ public:
   };
   std::vector<PartStart> GetParts() const;
 
-  // What the word means; all of it nothing if it means nothing. Threads may call it at once.
+  // The meaning of the word; an empty Hit if it has none. Thread-safe.
   Hit Find(std::uint32_t word) const;
 
 private:
@@ -86,38 +87,38 @@ private:
   {
     vtkRelievoCellMap::Offsets Offsets;
     int Block;
-    // Kept alive: the layers may be read after the scene has let go of them.
+    // Holds a reference: the layers may be read after the scene has released the mesh.
     vtkSmartPointer<vtkPolyData> Mesh;
     std::shared_ptr<const vtkRelievoCellMap> Map;
-    vtkMTimeType Time; // of Mesh, when it was drawn
+    vtkMTimeType Time; // of Mesh, at the time of drawing
     bool Changed = false;
   };
   struct Draw
   {
     vtkWeakPointer<vtkActor> Actor;
-    vtkInformation* Keys; // an LOD actor's device shares them with the actor in the renderer
+    vtkInformation* Keys; // shared by an LOD actor's device and the actor in the renderer
     vtkWeakPointer<vtkOpenGLPolyDataMapper> Mapper;
     int PrimitiveSource;
-    int LastPrimitiveType; // of those drawn for it
+    int LastPrimitiveType; // of this draw's primitives
     int Representation;
     std::uint32_t First;
     std::uint32_t Count;
-    glm::dmat4 ModelToWorld; // as it was drawn: an assembly gives its parts other matrices
+    glm::dmat4 ModelToWorld; // at the time of drawing: an assembly changes its parts' matrices
     int ActorIndex;
     vtkActor* Prop;
     glm::dmat4 ViewToModel;
     glm::dmat4 ModelToView;
     bool Deformed;
     bool Moved;
-    bool Ambiguous;            // primitives of several blocks have the same numbers
-    std::vector<Range> Ranges; // by their first primitive
+    bool Ambiguous;            // several blocks number their primitives alike
+    std::vector<Range> Ranges; // ordered by their first primitive
     int Block;                 // of Points
     vtkSmartPointer<vtkDataSet> Points;
-    std::vector<vtkIdType> Ids; // of Points, by instance of a glyph
+    std::vector<vtkIdType> Ids; // of Points, by the glyph's instance
   };
 
   void AddRanges(Draw& draw, vtkOpenGLPolyDataMapper* mapper);
-  // Where the count of a kind begins that the mapper draws now.
+  // Sets the start of the count of the kind that the mapper draws now.
   static void SetOffset(Draw& draw, vtkOpenGLPolyDataMapper* mapper, int type);
   void ResolveGlyphs();
 

@@ -30,7 +30,7 @@ bool IsDrawn(vtkDataObject* source)
   return mesh && mesh->GetNumberOfPoints() > 0 && mesh->GetNumberOfCells() > 0;
 }
 
-// For every source of the mapper, how many meshes it draws.
+// The number of meshes that the mapper draws for each source.
 std::vector<int> CountMeshes(vtkGlyph3DMapper* mapper)
 {
   std::vector<int> counts;
@@ -65,7 +65,7 @@ std::vector<int> CountMeshes(vtkGlyph3DMapper* mapper)
   return counts;
 }
 
-// One draw for every mesh of every source that a point of the input shows.
+// One draw for every mesh of every source used by a point of the input.
 void AddInput(vtkGlyph3DMapper* mapper, vtkDataSet* points, int block,
   const std::vector<int>& meshes, std::vector<vtkRelievoGlyphDraw>& draws)
 {
@@ -158,7 +158,7 @@ void vtkRelievoGlyphReach::Reach::Measure()
     {
       const vtkIdType last = cell.Points[i];
       edge = std::max(edge, glm::distance(point(last), point(cell.Points[i - 1])));
-      // The other edges of the fan's or the strip's triangle.
+      // The other edges of the triangle in the fan or strip.
       const vtkIdType other =
         cell.Points[cell.Kind == vtkRelievoCell::Polys ? 0 : std::max<vtkIdType>(0, i - 2)];
       edge = std::max(edge, glm::distance(point(last), point(other)));
@@ -181,7 +181,7 @@ void vtkRelievoGlyphReach::SetUniforms(vtkShaderProgram* program, vtkOpenGLPolyD
   const vtkMTimeType time = vtkRelievoCellMaps::GetTime(source);
   if (reach.Source != source || reach.Time != time)
   {
-    // Of sources that are gone.
+    // Removes deleted sources.
     for (auto it = this->Reaches.begin(); it != this->Reaches.end();)
     {
       it = it->second.Source || it->first == source ? std::next(it) : this->Reaches.erase(it);

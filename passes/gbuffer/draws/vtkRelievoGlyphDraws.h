@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Which input points the instances of a vtkGlyph3DMapper's draw calls stand for: masks leave points
-// out, and every source has draw calls of its own. And how far a glyph's triangles reach.
+// Maps the instances of a vtkGlyph3DMapper's draw calls to input points: masks leave points out,
+// and every source has its own draw calls. Also the extent of a glyph's triangles.
 #ifndef vtkRelievoGlyphDraws_h
 #define vtkRelievoGlyphDraws_h
 
@@ -25,14 +25,14 @@ struct vtkRelievoGlyphDraw
   std::vector<vtkIdType> Ids;   // of the input's points, by instance
 };
 
-// In the order in which the mapper draws. Culling, which reorders instances, is not modelled.
+// In the mapper's drawing order. Culling, which reorders instances, is not modelled.
 std::vector<vtkRelievoGlyphDraw> vtkRelievoGetGlyphDraws(vtkGlyph3DMapper* mapper);
 
-// The reach of the sources in use, for shaders/gbuffer/glyph_depth.glsl.
+// The extent of the sources in use, for shaders/gbuffer/glyph_depth.glsl.
 class vtkRelievoGlyphReach
 {
 public:
-  // Sets the uniforms of a mapper that draws glyphs; leaves others' alone.
+  // Sets the uniforms of a mapper that draws glyphs; does nothing for others.
   void SetUniforms(vtkShaderProgram* program, vtkOpenGLPolyDataMapper* mapper);
 
 private:
@@ -41,7 +41,7 @@ private:
     vtkWeakPointer<vtkPolyData> Source;
     vtkMTimeType Time = 0;
     float Ball[4] = { 0.0f, 0.0f, 0.0f, 0.0f }; // centre and radius
-    float Edge = 0.0f;                          // the longest
+    float Edge = 0.0f;                          // the longest edge
 
     void Measure();
   };

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The props of a frame that write layers: actors with a mapper, also as parts of assemblies
-// and as levels of detail.
+// The props of a frame that write layers: actors with a mapper, parts of assemblies and levels of
+// detail included.
 #ifndef vtkRelievoOpaqueProps_h
 #define vtkRelievoOpaqueProps_h
 
@@ -22,23 +22,23 @@ class vtkRelievoOpaqueProps
 public:
   void Collect(const vtkRelievoFrameScene& scene);
 
-  // Class of a prop that may draw opaque geometry but writes no layers; empty if there is none.
+  // Class of a prop that may draw opaque geometry without writing layers; empty if there is none.
   const std::string& GetForeign() const { return this->Foreign; }
 
-  // Whether faces are drawn with edges, which VTK has reach beyond them.
+  // Whether faces are drawn with edges, which VTK draws beyond the faces' outline.
   bool ShowsEdges() const { return this->Edges; }
 
-  // Splices the pass into the shaders of the props, until it is removed.
+  // Splices the pass into the props' shaders, until RemovePass().
   void AddPass(vtkOpenGLRenderPass* pass);
   void RemovePass(vtkOpenGLRenderPass* pass);
 
-  // Draws the opaque geometry of those props that write layers, of wire frames what is in sight
-  // only if it is asked.
+  // Draws the opaque geometry of the props that write layers; of wireframes only the visible lines
+  // if `removesHiddenLines`.
   void RenderOpaque(vtkRenderer* renderer, bool removesHiddenLines);
 
 private:
   std::vector<vtkProp*> Props; // in the renderer's order
-  std::set<vtkProp*> Mixed;    // of Props: assemblies of which only the meshes write layers
+  std::set<vtkProp*> Mixed;    // subset of Props: assemblies of which only the meshes write layers
   std::string Foreign;
   bool Edges = false;
   vtkRelievoSplicedKeys Spliced;

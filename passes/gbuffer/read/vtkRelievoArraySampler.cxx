@@ -28,7 +28,7 @@ const void* GetData(const vtkRelievoDrawTable::Hit& hit)
   return hit.Mesh ? static_cast<const void*>(hit.Mesh) : hit.Points;
 }
 
-// An array with a value for everyone, else nullptr.
+// The array if it has a tuple for every point or cell, else nullptr.
 vtkDataArray* GetArray(vtkDataSetAttributes* attributes, const std::string& name, vtkIdType count)
 {
   vtkDataArray* array = attributes->GetArray(name.c_str());
@@ -91,7 +91,7 @@ bool vtkRelievoArraySampler::FindHidden(vtkRenderer* renderer)
   props->InitTraversal(it);
   while (vtkProp* prop = props->GetNextProp(it))
   {
-    prop->GetActors(parts); // of assemblies too
+    prop->GetActors(parts); // parts of assemblies included
   }
   bool found = false;
   const auto look = [&](vtkDataObject* data) {
@@ -143,12 +143,13 @@ int vtkRelievoArraySampler::Prepare(vtkRenderer* renderer, int& components, std:
   }
   if (this->Sources.empty() && !meshes.empty() && !(renderer && this->FindHidden(renderer)))
   {
-    wrong = "it is neither a layer nor a point or cell array of anything there. Layers are " +
+    wrong =
+      "it is neither a layer nor a point or cell array of any data in the renderer. Layers are " +
       vtkRelievoLayerCatalogue::GetLayerNames();
   }
   else if (this->Components > MaximumComponents)
   {
-    wrong = "it has " + std::to_string(this->Components) + " components, at most " +
+    wrong = "it has " + std::to_string(this->Components) + " components, but at most " +
       std::to_string(MaximumComponents) + " are read";
   }
   this->Components = std::max(1, this->Components);
@@ -224,7 +225,7 @@ void vtkRelievoArraySampler::SampleInCell(
     values[c] = 0.0;
     for (int i = 0; i < geometry.Count; ++i)
     {
-      // A share of nothing keeps a NaN or an infinity at the other corner out.
+      // A zero weight must not multiply a NaN or an infinity at the other corner.
       if (weights[i] > 0.0)
       {
         values[c] += weights[i] * array->GetComponent(geometry.Points[i], c);

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The value of a point or cell array at a pixel, from the mesh itself: the ids say which cell, the
-// pixel's ray says where in it. So an array costs no GPU memory, keeps its own precision, and is
-// interpolated in double. The id words as the only record of visibility: Burns and Hunt, The
-// Visibility Buffer, JCGT 2(2), 2013.
+// Interpolates a point or cell array at a pixel, on the mesh itself: the ids give the cell, the
+// pixel's ray the position in it. An array so costs no GPU memory, keeps its own precision, and is
+// interpolated in double. Id words as the only record of visibility: Burns and Hunt, The Visibility
+// Buffer, JCGT 2(2), 2013.
 #ifndef vtkRelievoArraySampler_h
 #define vtkRelievoArraySampler_h
 
@@ -27,12 +27,12 @@ class vtkRelievoArraySampler
 public:
   static constexpr int MaximumComponents = 16;
 
-  // The layer is an array's name, or point:NAME or cell:NAME.
+  // `layer` is an array's name, point:NAME or cell:NAME.
   vtkRelievoArraySampler(
     const std::string& layer, const vtkRelievoDrawTable& draws, const vtkRelievoFrameCamera& view);
 
-  // Looks the array up in what was drawn, else in all that the renderer has, which may be hidden or
-  // translucent; returns VTK_FLOAT or VTK_DOUBLE and says what is wrong.
+  // Looks the array up in the drawn meshes, else in all of the renderer's data, which may be hidden
+  // or translucent; returns VTK_FLOAT or VTK_DOUBLE, and sets an error message.
   int Prepare(vtkRenderer* renderer, int& components, std::string& wrong);
 
   struct Source
@@ -41,7 +41,8 @@ public:
     bool OfPoints = false;
   };
 
-  // What a thread's pixel shows. Kept from pixel to pixel: neighbours mostly show the same.
+  // The mesh and cell shown at a thread's pixel, cached because neighbours mostly show the same
+  // one.
   struct Place
   {
     std::uint32_t Word = vtkRelievoDrawTable::Nothing;
@@ -52,8 +53,8 @@ public:
   };
   void Enter(std::uint32_t word, Place& place) const;
 
-  // The values at the pixel, which shows the place; NaN where nothing is or the array is missing.
-  // `eye`: where it is in eye space, if that does not follow from the pixel.
+  // The values at the pixel, on the given place; NaN in the background or if the array is missing.
+  // `eye`: the position in eye space, if it does not follow from the pixel.
   void Sample(const Place& place, int x, int y, const glm::dvec3* eye, double* values) const;
 
 private:
@@ -61,7 +62,7 @@ private:
   using Key = std::pair<const void*, const void*>;
 
   Source Find(vtkDataSet* data, bool cells) const;
-  bool Take(vtkDataArray* array); // false for none
+  bool Take(vtkDataArray* array); // false for nullptr
   bool FindHidden(vtkRenderer* renderer);
   void SampleInCell(const Place& place, int x, int y, const glm::dvec3* eye, double* values) const;
 
@@ -71,7 +72,7 @@ private:
   const vtkRelievoDrawTable& Draws;
   const vtkRelievoFrameCamera& View;
   int Components = 0;
-  bool Wide = false; // integers of four bytes and more, and doubles, do not fit into a float
+  bool Wide = false; // doubles, and integers of four bytes and more, do not fit into a float
   std::map<Key, Source> Sources;
 };
 

@@ -14,11 +14,11 @@
 
 namespace
 {
-// Places of the corners of primitive k of a cell, as VTK's mappers cut cells. Returns their number.
+// Positions of the corners of primitive k of a cell, cut as by VTK's mappers. Returns their number.
 int GetCorners(const vtkRelievoDrawTable::Hit& hit, const vtkRelievoCell& cell,
   vtkRelievoPolygonCut& cut, vtkIdType corners[3])
 {
-  // Most cells are triangles, the one primitive of theirs.
+  // Most cells are triangles, with one primitive.
   const int representation = hit.Representation;
   const bool polygon = cell.Kind == vtkRelievoCell::Polys;
   const bool whole = polygon && cell.Count == 3 && representation == VTK_SURFACE;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The point, line or triangle of a mesh that a pixel shows, and the pixel's ray to it, in double.
+// The point, line or triangle of a mesh shown at a pixel, and the pixel's ray to it, in double.
 #ifndef vtkRelievoCellGeometry_h
 #define vtkRelievoCellGeometry_h
 
@@ -10,8 +10,8 @@
 class vtkIdList;
 struct vtkRelievoFrameCamera;
 
-// The points of a cell. Other than vtkPolyData's own look-up this builds nothing in the mesh, and
-// threads may do it at once, each with a scratch list of its own, which must outlive the cell.
+// The points of a cell. Unlike vtkPolyData's own look-up this builds nothing in the mesh, so it is
+// thread-safe with one scratch list for each thread, which must outlive the cell.
 struct vtkRelievoCell
 {
   enum Kinds
@@ -30,19 +30,19 @@ struct vtkRelievoCell
 
 struct vtkRelievoCellGeometry
 {
-  int Count = 0; // 1 point, 2 line, 3 triangle; 0: not known
+  int Count = 0; // 1 point, 2 line, 3 triangle; 0: unknown
   vtkIdType Points[3] = { -1, -1, -1 };
   glm::dvec3 Corners[3]; // model coordinates
 
   vtkRelievoCellGeometry() = default;
 
-  // The primitive of the hit, as VTK's mappers cut the cell.
+  // The hit's primitive, cut as by VTK's mappers.
   vtkRelievoCellGeometry(const vtkRelievoDrawTable::Hit& hit, vtkIdList* scratch);
 
-  // Shares of the corners where the ray meets the primitive, or comes nearest to it.
+  // Weights of the corners at the point where the ray hits the primitive, or comes nearest to it.
   void GetWeights(const glm::dvec3& from, const glm::dvec3& along, double weights[3]) const;
 
-  // Where the ray meets the triangle's plane, as from + t along. False if it is parallel to it.
+  // Intersects the ray with the triangle's plane, at from + t along. False if they are parallel.
   bool Intersect(const glm::dvec3& from, const glm::dvec3& along, double& t) const;
 };
 

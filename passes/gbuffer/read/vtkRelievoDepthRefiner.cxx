@@ -20,14 +20,14 @@ namespace
 {
 constexpr std::uint32_t Nothing = vtkRelievoDrawTable::Nothing;
 
-// What counts as one surface: how far its depth may differ from that of the triangle shown, in
-// widths of a pixel, and by how much more for every pixel between them in the image. Beyond that is
-// another sheet, which the triangle's silhouette is seen before or behind.
+// Tolerance for depths on one surface: the largest difference from the depth of the triangle shown,
+// in widths of a pixel, and its increase for every pixel between them in the image. A larger
+// difference means another sheet, in front of or behind the triangle's silhouette.
 constexpr double Gap = 0.1;
 constexpr double Slope = 10.0;
 }
 
-// The triangles that a thread saw last, by their words: the row above showed most of them.
+// A thread's latest triangles, by their words: the row above showed most of them.
 class vtkRelievoDepthRefiner::Recent
 {
 public:
@@ -49,7 +49,7 @@ public:
   }
 
 private:
-  // 60 kB: stays in the second-level cache.
+  // 60 kB fit the second-level cache.
   static constexpr std::size_t Size = 512;
   struct Entry
   {
@@ -119,9 +119,10 @@ vtkRelievoDepthRefiner::Triangle vtkRelievoDepthRefiner::GetTriangle(
 vtkRelievoDepthRefiner::Weights vtkRelievoDepthRefiner::GetWeights(
   const Triangle& triangle, int x, int y) const
 {
-  // The point of the triangle that is drawn at ndc is the mean of its corners with weights for
-  // which the mean of the clip coordinates is a multiple of (ndc, 1). With the origin moved to ndc
-  // that is the areas that the corners' x and y span; moving first keeps small triangles' digits.
+  // The point of the triangle that is drawn at ndc is a weighted mean of its corners, with weights
+  // for which the mean of the clip coordinates is a multiple of (ndc, 1). With the origin moved to
+  // ndc these are the areas spanned by the corners' x and y; moving first preserves the precision
+  // of small triangles.
   const glm::dvec2 size(this->View.Viewport[2], this->View.Viewport[3]);
   const glm::dvec2 ndc = relievo::f64::relievoNdcFromPixel(glm::dvec2(x, y), size);
   glm::dvec2 p[3];
@@ -179,13 +180,13 @@ vtkRelievoDepthRefiner::Point vtkRelievoDepthRefiner::GetNearest(
     const int behind = clip[0].z < clip[1].z ? 0 : 1;
     if (clip[behind].z < least)
     {
-      // The part before the near plane.
+      // The part in front of the near plane.
       const int ahead = 1 - behind;
       const double cut = (least - clip[behind].z) / (clip[ahead].z - clip[behind].z);
       clip[behind] += cut * (clip[ahead] - clip[behind]);
       depth[behind] += cut * (depth[ahead] - depth[behind]);
     }
-    // From the pixel's centre, in pixels.
+    // Relative to the pixel's centre, in pixels.
     const glm::dvec2 from = (glm::dvec2(clip[0]) / clip[0].z - ndc) * 0.5 * size;
     const glm::dvec2 to = (glm::dvec2(clip[1]) / clip[1].z - ndc) * 0.5 * size;
     const glm::dvec2 along = to - from;
@@ -195,7 +196,7 @@ vtkRelievoDepthRefiner::Point vtkRelievoDepthRefiner::GetNearest(
     if (distance < nearest.Distance)
     {
       nearest.Distance = distance;
-      // From the place in the image to the place on the edge.
+      // Converts the position in the image to the position on the edge.
       const double share = t * clip[0].z / (t * clip[0].z + (1.0 - t) * clip[1].z);
       nearest.Depth = depth[0] + share * (depth[1] - depth[0]);
     }
@@ -210,7 +211,7 @@ double vtkRelievoDepthRefiner::GetNeighbourDepth(
   const int x = pixel.X;
   const int y = pixel.Y;
   std::uint32_t last = this->GetWord(x, y);
-  // Of all that hold the centre the nearest is seen.
+  // The nearest of all triangles that contain the centre is visible.
   double best = std::numeric_limits<double>::infinity();
   for (int j = std::max(0, y - 1); j <= std::min(this->View.Viewport[3] - 1, y + 1); ++j)
   {
@@ -300,7 +301,7 @@ void vtkRelievoDepthRefiner::Refine(float* depths, vtkRelievoMeshLinks& links)
     const std::lock_guard<std::mutex> lock(openMutex);
     open.insert(open.end(), ownOpen.begin(), ownOpen.end());
   });
-  // A few in ten thousand.
+  // Few pixels: about one in several thousand.
   for (const Pixel& pixel : open)
   {
     float& depth = depths[static_cast<std::ptrdiff_t>(pixel.Y) * width + pixel.X];
@@ -320,7 +321,7 @@ void vtkRelievoDepthRefiner::RefineRow(
   std::uint32_t last = Nothing;
   Triangle triangle;
   Weights weights{};
-  int first = 0; // the pixel that the weights are of
+  int first = 0; // the pixel of the weights
   for (int x = 0; x < this->View.Viewport[2]; ++x)
   {
     const std::uint32_t word = words[x];

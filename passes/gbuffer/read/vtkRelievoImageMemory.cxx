@@ -23,7 +23,7 @@ void* vtkRelievoNewImageMemory(std::size_t bytes)
   void* aligned = nullptr;
   if (bytes >= LargePage && posix_memalign(&aligned, LargePage, bytes) == 0)
   {
-    // What does not fill a page stays in small ones; so does all of it where madvise says no.
+    // The rest of an incomplete page stays in small pages; the whole block does if madvise fails.
     madvise(aligned, bytes / LargePage * LargePage, MADV_HUGEPAGE);
     return aligned;
   }
@@ -42,7 +42,8 @@ void vtkRelievoAllocateImage(vtkDataArray* array, int components, vtkIdType tupl
   const vtkIdType values = tuples * components;
   const std::size_t bytes =
     static_cast<std::size_t>(values) * static_cast<std::size_t>(array->GetDataTypeSize());
-  if (bytes >= LargePage && array->HasStandardMemoryLayout()) // bits have no bytes of their own
+  // Arrays of bits are not byte-addressed.
+  if (bytes >= LargePage && array->HasStandardMemoryLayout())
   {
     array->SetVoidArray(
       vtkRelievoNewImageMemory(bytes), values, 0, vtkAbstractArray::VTK_DATA_ARRAY_FREE);

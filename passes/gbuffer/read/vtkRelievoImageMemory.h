@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Memory for a value or more of each pixel, in pages of 2 MB where Linux has them: to be given ten
-// thousand of 4 kB takes longer than to decode what goes there.
+// Memory for one or more values per pixel, in pages of 2 MB where Linux has them: the allocation of
+// ten thousand pages of 4 kB takes longer than the decoding into them.
 #ifndef vtkRelievoImageMemory_h
 #define vtkRelievoImageMemory_h
 
@@ -10,10 +10,10 @@
 
 #include <cstddef>
 
-// What free() gives back. Throws std::bad_alloc, as `new` does.
+// Freed by free(). Throws std::bad_alloc, like `new`.
 void* vtkRelievoNewImageMemory(std::size_t bytes);
 
-// Room for the tuples, not cleared.
+// Allocates the tuples without clearing them.
 void vtkRelievoAllocateImage(vtkDataArray* array, int components, vtkIdType tuples);
 
 #endif

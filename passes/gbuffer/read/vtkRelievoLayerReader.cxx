@@ -41,14 +41,14 @@ vtkSmartPointer<Array> NewArray(int components, vtkIdType tuples)
   return array;
 }
 
-// Also of a light by its name, which the catalogue alone does not know.
+// Lights' layers have names that the catalogue alone does not know.
 const vtkRelievoLayer& Know(const std::string& layer, const vtkRelievoGBufferLayout& layout)
 {
   return layout.GetLight(layer) >= 0 ? vtkRelievoLayerCatalogue::GetOfLight()
                                      : vtkRelievoLayerCatalogue::Find(layer);
 }
 
-// The cells that users know: of a polygon that vtkRelievoConvexPolygons cut, the polygon.
+// Maps cells cut by vtkRelievoConvexPolygons to the users' polygons.
 class PolygonNumbers
 {
 public:
@@ -111,7 +111,7 @@ void vtkRelievoLayerReader::AddChannels(const std::string& layer, vtkRelievoGBuf
   layout.GeometricNormal =
     layout.GeometricNormal || (source & vtkRelievoLayer::FROM_GEOMETRIC_NORMAL) != 0;
   layout.Albedo = layout.Albedo || (source & vtkRelievoLayer::FROM_ALBEDO) != 0;
-  // A named array is looked up in the mesh, at the pixel's place in the pixel's cell.
+  // A named array is interpolated on the mesh, at the pixel's position in the cell.
   layout.Depth = layout.Depth || (source & vtkRelievoLayer::FROM_DEPTH) != 0;
   layout.Ids = layout.Ids || (source & vtkRelievoLayer::FROM_ID) != 0;
   if (light >= 0 &&
@@ -162,8 +162,8 @@ std::string vtkRelievoLayerReader::Read(const std::string& layer, vtkImageData* 
   }
   if (image->GetNumberOfPoints() != this->GetNumberOfPixels())
   {
-    return "the image has " + std::to_string(image->GetNumberOfPoints()) + " points, the layers " +
-      std::to_string(this->GetNumberOfPixels()) + " pixels";
+    return "the image has " + std::to_string(image->GetNumberOfPoints()) +
+      " points, but the layers have " + std::to_string(this->GetNumberOfPixels()) + " pixels";
   }
   vtkRelievoGBufferLayout needed;
   needed.Lights = this->Layout.Lights;
@@ -200,7 +200,7 @@ std::string vtkRelievoLayerReader::Read(const std::string& layer, vtkImageData* 
       array = this->ReadShadow(needed.Shadows.front(), wrong);
       break;
     case vtkRelievoLayer::FROM_PICTURE:
-      wrong = "it is the picture's; read it with vtkRelievoPass::ReadLayers";
+      wrong = "it belongs to the picture; read it with vtkRelievoPass::ReadLayers";
       break;
     default:
       array = this->ReadNamedArray(layer, wrong);
@@ -222,7 +222,7 @@ vtkSmartPointer<vtkFloatArray> vtkRelievoLayerReader::ReadDepth()
   if (this->Layout.NormalDepthWord < 0 &&
     this->Layout.DepthFormat == vtkRelievoLayersStage::DEPTH_32F)
   {
-    // The words are the depths.
+    // The words are the depths themselves.
     this->GetWords(this->Layout.DepthWord);
     auto depths = vtkSmartPointer<vtkFloatArray>::New();
     depths->SetVoidArray(this->Words[this->Layout.DepthWord].release(), this->GetNumberOfPixels(),
@@ -291,7 +291,7 @@ void vtkRelievoLayerReader::RefineDepth(float* depths)
 }
 
 //------------------------------------------------------------------------------
-// Before threads ask for them.
+// Called before threads use the result.
 void vtkRelievoLayerReader::PreparePlaces()
 {
   if (this->Layout.PlaceWord < 0 || !this->Places.empty())
@@ -327,8 +327,8 @@ const glm::dvec3* vtkRelievoLayerReader::GetPlace(vtkIdType pixel, glm::dvec3& e
   const float* place = this->Places.data() + 2 * pixel;
   const double depth = this->Depth->GetValue(pixel);
   eye = glm::dvec3(place[0], place[1], -depth);
-  // Code that moves the mesh in its own space leaves places where they are seen, which is exacter
-  // than what is interpolated.
+  // Shader code that moves the mesh in its own space leaves positions on the pixel's ray, which are
+  // more exact than interpolated ones.
   const vtkIdType width = this->Region[2];
   const glm::dvec2 size(width, this->Region[3]);
   const glm::dvec2 at(pixel % width, pixel / width);
@@ -398,13 +398,13 @@ vtkSmartPointer<vtkDataArray> vtkRelievoLayerReader::ReadNormal(int firstWord)
   {
     words[k] = this->GetWords(first + k);
   }
-  // From view to world: the transposed matrix is right for normals whatever the matrix scales.
+  // From view to world: the transposed matrix transforms normals correctly under any scale.
   const glm::mat3 toSpace = this->WorldNormals
     ? glm::mat3(glm::transpose(glm::dmat3(this->View.WorldToView)))
     : glm::mat3(1.0f);
   const vtkIdType width = this->Region[2];
   vtkRelievoForRows(this->Region[3], this->Region[2], [&](vtkIdType from, vtkIdType to) {
-    // Neighbours mostly show the background or one flat triangle.
+    // Cached: neighbours mostly show the background or one flat triangle.
     std::uint32_t packed[4] = {};
     glm::vec3 normal(0.0f);
     for (vtkIdType i = from * width; i < to * width; ++i)

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// From the words of the G-buffer to the layers as arrays, in double where it counts.
+// Converts the words of the G-buffer to layers as arrays, in double where precision needs it.
 #ifndef vtkRelievoLayerReader_h
 #define vtkRelievoLayerReader_h
 
@@ -29,14 +29,14 @@ struct vtkRelievoFrameCamera;
 class vtkRelievoLayerReader
 {
 public:
-  // The region x y w h of the target's textures is read.
+  // Reads the region x y w h of the target's textures.
   vtkRelievoLayerReader(const vtkRelievoGBufferLayout& layout, vtkRelievoGBufferTarget& target,
     const int region[4], const vtkRelievoFrameCamera& view);
 
-  // Marks in the layout what the layer is made of.
+  // Adds the channels of the layer to the layout.
   static void AddChannels(const std::string& layer, vtkRelievoGBufferLayout& layout);
 
-  // Whether the layer is made of the place that a pixel shows.
+  // Whether the layer depends on the position shown at a pixel.
   static bool NeedsPlaces(const std::string& layer);
 
   void SetNormalSpaceIsWorld(bool world) { this->WorldNormals = world; }
@@ -48,23 +48,23 @@ public:
     this->Renderer = renderer;
   }
 
-  // Adds the layer to the image's point data. Returns what is wrong, in words.
+  // Adds the layer to the image's point data. Returns an error message, or an empty string.
   std::string Read(const std::string& layer, vtkImageData* image);
 
 private:
-  // A word of the layout, of every pixel.
+  // One word of the layout, for every pixel.
   const std::uint32_t* GetWords(int word);
   vtkIdType GetNumberOfPixels() const;
 
-  // Looks up what the words mean, once.
+  // Resolves the draw table, once.
   void ResolveDraws();
 
-  // Where a pixel is in eye space, if its actor has shader code of its own and the layout has
-  // places; else null.
+  // Position of a pixel in eye space, if its actor has its own shader code and the layout has
+  // places; else nullptr.
   const glm::dvec3* GetPlace(vtkIdType pixel, glm::dvec3& eye);
   void PreparePlaces();
 
-  // The layer depth, made once: the layers of points are made of it.
+  // The layer depth, cached for the layers that depend on positions.
   vtkFloatArray* GetDepth();
   vtkSmartPointer<vtkFloatArray> ReadDepth();
   void RefineDepth(float* depths);
@@ -87,7 +87,7 @@ private:
   vtkRelievoMeshLinks* Links = nullptr;
   vtkRenderer* Renderer = nullptr;
   bool Resolved = false;
-  std::vector<float> Places; // x and y of each pixel in eye space; empty: as pixel and depth say
+  std::vector<float> Places; // x and y of each pixel in eye space; empty: from pixel and depth
   const std::uint32_t* Ids = nullptr;
   vtkSmartPointer<vtkFloatArray> Depth;
   struct Freed

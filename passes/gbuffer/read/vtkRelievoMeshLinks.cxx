@@ -12,7 +12,7 @@
 
 namespace
 {
-// Calls visit(point, cell) for the corners, where the arrays are integers of this type.
+// Calls visit(point, cell) for the corners, if the arrays hold integers of this type.
 template <typename Integer, typename Visit>
 bool VisitTyped(vtkCellArray* cells, const Visit& visit)
 {
@@ -67,7 +67,8 @@ void vtkRelievoMeshLinks::Links::Build(vtkPolyData* mesh)
     VisitCorners(
       mesh->GetStrips(), [&](vtkIdType point, vtkIdType cell) { f(point, strips + cell); });
   };
-  // Each point's offset is first where its cells end, and goes back by one for every cell put in.
+  // Each offset starts at the end of its point's cells, and moves back by one for every cell
+  // inserted.
   this->Offsets.assign(static_cast<std::size_t>(points) + 1, 0);
   forCorners([&](vtkIdType point, vtkIdType) { ++this->Offsets[point]; });
   for (vtkIdType i = 0; i < points; ++i)

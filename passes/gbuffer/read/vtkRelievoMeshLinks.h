@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Which polygons and strips use a point, for the meshes that asked; kept while a mesh stays as it
-// is. (VTK 9.1's and 9.2's vtkStaticCellLinksTemplate writes beyond its memory for vtkPolyData of
-// several kinds of cells.)
+// The polygons and strips that use a point, for requested meshes; cached until a mesh changes. (VTK
+// 9.1's and 9.2's vtkStaticCellLinksTemplate writes beyond its memory for vtkPolyData with several
+// kinds of cells.)
 #ifndef vtkRelievoMeshLinks_h
 #define vtkRelievoMeshLinks_h
 
@@ -18,7 +18,7 @@ class vtkPolyData;
 class vtkRelievoMeshLinks
 {
 public:
-  // The cells of every point, one point's behind the other's.
+  // The cells of every point, in the points' order.
   struct Links
   {
     std::vector<vtkIdType> Offsets; // into Cells, one more than there are points
@@ -27,10 +27,10 @@ public:
     void Build(vtkPolyData* mesh);
   };
 
-  // Builds them if need be.
+  // Builds the links if necessary.
   const Links& Get(vtkPolyData* mesh);
 
-  // Forgets meshes that are gone or have changed.
+  // Removes deleted and changed meshes.
   void Prune();
 
 private:

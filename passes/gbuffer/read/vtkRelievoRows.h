@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Work on the rows of an image, in several threads.
+// Loops over the rows of an image, in several threads.
 #ifndef vtkRelievoRows_h
 #define vtkRelievoRows_h
 
 #include "vtkRelievoThreads.h"
 
-// Calls f(from, to) for pieces of 0 to rows, from several threads when the image is worth it.
+// Calls f(from, to) for ranges of 0 to rows, from several threads if the image is large enough.
 template <typename Function>
 void vtkRelievoForRows(int rows, int width, Function f)
 {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The words of the G-buffer back to normals and depths, by the formula files.
+// Decodes the words of the G-buffer to normals and depths, by the formula files.
 #ifndef vtkRelievoWordDecoder_h
 #define vtkRelievoWordDecoder_h
 
@@ -13,13 +13,14 @@ struct vtkRelievoFrameCamera;
 
 namespace vtkRelievoWordDecoder
 {
-// Eye space, by vtkRelievoLayersStage::NormalFormats; the zero vector where there is none.
+// Eye space; `format` is one of vtkRelievoLayersStage::NormalFormats; the zero vector without a
+// normal.
 glm::vec3 DecodeNormal(const std::uint32_t* words, int format);
 
-// World units, by vtkRelievoLayersStage::DepthFormats; +infinity where nothing is.
+// World units; `format` is one of vtkRelievoLayersStage::DepthFormats; +infinity in the background.
 double DecodeDepth(std::uint32_t word, int format, const vtkRelievoFrameCamera& view);
 
-// Normal (xyz) and depth (w) of one texel, by vtkRelievoLayersStage::NormalDepthFormats.
+// Normal (xyz) and depth (w) of a texel of one of vtkRelievoLayersStage::NormalDepthFormats.
 glm::vec4 DecodeNormalDepth(
   const std::uint32_t* words, int format, const vtkRelievoFrameCamera& view);
 }
