@@ -79,7 +79,7 @@ int vtkRelievoDelegate::RenderPass(
   state.SetFrameBuffer(s->GetFrameBuffer());
   state.SetRequiredKeys(s->GetRequiredKeys());
   state.SetPropArrayAndCount(props, numberOfProps);
-  // ParaView's pass draws the renderer's own props rather than those of the state.
+  // ParaView's pass draws the renderer's own props instead of the state's.
   const vtkRelievoAccess::Renderer::Props inUse(s->GetRenderer(), props, numberOfProps);
   pass->Render(&state);
   return pass->GetNumberOfRenderedProps();

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Draws the picture as it would be without Relievo, by a pass or by the renderer's own steps, and
-// tells when its opaque geometry begins and ends, when what is translucent, volumes and its overlay
-// begin.
+// Draws the picture without Relievo's effects, by a pass or by the renderer's own steps, and
+// reports when its opaque geometry begins and ends, and when translucent geometry, volumes and its
+// overlay begin.
 #ifndef vtkRelievoDelegate_h
 #define vtkRelievoDelegate_h
 
@@ -21,20 +21,21 @@ class vtkWindow;
 class vtkRelievoDelegate
 {
 public:
-  // Called as often as the delegate draws opaque geometry, and so on; empty ones cost nothing.
+  // Called every time the delegate reaches the phase; empty functions cost nothing.
   struct DelegateEvents
   {
     std::function<void()> OpaqueBegins;
     std::function<void()> OpaqueEnds;
-    std::function<void()> TranslucentAsked; // before it is drawn by most delegates, not by all
-    // With the sentinel, which has the keys of the passes that draw.
+    std::function<void()> TranslucentAsked; // before the drawing, by most delegates
+    // The argument is the sentinel, which has the keys of the passes that draw.
     std::function<void(vtkProp*)> TranslucentBegins;
     std::function<void()> VolumesBegin;
     std::function<void()> OverlayBegins;
   };
 
-  // Without a pass the renderer's own steps; into a framebuffer of an outer pass, which those know
-  // nothing of, the same steps as a pass. Returns the number of props drawn.
+  // Renders by the pass, or without one by the renderer's own steps; inside an outer pass's
+  // framebuffer, which those do not support, by an equivalent pass. Returns the number of props
+  // drawn.
   int Render(vtkRenderPass* pass, const vtkRenderState* s, const DelegateEvents& events);
 
   void ReleaseGraphicsResources(vtkWindow* window);
@@ -48,7 +49,7 @@ private:
   vtkNew<vtkRelievoSentinelProp> Begin;
   vtkNew<vtkRelievoSentinelProp> End;
   vtkNew<vtkRelievoWireFrameSentinel> EndOfWireFrames;
-  std::vector<vtkProp*> Props; // of the frame, between the sentinels
+  std::vector<vtkProp*> Props; // the frame's, between the sentinels
 };
 
 #endif

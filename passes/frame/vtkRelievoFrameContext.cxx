@@ -89,8 +89,8 @@ double vtkRelievoFrameContext::GetDrawnDepthError(double depth) const
   {
     return std::numeric_limits<double>::infinity();
   }
-  // A step of z, as much for what the rasteriser interpolates, and what is lost in floats when z
-  // becomes a depth again.
+  // One step of z, as much again for the rasteriser's interpolation, and the float rounding in the
+  // conversion from z to depth.
   const int bits = std::min(vtkRelievoColorBuffers::GetBoundDepthBits(), 24);
   const double range = this->View.Far - this->View.Near;
   const double slope =

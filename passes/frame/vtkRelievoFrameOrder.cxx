@@ -20,7 +20,7 @@ vtkRelievoFrameOrder::vtkRelievoFrameOrder(const std::vector<Node>& nodes)
 }
 
 //------------------------------------------------------------------------------
-// Those that make and change the colour, in their order.
+// The nodes that make and change the colour, in order.
 std::vector<int> vtkRelievoFrameOrder::GetColorChain() const
 {
   std::vector<int> chain;
@@ -72,7 +72,7 @@ void vtkRelievoFrameOrder::WaitForReads()
         }
         continue;
       }
-      // A mere reader sees the colour as it is at its place in the chain.
+      // A node that only reads sees the colour at its place in the chain.
       for (const int link : chain)
       {
         if (node.ChangesColor() || link == static_cast<int>(i))
@@ -151,7 +151,7 @@ void vtkRelievoFrameOrder::Sort()
 }
 
 //------------------------------------------------------------------------------
-// What is not done waits for itself: walks back until a node comes again.
+// Every remaining node waits for another one: walks back until a node repeats.
 void vtkRelievoFrameOrder::RefuseCircle(const std::vector<bool>& done)
 {
   const auto getWait = [&](int place) {

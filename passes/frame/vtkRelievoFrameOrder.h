@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The order of a plan's needed nodes: each after those whose resources it reads, and before those
-// that change the colour which it reads; within that by slot, order and name.
+// The order of a plan's needed nodes: each after the writers of its resources, and before later
+// changes of the colour that it reads; otherwise by slot, order and name.
 #ifndef vtkRelievoFrameOrder_h
 #define vtkRelievoFrameOrder_h
 
@@ -17,16 +17,16 @@ class vtkRelievoFrameOrder
 public:
   explicit vtkRelievoFrameOrder(const std::vector<vtkRelievoFramePlan::Node>& nodes);
 
-  // Places of the nodes, in order; of no use while some have to be refused.
+  // Indices of the nodes, in order; meaningless while GetRefused() is not empty.
   const std::vector<int>& Get() const { return this->Order; }
 
-  // Nodes that have no place, and why, in words that name the stages.
+  // Nodes without a place, and the reasons, in words that name the stages.
   const std::vector<std::pair<int, std::string>>& GetRefused() const { return this->Refused; }
 
 private:
   using Node = vtkRelievoFramePlan::Node;
 
-  // The node that is waited for, and the resource that it writes.
+  // The awaited node, and its resource.
   using Wait = std::pair<int, std::string>;
 
   std::vector<int> GetColorChain() const;
@@ -36,7 +36,7 @@ private:
   void RefuseCircle(const std::vector<bool>& done);
 
   const std::vector<Node>& Nodes;
-  std::vector<std::vector<Wait>> Waits; // of each node
+  std::vector<std::vector<Wait>> Waits; // by node
   std::vector<int> Order;
   std::vector<std::pair<int, std::string>> Refused;
 };

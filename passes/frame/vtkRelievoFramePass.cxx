@@ -43,7 +43,7 @@ public:
   std::vector<vtkSmartPointer<vtkRelievoStage>> Registered;
   std::vector<vtkSmartPointer<vtkRelievoStage>> Added;
   std::set<std::string> Requested;
-  std::set<std::string> Reported; // what could not be had, told once
+  std::set<std::string> Reported; // errors reported so far
   bool Drawing = false;
   vtkRelievoGpuTimer Timer;
   vtkRelievoFrameReport Report;
@@ -53,13 +53,13 @@ public:
   vtkNew<vtkRelievoDepthSplice> Depth;
   vtkSmartPointer<vtkMultiProcessController> Controller;
   vtkRelievoSampleAccumulator Samples;
-  vtkRelievoSampleRaster Raster; // of all samples at once
+  vtkRelievoSampleRaster Raster; // all samples at once
   vtkRelievoFrameReader Reader{ Color, Samples };
-  vtkRelievoEdgeFilter Filter;                  // of pictures with one sample of many
+  vtkRelievoEdgeFilter Filter;                  // for pictures with one of several samples
   vtkWeakPointer<vtkOpenGLRenderWindow> Window; // of the last frame
 
-  // While something moves, pictures have the first sample alone of those that smooth edges: what
-  // that shows is filtered, not what is gathered.
+  // While something moves, pictures show only the first of the samples that smooth edges: the
+  // filter applies to the shown picture, not to the gathered samples.
   void SmoothFirst(const vtkRelievoFrameContext& context)
   {
     if (context.OffsetsSamples && context.Sample == 0 && context.Picture && context.Last)
@@ -88,7 +88,7 @@ public:
     return stages;
   }
 
-  // A stage that leaves the frame: what it holds is released, and what it wrote is read no more.
+  // For a stage that leaves the frame: releases its resources, and drops its layers.
   void Forget(vtkRelievoStage* stage)
   {
     if (this->Window)
@@ -144,7 +144,7 @@ void vtkRelievoFramePass::AddStage(vtkRelievoStage* stage)
   if (!stage || std::find(stages.begin(), stages.end(), stage) != stages.end())
   {
     vtkErrorMacro(
-      "AddStage was given " << (stage ? "a stage that is there already." : "no stage."));
+      "AddStage was given " << (stage ? "a stage that was added before." : "no stage."));
     return;
   }
   const std::string name = stage->GetStageName();
@@ -153,7 +153,7 @@ void vtkRelievoFramePass::AddStage(vtkRelievoStage* stage)
     if (other->GetStageName() == name)
     {
       vtkErrorMacro("AddStage was given a second stage '" << name << "'; give it another name, or "
-                                                          << "take the first away (RemoveStage).");
+                                                          << "remove the first one (RemoveStage).");
       return;
     }
   }
@@ -277,9 +277,9 @@ std::string vtkRelievoFramePass::CheckLights(vtkRenderer* renderer)
   {
     on += light->GetSwitch() ? 1 : 0;
   }
-  return on <= MOST_LIGHTS
-    ? std::string()
-    : std::to_string(on) + " lights are on, and VTK's shaders, which have code for each, take " +
+  return on <= MOST_LIGHTS ? std::string()
+                           : std::to_string(on) +
+      " lights are on, and VTK's shaders, which have code for each, take at most " +
       std::to_string(MOST_LIGHTS) + ".";
 }
 
@@ -299,7 +299,7 @@ void vtkRelievoFramePass::Render(const vtkRenderState* s)
   {
     if (in.Reported.insert("within itself").second)
     {
-      vtkErrorMacro("The frame is within the pass that it is around: set one of the two.");
+      vtkErrorMacro("The frame is inside its own delegate pass: set another delegate pass.");
     }
     return;
   }
@@ -312,7 +312,7 @@ void vtkRelievoFramePass::Render(const vtkRenderState* s)
   }
   if (in.Window && in.Window != window)
   {
-    // One pass in two windows: what a context holds is released in it, before the other is current.
+    // For one pass in two windows: resources are released in their own context first.
     this->ReleaseStages(in.Window);
     in.Picture.ReleaseGraphicsResources(in.Window);
   }
@@ -321,7 +321,7 @@ void vtkRelievoFramePass::Render(const vtkRenderState* s)
   vtkRelievoAccess::Camera::SetStereo(renderer->GetActiveCamera(), window->GetStereoRender());
   if (renderer->GetSelector())
   {
-    // A selection draws its own picture of ids, to its own rules.
+    // A selection draws its own picture of ids, by its own rules.
     this->NumberOfRenderedProps = in.Picture.Render(in.Delegate, s, {});
     return;
   }
@@ -332,14 +332,14 @@ void vtkRelievoFramePass::Render(const vtkRenderState* s)
   in.Drawing = true;
   while (!this->DrawSample(s))
   {
-    // Not shown yet: the frame has more samples.
+    // Nothing is shown yet: the frame has more samples.
   }
   in.Drawing = false;
   in.Timer.EndFrame();
 }
 
 //------------------------------------------------------------------------------
-// Whether it is what the frame ends with.
+// Returns whether the sample is the frame's last.
 bool vtkRelievoFramePass::DrawSample(const vtkRenderState* s)
 {
   Internals& in = *this->Internal;
@@ -476,7 +476,8 @@ void vtkRelievoFramePass::ReleaseGraphicsResources(vtkWindow* window)
 {
   if (!window)
   {
-    vtkErrorMacro("ReleaseGraphicsResources was given no window; give it that which was drawn in.");
+    vtkErrorMacro(
+      "ReleaseGraphicsResources was given no window; give it the window that was drawn to.");
     return;
   }
   this->ReleaseStages(window);

@@ -2,17 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkRelievoFramePass
- * @brief The frame: wraps any render pass and runs the stages that the requested outputs need.
+ * @brief The frame: wraps any render pass and runs the stages needed for the requested outputs.
  *
- * A decorator: the delegate draws the picture as it would without the frame; stages add layers and
- * effects. The outputs are the picture, unless only layers are requested, and the layers. The frame
- * works backwards from them: it runs the stages that write what is read, in the order of their
- * slots and of what they read and write. All other stages release what they hold.
+ * A decorator: the delegate draws the unmodified picture; stages add layers and effects. The
+ * outputs are the picture, unless only layers are requested, and the layers. The frame works
+ * backwards from them: it runs the stages that write needed inputs, in the order of their slots and
+ * of their inputs and outputs. All other stages release their resources.
  *
  * The linear colour `color` exists while a stage reads it or it is requested: the delegate then
  * draws into a framebuffer of half floats (floats on software OpenGL), whose values are decoded by
- * the inverse of the sRGB curve, and the picture is encoded from it by that curve. Otherwise the
- * delegate draws where it would without the frame.
+ * the inverse sRGB curve, and the picture is encoded from it by that curve. Otherwise the delegate
+ * draws directly to the window.
  *
  * vtkRelievoPass is a frame with Relievo's own stages.
  */
@@ -40,9 +40,9 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * The most lights that may be on: more are refused with an error, and nothing is drawn. VTK's
-   * shaders have code for each light, which takes long to compile and with some thousands ends the
-   * program. vtkRelievoLamps has room for any number.
+   * Maximum number of lights that are on: with more, an error is reported and nothing is drawn.
+   * VTK's shaders have code for each light, which takes long to compile and with some thousands
+   * ends the program. vtkRelievoLamps supports any number.
    */
   enum Limits
   {
@@ -50,21 +50,20 @@ public:
   };
 
 #ifndef __VTK_WRAP__
-  /** What is wrong with the number of lights that are on, in words; empty if nothing is. */
+  /** Returns an error message if too many lights are on, else an empty string. */
   static std::string CheckLights(vtkRenderer* renderer);
 #endif
 
   ///@{
-  /** The pass that draws the picture. Default nullptr, which means the renderer's own steps. */
+  /** The pass that draws the picture. Default nullptr: the renderer's own steps. */
   virtual void SetDelegatePass(vtkRenderPass* pass);
   vtkRenderPass* GetDelegatePass();
   ///@}
 
   ///@{
   /**
-   * Adds or removes stages. One with the name of a registered stage replaces it; the name of an
-   * added stage is an error. The order in which they are added does not matter: the frame works out
-   * its own.
+   * Adds or removes stages. A stage with the name of a registered stage replaces it; the name of an
+   * added stage is an error. The order of adding does not matter: the frame computes its own order.
    */
   void AddStage(vtkRelievoStage* stage);
   void RemoveStage(vtkRelievoStage* stage);
@@ -97,11 +96,12 @@ public:
 
   ///@{
   /**
-   * A stage may draw one sample in each frame, of a light with a size for example
-   * (vtkRelievoShadowStage::SetSoftSamples); while nothing else changes the frame shows the mean of
-   * those that it has gathered. GetSamplesLeft says how many the last frame is short of: render
-   * again until it is 0. WaitForSamples makes each frame gather all at once, for pictures that are
-   * saved. Default off; pictures in tiles, and captures by vtkRelievoLayerSource, always do.
+   * A stage may draw one sample in each frame, for example of a light with a size
+   * (vtkRelievoShadowStage::SetSoftSamples); while nothing else changes, the frame shows the mean
+   * of the samples gathered so far. GetSamplesLeft returns the number of samples that the last
+   * frame lacks: render again until it is 0. WaitForSamples makes each frame gather all samples,
+   * for saved pictures. Default off; pictures in tiles, and captures by vtkRelievoLayerSource,
+   * always gather all.
    */
   int GetSamplesLeft();
   vtkSetMacro(WaitForSamples, bool);
@@ -124,8 +124,9 @@ public:
   ///@{
   /**
    * The processes that draw the frame together, each its own props: samples are gathered by all or
-   * none, and rays of the stage `ambient` pass what any of them has. All of them draw each frame,
-   * with equal settings. Shadows and stages of points have controllers of their own. Default none.
+   * none, and rays of the stage `ambient` are traced through all processes' props. All of them draw
+   * each frame, with equal settings. Shadows and stages of points have their own controllers.
+   * Default none.
    */
   virtual void SetController(vtkMultiProcessController* controller);
   vtkMultiProcessController* GetController();
@@ -135,30 +136,29 @@ public:
   /**
    * Reads layers of the last frame into the image as point arrays of the layers' names; row 0 is
    * the bottom row. The image's dimensions are set if it has no points. Returns false, with an
-   * error, at the first layer that the last frame did not make. Reading several at once is faster:
-   * they share what comes from the GPU.
+   * error, at the first layer that the last frame did not make. Reading several layers at once is
+   * faster: they share data from the GPU.
    */
   bool ReadLayer(RELIEVO_TEXT name, vtkImageData* image);
   bool ReadLayers(const std::vector<std::string>& names, vtkImageData* image);
   ///@}
 
   /**
-   * Reads layers into the image, and returns what is wrong in words instead of reporting it; "" if
-   * all were read.
+   * Reads layers into the image, and returns an error message instead of reporting it; "" if all
+   * were read.
    */
   std::string TryReadLayers(const std::vector<std::string>& names, vtkImageData* image);
 
   /**
-   * What the last frame did, as JSON: for the delegate and every stage its name, whether it ran,
+   * Report on the last frame, as JSON: for the delegate and every stage its name, whether it ran,
    * the reason in words and as a code (vtkRelievoStage::GetReasonCode), GPU milliseconds (of the
-   * newest frame whose timers have arrived; null before), bytes held, draw calls, and the label:
-   * the name as people read it; and the totals.
-   * Software OpenGL has no timers between commands, so there only the eight frames after each
-   * reading of a report are timed, waiting for each command.
+   * newest frame whose timers have arrived; null before), bytes in use, draw calls, and the label,
+   * its name for users; and the totals. Software OpenGL has no timers between commands, so there
+   * only the eight frames after each reading of a report are timed, waiting for each command.
    */
   std::string GetFrameReport();
 
-  /** Bytes of GPU memory that the frame and its stages hold. */
+  /** Bytes of GPU memory in use by the frame and its stages. */
   vtkIdType GetBytesHeld();
 
   void Render(const vtkRenderState* s) override;
@@ -171,7 +171,7 @@ protected:
   /** Adds one of each registered stage, switched on if its description says so. */
   void AddRegisteredStages();
 
-  /** Releases what the stages hold in the window. */
+  /** Releases the stages' resources in the window. */
   void ReleaseStages(vtkWindow* window);
 
   bool LayersOnly = false;

@@ -26,7 +26,7 @@ bool Writes(const Node& node, const std::string& resource, bool layer)
     (!layer && Has(node.Declaration.Writes, resource));
 }
 
-// The nodes that make the picture beside the delegate, the last one first.
+// The nodes that make the picture in addition to the delegate, the last one first.
 std::vector<int> FindPictureMakers(const std::vector<Node>& nodes)
 {
   std::vector<int> makers;
@@ -89,7 +89,7 @@ int vtkRelievoFramePlan::FindWriter(const std::vector<Node>& nodes, const Name& 
 {
   int writer = -1;
   int arrays = -1;
-  bool idle = false; // what a stage would write that does not run is nobody's array
+  bool idle = false; // the outputs of an idle stage are no arrays
   for (std::size_t i = 0; i < nodes.size(); ++i)
   {
     const vtkRelievoDeclaration& declaration = nodes[i].Declaration;
@@ -110,7 +110,7 @@ int vtkRelievoFramePlan::FindWriter(const std::vector<Node>& nodes, const Name& 
 }
 
 //------------------------------------------------------------------------------
-// Why nobody writes it; "" if somebody does.
+// The reason why no stage writes it; "" if one does.
 std::string vtkRelievoFramePlan::ExplainMissing(const std::vector<Node>& nodes, const Name& name)
 {
   const int writer = FindWriter(nodes, name);
@@ -140,7 +140,7 @@ std::string vtkRelievoFramePlan::ExplainMissing(const std::vector<Node>& nodes, 
 }
 
 //------------------------------------------------------------------------------
-// Told: the report says it, and that is enough.
+// `told`: the report contains the reason, so that no error is needed.
 void vtkRelievoFramePlan::Refuse(Node& node, const std::string& words, bool told)
 {
   node.Declaration.Runs = false;
@@ -165,7 +165,7 @@ void vtkRelievoFramePlan::Need(std::vector<Node>& nodes, int place, const std::s
   node.Needed = true;
   if (node.Delegate && resource == Translucent)
   {
-    this->ColorNeeded = this->ColorSeen = true; // which it is kept apart from
+    this->ColorNeeded = this->ColorSeen = true; // the colour from which it is kept apart
   }
   if (!asked)
   {
@@ -211,7 +211,8 @@ void vtkRelievoFramePlan::AskForColor(std::vector<Node>& nodes, int reader)
 }
 
 //------------------------------------------------------------------------------
-// Those that change the colour where somebody before them does; before the reader, if there is one.
+// Adds the stages that change the colour only if an earlier one does; only those before the reader,
+// if any.
 void vtkRelievoFramePlan::Join(std::vector<Node>& nodes, int reader)
 {
   for (std::size_t i = 0; i < nodes.size(); ++i)
@@ -261,7 +262,7 @@ void vtkRelievoFramePlan::MarkPicture(std::vector<Node>& nodes)
   {
     this->Need(nodes, delegate, Picture);
   }
-  std::string cover; // the node that surely hides what was drawn before it
+  std::string cover; // the node that certainly hides earlier drawing
   for (const int maker : FindPictureMakers(nodes))
   {
     Node& node = nodes[maker];
@@ -312,7 +313,7 @@ void vtkRelievoFramePlan::Mark(
     }
     node.Needed = false;
     node.Asked.clear();
-    // What runs only for a layer has told why it leaves the picture alone.
+    // A stage that runs only for a layer has already declared why it does not affect the picture.
     const bool told = !node.Declaration.Runs || !node.Declaration.ReasonCode.empty();
     node.ReasonCode = told ? node.Declaration.ReasonCode : "not_asked";
     node.Reason = told ? node.Declaration.Reason : "no output asks for it";
@@ -336,7 +337,7 @@ void vtkRelievoFramePlan::Mark(
       }
     }
   }
-  // A mean is made of the linear colour.
+  // Means are computed from the linear colour.
   const bool gathers = std::any_of(nodes.begin(), nodes.end(),
     [](const Node& node) { return node.Needed && node.Declaration.Samples > 1; });
   this->ColorNeeded = this->ColorNeeded || (picture && gathers && this->NoColor.empty());

@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Which steps of a frame run, and in which order: worked out backwards from what is asked of it.
+// Plans a frame: which steps run, and in which order, worked out backwards from its outputs.
 //
-// Resources are names: `picture`, what the window shows; `color`, the linear colour that the
-// picture is made of; `translucent`, what the delegate keeps apart from it; layers; and whatever
-// else stages write and read, such as `shadow maps`.
-// Users name layers only, and arrays of their data among them, which may be called as they like:
-// what a stage writes is a layer if the stage publishes it.
+// Resources are names: `picture`, the window's content; `color`, the linear colour from which the
+// picture is made; `translucent`, the geometry that the delegate keeps apart from it; layers; and
+// any other output of stages, such as `shadow maps`.
+// Users name only layers, and arrays of their data, which may have any name: a stage's output is a
+// layer if the stage publishes it.
 #ifndef vtkRelievoFramePlan_h
 #define vtkRelievoFramePlan_h
 
@@ -18,48 +18,50 @@
 #include <string>
 #include <vector>
 
-// What a stage would do in a frame.
+// A stage's planned work in a frame.
 struct VTKRELIEVOFRAME_EXPORT vtkRelievoDeclaration
 {
-  // Whether there is anything to do; if not, ReasonCode and Reason say why (vtkRelievoStage). What
-  // runs, but for layers alone, has them for pictures that ask for none of these.
-  // The words of what is "refused" are an error, which the frame says once.
+  // Whether the stage has work to do; if not, ReasonCode and Reason tell why (vtkRelievoStage). A
+  // stage that runs only for layers also sets them, for pictures that request none of its layers.
+  // The reason of a "refused" stage is an error, which the frame reports once.
   bool Runs = true;
   std::string ReasonCode;
   std::string Reason;
 
-  std::vector<std::string> Reads;         // without which it cannot run
-  std::vector<std::string> ReadsLayers;   // as users name them: arrays, and what is published
-  std::vector<std::string> OptionalReads; // reads what of it is offered
-  std::vector<std::string> Writes; // what writes `color` changes it, whether it reads it or not
-  std::vector<std::string> Layers; // writes as well, for users to request by these names
-  bool WritesArrays = false;       // any layer that is not among anybody's Layers
-  std::vector<std::string> OptionalWrites; // of Writes: to those that merely use it
-  // Whether it changes the colour only in pictures in which another stage before it does.
+  std::vector<std::string> Reads; // required inputs
+  // Required inputs by their name for users: arrays and published layers.
+  std::vector<std::string> ReadsLayers;
+  std::vector<std::string> OptionalReads; // inputs that are read if they are offered
+  std::vector<std::string> Writes; // a writer of `color` changes it, whether it reads it or not
+  std::vector<std::string> Layers; // outputs that users can also request by these names
+  bool WritesArrays = false;       // and any layer that is in no stage's Layers
+  // Subset of Writes: only for users that read them optionally.
+  std::vector<std::string> OptionalWrites;
+  // Whether the stage changes the colour only in pictures in which an earlier stage does.
   bool OnlyIfColorChanges = false;
-  // Whether it changes the colour only where something translucent is kept apart.
+  // Whether the stage changes the colour only if translucent geometry is kept apart.
   bool OnlyIfTranslucent = false;
-  bool HidesColor = true; // of one that writes `picture`: the colour is surely not seen beneath
+  bool HidesColor = true; // for a writer of `picture`: the colour is certainly hidden
 
-  // Whether it finishes what the delegate draws, while it draws: needed whenever that is.
+  // Whether the stage takes part in the delegate's drawing: needed whenever the delegate is.
   bool DrawsWithDelegate = false;
 
-  // Whether it makes the picture of the colour, by vtkRelievoFrameContext::Present, in the place of
-  // the sRGB curve alone. If it does not, the curve does.
+  // Whether the stage makes the picture from the colour, by vtkRelievoFrameContext::Present, in
+  // place of the sRGB curve. If it does not, the curve is used.
   bool Presents = false;
 
-  // Samples of what it draws, of which each frame has one (vtkRelievoFrameContext::Sample) as long
-  // as nothing else changes; the frame gathers lights' visibility, the colour if an OptionalWrites
-  // is asked for, and shows the mean. AtOnce: all of them in every frame.
-  // OffsetsSamples: they lie at different places within each pixel.
-  // Gathered: what else of its writes is a mean of them: `color`, and layers of one channel.
+  // Number of samples, of which each frame draws one (vtkRelievoFrameContext::Sample) while nothing
+  // else changes; the frame gathers lights' visibility, and the colour if an OptionalWrites is
+  // requested, and shows the mean. AtOnce: every frame draws all samples. OffsetsSamples: samples
+  // have different positions within each pixel. Gathered: further outputs that are means of
+  // samples: `color`, and layers of one channel.
   int Samples = 1;
   std::vector<std::string> Gathered;
   bool AtOnce = false;
   bool OffsetsSamples = false;
-  // Whether what it does holds as well where all samples are drawn at once, in a raster that is
-  // finer than the pixels (vtkRelievoFrameContext::Lattice): shader code that it splices reads no
-  // texture by the pixel.
+  // Whether the stage also works if all samples are drawn at once, in a raster finer than the
+  // pixels (vtkRelievoFrameContext::Lattice): its spliced shader code must not read textures by
+  // pixel.
   bool AnyRaster = false;
 };
 
@@ -71,49 +73,50 @@ public:
     std::string Name;
     int Slot = 0;
     int Order = 0;
-    bool Delegate = false; // VTK's own drawing: makes the picture, and the colour
+    bool Delegate = false; // VTK's own drawing: makes the picture and the colour
     vtkRelievoDeclaration Declaration;
     std::function<std::vector<std::string>(const std::vector<std::string>&)> ReadsFor;
 
-    // Set by Make.
+    // Set by Make().
     bool Needed = false;
-    std::vector<std::string> Asked; // of what it writes; sorted
-    std::string ReasonCode;         // why it is not needed, as vtkRelievoStage::GetReason
+    std::vector<std::string> Asked; // its requested outputs, sorted
+    std::string ReasonCode;         // why it is not needed, see vtkRelievoStage::GetReason
     std::string Reason;
 
     bool ChangesColor() const;
     bool IsBefore(const Node& other) const; // by slot, order and name
   };
 
-  // What is read: a layer by the name that users give it, or any resource.
+  // An input: a layer by its name for users, or any resource.
   struct Name
   {
     std::string Resource;
     bool Layer;
   };
 
-  // Why there can be no linear colour, in words; "": there can. What reads or writes it is refused.
+  // The reason why there is no linear colour; "" if there is one. Its readers and writers are
+  // refused.
   void SetNoColor(const std::string& words) { this->NoColor = words; }
 
-  // Works out which of the nodes are needed for the layers, and for the picture. Returns which
-  // cannot run for what they read, in words that name the stages: these do not run, nor what needs
-  // them. A layer that cannot be made is left out.
+  // Determines the nodes needed for the layers and the picture. Returns a message for each stage
+  // that lacks an input; these do not run, nor do the stages that need them. Layers that cannot be
+  // made are left out.
   std::vector<std::string> Make(
     std::vector<Node>& nodes, const std::vector<std::string>& layers, bool picture);
 
-  // Layers that are left out, and why, in words that go on after the layer's name.
+  // Layers that are left out, and the reasons, in words that follow the layer's name.
   const std::map<std::string, std::string>& GetMissing() const { return this->Missing; }
 
-  // Places of the needed nodes, in the order in which they run.
+  // Indices of the needed nodes, in the order of execution.
   const std::vector<int>& GetOrder() const { return this->Order; }
 
-  // Whether the linear colour is needed: somebody other than the delegate reads or writes it.
+  // Whether the linear colour is needed: a node other than the delegate reads or writes it.
   bool NeedsColor() const { return this->ColorNeeded; }
 
-  // All that a node reads, for what is asked of it.
+  // All inputs of a node, for its requested outputs.
   static std::vector<Name> GetReads(const Node& node);
 
-  // The node that writes it, or -1.
+  // The node that writes the resource, or -1.
   static int FindWriter(const std::vector<Node>& nodes, const Name& name);
 
 private:

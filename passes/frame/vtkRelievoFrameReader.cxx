@@ -29,7 +29,7 @@ void vtkRelievoFrameReader::Forget(vtkRelievoStage* stage)
 vtkRelievoStage* vtkRelievoFrameReader::FindWriter(const std::string& name) const
 {
   auto found = this->Writers.find(name);
-  // The layers' stage may have made more than it was asked for: range comes with depth.
+  // The layers' stage may have made more than requested: range comes with depth.
   found = found == this->Writers.end() ? this->Writers.find(std::string()) : found;
   return found == this->Writers.end() ? nullptr : found->second;
 }
@@ -41,7 +41,7 @@ bool vtkRelievoFrameReader::IsAlone(const std::string& name) const
 }
 
 //------------------------------------------------------------------------------
-// Layers of one stage after the other, in the order of the names.
+// Reads the layers stage by stage, in the order of the names.
 std::string vtkRelievoFrameReader::Read(const std::vector<std::string>& names, vtkImageData* image)
 {
   for (const std::string& name : names)

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Reads layers of the last frame from whoever wrote them.
+// Reads layers of the last frame from the stages that wrote them.
 #ifndef vtkRelievoFrameReader_h
 #define vtkRelievoFrameReader_h
 
@@ -23,21 +23,21 @@ public:
   {
   }
 
-  // Of another frame: who writes which layer ("": any other), and those that cannot be made, with
-  // the reason in words.
+  // Starts a new frame: the writer of each layer ("": any other layer), and layers that cannot be
+  // made, with the reasons.
   void SetFrame(
     std::map<std::string, vtkRelievoStage*> writers, std::map<std::string, std::string> missing);
 
-  // The stage leaves the frame.
+  // For a stage that leaves the frame.
   void Forget(vtkRelievoStage* stage);
 
-  // Adds the layers to the image's point data; what is wrong, in words: "" if all were added.
+  // Adds the layers to the image's point data. Returns an error message; "" if all were added.
   std::string Read(const std::vector<std::string>& names, vtkImageData* image);
 
 private:
   vtkRelievoStage* FindWriter(const std::string& name) const;
 
-  bool IsAlone(const std::string& name) const; // no stage's
+  bool IsAlone(const std::string& name) const; // not written by a stage
 
   vtkRelievoColorTarget& Color;
   vtkRelievoSampleAccumulator& Samples;

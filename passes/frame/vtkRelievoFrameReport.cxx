@@ -16,7 +16,7 @@ namespace
 {
 using Json = nlohmann::ordered_json;
 
-// Bytes and counts with all digits, anything else with six; null for what is not known.
+// Integers with all digits, other numbers with six; null for unknown values.
 Json Number(double value)
 {
   if (value < 0.0)
@@ -33,8 +33,7 @@ Json Number(double value)
   return Json::parse(rounded.str(), nullptr, false);
 }
 
-// One line, with a blank behind each colon and comma. Names that are no UTF-8 get a sign for what
-// cannot be written.
+// One line, with a space after each colon and comma. Invalid UTF-8 in names is replaced.
 std::string Write(const Json& value)
 {
   if (!value.is_structured())

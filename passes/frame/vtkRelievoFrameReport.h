@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What the frame did and why, as JSON.
+// Report on a frame and the reasons for its steps, as JSON.
 #ifndef vtkRelievoFrameReport_h
 #define vtkRelievoFrameReport_h
 
@@ -18,7 +18,7 @@ class vtkRenderer;
 class vtkRelievoFrameReport
 {
 public:
-  // Of another frame; the bytes are the frame's own, beside the stages'.
+  // Starts a report; `bytes` are the frame's own, without the stages'.
   void Begin(vtkRenderer* renderer, long long bytes);
   void Add(const std::string& name, bool ran, const std::string& code, const std::string& reason);
   void Add(vtkRelievoStage* stage, bool ran);
@@ -29,7 +29,7 @@ private:
   struct Line
   {
     std::string Name;
-    std::string Label; // the name as people read it
+    std::string Label; // the name for users
     bool Ran = false;
     std::string Code;
     std::string Reason;

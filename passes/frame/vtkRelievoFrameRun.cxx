@@ -97,7 +97,7 @@ void vtkRelievoFrameRun::Declare()
     }
     if (description.Slot == Description::LIGHT_MAPS || node.Declaration.DrawsWithDelegate)
     {
-      // What is made of lights is used where the picture is lit.
+      // The picture's lighting uses data made for lights.
       std::vector<std::string>& uses = delegate.Declaration.OptionalReads;
       uses.insert(uses.end(), description.Writes.begin(), description.Writes.end());
     }
@@ -106,7 +106,7 @@ void vtkRelievoFrameRun::Declare()
 }
 
 //------------------------------------------------------------------------------
-// Which of the layers that are read are lights' visibility.
+// Finds the requested layers that are lights' visibility.
 void vtkRelievoFrameRun::FindLights()
 {
   std::vector<std::string> layers = this->Context.ReadBack;
@@ -141,7 +141,7 @@ std::vector<std::string> vtkRelievoFrameRun::Plan()
     this->Planned.Make(this->Nodes, this->Context.ReadBack, this->Context.Picture);
   if (this->Planned.NeedsColor())
   {
-    // Samples at places of their own need none of OpenGL's, which averages encoded colours.
+    // Samples with their own positions replace OpenGL's, which averages encoded colours.
     const bool single = std::any_of(this->Nodes.begin(), this->Nodes.end(), [](const auto& node) {
       return node.Needed && node.Declaration.OffsetsSamples && node.Declaration.Samples > 1;
     });
@@ -223,7 +223,7 @@ std::map<std::string, vtkRelievoStage*> vtkRelievoFrameRun::GetWriters() const
 }
 
 //------------------------------------------------------------------------------
-// The stages that run, in their order.
+// The stages that run, in order.
 std::vector<vtkRelievoStage*> vtkRelievoFrameRun::GetRunning() const
 {
   std::vector<vtkRelievoStage*> running;
@@ -256,7 +256,7 @@ void vtkRelievoFrameRun::Prepare()
 }
 
 //------------------------------------------------------------------------------
-// The next ones of the order, as far as their slots go.
+// Runs the next stages of the order, up to a slot.
 void vtkRelievoFrameRun::RunStages(int lastSlot)
 {
   const std::vector<int>& order = this->Planned.GetOrder();
@@ -282,8 +282,8 @@ void vtkRelievoFrameRun::Run(int place)
 }
 
 //------------------------------------------------------------------------------
-// Whether nobody after the stage that is next works on the colour, and the picture is its sRGB
-// curve alone.
+// Whether the next stage is the last to process the colour, and the picture is only encoded by the
+// sRGB curve.
 bool vtkRelievoFrameRun::FinishesColor() const
 {
   const vtkRelievoFrameContext& context = this->Context;
@@ -309,13 +309,13 @@ int vtkRelievoFrameRun::DrawDelegate(vtkRelievoDelegate& delegate, vtkRenderPass
   auto* renderer = static_cast<vtkOpenGLRenderer*>(this->Context.Renderer);
   if (!this->Nodes[0].Needed)
   {
-    // The delegate would have done it: VTK's shaders are built for the lights that it counts, and
-    // what is read back tells where the lights are.
+    // Done here in place of the delegate: VTK's shaders are built for the lights counted by it, and
+    // readers of layers need the lights' positions.
     vtkRelievoAccess::Renderer::FollowCamera(renderer);
     renderer->UpdateLights();
     return 0;
   }
-  // The delegate's time is without that of what interrupts it.
+  // Excludes interruptions from the delegate's time.
   const auto interrupt = [this](const auto& work) {
     this->Timer.End("delegate");
     work();
@@ -332,7 +332,7 @@ int vtkRelievoFrameRun::DrawDelegate(vtkRelievoDelegate& delegate, vtkRenderPass
   };
   vtkRelievoDelegate::DelegateEvents events;
   HiddenPoints hidden;
-  // Opaque geometry: stages write beside the colour while VTK draws it.
+  // Opaque geometry: stages write next to the colour while VTK draws it.
   if (!running.empty())
   {
     events.OpaqueBegins = [&]() {
@@ -361,7 +361,7 @@ int vtkRelievoFrameRun::DrawDelegate(vtkRelievoDelegate& delegate, vtkRenderPass
     this->Color.Begin(this->Context);
     this->ColorOpen = true;
     this->Context.Color = &this->Color;
-    // Translucent geometry, and volumes: each into a layer of its own, if a stage wants it apart.
+    // Translucent geometry and volumes: each into its own layer, if a stage keeps them apart.
     if (this->Context.Translucent || vtkRelievoTranslucentLayers::RightsAlpha(this->Context))
     {
       this->Translucent.Begin(this->Context, this->Color);
@@ -372,7 +372,7 @@ int vtkRelievoFrameRun::DrawDelegate(vtkRelievoDelegate& delegate, vtkRenderPass
       events.VolumesBegin = [&]() { interrupt([&]() { this->Translucent.BeginVolumes(); }); };
     }
     // Overlay: texts and bars are drawn over the finished picture, not into the colour that stages
-    // change; without a picture, nowhere.
+    // change; without a picture they are discarded.
     events.OverlayBegins = [&]() {
       if (this->ColorOpen && this->Color.IsBound())
       {
@@ -388,7 +388,7 @@ int vtkRelievoFrameRun::DrawDelegate(vtkRelievoDelegate& delegate, vtkRenderPass
       }
     };
   }
-  // Linear colours are floats; the next picture may be drawn without them, or without a frame.
+  // Linear colours are floats, but the next picture may be drawn without them, or without a frame.
   const bool linear = this->ColorOpen;
   if (linear)
   {
@@ -409,8 +409,9 @@ int vtkRelievoFrameRun::DrawDelegate(vtkRelievoDelegate& delegate, vtkRenderPass
 }
 
 //------------------------------------------------------------------------------
-// Of what the renderer's own steps draw of one camera, in one go, and no layer counts. A mapper
-// that several actors share draws other points for each.
+// Finds hidden points, if the renderer's own steps draw everything with one camera, in one go, and
+// no layer numbers primitives. A mapper shared by several actors would need different points for
+// each.
 void vtkRelievoFrameRun::FindHidden(HiddenPoints& hidden) const
 {
   const vtkRelievoFrameContext& context = this->Context;
@@ -432,7 +433,7 @@ void vtkRelievoFrameRun::FindHidden(HiddenPoints& hidden) const
   };
   if (!std::all_of(props, end, isPlain))
   {
-    return; // which may hold an actor that shares a mapper
+    return; // other props may contain an actor that shares a mapper
   }
   for (vtkProp** prop = props; prop != end; ++prop)
   {
@@ -449,8 +450,8 @@ void vtkRelievoFrameRun::FindHidden(HiddenPoints& hidden) const
 }
 
 //------------------------------------------------------------------------------
-// A turn whose samples could not be drawn at once shows nothing: the next one draws the first of
-// them.
+// If samples could not be drawn at once, nothing is shown yet: the next turn starts with the first
+// sample.
 void vtkRelievoFrameRun::CheckRaster()
 {
   if (!this->Raster.GetFault().empty())
@@ -494,8 +495,8 @@ void vtkRelievoFrameRun::Present()
   const std::vector<int>& order = this->Planned.GetOrder();
   for (; this->Next < order.size() && this->Context.Last; ++this->Next)
   {
-    // What makes the picture of the colour does so itself; what shows something else as the picture
-    // draws over it.
+    // A stage that makes the picture from the colour presents it itself; a stage that replaces the
+    // picture draws over it.
     if (!this->Nodes[order[this->Next]].Declaration.Presents)
     {
       this->PresentColor();

@@ -35,46 +35,46 @@ public:
   ///@{
   // The phases of a frame, to be called in this order.
 
-  // Stages learn of each other's processes what they have to know before they declare.
+  // Stages exchange data with other processes, before they declare.
   void Synchronize();
 
-  // Stages say what they would read and write.
+  // Stages declare their inputs and outputs.
   void Declare();
 
-  // Works out what runs, and tells the others why not. Returns what cannot run for what it reads.
+  // Plans the stages to run, and sets the others' reasons. Returns messages about missing inputs.
   std::vector<std::string> Plan();
 
-  // What the plan needs is made ready; a stage may still find that it cannot run.
+  // Prepares the planned stages; a stage may still find that it cannot run.
   void Prepare();
 
-  // Stages that draw for lights.
+  // Runs the stages that draw for lights.
   void DrawLightMaps();
 
-  // VTK's own picture. Delegates draw in one go, so it is interrupted where a later phase must come
-  // first: what lies over the picture (texts, bars) waits for DrawStages and Present. Returns the
-  // number of props that the delegate drew.
+  // Draws VTK's own picture. Delegates draw in one go, so the frame interrupts them where a later
+  // phase must come first: the overlay (texts, bars) waits for DrawStages() and Present(). Returns
+  // the number of props that the delegate drew.
   int DrawDelegate(vtkRelievoDelegate& delegate, vtkRenderPass* pass);
 
-  // Stages that follow the surfaces, up to the finished linear colour; once.
+  // Runs the stages after the surfaces, up to the finished linear colour; once.
   void DrawStages();
 
-  // Samples are accumulated, stages show what they show, and the colour becomes the picture; once.
+  // Accumulates samples, runs display stages, and presents the colour as the picture; once.
   void Present();
 
-  // Stages let go of the frame, in the opposite order.
+  // Finishes the stages, in reverse order.
   void Finish();
   ///@}
 
   bool NeedsColor() const { return this->Planned.NeedsColor(); }
-  // What was done and why; the pass is the delegate.
+  // Fills the report; the pass is the delegate.
   void Report(vtkRelievoFrameReport& report, vtkRenderPass* pass) const;
 
   bool IsNeeded(const vtkRelievoStage* stage) const;
 
-  // Who writes the layers that were asked for in this frame; "" is who writes any other.
+  // The writers of the layers requested in this frame; "" is the writer of any other layer.
   std::map<std::string, vtkRelievoStage*> GetWriters() const;
 
-  // Layers that were asked for and cannot be made, and why, in words.
+  // Requested layers that cannot be made, and the reasons.
   const std::map<std::string, std::string>& GetMissing() const
   {
     return this->Planned.GetMissing();
@@ -101,7 +101,7 @@ private:
   vtkRelievoFramePlan Planned;
   std::vector<vtkRelievoFramePlan::Node> Nodes; // the first is the delegate
   std::vector<bool> WorkOnColor;                // of Nodes: read, change or present it
-  std::vector<bool> Dropped;                    // of Nodes: needed, and cannot run after all
+  std::vector<bool> Dropped;                    // of Nodes: needed, but unable to run
   std::size_t Next = 0;                         // in the order
   bool ColorOpen = false;                       // the delegate draws into the colour target
   bool StagesDrawn = false;

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What a frame draws: its props with what each draws with a mapper, and the renderer's lights as
-// VTK's shaders count them.
+// The content of a frame: its props with the actors that draw by a mapper, and the renderer's
+// lights in the numbering of VTK's shaders.
 #ifndef vtkRelievoFrameScene_h
 #define vtkRelievoFrameScene_h
 
@@ -19,28 +19,29 @@ class vtkRenderer;
 struct vtkRelievoFrameProp
 {
   vtkProp* Prop = nullptr;
-  int Number = -1; // place in vtkRenderer::GetViewProps(); -1 in what a frame draws
+  int Number = -1; // index in vtkRenderer::GetViewProps(); -1 in a frame's scene
   std::vector<vtkRelievoPropParts::Part> Parts;
 };
 
 struct vtkRelievoFrameLight
 {
   vtkLight* Light;
-  int Number;      // place in vtkRenderer::GetLights()
-  int ShaderIndex; // as in VTK's lightColor0; -1 if it is off
+  int Number;      // index in vtkRenderer::GetLights()
+  int ShaderIndex; // number in VTK's lightColor0; -1 if it is off
 };
 
 struct VTKRELIEVOFRAME_EXPORT vtkRelievoFrameScene
 {
-  std::vector<vtkRelievoFrameProp> Props; // in the order in which they are drawn
+  std::vector<vtkRelievoFrameProp> Props; // in drawing order
 
   void Take(const vtkRenderState* s);
 
-  // What the renderer's visible props draw, in its order: those outside the view, too, whose
-  // shadows may be seen. What they draw is as of now: drawing may choose another level of detail.
+  // All visible props of the renderer, in its order, those outside the view included, since their
+  // shadows may be visible. Actors are those of the present moment: drawing may choose another
+  // level of detail.
   static std::vector<vtkRelievoFrameProp> FindVisible(vtkRenderer* renderer);
 
-  // The renderer's lights now: VTK makes one while it draws a renderer that has none.
+  // The renderer's present lights: VTK adds one while it draws a renderer without lights.
   static std::vector<vtkRelievoFrameLight> FindLights(vtkRenderer* renderer);
 };
 

@@ -22,8 +22,8 @@
 
 namespace
 {
-// A picture in tiles is drawn once for each, one of several views in turn with the others: none is
-// followed by a second of the same.
+// Tiles of a picture are drawn once each, and several views alternate: the next frame never
+// continues the present one.
 bool IsOneOfSeveral(const vtkRelievoFrameContext& context)
 {
   vtkRenderWindow* window = context.Window;
@@ -46,7 +46,7 @@ bool IsOneOfSeveral(const vtkRelievoFrameContext& context)
 }
 
 //------------------------------------------------------------------------------
-// Stages that show the picture work on the mean, whichever way it was made.
+// Display stages process the mean, however it was made.
 bool IsOfAnyRaster(const vtkRelievoFramePlan::Node& node)
 {
   return !node.Needed || node.Delegate || node.Declaration.AnyRaster ||
@@ -77,8 +77,8 @@ vtkRelievoSampleAccumulator::Demand vtkRelievoSampleAccumulator::GetDemand(
     const auto isAmong = [](const std::vector<std::string>& names, const std::string& name) {
       return std::find(names.begin(), names.end(), name) != names.end();
     };
-    // A picture that is not made of the linear colour cannot be a mean; layers can, if samples
-    // change nothing else.
+    // A picture that is not made from the linear colour cannot be a mean; layers can, if samples
+    // affect nothing else.
     const bool layersAlone =
       std::all_of(node.Asked.begin(), node.Asked.end(), [&](const std::string& asked) {
         return asked != "color" && isAmong(declaration.Gathered, asked);
@@ -126,7 +126,7 @@ void vtkRelievoSampleAccumulator::Begin(vtkRelievoFrameContext& context,
   {
     this->Asked.Samples = 1;
   }
-  // Within a frame only once: what changes whenever it is drawn would never be gathered.
+  // Compared only once per frame: a scene that changes with every drawing would never be gathered.
   bool begins = this->Asked.Samples > 1 && this->Turns == 1 &&
     (this->Asked.Samples != this->Before || this->Asked.Offsets != this->OffsetsBefore ||
       !this->State.IsOf(context, stages));
@@ -140,7 +140,7 @@ void vtkRelievoSampleAccumulator::Begin(vtkRelievoFrameContext& context,
   }
   if (this->Asked.Samples == 1)
   {
-    if (context.Picture) // a capture of layers without samples leaves the window's
+    if (context.Picture) // a capture of layers without samples keeps the window's sums
     {
       this->Before = 1;
       this->Release(context.Window);
@@ -156,7 +156,7 @@ void vtkRelievoSampleAccumulator::Begin(vtkRelievoFrameContext& context,
   }
   if (!this->Fault.empty())
   {
-    this->Asked.Samples = 1; // until something changes
+    this->Asked.Samples = 1; // until a change
     return;
   }
   this->Choose(context);
@@ -221,14 +221,15 @@ void vtkRelievoSampleAccumulator::Choose(vtkRelievoFrameContext& context)
     }
     next = std::min(next, this->Color->Count);
   }
-  // When all are there the last one stays, and nothing that depends on it is made anew.
+  // Once all samples are gathered the last one remains, so that data depending on it is not
+  // rebuilt.
   context.Samples = demand.Samples;
   context.OffsetsSamples = demand.Offsets;
   context.Sample = std::min(next, demand.Samples - 1);
   const bool atOnce = demand.AtOnce || IsOneOfSeveral(context);
   // While something moves, one sample is drawn; then all others at once.
   const bool many = demand.AnyRaster && (atOnce || next > 0);
-  if (many && !this->Obstacle) // which takes as long as a frame where there are many actors
+  if (many && !this->Obstacle) // the search takes as long as a frame if there are many actors
   {
     this->Obstacle = vtkRelievoSampleRaster::FindObstacle(context);
   }
@@ -243,7 +244,7 @@ void vtkRelievoSampleAccumulator::Choose(vtkRelievoFrameContext& context)
     context.Lattice = this->Lattice.get();
     context.Sample = demand.Samples - 1;
   }
-  // Drawing a sample of a mean that is there, stages go on with what they made for it.
+  // For a complete mean, stages continue with the data made for it.
   context.MeanLattice = context.Lattice;
   if (demand.AnyRaster && next >= demand.Samples && this->Color->IsDrawnAtOnce())
   {
@@ -262,7 +263,7 @@ std::string vtkRelievoSampleAccumulator::Add(vtkRelievoFrameContext& context, Su
     context.Lattice ? sum.Count < this->Asked.Samples : sum.Count == context.Sample;
   if (!wanted || context.Window->GetAbortRender())
   {
-    return {}; // it has this sample, or not all of this was drawn
+    return {}; // the sample was added before, or the drawing is incomplete
   }
   vtkRelievoScreenTarget::Format format;
   format.Channels = channels;
@@ -299,7 +300,7 @@ std::string vtkRelievoSampleAccumulator::ShowMean(vtkRelievoFrameContext& contex
     (context.Lattice || this->Color->Count == 1) && !context.Window->GetAbortRender();
   if (this->Color->Count == 0 || own)
   {
-    return {}; // one is its own mean
+    return {}; // one sample is its own mean
   }
   context.Provide("gathered", &this->Color->Target);
   vtkShaderProgram* program = this->Mean.Ready(context, "frame/meanFS.glsl", { "gathered" });
@@ -325,7 +326,7 @@ void vtkRelievoSampleAccumulator::Accumulate(vtkRelievoFrameContext& context)
     sum.There = context.FindLayer(layer) != nullptr;
     if (!sum.There)
     {
-      sum.Count = this->Asked.Samples; // nobody waits for it
+      sum.Count = this->Asked.Samples; // complete: no reader needs the sum
     }
     else if (this->Fault.empty())
     {
@@ -345,7 +346,7 @@ void vtkRelievoSampleAccumulator::Accumulate(vtkRelievoFrameContext& context)
   if (!context.Last && this->Fault.empty() &&
     (context.Window->GetAbortRender() || context.Window->CheckAbortStatus()))
   {
-    context.Last = true; // the mean of those so far
+    context.Last = true; // shows the mean so far
   }
   if (!this->Fault.empty())
   {
@@ -365,7 +366,7 @@ void vtkRelievoSampleAccumulator::Accumulate(vtkRelievoFrameContext& context)
     if (!this->Fault.empty())
     {
       this->GiveUp(context);
-      context.Last = context.Last || context.Controller; // as all have agreed
+      context.Last = context.Last || context.Controller; // all processes have agreed
     }
   }
 }
@@ -374,7 +375,7 @@ void vtkRelievoSampleAccumulator::Accumulate(vtkRelievoFrameContext& context)
 void vtkRelievoSampleAccumulator::GiveUp(vtkRelievoFrameContext& context)
 {
   this->ReleaseSums(context.Window);
-  context.Last = context.Sample == 0; // or once more, with that
+  context.Last = context.Sample == 0; // or one more turn, with the first sample
 }
 
 //------------------------------------------------------------------------------
@@ -424,7 +425,7 @@ int vtkRelievoSampleAccumulator::GetLeft() const
   {
     least = std::min(least, layer.second->Count);
   }
-  // The window's picture waits also while a capture is made.
+  // The window's picture also waits during a capture.
   if (this->Color && (this->Asked.Color || this->ColorOfPicture))
   {
     least = std::min(least, this->Color->Count);

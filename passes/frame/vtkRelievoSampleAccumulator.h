@@ -1,9 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The mean of frames that differ in the sample that stages draw, of lights with a size for one:
-// sums of the linear colour and of the lights' visibility, which begin anew when anything else
-// changes.
+// The mean of frames that differ in the stages' sample, for example of a light with a size: sums of
+// the linear colour and of the lights' visibility, which restart when anything else changes.
 #ifndef vtkRelievoSampleAccumulator_h
 #define vtkRelievoSampleAccumulator_h
 
@@ -29,56 +28,56 @@ class vtkWindow;
 class vtkRelievoSampleAccumulator
 {
 public:
-  // A picture begins, of one sample or of many: what it shows is compared once.
+  // Starts a picture, of one or several samples: its content is compared once.
   void BeginFrame() { this->Turns = 0; }
 
-  // Chooses the context's sample, for what the planned nodes need.
+  // Selects the context's sample, for the needs of the planned nodes.
   void Begin(vtkRelievoFrameContext& context, const std::vector<vtkRelievoFramePlan::Node>& nodes,
     bool hasColor, const std::vector<vtkRelievoStage*>& stages);
 
-  // When all but the display has been made: adds the sample, and makes the colour the mean.
+  // After all stages but the display: adds the sample, and replaces the colour by the mean.
   void Accumulate(vtkRelievoFrameContext& context);
 
-  // When it is drawn: mappers may have counted themselves as modified.
+  // After the drawing, in which mappers may have marked themselves as modified.
   void End(const vtkRelievoFrameContext& context, const std::vector<vtkRelievoStage*>& stages);
 
-  // Whether the layer was gathered in the last frame; adds its mean to the image.
+  // Whether the layer was gathered in the last frame; Read() adds its mean to the image.
   bool Has(const std::string& layer) const;
   std::string Read(const std::string& layer, vtkImageData* image);
 
-  // Samples that the last picture, and the layers of the last frame, are still short of.
+  // Number of samples that the last picture, and the last frame's layers, still lack.
   int GetLeft() const;
 
-  // Why the frame shows its first sample alone, in words; "": it does not.
+  // The reason why the frame shows only its first sample; "" if there is none.
   const std::string& GetFault() const { return this->Fault; }
 
   vtkIdType GetBytes() const;
   void Release(vtkWindow* window);
 
 private:
-  // What a frame is to gather.
+  // A frame's requirements for gathering.
   struct Demand
   {
-    int Samples = 1;      // in all; 1: nothing
-    bool AtOnce = false;  // in this frame, not one in each
+    int Samples = 1;      // total; 1: no gathering
+    bool AtOnce = false;  // all in this frame, not one in each
     bool Offsets = false; // within the pixel
     bool Color = false;
-    bool AnyRaster = false; // all can be drawn at once, if nothing in the scene stands against it
-    std::vector<std::string> Layers; // lights' visibility, and what stages say
+    bool AnyRaster = false;          // all can be drawn at once, unless the scene has an obstacle
+    std::vector<std::string> Layers; // lights' visibility, and stages' Gathered layers
   };
   struct Sum
   {
     vtkRelievoScreenTarget Target{ "relievoGathered" };
     vtkRelievoScreenQuad Quad;
     int Count = 0;
-    int Weight = 0;    // of the sum: 1 if it is the mean of all
-    bool There = true; // the frame makes what is to be added
+    int Weight = 0;    // weight of the sum: 1 if it is the mean of all
+    bool There = true; // the frame makes the resource to add
     bool IsDrawnAtOnce() const { return this->Weight == 1 && this->Count > 1; }
     void Release(vtkWindow* window);
   };
 
-  // What all processes that draw together do: as many samples as the least of them, begun again if
-  // any of them begins; and the frame's last turn, if it is that of all.
+  // Agreement of all processes that draw together: the least number of samples, a restart if any
+  // process restarts, and the frame's last turn if it is the last for all.
   void AgreeOnSamples(vtkMultiProcessController* controller, bool& begins);
   static void AgreeOnLast(vtkRelievoFrameContext& context);
 
@@ -92,7 +91,7 @@ private:
     const std::string& defines, int channels);
 
   Demand Asked;
-  // What the last frame was asked for, captures of one sample apart.
+  // Demand of the last frame, captures of one sample excluded.
   int Before = 1;
   bool OffsetsBefore = false;
   bool OneByOneBefore = false;
@@ -101,8 +100,8 @@ private:
   vtkRelievoSceneFingerprint State;
   std::unique_ptr<Sum> Color;
   std::unique_ptr<vtkRelievoSampleLattice> Lattice;
-  std::string Words;                   // how the mean was drawn with it
-  std::optional<std::string> Obstacle; // what in the scene keeps all from being drawn at once
+  std::string Words;                   // description of its drawing
+  std::optional<std::string> Obstacle; // the scene's obstacle to drawing all at once
   bool ColorOfPicture = false;         // not of a capture without the picture
   std::map<std::string, std::unique_ptr<Sum>> Layers;
   vtkRelievoScreenQuad Mean;

@@ -13,16 +13,16 @@
 
 namespace
 {
-// How good a lattice is: by its places in x and in y, of which edges along the axes see only the
-// different ones; by the least distance between two places; and by the cells that the raster of a
-// square picture needs.
+// Quality of a lattice: the number of different positions in x and in y, which edges along the axes
+// depend on; the least distance between two positions; and the number of cells in the raster of a
+// square picture.
 struct Quality
 {
   int Levels = 0;
-  int Distance = 0; // squared, times the square of the number of samples
+  int Distance = 0; // squared, times the squared number of samples
   int Cells = 0;
 
-  // Beyond four fifths of the largest distance, a smaller raster is worth more.
+  // Beyond four fifths of the largest distance, a smaller raster is preferred.
   bool IsBetter(const Quality& other, int farthest) const
   {
     const auto rate = [farthest](const Quality& each) {
@@ -35,7 +35,7 @@ struct Quality
 
 Quality GetQuality(const glm::ivec2& right, const glm::ivec2& up)
 {
-  // Steps between places, times the number of samples.
+  // Steps between positions, times the number of samples.
   const glm::ivec2 a(up.y, -right.y);
   const glm::ivec2 b(-up.x, right.x);
   const int samples = right.x * up.y - right.y * up.x;
@@ -68,7 +68,7 @@ vtkRelievoSampleLattice::vtkRelievoSampleLattice(int samples)
       {
         for (int u = -most; u <= most; ++u)
         {
-          // The fourth number makes the area that of the samples.
+          // The fourth number makes the area equal to the number of samples.
           const int v = (samples + y * u) / x;
           if (x * v - y * u == samples && v > 0 && v <= 2 * most)
           {
@@ -94,7 +94,7 @@ vtkRelievoSampleLattice::vtkRelievoSampleLattice(int samples)
       this->Up = up;
     }
   });
-  // Places that are moved may leave the pixel, and others come in.
+  // A shift may move positions out of the pixel, and others into it.
   for (int i = 0; i < 8; ++i)
   {
     this->FindCells();
@@ -146,7 +146,7 @@ void vtkRelievoSampleLattice::FindCells()
     for (int x = -reach.x; x <= reach.x; ++x)
     {
       const glm::dvec2 place = this->GetPlace({ x, y });
-      // Places on an edge, up to rounding, belong to one pixel of two.
+      // Positions on an edge, up to rounding, belong to one of the two pixels.
       const glm::dvec2 inside = glm::floor(place + 1e-9);
       if (inside == glm::dvec2(0.0))
       {
@@ -194,7 +194,7 @@ glm::ivec2 vtkRelievoSampleLattice::GetOrigin(const glm::ivec2& pixels) const
 }
 
 //------------------------------------------------------------------------------
-// A sample's place in x, in steps of one divided by the number of samples.
+// The step of a sample's position in x, in units of one divided by the number of samples.
 glm::ivec2 vtkRelievoSampleLattice::GetNumberStep() const
 {
   const int samples = this->GetNumberOfSamples();
@@ -222,7 +222,7 @@ glm::dmat4 vtkRelievoSampleLattice::GetToRaster(const glm::ivec2& viewport, cons
   const glm::dvec2 half = 0.5 * glm::dvec2(viewport);
   const glm::dvec2 right(this->Right);
   const glm::dvec2 up(this->Up);
-  // Of the viewport's centre, in pixels of the part, as GetPlace has them.
+  // The viewport's centre in pixels of the part, in GetPlace()'s coordinates.
   const glm::dvec2 center = half - glm::dvec2(part[0], part[1]) - this->Shift;
   const glm::dvec2 at = center.x * right + center.y * up + glm::dvec2(this->GetOrigin(pixels));
   glm::dmat4 toRaster(1.0);

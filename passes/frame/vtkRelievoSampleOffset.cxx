@@ -9,7 +9,7 @@
 
 namespace
 {
-// The digits of a number in a base, behind the point and in reverse (van der Corput).
+// The number's digits in a base, mirrored at the radix point (van der Corput).
 double GetRadicalInverse(int number, int base)
 {
   double inverse = 0.0;
@@ -20,7 +20,7 @@ double GetRadicalInverse(int number, int base)
   return inverse;
 }
 
-// From a place where the sequence begins in the middle of its range.
+// Starts in the middle of the sequence's range.
 double GetPlace(int sample, int base)
 {
   const double place = GetRadicalInverse(sample, base) + 0.5;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Moves all that a frame draws by a part of a pixel, as long as it lives: the place of one of the
+// Moves a frame's drawing by a part of a pixel during its lifetime: to the position of one of the
 // samples whose mean is a picture with smooth edges.
 #ifndef vtkRelievoSampleOffset_h
 #define vtkRelievoSampleOffset_h
@@ -20,8 +20,8 @@ public:
   // Moves the context's camera, and its View, if its samples have offsets.
   explicit vtkRelievoSampleOffset(vtkRelievoFrameContext& context);
 
-  // From the pixel's centre, -0.5 to 0.5 in each direction: Halton's sequence in the bases 2 and 3,
-  // moved so that the mean of all is the centre.
+  // Offset from the pixel's centre, -0.5 to 0.5 in each direction: Halton's sequence in the bases 2
+  // and 3, shifted so that the mean of all offsets is the centre.
   static glm::dvec2 Get(int sample, int samples);
 
 private:

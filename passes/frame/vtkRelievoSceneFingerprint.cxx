@@ -45,7 +45,7 @@
 
 namespace
 {
-constexpr double Rounding = 1e-7; // of a projection: in no picture a hundredth of a pixel
+constexpr double Rounding = 1e-7; // of a projection: moves no picture by a hundredth of a pixel
 
 bool IsNear(const std::vector<double>& one, const std::vector<double>& other)
 {
@@ -101,7 +101,7 @@ void AddView(Values& state, const vtkRelievoFrameContext& context)
   state.Add(context.Window->GetUseSRGBColorSpace() ? 1.0 : 0.0);
 }
 
-// VTK's offsets in depth, of the process.
+// VTK's depth offsets, which are global to the process.
 void AddOffsets(Values& state)
 {
   double values[5];
@@ -113,7 +113,7 @@ void AddOffsets(Values& state)
   state.Add(static_cast<double>(vtkMapper::GetResolveCoincidentTopologyPolygonOffsetFaces()));
 }
 
-// With what it hands on to, and what that does.
+// Includes the passes that the pass delegates to, recursively.
 void AddPass(Values& state, vtkRenderPass* pass)
 {
   state.Add(static_cast<vtkObject*>(pass));
@@ -144,7 +144,7 @@ void AddPass(Values& state, vtkRenderPass* pass)
   }
 }
 
-// What VTK makes of the environment texture, by settings of its own.
+// VTK's processing of the environment texture, with its own settings.
 void AddEnvironment(Values& state, vtkOpenGLRenderer* renderer)
 {
   if (renderer && renderer->GetUseImageBasedLighting())
@@ -158,7 +158,7 @@ void AddEnvironment(Values& state, vtkOpenGLRenderer* renderer)
 
 void AddRenderer(Values& state, vtkRenderer* renderer)
 {
-  // The camera and the lights are added by their values.
+  // The camera and the lights are added by value.
   state.Add(renderer->GetBackground(), 3);
   state.Add(renderer->GetBackground2(), 3);
   state.Add(renderer->GetAmbient(), 3);
@@ -207,7 +207,7 @@ void AddActor(Values& state, vtkActor* actor)
   }
 }
 
-// Texts in the scene, whose settings tell nobody that they have changed.
+// Texts in the scene change without notification.
 void AddText(Values& state, vtkProp* prop)
 {
   if (auto* text = vtkTextActor3D::SafeDownCast(prop))
@@ -220,8 +220,8 @@ void AddText(Values& state, vtkProp* prop)
   }
 }
 
-// Which of its levels of detail a prop shows: chosen by time, before the frame. Actors that choose
-// while they draw do so in the time that is set on the renderer.
+// The level of detail that a prop shows: chosen by time, before the frame. Actors that choose while
+// they draw depend on the time set on the renderer.
 void AddLevel(Values& state, vtkProp* prop)
 {
   if (auto* levels = vtkLODProp3D::SafeDownCast(prop))
@@ -242,7 +242,7 @@ void AddProps(Values& state, vtkRenderer* renderer)
     {
       continue;
     }
-    prop->GetBounds(); // brings what it draws up to date
+    prop->GetBounds(); // updates the prop's pipeline
     state.Add(static_cast<vtkObject*>(prop));
     state.Add(static_cast<std::uint64_t>(prop->GetRedrawMTime()));
     AddLevel(state, prop);
@@ -261,7 +261,7 @@ void AddProps(Values& state, vtkRenderer* renderer)
         AddActor(state, actor);
         continue;
       }
-      // What annotations are made of.
+      // Annotations consist of inner props.
       vtkNew<vtkPropCollection> inner;
       part.Prop->GetActors(inner);
       vtkCollectionSimpleIterator each;
@@ -316,7 +316,7 @@ void vtkRelievoSceneFingerprint::Take(
   State now = this->Make(context, stages);
   if (IsNear(now.Projection, this->Kept.Projection))
   {
-    now.Projection = this->Kept.Projection; // small steps of many frames are no small step
+    now.Projection = this->Kept.Projection; // unchanged, so that small steps of many frames add up
   }
   this->Kept = std::move(now);
 }
@@ -329,7 +329,7 @@ bool vtkRelievoSceneFingerprint::IsOf(
   const std::vector<std::uint64_t>& kept = this->Kept.Values;
   if (kept.size() < first.size() || !std::equal(first.begin(), first.end(), kept.begin()))
   {
-    return false; // the view has changed, and the props need not be asked
+    return false; // the view has changed, so the props need no check
   }
   const State now = this->Make(context, stages);
   return now.Values == this->Kept.Values && IsNear(now.Projection, this->Kept.Projection);

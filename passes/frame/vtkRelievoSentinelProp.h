@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Props that draw nothing: put before and behind the props of a frame, they tell when the opaque
-// geometry of whatever delegate begins and ends, when what is translucent and volumes begin, and
-// when what lies over the picture does.
+// Props that draw nothing: placed before and after the props of a frame, they report when any
+// delegate's opaque geometry begins and ends, and when translucent geometry, volumes and the
+// overlay begin.
 //
 // VTK's passes ask all props whether they are translucent just before they bind the framebuffers in
 // which they peel or average: that question (TranslucentAsked) is the last moment at which the
-// opaque picture can be taken, and so it begins the translucent phase. Passes that do not ask begin
-// it by drawing.
+// opaque picture can be taken, so it begins the translucent phase. For passes that do not ask, the
+// first translucent drawing begins it.
 #ifndef vtkRelievoSentinelProp_h
 #define vtkRelievoSentinelProp_h
 
@@ -26,7 +26,7 @@ public:
 
   std::function<void()> Opaque;
   std::function<void()> Translucent;
-  std::function<void()> TranslucentAsked; // before it is drawn, by passes that ask
+  std::function<void()> TranslucentAsked; // before the drawing, by passes that ask
   std::function<void()> Volumes;
   std::function<void()> Overlay;
 
@@ -54,8 +54,8 @@ private:
   }
 };
 
-// Where wire frames are drawn last, and before that as surfaces into the depth buffer alone (hidden
-// line removal), only a wire frame comes behind them.
+// With hidden line removal, wireframes are drawn last, after a drawing as surfaces into the depth
+// buffer alone: only another wireframe can follow.
 class vtkRelievoWireFrameSentinel : public vtkActor
 {
 public:

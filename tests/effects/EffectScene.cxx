@@ -133,7 +133,7 @@ void CheckBlocks(EffectScene& scene, vtkRelievoPointStage* stage, vtkRelievoPoin
   blocks->SetBlock(2, bad);
   stage->AddPoints(set);
   {
-    ExpectMessage expect("AddPoints was given points that are there already");
+    ExpectMessage expect("AddPoints was given points that were added before");
     stage->AddPoints(set);
     RELIEVO_CHECK(expect.Count() == 1 && stage->GetNumberOfPointSets() == 1);
   }

@@ -296,7 +296,7 @@ void TestTextures()
     RELIEVO_CHECK_THAT(
       (glGetError() != GL_NO_ERROR) == !fault.empty(), "OpenGL's answer: " + fault);
     glDeleteTextures(1, &texture);
-    const std::string before = "at most one of ";
+    const std::string before = "the largest of this shape is ";
     const std::size_t at = fault.find(before);
     if (at != std::string::npos)
     {

@@ -213,7 +213,7 @@ class Antialias(unittest.TestCase):
             "//VTK::Light::Impl\n  if (mod(floor(gl_FragCoord.x), 2.0) > 0.5)\n"
             "    gl_FragData[0].rgb = vec3(0.0);\n", False)  # fmt: skip
         stripes = self.smooth(8)[15:35, 20:45, 0]
-        self.assertIn("8 of 8 samples, one by one: an actor's own shaders know the pixel",
+        self.assertIn("8 of 8 samples, one by one: an actor's own shaders depend on the pixel",
                       self.frame.GetFrameReport())  # fmt: skip
         numpy.testing.assert_array_equal(stripes[:, 1::2], 0)
         numpy.testing.assert_array_equal(stripes[:, ::2], 255)

@@ -102,7 +102,7 @@ void TestTooMany(vtkOpenGLRenderWindow* window)
   const std::string fault =
     tree.Update(window, std::vector<vtkRelievoPlacedMesh>(9, caster), glm::dvec3(0.));
   RELIEVO_CHECK_THAT(
-    fault == "there are 9437184 casters and glyphs, and at most 8388608 can be followed", fault);
+    fault == "there are 9437184 casters and glyphs, and at most 8388608 are supported", fault);
   RELIEVO_CHECK(tree.GetBytes() == 0);
   // What is less again, is followed again.
   caster.Places = nullptr;
@@ -127,7 +127,7 @@ void TestSmallBuffers(vtkOpenGLRenderWindow* window)
   const std::string fault = tree.Update(window, { caster }, glm::dvec3(1.));
   RELIEVO_CHECK_THAT(fault ==
       "the casters' triangles take " + std::to_string(texels) +
-        " texels, and this OpenGL has buffers of at most " + std::to_string(texels - 1),
+        " texels, but this OpenGL supports buffers of at most " + std::to_string(texels - 1),
     fault);
   RELIEVO_CHECK(tree.GetBytes() == 0);
   vtkRelievoTextureBuffer::SetMostTexels(static_cast<int>(texels));

@@ -33,8 +33,8 @@ void ReleaseAndForget(vtkSmartPointer<T>& object, vtkWindow* window)
   object = nullptr;
 }
 
-// The depth of what is bound for drawing: VTK's passes copy depths between framebuffers, which must
-// be of one format.
+// The depth format of the framebuffer bound for drawing: VTK's passes copy depths between
+// framebuffers, which requires equal formats.
 vtkRelievoColorBuffers::DepthFormat GetBoundDepth()
 {
   vtkRelievoColorBuffers::DepthFormat format;
@@ -146,7 +146,7 @@ std::string vtkRelievoColorBuffers::Allocate(
   this->NumberOfSamples = samples;
   this->DepthOf = depth;
   std::copy_n(size, 4, this->Size);
-  // Processors blend floats faster than halves, which they convert.
+  // Processors blend floats faster than half floats, which they have to convert.
   this->Floats = vtkRelievoIsSoftwareOpenGL();
   const unsigned int format = this->GetFormat();
   const std::string fault = vtkRelievoFindTextureFault(format, GL_RGBA, GL_FLOAT, size[0], size[1]);
@@ -222,7 +222,7 @@ vtkIdType vtkRelievoColorBuffers::GetBytes() const
   }
   const vtkIdType all = static_cast<vtkIdType>(this->Size[0]) * this->Size[1];
   const vtkIdType seen = static_cast<vtkIdType>(this->Size[2]) * this->Size[3];
-  // Four components, and a depth in a word.
+  // Four components, and one word of depth.
   const vtkIdType color = this->Floats ? 16 : 8;
   return (color + 4) * all * (1 + this->NumberOfSamples) + 2 * color * seen;
 }

@@ -1,9 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What the linear colour holds on the GPU: the framebuffer that the delegate draws to, of the same
-// multisampling and depth format as the one in whose place it is, and the colour that stages
-// change.
+// GPU buffers of the linear colour: the framebuffer that the delegate draws to, with the
+// multisampling and depth format of the one that it replaces, and the colour that stages change.
 #ifndef vtkRelievoColorBuffers_h
 #define vtkRelievoColorBuffers_h
 
@@ -30,27 +29,28 @@ struct vtkRelievoColorBuffers
 
   ~vtkRelievoColorBuffers();
 
-  // Buffers for a viewport x, y, width, height, with so many samples of each pixel, 0 for one, and
-  // depths as the framebuffer that is bound for drawing has them. Returns why not, in words.
+  // Allocates buffers for a viewport x, y, width, height, with `samples` samples per pixel (0 for
+  // one), and the depth format of the framebuffer bound for drawing. Returns an error message, or
+  // an empty string.
   std::string Allocate(vtkOpenGLRenderWindow* window, const int viewport[4], int samples);
 
-  // A texture of one of OpenGL's formats with four components.
+  // Makes a texture of an OpenGL format with four components.
   static vtkSmartPointer<vtkTextureObject> MakeTexture(
     vtkOpenGLRenderWindow* window, unsigned int format, int width, int height);
 
-  // For drawing, or for reading.
+  // The framebuffer bound for drawing, or for reading.
   static int GetBoundFramebuffer(bool reading = false);
 
-  // Whether what is bound for drawing keeps depths as these buffers do.
+  // Whether the framebuffer bound for drawing has the depth format of these buffers.
   bool HasBoundDepth() const;
 
   ///@{
-  // What is bound for drawing: samples of each pixel, 0 for one; bits of its depth.
+  // For the framebuffer bound for drawing: samples per pixel, 0 for one; and bits of its depth.
   static int GetBoundSamples();
   static int GetBoundDepthBits();
   ///@}
 
-  // OpenGL's format for depths as what is bound for drawing has them.
+  // OpenGL's depth format of the framebuffer bound for drawing.
   static unsigned int GetBoundDepthFormat();
 
   // OpenGL's format of the colours.
@@ -60,18 +60,19 @@ struct vtkRelievoColorBuffers
   void Release(vtkWindow* window);
 
   vtkWeakPointer<vtkOpenGLRenderWindow> Window;
-  vtkSmartPointer<vtkOpenGLFramebufferObject> Framebuffer; // that the delegate draws to
-  vtkSmartPointer<vtkOpenGLFramebufferObject> Resolved;    // of one sample; nullptr if it is that
-  vtkSmartPointer<vtkRenderbuffer> Samples[2];             // colour and depth, multisampled
-  vtkSmartPointer<vtkTextureObject> Color;                 // of one sample, as it was drawn
+  vtkSmartPointer<vtkOpenGLFramebufferObject> Framebuffer; // the delegate draws to it
+  // Single-sampled; nullptr if Framebuffer is.
+  vtkSmartPointer<vtkOpenGLFramebufferObject> Resolved;
+  vtkSmartPointer<vtkRenderbuffer> Samples[2]; // colour and depth, multisampled
+  vtkSmartPointer<vtkTextureObject> Color;     // single-sampled, as drawn
   vtkSmartPointer<vtkTextureObject> Depth;
-  vtkSmartPointer<vtkTextureObject> Linear[2]; // the first is the colour now
+  vtkSmartPointer<vtkTextureObject> Linear[2]; // the first one holds the present colour
   vtkSmartPointer<vtkOpenGLFramebufferObject> Pen;
   int Size[4] = { 0, 0, 0, 0 }; // of the framebuffer, and of the viewport
   int NumberOfSamples = 0;
   DepthFormat DepthOf;
-  bool Floats = false;      // instead of half floats
-  bool DepthCopied = false; // this OpenGL has copied it to what was bound
+  bool Floats = false;      // in place of half floats
+  bool DepthCopied = false; // this OpenGL has copied depth to the bound framebuffer
 };
 
 #endif

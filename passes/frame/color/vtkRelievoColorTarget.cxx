@@ -117,7 +117,7 @@ void vtkRelievoColorTarget::Begin(vtkRelievoFrameContext& context)
   }
   else if (keeps || renderer->GetPreserveDepthBuffer())
   {
-    // VTK clears not all of it, and what is there is another frame's.
+    // VTK clears only a part; the rest holds another frame.
     const vtkRelievoScopedState kept(state);
     const float nothing[4] = { 0.0f, 0.0f, 0.0f, 0.0f };
     const float far = 1.0f;
@@ -129,7 +129,7 @@ void vtkRelievoColorTarget::Begin(vtkRelievoFrameContext& context)
   }
   if (context.Nested)
   {
-    // The pass around has cleared its own framebuffer, and set its own viewport.
+    // The outer pass has cleared its own framebuffer, and set its own viewport.
     const int* v = context.View.Viewport;
     state->vtkglViewport(v[0], v[1], v[2], v[3]);
     state->vtkglScissor(v[0], v[1], v[2], v[3]);
@@ -150,14 +150,14 @@ void vtkRelievoColorTarget::CopyWhatIsThere(
   const int* v = context.View.Viewport;
   vtkOpenGLState* state = context.Window->GetState();
   const vtkRelievoScopedState kept(state);
-  // Samples are resolved into what they have been made of, on every OpenGL.
+  // Every OpenGL can resolve samples into a texture of their own format.
   vtkSmartPointer<vtkTextureObject> there = vtkRelievoColorBuffers::MakeTexture(
     context.Window, resolves ? GL_RGBA8 : this->Buffers.GetFormat(), v[2], v[3]);
   this->Buffers.Pen->Bind(GL_DRAW_FRAMEBUFFER);
   this->Buffers.Pen->AddColorAttachment(0, there);
   this->Buffers.Pen->ActivateDrawBuffer(0);
   {
-    // Read from where it is drawn, which need not be where that framebuffer was read from.
+    // Reads from the framebuffer's draw buffer, which may differ from its read buffer.
     const auto name = static_cast<unsigned int>(framebuffer);
     GLint drawn = GL_NONE;
     GLint read = GL_NONE;
@@ -415,7 +415,7 @@ bool vtkRelievoColorTarget::Draw(
 }
 
 //------------------------------------------------------------------------------
-// Onto one of the two linear colours; if it does not blend, in place of what is there.
+// Draws into one of the two linear colours, replacing its content unless it blends.
 void vtkRelievoColorTarget::DrawOnto(vtkRelievoFrameContext& context, vtkRelievoScreenQuad& quad,
   int which, bool blends, const Rectangle& where)
 {
@@ -454,8 +454,8 @@ bool vtkRelievoColorTarget::Present(vtkRelievoFrameContext& context, vtkRelievoS
                                       : vtkRelievoScreenQuad::NO_DEPTH,
       place);
   };
-  // What is changed; what is as it was drawn; the background elsewhere, if its colour is known. A
-  // quad takes the place of the curve, in its part or for all.
+  // Presents changed areas, then areas left unchanged since drawing; elsewhere the background, if
+  // its colour is known. A quad replaces the sRGB curve, in its part or everywhere.
   vtkRelievoScreenQuad* whole = part ? nullptr : quad;
   float drawn[4];
   this->GetBackground(context, drawn);
@@ -496,7 +496,7 @@ bool vtkRelievoColorTarget::Present(vtkRelievoFrameContext& context, vtkRelievoS
 }
 
 //------------------------------------------------------------------------------
-// The background, to be drawn over where there is more.
+// Clears to the background, over which the drawn areas follow.
 void vtkRelievoColorTarget::PresentBackground(vtkRelievoFrameContext& context, const float* color)
 {
   if (!this->TellsByDepth && this->GetAll().Without(this->DrawnOn).empty())
@@ -507,7 +507,7 @@ void vtkRelievoColorTarget::PresentBackground(vtkRelievoFrameContext& context, c
   const int* size = context.Window->GetActualSize();
   vtkOpenGLState* state = context.Window->GetState();
   state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-  // Software OpenGL clears all faster than a part.
+  // Software OpenGL clears everything faster than a part.
   const bool all = v[0] == 0 && v[1] == 0 && v[2] == size[0] && v[3] == size[1];
   state->SetEnumState(GL_SCISSOR_TEST, !all);
   state->vtkglScissor(v[0], v[1], v[2], v[3]);
@@ -535,12 +535,12 @@ bool vtkRelievoColorTarget::PresentDepth(vtkRelievoFrameContext& context)
   state->vtkglDepthMask(GL_TRUE);
   while (!this->Buffers.DepthCopied && glGetError() != GL_NO_ERROR)
   {
-    // What others did wrong.
+    // Discards errors of earlier calls.
   }
   state->vtkglBlitFramebuffer(v[0], v[1], v[0] + v[2], v[1] + v[3], v[0], v[1], v[0] + v[2],
     v[1] + v[3], GL_DEPTH_BUFFER_BIT, GL_NEAREST);
   state->PopReadFramebufferBinding();
-  if (!this->Buffers.DepthCopied) // then it always can
+  if (!this->Buffers.DepthCopied) // once it has succeeded, it always does
   {
     this->Buffers.DepthCopied = glGetError() == GL_NO_ERROR;
   }
@@ -563,8 +563,9 @@ std::string vtkRelievoColorTarget::Read(vtkImageData* image)
   }
   if (image->GetNumberOfPoints() != static_cast<vtkIdType>(width) * height)
   {
-    return "the image has " + std::to_string(image->GetNumberOfPoints()) + " points, the colour " +
-      std::to_string(width) + " x " + std::to_string(height) + " pixels";
+    return "the image has " + std::to_string(image->GetNumberOfPoints()) +
+      " points, but the colour has " + std::to_string(width) + " x " + std::to_string(height) +
+      " pixels";
   }
   vtkNew<vtkFloatArray> color;
   color->SetName("color");

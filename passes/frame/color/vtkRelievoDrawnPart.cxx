@@ -35,8 +35,8 @@ bool HasUsualBackground(vtkRenderer* renderer)
     !renderer->GetUseFXAA() && !renderer->GetUseSSAO();
 }
 
-// Whether the actor is drawn within its box, and lines and points as wide as they are around it.
-// Classes are compared by name: what is derived from them may draw anything.
+// Whether the actor stays within its box, widened by its lines and points. Classes are compared by
+// name: subclasses may draw anything.
 bool IsWithinBox(vtkActor* actor)
 {
   vtkMapper* mapper = actor->GetMapper();
@@ -61,29 +61,30 @@ bool IsWithinBox(vtkActor* actor)
   if (matrix->Element[3][0] != 0.0 || matrix->Element[3][1] != 0.0 ||
     matrix->Element[3][2] != 0.0 || matrix->Element[3][3] != 1.0)
   {
-    return false; // what is projected may be outside what its corners are projected to
+    return false; // a projected point may leave the projected corners' box
   }
-  // Not of composite data: VTK's mappers may keep the box that a changed block had.
+  // Not for composite data: VTK's mappers may return an outdated box after a change of a block.
   const std::string name = mapper->GetClassName();
   auto* lines = vtkPolyDataMapper::SafeDownCast(mapper);
   return (name == "vtkOpenGLPolyDataMapper" && lines->GetNumberOfSubPieces() <= 1) ||
     name == "vtkDataSetMapper";
 }
 
-// Whether VTK moves the actor's surfaces in z: coincident ones, and those below their edges.
+// Whether VTK shifts the actor's surfaces in z: coincident surfaces, and surfaces below their
+// edges.
 bool IsMovedInDepth(vtkProperty* property)
 {
   return vtkMapper::GetResolveCoincidentTopology() != VTK_RESOLVE_OFF ||
     property->GetEdgeVisibility() || property->GetVertexVisibility();
 }
 
-// A rectangle in NDC, with depths, and with what floats may make of them.
+// A rectangle in NDC, with depths, enlarged by float rounding.
 struct Extent
 {
   glm::dvec3 Least = glm::dvec3(VTK_DOUBLE_MAX);
   glm::dvec3 Most = glm::dvec3(-VTK_DOUBLE_MAX);
 
-  // False if a corner of the box is not before the eye.
+  // False if a corner of the box is not in front of the eye.
   bool Add(const glm::dmat4& toClip, const double bounds[6])
   {
     glm::dmat4 sizes;
@@ -96,8 +97,8 @@ struct Extent
       const glm::dvec4 place(
         bounds[corner & 1], bounds[2 + ((corner >> 1) & 1)], bounds[4 + (corner >> 2)], 1.0);
       const glm::dvec4 clip = toClip * place;
-      // VTK's shaders compute the same in floats: each of four products has the rounding of its
-      // factors and its own, and the sum three more, 2^-24 each.
+      // VTK's shaders compute this in floats: each of four products has the rounding of its factors
+      // and its own, and the sum three more, 2^-24 each.
       const glm::dvec4 rounding = std::ldexp(6.0, -24) * (sizes * glm::abs(place));
       const glm::dvec3 ndc = glm::dvec3(clip) / clip.w;
       if (!(clip.w > 2.0 * rounding.w) || !std::isfinite(ndc.x + ndc.y + ndc.z))
@@ -135,14 +136,14 @@ void vtkRelievoDrawnPart::Find(const vtkRelievoFrameContext& context)
   }
   const glm::dmat4 toClip = context.View.ViewToNDC * context.View.WorldToView;
   Extent extent;
-  double wide = 0.0; // of the widest line or point
+  double wide = 0.0; // width of the widest line or point
   bool tells = true;
   vtkProp** props = context.State->GetPropArray();
   for (int i = 0; i < context.State->GetPropArrayCount(); ++i)
   {
     if (props[i]->IsA("vtkActor2D") && !props[i]->IsA("vtkCaptionActor2D"))
     {
-      continue; // over the finished picture, which leaders of captions are not
+      continue; // drawn over the finished picture, unlike leaders of captions
     }
     auto* actor = vtkActor::SafeDownCast(props[i]);
     if (!actor || !IsWithinBox(actor))
@@ -152,7 +153,7 @@ void vtkRelievoDrawnPart::Find(const vtkRelievoFrameContext& context)
     const double* bounds = actor->GetMapper()->GetBounds();
     if (!bounds || !vtkMath::AreBoundsInitialized(bounds))
     {
-      continue; // nothing to draw
+      continue; // draws nothing
     }
     if (!extent.Add(toClip * GetMatrix(actor), bounds))
     {
@@ -163,7 +164,7 @@ void vtkRelievoDrawnPart::Find(const vtkRelievoFrameContext& context)
       static_cast<double>(property->GetPointSize()) });
     tells = tells && !actor->HasTranslucentPolygonalGeometry() && !IsMovedInDepth(property);
   }
-  // A pixel for the rasteriser, and one for samples that are moved within the pixel.
+  // One pixel for the rasteriser, and one for samples offset within the pixel.
   const double margin = std::ceil(wide) + 2.0;
   for (int axis = 0; axis < 2; ++axis)
   {
@@ -177,8 +178,8 @@ void vtkRelievoDrawnPart::Find(const vtkRelievoFrameContext& context)
   {
     std::fill_n(this->Part, 4, 0);
   }
-  // What is farthest must be nearer than z can tell from the far plane, also z of 16 bits, of which
-  // half a step is 2^-16 in NDC, and what rasterisers make of it. Where VTK moves surfaces, their z
-  // may be anything.
+  // The farthest point must be distinguishable from the far plane in z, with 16 bits too, of which
+  // half a step is 2^-16 in NDC, and after the rasteriser's rounding. Surfaces shifted by VTK may
+  // have any z.
   this->TellsByDepth = tells && extent.Most.z < 1.0 - std::ldexp(1.0, -14);
 }

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Where the delegate may draw: elsewhere is the renderer's background and nothing else, so that no
-// pixel there has to be looked at.
+// The part of the viewport that the delegate may draw to. The rest shows only the renderer's
+// background, so that its pixels need no processing.
 #ifndef vtkRelievoDrawnPart_h
 #define vtkRelievoDrawnPart_h
 
@@ -10,12 +10,12 @@ class vtkRelievoFrameContext;
 
 struct vtkRelievoDrawnPart
 {
-  // Pixels of the viewport around the props' boxes: x, y, width, height; 0 if there are none. The
-  // whole viewport where something may be drawn outside its prop's box, such as glyphs, volumes, a
-  // skybox, composite data, or a pass of one's own, and where the background has not one colour.
+  // Rectangle around the props' boxes in pixels of the viewport: x, y, width, height; 0 without
+  // props. The whole viewport if props may draw outside their boxes (glyphs, volumes, a skybox,
+  // composite data, or a user's pass), or if the background has several colours.
   int Part[4] = { 0, 0, 0, 0 };
 
-  // Whether z is below 1 wherever something is drawn.
+  // Whether z is below 1 at every drawn pixel.
   bool TellsByDepth = false;
 
   void Find(const vtkRelievoFrameContext& context);

@@ -22,7 +22,7 @@ void vtkRelievoEdgeFilter::Execute(const vtkRelievoFrameContext& context)
 }
 
 //------------------------------------------------------------------------------
-// What is bound for drawing stays; what it shows is bound for reading.
+// Keeps the framebuffer bound for drawing, and binds its resolved content for reading.
 void vtkRelievoEdgeFilter::Resolve(const vtkRelievoFrameContext& context)
 {
   const int* v = context.View.Viewport;
@@ -42,7 +42,7 @@ void vtkRelievoEdgeFilter::Resolve(const vtkRelievoFrameContext& context)
     {
       this->Resolved->ReleaseGraphicsResources(context.Window);
     }
-    // Samples are resolved into what they are made of, on every OpenGL.
+    // Every OpenGL can resolve samples into a texture of their own format.
     this->Resolved = vtkRelievoColorBuffers::MakeTexture(
       context.Window, GL_RGBA8, static_cast<int>(width), static_cast<int>(height));
     this->Framebuffer->AddColorAttachment(0, this->Resolved);

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// VTK's FXAA over the picture that is bound for drawing, whether its framebuffer has one sample of
-// each pixel or several, all of one colour: those are resolved to be read.
+// Applies VTK's FXAA to the picture bound for drawing, single-sampled or multisampled with equal
+// samples in each pixel, which are resolved for reading.
 #ifndef vtkRelievoEdgeFilter_h
 #define vtkRelievoEdgeFilter_h
 
@@ -26,7 +26,7 @@ private:
 
   vtkNew<vtkOpenGLFXAAFilter> Filter;
   vtkNew<vtkOpenGLFramebufferObject> Framebuffer;
-  vtkSmartPointer<vtkTextureObject> Resolved; // as large as to the viewport's far corner
+  vtkSmartPointer<vtkTextureObject> Resolved; // extends to the viewport's far corner
 };
 
 #endif

@@ -18,7 +18,7 @@
 
 namespace
 {
-// Pixels beside a part whose samples frame/marksFS.glsl looks at.
+// Pixels around a part whose samples frame/marksFS.glsl reads.
 constexpr int Reach = 2;
 }
 

@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The pixels that need all of their samples, by what a few samples of each show: where these, with
-// those of its neighbours, are not the values of a plane, there is an edge, the border of a shadow
-// or a detail of a texture.
+// Finds the pixels that need all of their samples, from a few samples of each: if a pixel's and its
+// neighbours' samples are not the values of a plane, there is an edge, a shadow's border or a
+// detail of a texture.
 //
-// Means of linear shades are right with a few samples; by the second difference of a sample and of
-// two on either side of it these are told from edges (D. Marr, E. Hildreth, Theory of edge
+// Few samples suffice for the mean of linear shades; the second difference of a sample and its two
+// neighbours on either side distinguishes these from edges (D. Marr, E. Hildreth, Theory of edge
 // detection, 1980).
 #ifndef vtkRelievoSampleMarks_h
 #define vtkRelievoSampleMarks_h
@@ -31,9 +31,9 @@ class vtkRelievoSampleMarks : public vtkRelievoResource
 {
 public:
   ///@{
-  // Finds them in a part of the viewport (x, y, width, height in pixels): part by part of it, of
-  // which the resource `samples` has few, between Begin and Collect. Each returns what is wrong, in
-  // words.
+  // Find() marks pixels in a part of the viewport (x, y, width, height in pixels), for which the
+  // resource `samples` has few samples; called for each part between Begin() and Collect(). Each
+  // returns an error message, or an empty string.
   std::string Begin(vtkRelievoFrameContext& context, const int part[4]);
   std::string Find(vtkRelievoFrameContext& context, const int part[4]);
   std::string Collect(vtkRelievoFrameContext& context, const int part[4]);
@@ -41,12 +41,12 @@ public:
 
   std::size_t GetNumber() const { return this->Number; }
 
-  // The part of the viewport that has all of them.
+  // The part of the viewport that contains all marked pixels.
   const std::array<int, 4>& GetPart() const { return this->Part; }
 
   ///@{
-  // Draws the marked pixels, or those of a part and all that Find looks at beside it, at the
-  // farthest depth, into the framebuffer that is bound. toRaster: from the NDC of the viewport.
+  // Draws the marked pixels, or a part and the surroundings that Find() reads, at the farthest
+  // depth, into the bound framebuffer. `toRaster` transforms the viewport's NDC.
   std::string Draw(vtkRelievoFrameContext& context, const glm::dmat4& toRaster);
   std::string DrawPart(
     vtkRelievoFrameContext& context, const int part[4], const glm::dmat4& toRaster);
@@ -61,7 +61,7 @@ private:
   vtkRelievoScreenTarget Target{ "relievoMarks" };
   vtkRelievoScreenQuad Quad;
   vtkRelievoInstancedQuads Pixels;
-  vtkRelievoTextureBuffer Runs; // x, y, width, height of rectangles of pixels
+  vtkRelievoTextureBuffer Runs; // x, y, width, height of each rectangle of pixels
   std::size_t NumberOfRuns = 0;
   std::array<int, 4> Part{};
   std::size_t Number = 0;

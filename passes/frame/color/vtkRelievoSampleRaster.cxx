@@ -40,13 +40,13 @@
 
 namespace
 {
-// Cells of a raster that is drawn at once: 12 bytes each.
+// Cells of a raster drawn at once, at 12 bytes each.
 constexpr double MostCells = 1 << 24;
 
-// Of each pixel, before it is known which pixels need more.
+// Samples per pixel before the marks are known.
 constexpr int FewSamples = 5;
 
-// Lines and points are as wide as pixels are.
+// The width of lines and points depends on the size of a pixel.
 bool DrawsSurfacesOnly(vtkDataObject* data)
 {
   if (auto* composite = vtkCompositeDataSet::SafeDownCast(data))
@@ -65,7 +65,7 @@ bool DrawsSurfacesOnly(vtkDataObject* data)
   return mesh && mesh->GetNumberOfVerts() == 0 && mesh->GetNumberOfLines() == 0;
 }
 
-// Whether a mesh lies in one plane: then no part is behind another, and it blends in any order.
+// Whether a mesh lies in one plane: no part hides another, and it can be blended in any order.
 bool IsFlat(vtkDataObject* data)
 {
   auto* mesh = vtkPolyData::SafeDownCast(data);
@@ -73,7 +73,7 @@ bool IsFlat(vtkDataObject* data)
   {
     return false;
   }
-  // Of the polygons alone: asked for a cell, the mesh would build a table of all.
+  // Reads only the polygons: GetCell() would make the mesh build a table of all cells.
   vtkNew<vtkIdList> corners;
   mesh->GetPolys()->GetCellAtId(0, corners);
   const double tolerance = 1e-6 * mesh->GetLength();
@@ -94,7 +94,7 @@ bool IsFlat(vtkDataObject* data)
   return vtkMath::Norm(normal) > 0.0;
 }
 
-// Whether a user's own shader code depends on the pixel: the raster has other ones.
+// Whether a user's shader code depends on the pixel; the raster has other pixels.
 bool ReadsPixel(vtkActor* actor)
 {
   vtkShaderProperty* shaders = actor->GetShaderProperty();
@@ -122,7 +122,7 @@ bool ReadsPixel(vtkActor* actor)
   return std::regex_search(all, std::regex(use));
 }
 
-// Classes are compared by name: what is derived from them may draw anything.
+// Classes are compared by name: subclasses may draw anything.
 std::string FindObstacle(vtkActor* actor)
 {
   vtkMapper* mapper = actor->GetMapper();
@@ -133,7 +133,7 @@ std::string FindObstacle(vtkActor* actor)
   vtkProperty* property = actor->GetProperty();
   if (!vtkRelievoPlainActor::IsOfClass(actor))
   {
-    return std::string("a ") + actor->GetClassName() + " draws otherwise than plain actors";
+    return std::string("a ") + actor->GetClassName() + " draws in another way than plain actors";
   }
   if (property->GetRepresentation() != VTK_SURFACE || property->GetEdgeVisibility() ||
     property->GetVertexVisibility())
@@ -142,9 +142,9 @@ std::string FindObstacle(vtkActor* actor)
   }
   if (ReadsPixel(actor))
   {
-    return "an actor's own shaders know the pixel";
+    return "an actor's own shaders depend on the pixel";
   }
-  mapper->GetBounds(); // brings its input up to date
+  mapper->GetBounds(); // updates the mapper's input
   const std::string name = mapper->GetClassName();
   if (auto* glyphs = vtkGlyph3DMapper::SafeDownCast(mapper))
   {
@@ -156,7 +156,7 @@ std::string FindObstacle(vtkActor* actor)
         return "lines or points are drawn";
       }
     }
-    return tree || name != "vtkOpenGLGlyph3DMapper" ? "glyphs are drawn in a way of their own"
+    return tree || name != "vtkOpenGLGlyph3DMapper" ? "glyphs are drawn by another class of mapper"
                                                     : std::string();
   }
   if (name != "vtkOpenGLPolyDataMapper" && name != "vtkCompositePolyDataMapper2" &&
@@ -187,12 +187,12 @@ std::string vtkRelievoSampleRaster::FindObstacle(const vtkRelievoFrameContext& c
   {
     if (props[i]->IsA("vtkActor2D") && !props[i]->IsA("vtkCaptionActor2D"))
     {
-      continue; // over the finished picture, which leaders of captions are not
+      continue; // drawn over the finished picture, unlike leaders of captions
     }
     auto* actor = vtkActor::SafeDownCast(props[i]);
     const std::string obstacle = actor
       ? ::FindObstacle(actor)
-      : std::string("a ") + props[i]->GetClassName() + " is no plain surface";
+      : std::string("a ") + props[i]->GetClassName() + " is not a plain surface";
     if (!obstacle.empty())
     {
       return obstacle;
@@ -200,14 +200,14 @@ std::string vtkRelievoSampleRaster::FindObstacle(const vtkRelievoFrameContext& c
     if (actor->GetMapper() && actor->HasTranslucentPolygonalGeometry() &&
       (++translucent > 1 || !IsFlat(actor->GetMapper()->GetInputDataObject(0, 0))))
     {
-      return "translucent surfaces may be behind each other";
+      return "translucent surfaces may overlap";
     }
   }
   return {};
 }
 
 //------------------------------------------------------------------------------
-// A part of the viewport in columns and rows that a raster has room for.
+// Divides a part of the viewport into columns and rows that fit a raster.
 std::vector<vtkRelievoSampleRaster::Part> vtkRelievoSampleRaster::Divide(
   const vtkRelievoSampleLattice& lattice, const Part& part, glm::ivec2& pixels)
 {
@@ -279,7 +279,7 @@ glm::dmat4 vtkRelievoSampleRaster::Grid::GetToRaster(
 }
 
 //------------------------------------------------------------------------------
-// With the nearest depth everywhere; colours are cleared where something is drawn.
+// Clears to the nearest depth, and the colour of the drawn area.
 void vtkRelievoSampleRaster::Grid::Bind(vtkRelievoFrameContext& context, const Part& part)
 {
   const glm::ivec2 pixels(part[2], part[3]);
@@ -312,7 +312,7 @@ void vtkRelievoSampleRaster::Grid::Free(vtkWindow* window)
 }
 
 //------------------------------------------------------------------------------
-// Whether it is worth while to draw few samples before.
+// Whether a first drawing with few samples pays.
 bool vtkRelievoSampleRaster::HasFew(const vtkRelievoFrameContext& context)
 {
   return context.Lattice->GetNumberOfSamples() > 2 * FewSamples;
@@ -338,7 +338,7 @@ void vtkRelievoSampleRaster::Begin(
 }
 
 //------------------------------------------------------------------------------
-// The raster reaches beyond the part, and nothing is to be shaded there.
+// Limits shading to the part: the raster extends beyond it.
 void vtkRelievoSampleRaster::Begin(
   vtkRelievoFrameContext& context, Grid& grid, const Part& part, bool marked)
 {
@@ -361,7 +361,7 @@ void vtkRelievoSampleRaster::Begin(
 }
 
 //------------------------------------------------------------------------------
-// What has been drawn into a raster goes to the target.
+// Transfers the raster's drawing to the target.
 void vtkRelievoSampleRaster::End(
   vtkRelievoFrameContext& context, vtkRelievoColorTarget& target, const Part& part, bool marked)
 {
@@ -385,7 +385,7 @@ void vtkRelievoSampleRaster::End(
 }
 
 //------------------------------------------------------------------------------
-// Pixels that few samples have marked.
+// Draws all samples of the pixels marked by few samples.
 void vtkRelievoSampleRaster::DrawMarked(
   vtkRelievoFrameContext& context, vtkRelievoColorTarget& target)
 {
@@ -419,7 +419,7 @@ void vtkRelievoSampleRaster::DrawOpaque(vtkRelievoFrameContext& context)
 }
 
 //------------------------------------------------------------------------------
-// The delegate draws translucent surfaces again later, beneath the means.
+// The delegate draws translucent surfaces again later, under the means.
 void vtkRelievoSampleRaster::DrawTranslucent(vtkRelievoFrameContext& context)
 {
   vtkOpenGLState* state = context.Window->GetState();
@@ -504,7 +504,7 @@ void vtkRelievoSampleRaster::Leave(vtkRelievoFrameContext& context)
   const int* v = context.View.Viewport;
   state->vtkglViewport(v[0], v[1], v[2], v[3]);
   state->vtkglScissor(v[0], v[1], v[2], v[3]);
-  // Nothing of it is needed until another picture is drawn.
+  // Frees the buffers until another picture is drawn.
   this->Free(context.Window);
 }
 

@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Draws all samples of a picture's opaque surfaces at once, into a raster that is finer than the
-// pixels (vtkRelievoSampleLattice): meshes are not transformed once for each sample. The mean of
-// each pixel's samples, in linear light, takes the place of what the delegate draws.
+// Draws all samples of a picture's opaque surfaces at once, into a raster finer than the pixels
+// (vtkRelievoSampleLattice), so that meshes are transformed once instead of once per sample. The
+// mean of each pixel's samples, in linear light, replaces the delegate's drawing.
 //
-// First a few samples of each pixel are drawn; then all samples, where these say that there is an
-// edge (vtkRelievoSampleMarks): elsewhere the raster's depth leaves nothing visible.
+// A few samples of each pixel are drawn first; then all samples of the pixels with an edge
+// (vtkRelievoSampleMarks): the raster's depth hides everything elsewhere.
 //
-// Pictures whose raster is large are drawn in parts, one after the other.
+// Pictures with a large raster are drawn in parts, one after the other.
 #ifndef vtkRelievoSampleRaster_h
 #define vtkRelievoSampleRaster_h
 
@@ -36,17 +36,17 @@ class vtkRelievoSampleRaster : public vtkRelievoResource
 public:
   vtkRelievoSampleRaster();
 
-  // Why the frame's samples have to be drawn one by one, in words; "": they need not.
+  // The reason why the frame's samples have to be drawn one by one; "" if there is none.
   static std::string FindObstacle(const vtkRelievoFrameContext& context);
 
   ///@{
-  // What the delegate draws between these goes into the raster; End draws the parts that the
-  // delegate has not, and puts the means into the target's colour and depth.
+  // Redirects the delegate's drawing to the raster. End() draws the other parts, and writes the
+  // means into the target's colour and depth.
   void Begin(vtkRelievoFrameContext& context, const vtkRelievoColorTarget& target);
   void End(vtkRelievoFrameContext& context, vtkRelievoColorTarget& target);
   ///@}
 
-  // Why it could not be made, in words; "": it could. Samples are then drawn one by one.
+  // The reason why the raster could not be made; "" if it was. Samples are then drawn one by one.
   const std::string& GetFault() const { return this->Fault; }
   void Release(vtkWindow* window);
 
@@ -57,7 +57,7 @@ public:
 private:
   using Part = std::array<int, 4>; // x, y, width, height in pixels of the viewport
 
-  // A raster of a part.
+  // The raster of a part.
   struct Grid
   {
     const vtkRelievoSampleLattice* Lattice = nullptr;
@@ -68,7 +68,7 @@ private:
     vtkSmartPointer<vtkTextureObject> Depth;
 
     std::string Make(vtkRelievoFrameContext& context, const vtkRelievoSampleLattice& lattice,
-      const glm::ivec2& pixels); // or why not, in words
+      const glm::ivec2& pixels); // error message, or empty
     glm::dmat4 GetToRaster(const vtkRelievoFrameContext& context, const Part& part) const;
     void Bind(vtkRelievoFrameContext& context, const Part& part);
     void Free(vtkWindow* window);
@@ -88,12 +88,12 @@ private:
   static void DrawTranslucent(vtkRelievoFrameContext& context);
 
   Part Drawn{};            // of the viewport
-  std::vector<Part> Parts; // of it, each in a raster of few samples
+  std::vector<Part> Parts; // of Drawn, each a raster of few samples
   std::string Fault;
   vtkRelievoSampleLattice FewOfEach;
   Grid Few;
   Grid All;
-  Grid* Drawing = nullptr; // one of these
+  Grid* Drawing = nullptr; // Few or All
   vtkRelievoSampleMarks Marks;
   std::optional<vtkRelievoAccess::Camera::Projection> Projection;
   vtkRelievoScreenQuad Mean;

@@ -20,7 +20,7 @@
 
 namespace
 {
-// VTK's actors write no depths where they are translucent, unless they are told to.
+// VTK's translucent actors write no depth unless this is forced.
 void DrawWithDepth(vtkProp* prop, vtkRenderer* renderer)
 {
   if (!prop->GetPropertyKeys())

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Window z of the nearest translucent surface at each pixel's centre, whatever is opaque before it:
-// for stages that work on what is translucent by its depth. Volumes have none. Shaders that read it
+// Window z of the nearest translucent surface at each pixel's centre, opaque surfaces ignored: for
+// stages that process translucent surfaces by depth. Volumes have none. Shaders that read it
 // include frame/translucent_depth.glsl.
 #ifndef vtkRelievoTranslucentDepth_h
 #define vtkRelievoTranslucentDepth_h
@@ -44,7 +44,7 @@ private:
   vtkSmartPointer<vtkTextureObject> Depth;
   vtkSmartPointer<vtkOpenGLFramebufferObject> Framebuffer;
   int Size[2] = { 0, 0 };
-  float Range[3] = { 0.0f, 0.0f, 0.0f }; // near, far, whether parallel
+  float Range[3] = { 0.0f, 0.0f, 0.0f }; // near, far, 1 if parallel
 };
 
 #endif

@@ -48,8 +48,8 @@ bool HasVolumes(const vtkRelievoFrameContext& context)
   });
 }
 
-// Points that add light, whatever they cover; also out of view, so that a pane looks the same
-// wherever the camera turns.
+// Whether there are points that add light without covering, those out of view included, so that a
+// pane looks the same for every direction of the camera.
 bool HasShiningPoints(const vtkRelievoFrameContext& context)
 {
   vtkPropCollection* props = context.Renderer->GetViewProps();
@@ -72,7 +72,7 @@ bool HasShiningPoints(const vtkRelievoFrameContext& context)
   return false;
 }
 
-// Whether a pass of this class draws the prop now.
+// Whether a pass of this class is drawing the prop.
 template <typename Pass>
 bool IsDrawnBy(vtkProp* prop)
 {
@@ -134,7 +134,7 @@ void vtkRelievoTranslucentLayers::BeginSurfaces(vtkProp* sentinel)
   {
     return;
   }
-  // Dual peeling asks nothing, and comes here when its own framebuffer is bound for drawing.
+  // Dual peeling asks no props, and arrives here with its own framebuffer bound for drawing.
   const bool bound = this->Color->IsBound() ||
     (this->Color->IsBound(true) && IsDrawnBy<vtkDualDepthPeelingPass>(sentinel));
   if (!this->IsOpen && bound && HasSurfaces(*this->Context))

@@ -10,7 +10,7 @@
 
 namespace
 {
-// Milliseconds when all commands so far have been carried out.
+// Time in milliseconds after the completion of all commands so far.
 double Finish()
 {
   glFinish();
@@ -154,7 +154,7 @@ bool vtkRelievoGpuTimer::Collect(Frame& frame)
     this->FreeQueries.push_back(span.Queries[0]);
     this->FreeQueries.push_back(span.Queries[1]);
   }
-  // Frames arrive in no order of the ring's.
+  // Frames may arrive out of order.
   if (frame.Number > this->Arrived)
   {
     this->Arrived = frame.Number;
@@ -184,10 +184,10 @@ void vtkRelievoGpuTimer::Release()
     }
     frame = Frame();
   }
-  // Queries of a context that is gone are gone with it.
+  // A deleted context has deleted its queries.
   if (this->Window && !this->FreeQueries.empty())
   {
-    // Another window may be drawing now: its context comes back.
+    // Another window may be drawing now; its context is restored afterwards.
     const vtkRelievoScopedContext context(this->Window);
     glDeleteQueries(static_cast<GLsizei>(this->FreeQueries.size()), this->FreeQueries.data());
   }

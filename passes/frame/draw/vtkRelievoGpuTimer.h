@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// GPU time of named spans of a frame, from pairs of timestamps that are read a frame or more later
-// and never waited for: where the ring is full, a frame goes untimed.
+// GPU time of named spans of a frame, from pairs of timestamps that are read one or more frames
+// later without waiting; if the ring is full, a frame is not timed.
 //
-// OpenGL in software (Mesa's llvmpipe) sorts a frame's commands into tiles and takes the timestamps
-// when it draws these, not between the commands: such times tell nothing of a span. There a span is
-// timed by finishing the commands at both its ends, which costs the frame some of its overlap, and
-// so only in frames that somebody wants times of.
+// Software OpenGL (Mesa's llvmpipe) sorts a frame's commands into tiles and takes the timestamps
+// when it draws these, not between the commands, so that timestamps cannot measure a span. There a
+// span is timed by finishing the commands at both ends, which costs some of the frame's
+// parallelism, and is done only while times are requested.
 #ifndef vtkRelievoGpuTimer_h
 #define vtkRelievoGpuTimer_h
 
@@ -30,14 +30,14 @@ public:
   void BeginFrame(vtkOpenGLRenderWindow* window);
   void EndFrame();
 
-  // Spans of one name add up; they may nest and overlap.
+  // Spans with equal names add up; spans may nest and overlap.
   void Begin(const std::string& name);
   void End(const std::string& name);
 
-  // Somebody reads the times: the next frames' are worth waiting for where timestamps tell nothing.
+  // Requests times for the next frames, for which software OpenGL finishes commands.
   void Want() { this->Wanted = FramesWanted; }
 
-  // There are no times because nobody has wanted any.
+  // Whether times are missing because none were requested.
   bool IsUntimed() const { return this->Defers && this->Milliseconds.empty(); }
 
   // Of the newest frame that has arrived; negative if none has, or if it has no such span.
@@ -69,13 +69,14 @@ private:
   std::vector<unsigned int> FreeQueries;
   Frame* Current = nullptr;
   long long Number = 0;  // of frames so far
-  long long Arrived = 0; // the frame that Milliseconds are of
+  long long Arrived = 0; // the frame of Milliseconds
   std::map<std::string, double> Milliseconds;
 
-  int Wanted = 0;                         // frames that are
-  bool Defers = false;                    // timestamps tell nothing of a span
-  bool Finishes = false;                  // this frame's commands, at the ends of spans
-  std::map<std::string, double> Finished; // milliseconds of this frame's spans, or less their start
+  int Wanted = 0;        // frames still to be timed
+  bool Defers = false;   // timestamps cannot measure a span
+  bool Finishes = false; // finish this frame's commands at the ends of spans
+  // Milliseconds of this frame's spans; minus the start while open.
+  std::map<std::string, double> Finished;
 };
 
 #endif

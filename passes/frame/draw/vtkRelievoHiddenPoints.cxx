@@ -34,14 +34,14 @@ namespace
 {
 using Access = vtkRelievoAccess::Mapper;
 
-constexpr vtkIdType FewestPoints = 10000; // fewer are drawn as fast as they are looked at
-constexpr double MostPixels = 32.0;       // for each point
-constexpr float LargestSize = 32.0f;      // pixels: the tables below grow with its square
+// With fewer points, the search takes as long as the drawing.
+constexpr vtkIdType FewestPoints = 10000;
+constexpr double MostPixels = 32.0;  // per point
+constexpr float LargestSize = 32.0f; // pixels: the tables' size grows with its square
 constexpr float Infinity = std::numeric_limits<float>::infinity();
 
-// How VTK draws a point as a sphere: what is added to the point's z in the window, in the pixels
-// around it, is GetScale(z) times a share that depends on the pixel's place alone
-// (vtkPolyDataFS.glsl).
+// VTK's drawing of a point as a sphere: in the pixels around it, GetScale(z) times a share is added
+// to the point's window z. The share depends only on the pixel's position (vtkPolyDataFS.glsl).
 struct Spheres
 {
   double Radius = 0.5; // pixels
@@ -54,7 +54,7 @@ struct Spheres
   {
     return this->Flat ? -1.0 : this->Parallel ? this->S * this->R : z - this->S;
   }
-  // At this distance from the centre, squared, in pixels.
+  // At a distance from the centre, squared, in pixels.
   double GetShare(double distance2) const
   {
     const double height =
@@ -64,12 +64,12 @@ struct Spheres
   }
 };
 
-// Such shares for points that lie anywhere within their pixel: the least and the most that they may
-// be, in the pixels that are surely drawn, and that may be. Where nothing is drawn it is -infinity.
+// Shares for points anywhere within their pixel: lower bounds for the pixels that are certainly
+// drawn, and upper bounds for those that may be. -infinity at pixels that are not drawn.
 class Shares
 {
 public:
-  static constexpr int Phases = 16; // places within the pixel, in each direction
+  static constexpr int Phases = 16; // positions within the pixel, in each direction
   static constexpr int Lane = 8;    // columns are padded to a multiple of this
 
   Shares(const Spheres& spheres, double slack)
@@ -103,23 +103,24 @@ public:
     this->Largest = static_cast<float>(spheres.GetShare(0.0));
   }
 
-  // Of a point at this place within its pixel.
+  // The table for a point at this position within its pixel.
   const float* Get(const std::vector<float>& of, double u, double v) const
   {
     const int phase = static_cast<int>(v * Phases) * Phases + static_cast<int>(u * Phases);
     return of.data() + static_cast<std::size_t>(phase) * this->Rows * this->Columns;
   }
 
-  const double Loose; // of places, in pixels
-  const int Reach;    // of pixels from the point's own, to the left and down; to the right one less
+  const double Loose; // uncertainty of positions, in pixels
+  // Pixels from the point's own to the left and down; one less to the right and up.
+  const int Reach;
   const int Rows;
   const int Columns;
   std::vector<float> Least;
   std::vector<float> Most;
-  float Largest; // of all
+  float Largest; // over all entries
 };
 
-// A point in the window: its pixel, its place within it, and its z.
+// A point in the window: its pixel, its position within it, and its z.
 struct Place
 {
   int X;
@@ -170,7 +171,7 @@ public:
   }
 
 private:
-  static constexpr float Farthest = 2.0f; // nothing is
+  static constexpr float Farthest = 2.0f; // z of the background
   static constexpr int Block = 8;         // pixels
   enum Where
   {
@@ -195,7 +196,7 @@ private:
     if (!(w > 0.0 && place.Z > 0.0 && place.Z < 1.0 && column > 0.0 && row > 0.0 &&
           column < this->Size.x && row < this->Size.y))
     {
-      // OpenGL may draw the inner part of points at the borders.
+      // OpenGL may clip points at the window's borders.
       const double size = 2.0 * this->Drawn.Radius;
       return w > 0.0 &&
           (column < -size || row < -size || column > this->Size.x + size ||
@@ -233,7 +234,8 @@ private:
     }
   }
 
-  // The farthest of what is nearest in each block of pixels and in those right of and above it.
+  // For each block of pixels and its neighbours to the right and above: the farthest of the nearest
+  // z.
   void FindBlocks()
   {
     this->Across = (this->Stride + Block - 1) / Block + 1;
@@ -289,7 +291,7 @@ private:
     return false;
   }
 
-  // Without branches, for the compiler to make vectors of. OpenGL clamps what is before the near
+  // Without branches, so that the compiler can vectorize. OpenGL clamps z in front of the near
   // plane.
   static void PutLane(float* nearest, const float* share, float z, float scale)
   {
@@ -321,7 +323,7 @@ private:
   const int Border;
   const int Stride;
   const int Height;
-  std::vector<float> Nearest; // z of each pixel, with a border around the window
+  std::vector<float> Nearest; // z per pixel, with a border around the window
   int Across = 0;
   std::vector<float> Farthests;
 };
@@ -357,8 +359,8 @@ std::vector<unsigned int> FindSeen(Finder& finder, const Real* points, vtkPolyDa
   return large ? find(large) : std::vector<unsigned int>();
 }
 
-// The mapper, if it draws spheres at the points of vertices and nothing else, as VTK does, from
-// buffers that are made already.
+// The mapper, if it draws only spheres at the points of vertices, by VTK's own code, from existing
+// buffers.
 vtkOpenGLPolyDataMapper* GetMapperOfSpheres(vtkProp* prop)
 {
   if (!vtkRelievoHiddenPoints::IsPossible(prop))
@@ -368,10 +370,10 @@ vtkOpenGLPolyDataMapper* GetMapperOfSpheres(vtkProp* prop)
   auto* actor = static_cast<vtkActor*>(prop);
   auto* mapper = static_cast<vtkOpenGLPolyDataMapper*>(actor->GetMapper());
   vtkProperty* property = actor->GetProperty();
-  mapper->GetBounds(); // brings its input up to date
+  mapper->GetBounds(); // updates the mapper's input
   vtkPolyData* mesh = mapper->GetInput();
   vtkPlaneCollection* planes = mapper->GetClippingPlanes();
-  // Colours of cells are looked up by their number among those that are drawn.
+  // VTK looks colours of cells up by the number of the drawn primitive.
   const bool others = mesh->GetNumberOfVerts() != mesh->GetNumberOfCells() ||
     property->GetRepresentation() != VTK_SURFACE || property->GetVertexVisibility() ||
     actor->GetTexture() || property->GetNumberOfTextures() > 0 ||
@@ -386,13 +388,13 @@ vtkOpenGLPolyDataMapper* GetMapperOfSpheres(vtkProp* prop)
   return current && !others ? mapper : nullptr;
 }
 
-// How many times its digits a place loses in floats, as the buffer has it; 1 around the origin.
+// Loss of precision of positions stored as floats in the buffer, as a factor; 1 around the origin.
 double GetLoss(vtkOpenGLPolyDataMapper* mapper)
 {
   vtkOpenGLVertexBufferObject* vertices = Access::Buffers(mapper)->GetVBO("vertexMC");
   if (!vertices || vertices->GetCoordShiftAndScaleEnabled())
   {
-    return 1.0; // they are around the origin
+    return 1.0; // positions are around the origin
   }
   double bounds[6];
   mapper->GetInput()->GetBounds(bounds);
@@ -447,7 +449,7 @@ vtkRelievoHiddenPoints::vtkRelievoHiddenPoints(vtkProp* prop, vtkRenderer* rende
   vtkMatrix4x4* worldToNDC = nullptr;
   camera->GetKeyMatrices(renderer, worldToView, normals, viewToNDC, worldToNDC);
   auto* actor = static_cast<vtkActor*>(prop);
-  // VTK keeps these transposed.
+  // VTK stores matrices transposed.
   const glm::dmat4 toNDC =
     glm::transpose(vtkRelievoToGlm(worldToNDC)) * vtkRelievoToGlm(actor->GetMatrix());
   Spheres spheres;

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Leaves out of what an actor draws the points of which nothing is seen, because others of its
-// points lie before them. OpenGL shades each pixel of a point that is drawn as a sphere before it
-// knows whether it is hidden: in software that is most of a picture of many points. The picture is
-// the same, bit for bit: what rounding may show is drawn.
+// Leaves out an actor's points that are completely hidden by its other points. OpenGL shades each
+// pixel of a point drawn as a sphere before the depth test, which on software OpenGL takes most of
+// the time of pictures with many points. The picture is identical, bit for bit: points that
+// rounding may reveal are drawn.
 #ifndef vtkRelievoHiddenPoints_h
 #define vtkRelievoHiddenPoints_h
 
@@ -21,17 +21,18 @@ class vtkRenderer;
 class VTKRELIEVOFRAME_EXPORT vtkRelievoHiddenPoints
 {
 public:
-  // Whether the prop may be one that draws many points as spheres; fast.
+  // Whether the prop may draw many points as spheres; fast.
   static bool IsPossible(vtkProp* prop);
 
-  // While this object lives, draw the prop with the renderer's camera into OpenGL's viewport.
-  // `flat`: into a map, where spheres are discs. Does nothing where it cannot, or need not.
+  // During the lifetime of this object, drawing the prop with the renderer's camera into OpenGL's
+  // viewport leaves out hidden points. `flat`: for a depth map, in which spheres are discs. Does
+  // nothing for other props or few points.
   vtkRelievoHiddenPoints(vtkProp* prop, vtkRenderer* renderer, bool flat);
   ~vtkRelievoHiddenPoints();
   vtkRelievoHiddenPoints(const vtkRelievoHiddenPoints&) = delete;
   vtkRelievoHiddenPoints& operator=(const vtkRelievoHiddenPoints&) = delete;
 
-  // How many points are drawn; -1: all.
+  // Number of points drawn; -1: all.
   vtkIdType GetNumberOfSeen() const;
 
 private:

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Makes a window's OpenGL context current while it lives; then the one before is again. Names of
-// OpenGL are to be deleted so: in another context they are something else's.
+// Makes a window's OpenGL context current, and restores the former one at the end of the scope.
+// OpenGL objects have to be deleted in their own context: another one reuses their names.
 #ifndef vtkRelievoScopedContext_h
 #define vtkRelievoScopedContext_h
 

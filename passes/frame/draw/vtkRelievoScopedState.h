@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Keeps what the passes change of OpenGL's state, and gives it back at the end of the scope.
-// vtkOpenGLState::Push and Pop bind the buffers again that were bound at Push, or that VTK believes
-// to be, and raise an OpenGL error when they have been deleted.
+// Saves the OpenGL state that passes change, and restores it at the end of the scope.
+// vtkOpenGLState::Push and Pop restore the buffers that VTK believes to be bound at Push, with an
+// OpenGL error if they have been deleted.
 #ifndef vtkRelievoScopedState_h
 #define vtkRelievoScopedState_h
 

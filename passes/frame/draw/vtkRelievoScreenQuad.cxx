@@ -34,7 +34,7 @@ vtkShaderProgram* vtkRelievoScreenQuad::Ready(vtkRelievoFrameContext& context,
     vtkRelievoResource* resource = context.Find(name);
     if (!resource)
     {
-      this->Wrong = "the frame has made no '" + name + "'";
+      this->Wrong = "the frame has no resource '" + name + "'";
       return nullptr;
     }
     auto& known = this->Resources;
@@ -53,7 +53,7 @@ vtkShaderProgram* vtkRelievoScreenQuad::Ready(vtkRelievoFrameContext& context,
     const std::string quad = vtkRelievoShaderLibrary::Get("screen/quadVS.glsl");
     std::string text = vtkRelievoShaderLibrary::Get(source);
     vtkShaderProgram::Substitute(text, "//RELIEVO::Defines", all, false);
-    // VTK's helper takes it for granted that its shaders compile.
+    // VTK's helper assumes that its shaders compile.
     if (context.Window->GetShaderCache()->ReadyShaderProgram(quad.c_str(), text.c_str(), ""))
     {
       this->Quad.reset(new vtkOpenGLQuadHelper(context.Window, quad.c_str(), text.c_str(), ""));
@@ -73,7 +73,7 @@ void vtkRelievoScreenQuad::Draw(
   vtkRelievoFrameContext& context, const int* viewport, DepthUse depth, const int* part)
 {
   vtkShaderProgram* program = this->Quad->Program;
-  // Another quad may have been drawn since.
+  // Another quad may have made its program current.
   context.Window->GetShaderCache()->ReadyShaderProgram(program);
   const vtkRelievoFrameCamera& view = context.View;
   const int* area = viewport ? viewport : view.Viewport;
@@ -97,7 +97,7 @@ void vtkRelievoScreenQuad::Draw(
   const int* drawn = part ? part : area;
   state->vtkglScissor(drawn[0], drawn[1], drawn[2], drawn[3]);
   state->vtkglEnable(GL_SCISSOR_TEST);
-  // OpenGL writes depths only where it tests them.
+  // OpenGL writes depth only with the depth test enabled.
   state->SetEnumState(GL_DEPTH_TEST, depth != NO_DEPTH);
   state->vtkglDepthFunc(depth == WRITES_DEPTH ? GL_ALWAYS
       : depth == WHERE_DRAWN                  ? GL_GREATER

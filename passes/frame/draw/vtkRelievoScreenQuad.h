@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Draws once over the frame's viewport with a shader that reads what other stages wrote: the
-// drawing half of a stage that works on the picture.
+// Draws once over the frame's viewport with a shader that reads other stages' output: the drawing
+// half of a stage that processes the picture.
 //
-// The shader is given texCoord (vec2, 0 to 1 over the viewport) and the uniforms relievoSize (vec2,
+// The shader receives texCoord (vec2, 0 to 1 over the viewport) and the uniforms relievoSize (vec2,
 // of the viewport in pixels), relievoNear, relievoFar (float, clipping planes), relievoParallel
-// (int), relievoProjection and relievoViewToWorld (mat4). A line `//RELIEVO::Defines` takes the
-// defines. What it includes for what it reads: layers: gbuffer/read.glsl; color: frame/color.glsl.
+// (int), relievoProjection and relievoViewToWorld (mat4). A line `//RELIEVO::Defines` is replaced
+// by the defines. Includes for inputs: gbuffer/read.glsl for layers, frame/color.glsl for color.
 #ifndef vtkRelievoScreenQuad_h
 #define vtkRelievoScreenQuad_h
 
@@ -31,15 +31,15 @@ public:
   vtkRelievoScreenQuad(const vtkRelievoScreenQuad&) = delete;
   void operator=(const vtkRelievoScreenQuad&) = delete;
 
-  // The program of this source (a name of vtkRelievoShaderLibrary), ready for uniforms of its own;
-  // compiled again only when the structure of what it reads, or `defines`, has changed. nullptr if
-  // it does not compile, or if the frame lacks what it reads; GetWrong says which.
+  // The program of this source (a name of vtkRelievoShaderLibrary), ready for its own uniforms;
+  // recompiled only after a change of its inputs' structure or of `defines`. nullptr if it does not
+  // compile, or if the frame lacks an input: see GetWrong().
   vtkShaderProgram* Ready(vtkRelievoFrameContext& context, const std::string& source,
     const std::vector<std::string>& reads, const std::string& defines = "");
   const std::string& GetWrong() const { return this->Wrong; }
 
-  // What a quad does with the depth that is bound: nothing; the shader's depth is written; only
-  // pixels whose depth something has written are drawn.
+  // Use of the bound depth: none; the shader's depth is written; only pixels with a written depth
+  // are drawn.
   enum DepthUse
   {
     NO_DEPTH,
@@ -47,9 +47,9 @@ public:
     WHERE_DRAWN
   };
 
-  // Draws with the program that Ready returned into x, y, width, height (default: the frame's
-  // viewport) of the bound framebuffer. Blending is as the caller set it. Only the pixels of `part`
-  // (x, y, width, height) are drawn, if it is given.
+  // Draws with the program returned by Ready() into x, y, width, height (default: the frame's
+  // viewport) of the bound framebuffer, with the caller's blending. Limited to the pixels of `part`
+  // (x, y, width, height), if given.
   void Draw(vtkRelievoFrameContext& context, const int* viewport = nullptr,
     DepthUse depth = NO_DEPTH, const int* part = nullptr);
 
@@ -57,8 +57,8 @@ public:
 
 private:
   std::unique_ptr<vtkOpenGLQuadHelper> Quad;
-  std::string Key;                            // what the program was compiled for
-  std::vector<vtkRelievoResource*> Resources; // of this frame
+  std::string Key;                            // inputs and defines of the program
+  std::vector<vtkRelievoResource*> Resources; // inputs in this frame
   std::string Wrong;
 };
 

@@ -70,7 +70,7 @@ std::string vtkRelievoScreenTarget::Prepare(vtkRelievoFrameContext& context, con
   if (width <= 0 || height <= 0 || width > limit || height > limit)
   {
     return "the viewport has " + std::to_string(width) + " x " + std::to_string(height) +
-      " pixels, this OpenGL makes 1 to " + std::to_string(limit);
+      " pixels, but this OpenGL supports 1 to " + std::to_string(limit);
   }
   const TexelFormat texel = GetTexelFormat(format);
   const std::string fault =
@@ -171,8 +171,9 @@ std::string vtkRelievoScreenTarget::Read(
   const vtkIdType count = static_cast<vtkIdType>(width) * height;
   if (image->GetNumberOfPoints() != count)
   {
-    return "the image has " + std::to_string(image->GetNumberOfPoints()) + " points, the layer " +
-      std::to_string(width) + " x " + std::to_string(height) + " pixels";
+    return "the image has " + std::to_string(image->GetNumberOfPoints()) +
+      " points, but the layer has " + std::to_string(width) + " x " + std::to_string(height) +
+      " pixels";
   }
   const int channels = this->Shape.Channels;
   std::vector<float> texels(static_cast<std::size_t>(count) * channels);

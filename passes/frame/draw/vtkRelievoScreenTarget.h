@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A texture of floats, one texel for each pixel of the viewport, that a stage draws, that others
-// read in their shaders, and that can be read back as a layer.
+// A float texture with one texel per viewport pixel. A stage draws it, others read it in their
+// shaders, and it can be read back as a layer.
 #ifndef vtkRelievoScreenTarget_h
 #define vtkRelievoScreenTarget_h
 
@@ -33,34 +33,37 @@ public:
     bool Depth = false; // with a depth buffer of 32-bit floats
   };
 
-  // `sampler` is the name of the sampler2D in the shaders that read it.
+  // `sampler` is the name of the sampler2D in shaders that read the texture.
   explicit vtkRelievoScreenTarget(const std::string& sampler);
   ~vtkRelievoScreenTarget() override;
   vtkRelievoScreenTarget(const vtkRelievoScreenTarget&) = delete;
   void operator=(const vtkRelievoScreenTarget&) = delete;
 
-  // Makes it in the size of the context's viewport. Returns why it cannot, in words.
+  // Makes the texture in the size of the context's viewport. Returns an error message, or an empty
+  // string.
   std::string Prepare(vtkRelievoFrameContext& context, const Format& format);
 
   ///@{
-  // Binds it for drawing, cleared to the value in every channel; gives back what was bound, and
-  // OpenGL's state. Viewport and scissor cover all of it; there is no blending and no depth test.
-  // GoOn does not clear. With a part (x, y, width, height in pixels) only that is cleared.
+  // Binds the texture for drawing, cleared to the value in every channel; End() restores the
+  // binding and OpenGL's state. Viewport and scissor cover the whole texture; blending and depth
+  // test are off. GoOn() does not clear. With a part (x, y, width, height in pixels) only the part
+  // is cleared.
   void Begin(vtkRelievoFrameContext& context, float value = 0.0f, const int* part = nullptr);
   void GoOn(vtkRelievoFrameContext& context);
   void End();
   ///@}
 
-  // What shaders that read it are told of it, as preprocessor defines.
+  // Preprocessor defines for shaders that read the texture.
   void SetDefines(const std::string& defines) { this->Defines = defines; }
   std::string GetDefines() const override { return this->Defines; }
 
-  // The size in pixels: also the area for vtkRelievoScreenQuad::Draw.
+  // The size in pixels; also the area for vtkRelievoScreenQuad::Draw.
   const int* GetArea() const { return this->Area; }
   const Format& GetFormat() const { return this->Shape; }
 
-  // Adds the last frame's values to the image as the point array `name`, float. One channel fills
-  // all components; otherwise they are the channels from the first one on. Returns what is wrong.
+  // Adds the last frame's values to the image as the float point array `name`. One channel fills
+  // all components; otherwise components are the channels in order. Returns an error message, or an
+  // empty string.
   std::string Read(
     const std::string& name, int components, vtkImageData* image, int firstChannel = 0);
 

@@ -5,7 +5,7 @@
 
 #include "vtkRelievoFrameModule.h" // for the export macro
 
-// Whether the OpenGL that is current draws with the processor (Mesa's llvmpipe and softpipe).
+// Whether the current OpenGL draws with the processor (Mesa's llvmpipe and softpipe).
 VTKRELIEVOFRAME_EXPORT bool vtkRelievoIsSoftwareOpenGL();
 
 #endif

@@ -66,7 +66,7 @@ bool vtkRelievoSphereBounds::FindExtent(
   const glm::dvec4& row = this->Rows[axis];
   const glm::dvec4& rowW = this->Rows[2];
 
-  // Where it is cut.
+  // The circle at which the sphere is cut.
   const double across = row.x * center.x + row.y * center.y + row.w;
   for (const double cut : { from, to })
   {
@@ -81,7 +81,7 @@ bool vtkRelievoSphereBounds::FindExtent(
     }
   }
 
-  // Where planes of constant NDC touch it: (a - ndc b)^2 = radius^2 |A - ndc B|^2.
+  // Planes of constant NDC that touch the sphere: (a - ndc b)^2 = radius^2 |A - ndc B|^2.
   const double a = across + row.z * center.z;
   const double b = rowW.z * center.z + rowW.w;
   const double r2 = radius * radius;
@@ -91,7 +91,7 @@ bool vtkRelievoSphereBounds::FindExtent(
   const double discriminant = half * half - square * constant;
   if (discriminant >= 0.0)
   {
-    // The root without cancellation, and the other by the product of both.
+    // One root without cancellation, the other from the product of both.
     const double sum = half + std::copysign(std::sqrt(discriminant), half);
     const double roots[2] = { sum / square, constant / sum };
     for (const double ndc : roots)
@@ -99,7 +99,7 @@ bool vtkRelievoSphereBounds::FindExtent(
       const double length2 =
         this->Square[axis] + ndc * (ndc * this->SquareW - 2.0 * this->Mixed[axis]);
       const double z = center.z - (row.z - ndc * rowW.z) * ((a - ndc * b) / length2);
-      if (-z >= from && -z <= to && rowW.z * z + rowW.w > 0.0) // false if it is not a number
+      if (-z >= from && -z <= to && rowW.z * z + rowW.w > 0.0) // false for NaN
       {
         take(ndc);
       }

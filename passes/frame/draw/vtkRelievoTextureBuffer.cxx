@@ -71,7 +71,7 @@ std::string vtkRelievoTextureBuffer::Allocate(
   if (texels > most)
   {
     return "a list of " + std::to_string(texels) +
-      " entries is needed, this OpenGL reads at most " + std::to_string(most);
+      " entries is needed, but this OpenGL reads at most " + std::to_string(most);
   }
   if (this->Window != window)
   {
@@ -84,13 +84,13 @@ std::string vtkRelievoTextureBuffer::Allocate(
     glGenBuffers(1, &this->Buffer);
     glGenTextures(1, &this->Texture);
   }
-  // An empty list is a texel that nobody reads: OpenGL makes no textures of nothing.
+  // An empty list still gets one texel: OpenGL makes no empty textures.
   this->Bytes = static_cast<vtkIdType>(std::max<std::size_t>(1, texels) * channels * sizeof(float));
   glBindBuffer(GL_TEXTURE_BUFFER, this->Buffer);
   glBufferData(GL_TEXTURE_BUFFER, this->Bytes, nullptr, GL_STATIC_DRAW);
   glBindBuffer(GL_TEXTURE_BUFFER, 0);
   window->GetState()->vtkglActiveTexture(GL_TEXTURE0);
-  GLint others = 0; // what somebody reads by this unit, in the midst of a frame
+  GLint others = 0; // the buffer bound to this unit by a user in the middle of a frame
   glGetIntegerv(GL_TEXTURE_BINDING_BUFFER, &others);
   glBindTexture(GL_TEXTURE_BUFFER, this->Texture);
   glTexBuffer(GL_TEXTURE_BUFFER, GetFormat(channels), this->Buffer);
@@ -162,7 +162,7 @@ void vtkRelievoTextureBuffer::Release(vtkWindow* window)
 {
   if (window && this->Window && this->Window != window)
   {
-    return; // what is held is another window's
+    return; // the texture belongs to another window
   }
   if (window && window == this->Owner && this->Texture)
   {

@@ -40,8 +40,8 @@ std::string vtkRelievoFindTextureFault(
     (makes ? low : high) = middle;
   }
   std::ostringstream out;
-  out << "this OpenGL makes no texture of " << width << " x " << height
-      << " pixels with so many numbers each, and of this shape at most one of " << size[0] << " x "
-      << size[1] << ": make the picture smaller, or capture it in tiles";
+  out << "this OpenGL cannot make a texture of " << width << " x " << height
+      << " pixels in this format; the largest of this shape is " << size[0] << " x " << size[1]
+      << ": make the picture smaller, or capture it in tiles";
   return out.str();
 }

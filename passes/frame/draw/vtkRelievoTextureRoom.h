@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Whether OpenGL makes a texture, asked before VTK makes it and complains of OpenGL's error.
+// Checks whether OpenGL can make a texture, before VTK tries and reports OpenGL's error.
 #ifndef vtkRelievoTextureRoom_h
 #define vtkRelievoTextureRoom_h
 
@@ -9,8 +9,8 @@
 
 #include <string>
 
-// Why it does not make one of this size, in words, with the largest of this shape that it does
-// make. `internal`, `external`, `type`: of glTexImage2D.
+// Returns an error message with the largest possible size of the same shape if OpenGL cannot make a
+// texture of this size, else an empty string. `internal`, `external`, `type`: see glTexImage2D.
 VTKRELIEVOFRAME_EXPORT std::string vtkRelievoFindTextureFault(
   unsigned int internal, unsigned int external, unsigned int type, int width, int height);
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A picture that is drawn in tiles: what is chosen for all of it is chosen in its own NDC.
+// Pictures drawn in tiles: choices for the whole picture are made in its own NDC.
 #ifndef vtkRelievoTiles_h
 #define vtkRelievoTiles_h
 
@@ -11,7 +11,7 @@
 
 class vtkRenderer;
 
-// From the NDC of the tile that is drawn to those of the whole picture. Identity without tiles.
+// Transforms the NDC of the present tile to those of the whole picture. Identity without tiles.
 VTKRELIEVOFRAME_EXPORT glm::dmat4 vtkRelievoGetTileToPicture(vtkRenderer* renderer);
 
 #endif

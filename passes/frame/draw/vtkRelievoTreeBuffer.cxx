@@ -16,7 +16,8 @@
 
 namespace
 {
-constexpr std::size_t MostRecords = std::size_t(1) << 23; // a float counts the nodes over them
+// Their nodes' numbers are exact in floats.
+constexpr std::size_t MostRecords = std::size_t(1) << 23;
 
 bool IsSame(const vtkRelievoPlacedMesh& a, const vtkRelievoPlacedMesh& b)
 {
@@ -26,7 +27,7 @@ bool IsSame(const vtkRelievoPlacedMesh& a, const vtkRelievoPlacedMesh& b)
 
 constexpr double Ulp = 1.0 / (1 << 23);
 
-// The next smaller and greater floats hold what was rounded.
+// The next smaller and greater floats enclose the unrounded value.
 glm::vec3 Below(const glm::dvec3& v)
 {
   const glm::vec3 f(v);
@@ -34,7 +35,7 @@ glm::vec3 Below(const glm::dvec3& v)
     std::nextafter(f.z, -HUGE_VALF));
 }
 
-// In threads where it pays.
+// In several threads if there is enough work.
 template <typename Do>
 void ForEach(std::size_t count, Do each)
 {
@@ -112,12 +113,12 @@ std::string vtkRelievoTreeBuffer::FindFault(std::size_t records) const
   if (records > MostRecords)
   {
     out << "there are " << records << " casters and glyphs, and at most " << MostRecords
-        << " can be followed";
+        << " are supported";
   }
   else if (this->Texels > most)
   {
-    out << "the casters' triangles take " << this->Texels << " texels, and this OpenGL has buffers "
-        << "of at most " << most;
+    out << "the casters' triangles take " << this->Texels << " texels, but this OpenGL supports "
+        << "buffers of at most " << most;
   }
   return out.str();
 }
@@ -209,7 +210,7 @@ std::string vtkRelievoTreeBuffer::Upload(bool all, const std::vector<glm::vec4>&
 {
   for (int i = 0; i < 16 && glGetError() != GL_NO_ERROR; ++i)
   {
-    // Others' errors: what follows is to be known.
+    // Discards earlier errors, so that later ones are this code's.
   }
   const auto write = [this](std::size_t texel, const std::vector<glm::vec4>& texels) {
     if (!texels.empty())
@@ -219,7 +220,7 @@ std::string vtkRelievoTreeBuffer::Upload(bool all, const std::vector<glm::vec4>&
   };
   if (all)
   {
-    this->Buffer.Allocate(this->Window, this->Texels, 4); // FindFault knows that it can
+    this->Buffer.Allocate(this->Window, this->Texels, 4); // FindFault has checked the size
     for (const auto& held : this->Meshes)
     {
       write(held.second->Texel, held.second->Mesh.GetTexels());
@@ -284,7 +285,7 @@ void vtkRelievoTreeBuffer::Release(vtkWindow* window)
 {
   if (window && this->Window && this->Window != window)
   {
-    return; // what is held is another window's
+    return; // the buffer belongs to another window
   }
   this->ReleaseBuffer(window);
   this->Meshes.clear();
@@ -320,8 +321,8 @@ std::vector<glm::vec4> vtkRelievoTreeBuffer::MakeFront()
     glm::dvec3 low;
     glm::dvec3 high;
     held.Mesh.GetBounds(low, high);
-    // How far glyphs are off where OpenGL draws them, in units of the world: it rounds their
-    // coordinates in the actor, which VTK does not shift.
+    // Error of glyphs' positions in OpenGL, in world units: OpenGL rounds their coordinates in the
+    // actor's space, which VTK does not shift.
     const double size =
       glm::length(glm::max(glm::abs(low), glm::abs(high)) + glm::abs(held.Mesh.GetOrigin()));
     const double actorUlp = Ulp * vtkRelievoGetScale(caster.MeshToWorld);
@@ -343,7 +344,7 @@ std::vector<glm::vec4> vtkRelievoTreeBuffer::MakeFront()
         least = glm::min(least, p);
         most = glm::max(most, p);
       }
-      // The ray is rounded once more on its way into the mesh's coordinates.
+      // The transform of rays into the mesh's coordinates rounds once more.
       const glm::dvec3 room = 4.0 * Ulp * glm::max(glm::abs(least), glm::abs(most));
       boxes[first + i] = { Below(least - room), -Below(-(most + room)) };
       glm::vec4* record = &records[RecordTexels * (first + i)];

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // The triangles of meshes in a texture buffer, for the rays of shaders/rays/walk.glsl: a tree over
-// the casters, which are meshes at their places, and for each mesh, once however often it casts, a
-// tree over its triangles.
+// the casters, which are placed meshes, and one tree over the triangles of each mesh, however often
+// it is placed.
 #ifndef vtkRelievoTreeBuffer_h
 #define vtkRelievoTreeBuffer_h
 
@@ -30,11 +30,12 @@ public:
   vtkRelievoTreeBuffer(const vtkRelievoTreeBuffer&) = delete;
   void operator=(const vtkRelievoTreeBuffer&) = delete;
 
-  // Brings the casters into the buffer, in coordinates about an origin. Returns why not, in words.
+  // Uploads the casters, in coordinates about an origin. Returns an error message, or an empty
+  // string.
   std::string Update(vtkOpenGLRenderWindow* window,
     const std::vector<vtkRelievoPlacedMesh>& casters, const glm::dvec3& origin);
 
-  // Whether it is in a window, about that origin.
+  // Whether the buffer is in the window, with this origin.
   bool IsIn(vtkOpenGLRenderWindow* window, const glm::dvec3& origin) const
   {
     return this->Buffer.IsIn(window) && this->Origin == origin;
@@ -44,16 +45,16 @@ public:
   void Unbind() { this->Buffer.Deactivate(); }
   int GetTextureUnit() const { return this->Buffer.GetTextureUnit(); }
 
-  // Another number for each content of the buffer.
+  // Changes with the buffer's content.
   double GetVersion() const { return this->Version; }
 
-  // Whether the last content differs from the one before in the places of some casters alone; then
-  // the boxes of where they were and are, in the tree's coordinates, a few.
+  // Whether the last update only moved some casters; GetMoved() then has their boxes before and
+  // after, in the tree's coordinates, at most MostMoved.
   static constexpr std::size_t MostMoved = 8;
   bool HasOnlyMoved() const { return this->OnlyMoved; }
   const std::vector<vtkRelievoBoxTree::Box>& GetMoved() const { return this->Moved; }
 
-  // Whether a caster lets part of the light pass.
+  // Whether a caster transmits part of the light.
   bool HasTranslucent() const;
   bool HasColors() const; // and colours it
 
@@ -62,9 +63,10 @@ public:
   int GetFirstRecord() const { return 2 * this->Nodes; }
   vtkIdType GetNumberOfTriangles() const;
   int GetNumberOfCasters() const { return static_cast<int>(this->Casters.size()); }
-  vtkIdType GetNumberOfGlyphs() const; // of all of the casters
+  vtkIdType GetNumberOfGlyphs() const; // of all casters
 
-  // In the last update: meshes whose trees were built, and those that were fitted to moved points.
+  // In the last update: meshes whose trees were built, and meshes whose trees were refitted to
+  // moved points.
   int GetMeshesBuilt() const { return this->MeshesBuilt; }
   int GetMeshesRefitted() const { return this->MeshesRefitted; }
 
@@ -72,7 +74,7 @@ public:
   void Release(vtkWindow* window);
 
 private:
-  static constexpr std::size_t Grain = 16; // texels: where meshes begin
+  static constexpr std::size_t Grain = 16; // alignment of meshes in texels
   static constexpr int RecordTexels = 5;
   static std::size_t RoundUp(std::size_t texels) { return (texels + Grain - 1) / Grain * Grain; }
 
@@ -86,7 +88,7 @@ private:
   std::size_t CountRecords() const;
   bool FindMoved(const std::vector<vtkRelievoPlacedMesh>& castersBefore,
     const std::vector<vtkRelievoBoxTree::Box>& boxesBefore);
-  // Nodes and records of the casters.
+  // Makes the nodes and records of the casters.
   std::vector<glm::vec4> MakeFront();
   std::string FindFault(std::size_t records) const;
   std::string Upload(bool all, const std::vector<glm::vec4>& front);
@@ -95,7 +97,7 @@ private:
   vtkWeakPointer<vtkOpenGLRenderWindow> Window;
   std::map<vtkPolyData*, std::unique_ptr<Held>> Meshes;
   std::vector<vtkRelievoPlacedMesh> Casters;
-  std::vector<vtkRelievoBoxTree::Box> Boxes; // of Casters at all of their places
+  std::vector<vtkRelievoBoxTree::Box> Boxes; // of Casters, over all their places
   std::vector<vtkRelievoBoxTree::Box> Moved;
   bool OnlyMoved = false;
   glm::dvec3 Origin{ 0.0 };

@@ -19,7 +19,7 @@ vtkStandardNewMacro(vtkRelievoDepthSplice);
 
 namespace
 {
-constexpr const char* SlopeOfDepth = "FragDepth), dFdy("; // as VTK asks for it
+constexpr const char* SlopeOfDepth = "FragDepth), dFdy("; // VTK's own expression
 
 bool MayWriteDepth(const vtkRelievoPropParts::Part& part)
 {
@@ -30,7 +30,7 @@ bool MayWriteDepth(const vtkRelievoPropParts::Part& part)
   }
   vtkProperty* property = actor->GetProperty();
   vtkMapper* mapper = actor->GetMapper();
-  // By name: PyVista's VTK leaves both classes out.
+  // By name: PyVista's VTK lacks both classes.
   return property->GetRenderPointsAsSpheres() || property->GetRenderLinesAsTubes() ||
     actor->GetShaderProperty()->GetNumberOfShaderReplacements() > 0 ||
     (mapper && (mapper->IsA("vtkOpenGLSphereMapper") || mapper->IsA("vtkOpenGLStickMapper")));
@@ -67,7 +67,7 @@ void vtkRelievoDepthSplice::SpliceShaders(
   {
     return;
   }
-  // A statement before the one that reads, whatever else that line says.
+  // Inserts a statement before the reading line, whatever else that line contains.
   TrySplice(shaders, this->Window, actor, [&fragment]() {
     const std::size_t read = fragment.find(SlopeOfDepth);
     const std::size_t line = fragment.rfind('\n', read);

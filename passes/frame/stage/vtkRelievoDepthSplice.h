@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// VTK's shaders of spheres and tubes read the depth that they write before they have written it,
-// where they move coincident surfaces: what they draw in front depends on what the processor's
-// registers held. In a frame, their depth is that of the primitive until they write it.
+// VTK's shaders of spheres and tubes read gl_FragDepth before writing it when they shift coincident
+// surfaces, so that visibility depends on old register content. During a frame, gl_FragDepth is
+// initialized with the primitive's depth.
 #ifndef vtkRelievoDepthSplice_h
 #define vtkRelievoDepthSplice_h
 
@@ -19,7 +19,7 @@ public:
   static vtkRelievoDepthSplice* New();
   vtkTypeMacro(vtkRelievoDepthSplice, vtkRelievoSplicedPass);
 
-  // From here to End, it is in the shaders of what may write depth.
+  // Between Begin() and End(), shaders that may write depth have the splice.
   void Begin(const vtkRelievoFrameScene& scene, vtkOpenGLRenderWindow* window);
   void End();
 

@@ -23,7 +23,7 @@ void vtkRelievoPointStage::AddPoints(vtkRelievoPointValues* points)
     vtkErrorMacro("AddPoints was given "
       << (!points    ? std::string("no points")
              : !fits ? std::string("a ") + points->GetClassName()
-                     : std::string("points that are there already"))
+                     : std::string("points that were added before"))
       << "; give it a " << expected << ", each once.");
     return;
   }

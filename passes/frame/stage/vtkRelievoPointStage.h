@@ -4,8 +4,8 @@
  * @class vtkRelievoPointStage
  * @brief A stage that draws points with values (vtkRelievoPointValues): lamps, fog, markers.
  *
- * It keeps the sets of points, joins those of processes that draw together, and reports once what
- * is wrong. Classes that derive from it say which points they draw, and draw them.
+ * The stage stores the sets of points, joins those of processes that draw together, and reports
+ * each error once. Subclasses define the class of the points, and draw them.
  */
 #ifndef vtkRelievoPointStage_h
 #define vtkRelievoPointStage_h
@@ -28,8 +28,8 @@ public:
 
   ///@{
   /**
-   * Sets of points, any number, each once; where they overlap, in their order. Adding none, a set
-   * that is there already, or one of another class than the stage draws is an error.
+   * Sets of points, any number, each once; overlapping points are drawn in the sets' order. Adding
+   * nullptr, a set that was added before, or a set of another class than NewPoints() is an error.
    */
   void AddPoints(vtkRelievoPointValues* points);
   void RemovePoints(vtkRelievoPointValues* points);
@@ -38,19 +38,19 @@ public:
   vtkRelievoPointValues* GetPoints(int i);
   ///@}
 
-  /** New points of the class that the stage draws; not yet among its sets. */
+  /** Makes points of the stage's class; they are not yet among its sets. */
   VTK_NEWINSTANCE virtual vtkRelievoPointValues* NewPoints() = 0;
 
   ///@{
   /**
-   * Processes that each draw a part of the scene, all in step (ParaView's ranks): the points of
-   * each count for all. All have the same number of sets, which may be empty. Default nullptr.
+   * Processes that each draw a part of the scene, in step (ParaView's ranks): each process draws
+   * the points of all. All need the same number of sets, which may be empty. Default nullptr.
    */
   virtual void SetController(vtkMultiProcessController* controller);
   vtkMultiProcessController* GetController();
   ///@}
 
-  /** Points that the last frame drew: those of which anything is in view. */
+  /** Number of points in view that the last frame drew. */
   vtkGetMacro(NumberDrawn, int);
 
   vtkMTimeType GetDataTime() override;
@@ -59,23 +59,25 @@ protected:
   vtkRelievoPointStage();
   ~vtkRelievoPointStage() override;
 
-  /** What an error begins with: "There is no fog". */
+  /** Start of error messages: "There is no fog". */
   virtual const char* GetFailure() const = 0;
 
-  /** Brings the points up to date, and joins those of all processes. */
+  /** Updates the points, and joins those of all processes. */
   void Synchronize(vtkRelievoFrameContext& context) override;
 
   /**
-   * Whether other processes may have points, also where this one has none: what is done together
-   * must be done by all.
+   * Whether other processes may have points, even if this one has none: collective steps must be
+   * done by all.
    */
   bool IsTogether() const;
 
-  /** Makes what is wrong the reason of the frame, and an error if the frame before had another. */
+  /**
+   * Sets the error as the stage's reason, and reports it unless the frame before had the same one.
+   */
   void ReportFault(const std::string& fault);
 
 #ifndef __VTK_WRAP__
-  /** The sets, of the class that NewPoints makes. */
+  /** The sets, cast to the class of NewPoints(). */
   template <typename Points>
   std::vector<Points*> GetSets() const
   {

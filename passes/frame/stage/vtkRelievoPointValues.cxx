@@ -357,7 +357,7 @@ void vtkRelievoPointValues::Take(vtkDataSet* data)
     const double* row = rows + i * this->Width;
     if (ghosts && (ghosts->GetValue(i) & Elsewhere) != 0)
     {
-      continue; // another piece has it
+      continue; // another piece owns the point
     }
     const bool finite =
       std::all_of(row, row + this->Width, [](double v) { return std::isfinite(v); });
@@ -376,7 +376,7 @@ void vtkRelievoPointValues::Take(vtkDataSet* data)
 }
 
 //------------------------------------------------------------------------------
-// Whether no part of the row's colours is negative.
+// Whether no component of the row's colours is negative.
 bool vtkRelievoPointValues::HasColors(const double* row) const
 {
   const double* column = row + 3;
@@ -392,7 +392,7 @@ bool vtkRelievoPointValues::HasColors(const double* row) const
 }
 
 //------------------------------------------------------------------------------
-// One value of all points into a column of the rows.
+// Fills a column of the rows with one value of all points.
 void vtkRelievoPointValues::Fill(vtkDataSet* data, const Value& value, double* column)
 {
   const vtkIdType count = data->GetNumberOfPoints();
@@ -434,7 +434,7 @@ void vtkRelievoPointValues::Fill(vtkDataSet* data, const Value& value, double* c
     }
     return;
   }
-  // Copied at once: values one by one through the virtual interface are slow for many points.
+  // Copied as a block: the virtual interface is slow for many points.
   vtkNew<vtkDoubleArray> numbers;
   numbers->DeepCopy(array);
   const int stride = numbers->GetNumberOfComponents();

@@ -2,18 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkRelievoPointValues
- * @brief Points with a few values each, from data: what lamps and fog spheres are made of.
+ * @brief Points with a few values each, from data: the base class of lamps and fog spheres.
  *
- * Input: any vtkDataSet (vtkPolyData usually) or composite dataset. Each point is one thing. A
- * value comes from a point array, by default the array of the value's name, or is one for all
- * points. Points whose place or values are not finite, or whose colour is negative, and ghosts, are
- * left out and counted.
+ * Input: any vtkDataSet (usually vtkPolyData) or composite dataset. Each point is one object. A
+ * value comes from a point array, by default the array of the value's name, or is constant for all
+ * points. Ghosts, and points whose position or values are not finite, or whose colour is negative,
+ * are left out and counted.
  *
- * A class that derives from it describes its values once, in its constructor; the command line,
- * Python, ParaView and the viewer take them from there.
+ * A subclass describes its values once, in its constructor; the command line, Python, ParaView and
+ * the viewer use this description.
  *
- * Errors, once each: an array that was named and does not exist, or is not of the right number of
- * components or length; the one value for all is taken instead.
+ * Errors, once each: a named array that does not exist, or has a wrong number of components or a
+ * wrong length; the constant value is used instead.
  */
 #ifndef vtkRelievoPointValues_h
 #define vtkRelievoPointValues_h
@@ -39,13 +39,13 @@ public:
   vtkTypeMacro(vtkRelievoPointValues, vtkAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /** The points, as data that is not updated by a pipeline; nullptr for none. */
+  /** The points, as data without a pipeline; nullptr for none. */
   void SetInputData(vtkDataObject* data);
 
   ///@{
   /**
-   * The point array that a value, such as "radius", is taken from. Default: the array of that name,
-   * if there is one. "" takes the one value for all points.
+   * The point array for a value, such as "radius". Default: the array of that name, if there is
+   * one. "" selects the constant value.
    */
   void SetArray(RELIEVO_TEXT value, RELIEVO_TEXT array);
   std::string GetArray(RELIEVO_TEXT value);
@@ -55,8 +55,8 @@ public:
   /**
    * Parameters by name: values of points, and others that all points share. Words are numbers
    * ("0.5", "1,0.5,0"), a choice, or for a value of points the name of a point array. Set returns
-   * false, with an error, and changes nothing if there is no such parameter or it does not take the
-   * words. The default is that of new points, where they have no array of the value's name.
+   * false, with an error, and changes nothing if there is no such parameter or the words are
+   * invalid. The default is that of new points without an array of the value's name.
    */
   int GetNumberOfParameters() { return this->Description.GetNumber(); }
   std::string GetParameterName(int i) { return this->Description.GetName(i); }
@@ -66,59 +66,59 @@ public:
   bool SetParameter(RELIEVO_TEXT name, RELIEVO_TEXT words);
   ///@}
 
-  /** Sets a parameter, and returns what is wrong instead of reporting it; "" if it was set. */
+  /** Sets a parameter, and returns an error message instead of reporting it; "" on success. */
   std::string TrySetParameter(RELIEVO_TEXT name, RELIEVO_TEXT words);
 
-  /** Whether the name of a point array gives each point its own value. */
+  /** Whether the parameter accepts a point array's name. */
   bool IsPerPoint(RELIEVO_TEXT name);
 
-  /** "falloff=vtk" of a parameter that has no effect where falloff is another; "" of others. */
+  /** For a parameter that depends on another one, the condition: "falloff=vtk"; else "". */
   std::string GetParameterCondition(RELIEVO_TEXT name)
   {
     return this->Description.GetCondition(name);
   }
 
-  /** What the points are: "lamps". */
+  /** Name of the objects: "lamps". */
   std::string GetThings() { return this->Things; }
 
-  /** What a point must be so that it has an effect: "places must be finite, radii above 0". */
+  /** Requirements for a point to have an effect: "places must be finite, radii above 0". */
   std::string GetNeeds() { return this->Needs; }
 
   ///@{
   /**
-   * Where the data lies in the world, as of vtkProp3D: moves the points, but no other values.
-   * Default nullptr: the data is in world coordinates.
+   * Position of the data in the world, see vtkProp3D: moves the points, but changes no other
+   * values. Default nullptr: the data is in world coordinates.
    */
   virtual void SetUserMatrix(vtkMatrix4x4* matrix);
   vtkMatrix4x4* GetUserMatrix();
   ///@}
 
-  /** Brings the points up to date; returns how many there are. */
+  /** Updates the points; returns their number. */
   int GetNumberOfPoints();
 
   vtkMTimeType GetMTime() override;
 
-  /** Brings the points up to date; when they, or a setting, have last changed. */
+  /** Updates the points; returns the time of the last change of points or settings. */
   vtkMTimeType GetUpdatedTime();
 
-  /** Points left out: the place or a value is not finite, a colour negative, or has no effect. */
+  /** Number of points left out: position or value not finite, negative colour, or no effect. */
   vtkGetMacro(NumberLeftOut, int);
 
 #ifndef __VTK_WRAP__
-  // What the points say of their parameters.
+  // The description of the parameters.
   const vtkRelievoParameterList& GetDescription() const
   {
     return this->Description;
   }
 
-  // Row by row: x, y, z, and the values in their order. Up to date after GetNumberOfPoints.
+  // Row by row: x, y, z, and the values in order. Up to date after GetNumberOfPoints.
   const std::vector<double>& GetRows() const
   {
     return this->Rows;
   }
 
-  // Brings the points up to date, and joins those of all processes in their order; all of them call
-  // it. nullptr: those of this one. Then the rows of all.
+  // Updates the points, and joins those of all processes in order; a collective call. With nullptr
+  // only this process's points. GetSharedRows() returns the joined rows.
   void Share(vtkMultiProcessController* controller);
   const std::vector<double>& GetSharedRows() const
   {
@@ -135,9 +135,9 @@ protected:
   ~vtkRelievoPointValues() override;
 
   ///@{
-  // For constructors: what the points are, and their values in the order of the rows. A value has
-  // one component, or three of a colour, whose arrays may have a fourth and may be bytes. A choice
-  // of points is the number of its first choice, or the next ones.
+  // For constructors: the name of the objects, and their values in the order of the rows. A value
+  // has one component, or the three of a colour, whose arrays may have a fourth and may hold bytes.
+  // A choice is stored as the number of its first option, or the following numbers.
   void SetThings(const std::string& things, const std::string& needs);
   vtkRelievoParameter& AddValue(const std::string& name, double forAll, double least, double most,
     const std::string& unit, const std::string& help);
@@ -146,7 +146,7 @@ protected:
     int forAll, const std::string& help);
   ///@}
 
-  // Of the values, and of parameters that all points share.
+  // Values, and parameters that all points share.
   vtkRelievoParameterList Description;
 
   void SetForAll(int value, const double* forAll);
@@ -155,13 +155,13 @@ protected:
     return this->Values[value].ForAll;
   }
 
-  // When the rows were made.
+  // Time at which the rows were made.
   vtkMTimeType GetRowsTime() const
   {
     return this->RowsTime.GetMTime();
   }
 
-  // Whether the thing of this row does anything.
+  // Whether the object of this row has any effect.
   virtual bool HasEffect(const double* row) const = 0;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
@@ -195,7 +195,7 @@ private:
   std::vector<double> Rows;
   std::vector<double> All; // of all processes
   bool Shared = false;
-  vtkMTimeType SharedTime = 0; // RowsTime of what All has
+  vtkMTimeType SharedTime = 0; // RowsTime of the rows in All
   std::set<std::string> Reported;
   vtkTimeStamp RowsTime;
   int Width = 3;

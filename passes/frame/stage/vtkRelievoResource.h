@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What one stage wrote for others on the GPU: how a shader gets at it. The shader includes a file
-// of shaders/ that says what may be read; the resource says with which defines, and binds it.
+// A stage's output for others on the GPU, and its binding to shaders. A shader includes the file of
+// shaders/ that declares its functions; the resource supplies the defines, and binds textures.
 #ifndef vtkRelievoResource_h
 #define vtkRelievoResource_h
 
@@ -17,11 +17,11 @@ class VTKRELIEVOFRAME_EXPORT vtkRelievoResource
 public:
   virtual ~vtkRelievoResource();
 
-  // The structure, as preprocessor defines.
+  // The resource's structure, as preprocessor defines.
   virtual std::string GetDefines() const;
 
   ///@{
-  // Sets the program's uniforms and takes texture units; gives them back.
+  // Sets the program's uniforms and takes texture units; Deactivate() releases them.
   virtual void Activate(vtkShaderProgram* program) = 0;
   virtual void Deactivate() = 0;
   ///@}

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The resource `shading`: what surfaces are made of, in the place of their lit colour. Shaders
-// include gbuffer/read.glsl (relievoFetchSurface, relievoFetchDepth, relievoFetchNormal, and
+// The resource `shading`: properties of surfaces in place of their lit colour. Shaders include
+// gbuffer/read.glsl (relievoFetchSurface, relievoFetchDepth, relievoFetchNormal, and
 // relievoFetchVisibility if NumberOfLights is not 0).
 #ifndef vtkRelievoShading_h
 #define vtkRelievoShading_h
@@ -15,16 +15,16 @@
 class VTKRELIEVOFRAME_EXPORT vtkRelievoShading : public vtkRelievoResource
 {
 public:
-  // Why VTK has lit everything after all, in words; empty if it has not.
+  // The reason why VTK has lit all surfaces; empty if it has not.
   std::string WhyNot;
 
-  // Draw calls that VTK has lit by itself, by the reason.
+  // Number of draw calls that VTK has lit, for each reason.
   std::map<std::string, int> Left;
 
-  // Draw calls whose light was left out.
+  // Number of draw calls without VTK's light.
   int Deferred = 0;
 
-  // Of the renderer, those that are off included: as many visibilities are stored.
+  // Of the renderer, switched-off lights included: one visibility is stored for each.
   int NumberOfLights = 0;
 };
 

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The property keys that a pass is spliced into. Several props may hold the same keys: assemblies
-// hand theirs to their parts, copies of an actor share them. And a prop may be given other keys
-// before the pass leaves: it leaves the keys it came into.
+// The property keys that a pass is spliced into. Several props may share keys: assemblies pass
+// theirs to their parts, and copies of an actor share them. A prop may also get other keys before
+// the pass is removed, so that the pass must be removed from the keys, not from the prop.
 #ifndef vtkRelievoSplicedKeys_h
 #define vtkRelievoSplicedKeys_h
 
@@ -19,10 +19,10 @@ class vtkProp;
 class VTKRELIEVOFRAME_EXPORT vtkRelievoSplicedKeys
 {
 public:
-  // Adds the pass to the prop's keys, once to each keys; makes keys where the prop has none.
+  // Adds the pass to the prop's keys, once per keys object; makes keys for a prop without.
   void Add(vtkProp* prop, vtkOpenGLRenderPass* pass);
 
-  // Takes the pass out of all keys that it was added to.
+  // Removes the pass from all keys that it was added to.
   void Remove(vtkOpenGLRenderPass* pass);
 
 private:

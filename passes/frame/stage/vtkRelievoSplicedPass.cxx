@@ -62,7 +62,7 @@ bool vtkRelievoSplicedPass::IsNews(vtkObject* mapper, const vtkRelievoTrialSplic
 //------------------------------------------------------------------------------
 vtkMTimeType vtkRelievoSplicedPass::GetShaderStageMTime()
 {
-  // Asked outside of its own drawing by keys that were copied meanwhile: there it splices nothing.
+  // Keys copied meanwhile call the pass outside its own drawing: it splices nothing there.
   if (!this->IsSplicing() || this->BuiltUnspliced)
   {
     this->ModifyShaders();

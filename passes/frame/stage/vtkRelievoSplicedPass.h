@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkRelievoSplicedPass
- * @brief Puts text of its own into the shaders of VTK's mappers while it is among a prop's keys.
+ * @brief Splices text into the shaders of VTK's mappers while the pass is among a prop's keys.
  *
- * VTK's mappers call a pass twice while they build a shader: before they replace their tags, when
- * the places of its text are marked (MarkShaders), and afterwards, when the marks are filled
- * (SpliceShaders). What VTK then could not compile is tried first, and taken back: the mapper draws
- * as it would without the pass, and the reason is said once.
+ * VTK's mappers call a pass twice while they build a shader: before they replace their tags, to
+ * mark the places of its text (MarkShaders), and afterwards, to fill the marks (SpliceShaders). The
+ * result is test-compiled first: if it fails, the mapper draws without the pass, and the reason is
+ * reported once.
  */
 #ifndef vtkRelievoSplicedPass_h
 #define vtkRelievoSplicedPass_h
@@ -44,7 +44,7 @@ public:
   ///@}
 #endif
 
-  /** Frees what is held of a window; VTK's own method ends the program if there is none. */
+  /** Frees the window's resources; VTK's own method crashes without a window. */
   void ReleaseGraphicsResources(vtkWindow* window) override;
 
 protected:
@@ -52,7 +52,7 @@ protected:
   ~vtkRelievoSplicedPass() override;
 
 #ifndef __VTK_WRAP__
-  /** Whether shaders that are built now get the pass's text. */
+  /** Whether shaders built now get the pass's text. */
   virtual bool IsSplicing() const
   {
     return false;
@@ -61,20 +61,20 @@ protected:
   /** Marks the places of the pass's text, before VTK replaces its own tags. */
   virtual void MarkShaders(const vtkRelievoShaderTexts&) {}
 
-  /** Fills the marks, by TrySplice, and reports what is wrong. */
+  /** Fills the marks by TrySplice, and reports errors. */
   virtual void SpliceShaders(const vtkRelievoShaderTexts&, vtkOpenGLPolyDataMapper*, vtkActor*) {}
 
   /**
-   * Fills the shaders by `fill`, which returns what is wrong. If anything is, or if they do not
-   * compile then, they are as before.
+   * Fills the shaders by `fill`, which returns an error message or an empty string. On an error, or
+   * if the shaders do not compile, they remain unchanged.
    */
   static vtkRelievoTrialSplice::Outcome TrySplice(const vtkRelievoShaderTexts& shaders,
     vtkOpenGLRenderWindow* window, vtkActor* actor, const std::function<std::string()>& fill);
 
-  /** Whether something is wrong that has not been reported yet of mappers of this class. */
+  /** Whether the outcome is an error not yet reported for this class of mapper. */
   bool IsNews(vtkObject* mapper, const vtkRelievoTrialSplice::Outcome& outcome);
 
-  /** Has all shaders with the pass's text built anew. */
+  /** Triggers a rebuild of all shaders with the pass's text. */
   void ModifyShaders()
   {
     this->ShaderTime.Modified();
@@ -90,7 +90,7 @@ private:
   void operator=(const vtkRelievoSplicedPass&) = delete;
 
   vtkTimeStamp ShaderTime;
-  bool BuiltUnspliced = false; // shaders without the text were built with this pass in their keys
+  bool BuiltUnspliced = false; // the pass's keys have shaders built without the text
   std::set<std::string> Reported;
 };
 

@@ -22,7 +22,7 @@ const vtkRelievoStageDescription& vtkRelievoStage::GetDescription()
     {
       this->Description->Label = vtkRelievoCapitalize(this->Description->Name, true);
     }
-    // This stage's values may have been set already.
+    // This stage's own values may differ from the defaults.
     const auto fresh = vtkSmartPointer<vtkRelievoStage>::Take(this->NewInstance());
     vtkRelievoStageDescription ofFresh;
     fresh->Describe(ofFresh);

@@ -2,15 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkRelievoStage
- * @brief One step of a frame (vtkRelievoFramePass): what it reads and writes, its parameters, its
- * work.
+ * @brief One step of a frame (vtkRelievoFramePass): its inputs and outputs, parameters and work.
  *
- * A stage describes itself once (Describe). In each frame it says what it would do (Declare, which
- * changes nothing); the frame works backwards from what is requested, and the stages that are
- * needed prepare and execute, in the order of their slots and of what they read and write. A stage
- * never calls another stage: it finds what others wrote in the frame's context.
+ * A stage describes itself once (Describe). In each frame it declares its planned work (Declare,
+ * which changes nothing); the frame works backwards from the requested outputs, and the needed
+ * stages prepare and execute, in the order of their slots and of their inputs and outputs. A stage
+ * never calls another stage: it finds others' output in the frame's context.
  *
- * Parameters are set by their own methods or by name and words (SetParameter).
+ * Parameters are set by their own methods, or by name and words (SetParameter).
  */
 #ifndef vtkRelievoStage_h
 #define vtkRelievoStage_h
@@ -47,12 +46,12 @@ public:
   vtkBooleanMacro(Enabled, bool);
   ///@}
 
-  /** The stage's name, as in frames, reports and on the command line. */
+  /** The stage's name in frames, in reports and on the command line. */
   std::string GetStageName();
 
   ///@{
   /**
-   * Parameters by name, as the description lists them. Values are words: "0.5", "on", "warped",
+   * Parameters by name, in the order of the description. Values are words: "0.5", "on", "warped",
    * "1,0.5,0". Set returns false, with an error, and changes nothing if there is no such parameter
    * or the value is not allowed. Get returns "" if there is no such parameter. The default is a new
    * stage's value.
@@ -69,12 +68,11 @@ public:
   ///@}
 
   /**
-   * Sets a parameter, and returns what is wrong in words instead of reporting it; "" if the value
-   * was set.
+   * Sets a parameter, and returns an error message instead of reporting it; "" on success.
    */
   std::string TrySetParameter(RELIEVO_TEXT name, RELIEVO_TEXT words);
 
-  /** Bytes of GPU memory that the stage holds now. */
+  /** Bytes of GPU memory in use by the stage. */
   virtual vtkIdType GetBytesHeld() { return 0; }
 
   /** Draw calls of the stage in the last frame. */
@@ -82,10 +80,10 @@ public:
 
   ///@{
   /**
-   * Why the stage ran, or did not, in the last frame: in words, and as a code for programs. Codes:
-   * "ran", "off" (switched off), "idle" (it has nothing to do for the picture), "not_asked"
-   * (nothing that it writes is requested), "hidden" (what it writes is not visible), "refused" (the
-   * frame could not place it), "failed", and others that a stage's own documentation lists.
+   * The reason why the stage ran, or did not, in the last frame: in words, and as a code for
+   * programs. Codes: "ran", "off" (switched off), "idle" (no effect on the picture), "not_asked"
+   * (none of its outputs is requested), "hidden" (its output is not visible), "refused" (the frame
+   * could not place it), "failed", and others listed in a stage's own documentation.
    */
   std::string GetReason() { return this->Reason; }
   std::string GetReasonCode() { return this->ReasonCode; }
@@ -93,8 +91,8 @@ public:
 
 #ifndef __VTK_WRAP__
   /**
-   * Entries of the stage in the frame report beside its own line, by name: numbers, or words; an
-   * invalid variant is null there.
+   * Additional entries of the stage in the frame report, by name: numbers or words; an invalid
+   * variant becomes null.
    */
   virtual std::map<std::string, vtkVariant> GetFacts()
   {
@@ -102,17 +100,17 @@ public:
   }
 #endif
 
-  /** When the data that the stage works on has last changed; 0 if it works on none. */
+  /** Time of the last change of the stage's data; 0 without data. */
   virtual vtkMTimeType GetDataTime()
   {
     return 0;
   }
 
-  /** Draws nothing: frames call stages. */
+  /** Draws nothing: stages are run by frames. */
   void Render(const vtkRenderState* s) override;
 
 #ifndef __VTK_WRAP__
-  /** The stage's description; made once. */
+  /** The stage's description, made once. */
   const vtkRelievoStageDescription& GetDescription();
 #endif
 
@@ -128,35 +126,34 @@ protected:
   virtual void Describe(vtkRelievoStageDescription& description) = 0;
 
   /**
-   * Brings what the stage is given up to date, together with the processes that draw with this one:
-   * what all of them have to know before any of them declares. Called in each frame for a stage
-   * that is switched on.
+   * Updates the stage's data, together with the processes that draw with this one: everything that
+   * all of them need before any declares. Called in each frame for every stage that is switched on.
    */
   virtual void Synchronize(vtkRelievoFrameContext&) {}
 
   /**
-   * What the stage would do in this frame if it is needed. By default, what the description says.
-   * Changes nothing, and talks to no other process.
+   * Declares the stage's work in this frame in case it is needed. By default a copy of the
+   * description. Changes nothing, and does not communicate with other processes.
    */
   virtual void Declare(
     const vtkRelievoFrameContext& context, vtkRelievoDeclaration& declaration) const;
 
   /**
-   * What the stage reads in addition, in order to write what is requested of it. Changes nothing.
+   * Additional inputs for the requested outputs. Changes nothing.
    */
   virtual std::vector<std::string> GetReadsFor(
     const vtkRelievoFrameContext& context, const std::vector<std::string>& asked) const;
 
-  /** The layers that are the visibility of one of the renderer's lights, and which light. */
+  /** The layers that show the visibility of one of the renderer's lights, and the light's index. */
   virtual std::map<std::string, int> FindLights(
     const std::vector<std::string>& layers, vtkRenderer* renderer) const;
 
   ///@{
   /**
-   * Called for a stage that is needed, in this order: Prepare, for all stages before any executes
-   * (it returns false, after Explain, if the stage cannot run after all); Execute; Finish, for all
-   * that executed, in the opposite order, when the frame is done. BeginOpaque and EndOpaque are
-   * called each time that the delegate's opaque geometry begins and ends.
+   * Called for a needed stage, in this order: Prepare, for all stages before any executes (it
+   * returns false, after Explain, if the stage cannot run after all); Execute; Finish, for all
+   * executed stages, in reverse order, at the end of the frame. BeginOpaque and EndOpaque are
+   * called whenever the delegate's opaque geometry begins and ends.
    */
   virtual bool Prepare(vtkRelievoFrameContext&)
   {
@@ -169,12 +166,12 @@ protected:
   ///@}
 
   /**
-   * Adds layers that the stage wrote in the last frame to the image's point data. Returns what is
-   * wrong, in words: "" if all were added.
+   * Adds layers written by the stage in the last frame to the image's point data. Returns an error
+   * message; "" if all were added.
    */
   virtual std::string ReadLayers(const std::vector<std::string>& names, vtkImageData* image);
 
-  /** Says why the stage runs or does not: see GetReason. */
+  /** Sets the reason why the stage runs or does not: see GetReason. */
   void Explain(const std::string& code, const std::string& words);
 
   bool Enabled = true;

@@ -10,7 +10,7 @@
 
 namespace
 {
-// Slot and name, which is the order in which frames hold them.
+// Slot and name: the order of stages in frames.
 using Key = std::pair<int, std::string>;
 
 std::map<Key, vtkRelievoStageRegistry::Maker>& GetMakers()
@@ -31,7 +31,7 @@ bool vtkRelievoStageRegistry::Add(Maker maker)
   if (there || description.Name.empty())
   {
     vtkGenericWarningMacro("A stage cannot be registered as '"
-      << description.Name << "', " << (there ? "which another is called" : "without a name")
+      << description.Name << "', " << (there ? "which is another stage's name" : "without a name")
       << "; give it a name of its own in Describe().");
     return false;
   }

@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The stages that frames know by name. A library registers its stages once, when it is loaded:
+// The stages known to frames by name. A library registers its stages once, when it is loaded:
 //
 //   static const bool registered = vtkRelievoStageRegistry::Add([] { return vtkMyStage::New(); });
 //
-// Frames that are made from then on have the stage, switched off unless its description says else.
+// Frames made later have the stage, switched off unless its description tells otherwise.
 #ifndef vtkRelievoStageRegistry_h
 #define vtkRelievoStageRegistry_h
 
@@ -20,13 +20,13 @@ class vtkRelievoStage;
 class VTKRELIEVOFRAME_EXPORT vtkRelievoStageRegistry
 {
 public:
-  // A new stage, which the caller owns.
+  // Makes a new stage, owned by the caller.
   using Maker = vtkRelievoStage* (*)();
 
-  // False, with an error, if a stage of that name is there already.
+  // False, with an error, if a stage of that name is registered already.
   static bool Add(Maker maker);
 
-  // One of each, by slot and name.
+  // Makes one of each stage, ordered by slot and name.
   static std::vector<vtkSmartPointer<vtkRelievoStage>> MakeAll();
 };
 

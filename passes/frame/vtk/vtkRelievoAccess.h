@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What the frame needs of VTK's classes and VTK keeps protected. The members are named through
-// derived classes that are never made: their pointers to members are of the base's type, so the
-// access is checked by the compiler and breaks at build time, not at run time, if VTK changes.
+// Access to protected members of VTK's classes that the frame needs. The members are named through
+// derived classes that are never instantiated: pointers to members have the base's type, so that
+// the compiler checks the access, and a change of VTK breaks the build, not the program.
 #ifndef vtkRelievoAccess_h
 #define vtkRelievoAccess_h
 
@@ -28,7 +28,7 @@
 #include <vector>
 
 #ifdef RELIEVO_VTK_COMPOSITE_HELPERS
-// VTK 9.1's header of the helper does not include what it names.
+// VTK 9.1's header of the helper lacks this include.
 #include "vtkColor.h"
 #include "vtkOpenGLError.h" // for GLenum
 
@@ -43,7 +43,7 @@ namespace vtkRelievoAccess
 class State : public vtkOpenGLState
 {
 public:
-  // The textures that are active, and their units.
+  // The active textures, and their units.
   static const std::map<const vtkTextureObject*, int>& TextureUnits(vtkOpenGLState* state)
   {
     return state->*(&State::TextureResourceIds);
@@ -53,13 +53,13 @@ public:
 class Renderer : public vtkOpenGLRenderer
 {
 public:
-  // Past SetActiveCamera, which tells observers of a change that the user never sees.
+  // Bypasses SetActiveCamera, which would notify observers of a change that users never see.
   static vtkCamera*& CameraInUse(vtkRenderer* ren) { return ren->*(&Renderer::ActiveCamera); }
 
-  // Camera and head lights, brought to where the camera is now.
+  // Moves camera lights and head lights to the camera.
   static void FollowCamera(vtkRenderer* ren) { (ren->*(&Renderer::UpdateLightGeometry))(); }
 
-  // VTK's FXAA keeps a texture in the format of the colours that it saw first.
+  // VTK's FXAA caches a texture in the format of the first colours.
   static void ForgetColorFormat(vtkOpenGLRenderer* ren)
   {
     if (ren->GetUseFXAA() && ren->*(&Renderer::FXAAFilter))
@@ -68,8 +68,8 @@ public:
     }
   }
 
-  // What vtkOpenGLRenderer::DeviceRender does when no pass is set, with these props in place of the
-  // renderer's own of this frame: visible, culled, ordered.
+  // The steps of vtkOpenGLRenderer::DeviceRender without a pass, with these props in place of the
+  // renderer's visible, culled, ordered props of this frame.
   static void RenderOwnSteps(vtkOpenGLRenderer* ren, vtkProp** props, int count)
   {
     const Props inUse(ren, props, count);
@@ -79,7 +79,7 @@ public:
     (ren->*(&Renderer::UpdateGeometry))(nullptr);
   }
 
-  // Props in place of the renderer's own of this frame, for as long as this lives.
+  // Replaces the renderer's props of this frame during its lifetime.
   class Props
   {
   public:
@@ -124,9 +124,8 @@ public:
 class Camera : public vtkCamera
 {
 public:
-  // Sets whether the camera is in stereo, as vtkOpenGLCamera::Render does, but before the first
-  // stage asks for matrices: VTK keeps those until the camera is modified, and Render does not
-  // modify it.
+  // Sets the camera's stereo flag, as vtkOpenGLCamera::Render does, but before the first stage
+  // reads matrices: VTK caches those until the camera is modified, and Render does not modify it.
   static void SetStereo(vtkCamera* camera, int stereo)
   {
     int& own = camera->*(&Camera::Stereo);
@@ -137,8 +136,8 @@ public:
     }
   }
 
-  // Another projection as long as it lives, of which nobody is told: observers would take it for a
-  // camera that moves.
+  // Another projection during its lifetime, without notifying observers, which would take it for a
+  // moving camera.
   class Projection
   {
   public:
@@ -155,7 +154,7 @@ public:
     Projection& operator=(const Projection&) = delete;
 
   private:
-    // VTK keeps matrices for the renderer that asked last.
+    // VTK caches matrices for the last renderer that asked.
     class Keys : public vtkOpenGLCamera
     {
     public:
@@ -187,7 +186,7 @@ public:
     return mapper->*(&Mapper::CellCellMap);
   }
 
-  // Of the kind of primitives drawn now: the number of its first one.
+  // Number of the first primitive of the kind drawn now.
   static vtkIdType PrimitiveOffset(vtkOpenGLPolyDataMapper* mapper)
   {
     return mapper->*(&Mapper::PrimitiveIDOffset);
@@ -201,8 +200,8 @@ public:
   {
     return (mapper->*(&Mapper::VBOBuildTime)).GetMTime();
   }
-  // Whether the buffers were built for this actor's property, input and texture, as they are now:
-  // the question of GetNeedToRebuildBufferObjects, which takes its answer for done.
+  // Whether the buffers were built for this actor's present property, input and texture: the check
+  // of GetNeedToRebuildBufferObjects, without its side effect of marking them as rebuilt.
   static bool AreBuffersOf(vtkOpenGLPolyDataMapper* mapper, vtkActor* actor)
   {
     vtkStateStorage state;
@@ -211,7 +210,7 @@ public:
     state.Append(actor->GetTexture() ? actor->GetTexture()->GetMTime() : 0, "texture mtime");
     return !(mapper->*(&Mapper::VBOBuildState) != state);
   }
-  // Of the coordinates in the buffer, transposed.
+  // Transform of the coordinates in the buffer, transposed.
   static vtkMatrix4x4* ShiftScale(vtkOpenGLPolyDataMapper* mapper)
   {
     return mapper->*(&Mapper::VBOShiftScale);
@@ -220,7 +219,7 @@ public:
   {
     return (mapper->*(&Mapper::Primitives))[type].IBO;
   }
-  // Other ones may be drawn for a time; they must be put back.
+  // May be replaced for a time; must be restored.
   static vtkOpenGLIndexBufferObject*& IndicesInUse(vtkOpenGLPolyDataMapper* mapper, int type)
   {
     return (mapper->*(&Mapper::Primitives))[type].IBO;
@@ -230,19 +229,19 @@ public:
     return static_cast<int>(Indices(mapper, type)->IndexCount);
   }
 
-  // Whether cells have colours of their own, which VTK looks up by a primitive's number.
+  // Whether cells have their own colours, which VTK looks up by a primitive's number.
   static bool HasCellColors(vtkOpenGLPolyDataMapper* mapper)
   {
     return mapper->*(&Mapper::HaveCellScalars);
   }
 
-  // One of the mapper's PrimitiveTypes; PrimitiveEnd while nothing is bound.
+  // One of the mapper's PrimitiveTypes; PrimitiveEnd if none is bound.
   static int BoundPrimitiveType(vtkOpenGLPolyDataMapper* mapper)
   {
     vtkOpenGLHelper* bound = mapper->*(&Mapper::LastBoundBO);
     return bound ? bound->PrimitiveType : static_cast<int>(PrimitiveEnd);
   }
-  // Whether triangles are drawn now, as opposed to points and lines.
+  // Whether triangles are drawn now, not points or lines.
   static bool DrawsTriangles(vtkOpenGLPolyDataMapper* mapper)
   {
     const int type = BoundPrimitiveType(mapper);
@@ -250,7 +249,7 @@ public:
   }
 };
 
-// One block of composite data, and how its primitives are numbered.
+// One block of composite data, and the numbering of its primitives.
 struct Block
 {
   vtkPolyData* Mesh;
@@ -276,7 +275,7 @@ public:
     }
     return blocks;
   }
-  // Whether the numbers are VTK's own, which its shaders may look things up by: always.
+  // Whether the primitives have VTK's own numbers, which its shaders use for look-ups: always.
   static bool NumbersPrimitives(vtkOpenGLPolyDataMapper*) { return true; }
 
   static const std::map<vtkPolyData*, vtkCompositeMapperHelperData*>& Blocks(
@@ -284,8 +283,8 @@ public:
   {
     return helper->*(&CompositeHelper::Data);
   }
-  // Whether the buffers were built for this actor's property and texture and for all blocks, as
-  // they are now.
+  // Whether the buffers were built for this actor's present property and texture, and for all
+  // blocks.
   static bool AreBuffersOf(vtkCompositeMapperHelper2* helper, vtkActor* actor)
   {
     vtkStateStorage state;
@@ -307,7 +306,7 @@ public:
   {
     return mapper->*(&CompositeMapper::Helpers);
   }
-  // Whether the helpers have the blocks of this actor as they are now, and what is said of each.
+  // Whether the helpers have this actor's present blocks and their attributes.
   static bool AreHelpersOf(vtkCompositePolyDataMapper2* mapper, vtkActor* actor)
   {
     const vtkTimeStamp& sorted = mapper->*(&CompositeMapper::HelperMTime);

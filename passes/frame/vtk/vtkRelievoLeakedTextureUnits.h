@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // VTK 9.6's mapper of composite data leaves a texture of one texel active that no shader reads.
-// Each such mapper keeps one of the 16 to 32 units of a window in use, and then none is left for a
-// frame.
+// Each such mapper so blocks one of a window's 16 to 32 units, until none is left for a frame.
 #ifndef vtkRelievoLeakedTextureUnits_h
 #define vtkRelievoLeakedTextureUnits_h
 
@@ -23,7 +22,7 @@ class vtkOpenGLRenderWindow;
 
 namespace vtkRelievoLeakedTextureUnits
 {
-// Between draws: a texture of an actor may look like those, and is active while the actor is drawn.
+// Call only between draws: an actor's own texture may look alike, and is active while it is drawn.
 inline void Release([[maybe_unused]] vtkOpenGLRenderWindow* window)
 {
 #ifdef RELIEVO_VTK_LEAKED_TEXTURE_UNITS

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Counts what is set on a renderer, but for its camera, which is compared by what it sees: a
-// vtkWindowToImageFilter sets cameras of its own on all renderers and then the former ones again,
-// and the renderer's MTime has both.
+// Counts changes of a renderer's settings, except its camera, which is compared by value: a
+// vtkWindowToImageFilter sets temporary cameras on all renderers and restores the former ones, and
+// both change the renderer's MTime.
 #ifndef vtkRelievoRendererChanges_h
 #define vtkRelievoRendererChanges_h
 
@@ -21,7 +21,7 @@ public:
   vtkRelievoRendererChanges(const vtkRelievoRendererChanges&) = delete;
   vtkRelievoRendererChanges& operator=(const vtkRelievoRendererChanges&) = delete;
 
-  // Those of this renderer from now on.
+  // Starts counting for this renderer.
   void Watch(vtkRenderer* renderer)
   {
     if (this->Renderer == renderer)
