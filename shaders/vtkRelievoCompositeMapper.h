@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// VTK's mapper of composite data that draws blocks together, under one name for all versions:
-// VTK 9.3 moved what vtkCompositePolyDataMapper2 could do into vtkCompositePolyDataMapper.
+// VTK's mapper of composite data that draws blocks together, under one name for all versions: VTK
+// 9.3 moved the features of vtkCompositePolyDataMapper2 into vtkCompositePolyDataMapper.
 #ifndef vtkRelievoCompositeMapper_h
 #define vtkRelievoCompositeMapper_h
 

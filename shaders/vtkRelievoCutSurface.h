@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Of a prop whose shaders leave out what is too transparent: passes that draw or follow its mesh
-// themselves ask for it.
+// The opacity cutoff of props whose shaders discard fragments that are too transparent, for passes
+// that draw or trace the mesh themselves.
 #ifndef vtkRelievoCutSurface_h
 #define vtkRelievoCutSurface_h
 
@@ -13,10 +13,10 @@ class vtkInformationDoubleKey;
 
 namespace vtkRelievoCutSurface
 {
-// Among a prop's keys: the opacity, above 0, below which nothing is drawn.
+// Key of a prop: the opacity, above 0, below which fragments are discarded.
 VTKRELIEVOSHADERS_EXPORT vtkInformationDoubleKey* CUTOFF();
 
-// Of a prop with these keys, which may be nullptr; 0: nothing is left out.
+// The cutoff of a prop with these keys, which may be nullptr; 0: nothing is discarded.
 VTKRELIEVOSHADERS_EXPORT double GetCutoff(vtkInformation* keys);
 }
 

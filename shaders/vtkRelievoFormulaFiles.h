@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-// No include guard: vtkRelievoFormulas.h takes this list in once for each number type. A file
-// stands after the files that it names in `//RELIEVO::Include(...)`, which is a comment to C++.
+// No include guard: vtkRelievoFormulas.h includes this list once for each number type. A file comes
+// after the files that it names in `//RELIEVO::Include(...)`, which is a comment in C++.
 #include "formulas/numbers.glsl"
 
 #include "formulas/octahedral.glsl"

@@ -4,10 +4,9 @@
  * @file vtkRelievoFormulas.h
  * @brief The formulas of shaders/formulas/ as C++, through GLM: the same lines that the GPU runs.
  *
- * relievo::f32 computes in float, as the shaders do; relievo::f64 computes in double: `float`,
- * vec2, mat4 ... stand for double, dvec2, dmat4 ... there. Words (`uint`, uvec2 ...) have 32 bits
- * in both, and a number that is stored as float or half is rounded to it in both. Everything has
- * internal linkage.
+ * relievo::f32 computes in float, like the shaders; relievo::f64 computes in double: there `float`,
+ * vec2, mat4 ... mean double, dvec2, dmat4 ... Words (`uint`, uvec2 ...) have 32 bits in both, and
+ * a number stored as float or half is rounded to it in both. Everything has internal linkage.
  */
 #ifndef vtkRelievoFormulas_h
 #define vtkRelievoFormulas_h
@@ -49,8 +48,8 @@ inline float ToFloat(std::uint32_t word)
   return value;
 }
 
-/// Half nearest to a float, ties to even, as OpenGL drivers round; GLM's packHalf2x16 rounds ties
-/// up.
+/// Half nearest to a float, ties to even, which is the rounding of OpenGL drivers; GLM's
+/// packHalf2x16 rounds ties up.
 inline std::uint32_t ToHalf(float value)
 {
   const std::uint32_t word = FromFloat(value);
@@ -140,7 +139,8 @@ inline float uintBitsToFloat(uint word)
 {
   return bits::ToFloat(word);
 }
-// An object: a call of a function of this name would mean GLM's as well, which rounds otherwise.
+// An object, because a call of a function of this name could also mean GLM's, which rounds
+// otherwise.
 constexpr auto packHalf2x16 = [](const vec2& v) {
   return bits::ToHalf(v.x) | (bits::ToHalf(v.y) << 16);
 };

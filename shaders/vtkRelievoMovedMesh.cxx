@@ -2,5 +2,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRelievoMovedMesh.h"
 
-// Here, so that there is one type of it for all libraries.
+// Defined here, so that all libraries share one type.
 vtkRelievoMovedMesh::~vtkRelievoMovedMesh() = default;

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Of an actor whose vertex shader moves its mapper's mesh, and which knows the moved mesh: passes
-// that follow triangles on the CPU ask for it.
+// Interface of actors whose vertex shader moves the mapper's mesh, for passes that trace the moved
+// triangles on the CPU.
 #ifndef vtkRelievoMovedMesh_h
 #define vtkRelievoMovedMesh_h
 
@@ -15,19 +15,25 @@ class VTKRELIEVOSHADERS_EXPORT vtkRelievoMovedMesh
 public:
   virtual ~vtkRelievoMovedMesh();
 
-  /** The mesh as it is drawn now, with the cells of the mapper's; nullptr if that is not known. */
+  /** The mesh as drawn now, with the cells of the mapper's mesh; nullptr if it is unknown. */
   virtual vtkPolyData* GetMovedMesh() = 0;
 
-  /** A box around it in units of the mesh, without moving it on the CPU; uninitialized without. */
+  /**
+   * A box around the moved mesh in units of the mesh, without moving it on the CPU; uninitialized
+   * if unknown.
+   */
   virtual void GetMovedBounds(double bounds[6]) = 0;
 
   /**
-   * What shaders round to floats on the way from the mapper's mesh to the moved one, as the largest
-   * coordinate, in units of the mesh, whose own rounding is as much as all of it.
+   * The largest coordinate that shaders round to float between the mapper's mesh and the moved one,
+   * in units of the mesh.
    */
   virtual double GetRoundedReach() = 0;
 
-  /** Replacements in the actor's shaders that make up the move; with others it is another. */
+  /**
+   * Number of replacements in the actor's shaders that make up the move; with others the move is
+   * unknown.
+   */
   virtual int GetNumberOfMovingReplacements() const = 0;
 
 protected:

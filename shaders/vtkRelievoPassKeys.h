@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The passes among a prop's keys, whose text VTK's mappers put into their shaders. Set and Resize,
-// not Append and Remove: these also count references past the keys' own smart pointers, which keys
-// that go, or are copied, get wrong.
+// The passes among a prop's keys, whose text VTK's mappers put into their shaders. Uses Set and
+// Resize instead of Append and Remove, which also count references without the keys' smart
+// pointers, so that deleted or copied keys have wrong counts.
 #ifndef vtkRelievoPassKeys_h
 #define vtkRelievoPassKeys_h
 
@@ -13,7 +13,7 @@
 
 namespace vtkRelievoPassKeys
 {
-// Once, however often it is added.
+// Adds the pass, at most once.
 inline void Add(vtkInformation* keys, vtkOpenGLRenderPass* pass)
 {
   vtkInformationObjectBaseVectorKey* key = vtkOpenGLRenderPass::RenderPasses();

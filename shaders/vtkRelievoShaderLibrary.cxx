@@ -13,7 +13,7 @@ vtkStandardNewMacro(vtkRelievoShaderLibrary);
 
 namespace
 {
-// Of other libraries, by name.
+// Sources added by other libraries, by name.
 std::map<std::string, std::string>& GetAdded()
 {
   static std::map<std::string, std::string> added;
@@ -129,7 +129,8 @@ bool vtkRelievoShaderLibrary::Add(const std::string& name, const std::string& te
 {
   if (FindQuietly(name))
   {
-    vtkGenericWarningMacro("A GLSL source named '" << name << "' is there already; call it else.");
+    vtkGenericWarningMacro(
+      "A GLSL source named '" << name << "' exists already; choose another name.");
     return false;
   }
   GetAdded()[name] = text;

@@ -4,8 +4,8 @@
  * @class vtkRelievoShaderLibrary
  * @brief The GLSL sources of Relievo, by their path below shaders/.
  *
- * A line `//RELIEVO::Include(formulas/depth.glsl)` in a source is replaced by that file; a file is
- * taken in once, however often it is named.
+ * A line `//RELIEVO::Include(formulas/depth.glsl)` in a source is replaced by that file, once per
+ * source even if several lines name it.
  */
 #ifndef vtkRelievoShaderLibrary_h
 #define vtkRelievoShaderLibrary_h
@@ -29,20 +29,20 @@ public:
   static const char* GetName(int i);
 
   /**
-   * The source with its includes resolved; empty, with an error, if the name or an include is not
-   * known.
+   * The source with its includes resolved; empty, with an error, if the name or an include is
+   * unknown.
    */
   static std::string Get(const std::string& name);
 
   /**
    * The part of a source from its line `//RELIEVO::Section(section)` to the next such line, with
-   * its includes resolved; empty, with an error, if the source or the section is not known.
+   * its includes resolved; empty, with an error, if the source or the section is unknown.
    */
   static std::string GetSection(const std::string& name, const std::string& section);
 
   /**
-   * Adds a source of another library, which may include those that are here; a name that is taken
-   * is an error, and false is returned.
+   * Adds a source of another library, which may include existing ones. False, with an error, if the
+   * name is taken.
    */
   static bool Add(const std::string& name, const std::string& text);
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Text work that every splice into VTK's shaders shares.
+// Text functions shared by all splices into VTK's shaders.
 #ifndef vtkRelievoSpliceText_h
 #define vtkRelievoSpliceText_h
 
@@ -13,42 +13,43 @@ namespace vtkRelievoSpliceText
 {
 VTKRELIEVOSHADERS_EXPORT bool Has(const std::string& source, const std::string& text);
 
-// Puts the mark on the line behind VTK's tag, which stays.
+// Inserts the mark on the line after VTK's tag, which remains.
 VTKRELIEVOSHADERS_EXPORT void MarkBehind(
   std::string& source, const std::string& tag, const std::string& mark);
 
 ///@{
-// The marks behind VTK's light code, which is in gl_FragData[0] by then, in the order of their
-// texts; MarkBehindLight puts one of them there, whichever are there already.
+// The marks after VTK's light code, which has written gl_FragData[0], in the order of their texts;
+// MarkBehindLight inserts one of them in this order.
 VTKRELIEVOSHADERS_EXPORT extern const char* const BehindLight[3]; // catchers, ambient, lamps
 VTKRELIEVOSHADERS_EXPORT void MarkBehindLight(std::string& source, const char* mark);
 ///@}
 
-// Puts the text in the place of the first such mark.
+// Replaces the first such mark by the text.
 VTKRELIEVOSHADERS_EXPORT void FillMark(
   std::string& source, const std::string& mark, const std::string& text);
 
-// Puts the text in the place of every such word.
+// Replaces every such word by the text.
 VTKRELIEVOSHADERS_EXPORT void FillWord(
   std::string& source, const std::string& word, const std::string& text);
 
-// The defaults of what one splice defines and another reads, shaders/splice/contract.glsl; for
-// behind //VTK::System::Dec, after any #extension.
+// The defaults of names that one splice defines and another reads, from
+// shaders/splice/contract.glsl; to be inserted after //VTK::System::Dec, after any #extension.
 VTKRELIEVOSHADERS_EXPORT std::string GetContract();
 
-// Marks where varyings go, in all three stages.
+// Marks the places of varyings in all three stages.
 VTKRELIEVOSHADERS_EXPORT void MarkVaryings(
   std::string& vertex, std::string& geometry, std::string& fragment);
 
-// Whether all stages there are have the marks.
+// Whether all present stages have the marks.
 VTKRELIEVOSHADERS_EXPORT bool CanCarryVarying(
   const std::string& vertex, const std::string& geometry, const std::string& fragment);
 
-// The three stages' declarations and statements of one varying, sections of a source, at the marks.
+// Inserts one varying's declarations and statements, sections of a source, at the marks of the
+// three stages.
 VTKRELIEVOSHADERS_EXPORT void FillVarying(std::string& vertex, std::string& geometry,
   std::string& fragment, const char* file, bool hasFragmentImpl);
 
-// The eye-space position as `vertexVC`, where VTK's shader has none. False if it cannot be carried.
+// Adds the eye-space position `vertexVC` if VTK's shader has none. False if this is impossible.
 VTKRELIEVOSHADERS_EXPORT bool EnsurePosition(
   std::string& vertex, std::string& geometry, std::string& fragment);
 }

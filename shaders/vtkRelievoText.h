@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Text that wrapped methods are given: a std::string to C++, a `const char*` to VTK's wrapping.
- * VTK's wrapping ends the program where Python gives a std::string text that is not Unicode, such
- * as a lone surrogate; for a `const char*` it raises. None is the empty text.
+ * Type of text arguments of wrapped methods: a std::string in C++, a `const char*` for VTK's
+ * wrapping. VTK's wrapping ends the program if Python passes text that is not Unicode, such as a
+ * lone surrogate, for a std::string; for a `const char*` it raises an error. None is the empty
+ * text.
  */
 #ifndef vtkRelievoText_h
 #define vtkRelievoText_h

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Threads for vtkSMPTools, also where VTK has more and takes one by default, as Debian's does.
+// Runs vtkSMPTools in several threads, even if VTK's default is one thread, as in Debian.
 #ifndef vtkRelievoThreads_h
 #define vtkRelievoThreads_h
 
@@ -11,8 +11,8 @@
 #include <cstdlib>
 #include <string>
 
-// Runs the work. A backend that was chosen (vtkSMPTools::SetBackend, or the environment variable
-// VTK_SMP_BACKEND_IN_USE) stays.
+// Runs the work. A backend chosen by the user (vtkSMPTools::SetBackend, or the environment variable
+// VTK_SMP_BACKEND_IN_USE) is kept.
 template <typename Work>
 void vtkRelievoWithThreads(Work&& work)
 {
@@ -20,8 +20,9 @@ void vtkRelievoWithThreads(Work&& work)
   if (std::string(vtkSMPTools::GetBackend()) == "Sequential" &&
     !std::getenv("VTK_SMP_BACKEND_IN_USE"))
   {
-    // The number of threads stays what vtkSMPTools::Initialize was given. Names in capitals, and so
-    // no LocalScope: VTK makes capitals of them by the user's locale, and Turkish has no I for i.
+    // The number of threads remains that of vtkSMPTools::Initialize. Names are in capitals, and so
+    // without LocalScope: VTK converts names to capitals by the user's locale, and Turkish has no I
+    // for i.
     vtkSMPTools::SetBackend("STDTHREAD");
     work();
     vtkSMPTools::SetBackend("SEQUENTIAL");

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Puts text into a mapper's shaders, and takes it back if they do not compile: VTK's mappers
-// draw without a program, or crash, when theirs does not.
+// Splices text into a mapper's shaders, and reverts it if they do not compile: VTK's mappers draw
+// without a program, or crash, if theirs does not compile.
 #ifndef vtkRelievoTrialSplice_h
 #define vtkRelievoTrialSplice_h
 
@@ -27,22 +27,22 @@ struct vtkRelievoShaderTexts
 
 namespace vtkRelievoTrialSplice
 {
-// What is wrong, in words (empty: nothing), and whether it is that the shaders do not compile.
+// An error message (empty: none), and whether the error is that the shaders do not compile.
 struct Outcome
 {
   std::string Wrong;
   bool Compiles = true;
 
-  // For reporting once: the compiler's words differ from shader to shader.
+  // Key for reporting once: the compiler's messages differ from shader to shader.
   std::string GetKey(vtkObject* mapper) const
   {
     return mapper->GetClassName() + (this->Compiles ? this->Wrong : "compiles not");
   }
 };
 
-// What is wrong with the shaders, in words; empty if OpenGL takes them. The user's replacements
-// that VTK makes last are made in the trial as well. The program stays in the window's cache, where
-// VTK finds it if nothing else changes the shaders.
+// Returns an error message, or an empty string if OpenGL accepts the shaders. The user's
+// replacements, which VTK makes last, are included in the trial. The program stays in the window's
+// cache, where VTK finds it if the shaders do not change any more.
 inline std::string Compile(vtkOpenGLRenderWindow* window, vtkShaderProperty* property,
   std::string vertex, std::string geometry, std::string fragment)
 {
@@ -70,7 +70,7 @@ inline std::string Compile(vtkOpenGLRenderWindow* window, vtkShaderProperty* pro
   add(shaders[0], vtkShader::Vertex, vertex);
   add(shaders[1], vtkShader::Geometry, geometry);
   add(shaders[2], vtkShader::Fragment, fragment);
-  // VTK prints the whole text beside what is wrong with it.
+  // VTK prints the whole source with the error.
   const int display = vtkObject::GetGlobalWarningDisplay();
   vtkObject::GlobalWarningDisplayOff();
   const bool compiles = window->GetShaderCache()->ReadyShaderProgram(byType) != nullptr;
@@ -90,8 +90,8 @@ inline std::string Compile(vtkOpenGLRenderWindow* window, vtkShaderProperty* pro
   return "its shaders do not link with them";
 }
 
-// Fills the texts by `fill`, which returns what is wrong. If anything is, they stay. Without
-// a window, and where nothing was filled, nothing is compiled.
+// Fills the texts by `fill`, which returns an error message or an empty string. On an error they
+// remain unchanged. Without a window, or if nothing was filled, nothing is compiled.
 template <typename Fill>
 Outcome Try(const vtkRelievoShaderTexts& texts, vtkOpenGLRenderWindow* window,
   vtkShaderProperty* property, const Fill& fill)

@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What differs between the versions of VTK that Relievo builds on (9.1 to 9.7), and since when.
-// Code asks these names; version numbers are compared here alone.
+// Differences between the versions of VTK that Relievo builds on (9.1 to 9.7). Code tests these
+// names; version numbers are compared only here.
 #ifndef vtkRelievoVTKVersions_h
 #define vtkRelievoVTKVersions_h
 
 #include "vtkVersionMacros.h"
 
-// Shaders look environment cubes up with z turned; in 9.1 by the world's directions.
+// Shaders look up environment cubes with inverted z; in 9.1 by the world's directions.
 #if VTK_VERSION_NUMBER > VTK_VERSION_CHECK(9, 1, 0)
 #define RELIEVO_VTK_MIRRORED_CUBES true
 #else
@@ -20,12 +20,12 @@
 #define RELIEVO_VTK_TUBES_NEED_LIGHT 1
 #endif
 
-// Shading by PBR takes a surface's opacity from its texture alone, where it has one.
+// PBR shading takes a surface's opacity only from its texture, if it has one.
 #if VTK_VERSION_NUMBER < VTK_VERSION_CHECK(9, 2, 0)
 #define RELIEVO_VTK_PBR_OPACITY_OF_TEXTURES 1
 #endif
 
-// Shading by PBR takes colours of points and cells as sRGB; before, as linear.
+// PBR shading takes colours of points and cells as sRGB; before, as linear.
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 7, 0)
 #define RELIEVO_VTK_PBR_SRGB_VERTEX_COLORS true
 #else
@@ -43,7 +43,7 @@
 #define RELIEVO_VTK_AVERAGED_TRANSMITTANCE 1
 #endif
 
-// The renderer holds the props of a frame in a std::vector instead of an array and a count.
+// The renderer stores the props of a frame in a std::vector instead of an array and a count.
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 7, 0)
 #define RELIEVO_VTK_PROP_VECTOR 1
 #endif
@@ -54,30 +54,31 @@
 #define RELIEVO_VTK_GLAD 1
 #endif
 
-// Where neither X nor EGL opens a window, VTK takes one of OSMesa, whose library it loads when it
-// runs; before, VTK was built for one kind of window.
+// If neither X nor EGL opens a window, VTK uses OSMesa, whose library it loads at run time; before,
+// VTK was built for one kind of window.
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 4, 0)
 #define RELIEVO_VTK_LOADS_OSMESA 1
 #endif
 
-// vtkGLTFReader::GetTexture gives a texture as an object; before, GetGLTFTexture gave a struct.
+// vtkGLTFReader::GetTexture returns a texture as an object; before, GetGLTFTexture returned a
+// struct.
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 4, 0)
 #define RELIEVO_VTK_GLTF_TEXTURE_OBJECTS 1
 #endif
 
-// Polygons of five corners and more are cut by clipping ears; before, all were cut into fans. And
-// triangles with two corners at one place are drawn; before, they were left out.
+// Polygons of five or more corners are cut by ear clipping; before, all were cut into fans.
+// Triangles with two corners at one position are drawn; before, they were left out.
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 7, 0)
 #define RELIEVO_VTK_EAR_CLIPPING 1
 #endif
 
-// Where some lights are lamps, PBR takes a sun among them for a lamp at its place.
+// If some lights are lamps, PBR treats a sun among them as a lamp at its position.
 #if VTK_VERSION_NUMBER < VTK_VERSION_CHECK(9, 5, 0)
 #define RELIEVO_VTK_PBR_SUNS_AT_PLACES 1
 #endif
 
-// vtkAlgorithm::CheckAbort() says whether the filter or one before it is to stop, and lets those
-// behind know.
+// vtkAlgorithm::CheckAbort() tells whether the filter or an upstream one has to stop, and informs
+// downstream filters.
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 20230101)
 #define RELIEVO_VTK_CHECK_ABORT 1
 #endif
@@ -92,7 +93,8 @@
 #define RELIEVO_VTK_TRIANGULATE_LOCAL_IDS 1
 #endif
 
-// The shader of lines wider than 1 turns normals to the eye. It is kept for all actors of a mapper.
+// The shader of lines wider than 1 turns normals to the eye, and is kept for all actors of a
+// mapper.
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 7, 0)
 #define RELIEVO_VTK_WIDE_LINE_NORMALS true
 #else
@@ -109,8 +111,8 @@
 #define RELIEVO_VTK_IMAGE_STREAMS 1
 #endif
 
-// Blocks of composite data follow each other in the numbers of primitives only as far as colours of
-// cells or edges are looked up by them; before, always.
+// Blocks of composite data have consecutive primitive numbers only if colours of cells or edges are
+// looked up by them; before, always.
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 6, 1)
 #define RELIEVO_VTK_OVERLAPPING_BLOCKS 1
 #endif
@@ -120,7 +122,7 @@
 #define RELIEVO_VTK_LEAKED_TEXTURE_UNITS 1
 #endif
 
-// vtkGeometryFilter numbers polygons as its threads happen to finish.
+// The order of vtkGeometryFilter's polygons depends on the timing of its threads.
 #if VTK_VERSION_NUMBER < VTK_VERSION_CHECK(9, 2, 0)
 #define RELIEVO_VTK_RANDOM_POLYGONS 1
 #endif

@@ -12,11 +12,11 @@
  *
  * Ways to find the lamps of a pixel, with the same result:
  * - QUADS: a rectangle is drawn for each lamp, no larger than the lamp appears, at the front of its
- * sphere; lamps behind surfaces cost nothing. Sums in floats, because half floats lose small
- * addends.
+ *   sphere; lamps behind surfaces cost nothing. Sums in floats, because half floats lose small
+ *   addends.
  * - CLUSTERS: the view is cut into tiles of pixels and slices of depth, and the CPU lists the lamps
- * of each cell (O. Olsson, M. Billeter, U. Assarsson, Clustered Deferred and Forward Shading,
- * 2012).
+ *   of each cell (O. Olsson, M. Billeter, U. Assarsson, Clustered Deferred and Forward Shading,
+ *   2012).
  * - ALL: every pixel computes every lamp; for comparisons.
  * AUTOMATIC selects quads for few lamps and clusters for many.
  */

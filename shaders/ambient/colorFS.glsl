@@ -4,7 +4,7 @@
 //VTK::Output::Dec
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What is left of the linear colour, which it is multiplied by.
+// The factor by which the linear colour is multiplied.
 in vec2 texCoord;
 uniform vec2 relievoSize;
 uniform sampler2D ambientShare;

@@ -4,8 +4,8 @@
 //VTK::Output::Dec
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The share of the sky that each pixel's surface sees, by rays past the triangles of the scene; 1
-// where there is no surface.
+// The visible share of the sky at each pixel's surface, by rays through the triangles of the scene;
+// 1 in the background.
 //RELIEVO::Include(gbuffer/read.glsl)
 //RELIEVO::Include(formulas/unproject.glsl)
 //RELIEVO::Include(ambient/sees.glsl)
@@ -14,7 +14,7 @@ uniform vec2 relievoSize;
 uniform mat4 relievoProjection;
 uniform mat4 ambientToLocal; // the tree's space, from eye space
 
-// By how much the depth of a pixel may be off as it is stored.
+// Upper bound of the error of a stored depth.
 float ambientDepthStep(float depth)
 {
 #ifdef RELIEVO_NORMAL_DEPTH_WORD
@@ -39,10 +39,10 @@ float ambientDepthStep(float depth)
 #endif
 }
 
-// Rasters round corners to 1/256 of a pixel: beside an edge that two walls share a pixel may show
-// one of them where it is behind the other, and GPUs give a surface the depth that it has some
-// hundredths of a pixel beside (0.04 on NVIDIA's H100, `relievo bench position`). From so many
-// pixels before it, towards the eye, where nothing is, it is before both.
+// Rasterisers round corners to 1/256 of a pixel: next to an edge shared by two walls, a pixel may
+// show a wall where it lies behind the other one, and GPUs give a surface the depth of a place some
+// hundredths of a pixel away (0.04 on NVIDIA's H100, `relievo bench position`). A start moved
+// towards the eye by this many pixels' widths lies in front of both walls.
 const float ambientBefore = 1.0 / 16.0;
 
 void main()
@@ -61,7 +61,7 @@ void main()
     (abs(relievoProjection[1][1]) * relievoSize.y);
   vec3 toEye = relievoParallel != 0 ? vec3(0.0, 0.0, 1.0) : -normalize(place);
   vec3 before = place + ambientBefore * pixelWidth * toEye;
-  // A depth of few bits may be behind the surface.
+  // A depth of few bits may lie behind the surface.
   float step = ambientDepthStep(depth) * (relievoParallel != 0 ? 1.0 : length(place) / depth);
   vec3 from = (ambientToLocal * vec4(before, 1.0)).xyz + step * up;
   float blur = relievoTreeBlur.x + relievoTreeBlur.y * length(place) + 2.0 * step;

@@ -4,7 +4,7 @@
 //VTK::Output::Dec
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What is translucent, over the colour beneath it.
+// Composites the translucent layer over the colour.
 //RELIEVO::Include(formulas/half.glsl)
 //RELIEVO::Include(formulas/blend.glsl)
 //RELIEVO::Include(frame/color.glsl)

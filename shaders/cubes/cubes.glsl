@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Sizes and places of cubes in the vertex shader of VTK's instances. It stands behind the
-// instance's matrix, and takes its place in all that follows.
+// Sizes and positions of cubes in the vertex shader of VTK's instances. Inserted after the
+// declaration of the instance's matrix, which it replaces in all later code.
 //RELIEVO::Include(formulas/cube.glsl)
 
-uniform vec4 relievoCubeCell; // sides of a cell, and the longest
+uniform vec4 relievoCubeCell; // sides of a cell, and the longest one
 uniform vec3 relievoCubeFall; // transition, size at rest, growth
-uniform vec4 relievoCubeRepeller; // place and radius, model coordinates
+uniform vec4 relievoCubeRepeller; // position and radius, model coordinates
 
 mat4 relievoCubeMatrix()
 {
@@ -14,7 +14,7 @@ mat4 relievoCubeMatrix()
   // Instances are scaled by 1 / (1 + distance outside / longest side).
   float scale = length(instance[0].xyz) / relievoCubeCell.x;
   float distance = max(1.0 / scale - 1.0, 0.0) * relievoCubeCell.w;
-  // What rounding leaves of a cell inside is no distance.
+  // Rounding of a cell inside does not count as a distance.
   distance = distance < 1e-4 * relievoCubeCell.w ? 0.0 : distance;
   float size = relievoCubeSize(distance, relievoCubeFall.x, relievoCubeFall.y, relievoCubeFall.z);
   instance[0].xyz *= size / scale;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The lists of vtkRelievoLampClusters: the lamps of each cell of the view.
+// The lists of vtkRelievoLampClusters: the lamps in each cell of the view.
 uniform samplerBuffer relievoCells; // where each cell's list starts
 uniform samplerBuffer relievoLists;
 uniform int relievoColumns;
@@ -10,8 +10,7 @@ uniform int relievoTile; // pixels
 uniform float relievoSliceScale;
 uniform float relievoSliceOffset;
 
-// Where the list of a pixel's cell starts, and where it ends. RELIEVO_LINEAR_SLICES: of a parallel
-// view.
+// Start and end of the list of a pixel's cell. RELIEVO_LINEAR_SLICES: parallel projection.
 ivec2 relievoFindLamps(ivec2 pixel, float depth)
 {
 #ifdef RELIEVO_LINEAR_SLICES
@@ -19,7 +18,7 @@ ivec2 relievoFindLamps(ivec2 pixel, float depth)
 #else
   float place = log2(depth);
 #endif
-  // Before the first slice and behind the last one there is no lamp.
+  // There is no lamp in front of the first slice or behind the last one.
   int slice =
     clamp(int(floor(place * relievoSliceScale + relievoSliceOffset)), 0, relievoSlices - 1);
   ivec2 tile = pixel / relievoTile;

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What a surface gives back of a lamp's light beside the light times its own colour.
+// The part of a lamp's light reflected in addition to the light times the surface's colour.
 //RELIEVO::Include(formulas/srgb.glsl)
 //RELIEVO::Include(formulas/shading.glsl)
-relievoSurface relievoLit = relievoNoSurface; // of the pixel
+relievoSurface relievoLit = relievoNoSurface; // at the pixel
 
 bool relievoIsGlossy(relievoSurface surface)
 {
@@ -15,7 +15,7 @@ vec3 relievoGloss(relievoSurface surface, vec3 normal, vec3 toLamp, vec3 toEye)
 {
   if (surface.shading == RELIEVO_SHADING_PBR)
   {
-    // A lamp's light is what a white matte surface gives back: pi times the radiance.
+    // The unit of a lamp's light is that reflected by a white matte surface: pi times the radiance.
     return 3.14159265358979 *
       relievoPbr(surface.color, surface.metallic, surface.roughness, normal, toLamp, toEye) -
       (1.0 - surface.metallic) * max(0.0, dot(normal, toLamp)) * surface.color;

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What one lamp of vtkRelievoLampList sends to a point. RELIEVO_ONE_LAMP: of the only one;
-// RELIEVO_LINEAR_LAMPS: the light of all falls off to the radius in a line. Software OpenGL takes
-// all ways of an `if`, and buffers cost it much.
+// The light that a lamp of vtkRelievoLampList sends to a point. RELIEVO_ONE_LAMP: there is only one
+// lamp; RELIEVO_LINEAR_LAMPS: all lamps have linear fall-off. Defines, because software OpenGL
+// executes all branches of an `if`, and reads buffers slowly.
 //RELIEVO::Include(formulas/lamp.glsl)
-uniform samplerBuffer relievoLamps;            // place, radius; colour, fall-off
+uniform samplerBuffer relievoLamps;            // position, radius; colour, fall-off
 #ifdef RELIEVO_ONE_LAMP
 uniform vec4 relievoOnlyLamp[2]; // its two texels
 #endif
@@ -12,10 +12,10 @@ uniform samplerBuffer relievoLampAttenuations; // of each set
 
 struct relievoLampRay
 {
-  vec3 light;   // what arrives, whatever the surface's direction
+  vec3 light;   // incident light, without the surface's cosine
   vec3 toLamp;  // eye space
-  float range;  // its length
-  bool reaches; // the point is within the radius
+  float range;  // length of toLamp
+  bool reaches; // the point lies within the radius
 };
 
 relievoLampRay relievoSeeLamp(int lamp, vec3 positionVC)

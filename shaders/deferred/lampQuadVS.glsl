@@ -2,8 +2,8 @@
 //RELIEVO::Defines
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The rectangle of one lamp, an instance each, at the front of its sphere. RELIEVO_LAMP_SHADOWS:
-// of one alone, which a uniform names.
+// The rectangle of each lamp, one per instance, at the front of its sphere. RELIEVO_LAMP_SHADOWS:
+// only the lamp selected by a uniform.
 //RELIEVO::Include(deferred/occlusion.glsl)
 uniform samplerBuffer relievoLamps;
 uniform samplerBuffer relievoRectangles; // NDC: x0, y0, x1, y1

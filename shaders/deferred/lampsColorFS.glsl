@@ -4,7 +4,7 @@
 //VTK::Output::Dec
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What lamps add to the linear colour: their light times the surface's colour, and its gloss.
+// The lamps' addition to the linear colour: their light times the surface's colour, and the gloss.
 //RELIEVO::Include(gbuffer/read.glsl)
 //RELIEVO::Include(deferred/light.glsl)
 //RELIEVO::Include(deferred/matte.glsl)

@@ -7,16 +7,16 @@
 #extension GL_ARB_texture_gather : enable
 #endif
 //VTK::Output::Dec
-// The light of lamps at each pixel's point. RELIEVO_LAMPS_IN_CLUSTERS: of those that its cluster
-// lists; RELIEVO_LAMP_IN_QUAD: of the one whose rectangle is drawn; RELIEVO_ONE_LAMP: of the only
-// one; else of all.
-// RELIEVO_COUNT_LAMPS: instead, how many were computed, and how many reach the point.
-// RELIEVO_GLOSS: instead, what is given back beside the light times the surface's colour, linear:
-// Phong's highlights; of PBR what its highlights give, less what they take.
-// RELIEVO_LAMPS_ON_COLOR: instead, the linear colour with what lamps add, with RELIEVO_GLOSS that
-// as well; RELIEVO_TO_DISPLAY: as the picture.
+// The light of lamps at each pixel's point. RELIEVO_LAMPS_IN_CLUSTERS: lamps of the pixel's
+// cluster; RELIEVO_LAMP_IN_QUAD: the lamp whose rectangle is drawn; RELIEVO_ONE_LAMP: the only
+// lamp; otherwise all lamps.
+// RELIEVO_COUNT_LAMPS: the numbers of computed lamps and of lamps in reach of the point instead.
+// RELIEVO_GLOSS: the linear reflection in addition to the light times the surface's colour instead:
+// Phong's highlights; for PBR its highlights minus the diffuse light that they replace.
+// RELIEVO_LAMPS_ON_COLOR: the linear colour with the lamps' addition instead, with RELIEVO_GLOSS
+// including the gloss; RELIEVO_TO_DISPLAY: encoded as the picture.
 // RELIEVO_HALVES: the sum is stored in half floats.
-// RELIEVO_LAMP_SHADOWS: of RELIEVO_LAMP_IN_QUAD, the lamp casts shadows.
+// RELIEVO_LAMP_SHADOWS: with RELIEVO_LAMP_IN_QUAD, the lamp casts shadows.
 //RELIEVO::Include(gbuffer/read.glsl)
 //RELIEVO::Include(formulas/half.glsl)
 //RELIEVO::Include(formulas/srgb.glsl)
@@ -119,7 +119,7 @@ void main()
 #ifdef RELIEVO_ONE_LAMP
     relievoAddLamp(0, 1, positionVC, normalVC, sum);
 #elif !defined(RELIEVO_LAMP_IN_QUAD)
-    // Four a turn: in Mesa's software all turns of a shader end after 65535.
+    // Four lamps per turn: in Mesa's software OpenGL the turns of a shader end after 65535 in all.
     for (; from < to; from += 4)
     {
       relievoAddLamp(from, to, positionVC, normalVC, sum);
@@ -145,7 +145,7 @@ void main()
   vec3 given = sum.light;
 #endif
 #ifdef RELIEVO_HALVES
-  // Mesa's software cuts the bits off that a half does not have.
+  // Mesa's software OpenGL truncates to half floats instead of rounding.
   given = vec3(relievoRoundToHalf(given.x), relievoRoundToHalf(given.y),
     relievoRoundToHalf(given.z));
 #endif

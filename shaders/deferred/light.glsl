@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What lamps add, before the surface's colour; pixel (0, 0) is the viewport's lower left one.
+// The light of lamps, before the surface's colour; pixel (0, 0) is the viewport's lower left one.
 uniform sampler2D relievoLight;
 
 vec3 relievoFetchLight(ivec2 pixel)

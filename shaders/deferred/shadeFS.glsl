@@ -4,15 +4,15 @@
 //VTK::Output::Dec
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The light of the renderer's lights at each pixel where VTK's shaders have left it out, as they
-// would have computed it.
+// The renderer's lights at each pixel whose VTK shader has left them out, computed by VTK's
+// formulas.
 //
 // Defines, by vtkRelievoDeferredStage: VTK's declarations of its lights, and RELIEVO_LIGHTS, a list
 // of RELIEVO_HEADLIGHT(color, number), RELIEVO_SUN(color, direction, number) or RELIEVO_LAMP(color,
 // direction, place, attenuation, positional, exponent, cone, number), where number counts the
-// renderer's lights, those that are off included. RELIEVO_SHADOW_NUMBERS: how many there are, if
-// some cast shadows. RELIEVO_PBR_SUNS_AT_PLACES: VTK's PBR takes a sun among lamps for one that
-// shines from its place.
+// renderer's lights, switched-off lights included. RELIEVO_SHADOW_NUMBERS: the number of lights, if
+// some cast shadows. RELIEVO_PBR_SUNS_AT_PLACES: VTK's PBR treats a sun among lamps as a lamp at
+// the sun's position.
 //RELIEVO::Include(gbuffer/read.glsl)
 //RELIEVO::Include(formulas/unproject.glsl)
 //RELIEVO::Include(formulas/shading.glsl)
@@ -28,10 +28,10 @@ relievoSurface relievoLit = relievoNoSurface;
 vec3 relievoPlaceVC = vec3(0.0);
 vec3 relievoNormalVC = vec3(0.0);
 vec3 relievoToEyeVC = vec3(0.0);
-vec3 relievoDiffuseLight = vec3(0.0); // Phong; of PBR all that is given back
+vec3 relievoDiffuseLight = vec3(0.0); // Phong; for PBR the whole reflection
 vec3 relievoSpecularLight = vec3(0.0);
 
-// What of the light reaches the pixel.
+// The unshadowed share of the light at the pixel.
 float relievoUnshadowed(int number)
 {
 #if defined(RELIEVO_SHADOW_NUMBERS) && defined(RELIEVO_SHADOW_WORD)
@@ -42,7 +42,7 @@ float relievoUnshadowed(int number)
 #endif
 }
 
-// Light that travels along `direction`; its share by distance and cone.
+// Light that travels along `direction`; `share` by distance and cone.
 void relievoAddLight(vec3 color, vec3 direction, float share, int number)
 {
   vec3 light = color * relievoUnshadowed(number);
@@ -65,8 +65,8 @@ void relievoAddLight(vec3 color, vec3 direction, float share, int number)
   }
 }
 
-// A light at the eye. Of PBR it comes from the eye, of Phong along the view; where the surface is
-// turned away from the view, a trifle is left.
+// A light at the eye. For PBR it comes from the eye, for Phong along the view direction; surfaces
+// turned away from the view keep VTK's small remainder.
 void relievoAddHeadlight(vec3 color, int number)
 {
   if (relievoLit.shading == RELIEVO_SHADING_PBR)
@@ -122,7 +122,8 @@ void main()
   vec2 place = relievoNdcFromPixel(vec2(relievoPixel), relievoSize);
   relievoPlaceVC = relievoEyePosition(place, depth, relievoProjection);
   relievoNormalVC = relievoFetchNormal(relievoPixel);
-  // The direction to the eye as VTK's shaders have it: to the origin, also in parallel views.
+  // VTK's shaders use the direction to the origin as the direction to the eye, in parallel views
+  // too.
   relievoToEyeVC = normalize(-relievoPlaceVC);
   RELIEVO_LIGHTS
   vec3 color = relievoLit.diffuse * relievoLit.color * relievoDiffuseLight +

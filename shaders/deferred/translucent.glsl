@@ -1,24 +1,24 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Spliced into VTK's fragment shaders of what is translucent: the diffuse light of lamps, added in
-// linear light to what VTK has lit. Defines, by vtkRelievoTranslucentLamps: RELIEVO_LINEAR_SLICES,
-// RELIEVO_LAMPS_ON_PBR, RELIEVO_LAMPS_ON_BACKFACES (the back has a property of its own).
+// Spliced into VTK's fragment shaders of translucent surfaces: adds the diffuse light of lamps, in
+// linear light, to VTK's lighting. Defines, by vtkRelievoTranslucentLamps: RELIEVO_LINEAR_SLICES,
+// RELIEVO_LAMPS_ON_PBR, RELIEVO_LAMPS_ON_BACKFACES (the back has its own property).
 //
-// Names of VTK's shaders that are read: vertexVC, normalVCVSOutput, gl_FragData[0]; diffuseColor
-// and diffuseIntensity, ambientColor, or albedo and metallic.
+// Reads these names of VTK's shaders: vertexVC, normalVCVSOutput, gl_FragData[0]; diffuseColor and
+// diffuseIntensity, ambientColor, or albedo and metallic.
 
 //RELIEVO::Section(Dec)
 //RELIEVO::Include(formulas/srgb.glsl)
 //RELIEVO::Include(deferred/lamp.glsl)
 //RELIEVO::Include(deferred/clusters.glsl)
-uniform int relievoLampsLight; // whether the actor is drawn translucent, and has light
+uniform int relievoLampsLight; // whether the actor is drawn translucent, and lit
 uniform int relievoLampsCaught; // whether it catches shadows: all of its colour is ambient
 uniform mat4 relievoLampProjection;
 uniform vec2 relievoLampPixels; // of the viewport
 
 vec3 relievoLampLight(vec3 positionVC, vec3 normalVC)
 {
-  // Not by gl_FragCoord: VTK may draw into a framebuffer of its own.
+  // gl_FragCoord is unsuitable: VTK may draw into its own framebuffer.
   vec4 clip = relievoLampProjection * vec4(positionVC, 1.0);
   vec2 place = (0.5 * clip.xy / clip.w + 0.5) * relievoLampPixels;
   ivec2 pixel = clamp(ivec2(floor(place)), ivec2(0), ivec2(relievoLampPixels) - 1);

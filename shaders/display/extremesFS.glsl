@@ -4,12 +4,12 @@
 //VTK::Output::Dec
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The least and the greatest finite value in squares of 16 x 16 pixels; 1 and 0 where none has one.
+// The least and the greatest finite value in squares of 16 x 16 pixels; 1 and 0 without any.
 //RELIEVO::Include(formulas/unproject.glsl)
 //RELIEVO::Include(gbuffer/read.glsl)
 in vec2 texCoord;
 uniform vec2 relievoSize;    // of the viewport
-uniform vec2 relievoSquares; // how many
+uniform vec2 relievoSquares; // number of squares
 uniform mat4 relievoProjection;
 //RELIEVO::Include(display/value.glsl)
 

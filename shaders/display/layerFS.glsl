@@ -4,8 +4,8 @@
 //VTK::Output::Dec
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Shows a layer as the picture. RELIEVO_SHOW_COLORS: colours made before; else by the word that the
-// catalogue of layers has for it: RELIEVO_SHOW_DEPTH ...
+// Shows a layer as the picture. RELIEVO_SHOW_COLORS: colours made by the CPU; otherwise the layer's
+// shader word in the catalogue: RELIEVO_SHOW_DEPTH ...
 //RELIEVO::Include(formulas/unproject.glsl)
 #ifndef RELIEVO_SHOW_COLORS
 //RELIEVO::Include(gbuffer/read.glsl)
@@ -13,7 +13,7 @@
 in vec2 texCoord;
 uniform vec2 relievoSize;    // of the viewport
 uniform vec2 relievoShown;     // values of the first and the last colour
-uniform vec4 relievoBackground; // with its opacity, by which processes lay pictures over others
+uniform vec4 relievoBackground; // with its opacity, by which processes composite their pictures
 uniform int relievoGrey;
 uniform int relievoWorldNormals;
 uniform mat4 relievoProjection;
@@ -32,12 +32,12 @@ vec4 relievoVectorColor(vec3 normalVC)
 
 #if defined(RELIEVO_SHOW_DEPTH) || defined(RELIEVO_SHOW_RANGE)
 //RELIEVO::Include(display/value.glsl)
-uniform sampler2D relievoMap; // the colours in a row
+uniform sampler2D relievoMap; // the colours as one row
 vec4 relievoScalarColor(float value)
 {
   if (isinf(value))
   {
-    // A picture in grey shows "nothing here" as farther than everything.
+    // A grey picture shows the background as farther than everything.
     return relievoGrey != 0 ? vec4(1.0) : relievoBackground;
   }
   float t = (value - relievoShown.x) / (relievoShown.y - relievoShown.x);
@@ -45,7 +45,7 @@ vec4 relievoScalarColor(float value)
   {
     return vec4(vec3(t), 1.0);
   }
-  // From the middle of the first texel to that of the last.
+  // From the middle of the first texel to the middle of the last one.
   vec2 size = vec2(textureSize(relievoMap, 0));
   return vec4(
     texture(relievoMap, vec2((clamp(t, 0.0, 1.0) * (size.x - 1.0) + 0.5) / size.x, 0.5)).rgb, 1.0);

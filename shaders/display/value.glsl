@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The value of a pixel of depth or range (RELIEVO_SHOW_DEPTH, RELIEVO_SHOW_RANGE); infinity where
-// nothing is. Its user declares relievoSize and relievoProjection.
+// The value of a pixel of depth or range (RELIEVO_SHOW_DEPTH, RELIEVO_SHOW_RANGE); infinity in the
+// background. The including shader declares relievoSize and relievoProjection.
 float relievoShownValue(ivec2 pixel)
 {
   float depth = relievoFetchDepth(pixel);

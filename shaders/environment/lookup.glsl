@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The light of an environment by direction, in the environment's own axes.
 //
-// Defines: RELIEVO_ENVIRONMENT (the image: a code of codes.glsl) and
-// RELIEVO_ENVIRONMENT_ROUGH (there are levels for rough mirrors, a cube).
+// Defines: RELIEVO_ENVIRONMENT (the image's projection, a code of codes.glsl) and
+// RELIEVO_ENVIRONMENT_ROUGH (a cube with levels for rough mirrors exists).
 //RELIEVO::Include(codes.glsl)
 //RELIEVO::Include(formulas/environment.glsl)
 
@@ -12,13 +12,13 @@ uniform samplerCube relievoEnvironmentImage;
 #else
 uniform sampler2D relievoEnvironmentImage;
 #endif
-uniform float relievoEnvironmentDetail; // texels a radian, in the middle of the image
+uniform float relievoEnvironmentDetail; // texels per radian, in the middle of the image
 #ifdef RELIEVO_ENVIRONMENT_ROUGH
 uniform samplerCube relievoEnvironmentLevels;
-uniform vec2 relievoEnvironmentLevel; // share of the levels against the image, which level
+uniform vec2 relievoEnvironmentLevel; // share of the levels against the image, and the level
 #endif
 
-// footprint: radians that a pixel stands for.
+// footprint: the pixel's angle in radians.
 vec3 relievoSharpLight(vec3 direction, float footprint)
 {
   float level = max(0.0, log2(max(footprint, 1e-9) * relievoEnvironmentDetail));
@@ -32,7 +32,7 @@ vec3 relievoSharpLight(vec3 direction, float footprint)
 #endif
 }
 
-// direction: of length 1.
+// direction: a unit vector.
 vec3 relievoEnvironmentLight(vec3 direction, float footprint)
 {
 #ifdef RELIEVO_ENVIRONMENT_ROUGH

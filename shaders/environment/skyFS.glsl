@@ -3,10 +3,10 @@
 //VTK::Output::Dec
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-// An environment behind everything.
+// The environment as the background.
 //RELIEVO::Include(environment/lookup.glsl)
 in vec2 texCoord;
-uniform mat3 relievoEnvironmentFromScreen; // of (x, y, 1), x and y from -1 to 1
+uniform mat3 relievoEnvironmentFromScreen; // transforms (x, y, 1), x and y from -1 to 1
 uniform float relievoIntensity;
 
 void main()

@@ -1,7 +1,7 @@
 //VTK::System::Dec
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The whole viewport, as far away as the depth buffer knows.
+// The whole viewport, at the farthest depth.
 in vec4 ndCoordIn;
 in vec2 texCoordIn;
 out vec2 texCoord;

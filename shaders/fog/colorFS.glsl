@@ -5,7 +5,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 // The fog of a pixel, premultiplied, to be blended over the linear colour; RELIEVO_TO_DISPLAY:
-// over it already, as the picture.
+// composited over it and encoded as the picture.
 //RELIEVO::Include(formulas/fog.glsl)
 #ifdef RELIEVO_TO_DISPLAY
 //RELIEVO::Include(frame/color.glsl)

@@ -5,8 +5,8 @@
 //VTK::Output::Dec
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Optical depth of one sphere at a pixel, and its colour times that. RELIEVO_FOG_DRAWN_DEPTH:
-// before what has been drawn, whatever has layers.
+// Optical depth of one sphere at a pixel, and its colour times the depth. RELIEVO_FOG_DRAWN_DEPTH:
+// fog ends at the drawn depth instead of the layer.
 //RELIEVO::Include(frame/drawn_depth.glsl)
 #ifndef RELIEVO_FOG_DRAWN_DEPTH
 //RELIEVO::Include(gbuffer/read.glsl)
@@ -21,8 +21,8 @@ flat in vec4 fogOrigin;
 flat in vec4 fogOffset;
 flat in vec3 fogColor;
 uniform vec2 fogDirection;     // x and y of the ray of pixel (0, 0), per unit of depth
-uniform vec4 fogDirectionStep; // their change by pixels in x, and in y
-uniform float fogBegin;        // depth where rays begin
+uniform vec4 fogDirectionStep; // its change per pixel in x, and in y
+uniform float fogBegin;        // depth at which rays begin
 
 void main()
 {

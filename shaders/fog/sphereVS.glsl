@@ -1,15 +1,16 @@
 //VTK::System::Dec
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The rectangle of each sphere, as a strip of 4 corners, and what vtkRelievoSphereRays says of it.
+// The rectangle of each sphere, as a strip of 4 corners, and the sphere's values of
+// vtkRelievoSphereRays.
 uniform samplerBuffer fogSpheres;
 uniform vec2 relievoSize;
-flat out vec4 fogLinear; // the middle's depth last
+flat out vec4 fogLinear; // w: depth of the centre
 flat out vec4 fogLinearLacks;
-flat out vec4 fogSquare; // 1 / radius last
-flat out vec4 fogSquareLacks; // density last
-flat out vec4 fogOrigin; // offset of the ray from the centre there, and the pixel
-flat out vec4 fogOffset; // its change by pixels in x and y
+flat out vec4 fogSquare; // w: 1 / radius
+flat out vec4 fogSquareLacks; // w: density
+flat out vec4 fogOrigin; // offset of the ray from the centre, and its pixel
+flat out vec4 fogOffset; // change of the offset per pixel in x and y
 flat out vec3 fogColor;
 
 void main()

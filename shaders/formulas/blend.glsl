@@ -1,18 +1,17 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Layers of premultiplied colour, one over the other.
+// Compositing of premultiplied layers.
 //RELIEVO::Include(formulas/srgb.glsl)
 
-// Associative: (a over b) over c is a over (b over c).
+// Associative: (a over b) over c equals a over (b over c).
 vec4 relievoOver(vec4 front, vec4 behind)
 {
   return front + (float(1.0) - front.w) * behind;
 }
 
-// From premultiplied colours for display to premultiplied linear light, without a limit. Where a
-// layer shines, adding light that covers less than it is bright, it is linear as if it covered as
-// much: towards a point's rim the cover fades faster than the light, and their quotient has no
-// bound.
+// Premultiplied display colours to premultiplied linear light, without a limit. Where a layer
+// shines, with more light than cover, it is converted as if its cover were as large as its light:
+// towards a point's rim the cover fades faster than the light, and their quotient is unbounded.
 vec4 relievoLinearLayerFromSrgb(vec4 layer, bool shines)
 {
   float cover = layer.w;
@@ -29,8 +28,8 @@ vec4 relievoLinearLayerFromSrgb(vec4 layer, bool shines)
   return vec4(linear.x, linear.y, linear.z, layer.w);
 }
 
-// How much a layer covers whose alpha was -1 and has been blended with a transmittance t as VTK's
-// weighted average did before 9.3: alpha becomes (1 - t) t + t alpha.
+// The cover of a layer whose alpha was -1 and was blended with a transmittance t by VTK's weighted
+// average before 9.3: alpha becomes (1 - t) t + t alpha.
 float relievoAveragedCover(float alpha)
 {
   return float(1.0) - sqrt(max(-alpha, float(0.0)));

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A colour for a value, for debug views: dark blue over green to yellow, evenly brighter.
+// A colour for a value, for debug views: dark blue over green to yellow, of evenly growing
+// lightness.
 
 // value in [0, 1] (clamped; NaN is black) to display RGB. Polynomials of degree 6 fitted by us to
 // Viridis (S. van der Walt, N. Smith; CC0), at most 3/255 away from it.

@@ -1,8 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Cubes of a mask's cells: their size by how far outside they are, and where a repeller moves them.
+// Cubes at a mask's cells: their size by the distance outside the mask, and their displacement by a
+// repeller.
 
-// 1 inside, falling to restSize over the transition; growth, 0 to 1, scales what is above restSize.
+// 1 inside, falling to restSize over the transition; growth, 0 to 1, scales the excess over
+// restSize.
 float relievoCubeSize(float distance, float transition, float restSize, float growth)
 {
   float share = distance > float(0.0) ? float(0.0) : float(1.0);
@@ -14,7 +16,8 @@ float relievoCubeSize(float distance, float transition, float restSize, float gr
   return restSize + (float(1.0) - restSize) * share * growth;
 }
 
-// What is at the distance d below the radius r from the repeller moves to (r + d^2 / r) / 2.
+// A point at distance d below the radius r from the repeller moves to the distance (r + d^2 / r) /
+// 2.
 vec3 relievoCubePlace(vec3 place, vec3 repeller, float radius)
 {
   vec3 way = place - repeller;

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Depth: linear (eye space -z, world units) against window z, reversed z and its packed words.
+// Depth: conversion between linear depth (eye space -z, world units), window z, reversed z, and
+// packed words.
 //
 // zNear and zFar are the distances of the clipping planes, zNear < zFar; in perspective zNear > 0
 // and zFar may be infinite.
@@ -9,7 +10,7 @@
 // window z +infinity and reversed z -infinity and comes back from them.
 //RELIEVO::Include(formulas/numbers.glsl)
 
-// The words of depth +infinity, to which a buffer of each format is cleared.
+// The words of depth +infinity, the clear values of a buffer of each format.
 const uint relievoDepth32FNone = 0x7f800000u;
 const uint relievoDepth16FNone = 0x00007c00u;
 const uint relievoDepth24None = 0xffffffffu;
@@ -20,7 +21,7 @@ float relievoInfinity()
   return uintBitsToFloat(relievoDepth32FNone);
 }
 
-// Depth to (depth - near) / (far - near), 0 to 1 between the planes; and back.
+// Depth to (depth - near) / (far - near), 0 to 1 between the planes, and back.
 float relievoNormalizedDepth(float depth, float zNear, float zFar)
 {
   return (depth - zNear) / (zFar - zNear);
@@ -31,7 +32,8 @@ float relievoDepthFromNormalized(float normalized, float zNear, float zFar)
   return zNear + normalized * (zFar - zNear);
 }
 
-// Perspective: depth to reversed z, which shrinks towards the far plane as a float's steps do.
+// Perspective: depth to reversed z, whose spacing shrinks towards the far plane like that of
+// floats.
 float relievoPerspectiveReversedZ(float depth, float zNear, float zFar)
 {
   return isinf(depth)
@@ -53,7 +55,8 @@ float relievoPerspectiveWindowZ(float depth, float zNear, float zFar)
   return isinf(depth) ? depth : float(1.0) - relievoPerspectiveReversedZ(depth, zNear, zFar);
 }
 
-// Perspective: window z to depth. Loses digits as far / near grows: only 1 - z tells far depths.
+// Perspective: window z to depth. Loses digits as far / near grows: far depths depend on 1 - z
+// alone.
 float relievoPerspectiveDepth(float windowZ, float zNear, float zFar)
 {
   return isinf(windowZ)
@@ -107,8 +110,8 @@ float relievoUnpackDepth16F(uint word, float scale)
   return unpackHalf2x16(word).x / scale;
 }
 
-// The largest power of two that brings a finite far to at most 65504, the largest half; a power of
-// two costs no rounding. The mask keeps a float's exponent.
+// The largest power of two that scales a finite far to at most 65504, the largest half; a power of
+// two causes no rounding. The mask selects a float's exponent.
 float relievoDepth16FScale(float zFar)
 {
   return uintBitsToFloat(floatBitsToUint(float(65504.0) / zFar) & 0x7f800000u);

@@ -14,10 +14,10 @@
 // vtkSkybox with FloorRight (0, 0, 1); vtkSkybox's default is rotated by 90 degrees, with -z in the
 // middle.
 //
-// Cube: the six faces +x -x +y -y +z -z (0 to 5) as OpenGL's samplerCube reads them, neither
+// Cube: the six faces +x -x +y -y +z -z (0 to 5) in the layout of OpenGL's samplerCube, neither
 // rotated nor flipped: texture(cube, d) is the light from d. Row 0 of the four side faces is the
-// highest. Pictures taken from inside, one per face, are mirrored with respect to that; for them
-// vtkSkybox (since VTK 9.2) looks up (x, y, -z).
+// highest. Pictures taken from inside, one per face, are mirrored with respect to this layout; for
+// them vtkSkybox (since VTK 9.2) looks up (x, y, -z).
 //
 // Sphere map (GL_SPHERE_MAP): the picture of a mirror ball seen from far away on +z. The middle is
 // +z, the inscribed circle is -z, and the corners outside it are unused. Equal areas are equal
@@ -25,7 +25,7 @@
 
 const float relievoPi = float(3.14159265358979324);
 
-// Direction to the place in an equirectangular image; u of exactly +y and -y is 0.5.
+// Direction to the position in an equirectangular image; u of exactly +y and -y is 0.5.
 vec2 relievoEquirectangularFromDirection(vec3 d)
 {
   float across = length(vec2(d.x, d.z));
@@ -33,7 +33,7 @@ vec2 relievoEquirectangularFromDirection(vec3 d)
   return vec2(u + float(0.5), atan(d.y, across) / relievoPi + float(0.5));
 }
 
-// The unit direction of a place; u may leave [0, 1].
+// The unit direction of a position; u may leave [0, 1].
 vec3 relievoDirectionFromEquirectangular(vec2 uv)
 {
   float longitude = (uv.x - float(0.5)) * (float(2.0) * relievoPi);
@@ -48,7 +48,7 @@ float relievoEquirectangularDensity(vec2 uv)
   return float(2.0) * relievoPi * relievoPi * cos((uv.y - float(0.5)) * relievoPi);
 }
 
-// The face that a direction meets, 0 to 5; on an edge x goes before y before z.
+// The face that a direction hits, 0 to 5; on an edge x precedes y precedes z.
 int relievoCubeFace(vec3 d)
 {
   float x = abs(d.x);
@@ -65,7 +65,7 @@ int relievoCubeFace(vec3 d)
   return d.z > float(0.0) ? 4 : 5;
 }
 
-// The place on `face` that a direction meets; in [0, 1]^2 where the face is relievoCubeFace(d).
+// The position on `face` that a direction hits; in [0, 1]^2 if the face is relievoCubeFace(d).
 // Table 3.21 of the OpenGL 3.2 specification.
 vec2 relievoCubeFromDirection(vec3 d, int face)
 {
@@ -89,8 +89,8 @@ vec2 relievoCubeFromDirection(vec3 d, int face)
   return vec2(float(0.5) * s / axis + float(0.5), float(0.5) * t / axis + float(0.5));
 }
 
-// The point of the cube [-1, 1]^3 at a place of a face: its direction, not normalised. A place
-// outside of [0, 1]^2 is a point in the face's plane beside it.
+// The point of the cube [-1, 1]^3 at a position on a face: its direction, not normalised. A
+// position outside of [0, 1]^2 is a point in the face's plane next to it.
 vec3 relievoDirectionFromCube(vec2 st, int face)
 {
   float a = float(2.0) * st.x - float(1.0);
@@ -127,8 +127,8 @@ float relievoCubeDensity(vec2 st)
   return float(4.0) / (square * sqrt(square));
 }
 
-// Direction to the place in a sphere map; exactly -z, which the whole circle holds, gives its
-// lowest point. For unit d the place is (d.x, d.y) / (2 |d + z|) + 0.5.
+// Direction to the position in a sphere map; exactly -z, to which the whole circle belongs, gives
+// its lowest point. For unit d the position is (d.x, d.y) / (2 |d + z|) + 0.5.
 vec2 relievoSphereMapFromDirection(vec3 d)
 {
   float size = length(d);
@@ -137,13 +137,13 @@ vec2 relievoSphereMapFromDirection(vec3 d)
   {
     return vec2(float(0.5), d.z < float(0.0) ? float(0.0) : float(0.5));
   }
-  // size + d.z, by its product with size - d.z where the sum would lose its digits.
+  // size + d.z, from its product with size - d.z if the sum would lose digits.
   float ahead = d.z < float(0.0) ? side * (side / (size - d.z)) : size + d.z;
   float twice = float(2.0) * length(vec2(side, ahead));
   return vec2(d.x / twice + float(0.5), d.y / twice + float(0.5));
 }
 
-// The unit direction of a place in a sphere map; outside of the circle, -z.
+// The unit direction of a position in a sphere map; outside of the circle, -z.
 vec3 relievoDirectionFromSphereMap(vec2 st)
 {
   float x = float(2.0) * st.x - float(1.0);
@@ -153,7 +153,7 @@ vec3 relievoDirectionFromSphereMap(vec2 st)
   return vec3(twice * x, twice * y, float(1.0) - float(2.0) * square);
 }
 
-// Solid angle per area of a sphere map [0, 1]^2, steradian; nothing outside of the circle.
+// Solid angle per area of a sphere map [0, 1]^2, steradian; 0 outside of the circle.
 float relievoSphereMapDensity(vec2 st)
 {
   float x = st.x - float(0.5);

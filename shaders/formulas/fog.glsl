@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Fog in spheres: how far a pixel's ray runs inside a sphere before it ends at a surface, and what
-// that takes of the light.
+// Fog in spheres: the length of a pixel's ray inside a sphere, up to a surface, and its
+// transmittance.
 //
-// Near a sphere's outline its chord is the square root of a small difference. To know the chord
-// there to 1e-5 radii, that difference must be known to 1e-11, which takes sums and products of two
-// floats each: a value, and what the value lacks (T. J. Dekker, A floating-point technique for
-// extending the available precision, 1971), which the compiler must not rearrange: exact.glsl.
+// Near a sphere's outline its chord is the square root of a small difference. An error of 1e-5
+// radii in the chord requires an error of 1e-11 in the difference, and so sums and products of two
+// floats each: a value, and its remainder (T. J. Dekker, A floating-point technique for extending
+// the available precision, 1971), which the compiler must not rearrange: exact.glsl.
 #ifndef RELIEVO_EXACT
 #define RELIEVO_EXACT
 #endif
@@ -21,7 +21,7 @@ vec2 relievoSum(float a, float b)
   return vec2(sum, lacks);
 }
 
-// a * b, from halves of 12 bits, whose products are exact.
+// a * b, from 12-bit halves, whose products are exact.
 vec2 relievoProduct(float a, float b)
 {
   float aHigh = uintBitsToFloat(floatBitsToUint(a) & 0xfffff000u);
@@ -48,10 +48,10 @@ vec2 relievoPairProduct(vec2 a, float b)
   return relievoSum(product.x, lacks);
 }
 
-// What is under the root of the chord: over pixels it is a polynomial of second degree, positive
-// where the ray meets the sphere. At `pixel`, counted from where its coefficients are of:
+// The radicand of the chord: a polynomial of degree 2 over the pixels, positive where the ray hits
+// the sphere. `pixel` is counted from the origin of the coefficients:
 //   linear.x + linear.y x + linear.z y + square.x x^2 + square.y x y + square.z y^2
-// each coefficient with what it lacks as a float.
+// each coefficient with its remainder after rounding to float.
 float relievoFogDiscriminant(
   vec2 pixel, vec3 linear, vec3 linearLacks, vec3 square, vec3 squareLacks)
 {
@@ -68,13 +68,13 @@ float relievoFogDiscriminant(
 
 // The length of the ray inside the sphere, in radii: 0 to 2.
 //   discriminant  as above
-//   square        square of the length of the ray per unit of depth
+//   square        squared length of the ray per unit of depth
 // and depths in radii:
-//   end           from where the ray begins to the surface, where it ends; may be infinite
-//   toMiddle      from where the ray begins to the point that is nearest to the sphere's centre
+//   end           from the ray's begin to the surface, where it ends; may be infinite
+//   toMiddle      from the ray's begin to the point nearest to the sphere's centre
 //   fromMiddle    from that point to the surface
-// min(exit, end) - max(entry, begin) is the least of the four differences; each of them is taken
-// from numbers that make it exact, wherever eye and surface are: inside, before or behind.
+// min(exit, end) - max(entry, begin) is the least of four differences; each of them is computed
+// from numbers that make it exact, for any position of eye and surface: inside, in front or behind.
 float relievoFogChord(
   float discriminant, float square, float end, float toMiddle, float fromMiddle)
 {
@@ -88,11 +88,11 @@ float relievoFogChord(
   return max(inside, float(0.0)) * sqrt(square);
 }
 
-// The length of a pixel's ray inside the sphere, in radii, from what is known of the sphere
-// (vtkRelievoSphereRays): the polynomial and what it lacks; last in linear and linearLacks the
-// depth of the centre, last in square 1 / radius; origin and offsets: from the centre to the ray at
-// the centre's depth, in radii, and its change by pixels in x and y. `direction` is of the ray: x
-// and y per unit of depth.
+// The length of a pixel's ray inside the sphere, in radii, from the sphere's values
+// (vtkRelievoSphereRays): the polynomial and its remainders; w of linear and linearLacks: the depth
+// of the centre; w of square: 1 / radius; origin and offsets: from the centre to the ray at the
+// centre's depth, in radii, and its change per pixel in x and y. `direction`: x and y of the ray
+// per unit of depth.
 float relievoFogChordAt(vec2 pixel, vec4 linear, vec4 linearLacks, vec4 square, vec4 squareLacks,
   vec2 origin, vec4 offsets, vec2 direction, float end)
 {
@@ -102,14 +102,14 @@ float relievoFogChordAt(vec2 pixel, vec4 linear, vec4 linearLacks, vec4 square, 
   float length2 = direction.x * direction.x + direction.y * direction.y + float(1.0);
   float offsetX = origin.x + offsets.x * pixel.x + offsets.z * pixel.y;
   float offsetY = origin.y + offsets.y * pixel.x + offsets.w * pixel.y;
-  // By how much the centre is deeper than the point that is nearest to it.
+  // Depth of the centre minus that of the ray's nearest point.
   float deeper = (offsetX * direction.x + offsetY * direction.y) / length2;
   return relievoFogChord(discriminant, length2, end * square.w, linear.w * square.w - deeper,
     ((end - linear.w) - linearLacks.w) * square.w + deeper);
 }
 
-// Optical depth, of which e to the minus is what passes, of a chord in radii. More than the limit
-// would not fit into sums of floats, and shows nothing.
+// Optical depth of a chord in radii, with transmittance e^-depth. Depths above the limit would
+// overflow sums of floats, and are invisible.
 const float relievoFogLimit = float(1e6);
 
 // The mode `beer`, Beer and Lambert: density is per radius.
@@ -118,15 +118,15 @@ float relievoFogBeer(float chord, float density)
   return min(chord * density, relievoFogLimit);
 }
 
-// The mode `chord`, the classic: what is held back grows in a line, up to `density` at the full
-// chord of 2 radii.
+// The mode `chord`, the classic: absorption grows linearly, up to `density` at the full chord of 2
+// radii.
 float relievoFogLinear(float chord, float density)
 {
   float held = min(float(0.5) * chord * density, float(1.0));
   return -log(max(float(1.0) - held, float(1e-7)));
 }
 
-// What a depth adds of its own colour, per unit of depth: (1 - e^-depth) / depth.
+// The share of fog colour per unit of optical depth: (1 - e^-depth) / depth.
 float relievoFogShare(float depth)
 {
   return depth < float(0.1)

@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The share of light that a surface mirrors.
+// Fresnel reflection of a surface.
 
-// The share of light that is mirrored at this cosine between view and normal, from the share at
-// normal incidence: C. Schlick, An Inexpensive BRDF Model for Physically-based Rendering, Computer
+// The reflected share of light at this cosine between view and normal, from the share at normal
+// incidence: C. Schlick, An Inexpensive BRDF Model for Physically-based Rendering, Computer
 // Graphics Forum 13(3), 1994.
-// A rough surface mirrors less at grazing angles, because its facets are tilted: the limit of 1
-// becomes 1 - roughness, if that is more than the share at normal incidence (S. Lagarde, Adopting a
-// physically based shading model, 2011). With roughness 0 it is Schlick's formula.
+// A rough surface reflects less at grazing angles, because its facets are tilted: the limit of 1
+// becomes 1 - roughness, if that exceeds the share at normal incidence (S. Lagarde, Adopting a
+// physically based shading model, 2011). With roughness 0 this is Schlick's formula.
 float relievoFresnel(float straight, float cosine, float roughness)
 {
   float grazing = max(float(1.0) - roughness, straight);

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Numbers on their way to half floats.
+// Rounding to half floats.
 
 // The half nearest to x, as a float, for halves that are not denormal (6.1e-5 and more); ties go to
-// even. Some OpenGLs cut the bits off that a half does not have, which then changes nothing.
+// even. Prevents the truncation with which some OpenGLs convert to half.
 float relievoRoundToHalf(float x)
 {
   uint bits = floatBitsToUint(x);

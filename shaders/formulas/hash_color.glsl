@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A colour for an id, so that neighbouring ids can be told apart; for debug views.
+// A colour for an id, so that neighbouring ids differ visibly; for debug views.
 
-// Mixes all bits of a word into all others; words differ if and only if their hashes do. The
-// multipliers are C. Wellons' "lowbias32" (nullprogram.com, 2018).
+// Mixes all bits of a word into all others; different words have different hashes. The multipliers
+// are C. Wellons' "lowbias32" (nullprogram.com, 2018).
 uint relievoHash(uint word)
 {
   word = (word ^ (word >> uint(16))) * 0x7feb352du;

@@ -9,7 +9,7 @@ float relievoLampLinear(float range, float radius)
 }
 
 // 1 / d^2 with the window (1 - (d / r)^4)^2, after B. Karis, Real Shading in Unreal Engine 4, 2013.
-// Nearer than a hundredth of the radius it grows no more.
+// Constant below a hundredth of the radius.
 float relievoLampInverseSquare(float range, float radius)
 {
   float share = range / radius;
@@ -19,7 +19,7 @@ float relievoLampInverseSquare(float range, float radius)
   return window * window / (nearest * nearest);
 }
 
-// The fall-off by vtkLight's attenuation values a, b, c: 1 / (a + b d + c d^2), nothing beyond the
+// The fall-off by vtkLight's attenuation values a, b, c: 1 / (a + b d + c d^2), 0 beyond the
 // radius.
 float relievoLampAttenuated(float range, float radius, vec3 values)
 {
@@ -27,8 +27,8 @@ float relievoLampAttenuated(float range, float radius, vec3 values)
   return range < radius && sum > float(0.0) ? float(1.0) / sum : float(0.0);
 }
 
-// Lambert's cosine of a unit normal and the vector from the surface to the lamp, whose length is
-// range; 0 where the lamp is on the surface, behind it, or the surface has no normal.
+// Lambert's cosine of a unit normal and the vector from the surface to the lamp, of length range; 0
+// if the lamp is on or behind the surface, or the surface has no normal.
 float relievoLampCosine(vec3 normal, vec3 toLamp, float range)
 {
   return range > float(0.0) ? max(float(0.0), dot(normal, toLamp) / range) : float(0.0);

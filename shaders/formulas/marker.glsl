@@ -1,26 +1,26 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Markers on surfaces: how much of a pixel is covered by what lies within a distance of a box (a
-// point is a box of no size), and how dark a blob shadow is. Edges are filtered over the pixel: by
-// how much distance changes across it, on the plane that the depths around it say.
+// Markers on surfaces: the share of a pixel within a distance of a box (a point is a box of size
+// 0), and the darkness of a blob shadow. Edges are filtered over the pixel: by the change of
+// distance across it, on the plane of the depths around it.
 
-// By how much depth changes to a neighbour if the surface is a plane: in perspective it is 1 /
-// depth that is linear over pixels. The neighbour may be infinite.
+// The change of depth to a neighbour if the surface is a plane: in perspective 1 / depth is linear
+// over pixels. The neighbour may be infinite.
 float relievoMarkerStep(float depth, float neighbor, bool parallel)
 {
   return parallel ? neighbor - depth : depth * (float(1.0) - depth / neighbor);
 }
 
-// Its change by pixels, from the changes from the pixel before and to the one after: the smaller,
-// or none if they are of different signs. So neither an outline nor a wire before something far
-// away looks like a steep surface.
+// The depth's change per pixel, from the changes from the pixel before and to the pixel after: the
+// smaller one, or 0 if their signs differ. Outlines, and wires in front of something far away, so
+// do not look like steep surfaces.
 float relievoMarkerSlope(float before, float after)
 {
   return !(before * after > float(0.0)) ? float(0.0)
     : abs(before) < abs(after) ? before : after;
 }
 
-// From the box to the point, by the shortest way; zero inside. Each in the box's own axes.
+// The shortest vector from the box to the point; zero inside. All in the box's own axes.
 vec3 relievoMarkerWay(vec3 place, vec3 halves)
 {
   vec3 beyond = max(abs(place) - halves, vec3(float(0.0), float(0.0), float(0.0)));
@@ -28,9 +28,9 @@ vec3 relievoMarkerWay(vec3 place, vec3 halves)
     place.y < float(0.0) ? -beyond.y : beyond.y, place.z < float(0.0) ? -beyond.z : beyond.z);
 }
 
-// By how much the distance changes across the pixel: twice the difference between its middle and
-// its edge, half a pixel up the slope. `way` is from the box to the point, alongX and alongY are
-// the point's changes by pixels.
+// The change of distance across the pixel: twice the difference between the pixel's centre and its
+// edge, half a pixel up the slope. `way` leads from the box to the point; alongX and alongY are the
+// point's changes per pixel.
 float relievoMarkerFootprint(vec3 way, vec3 alongX, vec3 alongY)
 {
   float range = length(way);
@@ -42,7 +42,7 @@ float relievoMarkerFootprint(vec3 way, vec3 alongX, vec3 alongY)
   return sum > float(0.0) ? float(2.0) * more / sum : float(0.0);
 }
 
-// The share of [range - footprint / 2, range + footprint / 2] that is less than the radius.
+// The share of [range - footprint / 2, range + footprint / 2] below the radius.
 float relievoMarkerBelow(float range, float radius, float footprint)
 {
   return footprint > float(0.0)
@@ -50,8 +50,8 @@ float relievoMarkerBelow(float range, float radius, float footprint)
     : range < radius ? float(1.0) : float(0.0);
 }
 
-// Width of the box across the way, on a surface of that normal; its diagonal where there is no
-// way. All in the box's own axes.
+// Width of the box perpendicular to `way`, on a surface of that normal; its diagonal if `way` is 0.
+// All in the box's own axes.
 float relievoMarkerBoxWidth(vec3 way, vec3 normal, vec3 halves)
 {
   vec3 across = cross(normal, way);
@@ -59,18 +59,18 @@ float relievoMarkerBoxWidth(vec3 way, vec3 normal, vec3 halves)
   return float(2.0) * (size > float(0.0) ? dot(abs(across), halves) / size : length(halves));
 }
 
-// How much of a pixel's width the disc covers, and the box that it is drawn around, along the chord
-// so far from its middle.
+// The share of a pixel's width covered by the disc, and by the box that it surrounds, along the
+// chord at a distance from its middle.
 float relievoMarkerChord(float at, float radius, float box, float width)
 {
   float chord = float(2.0) * sqrt(max((radius - at) * (radius + at), float(0.0))) + box;
   return min(float(1.0), chord / width);
 }
 
-// The share that lies in [-radius, radius]: as from one rim to the other; and less where that is
-// narrower than the pixel, by the mean of its chords (by Gauss's three places).
-//   pixel  area that the pixel shows, on the surface
-//   box    width of the box across the way
+// The share that lies in [-radius, radius]: from one rim to the other; less if the disc is narrower
+// than the pixel, by the mean of its chords (at Gauss's three points).
+//   pixel  area of the pixel on the surface
+//   box    width of the box perpendicular to `way`
 float relievoMarkerDisc(float range, float radius, float footprint, float pixel, float box)
 {
   float share = relievoMarkerBelow(range, radius, footprint) -
@@ -97,8 +97,8 @@ float relievoMarkerRing(
     relievoMarkerDisc(range, inner, footprint, pixel, box);
 }
 
-// (1 - (range / radius)^2)^2. Where the footprint is not small, both are added up, and the height
-// is less for the width.
+// (1 - (range / radius)^2)^2. For footprints that are not small, the squares of the radius and of
+// half the footprint add up, and the height is reduced in proportion.
 float relievoMarkerGlow(float range, float radius, float footprint)
 {
   float square = radius * radius;
@@ -107,11 +107,11 @@ float relievoMarkerGlow(float range, float radius, float footprint)
   return square / wider * left * left;
 }
 
-// A soft shadow below something.
-//   square  of the distance from its axis: 1 at the rim
-//   height  up from its middle
-//   heights x: where it begins to be dark; y: 1 / length over which it becomes so; z: where the
-//           shadow has faded away; w: 1 / length over which it does. All downwards.
+// A soft shadow on the surface below an object.
+//   square  squared distance from the axis: 1 at the rim
+//   height  height above the object's middle
+//   heights x: where darkness begins; y: 1 / length over which it grows; z: where the shadow has
+//           faded away; w: 1 / length over which it fades. All downwards.
 //   facing  cosine between the surface's normal and up
 float relievoBlobShadow(float square, float height, vec4 heights, float facing)
 {

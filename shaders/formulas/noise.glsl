@@ -1,15 +1,15 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Simplex noise in three dimensions (K. Perlin 2001; the kernel of radius sqrt(0.5), which has no
-// jumps), with a hash of integers, so that nothing is lost far from the origin: a point is a whole
-// cell and the part of a cell beyond it. Repeats after 2^32 cells of the skewed lattice.
+// Simplex noise in three dimensions (K. Perlin 2001; the continuous kernel of radius sqrt(0.5)),
+// with an integer hash, so that no precision is lost far from the origin: a point is an integer
+// cell and a part of a cell. Repeats after 2^32 cells of the skewed lattice.
 //
-// A seed is one noise, whoever asks for it. Caves and particles with the setting Seed = s both take
-// the seeds 2 s and 2 s + 1, the second moved by 0.375 of a cell along each axis, and smooth blocks
-// with NoiseSeed = s the seed s: with equal cells, whirls follow tunnels. Other seeds are not
-// related.
+// Each seed is one noise, shared by all filters. Caves and particles with the setting Seed = s both
+// use the seeds 2 s and 2 s + 1, the second moved by 0.375 of a cell along each axis, and smooth
+// blocks with NoiseSeed = s the seed s: with equal cells, whirls follow tunnels. Other seeds are
+// not related.
 
-// A word for a corner of the lattice: every bit depends on all of them.
+// A word for a corner of the lattice, in which every bit depends on all inputs.
 uint relievoNoiseHash(uint x, uint y, uint z, uint seed)
 {
   uint word = (seed ^ z) * 0x9e3779b1u;
@@ -19,7 +19,7 @@ uint relievoNoiseHash(uint x, uint y, uint z, uint seed)
   return word ^ (word >> uint(15));
 }
 
-// Of the twelve directions to the edges of a cube: the one that belongs to a word, times (x, y, z).
+// The word's direction, one of the twelve to the edges of a cube, times (x, y, z).
 float relievoNoiseAlong(uint word, float x, float y, float z)
 {
   uint edge = ((word >> uint(16)) * uint(12)) >> uint(16);
@@ -28,7 +28,7 @@ float relievoNoiseAlong(uint word, float x, float y, float z)
   return ((edge & uint(1)) != uint(0) ? -u : u) + ((edge & uint(2)) != uint(0) ? -v : v);
 }
 
-// What a corner at (x, y, z) from the point adds: (0.5 - r^2)^4 times the product with its
+// Contribution of a corner at (x, y, z) from the point: (0.5 - r^2)^4 times the product with its
 // direction.
 float relievoNoiseCorner(uint word, float x, float y, float z)
 {
@@ -37,7 +37,7 @@ float relievoNoiseCorner(uint word, float x, float y, float z)
   return square * square * relievoNoiseAlong(word, x, y, z);
 }
 
-// The gradient of that.
+// The gradient of the contribution.
 vec3 relievoNoiseCornerGradient(uint word, float x, float y, float z)
 {
   float inside = max(float(0.5) - x * x - y * y - z * z, float(0.0));
@@ -50,9 +50,9 @@ vec3 relievoNoiseCornerGradient(uint word, float x, float y, float z)
     along * relievoNoiseAlong(word, float(0.0), float(0.0), float(1.0)) + inwards * z);
 }
 
-// The simplex of the lattice that a point lies in, the same for all seeds: its lowest corner A, the
-// steps from there to the next two, B and C (D is one step along all axes), and the point seen from
-// A.
+// The simplex of the lattice that contains a point, the same for all seeds: its lowest corner A,
+// the steps from there to the next two, B and C (D is one step along all axes), and the point
+// relative to A.
 struct relievoSimplex
 {
   uint ax;
@@ -69,13 +69,13 @@ struct relievoSimplex
   float z;
 };
 
-// That of cell + part; the cell's coordinates are at most 2^29 in size, those of the part in
+// The simplex at cell + part; the cell's coordinates are at most 2^29 in size, those of the part in
 // [0, 1).
 relievoSimplex relievoSimplexAt(ivec3 cell, vec3 part)
 {
-  // The lattice is that of cubes after moving each point by a third of its coordinates' sum along
-  // all axes. Whole thirds of a cell are split off as integers; 3 * 2^29 keeps the sum positive,
-  // which only an unsigned one can hold.
+  // The lattice becomes cubic after moving each point by a third of its coordinates' sum along all
+  // axes. Whole thirds of a cell are split off as integers; 3 * 2^29 keeps the sum positive, which
+  // only an unsigned integer can hold.
   uint sum = uint(cell.x) + uint(cell.y) + uint(cell.z) + uint(1610612736);
   int third = int(sum / uint(3)) - 536870912;
   float rest = (float(sum % uint(3)) + part.x + part.y + part.z) / float(3.0);
@@ -96,7 +96,7 @@ relievoSimplex relievoSimplexAt(ivec3 cell, vec3 part)
   simplex.x = sx - back;
   simplex.y = sy - back;
   simplex.z = sz - back;
-  // The way from the lowest corner to the highest goes along the largest coordinate first.
+  // The path from the lowest corner to the highest follows the largest coordinate first.
   simplex.bx = (sx >= sy && sx >= sz) ? uint(1) : uint(0);
   simplex.by = (sy > sx && sy >= sz) ? uint(1) : uint(0);
   simplex.bz = uint(1) - simplex.bx - simplex.by;
@@ -122,13 +122,13 @@ float relievoSimplexNoiseIn(relievoSimplex s, uint seed)
   return value * float(76.0);
 }
 
-// The noise at cell + part, as relievoSimplexAt takes them.
+// The noise at cell + part: see relievoSimplexAt.
 float relievoSimplexNoise(ivec3 cell, vec3 part, uint seed)
 {
   return relievoSimplexNoiseIn(relievoSimplexAt(cell, part), seed);
 }
 
-// The gradient of the noise of a seed, a cell.
+// The gradient of the noise of a seed, per cell.
 vec3 relievoSimplexNoiseGradientIn(relievoSimplex s, uint seed)
 {
   float g = float(1.0) / float(6.0);
@@ -146,10 +146,10 @@ vec3 relievoSimplexNoiseGradientIn(relievoSimplex s, uint seed)
         s.y - float(0.5), s.z - float(0.5)));
 }
 
-// The noise is nowhere steeper, a cell. A corner at the distance r adds t^4 (g . d) with t = 0.5
-// - r^2 and |g| = sqrt(2). The gradient of that, t^4 g - 8 t^3 (g . d) d, is the product of g
-// and a symmetric matrix that multiplies what is along d by t^3 (t - 8 r^2) and the rest by t^4,
-// so it is at most sqrt(2) B(r) long, B being the larger of t^4 and t^3 (9 r^2 - 0.5). Over a
-// simplex, the sum of the four B is below 0.0725 (testFormulasNoise bounds it by halving the
-// simplex); 76 * sqrt(2) * 0.0725 = 7.793. The steepest place found has 6.7.
+// Upper bound of the noise's slope, per cell. A corner at the distance r adds t^4 (g . d) with t =
+// 0.5 - r^2 and |g| = sqrt(2). Its gradient, t^4 g - 8 t^3 (g . d) d, is the product of g and a
+// symmetric matrix that multiplies the component along d by t^3 (t - 8 r^2) and the rest by t^4, so
+// it is at most sqrt(2) B(r) long, B being the larger of t^4 and t^3 (9 r^2 - 0.5). Over a simplex,
+// the sum of the four B is below 0.0725 (testFormulasNoise bounds it by halving the simplex); 76 *
+// sqrt(2) * 0.0725 = 7.793. The steepest place found has 6.7.
 const float relievoSimplexNoiseSlope = float(7.8);

@@ -2,18 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Normal and depth together: RGBA8 (one word), RGBA16F (two words), RGBA32F (four words).
 //
-// Depth is linear (eye space -z). The background has the zero normal and depth +infinity; where a
-// surface has no normal, the normal is the zero vector and the depth is that of the surface.
+// Depth is linear (eye space -z). The background has the zero normal and depth +infinity; a surface
+// without a normal has the zero vector and its own depth.
 //RELIEVO::Include(formulas/depth.glsl)
 //RELIEVO::Include(formulas/normal_formats.glsl)
 
-// The words of the background, to which a buffer of each format is cleared.
+// The words of the background, the clear values of a buffer of each format.
 const uint relievoNormalDepth8None = 0xff000000u;
 const uvec2 relievoNormalDepth16FNone = uvec2(0x00000000u, 0x7c000000u);
 const uvec4 relievoNormalDepth32FNone = uvec4(0x00000000u, 0x00000000u, 0x00000000u, 0x7f800000u);
 
 // RGBA8: normal as 0.5 n + 0.5 in the lower three bytes, (depth - near) / (far - near) in the
-// highest: 256 steps of depth, the price of the classic layout.
+// highest: only 256 steps of depth, the limit of the classic layout.
 uint relievoPackNormalDepth8(vec3 n, float depth, float zNear, float zFar)
 {
   if (isinf(depth))

@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Unit vectors by their three components: 3 x 8 bits, 3 x 10 bits (RGB10A2), half and float.
+// Unit vectors by three components: 3 x 8 bits, 3 x 10 bits (RGB10A2), half and float.
 //
-// Words 0 mean "no direction" in every format: zero, infinite or NaN vectors give them and they
-// decode to the zero vector. No unit vector has the codes (0, 0, 0): all components would be -1.
+// Words 0 mean "no direction" in every format: zero, infinite or NaN vectors encode to them, and
+// they decode to the zero vector. No unit vector has the codes (0, 0, 0): all components would be
+// -1.
 //RELIEVO::Include(formulas/octahedral.glsl)
 
 // A component in [-1, 1] as 0.5 n + 0.5 in steps of 1 / maxCode.
@@ -24,7 +25,7 @@ uint relievoPackNormalBiased(vec3 n, int bits)
     (relievoQuantizeBiased(n.z, maxCode) << uint(2 * bits));
 }
 
-// The unit vector of such a word; higher bits are ignored.
+// The unit vector of a word of relievoPackNormalBiased; higher bits are ignored.
 vec3 relievoUnpackNormalBiased(uint word, int bits)
 {
   uint mask = (uint(1) << uint(bits)) - uint(1);

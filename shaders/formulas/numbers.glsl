@@ -3,14 +3,14 @@
 // Quantising a number to an integer code and back; the base of every packed format.
 
 // -1 for a negative v, else 1: unlike sign(), never 0, so that a direction in a coordinate plane
-// keeps a side.
+// lies on one side.
 float relievoSignNotZero(float v)
 {
   return v < float(0.0) ? float(-1.0) : float(1.0);
 }
 
-// The integer nearest to x, for x in [0, 2^24]; halves go up. floor(x + 0.5) would be one off for
-// odd x above 2^23, where x + 0.5 is no float.
+// The integer nearest to x, for x in [0, 2^24]; halves are rounded up. floor(x + 0.5) would be off
+// by one for odd x above 2^23, where x + 0.5 is not a float.
 uint relievoRound(float x)
 {
   float whole = floor(x);
@@ -31,7 +31,7 @@ float relievoDequantizeUnorm(uint code, float maxCode)
 
 // Code of x in [-1, 1] in steps of 1 / maxCode (the steps of GL's snorm), offset so that it is in
 // [1, 2 * maxCode + 1]; x outside is clamped, NaN gives 1. Code 0 is free to mean background.
-// The offset is added after rounding: added before, it would cost x its low bits.
+// The offset is added after rounding: added before, it would cost the low bits of x.
 uint relievoQuantizeSnorm(float x, float maxCode)
 {
   float scaled = x > float(-1.0) ? min(x, float(1.0)) * maxCode : -maxCode;
@@ -46,8 +46,8 @@ float relievoDequantizeSnorm(uint code, float maxCode)
   return (float(code) - (maxCode + float(1.0))) / maxCode;
 }
 
-// x, or the largest half with its sign where x is finite and beyond it: a half that overflows would
-// turn into infinity, which means background in a depth.
+// x, or the largest half with its sign if x is finite and larger: an overflow would become
+// infinity, which means background in a depth.
 float relievoSaturateHalf(float x)
 {
   return isinf(x) ? x : clamp(x, float(-65504.0), float(65504.0));

@@ -5,9 +5,9 @@
 // Representations for Independent Unit Vectors, JCGT 3(2), 2014.
 //
 // Words: two offset snorm codes (relievoQuantizeSnorm), x in the lower one; 2 x 8 fills the lower
-// 16 bits. Word 0 means "no direction": zero, infinite or NaN vectors give it and it decodes to the
-// zero vector, so a cleared buffer decodes to zero. Encoded values must not be blended or filtered:
-// the square's rim is a seam.
+// 16 bits. Word 0 means "no direction": zero, infinite or NaN vectors encode to it, and it decodes
+// to the zero vector, so that a cleared buffer decodes to zero. Encoded values must not be blended
+// or filtered: the square's rim is a seam.
 //RELIEVO::Include(formulas/numbers.glsl)
 
 // Whether n has a direction: not zero, and every component finite.
@@ -77,10 +77,10 @@ uint relievoOctPack(vec3 n, int bits)
     relievoQuantizeSnorm(e.x, maxCode), relievoQuantizeSnorm(e.y, maxCode), bits);
 }
 
-// The word of direction n whose decoded vector is the nearest of the four around its position. It
-// costs four decodings here and nothing when decoding. Nearness is the squared distance of unit
-// vectors: their scalar product is 1 - 1e-9 for all four at 16 bits, which a float cannot tell from
-// 1.
+// The word of direction n with the nearest decoded vector of the four codes around its position.
+// Encoding costs four decodings, decoding costs nothing extra. Nearness is the squared distance of
+// unit vectors: their scalar product is 1 - 1e-9 for all four at 16 bits, which a float cannot
+// distinguish from 1.
 uint relievoOctPackPrecise(vec3 n, int bits)
 {
   if (!relievoIsDirection(n))

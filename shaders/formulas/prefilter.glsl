@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-// An environment seen in a rough mirror: the levels of a prefiltered cube map.
+// An environment reflected in a rough mirror: the levels of a prefiltered cube map.
 // B. Karis: Real Shading in Unreal Engine 4, SIGGRAPH 2013 course (the split sum, normal = view);
 // B. Walter, S. Marschner, H. Li, K. Torrance: Microfacet Models for Refraction through Rough
 // Surfaces, EGSR 2007 (GGX).
 
 // Weight of light that arrives at cosine x from the axis (normal = view = axis of reflection), for
-// roughness in [0, 1]; the width of GGX's lobe is alpha = roughness^2. It is the distribution of
-// half vectors times x without its constant factor: weights are to be divided by their sum.
-// cos^2 of the half vector's angle is (1 + x) / 2.
+// roughness in [0, 1]; the width of GGX's lobe is alpha = roughness^2. The weight is the
+// distribution of half vectors times x without its constant factor, so weights have to be divided
+// by their sum. cos^2 of the half vector's angle is (1 + x) / 2.
 float relievoPrefilterWeight(float x, float roughness)
 {
   float alpha = roughness * roughness;
@@ -18,7 +18,7 @@ float relievoPrefilterWeight(float x, float roughness)
   return x > float(0.0) ? x / (width * width) : float(0.0);
 }
 
-// Roughness in [0, 1] to its level, of `levels` levels: 0 is sharp, levels - 1 is roughness 1;
+// The level of a roughness in [0, 1], of `levels` levels: 0 is sharp, levels - 1 is roughness 1;
 // fractions interpolate between two levels.
 float relievoPrefilterLevel(float roughness, int levels)
 {

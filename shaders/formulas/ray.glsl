@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Whether a ray meets a box or a triangle: from + t * ray, t from 0 to a last one.
+// Ray intersection with boxes and triangles: from + t * ray, t from 0 to an upper limit.
 //
 // Triangles are watertight (after S. Woop, C. Benthin, I. Wald, Watertight ray/triangle
-// intersection, 2013): a ray that passes an edge meets one of the triangles that share it, and both
-// if that is asked for.
+// intersection, 2013): a ray through an edge hits one of the triangles that share it, or both if
+// requested.
 
 // 1 / ray by component, without infinities.
 vec3 relievoRayInverse(vec3 ray)
@@ -15,7 +15,7 @@ vec3 relievoRayInverse(vec3 ray)
     float(1.0) / (abs(ray.z) < least ? least : ray.z));
 }
 
-// True as well if rounding leaves it open.
+// True as well if rounding makes the result uncertain.
 bool relievoRayMeetsBox(vec3 from, vec3 inverse, float last, vec3 low, vec3 high)
 {
   vec3 a = (low - from) * inverse;
@@ -25,8 +25,8 @@ bool relievoRayMeetsBox(vec3 from, vec3 inverse, float last, vec3 low, vec3 high
   return enters <= leaves * float(1.000001);
 }
 
-// On which side of the line from a to b the origin is: above 0 on the left, below on the right. The
-// same number, with the other sign, for the line from b to a, however the products are rounded.
+// The side of the line from a to b on which the origin lies: above 0 on the left, below 0 on the
+// right. Exactly the negated number for the line from b to a, however the products are rounded.
 float relievoEdgeSide(vec2 a, vec2 b)
 {
   bool turned = a.x > b.x || (a.x == b.x && a.y > b.y);
@@ -36,8 +36,8 @@ float relievoEdgeSide(vec2 a, vec2 b)
   return turned ? -side : side;
 }
 
-// Whether it is on the left if the origin is moved by next to nothing along y, and by next to
-// nothing of that against x, so that it is on no line (H. Edelsbrunner, E. P. Muecke, Simulation of
+// Whether the origin lies on the left if it is moved infinitesimally along y, and infinitesimally
+// less against x, so that it lies on no line (H. Edelsbrunner, E. P. Muecke, Simulation of
 // simplicity, 1990): then it is on the left of all lines that lead to a larger x, or else y.
 bool relievoEdgeIsLeft(vec2 a, vec2 b, float side)
 {
@@ -45,9 +45,10 @@ bool relievoEdgeIsLeft(vec2 a, vec2 b, float side)
   return turned ? side > float(0.0) : side >= float(0.0);
 }
 
-// Whether the line along z through the origin passes the triangle that has these corners across it;
-// what is seen edge-on is not met. closed: all edges belong to it; otherwise an edge that triangles
-// on both of its sides share is one of these's, and so is a corner that they surround.
+// Whether the line along z through the origin passes the triangle with these corners across it; a
+// triangle seen edge-on is not hit. closed: all edges belong to the triangle; otherwise an edge
+// shared by triangles on both sides belongs to one of them, and so does a corner surrounded by
+// triangles.
 bool relievoLineMeetsTriangle(vec2 a, vec2 b, vec2 c, bool closed)
 {
   float ab = relievoEdgeSide(a, b);

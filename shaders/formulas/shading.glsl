@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What a surface gives back of a light, as VTK's shaders have it. Directions are unit vectors.
+// A surface's reflection of a light, by VTK's formulas. Directions are unit vectors.
 
 // Phong's highlight: a light that comes along fromLight, mirrored towards the eye.
 float relievoPhongHighlight(vec3 normal, vec3 fromLight, vec3 toEye, float power)
@@ -17,8 +17,8 @@ float relievoGgx(float nDotH, float roughness)
   return a * a / (float(3.14159265358979) * d * d);
 }
 
-// Smith's masking and shadowing, height-correlated (E. Heitz 2014), over 4 n.v n.l. VTK takes
-// roughness itself for alpha here.
+// Smith's masking and shadowing, height-correlated (E. Heitz 2014), over 4 n.v n.l. VTK uses
+// roughness itself as alpha here.
 float relievoSmith(float nDotV, float nDotL, float roughness)
 {
   float a2 = roughness * roughness;
@@ -27,7 +27,7 @@ float relievoSmith(float nDotV, float nDotL, float roughness)
   return float(0.5) / (v + l);
 }
 
-// Radiance that VTK's PBR gives back of a light of radiance 1: (diffuse + specular) n.l, with an
+// Reflected radiance of VTK's PBR for a light of radiance 1: (diffuse + specular) n.l, with an
 // index of refraction of 1.5, C. Schlick's Fresnel term (1994) and no edge tint.
 vec3 relievoPbr(
   vec3 albedo, float metallic, float roughness, vec3 normal, vec3 toLight, vec3 toEye)

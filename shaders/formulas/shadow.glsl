@@ -6,15 +6,15 @@
 // near to its far plane; viewToMap transforms eye space to it (homogeneous; w is 1 for a parallel
 // light, the distance along the light's axis for a perspective one).
 
-// The share that a shadow catcher keeps of its colour, of the light that reaches it and of all that
-// would if nothing were in the way: light that passes it by is in neither. In full shadow a part is
-// left, of a sky that is nowhere else.
+// The share of its colour that a shadow catcher keeps, from the light that reaches it, and all the
+// light that would without occluders; both exclude light that misses it. In full shadow a part is
+// left, for the sky's light, which is in no other term.
 float relievoCatcherShare(float reaches, float all)
 {
   return all > float(0.0) ? float(0.4) + float(0.6) * min(reaches / all, float(1.0)) : float(1.0);
 }
 
-// A tangent of the plane with this normal: perpendicular to it and about as long.
+// A tangent of the plane with this normal: perpendicular to it and of similar length.
 vec3 relievoTangent(vec3 normal)
 {
   if (abs(normal.x) > abs(normal.y))
@@ -24,8 +24,8 @@ vec3 relievoTangent(vec3 normal)
   return vec3(float(0.0), normal.z, -normal.y);
 }
 
-// How the map coordinates (u, v, depth) of a point change that moves along a direction. `map` is
-// viewToMap * (point, 1).
+// The derivative of a point's map coordinates (u, v, depth) along a direction. `map` is viewToMap *
+// (point, 1).
 vec3 relievoMapDerivative(mat4 viewToMap, vec4 map, vec3 direction)
 {
   vec4 moved = viewToMap * vec4(direction, float(0.0));
@@ -34,8 +34,8 @@ vec3 relievoMapDerivative(mat4 viewToMap, vec4 map, vec3 direction)
     map.w;
 }
 
-// Normal in map space of the plane through the point that has this normal in eye space: planes stay
-// planes in a perspective map. Of any length and on any side.
+// Normal in map space of the plane through the point with this eye-space normal: planes remain
+// planes in a perspective map. Of any length and sign.
 vec3 relievoMapPlane(mat4 viewToMap, vec4 map, vec3 normalVC)
 {
   vec3 tangent = relievoTangent(normalVC);
@@ -43,8 +43,8 @@ vec3 relievoMapPlane(mat4 viewToMap, vec4 map, vec3 normalVC)
     relievoMapDerivative(viewToMap, map, cross(normalVC, tangent)));
 }
 
-// Negative if the side of a plane that the eye sees faces the light. `place` is a point of the
-// plane, `eye` the eye in homogeneous map space, or the direction to it (w = 0).
+// Negative if the visible side of a plane faces the light. `place` is a point of the plane, `eye`
+// the eye in homogeneous map space, or the direction to it (w = 0).
 float relievoMapFacing(vec3 plane, vec3 place, vec4 eye)
 {
   return plane.z *
@@ -52,8 +52,8 @@ float relievoMapFacing(vec3 plane, vec3 place, vec4 eye)
       plane.z * (eye.z - eye.w * place.z));
 }
 
-// Slope of a plane of map space: depth per u and per v. `steepest` bounds each: a plane that the
-// light grazes has none.
+// Slope of a plane in map space: depth per u and per v. `steepest` limits each: a plane at grazing
+// incidence has no finite slope.
 vec2 relievoReceiverSlope(vec3 plane, float steepest)
 {
   return vec2(clamp(-plane.x / plane.z, -steepest, steepest),
@@ -61,7 +61,7 @@ vec2 relievoReceiverSlope(vec3 plane, float steepest)
 }
 
 // Weight of tap i of the 2 * radius taps 1 - radius ... radius in one direction; `part` is the
-// place of the point between taps 0 and 1. The weights of a row add up to 2 * radius - 1.
+// point's position between taps 0 and 1. The weights of a row add up to 2 * radius - 1.
 float relievoFilterWeight(int i, int radius, float part)
 {
   if (i == 1 - radius)

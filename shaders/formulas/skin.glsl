@@ -12,21 +12,21 @@ vec4 relievoQuaternionProduct(vec4 a, vec4 b)
     a.w * b.w - a.x * b.x - a.y * b.y - a.z * b.z);
 }
 
-// The quaternion of the same rotation that lies in the half of `to`.
+// The quaternion of the same rotation in the hemisphere of `to`.
 vec4 relievoQuaternionNear(vec4 q, vec4 to)
 {
   return dot(q, to) < float(0.0) ? -q : q;
 }
 
-// Between two unit quaternions along the shorter arc, by the chord: at most 8.2 degrees from slerp,
-// for keys half a turn apart.
+// Interpolation of two unit quaternions along the shorter arc, by the chord: at most 8.2 degrees
+// from slerp, for keys half a turn apart.
 vec4 relievoQuaternionNlerp(vec4 a, vec4 b, float share)
 {
   return normalize(a * (float(1.0) - share) + relievoQuaternionNear(b, a) * share);
 }
 
-// Between two unit quaternions along the shorter arc, at constant angular speed. The angle is found
-// by the arc tangent, which keeps small angles.
+// Interpolation of two unit quaternions along the shorter arc, at constant angular speed. The arc
+// tangent is accurate for small angles too.
 vec4 relievoQuaternionSlerp(vec4 a, vec4 b, float share)
 {
   vec4 c = relievoQuaternionNear(b, a);
@@ -54,7 +54,7 @@ mat3 relievoQuaternionMatrix(vec4 q)
     relievoQuaternionRotate(q, vec3(float(0.0), float(0.0), float(1.0))));
 }
 
-// The unit quaternion of a rotation, from its largest component, which divides the others.
+// The unit quaternion of a rotation, from its largest component, by which the others are divided.
 vec4 relievoQuaternionOf(mat3 r)
 {
   vec4 squares = vec4(r[0].x - r[1].y - r[2].z, r[1].y - r[0].x - r[2].z,
@@ -79,13 +79,13 @@ vec4 relievoQuaternionOf(mat3 r)
   return normalize(q);
 }
 
-// The dual part of the motion that turns by q and then moves by t.
+// The dual part of the motion that rotates by q and then translates by t.
 vec4 relievoDualOf(vec4 q, vec3 t)
 {
   return relievoQuaternionProduct(vec4(t.x, t.y, t.z, float(0.0)), q) * float(0.5);
 }
 
-// How far a blended motion moves after it has turned by normalize(real); neither part need be of
+// Translation of a blended motion, after its rotation by normalize(real); neither part has to be of
 // unit length.
 vec3 relievoDualTranslation(vec4 real, vec4 dual)
 {
@@ -93,15 +93,15 @@ vec3 relievoDualTranslation(vec4 real, vec4 dual)
   return vec3(t.x, t.y, t.z) * (float(2.0) / dot(real, real));
 }
 
-// The matrix that normals follow where points follow m: its inverse transpose but for the length,
-// also where m flattens.
+// The transform of normals for points transformed by m: its inverse transpose up to a factor, also
+// if m is singular.
 mat3 relievoNormalMatrix(mat3 m)
 {
   mat3 cofactors = mat3(cross(m[1], m[2]), cross(m[2], m[0]), cross(m[0], m[1]));
   return dot(m[0], cofactors[0]) < float(0.0) ? cofactors * float(-1.0) : cofactors;
 }
 
-// The direction, of unit length, that m makes of a direction. What m takes away keeps its own.
+// The unit direction after a transform by m. A direction in the kernel of m is unchanged.
 vec3 relievoTurnDirection(mat3 m, vec3 v)
 {
   vec3 turned = m * v;
@@ -109,8 +109,8 @@ vec3 relievoTurnDirection(mat3 m, vec3 v)
   return size > float(1e-30) && size < float(1e30) ? normalize(turned / size) : v;
 }
 
-// The normal, of unit length, that m makes of a normal where points follow m. Without its size m
-// has cofactors that are numbers.
+// The unit normal for points transformed by m. m is divided by its size, so that its cofactors
+// neither overflow nor vanish.
 vec3 relievoTurnNormal(mat3 m, vec3 normal)
 {
   vec3 most = max(abs(m[0]), max(abs(m[1]), abs(m[2])));
@@ -119,14 +119,14 @@ vec3 relievoTurnNormal(mat3 m, vec3 normal)
   return relievoTurnDirection(relievoNormalMatrix(unsized), normal);
 }
 
-// The weight of a motion's quaternions among others': negative for one that lies in the other half
-// than the strongest's, as a quaternion and its negative are one rotation.
+// The weight of a motion's quaternions in a blend: negative for one in the other hemisphere than
+// the strongest's, since a quaternion and its negative are one rotation.
 float relievoDualWeight(vec4 q, vec4 strongest, float weight)
 {
   return dot(q, strongest) < float(0.0) ? -weight : weight;
 }
 
-// Whether weighted quaternions cancel, so that their turns have no mean.
+// Whether weighted quaternions cancel, so that their rotations have no mean.
 bool relievoDualCancels(vec4 real, float weights)
 {
   return dot(real, real) < float(1e-12) * weights * weights;

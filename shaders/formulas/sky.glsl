@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Directions into the sky above a surface.
 
-// The direction about z that belongs to a point (x, y) of the unit square: points that are spread
-// evenly become directions that are spread by the cosine to z (N. Malley: a disc, lifted to the
-// hemisphere), or evenly.
+// The direction about z for a point (x, y) of the unit square: evenly distributed points become
+// directions distributed by the cosine to z (N. Malley: a disc, lifted to the hemisphere), or
+// evenly.
 vec3 relievoSkyDirection(float x, float y, bool byCosine)
 {
   float sine = byCosine ? sqrt(x) : sqrt(x * (float(2.0) - x));
@@ -13,8 +13,8 @@ vec3 relievoSkyDirection(float x, float y, bool byCosine)
   return vec3(sine * cos(angle), sine * sin(angle), cosine);
 }
 
-// Of one of some points whose x are a step apart, the place that another set has in its stead: x
-// moves by a share of the step, y by a share of 1, and wraps round.
+// The point of another set in place of a point whose set has x in equal steps: x moves by a share
+// of the step, y by a share of 1, and wraps around.
 vec2 relievoSkyShift(vec2 point, vec2 shares, float step)
 {
   float y = point.y + shares.y;

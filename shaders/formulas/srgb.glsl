@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 // The sRGB curve (IEC 61966-2-1), exactly: a straight part near black, then a power of 2.4. Values
-// are in [0, 1]; above 1 the power goes on, below 0 the straight part does.
+// are in [0, 1]; above 1 the power continues, below 0 the straight part.
 
 float relievoSrgbFromLinear(float linear)
 {

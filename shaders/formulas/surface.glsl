@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What a surface does with light, in words of 32 bits.
+// A surface's lighting properties, packed in words of 32 bits.
 
-const float relievoMostSpecularPower = float(128.0); // that vtkProperty takes
+const float relievoMostSpecularPower = float(128.0); // the limit of vtkProperty
 
 // A colour of 0 to 1 in 10, 10 and 9 bits, and a kind of 0 to 7. Linear colours are packed by their
-// square roots, so that dark ones keep their digits.
+// square roots, which preserves the digits of dark ones.
 uint relievoPackSurfaceColor(vec3 color, uint kind)
 {
   uint red = uint(clamp(color.x, float(0.0), float(1.0)) * float(1023.0) + float(0.5));

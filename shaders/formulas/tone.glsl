@@ -4,11 +4,11 @@
 // Reinhard's operators: E. Reinhard and others, Photographic tone reproduction for digital images,
 // 2002.
 
-// The largest half: what is beyond, an overflow, counts as this.
+// The largest half: larger values count as this.
 const float relievoToneLargest = float(65504.0);
 
-// The light of the first step of 8 bits, (1 / 255) / 12.92: what is darker counts as this when a
-// picture's brightness is measured.
+// The light of the first step of 8 bits, (1 / 255) / 12.92: darker values count as this in the
+// measurement of a picture's brightness.
 const float relievoToneLeast = float(0.00030352697);
 
 // Relative luminance of linear light with sRGB's primaries.
@@ -17,7 +17,7 @@ float relievoLuminance(vec3 c)
   return float(0.2126) * c.x + float(0.7152) * c.y + float(0.0722) * c.z;
 }
 
-// No light is negative or not a number. A comparison is false for what is not a number.
+// Replaces negative and NaN light by 0. A comparison with NaN is false.
 float relievoToneCleanLight(float x)
 {
   return x > float(0.0) ? min(x, relievoToneLargest) : float(0.0);
@@ -29,14 +29,14 @@ vec3 relievoToneClean(vec3 c)
     relievoToneCleanLight(c.x), relievoToneCleanLight(c.y), relievoToneCleanLight(c.z));
 }
 
-// Whether a pixel's light can be measured: no component is negative, infinite or not a number.
+// Whether a pixel's light can be measured: no component is negative, infinite or NaN.
 bool relievoToneIsLight(vec3 c)
 {
   return c.x >= float(0.0) && c.x <= relievoToneLargest && c.y >= float(0.0) &&
     c.y <= relievoToneLargest && c.z >= float(0.0) && c.z <= relievoToneLargest;
 }
 
-// What is averaged for the automatic exposure.
+// The value averaged for the automatic exposure.
 float relievoToneLogLuminance(vec3 c)
 {
   return log2(clamp(relievoLuminance(c), relievoToneLeast, relievoToneLargest));
@@ -60,14 +60,14 @@ vec3 relievoToneClamp(vec3 c)
   return vec3(min(c.x, float(1.0)), min(c.y, float(1.0)), min(c.z, float(1.0)));
 }
 
-// x / (1 + x) for each component: 1 is reached at infinity.
+// x / (1 + x) for each component: reaches 1 at infinity.
 vec3 relievoToneSimple(vec3 c)
 {
   return vec3(c.x / (float(1.0) + c.x), c.y / (float(1.0) + c.y), c.z / (float(1.0) + c.z));
 }
 
-// Reinhard's curve on the luminance: the proportions of red, green and blue stay. A saturated
-// component may come out above 1.
+// Reinhard's curve on the luminance: preserves the proportions of red, green and blue. A saturated
+// component may exceed 1.
 vec3 relievoToneReinhard(vec3 c, float white)
 {
   float luminance = relievoLuminance(c);
@@ -82,8 +82,8 @@ vec3 relievoToneReinhardRgb(vec3 c, float white)
     relievoToneCurve(c.x, white), relievoToneCurve(c.y, white), relievoToneCurve(c.z, white));
 }
 
-// A colour with a component above 1, moved towards the grey of its luminance until it is 1: hue and
-// luminance stay, saturation is lost. White where the luminance is 1 or above.
+// Moves a colour with a component above 1 towards the grey of its luminance until the component is
+// 1: preserves hue and luminance, loses saturation. White if the luminance is 1 or above.
 vec3 relievoToneIntoGamut(vec3 c)
 {
   float most = max(c.x, max(c.y, c.z));
@@ -93,7 +93,7 @@ vec3 relievoToneIntoGamut(vec3 c)
     most > float(1.0) ? vec3(grey) + share * (c - vec3(grey)) : c);
 }
 
-// By number: 0 clamp, 1 simple, 2 Reinhard on luminance, 3 Reinhard by component. The colour is
+// By number: 0 clamp, 1 simple, 2 Reinhard on luminance, 3 Reinhard by component. The input is
 // clean; the result is in [0, 1].
 vec3 relievoTone(int which, vec3 c, float white)
 {
@@ -108,14 +108,14 @@ vec3 relievoTone(int which, vec3 c, float white)
   return relievoToneClamp(which == 3 ? relievoToneReinhardRgb(c, white) : c);
 }
 
-// The linear light that is shown for a pixel's colour, of which the share `cover` is covered: what
-// covers is toned as what it is, and covers as much afterwards.
+// The linear light shown for a pixel's colour of which the share `cover` is covered: the covering
+// colour is mapped without its cover, which it keeps.
 vec3 relievoToneCovered(int which, vec3 c, float cover, float exposure, float white)
 {
   return cover * relievoTone(which, relievoToneClean(c / cover) * exposure, white);
 }
 
-// Threshold of ordered dithering, above 0 and below 1: B. Bayer's matrix of 8 x 8, 1973.
+// Threshold of ordered dithering, between 0 and 1, both excluded: B. Bayer's matrix of 8 x 8, 1973.
 float relievoToneBayer(uint x, uint y)
 {
   uint a = x ^ y;
@@ -124,8 +124,8 @@ float relievoToneBayer(uint x, uint y)
   return (float(code) + float(0.5)) / float(64.0);
 }
 
-// A value in [0, 1] as one of the two steps of 8 bits around it. Over thresholds that are spread
-// evenly from 0 to 1 the mean is the value.
+// Rounds a value in [0, 1] to one of the two 8-bit steps around it. Over thresholds distributed
+// evenly from 0 to 1 the mean equals the value.
 float relievoToneDither(float value, float threshold)
 {
   return min(floor(float(255.0) * value + threshold), float(255.0)) / float(255.0);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Clip, NDC and window coordinates, and the way back: from a pixel and its linear depth to eye and
+// Clip, NDC and window coordinates, and the inverse: from a pixel and its linear depth to eye and
 // world positions.
 //
 // Matrices are GLSL's: columns, position = matrix * column vector. pIJ is projection[I][J] (column
@@ -21,7 +21,7 @@ vec3 relievoWindowFromNdc(vec3 ndc, vec4 viewport)
     float(0.5) * ndc.z + float(0.5));
 }
 
-// Window coordinates and window z (as gl_FragCoord has them) to NDC.
+// Window coordinates and window z (those of gl_FragCoord) to NDC.
 vec3 relievoNdcFromWindow(vec3 window, vec4 viewport)
 {
   return vec3((float(2.0) * (window.x - viewport.x) - viewport.z) / viewport.z,
@@ -36,8 +36,8 @@ vec2 relievoNdcFromPixel(vec2 pixel, vec2 size)
     (float(2.0) * pixel.y + float(1.0) - size.y) / size.y);
 }
 
-// The pixel's direction in perspective: the eye position at depth 1. p20 and p21 are what an
-// off-centre window adds; they are 0 in a centred one.
+// The pixel's direction in perspective: the eye position at depth 1. p20 and p21 are the offset of
+// an off-centre window, 0 in a centred one.
 vec3 relievoEyeDirection(vec2 ndc, float p00, float p11, float p20, float p21)
 {
   return vec3((ndc.x + p20) / p00, (ndc.y + p21) / p11, float(-1.0));

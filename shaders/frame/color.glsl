@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 // The linear colour of the frame, premultiplied; pixel (0, 0) is the viewport's lower left one.
-// Where no stage has changed it, it is made here of what the delegate drew: everywhere with
+// Colours that no stage has changed are decoded here from the delegate's drawing: everywhere with
 // RELIEVO_COLOR_DRAWN, outside a rectangle with RELIEVO_COLOR_PART.
 //RELIEVO::Include(frame/linear.glsl)
 uniform sampler2D relievoColor;
 #ifdef RELIEVO_COLOR_PART
 uniform ivec2 relievoColorFrom;
-uniform ivec2 relievoColorTo; // beyond the last pixel
+uniform ivec2 relievoColorTo; // after the last pixel
 #endif
 
 vec4 relievoFetchColor(ivec2 pixel)
@@ -23,8 +23,8 @@ vec4 relievoFetchColor(ivec2 pixel)
 #endif
 }
 
-// The picture of a linear colour, in shaders that read `drawn`, too. What no stage has changed is
-// as it was drawn: the curve and its inverse may round to the byte beside.
+// The picture of a linear colour, for shaders that also read `drawn`. Unchanged colours are shown
+// as drawn, since the curve and its inverse may round to the neighbouring byte.
 vec4 relievoShownColor(ivec2 pixel, vec4 color)
 {
   vec4 drawn = texelFetch(relievoDrawn, pixel + relievoDrawnOffset, 0);

@@ -2,7 +2,7 @@
 //VTK::Output::Dec
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Pixels as they are.
+// Copies the pixels.
 in vec2 texCoord;
 uniform sampler2D relievoSource;
 uniform vec2 relievoSize;

@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Depth from the z that the delegate left, as exact as that is
-// (vtkRelievoFrameContext::GetDrawnDepthError); pixel (0, 0) is the viewport's lower left one.
+// Depth from the delegate's z, with its precision (vtkRelievoFrameContext::GetDrawnDepthError);
+// pixel (0, 0) is the viewport's lower left one.
 //RELIEVO::Include(formulas/depth.glsl)
 //RELIEVO::Include(frame/drawn.glsl)
-uniform vec3 relievoDrawnRange; // near, far, whether parallel
+uniform vec3 relievoDrawnRange; // near, far, 1 if parallel
 
-// World units; +infinity where nothing is.
+// World units; +infinity in the background.
 float relievoFetchDrawnDepth(ivec2 pixel)
 {
   float z = texelFetch(relievoDrawnZ, pixel + relievoDrawnOffset, 0).r;

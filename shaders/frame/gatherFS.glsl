@@ -4,9 +4,9 @@
 //VTK::Output::Dec
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What is added to a sum over samples: the linear colour, or, with RELIEVO_GATHERED_PLACE, the
-// visibility of the light at that place of those in the layers, or, with RELIEVO_GATHERED_TEXTURE,
-// a stage's texture, whose sampler is RELIEVO_GATHERED.
+// The summand for a sum over samples: the linear colour; with RELIEVO_GATHERED_PLACE, the
+// visibility of the light with that index among the stored ones; with RELIEVO_GATHERED_TEXTURE, a
+// stage's texture, whose sampler is RELIEVO_GATHERED.
 #ifdef RELIEVO_GATHERED_TEXTURE
 uniform sampler2D RELIEVO_GATHERED;
 #elif defined(RELIEVO_GATHERED_PLACE)

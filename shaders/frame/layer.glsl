@@ -1,15 +1,14 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What the delegate drew over nothing, premultiplied, as VTK makes it for display.
+// The delegate's drawing over an empty buffer, premultiplied, in VTK's display colours.
 //RELIEVO::Include(formulas/blend.glsl)
 //RELIEVO::Include(frame/drawn.glsl)
-uniform int relievoAveraged; // alpha is that of VTK's weighted average
+uniform int relievoAveraged; // alpha comes from VTK's weighted average
 
 vec4 relievoFetchLayer(ivec2 pixel)
 {
   vec4 layer = texelFetch(relievoDrawn, pixel + relievoDrawnOffset, 0);
   float cover = relievoAveraged != 0 ? relievoAveragedCover(layer.a) : layer.a;
-  // The layer is clamped as bytes would clamp it: what adds to alpha covers no more than all, nor
-  // less than nothing.
+  // Clamped like a byte texture: the cover stays between 0 and 1.
   return vec4(max(layer.rgb, vec3(0.0)), clamp(cover, 0.0, 1.0));
 }

@@ -4,12 +4,12 @@
 //VTK::Output::Dec
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A layer that the delegate drew, in linear light.
+// A translucent layer of the delegate, in linear light.
 //RELIEVO::Include(formulas/half.glsl)
 //RELIEVO::Include(frame/layer.glsl)
 in vec2 texCoord;
 uniform vec2 relievoSize;
-uniform int relievoShines; // the layer may have light that covers less than it is bright
+uniform int relievoShines; // the layer may have more light than cover
 
 void main()
 {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What the delegate drew, in linear light.
+// The delegate's drawing, in linear light.
 //RELIEVO::Include(formulas/srgb.glsl)
 //RELIEVO::Include(frame/drawn.glsl)
 

@@ -4,10 +4,11 @@
 //VTK::Output::Dec
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Whether a few samples of a pixel and of its neighbours are not the values of a plane: see
+// Marks a pixel if a few samples of it and of its neighbours are not the values of a plane: see
 // vtkRelievoSampleMarks.
 //RELIEVO::Include(frame/raster.glsl)
-#define RELIEVO_MARKS_STEP 0.012 // three levels of 255; fewer of dark ones, which may be exposed
+// Three levels of 255; fewer for dark colours, which may be exposed.
+#define RELIEVO_MARKS_STEP 0.012
 in vec2 texCoord;
 uniform vec2 relievoSize;
 

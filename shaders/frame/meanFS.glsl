@@ -4,7 +4,7 @@
 //VTK::Output::Dec
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The linear colour as the mean of what has been gathered.
+// The linear colour as the mean of the gathered samples.
 //RELIEVO::Include(formulas/half.glsl)
 in vec2 texCoord;
 uniform vec2 relievoSize;

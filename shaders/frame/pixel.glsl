@@ -1,5 +1,5 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-// How code is known that depends on the picture's pixels (a regular expression).
+// Recognizes code that depends on the picture's pixels (a regular expression).
 //RELIEVO::Section(Use)
 gl_FragCoord\s*(\.\s*[xyrgst]|[^.\s])|vpDims

@@ -4,8 +4,8 @@
 //VTK::Output::Dec
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A layer that the delegate drew, over the colour as VTK blends: in the values for display. Alpha
-// is what is covered, also where VTK leaves another one, see relievoAveragedCover.
+// A translucent layer of the delegate, over the colour, blended in display values as by VTK. Alpha
+// is the cover, even if VTK leaves another value, see relievoAveragedCover.
 //RELIEVO::Include(formulas/half.glsl)
 //RELIEVO::Include(frame/color.glsl)
 //RELIEVO::Include(frame/layer.glsl)

@@ -4,9 +4,9 @@
 //VTK::Output::Dec
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The mean, in linear light, of the samples of a pixel in a raster, which are premultiplied and lie
-// over what was drawn before; with RELIEVO_MARKED: of pixels that are marked. With RELIEVO_DEPTH:
-// the z of the sample that is next to the pixel's centre.
+// The mean, in linear light, of a pixel's samples in a raster, which are premultiplied and
+// composited over the earlier drawing; with RELIEVO_MARKED: only for marked pixels. With
+// RELIEVO_DEPTH: the z of the sample nearest to the pixel's centre.
 //RELIEVO::Include(formulas/half.glsl)
 //RELIEVO::Include(frame/raster.glsl)
 #ifndef RELIEVO_DEPTH
@@ -47,8 +47,8 @@ void main()
   }
   vec4 shown = relievoOver(sum / float(RELIEVO_SAMPLES), behind);
   vec4 mean = vec4(relievoLinearColorFromSrgb(shown.rgb), shown.a);
-  // Values for display that differ by no more have a mean in linear light that is off by less than
-  // 0.00016, half the curve's second derivative times the square of half the difference.
+  // Averaging display values with this or a smaller difference causes an error below 0.00016 in
+  // linear light: half the curve's second derivative times the square of half the difference.
   bool alike = all(lessThan(most - least, vec4(0.02)));
   vec4 linear = vec4(0.0);
   for (int i = 0; i < (alike ? 0 : RELIEVO_SAMPLES); ++i)

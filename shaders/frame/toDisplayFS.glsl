@@ -3,8 +3,8 @@
 //VTK::Output::Dec
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-// From linear light to the display, or, with RELIEVO_AS_DRAWN, what is made for it already; and
-// with RELIEVO_DEPTH_LEFT the depth as the delegate left it.
+// Encodes linear light for the display; with RELIEVO_AS_DRAWN, copies the display colours; with
+// RELIEVO_DEPTH_LEFT, also writes the delegate's depth.
 //RELIEVO::Include(frame/drawn.glsl)
 #ifndef RELIEVO_AS_DRAWN
 //RELIEVO::Include(formulas/srgb.glsl)

@@ -4,7 +4,7 @@
 //VTK::Output::Dec
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-// From what the delegate drew to linear light.
+// Decodes the delegate's drawing to linear light.
 //RELIEVO::Include(frame/linear.glsl)
 in vec2 texCoord;
 uniform vec2 relievoSize;

@@ -4,9 +4,9 @@
 //RELIEVO::Include(formulas/depth.glsl)
 #ifdef RELIEVO_TRANSLUCENT_DEPTH
 uniform sampler2D relievoTranslucentZ;
-uniform vec3 relievoTranslucentRange; // near, far, whether parallel
+uniform vec3 relievoTranslucentRange; // near, far, 1 if parallel
 
-// World units; +infinity where there is none.
+// World units; +infinity without a translucent surface.
 float relievoFetchTranslucentDepth(ivec2 pixel)
 {
   float z = texelFetch(relievoTranslucentZ, pixel, 0).r;

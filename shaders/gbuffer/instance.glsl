@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Which glyph of an instanced draw call a fragment belongs to.
+// The index of a fragment's glyph in an instanced draw call.
 
 //RELIEVO::Section(VertexDec)
 flat out int relievoInstanceVSOutput;

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What VTK's mappers write into fragment shaders of the renderer's lights, by its first and last
-// lines, and what takes its place when the light is left out. The last line of PBR is the one
-// before the section's.
+// The first and last lines of the code for the renderer's lights in the fragment shaders of VTK's
+// mappers, and the replacement if the light is left out. For PBR the last line is the one before
+// the section's.
 
 //RELIEVO::Section(HeadlightBegin)
   float df = max(0.0

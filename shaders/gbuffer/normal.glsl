@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Normals at the points for surfaces that VTK draws without light; named and turned as VTK does.
+// Point normals for surfaces that VTK draws without light; named and oriented as in VTK's shaders.
 
 //RELIEVO::Section(VertexDec)
 in vec3 normalMC;

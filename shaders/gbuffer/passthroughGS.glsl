@@ -1,7 +1,7 @@
 //VTK::System::Dec
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Hands on every primitive as it is, and its number.
+// Passes every primitive on unchanged, with its number.
 #extension GL_ARB_arrays_of_arrays : enable
 layout(RELIEVO_PRIMITIVE_IN) in;
 layout(RELIEVO_PRIMITIVE_OUT, max_vertices = RELIEVO_CORNERS) out;

@@ -19,7 +19,7 @@ uniform usampler2D relievoWords4;
 #if RELIEVO_ATTACHMENTS > 4
 uniform usampler2D relievoWords5;
 #endif
-uniform ivec2 relievoOffset; // of the viewport within the words
+uniform ivec2 relievoOffset; // of the viewport in the words' textures
 uniform float relievoNear;
 uniform float relievoFar;
 uniform int relievoParallel;
@@ -100,7 +100,7 @@ vec4 relievoFetchNormalDepth(ivec2 pixel)
 #endif
 
 #if defined(RELIEVO_DEPTH_WORD) || defined(RELIEVO_NORMAL_DEPTH_WORD)
-// World units; +infinity where nothing is.
+// World units; +infinity in the background.
 float relievoFetchDepth(ivec2 pixel)
 {
 #ifdef RELIEVO_NORMAL_DEPTH_WORD
@@ -126,7 +126,7 @@ float relievoFetchDepth(ivec2 pixel)
 #endif
 
 #if defined(RELIEVO_NORMAL_WORD) || defined(RELIEVO_NORMAL_DEPTH_WORD)
-// Eye space, unit; the zero vector where there is none.
+// Eye space, unit; the zero vector without a normal.
 vec3 relievoFetchNormal(ivec2 pixel)
 {
 #ifdef RELIEVO_NORMAL_WORD
@@ -138,7 +138,7 @@ vec3 relievoFetchNormal(ivec2 pixel)
 #endif
 
 #ifdef RELIEVO_GEOMETRIC_NORMAL_WORD
-// Of the triangle, likewise.
+// The triangle's normal: eye space, unit, or the zero vector.
 vec3 relievoFetchGeometricNormal(ivec2 pixel)
 {
   return relievoFetchNormalAt(pixel, RELIEVO_GEOMETRIC_NORMAL_WORD);
@@ -146,7 +146,7 @@ vec3 relievoFetchGeometricNormal(ivec2 pixel)
 #endif
 
 #ifdef RELIEVO_ALBEDO_WORD
-// The albedo as VTK has it for display, with the opacity; 0 where nothing is.
+// The albedo in VTK's display values, with the opacity; 0 in the background.
 vec4 relievoFetchAlbedo(ivec2 pixel)
 {
   return unpackUnorm4x8(relievoFetchWord(pixel, RELIEVO_ALBEDO_WORD));
@@ -154,15 +154,15 @@ vec4 relievoFetchAlbedo(ivec2 pixel)
 #endif
 
 #ifdef RELIEVO_SURFACE_WORD
-// What light falls on. Colours are as VTK has them for display; those of PBR are linear.
+// A surface's lighting properties. Colours are VTK's display values; those of PBR are linear.
 struct relievoSurface
 {
   int shading;      // RELIEVO_SHADING_*
   bool deferred;    // whether VTK has left its lights out
   vec3 color;       // without light
-  float diffuse;    // Phong: share of the light that is given back
-  float power;      // Phong: of the highlight
-  vec3 specular;    // Phong: its colour times its share
+  float diffuse;    // Phong: diffuse coefficient
+  float power;      // Phong: exponent of the highlight
+  vec3 specular;    // Phong: colour of the highlight times its coefficient
   float metallic;   // PBR
   float roughness;  // PBR
 };
@@ -204,7 +204,7 @@ relievoSurface relievoFetchSurface(ivec2 pixel)
 #endif
 
 #ifdef RELIEVO_SHADOW_WORD
-// What of the light at this place of those that are stored reaches the pixel: 1 lit, 0 dark.
+// The unshadowed share of the light with this index among the stored ones: 1 lit, 0 dark.
 float relievoFetchVisibility(ivec2 pixel, int place)
 {
   vec2 two = unpackUnorm2x16(relievoFetchWord(pixel, RELIEVO_SHADOW_WORD + place / 2));
@@ -216,7 +216,7 @@ float relievoFetchVisibility(ivec2 pixel, int place)
 uniform samplerBuffer relievoParts; // sorted: the first word in halves, the part, or -1
 uniform int relievoNumberOfParts;
 
-// What the pixel shows a part of, as a number: an actor's block, or a glyph; 0 where nothing is.
+// The number of the pixel's part, an actor's block or a glyph; 0 in the background.
 uint relievoFetchPart(ivec2 pixel)
 {
   uint word = relievoFetchWord(pixel, RELIEVO_ID_WORD);
@@ -235,7 +235,7 @@ uint relievoFetchPart(ivec2 pixel)
     high = first <= word ? high : middle;
   }
   float part = texelFetch(relievoParts, low).z;
-  // The words of glyphs are below the highest bit.
+  // Words of glyphs do not use the highest bit.
   return part < 0.0 ? word | (uint(1) << 31) : uint(part) + uint(1);
 }
 #endif

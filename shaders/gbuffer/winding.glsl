@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Whether a glyph's own matrix mirrors it: -1 if it does, else 1.
+// -1 if a glyph's own matrix mirrors it, else 1.
 
 //RELIEVO::Section(VertexDec)
 flat out float relievoGlyphWindingVSOutput;

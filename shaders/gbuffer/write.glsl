@@ -1,16 +1,15 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Spliced into VTK's fragment shaders: packs the layers asked for into the words of the G-buffer.
+// Spliced into VTK's fragment shaders: packs the requested layers into the words of the G-buffer.
 //
 // Defines, by vtkRelievoGBufferLayout: RELIEVO_ATTACHMENTS, RELIEVO_*_WORD, RELIEVO_*_FORMAT; by
-// vtkRelievoGBufferSplice, from what the mapper's shader has: RELIEVO_FACE_NORMAL (the
-// face's normal is asked and VTK computes none), RELIEVO_HAS_NORMAL (normalVCVSOutput),
+// vtkRelievoGBufferSplice, from the mapper's shader: RELIEVO_FACE_NORMAL (the face's normal is
+// requested, and VTK computes none), RELIEVO_HAS_NORMAL (normalVCVSOutput),
 // RELIEVO_NORMAL_BY_WINDING, RELIEVO_GLYPH_WINDING (winding.glsl is spliced), RELIEVO_GLYPH_DEPTH
-// (glyph_depth.glsl is),
-// RELIEVO_SPHERE_POINTS, RELIEVO_TUBE_LINES, RELIEVO_PBR_ALBEDO, RELIEVO_BACKFACE_PROPERTY,
-// RELIEVO_PRIMITIVE_SOURCE, RELIEVO_LAYERS_ONLY, RELIEVO_LINEAR_VISIBILITY,
-// RELIEVO_COINCIDENT_OFFSET, RELIEVO_LIGHT_LEFT_OUT (lights.glsl). Codes: codes.glsl. What other
-// splices define: splice/contract.glsl.
+// (glyph_depth.glsl is spliced), RELIEVO_SPHERE_POINTS, RELIEVO_TUBE_LINES, RELIEVO_PBR_ALBEDO,
+// RELIEVO_BACKFACE_PROPERTY, RELIEVO_PRIMITIVE_SOURCE, RELIEVO_LAYERS_ONLY,
+// RELIEVO_LINEAR_VISIBILITY, RELIEVO_COINCIDENT_OFFSET, RELIEVO_LIGHT_LEFT_OUT (lights.glsl).
+// Codes: codes.glsl. Defines of other splices: splice/contract.glsl.
 
 //RELIEVO::Section(Extensions)
 //RELIEVO::Include(extensions.glsl)
@@ -33,15 +32,15 @@ layout(location = 4) out uvec4 relievoOutput4;
 #if RELIEVO_ATTACHMENTS > 4
 layout(location = 5) out uvec4 relievoOutput5;
 #endif
-uniform int relievoFirstPrimitive; // -1: no words are left
-uniform float relievoWinding; // -1 where actor, view and projection together mirror
+uniform int relievoFirstPrimitive; // -1: the words are used up
+uniform float relievoWinding; // -1 if actor, view and projection together mirror
 uniform int relievoFaces; // whether faces are drawn, not their edges or corners
 uniform float relievoNear;
 uniform float relievoFar;
 #ifdef RELIEVO_SURFACE_WORD
 //RELIEVO::Include(formulas/surface.glsl)
 uniform int relievoShading; // RELIEVO_SHADING_*
-uniform vec4 relievoHighlight[2]; // of both sides: colour times share, power
+uniform vec4 relievoHighlight[2]; // of both sides: colour times coefficient, exponent
 uniform vec2 relievoMetal; // metallic, roughness
 #endif
 
@@ -60,7 +59,7 @@ uint relievoPackDepth(float depth, bool parallel, float zNear, float zFar)
 #endif
 }
 
-// Up to three words; the layout says how many are kept.
+// Up to three words, of which the layout stores some.
 uvec3 relievoPackNormal(vec3 n)
 {
 #if RELIEVO_NORMAL_FORMAT == RELIEVO_NORMAL_FLOAT32
@@ -109,7 +108,7 @@ uvec3 relievoPackNormal(vec3 n)
 #ifdef RELIEVO_GLYPH_DEPTH
   relievoDepth = clamp(relievoDepth, relievoGlyphDepthsVSOutput.x, relievoGlyphDepthsVSOutput.y);
 #endif
-  // Points as spheres and lines as tubes stand before their primitive by a share of the radius,
+  // Points as spheres and lines as tubes lie in front of their primitive by a share of the radius,
   // which VTK gives in eye space at unit depth.
 #if defined(RELIEVO_SPHERE_POINTS) || defined(RELIEVO_TUBE_LINES)
 #ifdef RELIEVO_SPHERE_POINTS
@@ -140,7 +139,7 @@ uvec3 relievoPackNormal(vec3 n)
 #ifdef RELIEVO_HAS_NORMAL
   relievoNormalVC = normalVCVSOutput;
 #ifdef RELIEVO_NORMAL_BY_WINDING
-  // VTK turns these by the winding, which a mirroring matrix inverts.
+  // VTK orients these by the winding, which a mirroring matrix inverts.
   relievoNormalVC *= relievoWinding;
 #ifdef RELIEVO_GLYPH_WINDING
   relievoNormalVC *= relievoGlyphWindingVSOutput;
@@ -227,7 +226,7 @@ uvec3 relievoPackNormal(vec3 n)
     relievoAlbedo.rgb = ambientColor / relievoAmbient;
   }
 #endif
-  // VTK's own texture code once more, on the unlit colour. Its output has this name by then.
+  // Repeats VTK's texture code on the unlit colour, which then has the name of the code's output.
   {
 #define fragOutput0 relievoAlbedo
     //RELIEVO::Texture::Copy
@@ -300,17 +299,17 @@ uvec3 relievoPackNormal(vec3 n)
   relievoOutput5 = uvec4(relievoWords[16], relievoWords[17], relievoWords[18], relievoWords[19]);
 #endif
 #ifdef RELIEVO_LINEAR_VISIBILITY
-  // Window z cannot order far fragments when far / near is large; a float of the depth itself keeps
+  // Window z cannot order far fragments if far / near is large; a float of the depth itself keeps
   // its relative precision everywhere.
 #ifdef RELIEVO_COINCIDENT_OFFSET
-  // VTK moves coincident surfaces apart in window z; here by the same part of the depth.
+  // VTK separates coincident surfaces in window z; here by the same share of the depth.
   gl_FragDepth = (relievoDepth / relievoFar) * (1.0 + gl_FragDepth - gl_FragCoord.z);
 #else
   gl_FragDepth = relievoDepth / relievoFar;
 #endif
 #endif
 #ifdef RELIEVO_LAYERS_ONLY
-  // Nobody sees the colour: what only it needs (light, reflections) is not computed.
+  // The colour is unused, so its light and reflections are not computed.
   gl_FragData[0] = vec4(0.0, 0.0, 0.0, gl_FragData[0].a);
 #endif
 

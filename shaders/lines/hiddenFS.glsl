@@ -4,7 +4,7 @@
 //VTK::Output::Dec
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-// How much of a pixel a piece of a dashed line covers, where what is seen lies before it.
+// The cover of a pixel by a piece of a dashed line that is hidden by the visible surface.
 //RELIEVO::Include(gbuffer/read.glsl)
 flat in vec4 linesEnds;
 flat in vec4 linesAlong;
@@ -13,13 +13,14 @@ uniform mat4 relievoProjection;
 uniform float linesHalfWidth;
 uniform float linesDashShare;
 
-// What is seen is before the line if it is so in the pixel and all around it, by more than this
-// many pixels' widths: an edge that is seen lies on one side or the other at what is seen.
+// A line is hidden if the visible surface lies in front of it in the pixel and all around it, by
+// more than this many pixels' widths: next to a visible edge some pixel shows the edge's own depth.
 const float linesBefore = 3.0;
 
 bool linesIsHidden(vec2 place, float nearness)
 {
-  // A pixel's width at depth z is this of z, or this in all depths; in 1 / z it is this of 1 / z.
+  // Width of a pixel at unit depth; times z in perspective, so times 1 / z for depths stored as 1 /
+  // z.
   float width = 2.0 / (relievoProjection[1][1] * relievoSize.y);
   float least = nearness + linesBefore * width * (relievoParallel != 0 ? 1.0 : nearness);
   ivec2 last = ivec2(relievoSize) - 1;
@@ -51,7 +52,7 @@ void main()
   if (steps > 0.0)
   {
     float at = linesAlong.z + along * steps;
-    float off = abs(at - floor(at + 0.5)); // from a dash's middle
+    float off = abs(at - floor(at + 0.5)); // distance from a dash's middle
     cover *= clamp((0.5 * linesDashShare - off) * far / steps + 0.5, 0.0, 1.0);
   }
   if (!(cover > 0.0) || !linesIsHidden(place, mix(linesAlong.x, linesAlong.y, along)))

@@ -1,12 +1,12 @@
 //VTK::System::Dec
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The rectangle round each piece of a dashed line, as a strip of 4 corners.
-uniform samplerBuffer linesPieces; // of vtkRelievoDashes
+// The rectangle around each piece of a dashed line, as a strip of 4 corners.
+uniform samplerBuffer linesPieces; // see vtkRelievoDashes
 uniform vec2 relievoSize;
 uniform float linesHalfWidth;
 flat out vec4 linesEnds;  // in pixels
-flat out vec4 linesAlong; // nearness at both ends, dashes up to there
+flat out vec4 linesAlong; // nearness at both ends, number of dashes up to both
 
 void main()
 {

@@ -3,9 +3,9 @@
 //VTK::Output::Dec
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-// How much of a pixel lines cover, by its distance to the nearest side that is one; premultiplied.
-// LINES_HIDDEN: a pixel is covered at least as much as by the dashes of hidden lines, which
-// hiddenFS.glsl has drawn.
+// The cover of a pixel by lines, from its distance to the nearest side that is a line;
+// premultiplied. LINES_HIDDEN: the cover is at least that of the dashes of hidden lines, drawn by
+// hiddenFS.glsl.
 //RELIEVO::Include(formulas/srgb.glsl)
 in vec2 texCoord;
 uniform vec2 relievoSize;
@@ -29,7 +29,8 @@ void main()
         continue;
       }
       vec2 sides = texelFetch(linesSides, at, 0).xy;
-      // A side is as long as a pixel: right, from (x + 0.5, y - 0.5) upwards; above likewise.
+      // A side is one pixel long: the right one runs upwards from (x + 0.5, y - 0.5); the upper one
+      // likewise.
       vec2 off = abs(vec2(x, y));
       if (sides.x > 0.0)
       {

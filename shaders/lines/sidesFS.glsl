@@ -4,7 +4,7 @@
 //VTK::Output::Dec
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Which sides of a pixel are lines: x the one to its right, y the one above it. LINES_CREASES.
+// The sides of a pixel that are lines: x the right one, y the upper one. LINES_CREASES.
 //RELIEVO::Include(gbuffer/read.glsl)
 in vec2 texCoord;
 uniform vec2 relievoSize;
@@ -13,15 +13,16 @@ uniform int linesOutlines;
 uniform int linesFolds;
 uniform float linesCreaseCosine;
 
-// A jump is so many times what the sides lead to: two pixels within the curve of a ball's rim
-// differ by 2.4 times as much as the two beside them.
+// A jump exceeds the change expected from the slopes on the sides by this factor: two pixels within
+// the curve of a ball's rim differ by 2.4 times as much as the two beside them.
 const float linesJump = 4.0;
-const float linesSteep = 3.0; // and this many pixels' widths deep: what is less is a steep slope
+// And exceeds this many pixels' widths in depth; less is a steep slope.
+const float linesSteep = 3.0;
 
 struct linesPixel
 {
-  uint part;    // 0: nothing
-  float depth;  // straight in the picture of a plane
+  uint part;    // 0: background
+  float depth;  // linear in the picture of a plane
   vec3 normal;
 };
 
@@ -40,15 +41,15 @@ linesPixel linesFetch(ivec2 pixel)
   return found;
 }
 
-// So many pixels' widths in depth: a pixel's width at depth z is this of z, or this in all depths;
-// in 1 / z it is this of 1 / z.
+// A number of pixels' widths as a difference of stored depths: a pixel's width is proportional to z
+// in perspective, so to 1 / z for depths stored as 1 / z.
 float linesDepthOf(float widths, linesPixel a, linesPixel b)
 {
   float width = 2.0 / (relievoProjection[1][1] * relievoSize.y);
   return widths * width * (relievoParallel != 0 ? 1.0 : min(a.depth, b.depth));
 }
 
-// Whether a surface without a crease may lead from one pixel to the next.
+// Whether a surface without a crease may connect the two pixels.
 bool linesLeads(linesPixel a, linesPixel b)
 {
   return a.part == b.part && a.part != uint(0) && dot(a.normal, b.normal) >= linesCreaseCosine &&
@@ -60,8 +61,9 @@ bool linesLeads(linesPixel a, linesPixel b, linesPixel c, linesPixel d)
   return linesLeads(a, b) && linesLeads(b, c) && linesLeads(c, d);
 }
 
-// Between b and c of four pixels in a row. around: a surface without a crease leads from one to the
-// other through the pixels beside them: their triangles touch in a corner alone.
+// Whether there is a line between b and c of four pixels in a row. around: a surface without a
+// crease connects b and c through the neighbouring pixels, so that their triangles only touch in a
+// corner.
 bool linesIsSide(linesPixel a, linesPixel b, linesPixel c, linesPixel d, bool around)
 {
   if (b.part != c.part)
@@ -72,7 +74,7 @@ bool linesIsSide(linesPixel a, linesPixel b, linesPixel c, linesPixel d, bool ar
   {
     return false;
   }
-  bool before = a.part == b.part; // there is a slope on this side
+  bool before = a.part == b.part; // a slope exists on this side
   bool after = d.part == c.part;
   if (linesFolds != 0 && (before || after))
   {
@@ -86,7 +88,7 @@ bool linesIsSide(linesPixel a, linesPixel b, linesPixel c, linesPixel d, bool ar
   float jump = dot(b.normal, c.normal);
   if (jump < linesCreaseCosine && !around)
   {
-    // Where it curves as much on both sides it is no crease, but round, or too far to see.
+    // A surface that curves as much on both sides is round, or too far away, but not a crease.
     float beside =
       min(before ? dot(a.normal, b.normal) : 1.0, after ? dot(c.normal, d.normal) : 1.0);
     return acos(clamp(jump, -1.0, 1.0)) > 2.0 * acos(clamp(beside, -1.0, 1.0));
@@ -111,7 +113,7 @@ void main()
   around.y = linesLeads(here, right, corner, above) ||
     linesLeads(here, left, linesFetch(pixel + ivec2(-1, 1)), above);
 #endif
-  // The picture ends without a line.
+  // The picture's border is not a line.
   bvec2 inside = lessThan(pixel + 1, ivec2(relievoSize));
   bool x =
     inside.x && linesIsSide(left, here, right, linesFetch(pixel + ivec2(2, 0)), around.x);

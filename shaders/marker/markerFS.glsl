@@ -4,21 +4,21 @@
 //VTK::Output::Dec
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What one marker covers of a pixel, premultiplied. All lengths but depths are in units of the
-// marker's own. RELIEVO_MARKER_SHADOWS: some are blob shadows, which need the normals.
+// The cover of a pixel by one marker, premultiplied. All lengths but depths are in units of the
+// marker. RELIEVO_MARKER_SHADOWS: some markers are blob shadows, which need the normals.
 //RELIEVO::Include(gbuffer/read.glsl)
 //RELIEVO::Include(formulas/marker.glsl)
 flat in vec4 markerColor;
-flat in vec4 markerOrigin;  // from the centre to the ray at the centre's depth, and at which pixel
-flat in vec4 markerOffsets; // its change by pixels in x, and in y
-flat in vec4 markerDepth;   // of the centre; what that lacks as a float; 1 / unit; shape
-flat in vec4 markerEdges;   // outer and inner radius; or of a shadow: heights
-flat in vec4 markerAxisX;   // of the box, in eye space, and its half length
+flat in vec4 markerOrigin;  // from the centre to the ray at the centre's depth; and the pixel
+flat in vec4 markerOffsets; // change of the origin per pixel in x, and in y
+flat in vec4 markerDepth;   // of the centre; its remainder as a float; 1 / unit; shape
+flat in vec4 markerEdges;   // outer and inner radius; for a shadow: heights
+flat in vec4 markerAxisX;   // axis of the box, in eye space, and its half length
 flat in vec4 markerAxisY;
 flat in vec4 markerAxisZ;
 uniform vec2 relievoSize;
 uniform vec2 markerDirection;     // x and y of the ray of pixel (0, 0), per unit of depth
-uniform vec4 markerDirectionStep; // their change by pixels in x, and in y
+uniform vec4 markerDirectionStep; // change of the direction per pixel in x, and in y
 
 float relievoSlopeAt(ivec2 pixel, float depth, ivec2 aside, int index, int count)
 {
@@ -53,7 +53,7 @@ void main()
   float deeper = ((depth - markerDepth.x) - markerDepth.y) * unit;
   vec3 place = vec3(markerOrigin.xy + markerOffsets.xy * away.x + markerOffsets.zw * away.y +
     deeper * direction, -deeper);
-  if (!(dot(place, place) < 1e8)) // too far for floats, and for any marker
+  if (!(dot(place, place) < 1e8)) // too far for floats, and for every marker
   {
     discard;
   }
@@ -61,7 +61,7 @@ void main()
 #ifdef RELIEVO_MARKER_SHADOWS
   if (markerDepth.w == 3.0)
   {
-    // The axes are those of the ellipse around the shadow's axis, over their half lengths; and up.
+    // The axes of the ellipse around the shadow's axis, over their half lengths; and up.
     float alongX = dot(markerAxisX.xyz, place);
     float alongY = dot(markerAxisY.xyz, place);
     vec3 normalVC = relievoFetchNormal(pixel);

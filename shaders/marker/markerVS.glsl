@@ -1,10 +1,11 @@
 //VTK::System::Dec
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The rectangle of each marker, as a strip of 4 corners, and what vtkRelievoMarkerList says of it.
+// The rectangle of each marker, as a strip of 4 corners, and the marker's values of
+// vtkRelievoMarkerList.
 uniform samplerBuffer markers;
 uniform vec2 relievoSize;
-flat out vec4 markerColor; // opacity last
+flat out vec4 markerColor; // a: opacity
 flat out vec4 markerOrigin;
 flat out vec4 markerOffsets;
 flat out vec4 markerDepth;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Spliced into VTK's fragment shaders by vtkRelievoMaterial: what is below a cutoff in opacity is
-// left out, all else is opaque. What it shares with other splices: splice/contract.glsl.
+// Spliced into VTK's fragment shaders by vtkRelievoMaterial: discards fragments below a cutoff in
+// opacity, and makes the others opaque. Names shared with other splices: splice/contract.glsl.
 
 //RELIEVO::Section(Defines)
 #undef RELIEVO_ALPHA
@@ -11,7 +11,7 @@
 uniform float relievoAlphaCutoff; // above 0
 
 //RELIEVO::Section(FragmentImpl)
-  // Behind VTK's colours, lights and textures, which have put all parts of the opacity together.
+  // After VTK's colours, lights and textures, which have combined all factors of the opacity.
   if (gl_FragData[0].a < relievoAlphaCutoff)
   {
     discard;

@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Spliced into VTK's shaders by vtkRelievoMaterial: what a surface mirrors of an environment, and
-// how the environment lights it.
+// Spliced into VTK's shaders by vtkRelievoMaterial: reflection of an environment, and lighting by
+// it.
 //
 // Defines: those of environment/lookup.glsl, RELIEVO_IRRADIANCE (the environment has coefficients),
-// RELIEVO_ENCODED (colours stand for light by a power of 1 / 2.2), RELIEVO_PBR (they do so in VTK's
-// shader already, but for those that it computes with) and RELIEVO_HAS_ENV_MATRIX (VTK declares
+// RELIEVO_ENCODED (colours are encoded by a power of 1 / 2.2), RELIEVO_PBR (VTK's shader encodes
+// its output itself, but computes with linear colours) and RELIEVO_HAS_ENV_MATRIX (VTK declares
 // envMatrix).
 
 //RELIEVO::Section(FragmentDec)
@@ -13,12 +13,12 @@
 //RELIEVO::Include(formulas/fresnel.glsl)
 //RELIEVO::Include(material/eye.glsl)
 #ifndef RELIEVO_HAS_ENV_MATRIX
-uniform mat3 envMatrix; // VTK sets it: from the view to the world and the renderer's axes there
+uniform mat3 envMatrix; // set by VTK: from the view to the renderer's axes in the world
 #endif
 uniform mat3 relievoEnvironmentFromWorld;
 uniform vec4 relievoReflection; // reflectivity, roughness, weight, intensity
 vec3 relievoReflected = vec3(0.0); // direction in the environment
-float relievoReflectedWidth = 0.0; // radians that the pixel sees of it
+float relievoReflectedWidth = 0.0; // angle of the environment seen by the pixel, in radians
 float relievoGaze = 0.0; // cosine of the view to the normal
 
 #ifdef RELIEVO_ENCODED
@@ -70,21 +70,22 @@ uniform vec3 relievoIrradiance[9]; // with intensity and weight, over pi
 #endif
 
 //RELIEVO::Section(Mirror)
-  // The mirror lies before the surface and what is seen through it: it takes its share of both.
+  // The mirror lies in front of the surface and of everything visible through it: it covers a share
+  // of both.
   {
     vec3 mirrored =
       relievoReflection.w * relievoEnvironmentLight(relievoReflected, relievoReflectedWidth);
     vec3 share =
       vec3(relievoFresnel(relievoReflection.x, relievoGaze, relievoReflection.y));
 #ifdef RELIEVO_PBR
-    // A metal's mirror has its colour.
+    // A metal's reflection has its colour.
     vec3 ofMetal = vec3(relievoFresnel(albedo.r, relievoGaze, relievoReflection.y),
       relievoFresnel(albedo.g, relievoGaze, relievoReflection.y),
       relievoFresnel(albedo.b, relievoGaze, relievoReflection.y));
     share = mix(share, ofMetal, metallic);
 #endif
     share *= relievoReflection.z;
-    float hidden = max(share.r, max(share.g, share.b)); // of what is behind
+    float hidden = max(share.r, max(share.g, share.b)); // covered share of everything behind
     float opacity = 1.0 - (1.0 - gl_FragData[0].a) * (1.0 - hidden);
     vec3 own = relievoLightOf(gl_FragData[0].rgb) * gl_FragData[0].a * (1.0 - share);
     vec3 light = (own + share * mirrored) / max(opacity, 1e-6);

@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Spliced into VTK's shaders by vtkRelievoMaterial: normals from a map, relief from heights.
 //
-// Defines: RELIEVO_NORMAL_MAP, RELIEVO_HEIGHT_MAP; with normals RELIEVO_TANGENTS (the mesh brings
-// tangents), RELIEVO_NORMAL_TEXTURE (VTK's shader maps normals of its own, by a frame `tbn`); with
+// Defines: RELIEVO_NORMAL_MAP, RELIEVO_HEIGHT_MAP; with normals RELIEVO_TANGENTS (the mesh has
+// tangents), RELIEVO_NORMAL_TEXTURE (VTK's shader maps its own normals, by a frame `tbn`); with
 // heights RELIEVO_METHOD (a code of codes.glsl), RELIEVO_DEPTH_CORRECTION; RELIEVO_TEXTURE_MATRIX
 // (VTK's texture has a transform).
-// What it shares with other splices: splice/contract.glsl.
+// Names shared with other splices: splice/contract.glsl.
 //
-// Heights are from 0 to 1, the mesh itself being at 1; below, depth is 1 - height.
+// Heights are from 0 to 1, with the mesh itself at 1; below, depth is 1 - height.
 
 //RELIEVO::Section(TCoordDec)
 in vec2 tcoord;
@@ -52,18 +52,19 @@ in vec3 relievoTangentVSOutput;
 #endif
 uniform vec4 relievoTextureTransform; // tiles per texture coordinate, offset in tiles
 #ifdef RELIEVO_TEXTURE_MATRIX
-uniform mat4 tcMatrix; // VTK's, of the texture's own transform
+uniform mat4 tcMatrix; // VTK's matrix of the texture's transform
 #endif
 
-vec2 relievoUV = vec2(0.0); // of what is seen, in tiles
-vec2 relievoTCoord = vec2(0.0); // the same, as VTK's textures count
+vec2 relievoUV = vec2(0.0); // of the visible point, in tiles
+vec2 relievoTCoord = vec2(0.0); // in the coordinates of VTK's textures
 vec2 relievoUVdX = vec2(0.0); // per pixel, on the mesh
 vec2 relievoUVdY = vec2(0.0);
 vec3 relievoPerU = vec3(1.0, 0.0, 0.0); // eye space, on the mesh
 vec3 relievoPerV = vec3(0.0, 1.0, 0.0);
-float relievoHandedness = 1.0; // -1 on mirrored coordinates, as they are seen
-vec3 relievoFaceVC = vec3(0.0, 0.0, 1.0); // of the mesh's face, towards the eye; unit with heights
-bool relievoFramed = false; // there is a frame: texture coordinates spread over the face
+float relievoHandedness = 1.0; // -1 for coordinates mirrored in the view
+// Normal of the mesh's face, towards the eye; unit with heights.
+vec3 relievoFaceVC = vec3(0.0, 0.0, 1.0);
+bool relievoFramed = false; // texture coordinates span the face
 
 #ifdef RELIEVO_NORMAL_MAP
 uniform sampler2D relievoNormalMap;
@@ -76,19 +77,20 @@ uniform vec2 relievoNormalWeight; // of the map's x and y: strength; negative y 
 #undef RELIEVO_SURFACE_VC
 #define RELIEVO_SURFACE_VC relievoSurfaceVC
 #endif
-// A relief shows another place of its mesh than the one that the pixel sees.
+// A relief shows another point of its mesh than the one at the pixel.
 #undef RELIEVO_RECEIVER
 #define RELIEVO_RECEIVER(matrix, place) ((place) + (matrix) * vec4(relievoShiftVC, 0.0))
 uniform sampler2D relievoHeightMap;
-uniform int relievoFromLight; // of shadow/: the mesh casts, not its relief
+// From shadow/: casters are drawn, with the mesh and without its relief.
+uniform int relievoFromLight;
 uniform vec2 relievoHeightDecode; // from the texture's values to 0 .. 1: scale, offset
 uniform vec2 relievoHeightSize; // texels
-uniform float relievoHeightScale; // length in the world of a height of 1
-uniform vec4 relievoSteps; // per texel; least, most; of the refinement
-float relievoLevel = 0.0; // of the map's mipmaps: one for all looks along a ray
+uniform float relievoHeightScale; // world length of a height of 1
+uniform vec4 relievoSteps; // steps per texel; least, most; refinement steps
+float relievoLevel = 0.0; // mipmap level, one for all samples along a ray
 float relievoHitDepth = 0.0; // 0 on the mesh, 1 on the ground
-vec3 relievoSurfaceVC = vec3(0.0); // what is seen
-vec3 relievoShiftVC = vec3(0.0); // to the place of the mesh above it
+vec3 relievoSurfaceVC = vec3(0.0); // position of the visible point
+vec3 relievoShiftVC = vec3(0.0); // offset to the point of the mesh above it
 
 float relievoHeight(vec2 uv)
 {
@@ -96,15 +98,14 @@ float relievoHeight(vec2 uv)
     relievoHeightDecode.y;
 }
 
-// Looks along a ray that leaves texels behind as fast as `through` does in all: more for a ray that
-// grazes the surface.
+// Number of samples along a ray that moves by `through` in total: more for a grazing ray.
 float relievoStepsOf(vec2 through)
 {
   float texels = length(through * relievoHeightSize) * exp2(-relievoLevel);
   return clamp(ceil(texels * relievoSteps.x), relievoSteps.y, relievoSteps.z);
 }
 
-// Depth at which a ray that enters at uv and moves by `through` until the ground meets the heights.
+// Depth at which a ray from uv hits the heights; it moves by `through` on its way to the ground.
 float relievoMeet(vec2 uv, vec2 through)
 {
 #if RELIEVO_METHOD == RELIEVO_METHOD_PARALLAX
@@ -112,9 +113,9 @@ float relievoMeet(vec2 uv, vec2 through)
 #else
   float steps = relievoStepsOf(through);
   float inside = 1.0;
-  float insideBelow = 0.0; // how far the ray is below the heights
+  float insideBelow = 0.0; // distance of the ray below the heights
   float outside = 0.0;
-  float outsideAbove = 1.0 - relievoHeight(uv); // and how far above
+  float outsideAbove = 1.0 - relievoHeight(uv); // and above them
   if (outsideAbove <= 0.0)
   {
     return 0.0;
@@ -152,7 +153,7 @@ float relievoMeet(vec2 uv, vec2 through)
     }
   }
 #endif
-  // The heights as a straight line between the two looks.
+  // Interpolates the heights linearly between the two samples.
   return mix(outside, inside, outsideAbove / max(outsideAbove + insideBelow, 1e-20));
 #endif
 #endif
@@ -160,7 +161,7 @@ float relievoMeet(vec2 uv, vec2 through)
 
 void relievoSeeRelief(vec3 gazeVC, vec3 vertexVC)
 {
-  // Of a pixel's footprint the shorter side: along the longer one the ray takes its steps.
+  // The shorter side of the pixel's footprint: along the longer one the ray takes its steps.
   float across =
     min(length(relievoUVdX * relievoHeightSize), length(relievoUVdY * relievoHeightSize));
   relievoLevel = max(0.0, log2(across));
@@ -168,7 +169,7 @@ void relievoSeeRelief(vec3 gazeVC, vec3 vertexVC)
   float down = max(-dot(gazeVC, relievoFaceVC), 1e-3);
   vec2 through = relievoTextureStep(gazeVC, relievoPerU, relievoPerV) * (relievoHeightScale / down);
 #if RELIEVO_METHOD == RELIEVO_METHOD_PARALLAX
-  // Offset limited: the ray's full shift would tear at grazing angles.
+  // Limits the offset: the ray's full shift would tear the surface at grazing angles.
   through *= down;
 #endif
   relievoHitDepth = relievoMeet(relievoUV, through);
@@ -179,7 +180,7 @@ void relievoSeeRelief(vec3 gazeVC, vec3 vertexVC)
 #endif
 }
 
-// Slope of the heights in lengths of the world, per tile.
+// Slope of the heights in world lengths per tile.
 vec2 relievoSlopes(vec2 uv)
 {
   vec2 texel = exp2(relievoLevel) / relievoHeightSize;
@@ -190,7 +191,7 @@ vec2 relievoSlopes(vec2 uv)
       relievoHeight(uv + y) - relievoHeight(uv - y)) / texel;
 }
 
-// 1 if a light from this direction (eye space, unit) reaches what is seen of the relief.
+// 1 if a light from this direction (eye space, unit) reaches the visible point of the relief.
 float relievoReliefLit(vec3 towardsVC)
 {
   float up = dot(towardsVC, relievoFaceVC);
@@ -198,7 +199,7 @@ float relievoReliefLit(vec3 towardsVC)
   {
     return 1.0;
   }
-  // From the place on, up to the mesh.
+  // From the visible point up to the mesh.
   vec2 through = relievoTextureStep(towardsVC, relievoPerU, relievoPerV) *
     (relievoHeightScale * relievoHitDepth / up);
   float steps = relievoStepsOf(through);
@@ -206,7 +207,7 @@ float relievoReliefLit(vec3 towardsVC)
   {
     float way = i / steps;
     float depth = relievoHitDepth * (1.0 - way);
-    // A texel's height lifts the start off its own slope.
+    // The tolerance prevents the start's own slope from blocking the light.
     if (relievoHeight(relievoUV + way * through) > 1.0 - depth + 0.002)
     {
       return 0.0;
@@ -256,7 +257,7 @@ float relievoReliefLit(vec3 towardsVC)
 #endif
 
 //RELIEVO::Section(Clip)
-  // Behind all of //VTK::UniformFlow::Impl: beside what is discarded there are no derivatives.
+  // After all of //VTK::UniformFlow::Impl: there are no derivatives next to discarded fragments.
   bool relievoBeyond =
     any(lessThan(relievoUV, vec2(0.0))) || any(greaterThan(relievoUV, vec2(1.0)));
   if (relievoBeyond && relievoFromLight == 0)
@@ -271,8 +272,8 @@ uniform mat4 MCVCMatrix;
 uniform mat4 MCDCMatrix;
 
 //RELIEVO::Section(Depth)
-  // Window z is -A - B / z in a perspective, A z + B in a parallel picture; A and B from what VTK's
-  // matrices do to z. Only the difference to the mesh is computed: it keeps its digits.
+  // Window z is -A - B / z in perspective, A z + B in a parallel projection; A and B come from
+  // VTK's matrices. Only the difference from the mesh is computed, which preserves its digits.
   {
     vec4 toVC = vec4(MCVCMatrix[0].z, MCVCMatrix[1].z, MCVCMatrix[2].z, MCVCMatrix[3].z);
     vec4 toDC = vec4(MCDCMatrix[0].z, MCDCMatrix[1].z, MCDCMatrix[2].z, MCDCMatrix[3].z);
@@ -288,10 +289,10 @@ uniform mat4 MCDCMatrix;
   if (relievoFramed)
   {
 #ifdef RELIEVO_NORMAL_TEXTURE
-    normalVCVSOutput = tbn[2]; // as it was before VTK's normal texture, which the map replaces
+    normalVCVSOutput = tbn[2]; // the normal before VTK's normal texture, which the map replaces
 #endif
-    // VTK turns normals by the winding, which a mirroring actor inverts: map on the side that is
-    // seen, and leave it turned as VTK has it.
+    // VTK orients normals by the winding, which a mirroring actor inverts: maps on the visible
+    // side, and keeps VTK's orientation.
     float relievoSide = dot(normalVCVSOutput, relievoFaceVC) < 0.0 ? -1.0 : 1.0;
 #ifdef RELIEVO_NORMAL_MAP
 #ifdef RELIEVO_HEIGHT_MAP
@@ -299,7 +300,7 @@ uniform mat4 MCDCMatrix;
       textureGrad(relievoNormalMap, relievoUV, relievoUVdX, relievoUVdY).xyz;
 #endif
     relievoMapped = relievoMapped * relievoNormalDecode.x + relievoNormalDecode.y;
-    // Mapping on the other side and turning the result back is, in one: x the other way round.
+    // Mapping on the other side and turning the result back equals a change of the sign of x.
     relievoMapped.xy *= vec2(relievoSide, 1.0) * relievoNormalWeight;
 #ifdef RELIEVO_TANGENTS
     vec3 relievoTangentVC = relievoTangentVSOutput;

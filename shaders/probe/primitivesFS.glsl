@@ -1,7 +1,7 @@
 //VTK::System::Dec
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The primitive's number; the varyings are all read, but change nothing.
+// The primitive's number; all varyings are read, without effect on the number.
 #extension GL_ARB_explicit_attrib_location : require
 //RELIEVO::Defines
 in vec4 positionVSOutput;

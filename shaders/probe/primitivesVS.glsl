@@ -1,8 +1,8 @@
 //VTK::System::Dec
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Triangle i covers the pixel centres of row i of a viewport of relievoRows rows. Varyings like
-// those of VTK's mappers, RELIEVO_VARYINGS of them, lie beside the primitive's number.
+// Triangle i covers the pixel centres of row i of a viewport of relievoRows rows. RELIEVO_VARYINGS
+// varyings like those of VTK's mappers accompany the primitive's number.
 //RELIEVO::Defines
 uniform int relievoRows;
 out vec4 positionVSOutput;

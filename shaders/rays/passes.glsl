@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What of a light passes surfaces: a share. With RELIEVO_SHADOW_COLORED, the shares of red, green
-// and blue, and behind them the share that the surfaces' colours have no part in.
+// Light transmitted by surfaces, as a share. With RELIEVO_SHADOW_COLORED: the shares of red, green
+// and blue, and last the share without the surfaces' colours.
 #ifdef RELIEVO_SHADOW_COLORED
 #define RELIEVO_PASSES vec4
 #define RELIEVO_PASSES_WHOLE(passes) (passes).w

@@ -1,20 +1,20 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The triangles of what casts or hides, for walks along rays.
+// The triangles that cast shadows or hide the sky, for traversal along rays.
 //
 // The buffer, by vtkRelievoTreeBuffer: nodes of a tree over the casters (vtkRelievoBoxTree), a
 // record of five texels for each caster, then for each mesh, at a multiple of 16 texels, the nodes
 // of a tree over its triangles and the triangles, five texels for two.
 //
-// On software OpenGL branches cost what is in them, whether they are taken or not, and loops one
-// turn at least. So each loop does one thing until there is something else to do.
+// On software OpenGL branches cost their content whether they are taken or not, and loops at least
+// one turn. So each loop does only one kind of work until another kind is due.
 uniform samplerBuffer relievoTree;
 uniform int relievoTreeNodes;   // over the casters
 uniform int relievoTreeRecords; // texel of the first record
-// How far places may be off: constant, and per distance from the eye.
+// Error of positions: constant, and per distance from the eye.
 uniform vec2 relievoTreeBlur;
 
-// The corners of a mesh's triangle; `triangles`: texel of the mesh's first.
+// The corners of a mesh's triangle; `triangles`: texel of the mesh's first triangle.
 void relievoTreeTriangle(int triangles, int slot, out vec3 a, out vec3 b, out vec3 c)
 {
   bool odd = (slot & 1) != 0;

@@ -1,18 +1,19 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Walks the casters' triangles along a ray to a light. The includer has formulas/shadow.glsl and
-// rays/passes.glsl.
+// Traces a ray to a light through the casters' triangles. The including shader has
+// formulas/shadow.glsl and rays/passes.glsl.
 //RELIEVO::Include(formulas/ray.glsl)
 //RELIEVO::Include(rays/tree.glsl)
 
-// What of a light passes along a ray: the product of 1 - opacity of what it meets, and of its
-// colours, from where it starts to the light, which is at its end or infinitely far. A surface that
-// the start or the end lies in, within `blur`, does not count. casters: nodes over them, or 0 to go
-// nowhere.
+// Light transmitted along a ray: the product of 1 - opacity, and of the colours, of all hit
+// surfaces between the start and the light, which is at the ray's end or infinitely far. Surfaces
+// that contain the start or the end, within `blur`, do not count. casters: number of nodes over the
+// casters, or 0 to skip the traversal.
 //
-// snapLC: towards the eye, as long as the start may lie off the plane of what is seen there, behind
-// it. Rasters place corners on a grid, which tilts narrow triangles and shows a triangle a little
-// beyond its edge, behind its neighbour; neither is between the start and a light.
+// snapLC: a vector towards the eye, whose length is the largest error by which the start may lie
+// behind the visible surface's plane. Rasterisers place corners on a grid, which tilts narrow
+// triangles and draws a triangle slightly beyond its edge, behind its neighbour; neither lies
+// between the start and a light.
 RELIEVO_PASSES relievoTreeWalk(
   int casters, vec3 fromLC, vec3 rayLC, bool ends, float blur, vec3 snapLC)
 {
@@ -39,11 +40,11 @@ RELIEVO_PASSES relievoTreeWalk(
     vec4 mesh = texelFetch(relievoTree, record + 3); // texel / 16, nodes, 1 - opacity
     vec4 size = texelFetch(relievoTree, record + 4); // scale, blur
 #ifdef RELIEVO_SHADOW_COLORED
-    vec4 share = vec4(mesh.w, size.zw, mesh.z); // of the colours, less what is blocked
+    vec4 share = vec4(mesh.w, size.zw, mesh.z); // colours' share, minus the blocked share
 #else
     float share = mesh.z;
 #endif
-    // What blocks all may count twice, and so has no gaps, whatever it is next to.
+    // Opaque casters may be counted twice, which closes gaps to their neighbours.
     bool blocks = mesh.z == 0.0;
     int base = 16 * int(mesh.x);
     int nodes = found < 0 ? 0 : int(mesh.y);

@@ -1,7 +1,7 @@
 //VTK::System::Dec
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A quad over the viewport, from VTK's own corners, behind all that is drawn.
+// A quad over the viewport, from VTK's own corners, behind all geometry.
 in vec4 ndCoordIn;
 in vec2 texCoordIn;
 out vec2 texCoord;

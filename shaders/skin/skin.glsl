@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Moves points, normals and tangents with blended bones in the vertex shaders of VTK's mappers.
-// What moves each stands behind VTK's declaration, and takes its name in all that follows.
+// Moves points, normals and tangents with blended bones in the vertex shaders of VTK's mappers. The
+// code follows VTK's declaration of each, and takes over its name in all later code.
 //
-// Defines, by vtkRelievoSkinShader: RELIEVO_SKIN_INFLUENCES, most bones of a point, 1 to 8;
+// Defines, by vtkRelievoSkinShader: RELIEVO_SKIN_INFLUENCES, the most bones of a point, 1 to 8;
 // RELIEVO_SKIN_DUAL (dual quaternions, otherwise matrices).
 
 //RELIEVO::Section(Point)
@@ -11,17 +11,18 @@ in vec4 vertexMC;
 
 //RELIEVO::Section(PointMoved)
 //RELIEVO::Include(formulas/skin.glsl)
-// Strongest first; where a point has fewer, its first bone again with weight 0.
+// Strongest first; unused entries repeat the first bone with weight 0.
 in vec4 relievoJoints0;
-in vec4 relievoWeights0; // sum 1; all 0 where no bone moves the point
+in vec4 relievoWeights0; // sum 1; all 0 if no bone moves the point
 #if RELIEVO_SKIN_INFLUENCES > 4
 in vec4 relievoJoints1;
 in vec4 relievoWeights1;
 #endif
-// A bone's matrix by rows, 3 texels; with dual quaternions its stretch by columns, its turn and the
-// dual part, 5 texels.
+// A bone's matrix by rows, 3 texels; for dual quaternions its stretch by columns, its rotation and
+// the dual part, 5 texels.
 uniform samplerBuffer relievoBones;
-uniform vec3 relievoUnmovedBy; // far from the origin: from the mesh's middle to that of the pose
+// Offset of unmoved points far from the origin: from the mesh's middle to the pose's middle.
+uniform vec3 relievoUnmovedBy;
 
 mat3 relievoSkinLinear = mat3(0.0);
 vec4 relievoSkinnedMC = vec4(0.0);

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The contract of what gbuffer/, shadow/ and material/ splice into VTK's fragment shaders: every
-// name that one of them defines and another reads, and no other. Each may be there without the
-// others, in any order: all put the defaults (vtkRelievoSpliceText::GetContract) behind
-// //VTK::System::Dec; whoever reads finds them, whoever defines says #undef and #define.
+// The contract of the splices of gbuffer/, shadow/ and material/ into VTK's fragment shaders: all
+// names that one of them defines and another reads. Each may be present without the others, in any
+// order: all insert the defaults (vtkRelievoSpliceText::GetContract) after //VTK::System::Dec, so
+// that readers always find a definition; definers use #undef and #define.
 //
 // name                        defined by   read by   type, unit, range
 // RELIEVO_VISIBILITY(number)  shadow       gbuffer   float, 0 dark to 1 lit: what of the
@@ -25,18 +25,18 @@
 //                                                    drawn, else and without shadow/ 0; whoever
 //                                                    reads it declares it
 //
-// A macro is expanded where it is read: what it names must be declared further up by then.
+// A macro is expanded where it is read: the names that it uses must be declared before that place.
 // material/ declares behind //VTK::PositionVC::Dec, shadow/ behind //VTK::Light::Dec, gbuffer/
 // behind //VTK::Output::Dec; in main(), material/ writes before //VTK::UniformFlow::Impl, shadow/
 // before //VTK::Light::Impl, and gbuffer/ reads behind //VTK::Picking::Impl.
 //
-// RELIEVO_NUMBER is no macro: C++ fills it with the index of a light as in VTK's lightColor0.
+// RELIEVO_NUMBER is not a macro: C++ replaces it by the index of a light in VTK's lightColor0.
 //
-// Names of VTK's shaders that are read: vertexVC (position.glsl makes it where VTK has none),
-// normalVCVSOutput, cameraParallel, opacity, lightColorN. Names of VTK's that are taken over in
-// main(): lightColorN is VTK's light times what shadow/ and the relief of material/ let through,
-// tcoordVCVSOutput is the place that the relief shows; gbuffer/'s albedo runs VTK's code of
-// textures once more, and so sees what they made of it.
+// Reads these names of VTK's shaders: vertexVC (position.glsl makes it if VTK does not),
+// normalVCVSOutput, cameraParallel, opacity, lightColorN. Redefines these in main(): lightColorN is
+// VTK's light times the share that passes shadow/ and the relief of material/, tcoordVCVSOutput is
+// the visible point of the relief; gbuffer/'s albedo runs VTK's code of textures again, and so uses
+// them.
 
 //RELIEVO::Section(Defaults)
 #ifndef RELIEVO_CONTRACT

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Eye-space position for primitives that VTK draws without light, and so without vertexVC; for
-// every splice. RELIEVO_VERTEX_MC: VTK's name of the vertex, model coordinates (vec4); filled by
+// Eye-space position for primitives that VTK draws without light, and so without vertexVC; for all
+// splices. RELIEVO_VERTEX_MC: VTK's name of the vertex, model coordinates (vec4); filled by
 // vtkRelievoSpliceText.
 
 //RELIEVO::Section(VertexDec)

@@ -3,19 +3,19 @@
 //VTK::Output::Dec
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Sums over squares of 8 x 8: of logarithms of the luminance, and how many; where something is
-// drawn (x, y), and everywhere (z, w). RELIEVO_FIRST: of the colour's pixels; else of such sums.
+// Sums over squares of 8 x 8: logarithms of the luminance, and their number; over drawn pixels (x,
+// y), and over all (z, w). RELIEVO_FIRST: sums the colour's pixels; else earlier sums.
 #ifdef RELIEVO_FIRST
 //RELIEVO::Include(formulas/tone.glsl)
 //RELIEVO::Include(frame/color.glsl)
 //RELIEVO::Include(frame/drawn.glsl)
-uniform float toneBackgroundAlpha; // what is more opaque than this is drawn
+uniform float toneBackgroundAlpha; // pixels with a greater alpha are drawn
 #else
 uniform sampler2D toneSums;
 #endif
 in vec2 texCoord;
-uniform ivec2 toneSize;  // of what is summed
-uniform vec2 toneTarget; // of the sums
+uniform ivec2 toneSize;  // size of the input
+uniform vec2 toneTarget; // size of the output
 
 vec4 toneTerm(ivec2 at)
 {

@@ -4,9 +4,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 // The picture of the linear colour: exposure, tone operator RELIEVO_TONE_OPERATOR, sRGB curve,
-// dithering; and the depth as the delegate left it, if that has not been copied.
-// RELIEVO_TONE_PREMULTIPLIED: what is not opaque is a colour times its alpha.
-// RELIEVO_TONE_MEASURED: the exposure begins from the luminance that has been measured.
+// dithering; and the delegate's depth, if that has not been copied.
+// RELIEVO_TONE_PREMULTIPLIED: the colour of pixels with alpha below 1 is multiplied by alpha.
+// RELIEVO_TONE_MEASURED: the exposure starts from the measured luminance.
 // RELIEVO_TONE_DITHER: by Bayer's matrix, with RELIEVO_TONE_DITHER_TEXTURE by the texture.
 //RELIEVO::Include(formulas/srgb.glsl)
 //RELIEVO::Include(formulas/tone.glsl)
@@ -20,14 +20,14 @@ uniform float toneExposure; // a factor
 uniform sampler2D toneThresholds;
 #endif
 #ifdef RELIEVO_TONE_MEASURED
-uniform sampler2D toneSums; // as measureFS.glsl makes them, one texel
+uniform sampler2D toneSums; // output of measureFS.glsl, one texel
 #endif
 
 float toneExposureFactor()
 {
 #ifdef RELIEVO_TONE_MEASURED
   vec4 sums = texelFetch(toneSums, ivec2(0), 0);
-  // Where nothing is drawn, everything counts.
+  // If no pixel is drawn, all pixels count.
   vec2 sum = sums.y > 0.0 ? sums.xy : sums.zw;
   return sum.y > 0.0 ? toneExposure * relievoToneAutoExposure(sum.x / sum.y) : toneExposure;
 #else

@@ -14,7 +14,7 @@
  *
  * Where spheres overlap:
  * - SUM (default): optical depths add up, so transmittances multiply; colours are mixed by optical
- * depth, independent of order.
+ *   depth, independent of order.
  * - DOMINANT: only the sphere with the least transmittance counts.
  *
  * The picture is color T + fog (1 - T), in linear light, where T is the transmittance; also over

@@ -8,8 +8,8 @@
  * - outline: they show different parts (actors, blocks, glyphs), or a part and the background;
  * - crease: the triangles' normals of one part jump between them, and do not on either side;
  * - fold: the depth of one part jumps: one side lies in front of the other, and neither side's
- * slope leads there. Slopes are those of 1 / depth, in which planes are linear in a perspective
- * picture (Saito and Takahashi 1990 draw lines from such differences).
+ *   slope leads there. Slopes are those of 1 / depth, in which planes are linear in a perspective
+ *   picture (Saito and Takahashi 1990 draw lines from such differences).
  *
  * A line is centred on the border between the pixels, within half a pixel of the true edge.
  *

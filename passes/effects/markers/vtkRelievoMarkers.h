@@ -15,9 +15,9 @@
  * - GLOW: (1 - (distance / radius)^2)^2.
  * - DISC: everything within the radius.
  * - SHADOW: a soft, dark blob on surfaces below that face up, cast by a ball of the radius, or by
- * the actor's box grown by it. Its opacity is (1 - (d / r)^2)^2 at distance d from the axis, where
- * the shadow begins, and fades linearly with the height to 0 at `reach` radii. Nothing blocks it:
- * it falls on every surface below. The colour is not used.
+ *   the actor's box grown by it. Its opacity is (1 - (d / r)^2)^2 at distance d from the axis,
+ *   where the shadow begins, and fades linearly with the height to 0 at `reach` radii. Nothing
+ *   blocks it: it falls on every surface below. The colour is not used.
  *
  * Points whose radius or opacity (a ring's width, a shadow's reach) is 0 or less have no effect and
  * are counted (GetNumberLeftOut); the radius of an actor's shadow may be 0.

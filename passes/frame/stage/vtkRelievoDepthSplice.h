@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// VTK's shaders of spheres and tubes read gl_FragDepth before writing it when they shift coincident
-// surfaces, so that visibility depends on old register content. During a frame, gl_FragDepth is
-// initialized with the primitive's depth.
+// VTK's shaders of spheres and tubes read the fragment's depth before writing it when they shift
+// coincident surfaces, so that visibility depends on old register content. During a frame, that
+// depth is initialized with the primitive's depth.
 #ifndef vtkRelievoDepthSplice_h
 #define vtkRelievoDepthSplice_h
 
