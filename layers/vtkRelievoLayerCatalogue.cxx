@@ -36,38 +36,38 @@ std::vector<L> MakeTable()
     { "range", L::NUMBER, L::FROM_DEPTH, VTK_FLOAT, 1, Infinity, "Z",
       "distance from the eye, world units", "RANGE", L::VIEW, GetRange },
     { "normal", L::VECTOR, L::FROM_NORMAL, VTK_FLOAT, 3, 0.0, "X,Y,Z",
-      "unit normal as it is lit, world space", "NORMAL" },
+      "unit shading normal, world space", "NORMAL" },
     { "geometric_normal", L::VECTOR, L::FROM_GEOMETRIC_NORMAL, VTK_FLOAT, 3, 0.0, "X,Y,Z",
       "unit normal of the triangle, world space", "GEOMETRIC_NORMAL" },
-    { "position", L::POSITION, L::FROM_DEPTH, VTK_DOUBLE, 3, 0.0, "X,Y,Z", "place in the world", "",
-      L::WORLD, GetPlace },
+    { "position", L::POSITION, L::FROM_DEPTH, VTK_DOUBLE, 3, 0.0, "X,Y,Z", "position in the world",
+      "", L::WORLD, GetPlace },
     { "albedo", L::COLOR, L::FROM_ALBEDO, VTK_UNSIGNED_CHAR, 4, 0.0, "R,G,B,A",
-      "surface colour before light", "ALBEDO" },
+      "surface colour before lighting", "ALBEDO" },
     { "actor", L::ID, L::FROM_ID, VTK_INT, 1, -1.0, "id", "index of the actor, from 0" },
     { "block", L::ID, L::FROM_ID, VTK_INT, 1, -1.0, "id",
       "flat index of the block, 0 in data that is not composite" },
     { "cell", L::ID, L::FROM_ID, VTK_INT, 1, -1.0, "id", "index of the cell in its mesh, from 0" },
     { "light", L::COLOR, L::FROM_STAGE, VTK_FLOAT, 3, 0.0, "R,G,B",
-      "what lamps add, before the surface's colour" },
+      "light of lamps, before the surface's colour" },
     { "light_depth", L::NUMBER, L::FROM_STAGE, VTK_FLOAT, 1, Infinity, "Z",
-      "what a light's shadow map sees: distance along its axis, world units" },
+      "depth in a light's shadow map: distance along the light's axis, world units" },
     { "lamp_evaluations", L::NUMBER, L::FROM_STAGE, VTK_FLOAT, 1, 0.0, "V",
-      "how many lamps were computed for the pixel" },
+      "number of lamps computed for the pixel" },
     { "lamps_reaching", L::NUMBER, L::FROM_STAGE, VTK_FLOAT, 1, 0.0, "V",
-      "how many lamps reach the pixel's surface" },
+      "number of lamps that reach the pixel's surface" },
     { "blend", L::COLOR, L::FROM_STAGE, VTK_FLOAT, 4, 0.0, "R,G,B,A",
-      "what is translucent, scene-linear and premultiplied" },
+      "translucent surfaces, scene-linear and premultiplied" },
     { "color", L::COLOR, L::FROM_PICTURE, VTK_FLOAT, 4, OfRenderer, "R,G,B,A",
       "the picture, scene-linear and premultiplied" },
   };
   table.push_back({ "fog", L::SHARE, L::FROM_STAGE, VTK_FLOAT, 1, 1.0, "V",
-    "what fog lets through: 1 all, 0 nothing" });
+    "transmittance of fog: 1 all, 0 nothing" });
   table.push_back({ "ambient", L::SHARE, L::FROM_STAGE, VTK_FLOAT, 1, 1.0, "V",
-    "share of the sky that is seen from the surface: 1 all, 0 nothing" });
+    "visible share of the sky at the surface: 1 all, 0 nothing" });
   table.push_back({ "marker", L::SHARE, L::FROM_STAGE, VTK_FLOAT, 1, 0.0, "V",
-    "how much of the surface markers cover: 0 nothing, 1 all" });
+    "cover of the surface by markers: 0 nothing, 1 all" });
   L shadow = { "shadow_", L::SHARE, L::FROM_SHADOW, VTK_FLOAT, 1, 1.0, "V",
-    "what is not blocked of a light: 1 lit, 0 dark" };
+    "visibility of a light: 1 lit, 0 dark" };
   shadow.OfLight = true;
   table.push_back(shadow);
   return table;

@@ -4,8 +4,8 @@
  * @class vtkRelievoLayerCatalogue
  * @brief All layers: names, types, backgrounds, help.
  *
- * It is the only such list: readers, files, displays, lists of names and ParaView's properties ask
- * it or are generated from it, and a new layer is one entry of its table (vtkRelievoLayer).
+ * The only such list: readers, files, displays, lists of names and ParaView's properties query it
+ * or are generated from it, and a new layer is one entry of its table (vtkRelievoLayer).
  */
 #ifndef vtkRelievoLayerCatalogue_h
 #define vtkRelievoLayerCatalogue_h
@@ -29,10 +29,10 @@ public:
 
   ///@{
   /**
-   * The layers in the order in which users see them, from 0: the name ("shadow_N" for the layers of
-   * lights), one line of help, the type of a component ("float", "unsigned char"), the number of
-   * components, and the background value: NaN for `color`, whose background is the renderer's. For
-   * any other index: empty, 0, NaN.
+   * The layers in the order shown to users, from 0: the name ("shadow_N" for the layers of lights),
+   * one line of help, the type of a component ("float", "unsigned char"), the number of components,
+   * and the background value: NaN for `color`, whose background is the renderer's. For any other
+   * index: empty, 0, NaN.
    */
   static int GetNumberOfLayers();
   static std::string GetLayerName(int layer);
@@ -45,14 +45,14 @@ public:
   /** All names, separated by commas. */
   static std::string GetLayerNames();
 
-  // VTK's wrapping ends the program on text that is no Unicode where it makes a std::string of it.
+  // A std::string parameter would let VTK's wrapping end the program for text that is not Unicode.
   /** Whether the name is that of a layer: one of the table, or shadow_N with a number. */
   static bool GetIsLayer(const char* name) { return GetIsLayer(std::string(name ? name : "")); }
 
-  /** The light of a layer shadow_N by its number, or -1. */
+  /** The light's number of a layer shadow_N, or -1. */
   static int GetLight(const char* name) { return GetLight(std::string(name ? name : "")); }
 
-  /** Whether the name begins like those of the layers of lights: shadow_0, shadow_key_light. */
+  /** Whether the name starts like those of lights' layers: shadow_0, shadow_key_light. */
   static bool GetIsOfLight(const char* name) { return GetIsOfLight(std::string(name ? name : "")); }
 
 #ifndef __VTK_WRAP__
@@ -62,14 +62,14 @@ public:
 
   static const std::vector<vtkRelievoLayer>& GetAll();
 
-  // What the name means; of kind ARRAY if it is none of the table's. A layer of a light is known by
-  // the light's number only: for its name ask the frame.
+  // The layer of this name; of kind ARRAY if the table has no such name. Lights are known only by
+  // their number: a frame resolves their names.
   static const vtkRelievoLayer& Find(const std::string& name);
 
-  // What the layers of lights are.
+  // The entry for the layers of lights.
   static const vtkRelievoLayer& GetOfLight();
 
-  // The layer that is the picture itself.
+  // The entry for the picture itself.
   static const vtkRelievoLayer& GetPicture();
 #endif
 

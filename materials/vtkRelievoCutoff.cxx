@@ -24,7 +24,7 @@ std::string Section(const char* section)
   return vtkRelievoShaderLibrary::GetSection("material/cutoff.glsl", section);
 }
 
-// Whether the actor was forced to be opaque before it had a cutoff.
+// Whether the actor was forced to be opaque before it got a cutoff.
 vtkInformationIntegerKey* Before()
 {
   static vtkInformationIntegerKey* const key =

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Surfaces that are left out below a cutoff in opacity and opaque elsewhere: text in VTK's shaders,
-// and what the actor tells VTK and other passes of it.
+// Surfaces that are discarded below a cutoff in opacity and opaque elsewhere: text for VTK's
+// shaders, and the actor's settings for VTK and other passes.
 #ifndef vtkRelievoCutoff_h
 #define vtkRelievoCutoff_h
 
@@ -14,10 +14,10 @@ namespace vtkRelievoCutoff
 {
 void Mark(std::string& fragment);
 
-// Returns what is missing, or nothing.
+// Returns an error message, or an empty string.
 std::string Fill(std::string& fragment);
 
-// The actor is drawn with this cutoff, 0: without one; it is then as opaque as it was before.
+// Sets the actor's cutoff; 0 removes it and restores the actor's former opacity.
 void Tell(vtkActor* actor, double cutoff);
 }
 

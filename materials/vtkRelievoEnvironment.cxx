@@ -28,11 +28,11 @@ vtkRelievoEnvironment::vtkRelievoEnvironment()
     .Usual = 360.0;
   list.AddChoice(
     "up", this->UpAxis, [this](int axis) { this->SetUpAxis(axis); }, { "x", "y", "z" },
-    "The axis of the world that points up, towards the upper edge of the picture.");
+    "The world axis that points up, towards the image's upper edge.");
   list
     .AddNumber(
       "intensity", this->Intensity, [this](double factor) { this->SetIntensity(factor); }, 0.0,
-      infinity, "", "Factor of all its light.")
+      infinity, "", "Factor of the environment's light.")
     .Usual = 4.0;
   list
     .AddFlag(
@@ -152,13 +152,13 @@ void vtkRelievoEnvironment::GetWorldToEnvironment(vtkMatrix3x3* rotation)
     vtkErrorMacro("GetWorldToEnvironment was given no matrix; give it a vtkMatrix3x3 to fill.");
     return;
   }
-  // Rows: the environment's x, y, z in the world, not turned about its up axis yet.
+  // Rows: the environment's x, y, z in the world, before the rotation about its up axis.
   static const double upright[3][3][3] = {
     { { 0, -1, 0 }, { 1, 0, 0 }, { 0, 0, 1 } },
     { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } },
     { { 1, 0, 0 }, { 0, 0, 1 }, { 0, -1, 0 } },
   };
-  // Quarters are exact.
+  // Multiples of 90 degrees are exact.
   const double turns = std::remainder(this->Rotation, 360.) / 90.;
   const double quarters = std::round(turns);
   const double rest = vtkMath::RadiansFromDegrees(90. * (turns - quarters));

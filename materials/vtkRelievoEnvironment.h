@@ -2,21 +2,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkRelievoEnvironment
- * @brief The light that arrives from all directions, for materials to mirror and skyboxes to show.
+ * @brief Light that arrives from all directions, reflected by materials and shown by skyboxes.
  *
- * It holds images of linear light and orients them. Any number of materials and skyboxes, in any
- * number of windows, can share one (vtkRelievoMaterial::SetEnvironment,
+ * An environment stores images of linear light and their orientation. Any number of materials and
+ * skyboxes, in any number of windows, can share one (vtkRelievoMaterial::SetEnvironment,
  * vtkRelievoSkybox::SetEnvironment).
  *
  * shaders/formulas/environment.glsl defines the directions for all of Relievo: axes are
- * right-handed with +y up; the middle of an equirectangular image is in direction +x, and +z is a
- * quarter of the width to its right; cubes are laid out as OpenGL's samplerCube reads them; the
- * middle of a sphere map is in direction +z. vtkRelievoEnvironmentConvert converts other images.
+ * right-handed with +y up; the centre of an equirectangular image is in direction +x, and +z is a
+ * quarter of the width to its right; cubes have the layout of OpenGL's samplerCube; the centre of a
+ * sphere map is in direction +z. vtkRelievoEnvironmentConvert converts other images.
  *
  * Cubes are filtered across their edges without a seam. One component is grey; a fourth component
- * is ignored. NaN is replaced by 0 and infinity by 65504. Textures are halves if no value is above
- * 65504, otherwise floats. An image larger than OpenGL allows is reduced, with a warning; an image
- * of an unexpected shape gives one error and is not used.
+ * is ignored. NaN is replaced by 0 and infinity by 65504. Textures are half floats if no value
+ * exceeds 65504, otherwise floats. An image larger than OpenGL allows is reduced, with a warning;
+ * an image of an unexpected shape causes one error and is not used.
  */
 #ifndef vtkRelievoEnvironment_h
 #define vtkRelievoEnvironment_h
@@ -59,8 +59,8 @@ public:
 
   ///@{
   /**
-   * The image's projection. AUTOMATIC (default) goes by its size: n x n x 6 is a cube, 2n x n x 1
-   * equirectangular, n x n x 1 a sphere map, and anything else an error.
+   * The image's projection. AUTOMATIC (default) depends on its size: n x n x 6 is a cube, 2n x n x
+   * 1 equirectangular, n x n x 1 a sphere map, and any other size an error.
    */
   void SetProjection(int projection);
   int GetProjection();
@@ -69,7 +69,7 @@ public:
   ///@{
   /**
    * Whether the image's values are sRGB, as in most 8-bit pictures, and need decoding to linear
-   * light. Those of the levels never do. Default off; nothing is guessed.
+   * light. The values of levels are always linear. Default off; nothing is guessed.
    */
   void SetSRGB(bool on);
   bool GetSRGB();
@@ -78,8 +78,8 @@ public:
 
   ///@{
   /**
-   * Cubes for rough mirrors, as vtkRelievoEnvironmentPrefilter makes them: block k for roughness
-   * k / (blocks - 1), each half as wide as the one before. nullptr (default) makes sharp mirrors.
+   * Cubes for rough mirrors, made by vtkRelievoEnvironmentPrefilter: block k for roughness k /
+   * (blocks - 1), each half as wide as the one before. nullptr (default): mirrors are sharp.
    */
   void SetLevels(vtkMultiBlockDataSet* levels);
   vtkMultiBlockDataSet* GetLevels();
@@ -88,8 +88,8 @@ public:
   ///@{
   /**
    * The nine coefficients by which the environment lights diffuse surfaces: nine tuples of three,
-   * as in the column "radiance" of vtkRelievoEnvironmentIrradiance's table. With nullptr (default)
-   * the environment lights nothing.
+   * the column "radiance" of vtkRelievoEnvironmentIrradiance's table. nullptr (default): the
+   * environment lights nothing.
    */
   void SetIrradiance(vtkDataArray* coefficients);
   vtkDataArray* GetIrradiance();
@@ -104,26 +104,26 @@ public:
 
   ///@{
   /**
-   * The axis of the world that is up, and to which the environment's y is mapped: 0, 1 or 2 for x,
-   * y, z. With z up its x stays and its z is the world's -y; with x up its z stays and its x is the
-   * world's -y. The renderer's environment axes (vtkRenderer::SetEnvironmentUp,
-   * SetEnvironmentRight) orient it as they orient VTK's environments. Default 1, y.
+   * The world axis that is up, to which the environment's y is mapped: 0, 1 or 2 for x, y, z. With
+   * z up its x is unchanged and its z is the world's -y; with x up its z is unchanged and its x is
+   * the world's -y. The renderer's environment axes (vtkRenderer::SetEnvironmentUp,
+   * SetEnvironmentRight) rotate it in addition, like VTK's environments. Default 1, y.
    */
   vtkSetClampMacro(UpAxis, int, 0, 2);
   vtkGetMacro(UpAxis, int);
   ///@}
 
   ///@{
-  /** Factor of all its light, 0 or more. Default 1. */
+  /** Factor of the environment's light, 0 or more. Default 1. */
   vtkSetClampMacro(Intensity, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(Intensity, double);
   ///@}
 
   ///@{
   /**
-   * Whether colours in the picture encode light by a power of 1 / 2.2, as those of VTK's PBR
-   * shading always do. If on, skyboxes and mirrored light are encoded so, and added to other
-   * colours as light. If off, light is shown unchanged on all but PBR surfaces. Default off.
+   * Whether colours in the picture encode light by a power of 1 / 2.2, which VTK's PBR shading
+   * always does. If on, skyboxes and reflected light are encoded, and added to other colours as
+   * light. If off, light is shown unchanged except on PBR surfaces. Default off.
    */
   vtkSetMacro(GammaCorrect, bool);
   vtkGetMacro(GammaCorrect, bool);
@@ -132,8 +132,8 @@ public:
 
   ///@{
   /**
-   * Rotation, up axis, intensity and gamma by name, as vtkRelievoMaterial has its values. What the
-   * images are (Projection, SRGB) is theirs, and not among them.
+   * Rotation, up axis, intensity and gamma by name, with the functions of vtkRelievoMaterial.
+   * Projection and SRGB describe the images, and are not among them.
    */
   int GetNumberOfParameters() { return this->Description.GetNumber(); }
   std::string GetParameterName(int i) { return this->Description.GetName(i); }
@@ -148,7 +148,7 @@ public:
   ///@}
 
 #ifndef __VTK_WRAP__
-  /** What the environment says of its values. */
+  /** The description of the parameters. */
   const vtkRelievoParameterList& GetDescription() const
   {
     return this->Description;
@@ -158,7 +158,7 @@ public:
   /** The rotation from the world's axes to the environment's. */
   void GetWorldToEnvironment(vtkMatrix3x3* rotation);
 
-  /** Bytes of the textures on the GPU, in all windows. */
+  /** Bytes of the GPU textures, in all windows. */
   vtkIdType GetBytesHeld();
 
   /** Frees the textures of a window, or of all with nullptr. They are made again when needed. */

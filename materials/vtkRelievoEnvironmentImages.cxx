@@ -16,7 +16,7 @@ namespace
 {
 #define RELIEVO_SAME_CODE(name)                                                                    \
   static_assert(                                                                                   \
-    vtkRelievoEnvironment::name == RELIEVO_ENVIRONMENT_##name, "as in shaders/codes.glsl")
+    vtkRelievoEnvironment::name == RELIEVO_ENVIRONMENT_##name, "differs from shaders/codes.glsl")
 RELIEVO_SAME_CODE(EQUIRECTANGULAR);
 RELIEVO_SAME_CODE(CUBE);
 RELIEVO_SAME_CODE(SPHERE_MAP);
@@ -41,7 +41,7 @@ float Number(double value, double scale, bool sRGB)
   return static_cast<float>(sRGB ? relievo::f64::relievoLinearFromSrgb(number) : number);
 }
 
-// Bilinear reading and mipmaps at the rim take in what lies outside.
+// Bilinear filtering and mipmaps at the rim read texels outside the circle.
 void FillOutside(vtkRelievoEnvironmentImages::Pixels& pixels)
 {
   const double half = 0.5 * pixels.Width;
@@ -55,7 +55,7 @@ void FillOutside(vtkRelievoEnvironmentImages::Pixels& pixels)
       {
         continue;
       }
-      // Half a texel's diagonal and a little within the circle.
+      // Half a texel's diagonal and a little more inside the circle.
       const double nearer = std::max(half - 0.75, 0.) / distance;
       const int column = std::clamp(static_cast<int>(half + away[0] * nearer), 0, pixels.Width - 1);
       const int row = std::clamp(static_cast<int>(half + away[1] * nearer), 0, pixels.Height - 1);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Images of an environment as OpenGL is to have them: floats, red, green, blue.
+// Images of an environment, converted for OpenGL: floats, red, green, blue.
 #ifndef vtkRelievoEnvironmentImages_h
 #define vtkRelievoEnvironmentImages_h
 
@@ -14,7 +14,7 @@ class vtkImageData;
 
 namespace vtkRelievoEnvironmentImages
 {
-// The numbers are those of vtkRelievoEnvironment::ProjectionType.
+// Equal to vtkRelievoEnvironment::ProjectionType.
 enum Projection
 {
   Automatic = 0,
@@ -23,8 +23,8 @@ enum Projection
   SphereMap = RELIEVO_ENVIRONMENT_SPHERE_MAP
 };
 
-// The projection of the image, `projection` or by its size; 0, with words in `failure`, if it has
-// another shape.
+// The projection of the image: `projection`, or by its size; 0 and a message in `failure` if the
+// shape does not fit.
 int FindProjection(vtkImageData* image, int projection, std::string& failure);
 
 struct Pixels
@@ -36,8 +36,8 @@ struct Pixels
   std::vector<float> Values;
 };
 
-// The image's values, at most `limit` texels wide and high: larger ones as means. What lies outside
-// of a sphere map's circle holds what is nearest within.
+// The image's values, at most `limit` texels wide and high: larger images are reduced by means.
+// Texels outside a sphere map's circle get the nearest value inside.
 Pixels Read(vtkImageData* image, int projection, bool sRGB, int limit);
 }
 

@@ -80,7 +80,7 @@ vtkSmartPointer<vtkTextureObject> MakeTexture(
   {
     return nullptr;
   }
-  if (mipmaps) // VTK makes them for cubes only
+  if (mipmaps) // VTK makes them only for cubes
   {
     texture->Activate();
     glGenerateMipmap(pixels.Slices == 6 ? GL_TEXTURE_CUBE_MAP : GL_TEXTURE_2D);
@@ -168,7 +168,7 @@ bool vtkRelievoEnvironmentTextures::CheckLevels(std::string& failure) const
   for (unsigned int i = 0; i < this->Levels->GetNumberOfBlocks(); ++i)
   {
     vtkImageData* level = this->GetLevel(i);
-    std::string what = "it is no image";
+    std::string what = "it is not an image";
     if (level && FindProjection(level, Cube, what))
     {
       const int half = i == 0 ? 0 : this->GetLevel(i - 1)->GetDimensions()[0] / 2;
@@ -177,8 +177,8 @@ bool vtkRelievoEnvironmentTextures::CheckLevels(std::string& failure) const
         continue;
       }
       std::ostringstream out;
-      out << "it is " << level->GetDimensions()[0] << " texels wide; half of the level before, "
-          << half << ", was expected";
+      out << "it is " << level->GetDimensions()[0] << " texels wide, expected " << half
+          << ", half of the level before";
       what = out.str();
     }
     failure = "No level " + std::to_string(i) + " of the environment: " + what +
@@ -235,7 +235,7 @@ const vtkRelievoEnvironmentTextures::Structure& vtkRelievoEnvironmentTextures::G
 //------------------------------------------------------------------------------
 bool vtkRelievoEnvironmentTextures::LoadLevels(Held& held)
 {
-  // Level 0 is the image; what OpenGL calls level 0 is level 1.
+  // Level 0 is the image; level 1 is OpenGL's level 0.
   std::vector<Pixels> all;
   float greatest = 0.f;
   const int limit = GetLimit(Cube);
@@ -317,7 +317,7 @@ bool vtkRelievoEnvironmentTextures::Activate(
     if (!this->Load(*held))
     {
       held->Image = nullptr;
-      this->Fail("No environment: OpenGL makes no texture of it");
+      this->Fail("No environment: OpenGL cannot make a texture of it");
     }
   }
   if (!held->Image)

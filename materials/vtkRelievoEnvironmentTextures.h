@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// An environment's images as textures, in each window that draws with them, and the uniforms of
+// The textures of an environment's images, in each window that draws with them, and the uniforms of
 // environment/lookup.glsl.
 #ifndef vtkRelievoEnvironmentTextures_h
 #define vtkRelievoEnvironmentTextures_h
@@ -27,10 +27,10 @@ class vtkWindow;
 class vtkRelievoEnvironmentTextures
 {
 public:
-  // What shaders are compiled for.
+  // The structure for which shaders are compiled.
   struct Structure
   {
-    int Projection = 0; // 0: there is nothing to be drawn with
+    int Projection = 0; // 0: there is no image
     bool Rough = false;
     bool Irradiance = false;
     bool Encoded = false;
@@ -51,15 +51,15 @@ public:
   vtkSmartPointer<vtkImageData> Image;
   vtkSmartPointer<vtkMultiBlockDataSet> Levels;
   vtkSmartPointer<vtkDataArray> Coefficients;
-  int Projection = 0; // of the image; 0 by its size
+  int Projection = 0; // of the image; 0: by its size
   bool SRGB = false;
-  vtkTimeStamp ChangeTime; // of which images there are, and what they mean
+  vtkTimeStamp ChangeTime; // of the selection of images and their settings
 
-  // Looks at images that are another than before; says once what is wrong with them.
+  // Checks changed images; reports an error once.
   const Structure& GetStructure();
 
-  // Gives the textures units until Deactivate(), and the program what environment/lookup.glsl asks
-  // for. Makes them first where they are not made yet. False: there are none.
+  // Binds the textures to units until Deactivate(), and sets the uniforms of
+  // environment/lookup.glsl. Makes the textures if necessary. False if there are none.
   bool Activate(vtkOpenGLRenderWindow* window, vtkShaderProgram* program, double roughness);
   void Deactivate(vtkOpenGLRenderWindow* window);
 
@@ -76,7 +76,7 @@ private:
     vtkMTimeType Time = 0;
     vtkIdType Bytes = 0;
 
-    // A window that is finalized frees its textures by itself.
+    // A finalized window has freed its textures.
     bool IsLost() const
     {
       return (this->Image && !this->Image->GetHandle()) ||

@@ -48,12 +48,12 @@ public:
   vtkTimeStamp StructureTime;
   vtkSmartPointer<vtkRelievoEnvironment> Environment;
   vtkRelievoEnvironmentTextures::Structure EnvironmentStructure;
-  vtkWeakPointer<vtkOpenGLRenderWindow> Window; // drawn in last
-  std::vector<vtkWeakPointer<vtkActor>> Actors; // attached to
+  vtkWeakPointer<vtkOpenGLRenderWindow> Window; // of the last drawing
+  std::vector<vtkWeakPointer<vtkActor>> Actors; // attached actors
   std::set<std::string> Reported;
   vtkRelievoParameterList Description;
 
-  // Units are few: they are given back when the next material, on any actor, is drawn.
+  // Texture units are few, so a material releases its units when the next one is drawn.
   static Internals*& GetInUse()
   {
     static Internals* inUse = nullptr;
@@ -91,7 +91,7 @@ vtkStandardNewMacro(vtkRelievoMaterial);
 
 namespace
 {
-// What VTK's mappers keep protected, named through a derived class that is never made.
+// Access to protected members of VTK's mappers, through a derived class that is never instantiated.
 class MapperAccess : public vtkOpenGLPolyDataMapper
 {
 public:
@@ -103,20 +103,20 @@ public:
     return bound &&
       (bound->PrimitiveType == PrimitiveTris || bound->PrimitiveType == PrimitiveTriStrips);
   }
-  // Of a vertex attribute; 0: the mesh has none.
+  // Components of a vertex attribute; 0 if the mesh has none.
   static int GetComponents(vtkOpenGLPolyDataMapper* mapper, const char* attribute)
   {
     return (mapper->*(&Self::VBOs))->GetNumberOfComponents(attribute);
   }
-  // Texture coordinates are those of a colour table.
+  // Whether texture coordinates are those of a colour table.
   static bool ColorsByTexture(vtkOpenGLPolyDataMapper* mapper)
   {
     return mapper->*(&Self::InterpolateScalarsBeforeMapping) && mapper->*(&Self::ColorCoordinates);
   }
 };
 
-// VTK's composite mappers hand on texture coordinates only to who has a texture. Its shaders
-// declare this one and look at none that is a cube.
+// VTK's composite mappers pass texture coordinates on only for actors with a texture. VTK's shaders
+// declare this texture, and sample none that is a cube.
 constexpr const char* Carrier = "relievoCarrier";
 
 void AddCarrier(vtkActor* actor)
@@ -126,7 +126,7 @@ void AddCarrier(vtkActor* actor)
   {
     vtkNew<vtkImageData> texel;
     texel->SetDimensions(1, 1, 1);
-    // Three bytes, which VTK takes as they are: what it maps first is gone for all faces but one.
+    // Three bytes, which VTK uses unmapped: a texture that it maps first has only one face.
     texel->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
     std::fill_n(static_cast<unsigned char*>(texel->GetScalarPointer()), 3, 255);
     vtkNew<vtkTexture> texture;
@@ -188,10 +188,10 @@ void vtkRelievoMaterial::Describe()
     .AddChoice(
       "relief_method", this->ReliefMethod, [this](int method) { this->SetReliefMethod(method); },
       { "off", "parallax", "steep", "occlusion", "relief" },
-      "How the relief is found: by one read of the heights (parallax), by equal steps (steep), "
-      "with "
-      "a straight line between the last two (occlusion), or with bisections before it (relief), "
-      "which is the most accurate. Off displaces nothing: heights only give normals.")
+      "Method of tracing the relief: one sample of the heights (parallax), equal steps (steep), "
+      "linear interpolation of the last two (occlusion), or bisections before it (relief), which "
+      "is "
+      "the most accurate. Off displaces nothing: heights only give normals.")
     .OnlyIf = "height_map";
   list
     .AddFlag(
@@ -209,22 +209,22 @@ void vtkRelievoMaterial::Describe()
   behindGear("height_map,relief_method!=off");
   list.AddFlag(
     "clip_at_borders", this->ClipAtBorders, [this](bool on) { this->SetClipAtBorders(on); },
-    "Whether nothing is drawn where a ray leaves the texture, 0 to 1 in u and v, which gives a "
-    "single tile its outline.");
+    "Whether pixels are discarded where a ray leaves the texture, 0 to 1 in u and v, which gives "
+    "a single tile its outline.");
   behindGear("height_map,relief_method!=off");
   list.AddNumber(
     "steps_per_texel", this->StepsPerTexel, [this](double steps) { this->SetStepsPerTexel(steps); },
     0.01, 16.0, "",
-    "Steps along a ray per texel of the heights that it passes over. Features thinner than a step "
+    "Steps along a ray per texel of the heights below it. Features thinner than a step "
     "may be missed.");
   behindGear("height_map,relief_method!=off");
   list.AddWhole(
     "minimum_steps", this->MinimumSteps, [this](int steps) { this->SetMinimumSteps(steps); }, 1,
-    4096, "", "Least number of steps along a ray.");
+    4096, "", "Minimum number of steps along a ray.");
   behindGear("height_map,relief_method!=off");
   list.AddWhole(
     "maximum_steps", this->MaximumSteps, [this](int steps) { this->SetMaximumSteps(steps); }, 1,
-    4096, "", "Greatest number of steps along a ray.");
+    4096, "", "Maximum number of steps along a ray.");
   behindGear("height_map,relief_method!=off");
   list.AddWhole(
     "bisections", this->Bisections, [this](int count) { this->SetBisections(count); }, 0, 32, "",
@@ -238,7 +238,7 @@ void vtkRelievoMaterial::Describe()
   list.AddPair(
     "texture_offset", this->TextureOffset,
     [this](const double* offset) { this->SetTextureOffset(offset); },
-    "Where the first tile begins in u and v, in tiles.");
+    "Offset of the first tile in u and v, in tiles.");
   behindGear("");
   list.AddFlag(
     "repeat", this->Repeat, [this](bool on) { this->SetRepeat(on); },
@@ -247,7 +247,7 @@ void vtkRelievoMaterial::Describe()
   list.AddNumber(
     "alpha_cutoff", this->AlphaCutoff, [this](double cutoff) { this->SetAlphaCutoff(cutoff); }, 0.0,
     1.0, "",
-    "Opacity below which nothing is drawn; everything else is opaque, in the picture, in layers "
+    "Opacity below which pixels are discarded; all others are opaque, in the picture, in layers "
     "and "
     "as a caster of shadows. The opacity is that of the surface, its colours and its texture. 0: "
     "off.");
@@ -256,8 +256,9 @@ void vtkRelievoMaterial::Describe()
     .AddNumber(
       "reflectivity", this->Reflectivity, [this](double share) { this->SetReflectivity(share); },
       0.0, 1.0, "",
-      "Share of the environment that is mirrored at normal incidence; at grazing angles all of it "
-      "is. 0.04 for glass, plastic and paint, 0.5 to 1 for metals; for coloured metals PBR with "
+      "Share of the environment reflected at normal incidence, growing to all of it at grazing "
+      "angles. 0.04 for glass, plastic and paint, 0.5 to 1 for metals; for coloured metals PBR "
+      "with "
       "Metallic 1.")
     .OnlyIf = "environment";
   list
@@ -271,7 +272,7 @@ void vtkRelievoMaterial::Describe()
   list.AddNumber(
     "reflection_weight", this->ReflectionWeight,
     [this](double factor) { this->SetReflectionWeight(factor); }, 0.0, 1.0, "",
-    "Factor of the mirrored light.");
+    "Factor of the reflected light.");
   behindGear("environment");
   list
     .AddNumber(
@@ -521,7 +522,7 @@ void vtkRelievoMaterial::ReleaseGraphicsResources(vtkWindow* window)
   {
     this->Internal->Environment->ReleaseGraphicsResources(window);
   }
-  if (window) // VTK's own method ends the program if there is none
+  if (window) // VTK's own method crashes without a window
   {
     this->Superclass::ReleaseGraphicsResources(window);
   }
@@ -544,9 +545,10 @@ bool vtkRelievoMaterial::PreReplaceShaderValues(std::string& vertexShader,
 {
   if (vtkOpenGLPolyDataMapper::SafeDownCast(mapper))
   {
-    this->GetShaderStageMTime(); // a mapper's first shader is made without asking
+    this->GetShaderStageMTime(); // a mapper builds its first shader without asking
     vtkRelievoMaterialSplice::Mark(vertexShader, geometryShader, fragmentShader);
-    vtkRelievoCutoff::Mark(fragmentShader); // before what is mirrored: that hides what is behind
+    // Before the reflection, which covers everything behind it.
+    vtkRelievoCutoff::Mark(fragmentShader);
     vtkRelievoReflection::Mark(fragmentShader);
   }
   return true;
@@ -569,8 +571,8 @@ bool vtkRelievoMaterial::PostReplaceShaderValues(std::string& vertexShader,
   const auto report = [&](const char* what, const vtkRelievoTrialSplice::Outcome& outcome) {
     if (!outcome.Wrong.empty() && in.Reported.insert(outcome.GetKey(mapper)).second)
     {
-      vtkErrorMacro("No " << what << " on what " << mapper->GetClassName()
-                          << " draws: " << outcome.Wrong << ".");
+      vtkErrorMacro("No " << what << " on geometry drawn by " << mapper->GetClassName() << ": "
+                          << outcome.Wrong << ".");
     }
   };
   if (in.Structure.Cut)
@@ -582,14 +584,14 @@ bool vtkRelievoMaterial::PostReplaceShaderValues(std::string& vertexShader,
   {
     return true;
   }
-  // Maps and environment each go without the other.
+  // Maps and environment work independently of each other.
   const auto fill = [&]() {
     if (maps)
     {
       std::string missing;
       if (vtkOpenGLGlyph3DHelper::SafeDownCast(mapper))
       {
-        missing = "glyphs carry no maps";
+        missing = "glyphs do not support maps";
       }
       else if (MapperAccess::GetComponents(mapper, "tcoord") < 2)
       {
@@ -598,7 +600,7 @@ bool vtkRelievoMaterial::PostReplaceShaderValues(std::string& vertexShader,
       }
       else if (MapperAccess::ColorsByTexture(mapper))
       {
-        missing = "InterpolateScalarsBeforeMapping takes the texture coordinates for colours; "
+        missing = "InterpolateScalarsBeforeMapping uses the texture coordinates for colours; "
                   "switch it off";
       }
       else
@@ -630,7 +632,7 @@ vtkRenderer* vtkRelievoMaterial::FindRenderer(vtkProp* prop)
 {
   Internals& in = *this->Internal;
   vtkRenderer* renderer = vtkRelievoMaterialEye::FindRenderer(prop);
-  // Levels of detail (vtkLODActor, ParaView) are drawn by an actor that belongs to nothing.
+  // Levels of detail (vtkLODActor, ParaView) are drawn by an actor that is in no renderer.
   for (std::size_t i = 0; !renderer && i < in.Actors.size(); ++i)
   {
     renderer = vtkRelievoMaterialEye::FindRenderer(in.Actors[i]);
@@ -714,15 +716,15 @@ bool vtkRelievoMaterial::ActivateMap(
   }
   else
   {
-    // The sampler reads as if the map were flat, from a unit that others leave alone: samplers of
-    // two kinds on one unit are an error.
+    // The sampler reads a flat map from an otherwise unused unit: samplers of two kinds on one unit
+    // are an error.
     GLint units = 0;
     glGetIntegerv(GL_MAX_COMBINED_TEXTURE_IMAGE_UNITS, &units);
     program->SetUniformi(sampler, units - 1);
     if (!in.Window && in.Reported.insert(map.GetName()).second)
     {
       vtkWarningMacro("A picture without the "
-        << map.GetName() << ": the actor is in no renderer that is being drawn.");
+        << map.GetName() << ": no renderer that is being drawn has the actor.");
     }
   }
   if (!remark.empty())
@@ -781,7 +783,7 @@ void vtkRelievoMaterial::SetHeightParameters(vtkShaderProgram* program, vtkActor
 //------------------------------------------------------------------------------
 vtkMTimeType vtkRelievoMaterial::GetShaderStageMTime()
 {
-  // VTK asks before each drawing: images may be others than before.
+  // VTK asks before each drawing: images may have changed.
   Internals& in = *this->Internal;
   this->UpdateStructure();
   this->TellFaults();

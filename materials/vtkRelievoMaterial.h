@@ -3,28 +3,28 @@
 /**
  * @class vtkRelievoMaterial
  * @brief Fine structure of an actor's surface from images (normals, relief, cut-outs), and its
- * mirroring.
+ * reflection of an environment.
  *
- * A material can be attached to any number of actors. Each keeps its colours, textures, shading
+ * A material can be attached to any number of actors, which keep their colours, textures, shading
  * (Phong, flat or PBR), shadows and layers. Maps are placed by the mesh's texture coordinates; row
  * 0 of an image is at v = 0. The tangent frame comes from the mesh's tangents if its point data
  * have them (vtkPointData::GetTangents; the bitangent points along growing v), otherwise from
  * screen-space derivatives (C. Schueler, Followup: normal mapping without precomputed tangents,
- * 2013), which are also right on mirrored coordinates. Faces with degenerate texture coordinates
- * stay as they are.
+ * 2013), which also support mirrored coordinates. Faces with degenerate texture coordinates are
+ * unchanged.
  *
- * Maps hold values, not colours, and are not decoded as sRGB. Unsigned char and short are scaled to
- * 0 to 1, all other types are used as float values. NaN and infinities are replaced by the least
+ * Maps store values, not colours, and are not decoded as sRGB. Unsigned char and short are scaled
+ * to 0 to 1, all other types are used as float values. NaN and infinities are replaced by the least
  * value. A map larger than OpenGL allows is reduced, with a warning.
  *
- * Relief appears below the mesh, which lies at the greatest height: parallax (T. Kaneko et al.,
- * Detailed shape representation with parallax mapping, 2001), steep parallax (M. McGuire, M.
- * McGuire, 2005), parallax occlusion (N. Tatarchuk, 2006), relief (F. Policarpo, M. Oliveira, J.
- * Comba, Real-time relief mapping on arbitrary polygonal surfaces, 2005).
+ * Relief lies below the mesh, which is at the greatest height: parallax (T. Kaneko et al., Detailed
+ * shape representation with parallax mapping, 2001), steep parallax (M. McGuire, M. McGuire, 2005),
+ * parallax occlusion (N. Tatarchuk, 2006), relief (F. Policarpo, M. Oliveira, J. Comba, Real-time
+ * relief mapping on arbitrary polygonal surfaces, 2005).
  *
- * Surfaces can be cut out where their opacity is below a cutoff (glTF 2.0, alphaMode MASK).
+ * Surfaces can be cut out below a cutoff in opacity (glTF 2.0, alphaMode MASK).
  *
- * An actor that lacks what a material needs is drawn without the material, with one error.
+ * An actor that lacks a requirement of the material is drawn without it, with one error.
  */
 #ifndef vtkRelievoMaterial_h
 #define vtkRelievoMaterial_h
@@ -64,7 +64,7 @@ public:
   static vtkRelievoMaterial* Get(vtkProp* prop);
 
   ///@{
-  /** Whether the material shows on its actors. Default on. */
+  /** Whether the material has an effect on its actors. Default on. */
   void SetEnabled(bool enabled);
   vtkGetMacro(Enabled, bool);
   vtkBooleanMacro(Enabled, bool);
@@ -72,10 +72,10 @@ public:
 
   ///@{
   /**
-   * Tangent-space normals, 3 or 4 components: x along u, y along v, z out of the surface. Integers,
-   * as 0 to 1, stand for -1 to 1; floats are used directly. They replace those of a normal texture
-   * of the actor's own (vtkProperty::SetNormalTexture). nullptr (default): no normals, or those of
-   * the heights.
+   * Tangent-space normals, 3 or 4 components: x along u, y along v, z out of the surface. Integers
+   * are scaled from 0 to 1 to -1 to 1; floats are used directly. The map replaces the actor's own
+   * normal texture (vtkProperty::SetNormalTexture). nullptr (default): no normals, or those of the
+   * heights.
    */
   void SetNormalMap(vtkImageData* image);
   vtkImageData* GetNormalMap();
@@ -88,7 +88,7 @@ public:
   ///@}
 
   ///@{
-  /** For maps whose green points down, as in DirectX. Default off, as in OpenGL. */
+  /** For maps whose green component points down, as in DirectX. Default off, as in OpenGL. */
   vtkSetMacro(FlipGreen, bool);
   vtkGetMacro(FlipGreen, bool);
   vtkBooleanMacro(FlipGreen, bool);
@@ -102,7 +102,7 @@ public:
 
   ///@{
   /**
-   * Values at the ground and at the level of the mesh. Default (0, 0), which means 0 and 1 for
+   * Values at the ground and at the level of the mesh. Default (0, 0), which selects 0 and 1 for
    * integers, and the least and the greatest value for floats.
    */
   vtkSetVector2Macro(HeightRange, double);
@@ -110,7 +110,7 @@ public:
   ///@}
 
   ///@{
-  /** Depth of the ground below the mesh, in its units, 0 or more; scales with it. Default 0.1. */
+  /** Depth of the ground below the mesh, in units of the mesh, 0 or more. Default 0.1. */
   vtkSetClampMacro(HeightScale, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(HeightScale, double);
   ///@}
@@ -126,10 +126,10 @@ public:
 
   ///@{
   /**
-   * How the relief is found. METHOD_PARALLAX reads the height once, with a limited offset;
-   * METHOD_STEEP takes equal steps along the ray; METHOD_OCCLUSION adds a straight line between the
-   * last two of them; METHOD_RELIEF (default) adds bisections before that line. METHOD_OFF
-   * displaces nothing: the heights only give the normals, if there is no normal map.
+   * Method of tracing the relief. METHOD_PARALLAX samples the height once, with a limited offset;
+   * METHOD_STEEP takes equal steps along the ray; METHOD_OCCLUSION adds linear interpolation
+   * between the last two of them; METHOD_RELIEF (default) adds bisections before the interpolation.
+   * METHOD_OFF displaces nothing: the heights only give the normals, if there is no normal map.
    */
   void SetReliefMethod(int method);
   vtkGetMacro(ReliefMethod, int);
@@ -137,9 +137,9 @@ public:
 
   ///@{
   /**
-   * Steps along a ray: their number per texel of the heights that the ray passes over (0.01 to 16),
-   * so that grazing rays take more, and the least and greatest number (1 to 4096). Features thinner
-   * than a step may be missed. Defaults 0.5, 8 and 256.
+   * Steps along a ray: their number per texel of the heights below the ray (0.01 to 16), so that
+   * grazing rays take more, and the minimum and maximum number (1 to 4096). Features thinner than a
+   * step may be missed. Defaults 0.5, 8 and 256.
    */
   vtkSetClampMacro(StepsPerTexel, double, 0.01, 16.0);
   vtkGetMacro(StepsPerTexel, double);
@@ -174,7 +174,7 @@ public:
 
   ///@{
   /**
-   * Whether nothing is drawn where a ray leaves the texture, [0, 1] in u and v, which gives a
+   * Whether pixels are discarded where a ray leaves the texture, [0, 1] in u and v, which gives a
    * single tile its silhouette. Default off.
    */
   void SetClipAtBorders(bool on);
@@ -199,10 +199,10 @@ public:
 
   ///@{
   /**
-   * Opacity, 0 to 1, below which nothing is drawn; everything else is opaque, in the picture, in
-   * all layers and as a caster of shadows. The opacity is that of the property times that of the
-   * colours times that of the textures (vtkActor::SetTexture, albedoTex). The actor is forced to be
-   * opaque meanwhile (vtkActor::ForceOpaque). Needs no texture coordinates. 0 (default): off.
+   * Opacity, 0 to 1, below which pixels are discarded; all others are opaque, in the picture, in
+   * all layers and as a caster of shadows. The opacity is the product of those of the property, the
+   * colours and the textures (vtkActor::SetTexture, albedoTex). A cutoff forces the actor to be
+   * opaque (vtkActor::ForceOpaque). Needs no texture coordinates. 0 (default): off.
    */
   void SetAlphaCutoff(double cutoff);
   vtkGetMacro(AlphaCutoff, double);
@@ -210,7 +210,7 @@ public:
 
   ///@{
   /**
-   * The environment, which is mirrored about the (mapped) normal and lights by its irradiance. It
+   * The environment, which is reflected about the (mapped) normal and lights by its irradiance. It
    * needs no texture coordinates, but normals, which VTK's shaders have only with lighting: an
    * actor with lighting off, or in a renderer without lights, shows none. nullptr (default): none.
    */
@@ -220,12 +220,12 @@ public:
 
   ///@{
   /**
-   * Share of the light that is mirrored at normal incidence, 0 to 1. At grazing angles it rises to
-   * 1 (C. Schlick, An inexpensive BRDF model for physically-based rendering, 1994), or for rough
-   * surfaces to 1 - Roughness (S. Lagarde, Adopting a physically based shading model, 2011). The
-   * rest is what the surface shows otherwise, and for a translucent surface also what is behind it.
-   * Default 0.04, as of glass, plastic and paint. To the extent that a PBR surface is a metal
-   * (Metallic of its vtkProperty), its own colour replaces this share and tints what is mirrored.
+   * Share of the light reflected at normal incidence, 0 to 1. At grazing angles it rises to 1 (C.
+   * Schlick, An inexpensive BRDF model for physically-based rendering, 1994), or for rough surfaces
+   * to 1 - Roughness (S. Lagarde, Adopting a physically based shading model, 2011). The rest is the
+   * surface's own shading, and for a translucent surface also the background behind it. Default
+   * 0.04, for glass, plastic and paint. To the extent that a PBR surface is a metal (Metallic of
+   * its vtkProperty), its own colour replaces this share and tints the reflection.
    */
   vtkSetClampMacro(Reflectivity, double, 0.0, 1.0);
   vtkGetMacro(Reflectivity, double);
@@ -233,15 +233,15 @@ public:
 
   ///@{
   /**
-   * Roughness of the mirror, 0 to 1, by the environment's levels; without levels it is sharp. It is
-   * separate from the roughness of VTK's PBR shading, which applies to lights. Default 0.
+   * Roughness of the mirror, 0 to 1, by the environment's levels; without levels it is sharp.
+   * Independent of the roughness of VTK's PBR shading, which applies to lights. Default 0.
    */
   vtkSetClampMacro(Roughness, double, 0.0, 1.0);
   vtkGetMacro(Roughness, double);
   ///@}
 
   ///@{
-  /** Factors of the mirrored share, 0 to 1, and of the irradiance, 0 or more. Default 1. */
+  /** Factors of the reflected share, 0 to 1, and of the irradiance, 0 or more. Default 1. */
   vtkSetClampMacro(ReflectionWeight, double, 0.0, 1.0);
   vtkGetMacro(ReflectionWeight, double);
   vtkSetClampMacro(IrradianceWeight, double, 0.0, VTK_DOUBLE_MAX);
@@ -250,11 +250,11 @@ public:
 
   ///@{
   /**
-   * The numbers, choices and switches above by name, such as "relief_method", as the command line
-   * and ParaView have them. Values are words: "0.5", "on", "steep", "0,1". Set returns false, with
-   * an error, and changes nothing if there is no such value or it does not take the words; TrySet
-   * returns what is wrong instead, "" if it was set. The condition is what has to be there, or to
-   * have a value, so that there is an effect: "height_map,relief_method!=off".
+   * The numbers, choices and switches above by name, such as "relief_method", for the command line
+   * and ParaView. Values are words: "0.5", "on", "steep", "0,1". Set returns false, with an error,
+   * and changes nothing if there is no such parameter or the words are invalid; TrySet returns the
+   * error message instead, "" on success. The condition lists the other parameters that an effect
+   * requires, present or with a value: "height_map,relief_method!=off".
    */
   int GetNumberOfParameters() { return this->GetDescription().GetNumber(); }
   std::string GetParameterName(int i) { return this->GetDescription().GetName(i); }
@@ -276,17 +276,17 @@ public:
   ///@}
 
 #ifndef __VTK_WRAP__
-  /** What the material says of its values. */
+  /** The description of the parameters. */
   const vtkRelievoParameterList& GetDescription() const;
 #endif
 
   /**
    * Releases the texture units of the material that was drawn last, as drawing the next one does.
-   * Applications whose windows share their OpenGL state call it after each picture.
+   * Applications whose windows share OpenGL state have to call this after each picture.
    */
   static void ReleaseTextureUnits();
 
-  /** Bytes of the maps' textures on the GPU, without those of the environment. */
+  /** Bytes of the maps' GPU textures, without those of the environment. */
   vtkIdType GetBytesHeld();
 
   /** Draws nothing; VTK's mappers call the functions below. */

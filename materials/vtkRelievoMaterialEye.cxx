@@ -39,7 +39,7 @@ void vtkRelievoMaterialEye::SetParameters(vtkShaderProgram* program, vtkRenderer
   glm::vec3 towards(0.f, 0.f, 1.f);
   if (renderer)
   {
-    // The eye is what the rows of x, y and w take to 0: no pixel is its own.
+    // The eye is the point that the rows of x, y and w map to 0: it has no pixel of its own.
     vtkCamera* camera = renderer->GetActiveCamera();
     vtkMatrix4x4* toNDC =
       camera->GetProjectionTransformMatrix(renderer->GetTiledAspectRatio(), -1., 1.);

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// From where a prop is seen. VTK's eye space has the camera at its origin, but in stereo, off axis
-// and in sheared views the eye is elsewhere, and only the projection knows.
+// The eye of a prop's view. The origin of VTK's eye space is the camera, but in stereo, off-axis
+// and sheared views the eye is elsewhere, and only the projection determines it.
 #ifndef vtkRelievoMaterialEye_h
 #define vtkRelievoMaterialEye_h
 
@@ -12,7 +12,7 @@ class vtkShaderProgram;
 
 namespace vtkRelievoMaterialEye
 {
-// The renderer in whose window, the current one, a prop is being drawn, or nullptr.
+// The renderer in the current window that is drawing the prop, or nullptr.
 vtkRenderer* FindRenderer(vtkProp* prop);
 
 // The uniforms of shaders/material/eye.glsl; without a renderer the eye is at the camera.

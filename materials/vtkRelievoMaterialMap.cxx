@@ -22,7 +22,7 @@ vtkDataArray* GetValues(vtkImageData* image)
   return image ? image->GetPointData()->GetScalars() : nullptr;
 }
 
-// Every n-th texel would alias: means over the texels that one of the smaller map stands for.
+// Reduces by means over texels: taking every n-th texel would alias.
 template <typename T>
 std::vector<T> Reduce(const T* from, const int size[2], int components, int factor, int reduced[2])
 {
@@ -101,7 +101,7 @@ std::string vtkRelievoMaterialMap::GetFault() const
         << " points; one for each was expected";
     return out.str();
   }
-  return this->FailTime == this->GetTime() ? "OpenGL makes no texture of it" : "";
+  return this->FailTime == this->GetTime() ? "OpenGL cannot make a texture of it" : "";
 }
 
 //------------------------------------------------------------------------------
@@ -155,7 +155,7 @@ bool vtkRelievoMaterialMap::Load(vtkOpenGLRenderWindow* window, bool repeat, std
   bool unknown = false;
   if (this->IsFloat())
   {
-    // A value that is not known is as the least that is: no hole eats its neighbours by mipmaps.
+    // Unknown values get the least known value, so that mipmaps do not spread holes.
     double range[2];
     this->GetRange(range);
     floats.resize(static_cast<std::size_t>(values->GetNumberOfTuples()) * components);
@@ -171,7 +171,7 @@ bool vtkRelievoMaterialMap::Load(vtkOpenGLRenderWindow* window, bool repeat, std
   }
   if (unknown)
   {
-    remark = "values that are not finite are taken for the least that is";
+    remark = "values that are not finite are replaced by the least finite one";
   }
   this->Size[0] = size[0];
   this->Size[1] = size[1];
@@ -209,7 +209,7 @@ bool vtkRelievoMaterialMap::Load(vtkOpenGLRenderWindow* window, bool repeat, std
   this->Texture->SetWrapT(wrap);
   this->Texture->SetMinificationFilter(vtkTextureObject::LinearMipmapLinear);
   this->Texture->SetMagnificationFilter(vtkTextureObject::Linear);
-  // VTK makes no mipmaps of raw values: they are made below.
+  // VTK makes no mipmaps of raw values, so they are made below.
   const int longest = std::max(this->Size[0], this->Size[1]);
   this->Texture->SetMaxLevel(static_cast<int>(std::floor(std::log2(longest))));
   if (!this->Texture->Create2DFromRaw(static_cast<unsigned int>(this->Size[0]),
@@ -224,7 +224,7 @@ bool vtkRelievoMaterialMap::Load(vtkOpenGLRenderWindow* window, bool repeat, std
   this->Texture->Deactivate();
   const vtkIdType texels = static_cast<vtkIdType>(this->Size[0]) * this->Size[1];
   const int each = type == VTK_UNSIGNED_CHAR ? 1 : type == VTK_UNSIGNED_SHORT ? 2 : 4;
-  this->Bytes = texels * components * each * 4 / 3; // with its mipmaps
+  this->Bytes = texels * components * each * 4 / 3; // including mipmaps
   this->LoadTime = time;
   this->Repeat = repeat;
   return true;
@@ -233,7 +233,7 @@ bool vtkRelievoMaterialMap::Load(vtkOpenGLRenderWindow* window, bool repeat, std
 //------------------------------------------------------------------------------
 bool vtkRelievoMaterialMap::IsLoaded() const
 {
-  // A window that is finalized frees its textures by itself.
+  // A finalized window has freed its textures.
   return this->Texture && this->Texture->GetHandle() != 0;
 }
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// An image as a texture for shaders: its values as they are (scaled to 0 .. 1 for integers), with
-// mipmaps, in the precision it has.
+// An image as a texture for shaders: unchanged values (integers scaled to 0 .. 1), with mipmaps, in
+// the image's precision.
 #ifndef vtkRelievoMaterialMap_h
 #define vtkRelievoMaterialMap_h
 
@@ -31,23 +31,24 @@ public:
   vtkImageData* GetImage() const { return this->Image; }
   bool IsFloat() const;
 
-  // Least and greatest known value of the first component; 0, 1 for integers, as shaders have them.
+  // Least and greatest known value of the first component; 0 and 1 for integers, which shaders
+  // scale.
   void GetRange(double range[2]) const;
 
-  // What messages call the map.
+  // Name of the map in messages.
   const char* GetName() const { return this->Name; }
 
-  // Whether there is an image that can be a map, as it is now: it may be mended or spoilt in place.
+  // Whether the present image can be a map; checked anew, since it may be changed in place.
   bool IsUsable() const { return this->Image && this->GetFault().empty(); }
 
-  // Why the image cannot be a map, in words, once for as long as it stays so; else nothing.
+  // The reason why the image cannot be a map, once until it changes; else an empty string.
   std::string TakeFault();
 
-  // Makes the texture, if the image, the window or the choice is another than before. `remark` says
-  // what was done otherwise. False: there is no texture. Only of an image that is usable.
+  // Makes the texture, if the image, the window or `repeat` has changed. `remark` receives a
+  // message about changes to the values. False if there is no texture. Only for a usable image.
   bool Load(vtkOpenGLRenderWindow* window, bool repeat, std::string& remark);
 
-  // Gives the texture a unit until Deactivate().
+  // Binds the texture to a unit until Deactivate().
   int Activate();
   void Deactivate();
 
@@ -64,7 +65,7 @@ private:
   const char* Name;
   int LeastComponents;
   std::string LastFault;
-  vtkMTimeType FailTime = 0; // of the image that OpenGL made no texture of
+  vtkMTimeType FailTime = 0; // of the image that failed as a texture
   vtkSmartPointer<vtkImageData> Image;
   vtkWeakPointer<vtkOpenGLRenderWindow> Window;
   vtkSmartPointer<vtkTextureObject> Texture;

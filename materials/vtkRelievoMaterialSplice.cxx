@@ -16,7 +16,7 @@ using namespace vtkRelievoSpliceText;
 namespace
 {
 #define RELIEVO_SAME_CODE(name)                                                                    \
-  static_assert(vtkRelievoMaterial::name == RELIEVO_##name, "as in shaders/codes.glsl")
+  static_assert(vtkRelievoMaterial::name == RELIEVO_##name, "differs from shaders/codes.glsl")
 RELIEVO_SAME_CODE(METHOD_OFF);
 RELIEVO_SAME_CODE(METHOD_PARALLAX);
 RELIEVO_SAME_CODE(METHOD_STEEP);
@@ -47,7 +47,7 @@ bool IsNamePart(char c)
   return std::isalnum(static_cast<unsigned char>(c)) || c == '_';
 }
 
-// Names a variable otherwise wherever the shader's main() reads it.
+// Renames a variable wherever the shader's main() reads it.
 void Rename(std::string& source, const std::string& name, const std::string& other)
 {
   std::size_t at = source.find(name, source.find("void main()"));
@@ -77,7 +77,7 @@ void AddSelfShadow(std::string& fragment)
     const char* const kind = Has(fragment, "vec3 lightPositionVC" + i + ";") ? "LampLit"
       : Has(fragment, "vec3 lightDirectionVC" + i + ";")                     ? "SunLit"
                                                                              : nullptr;
-    if (kind) // else a light at the eye, which sees what is seen
+    if (kind) // a light at the eye reaches every visible point
     {
       std::string one = Section(kind);
       FillWord(one, "RELIEVO_NUMBER", i);
@@ -159,7 +159,7 @@ std::string vtkRelievoMaterialSplice::Fill(std::string& vertex, std::string& geo
   }
   MarkBehind(fragment, Dec, extra);
 
-  // What VTK's own textures show lies where the ray meets the relief.
+  // VTK's own textures are sampled where the ray hits the relief.
   if (relief)
   {
     Rename(fragment, "tcoordVCVSOutput", "relievoTCoord");

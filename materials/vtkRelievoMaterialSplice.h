@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The text of a material in VTK's shaders.
+// Splices a material into VTK's shaders.
 #ifndef vtkRelievoMaterialSplice_h
 #define vtkRelievoMaterialSplice_h
 
@@ -30,7 +30,7 @@ struct Structure
 
 void Mark(std::string& vertex, std::string& geometry, std::string& fragment);
 
-// tangents: the mesh has some. Returns what is missing, or nothing.
+// tangents: the mesh has tangents. Returns an error message, or an empty string.
 std::string Fill(std::string& vertex, std::string& geometry, std::string& fragment,
   const Structure& structure, bool tangents);
 }

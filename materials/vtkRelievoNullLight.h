@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A light of no intensity: without any light VTK's shaders shade nothing, and have no normals to
-// mirror an environment about or to be lit by it.
+// A light of intensity 0: without any light VTK's shaders compute no normals, which the reflection
+// of an environment and its lighting need.
 #ifndef vtkRelievoNullLight_h
 #define vtkRelievoNullLight_h
 
@@ -20,7 +20,7 @@ public:
   vtkRelievoNullLight(const vtkRelievoNullLight&) = delete;
   void operator=(const vtkRelievoNullLight&) = delete;
 
-  // Puts the light into the renderer if it is `wanted` and no other is on, else takes it out.
+  // Adds the light to the renderer if it is `wanted` and no other light is on, else removes it.
   void Place(vtkRenderer* renderer, bool wanted);
 
 private:

@@ -31,7 +31,7 @@ void vtkRelievoReflection::Mark(std::string& fragment)
   MarkBehind(fragment, "//VTK::Light::Dec", Dec);
   FillMark(
     fragment, "//VTK::Light::Impl", std::string(Look) + "\n  //VTK::Light::Impl\n  " + Light);
-  // Behind textures, whose own place other passes copy.
+  // After textures, whose own place is copied by other passes.
   FillMark(
     fragment, "//VTK::DepthPeeling::Impl", std::string(Mirror) + "\n  //VTK::DepthPeeling::Impl");
 }
@@ -54,10 +54,10 @@ std::string vtkRelievoReflection::Fill(std::string& vertex, std::string& geometr
   }
   if (!Has(fragment, "vec3 normalVCVSOutput ="))
   {
-    return std::string(); // not lit: there are no normals to mirror about
+    return std::string(); // unlit: there are no normals for a reflection
   }
   auto defined = structure;
-  // Of PBR, in the words of all versions.
+  // Recognizes PBR in all versions of VTK.
   const bool encodes = Has(fragment, ", vec3(1.0/2.2))");
   defined.Encoded = defined.Encoded || encodes;
   std::string declarations = defined.GetDefines();

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What a surface mirrors of an environment, and how that lights it: text in VTK's shaders, and its
-// uniforms.
+// Reflection of an environment by a surface, and lighting by the environment: text for VTK's
+// shaders, and its uniforms.
 #ifndef vtkRelievoReflection_h
 #define vtkRelievoReflection_h
 
@@ -26,7 +26,7 @@ struct Values
 
 void Mark(std::string& fragment);
 
-// Returns what is missing, or nothing.
+// Returns an error message, or an empty string.
 std::string Fill(std::string& vertex, std::string& geometry, std::string& fragment,
   const vtkRelievoEnvironmentTextures::Structure& structure);
 

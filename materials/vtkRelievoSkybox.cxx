@@ -34,14 +34,14 @@ public:
   {
     vtkWeakPointer<vtkOpenGLRenderWindow> Window;
     std::string Defines;
-    bool Made = false; // and without a quad: it does not compile
+    bool Made = false; // without a quad: it does not compile
     std::unique_ptr<vtkOpenGLQuadHelper> Quad;
   };
 
   vtkSmartPointer<vtkRelievoEnvironment> Environment;
   std::vector<Drawing> Drawings; // by window
 
-  // The window's program, ready to be given its uniforms.
+  // The window's program, ready for its uniforms.
   vtkOpenGLQuadHelper* Ready(vtkOpenGLRenderWindow* window, const std::string& defines)
   {
     this->Drawings.erase(std::remove_if(this->Drawings.begin(), this->Drawings.end(),
@@ -68,7 +68,7 @@ public:
     drawing->Made = true;
     drawing->Defines = defines;
     drawing->Quad.reset();
-    // VTK's helper takes it for granted that its shaders compile.
+    // VTK's helper assumes that its shaders compile.
     if (window->GetShaderCache()->ReadyShaderProgram(vertex.c_str(), fragment.c_str(), ""))
     {
       drawing->Quad.reset(new vtkOpenGLQuadHelper(window, vertex.c_str(), fragment.c_str(), ""));
@@ -141,8 +141,8 @@ void vtkRelievoSkybox::GetScreenToEnvironment(vtkRenderer* renderer, vtkMatrix3x
   }
   else
   {
-    // A direction d is seen where (x, y, 1) w = A d, with the rows of x, y and w; nothing else of
-    // the matrices, near, far and the eye's place among it, takes part.
+    // A direction d is seen where (x, y, 1) w = A d, with the rows of x, y and w; the rest of the
+    // matrices (near, far and the eye's position) has no influence.
     vtkNew<vtkMatrix4x4> worldToNDC;
     vtkMatrix4x4::Multiply4x4(toNDC, toView, worldToNDC);
     for (int i = 0; i < 9; ++i)
@@ -151,7 +151,7 @@ void vtkRelievoSkybox::GetScreenToEnvironment(vtkRenderer* renderer, vtkMatrix3x
     }
     toWorld->Invert();
   }
-  // The renderer's axes, as VTK's mappers take them.
+  // The renderer's axes, in the convention of VTK's mappers.
   double right[3];
   double up[3];
   double front[3];
@@ -201,7 +201,7 @@ int vtkRelievoSkybox::RenderOpaqueGeometry(vtkViewport* viewport)
   }
   vtkNew<vtkMatrix3x3> matrix;
   this->GetScreenToEnvironment(renderer, matrix);
-  // Of any length: divided by the greatest, so that floats hold it.
+  // The length is arbitrary: dividing by the greatest element makes the numbers fit floats.
   double greatest = 0.0;
   for (int i = 0; i < 9; ++i)
   {
@@ -216,7 +216,8 @@ int vtkRelievoSkybox::RenderOpaqueGeometry(vtkViewport* viewport)
   program->SetUniformf("relievoIntensity", static_cast<float>(in.Environment->GetIntensity()));
 
   vtkOpenGLState* state = window->GetState();
-  // One by one: vtkOpenGLState::Push would keep buffers that mappers have deleted but left bound.
+  // State by state: vtkOpenGLState::Push would save buffers that mappers have deleted but left
+  // bound.
   vtkOpenGLState::ScopedglEnableDisable blend(state, GL_BLEND);
   vtkOpenGLState::ScopedglEnableDisable cull(state, GL_CULL_FACE);
   vtkOpenGLState::ScopedglEnableDisable test(state, GL_DEPTH_TEST);

@@ -2,18 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkRelievoSkybox
- * @brief Shows an environment behind everything else in the picture.
+ * @brief Shows an environment behind all other geometry.
  *
- * It is added to a renderer like any prop (vtkRenderer::AddViewProp). The environment is infinitely
- * far away: it rotates with the view, and translation does not move it. Each pixel shows the
- * direction of its own ray, computed from the camera's matrices in double precision, so it is right
- * at any view angle, far from the origin, off axis, sheared, in stereo and in tiles.
+ * Add it to a renderer like any prop (vtkRenderer::AddViewProp). The environment is infinitely far
+ * away: it rotates with the view, and translation does not move it. Each pixel shows the direction
+ * of its own ray, computed from the camera's matrices in double precision, at any view angle, far
+ * from the origin, off axis, sheared, in stereo and in tiles.
  *
- * In a parallel projection all rays are parallel, so by default the background is a single colour.
- * With ParallelViewAngle it is what a perspective view with that angle would show.
+ * In a parallel projection all rays are parallel, so by default the background has a single colour.
+ * ParallelViewAngle shows the background of a perspective view with that angle instead.
  *
- * It writes no depth, so layers have their background values there; it casts no shadow, has no
- * bounds, and is not picked.
+ * A skybox writes no depth, so layers have their background values there; it casts no shadow, has
+ * no bounds, and cannot be picked.
  */
 #ifndef vtkRelievoSkybox_h
 #define vtkRelievoSkybox_h
@@ -35,29 +35,29 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /** The environment that is shown. nullptr (default): none. */
+  /** The environment to show. nullptr (default): none. */
   void SetEnvironment(vtkRelievoEnvironment* environment);
   vtkRelievoEnvironment* GetEnvironment();
   ///@}
 
   ///@{
-  /** How much it is blurred by the environment's levels, 0 to 1. Default 0. */
+  /** Blur by the environment's levels, 0 to 1. Default 0. */
   vtkSetClampMacro(Roughness, double, 0.0, 1.0);
   vtkGetMacro(Roughness, double);
   ///@}
 
   ///@{
   /**
-   * In parallel projections, the full vertical angle of the sky that the picture's height shows, in
-   * degrees, 0 to 170. Default 0, which shows the one direction of the rays.
+   * In parallel projections, the full vertical angle of the sky over the picture's height, in
+   * degrees, 0 to 170. Default 0: the single direction of the rays.
    */
   vtkSetClampMacro(ParallelViewAngle, double, 0.0, 170.0);
   vtkGetMacro(ParallelViewAngle, double);
   ///@}
 
   /**
-   * The matrix that maps (x, y, 1) to the direction in the environment that is visible there, of
-   * any length; x and y are from -1 to 1 in the renderer's viewport.
+   * Matrix from (x, y, 1) to the visible direction in the environment, of any length; x and y are
+   * from -1 to 1 in the renderer's viewport.
    */
   void GetScreenToEnvironment(vtkRenderer* renderer, vtkMatrix3x3* matrix);
 

@@ -25,7 +25,7 @@ vtkStandardNewMacro(vtkRelievoVoxelCubesActor);
 
 namespace
 {
-// A side of 1 around the origin; each face has points of its own, with its normal.
+// A cube with sides of 1 around the origin; each face has its own points, with its normal.
 vtkSmartPointer<vtkPolyData> MakeCube()
 {
   vtkNew<vtkPoints> points;
@@ -63,13 +63,14 @@ vtkSmartPointer<vtkPolyData> MakeCube()
 }
 
 //------------------------------------------------------------------------------
-// What is not finite is refused; the same again is no change, which would draw shadow maps anew.
+// Rejects values that are not finite; equal values are not a change, which would redraw shadow
+// maps.
 void vtkRelievoVoxelCubesActor::Change(
   const char* name, double* values, const double* given, int count)
 {
   if (!std::all_of(given, given + count, [](double value) { return std::isfinite(value); }))
   {
-    vtkErrorMacro(<< name << " stays as it was: what was given is not finite.");
+    vtkErrorMacro(<< name << " is unchanged: the given values are not finite.");
     return;
   }
   if (!std::equal(given, given + count, values))
@@ -85,11 +86,11 @@ vtkRelievoVoxelCubesActor::vtkRelievoVoxelCubesActor()
   this->Glyphs->SetSourceData(MakeCube());
   this->Glyphs->SetScaleModeToScaleByVectorComponents();
   this->Glyphs->SetScaleArray("instance");
-  // Where the filter says so; an array that is not there turns nothing.
+  // From the filter's array; without the array glyphs are not rotated.
   this->Glyphs->SetOrientationModeToQuaternion();
   this->Glyphs->SetOrientationArray("orientation");
   this->SetMapper(this->Glyphs);
-  // Before VTK's own, which replaces the tag that is left with the instance's matrix.
+  // Before VTK's own replacement, which replaces the remaining tag by the instance's matrix.
   const std::string text = vtkRelievoShaderLibrary::Get("cubes/cubes.glsl");
   this->GetShaderProperty()->AddVertexShaderReplacement(
     "//VTK::Glyph::Dec", true, "//VTK::Glyph::Dec\n" + text, false);
@@ -118,7 +119,7 @@ vtkGlyph3DMapper* vtkRelievoVoxelCubesActor::GetGlyphMapper()
 }
 
 //------------------------------------------------------------------------------
-// Not as a change of the mapper, which would make its instances again.
+// Not by a change of the mapper, which would rebuild its instances.
 void vtkRelievoVoxelCubesActor::UpdateUniforms()
 {
   float cell[4] = { 0.F, 0.F, 0.F, 0.F };
@@ -184,14 +185,14 @@ void vtkRelievoVoxelCubesActor::SetRepellerRadius(double radius)
 //------------------------------------------------------------------------------
 double* vtkRelievoVoxelCubesActor::GetBounds()
 {
-  // Otherwise these would be what they were made below, and grow with each call.
+  // Otherwise the bounds would include those computed below, and grow with each call.
   this->MapperBounds[0] = VTK_DOUBLE_MAX;
   double* bounds = this->Superclass::GetBounds();
   if (!bounds || !(bounds[0] <= bounds[1]))
   {
     return bounds;
   }
-  // The mapper knows cubes by the sizes of their instances, which are at most those drawn.
+  // The mapper knows the sizes of instances, which are at most those of the drawn cubes.
   vtkBoundingBox box(bounds);
   vtkMatrix4x4* matrix = this->GetMatrix();
   vtkBoundingBox cell;

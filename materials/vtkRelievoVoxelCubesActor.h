@@ -2,19 +2,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkRelievoVoxelCubesActor
- * @brief Cubes of a voxel shell as instances, whose sizes and places the vertex shader computes.
+ * @brief Cubes of a voxel shell as instances, whose sizes and positions are computed by the vertex
+ * shader.
  *
- * Its input is the output of vtkRelievoVoxelCubes with InstancedOn(). The settings are those of
- * that filter, and the pictures are the same; here a change of a setting changes some numbers on
- * the graphics card, so that transitions and a repeller can move with each frame. The filter's own
- * Transition says up to which distance there are cubes at all.
+ * The input is the output of vtkRelievoVoxelCubes with InstancedOn(). The settings, and the
+ * pictures, are those of that filter; here a change of a setting only changes uniforms on the GPU,
+ * so that transitions and a repeller can move in each frame. The filter's own Transition limits the
+ * distance up to which there are cubes.
  *
  * The actor has a vtkGlyph3DMapper, which colors the cubes by scalars as usual; its source is a
- * cube with a side of 1. Its vtkShaderProperty has a replacement of `//VTK::Glyph::Dec` and three
- * uniforms, which must stay. Layers, shadow maps, lamps and fog see the cubes where they are
- * drawn; where VTK lets no stage light actors with shader code of their own (deferred shading),
- * VTK lights them. The method `exact` of shadows, which traces triangles on the CPU, leaves them
- * to its map.
+ * cube with sides of 1. Its vtkShaderProperty has a replacement of `//VTK::Glyph::Dec` and three
+ * uniforms, which must not be removed. Layers, shadow maps, lamps and fog use the drawn positions
+ * of the cubes; if no stage can light actors with their own shader code (deferred shading), VTK
+ * lights them. The shadow method `exact`, which traces triangles on the CPU, uses its map for them.
  */
 #ifndef vtkRelievoVoxelCubesActor_h
 #define vtkRelievoVoxelCubesActor_h
@@ -44,33 +44,33 @@ public:
   vtkGlyph3DMapper* GetGlyphMapper();
 
   ///@{
-  /** Sides of the cells in world units, as the image's spacing. Default is 1 1 1. */
+  /** Sides of the cells in world units: the image's spacing. Default is 1 1 1. */
   void SetCellSize(double x, double y, double z);
   void SetCellSize(const double size[3]) { this->SetCellSize(size[0], size[1], size[2]); }
   vtkGetVector3Macro(CellSize, double);
   ///@}
 
   ///@{
-  /** The distance outside, in world units, over which sizes fall to RestSize. Default is 0. */
+  /** Distance outside, in world units, over which sizes fall to RestSize. Default is 0. */
   void SetTransition(double distance);
   vtkGetMacro(Transition, double);
   ///@}
 
   ///@{
-  /** Size of cubes that are farther outside than Transition, 0 to 1. Default is 0.05. */
+  /** Size of cubes farther outside than Transition, 0 to 1. Default is 0.05. */
   void SetRestSize(double size);
   vtkGetMacro(RestSize, double);
   ///@}
 
   ///@{
-  /** How much of the sizes above RestSize there is, 0 to 1, for animations. Default is 1. */
+  /** Factor of the sizes above RestSize, 0 to 1, for animations. Default is 1. */
   void SetGrowth(double growth);
   vtkGetMacro(Growth, double);
   ///@}
 
   ///@{
   /**
-   * A place that cubes move away from, in model coordinates: one at the distance d below
+   * A point from which cubes move away, in model coordinates: a cube at distance d below
    * RepellerRadius r moves to (r + d d / r) / 2. Default radius 0: nothing moves.
    */
   void SetRepeller(double x, double y, double z);
@@ -81,7 +81,7 @@ public:
   ///@}
 
   using vtkOpenGLActor::GetBounds;
-  /** Those of the cubes at full size, and of the repeller's ball. */
+  /** Bounds of the cubes at full size, and of the repeller's ball. */
   double* GetBounds() override;
 
 protected:

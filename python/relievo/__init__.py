@@ -24,16 +24,16 @@ normal             3 float     unit shading normal, world space                 
 geometric_normal   3 float     unit normal of the triangle, world space              0
 position           3 double    world position                                        0
 albedo             4 uint8     surface colour before lighting, RGBA, 0 to 255        0
-light              3 float     what lamps add, before the surface's colour           0
-light_depth        1 float     what a light's shadow map sees, along its axis        +infinity
-lamp_evaluations   1 float     how many lamps were computed for the pixel            0
-lamps_reaching     1 float     how many lamps reach the pixel's surface              0
-blend              4 float     what is translucent, in linear light, premultiplied   0
+light              3 float     light of lamps, before the surface's colour           0
+light_depth        1 float     depth in a light's shadow map, along its axis         +infinity
+lamp_evaluations   1 float     number of lamps computed for the pixel                0
+lamps_reaching     1 float     number of lamps that reach the pixel's surface        0
+blend              4 float     translucent surfaces, linear light, premultiplied     0
 color              4 float     the picture in linear light, premultiplied            renderer's
 actor block cell   1 int       ids, from 0                                           -1
-fog                1 float     what fog lets through: 1 all, 0 nothing               1
-ambient            1 float     share of the sky that the surface sees: 1 all, 0 none  1
-marker             1 float     how much of the surface markers cover, 0 to 1         0
+fog                1 float     transmittance of fog: 1 all, 0 nothing                1
+ambient            1 float     visible share of the sky: 1 all, 0 nothing            1
+marker             1 float     cover of the surface by markers, 0 to 1               0
 shadow_N           1 float     visibility of light N: 1 lit, 0 dark                  1
 any array's name   the array's  point data interpolated, cell data per cell          NaN
 =================  ==========  ====================================================  ==========
