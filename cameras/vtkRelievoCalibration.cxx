@@ -43,14 +43,14 @@ const SensorKind* FindKind(const std::string& name)
   return found == GetKinds().end() ? nullptr : &*found;
 }
 
-// Words taken apart.
+// Parsed words.
 struct Parsed
 {
   std::string Kind;
   Numbers Values;
   Numbers Intrinsics;
   double Angle = 0.0;
-  std::string Wrong; // empty: nothing
+  std::string Wrong; // error message, or empty
 };
 
 Parsed Parse(const std::string& words)
@@ -69,7 +69,7 @@ Parsed Parse(const std::string& words)
   std::string form = kind->Form;
   if (kind->Lens >= 0)
   {
-    form += ", and by choice ,K=FX/FY/CX/CY or ,angle=DEG";
+    form += ", optionally followed by ,K=FX/FY/CX/CY or ,angle=DEG";
   }
   form += kind->Range;
   bool good = true;
@@ -89,7 +89,7 @@ Parsed Parse(const std::string& words)
       good = good && number;
       numbers.push_back(number.value_or(0.0));
     }
-    // One of them, and behind the coefficients.
+    // Only one option is allowed, after the coefficients.
     good = good && parsed.Intrinsics.empty() && parsed.Angle == 0.0 &&
       numbers.size() == (isMatrix ? 4 : 1) && (kind->Lens >= 0 || !(isMatrix || isAngle)) &&
       (!isAngle || (numbers[0] > 0.0 && numbers[0] <= 360.0));
@@ -107,7 +107,7 @@ Parsed Parse(const std::string& words)
     }
   }
   const auto count = static_cast<int>(parsed.Values.size());
-  // Behind a comma there is no coefficient.
+  // Coefficients follow a colon; after a comma there are none.
   good = good && (colon == std::string::npos || words[colon] == ':' || count == 0) &&
     (colon == std::string::npos || !parts.empty()) &&
     std::count(kind->Counts.begin(), kind->Counts.end(), count) != 0;
@@ -226,11 +226,12 @@ bool vtkRelievoCalibration::Read()
 }
 
 //------------------------------------------------------------------------------
-// In place of the one before.
+// Replaces the lens of an earlier call.
 vtkRelievoCameraModel* vtkRelievoCalibration::MakeLens(vtkCamera* view, int columns, int rows)
 {
   vtkMatrix4x4* projection = view->GetProjectionTransformMatrix(double(columns) / rows, -1.0, 1.0);
-  const double halfHeight = 1.0 / projection->GetElement(1, 1); // at distance 1, or all over
+  // At distance 1, or anywhere in parallel projection.
+  const double halfHeight = 1.0 / projection->GetElement(1, 1);
   const SensorKind& kind = *FindKind(this->Kind);
   if (kind.Make)
   {
@@ -249,7 +250,7 @@ vtkRelievoCameraModel* vtkRelievoCalibration::MakeLens(vtkCamera* view, int colu
       k[0] * x, k[1] * y, k[2] * x, (k[3] + 0.5) * x - 0.5, (k[4] + 0.5) * y - 0.5);
     return lens;
   }
-  // Where the upper and the lower edge would be, were the focal length 1.
+  // Positions of the upper and the lower edge for a focal length of 1.
   const double angle = this->Angle > 0.0 ? this->Angle : this->ViewAngle;
   const double half =
     angle > 0.0 ? vtkMath::RadiansFromDegrees(0.5 * angle) : std::atan(halfHeight);
@@ -257,7 +258,8 @@ vtkRelievoCameraModel* vtkRelievoCalibration::MakeLens(vtkCamera* view, int colu
   const double edges[2][3] = { { 0.0, -std::sin(half), std::cos(half) },
     { 0.0, std::sin(half), std::cos(half) } };
   double places[2][2];
-  // What a pinhole shows of 180 degrees is without end; of 179.9 it is as high as this.
+  // The picture of a pinhole with 180 degrees is infinitely high; with 179.9 degrees it has this
+  // height.
   constexpr double highest = 2291.8;
   const bool isSeen = lens->ProjectCameraPoint(edges[0], places[0]) &&
     lens->ProjectCameraPoint(edges[1], places[1]) && places[1][1] > places[0][1] &&
@@ -266,7 +268,8 @@ vtkRelievoCameraModel* vtkRelievoCalibration::MakeLens(vtkCamera* view, int colu
   {
     lens->Delete();
     std::ostringstream text;
-    text << "the lens '" << this->Words << "' sees no " << vtkMath::DegreesFromRadians(2.0 * half)
+    text << "the lens '" << this->Words << "' cannot span "
+         << vtkMath::DegreesFromRadians(2.0 * half)
          << " degrees, expected a smaller angle, or K=FX/FY/CX/CY";
     this->Fail(text.str());
     return nullptr;
@@ -298,14 +301,14 @@ vtkRelievoCameraModel* vtkRelievoCalibration::MakeCamera(vtkCamera* view, int co
     this->Fail(wrongSize);
     return nullptr;
   }
-  // The same shape: rounded from it.
+  // Equal shape, up to rounding.
   const double wide = double(columns) * this->FileSize[1];
   const double high = double(rows) * this->FileSize[0];
   if (std::abs(wide - high) > 0.5 * std::max(this->FileSize[0], this->FileSize[1]))
   {
-    this->Fail(this->Words + ": it is for pictures of " + std::to_string(this->FileSize[0]) + "x" +
-      std::to_string(this->FileSize[1]) + ", got a picture of " + size +
-      ", expected one of that shape");
+    this->Fail(this->Words + ": the calibration is for pictures of " +
+      std::to_string(this->FileSize[0]) + "x" + std::to_string(this->FileSize[1]) +
+      ", got a picture of " + size + ", expected one of the same shape");
     return nullptr;
   }
   const double* const position = view->GetPosition();

@@ -21,7 +21,7 @@ using Json = nlohmann::json;
 using vtkRelievoCalibrationForms::Trim;
 using Numbers = std::vector<double>;
 
-constexpr std::size_t MostBytes = std::size_t(1) << 26; // of a file
+constexpr std::size_t MostBytes = std::size_t(1) << 26; // per file
 constexpr int MostDepth = vtkRelievoCalibrationForms::MostDepth;
 
 int GetLens(const std::string& name)
@@ -32,7 +32,7 @@ int GetLens(const std::string& name)
                            : vtkRelievoLensCamera::DIVISION;
 }
 
-// YAML, as far as calibrations need it.
+// The subset of YAML used by calibrations.
 
 using Lines = std::vector<std::string>;
 
@@ -42,7 +42,7 @@ std::size_t GetIndent(const std::string& line)
   return indent == std::string::npos ? line.size() : indent;
 }
 
-// Without the comment.
+// Removes the comment.
 std::string DropComment(const std::string& line)
 {
   char quote = 0;
@@ -64,7 +64,7 @@ std::string DropComment(const std::string& line)
   return line;
 }
 
-// A list in brackets, lists among its items; null if it has too many lists in lists.
+// Parses a list in brackets, with nested lists; null if they are nested too deeply.
 Json ReadFlow(const std::string& text, std::size_t& at, int depth = 0)
 {
   if (depth > MostDepth)
@@ -102,15 +102,15 @@ Json ReadFlow(const std::string& text, std::size_t& at, int depth = 0)
       item += text[at];
     }
   }
-  return {}; // it does not end
+  return {}; // the list is not closed
 }
 
-// The entries of a map, each with what follows its key.
+// The entries of a map: each key with the lines of its value.
 std::vector<std::pair<std::string, Lines>> GetEntries(const Lines& lines)
 {
   std::vector<std::pair<std::string, Lines>> entries;
   std::size_t indent = std::string::npos;
-  int depth = 0; // of brackets
+  int depth = 0; // of open brackets
   for (const std::string& line : lines)
   {
     if (Trim(line).empty())
@@ -184,8 +184,8 @@ Json ReadYAMLValue(Lines lines, int depth)
   return number ? Json(*number) : Json(first);
 }
 
-// What is read: its names in OpenCV's files and those of ROS's calibrator, in a CameraInfo of ROS 1
-// and 2, and in the files of Kalibr and EuRoC.
+// The entries: their names in files of OpenCV and of ROS's calibrator, in a CameraInfo of ROS 1 and
+// 2, and in files of Kalibr and EuRoC.
 enum
 {
   WIDTH,
@@ -210,7 +210,7 @@ const std::vector<std::string> EntryNames[] = { { "image_width", "width" },
 struct Entry
 {
   std::string Name;
-  Json Value; // null: it is missing
+  Json Value; // null if missing
 };
 
 Entry FindEntry(const Json& file, int which)
@@ -225,14 +225,14 @@ Entry FindEntry(const Json& file, int which)
   return { EntryNames[which][0], {} };
 }
 
-// A camera of Kalibr's: cam0, cam1, ...
+// A camera in Kalibr's chain: cam0, cam1, ...
 bool IsCameraName(const std::string& key)
 {
   return key.size() > 3 && key.rfind("cam", 0) == 0 &&
     key.find_first_not_of("0123456789", 3) == std::string::npos;
 }
 
-// The entries that are known, of a map in YAML, and of the cameras in it.
+// The known entries of a YAML map, and of the cameras in it.
 Json PickEntries(const Lines& lines, bool hasCameras)
 {
   Json file = Json::object();
@@ -265,7 +265,7 @@ Json ReadYAML(const std::string& text)
   return PickEntries(lines, true);
 }
 
-// The numbers of a matrix, row by row; none if it is no matrix.
+// The numbers of a matrix, row by row; none if the value is not a matrix.
 std::optional<Numbers> GetMatrix(const Json& value)
 {
   const Json& data = value.is_object() && value.contains("data") ? value["data"] : value;
@@ -287,7 +287,7 @@ std::optional<Numbers> GetMatrix(const Json& value)
   return numbers;
 }
 
-// How the numbers of a matrix are not those that its own rows and columns say; empty if they are.
+// Error message if the count of numbers contradicts the matrix's own rows and columns; else empty.
 std::string GetMiscount(const Json& value, std::size_t count)
 {
   double expected = 1.0;
@@ -300,7 +300,7 @@ std::string GetMiscount(const Json& value, std::size_t count)
     expected *= value[side].get<double>();
   }
   std::ostringstream words;
-  words << "its rows and cols say " << expected << " numbers, its data has " << count;
+  words << "its rows and cols give " << expected << " numbers, but its data has " << count;
   return expected == static_cast<double>(count) ? "" : words.str();
 }
 
@@ -310,7 +310,7 @@ bool AreAllFinite(const Numbers& numbers)
     numbers.begin(), numbers.end(), [](double value) { return std::isfinite(value); });
 }
 
-// The lens's name by what a file says of it; empty if there is no such lens.
+// The lens's name for the file's entries; empty if there is no such lens.
 std::string GetLensName(const Json& file)
 {
   static const std::vector<std::pair<std::string, std::string>> names = { { "plumb_bob", "brown" },
@@ -329,7 +329,7 @@ std::string GetLensName(const Json& file)
   return found == names.end() ? "" : found->second;
 }
 
-// A whole number of pixels from 0; nothing that is missing is 0 too.
+// A non-negative whole number of pixels; 0 if the value is missing.
 std::optional<int> GetPixels(const Json& value)
 {
   const double pixels = value.is_number() ? value.get<double>() : 0.0;
@@ -338,9 +338,9 @@ std::optional<int> GetPixels(const Json& value)
   return good ? std::optional<int>(static_cast<int>(pixels)) : std::nullopt;
 }
 
-// The picture is a part of the sensor's, whose pixels are taken together (`roi`, in pixels of the
-// sensor, and `binning_x`, `binning_y` of a CameraInfo, all of which the matrix does not know): its
-// size and its matrix. A pixel's centre is the middle of those that it is made of.
+// A CameraInfo's picture may be a part of the sensor's (`roi`, in pixels of the sensor), with
+// binned pixels (`binning_x`, `binning_y`), which its matrix ignores: computes the picture's size
+// and matrix. A binned pixel's centre is the mean of its sensor pixels'.
 void TakePart(const Json& file, vtkRelievoCalibrationFile& found)
 {
   const Json region = FindEntry(file, REGION).Value;
@@ -355,7 +355,7 @@ void TakePart(const Json& file, vtkRelievoCalibrationFile& found)
     const std::optional<int> size = get(i == 0 ? "width" : "height");
     const int all = found.Size[i];
     const int part = size.value_or(0) > 0 ? *size : all - offset.value_or(0);
-    const int bin = std::max(together.value_or(0), 1); // 0 says 1
+    const int bin = std::max(together.value_or(0), 1); // 0 means 1
     if (!(region.is_null() || region.is_object()) || !offset || !size || part < 1 ||
       *offset + part > all)
     {
@@ -373,12 +373,12 @@ void TakePart(const Json& file, vtkRelievoCalibrationFile& found)
     double& center = found.Intrinsics[3 + i];
     focal /= bin;
     center = (center - *offset + 0.5) / bin - 0.5;
-    found.Intrinsics[2] /= i == 0 ? bin : 1; // the skew, in columns
+    found.Intrinsics[2] /= i == 0 ? bin : 1; // skew, in units of columns
   }
 }
 
-// The one camera of Kalibr's chain in place of the chain, and size and matrix in place of the
-// resolution and the intrinsics of Kalibr and EuRoC. What is wrong with them; empty: nothing.
+// Replaces Kalibr's chain by its only camera, and converts the resolution and intrinsics of Kalibr
+// and EuRoC to size and matrix. Returns an error message, or an empty string.
 std::string TakeKalibr(Json& file)
 {
   std::vector<std::string> cameras;
@@ -392,7 +392,7 @@ std::string TakeKalibr(Json& file)
   if (cameras.size() > 1)
   {
     return "it has " + std::to_string(cameras.size()) + " cameras, " + cameras.front() + " to " +
-      cameras.back() + ", expected one; leave one of them in a file of its own";
+      cameras.back() + ", expected one; put each of them into a file of its own";
   }
   if (!cameras.empty())
   {
@@ -407,7 +407,7 @@ std::string TakeKalibr(Json& file)
   if (!(model.is_null() || model == "pinhole"))
   {
     return "camera_model: got " + model.dump() + ", expected pinhole; " +
-      "other models, as omni, eucm and ds, are not read";
+      "other models, such as omni, eucm and ds, are not supported";
   }
   const Numbers k = GetMatrix(intrinsics).value_or(Numbers());
   if (k.size() != 4)
@@ -476,7 +476,7 @@ vtkRelievoCalibrationFile Interpret(Json file)
     found.Wrong = coefficients.Name + ": " + miscount;
     return found;
   }
-  // OpenCV's longer models are this one where what is behind it is 0.
+  // OpenCV's longer models equal this one if the further coefficients are 0.
   const int lens = GetLens(found.Kind);
   found.Values = values.value_or(Numbers());
   const auto isTaken = [&found, lens] {
@@ -488,21 +488,21 @@ vtkRelievoCalibrationFile Interpret(Json file)
   }
   if (found.Kind == "brown" && found.Values.size() == 1)
   {
-    found.Values.push_back(0.0); // k1 alone
+    found.Values.push_back(0.0); // only k1
   }
   if (!values || !AreAllFinite(*values) || !isTaken())
   {
     found.Wrong = coefficients.Name + ": " +
       (values ? "got " + std::to_string(values->size()) + " numbers, " : "") + "expected " +
-      vtkRelievoLensCamera::GetCounts(lens) + " finite numbers, of the lens " + found.Kind +
-      ", and zeros behind them";
+      vtkRelievoLensCamera::GetCounts(lens) + " finite numbers for the lens " + found.Kind +
+      ", and zeros after them";
     if (found.Kind == "brown" && found.Values.size() == 3)
     {
-      found.Wrong += "; the third is p1 in OpenCV's order, k3 stands behind p1 and p2";
+      found.Wrong += "; the third is p1 in OpenCV's order, k3 comes after p1 and p2";
     }
     else if (found.Kind == "brown" && found.Values.size() > 8)
     {
-      found.Wrong += "; thin prisms (s1 to s4) and tilted sensors (tau) are not drawn";
+      found.Wrong += "; thin prisms (s1 to s4) and tilted sensors (tau) are not supported";
     }
     return found;
   }
@@ -560,7 +560,7 @@ std::string vtkRelievoCalibrationFile::GetExtension(const std::string& path)
 vtkRelievoCalibrationFile vtkRelievoCalibrationFile::Read(const std::string& path)
 {
   vtkRelievoCalibrationFile failed;
-  // A pipe would be waited for, and a device need not end.
+  // Reading a pipe would block, and a device may not end.
   std::error_code trouble;
   const bool isFile = std::filesystem::is_regular_file(path, trouble);
   if (std::filesystem::exists(path, trouble) && !isFile)
@@ -577,7 +577,7 @@ vtkRelievoCalibrationFile vtkRelievoCalibrationFile::Read(const std::string& pat
   }
   if (!stream.is_open() || stream.bad() || isLarge)
   {
-    failed.Wrong = isLarge ? "it is larger than a calibration is" : "cannot be read";
+    failed.Wrong = isLarge ? "it is too large for a calibration" : "cannot be read";
     return failed;
   }
   std::string extension = GetExtension(path);
@@ -586,14 +586,14 @@ vtkRelievoCalibrationFile vtkRelievoCalibrationFile::Read(const std::string& pat
     extension.resize(extension.size() - 3);
     if (!vtkRelievoCalibrationForms::Unpack(text, MostBytes))
     {
-      failed.Wrong = "expected data of gzip, whole, and no more of it than a calibration has";
+      failed.Wrong = "expected complete gzip data no larger than a calibration";
       return failed;
     }
   }
   Json file;
   if (extension == ".json")
   {
-    // Deeper values are no part of a calibration; OpenCV's files may have comments.
+    // Calibrations contain no deeper values; OpenCV's files may have comments.
     const auto isHigh = [](int depth, Json::parse_event_t, const Json&) {
       return depth <= MostDepth;
     };

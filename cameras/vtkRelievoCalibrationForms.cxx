@@ -18,7 +18,7 @@ namespace
 using Json = nlohmann::json;
 using vtkRelievoCalibrationForms::Trim;
 
-// A number or a text.
+// A number or a string.
 Json ToValue(const std::string& text)
 {
   const std::string word = Trim(text);
@@ -27,7 +27,7 @@ Json ToValue(const std::string& text)
   return number ? Json(*number) : Json(isQuoted ? word.substr(1, word.size() - 2) : word);
 }
 
-// The words between blanks.
+// The words separated by blanks.
 std::vector<std::string> GetWords(const std::string& text)
 {
   std::istringstream stream(text);
@@ -37,7 +37,7 @@ std::vector<std::string> GetWords(const std::string& text)
 struct ColmapModel
 {
   const char* Name;
-  std::size_t Focals; // 1: fx is fy
+  std::size_t Focals; // 1: fx equals fy
   const char* Lens;   // its distortion_model
   std::size_t Coefficients;
 };
@@ -62,7 +62,7 @@ std::string vtkRelievoCalibrationForms::Trim(const std::string& text)
 bool vtkRelievoCalibrationForms::Unpack(std::string& bytes, std::size_t most)
 {
   z_stream stream = {};
-  constexpr int gzip = 15 + 16; // the widest window, and gzip's header
+  constexpr int gzip = 15 + 16; // the largest window, and gzip's header
   if (inflateInit2(&stream, gzip) != Z_OK)
   {
     return false;
@@ -130,7 +130,7 @@ Json vtkRelievoCalibrationForms::ReadXML(const std::string& text)
     {
       return {};
     }
-    // An element ends here: an entry, or what a matrix consists of.
+    // End of an element: an entry, or a part of a matrix.
     if (path.size() == 2 && !file.contains(path[1]))
     {
       file[path[1]] = ToValue(content);
@@ -179,7 +179,7 @@ Json vtkRelievoCalibrationForms::ReadCOLMAP(const std::string& text, std::string
     [&words](const ColmapModel& each) { return words[1] == each.Name; });
   if (model == std::end(ColmapModels))
   {
-    wrong = "there is no lens for the model '" + words[1] + "', expected one of";
+    wrong = "no lens supports the model '" + words[1] + "', expected one of";
     for (const ColmapModel& each : ColmapModels)
     {
       wrong += std::string(&each == ColmapModels ? " " : ", ") + each.Name;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Forms of calibrations' files beside YAML and JSON, as the objects that those hold.
+// Calibration files in other forms than YAML and JSON, converted to JSON objects.
 #ifndef vtkRelievoCalibrationForms_h
 #define vtkRelievoCalibrationForms_h
 
@@ -12,18 +12,18 @@
 
 namespace vtkRelievoCalibrationForms
 {
-constexpr int MostDepth = 8; // of lists in lists, and objects in objects
+constexpr int MostDepth = 8; // of nested lists and objects
 
 std::string Trim(const std::string& text);
 
-// Unpacks data of gzip. False if they are none, end early, or have more bytes than these.
+// Unpacks gzip data. False if the data are invalid or incomplete, or have more than `most` bytes.
 bool Unpack(std::string& bytes, std::size_t most);
 
-// The entries of OpenCV's cv::FileStorage in XML; null if it is none.
+// The entries of OpenCV's cv::FileStorage in XML; null if the text is no such file.
 nlohmann::json ReadXML(const std::string& text);
 
-// The one camera of a cameras.txt by COLMAP, whose first pixel has its centre at (0.5, 0.5), in
-// OpenCV's terms. Faults are added in words; empty: none.
+// The only camera of COLMAP's cameras.txt, whose first pixel has its centre at (0.5, 0.5), in
+// OpenCV's terms. `wrong` receives an error message, or remains empty.
 nlohmann::json ReadCOLMAP(const std::string& text, std::string& wrong);
 }
 

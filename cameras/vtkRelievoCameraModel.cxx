@@ -16,7 +16,7 @@
 
 namespace
 {
-constexpr vtkIdType Grain = 4096;      // rays that a thread takes at once
+constexpr vtkIdType Grain = 4096;      // rays per task of a thread
 constexpr double RotationError = 1e-3; // of an element of R transposed times R
 
 bool AreFinite(const double* values, int count)
@@ -24,7 +24,7 @@ bool AreFinite(const double* values, int count)
   return std::all_of(values, values + count, [](double value) { return std::isfinite(value); });
 }
 
-// world = R transposed times camera
+// world = R transposed * camera
 void Turn(const double rotation[9], const double camera[3], double world[3])
 {
   const double from[3] = { camera[0], camera[1], camera[2] };
@@ -34,7 +34,7 @@ void Turn(const double rotation[9], const double camera[3], double world[3])
   }
 }
 
-// Right, down and forward of a view; false if it has no direction.
+// Right, down and forward of a view; false if the view has no direction.
 bool FindAxes(
   const double position[3], const double target[3], const double up[3], double axes[3][3])
 {
@@ -85,7 +85,7 @@ void vtkRelievoCameraModel::SetExtrinsics(const double rotation[9], const double
   }
   if (!(wrong <= RotationError) || vtkMath::Determinant3x3(given) < 0.0)
   {
-    vtkErrorMacro("R is no rotation: its columns are off by "
+    vtkErrorMacro("R is not a rotation: its columns have an error of "
       << wrong << (wrong <= RotationError ? ", and it mirrors" : "")
       << ", expected 9 numbers, row by row, of orthogonal unit vectors of determinant 1.");
     return;
@@ -124,7 +124,7 @@ std::string vtkRelievoCameraModel::CheckView(
   write(target);
   text << " with ";
   write(up);
-  text << " upwards is no view, expected two places, and upwards another direction";
+  text << " upwards is not a view, expected two different positions, and another direction upwards";
   return text.str();
 }
 
@@ -217,7 +217,7 @@ void vtkRelievoCameraModel::GetRays(
 }
 
 //------------------------------------------------------------------------------
-// Of so many places, which it is told one by one.
+// For a number of positions, returned one by one by `Place`.
 template <typename Place>
 void vtkRelievoCameraModel::Fill(
   vtkIdType count, vtkDoubleArray* origins, vtkDoubleArray* directions, const Place& getPlace)

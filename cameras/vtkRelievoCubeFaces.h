@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Faces of a cube about an eye, in camera space: the axis to the right in each, downwards in it,
-// and outwards.
+// Faces of a cube around an eye, in camera space: the axes to the right, downwards and outwards of
+// each face.
 #ifndef vtkRelievoCubeFaces_h
 #define vtkRelievoCubeFaces_h
 

@@ -19,15 +19,15 @@ vtkStandardNewMacro(vtkRelievoLensCamera);
 
 namespace
 {
-constexpr int Used[] = { 0, 8, 4, 1 }; // coefficients of each lens
+constexpr int Used[] = { 0, 8, 4, 1 }; // number of coefficients, by lens
 const std::vector<int> Counts[] = { { 0 }, { 0, 2, 4, 5, 8 }, { 0, 1, 2, 3, 4 }, { 0, 1 } };
 const char* const Names[] = { "pinhole", "Brown-Conrady", "fisheye", "division" };
 
-constexpr double WidestTangent = 1e4; // an angle that no polynomial of the tangent is made for
+constexpr double WidestTangent = 1e4; // larger angles are beyond any polynomial of the tangent
 constexpr int ScanSteps = 8192;
 constexpr int NewtonSteps = 50;
 
-// The radial part of Brown's lens: the factor of (x, y) for this r², and its slope by r².
+// Radial part of Brown's lens: the factor of (x, y) at r², and its derivative by r².
 double GetRadialFactor(const double c[8], double r2, double& slope)
 {
   const double top = 1.0 + r2 * (c[0] + r2 * (c[1] + r2 * c[4]));
@@ -38,7 +38,7 @@ double GetRadialFactor(const double c[8], double r2, double& slope)
   return bottom > 0.0 ? top / bottom : std::numeric_limits<double>::quiet_NaN();
 }
 
-// Where Brown's lens moves (x, y), and the four derivatives.
+// Brown's lens at (x, y): the distorted position, and the four derivatives.
 void BendBrown(const double c[8], const double at[2], double bent[2], double jacobian[2][2])
 {
   const double x = at[0];
@@ -131,8 +131,7 @@ void vtkRelievoLensCamera::SetLens(int lens, int count, const double* coefficien
 {
   if (lens < PINHOLE || lens > DIVISION)
   {
-    vtkErrorMacro(
-      "There is no lens " << lens << ", expected " << PINHOLE << " to " << DIVISION << ".");
+    vtkErrorMacro("Unknown lens " << lens << ", expected " << PINHOLE << " to " << DIVISION << ".");
     return;
   }
   if (!TakesCount(lens, count) ||
@@ -179,7 +178,7 @@ double vtkRelievoLensCamera::GetCoefficient(int i)
 }
 
 //------------------------------------------------------------------------------
-// The radius in the picture of this radius, or this angle, without what is tangential.
+// Distorted radius for this radius, or this angle, without the tangential part.
 double vtkRelievoLensCamera::GetBent(double r, double* slope) const
 {
   const double* c = this->Coefficients;
@@ -196,7 +195,7 @@ double vtkRelievoLensCamera::GetBent(double r, double* slope) const
 }
 
 //------------------------------------------------------------------------------
-// Up to where the radius in the picture grows.
+// The end of the range in which the distorted radius grows.
 double vtkRelievoLensCamera::GetLimit() const
 {
   if (this->Lens != BROWN_CONRADY && this->Lens != FISHEYE)
@@ -243,7 +242,7 @@ bool vtkRelievoLensCamera::Straighten(const double bent[2], double direction[3])
     direction[2] = 1.0 + this->Coefficients[0] * radius * radius;
     return true;
   }
-  // The radius, or the angle, by Newton's method between bounds.
+  // Finds the radius, or the angle, by Newton's method between bounds.
   double low = 0.0;
   double high = this->Limit;
   double slope = 0.0;
@@ -323,7 +322,7 @@ bool vtkRelievoLensCamera::Bend(const double point[3], double bent[2]) const
   const double* c = this->Coefficients;
   if (this->Lens == DIVISION)
   {
-    // The root nearer to the axis of k1 side r² - z r + side = 0.
+    // The root of k1 side r² - z r + side = 0 that is nearer to the axis.
     const double under = point[2] * point[2] - 4.0 * c[0] * side * side;
     const double below = point[2] + std::sqrt(std::max(0.0, under));
     if (under < 0.0 || !(below > 0.0))
@@ -392,11 +391,11 @@ bool vtkRelievoLensCamera::ApplyTo(vtkCamera* camera)
 {
   if (!camera || this->Lens != PINHOLE)
   {
-    vtkErrorMacro("ApplyTo was given " << (camera ? "a lens that bends: " : "no camera: ")
-                                       << "a vtkCamera is a pinhole, whose rays are straight.");
+    vtkErrorMacro("ApplyTo was given " << (camera ? "a lens with distortion: " : "no camera: ")
+                                       << "a vtkCamera is a pinhole without distortion.");
     return false;
   }
-  // The axes in the world are the rows of R; the eye is where R p + t is 0.
+  // The rows of R are the axes in the world; R p + t is 0 at the eye.
   const double* right = this->Rotation;
   const double* down = this->Rotation + 3;
   const double* forward = this->Rotation + 6;
@@ -409,7 +408,7 @@ bool vtkRelievoLensCamera::ApplyTo(vtkCamera* camera)
       forward[i] * this->Translation[2]);
     focus[i] = eye[i] + distance * forward[i];
   }
-  // Places in the picture from -1 to 1, y upwards, are moved by the transform that the user sets.
+  // The user transform moves picture positions, from -1 to 1 with y upwards.
   const double columns = this->Size[0];
   const double rows = this->Size[1];
   const double stretch = this->FocalX / this->FocalY;
@@ -467,10 +466,10 @@ bool vtkRelievoLensCamera::TakeFrom(vtkCamera* camera, int columns, int rows)
   }
   if (!IsPinhole(camera))
   {
-    vtkErrorMacro("The camera has no intrinsics K: " << (camera->GetParallelProjection()
-                                                            ? "its projection is parallel"
-                                                            : "its projection is none of a pinhole")
-                                                     << ", expected a perspective camera.");
+    vtkErrorMacro("The camera has no intrinsics K: "
+      << (camera->GetParallelProjection() ? "its projection is parallel"
+                                          : "its projection is not that of a pinhole")
+      << ", expected a perspective camera.");
     return false;
   }
   vtkMatrix4x4* projection =
@@ -481,7 +480,7 @@ bool vtkRelievoLensCamera::TakeFrom(vtkCamera* camera, int columns, int rows)
   double translation[3];
   for (int i = 0; i < 3; ++i)
   {
-    const double sign = i == 0 ? 1.0 : -1.0; // y and z the other way
+    const double sign = i == 0 ? 1.0 : -1.0; // y and z are reversed
     for (int j = 0; j < 3; ++j)
     {
       rotation[3 * i + j] = sign * view->GetElement(i, j);
@@ -493,7 +492,7 @@ bool vtkRelievoLensCamera::TakeFrom(vtkCamera* camera, int columns, int rows)
   this->SetExtrinsics(rotation, translation);
   if (this->GetMTime() == before)
   {
-    return false; // the view is no rotation, which was said
+    return false; // the error was reported
   }
   this->SetSize(columns, rows);
   this->SetLens(PINHOLE, 0, nullptr);

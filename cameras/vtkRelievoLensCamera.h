@@ -2,23 +2,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkRelievoLensCamera
- * @brief A camera of one eye: intrinsics K, and a lens that bends or does not.
+ * @brief A camera with one eye: intrinsics K, and a lens with or without distortion.
  *
- * A point (x, y, z) in camera space (x right, y down, z forward) has the normalized place
- * (x/z, y/z). The lens moves it to (a, b), and the pixel is u = fx a + skew b + cx, v = fy b + cy.
+ * A point (x, y, z) in camera space (x right, y down, z forward) has the normalized position (x/z,
+ * y/z). The lens moves it to (a, b), and the pixel is u = fx a + skew b + cx, v = fy b + cy.
  *
  * Lenses, with r = sqrt(x² + y²) / z and coefficients in OpenCV's order:
  * - PINHOLE: a = x/z, b = y/z; no coefficients.
- * - BROWN_CONRADY (Brown 1971): k1 k2 p1 p2 k3 k4 k5 k6, or the first 2, 4 or 5; radially by
- *   (1 + k1 r² + k2 r⁴ + k3 r⁶) / (1 + k4 r² + k5 r⁴ + k6 r⁶), and tangentially by p1, p2.
+ * - BROWN_CONRADY (Brown 1971): k1 k2 p1 p2 k3 k4 k5 k6, or the first 2, 4 or 5; radial factor (1 +
+ *   k1 r² + k2 r⁴ + k3 r⁶) / (1 + k4 r² + k5 r⁴ + k6 r⁶), and tangential terms of p1, p2.
  * - FISHEYE (Kannala and Brandt 2006): k1 k2 k3 k4, or the first of them; the angle t from the axis
- *   becomes the radius t (1 + k1 t² + k2 t⁴ + k3 t⁶ + k4 t⁸), also beyond 90 degrees.
+ *   is mapped to the radius t (1 + k1 t² + k2 t⁴ + k3 t⁶ + k4 t⁸), also beyond 90 degrees.
  * - DIVISION (Fitzgibbon 2001): k1; the ray of (a, b) is (a, b, 1 + k1 (a² + b²)), also beyond 90
  *   degrees.
  *
- * A polynomial ends where it no longer grows: nothing beyond is seen, and no pixel shows it twice.
+ * A polynomial is used only while it grows: nothing beyond is seen, so that no point appears twice.
  *
- * Pinholes are vtkCamera's as well: ApplyTo() and TakeFrom().
+ * ApplyTo() and TakeFrom() convert pinholes to and from vtkCamera.
  */
 #ifndef vtkRelievoLensCamera_h
 #define vtkRelievoLensCamera_h
@@ -52,7 +52,7 @@ public:
   };
 
 #ifndef __VTK_WRAP__
-  /** The words that say it, for vtkRelievoCalibration. */
+  /** The words for this class, for vtkRelievoCalibration. */
   static std::vector<vtkRelievoSensorWords> GetWords();
 #endif
 
@@ -71,34 +71,37 @@ public:
 
   ///@{
   /**
-   * The lens, one of the enumeration, and its coefficients; those that are not given are 0. Default
-   * PINHOLE. An error for a number of them that the lens does not have, or such that are not
-   * finite.
+   * The lens, one of the enumeration, and its coefficients; missing ones are 0. Default PINHOLE. An
+   * unsupported number of coefficients, or values that are not finite, are an error.
    */
   void SetLens(int lens, int count, const double* coefficients) VTK_SIZEHINT(coefficients, count);
   vtkGetMacro(Lens, int);
   double GetCoefficient(int i);
 
   ///@{
-  /** Whether a lens takes so many coefficients, and how many it takes: "0, 2, 4, 5 or 8". */
+  /**
+   * Whether a lens accepts this number of coefficients; and the accepted numbers: "0, 2, 4, 5 or
+   * 8".
+   */
   static bool TakesCount(int lens, int count);
   static std::string GetCounts(int lens);
   ///@}
 
   ///@{
   /**
-   * Sets a camera of VTK for a window or viewport of this shape, or takes intrinsics, pose and size
-   * from one, as it is seen in so many columns and rows. The clipping range stays as it is. False,
-   * with an error, for a lens that is no pinhole, and for a camera that is no perspective one.
+   * ApplyTo() sets a vtkCamera for a window or viewport of this shape; TakeFrom() takes intrinsics,
+   * pose and size from one, seen in the given columns and rows. The clipping range is unchanged.
+   * False, with an error, for a lens that is not a pinhole, and for a camera without a perspective
+   * projection.
    *
-   * A skew, and focal lengths that differ, are the camera's user transform. In a viewport of
-   * another shape the height, fx and fy stay, and the principal point keeps its share of the width.
+   * Skew and different focal lengths become the camera's user transform. In a viewport of another
+   * shape, the height, fx and fy are kept, and the principal point keeps its share of the width.
    */
   bool ApplyTo(vtkCamera* camera);
   bool TakeFrom(vtkCamera* camera, int columns, int rows);
   ///@}
 
-  /** Whether a camera has intrinsics K: perspective, level rows, a view that is a rotation. */
+  /** Whether a camera has intrinsics K: perspective, level rows, and a rotation as its view. */
   static bool IsPinhole(vtkCamera* camera);
 
   bool GetCameraRay(double u, double v, double origin[3], double direction[3]) override;

@@ -117,7 +117,7 @@ bool vtkRelievoLidar::LookAt(const double position[3], const double target[3], c
 //------------------------------------------------------------------------------
 bool vtkRelievoLidar::GetCameraRay(double u, double v, double origin[3], double direction[3])
 {
-  // The nearest beam and, if it spins, the angle between two steps.
+  // The nearest beam, and for a spinning sensor the angle between two steps.
   const double beam = std::round(this->Spins ? v : u);
   if (!(beam >= 0.0 && beam < static_cast<double>(this->Elevations.size()) && std::isfinite(u)))
   {

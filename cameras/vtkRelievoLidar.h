@@ -4,14 +4,14 @@
  * @class vtkRelievoLidar
  * @brief A laser scanner: beams by tables of elevation and azimuth, or a spinning sensor.
  *
- * Its picture has a row for each beam and a column for each step of the turn; by SetDirections() a
- * single row of beams of any direction. All rays begin at the sensor's place.
+ * The picture has a row for each beam and a column for each step of the turn; with SetDirections()
+ * a single row of beams of any direction. All rays start at the sensor's position.
  *
- * Sensor space is what such sensors use: x forward, y left, z up, and the extrinsics take the world
- * there. Azimuths are counted from x towards y, counterclockwise seen from
- * above, and elevations from the plane z = 0 upwards, in degrees.
+ * Sensor space follows the convention of such sensors: x forward, y left, z up; the extrinsics map
+ * the world to it. Azimuths are counted from x towards y, counterclockwise seen from above, and
+ * elevations from the plane z = 0 upwards, in degrees.
  *
- * Beams have no places between them: ProjectCameraPoint() finds none.
+ * Beams have no positions between them, so ProjectCameraPoint() always fails.
  */
 #ifndef vtkRelievoLidar_h
 #define vtkRelievoLidar_h
@@ -28,21 +28,21 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * A spinning sensor: a row for each beam, of this elevation, at so many equal steps of a turn,
-   * which begins at the first azimuth and has the last one after the last column, as 180 and -180
-   * for a clockwise turn. Default 16 beams from 15 to -15 degrees, 1800 steps from 180 to -180.
+   * A spinning sensor: a row for each beam, with its elevation, at `steps` equal steps of a turn,
+   * from the first azimuth to the last one, which would follow the last column: 180 and -180 for a
+   * clockwise turn. Default 16 beams from 15 to -15 degrees, 1800 steps from 180 to -180.
    */
   void SetSpinning(int beams, const double* elevations, int steps, double first, double last)
     VTK_SIZEHINT(elevations, beams);
 
-  /** Azimuth offsets of a spinning sensor's beams; as many as beams. Default 0. */
+  /** Azimuth offsets of a spinning sensor's beams, one for each. Default 0. */
   void SetAzimuthOffsets(int beams, const double* offsets) VTK_SIZEHINT(offsets, beams);
 
-  /** Beams of their own directions: one row, a column for each. */
+  /** Beams with individual directions: one row, a column for each. */
   void SetDirections(int beams, const double* azimuths, const double* elevations)
     VTK_SIZEHINT(azimuths, beams) VTK_SIZEHINT(elevations, beams);
 
-  /** The pose of a sensor at this place whose x axis points to that one. */
+  /** Sets the pose of a sensor at `position` whose x axis points to `target`. */
   bool LookAt(const double position[3], const double target[3], const double up[3]) override;
 
   bool HasPicture() override { return false; }
@@ -64,7 +64,7 @@ private:
   bool CheckAngles(const char* what, int count, const double* angles);
 
   std::vector<double> Elevations;
-  std::vector<double> Azimuths; // of beams; offsets if it spins
+  std::vector<double> Azimuths; // by beam; offsets if it spins
   bool Spins = true;
   double First = 180.0;
   double Last = -180.0;

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkRelievoOrthographicCamera
- * @brief A camera of parallel rays: so many pixels for a world unit, as a map has them.
+ * @brief A camera with parallel rays and a fixed number of pixels per world unit, as in a map.
  *
- * u = scale x + cx, v = scale y + cy in camera space (x right, y down, z forward). Rays begin at
- * z = 0; what lies behind is not seen.
+ * u = scale x + cx, v = scale y + cy in camera space (x right, y down, z forward). Rays start at z
+ * = 0; points behind are not seen.
  */
 #ifndef vtkRelievoOrthographicCamera_h
 #define vtkRelievoOrthographicCamera_h
@@ -23,7 +23,7 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /** Pixels for a world unit, above 0; default 100. */
+  /** Pixels per world unit, above 0; default 100. */
   vtkSetClampMacro(PixelsPerUnit, double, 1e-12, VTK_DOUBLE_MAX);
   vtkGetMacro(PixelsPerUnit, double);
   ///@}
@@ -35,7 +35,7 @@ public:
   ///@}
 
 #ifndef __VTK_WRAP__
-  /** The words that say it, for vtkRelievoCalibration. */
+  /** The words for this class, for vtkRelievoCalibration. */
   static std::vector<vtkRelievoSensorWords> GetWords();
 #endif
 

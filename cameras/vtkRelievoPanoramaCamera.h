@@ -2,14 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkRelievoPanoramaCamera
- * @brief A camera that looks all around from one place: equirectangular, or six faces of a cube.
+ * @brief A camera that looks in all directions from one position: equirectangular, or six faces of
+ * a cube.
  *
- * - EQUIRECTANGULAR: columns are equal steps of the angle round the camera's y axis, forward in the
- *   middle and to the right beyond; rows equal steps of the elevation, from the highest. Whole, it
- *   is 360 x 180 degrees; less is the middle of it.
+ * - EQUIRECTANGULAR: columns are equal steps of the angle around the camera's y axis, with forward
+ *   in the middle and right beyond it; rows are equal steps of the elevation, from the highest. The
+ *   full panorama spans 360 x 180 degrees; smaller ones are its middle.
  * - CUBE: square faces side by side from the left, each of 90 degrees and upright: front, right,
- *   back, left, up (its lower edge at the front), down (its upper edge at the front). The size is
- *   six times as wide as high, or GetCameraRay() sees nothing.
+ *   back, left, up (its lower edge at the front), down (its upper edge at the front). The size must
+ *   be six times as wide as high, otherwise GetCameraRay() sees nothing.
  */
 #ifndef vtkRelievoPanoramaCamera_h
 #define vtkRelievoPanoramaCamera_h
@@ -33,19 +34,19 @@ public:
   };
 
   ///@{
-  /** Which panorama; default EQUIRECTANGULAR. */
+  /** Kind of panorama; default EQUIRECTANGULAR. */
   vtkSetClampMacro(Layout, int, EQUIRECTANGULAR, CUBE);
   vtkGetMacro(Layout, int);
   ///@}
 
   ///@{
-  /** Degrees that an equirectangular panorama's columns and rows span; default 360, 180. */
+  /** Degrees spanned by the columns and rows of an equirectangular panorama; default 360, 180. */
   void SetFieldOfView(double horizontal, double vertical);
   vtkGetVector2Macro(FieldOfView, double);
   ///@}
 
 #ifndef __VTK_WRAP__
-  /** The words that say it, for vtkRelievoCalibration. */
+  /** The words for this class, for vtkRelievoCalibration. */
   static std::vector<vtkRelievoSensorWords> GetWords();
 #endif
 

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkRelievoPushbroomCamera
- * @brief A line sensor that moves while it looks, as satellites and conveyor belts have it.
+ * @brief A line sensor that moves during the exposure, for satellites and conveyor belts.
  *
- * Row v is seen from v times the velocity, in camera space (x right, y down, z forward): column u
- * has the ray ((u - cx) / f, 0, 1) there. The pose is that of row 0.
+ * The position of row v is v times the velocity, in camera space (x right, y down, z forward):
+ * column u has the ray ((u - cx) / f, 0, 1) there. The pose is that of row 0.
  */
 #ifndef vtkRelievoPushbroomCamera_h
 #define vtkRelievoPushbroomCamera_h
@@ -33,8 +33,8 @@ public:
 
   ///@{
   /**
-   * How far the sensor moves from a row to the next, in camera space and world units; default
-   * (0, 0.01, 0). Points have a place only if y is not 0.
+   * The sensor's motion from one row to the next, in camera space and world units; default (0,
+   * 0.01, 0). Points have a picture position only if y is not 0.
    */
   vtkSetVector3Macro(Velocity, double);
   vtkGetVector3Macro(Velocity, double);

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The words of a sensor, as vtkRelievoCalibration takes them: each class that is listed in
-// cameras/CMakeLists.txt has them in its GetWords().
+// The words for a sensor in vtkRelievoCalibration: each class listed in cameras/CMakeLists.txt
+// returns its own from GetWords().
 #ifndef vtkRelievoSensorWords_h
 #define vtkRelievoSensorWords_h
 
@@ -11,23 +11,23 @@
 
 class vtkRelievoCameraModel;
 
-// What a sensor is made for: pixels, and what of the world a view has in them.
+// The view that a sensor is made for: its pixels and its extent in the world.
 struct vtkRelievoSensorView
 {
   int Columns, Rows;
-  double HalfHeight; // world units from the middle to the edge, at the view's focal point
+  double HalfHeight; // world units from centre to edge, at the view's focal point
 };
 
 struct vtkRelievoSensorWords
 {
   std::string Name;        // the first word: "equirectangular"
-  std::string Form;        // the whole: "equirectangular[:H,V]"
-  std::vector<int> Counts; // of its numbers
-  std::string Range;       // of its numbers, for messages, behind the form
-  int Lens = -1;           // of vtkRelievoLensCamera, which has intrinsics besides
+  std::string Form;        // the full form: "equirectangular[:H,V]"
+  std::vector<int> Counts; // allowed numbers of coefficients
+  std::string Range;       // of the numbers, for messages, after the form
+  int Lens = -1;           // of vtkRelievoLensCamera, which has intrinsics in addition
 
-  // Of sensors that are no lenses. Whether the numbers are good, if there are any; what is wrong
-  // with a picture of this size, "" if nothing is; and the sensor, which the caller owns.
+  // For sensors that are not lenses. Whether the numbers are valid; an error message about a
+  // picture of this size, or ""; and the sensor, owned by the caller.
   bool (*IsGood)(const std::vector<double>& numbers) = nullptr;
   std::string (*CheckSize)(int columns, int rows) = nullptr;
   vtkRelievoCameraModel* (*Make)(

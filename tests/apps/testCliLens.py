@@ -148,9 +148,9 @@ class Lens(CliTest):
         for says, status, words in (
             ("--lens: got 'fishy', expected pinhole, brown:", 2, ["--lens", "fishy"]),
             ("six times as wide as high", 2, ["--lens", "cube", "--size", "60x40"]),
-            ("sees no 30 degrees", 2, ["--lens", "brown:-9,0"]),
-            ("sees no 180 degrees", 2, ["--lens", "pinhole:angle=180"]),
-            ("wide.yml: it is for pictures of 120x90", 2,
+            ("cannot span 30 degrees", 2, ["--lens", "brown:-9,0"]),
+            ("cannot span 180 degrees", 2, ["--lens", "pinhole:angle=180"]),
+            ("wide.yml: the calibration is for pictures of 120x90", 2,
              ["--lens", "wide.yml", "--size", "100x100"]),
             ("bad.yml: image_width: it is missing", 1, ["--lens", "bad.yml"]),
             ("nowhere.yml: No such file", 1, ["--lens", "nowhere.yml"]),

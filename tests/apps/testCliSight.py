@@ -174,7 +174,7 @@ class Sight(CliTest):
         (self.folder / "nowhere.json").write_text(json.dumps(nowhere))
         self.before = self.names()
         self.refused("visible", "ground.off", *out, "--poses", "nowhere.json", status=2,
-                     says=["nowhere.json", "(0, 5, 0)", "is no view, expected"])  # fmt: skip
+                     says=["nowhere.json", "(0, 5, 0)", "is not a view, expected"])  # fmt: skip
         self.refused("sun", "points.off", *out, *SUN, status=1, says="points.off")
 
 
