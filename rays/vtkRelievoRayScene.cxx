@@ -63,9 +63,10 @@ namespace
 using Meeting = vtkRelievoRayTree::Meeting;
 
 constexpr double Endless = std::numeric_limits<double>::infinity();
-constexpr vtkIdType Batch = 1 << 16; // rays between two reports of progress
-constexpr vtkIdType Grain = 512;     // rays that a thread takes
-constexpr double Flat = 1e-6;        // volume of a box, of that which its sides would have upright
+constexpr vtkIdType Batch = 1 << 16; // rays between two progress events
+constexpr vtkIdType Grain = 512;     // rays per task of a thread
+// Least volume of a box, relative to a rectangular one with its sides.
+constexpr double Flat = 1e-6;
 constexpr vtkIdType MostCorners = 1 << 24; // of copies
 
 vtkSmartPointer<vtkPolyData> MakeSurface(vtkDataSet* data)
@@ -80,7 +81,7 @@ vtkSmartPointer<vtkPolyData> MakeSurface(vtkDataSet* data)
   return mesh;
 }
 
-// A mesh with points and cells of its own; its arrays are shared.
+// A mesh with its own points and cells, which share arrays with the original.
 vtkSmartPointer<vtkPolyData> CopyShape(vtkPolyData* mesh)
 {
   auto copy = vtkSmartPointer<vtkPolyData>::New();
@@ -88,7 +89,7 @@ vtkSmartPointer<vtkPolyData> CopyShape(vtkPolyData* mesh)
   if (mesh->GetPoints())
   {
     vtkNew<vtkPoints> points;
-    points->SetDataType(mesh->GetPoints()->GetDataType()); // which copying keeps
+    points->SetDataType(mesh->GetPoints()->GetDataType()); // preserved by copying
     points->DeepCopy(mesh->GetPoints());
     copy->SetPoints(points);
   }
@@ -101,9 +102,8 @@ vtkSmartPointer<vtkPolyData> CopyShape(vtkPolyData* mesh)
   return copy;
 }
 
-// Cells of a mesh that a matrix has mirrored, with the outside outside again: polygons the other
-// way around from the same corner, so that they are cut into the same triangles, and strips from
-// their first corner twice.
+// Restores the outside of cells mirrored by a matrix: reverses polygons from the same corner, so
+// that their triangles are the same, and repeats the first corner of strips.
 void AppendTurned(vtkCellArray* all, vtkCellArray* cells, vtkIdType first, bool strips)
 {
   auto it = vtkSmartPointer<vtkCellArrayIterator>::Take(cells->NewIterator());
@@ -124,7 +124,8 @@ void AppendTurned(vtkCellArray* all, vtkCellArray* cells, vtkIdType first, bool 
   }
 }
 
-// All places of a mesh, in the world; `cellsOfData`: those of the mesh's cells, or none.
+// Copies all places of a mesh to world coordinates; `cellsOfData`: the mesh's cells in the data, or
+// none.
 void CopyInWorld(const vtkRelievoPlacedMesh& placed, vtkIdTypeArray* cellsOfData, vtkPolyData* copy)
 {
   vtkPolyData* mesh = placed.Mesh;
@@ -135,7 +136,7 @@ void CopyInWorld(const vtkRelievoPlacedMesh& placed, vtkIdTypeArray* cellsOfData
   {
     copy->GetPointData()->ShallowCopy(mesh->GetPointData());
     copy->GetCellData()->ShallowCopy(mesh->GetCellData());
-    copy->GetPointData()->SetNormals(nullptr); // they are not turned
+    copy->GetPointData()->SetNormals(nullptr); // normals are not transformed
     copy->GetCellData()->SetNormals(nullptr);
   }
   vtkNew<vtkPoints> points;
@@ -187,13 +188,14 @@ void CopyInWorld(const vtkRelievoPlacedMesh& placed, vtkIdTypeArray* cellsOfData
   copy->GetCellData()->AddArray(ids);
 }
 
-// How rays come into a mesh.
+// Ways of tracing rays in a mesh.
 enum class Entry
 {
   ByMatrix,
-  ByScaledMatrix, // divided by its last element
-  ByCopy,         // of the mesh in the world: the matrix has no inverse, or none that is exact
-  None            // a matrix is not finite, or sends points behind infinity; or of too many copies
+  ByScaledMatrix, // by the matrix divided by its last element
+  ByCopy,         // by a copy in world coordinates: the matrix has no exact inverse
+  // A matrix is not finite, or maps points to infinity or beyond; or there are too many copies.
+  None
 };
 
 bool IsCopiedAtMost(const vtkRelievoPlacedMesh& placed, vtkIdType most)
@@ -240,13 +242,13 @@ Entry FindEntry(const vtkRelievoPlacedMesh& placed)
   return Entry::ByCopy;
 }
 
-// A ray about the scene's centre. Not valid: it meets nothing.
+// A ray about the scene's centre. If it is not Valid, it hits nothing.
 struct Beam
 {
   glm::dvec3 From{ 0.0 };
   glm::dvec3 Direction{ 0.0 };
   bool Valid = false;
-  bool None = false; // there is no ray: nobody is warned
+  bool None = false; // not a ray: causes no warning
 };
 
 class Beams
@@ -296,7 +298,7 @@ private:
   glm::dvec3 Center;
 };
 
-// The columns of a table of hits, as long as `count`.
+// The columns of a table of hits, with `count` rows.
 class Columns
 {
 public:
@@ -357,28 +359,28 @@ public:
 //------------------------------------------------------------------------------
 struct vtkRelievoRayScene::Held
 {
-  // What a placed mesh is to those who ask.
+  // A placed mesh's origin in the user's data.
   struct Source
   {
     int Prop = -1;
-    vtkWeakPointer<vtkActor> Actor;  // of a renderer
-    int Added = -1;                  // which of Data
-    vtkDataArray* Normals = nullptr; // none: geometric ones
+    vtkWeakPointer<vtkActor> Actor;  // in a renderer
+    int Added = -1;                  // index in Data
+    vtkDataArray* Normals = nullptr; // none: geometric normals
     bool OfCells = false;
-    vtkIdTypeArray* Cells = nullptr; // in the data, of the mesh's; none: the same
+    vtkIdTypeArray* Cells = nullptr; // indices of the mesh's cells in the data; none: equal
     vtkIdTypeArray* Points = nullptr;
-    vtkIdType PointsOfPlace = 0; // of glyphs whose places are one mesh: how many each has
-    bool IsOpaque = true;        // as VTK draws it
+    vtkIdType PointsOfPlace = 0; // points per glyph, if glyphs' places are merged into one mesh
+    bool IsOpaque = true;        // drawn as opaque by VTK
   };
 
-  // Data that was added.
+  // An entry of AddData.
   struct Added
   {
     vtkSmartPointer<vtkDataObject> Data;
     vtkSmartPointer<vtkMatrix4x4> Matrix;
   };
 
-  // The outer surface of data that is no vtkPolyData.
+  // The outer surface of data other than vtkPolyData.
   struct Surface
   {
     vtkWeakPointer<vtkDataSet> Data;
@@ -386,7 +388,7 @@ struct vtkRelievoRayScene::Held
     vtkSmartPointer<vtkPolyData> Mesh;
   };
 
-  // What a mesh is in the world, where rays have no way through its matrix.
+  // A mesh's copy in world coordinates, for matrices that rays cannot be transformed by.
   struct Copy
   {
     vtkWeakPointer<vtkPolyData> Mesh;
@@ -399,20 +401,20 @@ struct vtkRelievoRayScene::Held
   vtkSmartPointer<vtkRenderer> Renderer;
   std::vector<Added> Data;
   std::map<vtkDataSet*, Surface> Surfaces; // of Data
-  std::map<CopyKey, Copy> Copies;          // of the last update
-  std::map<CopyKey, Copy> CopiesBefore;    // and of the one before it
+  std::map<CopyKey, Copy> Copies;          // in the last update
+  std::map<CopyKey, Copy> CopiesBefore;    // in the update before
   vtkRelievoGlyphPlaces Glyphs{ vtkRelievoGlyphPlaces::Numbers::Exact };
   std::vector<vtkRelievoPlacedMesh> Meshes;
-  std::vector<vtkSmartPointer<vtkPolyData>> Kept; // of Meshes, at least
-  std::vector<Source> Sources;                    // of Meshes, one each
+  std::vector<vtkSmartPointer<vtkPolyData>> Kept; // references to all of Meshes
+  std::vector<Source> Sources;                    // one for each of Meshes
   std::vector<vtkSmartPointer<vtkProp>> LeftOut;
   std::set<vtkProp*> Warned; // of LeftOut
   std::string Fault;         // of Data
   class Correspondence;
-  bool Frozen = false; // a copy of another scene's state: nothing is looked at again
+  bool Frozen = false; // a copy of another scene's state, which is not updated
   std::vector<vtkRelievoPlacedMesh> FrozenMeshes;
   std::vector<Source> FrozenSources;
-  std::vector<Meeting>* Meetings = nullptr; // of the nearest hits, for who wants them
+  std::vector<Meeting>* Meetings = nullptr; // receives the nearest hits, if a caller needs them
   vtkRelievoRayTree Tree;
 
   static void FindNormals(vtkPolyData* mesh, Source& source);
@@ -429,7 +431,7 @@ struct vtkRelievoRayScene::Held
 
 namespace
 {
-// Whether there is something to be met: no sky, nor lines that are drawn over the scene.
+// Whether the prop can be hit: not a sky, nor lines drawn over the scene.
 bool IsShown(vtkProp* prop)
 {
   std::vector<vtkRelievoPropParts::Part> parts;
@@ -447,7 +449,7 @@ bool IsShown(vtkProp* prop)
   return false;
 }
 
-// Whether the meshes from that one on draw points or lines, and no triangle.
+// Whether the meshes from index `first` on draw only points or lines.
 bool DrawLinesAlone(const std::vector<vtkRelievoPlacedMesh>& meshes, std::size_t first)
 {
   vtkIdType others = 0;
@@ -494,7 +496,7 @@ void vtkRelievoRayScene::Held::FindNormals(vtkPolyData* mesh, Source& source)
 }
 
 //------------------------------------------------------------------------------
-// Meshes that a matrix flattens, or moves in perspective, are taken in world coordinates.
+// Meshes under a singular or projective matrix are copied to world coordinates.
 void vtkRelievoRayScene::Held::Enter(vtkRelievoPlacedMesh& placed, Source& source)
 {
   const Entry entry = FindEntry(placed);
@@ -583,7 +585,7 @@ void vtkRelievoRayScene::Held::AddActors(vtkProp* prop, std::map<vtkProp*, int>&
   {
     this->LeftOut.emplace_back(prop);
   }
-  vtkActor* last = nullptr; // blocks of one actor follow each other
+  vtkActor* last = nullptr; // blocks of one actor are consecutive
   bool isOpaque = true;
   for (std::size_t i = before; i < this->Meshes.size(); ++i)
   {
@@ -594,7 +596,7 @@ void vtkRelievoRayScene::Held::AddActors(vtkProp* prop, std::map<vtkProp*, int>&
     const auto number = numbers.find(mesh.Actor);
     source.Prop = number == numbers.end() ? -1 : number->second;
     source.Actor = mesh.Actor;
-    // A block may be translucent where its actor has others that are not.
+    // A block may be translucent even if other blocks of its actor are opaque.
     source.IsOpaque = isOpaque && (mesh.Actor->GetForceOpaque() || !(mesh.Passes > 0.0));
     this->Enter(mesh, source);
     if (mesh.Actor->GetProperty()->GetInterpolation() != VTK_FLAT)
@@ -647,7 +649,7 @@ std::string vtkRelievoRayScene::Held::AddBlock(
   auto* set = vtkDataSet::SafeDownCast(data);
   if (!set)
   {
-    return {}; // a table among the blocks
+    return {}; // e.g. a table among the blocks
   }
   vtkRelievoPlacedMesh placed;
   placed.Mesh = vtkPolyData::SafeDownCast(set);
@@ -679,7 +681,7 @@ std::string vtkRelievoRayScene::Held::AddBlock(
   }
   if (FindEntry(placed) == Entry::None)
   {
-    return "got a matrix that is not finite, or sends points to infinity or behind it, expected a "
+    return "got a matrix that is not finite, or maps points to infinity or beyond, expected a "
            "last row that is positive for all points, such as 0 0 0 1";
   }
   this->Enter(placed, source);
@@ -691,7 +693,7 @@ std::string vtkRelievoRayScene::Held::AddBlock(
 }
 
 //------------------------------------------------------------------------------
-// Whether anything has changed.
+// Returns whether anything has changed.
 bool vtkRelievoRayScene::Held::SetMeshes(bool opaqueOnly)
 {
   std::size_t count = 0;
@@ -771,8 +773,8 @@ void vtkRelievoRayScene::Held::Write(
 
 namespace
 {
-// Does each ray in threads, batch by batch; after(from, to) comes behind each batch. False: it was
-// ended.
+// Runs each ray in threads, batch by batch; after(from, to) is called after each batch. False if it
+// was aborted.
 template <typename Each, typename After>
 bool DoInBatches(vtkRelievoRayScene* scene, vtkIdType count, Each each, After after)
 {
@@ -799,13 +801,13 @@ bool DoInBatches(vtkRelievoRayScene* scene, vtkIdType count, Each each, After af
   return true;
 }
 
-// What is wrong with rays, in words.
+// Error message for rays, or an empty string.
 std::string FindFault(vtkDataArray* origins, vtkDataArray* directions, vtkObject* answer)
 {
   std::ostringstream out;
   if (!answer)
   {
-    out << "got nothing to write answers to";
+    out << "got no array or table for the results";
   }
   else if (!origins || !directions)
   {
@@ -820,7 +822,7 @@ std::string FindFault(vtkDataArray* origins, vtkDataArray* directions, vtkObject
     origins->GetNumberOfTuples() != 1)
   {
     out << "got " << origins->GetNumberOfTuples() << " origins and "
-        << directions->GetNumberOfTuples() << " directions, expected as many, or one origin";
+        << directions->GetNumberOfTuples() << " directions, expected equal numbers, or one origin";
   }
   return out.str();
 }
@@ -912,7 +914,7 @@ bool vtkRelievoRayScene::Update()
     scene.Sources = scene.FrozenSources;
     return scene.SetMeshes(this->OpaqueOnly);
   }
-  // Meshes are let go when the trees have taken the new ones.
+  // Meshes are released after the trees have taken the new ones.
   const std::vector<vtkSmartPointer<vtkPolyData>> before = std::move(scene.Kept);
   scene.Kept.clear();
   scene.Meshes.clear();
@@ -941,12 +943,12 @@ bool vtkRelievoRayScene::Update()
   }
   if (!names.empty())
   {
-    vtkWarningMacro("Rays do not meet " << names
-                                        << ": volumes, wireframes, points, lines, cut-outs, "
-                                           "clipped meshes, grids (give them as data), actors "
-                                           "with shaders of their own and such as have matrices "
-                                           "that are not finite or send points to infinity are "
-                                           "left out");
+    vtkWarningMacro("Rays do not hit " << names
+                                       << ": volumes, wireframes, points, lines, cut-outs, "
+                                          "clipped meshes, grids (give them as data), actors "
+                                          "with their own shaders, and actors with matrices "
+                                          "that are not finite or map points to infinity are "
+                                          "left out");
   }
   return scene.SetMeshes(this->OpaqueOnly);
 }
@@ -980,7 +982,7 @@ void vtkRelievoRayScene::Warn(vtkIdType invalid, vtkIdType rays)
   if (invalid > 0)
   {
     vtkWarningMacro("" << invalid << " of " << rays
-                       << " rays are not finite or have no direction: they meet nothing");
+                       << " rays are not finite or have no direction: they hit nothing");
   }
 }
 
@@ -1206,9 +1208,10 @@ bool AreEqual(vtkCellArray* a, vtkCellArray* b)
 }
 
 //------------------------------------------------------------------------------
-// Which points of another state of a scene are those of this one: of a mesh of the same actor, or
-// data in the same place of the list, and block; where one has several, in their order. A mesh with
-// another number of points has other points, and a cell that the other state lacks has none there.
+// Maps points of this state of a scene to another state: of the mesh of the same actor, or of data
+// with the same index in AddData's list, and of the same block; several such meshes are matched in
+// order. A mesh with another number of points has no corresponding points, and neither has a cell
+// that the other state lacks.
 class vtkRelievoRayScene::Held::Correspondence
 {
 public:
@@ -1251,7 +1254,7 @@ public:
     }
   }
 
-  // NaN if there is no such point.
+  // NaN if there is no corresponding point.
   glm::dvec3 Get(const Meeting& meeting, const double weights[3]) const
   {
     const glm::dvec3 nowhere(std::numeric_limits<double>::quiet_NaN());
@@ -1305,7 +1308,7 @@ public:
   }
 
 private:
-  // A cell by its points in the data, in ascending order.
+  // A cell by its points' indices in the data, in ascending order.
   using CellPoints = std::vector<vtkIdType>;
 
   struct HashOfCellPoints
@@ -1322,23 +1325,24 @@ private:
     }
   };
 
-  // Actor, place in the list of data, block, and which of those that are alike.
+  // Actor, index in AddData's list, block, and index among equal ones.
   using Key = std::tuple<vtkActor*, int, int, int>;
 
   struct Target
   {
-    std::unordered_map<vtkIdType, std::size_t> Places;      // of glyphs, by the input's point
-    std::unordered_map<vtkIdType, vtkIdType> Points;        // of the mesh, by those of the data
-    std::unordered_set<CellPoints, HashOfCellPoints> Cells; // if they are others than before
+    std::unordered_map<vtkIdType, std::size_t> Places; // of glyphs, by the input's point
+    // In the mesh, by their indices in the data.
+    std::unordered_map<vtkIdType, vtkIdType> Points;
+    std::unordered_set<CellPoints, HashOfCellPoints> Cells; // only if they have changed
   };
 
   const Held& From;
   const Held& To;
-  std::vector<int> Meshes;       // of To, by those of From; -1: none
-  std::vector<bool> IsChanged;   // whether its cells are others, by the meshes of From
-  std::map<int, Target> Targets; // by the meshes of To
+  std::vector<int> Meshes;       // index in To, for each mesh of From; -1: none
+  std::vector<bool> IsChanged;   // for each mesh of From, whether its cells differ
+  std::map<int, Target> Targets; // for each mesh of To
 
-  // `names`: in the data, of the mesh's points; null: the same.
+  // `names`: indices of the mesh's points in the data; null: equal.
   static void TakeCellPoints(
     vtkCellArray* cells, vtkIdType cell, vtkIdTypeArray* names, vtkIdList* list, CellPoints& points)
   {
@@ -1360,12 +1364,13 @@ private:
       AreEqual(before->GetStrips(), after->GetStrips());
   }
 
-  // Points are known by their numbers in the data: if these are others, nothing is known.
+  // Points are identified by their index in the data, so a change of the data's points loses all.
   bool HasSamePoints(std::size_t from, std::size_t to) const
   {
     const auto count = [](const Held& scene, std::size_t mesh) {
       vtkDataSet* data = scene.Sources[mesh].Points ? nullptr : scene.Meshes[mesh].Mesh;
-      return data ? data->GetNumberOfPoints() : -1; // of a surface, whose points have their names
+      // For a surface, whose points have indices in the data.
+      return data ? data->GetNumberOfPoints() : -1;
     };
     return count(this->From, from) == count(this->To, to);
   }
@@ -1519,7 +1524,7 @@ int vtkRelievoRayScene::GetNumberOfProps()
 }
 
 //------------------------------------------------------------------------------
-// Of the renderer's actor of that number, if it is one.
+// The mapper of the renderer's actor with this number, if there is one.
 vtkMapper* vtkRelievoRayScene::GetMapper(int prop)
 {
   vtkRenderer* renderer = this->Scene->Renderer;

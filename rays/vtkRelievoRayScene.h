@@ -2,31 +2,30 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkRelievoRayScene
- * @brief What rays meet first, whether they meet anything, and all that they meet, in double.
+ * @brief The first hits of rays, whether they hit anything, and all their hits, in double.
  *
- * The scene is what a renderer shows (SetRenderer), or data (AddData), or both. Each answer brings
- * it up to date first: it is kept as it is while nothing has changed, fitted where only points or
- * matrices have moved, and made again otherwise. A mesh is held once, however many actors, glyphs
- * or matrices place it.
+ * The scene is a renderer's content (SetRenderer), or data (AddData), or both. Each query updates
+ * it first: unchanged parts are kept, moved points and matrices are refitted, and other changes
+ * cause a rebuild. Each mesh is stored once, however many actors, glyphs or matrices place it.
  *
- * Surfaces are met from both sides, whatever their culling: of a renderer the triangles that VTK
- * draws of meshes, blocks and glyphs; of data polygons, convex or not, and strips (of other data
- * than vtkPolyData the outer surface's). Hidden props and blocks are not there, nor is what has an
- * opacity of 0. What a matrix flattens, or divides by a last row other than 0 0 0 1, is met as it
- * is in the world. Of a renderer, what rays cannot follow is left out, with one warning: volumes,
- * wireframes, points, lines, impostors, cut-outs, clipped meshes, grids that vtkDataSetMapper
- * draws, actors with shaders of their own, or with matrices that are not finite or send points to
- * infinity (GetNumberOfPropsLeftOut). A triangle with a corner that is not finite is met by
- * nothing.
+ * Surfaces are hit from both sides, whatever their culling: for a renderer the triangles that VTK
+ * draws of meshes, blocks and glyphs; for data polygons, convex or not, and strips (for data other
+ * than vtkPolyData those of the outer surface). Hidden props and blocks, and surfaces of opacity 0,
+ * are excluded. Geometry under a singular matrix, or one whose last row is not 0 0 0 1, is hit in
+ * world coordinates. For a renderer, unsupported geometry is left out, with one warning: volumes,
+ * wireframes, points, lines, impostors, cut-outs, clipped meshes, grids drawn by vtkDataSetMapper,
+ * actors with their own shaders, or with matrices that are not finite or map points to infinity
+ * (GetNumberOfPropsLeftOut). No ray hits a triangle with a corner that is not finite.
  *
- * A ray has an origin and a direction, in world coordinates, of any length but 0; distances count
- * in world units from the origin. A ray that is not finite, or has no direction, meets nothing,
- * with one warning; one whose direction is NaN in all components is no ray, and meets nothing.
- * Triangles have their edges: no ray passes between two that share one (S. Woop, C. Benthin,
- * I. Wald, Watertight ray/triangle intersection, 2013).
+ * A ray has an origin and a direction of any length but 0, in world coordinates; distances are in
+ * world units from the origin. Rays that are not finite, or have no direction, hit nothing, with
+ * one warning; a direction of NaN in all components marks a missing ray, which hits nothing without
+ * a warning. Triangles include their edges: no ray passes between two triangles that share one (S.
+ * Woop, C. Benthin, I. Wald, Watertight ray/triangle intersection, 2013).
  *
- * Rays run on all cores, in batches; ProgressEvent, with the share done, comes between the batches
- * on the calling thread, and AbortOn() in its observer ends the call, which then returns false.
+ * Rays run on all cores, in batches; ProgressEvent, with the completed share, is sent between the
+ * batches on the calling thread, and AbortOn() in its observer aborts the call, which then returns
+ * false.
  */
 #ifndef vtkRelievoRayScene_h
 #define vtkRelievoRayScene_h
@@ -57,24 +56,25 @@ public:
 
   ///@{
   /**
-   * The renderer whose visible props are met; default: none. It is not drawn, but what its mappers
-   * show is updated.
+   * The renderer whose visible props can be hit; default: none. It is not drawn, but the input of
+   * its mappers is updated.
    */
   void SetRenderer(vtkRenderer* renderer);
   vtkRenderer* GetRenderer();
   ///@}
 
   /**
-   * Adds a vtkDataSet, or composite data of them, placed by a matrix (nullptr: where it is), which
-   * is looked at again for each answer. Returns its number as a prop, behind the renderer's actors.
+   * Adds a vtkDataSet, or composite data of them, placed by a matrix (nullptr: the identity);
+   * changes of both are taken up by each query. Returns its number as a prop, after the renderer's
+   * actors.
    */
   int AddData(vtkDataObject* data, vtkMatrix4x4* matrix = nullptr);
   void RemoveAllData();
 
   ///@{
   /**
-   * Whether of a renderer only what VTK draws as opaque is met, as in the layers of a frame;
-   * default: no. Of a copied state too, if it was copied with all.
+   * Whether rays hit only opaque surfaces of a renderer, like the layers of a frame; default: no.
+   * Also applies to a copied state, if it was copied with all surfaces.
    */
   vtkSetMacro(OpaqueOnly, bool);
   vtkGetMacro(OpaqueOnly, bool);
@@ -83,8 +83,8 @@ public:
 
   ///@{
   /**
-   * From where to where along a ray there are hits, in world units; default: 0 to infinity, both
-   * included. At least 0.
+   * Range of distances for hits along a ray, in world units; default: 0 to infinity, both included.
+   * At least 0.
    */
   vtkSetClampMacro(MinimumDistance, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(MinimumDistance, double);
@@ -94,44 +94,45 @@ public:
 
   /**
    * The first hit of each ray. `origins` and `directions` have three components and a tuple for
-   * each ray; one origin is that of all rays. `hits` gets a row for each ray, and columns
+   * each ray; a single origin is used for all rays. `hits` gets a row for each ray, with the
+   * columns
    *
-   * - distance: in world units; infinity: none
-   * - prop: number of the actor in vtkRenderer::GetActors(), or of AddData's; -1: none
+   * - distance: in world units; infinity: no hit
+   * - prop: number of the actor in vtkRenderer::GetActors(), or of AddData; -1: no hit
    * - block: flat index in composite data, 0 for other data; -1
-   * - cell: of the mesh that is drawn; of glyphs the input's point; of data, its own cell; -1
-   * - points: three, the ids of the triangle's corners in the mesh, or in the data; -1
+   * - cell: in the drawn mesh; for glyphs the input's point; for data its own cell; -1
+   * - points: three, the indices of the triangle's corners in the mesh, or in the data; -1
    * - weights: three, barycentric weights of these points; 0
    * - position: three, in world coordinates; 0
-   * - normal: three, of points or cells as VTK lights with them, turned round where the back is
-   *   met; the geometric one without such, or with flat shading; unit; 0
+   * - normal: three, the shading normal of points or cells in VTK, reversed where the back is hit;
+   *   the geometric normal without such normals, or with flat shading; unit; 0
    * - geometric_normal: three, of the triangle, towards the ray's origin; unit; 0
    *
-   * Of hits at one distance, that of the lowest prop, block and cell counts. False, with an error
-   * or after an abort: `hits` is empty then.
+   * Among hits at equal distances, the lowest prop, block and cell is returned. False, with an
+   * error or after an abort; `hits` is then empty.
    */
   bool FindNearest(vtkDataArray* origins, vtkDataArray* directions, vtkTable* hits);
 
   /**
-   * Whether each ray meets anything: 1 or 0.
+   * Whether each ray hits anything: 1 or 0.
    */
   bool FindAny(vtkDataArray* origins, vtkDataArray* directions, vtkUnsignedCharArray* met);
 
   /**
-   * All hits: a row each, ordered by rays and then by distance, with the columns of FindNearest and
+   * All hits, one row each, ordered by rays and then by distance, with the columns of FindNearest
+   * and
    *
    * - ray: number of the ray
-   * - opacity: of the surface, 0 to 1; NaN where it is not one for the whole mesh: by an array, a
-   *   table or a texture. Of data it is 1.
+   * - opacity: of the surface, 0 to 1; NaN if it varies over the mesh, by an array, a table or a
+   *   texture. For data it is 1.
    *
-   * A ray through an edge meets both of its triangles.
+   * A ray through an edge hits both of its triangles.
    */
   bool FindAll(vtkDataArray* origins, vtkDataArray* directions, vtkTable* hits);
 
   ///@{
   /**
-   * Ends the answer that is being found, from an observer of ProgressEvent. Off again when the next
-   * one begins.
+   * Aborts the running query, from an observer of ProgressEvent. Reset by the next query.
    */
   vtkSetMacro(Abort, bool);
   vtkGetMacro(Abort, bool);
@@ -139,14 +140,14 @@ public:
   ///@}
 
   /**
-   * Brings the scene up to date, as each answer does first. Returns whether anything has changed.
+   * Updates the scene, which each query does first. Returns whether anything has changed.
    */
   bool Update();
 
   ///@{
   /**
-   * Of the scene as it was last brought up to date: triangles at all places, meshes that were made
-   * anew and that were fitted to moved points by the last update, and memory in kibibytes.
+   * Statistics of the last update: triangles at all places; meshes that were built, and meshes that
+   * were refitted to moved points; and memory in kibibytes.
    */
   vtkIdType GetNumberOfTriangles();
   int GetNumberOfMeshesBuilt();
@@ -155,26 +156,25 @@ public:
   ///@}
 
   /**
-   * Becomes what another scene is now: a copy, which does not follow what changes later, with the
-   * same numbers. SetRenderer and AddData begin anew.
+   * Copies another scene's present state, with the same numbers; later changes have no effect on
+   * the copy. SetRenderer and AddData start a new scene.
    */
   void CopyStateOf(vtkRelievoRayScene* other);
 
   /**
-   * FindNearest, and where the points that are hit are in another state of the scene, which was
-   * copied earlier or is as it is now: `places` gets three components for each ray, world
-   * coordinates, NaN where nothing is hit or the point is no longer there. A point is that of its
-   * triangle's corners, by their weights; a mesh is that of the same actor and block, or of data in
-   * the same place of the list of AddData.
+   * FindNearest, and the positions of the hit points in another state of the scene, copied earlier
+   * or present: `places` gets three components for each ray, world coordinates, NaN if there is no
+   * hit or the point no longer exists. A point is identified by its triangle's corners and their
+   * weights; a mesh by its actor and block, or by the index in AddData's list.
    */
   bool FindMoved(vtkRelievoRayScene* later, vtkDataArray* origins, vtkDataArray* directions,
     vtkTable* hits, vtkDoubleArray* places);
 
   ///@{
   /**
-   * What the column `prop` counts: how many there are, and of one its data, in which blocks, cells
-   * and points count, or nullptr; and whether its cells are points, as those of glyphs. A copied
-   * state has none.
+   * The objects numbered by the column `prop`: their number; the data of one, which blocks, cells
+   * and points refer to, or nullptr; and whether its cells are points, as for glyphs. A copied
+   * state has no data.
    */
   int GetNumberOfProps();
   vtkDataObject* GetPropData(int prop);
@@ -183,12 +183,12 @@ public:
 
   ///@{
   /**
-   * The meshes that rays meet, as of the last update, and the prop and the block that the hits of
-   * each have; -1 for a number that is no mesh's. CopyMesh gives one in world coordinates, in
-   * double: of glyphs all of them, without arrays, of others with its arrays, but normals. The cell
-   * array `cell` (vtkIdType) is the column of hits by this name. What is outside stays outside
-   * where a matrix mirrors. Error: nothing to copy to, or a number that is no mesh's; the copy
-   * stays as it was.
+   * The meshes that rays can hit, as of the last update, and the prop and the block of each mesh's
+   * hits; -1 for an invalid mesh number. CopyMesh returns a mesh in world coordinates, in double:
+   * all placed glyphs, without arrays; other meshes with their arrays, except normals. The cell
+   * array `cell` (vtkIdType) holds the hits' column of this name. A mirroring matrix does not swap
+   * outside and inside. Error: no copy to fill, or an invalid mesh number; the copy is then
+   * unchanged.
    */
   int GetNumberOfMeshes();
   int GetMeshProp(int mesh);
@@ -198,14 +198,14 @@ public:
 
   ///@{
   /**
-   * Props of the renderer that rays cannot follow, as of the last update.
+   * Number of the renderer's props that rays cannot hit, as of the last update.
    */
   int GetNumberOfPropsLeftOut();
   vtkProp* GetPropLeftOut(int index);
   ///@}
 
 #ifndef __VTK_WRAP__
-  // The state of the last update.
+  // The tree of the last update.
   const vtkRelievoRayTree& GetTree() const;
 #endif
 

@@ -9,7 +9,7 @@
 namespace
 {
 constexpr double GoldenRatio = 0.6180339887498949;
-constexpr double Spread = 0.5698402909980532; // of x^3 = x + 1, to the power of -2: not in step
+constexpr double Spread = 0.5698402909980532; // from x^3 = x + 1, to the power of -2: out of phase
 
 double GetPart(double value)
 {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Points of the unit square for rays into the sky: formulas/sky.glsl makes directions of them.
+// Points of the unit square for rays into the sky, converted to directions by formulas/sky.glsl.
 #ifndef vtkRelievoSkySamples_h
 #define vtkRelievoSkySamples_h
 
@@ -17,10 +17,10 @@ struct vtkRelievoSkySamples
     double Y = 0.0;
   };
 
-  // So many points, i / samples and the part of i times the golden ratio beyond a whole number, to
-  // be moved by a share of 1 / samples and by any number: on the disc a spiral (H. Vogel, A better
-  // way to construct the sunflower head, 1979). If `spread`, in an order in which the first ones
-  // are spread out as well.
+  // `samples` points: i / samples, and the fractional part of i times the golden ratio, to be
+  // shifted by a share of 1 / samples and by any number; on the disc they form a spiral (H. Vogel,
+  // A better way to construct the sunflower head, 1979). With `spread`, ordered such that the first
+  // points are also spread out.
   VTKRELIEVORAYS_EXPORT static std::vector<Point> Get(int samples, bool spread);
 };
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The arrays that a vtkGlyph3DMapper makes its glyphs by, which VTK keeps protected. They are named
-// through a derived class that is never made: its pointers to members are of the base's type.
+// Access to the protected arrays by which a vtkGlyph3DMapper places its glyphs, through a derived
+// class that is never instantiated: pointers to members have the base's type.
 #ifndef vtkRelievoGlyphArrays_h
 #define vtkRelievoGlyphArrays_h
 

@@ -28,7 +28,7 @@ using Numbers = vtkRelievoGlyphPlaces::Numbers;
 using Meshes = std::vector<vtkPolyData*>;
 
 constexpr vtkIdType MostGlyphs = 1 << 22;
-constexpr double Flat = 1e-2; // of the longest side
+constexpr double Flat = 1e-2; // relative to the longest side
 
 template <typename Visit>
 void ForEachLeaf(vtkCompositeDataSet* blocks, Visit visit)
@@ -40,7 +40,7 @@ void ForEachLeaf(vtkCompositeDataSet* blocks, Visit visit)
   }
 }
 
-// For each source its meshes. False if VTK draws none of them, or a line of its own.
+// The meshes of each source. False if VTK draws none of them, or a line instead.
 bool FindSources(vtkGlyph3DMapper* mapper, std::vector<Meshes>& sources)
 {
   if (!mapper->GetUseSourceTableTree())
@@ -96,8 +96,8 @@ struct Input
   int Block;
 };
 
-// The inputs that are drawn. False if that depends on more than there is here: VTK's versions hand
-// attributes of blocks down in different ways.
+// The drawn inputs. False if the attributes of blocks matter, which VTK's versions inherit
+// differently.
 bool FindInputs(vtkGlyph3DMapper* mapper, std::vector<Input>& inputs)
 {
   vtkDataObject* input = mapper->GetInputDataObject(0, 0);
@@ -122,7 +122,7 @@ bool FindInputs(vtkGlyph3DMapper* mapper, std::vector<Input>& inputs)
   return true;
 }
 
-// How a mapper makes a matrix of a point's data.
+// Parameters by which a mapper computes a matrix from a point's data.
 class Rules
 {
 public:
@@ -140,7 +140,7 @@ public:
     }
   }
 
-  // Otherwise VTK draws nothing, with an error.
+  // Without valid arrays VTK draws nothing, with an error.
   bool AreSound() const
   {
     const bool four = this->Mapper->GetOrientationMode() == vtkGlyph3DMapper::QUATERNION;
@@ -192,7 +192,7 @@ public:
     }
     else
     {
-      // Half a turn about the axis between x and the direction.
+      // Half a turn about the bisector of x and the direction.
       const glm::dvec3 axis = glm::normalize(glm::dvec3(v[0] + vtkMath::Norm(v), v[1], v[2]));
       turn.Set(0.0, axis.x, axis.y, axis.z);
     }
@@ -253,15 +253,15 @@ private:
   vtkBitArray* Mask = nullptr;
 };
 
-// Of a source in one input.
+// The places of a source in one input.
 struct SourcePlaces
 {
   std::shared_ptr<Matrices> Places = std::make_shared<Matrices>();
   std::shared_ptr<std::vector<vtkIdType>> Points = std::make_shared<std::vector<vtkIdType>>();
 };
 
-// Appends to the places of each source. False if one of them is flat: no way back from the world by
-// floats.
+// Appends to the places of each source. False if one of them is flat, so that floats cannot invert
+// its matrix.
 bool AddPlaces(
   const Rules& rules, vtkIdType points, Numbers numbers, std::vector<SourcePlaces>& places)
 {
@@ -282,7 +282,7 @@ bool AddPlaces(
     const glm::dmat4 place(glm::dvec4(size.x * turn[0], 0.0), glm::dvec4(size.y * turn[1], 0.0),
       glm::dvec4(size.z * turn[2], 0.0), glm::dvec4(rules.GetPoint(i), 1.0));
     const glm::mat4 drawn(place);
-    // What has no place is drawn nowhere.
+    // NaN matrices are not drawn.
     if (std::all_of(&drawn[0][0], &drawn[0][0] + 16, [](float x) { return std::isfinite(x); }))
     {
       SourcePlaces& source = places[rules.GetSource(i)];

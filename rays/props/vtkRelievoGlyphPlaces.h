@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Where a vtkGlyph3DMapper puts its sources: the matrices that VTK hands to OpenGL and to nobody
-// else, by its rules for masks, sources, orientations and scales, as they are drawn or exact.
+// The matrices by which a vtkGlyph3DMapper places its sources, which VTK passes only to OpenGL:
+// computed by its rules for masks, sources, orientations and scales, either rounded as for drawing,
+// or exact.
 #ifndef vtkRelievoGlyphPlaces_h
 #define vtkRelievoGlyphPlaces_h
 
@@ -23,12 +24,12 @@ class vtkPolyData;
 class VTKRELIEVORAYS_EXPORT vtkRelievoGlyphPlaces
 {
 public:
-  // From a source to the actor.
+  // From a source to the actor's coordinates.
   using Matrices = std::vector<glm::dmat4>;
 
   enum class Numbers
   {
-    AsDrawn, // rounded to floats, as VTK has them; without flat glyphs: floats have no way back
+    AsDrawn, // rounded to floats as in VTK; flat glyphs fail: floats cannot invert their matrix
     Exact
   };
 
@@ -38,7 +39,7 @@ public:
   }
 
   // A mesh of a source, and all of its places in a block of the input, with the block's flat index
-  // and its points. Good until the mapper's pipeline changes.
+  // and points. Valid until the mapper's pipeline changes.
   struct Group
   {
     vtkPolyData* Mesh = nullptr;
@@ -47,8 +48,8 @@ public:
     int Block = 0;
   };
 
-  // Calculated when the mapper, its points or its sources have changed. Null if they are not to be
-  // had: glyphs that OpenGL culls, blocks with a visibility or an opacity of their own, input that
+  // Recomputed after a change of the mapper, its points or its sources. Null if the places cannot
+  // be determined: glyphs culled by OpenGL, blocks with their own visibility or opacity, input that
   // VTK does not draw.
   const std::vector<Group>* Find(vtkGlyph3DMapper* mapper);
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// VTK's matrices for GLM.
+// Conversion of VTK's matrices to GLM.
 #ifndef vtkRelievoMatrix_h
 #define vtkRelievoMatrix_h
 
@@ -11,14 +11,14 @@
 
 class vtkMatrix4x4;
 
-// Column-major, as GLM has it.
+// Column-major, the layout of GLM.
 VTKRELIEVORAYS_EXPORT glm::dmat4 vtkRelievoToGlm(vtkMatrix4x4* matrix);
 
-// Whether places need a division by w behind it. VTK draws them where they are then, and lights
-// them where they are without.
+// Whether positions need a division by w after the transform. VTK draws them at the divided
+// position, but lights them at the undivided one.
 VTKRELIEVORAYS_EXPORT bool vtkRelievoIsProjective(vtkMatrix4x4* matrix);
 
-// The most by which it stretches an axis.
+// The largest factor by which the matrix stretches an axis.
 VTKRELIEVORAYS_EXPORT double vtkRelievoGetScale(const glm::dmat4& matrix);
 
 #endif

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Whether an actor draws its mapper's mesh and nothing else.
+// Detects actors that draw their mapper's mesh and nothing else.
 #ifndef vtkRelievoPlainActor_h
 #define vtkRelievoPlainActor_h
 
@@ -13,10 +13,10 @@ class vtkActor;
 
 namespace vtkRelievoPlainActor
 {
-// Actors of this class draw their mapper as vtkOpenGLActor does.
+// Registers a class whose actors draw their mapper like vtkOpenGLActor.
 VTKRELIEVORAYS_EXPORT void AddClass(const std::string& name);
 
-// Whether the actor is of such a class.
+// Whether the actor's class is registered.
 VTKRELIEVORAYS_EXPORT bool IsOfClass(vtkActor* actor);
 
 VTKRELIEVORAYS_EXPORT bool HasOwnShaders(vtkActor* actor);

@@ -21,7 +21,7 @@ vtkMTimeType vtkRelievoPropMTime::OfData(vtkDataObject* data)
   vtkMTimeType time = data ? data->GetMTime() : 0;
   if (auto* tree = vtkDataObjectTree::SafeDownCast(data))
   {
-    // Also of what has blocks within: they may be exchanged there for older ones.
+    // Includes nodes with children, whose blocks may be replaced by older ones.
     auto it = vtkSmartPointer<vtkDataObjectTreeIterator>::Take(tree->NewTreeIterator());
     it->VisitOnlyLeavesOff();
     for (it->InitTraversal(); !it->IsDoneWithTraversal(); it->GoToNextItem())

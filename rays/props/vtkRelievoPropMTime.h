@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// When what is drawn was last changed, where VTK's own GetMTime leaves something out.
+// Time of the last change of drawn data, for cases that VTK's own GetMTime omits.
 #ifndef vtkRelievoPropMTime_h
 #define vtkRelievoPropMTime_h
 
@@ -14,13 +14,13 @@ class vtkTexture;
 
 namespace vtkRelievoPropMTime
 {
-// With the data of its blocks.
+// Includes the data of blocks.
 VTKRELIEVORAYS_EXPORT vtkMTimeType OfData(vtkDataObject* data);
 
-// With its image or images, brought up to date.
+// Includes the texture's images, after an update.
 VTKRELIEVORAYS_EXPORT vtkMTimeType OfTexture(vtkTexture* texture);
 
-// Of a mapper's inputs and clipping planes, not of its own settings.
+// A mapper's inputs and clipping planes, without its own settings.
 VTKRELIEVORAYS_EXPORT vtkMTimeType OfInputs(vtkMapper* mapper);
 }
 

@@ -48,28 +48,28 @@ namespace
 {
 using Wanted = vtkRelievoPropMeshes::Wanted;
 
-// How a part is drawn, and what its blocks inherit.
+// Drawing attributes of a part, inherited by its blocks.
 struct Manner
 {
   glm::dmat4 MeshToWorld{ 1.0 };
   double Opacity = 1.0;
   glm::dvec3 Color{ 1.0 };
   vtkMapper* Mapper = nullptr;
-  bool Textured = false;    // a texture gives the colours
-  bool Overrides = false;   // Color is a block's: it wins over arrays
-  bool ArraysKnown = false; // Color is right whatever the mesh has
+  bool Textured = false;    // colours come from a texture
+  bool Overrides = false;   // Color is a block's: it overrides arrays
+  bool ArraysKnown = false; // Color is valid whatever arrays the mesh has
   bool Visible = true;
-  double Reach = 0.0; // of vtkRelievoPlacedMesh; 0: that of the mesh alone
+  double Reach = 0.0; // see vtkRelievoPlacedMesh; 0: that of the mesh alone
   Wanted Meshes = Wanted::Opaque;
-  bool OpacityKnown = true; // and one for all
+  bool OpacityKnown = true; // and constant
   vtkActor* Actor = nullptr;
   int Block = 0;
   bool CullsFront = false;
   bool CullsBack = false;
-  vtkIdType* TooMany = nullptr; // triangles of a mesh that is not followed for them
+  vtkIdType* TooMany = nullptr; // number of triangles of a mesh that is left out for its size
 };
 
-// Numbers that the texture maps to colours have the opacity of these.
+// Numbers that the texture maps to colours have the opacity of the colours.
 bool IsOpaque(vtkTexture* texture)
 {
   vtkImageData* image = texture ? texture->GetInput() : nullptr;
@@ -87,7 +87,7 @@ bool IsOpaque(vtkTexture* texture)
   return image->GetNumberOfScalarComponents() % 2 == 1;
 }
 
-// Of an actor that knows what its vertex shader makes of the mesh, and has no other shader code.
+// The actor's interface, if its vertex shader only moves the mesh in a known way.
 vtkRelievoMovedMesh* GetMoved(vtkActor* actor)
 {
   auto* moved = dynamic_cast<vtkRelievoMovedMesh*>(actor);
@@ -98,7 +98,7 @@ vtkRelievoMovedMesh* GetMoved(vtkActor* actor)
   return all ? moved : nullptr;
 }
 
-// Whether the actor draws triangles that are known here, all of one opacity unless any will do.
+// Whether the actor draws known triangles, of constant opacity unless any opacity is accepted.
 bool IsSurface(vtkActor* actor, bool anyOpacity)
 {
   vtkProperty* property = actor->GetProperty();
@@ -117,7 +117,7 @@ bool IsSurface(vtkActor* actor, bool anyOpacity)
   return surface;
 }
 
-// Of data with these colours: whether they leave the opacity alone.
+// Whether the mapper's colours do not change the opacity.
 bool HasOpaqueColors(vtkMapper* mapper)
 {
   if (!mapper->GetScalarVisibility())
@@ -128,7 +128,7 @@ bool HasOpaqueColors(vtkMapper* mapper)
   return !table || table->IsOpaque() != 0;
 }
 
-// The array of the data that gives the colours.
+// The data's array of colours.
 vtkAbstractArray* GetColors(vtkMapper* mapper, vtkDataObject* data)
 {
   auto* set = vtkDataSet::SafeDownCast(data);
@@ -139,8 +139,8 @@ vtkAbstractArray* GetColors(vtkMapper* mapper, vtkDataObject* data)
     : nullptr;
 }
 
-// The opacity of an array that is taken for colours as it is; none where it is not one for all.
-// Mappers of blocks do not look.
+// The opacity of an array that is used directly as colours; none if it is not constant. Mappers of
+// blocks ignore it.
 std::optional<double> GetAlpha(vtkMapper* mapper, vtkDataObject* data)
 {
   auto* colors = vtkDataArray::SafeDownCast(GetColors(mapper, data));
@@ -162,7 +162,7 @@ bool HasAlpha(vtkMapper* mapper, vtkDataObject* data)
   return GetAlpha(mapper, data) != 1.0;
 }
 
-// The mappers that tell how they shift coordinates before they round them to floats.
+// The mappers whose shift of coordinates before rounding to floats is known.
 #ifdef RELIEVO_VTK_COMPOSITE_HELPERS
 using Shifting = vtkOpenGLPolyDataMapper;
 #else
@@ -170,7 +170,8 @@ using Shifting = vtkPolyDataMapper;
 #endif
 
 // The largest coordinate that VTK's buffer of these points holds as a float, in units of the mesh:
-// VTK shifts what is large or far from the origin to its middle. Blocks are shifted together.
+// VTK shifts points that are large or far from the origin to their centre. Blocks are shifted
+// together.
 double GetReach(vtkMapper* mapper, const vtkBoundingBox& points, bool blocks)
 {
   using Buffer = vtkOpenGLVertexBufferObject;
@@ -194,11 +195,11 @@ double GetReach(vtkMapper* mapper, const vtkBoundingBox& points, bool blocks)
     const double away = 0.5 * glm::length(low + high);
     shifts = size > 0.0 ? away > 1e3 * size || std::abs(std::log10(size)) > 1.5 : away > 1e3;
   }
-  // Of blocks, the other methods take one block's middle for all.
+  // For blocks, the other methods use one block's centre for all blocks.
   const bool first = blocks && method != Buffer::AUTO_SHIFT_SCALE;
   const glm::dvec3 reach = !shifts ? most : first ? 2.0 * half : half;
   const double largest = std::max({ reach.x, reach.y, reach.z });
-  return std::isfinite(largest) ? largest : 0.0; // VTK draws nothing then
+  return std::isfinite(largest) ? largest : 0.0; // VTK then draws nothing
 }
 
 vtkBoundingBox GetBox(vtkPolyData* mesh)
@@ -260,8 +261,8 @@ bool AddMesh(vtkPolyData* mesh, const Manner& manner, std::vector<vtkRelievoPlac
   return true;
 }
 
-// Adds the blocks' meshes, with the attributes that VTK's composite mappers hand down to them.
-// `index` is the flat one of the data, and then of the last block. False if one cannot be followed.
+// Adds the blocks' meshes, with the attributes inherited by VTK's composite mappers. `index` is the
+// flat index of the data, and afterwards of the last block. False if a block is not supported.
 bool AddBlocks(vtkDataObject* data, vtkCompositeDataDisplayAttributes* attributes, Manner manner,
   int& index, std::vector<vtkRelievoPlacedMesh>& meshes)
 {
@@ -307,7 +308,7 @@ bool AddBlocks(vtkDataObject* data, vtkCompositeDataDisplayAttributes* attribute
   return mesh && !HasAlpha(manner.Mapper, mesh) && AddMesh(mesh, manner, meshes);
 }
 
-// What the points' data have of colours. False if some are translucent by themselves.
+// Evaluates the colours of the glyphs' points. False if some points are translucent.
 bool FindGlyphColor(vtkGlyph3DMapper* mapper, vtkProperty* property, Manner& manner)
 {
   bool colored = false;
@@ -335,7 +336,7 @@ bool FindGlyphColor(vtkGlyph3DMapper* mapper, vtkProperty* property, Manner& man
   manner.Color = glm::dvec3(1.0);
   if (!colored)
   {
-    property->GetColor(&manner.Color.x); // of glyphs VTK has one colour for all kinds of light
+    property->GetColor(&manner.Color.x); // VTK uses one colour of glyphs for all kinds of light
   }
   return opaque;
 }
@@ -379,7 +380,7 @@ bool AddActor(vtkActor* actor, vtkMatrix4x4* matrix, Wanted wanted, vtkRelievoGl
   }
   Manner manner;
   manner.MeshToWorld = vtkRelievoToGlm(matrix ? matrix : actor->GetMatrix());
-  // VTK draws what is forced to be opaque as such, whatever its opacity.
+  // VTK draws forced-opaque actors as opaque, whatever their opacity.
   manner.Opacity = actor->GetForceOpaque() ? 1.0 : actor->GetProperty()->GetOpacity();
   actor->GetProperty()->GetDiffuseColor(&manner.Color.x);
   manner.Textured = actor->GetTexture() || actor->GetProperty()->GetNumberOfTextures() > 0;
@@ -395,13 +396,13 @@ bool AddActor(vtkActor* actor, vtkMatrix4x4* matrix, Wanted wanted, vtkRelievoGl
     (!(std::abs(glm::determinant(manner.MeshToWorld)) > 0.0) ||
       vtkRelievoIsProjective(matrix ? matrix : actor->GetMatrix())))
   {
-    return false; // flattened: no way back from the world; or rays are bent on the way
+    return false; // a singular matrix cannot be inverted, and a projective one bends rays
   }
   if (auto* composite = vtkRelievoCompositeMapper::SafeDownCast(mapper))
   {
     if (actor->GetForceOpaque() && !anyOpacity)
     {
-      return false; // blocks have opacities of their own
+      return false; // blocks have different opacities
     }
     manner.Reach = GetReachOfBlocks(composite);
     int index = 0;
@@ -413,7 +414,7 @@ bool AddActor(vtkActor* actor, vtkMatrix4x4* matrix, Wanted wanted, vtkRelievoGl
     auto* mesh = vtkPolyData::SafeDownCast(mapper->GetInputDataObject(0, 0));
     return mesh && AddMesh(mesh, manner, meshes);
   }
-  // Colours with an opacity of their own, by an array or a table.
+  // Colours with their own opacity, from an array or a table.
   const std::optional<double> alpha =
     actor->GetForceOpaque() ? 1.0 : GetAlpha(mapper, mapper->GetInputDataObject(0, 0));
   if (anyOpacity)
@@ -480,7 +481,7 @@ bool vtkRelievoPropMeshes::Collect(vtkProp* prop, Wanted wanted, vtkRelievoGlyph
 {
   if (vtkLODProp3D::SafeDownCast(prop))
   {
-    return false; // one of its parts at a time, by VTK's choice
+    return false; // VTK draws one of its parts at a time, by its own choice
   }
   std::vector<vtkRelievoPlacedMesh> own;
   std::vector<vtkRelievoPropParts::Part> parts;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The meshes that a prop draws as surfaces that can be followed triangle by triangle: those of
+// The meshes of a prop that are drawn as surfaces and can be traced triangle by triangle: those of
 // vtkPolyDataMapper, composite meshes and glyphs.
 #ifndef vtkRelievoPropMeshes_h
 #define vtkRelievoPropMeshes_h
@@ -16,23 +16,23 @@ class vtkRelievoGlyphPlaces;
 
 namespace vtkRelievoPropMeshes
 {
-// Which meshes are wanted of a prop's.
+// Selection of a prop's meshes.
 enum class Wanted
 {
   Opaque,
-  Translucent, // also those, if all of a mesh has one opacity
-  Geometry // all, whatever their opacity and matrix, which may flatten them or be projective, and
-           // whatever points and lines are drawn beside them
+  Translucent, // and translucent meshes of constant opacity
+  Geometry // all meshes, of any opacity, with singular and projective matrices, and with points and
+           // lines next to them
 };
 
-// Appends the meshes that a prop draws. False, and nothing appended, if any of it is no triangles,
-// or not those of its data: points, lines, wireframes, impostors, cut-outs, clipping planes, own
-// shaders, colours of their own opacity, glyphs whose places are not known, other mappers; or if a
-// mesh has too many triangles: so many, in `tooMany`, which is otherwise left as it is.
+// Appends the meshes that a prop draws. False, with nothing appended, if a part is not made of
+// triangles of its data: points, lines, wireframes, impostors, cut-outs, clipping planes, user
+// shaders, colours with their own opacity, glyphs with unknown places, other mappers; or if a mesh
+// has too many triangles, whose number `tooMany` receives (otherwise it is unchanged).
 VTKRELIEVORAYS_EXPORT bool Collect(vtkProp* prop, Wanted wanted, vtkRelievoGlyphPlaces& glyphs,
   std::vector<vtkRelievoPlacedMesh>& meshes, vtkIdType* tooMany = nullptr);
 
-// The largest coordinate that OpenGL rounds to a float to draw the mesh, in units of the world.
+// The largest coordinate that OpenGL rounds to float to draw the mesh, in world units.
 VTKRELIEVORAYS_EXPORT double GetRoundedReach(const vtkRelievoPlacedMesh& mesh);
 }
 

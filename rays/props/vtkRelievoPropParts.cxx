@@ -61,7 +61,7 @@ vtkActor* vtkRelievoPropParts::GetMeshActor(const Part& part)
   {
     return nullptr;
   }
-  // Surface LIC draws into buffers of its own, and from them into the picture.
+  // Surface LIC draws into its own buffers, and from them into the picture.
   return mapper->IsA("vtkSurfaceLICMapper") || mapper->IsA("vtkCompositeSurfaceLICMapper") ? nullptr
                                                                                            : actor;
 }
@@ -76,14 +76,14 @@ bool vtkRelievoPropParts::IsAnnotation(vtkActor* actor)
 //------------------------------------------------------------------------------
 bool vtkRelievoPropParts::DrawsNoOpaque(const Part& part)
 {
-  // Exactly these classes: derived ones draw without a mapper of their own.
+  // Exactly these classes: subclasses draw without a mapper of their own.
   const std::string name = part.Prop->GetClassName();
   if ((name == "vtkOpenGLActor" || name == "vtkFollower") &&
     !static_cast<vtkActor*>(part.Prop)->GetMapper())
   {
     return true;
   }
-  // Of VTK's 2D actors, captions draw a leader among what is opaque.
+  // Among VTK's 2D actors, captions draw a leader in the opaque phase.
   return (vtkActor2D::SafeDownCast(part.Prop) && !part.Prop->IsA("vtkCaptionActor2D")) ||
     vtkVolume::SafeDownCast(part.Prop);
 }
@@ -105,7 +105,7 @@ bool vtkRelievoPropParts::IsMixed(vtkProp* prop, const std::vector<Part>& parts)
 //------------------------------------------------------------------------------
 void vtkRelievoPropParts::RenderMeshes(vtkProp* prop, bool translucent, vtkRenderer* renderer)
 {
-  // Not of an earlier Collect: an assembly that was drawn meanwhile has other matrices.
+  // Collected anew: drawing changes the matrices of an assembly.
   std::vector<Part> parts;
   Collect(prop, parts);
   for (const Part& part : parts)

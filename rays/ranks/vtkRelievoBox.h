@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The box of a prop, or of the part of it that a process has.
+// The box of a prop, or of a process's part of it.
 #ifndef vtkRelievoBox_h
 #define vtkRelievoBox_h
 
@@ -15,13 +15,13 @@ struct VTKRELIEVORAYS_EXPORT vtkRelievoBox
 {
   glm::dvec3 Min;
   glm::dvec3 Max;
-  int Number = 0;     // of the prop in its renderer
-  bool Loose = false; // its mapper may draw beyond the box
+  int Number = 0;     // index of the prop in its renderer
+  bool Loose = false; // its mapper may draw outside the box
 
   std::array<glm::dvec3, 8> GetCorners() const;
 
-  // Adds a box to boxes in the order of their props' numbers. The processes' parts of one prop make
-  // the box that the whole prop has: what follows from boxes does not depend on how many share it.
+  // Adds a box to boxes ordered by their props' numbers. The boxes of one prop are merged across
+  // processes, so that results do not depend on the number of processes.
   static void Join(const vtkRelievoBox& box, std::vector<vtkRelievoBox>& boxes);
 };
 

@@ -58,13 +58,14 @@ std::string vtkRelievoMeshExchange::Share(const vtkRelievoMeshPart& own, bool re
   Answer answer = this->Ask(Ready, changed);
   if (answer.Least == Refused)
   {
-    answer = this->Ask(Ready, changed); // who refused tries again, for things have changed
+    // Retried by processes that refused before, since the scene has changed.
+    answer = this->Ask(Ready, changed);
   }
   this->Declined = answer.Least != Ready;
   if (this->Declined)
   {
     this->Clear();
-    return "not all processes that draw together are set to send rays";
+    return "not all processes that draw together are set to trace rays";
   }
   this->Changed = answer.Changed;
   if (!this->Changed)
@@ -113,7 +114,7 @@ void vtkRelievoMeshExchange::MakeWhole(const vtkRelievoMeshPart& own)
 }
 
 //------------------------------------------------------------------------------
-// The bytes of every process, but for its own.
+// The bytes of every other process.
 std::vector<vtkRelievoBytes> vtkRelievoMeshExchange::Gather(const vtkRelievoBytes& own)
 {
   const int processes = this->Controller->GetNumberOfProcesses();
@@ -153,7 +154,7 @@ std::string vtkRelievoMeshExchange::Confirm(const std::string& fault)
 {
   if (!this->Changed)
   {
-    return fault; // none: everything is as it was when all agreed
+    return fault; // no error: nothing has changed since all processes agreed
   }
   const int own = fault.empty() ? 1 : 0;
   int all = 0;

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What any process has in the way of rays, brought to all of them: rays need all of it. Processes
-// that draw together send rays all or none. A frame in which nothing has changed takes one
-// reduction of a few numbers; otherwise what has changed travels, and all hear whether any of them
-// has no room for it.
+// Exchanges the traced meshes between processes, because rays need the whole scene. Processes that
+// draw together trace rays either all or none. A frame without changes costs one reduction of a few
+// numbers; otherwise the changes are sent, and all processes learn whether any of them has run out
+// of memory for the scene.
 #ifndef vtkRelievoMeshExchange_h
 #define vtkRelievoMeshExchange_h
 
@@ -21,30 +21,31 @@ class VTKRELIEVORAYS_EXPORT vtkRelievoMeshExchange
 public:
   void SetController(vtkMultiProcessController* controller);
 
-  // Whether there is anybody to exchange with. If so, every process calls, once in a frame, either
-  // Decline, or Share and, if that is "", Confirm.
+  // Whether there are several processes. If so, every process calls, once per frame, either
+  // Decline, or Share and, if that returns "", Confirm.
   bool IsOn() const { return this->Controller && this->Controller->GetNumberOfProcesses() > 1; }
 
-  // This process sends no rays: because it could not before (`refused`), or is not to. Whether it
-  // is to try again with the others, for which something has changed: then it calls Share.
+  // Call if this process does not trace rays: because it failed before (`refused`), or by its
+  // settings. Returns whether it should retry with the others after a change, by calling Share.
   bool Decline(bool refused);
 
-  // The part of this process becomes known to all. `ready`: what is made of the whole scene is
-  // still right if nothing has changed. Returns why there are no rays, in words.
+  // Sends this process's part to all. `ready`: data made from the whole scene is still valid if
+  // nothing has changed. Returns an error message if no rays can be traced.
   std::string Share(const vtkRelievoMeshPart& own, bool ready);
 
-  // Whether that was another process's method: no reason not to ask again.
+  // Whether the error comes from another process's settings, so that a retry makes sense.
   bool IsDeclined() const { return this->Declined; }
 
-  // Why this process cannot send rays with the whole scene, or ""; returns why not all of them can.
+  // `fault`: this process's error with the whole scene, or "". Returns an error message if any
+  // process failed.
   std::string Confirm(const std::string& fault);
 
-  // What Share has brought: the meshes in the order of the processes, the receivers' boxes joined,
-  // and the boxes of what rays cannot follow in the others.
+  // The result of Share: the meshes in the processes' order, the merged boxes of receivers, and the
+  // boxes of casters that other processes cannot trace.
   const vtkRelievoMeshPart& GetWhole() const { return this->Whole; }
 
-  // The others' meshes, and what is in the whole in the place of an own one: its cells that are no
-  // copies of another process's.
+  // The others' meshes; and the replacement of an own mesh in the whole: its cells without copies
+  // of another process's.
   std::vector<vtkRelievoPlacedMesh> GetOthers() const;
   vtkPolyData* GetOwn(vtkPolyData* mesh) const { return this->Sender.GetOwn(mesh); }
 
@@ -63,7 +64,7 @@ private:
     int Least = Never;
     int Most = Never;
     bool Changed = false;
-    bool Lost = false; // what one of them knew of the others
+    bool Lost = false; // a process has lost the others' data
   };
   Answer Ask(Voice voice, bool changed);
   std::vector<vtkRelievoBytes> Gather(const vtkRelievoBytes& own);
@@ -71,12 +72,12 @@ private:
 
   vtkSmartPointer<vtkMultiProcessController> Controller;
   vtkRelievoMeshSender Sender;
-  std::vector<vtkRelievoMeshReceiver> Others; // one for each process, also for this one
+  std::vector<vtkRelievoMeshReceiver> Others; // one for each process, this one included
   vtkRelievoMeshPart Whole;
   bool Lost = true;
   bool Changed = false;
   bool Declined = false;
-  double Seconds = 0.0; // that the last exchange took, and what came
+  double Seconds = 0.0; // duration of the last exchange, and received amounts
   double Bytes = 0.0;
 };
 

@@ -137,7 +137,7 @@ void ReadMesh(Reader& from, vtkPolyData* mesh)
   vtkNew<vtkPoints> points;
   points->SetData(
     floats ? TakePoints<vtkFloatArray>(from, size) : TakePoints<vtkDoubleArray>(from, size));
-  mesh->SetPoints(points); // the tree over it is fitted to them if its cells stay
+  mesh->SetPoints(points); // the tree over the mesh is refitted if the cells are unchanged
   if (!same)
   {
     const auto corners = from.Take<std::size_t>();
@@ -178,7 +178,7 @@ bool vtkRelievoMeshSender::IsNews(const vtkRelievoMeshPart& part) const
 }
 
 //------------------------------------------------------------------------------
-// Points that triangles have, as floats or doubles; triangles, if they are others than before.
+// Writes points of triangles, as floats or doubles, and the triangles, if they have changed.
 int vtkRelievoMeshSender::WriteMesh(Sent& sent, vtkPolyData* mesh, vtkRelievoBytes& bytes)
 {
   const std::vector<vtkMTimeType> times = GetTimes(mesh);
@@ -245,7 +245,7 @@ void vtkRelievoMeshSender::WritePart(const vtkRelievoMeshPart& part, vtkRelievoB
 {
   std::map<vtkPolyData*, Sent> meshes;
   std::map<const void*, int> places;
-  vtkRelievoBytes written[3]; // meshes, places, what stands there
+  vtkRelievoBytes written[3]; // meshes, places, list of placements
   int counts[3] = { 0, 0, static_cast<int>(part.Meshes.size()) };
   for (const vtkRelievoPlacedMesh& placed : part.Meshes)
   {
@@ -339,7 +339,7 @@ void vtkRelievoMeshReceiver::Read(const vtkRelievoBytes& bytes)
   }
   this->Part.Receivers = TakeBoxes(from);
   this->Part.InMaps = TakeBoxes(from);
-  this->Meshes.swap(meshes); // what is there no more is forgotten, here and by the sender
+  this->Meshes.swap(meshes); // drops unused meshes, like the sender
   this->Places.swap(places);
 }
 

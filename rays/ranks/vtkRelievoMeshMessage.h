@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What a process tells others of what rays meet in it, as bytes: meshes as their triangles, once
-// and again when they change; and, if anything has changed, the list of where they stand.
+// Messages about a process's traced meshes, as bytes: the meshes' triangles, once and after each
+// change; and after any change the list of their placements.
 #ifndef vtkRelievoMeshMessage_h
 #define vtkRelievoMeshMessage_h
 
@@ -20,28 +20,28 @@ class vtkPolyData;
 
 using vtkRelievoBytes = std::vector<unsigned char>;
 
-// What a process has of a scene.
+// A process's part of the scene.
 struct vtkRelievoMeshPart
 {
-  std::vector<vtkRelievoPlacedMesh> Meshes; // that are followed
+  std::vector<vtkRelievoPlacedMesh> Meshes; // traced meshes
   std::vector<vtkRelievoBox> Receivers;     // of shadows
-  std::vector<vtkRelievoBox> InMaps;        // what casts and cannot be followed
+  std::vector<vtkRelievoBox> InMaps;        // casters that cannot be traced
 };
 
 class vtkRelievoMeshSender
 {
 public:
-  // Whether it is not what was written last, or has changed since.
+  // Whether the part differs from the last written one, or has changed since.
   bool IsNews(const vtkRelievoMeshPart& part) const;
 
-  // What the readers do not know of it; nothing if they know all of it. Cells that are copies of
-  // another process's count there: the part's meshes become those without them.
+  // The changes that the readers lack; empty if there are none. Copies of another process's cells
+  // are that process's: the part's meshes become meshes without them.
   vtkRelievoBytes Write(vtkRelievoMeshPart& part);
 
-  // What is in the last part in the place of a mesh: its cells that are no copies.
+  // The replacement of a mesh in the last part: its cells without copies.
   vtkPolyData* GetOwn(vtkPolyData* mesh) const;
 
-  // The readers know nothing any more.
+  // Restarts: the readers have lost all data.
   void Clear() { *this = vtkRelievoMeshSender(); }
 
 private:
@@ -55,20 +55,20 @@ private:
   };
   bool IsSame(const vtkRelievoPlacedMesh& now, const vtkRelievoPlacedMesh& before) const;
   void WritePart(const vtkRelievoMeshPart& part, vtkRelievoBytes& bytes);
-  // How many meshes it wrote: 0 or 1.
+  // Returns the number of written meshes: 0 or 1.
   int WriteMesh(Sent& sent, vtkPolyData* mesh, vtkRelievoBytes& bytes);
 
   vtkRelievoMeshPart Last;
   bool Written = false;
   std::map<vtkPolyData*, Sent> Meshes;
-  std::map<const void*, int> Places; // of Last, which keeps them
+  std::map<const void*, int> Places; // of Last, which holds references
   int NextId = 0;
 };
 
 class vtkRelievoMeshReceiver
 {
 public:
-  // Nothing: nothing has changed.
+  // Reads a message; an empty one means no changes.
   void Read(const vtkRelievoBytes& bytes);
 
   const vtkRelievoMeshPart& GetPart() const { return this->Part; }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Of meshes that have copies of other processes' cells (ghosts), what is this process's own.
+// Removes copies of other processes' cells (ghosts) from meshes.
 #ifndef vtkRelievoNonGhostCells_h
 #define vtkRelievoNonGhostCells_h
 
@@ -12,11 +12,11 @@ class vtkUnsignedCharArray;
 
 namespace vtkRelievoNonGhostCells
 {
-// The array that says which cells are copies; null: none has.
+// The array that marks copies; null if no cell is a copy.
 vtkUnsignedCharArray* GetGhosts(vtkPolyData* mesh);
 
-// The mesh itself if it has no copies. It has neither vertices nor lines, as what can be followed:
-// polygons are its first cells.
+// The mesh itself if it has no copies. It must have neither vertices nor lines, like all traced
+// meshes, so that polygons are its first cells.
 vtkSmartPointer<vtkPolyData> Find(vtkPolyData* mesh);
 }
 

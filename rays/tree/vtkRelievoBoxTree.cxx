@@ -13,8 +13,8 @@ using Box = vtkRelievoBoxTree::Box;
 using Node = vtkRelievoBoxTree::Node;
 
 constexpr int Bins = 16;
-constexpr int Few = 32;          // boxes that are split where it is best, not by bins
-constexpr int ForAThread = 8192; // boxes of a subtree that one thread makes
+constexpr int Few = 32;          // up to this number of boxes all splits are tried, without bins
+constexpr int ForAThread = 8192; // boxes of a subtree built by one thread
 
 const Box Nothing = { glm::vec3(std::numeric_limits<float>::max()),
   glm::vec3(-std::numeric_limits<float>::max()) };
@@ -42,8 +42,8 @@ int RoundUp(int count, int leafSize)
 }
 }
 
-// Where a range of boxes is cut: after so many of them, sorted along an axis. The surface area
-// heuristic.
+// The split of a range of boxes: their number on the left, sorted along an axis. By the surface
+// area heuristic.
 struct vtkRelievoBoxTree::Split
 {
   int Axis = 0;
@@ -58,7 +58,7 @@ struct vtkRelievoBoxTree::Split
     }
   }
 
-  // Each possible cut.
+  // Tries every split.
   void TryAll(const std::vector<Box>& boxes, std::vector<int>& sorted, int leafSize)
   {
     const int count = static_cast<int>(sorted.size());
@@ -91,7 +91,7 @@ struct vtkRelievoBoxTree::Split
     }
   }
 
-  // Cuts between a few bins, moved to where leaves are full.
+  // Splits between a few bins, moved so that leaves are full.
   void TryBins(const std::vector<Box>& boxes, const int* order, int count, int leafSize)
   {
     Box middles = Nothing;
@@ -178,7 +178,7 @@ vtkRelievoBoxTree::Task vtkRelievoBoxTree::MakeNode(
   {
     split.TryBins(boxes, order, task.Count, this->LeafSize);
   }
-  if (split.Left <= 0 || split.Left >= task.Count) // all in one place
+  if (split.Left <= 0 || split.Left >= task.Count) // all boxes have one position
   {
     split = { 0, RoundUp(task.Count / 2, this->LeafSize), 0.f };
   }

@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A hierarchy over boxes that a shader walks without a stack: nodes in the order in which a walk
-// meets them, each with the node to go on with where its box is not met.
+// A bounding volume hierarchy that shaders traverse without a stack: nodes in traversal order, each
+// with the node to continue with if its box is missed.
 //
-// All leaves but the last hold as many boxes as a leaf may: the number of nodes follows from the
-// number of boxes, and subtrees are made in threads without waiting for each other.
+// All leaves but the last are full: the number of nodes follows from the number of boxes, and
+// threads build subtrees without waiting for each other.
 #ifndef vtkRelievoBoxTree_h
 #define vtkRelievoBoxTree_h
 
@@ -23,9 +23,9 @@ public:
     glm::vec3 Max;
   };
 
-  // Two texels of shaders/shadow/exact.glsl: the box's corners, and beside the least one the node
-  // behind the subtree (an inner node) or -1 - the first place of its boxes (a leaf), beside the
-  // greatest how many boxes the leaf holds, or 0.
+  // Two texels of shaders/shadow/exact.glsl: the box's corners; w of the least one: the node after
+  // the subtree (inner node), or -1 - the index of the leaf's first box; w of the greatest one: the
+  // leaf's number of boxes, or 0.
   struct Node
   {
     glm::vec4 Low;
@@ -34,16 +34,15 @@ public:
 
   void Build(const std::vector<Box>& boxes, int leafSize);
 
-  // The boxes have moved: the tree keeps its shape around them. There must be as many boxes as it
-  // was built of.
+  // Refits the tree to moved boxes, whose number must be that of the last build.
   void Refit(const std::vector<Box>& boxes);
 
   const std::vector<Node>& GetNodes() const { return this->Nodes; }
 
-  // Which box is at each place of the leaves.
+  // The index of the box at each position in the leaves.
   const std::vector<int>& GetOrder() const { return this->Order; }
 
-  // Expected visits of a ray that meets the root: areas of all nodes over the root's.
+  // Expected node visits of a ray through the root: the sum of all nodes' areas over the root's.
   double GetCost() const;
 
   static int GetNumberOfNodes(int boxes, int leafSize);

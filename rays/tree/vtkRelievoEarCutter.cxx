@@ -22,12 +22,12 @@ bool vtkRelievoEarCutter::Cut(const std::vector<Point>& corners, std::vector<Tri
     return this->Turn(this->Before[corner], corner, this->Behind[corner]) == 0.;
   };
   int corner = 0;
-  int tried = 0; // since the last one was removed
+  int tried = 0; // corners tried since the last removal
   int left = this->Count;
   for (; left > 3 && tried < 3 * left; ++tried)
   {
-    // First ears that leave no corner on an edge, then, where there are none, corners without area,
-    // then ears that touch others.
+    // In rounds: ears without corners on their edges, then corners without area, then ears that
+    // touch other corners.
     const int round = tried / left;
     const bool flat = round == 1 && isFlat(corner);
     if (flat || (round != 1 && this->IsEar(corner, round == 0 ? Closed : Open)))
@@ -39,7 +39,7 @@ bool vtkRelievoEarCutter::Cut(const std::vector<Point>& corners, std::vector<Tri
       this->Remove(corner);
       --left;
       tried = -1;
-      corner = this->Before[corner]; // its neighbours may be ears now
+      corner = this->Before[corner]; // its neighbours may have become ears
       continue;
     }
     corner = this->Behind[corner];
@@ -52,7 +52,7 @@ bool vtkRelievoEarCutter::Cut(const std::vector<Point>& corners, std::vector<Tri
 }
 
 //------------------------------------------------------------------------------
-// Twice the triangle's area; positive if it turns left.
+// Twice the signed area of the triangle; positive for a left turn.
 double vtkRelievoEarCutter::Turn(int a, int b, int c) const
 {
   const Point& p = this->Points[a];
@@ -104,7 +104,7 @@ bool vtkRelievoEarCutter::Blocks(int other, int a, int b, int c, Strictness stri
   const Point& place = this->Points[other];
   if (place == this->Points[b])
   {
-    // Two runs of the outline touch in b: is the other within the angle of this one?
+    // Two parts of the outline touch in b: is the other one inside the angle of this one?
     const auto within = [&](int corner) {
       return this->Turn(a, b, corner) > 0. && this->Turn(b, c, corner) > 0.;
     };
@@ -147,7 +147,7 @@ void vtkRelievoEarCutter::UpdateConvexity(int corner)
 //------------------------------------------------------------------------------
 void vtkRelievoEarCutter::MakeGrid()
 {
-  // About two of the corners in a cell.
+  // About two corners per cell.
   this->Columns = static_cast<std::size_t>(std::clamp(std::sqrt(this->Count / 4.), 1., 1000.));
   Point highest = this->Lowest = this->Points[0];
   for (int i = 0; i < this->Count; ++i)

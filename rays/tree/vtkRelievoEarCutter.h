@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Cuts a polygon of the plane into triangles by cutting ears, after G. H. Meisters, Polygons Have
-// Ears, 1975. Corners that are not convex are kept in a grid, so that each ear is tested against
-// those near it.
+// Triangulates a plane polygon by cutting ears, after G. H. Meisters, Polygons Have Ears, 1975.
+// Corners that are not convex are stored in a grid, so that each ear is tested only against nearby
+// ones.
 #ifndef vtkRelievoEarCutter_h
 #define vtkRelievoEarCutter_h
 
@@ -15,11 +15,11 @@ class vtkRelievoEarCutter
 {
 public:
   using Point = std::array<double, 2>;
-  using Triangle = std::array<int, 3>; // places of corners, in the polygon's order
+  using Triangle = std::array<int, 3>; // indices of corners, in the polygon's order
 
   // The corners run counter-clockwise; they may touch each other, lie on a line, or run to a hole
-  // and back. False if the polygon crosses itself so that no ear is found; then there are
-  // triangles of a part of it.
+  // and back. False if the polygon intersects itself such that no ear is found; the triangles then
+  // cover a part of it.
   bool Cut(const std::vector<Point>& corners, std::vector<Triangle>& triangles);
 
 private:
@@ -41,10 +41,10 @@ private:
   int Count = 0;
   std::vector<int> Before;
   std::vector<int> Behind;
-  std::vector<char> Blocking; // not convex, and still there
+  std::vector<char> Blocking; // not convex, and not yet removed
   std::vector<char> InGrid;
   Point Lowest = {};
-  Point Scale = {}; // columns of the grid by length
+  Point Scale = {}; // columns of the grid per length
   std::size_t Columns = 1;
   std::vector<std::vector<int>> Grid;
 };

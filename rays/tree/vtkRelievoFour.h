@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Four floats at once.
+// SIMD vector of four floats.
 #ifndef vtkRelievoFour_h
 #define vtkRelievoFour_h
 
@@ -24,7 +24,7 @@ struct vtkRelievoFour
     : X(_mm_set1_ps(x))
   {
   }
-  static vtkRelievoFour Load(const float* from) { return _mm_load_ps(from); } // aligned by 16
+  static vtkRelievoFour Load(const float* from) { return _mm_load_ps(from); } // aligned to 16 bytes
   void Store(float* to) const { _mm_storeu_ps(to, this->X); }
 };
 
@@ -52,7 +52,7 @@ inline vtkRelievoFour operator&(vtkRelievoFour a, vtkRelievoFour b)
 {
   return _mm_and_ps(a.X, b.X);
 }
-// A bit for each of the four comparisons.
+// One bit for each of the four comparisons.
 inline unsigned vtkRelievoGetBits(vtkRelievoFour comparisons)
 {
   return static_cast<unsigned>(_mm_movemask_ps(comparisons.X));
@@ -108,7 +108,7 @@ inline vtkRelievoFour operator&(const vtkRelievoFour& a, const vtkRelievoFour& b
 {
   return a * b;
 }
-// A bit for each of the four comparisons.
+// One bit for each of the four comparisons.
 inline unsigned vtkRelievoGetBits(const vtkRelievoFour& comparisons)
 {
   unsigned bits = 0;
@@ -120,7 +120,7 @@ inline unsigned vtkRelievoGetBits(const vtkRelievoFour& comparisons)
 }
 #endif
 
-// The place of the lowest bit that is set; there must be one.
+// Index of the lowest set bit; there must be one.
 inline int vtkRelievoGetLowest(unsigned bits)
 {
 #if defined(__GNUC__)

@@ -8,7 +8,7 @@
 namespace
 {
 constexpr int LeastSquares = 16;    // in each direction
-constexpr double MostSquares = 2.0; // for each triangle
+constexpr double MostSquares = 2.0; // per triangle
 constexpr double RoomOfEdges = 1e-6;
 }
 
@@ -81,7 +81,7 @@ void vtkRelievoLayerGrid::AddOutline(const glm::dvec2& a, const glm::dvec2& b)
   const int bottom = this->GetPlace(high.y);
   for (int row = this->GetPlace(low.y); row <= bottom; ++row)
   {
-    // Where the edge is in the row.
+    // The edge's extent within the row.
     double from = 0.0;
     double to = 1.0;
     if (high.y - low.y > 4.0 * RoomOfEdges)

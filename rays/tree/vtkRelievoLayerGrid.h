@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// How many layers of triangles lie over squares of a picture, apart for the two sides that they
-// show. Triangles that join without a gap lie over each point of a square as often as over its
-// middle, if the outline of what they make does not cross it: where one layer lies before all of
-// the other side, it is seen, and what lies behind it is hidden, whichever the triangles are.
+// Counts layers of triangles over squares of a picture, for the two visible sides separately.
+// Triangles that join without a gap cover each point of a square as often as its centre, if the
+// outline of the layer does not cross the square: a layer in front of all triangles of the other
+// side is visible, and triangles behind it are hidden, whatever their shapes.
 //
-// X and Y are -1 to 1 in the picture, Q is larger the nearer it is.
+// X and Y are -1 to 1 in the picture, Q grows towards the eye.
 #ifndef vtkRelievoLayerGrid_h
 #define vtkRelievoLayerGrid_h
 
@@ -20,34 +20,34 @@ class VTKRELIEVORAYS_EXPORT vtkRelievoLayerGrid
 public:
   using Box = vtkRelievoWideTree::Box;
 
-  // Nothing lies over it, and so many triangles will, of about that size.
+  // Empties the grid for `triangles` triangles of roughly this size.
   void Clear(std::size_t triangles, double size);
 
-  // A triangle of one side, 0 or 1, in its box; `margin`: the error of twice the areas that the
-  // middle of a square makes with its sides.
+  // Adds a triangle of one side, 0 or 1, with its box; `margin`: the error of twice the areas
+  // between a square's centre and the triangle's sides.
   void Add(int side, const glm::dvec2 corners[3], const Box& box, double margin);
 
-  // An edge that belongs to the outline of a layer.
+  // Adds an edge of a layer's outline.
   void AddOutline(const glm::dvec2& a, const glm::dvec2& b);
 
-  // What is in the box has no side.
+  // Marks the box's content as having no side.
   void Block(const Box& box);
 
-  // Whether all that is in the box is hidden by a layer before it, or, of a triangle of that side,
-  // that nothing lies before it. False if that is not known.
+  // IsHidden: whether the box's content is hidden by a layer in front of it. IsFirst: whether
+  // nothing lies in front of a triangle of that side. False if this is unknown.
   bool IsHidden(const Box& box) const;
   bool IsFirst(const Box& box, int side) const;
 
 private:
   struct Square
   {
-    float Least[2]; // Q of the triangles that may reach into it, of each side
+    float Least[2]; // range of Q of triangles that may reach into the square, by side
     float Greatest[2];
     int Layers[2];
     bool IsCrossed;
   };
 
-  static constexpr std::size_t MostLooks = 32; // at squares, for each triangle
+  static constexpr std::size_t MostLooks = 32; // squares visited per triangle
 
   int GetPlace(double x) const;
   template <typename Visit>
@@ -58,8 +58,8 @@ private:
       static_cast<std::size_t>(column)];
   }
 
-  int Count = 0;        // of squares, in each direction
-  std::size_t Left = 0; // looks; 0: nothing is known
+  int Count = 0;        // squares in each direction
+  std::size_t Left = 0; // visits left; 0: the grid has no answers
   std::vector<Square> Squares;
 };
 

@@ -14,7 +14,7 @@
 namespace
 {
 constexpr int LeafSize = 4;
-constexpr double Worn = 1.5; // times what the tree cost when it was built
+constexpr double Worn = 1.5; // relative to the tree's cost when it was built
 
 std::vector<vtkIdType> GetTriangles(vtkPolyData* data)
 {
@@ -32,7 +32,8 @@ bool IsFinite(const glm::dvec3& p)
   return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
 }
 
-// Corners about an origin. What has a corner nowhere is drawn nowhere, and so becomes a point.
+// Corners about an origin. Triangles with a corner that is not finite are not drawn, so they become
+// points.
 std::vector<glm::vec3> GetCorners(
   vtkPolyData* data, const std::vector<vtkIdType>& triangles, const glm::dvec3& origin)
 {
@@ -60,7 +61,7 @@ std::vector<glm::vec3> GetCorners(
   return corners;
 }
 
-// The middle of the points that have a place.
+// The centre of the finite points.
 glm::dvec3 GetMiddle(vtkPolyData* data, const std::vector<vtkIdType>& triangles)
 {
   glm::dvec3 low(1e300);
@@ -78,7 +79,7 @@ glm::dvec3 GetMiddle(vtkPolyData* data, const std::vector<vtkIdType>& triangles)
   return low.x > high.x ? glm::dvec3(0.0) : 0.5 * (low + high);
 }
 
-// With room for rounding: a ray along an axis, in a side of two boxes, meets both.
+// Enlarged for rounding: an axis-parallel ray in the common side of two boxes hits both.
 std::vector<vtkRelievoBoxTree::Box> GetBoxes(const std::vector<glm::vec3>& corners)
 {
   std::vector<vtkRelievoBoxTree::Box> boxes(corners.size() / 3);

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The triangles of a mesh as shaders/shadow/exact.glsl walks them: in coordinates about the mesh's
-// own middle, in the order of a tree.
+// The triangles of a mesh for shaders/shadow/exact.glsl: in coordinates about the mesh's centre, in
+// the order of a tree.
 #ifndef vtkRelievoCasterMesh_h
 #define vtkRelievoCasterMesh_h
 
@@ -17,21 +17,21 @@ class vtkPolyData;
 class VTKRELIEVORAYS_EXPORT vtkRelievoMeshTexels
 {
 public:
-  // At most so many triangles of a mesh are followed: a float counts them. Tests say fewer.
+  // Maximum number of triangles per mesh, since floats count them. Tests set a smaller one.
   static vtkIdType GetMostTriangles() { return MostTriangles; }
   static void SetMostTriangles(vtkIdType most) { MostTriangles = most; }
 
-  // How many triangles there are if these are too many; otherwise 0.
+  // The mesh's number of triangles if it exceeds the maximum; otherwise 0.
   static vtkIdType CountTooMany(vtkPolyData* data);
 
-  // Makes what has changed. Returns whether anything has.
+  // Updates changed parts. Returns whether anything has changed.
   bool Update(vtkPolyData* data);
 
-  // Nodes, then triangles: five texels for two.
+  // Nodes, then triangles: five texels per pair.
   const std::vector<glm::vec4>& GetTexels() const { return this->Texels; }
   int GetNumberOfNodes() const { return static_cast<int>(this->Tree.GetNodes().size()); }
   int GetNumberOfTriangles() const { return static_cast<int>(this->Tree.GetOrder().size()); }
-  bool WasRefitted() const { return this->Refitted; } // by the last update
+  bool WasRefitted() const { return this->Refitted; } // in the last update
 
   const glm::dvec3& GetOrigin() const { return this->Origin; }
   void GetBounds(glm::dvec3& low, glm::dvec3& high) const; // about the origin

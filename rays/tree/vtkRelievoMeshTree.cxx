@@ -21,7 +21,7 @@ bool HasPlace(const glm::dvec3& p)
   return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
 }
 
-// A number for the triangles that polygons are cut into, if they may be others when points move.
+// Hash of the polygons' triangulation, if it may change with moving points.
 std::uint64_t NumberCuts(vtkPolyData* data, vtkRelievoPolygonCut::Rule rule)
 {
   std::uint64_t number = 0;
@@ -107,7 +107,7 @@ void vtkRelievoMeshTree::TakeTriangles(vtkPolyData* data, vtkRelievoPolygonCut::
     [&](vtkIdType a, vtkIdType b, vtkIdType c, vtkIdType cell) {
       if (std::min({ a, b, c }) < 0 || std::max({ a, b, c }) >= points)
       {
-        return; // of a point that is not there
+        return; // an index beyond the points
       }
       for (const vtkIdType id : { a, b, c })
       {
@@ -140,7 +140,7 @@ std::vector<vtkRelievoBoxTree::Box> vtkRelievoMeshTree::GetBoxes() const
 }
 
 //------------------------------------------------------------------------------
-// Into the order of the leaves, `size` values each.
+// Reorders the values by the leaves, `size` values each.
 template <typename Value>
 void vtkRelievoMeshTree::Sort(std::vector<Value>& values, std::size_t size) const
 {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The triangles of a mesh for rays in double, about the middle of its points and in the order of a
+// The triangles of a mesh for rays in double, about the centre of its points, in the order of a
 // tree's leaves.
 #ifndef vtkRelievoMeshTree_h
 #define vtkRelievoMeshTree_h
@@ -20,15 +20,14 @@ class vtkPolyData;
 class VTKRELIEVORAYS_EXPORT vtkRelievoMeshTree
 {
 public:
-  // Brings up to date what has changed: points that moved are fitted. Returns whether anything has.
-  // A triangle with a corner that is not finite is met by nothing. The rule stays that of the first
-  // call.
+  // Updates changed parts; moved points only refit the tree. Returns whether anything has changed.
+  // No ray hits a triangle with a corner that is not finite. The rule of the first call is kept.
   bool Update(vtkPolyData* data, vtkRelievoPolygonCut::Rule rule);
-  bool WasRefitted() const { return this->Refitted; } // by the last update
+  bool WasRefitted() const { return this->Refitted; } // in the last update
 
   int GetNumberOfTriangles() const { return static_cast<int>(this->Corners.size() / 3); }
   const glm::dvec3& GetOrigin() const { return this->Origin; }
-  // About the origin. There is one if a triangle has a place.
+  // About the origin. Valid if some triangle is finite.
   const glm::dvec3& GetLow() const { return this->Low; }
   const glm::dvec3& GetHigh() const { return this->High; }
   bool IsEmpty() const { return !(this->Low.x <= this->High.x); }
@@ -38,22 +37,22 @@ public:
   {
     return this->Places[this->GetCorners(triangle)[corner]];
   }
-  // The corners of all triangles once each, about the origin, and which of the mesh's points they
-  // are, in the order in which the triangles have them first.
+  // All corners of triangles, once each, about the origin; and their indices in the mesh's points;
+  // in the order of first use by triangles.
   const std::vector<glm::dvec3>& GetPlaces() const { return this->Places; }
   const std::vector<std::uint32_t>& GetPoints() const { return this->Points; }
-  // Three of them, of a triangle.
+  // Three indices into the corners, for a triangle.
   const std::uint32_t* GetCorners(int triangle) const
   {
     return this->Corners.data() + 3 * static_cast<std::size_t>(triangle);
   }
   const vtkRelievoWideTree& GetTree() const { return this->Tree; }
-  // Of the mesh.
+  // Index in the mesh.
   vtkIdType GetPoint(int triangle, int corner) const
   {
     return static_cast<vtkIdType>(this->Points[this->GetCorners(triangle)[corner]]);
   }
-  // Of the mesh.
+  // Index in the mesh.
   vtkIdType GetCell(int triangle) const
   {
     return this->CellOffset + static_cast<vtkIdType>(this->Cells[triangle]);
@@ -61,8 +60,8 @@ public:
 
   std::size_t GetBytes() const;
 
-  // Calls visit(triangle, t) for every meeting between; it returns the t up to which more are of
-  // interest. Near ones first, but not in order. The ray is about the origin.
+  // Calls visit(triangle, t) for every hit in the range; `visit` returns the t up to which further
+  // hits matter. Roughly from near to far. The ray is about the origin.
   template <typename Visit>
   void Walk(const vtkRelievoRay& ray, double low, double high, Visit visit) const;
 
@@ -75,22 +74,23 @@ private:
   void Sort(std::vector<Value>& values, std::size_t size) const;
 
   std::vector<vtkMTimeType> Times; // of points, polygons and strips
-  std::uint64_t Cuts = 0;          // stands for the triangles of polygons that may be cut in ways
+  std::uint64_t Cuts = 0;          // hash of the triangulation that depends on points
   glm::dvec3 Origin{ 0.0 };
   glm::dvec3 Low{ 1.0 };
   glm::dvec3 High{ -1.0 };
   double Scale = 1.0; // from the mesh's to the tree's coordinates
-  // Points of triangles, in the order in which leaves use them: those of a leaf lie together.
-  std::vector<std::uint32_t> Points; // of the mesh
+  // Points of triangles, in the order of their use by leaves, so that a leaf's points lie together.
+  std::vector<std::uint32_t> Points; // indices in the mesh
   std::vector<glm::dvec3> Places;
-  std::vector<std::uint32_t> Corners; // of each triangle three of Points
+  std::vector<std::uint32_t> Corners; // three indices into Points per triangle
   std::vector<std::uint32_t> Cells;   // polygons, and then strips
   vtkIdType CellOffset = 0;           // of the first polygon
   vtkRelievoWideTree Tree;
   bool Refitted = false;
 };
 
-// Where a ray is within a box, which is given some room. False: nowhere between low and high.
+// The range in which a ray is inside a box, slightly enlarged. False if it is empty between low and
+// high.
 inline bool vtkRelievoClip(const glm::dvec3& from, const glm::dvec3& inverse,
   const glm::dvec3& least, const glm::dvec3& greatest, double& low, double& high)
 {
@@ -106,7 +106,7 @@ inline bool vtkRelievoClip(const glm::dvec3& from, const glm::dvec3& inverse,
   return low <= high;
 }
 
-// Of a direction, without infinity: with it a ray within a side of a box would be nowhere.
+// Inverse of a direction, without infinities, which would lose rays inside a box's side.
 inline glm::dvec3 vtkRelievoInvert(const glm::dvec3& ray)
 {
   glm::dvec3 inverse;
@@ -128,7 +128,8 @@ void vtkRelievoMeshTree::Walk(const vtkRelievoRay& ray, double low, double high,
   {
     return;
   }
-  // The tree's unit is the mesh's half size, and the ray's the largest coordinate of its direction.
+  // The tree's unit is the mesh's half size, and the ray's unit the largest coordinate of its
+  // direction.
   const double size = std::abs(ray.Ray[ray.Z]);
   const double toTree = this->Scale * size;
   const vtkRelievoWideTree::Ray rounded(

@@ -38,7 +38,7 @@ const std::vector<vtkRelievoPolygonCut::Triangle>& vtkRelievoPolygonCut::Cut(
       vtkPolygon::EarClipPolygon3D(vtk::DataArrayTupleRange<3>(array), points,
         static_cast<int>(count), this->Scratch[0], this->Scratch[1], this->Scratch[2], add);
     };
-    // In the numbers' own type, as the mapper does: an ear may hang on the last bit.
+    // In the numbers' own type, like the mapper: an ear may depend on the last bit.
     vtkDataArray* array = mesh->GetPoints()->GetData();
     if (auto* floats = vtkAOSDataArrayTemplate<float>::FastDownCast(array))
     {
@@ -48,7 +48,7 @@ const std::vector<vtkRelievoPolygonCut::Triangle>& vtkRelievoPolygonCut::Cut(
     {
       clip(array);
     }
-    // The mapper fills up with triangles that show nothing.
+    // The mapper adds empty triangles to complete the number.
     this->Triangles.resize(static_cast<std::size_t>(count - 2), Triangle{ 0, 0, 0 });
     return this->Triangles;
   }
@@ -68,7 +68,7 @@ void vtkRelievoPolygonCut::CutFan(vtkPolyData* mesh, const vtkIdType* points, vt
     this->Triangles.push_back({ 0, i - 1, i });
   }
 #else
-  // Triangles with two corners at one place are not drawn.
+  // Triangles with two corners at one position are not drawn.
   glm::dvec3 first;
   glm::dvec3 last;
   glm::dvec3 next;

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The triangles of polygons and strips: those that VTK's mappers draw, in their order, or such as
-// cover each polygon once.
+// Triangulates polygons and strips: by the triangles that VTK's mappers draw, in their order, or by
+// triangles that cover each polygon once.
 #ifndef vtkRelievoPolygonCut_h
 #define vtkRelievoPolygonCut_h
 
@@ -20,25 +20,25 @@
 class VTKRELIEVORAYS_EXPORT vtkRelievoPolygonCut
 {
 public:
-  // Places in the polygon of a triangle's corners.
+  // Indices of a triangle's corners in the polygon.
   using Triangle = std::array<vtkIdType, 3>;
 
-  // How polygons become triangles.
+  // Rules of triangulation.
   enum class Rule
   {
-    AsDrawn,  // by VTK's mappers: before 9.7 a fan, which covers too much of what is not convex
+    AsDrawn,  // by VTK's mappers: before 9.7 a fan, which covers too much of concave polygons
     ByOutline // by vtkRelievoPolygonOutline
   };
 
-  // Whether a polygon of that many points is drawn as a fan about its first.
+  // Whether a polygon with this number of points is drawn as a fan about its first point.
   static bool IsFan(vtkIdType count);
 
-  // Calls f with the points of each triangle of polygons and then strips, wound as VTK winds them,
-  // and its cell, counted from the first polygon.
+  // Calls f with the points of each triangle of polygons and then strips, with VTK's winding, and
+  // its cell, counted from the first polygon.
   template <typename Function>
   static void ForEachTriangle(vtkPolyData* mesh, Function f, Rule rule = Rule::AsDrawn);
 
-  // The triangles that VTK draws of a polygon of the mesh with these points, three or more. Valid
+  // The triangles that VTK draws for a polygon of the mesh with these points, three or more. Valid
   // until the next call.
   const std::vector<Triangle>& Cut(vtkPolyData* mesh, const vtkIdType* points, vtkIdType count);
 

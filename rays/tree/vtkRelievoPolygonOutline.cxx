@@ -42,7 +42,7 @@ vtkRelievoPolygonOutline::Way vtkRelievoPolygonOutline::Look(vtkIdType count, co
   {
     return Way::AsItIs;
   }
-  // Whoever sees all corners is found early or late; a large outline has hardly one.
+  // A corner that sees all others is usually found early; large outlines hardly have one.
   const std::size_t most = backwards ? 0 : std::min<std::size_t>(this->Corners.size(), 1000);
   for (this->First = 1; this->First < most; ++this->First)
   {
@@ -55,7 +55,7 @@ vtkRelievoPolygonOutline::Way vtkRelievoPolygonOutline::Look(vtkIdType count, co
 }
 
 //------------------------------------------------------------------------------
-// Twice the triangle's area along its normal.
+// Vector along the triangle's normal, of twice its area.
 vtkRelievoPolygonOutline::Vector vtkRelievoPolygonOutline::Cross(
   std::size_t a, std::size_t b, std::size_t c) const
 {
@@ -83,8 +83,8 @@ bool vtkRelievoPolygonOutline::Folds(std::size_t first) const
 }
 
 //------------------------------------------------------------------------------
-// VTK sums up the triangles at the corners, of which those that turn in may weigh more. Four
-// corners sum up to twice the area.
+// VTK sums the triangles at the corners, where concave corners may outweigh the others. With four
+// corners the sum is twice the area.
 bool vtkRelievoPolygonOutline::LooksBackwards() const
 {
   const std::size_t count = this->Corners.size();
@@ -98,7 +98,7 @@ bool vtkRelievoPolygonOutline::LooksBackwards() const
 }
 
 //------------------------------------------------------------------------------
-// Without the axis that is next to the normal.
+// Projects along the axis nearest to the normal.
 bool vtkRelievoPolygonOutline::Cut()
 {
   int axis = 0;

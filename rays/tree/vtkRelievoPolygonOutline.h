@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The triangles that cover a polygon once, whether it is convex or not: the fan about its first
-// corner, the fan about another one, or ears (G. H. Meisters, Polygons Have Ears, 1975).
+// Triangles that cover a polygon once, convex or not: the fan about its first corner, the fan about
+// another corner, or ears (G. H. Meisters, Polygons Have Ears, 1975).
 #ifndef vtkRelievoPolygonOutline_h
 #define vtkRelievoPolygonOutline_h
 
@@ -16,24 +16,24 @@
 
 class vtkPoints;
 
-// Looks at one polygon after the other.
+// Examines polygons one by one.
 class VTKRELIEVORAYS_EXPORT vtkRelievoPolygonOutline
 {
 public:
-  // How a polygon is covered without a fold.
+  // Ways to cover a polygon without folds.
   enum class Way
   {
-    AsItIs, // the fan about its first corner, or there is no way
+    AsItIs, // the fan about its first corner; also if no way is found
     Turned, // the fan about another corner
     Cut     // triangles
   };
 
   explicit vtkRelievoPolygonOutline(vtkPoints* points);
 
-  // Of the points of a polygon; with a point that is not there: as it is.
+  // For a polygon's points; AsItIs if a point does not exist.
   Way Look(vtkIdType count, const vtkIdType* ids);
 
-  // Of the last polygon, places in it: the corner of its fan, and its triangles.
+  // For the last polygon, as indices in it: the corner of its fan, and its triangles.
   std::size_t GetFirst() const { return this->First; }
   const std::vector<vtkRelievoEarCutter::Triangle>& GetTriangles() const { return this->Triangles; }
 

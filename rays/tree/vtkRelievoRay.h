@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A ray in double precision, and where it meets a triangle (S. Woop, C. Benthin, I. Wald,
-// Watertight ray/triangle intersection, 2013).
+// A ray in double precision, and its hit with a triangle (S. Woop, C. Benthin, I. Wald, Watertight
+// ray/triangle intersection, 2013).
 #ifndef vtkRelievoRay_h
 #define vtkRelievoRay_h
 
@@ -29,8 +29,8 @@ struct vtkRelievoRay
     this->Shear = glm::dvec3(ray[this->X] * inverse, ray[this->Y] * inverse, inverse);
   }
 
-  // Edges belong to the triangle: of both directions of an edge, side() is the same number, with
-  // another sign. That takes products that are not fused (-ffp-contract=off).
+  // Edges belong to the triangle: for both directions of an edge, side() is the same number with
+  // opposite signs. This requires products without fusing (-ffp-contract=off).
   bool Meets(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, double& t,
     glm::dvec3& sides) const
   {
@@ -40,13 +40,13 @@ struct vtkRelievoRay
     const double u = GetSide(q, r);
     const double v = GetSide(r, p);
     const double w = GetSide(p, q);
-    // Without branches, which could not be foretold.
+    // Without branches, which would be unpredictable.
     const int below =
       static_cast<int>(u < 0.0) | static_cast<int>(v < 0.0) | static_cast<int>(w < 0.0);
     const int above =
       static_cast<int>(u > 0.0) | static_cast<int>(v > 0.0) | static_cast<int>(w > 0.0);
     const double sum = u + v + w;
-    if (below == above || sum == 0.0) // outside, or seen from its edge
+    if (below == above || sum == 0.0) // outside, or seen edge-on
     {
       return false;
     }
@@ -55,9 +55,9 @@ struct vtkRelievoRay
     return true;
   }
 
-  // Whether the triangle, which it meets, is the one of those at a shared edge that counts there:
-  // one of the triangles on both of the edge's sides, as if the ray were moved by next to nothing
-  // along y, and by next to nothing of that against x.
+  // Whether the triangle, which the ray hits, owns the hit at a shared edge: exactly one of the
+  // triangles on the edge's two sides does, as if the ray were moved infinitesimally along y, and
+  // infinitesimally less against x.
   bool Owns(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) const
   {
     const glm::dvec3 p = this->Place(a);
@@ -68,7 +68,7 @@ struct vtkRelievoRay
   }
 
 private:
-  // Sheared, so that the ray is the axis z; z itself not yet divided.
+  // Sheared so that the ray is the z axis; z is not yet divided.
   glm::dvec3 Place(const glm::dvec3& corner) const
   {
     const glm::dvec3 p = corner - this->From;

@@ -255,7 +255,7 @@ vtkRelievoRayTree::Details vtkRelievoRayTree::GetDetails(
   details.Normal = glm::cross(turn * (b - a), turn * (c - a));
   if (glm::determinant(turn) < 0.0)
   {
-    details.Normal = -details.Normal; // mirrored: its front stays its front
+    details.Normal = -details.Normal; // mirrored: the front remains the front
   }
   return details;
 }

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Rays in double precision past the triangles of a scene, on the CPU: a tree over places, and for
-// each mesh, once however often it is placed, a tree over its triangles.
+// Traces rays in double precision through the triangles of a scene, on the CPU: a tree over places,
+// and one tree over the triangles of each mesh, however often it is placed.
 //
-// Coordinates are the world's axes about the scene's centre. A ray's t counts in lengths of it.
+// Coordinates are the world's axes about the scene's centre. A ray's t is in units of its length.
 #ifndef vtkRelievoRayTree_h
 #define vtkRelievoRayTree_h
 
@@ -21,53 +21,53 @@
 class VTKRELIEVORAYS_EXPORT vtkRelievoRayTree
 {
 public:
-  // Where a ray meets a triangle.
+  // A hit of a ray with a triangle.
   struct Meeting
   {
-    int Place = -1; // none
+    int Place = -1; // -1: no hit
     int Triangle = -1;
     double T = std::numeric_limits<double>::infinity();
   };
 
-  // What a meeting is, in the world.
+  // Details of a hit, in world coordinates.
   struct Details
   {
     glm::dvec3 Weights;  // of the triangle's corners
-    glm::dvec3 Position; // of the corners by their weights
+    glm::dvec3 Position; // mean of the corners by their weights
     glm::dvec3 Normal;   // of the plane, by the corners' order; not unit
-    bool Front = true;   // whether the ray meets the side that the normal is on
+    bool Front = true;   // whether the ray hits the side of the normal
   };
 
-  // Meshes that have not changed keep their trees, and so do places. Returns whether anything has
-  // changed. The meshes must live as long as rays are asked.
+  // Sets the scene. Unchanged meshes and places keep their trees. Returns whether anything has
+  // changed. The meshes must exist as long as rays are traced.
   bool SetMeshes(const std::vector<vtkRelievoPlacedMesh>& meshes);
 
-  // By the last SetMeshes: meshes whose trees were built, and those that were fitted to moved
-  // points.
+  // In the last SetMeshes: meshes whose trees were built, and meshes whose trees were refitted to
+  // moved points.
   int GetMeshesBuilt() const { return this->MeshesBuilt; }
   int GetMeshesRefitted() const { return this->MeshesRefitted; }
   bool WerePlacesRefitted() const { return this->PlacesRefitted; }
 
   const glm::dvec3& GetCenter() const { return this->Center; }
   int GetNumberOfPlaces() const { return static_cast<int>(this->Places.size()); }
-  long long GetNumberOfTriangles() const; // of all places
+  long long GetNumberOfTriangles() const; // over all places
   std::size_t GetBytes() const;
 
-  // Which of the meshes is at a place, and which of its own places this is.
+  // The mesh at a place, and the index among the mesh's own places.
   int GetMesh(int place) const { return this->Places[place].Mesh; }
   int GetInstance(int place) const { return this->Places[place].Instance; }
   const vtkRelievoMeshTree& GetMeshTree(int place) const { return *this->Places[place].Triangles; }
   const glm::dmat4& GetToMesh(int place) const { return this->Places[place].ToMesh; }
   glm::dmat4 GetToScene(int place) const { return this->GetToScene(this->Places[place]); }
 
-  // Calls visit(place, triangle, t) for every meeting between, near ones first, but not in order;
-  // it returns the t up to which more are of interest.
+  // Calls visit(place, triangle, t) for every hit in the range, roughly from near to far; `visit`
+  // returns the t up to which further hits matter.
   template <typename Visit>
   void Walk(
     const glm::dvec3& from, const glm::dvec3& ray, double low, double high, Visit visit) const;
 
   ///@{
-  // The first meeting between, whether there is one, and all of them in order.
+  // The first hit in the range, whether there is any, and all hits in order.
   Meeting FindNearest(const glm::dvec3& from, const glm::dvec3& ray, double low, double high) const;
   bool MeetsAny(const glm::dvec3& from, const glm::dvec3& ray, double low, double high) const;
   void FindAll(const glm::dvec3& from, const glm::dvec3& ray, double low, double high,
@@ -76,10 +76,10 @@ public:
 
   Details GetDetails(const Meeting& meeting, const glm::dvec3& from, const glm::dvec3& ray) const;
 
-  // Of the plane, and one of its points; not unit.
+  // Normal of the plane, and one of its points; not unit.
   glm::dvec3 GetNormal(int place, int triangle, glm::dvec3& corner) const;
 
-  // Of triangles that share an edge which the ray meets, one on either side.
+  // For triangles that share an edge hit by the ray, whether this one owns the hit.
   bool Owns(int place, int triangle, const glm::dvec3& from, const glm::dvec3& ray) const;
 
 private:
@@ -88,9 +88,9 @@ private:
     const vtkRelievoMeshTree* Triangles = nullptr;
     int Mesh = 0;
     int Instance = 0;
-    glm::dmat4 ToMesh{ 1.0 }; // about its origin
+    glm::dmat4 ToMesh{ 1.0 }; // about the mesh's origin
   };
-  using Key = std::pair<vtkPolyData*, bool>; // and whether its polygons are taken by their outlines
+  using Key = std::pair<vtkPolyData*, bool>; // and whether polygons are triangulated by outline
   struct Held
   {
     vtkWeakPointer<vtkPolyData> Data;
@@ -98,10 +98,11 @@ private:
   };
   bool UpdateMeshes(const std::vector<vtkRelievoPlacedMesh>& meshes);
   void Place();
-  // In the order along the ray; at one place of it by number: it does not depend on the trees.
+  // Order along the ray; at equal positions by number, independent of the trees.
   bool IsBefore(const Meeting& a, const Meeting& b) const;
   glm::dmat4 GetToScene(const Placed& placed) const;
-  void GetCorners(int place, int triangle, glm::dvec3 corners[3]) const; // of the scene
+  // In the scene's coordinates.
+  void GetCorners(int place, int triangle, glm::dvec3 corners[3]) const;
   static vtkRelievoRay GetInner(const Placed& placed, const glm::dvec3& from, const glm::dvec3& ray)
   {
     return vtkRelievoRay(
@@ -110,7 +111,7 @@ private:
 
   std::map<Key, Held> Trees;
   std::vector<vtkRelievoPlacedMesh> Meshes;
-  std::vector<Placed> Places; // of Meshes, one or more each
+  std::vector<Placed> Places; // one or more for each of Meshes
   vtkRelievoWideTree Tree;    // over Places, about the centre, in units of Size
   glm::dvec3 Center{ 0.0 };
   glm::dvec3 Half{ 0.0 }; // of the box of all

@@ -10,17 +10,19 @@
 
 namespace
 {
-constexpr double Least = 1e-11;      // share of the view that places are known by at best
-constexpr double LeastDepth = 1e-8;  // relative difference of distances
-constexpr double Farthest = 64.0;    // in X and Y: what reaches beyond is not projected
-constexpr std::size_t MostWild = 64; // triangles: with more all is left open
+constexpr double Least = 1e-11;     // least error of positions, as a share of the view
+constexpr double LeastDepth = 1e-8; // relative error of distances
+// Limit of X and Y: triangles that extend further are not projected.
+constexpr double Farthest = 64.0;
+constexpr std::size_t MostWild = 64; // triangles: with more all points stay Unknown
 constexpr vtkIdType ChunksOfAThread = 256;
-constexpr unsigned All = 15; // of four
+constexpr unsigned All = 15; // four bits
 constexpr double FloatError = 4e-6;
 constexpr double RoomOfDepth = 1e-6;
-constexpr double MostAtCorners = 1e-11; // relative error of distances
-constexpr double LeastArea = 1e-5;      // of what is not seen from its edge, by its size squared
-constexpr double LeastShare = 1e2;      // errors in such an area
+constexpr double MostAtCorners = 1e-11; // limit for corners: relative error of distances
+// Least area of a triangle not seen edge-on, over its squared size.
+constexpr double LeastArea = 1e-5;
+constexpr double LeastShare = 1e2; // least area in units of its error
 
 float Below(double x)
 {
@@ -39,7 +41,7 @@ float AboveDepth(double q)
   return static_cast<float>(q * (1.0 + RoomOfDepth));
 }
 
-// A number that stands for a corner in sums (S. Vigna, SplitMix64).
+// A number for a corner in sums (S. Vigna, SplitMix64).
 std::uint64_t GetSign(std::uint64_t corner)
 {
   std::uint64_t x = (corner + 1) * 0x9e3779b97f4a7c15u;
@@ -48,8 +50,8 @@ std::uint64_t GetSign(std::uint64_t corner)
   return x ^ (x >> 31);
 }
 
-// Corners about which triangles go without a gap: what comes behind the corner in them is what
-// comes before it in others.
+// Corners surrounded by triangles without a gap: the set of next corners in the triangles equals
+// the set of previous ones.
 std::vector<char> FindClosed(const vtkRelievoMeshTree& mesh)
 {
   std::vector<std::uint64_t> sums(mesh.GetPlaces().size(), 0);
@@ -73,41 +75,42 @@ std::vector<char> FindClosed(const vtkRelievoMeshTree& mesh)
 }
 }
 
-// Four points that are compared with triangles at once: of a triangle, or corners.
+// Four points compared with triangles at once: those of a triangle, or corners.
 struct vtkRelievoTriangleSight::Quad
 {
   double X[4];
   double Y[4];
   double Q[4];
-  alignas(16) float LocalX[4]; // about the middle of the group
+  alignas(16) float LocalX[4]; // relative to the group's centre
   alignas(16) float LocalY[4];
   double Size = 0.0;
-  int Triangle = -1; // of corners: -1
+  int Triangle = -1; // -1 for corners
   vtkIdType Cell = -1;
-  std::uint32_t Corners[4] = { 0, 0, 0, 0 }; // of places
+  std::uint32_t Corners[4] = { 0, 0, 0, 0 }; // indices of corners
   unsigned Valid = 0;                        // bits
-  unsigned Open = 0;                         // those that more triangles may change
+  unsigned Open = 0;                         // points that further triangles may change
   unsigned Hidden = 0;
   unsigned Doubtful = 0;
 };
 
-// A triangle that may hide.
+// A triangle that may hide points.
 struct vtkRelievoTriangleSight::Facing
 {
   int Mesh;
   int Triangle;
   const Vertex* Corners[3];
-  float X[3]; // about the middle of what it may hide
+  float X[3]; // relative to the centre of the points that it may hide
   float Y[3];
   double Size;
-  double Error; // of twice the areas of triangles, for each length of their sides
+  double Error; // of twice the areas of triangles, per length of their sides
 };
 
-// A bit for each of the points that the triangle may hide: it is not clearly beside it.
+// Bits of the points that the triangle may hide: it is not clearly beside them.
 inline unsigned vtkRelievoTriangleSight::Meets(const Facing& facing, const Quad& quad, double reach)
 {
   using Four = vtkRelievoFour;
-  // Of differences up to `size` between coordinates up to reach + size, and of their products.
+  // Rounding of differences up to `size` between coordinates up to reach + size, and of their
+  // products.
   const double size = facing.Size + quad.Size;
   const auto margin = static_cast<float>(size * (facing.Error + FloatError * (reach + size)));
   const Four x = Four::Load(quad.LocalX);
@@ -131,11 +134,11 @@ struct vtkRelievoTriangleSight::Group
 {
   Quad Quads[MostQuads];
   int Count = 0;
-  alignas(16) float Low[3][MostQuads]; // of the quads, of X, Y and Q
+  alignas(16) float Low[3][MostQuads]; // by quad, of X, Y and Q
   alignas(16) float High[2][MostQuads];
   Box All = vtkRelievoWideTree::Nowhere();
   double Center[2];
-  double Reach; // from there
+  double Reach; // largest distance from the group's centre
 };
 
 //------------------------------------------------------------------------------
@@ -256,7 +259,7 @@ void vtkRelievoTriangleSight::Project(int number, const View& view)
       Side& side = mesh.Sides[static_cast<std::size_t>(i)];
       side = Side::Unclear;
       const bool isAhead = low[2] > 0.0;
-      if (isAhead && std::max({ -low[0], -low[1], high[0], high[1] }) < Farthest) // not of NaN
+      if (isAhead && std::max({ -low[0], -low[1], high[0], high[1] }) < Farthest) // false for NaN
       {
         const Box around{ glm::vec3(Below(low[0]), Below(low[1]), BelowDepth(low[2])),
           glm::vec3(Above(high[0]), Above(high[1]), AboveDepth(high[2])) };
@@ -296,7 +299,7 @@ void vtkRelievoTriangleSight::Project(int number, const View& view)
 }
 
 //------------------------------------------------------------------------------
-// Of twice the areas of triangles, for each length of their sides.
+// Error of twice the areas of triangles, per length of their sides.
 double vtkRelievoTriangleSight::GetError(const Box& box) const
 {
   return 16.0 * (this->Error + this->ErrorByQ * box.Max.z);
@@ -350,7 +353,7 @@ void vtkRelievoTriangleSight::FillLayers()
         this->CellSides[static_cast<std::size_t>(cell)] |= mesh.Sides[i];
       }
     }
-    // An edge is of no outline if triangles of one side go about one of its ends without a gap.
+    // An edge is on no outline if triangles of one side surround one of its ends without a gap.
     const auto mayEnd = [&mesh](std::uint32_t corner) {
       const std::uint8_t sides = mesh.CornerSides[corner];
       return !mesh.IsClosed[corner] || (sides != Side::Front && sides != Side::Back);
@@ -391,7 +394,7 @@ void vtkRelievoTriangleSight::FillLayers()
 }
 
 //------------------------------------------------------------------------------
-// By the layers, if these are enough.
+// Judges by the layers, if these suffice.
 void vtkRelievoTriangleSight::JudgeTriangle(int triangle)
 {
   const Projected& mesh = this->Meshes[static_cast<std::size_t>(this->Target)];
@@ -402,7 +405,7 @@ void vtkRelievoTriangleSight::JudgeTriangle(int triangle)
   {
     return;
   }
-  // What hides it might be of its own cell, if the cell shows both sides.
+  // A hiding triangle may belong to the same cell, if the cell shows both sides.
   const bool isOfOneSide = !this->HasManyToACell ||
     this->CellSides[static_cast<std::size_t>(mesh.Mesh->GetCell(triangle))] == side;
   if (this->Wilds.empty() && this->Layers.IsFirst(box, side == Side::Front ? 0 : 1))
@@ -416,8 +419,8 @@ void vtkRelievoTriangleSight::JudgeTriangle(int triangle)
 }
 
 //------------------------------------------------------------------------------
-// Whether the state of a corner, which is ahead, is to be found here. Not that of coordinates so
-// large that rounding moves the meeting of a ray with the corner's own triangles.
+// Whether the state of a corner, which lies ahead, is still to be determined. Excludes coordinates
+// so large that rounding moves the hit of a ray with the corner's own triangles.
 bool vtkRelievoTriangleSight::IsOpen(std::size_t corner) const
 {
   const double q = this->Meshes[static_cast<std::size_t>(this->Target)].Vertices[corner].Q;
@@ -449,7 +452,7 @@ void vtkRelievoTriangleSight::JudgeCorner(std::size_t corner)
 }
 
 //------------------------------------------------------------------------------
-// The bounds of the points, for the group.
+// Computes the bounds of the points, for the group.
 void vtkRelievoTriangleSight::FillQuad(Quad& quad, int count) const
 {
   double low[2] = { quad.X[0], quad.Y[0] };
@@ -529,12 +532,12 @@ void vtkRelievoTriangleSight::Fill(Group& group, int chunk) const
       quad.Y[s] = (a * v[0]->Y + b * v[1]->Y + c * v[2]->Y) * q;
     }
     this->FillQuad(quad, 4);
-    // A ray meets the triangle that it goes to, unless it sees it from its edge.
+    // A ray hits its target triangle, unless it sees the triangle edge-on.
     quad.Doubtful = mesh.Sides[static_cast<std::size_t>(i)] == Side::Unclear ? All : 0u;
     add(quad);
   }
   const auto chunkAt = static_cast<std::size_t>(chunk);
-  int count = 0; // of the last quad
+  int count = 0; // points in the last quad
   for (std::size_t i = this->Firsts[chunkAt]; i < this->Firsts[chunkAt + 1]; ++i)
   {
     const Vertex& vertex = mesh.Vertices[i];
@@ -685,7 +688,7 @@ void vtkRelievoTriangleSight::Compare(Quad& quad, const Facing& facing, unsigned
   {
     const int i = vtkRelievoGetLowest(met);
     const unsigned bit = 1u << i;
-    // Twice the areas of the triangles that the point makes with the sides: of one sign within.
+    // Twice the areas between the point and the triangle's sides: of equal sign inside.
     const double ax = a.X - quad.X[i];
     const double ay = a.Y - quad.Y[i];
     const double bx = b.X - quad.X[i];
@@ -727,7 +730,7 @@ void vtkRelievoTriangleSight::Compare(Quad& quad, const Facing& facing, unsigned
     }
     if (quad.Triangle < 0 && isOfTarget)
     {
-      // At its own corners a triangle hides nothing, if it is not seen from its edge.
+      // A triangle does not hide its own corners, unless it is seen edge-on.
       const Vertex& own = mesh.Vertices[quad.Corners[i]];
       const auto isCorner = [&own](const Vertex& p) {
         return p.X == own.X && p.Y == own.Y && p.Z == own.Z;
@@ -740,7 +743,7 @@ void vtkRelievoTriangleSight::Compare(Quad& quad, const Facing& facing, unsigned
     quad.Doubtful |= bit;
     if (isOfCell)
     {
-      quad.Valid &= ~bit; // whatever else hides it
+      quad.Valid &= ~bit; // whatever else hides the point
     }
   }
 }
@@ -757,7 +760,7 @@ void vtkRelievoTriangleSight::CompareWild(Quad& quad, const Wild& wild, const Vi
   const glm::dvec3 sides[3] = { glm::cross(b, c), glm::cross(c, a), glm::cross(a, b) };
   const double volume = glm::dot(a, sides[0]);
   const double reach = std::max(std::max(glm::length(a), glm::length(b)), glm::length(c));
-  // What is to be compared with 0 has errors of Error, and of Rounding in the corners.
+  // The compared values have errors of Error, and of Rounding in the corners.
   const double margin =
     16.0 * reach * (reach * this->Error + view.Rounding) * (1.0 + glm::length(half + center));
   const bool isSure = std::abs(volume) > margin * reach;

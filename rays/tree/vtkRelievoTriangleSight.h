@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Which points of a mesh's triangles, and which of their corners, are seen from one place, without
-// a ray for each: triangles are projected, and where layers of them do not say it, points are
-// compared with the triangles that overlap them (for shadows: T. Aila, S. Laine, Alias-free shadow
-// maps, 2004).
+// Determines which points of a mesh's triangles, and which of their corners, are visible from one
+// position, without a ray for each: triangles are projected, and points whose state layers of
+// triangles do not determine are compared with overlapping triangles (for shadows: T. Aila, S.
+// Laine, Alias-free shadow maps, 2004).
 //
-// An answer is that of a ray, or Unknown: what rounding might change, and what is not in the view.
+// Answers equal those of rays, or are Unknown: where rounding matters, or outside the view.
 #ifndef vtkRelievoTriangleSight_h
 #define vtkRelievoTriangleSight_h
 
@@ -20,9 +20,9 @@
 class VTKRELIEVORAYS_EXPORT vtkRelievoTriangleSight
 {
 public:
-  static constexpr int Samples = 4; // of a triangle
+  static constexpr int Samples = 4; // per triangle
 
-  // Of a triangle's corners, for each of its points.
+  // Weights of a triangle's corners, for each of its points.
   using Weights = std::array<glm::dvec3, Samples>;
 
   enum class State : std::uint8_t
@@ -32,26 +32,27 @@ public:
     Seen
   };
 
-  // From a place of the scene's coordinates, along unit axes: what is ahead, and there from Low to
-  // High in the coordinates x / z and y / z.
+  // A view from a position in the scene's coordinates, along unit axes: of points ahead, it covers
+  // the range from Low to High in the coordinates x / z and y / z.
   struct View
   {
     glm::dvec3 From{ 0.0 };
     glm::dvec3 Axes[3]; // right, down and ahead
     glm::dvec2 Low{ -1.0 };
     glm::dvec2 High{ 1.0 };
-    double Rounding = 0.0; // of world coordinates, by those who compare
+    double Rounding = 0.0; // of world coordinates, in the caller's comparison
   };
 
-  // The points of the triangles at a place of the scene. The scene must stay as it is.
+  // `place`: index of the examined mesh's place in the scene. The scene must not change.
   vtkRelievoTriangleSight(const vtkRelievoRayTree& scene, int place, const Weights& weights);
 
-  // Nothing is known again.
+  // Resets all states to Unknown.
   void Clear();
-  // Adds what is known by a view.
+  // Adds the states determined by a view.
   void Look(const View& view);
 
-  // Of a point of a triangle: seen if the first triangle that a ray to it meets is of its cell.
+  // State of a triangle's point: Seen if the first triangle that a ray to it hits belongs to its
+  // cell.
   State GetSample(int triangle, int sample) const
   {
     const std::uint8_t states = this->SampleStates[static_cast<std::size_t>(triangle)];
@@ -59,15 +60,16 @@ public:
       : states >> (sample + 4) & 1 ? State::Hidden
                                    : State::Unknown;
   }
-  // Of a corner, by its number in vtkRelievoMeshTree::GetPlaces: seen if nothing lies before it.
+  // State of a corner, by its index in vtkRelievoMeshTree::GetPlaces: Seen if nothing lies in front
+  // of it.
   State GetCorner(std::size_t corner) const { return this->CornerStates[corner]; }
 
 private:
-  static constexpr int Chunk = 8;      // triangles that are looked at together
-  static constexpr int MostQuads = 16; // with their corners
+  static constexpr int Chunk = 8;      // triangles examined together
+  static constexpr int MostQuads = 16; // including their corners
   using Box = vtkRelievoWideTree::Box;
 
-  // X and Y are -1 to 1 in the view; Q is 1 / z, less than 0: not ahead.
+  // X and Y are -1 to 1 in the view; Q is 1 / z, below 0 if the vertex is not ahead.
   struct Vertex
   {
     double X;
@@ -76,29 +78,29 @@ private:
     double Z;
   };
 
-  // Which side of a triangle is seen, as bits.
+  // The visible side of a triangle, as bits.
   enum Side : std::uint8_t
   {
     Front = 1, // counterclockwise by X and Y
     Back = 2,
-    Unclear = 4 // from its edge, or not all ahead
+    Unclear = 4 // edge-on, or not entirely ahead
   };
 
-  // A mesh in the view.
+  // A projected mesh.
   struct Projected
   {
     const vtkRelievoMeshTree* Mesh = nullptr;
     glm::dmat4 ToScene{ 1.0 };
     vtkRelievoWideTree Tree;
     std::vector<Vertex> Vertices;
-    std::vector<Box> Boxes;                // of triangles, of X, Y and Q
+    std::vector<Box> Boxes;                // of triangles, in X, Y and Q
     std::vector<Side> Sides;               // of triangles
     std::vector<std::uint8_t> CornerSides; // of all triangles at each corner
     std::vector<char> IsClosed; // corners: triangles have each edge there as often in one direction
                                 // as in the other
   };
 
-  // A triangle that is not all ahead, in the view's coordinates.
+  // A triangle that is not entirely ahead, in the view's coordinates.
   struct Wild
   {
     int Mesh;
@@ -125,16 +127,17 @@ private:
   void CompareWild(Quad& quad, const Wild& wild, const View& view) const;
   void Keep(const Group& group);
 
-  std::vector<Projected> Meshes; // of the scene's places
-  int Target = 0;                // which of Meshes
+  std::vector<Projected> Meshes; // at the scene's places
+  int Target = 0;                // index in Meshes
   Weights PointWeights;
-  bool HasManyToACell = false;            // triangles of the target
-  std::vector<std::size_t> Firsts;        // of each chunk the first corner that no chunk before has
-  std::vector<Wild> Wilds;                // of the view
-  vtkRelievoLayerGrid Layers;             // of the view
+  bool HasManyToACell = false; // in the target
+  // For each chunk the corners that no earlier chunk has start here.
+  std::vector<std::size_t> Firsts;
+  std::vector<Wild> Wilds;                // in the view
+  vtkRelievoLayerGrid Layers;             // in the view
   std::vector<std::uint8_t> CellSides;    // of all triangles of the target's cells
   double Error = 0.0;                     // of X and Y
-  double ErrorByQ = 0.0;                  // more of it, times Q
+  double ErrorByQ = 0.0;                  // additional error, times Q
   double DepthErrorByQ = 0.0;             // relative, times Q
   std::vector<std::uint8_t> SampleStates; // bits: seen, and hidden
   std::vector<State> CornerStates;

@@ -8,7 +8,7 @@ namespace
 {
 using Box = vtkRelievoBoxTree::Box;
 
-constexpr double WornBy = 1.5; // times what the tree cost when it was built
+constexpr double WornBy = 1.5; // relative to the tree's cost when it was built
 
 void Join(Box& box, const Box& other)
 {
@@ -22,7 +22,7 @@ double GetHalfArea(const Box& box)
   return size.x * size.y + size.y * size.z + size.z * size.x;
 }
 
-// Where nodes of a tree of two are, and how large.
+// Positions and sizes of nodes in the binary tree.
 class Pairs
 {
 public:
@@ -69,8 +69,8 @@ void vtkRelievoWideTree::Build(const std::vector<Box>& boxes, int leafSize)
   const Pairs pairs(tree);
   struct Task
   {
-    int Pair; // that becomes a node
-    int From; // the node that it hangs on, and where
+    int Pair; // the binary node to convert
+    int From; // the parent node, and the slot in it
     int Child;
     int Depth;
   };
@@ -120,7 +120,7 @@ void vtkRelievoWideTree::Build(const std::vector<Box>& boxes, int leafSize)
     }
     for (int i = count; i < Width; ++i)
     {
-      node.Child[i] = 0; // no box: never met
+      node.Child[i] = 0; // no box: never hit
     }
     this->Nodes.push_back(node);
   }
@@ -137,7 +137,7 @@ bool vtkRelievoWideTree::Refit(const std::vector<Box>& boxes)
 }
 
 //------------------------------------------------------------------------------
-// Nodes come after those that they hang on.
+// Nodes come after their parents.
 void vtkRelievoWideTree::Fit(const std::vector<Box>& boxes)
 {
   std::vector<Box> whole(this->Nodes.size());

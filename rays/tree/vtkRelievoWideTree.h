@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A hierarchy over boxes, eight to a node, that the CPU walks from near to far: floats, with room
-// for their rounding, so that nothing is missed that doubles would meet.
+// A bounding volume hierarchy with eight boxes per node, traversed on the CPU from near to far: in
+// floats with a margin for rounding, so that no hit in double is missed.
 //
-// Coordinates are between -1 and 1 or little beyond: rays begin where they enter the whole.
+// Coordinates are between -1 and 1 or slightly beyond: rays start where they enter the whole box.
 #ifndef vtkRelievoWideTree_h
 #define vtkRelievoWideTree_h
 
@@ -22,24 +22,24 @@ class VTKRELIEVORAYS_EXPORT vtkRelievoWideTree
 public:
   using Box = vtkRelievoBoxTree::Box;
 
-  // What a box must be larger by on each side than what is in it, for rays that are rounded.
+  // Margin of a box on each side around its content, for rounded rays.
   static constexpr double Room = 2.5e-7;
 
-  // At most so many boxes to a leaf.
+  // Maximum number of boxes per leaf.
   static constexpr int Most = 4;
   void Build(const std::vector<Box>& boxes, int leafSize);
 
-  // The boxes, as many as it was built of, have moved: the tree keeps its shape around them. False
-  // if they have moved so far that it had better be built again.
+  // Refits the tree to moved boxes, whose number must be that of the last build. False if they have
+  // moved so far that a rebuild pays.
   bool Refit(const std::vector<Box>& boxes);
 
-  // Which box is at each place of the leaves.
+  // The index of the box at each position in the leaves.
   const std::vector<int>& GetOrder() const { return this->Order; }
 
   // From now on boxes are given in the order of the leaves.
   void TakeOrderForGiven() { std::vector<int>().swap(this->Order); }
 
-  // The box of what lies between two places, with room.
+  // The enlarged box between two positions.
   static Box Around(const glm::dvec3& low, const glm::dvec3& high)
   {
     return { glm::vec3(low - Room), glm::vec3(high + Room) };
@@ -56,11 +56,11 @@ public:
   {
     float From[3];
     float Inverse[3];
-    int Near[3]; // which of a box's six numbers it meets first
-    // `inverse` of the direction's numbers.
+    int Near[3]; // which of a box's six numbers it reaches first
+    // `inverse`: reciprocals of the direction's coordinates.
     Ray(const glm::dvec3& from, const glm::dvec3& inverse)
     {
-      constexpr double Most = 1e18; // what is more moves nothing by more than Room on the way
+      constexpr double Most = 1e18; // larger values change positions by less than Room
       for (int i = 0; i < 3; ++i)
       {
         this->From[i] = static_cast<float>(from[i]);
@@ -70,14 +70,14 @@ public:
     }
   };
 
-  // Calls visit(first, count) for leaves that the ray meets up to `last`, nearest boxes first; it
-  // returns how far more are of interest, less than 0: no more. It will read `leaves`, which has
-  // so many bytes for each place.
+  // Calls visit(first, count) for leaves that the ray hits up to `last`, nearest boxes first;
+  // `visit` returns the distance up to which further leaves matter, below 0 to stop. `leaves`, with
+  // `bytes` bytes per box, is the data that `visit` reads, for prefetching.
   template <typename Visit>
   void Walk(const Ray& ray, float last, const void* leaves, std::size_t bytes, Visit visit) const;
 
-  // Calls visit(first, count) for leaves whose boxes share a point with this one; it returns
-  // whether more are of interest.
+  // Calls visit(first, count) for leaves whose boxes share a point with this one; `visit` returns
+  // whether to continue.
   template <typename Visit>
   void FindOverlaps(const Box& box, Visit visit) const;
 
@@ -85,11 +85,12 @@ private:
   using Four = vtkRelievoFour;
   static constexpr float Rounding = 1.0000008f; // of the products on both sides
 
-  static constexpr int Width = 8; // boxes of a node
+  static constexpr int Width = 8; // boxes per node
   struct alignas(16) Node
   {
-    float Sides[6][Width]; // least x, y, z, and greatest of the boxes
-    int Child[Width];      // a node, or -1 - (Most x first place of a leaf + its boxes - 1)
+    float Sides[6][Width]; // least x, y, z, and greatest, of the boxes
+    // A node, or -1 - (Most x index of a leaf's first box + number of its boxes - 1).
+    int Child[Width];
   };
 #if defined(__GNUC__)
   static void Prefetch(const void* at)
@@ -105,13 +106,13 @@ private:
     int Child;
     float Near;
   };
-  static constexpr int Few = 160; // entries of a stack that needs no memory
+  static constexpr int Few = 160; // stack entries without allocation
 
   void Fit(const std::vector<Box>& boxes);
 
   std::vector<Node> Nodes;
   std::vector<int> Order;
-  int Stack = 0; // entries that a walk may need
+  int Stack = 0; // largest size of the traversal's stack
   double Cost = 0.0;
   double CostWhenBuilt = 0.0;
 };

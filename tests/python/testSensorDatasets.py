@@ -390,7 +390,7 @@ class SensorDatasets(unittest.TestCase):
         clipped = add(renderer, plate(0.4), (0, 0, 0.5))
         clipped.GetMapper().AddClippingPlane(vtkPlane())
         lens = relievo.Fisheye(K, SIZE, FISHEYE).look_at((0, 0, 4), (0, 0, 0))
-        with self.assertWarnsRegex(RuntimeWarning, "Rays do not meet .*clipped meshes"):
+        with self.assertWarnsRegex(RuntimeWarning, "Rays do not hit .*clipped meshes"):
             relievo.write_dataset(renderer, lens, self.folder, "npz")
         found = numpy.load(self.folder / "000000.npz")
         self.assertFalse(found["visible_masks"][1].any())

@@ -495,12 +495,12 @@ class SeenScene(unittest.TestCase):
                 (lines, shown.SetRepresentationToSurface)):  # fmt: skip
             near.SetMapper(mapper)
             representation()
-            with self.assertWarnsRegex(RuntimeWarning, "Rays do not meet vtk.*Actor: ") as told:
+            with self.assertWarnsRegex(RuntimeWarning, "Rays do not hit vtk.*Actor: ") as told:
                 found = relievo.visible(renderer, sensor)
             self.assertEqual(told.filename, __file__)
             self.assertIsNone(found[1])
             self.assertTrue((array(found[0], "seen") == 1).all())
-            with self.assertWarnsRegex(RuntimeWarning, "Rays do not meet vtk.*Actor: "):
+            with self.assertWarnsRegex(RuntimeWarning, "Rays do not hit vtk.*Actor: "):
                 relievo.moment(renderer, sensor)
 
     def test_lists_and_blocks(self):

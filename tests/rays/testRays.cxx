@@ -650,7 +650,7 @@ void TestRenderer()
   vtkNew<vtkRelievoRayScene> scene;
   scene->SetRenderer(renderer);
   {
-    relievoTest::ExpectMessage expect("Rays do not meet vtkOpenGLActor, vtkOpenGLActor:");
+    relievoTest::ExpectMessage expect("Rays do not hit vtkOpenGLActor, vtkOpenGLActor:");
     scene->Update();
     RELIEVO_CHECK(expect.Count() == 1);
   }
@@ -977,7 +977,7 @@ void TestRefusals()
     RELIEVO_CHECK(!scene->FindNearest(rays.Origins, flat, hits));
   }
   {
-    relievoTest::ExpectMessage expect("got a matrix that is not finite, or sends points");
+    relievoTest::ExpectMessage expect("got a matrix that is not finite, or maps points");
     vtkNew<vtkMatrix4x4> behind;
     behind->SetElement(3, 3, 0.5);
     behind->SetElement(3, 0, 1.);
