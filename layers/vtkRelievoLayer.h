@@ -47,7 +47,7 @@ struct vtkRelievoLayer
   int Type = 0; // VTK_FLOAT ...
   int Components = 1;
   double Background = std::numeric_limits<double>::quiet_NaN(); // NaN for color: the renderer's
-  // Of the components in files, separated by commas; a file format: never change it.
+  // Suffixes of the components in files, separated by commas; a file format: never change it.
   std::string Suffixes;
   std::string Help; // one line
 

@@ -97,7 +97,7 @@ public:
 
   ///@{
   /** Rotation of the environment about its up axis in degrees, counter-clockwise seen from above:
-   * with y up and 90, what was in direction +z is in direction +x. Default 0. */
+   * with y up, a rotation by 90 turns direction +z to +x. Default 0. */
   vtkSetMacro(Rotation, double);
   vtkGetMacro(Rotation, double);
   ///@}

@@ -198,7 +198,7 @@ public:
 
   ///@{
   /**
-   * Number of the renderer's props that rays cannot hit, as of the last update.
+   * The renderer's props that rays cannot hit, as of the last update.
    */
   int GetNumberOfPropsLeftOut();
   vtkProp* GetPropLeftOut(int index);

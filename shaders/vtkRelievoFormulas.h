@@ -31,7 +31,7 @@
 
 namespace relievo
 {
-/// What GLSL has built in and C++ has not, by bits.
+/// GLSL built-in functions on bits that C++ lacks.
 namespace bits
 {
 inline std::uint32_t FromFloat(float value)

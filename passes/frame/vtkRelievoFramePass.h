@@ -12,7 +12,7 @@
  * The linear colour `color` exists while a stage reads it or it is requested: the delegate then
  * draws into a framebuffer of half floats (floats on software OpenGL), whose values are decoded by
  * the inverse sRGB curve, and the picture is encoded from it by that curve. Otherwise the delegate
- * draws directly to the window.
+ * draws to the framebuffer that it would use without the frame.
  *
  * vtkRelievoPass is a frame with Relievo's own stages.
  */

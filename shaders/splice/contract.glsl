@@ -6,29 +6,29 @@
 // that readers always find a definition; definers use #undef and #define.
 //
 // name                        defined by   read by   type, unit, range
-// RELIEVO_VISIBILITY(number)  shadow       gbuffer   float, 0 dark to 1 lit: what of the
-//                                                    renderer's light `number` (from 0, those that
-//                                                    are off included) passes; after
+// RELIEVO_VISIBILITY(number)  shadow       gbuffer   float, 0 dark to 1 lit: unblocked share
+//                                                    of the renderer's light `number` (from 0,
+//                                                    switched-off lights included); after
 //                                                    //VTK::Light::Impl
-// RELIEVO_SURFACE_VC          material     gbuffer   vec3, eye space, world units: the place that
-//                                                    the depth tells; after
+// RELIEVO_SURFACE_VC          material     gbuffer   vec3, eye space, world units: the position
+//                                                    at the fragment's depth; after
 //                                                    //VTK::UniformFlow::Impl
 // RELIEVO_RECEIVER(matrix, place)
-//                             material     shadow    vec4 in the space that `matrix` (mat4) leads
-//                                                    to from eye space: where what is seen at
-//                                                    `place` (vec4 there, of the mesh) receives
-//                                                    its light; after //VTK::UniformFlow::Impl
-// RELIEVO_ALPHA(alpha)        material     gbuffer   float, 0 to 1: the opacity that is drawn,
-//                                                    of that of colours and textures
+//                             material     shadow    vec4 in the target space of `matrix` (mat4,
+//                                                    from eye space): the point that receives
+//                                                    light for the mesh's point `place` (vec4 in
+//                                                    that space); after //VTK::UniformFlow::Impl
+// RELIEVO_ALPHA(alpha)        material     gbuffer   float, 0 to 1: the drawn opacity, for the
+//                                                    opacity of colours and textures
 //
-// relievoFromLight            shadow       material  uniform int, 1 while what a light sees is
-//                                                    drawn, else and without shadow/ 0; whoever
-//                                                    reads it declares it
+// relievoFromLight            shadow       material  uniform int, 1 while a light's view is drawn,
+//                                                    else, and without shadow/, 0; each reader
+//                                                    declares it
 //
 // A macro is expanded where it is read: the names that it uses must be declared before that place.
-// material/ declares behind //VTK::PositionVC::Dec, shadow/ behind //VTK::Light::Dec, gbuffer/
-// behind //VTK::Output::Dec; in main(), material/ writes before //VTK::UniformFlow::Impl, shadow/
-// before //VTK::Light::Impl, and gbuffer/ reads behind //VTK::Picking::Impl.
+// material/ declares after //VTK::PositionVC::Dec, shadow/ after //VTK::Light::Dec, gbuffer/
+// after //VTK::Output::Dec; in main(), material/ writes before //VTK::UniformFlow::Impl, shadow/
+// before //VTK::Light::Impl, and gbuffer/ reads after //VTK::Picking::Impl.
 //
 // RELIEVO_NUMBER is not a macro: C++ replaces it by the index of a light in VTK's lightColor0.
 //

@@ -40,7 +40,7 @@ public:
   // Whether times are missing because none were requested.
   bool IsUntimed() const { return this->Defers && this->Milliseconds.empty(); }
 
-  // Of the newest frame that has arrived; negative if none has, or if it has no such span.
+  // Time in the newest frame that has arrived; negative without one, or without such a span.
   double GetMilliseconds(const std::string& name) const;
 
   void Release();

@@ -15,7 +15,7 @@
 #include "vtkRelievoStage.h"
 #include "vtkSmartPointer.h" // for the sets
 
-#include <string> // for what is wrong
+#include <string> // for errors
 #include <vector> // for the sets
 
 class vtkMultiProcessController;

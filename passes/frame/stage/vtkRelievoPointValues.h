@@ -24,7 +24,7 @@
 #include "vtkRelievoText.h"          // for names that are given
 #include "vtkSmartPointer.h"         // for the matrix
 
-#include <set>    // for what was said
+#include <set>    // for reported errors
 #include <string> // for names
 #include <vector> // for values
 

@@ -24,7 +24,7 @@ public:
   // Number of draw calls without VTK's light.
   int Deferred = 0;
 
-  // Of the renderer, switched-off lights included: one visibility is stored for each.
+  // Lights of the renderer, switched-off lights included: one visibility is stored for each.
   int NumberOfLights = 0;
 };
 

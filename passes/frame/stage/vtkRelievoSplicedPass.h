@@ -16,12 +16,12 @@
 #include "vtkRelievoFrameModule.h" // for the export macro
 #include "vtkTimeStamp.h"          // for when shaders are built anew
 
-#include <functional> // for what fills
-#include <set>        // for what was reported
+#include <functional> // for TrySplice
+#include <set>        // for reported errors
 #include <string>     // for shaders
 
 #ifndef __VTK_WRAP__
-#include "vtkRelievoTrialSplice.h" // for what is spliced
+#include "vtkRelievoTrialSplice.h" // for shader texts
 #endif
 
 class vtkActor;
