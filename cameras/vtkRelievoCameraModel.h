@@ -19,7 +19,7 @@
 #include "vtkObject.h"
 #include "vtkRelievoCamerasModule.h" // for the export macro
 
-#include <string> // for what is wrong
+#include <string> // for error messages
 
 class vtkDoubleArray;
 class vtkFieldData;

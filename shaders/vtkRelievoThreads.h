@@ -5,7 +5,7 @@
 #ifndef vtkRelievoThreads_h
 #define vtkRelievoThreads_h
 
-#include "vtkSMP.h" // for what VTK has
+#include "vtkSMP.h" // for VTK's backends
 #include "vtkSMPTools.h"
 
 #include <cstdlib>

@@ -111,10 +111,10 @@ public:
 
   ///@{
   /**
-   * Each frame draws one sample, unless it waits for all: for programs that have to answer
-   * meanwhile on a slow GPU. Otherwise the second frame may draw all others at once, which takes as
-   * long as a dozen frames. Such a picture has more samples, and takes the place of one that was
-   * drawn one by one when this is switched off, or where a frame waits. Default off.
+   * Whether each frame draws only one sample, unless it waits for all: for programs that have to
+   * respond in between on a slow GPU. Otherwise the second frame may draw all others at once, which
+   * takes as long as a dozen frames. A picture drawn at once has more samples, and replaces one
+   * drawn sample by sample when this is switched off, or when a frame waits. Default off.
    */
   vtkSetMacro(SamplesOneByOne, bool);
   vtkGetMacro(SamplesOneByOne, bool);

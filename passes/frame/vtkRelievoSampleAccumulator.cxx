@@ -130,7 +130,7 @@ void vtkRelievoSampleAccumulator::Begin(vtkRelievoFrameContext& context,
   bool begins = this->Asked.Samples > 1 && this->Turns == 1 &&
     (this->Asked.Samples != this->Before || this->Asked.Offsets != this->OffsetsBefore ||
       !this->State.IsOf(context, stages));
-  // A mean that was asked to be drawn one by one, and need not be any more.
+  // Restarts a mean that had to be drawn sample by sample, and now can be drawn at once.
   begins = begins ||
     (this->Turns == 1 && this->OneByOneBefore && this->Asked.AnyRaster && this->Color &&
       this->Color->Weight > 1 && vtkRelievoSampleRaster::FindObstacle(context).empty());

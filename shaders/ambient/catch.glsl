@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Spliced into VTK's fragment shaders of what catches shadows: what it is darkened by where it sees
-// less of the sky. Other splices into the same shader walk trees of their own: C++ puts `ambient`
-// in the place of `relievo` in all names of this one.
+// Spliced into VTK's fragment shaders of shadow catchers: darkens them by the hidden share of the
+// sky. Other splices into the same shader traverse their own trees, so C++ replaces `relievo` by
+// `ambient` in all names of this one.
 //
-// Names of VTK's shaders that are read: vertexVC, normalVCVSOutput, gl_FragData[0].
+// Reads these names of VTK's shaders: vertexVC, normalVCVSOutput, gl_FragData[0].
 
 //RELIEVO::Section(Dec)
 //RELIEVO::Include(formulas/srgb.glsl)

@@ -1,15 +1,15 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The share of the sky that a place sees, by this frame's rays past the triangles of the scene.
+// The visible share of the sky at a point, by this frame's rays through the triangles of the scene.
 //RELIEVO::Include(formulas/shadow.glsl)
 //RELIEVO::Include(formulas/sky.glsl)
 //RELIEVO::Include(rays/passes.glsl)
 //RELIEVO::Include(rays/walk.glsl)
 uniform samplerBuffer ambientNoise; // blue, 64 x 64
-uniform vec2 ambientPoints[64];     // of the unit square, for the rays of this frame
+uniform vec2 ambientPoints[64];     // in the unit square, for the rays of this frame
 uniform int ambientRays;
-uniform float ambientStep;          // from one of all frames' points to the next
-uniform float ambientRadius;        // 0: rays do not end
+uniform float ambientStep;          // spacing of all frames' points
+uniform float ambientRadius;        // 0: unlimited rays
 uniform int ambientByCosine;
 
 float relievoAmbientShift(ivec2 pixel)
@@ -17,8 +17,8 @@ float relievoAmbientShift(ivec2 pixel)
   return texelFetch(ambientNoise, (pixel.y & 63) * 64 + (pixel.x & 63)).x;
 }
 
-// casters: nodes of the tree over them, or 0 to go nowhere; place and normal in the tree's space;
-// blur as of relievoTreeWalk.
+// casters: number of nodes over the casters, or 0 to skip the traversal; from, up: position and
+// normal in the tree's space; blur: see relievoTreeWalk.
 float relievoAmbientSees(int casters, vec3 from, vec3 up, float blur, ivec2 pixel)
 {
   vec3 right = normalize(relievoTangent(up));

@@ -12,7 +12,7 @@
 //RELIEVO::Include(deferred/lamp.glsl)
 //RELIEVO::Include(deferred/clusters.glsl)
 uniform int relievoLampsLight; // whether the actor is drawn translucent, and lit
-uniform int relievoLampsCaught; // whether it catches shadows: all of its colour is ambient
+uniform int relievoLampsCaught; // whether it is a shadow catcher, whose whole colour is ambient
 uniform mat4 relievoLampProjection;
 uniform vec2 relievoLampPixels; // of the viewport
 

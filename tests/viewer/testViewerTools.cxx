@@ -435,8 +435,8 @@ private Q_SLOTS:
     QVERIFY2(show("height").endsWith("\n0\n1"), qPrintable(legend->GetText()));
     QVERIFY2(show("normal").contains("Red"), qPrintable(legend->GetText()));
     QVERIFY(show("cell").contains("colour of its own"));
-    QCOMPARE(show("shadow_0"),
-      QString("Shadow of light 0\nWhat is not blocked of a light.\nin shadow\nlit"));
+    QCOMPARE(
+      show("shadow_0"), QString("Shadow of light 0\nVisibility of a light.\nin shadow\nlit"));
     this->Compare("with a legend in the window");
     for (const char* blank : { "fog", "lamps_reaching" })
     {

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Darkens what catches shadows where it sees less of the sky, in VTK's own shaders while VTK draws
-// it.
+// Ambient occlusion of shadow catchers: darkens them by the hidden share of the sky, in VTK's own
+// shaders while VTK draws them.
 #ifndef vtkRelievoAmbientCatch_h
 #define vtkRelievoAmbientCatch_h
 
@@ -20,7 +20,7 @@ public:
   static vtkRelievoAmbientCatch* New();
   vtkTypeMacro(vtkRelievoAmbientCatch, vtkRelievoSplicedPass);
 
-  // From here to End, these props are darkened, by what the function tells a program.
+  // From Begin() to End(), these props are darkened; `tell` sets a program's uniforms.
   void Begin(vtkOpenGLRenderWindow* window, const std::vector<vtkProp*>& props,
     const std::function<void(vtkShaderProgram*)>& tell);
   void End();

@@ -24,7 +24,7 @@ public:
   // Updates the tree, and takes a texture unit. Returns an error message, or an empty string. All
   // processes that draw together call this, a process with an error (`wrong`) included.
   std::string Begin(const vtkRelievoFrameContext& context, const std::string& wrong);
-  // Names of uniforms begin with `relievo`, or with what is in its place.
+  // Uniforms' names start with `relievo`, or with its replacement.
   void SetUniforms(vtkShaderProgram* program, const vtkRelievoFrameContext& context,
     const std::string& prefix = "relievo") const;
   void End() { this->Tree.Unbind(); }

@@ -121,7 +121,7 @@ void vtkRelievoAmbientStage::Declare(
   declaration.AtOnce = this->AtOnce;
   if (this->OnlyCatchers)
   {
-    declaration.Reads.clear(); // the layer reads them
+    declaration.Reads.clear(); // required only by the layer
   }
   if (this->Strength == 0.0)
   {
@@ -184,7 +184,7 @@ std::string vtkRelievoAmbientStage::BeginRays(vtkRelievoFrameContext& context)
   in.Begun = wrong.empty();
   if (!in.Begun)
   {
-    in.Scene.End(); // another process may be the one that cannot
+    in.Scene.End(); // another process may have failed
   }
   return wrong;
 }

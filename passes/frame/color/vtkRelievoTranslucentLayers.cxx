@@ -94,7 +94,7 @@ bool vtkRelievoTranslucentLayers::RightsAlpha(const vtkRelievoFrameContext& cont
 {
 #ifdef RELIEVO_VTK_AVERAGED_TRANSMITTANCE
   return context.ReadsColor && !context.Renderer->GetUseDepthPeeling() &&
-    !context.Renderer->GetUseFXAA(); // which smooths what is there when surfaces are blended
+    !context.Renderer->GetUseFXAA(); // FXAA smooths the present picture when surfaces are blended
 #else
   static_cast<void>(context);
   return false;

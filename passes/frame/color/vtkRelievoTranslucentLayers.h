@@ -19,8 +19,8 @@ class vtkWindow;
 class vtkRelievoTranslucentLayers
 {
 public:
-  // Whether layers are needed only for the alpha of the colour, which is read: VTK before 9.3 leaves
-  // a wrong one.
+  // Whether layers are needed only for the alpha of the colour, which is read: VTK before 9.3
+  // leaves a wrong one.
   static bool RightsAlpha(const vtkRelievoFrameContext& context);
 
   // For one frame, while the delegate draws into the colour's framebuffer, by the context's

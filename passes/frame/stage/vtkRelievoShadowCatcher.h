@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Shadow catchers: translucent props that have one colour, which is their ambient one, wherever all
-// light reaches them, whatever the lights are. What keeps light from them is seen on them as a
-// shadow: the stages `shadows` and `ambient` darken them, and `lamps` lights them in any case.
+// Shadow catchers: translucent props that have their ambient colour wherever all light reaches
+// them, whatever the lights are, and show shadows of occluders: the stages `shadows` and `ambient`
+// darken them, and `lamps` lights them in any case.
 #ifndef vtkRelievoShadowCatcher_h
 #define vtkRelievoShadowCatcher_h
 
@@ -16,11 +16,11 @@ class vtkRelievoFrameContext;
 
 struct VTKRELIEVOFRAME_EXPORT vtkRelievoShadowCatcher
 {
-  // Makes a prop one, before it is drawn for the first time.
+  // Marks a prop as a shadow catcher, before it is drawn for the first time.
   static void Make(vtkProp* prop);
   static bool Is(vtkProp* prop);
 
-  // Those of the frame.
+  // The shadow catchers of the frame.
   static std::vector<vtkProp*> Find(const vtkRelievoFrameContext& context);
 };
 

@@ -38,8 +38,9 @@ public:
 
   ///@{
   /**
-   * Whether a frame may run the stage; of `shadows` and `ambient`, whether the picture shows what
-   * they do: their layers are there either way. Default on; in a new frame, as the stage says.
+   * Whether a frame may run the stage; for `shadows` and `ambient`, whether the picture shows their
+   * effect: their layers are made either way. Default on; in a new frame, set by the stage's
+   * description.
    */
   vtkSetMacro(Enabled, bool);
   vtkGetMacro(Enabled, bool);
