@@ -330,13 +330,13 @@ class Lenses(unittest.TestCase):
         numpy.testing.assert_allclose(sensor.project([(1, 2, 0)]), [K[:2, 2]], atol=1e-9)
         self.assertLess(sensor.project([(1, 2.1, 0)])[0, 1], K[1, 2])
         self.assertGreater(sensor.project([(1.1, 2, 0)])[0, 0], K[0, 2])
-        with self.assertRaisesRegex(ValueError, "no view"):
+        with self.assertRaisesRegex(ValueError, "not a view"):
             sensor.look_at((1, 2, 3), (1, 2, 9), (0, 0, 1))
         calibration, view, said = vtkRelievoCalibration(), vtkCamera(), []
         calibration.AddObserver("ErrorEvent", lambda *_: said.append("error"))
         view.SetViewUp(0, 0, 1)
         self.assertIsNone(calibration.MakeCamera(view, 64, 48))
-        self.assertIn("no view", calibration.GetFailureText())
+        self.assertIn("not a view", calibration.GetFailureText())
         self.assertEqual(said, ["error"])
 
     def test_refused(self):

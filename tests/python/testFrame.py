@@ -294,7 +294,7 @@ class Attach(unittest.TestCase):
         frame.AddObserver("ErrorEvent", lambda *_: said.append(1))
         self.window.Render()
         self.assertEqual(len(said), 1)
-        with self.assertRaisesRegex(RuntimeError, "1002 lights are on.* take 1000.*lamps"):
+        with self.assertRaisesRegex(RuntimeError, "1002 lights are on.* take at most 1000.*lamps"):
             relievo.capture(self.renderer)
         for light in self.renderer.GetLights():
             light.SetSwitch(False)
