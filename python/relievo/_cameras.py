@@ -405,8 +405,9 @@ def _class_of(model):
 
 
 def intrinsics(camera, size) -> numpy.ndarray:
-    """Returns K, array of (3, 3) in pixels, of a vtkCamera, a renderer or a plotter, as seen in a
-    picture of size (columns, rows). Raises ValueError unless the projection is perspective."""
+    """Returns K, array of (3, 3) in pixels, of the camera, a vtkCamera, a renderer or a plotter, as
+    seen in a picture of size (columns, rows). Raises ValueError unless the projection is
+    perspective."""
     return Pinhole.of(camera, size).K
 
 

@@ -37,7 +37,7 @@ def add(tree):
     filter_ = tree / "filters" / "sight" / "vtkRelievoSunExposure"
     replace(filter_.with_suffix(".h"),
             ("  double Latitude = 48.0;\n", "{0}  double Horizon = 0.0;\n"),
-            ("  /** What is wrong with a first and a last day:", METHODS + "{0}"))  # fmt: skip
+            ("  /** The error of a first and a last day:", METHODS + "{0}"))  # fmt: skip
     replace(filter_.with_suffix(".cxx"), ("  list.AddWhole(\n    \"sky_samples\"", SETTING + "{0}"),
             ("getDirection(hour)[2] > 0.0;", "getDirection(hour)[2] > std::sin(\n    "
              "vtkMath::RadiansFromDegrees(this->Horizon));"),

@@ -172,11 +172,11 @@ void vtkPVRelievoMaterial::Say(vtkObject*, unsigned long, void* text)
       found, name.size(), "the filter Texture Coordinates (menu Filters, Relievo) makes");
   }
   // The mapper's class is nothing that a user has chosen.
-  const std::string::size_type drawn = words.find(" on what vtk");
-  const std::string::size_type end = words.find(" draws: ", drawn);
+  const std::string::size_type drawn = words.find(" on geometry drawn by vtk");
+  const std::string::size_type end = words.find(": ", drawn);
   if (drawn != std::string::npos && end != std::string::npos)
   {
-    words.replace(drawn, end + 6 - drawn, " on this surface");
+    words.replace(drawn, end - drawn, " on this surface");
   }
   vtkErrorMacro(<< words << ".");
 }
