@@ -297,6 +297,7 @@ private Q_SLOTS:
     viewer::PictureView* view = this->Window->GetView();
     const auto countLeft = [view] { return view->GetPicture().GetFrame()->GetSamplesLeft(); };
     QSignalSpy first(view, &viewer::PictureView::drawn);
+    view->Draw();
     QVERIFY(first.count() > 0 || first.wait(60000));
     QTRY_COMPARE_WITH_TIMEOUT(countLeft(), 0, 60000);
     QMenu menu(this->Window.get());
