@@ -217,7 +217,7 @@ void LightsGroup::AddPresets(std::vector<Row>& rows, bool own) const
     key.IsOn = !own;
     key.CanOwn = true;
     key.Tip = own ? "Off: your own lights are in its place"
-                  : "Your own lights replace it; what you edit makes it your own";
+                  : "Lights that you add replace it; editing it makes it your own";
     rows.push_back(key);
     Row fill;
     fill.Name = name + ": fill";
