@@ -176,13 +176,13 @@ class Studio(CliTest):
                 "--preset", "studio", size=SMALL)  # fmt: skip
 
         def compare(share, *words, where=place, step=2.0):
-            """The share of what is lit, of 0.6 of the light; the rest is in shadows, too."""
+            """The share of the light: 0.6 of it can be blocked, and the rest is in shadows, too."""
             expected = paint * (0.4 + 0.6 * share[..., None])
             off = abs(picture(*words) - expected).max(axis=-1)
             self.assertLess(off[where].max(), step, words)
 
         def lit(position, intensity):
-            """What a lamp gives to each place, and whether the ball, safely, is in its way."""
+            """The light of a lamp at each place, and whether the ball is safely in its way."""
             to = numpy.array(position) - ground
             length = numpy.linalg.norm(to, axis=-1)
             past = numpy.linalg.norm(numpy.cross(ground, to), axis=-1) / length

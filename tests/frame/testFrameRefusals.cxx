@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A frame reports, by name, what it cannot do, and does the rest: layers whose stage is off,
+// A frame reports each failure by name, and does the rest: layers whose stage is off,
 // colours where none is possible, stages that replace others.
 #include "Check.h"
 #include "ColorStage.h"

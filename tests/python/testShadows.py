@@ -237,7 +237,7 @@ class Shadows(unittest.TestCase):
         _, shadows = self.capture()
         self.assertEqual([values[place].max() for values, place in zip(shadows, dark)], [0, 0, 0])
 
-        choices.SetStrength(0.5)  # for the picture: layers show what is blocked
+        choices.SetStrength(0.5)  # for the picture: layers show the blocked share
         _, shadows = self.capture()
         self.assertEqual([values[place].max() for values, place in zip(shadows, dark)], [0, 0, 0])
 

@@ -328,7 +328,7 @@ private Q_SLOTS:
     }
   }
 
-  // What a stage says of its picture moves none of its rows.
+  // A stage's note about its picture moves none of its rows.
   void reasonsMoveNothing()
   {
     this->Open({ this->WriteScene(), "--light", "sun:0.4,1,0.6,casts=off", "--shadows", "map" });

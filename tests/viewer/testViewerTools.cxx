@@ -220,7 +220,7 @@ private Q_SLOTS:
     this->Window->findChild<QAction*>("axisMarker")->trigger();
   }
 
-  // A narrower view shows what the wider one showed, and a wider one shows it as it was.
+  // A narrower view shows everything that the wider one showed, and widening restores the view.
   void narrowView()
   {
     this->Open({ this->WriteScene() });
@@ -255,7 +255,7 @@ private Q_SLOTS:
       const scene::Settings again = this->Window->GetViewSettings();
       QCOMPARE(again.Get("--camera"), camera.Get("--camera"));
       QCOMPARE(again.Get("--parallel-scale"), camera.Get("--parallel-scale"));
-      // What was outside may stay as far outside.
+      // Places outside may stay as far outside.
       vtkCamera* near = view->GetPicture().GetRenderer()->GetActiveCamera();
       near->Zoom(4.0);
       this->Grab();

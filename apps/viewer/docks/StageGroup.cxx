@@ -105,7 +105,7 @@ StageGroup::StageGroup(
   {
     this->AddParameter(parameter);
   }
-  this->AddBelow(this->Reason); // what is said there moves no row under the mouse
+  this->AddBelow(this->Reason); // its text moves no row under the mouse
   if (!description.OnByDefault || description.TakesData)
   {
     this->setCheckable(true);

@@ -21,13 +21,13 @@ QFormLayout* MakeRows()
   return rows;
 }
 
-// Before the first show what nobody hid seems hidden, too.
+// Before the first show, widgets that are not hidden seem hidden, too.
 bool IsShown(const QWidget* widget)
 {
   return !widget->isHidden() || !widget->testAttribute(Qt::WA_WState_ExplicitShowHide);
 }
 
-// Whether there is more than what was hidden.
+// Whether there is anything besides hidden widgets.
 bool HasShown(const QFormLayout* rows)
 {
   for (int i = 0; i < rows->count(); ++i)

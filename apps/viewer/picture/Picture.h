@@ -64,7 +64,7 @@ public:
   void ResetCamera();
 
   /// The view's width over its height has become another: the camera steps back as far as is needed
-  /// to see what it saw of the scene, and forth again, until something else moves it.
+  /// to see the same part of the scene, and forth again, until something else moves it.
   void KeepInView(double before, double now);
 
   /// Looks along a direction at what is shown.
@@ -96,7 +96,7 @@ private:
   };
   void Remove(const Contents& contents);
 
-  // Where the camera stands, and the half of what a parallel one sees.
+  // The camera's place, and half the height of a parallel view.
   struct Stand
   {
     scene::CameraPlace Place;
@@ -110,7 +110,7 @@ private:
   scene::ProgressListener* Listener = nullptr;
   unsigned long Observer;
   Contents Now;
-  Stand Chosen, Kept; // what the view was when its shape changed first, and what it became
+  Stand Chosen, Kept; // the view before its shape changed first, and the resulting view
 };
 }
 

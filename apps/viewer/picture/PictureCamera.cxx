@@ -64,7 +64,7 @@ void Picture::KeepInView(double before, double now)
       bounds[4 + ((corner >> 2) & 1)] - from[2] };
     const double aside = std::abs(vtkMath::Dot(v, right));
     const double depth = vtkMath::Dot(v, along);
-    // Of half the view: what was outside may stay as far outside.
+    // In halves of the view: places outside may stay as far outside.
     const double seen = this->Chosen.Aspect *
       (camera->GetParallelProjection() ? this->Chosen.Scale : half * std::max(depth, 0.0));
     const double most = std::max(1.0, aside / seen);

@@ -23,7 +23,7 @@ namespace
 {
 // Milliseconds
 constexpr int BusyPause = 50;
-constexpr int InputPause = 250; // from what the user did last, where a sample takes long
+constexpr int InputPause = 250; // after the user's last input, if a sample takes long
 constexpr int Patience = 100;   // of those who open a menu while samples are gathered
 
 // What all samples at once take, in times of one: 13 on llvmpipe, fewer on GPUs.

@@ -169,8 +169,8 @@ private:
   QString Trouble;
   bool OfFile = false;                // is what is shown as wrong: another edit does not mend it
   scene::Settings Good;               // what is shown
-  scene::Settings Safe;               // what was opened or saved last
-  bool IsSafe = false;                // what is being read becomes that
+  scene::Settings Safe;               // the settings opened or saved last
+  bool IsSafe = false;                // the settings being read become Safe
   scene::Settings Asked;              // what is being read
   std::vector<std::string> BeingRead; // files that the last reading was begun for
   scene::Settings Meanwhile; // what is shown, with all that was set since the reading began

@@ -605,7 +605,7 @@ bool vtkPVRelievoView::IsAnyStageOn()
   for (int i = 0; i < frame->GetNumberOfStages(); ++i)
   {
     vtkRelievoStage* stage = frame->GetStage(i);
-    // What is on by default waits for data, or for a layer's name.
+    // Stages that are on by default wait for data, or for a layer's name.
     if (stage->GetEnabled() && !stage->GetDescription().OnByDefault)
     {
       return true;
