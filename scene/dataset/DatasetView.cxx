@@ -22,7 +22,6 @@
 #include "vtkRelievoRayLayers.h"
 #include "vtkRenderer.h"
 #include "vtkTable.h"
-#include "vtkTextureObject.h"
 #include "vtkWindowToImageFilter.h"
 
 #include <algorithm>
@@ -41,7 +40,7 @@ constexpr double MostPixelsBeyond = 1 << 25;
 int GetLimit(vtkRenderWindow* window)
 {
   auto* gl = vtkOpenGLRenderWindow::SafeDownCast(window);
-  return gl ? vtkTextureObject::GetMaximumTextureSize(gl) : 0;
+  return gl ? GetSizeLimit(gl) : 0;
 }
 
 void CheckWindowSize(vtkRenderWindow* window, const int size[2])

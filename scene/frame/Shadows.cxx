@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Shadows.h"
 
+#include "Display.h"
 #include "Options.h"
 #include "Values.h"
 
@@ -12,7 +13,6 @@
 #include "vtkRelievoPass.h"
 #include "vtkRelievoShadowStage.h"
 #include "vtkRenderer.h"
-#include "vtkTextureObject.h"
 
 namespace scene
 {
@@ -68,7 +68,7 @@ void SetShadows(vtkRelievoPass* pass, vtkRenderer* renderer, const RenderOptions
   if (const std::string* size = FindStageChoice(options.Stages, "shadows", "map_size", option))
   {
     vtkOpenGLRenderWindow* gl = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
-    const int limit = gl ? vtkTextureObject::GetMaximumTextureSize(gl) : 0;
+    const int limit = gl ? GetSizeLimit(gl) : 0;
     if (gl && std::stoi(*size) > limit)
     {
       RefuseValue(option, *size,

@@ -25,6 +25,13 @@ void CheckDisplay(vtkRenderWindow* window)
 }
 
 //------------------------------------------------------------------------------
+int GetSizeLimit(vtkOpenGLRenderWindow* window)
+{
+  window->MakeCurrent(); // another window may have drawn since
+  return vtkTextureObject::GetMaximumTextureSize(window);
+}
+
+//------------------------------------------------------------------------------
 void CheckSize(vtkRenderWindow* window, const std::array<int, 2>& size)
 {
   vtkOpenGLRenderWindow* gl = vtkOpenGLRenderWindow::SafeDownCast(window);
@@ -36,7 +43,7 @@ void CheckSize(vtkRenderWindow* window, const std::array<int, 2>& size)
   window->SetSize(1, 1);
   gl->Initialize();
   Messages::Check("OpenGL");
-  const int limit = vtkTextureObject::GetMaximumTextureSize(gl);
+  const int limit = GetSizeLimit(gl);
   if (std::max(size[0], size[1]) > limit)
   {
     throw WorkError("--size " + std::to_string(size[0]) + "x" + std::to_string(size[1]) +

@@ -9,12 +9,16 @@
 
 #include <array>
 
+class vtkOpenGLRenderWindow;
 class vtkRenderWindow;
 
 namespace scene
 {
 /// Throws WorkError if the display of the window cannot be reached: VTK would end the process then.
 void CheckDisplay(vtkRenderWindow* window);
+
+/// The pixels each way that OpenGL draws at most in the window, whose context becomes the current one.
+int GetSizeLimit(vtkOpenGLRenderWindow* window);
 
 /// Makes the window's context and throws WorkError if the size is above its limits.
 void CheckSize(vtkRenderWindow* window, const std::array<int, 2>& size);

@@ -165,6 +165,15 @@ class Scene(unittest.TestCase):
         scene.window.SetSize(50, 40)
         self.assertEqual(self.picture(scene), still)
 
+    def test_two_scenes_in_turns(self):
+        """A scene's options are applied while another's window drew last, in another state."""
+        words = {"size": SIZE, "light": "sun:1,2,1", "shadows": "map", "shadow_size": 64}
+        scene = relievo.scene(self.mesh, **words, opacity=0.5)
+        other = relievo.scene(self.mesh, **words)
+        first = self.picture(scene)
+        self.assertNotEqual(self.picture(other), first)
+        self.assertEqual(self.picture(scene), first)
+
     def test_layers_leave_nothing(self):
         """Layers of the file are the capture's; the renderer has no frame afterwards."""
         scene = relievo.scene(self.mesh, size=SIZE, camera=CAMERA)
