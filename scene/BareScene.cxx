@@ -134,7 +134,6 @@ Scene& BareScene::Undress()
   }
   renderer->SetBackground(0.0, 0.0, 0.0);
   renderer->GradientBackgroundOff();
-  renderer->UseDepthPeelingOff();
   return this->Read;
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DressedScene.h"
 
+#include "Look.h"
 #include "ShadowOptions.h"
 #include "Shadows.h"
 
@@ -159,6 +160,10 @@ void DressedScene::Update(
     if (wears)
     {
       this->Bare.Wear(options, progress);
+    }
+    if (!isDressed || wears)
+    {
+      SetDepthPeeling(this->Bare.Get());
     }
     this->Surface = surface;
     this->Dress = dress;

@@ -5,6 +5,7 @@
 #include "Colormaps.h"
 #include "DataSets.h"
 #include "Errors.h"
+#include "Grid.h"
 #include "Options.h"
 #include "ScalarBar.h"
 #include "Scene.h"
@@ -372,7 +373,6 @@ void SetLook(Scene& scene, const RenderOptions& options)
     scene.Renderer->SetGradientBackground(look.Background.size() > 1);
   }
   SetColors(scene, look, !options.NormalMap.empty() || !options.HeightMap.empty());
-  bool translucent = false;
   ForEachActor(scene.Renderer, [&](vtkActor* actor) {
     vtkProperty* property = actor->GetProperty();
     if (look.Solid || !look.ColorBy.empty())
@@ -390,8 +390,6 @@ void SetLook(Scene& scene, const RenderOptions& options)
     {
       property->SetOpacity(look.Opacity * property->GetOpacity());
     }
-    translucent =
-      translucent || look.Opacity < 1.0 || actor->HasTranslucentPolygonalGeometry() != 0;
     if (look.PointSize > 1.0)
     {
       property->SetPointSize(static_cast<float>(look.PointSize));
@@ -405,9 +403,16 @@ void SetLook(Scene& scene, const RenderOptions& options)
   });
   ForEachVolume(scene.Renderer,
     [&look](vtkImageData*, vtkVolume* volume) { SetVolumeOpacity(volume, look.Opacity); });
-  if (translucent)
-  {
-    scene.Renderer->UseDepthPeelingOn();
-  }
+}
+
+//------------------------------------------------------------------------------
+void SetDepthPeeling(const Scene& scene)
+{
+  bool translucent = false;
+  ForEachActor(scene.Renderer, [&](vtkActor* actor) {
+    const bool added = actor == scene.Ground || (scene.Grid && actor == scene.Grid->GetLines());
+    translucent = translucent || (!added && actor->HasTranslucentPolygonalGeometry() != 0);
+  });
+  scene.Renderer->SetUseDepthPeeling(translucent);
 }
 }

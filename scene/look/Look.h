@@ -14,6 +14,9 @@ struct Scene;
 /// Colours, edges, opacity, background, colour bar. Throws WorkError if nothing that is drawn has
 /// the array to colour by, or not so many components.
 void SetLook(Scene& scene, const RenderOptions& options);
+
+/// Depth peeling where anything of the files is translucent. Their materials decide that, too.
+void SetDepthPeeling(const Scene& scene);
 }
 
 #endif

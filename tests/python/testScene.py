@@ -20,6 +20,7 @@ from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkUnsignedCharArray
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkImageData
 from vtkmodules.vtkFiltersCore import vtkTriangleFilter
 from vtkmodules.vtkIOGeometry import vtkSTLReader
+from vtkmodules.vtkIOImage import vtkPNGWriter
 from vtkmodules.vtkIOLegacy import vtkPolyDataReader
 from vtkmodules.vtkIOXML import vtkXMLImageDataWriter, vtkXMLPolyDataWriter
 from vtkmodules.vtkRenderingCore import vtkPolyDataMapper, vtkRenderer, vtkRenderWindow
@@ -173,6 +174,30 @@ class Scene(unittest.TestCase):
         first = self.picture(scene)
         self.assertNotEqual(self.picture(other), first)
         self.assertEqual(self.picture(scene), first)
+
+    def test_a_cutoff_and_back(self):
+        """A material that makes a see-through texture opaque leaves no trace when it goes."""
+        texture = numpy.full((8, 8, 4), 200, numpy.uint8)
+        texture[..., 3] = 255 * (numpy.indices((8, 8)).sum(0) % 4) // 4
+        image = vtkImageData()
+        image.SetDimensions(8, 8, 1)
+        image.GetPointData().SetScalars(numpy_to_vtk(texture.reshape(-1, 4), deep=True))
+        writer = vtkPNGWriter()
+        writer.SetFileName(self.path("holes.png"))
+        writer.SetInputData(image)
+        writer.Write()
+        (self.folder / "holes.mtl").write_text("newmtl holes\nmap_Kd holes.png\n")
+        path = self.folder / "holes.obj"
+        path.write_text("mtllib holes.mtl\nv -1 -1 0\nv 1 -1 0\nv 0 1 0\nv -1 -1 -1\nv 1 -1 -1\n"
+                        "v 0 1 -1\nvt 0 0\nvt 1 0\nvt 0 1\nusemtl holes\n"
+                        "f 1/1 2/2 3/3\nf 4/3 5/2 6/1\n")  # fmt: skip
+        words = {"size": SIZE, "camera": (0, 0, 4, 0, 0, 0, 0, 1, 0)}
+        cut = {"material": "alpha_cutoff=0.6"}
+        opaque = self.picture(relievo.scene(path, **words, **cut))
+        scene = relievo.scene(path, **words)
+        first = self.picture(scene)
+        self.assertEqual(self.picture(scene.set(**cut)), opaque)
+        self.assertEqual(self.picture(scene.set(material=None)), first)
 
     def test_layers_leave_nothing(self):
         """Layers of the file are the capture's; the renderer has no frame afterwards."""
