@@ -184,7 +184,9 @@ void BareScene::Wear(const RenderOptions& options, Progress& progress)
   };
   try
   {
-    SetSurface(this->Read, options, progress);
+    const Scene& scene = this->Read;
+    SetSurface(scene.Renderer, { scene.Ground, scene.Grid ? scene.Grid->GetLines() : nullptr },
+      options.Surface, options.UpAxis, options.Look.Opacity >= 1.0, progress);
     keepNew();
   }
   catch (...)

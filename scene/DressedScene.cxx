@@ -41,7 +41,7 @@ std::string MakeKey(const Settings& settings, const Names& names)
 
 std::string MakeSurfaceKey(const Settings& settings, const RenderOptions& options)
 {
-  const bool shadowed = !options.HeightMap.empty() && ShowsShadows(options);
+  const bool shadowed = !options.Surface.HeightMap.empty() && ShowsShadows(options);
   return MakeKey(settings, Wearing) + (shadowed ? "in its own shadow" : "");
 }
 
@@ -62,12 +62,12 @@ std::string MakeDressKey(const Settings& settings)
 
 RenderOptions WithCamera(RenderOptions options, vtkCamera* camera)
 {
-  options.Camera = GetPlace(camera);
-  options.ParallelScale.reset();
+  options.View.Place = GetPlace(camera);
+  options.View.ParallelScale.reset();
   if (camera->GetParallelProjection())
   {
-    options.ParallelScale = camera->GetParallelScale();
-    options.ViewAngle.reset();
+    options.View.ParallelScale = camera->GetParallelScale();
+    options.View.Angle.reset();
   }
   return options;
 }
@@ -154,7 +154,7 @@ void DressedScene::Update(
     else if (!keepCamera)
     {
       renderer->GetActiveCamera()->SetViewAngle(StandardViewAngle);
-      PlaceCamera(renderer, options, this->GetBounds());
+      PlaceCamera(renderer, options.View, options.UpAxis, this->GetBounds());
     }
     if (wears)
     {

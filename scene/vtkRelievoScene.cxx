@@ -141,7 +141,7 @@ bool vtkRelievoScene::SetWords(vtkStringArray* words)
     }
     std::vector<std::string> files = options.Files;
     files.insert(files.end(),
-      { options.Environment, options.NormalMap, options.HeightMap,
+      { options.Surface.Environment, options.Surface.NormalMap, options.Surface.HeightMap,
         vtkRelievoCalibration::IsFile(options.Lens) ? options.Lens : "" });
     for (const scene::PointsChoice& points : options.Points)
     {
@@ -284,7 +284,7 @@ void vtkRelievoScene::Internals::Update(scene::Progress& progress)
     this->Window->AddRenderer(renderer);
   }
   this->Dressed.Update(this->Settings, this->Options, false, progress);
-  if (!this->Options.Camera && this->Options.Model.Times.size() > 1)
+  if (!this->Options.View.Place && this->Options.Model.Times.size() > 1)
   {
     scene::FitTimes(this->Dressed.GetScene(), this->Options, progress);
   }

@@ -13,8 +13,6 @@
 
 namespace scene
 {
-struct RenderOptions;
-
 enum class SkinChoice
 {
   Off, ///< as the file holds the mesh
@@ -41,21 +39,14 @@ struct ModelChoice
 /// The options that choose what models show, as they are written.
 const std::vector<std::string>& GetModelOptions();
 
-void TakeTime(RenderOptions& options, const std::string& word);
-void TakeAnimation(RenderOptions& options, const std::string& word);
-void TakeTimes(RenderOptions& options, const std::string& word);
-void TakeBlend(RenderOptions& options, const std::string& word);
-void TakeLoop(RenderOptions& options, const std::string& word);
-void TakeSkeleton(RenderOptions& options, const std::string& word);
-void TakeBoneWeight(RenderOptions& options, const std::string& word);
+void TakeTime(ModelChoice& model, const std::string& word);
+void TakeAnimation(ModelChoice& model, const std::string& word);
+void TakeTimes(ModelChoice& model, const std::string& word);
+void TakeBlend(ModelChoice& model, const std::string& word);
+void TakeLoop(ModelChoice& model, const std::string& word);
+void TakeSkeleton(ModelChoice& model, const std::string& word);
+void TakeBoneWeight(ModelChoice& model, const std::string& word);
 
-/// Sets what the options mean for each other. Throws UsageError if they are given and no file can
-/// have bones, or if a sequence's files have no number in their names.
-void CheckModelOptions(RenderOptions& options);
-
-/// The name of a frame's file: %d or %04d is its number. "" for a name without a number, or with
-/// several.
-std::string GetFrameName(const std::string& name, int frame);
 }
 
 #endif

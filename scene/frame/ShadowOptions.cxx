@@ -60,4 +60,21 @@ bool ShowsShadows(const RenderOptions& options)
   const std::string* enabled = FindStageChoice(options.Stages, "shadows", "enabled");
   return enabled ? *enabled == "on" : options.ShadowMethod != Shadows::Off;
 }
+
+//------------------------------------------------------------------------------
+void CheckShadowLayers(const RenderOptions& options, int lights, const std::string& whose)
+{
+  for (const std::string& name : options.Layers)
+  {
+    if (vtkRelievoLayerCatalogue::GetLight(name) >= lights)
+    {
+      const std::string last =
+        vtkRelievoLayerCatalogue::GetOfLight().Name + std::to_string(lights - 1);
+      RefuseValue("--layers", name,
+        (lights == 1 ? "no shadow layer but " + last : "none beyond " + last) + ": there " +
+          (lights == 1 ? "is 1 " : "are " + std::to_string(lights) + " ") + whose +
+          ", counted from 0");
+    }
+  }
+}
 }

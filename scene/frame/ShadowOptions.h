@@ -23,6 +23,10 @@ void CheckShadowWishes(RenderOptions& options, const std::set<std::string>& give
 
 /// Whether shadows are seen in the picture, by whichever option.
 bool ShowsShadows(const RenderOptions& options);
+
+/// Throws UsageError if a layer is of a light beyond the `lights` that there are. `whose` says in
+/// the message what they are, such as "--light options".
+void CheckShadowLayers(const RenderOptions& options, int lights, const std::string& whose);
 }
 
 #endif

@@ -446,7 +446,7 @@ vtkSmartPointer<vtkActor> MakeActor(
 }
 
 //------------------------------------------------------------------------------
-void AddArrayNames(vtkActor* actor, std::set<std::string>& names, std::set<std::string>& placed)
+void AddArrayNames(vtkActor* actor, ArrayNames& arrays)
 {
   if (!actor->GetMapper())
   {
@@ -459,8 +459,8 @@ void AddArrayNames(vtkActor* actor, std::set<std::string>& names, std::set<std::
       vtkDataArray* array = attributes->GetArray(i);
       if (array && array->GetName() && array->GetDataType() != VTK_BIT) // which VTK cannot draw
       {
-        names.insert(array->GetName());
-        placed.insert(std::string(place) + array->GetName());
+        arrays.Names.insert(array->GetName());
+        arrays.Placed.insert(std::string(place) + array->GetName());
       }
     }
   };

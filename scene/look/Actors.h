@@ -33,9 +33,15 @@ vtkSmartPointer<vtkDataObject> MakeSurface(
 /// An actor for what MakeSurface made.
 vtkSmartPointer<vtkActor> DrawSurface(vtkDataObject* surface);
 
-/// Adds the names of the numeric point and cell arrays that the actor's mapper draws from, and the
-/// same as point:NAME and cell:NAME.
-void AddArrayNames(vtkActor* actor, std::set<std::string>& names, std::set<std::string>& placed);
+/// Names of the numeric point and cell arrays of what is drawn.
+struct ArrayNames
+{
+  std::set<std::string> Names;
+  std::set<std::string> Placed; ///< the same as point:NAME and cell:NAME
+};
+
+/// Adds those of what the actor's mapper draws from.
+void AddArrayNames(vtkActor* actor, ArrayNames& arrays);
 }
 
 #endif

@@ -5,7 +5,6 @@
 #include "Errors.h"
 #include "Images.h"
 #include "Messages.h"
-#include "Options.h"
 #include "Progress.h"
 #include "SurfaceOptions.h"
 
@@ -26,32 +25,23 @@ constexpr double LevelTolerance = 2e-3;
 }
 
 //------------------------------------------------------------------------------
-void CheckEnvironment(const RenderOptions& options)
-{
-  if (!options.Environment.empty())
-  {
-    CheckImage("--environment", options.Environment);
-  }
-}
-
-//------------------------------------------------------------------------------
 vtkSmartPointer<vtkRelievoEnvironment> ReadEnvironment(
-  const RenderOptions& options, Progress& progress)
+  const SurfaceChoice& surface, int up, Progress& progress)
 {
-  if (options.Environment.empty())
+  if (surface.Environment.empty())
   {
     return nullptr;
   }
-  const vtkSmartPointer<vtkImageData> image = ReadImage(options.Environment, progress);
+  const vtkSmartPointer<vtkImageData> image = ReadImage(surface.Environment, progress);
   vtkRelievoEnvironmentLight light;
   std::string failure;
   if (!light.SetImage(image, failure))
   {
-    throw WorkError(options.Environment + ": expected " + failure);
+    throw WorkError(surface.Environment + ": expected " + failure);
   }
-  progress.Begin("preparing " + options.Environment);
+  progress.Begin("preparing " + surface.Environment);
   light.MakeIrradiance();
-  if (options.Roughness > 0.0)
+  if (surface.Roughness > 0.0)
   {
     light.MakeLevels(
       LevelTolerance, [&progress](vtkAlgorithm* levels) { progress.Observe(levels); });
@@ -61,14 +51,14 @@ vtkSmartPointer<vtkRelievoEnvironment> ReadEnvironment(
   environment->SetSRGB(light.SRGB);
   environment->SetLevels(light.Levels);
   environment->SetIrradiance(light.Irradiance);
-  environment->SetRotation(options.EnvironmentRotation);
-  environment->SetUpAxis(options.UpAxis);
+  environment->SetRotation(surface.EnvironmentRotation);
+  environment->SetUpAxis(up);
   for (const vtkRelievoParameter& value : GetEnvironmentValues().Parameters)
   {
-    environment->SetParameter(value.Name, GetSurfaceValue(options, value.Name));
+    environment->SetParameter(value.Name, GetSurfaceValue(surface, value.Name));
   }
   progress.End();
-  Messages::Check(options.Environment);
+  Messages::Check(surface.Environment);
   return environment;
 }
 

@@ -17,15 +17,13 @@ class vtkRenderer;
 namespace scene
 {
 class Progress;
-struct RenderOptions;
+struct SurfaceChoice;
 
-/// Throws UsageError or WorkError for a file that is no environment, or cannot be opened.
-void CheckEnvironment(const RenderOptions& options);
-
-/// The environment of the options with its irradiance, and levels if the mirror is rough; nullptr
-/// if there is none. Whole numbers are sRGB, floats linear. Throws WorkError with the file's name.
+/// The environment that is chosen, with its irradiance, and levels if the mirror is rough; nullptr
+/// if there is none. `up`: the axis that points up. Whole numbers are sRGB, floats linear. Throws
+/// WorkError with the file's name.
 vtkSmartPointer<vtkRelievoEnvironment> ReadEnvironment(
-  const RenderOptions& options, Progress& progress);
+  const SurfaceChoice& surface, int up, Progress& progress);
 
 /// Puts the sky behind the renderer's picture.
 void ShowSky(vtkRenderer* renderer, vtkRelievoEnvironment* environment);

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Ground.h"
 
-#include "Options.h"
 #include "Triples.h"
 
 #include "vtkActor.h"
@@ -56,9 +55,10 @@ vtkUnsignedCharArray* GetColors(vtkActor* ground)
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkActor> MakeGround(const double bounds[6], const RenderOptions& options)
+vtkSmartPointer<vtkActor> MakeGround(
+  const double bounds[6], int upAxis, const std::array<double, 3>& color)
 {
-  const auto up = static_cast<std::size_t>(options.UpAxis);
+  const auto up = static_cast<std::size_t>(upAxis);
   const std::size_t first = (up + 1) % 3; // first x second = up
   const std::size_t second = (up + 2) % 3;
   std::array<double, 3> middle{};
@@ -75,8 +75,6 @@ vtkSmartPointer<vtkActor> MakeGround(const double bounds[6], const RenderOptions
   vtkNew<vtkUnsignedCharArray> colors;
   colors->SetName("color");
   colors->SetNumberOfComponents(4);
-  const Color color =
-    options.Look.Background.empty() ? Color{ 0.0, 0.0, 0.0 } : options.Look.Background.front();
   for (int ring = 0; ring <= Rings; ++ring)
   {
     const double radii = Reach * ring / Rings;

@@ -8,16 +8,17 @@
 
 #include "vtkSmartPointer.h"
 
+#include <array>
+
 class vtkActor;
 
 namespace scene
 {
-struct RenderOptions;
-
-/// A disc below these bounds, seen from above, that catches shadows: where light reaches it, it has
-/// the background's colour at the bottom and cannot be told from that, and it fades away outwards.
-/// It is translucent, so that layers do not have it.
-vtkSmartPointer<vtkActor> MakeGround(const double bounds[6], const RenderOptions& options);
+/// A disc below these bounds, seen from above, that catches shadows. Where light reaches it, it has
+/// this colour, 0 to 1: with the background's colour at the bottom it cannot be told from that. It
+/// fades away outwards, and is translucent, so that layers do not have it.
+vtkSmartPointer<vtkActor> MakeGround(
+  const double bounds[6], int upAxis, const std::array<double, 3>& color);
 
 ///@{
 /// Its colour, 0 to 1, where the lights reach it.

@@ -2,12 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Look.h"
 
+#include "Actors.h"
 #include "Colormaps.h"
 #include "DataSets.h"
 #include "Errors.h"
-#include "Options.h"
 #include "ScalarBar.h"
-#include "Scene.h"
 #include "Values.h"
 #include "VolumeImages.h"
 
@@ -24,6 +23,7 @@
 #include "vtkProperty.h"
 #include "vtkRelievoMaterial.h"
 #include "vtkRenderer.h"
+#include "vtkTexture.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkVolume.h"
 #include "vtkVolumeCollection.h"
@@ -121,12 +121,12 @@ Coloring Find(vtkActor* actor, const LookChoice& look, bool mapped)
 }
 
 //------------------------------------------------------------------------------
-void CheckFound(const std::map<std::string, std::vector<Coloring>>& all, const Scene& scene,
+void CheckFound(const std::map<std::string, std::vector<Coloring>>& all, const ArrayNames& arrays,
   const LookChoice& look)
 {
   if (all.empty() && !look.ColorBy.empty())
   {
-    const std::vector<std::string> names(scene.Arrays.begin(), scene.Arrays.end());
+    const std::vector<std::string> names(arrays.Names.begin(), arrays.Names.end());
     throw UsageError("--color-by: got '" + look.ColorBy + "', expected " +
       (names.empty() ? "no array: nothing that is drawn has any"
                      : "an array of what is drawn: " + Join(names, ", ")));
@@ -274,10 +274,10 @@ void SetColoring(const Coloring& coloring, vtkColorTransferFunction* map, const 
 //------------------------------------------------------------------------------
 // Arrays of one name have one range of colours.
 std::map<std::string, std::vector<Coloring>> FindAll(
-  const Scene& scene, const LookChoice& look, bool mapped)
+  vtkRenderer* renderer, const LookChoice& look, bool mapped)
 {
   std::map<std::string, std::vector<Coloring>> all;
-  ForEachActor(scene.Renderer, [&](vtkActor* actor) {
+  ForEachActor(renderer, [&](vtkActor* actor) {
     // A file may have coloured it already (glTF).
     if (look.ColorBy.empty() && actor->GetMapper()->GetColorMode() == VTK_COLOR_MODE_DIRECT_SCALARS)
     {
@@ -297,10 +297,10 @@ std::map<std::string, std::vector<Coloring>> FindAll(
 }
 
 //------------------------------------------------------------------------------
-void SetColors(const Scene& scene, const LookChoice& look, bool mapped)
+void SetColors(vtkRenderer* renderer, const LookChoice& look, const ArrayNames& arrays, bool mapped)
 {
-  const std::map<std::string, std::vector<Coloring>> all = FindAll(scene, look, mapped);
-  CheckFound(all, scene, look);
+  const std::map<std::string, std::vector<Coloring>> all = FindAll(renderer, look, mapped);
+  CheckFound(all, arrays, look);
   const int steps = Colormap::Parse(look.Colormap).Steps;
   int bars = 0;
   for (const auto& [name, colorings] : all)
@@ -321,11 +321,11 @@ void SetColors(const Scene& scene, const LookChoice& look, bool mapped)
     }
     if (look.ScalarBar && values && ++bars == 1)
     {
-      AddScalarBar(scene.Renderer, map,
-        name + (look.Component ? " " + std::to_string(*look.Component) : ""), steps);
+      AddScalarBar(
+        renderer, map, name + (look.Component ? " " + std::to_string(*look.Component) : ""), steps);
     }
   }
-  ForEachVolume(scene.Renderer, [&](vtkImageData* image, vtkVolume* volume) {
+  ForEachVolume(renderer, [&](vtkImageData* image, vtkVolume* volume) {
     vtkDataArray* values = image->GetPointData()->GetScalars();
     const std::string name = values->GetName() ? values->GetName() : "";
     std::array<double, 2> range = { VTK_DOUBLE_MAX, -VTK_DOUBLE_MAX };
@@ -334,7 +334,7 @@ void SetColors(const Scene& scene, const LookChoice& look, bool mapped)
     volume->GetProperty()->SetColor(MakeColormap(look.Colormap, range, true));
     if (look.ScalarBar && ++bars == 1)
     {
-      AddScalarBar(scene.Renderer, MakeColormap(look.Colormap, range), name, steps);
+      AddScalarBar(renderer, MakeColormap(look.Colormap, range), name, steps);
     }
   });
   if (look.ScalarBar && bars != 1)
@@ -347,17 +347,49 @@ void SetColors(const Scene& scene, const LookChoice& look, bool mapped)
 }
 
 //------------------------------------------------------------------------------
-void SetLook(Scene& scene, const RenderOptions& options)
+void SetShading(vtkRenderer* renderer, Shading kind)
 {
-  LookChoice look = options.Look;
-  if (scene.Arrays.count(look.ColorByAsGiven))
+  vtkActorCollection* actors = renderer->GetActors();
+  vtkCollectionSimpleIterator place;
+  actors->InitTraversal(place);
+  while (vtkActor* actor = actors->GetNextActor(place))
+  {
+    switch (kind)
+    {
+      case Shading::Flat:
+        actor->GetProperty()->SetInterpolationToFlat();
+        break;
+      case Shading::Gouraud:
+        actor->GetProperty()->SetInterpolationToGouraud();
+        break;
+      case Shading::Phong:
+        actor->GetProperty()->SetInterpolationToPhong();
+        break;
+      case Shading::PBR:
+        actor->GetProperty()->SetInterpolationToPBR();
+        if (vtkTexture* texture = actor->GetTexture()) // which PBR does not look at
+        {
+          texture->UseSRGBColorSpaceOn();
+          actor->GetProperty()->SetBaseColorTexture(texture);
+        }
+        break;
+      case Shading::FromFile:
+        break;
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void SetLook(vtkRenderer* renderer, LookChoice look, const ArrayNames& arrays, bool mapped)
+{
+  if (arrays.Names.count(look.ColorByAsGiven))
   {
     // What looks like a component belongs to the name.
     look.ColorBy = look.ColorByAsGiven;
     look.Component.reset();
     look.Magnitude = false;
   }
-  else if (scene.Arrays.count(look.ColorBy) == 0 && scene.Placed.count(look.ColorBy))
+  else if (arrays.Names.count(look.ColorBy) == 0 && arrays.Placed.count(look.ColorBy))
   {
     const std::size_t colon = look.ColorBy.find(':');
     look.Place = look.ColorBy[0] == 'p' ? LookChoice::OfPoints : LookChoice::OfCells;
@@ -367,13 +399,13 @@ void SetLook(Scene& scene, const RenderOptions& options)
   {
     const Color& bottom = look.Background.front();
     const Color& top = look.Background.back();
-    scene.Renderer->SetBackground(bottom[0], bottom[1], bottom[2]);
-    scene.Renderer->SetBackground2(top[0], top[1], top[2]);
-    scene.Renderer->SetGradientBackground(look.Background.size() > 1);
+    renderer->SetBackground(bottom[0], bottom[1], bottom[2]);
+    renderer->SetBackground2(top[0], top[1], top[2]);
+    renderer->SetGradientBackground(look.Background.size() > 1);
   }
-  SetColors(scene, look, !options.NormalMap.empty() || !options.HeightMap.empty());
+  SetColors(renderer, look, arrays, mapped);
   bool translucent = false;
-  ForEachActor(scene.Renderer, [&](vtkActor* actor) {
+  ForEachActor(renderer, [&](vtkActor* actor) {
     vtkProperty* property = actor->GetProperty();
     if (look.Solid || !look.ColorBy.empty())
     {
@@ -403,11 +435,11 @@ void SetLook(Scene& scene, const RenderOptions& options)
       property->SetEdgeColor(0.1, 0.1, 0.1);
     }
   });
-  ForEachVolume(scene.Renderer,
+  ForEachVolume(renderer,
     [&look](vtkImageData*, vtkVolume* volume) { SetVolumeOpacity(volume, look.Opacity); });
   if (translucent)
   {
-    scene.Renderer->UseDepthPeelingOn();
+    renderer->UseDepthPeelingOn();
   }
 }
 }

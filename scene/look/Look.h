@@ -6,14 +6,21 @@
 #ifndef Look_h
 #define Look_h
 
+#include "LookOptions.h"
+
+class vtkRenderer;
+
 namespace scene
 {
-struct RenderOptions;
-struct Scene;
+struct ArrayNames;
 
-/// Colours, edges, opacity, background, colour bar. Throws WorkError if nothing that is drawn has
+/// How the surfaces of all actors are shaded.
+void SetShading(vtkRenderer* renderer, Shading kind);
+
+/// Colours, edges, opacity, background, colour bar. `arrays`: those of what is shown; `mapped`:
+/// whether surfaces have a normal map or heights. Throws UsageError if nothing that is drawn has
 /// the array to colour by, or not so many components.
-void SetLook(Scene& scene, const RenderOptions& options);
+void SetLook(vtkRenderer* renderer, LookChoice look, const ArrayNames& arrays, bool mapped);
 }
 
 #endif

@@ -4,7 +4,6 @@
 
 #include "Colormaps.h"
 #include "Errors.h"
-#include "Options.h"
 #include "Values.h"
 
 #include "vtkRelievoColorWords.h"
@@ -44,9 +43,8 @@ Color ParseColor(const std::string& option, const std::string& word)
 }
 
 //------------------------------------------------------------------------------
-void TakeColorBy(RenderOptions& options, const std::string& word)
+void TakeColorBy(LookChoice& look, const std::string& word)
 {
-  LookChoice& look = options.Look;
   look.ColorBy = look.ColorByAsGiven = word;
   // An array's name may hold commas.
   const std::string::size_type comma = word.rfind(',');
@@ -69,12 +67,12 @@ void TakeColorBy(RenderOptions& options, const std::string& word)
 }
 
 //------------------------------------------------------------------------------
-void TakeRange(RenderOptions& options, const std::string& word)
+void TakeRange(LookChoice& look, const std::string& word)
 {
-  options.Look.Symmetric = word == "symmetric";
-  if (options.Look.Symmetric)
+  look.Symmetric = word == "symmetric";
+  if (look.Symmetric)
   {
-    options.Look.Range.reset();
+    look.Range.reset();
     return;
   }
   const std::vector<double> n = ParseNumbers("--range", word, 2, "MIN,MAX or symmetric");
@@ -82,41 +80,41 @@ void TakeRange(RenderOptions& options, const std::string& word)
   {
     RefuseValue("--range", word, "MIN,MAX with MIN < MAX");
   }
-  options.Look.Range = { n[0], n[1] };
+  look.Range = { n[0], n[1] };
 }
 
 //------------------------------------------------------------------------------
-void TakeColormap(RenderOptions& options, const std::string& word)
+void TakeColormap(LookChoice& look, const std::string& word)
 {
   CheckColormap(word);
-  options.Look.Colormap = word;
+  look.Colormap = word;
 }
 
 //------------------------------------------------------------------------------
-void TakeColor(RenderOptions& options, const std::string& word)
+void TakeColor(LookChoice& look, const std::string& word)
 {
-  options.Look.Solid = ParseColor("--color", word);
+  look.Solid = ParseColor("--color", word);
 }
 
 //------------------------------------------------------------------------------
-void TakeOpacity(RenderOptions& options, const std::string& word)
+void TakeOpacity(LookChoice& look, const std::string& word)
 {
-  options.Look.Opacity = ParseNumberFrom("--opacity", word, 0.0, 1.0);
+  look.Opacity = ParseNumberFrom("--opacity", word, 0.0, 1.0);
 }
 
 //------------------------------------------------------------------------------
-void TakePointSize(RenderOptions& options, const std::string& word)
+void TakePointSize(LookChoice& look, const std::string& word)
 {
   const double size = ParseNumbers("--point-size", word, 1, "PIXELS")[0];
   if (size < 1.0 || size > MostPointSize)
   {
     RefuseValue("--point-size", word, "a number of pixels from 1 to 100");
   }
-  options.Look.PointSize = size;
+  look.PointSize = size;
 }
 
 //------------------------------------------------------------------------------
-void TakeScaleBar(RenderOptions& options, const std::string& word)
+void TakeScaleBar(LookChoice& look, const std::string& word)
 {
   const std::string mark = ",length=";
   const std::string unit = word.substr(0, word.find(','));
@@ -128,32 +126,31 @@ void TakeScaleBar(RenderOptions& options, const std::string& word)
     RefuseValue("--scale-bar", word,
       "a unit in a few letters, such as mm, or none, and by choice behind it ,length=LENGTH");
   }
-  options.Look.ScaleBar = unit == "none" ? "" : unit;
-  options.Look.ScaleBarLength = rest.empty()
+  look.ScaleBar = unit == "none" ? "" : unit;
+  look.ScaleBarLength = rest.empty()
     ? 0.0
     : ParseNumberBetween("--scale-bar length", rest.substr(mark.size()), 0.0,
         std::numeric_limits<double>::infinity());
 }
 
 //------------------------------------------------------------------------------
-void TakeBackground(RenderOptions& options, const std::string& word)
+void TakeBackground(LookChoice& look, const std::string& word)
 {
   const std::vector<std::string> parts = Split(word, ',');
   if (parts.size() > 2)
   {
     RefuseValue("--background", word, "COLOR, or COLOR,COLOR for the bottom and the top");
   }
-  options.Look.Background.clear();
+  look.Background.clear();
   for (const std::string& part : parts)
   {
-    options.Look.Background.push_back(ParseColor("--background", part));
+    look.Background.push_back(ParseColor("--background", part));
   }
 }
 
 //------------------------------------------------------------------------------
-void CheckLookOptions(const RenderOptions& options, const std::set<std::string>& given)
+void CheckLookOptions(const LookChoice& look, const std::set<std::string>& given)
 {
-  const LookChoice& look = options.Look;
   if (Colormap::Parse(look.Colormap).Log &&
     (look.Symmetric || (look.Range && (*look.Range)[0] <= 0.0)))
   {
@@ -161,7 +158,7 @@ void CheckLookOptions(const RenderOptions& options, const std::set<std::string>&
       (look.Symmetric ? "give no --range symmetric as well"
                       : "give a --range that begins above 0"));
   }
-  if (options.Look.Solid)
+  if (look.Solid)
   {
     for (const char* option : { "--color-by", "--colormap", "--range", "--scalar-bar" })
     {

@@ -15,7 +15,16 @@
 
 namespace scene
 {
-struct RenderOptions;
+
+/// FromFile: phong, except that a glTF file keeps the shading of its own materials.
+enum class Shading
+{
+  FromFile,
+  Flat,
+  Gouraud,
+  Phong,
+  PBR
+};
 
 using Color = std::array<double, 3>; ///< as displays show it, 0 to 1
 
@@ -49,19 +58,19 @@ struct LookChoice
   std::vector<Color> Background;       ///< none: VTK's; two: bottom and top
 };
 
-void TakeColorBy(RenderOptions& options, const std::string& word);
-void TakeRange(RenderOptions& options, const std::string& word);
-void TakeColormap(RenderOptions& options, const std::string& word);
-void TakeColor(RenderOptions& options, const std::string& word);
-void TakeOpacity(RenderOptions& options, const std::string& word);
-void TakePointSize(RenderOptions& options, const std::string& word);
-void TakeScaleBar(RenderOptions& options, const std::string& word);
-void TakeBackground(RenderOptions& options, const std::string& word);
+void TakeColorBy(LookChoice& look, const std::string& word);
+void TakeRange(LookChoice& look, const std::string& word);
+void TakeColormap(LookChoice& look, const std::string& word);
+void TakeColor(LookChoice& look, const std::string& word);
+void TakeOpacity(LookChoice& look, const std::string& word);
+void TakePointSize(LookChoice& look, const std::string& word);
+void TakeScaleBar(LookChoice& look, const std::string& word);
+void TakeBackground(LookChoice& look, const std::string& word);
 
 /// "#rrggbb", "R/G/B" from 0 to 1, or a name of HTML's.
 Color ParseColor(const std::string& option, const std::string& word);
 
-void CheckLookOptions(const RenderOptions& options, const std::set<std::string>& given);
+void CheckLookOptions(const LookChoice& look, const std::set<std::string>& given);
 }
 
 #endif

@@ -264,7 +264,7 @@ void ApplyPreset(RenderOptions& options, const std::set<std::string>& given)
   {
     options.Look.PointSize = PointSize;
   }
-  options.ViewFrom = ThreeQuarter;
+  options.View.From = ThreeQuarter;
   options.FindsUp = given.count("--up") == 0;
   const int samples = options.Image.Is == ImageChoice::Kind::Volume ? SamplesOfVolumes : Samples;
   const auto smooths = [](const StageChoice& stage) { return stage.Name == "antialias"; };

@@ -5,8 +5,6 @@
 #include "Environment.h"
 #include "Errors.h"
 #include "Images.h"
-#include "Options.h"
-#include "Scene.h"
 #include "SurfaceOptions.h"
 
 #include "vtkActor.h"
@@ -33,19 +31,19 @@ namespace
 constexpr double DefaultDepth = 0.02;
 
 //------------------------------------------------------------------------------
-void SetHeights(vtkRelievoMaterial* material, vtkRenderer* renderer, const RenderOptions& options,
+void SetHeights(vtkRelievoMaterial* material, vtkRenderer* renderer, const SurfaceChoice& surface,
   Progress& progress)
 {
   double bounds[6];
   renderer->ComputeVisiblePropBounds(bounds);
   const double longest =
     std::max({ bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4] });
-  material->SetHeightMap(ReadImage(options.HeightMap, progress));
-  material->SetHeightScale(options.HeightScale.value_or(DefaultDepth * longest));
-  material->SetParameter("relief_method", options.ReliefMethod);
+  material->SetHeightMap(ReadImage(surface.HeightMap, progress));
+  material->SetHeightScale(surface.HeightScale.value_or(DefaultDepth * longest));
+  material->SetParameter("relief_method", surface.ReliefMethod);
   for (const char* name : { "depth_correction", "self_shadow" })
   {
-    material->SetParameter(name, GetSurfaceValue(options, name));
+    material->SetParameter(name, GetSurfaceValue(surface, name));
   }
 }
 
@@ -66,13 +64,13 @@ vtkSmartPointer<vtkImageData> ReadNormals(const std::string& path, Progress& pro
 //------------------------------------------------------------------------------
 // `own`: of a model that brings a normal map, which stays where the words name none; or null.
 vtkSmartPointer<vtkRelievoMaterial> MakeMaterial(vtkRelievoMaterial* own,
-  vtkRelievoEnvironment* environment, vtkRenderer* renderer, const RenderOptions& options,
-  Progress& progress)
+  vtkRelievoEnvironment* environment, vtkRenderer* renderer, const SurfaceChoice& surface,
+  bool opaque, Progress& progress)
 {
   auto material = vtkSmartPointer<vtkRelievoMaterial>::New();
-  if (!options.NormalMap.empty())
+  if (!surface.NormalMap.empty())
   {
-    material->SetNormalMap(ReadNormals(options.NormalMap, progress));
+    material->SetNormalMap(ReadNormals(surface.NormalMap, progress));
   }
   else if (own)
   {
@@ -80,21 +78,21 @@ vtkSmartPointer<vtkRelievoMaterial> MakeMaterial(vtkRelievoMaterial* own,
     material->SetNormalStrength(own->GetNormalStrength());
     material->SetRepeat(own->GetRepeat());
   }
-  if (own && options.Look.Opacity >= 1.0) // else VTK draws the holes, and the rest see-through
+  if (own && opaque) // else VTK draws the holes, and the rest see-through
   {
     material->SetAlphaCutoff(own->GetAlphaCutoff());
   }
-  if (!options.HeightMap.empty())
+  if (!surface.HeightMap.empty())
   {
-    SetHeights(material, renderer, options, progress);
+    SetHeights(material, renderer, surface, progress);
   }
   if (environment)
   {
     material->SetEnvironment(environment);
-    material->SetReflectivity(options.Reflectivity);
-    material->SetRoughness(options.Roughness);
+    material->SetReflectivity(surface.Reflectivity);
+    material->SetRoughness(surface.Roughness);
   }
-  for (const auto& [name, words] : options.Material)
+  for (const auto& [name, words] : surface.Material)
   {
     material->SetParameter(name, words);
   }
@@ -103,35 +101,34 @@ vtkSmartPointer<vtkRelievoMaterial> MakeMaterial(vtkRelievoMaterial* own,
 }
 
 //------------------------------------------------------------------------------
-void CheckSurface(const RenderOptions& options)
+void CheckSurface(const SurfaceChoice& surface)
 {
   for (const auto& [option, path] :
-    { std::pair<const char*, std::string>("--normal-map", options.NormalMap),
-      std::pair<const char*, std::string>("--height-map", options.HeightMap) })
+    { std::pair<const char*, std::string>("--normal-map", surface.NormalMap),
+      std::pair<const char*, std::string>("--height-map", surface.HeightMap),
+      std::pair<const char*, std::string>("--environment", surface.Environment) })
   {
     if (!path.empty())
     {
       CheckImage(option, path);
     }
   }
-  CheckEnvironment(options);
 }
 
 //------------------------------------------------------------------------------
-void SetSurface(const Scene& scene, const RenderOptions& options, Progress& progress)
+void SetSurface(vtkRenderer* renderer, const std::vector<vtkActor*>& without,
+  const SurfaceChoice& surface, int up, bool opaque, Progress& progress)
 {
-  const bool plain = options.NormalMap.empty() && options.HeightMap.empty() &&
-    options.Environment.empty() && options.Material.empty();
-  if (plain && options.Look.Opacity >= 1.0)
+  const bool plain = !surface.IsMapped() && surface.Environment.empty() && surface.Material.empty();
+  if (plain && opaque)
   {
     return;
   }
-  vtkRenderer* renderer = scene.Renderer;
   vtkSmartPointer<vtkRelievoEnvironment> environment;
-  if (!options.Environment.empty())
+  if (!surface.Environment.empty())
   {
-    environment = ReadEnvironment(options, progress);
-    if (options.Skybox)
+    environment = ReadEnvironment(surface, up, progress);
+    if (surface.Skybox)
     {
       ShowSky(renderer, environment);
     }
@@ -142,7 +139,7 @@ void SetSurface(const Scene& scene, const RenderOptions& options, Progress& prog
   actors->InitTraversal(it);
   while (vtkActor* actor = actors->GetNextActor(it))
   {
-    if (actor == scene.Ground || (scene.Grid && actor == scene.Grid->GetLines()))
+    if (std::find(without.begin(), without.end(), actor) != without.end())
     {
       continue;
     }
@@ -154,7 +151,7 @@ void SetSurface(const Scene& scene, const RenderOptions& options, Progress& prog
     vtkSmartPointer<vtkRelievoMaterial>& material = materials[own];
     if (!material)
     {
-      material = MakeMaterial(own, environment, renderer, options, progress);
+      material = MakeMaterial(own, environment, renderer, surface, opaque, progress);
     }
     material->Attach(actor);
   }

@@ -6,17 +6,24 @@
 #ifndef Surface_h
 #define Surface_h
 
+#include <vector>
+
+class vtkActor;
+class vtkRenderer;
+
 namespace scene
 {
 class Progress;
-struct RenderOptions;
-struct Scene;
+struct SurfaceChoice;
 
 /// Throws UsageError or WorkError for a file that is no image, or cannot be opened.
-void CheckSurface(const RenderOptions& options);
+void CheckSurface(const SurfaceChoice& surface);
 
-/// Puts maps and environment on every actor but the grid. Throws WorkError with the file's name.
-void SetSurface(const Scene& scene, const RenderOptions& options, Progress& progress);
+/// Puts maps and environment on every actor but those of `without`, some of which may be null.
+/// `up`: the axis that points up; `opaque`: no option makes surfaces translucent. Throws WorkError
+/// with the file's name.
+void SetSurface(vtkRenderer* renderer, const std::vector<vtkActor*>& without,
+  const SurfaceChoice& surface, int up, bool opaque, Progress& progress);
 }
 
 #endif

@@ -3,11 +3,6 @@
 #include "SurfaceOptions.h"
 
 #include "Errors.h"
-#include "Numbers.h"
-#include "Options.h"
-#include "Settings.h"
-#include "ShadowOptions.h"
-#include "Values.h"
 
 #include "vtkNew.h"
 #include "vtkRelievoEnvironment.h"
@@ -87,19 +82,6 @@ vtkRelievoParameterList TakeOthers(const vtkRelievoParameterList& all,
   return others;
 }
 
-void SetMaterial(Settings& settings, const NamedWords& values)
-{
-  values.empty() ? settings.Remove("--material")
-                 : settings.Set("--material", WriteNamedWords(values));
-}
-
-void SetEnvironment(
-  Settings& settings, const std::string& file, double rotation, const NamedWords& values)
-{
-  settings.Set("--environment",
-    WriteFileAndNumber(file, rotation) + (values.empty() ? "" : "," + WriteNamedWords(values)));
-}
-
 // Of the word of --environment: behind the file and a number.
 NamedWords TakeValuesBehind(std::string& word)
 {
@@ -138,48 +120,33 @@ const vtkRelievoParameterList& GetEnvironmentValues()
 }
 
 //------------------------------------------------------------------------------
-std::string GetSurfaceValue(const RenderOptions& options, const std::string& name)
+std::string GetSurfaceValue(const SurfaceChoice& surface, const std::string& name)
 {
   const bool ofMaterial = GetMaterialValues().Find(name) != nullptr;
   const std::string given =
-    FindWords(ofMaterial ? options.Material : options.EnvironmentValues, name);
+    FindWords(ofMaterial ? surface.Material : surface.EnvironmentValues, name);
   if (!given.empty())
   {
     return given;
   }
   if (name == "self_shadow")
   {
-    return ShowsShadows(options) ? "on" : "off";
+    return surface.Shadowed ? "on" : "off";
   }
   return (ofMaterial ? GetMaterialValues() : GetEnvironmentValues()).GetDefault(name);
 }
 
 //------------------------------------------------------------------------------
-void SetSurfaceValue(Settings& settings, const std::string& name, const std::string& words)
-{
-  RenderOptions options = settings.Parse();
-  if (GetMaterialValues().Find(name))
-  {
-    SetWords(options.Material, name, words);
-    SetMaterial(settings, options.Material);
-    return;
-  }
-  SetWords(options.EnvironmentValues, name, words);
-  SetEnvironment(
-    settings, options.Environment, options.EnvironmentRotation, options.EnvironmentValues);
-}
-
-//------------------------------------------------------------------------------
 std::optional<vtkRelievoParameter::Condition> FindFailing(
-  const RenderOptions& options, const vtkRelievoParameter& value)
+  const SurfaceChoice& surface, const vtkRelievoParameter& value)
 {
   for (const vtkRelievoParameter::Condition& condition : value.GetConditions())
   {
     const std::string& name = condition.Name;
-    const std::string words = name == "height_map" ? options.HeightMap
-      : name == "environment"                      ? options.Environment
-      : name == "relief_method"                    ? options.ReliefMethod
-                                                   : GetSurfaceValue(options, name);
+    const std::string words = name == "height_map" ? surface.HeightMap
+      : name == "environment"                      ? surface.Environment
+      : name == "relief_method"                    ? surface.ReliefMethod
+                                                   : GetSurfaceValue(surface, name);
     const bool holds =
       condition.Value.empty() ? !words.empty() : (words == condition.Value) != condition.Other;
     if (!holds)
@@ -191,52 +158,10 @@ std::optional<vtkRelievoParameter::Condition> FindFailing(
 }
 
 //------------------------------------------------------------------------------
-void SetEnvironmentFile(Settings& settings, const std::string& file, double rotation)
+void TakeMaterial(SurfaceChoice& surface, const std::string& word)
 {
-  if (file.empty())
-  {
-    settings.Remove("--environment");
-    return;
-  }
-  std::string before = settings.Get("--environment");
-  SetEnvironment(settings, file, rotation, TakeValuesBehind(before));
-}
-
-//------------------------------------------------------------------------------
-void DropIdleSurface(Settings& settings)
-{
-  RenderOptions options;
-  options.NormalMap = settings.Get("--normal-map");
-  options.HeightMap = settings.Get("--height-map");
-  options.Environment = settings.Get("--environment");
-  const auto dropUnless = [&settings](bool needed, const char* option) {
-    needed ? void() : settings.Remove(option);
-  };
-  dropUnless(!options.HeightMap.empty(), "--relief");
-  dropUnless(!options.HeightMap.empty() || !options.NormalMap.empty(), "--texture-coordinates");
-  dropUnless(!options.Environment.empty(), "--reflectivity");
-  dropUnless(!options.Environment.empty(), "--skybox");
-  if (settings.Has("--relief"))
-  {
-    options.ReliefMethod = settings.Get("--relief");
-  }
-  if (settings.Has("--material"))
-  {
-    TakeMaterial(options, settings.Get("--material"));
-    NamedWords kept;
-    std::copy_if(options.Material.begin(), options.Material.end(), std::back_inserter(kept),
-      [&options](const auto& given) {
-        return !FindFailing(options, *GetMaterialValues().Find(given.first));
-      });
-    SetMaterial(settings, kept);
-  }
-}
-
-//------------------------------------------------------------------------------
-void TakeMaterial(RenderOptions& options, const std::string& word)
-{
-  options.Material = ParseNamedWords("--material", SplitEscaped(word, ','), MaterialForm);
-  CheckValues("--material", GetMaterialValues(), options.Material);
+  surface.Material = ParseNamedWords("--material", SplitEscaped(word, ','), MaterialForm);
+  CheckValues("--material", GetMaterialValues(), surface.Material);
 }
 
 //------------------------------------------------------------------------------
@@ -246,34 +171,34 @@ const std::vector<std::string>& GetReliefMethods()
 }
 
 //------------------------------------------------------------------------------
-void TakeHeightMap(RenderOptions& options, const std::string& word)
+void TakeHeightMap(SurfaceChoice& surface, const std::string& word)
 {
-  options.HeightMap = word;
-  const std::string scale = TakeNumberBehind(options.HeightMap);
-  if (options.HeightMap != word)
+  surface.HeightMap = word;
+  const std::string scale = TakeNumberBehind(surface.HeightMap);
+  if (surface.HeightMap != word)
   {
-    options.HeightScale = ParseNumberBetween(
+    surface.HeightScale = ParseNumberBetween(
       "--height-map " + word, scale, 0.0, std::numeric_limits<double>::infinity());
   }
 }
 
 //------------------------------------------------------------------------------
-void TakeEnvironment(RenderOptions& options, const std::string& word)
+void TakeEnvironment(SurfaceChoice& surface, const std::string& word)
 {
-  options.Environment = word;
-  options.EnvironmentValues = TakeValuesBehind(options.Environment);
-  CheckValues("--environment", GetEnvironmentValues(), options.EnvironmentValues);
-  const std::string path = options.Environment;
-  const std::string degrees = TakeNumberBehind(options.Environment);
-  if (options.Environment != path)
+  surface.Environment = word;
+  surface.EnvironmentValues = TakeValuesBehind(surface.Environment);
+  CheckValues("--environment", GetEnvironmentValues(), surface.EnvironmentValues);
+  const std::string path = surface.Environment;
+  const std::string degrees = TakeNumberBehind(surface.Environment);
+  if (surface.Environment != path)
   {
-    options.EnvironmentRotation =
+    surface.EnvironmentRotation =
       ParseNumbers("--environment " + word, degrees, 1, "degrees of rotation")[0];
   }
 }
 
 //------------------------------------------------------------------------------
-void TakeReflectivity(RenderOptions& options, const std::string& word)
+void TakeReflectivity(SurfaceChoice& surface, const std::string& word)
 {
   const bool both = word.find(',') != std::string::npos;
   const std::vector<double> n =
@@ -282,27 +207,26 @@ void TakeReflectivity(RenderOptions& options, const std::string& word)
   {
     RefuseValue("--reflectivity", word, "R[,ROUGHNESS], both from 0 to 1");
   }
-  options.Reflectivity = n[0];
-  options.Roughness = both ? n[1] : options.Roughness;
+  surface.Reflectivity = n[0];
+  surface.Roughness = both ? n[1] : surface.Roughness;
 }
 
 //------------------------------------------------------------------------------
-void CheckSurfaceOptions(const RenderOptions& options, const std::set<std::string>& given)
+void CheckSurfaceOptions(const SurfaceChoice& surface, const std::set<std::string>& given)
 {
-  if (given.count("--relief") && options.HeightMap.empty())
+  if (given.count("--relief") && surface.HeightMap.empty())
   {
     throw UsageError("--relief: there are no heights: give --height-map F as well");
   }
-  if (given.count("--texture-coordinates") && options.NormalMap.empty() &&
-    options.HeightMap.empty())
+  if (given.count("--texture-coordinates") && !surface.IsMapped())
   {
     throw UsageError(
       "--texture-coordinates: there is nothing to place by them: give --normal-map F "
       "or --height-map F as well");
   }
-  for (const auto& [name, words] : options.Material)
+  for (const auto& [name, words] : surface.Material)
   {
-    const auto failing = FindFailing(options, *GetMaterialValues().Find(name));
+    const auto failing = FindFailing(surface, *GetMaterialValues().Find(name));
     if (failing && failing->Value.empty())
     {
       throw UsageError("--material " + name + ": there is " +
@@ -312,16 +236,16 @@ void CheckSurfaceOptions(const RenderOptions& options, const std::set<std::strin
     if (failing)
     {
       throw UsageError("--material " + name + ": got '" + words + "' with --relief " +
-        options.ReliefMethod + ", expected it " +
+        surface.ReliefMethod + ", expected it " +
         (failing->Other ? "with another method" : "with --relief " + failing->Value));
     }
   }
   for (const char* option : { "--skybox", "--reflectivity" })
   {
-    if (given.count(option) && options.Environment.empty())
+    if (given.count(option) && surface.Environment.empty())
     {
       throw UsageError(std::string(option) +
-        (options.Skybox ? ": there is no environment to show" : ": there is nothing to mirror") +
+        (surface.Skybox ? ": there is no environment to show" : ": there is nothing to mirror") +
         ": give --environment F as well");
     }
   }

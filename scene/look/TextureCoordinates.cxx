@@ -4,7 +4,7 @@
 
 #include "DataSets.h"
 #include "Messages.h"
-#include "Options.h"
+#include "SurfaceOptions.h"
 
 #include "vtkActor.h"
 #include "vtkCompositeDataIterator.h"
@@ -28,8 +28,7 @@ bool NeedsTextureCoordinates(vtkDataObject* data)
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkPolyData> WithTextureCoordinates(
-  vtkDataObject* data, const RenderOptions& options)
+vtkSmartPointer<vtkPolyData> WithTextureCoordinates(vtkDataObject* data, Mapping mapping, int up)
 {
   vtkSmartPointer<vtkPolyData> mesh = vtkPolyData::SafeDownCast(data);
   if (mesh->GetNumberOfStrips() > 0)
@@ -45,8 +44,8 @@ vtkSmartPointer<vtkPolyData> WithTextureCoordinates(
     vtkRelievoTextureCoordinates::PLANE, vtkRelievoTextureCoordinates::SPHERE };
   vtkNew<vtkRelievoTextureCoordinates> filter;
   filter->SetInputData(mesh);
-  filter->SetMapping(mappings[static_cast<int>(options.TextureMapping.value_or(Mapping::Box))]);
-  filter->SetUp(options.UpAxis);
+  filter->SetMapping(mappings[static_cast<int>(mapping)]);
+  filter->SetUp(up);
   filter->Update();
   mesh = filter->GetOutput();
   mesh->GetPointData()->RemoveArray("vtkOriginalPointIds");
@@ -55,7 +54,8 @@ vtkSmartPointer<vtkPolyData> WithTextureCoordinates(
 }
 
 //------------------------------------------------------------------------------
-void AddTextureCoordinates(vtkActor* actor, const RenderOptions& options, const std::string& path)
+void AddTextureCoordinates(
+  vtkActor* actor, const std::optional<Mapping>& chosen, int up, const std::string& path)
 {
   vtkMapper* mapper = actor->GetMapper();
   if (!mapper)
@@ -71,6 +71,7 @@ void AddTextureCoordinates(vtkActor* actor, const RenderOptions& options, const 
   {
     return;
   }
+  const Mapping mapping = chosen.value_or(Mapping::Box);
   if (vtkCompositeDataSet* blocks = vtkCompositeDataSet::SafeDownCast(data))
   {
     vtkSmartPointer<vtkCompositeDataSet> copy;
@@ -83,16 +84,16 @@ void AddTextureCoordinates(vtkActor* actor, const RenderOptions& options, const 
       vtkDataObject* block = it->GetCurrentDataObject();
       if (NeedsTextureCoordinates(block))
       {
-        copy->SetDataSet(it, WithTextureCoordinates(block, options));
+        copy->SetDataSet(it, WithTextureCoordinates(block, mapping, up));
       }
     }
     mapper->SetInputDataObject(copy);
   }
   else
   {
-    mapper->SetInputDataObject(WithTextureCoordinates(data, options));
+    mapper->SetInputDataObject(WithTextureCoordinates(data, mapping, up));
   }
-  if (!options.TextureMapping)
+  if (!chosen)
   {
     Messages::Note(path +
       ": a mesh has no texture coordinates; maps are laid on it as on a box "

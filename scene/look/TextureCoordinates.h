@@ -6,17 +6,20 @@
 #ifndef TextureCoordinates_h
 #define TextureCoordinates_h
 
+#include <optional>
 #include <string>
 
 class vtkActor;
 
 namespace scene
 {
-struct RenderOptions;
+enum class Mapping;
 
 /// Gives the meshes of the actor, which are of the file `path`, texture coordinates where they have
-/// polygons and none. If the options do not say how, as a box, and that is noted.
-void AddTextureCoordinates(vtkActor* actor, const RenderOptions& options, const std::string& path);
+/// polygons and none; `up`: the axis that points up. If nothing is chosen, as a box, and that is
+/// noted.
+void AddTextureCoordinates(
+  vtkActor* actor, const std::optional<Mapping>& chosen, int up, const std::string& path);
 }
 
 #endif
