@@ -29,8 +29,8 @@
 #define vtkRelievoDatasetWriter_h
 
 #include "vtkObject.h"
+#include "vtkRelievoDatasetModule.h"   // for the export macro
 #include "vtkRelievoParametersMacro.h" // for the parameters by name
-#include "vtkRelievoSceneModule.h"     // for the export macro
 #include "vtkRelievoText.h"            // for names that are given
 
 #include <functional> // for work that may fail
@@ -40,7 +40,7 @@
 class vtkRelievoCameraModel;
 class vtkRenderer;
 
-class VTKRELIEVOSCENE_EXPORT vtkRelievoDatasetWriter : public vtkObject
+class VTKRELIEVODATASET_EXPORT vtkRelievoDatasetWriter : public vtkObject
 {
 public:
   static vtkRelievoDatasetWriter* New();

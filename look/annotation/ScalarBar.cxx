@@ -24,7 +24,7 @@ namespace scene
 namespace
 {
 constexpr int Labels = 5;
-constexpr int MostSteps = 13; // where colours change
+constexpr int MostWrittenSteps = 13; // where colours change
 constexpr int MostDecades = 8;
 constexpr double Width = 0.1;        // of the picture's, as all below
 constexpr double Right = 0.97;       // of the bar at the most
@@ -106,7 +106,7 @@ void AddScalarBar(
   bar->SetTitle(title.c_str());
   const int height = renderer->GetSize()[1] > 0 ? renderer->GetSize()[1] : 768;
   const bool log = map->GetScale() == VTK_CTF_LOG10;
-  const int written = steps > 0 && steps < MostSteps ? steps : 0;
+  const int written = steps > 0 && steps < MostWrittenSteps ? steps : 0;
   const std::vector<double> labels = log
     ? ListLogValues(map->GetRange(), written)
     : ListValues(map->GetRange(), written > 0 ? written + 1 : Labels);

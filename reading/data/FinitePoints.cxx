@@ -27,7 +27,7 @@ namespace
 constexpr double Furthest = 1e18;
 constexpr double Smallest = 1e-18;
 
-struct Count
+struct LeftOut
 {
   vtkIdType Points = 0;
   vtkIdType AllPoints = 0;
@@ -50,7 +50,7 @@ std::vector<vtkIdType> FindInfinite(vtkPoints* points)
 }
 
 //------------------------------------------------------------------------------
-void RemoveCells(vtkPolyData* mesh, const std::vector<vtkIdType>& infinite, Count& count)
+void RemoveCells(vtkPolyData* mesh, const std::vector<vtkIdType>& infinite, LeftOut& count)
 {
   vtkNew<vtkPoints> points;
   points->SetDataType(mesh->GetPoints()->GetDataType());
@@ -98,7 +98,7 @@ std::string Plural(vtkIdType count, const char* noun)
 //------------------------------------------------------------------------------
 vtkSmartPointer<vtkDataObject> LeaveOutInfinite(vtkDataObject* surface, const std::string& path)
 {
-  Count count;
+  LeftOut count;
   ForEachDataSet(surface, [&count](vtkDataSet* block) {
     vtkPolyData* mesh = vtkPolyData::SafeDownCast(block);
     count.AllPoints += mesh ? mesh->GetNumberOfPoints() : 0;

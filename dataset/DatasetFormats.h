@@ -33,7 +33,7 @@ struct DatasetStyle
 };
 
 /// A format: what it needs of views, and the files of a view and of all views. Each has a file of
-/// its own in formats/ and a word in scene/CMakeLists.txt.
+/// its own in formats/ and a word in dataset/CMakeLists.txt.
 class DatasetFormat
 {
 public:

@@ -19,15 +19,15 @@
 #define vtkRelievoScaleBar_h
 
 #include "vtkActor2D.h"
-#include "vtkRelievoSceneModule.h" // for the export macro
-#include "vtkRelievoText.h"        // for texts
+#include "vtkRelievoLookModule.h" // for the export macro
+#include "vtkRelievoText.h"       // for texts
 
 #include <memory> // for the internals
 #include <string> // for texts
 
 class vtkRenderer;
 
-class VTKRELIEVOSCENE_EXPORT vtkRelievoScaleBar : public vtkActor2D
+class VTKRELIEVOLOOK_EXPORT vtkRelievoScaleBar : public vtkActor2D
 {
 public:
   static vtkRelievoScaleBar* New();
