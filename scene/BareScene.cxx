@@ -3,6 +3,7 @@
 #include "BareScene.h"
 
 #include "Options.h"
+#include "ReadContext.h"
 #include "Surface.h"
 
 #include "vtkActorCollection.h"
@@ -184,9 +185,10 @@ void BareScene::Wear(const RenderOptions& options, Progress& progress)
   };
   try
   {
+    ReadContext context(progress, options.AllowedFolders);
     const Scene& scene = this->Read;
     SetSurface(scene.Renderer, { scene.Ground, scene.Grid ? scene.Grid->GetLines() : nullptr },
-      options.Surface, options.UpAxis, options.Look.Opacity >= 1.0, progress);
+      options.Surface, options.UpAxis, options.Look.Opacity >= 1.0, context);
     keepNew();
   }
   catch (...)

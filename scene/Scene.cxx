@@ -10,12 +10,12 @@
 #include "Ground.h"
 #include "Lights.h"
 #include "Look.h"
-#include "Messages.h"
 #include "Models.h"
 #include "Numbers.h"
 #include "ObjMaterials.h"
 #include "Options.h"
 #include "Progress.h"
+#include "ReadContext.h"
 #include "Readers.h"
 #include "TextureCoordinates.h"
 #include "UpAxis.h"
@@ -46,10 +46,10 @@ namespace scene
 namespace
 {
 // What was left out, by the notes on the file.
-std::string WhyNothing(const std::string& path)
+std::string WhyNothing(const std::string& path, ReadContext& context)
 {
   std::string why;
-  for (const std::string& note : Messages::TakeNotes())
+  for (const std::string& note : context.TakeNotes())
   {
     if (note.rfind(path + ": ", 0) == 0)
     {
@@ -172,7 +172,7 @@ void AddOwnLights(const PosedModel& model, vtkRenderer* renderer)
 //------------------------------------------------------------------------------
 // The surfaces to draw. Null: the renderer has a volume instead.
 vtkSmartPointer<vtkDataObject> ShowImage(vtkImageData* image, const ImageChoice& choice,
-  vtkRenderer* renderer, const std::string& path, Progress& progress)
+  vtkRenderer* renderer, const std::string& path, ReadContext& context)
 {
   using Kind = ImageChoice::Kind;
   const bool found = choice.Is == Kind::Found;
@@ -185,7 +185,7 @@ vtkSmartPointer<vtkDataObject> ShowImage(vtkImageData* image, const ImageChoice&
   {
     if (found)
     {
-      Messages::Note(path + ": holds labels, shown by their surfaces; --image box shows the image");
+      context.Note(path + ": holds labels, shown by their surfaces; --image box shows the image");
     }
     const std::string wrong = found ? "" : CheckLabels(image);
     if (!wrong.empty())
@@ -193,7 +193,7 @@ vtkSmartPointer<vtkDataObject> ShowImage(vtkImageData* image, const ImageChoice&
       throw WorkError(path + ": --image labels: " + wrong +
         "; --image surface shows where one is reached, --image volume all of them");
     }
-    return MakeLabelSurfaces(image, progress);
+    return MakeLabelSurfaces(image, context.GetProgress());
   }
   double range[2];
   image->GetPointData()->GetScalars()->GetFiniteRange(range);
@@ -210,15 +210,16 @@ vtkSmartPointer<vtkDataObject> ShowImage(vtkImageData* image, const ImageChoice&
   }
   if (found)
   {
-    Messages::Note(path + ": shown by the surface where its values are " + WriteNumber(value) +
+    context.Note(path + ": shown by the surface where its values are " + WriteNumber(value) +
       "; --image volume shows all of them, --image box the outer faces");
   }
-  return MakeIsosurface(image, value, progress);
+  return MakeIsosurface(image, value, context.GetProgress());
 }
 
 //------------------------------------------------------------------------------
 // Of data that --image, where it was asked for, does not change.
-void NoteIdleImage(vtkDataObject* data, const RenderOptions& options, const std::string& path)
+void NoteIdleImage(
+  vtkDataObject* data, const RenderOptions& options, const std::string& path, ReadContext& context)
 {
   using Kind = ImageChoice::Kind;
   const std::string extension = ExtensionOf(path);
@@ -227,7 +228,7 @@ void NoteIdleImage(vtkDataObject* data, const RenderOptions& options, const std:
     extension == ".vti" || extension == ".pvti" || options.Files.size() == 1; // not a mesh beside
   if (asked && concerns && !vtkImageData::SafeDownCast(data))
   {
-    Messages::Note(path +
+    context.Note(path +
       ": --image changed nothing: it shows images with depth and one value for each point or cell");
   }
 }
@@ -248,8 +249,9 @@ void WidenTimes(Scene& scene)
 }
 
 //------------------------------------------------------------------------------
-Scene ReadScene(const RenderOptions& options, Progress& progress)
+Scene ReadScene(const RenderOptions& options, ReadContext& context)
 {
+  Progress& progress = context.GetProgress();
   Scene scene;
   scene.Renderer = vtkSmartPointer<vtkRenderer>::New();
   RenderOptions known = options;
@@ -261,8 +263,7 @@ Scene ReadScene(const RenderOptions& options, Progress& progress)
     const int volumes = scene.Renderer->GetVolumes()->GetNumberOfItems();
     if (IsModel(path))
     {
-      scene.Models.push_back(
-        ReadModel(path, options.AllowedFolders, options.Model, smooth, progress));
+      scene.Models.push_back(ReadModel(path, options.Model, smooth, context));
       WidenTimes(scene);
       for (const PosedModel::Part& part : scene.Models.back().Parts)
       {
@@ -275,21 +276,20 @@ Scene ReadScene(const RenderOptions& options, Progress& progress)
     {
       scene.Dimensions.resize(scene.Counts.size() + 1);
       const bool images = options.Image.Is != ImageChoice::Kind::Box;
-      vtkSmartPointer<vtkDataObject> surface =
-        ReadSurface(path, options.AllowedFolders, smooth, images, progress);
+      vtkSmartPointer<vtkDataObject> surface = ReadSurface(path, smooth, images, context);
       progress.Begin("preparing " + path);
-      NoteIdleImage(surface, options, path);
+      NoteIdleImage(surface, options, path, context);
       if (auto* image = vtkImageData::SafeDownCast(surface))
       {
         image->GetDimensions(scene.Dimensions.back().data());
-        surface = ShowImage(image, options.Image, scene.Renderer, path, progress);
-        surface = surface ? MakeSurface(surface, smooth, path, progress) : nullptr;
+        surface = ShowImage(image, options.Image, scene.Renderer, path, context);
+        surface = surface ? MakeSurface(surface, smooth, path, context) : nullptr;
       }
-      auto parts = surface ? SplitByMaterials(surface, path, options.AllowedFolders, progress)
+      auto parts = surface ? SplitByMaterials(surface, path, context)
                            : std::vector<vtkSmartPointer<vtkActor>>();
       if (parts.empty() && surface)
       {
-        parts = DrawTextured(surface, path, options.AllowedFolders, progress);
+        parts = DrawTextured(surface, path, context);
       }
       for (vtkActor* actor : parts)
       {
@@ -316,19 +316,19 @@ Scene ReadScene(const RenderOptions& options, Progress& progress)
       AddArrayNames(actor, scene.Arrays);
       if (options.Surface.IsMapped())
       {
-        AddTextureCoordinates(actor, known.Surface.TextureMapping, known.UpAxis, path);
+        AddTextureCoordinates(actor, known.Surface.TextureMapping, known.UpAxis, path, context);
       }
       CheckReach(actor, path);
       shows = shows || vtkMath::AreBoundsInitialized(actor->GetBounds());
     }
-    Messages::Check(
-      path, !shows, shows ? "" : "holds nothing that can be drawn: " + WhyNothing(path));
+    context.Check(
+      path, !shows, shows ? "" : "holds nothing that can be drawn: " + WhyNothing(path, context));
   }
   scene.Renderer->ComputeVisiblePropBounds(scene.Bounds);
   if (const std::optional<double> stops = FindExposure(scene, options))
   {
-    Messages::Note("the files' lights, in lux and candela, are brighter than white: drawn with "
-                   "--exposure " +
+    context.Note("the files' lights, in lux and candela, are brighter than white: drawn with "
+                 "--exposure " +
       WriteNumber(std::round(100.0 * *stops) / 100.0) +
       ", which darkens the background too; give --exposure to choose it");
   }
@@ -401,15 +401,16 @@ void DressScene(Scene& scene, const RenderOptions& options)
 //------------------------------------------------------------------------------
 void PlayScene(Scene& scene, const RenderOptions& options, double time, Progress& progress)
 {
+  ReadContext context(progress);
   for (PosedModel& model : scene.Models)
   {
-    PlayModel(model, time, progress);
+    PlayModel(model, time, context);
     for (const PosedModel::Part& part : model.Parts)
     {
       if (options.Surface.IsMapped())
       {
         AddTextureCoordinates(
-          part.Actor, options.Surface.TextureMapping, options.UpAxis, model.Path);
+          part.Actor, options.Surface.TextureMapping, options.UpAxis, model.Path, context);
       }
       CheckReach(part.Actor, model.Path);
     }

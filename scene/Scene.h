@@ -22,6 +22,7 @@
 namespace scene
 {
 class Progress;
+class ReadContext;
 struct RenderOptions;
 
 struct Scene
@@ -42,7 +43,7 @@ struct Scene
 
 /// Reads every file. Throws WorkError with the name of the file that cannot be read or shows
 /// nothing.
-Scene ReadScene(const RenderOptions& options, Progress& progress);
+Scene ReadScene(const RenderOptions& options, ReadContext& context);
 
 /// Shading, colours and lights of what was read, and the camera.
 void DressScene(Scene& scene, const RenderOptions& options);

@@ -2,16 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRelievoScene.h"
 
-#include "Apart.h"
 #include "Display.h"
 #include "DressedScene.h"
 #include "Errors.h"
 #include "Lens.h"
 #include "Messages.h"
-#include "OpenedFiles.h"
 #include "Options.h"
 #include "Outcome.h"
 #include "Progress.h"
+#include "ReadContext.h"
 #include "WriteOutputs.h"
 
 #include "vtkCommand.h"
@@ -232,7 +231,8 @@ void vtkRelievoScene::Internals::Read(scene::Progress& progress)
   }
   // Starting OpenGL takes about as long as reading a mesh. What is wrong with files is told first.
   this->NoWindow = nullptr;
-  const scene::WhileReading window([this] {
+  scene::ReadContext context(progress, this->Options.AllowedFolders);
+  context.SetMeanwhile([this] {
     try
     {
       this->MakeWindow();
@@ -242,11 +242,9 @@ void vtkRelievoScene::Internals::Read(scene::Progress& progress)
       this->NoWindow = std::current_exception();
     }
   });
-  std::vector<std::string> opened;
-  const scene::OpenedFiles listed(opened);
-  const scene::Scene read = OnFiles([&] { return scene::ReadScene(this->Options, progress); });
+  const scene::Scene read = OnFiles([&] { return scene::ReadScene(this->Options, context); });
   const scene::FramePoints points =
-    OnFiles([&] { return scene::ReadFramePoints(this->Options, progress); });
+    OnFiles([&] { return scene::ReadFramePoints(this->Options, context); });
   if (vtkRenderer* before = this->Dressed.GetRenderer())
   {
     vtkRelievoPass::Detach(before);
@@ -255,7 +253,7 @@ void vtkRelievoScene::Internals::Read(scene::Progress& progress)
   this->Dressed = scene::DressedScene(read, points);
   this->ReadingKey = key;
   this->Played = false;
-  this->Opened = opened;
+  this->Opened = context.GetFiles();
 }
 
 //------------------------------------------------------------------------------

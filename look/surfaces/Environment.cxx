@@ -4,8 +4,8 @@
 
 #include "Errors.h"
 #include "Images.h"
-#include "Messages.h"
 #include "Progress.h"
+#include "ReadContext.h"
 #include "SurfaceOptions.h"
 
 #include "vtkAlgorithm.h"
@@ -26,13 +26,14 @@ constexpr double LevelTolerance = 2e-3;
 
 //------------------------------------------------------------------------------
 vtkSmartPointer<vtkRelievoEnvironment> ReadEnvironment(
-  const SurfaceChoice& surface, int up, Progress& progress)
+  const SurfaceChoice& surface, int up, ReadContext& context)
 {
   if (surface.Environment.empty())
   {
     return nullptr;
   }
-  const vtkSmartPointer<vtkImageData> image = ReadImage(surface.Environment, progress);
+  const vtkSmartPointer<vtkImageData> image = ReadImage(surface.Environment, context);
+  Progress& progress = context.GetProgress();
   vtkRelievoEnvironmentLight light;
   std::string failure;
   if (!light.SetImage(image, failure))
@@ -58,7 +59,7 @@ vtkSmartPointer<vtkRelievoEnvironment> ReadEnvironment(
     environment->SetParameter(value.Name, GetSurfaceValue(surface, value.Name));
   }
   progress.End();
-  Messages::Check(surface.Environment);
+  context.Check(surface.Environment);
   return environment;
 }
 

@@ -16,14 +16,14 @@ class vtkRenderer;
 
 namespace scene
 {
-class Progress;
+class ReadContext;
 struct SurfaceChoice;
 
 /// The environment that is chosen, with its irradiance, and levels if the mirror is rough; nullptr
 /// if there is none. `up`: the axis that points up. Whole numbers are sRGB, floats linear. Throws
 /// WorkError with the file's name.
 vtkSmartPointer<vtkRelievoEnvironment> ReadEnvironment(
-  const SurfaceChoice& surface, int up, Progress& progress);
+  const SurfaceChoice& surface, int up, ReadContext& context);
 
 /// Puts the sky behind the renderer's picture.
 void ShowSky(vtkRenderer* renderer, vtkRelievoEnvironment* environment);

@@ -32,13 +32,13 @@ constexpr double DefaultDepth = 0.02;
 
 //------------------------------------------------------------------------------
 void SetHeights(vtkRelievoMaterial* material, vtkRenderer* renderer, const SurfaceChoice& surface,
-  Progress& progress)
+  ReadContext& context)
 {
   double bounds[6];
   renderer->ComputeVisiblePropBounds(bounds);
   const double longest =
     std::max({ bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4] });
-  material->SetHeightMap(ReadImage(surface.HeightMap, progress));
+  material->SetHeightMap(ReadImage(surface.HeightMap, context));
   material->SetHeightScale(surface.HeightScale.value_or(DefaultDepth * longest));
   material->SetParameter("relief_method", surface.ReliefMethod);
   for (const char* name : { "depth_correction", "self_shadow" })
@@ -48,9 +48,9 @@ void SetHeights(vtkRelievoMaterial* material, vtkRenderer* renderer, const Surfa
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkImageData> ReadNormals(const std::string& path, Progress& progress)
+vtkSmartPointer<vtkImageData> ReadNormals(const std::string& path, ReadContext& context)
 {
-  const vtkSmartPointer<vtkImageData> image = ReadImage(path, progress);
+  const vtkSmartPointer<vtkImageData> image = ReadImage(path, context);
   const int components = image->GetPointData()->GetScalars()->GetNumberOfComponents();
   if (components < 3)
   {
@@ -65,12 +65,12 @@ vtkSmartPointer<vtkImageData> ReadNormals(const std::string& path, Progress& pro
 // `own`: of a model that brings a normal map, which stays where the words name none; or null.
 vtkSmartPointer<vtkRelievoMaterial> MakeMaterial(vtkRelievoMaterial* own,
   vtkRelievoEnvironment* environment, vtkRenderer* renderer, const SurfaceChoice& surface,
-  bool opaque, Progress& progress)
+  bool opaque, ReadContext& context)
 {
   auto material = vtkSmartPointer<vtkRelievoMaterial>::New();
   if (!surface.NormalMap.empty())
   {
-    material->SetNormalMap(ReadNormals(surface.NormalMap, progress));
+    material->SetNormalMap(ReadNormals(surface.NormalMap, context));
   }
   else if (own)
   {
@@ -84,7 +84,7 @@ vtkSmartPointer<vtkRelievoMaterial> MakeMaterial(vtkRelievoMaterial* own,
   }
   if (!surface.HeightMap.empty())
   {
-    SetHeights(material, renderer, surface, progress);
+    SetHeights(material, renderer, surface, context);
   }
   if (environment)
   {
@@ -117,7 +117,7 @@ void CheckSurface(const SurfaceChoice& surface)
 
 //------------------------------------------------------------------------------
 void SetSurface(vtkRenderer* renderer, const std::vector<vtkActor*>& without,
-  const SurfaceChoice& surface, int up, bool opaque, Progress& progress)
+  const SurfaceChoice& surface, int up, bool opaque, ReadContext& context)
 {
   const bool plain = !surface.IsMapped() && surface.Environment.empty() && surface.Material.empty();
   if (plain && opaque)
@@ -127,7 +127,7 @@ void SetSurface(vtkRenderer* renderer, const std::vector<vtkActor*>& without,
   vtkSmartPointer<vtkRelievoEnvironment> environment;
   if (!surface.Environment.empty())
   {
-    environment = ReadEnvironment(surface, up, progress);
+    environment = ReadEnvironment(surface, up, context);
     if (surface.Skybox)
     {
       ShowSky(renderer, environment);
@@ -151,7 +151,7 @@ void SetSurface(vtkRenderer* renderer, const std::vector<vtkActor*>& without,
     vtkSmartPointer<vtkRelievoMaterial>& material = materials[own];
     if (!material)
     {
-      material = MakeMaterial(own, environment, renderer, surface, opaque, progress);
+      material = MakeMaterial(own, environment, renderer, surface, opaque, context);
     }
     material->Attach(actor);
   }

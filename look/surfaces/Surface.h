@@ -13,7 +13,7 @@ class vtkRenderer;
 
 namespace scene
 {
-class Progress;
+class ReadContext;
 struct SurfaceChoice;
 
 /// Throws UsageError or WorkError for a file that is no image, or cannot be opened.
@@ -23,7 +23,7 @@ void CheckSurface(const SurfaceChoice& surface);
 /// `up`: the axis that points up; `opaque`: no option makes surfaces translucent. Throws WorkError
 /// with the file's name.
 void SetSurface(vtkRenderer* renderer, const std::vector<vtkActor*>& without,
-  const SurfaceChoice& surface, int up, bool opaque, Progress& progress);
+  const SurfaceChoice& surface, int up, bool opaque, ReadContext& context);
 }
 
 #endif

@@ -3,7 +3,7 @@
 #include "TextureCoordinates.h"
 
 #include "DataSets.h"
-#include "Messages.h"
+#include "ReadContext.h"
 #include "SurfaceOptions.h"
 
 #include "vtkActor.h"
@@ -54,8 +54,8 @@ vtkSmartPointer<vtkPolyData> WithTextureCoordinates(vtkDataObject* data, Mapping
 }
 
 //------------------------------------------------------------------------------
-void AddTextureCoordinates(
-  vtkActor* actor, const std::optional<Mapping>& chosen, int up, const std::string& path)
+void AddTextureCoordinates(vtkActor* actor, const std::optional<Mapping>& chosen, int up,
+  const std::string& path, ReadContext& context)
 {
   vtkMapper* mapper = actor->GetMapper();
   if (!mapper)
@@ -95,10 +95,10 @@ void AddTextureCoordinates(
   }
   if (!chosen)
   {
-    Messages::Note(path +
+    context.Note(path +
       ": a mesh has no texture coordinates; maps are laid on it as on a box "
       "(--texture-coordinates)");
   }
-  Messages::Check(path);
+  context.Check(path);
 }
 }

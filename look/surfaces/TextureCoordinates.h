@@ -14,12 +14,13 @@ class vtkActor;
 namespace scene
 {
 enum class Mapping;
+class ReadContext;
 
 /// Gives the meshes of the actor, which are of the file `path`, texture coordinates where they have
 /// polygons and none; `up`: the axis that points up. If nothing is chosen, as a box, and that is
 /// noted.
-void AddTextureCoordinates(
-  vtkActor* actor, const std::optional<Mapping>& chosen, int up, const std::string& path);
+void AddTextureCoordinates(vtkActor* actor, const std::optional<Mapping>& chosen, int up,
+  const std::string& path, ReadContext& context);
 }
 
 #endif

@@ -5,8 +5,8 @@
 #include "DataSets.h"
 #include "Errors.h"
 #include "FinitePoints.h"
-#include "Messages.h"
 #include "Progress.h"
+#include "ReadContext.h"
 #include "TriangleMapper.h"
 #include "VolumeImages.h"
 
@@ -313,7 +313,7 @@ vtkSmartPointer<vtkDataObject> SeparateCrowded(vtkPolyData* mesh)
 //------------------------------------------------------------------------------
 // Meshes whose lines would be black by that stay as they are.
 vtkSmartPointer<vtkDataObject> WithNormals(
-  vtkDataObject* data, const std::string& path, Progress& progress)
+  vtkDataObject* data, const std::string& path, ReadContext& context)
 {
   bool needed = false;
   ForEachDataSet(data, [&needed](vtkDataSet* block) {
@@ -336,15 +336,15 @@ vtkSmartPointer<vtkDataObject> WithNormals(
     if (mesh->GetNumberOfCells() == mesh->GetNumberOfPolys())
     {
       vtkNew<vtkRelievoPointNormals> fast;
-      return Run(fast, block, progress);
+      return Run(fast, block, context.GetProgress());
     }
     vtkNew<vtkPolyDataNormals> normals;
     normals->ConsistencyOff();
-    return Run(normals, SeparateCrowded(mesh), progress);
+    return Run(normals, SeparateCrowded(mesh), context.GetProgress());
   });
   if (unlit)
   {
-    Messages::Note(path +
+    context.Note(path +
       ": drawn without smooth normals, which would leave its lines or points "
       "without any; give it normals to smooth it");
   }
@@ -354,7 +354,7 @@ vtkSmartPointer<vtkDataObject> WithNormals(
 //------------------------------------------------------------------------------
 // VTK lights the side that a triangle's corners turn around to the left by its normal; of the other
 // side it turns the normal round. Where the file's normals are against that, both sides are dark.
-void NoteNormals(vtkDataObject* surface, const std::string& path)
+void NoteNormals(vtkDataObject* surface, const std::string& path, ReadContext& context)
 {
   vtkIdType corners = 0;
   vtkIdType against = 0;
@@ -383,7 +383,7 @@ void NoteNormals(vtkDataObject* surface, const std::string& path)
   });
   if (2 * against > corners)
   {
-    Messages::Note(path +
+    context.Note(path +
       ": most of its normals point against the winding of its faces, and VTK draws these dark; "
       "turn its normals, or the order of its faces' points");
   }
@@ -392,27 +392,27 @@ void NoteNormals(vtkDataObject* surface, const std::string& path)
 
 //------------------------------------------------------------------------------
 vtkSmartPointer<vtkDataObject> MakeSurface(
-  vtkDataObject* data, bool smooth, const std::string& path, Progress& progress)
+  vtkDataObject* data, bool smooth, const std::string& path, ReadContext& context)
 {
   if (!vtkDataSet::SafeDownCast(data) && !vtkCompositeDataSet::SafeDownCast(data))
   {
     throw WorkError(
       path + ": holds a " + data->GetClassName() + ", expected a mesh, a grid or an image");
   }
-  vtkSmartPointer<vtkDataObject> surface =
-    LeaveOutInfinite(LeaveOutHidden(Surface(WithVertices(data), progress)), path);
+  vtkSmartPointer<vtkDataObject> surface = LeaveOutInfinite(
+    LeaveOutHidden(Surface(WithVertices(data), context.GetProgress())), path, context);
   // Before normals: those that VTK computes of such polygons may point to their other side.
-  surface = ReplaceDataSets(surface, [&progress](vtkDataObject* block) {
+  surface = ReplaceDataSets(surface, [&context](vtkDataObject* block) {
     vtkNew<vtkRelievoConvexPolygons> convex;
-    return vtkPolyData::SafeDownCast(block) ? Run(convex, block, progress)
+    return vtkPolyData::SafeDownCast(block) ? Run(convex, block, context.GetProgress())
                                             : vtkSmartPointer<vtkDataObject>(block);
   });
-  NoteNormals(surface, path);
+  NoteNormals(surface, path, context);
   if (smooth)
   {
-    surface = WithNormals(surface, path, progress);
+    surface = WithNormals(surface, path, context);
   }
-  Messages::Check(path);
+  context.Check(path);
   return surface;
 }
 
@@ -440,9 +440,9 @@ vtkSmartPointer<vtkActor> DrawSurface(vtkDataObject* surface)
 
 //------------------------------------------------------------------------------
 vtkSmartPointer<vtkActor> MakeActor(
-  vtkDataObject* data, bool smooth, const std::string& path, Progress& progress)
+  vtkDataObject* data, bool smooth, const std::string& path, ReadContext& context)
 {
-  return DrawSurface(MakeSurface(data, smooth, path, progress));
+  return DrawSurface(MakeSurface(data, smooth, path, context));
 }
 
 //------------------------------------------------------------------------------

@@ -17,18 +17,18 @@ class vtkDataObject;
 
 namespace scene
 {
-class Progress;
+class ReadContext;
 
 /// An actor for the data of the file `path`, in phong shading. `smooth`: meshes that bring no point
 /// normals get them, split at edges sharper than 30 degrees; cells keep their order. Throws
 /// WorkError with the path for data that has no geometry, such as tables.
 vtkSmartPointer<vtkActor> MakeActor(
-  vtkDataObject* data, bool smooth, const std::string& path, Progress& progress);
+  vtkDataObject* data, bool smooth, const std::string& path, ReadContext& context);
 
 /// What MakeActor draws of the data: polygons, finite, with normals if `smooth`, and cut where VTK
 /// would draw too much of them.
 vtkSmartPointer<vtkDataObject> MakeSurface(
-  vtkDataObject* data, bool smooth, const std::string& path, Progress& progress);
+  vtkDataObject* data, bool smooth, const std::string& path, ReadContext& context);
 
 /// An actor for what MakeSurface made.
 vtkSmartPointer<vtkActor> DrawSurface(vtkDataObject* surface);

@@ -4,7 +4,7 @@
 
 #include "DataSets.h"
 #include "Errors.h"
-#include "Messages.h"
+#include "ReadContext.h"
 
 #include "vtkCellData.h"
 #include "vtkIdList.h"
@@ -96,7 +96,8 @@ std::string Plural(vtkIdType count, const char* noun)
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkDataObject> LeaveOutInfinite(vtkDataObject* surface, const std::string& path)
+vtkSmartPointer<vtkDataObject> LeaveOutInfinite(
+  vtkDataObject* surface, const std::string& path, ReadContext& context)
 {
   LeftOut count;
   ForEachDataSet(surface, [&count](vtkDataSet* block) {
@@ -128,7 +129,7 @@ vtkSmartPointer<vtkDataObject> LeaveOutInfinite(vtkDataObject* surface, const st
       RemoveCells(mesh, infinite, count);
     }
   });
-  Messages::Note(path + ": left out " + Plural(count.Cells, "cell") +
+  context.Note(path + ": left out " + Plural(count.Cells, "cell") +
     " with points that are not finite (" + std::to_string(count.Points) + " of " +
     Plural(count.AllPoints, "point") + ")");
   return kept;

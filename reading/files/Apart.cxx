@@ -5,8 +5,8 @@
 #include "Errors.h"
 #include "Messages.h"
 #include "NumberLocale.h"
-#include "OpenedFiles.h"
 #include "Progress.h"
+#include "ReadContext.h"
 #include "Readers.h"
 
 #include "vtkDataObject.h"
@@ -15,7 +15,6 @@
 
 #include <cstdint>
 #include <new>
-#include <utility>
 #include <vector>
 
 namespace scene
@@ -59,8 +58,6 @@ private:
   const vtkRelievoReaderProcess::Say& Tell;
 };
 
-thread_local std::function<void()> Meanwhile;
-
 // In the process of the file.
 void Answer(
   relievo::ByteReader& asked, const vtkRelievoReaderProcess::Say& say, relievo::ByteWriter& made)
@@ -73,13 +70,13 @@ void Answer(
   {
     const Messages::Scope scope;
     const NumberLocale locale;
-    const OpenedFiles listed(said.Opened);
     Steps steps(say);
     Progress progress(&steps);
-    OpenedFiles::Add(path);
+    ReadContext context(progress, folders);
+    context.AddFile(path);
     try
     {
-      data = work(path, folders, progress);
+      data = work(path, context);
     }
     catch (const UsageError& error)
     {
@@ -95,8 +92,13 @@ void Answer(
       said.Is = End::Work;
       said.Wrong = error.what();
     }
-    said.Notes = Messages::TakeNotes();
-    said.Warnings = Messages::TakeWarnings();
+    said.Notes = context.TakeNotes();
+    said.Warnings = context.TakeWarnings();
+    for (const std::string& warning : Messages::TakeWarnings())
+    {
+      said.Warnings.push_back(warning);
+    }
+    said.Opened = context.GetFiles();
   }
   made(said);
   relievo::PutData(made, data);
@@ -104,21 +106,19 @@ void Answer(
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkDataObject> ReadApart(ReadingWork work, const std::string& path,
-  const std::vector<std::string>& folders, Progress& progress)
+vtkSmartPointer<vtkDataObject> ReadApart(
+  ReadingWork work, const std::string& path, ReadContext& context)
 {
   if (!vtkRelievoReaderProcess::IsThere())
   {
-    return work(path, folders, progress);
+    return work(path, context);
   }
+  Progress& progress = context.GetProgress();
   const std::string reading = "reading " + path;
   progress.Begin(reading);
   std::string step = reading;
   const auto show = [&](const std::string& what, double share) {
-    if (const auto meanwhile = std::exchange(Meanwhile, nullptr))
-    {
-      meanwhile();
-    }
+    context.DoMeanwhile();
     if (!what.empty() && what != step)
     {
       step = what;
@@ -131,8 +131,9 @@ vtkSmartPointer<vtkDataObject> ReadApart(ReadingWork work, const std::string& pa
   vtkSmartPointer<vtkDataObject> data;
   const std::string failure = vtkRelievoReaderProcess::Run(
     Answer,
-    [&](
-      relievo::ByteWriter& asked) { asked(reinterpret_cast<std::uintptr_t>(work), path, folders); },
+    [&](relievo::ByteWriter& asked) {
+      asked(reinterpret_cast<std::uintptr_t>(work), path, context.GetFolders());
+    },
     show,
     [&](relievo::ByteReader& made) {
       made(said);
@@ -145,15 +146,15 @@ vtkSmartPointer<vtkDataObject> ReadApart(ReadingWork work, const std::string& pa
   }
   for (const std::string& each : said.Opened)
   {
-    OpenedFiles::Add(each);
+    context.AddFile(each);
   }
   for (const std::string& note : said.Notes)
   {
-    Messages::Note(note);
+    context.Note(note);
   }
   for (const std::string& warning : said.Warnings)
   {
-    Messages::Warn(warning);
+    context.Warn(warning);
   }
   if (said.Is == End::Usage)
   {
@@ -168,17 +169,5 @@ vtkSmartPointer<vtkDataObject> ReadApart(ReadingWork work, const std::string& pa
     throw WorkError(path + ": holds nothing that can be drawn");
   }
   return data;
-}
-
-//------------------------------------------------------------------------------
-WhileReading::WhileReading(std::function<void()> work)
-{
-  Meanwhile = std::move(work);
-}
-
-//------------------------------------------------------------------------------
-WhileReading::~WhileReading()
-{
-  Meanwhile = nullptr;
 }
 }

@@ -3,8 +3,8 @@
 #include "Images.h"
 
 #include "Errors.h"
-#include "Messages.h"
 #include "Progress.h"
+#include "ReadContext.h"
 #include "Readers.h"
 #include "Values.h"
 
@@ -52,8 +52,10 @@ void CheckAllowed(const std::string& path, const vtkRelievoAllowedFolders& allow
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkImageData> ReadImage(const std::string& path, Progress& progress)
+vtkSmartPointer<vtkImageData> ReadImage(const std::string& path, ReadContext& context)
 {
+  context.AddFile(path);
+  Progress& progress = context.GetProgress();
   progress.Begin("reading " + path);
   std::string failure;
   std::string note;
@@ -63,10 +65,10 @@ vtkSmartPointer<vtkImageData> ReadImage(const std::string& path, Progress& progr
   };
   const vtkSmartPointer<vtkImageData> image = vtkRelievoImageFile::Read(path, failure, show, &note);
   progress.End();
-  Messages::Check(path, !image, "expected " + failure);
+  context.Check(path, !image, "expected " + failure);
   if (!note.empty())
   {
-    Messages::Note(path + ": " + note);
+    context.Note(path + ": " + note);
   }
   image->GetInformation()->Set(FileKey(), path);
   return image;

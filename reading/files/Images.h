@@ -18,7 +18,7 @@ class vtkRelievoAllowedFolders;
 
 namespace scene
 {
-class Progress;
+class ReadContext;
 
 /// Throws UsageError if the path, which came with `option`, has no extension of an image that is
 /// read, WorkError if it cannot be opened.
@@ -28,7 +28,7 @@ void CheckImage(const std::string& option, const std::string& path);
 void CheckAllowed(const std::string& path, const vtkRelievoAllowedFolders& allowed);
 
 /// The image, row 0 lowest, its numbers as they are in the file. Throws WorkError with the path.
-vtkSmartPointer<vtkImageData> ReadImage(const std::string& path, Progress& progress);
+vtkSmartPointer<vtkImageData> ReadImage(const std::string& path, ReadContext& context);
 
 /// A smooth texture of the image's colours.
 vtkSmartPointer<vtkTexture> MakeTexture(vtkImageData* image);

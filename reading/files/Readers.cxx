@@ -7,9 +7,8 @@
 #include "BinarySTL.h"
 #include "DataSets.h"
 #include "Errors.h"
-#include "Messages.h"
-#include "OpenedFiles.h"
 #include "Progress.h"
+#include "ReadContext.h"
 #include "Validate.h"
 #include "Values.h"
 #include "VolumeImages.h"
@@ -54,7 +53,7 @@ namespace scene
 namespace
 {
 template <typename Reader>
-vtkSmartPointer<vtkAlgorithm> Open(const std::string& path)
+vtkSmartPointer<vtkAlgorithm> Open(const std::string& path, ReadContext&)
 {
   vtkSmartPointer<Reader> reader = vtkSmartPointer<Reader>::New();
   reader->SetFileName(path.c_str());
@@ -63,7 +62,7 @@ vtkSmartPointer<vtkAlgorithm> Open(const std::string& path)
 
 // VTK's reader goes on to the end of the file, whatever the file says that it holds, and takes text
 // for binary by the share of its first 256 bytes that are not ASCII.
-vtkSmartPointer<vtkAlgorithm> OpenSTL(const std::string& path)
+vtkSmartPointer<vtkAlgorithm> OpenSTL(const std::string& path, ReadContext& context)
 {
   std::ifstream file(path, std::ios::binary);
   std::string head(1024, '\0');
@@ -101,15 +100,15 @@ vtkSmartPointer<vtkAlgorithm> OpenSTL(const std::string& path)
     }
     if (held > said && said > 0.) // some writers leave it at none
     {
-      Messages::Note(counts + ", which are drawn");
+      context.Note(counts + ", which are drawn");
     }
   }
-  return isText || held < 1. || held > BinarySTL::MostTriangles ? Open<vtkSTLReader>(path)
-                                                                : Open<BinarySTL>(path);
+  return isText || held < 1. || held > BinarySTL::MostTriangles ? Open<vtkSTLReader>(path, context)
+                                                                : Open<BinarySTL>(path, context);
 }
 
 // Of legacy files VTK says only that it does not read them.
-vtkSmartPointer<vtkAlgorithm> OpenLegacy(const std::string& path)
+vtkSmartPointer<vtkAlgorithm> OpenLegacy(const std::string& path, ReadContext& context)
 {
   vtkNew<vtkGenericDataObjectReader> reader;
   reader->SetFileName(path.c_str());
@@ -122,7 +121,7 @@ vtkSmartPointer<vtkAlgorithm> OpenLegacy(const std::string& path)
       ": expected DATASET with a mesh or a grid, such as POLYDATA or UNSTRUCTURED_GRID, behind the "
       "three lines of its head, and there is none; is it whole, and has it geometry?");
   }
-  return Open<vtkGenericDataObjectReader>(path);
+  return Open<vtkGenericDataObjectReader>(path, context);
 }
 
 // The pieces that VTK's own parser finds in a file of XML, however unusual its form.
@@ -150,14 +149,14 @@ int FindKind(const std::string& path, bool& isParallel)
   return reader->ReadOutputType(path.c_str(), isParallel);
 }
 
-vtkSmartPointer<vtkAlgorithm> OpenXML(const std::string& path)
+vtkSmartPointer<vtkAlgorithm> OpenXML(const std::string& path, ReadContext& context)
 {
   bool isParallel = false;
   if (FindKind(path, isParallel) < 0)
   {
     throw WorkError(path + ": " + NotAsNamed(path));
   }
-  return Open<vtkXMLGenericDataObjectReader>(path);
+  return Open<vtkXMLGenericDataObjectReader>(path, context);
 }
 
 // Whether VTK opens other files for one: by its name or by its first element.
@@ -172,15 +171,15 @@ bool HasPieces(const std::string& path)
 
 // VTK's files of several pieces name them, and it opens them whatever they are. Throws WorkError
 // for those that are not to be read.
-void AddPieces(const std::string& path, const std::vector<std::string>& folders)
+void AddPieces(const std::string& path, ReadContext& context)
 {
-  const vtkRelievoAllowedFolders allowed(path, folders);
+  const vtkRelievoAllowedFolders allowed = context.GetAllowed(path);
   std::vector<std::string> files = { path };
   std::set<std::string> known = { path };
   for (std::size_t i = 0; i < files.size(); ++i)
   {
     const std::string of = files[i];
-    OpenedFiles::Add(of);
+    context.AddFile(of);
     std::vector<std::string> pieces;
     if (HasPieces(of))
     {
@@ -221,7 +220,7 @@ void AddPieces(const std::string& path, const std::vector<std::string>& folders)
 struct Format
 {
   std::vector<std::string> Extensions;
-  vtkSmartPointer<vtkAlgorithm> (*Open)(const std::string& path);
+  vtkSmartPointer<vtkAlgorithm> (*Open)(const std::string& path, ReadContext& context);
   std::string Reader;  // whose it is, for messages
   bool HasZUp = false; // as tools of CAD and printing have it, and grids in space
 };
@@ -359,7 +358,6 @@ void CheckReadable(const std::string& path)
     throw WorkError(path + ": " + std::strerror(errno));
   }
   std::fclose(file);
-  OpenedFiles::Add(path);
 }
 
 //------------------------------------------------------------------------------
@@ -423,23 +421,23 @@ void ShrinkCells(vtkDataObject* data)
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkDataObject> ReadData(
-  const std::string& path, const std::vector<std::string>& folders, Progress& progress)
+vtkSmartPointer<vtkDataObject> ReadData(const std::string& path, ReadContext& context)
 {
+  Progress& progress = context.GetProgress();
   progress.Begin("reading " + path);
   const auto make = FindFormat(path)->Open;
-  make == OpenXML ? AddPieces(path, folders) : OpenedFiles::Add(path);
-  const vtkSmartPointer<vtkAlgorithm> reader = make(path);
+  make == OpenXML ? AddPieces(path, context) : context.AddFile(path);
+  const vtkSmartPointer<vtkAlgorithm> reader = make(path, context);
   progress.Observe(reader);
   reader->Update();
   const vtkSmartPointer<vtkDataObject> data = reader->GetOutputDataObject(0);
   progress.End();
-  Messages::Check(path, !data || reader->GetErrorCode() != 0, NotAsNamed(path));
+  context.Check(path, !data || reader->GetErrorCode() != 0, NotAsNamed(path));
   if (auto* obj = vtkRelievoOBJReader::SafeDownCast(reader))
   {
     for (int i = 0; i < obj->GetNumberOfNotes(); ++i)
     {
-      Messages::Note(path + ": " + obj->GetNote(i));
+      context.Note(path + ": " + obj->GetNote(i));
     }
   }
   CheckCells(data, path);
@@ -448,38 +446,35 @@ vtkSmartPointer<vtkDataObject> ReadData(
 }
 
 template <bool Smooth, bool Images>
-vtkSmartPointer<vtkDataObject> ReadShown(
-  const std::string& path, const std::vector<std::string>& folders, Progress& progress)
+vtkSmartPointer<vtkDataObject> ReadShown(const std::string& path, ReadContext& context)
 {
-  const vtkSmartPointer<vtkDataObject> data = ReadData(path, folders, progress);
+  const vtkSmartPointer<vtkDataObject> data = ReadData(path, context);
   vtkSmartPointer<vtkDataObject> image;
   if (Images)
   {
     image = GetVolumeImage(data);
   }
-  return image ? image : MakeSurface(data, Smooth, path, progress);
+  return image ? image : MakeSurface(data, Smooth, path, context);
 }
 
-vtkSmartPointer<vtkDataObject> ReadBare(
-  const std::string& path, const std::vector<std::string>& folders, Progress& progress)
+vtkSmartPointer<vtkDataObject> ReadBare(const std::string& path, ReadContext& context)
 {
-  return KeepPoints(ReadData(path, folders, progress));
+  return KeepPoints(ReadData(path, context));
 }
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkDataObject> ReadSurface(const std::string& path,
-  const std::vector<std::string>& folders, bool smooth, bool images, Progress& progress)
+vtkSmartPointer<vtkDataObject> ReadSurface(
+  const std::string& path, bool smooth, bool images, ReadContext& context)
 {
   const ReadingWork works[2][2] = { { ReadShown<false, false>, ReadShown<false, true> },
     { ReadShown<true, false>, ReadShown<true, true> } };
-  return ReadApart(works[smooth][images], path, folders, progress);
+  return ReadApart(works[smooth][images], path, context);
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkDataObject> ReadPoints(
-  const std::string& path, const std::vector<std::string>& folders, Progress& progress)
+vtkSmartPointer<vtkDataObject> ReadPoints(const std::string& path, ReadContext& context)
 {
-  return ReadApart(ReadBare, path, folders, progress);
+  return ReadApart(ReadBare, path, context);
 }
 }

@@ -16,7 +16,7 @@ class vtkDataObject;
 
 namespace scene
 {
-class Progress;
+class ReadContext;
 
 /// The extension in lower case with its dot, ".vtp"; "" without one.
 std::string ExtensionOf(const std::string& path);
@@ -56,14 +56,13 @@ void CheckFolder(const std::string& path);
 std::string NotAsNamed(const std::string& path);
 
 /// What there is to draw of a file: its surface, as MakeSurface. With `images`, one that
-/// GetVolumeImage takes stays an image. `folders`: where pieces may lie, besides the file's own
-/// folder and below. Throws WorkError with its name.
-vtkSmartPointer<vtkDataObject> ReadSurface(const std::string& path,
-  const std::vector<std::string>& folders, bool smooth, bool images, Progress& progress);
+/// GetVolumeImage takes stays an image. Throws WorkError with its
+/// name.
+vtkSmartPointer<vtkDataObject> ReadSurface(
+  const std::string& path, bool smooth, bool images, ReadContext& context);
 
 /// The points of a file with their arrays. Throws WorkError with its name.
-vtkSmartPointer<vtkDataObject> ReadPoints(
-  const std::string& path, const std::vector<std::string>& folders, Progress& progress);
+vtkSmartPointer<vtkDataObject> ReadPoints(const std::string& path, ReadContext& context);
 }
 
 #endif

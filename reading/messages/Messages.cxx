@@ -118,6 +118,11 @@ private:
 };
 vtkStandardNewMacro(MessageCollector);
 
+std::string NameSubject(const std::string& subject, const std::string& text)
+{
+  return text.find(subject) == std::string::npos ? subject + ": " + text : text;
+}
+
 MessageCollector* Collector()
 {
   static const vtkNew<MessageCollector> collector;
@@ -207,14 +212,23 @@ std::vector<std::string> Messages::TakeWarnings()
 }
 
 //------------------------------------------------------------------------------
+std::vector<std::string> Messages::TakeWarningsOn(const std::string& subject)
+{
+  std::vector<std::string> warnings = Collector()->Take(&MessageCollector::Warnings);
+  for (std::string& warning : warnings)
+  {
+    warning = NameSubject(subject, warning);
+  }
+  return warnings;
+}
+
+//------------------------------------------------------------------------------
 void Messages::Check(const std::string& subject, bool failed, const std::string& otherwise)
 {
-  const auto named = [&subject](const std::string& text) {
-    return text.find(subject) == std::string::npos ? subject + ": " + text : text;
-  };
-  for (const std::string& warning : Collector()->Take(&MessageCollector::Warnings))
+  const auto named = [&subject](const std::string& text) { return NameSubject(subject, text); };
+  for (const std::string& warning : TakeWarningsOn(subject))
   {
-    Collector()->Add(&MessageCollector::Named, named(warning));
+    Warn(warning);
   }
   const std::vector<std::string> errors = Collector()->Take(&MessageCollector::Errors);
   for (const std::string& error : errors)

@@ -30,6 +30,9 @@ public:
   static void Check(
     const std::string& subject, bool failed = false, const std::string& otherwise = "");
 
+  /// VTK's warnings since the last call, each one line with the subject.
+  static std::vector<std::string> TakeWarningsOn(const std::string& subject);
+
   /// Whether VTK says in this text that it did not get memory.
   static bool TellsOfMemory(const std::string& text);
 

@@ -4,9 +4,8 @@
 
 #include "Errors.h"
 #include "Images.h"
-#include "Messages.h"
 #include "MtlLibrary.h"
-#include "Progress.h"
+#include "ReadContext.h"
 
 #include "vtkActor.h"
 #include "vtkDataArray.h"
@@ -24,25 +23,26 @@
 namespace scene
 {
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkImageData> ModelTextures::Read(const std::string& name, Progress& progress)
+vtkSmartPointer<vtkImageData> ModelTextures::Read(const std::string& name)
 {
   if (this->Reader->HasEmbeddedTexture(name.c_str()))
   {
     vtkSmartPointer<vtkImageData> image = this->Reader->GetEmbeddedTexture(name.c_str());
-    Messages::Check("in the file", !image, "expected an image");
+    this->Context.Check("in the file", !image, "expected an image");
     return image;
   }
   // Files name textures by paths of the machine that wrote them: the name alone is looked for too.
+  const vtkRelievoAllowedFolders allowed = this->Context.GetAllowed(this->Path);
   const std::string file =
-    FindNamedFile(name, std::filesystem::path(this->Path).parent_path(), this->Allowed);
-  CheckAllowed(file, this->Allowed);
+    FindNamedFile(name, std::filesystem::path(this->Path).parent_path(), allowed);
+  CheckAllowed(file, allowed);
   CheckImage("texture", file);
-  return ReadImage(file, progress);
+  return ReadImage(file, this->Context);
 }
 
 //------------------------------------------------------------------------------
 vtkSmartPointer<vtkImageData> ModelTextures::Find(
-  vtkDataSet* mesh, const char* array, const std::string& what, Progress& progress)
+  vtkDataSet* mesh, const char* array, const std::string& what)
 {
   auto* names = vtkStringArray::SafeDownCast(mesh->GetFieldData()->GetAbstractArray(array));
   if (!names || names->GetNumberOfValues() == 0 || !mesh->GetPointData()->GetTCoords())
@@ -52,19 +52,20 @@ vtkSmartPointer<vtkImageData> ModelTextures::Find(
   const std::string name = names->GetValue(0);
   try
   {
-    return this->Read(name, progress);
+    return this->Read(name);
   }
   catch (const std::exception& error)
   {
-    Messages::Note(this->Path + ": drawn without the " + what + " " + name + ": " + error.what());
+    this->Context.Note(
+      this->Path + ": drawn without the " + what + " " + name + ": " + error.what());
     return nullptr;
   }
 }
 
 //------------------------------------------------------------------------------
-double ModelTextures::PutColor(vtkActor* actor, vtkDataSet* mesh, Progress& progress)
+double ModelTextures::PutColor(vtkActor* actor, vtkDataSet* mesh)
 {
-  const auto image = this->Find(mesh, "base_color_texture", "texture", progress);
+  const auto image = this->Find(mesh, "base_color_texture", "texture");
   if (!image)
   {
     return 0.;
@@ -81,15 +82,14 @@ double ModelTextures::PutColor(vtkActor* actor, vtkDataSet* mesh, Progress& prog
 }
 
 //------------------------------------------------------------------------------
-void ModelTextures::PutMaterial(
-  vtkActor* actor, vtkDataSet* mesh, double cutoff, Progress& progress)
+void ModelTextures::PutMaterial(vtkActor* actor, vtkDataSet* mesh, double cutoff)
 {
   // Where a sampler says more than a map can, VTK's shaders draw the actor's own normal texture.
   auto* own = vtkRelievoWrapTexture::SafeDownCast(actor->GetProperty()->GetTexture("normalTex"));
   const bool isMap =
     !own || (own->GetWrapU() == own->GetWrapV() && own->GetWrapU() != vtkTexture::MirroredRepeat);
   const bool repeats = !own || own->GetWrapU() == vtkTexture::Repeat;
-  const auto normals = isMap ? this->Find(mesh, "normal_texture", "normal map", progress) : nullptr;
+  const auto normals = isMap ? this->Find(mesh, "normal_texture", "normal map") : nullptr;
   if (normals || cutoff > 0.)
   {
     vtkDataArray* given = mesh->GetFieldData()->GetArray("normal_strength");

@@ -7,7 +7,6 @@
 #define ModelTextures_h
 
 #include "vtkImageData.h"
-#include "vtkRelievoAllowedFolders.h"
 #include "vtkRelievoMaterial.h"
 #include "vtkSmartPointer.h"
 #include "vtkTexture.h"
@@ -23,35 +22,32 @@ class vtkRelievoModelReader;
 
 namespace scene
 {
-class Progress;
+class ReadContext;
 
 class ModelTextures
 {
 public:
-  /// `folders`: where images may lie, besides the file's own folder and below.
-  ModelTextures(
-    vtkRelievoModelReader* reader, const std::string& path, const std::vector<std::string>& folders)
+  ModelTextures(vtkRelievoModelReader* reader, const std::string& path, ReadContext& context)
     : Reader(reader)
     , Path(path)
-    , Allowed(path, folders)
+    , Context(context)
   {
   }
 
   /// The texture that the mesh names, on its actor. Returns the alpha below which the actor is cut
   /// out; 0: nowhere. What cannot be read is noted.
-  double PutColor(vtkActor* actor, vtkDataSet* mesh, Progress& progress);
+  double PutColor(vtkActor* actor, vtkDataSet* mesh);
 
   /// The normal map that the mesh names, and the cutoff, on its actor.
-  void PutMaterial(vtkActor* actor, vtkDataSet* mesh, double cutoff, Progress& progress);
+  void PutMaterial(vtkActor* actor, vtkDataSet* mesh, double cutoff);
 
 private:
-  vtkSmartPointer<vtkImageData> Find(
-    vtkDataSet* mesh, const char* array, const std::string& what, Progress& progress);
-  vtkSmartPointer<vtkImageData> Read(const std::string& name, Progress& progress);
+  vtkSmartPointer<vtkImageData> Find(vtkDataSet* mesh, const char* array, const std::string& what);
+  vtkSmartPointer<vtkImageData> Read(const std::string& name);
 
   vtkRelievoModelReader* Reader;
   std::string Path;
-  vtkRelievoAllowedFolders Allowed;
+  ReadContext& Context;
   // Meshes share them, where they are alike.
   std::map<vtkImageData*, vtkSmartPointer<vtkTexture>> Textures;
   std::map<std::tuple<vtkImageData*, double, double, bool>, vtkSmartPointer<vtkRelievoMaterial>>

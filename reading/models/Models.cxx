@@ -4,11 +4,10 @@
 
 #include "Actors.h"
 #include "Errors.h"
-#include "Messages.h"
 #include "ModelOptions.h"
 #include "ModelTextures.h"
-#include "OpenedFiles.h"
 #include "Progress.h"
+#include "ReadContext.h"
 #include "Readers.h"
 
 #include "vtkActor.h"
@@ -50,7 +49,8 @@ void SetColor(vtkActor* actor, vtkDataSet* mesh)
 }
 
 // Whether the file has materials of its own for the block. What is wrong with images is noted.
-bool Dress(vtkRelievoModelReader* reader, int block, vtkActor* actor, const std::string& path)
+bool Dress(vtkRelievoModelReader* reader, int block, vtkActor* actor, const std::string& path,
+  ReadContext& context)
 {
   if (!reader->GetProperty(block))
   {
@@ -59,13 +59,13 @@ bool Dress(vtkRelievoModelReader* reader, int block, vtkActor* actor, const std:
   reader->Dress(block, actor);
   try
   {
-    Messages::Check(path);
+    context.Check(path);
   }
   catch (const WorkError& error)
   {
     const std::string what = error.what();
     const std::size_t named = what.rfind(path + ": ");
-    Messages::Note(path + ": drawn without a texture: " +
+    context.Note(path + ": drawn without a texture: " +
       (named == std::string::npos ? what : what.substr(named + path.size() + 2)));
   }
   return true;
@@ -79,7 +79,8 @@ vtkSmartPointer<vtkPolyData> CopySkeleton(vtkRelievoModelReader* reader)
 }
 
 // Throws UsageError for an animation or a bone that the file does not have.
-void CheckNames(vtkRelievoModelReader* reader, const ModelChoice& choice, const std::string& path)
+void CheckNames(vtkRelievoModelReader* reader, const ModelChoice& choice, const std::string& path,
+  ReadContext& context)
 {
   const auto lacks = [](vtkStringArray* names, const std::string& name) {
     return !name.empty() && names && names->GetNumberOfValues() > 0 && names->LookupValue(name) < 0;
@@ -90,7 +91,7 @@ void CheckNames(vtkRelievoModelReader* reader, const ModelChoice& choice, const 
   {
     try
     {
-      Messages::Check(path);
+      context.Check(path);
     }
     catch (const WorkError& error)
     {
@@ -114,9 +115,10 @@ vtkSmartPointer<vtkActor> MakeSkeletonActor(vtkRelievoModelReader* reader)
 }
 
 //------------------------------------------------------------------------------
-PosedModel ReadModel(const std::string& path, const std::vector<std::string>& folders,
-  const ModelChoice& choice, bool smooth, Progress& progress)
+PosedModel ReadModel(
+  const std::string& path, const ModelChoice& choice, bool smooth, ReadContext& context)
 {
+  Progress& progress = context.GetProgress();
   progress.Begin("reading " + path);
   PosedModel model;
   model.Path = path;
@@ -124,7 +126,7 @@ PosedModel ReadModel(const std::string& path, const std::vector<std::string>& fo
   model.Reader = vtkSmartPointer<vtkRelievoModelReader>::New();
   vtkRelievoModelReader* reader = model.Reader;
   reader->SetFileName(path.c_str());
-  for (const std::string& folder : folders)
+  for (const std::string& folder : context.GetFolders())
   {
     reader->AddAllowedFolder(folder.c_str());
   }
@@ -159,13 +161,13 @@ PosedModel ReadModel(const std::string& path, const std::vector<std::string>& fo
   progress.End();
   for (int i = 0; i < reader->GetNumberOfFiles(); ++i)
   {
-    OpenedFiles::Add(reader->GetFile(i));
+    context.AddFile(reader->GetFile(i));
   }
-  CheckNames(reader, choice, path);
-  Messages::Check(path, reader->GetErrorCode() != 0, NotAsNamed(path));
+  CheckNames(reader, choice, path, context);
+  context.Check(path, reader->GetErrorCode() != 0, NotAsNamed(path));
   for (int i = 0; i < reader->GetNumberOfNotes(); ++i)
   {
-    Messages::Note(path + ": " + reader->GetNote(i));
+    context.Note(path + ": " + reader->GetNote(i));
   }
   const std::pair<const char*, bool> ofAnimations[] = { { "--times", !choice.Times.empty() },
     { "--time", choice.Time && choice.Times.empty() }, { "--animation", !choice.Animation.empty() },
@@ -174,28 +176,28 @@ PosedModel ReadModel(const std::string& path, const std::vector<std::string>& fo
   {
     if (given && reader->GetNumberOfAnimations() == 0)
     {
-      Messages::Note(path + ": " + option + " changed nothing: the file has no animation");
+      context.Note(path + ": " + option + " changed nothing: the file has no animation");
     }
   }
   vtkMultiBlockDataSet* output = reader->GetOutput();
-  ModelTextures textures(reader, path, folders);
+  ModelTextures textures(reader, path, context);
   for (unsigned int i = 0; i < output->GetNumberOfBlocks(); ++i)
   {
     vtkDataSet* mesh = vtkDataSet::SafeDownCast(output->GetBlock(i));
     if (mesh && mesh->GetNumberOfCells() > 0)
     {
-      const vtkSmartPointer<vtkActor> actor = MakeActor(mesh, smooth, path, progress);
+      const vtkSmartPointer<vtkActor> actor = MakeActor(mesh, smooth, path, context);
       double cutoff = 0.;
-      if (Dress(reader, static_cast<int>(i), actor, path))
+      if (Dress(reader, static_cast<int>(i), actor, path, context))
       {
         cutoff = reader->GetAlphaCutoff(static_cast<int>(i));
       }
       else
       {
         SetColor(actor, mesh);
-        cutoff = textures.PutColor(actor, mesh, progress);
+        cutoff = textures.PutColor(actor, mesh);
       }
-      textures.PutMaterial(actor, mesh, cutoff, progress);
+      textures.PutMaterial(actor, mesh, cutoff);
       model.Parts.push_back({ i, actor });
     }
   }
@@ -204,14 +206,14 @@ PosedModel ReadModel(const std::string& path, const std::vector<std::string>& fo
 }
 
 //------------------------------------------------------------------------------
-void PlayModel(PosedModel& model, double time, Progress& progress)
+void PlayModel(PosedModel& model, double time, ReadContext& context)
 {
   model.Reader->UpdateTimeStep(time);
-  Messages::Check(model.Path, model.Reader->GetErrorCode() != 0, NotAsNamed(model.Path));
+  context.Check(model.Path, model.Reader->GetErrorCode() != 0, NotAsNamed(model.Path));
   for (const PosedModel::Part& part : model.Parts)
   {
     const vtkSmartPointer<vtkDataObject> surface = MakeSurface(
-      model.Reader->GetOutput()->GetBlock(part.Block), model.Smooth, model.Path, progress);
+      model.Reader->GetOutput()->GetBlock(part.Block), model.Smooth, model.Path, context);
     part.Actor->GetMapper()->SetInputDataObject(surface);
   }
   if (model.Skeleton)

@@ -15,7 +15,7 @@
 
 namespace scene
 {
-class Progress;
+class ReadContext;
 struct ModelChoice;
 
 struct PosedModel
@@ -33,13 +33,12 @@ struct PosedModel
 };
 
 /// An actor for each mesh. What was mended while reading and textures that are missing are noted.
-/// `folders`: where files that it names may lie, besides its own folder and below. Throws WorkError
-/// with the path.
-PosedModel ReadModel(const std::string& path, const std::vector<std::string>& folders,
-  const ModelChoice& choice, bool smooth, Progress& progress);
+/// Throws WorkError with the path.
+PosedModel ReadModel(
+  const std::string& path, const ModelChoice& choice, bool smooth, ReadContext& context);
 
 /// Moves the model's actors to a time in seconds.
-void PlayModel(PosedModel& model, double time, Progress& progress);
+void PlayModel(PosedModel& model, double time, ReadContext& context);
 }
 
 #endif

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MtlLibrary.h"
 
-#include "OpenedFiles.h"
+#include "ReadContext.h"
+
 #include "vtkRelievoAllowedFolders.h"
 #include "vtkRelievoFileKind.h"
 
@@ -207,7 +208,7 @@ std::string FindNamedFile(
 
 //------------------------------------------------------------------------------
 std::string ReadMtlLibrary(const std::string& path, const vtkRelievoAllowedFolders& allowed,
-  std::map<std::string, MtlMaterial>& materials)
+  std::map<std::string, MtlMaterial>& materials, ReadContext& context)
 {
   std::string text;
   std::string wrong = allowed.FindObstacle(path);
@@ -219,7 +220,7 @@ std::string ReadMtlLibrary(const std::string& path, const vtkRelievoAllowedFolde
   {
     return wrong;
   }
-  OpenedFiles::Add(path);
+  context.AddFile(path);
   const std::filesystem::path folder = std::filesystem::path(path).parent_path();
   MtlMaterial* material = nullptr;
   std::size_t begin = text.compare(0, 3, "\xef\xbb\xbf") == 0 ? 3 : 0;

@@ -14,6 +14,8 @@ class vtkRelievoAllowedFolders;
 
 namespace scene
 {
+class ReadContext;
+
 struct MtlMaterial
 {
   double Diffuse[3] = { 0.8, 0.8, 0.8 };
@@ -39,7 +41,7 @@ std::string FindNamedFile(
 /// the parts that cannot be read keep their defaults. Returns why there are none where the library
 /// is not allowed or cannot be opened, and otherwise nothing.
 std::string ReadMtlLibrary(const std::string& path, const vtkRelievoAllowedFolders& allowed,
-  std::map<std::string, MtlMaterial>& materials);
+  std::map<std::string, MtlMaterial>& materials, ReadContext& context);
 }
 
 #endif

@@ -5,9 +5,8 @@
 #include "Actors.h"
 #include "Errors.h"
 #include "Images.h"
-#include "Messages.h"
 #include "MtlLibrary.h"
-#include "Progress.h"
+#include "ReadContext.h"
 #include "Readers.h"
 
 #include "vtkActor.h"
@@ -56,12 +55,12 @@ std::vector<std::string> GetStrings(vtkPolyData* mesh, const char* name)
 
 //------------------------------------------------------------------------------
 std::map<std::string, MtlMaterial> ReadLibraries(const std::vector<std::string>& libraries,
-  const std::string& path, const vtkRelievoAllowedFolders& allowed)
+  const std::string& path, const vtkRelievoAllowedFolders& allowed, ReadContext& context)
 {
   std::map<std::string, MtlMaterial> materials;
   const auto read = [&](const std::string& name) {
     const std::filesystem::path folder = std::filesystem::path(path).parent_path();
-    return ReadMtlLibrary(FindNamedFile(name, folder, allowed), allowed, materials);
+    return ReadMtlLibrary(FindNamedFile(name, folder, allowed), allowed, materials, context);
   };
   for (const std::string& line : libraries)
   {
@@ -87,14 +86,15 @@ std::map<std::string, MtlMaterial> ReadLibraries(const std::vector<std::string>&
     }
     for (const auto& [name, wrong] : unread)
     {
-      Messages::Note(path + ": drawn without the materials of " + name + ": " + wrong);
+      context.Note(path + ": drawn without the materials of " + name + ": " + wrong);
     }
   }
   return materials;
 }
 
 // Several scanners write Tr 1 without d for opaque materials.
-void MendTransparency(std::map<std::string, MtlMaterial>& materials, const std::string& path)
+void MendTransparency(
+  std::map<std::string, MtlMaterial>& materials, const std::string& path, ReadContext& context)
 {
   std::string first;
   int count = 0;
@@ -108,7 +108,7 @@ void MendTransparency(std::map<std::string, MtlMaterial>& materials, const std::
   }
   if (count > 0)
   {
-    Messages::Note(path + ": drawn as opaque in spite of Tr 1, as several scanners mean it: " +
+    context.Note(path + ": drawn as opaque in spite of Tr 1, as several scanners mean it: " +
       std::to_string(count) + (count == 1 ? " material" : " materials, such as") + " '" + first +
       "'; d 0 makes one invisible");
   }
@@ -182,13 +182,13 @@ void DropFlatTextureCoordinates(vtkPolyData* part)
 //------------------------------------------------------------------------------
 // `key`: what names the texture.
 void PutTexture(vtkActor* actor, const MtlMaterial& material, const std::string& key,
-  const std::string& path, const vtkRelievoAllowedFolders& allowed, Progress& progress)
+  const std::string& path, const vtkRelievoAllowedFolders& allowed, ReadContext& context)
 {
   try
   {
     CheckAllowed(material.Texture, allowed);
     CheckImage(key, material.Texture);
-    const vtkSmartPointer<vtkImageData> image = ReadImage(material.Texture, progress);
+    const vtkSmartPointer<vtkImageData> image = ReadImage(material.Texture, context);
     const vtkSmartPointer<vtkTexture> texture = MakeTexture(image);
     const auto& [scaleU, scaleV] = material.TextureScale;
     const auto& [offsetU, offsetV] = material.TextureOffset;
@@ -201,8 +201,7 @@ void PutTexture(vtkActor* actor, const MtlMaterial& material, const std::string&
     }
     if (!material.TextureWithout.empty())
     {
-      Messages::Note(
-        path + ": " + material.Texture + " is drawn without " + material.TextureWithout);
+      context.Note(path + ": " + material.Texture + " is drawn without " + material.TextureWithout);
     }
     actor->SetTexture(texture);
     if (const double cutoff = FindCutoff(image, actor))
@@ -214,13 +213,13 @@ void PutTexture(vtkActor* actor, const MtlMaterial& material, const std::string&
   }
   catch (const std::exception& error)
   {
-    Messages::Note(path + ": drawn without a texture: " + error.what());
+    context.Note(path + ": drawn without a texture: " + error.what());
   }
 }
 
 //------------------------------------------------------------------------------
 void Wear(vtkActor* actor, const MtlMaterial& material, const std::string& path,
-  const vtkRelievoAllowedFolders& allowed, Progress& progress)
+  const vtkRelievoAllowedFolders& allowed, ReadContext& context)
 {
   vtkProperty* property = actor->GetProperty();
   property->SetDiffuseColor(material.Diffuse);
@@ -233,13 +232,13 @@ void Wear(vtkActor* actor, const MtlMaterial& material, const std::string& path,
   {
     return;
   }
-  PutTexture(actor, material, "map_Kd", path, allowed, progress);
+  PutTexture(actor, material, "map_Kd", path, allowed, context);
 }
 }
 
 //------------------------------------------------------------------------------
-std::vector<vtkSmartPointer<vtkActor>> DrawTextured(vtkDataObject* surface, const std::string& path,
-  const std::vector<std::string>& folders, Progress& progress)
+std::vector<vtkSmartPointer<vtkActor>> DrawTextured(
+  vtkDataObject* surface, const std::string& path, ReadContext& context)
 {
   auto* mesh = vtkPolyData::SafeDownCast(surface);
   const std::vector<std::string> names =
@@ -250,12 +249,12 @@ std::vector<vtkSmartPointer<vtkActor>> DrawTextured(vtkDataObject* surface, cons
   }
   if (names.size() > 1 || !mesh->GetPointData()->GetTCoords())
   {
-    Messages::Note(path + ": drawn without " +
+    context.Note(path + ": drawn without " +
       (names.size() > 1 ? "its " + std::to_string(names.size()) + " textures, expected one"
                         : names[0] + ", for want of texture coordinates"));
     return {};
   }
-  const vtkRelievoAllowedFolders allowed(path, folders);
+  const vtkRelievoAllowedFolders allowed = context.GetAllowed(path);
   // Colours would be multiplied with the texture; they stay as arrays.
   vtkNew<vtkPolyData> plain;
   plain->ShallowCopy(mesh);
@@ -264,14 +263,14 @@ std::vector<vtkSmartPointer<vtkActor>> DrawTextured(vtkDataObject* surface, cons
   const vtkSmartPointer<vtkActor> actor = DrawSurface(plain);
   MtlMaterial material;
   material.Texture = FindNamedFile(names[0], std::filesystem::path(path).parent_path(), allowed);
-  PutTexture(actor, material, "TextureFile", path, allowed, progress);
+  PutTexture(actor, material, "TextureFile", path, allowed, context);
   return actor->GetTexture() ? std::vector<vtkSmartPointer<vtkActor>>{ actor }
                              : std::vector<vtkSmartPointer<vtkActor>>();
 }
 
 //------------------------------------------------------------------------------
-std::vector<vtkSmartPointer<vtkActor>> SplitByMaterials(vtkDataObject* surface,
-  const std::string& path, const std::vector<std::string>& folders, Progress& progress)
+std::vector<vtkSmartPointer<vtkActor>> SplitByMaterials(
+  vtkDataObject* surface, const std::string& path, ReadContext& context)
 {
   auto* mesh = vtkPolyData::SafeDownCast(surface);
   auto* ids =
@@ -280,9 +279,9 @@ std::vector<vtkSmartPointer<vtkActor>> SplitByMaterials(vtkDataObject* surface,
   {
     return {};
   }
-  const vtkRelievoAllowedFolders allowed(path, folders);
-  auto materials = ReadLibraries(GetStrings(mesh, "MaterialLibraries"), path, allowed);
-  MendTransparency(materials, path);
+  const vtkRelievoAllowedFolders allowed = context.GetAllowed(path);
+  auto materials = ReadLibraries(GetStrings(mesh, "MaterialLibraries"), path, allowed, context);
+  MendTransparency(materials, path, context);
   if (!ids || materials.empty())
   {
     return {};
@@ -306,15 +305,15 @@ std::vector<vtkSmartPointer<vtkActor>> SplitByMaterials(vtkDataObject* surface,
     const auto known = i > 0 ? materials.find(names[i - 1]) : materials.end();
     if (known != materials.end())
     {
-      Wear(part, known->second, path, allowed, progress);
+      Wear(part, known->second, path, allowed, context);
       if (known->second.Opacity == 0.0)
       {
-        Messages::Note(path + ": the material '" + names[i - 1] + "' is invisible, by its d 0");
+        context.Note(path + ": the material '" + names[i - 1] + "' is invisible, by its d 0");
       }
     }
     else if (i > 0)
     {
-      Messages::Note(path + ": no library has the material '" + names[i - 1] + "'");
+      context.Note(path + ": no library has the material '" + names[i - 1] + "'");
     }
     parts.push_back(part);
   }

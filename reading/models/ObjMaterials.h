@@ -17,21 +17,20 @@ class vtkDataObject;
 
 namespace scene
 {
-class Progress;
+class ReadContext;
 
 /// An actor for each material of the surface of an OBJ file, those without one first, then by the
 /// first use of the name; the cell array `vtkOriginalCellIds` has the numbers that cells have in
 /// the surface, or had in the file. None if the file is no OBJ file, or no library has a material.
-/// What is named and cannot be read, or lies neither in the file's own folder nor in these, is
-/// noted, and drawn without.
-std::vector<vtkSmartPointer<vtkActor>> SplitByMaterials(vtkDataObject* surface,
-  const std::string& path, const std::vector<std::string>& folders, Progress& progress);
+/// What is named and cannot be read, or lies where it is not allowed, is noted, and drawn without.
+std::vector<vtkSmartPointer<vtkActor>> SplitByMaterials(
+  vtkDataObject* surface, const std::string& path, ReadContext& context);
 
 /// An actor for the surface of a PLY file with the texture that its comment `TextureFile` names, in
-/// place of colours; none for any other surface. What cannot be read, or lies neither in the file's
-/// own folder nor in these, is noted, and drawn without.
-std::vector<vtkSmartPointer<vtkActor>> DrawTextured(vtkDataObject* surface, const std::string& path,
-  const std::vector<std::string>& folders, Progress& progress);
+/// place of colours; none for any other surface. What cannot be read, or lies where it is not
+/// allowed, is noted, and drawn without.
+std::vector<vtkSmartPointer<vtkActor>> DrawTextured(
+  vtkDataObject* surface, const std::string& path, ReadContext& context);
 }
 
 #endif

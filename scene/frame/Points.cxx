@@ -4,9 +4,9 @@
 
 #include "DataSets.h"
 #include "Errors.h"
-#include "Messages.h"
 #include "Options.h"
 #include "PointOptions.h"
+#include "ReadContext.h"
 #include "Readers.h"
 
 #include "vtkDataSet.h"
@@ -54,23 +54,23 @@ void CheckArrays(const PointsChoice& choice, vtkRelievoPointValues* points)
 }
 
 // Throws WorkError if no point has an effect; notes those that have none.
-void CheckPoints(const std::string& path, vtkRelievoPointValues* points)
+void CheckPoints(const std::string& path, vtkRelievoPointValues* points, ReadContext& context)
 {
   const std::string things = points->GetThings(), needs = points->GetNeeds();
   const int count = points->GetNumberOfPoints();
   const int leftOut = points->GetNumberLeftOut();
-  Messages::Check(path, count == 0,
+  context.Check(path, count == 0,
     leftOut == 0 ? "holds no points, expected " + things
                  : "holds no points that are " + things + ": " + needs);
   if (leftOut > 0)
   {
-    Messages::Note(path + ": left out " + std::to_string(leftOut) + " of " +
+    context.Note(path + ": left out " + std::to_string(leftOut) + " of " +
       std::to_string(count + leftOut) + " points that are no " + things + ": " + needs);
   }
 }
 
 // Sizes that neither the file nor the words give: what is right depends on the scene.
-void NoteDefaults(const PointsChoice& choice, vtkRelievoPointValues* points)
+void NoteDefaults(const PointsChoice& choice, vtkRelievoPointValues* points, ReadContext& context)
 {
   const std::set<std::string> names = GetArrays(points->GetInputDataObject(0, 0));
   std::string defaults;
@@ -86,7 +86,7 @@ void NoteDefaults(const PointsChoice& choice, vtkRelievoPointValues* points)
   }
   if (!defaults.empty())
   {
-    Messages::Note(choice.File + ": " + points->GetThings() + " with " + defaults +
+    context.Note(choice.File + ": " + points->GetThings() + " with " + defaults +
       ", for the file has no such array");
   }
 }
@@ -105,13 +105,13 @@ void CheckPointFile(const PointsChoice& choice)
 }
 
 //------------------------------------------------------------------------------
-FramePoints ReadFramePoints(const RenderOptions& options, Progress& progress)
+FramePoints ReadFramePoints(const RenderOptions& options, ReadContext& context)
 {
   FramePoints all;
   for (const PointsChoice& choice : options.Points)
   {
     const vtkSmartPointer<vtkRelievoPointValues> points = MakePointValues(choice.Stage);
-    points->SetInputData(ReadPoints(choice.File, options.AllowedFolders, progress));
+    points->SetInputData(ReadPoints(choice.File, context));
     if (points->GetDescription().Find("up")) // unless it is given
     {
       points->SetParameter("up",
@@ -123,8 +123,8 @@ FramePoints ReadFramePoints(const RenderOptions& options, Progress& progress)
       points->SetParameter(parameter, value);
     }
     CheckArrays(choice, points);
-    CheckPoints(choice.File, points);
-    NoteDefaults(choice, points);
+    CheckPoints(choice.File, points, context);
+    NoteDefaults(choice, points, context);
     all.push_back({ choice.Stage, points });
   }
   return all;

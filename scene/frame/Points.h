@@ -16,7 +16,7 @@ class vtkRelievoPass;
 
 namespace scene
 {
-class Progress;
+class ReadContext;
 struct PointsChoice;
 struct RenderOptions;
 
@@ -34,7 +34,7 @@ using FramePoints = std::vector<FramePointSet>;
 
 /// Throws UsageError for arrays that a file does not have, WorkError with the file's name: what
 /// cannot be read, arrays that do not fit, files without a point that has an effect.
-FramePoints ReadFramePoints(const RenderOptions& options, Progress& progress);
+FramePoints ReadFramePoints(const RenderOptions& options, ReadContext& context);
 
 /// Gives the points to a pass that has none.
 void AddFramePoints(vtkRelievoPass* pass, const FramePoints& points);
