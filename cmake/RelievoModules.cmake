@@ -2,12 +2,12 @@
 
 include(RelievoStages)
 set(relievo_rooms describe shaders layers cameras rays passes/frame passes/gbuffer passes/shadows
-  passes/deferred passes/effects passes materials io filters animation scene)
+  passes/deferred passes/effects passes materials io filters animation reading look scene dataset)
 set(relievo_module_files ${relievo_rooms})
 list(TRANSFORM relievo_module_files REPLACE "(.+)" "${CMAKE_CURRENT_SOURCE_DIR}/\\1/vtk.module")
 set(relievo_requested Relievo::Describe Relievo::Shaders Relievo::Layers Relievo::Cameras
   Relievo::Rays Relievo::Passes Relievo::Materials Relievo::IO Relievo::Filters Relievo::Animation
-  Relievo::Scene)
+  Relievo::Reading Relievo::Look Relievo::Scene Relievo::Dataset)
 # Modules of ParaView's plugin: not for Python, which uses ParaView's server manager.
 set(relievo_plugin_modules)
 if (RELIEVO_USE_PARAVIEW)

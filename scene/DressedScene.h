@@ -7,10 +7,17 @@
 #ifndef DressedScene_h
 #define DressedScene_h
 
-#include "BareScene.h"
 #include "Frame.h"
 #include "Options.h"
+#include "Scene.h"
 #include "Settings.h"
+
+#include "vtkActor.h"
+#include "vtkLight.h"
+#include "vtkProperty.h"
+#include "vtkRelievoMaterial.h"
+#include "vtkSmartPointer.h"
+#include "vtkTexture.h"
 
 #include <array>
 #include <string>
@@ -50,18 +57,49 @@ public:
   /// Whether a colour bar that is shown was made for another size of the window.
   bool IsBarOutgrown() const;
 
-  vtkRenderer* GetRenderer() const { return this->Bare.Get().Renderer; }
+  /// Whether it is an actor of the files, and no skeleton, ground or lines.
+  bool IsOfFiles(vtkActor* actor) const;
+
+  vtkRenderer* GetRenderer() const { return this->Read.Renderer; }
   vtkRelievoPass* GetFrame() const; ///< null: the picture is VTK's own
-  Scene& GetScene() { return this->Bare.Get(); }
-  const BareScene& GetBare() const { return this->Bare; }
+  Scene& GetScene() { return this->Read; }
+  const Scene& GetScene() const { return this->Read; }
+  const std::vector<vtkSmartPointer<vtkLight>>& GetFileLights() const { return this->Lights; }
   const FramePoints& GetPoints() const { return this->Points; }
   const RenderOptions& GetOptions() const { return this->Options; } ///< that are shown
-  const double* GetBounds() const { return this->Bare.Get().Bounds; }
+  const double* GetBounds() const { return this->Read.Bounds; }
 
 private:
   void SetFrame(const RenderOptions& options);
 
-  BareScene Bare;
+  // What an actor was before it was dressed.
+  struct Part
+  {
+    vtkSmartPointer<vtkActor> Actor;
+    vtkSmartPointer<vtkProperty> Property;
+    vtkSmartPointer<vtkTexture> Texture;
+    bool SRGB;                                    // of the texture
+    vtkSmartPointer<vtkRelievoMaterial> Material; // of a model that brings one
+    bool Colored;
+    int ScalarMode, ColorMode, ArrayAccess, ArrayId;
+    std::string ArrayName;
+    bool OwnRange;
+    bool Interpolated; // scalars, before they are colours
+  };
+
+  // Brings the scene back to how it was read; what surfaces wear stays, and the sky.
+  void Undress();
+  void Restore(const Part& part);
+
+  // Sets what surfaces wear, and the sky, instead of what there was; that stays, without its files
+  // being read again, where this throws.
+  void Wear(const RenderOptions& options, Progress& progress);
+  void TakeOff();
+
+  Scene Read;
+  std::vector<Part> Parts;
+  std::vector<vtkSmartPointer<vtkProp>> Props, Kept;
+  std::vector<vtkSmartPointer<vtkLight>> Lights; // of the files
   FramePoints Points;
   RenderOptions Options;
   std::string Dress = "\n", Surface = "\n"; // the words it was made of; at first like no words

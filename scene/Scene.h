@@ -6,6 +6,7 @@
 #ifndef Scene_h
 #define Scene_h
 
+#include "Actors.h"
 #include "Grid.h"
 #include "Models.h"
 
@@ -15,16 +16,13 @@
 #include <array>
 #include <map>
 #include <optional>
-#include <set>
 #include <string>
 #include <vector>
-
-class vtkCamera;
 
 namespace scene
 {
 class Progress;
-struct CameraPlace;
+class ReadContext;
 struct RenderOptions;
 
 struct Scene
@@ -38,29 +36,20 @@ struct Scene
   int UpAxis = 1;          ///< by the first file: 0, 1, 2 for x, y, z
   std::vector<int> Counts; ///< how many actors each file gave, skeletons apart
   std::vector<std::array<int, 3>>
-    Dimensions;                 ///< points of images that are not shown as boxes, or zeros
-  std::set<std::string> Arrays; ///< names of the point and cell arrays that can be layers
-  std::set<std::string> Placed; ///< the same as point:NAME and cell:NAME
+    Dimensions;      ///< points of images that are not shown as boxes, or zeros
+  ArrayNames Arrays; ///< that can be layers
   std::optional<std::array<double, 2>> Times; ///< seconds that animations last; none: nothing moves
 };
 
 /// Reads every file. Throws WorkError with the name of the file that cannot be read or shows
 /// nothing.
-Scene ReadScene(const RenderOptions& options, Progress& progress);
+Scene ReadScene(const RenderOptions& options, ReadContext& context);
 
 /// Shading, colours and lights of what was read, and the camera.
 void DressScene(Scene& scene, const RenderOptions& options);
 
-constexpr double StandardViewAngle = 30.0; ///< VTK's, degrees
-
 /// The options with the scene's up axis and lights, where they leave it to that.
 RenderOptions FollowFile(RenderOptions options, const Scene& scene);
-
-/// The camera alone, fitted to these bounds if the options do not place it.
-void PlaceCamera(vtkRenderer* renderer, const RenderOptions& options, const double bounds[6]);
-
-/// Where a camera stands.
-CameraPlace GetPlace(vtkCamera* camera);
 
 /// Fits the camera so that it sees every frame of a sequence, from one place.
 void FitTimes(Scene& scene, const RenderOptions& options, Progress& progress);

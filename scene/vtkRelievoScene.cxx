@@ -2,16 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRelievoScene.h"
 
-#include "Apart.h"
 #include "Display.h"
 #include "DressedScene.h"
 #include "Errors.h"
 #include "Lens.h"
 #include "Messages.h"
-#include "OpenedFiles.h"
 #include "Options.h"
 #include "Outcome.h"
 #include "Progress.h"
+#include "ReadContext.h"
 #include "WriteOutputs.h"
 
 #include "vtkCommand.h"
@@ -141,7 +140,7 @@ bool vtkRelievoScene::SetWords(vtkStringArray* words)
     }
     std::vector<std::string> files = options.Files;
     files.insert(files.end(),
-      { options.Environment, options.NormalMap, options.HeightMap,
+      { options.Surface.Environment, options.Surface.NormalMap, options.Surface.HeightMap,
         vtkRelievoCalibration::IsFile(options.Lens) ? options.Lens : "" });
     for (const scene::PointsChoice& points : options.Points)
     {
@@ -232,7 +231,8 @@ void vtkRelievoScene::Internals::Read(scene::Progress& progress)
   }
   // Starting OpenGL takes about as long as reading a mesh. What is wrong with files is told first.
   this->NoWindow = nullptr;
-  const scene::WhileReading window([this] {
+  scene::ReadContext context(progress, this->Options.AllowedFolders);
+  context.SetMeanwhile([this] {
     try
     {
       this->MakeWindow();
@@ -242,11 +242,9 @@ void vtkRelievoScene::Internals::Read(scene::Progress& progress)
       this->NoWindow = std::current_exception();
     }
   });
-  std::vector<std::string> opened;
-  const scene::OpenedFiles listed(opened);
-  const scene::Scene read = OnFiles([&] { return scene::ReadScene(this->Options, progress); });
+  const scene::Scene read = OnFiles([&] { return scene::ReadScene(this->Options, context); });
   const scene::FramePoints points =
-    OnFiles([&] { return scene::ReadFramePoints(this->Options, progress); });
+    OnFiles([&] { return scene::ReadFramePoints(this->Options, context); });
   if (vtkRenderer* before = this->Dressed.GetRenderer())
   {
     vtkRelievoPass::Detach(before);
@@ -255,7 +253,7 @@ void vtkRelievoScene::Internals::Read(scene::Progress& progress)
   this->Dressed = scene::DressedScene(read, points);
   this->ReadingKey = key;
   this->Played = false;
-  this->Opened = opened;
+  this->Opened = context.GetFiles();
 }
 
 //------------------------------------------------------------------------------
@@ -284,7 +282,7 @@ void vtkRelievoScene::Internals::Update(scene::Progress& progress)
     this->Window->AddRenderer(renderer);
   }
   this->Dressed.Update(this->Settings, this->Options, false, progress);
-  if (!this->Options.Camera && this->Options.Model.Times.size() > 1)
+  if (!this->Options.View.Place && this->Options.Model.Times.size() > 1)
   {
     scene::FitTimes(this->Dressed.GetScene(), this->Options, progress);
   }

@@ -24,9 +24,6 @@ namespace scene
 class Progress;
 struct RenderOptions;
 
-/// Throws UsageError for options that a lens does not go with.
-void CheckLens(const RenderOptions& options);
-
 /// Throws UsageError for a layer that rays do not have.
 void CheckLensLayer(const std::string& name);
 

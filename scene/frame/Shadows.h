@@ -6,8 +6,6 @@
 #ifndef Shadows_h
 #define Shadows_h
 
-#include <string>
-
 class vtkRelievoPass;
 class vtkRenderer;
 
@@ -15,10 +13,6 @@ namespace scene
 {
 struct RenderOptions;
 enum class Shadows;
-
-/// Throws UsageError if a layer is of a light beyond the `lights` that there are. `whose` says in
-/// the message what they are, such as "--light options".
-void CheckShadowLayers(const RenderOptions& options, int lights, const std::string& whose);
 
 /// Lights that the renderer will draw with: VTK makes a headlight where there are none.
 int CountLights(vtkRenderer* renderer);

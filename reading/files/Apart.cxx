@@ -1,0 +1,173 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Apart.h"
+
+#include "Errors.h"
+#include "Messages.h"
+#include "NumberLocale.h"
+#include "Progress.h"
+#include "ReadContext.h"
+#include "Readers.h"
+
+#include "vtkDataObject.h"
+#include "vtkRelievoDataBytes.h"
+#include "vtkRelievoReaderProcess.h"
+
+#include <cstdint>
+#include <new>
+#include <vector>
+
+namespace scene
+{
+namespace
+{
+enum class End : unsigned char
+{
+  Done,
+  Usage,
+  Work
+};
+
+// What there is to say beside the data.
+struct Said
+{
+  End Is = End::Done;
+  std::string Wrong;
+  std::vector<std::string> Notes, Warnings, Opened;
+};
+
+template <typename Visit>
+void VisitFields(Said& said, Visit&& visit)
+{
+  auto& [is, wrong, notes, warnings, opened] = said;
+  visit(is, wrong, notes, warnings, opened);
+}
+
+// Steps go to the program.
+class Steps : public ProgressListener
+{
+public:
+  explicit Steps(const vtkRelievoReaderProcess::Say& say)
+    : Tell(say)
+  {
+  }
+  void Say(const std::string& what, double share) override { this->Tell(what, share); }
+  bool IsStopped() override { return false; } // then the process ends
+
+private:
+  const vtkRelievoReaderProcess::Say& Tell;
+};
+
+// In the process of the file.
+void Answer(
+  relievo::ByteReader& asked, const vtkRelievoReaderProcess::Say& say, relievo::ByteWriter& made)
+{
+  const auto work = reinterpret_cast<ReadingWork>(asked.Get<std::uintptr_t>());
+  const auto path = asked.Get<std::string>();
+  const auto folders = asked.Get<std::vector<std::string>>();
+  Said said;
+  vtkSmartPointer<vtkDataObject> data;
+  {
+    const Messages::Scope scope;
+    const NumberLocale locale;
+    Steps steps(say);
+    Progress progress(&steps);
+    ReadContext context(progress, folders);
+    context.AddFile(path);
+    try
+    {
+      data = work(path, context);
+    }
+    catch (const UsageError& error)
+    {
+      said.Is = End::Usage;
+      said.Wrong = error.what();
+    }
+    catch (const WorkError& error)
+    {
+      if (Messages::TellsOfMemory(error.what())) // what VTK 9.1 gets over, with no data
+      {
+        throw std::bad_alloc();
+      }
+      said.Is = End::Work;
+      said.Wrong = error.what();
+    }
+    said.Notes = context.TakeNotes();
+    said.Warnings = context.TakeWarnings();
+    for (const std::string& warning : Messages::TakeWarnings())
+    {
+      said.Warnings.push_back(warning);
+    }
+    said.Opened = context.GetFiles();
+  }
+  made(said);
+  relievo::PutData(made, data);
+}
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkDataObject> ReadApart(
+  ReadingWork work, const std::string& path, ReadContext& context)
+{
+  if (!vtkRelievoReaderProcess::IsThere())
+  {
+    return work(path, context);
+  }
+  Progress& progress = context.GetProgress();
+  const std::string reading = "reading " + path;
+  progress.Begin(reading);
+  std::string step = reading;
+  const auto show = [&](const std::string& what, double share) {
+    context.DoMeanwhile();
+    if (!what.empty() && what != step)
+    {
+      step = what;
+      progress.Begin(what);
+    }
+    progress.Update(share);
+    return !progress.IsStopped();
+  };
+  Said said;
+  vtkSmartPointer<vtkDataObject> data;
+  const std::string failure = vtkRelievoReaderProcess::Run(
+    Answer,
+    [&](relievo::ByteWriter& asked) {
+      asked(reinterpret_cast<std::uintptr_t>(work), path, context.GetFolders());
+    },
+    show,
+    [&](relievo::ByteReader& made) {
+      made(said);
+      data = relievo::GetData(made);
+    });
+  progress.End();
+  if (!failure.empty())
+  {
+    throw WorkError(path + ": the reader (" + GetReaderName(path) + ") " + failure);
+  }
+  for (const std::string& each : said.Opened)
+  {
+    context.AddFile(each);
+  }
+  for (const std::string& note : said.Notes)
+  {
+    context.Note(note);
+  }
+  for (const std::string& warning : said.Warnings)
+  {
+    context.Warn(warning);
+  }
+  if (said.Is == End::Usage)
+  {
+    throw UsageError(said.Wrong);
+  }
+  if (said.Is == End::Work)
+  {
+    throw WorkError(said.Wrong);
+  }
+  if (!data)
+  {
+    throw WorkError(path + ": holds nothing that can be drawn");
+  }
+  return data;
+}
+}

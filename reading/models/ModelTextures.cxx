@@ -1,0 +1,110 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ModelTextures.h"
+
+#include "Errors.h"
+#include "Images.h"
+#include "MtlLibrary.h"
+#include "ReadContext.h"
+
+#include "vtkActor.h"
+#include "vtkDataArray.h"
+#include "vtkDataSet.h"
+#include "vtkFieldData.h"
+#include "vtkPointData.h"
+#include "vtkProperty.h"
+#include "vtkRelievoModelReader.h"
+#include "vtkRelievoWrapTexture.h"
+#include "vtkStringArray.h"
+
+#include <exception>
+#include <filesystem>
+
+namespace scene
+{
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkImageData> ModelTextures::Read(const std::string& name)
+{
+  if (this->Reader->HasEmbeddedTexture(name.c_str()))
+  {
+    vtkSmartPointer<vtkImageData> image = this->Reader->GetEmbeddedTexture(name.c_str());
+    this->Context.Check("in the file", !image, "expected an image");
+    return image;
+  }
+  // Files name textures by paths of the machine that wrote them: the name alone is looked for too.
+  const vtkRelievoAllowedFolders allowed = this->Context.GetAllowed(this->Path);
+  const std::string file =
+    FindNamedFile(name, std::filesystem::path(this->Path).parent_path(), allowed);
+  CheckAllowed(file, allowed);
+  CheckImage("texture", file);
+  return ReadImage(file, this->Context);
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkImageData> ModelTextures::Find(
+  vtkDataSet* mesh, const char* array, const std::string& what)
+{
+  auto* names = vtkStringArray::SafeDownCast(mesh->GetFieldData()->GetAbstractArray(array));
+  if (!names || names->GetNumberOfValues() == 0 || !mesh->GetPointData()->GetTCoords())
+  {
+    return nullptr;
+  }
+  const std::string name = names->GetValue(0);
+  try
+  {
+    return this->Read(name);
+  }
+  catch (const std::exception& error)
+  {
+    this->Context.Note(
+      this->Path + ": drawn without the " + what + " " + name + ": " + error.what());
+    return nullptr;
+  }
+}
+
+//------------------------------------------------------------------------------
+double ModelTextures::PutColor(vtkActor* actor, vtkDataSet* mesh)
+{
+  const auto image = this->Find(mesh, "base_color_texture", "texture");
+  if (!image)
+  {
+    return 0.;
+  }
+  vtkSmartPointer<vtkTexture>& texture = this->Textures[image];
+  if (!texture)
+  {
+    texture = MakeTexture(image);
+  }
+  const double cutoff = FindCutoff(image, actor);
+  actor->SetTexture(texture);
+  actor->GetProperty()->SetColor(1., 1., 1.); // the texture's colours are the whole
+  return cutoff;
+}
+
+//------------------------------------------------------------------------------
+void ModelTextures::PutMaterial(vtkActor* actor, vtkDataSet* mesh, double cutoff)
+{
+  // Where a sampler says more than a map can, VTK's shaders draw the actor's own normal texture.
+  auto* own = vtkRelievoWrapTexture::SafeDownCast(actor->GetProperty()->GetTexture("normalTex"));
+  const bool isMap =
+    !own || (own->GetWrapU() == own->GetWrapV() && own->GetWrapU() != vtkTexture::MirroredRepeat);
+  const bool repeats = !own || own->GetWrapU() == vtkTexture::Repeat;
+  const auto normals = isMap ? this->Find(mesh, "normal_texture", "normal map") : nullptr;
+  if (normals || cutoff > 0.)
+  {
+    vtkDataArray* given = mesh->GetFieldData()->GetArray("normal_strength");
+    const double strength = given ? given->GetComponent(0, 0) : 1.;
+    vtkSmartPointer<vtkRelievoMaterial>& material =
+      this->Materials[{ normals.Get(), strength, cutoff, repeats }];
+    if (!material)
+    {
+      material = vtkSmartPointer<vtkRelievoMaterial>::New();
+      material->SetNormalMap(normals);
+      material->SetNormalStrength(strength);
+      material->SetRepeat(repeats);
+      material->SetAlphaCutoff(cutoff);
+    }
+    material->Attach(actor);
+  }
+}
+}
