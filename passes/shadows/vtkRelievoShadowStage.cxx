@@ -25,8 +25,10 @@
 #include "vtkRelievoShadowLights.h"
 #include "vtkRelievoShadowMethod.h"
 #include "vtkRelievoShadowMethodExact.h"
+#include "vtkRelievoShadowMethods.h"
 #include "vtkRelievoShadowPlanning.h"
 #include "vtkRelievoShadowSchedule.h"
+#include "vtkRelievoShadowSplice.h"
 #include "vtkRelievoShadowStrengths.h"
 #include "vtkRelievoShadowUniforms.h"
 #include "vtkRenderState.h"
@@ -44,6 +46,11 @@
 #include <sstream>
 #include <string>
 #include <vector>
+
+static_assert(vtkRelievoShadowStage::METHOD_MAP == int(vtkRelievoShadowMethods::MAP), "");
+static_assert(vtkRelievoShadowStage::METHOD_FORWARD == int(vtkRelievoShadowMethods::FORWARD), "");
+static_assert(vtkRelievoShadowStage::METHOD_WARPED == int(vtkRelievoShadowMethods::WARPED), "");
+static_assert(vtkRelievoShadowStage::METHOD_EXACT == int(vtkRelievoShadowMethods::EXACT), "");
 
 namespace
 {
@@ -246,9 +253,9 @@ bool vtkRelievoShadowStage::Prepare(vtkRelievoFrameContext& context)
   vtkRelievoAccess::Renderer::FollowCamera(context.Renderer);
   // The shaders that draw the maps are built for the lights that VTK counts here.
   static_cast<vtkOpenGLRenderer*>(context.Renderer)->UpdateLights();
-  in.LayersAsked = context.IsAsked(this, "visibility");
-  in.LampsAsked = context.IsAsked(this, "lamp shadows");
-  const bool lights = in.LayersAsked || context.IsAsked(this, "shadow maps");
+  in.LayersAsked = context.IsAsked(this, vtkRelievoResources::Visibility);
+  in.LampsAsked = context.IsAsked(this, vtkRelievoResources::LampShadows);
+  const bool lights = in.LayersAsked || context.IsAsked(this, vtkRelievoResources::ShadowMaps);
   lights ? this->CollectLights(context) : in.Lights.Clear();
   if (in.Lights.GetCasting().empty() && !in.LampsAsked)
   {
@@ -444,7 +451,7 @@ void vtkRelievoShadowStage::Internals::UseMethod(int method, vtkOpenGLRenderWind
 //------------------------------------------------------------------------------
 bool vtkRelievoShadowStage::Internals::UpdateStructure()
 {
-  vtkRelievoShadowSplice::Structure structure;
+  vtkRelievoShadowStructure structure;
   structure.Method = this->Method->GetShader();
   structure.Traced = this->Method->Traces();
   structure.Colored = this->Method->Colors();
@@ -493,7 +500,8 @@ void vtkRelievoShadowStage::Describe(vtkRelievoStageDescription& description)
   description.Name = "shadows";
   description.Help = "Shadows of lights (suns, spots and points) and of lamps from data.";
   description.Slot = vtkRelievoStageDescription::LIGHT_MAPS;
-  description.Writes = { "shadow maps", "visibility", "lamp shadows" };
+  description.Writes = { vtkRelievoResources::ShadowMaps, vtkRelievoResources::Visibility,
+    vtkRelievoResources::LampShadows };
   description.ServesWhenOff = true;
   description.AddChoice(
     "method", this->Method, [this](int method) { this->SetMethod(method); },
@@ -559,7 +567,7 @@ void vtkRelievoShadowStage::Declare(
   const vtkRelievoFrameContext& context, vtkRelievoDeclaration& declaration) const
 {
   // The visibility is for layers, and lamps are lit by their own stage.
-  declaration.OptionalWrites = { "shadow maps" };
+  declaration.OptionalWrites = { vtkRelievoResources::ShadowMaps };
   this->DeclareSoft(context, declaration);
   // Other methods than these know what is seen at pixels.
   const bool ofAnyRaster = this->Tolerance == 0.0 && this->TimeBudget == 0.0 &&
@@ -1061,7 +1069,7 @@ void vtkRelievoShadowStage::DrawLights(vtkRelievoFrameContext& context)
   this->NumberOfMapsDrawn = work.MapsDrawn;
   work.Maps.Bind(true);
   in.Strengths.Set(work, this->Enabled ? this->Strength : 0.0);
-  context.Provide("shadow maps", &in.Strengths);
+  context.Provide(vtkRelievoResources::ShadowMaps, &in.Strengths);
   in.ProgramsWithUniforms.clear();
   const int methodDraws = in.Method->Draw(work, context.Renderer);
   in.ProgramsWithUniforms.clear();
@@ -1087,7 +1095,7 @@ std::string vtkRelievoShadowStage::DrawLamps(vtkRelievoFrameContext& context)
     return "no shadows of lamps: " + fault;
   }
   this->DrawCalls += in.Lamps.GetDrawCalls();
-  context.Provide("lamp shadows", &in.Lamps);
+  context.Provide(vtkRelievoResources::LampShadows, &in.Lamps);
   return in.Lamps.GetReport();
 }
 
