@@ -173,10 +173,11 @@ std::string vtkRelievoLampLight::Add(vtkRelievoFrameContext& context, bool gloss
   defines += finishes ? "#define RELIEVO_TO_DISPLAY\n" : "";
   if (wrong.empty())
   {
-    std::vector<std::string> reads{ "depth", "normal", "surface", "color" };
+    std::vector<vtkRelievoResourceName> reads{ vtkRelievoResources::Depth,
+      vtkRelievoResources::Normal, vtkRelievoResources::Surface, vtkRelievoResources::Color };
     if (finishes)
     {
-      reads.emplace_back("drawn");
+      reads.push_back(vtkRelievoResources::Drawn);
     }
     if (vtkShaderProgram* program = this->ReadyPixels(context, this->Adder, reads, defines))
     {
@@ -277,7 +278,7 @@ std::string vtkRelievoLampLight::DrawQuads(
     // The count of computed lamps does not depend on their shadows.
     auto* shadows = &target == &this->Counts
       ? nullptr
-      : static_cast<vtkRelievoLampShadows*>(context.Find("lamp shadows"));
+      : static_cast<vtkRelievoLampShadows*>(context.Find(vtkRelievoResources::LampShadows));
     wrong = this->CastingQuads.Draw(
       context, this->Casting, defines,
       [this](vtkShaderProgram* program) { this->Bind(program, true); }, shadows, this->DrawCalls);
@@ -290,10 +291,11 @@ std::string vtkRelievoLampLight::DrawQuads(
 std::string vtkRelievoLampLight::DrawPixels(vtkRelievoFrameContext& context,
   vtkRelievoScreenTarget& target, vtkRelievoScreenQuad& quad, const std::string& defines)
 {
-  std::vector<std::string> reads{ "depth", "normal" };
+  std::vector<vtkRelievoResourceName> reads{ vtkRelievoResources::Depth,
+    vtkRelievoResources::Normal };
   if (&target == &this->Gloss)
   {
-    reads.emplace_back("surface");
+    reads.push_back(vtkRelievoResources::Surface);
   }
   if (vtkShaderProgram* program = this->ReadyPixels(context, quad, reads, defines))
   {
@@ -308,7 +310,7 @@ std::string vtkRelievoLampLight::DrawPixels(vtkRelievoFrameContext& context,
 //------------------------------------------------------------------------------
 // Prepares the quad in which each pixel loops over its lamps.
 vtkShaderProgram* vtkRelievoLampLight::ReadyPixels(vtkRelievoFrameContext& context,
-  vtkRelievoScreenQuad& quad, const std::vector<std::string>& reads, std::string defines)
+  vtkRelievoScreenQuad& quad, const std::vector<vtkRelievoResourceName>& reads, std::string defines)
 {
   defines +=
     this->Way == vtkRelievoLampsStage::CLUSTERS ? "#define RELIEVO_LAMPS_IN_CLUSTERS\n" : "";

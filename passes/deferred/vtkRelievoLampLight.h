@@ -64,7 +64,7 @@ private:
   std::string DrawPixels(vtkRelievoFrameContext& context, vtkRelievoScreenTarget& target,
     vtkRelievoScreenQuad& quad, const std::string& defines);
   vtkShaderProgram* ReadyPixels(vtkRelievoFrameContext& context, vtkRelievoScreenQuad& quad,
-    const std::vector<std::string>& reads, std::string defines);
+    const std::vector<vtkRelievoResourceName>& reads, std::string defines);
   bool HasQuads() const;
   void SumCounts();
 

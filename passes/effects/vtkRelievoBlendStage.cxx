@@ -41,8 +41,8 @@ void vtkRelievoBlendStage::Describe(vtkRelievoStageDescription& description)
   description.Help = "Keeps translucent surfaces apart until opaque ones are lit.";
   description.Slot = vtkRelievoStageDescription::COMPOSITE;
   description.Order = -1; // before stages that change the colour of every pixel
-  description.Reads = { "translucent" };
-  description.Writes = { "color" };
+  description.Reads = { vtkRelievoResources::Translucent };
+  description.Writes = { vtkRelievoResources::Color };
   description.Layers = { Blend };
   description.OnByDefault = true;
 }
@@ -65,7 +65,8 @@ void vtkRelievoBlendStage::Declare(
 //------------------------------------------------------------------------------
 bool vtkRelievoBlendStage::Prepare(vtkRelievoFrameContext& context)
 {
-  context.KeepTranslucentApart(&this->Internal->Layer, !context.IsAsked(this, "color"));
+  context.KeepTranslucentApart(
+    &this->Internal->Layer, !context.IsAsked(this, vtkRelievoResources::Color));
   return true;
 }
 
@@ -73,10 +74,10 @@ bool vtkRelievoBlendStage::Prepare(vtkRelievoFrameContext& context)
 void vtkRelievoBlendStage::Execute(vtkRelievoFrameContext& context)
 {
   Internals& in = *this->Internal;
-  const bool any = context.Find("translucent") != nullptr;
+  const bool any = context.Find(vtkRelievoResources::Translucent) != nullptr;
   std::string wrong;
   this->DrawCalls = 0;
-  if (context.IsAsked(this, Blend))
+  if (context.IsLayerAsked(this, Blend))
   {
     wrong = any ? "" : in.Layer.Prepare(context, {});
     if (!any && wrong.empty())
@@ -93,9 +94,10 @@ void vtkRelievoBlendStage::Execute(vtkRelievoFrameContext& context)
   {
     this->ReleaseGraphicsResources(context.Window);
   }
-  if (any && context.IsAsked(this, "color"))
+  if (any && context.IsAsked(this, vtkRelievoResources::Color))
   {
-    if (in.Quad.Ready(context, "blend/colorFS.glsl", { "color", "translucent" }))
+    if (in.Quad.Ready(context, "blend/colorFS.glsl",
+          { vtkRelievoResources::Color, vtkRelievoResources::Translucent }))
     {
       this->DrawCalls += context.DrawColor(in.Quad) ? 1 : 0;
     }

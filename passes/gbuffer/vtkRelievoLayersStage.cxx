@@ -29,6 +29,7 @@
 #include "vtkRelievoScopedState.h"
 #include "vtkRelievoSurfaces.h"
 #include "vtkRelievoVTKVersions.h"
+#include "vtkRelievoWordFormats.h"
 #include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
 #include "vtkTimeStamp.h"
@@ -43,6 +44,38 @@
 #include <string>
 #include <utility>
 #include <vector>
+
+namespace
+{
+#define RELIEVO_SAME_CODE(name)                                                                    \
+  static_assert(static_cast<int>(vtkRelievoLayersStage::name) ==                                   \
+      static_cast<int>(vtkRelievoWordFormats::name),                                               \
+    "differs from vtkRelievoWordFormats")
+RELIEVO_SAME_CODE(NORMAL_AUTO);
+RELIEVO_SAME_CODE(NORMAL_FLOAT32);
+RELIEVO_SAME_CODE(NORMAL_FLOAT16);
+RELIEVO_SAME_CODE(NORMAL_OCT16);
+RELIEVO_SAME_CODE(NORMAL_OCT16_PRECISE);
+RELIEVO_SAME_CODE(NORMAL_OCT8);
+RELIEVO_SAME_CODE(NORMAL_OCT8_PRECISE);
+RELIEVO_SAME_CODE(NORMAL_RGB10A2);
+RELIEVO_SAME_CODE(NORMAL_RGB8);
+RELIEVO_SAME_CODE(DEPTH_32F);
+RELIEVO_SAME_CODE(DEPTH_16F);
+RELIEVO_SAME_CODE(DEPTH_WINDOW_Z24);
+RELIEVO_SAME_CODE(DEPTH_REVERSED_32F);
+RELIEVO_SAME_CODE(NORMAL_DEPTH_SEPARATE);
+RELIEVO_SAME_CODE(NORMAL_DEPTH_RGBA8);
+RELIEVO_SAME_CODE(NORMAL_DEPTH_RGBA16F);
+RELIEVO_SAME_CODE(NORMAL_DEPTH_RGBA32F);
+#undef RELIEVO_SAME_CODE
+
+// Outputs for shaders that are no layers.
+bool IsForShaders(const vtkRelievoResourceName& name)
+{
+  return name == vtkRelievoResources::Surface || name == vtkRelievoResources::Shading;
+}
+}
 
 class vtkRelievoLayersStage::Internals
 {
@@ -118,16 +151,17 @@ void vtkRelievoLayersStage::Describe(vtkRelievoStageDescription& description)
   }
   description.WritesArrays = true;
   // For lighting stages: next to VTK's own light, and instead of it.
-  description.Writes = { "surface", "shading" };
+  description.Writes = { vtkRelievoResources::Surface, vtkRelievoResources::Shading };
 }
 
 //------------------------------------------------------------------------------
-std::vector<std::string> vtkRelievoLayersStage::GetReadsFor(
+std::vector<vtkRelievoResourceName> vtkRelievoLayersStage::GetReadsFor(
   const vtkRelievoFrameContext& context, const std::vector<std::string>& asked) const
 {
   const bool visibility = std::any_of(asked.begin(), asked.end(),
     [&context](const std::string& layer) { return context.Lights.count(layer) > 0; });
-  return visibility ? std::vector<std::string>{ "visibility" } : std::vector<std::string>();
+  return visibility ? std::vector<vtkRelievoResourceName>{ vtkRelievoResources::Visibility }
+                    : std::vector<vtkRelievoResourceName>();
 }
 
 //------------------------------------------------------------------------------
@@ -248,7 +282,7 @@ void vtkRelievoLayersStage::EndOpaque(vtkRelievoFrameContext& context)
   if (in.Shading)
   {
     in.Textures.Set(in.Layout, in.Target, in.Offset, this->NormalSpace == WORLD);
-    context.Provide("shading", &in.Textures);
+    context.Provide(vtkRelievoResources::Shading, &in.Textures);
   }
 }
 
@@ -272,7 +306,7 @@ void vtkRelievoLayersStage::Execute(vtkRelievoFrameContext& context)
   if (in.ShadingAsked && !in.Valid)
   {
     in.Textures.WhyNot = in.Textures.WhyNot.empty() ? in.NotShared : in.Textures.WhyNot;
-    context.Provide("shading", &in.Textures);
+    context.Provide(vtkRelievoResources::Shading, &in.Textures);
     if (asked.size() == 1)
     {
       in.Target.Release(context.Window);
@@ -293,8 +327,9 @@ void vtkRelievoLayersStage::Execute(vtkRelievoFrameContext& context)
   in.Textures.SetDraws(in.Draws, context.Window);
   for (const std::string& layer : asked)
   {
-    const bool internal = layer == "surface" || layer == "shading";
-    internal ? context.Provide(layer, &in.Textures) : context.ProvideLayer(layer, &in.Textures);
+    const auto name = vtkRelievoResourceName::Of(layer);
+    IsForShaders(name) ? context.Provide(name, &in.Textures)
+                       : context.ProvideLayer(layer, &in.Textures);
     words += " " + layer;
   }
   this->Explain("ran",
@@ -449,7 +484,7 @@ void vtkRelievoLayersStage::Internals::Arrange(
   layout.NormalDepth = separate ? static_cast<int>(NORMAL_DEPTH_SEPARATE) : self.NormalDepthFormat;
   for (const std::string& layer : context.GetAsked(&self))
   {
-    if (layer == "surface" || layer == "shading")
+    if (IsForShaders(vtkRelievoResourceName::Of(layer)))
     {
       layout.Surface = true;
     }
@@ -484,7 +519,7 @@ void vtkRelievoLayersStage::Internals::Arrange(
   this->Textures.WhyNot.clear();
   this->Textures.Left.clear();
   this->Textures.Deferred = this->Textures.NumberOfLights = 0;
-  this->ShadingAsked = context.IsAsked(&self, "shading");
+  this->ShadingAsked = context.IsAsked(&self, vtkRelievoResources::Shading);
   if (this->ShadingAsked)
   {
     this->Textures.WhyNot = this->DrawsWithoutLayers
@@ -498,7 +533,7 @@ void vtkRelievoLayersStage::Internals::Arrange(
   {
     layout.Depth = layout.Normal = true;
     asked = layout.Shadows;
-    if (context.IsPlanned("shadow maps"))
+    if (context.IsPlanned(vtkRelievoResources::ShadowMaps))
     {
       layout.Shadows.resize(context.Renderer->GetLights()->GetNumberOfItems());
       std::iota(layout.Shadows.begin(), layout.Shadows.end(), 0);

@@ -73,7 +73,9 @@ void vtkRelievoLightDepthStage::Describe(vtkRelievoStageDescription& description
   description.Label = "Light's Depth";
   description.Help = "Shows what a light's shadow maps see.";
   description.Slot = vtkRelievoStageDescription::COMPOSITE;
-  description.Reads = { "visibility" }; // whether shadows are seen in the picture or not
+  description.Reads = {
+    vtkRelievoResources::Visibility
+  }; // whether shadows are seen in the picture or not
   description.Layers = { Layer };
   description.OnByDefault = true;
   description.AddWhole(
@@ -90,7 +92,8 @@ void vtkRelievoLightDepthStage::Execute(vtkRelievoFrameContext& context)
   format.Channels = 1;
   format.Halves = false;
   std::string wrong = in.Target.Prepare(context, format);
-  const auto* shadows = static_cast<vtkRelievoShadowStrengths*>(context.Find("shadow maps"));
+  const auto* shadows =
+    static_cast<vtkRelievoShadowStrengths*>(context.Find(vtkRelievoResources::ShadowMaps));
   const vtkRelievoShadowContext* work = shadows ? shadows->GetWork() : nullptr;
   const vtkRelievoShadowCache::Entry* entry = in.Find(work, this->Light);
   vtkShaderProgram* program = nullptr;

@@ -23,13 +23,26 @@ using Plan = vtkRelievoFramePlan;
 using D = vtkRelievoStageDescription;
 using Names = std::vector<std::string>;
 
+// No text becomes a resource's name by itself, so that a misspelt one does not compile.
+using Resource = vtkRelievoResourceName;
+static_assert(!std::is_convertible<const char*, Resource>::value, "");
+static_assert(!std::is_constructible<Resource, const char*>::value, "");
+static_assert(!std::is_constructible<Resource, std::string>::value, "");
+
+std::vector<Resource> ToResources(const Names& names)
+{
+  std::vector<Resource> resources;
+  std::transform(names.begin(), names.end(), std::back_inserter(resources), Resource::Of);
+  return resources;
+}
+
 Plan::Node Make(const std::string& name, int slot, const Names& reads, const Names& writes)
 {
   Plan::Node node;
   node.Name = name;
   node.Slot = slot;
-  node.Declaration.Reads = reads;
-  node.Declaration.Writes = writes;
+  node.Declaration.Reads = ToResources(reads);
+  node.Declaration.Writes = ToResources(writes);
   return node;
 }
 
@@ -39,16 +52,16 @@ std::vector<Plan::Node> MakeOwn(bool shadows)
   Plan::Node delegate = Make("delegate", D::SURFACES, {}, { "picture", "color" });
   delegate.Order = -1;
   delegate.Delegate = true;
-  delegate.Declaration.OptionalReads = { "shadow maps" };
+  delegate.Declaration.OptionalReads = { vtkRelievoResources::ShadowMaps };
   Plan::Node layers = Make("gbuffer", D::SURFACES, {}, {});
   layers.Declaration.Layers = { "depth", "normal", "cell" };
   layers.Declaration.WritesArrays = true;
   layers.ReadsFor = [](const Names& asked) {
     const bool shadow = std::find(asked.begin(), asked.end(), "shadow_0") != asked.end();
-    return shadow ? Names{ "shadow maps" } : Names();
+    return ToResources(shadow ? Names{ "shadow maps" } : Names());
   };
   Plan::Node maps = Make("shadows", D::LIGHT_MAPS, {}, { "shadow maps" });
-  maps.Declaration.OptionalWrites = shadows ? Names{ "shadow maps" } : Names();
+  maps.Declaration.OptionalWrites = ToResources(shadows ? Names{ "shadow maps" } : Names());
   return { delegate, layers, maps };
 }
 
@@ -127,7 +140,7 @@ void TestColor()
   RELIEVO_CHECK(!color);
   // A stage that shows a layer hides stages that work on the colour.
   nodes.push_back(Make("display", D::DISPLAY, { "cell" }, { "picture" }));
-  nodes[2].Declaration.OptionalWrites = { "shadow maps" };
+  nodes[2].Declaration.OptionalWrites = { vtkRelievoResources::ShadowMaps };
   RELIEVO_CHECK(
     (Run(nodes, { "the picture" }, nullptr, &color) == Names{ "delegate", "gbuffer", "display" }));
   RELIEVO_CHECK(!color);
@@ -147,7 +160,7 @@ void TestColor()
 void TestPictureMakers()
 {
   std::vector<Plan::Node> nodes = MakeOwn(false);
-  nodes[2].Declaration.OptionalWrites = { "shadow maps" };
+  nodes[2].Declaration.OptionalWrites = { vtkRelievoResources::ShadowMaps };
   nodes.push_back(Make("glow", D::COMPOSITE, { "color" }, { "color" }));
   nodes.push_back(Make("tone", D::DISPLAY, { "color" }, { "picture" }));
   nodes.back().Order = -1;
@@ -181,7 +194,7 @@ void TestReaderInTheMiddle()
   nodes.push_back(Make("z", D::COMPOSITE, { "color", "mean" }, { "color" }));
   RELIEVO_CHECK((Run(nodes, { "the picture" }) == Names{ "delegate", "a", "meter", "z" }));
   nodes[4].Order = 1;
-  nodes[5].Declaration.Reads = { "color" };
+  nodes[5].Declaration.Reads = { vtkRelievoResources::Color };
   RELIEVO_CHECK((Run(nodes, { "the picture", "mean" }) == Names{ "delegate", "a", "z", "meter" }));
 }
 
@@ -219,7 +232,7 @@ void TestRefused()
   // A resource written in a later slot.
   nodes = MakeOwn(false);
   nodes.push_back(Make("early", D::LIGHT_MAPS, { "depth" }, { "shadow maps" }));
-  nodes.back().Declaration.OptionalWrites = { "shadow maps" };
+  nodes.back().Declaration.OptionalWrites = { vtkRelievoResources::ShadowMaps };
   nodes[2].Declaration.Runs = false;
   RELIEVO_CHECK((Run(nodes, { "the picture" }, &wrong) == Names{ "delegate" }));
   RELIEVO_CHECK(Says(wrong, { "early", "'depth'", "gbuffer", "light maps", "surfaces" }));
@@ -330,7 +343,7 @@ void TestNoColor()
 void TestOnlyIfColorChanges()
 {
   std::vector<Plan::Node> nodes = MakeOwn(true);
-  nodes[0].Declaration.Writes.emplace_back("translucent");
+  nodes[0].Declaration.Writes.push_back(vtkRelievoResources::Translucent);
   Plan::Node joins = Make("joins", D::COMPOSITE, { "translucent" }, { "color" });
   joins.Order = -10;
   joins.Declaration.Layers = { "blend" };

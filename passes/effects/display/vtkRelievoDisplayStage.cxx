@@ -85,7 +85,7 @@ void vtkRelievoDisplayStage::Describe(vtkRelievoStageDescription& description)
   description.Label = "Layer Shown";
   description.Help = "Shows a layer as the picture.";
   description.Slot = vtkRelievoStageDescription::DISPLAY;
-  description.Writes = { "picture" };
+  description.Writes = { vtkRelievoResources::Picture };
   description.OnByDefault = true;
   description.AddText(
     "layer", [this]() { return this->Layer; },
@@ -218,11 +218,11 @@ void vtkRelievoDisplayStage::Execute(vtkRelievoFrameContext& context)
   {
     return;
   }
-  std::vector<std::string> reads;
+  std::vector<vtkRelievoResourceName> reads;
   const bool values = shader == "DEPTH" || shader == "RANGE";
   if (!colors)
   {
-    reads.push_back(this->Layer);
+    reads.push_back(vtkRelievoResourceName::Of(this->Layer));
     this->ShownComponents = vtkRelievoLayerCatalogue::Find(this->Layer).Components;
     this->Same = false;
     std::copy(this->Range, this->Range + 2, this->ShownRange);

@@ -96,7 +96,8 @@ std::string vtkRelievoFogBuffer::Draw(vtkRelievoFrameContext& context,
   format.Halves = false;
   format.Depth = dominant;
   std::string wrong = this->Target.Prepare(context, format);
-  vtkRelievoResource* depth = context.Find(this->BeforeDrawn ? "drawn" : "depth");
+  vtkRelievoResource* depth =
+    context.Find(this->BeforeDrawn ? vtkRelievoResources::Drawn : vtkRelievoResources::Depth);
   const bool any = !this->Texels.empty();
   if (wrong.empty() && any && !depth)
   {

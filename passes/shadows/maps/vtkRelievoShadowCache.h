@@ -13,7 +13,7 @@
 #include <cstdint>
 #include <vector>
 
-class vtkRelievoShadowMethod;
+class vtkRelievoShadowFitter;
 class vtkRelievoShadowProps;
 
 // What maps are fitted to.
@@ -42,11 +42,11 @@ public:
     bool Cube = false; // another camera may need several maps: shaders keep room for six
   };
 
-  // Fits the method's maps to the casting lights, keeping what is still right.
+  // Fits maps to the casting lights, keeping what is still right.
   void Update(const std::vector<vtkRelievoShadowLight>& casting, const vtkRelievoShadowScene& scene,
-    const vtkRelievoShadowMethod& method);
+    const vtkRelievoShadowFitter& fitter);
 
-  // Another method may fit otherwise: maps that it has as well are kept.
+  // Another fitter may fit otherwise: maps that it has as well are kept.
   void Refit() { this->Fitted = false; }
 
   std::vector<Entry>& GetEntries() { return this->Entries; }
@@ -69,7 +69,7 @@ public:
 
 private:
   void Fit(const std::vector<vtkRelievoShadowLight>& casting, const vtkRelievoShadowScene& scene,
-    const vtkRelievoShadowMethod& method);
+    const vtkRelievoShadowFitter& fitter);
   void AssignLayers(const std::vector<Entry>& before);
 
   std::vector<Entry> Entries;

@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-class vtkRelievoShadowMethod;
+class vtkRelievoShadowFitter;
 class vtkRenderer;
 class vtkShaderProgram;
 struct vtkRelievoShadowContext;
@@ -26,7 +26,7 @@ public:
   // Maps of size x size texels, or less if another process makes no larger ones, with a filter of
   // this radius at most. They get a texture unit. Returns why there are none, in words.
   std::string Fit(vtkRelievoShadowContext& work, const std::vector<vtkRelievoShadowLight>& casting,
-    const vtkRelievoShadowMethod& method, int size, int radius, vtkRenderer* renderer);
+    const vtkRelievoShadowFitter& fitter, int size, int radius, vtkRenderer* renderer);
 
   // Returns the draw calls but for those of mappers that draw by themselves.
   int Draw(vtkRelievoShadowContext& work, vtkRenderer* renderer);

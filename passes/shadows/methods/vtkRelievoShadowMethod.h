@@ -7,7 +7,7 @@
 #ifndef vtkRelievoShadowMethod_h
 #define vtkRelievoShadowMethod_h
 
-#include "vtkRelievoShadowFit.h"
+#include "vtkRelievoShadowFitter.h"
 #include "vtkType.h"
 
 #include <memory>
@@ -57,26 +57,15 @@ struct vtkRelievoShadowErrorLaw
 // (testShadowEstimate).
 constexpr vtkRelievoShadowErrorLaw vtkRelievoShadowMapLaw = { 1.92e-4, 0.91 };
 
-class vtkRelievoShadowMethod
+class vtkRelievoShadowMethod : public vtkRelievoShadowFitter
 {
 public:
-  // One of vtkRelievoShadowStage::Methods.
+  // One of vtkRelievoShadowMethods.
   static std::unique_ptr<vtkRelievoShadowMethod> Make(int method);
-
-  vtkRelievoShadowMethod() = default;
-  virtual ~vtkRelievoShadowMethod() = default;
-  vtkRelievoShadowMethod(const vtkRelievoShadowMethod&) = delete;
-  void operator=(const vtkRelievoShadowMethod&) = delete;
 
   // Before maps are fitted: takes the casters that need none. Returns why the frame's shadows
   // cannot be made this way, in words; `map` makes them then.
   virtual std::string Prepare(vtkRelievoShadowContext&, vtkRenderer*) { return std::string(); }
-
-  // The views of a light's maps, as vtkRelievoShadowFit::Fit, which is what is done by default.
-  virtual std::vector<vtkRelievoShadowView> Fit(const vtkRelievoShadowLight& light,
-    const std::vector<vtkRelievoShadowRegion::Polygon>& visible,
-    const std::vector<vtkRelievoShadowRegion::Polygon>& scene,
-    const std::vector<vtkRelievoBox>& casters, const vtkRelievoShadowFit::Request& request) const;
 
   // After the maps were drawn: what else is drawn before the picture. Returns the draw calls; what
   // mappers draw through the stage's callbacks is counted there.

@@ -3,7 +3,7 @@
 #include "vtkRelievoWordDecoder.h"
 
 #include "vtkRelievoFrameCamera.h"
-#include "vtkRelievoLayersStage.h"
+#include "vtkRelievoWordFormats.h"
 
 #include <cmath>
 
@@ -13,17 +13,17 @@ glm::vec3 vtkRelievoWordDecoder::DecodeNormal(const std::uint32_t* words, int fo
   using namespace relievo::f32;
   switch (format)
   {
-    case vtkRelievoLayersStage::NORMAL_FLOAT32:
+    case vtkRelievoWordFormats::NORMAL_FLOAT32:
       return relievoUnpackNormalFloat(glm::uvec3(words[0], words[1], words[2]));
-    case vtkRelievoLayersStage::NORMAL_FLOAT16:
+    case vtkRelievoWordFormats::NORMAL_FLOAT16:
       return relievoUnpackNormalHalf(glm::uvec2(words[0], words[1]));
-    case vtkRelievoLayersStage::NORMAL_OCT16:
-    case vtkRelievoLayersStage::NORMAL_OCT16_PRECISE:
+    case vtkRelievoWordFormats::NORMAL_OCT16:
+    case vtkRelievoWordFormats::NORMAL_OCT16_PRECISE:
       return relievoUnpackNormalOct16(words[0]);
-    case vtkRelievoLayersStage::NORMAL_OCT8:
-    case vtkRelievoLayersStage::NORMAL_OCT8_PRECISE:
+    case vtkRelievoWordFormats::NORMAL_OCT8:
+    case vtkRelievoWordFormats::NORMAL_OCT8_PRECISE:
       return relievoUnpackNormalOct8(words[0]);
-    case vtkRelievoLayersStage::NORMAL_RGB10A2:
+    case vtkRelievoWordFormats::NORMAL_RGB10A2:
       return relievoUnpackNormalUnorm10(words[0]);
     default:
       return relievoUnpackNormalUnorm8(words[0]);
@@ -37,16 +37,16 @@ double vtkRelievoWordDecoder::DecodeDepth(
   using namespace relievo::f64;
   switch (format)
   {
-    case vtkRelievoLayersStage::DEPTH_16F:
+    case vtkRelievoWordFormats::DEPTH_16F:
       return relievoUnpackDepth16F(
         word, relievo::f32::relievoDepth16FScale(static_cast<float>(view.Far)));
-    case vtkRelievoLayersStage::DEPTH_WINDOW_Z24:
+    case vtkRelievoWordFormats::DEPTH_WINDOW_Z24:
     {
       const double z = relievoUnpackWindowZ24(word);
       return view.Parallel ? relievoParallelDepth(z, view.Near, view.Far)
                            : relievoPerspectiveDepth(z, view.Near, view.Far);
     }
-    case vtkRelievoLayersStage::DEPTH_REVERSED_32F:
+    case vtkRelievoWordFormats::DEPTH_REVERSED_32F:
     {
       const double z = relievoUnpackDepth32F(word);
       if (std::isinf(z))
@@ -70,9 +70,9 @@ glm::vec4 vtkRelievoWordDecoder::DecodeNormalDepth(
   const float zFar = static_cast<float>(view.Far);
   switch (format)
   {
-    case vtkRelievoLayersStage::NORMAL_DEPTH_RGBA32F:
+    case vtkRelievoWordFormats::NORMAL_DEPTH_RGBA32F:
       return relievoUnpackNormalDepth32F(glm::uvec4(words[0], words[1], words[2], words[3]));
-    case vtkRelievoLayersStage::NORMAL_DEPTH_RGBA16F:
+    case vtkRelievoWordFormats::NORMAL_DEPTH_RGBA16F:
       return relievoUnpackNormalDepth16F(
         glm::uvec2(words[0], words[1]), relievoDepth16FScale(zFar));
     default:

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRelievoLightSpace.h"
 
+#include "vtkRelievoShadowLight.h"
 #include "vtkRelievoShadowSnapping.h"
 
 #include <algorithm>
@@ -139,19 +140,8 @@ vtkRelievoLightSpace::vtkRelievoLightSpace(
 
 //------------------------------------------------------------------------------
 vtkRelievoLightSpace::vtkRelievoLightSpace(const glm::dvec3& origin, const glm::dvec3& forward)
-  : vtkRelievoLightSpace(origin, forward, AnySquareTo(forward))
+  : vtkRelievoLightSpace(origin, forward, vtkRelievoShadowLight::AnySquareTo(forward))
 {
-}
-
-//------------------------------------------------------------------------------
-glm::dvec3 vtkRelievoLightSpace::AnySquareTo(const glm::dvec3& v)
-{
-  const glm::dvec3 size = glm::abs(v);
-  const double least = std::min({ size.x, size.y, size.z }) + Rounding;
-  const glm::dvec3 axis = size.x <= least ? glm::dvec3(1, 0, 0)
-    : size.y <= least                     ? glm::dvec3(0, 1, 0)
-                                          : glm::dvec3(0, 0, 1);
-  return glm::normalize(axis - v * glm::dot(axis, v));
 }
 
 //------------------------------------------------------------------------------

@@ -30,9 +30,9 @@ struct VTKRELIEVOGBUFFER_EXPORT vtkRelievoGBufferLayout
   bool Places = false; // x and y in eye space, for actors whose own shaders move vertices
   std::map<std::string, int> Lights; // layers of a light's visibility, and the light's number
   std::vector<int> Shadows;          // the lights' numbers in the renderer, ascending
-  int NormalFormat = 0;              // vtkRelievoLayersStage::NormalFormats
-  int DepthFormat = 0;               // vtkRelievoLayersStage::DepthFormats
-  int NormalDepth = 0;               // vtkRelievoLayersStage::NormalDepthFormats
+  int NormalFormat = 0;              // vtkRelievoWordFormats::Normals
+  int DepthFormat = 0;               // vtkRelievoWordFormats::Depths
+  int NormalDepth = 0;               // vtkRelievoWordFormats::NormalDepths
 
   // Position of each channel: its first word, or -1. Set by Arrange().
   int DepthWord = -1;

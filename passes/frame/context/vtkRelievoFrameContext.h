@@ -10,6 +10,7 @@
 #include "vtkRelievoFrameModule.h" // for the export macro
 #include "vtkRelievoFrameScene.h"
 #include "vtkRelievoLampShadows.h"
+#include "vtkRelievoResourceName.h"
 
 #include <functional>
 #include <map>
@@ -19,7 +20,7 @@
 class vtkImageData;
 class vtkMultiProcessController;
 class vtkOpenGLRenderWindow;
-class vtkRelievoColorTarget;
+class vtkRelievoFrameColor;
 class vtkRelievoFramePass;
 class vtkRelievoResource;
 class vtkRelievoSampleLattice;
@@ -98,16 +99,17 @@ public:
 
   // The requested outputs of a stage, sorted. Empty if the stage is not needed.
   const std::vector<std::string>& GetAsked(const vtkRelievoStage* stage) const;
-  bool IsAsked(const vtkRelievoStage* stage, const std::string& resource) const;
+  bool IsAsked(const vtkRelievoStage* stage, const vtkRelievoResourceName& resource) const;
+  bool IsLayerAsked(const vtkRelievoStage* stage, const std::string& name) const;
 
   // Whether the resource is requested from some stage in this frame.
-  bool IsPlanned(const std::string& resource) const;
+  bool IsPlanned(const vtkRelievoResourceName& resource) const;
 
   ///@{
   // A stage's output, by the resource's name; nullptr if it does not exist (yet). The resource must
   // live until the end of the frame.
-  void Provide(const std::string& name, vtkRelievoResource* resource);
-  vtkRelievoResource* Find(const std::string& name) const;
+  void Provide(const vtkRelievoResourceName& name, vtkRelievoResource* resource);
+  vtkRelievoResource* Find(const vtkRelievoResourceName& name) const;
 
   // A layer written by a stage, by its name for users: an array may have the name of a resource.
   // nullptr if it does not exist (yet).
@@ -171,7 +173,7 @@ private:
   std::map<const vtkRelievoStage*, std::vector<std::string>> Asked;
   std::map<std::string, vtkRelievoResource*> Resources;
   std::map<std::string, vtkRelievoResource*> Layers;
-  vtkRelievoColorTarget* Color = nullptr;
+  vtkRelievoFrameColor* Color = nullptr;
   bool Finishes = false;
   vtkRelievoScreenTarget* Translucent = nullptr;
   bool PutBack = false;

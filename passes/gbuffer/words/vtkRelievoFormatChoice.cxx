@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRelievoFormatChoice.h"
 
-#include "vtkRelievoLayersStage.h"
+#include "vtkRelievoWordFormats.h"
 
 #include <algorithm>
 #include <iterator>
 
 namespace
 {
-using Stage = vtkRelievoLayersStage;
+namespace Code = vtkRelievoWordFormats;
 
 // Largest errors, rounded up, which the tests of formats check. In order of size; within a size,
 // the cheaper format first.
@@ -19,12 +19,12 @@ struct Format
   double Error;
 };
 constexpr Format Normals[] = { // degrees
-  { Stage::NORMAL_OCT8, 0.96 }, { Stage::NORMAL_OCT8_PRECISE, 0.65 }, { Stage::NORMAL_RGB8, 0.4 },
-  { Stage::NORMAL_RGB10A2, 0.098 }, { Stage::NORMAL_OCT16, 0.0038 },
-  { Stage::NORMAL_OCT16_PRECISE, 0.0026 }, { Stage::NORMAL_FLOAT32, 1e-5 }
+  { Code::NORMAL_OCT8, 0.96 }, { Code::NORMAL_OCT8_PRECISE, 0.65 }, { Code::NORMAL_RGB8, 0.4 },
+  { Code::NORMAL_RGB10A2, 0.098 }, { Code::NORMAL_OCT16, 0.0038 },
+  { Code::NORMAL_OCT16_PRECISE, 0.0026 }, { Code::NORMAL_FLOAT32, 1e-5 }
 };
 constexpr Format Depths[] = { // as a share of the depth
-  { Stage::DEPTH_16F, 4.9e-4 }, { Stage::DEPTH_32F, 6e-8 }
+  { Code::DEPTH_16F, 4.9e-4 }, { Code::DEPTH_32F, 6e-8 }
 };
 
 template <typename Formats>

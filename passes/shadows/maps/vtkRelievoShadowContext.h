@@ -11,7 +11,7 @@
 #include "vtkRelievoShadowCache.h"
 #include "vtkRelievoShadowMaps.h"
 #include "vtkRelievoShadowProps.h"
-#include "vtkRelievoShadowSplice.h"
+#include "vtkRelievoShadowStructure.h"
 
 // What is drawn into all maps of a frame, and how.
 struct vtkRelievoShadowCasters
@@ -38,7 +38,7 @@ struct vtkRelievoShadowContext
   vtkRelievoMeshExchange Others; // that draw together with this process
   vtkRelievoShadowCache Cache;
   vtkRelievoShadowMaps Maps;
-  vtkRelievoShadowSplice::Structure Structure;
+  vtkRelievoShadowStructure Structure;
   int Radius = 1;    // of the filter in texels, as the maps' size allows
   double Bias = 0.0; // in texels
   // Of soft lights' parts, in frames that draw all samples at once: the step of their numbers

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRelievoFrameContext.h"
 
-#include "vtkRelievoColorBuffers.h"
-#include "vtkRelievoColorTarget.h"
+#include "vtkRelievoBoundFramebuffer.h"
+#include "vtkRelievoFrameColor.h"
 #include "vtkRelievoResource.h"
 
 #include <algorithm>
@@ -45,23 +45,31 @@ const std::vector<std::string>& vtkRelievoFrameContext::GetAsked(const vtkReliev
 
 //------------------------------------------------------------------------------
 bool vtkRelievoFrameContext::IsAsked(
-  const vtkRelievoStage* stage, const std::string& resource) const
+  const vtkRelievoStage* stage, const vtkRelievoResourceName& resource) const
 {
-  const std::vector<std::string>& asked = this->GetAsked(stage);
-  return std::binary_search(asked.begin(), asked.end(), resource);
+  return this->IsLayerAsked(stage, resource.Get());
 }
 
 //------------------------------------------------------------------------------
-bool vtkRelievoFrameContext::IsPlanned(const std::string& resource) const
+bool vtkRelievoFrameContext::IsLayerAsked(
+  const vtkRelievoStage* stage, const std::string& name) const
+{
+  const std::vector<std::string>& asked = this->GetAsked(stage);
+  return std::binary_search(asked.begin(), asked.end(), name);
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoFrameContext::IsPlanned(const vtkRelievoResourceName& resource) const
 {
   return std::any_of(this->Asked.begin(), this->Asked.end(),
     [this, &resource](const auto& asked) { return this->IsAsked(asked.first, resource); });
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoFrameContext::Provide(const std::string& name, vtkRelievoResource* resource)
+void vtkRelievoFrameContext::Provide(
+  const vtkRelievoResourceName& name, vtkRelievoResource* resource)
 {
-  this->Resources[name] = resource;
+  this->Resources[name.Get()] = resource;
 }
 
 //------------------------------------------------------------------------------
@@ -71,9 +79,9 @@ void vtkRelievoFrameContext::ProvideLayer(const std::string& name, vtkRelievoRes
 }
 
 //------------------------------------------------------------------------------
-vtkRelievoResource* vtkRelievoFrameContext::Find(const std::string& name) const
+vtkRelievoResource* vtkRelievoFrameContext::Find(const vtkRelievoResourceName& name) const
 {
-  return FindFirst(name, this->Resources, this->Layers);
+  return FindFirst(name.Get(), this->Resources, this->Layers);
 }
 
 //------------------------------------------------------------------------------
@@ -85,13 +93,13 @@ vtkRelievoResource* vtkRelievoFrameContext::FindLayer(const std::string& name) c
 //------------------------------------------------------------------------------
 double vtkRelievoFrameContext::GetDrawnDepthError(double depth) const
 {
-  if (vtkRelievoColorBuffers::GetBoundSamples() > 0)
+  if (vtkRelievoBoundFramebuffer::GetSamples() > 0)
   {
     return std::numeric_limits<double>::infinity();
   }
   // One step of z, as much again for the rasteriser's interpolation, and the float rounding in the
   // conversion from z to depth.
-  const int bits = std::min(vtkRelievoColorBuffers::GetBoundDepthBits(), 24);
+  const int bits = std::min(vtkRelievoBoundFramebuffer::GetDepth().Bits, 24);
   const double range = this->View.Far - this->View.Near;
   const double slope =
     this->View.Parallel ? range : depth * depth * range / (this->View.Far * this->View.Near);

@@ -11,13 +11,19 @@ namespace
 {
 using Node = vtkRelievoFramePlan::Node;
 
-const std::string Picture = "picture";
-const std::string Color = "color";
-const std::string Translucent = "translucent";
+const std::string& Picture = vtkRelievoResources::Picture.Get();
+const std::string& Color = vtkRelievoResources::Color.Get();
+const std::string& Translucent = vtkRelievoResources::Translucent.Get();
 
 bool Has(const std::vector<std::string>& names, const std::string& name)
 {
   return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+bool Has(const std::vector<vtkRelievoResourceName>& names, const std::string& name)
+{
+  return std::any_of(names.begin(), names.end(),
+    [&name](const vtkRelievoResourceName& other) { return other.Get() == name; });
 }
 
 bool Writes(const Node& node, const std::string& resource, bool layer)
@@ -68,18 +74,18 @@ bool vtkRelievoFramePlan::Node::IsBefore(const Node& other) const
 std::vector<vtkRelievoFramePlan::Name> vtkRelievoFramePlan::GetReads(const Node& node)
 {
   std::vector<Name> reads;
-  for (const std::string& name : node.Declaration.Reads)
+  for (const vtkRelievoResourceName& name : node.Declaration.Reads)
   {
-    reads.push_back({ name, false });
+    reads.push_back({ name.Get(), false });
   }
   for (const std::string& name : node.Declaration.ReadsLayers)
   {
     reads.push_back({ name, true });
   }
-  for (const std::string& name :
-    node.ReadsFor ? node.ReadsFor(node.Asked) : std::vector<std::string>())
+  for (const vtkRelievoResourceName& name :
+    node.ReadsFor ? node.ReadsFor(node.Asked) : std::vector<vtkRelievoResourceName>())
   {
-    reads.push_back({ name, false });
+    reads.push_back({ name.Get(), false });
   }
   return reads;
 }
@@ -127,13 +133,13 @@ std::string vtkRelievoFramePlan::ExplainMissing(const std::vector<Node>& nodes, 
         " would write, but does not run: " + idle->Declaration.Reason;
   }
   const Node& node = nodes[writer];
-  for (const std::string& more :
-    node.ReadsFor ? node.ReadsFor({ name.Resource }) : std::vector<std::string>())
+  for (const vtkRelievoResourceName& more :
+    node.ReadsFor ? node.ReadsFor({ name.Resource }) : std::vector<vtkRelievoResourceName>())
   {
-    if (more != Color && FindWriter(nodes, { more, false }) < 0)
+    if (more != vtkRelievoResources::Color && FindWriter(nodes, { more.Get(), false }) < 0)
     {
-      return "for which the stage " + node.Name + " needs '" + more + "', " +
-        ExplainMissing(nodes, { more, false });
+      return "for which the stage " + node.Name + " needs '" + more.Get() + "', " +
+        ExplainMissing(nodes, { more.Get(), false });
     }
   }
   return std::string();
@@ -328,12 +334,13 @@ void vtkRelievoFramePlan::Mark(
   }
   for (std::size_t i = 0; i < nodes.size() && this->ColorSeen; ++i)
   {
-    for (const std::string& use : nodes[i].Declaration.OptionalReads)
+    for (const vtkRelievoResourceName& use : nodes[i].Declaration.OptionalReads)
     {
-      const int writer = FindWriter(nodes, { use, false });
-      if (nodes[i].Needed && writer >= 0 && Has(nodes[writer].Declaration.OptionalWrites, use))
+      const int writer = FindWriter(nodes, { use.Get(), false });
+      if (nodes[i].Needed && writer >= 0 &&
+        Has(nodes[writer].Declaration.OptionalWrites, use.Get()))
       {
-        this->Need(nodes, writer, use);
+        this->Need(nodes, writer, use.Get());
       }
     }
   }

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Puts the visibility of lights into the light code of VTK's mappers.
-#ifndef vtkRelievoShadowSplice_h
-#define vtkRelievoShadowSplice_h
+// What the shaders of what receives shadows are built for; a change builds them anew.
+#ifndef vtkRelievoShadowStructure_h
+#define vtkRelievoShadowStructure_h
 
 #include <algorithm>
 #include <string>
@@ -12,12 +12,8 @@
 
 class vtkActor;
 class vtkMapper;
-class vtkOpenGLPolyDataMapper;
 
-namespace vtkRelievoShadowSplice
-{
-// What shaders are built for; a change builds them anew.
-struct Structure
+struct vtkRelievoShadowStructure
 {
   struct Light
   {
@@ -55,7 +51,7 @@ struct Structure
     }
     return faces;
   }
-  bool operator==(const Structure& other) const
+  bool operator==(const vtkRelievoShadowStructure& other) const
   {
     return this->Lights == other.Lights && this->Method == other.Method &&
       this->Maps == other.Maps && this->Traced == other.Traced && this->Colored == other.Colored &&
@@ -63,13 +59,5 @@ struct Structure
       this->Parts == other.Parts && this->Unlit == other.Unlit && this->Found == other.Found;
   }
 };
-
-// Before VTK fills its tags in: marks that survive it.
-void Mark(std::string& vertex, std::string& geometry, std::string& fragment);
-
-// After it, for an actor's mapper. Returns what is missing, in words.
-std::string Fill(std::string& vertex, std::string& geometry, std::string& fragment,
-  vtkOpenGLPolyDataMapper* mapper, vtkActor* actor, const Structure& structure);
-}
 
 #endif

@@ -43,7 +43,7 @@ std::vector<int> vtkRelievoFrameOrder::GetColorChain() const
 //------------------------------------------------------------------------------
 void vtkRelievoFrameOrder::WaitForReads()
 {
-  const std::string color = "color";
+  const std::string& color = vtkRelievoResources::Color.Get();
   const std::vector<int> chain = this->GetColorChain();
   for (std::size_t i = 1; i < chain.size(); ++i)
   {
@@ -57,9 +57,9 @@ void vtkRelievoFrameOrder::WaitForReads()
       continue;
     }
     std::vector<vtkRelievoFramePlan::Name> reads = vtkRelievoFramePlan::GetReads(node);
-    for (const std::string& use : node.Declaration.OptionalReads)
+    for (const vtkRelievoResourceName& use : node.Declaration.OptionalReads)
     {
-      reads.push_back({ use, false });
+      reads.push_back({ use.Get(), false });
     }
     for (const vtkRelievoFramePlan::Name& read : reads)
     {

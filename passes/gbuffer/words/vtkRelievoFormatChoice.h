@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The smallest formats of vtkRelievoLayersStage whose largest errors are within a tolerance
+// The smallest formats whose largest errors are within a tolerance
 // (docs/choosing-formats.md).
 #ifndef vtkRelievoFormatChoice_h
 #define vtkRelievoFormatChoice_h

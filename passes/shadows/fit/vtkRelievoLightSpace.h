@@ -32,8 +32,6 @@ struct vtkRelievoLightSpace
   vtkRelievoLightSpace(const glm::dvec3& origin, const glm::dvec3& forward, const glm::dvec3& up);
   vtkRelievoLightSpace(const glm::dvec3& origin, const glm::dvec3& forward);
 
-  static glm::dvec3 AnySquareTo(const glm::dvec3& v);
-
   // Right, up, forward.
   glm::dvec3 Map(const glm::dvec3& world) const;
 

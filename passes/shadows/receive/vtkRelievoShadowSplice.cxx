@@ -7,6 +7,7 @@
 #include "vtkRelievoAccess.h"
 #include "vtkRelievoShaderLibrary.h"
 #include "vtkRelievoShadowCatcher.h"
+#include "vtkRelievoShadowStructure.h"
 #include "vtkRelievoSpliceText.h"
 #include "vtkShaderProgram.h"
 
@@ -80,7 +81,7 @@ void Compare(std::string& fragment, const std::string& unshadowed)
 }
 
 std::string Numbered(
-  const char* section, const vtkRelievoShadowSplice::Structure::Light& light, int slot, int face)
+  const char* section, const vtkRelievoShadowStructure::Light& light, int slot, int face)
 {
   std::string text = Section(section);
   FillWord(text, "RELIEVO_NUMBER", std::to_string(light.ShaderIndex));
@@ -107,7 +108,7 @@ void vtkRelievoShadowSplice::Mark(std::string& vertex, std::string& geometry, st
 //------------------------------------------------------------------------------
 std::string vtkRelievoShadowSplice::Fill(std::string& vertex, std::string& geometry,
   std::string& fragment, vtkOpenGLPolyDataMapper* mapper, vtkActor* actor,
-  const Structure& structure)
+  const vtkRelievoShadowStructure& structure)
 {
   const bool impostor = Has(fragment, "vertexVC.xyz =") && Has(fragment, "normalVCVSOutput");
   SpareLights(vertex);
@@ -120,7 +121,7 @@ std::string vtkRelievoShadowSplice::Fill(std::string& vertex, std::string& geome
   const bool found = std::count(structure.Found.begin(), structure.Found.end(), drawn) > 0;
   int slot = 0;
   int face = 0;
-  for (const Structure::Light& light : structure.Lights)
+  for (const vtkRelievoShadowStructure::Light& light : structure.Lights)
   {
     // An impostor has its own normal. Derivatives are not to be had where a cube's side is chosen.
     const std::string way = !structure.Maps ? "No"

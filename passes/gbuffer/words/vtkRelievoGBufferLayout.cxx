@@ -4,35 +4,13 @@
 
 #include "vtkRelievoFormulas.h"
 #include "vtkRelievoLayerCatalogue.h"
-#include "vtkRelievoLayersStage.h"
-
-#include "codes.glsl"
+#include "vtkRelievoWordFormats.h"
 
 #include <algorithm>
 #include <sstream>
 
 namespace
 {
-#define RELIEVO_SAME_CODE(name)                                                                    \
-  static_assert(vtkRelievoLayersStage::name == RELIEVO_##name, "differs from shaders/codes.glsl")
-RELIEVO_SAME_CODE(NORMAL_FLOAT32);
-RELIEVO_SAME_CODE(NORMAL_FLOAT16);
-RELIEVO_SAME_CODE(NORMAL_OCT16);
-RELIEVO_SAME_CODE(NORMAL_OCT16_PRECISE);
-RELIEVO_SAME_CODE(NORMAL_OCT8);
-RELIEVO_SAME_CODE(NORMAL_OCT8_PRECISE);
-RELIEVO_SAME_CODE(NORMAL_RGB10A2);
-RELIEVO_SAME_CODE(NORMAL_RGB8);
-RELIEVO_SAME_CODE(DEPTH_32F);
-RELIEVO_SAME_CODE(DEPTH_16F);
-RELIEVO_SAME_CODE(DEPTH_WINDOW_Z24);
-RELIEVO_SAME_CODE(DEPTH_REVERSED_32F);
-RELIEVO_SAME_CODE(NORMAL_DEPTH_SEPARATE);
-RELIEVO_SAME_CODE(NORMAL_DEPTH_RGBA8);
-RELIEVO_SAME_CODE(NORMAL_DEPTH_RGBA16F);
-RELIEVO_SAME_CODE(NORMAL_DEPTH_RGBA32F);
-#undef RELIEVO_SAME_CODE
-
 constexpr std::uint32_t NothingId = 0xffffffffu;
 
 // The words that decode to a depth of +infinity, named by the formula file.
@@ -40,11 +18,11 @@ std::uint32_t GetDepthBackground(int format)
 {
   switch (format)
   {
-    case vtkRelievoLayersStage::DEPTH_16F:
+    case vtkRelievoWordFormats::DEPTH_16F:
       return relievo::f32::relievoDepth16FNone;
-    case vtkRelievoLayersStage::DEPTH_WINDOW_Z24:
+    case vtkRelievoWordFormats::DEPTH_WINDOW_Z24:
       return relievo::f32::relievoDepth24None;
-    case vtkRelievoLayersStage::DEPTH_REVERSED_32F:
+    case vtkRelievoWordFormats::DEPTH_REVERSED_32F:
       return relievo::f32::relievoReversed32FNone;
     default:
       return relievo::f32::relievoDepth32FNone;
@@ -56,10 +34,10 @@ std::vector<std::uint32_t> GetNormalDepthBackground(int format)
   using namespace relievo::f32;
   switch (format)
   {
-    case vtkRelievoLayersStage::NORMAL_DEPTH_RGBA32F:
+    case vtkRelievoWordFormats::NORMAL_DEPTH_RGBA32F:
       return { relievoNormalDepth32FNone.x, relievoNormalDepth32FNone.y,
         relievoNormalDepth32FNone.z, relievoNormalDepth32FNone.w };
-    case vtkRelievoLayersStage::NORMAL_DEPTH_RGBA16F:
+    case vtkRelievoWordFormats::NORMAL_DEPTH_RGBA16F:
       return { relievoNormalDepth16FNone.x, relievoNormalDepth16FNone.y };
     default:
       return { relievoNormalDepth8None };
@@ -79,9 +57,9 @@ int vtkRelievoGBufferLayout::GetNormalWords(int format)
 {
   switch (format)
   {
-    case vtkRelievoLayersStage::NORMAL_FLOAT32:
+    case vtkRelievoWordFormats::NORMAL_FLOAT32:
       return 3;
-    case vtkRelievoLayersStage::NORMAL_FLOAT16:
+    case vtkRelievoWordFormats::NORMAL_FLOAT16:
       return 2;
     default:
       return 1;
@@ -104,7 +82,7 @@ void vtkRelievoGBufferLayout::Arrange()
     return first;
   };
 
-  const bool together = this->NormalDepth != vtkRelievoLayersStage::NORMAL_DEPTH_SEPARATE &&
+  const bool together = this->NormalDepth != vtkRelievoWordFormats::NORMAL_DEPTH_SEPARATE &&
     this->Normal && this->Depth;
   const bool depthAlone = this->Depth && !together;
   const bool normalAlone = this->Normal && !together;
@@ -112,7 +90,7 @@ void vtkRelievoGBufferLayout::Arrange()
   const int shadowWords = static_cast<int>(this->Shadows.size() + 1) / 2;
   const int normals = (normalAlone ? 1 : 0) + (this->GeometricNormal ? 1 : 0);
   this->ChosenNormalFormat = this->NormalFormat;
-  if (this->NormalFormat == vtkRelievoLayersStage::NORMAL_AUTO)
+  if (this->NormalFormat == vtkRelievoWordFormats::NORMAL_AUTO)
   {
     // Full floats if they fit into the attachments that are needed anyway, otherwise one word.
     const int togetherWords = together ? GetNormalDepthWords(this->NormalDepth) : 0;
@@ -122,8 +100,8 @@ void vtkRelievoGBufferLayout::Arrange()
     const int attachmentsFloat = (others + 3 * normals + 3) / 4;
     const int attachmentsPacked = (others + normals + 3) / 4;
     this->ChosenNormalFormat = attachmentsFloat == attachmentsPacked
-      ? vtkRelievoLayersStage::NORMAL_FLOAT32
-      : vtkRelievoLayersStage::NORMAL_OCT16;
+      ? vtkRelievoWordFormats::NORMAL_FLOAT32
+      : vtkRelievoWordFormats::NORMAL_OCT16;
   }
   // A normal's words are all 0 where there is none, in every format.
   const std::vector<std::uint32_t> noNormal(GetNormalWords(this->ChosenNormalFormat), 0u);

@@ -72,7 +72,7 @@ std::vector<glm::dvec3> GetPointsWithin(
 
 // Points, and the corners of the cones from them to a sun's parts, as far as something may cast
 // there: for a map that these are looked up in.
-std::vector<glm::dvec3> Spread(const std::vector<glm::dvec3>& points,
+std::vector<glm::dvec3> SpreadOut(const std::vector<glm::dvec3>& points,
   const vtkRelievoShadowLight::Center& light, const std::vector<vtkRelievoBox>& casters)
 {
   double top = -1e300;
@@ -83,7 +83,7 @@ std::vector<glm::dvec3> Spread(const std::vector<glm::dvec3>& points,
       top = std::max(top, -glm::dot(corner, light.Direction));
     }
   }
-  const glm::dvec3 right = Frame::AnySquareTo(light.Direction);
+  const glm::dvec3 right = vtkRelievoShadowLight::AnySquareTo(light.Direction);
   const glm::dvec3 up = glm::cross(light.Direction, right);
   std::vector<glm::dvec3> all = points;
   for (const glm::dvec3& point : points)
@@ -272,8 +272,8 @@ std::vector<vtkRelievoShadowView> vtkRelievoShadowFit::Fit(const vtkRelievoShado
     for (const vtkRelievoShadowLight::Center& center : light.Centers)
     {
       const Frame own(vtkRelievoShadowRegion::GetMiddle(scene), center.Direction);
-      if (!own.Fit(true, Spread(points, center, casters), Spread(all, center, casters), casters,
-            request, view))
+      if (!own.Fit(true, SpreadOut(points, center, casters), SpreadOut(all, center, casters),
+            casters, request, view))
       {
         return {}; // nor does anything cast for the others
       }
@@ -310,7 +310,7 @@ std::vector<vtkRelievoShadowView> vtkRelievoShadowFit::Fit(const vtkRelievoShado
     return views;
   }
   const glm::dvec3 first = light.IsSpot() ? light.Direction : glm::dvec3(0, 0, -1);
-  const glm::dvec3 second = Frame::AnySquareTo(first);
+  const glm::dvec3 second = vtkRelievoShadowLight::AnySquareTo(first);
   const glm::dvec3 third = glm::cross(first, second);
   const glm::dvec3 sides[6] = { first, second, -second, third, -third, -first };
   for (int side = 0; side < 6; ++side)
