@@ -235,10 +235,8 @@ void DressedScene::Update(
     if (!isDressed)
     {
       // Materials and the look decide together what is translucent.
-      renderer->SetUseDepthPeeling(
-        std::any_of(this->Parts.begin(), this->Parts.end(), [](const Part& part) {
-          return part.Actor->HasTranslucentPolygonalGeometry() != 0;
-        }));
+      renderer->SetUseDepthPeeling(std::any_of(this->Parts.begin(), this->Parts.end(),
+        [](const Part& part) { return part.Actor->HasTranslucentPolygonalGeometry() != 0; }));
     }
     this->Surface = surface;
     this->Dress = dress;

@@ -17,7 +17,7 @@ namespace scene
 /// Throws WorkError if the display of the window cannot be reached: VTK would end the process then.
 void CheckDisplay(vtkRenderWindow* window);
 
-/// The pixels each way that OpenGL draws at most in the window, whose context becomes the current one.
+/// The most pixels each way that OpenGL draws in the window. Makes its context the current one.
 int GetSizeLimit(vtkOpenGLRenderWindow* window);
 
 /// Makes the window's context and throws WorkError if the size is above its limits.
