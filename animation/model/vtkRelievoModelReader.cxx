@@ -27,6 +27,7 @@
 #include "vtkRelievoModelPlayback.h"
 #include "vtkRelievoModelPose.h"
 #include "vtkRelievoModelSources.h"
+#include "vtkRelievoReportOnce.h"
 #include "vtkRelievoSkinNames.h"
 #include "vtkRelievoSkinPoints.h"
 #include "vtkSmartPointer.h"
@@ -40,7 +41,6 @@
 
 #include <algorithm>
 #include <map>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -53,7 +53,7 @@ struct vtkRelievoModelReader::Internals
   relievo::ModelSources Sources;
   int Weights = 0;
   bool Stands = false;
-  std::set<std::string> Refused;                               // names already reported
+  vtkRelievoReportOnce Reported;                               // errors of names
   std::map<std::string, vtkSmartPointer<vtkImageData>> Images; // requested images
   vtkSmartPointer<vtkStringArray> Names = vtkSmartPointer<vtkStringArray>::New();
   vtkSmartPointer<vtkStringArray> Bones = vtkSmartPointer<vtkStringArray>::New();
@@ -404,7 +404,7 @@ int vtkRelievoModelReader::FindAnimation(const char* name)
     }
     names += (i ? ", '" : "'") + all[i].Name + "'";
   }
-  if (!wanted.empty() && self.Refused.insert("animation " + wanted).second)
+  if (!wanted.empty() && self.Reported.IsNew("animation " + wanted))
   {
     vtkErrorMacro(<< self.Path << ": there is no animation '" << wanted << "'; "
                   << (all.empty() ? "the file has none" : "it has " + names));
@@ -487,7 +487,7 @@ int vtkRelievoModelReader::FindBone()
   {
     return static_cast<int>(found - nodes.begin());
   }
-  if (!wanted.empty() && self.Refused.insert("bone " + wanted).second)
+  if (!wanted.empty() && self.Reported.IsNew("bone " + wanted))
   {
     std::string names;
     vtkStringArray* bones = this->GetBoneNames();

@@ -15,6 +15,7 @@
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkRelievoBoneTexture.h"
+#include "vtkRelievoReportOnce.h"
 #include "vtkRelievoSkin.h"
 #include "vtkRelievoSkinBones.h"
 #include "vtkRelievoSkinBounds.h"
@@ -65,7 +66,7 @@ struct vtkRelievoSkinnedActor::Internals
   vtkMTimeType MovedTime = 0; // PoseTime of its pose
   vtkMTimeType MovedMesh = 0; // MeshTime of its mesh
   vtkTimeStamp PoseTime;
-  std::string Reported; // the last error
+  vtkRelievoReportOnce Reported;
   relievo::SkinShader Shader;
 
   void SetAtRest();
@@ -232,7 +233,7 @@ void vtkRelievoSkinnedActor::Render(vtkRenderer* renderer, vtkMapper* mapper)
       in.Bones.Upload(static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow()));
     if (wrong.empty())
     {
-      in.Reported.clear();
+      in.Reported.Forget();
     }
     else
     {
@@ -344,11 +345,10 @@ void vtkRelievoSkinnedActor::PrintSelf(ostream& os, vtkIndent indent)
 // Reports an error once, until everything is valid again.
 void vtkRelievoSkinnedActor::Complain(const std::string& wrong)
 {
-  if (wrong != this->Inside->Reported)
+  if (this->Inside->Reported.IsChange(wrong))
   {
     vtkErrorMacro("" << wrong);
   }
-  this->Inside->Reported = wrong;
 }
 
 //------------------------------------------------------------------------------

@@ -26,6 +26,7 @@
 #include "vtkRelievoMeshLinks.h"
 #include "vtkRelievoOpaqueProps.h"
 #include "vtkRelievoPrimitiveIds.h"
+#include "vtkRelievoReportOnce.h"
 #include "vtkRelievoScopedState.h"
 #include "vtkRelievoSurfaces.h"
 #include "vtkRelievoVTKVersions.h"
@@ -39,7 +40,6 @@
 #include <algorithm>
 #include <iterator>
 #include <numeric>
-#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -58,8 +58,8 @@ public:
   vtkRelievoGlyphReach Glyphs;
   vtkRelievoMeshLinks Links; // built by the first read that needs them
   vtkRelievoOpaqueProps Props;
-  std::set<std::string> Reported; // reported refusals, by reason and mapper's class
-  std::string NotShared;          // why the delegate's geometry pass cannot be shared
+  vtkRelievoReportOnce Reported; // refusals, by reason and mapper's class
+  std::string NotShared;         // why the delegate's geometry pass cannot be shared
   vtkRelievoPrimitiveIds::Route PrimitiveIds = vtkRelievoPrimitiveIds::AsWritten;
   bool Writing = false;
   bool RefinesDepth = true;              // of the last frame
@@ -173,8 +173,7 @@ bool vtkRelievoLayersStage::Prepare(vtkRelievoFrameContext& context)
   if (in.Layout.IdWord >= 0)
   {
     in.PrimitiveIds = vtkRelievoPrimitiveIds::Get(context.Window);
-    if (in.PrimitiveIds == vtkRelievoPrimitiveIds::Unreliable &&
-      in.Reported.insert("primitives").second)
+    if (in.PrimitiveIds == vtkRelievoPrimitiveIds::Unreliable && in.Reported.IsNew("primitives"))
     {
       vtkErrorMacro("This OpenGL gives fragment shaders wrong numbers of primitives: cell ids are "
                     "-1, arrays are not read, and depth is as the rasteriser rounds it. Update its "
@@ -334,7 +333,7 @@ void vtkRelievoLayersStage::DrawOwnPass(vtkRelievoFrameContext& context)
   else
   {
     this->Explain("failed", wrong);
-    if (in.Reported.insert(wrong).second)
+    if (in.Reported.IsNew(wrong))
     {
       vtkErrorMacro("No layers: " << wrong << ".");
     }
@@ -565,7 +564,7 @@ void vtkRelievoLayersStage::SpliceShaders(
     vtkRelievoGBufferSplice::GetPrimitiveSource(shaders.Fragment);
   if (outcome.Wrong.empty() && numbered && in.Layout.IdWord >= 0 &&
     in.Mode.PrimitiveIds == vtkRelievoPrimitiveIds::ThroughGeometryShader &&
-    in.Reported.insert(name + "ids").second)
+    in.Reported.IsNew(name + "ids"))
   {
     vtkErrorMacro("No cell ids of geometry drawn by "
       << name << ": with this OpenGL they need a geometry shader, which cannot pass on all outputs "
@@ -599,7 +598,7 @@ bool vtkRelievoLayersStage::SetShaderParameters(vtkShaderProgram* program,
     return true;
   }
   ++this->DrawCalls;
-  if (vtkRelievoIsProjective(actor->GetMatrix()) && in.Reported.insert("projective").second)
+  if (vtkRelievoIsProjective(actor->GetMatrix()) && in.Reported.IsNew("projective"))
   {
     vtkWarningMacro("An actor's matrix is projective: its last row is not 0 0 0 1. VTK lights it "
                     "at other positions than it draws it, and its depth, positions, normals and "
@@ -611,14 +610,14 @@ bool vtkRelievoLayersStage::SetShaderParameters(vtkShaderProgram* program,
     const int source =
       vtkRelievoGBufferSplice::GetPrimitiveSource(program->GetFragmentShader()->GetSource());
     const std::uint32_t first = in.Draws.Add(actor, mapper, source);
-    if (in.Draws.IsLastAmbiguous() && in.Reported.insert("blocks").second)
+    if (in.Draws.IsLastAmbiguous() && in.Reported.IsNew("blocks"))
     {
       vtkErrorMacro("No cell and block ids of some composite data: this VTK gives primitives of "
                     "several of its blocks the same numbers where cells have normals but no "
                     "colours. Colour the cells, or compute the normals at the points.");
     }
     program->SetUniformi("relievoFirstPrimitive", static_cast<int>(first));
-    if (first == vtkRelievoDrawTable::Nothing && in.Reported.insert("words").second)
+    if (first == vtkRelievoDrawTable::Nothing && in.Reported.IsNew("words"))
     {
       vtkErrorMacro("More primitives are drawn than 32 bits can count: the last ones have the ids "
                     "-1, no arrays, and depth with the rasteriser's rounding. Draw fewer at once.");

@@ -18,6 +18,7 @@
 #include "vtkRelievoLightSamples.h"
 #include "vtkRelievoMeshTexels.h"
 #include "vtkRelievoPlainActor.h"
+#include "vtkRelievoReportOnce.h"
 #include "vtkRelievoSampleLattice.h"
 #include "vtkRelievoShadowCertificate.h"
 #include "vtkRelievoShadowCertifier.h"
@@ -75,7 +76,7 @@ public:
   vtkWeakPointer<vtkRelievoFramePass> Frame;
   vtkSmartPointer<vtkRelievoShadowCertificate> Certificate;
   std::set<vtkShaderProgram*> ProgramsWithUniforms; // programs that have this frame's uniforms
-  std::set<std::string> Reported;                   // warnings and errors
+  vtkRelievoReportOnce Reported;                    // warnings and errors
   vtkRelievoShadowStrengths Strengths;              // of the lights of this frame
   bool Spliced = false;
 
@@ -357,7 +358,7 @@ void vtkRelievoShadowStage::Execute(vtkRelievoFrameContext& context)
 //------------------------------------------------------------------------------
 void vtkRelievoShadowStage::ReportOnce(const std::string& error)
 {
-  if (this->Internal->Reported.insert(error).second)
+  if (this->Internal->Reported.IsNew(error))
   {
     vtkErrorMacro(<< error << ".");
   }
@@ -829,14 +830,14 @@ void vtkRelievoShadowStage::PrepareMethod(vtkRelievoFrameContext& context)
     in.Refused = in.Work.Props.GetState();
     in.UseMethod(METHOD_MAP, context.Window);
     // One process speaks for all.
-    if ((!together || in.Schedule.Exchange.IsRoot()) && in.Reported.insert(fault).second)
+    if ((!together || in.Schedule.Exchange.IsRoot()) && in.Reported.IsNew(fault))
     {
       vtkWarningMacro("Shadows are made with maps: " << fault << ".");
     }
   }
   const vtkIdType triangles =
     in.Work.WithoutFollowed ? in.Work.Props.GetTooManyTriangles() : vtkIdType(0);
-  if (triangles > 0 && in.Reported.insert("triangles").second)
+  if (triangles > 0 && in.Reported.IsNew("triangles"))
   {
     vtkWarningMacro("A mesh of " << triangles << " triangles casts its shadow by a map: rays "
                                  << "follow at most " << vtkRelievoMeshTexels::GetMostTriangles()
@@ -1032,7 +1033,7 @@ void vtkRelievoShadowStage::CollectLights(vtkRelievoFrameContext& context)
   }
   for (const vtkRelievoShadowLight& light : in.Lights.GetAll())
   {
-    if (light.Broken && in.Reported.insert(std::to_string(light.Number) + light.NoShadow).second)
+    if (light.Broken && in.Reported.IsNew(std::to_string(light.Number) + light.NoShadow))
     {
       vtkWarningMacro(<< in.Lights.GetName(light) << " casts no shadow: " << light.NoShadow << ".");
     }
@@ -1043,7 +1044,7 @@ void vtkRelievoShadowStage::CollectLights(vtkRelievoFrameContext& context)
 int vtkRelievoShadowStage::GetSizeHere(int size)
 {
   const int largest = vtkRelievoShadowMaps::GetLargestSize();
-  if (size > largest && this->Internal->Reported.insert("size" + std::to_string(size)).second)
+  if (size > largest && this->Internal->Reported.IsNew("size" + std::to_string(size)))
   {
     vtkWarningMacro("Shadow maps of "
       << size << " x " << size << " texels were asked for, this OpenGL makes at most " << largest
@@ -1174,7 +1175,7 @@ bool vtkRelievoShadowStage::SetShaderParameters(vtkShaderProgram* program,
   {
     return true;
   }
-  if (vtkRelievoIsProjective(actor->GetMatrix()) && in.Reported.insert("projective").second)
+  if (vtkRelievoIsProjective(actor->GetMatrix()) && in.Reported.IsNew("projective"))
   {
     vtkWarningMacro(
       "An actor's matrix is projective: its last row is not 0 0 0 1. VTK lights it "
