@@ -357,7 +357,7 @@ public:
 }
 
 //------------------------------------------------------------------------------
-struct vtkRelievoRayScene::Held
+struct vtkRelievoRayScene::Internals
 {
   // A placed mesh's origin in the user's data.
   struct Source
@@ -476,7 +476,7 @@ void UpdateMapper(vtkMapper* mapper)
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoRayScene::Held::FindNormals(vtkPolyData* mesh, Source& source)
+void vtkRelievoRayScene::Internals::FindNormals(vtkPolyData* mesh, Source& source)
 {
   const auto isFit = [](vtkDataArray* normals, vtkIdType count) {
     return normals && normals->GetNumberOfComponents() == 3 &&
@@ -497,7 +497,7 @@ void vtkRelievoRayScene::Held::FindNormals(vtkPolyData* mesh, Source& source)
 
 //------------------------------------------------------------------------------
 // Meshes under a singular or projective matrix are copied to world coordinates.
-void vtkRelievoRayScene::Held::Enter(vtkRelievoPlacedMesh& placed, Source& source)
+void vtkRelievoRayScene::Internals::Enter(vtkRelievoPlacedMesh& placed, Source& source)
 {
   const Entry entry = FindEntry(placed);
   if (entry == Entry::ByScaledMatrix)
@@ -529,7 +529,7 @@ void vtkRelievoRayScene::Held::Enter(vtkRelievoPlacedMesh& placed, Source& sourc
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoRayScene::Held::AddProps()
+void vtkRelievoRayScene::Internals::AddProps()
 {
   std::map<vtkProp*, int> numbers;
   vtkActorCollection* actors = this->Renderer->GetActors();
@@ -557,7 +557,7 @@ void vtkRelievoRayScene::Held::AddProps()
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoRayScene::Held::AddActors(vtkProp* prop, std::map<vtkProp*, int>& numbers)
+void vtkRelievoRayScene::Internals::AddActors(vtkProp* prop, std::map<vtkProp*, int>& numbers)
 {
   std::vector<vtkRelievoPropParts::Part> parts;
   vtkRelievoPropParts::Collect(prop, parts);
@@ -609,7 +609,7 @@ void vtkRelievoRayScene::Held::AddActors(vtkProp* prop, std::map<vtkProp*, int>&
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoRayScene::Held::AddAdded()
+void vtkRelievoRayScene::Internals::AddAdded()
 {
   int prop = this->Renderer ? this->Renderer->GetActors()->GetNumberOfItems() : 0;
   for (const Added& added : this->Data)
@@ -643,7 +643,7 @@ void vtkRelievoRayScene::Held::AddAdded()
 }
 
 //------------------------------------------------------------------------------
-std::string vtkRelievoRayScene::Held::AddBlock(
+std::string vtkRelievoRayScene::Internals::AddBlock(
   vtkDataObject* data, int block, int prop, vtkMatrix4x4* matrix)
 {
   auto* set = vtkDataSet::SafeDownCast(data);
@@ -694,7 +694,7 @@ std::string vtkRelievoRayScene::Held::AddBlock(
 
 //------------------------------------------------------------------------------
 // Returns whether anything has changed.
-bool vtkRelievoRayScene::Held::SetMeshes(bool opaqueOnly)
+bool vtkRelievoRayScene::Internals::SetMeshes(bool opaqueOnly)
 {
   std::size_t count = 0;
   for (std::size_t i = 0; opaqueOnly && i < this->Sources.size(); ++i)
@@ -715,7 +715,7 @@ bool vtkRelievoRayScene::Held::SetMeshes(bool opaqueOnly)
 }
 
 //------------------------------------------------------------------------------
-glm::dvec3 vtkRelievoRayScene::Held::GetShadingNormal(
+glm::dvec3 vtkRelievoRayScene::Internals::GetShadingNormal(
   const Meeting& meeting, const vtkRelievoRayTree::Details& details) const
 {
   const Source& source = this->Sources[this->Tree.GetMesh(meeting.Place)];
@@ -740,7 +740,7 @@ glm::dvec3 vtkRelievoRayScene::Held::GetShadingNormal(
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoRayScene::Held::Write(
+void vtkRelievoRayScene::Internals::Write(
   const Columns& columns, vtkIdType row, const Beam& beam, const Meeting& meeting) const
 {
   const int index = this->Tree.GetMesh(meeting.Place);
@@ -830,7 +830,7 @@ std::string FindFault(vtkDataArray* origins, vtkDataArray* directions, vtkObject
 
 //------------------------------------------------------------------------------
 vtkRelievoRayScene::vtkRelievoRayScene()
-  : Scene(new Held)
+  : Internal(new Internals)
   , MaximumDistance(Endless)
 {
 }
@@ -842,8 +842,8 @@ vtkRelievoRayScene::~vtkRelievoRayScene() = default;
 void vtkRelievoRayScene::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Renderer: " << this->Scene->Renderer.Get() << '\n';
-  os << indent << "Data: " << this->Scene->Data.size() << '\n';
+  os << indent << "Renderer: " << this->Internal->Renderer.Get() << '\n';
+  os << indent << "Data: " << this->Internal->Data.size() << '\n';
   os << indent << "Triangles: " << this->GetNumberOfTriangles() << '\n';
   os << indent << "MinimumDistance: " << this->MinimumDistance << '\n';
   os << indent << "MaximumDistance: " << this->MaximumDistance << '\n';
@@ -854,10 +854,10 @@ void vtkRelievoRayScene::PrintSelf(ostream& os, vtkIndent indent)
 //------------------------------------------------------------------------------
 void vtkRelievoRayScene::SetRenderer(vtkRenderer* renderer)
 {
-  this->Scene->Frozen = false;
-  if (this->Scene->Renderer != renderer)
+  this->Internal->Frozen = false;
+  if (this->Internal->Renderer != renderer)
   {
-    this->Scene->Renderer = renderer;
+    this->Internal->Renderer = renderer;
     this->Modified();
   }
 }
@@ -865,31 +865,31 @@ void vtkRelievoRayScene::SetRenderer(vtkRenderer* renderer)
 //------------------------------------------------------------------------------
 vtkRenderer* vtkRelievoRayScene::GetRenderer()
 {
-  return this->Scene->Renderer;
+  return this->Internal->Renderer;
 }
 
 //------------------------------------------------------------------------------
 int vtkRelievoRayScene::AddData(vtkDataObject* data, vtkMatrix4x4* matrix)
 {
-  this->Scene->Frozen = false;
+  this->Internal->Frozen = false;
   if (!vtkDataSet::SafeDownCast(data) && !vtkCompositeDataSet::SafeDownCast(data))
   {
     vtkErrorMacro("AddData: got " << (data ? data->GetClassName() : "nothing")
                                   << ", expected a vtkDataSet or composite data");
     return -1;
   }
-  this->Scene->Data.push_back({ data, matrix });
+  this->Internal->Data.push_back({ data, matrix });
   this->Modified();
   const int actors =
-    this->Scene->Renderer ? this->Scene->Renderer->GetActors()->GetNumberOfItems() : 0;
-  return actors + static_cast<int>(this->Scene->Data.size()) - 1;
+    this->Internal->Renderer ? this->Internal->Renderer->GetActors()->GetNumberOfItems() : 0;
+  return actors + static_cast<int>(this->Internal->Data.size()) - 1;
 }
 
 //------------------------------------------------------------------------------
 void vtkRelievoRayScene::RemoveAllData()
 {
-  this->Scene->Data.clear();
-  this->Scene->Surfaces.clear();
+  this->Internal->Data.clear();
+  this->Internal->Surfaces.clear();
   this->Modified();
 }
 
@@ -907,7 +907,7 @@ void vtkRelievoRayScene::SetMaximumDistance(double distance)
 //------------------------------------------------------------------------------
 bool vtkRelievoRayScene::Update()
 {
-  Held& scene = *this->Scene;
+  Internals& scene = *this->Internal;
   if (scene.Frozen)
   {
     scene.Meshes = scene.FrozenMeshes;
@@ -967,7 +967,7 @@ bool vtkRelievoRayScene::Begin(vtkDataArray* origins, vtkDataArray* directions, 
   if (fault.empty())
   {
     this->Update();
-    fault = this->Scene->Fault;
+    fault = this->Internal->Fault;
   }
   if (!fault.empty())
   {
@@ -998,7 +998,7 @@ bool vtkRelievoRayScene::FindNearest(
   {
     return false;
   }
-  const Held& scene = *this->Scene;
+  const Internals& scene = *this->Internal;
   const Beams beams(origins, directions, scene.Tree.GetCenter());
   const Columns columns(hits, beams.GetCount());
   if (scene.Meetings)
@@ -1052,7 +1052,7 @@ bool vtkRelievoRayScene::FindAny(
   {
     return false;
   }
-  const Held& scene = *this->Scene;
+  const Internals& scene = *this->Internal;
   const Beams beams(origins, directions, scene.Tree.GetCenter());
   met->SetNumberOfTuples(beams.GetCount());
   unsigned char* const values = met->GetPointer(0);
@@ -1085,7 +1085,7 @@ bool vtkRelievoRayScene::FindAll(vtkDataArray* origins, vtkDataArray* directions
   {
     return false;
   }
-  const Held& scene = *this->Scene;
+  const Internals& scene = *this->Internal;
   const Beams beams(origins, directions, scene.Tree.GetCenter());
   struct Hit
   {
@@ -1145,31 +1145,31 @@ bool vtkRelievoRayScene::FindAll(vtkDataArray* origins, vtkDataArray* directions
 //------------------------------------------------------------------------------
 vtkIdType vtkRelievoRayScene::GetNumberOfTriangles()
 {
-  return static_cast<vtkIdType>(this->Scene->Tree.GetNumberOfTriangles());
+  return static_cast<vtkIdType>(this->Internal->Tree.GetNumberOfTriangles());
 }
 
 //------------------------------------------------------------------------------
 const vtkRelievoRayTree& vtkRelievoRayScene::GetTree() const
 {
-  return this->Scene->Tree;
+  return this->Internal->Tree;
 }
 
 //------------------------------------------------------------------------------
 int vtkRelievoRayScene::GetNumberOfMeshesBuilt()
 {
-  return this->Scene->Tree.GetMeshesBuilt();
+  return this->Internal->Tree.GetMeshesBuilt();
 }
 
 //------------------------------------------------------------------------------
 int vtkRelievoRayScene::GetNumberOfMeshesRefitted()
 {
-  return this->Scene->Tree.GetMeshesRefitted();
+  return this->Internal->Tree.GetMeshesRefitted();
 }
 
 //------------------------------------------------------------------------------
 unsigned long vtkRelievoRayScene::GetActualMemorySize()
 {
-  return static_cast<unsigned long>((this->Scene->Tree.GetBytes() + 1023) / 1024);
+  return static_cast<unsigned long>((this->Internal->Tree.GetBytes() + 1023) / 1024);
 }
 
 namespace
@@ -1212,10 +1212,10 @@ bool AreEqual(vtkCellArray* a, vtkCellArray* b)
 // with the same index in AddData's list, and of the same block; several such meshes are matched in
 // order. A mesh with another number of points has no corresponding points, and neither has a cell
 // that the other state lacks.
-class vtkRelievoRayScene::Held::Correspondence
+class vtkRelievoRayScene::Internals::Correspondence
 {
 public:
-  Correspondence(const Held& from, const Held& to)
+  Correspondence(const Internals& from, const Internals& to)
     : From(from)
     , To(to)
     , Meshes(from.Meshes.size(), -1)
@@ -1336,8 +1336,8 @@ private:
     std::unordered_set<CellPoints, HashOfCellPoints> Cells; // only if they have changed
   };
 
-  const Held& From;
-  const Held& To;
+  const Internals& From;
+  const Internals& To;
   std::vector<int> Meshes;       // index in To, for each mesh of From; -1: none
   std::vector<bool> IsChanged;   // for each mesh of From, whether its cells differ
   std::map<int, Target> Targets; // for each mesh of To
@@ -1367,7 +1367,7 @@ private:
   // Points are identified by their index in the data, so a change of the data's points loses all.
   bool HasSamePoints(std::size_t from, std::size_t to) const
   {
-    const auto count = [](const Held& scene, std::size_t mesh) {
+    const auto count = [](const Internals& scene, std::size_t mesh) {
       vtkDataSet* data = scene.Sources[mesh].Points ? nullptr : scene.Meshes[mesh].Mesh;
       // For a surface, whose points have indices in the data.
       return data ? data->GetNumberOfPoints() : -1;
@@ -1404,7 +1404,7 @@ private:
     }
   }
 
-  static std::vector<Key> GetKeys(const Held& scene)
+  static std::vector<Key> GetKeys(const Internals& scene)
   {
     std::map<Key, int> counts;
     std::vector<Key> keys;
@@ -1444,8 +1444,8 @@ void vtkRelievoRayScene::CopyStateOf(vtkRelievoRayScene* other)
     return;
   }
   other->Update();
-  Held& from = *other->Scene;
-  Held& to = *this->Scene;
+  Internals& from = *other->Internal;
+  Internals& to = *this->Internal;
   to.Renderer = nullptr;
   to.Data.clear();
   to.Surfaces.clear();
@@ -1485,16 +1485,16 @@ bool vtkRelievoRayScene::FindMoved(vtkRelievoRayScene* later, vtkDataArray* orig
     return false;
   }
   std::vector<Meeting> meetings;
-  this->Scene->Meetings = &meetings;
+  this->Internal->Meetings = &meetings;
   const bool found = this->FindNearest(origins, directions, hits);
-  this->Scene->Meetings = nullptr;
+  this->Internal->Meetings = nullptr;
   if (!found)
   {
     return false;
   }
   later->Update();
-  const Held& scene = *this->Scene;
-  const Held::Correspondence same(scene, *later->Scene);
+  const Internals& scene = *this->Internal;
+  const Internals::Correspondence same(scene, *later->Internal);
   const auto count = static_cast<vtkIdType>(meetings.size());
   places->SetNumberOfComponents(3);
   places->SetNumberOfTuples(count);
@@ -1518,16 +1518,16 @@ bool vtkRelievoRayScene::FindMoved(vtkRelievoRayScene* later, vtkDataArray* orig
 //------------------------------------------------------------------------------
 int vtkRelievoRayScene::GetNumberOfProps()
 {
-  vtkRenderer* renderer = this->Scene->Renderer;
+  vtkRenderer* renderer = this->Internal->Renderer;
   const int actors = renderer ? renderer->GetActors()->GetNumberOfItems() : 0;
-  return actors + static_cast<int>(this->Scene->Data.size());
+  return actors + static_cast<int>(this->Internal->Data.size());
 }
 
 //------------------------------------------------------------------------------
 // The mapper of the renderer's actor with this number, if there is one.
 vtkMapper* vtkRelievoRayScene::GetMapper(int prop)
 {
-  vtkRenderer* renderer = this->Scene->Renderer;
+  vtkRenderer* renderer = this->Internal->Renderer;
   auto* actor = renderer && prop >= 0
     ? vtkActor::SafeDownCast(renderer->GetActors()->GetItemAsObject(prop))
     : nullptr;
@@ -1542,9 +1542,10 @@ vtkDataObject* vtkRelievoRayScene::GetPropData(int prop)
   {
     return mapper->GetNumberOfInputConnections(0) > 0 ? mapper->GetInputDataObject(0, 0) : nullptr;
   }
-  const int added = prop - (this->GetNumberOfProps() - static_cast<int>(this->Scene->Data.size()));
+  const int added =
+    prop - (this->GetNumberOfProps() - static_cast<int>(this->Internal->Data.size()));
   return added >= 0 && prop < this->GetNumberOfProps()
-    ? this->Scene->Data[static_cast<std::size_t>(added)].Data
+    ? this->Internal->Data[static_cast<std::size_t>(added)].Data
     : nullptr;
 }
 
@@ -1558,14 +1559,14 @@ bool vtkRelievoRayScene::GetIsGlyphs(int prop)
 //------------------------------------------------------------------------------
 int vtkRelievoRayScene::GetNumberOfMeshes()
 {
-  return static_cast<int>(this->Scene->Meshes.size());
+  return static_cast<int>(this->Internal->Meshes.size());
 }
 
 //------------------------------------------------------------------------------
 int vtkRelievoRayScene::GetMeshProp(int mesh)
 {
   return mesh >= 0 && mesh < this->GetNumberOfMeshes()
-    ? this->Scene->Sources[static_cast<std::size_t>(mesh)].Prop
+    ? this->Internal->Sources[static_cast<std::size_t>(mesh)].Prop
     : -1;
 }
 
@@ -1573,7 +1574,7 @@ int vtkRelievoRayScene::GetMeshProp(int mesh)
 int vtkRelievoRayScene::GetMeshBlock(int mesh)
 {
   return mesh >= 0 && mesh < this->GetNumberOfMeshes()
-    ? this->Scene->Meshes[static_cast<std::size_t>(mesh)].Block
+    ? this->Internal->Meshes[static_cast<std::size_t>(mesh)].Block
     : -1;
 }
 
@@ -1586,20 +1587,20 @@ void vtkRelievoRayScene::CopyMesh(int number, vtkPolyData* copy)
                                    << ", expected one of " << this->GetNumberOfMeshes());
     return;
   }
-  const vtkRelievoPlacedMesh& placed = this->Scene->Meshes[static_cast<std::size_t>(number)];
-  const Held::Source& source = this->Scene->Sources[static_cast<std::size_t>(number)];
+  const vtkRelievoPlacedMesh& placed = this->Internal->Meshes[static_cast<std::size_t>(number)];
+  const Internals::Source& source = this->Internal->Sources[static_cast<std::size_t>(number)];
   CopyInWorld(placed, source.Cells, copy);
 }
 
 //------------------------------------------------------------------------------
 int vtkRelievoRayScene::GetNumberOfPropsLeftOut()
 {
-  return static_cast<int>(this->Scene->LeftOut.size());
+  return static_cast<int>(this->Internal->LeftOut.size());
 }
 
 //------------------------------------------------------------------------------
 vtkProp* vtkRelievoRayScene::GetPropLeftOut(int index)
 {
   const bool there = index >= 0 && index < this->GetNumberOfPropsLeftOut();
-  return there ? this->Scene->LeftOut[static_cast<std::size_t>(index)] : nullptr;
+  return there ? this->Internal->LeftOut[static_cast<std::size_t>(index)] : nullptr;
 }

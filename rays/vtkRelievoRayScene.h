@@ -221,8 +221,8 @@ private:
   bool Begin(vtkDataArray* origins, vtkDataArray* directions, vtkObject* answer);
   void Warn(vtkIdType invalid, vtkIdType rays);
 
-  struct Held;
-  std::unique_ptr<Held> Scene;
+  struct Internals;
+  std::unique_ptr<Internals> Internal;
   double MinimumDistance = 0.0;
   double MaximumDistance;
   bool OpaqueOnly = false;

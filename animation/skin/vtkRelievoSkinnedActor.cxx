@@ -104,11 +104,11 @@ double GetLargest(const relievo::SkinBox& box, const std::vector<glm::dmat4>& ma
 
 //------------------------------------------------------------------------------
 vtkRelievoSkinnedActor::vtkRelievoSkinnedActor()
-  : Inside(new Internals)
+  : Internal(new Internals)
 {
   this->Disconnect();
   // Limited to the number of bones that the shader supports.
-  this->Inside->Skin->SetInputConnection(0, this->Inside->Rest->GetOutputPort());
+  this->Internal->Skin->SetInputConnection(0, this->Internal->Rest->GetOutputPort());
   // Bones need original points, not shifted and scaled ones.
   if (auto* mapper = vtkOpenGLPolyDataMapper::SafeDownCast(this->Mesh))
   {
@@ -126,38 +126,38 @@ vtkRelievoSkinnedActor::~vtkRelievoSkinnedActor() = default;
 void vtkRelievoSkinnedActor::SetInputConnection(vtkAlgorithmOutput* port)
 {
   this->Disconnect();
-  this->Inside->Rest->SetInputConnection(port);
+  this->Internal->Rest->SetInputConnection(port);
 }
 
 //------------------------------------------------------------------------------
 void vtkRelievoSkinnedActor::SetInputData(vtkPolyData* mesh)
 {
   this->Disconnect();
-  this->Inside->Rest->SetInputData(mesh);
+  this->Internal->Rest->SetInputData(mesh);
 }
 
 //------------------------------------------------------------------------------
 void vtkRelievoSkinnedActor::SetSkeletonConnection(vtkAlgorithmOutput* port)
 {
-  this->Inside->Skin->SetInputConnection(1, port);
+  this->Internal->Skin->SetInputConnection(1, port);
 }
 
 //------------------------------------------------------------------------------
 void vtkRelievoSkinnedActor::SetSkeletonData(vtkPolyData* skeleton)
 {
-  this->Inside->Skin->SetInputData(1, skeleton);
+  this->Internal->Skin->SetInputData(1, skeleton);
 }
 
 //------------------------------------------------------------------------------
 void vtkRelievoSkinnedActor::SetMethod(int method)
 {
-  this->Inside->Skin->SetMethod(method);
+  this->Internal->Skin->SetMethod(method);
 }
 
 //------------------------------------------------------------------------------
 int vtkRelievoSkinnedActor::GetMethod()
 {
-  return this->Inside->Skin->GetMethod();
+  return this->Internal->Skin->GetMethod();
 }
 
 //------------------------------------------------------------------------------
@@ -170,7 +170,7 @@ vtkPolyDataMapper* vtkRelievoSkinnedActor::GetPolyDataMapper()
 double* vtkRelievoSkinnedActor::GetBounds()
 {
   this->UpdatePose();
-  const relievo::SkinBox& box = this->Inside->Box;
+  const relievo::SkinBox& box = this->Internal->Box;
   if (box.IsEmpty())
   {
     CopyBox(box, this->Bounds);
@@ -184,7 +184,7 @@ double* vtkRelievoSkinnedActor::GetBounds()
   }
   relievo::SkinBox placed;
   // Far from the origin, VTK transforms in double; the box has a margin for the shader's floats.
-  const bool far = this->Inside->Middle != glm::dvec3(0.);
+  const bool far = this->Internal->Middle != glm::dvec3(0.);
   placed.Add(box, toWorld, 0., far ? 1e-14 : 1e-6);
   CopyBox(placed, this->Bounds);
   return this->Bounds;
@@ -194,20 +194,20 @@ double* vtkRelievoSkinnedActor::GetBounds()
 void vtkRelievoSkinnedActor::GetMovedBounds(double bounds[6])
 {
   this->UpdatePose();
-  CopyBox(this->Inside->Box, bounds);
+  CopyBox(this->Internal->Box, bounds);
 }
 
 //------------------------------------------------------------------------------
 double vtkRelievoSkinnedActor::GetRoundedReach()
 {
   this->UpdatePose();
-  return this->Inside->Reach;
+  return this->Internal->Reach;
 }
 
 //------------------------------------------------------------------------------
 int vtkRelievoSkinnedActor::GetNumberOfMovingReplacements() const
 {
-  return this->Inside->Shader.GetNumberOfReplacements();
+  return this->Internal->Shader.GetNumberOfReplacements();
 }
 
 //------------------------------------------------------------------------------
@@ -215,14 +215,14 @@ vtkMTimeType vtkRelievoSkinnedActor::GetRedrawMTime()
 {
   this->UpdatePose();
   return std::max<vtkMTimeType>(
-    this->Superclass::GetRedrawMTime(), this->Inside->PoseTime.GetMTime());
+    this->Superclass::GetRedrawMTime(), this->Internal->PoseTime.GetMTime());
 }
 
 //------------------------------------------------------------------------------
 void vtkRelievoSkinnedActor::Render(vtkRenderer* renderer, vtkMapper* mapper)
 {
   this->UpdatePose();
-  Internals& in = *this->Inside;
+  Internals& in = *this->Internal;
   if (in.MeshTime == 0)
   {
     return; // no mesh
@@ -269,7 +269,7 @@ void vtkRelievoSkinnedActor::Render(vtkRenderer* renderer, vtkMapper* mapper)
 //------------------------------------------------------------------------------
 vtkMatrix4x4* vtkRelievoSkinnedActor::GetMatrix()
 {
-  return this->Inside->Draws ? this->Inside->Placed : this->Superclass::GetMatrix();
+  return this->Internal->Draws ? this->Internal->Placed : this->Superclass::GetMatrix();
 }
 
 //------------------------------------------------------------------------------
@@ -286,14 +286,14 @@ void vtkRelievoSkinnedActor::GetMatrix(vtkMatrix4x4* result)
 //------------------------------------------------------------------------------
 int vtkRelievoSkinnedActor::GetIsIdentity()
 {
-  return this->Inside->Draws ? 0 : this->Superclass::GetIsIdentity();
+  return this->Internal->Draws ? 0 : this->Superclass::GetIsIdentity();
 }
 
 //------------------------------------------------------------------------------
 void vtkRelievoSkinnedActor::GetKeyMatrices(vtkMatrix4x4*& toWorld, vtkMatrix3x3*& normals)
 {
   // VTK caches its result from GetMatrix.
-  Internals& in = *this->Inside;
+  Internals& in = *this->Internal;
   const bool draws = std::exchange(in.Draws, false);
   this->Superclass::GetKeyMatrices(toWorld, normals);
   in.Draws = draws;
@@ -317,10 +317,10 @@ void vtkRelievoSkinnedActor::GetKeyMatrices(vtkMatrix4x4*& toWorld, vtkMatrix3x3
 void vtkRelievoSkinnedActor::SetUniforms(vtkObject*, unsigned long, void* program)
 {
   auto* shaders = static_cast<vtkShaderProgram*>(program);
-  this->Inside->Bones.SetUniform(shaders);
+  this->Internal->Bones.SetUniform(shaders);
   if (shaders->IsUniformUsed("relievoUnmovedBy"))
   {
-    const glm::vec3 by(this->Inside->UnmovedBy);
+    const glm::vec3 by(this->Internal->UnmovedBy);
     shaders->SetUniform3f("relievoUnmovedBy", &by.x);
   }
 }
@@ -328,8 +328,8 @@ void vtkRelievoSkinnedActor::SetUniforms(vtkObject*, unsigned long, void* progra
 //------------------------------------------------------------------------------
 void vtkRelievoSkinnedActor::ReleaseGraphicsResources(vtkWindow* window)
 {
-  this->Inside->Bones.Release(window);
-  this->Inside->Unfit = 0; // another window may support more
+  this->Internal->Bones.Release(window);
+  this->Internal->Unfit = 0; // another window may support more
   this->Superclass::ReleaseGraphicsResources(window);
 }
 
@@ -345,7 +345,7 @@ void vtkRelievoSkinnedActor::PrintSelf(ostream& os, vtkIndent indent)
 // Reports an error once, until everything is valid again.
 void vtkRelievoSkinnedActor::Complain(const std::string& wrong)
 {
-  if (this->Inside->Reported.IsChange(wrong))
+  if (this->Internal->Reported.IsChange(wrong))
   {
     vtkErrorMacro("" << wrong);
   }
@@ -354,7 +354,7 @@ void vtkRelievoSkinnedActor::Complain(const std::string& wrong)
 //------------------------------------------------------------------------------
 void vtkRelievoSkinnedActor::Refuse(const std::string& wrong)
 {
-  Internals& in = *this->Inside;
+  Internals& in = *this->Internal;
   this->Complain(wrong + ". The mesh is drawn at rest.");
   in.Matrices.clear();
   in.Reach = 0.;
@@ -415,7 +415,7 @@ void vtkRelievoSkinnedActor::Internals::SetMoved(const std::vector<glm::dmat4>& 
 // VTK's mappers need a mesh: an empty one until the input is known.
 void vtkRelievoSkinnedActor::Disconnect()
 {
-  Internals& in = *this->Inside;
+  Internals& in = *this->Internal;
   if (this->Mesh->GetInput() != in.Nothing)
   {
     this->Mesh->SetInputData(in.Nothing);
@@ -429,7 +429,7 @@ void vtkRelievoSkinnedActor::Disconnect()
 //------------------------------------------------------------------------------
 vtkPolyData* vtkRelievoSkinnedActor::UpdateMesh()
 {
-  Internals& in = *this->Inside;
+  Internals& in = *this->Internal;
   vtkDataObject* given = nullptr;
   if (in.Rest->GetNumberOfInputConnections(0) > 0)
   {
@@ -454,7 +454,7 @@ vtkPolyData* vtkRelievoSkinnedActor::UpdateMesh()
 //------------------------------------------------------------------------------
 void vtkRelievoSkinnedActor::UpdatePose()
 {
-  Internals& in = *this->Inside;
+  Internals& in = *this->Internal;
   vtkPolyData* mesh = this->UpdateMesh();
   if (!mesh)
   {
@@ -534,7 +534,7 @@ void vtkRelievoSkinnedActor::UpdatePose()
 //------------------------------------------------------------------------------
 vtkPolyData* vtkRelievoSkinnedActor::GetMovedMesh()
 {
-  Internals& in = *this->Inside;
+  Internals& in = *this->Internal;
   this->UpdatePose();
   if (in.MeshTime == 0)
   {

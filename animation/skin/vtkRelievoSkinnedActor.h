@@ -126,7 +126,7 @@ private:
   void Refuse(const std::string& wrong);
   void SetUniforms(vtkObject*, unsigned long, void* program);
 
-  std::unique_ptr<Internals> Inside;
+  std::unique_ptr<Internals> Internal;
   vtkNew<vtkPolyDataMapper> Mesh;
   bool BindPose = false;
 
