@@ -292,12 +292,12 @@ const vtkRelievoParameterList& vtkRelievoMaterial::GetDescription() const
 //------------------------------------------------------------------------------
 bool vtkRelievoMaterial::SetParameter(RELIEVO_TEXT name, RELIEVO_TEXT words)
 {
-  const std::string wrong = this->TrySetParameter(name, words);
-  if (!wrong.empty())
+  const std::string error = this->TrySetParameter(name, words);
+  if (!error.empty())
   {
-    vtkErrorMacro(<< name << ": " << wrong << ".");
+    vtkErrorMacro(<< name << ": " << error << ".");
   }
-  return wrong.empty();
+  return error.empty();
 }
 
 //------------------------------------------------------------------------------
@@ -569,10 +569,10 @@ bool vtkRelievoMaterial::PostReplaceShaderValues(std::string& vertexShader,
     return true;
   }
   const auto report = [&](const char* what, const vtkRelievoTrialSplice::Outcome& outcome) {
-    if (!outcome.Wrong.empty() && in.Reported.IsNew(outcome.GetKey(mapper)))
+    if (!outcome.Error.empty() && in.Reported.IsNew(outcome.GetKey(mapper)))
     {
       vtkErrorMacro("No " << what << " on geometry drawn by " << mapper->GetClassName() << ": "
-                          << outcome.Wrong << ".");
+                          << outcome.Error << ".");
     }
   };
   if (in.Structure.Cut)

@@ -558,11 +558,11 @@ void vtkRelievoLayersStage::SpliceShaders(
   const std::string name = mapper->GetClassName();
   if (this->IsNews(mapper, outcome))
   {
-    vtkWarningMacro("No layers of geometry drawn by " << name << ": " << outcome.Wrong << ".");
+    vtkWarningMacro("No layers of geometry drawn by " << name << ": " << outcome.Error << ".");
   }
   const bool numbered = vtkRelievoGBufferSplice::GetPrimitiveSource(mapper, actor) !=
     vtkRelievoGBufferSplice::GetPrimitiveSource(shaders.Fragment);
-  if (outcome.Wrong.empty() && numbered && in.Layout.IdWord >= 0 &&
+  if (outcome.Error.empty() && numbered && in.Layout.IdWord >= 0 &&
     in.Mode.PrimitiveIds == vtkRelievoPrimitiveIds::ThroughGeometryShader &&
     in.Reported.IsNew(name + "ids"))
   {
