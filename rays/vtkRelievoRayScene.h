@@ -116,7 +116,7 @@ public:
   /**
    * Whether each ray hits anything: 1 or 0.
    */
-  bool FindAny(vtkDataArray* origins, vtkDataArray* directions, vtkUnsignedCharArray* met);
+  bool FindAny(vtkDataArray* origins, vtkDataArray* directions, vtkUnsignedCharArray* hit);
 
   /**
    * All hits, one row each, ordered by rays and then by distance, with the columns of FindNearest
