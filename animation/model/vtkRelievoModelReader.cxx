@@ -199,11 +199,11 @@ void vtkRelievoModelReader::MakeMesh(
   }
   else
   {
-    const std::string wrong = relievo::SkinMesh(shape, skeleton,
+    const std::string error = relievo::SkinMesh(shape, skeleton,
       static_cast<relievo::SkinMethod>(this->Method), vtkAlgorithm::DEFAULT_PRECISION, mesh);
-    if (!wrong.empty())
+    if (!error.empty())
     {
-      vtkErrorMacro("mesh '" << source.Name << "': " << wrong);
+      vtkErrorMacro("mesh '" << source.Name << "': " << error);
       return;
     }
     turned = relievo::IsMirroredBy(source, moment.Pose.Now);
@@ -366,9 +366,9 @@ bool vtkRelievoModelReader::Read()
     this->UpdateProgress(share);
     return !this->GetAbortExecute();
   };
-  const std::string wrong = relievo::ReadModel(
+  const std::string error = relievo::ReadModel(
     path, self.Folders, this->WeightsPerPoint, progress, self.Sources, self.Model);
-  self.Stands = wrong.empty();
+  self.Stands = error.empty();
   self.SunDistance = relievo::GetSunDistance(self.Model);
   self.Lights.resize(self.Model.Lights.size());
   self.Cameras.resize(self.Model.Cameras.size());
@@ -384,7 +384,7 @@ bool vtkRelievoModelReader::Read()
     this->SetErrorCode(vtksys::SystemTools::FileExists(path, true)
         ? vtkErrorCode::FileFormatError
         : vtkErrorCode::FileNotFoundError);
-    vtkErrorMacro("cannot read " << path << ": " << wrong);
+    vtkErrorMacro("cannot read " << path << ": " << error);
   }
   return self.Stands;
 }
@@ -554,12 +554,12 @@ vtkImageData* vtkRelievoModelReader::GetEmbeddedTexture(const char* name)
   const auto [known, isNew] = self.Images.emplace(found->first, nullptr);
   if (isNew)
   {
-    std::string wrong;
-    known->second = relievo::DecodeImage(found->second, wrong);
-    if (!wrong.empty())
+    std::string error;
+    known->second = relievo::DecodeImage(found->second, error);
+    if (!error.empty())
     {
       vtkErrorMacro(<< self.Path << ": the image '" << found->first << "' in it: expected "
-                    << wrong);
+                    << error);
     }
   }
   return known->second;

@@ -229,17 +229,17 @@ void vtkRelievoSkinnedActor::Render(vtkRenderer* renderer, vtkMapper* mapper)
   }
   if (in.Shader.Moves())
   {
-    const std::string wrong =
+    const std::string error =
       in.Bones.Upload(static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow()));
-    if (wrong.empty())
+    if (error.empty())
     {
       in.Reported.Forget();
     }
     else
     {
       in.Unfit = in.Bones.GetNumberOfTexels();
-      in.WhyUnfit = wrong;
-      this->Refuse(wrong);
+      in.WhyUnfit = error;
+      this->Refuse(error);
     }
   }
   if (in.Middle != glm::dvec3(0.))
@@ -343,19 +343,19 @@ void vtkRelievoSkinnedActor::PrintSelf(ostream& os, vtkIndent indent)
 
 //------------------------------------------------------------------------------
 // Reports an error once, until everything is valid again.
-void vtkRelievoSkinnedActor::Complain(const std::string& wrong)
+void vtkRelievoSkinnedActor::Complain(const std::string& error)
 {
-  if (this->Internal->Reported.IsChange(wrong))
+  if (this->Internal->Reported.IsChange(error))
   {
-    vtkErrorMacro("" << wrong);
+    vtkErrorMacro("" << error);
   }
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoSkinnedActor::Refuse(const std::string& wrong)
+void vtkRelievoSkinnedActor::Refuse(const std::string& error)
 {
   Internals& in = *this->Internal;
-  this->Complain(wrong + ". The mesh is drawn at rest.");
+  this->Complain(error + ". The mesh is drawn at rest.");
   in.Matrices.clear();
   in.Reach = 0.;
   in.SetAtRest();
@@ -487,17 +487,17 @@ void vtkRelievoSkinnedActor::UpdatePose()
 
   std::vector<glm::dmat4> matrices;
   const bool dual = in.Method == vtkRelievoSkin::DUAL_QUATERNION;
-  std::string wrong = in.Rest->GetWrong();
-  if (wrong.empty() && !this->BindPose && mesh->GetNumberOfPoints() > 0)
+  std::string error = in.Rest->GetError();
+  if (error.empty() && !this->BindPose && mesh->GetNumberOfPoints() > 0)
   {
     const bool keys = in.Method == vtkRelievoSkin::KEY_MATRIX;
-    wrong = skeleton ? relievo::GetBoneMatrices(mesh, skeleton, keys, matrices)
+    error = skeleton ? relievo::GetBoneMatrices(mesh, skeleton, keys, matrices)
                      : "there is no skeleton: expected polydata with the point array pose";
   }
   const std::size_t texels = matrices.size() * (dual ? 5 : 3);
   if (in.Unfit > 0 && texels >= in.Unfit)
   {
-    wrong = in.WhyUnfit;
+    error = in.WhyUnfit;
   }
   if (newRest && in.Rest->GetNumberOfCut() > 0)
   {
@@ -505,9 +505,9 @@ void vtkRelievoSkinnedActor::UpdatePose()
                     << vtkRelievoSkinRestPose::MostInfluences
                     << " bones; the weaker ones are left out. vtkRelievoSkin takes any number.");
   }
-  if (!wrong.empty())
+  if (!error.empty())
   {
-    this->Refuse(wrong);
+    this->Refuse(error);
     return;
   }
   in.Shader.Set(
