@@ -216,14 +216,11 @@ DatasetPainter::~DatasetPainter()
   {
     return;
   }
-  this->Renderer->SetActiveCamera(this->Before);
+  this->Guard.reset();
   if (this->IsOwnWindow)
   {
     this->Window->RemoveRenderer(this->Renderer);
-    return;
   }
-  this->Window->vtkRenderWindow::SetSize(this->SizeBefore[0], this->SizeBefore[1]);
-  this->Window->SetUseOffScreenBuffers(this->HadBuffers);
 }
 
 //------------------------------------------------------------------------------
@@ -253,11 +250,8 @@ void DatasetPainter::OpenWindow()
   {
     window->AddRenderer(this->Renderer);
   }
-  std::copy_n(window->GetSize(), 2, this->SizeBefore.begin());
-  this->HadBuffers = window->GetUseOffScreenBuffers();
+  this->Guard = std::make_unique<vtkRelievoWindowGuard>(this->Renderer);
   window->SetUseOffScreenBuffers(true);
-  this->Before =
-    this->Renderer->IsActiveCameraCreated() ? this->Renderer->GetActiveCamera() : nullptr;
   this->Window = window;
 }
 

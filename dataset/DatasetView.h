@@ -12,10 +12,12 @@
 #include "vtkCamera.h"
 #include "vtkImageData.h"
 #include "vtkRelievoRayScene.h"
+#include "vtkRelievoWindowGuard.h"
 #include "vtkRenderWindow.h"
 #include "vtkSmartPointer.h"
 
 #include <array>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -89,10 +91,10 @@ private:
   const DatasetObjects& Objects;
   std::vector<std::string> Layers, Flow; // drawn, or traced for sensors; traced for all
   bool Silhouettes, HadLights;
-  vtkSmartPointer<vtkCamera> Before, Camera;
+  std::unique_ptr<vtkRelievoWindowGuard> Guard; // of a window that is open
+  vtkSmartPointer<vtkCamera> Camera;
   vtkSmartPointer<vtkRenderWindow> Window;
-  bool IsOwnWindow = false, HadBuffers = false;
-  std::array<int, 2> SizeBefore{};
+  bool IsOwnWindow = false;
   std::vector<Lamp> Lamps; // switched off for the sun
   vtkSmartPointer<vtkLight> Sun;
   std::array<double, 3> SunPosition{}, SunFocus{};

@@ -177,7 +177,7 @@ struct vtkRelievoDatasetWriter::Internals
 
 //------------------------------------------------------------------------------
 vtkRelievoDatasetWriter::vtkRelievoDatasetWriter()
-  : Self(new Internals)
+  : Internal(new Internals)
 {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   constexpr int least = std::numeric_limits<int>::min(), most = std::numeric_limits<int>::max();
@@ -246,27 +246,27 @@ bool vtkRelievoDatasetWriter::Try(const std::function<void()>& work)
 //------------------------------------------------------------------------------
 void vtkRelievoDatasetWriter::SetRenderer(vtkRenderer* renderer)
 {
-  this->Self->Renderer = renderer;
+  this->Internal->Renderer = renderer;
   this->Modified();
 }
 
 //------------------------------------------------------------------------------
 vtkRenderer* vtkRelievoDatasetWriter::GetRenderer()
 {
-  return this->Self->Renderer;
+  return this->Internal->Renderer;
 }
 
 //------------------------------------------------------------------------------
 void vtkRelievoDatasetWriter::SetDirectory(RELIEVO_TEXT directory)
 {
-  this->Self->Directory = directory;
+  this->Internal->Directory = directory;
   this->Modified();
 }
 
 //------------------------------------------------------------------------------
 std::string vtkRelievoDatasetWriter::GetDirectory()
 {
-  return this->Self->Directory;
+  return this->Internal->Directory;
 }
 
 //------------------------------------------------------------------------------
@@ -277,9 +277,9 @@ void vtkRelievoDatasetWriter::AddView(vtkRelievoCameraModel* camera)
     vtkErrorMacro("AddView was given no camera.");
     return;
   }
-  this->Self->Cameras.push_back(
+  this->Internal->Cameras.push_back(
     vtkSmartPointer<vtkRelievoCameraModel>::Take(camera->NewInstance()));
-  this->Self->Cameras.back()->Copy(camera);
+  this->Internal->Cameras.back()->Copy(camera);
   this->Modified();
 }
 
@@ -292,14 +292,14 @@ bool vtkRelievoDatasetWriter::AddViews(RELIEVO_TEXT words, vtkRelievoCameraModel
       throw scene::UsageError("poses: there is no camera that has their size and intrinsics");
     }
     scene::DatasetSurroundings around = { {}, this->UpAxis, this->Seed };
-    if (this->Self->Renderer)
+    if (this->Internal->Renderer)
     {
       const scene::DatasetObjects objects(
-        this->Self->Renderer, this->Self->Names, this->ObjectsByBlock);
+        this->Internal->Renderer, this->Internal->Names, this->ObjectsByBlock);
       around.Box = objects.GetBounds();
     }
     const auto made = scene::MakeDatasetPoses("poses", words, like, around);
-    this->Self->Cameras.insert(this->Self->Cameras.end(), made.begin(), made.end());
+    this->Internal->Cameras.insert(this->Internal->Cameras.end(), made.begin(), made.end());
     this->Modified();
   });
 }
@@ -307,26 +307,26 @@ bool vtkRelievoDatasetWriter::AddViews(RELIEVO_TEXT words, vtkRelievoCameraModel
 //------------------------------------------------------------------------------
 void vtkRelievoDatasetWriter::RemoveAllViews()
 {
-  this->Self->Cameras.clear();
+  this->Internal->Cameras.clear();
   this->Modified();
 }
 
 //------------------------------------------------------------------------------
 int vtkRelievoDatasetWriter::GetNumberOfViews()
 {
-  return static_cast<int>(this->Self->Cameras.size());
+  return static_cast<int>(this->Internal->Cameras.size());
 }
 
 //------------------------------------------------------------------------------
 vtkRelievoCameraModel* vtkRelievoDatasetWriter::GetView(int i)
 {
-  return i >= 0 && i < this->GetNumberOfViews() ? this->Self->Cameras[i].GetPointer() : nullptr;
+  return i >= 0 && i < this->GetNumberOfViews() ? this->Internal->Cameras[i].GetPointer() : nullptr;
 }
 
 //------------------------------------------------------------------------------
 void vtkRelievoDatasetWriter::AddLayer(RELIEVO_TEXT name)
 {
-  std::vector<std::string>& layers = this->Self->Layers;
+  std::vector<std::string>& layers = this->Internal->Layers;
   if (std::find(layers.begin(), layers.end(), name) == layers.end())
   {
     layers.push_back(name);
@@ -337,28 +337,28 @@ void vtkRelievoDatasetWriter::AddLayer(RELIEVO_TEXT name)
 //------------------------------------------------------------------------------
 void vtkRelievoDatasetWriter::RemoveAllLayers()
 {
-  this->Self->Layers.clear();
+  this->Internal->Layers.clear();
   this->Modified();
 }
 
 //------------------------------------------------------------------------------
 void vtkRelievoDatasetWriter::SetObjectName(int actor, RELIEVO_TEXT name)
 {
-  this->Self->Names[actor] = name;
+  this->Internal->Names[actor] = name;
   this->Modified();
 }
 
 //------------------------------------------------------------------------------
 void vtkRelievoDatasetWriter::SetDescription(RELIEVO_TEXT text)
 {
-  this->Self->Description = text;
+  this->Internal->Description = text;
   this->Modified();
 }
 
 //------------------------------------------------------------------------------
 std::string vtkRelievoDatasetWriter::GetDescription()
 {
-  return this->Self->Description;
+  return this->Internal->Description;
 }
 
 //------------------------------------------------------------------------------
@@ -464,7 +464,7 @@ bool vtkRelievoDatasetWriter::Write()
 //------------------------------------------------------------------------------
 void vtkRelievoDatasetWriter::WriteViews()
 {
-  Internals& self = *this->Self;
+  Internals& self = *this->Internal;
   const scene::DatasetFormat& format =
     *scene::GetDatasetFormats()[static_cast<std::size_t>(this->Format)];
   self.Check(format);
@@ -548,10 +548,10 @@ void vtkRelievoDatasetWriter::WriteViews()
 void vtkRelievoDatasetWriter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Renderer: " << this->Self->Renderer << "\n";
-  os << indent << "Directory: " << this->Self->Directory << "\n";
-  os << indent << "Views: " << this->Self->Cameras.size() << "\n";
-  os << indent << "Layers: " << scene::Join(this->Self->Layers, ", ") << "\n";
+  os << indent << "Renderer: " << this->Internal->Renderer << "\n";
+  os << indent << "Directory: " << this->Internal->Directory << "\n";
+  os << indent << "Views: " << this->Internal->Cameras.size() << "\n";
+  os << indent << "Layers: " << scene::Join(this->Internal->Layers, ", ") << "\n";
   os << indent << "ObjectsByBlock: " << this->ObjectsByBlock << "\n";
   this->Parameters.Print(os, indent);
   os << indent << "Range: " << this->Range[0] << ", " << this->Range[1] << "\n";

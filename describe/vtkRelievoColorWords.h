@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Colours in words, which every door takes: the names of vtkNamedColors (CSS's and VTK's own), such
- * as `tomato`, and `#rrggbb`.
+ * Colours in words, which every interface takes: the names of vtkNamedColors (CSS's and VTK's
+ * own), such as `tomato`, and `#rrggbb`.
  */
 #ifndef vtkRelievoColorWords_h
 #define vtkRelievoColorWords_h

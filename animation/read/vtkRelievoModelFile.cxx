@@ -404,10 +404,10 @@ std::string Import(const std::string& path, const vtkRelievoAllowedFolders& allo
   }
   NodeNumbers numbers;
   std::vector<std::pair<const aiNode*, int>> hung;
-  const std::string wrong = ReadNodes(scene, numbers, hung, model);
-  if (!wrong.empty())
+  const std::string error = ReadNodes(scene, numbers, hung, model);
+  if (!error.empty())
   {
-    return wrong;
+    return error;
   }
   NoteScales(scene, hung, model.Notes);
   std::vector<glm::dmat4> locals;
@@ -460,38 +460,38 @@ void AnswerApart(ByteReader& asked, const vtkRelievoReaderProcess::Say& say, Byt
   const auto weights = asked.Get<int>();
   ModelSources sources;
   Model model;
-  std::string wrong;
+  std::string error;
   try
   {
-    wrong = ReadHere(
+    error = ReadHere(
       path, folders, weights, [&say](double share) { return say("", share); }, sources, model);
   }
   catch (const std::bad_alloc&)
   {
     throw;
   }
-  catch (const std::exception& error)
+  catch (const std::exception& exception)
   {
-    wrong = error.what();
+    error = exception.what();
   }
-  made(wrong, sources);
-  PutModel(made, wrong.empty() ? model : Model());
+  made(error, sources);
+  PutModel(made, error.empty() ? model : Model());
 }
 
 std::string ReadApart(const std::string& path, const std::vector<std::string>& folders, int weights,
   const std::function<bool(double)>& progress, ModelSources& sources, Model& model)
 {
-  std::string wrong;
+  std::string error;
   const std::string failure = vtkRelievoReaderProcess::Run(
     AnswerApart, [&](ByteWriter& asked) { asked(path, folders, weights); },
     [&progress](const std::string&, double share) { return progress(share); },
     [&](ByteReader& made) {
-      made(wrong, sources);
+      made(error, sources);
       GetModel(made, model);
     });
   if (failure.empty())
   {
-    return wrong;
+    return error;
   }
   sources.Add(path); // not read again while unchanged
   const char* const name = GetIsGltfExtension(path) ? "glTF" : "Assimp";
@@ -518,25 +518,25 @@ std::string ReadModel(const std::string& path, const std::vector<std::string>& f
 {
   model = Model();
   sources = ModelSources();
-  std::string wrong;
+  std::string error;
   try
   {
-    wrong = (vtkRelievoReaderProcess::IsThere() ? ReadApart : ReadHere)(
+    error = (vtkRelievoReaderProcess::IsThere() ? ReadApart : ReadHere)(
       path, folders, weights, progress, sources, model);
   }
   catch (const std::bad_alloc&)
   {
-    wrong = TooMuch;
+    error = TooMuch;
   }
-  catch (const std::exception& error) // from Assimp and glTF
+  catch (const std::exception& exception) // from Assimp and glTF
   {
-    wrong = error.what();
+    error = exception.what();
   }
-  if (!wrong.empty())
+  if (!error.empty())
   {
     model = Model();
   }
-  return wrong;
+  return error;
 }
 
 //------------------------------------------------------------------------------

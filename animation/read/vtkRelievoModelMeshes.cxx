@@ -134,7 +134,7 @@ void ReadCoordinatesAndColors(const aiMesh* mesh, vtkPolyData* output)
 void ReadFaces(const aiMesh* mesh, const std::string& name, vtkPolyData* output, Model& model)
 {
   vtkNew<vtkCellArray> cells[3];
-  int wrong = 0;
+  int invalid = 0;
   for (unsigned int i = 0; i < mesh->mNumFaces; ++i)
   {
     const aiFace& face = mesh->mFaces[i];
@@ -143,7 +143,7 @@ void ReadFaces(const aiMesh* mesh, const std::string& name, vtkPolyData* output,
         [mesh](unsigned int point) { return point < mesh->mNumVertices; });
     if (!fit)
     {
-      ++wrong;
+      ++invalid;
       continue;
     }
     vtkCellArray* kind = cells[std::min(face.mNumIndices, 3u) - 1u];
@@ -156,9 +156,9 @@ void ReadFaces(const aiMesh* mesh, const std::string& name, vtkPolyData* output,
   output->SetVerts(cells[0]);
   output->SetLines(cells[1]);
   output->SetPolys(cells[2]);
-  if (wrong > 0)
+  if (invalid > 0)
   {
-    model.Notes.push_back("mesh '" + name + "': " + std::to_string(wrong) +
+    model.Notes.push_back("mesh '" + name + "': " + std::to_string(invalid) +
       " faces name points that are not there, and are left out");
   }
 }

@@ -27,6 +27,7 @@
 #include "vtkRelievoModelPlayback.h"
 #include "vtkRelievoModelPose.h"
 #include "vtkRelievoModelSources.h"
+#include "vtkRelievoReportOnce.h"
 #include "vtkRelievoSkinNames.h"
 #include "vtkRelievoSkinPoints.h"
 #include "vtkSmartPointer.h"
@@ -40,7 +41,6 @@
 
 #include <algorithm>
 #include <map>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -53,7 +53,7 @@ struct vtkRelievoModelReader::Internals
   relievo::ModelSources Sources;
   int Weights = 0;
   bool Stands = false;
-  std::set<std::string> Refused;                               // names already reported
+  vtkRelievoReportOnce Reported;                               // errors of names
   std::map<std::string, vtkSmartPointer<vtkImageData>> Images; // requested images
   vtkSmartPointer<vtkStringArray> Names = vtkSmartPointer<vtkStringArray>::New();
   vtkSmartPointer<vtkStringArray> Bones = vtkSmartPointer<vtkStringArray>::New();
@@ -80,7 +80,7 @@ vtkStandardNewMacro(vtkRelievoModelReader);
 
 //------------------------------------------------------------------------------
 vtkRelievoModelReader::vtkRelievoModelReader()
-  : Self(new Internals)
+  : Internal(new Internals)
 {
   this->SetNumberOfInputPorts(0);
   this->SetNumberOfOutputPorts(2);
@@ -116,7 +116,7 @@ int vtkRelievoModelReader::RequestInformation(
   relievo::ModelPlayback play;
   if (this->Read())
   {
-    this->Self->Choose(*this, play);
+    this->Internal->Choose(*this, play);
   }
   for (int port = 0; port < 2; ++port)
   {
@@ -150,7 +150,7 @@ struct vtkRelievoModelReader::Moment
 //------------------------------------------------------------------------------
 vtkRelievoModelReader::Moment vtkRelievoModelReader::MakeMoment(double time)
 {
-  const relievo::Model& model = this->Self->Model;
+  const relievo::Model& model = this->Internal->Model;
   Moment moment;
   if (this->Pose == POSE_BIND)
   {
@@ -163,7 +163,7 @@ vtkRelievoModelReader::Moment vtkRelievoModelReader::MakeMoment(double time)
   relievo::ModelPlayback play;
   if (this->Pose != POSE_NODES)
   {
-    this->Self->Choose(*this, play);
+    this->Internal->Choose(*this, play);
   }
   moment.Pose = relievo::Play(model, play, time * this->Speed);
   moment.Weights = relievo::PlayMorphs(model, play, time * this->Speed);
@@ -173,7 +173,7 @@ vtkRelievoModelReader::Moment vtkRelievoModelReader::MakeMoment(double time)
 //------------------------------------------------------------------------------
 void vtkRelievoModelReader::MakeSkeleton(const Moment& moment, vtkPolyData* skeleton)
 {
-  const relievo::Model& model = this->Self->Model;
+  const relievo::Model& model = this->Internal->Model;
   const double length = this->AxisLength > 0. ? this->AxisLength : relievo::GetAxisLength(model);
   relievo::MakeSkeleton(model, moment.Pose, this->SkeletonAxes ? length : 0., skeleton);
 }
@@ -182,7 +182,7 @@ void vtkRelievoModelReader::MakeSkeleton(const Moment& moment, vtkPolyData* skel
 void vtkRelievoModelReader::MakeMesh(
   std::size_t place, const Moment& moment, vtkPolyData* skeleton, vtkPolyData* mesh)
 {
-  const relievo::ModelMesh& source = this->Self->Model.Meshes[place];
+  const relievo::ModelMesh& source = this->Internal->Model.Meshes[place];
   const auto node = static_cast<std::size_t>(source.Node);
   const vtkSmartPointer<vtkPolyData> shape = relievo::MorphMesh(
     source, node < moment.Weights.size() ? moment.Weights[node] : relievo::ModelWeights());
@@ -192,18 +192,18 @@ void vtkRelievoModelReader::MakeMesh(
   {
     mesh->ShallowCopy(shape);
   }
-  else if (source.IsPlaced && this->Self->IsAtRest(node, moment.Pose))
+  else if (source.IsPlaced && this->Internal->IsAtRest(node, moment.Pose))
   {
     mesh->ShallowCopy(shape);
     relievo::TakeBones(mesh);
   }
   else
   {
-    const std::string wrong = relievo::SkinMesh(shape, skeleton,
+    const std::string error = relievo::SkinMesh(shape, skeleton,
       static_cast<relievo::SkinMethod>(this->Method), vtkAlgorithm::DEFAULT_PRECISION, mesh);
-    if (!wrong.empty())
+    if (!error.empty())
     {
-      vtkErrorMacro("mesh '" << source.Name << "': " << wrong);
+      vtkErrorMacro("mesh '" << source.Name << "': " << error);
       return;
     }
     turned = relievo::IsMirroredBy(source, moment.Pose.Now);
@@ -256,7 +256,7 @@ int vtkRelievoModelReader::RequestData(
     asked = info->Has(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP());
     time = asked ? info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP()) : time;
   }
-  const relievo::Model& model = this->Self->Model;
+  const relievo::Model& model = this->Internal->Model;
   const int place = this->FindAnimation(this->Animation);
   if (!asked && place >= 0)
   {
@@ -271,7 +271,7 @@ int vtkRelievoModelReader::RequestData(
   if (first)
   {
     moment = this->MakeMoment(time);
-    this->Self->PlaceScene(moment.Pose.Now);
+    this->Internal->PlaceScene(moment.Pose.Now);
     this->MakeSkeleton(moment, skeleton);
     skeletonOutput->ShallowCopy(skeleton);
   }
@@ -344,7 +344,7 @@ void vtkRelievoModelReader::RemoveAllAllowedFolders()
 //------------------------------------------------------------------------------
 bool vtkRelievoModelReader::Read()
 {
-  Internals& self = *this->Self;
+  Internals& self = *this->Internal;
   const std::string path = this->FileName ? this->FileName : "";
   if (path == self.Path && this->AllowedFolders == self.Folders &&
     this->WeightsPerPoint == self.Weights && self.Sources.AreSame())
@@ -366,9 +366,9 @@ bool vtkRelievoModelReader::Read()
     this->UpdateProgress(share);
     return !this->GetAbortExecute();
   };
-  const std::string wrong = relievo::ReadModel(
+  const std::string error = relievo::ReadModel(
     path, self.Folders, this->WeightsPerPoint, progress, self.Sources, self.Model);
-  self.Stands = wrong.empty();
+  self.Stands = error.empty();
   self.SunDistance = relievo::GetSunDistance(self.Model);
   self.Lights.resize(self.Model.Lights.size());
   self.Cameras.resize(self.Model.Cameras.size());
@@ -384,7 +384,7 @@ bool vtkRelievoModelReader::Read()
     this->SetErrorCode(vtksys::SystemTools::FileExists(path, true)
         ? vtkErrorCode::FileFormatError
         : vtkErrorCode::FileNotFoundError);
-    vtkErrorMacro("cannot read " << path << ": " << wrong);
+    vtkErrorMacro("cannot read " << path << ": " << error);
   }
   return self.Stands;
 }
@@ -392,7 +392,7 @@ bool vtkRelievoModelReader::Read()
 //------------------------------------------------------------------------------
 int vtkRelievoModelReader::FindAnimation(const char* name)
 {
-  Internals& self = *this->Self;
+  Internals& self = *this->Internal;
   const std::vector<relievo::ModelAnimation>& all = self.Model.Animations;
   const std::string wanted = name ? name : "";
   std::string names;
@@ -404,7 +404,7 @@ int vtkRelievoModelReader::FindAnimation(const char* name)
     }
     names += (i ? ", '" : "'") + all[i].Name + "'";
   }
-  if (!wanted.empty() && self.Refused.insert("animation " + wanted).second)
+  if (!wanted.empty() && self.Reported.IsNew("animation " + wanted))
   {
     vtkErrorMacro(<< self.Path << ": there is no animation '" << wanted << "'; "
                   << (all.empty() ? "the file has none" : "it has " + names));
@@ -476,7 +476,7 @@ bool vtkRelievoModelReader::Internals::HasCoordinates(int block) const
 //------------------------------------------------------------------------------
 int vtkRelievoModelReader::FindBone()
 {
-  Internals& self = *this->Self;
+  Internals& self = *this->Internal;
   const std::string wanted = this->WeightsOf ? this->WeightsOf : "";
   const std::vector<relievo::ModelNode>& nodes = self.Model.Nodes;
   const auto found =
@@ -487,7 +487,7 @@ int vtkRelievoModelReader::FindBone()
   {
     return static_cast<int>(found - nodes.begin());
   }
-  if (!wanted.empty() && self.Refused.insert("bone " + wanted).second)
+  if (!wanted.empty() && self.Reported.IsNew("bone " + wanted))
   {
     std::string names;
     vtkStringArray* bones = this->GetBoneNames();
@@ -506,46 +506,46 @@ int vtkRelievoModelReader::FindBone()
 //------------------------------------------------------------------------------
 int vtkRelievoModelReader::GetNumberOfAnimations()
 {
-  return static_cast<int>(this->Self->Model.Animations.size());
+  return static_cast<int>(this->Internal->Model.Animations.size());
 }
 
 //------------------------------------------------------------------------------
 const char* vtkRelievoModelReader::GetAnimationName(int index)
 {
   const bool there = index >= 0 && index < this->GetNumberOfAnimations();
-  return there ? this->Self->Model.Animations[static_cast<std::size_t>(index)].Name.c_str()
+  return there ? this->Internal->Model.Animations[static_cast<std::size_t>(index)].Name.c_str()
                : nullptr;
 }
 
 //------------------------------------------------------------------------------
 vtkStringArray* vtkRelievoModelReader::GetAnimationNames()
 {
-  this->Self->Names->SetNumberOfValues(0);
-  for (const relievo::ModelAnimation& animation : this->Self->Model.Animations)
+  this->Internal->Names->SetNumberOfValues(0);
+  for (const relievo::ModelAnimation& animation : this->Internal->Model.Animations)
   {
-    this->Self->Names->InsertNextValue(animation.Name);
+    this->Internal->Names->InsertNextValue(animation.Name);
   }
-  return this->Self->Names;
+  return this->Internal->Names;
 }
 
 //------------------------------------------------------------------------------
 vtkStringArray* vtkRelievoModelReader::GetBoneNames()
 {
-  this->Self->Bones->SetNumberOfValues(0);
-  for (const relievo::ModelNode& node : this->Self->Model.Nodes)
+  this->Internal->Bones->SetNumberOfValues(0);
+  for (const relievo::ModelNode& node : this->Internal->Model.Nodes)
   {
     if (node.IsBone)
     {
-      this->Self->Bones->InsertNextValue(node.Name);
+      this->Internal->Bones->InsertNextValue(node.Name);
     }
   }
-  return this->Self->Bones;
+  return this->Internal->Bones;
 }
 
 //------------------------------------------------------------------------------
 vtkImageData* vtkRelievoModelReader::GetEmbeddedTexture(const char* name)
 {
-  Internals& self = *this->Self;
+  Internals& self = *this->Internal;
   const auto found = self.Model.Images.find(name ? name : "");
   if (found == self.Model.Images.end())
   {
@@ -554,12 +554,12 @@ vtkImageData* vtkRelievoModelReader::GetEmbeddedTexture(const char* name)
   const auto [known, isNew] = self.Images.emplace(found->first, nullptr);
   if (isNew)
   {
-    std::string wrong;
-    known->second = relievo::DecodeImage(found->second, wrong);
-    if (!wrong.empty())
+    std::string error;
+    known->second = relievo::DecodeImage(found->second, error);
+    if (!error.empty())
     {
       vtkErrorMacro(<< self.Path << ": the image '" << found->first << "' in it: expected "
-                    << wrong);
+                    << error);
     }
   }
   return known->second;
@@ -568,32 +568,32 @@ vtkImageData* vtkRelievoModelReader::GetEmbeddedTexture(const char* name)
 //------------------------------------------------------------------------------
 bool vtkRelievoModelReader::HasEmbeddedTexture(const char* name)
 {
-  return this->Self->Model.Images.count(name ? name : "") > 0;
+  return this->Internal->Model.Images.count(name ? name : "") > 0;
 }
 
 //------------------------------------------------------------------------------
 int vtkRelievoModelReader::GetNumberOfNotes()
 {
-  return static_cast<int>(this->Self->Model.Notes.size());
+  return static_cast<int>(this->Internal->Model.Notes.size());
 }
 
 //------------------------------------------------------------------------------
 const char* vtkRelievoModelReader::GetNote(int index)
 {
   const bool there = index >= 0 && index < this->GetNumberOfNotes();
-  return there ? this->Self->Model.Notes[static_cast<std::size_t>(index)].c_str() : nullptr;
+  return there ? this->Internal->Model.Notes[static_cast<std::size_t>(index)].c_str() : nullptr;
 }
 
 //------------------------------------------------------------------------------
 int vtkRelievoModelReader::GetNumberOfFiles()
 {
-  return static_cast<int>(this->Self->Sources.GetPaths().size());
+  return static_cast<int>(this->Internal->Sources.GetPaths().size());
 }
 
 //------------------------------------------------------------------------------
 const char* vtkRelievoModelReader::GetFile(int index)
 {
-  const std::vector<std::string>& paths = this->Self->Sources.GetPaths();
+  const std::vector<std::string>& paths = this->Internal->Sources.GetPaths();
   const bool there = index >= 0 && index < this->GetNumberOfFiles();
   return there ? paths[static_cast<std::size_t>(index)].c_str() : nullptr;
 }
@@ -601,15 +601,15 @@ const char* vtkRelievoModelReader::GetFile(int index)
 //------------------------------------------------------------------------------
 vtkProperty* vtkRelievoModelReader::GetProperty(int block)
 {
-  const relievo::ModelMaterial* material = this->Self->FindMaterial(block);
+  const relievo::ModelMaterial* material = this->Internal->FindMaterial(block);
   if (!material)
   {
     return nullptr;
   }
-  vtkSmartPointer<vtkProperty>& property = this->Self->Properties[block];
+  vtkSmartPointer<vtkProperty>& property = this->Internal->Properties[block];
   if (!property)
   {
-    property = this->Self->Look.MakeProperty(*material, this->Self->HasCoordinates(block),
+    property = this->Internal->Look.MakeProperty(*material, this->Internal->HasCoordinates(block),
       [this](const std::string& name) { return this->GetEmbeddedTexture(name.c_str()); });
   }
   return property;
@@ -618,10 +618,10 @@ vtkProperty* vtkRelievoModelReader::GetProperty(int block)
 //------------------------------------------------------------------------------
 vtkTexture* vtkRelievoModelReader::GetTexture(int block)
 {
-  const relievo::ModelMaterial* material = this->Self->FindMaterial(block);
+  const relievo::ModelMaterial* material = this->Internal->FindMaterial(block);
   return material
-    ? this->Self->Look
-        .GetActorTexture(*material, this->Self->HasCoordinates(block),
+    ? this->Internal->Look
+        .GetActorTexture(*material, this->Internal->HasCoordinates(block),
           [this](const std::string& name) { return this->GetEmbeddedTexture(name.c_str()); })
         .Get()
     : nullptr;
@@ -630,14 +630,14 @@ vtkTexture* vtkRelievoModelReader::GetTexture(int block)
 //------------------------------------------------------------------------------
 int vtkRelievoModelReader::GetAlphaMode(int block)
 {
-  const relievo::ModelMaterial* material = this->Self->FindMaterial(block);
+  const relievo::ModelMaterial* material = this->Internal->FindMaterial(block);
   return material ? static_cast<int>(material->Alpha) : ALPHA_OPAQUE;
 }
 
 //------------------------------------------------------------------------------
 double vtkRelievoModelReader::GetAlphaCutoff(int block)
 {
-  const relievo::ModelMaterial* material = this->Self->FindMaterial(block);
+  const relievo::ModelMaterial* material = this->Internal->FindMaterial(block);
   return material && material->Alpha == relievo::AlphaMode::Mask ? material->AlphaCutoff : 0.;
 }
 
@@ -660,7 +660,7 @@ void vtkRelievoModelReader::Dress(int block, vtkActor* actor)
   if (vtkMapper* mapper = actor->GetMapper())
   {
     const bool colored =
-      this->Self->Model.Meshes[static_cast<std::size_t>(block)].Data->GetPointData()->HasArray(
+      this->Internal->Model.Meshes[static_cast<std::size_t>(block)].Data->GetPointData()->HasArray(
         "RGBA");
     mapper->SetScalarVisibility(colored);
     if (colored)
@@ -675,25 +675,25 @@ void vtkRelievoModelReader::Dress(int block, vtkActor* actor)
 //------------------------------------------------------------------------------
 int vtkRelievoModelReader::GetNumberOfLights()
 {
-  return static_cast<int>(this->Self->Lights.size());
+  return static_cast<int>(this->Internal->Lights.size());
 }
 
 //------------------------------------------------------------------------------
 vtkLight* vtkRelievoModelReader::GetLight(int index)
 {
   const bool there = index >= 0 && index < this->GetNumberOfLights();
-  return there ? this->Self->Lights[static_cast<std::size_t>(index)] : nullptr;
+  return there ? this->Internal->Lights[static_cast<std::size_t>(index)] : nullptr;
 }
 
 //------------------------------------------------------------------------------
 int vtkRelievoModelReader::GetNumberOfCameras()
 {
-  return static_cast<int>(this->Self->Cameras.size());
+  return static_cast<int>(this->Internal->Cameras.size());
 }
 
 //------------------------------------------------------------------------------
 vtkCamera* vtkRelievoModelReader::GetCamera(int index)
 {
   const bool there = index >= 0 && index < this->GetNumberOfCameras();
-  return there ? this->Self->Cameras[static_cast<std::size_t>(index)] : nullptr;
+  return there ? this->Internal->Cameras[static_cast<std::size_t>(index)] : nullptr;
 }

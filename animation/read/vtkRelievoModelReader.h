@@ -341,7 +341,7 @@ private:
   double Speed = 1.;
 
   struct Internals;
-  std::unique_ptr<Internals> Self;
+  std::unique_ptr<Internals> Internal;
 };
 
 #endif

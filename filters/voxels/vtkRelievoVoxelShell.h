@@ -162,7 +162,7 @@ protected:
 
 private:
   struct Internals;
-  std::unique_ptr<Internals> Self;
+  std::unique_ptr<Internals> Internal;
   int Method = PARITY;
   int Axis = 2;
   double Bounds[6] = { 1., -1., 1., -1., 1., -1. };

@@ -36,10 +36,10 @@ using relievo::image::Failure;
 using Time = std::filesystem::file_time_type;
 
 // Images in use, and when their files were last written.
-std::map<std::string, std::pair<Time, vtkWeakPointer<vtkImageData>>>& Held()
+std::map<std::string, std::pair<Time, vtkWeakPointer<vtkImageData>>>& Cache()
 {
-  static std::map<std::string, std::pair<Time, vtkWeakPointer<vtkImageData>>> held;
-  return held;
+  static std::map<std::string, std::pair<Time, vtkWeakPointer<vtkImageData>>> cache;
+  return cache;
 }
 
 using Decoder = vtkSmartPointer<vtkImageData> (*)(const Bytes&);
@@ -126,23 +126,23 @@ std::string GetExpected()
 vtkSmartPointer<vtkImageData> Attempt(
   const std::function<vtkSmartPointer<vtkImageData>()>& read, std::string& failure)
 {
-  std::string wrong;
+  std::string error;
   try
   {
     return read();
   }
   catch (const Failure& thrown)
   {
-    wrong = thrown.what();
+    error = thrown.what();
   }
   catch (const std::exception&) // out of memory
   {
-    wrong = "there is no memory for it";
+    error = "there is no memory for it";
   }
   // Parts of the text may come from the file.
   std::replace_if(
-    wrong.begin(), wrong.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
-  failure = "an image, but it cannot be read: " + wrong;
+    error.begin(), error.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
+  failure = "an image, but it cannot be read: " + error;
   return nullptr;
 }
 
@@ -301,10 +301,10 @@ vtkSmartPointer<vtkImageData> vtkRelievoImageFile::Read(const std::string& path,
     failure = "an image, but " + instead;
     return nullptr;
   }
-  auto& held = Held()[path];
-  if (held.second && held.first == written)
+  auto& cached = Cache()[path];
+  if (cached.second && cached.first == written)
   {
-    return held.second.GetPointer();
+    return cached.second.GetPointer();
   }
   std::string said;
   failure.clear();
@@ -316,7 +316,7 @@ vtkSmartPointer<vtkImageData> vtkRelievoImageFile::Read(const std::string& path,
   {
     *note = said;
   }
-  held = { written, image.Get() };
+  cached = { written, image.Get() };
   return image;
 }
 

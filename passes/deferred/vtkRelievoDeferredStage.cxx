@@ -9,13 +9,13 @@
 #include "vtkOpenGLState.h"
 #include "vtkRelievoFrameContext.h"
 #include "vtkRelievoFramePlan.h"
+#include "vtkRelievoReportOnce.h"
 #include "vtkRelievoScopedState.h"
 #include "vtkRelievoScreenQuad.h"
 #include "vtkRelievoShading.h"
 #include "vtkRelievoVTKVersions.h"
 #include "vtkShaderProgram.h"
 
-#include <set>
 #include <vector>
 
 vtkStandardNewMacro(vtkRelievoDeferredStage);
@@ -57,7 +57,7 @@ class vtkRelievoDeferredStage::Internals
 {
 public:
   vtkRelievoScreenQuad Quad;
-  std::set<std::string> Reported;
+  vtkRelievoReportOnce Reported;
   bool Done = false; // whether the lights were added in this frame
 };
 
@@ -158,7 +158,7 @@ void vtkRelievoDeferredStage::AddLights(vtkRelievoFrameContext& context)
     in.Quad.Ready(context, "deferred/shadeFS.glsl", reads, DescribeLights(context));
   if (!program)
   {
-    if (in.Reported.insert(in.Quad.GetWrong()).second)
+    if (in.Reported.IsNew(in.Quad.GetWrong()))
     {
       vtkErrorMacro("Surfaces are not lit: " << in.Quad.GetWrong() << ".");
     }

@@ -42,11 +42,11 @@ bool vtkRelievoLampLight::HasQuads() const
 
 //------------------------------------------------------------------------------
 std::string vtkRelievoLampLight::Prepare(
-  vtkRelievoFrameContext& context, int way, bool floats, bool sums, bool counts)
+  vtkRelievoFrameContext& context, int way, const Buffers& buffers)
 {
   this->Way = way;
-  this->Counting = counts;
-  this->Floats = floats;
+  this->Counting = buffers.Counts;
+  this->Floats = buffers.Floats;
   this->Computed = this->Reaching = -1.0;
   const bool quads = this->HasQuads();
   if (way == vtkRelievoLampsStage::CLUSTERS)
@@ -67,7 +67,7 @@ std::string vtkRelievoLampLight::Prepare(
     this->CastingQuads.Release(context.Window);
     this->CastingLamps.Release(context.Window);
   }
-  if (!sums)
+  if (!buffers.Sums)
   {
     this->Sum.Release(context.Window);
     this->Gloss.Release(context.Window);
@@ -76,9 +76,10 @@ std::string vtkRelievoLampLight::Prepare(
   }
   // Half floats lose addends that are small beside the sum so far, so rectangles add up in floats.
   const bool white = this->List.IsWhite();
-  const std::string wrong = this->Sum.Prepare(context, { white ? 1 : 4, !floats && !quads, quads });
+  const std::string wrong =
+    this->Sum.Prepare(context, { white ? 1 : 4, !this->Floats && !quads, quads });
   this->Sum.SetDefines(white ? "#define RELIEVO_WHITE_LIGHT\n" : "");
-  if (counts && wrong.empty())
+  if (this->Counting && wrong.empty())
   {
     return this->Counts.Prepare(context, { 2, false, quads });
   }

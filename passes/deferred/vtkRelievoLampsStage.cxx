@@ -201,7 +201,11 @@ bool vtkRelievoLampsStage::Prepare(vtkRelievoFrameContext& context)
   const int automatic = all ? ALL : others <= MostQuads ? QUADS : CLUSTERS;
   this->WayTaken = this->Way == AUTOMATIC ? automatic : this->Way;
   in.Adds = in.Adds && this->WayTaken != QUADS;
-  std::string wrong = in.Light.Prepare(context, this->WayTaken, this->Floats, !in.Adds, counts);
+  vtkRelievoLampLight::Buffers buffers;
+  buffers.Floats = this->Floats;
+  buffers.Sums = !in.Adds;
+  buffers.Counts = counts;
+  std::string wrong = in.Light.Prepare(context, this->WayTaken, buffers);
   if (!context.IsAsked(this, vtkRelievoResources::Color))
   {
     in.Translucent->ReleaseGraphicsResources(context.Window);

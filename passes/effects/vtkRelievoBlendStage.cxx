@@ -6,6 +6,7 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkRelievoFrameContext.h"
 #include "vtkRelievoFramePlan.h"
+#include "vtkRelievoReportOnce.h"
 #include "vtkRelievoScreenQuad.h"
 #include "vtkRelievoScreenTarget.h"
 #include "vtkRenderer.h"
@@ -22,7 +23,7 @@ class vtkRelievoBlendStage::Internals
 public:
   vtkRelievoScreenTarget Layer{ "blendLayer" };
   vtkRelievoScreenQuad Quad;
-  std::string Reported; // the last frame's error, reported once
+  vtkRelievoReportOnce Reported;
 };
 
 //------------------------------------------------------------------------------
@@ -107,11 +108,10 @@ void vtkRelievoBlendStage::Execute(vtkRelievoFrameContext& context)
     !wrong.empty() ? wrong
       : any        ? "keeps translucent surfaces apart"
                    : "nothing translucent was drawn into the colour");
-  if (!wrong.empty() && in.Reported != wrong)
+  if (in.Reported.IsChange(wrong))
   {
     vtkErrorMacro("Translucent surfaces are missing: " << wrong << ".");
   }
-  in.Reported = wrong;
 }
 
 //------------------------------------------------------------------------------

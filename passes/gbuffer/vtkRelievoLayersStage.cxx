@@ -26,6 +26,7 @@
 #include "vtkRelievoMeshLinks.h"
 #include "vtkRelievoOpaqueProps.h"
 #include "vtkRelievoPrimitiveIds.h"
+#include "vtkRelievoReportOnce.h"
 #include "vtkRelievoScopedState.h"
 #include "vtkRelievoSurfaces.h"
 #include "vtkRelievoVTKVersions.h"
@@ -40,7 +41,6 @@
 #include <algorithm>
 #include <iterator>
 #include <numeric>
-#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -91,8 +91,8 @@ public:
   vtkRelievoGlyphReach Glyphs;
   vtkRelievoMeshLinks Links; // built by the first read that needs them
   vtkRelievoOpaqueProps Props;
-  std::set<std::string> Reported; // reported refusals, by reason and mapper's class
-  std::string NotShared;          // why the delegate's geometry pass cannot be shared
+  vtkRelievoReportOnce Reported; // refusals, by reason and mapper's class
+  std::string NotShared;         // why the delegate's geometry pass cannot be shared
   vtkRelievoPrimitiveIds::Route PrimitiveIds = vtkRelievoPrimitiveIds::AsWritten;
   bool Writing = false;
   bool RefinesDepth = true;              // of the last frame
@@ -207,8 +207,7 @@ bool vtkRelievoLayersStage::Prepare(vtkRelievoFrameContext& context)
   if (in.Layout.IdWord >= 0)
   {
     in.PrimitiveIds = vtkRelievoPrimitiveIds::Get(context.Window);
-    if (in.PrimitiveIds == vtkRelievoPrimitiveIds::Unreliable &&
-      in.Reported.insert("primitives").second)
+    if (in.PrimitiveIds == vtkRelievoPrimitiveIds::Unreliable && in.Reported.IsNew("primitives"))
     {
       vtkErrorMacro("This OpenGL gives fragment shaders wrong numbers of primitives: cell ids are "
                     "-1, arrays are not read, and depth is as the rasteriser rounds it. Update its "
@@ -369,7 +368,7 @@ void vtkRelievoLayersStage::DrawOwnPass(vtkRelievoFrameContext& context)
   else
   {
     this->Explain("failed", wrong);
-    if (in.Reported.insert(wrong).second)
+    if (in.Reported.IsNew(wrong))
     {
       vtkErrorMacro("No layers: " << wrong << ".");
     }
@@ -594,13 +593,13 @@ void vtkRelievoLayersStage::SpliceShaders(
   const std::string name = mapper->GetClassName();
   if (this->IsNews(mapper, outcome))
   {
-    vtkWarningMacro("No layers of geometry drawn by " << name << ": " << outcome.Wrong << ".");
+    vtkWarningMacro("No layers of geometry drawn by " << name << ": " << outcome.Error << ".");
   }
   const bool numbered = vtkRelievoGBufferSplice::GetPrimitiveSource(mapper, actor) !=
     vtkRelievoGBufferSplice::GetPrimitiveSource(shaders.Fragment);
-  if (outcome.Wrong.empty() && numbered && in.Layout.IdWord >= 0 &&
+  if (outcome.Error.empty() && numbered && in.Layout.IdWord >= 0 &&
     in.Mode.PrimitiveIds == vtkRelievoPrimitiveIds::ThroughGeometryShader &&
-    in.Reported.insert(name + "ids").second)
+    in.Reported.IsNew(name + "ids"))
   {
     vtkErrorMacro("No cell ids of geometry drawn by "
       << name << ": with this OpenGL they need a geometry shader, which cannot pass on all outputs "
@@ -634,7 +633,7 @@ bool vtkRelievoLayersStage::SetShaderParameters(vtkShaderProgram* program,
     return true;
   }
   ++this->DrawCalls;
-  if (vtkRelievoIsProjective(actor->GetMatrix()) && in.Reported.insert("projective").second)
+  if (vtkRelievoIsProjective(actor->GetMatrix()) && in.Reported.IsNew("projective"))
   {
     vtkWarningMacro("An actor's matrix is projective: its last row is not 0 0 0 1. VTK lights it "
                     "at other positions than it draws it, and its depth, positions, normals and "
@@ -646,14 +645,14 @@ bool vtkRelievoLayersStage::SetShaderParameters(vtkShaderProgram* program,
     const int source =
       vtkRelievoGBufferSplice::GetPrimitiveSource(program->GetFragmentShader()->GetSource());
     const std::uint32_t first = in.Draws.Add(actor, mapper, source);
-    if (in.Draws.IsLastAmbiguous() && in.Reported.insert("blocks").second)
+    if (in.Draws.IsLastAmbiguous() && in.Reported.IsNew("blocks"))
     {
       vtkErrorMacro("No cell and block ids of some composite data: this VTK gives primitives of "
                     "several of its blocks the same numbers where cells have normals but no "
                     "colours. Colour the cells, or compute the normals at the points.");
     }
     program->SetUniformi("relievoFirstPrimitive", static_cast<int>(first));
-    if (first == vtkRelievoDrawTable::Nothing && in.Reported.insert("words").second)
+    if (first == vtkRelievoDrawTable::Nothing && in.Reported.IsNew("words"))
     {
       vtkErrorMacro("More primitives are drawn than 32 bits can count: the last ones have the ids "
                     "-1, no arrays, and depth with the rasteriser's rounding. Draw fewer at once.");

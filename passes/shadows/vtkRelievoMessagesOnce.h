@@ -6,8 +6,8 @@
 #define vtkRelievoMessagesOnce_h
 
 #include "vtkObject.h"
+#include "vtkRelievoReportOnce.h"
 
-#include <set>
 #include <string>
 
 class vtkRelievoMessagesOnce
@@ -20,7 +20,7 @@ public:
 
   void Error(const std::string& words)
   {
-    if (this->Reported.insert(words).second)
+    if (this->Reported.IsNew(words))
     {
       vtkErrorWithObjectMacro(this->Owner, << words << ".");
     }
@@ -29,7 +29,7 @@ public:
   // Warnings of one kind are one.
   void Warn(const std::string& kind, const std::string& words)
   {
-    if (this->Reported.insert(kind).second)
+    if (this->Reported.IsNew(kind))
     {
       vtkWarningWithObjectMacro(this->Owner, << words << ".");
     }
@@ -37,7 +37,7 @@ public:
 
 private:
   vtkObject* Owner;
-  std::set<std::string> Reported;
+  vtkRelievoReportOnce Reported;
 };
 
 #endif

@@ -838,7 +838,7 @@ void vtkRelievoShadowStage::SpliceShaders(
   if (!known && this->IsNews(mapper, outcome))
   {
     vtkErrorMacro(
-      "No shadows on what " << mapper->GetClassName() << " draws: " << outcome.Wrong << ".");
+      "No shadows on what " << mapper->GetClassName() << " draws: " << outcome.Error << ".");
   }
 }
 

@@ -143,7 +143,7 @@ void vtkRelievoMeshTree::Walk(const vtkRelievoRay& ray, double low, double high,
       const std::uint32_t* corners = this->GetCorners(triangle);
       double t = 0.0;
       glm::dvec3 sides;
-      if (ray.Meets(this->Places[corners[0]], this->Places[corners[1]], this->Places[corners[2]], t,
+      if (ray.Hits(this->Places[corners[0]], this->Places[corners[1]], this->Places[corners[2]], t,
             sides) &&
         t >= low && t <= high)
       {

@@ -23,7 +23,7 @@ struct vtkRelievoPlacedMesh
   std::shared_ptr<const std::vector<vtkIdType>> Points; // of the glyphs' input, one for each place
   vtkActor* Actor = nullptr;                            // the actor that draws the mesh
   int Block = 0;           // its flat index in composite data; for glyphs, that of their points
-  double Passes = 0.0;     // transmitted share of light: 1 - opacity; NaN: unknown, or not constant
+  double Opacity = 1.0;    // NaN: unknown, or not constant
   glm::dvec3 Color{ 1.0 }; // colour of the transmitted light
   double Reach = 0.0;      // the largest coordinate that OpenGL rounds to draw the mesh
   bool CullsFront = false; // towards the eye; shadows are cast from both sides

@@ -61,6 +61,8 @@ MISTAKES = {
     "upwards": ("shaders/vtk.module", "NAME\n  Relievo::Shaders\nDEPENDS\n  Relievo::IO\n",
                 "may not stand on this one"),
     "mutual": ("look/colors/Color.h", LICENCE + '#include "Sun.h"\n', "include each other"),
+    "base": ("base/vtk.module", "NAME\n  Relievo::Base\nDEPENDS\n  Relievo::Shaders\n",
+             "may not stand on this one"),
     "neighbours": ("apps/tool/a.cxx", LICENCE + '#include "../../plugin/vtkP.h"\n',
                    "do not know each other"),
     "window kit": ("qt/a.cxx", LICENCE + '#include "../apps/viewer/docks/Panel.h"\n',

@@ -14,6 +14,7 @@
 #include "vtkRelievoFrameContext.h"
 #include "vtkRelievoFramePlan.h"
 #include "vtkRelievoMeshTexels.h"
+#include "vtkRelievoReportOnce.h"
 #include "vtkRelievoScopedState.h"
 #include "vtkRelievoScreenQuad.h"
 #include "vtkRelievoScreenTarget.h"
@@ -47,7 +48,7 @@ public:
   std::vector<vtkRelievoSkySamples::Point> Points; // of all frames
   vtkNew<vtkRelievoAmbientCatch> Catchers;
   bool Begun = false; // rays can be traced in this frame
-  std::string Failed; // the last error, reported once
+  vtkRelievoReportOnce Reported;
   bool ToldOfTriangles = false;
 
   Internals() { this->Share.SetDefines("#define RELIEVO_GATHERED ambientShare\n"); }
@@ -276,6 +277,7 @@ void vtkRelievoAmbientStage::Execute(vtkRelievoFrameContext& context)
   {
     wrong = this->DrawColor(context);
   }
+  const bool isChange = in.Reported.IsChange(wrong);
   if (wrong.empty())
   {
     const int rays = std::min(this->Samples, this->SamplesPerFrame);
@@ -304,12 +306,11 @@ void vtkRelievoAmbientStage::Execute(vtkRelievoFrameContext& context)
     this->Explain("failed", wrong);
     // Only one process reports the error.
     vtkMultiProcessController* all = context.Controller;
-    if (in.Failed != wrong && (!all || all->GetLocalProcessId() == 0))
+    if (isChange && (!all || all->GetLocalProcessId() == 0))
     {
       vtkErrorMacro("There is no ambient occlusion: " << wrong << ".");
     }
   }
-  in.Failed = wrong;
 }
 
 //------------------------------------------------------------------------------

@@ -49,6 +49,14 @@ bool Sees(const vtkRelievoSphereRays& rays, vtkRelievoFogSpheres* fog)
   }
   return false;
 }
+
+vtkRelievoFogBuffer::Options GetOptions(vtkRelievoFogStage* stage)
+{
+  vtkRelievoFogBuffer::Options options;
+  options.Chord = stage->GetMode() == vtkRelievoFogStage::CHORD;
+  options.Dominant = stage->GetOverlap() == vtkRelievoFogStage::DOMINANT;
+  return options;
+}
 }
 
 //------------------------------------------------------------------------------
@@ -190,8 +198,9 @@ void vtkRelievoFogStage::Execute(vtkRelievoFrameContext& context)
     wrong = this->DrawBeforeTranslucent(context, rays);
     if (wrong.empty())
     {
-      wrong = in.Buffer.Draw(context, rays, this->Mode == CHORD, this->Overlap == DOMINANT,
-        context.IsLayerAsked(this, "fog"));
+      vtkRelievoFogBuffer::Options options = GetOptions(this);
+      options.Everywhere = context.IsLayerAsked(this, "fog");
+      wrong = in.Buffer.Draw(context, rays, options);
     }
   }
   if (wrong.empty())
@@ -247,8 +256,7 @@ std::string vtkRelievoFogStage::DrawBeforeTranslucent(
   {
     return {};
   }
-  const std::string wrong =
-    in.Buffer.Draw(context, rays, this->Mode == CHORD, this->Overlap == DOMINANT, false, depth);
+  const std::string wrong = in.Buffer.Draw(context, rays, GetOptions(this), depth);
   if (!wrong.empty())
   {
     return wrong;

@@ -10,6 +10,7 @@
 #include "vtkRelievoFrameContext.h"
 #include "vtkRelievoFramePlan.h"
 #include "vtkRelievoHiddenLines.h"
+#include "vtkRelievoReportOnce.h"
 #include "vtkRelievoScopedState.h"
 #include "vtkRelievoScreenQuad.h"
 #include "vtkRelievoScreenTarget.h"
@@ -31,7 +32,7 @@ public:
   vtkRelievoScreenQuad Find;
   vtkRelievoScreenQuad Draw;
   vtkRelievoHiddenLines Hidden;
-  std::string Failed; // the last error, reported once
+  vtkRelievoReportOnce Reported;
 };
 
 //------------------------------------------------------------------------------
@@ -198,12 +199,11 @@ void vtkRelievoLinesStage::Execute(vtkRelievoFrameContext& context)
   if (!wrong.empty())
   {
     this->Explain("failed", wrong);
-    if (this->Internal->Failed != wrong)
-    {
-      vtkErrorMacro("Lines are not drawn: " << wrong << ".");
-    }
   }
-  this->Internal->Failed = wrong;
+  if (this->Internal->Reported.IsChange(wrong))
+  {
+    vtkErrorMacro("Lines are not drawn: " << wrong << ".");
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -13,6 +13,7 @@
 #include "vtkRelievoFramePass.h"
 #include "vtkRelievoFramePlan.h"
 #include "vtkRelievoLuminanceMeter.h"
+#include "vtkRelievoReportOnce.h"
 #include "vtkRelievoScreenQuad.h"
 #include "vtkRenderPassCollection.h"
 #include "vtkRenderer.h"
@@ -85,7 +86,7 @@ public:
   vtkRelievoLuminanceMeter Meter;
   double LastExposure = std::numeric_limits<double>::quiet_NaN(); // of a released meter
   vtkSmartPointer<vtkTextureObject> Thresholds;
-  std::string Reported; // the last error, reported once
+  vtkRelievoReportOnce Reported;
 };
 
 //------------------------------------------------------------------------------
@@ -170,11 +171,10 @@ void vtkRelievoToneStage::Declare(
 void vtkRelievoToneStage::Fail(const std::string& wrong)
 {
   this->Explain("failed", wrong);
-  if (this->Internal->Reported != wrong)
+  if (this->Internal->Reported.IsChange(wrong))
   {
     vtkErrorMacro("Tones are not mapped: " << wrong << ".");
   }
-  this->Internal->Reported = wrong;
 }
 
 //------------------------------------------------------------------------------

@@ -516,8 +516,8 @@ std::vector<vtkRelievoSurface> vtkRelievoShadowProps::CollectSurfaces(
     for (const vtkRelievoPlacedMesh& caster : casters)
     {
       surface.Caster = caster;
-      surface.Seen = caster.Passes <= 0.0; // also outside the view, which may be stepped
-      surface.Caster.Passes = attenuates ? caster.Passes : 0.0;
+      surface.Seen = caster.Opacity >= 1.0; // also outside the view, which may be stepped
+      surface.Caster.Opacity = attenuates ? caster.Opacity : 1.0;
       surfaces.push_back(surface);
     }
   }

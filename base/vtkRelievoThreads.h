@@ -32,4 +32,18 @@ void vtkRelievoWithThreads(Work&& work)
   work();
 }
 
+// Runs work(i) for each i below `count`.
+template <typename Work>
+void vtkRelievoForAll(vtkIdType count, Work&& work)
+{
+  vtkRelievoWithThreads([&]() {
+    vtkSMPTools::For(0, count, [&](vtkIdType begin, vtkIdType end) {
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        work(i);
+      }
+    });
+  });
+}
+
 #endif

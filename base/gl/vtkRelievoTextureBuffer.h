@@ -6,7 +6,7 @@
 #ifndef vtkRelievoTextureBuffer_h
 #define vtkRelievoTextureBuffer_h
 
-#include "vtkRelievoFrameModule.h" // for the export macro
+#include "vtkRelievoBaseGLModule.h" // for the export macro
 #include "vtkType.h"
 #include "vtkWeakPointer.h"
 
@@ -18,7 +18,7 @@ class vtkOpenGLRenderWindow;
 class vtkShaderProgram;
 class vtkWindow;
 
-class VTKRELIEVOFRAME_EXPORT vtkRelievoTextureBuffer
+class VTKRELIEVOBASEGL_EXPORT vtkRelievoTextureBuffer
 {
 public:
   vtkRelievoTextureBuffer();

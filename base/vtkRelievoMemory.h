@@ -7,6 +7,8 @@
 #ifndef vtkRelievoMemory_h
 #define vtkRelievoMemory_h
 
+#include "vtkRelievoBaseModule.h" // for the export macro
+
 #include <string>
 
 namespace relievo
@@ -16,7 +18,7 @@ namespace relievo
  * process; otherwise a text for the message, with both numbers. The caller may hold `held` of these
  * bytes already; they need not be free.
  */
-std::string LackOfMemory(double bytes, double limit, double held = 0.);
+VTKRELIEVOBASE_EXPORT std::string LackOfMemory(double bytes, double limit, double held = 0.);
 }
 
 #endif

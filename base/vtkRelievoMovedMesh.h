@@ -6,11 +6,11 @@
 #ifndef vtkRelievoMovedMesh_h
 #define vtkRelievoMovedMesh_h
 
-#include "vtkRelievoShadersModule.h" // for the export macro
+#include "vtkRelievoBaseModule.h" // for the export macro
 
 class vtkPolyData;
 
-class VTKRELIEVOSHADERS_EXPORT vtkRelievoMovedMesh
+class VTKRELIEVOBASE_EXPORT vtkRelievoMovedMesh
 {
 public:
   virtual ~vtkRelievoMovedMesh();

@@ -6,7 +6,7 @@
 #ifndef vtkRelievoCutSurface_h
 #define vtkRelievoCutSurface_h
 
-#include "vtkRelievoShadersModule.h" // for the export macro
+#include "vtkRelievoBaseModule.h" // for the export macro
 
 class vtkInformation;
 class vtkInformationDoubleKey;
@@ -14,10 +14,10 @@ class vtkInformationDoubleKey;
 namespace vtkRelievoCutSurface
 {
 // Key of a prop: the opacity, above 0, below which fragments are discarded.
-VTKRELIEVOSHADERS_EXPORT vtkInformationDoubleKey* CUTOFF();
+VTKRELIEVOBASE_EXPORT vtkInformationDoubleKey* CUTOFF();
 
 // The cutoff of a prop with these keys, which may be nullptr; 0: nothing is discarded.
-VTKRELIEVOSHADERS_EXPORT double GetCutoff(vtkInformation* keys);
+VTKRELIEVOBASE_EXPORT double GetCutoff(vtkInformation* keys);
 }
 
 #endif

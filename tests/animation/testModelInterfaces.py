@@ -17,7 +17,7 @@ DATA = pathlib.Path(os.environ["RELIEVO_DATA"]).resolve()  # as the viewer names
 KINDS = (".dae", ".fbx", ".x", ".ms3d", ".gltf", ".glb", ".iqm", ".bvh")
 
 
-class Doors(unittest.TestCase):
+class Interfaces(unittest.TestCase):
     def run_on(self, program, *words):
         return subprocess.run([os.environ[program], *map(str, words)], capture_output=True,
                               text=True, timeout=300, check=False)  # fmt: skip

@@ -7,6 +7,8 @@
 #ifndef vtkRelievoCgroup_h
 #define vtkRelievoCgroup_h
 
+#include "vtkRelievoBaseModule.h" // for the export macro
+
 #include <string>
 
 namespace relievo
@@ -16,7 +18,8 @@ namespace relievo
  * a limit. Inactive file cache can be reclaimed, so it counts as free. `processGroups` is the file
  * that names the groups, and `root` the folder that contains them.
  */
-double FreeBytesOfCgroup(const std::string& processGroups = "/proc/self/cgroup",
+VTKRELIEVOBASE_EXPORT double FreeBytesOfCgroup(
+  const std::string& processGroups = "/proc/self/cgroup",
   const std::string& root = "/sys/fs/cgroup");
 }
 
