@@ -10,7 +10,7 @@ set(relievo_vtk_components
   ParallelCore
   RenderingAnnotation RenderingCore RenderingFreeType RenderingOpenGL2 RenderingVolumeOpenGL2
   WrappingTools
-  jpeg tiff zlib)
+  jpeg png tiff zlib)
 
 if (RELIEVO_USE_PARAVIEW)
   # Named components: without them ParaView also asks for the developer files of Qt, GDAL, FFmpeg
