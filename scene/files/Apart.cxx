@@ -61,11 +61,13 @@ private:
 
 thread_local std::function<void()> Meanwhile;
 
+std::uintptr_t GetOrigin();
+
 // In the process of the file.
 void Answer(
   relievo::ByteReader& asked, const vtkRelievoReaderProcess::Say& say, relievo::ByteWriter& made)
 {
-  const auto work = reinterpret_cast<ReadingWork>(asked.Get<std::uintptr_t>());
+  const auto work = reinterpret_cast<ReadingWork>(GetOrigin() + asked.Get<std::uintptr_t>());
   const auto path = asked.Get<std::string>();
   const auto folders = asked.Get<std::vector<std::string>>();
   Said said;
@@ -101,6 +103,12 @@ void Answer(
   made(said);
   relievo::PutData(made, data);
 }
+
+// Works are in the same library, which lies elsewhere in another process.
+std::uintptr_t GetOrigin()
+{
+  return reinterpret_cast<std::uintptr_t>(&Answer);
+}
 }
 
 //------------------------------------------------------------------------------
@@ -131,8 +139,9 @@ vtkSmartPointer<vtkDataObject> ReadApart(ReadingWork work, const std::string& pa
   vtkSmartPointer<vtkDataObject> data;
   const std::string failure = vtkRelievoReaderProcess::Run(
     Answer,
-    [&](
-      relievo::ByteWriter& asked) { asked(reinterpret_cast<std::uintptr_t>(work), path, folders); },
+    [&](relievo::ByteWriter& asked) {
+      asked(reinterpret_cast<std::uintptr_t>(work) - GetOrigin(), path, folders);
+    },
     show,
     [&](relievo::ByteReader& made) {
       made(said);
