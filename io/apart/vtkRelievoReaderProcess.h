@@ -44,6 +44,27 @@ public:
   // Its process number; 0: none.
   static int GetProcess();
 
+  // Fills `made` by a function of `asked`, `say` and `made`, in another process, or here if there
+  // is none: what all readers call. Returns "", or the other process's failure as Run does.
+  template <auto work, typename Asked, typename Made>
+  static std::string Do(const Asked& asked, const Say& say, Made& made)
+  {
+    if (!IsThere())
+    {
+      work(asked, say, made);
+      return "";
+    }
+    const auto answer = [](relievo::ByteReader& reader, const Say& tell,
+                          relievo::ByteWriter& writer) {
+      Made result;
+      work(reader.Get<Asked>(), tell, result);
+      writer(result);
+    };
+    return Run(
+      answer, [&asked](relievo::ByteWriter& writer) { writer(asked); }, say,
+      [&made](relievo::ByteReader& reader) { reader(made); });
+  }
+
   // Does the work, which is in a shared library or the program that called Start, in another
   // process: `ask` writes the request, `take` reads the result. Returns
   // "", or the reader's failure, for example "crashed (segmentation fault)". Thread-safe.
