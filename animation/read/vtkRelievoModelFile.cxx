@@ -452,50 +452,53 @@ std::string ReadHere(const std::string& path, const std::vector<std::string>& fo
                          : "expected a file, but " + instead;
 }
 
-// Runs in the process of the file.
-void AnswerApart(ByteReader& asked, const vtkRelievoReaderProcess::Say& say, ByteWriter& made)
+struct Question
 {
-  const auto path = asked.Get<std::string>();
-  const auto folders = asked.Get<std::vector<std::string>>();
-  const auto weights = asked.Get<int>();
-  ModelSources sources;
-  Model model;
-  std::string error;
+  std::string Path;
+  std::vector<std::string> Folders;
+  int Weights = 0;
+};
+
+template <typename Visit>
+void VisitFields(Question& question, Visit&& visit)
+{
+  visit(question.Path, question.Folders, question.Weights);
+}
+
+struct Answer
+{
+  std::string Wrong;
+  ModelSources Sources;
+  Model Content;
+};
+
+template <typename Visit>
+void VisitFields(Answer& answer, Visit&& visit)
+{
+  visit(answer.Wrong, answer.Sources, answer.Content);
+}
+
+// Runs in the process of the file.
+void AnswerQuestion(const Question& asked, const vtkRelievoReaderProcess::Say& say, Answer& made)
+{
   try
   {
-    error = ReadHere(
-      path, folders, weights, [&say](double share) { return say("", share); }, sources, model);
+    made.Wrong = ReadHere(
+      asked.Path, asked.Folders, asked.Weights, [&say](double share) { return say("", share); },
+      made.Sources, made.Content);
   }
   catch (const std::bad_alloc&)
   {
     throw;
   }
-  catch (const std::exception& exception)
+  catch (const std::exception& error) // from Assimp and glTF
   {
-    error = exception.what();
+    made.Wrong = error.what();
   }
-  made(error, sources);
-  PutModel(made, error.empty() ? model : Model());
-}
-
-std::string ReadApart(const std::string& path, const std::vector<std::string>& folders, int weights,
-  const std::function<bool(double)>& progress, ModelSources& sources, Model& model)
-{
-  std::string error;
-  const std::string failure = vtkRelievoReaderProcess::Run(
-    AnswerApart, [&](ByteWriter& asked) { asked(path, folders, weights); },
-    [&progress](const std::string&, double share) { return progress(share); },
-    [&](ByteReader& made) {
-      made(error, sources);
-      GetModel(made, model);
-    });
-  if (failure.empty())
+  if (!made.Wrong.empty())
   {
-    return error;
+    made.Content = Model();
   }
-  sources.Add(path); // not read again while unchanged
-  const char* const name = GetIsGltfExtension(path) ? "glTF" : "Assimp";
-  return std::string("the reader (") + name + ") " + failure;
 }
 }
 
@@ -516,27 +519,34 @@ std::vector<glm::dmat4> GetWorldMatrices(
 std::string ReadModel(const std::string& path, const std::vector<std::string>& folders, int weights,
   const std::function<bool(double)>& progress, ModelSources& sources, Model& model)
 {
-  model = Model();
-  sources = ModelSources();
-  std::string error;
+  Answer made;
+  std::string failure;
   try
   {
-    error = (vtkRelievoReaderProcess::IsThere() ? ReadApart : ReadHere)(
-      path, folders, weights, progress, sources, model);
+    failure = vtkRelievoReaderProcess::Do<AnswerQuestion>(
+      Question{ path, folders, weights },
+      [&progress](const std::string&, double share) { return progress(share); }, made);
   }
   catch (const std::bad_alloc&)
   {
-    error = TooMuch;
+    made = Answer();
+    made.Wrong = TooMuch;
   }
-  catch (const std::exception& exception) // from Assimp and glTF
+  if (failure.empty() && !IsConsistent(made.Content))
   {
-    error = exception.what();
+    failure = "crashed: its result is damaged";
   }
-  if (!error.empty())
+  sources = made.Sources;
+  if (!failure.empty())
   {
-    model = Model();
+    made = Answer();
+    made.Wrong =
+      std::string("the reader (") + (GetIsGltfExtension(path) ? "glTF" : "Assimp") + ") " + failure;
+    sources = ModelSources();
+    sources.Add(path); // not read again while unchanged
   }
-  return error;
+  model = std::move(made.Content);
+  return made.Wrong;
 }
 
 //------------------------------------------------------------------------------

@@ -10,7 +10,6 @@
 #include "Readers.h"
 
 #include "vtkDataObject.h"
-#include "vtkRelievoDataBytes.h"
 #include "vtkRelievoReaderProcess.h"
 
 #include <cstdint>
@@ -28,19 +27,31 @@ enum class End : unsigned char
   Work
 };
 
-// What there is to say beside the data.
-struct Said
+struct Asked
+{
+  std::uintptr_t Work; // from Answer on: both are in this library, which lies anywhere in a process
+  std::string Path;
+  std::vector<std::string> Folders;
+};
+
+template <typename Visit>
+void VisitFields(Asked& asked, Visit&& visit)
+{
+  visit(asked.Work, asked.Path, asked.Folders);
+}
+
+struct Made
 {
   End Is = End::Done;
   std::string Wrong;
   std::vector<std::string> Notes, Warnings, Opened;
+  vtkSmartPointer<vtkDataObject> Data;
 };
 
 template <typename Visit>
-void VisitFields(Said& said, Visit&& visit)
+void VisitFields(Made& made, Visit&& visit)
 {
-  auto& [is, wrong, notes, warnings, opened] = said;
-  visit(is, wrong, notes, warnings, opened);
+  visit(made.Is, made.Wrong, made.Notes, made.Warnings, made.Opened, made.Data);
 }
 
 // Steps go to the program.
@@ -59,49 +70,41 @@ private:
 };
 
 // In the process of the file.
-void Answer(
-  relievo::ByteReader& asked, const vtkRelievoReaderProcess::Say& say, relievo::ByteWriter& made)
+void Answer(const Asked& asked, const vtkRelievoReaderProcess::Say& say, Made& made)
 {
-  const auto work = reinterpret_cast<ReadingWork>(asked.Get<std::uintptr_t>());
-  const auto path = asked.Get<std::string>();
-  const auto folders = asked.Get<std::vector<std::string>>();
-  Said said;
-  vtkSmartPointer<vtkDataObject> data;
+  const auto work =
+    reinterpret_cast<ReadingWork>(reinterpret_cast<std::uintptr_t>(&Answer) + asked.Work);
+  const Messages::Scope scope;
+  const NumberLocale locale;
+  Steps steps(say);
+  Progress progress(&steps);
+  ReadContext context(progress, asked.Folders);
+  context.AddFile(asked.Path);
+  try
   {
-    const Messages::Scope scope;
-    const NumberLocale locale;
-    Steps steps(say);
-    Progress progress(&steps);
-    ReadContext context(progress, folders);
-    context.AddFile(path);
-    try
-    {
-      data = work(path, context);
-    }
-    catch (const UsageError& error)
-    {
-      said.Is = End::Usage;
-      said.Wrong = error.what();
-    }
-    catch (const WorkError& error)
-    {
-      if (Messages::TellsOfMemory(error.what())) // what VTK 9.1 gets over, with no data
-      {
-        throw std::bad_alloc();
-      }
-      said.Is = End::Work;
-      said.Wrong = error.what();
-    }
-    said.Notes = context.TakeNotes();
-    said.Warnings = context.TakeWarnings();
-    for (const std::string& warning : Messages::TakeWarnings())
-    {
-      said.Warnings.push_back(warning);
-    }
-    said.Opened = context.GetFiles();
+    made.Data = work(asked.Path, context);
   }
-  made(said);
-  relievo::PutData(made, data);
+  catch (const UsageError& error)
+  {
+    made.Is = End::Usage;
+    made.Wrong = error.what();
+  }
+  catch (const WorkError& error)
+  {
+    if (Messages::TellsOfMemory(error.what())) // what VTK 9.1 gets over, with no data
+    {
+      throw std::bad_alloc();
+    }
+    made.Is = End::Work;
+    made.Wrong = error.what();
+  }
+  made.Notes = context.TakeNotes();
+  made.Warnings = context.TakeWarnings();
+  for (const std::string& warning : Messages::TakeWarnings())
+  {
+    made.Warnings.push_back(warning);
+  }
+  made.Opened = context.GetFiles();
 }
 }
 
@@ -127,47 +130,40 @@ vtkSmartPointer<vtkDataObject> ReadApart(
     progress.Update(share);
     return !progress.IsStopped();
   };
-  Said said;
-  vtkSmartPointer<vtkDataObject> data;
-  const std::string failure = vtkRelievoReaderProcess::Run(
-    Answer,
-    [&](relievo::ByteWriter& asked) {
-      asked(reinterpret_cast<std::uintptr_t>(work), path, context.GetFolders());
-    },
-    show,
-    [&](relievo::ByteReader& made) {
-      made(said);
-      data = relievo::GetData(made);
-    });
+  Made made;
+  const std::string failure = vtkRelievoReaderProcess::Do<Answer>(
+    Asked{ reinterpret_cast<std::uintptr_t>(work) - reinterpret_cast<std::uintptr_t>(&Answer), path,
+      context.GetFolders() },
+    show, made);
   progress.End();
   if (!failure.empty())
   {
     throw WorkError(path + ": the reader (" + GetReaderName(path) + ") " + failure);
   }
-  for (const std::string& each : said.Opened)
+  for (const std::string& each : made.Opened)
   {
     context.AddFile(each);
   }
-  for (const std::string& note : said.Notes)
+  for (const std::string& note : made.Notes)
   {
     context.Note(note);
   }
-  for (const std::string& warning : said.Warnings)
+  for (const std::string& warning : made.Warnings)
   {
     context.Warn(warning);
   }
-  if (said.Is == End::Usage)
+  if (made.Is == End::Usage)
   {
-    throw UsageError(said.Wrong);
+    throw UsageError(made.Wrong);
   }
-  if (said.Is == End::Work)
+  if (made.Is == End::Work)
   {
-    throw WorkError(said.Wrong);
+    throw WorkError(made.Wrong);
   }
-  if (!data)
+  if (!made.Data)
   {
     throw WorkError(path + ": holds nothing that can be drawn");
   }
-  return data;
+  return made.Data;
 }
 }
