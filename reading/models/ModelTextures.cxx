@@ -63,48 +63,31 @@ vtkSmartPointer<vtkImageData> ModelTextures::Find(
 }
 
 //------------------------------------------------------------------------------
-double ModelTextures::PutColor(vtkActor* actor, vtkDataSet* mesh)
+void ModelTextures::Put(vtkActor* actor, vtkDataSet* mesh, const std::optional<double>& cutoff)
 {
-  const auto image = this->Find(mesh, "base_color_texture", "texture");
-  if (!image)
+  MaterialMaps maps;
+  maps.Cutoff = cutoff;
+  if (!cutoff)
   {
-    return 0.;
+    maps.Color = this->Find(mesh, "base_color_texture", "texture");
   }
-  vtkSmartPointer<vtkTexture>& texture = this->Textures[image];
-  if (!texture)
+  if (maps.Color)
   {
-    texture = MakeTexture(image);
+    actor->GetProperty()->SetColor(1., 1., 1.); // the texture's colours are the whole
   }
-  const double cutoff = FindCutoff(image, actor);
-  actor->SetTexture(texture);
-  actor->GetProperty()->SetColor(1., 1., 1.); // the texture's colours are the whole
-  return cutoff;
-}
-
-//------------------------------------------------------------------------------
-void ModelTextures::PutMaterial(vtkActor* actor, vtkDataSet* mesh, double cutoff)
-{
   // Where a sampler says more than a map can, VTK's shaders draw the actor's own normal texture.
   auto* own = vtkRelievoWrapTexture::SafeDownCast(actor->GetProperty()->GetTexture("normalTex"));
   const bool isMap =
     !own || (own->GetWrapU() == own->GetWrapV() && own->GetWrapU() != vtkTexture::MirroredRepeat);
-  const bool repeats = !own || own->GetWrapU() == vtkTexture::Repeat;
-  const auto normals = isMap ? this->Find(mesh, "normal_texture", "normal map") : nullptr;
-  if (normals || cutoff > 0.)
+  if (isMap)
   {
-    vtkDataArray* given = mesh->GetFieldData()->GetArray("normal_strength");
-    const double strength = given ? given->GetComponent(0, 0) : 1.;
-    vtkSmartPointer<vtkRelievoMaterial>& material =
-      this->Materials[{ normals.Get(), strength, cutoff, repeats }];
-    if (!material)
-    {
-      material = vtkSmartPointer<vtkRelievoMaterial>::New();
-      material->SetNormalMap(normals);
-      material->SetNormalStrength(strength);
-      material->SetRepeat(repeats);
-      material->SetAlphaCutoff(cutoff);
-    }
-    material->Attach(actor);
+    maps.Normals = this->Find(mesh, "normal_texture", "normal map");
   }
+  if (vtkDataArray* strength = mesh->GetFieldData()->GetArray("normal_strength"))
+  {
+    maps.NormalStrength = strength->GetComponent(0, 0);
+  }
+  maps.NormalsRepeat = !own || own->GetWrapU() == vtkTexture::Repeat;
+  this->Painter.Put(actor, maps);
 }
 }

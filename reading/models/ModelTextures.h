@@ -6,14 +6,13 @@
 #ifndef ModelTextures_h
 #define ModelTextures_h
 
-#include "vtkImageData.h"
-#include "vtkRelievoMaterial.h"
-#include "vtkSmartPointer.h"
-#include "vtkTexture.h"
+#include "MaterialMaps.h"
 
-#include <map>
+#include "vtkImageData.h"
+#include "vtkSmartPointer.h"
+
+#include <optional>
 #include <string>
-#include <tuple>
 #include <vector>
 
 class vtkActor;
@@ -34,12 +33,10 @@ public:
   {
   }
 
-  /// The texture that the mesh names, on its actor. Returns the alpha below which the actor is cut
-  /// out; 0: nowhere. What cannot be read is noted.
-  double PutColor(vtkActor* actor, vtkDataSet* mesh);
-
-  /// The normal map that the mesh names, and the cutoff, on its actor.
-  void PutMaterial(vtkActor* actor, vtkDataSet* mesh, double cutoff);
+  /// The normal map that the mesh names, on its actor, and its texture, unless the file's own
+  /// material has the colours and says the `cutoff`: the alpha below which the actor is cut out, 0:
+  /// nowhere. What cannot be read is noted.
+  void Put(vtkActor* actor, vtkDataSet* mesh, const std::optional<double>& cutoff);
 
 private:
   vtkSmartPointer<vtkImageData> Find(vtkDataSet* mesh, const char* array, const std::string& what);
@@ -48,10 +45,7 @@ private:
   vtkRelievoModelReader* Reader;
   std::string Path;
   ReadContext& Context;
-  // Meshes share them, where they are alike.
-  std::map<vtkImageData*, vtkSmartPointer<vtkTexture>> Textures;
-  std::map<std::tuple<vtkImageData*, double, double, bool>, vtkSmartPointer<vtkRelievoMaterial>>
-    Materials; ///< by normal map, its strength, cutoff, and whether it repeats
+  MaterialPainter Painter;
 };
 }
 

@@ -23,6 +23,7 @@
 #include "vtkStringArray.h"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 namespace scene
@@ -187,7 +188,7 @@ PosedModel ReadModel(
     if (mesh && mesh->GetNumberOfCells() > 0)
     {
       const vtkSmartPointer<vtkActor> actor = MakeActor(mesh, smooth, path, context);
-      double cutoff = 0.;
+      std::optional<double> cutoff;
       if (Dress(reader, static_cast<int>(i), actor, path, context))
       {
         cutoff = reader->GetAlphaCutoff(static_cast<int>(i));
@@ -195,9 +196,8 @@ PosedModel ReadModel(
       else
       {
         SetColor(actor, mesh);
-        cutoff = textures.PutColor(actor, mesh);
       }
-      textures.PutMaterial(actor, mesh, cutoff);
+      textures.Put(actor, mesh, cutoff);
       model.Parts.push_back({ i, actor });
     }
   }

@@ -108,8 +108,8 @@ bool IsWithoutEffect(const std::string& option, const std::vector<std::string>& 
 void TakeTexture(std::string rest, const std::filesystem::path& folder,
   const vtkRelievoAllowedFolders& allowed, MtlMaterial& material)
 {
-  std::fill_n(material.TextureScale, 2, 1.0);
-  std::fill_n(material.TextureOffset, 2, 0.0);
+  material.TextureScale = { 1.0, 1.0 };
+  material.TextureOffset = { 0.0, 0.0 };
   material.TextureWithout.clear();
   while (!rest.empty() && rest[0] == '-')
   {
@@ -117,7 +117,7 @@ void TakeTexture(std::string rest, const std::filesystem::path& folder,
     const std::vector<std::string> words = TakeArguments(option, rest);
     if (option == "-s" || option == "-o")
     {
-      double* const values = option == "-s" ? material.TextureScale : material.TextureOffset;
+      auto& values = option == "-s" ? material.TextureScale : material.TextureOffset;
       for (std::size_t i = 0; i < std::min<std::size_t>(words.size(), 2); ++i)
       {
         values[i] = *ToNumber(words[i]);

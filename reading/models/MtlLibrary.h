@@ -6,6 +6,7 @@
 #ifndef MtlLibrary_h
 #define MtlLibrary_h
 
+#include <array>
 #include <filesystem>
 #include <map>
 #include <string>
@@ -26,8 +27,8 @@ struct MtlMaterial
   bool Highlights = true;
   std::string Texture; ///< path; empty: none
   /// Texture coordinates are multiplied by the scale, then the offset is added.
-  double TextureScale[2] = { 1.0, 1.0 };
-  double TextureOffset[2] = { 0.0, 0.0 };
+  std::array<double, 2> TextureScale = { 1.0, 1.0 };
+  std::array<double, 2> TextureOffset = { 0.0, 0.0 };
   std::string TextureWithout; ///< options that would change the texture, and are left out
 };
 

@@ -5,6 +5,7 @@
 #include "Actors.h"
 #include "Errors.h"
 #include "Images.h"
+#include "MaterialMaps.h"
 #include "MtlLibrary.h"
 #include "ReadContext.h"
 #include "Readers.h"
@@ -22,10 +23,8 @@
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
 #include "vtkRelievoAllowedFolders.h"
-#include "vtkRelievoMaterial.h"
 #include "vtkStringArray.h"
 #include "vtkTexture.h"
-#include "vtkTransform.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -188,28 +187,15 @@ void PutTexture(vtkActor* actor, const MtlMaterial& material, const std::string&
   {
     CheckAllowed(material.Texture, allowed);
     CheckImage(key, material.Texture);
-    const vtkSmartPointer<vtkImageData> image = ReadImage(material.Texture, context);
-    const vtkSmartPointer<vtkTexture> texture = MakeTexture(image);
-    const auto& [scaleU, scaleV] = material.TextureScale;
-    const auto& [offsetU, offsetV] = material.TextureOffset;
-    if (scaleU != 1.0 || scaleV != 1.0 || offsetU != 0.0 || offsetV != 0.0)
-    {
-      vtkNew<vtkTransform> transform;
-      transform->Translate(offsetU, offsetV, 0.0);
-      transform->Scale(scaleU, scaleV, 1.0);
-      texture->SetTransform(transform);
-    }
+    MaterialMaps maps;
+    maps.Color = ReadImage(material.Texture, context);
+    maps.Scale = material.TextureScale;
+    maps.Offset = material.TextureOffset;
     if (!material.TextureWithout.empty())
     {
       context.Note(path + ": " + material.Texture + " is drawn without " + material.TextureWithout);
     }
-    actor->SetTexture(texture);
-    if (const double cutoff = FindCutoff(image, actor))
-    {
-      vtkNew<vtkRelievoMaterial> cut;
-      cut->SetAlphaCutoff(cutoff);
-      cut->Attach(actor);
-    }
+    MaterialPainter().Put(actor, maps);
   }
   catch (const std::exception& error)
   {
