@@ -63,6 +63,9 @@ public:
     this->Unmoved.clear();
   }
 
+  // In words: how many lights cast, and their names.
+  std::string GetCastingReport() const;
+
   // Of the others, as a part of a sentence: "; NAME casts none: WHY".
   std::string GetReport() const;
 

@@ -14,9 +14,11 @@
 #include <algorithm>
 #include <vector>
 
-//------------------------------------------------------------------------------
-void vtkRelievoShadowUniforms::SetFrame(vtkShaderProgram* program,
-  const vtkRelievoShadowContext& work, const vtkRelievoShadowMethod& method, double strength)
+namespace
+{
+// Those that have one value for all that a program draws in a frame.
+void SetFrame(vtkShaderProgram* program, const vtkRelievoShadowContext& work,
+  const vtkRelievoShadowMethod& method, double strength)
 {
   // The middle of the visible receivers in eye space as the shader has it, in float.
   const glm::vec3 center(work.View.WorldToView * glm::dvec4(work.Cache.GetCenter(), 1.0));
@@ -66,13 +68,27 @@ void vtkRelievoShadowUniforms::SetFrame(vtkShaderProgram* program,
   }
 }
 
-//------------------------------------------------------------------------------
-void vtkRelievoShadowUniforms::SetActor(
-  vtkShaderProgram* program, const vtkRelievoShadowContext& work, vtkActor* actor)
+void SetActor(vtkShaderProgram* program, const vtkRelievoShadowContext& work, vtkActor* actor)
 {
   vtkProperty* property = actor->GetProperty();
   program->SetUniformi("relievoShadowFaces", property->GetRepresentation() == VTK_SURFACE ? 1 : 0);
   program->SetUniformf("relievoShadowInner", work.Props.Receives(actor) ? work.GetInner() : -1.f);
   program->SetUniformf(
     "relievoShadowLift", std::max(property->GetPointSize(), property->GetLineWidth()));
+}
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoShadowUniforms::Set(vtkShaderProgram* program, const vtkRelievoShadowContext& work,
+  const vtkRelievoShadowMethod& method, double strength, vtkActor* actor)
+{
+  if (this->Programs.insert(program).second)
+  {
+    // Another renderer's lights may be newer, and VTK's shader cache gives both the same program.
+    program->SetUniformGroupUpdateTime(vtkShaderProgram::LightingGroup, 0);
+    SetFrame(program, work, method, strength);
+    method.SetFrameUniforms(program, work);
+  }
+  SetActor(program, work, actor);
+  method.SetActorUniforms(program, work, actor);
 }

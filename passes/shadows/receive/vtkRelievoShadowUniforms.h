@@ -1,23 +1,30 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The uniforms of shaders/shadow/receive.glsl, which all methods have in common.
+// The uniforms of shaders/shadow/receive.glsl, and of the method's section in it.
 #ifndef vtkRelievoShadowUniforms_h
 #define vtkRelievoShadowUniforms_h
+
+#include <set>
 
 class vtkActor;
 class vtkRelievoShadowMethod;
 class vtkShaderProgram;
 struct vtkRelievoShadowContext;
 
-namespace vtkRelievoShadowUniforms
+class vtkRelievoShadowUniforms
 {
-// Sets the uniforms that have one value for all that a program draws in a frame. strength: share of
-// a blocked light that is removed from the picture.
-void SetFrame(vtkShaderProgram* program, const vtkRelievoShadowContext& work,
-  const vtkRelievoShadowMethod& method, double strength);
+public:
+  // Sets the uniforms for what the program draws of an actor. strength: share of a blocked light
+  // that is removed from the picture.
+  void Set(vtkShaderProgram* program, const vtkRelievoShadowContext& work,
+    const vtkRelievoShadowMethod& method, double strength, vtkActor* actor);
 
-void SetActor(vtkShaderProgram* program, const vtkRelievoShadowContext& work, vtkActor* actor);
-}
+  // What programs have is another frame's, or of other maps.
+  void Forget() { this->Programs.clear(); }
+
+private:
+  std::set<vtkShaderProgram*> Programs; // those that have this frame's
+};
 
 #endif

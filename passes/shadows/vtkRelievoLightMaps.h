@@ -1,0 +1,102 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The shadows of a renderer's lights in a frame: the method, as it is set or planned, its maps, and
+// what it draws beside them. Lamps from data have vtkRelievoLampMaps.
+#ifndef vtkRelievoLightMaps_h
+#define vtkRelievoLightMaps_h
+
+#include "vtkRelievoShadowContext.h"
+#include "vtkRelievoShadowMethod.h"
+#include "vtkRelievoShadowMethods.h"
+#include "vtkRelievoShadowPlanning.h"
+#include "vtkRelievoShadowSchedule.h"
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+class vtkOpenGLRenderWindow;
+class vtkRelievoFrameContext;
+class vtkRelievoMessagesOnce;
+class vtkRelievoShadowLights;
+class vtkWindow;
+
+class vtkRelievoLightMaps
+{
+public:
+  using Settings = vtkRelievoShadowPlanning::Settings;
+
+  explicit vtkRelievoLightMaps(vtkRelievoShadowCasters& casters)
+    : Work(casters)
+  {
+  }
+
+  vtkRelievoShadowContext Work;
+  vtkRelievoShadowSchedule Schedule;
+  vtkRelievoShadowPlanning Planning;
+
+  ///@{
+  // Fits the maps of the lights that cast, as planned, and gives them a texture unit. Returns why
+  // there are none, in words. MakeNone: no light casts.
+  std::string Make(vtkRelievoFrameContext& context, const vtkRelievoShadowLights& lights,
+    const Settings& settings, vtkRelievoMessagesOnce& messages);
+  void MakeNone(vtkOpenGLRenderWindow* window);
+  ///@}
+
+  // The size of maps in this OpenGL: its limit if that is less, with a warning.
+  static int GetSizeHere(int size, vtkRelievoMessagesOnce& messages);
+
+  // Whether the shaders of what receives are to be others than in the frame before. `unlit`:
+  // visibility is asked for also where no light is computed.
+  bool UpdateStructure(const vtkRelievoShadowLights& lights, bool unlit);
+
+  ///@{
+  // Draws the maps that no frame before drew, and binds all; then what the method draws. Both
+  // return the draw calls but for those of mappers that draw by themselves. Unbind gives texture
+  // units back.
+  int DrawMaps(vtkRenderer* renderer);
+  int DrawMethod(vtkRenderer* renderer);
+  void Unbind();
+  ///@}
+
+  ///@{
+  // Drawing alone has changed what the casters' state says. `probed`: whether the plan's probe knew
+  // them before.
+  bool IsProbed();
+  void Settle(bool probed);
+  ///@}
+
+  // What was drawn was not all of it: nothing of it is kept.
+  void Invalidate();
+
+  const std::unique_ptr<vtkRelievoShadowMethod>& GetMethod() const { return this->Method; }
+  int GetMethodMade() const { return this->Made; } // one of vtkRelievoShadowMethods
+
+  // What the plan is made for.
+  vtkRelievoShadowPlanning::Scene GetScene(const vtkRelievoShadowLights& lights);
+
+  // The expected share of wrong pixels of the frame's maps.
+  double GetExpectedWrongShare() const;
+
+  // Of the last frame, as a part of a sentence.
+  std::string GetReport() const;
+
+  vtkIdType GetBytes() const { return this->Work.Maps.GetBytes() + this->Method->GetBytes(); }
+  void Release(vtkWindow* window);
+
+private:
+  void UseMethod(int method, vtkOpenGLRenderWindow* window); // the context is current
+  void PrepareMethod(vtkRelievoFrameContext& context, vtkRelievoMessagesOnce& messages);
+  bool IsRefused(int method) const;
+  void Refuse(int method);
+
+  std::unique_ptr<vtkRelievoShadowMethod> Method =
+    vtkRelievoShadowMethod::Make(vtkRelievoShadowMethods::MAP);
+  int Made = vtkRelievoShadowMethods::MAP;
+  int Refused = -1; // the method that could not make shadows of what cast so
+  std::vector<std::uint64_t> RefusedCasters;
+};
+
+#endif
