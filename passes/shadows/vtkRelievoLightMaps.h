@@ -39,7 +39,7 @@ public:
 
   ///@{
   // Fits the maps of the lights that cast, as planned, and gives them a texture unit. Returns why
-  // there are none, in words. `MakeNone`: no light casts.
+  // there are none, in words. MakeNone: no light casts.
   std::string Make(vtkRelievoFrameContext& context, const vtkRelievoShadowLights& lights,
     const Settings& settings, vtkRelievoMessagesOnce& messages);
   void MakeNone(vtkOpenGLRenderWindow* window);
@@ -53,13 +53,17 @@ public:
   bool UpdateStructure(const vtkRelievoShadowLights& lights, bool unlit);
 
   ///@{
-  // A frame with maps: those that no frame before drew are drawn, and all are bound; then what the
-  // method draws; both return the draw calls but for those of mappers that draw by themselves. At
-  // the end, texture units are given back; `Settle` if drawing has changed what the casters' state
-  // says, `probed` being whether the plan's probe knew them before.
+  // Draws the maps that no frame before drew, and binds all; then what the method draws. Both
+  // return the draw calls but for those of mappers that draw by themselves. Unbind gives texture
+  // units back.
   int DrawMaps(vtkRenderer* renderer);
   int DrawMethod(vtkRenderer* renderer);
   void Unbind();
+  ///@}
+
+  ///@{
+  // Drawing alone has changed what the casters' state says. `probed`: whether the plan's probe knew
+  // them before.
   bool IsProbed();
   void Settle(bool probed);
   ///@}

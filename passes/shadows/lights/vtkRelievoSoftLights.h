@@ -32,8 +32,8 @@ public:
   // Whether so many samples of all lights can be followed through a few maps.
   bool CanFollow(int samples, const vtkRelievoShadowLights& lights, vtkRenderer* renderer) const;
 
-  // Moves or divides the lights that cast, for the frame's sample. `soft`: samples are wanted;
-  // `maps`: of each sun, for all of its samples.
+  // Moves the lights that cast to the frame's sample, or divides them into parts where it draws all
+  // samples at once. `soft`: samples are wanted; `maps`: of each sun, for all of its parts.
   void Begin(const vtkRelievoFrameContext& context, bool soft, int maps, const Room& room,
     vtkRelievoShadowLights& lights);
 
