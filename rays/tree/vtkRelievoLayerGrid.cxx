@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRelievoLayerGrid.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -20,8 +21,7 @@ void vtkRelievoLayerGrid::Clear(std::size_t triangles, double size)
   this->Count = std::max(LeastSquares, static_cast<int>(std::min(wanted, most)));
   const auto count = static_cast<std::size_t>(this->Count);
   this->Left = MostLooks * (triangles + count * count);
-  constexpr float far = std::numeric_limits<float>::max();
-  this->Squares.assign(count * count, Square{ { far, far }, { -far, -far }, { 0, 0 }, false });
+  this->Squares.assign(count * count, Square());
 }
 
 //------------------------------------------------------------------------------
@@ -32,7 +32,8 @@ int vtkRelievoLayerGrid::GetPlace(double x) const
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoLayerGrid::Add(int side, const glm::dvec2 corners[3], const Box& box, double margin)
+void vtkRelievoLayerGrid::Add(
+  bool isFront, const glm::dvec2 corners[3], const Box& box, double margin)
 {
   const int left = this->GetPlace(box.Min.x);
   const int right = this->GetPlace(box.Max.x);
@@ -45,15 +46,12 @@ void vtkRelievoLayerGrid::Add(int side, const glm::dvec2 corners[3], const Box& 
   {
     return;
   }
-  const double sign = side == 0 ? 1.0 : -1.0;
+  const double sign = isFront ? 1.0 : -1.0;
   const double step = 2.0 / this->Count;
   for (int row = top; row <= bottom; ++row)
   {
     for (int column = left; column <= right; ++column)
     {
-      Square& square = this->At(column, row);
-      square.Least[side] = std::min(square.Least[side], box.Min.z);
-      square.Greatest[side] = std::max(square.Greatest[side], box.Max.z);
       const glm::dvec2 middle(step * (column + 0.5) - 1.0, step * (row + 0.5) - 1.0);
       double least = std::numeric_limits<double>::max();
       for (int k = 0; k < 3; ++k)
@@ -62,14 +60,14 @@ void vtkRelievoLayerGrid::Add(int side, const glm::dvec2 corners[3], const Box& 
         const glm::dvec2 to = corners[k == 2 ? 0 : k + 1] - middle;
         least = std::min(least, sign * (from.x * to.y - to.x * from.y));
       }
-      square.Layers[side] += least > margin ? 1 : 0;
-      square.IsCrossed = square.IsCrossed || std::abs(least) <= margin;
+      Put(this->At(column, row),
+        { box.Min.z, box.Max.z, least > margin ? 1 : 0, std::abs(least) <= margin });
     }
   }
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoLayerGrid::AddOutline(const glm::dvec2& a, const glm::dvec2& b)
+void vtkRelievoLayerGrid::AddOutline(const glm::dvec2& a, const glm::dvec2& b, const Box& box)
 {
   const glm::dvec2 low = glm::min(a, b) - RoomOfEdges;
   const glm::dvec2 high = glm::max(a, b) + RoomOfEdges;
@@ -97,9 +95,52 @@ void vtkRelievoLayerGrid::AddOutline(const glm::dvec2& a, const glm::dvec2& b)
     const int right = this->GetPlace(std::max(x, y) + RoomOfEdges);
     for (int column = this->GetPlace(std::min(x, y) - RoomOfEdges); column <= right; ++column)
     {
-      this->At(column, row).IsCrossed = true;
+      Put(this->At(column, row), { box.Min.z, box.Max.z, 0, true });
     }
   }
+}
+
+//------------------------------------------------------------------------------
+// Joins the sheet with those that it overlaps; if there are too many, also the two farthest.
+void vtkRelievoLayerGrid::Put(Square& square, Sheet sheet)
+{
+  for (int i = 0; i < square.Count;)
+  {
+    Sheet& other = square.Sheets[i];
+    if (sheet.Low > other.High || other.Low > sheet.High)
+    {
+      ++i;
+      continue;
+    }
+    const bool isWithin = other.Low <= sheet.Low && sheet.High <= other.High;
+    sheet.Low = std::min(sheet.Low, other.Low);
+    sheet.High = std::max(sheet.High, other.High);
+    sheet.Layers += other.Layers;
+    sheet.IsCrossed = sheet.IsCrossed || other.IsCrossed;
+    if (isWithin)
+    {
+      other = sheet;
+      return;
+    }
+    other = square.Sheets[--square.Count];
+    i = 0;
+  }
+  if (square.Count == MostSheets)
+  {
+    const auto isBehind = [](const Sheet& a, const Sheet& b) { return a.IsBehind(b); };
+    Sheet* const end = square.Sheets + MostSheets;
+    Sheet& farthest = *std::min_element(square.Sheets, end, isBehind);
+    if (farthest.IsBehind(sheet))
+    {
+      std::swap(farthest, sheet);
+    }
+    Sheet& next = *std::min_element(square.Sheets, end, isBehind);
+    next.Low = sheet.Low;
+    next.Layers += sheet.Layers;
+    next.IsCrossed = next.IsCrossed || sheet.IsCrossed;
+    return;
+  }
+  square.Sheets[square.Count++] = sheet;
 }
 
 //------------------------------------------------------------------------------
@@ -121,7 +162,7 @@ bool vtkRelievoLayerGrid::ForEach(const Box& box, Visit visit) const
       static_cast<std::size_t>(row) * static_cast<std::size_t>(this->Count) + left;
     for (int column = left; column <= right; ++column, ++square)
     {
-      if (square->IsCrossed || !visit(*square))
+      if (!visit(*square))
       {
         return false;
       }
@@ -133,13 +174,14 @@ bool vtkRelievoLayerGrid::ForEach(const Box& box, Visit visit) const
 //------------------------------------------------------------------------------
 void vtkRelievoLayerGrid::Block(const Box& box)
 {
+  constexpr float far = std::numeric_limits<float>::max();
   const int right = this->GetPlace(box.Max.x);
   const int bottom = this->GetPlace(box.Max.y);
   for (int row = this->GetPlace(box.Min.y); row <= bottom; ++row)
   {
     for (int column = this->GetPlace(box.Min.x); column <= right; ++column)
     {
-      this->At(column, row).IsCrossed = true;
+      Put(this->At(column, row), { -far, far, 0, true });
     }
   }
 }
@@ -148,15 +190,20 @@ void vtkRelievoLayerGrid::Block(const Box& box)
 bool vtkRelievoLayerGrid::IsHidden(const Box& box) const
 {
   return this->ForEach(box, [&box](const Square& square) {
-    return (square.Layers[0] > 0 && box.Max.z < square.Least[0]) ||
-      (square.Layers[1] > 0 && box.Max.z < square.Least[1]);
+    return std::any_of(square.Sheets, square.Sheets + square.Count, [&box](const Sheet& sheet) {
+      return sheet.Layers > 0 && !sheet.IsCrossed && box.Max.z < sheet.Low;
+    });
   });
 }
 
 //------------------------------------------------------------------------------
-bool vtkRelievoLayerGrid::IsFirst(const Box& box, int side) const
+bool vtkRelievoLayerGrid::IsFirst(const Box& box) const
 {
-  return this->ForEach(box, [&box, side](const Square& square) {
-    return square.Layers[side] == 1 && box.Min.z > square.Greatest[1 - side];
+  return this->ForEach(box, [&box](const Square& square) {
+    const Sheet* const end = square.Sheets + square.Count;
+    const Sheet* nearest = std::max_element(
+      square.Sheets, end, [](const Sheet& a, const Sheet& b) { return a.IsBehind(b); });
+    return nearest != end && nearest->Layers == 1 && !nearest->IsCrossed &&
+      box.Min.z >= nearest->Low;
   });
 }

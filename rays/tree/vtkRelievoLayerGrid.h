@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Counts layers of triangles over squares of a picture, for the two visible sides separately.
+// Counts layers of triangles over squares of a picture, in sheets with gaps in depth between them.
 // Triangles that join without a gap cover each point of a square as often as its centre, if the
-// outline of the layer does not cross the square: a layer in front of all triangles of the other
-// side is visible, and triangles behind it are hidden, whatever their shapes.
+// outline of their layer does not cross the square: the nearest sheet is visible if it is a single
+// layer, and triangles behind a sheet are hidden, whatever their shapes.
 //
 // X and Y are -1 to 1 in the picture, Q grows towards the eye.
 #ifndef vtkRelievoLayerGrid_h
@@ -23,29 +23,41 @@ public:
   // Empties the grid for `triangles` triangles of roughly this size.
   void Clear(std::size_t triangles, double size);
 
-  // Adds a triangle of one side, 0 or 1, with its box; `margin`: the error of twice the areas
-  // between a square's centre and the triangle's sides.
-  void Add(int side, const glm::dvec2 corners[3], const Box& box, double margin);
+  // Adds a triangle with its box, seen from its front or its back; `margin`: the error of twice the
+  // areas between a square's centre and the triangle's sides.
+  void Add(bool isFront, const glm::dvec2 corners[3], const Box& box, double margin);
 
-  // Adds an edge of a layer's outline.
-  void AddOutline(const glm::dvec2& a, const glm::dvec2& b);
+  // Adds an edge of a layer's outline, with the box of its triangle.
+  void AddOutline(const glm::dvec2& a, const glm::dvec2& b, const Box& box);
 
-  // Marks the box's content as having no side.
+  // Marks squares that the grid has no answers for.
   void Block(const Box& box);
 
   // IsHidden: whether the box's content is hidden by a layer in front of it. IsFirst: whether
-  // nothing lies in front of a triangle of that side. False if this is unknown.
+  // nothing lies in front of a triangle or a corner with that box. False if this is unknown.
   bool IsHidden(const Box& box) const;
-  bool IsFirst(const Box& box, int side) const;
+  bool IsFirst(const Box& box) const;
 
 private:
+  // Triangles that may reach into a square, and whose ranges of Q overlap, directly or through
+  // others, as those of triangles that join do.
+  struct Sheet
+  {
+    float Low; // range of Q
+    float High;
+    int Layers; // at the square's centre, of both sides
+    bool IsCrossed;
+
+    bool IsBehind(const Sheet& other) const { return this->Low < other.Low; }
+  };
+  static constexpr int MostSheets = 3;
   struct Square
   {
-    float Least[2]; // range of Q of triangles that may reach into the square, by side
-    float Greatest[2];
-    int Layers[2];
-    bool IsCrossed;
+    int Count;
+    Sheet Sheets[MostSheets]; // disjoint
   };
+
+  static void Put(Square& square, Sheet sheet);
 
   static constexpr std::size_t MostLooks = 32; // squares visited per triangle
 

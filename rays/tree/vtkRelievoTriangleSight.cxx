@@ -381,13 +381,13 @@ void vtkRelievoTriangleSight::FillLayers()
         ends[k] = mayEnd(corners[k]);
       }
       const double size = std::max(box.Max.x - box.Min.x, box.Max.y - box.Min.y);
-      this->Layers.Add(mesh.Sides[i] == Side::Front ? 0 : 1, p, box, this->GetError(box) * size);
+      this->Layers.Add(mesh.Sides[i] == Side::Front, p, box, this->GetError(box) * size);
       for (int k = 0; k < 3; ++k)
       {
         const int next = (k + 1) % 3;
         if (ends[k] && ends[next])
         {
-          this->Layers.AddOutline(p[k], p[next]);
+          this->Layers.AddOutline(p[k], p[next], box);
         }
       }
     }
@@ -409,7 +409,7 @@ void vtkRelievoTriangleSight::JudgeTriangle(int triangle)
   // A hiding triangle may belong to the same cell, if the cell shows both sides.
   const bool isOfOneSide = !this->HasManyToACell ||
     this->CellSides[static_cast<std::size_t>(mesh.Mesh->GetCell(triangle))] == side;
-  if (this->Wilds.empty() && this->Layers.IsFirst(box, side == Side::Front ? 0 : 1))
+  if (this->Wilds.empty() && this->Layers.IsFirst(box))
   {
     this->SampleStates[at] = All;
   }
@@ -442,7 +442,7 @@ void vtkRelievoTriangleSight::JudgeCorner(std::size_t corner)
     glm::vec3(Above(vertex.X), Above(vertex.Y), AboveDepth(vertex.Q)) };
   const std::uint8_t sides = mesh.CornerSides[corner];
   const bool isOfOneSide = mesh.IsClosed[corner] && (sides == Side::Front || sides == Side::Back);
-  if (isOfOneSide && this->Wilds.empty() && this->Layers.IsFirst(box, sides == Side::Front ? 0 : 1))
+  if (isOfOneSide && this->Wilds.empty() && this->Layers.IsFirst(box))
   {
     this->CornerStates[corner] = State::Seen;
   }

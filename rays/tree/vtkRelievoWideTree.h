@@ -84,8 +84,8 @@ public:
   template <typename Visit>
   void Walk(const Ray& ray, float last, const void* leaves, std::size_t bytes, Visit visit) const;
 
-  // Calls visit(first, count) for leaves whose boxes share a point with this one; `visit` returns
-  // whether to continue.
+  // Calls visit(first, count) for leaves whose boxes share a point with this one, roughly from the
+  // greatest z to the least; `visit` returns whether to continue.
   template <typename Visit>
   void FindOverlaps(const Box& box, Visit visit) const;
 
@@ -291,14 +291,24 @@ void vtkRelievoWideTree::FindOverlaps(const Box& box, Visit visit) const
       };
       bits |= vtkRelievoGetBits(overlap(0) & overlap(1) & overlap(2)) << i;
     }
+    const int before = size;
+    float reach[Width]; // of the boxes, for the new entries
     for (; bits != 0; bits &= bits - 1)
     {
-      const int child = node.Child[vtkRelievoGetLowest(bits)];
-      if (child >= 0)
+      const int i = vtkRelievoGetLowest(bits);
+      int k = size++;
+      for (; k > before && reach[k - before - 1] > node.Sides[5][i]; --k)
       {
-        stack[size++] = child;
+        stack[k] = stack[k - 1];
+        reach[k - before] = reach[k - before - 1];
       }
-      else if (!visit((-1 - child) / Most, (-1 - child) % Most + 1))
+      stack[k] = node.Child[i];
+      reach[k - before] = node.Sides[5][i];
+    }
+    while (size > 0 && stack[size - 1] < 0)
+    {
+      const int leaf = -1 - stack[--size];
+      if (!visit(leaf / Most, leaf % Most + 1))
       {
         return;
       }
