@@ -2,11 +2,11 @@
 
 include(RelievoStages)
 set(relievo_rooms describe shaders layers cameras rays passes/frame passes/gbuffer passes/shadows
-  passes/deferred passes/effects passes materials io filters animation scene)
+  passes/deferred passes/effects passes materials io filters animation compare scene)
 set(relievo_module_files ${relievo_rooms})
 list(TRANSFORM relievo_module_files REPLACE "(.+)" "${CMAKE_CURRENT_SOURCE_DIR}/\\1/vtk.module")
 set(relievo_requested Relievo::Describe Relievo::Shaders Relievo::Layers Relievo::Cameras
-  Relievo::Rays Relievo::Passes Relievo::Materials Relievo::IO Relievo::Filters Relievo::Animation
+  Relievo::Rays Relievo::Passes Relievo::Materials Relievo::IO Relievo::Filters Relievo::Animation Relievo::Compare
   Relievo::Scene)
 # Modules of ParaView's plugin: not for Python, which uses ParaView's server manager.
 set(relievo_plugin_modules)
