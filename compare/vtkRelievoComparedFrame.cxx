@@ -175,7 +175,6 @@ std::string Frame::Read(vtkImageData* image)
       continue;
     }
     const int components = array->GetNumberOfComponents();
-    const int light = vtkRelievoLayerCatalogue::GetLight(name);
     if (name == vtkRelievoLayerCatalogue::GetPicture().Name)
     {
       this->Picture = MakeLayer(array);
@@ -195,9 +194,9 @@ std::string Frame::Read(vtkImageData* image)
     {
       this->Position = GetValues<double>(array);
     }
-    else if (light >= 0 && components == 1)
+    else if (vtkRelievoLayerCatalogue::GetIsOfLight(name) && components == 1)
     {
-      this->Shadow[light] = GetValues<float>(array);
+      this->Shadow[name] = GetValues<float>(array);
     }
     else if (StageLayers.count(name) != 0)
     {
@@ -311,10 +310,11 @@ void Frame::ReadLights(vtkImageData* image)
     }
     Light light;
     light.Name = TakeText(json, "name");
-    light.Number = vtkRelievoLayerCatalogue::GetLight(TakeText(json, "layer"));
-    if (light.Number < 0)
+    light.Layer = TakeText(json, "layer");
+    if (this->Shadow.count(light.Layer) == 0)
     {
-      light.Number = static_cast<int>(this->Lights.size());
+      light.Layer =
+        vtkRelievoLayerCatalogue::GetOfLight().Name + std::to_string(this->Lights.size());
     }
     json.erase("name");
     json.erase("layer");
@@ -326,13 +326,13 @@ void Frame::ReadLights(vtkImageData* image)
 //------------------------------------------------------------------------------
 bool Frame::SeesAs(const Frame& other) const
 {
-  // Not the row of the depth buffer, which is of the clipping distances.
-  const auto isProjected = [&](std::size_t i) {
-    return i / 4 == 2 || this->WorldToNDC[i] == other.WorldToNDC[i];
-  };
   for (std::size_t i = 0; i < 16; ++i)
   {
-    if (!isProjected(i) || this->WorldToCamera[i] != other.WorldToCamera[i])
+    // Not the row of the depth buffer, which is of the clipping distances; they also round the
+    // other rows of the projection.
+    const double most = 1e-13 * std::max(1.0, std::abs(this->WorldToNDC[i]));
+    const bool isEqual = i / 4 == 2 || std::abs(this->WorldToNDC[i] - other.WorldToNDC[i]) <= most;
+    if (!isEqual || this->WorldToCamera[i] != other.WorldToCamera[i])
     {
       return false;
     }

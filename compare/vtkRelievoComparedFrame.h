@@ -37,7 +37,7 @@ struct Object
 struct Light
 {
   std::string Name;
-  int Number = -1; // of its layer, shadow_Number
+  std::string Layer; // of its shadows, which the frame may lack
   nlohmann::json Values;
 };
 
@@ -56,14 +56,14 @@ public:
 
   std::array<int, 2> Size{};
   std::size_t Pixels = 0;
-  Layer Picture;                            // no components: none
-  bool IsLinear = false;                    // the picture is of light, and not of levels
-  std::vector<int> Actor, Block, Cell;      // empty: no such layer
-  std::vector<float> Depth;                 // along the view direction; empty: no such layer
-  std::vector<double> Position;             // 3 each; empty: no such layer
-  std::map<std::string, Layer> Surface;     // other layers of surfaces: normal, albedo, arrays
-  std::map<int, std::vector<float>> Shadow; // by the light's number
-  std::map<std::string, Layer> Stages;      // light, fog, ambient, marker, blend
+  Layer Picture;                        // no components: none
+  bool IsLinear = false;                // the picture is of light, and not of levels
+  std::vector<int> Actor, Block, Cell;  // empty: no such layer
+  std::vector<float> Depth;             // along the view direction; empty: no such layer
+  std::vector<double> Position;         // 3 each; empty: no such layer
+  std::map<std::string, Layer> Surface; // other layers of surfaces: normal, albedo, arrays
+  std::map<std::string, std::vector<float>> Shadow; // of lights, by the layer's name
+  std::map<std::string, Layer> Stages;              // light, fog, ambient, marker, blend
 
   bool HasRecord = false;
   bool HasLights = false;

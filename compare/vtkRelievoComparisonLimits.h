@@ -10,7 +10,7 @@ namespace relievo::compare
 struct Limits
 {
   double ColorLevels = 2.0;         // of 255
-  double NormalAngle = 0.01;        // degrees
+  double NormalAngle = 0.02;        // degrees
   double DepthPixels = 1.0 / 256.0; // across the surface
 };
 }

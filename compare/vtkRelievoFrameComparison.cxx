@@ -465,6 +465,12 @@ std::string vtkRelievoFrameComparison::GetJSON()
 }
 
 //------------------------------------------------------------------------------
+int vtkRelievoFrameComparison::GetRecordVersion()
+{
+  return relievo::compare::RecordVersion;
+}
+
+//------------------------------------------------------------------------------
 std::string vtkRelievoFrameComparison::GetCauseWords()
 {
   return Join({ CauseWords.begin(), CauseWords.end() });

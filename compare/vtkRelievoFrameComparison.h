@@ -79,8 +79,8 @@ public:
 
   ///@{
   /**
-   * By how many degrees normals may differ: twice the largest error of 16 bit octahedral words.
-   * 0 to 180. Default: 0.01.
+   * By how many degrees normals may differ: neighbours of 16 bit octahedral words differ by up to
+   * 0.012. 0 to 180. Default: 0.02.
    */
   vtkSetClampMacro(NormalAngle, double, 0.0, 180.0);
   vtkGetMacro(NormalAngle, double);
@@ -127,6 +127,9 @@ public:
    * -2: rounding, -3: edge, -4: unexplained. Null before Compare(), and for frames of two sizes.
    */
   vtkImageData* GetCauses();
+
+  /** The newest format of baselines that is known here, and the one that is written. */
+  static int GetRecordVersion();
 
   /** All words of causes, separated by commas, in the order in which they are asked. */
   static std::string GetCauseWords();

@@ -111,6 +111,27 @@ void PixelCauses::ForNeighbours(std::size_t pixel, Visit visit) const
 }
 
 //------------------------------------------------------------------------------
+template <typename Value>
+bool PixelCauses::IsBetween(std::size_t pixel, double limit, Value value) const
+{
+  for (const auto& [own, other] : { std::pair(&this->A, &this->B), std::pair(&this->B, &this->A) })
+  {
+    double least = std::numeric_limits<double>::infinity();
+    double most = -least;
+    this->ForNeighbours(pixel, [&, frame = other](std::size_t near) {
+      least = std::min(least, double(value(*frame, near)));
+      most = std::max(most, double(value(*frame, near)));
+    });
+    const double here = value(*own, pixel);
+    if (!(here >= least - limit && here <= most + limit))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
 // By name, otherwise by number.
 void PixelCauses::PairLights()
 {
@@ -180,9 +201,10 @@ void PixelCauses::PairLights()
 //------------------------------------------------------------------------------
 int PixelCauses::FindLight(const LightPair& pair, Cause cause)
 {
-  const Light& light = pair.Before >= 0 ? this->A.Lights[static_cast<std::size_t>(pair.Before)]
-                                        : this->B.Lights[static_cast<std::size_t>(pair.After)];
-  return this->List.Find(cause, "light", light.Name, light.Number);
+  const bool isOld = pair.Before >= 0;
+  const int number = isOld ? pair.Before : pair.After;
+  const Light& light = (isOld ? this->A : this->B).Lights[static_cast<std::size_t>(number)];
+  return this->List.Find(cause, "light", light.Name, number);
 }
 
 //------------------------------------------------------------------------------
@@ -307,8 +329,20 @@ int PixelCauses::JudgeLayers(std::size_t pixel)
 }
 
 //------------------------------------------------------------------------------
-// Whether each frame has the other's object or cell beside the pixel, whose centre is then on
-// their border.
+// Whether the records say that nothing has changed: then values differ by rounding alone, which
+// turns what is on a border.
+bool PixelCauses::IsAsRecorded() const
+{
+  return this->A.HasRecord && this->B.HasRecord && !this->Objects.AnyChanged() &&
+    this->Settings < 0 && this->Tone < 0 &&
+    std::all_of(this->Lights.begin(), this->Lights.end(),
+      [](const LightPair& pair) { return pair.Finding < 0; });
+}
+
+//------------------------------------------------------------------------------
+// Whether the pixel's centre is on a border of what is unchanged: each frame has the other's object
+// or cell beside it. Of meshes that the records say are equal, of which cells may be smaller than
+// pixels or lie in one another, each frame's depth is between those that the other has there.
 bool PixelCauses::IsTie(std::size_t pixel) const
 {
   bool hasBefore = false, hasAfter = false;
@@ -323,7 +357,10 @@ bool PixelCauses::IsTie(std::size_t pixel) const
     hasBefore = hasBefore || isSame(pixel, other);
     hasAfter = hasAfter || isSame(other, pixel);
   });
-  return hasBefore && hasAfter;
+  return (hasBefore && hasAfter) ||
+    (this->A.HasRecord && this->B.HasRecord &&
+      this->IsBetween(
+        pixel, 0.0, [](const Frame& frame, std::size_t at) { return frame.GetDepth(at); }));
 }
 
 //------------------------------------------------------------------------------
@@ -403,8 +440,8 @@ int PixelCauses::JudgeSurface(std::size_t pixel, int a, bool sameCell)
   const double angle = sameCell ? this->GetAngle(pixel) : 0.0;
   const bool isTurned = angle > this->Bounds.NormalAngle;
   this->IsDifferent = this->IsDifferent || angle > 0.0;
-  const bool isTie = !sameCell && !isElsewhere && (change.IsSame ? this->IsTie(pixel) : false);
-  if (isElsewhere || (!sameCell && !isTie) || (isTurned && !change.IsSame))
+  const bool isTie = !sameCell && change.IsSame && this->IsTie(pixel);
+  if ((isElsewhere && !isTie) || (!sameCell && !isTie) || (isTurned && !change.IsSame))
   {
     int place = change.Finding;
     if (change.IsSame)
@@ -475,19 +512,23 @@ int PixelCauses::JudgeSurface(std::size_t pixel, int a, bool sameCell)
 //------------------------------------------------------------------------------
 int PixelCauses::JudgeLights(std::size_t pixel)
 {
+  const bool isAsRecorded = this->IsAsRecorded();
   const auto differ = [&](const std::vector<float>& from, const std::vector<float>& to) {
     this->IsDifferent = this->IsDifferent || !IsEqual(from[pixel], to[pixel]);
     return !IsEqual(from[pixel], to[pixel]) &&
-      !(std::abs(from[pixel] - to[pixel]) <= this->Bounds.ColorLevels / 255.0);
+      !(std::abs(from[pixel] - to[pixel]) <= this->Bounds.ColorLevels / 255.0) &&
+      !(isAsRecorded && this->IsBetween(pixel, 0.0, [&](const Frame& frame, std::size_t at) {
+        return (&frame == &this->A ? from : to)[at];
+      }));
   };
-  if (this->Lights.empty()) // no record of lights: by number
+  if (this->Lights.empty()) // no record of lights
   {
-    for (const auto& [number, shadow] : this->A.Shadow)
+    for (const auto& [name, shadow] : this->A.Shadow)
     {
-      const auto other = this->B.Shadow.find(number);
+      const auto other = this->B.Shadow.find(name);
       if (other != this->B.Shadow.end() && differ(shadow, other->second))
       {
-        return this->List.Find(Cause::Shadow, "light", "", number);
+        return this->List.Find(Cause::Shadow, "light", name);
       }
     }
     return Alike;
@@ -499,9 +540,8 @@ int PixelCauses::JudgeLights(std::size_t pixel)
       continue;
     }
     const auto from =
-      this->A.Shadow.find(this->A.Lights[static_cast<std::size_t>(pair.Before)].Number);
-    const auto to =
-      this->B.Shadow.find(this->B.Lights[static_cast<std::size_t>(pair.After)].Number);
+      this->A.Shadow.find(this->A.Lights[static_cast<std::size_t>(pair.Before)].Layer);
+    const auto to = this->B.Shadow.find(this->B.Lights[static_cast<std::size_t>(pair.After)].Layer);
     if (from != this->A.Shadow.end() && to != this->B.Shadow.end() &&
       differ(from->second, to->second))
     {
@@ -597,26 +637,15 @@ bool PixelCauses::IsEdge(std::size_t pixel) const
 }
 
 //------------------------------------------------------------------------------
-// Whether each frame's colour lies between those that the other has around the pixel.
 bool PixelCauses::IsBetweenNeighbours(std::size_t pixel) const
 {
   const int components = std::min(this->A.Picture.Components, this->B.Picture.Components);
-  const auto limit = static_cast<float>(this->Bounds.ColorLevels);
-  for (const auto& [own, other] : { std::pair(&this->A, &this->B), std::pair(&this->B, &this->A) })
+  for (int c = 0; c < components; ++c)
   {
-    for (int c = 0; c < components; ++c)
+    if (!this->IsBetween(pixel, this->Bounds.ColorLevels,
+          [c](const Frame& frame, std::size_t at) { return frame.Level(at, c); }))
     {
-      float least = std::numeric_limits<float>::infinity();
-      float most = -least;
-      this->ForNeighbours(pixel, [&, frame = other](std::size_t near) {
-        least = std::min(least, frame->Level(near, c));
-        most = std::max(most, frame->Level(near, c));
-      });
-      const float level = own->Level(pixel, c);
-      if (!(level >= least - limit && level <= most + limit))
-      {
-        return false;
-      }
+      return false;
     }
   }
   return true;

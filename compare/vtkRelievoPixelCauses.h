@@ -59,6 +59,7 @@ private:
   bool IsEdge(std::size_t pixel) const;
   bool IsBetweenNeighbours(std::size_t pixel) const;
   bool IsTie(std::size_t pixel) const;
+  bool IsAsRecorded() const;
   bool DiffersInLayer(const Layer& a, const Layer& b, std::size_t pixel, double limit) const;
   double GetAngle(std::size_t pixel) const;
   bool Covers(const Change& change, std::size_t pixel) const;
@@ -67,6 +68,11 @@ private:
 
   template <typename Visit>
   void ForNeighbours(std::size_t pixel, Visit visit) const;
+
+  // Whether each frame's value(frame, pixel) lies between those that the other has around the
+  // pixel.
+  template <typename Value>
+  bool IsBetween(std::size_t pixel, double limit, Value value) const;
 
   const Frame& A;
   const Frame& B;

@@ -3,6 +3,7 @@
 #include "vtkRelievoScene.h"
 
 #include "Apart.h"
+#include "Baseline.h"
 #include "Display.h"
 #include "DressedScene.h"
 #include "Errors.h"
@@ -320,8 +321,22 @@ bool vtkRelievoScene::Write()
     this->Self->Played = options.Model.Times.size() > 1;
     const std::vector<std::string>& opened = this->Self->Opened;
     inputs.insert(inputs.end(), opened.begin(), opened.end());
-    this->Self->Certificate =
-      scene::WriteOutputs(this->Self->Dressed, options, inputs, std::move(outputs), progress);
+    this->Self->Certificate = scene::WriteOutputs(
+      this->Self->Dressed, options, this->Self->Settings, inputs, std::move(outputs), progress);
+  });
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoScene::CaptureBaseline(vtkImageData* image)
+{
+  image->Initialize();
+  return this->Try([this, image] {
+    OnFiles([this] { return scene::CheckInputs(this->Self->Options); });
+    scene::Progress progress(this->Self.get());
+    this->Self->Update(progress);
+    progress.Begin("drawing the baseline");
+    image->ShallowCopy(
+      scene::MakeBaseline(this->Self->Dressed, this->Self->Options, this->Self->Settings));
   });
 }
 

@@ -79,7 +79,7 @@ void TestSizeAndCamera()
   RELIEVO_CHECK(size["alike"] == false && size["causes"].size() == 1 &&
     size["causes"][0]["cause"] == "size" && size["pixels"] == 0);
   other = boxes;
-  other.Eye[0] += 1e-12;
+  other.Eye[0] += 1e-11;
   const json camera = Compare(compareTest::Draw(boxes), compareTest::Draw(other));
   RELIEVO_CHECK(camera["causes"].size() == 1 && camera["causes"][0]["cause"] == "camera");
   // Clipping distances follow the scene's bounds, and are no camera's place.
