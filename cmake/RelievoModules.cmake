@@ -2,13 +2,13 @@
 
 include(RelievoStages)
 set(relievo_rooms base base/gl describe shaders layers cameras rays passes/frame passes/gbuffer
-  passes/shadows passes/deferred passes/effects passes materials io filters animation reading look
-  scene dataset)
+  passes/shadows passes/deferred passes/effects passes materials io filters animation compare reading
+  look scene dataset)
 set(relievo_module_files ${relievo_rooms})
 list(TRANSFORM relievo_module_files REPLACE "(.+)" "${CMAKE_CURRENT_SOURCE_DIR}/\\1/vtk.module")
 set(relievo_requested Relievo::Base Relievo::BaseGL Relievo::Describe Relievo::Shaders Relievo::Layers
   Relievo::Cameras Relievo::Rays Relievo::Passes Relievo::Materials Relievo::IO Relievo::Filters
-  Relievo::Animation Relievo::Reading Relievo::Look Relievo::Scene Relievo::Dataset)
+  Relievo::Animation Relievo::Compare Relievo::Reading Relievo::Look Relievo::Scene Relievo::Dataset)
 # Modules of ParaView's plugin: not for Python, which uses ParaView's server manager.
 set(relievo_plugin_modules)
 if (RELIEVO_USE_PARAVIEW)

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "WriteOutputs.h"
 
+#include "Baseline.h"
 #include "DataSets.h"
 #include "DressedScene.h"
 #include "Errors.h"
@@ -275,16 +276,16 @@ void WritePNG(const Scene& scene, vtkImageData* picture, const RenderOptions& op
 
 //------------------------------------------------------------------------------
 void WriteEXR(
-  vtkImageData* image, const RenderOptions& options, const Outputs& outputs, Progress& progress)
+  vtkImageData* image, const std::string& path, const Outputs& outputs, Progress& progress)
 {
-  progress.Begin("writing " + options.EXR);
+  progress.Begin("writing " + path);
   vtkNew<vtkRelievoEXRWriter> writer;
   writer->SetInputData(image);
-  writer->SetFileName(outputs.Temporary(options.EXR).c_str());
+  writer->SetFileName(outputs.Temporary(path).c_str());
   progress.Observe(writer);
   writer->Write();
   progress.End();
-  Messages::Check(options.EXR, writer->GetErrorCode() != 0, "cannot be written; is the disk full?");
+  Messages::Check(path, writer->GetErrorCode() != 0, "cannot be written; is the disk full?");
 }
 
 //------------------------------------------------------------------------------
@@ -336,7 +337,7 @@ RenderOptions FrameOptions(const RenderOptions& options, int frame)
   own.Model.Time = options.Model.Times[static_cast<std::size_t>(frame)];
   own.Model.Times.clear();
   for (std::string RenderOptions::*name :
-    { &RenderOptions::PNG, &RenderOptions::EXR, &RenderOptions::Report })
+    { &RenderOptions::PNG, &RenderOptions::EXR, &RenderOptions::Baseline, &RenderOptions::Report })
   {
     own.*name = (own.*name).empty() ? "" : GetFrameName(own.*name, frame);
   }
@@ -348,7 +349,7 @@ RenderOptions FrameOptions(const RenderOptions& options, int frame)
 std::vector<std::pair<std::string, std::string>> GetPlaces(const RenderOptions& options)
 {
   std::vector<std::pair<std::string, std::string>> places = { { "--png", options.PNG },
-    { "--exr", options.EXR }, { "--report", options.Report } };
+    { "--exr", options.EXR }, { "--baseline", options.Baseline }, { "--report", options.Report } };
   places.erase(std::remove_if(places.begin(), places.end(),
                  [](const auto& place) { return place.second.empty(); }),
     places.end());
@@ -357,13 +358,19 @@ std::vector<std::pair<std::string, std::string>> GetPlaces(const RenderOptions& 
 
 //------------------------------------------------------------------------------
 // Draws the scene as it is and writes what is asked for, whole.
-void DrawFrame(const Scene& scene, vtkRelievoPass* pass, const std::vector<std::string>& layers,
-  const RenderOptions& options, FlowOfFrames& flow, Outputs& outputs, Progress& progress,
-  const std::string& what)
+void DrawFrame(DressedScene& dressed, vtkRelievoPass* pass, const std::vector<std::string>& layers,
+  const RenderOptions& options, const Settings& settings, FlowOfFrames& flow, Outputs& outputs,
+  Progress& progress, const std::string& what)
 {
+  const Scene& scene = dressed.GetScene();
   vtkRenderer* renderer = scene.Renderer;
   vtkRenderWindow* window = renderer->GetRenderWindow();
   progress.Begin(what);
+  vtkSmartPointer<vtkImageData> baseline;
+  if (!options.Baseline.empty()) // first: notes and the report are of the frame after it
+  {
+    baseline = MakeBaseline(dressed, options, settings);
+  }
   if (!options.Report.empty())
   {
     pass->GetFrameReport(); // from now on frames are timed, whatever the OpenGL
@@ -403,7 +410,9 @@ void DrawFrame(const Scene& scene, vtkRelievoPass* pass, const std::vector<std::
   }
   else if (options.Lens.empty())
   {
-    if (options.EXR.empty() || (options.HDR && !options.PNG.empty())) // which leaves the window
+    const bool isDrawn = baseline && options.PNG.empty() && options.Report.empty();
+    if ((options.EXR.empty() && !isDrawn) ||
+      (options.HDR && !options.PNG.empty())) // which leaves the window
     {
       window->Render();
     }
@@ -424,7 +433,11 @@ void DrawFrame(const Scene& scene, vtkRelievoPass* pass, const std::vector<std::
     }
     if (!options.EXR.empty())
     {
-      WriteEXR(seen, options, outputs, progress);
+      WriteEXR(seen, options.EXR, outputs, progress);
+    }
+    if (baseline)
+    {
+      WriteEXR(baseline, options.Baseline, outputs, progress);
     }
     if (!options.Report.empty())
     {
@@ -520,7 +533,8 @@ std::unique_ptr<Outputs> OpenOutputs(
 
 //------------------------------------------------------------------------------
 std::string WriteOutputs(DressedScene& dressed, const RenderOptions& options,
-  const std::vector<std::string>& inputs, std::unique_ptr<Outputs> outputs, Progress& progress)
+  const Settings& settings, const std::vector<std::string>& inputs,
+  std::unique_ptr<Outputs> outputs, Progress& progress)
 {
   vtkRenderer* renderer = dressed.GetRenderer();
   std::vector<std::string> layers = LayersToCapture(options, dressed.GetScene());
@@ -544,7 +558,7 @@ std::string WriteOutputs(DressedScene& dressed, const RenderOptions& options,
   if (frames == 0)
   {
     DrawFrame(
-      dressed.GetScene(), pass, layers, options, flow, *outputs, progress, "rendering " + size);
+      dressed, pass, layers, options, settings, flow, *outputs, progress, "rendering " + size);
   }
   const std::string certificate = options.Certify ? Certify(pass, *options.Certify) : "";
   if (frames == 0)
@@ -559,7 +573,7 @@ std::string WriteOutputs(DressedScene& dressed, const RenderOptions& options,
       outputs = OpenOutputs(own, inputs);
       PlayScene(dressed.GetScene(), options, *own.Model.Time, progress);
     }
-    DrawFrame(dressed.GetScene(), pass, layers, own, flow, *outputs, progress,
+    DrawFrame(dressed, pass, layers, own, settings, flow, *outputs, progress,
       "rendering " + size + ", frame " + std::to_string(number + 1) + " of " +
         std::to_string(frames));
     outputs->Commit();

@@ -16,6 +16,7 @@ namespace scene
 {
 class DressedScene;
 class Progress;
+class Settings;
 struct RenderOptions;
 
 /// The files that the options ask for; of a sequence, those of its first frame. Throws UsageError
@@ -25,10 +26,12 @@ std::unique_ptr<Outputs> OpenOutputs(
 
 /// Draws the scene, which is shown by the options, and writes the files; of a sequence, each
 /// frame's before the next one is drawn. `inputs`: all files that were read, for none to be
-/// replaced, be it by the last frame. Returns the shadows' certificate in words, if it is
+/// replaced, be it by the last frame. `settings`: what the options were made of, for the record of
+/// a baseline. Returns the shadows' certificate in words, if it is
 /// asked for. Throws UsageError for layers that the scene does not have, WorkError.
 std::string WriteOutputs(DressedScene& dressed, const RenderOptions& options,
-  const std::vector<std::string>& inputs, std::unique_ptr<Outputs> outputs, Progress& progress);
+  const Settings& settings, const std::vector<std::string>& inputs,
+  std::unique_ptr<Outputs> outputs, Progress& progress);
 }
 
 #endif

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRelievoScene.h"
 
+#include "Baseline.h"
 #include "Display.h"
 #include "DressedScene.h"
 #include "Errors.h"
@@ -318,8 +319,22 @@ bool vtkRelievoScene::Write()
     this->Internal->Played = options.Model.Times.size() > 1;
     const std::vector<std::string>& opened = this->Internal->Opened;
     inputs.insert(inputs.end(), opened.begin(), opened.end());
-    this->Internal->Certificate =
-      scene::WriteOutputs(this->Internal->Dressed, options, inputs, std::move(outputs), progress);
+    this->Internal->Certificate = scene::WriteOutputs(this->Internal->Dressed, options,
+      this->Internal->Settings, inputs, std::move(outputs), progress);
+  });
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoScene::CaptureBaseline(vtkImageData* image)
+{
+  image->Initialize();
+  return this->Try([this, image] {
+    OnFiles([this] { return scene::CheckInputs(this->Internal->Options); });
+    scene::Progress progress(this->Internal.get());
+    this->Internal->Update(progress);
+    progress.Begin("drawing the baseline");
+    image->ShallowCopy(scene::MakeBaseline(
+      this->Internal->Dressed, this->Internal->Options, this->Internal->Settings));
   });
 }
 

@@ -26,6 +26,7 @@
 #include <memory>     // for what is private
 #include <string>     // for texts
 
+class vtkImageData;
 class vtkRelievoPass;
 class vtkRenderer;
 class vtkRenderWindow;
@@ -62,6 +63,12 @@ public:
 
   /** Shows the scene as the words say, and writes the outputs they ask for: all or none. */
   bool Write();
+
+  /**
+   * Shows the scene as the words say, and draws what `--baseline` writes into an image:
+   * vtkRelievoBaseline, with the files' names for objects.
+   */
+  bool CaptureBaseline(vtkImageData* image);
 
   /** What shows the scene; it is another one when other files are read. Null before Update(). */
   vtkRenderer* GetRenderer();

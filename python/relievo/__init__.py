@@ -9,6 +9,8 @@
 
     relievo.environment(renderer, "forest.exr")           # light, mirrors and sky
     relievo.scene("bike.obj").render("bike.png")
+    relievo.write_baseline("bike.exr", renderer)
+    assert relievo.compare("bike.exr", renderer)          # or which objects and lights differ
     relievo.rays(renderer).nearest(origins, directions)   # what rays hit, in double
 
 Rows of numpy arrays run downwards, VTK's upwards: layer(), from_image() and to_image() turn them.
@@ -89,6 +91,7 @@ from ._cameras import (
     lens,
 )
 from ._capture import capture, screenshot
+from ._compare import Comparison, compare, write_baseline
 from ._dataset import write_dataset
 from ._environment import environment
 from ._exr import read_exr, write_exr
@@ -113,6 +116,7 @@ _browser.prepare()
 __all__ = [
     *_functions(),
     "CameraModel",
+    "Comparison",
     "Cube",
     "Division",
     "Equirectangular",
@@ -125,6 +129,7 @@ __all__ = [
     "attributes",
     "camera",
     "capture",
+    "compare",
     "depth_to_points",
     "detach",
     "environment",
@@ -152,6 +157,7 @@ __all__ = [
     "to_image",
     "visible",
     "vtkRelievoPass",
+    "write_baseline",
     "write_dataset",
     "write_exr",
     "write_png",

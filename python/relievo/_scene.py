@@ -99,6 +99,7 @@ class Scene:
         png=None,
         *,
         exr=None,
+        baseline=None,
         report=None,
         layers=None,
         hdr=False,
@@ -107,12 +108,14 @@ class Scene:
     ):
         """Draws the scene and writes files: a picture, layers, the frame's report; all or none.
 
-        png, exr, report: paths. layers: names of layers in the EXR beside its colour (depth).
+        png, exr, baseline, report: paths; baseline is a file for compare(). layers: names of layers
+        in the EXR beside its colour (depth).
         hdr: the EXR's colour is linear light. transparent: the picture has no background.
         certify: the number of shadow verdicts to check by rays in double precision; the finding
         is returned as a text.
         """
         outputs = {"png": png, "exr": exr, "report": report, "hdr": hdr, "certify": certify}
+        outputs["baseline"] = baseline
         outputs["transparent"] = transparent
         outputs["layers"] = ",".join(layers) if layers and not isinstance(layers, str) else layers
         self._stale = True
@@ -121,6 +124,13 @@ class Scene:
         self._run(self._scene.Write)
         self._stale = False
         return self._scene.GetCertificate() or None
+
+    def capture_baseline(self, image):
+        """Draws what write_baseline() writes into a vtkImageData."""
+        self._say(self._options)
+        self._check_files(self._options)
+        self._run(lambda: self._scene.CaptureBaseline(image))
+        self._stale = False
 
     def _repr_png_(self):
         """The picture, which notebooks show."""

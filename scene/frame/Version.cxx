@@ -73,4 +73,13 @@ std::string DescribeVersions()
   lines << DescribeOpenGL();
   return lines.str();
 }
+
+//------------------------------------------------------------------------------
+std::vector<std::string> ListVersions(vtkRenderWindow* window)
+{
+  const std::string report = window->ReportCapabilities();
+  return { std::string("relievo ") + RELIEVO_VERSION,
+    std::string("VTK ") + vtkVersion::GetVTKVersion(),
+    "OpenGL " + Find(report, "renderer") + ", " + Find(report, "version") };
+}
 }

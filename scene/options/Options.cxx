@@ -238,7 +238,7 @@ vtkRelievoCommand DescribeRender(RenderOptions& all)
 {
   Rows rows = { all, {} };
   rows.Command.Name = "render";
-  rows.Command.Use = "FILE... --png F | --exr F | --report F";
+  rows.Command.Use = "FILE... --png F | --exr F | --baseline F | --report F";
   rows.Command.About = "render draws the FILEs off screen and writes the outputs that you request.";
   // Words are parsed often: what is long is written once.
   static const std::string extensions = Join(GetExtensions(), "|");
@@ -537,6 +537,14 @@ vtkRelievoCommand DescribeRender(RenderOptions& all)
     .AddFlag(
       "--hdr", "the colour of the EXR as the lights give it, unclamped, half floats", all.HDR)
     .OfOutputs = true;
+  vtkRelievoOption& baseline = rows.Add("--baseline", "F",
+    "OpenEXR for `relievo compare`: the picture, the layers that tell causes, and a record of "
+    "objects, camera, lights and settings",
+    [](RenderOptions& options, const std::string& word) {
+      options.Baseline = NamedAs(".exr", "--baseline", word);
+    });
+  baseline.OfOutputs = true;
+  baseline.Files = "exr";
   vtkRelievoOption& report =
     rows.Add("--report", "F", "frame report, JSON: what ran and why, GPU ms, bytes held",
       [](RenderOptions& options, const std::string& word) { options.Report = word; });
@@ -669,6 +677,11 @@ void CheckTogether(RenderOptions& options, const std::set<std::string>& given)
   {
     throw UsageError("--layers: layers are written to OpenEXR: give --exr F as well");
   }
+  if (!options.Baseline.empty() && !options.Lens.empty())
+  {
+    throw UsageError("--baseline and --lens: a baseline is of a pinhole; give the lens's frame as "
+                     "--exr F, which `relievo compare` takes as well");
+  }
   if (options.HDR && options.EXR.empty())
   {
     throw UsageError("--hdr: unclamped colour is written to OpenEXR: give --exr F as well");
@@ -700,10 +713,11 @@ void CheckOutputs(const RenderOptions& options)
   {
     throw UsageError("render: no FILE given; see relievo --help");
   }
-  if (options.PNG.empty() && options.EXR.empty() && options.Report.empty() && !options.Certify)
+  if (options.PNG.empty() && options.EXR.empty() && options.Baseline.empty() &&
+    options.Report.empty() && !options.Certify)
   {
-    throw UsageError(
-      "render: nothing to write: give --png F, --exr F, --report F.json or --certify N");
+    throw UsageError("render: nothing to write: give --png F, --exr F, --baseline F.exr, "
+                     "--report F.json or --certify N");
   }
 }
 

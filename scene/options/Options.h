@@ -67,6 +67,7 @@ struct RenderOptions
   bool Transparent = false;         ///< the PNG has no background
   std::vector<std::string> Layers;  ///< each once; those of the EXR beside its colour
   std::string PNG, EXR, Report;     ///< empty: not asked for
+  std::string Baseline;             ///< an EXR to compare with; empty: not asked for
 };
 
 /// The command `render`, whose options fill these.

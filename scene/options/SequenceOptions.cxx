@@ -62,8 +62,9 @@ void CheckModelOptions(RenderOptions& options)
   {
     throw UsageError("--times and --certify: one picture is certified: give --time T");
   }
-  for (const auto& [option, path] : { std::pair<const char*, std::string>("--png", options.PNG),
-         { "--exr", options.EXR }, { "--report", options.Report } })
+  for (const auto& [option, path] :
+    { std::pair<const char*, std::string>("--png", options.PNG), { "--exr", options.EXR },
+      { "--baseline", options.Baseline }, { "--report", options.Report } })
   {
     if (!path.empty() && GetFrameName(path, 0).empty())
     {

@@ -427,6 +427,111 @@ class Report(CliTest):
 
 
 @unittest.skipUnless(BENCHES, "built without benches")
+class Compare(CliTest):
+    """`relievo compare`: exit status, text and JSON of changes that the test makes."""
+
+    # A table 2 wide at y = 0, and above it a plate of this height, which casts a shadow.
+    PLATE = """# vtk DataFile Version 3.0
+plate
+ASCII
+DATASET POLYDATA
+POINTS 4 float
+-1 {y} -1  -1 {y} 0  0.2 {y} 0  0.2 {y} -1
+POLYGONS 1 5
+4 0 1 2 3
+"""
+    LOOK = ("--size", "160x120", "--light", "sun:1,5,2", "--light", "point:-1,3,2",
+            "--shadows", "map")  # fmt: skip
+
+    def setUp(self):
+        super().setUp()
+        (self.folder / "table.vtk").write_text(
+            self.PLATE.format(y=0).replace("0.2 0", "1 0").replace("0 0  1", "0 1  1"))
+        self.move(0.5)
+        self.relievo("render", "table.vtk", "plate.vtk", *self.LOOK, "--camera",
+                     "2,4,6,0,0.2,0,0,1,0", "--baseline", "a.exr")
+
+    def move(self, y):
+        (self.folder / "plate.vtk").write_text(self.PLATE.format(y=y))
+
+    def found(self, *words, status=3):
+        done = self.relievo("compare", *words[:1], "--json", "found.json", *words[1:],
+                            status=status)
+        return done.stdout, json.loads((self.folder / "found.json").read_text())
+
+    def test_alike(self):
+        text, found = self.found("a.exr", "a.exr", status=0)
+        self.assertEqual(text, "alike: 0 of 19 200 pixels\n")
+        self.assertTrue(found["alike"])
+        # Drawn again by the recorded options, whatever the environment says.
+        done = self.relievo("compare", "a.exr", "--render", "table.vtk", "plate.vtk",
+                            environment={"RELIEVO_PRESET": "studio"})
+        self.assertTrue(done.stdout.startswith("alike: 0 of 19 200 pixels"), done.stdout)
+        header, _ = self.exr("a.exr")
+        self.assertEqual([c["name"] for c in header["channels"] if "shadow" in c["name"]],
+                         ["shadow_light_0.V", "shadow_light_1.V"])
+
+    def test_moved(self):
+        self.move(0.53)
+        text, found = self.found("a.exr", "--render", "table.vtk", "plate.vtk")
+        causes = {(each["cause"], each.get("name")): each for each in found["causes"]}
+        self.assertEqual(set(causes), {("moved", "plate.vtk"), ("shadow", "light 0"),
+                                       ("shadow", "light 1")}, text)  # fmt: skip
+        moved = causes["moved", "plate.vtk"]
+        self.assertEqual(moved["id"], 1)
+        numpy.testing.assert_allclose(moved["displacement"], (0, 0.03, 0), atol=1e-7)
+        self.assertEqual(found["unexplained"], 0)
+        self.assertIn("1 of 2 objects, 2 of 2 lights;", text)
+        self.assertRegex(text, r"plate.vtk \(actor 1\) +moved by \(0, 0.03, 0\), at most [01]\.")
+        self.assertLessEqual(max(map(len, text.splitlines())), 120)
+        # In another order, the other's number is no difference.
+        _, swapped = self.found("a.exr", "--render", "plate.vtk", "table.vtk")
+        self.assertEqual(found["causes"], swapped["causes"])
+
+    def test_options_that_are_given(self):
+        _, found = self.found("a.exr", "--render", "table.vtk", "plate.vtk",
+                              "--light", "sun:1,5,2.2", "--light", "point:-1,3,2")
+        self.assertEqual([(each["cause"], each["name"]) for each in found["causes"]],
+                         [("light", "light 0")])
+        _, found = self.found("a.exr", "--render", "table.vtk", "--background", "white")
+        causes = {each["cause"]: each for each in found["causes"]}
+        self.assertEqual(causes["removed"]["name"], "plate.vtk")
+        self.assertEqual(causes["settings"]["name"], "background")
+        self.assertGreater(causes["settings"]["pixels"], 5000)
+
+    def test_folders(self):
+        for name in ("one", "two"):
+            (self.folder / name).mkdir()
+            (self.folder / name / "a.exr").write_bytes((self.folder / "a.exr").read_bytes())
+        self.relievo("compare", "one", "two")
+        self.relievo("render", "table.vtk", "--png", "two/b.png", *self.LOOK)
+        text, found = self.found("one", "two")
+        self.assertEqual(text, "b.png: missing in one\n1 of 2 files different\n")
+        self.assertEqual([(each["file"], each["alike"]) for each in found["files"]],
+                         [("a.exr", True), ("b.png", False)])
+
+    def test_refused(self):
+        self.before = self.names()
+        cut = self.folder / "cut.exr"
+        cut.write_bytes((self.folder / "a.exr").read_bytes()[:5000])
+        self.relievo("render", "table.vtk", "--exr", "plain.exr", *self.LOOK)
+        self.before = self.names()
+        for status, words, says in (
+            (2, ("a.exr",), "got 1 file, expected A and B"),
+            (2, ("a.exr", "b.exr", "--render", "table.vtk"), "expected A alone"),
+            (2, ("a.exr", "a.exr", "--levels", "300"), "--levels"),
+            (2, ("plain.exr", "--render", "table.vtk"), "records no options"),
+            (2, ("a.exr", "--render", "table.vtk", "--lite", "1"), "--lite"),
+            (1, ("a.exr", "none.exr"), "none.exr"),
+            (1, ("a.exr", "cut.exr"), "cut.exr"),
+            (1, ("a.exr", "table.vtk"), "table.vtk"),
+        ):
+            with self.subTest(words):
+                self.refused("compare", *words, status=status, says=says)
+        self.refused("render", "table.vtk", "--lens", "fisheye:angle=120", "--baseline", "b.exr",
+                     status=2, says="--lens")
+
+
 class Bench(CliTest):
     def without_matplotlib(self):
         """The environment of a command that finds none; to draw charts takes longest."""

@@ -1,12 +1,9 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""testChecks.py CHECK: tools/check finds each kind of mistake, and none in a clean tree. No two
-folders of a module include each other."""
+"""testChecks.py CHECK: tools/check finds each kind of mistake, and none in a clean tree."""
 
-import itertools
 import os
 import pathlib
-import re
 import shutil
 import subprocess
 import sys
@@ -80,64 +77,6 @@ def write(tree, files):
         path.write_text(text, encoding="utf-8")
 
 
-# Folders that still include each other.
-KNOWN = {
-    "scene - scene/frame", "scene - scene/look", "scene/files - scene/look",
-    "scene/files - scene/options", "scene/frame - scene/look", "scene/frame - scene/options",
-    "scene/look - scene/options",
-}  # fmt: skip
-NOT_PRODUCT = {"bench", "build", "docs", "examples", "tests", "tools"}
-
-
-def mutual_includes(tree):
-    """Pairs of folders, "a - b", that include each other, each with includes of both ways.
-
-    A module is a folder with a CMakeLists.txt; includes name headers without their folders.
-    """
-    includes = {}  # by module: the header that a file includes
-    places = {}  # by module and header: its folder
-    for path in sorted(tree.rglob("*")):
-        folder = path.relative_to(tree).parent
-        if path.suffix not in (".h", ".cxx") or folder.parts[:1] in [(n,) for n in NOT_PRODUCT]:
-            continue
-        module = next((up for up in (folder, *folder.parents)
-                       if (tree / up / "CMakeLists.txt").is_file()), folder)  # fmt: skip
-        places[module, path.name] = folder.as_posix()
-        text = path.read_text(encoding="utf-8")
-        for header in re.findall(r'^ *#include +["<](?:.*/)?([^/">]+)[">]', text, re.MULTILINE):
-            includes.setdefault(module, []).append((folder.as_posix(), path.name, header))
-    found = {}
-    for module, all_of_it in includes.items():
-        ways = {}
-        for folder, name, header in all_of_it:
-            place = places.get((module, header), folder)
-            if place != folder:
-                ways.setdefault((folder, place), f"{name} includes {header}")
-        for one, other in itertools.combinations(sorted({way[0] for way in ways}), 2):
-            if (one, other) in ways and (other, one) in ways:
-                found[f"{one} - {other}"] = f"{ways[one, other]}, {ways[other, one]}"
-    return found
-
-
-def check_folders(root, tree):
-    """Complaints: pairs of the source tree that are not known or no longer there; and what is not
-    found in a tree with such a pair."""
-    found = mutual_includes(root)
-    complaints = [f"{pair} include each other: {found[pair]}" for pair in found.keys() - KNOWN]
-    complaints += [f"{pair} no longer include each other: take them off the list KNOWN"
-                   for pair in KNOWN - found.keys()]  # fmt: skip
-    shutil.rmtree(tree, ignore_errors=True)
-    write(tree, {"io/CMakeLists.txt": "", "io/exr/a.h": '#include "b.h"\n', "io/mesh/b.h": "",
-                 "io/c.cxx": '#include "b.h"\n', "filters/CMakeLists.txt": "",
-                 "filters/mesh/d.h": "#include <a.h>\n"})  # fmt: skip
-    if mutual_includes(tree):
-        complaints.append(f"no two folders include each other: {mutual_includes(tree)}")
-    write(tree, {"io/mesh/d.cxx": "#include <a.h>\n"})
-    if mutual_includes(tree) != {"io/exr - io/mesh": "a.h includes b.h, d.cxx includes a.h"}:
-        complaints.append(f"not found, two folders include each other: {mutual_includes(tree)}")
-    return sorted(complaints)
-
-
 def check(command, tree):
     done = subprocess.run(
         [command, "--no-tidy", "--tree", str(tree)], capture_output=True, text=True, check=False)
@@ -145,17 +84,13 @@ def check(command, tree):
 
 
 def main(command):
-    root = pathlib.Path(command).parents[1]
-    tree = pathlib.Path(os.environ["RELIEVO_TEST_OUTPUT"]) / "tree"
-    failures = check_folders(root, tree)
-    if failures:
-        print("\n".join(failures))
-        return 1
     missing = [tool for tool in ("clang-format", "shellcheck") if shutil.which(tool) is None]
     if missing:
         print(f"skipped: {', '.join(missing)} not installed (tools/install-packages check)")
         return 125
-    look = root / ".clang-format"
+    look = pathlib.Path(command).parents[1] / ".clang-format"
+    tree = pathlib.Path(os.environ["RELIEVO_TEST_OUTPUT"]) / "tree"
+    failures = []
     for name, (path, text, words) in {"none": ("a", "", ""), **MISTAKES}.items():
         shutil.rmtree(tree, ignore_errors=True)
         write(tree, {**CLEAN, ".clang-format": look.read_text(encoding="utf-8")})

@@ -16,14 +16,20 @@ import warnings
 import numpy
 import relievo
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkUnsignedCharArray
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkImageData
+from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkPoints, vtkUnsignedCharArray
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkImageData, vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkTriangleFilter
 from vtkmodules.vtkIOGeometry import vtkSTLReader
 from vtkmodules.vtkIOImage import vtkPNGWriter
 from vtkmodules.vtkIOLegacy import vtkPolyDataReader
 from vtkmodules.vtkIOXML import vtkXMLImageDataWriter, vtkXMLPolyDataWriter
-from vtkmodules.vtkRenderingCore import vtkPolyDataMapper, vtkRenderer, vtkRenderWindow
+from vtkmodules.vtkRenderingCore import (
+    vtkActor,
+    vtkPolyDataMapper,
+    vtkRenderer,
+    vtkRenderWindow,
+    vtkTextActor,
+)
 
 # A roof over a floor, in two heights, with values at the points.
 MESH = """# vtk DataFile Version 3.0
@@ -504,6 +510,157 @@ class Scene(unittest.TestCase):
                 self.picture(relievo.scene(path, size=SIZE)),
                 self.picture(relievo.scene(os.fsdecode(path), size=SIZE)),
             )
+
+
+class Compared(unittest.TestCase):
+    """compare() and write_baseline(): changes that the test makes are what they find."""
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+        self.mesh = self.folder / "roof.vtk"
+        self.mesh.write_text(MESH)
+        self.path = self.folder / "base.exr"
+
+    def box(self, x, height):
+        """An actor of a box of width 1 that stands on y = 0 at x."""
+        points = vtkPoints()
+        for corner in range(8):
+            points.InsertNextPoint(x + (corner & 1) - 0.5, height * (corner >> 1 & 1),
+                                   (corner >> 2) - 0.5)
+        polys = vtkCellArray()
+        for face in ((0, 4, 6, 2), (1, 3, 7, 5), (0, 1, 5, 4), (2, 6, 7, 3), (0, 2, 3, 1),
+                     (4, 5, 7, 6)):  # fmt: skip
+            polys.InsertNextCell(4)
+            for point in face:
+                polys.InsertCellPoint(point)
+        data = vtkPolyData()
+        data.SetPoints(points)
+        data.SetPolys(polys)
+        mapper = vtkPolyDataMapper()
+        mapper.SetInputData(data)
+        actor = vtkActor()
+        actor.SetMapper(mapper)
+        actor.GetProperty().SetInterpolationToFlat()
+        return actor
+
+    def renderer(self):
+        """Two boxes in a window."""
+        renderer = vtkRenderer()
+        self.actors = [self.box(-0.8, 1), self.box(0.8, 0.7)]
+        for actor in self.actors:
+            renderer.AddActor(actor)
+        camera = renderer.GetActiveCamera()
+        camera.SetPosition(3, 4, 8)
+        camera.SetFocalPoint(0, 0.4, 0)
+        renderer.ResetCameraClippingRange()
+        self.window = vtkRenderWindow()
+        self.window.SetOffScreenRendering(True)
+        self.window.SetMultiSamples(0)
+        self.window.SetSize(160, 120)
+        self.window.AddRenderer(renderer)
+        return renderer
+
+    def only(self, found, cause):
+        self.assertEqual([each["cause"] for each in found.causes], [cause], str(found))
+        self.assertEqual(found.unexplained, 0, str(found))
+        return found.causes[0]
+
+    def test_renderer(self):
+        renderer = self.renderer()
+        names = {self.actors[0]: "tall", self.actors[1]: "low"}
+        relievo.write_baseline(self.path, renderer, names=names)
+        found = relievo.compare(self.path, renderer)
+        self.assertTrue(found, str(found))
+        self.assertEqual((found.pixels, found.size), (0, (160, 120)))
+        self.assertIn("alike: 0 of 19 200 pixels", repr(found))
+        self.assertIsNone(renderer.GetPass())
+
+        self.actors[1].SetPosition(0.02, 0.01, -0.03)
+        moved = self.only(relievo.compare(self.path, renderer), "moved")
+        self.assertEqual((moved["name"], moved["id"]), ("low", 1))
+        numpy.testing.assert_allclose(moved["displacement"], (0.02, 0.01, -0.03), atol=1e-12)
+        # By what is seen alone, without the record: to the digits of depths in float.
+        before = relievo.capture(renderer, ["color", "depth", "actor", "cell"])
+        self.actors[1].SetPosition(0, 0, 0)
+        after = relievo.capture(renderer, ["color", "depth", "actor", "cell"])
+        seen = relievo.compare(before, after)
+        numpy.testing.assert_allclose(
+            seen.causes[0]["displacement"], (-0.02, -0.01, 0.03), atol=1e-4)
+        self.assertIn("overlay", seen.cannot_be_detected)
+        causes = seen.image
+        self.assertEqual(numpy.count_nonzero(causes == 0), seen.causes[0]["pixels"])
+        actor = relievo.layer(before, "actor")
+        self.assertTrue((actor[causes == 0] == 1).mean() > 0.9)
+
+        self.actors[0].GetProperty().SetColor(1, 1, 0.9)
+        color = self.only(relievo.compare(self.path, renderer), "color")
+        self.assertEqual(color["name"], "tall")
+        self.assertEqual(color["largest"], 25)  # 255 and 230, which is 229.5
+        self.actors[0].GetProperty().SetColor(1, 1, 1)
+        self.actors[0].GetProperty().SetSpecular(0.4)
+        self.assertEqual(self.only(relievo.compare(self.path, renderer), "settings")["name"],
+                         "tall")
+        self.actors[0].GetProperty().SetSpecular(0)
+
+        text = vtkTextActor()
+        text.SetInput("12 %")
+        renderer.AddActor2D(text)
+        overlay = self.only(relievo.compare(self.path, renderer), "overlay")
+        self.assertGreater(overlay["pixels"], 20)
+        renderer.RemoveActor2D(text)
+
+        self.actors.insert(0, self.box(0, 3))
+        self.actors[0].SetPosition(0, 0, -3)
+        renderer.RemoveAllViewProps()
+        for actor in self.actors:  # so that all numbers change
+            renderer.AddActor(actor)
+        self.assertEqual(self.only(relievo.compare(self.path, renderer), "added")["id"], 0)
+        renderer.RemoveActor(self.actors[0])
+        renderer.RemoveActor(self.actors[2])
+        self.assertEqual(
+            self.only(relievo.compare(self.path, renderer), "removed")["name"], "low")
+
+    def test_scene(self):
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            scene = relievo.scene(self.mesh, size=SIZE, camera=CAMERA, shadows="map",
+                                  light=["sun:3,5,2", "point:2,4,1"])
+            scene.render(baseline=self.path)
+            self.assertTrue(relievo.compare(self.path, scene))
+            relievo.write_baseline(self.folder / "again.exr", scene)
+            self.assertTrue(relievo.compare(self.path, self.folder / "again.exr"))
+            scene.set(light=["sun:3,5,2", "point:2,4,1.1"])
+            found = relievo.compare(self.path, scene)
+        light = self.only(found, "light")
+        self.assertEqual((light["kind"], light["id"]), ("light", 1))
+        self.assertGreater(light["pixels"], 20)
+
+    def test_pictures(self):
+        picture = numpy.full((30, 40, 3), 100, numpy.uint8)
+        other = picture.copy()
+        other[3:5, 10:20] = 103
+        found = relievo.compare(picture, other)
+        self.assertEqual((bool(found), found.unexplained), (False, 20))
+        self.assertTrue((found.image[3:5, 10:20] == -4).all())
+        self.assertTrue(relievo.compare(picture, other, levels=3))
+        self.assertIn("moved", found.cannot_be_detected)
+        self.assertEqual(json.loads(found.json)["size"], [40, 30])
+
+    def test_errors(self):
+        picture = numpy.zeros((4, 4, 3), numpy.uint8)
+        damaged = self.folder / "damaged.exr"
+        damaged.write_bytes(b"v/1\x01 not an image")
+        for error, words, wrong in (
+            (FileNotFoundError, "none.exr", lambda: relievo.compare("none.exr", picture)),
+            (ValueError, "damaged.exr", lambda: relievo.compare(picture, damaged)),
+            (ValueError, "levels: got -1", lambda: relievo.compare(picture, picture, levels=-1)),
+            (ValueError, "expected a vtkRenderer", lambda: relievo.compare(picture, 3)),
+            (ValueError, "ends in .exr", lambda: relievo.write_baseline("a.png", picture)),
+        ):
+            with self.subTest(words), self.assertRaisesRegex(error, words):
+                wrong()
 
 
 if __name__ == "__main__":

@@ -80,6 +80,7 @@ private:
 /// Each is made in a file of its own.
 std::unique_ptr<Command> MakeBench();
 std::unique_ptr<Command> MakeCave();
+std::unique_ptr<Command> MakeCompare();
 std::unique_ptr<Command> MakeDataset();
 std::unique_ptr<Command> MakeRender();
 std::unique_ptr<Command> MakeStages();

@@ -12,7 +12,7 @@ const char* const Notes =
   R"(Options are written --name value or --name=value, those without a value alone; -- ends them.
 Either all requested files are written, or none; of a sequence, those of each frame.
 VTK before 9.4 needs an X display, which xvfb-run provides.
-Exit status: 0 done, 1 the work failed, 2 the arguments were wrong.
+Exit status: 0 done, 1 the work failed, 2 the arguments were wrong; of compare 3, different.
 
 Examples
   relievo render bunny.off --png bunny.png
@@ -25,6 +25,8 @@ Examples
   relievo render bunny.off --environment forest.exr,90 --skybox --png bunny.png
   relievo render buildings.obj --fog mist.vtp,density=0.01 --layers depth,fog --exr mist.exr
   relievo render buildings.obj --up z --markers sites.vtp,radius=30,shape=glow --png sites.png
+  relievo render bike.obj --baseline bike.exr
+  relievo compare bike.exr --render bike.obj
   relievo render walk.fbx --times 0:2:0.04 --shadows map --png walk_%03d.png
   relievo dataset mug.obj table.stl --poses random:500 --seed 7 --random-sun --out train/000000
   relievo visible bunny.off --poses orbit:24 -o seen.vtp
@@ -41,7 +43,7 @@ Commands MakeCommands()
 {
   Commands all;
   for (const auto& make :
-    { MakeRender, MakeDataset, MakeVisible, MakeSun, MakeCave, MakeStages, MakeBench })
+    { MakeRender, MakeCompare, MakeDataset, MakeVisible, MakeSun, MakeCave, MakeStages, MakeBench })
   {
     all.push_back(make());
   }

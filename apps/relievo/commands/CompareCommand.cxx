@@ -1,0 +1,269 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Command.h"
+#include "Errors.h"
+#include "Messages.h"
+#include "Numbers.h"
+#include "Outputs.h"
+#include "SceneWork.h"
+#include "Settings.h"
+#include "Values.h"
+
+#include "vtkFieldData.h"
+#include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkRelievoFrameComparison.h"
+#include "vtkStringArray.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <optional>
+#include <set>
+#include <system_error>
+
+namespace cli
+{
+namespace
+{
+namespace fs = std::filesystem;
+
+constexpr int Different = 3; // the exit status
+
+class CompareCommand : public Command
+{
+public:
+  CompareCommand()
+    : Command("compare", "A B | A --render FILE... [options of render]",
+        "compare explains how frame B differs from frame A: which objects, cells and lights, and "
+        "why. Exit status: 0 alike, 1 the work failed, 2 the arguments were wrong, 3 different.")
+  {
+    this->Rows.AboutFile =
+      "A and B are .exr of `relievo render --baseline` or --exr, pictures (.png ...; then the "
+      "pictures alone are compared), or folders of these, whose files are compared by name.";
+    this->Rows.Files = "exr|png";
+    this->AddOutput("--json FILE.json", "the same, complete, as JSON", this->JSON);
+    this->Add("--levels N",
+      "by how many of 255 levels colours, and shares such as shadows, may differ, 0 to 255 (2)",
+      [this](const std::string& value) {
+        this->Comparison->SetColorLevels(scene::ParseNumberFrom("--levels", value, 0.0, 255.0));
+      });
+    this->Add("--normal-angle DEG", "by how many degrees normals may differ, 0 to 180 (0.02)",
+      [this](const std::string& value) {
+        this->Comparison->SetNormalAngle(
+          scene::ParseNumberFrom("--normal-angle", value, 0.0, 180.0));
+      });
+    this->Add("--depth-pixels P",
+      "how far apart in the picture, in pixels, points of a surface may be whose depths are "
+      "compared, 0 to 1 (0.00390625, which is OpenGL's grid)",
+      [this](const std::string& value) {
+        this->Comparison->SetDepthPixels(scene::ParseNumberFrom("--depth-pixels", value, 0.0, 1.0));
+      });
+    // Taken before the others, with all behind it.
+    this->Add("--render FILE...",
+      "draws these files in place of B, by the options that the baseline A records; those behind "
+      "it, of `relievo render`, are in their place. Stands last",
+      [](const std::string&) {});
+  }
+
+  int Run(const std::vector<std::string>& words) override
+  {
+    const auto render = std::find(words.begin(), words.end(), "--render");
+    this->Take(std::vector<std::string>(words.begin(), render));
+    const bool draws = render != words.end();
+    if (this->Names.size() != (draws ? 1 : 2))
+    {
+      throw scene::UsageError("compare: got " + std::to_string(this->Names.size()) +
+        (this->Names.size() == 1 ? " file" : " files") + ", expected " +
+        (draws ? "A alone before --render" : "A and B, or A --render FILE"));
+    }
+    const scene::Messages::Scope scope;
+    scene::Outputs outputs;
+    if (!this->JSON.empty())
+    {
+      outputs.Add("--json", this->JSON, this->Names);
+    }
+    bool alike = false;
+    if (draws)
+    {
+      alike = this->CompareDrawn(std::vector<std::string>(std::next(render), words.end()));
+    }
+    else if (IsFolder(this->Names[0]) || IsFolder(this->Names[1]))
+    {
+      alike = this->CompareFolders();
+    }
+    else
+    {
+      this->Read(true, this->Names[0]);
+      this->Read(false, this->Names[1]);
+      alike = this->Compare(this->Names[0] + ", " + this->Names[1]);
+      this->Found = this->Comparison->GetJSON();
+      std::fputs(this->Comparison->GetText().c_str(), stdout);
+    }
+    if (!this->JSON.empty())
+    {
+      std::ofstream file(outputs.Temporary(this->JSON), std::ios::binary);
+      file << this->Found << '\n';
+      file.close();
+      if (!file)
+      {
+        throw scene::WorkError(this->JSON + ": cannot be written; is the disk full?");
+      }
+      outputs.Commit();
+    }
+    return alike ? 0 : Different;
+  }
+
+private:
+  static bool IsFolder(const std::string& path)
+  {
+    std::error_code error;
+    return fs::is_directory(path, error);
+  }
+
+  // Says a failure once, as this command does.
+  void Check(bool done, const std::string& before = {})
+  {
+    if (!done)
+    {
+      const std::string text = this->Comparison->GetFailureText();
+      throw scene::WorkError(before.empty() ? text : before + ": " + text);
+    }
+  }
+
+  void Read(bool isBaseline, const std::string& path)
+  {
+    this->Check(isBaseline ? this->Comparison->ReadBaseline(path.c_str())
+                           : this->Comparison->ReadFrame(path.c_str()));
+  }
+
+  bool Compare(const std::string& files)
+  {
+    this->Check(this->Comparison->Compare(), files);
+    return this->Comparison->GetAlike();
+  }
+
+  //----------------------------------------------------------------------------
+  // Draws the files as the baseline was drawn, but for the options that are given.
+  bool CompareDrawn(const std::vector<std::string>& given)
+  {
+    const std::string& path = this->Names.front();
+    this->Read(true, path);
+    auto* record = vtkStringArray::SafeDownCast(
+      this->Comparison->GetBaseline()->GetFieldData()->GetAbstractArray("words"));
+    if (!record)
+    {
+      throw scene::UsageError(
+        path + ": records no options to draw by, expected a file of `relievo render --baseline`");
+    }
+    std::vector<std::string> words;
+    for (vtkIdType i = 0; i < record->GetNumberOfValues(); ++i)
+    {
+      words.push_back(record->GetValue(i));
+    }
+    scene::Settings settings = scene::Settings::FromWords(words);
+    const scene::Settings other = scene::Settings::FromWords(given);
+    settings.TakeChanges(scene::Settings(), other);
+    settings.Files = other.Files;
+    vtkNew<vtkRelievoScene> scene;
+    SetWords(scene, settings.GetWords());
+    vtkNew<vtkImageData> image;
+    {
+      const SceneSteps steps(scene);
+      const bool done = scene->CaptureBaseline(image);
+      CheckDone(done, scene->GetFailure(), scene->GetFailureText());
+    }
+    PrintMessages(scene);
+    this->Comparison->SetFrame(image);
+    const bool alike = this->Compare(path);
+    this->Found = this->Comparison->GetJSON();
+    std::fputs(this->Comparison->GetText().c_str(), stdout);
+    return alike;
+  }
+
+  //----------------------------------------------------------------------------
+  // Names of the pictures in a folder and below, from there.
+  static std::set<std::string> ListPictures(const std::string& folder)
+  {
+    std::set<std::string> names;
+    std::error_code error;
+    for (fs::recursive_directory_iterator each(folder, error), end; !error && each != end;
+         each.increment(error))
+    {
+      const std::string extension = scene::ExtensionOf(each->path().string());
+      if (each->is_regular_file() && (extension == ".exr" || extension == ".png"))
+      {
+        names.insert(fs::relative(each->path(), folder).generic_string());
+      }
+    }
+    if (error)
+    {
+      throw scene::WorkError(folder + ": cannot be read: " + error.message());
+    }
+    return names;
+  }
+
+  bool CompareFolders()
+  {
+    const std::string& a = this->Names[0];
+    const std::string& b = this->Names[1];
+    if (!IsFolder(a) || !IsFolder(b))
+    {
+      throw scene::UsageError(
+        "compare: got a folder, " + (IsFolder(a) ? a : b) + ", and a file, expected two of a kind");
+    }
+    const std::set<std::string> sides[2] = { ListPictures(a), ListPictures(b) };
+    std::set<std::string> all = sides[0];
+    all.insert(sides[1].begin(), sides[1].end());
+    if (all.empty())
+    {
+      throw scene::WorkError(a + ", " + b + ": hold no .exr or .png");
+    }
+    nlohmann::ordered_json files = nlohmann::ordered_json::array();
+    std::size_t different = 0;
+    for (const std::string& name : all)
+    {
+      nlohmann::ordered_json entry = { { "file", name } };
+      const bool isOld = sides[0].count(name) != 0;
+      if (!isOld || sides[1].count(name) == 0)
+      {
+        entry["alike"] = false;
+        entry["missing_in"] = isOld ? b : a;
+        std::printf("%s: missing in %s\n", name.c_str(), (isOld ? b : a).c_str());
+        ++different;
+      }
+      else
+      {
+        this->Read(true, (fs::path(a) / name).string());
+        this->Read(false, (fs::path(b) / name).string());
+        const bool alike = this->Compare(name);
+        entry.update(nlohmann::ordered_json::parse(this->Comparison->GetJSON()));
+        if (!alike)
+        {
+          std::printf("%s: %s", name.c_str(), this->Comparison->GetText().c_str());
+          ++different;
+        }
+      }
+      files.push_back(entry);
+    }
+    std::printf("%s of %s different\n", std::to_string(different).c_str(),
+      all.size() == 1 ? "1 file" : (std::to_string(all.size()) + " files").c_str());
+    this->Found = nlohmann::ordered_json({ { "alike", different == 0 }, { "files", files } })
+                    .dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+    return different == 0;
+  }
+
+  vtkNew<vtkRelievoFrameComparison> Comparison;
+  std::string JSON, Found;
+};
+}
+
+//------------------------------------------------------------------------------
+std::unique_ptr<Command> MakeCompare()
+{
+  return std::make_unique<CompareCommand>();
+}
+}

@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkRelievoCauseList.h"
+
+#include <locale>
+#include <sstream>
+
+namespace relievo::compare
+{
+//------------------------------------------------------------------------------
+std::string Finding::GetLabel() const
+{
+  const std::string number = this->Id < 0 ? "" : this->Kind + " " + std::to_string(this->Id);
+  return this->Name.empty() ? (number.empty() ? this->Kind : number)
+    : number.empty()        ? this->Name
+                            : this->Name + " (" + number + ")";
+}
+
+//------------------------------------------------------------------------------
+int CauseList::Find(Cause cause, const std::string& kind, const std::string& name, int id)
+{
+  const std::string key =
+    CauseWords[static_cast<std::size_t>(cause)] + std::string("\n") + kind + "\n" + name;
+  const auto found = this->Places.find({ key, id });
+  if (found != this->Places.end())
+  {
+    return found->second;
+  }
+  Finding finding;
+  finding.Is = cause;
+  finding.Kind = kind;
+  finding.Name = name;
+  finding.Id = id;
+  this->Findings.push_back(finding);
+  return this->Places[{ key, id }] = static_cast<int>(this->Findings.size()) - 1;
+}
+
+//------------------------------------------------------------------------------
+std::string WriteShort(double number)
+{
+  std::ostringstream out;
+  out.imbue(std::locale::classic());
+  out.precision(3);
+  out << number + 0.0; // no -0
+  return out.str();
+}
+
+//------------------------------------------------------------------------------
+std::string WriteCount(std::size_t count)
+{
+  std::string digits = std::to_string(count);
+  for (std::size_t at = digits.size(); at > 3;)
+  {
+    at -= 3;
+    digits.insert(at, " ");
+  }
+  return digits;
+}
+}

@@ -1,0 +1,82 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What differs between two frames, and how many pixels each cause explains.
+#ifndef vtkRelievoCauseList_h
+#define vtkRelievoCauseList_h
+
+#include <nlohmann/json.hpp>
+
+#include <array>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace relievo::compare
+{
+enum class Cause
+{
+  Size,
+  Camera,
+  Removed,
+  Added,
+  Moved,
+  Shape,
+  Visibility,
+  Normal,
+  Array,
+  Color,
+  Light,
+  Shadow,
+  Lamps,
+  Fog,
+  Ambient,
+  Markers,
+  Translucent,
+  Overlay,
+  Tone,
+  Settings
+};
+
+// The words of the causes, in the order in which they are asked.
+constexpr std::array<const char*, 20> CauseWords = { "size", "camera", "removed", "added", "moved",
+  "shape", "visibility", "normal", "array", "color", "light", "shadow", "lamps", "fog", "ambient",
+  "markers", "translucent", "overlay", "tone", "settings" };
+
+struct Finding
+{
+  Cause Is = Cause::Size;
+  std::string Kind; // actor, light, setting, picture
+  std::string Name; // empty: none
+  int Id = -1;      // -1: none
+  std::size_t Pixels = 0;
+  std::string Words;                                              // for people; empty: the cause's
+  nlohmann::ordered_json More = nlohmann::ordered_json::object(); // entries of its own
+
+  // "wheel (actor 3)".
+  std::string GetLabel() const;
+};
+
+class CauseList
+{
+public:
+  // The place of a finding, which is added if there is none of this cause, kind, name and id.
+  int Find(Cause cause, const std::string& kind, const std::string& name = {}, int id = -1);
+
+  Finding& At(int place) { return this->Findings[static_cast<std::size_t>(place)]; }
+  const std::vector<Finding>& Get() const { return this->Findings; }
+
+private:
+  std::vector<Finding> Findings;
+  std::map<std::pair<std::string, int>, int> Places;
+};
+
+// A number with three digits that tell, wherever the program runs: "0.02".
+std::string WriteShort(double number);
+
+// 2031 as "2 031".
+std::string WriteCount(std::size_t count);
+}
+
+#endif

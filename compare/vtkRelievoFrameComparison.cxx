@@ -1,0 +1,490 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkRelievoFrameComparison.h"
+
+#include "vtkRelievoCauseList.h"
+#include "vtkRelievoComparedFrame.h"
+#include "vtkRelievoComparisonLimits.h"
+#include "vtkRelievoEXRReader.h"
+#include "vtkRelievoImageFile.h"
+#include "vtkRelievoMessageText.h"
+#include "vtkRelievoObjectChanges.h"
+#include "vtkRelievoPixelCauses.h"
+
+#include "vtkCallbackCommand.h"
+#include "vtkErrorCode.h"
+#include "vtkImageData.h"
+#include "vtkIntArray.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkSmartPointer.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <set>
+#include <utility>
+#include <vector>
+
+vtkStandardNewMacro(vtkRelievoFrameComparison);
+
+using relievo::compare::Cause;
+using relievo::compare::CauseWords;
+using relievo::compare::Finding;
+using relievo::compare::Frame;
+using relievo::compare::PixelCauses;
+using relievo::compare::WriteCount;
+using Json = nlohmann::ordered_json;
+
+namespace
+{
+// Causes in the text; more are counted in a line.
+constexpr std::size_t MostLines = 18;
+
+// The image in a file; null: `failure` says why, and names the file.
+vtkSmartPointer<vtkImageData> ReadImage(const std::string& path, std::string& failure)
+{
+  const std::size_t dot = path.rfind('.');
+  std::string extension = dot == std::string::npos ? "" : path.substr(dot + 1);
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+    [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+  if (extension != "exr")
+  {
+    vtkSmartPointer<vtkImageData> image = vtkRelievoImageFile::Read(path, failure);
+    failure = image ? std::string() : path + ": expected " + failure;
+    return image;
+  }
+  vtkNew<vtkRelievoEXRReader> reader;
+  vtkNew<vtkCallbackCommand> keep;
+  keep->SetClientData(&failure);
+  keep->SetCallback([](vtkObject*, unsigned long, void* kept, void* text) {
+    *static_cast<std::string*>(kept) =
+      vtkRelievoMessageText::OfMessage(static_cast<const char*>(text));
+  });
+  reader->AddObserver(vtkCommand::ErrorEvent, keep);
+  reader->SetFileName(path.c_str());
+  reader->Update();
+  if (reader->GetErrorCode() != vtkErrorCode::NoError)
+  {
+    failure = failure.empty() ? path + ": cannot be read" : failure;
+    return nullptr;
+  }
+  failure.clear();
+  return reader->GetOutput();
+}
+
+// The causes that these frames do not tell.
+std::vector<std::string> ListUndetectable(const Frame& a, const Frame& b)
+{
+  std::set<Cause> missing;
+  const auto lacks = [&](bool isThere, std::initializer_list<Cause> causes) {
+    if (!isThere)
+    {
+      missing.insert(causes);
+    }
+  };
+  lacks(a.HasCamera && b.HasCamera, { Cause::Camera });
+  lacks(!a.Actor.empty() && !b.Actor.empty(),
+    { Cause::Removed, Cause::Added, Cause::Moved, Cause::Visibility });
+  lacks(a.HasPositions() && b.HasPositions(), { Cause::Moved, Cause::Shape });
+  lacks(a.Surface.count("normal") != 0 && b.Surface.count("normal") != 0, { Cause::Normal });
+  lacks(a.Surface.count("albedo") != 0 && b.Surface.count("albedo") != 0, { Cause::Color });
+  lacks(a.HasLights && b.HasLights, { Cause::Light });
+  // A record comes with the layers of all that its picture shows: stages, and lights that cast.
+  const bool recorded = a.HasRecord && b.HasRecord;
+  lacks(recorded || (!a.Shadow.empty() && !b.Shadow.empty()), { Cause::Shadow });
+  lacks(recorded, { Cause::Overlay, Cause::Tone, Cause::Settings });
+  const std::pair<const char*, Cause> stages[] = { { "light", Cause::Lamps }, { "fog", Cause::Fog },
+    { "ambient", Cause::Ambient }, { "marker", Cause::Markers }, { "blend", Cause::Translucent } };
+  for (const auto& [name, cause] : stages)
+  {
+    lacks(recorded || (a.Stages.count(name) != 0 && b.Stages.count(name) != 0), { cause });
+  }
+  for (const Frame* frame : { &a, &b })
+  {
+    for (const auto& [name, layer] : frame->Surface)
+    {
+      lacks(a.Surface.count(name) != 0 && b.Surface.count(name) != 0,
+        { name == "normal"     ? Cause::Normal
+            : name == "albedo" ? Cause::Color
+                               : Cause::Array });
+    }
+  }
+  std::vector<std::string> words;
+  for (const Cause cause : missing)
+  {
+    words.emplace_back(CauseWords[static_cast<std::size_t>(cause)]);
+  }
+  return words;
+}
+
+std::string Join(const std::vector<std::string>& words)
+{
+  std::string text;
+  for (const std::string& word : words)
+  {
+    text += (text.empty() ? "" : ", ") + word;
+  }
+  return text;
+}
+
+std::string Pad(const std::string& text, std::size_t width, bool toRight = false)
+{
+  // Bytes that go on a character of UTF-8 take no place.
+  const auto length = static_cast<std::size_t>(std::count_if(text.begin(), text.end(),
+    [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
+  const std::string blanks(width > length ? width - length : 0, ' ');
+  return toRight ? blanks + text : text + blanks;
+}
+}
+
+//------------------------------------------------------------------------------
+struct vtkRelievoFrameComparison::Internals
+{
+  vtkSmartPointer<vtkImageData> Baseline, Frame, Causes;
+  std::vector<Finding> Findings;
+  std::array<int, 2> Size{};
+  std::size_t Pixels = 0, Unexplained = 0, Edge = 0, Rounding = 0;
+  std::size_t Objects = 0, Lights = 0;
+  std::vector<std::string> Undetectable, Versions[2];
+  bool IsCompared = false;
+
+  void Reset()
+  {
+    this->Causes = nullptr;
+    this->Findings.clear();
+    this->Pixels = this->Unexplained = this->Edge = this->Rounding = 0;
+    this->Objects = this->Lights = 0;
+    this->Undetectable.clear();
+    this->IsCompared = false;
+  }
+
+  void Compare(const relievo::compare::Frame& a, const relievo::compare::Frame& b,
+    const relievo::compare::Limits& limits);
+  std::size_t CountDifferent(const std::string& kind) const;
+};
+
+//------------------------------------------------------------------------------
+void vtkRelievoFrameComparison::Internals::Compare(const relievo::compare::Frame& a,
+  const relievo::compare::Frame& b, const relievo::compare::Limits& limits)
+{
+  this->Size = a.Size;
+  this->Versions[0] = a.Versions;
+  this->Versions[1] = b.Versions;
+  this->IsCompared = true;
+  relievo::compare::CauseList list;
+  if (a.Size != b.Size)
+  {
+    Finding& size = list.At(list.Find(Cause::Size, "picture"));
+    size.Words = "size: " + std::to_string(a.Size[0]) + " x " + std::to_string(a.Size[1]) +
+      ", now " + std::to_string(b.Size[0]) + " x " + std::to_string(b.Size[1]);
+    size.More["size"] = b.Size;
+    this->Findings = list.Get();
+    return;
+  }
+  this->Undetectable = ListUndetectable(a, b);
+  if (a.HasCamera && b.HasCamera && !a.SeesAs(b))
+  {
+    list.Find(Cause::Camera, "picture");
+    this->Findings = list.Get();
+    return;
+  }
+  const relievo::compare::ObjectChanges objects(a, b, limits, list);
+  const PixelCauses causes(a, b, limits, objects, list);
+  this->Objects = objects.GetNumber();
+  this->Lights = a.Lights.size();
+  this->Findings = list.Get();
+  this->Unexplained = causes.Count(PixelCauses::Unexplained);
+  this->Edge = causes.Count(PixelCauses::WithinEdge);
+  this->Rounding = causes.Count(PixelCauses::WithinRounding);
+  this->Pixels = this->Unexplained;
+
+  std::vector<int> order(this->Findings.size());
+  std::vector<std::size_t> sorted(this->Findings.size());
+  for (std::size_t i = 0; i < sorted.size(); ++i)
+  {
+    sorted[i] = i;
+    this->Pixels += this->Findings[i].Pixels;
+  }
+  std::stable_sort(sorted.begin(), sorted.end(), [this](std::size_t x, std::size_t y) {
+    return this->Findings[x].Pixels > this->Findings[y].Pixels;
+  });
+  std::vector<Finding> findings;
+  for (std::size_t i = 0; i < sorted.size(); ++i)
+  {
+    order[sorted[i]] = static_cast<int>(i);
+    findings.push_back(this->Findings[sorted[i]]);
+  }
+  this->Findings = findings;
+
+  this->Causes = vtkSmartPointer<vtkImageData>::New();
+  this->Causes->SetDimensions(a.Size[0], a.Size[1], 1);
+  vtkNew<vtkIntArray> array;
+  array->SetName("cause");
+  array->SetNumberOfTuples(static_cast<vtkIdType>(a.Pixels));
+  std::transform(causes.Get().begin(), causes.Get().end(), array->GetPointer(0),
+    [&](int cause) { return cause < 0 ? cause : order[static_cast<std::size_t>(cause)]; });
+  this->Causes->GetPointData()->SetScalars(array);
+}
+
+//------------------------------------------------------------------------------
+std::size_t vtkRelievoFrameComparison::Internals::CountDifferent(const std::string& kind) const
+{
+  std::set<std::pair<std::string, int>> different;
+  for (const Finding& finding : this->Findings)
+  {
+    if (finding.Kind == kind)
+    {
+      different.insert({ finding.Name, finding.Id });
+    }
+  }
+  return different.size();
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoFrameComparison::vtkRelievoFrameComparison()
+  : Self(new Internals)
+{
+  const relievo::compare::Limits limits;
+  this->ColorLevels = limits.ColorLevels;
+  this->NormalAngle = limits.NormalAngle;
+  this->DepthPixels = limits.DepthPixels;
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoFrameComparison::~vtkRelievoFrameComparison() = default;
+
+//------------------------------------------------------------------------------
+bool vtkRelievoFrameComparison::Fail(const std::string& text)
+{
+  this->FailureText = text;
+  vtkErrorMacro(<< text << ".");
+  return false;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoFrameComparison::SetBaseline(vtkImageData* image)
+{
+  if (this->Self->Baseline != image)
+  {
+    this->Self->Baseline = image;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkImageData* vtkRelievoFrameComparison::GetBaseline()
+{
+  return this->Self->Baseline;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoFrameComparison::SetFrame(vtkImageData* image)
+{
+  if (this->Self->Frame != image)
+  {
+    this->Self->Frame = image;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkImageData* vtkRelievoFrameComparison::GetFrame()
+{
+  return this->Self->Frame;
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoFrameComparison::ReadBaseline(const char* path)
+{
+  this->FailureText.clear();
+  this->SetBaseline(ReadImage(path ? path : "", this->FailureText));
+  return this->FailureText.empty() || this->Fail(std::string(this->FailureText));
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoFrameComparison::ReadFrame(const char* path)
+{
+  this->FailureText.clear();
+  this->SetFrame(ReadImage(path ? path : "", this->FailureText));
+  return this->FailureText.empty() || this->Fail(std::string(this->FailureText));
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoFrameComparison::Compare()
+{
+  this->FailureText.clear();
+  this->Self->Reset();
+  relievo::compare::Frame frames[2];
+  const std::pair<const char*, vtkImageData*> given[2] = { { "the baseline", this->Self->Baseline },
+    { "the frame", this->Self->Frame } };
+  for (int i = 0; i < 2; ++i)
+  {
+    if (!given[i].second)
+    {
+      return this->Fail(std::string(given[i].first) + " is missing; set or read it first");
+    }
+    const std::string wrong = frames[i].Read(given[i].second);
+    if (!wrong.empty())
+    {
+      return this->Fail(std::string(given[i].first) + " " + wrong);
+    }
+  }
+  const relievo::compare::Limits limits = { this->ColorLevels, this->NormalAngle,
+    this->DepthPixels };
+  this->Self->Compare(frames[0], frames[1], limits);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoFrameComparison::GetAlike()
+{
+  return this->Self->IsCompared && this->Self->Findings.empty() && this->Self->Pixels == 0;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkRelievoFrameComparison::GetNumberOfDifferentPixels()
+{
+  return static_cast<vtkIdType>(this->Self->Pixels);
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkRelievoFrameComparison::GetNumberOfUnexplainedPixels()
+{
+  return static_cast<vtkIdType>(this->Self->Unexplained);
+}
+
+//------------------------------------------------------------------------------
+vtkImageData* vtkRelievoFrameComparison::GetCauses()
+{
+  return this->Self->Causes;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkRelievoFrameComparison::GetText()
+{
+  const Internals& self = *this->Self;
+  if (!self.IsCompared)
+  {
+    return "not compared\n";
+  }
+  std::string text = this->GetAlike() ? "alike" : "different";
+  std::string counts;
+  for (const auto& [kind, all] :
+    { std::pair("actor", self.Objects), std::pair("light", self.Lights) })
+  {
+    const std::size_t different = self.CountDifferent(kind);
+    if (different > 0)
+    {
+      counts += (counts.empty() ? "" : ", ") + std::to_string(different) + " of " +
+        std::to_string(std::max(all, different)) +
+        (std::string(kind) == "actor" ? (all == 1 ? " object" : " objects")
+                                      : (all == 1 ? " light" : " lights"));
+    }
+  }
+  const std::size_t all =
+    static_cast<std::size_t>(self.Size[0]) * static_cast<std::size_t>(self.Size[1]);
+  text += ": " + counts + (counts.empty() ? "" : "; ") + WriteCount(self.Pixels) + " of " +
+    WriteCount(all) + " pixels\n";
+  std::size_t labels = 0, words = 0;
+  std::vector<std::array<std::string, 3>> lines;
+  std::size_t rest = 0, restPixels = 0;
+  for (const Finding& finding : self.Findings)
+  {
+    if (lines.size() == MostLines)
+    {
+      ++rest;
+      restPixels += finding.Pixels;
+      continue;
+    }
+    const std::string said = finding.Words.empty()
+      ? std::string(CauseWords[static_cast<std::size_t>(finding.Is)])
+      : finding.Words;
+    lines.push_back({ finding.GetLabel(), said, WriteCount(finding.Pixels) });
+    labels = std::max(labels, std::min<std::size_t>(28, lines.back()[0].size()));
+    words = std::max(words, std::min<std::size_t>(60, said.size()));
+  }
+  for (std::size_t i = 0; i < lines.size(); ++i)
+  {
+    text += "  " + Pad(lines[i][0], labels) + "  " + Pad(lines[i][1], words) + "  " +
+      Pad(lines[i][2], 9, true) + (i == 0 ? " pixels" : "") + "\n";
+  }
+  if (rest > 0)
+  {
+    text += "  " + WriteCount(rest) + " more causes, in the JSON" + "  " + WriteCount(restPixels) +
+      " pixels\n";
+  }
+  if (self.Unexplained > 0)
+  {
+    text += "  unexplained: " + WriteCount(self.Unexplained) + " pixels\n";
+  }
+  if (self.Edge + self.Rounding > 0)
+  {
+    text += "within limits: " + WriteCount(self.Edge) + " pixels at smooth edges, " +
+      WriteCount(self.Rounding) + " of rounding\n";
+  }
+  if (!self.Undetectable.empty())
+  {
+    text += "cannot be detected in these files: " + Join(self.Undetectable) + "\n";
+  }
+  return text;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkRelievoFrameComparison::GetJSON()
+{
+  const Internals& self = *this->Self;
+  Json causes = Json::array();
+  for (const Finding& finding : self.Findings)
+  {
+    Json entry = { { "cause", CauseWords[static_cast<std::size_t>(finding.Is)] },
+      { "kind", finding.Kind } };
+    if (!finding.Name.empty())
+    {
+      entry["name"] = finding.Name;
+    }
+    if (finding.Id >= 0)
+    {
+      entry["id"] = finding.Id;
+    }
+    entry["pixels"] = finding.Pixels;
+    entry["words"] = finding.Words;
+    entry.update(finding.More);
+    causes.push_back(entry);
+  }
+  const Json all = { { "alike", this->GetAlike() }, { "pixels", self.Pixels },
+    { "size", self.Size }, { "causes", causes },
+    { "within_limits", { { "edge", self.Edge }, { "rounding", self.Rounding } } },
+    { "unexplained", self.Unexplained }, { "cannot_be_detected", self.Undetectable },
+    { "limits",
+      { { "color_levels", this->ColorLevels }, { "normal_angle", this->NormalAngle },
+        { "depth_pixels", this->DepthPixels } } },
+    { "versions", { { "baseline", self.Versions[0] }, { "frame", self.Versions[1] } } } };
+  return all.dump(2, ' ', false, Json::error_handler_t::replace);
+}
+
+//------------------------------------------------------------------------------
+int vtkRelievoFrameComparison::GetRecordVersion()
+{
+  return relievo::compare::RecordVersion;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkRelievoFrameComparison::GetCauseWords()
+{
+  return Join({ CauseWords.begin(), CauseWords.end() });
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoFrameComparison::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Baseline: " << this->Self->Baseline << "\n";
+  os << indent << "Frame: " << this->Self->Frame << "\n";
+  os << indent << "ColorLevels: " << this->ColorLevels << "\n";
+  os << indent << "NormalAngle: " << this->NormalAngle << "\n";
+  os << indent << "DepthPixels: " << this->DepthPixels << "\n";
+  os << indent << "Alike: " << this->GetAlike() << "\n";
+  os << indent << "FailureText: " << this->FailureText << "\n";
+}

@@ -1,0 +1,678 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkRelievoObjectChanges.h"
+
+#include "vtkMath.h"
+#include "vtkMatrix4x4.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <map>
+#include <tuple>
+
+namespace relievo::compare
+{
+namespace
+{
+using Vector = std::array<double, 3>;
+
+Vector Minus(const Vector& a, const Vector& b)
+{
+  return { a[0] - b[0], a[1] - b[1], a[2] - b[2] };
+}
+
+double Length(const Vector& v)
+{
+  return std::hypot(v[0], v[1], v[2]);
+}
+
+double Dot(const Vector& a, const Vector& b)
+{
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+// "(0.02, 0, 0)": rounding beside the largest component is 0.
+std::string WriteVector(const Vector& v)
+{
+  const double least = 1e-6 * Length(v);
+  std::string words;
+  for (const double each : v)
+  {
+    words += (words.empty() ? "" : ", ") + WriteShort(std::abs(each) < least ? 0.0 : each);
+  }
+  return "(" + words + ")";
+}
+
+std::size_t CountObjects(const Frame& frame)
+{
+  const auto most = std::max_element(frame.Actor.begin(), frame.Actor.end());
+  return frame.HasRecord                     ? frame.Objects.size()
+    : most == frame.Actor.end() || *most < 0 ? 0
+                                             : static_cast<std::size_t>(*most) + 1;
+}
+
+std::int64_t GetKey(const Frame& frame, std::size_t pixel)
+{
+  const std::int64_t block = frame.Block.empty() ? 0 : frame.Block[pixel];
+  return (block << 32) + (frame.Cell.empty() ? 0 : frame.Cell[pixel]);
+}
+
+std::array<double, 16> Translation(const Vector& t)
+{
+  return { 1., 0., 0., t[0], 0., 1., 0., t[1], 0., 0., 1., t[2], 0., 0., 0., 1. };
+}
+}
+
+//------------------------------------------------------------------------------
+ObjectChanges::ObjectChanges(
+  const Frame& before, const Frame& after, const Limits& limits, CauseList& list)
+  : A(before)
+  , B(after)
+  , Bounds(limits)
+  , List(list)
+{
+  const std::size_t counts[2] = { CountObjects(before), CountObjects(after) };
+  this->After.assign(counts[0], -1);
+  this->Before.assign(counts[1], -1);
+  this->BeforeChanges.resize(counts[0]);
+  this->AfterChanges.resize(counts[1]);
+  for (int side = 0; side < 2; ++side)
+  {
+    this->Seen[side].resize(counts[side]);
+    this->AllPatches[side].resize(counts[side]);
+    const std::vector<int>& actors = (side == 0 ? before : after).Actor;
+    for (std::size_t i = 0; i < actors.size(); ++i)
+    {
+      if (actors[i] >= 0)
+      {
+        this->Seen[side][static_cast<std::size_t>(actors[i])].push_back(i);
+      }
+    }
+  }
+  if (before.HasRecord && after.HasRecord)
+  {
+    this->MatchByRecord();
+    this->ChangeByRecord();
+  }
+  else if (!before.Actor.empty() && !after.Actor.empty())
+  {
+    this->MatchBySight();
+    this->ChangeBySight();
+  }
+}
+
+//------------------------------------------------------------------------------
+void ObjectChanges::Pair(int before, int after)
+{
+  this->After[static_cast<std::size_t>(before)] = after;
+  this->Before[static_cast<std::size_t>(after)] = before;
+}
+
+//------------------------------------------------------------------------------
+bool ObjectChanges::AnyChanged() const
+{
+  const auto changed = [](const Change& each) { return !each.IsSame; };
+  return std::any_of(this->BeforeChanges.begin(), this->BeforeChanges.end(), changed) ||
+    std::any_of(this->AfterChanges.begin(), this->AfterChanges.end(), changed);
+}
+
+//------------------------------------------------------------------------------
+std::string ObjectChanges::GetName(int object) const
+{
+  const auto nameOf = [](const Frame& frame, int number) {
+    return number >= 0 && number < static_cast<int>(frame.Objects.size())
+      ? frame.Objects[static_cast<std::size_t>(number)].Name
+      : std::string();
+  };
+  const std::string name = nameOf(this->A, object);
+  return name.empty() ? nameOf(this->B, this->GetAfter(object)) : name;
+}
+
+//------------------------------------------------------------------------------
+// From what makes an object most certainly the same to what does least. Within a group of equals
+// the nearest ones are the same.
+void ObjectChanges::MatchByRecord()
+{
+  using Text = std::function<std::string(const Object& object)>;
+  const auto place = [](const Object& object) {
+    std::string text;
+    for (const double each : object.Matrix)
+    {
+      text += std::to_string(each) + " ";
+    }
+    return text;
+  };
+  const auto mesh = [](const Object& o) { return o.Points + " " + o.Cells; };
+  // The last two: one without a name is whatever has its mesh, or its cells. One with a name is not
+  // another name's in another place.
+  const std::pair<Text, bool> keys[] = { { [&](const Object& o) {
+                                            return o.Name.empty()
+                                              ? ""
+                                              : o.Name + "\n" + mesh(o) + "\n" + place(o);
+                                          },
+                                           true },
+    { [&](const Object& o) { return o.Name.empty() ? "" : o.Name + "\n" + mesh(o); }, true },
+    { [](const Object& o) { return o.Name; }, true },
+    { [&](const Object& o) { return mesh(o) + "\n" + place(o); }, true }, { mesh, false },
+    { [](const Object& o) { return o.Cells; }, false } };
+  for (const auto& [key, takesNames] : keys)
+  {
+    std::map<std::string, std::pair<std::vector<int>, std::vector<int>>> groups;
+    for (std::size_t i = 0; i < this->A.Objects.size(); ++i)
+    {
+      if (this->After[i] < 0)
+      {
+        groups[key(this->A.Objects[i])].first.push_back(static_cast<int>(i));
+      }
+    }
+    for (std::size_t i = 0; i < this->B.Objects.size(); ++i)
+    {
+      if (this->Before[i] < 0)
+      {
+        groups[key(this->B.Objects[i])].second.push_back(static_cast<int>(i));
+      }
+    }
+    for (const auto& [text, members] : groups)
+    {
+      std::vector<std::tuple<double, int, int>> pairs;
+      for (const int a : text.empty() ? std::vector<int>() : members.first)
+      {
+        for (const int b : members.second)
+        {
+          const Object& from = this->A.Objects[static_cast<std::size_t>(a)];
+          const Object& to = this->B.Objects[static_cast<std::size_t>(b)];
+          if (takesNames || from.Name.empty() || to.Name.empty())
+          {
+            pairs.emplace_back(Length(Minus(to.Center, from.Center)), a, b);
+          }
+        }
+      }
+      std::sort(pairs.begin(), pairs.end());
+      for (const auto& [distance, a, b] : pairs)
+      {
+        if (this->GetAfter(a) < 0 && this->GetBefore(b) < 0)
+        {
+          this->Pair(a, b);
+        }
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void ObjectChanges::AddChange(int before, int after, Cause cause, const std::string& words)
+{
+  const bool isNew = before < 0;
+  const std::string name = isNew
+    ? this->B.Objects.empty() ? "" : this->B.Objects[static_cast<std::size_t>(after)].Name
+    : this->GetName(before);
+  const int place = this->List.Find(cause, "actor", name, isNew ? after : before);
+  if (!words.empty())
+  {
+    this->List.At(place).Words = words;
+  }
+  for (Change* change : { isNew ? nullptr : &this->BeforeChanges[static_cast<std::size_t>(before)],
+         after < 0 ? nullptr : &this->AfterChanges[static_cast<std::size_t>(after)] })
+  {
+    if (change)
+    {
+      change->IsSame = false;
+      change->Finding = place;
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void ObjectChanges::AddMove(
+  int object, const std::array<double, 16>& transform, const Vector& displacement)
+{
+  double largest = -1.0;
+  for (const std::size_t i : this->Seen[0][static_cast<std::size_t>(object)])
+  {
+    if (!this->A.HasPositions())
+    {
+      break;
+    }
+    const Vector from = this->A.GetPosition(i);
+    Vector to{};
+    for (std::size_t r = 0; r < 3; ++r)
+    {
+      to[r] = transform[4 * r] * from[0] + transform[4 * r + 1] * from[1] +
+        transform[4 * r + 2] * from[2] + transform[4 * r + 3];
+    }
+    double places[2][2];
+    if (this->A.Project(from.data(), places[0]) && this->A.Project(to.data(), places[1]))
+    {
+      largest =
+        std::max(largest, std::hypot(places[1][0] - places[0][0], places[1][1] - places[0][1]));
+    }
+  }
+  const bool turns = std::any_of(transform.begin(), transform.begin() + 12, [&](const double& v) {
+    const auto at = static_cast<std::size_t>(&v - transform.data());
+    return at % 4 != 3 && std::abs(v - (at % 5 == 0 ? 1.0 : 0.0)) > 1e-12;
+  });
+  std::string words = "moved by " + WriteVector(displacement) + (turns ? ", turned" : "");
+  if (largest >= 0.0)
+  {
+    words += ", at most " + WriteShort(largest) + " pixels";
+  }
+  this->AddChange(object, this->GetAfter(object), Cause::Moved, words);
+  Finding& finding = this->List.At(this->BeforeChanges[static_cast<std::size_t>(object)].Finding);
+  finding.More["displacement"] = displacement;
+  if (largest >= 0.0)
+  {
+    finding.More["largest"] = largest;
+  }
+}
+
+//------------------------------------------------------------------------------
+void ObjectChanges::CompareSettings(int before, int after)
+{
+  const nlohmann::json& a = this->A.Objects[static_cast<std::size_t>(before)].Settings;
+  const nlohmann::json& b = this->B.Objects[static_cast<std::size_t>(after)].Settings;
+  std::string names;
+  for (const auto& [name, value] : a.items())
+  {
+    const auto found = b.find(name);
+    names += found != b.end() && *found == value ? "" : (names.empty() ? "" : ", ") + name;
+  }
+  if (!names.empty())
+  {
+    const int place = this->List.Find(Cause::Settings, "actor", this->GetName(before), before);
+    this->List.At(place).Words = "settings: " + names;
+    this->List.At(place).More["settings"] = names;
+    this->BeforeChanges[static_cast<std::size_t>(before)].Settings = place;
+    this->AfterChanges[static_cast<std::size_t>(after)].Settings = place;
+  }
+}
+
+//------------------------------------------------------------------------------
+void ObjectChanges::ChangeByRecord()
+{
+  for (int a = 0; a < static_cast<int>(this->After.size()); ++a)
+  {
+    const Object& from = this->A.Objects[static_cast<std::size_t>(a)];
+    const int b = this->GetAfter(a);
+    Change& change = this->BeforeChanges[static_cast<std::size_t>(a)];
+    change.IsTranslucent = from.Translucent;
+    change.Bounds = from.Bounds;
+    if (b < 0)
+    {
+      this->AddChange(a, -1, Cause::Removed, "");
+      continue;
+    }
+    const Object& to = this->B.Objects[static_cast<std::size_t>(b)];
+    this->AfterChanges[static_cast<std::size_t>(b)].IsTranslucent = to.Translucent;
+    this->AfterChanges[static_cast<std::size_t>(b)].Bounds = to.Bounds;
+    this->CompareSettings(a, b);
+    if (from.Visible != to.Visible)
+    {
+      this->AddChange(a, b, Cause::Visibility, from.Visible ? "hidden" : "shown");
+    }
+    else if (from.Points == to.Points && from.Cells == to.Cells)
+    {
+      if (from.Matrix != to.Matrix)
+      {
+        std::array<double, 16> back{}, transform{};
+        vtkMatrix4x4::Invert(from.Matrix.data(), back.data());
+        vtkMatrix4x4::Multiply4x4(to.Matrix.data(), back.data(), transform.data());
+        this->AddMove(a, transform, Minus(to.Center, from.Center));
+      }
+    }
+    else
+    {
+      // One whose points were all moved alike is where another matrix would place it.
+      const std::optional<Vector> seen =
+        from.Cells == to.Cells ? this->FindTranslation(a, b) : std::nullopt;
+      const Vector displacement = Minus(to.Center, from.Center);
+      if (seen && Length(Minus(*seen, displacement)) < 0.05 * Length(displacement))
+      {
+        this->AddMove(a, Translation(displacement), displacement);
+      }
+      else
+      {
+        this->AddChange(a, b, Cause::Shape,
+          from.Cells == to.Cells ? "shape: other points" : "shape: other cells");
+      }
+    }
+  }
+  for (int b = 0; b < static_cast<int>(this->Before.size()); ++b)
+  {
+    if (this->GetBefore(b) < 0)
+    {
+      const Object& object = this->B.Objects[static_cast<std::size_t>(b)];
+      this->AfterChanges[static_cast<std::size_t>(b)].IsTranslucent = object.Translucent;
+      this->AfterChanges[static_cast<std::size_t>(b)].Bounds = object.Bounds;
+      this->AddChange(-1, b, Cause::Added, "");
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+bool ObjectChanges::DiffersInDepth(
+  const Frame& before, const Frame& after, std::size_t pixel, const Limits& limits)
+{
+  const double a = before.GetDepth(pixel);
+  const double b = after.GetDepth(pixel);
+  const double difference = std::abs(a - b);
+  // NaN where a frame has no depths, and where both are infinite.
+  if (a == b || !(difference > 4.0 * std::numeric_limits<float>::epsilon() * std::abs(a)))
+  {
+    return std::isnan(a) != std::isnan(b);
+  }
+  const auto width = static_cast<std::size_t>(before.Size[0]);
+  double slope = 0.0;
+  for (const std::size_t step : { std::size_t(1), width })
+  {
+    double least = std::numeric_limits<double>::infinity();
+    const std::size_t column = pixel % width;
+    const bool isBelow = step == 1 ? column > 0 : pixel >= width;
+    const bool isAbove = step == 1 ? column + 1 < width : pixel + width < before.Pixels;
+    for (const std::size_t other :
+      { isBelow ? pixel - step : pixel, isAbove ? pixel + step : pixel })
+    {
+      if (other != pixel && (before.Actor.empty() || before.Actor[other] == before.Actor[pixel]))
+      {
+        least = std::min(least, std::abs(before.GetDepth(other) - a));
+      }
+    }
+    slope += std::isfinite(least) ? least : 0.0;
+  }
+  return difference >
+    4.0 * std::numeric_limits<float>::epsilon() * std::abs(a) + limits.DepthPixels * slope;
+}
+
+//------------------------------------------------------------------------------
+const ObjectChanges::Patches& ObjectChanges::GetPatches(int object, bool isBefore) const
+{
+  const Frame& frame = isBefore ? this->A : this->B;
+  Patches& patches = this->AllPatches[isBefore ? 0 : 1][static_cast<std::size_t>(object)];
+  if (!patches.empty() || !frame.HasPositions())
+  {
+    return patches;
+  }
+  const auto width = static_cast<std::size_t>(frame.Size[0]);
+  for (const std::size_t i : this->Seen[isBefore ? 0 : 1][static_cast<std::size_t>(object)])
+  {
+    const std::int64_t key = GetKey(frame, i);
+    const Vector place = frame.GetPosition(i);
+    Patch& patch = patches[key];
+    ++patch.Pixels;
+    for (std::size_t c = 0; c < 3; ++c)
+    {
+      patch.Sum[c] += place[c];
+    }
+    const auto isSame = [&](std::size_t other) {
+      return frame.Actor[other] == object && GetKey(frame, other) == key;
+    };
+    const std::size_t column = i % width;
+    patch.IsWhole =
+      patch.IsWhole && column > 0 && column + 1 < width && i >= width && i + width < frame.Pixels;
+    for (const std::size_t other :
+      { i - 1, i + 1, i - width, i + width }) // of one that is whole so far: in the picture
+    {
+      const bool isOwn = patch.IsWhole && frame.Actor[other] == object;
+      const double nearer = isOwn ? 4.0 * frame.GetFootprint(i) : 0.0;
+      patch.IsWhole = patch.IsWhole &&
+        (isOwn && GetKey(frame, other) == key
+            ? true
+            : !(frame.GetDepth(other) < frame.GetDepth(i) - nearer));
+    }
+    if ((i + 1) % width != 0 && i + width < frame.Pixels && isSame(i + 1) && isSame(i + width))
+    {
+      const Vector right = Minus(frame.GetPosition(i + 1), place);
+      const Vector up = Minus(frame.GetPosition(i + width), place);
+      double normal[3];
+      vtkMath::Cross(right.data(), up.data(), normal);
+      for (std::size_t c = 0; c < 3; ++c)
+      {
+        patch.Normal[c] += normal[c];
+      }
+    }
+  }
+  return patches;
+}
+
+//------------------------------------------------------------------------------
+std::optional<std::array<double, 3>> ObjectChanges::FindTranslation(int before, int after) const
+{
+  struct Pairing
+  {
+    Vector Offset, Normal;
+    double Weight;
+    bool IsPlane, IsWhole;
+  };
+  std::vector<Pairing> pairings;
+  const Patches& from = this->GetPatches(before, true);
+  const Patches& to = this->GetPatches(after, false);
+  double matrix[3][3] = {}, right[3] = {};
+  constexpr double OfCenters = 1e-6; // weight of what is known to a pixel only
+  for (const auto& [key, patch] : from)
+  {
+    const auto found = to.find(key);
+    if (found == to.end())
+    {
+      continue;
+    }
+    Pairing pairing{};
+    for (std::size_t c = 0; c < 3; ++c)
+    {
+      pairing.Offset[c] = found->second.Sum[c] / found->second.Pixels - patch.Sum[c] / patch.Pixels;
+      pairing.Normal[c] = patch.Normal[c];
+    }
+    pairing.Weight = std::min(patch.Pixels, found->second.Pixels);
+    const double length = Length(pairing.Normal);
+    pairing.IsPlane = length > 0.0;
+    pairing.IsWhole = patch.IsWhole && found->second.IsWhole;
+    for (std::size_t r = 0; r < 3; ++r)
+    {
+      pairing.Normal[r] /= pairing.IsPlane ? length : 1.0;
+    }
+    for (std::size_t r = 0; r < 3; ++r)
+    {
+      for (std::size_t c = 0; c < 3; ++c)
+      {
+        const double plane = pairing.IsPlane ? pairing.Normal[r] * pairing.Normal[c] : 0.0;
+        matrix[r][c] += pairing.Weight * (plane + (r == c ? OfCenters : 0.0));
+        right[r] += pairing.Weight * (plane + (r == c ? OfCenters : 0.0)) * pairing.Offset[c];
+      }
+    }
+    pairings.push_back(pairing);
+  }
+  // Others of its cells may be hidden, but not most.
+  if (pairings.empty() || 2 * pairings.size() < std::min(from.size(), to.size()))
+  {
+    return std::nullopt;
+  }
+  Vector found{};
+  vtkMath::LinearSolve3x3(matrix, right, found.data());
+  double planes = 0.0, ofPlanes = 0.0, centers = 0.0, ofCenters = 0.0, all = 0.0, near = 0.0;
+  const double footprint =
+    this->A.GetFootprint(this->Seen[0][static_cast<std::size_t>(before)].front());
+  for (const Pairing& pairing : pairings)
+  {
+    const Vector off = Minus(pairing.Offset, found);
+    (pairing.IsPlane ? planes : centers) +=
+      pairing.Weight * (pairing.IsPlane ? std::pow(Dot(off, pairing.Normal), 2.0) : Dot(off, off));
+    (pairing.IsPlane ? ofPlanes : ofCenters) += pairing.Weight;
+    // Planes of a box go onto those of any other one; their centres do not. Those of cells that
+    // something cuts are not where the whole ones' would be.
+    const double most = pairing.IsWhole ? 0.6 : 1.0 + 0.25 * std::sqrt(pairing.Weight);
+    all += pairing.Weight;
+    near += Length(off) <= most * footprint ? pairing.Weight : 0.0;
+  }
+  const double most = 0.05 * footprint + 1e-6 * Length(found);
+  const bool fits = near >= 0.8 * all &&
+    (ofPlanes == 0.0 || std::sqrt(planes / ofPlanes) <= most) &&
+    (ofCenters == 0.0 || std::sqrt(centers / ofCenters) <= footprint);
+  return fits ? std::optional<Vector>(found) : std::nullopt;
+}
+
+//------------------------------------------------------------------------------
+// Pixels that show the same cell at the same place vote for their objects; objects without votes
+// are those whose cells a translation takes to them.
+void ObjectChanges::MatchBySight()
+{
+  std::map<std::pair<int, int>, std::size_t> votes;
+  for (std::size_t i = 0; i < this->A.Actor.size(); ++i)
+  {
+    if (this->A.Actor[i] >= 0 && this->B.Actor[i] >= 0 &&
+      GetKey(this->A, i) == GetKey(this->B, i) &&
+      !DiffersInDepth(this->A, this->B, i, this->Bounds))
+    {
+      ++votes[{ this->A.Actor[i], this->B.Actor[i] }];
+    }
+  }
+  std::vector<std::tuple<std::size_t, int, int>> pairs;
+  for (const auto& [pair, count] : votes)
+  {
+    pairs.emplace_back(count, pair.first, pair.second);
+  }
+  std::sort(pairs.rbegin(), pairs.rend());
+  for (const auto& [count, a, b] : pairs)
+  {
+    if (this->GetAfter(a) < 0 && this->GetBefore(b) < 0)
+    {
+      this->Pair(a, b);
+    }
+  }
+  std::vector<std::tuple<double, int, int>> moved;
+  for (int a = 0; a < static_cast<int>(this->After.size()); ++a)
+  {
+    for (int b = 0; b < static_cast<int>(this->Before.size()); ++b)
+    {
+      if (this->GetAfter(a) < 0 && this->GetBefore(b) < 0 &&
+        !this->Seen[0][static_cast<std::size_t>(a)].empty() &&
+        !this->Seen[1][static_cast<std::size_t>(b)].empty())
+      {
+        if (const std::optional<Vector> translation = this->FindTranslation(a, b))
+        {
+          moved.emplace_back(Length(*translation), a, b);
+        }
+      }
+    }
+  }
+  std::sort(moved.begin(), moved.end());
+  for (const auto& [distance, a, b] : moved)
+  {
+    if (this->GetAfter(a) < 0 && this->GetBefore(b) < 0)
+    {
+      this->Pair(a, b);
+    }
+  }
+  // What deforms keeps its number, if that is free.
+  for (int a = 0; a < static_cast<int>(std::min(this->After.size(), this->Before.size())); ++a)
+  {
+    const auto object = static_cast<std::size_t>(a);
+    const bool isFree = this->After[object] < 0 && this->Before[object] < 0;
+    const bool isSeen = !this->Seen[0][object].empty() && !this->Seen[1][object].empty();
+    const Patches& to = this->GetPatches(a, false);
+    if (isFree && isSeen)
+    {
+      const Patches& from = this->GetPatches(a, true);
+      const auto shared = std::count_if(
+        from.begin(), from.end(), [&](const auto& each) { return to.count(each.first) != 0; });
+      if (2 * static_cast<std::size_t>(shared) >= std::max(from.size(), to.size()))
+      {
+        this->Pair(a, a);
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+// Whether all that one frame shows of an object is behind what the other frame shows there.
+bool ObjectChanges::IsHidden(int object, bool isBefore) const
+{
+  const Frame& own = isBefore ? this->A : this->B;
+  const Frame& other = isBefore ? this->B : this->A;
+  const std::vector<std::size_t>& pixels =
+    this->Seen[isBefore ? 0 : 1][static_cast<std::size_t>(object)];
+  return std::all_of(pixels.begin(), pixels.end(),
+    [&](std::size_t i) { return other.GetDepth(i) < own.GetDepth(i); });
+}
+
+//------------------------------------------------------------------------------
+void ObjectChanges::ChangeBySight()
+{
+  // Of each object: pixels that show the same cell elsewhere, and those that are another object's.
+  std::vector<std::size_t> elsewhere(this->After.size()), others(this->After.size()),
+    there(this->After.size());
+  for (std::size_t i = 0; i < this->A.Actor.size(); ++i)
+  {
+    const int a = this->A.Actor[i];
+    const int b = this->B.Actor[i];
+    if (a >= 0 && this->GetAfter(a) == b && b >= 0)
+    {
+      const bool differs = DiffersInDepth(this->A, this->B, i, this->Bounds);
+      ++(differs ? elsewhere : there)[static_cast<std::size_t>(a)];
+    }
+    else
+    {
+      for (const int each : { a, this->GetBefore(b) })
+      {
+        if (each >= 0)
+        {
+          ++others[static_cast<std::size_t>(each)];
+        }
+      }
+    }
+  }
+  for (int a = 0; a < static_cast<int>(this->After.size()); ++a)
+  {
+    const auto object = static_cast<std::size_t>(a);
+    const int b = this->GetAfter(a);
+    if (this->Seen[0][object].empty())
+    {
+      continue;
+    }
+    if (b < 0)
+    {
+      if (!this->IsHidden(a, true))
+      {
+        this->AddChange(a, -1, Cause::Removed, "");
+      }
+      continue;
+    }
+    if (elsewhere[object] + others[object] == 0)
+    {
+      continue;
+    }
+    const std::optional<Vector> translation = this->FindTranslation(a, b);
+    double places[2][2] = {};
+    if (translation)
+    {
+      const Vector from = this->A.GetPosition(this->Seen[0][object].front());
+      const Vector to = { from[0] + (*translation)[0], from[1] + (*translation)[1],
+        from[2] + (*translation)[2] };
+      this->A.Project(from.data(), places[0]);
+      this->A.Project(to.data(), places[1]);
+    }
+    const double shift = std::hypot(places[1][0] - places[0][0], places[1][1] - places[0][1]);
+    const double grown = static_cast<double>(this->Seen[1][static_cast<std::size_t>(b)].size()) /
+      static_cast<double>(this->Seen[0][object].size());
+    if (translation && elsewhere[object] > 0)
+    {
+      this->AddMove(a, Translation(*translation), *translation);
+    }
+    else if (elsewhere[object] > 0 || (there[object] == 0 && !translation))
+    {
+      this->AddChange(a, b, Cause::Shape, "");
+    }
+    else if (translation && shift > 0.5 && grown > 0.9 && grown < 1.1)
+    {
+      this->AddMove(a, Translation(*translation), *translation); // within its own plane
+    }
+  }
+  for (int b = 0; b < static_cast<int>(this->Before.size()); ++b)
+  {
+    if (this->GetBefore(b) < 0 && !this->Seen[1][static_cast<std::size_t>(b)].empty() &&
+      !this->IsHidden(b, false))
+    {
+      this->AddChange(-1, b, Cause::Added, "");
+    }
+  }
+}
+}

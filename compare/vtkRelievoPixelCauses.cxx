@@ -1,0 +1,738 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkRelievoPixelCauses.h"
+
+#include "vtkMath.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace relievo::compare
+{
+namespace
+{
+// Cells that a finding lists by number.
+constexpr std::size_t MostCells = 100;
+
+// Normals that part by more than this are two faces.
+constexpr double CreaseAngle = 20.0;
+
+bool IsEqual(float a, float b)
+{
+  return a == b || (std::isnan(a) && std::isnan(b));
+}
+
+double AngleBetween(const float* a, const float* b)
+{
+  const double u[3] = { a[0], a[1], a[2] };
+  const double v[3] = { b[0], b[1], b[2] };
+  double cross[3];
+  vtkMath::Cross(u, v, cross);
+  return vtkMath::DegreesFromRadians(std::atan2(vtkMath::Norm(cross), vtkMath::Dot(u, v)));
+}
+
+const Layer* Find(const std::map<std::string, Layer>& layers, const std::string& name)
+{
+  const auto found = layers.find(name);
+  return found == layers.end() ? nullptr : &found->second;
+}
+}
+
+//------------------------------------------------------------------------------
+PixelCauses::PixelCauses(const Frame& before, const Frame& after, const Limits& limits,
+  const ObjectChanges& objects, CauseList& list)
+  : A(before)
+  , B(after)
+  , Bounds(limits)
+  , Objects(objects)
+  , List(list)
+  , Causes(before.Pixels, Alike)
+{
+  this->PairLights();
+  this->CompareSettings();
+  for (std::size_t i = 0; i < before.Pixels; ++i)
+  {
+    this->IsDifferent = false;
+    const int cause = this->JudgeLayers(i);
+    const int picture = this->JudgePicture(i);
+    this->Causes[i] = cause != Alike ? cause
+      : picture != Alike             ? picture
+      : this->IsDifferent            ? WithinRounding
+                                     : Alike;
+  }
+  // What a changed pixel's surface covers in part: samples beside the centre, smooth edges.
+  const std::vector<int> first = this->Causes;
+  for (std::size_t i = 0; i < before.Pixels; ++i)
+  {
+    if (first[i] == Pending)
+    {
+      const int neighbour = this->GetNeighbourCause(i, first);
+      this->Causes[i] = neighbour >= 0 ? neighbour : this->Explain(i);
+    }
+  }
+  for (const int cause : this->Causes)
+  {
+    if (cause >= 0)
+    {
+      ++this->List.At(cause).Pixels;
+    }
+  }
+  for (const auto& [finding, cells] : this->Cells)
+  {
+    this->List.At(finding).More["cells"] =
+      std::vector<int>(cells.begin(), std::next(cells.begin(), std::min(cells.size(), MostCells)));
+    this->List.At(finding).More["number_of_cells"] = cells.size();
+  }
+}
+
+//------------------------------------------------------------------------------
+std::size_t PixelCauses::Count(int code) const
+{
+  return static_cast<std::size_t>(std::count(this->Causes.begin(), this->Causes.end(), code));
+}
+
+//------------------------------------------------------------------------------
+template <typename Visit>
+void PixelCauses::ForNeighbours(std::size_t pixel, Visit visit) const
+{
+  const auto width = static_cast<std::ptrdiff_t>(this->A.Size[0]);
+  const auto x = static_cast<std::ptrdiff_t>(pixel) % width;
+  const auto y = static_cast<std::ptrdiff_t>(pixel) / width;
+  for (std::ptrdiff_t v = std::max<std::ptrdiff_t>(0, y - 1);
+       v <= std::min<std::ptrdiff_t>(this->A.Size[1] - 1, y + 1); ++v)
+  {
+    for (std::ptrdiff_t u = std::max<std::ptrdiff_t>(0, x - 1);
+         u <= std::min<std::ptrdiff_t>(width - 1, x + 1); ++u)
+    {
+      visit(static_cast<std::size_t>(v * width + u));
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+template <typename Value>
+bool PixelCauses::IsBetween(std::size_t pixel, double limit, Value value) const
+{
+  for (const auto& [own, other] : { std::pair(&this->A, &this->B), std::pair(&this->B, &this->A) })
+  {
+    double least = std::numeric_limits<double>::infinity();
+    double most = -least;
+    this->ForNeighbours(pixel, [&, frame = other](std::size_t near) {
+      least = std::min(least, double(value(*frame, near)));
+      most = std::max(most, double(value(*frame, near)));
+    });
+    const double here = value(*own, pixel);
+    if (!(here >= least - limit && here <= most + limit))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+// By name, otherwise by number.
+void PixelCauses::PairLights()
+{
+  if (!this->A.HasLights || !this->B.HasLights)
+  {
+    return;
+  }
+  const auto countName = [](const Frame& frame, const std::string& name) {
+    return std::count_if(frame.Lights.begin(), frame.Lights.end(),
+      [&](const Light& light) { return light.Name == name; });
+  };
+  std::vector<bool> taken(this->B.Lights.size(), false);
+  for (std::size_t i = 0; i < this->A.Lights.size(); ++i)
+  {
+    LightPair pair;
+    pair.Before = static_cast<int>(i);
+    const Light& from = this->A.Lights[i];
+    const bool isNamed = !from.Name.empty() && countName(this->A, from.Name) == 1 &&
+      countName(this->B, from.Name) == 1;
+    for (std::size_t j = 0; j < this->B.Lights.size() && pair.After < 0; ++j)
+    {
+      const Light& to = this->B.Lights[j];
+      if (!taken[j] && (isNamed ? from.Name == to.Name : i == j))
+      {
+        pair.After = static_cast<int>(j);
+        taken[j] = true;
+      }
+    }
+    this->Lights.push_back(pair);
+  }
+  for (std::size_t j = 0; j < this->B.Lights.size(); ++j)
+  {
+    if (!taken[j])
+    {
+      LightPair pair;
+      pair.After = static_cast<int>(j);
+      this->Lights.push_back(pair);
+    }
+  }
+  for (LightPair& pair : this->Lights)
+  {
+    std::string words;
+    if (pair.Before < 0 || pair.After < 0)
+    {
+      words = pair.Before < 0 ? "added" : "removed";
+    }
+    else
+    {
+      const nlohmann::json& from = this->A.Lights[static_cast<std::size_t>(pair.Before)].Values;
+      const nlohmann::json& to = this->B.Lights[static_cast<std::size_t>(pair.After)].Values;
+      for (const auto& [name, value] : from.items())
+      {
+        const auto found = to.find(name);
+        words += found != to.end() && *found == value ? "" : (words.empty() ? "" : ", ") + name;
+      }
+      std::replace(words.begin(), words.end(), '_', ' ');
+    }
+    if (!words.empty())
+    {
+      pair.Finding = this->FindLight(pair, Cause::Light);
+      this->List.At(pair.Finding).Words = "light: " + words;
+      this->List.At(pair.Finding).More["changed"] = words;
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+int PixelCauses::FindLight(const LightPair& pair, Cause cause)
+{
+  const bool isOld = pair.Before >= 0;
+  const int number = isOld ? pair.Before : pair.After;
+  const Light& light = (isOld ? this->A : this->B).Lights[static_cast<std::size_t>(number)];
+  return this->List.Find(cause, "light", light.Name, number);
+}
+
+//------------------------------------------------------------------------------
+int PixelCauses::NameActor(Cause cause, int object)
+{
+  return object < 0 ? this->List.Find(cause, "picture")
+                    : this->List.Find(cause, "actor", this->Objects.GetName(object), object);
+}
+
+//------------------------------------------------------------------------------
+void PixelCauses::CompareSettings()
+{
+  if (!this->A.HasRecord || !this->B.HasRecord)
+  {
+    return;
+  }
+  if (this->A.Overlays != this->B.Overlays)
+  {
+    std::string names;
+    for (const auto& [own, others] : { std::pair(&this->A.Overlays, &this->B.Overlays),
+           std::pair(&this->B.Overlays, &this->A.Overlays) })
+    {
+      for (const nlohmann::json& overlay : *own)
+      {
+        const std::string kind = overlay.is_object() ? overlay.value("kind", "overlay") : "overlay";
+        if (std::find(others->begin(), others->end(), overlay) == others->end() &&
+          names.find(kind) == std::string::npos)
+        {
+          names += (names.empty() ? "" : ", ") + kind;
+        }
+      }
+    }
+    this->Overlay = this->List.Find(Cause::Overlay, "picture");
+    this->List.At(this->Overlay).Words = "overlay: " + (names.empty() ? "order" : names);
+  }
+  const std::string tone = "tone:";
+  std::map<std::string, std::string> all = this->A.Settings;
+  all.insert(this->B.Settings.begin(), this->B.Settings.end());
+  for (const auto& [name, value] : all)
+  {
+    const auto valueIn = [&name = name](const std::map<std::string, std::string>& settings) {
+      const auto found = settings.find(name);
+      return found == settings.end() ? std::string("not set") : found->second;
+    };
+    const std::string from = valueIn(this->A.Settings);
+    const std::string to = valueIn(this->B.Settings);
+    if (from != to)
+    {
+      const bool isTone = name.compare(0, tone.size(), tone) == 0;
+      const int place = this->List.Find(isTone ? Cause::Tone : Cause::Settings, "setting", name);
+      this->List.At(place).Words = (isTone ? "tone: " : "settings: ") + from + ", now " + to;
+      int& first = isTone ? this->Tone : this->Settings;
+      first = first < 0 ? place : first;
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+int PixelCauses::JudgePicture(std::size_t pixel) const
+{
+  const int components = std::min(this->A.Picture.Components, this->B.Picture.Components);
+  bool isEqual = this->A.IsLinear == this->B.IsLinear;
+  for (int c = 0; c < components && isEqual; ++c)
+  {
+    isEqual =
+      IsEqual(this->A.Picture.Values[pixel * static_cast<std::size_t>(this->A.Picture.Components) +
+                static_cast<std::size_t>(c)],
+        this->B.Picture.Values[pixel * static_cast<std::size_t>(this->B.Picture.Components) +
+          static_cast<std::size_t>(c)]);
+  }
+  int found = Alike;
+  for (int c = 0; c < components && !isEqual; ++c)
+  {
+    const float a = this->A.Level(pixel, c);
+    const float b = this->B.Level(pixel, c);
+    if (!IsEqual(a, b))
+    {
+      found = found == Pending || !(std::abs(a - b) <= this->Bounds.ColorLevels) ? Pending
+                                                                                 : WithinRounding;
+    }
+  }
+  return found;
+}
+
+//------------------------------------------------------------------------------
+int PixelCauses::JudgeLayers(std::size_t pixel)
+{
+  int actor = -1;
+  bool isTie = false;
+  if (!this->A.Actor.empty() && !this->B.Actor.empty())
+  {
+    const int a = this->A.Actor[pixel];
+    const int b = this->B.Actor[pixel];
+    if ((a >= 0 || b >= 0) && (a < 0 || b < 0 || this->Objects.GetAfter(a) != b))
+    {
+      return this->JudgeGeometry(pixel, a, b);
+    }
+    actor = a;
+  }
+  const bool hasSurface = actor >= 0 || this->A.Actor.empty() || this->B.Actor.empty();
+  if (hasSurface)
+  {
+    const auto isSame = [pixel](const std::vector<int>& a, const std::vector<int>& b) {
+      return a.empty() || b.empty() || a[pixel] == b[pixel];
+    };
+    const bool sameCell =
+      isSame(this->A.Cell, this->B.Cell) && isSame(this->A.Block, this->B.Block);
+    const int cause = this->JudgeSurface(pixel, actor, sameCell);
+    if (cause >= 0)
+    {
+      return cause;
+    }
+    isTie = cause == WithinEdge;
+    const int light = this->JudgeLights(pixel);
+    if (light >= 0)
+    {
+      return light;
+    }
+  }
+  const int stage = this->JudgeStages(pixel);
+  return stage >= 0 ? stage : isTie ? WithinEdge : Alike;
+}
+
+//------------------------------------------------------------------------------
+// Whether the records say that nothing has changed: then values differ by rounding alone, which
+// turns what is on a border.
+bool PixelCauses::IsAsRecorded() const
+{
+  return this->A.HasRecord && this->B.HasRecord && !this->Objects.AnyChanged() &&
+    this->Settings < 0 && this->Tone < 0 &&
+    std::all_of(this->Lights.begin(), this->Lights.end(),
+      [](const LightPair& pair) { return pair.Finding < 0; });
+}
+
+//------------------------------------------------------------------------------
+// Whether the pixel's centre is on a border of what is unchanged: each frame has the other's object
+// or cell beside it. Of meshes that the records say are equal, of which cells may be smaller than
+// pixels or lie in one another, each frame's depth is between those that the other has there.
+bool PixelCauses::IsTie(std::size_t pixel) const
+{
+  bool hasBefore = false, hasAfter = false;
+  const auto isSame = [this](std::size_t a, std::size_t b) {
+    const int object = this->A.Actor[a];
+    const int other = this->B.Actor[b];
+    return (object < 0 ? other < 0 : this->Objects.GetAfter(object) == other) &&
+      (this->A.Cell.empty() || this->B.Cell.empty() || this->A.Cell[a] == this->B.Cell[b]) &&
+      (this->A.Block.empty() || this->B.Block.empty() || this->A.Block[a] == this->B.Block[b]);
+  };
+  this->ForNeighbours(pixel, [&](std::size_t other) {
+    hasBefore = hasBefore || isSame(pixel, other);
+    hasAfter = hasAfter || isSame(other, pixel);
+  });
+  return (hasBefore && hasAfter) ||
+    (this->A.HasRecord && this->B.HasRecord &&
+      this->IsBetween(
+        pixel, 0.0, [](const Frame& frame, std::size_t at) { return frame.GetDepth(at); }));
+}
+
+//------------------------------------------------------------------------------
+// A pixel that shows another object than before: what is nearer has gone or come, unless it is
+// what it was.
+int PixelCauses::JudgeGeometry(std::size_t pixel, int a, int b)
+{
+  const double before = this->A.GetDepth(pixel);
+  const double after = this->B.GetDepth(pixel);
+  const Change& gone = this->Objects.OfBefore(a);
+  const Change& come = this->Objects.OfAfter(b);
+  const bool isGone = b < 0 || (a >= 0 && !(after < before));
+  for (const Change* change : { isGone ? &gone : &come, isGone ? &come : &gone })
+  {
+    if (!change->IsSame)
+    {
+      return change->Finding;
+    }
+  }
+  const int own = this->Objects.GetBefore(b); // of the frame before
+  if (isGone && (before < this->B.Near || before > this->B.Far) && this->B.HasCamera)
+  {
+    const int place = this->NameActor(Cause::Visibility, a);
+    this->List.At(place).Words = "visibility: clipped";
+    return place;
+  }
+  if (this->IsTie(pixel))
+  {
+    return WithinEdge;
+  }
+  return this->NameActor(Cause::Visibility, isGone || own < 0 ? a : own);
+}
+
+//------------------------------------------------------------------------------
+double PixelCauses::GetAngle(std::size_t pixel) const
+{
+  const Layer* before = Find(this->A.Surface, "normal");
+  const Layer* after = Find(this->B.Surface, "normal");
+  if (!before || !after || before->Components != 3 || after->Components != 3)
+  {
+    return 0.0;
+  }
+  const float* a = before->Values.data() + 3 * pixel;
+  const float* b = after->Values.data() + 3 * pixel;
+  const bool isEqual = IsEqual(a[0], b[0]) && IsEqual(a[1], b[1]) && IsEqual(a[2], b[2]);
+  const double angle = isEqual ? 0.0 : AngleBetween(a, b);
+  const auto isZero = [](const float* v) { return v[0] == 0.f && v[1] == 0.f && v[2] == 0.f; };
+  return std::isnan(angle) || isZero(a) != isZero(b) ? 180.0 : angle;
+}
+
+//------------------------------------------------------------------------------
+bool PixelCauses::DiffersInLayer(
+  const Layer& a, const Layer& b, std::size_t pixel, double limit) const
+{
+  if (a.Components != b.Components)
+  {
+    return true;
+  }
+  const auto components = static_cast<std::size_t>(a.Components);
+  for (std::size_t i = pixel * components; i < (pixel + 1) * components; ++i)
+  {
+    if (!IsEqual(a.Values[i], b.Values[i]) &&
+      !(std::abs(double(a.Values[i]) - double(b.Values[i])) <=
+        limit * std::max(1.0, std::abs(double(a.Values[i])))))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+//------------------------------------------------------------------------------
+int PixelCauses::JudgeSurface(std::size_t pixel, int a, bool sameCell)
+{
+  const Change& change = this->Objects.OfBefore(a);
+  const bool isElsewhere = ObjectChanges::DiffersInDepth(this->A, this->B, pixel, this->Bounds);
+  const double angle = sameCell ? this->GetAngle(pixel) : 0.0;
+  const bool isTurned = angle > this->Bounds.NormalAngle;
+  this->IsDifferent = this->IsDifferent || angle > 0.0;
+  const bool isTie = !sameCell && change.IsSame && this->IsTie(pixel);
+  if ((isElsewhere && !isTie) || (!sameCell && !isTie) || (isTurned && !change.IsSame))
+  {
+    int place = change.Finding;
+    if (change.IsSame)
+    {
+      place = this->NameActor(Cause::Shape, a);
+    }
+    if (this->List.At(place).Is == Cause::Shape && !this->A.Cell.empty())
+    {
+      this->Cells[place].insert(this->A.Cell[pixel]);
+    }
+    return place;
+  }
+  if (isTie)
+  {
+    return WithinEdge;
+  }
+  if (isTurned)
+  {
+    const int place = this->NameActor(Cause::Normal, a);
+    nlohmann::ordered_json& more = this->List.At(place).More;
+    more["largest"] = std::max(angle, more.value("largest", 0.0));
+    return place;
+  }
+  for (const auto& [name, layer] : this->A.Surface)
+  {
+    const Layer* other = Find(this->B.Surface, name);
+    if (!other || name == "normal" || name == "albedo")
+    {
+      continue;
+    }
+    this->IsDifferent = this->IsDifferent || this->DiffersInLayer(layer, *other, pixel, 0.0);
+    // Values that are interpolated round by their float's digits.
+    if (this->DiffersInLayer(layer, *other, pixel,
+          layer.IsBytes ? this->Bounds.ColorLevels : 4.0 * std::numeric_limits<float>::epsilon()))
+    {
+      const int place = this->List.Find(
+        Cause::Array, a < 0 ? "picture" : "actor", a < 0 ? name : this->Objects.GetName(a), a);
+      this->List.At(place).Words = "array " + name;
+      this->List.At(place).More["array"] = name;
+      return place;
+    }
+  }
+  const Layer* albedo = Find(this->A.Surface, "albedo");
+  const Layer* other = Find(this->B.Surface, "albedo");
+  if (albedo && other && albedo->Components == other->Components)
+  {
+    double largest = 0.0;
+    const auto components = static_cast<std::size_t>(albedo->Components);
+    for (std::size_t i = pixel * components; i < (pixel + 1) * components; ++i)
+    {
+      largest = std::max(largest, double(std::abs(albedo->Values[i] - other->Values[i])));
+    }
+    largest *= albedo->IsBytes ? 1.0 : 255.0; // files have them as 0 to 1
+    this->IsDifferent = this->IsDifferent || largest > 0.0;
+    if (largest > this->Bounds.ColorLevels)
+    {
+      const int place = this->NameActor(Cause::Color, a);
+      nlohmann::ordered_json& more = this->List.At(place).More;
+      more["largest"] = std::max(largest, more.value("largest", 0.0));
+      this->List.At(place).Words =
+        "color, at most " + WriteShort(more["largest"].get<double>()) + " of 255";
+      return place;
+    }
+  }
+  return Alike;
+}
+
+//------------------------------------------------------------------------------
+int PixelCauses::JudgeLights(std::size_t pixel)
+{
+  const bool isAsRecorded = this->IsAsRecorded();
+  const auto differ = [&](const std::vector<float>& from, const std::vector<float>& to) {
+    this->IsDifferent = this->IsDifferent || !IsEqual(from[pixel], to[pixel]);
+    return !IsEqual(from[pixel], to[pixel]) &&
+      !(std::abs(from[pixel] - to[pixel]) <= this->Bounds.ColorLevels / 255.0) &&
+      !(isAsRecorded && this->IsBetween(pixel, 0.0, [&](const Frame& frame, std::size_t at) {
+        return (&frame == &this->A ? from : to)[at];
+      }));
+  };
+  if (this->Lights.empty()) // no record of lights
+  {
+    for (const auto& [name, shadow] : this->A.Shadow)
+    {
+      const auto other = this->B.Shadow.find(name);
+      if (other != this->B.Shadow.end() && differ(shadow, other->second))
+      {
+        return this->List.Find(Cause::Shadow, "light", name);
+      }
+    }
+    return Alike;
+  }
+  for (const LightPair& pair : this->Lights)
+  {
+    if (pair.Before < 0 || pair.After < 0)
+    {
+      continue;
+    }
+    const auto from =
+      this->A.Shadow.find(this->A.Lights[static_cast<std::size_t>(pair.Before)].Layer);
+    const auto to = this->B.Shadow.find(this->B.Lights[static_cast<std::size_t>(pair.After)].Layer);
+    if (from != this->A.Shadow.end() && to != this->B.Shadow.end() &&
+      differ(from->second, to->second))
+    {
+      return pair.Finding >= 0 ? pair.Finding : this->FindLight(pair, Cause::Shadow);
+    }
+  }
+  return Alike;
+}
+
+//------------------------------------------------------------------------------
+int PixelCauses::JudgeStages(std::size_t pixel)
+{
+  static const std::pair<const char*, Cause> stages[] = { { "light", Cause::Lamps },
+    { "fog", Cause::Fog }, { "ambient", Cause::Ambient }, { "marker", Cause::Markers },
+    { "blend", Cause::Translucent } };
+  for (const auto& [name, cause] : stages)
+  {
+    const Layer* from = Find(this->A.Stages, name);
+    const Layer* to = Find(this->B.Stages, name);
+    if (from && to)
+    {
+      this->IsDifferent = this->IsDifferent || this->DiffersInLayer(*from, *to, pixel, 0.0);
+      if (this->DiffersInLayer(*from, *to, pixel, this->Bounds.ColorLevels / 255.0))
+      {
+        return this->List.Find(cause, "picture");
+      }
+    }
+  }
+  return Alike;
+}
+
+//------------------------------------------------------------------------------
+int PixelCauses::GetNeighbourCause(std::size_t pixel, const std::vector<int>& causes) const
+{
+  int found = -1;
+  this->ForNeighbours(pixel, [&](std::size_t other) {
+    const int cause = causes[other];
+    if (cause >= 0 &&
+      (found < 0 ||
+        this->List.Get()[static_cast<std::size_t>(cause)].Is <
+          this->List.Get()[static_cast<std::size_t>(found)].Is))
+    {
+      found = cause;
+    }
+  });
+  return found;
+}
+
+//------------------------------------------------------------------------------
+bool PixelCauses::IsEdge(std::size_t pixel) const
+{
+  bool found = false;
+  const Layer* normals = Find(this->A.Surface, "normal");
+  const Layer* albedo = Find(this->A.Surface, "albedo");
+  for (const Frame* frame : { &this->A, &this->B })
+  {
+    const double depth = frame->GetDepth(pixel);
+    const double footprint = frame->GetFootprint(pixel);
+    this->ForNeighbours(pixel, [&](std::size_t other) {
+      const auto differs = [&](const std::vector<int>& ids) {
+        return !ids.empty() && ids[pixel] != ids[other];
+      };
+      found = found || differs(frame->Actor) || differs(frame->Block);
+      found = found || std::abs(frame->GetDepth(other) - depth) > 4.0 * footprint;
+      for (const auto& [light, shadow] : frame->Shadow)
+      {
+        found = found || shadow[pixel] != shadow[other];
+      }
+    });
+  }
+  if (normals && normals->Components == 3)
+  {
+    this->ForNeighbours(pixel, [&](std::size_t other) {
+      found = found ||
+        AngleBetween(normals->Values.data() + 3 * pixel, normals->Values.data() + 3 * other) >
+          CreaseAngle;
+    });
+  }
+  if (albedo)
+  {
+    const auto components = static_cast<std::size_t>(albedo->Components);
+    const float most = albedo->IsBytes ? 8.f : 8.f / 255.f;
+    this->ForNeighbours(pixel, [&](std::size_t other) {
+      for (std::size_t c = 0; c < components; ++c)
+      {
+        found = found ||
+          std::abs(
+            albedo->Values[pixel * components + c] - albedo->Values[other * components + c]) > most;
+      }
+    });
+  }
+  return found;
+}
+
+//------------------------------------------------------------------------------
+bool PixelCauses::IsBetweenNeighbours(std::size_t pixel) const
+{
+  const int components = std::min(this->A.Picture.Components, this->B.Picture.Components);
+  for (int c = 0; c < components; ++c)
+  {
+    if (!this->IsBetween(pixel, this->Bounds.ColorLevels,
+          [c](const Frame& frame, std::size_t at) { return frame.Level(at, c); }))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+// Whether the box around a changed object can be seen in the pixel.
+bool PixelCauses::Covers(const Change& change, std::size_t pixel) const
+{
+  const double x = static_cast<double>(pixel % static_cast<std::size_t>(this->A.Size[0])) + 0.5;
+  const double y = static_cast<double>(pixel / static_cast<std::size_t>(this->A.Size[0])) + 0.5;
+  double range[4] = { 1e300, -1e300, 1e300, -1e300 };
+  for (std::size_t corner = 0; corner < 8; ++corner)
+  {
+    const double point[3] = { change.Bounds[corner & 1], change.Bounds[2 + (corner >> 1 & 1)],
+      change.Bounds[4 + (corner >> 2)] };
+    double place[2];
+    if (!this->A.Project(point, place))
+    {
+      return true; // it reaches behind the eye
+    }
+    for (std::size_t i = 0; i < 2; ++i)
+    {
+      range[2 * i] = std::min(range[2 * i], place[i]);
+      range[2 * i + 1] = std::max(range[2 * i + 1], place[i]);
+    }
+  }
+  return x >= range[0] - 1. && x <= range[1] + 1. && y >= range[2] - 1. && y <= range[3] + 1.;
+}
+
+//------------------------------------------------------------------------------
+// A pixel whose picture alone differs.
+int PixelCauses::Explain(std::size_t pixel)
+{
+  const bool hasLayers = !this->A.Actor.empty() && !this->B.Actor.empty();
+  const int actor = hasLayers ? this->A.Actor[pixel] : -1;
+  // What catches shadows is translucent, and in no layer.
+  const std::vector<Change>& objects = this->Objects.GetBeforeChanges();
+  const auto catcher = actor >= 0
+    ? objects.end()
+    : std::find_if(objects.begin(), objects.end(), [&](const Change& change) {
+        return change.IsTranslucent && change.IsSame && this->Covers(change, pixel);
+      });
+  for (const LightPair& pair : this->Lights)
+  {
+    if (pair.Finding >= 0 && (actor >= 0 || !hasLayers || catcher != objects.end()))
+    {
+      return pair.Finding;
+    }
+  }
+  if (this->Objects.OfBefore(actor).Settings >= 0)
+  {
+    return this->Objects.OfBefore(actor).Settings;
+  }
+  if (hasLayers && this->IsEdge(pixel) && this->IsBetweenNeighbours(pixel))
+  {
+    return WithinEdge;
+  }
+  for (const std::vector<Change>* changes :
+    { &this->Objects.GetBeforeChanges(), &this->Objects.GetAfterChanges() })
+  {
+    for (const Change& change : *changes)
+    {
+      const int found = change.IsSame ? change.Settings : change.Finding;
+      if (change.IsTranslucent && found >= 0 && this->Covers(change, pixel))
+      {
+        const Finding& of = this->List.Get()[static_cast<std::size_t>(found)];
+        return this->List.Find(Cause::Translucent, of.Kind, of.Name, of.Id);
+      }
+    }
+  }
+  if (this->Overlay >= 0)
+  {
+    return this->Overlay;
+  }
+  if (catcher != objects.end() && this->Objects.AnyChanged())
+  {
+    const int object = static_cast<int>(catcher - objects.begin());
+    return this->NameActor(Cause::Shadow, object);
+  }
+  for (const int found : { this->Tone, this->Settings })
+  {
+    if (found >= 0)
+    {
+      return found;
+    }
+  }
+  return Unexplained;
+}
+}

@@ -1,0 +1,90 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The cause of each pixel that differs: the first that explains it, in the order of CauseWords.
+#ifndef vtkRelievoPixelCauses_h
+#define vtkRelievoPixelCauses_h
+
+#include "vtkRelievoCauseList.h"
+#include "vtkRelievoComparedFrame.h"
+#include "vtkRelievoComparisonLimits.h"
+#include "vtkRelievoObjectChanges.h"
+
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace relievo::compare
+{
+class PixelCauses
+{
+public:
+  // What a pixel is that has no finding.
+  enum Codes
+  {
+    Alike = -1,
+    WithinRounding = -2,
+    WithinEdge = -3,
+    Unexplained = -4,
+    Pending = -5
+  };
+
+  PixelCauses(const Frame& before, const Frame& after, const Limits& limits,
+    const ObjectChanges& objects, CauseList& list);
+
+  // For each pixel the place of its finding in the list, or a code.
+  const std::vector<int>& Get() const { return this->Causes; }
+
+  std::size_t Count(int code) const;
+
+private:
+  // A light of either frame; -1: it has none such.
+  struct LightPair
+  {
+    int Before = -1, After = -1; // places in Frame::Lights
+    int Finding = -1;            // of a difference between their records
+  };
+
+  void PairLights();
+  void CompareSettings();
+  int JudgeLayers(std::size_t pixel);
+  int JudgeGeometry(std::size_t pixel, int a, int b);
+  int JudgeSurface(std::size_t pixel, int a, bool sameCell);
+  int JudgeLights(std::size_t pixel);
+  int JudgeStages(std::size_t pixel);
+  int JudgePicture(std::size_t pixel) const;
+  int Explain(std::size_t pixel);
+  int GetNeighbourCause(std::size_t pixel, const std::vector<int>& causes) const;
+  bool IsEdge(std::size_t pixel) const;
+  bool IsBetweenNeighbours(std::size_t pixel) const;
+  bool IsTie(std::size_t pixel) const;
+  bool IsAsRecorded() const;
+  bool DiffersInLayer(const Layer& a, const Layer& b, std::size_t pixel, double limit) const;
+  double GetAngle(std::size_t pixel) const;
+  bool Covers(const Change& change, std::size_t pixel) const;
+  int FindLight(const LightPair& pair, Cause cause);
+  int NameActor(Cause cause, int object);
+
+  template <typename Visit>
+  void ForNeighbours(std::size_t pixel, Visit visit) const;
+
+  // Whether each frame's value(frame, pixel) lies between those that the other has around the
+  // pixel.
+  template <typename Value>
+  bool IsBetween(std::size_t pixel, double limit, Value value) const;
+
+  const Frame& A;
+  const Frame& B;
+  const Limits& Bounds;
+  const ObjectChanges& Objects;
+  CauseList& List;
+  std::vector<LightPair> Lights;
+  int Overlay = -1, Tone = -1, Settings = -1; // findings of the records
+  std::map<int, std::set<int>> Cells;         // of changed shapes, by finding
+  bool IsDifferent = false;                   // of the pixel: some layer, within its limits
+  std::vector<int> Causes;
+};
+}
+
+#endif

@@ -1,0 +1,177 @@
+# SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Frames compared by cause, and baselines to compare with."""
+
+import json
+import os
+from contextlib import nullcontext
+
+import numpy
+from vtkmodules.vtkCommonDataModel import vtkImageData
+
+from ._capture import _frame_of, _pixels, _window_of
+from ._errors import Watch, check_file, is_a
+from ._exr import write_exr
+from ._image import layer, to_image
+from ._keep import kept
+from ._picture import captured
+from ._renderers import renderer_of
+from ._scene import Scene
+from ._wrapped import vtkRelievoBaseline, vtkRelievoFrameComparison
+
+
+class Comparison:
+    """What compare() found; true if the frames are alike, and printed as a table of causes.
+
+    alike: whether they are, within the limits.
+    pixels, unexplained: numbers of pixels that differ, and of those that no cause explains.
+    causes: a list of dicts, most pixels first, with cause, kind, pixels, words, and where there are
+        any name, id, displacement, largest, cells, array, ...
+    within_limits: a dict of the numbers of pixels that differ by edge and by rounding.
+    cannot_be_detected: causes that these frames do not tell.
+    size: (columns, rows). text: the table. json: all of it, as a text. dict: the same, parsed.
+    """
+
+    def __init__(self, comparison):
+        self.text = comparison.GetText()
+        self.json = comparison.GetJSON()
+        self.dict = json.loads(self.json)
+        for name in ("alike", "pixels", "unexplained", "causes", "within_limits",
+                     "cannot_be_detected"):
+            setattr(self, name, self.dict[name])
+        self.size = tuple(self.dict["size"])
+        image = comparison.GetCauses()
+        self._causes = None if image is None else layer(image, "cause").copy()
+
+    @property
+    def image(self):
+        """The place of each pixel's cause in causes, of shape (rows, columns), row 0 at the top.
+
+        -1: alike, -2: rounding, -3: edge, -4: unexplained. None for frames of two sizes or cameras.
+        """
+        return self._causes
+
+    def __bool__(self):
+        return self.alike
+
+    def __repr__(self):
+        return self.text.rstrip("\n")
+
+
+def compare(a, b, levels=2, normal_angle=0.02, depth_pixels=1 / 256) -> Comparison:
+    """Explains how frame b differs from frame a: which objects, cells and lights, and why.
+
+        assert relievo.compare("bike.exr", plotter)     # a failure prints the causes
+
+    a, b: paths of files (.exr of write_baseline() or write_exr(); .png and other pictures, of which
+        the pictures alone are compared), images of capture() or read_exr(), numpy arrays of
+        pictures (uint8, row 0 at the top), or renderers, plotters and scenes, which are drawn.
+    levels: by how many of 255 levels colours, and shares such as shadows, may differ, 0 to 255.
+    normal_angle: by how many degrees normals may differ, 0 to 180.
+    depth_pixels: how far apart in the picture, in pixels, points of a surface may be whose depths
+        are compared, 0 to 1.
+
+    Returns a Comparison. docs/compare.md has the causes, and the reason for each limit.
+
+    Raises ValueError for wrong arguments and frames that cannot be compared, OSError for files that
+    cannot be read, RuntimeError if a frame cannot be drawn.
+    """
+    comparison = vtkRelievoFrameComparison()
+    for name, value, most in (("levels", levels, 255), ("normal_angle", normal_angle, 180),
+                              ("depth_pixels", depth_pixels, 1)):
+        if not (isinstance(value, (int, float)) and 0 <= value <= most):
+            raise ValueError(f"{name}: got {value!r}, expected a number from 0 to {most}")
+    comparison.SetColorLevels(levels)
+    comparison.SetNormalAngle(normal_angle)
+    comparison.SetDepthPixels(depth_pixels)
+    for thing, read, take in ((a, comparison.ReadBaseline, comparison.SetBaseline),
+                              (b, comparison.ReadFrame, comparison.SetFrame)):
+        if isinstance(thing, (str, bytes, os.PathLike)):
+            path = os.fspath(thing)
+            check_file(path)
+            with Watch(comparison):
+                good = read(path)
+            if not good:
+                raise ValueError(comparison.GetFailureText())
+        else:
+            take(_image_of(thing))
+    with Watch(comparison):
+        good = comparison.Compare()
+    if not good:
+        raise ValueError(f"compare: {comparison.GetFailureText()}")
+    return Comparison(comparison)
+
+
+def write_baseline(path, thing, size=None, names=None) -> None:
+    """Draws a frame and writes it as a baseline for compare(), lossless.
+
+        relievo.write_baseline("bike.exr", plotter)
+
+    path: name of the file, .exr; an existing one is replaced when the new one is complete.
+    thing: a vtkRenderer, a plotter or anything else that capture() draws, or a scene().
+    size: (columns, rows) in pixels, as for capture(); of a scene, it is the scene's.
+    names: of actors, by which they are matched, wherever they are: a dict {actor: name}. Without a
+        name an actor is matched by its mesh. Actors of PyVista's plotters have the names that were
+        given to add_mesh(), those of scenes the names of their files.
+
+    The file has the picture, depth, normals, albedo, ids, shadows, the layers of stages that ran,
+    and a record of objects, camera, lights, settings and versions (docs/compare.md).
+
+    Raises ValueError for wrong arguments, OSError if the file cannot be written, RuntimeError if
+    the frame cannot be drawn.
+    """
+    if os.path.splitext(os.fspath(path))[1].lower() not in (".exr", b".exr"):
+        raise ValueError(f"path: got {os.fspath(path)!r}, expected a name that ends in .exr")
+    write_exr(path, _drawn(thing, size, names))
+
+
+def _image_of(thing):
+    """The frame that something is or shows."""
+    if is_a(thing, "vtkImageData"):
+        return thing
+    if isinstance(thing, numpy.ndarray):
+        return to_image(thing, "color")
+    return _drawn(thing)
+
+
+def _drawn(thing, size=None, names=None):
+    """The baseline of a scene, a renderer, or what capture() draws."""
+    image = vtkImageData()
+    if isinstance(thing, Scene):
+        if size is not None or names is not None:
+            raise ValueError("size, names: got them with a scene, which has its own")
+        thing.capture_baseline(image)
+        return captured(image)
+    named = _names_in(thing) if names is None else names
+    renderer, made = renderer_of(thing)
+    size = (1024, 768) if made and size is None else size
+    baseline = vtkRelievoBaseline()
+    baseline.SetRenderer(renderer)
+    actors = renderer.GetActors()
+    places = {actors.GetItemAsObject(i): i for i in range(actors.GetNumberOfItems())}
+    for actor, name in named.items():
+        if names is not None and actor not in places:
+            raise ValueError(f"names: got {name!r} for an actor that the renderer does not have")
+        if actor in places:
+            baseline.SetObjectName(places[actor], name)
+    found = kept(renderer)
+    held = nullcontext() if found is None else found.held()
+    with held, _window_of(renderer, None if size is None else _pixels(size)):
+        with _frame_of(renderer) as frame:
+            if made:
+                renderer.ResetCamera()
+            with Watch(frame.GetLayersStage(), frame, baseline) as watch:
+                good = baseline.Capture(image)
+    watch.raise_as(RuntimeError, "baseline")
+    if not good:
+        raise RuntimeError("baseline: the frame cannot be drawn")
+    return captured(image)
+
+
+def _names_in(thing):
+    """Names by actor, as plotters of PyVista have them; those made of addresses are not names."""
+    actors = getattr(thing, "actors", None)
+    if not isinstance(actors, dict):
+        return {}
+    return {actor: name for name, actor in actors.items()
+            if isinstance(name, str) and "Addr=" not in name}

@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Baseline.h"
+
+#include "DressedScene.h"
+#include "Messages.h"
+#include "Numbers.h"
+#include "Options.h"
+#include "Scene.h"
+#include "Settings.h"
+
+#include "vtkActor.h"
+#include "vtkActorCollection.h"
+#include "vtkFieldData.h"
+#include "vtkNew.h"
+#include "vtkRelievoBaseline.h"
+#include "vtkRenderer.h"
+#include "vtkStringArray.h"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace scene
+{
+namespace
+{
+// With the camera's place, which is no longer fitted, and the preset, which the environment may
+// have said.
+std::vector<std::string> GetWordsOf(
+  vtkRenderer* renderer, const RenderOptions& options, Settings settings)
+{
+  settings.Files.clear();
+  const CameraPlace place = GetPlace(renderer->GetActiveCamera());
+  std::vector<double> numbers;
+  for (const std::array<double, 3>& part : { place.Position, place.FocalPoint, place.ViewUp })
+  {
+    numbers.insert(numbers.end(), part.begin(), part.end());
+  }
+  settings.Set("--camera", WriteNumbers(numbers));
+  settings.Set("--size", std::to_string(options.Size[0]) + "x" + std::to_string(options.Size[1]));
+  settings.Set("--preset", options.Preset);
+  if (options.Model.Time)
+  {
+    settings.Set("--time", WriteNumber(*options.Model.Time));
+  }
+  return settings.GetWords();
+}
+
+// By their files; several of one file share its name.
+void NameObjects(vtkRelievoBaseline* baseline, const Scene& scene, const RenderOptions& options)
+{
+  int actor = 0;
+  for (std::size_t i = 0; i < scene.Counts.size(); ++i)
+  {
+    const std::string name = std::filesystem::path(options.Files[i]).filename().string();
+    for (int k = 0; k < scene.Counts[i]; ++k)
+    {
+      baseline->SetObjectName(actor++, name);
+    }
+  }
+  if (scene.Ground)
+  {
+    const int place = scene.Renderer->GetActors()->IsItemPresent(scene.Ground);
+    baseline->SetObjectName(place - 1, "ground");
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkImageData> MakeBaseline(
+  DressedScene& dressed, const RenderOptions& options, const Settings& settings)
+{
+  vtkNew<vtkRelievoBaseline> baseline;
+  baseline->SetRenderer(dressed.GetRenderer());
+  NameObjects(baseline, dressed.GetScene(), options);
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  Messages::Check("the baseline", !baseline->Capture(image), "cannot be drawn");
+  vtkNew<vtkStringArray> words;
+  words->SetName("words");
+  for (const std::string& word : GetWordsOf(dressed.GetRenderer(), options, settings))
+  {
+    words->InsertNextValue(word);
+  }
+  image->GetFieldData()->AddArray(words);
+  return image;
+}
+}

@@ -1,0 +1,478 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkRelievoBaseline.h"
+
+#include "DataSets.h"
+#include "Numbers.h"
+#include "Version.h"
+
+#include "vtkActor.h"
+#include "vtkActor2D.h"
+#include "vtkActorCollection.h"
+#include "vtkCellArray.h"
+#include "vtkCellArrayIterator.h"
+#include "vtkCornerAnnotation.h"
+#include "vtkDataArray.h"
+#include "vtkDataSet.h"
+#include "vtkErrorCode.h"
+#include "vtkFieldData.h"
+#include "vtkImageData.h"
+#include "vtkIntArray.h"
+#include "vtkLight.h"
+#include "vtkMapper.h"
+#include "vtkMath.h"
+#include "vtkMatrix4x4.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPointSet.h"
+#include "vtkPolyData.h"
+#include "vtkPropCollection.h"
+#include "vtkProperty.h"
+#include "vtkProperty2D.h"
+#include "vtkRelievoFrameComparison.h"
+#include "vtkRelievoLayerCatalogue.h"
+#include "vtkRelievoLayerSource.h"
+#include "vtkRelievoPass.h"
+#include "vtkRelievoShadowStage.h"
+#include "vtkRelievoStage.h"
+#include "vtkRelievoStageDescription.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkScalarBarActor.h"
+#include "vtkScalarsToColors.h"
+#include "vtkStringArray.h"
+#include "vtkTextActor.h"
+#include "vtkTextMapper.h"
+#include "vtkTextProperty.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <cstdio>
+#include <cstring>
+#include <set>
+#include <vector>
+
+vtkStandardNewMacro(vtkRelievoBaseline);
+
+namespace
+{
+using Json = nlohmann::ordered_json;
+
+// The 64 bits of Fowler, Noll and Vo's sum, FNV-1a (1991).
+class CheckSum
+{
+public:
+  void Add(const void* bytes, std::size_t count)
+  {
+    const auto* at = static_cast<const unsigned char*>(bytes);
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      this->Sum = (this->Sum ^ at[i]) * 0x100000001b3ULL;
+    }
+  }
+  std::string Get() const
+  {
+    char digits[17];
+    std::snprintf(digits, sizeof(digits), "%016llx", static_cast<unsigned long long>(this->Sum));
+    return digits;
+  }
+
+private:
+  std::uint64_t Sum = 0xcbf29ce484222325ULL;
+};
+
+// The mesh that an actor draws, by numbers and sums.
+struct MeshRecord
+{
+  vtkIdType Points = 0, Cells = 0;
+  CheckSum PointSum, CellSum;
+  std::array<double, 3> Center{};
+
+  void AddCells(vtkCellArray* cells)
+  {
+    vtkIdType size = 0;
+    const vtkIdType* ids = nullptr;
+    const auto each = vtk::TakeSmartPointer(cells->NewIterator());
+    for (each->GoToFirstCell(); !each->IsDoneWithTraversal(); each->GoToNextCell())
+    {
+      each->GetCurrentCell(size, ids);
+      this->CellSum.Add(&size, sizeof(size));
+      this->CellSum.Add(ids, static_cast<std::size_t>(size) * sizeof(vtkIdType));
+    }
+  }
+
+  void Add(vtkDataSet* data)
+  {
+    const vtkIdType points = data->GetNumberOfPoints();
+    for (vtkIdType i = 0; i < points; ++i)
+    {
+      double point[3];
+      data->GetPoint(i, point);
+      for (int c = 0; c < 3; ++c)
+      {
+        point[c] += 0.0; // -0 is 0
+        this->Center[static_cast<std::size_t>(c)] += point[c];
+      }
+      this->PointSum.Add(point, sizeof(point));
+    }
+    this->Points += points;
+    this->Cells += data->GetNumberOfCells();
+    if (vtkPolyData* mesh = vtkPolyData::SafeDownCast(data))
+    {
+      for (vtkCellArray* cells :
+        { mesh->GetVerts(), mesh->GetLines(), mesh->GetPolys(), mesh->GetStrips() })
+      {
+        this->AddCells(cells);
+      }
+    }
+  }
+};
+
+void AddStrings(vtkImageData* image, const char* name, const std::vector<std::string>& values)
+{
+  vtkNew<vtkStringArray> array;
+  array->SetName(name);
+  for (const std::string& value : values)
+  {
+    array->InsertNextValue(value);
+  }
+  image->GetFieldData()->AddArray(array);
+}
+
+std::string Write(const Json& json)
+{
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+Json DescribeProperty(vtkProperty* property)
+{
+  return { { "representation", property->GetRepresentation() },
+    { "interpolation", property->GetInterpolation() }, { "ambient", property->GetAmbient() },
+    { "diffuse", property->GetDiffuse() }, { "specular", property->GetSpecular() },
+    { "specular_power", property->GetSpecularPower() }, { "metallic", property->GetMetallic() },
+    { "roughness", property->GetRoughness() }, { "opacity", property->GetOpacity() },
+    { "edges", property->GetEdgeVisibility() != 0 }, { "line_width", property->GetLineWidth() },
+    { "point_size", property->GetPointSize() }, { "lighting", property->GetLighting() },
+    { "frontface_culling", property->GetFrontfaceCulling() != 0 },
+    { "backface_culling", property->GetBackfaceCulling() != 0 } };
+}
+
+Json DescribeActor(vtkActor* actor, const std::string& name)
+{
+  MeshRecord mesh;
+  vtkMapper* mapper = actor->GetMapper();
+  if (mapper && mapper->GetNumberOfInputConnections(0) > 0)
+  {
+    mapper->Update();
+    scene::ForEachDataSet(
+      mapper->GetInputDataObject(0, 0), [&mesh](vtkDataSet* data) { mesh.Add(data); });
+  }
+  vtkNew<vtkMatrix4x4> matrix;
+  actor->GetMatrix(matrix);
+  const double count = mesh.Points > 0 ? double(mesh.Points) : 1.0;
+  double center[4] = { mesh.Center[0] / count, mesh.Center[1] / count, mesh.Center[2] / count,
+    1.0 };
+  matrix->MultiplyPoint(center, center);
+  std::array<double, 6> bounds = { 1., -1., 1., -1., 1., -1. };
+  if (const double* found = actor->GetBounds())
+  {
+    std::copy(found, found + 6, bounds.begin());
+  }
+  Json rows = Json::array();
+  for (int i = 0; i < 16; ++i)
+  {
+    rows.push_back(matrix->GetElement(i / 4, i % 4));
+  }
+  return { { "name", name }, { "visible", actor->GetVisibility() != 0 },
+    { "translucent", actor->HasTranslucentPolygonalGeometry() != 0 }, { "matrix", rows },
+    { "points", std::to_string(mesh.Points) + " " + mesh.PointSum.Get() },
+    { "cells", std::to_string(mesh.Cells) + " " + mesh.CellSum.Get() },
+    { "center", { center[0], center[1], center[2] } }, { "bounds", bounds },
+    { "settings", DescribeProperty(actor->GetProperty()) } };
+}
+
+// What it shows, where that can be asked.
+Json DescribeOverlay(vtkActor2D* actor)
+{
+  Json json = { { "kind", actor->GetClassName() } };
+  const double* at = actor->GetPositionCoordinate()->GetValue();
+  const double* to = actor->GetPosition2Coordinate()->GetValue();
+  json["place"] = { at[0], at[1], to[0], to[1] };
+  const double* color = actor->GetProperty()->GetColor();
+  json["color"] = { color[0], color[1], color[2], actor->GetProperty()->GetOpacity() };
+  const auto addFont = [&json](vtkTextProperty* font) {
+    const double* ink = font->GetColor();
+    json["font"] = { { "size", font->GetFontSize() }, { "family", font->GetFontFamily() },
+      { "bold", font->GetBold() != 0 }, { "italic", font->GetItalic() != 0 },
+      { "color", { ink[0], ink[1], ink[2], font->GetOpacity() } } };
+  };
+  const auto getText = [](const char* text) { return std::string(text ? text : ""); };
+  if (auto* text = vtkTextActor::SafeDownCast(actor))
+  {
+    json["kind"] = "text";
+    json["text"] = getText(text->GetInput());
+    addFont(text->GetTextProperty());
+  }
+  else if (auto* bar = vtkScalarBarActor::SafeDownCast(actor))
+  {
+    json["kind"] = "scalar bar";
+    json["text"] = getText(bar->GetTitle());
+    json["labels"] = bar->GetNumberOfLabels();
+    if (vtkScalarsToColors* map = bar->GetLookupTable())
+    {
+      const double* range = map->GetRange();
+      json["range"] = { range[0], range[1] };
+    }
+    addFont(bar->GetLabelTextProperty());
+  }
+  else if (auto* corners = vtkCornerAnnotation::SafeDownCast(actor))
+  {
+    json["kind"] = "corner text";
+    json["text"] = Json::array();
+    for (int i = 0; i < 8; ++i)
+    {
+      json["text"].push_back(getText(corners->GetText(i)));
+    }
+    addFont(corners->GetTextProperty());
+  }
+  else if (auto* label = vtkTextMapper::SafeDownCast(actor->GetMapper()))
+  {
+    json["kind"] = "text";
+    json["text"] = getText(label->GetInput());
+    addFont(label->GetTextProperty());
+  }
+  return json;
+}
+
+std::vector<std::string> DescribeOverlays(vtkRenderer* renderer)
+{
+  std::vector<std::string> overlays;
+  vtkCollectionSimpleIterator at;
+  vtkPropCollection* props = renderer->GetViewProps();
+  props->InitTraversal(at);
+  while (vtkProp* prop = props->GetNextProp(at))
+  {
+    auto* actor = vtkActor2D::SafeDownCast(prop);
+    if (actor && actor->GetVisibility())
+    {
+      overlays.push_back(Write(DescribeOverlay(actor)));
+    }
+  }
+  std::sort(overlays.begin(), overlays.end()); // their order shows only where they overlap
+  return overlays;
+}
+
+bool HasRun(vtkRelievoStage* stage)
+{
+  return stage->GetReasonCode() == "ran";
+}
+
+std::vector<std::string> DescribeSettings(vtkRenderer* renderer)
+{
+  std::vector<std::string> settings;
+  const auto addColor = [&](const char* name, const double* color) {
+    settings.push_back(
+      std::string(name) + "=" + scene::WriteNumbers({ color[0], color[1], color[2] }));
+  };
+  addColor("background", renderer->GetBackground());
+  if (renderer->GetGradientBackground())
+  {
+    addColor("background_top", renderer->GetBackground2());
+  }
+  addColor("ambient_light", renderer->GetAmbient());
+  settings.push_back(
+    std::string("environment=") + (renderer->GetUseImageBasedLighting() ? "on" : "off"));
+  auto* pass = vtkRelievoPass::SafeDownCast(renderer->GetPass());
+  for (int i = 0; pass && i < pass->GetNumberOfStages(); ++i)
+  {
+    vtkRelievoStage* stage = pass->GetStage(i);
+    for (int p = 0; HasRun(stage) && p < stage->GetNumberOfParameters(); ++p)
+    {
+      const std::string name = stage->GetParameterName(p);
+      settings.push_back(stage->GetStageName() + ":" + name + "=" + stage->GetParameter(name));
+    }
+  }
+  return settings;
+}
+
+// The arrays whose values colour actors; bytes are colours themselves.
+std::set<std::string> FindColoringArrays(vtkRenderer* renderer)
+{
+  std::set<std::string> names;
+  vtkCollectionSimpleIterator at;
+  vtkActorCollection* actors = renderer->GetActors();
+  actors->InitTraversal(at);
+  while (vtkActor* actor = actors->GetNextActor(at))
+  {
+    vtkMapper* mapper = actor->GetMapper();
+    vtkDataObject* data = mapper && mapper->GetNumberOfInputConnections(0) > 0
+      ? mapper->GetInputDataObject(0, 0)
+      : nullptr;
+    if (!data || !mapper->GetScalarVisibility() || !actor->GetVisibility() ||
+      actor->HasTranslucentPolygonalGeometry())
+    {
+      continue;
+    }
+    scene::ForEachDataSet(data, [&](vtkDataSet* part) {
+      int isCell = 0;
+      auto* array =
+        vtkDataArray::SafeDownCast(vtkMapper::GetAbstractScalars(part, mapper->GetScalarMode(),
+          mapper->GetArrayAccessMode(), mapper->GetArrayId(), mapper->GetArrayName(), isCell));
+      const std::string name = array && array->GetName() ? array->GetName() : "";
+      if (!name.empty() && array->GetDataType() != VTK_UNSIGNED_CHAR && isCell < 2 &&
+        !vtkRelievoLayerCatalogue::GetIsLayer(name))
+      {
+        names.insert(name);
+      }
+    });
+  }
+  return names;
+}
+
+// Layers of stages that causes are told by.
+std::vector<std::string> FindStageLayers(vtkRelievoPass* pass)
+{
+  std::vector<std::string> layers;
+  for (int i = 0; pass && i < pass->GetNumberOfStages(); ++i)
+  {
+    vtkRelievoStage* stage = pass->GetStage(i);
+    for (const std::string& layer : stage->GetDescription().Layers)
+    {
+      static const std::set<std::string> told = { "light", "fog", "ambient", "marker", "blend" };
+      if (HasRun(stage) && told.count(layer) != 0)
+      {
+        layers.push_back(layer);
+      }
+    }
+  }
+  return layers;
+}
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoBaseline::vtkRelievoBaseline() = default;
+
+//------------------------------------------------------------------------------
+vtkRelievoBaseline::~vtkRelievoBaseline() = default;
+
+//------------------------------------------------------------------------------
+void vtkRelievoBaseline::SetRenderer(vtkRenderer* renderer)
+{
+  if (this->Renderer != renderer)
+  {
+    this->Renderer = renderer;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkRenderer* vtkRelievoBaseline::GetRenderer()
+{
+  return this->Renderer;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoBaseline::SetObjectName(int actor, RELIEVO_TEXT name)
+{
+  this->Names[actor] = name;
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+std::string vtkRelievoBaseline::GetObjectName(int actor)
+{
+  const auto found = this->Names.find(actor);
+  return found == this->Names.end() ? std::string() : found->second;
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoBaseline::Capture(vtkImageData* image)
+{
+  image->Initialize();
+  vtkNew<vtkRelievoLayerSource> source; // which says what is wrong
+  source->SetRenderer(this->Renderer);
+  std::vector<std::string> layers = { vtkRelievoLayerCatalogue::GetPicture().Name, "depth",
+    "normal", "albedo", "actor", "block", "cell" };
+  auto* pass = vtkRelievoPass::SafeDownCast(this->Renderer ? this->Renderer->GetPass() : nullptr);
+  if (pass && pass->GetShadows() && pass->GetShadowStage())
+  {
+    const std::vector<std::string> shadows =
+      pass->GetShadowStage()->GetShadowLayers(this->Renderer);
+    layers.insert(layers.end(), shadows.begin(), shadows.end());
+  }
+  if (this->Renderer)
+  {
+    const std::set<std::string> arrays = FindColoringArrays(this->Renderer);
+    layers.insert(layers.end(), arrays.begin(), arrays.end());
+  }
+  for (const std::string& layer : layers)
+  {
+    source->AddLayer(layer);
+  }
+  source->Update();
+  if (source->GetOutput()->GetNumberOfPoints() == 0)
+  {
+    return false;
+  }
+  image->ShallowCopy(source->GetOutput());
+  const std::vector<std::string> ofStages = FindStageLayers(pass);
+  const std::vector<std::string> settings = DescribeSettings(this->Renderer);
+  if (!ofStages.empty())
+  {
+    vtkNew<vtkRelievoLayerSource> more; // without the picture, which shows what runs
+    more->SetRenderer(this->Renderer);
+    for (const std::string& layer : ofStages)
+    {
+      more->AddLayer(layer);
+    }
+    more->Update();
+    if (more->GetOutput()->GetNumberOfPoints() == 0)
+    {
+      image->Initialize();
+      return false;
+    }
+    for (const std::string& layer : ofStages)
+    {
+      image->GetPointData()->AddArray(more->GetOutput()->GetPointData()->GetArray(layer.c_str()));
+    }
+  }
+  AddStrings(image, "settings", settings);
+  this->AddRecord(image);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoBaseline::AddRecord(vtkImageData* image)
+{
+  vtkNew<vtkIntArray> version;
+  version->SetName("baseline_version");
+  version->InsertNextValue(vtkRelievoFrameComparison::GetRecordVersion());
+  image->GetFieldData()->AddArray(version);
+  std::vector<std::string> objects;
+  vtkCollectionSimpleIterator at;
+  vtkActorCollection* actors = this->Renderer->GetActors(); // which is made anew for each call
+  actors->InitTraversal(at);
+  while (vtkActor* actor = actors->GetNextActor(at))
+  {
+    objects.push_back(
+      Write(DescribeActor(actor, this->GetObjectName(static_cast<int>(objects.size())))));
+  }
+  AddStrings(image, "objects", objects);
+  AddStrings(image, "overlays", DescribeOverlays(this->Renderer));
+  AddStrings(image, "versions", scene::ListVersions(this->Renderer->GetRenderWindow()));
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoBaseline::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Renderer: " << this->Renderer << "\n";
+  for (const auto& [actor, name] : this->Names)
+  {
+    os << indent << "ObjectName " << actor << ": " << name << "\n";
+  }
+}

@@ -1,0 +1,252 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Files and images that are hard to compare: sizes, cameras, NaN, PNG, damaged and other formats.
+#include "BoxFrames.h"
+
+#include "Check.h"
+#include "Session.h"
+#include "TestCase.h"
+#include "vtkRelievoEXRWriter.h"
+#include "vtkRelievoFrameComparison.h"
+
+#include <vtkFieldData.h>
+#include <vtkFloatArray.h>
+#include <vtkIntArray.h>
+#include <vtkNew.h>
+#include <vtkPNGWriter.h>
+#include <vtkPointData.h>
+#include <vtkStringArray.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <limits>
+
+namespace testComparedFrames
+{
+namespace
+{
+using nlohmann::json;
+
+std::string File(const std::string& name)
+{
+  return relievoTest::OutputFolder() + "/" + name;
+}
+
+json Compare(vtkImageData* a, vtkImageData* b)
+{
+  vtkNew<vtkRelievoFrameComparison> comparison;
+  comparison->SetBaseline(a);
+  comparison->SetFrame(b);
+  RELIEVO_CHECK(comparison->Compare());
+  const std::string text = comparison->GetText();
+  RELIEVO_CHECK(std::count(text.begin(), text.end(), '\n') <= 24);
+  return json::parse(comparison->GetJSON());
+}
+
+json CompareFiles(const std::string& a, const std::string& b)
+{
+  vtkNew<vtkRelievoFrameComparison> comparison;
+  RELIEVO_CHECK(comparison->ReadBaseline(a.c_str()) && comparison->ReadFrame(b.c_str()));
+  RELIEVO_CHECK(comparison->Compare());
+  return json::parse(comparison->GetJSON());
+}
+
+void Write(vtkImageData* image, const std::string& name)
+{
+  vtkNew<vtkRelievoEXRWriter> writer;
+  writer->SetFileName(File(name).c_str());
+  writer->SetInputData(image);
+  RELIEVO_CHECK(writer->Write() == 1);
+}
+
+bool Cannot(const json& found, const std::string& cause)
+{
+  const json& all = found["cannot_be_detected"];
+  return std::find(all.begin(), all.end(), cause) != all.end();
+}
+
+//------------------------------------------------------------------------------
+void TestSizeAndCamera()
+{
+  const compareTest::Boxes boxes = compareTest::MakeBoxes();
+  compareTest::Boxes other = boxes;
+  other.Width = 161;
+  const json size = Compare(compareTest::Draw(boxes), compareTest::Draw(other));
+  RELIEVO_CHECK(size["alike"] == false && size["causes"].size() == 1 &&
+    size["causes"][0]["cause"] == "size" && size["pixels"] == 0);
+  other = boxes;
+  other.Eye[0] += 1e-11;
+  const json camera = Compare(compareTest::Draw(boxes), compareTest::Draw(other));
+  RELIEVO_CHECK(camera["causes"].size() == 1 && camera["causes"][0]["cause"] == "camera");
+  // Clipping distances follow the scene's bounds, and are no camera's place.
+  const vtkSmartPointer<vtkImageData> nearer = compareTest::Draw(boxes);
+  nearer->GetFieldData()->GetArray("near")->SetTuple1(0, 1.5);
+  vtkDataArray* projection = nearer->GetFieldData()->GetArray("worldToNDC");
+  projection->SetTuple1(11, projection->GetTuple1(11) * 1.5);
+  RELIEVO_CHECK(Compare(compareTest::Draw(boxes), nearer)["alike"] == true);
+}
+
+//------------------------------------------------------------------------------
+void TestValues()
+{
+  const compareTest::Boxes boxes = compareTest::MakeBoxes();
+  // NaN is alike to NaN only.
+  const vtkSmartPointer<vtkImageData> a = compareTest::Draw(boxes);
+  const vtkSmartPointer<vtkImageData> b = compareTest::Draw(boxes);
+  compareTest::Fill(b, "color", 0, 3, 0, 1, std::numeric_limits<double>::quiet_NaN());
+  RELIEVO_CHECK(Compare(a, b)["unexplained"] == 3);
+  compareTest::Fill(a, "color", 0, 3, 0, 1, std::numeric_limits<double>::quiet_NaN());
+  RELIEVO_CHECK(Compare(a, b)["alike"] == true);
+  compareTest::Fill(b, "depth", 80, 82, 40, 41, std::numeric_limits<double>::quiet_NaN());
+  const json depth = Compare(a, b);
+  RELIEVO_CHECK_THAT(depth["alike"] == false && depth["pixels"] == 2, depth.dump());
+  // Nothing in sight.
+  compareTest::Boxes empty;
+  RELIEVO_CHECK(Compare(compareTest::Draw(empty), compareTest::Draw(empty))["alike"] == true);
+  const json all = Compare(compareTest::Draw(empty), compareTest::Draw(boxes));
+  RELIEVO_CHECK(all["alike"] == false && all["unexplained"] == 0);
+  // Smooth edges: colours between those around them.
+  const vtkSmartPointer<vtkImageData> smooth = compareTest::Draw(boxes);
+  const vtkSmartPointer<vtkImageData> sharp = compareTest::Draw(boxes);
+  vtkDataArray* actors = sharp->GetPointData()->GetArray("actor");
+  vtkDataArray* colors = sharp->GetPointData()->GetArray("color");
+  int mixed = 0;
+  for (vtkIdType i = 40 * 160 + 1; i < 41 * 160 - 1; ++i)
+  {
+    if (actors->GetTuple1(i) != actors->GetTuple1(i + 1))
+    {
+      for (int c = 0; c < 4; ++c)
+      {
+        smooth->GetPointData()->GetArray("color")->SetComponent(
+          i, c, 0.5 * (colors->GetComponent(i, c) + colors->GetComponent(i + 1, c)));
+      }
+      ++mixed;
+    }
+  }
+  const json edges = Compare(sharp, smooth);
+  RELIEVO_CHECK_THAT(
+    mixed > 2 && edges["alike"] == true && edges["within_limits"]["edge"] == mixed, edges.dump());
+}
+
+//------------------------------------------------------------------------------
+void TestFiles()
+{
+  compareTest::Boxes boxes = compareTest::MakeBoxes();
+  boxes.Overlays = { R"({"kind": "text", "text": "a \"b\" <c>"})" };
+  Write(compareTest::Draw(boxes), "a.exr");
+  compareTest::Boxes moved = boxes;
+  moved.All[1].MovedBy = { 0.1, 0., 0. };
+  Write(compareTest::Draw(moved), "b.exr");
+  RELIEVO_CHECK(CompareFiles(File("a.exr"), File("a.exr"))["alike"] == true);
+  const json found = CompareFiles(File("a.exr"), File("b.exr"));
+  RELIEVO_CHECK(found["alike"] == false && found["unexplained"] == 0);
+  const json inMemory = Compare(compareTest::Draw(boxes), compareTest::Draw(moved));
+  RELIEVO_CHECK_THAT(found == inMemory, found.dump() + "\n" + inMemory.dump());
+
+  // Written before there were records: by sight, and it says what that does not tell.
+  compareTest::Boxes older = moved;
+  older.HasRecord = false;
+  Write(compareTest::Draw(older), "older.exr");
+  const json old = CompareFiles(File("a.exr"), File("older.exr"));
+  RELIEVO_CHECK(old["alike"] == false && old["causes"][0]["cause"] == "moved");
+  RELIEVO_CHECK(Cannot(old, "overlay") && Cannot(old, "settings") && !Cannot(old, "moved"));
+  // By a Relievo of the future.
+  const vtkSmartPointer<vtkImageData> future = compareTest::Draw(boxes);
+  future->GetFieldData()->GetArray("baseline_version")->SetTuple1(0, 9);
+  vtkNew<vtkRelievoFrameComparison> comparison;
+  comparison->SetBaseline(compareTest::Draw(boxes));
+  comparison->SetFrame(future);
+  {
+    relievoTest::ExpectMessage expect("the frame is a baseline of format 9, expected at most 1");
+    RELIEVO_CHECK(!comparison->Compare() && !comparison->GetAlike());
+  }
+  // A record that is not one, and one of fewer objects than are seen.
+  for (const char* text : { "{\"name\": 3}", "[", "" })
+  {
+    const vtkSmartPointer<vtkImageData> damaged = compareTest::Draw(boxes);
+    vtkStringArray::SafeDownCast(damaged->GetFieldData()->GetAbstractArray("objects"))
+      ->SetValue(2, text);
+    comparison->SetFrame(damaged);
+    relievoTest::ExpectMessage expect("record of object 2 that cannot be read");
+    RELIEVO_CHECK(!comparison->Compare());
+  }
+  const vtkSmartPointer<vtkImageData> fewer = compareTest::Draw(boxes);
+  vtkStringArray::SafeDownCast(fewer->GetFieldData()->GetAbstractArray("objects"))
+    ->SetNumberOfValues(2);
+  comparison->SetFrame(fewer);
+  {
+    relievoTest::ExpectMessage expect("but its record has 2 objects");
+    RELIEVO_CHECK(!comparison->Compare());
+  }
+  // Cut off, and missing.
+  std::ifstream whole(File("a.exr"), std::ios::binary);
+  std::string bytes((std::istreambuf_iterator<char>(whole)), std::istreambuf_iterator<char>());
+  std::ofstream(File("cut.exr"), std::ios::binary) << bytes.substr(0, bytes.size() / 2);
+  for (const char* name : { "cut.exr", "missing.exr", "missing.png" })
+  {
+    relievoTest::ExpectMessage expect(name);
+    RELIEVO_CHECK(!comparison->ReadFrame(File(name).c_str()));
+    RELIEVO_CHECK(comparison->GetFailureText().find(name) != std::string::npos);
+  }
+  {
+    relievoTest::ExpectMessage expect("the frame is missing");
+    RELIEVO_CHECK(!comparison->Compare());
+  }
+}
+
+//------------------------------------------------------------------------------
+void TestPNG()
+{
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(20, 10, 1);
+  image->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+  vtkDataArray* colors = image->GetPointData()->GetScalars();
+  for (vtkIdType i = 0; i < 200; ++i)
+  {
+    colors->SetTuple3(i, double(i), 100., 255. - double(i));
+  }
+  const auto write = [&](const char* name) {
+    vtkNew<vtkPNGWriter> writer;
+    writer->SetFileName(File(name).c_str());
+    writer->SetInputData(image);
+    writer->Write();
+  };
+  write("a.png");
+  for (vtkIdType i = 20; i < 30; ++i)
+  {
+    colors->SetComponent(i, 1, 102.);
+    colors->SetComponent(i + 20, 1, 103.);
+  }
+  write("b.png");
+  const json found = CompareFiles(File("a.png"), File("b.png"));
+  RELIEVO_CHECK(found["alike"] == false && found["causes"].empty());
+  RELIEVO_CHECK(found["unexplained"] == 10 && found["within_limits"]["rounding"] == 10);
+  for (const char* cause : { "camera", "moved", "shape", "color", "light", "shadow", "overlay" })
+  {
+    RELIEVO_CHECK_THAT(Cannot(found, cause), cause);
+  }
+  // The limit, which can be set.
+  vtkNew<vtkRelievoFrameComparison> comparison;
+  comparison->ReadBaseline(File("a.png").c_str());
+  comparison->ReadFrame(File("b.png").c_str());
+  comparison->SetColorLevels(3.);
+  RELIEVO_CHECK(comparison->Compare() && comparison->GetAlike());
+  comparison->SetColorLevels(0.);
+  RELIEVO_CHECK(comparison->Compare() && comparison->GetNumberOfUnexplainedPixels() == 20);
+}
+}
+
+RELIEVO_TEST_CASE(testComparedFrames)
+{
+  relievoTest::Session session;
+  TestSizeAndCamera();
+  TestValues();
+  TestFiles();
+  TestPNG();
+  return session.Result();
+}
+}

@@ -1,0 +1,398 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Changes of a scene of boxes, each attributed to its cause and object, with and without a record.
+#include "BoxFrames.h"
+
+#include "Check.h"
+#include "Session.h"
+#include "TestCase.h"
+#include "vtkRelievoFrameComparison.h"
+
+#include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace testComparedObjects
+{
+namespace
+{
+using compareTest::Box;
+using compareTest::Boxes;
+using nlohmann::json;
+
+json Compare(vtkImageData* a, vtkImageData* b)
+{
+  vtkNew<vtkRelievoFrameComparison> comparison;
+  comparison->SetBaseline(a);
+  comparison->SetFrame(b);
+  RELIEVO_CHECK(comparison->Compare());
+  const json found = json::parse(comparison->GetJSON());
+  // Each different pixel is counted once, and the image of causes says the same.
+  std::size_t sum = found["unexplained"].get<std::size_t>();
+  for (const json& cause : found["causes"])
+  {
+    sum += cause["pixels"].get<std::size_t>();
+  }
+  RELIEVO_CHECK(sum == found["pixels"].get<std::size_t>());
+  RELIEVO_CHECK(found["alike"].get<bool>() == comparison->GetAlike());
+  if (vtkImageData* causes = comparison->GetCauses())
+  {
+    std::vector<std::size_t> counts(found["causes"].size(), 0);
+    for (vtkIdType i = 0; i < causes->GetNumberOfPoints(); ++i)
+    {
+      const auto cause = static_cast<int>(causes->GetPointData()->GetScalars()->GetTuple1(i));
+      RELIEVO_CHECK(cause < static_cast<int>(counts.size()));
+      if (cause >= 0)
+      {
+        ++counts[static_cast<std::size_t>(cause)];
+      }
+    }
+    for (std::size_t i = 0; i < counts.size(); ++i)
+    {
+      RELIEVO_CHECK(counts[i] == found["causes"][i]["pixels"].get<std::size_t>());
+    }
+  }
+  return found;
+}
+
+json Compare(const Boxes& a, const Boxes& b)
+{
+  return Compare(compareTest::Draw(a), compareTest::Draw(b));
+}
+
+// The entry of a cause and a name; null if there is none.
+json Find(const json& found, const std::string& cause, const std::string& name)
+{
+  for (const json& each : found["causes"])
+  {
+    if (each["cause"] == cause && each.value("name", "") == name)
+    {
+      return each;
+    }
+  }
+  return json();
+}
+
+// "moved wheel, shadow key": causes in the order of their words.
+std::string List(const json& found)
+{
+  std::vector<std::string> all;
+  for (const json& each : found["causes"])
+  {
+    all.push_back(each["cause"].get<std::string>() + " " + each.value("name", ""));
+  }
+  std::sort(all.begin(), all.end());
+  std::string text;
+  for (const std::string& each : all)
+  {
+    text += (text.empty() ? "" : ", ") + each;
+  }
+  return text;
+}
+
+void CheckList(const json& found, const std::string& expected, const std::string& what)
+{
+  RELIEVO_CHECK_THAT(List(found) == expected, what + ": " + found.dump());
+  RELIEVO_CHECK_THAT(found["unexplained"] == 0, what + ": unexplained " + found.dump());
+}
+
+//------------------------------------------------------------------------------
+void TestAlike()
+{
+  for (const bool record : { false, true })
+  {
+    Boxes boxes = compareTest::MakeBoxes();
+    boxes.HasRecord = record;
+    const json found = Compare(boxes, boxes);
+    RELIEVO_CHECK(found["alike"] == true && found["pixels"] == 0);
+    CheckList(found, "", "equal frames");
+    // Other order, and another number for each.
+    Boxes other = boxes;
+    std::reverse(other.All.begin(), other.All.end());
+    CheckList(Compare(boxes, other), "", "reversed order");
+  }
+  // Renamed, all of them: still the same meshes in the same places.
+  const Boxes boxes = compareTest::MakeBoxes();
+  Boxes renamed = boxes;
+  for (Box& box : renamed.All)
+  {
+    box.Name += " of steel";
+  }
+  std::rotate(renamed.All.begin(), renamed.All.begin() + 1, renamed.All.end());
+  CheckList(Compare(boxes, renamed), "", "renamed");
+}
+
+//------------------------------------------------------------------------------
+void TestMoved()
+{
+  for (const bool record : { true, false })
+  {
+    Boxes before = compareTest::MakeBoxes();
+    before.HasRecord = record;
+    Boxes after = before;
+    const compareTest::Vector by = { 0.02, 0.01, -0.03 };
+    after.All[1].MovedBy = by;
+    std::reverse(after.All.begin(), after.All.end());
+    const json found = Compare(before, after);
+    const std::string name = record ? "wheel" : "";
+    RELIEVO_CHECK_THAT(!Find(found, "moved", name).is_null(), found.dump());
+    const json moved = Find(found, "moved", name);
+    RELIEVO_CHECK(moved["id"] == 1 && moved["kind"] == "actor");
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      // By the record exactly; by sight, of three faces, to a float's rounding of depths near 9.
+      RELIEVO_CHECK_NEAR(moved["displacement"][i].get<double>(), by[i], record ? 1e-14 : 2e-5,
+        record ? "displacement by the record" : "displacement by what is seen");
+    }
+    // The largest shift: that of the pixel whose point comes nearest, to the next projection.
+    RELIEVO_CHECK(moved["largest"].get<double>() > 0.3 && moved["largest"].get<double>() < 2.);
+    CheckList(found,
+      record ? "moved wheel, shadow fill, shadow key" : "moved , shadow fill, shadow key", "moved");
+    RELIEVO_CHECK(found["pixels"].get<std::size_t>() +
+        found["within_limits"]["edge"].get<std::size_t>() +
+        found["within_limits"]["rounding"].get<std::size_t>() ==
+      compareTest::CountDifferent(compareTest::Draw(before), [&] {
+        Boxes sorted = after;
+        std::reverse(sorted.All.begin(), sorted.All.end());
+        return compareTest::Draw(sorted);
+      }()));
+  }
+  // By a twentieth of a pixel, which no picture shows.
+  const Boxes before = compareTest::MakeBoxes();
+  Boxes little = before;
+  little.HasRecord = false;
+  Boxes shifted = little;
+  const double pixel = 9.3 * 2. * std::tan(vtkMath::RadiansFromDegrees(15.)) / before.Height;
+  shifted.All[2].MovedBy = { 0.05 * pixel, 0., 0. };
+  const json found = Compare(little, shifted);
+  RELIEVO_CHECK_THAT(!Find(found, "moved", "").is_null(), found.dump());
+  RELIEVO_CHECK_NEAR(
+    Find(found, "moved", "")["displacement"][0].get<double>(), 0.05 * pixel, 2e-5, "twentieth");
+}
+
+//------------------------------------------------------------------------------
+void TestAddedAndRemoved()
+{
+  for (const bool record : { true, false })
+  {
+    Boxes before = compareTest::MakeBoxes();
+    before.HasRecord = record;
+    Boxes without = before;
+    without.All.erase(without.All.begin() + 1);
+    const std::string name = record ? "wheel" : "";
+    const json removed = Compare(before, without);
+    CheckList(removed, "removed " + name + ", shadow fill, shadow key", "removed");
+    const json added = Compare(without, before);
+    CheckList(added, "added " + name + ", shadow fill, shadow key", "added");
+    RELIEVO_CHECK(removed["pixels"] == added["pixels"]);
+    // As many as the picture shows of it, at least.
+    std::size_t seen = 0;
+    const vtkSmartPointer<vtkImageData> frame = compareTest::Draw(before);
+    for (vtkIdType i = 0; i < frame->GetNumberOfPoints(); ++i)
+    {
+      seen += frame->GetPointData()->GetArray("actor")->GetTuple1(i) == 1. ? 1 : 0;
+    }
+    RELIEVO_CHECK(Find(removed, "removed", name)["pixels"].get<std::size_t>() == seen);
+  }
+  // Hidden: what is behind is not said to have been added.
+  Boxes before = compareTest::MakeBoxes();
+  before.All.push_back({ "screen", { -1.2, 0.9, 0. }, { 0.5, 0.6, 0.05 } });
+  before.HasRecord = false;
+  Boxes after = before;
+  after.All[4].MovedBy = { 1.6, -0.3, 0. }; // before the cup
+  const json found = Compare(before, after);
+  RELIEVO_CHECK_THAT(
+    Find(found, "added", "").is_null() && Find(found, "removed", "").is_null(), found.dump());
+  RELIEVO_CHECK_THAT(Find(found, "visibility", "").is_null(), found.dump());
+  // Not shown.
+  Boxes hidden = compareTest::MakeBoxes();
+  hidden.All[2].Visible = false;
+  CheckList(Compare(compareTest::MakeBoxes(), hidden), "shadow fill, shadow key, visibility helmet",
+    "hidden");
+}
+
+//------------------------------------------------------------------------------
+void TestShape()
+{
+  for (const bool record : { true, false })
+  {
+    Boxes before = compareTest::MakeBoxes();
+    before.HasRecord = record;
+    before.All[2].Center[1] = 0.6; // over the floor: what stands on it might as well have sunk
+    Boxes after = before;
+    after.All[2].HalfSize[1] = 0.3; // the top alone is lower
+    after.All[2].Center[1] = 0.55;
+    const json found = Compare(before, after);
+    const json shape = Find(found, "shape", record ? "helmet" : "");
+    RELIEVO_CHECK_THAT(!shape.is_null(), found.dump());
+    RELIEVO_CHECK_THAT(Find(found, "moved", record ? "helmet" : "").is_null(), found.dump());
+    // Its top is cell 3.
+    const std::vector<int> cells = shape["cells"].get<std::vector<int>>();
+    RELIEVO_CHECK_THAT(std::find(cells.begin(), cells.end(), 3) != cells.end(), shape.dump());
+    RELIEVO_CHECK(found["unexplained"] == 0);
+  }
+}
+
+//------------------------------------------------------------------------------
+void TestSurfaces()
+{
+  for (const bool record : { true, false })
+  {
+    Boxes before = compareTest::MakeBoxes();
+    before.HasRecord = record;
+    const std::string cup = record ? "cup" : "";
+    Boxes recolored = before;
+    recolored.All[3].Color[2] = 0.9 + 9. / 255.;
+    const json color = Compare(before, recolored);
+    CheckList(color, "color " + cup, "recoloured");
+    RELIEVO_CHECK(Find(color, "color", cup)["largest"] == 9.0);
+    // Two levels are within the limits, and counted.
+    recolored.All[3].Color[2] = 0.9 + 2. / 255.;
+    const json within = Compare(before, recolored);
+    RELIEVO_CHECK_THAT(within["alike"] == true, within.dump());
+    RELIEVO_CHECK(within["within_limits"]["rounding"].get<int>() > 100);
+    Boxes values = before;
+    values.All[3].Value = 1.001;
+    const json array = Compare(before, values);
+    CheckList(array, "array " + cup, "array");
+    RELIEVO_CHECK(Find(array, "array", cup)["array"] == "pressure");
+    // A normal that is turned.
+    const vtkSmartPointer<vtkImageData> a = compareTest::Draw(before);
+    const vtkSmartPointer<vtkImageData> b = compareTest::Draw(before);
+    vtkDataArray* normals = b->GetPointData()->GetArray("normal");
+    const vtkIdType middle = 40 * 160 + 80;
+    const double* old = a->GetPointData()->GetArray("normal")->GetTuple(middle);
+    const double angle = vtkMath::RadiansFromDegrees(0.5);
+    normals->SetTuple3(middle, old[0] * std::cos(angle) + old[1] * std::sin(angle),
+      old[1] * std::cos(angle) + old[2] * std::sin(angle),
+      old[2] * std::cos(angle) + old[0] * std::sin(angle));
+    const json normal = Compare(a, b);
+    RELIEVO_CHECK_THAT(normal["causes"].size() == 1 && normal["causes"][0]["cause"] == "normal" &&
+        normal["causes"][0]["pixels"] == 1,
+      normal.dump());
+    RELIEVO_CHECK_NEAR(normal["causes"][0]["largest"].get<double>(), 0.5, 1e-4, "angle");
+  }
+  // A shine is no colour of the surface: the record knows it.
+  Boxes shiny = compareTest::MakeBoxes();
+  shiny.All[3].Specular = 0.1;
+  CheckList(Compare(compareTest::MakeBoxes(), shiny), "settings cup", "specular");
+}
+
+//------------------------------------------------------------------------------
+void TestLights()
+{
+  const Boxes before = compareTest::MakeBoxes();
+  Boxes dimmed = before;
+  dimmed.Lamps[1].Intensity = 0.25;
+  CheckList(Compare(before, dimmed), "light fill", "dimmed");
+  Boxes moved = before;
+  moved.Lamps[0].Direction = { 2.2, 5., 1.5 };
+  const json light = Compare(before, moved);
+  CheckList(light, "light key", "light moved");
+  RELIEVO_CHECK(Find(light, "light", "key")["changed"] == "position");
+  // In another order.
+  Boxes swapped = before;
+  std::swap(swapped.Lamps[0], swapped.Lamps[1]);
+  CheckList(Compare(before, swapped), "", "lights in another order");
+  // The shadow of one light alone.
+  const vtkSmartPointer<vtkImageData> a = compareTest::Draw(before);
+  const vtkSmartPointer<vtkImageData> b = compareTest::Draw(before);
+  std::size_t lit = 0;
+  for (int x = 60; x < 70; ++x)
+  {
+    lit += a->GetPointData()->GetArray("shadow_1")->GetTuple1(30 * 160 + x) == 1. &&
+        a->GetPointData()->GetArray("actor")->GetTuple1(30 * 160 + x) >= 0.
+      ? 1
+      : 0;
+  }
+  compareTest::Fill(b, "shadow_1", 60, 70, 30, 31, 0.);
+  const json shadow = Compare(a, b);
+  CheckList(shadow, "shadow fill", "shadow of one light");
+  RELIEVO_CHECK(lit > 0 && shadow["pixels"] == lit);
+  // Lights without a difference that is seen are compared all the same.
+  Boxes dark = before;
+  dark.Lamps.push_back({ "off", { 0., 1., 0. }, 0. });
+  CheckList(Compare(before, dark), "light off", "a light more");
+}
+
+//------------------------------------------------------------------------------
+void TestPictureAlone()
+{
+  // A text over the floor.
+  Boxes before = compareTest::MakeBoxes();
+  Boxes after = before;
+  after.Overlays = { R"({"kind": "text", "text": "12 %"})" };
+  const vtkSmartPointer<vtkImageData> a = compareTest::Draw(before);
+  vtkSmartPointer<vtkImageData> b = compareTest::Draw(after);
+  compareTest::Fill(b, "color", 5, 25, 5, 12, 1.);
+  const json text = Compare(a, b);
+  CheckList(text, "overlay ", "text");
+  RELIEVO_CHECK(text["pixels"] == 140);
+  // The same pixels without any record of a reason.
+  b = compareTest::Draw(before);
+  compareTest::Fill(b, "color", 5, 25, 5, 12, 1.);
+  const json unexplained = Compare(a, b);
+  RELIEVO_CHECK(unexplained["unexplained"] == 140 && unexplained["causes"].empty());
+  RELIEVO_CHECK(unexplained["alike"] == false);
+  // Settings.
+  after = before;
+  after.Settings = { "background=1 1 1", "tone:operator=reinhard" };
+  CheckList(Compare(before, after), "settings background, tone tone:operator", "settings");
+  // Something translucent that moves: a box around it.
+  before.All.push_back({ "glass", { 0., 1., 0. }, { 0.2, 0.2, 0.2 } });
+  before.All.back().Translucent = true;
+  after = before;
+  after.All.back().MovedBy = { 0.1, 0., 0. };
+  b = compareTest::Draw(after);
+  compareTest::Fill(b, "color", 76, 84, 71, 79, 0.7);
+  const json glass = Compare(compareTest::Draw(before), b);
+  RELIEVO_CHECK_THAT(Find(glass, "translucent", "glass")["pixels"] == 64, glass.dump());
+}
+
+//------------------------------------------------------------------------------
+// Objects that are all the same, named by nothing, which swap their places: nothing has changed.
+void TestSwarm()
+{
+  Boxes before;
+  for (int i = 0; i < 1000; ++i)
+  {
+    const double x = -2.4 + 0.15 * (i % 33);
+    const double z = -2.4 + 0.15 * (i / 33);
+    before.All.push_back({ "", { x, 0., z }, { 0.05, 0.05, 0.05 } });
+    before.All.back().Center = { 0., 0., 0. };
+    before.All.back().MovedBy = { x, 0., z };
+  }
+  before.Width = 96;
+  before.Height = 72;
+  Boxes after = before;
+  for (std::size_t i = 0; i < after.All.size(); ++i)
+  {
+    after.All[i].MovedBy = before.All[(i * 7 + 3) % 1000].MovedBy;
+  }
+  const json found = Compare(before, after);
+  RELIEVO_CHECK_THAT(found["alike"] == true, List(found));
+  after.All[500].MovedBy[1] += 0.05;
+  const json one = Compare(before, after);
+  RELIEVO_CHECK_THAT(one["causes"].size() == 1 && one["causes"][0]["cause"] == "moved", one.dump());
+}
+}
+
+RELIEVO_TEST_CASE(testComparedObjects)
+{
+  relievoTest::Session session;
+  TestAlike();
+  TestMoved();
+  TestAddedAndRemoved();
+  TestShape();
+  TestSurfaces();
+  TestLights();
+  TestPictureAlone();
+  TestSwarm();
+  return session.Result();
+}
+}
