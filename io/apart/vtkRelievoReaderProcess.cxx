@@ -719,15 +719,24 @@ std::string vtkRelievoReaderProcess::Run(Work work,
   writer.Flush();
   request.Size = asked.size();
   request.ProcessorSeconds = ProcessorSeconds;
-  const auto fail = [] {
-    if (Forked)
+  const int server = Server;
+  const auto fail = [server] {
+    const std::lock_guard<std::mutex> guard(Starting);
+    if (!Forked)
     {
-      waitpid(Process, nullptr, WNOHANG);
+      if (Server == server) // the next file starts another
+      {
+        close(Server);
+        Server = -1;
+        Searched = false;
+      }
+      return "cannot be started: the process that reads files has been ended; read it again";
     }
+    waitpid(Process, nullptr, WNOHANG);
     return "cannot be started: the process that reads files has been ended; start the program "
            "again";
   };
-  if (!SendRequest(Server, request, { its.Get(), itsLine.Get(), folder.Get() }))
+  if (!SendRequest(server, request, { its.Get(), itsLine.Get(), folder.Get() }))
   {
     return fail();
   }
