@@ -151,6 +151,7 @@ bool TakeObject(const std::string& text, Object& object)
   {
     return false;
   }
+  TakeNumbers(json, "spread", object.Spread);
   object.Name = TakeText(json, "name");
   object.Points = TakeText(json, "points");
   object.Cells = TakeText(json, "cells");

@@ -407,8 +407,8 @@ int PixelCauses::JudgeLayers(std::size_t pixel)
 }
 
 //------------------------------------------------------------------------------
-// Where the records say that nothing has changed, rounding alone turns a shadow's verdicts, and only
-// on its borders: of a soft one, which is a mean, one sample's.
+// Where the records say that nothing has changed, rounding alone turns a shadow's verdicts, and
+// only on its borders: of a soft one, which is a mean, one sample's.
 std::optional<double> PixelCauses::FindBorderStep() const
 {
   const bool isSame = this->A.HasRecord && this->B.HasRecord && !this->Objects.AnyChanged() &&
