@@ -44,6 +44,22 @@ std::vector<T> GetValues(vtkDataArray* array)
 }
 
 template <>
+std::vector<int> GetValues<int>(vtkDataArray* array)
+{
+  if (array->GetDataType() == VTK_INT)
+  {
+    const auto* from = static_cast<const int*>(array->GetVoidPointer(0));
+    return std::vector<int>(from, from + array->GetNumberOfValues());
+  }
+  std::vector<int> values;
+  for (const double value : GetValues<double>(array))
+  {
+    values.push_back(static_cast<int>(value));
+  }
+  return values;
+}
+
+template <>
 std::vector<float> GetValues<float>(vtkDataArray* array)
 {
   const int components = array->GetNumberOfComponents();
@@ -135,6 +151,7 @@ bool TakeObject(const std::string& text, Object& object)
   {
     return false;
   }
+  TakeNumbers(json, "spread", object.Spread);
   object.Name = TakeText(json, "name");
   object.Points = TakeText(json, "points");
   object.Cells = TakeText(json, "cells");

@@ -30,6 +30,7 @@ struct Object
   std::array<double, 16> Matrix{};
   std::string Points, Cells; // numbers and sums of the mesh
   std::array<double, 3> Center{};
+  std::array<double, 9> Spread{};                            // the covariance of the mesh's points
   std::array<double, 6> Bounds{ 1., -1., 1., -1., 1., -1. }; // in the world
   nlohmann::json Settings;                                   // of its property
 };

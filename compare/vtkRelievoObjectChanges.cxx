@@ -59,6 +59,21 @@ std::int64_t GetKey(const Frame& frame, std::size_t pixel)
   return (block << 32) + (frame.Cell.empty() ? 0 : frame.Cell[pixel]);
 }
 
+// Whether points are spread alike around their centres, but for the rounding of floats. One point
+// of many that moves changes the spread more than the centre.
+bool IsSpreadAlike(const Object& a, const Object& b)
+{
+  const double size = std::sqrt(a.Spread[0] + a.Spread[4] + a.Spread[8]);
+  const double most = 1e-6 * size * (size + Length(a.Center) + Length(b.Center));
+  const double moved = Length(Minus(a.Center, b.Center));
+  bool isAlike = size > 0.0 && moved > 1e-4 * size;
+  for (std::size_t i = 0; i < 9; ++i)
+  {
+    isAlike = isAlike && std::abs(a.Spread[i] - b.Spread[i]) <= most;
+  }
+  return isAlike;
+}
+
 std::array<double, 16> Translation(const Vector& t)
 {
   return { 1., 0., 0., t[0], 0., 1., 0., t[1], 0., 0., 1., t[2], 0., 0., 0., 1. };
@@ -324,10 +339,8 @@ void ObjectChanges::ChangeByRecord()
     else
     {
       // One whose points were all moved alike is where another matrix would place it.
-      const std::optional<Vector> seen =
-        from.Cells == to.Cells ? this->FindTranslation(a, b) : std::nullopt;
       const Vector displacement = Minus(to.Center, from.Center);
-      if (seen && Length(Minus(*seen, displacement)) < 0.05 * Length(displacement))
+      if (from.Cells == to.Cells && IsSpreadAlike(from, to) && from.Matrix == to.Matrix)
       {
         this->AddMove(a, Translation(displacement), displacement);
       }

@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <cstring>
 #include <limits>
 
 namespace relievo::compare
@@ -51,8 +53,14 @@ PixelCauses::PixelCauses(const Frame& before, const Frame& after, const Limits& 
 {
   this->PairLights();
   this->CompareSettings();
+  this->PairLayers();
+  this->BorderStep = this->FindBorderStep();
   for (std::size_t i = 0; i < before.Pixels; ++i)
   {
+    if (this->IsEqualInAll(i))
+    {
+      continue;
+    }
     this->IsDifferent = false;
     const int cause = this->JudgeLayers(i);
     const int picture = this->JudgePicture(i);
@@ -84,6 +92,76 @@ PixelCauses::PixelCauses(const Frame& before, const Frame& after, const Limits& 
       std::vector<int>(cells.begin(), std::next(cells.begin(), std::min(cells.size(), MostCells)));
     this->List.At(finding).More["number_of_cells"] = cells.size();
   }
+}
+
+//------------------------------------------------------------------------------
+void PixelCauses::PairLayers()
+{
+  const auto add = [this](
+                     const std::vector<float>& a, const std::vector<float>& b, int components) {
+    this->HasOtherForms = this->HasOtherForms || a.empty() != b.empty() || a.size() != b.size();
+    if (!a.empty() && a.size() == b.size())
+    {
+      this->Layers.push_back({ a.data(), b.data(), static_cast<std::size_t>(components) });
+    }
+  };
+  add(this->A.Picture.Values, this->B.Picture.Values, this->A.Picture.Components);
+  add(this->A.Depth, this->B.Depth, 1);
+  for (const auto& [from, to] :
+    { std::pair(&this->A.Surface, &this->B.Surface), std::pair(&this->A.Stages, &this->B.Stages) })
+  {
+    for (const auto& [name, layer] : *from)
+    {
+      if (const Layer* other = Find(*to, name))
+      {
+        add(layer.Values, other->Values, layer.Components);
+      }
+    }
+  }
+  for (const LightPair& pair : this->Lights)
+  {
+    if (pair.Before >= 0 && pair.After >= 0)
+    {
+      const auto from =
+        this->A.Shadow.find(this->A.Lights[static_cast<std::size_t>(pair.Before)].Layer);
+      const auto to =
+        this->B.Shadow.find(this->B.Lights[static_cast<std::size_t>(pair.After)].Layer);
+      if (from != this->A.Shadow.end() && to != this->B.Shadow.end())
+      {
+        add(from->second, to->second, 1);
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+// Whether all values are the same bits, as those of most pixels are.
+bool PixelCauses::IsEqualInAll(std::size_t pixel) const
+{
+  const bool isJudged = this->Lights.empty() && !this->A.Shadow.empty();
+  const bool isElsewhere = this->A.Depth.empty() || this->B.Depth.empty() || this->HasOtherForms ||
+    this->A.IsLinear != this->B.IsLinear;
+  const auto isSame = [pixel](const std::vector<int>& a, const std::vector<int>& b) {
+    return a.empty() || b.empty() || a[pixel] == b[pixel];
+  };
+  if (isJudged || isElsewhere || !isSame(this->A.Cell, this->B.Cell) ||
+    !isSame(this->A.Block, this->B.Block))
+  {
+    return false;
+  }
+  if (!this->A.Actor.empty() && !this->B.Actor.empty())
+  {
+    const int a = this->A.Actor[pixel];
+    const int b = this->B.Actor[pixel];
+    if (a < 0 ? b >= 0 : this->Objects.GetAfter(a) != b)
+    {
+      return false;
+    }
+  }
+  return std::all_of(this->Layers.begin(), this->Layers.end(), [pixel](const Values& values) {
+    return std::memcmp(values.Before + pixel * values.Components,
+             values.After + pixel * values.Components, values.Components * sizeof(float)) == 0;
+  });
 }
 
 //------------------------------------------------------------------------------
@@ -329,14 +407,18 @@ int PixelCauses::JudgeLayers(std::size_t pixel)
 }
 
 //------------------------------------------------------------------------------
-// Whether the records say that nothing has changed: then values differ by rounding alone, which
-// turns what is on a border.
-bool PixelCauses::IsAsRecorded() const
+// Where the records say that nothing has changed, rounding alone turns a shadow's verdicts, and
+// only on its borders: of a soft one, which is a mean, one sample's.
+std::optional<double> PixelCauses::FindBorderStep() const
 {
-  return this->A.HasRecord && this->B.HasRecord && !this->Objects.AnyChanged() &&
+  const bool isSame = this->A.HasRecord && this->B.HasRecord && !this->Objects.AnyChanged() &&
     this->Settings < 0 && this->Tone < 0 &&
     std::all_of(this->Lights.begin(), this->Lights.end(),
       [](const LightPair& pair) { return pair.Finding < 0; });
+  const auto samples = this->A.Settings.find("shadows:soft_samples");
+  const int count = samples == this->A.Settings.end() ? 0 : std::atoi(samples->second.c_str());
+  const double step = count > 1 ? 1.001 / count : 0.0;
+  return isSame ? std::optional<double>(step) : std::nullopt;
 }
 
 //------------------------------------------------------------------------------
@@ -512,14 +594,14 @@ int PixelCauses::JudgeSurface(std::size_t pixel, int a, bool sameCell)
 //------------------------------------------------------------------------------
 int PixelCauses::JudgeLights(std::size_t pixel)
 {
-  const bool isAsRecorded = this->IsAsRecorded();
+  const double limit = this->Bounds.ColorLevels / 255.0;
   const auto differ = [&](const std::vector<float>& from, const std::vector<float>& to) {
     this->IsDifferent = this->IsDifferent || !IsEqual(from[pixel], to[pixel]);
-    return !IsEqual(from[pixel], to[pixel]) &&
-      !(std::abs(from[pixel] - to[pixel]) <= this->Bounds.ColorLevels / 255.0) &&
-      !(isAsRecorded && this->IsBetween(pixel, 0.0, [&](const Frame& frame, std::size_t at) {
-        return (&frame == &this->A ? from : to)[at];
-      }));
+    return !IsEqual(from[pixel], to[pixel]) && !(std::abs(from[pixel] - to[pixel]) <= limit) &&
+      !(this->BorderStep &&
+        this->IsBetween(pixel, *this->BorderStep, [&](const Frame& frame, std::size_t at) {
+          return (&frame == &this->A ? from : to)[at];
+        }));
   };
   if (this->Lights.empty()) // no record of lights
   {

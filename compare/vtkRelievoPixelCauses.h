@@ -11,6 +11,7 @@
 #include "vtkRelievoObjectChanges.h"
 
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -46,7 +47,16 @@ private:
     int Finding = -1;            // of a difference between their records
   };
 
+  // The values of a layer of both frames, which have the same meaning.
+  struct Values
+  {
+    const float *Before, *After;
+    std::size_t Components;
+  };
+
   void PairLights();
+  void PairLayers();
+  bool IsEqualInAll(std::size_t pixel) const;
   void CompareSettings();
   int JudgeLayers(std::size_t pixel);
   int JudgeGeometry(std::size_t pixel, int a, int b);
@@ -59,7 +69,7 @@ private:
   bool IsEdge(std::size_t pixel) const;
   bool IsBetweenNeighbours(std::size_t pixel) const;
   bool IsTie(std::size_t pixel) const;
-  bool IsAsRecorded() const;
+  std::optional<double> FindBorderStep() const;
   bool DiffersInLayer(const Layer& a, const Layer& b, std::size_t pixel, double limit) const;
   double GetAngle(std::size_t pixel) const;
   bool Covers(const Change& change, std::size_t pixel) const;
@@ -80,8 +90,11 @@ private:
   const ObjectChanges& Objects;
   CauseList& List;
   std::vector<LightPair> Lights;
+  std::vector<Values> Layers;
+  bool HasOtherForms = false;                 // layers of other numbers of components
   int Overlay = -1, Tone = -1, Settings = -1; // findings of the records
   std::map<int, std::set<int>> Cells;         // of changed shapes, by finding
+  std::optional<double> BorderStep;           // of shadows; none: something has changed
   bool IsDifferent = false;                   // of the pixel: some layer, within its limits
   std::vector<int> Causes;
 };

@@ -90,7 +90,21 @@ struct MeshRecord
 {
   vtkIdType Points = 0, Cells = 0;
   CheckSum PointSum, CellSum;
-  std::array<double, 3> Center{};
+  std::array<double, 3> Center{}; // the sum
+  double Products[3][3] = {};     // of coordinates, summed
+
+  // The mean of (p - center) (p - center)^T, which a translation of all points leaves as it is.
+  std::array<double, 9> GetSpread() const
+  {
+    const double count = std::max<double>(1.0, double(this->Points));
+    std::array<double, 9> spread{};
+    for (std::size_t i = 0; i < 9; ++i)
+    {
+      spread[i] = this->Products[i / 3][i % 3] / count -
+        this->Center[i / 3] * this->Center[i % 3] / (count * count);
+    }
+    return spread;
+  }
 
   void AddCells(vtkCellArray* cells)
   {
@@ -116,6 +130,10 @@ struct MeshRecord
       {
         point[c] += 0.0; // -0 is 0
         this->Center[static_cast<std::size_t>(c)] += point[c];
+        for (int k = 0; k < 3; ++k)
+        {
+          this->Products[c][k] += point[c] * point[k];
+        }
       }
       this->PointSum.Add(point, sizeof(point));
     }
@@ -191,8 +209,8 @@ Json DescribeActor(vtkActor* actor, const std::string& name)
     { "translucent", actor->HasTranslucentPolygonalGeometry() != 0 }, { "matrix", rows },
     { "points", std::to_string(mesh.Points) + " " + mesh.PointSum.Get() },
     { "cells", std::to_string(mesh.Cells) + " " + mesh.CellSum.Get() },
-    { "center", { center[0], center[1], center[2] } }, { "bounds", bounds },
-    { "settings", DescribeProperty(actor->GetProperty()) } };
+    { "center", { center[0], center[1], center[2] } }, { "spread", mesh.GetSpread() },
+    { "bounds", bounds }, { "settings", DescribeProperty(actor->GetProperty()) } };
 }
 
 // What it shows, where that can be asked.

@@ -15,7 +15,7 @@
  * - baseline_version (int): the format, 1.
  * - objects (one JSON string for each of vtkRenderer::GetActors()): name, visible, translucent,
  *   matrix, points and cells (numbers and check sums of the mesh), center and bounds in the world,
- *   settings (of the property).
+ *   spread (the covariance of the points), settings (of the property).
  * - overlays (JSON strings): texts, bars and other 2D actors that are shown.
  * - settings (strings NAME=VALUE): background, and the parameters of the stages that ran.
  * - versions (strings): of Relievo, VTK and OpenGL.

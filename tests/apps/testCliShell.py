@@ -18,7 +18,7 @@ HELP = subprocess.run(
 WORDS = subprocess.run(
     [RELIEVO, "--words"], stdout=subprocess.PIPE, text=True, check=True
 ).stdout
-VERBS = ("render", "dataset", "visible", "sun", "cave", "bench")
+VERBS = ("render", "compare", "dataset", "visible", "sun", "cave", "bench")
 DOCS = pathlib.Path(COMPLETION).parents[3] / "docs"
 
 # A substitute for the parts of bash-completion that complete files and colons.
@@ -33,7 +33,7 @@ compopt() { :; }
 
 def options_of(verb):
     """Each option of that part of the help, with what is said of it."""
-    end = "(?=^(?:dataset|visible|sun|cave|stages|bench|Options) )"
+    end = "(?=^(?:compare|dataset|visible|sun|cave|stages|bench|Options) )"
     part = re.search(rf"^{verb} (?:.|\n)*?{end}", HELP, re.M).group()
     found = re.split(r"^  (--?[a-z][a-z-]*)", part, flags=re.M)[1:]
     return dict(zip(found[::2], found[1::2]))
@@ -70,13 +70,13 @@ class Completion(unittest.TestCase):
             if verb == "dataset":  # of a scene of render, but poses and files of its own
                 known |= set(options_of("render")) - {
                     "--camera", "--parallel-scale", "--clip", "--times", "--png", "--exr",
-                    "--report", "--hdr", "--transparent", "--certify"}  # fmt: skip
+                    "--baseline", "--report", "--hdr", "--transparent", "--certify"}  # fmt: skip
             self.assertEqual(sorted(offered), sorted(known))
 
     def test_the_viewer_takes_the_words_of_render(self):
         viewer = RELIEVO + "-viewer"
         offered = complete("-", known="", program=viewer)  # asks the command beside it
-        outputs = {"--png", "--exr", "--report", "--layers", "--hdr", "--lens",
+        outputs = {"--png", "--exr", "--baseline", "--report", "--layers", "--hdr", "--lens",
                    "--transparent", "--certify"}
         own = {"--once", "--help", "--version"}
         self.assertEqual(set(offered), set(options_of("render")) - outputs | own)
@@ -146,6 +146,7 @@ class Pages(unittest.TestCase):
             ("visible", page.split("| option of `visible` |")[1]),
             ("sun", page.split("| option of `sun` |")[1]),
             ("dataset", (DOCS / "datasets.md").read_text("utf-8").split("## Options")[1]),
+            ("compare", (DOCS / "compare.md").read_text("utf-8").split("| option of")[1]),
             ("cave", (DOCS / "caves.md").read_text("utf-8").split("## Settings")[1]),
         ):
             table = re.search(r"^\|---.*\n((?:\|.*\n)+)", text, re.M).group(1)

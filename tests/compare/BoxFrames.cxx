@@ -131,6 +131,9 @@ std::string DescribeBox(const Box& box)
       << R"(], "points": "8 )" << mesh << R"(", "cells": "6", "center": [)"
       << Join({ c[0], c[1], c[2] }) << R"(], "bounds": [)"
       << Join({ bounds[0], bounds[1], bounds[2], bounds[3], bounds[4], bounds[5] })
+      << R"(], "spread": [)"
+      << Join({ box.HalfSize[0] * box.HalfSize[0], 0., 0., 0., box.HalfSize[1] * box.HalfSize[1],
+           0., 0., 0., box.HalfSize[2] * box.HalfSize[2] })
       << R"(], "settings": {"specular": )" << box.Specular << "}}";
   return out.str();
 }

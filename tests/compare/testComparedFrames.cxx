@@ -133,6 +133,56 @@ void TestValues()
 }
 
 //------------------------------------------------------------------------------
+// What rounding turns where records say that nothing has changed, and what it does not.
+void TestBorders()
+{
+  compareTest::Boxes boxes = compareTest::MakeBoxes();
+  boxes.Settings.emplace_back("shadows:soft_samples=24");
+  const vtkSmartPointer<vtkImageData> a = compareTest::Draw(boxes);
+  // One of two faces that coincide: another cell at the same depth, inside of a face.
+  vtkSmartPointer<vtkImageData> b = compareTest::Draw(boxes);
+  compareTest::Fill(b, "cell", 90, 92, 50, 52, 9.);
+  const json twins = Compare(a, b);
+  RELIEVO_CHECK_THAT(twins["alike"] == true && twins["within_limits"]["edge"] == 4, twins.dump());
+  // A hole, through which something far is seen, is none of rounding: only its border may be.
+  compareTest::Fill(b, "depth", 88, 94, 48, 54, 40.);
+  compareTest::Fill(b, "cell", 88, 94, 48, 54, 7.);
+  const json hole = Compare(a, b);
+  RELIEVO_CHECK_THAT(
+    hole["alike"] == false && hole["pixels"] == 36 && hole["causes"][0]["cause"] == "shape",
+    hole.dump());
+  // The border of a shadow goes one pixel further; inside of it a light that leaks is seen.
+  vtkDataArray* shadow = a->GetPointData()->GetArray("shadow_0");
+  vtkDataArray* actor = a->GetPointData()->GetArray("actor");
+  b = compareTest::Draw(boxes);
+  vtkDataArray* moved = b->GetPointData()->GetArray("shadow_0");
+  vtkIdType border = -1;
+  for (vtkIdType i = 161; i < 160 * 119 - 1 && border < 0; ++i)
+  {
+    border = shadow->GetTuple1(i) == 0. && shadow->GetTuple1(i + 1) == 1. &&
+        actor->GetTuple1(i) >= 0. && actor->GetTuple1(i + 1) >= 0.
+      ? i
+      : -1;
+  }
+  moved->SetTuple1(border, 1.);
+  RELIEVO_CHECK(border > 0 && Compare(a, b)["alike"] == true);
+  for (const vtkIdType other : { -161, -160, -159, -1, 0, 1, 159, 160, 161 })
+  {
+    moved->SetTuple1(50 * 160 + 90 + other, 0.5);
+  }
+  const json leak = Compare(a, b);
+  RELIEVO_CHECK_THAT(
+    leak["alike"] == false && leak["causes"][0]["cause"] == "shadow" && leak["pixels"] == 9,
+    leak.dump());
+  // Without records no border is known to be one of rounding.
+  boxes.HasRecord = false;
+  const vtkSmartPointer<vtkImageData> c = compareTest::Draw(boxes);
+  const vtkSmartPointer<vtkImageData> d = compareTest::Draw(boxes);
+  compareTest::Fill(d, "cell", 90, 92, 50, 52, 9.);
+  RELIEVO_CHECK(Compare(c, d)["causes"][0]["cause"] == "shape");
+}
+
+//------------------------------------------------------------------------------
 void TestFiles()
 {
   compareTest::Boxes boxes = compareTest::MakeBoxes();
@@ -245,6 +295,7 @@ RELIEVO_TEST_CASE(testComparedFrames)
   relievoTest::Session session;
   TestSizeAndCamera();
   TestValues();
+  TestBorders();
   TestFiles();
   TestPNG();
   return session.Result();

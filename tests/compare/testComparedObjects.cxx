@@ -162,6 +162,13 @@ void TestMoved()
         return compareTest::Draw(sorted);
       }()));
   }
+  // By other points, under the same matrix.
+  Boxes baked = compareTest::MakeBoxes();
+  baked.All[1].Mesh = "elsewhere";
+  baked.All[1].Center[0] += 0.04;
+  const json points = Compare(compareTest::MakeBoxes(), baked);
+  RELIEVO_CHECK_NEAR(Find(points, "moved", "wheel")["displacement"][0].get<double>(), 0.04, 1e-14,
+    "displacement by points");
   // By a twentieth of a pixel, which no picture shows.
   const Boxes before = compareTest::MakeBoxes();
   Boxes little = before;

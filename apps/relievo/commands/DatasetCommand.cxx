@@ -29,7 +29,7 @@ namespace
 {
 // Options of render that poses, or the data set's own files, are in the place of.
 constexpr const char* OfRender[] = { "--camera", "--parallel-scale", "--clip", "--times", "--png",
-  "--exr", "--report", "--hdr", "--transparent", "--certify" };
+  "--exr", "--baseline", "--report", "--hdr", "--transparent", "--certify" };
 
 bool IsOfRender(const std::string& name)
 {
