@@ -18,11 +18,11 @@ namespace scene
 {
 namespace
 {
-// VTK's copy of a property gives its textures back without having taken them: once for each name
-// that it knows them by.
+// VTK's copy of a property releases textures without having referenced them: once for each name of
+// a texture.
 vtkSmartPointer<vtkProperty> Copy(vtkProperty* property)
 {
-  std::map<vtkTexture*, int> counts; // of references, with those of the copy
+  std::map<vtkTexture*, int> counts; // references, including the copy's
   for (const auto& named : property->GetAllTextures())
   {
     const auto known = counts.emplace(named.second, named.second->GetReferenceCount()).first;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * A scene as it was read, and the way back to it from whatever it was dressed in.
+ * A scene as read from its files, and how to undo every option that was applied to it.
  */
 #ifndef BareScene_h
 #define BareScene_h
@@ -29,36 +29,36 @@ public:
 
   explicit BareScene(const Scene& scene);
 
-  /// Brings the scene back to how it was read; what surfaces wear stays, and the sky.
+  /// Restores the scene as read from its files; surface maps and the skybox stay.
   Scene& Undress();
 
-  /// Sets what surfaces wear, and the sky, instead of what there was; that stays, without its files
-  /// being read again, where this throws.
+  /// Replaces surface maps and the skybox. If this throws, the old ones stay, and their files are
+  /// not read again.
   void Wear(const RenderOptions& options, Progress& progress);
   void TakeOff();
 
   Scene& Get() { return this->Read; }
   const Scene& Get() const { return this->Read; }
 
-  /// What an actor was before it was dressed.
+  /// An actor's state before options were applied.
   struct Part
   {
     vtkSmartPointer<vtkActor> Actor;
     vtkSmartPointer<vtkProperty> Property;
     vtkSmartPointer<vtkTexture> Texture;
-    bool SRGB;                                    // of the texture
-    vtkSmartPointer<vtkRelievoMaterial> Material; // of a model that brings one
+    bool SRGB;                                    // whether the texture is sRGB
+    vtkSmartPointer<vtkRelievoMaterial> Material; // the model's own material
     bool Colored;
     int ScalarMode, ColorMode, ArrayAccess, ArrayId;
     std::string ArrayName;
     bool OwnRange;
-    bool Interpolated; // scalars, before they are colours
+    bool Interpolated; // interpolates scalars before mapping them to colours
   };
 
-  /// Null for an actor that was not read, such as a skeleton.
+  /// Null for an actor that was not read from a file, such as a skeleton.
   const Part* Find(vtkActor* actor) const;
 
-  /// Those of the files.
+  /// Lights of the files.
   const std::vector<vtkSmartPointer<vtkLight>>& GetLights() const { return this->Lights; }
 
 private:

@@ -46,7 +46,7 @@ std::string MakeSurfaceKey(const Settings& settings, const RenderOptions& option
   return MakeKey(settings, Wearing) + (shadowed ? "in its own shadow" : "");
 }
 
-// Everything but stages, the camera and the files.
+// The options of MakeKey other than stages, the camera and the files.
 std::string MakeDressKey(const Settings& settings)
 {
   std::vector<const char*> names;
@@ -116,7 +116,7 @@ vtkRelievoPass* DressedScene::GetFrame() const
 void DressedScene::SetPoints(const FramePoints& points)
 {
   this->Points = points;
-  vtkRelievoPass::Detach(this->GetRenderer()); // a new one takes them
+  vtkRelievoPass::Detach(this->GetRenderer()); // a new frame takes the points
 }
 
 //------------------------------------------------------------------------------
@@ -178,7 +178,7 @@ void DressedScene::Update(
 }
 
 //------------------------------------------------------------------------------
-// Stages that stay as they were keep what they hold.
+// Unchanged stages keep their resources.
 void DressedScene::SetFrame(const RenderOptions& options)
 {
   vtkRenderer* renderer = this->GetRenderer();
@@ -195,7 +195,7 @@ void DressedScene::SetFrame(const RenderOptions& options)
   };
   if (colors(options) != colors(this->Options))
   {
-    vtkRelievoPass::Detach(renderer); // for it says of props that they cast
+    vtkRelievoPass::Detach(renderer); // the frame marks props as casters
   }
   const bool isNew = !this->GetFrame();
   vtkRelievoPass* frame = vtkRelievoPass::Attach(renderer);

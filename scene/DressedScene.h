@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * A scene that was read, shown as options say: only what changed is set anew, and the picture is
- * that of a scene which was never shown otherwise.
+ * A scene that is updated from changed options: only the differences are set, and the picture
+ * equals that of a scene built anew.
  */
 #ifndef DressedScene_h
 #define DressedScene_h
@@ -22,8 +22,8 @@ namespace scene
 class Progress;
 
 ///@{
-/// What of the settings a reader needs: when this changes, files are read again. The scene's part
-/// is all but the points of lamps, fog and markers.
+/// The settings that a reader depends on: when this key changes, files are read again. The scene's
+/// key covers every setting but the points of lamps, fog and markers.
 std::string GetReadingKey(const Settings& settings);
 std::string GetSceneKey(const Settings& settings);
 ///@}
@@ -35,27 +35,27 @@ public:
 
   DressedScene(const Scene& scene, const FramePoints& points);
 
-  /// Shows the scene by these options, which are those of the settings; `keepCamera`: but with
-  /// the renderer's camera. The renderer must be in a window. Throws UsageError or WorkError, and
-  /// leaves the scene between what it was and what it was to be: another update mends it.
+  /// Updates the scene to these options, parsed from the settings; with `keepCamera` the renderer's
+  /// camera stays. The renderer must be in a window. Throws UsageError or WorkError; the scene is
+  /// then partly updated, and another update completes it.
   void Update(
     const Settings& settings, const RenderOptions& options, bool keepCamera, Progress& progress);
 
-  /// Other points for the lamps, fog and markers of the options that are shown next.
+  /// Replaces the points of lamps, fog and markers; the next update shows them.
   void SetPoints(const FramePoints& points);
 
-  /// Whether an update reads no file.
+  /// Whether an update would read no file.
   bool IsDressedAlike(const Settings& settings) const;
 
-  /// Whether a colour bar that is shown was made for another size of the window.
+  /// Whether the colour bar was laid out for another window size.
   bool IsBarOutgrown() const;
 
   vtkRenderer* GetRenderer() const { return this->Bare.Get().Renderer; }
-  vtkRelievoPass* GetFrame() const; ///< null: the picture is VTK's own
+  vtkRelievoPass* GetFrame() const; ///< null: VTK draws the picture without a frame
   Scene& GetScene() { return this->Bare.Get(); }
   const BareScene& GetBare() const { return this->Bare; }
   const FramePoints& GetPoints() const { return this->Points; }
-  const RenderOptions& GetOptions() const { return this->Options; } ///< that are shown
+  const RenderOptions& GetOptions() const { return this->Options; } ///< of the last update
   const double* GetBounds() const { return this->Bare.Get().Bounds; }
 
 private:
@@ -65,7 +65,7 @@ private:
   FramePoints Points;
   RenderOptions Options;
   std::string Dress = "\n", Surface = "\n"; // the words it was made of; at first like no words
-  std::array<int, 2> BarSize{};             // of the window that the scalar bar was made for
+  std::array<int, 2> BarSize{};             // window size for which the scalar bar was laid out
 };
 }
 

@@ -69,7 +69,7 @@ void SetShading(vtkRenderer* renderer, Shading kind)
         break;
       case Shading::PBR:
         actor->GetProperty()->SetInterpolationToPBR();
-        if (vtkTexture* texture = actor->GetTexture()) // which PBR does not look at
+        if (vtkTexture* texture = actor->GetTexture()) // PBR ignores it
         {
           texture->UseSRGBColorSpaceOn();
           actor->GetProperty()->SetBaseColorTexture(texture);
@@ -82,7 +82,7 @@ void SetShading(vtkRenderer* renderer, Shading kind)
 }
 
 //------------------------------------------------------------------------------
-// Before anything is drawn, also where no frame looks.
+// Checked before the first draw, also where no frame does so.
 void CheckLights(vtkRenderer* renderer, const RenderOptions& options)
 {
   const std::string wrong = vtkRelievoFramePass::CheckLights(renderer);
@@ -97,7 +97,7 @@ void CheckLights(vtkRenderer* renderer, const RenderOptions& options)
 }
 
 //------------------------------------------------------------------------------
-// A sun by date that gives no light, for whoever wonders.
+// Explains why a sun by date gives no light.
 void NoteNight(const LightChoice& light)
 {
   const double below = -GetSunAngles(*light.Time).Elevation;
@@ -112,7 +112,7 @@ void AddLights(vtkRenderer* renderer, const RenderOptions& options)
   {
     if (!options.Environment.empty() && renderer->GetLights()->GetNumberOfItems() == 0)
     {
-      vtkRelievoNullLight().Place(renderer, true); // the environment lights
+      vtkRelievoNullLight().Place(renderer, true); // light comes from the environment
     }
     return; // the file's lights, or the headlight that VTK makes
   }
@@ -133,7 +133,7 @@ void AddLights(vtkRenderer* renderer, const RenderOptions& options)
     }
     else if (choice.Is == LightChoice::Kind::Point)
     {
-      // All around alike; but a light that stands on its focal point has no direction.
+      // A point light shines in all directions, but VTK needs a focal point away from its position.
       light->SetFocalPoint(choice.Position[0], choice.Position[1] - 1.0, choice.Position[2]);
     }
     else
@@ -150,7 +150,7 @@ void AddLights(vtkRenderer* renderer, const RenderOptions& options)
   }
 }
 
-// What was left out, by the notes on the file.
+// Why reading dropped all content, from the file's notes.
 std::string WhyNothing(const std::string& path)
 {
   std::string why;
@@ -169,8 +169,8 @@ std::string WhyNothing(const std::string& path)
 namespace
 {
 //------------------------------------------------------------------------------
-// How bright the files' lights, in lux and candela, make a white surface in the middle of the scene
-// that faces one of them; white is 1.
+// Radiance from a white surface in the scene's centre that faces one of the files' lights, which
+// are in lux and candela; white is 1.
 double FindBrightness(const Scene& scene, Shading shading)
 {
   const vtkBoundingBox box(scene.Bounds);
@@ -180,8 +180,8 @@ double FindBrightness(const Scene& scene, Shading shading)
   }
   double center[3];
   box.GetCenter(center);
-  const double nearest = 0.25 * box.GetDiagonalLength(); // of lamps among what they light
-  std::vector<std::array<double, 3>> all;                // the way to each, as long as it is bright
+  const double nearest = 0.25 * box.GetDiagonalLength(); // least distance of a lamp
+  std::vector<std::array<double, 3>> all; // directions to lights, scaled by brightness
   for (const PosedModel& model : scene.Models)
   {
     for (int i = 0; i < model.Reader->GetNumberOfLights(); ++i)
@@ -211,15 +211,15 @@ double FindBrightness(const Scene& scene, Shading shading)
     }
     brightest = std::max(brightest, sum / std::max(vtkMath::Norm(one.data()), 1e-300));
   }
-  // VTK's PBR shows a power of the light, and the frame takes what VTK shows as sRGB.
+  // VTK's PBR shows a power of the light, and the frame decodes VTK's output as sRGB.
   const bool isPBR = shading == Shading::FromFile || shading == Shading::PBR;
   return relievo::f64::relievoLinearFromSrgb(
     isPBR ? std::pow(brightest / vtkMath::Pi(), 1.0 / 2.2) : brightest);
 }
 
 //------------------------------------------------------------------------------
-// The exposure, in stops, at which the files' lights make white of white. None where the options
-// say one, or where nothing is brighter.
+// The exposure, in stops, at which the files' lights show white as white. None if the options set
+// an exposure, or if nothing is brighter than white.
 std::optional<double> FindExposure(const Scene& scene, const RenderOptions& options)
 {
   const auto exposes = [](const StageChoice& stage) {
@@ -294,7 +294,7 @@ void PlaceCamera(vtkRenderer* renderer, const RenderOptions& options, const doub
   {
     camera->SetParallelScale(*options.ParallelScale);
   }
-  renderer->ResetCameraClippingRange(); // whose gaps depend on the scale
+  renderer->ResetCameraClippingRange(); // the default range depends on the scale
   if (options.Clip)
   {
     camera->SetClippingRange((*options.Clip)[0], (*options.Clip)[1]);
@@ -304,7 +304,7 @@ void PlaceCamera(vtkRenderer* renderer, const RenderOptions& options, const doub
 namespace
 {
 //------------------------------------------------------------------------------
-// They follow the reader's time.
+// The lights follow the reader's time.
 void AddOwnLights(const PosedModel& model, vtkRenderer* renderer)
 {
   for (int i = 0; i < model.Reader->GetNumberOfLights(); ++i)
@@ -314,7 +314,7 @@ void AddOwnLights(const PosedModel& model, vtkRenderer* renderer)
 }
 
 //------------------------------------------------------------------------------
-// The surfaces to draw. Null: the renderer has a volume instead.
+// Returns the surfaces to draw; null if the renderer has a volume instead.
 vtkSmartPointer<vtkDataObject> ShowImage(vtkImageData* image, const ImageChoice& choice,
   vtkRenderer* renderer, const std::string& path, Progress& progress)
 {
@@ -341,7 +341,7 @@ vtkSmartPointer<vtkDataObject> ShowImage(vtkImageData* image, const ImageChoice&
   }
   double range[2];
   image->GetPointData()->GetScalars()->GetFiniteRange(range);
-  if (found && !(range[0] < range[1])) // nothing parts it
+  if (found && !(range[0] < range[1])) // no value separates the samples
   {
     return image;
   }
@@ -361,7 +361,7 @@ vtkSmartPointer<vtkDataObject> ShowImage(vtkImageData* image, const ImageChoice&
 }
 
 //------------------------------------------------------------------------------
-// Of data that --image, where it was asked for, does not change.
+// Notes that a requested --image has no effect on the data.
 void NoteIdleImage(vtkDataObject* data, const RenderOptions& options, const std::string& path)
 {
   using Kind = ImageChoice::Kind;
@@ -383,7 +383,7 @@ bool IsMapped(const RenderOptions& options)
 }
 
 //------------------------------------------------------------------------------
-// By what the last model's animation lasts.
+// Widens the scene's times by the last model's animation.
 void WidenTimes(Scene& scene)
 {
   vtkInformation* information = scene.Models.back().Reader->GetOutputInformation(0);
@@ -488,7 +488,7 @@ Scene ReadScene(const RenderOptions& options, Progress& progress)
 namespace
 {
 //------------------------------------------------------------------------------
-// Below the scene's bounds, in the place of the one before.
+// Lays a ground below the scene's bounds and removes the previous one.
 void LayGround(Scene& scene, const RenderOptions& options)
 {
   scene.Renderer->RemoveActor(scene.Ground);
@@ -502,7 +502,7 @@ void LayGround(Scene& scene, const RenderOptions& options)
 }
 
 //------------------------------------------------------------------------------
-// Round the scene's bounds, in the place of the one before.
+// Lays a grid around the scene's bounds and removes the previous one.
 void LayGrid(Scene& scene, const RenderOptions& options)
 {
   if (scene.Grid)
@@ -526,7 +526,7 @@ void DressScene(Scene& scene, const RenderOptions& options)
   {
     if (model.Skeleton)
     {
-      scene.Renderer->AddActor(model.Skeleton); // which looks as it does
+      scene.Renderer->AddActor(model.Skeleton); // keeps its own look
     }
   }
   AddLights(scene.Renderer, options);
@@ -539,7 +539,7 @@ void DressScene(Scene& scene, const RenderOptions& options)
     vtkNew<vtkRelievoScaleBar> bar;
     bar->SetUnit(*options.Look.ScaleBar);
     bar->SetLength(options.Look.ScaleBarLength);
-    // Other backgrounds are painted where a picture is to have none.
+    // Other backgrounds are painted for --transparent; the ink must not follow them.
     bar->SetInk(GetInk(scene.Renderer)[0] < 0.5 ? vtkRelievoScaleBar::INK_BLACK
                                                 : vtkRelievoScaleBar::INK_WHITE);
     scene.Renderer->AddViewProp(bar);

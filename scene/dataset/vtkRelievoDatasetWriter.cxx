@@ -51,7 +51,7 @@ Json Parse(const std::string& path)
   return json;
 }
 
-// A file of the folder besides its settings and those that are being written; empty: none.
+// The first file in the folder other than its settings and temporary files; empty: none.
 std::string FindOther(const std::string& folder)
 {
   std::error_code trouble;
@@ -66,8 +66,8 @@ std::string FindOther(const std::string& folder)
   return "";
 }
 
-// Throws UsageError unless the folder is empty, or was begun with these settings. One that has
-// settings and nothing else, of a call that was refused or ended at once, is begun anew.
+// Throws UsageError unless the folder is empty or was begun with these settings. A folder with
+// nothing but settings, left by a refused or interrupted call, is begun anew.
 void OpenFolder(const std::string& folder, const Json& settings)
 {
   const std::string path = folder + SettingsFile;
@@ -81,15 +81,15 @@ void OpenFolder(const std::string& folder, const Json& settings)
       scene::WriteWhole(path, scene::WriteDatasetJson(settings));
       return;
     }
-    if (!fs::exists(path, trouble)) // another process may have begun it meanwhile
+    if (!fs::exists(path, trouble)) // another process may have created it meanwhile
     {
       throw scene::UsageError(folder + ": holds other files, such as " + other +
         "; give a folder that is empty or not there");
     }
   }
   const Json before = Parse(path);
-  const Json now = Json::parse(scene::WriteDatasetJson(settings)); // as a file has it
-  // A depth step that is reckoned is by all that was set: what differs there is what to name.
+  const Json now = Json::parse(scene::WriteDatasetJson(settings)); // as in the file
+  // A computed depth step depends on all settings, so the message names the differing setting.
   std::vector<std::string> names;
   for (const auto& [name, value] : now.items())
   {
@@ -114,7 +114,7 @@ void OpenFolder(const std::string& folder, const Json& settings)
   }
 }
 
-// Depth of the farthest corner of the bounds from any camera.
+// The largest depth of a bounds' corner in any camera.
 double FindFarthest(
   const std::vector<vtkSmartPointer<vtkRelievoCameraModel>>& cameras, const vtkBoundingBox& box)
 {
@@ -154,7 +154,7 @@ struct vtkRelievoDatasetWriter::Internals
     return this->Directory + Records + "/" + scene::WriteDatasetNumber(view) + ".json";
   }
 
-  // Views that are whole.
+  // Complete views.
   std::vector<std::size_t> FindRecords() const
   {
     std::vector<std::size_t> views;
@@ -393,7 +393,7 @@ void vtkRelievoDatasetWriter::Internals::Check(const scene::DatasetFormat& forma
   {
     const std::string view = "view " + std::to_string(i);
     scene::CheckDatasetCamera(format, this->Cameras[i], this->Cameras[0], view);
-    // Flow goes to the view before; that of the first one, which has none, to itself.
+    // Flow goes to the previous view; the first view has none and uses itself.
     const bool isGoal = i == 0 || i + 1 < this->Cameras.size();
     if (flow != this->Layers.end() && isGoal && !this->Cameras[i]->HasPlaces())
     {
@@ -409,11 +409,11 @@ double vtkRelievoDatasetWriter::Internals::GetDepthStep(const scene::DatasetObje
 {
   const vtkBoundingBox box = objects.GetOpaqueBounds();
   const double farthest = box.IsValid() ? FindFarthest(this->Cameras, box) : 0.0;
-  return farthest > 0.0 ? farthest / scene::MostDepthSteps : 1.0; // nothing has a depth
+  return farthest > 0.0 ? farthest / scene::MostDepthSteps : 1.0; // without depth
 }
 
 //------------------------------------------------------------------------------
-// Throws FileError for one that is damaged, UsageError for one of another camera.
+// Throws FileError for a damaged record, UsageError for one of another camera.
 Json vtkRelievoDatasetWriter::Internals::ReadRecord(
   const scene::DatasetStyle& style, std::size_t view, std::size_t objects) const
 {
@@ -434,7 +434,7 @@ Json vtkRelievoDatasetWriter::Internals::ReadRecord(
 }
 
 //------------------------------------------------------------------------------
-// Whoever ends last has all of them: what has come in between is looked for again.
+// The process that ends last must index all views, so look again for views added meanwhile.
 void vtkRelievoDatasetWriter::Internals::WriteIndex(
   const scene::DatasetStyle& style, const std::vector<std::string>& objects) const
 {

@@ -29,7 +29,7 @@ enum class End : unsigned char
   Work
 };
 
-// What there is to say beside the data.
+// The result's texts and lists, beside the data.
 struct Said
 {
   End Is = End::Done;
@@ -44,7 +44,7 @@ void VisitFields(Said& said, Visit&& visit)
   visit(is, wrong, notes, warnings, opened);
 }
 
-// Steps go to the program.
+// Sends progress steps to the program.
 class Steps : public ProgressListener
 {
 public:
@@ -53,7 +53,7 @@ public:
   {
   }
   void Say(const std::string& what, double share) override { this->Tell(what, share); }
-  bool IsStopped() override { return false; } // then the process ends
+  bool IsStopped() override { return false; } // stopping ends the process instead
 
 private:
   const vtkRelievoReaderProcess::Say& Tell;
@@ -61,7 +61,7 @@ private:
 
 thread_local std::function<void()> Meanwhile;
 
-// In the process of the file.
+// Runs in the process that reads the file.
 void Answer(
   relievo::ByteReader& asked, const vtkRelievoReaderProcess::Say& say, relievo::ByteWriter& made)
 {
@@ -88,7 +88,7 @@ void Answer(
     }
     catch (const WorkError& error)
     {
-      if (Messages::TellsOfMemory(error.what())) // what VTK 9.1 gets over, with no data
+      if (Messages::TellsOfMemory(error.what())) // VTK 9.1 continues after this, without data
       {
         throw std::bad_alloc();
       }

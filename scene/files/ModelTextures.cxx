@@ -32,7 +32,7 @@ vtkSmartPointer<vtkImageData> ModelTextures::Read(const std::string& name, Progr
     Messages::Check("in the file", !image, "expected an image");
     return image;
   }
-  // Files name textures by paths of the machine that wrote them: the name alone is looked for too.
+  // Files name textures by paths of the machine that wrote them: the bare name is tried too.
   const std::string file =
     FindNamedFile(name, std::filesystem::path(this->Path).parent_path(), this->Allowed);
   CheckAllowed(file, this->Allowed);
@@ -76,7 +76,7 @@ double ModelTextures::PutColor(vtkActor* actor, vtkDataSet* mesh, Progress& prog
   }
   const double cutoff = FindCutoff(image, actor);
   actor->SetTexture(texture);
-  actor->GetProperty()->SetColor(1., 1., 1.); // the texture's colours are the whole
+  actor->GetProperty()->SetColor(1., 1., 1.); // the texture gives the complete colour
   return cutoff;
 }
 
@@ -84,7 +84,7 @@ double ModelTextures::PutColor(vtkActor* actor, vtkDataSet* mesh, Progress& prog
 void ModelTextures::PutMaterial(
   vtkActor* actor, vtkDataSet* mesh, double cutoff, Progress& progress)
 {
-  // Where a sampler says more than a map can, VTK's shaders draw the actor's own normal texture.
+  // A sampler with settings that a map lacks: VTK's shaders draw the actor's own normal texture.
   auto* own = vtkRelievoWrapTexture::SafeDownCast(actor->GetProperty()->GetTexture("normalTex"));
   const bool isMap =
     !own || (own->GetWrapU() == own->GetWrapV() && own->GetWrapU() != vtkTexture::MirroredRepeat);

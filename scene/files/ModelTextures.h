@@ -28,7 +28,7 @@ class Progress;
 class ModelTextures
 {
 public:
-  /// `folders`: where images may lie, besides the file's own folder and below.
+  /// `folders`: allowed folders of images, besides the file's own folder and below.
   ModelTextures(
     vtkRelievoModelReader* reader, const std::string& path, const std::vector<std::string>& folders)
     : Reader(reader)
@@ -37,11 +37,11 @@ public:
   {
   }
 
-  /// The texture that the mesh names, on its actor. Returns the alpha below which the actor is cut
-  /// out; 0: nowhere. What cannot be read is noted.
+  /// Sets the mesh's texture on its actor. Returns the alpha below which the actor is cut out; 0:
+  /// no cut-out. Notes unreadable images.
   double PutColor(vtkActor* actor, vtkDataSet* mesh, Progress& progress);
 
-  /// The normal map that the mesh names, and the cutoff, on its actor.
+  /// Sets the mesh's normal map and the cutoff on its actor.
   void PutMaterial(vtkActor* actor, vtkDataSet* mesh, double cutoff, Progress& progress);
 
 private:
@@ -52,7 +52,7 @@ private:
   vtkRelievoModelReader* Reader;
   std::string Path;
   vtkRelievoAllowedFolders Allowed;
-  // Meshes share them, where they are alike.
+  // Equal meshes share their materials.
   std::map<vtkImageData*, vtkSmartPointer<vtkTexture>> Textures;
   std::map<std::tuple<vtkImageData*, double, double, bool>, vtkSmartPointer<vtkRelievoMaterial>>
     Materials; ///< by normal map, its strength, cutoff, and whether it repeats

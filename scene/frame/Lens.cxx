@@ -34,12 +34,12 @@ namespace scene
 {
 namespace
 {
-constexpr double WidestFit = 120.0; // of a camera that is fitted, degrees
+constexpr double WidestFit = 120.0; // of a fitted camera, degrees
 
 vtkSmartPointer<vtkRelievoCameraModel> MakeSensor(
   vtkRelievoCalibration* calibration, const RenderOptions& options, vtkCamera* view)
 {
-  const vtkNew<vtkCallbackCommand> silent; // what it says is thrown
+  const vtkNew<vtkCallbackCommand> silent; // its message is thrown instead
   calibration->AddObserver(vtkCommand::ErrorEvent, silent);
   if ((!options.Lens.empty() && !calibration->SetWords(options.Lens)) || !calibration->Read())
   {

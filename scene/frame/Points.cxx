@@ -66,7 +66,7 @@ vtkSmartPointer<vtkRelievoPointValues> MakePoints(const std::string& stage)
   return vtkSmartPointer<vtkRelievoPointValues>::Take(FindStage(stage).Points->NewInstance());
 }
 
-// A parameter of the stage is that of all points.
+// A stage's parameter applies to all points.
 void TakeStageParameter(RenderOptions& options, const std::string& stage, const std::string& name,
   const std::string& value)
 {
@@ -85,8 +85,8 @@ void TakeStageParameter(RenderOptions& options, const std::string& stage, const 
   AddStage(options.Stages, stage, option).Parameters.emplace_back(name, value);
 }
 
-// Throws UsageError for what has no effect beside the others; values of points may be for another
-// shape, too.
+// Throws UsageError for parameters without effect beside the others; values of points are exempt,
+// because they may be for points of another shape.
 void CheckTogether(
   const std::string& option, vtkRelievoPointValues* points, const NamedWords& values)
 {
@@ -119,7 +119,7 @@ std::set<std::string> GetArrays(vtkDataObject* data)
   return names;
 }
 
-// Throws UsageError if a value is to come from an array that the file does not have.
+// Throws UsageError if the file lacks an array that a value refers to.
 void CheckArrays(const PointsChoice& choice, vtkRelievoPointValues* points)
 {
   const std::set<std::string> names = GetArrays(points->GetInputDataObject(0, 0));
@@ -137,7 +137,7 @@ void CheckArrays(const PointsChoice& choice, vtkRelievoPointValues* points)
   }
 }
 
-// Throws WorkError if no point has an effect; notes those that have none.
+// Throws WorkError if no point has an effect; notes points that have none.
 void CheckPoints(const std::string& path, vtkRelievoPointValues* points)
 {
   const std::string things = points->GetThings(), needs = points->GetNeeds();
@@ -153,7 +153,7 @@ void CheckPoints(const std::string& path, vtkRelievoPointValues* points)
   }
 }
 
-// Sizes that neither the file nor the words give: what is right depends on the scene.
+// Sizes given by neither file nor words: their defaults depend on the scene.
 void NoteDefaults(const PointsChoice& choice, vtkRelievoPointValues* points)
 {
   const std::set<std::string> names = GetArrays(points->GetInputDataObject(0, 0));

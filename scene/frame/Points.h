@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Files of points with values, for the stages that draw such: --lamps, --fog, --markers. Which
- * stages these are, and which values they take, they say themselves.
+ * Files of points with values, for the stages that draw points: --lamps, --fog, --markers. The list
+ * of stages and their values comes from the stages' own descriptions.
  */
 #ifndef Points_h
 #define Points_h
@@ -26,39 +26,37 @@ struct RenderOptions;
 struct PointStage
 {
   std::string Name;
-  vtkSmartPointer<vtkRelievoPointValues> Points; ///< new ones, for what they say of themselves
-  std::vector<std::string> Parameters;           ///< of the stage, which its option takes as well
-  std::string Help;                              ///< of the option
+  vtkSmartPointer<vtkRelievoPointValues> Points; ///< new ones, for their description
+  std::vector<std::string> Parameters;           ///< stage parameters that the option accepts too
+  std::string Help;                              ///< help of the option
 };
 
-/// Of a frame, in its order.
+/// The point stages of a frame, in its order.
 const std::vector<PointStage>& GetPointStages();
 
-/// What an option asks for.
+/// One use of such an option.
 struct PointsChoice
 {
   std::string Stage;
   std::string File;
-  NamedWords Values; ///< of points, by name
+  NamedWords Values; ///< values of points, by name
 };
 
-/// FILE[,NAME=VALUE]... behind the option of a stage: values of points, or parameters of the stage.
-/// Throws UsageError.
+/// Parses FILE[,NAME=VALUE]...: values of points, or parameters of the stage. Throws UsageError.
 void TakePoints(RenderOptions& options, const std::string& stage, const std::string& word);
 
-/// The file, and the names with their values, each once; a comma of one is written \,. Throws
-/// UsageError.
+/// Parses the file and the values, each name once; \, is a comma within a value. Throws UsageError.
 std::string ParseFileAndValues(
   const std::string& option, const std::string& word, NamedWords& values);
 
-/// The word that ParseFileAndValues reads so.
+/// Writes a word that ParseFileAndValues accepts.
 std::string WriteFileAndValues(const std::string& file, const NamedWords& values);
 
-/// Throws UsageError or WorkError, which name the option or the file, for one that cannot be read
-/// or is no points.
+/// Throws UsageError or WorkError, naming the option or the file, if a file cannot be read or
+/// contains no points.
 void CheckPointFile(const PointsChoice& choice);
 
-/// Points for a stage of that name.
+/// New points for the stage of that name.
 struct FramePointSet
 {
   std::string Stage;
@@ -66,11 +64,11 @@ struct FramePointSet
 };
 using FramePoints = std::vector<FramePointSet>;
 
-/// Throws UsageError for arrays that a file does not have, WorkError with the file's name: what
-/// cannot be read, arrays that do not fit, files without a point that has an effect.
+/// Reads the points. Throws UsageError for arrays that a file lacks, and WorkError naming the file
+/// for unreadable files, unsuitable arrays, or files without any point that has an effect.
 FramePoints ReadFramePoints(const RenderOptions& options, Progress& progress);
 
-/// Gives the points to a pass that has none.
+/// Gives the points to a new pass.
 void AddFramePoints(vtkRelievoPass* pass, const FramePoints& points);
 }
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * The light from all around, from an image file: for surfaces to mirror and be lit by, and as sky.
+ * Light from all directions, from an image file: for reflections, ambient light, and as a skybox.
  */
 #ifndef Environment_h
 #define Environment_h
@@ -22,12 +22,12 @@ struct RenderOptions;
 /// Throws UsageError or WorkError for a file that is no environment, or cannot be opened.
 void CheckEnvironment(const RenderOptions& options);
 
-/// The environment of the options with its irradiance, and levels if the mirror is rough; nullptr
-/// if there is none. Whole numbers are sRGB, floats linear. Throws WorkError with the file's name.
+/// The options' environment with its irradiance, and with levels for a rough mirror; nullptr if
+/// there is none. Whole numbers are sRGB, floats linear. Throws WorkError naming the file.
 vtkSmartPointer<vtkRelievoEnvironment> ReadEnvironment(
   const RenderOptions& options, Progress& progress);
 
-/// Puts the sky behind the renderer's picture.
+/// Adds the skybox behind the renderer's picture.
 void ShowSky(vtkRenderer* renderer, vtkRelievoEnvironment* environment);
 }
 

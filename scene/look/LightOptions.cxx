@@ -88,7 +88,7 @@ void TakeSize(LightChoice& light, const std::string& word)
 }
 
 //------------------------------------------------------------------------------
-// What may stand behind the numbers.
+// Parameters after the numbers.
 struct LightValue
 {
   const char* Form;

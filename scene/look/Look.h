@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * What meshes and the background look like.
+ * Sets the look of meshes and the background.
  */
 #ifndef Look_h
 #define Look_h
@@ -11,8 +11,8 @@ namespace scene
 struct RenderOptions;
 struct Scene;
 
-/// Colours, edges, opacity, background, colour bar. Throws WorkError if nothing that is drawn has
-/// the array to colour by, or not so many components.
+/// Sets colours, edges, opacity, background, colour bar. Throws WorkError if no drawn prop has the
+/// array to colour by, or if it has fewer components.
 void SetLook(Scene& scene, const RenderOptions& options);
 
 /// Depth peeling where anything of the files is translucent. Their materials decide that, too.

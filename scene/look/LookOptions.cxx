@@ -48,7 +48,7 @@ void TakeColorBy(RenderOptions& options, const std::string& word)
 {
   LookChoice& look = options.Look;
   look.ColorBy = look.ColorByAsGiven = word;
-  // An array's name may hold commas.
+  // An array's name may contain commas.
   const std::string::size_type comma = word.rfind(',');
   const std::string last = comma == std::string::npos ? "" : word.substr(comma + 1);
   look.Magnitude = last == "magnitude";

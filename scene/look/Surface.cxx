@@ -29,7 +29,7 @@ namespace scene
 {
 namespace
 {
-// Without a word about it, relief is this share of the scene's longest side deep.
+// Default depth of relief, as a share of the scene's longest side.
 constexpr double DefaultDepth = 0.02;
 
 //------------------------------------------------------------------------------
@@ -64,7 +64,7 @@ vtkSmartPointer<vtkImageData> ReadNormals(const std::string& path, Progress& pro
 }
 
 //------------------------------------------------------------------------------
-// `own`: of a model that brings a normal map, which stays where the words name none; or null.
+// `own`: material of a model with a normal map, used unless --normal-map replaces it; or null.
 vtkSmartPointer<vtkRelievoMaterial> MakeMaterial(vtkRelievoMaterial* own,
   vtkRelievoEnvironment* environment, vtkRenderer* renderer, const RenderOptions& options,
   Progress& progress)
@@ -80,7 +80,7 @@ vtkSmartPointer<vtkRelievoMaterial> MakeMaterial(vtkRelievoMaterial* own,
     material->SetNormalStrength(own->GetNormalStrength());
     material->SetRepeat(own->GetRepeat());
   }
-  if (own && options.Look.Opacity >= 1.0) // else VTK draws the holes, and the rest see-through
+  if (own && options.Look.Opacity >= 1.0) // otherwise VTK blends the cut-out
   {
     material->SetAlphaCutoff(own->GetAlphaCutoff());
   }

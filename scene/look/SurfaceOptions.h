@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * The values of the options that say what surfaces wear, and what of them goes together. All throw
+ * Values of the options for surface maps, and checks of their combinations. All functions throw
  * UsageError.
  */
 #ifndef SurfaceOptions_h
@@ -19,30 +19,30 @@ class Settings;
 struct RenderOptions;
 
 ///@{
-/// What --material and --environment take by name: what materials and environments say of their
-/// values, without those that have options of their own; defaults are those of scenes.
+/// The named values of --material and --environment: the parameters of materials and environments
+/// without those that have options of their own, with the defaults of scenes.
 const vtkRelievoParameterList& GetMaterialValues();
 const vtkRelievoParameterList& GetEnvironmentValues();
 ///@}
 
 ///@{
-/// One of these values, in words: as given, or as scenes have it. Set "" takes it back.
+/// One of these values, in words: as given, or the default of scenes. Set "" removes it.
 std::string GetSurfaceValue(const RenderOptions& options, const std::string& name);
 void SetSurfaceValue(Settings& settings, const std::string& name, const std::string& words);
 ///@}
 
-/// The first condition for a value to have an effect that does not hold beside the others.
+/// The value's first condition (OnlyIf) that the other values do not meet.
 std::optional<vtkRelievoParameter::Condition> FindFailing(
   const RenderOptions& options, const vtkRelievoParameter& value);
 
-/// The word of --environment, whose other values stay; "" takes it back.
+/// Sets the file of --environment and keeps its other values; "" removes the option.
 void SetEnvironmentFile(Settings& settings, const std::string& file, double rotation);
 
-/// Takes back what --normal-map, --height-map and --environment were needed for, if they are gone:
-/// it would be refused.
+/// Removes the options that need --normal-map, --height-map or --environment when these are
+/// missing, because they would be refused.
 void DropIdleSurface(Settings& settings);
 
-/// The words of vtkRelievoMaterial's relief_method.
+/// The choices of vtkRelievoMaterial's relief_method.
 const std::vector<std::string>& GetReliefMethods();
 
 void TakeMaterial(RenderOptions& options, const std::string& word);
@@ -50,7 +50,7 @@ void TakeHeightMap(RenderOptions& options, const std::string& word);
 void TakeEnvironment(RenderOptions& options, const std::string& word);
 void TakeReflectivity(RenderOptions& options, const std::string& word);
 
-/// `given`: the names of the options that were said.
+/// `given`: the names of the options on the command line.
 void CheckSurfaceOptions(const RenderOptions& options, const std::set<std::string>& given);
 }
 

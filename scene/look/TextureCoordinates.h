@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Texture coordinates for meshes that have none, so that maps have a place on them.
+ * Texture coordinates for meshes that have none, to place maps on them.
  */
 #ifndef TextureCoordinates_h
 #define TextureCoordinates_h
@@ -14,8 +14,8 @@ namespace scene
 {
 struct RenderOptions;
 
-/// Gives the meshes of the actor, which are of the file `path`, texture coordinates where they have
-/// polygons and none. If the options do not say how, as a box, and that is noted.
+/// Gives texture coordinates to the actor's meshes (of the file `path`) that have polygons but no
+/// coordinates. If the options set no method, uses a box, and notes it.
 void AddTextureCoordinates(vtkActor* actor, const RenderOptions& options, const std::string& path);
 }
 

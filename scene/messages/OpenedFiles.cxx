@@ -34,7 +34,7 @@ void OpenedFiles::Add(const std::string& path)
   if (Listed && std::filesystem::exists(path, trouble))
   {
     const std::uintmax_t size = std::filesystem::file_size(path, trouble);
-    vtkRelievoReaderProcess::Allow(trouble ? 0 : size); // a folder has none
+    vtkRelievoReaderProcess::Allow(trouble ? 0 : size); // a folder has no size
     const std::filesystem::path whole = std::filesystem::absolute(path, trouble);
     Listed->push_back(trouble ? path : whole.string());
   }

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * The files that reading opens: those that the words name, and those that these name in turn, such
- * as textures, buffers and pieces. No output may take the place of one.
+ * The files opened while reading: those named by the words, and those that these name in turn, such
+ * as textures, buffers and pieces. No output may replace one.
  */
 #ifndef OpenedFiles_h
 #define OpenedFiles_h
@@ -15,13 +15,13 @@ namespace scene
 class OpenedFiles
 {
 public:
-  /// While it lives, the files that this thread opens are added to the list.
+  /// While it lives, files opened by this thread are added to the list.
   explicit OpenedFiles(std::vector<std::string>& list);
   ~OpenedFiles();
   OpenedFiles(const OpenedFiles&) = delete;
   void operator=(const OpenedFiles&) = delete;
 
-  /// A file is opened. Nothing happens where it is not there, or where nobody listens.
+  /// Records that a file is opened. Without a list, or without the file, does nothing.
   static void Add(const std::string& path);
 
 private:

@@ -68,7 +68,7 @@ void TakeCamera(RenderOptions& options, const std::string& word)
   {
     RefuseValue("--camera", word, "a focal point FX,FY,FZ apart from the position PX,PY,PZ");
   }
-  // Below this angle VTK chooses an up direction of its own, and the picture turns without a word.
+  // Below this angle VTK silently chooses another up direction.
   if (Length(camera.ViewUp) == 0.0 || SineBetween(direction, camera.ViewUp) < 1e-6)
   {
     RefuseValue("--camera", word, "an up direction UX,UY,UZ that is not along the view direction");
@@ -147,7 +147,7 @@ void TakeNext(RenderOptions& options, const std::string& word)
 }
 
 //------------------------------------------------------------------------------
-// A picture in another format than its name says would be a surprise.
+// The format of a picture must match its name.
 std::string NamedAs(
   const std::string& extension, const std::string& option, const std::string& word)
 {
@@ -187,8 +187,8 @@ struct Rows
     return this->Add(name, "", help, [&flag](RenderOptions&, const std::string&) { flag = true; });
   }
 
-  // One that is another way to say a parameter of a stage. `help` stands before the bounds and the
-  // default; `read` makes the parameter's words of the option's.
+  // An option that sets a parameter of a stage. `help` precedes the range and the default; `read`
+  // converts the option's value to the parameter's.
   vtkRelievoOption& AddOfStage(const std::string& use, const std::string& stage,
     const std::string& parameter, const std::string& help,
     const std::function<std::string(const std::string& word)>& read = nullptr)
@@ -201,7 +201,7 @@ struct Rows
                     const std::string& word) {
       const std::string words = read ? read(word) : word;
       const std::string wrong = check(words);
-      set.Parse(set.Default); // of the frame that has only been asked
+      set.Parse(set.Default); // resets the new frame, which serves only for its description
       if (wrong.empty())
       {
         AddStage(options->Stages, stage, name)
@@ -213,7 +213,7 @@ struct Rows
     return this->Command.Options.back();
   }
 
-  // @choices@ in the help stands for them.
+  // The choices replace @choices@ in the help.
   void AddChoice(const std::string& name, const std::string& form,
     const std::vector<std::string>& choices, std::string help,
     const std::function<void(std::size_t place)>& take)
@@ -240,7 +240,7 @@ vtkRelievoCommand DescribeRender(RenderOptions& all)
   rows.Command.Name = "render";
   rows.Command.Use = "FILE... --png F | --exr F | --report F";
   rows.Command.About = "render draws the FILEs off screen and writes the outputs that you request.";
-  // Words are parsed often: what is long is written once.
+  // Words are parsed often: long texts are made once.
   static const std::string extensions = Join(GetExtensions(), "|");
   static const std::string aboutFile = "." + Join(GetDataExtensions(), " .") +
     " and models, which may have bones: ." + Join(GetModelExtensions(), " .") +
@@ -549,7 +549,7 @@ const vtkRelievoCommand& GetRenderCommand()
 namespace
 {
 //------------------------------------------------------------------------------
-// Whether --stage sets a parameter of the shadows, to this value if there is one.
+// Whether --stage sets a parameter of the shadows; with `value`, whether to this value.
 bool SetsShadows(
   const RenderOptions& options, const std::string& parameter, const std::string& value = {})
 {
@@ -558,8 +558,8 @@ bool SetsShadows(
 }
 
 //------------------------------------------------------------------------------
-// An option and a parameter of --stage that set one thing may contradict each other. What points'
-// own options say of their stage counts more.
+// Rejects an option and a --stage parameter that set the same value. Options of points override
+// their stage's parameters instead.
 void CheckSaidOnce(const RenderOptions& options, const std::set<std::string>& given)
 {
   std::vector<StageChoice> said = options.Stages;
@@ -583,7 +583,7 @@ void CheckSaidOnce(const RenderOptions& options, const std::set<std::string>& gi
 }
 
 //------------------------------------------------------------------------------
-// Options about shadows where there are none would change nothing.
+// Rejects options about shadows that have no effect without shadows.
 void CheckShadowsAsked(const RenderOptions& options, const std::set<std::string>& given)
 {
   const bool asked = given.count("--shadows") != 0 || options.ShadowMethod != Shadows::Off ||
@@ -670,7 +670,7 @@ RenderOptions ParseOptions(const std::vector<std::string>& words)
   RenderOptions options;
   const std::set<std::string> seen = TakeArguments(words, DescribeRender(options),
     [&](const std::string& word) { options.Files.push_back(word); });
-  // What the points' own options say of their stage counts more than --stage.
+  // Options of points override --stage.
   std::stable_partition(options.Stages.begin(), options.Stages.end(),
     [](const StageChoice& choice) { return choice.Option.find(' ') == std::string::npos; });
   ApplyPreset(options, seen);
@@ -678,7 +678,8 @@ RenderOptions ParseOptions(const std::vector<std::string>& words)
   if (options.Ground.value_or(false) && !options.Environment.empty() &&
     std::none_of(options.Stages.begin(), options.Stages.end(), darkens))
   {
-    // An environment's light casts no shadows: on the ground it falls as from an even sky.
+    // An environment's light casts no shadows: on the ground it falls like light from a uniform
+    // sky.
     AddStage(options.Stages, "ambient", "--ground").Parameters = { { "enabled", "on" },
       { "only_catchers", "on" } };
   }

@@ -20,7 +20,7 @@ namespace
 {
 using Json = nlohmann::ordered_json;
 
-// Doubles that come from floats or integers are these again.
+// Stores doubles converted from floats or integers in their original type.
 template <typename T>
 void AddLayer(
   NumpyArchive& archive, const DatasetView& view, const std::string& name, const std::string& type)
@@ -52,7 +52,7 @@ void AddLayer(NumpyArchive& archive, const DatasetView& view, const std::string&
   }
 }
 
-// All that there is of a view as arrays that numpy.load() reads.
+// All data of a view as arrays that numpy.load() reads.
 class NpzFormat : public DatasetFormat
 {
 public:
