@@ -471,8 +471,7 @@ Scene ReadScene(const RenderOptions& options, Progress& progress)
       CheckReach(actor, path);
       shows = shows || vtkMath::AreBoundsInitialized(actor->GetBounds());
     }
-    Messages::Check(
-      path, !shows, shows ? "" : "holds nothing that can be drawn: " + WhyNothing(path));
+    Messages::Check(path, !shows, shows ? "" : "contains nothing to draw: " + WhyNothing(path));
   }
   scene.Renderer->ComputeVisiblePropBounds(scene.Bounds);
   if (const std::optional<double> stops = FindExposure(scene, options))

@@ -77,7 +77,8 @@ void CheckLayer(const std::string& option, const std::string& name, const Scene&
   if (option == "--layers" && vtkRelievoRayLayers::IsFlow(name.c_str()))
   {
     RefuseValue(option, name,
-      "several times beside it, as in --times 0:1:0.1: it goes from each frame to the one before");
+      "several times as well, as in --times 0:1:0.1: it goes from each frame to the "
+      "previous one");
   }
   const std::vector<std::string> arrays(scene.Arrays.begin(), scene.Arrays.end());
   RefuseValue(option, name,
@@ -260,13 +261,13 @@ void WritePNG(const Scene& scene, vtkImageData* picture, const RenderOptions& op
   if (ShowsGroundAlone(scene, options))
   {
     Messages::Note(options.PNG +
-      ": shows nothing but the ground: all else is wholly transparent, or has no area");
+      ": shows only the ground: everything else is fully transparent, or has no area");
   }
   else if (ShowsNothing(scene.Renderer->GetRenderWindow(), picture, options))
   {
     Messages::Note(options.PNG +
-      ": shows nothing but the background: all else is out of sight, thinner than a pixel, or has "
-      "the background's colour");
+      ": shows only the background: everything else is out of view, thinner than a pixel, "
+      "or has the background's colour");
   }
 }
 

@@ -265,7 +265,7 @@ void WriteDatasetModels(const std::string& folder, vtkRenderer* renderer,
     if (models[i].Triangles.empty())
     {
       Messages::Warn(folder + ": no model of " + objects.Get()[i].Name +
-        ": rays cannot follow its triangles, or it has none");
+        ": rays cannot trace its triangles, or it has none");
       continue;
     }
     WriteWhole(path + "obj_" + WriteDatasetNumber(i + 1) + ".ply", EncodePLY(models[i]));

@@ -153,8 +153,9 @@ Cameras StandAround(const std::string& option, const std::string& word, vtkRelie
   const auto [orbit, count, numbers] = ParseStanding(option, word);
   if (!around.Box.IsValid())
   {
-    throw UsageError(
-      option + " " + word + ": there is nothing to stand around; give poses, or show something");
+    throw UsageError(option + " " + word +
+      ": the scene is empty, so that cameras have nothing to surround; give poses, or show "
+      "something");
   }
   double center[3];
   around.Box.GetCenter(center);
@@ -238,7 +239,7 @@ void SetIntrinsics(
   auto* lens = vtkRelievoLensCamera::SafeDownCast(camera);
   if (!lens)
   {
-    throw UsageError(where + ": is of a camera, and this sensor has none of it");
+    throw UsageError(where + ": belongs to a camera, and this sensor has none of it");
   }
   lens->SetIntrinsics(k[0], k[4], k[1], k[2], k[5]);
 }
@@ -320,8 +321,7 @@ void SetLens(
   auto* lens = vtkRelievoLensCamera::SafeDownCast(camera);
   if (bends && (!lens || lens->GetLens() != vtkRelievoLensCamera::PINHOLE))
   {
-    throw UsageError(
-      where + ": has a lens, and another one is given beside the file; expected one of them");
+    throw UsageError(where + ": has a lens, and the given camera has another; expected only one");
   }
   if (bends)
   {
@@ -372,7 +372,7 @@ void SetFromFrame(
   }
   else if (!std::isnan(get("cx")) || !std::isnan(get("cy")))
   {
-    throw UsageError(where + ", cx and cy: expected fl_x or camera_angle_x beside them");
+    throw UsageError(where + ", cx and cy: expected fl_x or camera_angle_x as well");
   }
   const std::vector<double> m =
     TakeNumbers(frame["transform_matrix"], 16, where + ", transform_matrix");

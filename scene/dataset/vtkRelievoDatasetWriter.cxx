@@ -83,7 +83,7 @@ void OpenFolder(const std::string& folder, const Json& settings)
     }
     if (!fs::exists(path, trouble)) // another process may have created it meanwhile
     {
-      throw scene::UsageError(folder + ": holds other files, such as " + other +
+      throw scene::UsageError(folder + ": contains other files, such as " + other +
         "; give a folder that is empty or not there");
     }
   }
@@ -189,23 +189,24 @@ vtkRelievoDatasetWriter::vtkRelievoDatasetWriter()
   }
   list.AddChoice(
     "format", this->Format, [this](int format) { this->SetFormat(format); }, names,
-    "How files lie in the folder.");
+    "Layout of the files in the folder.");
   list.AddNumber(
     "depth_step", this->DepthStep, [this](double units) { this->SetDepthStep(units); }, 0.0,
     infinity, "",
-    "World units of a step of 16-bit depth; 0: such that it reaches what is farthest.");
+    "World units per step of 16-bit depth; 0: the largest depth of the scene is the last "
+    "step.");
   list
     .AddNumber(
       "mm_per_unit", this->MillimetersPerUnit,
       [this](double millimeters) { this->SetMillimetersPerUnit(millimeters); }, 0.0, infinity, "",
-      "Of bop: millimetres in a world unit.")
+      "For bop: millimetres per world unit.")
     .Open = true;
   list.AddWhole(
     "seed", this->Seed, [this](int seed) { this->SetSeed(seed); }, least, most, "",
-    "Of all that is random.");
+    "Seed of random poses and suns.");
   list.AddFlag(
     "random_sun", this->RandomSun, [this](bool on) { this->SetRandomSun(on); },
-    "The sun stands elsewhere in each view.");
+    "Moves the sun in each view.");
   list.AddChoice(
     "up", this->UpAxis, [this](int axis) { this->SetUpAxis(axis); }, { "x", "y", "z" },
     "The axis that points up.");
@@ -398,8 +399,8 @@ void vtkRelievoDatasetWriter::Internals::Check(const scene::DatasetFormat& forma
     if (flow != this->Layers.end() && isGoal && !this->Cameras[i]->HasPlaces())
     {
       throw scene::UsageError(view + ": layer " + *flow +
-        " goes to places in its picture, and a lidar has none between its beams; expected another "
-        "sensor, or layers without flow");
+        " refers to places in a picture, which a lidar does not have between its beams; "
+        "expected another sensor, or layers without flow");
     }
   }
 }
@@ -530,7 +531,7 @@ void vtkRelievoDatasetWriter::WriteViews()
     this->InvokeEvent(vtkCommand::ProgressEvent, &share);
     if (this->Abort)
     {
-      throw scene::WorkError(self.Directory + ": stopped behind view " + std::to_string(i) +
+      throw scene::WorkError(self.Directory + ": stopped after view " + std::to_string(i) +
         "; the same call goes on from there");
     }
   }
@@ -539,8 +540,8 @@ void vtkRelievoDatasetWriter::WriteViews()
   if (beyond > 0)
   {
     scene::Messages::Warn(self.Directory + ": " + std::to_string(beyond) +
-      " pixels are farther than 65535 steps of depth, or behind the plane of the camera, and "
-      "are 0; a larger depth step reaches the former");
+      " pixels are farther than 65535 steps of depth, or behind the camera's plane, and "
+      "are 0; a larger depth step covers the former");
   }
 }
 

@@ -165,7 +165,7 @@ vtkSmartPointer<vtkDataObject> ReadApart(ReadingWork work, const std::string& pa
   }
   if (!data)
   {
-    throw WorkError(path + ": holds nothing that can be drawn");
+    throw WorkError(path + ": contains nothing to draw");
   }
   return data;
 }

@@ -92,12 +92,11 @@ vtkSmartPointer<vtkAlgorithm> OpenSTL(const std::string& path)
   }
   if (!isText)
   {
-    const std::string counts = path + ": says that it holds " +
-      std::to_string(static_cast<long long>(said)) + " triangles, and has " +
-      std::to_string(static_cast<long long>(held));
+    const std::string counts = path + ": declares " + std::to_string(static_cast<long long>(said)) +
+      " triangles, and has " + std::to_string(static_cast<long long>(held));
     if (held < said)
     {
-      throw WorkError(counts + "; is it whole?");
+      throw WorkError(counts + "; is it complete?");
     }
     if (held > said && said > 0.) // some writers leave the count at 0
     {
@@ -119,8 +118,9 @@ vtkSmartPointer<vtkAlgorithm> OpenLegacy(const std::string& path)
   if (!isKnown)
   {
     throw WorkError(path +
-      ": expected DATASET with a mesh or a grid, such as POLYDATA or UNSTRUCTURED_GRID, behind the "
-      "three lines of its head, and there is none; is it whole, and has it geometry?");
+      ": expected DATASET with a mesh or a grid, such as POLYDATA or UNSTRUCTURED_GRID, "
+      "after the three lines of the header; is the file complete, and does it contain "
+      "geometry?");
   }
   return Open<vtkGenericDataObjectReader>(path);
 }
@@ -375,7 +375,8 @@ void CheckFolder(const std::string& path)
 //------------------------------------------------------------------------------
 std::string NotAsNamed(const std::string& path)
 {
-  return "cannot be read as " + ExtensionOf(path) + "; is it what its name says, and whole?";
+  return "cannot be read as " + ExtensionOf(path) +
+    "; does its content match its name, and is it complete?";
 }
 
 namespace

@@ -95,8 +95,9 @@ void CheckLens(const RenderOptions& options)
   }
   if (options.ParallelScale && options.Lens.rfind("orthographic", 0) != 0)
   {
-    throw UsageError("--lens and --parallel-scale: give one of them; a lens sees from one place, "
-                     "and orthographic alone does not");
+    throw UsageError(
+      "--lens and --parallel-scale: give one of them; only the lens orthographic is a "
+      "parallel projection, with its own scale");
   }
   const std::pair<bool, const char*> others[] = {
     { options.Transparent, "--transparent: its background is told apart in a pinhole's picture" },
@@ -127,8 +128,9 @@ void CheckLensScale(const RenderOptions& options)
 {
   if (options.Lens == "orthographic")
   {
-    throw UsageError("--lens orthographic: no camera says its scale here; give the pixels for a "
-                     "world unit, as in orthographic:100");
+    throw UsageError(
+      "--lens orthographic: no camera gives its scale here; give the pixels per world "
+      "unit, as in orthographic:100");
   }
 }
 

@@ -26,8 +26,8 @@ const char* const Form = "FILE[,NAME=VALUE]...";
 std::string DescribePoints(const PointStage& stage)
 {
   std::string text = "the points of FILE as " + stage.Points->GetThings() +
-    "; may be repeated. Values of points are numbers for all, or names of point arrays (those of "
-    "the values' names)" +
+    "; may be repeated. Values are numbers for all points, or names of point arrays (the "
+    "array with the value's name, else the default)" +
     DescribeValues(stage.Points->GetDescription());
   return stage.Parameters.empty()
     ? text

@@ -130,7 +130,7 @@ void CheckFound(const std::map<std::string, std::vector<Coloring>>& all, const S
     const std::vector<std::string> names(scene.Arrays.begin(), scene.Arrays.end());
     throw UsageError("--color-by: got '" + look.ColorBy + "', expected " +
       (names.empty() ? "no array: nothing that is drawn has any"
-                     : "an array of what is drawn: " + Join(names, ", ")));
+                     : "an array of the drawn data: " + Join(names, ", ")));
   }
   for (const auto& named : all)
   {

@@ -126,7 +126,7 @@ void TakeScaleBar(RenderOptions& options, const std::string& word)
     std::any_of(unit.begin(), unit.end(), isControl) || !(rest.empty() || rest.rfind(mark, 0) == 0))
   {
     RefuseValue("--scale-bar", word,
-      "a unit in a few letters, such as mm, or none, and by choice behind it ,length=LENGTH");
+      "a unit in a few letters, such as mm, or none, optionally followed by ,length=LENGTH");
   }
   options.Look.ScaleBar = unit == "none" ? "" : unit;
   options.Look.ScaleBarLength = rest.empty()
@@ -157,7 +157,7 @@ void CheckLookOptions(const RenderOptions& options, const std::set<std::string>&
   if (Colormap::Parse(look.Colormap).Log &&
     (look.Symmetric || (look.Range && (*look.Range)[0] <= 0.0)))
   {
-    throw UsageError(std::string("--colormap log: logarithms are of positive values alone; ") +
+    throw UsageError(std::string("--colormap log: logarithms need positive values; ") +
       (look.Symmetric ? "give no --range symmetric as well"
                       : "give a --range that begins above 0"));
   }

@@ -245,8 +245,8 @@ void ApplyPreset(RenderOptions& options, const std::set<std::string>& given)
   if (given.count("--fill") > 0 && !lights)
   {
     throw UsageError(preset == GetPresets().end()
-        ? "--fill: the preset none has no lights that fill: give --preset NAME as well"
-        : "--fill: the environment lights alone: give --preset NAME as well");
+        ? "--fill: the preset none has no fill lights: give --preset NAME as well"
+        : "--fill: the environment is the only light: give --preset NAME as well");
   }
   if (preset == GetPresets().end())
   {

@@ -95,8 +95,9 @@ private:
     {
       const bool lacks = text.find("Out of memory") != std::string::npos;
       return std::string("OpenGL failed") + (lacks ? ": out of memory" : "") +
-        ": the scene or the picture is more than this driver takes; give a smaller --size, fewer "
-        "samples or smaller files, or another driver, such as Mesa's (LIBGL_ALWAYS_SOFTWARE=1)";
+        ": the scene or the picture exceeds this driver's limits; give a smaller --size, "
+        "fewer samples or smaller files, or another driver, such as Mesa's "
+        "(LIBGL_ALWAYS_SOFTWARE=1)";
     }
     std::string words;
     bool gap = false;

@@ -201,7 +201,7 @@ class Cells(CliTest):
                 found, words = self.render("a.stl", head + triangle * held + rest)
                 self.assertEqual(found, status, words)
                 noted = status == 1 or said == 1
-                says = f"says that it holds {said} triangles, and has {held}"
+                says = f"declares {said} triangles, and has {held}"
                 self.assertEqual(says in words, noted)
 
     def test_stl_names(self):

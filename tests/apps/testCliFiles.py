@@ -117,7 +117,7 @@ class Inputs(CliTest):
         (self.folder / "blanks.gltf").write_text('{"asset": {"version": "2.0"}, ' + images + "}")
         self.before = self.names()
         self.refused("render", "blanks.gltf", *OUTPUTS, status=1,
-                     says=["blanks.gltf", "holds nothing that can be drawn"])  # fmt: skip
+                     says=["blanks.gltf", "contains nothing to draw"])  # fmt: skip
 
     def test_causes(self):
         """Messages with expectation and remedy where libraries only report failure."""

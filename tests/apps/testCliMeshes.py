@@ -333,7 +333,7 @@ class Clouds(CliTest):
         (self.folder / "b.obj").write_text("v nan 0 0\nv 1 0\n")
         self.before = self.names()
         self.refused("render", "b.obj", *LOOK, "--png", "a.png", status=1,
-                     says=["b.obj: holds nothing", "left out 2 points"])  # fmt: skip
+                     says=["b.obj: contains nothing", "left out 2 points"])  # fmt: skip
 
     def test_vtk(self):
         for what in ("POLYDATA", "UNSTRUCTURED_GRID"):
@@ -350,7 +350,7 @@ class Clouds(CliTest):
         (self.folder / "flat.obj").write_text("v 0 0\nv 1 0\nv 1 1\nf 1 2 3\n")
         self.before = self.names()
         self.refused("render", "flat.obj", *LOOK, "--png", "a.png", status=1,
-                     says=["flat.obj: holds nothing", "left out 3 points", "line 1"])  # fmt: skip
+                     says=["flat.obj: contains no", "left out 3 points", "line 1"])  # fmt: skip
 
 
 class FlatScenes(CliTest):
@@ -406,13 +406,13 @@ class FlatScenes(CliTest):
             done = self.relievo("render", "a.gltf", *LOOK, "--png", "a.png")
             self.assertEqual("nothing but the background" in done.stderr, not seen, done.stderr)
         done = self.relievo("render", "triangle.off", "--color", "black", "--png", "a.png")
-        self.assertIn("a.png: shows nothing but the background", done.stderr)
+        self.assertIn("a.png: shows only the background", done.stderr)
 
     def test_nothing_above_the_ground(self):
         """A word where the ground alone is seen: transparent as a whole, or without area."""
         small = ["--size", "40x30", "--preset", "studio", "--shadows", "off", "--stage",
                  "antialias:samples=1", "--png", "a.png"]  # fmt: skip
-        nothing = "a.png: shows nothing but the ground"
+        nothing = "a.png: shows only the ground"
         cube = "".join(f"v {i & 1} {i >> 1 & 1} {i >> 2}\n" for i in range(8))
         cube += "usemtl glass\nf 1 2 4 3\nf 5 7 8 6\nusemtl rest\nf 1 5 6 2\nf 3 4 8 7\n"
         (self.folder / "a.obj").write_text("mtllib a.mtl\n" + cube)

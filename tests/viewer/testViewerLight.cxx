@@ -652,7 +652,7 @@ private Q_SLOTS:
       this->Select(light);
       button->click();
       QVERIFY2(hint->GetText().startsWith(light == 0 ? "Click where the spot shall shine"
-                                                     : "Click on what the light shall hang over"),
+                                                     : "Click on the surface below the light"),
         qPrintable(hint->GetText()));
       QCOMPARE(this->Window->GetView()->cursor().shape(), Qt::CrossCursor);
       if (light == 0)

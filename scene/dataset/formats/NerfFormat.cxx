@@ -51,7 +51,7 @@ public:
     auto* lens = vtkRelievoLensCamera::SafeDownCast(camera);
     const auto refuse = [&view](const std::string& what) {
       throw UsageError(view + ": " + what +
-        ", which transforms.json cannot say; expected another format, or another camera");
+        ", which transforms.json cannot describe; expected another format, or another camera");
     };
     if (lens->GetSkew() != 0.0)
     {
@@ -72,8 +72,8 @@ public:
     if (IsFisheye(DescribeDatasetCamera(camera)) != IsFisheye(DescribeDatasetCamera(first)))
     {
       throw UsageError(view +
-        ": transforms.json has one kind of lens for all views, and view 0 has another; expected "
-        "fisheyes alone, or none");
+        ": transforms.json has one kind of lens for all views, and view 0 has another; "
+        "expected fisheyes in all views, or in none");
     }
   }
 
