@@ -14,7 +14,7 @@ namespace
 const char* const Key = "recent_files";
 constexpr int Most = 10;
 
-// The name; also the folder, where another file has the same name.
+// The name, with the folder if another file has the same name.
 QString GetLabel(const QString& path, const QStringList& all)
 {
   const QString name = QFileInfo(path).fileName();
