@@ -71,14 +71,14 @@ void vtkRelievoLightDepthStage::Describe(vtkRelievoStageDescription& description
 {
   description.Name = Layer;
   description.Label = "Light's Depth";
-  description.Help = "Shows what a light's shadow maps see.";
+  description.Help = "Shows the depth in a light's shadow maps.";
   description.Slot = vtkRelievoStageDescription::COMPOSITE;
   description.Reads = { "visibility" }; // whether shadows are seen in the picture or not
   description.Layers = { Layer };
   description.OnByDefault = true;
   description.AddWhole(
     "light", this->Light, [this](int light) { this->SetLight(light); }, -1, 999, "",
-    "Which light, by its place among the renderer's lights; -1 for the first that casts.");
+    "Number of the light among the renderer's lights; -1: the first that casts.");
 }
 
 //------------------------------------------------------------------------------

@@ -307,7 +307,7 @@ void vtkRelievoShadowLights::KeepOnly(const std::vector<int>& numbers)
     }
     else
     {
-      light.NoShadow = "it casts none on another process; choose lights alike on all";
+      light.NoShadow = "it casts none on another process; use the same settings on all processes";
       light.Broken = true;
     }
   }
