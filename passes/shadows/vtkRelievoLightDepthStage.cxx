@@ -22,7 +22,7 @@ namespace
 const char* const Layer = "light_depth";
 constexpr int MostColumns = 3;
 
-// The largest area of the map's shape in the middle of a cell of the picture.
+// The largest area with the map's shape, centred in a cell of the picture.
 std::array<int, 4> GetArea(
   const vtkRelievoShadowView& view, const int* picture, int maps, int number)
 {

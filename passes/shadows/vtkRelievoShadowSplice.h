@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Puts the visibility of lights into the light code of VTK's mappers.
+// Inserts the visibility of lights into the light code of VTK's mappers.
 #ifndef vtkRelievoShadowSplice_h
 #define vtkRelievoShadowSplice_h
 
@@ -16,15 +16,15 @@ class vtkOpenGLPolyDataMapper;
 
 namespace vtkRelievoShadowSplice
 {
-// What shaders are built for; a change builds them anew.
+// The properties that shaders depend on; a change rebuilds them.
 struct Structure
 {
   struct Light
   {
-    int ShaderIndex; // as VTK's shaders count lights
+    int ShaderIndex; // index in VTK's shaders
     bool Parallel;
-    bool Cube; // room for six maps instead of one
-    int Soft;  // maps that its parts are looked up in; 0: it is a point
+    bool Cube; // reserves six maps instead of one
+    int Soft;  // maps shared by its parts; 0: a point light
 
     int GetRoom() const { return this->Cube ? 6 : std::max(this->Soft, 1); }
     bool operator==(const Light& other) const
@@ -33,17 +33,17 @@ struct Structure
         this->Cube == other.Cube && this->Soft == other.Soft;
     }
   };
-  std::vector<Light> Lights; // that cast
-  std::string Method;        // the file of the method's own section
-  bool Maps = true;          // are looked up
-  bool Traced = false;       // rays decide, after the maps
-  bool Colored = false;      // what passes surfaces has their colours
+  std::vector<Light> Lights; // casting lights
+  std::string Method;        // file of the method's own section
+  bool Maps = true;          // whether maps are looked up
+  bool Traced = false;       // whether rays decide, after the maps
+  bool Colored = false;      // whether transmitted light has the surfaces' colours
   bool WideFilter = false;   // of a radius above 1
   int Numbers = 0;           // lights of the renderer
   int Parts = 0;             // of soft lights
-  bool Unlit = false;        // visibility is asked for also where no light is computed
-  // Whose verdicts the method finds before the picture, with their mappers, which have the shaders;
-  // for comparison only.
+  bool Unlit = false;        // visibility is needed even if no light is computed
+  // Actors whose verdicts the method finds before the picture, with their mappers, which own the
+  // shaders; for comparison only.
   std::vector<std::pair<vtkActor*, vtkMapper*>> Found;
 
   int GetFaces() const
@@ -64,10 +64,10 @@ struct Structure
   }
 };
 
-// Before VTK fills its tags in: marks that survive it.
+// Before VTK replaces its tags: inserts marks that survive it.
 void Mark(std::string& vertex, std::string& geometry, std::string& fragment);
 
-// After it, for an actor's mapper. Returns what is missing, in words.
+// After it, for an actor's mapper. Returns the missing part, or "".
 std::string Fill(std::string& vertex, std::string& geometry, std::string& fragment,
   vtkOpenGLPolyDataMapper* mapper, vtkActor* actor, const Structure& structure);
 }

@@ -47,7 +47,7 @@
 
 namespace
 {
-// Samples of soft lights that are followed through a few maps, and suns.
+// Samples of soft lights and suns that share a few maps.
 constexpr int MostFollowed = 64;
 constexpr int MostFollowedSuns = 4;
 }
@@ -57,7 +57,7 @@ class vtkRelievoShadowStage::Internals
 public:
   vtkRelievoShadowLights Lights;
   vtkRelievoLightSizes Sizes; // of lights
-  int Samples = 1;            // of them, in this frame
+  int Samples = 1;            // of the lights, in this frame
   int Gathered = 0;
   vtkRelievoShadowCasters Casters; // of all maps
   vtkRelievoShadowContext Work{ Casters };
@@ -66,23 +66,23 @@ public:
   vtkRelievoShadowPlanning Planning;
   std::unique_ptr<vtkRelievoShadowMethod> Method = vtkRelievoShadowMethod::Make(METHOD_MAP);
   int MethodMade = METHOD_MAP;
-  int MethodRefused = -1; // could not make shadows of what cast so
+  int MethodRefused = -1; // method that could not make shadows of the casters
   std::vector<std::uint64_t> Refused;
-  bool LayersAsked = false;                     // visibility is asked for as a layer
-  bool LampsAsked = false;                      // and of lamps from data
+  bool LayersAsked = false;                     // visibility is requested as a layer
+  bool LampsAsked = false;                      // and for lamps from data
   vtkWeakPointer<vtkOpenGLRenderWindow> Window; // of the frame
   vtkWeakPointer<vtkRenderer> Renderer;
   vtkWeakPointer<vtkRelievoFramePass> Frame;
   vtkSmartPointer<vtkRelievoShadowCertificate> Certificate;
-  std::set<vtkShaderProgram*> ProgramsWithUniforms; // programs that have this frame's uniforms
+  std::set<vtkShaderProgram*> ProgramsWithUniforms; // programs with this frame's uniforms
   std::set<std::string> Reported;                   // warnings and errors
-  vtkRelievoShadowStrengths Strengths;              // of the lights of this frame
+  vtkRelievoShadowStrengths Strengths;              // of this frame's lights
   bool Spliced = false;
 
-  // Makes the method, if it is another one than in the frame before. The context is current.
+  // Creates the method if it differs from the previous frame's. The context is current.
   void UseMethod(int method, vtkOpenGLRenderWindow* window);
 
-  // What the plan is made for.
+  // The input of the plan.
   static vtkRelievoShadowPlanning::Settings GetSettings(const vtkRelievoShadowStage& self)
   {
     return { self.Method, self.MapSize, self.Tolerance, self.TimeBudget, self.Bias,
@@ -94,10 +94,10 @@ public:
       this->MethodRefused == METHOD_EXACT && this->Work.Props.GetState() == this->Refused };
   }
 
-  // Whether a map is being drawn: notes the program that draws into it.
+  // While a map is being drawn: records the program that draws into it.
   bool IsDrawingMaps(vtkShaderProgram* program);
 
-  // Whether shaders are to be others than in the frame before.
+  // Whether shaders must differ from the previous frame's.
   bool UpdateStructure();
 };
 
@@ -209,7 +209,7 @@ void vtkRelievoShadowStage::SetController(vtkMultiProcessController* controller)
     this->Internal->Lamps.Schedule.Exchange.SetController(controller);
     this->Internal->Work.Others.SetController(controller);
     this->Internal->Lamps.Work.Cache.Clear();
-    this->Internal->Work.Cache.Clear(); // maps of this process alone, or of others that are gone
+    this->Internal->Work.Cache.Clear(); // maps of this process alone, or of a former group
     this->Modified();
   }
 }
@@ -244,7 +244,7 @@ bool vtkRelievoShadowStage::Prepare(vtkRelievoFrameContext& context)
   Internals& in = *this->Internal;
   in.Planning.Begin(context.Picture);
   vtkRelievoAccess::Renderer::FollowCamera(context.Renderer);
-  // The shaders that draw the maps are built for the lights that VTK counts here.
+  // VTK counts lights here, and builds the maps' shaders for them.
   static_cast<vtkOpenGLRenderer*>(context.Renderer)->UpdateLights();
   in.LayersAsked = context.IsAsked(this, "visibility");
   in.LampsAsked = context.IsAsked(this, "lamp shadows");
@@ -268,7 +268,7 @@ bool vtkRelievoShadowStage::Prepare(vtkRelievoFrameContext& context)
   in.Work.Props.Collect(context.Renderer, context.Scene.Props);
   const bool traces =
     this->Method == METHOD_EXACT || this->Tolerance > 0.0 || this->TimeBudget > 0.0;
-  // What is translucent may be another process's.
+  // Another process may have translucent props.
   context.ColorsLight = this->Enabled && this->ColoredShadows && traces &&
     !in.Lights.GetCasting().empty() &&
     (in.Work.Others.IsOn() || in.Work.Props.HasTranslucentCasters());
@@ -309,7 +309,7 @@ void vtkRelievoShadowStage::Execute(vtkRelievoFrameContext& context)
     work.Cache.Clear();
     work.Others.Clear();
   }
-  // Processes that draw together fit their maps together, though there be none.
+  // Processes that draw together fit their maps together, even if there are none.
   const bool lamps =
     in.LampsAsked && (!context.CastingLamps.empty() || in.Lamps.Schedule.Exchange.IsOn());
   std::vector<std::string> words;
@@ -318,7 +318,7 @@ void vtkRelievoShadowStage::Execute(vtkRelievoFrameContext& context)
     this->ReportOnce("No shadows: " + fault);
     words.push_back(fault);
     work.Cache.Clear();
-    in.Method->Unbind(); // what it took in Prepare
+    in.Method->Unbind(); // releases resources reserved in Prepare
   }
   if (in.UpdateStructure())
   {
@@ -376,7 +376,7 @@ void vtkRelievoShadowStage::Finish(vtkRelievoFrameContext& context)
     in.Spliced = false;
     if (in.Work.Props.ChangesByDrawing())
     {
-      // Some mappers count themselves as modified when they draw.
+      // Some mappers mark themselves as modified when they draw.
       const bool probed = in.Planning.GetProbe().HasScene(in.Work.Props);
       in.Work.Props.Collect(context.Renderer, context.Scene.Props);
       in.Work.Cache.SetCasters(in.Work.Props, in.Work.WithoutFollowed);
@@ -390,7 +390,7 @@ void vtkRelievoShadowStage::Finish(vtkRelievoFrameContext& context)
   }
   if (context.Window->GetAbortRender())
   {
-    // Mappers draw nothing from there on: what maps and masks hold is not all that casts.
+    // Mappers skip drawing from there on: maps and masks are incomplete.
     in.Work.Cache.Invalidate();
     in.Lamps.Work.Cache.Invalidate();
     in.Method->Forget();
@@ -398,7 +398,7 @@ void vtkRelievoShadowStage::Finish(vtkRelievoFrameContext& context)
   }
   else
   {
-    // Of an aborted frame the time tells nothing.
+    // The time of an aborted frame is meaningless.
     in.Planning.End(
       in.GetScene(), context.Picture, this->NumberOfMapsDrawn > 0, this->GetShaderTime());
   }
@@ -421,7 +421,7 @@ void vtkRelievoShadowStage::ReleaseGraphicsResources(vtkWindow* window)
   this->Internal->Work.Props.ForgetGlyphs();
   this->Internal->Work.Cache.Clear();
   this->Internal->Lights.Clear();
-  this->Internal->MethodRefused = -1; // another window's OpenGL may hold what this one did not
+  this->Internal->MethodRefused = -1; // another window's OpenGL may have enough memory
   this->Internal->Planning.ForgetRoom({});
   this->NumberOfMapsDrawn = 0;
   this->DrawCalls = 0;
@@ -438,7 +438,7 @@ void vtkRelievoShadowStage::Internals::UseMethod(int method, vtkOpenGLRenderWind
   this->Method = vtkRelievoShadowMethod::Make(method);
   this->MethodMade = method;
   this->Work.Cache.Refit();
-  window->MakeCurrent(); // what the one before held may have been another window's
+  window->MakeCurrent(); // earlier resources may belong to another window
 }
 
 //------------------------------------------------------------------------------
@@ -544,7 +544,7 @@ void vtkRelievoShadowStage::Describe(vtkRelievoStageDescription& description)
 }
 
 //------------------------------------------------------------------------------
-// Whether the samples of all soft lights can be followed through a few maps.
+// Whether the samples of all soft lights can share a few maps.
 bool vtkRelievoShadowStage::FollowsSuns(vtkRenderer* renderer) const
 {
   const Internals& in = *this->Internal;
@@ -558,10 +558,10 @@ bool vtkRelievoShadowStage::FollowsSuns(vtkRenderer* renderer) const
 void vtkRelievoShadowStage::Declare(
   const vtkRelievoFrameContext& context, vtkRelievoDeclaration& declaration) const
 {
-  // The visibility is for layers, and lamps are lit by their own stage.
+  // Visibility is needed only for layers, and lamps are lit by their own stage.
   declaration.OptionalWrites = { "shadow maps" };
   this->DeclareSoft(context, declaration);
-  // Other methods than these know what is seen at pixels.
+  // Methods other than these depend on the visible surfaces.
   const bool ofAnyRaster = this->Tolerance == 0.0 && this->TimeBudget == 0.0 &&
     (this->Method == METHOD_MAP || this->Method == METHOD_WARPED);
   declaration.AnyRaster =
@@ -817,18 +817,18 @@ void vtkRelievoShadowStage::PrepareMethod(vtkRelievoFrameContext& context)
   const std::string fault = in.Method->Prepare(in.Work, context.Renderer);
   if (fault.empty() && !refused && method == in.MethodRefused)
   {
-    in.MethodRefused = -1; // it can be done now
+    in.MethodRefused = -1; // the new setting may work
   }
   else if (method == in.MethodRefused && !refused)
   {
-    in.MethodRefused = -1; // what was refused once may fit by now
+    in.MethodRefused = -1; // a refused request may fit now
   }
   if (!fault.empty())
   {
     in.MethodRefused = in.Work.Others.IsDeclined() ? -1 : method;
     in.Refused = in.Work.Props.GetState();
     in.UseMethod(METHOD_MAP, context.Window);
-    // One process speaks for all.
+    // Only one process reports.
     if ((!together || in.Schedule.Exchange.IsRoot()) && in.Reported.insert(fault).second)
     {
       vtkWarningMacro("Shadows are made with maps: " << fault << ".");
@@ -845,7 +845,7 @@ void vtkRelievoShadowStage::PrepareMethod(vtkRelievoFrameContext& context)
 }
 
 //------------------------------------------------------------------------------
-// Ways that OpenGL has no memory for are remembered, and the choice is made among the others.
+// Choices without enough OpenGL memory are recorded, and the plan chooses among the others.
 std::string vtkRelievoShadowStage::MakeMaps(vtkRelievoFrameContext& context)
 {
   Internals& in = *this->Internal;
@@ -1065,7 +1065,7 @@ void vtkRelievoShadowStage::DrawLights(vtkRelievoFrameContext& context)
   in.ProgramsWithUniforms.clear();
   const int methodDraws = in.Method->Draw(work, context.Renderer);
   in.ProgramsWithUniforms.clear();
-  this->DrawCalls += mapDraws + methodDraws; // mappers that draw by themselves counted theirs
+  this->DrawCalls += mapDraws + methodDraws; // mappers that draw by themselves have counted theirs
   if (!in.Method->GetFault().empty())
   {
     this->ReportOnce("Shadows are looked up in the maps alone: " + in.Method->GetFault());
@@ -1073,7 +1073,7 @@ void vtkRelievoShadowStage::DrawLights(vtkRelievoFrameContext& context)
 }
 
 //------------------------------------------------------------------------------
-// Returns what was done, in words.
+// Returns a description of the shadows.
 std::string vtkRelievoShadowStage::DrawLamps(vtkRelievoFrameContext& context)
 {
   Internals& in = *this->Internal;
@@ -1135,7 +1135,7 @@ void vtkRelievoShadowStage::SpliceShaders(
     return vtkRelievoShadowSplice::Fill(
       shaders.Vertex, shaders.Geometry, shaders.Fragment, mapper, actor, in.Work.Structure);
   });
-  // Gaussian splats are known to cast and not to receive: nothing that a user could mend.
+  // Gaussian splats cast and do not receive by design: a user cannot change that.
   const bool known = mapper->IsA("vtkOpenGLPointGaussianMapperHelper") != 0;
   if (!known && this->IsNews(mapper, outcome))
   {
@@ -1183,7 +1183,7 @@ bool vtkRelievoShadowStage::SetShaderParameters(vtkShaderProgram* program,
   }
   if (in.ProgramsWithUniforms.insert(program).second)
   {
-    // Another renderer's lights may be newer, and VTK's shader cache gives both the same program.
+    // Another renderer's lights may be newer, and both may share a program in VTK's shader cache.
     program->SetUniformGroupUpdateTime(vtkShaderProgram::LightingGroup, 0);
     vtkRelievoShadowUniforms::SetFrame(
       program, in.Work, *in.Method, this->Enabled ? this->Strength : 0.0);

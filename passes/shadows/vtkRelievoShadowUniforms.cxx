@@ -18,7 +18,7 @@
 void vtkRelievoShadowUniforms::SetFrame(vtkShaderProgram* program,
   const vtkRelievoShadowContext& work, const vtkRelievoShadowMethod& method, double strength)
 {
-  // The middle of the visible receivers in eye space as the shader has it, in float.
+  // The centre of the visible receivers in eye space in float, like the shader's.
   const glm::vec3 center(work.View.WorldToView * glm::dvec4(work.Cache.GetCenter(), 1.0));
   vtkRelievoShadowMapUniforms faces(work, work.Structure.GetFaces(), center);
   std::vector<float> strengths;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The uniforms of shaders/shadow/receive.glsl, which all methods have in common.
+// The uniforms of shaders/shadow/receive.glsl, shared by all methods.
 #ifndef vtkRelievoShadowUniforms_h
 #define vtkRelievoShadowUniforms_h
 
@@ -12,8 +12,8 @@ struct vtkRelievoShadowContext;
 
 namespace vtkRelievoShadowUniforms
 {
-// Sets the uniforms that have one value for all that a program draws in a frame. strength: share of
-// a blocked light that is removed from the picture.
+// Sets the uniforms that are constant for a program in a frame. strength: share of a blocked light
+// that is removed from the picture.
 void SetFrame(vtkShaderProgram* program, const vtkRelievoShadowContext& work,
   const vtkRelievoShadowMethod& method, double strength);
 

@@ -18,7 +18,7 @@ double AtMost(long long k, long long n, double p)
 {
   double sum = 0.0;
   const double all = static_cast<double>(n);
-  // Downwards: below the mean terms fall, so that the rest is soon nothing.
+  // Downwards: below the mean, terms decrease quickly.
   for (long long i = k; i >= 0; --i)
   {
     const double some = static_cast<double>(i);
