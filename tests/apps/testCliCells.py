@@ -205,7 +205,7 @@ class Cells(CliTest):
                 self.assertEqual(says in words, noted)
 
     def test_stl_names(self):
-        """Text is known by what it holds: letters of any language before the facets, up to the
+        """Text is detected by its content: letters of any language before the facets, up to the
         share that VTK's reader still takes for text; a mark before the first word is named."""
         rest = ("facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\n"
                 "endloop\nendfacet\nendsolid\n")  # fmt: skip

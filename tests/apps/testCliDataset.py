@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""`relievo dataset`: objects of files, poses in words and files, processes that share the work, and
-what is refused."""
+"""`relievo dataset`: objects of files, poses in words and files, processes that share the work,
+and refused words."""
 
 import filecmp
 import json

@@ -453,7 +453,7 @@ class Named(CliTest):
             f'<VTKFile type="{kind}" version="1.0"><{kind}>{piece}</{kind}></VTKFile>\n')
 
     def test_pieces_of_vtk(self):
-        """In any form, and of any of VTK's readers, which goes by what the file holds."""
+        """In any form, and of any of VTK's readers, chosen by the file's content."""
         for place in (*self.places("piece.vtp"), "..&#x2f;secret&#47;piece.vtp"):
             self.write_pieces(place)
             with self.subTest(place=place):
@@ -539,8 +539,8 @@ class Outputs(CliTest):
                      says=["shut/a.png", "Permission denied"])  # fmt: skip
 
     def test_disk_full(self):
-        # A limit on the size of files does to a writer what a full disk does. Each kind of file is
-        # tried alone and after another one that was complete.
+        # A limit on the size of files has the effect of a full disk on a writer. Each kind of file
+        # is tried alone and after another one that was complete.
         full = ["/bin/bash", "-c", 'ulimit -f "$0" && exec "$@"']
         look = [*LOOK, "--size", "300x300"]
         layers = ["--layers", "depth,normal,position"]
@@ -686,8 +686,8 @@ class Display(CliTest):
                      environment=only, whole=True)  # fmt: skip
 
     def test_several_runs_on_one_server(self):
-        # An X server without -noreset starts anew when its last client leaves, and answers nobody
-        # meanwhile; a run meets the end of the one before.
+        # An X server without -noreset restarts when its last client leaves, and does not respond
+        # meanwhile, so that a run may meet the end of the previous one.
         read, write = os.pipe()
         server = subprocess.Popen(
             ["Xvfb", "-displayfd", str(write), "-screen", "0", "640x480x24", "+extension", "GLX"],

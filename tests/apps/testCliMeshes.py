@@ -66,7 +66,7 @@ class OBJ(CliTest):
         (self.folder / name).write_bytes(data)
 
     def draw(self, name="a.obj", layers="cell", says=(), **more):
-        """The layers, after what is said was compared with the texts."""
+        """The layers, after comparing the messages with the texts."""
         done = self.relievo("render", name, *LOOK, "--png", "a.png", "--exr", "a.exr",
                             "--layers", layers, **more)  # fmt: skip
         said = done.stderr.splitlines()
@@ -119,8 +119,8 @@ class OBJ(CliTest):
                 self.assertEqual((tuple(found), seen["actor.id"][50, x]), (color, actor))
 
     def test_names_of_other_systems(self):
-        """Slashes of either kind, quotes, and paths of the machine that wrote the file: what is not
-        there is looked for beside the file that names it."""
+        """Slashes of either kind, quotes, and paths of the machine that wrote the file: missing
+        files are looked for beside the file that names them."""
         write_image(vtkPNGWriter(), self.folder / "green.png",
                     numpy.tile(numpy.array([0, 255, 0], numpy.uint8), (8, 8, 1)))  # fmt: skip
         (self.folder / "sub").mkdir()
@@ -440,7 +440,7 @@ class FlatScenes(CliTest):
 
     def test_a_repeated_triangle(self):
         """It is read within a reader's processor time, with the normal of its plane, and so are
-        many at an edge and at a point. What is beside it keeps its smooth normals."""
+        many at an edge and at a point. Neighbouring surfaces keep their smooth normals."""
         ring = [(numpy.cos(a), numpy.sin(a)) for a in numpy.linspace(0, 6, 5000)]
         corners = "".join(f"v {x / 2} {y / 2} 0.1\n" for x, y in ring)
         fan = "".join(f"f 1 {i} {i + 1}\n" for i in range(2, 5001))

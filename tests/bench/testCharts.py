@@ -306,8 +306,8 @@ TRUTH = {
 
 
 def shown(figure):
-    """[panel, method, x, y] of what a figure shows, and [panel, x, y] of rings. Rows have names as
-    y."""
+    """[panel, method, x, y] of the points in a figure, and [panel, x, y] of rings. Rows have
+    names as y."""
     found, rings = [], []
     rows_of = {i: label.get_text() for i, label in enumerate(figure.axes[0].get_yticklabels())}
     is_rows = figure.axes[0].yaxis_inverted()
