@@ -46,7 +46,7 @@ std::string MakeSurfaceKey(const Settings& settings, const RenderOptions& option
   return MakeKey(settings, Wearing) + (shadowed ? "in its own shadow" : "");
 }
 
-// The options of MakeKey other than stages, the camera and the files.
+// The key of all options except those of the camera and of the shadow method.
 std::string MakeDressKey(const Settings& settings)
 {
   std::vector<const char*> names;
