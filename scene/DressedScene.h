@@ -64,7 +64,7 @@ private:
   BareScene Bare;
   FramePoints Points;
   RenderOptions Options;
-  std::string Dress = "\n", Surface = "\n"; // the words it was made of; at first like no words
+  std::string Dress = "\n", Surface = "\n"; // keys of the last update; at first unlike any key
   std::array<int, 2> BarSize{};             // window size for which the scalar bar was laid out
 };
 }

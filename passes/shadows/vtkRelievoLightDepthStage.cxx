@@ -73,7 +73,7 @@ void vtkRelievoLightDepthStage::Describe(vtkRelievoStageDescription& description
   description.Label = "Light's Depth";
   description.Help = "Shows the depth in a light's shadow maps.";
   description.Slot = vtkRelievoStageDescription::COMPOSITE;
-  description.Reads = { "visibility" }; // whether shadows are seen in the picture or not
+  description.Reads = { "visibility" }; // whether or not the picture shows shadows
   description.Layers = { Layer };
   description.OnByDefault = true;
   description.AddWhole(

@@ -363,7 +363,7 @@ std::string MakePoints(vtkRelievoPointStage* stage)
   const auto points = vtkSmartPointer<vtkRelievoPointValues>::Take(stage->NewPoints());
   if (points->GetDescription().Find("up"))
   {
-    points->SetParameter("up", "0,0,1"); // as in ParaView's worlds
+    points->SetParameter("up", "0,0,1"); // up axis of ParaView's scenes
   }
   const std::string name = vtkRelievoCapitalize(stage->GetStageName(), false);
   const std::string things = points->GetThings();

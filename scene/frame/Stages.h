@@ -19,7 +19,7 @@ struct StageChoice
 {
   std::string Name;
   std::vector<std::pair<std::string, std::string>> Parameters; ///< name and value, as given
-  std::string Option = "--stage";                              ///< that asks for it
+  std::string Option = "--stage";                              ///< option of the request
 };
 
 /// Adds a request for a stage, made by its own option, after the earlier ones.

@@ -314,7 +314,7 @@ bool Settings::IsStageOn(const std::string& stage) const
     return this->ShowsShadows();
   }
   const bool enabled = this->GetParameter(stage, "enabled") == "on";
-  if (!enabled || stage != "antialias") // which presets ask for
+  if (!enabled || stage != "antialias") // presets request it
   {
     return enabled && this->IsStageAsked(stage);
   }
@@ -342,12 +342,13 @@ void Settings::SwitchStage(const std::string& stage, bool on)
 //------------------------------------------------------------------------------
 void Settings::SetShadows(bool on, const std::string& method)
 {
-  this->SetGiven("shadows", "method", "map"); // which is the default
+  this->SetGiven("shadows", "method", "map"); // the default
   if (on)
   {
     const bool wasOff = this->Get("--shadows") == "off";
     this->Remove("--shadows");
-    if (!wasOff || method != "map" || !this->ShowsShadows()) // the preset's, which are soft
+    if (!wasOff || method != "map" || !this->ShowsShadows()) // otherwise the preset's, which are
+                                                             // soft
     {
       this->Set("--shadows", method);
     }

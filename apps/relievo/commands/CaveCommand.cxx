@@ -51,7 +51,7 @@ public:
       catch (const scene::WorkError& error)
       {
         const std::string text = this->NameOptions(error.what());
-        if (text.find(", expected ") != std::string::npos) // and not that the memory is too small
+        if (text.find(", expected ") != std::string::npos) // not an error about memory
         {
           throw scene::UsageError(text);
         }

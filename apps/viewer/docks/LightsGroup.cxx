@@ -176,7 +176,7 @@ std::vector<LightsGroup::Row> LightsGroup::FindLights() const
     row.Name = QString::fromStdString(light.Name);
     if (row.Name.isEmpty())
     {
-      row.Name = QString("light %1").arg(row.Own); // as reports have it
+      row.Name = QString("light %1").arg(row.Own); // like in reports
     }
     row.Kind = Kinds[static_cast<int>(light.Is)];
     row.Kind += light.IsNight() ? ", night" : "";

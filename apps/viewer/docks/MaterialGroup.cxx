@@ -48,7 +48,7 @@ MaterialGroup::MaterialGroup(Document* document, QWidget* parent)
   this->Values = new SurfaceValues(document, this);
   for (const vtkRelievoParameter& value : scene::GetMaterialValues().Parameters)
   {
-    if (value.OnlyIf != "environment") // in the group of the environment
+    if (value.OnlyIf != "environment") // those are in the environment's group
     {
       this->Values->Add(value);
     }

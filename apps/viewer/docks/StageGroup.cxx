@@ -55,7 +55,7 @@ bool CanBeSet(const vtkRelievoStageDescription& description)
 {
   const bool nothing =
     description.OnByDefault && description.Parameters.empty() && !description.TakesData;
-  return !nothing && description.Name != "display"; // which is chosen among the layers
+  return !nothing && description.Name != "display"; // chosen among the layers instead
 }
 }
 

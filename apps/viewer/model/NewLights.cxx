@@ -55,7 +55,7 @@ std::string WriteNewLight(const Document& document, const std::string& kind)
   scene::LightWords words = { kind, scene::WriteNumbers(position), {} };
   if (others > 0)
   {
-    words.Values.emplace_back("intensity", "0.3"); // or else they burn the picture together
+    words.Values.emplace_back("intensity", "0.3"); // together they would overexpose the picture
   }
   return scene::WriteLight(words);
 }

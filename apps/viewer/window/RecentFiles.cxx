@@ -21,7 +21,7 @@ QString GetLabel(const QString& path, const QStringList& all)
   const auto count = std::count_if(all.begin(), all.end(),
     [&name](const QString& other) { return QFileInfo(other).fileName() == name; });
   QString label = count > 1 ? name + " (" + QFileInfo(path).path() + ")" : name;
-  return label.replace('&', "&&"); // or else it would mark a key
+  return label.replace('&', "&&"); // otherwise it would mark a key
 }
 }
 

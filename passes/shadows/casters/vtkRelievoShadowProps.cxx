@@ -77,7 +77,7 @@ bool IsLoose(vtkActor* actor)
   vtkMapper* mapper = actor->GetMapper();
   vtkShaderProperty* shaders = actor->GetShaderProperty();
   bool moves = shaders->HasVertexShaderCode() || shaders->HasGeometryShaderCode();
-  const bool bones = actor->IsA("vtkRelievoSkinnedActor"); // whose bounds are of its pose
+  const bool bones = actor->IsA("vtkRelievoSkinnedActor"); // its bounds are those of its pose
   for (int i = 0; i < shaders->GetNumberOfShaderReplacements() && !bones; ++i)
   {
     moves = moves || shaders->GetNthShaderReplacementTypeAsString(i) != "Fragment";

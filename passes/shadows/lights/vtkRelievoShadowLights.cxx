@@ -65,7 +65,7 @@ std::string Identify(const std::string& name)
     out += digit || lower ? c : upper ? static_cast<char>(c - 'A' + 'a') : '_';
     isNumber = isNumber && digit;
   }
-  return isNumber ? "light_" + out : out; // shadow_3 is the light in place 3
+  return isNumber ? "light_" + out : out; // shadow_3 means the light with index 3
 }
 }
 

@@ -385,7 +385,7 @@ bool vtkPVRelievoView::ReadShownLayer(const char* name, vtkImageData* image)
   std::vector<std::string> names = { name };
   if (vtkRelievoLayerCatalogue::GetIsOfLight(name))
   {
-    names.emplace_back("depth"); // which tells where nothing is
+    names.emplace_back("depth"); // distinguishes the background
   }
   // If a server draws, this process draws a frame too, without surfaces.
   const bool good = this->IsInPlace() &&

@@ -136,7 +136,7 @@ public:
         archive.Add(array, "<U" + std::to_string(letters.size()), {}, letters.data(),
           letters.size() * sizeof(letters[0]));
       }
-      else if (array != "size") // which all arrays have
+      else if (array != "size") // all arrays have it
       {
         const auto values = value.get<std::vector<double>>();
         const bool isMatrix = array == "K" || array == "R";
