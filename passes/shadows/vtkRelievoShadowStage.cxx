@@ -330,7 +330,7 @@ void vtkRelievoShadowStage::Execute(vtkRelievoFrameContext& context)
   }
   if ((!lights || !fault.empty()) && !lamps)
   {
-    this->Explain(lights ? "failed" : "idle", lights ? fault : "no lamp that is seen casts");
+    this->Explain(lights ? "failed" : "idle", lights ? fault : "no visible lamp casts");
     return;
   }
   in.Spliced = true;
@@ -736,7 +736,7 @@ std::string vtkRelievoShadowStage::DescribeSamples() const
     return {};
   }
   return in.Work.PartStep != glm::vec2(0.f)
-    ? ", " + std::to_string(in.Samples) + " parts of each sun are followed through its maps"
+    ? ", " + std::to_string(in.Samples) + " parts of each sun are traced through its maps"
     : in.Samples > 1 ? ", " + std::to_string(in.Gathered) + " of " + std::to_string(in.Samples) +
       " samples of the lights' shapes gathered"
     : in.Schedule.Exchange.IsOn()
@@ -749,9 +749,9 @@ void vtkRelievoShadowStage::SetTolerance(double share)
 {
   if (!(share >= 0.0 && share <= 1.0))
   {
-    vtkErrorMacro("SetTolerance was given " << share << "; give it the share of wrong pixels that "
-                                            << "is tolerable, from 0 (none is set) to 1; 0.05 % "
-                                            << "is 0.0005.");
+    vtkErrorMacro("SetTolerance was given " << share << "; give it the tolerable share of wrong "
+                                            << "pixels, from 0 (no goal) to 1; 0.05 % is "
+                                            << "0.0005.");
     return;
   }
   if (this->Tolerance != share)
@@ -1046,7 +1046,7 @@ int vtkRelievoShadowStage::GetSizeHere(int size)
   if (size > largest && this->Internal->Reported.insert("size" + std::to_string(size)).second)
   {
     vtkWarningMacro("Shadow maps of "
-      << size << " x " << size << " texels were asked for, this OpenGL makes at most " << largest
+      << size << " x " << size << " texels were requested, this OpenGL makes at most " << largest
       << " x " << largest << ": these are used.");
   }
   return std::min(size, largest);
@@ -1068,7 +1068,7 @@ void vtkRelievoShadowStage::DrawLights(vtkRelievoFrameContext& context)
   this->DrawCalls += mapDraws + methodDraws; // mappers that draw by themselves have counted theirs
   if (!in.Method->GetFault().empty())
   {
-    this->ReportOnce("Shadows are looked up in the maps alone: " + in.Method->GetFault());
+    this->ReportOnce("Shadows use the maps alone: " + in.Method->GetFault());
   }
 }
 
@@ -1140,7 +1140,7 @@ void vtkRelievoShadowStage::SpliceShaders(
   if (!known && this->IsNews(mapper, outcome))
   {
     vtkErrorMacro(
-      "No shadows on what " << mapper->GetClassName() << " draws: " << outcome.Wrong << ".");
+      "No shadows on surfaces drawn by " << mapper->GetClassName() << ": " << outcome.Wrong << ".");
   }
 }
 

@@ -163,7 +163,7 @@ void pqRelievoPanel::Rewatch()
   else if (!known)
   {
     message = vtkSMRenderViewProxy::SafeDownCast(view->getProxy())
-      ? "This view does not know Relievo: load the plugin on the server too (Tools > Manage "
+      ? "This view has no Relievo settings: load the plugin on the server too (Tools > Manage "
         "Plugins)."
       : "The active view is no 3D render view.";
   }

@@ -373,11 +373,11 @@ std::string MakePoints(vtkRelievoPointStage* stage)
   out << "  <ProxyGroup name=\"relievo\">\n    <RelievoSurfaceProxy name=\"" << name
       << "\" class=\"vtkPVRelievoPoints\" processes=\"client|renderserver\">\n"
       << "      <Documentation short_help=\"Points as " << things << "\">Each point of a surface "
-      << "representation, as " << things << " in what the view shows.</Documentation>\n"
+      << "representation, as " << things << " in the view.</Documentation>\n"
       << MakeSwitch("Enabled", "Points Are " + vtkRelievoCapitalize(things, true), "SetEnabled", "",
            false,
            "Whether the points are " + things +
-             " in what the view shows. For the representations Surface, Points, Wireframe and the "
+             " in the view. For the representations Surface, Points, Wireframe and the "
              "like.")
       << MakeProperties(described) << "    </RelievoSurfaceProxy>\n  </ProxyGroup>\n"
       << "  <ProxyGroup name=\"internal_representations\">\n"

@@ -292,7 +292,7 @@ std::string vtkRelievoShadowMethodExact::GetReport() const
   if (this->Rounding > 0.25)
   {
     out << "; coordinates are rounded by up to " << std::setprecision(2) << this->Rounding
-        << std::setprecision(6) << " pixels, and more is wrong where edges lie densely";
+        << std::setprecision(6) << " pixels, with more errors at dense edges";
   }
   if (this->InMaps > 0)
   {
