@@ -37,7 +37,7 @@ public:
   /// COCO's run lengths as text: background and mask in turn, column by column.
   std::string GetRuns() const;
 
-  /// Calls `visit` with each pixel.
+  /// Calls a function with each pixel.
   template <typename Call>
   void ForEach(const Call& call) const
   {

@@ -31,8 +31,8 @@ public:
 
   const scene::Settings& Get() const { return this->Now; }
 
-  /// Changes the settings; refuses those that the command line would refuse. `edit` (from MakeEdit)
-  /// joins the change to that edit, unless BeginEdit has begun one.
+  /// Changes the settings; refuses those that the command line would refuse. `number` (from
+  /// MakeEdit) joins the change to that edit, unless BeginEdit has begun one.
   void Set(const scene::Settings& settings, int number = 0);
   void Change(const std::function<void(scene::Settings&)>& edit, int number = 0);
 

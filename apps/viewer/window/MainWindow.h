@@ -64,7 +64,7 @@ public:
   /// Reads the files again; the camera stays.
   void Reload();
 
-  /// Opens the file `many` steps after the last displayed file, by name in its folder, cyclically.
+  /// Opens the file `step` steps after the last displayed file, by name in its folder, cyclically.
   void OpenNext(int step);
 
   ///@{

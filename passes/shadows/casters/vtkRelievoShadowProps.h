@@ -40,8 +40,8 @@ public:
   // Collects casters and receivers: all visible props of the renderer, also outside the view.
   void Collect(vtkRenderer* renderer, const std::vector<vtkRelievoFrameProp>& drawnProps);
 
-  // Makes translucent props without a user's choice cast where rays trace them, so that they let
-  // part of the light pass; never into maps.
+  // Whether translucent props without a user's choice cast where rays trace them, and let part of
+  // the light pass; never into maps.
   void SetAttenuates(bool attenuates) { this->Attenuates = attenuates; }
 
   // Whether a translucent prop casts where rays trace it.

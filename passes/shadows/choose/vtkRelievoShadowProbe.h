@@ -40,7 +40,7 @@ public:
   // Whether the result is valid: not if casters that rays cannot trace may affect most pixels.
   bool IsKnown() const { return this->Known; }
 
-  // Casters that every method draws into maps.
+  // Whether there are casters that rays cannot trace, which every method draws into maps.
   bool HasUnfollowed() const { return !this->Unfollowed.empty(); }
 
   // The expected share of wrong verdicts among those that face the light, 0 to 1, for maps of size

@@ -47,7 +47,7 @@ public:
   // The number of maps whose uniforms fit a shader of this OpenGL.
   static int GetMostFaces();
 
-  // The number of rays of three numbers that fit beside half that number of maps.
+  // The number of rays of three numbers that fit beside half as many maps.
   static int GetMostRays();
 
   // NDC to map space: texels from the centre of the lowest left one, depth in [0, 1].

@@ -39,7 +39,7 @@ struct Rectangle
   glm::dvec2 Min{ 0.0 };
   glm::dvec2 Max{ 0.0 };
 
-  // The mean of both sides: a map has equally many texels along either, so that the error of edges,
+  // The sum of both sides: a map has equally many texels along either, so that the error of edges,
   // in any direction, is proportional to it.
   double GetLength() const { return this->Max.x - this->Min.x + this->Max.y - this->Min.y; }
 };
