@@ -402,9 +402,9 @@ class FlatScenes(CliTest):
             }))  # fmt: skip
             done = self.relievo("render", "a.gltf", "--background", "navy,black", "--size", "50x50",
                                 "--png", "a.png")  # fmt: skip
-            self.assertEqual("nothing but the background" in done.stderr, not seen, done.stderr)
+            self.assertEqual("shows only the background" in done.stderr, not seen, done.stderr)
             done = self.relievo("render", "a.gltf", *LOOK, "--png", "a.png")
-            self.assertEqual("nothing but the background" in done.stderr, not seen, done.stderr)
+            self.assertEqual("shows only the background" in done.stderr, not seen, done.stderr)
         done = self.relievo("render", "triangle.off", "--color", "black", "--png", "a.png")
         self.assertIn("a.png: shows only the background", done.stderr)
 
