@@ -95,7 +95,7 @@ void CheckCellArray(vtkCellArray* cells, vtkIdType numberOfPoints, const std::st
     const double wrong = range[0] < 0 ? range[0] : range[1];
     throw WorkError(path + ": a cell uses " + noun + " " +
       std::to_string(static_cast<long long>(wrong)) + ", but there are " + noun + "s 0 to " +
-      std::to_string(numberOfPoints - 1) + " only; is the file whole?");
+      std::to_string(numberOfPoints - 1) + " only; is the file complete?");
   }
 }
 
@@ -437,7 +437,7 @@ void CheckArrays(
     {
       throw WorkError(path + ": its array '" + (array->GetName() ? array->GetName() : "") +
         "' has " + Count(static_cast<double>(array->GetNumberOfTuples()), "value") + " for " +
-        Count(static_cast<double>(count), noun) + "; is the file whole?");
+        Count(static_cast<double>(count), noun) + "; is the file complete?");
     }
   }
 }

@@ -213,7 +213,7 @@ class Cells(CliTest):
             with self.subTest(name=name):
                 found, words = self.render("a.stl", f"solid {name}\n{rest}".encode())
                 self.assertEqual((found, says in words), (1 if says else 0, True), words)
-                self.assertNotIn("whole", words)
+                self.assertNotIn("complete", words)
         for code in ("utf-8-sig", "utf-16"):
             found, words = self.render("a.stl", f"solid part\n{rest}".encode(code))
             self.assertEqual((found, "byte order mark" in words), (1, True), words)

@@ -141,7 +141,7 @@ class Inputs(CliTest):
         memory = ["does not fit into memory", "is it damaged"]
         for name, says in (("huge.bvh", memory), ("huge.dae", memory),
                            ("field.vtk", ["DATASET", "geometry"]), ("none.vtk", ["DATASET"]),
-                           ("words.vtp", ["cannot be read as .vtp", "whole"])):  # fmt: skip
+                           ("words.vtp", ["cannot be read as .vtp", "complete"])):  # fmt: skip
             with self.subTest(name):
                 self.refused("render", name, "--png", "a.png", status=1, says=[name, *says])
         self.refused("render", "triangle.off", "--lens", "large.json", "--png", "a.png", status=2,
