@@ -190,7 +190,7 @@ class Processes(CliTest):
             if each == signal.SIGKILL:
                 command.wait()
                 for temporary in self.folder.glob(".relievo-*.tmp"):
-                    temporary.unlink()  # which nobody else can
+                    temporary.unlink()  # no other process can
             self.ends(command, server, worker)
             self.assertEqual(command.returncode, -each)
 

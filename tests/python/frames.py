@@ -50,7 +50,7 @@ def plain_pictures(window):
     then their properties, and after changing the number of lights, which rebuilds its
     shaders.
 
-    They differ where VTK depends on what was drawn before: actors that share a mapper, levels of
+    They differ where VTK depends on earlier drawing: actors that share a mapper, levels of
     detail, widgets. Then each of them is right.
     """
     found = [picture(window), picture(window)]
@@ -209,7 +209,7 @@ class Frames:
         self.step("capture")
         for renderer, layers in zip(renderers, once):
             # Drawn at another place of a framebuffer, values round another way; and alone, nothing
-            # is hidden by what other renderers drew.
+            # is hidden by surfaces of other renderers.
             if renderer.GetOrigin() != (0, 0) or renderer.GetPreserveDepthBuffer():
                 continue
             image = relievo.capture(renderer, LAYERS)

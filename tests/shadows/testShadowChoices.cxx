@@ -100,7 +100,7 @@ std::vector<Way> Draw(Planner& planner, Machine& machine, double budget, int fra
     const Anew anew = motion(frame, way);
     const bool exact = way.Method == Pass::METHOD_EXACT;
     const bool fresh = drawn.empty() || !(way == drawn.back());
-    if (!fresh) // a frame of another choice builds what it needs: the pass adds none
+    if (!fresh) // another choice's frame builds its own data: the pass adds none
     {
       planner.AddFrame(anew);
       const double drawing = machine.Measure(way, exact ? anew.Rays : anew.Maps);
