@@ -9,8 +9,8 @@
 
 #include "vtkAlgorithm.h"
 #include "vtkCommand.h"
+#include "vtkRelievoReportOnce.h"
 
-#include <set>
 #include <string>
 
 namespace relievo
@@ -24,7 +24,7 @@ public:
     algorithm->AddObserver(vtkCommand::EndEvent, this, &ErrorOnce::End);
   }
 
-  bool IsNew(const std::string& error) { return this->Reported.insert(error).second; }
+  bool IsNew(const std::string& error) { return this->Reported.IsNew(error); }
 
 private:
   // Called for the composite and, in between, for each block.
@@ -32,13 +32,13 @@ private:
   {
     if (this->Depth++ == 0)
     {
-      this->Reported.clear();
+      this->Reported.Forget();
     }
   }
   void End() { --this->Depth; }
 
   int Depth = 0;
-  std::set<std::string> Reported; // since the outermost start
+  vtkRelievoReportOnce Reported; // since the outermost start
 };
 }
 

@@ -98,7 +98,7 @@ struct PlaneWindow
     this->Renderer->ResetCameraClippingRange();
   }
   ~PlaneWindow() { this->Surface->Detach(this->Actor); }
-  void Wear(vtkImageData* normals)
+  void SetStyle(vtkImageData* normals)
   {
     this->Surface->SetNormalMap(normals);
     this->Surface->Attach(this->Actor);
@@ -121,7 +121,7 @@ struct Drawn
   int Cells;
   bool Tangents;
   std::size_t Peer; // the frame without its map
-  std::function<void(PlaneWindow&)> Dress;
+  std::function<void(PlaneWindow&)> Style;
 };
 }
 
@@ -140,8 +140,8 @@ int RelievoBenchNormalMaps(const std::string& outDir)
   const auto bytes = AsIntegers<vtkUnsignedCharArray>(floats, 255.);
   const auto shorts = AsIntegers<vtkUnsignedShortArray>(floats, 65535.);
   const auto plain = [](PlaneWindow&) {};
-  const auto wear = [](vtkImageData* image) {
-    return [image](PlaneWindow& window) { window.Wear(image); };
+  const auto style = [](vtkImageData* image) {
+    return [image](PlaneWindow& window) { window.SetStyle(image); };
   };
   const auto asPBR = [](PlaneWindow& w) { w.Actor->GetProperty()->SetInterpolationToPBR(); };
   const Drawn ways[] = {
@@ -150,13 +150,13 @@ int RelievoBenchNormalMaps(const std::string& outDir)
       [&](PlaneWindow& w) { w.Actor->SetTexture(MakeTexture(bytes, false)); } },
     { "colours of a VTK texture, 8 bits, mipmaps", 1, false, 0,
       [&](PlaneWindow& w) { w.Actor->SetTexture(MakeTexture(bytes, true)); } },
-    { "normal map, 8 bits", 1, false, 0, wear(bytes) },
-    { "normal map, 16 bits", 1, false, 0, wear(shorts) },
-    { "normal map, float", 1, false, 0, wear(floats) },
-    { "normal map, 8 bits, the mesh's tangents", 1, true, 0, wear(bytes) },
+    { "normal map, 8 bits", 1, false, 0, style(bytes) },
+    { "normal map, 16 bits", 1, false, 0, style(shorts) },
+    { "normal map, float", 1, false, 0, style(floats) },
+    { "normal map, 8 bits, the mesh's tangents", 1, true, 0, style(bytes) },
     { "material off", 1, false, 0,
       [&](PlaneWindow& w) {
-        w.Wear(bytes);
+        w.SetStyle(bytes);
         w.Surface->EnabledOff();
       } },
     { "two triangles, PBR", 1, false, 8, asPBR },
@@ -168,17 +168,17 @@ int RelievoBenchNormalMaps(const std::string& outDir)
     { "PBR, normal map, 8 bits", 1, false, 8,
       [&](PlaneWindow& w) {
         asPBR(w);
-        w.Wear(bytes);
+        w.SetStyle(bytes);
       } },
     { "131 072 triangles", Fine, false, 11, plain },
-    { "131 072 triangles, normal map, 8 bits", Fine, false, 11, wear(bytes) },
+    { "131 072 triangles, normal map, 8 bits", Fine, false, 11, style(bytes) },
   };
   std::vector<std::unique_ptr<PlaneWindow>> windows;
   std::vector<Timed> frames;
   for (const Drawn& way : ways)
   {
     windows.emplace_back(new PlaneWindow(way.Cells, way.Tangents));
-    way.Dress(*windows.back());
+    way.Style(*windows.back());
     frames.push_back(Frame(windows.back()->Window));
   }
   const auto times = TimeInTurn(frames, Rounds);

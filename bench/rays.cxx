@@ -265,7 +265,7 @@ private:
     auto* asked = reinterpret_cast<Asked*>(given->context);
     double t = 0.;
     glm::dvec3 sides;
-    if (asked->Ray->Meets(own->Get(given->primID, 0), own->Get(given->primID, 1),
+    if (asked->Ray->Hits(own->Get(given->primID, 0), own->Get(given->primID, 1),
           own->Get(given->primID, 2), t, sides) &&
       t >= 0. && t < asked->Nearest)
     {
@@ -315,7 +315,7 @@ bool Measure(const std::string& name, vtkPolyData* mesh, const RaySizes& sizes, 
     { "Embree's boxes, triangles in double", "nearest",
       [&](const RayLine& line) { return boxes.Nearest(line) < Endless; }, boxes.GetBytes() },
     { "rays in double", "any",
-      [&](const RayLine& line) { return tree.MeetsAny(line.From, line.Direction, 0., Endless); },
+      [&](const RayLine& line) { return tree.HitsAny(line.From, line.Direction, 0., Endless); },
       own },
     { "Embree", "any", [&](const RayLine& line) { return peer.Any(line); }, peer.GetBytes() },
   };

@@ -83,7 +83,7 @@ struct ReliefWindow
   }
   ~ReliefWindow() { this->Surface->Detach(this->Actor); }
 
-  void Wear(const HeightField& field, int texels, const Way& way)
+  void SetStyle(const HeightField& field, int texels, const Way& way)
   {
     this->Surface->SetHeightMap(HeightImage(field, texels));
     this->Surface->SetHeightRange(0., 1.);
@@ -145,7 +145,7 @@ double MeanLooks(ReliefWindow& window, const HeightField& field)
     for (int x = 4; x < Sizes.Width; x += 9)
     {
       const ReliefRay ray = RayOf(window.Renderer, x, y);
-      if (ray.MeetsPlane)
+      if (ray.HitsPlane)
       {
         looks += CountLooks(window.Surface, field, ray);
         ++rays;
@@ -208,15 +208,15 @@ bool BenchGeometry(const std::string& outDir)
 {
   ReliefWindow plain(ReliefPlane(1));
   ReliefWindow mapped(ReliefPlane(1));
-  mapped.Wear(Waves, Sizes.FullCells, { "normals", Material::METHOD_OFF, 0 });
+  mapped.SetStyle(Waves, Sizes.FullCells, { "normals", Material::METHOD_OFF, 0 });
   ReliefWindow normals(ReliefPlane(1));
   normals.Surface->SetNormalMap(NormalImage(Waves, Sizes.FullCells));
   normals.Surface->Attach(normals.Actor);
   ReliefWindow off(ReliefPlane(1));
-  off.Wear(Waves, Sizes.FullCells, Ways[std::size(Ways) - 1]);
+  off.SetStyle(Waves, Sizes.FullCells, Ways[std::size(Ways) - 1]);
   off.Surface->EnabledOff();
   ReliefWindow relief(ReliefPlane(1));
-  relief.Wear(Waves, Sizes.FullCells, Ways[std::size(Ways) - 1]);
+  relief.SetStyle(Waves, Sizes.FullCells, Ways[std::size(Ways) - 1]);
   relief.Surface->ClipAtBordersOn();
   const vtkSmartPointer<vtkPolyData> mesh = FullGeometry(Waves, Sizes.FullCells + 1);
   ReliefWindow full(mesh);
@@ -296,7 +296,7 @@ int relievoBench::BenchRelief(const std::string& outDir, const ReliefSizes& size
   for (const Way& way : Ways)
   {
     windows.emplace_back(new ReliefWindow(ReliefPlane(4)));
-    windows.back()->Wear(Waves, Sizes.Texels, way);
+    windows.back()->SetStyle(Waves, Sizes.Texels, way);
     frames.push_back(windows.back()->Frame());
   }
   const auto times = TimeInTurn(frames, Sizes.Rounds);
@@ -310,7 +310,7 @@ int relievoBench::BenchRelief(const std::string& outDir, const ReliefSizes& size
     {
       const Way& way = Ways[w];
       ReliefWindow& window = *windows[w];
-      window.Wear(field.Truth, Sizes.Texels, way);
+      window.SetStyle(field.Truth, Sizes.Texels, way);
       const TimingPair time = PairOf(times[w + 1], times[0]);
       for (const double angle : Sizes.Angles)
       {

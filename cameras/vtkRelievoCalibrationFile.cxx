@@ -5,6 +5,10 @@
 #include "vtkRelievoCalibrationForms.h"
 #include "vtkRelievoLensCamera.h"
 
+#include <yaml-cpp/eventhandler.h>
+#include <yaml-cpp/exceptions.h>
+#include <yaml-cpp/parser.h>
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -18,11 +22,12 @@
 namespace
 {
 using Json = nlohmann::json;
-using vtkRelievoCalibrationForms::Trim;
 using Numbers = std::vector<double>;
 
-constexpr std::size_t MostBytes = std::size_t(1) << 26; // per file
-constexpr int MostDepth = vtkRelievoCalibrationForms::MostDepth;
+// Per file: enough for all points of hundreds of pictures. yaml-cpp may take 250 times as much.
+constexpr std::size_t MostBytes = std::size_t(1) << 23;
+constexpr std::size_t MostDepth = vtkRelievoCalibrationForms::MostDepth;
+constexpr std::size_t MostValues = 100000; // of entries that are read from YAML
 
 int GetLens(const std::string& name)
 {
@@ -30,158 +35,6 @@ int GetLens(const std::string& name)
     : name == "brown"      ? vtkRelievoLensCamera::BROWN_CONRADY
     : name == "fisheye"    ? vtkRelievoLensCamera::FISHEYE
                            : vtkRelievoLensCamera::DIVISION;
-}
-
-// The subset of YAML used by calibrations.
-
-using Lines = std::vector<std::string>;
-
-std::size_t GetIndent(const std::string& line)
-{
-  const std::size_t indent = line.find_first_not_of(' ');
-  return indent == std::string::npos ? line.size() : indent;
-}
-
-// Removes the comment.
-std::string DropComment(const std::string& line)
-{
-  char quote = 0;
-  for (std::size_t i = 0; i < line.size(); ++i)
-  {
-    if (quote)
-    {
-      quote = line[i] == quote ? 0 : quote;
-    }
-    else if (line[i] == '"' || line[i] == '\'')
-    {
-      quote = line[i];
-    }
-    else if (line[i] == '#' && (i == 0 || line[i - 1] == ' ' || line[i - 1] == '\t'))
-    {
-      return line.substr(0, i);
-    }
-  }
-  return line;
-}
-
-// Parses a list in brackets, with nested lists; null if they are nested too deeply.
-Json ReadFlow(const std::string& text, std::size_t& at, int depth = 0)
-{
-  if (depth > MostDepth)
-  {
-    return {};
-  }
-  Json list = Json::array();
-  std::string item;
-  const auto finish = [&] {
-    const std::string word = Trim(item);
-    item.clear();
-    if (!word.empty())
-    {
-      const std::optional<double> number = vtkRelievoCalibrationFile::ToNumber(word);
-      list.push_back(number ? Json(*number) : Json(word));
-    }
-  };
-  for (++at; at < text.size(); ++at)
-  {
-    if (text[at] == '[')
-    {
-      list.push_back(ReadFlow(text, at, depth + 1));
-    }
-    else if (text[at] == ']')
-    {
-      finish();
-      return list;
-    }
-    else if (text[at] == ',')
-    {
-      finish();
-    }
-    else
-    {
-      item += text[at];
-    }
-  }
-  return {}; // the list is not closed
-}
-
-// The entries of a map: each key with the lines of its value.
-std::vector<std::pair<std::string, Lines>> GetEntries(const Lines& lines)
-{
-  std::vector<std::pair<std::string, Lines>> entries;
-  std::size_t indent = std::string::npos;
-  int depth = 0; // of open brackets
-  for (const std::string& line : lines)
-  {
-    if (Trim(line).empty())
-    {
-      continue;
-    }
-    indent = indent == std::string::npos ? GetIndent(line) : indent;
-    const std::size_t colon = line.find(':');
-    std::string rest = line;
-    if (GetIndent(line) == indent && colon != std::string::npos && line[indent] != '-' &&
-      depth == 0)
-    {
-      entries.emplace_back(Trim(line.substr(0, colon)), Lines());
-      rest = line.substr(colon + 1);
-    }
-    if (!entries.empty())
-    {
-      entries.back().second.push_back(rest);
-    }
-    depth += static_cast<int>(
-      std::count(rest.begin(), rest.end(), '[') - std::count(rest.begin(), rest.end(), ']'));
-  }
-  return entries;
-}
-
-Json ReadYAMLValue(Lines lines, int depth)
-{
-  std::string first = Trim(lines[0]);
-  if (first.rfind('!', 0) == 0)
-  {
-    const std::size_t end = first.find(' ');
-    first = end == std::string::npos ? "" : Trim(first.substr(end));
-  }
-  if (first.empty() && lines.size() > 1 && Trim(lines[1]).rfind("- ", 0) == 0)
-  {
-    Json list = Json::array();
-    for (std::size_t i = 1; i < lines.size(); ++i)
-    {
-      const std::string item = Trim(lines[i]);
-      const std::string word = item.rfind("- ", 0) == 0 ? Trim(item.substr(2)) : item;
-      const std::optional<double> number = vtkRelievoCalibrationFile::ToNumber(word);
-      list.push_back(number ? Json(*number) : Json(word));
-    }
-    return list;
-  }
-  if (first.empty() && lines.size() > 1 && depth > 0)
-  {
-    Json map = Json::object();
-    for (const auto& [key, value] : GetEntries(Lines(lines.begin() + 1, lines.end())))
-    {
-      map[key] = ReadYAMLValue(value, depth - 1);
-    }
-    return map;
-  }
-  if (first.rfind('[', 0) == 0)
-  {
-    lines[0] = first;
-    std::string text;
-    for (const std::string& line : lines)
-    {
-      text += line + ' ';
-    }
-    std::size_t at = 0;
-    return ReadFlow(text, at);
-  }
-  if (first.size() > 1 && (first[0] == '"' || first[0] == '\'') && first.back() == first[0])
-  {
-    return first.substr(1, first.size() - 2);
-  }
-  const std::optional<double> number = vtkRelievoCalibrationFile::ToNumber(first);
-  return number ? Json(*number) : Json(first);
 }
 
 // The entries: their names in files of OpenCV and of ROS's calibrator, in a CameraInfo of ROS 1 and
@@ -232,37 +85,132 @@ bool IsCameraName(const std::string& key)
     key.find_first_not_of("0123456789", 3) == std::string::npos;
 }
 
-// The known entries of a YAML map, and of the cameras in it.
-Json PickEntries(const Lines& lines, bool hasCameras)
+// Builds the entries that EntryNames lists, of a YAML document and of the cameras in it. yaml-cpp's
+// own nodes would also keep the others, such as all points of a calibration's pictures.
+class EntryPicker : public YAML::EventHandler
 {
-  Json file = Json::object();
-  for (const auto& [key, value] : GetEntries(lines))
+public:
+  Json File;
+
+  void OnDocumentStart(const YAML::Mark&) override {}
+  void OnDocumentEnd() override {}
+  void OnNull(const YAML::Mark& mark, YAML::anchor_t) override { this->Place(mark, {}); }
+  void OnAlias(const YAML::Mark& mark, YAML::anchor_t) override
   {
-    for (const std::vector<std::string>& names : EntryNames)
-    {
-      if (std::find(names.begin(), names.end(), key) != names.end())
-      {
-        file[key] = ReadYAMLValue(value, 1);
-      }
-    }
-    if (hasCameras && IsCameraName(key))
-    {
-      file[key] = PickEntries(Lines(value.begin() + 1, value.end()), false);
-    }
+    throw YAML::ParserException(mark, "an alias (*), which is not supported");
   }
-  return file;
+  void OnScalar(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t,
+    const std::string& text) override
+  {
+    if (this->ExpectsKey())
+    {
+      this->Open.back().Key = text;
+      this->Open.back().HasKey = true;
+      return;
+    }
+    const bool isQuoted = tag == "!";
+    const std::optional<double> number =
+      isQuoted ? std::nullopt : vtkRelievoCalibrationFile::ToNumber(text);
+    this->Place(mark, number ? Json(*number) : Json(text));
+  }
+  void OnSequenceStart(
+    const YAML::Mark& mark, const std::string&, YAML::anchor_t, YAML::EmitterStyle::value) override
+  {
+    this->Open.push_back({ this->Place(mark, Json::array()), false, false, {} });
+  }
+  void OnSequenceEnd() override { this->Open.pop_back(); }
+  void OnMapStart(
+    const YAML::Mark& mark, const std::string&, YAML::anchor_t, YAML::EmitterStyle::value) override
+  {
+    this->Open.push_back({ this->Place(mark, Json::object()), true, false, {} });
+  }
+  void OnMapEnd() override { this->Open.pop_back(); }
+
+private:
+  struct Level
+  {
+    Json* Value; // nullptr: left out
+    bool IsMap;
+    bool HasKey; // Key waits for its value
+    std::string Key;
+  };
+
+  bool ExpectsKey() const
+  {
+    return !this->Open.empty() && this->Open.back().IsMap && !this->Open.back().HasKey;
+  }
+
+  // Whether the value of the innermost key is wanted.
+  bool IsWanted() const
+  {
+    const std::string& key = this->Open.back().Key;
+    const bool isCamera = IsCameraName(this->Open[0].Key);
+    return this->Open.size() > (isCamera ? 2 : 1) || (isCamera && this->Open.size() == 1) ||
+      std::any_of(std::begin(EntryNames), std::end(EntryNames), [&key](const auto& names) {
+        return std::find(names.begin(), names.end(), key) != names.end();
+      });
+  }
+
+  // Where the value is kept; nullptr: it is left out.
+  Json* Place(const YAML::Mark& mark, Json value)
+  {
+    if (this->Open.empty())
+    {
+      this->File = std::move(value);
+      return &this->File;
+    }
+    Level& level = this->Open.back();
+    if (this->ExpectsKey()) // with a list or a map
+    {
+      level.Key.clear();
+      level.HasKey = true;
+      return nullptr;
+    }
+    level.HasKey = false;
+    if (!level.Value || this->Open.size() > MostDepth || (level.IsMap && !this->IsWanted()))
+    {
+      return nullptr;
+    }
+    if (++this->Count > MostValues)
+    {
+      throw YAML::ParserException(mark, "more values than a calibration has");
+    }
+    if (!level.IsMap)
+    {
+      level.Value->push_back(std::move(value));
+      return &level.Value->back();
+    }
+    if (level.Value->contains(level.Key))
+    {
+      throw YAML::ParserException(mark, level.Key + " is there twice");
+    }
+    return &((*level.Value)[level.Key] = std::move(value));
+  }
+
+  std::vector<Level> Open;
+  std::size_t Count = 0;
+};
+
+// The first document. `wrong` receives an error message, or remains empty.
+Json ReadYAML(const std::string& text, std::string& wrong)
+{
+  EntryPicker picker;
+  try
+  {
+    std::istringstream stream(text);
+    YAML::Parser(stream).HandleNextDocument(picker);
+  }
+  catch (const YAML::Exception& error)
+  {
+    wrong = "line " + std::to_string(error.mark.line + 1) + ": expected YAML, got " + error.msg;
+  }
+  return picker.File;
 }
 
-Json ReadYAML(const std::string& text)
+// A value as JSON text; bytes that are not UTF-8, which YAML and XML may contain, are replaced.
+std::string ToText(const Json& value)
 {
-  Lines lines;
-  for (const std::string& line : vtkRelievoCalibrationFile::Split(text, '\n'))
-  {
-    const bool isMark =
-      line.rfind('%', 0) == 0 || line.rfind("---", 0) == 0 || line.rfind("...", 0) == 0;
-    lines.push_back(isMark ? "" : DropComment(line));
-  }
-  return PickEntries(lines, true);
+  return value.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
 // The numbers of a matrix, row by row; none if the value is not a matrix.
@@ -359,13 +307,13 @@ void TakePart(const Json& file, vtkRelievoCalibrationFile& found)
     if (!(region.is_null() || region.is_object()) || !offset || !size || part < 1 ||
       *offset + part > all)
     {
-      found.Wrong = "roi: got " + region.dump() +
+      found.Wrong = "roi: got " + ToText(region) +
         ", expected x_offset, y_offset, width and height of a part of the picture";
       return;
     }
     if (!together || part / bin < 1)
     {
-      found.Wrong = name + ": got " + binning.dump() + ", expected a whole number of pixels";
+      found.Wrong = name + ": got " + ToText(binning) + ", expected a whole number of pixels";
       return;
     }
     found.Size[i] = part / bin;
@@ -406,7 +354,7 @@ std::string TakeKalibr(Json& file)
   const Json model = FindEntry(file, CAMERA_MODEL).Value;
   if (!(model.is_null() || model == "pinhole"))
   {
-    return "camera_model: got " + model.dump() + ", expected pinhole; " +
+    return "camera_model: got " + ToText(model) + ", expected pinhole; " +
       "other models, such as omni, eucm and ds, are not supported";
   }
   const Numbers k = GetMatrix(intrinsics).value_or(Numbers());
@@ -462,7 +410,7 @@ vtkRelievoCalibrationFile Interpret(Json file)
   found.Kind = GetLensName(file);
   if (found.Kind.empty())
   {
-    found.Wrong = "distortion_model: got " + FindEntry(file, MODEL).Value.dump() +
+    found.Wrong = "distortion_model: got " + ToText(FindEntry(file, MODEL).Value) +
       ", expected plumb_bob, radtan, rational_polynomial, equidistant, fisheye, division or none";
     return found;
   }
@@ -595,7 +543,7 @@ vtkRelievoCalibrationFile vtkRelievoCalibrationFile::Read(const std::string& pat
   {
     // Calibrations contain no deeper values; OpenCV's files may have comments.
     const auto isHigh = [](int depth, Json::parse_event_t, const Json&) {
-      return depth <= MostDepth;
+      return depth <= vtkRelievoCalibrationForms::MostDepth;
     };
     file = Json::parse(text, isHigh, false, true);
   }
@@ -613,12 +561,18 @@ vtkRelievoCalibrationFile vtkRelievoCalibrationFile::Read(const std::string& pat
   }
   else
   {
-    file = ReadYAML(text);
+    file = ReadYAML(text, failed.Wrong);
+    if (!failed.Wrong.empty())
+    {
+      return failed;
+    }
   }
   if (!file.is_object())
   {
     failed.Wrong = std::string("it is no ") +
-      (extension == ".xml" ? "opencv_storage of XML" : "JSON object") +
+      (extension == ".xml"       ? "opencv_storage of XML"
+          : extension == ".json" ? "JSON object"
+                                 : "YAML map") +
       ", expected camera_matrix, image_width, image_height and "
       "distortion_coefficients";
     return failed;

@@ -16,7 +16,14 @@
 namespace
 {
 using Json = nlohmann::json;
-using vtkRelievoCalibrationForms::Trim;
+
+std::string Trim(const std::string& text)
+{
+  const char* const blanks = " \t\r\n";
+  const std::size_t first = text.find_first_not_of(blanks);
+  return first == std::string::npos ? ""
+                                    : text.substr(first, text.find_last_not_of(blanks) - first + 1);
+}
 
 // A number or a string.
 Json ToValue(const std::string& text)
@@ -47,15 +54,6 @@ constexpr ColmapModel ColmapModels[] = { { "SIMPLE_PINHOLE", 1, "none", 0 },
   { "RADIAL", 1, "plumb_bob", 2 }, { "OPENCV", 2, "plumb_bob", 4 },
   { "FULL_OPENCV", 2, "rational_polynomial", 8 }, { "OPENCV_FISHEYE", 2, "fisheye", 4 },
   { "SIMPLE_RADIAL_FISHEYE", 1, "fisheye", 1 }, { "RADIAL_FISHEYE", 1, "fisheye", 2 } };
-}
-
-//------------------------------------------------------------------------------
-std::string vtkRelievoCalibrationForms::Trim(const std::string& text)
-{
-  const char* const blanks = " \t\r\n";
-  const std::size_t first = text.find_first_not_of(blanks);
-  return first == std::string::npos ? ""
-                                    : text.substr(first, text.find_last_not_of(blanks) - first + 1);
 }
 
 //------------------------------------------------------------------------------

@@ -14,8 +14,6 @@ namespace vtkRelievoCalibrationForms
 {
 constexpr int MostDepth = 8; // of nested lists and objects
 
-std::string Trim(const std::string& text);
-
 // Unpacks gzip data. False if the data are invalid or incomplete, or have more than `most` bytes.
 bool Unpack(std::string& bytes, std::size_t most);
 

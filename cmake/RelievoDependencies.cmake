@@ -1,5 +1,5 @@
 # Finds Relievo's dependencies: VTK (ParaView's or a stand-alone one), Python, GLM, OpenEXR, Assimp,
-# Draco, nlohmann-json, Embree.
+# Draco, nlohmann-json, yaml-cpp, Embree.
 
 set(Python3_FIND_STRATEGY LOCATION)
 set(relievo_vtk_components
@@ -10,7 +10,7 @@ set(relievo_vtk_components
   ParallelCore
   RenderingAnnotation RenderingCore RenderingFreeType RenderingOpenGL2 RenderingVolumeOpenGL2
   WrappingTools
-  jpeg tiff zlib)
+  jpeg png tiff zlib)
 
 if (RELIEVO_USE_PARAVIEW)
   # Named components: without them ParaView also asks for the developer files of Qt, GDAL, FFmpeg
@@ -63,6 +63,7 @@ set(CMAKE_MESSAGE_LOG_LEVEL "${relievo_log_level}")
 find_package(assimp 5.2 REQUIRED)
 find_package(draco 1.5 REQUIRED)
 find_package(nlohmann_json 3.10 REQUIRED)
+find_package(yaml-cpp 0.7 REQUIRED)
 if (RELIEVO_BUILD_TESTS OR RELIEVO_BUILD_BENCH)
   find_package(embree 3 REQUIRED)
 endif ()

@@ -1,13 +1,14 @@
 # Scans and builds Relievo's VTK modules; each links only what its vtk.module names.
 
 include(RelievoStages)
-set(relievo_rooms describe shaders layers cameras rays passes/frame passes/gbuffer passes/shadows
-  passes/deferred passes/effects passes materials io filters animation scene)
+set(relievo_rooms base base/gl describe shaders layers cameras rays passes/frame passes/gbuffer
+  passes/shadows passes/deferred passes/effects passes materials io filters animation reading look
+  scene dataset)
 set(relievo_module_files ${relievo_rooms})
 list(TRANSFORM relievo_module_files REPLACE "(.+)" "${CMAKE_CURRENT_SOURCE_DIR}/\\1/vtk.module")
-set(relievo_requested Relievo::Describe Relievo::Shaders Relievo::Layers Relievo::Cameras
-  Relievo::Rays Relievo::Passes Relievo::Materials Relievo::IO Relievo::Filters Relievo::Animation
-  Relievo::Scene)
+set(relievo_requested Relievo::Base Relievo::BaseGL Relievo::Describe Relievo::Shaders Relievo::Layers
+  Relievo::Cameras Relievo::Rays Relievo::Passes Relievo::Materials Relievo::IO Relievo::Filters
+  Relievo::Animation Relievo::Reading Relievo::Look Relievo::Scene Relievo::Dataset)
 # Modules of ParaView's plugin: not for Python, which uses ParaView's server manager.
 set(relievo_plugin_modules)
 if (RELIEVO_USE_PARAVIEW)
@@ -50,9 +51,9 @@ vtk_module_build(
 unset(CMAKE_SUPPRESS_DEVELOPER_WARNINGS)
 relievo_relative_autoinit(${relievo_modules})
 list(REMOVE_ITEM relievo_modules ${relievo_plugin_modules})
-# Not the three modules without VTK's data: their macros differ.
+# Not the four modules without VTK's data: their macros differ.
 set(relievo_of_data ${relievo_modules})
-list(REMOVE_ITEM relievo_of_data Relievo::Describe Relievo::Shaders Relievo::Layers)
+list(REMOVE_ITEM relievo_of_data Relievo::Base Relievo::Describe Relievo::Shaders Relievo::Layers)
 relievo_precompile_headers(${relievo_of_data})
 # A quarter of the time to compile. Off by default: it hides an #include that a file forgot, and one
 # changed file compiles eight. Names in one target's unnamed namespaces must differ for it; those of

@@ -50,12 +50,12 @@ vtkRelievoEnvironment::~vtkRelievoEnvironment() = default;
 //------------------------------------------------------------------------------
 bool vtkRelievoEnvironment::SetParameter(RELIEVO_TEXT name, RELIEVO_TEXT words)
 {
-  const std::string wrong = this->TrySetParameter(name, words);
-  if (!wrong.empty())
+  const std::string error = this->TrySetParameter(name, words);
+  if (!error.empty())
   {
-    vtkErrorMacro(<< name << ": " << wrong << ".");
+    vtkErrorMacro(<< name << ": " << error << ".");
   }
-  return wrong.empty();
+  return error.empty();
 }
 
 //------------------------------------------------------------------------------

@@ -233,7 +233,7 @@ const vtkRelievoEnvironmentTextures::Structure& vtkRelievoEnvironmentTextures::G
 }
 
 //------------------------------------------------------------------------------
-bool vtkRelievoEnvironmentTextures::LoadLevels(Held& held)
+bool vtkRelievoEnvironmentTextures::LoadLevels(Cached& cached)
 {
   // Level 0 is the image; level 1 is OpenGL's level 0.
   std::vector<Pixels> all;
@@ -245,28 +245,28 @@ bool vtkRelievoEnvironmentTextures::LoadLevels(Held& held)
     greatest = std::max(greatest, all.back().Greatest);
   }
   const bool isFloat = greatest > GreatestHalf;
-  held.Levels = MakeTexture(held.Window, all[0], static_cast<int>(all.size()), isFloat, false);
-  if (!held.Levels)
+  cached.Levels = MakeTexture(cached.Window, all[0], static_cast<int>(all.size()), isFloat, false);
+  if (!cached.Levels)
   {
     return false;
   }
-  held.Bytes += BytesOf(all[0], isFloat);
-  held.Levels->Activate();
+  cached.Bytes += BytesOf(all[0], isFloat);
+  cached.Levels->Activate();
   for (std::size_t i = 1; i < all.size(); ++i)
   {
     SendFaces(all[i], static_cast<int>(i), isFloat);
-    held.Bytes += BytesOf(all[i], isFloat);
+    cached.Bytes += BytesOf(all[i], isFloat);
   }
-  held.Levels->Deactivate();
+  cached.Levels->Deactivate();
   return true;
 }
 
 //------------------------------------------------------------------------------
-bool vtkRelievoEnvironmentTextures::Load(Held& held)
+bool vtkRelievoEnvironmentTextures::Load(Cached& cached)
 {
-  held.Image = nullptr;
-  held.Levels = nullptr;
-  held.Bytes = 0;
+  cached.Image = nullptr;
+  cached.Levels = nullptr;
+  cached.Bytes = 0;
   vtkImageData* sharp = this->GetSharp();
   const int* size = sharp->GetDimensions();
   const int limit = GetLimit(this->Is.Projection);
@@ -281,11 +281,11 @@ bool vtkRelievoEnvironmentTextures::Load(Held& held)
   }
   const double width = pixels.Width;
   const double details[4] = { 1., width / (2. * Pi), width / 2., width / 4. };
-  held.Detail = details[this->Is.Projection];
+  cached.Detail = details[this->Is.Projection];
   const bool isFloat = pixels.Greatest > GreatestHalf;
-  held.Image = MakeTexture(held.Window, pixels, LevelsOf(pixels.Width), isFloat, true);
-  held.Bytes = BytesOf(pixels, isFloat) * 4 / 3;
-  return held.Image && (!this->Is.Rough || this->LoadLevels(held));
+  cached.Image = MakeTexture(cached.Window, pixels, LevelsOf(pixels.Width), isFloat, true);
+  cached.Bytes = BytesOf(pixels, isFloat) * 4 / 3;
+  return cached.Image && (!this->Is.Rough || this->LoadLevels(cached));
 }
 
 //------------------------------------------------------------------------------
@@ -297,45 +297,45 @@ bool vtkRelievoEnvironmentTextures::Activate(
     return false;
   }
   this->All.erase(std::remove_if(this->All.begin(), this->All.end(),
-                    [](const Held& held) { return !held.Window; }),
+                    [](const Cached& cached) { return !cached.Window; }),
     this->All.end());
-  auto held = std::find_if(
-    this->All.begin(), this->All.end(), [window](const Held& one) { return one.Window == window; });
-  if (held == this->All.end())
+  auto cached = std::find_if(this->All.begin(), this->All.end(),
+    [window](const Cached& one) { return one.Window == window; });
+  if (cached == this->All.end())
   {
-    held = this->All.insert(this->All.end(), Held());
-    held->Window = window;
+    cached = this->All.insert(this->All.end(), Cached());
+    cached->Window = window;
   }
-  if (held->IsLost())
+  if (cached->IsLost())
   {
-    *held = Held();
-    held->Window = window;
+    *cached = Cached();
+    cached->Window = window;
   }
-  if (held->Time != this->LookTime)
+  if (cached->Time != this->LookTime)
   {
-    held->Time = this->LookTime;
-    if (!this->Load(*held))
+    cached->Time = this->LookTime;
+    if (!this->Load(*cached))
     {
-      held->Image = nullptr;
+      cached->Image = nullptr;
       this->Fail("No environment: OpenGL cannot make a texture of it");
     }
   }
-  if (!held->Image)
+  if (!cached->Image)
   {
     return false;
   }
   window->GetState()->vtkglEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
-  held->Image->Activate();
-  program->SetUniformi("relievoEnvironmentImage", held->Image->GetTextureUnit());
-  program->SetUniformf("relievoEnvironmentDetail", static_cast<float>(held->Detail));
-  if (held->Levels)
+  cached->Image->Activate();
+  program->SetUniformi("relievoEnvironmentImage", cached->Image->GetTextureUnit());
+  program->SetUniformf("relievoEnvironmentDetail", static_cast<float>(cached->Detail));
+  if (cached->Levels)
   {
     const auto levels = static_cast<int>(this->Levels->GetNumberOfBlocks());
     const double level = relievo::f64::relievoPrefilterLevel(roughness, levels);
     const float uses[2] = { static_cast<float>(std::min(level, 1.)),
       static_cast<float>(std::max(level - 1., 0.)) };
-    held->Levels->Activate();
-    program->SetUniformi("relievoEnvironmentLevels", held->Levels->GetTextureUnit());
+    cached->Levels->Activate();
+    program->SetUniformi("relievoEnvironmentLevels", cached->Levels->GetTextureUnit());
     program->SetUniform2f("relievoEnvironmentLevel", uses);
   }
   return true;
@@ -344,11 +344,11 @@ bool vtkRelievoEnvironmentTextures::Activate(
 //------------------------------------------------------------------------------
 void vtkRelievoEnvironmentTextures::Deactivate(vtkOpenGLRenderWindow* window)
 {
-  for (const Held& held : this->All)
+  for (const Cached& cached : this->All)
   {
-    if (held.Window && held.Window == window)
+    if (cached.Window && cached.Window == window)
     {
-      for (vtkTextureObject* texture : { held.Image.GetPointer(), held.Levels.GetPointer() })
+      for (vtkTextureObject* texture : { cached.Image.GetPointer(), cached.Levels.GetPointer() })
       {
         if (texture)
         {
@@ -363,9 +363,9 @@ void vtkRelievoEnvironmentTextures::Deactivate(vtkOpenGLRenderWindow* window)
 vtkIdType vtkRelievoEnvironmentTextures::GetBytes()
 {
   vtkIdType bytes = 0;
-  for (const Held& held : this->All)
+  for (const Cached& cached : this->All)
   {
-    bytes += held.Window && held.Image && !held.IsLost() ? held.Bytes : 0;
+    bytes += cached.Window && cached.Image && !cached.IsLost() ? cached.Bytes : 0;
   }
   return bytes;
 }
@@ -373,18 +373,18 @@ vtkIdType vtkRelievoEnvironmentTextures::GetBytes()
 //------------------------------------------------------------------------------
 void vtkRelievoEnvironmentTextures::Release(vtkWindow* window)
 {
-  for (Held& held : this->All)
+  for (Cached& cached : this->All)
   {
-    if (held.Window && (!window || held.Window == window))
+    if (cached.Window && (!window || cached.Window == window))
     {
-      for (vtkTextureObject* texture : { held.Image.GetPointer(), held.Levels.GetPointer() })
+      for (vtkTextureObject* texture : { cached.Image.GetPointer(), cached.Levels.GetPointer() })
       {
         if (texture)
         {
-          texture->ReleaseGraphicsResources(held.Window);
+          texture->ReleaseGraphicsResources(cached.Window);
         }
       }
-      held = Held();
+      cached = Cached();
     }
   }
 }

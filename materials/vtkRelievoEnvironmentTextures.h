@@ -67,7 +67,7 @@ public:
   void Release(vtkWindow* window);
 
 private:
-  struct Held
+  struct Cached
   {
     vtkWeakPointer<vtkOpenGLRenderWindow> Window;
     vtkSmartPointer<vtkTextureObject> Image;
@@ -88,14 +88,14 @@ private:
   vtkImageData* GetSharp() const;
   vtkImageData* GetLevel(unsigned int level) const;
   bool CheckLevels(std::string& failure) const;
-  bool Load(Held& held);
-  bool LoadLevels(Held& held);
+  bool Load(Cached& cached);
+  bool LoadLevels(Cached& cached);
   void Fail(const std::string& failure);
 
   vtkRelievoEnvironment* Owner;
   Structure Is;
   vtkMTimeType LookTime = 0;
-  std::vector<Held> All;
+  std::vector<Cached> All;
 };
 
 #endif

@@ -24,6 +24,7 @@
 #include "vtkRelievoMaterialSplice.h"
 #include "vtkRelievoPassKeys.h"
 #include "vtkRelievoReflection.h"
+#include "vtkRelievoReportOnce.h"
 #include "vtkRelievoTrialSplice.h"
 #include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
@@ -35,7 +36,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -50,7 +50,7 @@ public:
   vtkRelievoEnvironmentTextures::Structure EnvironmentStructure;
   vtkWeakPointer<vtkOpenGLRenderWindow> Window; // of the last drawing
   std::vector<vtkWeakPointer<vtkActor>> Actors; // attached actors
-  std::set<std::string> Reported;
+  vtkRelievoReportOnce Reported;
   vtkRelievoParameterList Description;
 
   // Texture units are few, so a material releases its units when the next one is drawn.
@@ -292,12 +292,12 @@ const vtkRelievoParameterList& vtkRelievoMaterial::GetDescription() const
 //------------------------------------------------------------------------------
 bool vtkRelievoMaterial::SetParameter(RELIEVO_TEXT name, RELIEVO_TEXT words)
 {
-  const std::string wrong = this->TrySetParameter(name, words);
-  if (!wrong.empty())
+  const std::string error = this->TrySetParameter(name, words);
+  if (!error.empty())
   {
-    vtkErrorMacro(<< name << ": " << wrong << ".");
+    vtkErrorMacro(<< name << ": " << error << ".");
   }
-  return wrong.empty();
+  return error.empty();
 }
 
 //------------------------------------------------------------------------------
@@ -569,10 +569,10 @@ bool vtkRelievoMaterial::PostReplaceShaderValues(std::string& vertexShader,
     return true;
   }
   const auto report = [&](const char* what, const vtkRelievoTrialSplice::Outcome& outcome) {
-    if (!outcome.Wrong.empty() && in.Reported.insert(outcome.GetKey(mapper)).second)
+    if (!outcome.Error.empty() && in.Reported.IsNew(outcome.GetKey(mapper)))
     {
       vtkErrorMacro("No " << what << " on geometry drawn by " << mapper->GetClassName() << ": "
-                          << outcome.Wrong << ".");
+                          << outcome.Error << ".");
     }
   };
   if (in.Structure.Cut)
@@ -721,7 +721,7 @@ bool vtkRelievoMaterial::ActivateMap(
     GLint units = 0;
     glGetIntegerv(GL_MAX_COMBINED_TEXTURE_IMAGE_UNITS, &units);
     program->SetUniformi(sampler, units - 1);
-    if (!in.Window && in.Reported.insert(map.GetName()).second)
+    if (!in.Window && in.Reported.IsNew(map.GetName()))
     {
       vtkWarningMacro("A picture without the "
         << map.GetName() << ": no renderer that is being drawn has the actor.");

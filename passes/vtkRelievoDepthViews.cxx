@@ -13,6 +13,7 @@
 #include "vtkObjectFactory.h"
 #include "vtkRelievoLayerSource.h"
 #include "vtkRelievoPass.h"
+#include "vtkRelievoWindowGuard.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 
@@ -25,33 +26,19 @@ vtkStandardNewMacro(vtkRelievoDepthViews);
 
 namespace
 {
-// The camera, the viewport and the pass that a renderer had, and the tile that its window draws.
+// The view and the pass that a renderer had.
 class KeptView
 {
 public:
   explicit KeptView(vtkRenderer* renderer)
     : Renderer(renderer)
+    , Guard(renderer)
     , Attached(vtkRelievoPass::SafeDownCast(renderer->GetPass()) != nullptr)
   {
-    if (renderer->IsActiveCameraCreated())
-    {
-      this->Camera = renderer->GetActiveCamera();
-    }
-    renderer->GetViewport(this->Viewport);
-    vtkRenderWindow* window = renderer->GetRenderWindow();
-    window->GetTileScale(this->TileScale);
-    window->GetTileViewport(this->TileViewport);
-    window->SetTileScale(1, 1);
-    window->SetTileViewport(0., 0., 1., 1.);
     vtkRelievoPass::Attach(renderer);
   }
   ~KeptView()
   {
-    vtkRenderWindow* window = this->Renderer->GetRenderWindow();
-    window->SetTileScale(this->TileScale);
-    window->SetTileViewport(this->TileViewport);
-    this->Renderer->SetViewport(this->Viewport);
-    this->Renderer->SetActiveCamera(this->Camera);
     if (!this->Attached)
     {
       vtkRelievoPass::Detach(this->Renderer);
@@ -62,11 +49,8 @@ public:
 
 private:
   vtkRenderer* Renderer;
+  vtkRelievoWindowGuard Guard;
   bool Attached;
-  vtkSmartPointer<vtkCamera> Camera;
-  double Viewport[4];
-  int TileScale[2];
-  double TileViewport[4];
 };
 }
 

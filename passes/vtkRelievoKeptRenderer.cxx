@@ -11,8 +11,6 @@
 #include "vtkRenderer.h"
 #include "vtkRendererCollection.h"
 
-#include <algorithm>
-
 namespace
 {
 // The place of a pose, and a camera there that is turned as it is.
@@ -32,36 +30,22 @@ void SetPose(vtkRelievoCameraModel* sensor, vtkCamera* camera)
   camera->SetFocalPoint(focus);
   camera->SetViewUp(-R[3], -R[4], -R[5]);
 }
-
-// The base class's way: a window on the screen stays as it is, only its buffers change.
-void SetSize(vtkRenderWindow* window, int columns, int rows)
-{
-  window->vtkWindow::SetSize(columns, rows);
-}
 }
 
 //------------------------------------------------------------------------------
 vtkRelievoKeptRenderer::vtkRelievoKeptRenderer(vtkRenderer* renderer, vtkRelievoCameraModel* sensor)
   : Renderer(renderer)
-  , Window(renderer->GetRenderWindow())
+  , Guard(renderer)
   , Attached(vtkRelievoPass::SafeDownCast(renderer->GetPass()) != nullptr)
   , Gradient(renderer->GetGradientBackground())
   , Textured(renderer->GetTexturedBackground())
-  , OffScreenBuffers(this->Window->GetUseOffScreenBuffers())
 {
   if (renderer->IsActiveCameraCreated())
   {
-    this->Camera = renderer->GetActiveCamera();
-    this->View->DeepCopy(this->Camera);
+    this->View->DeepCopy(renderer->GetActiveCamera());
   }
-  std::copy_n(this->Window->GetSize(), 2, this->Size);
-  renderer->GetViewport(this->Viewport);
   this->Behind = renderer->GetBackgroundTexture();
-  this->Window->GetTileScale(this->TileScale);
-  this->Window->GetTileViewport(this->TileViewport);
-  this->Window->SetTileScale(1, 1);
-  this->Window->SetTileViewport(0.0, 0.0, 1.0, 1.0);
-  this->Window->SetUseOffScreenBuffers(true);
+  renderer->GetRenderWindow()->SetUseOffScreenBuffers(true);
   renderer->SetViewport(0.0, 0.0, 1.0, 1.0);
   renderer->SetActiveCamera(this->View);
   SetPose(sensor, this->View);
@@ -91,12 +75,6 @@ vtkRelievoKeptRenderer::~vtkRelievoKeptRenderer()
   this->Renderer->SetGradientBackground(this->Gradient);
   this->Renderer->SetTexturedBackground(this->Textured);
   this->Renderer->SetBackgroundTexture(this->Behind);
-  this->Renderer->SetViewport(this->Viewport);
-  this->Renderer->SetActiveCamera(this->Camera);
-  SetSize(this->Window, this->Size[0], this->Size[1]);
-  this->Window->SetUseOffScreenBuffers(this->OffScreenBuffers);
-  this->Window->SetTileScale(this->TileScale);
-  this->Window->SetTileViewport(this->TileViewport);
   if (!this->Attached)
   {
     vtkRelievoPass::Detach(this->Renderer);
@@ -151,8 +129,9 @@ void vtkRelievoKeptRenderer::HideOthers()
       this->Overlays.push_back(prop);
     }
   }
-  this->Window->GetRenderers()->InitTraversal(it);
-  while (vtkRenderer* other = this->Window->GetRenderers()->GetNextRenderer(it))
+  vtkRendererCollection* others = this->Renderer->GetRenderWindow()->GetRenderers();
+  others->InitTraversal(it);
+  while (vtkRenderer* other = others->GetNextRenderer(it))
   {
     if (other != this->Renderer && other->GetDraw())
     {

@@ -11,6 +11,7 @@
 #include "vtkLight.h"
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
+#include "vtkRelievoWindowGuard.h"
 #include "vtkSmartPointer.h"
 #include "vtkTexture.h"
 
@@ -19,7 +20,6 @@
 class vtkProp;
 class vtkRelievoCameraModel;
 class vtkRenderer;
-class vtkRenderWindow;
 
 class vtkRelievoKeptRenderer
 {
@@ -44,15 +44,10 @@ private:
   void HideOthers();
 
   vtkRenderer* Renderer;
-  vtkRenderWindow* Window;
-  bool Attached, Gradient, Textured, OffScreenBuffers;
-  vtkSmartPointer<vtkCamera> Camera; // none was made: null
+  vtkRelievoWindowGuard Guard;
+  bool Attached, Gradient, Textured;
   vtkNew<vtkCamera> View;
-  int Size[2];
-  double Viewport[4];
   vtkSmartPointer<vtkTexture> Behind;
-  int TileScale[2];
-  double TileViewport[4];
   std::vector<Follower> Followers;
   std::vector<vtkProp*> Overlays;
   std::vector<vtkRenderer*> Others;

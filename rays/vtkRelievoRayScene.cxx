@@ -60,7 +60,7 @@ vtkStandardNewMacro(vtkRelievoRayScene);
 
 namespace
 {
-using Meeting = vtkRelievoRayTree::Meeting;
+using Hit = vtkRelievoRayTree::Hit;
 
 constexpr double Endless = std::numeric_limits<double>::infinity();
 constexpr vtkIdType Batch = 1 << 16; // rays between two progress events
@@ -243,7 +243,7 @@ Entry FindEntry(const vtkRelievoPlacedMesh& placed)
 }
 
 // A ray about the scene's centre. If it is not Valid, it hits nothing.
-struct Beam
+struct CenteredRay
 {
   glm::dvec3 From{ 0.0 };
   glm::dvec3 Direction{ 0.0 };
@@ -251,10 +251,10 @@ struct Beam
   bool None = false; // not a ray: causes no warning
 };
 
-class Beams
+class CenteredRays
 {
 public:
-  Beams(vtkDataArray* origins, vtkDataArray* directions, const glm::dvec3& center)
+  CenteredRays(vtkDataArray* origins, vtkDataArray* directions, const glm::dvec3& center)
     : Origins(origins)
     , Directions(directions)
     , Center(center)
@@ -263,23 +263,23 @@ public:
 
   vtkIdType GetCount() const { return this->Directions->GetNumberOfTuples(); }
 
-  Beam Get(vtkIdType ray) const
+  CenteredRay Get(vtkIdType row) const
   {
-    Beam beam;
-    Read(this->Origins, this->Origins->GetNumberOfTuples() == 1 ? 0 : ray, beam.From);
-    Read(this->Directions, ray, beam.Direction);
-    const glm::dvec3 sizes = glm::abs(beam.Direction);
+    CenteredRay ray;
+    Read(this->Origins, this->Origins->GetNumberOfTuples() == 1 ? 0 : row, ray.From);
+    Read(this->Directions, row, ray.Direction);
+    const glm::dvec3 sizes = glm::abs(ray.Direction);
     const double size = std::max(std::max(sizes.x, sizes.y), sizes.z);
-    beam.Valid = size > 0.0;
+    ray.Valid = size > 0.0;
     for (int i = 0; i < 3; ++i)
     {
-      beam.Valid = beam.Valid && std::isfinite(beam.From[i]) && std::isfinite(beam.Direction[i]);
+      ray.Valid = ray.Valid && std::isfinite(ray.From[i]) && std::isfinite(ray.Direction[i]);
     }
-    beam.None =
-      glm::isnan(beam.Direction.x) && glm::isnan(beam.Direction.y) && glm::isnan(beam.Direction.z);
-    beam.From -= this->Center;
-    beam.Direction = glm::normalize(beam.Direction / size);
-    return beam;
+    ray.None =
+      glm::isnan(ray.Direction.x) && glm::isnan(ray.Direction.y) && glm::isnan(ray.Direction.z);
+    ray.From -= this->Center;
+    ray.Direction = glm::normalize(ray.Direction / size);
+    return ray;
   }
 
 private:
@@ -357,7 +357,7 @@ public:
 }
 
 //------------------------------------------------------------------------------
-struct vtkRelievoRayScene::Held
+struct vtkRelievoRayScene::Internals
 {
   // A placed mesh's origin in the user's data.
   struct Source
@@ -405,8 +405,8 @@ struct vtkRelievoRayScene::Held
   std::map<CopyKey, Copy> CopiesBefore;    // in the update before
   vtkRelievoGlyphPlaces Glyphs{ vtkRelievoGlyphPlaces::Numbers::Exact };
   std::vector<vtkRelievoPlacedMesh> Meshes;
-  std::vector<vtkSmartPointer<vtkPolyData>> Kept; // references to all of Meshes
-  std::vector<Source> Sources;                    // one for each of Meshes
+  std::vector<vtkSmartPointer<vtkPolyData>> Owned; // references to all of Meshes
+  std::vector<Source> Sources;                     // one for each of Meshes
   std::vector<vtkSmartPointer<vtkProp>> LeftOut;
   std::set<vtkProp*> Warned; // of LeftOut
   std::string Fault;         // of Data
@@ -414,7 +414,7 @@ struct vtkRelievoRayScene::Held
   bool Frozen = false; // a copy of another scene's state, which is not updated
   std::vector<vtkRelievoPlacedMesh> FrozenMeshes;
   std::vector<Source> FrozenSources;
-  std::vector<Meeting>* Meetings = nullptr; // receives the nearest hits, if a caller needs them
+  std::vector<Hit>* Nearest = nullptr; // receives the nearest hits, if a caller needs them
   vtkRelievoRayTree Tree;
 
   static void FindNormals(vtkPolyData* mesh, Source& source);
@@ -424,9 +424,8 @@ struct vtkRelievoRayScene::Held
   void AddAdded();
   bool SetMeshes(bool opaqueOnly);
   std::string AddBlock(vtkDataObject* data, int block, int prop, vtkMatrix4x4* matrix);
-  void Write(const Columns& columns, vtkIdType row, const Beam& beam, const Meeting& meeting) const;
-  glm::dvec3 GetShadingNormal(
-    const Meeting& meeting, const vtkRelievoRayTree::Details& details) const;
+  void Write(const Columns& columns, vtkIdType row, const CenteredRay& ray, const Hit& hit) const;
+  glm::dvec3 GetShadingNormal(const Hit& hit, const vtkRelievoRayTree::Details& details) const;
 };
 
 namespace
@@ -439,9 +438,9 @@ bool IsShown(vtkProp* prop)
   for (const vtkRelievoPropParts::Part& part : parts)
   {
     vtkActor* actor = vtkActor::SafeDownCast(part.Prop);
-    const bool met = actor && !vtkSkybox::SafeDownCast(actor) &&
+    const bool isHit = actor && !vtkSkybox::SafeDownCast(actor) &&
       !vtkRelievoPropParts::IsAnnotation(actor) && !vtkRelievoPropParts::DrawsNoOpaque(part);
-    if (met || vtkVolume::SafeDownCast(part.Prop))
+    if (isHit || vtkVolume::SafeDownCast(part.Prop))
     {
       return true;
     }
@@ -476,7 +475,7 @@ void UpdateMapper(vtkMapper* mapper)
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoRayScene::Held::FindNormals(vtkPolyData* mesh, Source& source)
+void vtkRelievoRayScene::Internals::FindNormals(vtkPolyData* mesh, Source& source)
 {
   const auto isFit = [](vtkDataArray* normals, vtkIdType count) {
     return normals && normals->GetNumberOfComponents() == 3 &&
@@ -497,7 +496,7 @@ void vtkRelievoRayScene::Held::FindNormals(vtkPolyData* mesh, Source& source)
 
 //------------------------------------------------------------------------------
 // Meshes under a singular or projective matrix are copied to world coordinates.
-void vtkRelievoRayScene::Held::Enter(vtkRelievoPlacedMesh& placed, Source& source)
+void vtkRelievoRayScene::Internals::Enter(vtkRelievoPlacedMesh& placed, Source& source)
 {
   const Entry entry = FindEntry(placed);
   if (entry == Entry::ByScaledMatrix)
@@ -529,7 +528,7 @@ void vtkRelievoRayScene::Held::Enter(vtkRelievoPlacedMesh& placed, Source& sourc
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoRayScene::Held::AddProps()
+void vtkRelievoRayScene::Internals::AddProps()
 {
   std::map<vtkProp*, int> numbers;
   vtkActorCollection* actors = this->Renderer->GetActors();
@@ -557,7 +556,7 @@ void vtkRelievoRayScene::Held::AddProps()
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoRayScene::Held::AddActors(vtkProp* prop, std::map<vtkProp*, int>& numbers)
+void vtkRelievoRayScene::Internals::AddActors(vtkProp* prop, std::map<vtkProp*, int>& numbers)
 {
   std::vector<vtkRelievoPropParts::Part> parts;
   vtkRelievoPropParts::Collect(prop, parts);
@@ -597,19 +596,19 @@ void vtkRelievoRayScene::Held::AddActors(vtkProp* prop, std::map<vtkProp*, int>&
     source.Prop = number == numbers.end() ? -1 : number->second;
     source.Actor = mesh.Actor;
     // A block may be translucent even if other blocks of its actor are opaque.
-    source.IsOpaque = isOpaque && (mesh.Actor->GetForceOpaque() || !(mesh.Passes > 0.0));
+    source.IsOpaque = isOpaque && (mesh.Actor->GetForceOpaque() || !(mesh.Opacity < 1.0));
     this->Enter(mesh, source);
     if (mesh.Actor->GetProperty()->GetInterpolation() != VTK_FLAT)
     {
       FindNormals(mesh.Mesh, source);
     }
     this->Sources.push_back(source);
-    this->Kept.emplace_back(mesh.Mesh);
+    this->Owned.emplace_back(mesh.Mesh);
   }
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoRayScene::Held::AddAdded()
+void vtkRelievoRayScene::Internals::AddAdded()
 {
   int prop = this->Renderer ? this->Renderer->GetActors()->GetNumberOfItems() : 0;
   for (const Added& added : this->Data)
@@ -643,7 +642,7 @@ void vtkRelievoRayScene::Held::AddAdded()
 }
 
 //------------------------------------------------------------------------------
-std::string vtkRelievoRayScene::Held::AddBlock(
+std::string vtkRelievoRayScene::Internals::AddBlock(
   vtkDataObject* data, int block, int prop, vtkMatrix4x4* matrix)
 {
   auto* set = vtkDataSet::SafeDownCast(data);
@@ -688,13 +687,13 @@ std::string vtkRelievoRayScene::Held::AddBlock(
   FindNormals(placed.Mesh, source);
   this->Meshes.push_back(placed);
   this->Sources.push_back(source);
-  this->Kept.emplace_back(placed.Mesh);
+  this->Owned.emplace_back(placed.Mesh);
   return {};
 }
 
 //------------------------------------------------------------------------------
 // Returns whether anything has changed.
-bool vtkRelievoRayScene::Held::SetMeshes(bool opaqueOnly)
+bool vtkRelievoRayScene::Internals::SetMeshes(bool opaqueOnly)
 {
   std::size_t count = 0;
   for (std::size_t i = 0; opaqueOnly && i < this->Sources.size(); ++i)
@@ -715,22 +714,21 @@ bool vtkRelievoRayScene::Held::SetMeshes(bool opaqueOnly)
 }
 
 //------------------------------------------------------------------------------
-glm::dvec3 vtkRelievoRayScene::Held::GetShadingNormal(
-  const Meeting& meeting, const vtkRelievoRayTree::Details& details) const
+glm::dvec3 vtkRelievoRayScene::Internals::GetShadingNormal(
+  const Hit& hit, const vtkRelievoRayTree::Details& details) const
 {
-  const Source& source = this->Sources[this->Tree.GetMesh(meeting.Place)];
-  const vtkRelievoMeshTree& mesh = this->Tree.GetMeshTree(meeting.Place);
+  const Source& source = this->Sources[this->Tree.GetMesh(hit.Place)];
+  const vtkRelievoMeshTree& mesh = this->Tree.GetMeshTree(hit.Place);
   glm::dvec3 normal(0.0);
   for (int i = 0; i < 3 && source.Normals; ++i)
   {
     glm::dvec3 each;
     source.Normals->GetTuple(
-      source.OfCells ? mesh.GetCell(meeting.Triangle) : mesh.GetPoint(meeting.Triangle, i),
-      &each.x);
+      source.OfCells ? mesh.GetCell(hit.Triangle) : mesh.GetPoint(hit.Triangle, i), &each.x);
     normal += details.Weights[i] * each;
   }
   // By the transpose of the inverse.
-  normal = normal * glm::dmat3(this->Tree.GetToMesh(meeting.Place));
+  normal = normal * glm::dmat3(this->Tree.GetToMesh(hit.Place));
   const double length = glm::length(normal);
   if (!(length > 0.0) || !std::isfinite(length))
   {
@@ -740,33 +738,32 @@ glm::dvec3 vtkRelievoRayScene::Held::GetShadingNormal(
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoRayScene::Held::Write(
-  const Columns& columns, vtkIdType row, const Beam& beam, const Meeting& meeting) const
+void vtkRelievoRayScene::Internals::Write(
+  const Columns& columns, vtkIdType row, const CenteredRay& ray, const Hit& hit) const
 {
-  const int index = this->Tree.GetMesh(meeting.Place);
+  const int index = this->Tree.GetMesh(hit.Place);
   const vtkRelievoPlacedMesh& placed = this->Meshes[index];
   const Source& source = this->Sources[index];
-  const vtkRelievoMeshTree& mesh = this->Tree.GetMeshTree(meeting.Place);
-  const vtkRelievoRayTree::Details details =
-    this->Tree.GetDetails(meeting, beam.From, beam.Direction);
-  columns.Distance[row] = meeting.T;
+  const vtkRelievoMeshTree& mesh = this->Tree.GetMeshTree(hit.Place);
+  const vtkRelievoRayTree::Details details = this->Tree.GetDetails(hit, ray.From, ray.Direction);
+  columns.Distance[row] = hit.T;
   columns.Prop[row] = source.Prop;
   columns.Block[row] = placed.Block;
-  const vtkIdType cell = mesh.GetCell(meeting.Triangle);
+  const vtkIdType cell = mesh.GetCell(hit.Triangle);
   columns.Cell[row] = placed.Points
-    ? (*placed.Points)[static_cast<std::size_t>(this->Tree.GetInstance(meeting.Place))]
+    ? (*placed.Points)[static_cast<std::size_t>(this->Tree.GetInstance(hit.Place))]
     : source.Cells ? source.Cells->GetValue(cell)
                    : cell;
   for (int i = 0; i < 3; ++i)
   {
-    const vtkIdType point = mesh.GetPoint(meeting.Triangle, i);
+    const vtkIdType point = mesh.GetPoint(hit.Triangle, i);
     columns.Points[3 * row + i] = source.Points ? source.Points->GetValue(point)
       : source.PointsOfPlace                    ? point % source.PointsOfPlace
                                                 : point;
   }
   Columns::Set(columns.Weights, row, details.Weights);
   Columns::Set(columns.Position, row, details.Position);
-  Columns::Set(columns.Normal, row, this->GetShadingNormal(meeting, details));
+  Columns::Set(columns.Normal, row, this->GetShadingNormal(hit, details));
   const glm::dvec3 normal = glm::normalize(details.Normal);
   Columns::Set(columns.GeometricNormal, row, details.Front ? normal : -normal);
 }
@@ -830,7 +827,7 @@ std::string FindFault(vtkDataArray* origins, vtkDataArray* directions, vtkObject
 
 //------------------------------------------------------------------------------
 vtkRelievoRayScene::vtkRelievoRayScene()
-  : Scene(new Held)
+  : Internal(new Internals)
   , MaximumDistance(Endless)
 {
 }
@@ -842,8 +839,8 @@ vtkRelievoRayScene::~vtkRelievoRayScene() = default;
 void vtkRelievoRayScene::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Renderer: " << this->Scene->Renderer.Get() << '\n';
-  os << indent << "Data: " << this->Scene->Data.size() << '\n';
+  os << indent << "Renderer: " << this->Internal->Renderer.Get() << '\n';
+  os << indent << "Data: " << this->Internal->Data.size() << '\n';
   os << indent << "Triangles: " << this->GetNumberOfTriangles() << '\n';
   os << indent << "MinimumDistance: " << this->MinimumDistance << '\n';
   os << indent << "MaximumDistance: " << this->MaximumDistance << '\n';
@@ -854,10 +851,10 @@ void vtkRelievoRayScene::PrintSelf(ostream& os, vtkIndent indent)
 //------------------------------------------------------------------------------
 void vtkRelievoRayScene::SetRenderer(vtkRenderer* renderer)
 {
-  this->Scene->Frozen = false;
-  if (this->Scene->Renderer != renderer)
+  this->Internal->Frozen = false;
+  if (this->Internal->Renderer != renderer)
   {
-    this->Scene->Renderer = renderer;
+    this->Internal->Renderer = renderer;
     this->Modified();
   }
 }
@@ -865,31 +862,31 @@ void vtkRelievoRayScene::SetRenderer(vtkRenderer* renderer)
 //------------------------------------------------------------------------------
 vtkRenderer* vtkRelievoRayScene::GetRenderer()
 {
-  return this->Scene->Renderer;
+  return this->Internal->Renderer;
 }
 
 //------------------------------------------------------------------------------
 int vtkRelievoRayScene::AddData(vtkDataObject* data, vtkMatrix4x4* matrix)
 {
-  this->Scene->Frozen = false;
+  this->Internal->Frozen = false;
   if (!vtkDataSet::SafeDownCast(data) && !vtkCompositeDataSet::SafeDownCast(data))
   {
     vtkErrorMacro("AddData: got " << (data ? data->GetClassName() : "nothing")
                                   << ", expected a vtkDataSet or composite data");
     return -1;
   }
-  this->Scene->Data.push_back({ data, matrix });
+  this->Internal->Data.push_back({ data, matrix });
   this->Modified();
   const int actors =
-    this->Scene->Renderer ? this->Scene->Renderer->GetActors()->GetNumberOfItems() : 0;
-  return actors + static_cast<int>(this->Scene->Data.size()) - 1;
+    this->Internal->Renderer ? this->Internal->Renderer->GetActors()->GetNumberOfItems() : 0;
+  return actors + static_cast<int>(this->Internal->Data.size()) - 1;
 }
 
 //------------------------------------------------------------------------------
 void vtkRelievoRayScene::RemoveAllData()
 {
-  this->Scene->Data.clear();
-  this->Scene->Surfaces.clear();
+  this->Internal->Data.clear();
+  this->Internal->Surfaces.clear();
   this->Modified();
 }
 
@@ -907,7 +904,7 @@ void vtkRelievoRayScene::SetMaximumDistance(double distance)
 //------------------------------------------------------------------------------
 bool vtkRelievoRayScene::Update()
 {
-  Held& scene = *this->Scene;
+  Internals& scene = *this->Internal;
   if (scene.Frozen)
   {
     scene.Meshes = scene.FrozenMeshes;
@@ -915,8 +912,8 @@ bool vtkRelievoRayScene::Update()
     return scene.SetMeshes(this->OpaqueOnly);
   }
   // Meshes are released after the trees have taken the new ones.
-  const std::vector<vtkSmartPointer<vtkPolyData>> before = std::move(scene.Kept);
-  scene.Kept.clear();
+  const std::vector<vtkSmartPointer<vtkPolyData>> before = std::move(scene.Owned);
+  scene.Owned.clear();
   scene.Meshes.clear();
   scene.Sources.clear();
   scene.LeftOut.clear();
@@ -967,7 +964,7 @@ bool vtkRelievoRayScene::Begin(vtkDataArray* origins, vtkDataArray* directions, 
   if (fault.empty())
   {
     this->Update();
-    fault = this->Scene->Fault;
+    fault = this->Internal->Fault;
   }
   if (!fault.empty())
   {
@@ -998,79 +995,79 @@ bool vtkRelievoRayScene::FindNearest(
   {
     return false;
   }
-  const Held& scene = *this->Scene;
-  const Beams beams(origins, directions, scene.Tree.GetCenter());
-  const Columns columns(hits, beams.GetCount());
-  if (scene.Meetings)
+  const Internals& scene = *this->Internal;
+  const CenteredRays rays(origins, directions, scene.Tree.GetCenter());
+  const Columns columns(hits, rays.GetCount());
+  if (scene.Nearest)
   {
-    scene.Meetings->resize(static_cast<std::size_t>(beams.GetCount()));
+    scene.Nearest->resize(static_cast<std::size_t>(rays.GetCount()));
   }
   std::atomic<vtkIdType> invalid(0);
-  const auto find = [&](vtkIdType ray) {
-    const Beam beam = beams.Get(ray);
-    Meeting meeting;
-    if (beam.Valid)
+  const auto find = [&](vtkIdType row) {
+    const CenteredRay ray = rays.Get(row);
+    Hit hit;
+    if (ray.Valid)
     {
-      meeting = scene.Tree.FindNearest(
-        beam.From, beam.Direction, this->MinimumDistance, this->MaximumDistance);
+      hit = scene.Tree.FindNearest(
+        ray.From, ray.Direction, this->MinimumDistance, this->MaximumDistance);
     }
-    else if (!beam.None)
+    else if (!ray.None)
     {
       ++invalid;
     }
-    if (scene.Meetings)
+    if (scene.Nearest)
     {
-      (*scene.Meetings)[static_cast<std::size_t>(ray)] = meeting;
+      (*scene.Nearest)[static_cast<std::size_t>(row)] = hit;
     }
-    if (meeting.Place >= 0)
+    if (hit.Place >= 0)
     {
-      scene.Write(columns, ray, beam, meeting);
+      scene.Write(columns, row, ray, hit);
     }
     else
     {
-      columns.SetNone(ray);
+      columns.SetNone(row);
     }
   };
-  const bool done = DoInBatches(this, beams.GetCount(), find, [](vtkIdType, vtkIdType) {});
+  const bool done = DoInBatches(this, rays.GetCount(), find, [](vtkIdType, vtkIdType) {});
   if (!done)
   {
     hits->Initialize();
   }
-  this->Warn(invalid, beams.GetCount());
+  this->Warn(invalid, rays.GetCount());
   return done;
 }
 
 //------------------------------------------------------------------------------
 bool vtkRelievoRayScene::FindAny(
-  vtkDataArray* origins, vtkDataArray* directions, vtkUnsignedCharArray* met)
+  vtkDataArray* origins, vtkDataArray* directions, vtkUnsignedCharArray* hit)
 {
-  if (met)
+  if (hit)
   {
-    met->Initialize();
+    hit->Initialize();
   }
-  if (!this->Begin(origins, directions, met))
+  if (!this->Begin(origins, directions, hit))
   {
     return false;
   }
-  const Held& scene = *this->Scene;
-  const Beams beams(origins, directions, scene.Tree.GetCenter());
-  met->SetNumberOfTuples(beams.GetCount());
-  unsigned char* const values = met->GetPointer(0);
+  const Internals& scene = *this->Internal;
+  const CenteredRays rays(origins, directions, scene.Tree.GetCenter());
+  hit->SetNumberOfTuples(rays.GetCount());
+  unsigned char* const values = hit->GetPointer(0);
   std::atomic<vtkIdType> invalid(0);
-  const auto find = [&](vtkIdType ray) {
-    const Beam beam = beams.Get(ray);
-    invalid += beam.Valid || beam.None ? 0 : 1;
-    values[ray] = beam.Valid &&
-        scene.Tree.MeetsAny(beam.From, beam.Direction, this->MinimumDistance, this->MaximumDistance)
+  const auto find = [&](vtkIdType row) {
+    const CenteredRay ray = rays.Get(row);
+    invalid += ray.Valid || ray.None ? 0 : 1;
+    values[row] = ray.Valid &&
+        scene.Tree.HitsAny(ray.From, ray.Direction, this->MinimumDistance, this->MaximumDistance)
       ? 1
       : 0;
   };
-  const bool done = DoInBatches(this, beams.GetCount(), find, [](vtkIdType, vtkIdType) {});
+  const bool done = DoInBatches(this, rays.GetCount(), find, [](vtkIdType, vtkIdType) {});
   if (!done)
   {
-    met->Initialize();
+    hit->Initialize();
   }
-  this->Warn(invalid, beams.GetCount());
+  this->Warn(invalid, rays.GetCount());
   return done;
 }
 
@@ -1085,91 +1082,90 @@ bool vtkRelievoRayScene::FindAll(vtkDataArray* origins, vtkDataArray* directions
   {
     return false;
   }
-  const Held& scene = *this->Scene;
-  const Beams beams(origins, directions, scene.Tree.GetCenter());
-  struct Hit
+  const Internals& scene = *this->Internal;
+  const CenteredRays rays(origins, directions, scene.Tree.GetCenter());
+  struct RayHit
   {
     vtkIdType Ray;
-    Meeting What;
+    Hit What;
   };
-  std::vector<Hit> all;
-  std::vector<std::vector<Meeting>> batch(
-    static_cast<std::size_t>(std::min(Batch, beams.GetCount())));
+  std::vector<RayHit> all;
+  std::vector<std::vector<Hit>> batch(static_cast<std::size_t>(std::min(Batch, rays.GetCount())));
   std::atomic<vtkIdType> invalid(0);
-  const auto find = [&](vtkIdType ray) {
-    const Beam beam = beams.Get(ray);
-    std::vector<Meeting>& own = batch[static_cast<std::size_t>(ray % Batch)];
+  const auto find = [&](vtkIdType row) {
+    const CenteredRay ray = rays.Get(row);
+    std::vector<Hit>& own = batch[static_cast<std::size_t>(row % Batch)];
     own.clear();
-    if (beam.Valid)
+    if (ray.Valid)
     {
       scene.Tree.FindAll(
-        beam.From, beam.Direction, this->MinimumDistance, this->MaximumDistance, own);
+        ray.From, ray.Direction, this->MinimumDistance, this->MaximumDistance, own);
     }
-    else if (!beam.None)
+    else if (!ray.None)
     {
       ++invalid;
     }
   };
   const auto gather = [&](vtkIdType from, vtkIdType to) {
-    for (vtkIdType ray = from; ray < to; ++ray)
+    for (vtkIdType row = from; row < to; ++row)
     {
-      for (const Meeting& meeting : batch[static_cast<std::size_t>(ray % Batch)])
+      for (const Hit& hit : batch[static_cast<std::size_t>(row % Batch)])
       {
-        all.push_back({ ray, meeting });
+        all.push_back({ row, hit });
       }
     }
   };
-  if (!DoInBatches(this, beams.GetCount(), find, gather))
+  if (!DoInBatches(this, rays.GetCount(), find, gather))
   {
     return false;
   }
   const vtkIdType count = static_cast<vtkIdType>(all.size());
-  vtkIdType* const rays = Columns::Add<vtkIdTypeArray>(hits, "ray", 1, count);
+  vtkIdType* const numbers = Columns::Add<vtkIdTypeArray>(hits, "ray", 1, count);
   const Columns columns(hits, count);
   double* const opacities = Columns::Add<vtkDoubleArray>(hits, "opacity", 1, count);
   vtkRelievoWithThreads([&]() {
     vtkSMPTools::For(0, count, Grain, [&](vtkIdType first, vtkIdType last) {
       for (vtkIdType row = first; row < last; ++row)
       {
-        const Hit& hit = all[static_cast<std::size_t>(row)];
-        rays[row] = hit.Ray;
-        scene.Write(columns, row, beams.Get(hit.Ray), hit.What);
-        opacities[row] = 1.0 - scene.Meshes[scene.Tree.GetMesh(hit.What.Place)].Passes;
+        const RayHit& one = all[static_cast<std::size_t>(row)];
+        numbers[row] = one.Ray;
+        scene.Write(columns, row, rays.Get(one.Ray), one.What);
+        opacities[row] = scene.Meshes[scene.Tree.GetMesh(one.What.Place)].Opacity;
       }
     });
   });
-  this->Warn(invalid, beams.GetCount());
+  this->Warn(invalid, rays.GetCount());
   return true;
 }
 
 //------------------------------------------------------------------------------
 vtkIdType vtkRelievoRayScene::GetNumberOfTriangles()
 {
-  return static_cast<vtkIdType>(this->Scene->Tree.GetNumberOfTriangles());
+  return static_cast<vtkIdType>(this->Internal->Tree.GetNumberOfTriangles());
 }
 
 //------------------------------------------------------------------------------
 const vtkRelievoRayTree& vtkRelievoRayScene::GetTree() const
 {
-  return this->Scene->Tree;
+  return this->Internal->Tree;
 }
 
 //------------------------------------------------------------------------------
 int vtkRelievoRayScene::GetNumberOfMeshesBuilt()
 {
-  return this->Scene->Tree.GetMeshesBuilt();
+  return this->Internal->Tree.GetMeshesBuilt();
 }
 
 //------------------------------------------------------------------------------
 int vtkRelievoRayScene::GetNumberOfMeshesRefitted()
 {
-  return this->Scene->Tree.GetMeshesRefitted();
+  return this->Internal->Tree.GetMeshesRefitted();
 }
 
 //------------------------------------------------------------------------------
 unsigned long vtkRelievoRayScene::GetActualMemorySize()
 {
-  return static_cast<unsigned long>((this->Scene->Tree.GetBytes() + 1023) / 1024);
+  return static_cast<unsigned long>((this->Internal->Tree.GetBytes() + 1023) / 1024);
 }
 
 namespace
@@ -1212,10 +1208,10 @@ bool AreEqual(vtkCellArray* a, vtkCellArray* b)
 // with the same index in AddData's list, and of the same block; several such meshes are matched in
 // order. A mesh with another number of points has no corresponding points, and neither has a cell
 // that the other state lacks.
-class vtkRelievoRayScene::Held::Correspondence
+class vtkRelievoRayScene::Internals::Correspondence
 {
 public:
-  Correspondence(const Held& from, const Held& to)
+  Correspondence(const Internals& from, const Internals& to)
     : From(from)
     , To(to)
     , Meshes(from.Meshes.size(), -1)
@@ -1255,10 +1251,10 @@ public:
   }
 
   // NaN if there is no corresponding point.
-  glm::dvec3 Get(const Meeting& meeting, const double weights[3]) const
+  glm::dvec3 Get(const Hit& hit, const double weights[3]) const
   {
     const glm::dvec3 nowhere(std::numeric_limits<double>::quiet_NaN());
-    const auto from = static_cast<std::size_t>(this->From.Tree.GetMesh(meeting.Place));
+    const auto from = static_cast<std::size_t>(this->From.Tree.GetMesh(hit.Place));
     const int mesh = this->Meshes[from];
     if (mesh < 0)
     {
@@ -1272,7 +1268,7 @@ public:
       const vtkRelievoPlacedMesh& before = this->From.Meshes[from];
       const auto at = before.Points
         ? target.Places.find(
-            (*before.Points)[static_cast<std::size_t>(this->From.Tree.GetInstance(meeting.Place))])
+            (*before.Points)[static_cast<std::size_t>(this->From.Tree.GetInstance(hit.Place))])
         : target.Places.end();
       if (at == target.Places.end())
       {
@@ -1280,8 +1276,8 @@ public:
       }
       instance = at->second;
     }
-    const vtkRelievoMeshTree& triangles = this->From.Tree.GetMeshTree(meeting.Place);
-    if (this->IsChanged[from] && !this->HasCell(from, triangles.GetCell(meeting.Triangle), target))
+    const vtkRelievoMeshTree& triangles = this->From.Tree.GetMeshTree(hit.Place);
+    if (this->IsChanged[from] && !this->HasCell(from, triangles.GetCell(hit.Triangle), target))
     {
       return nowhere;
     }
@@ -1289,7 +1285,7 @@ public:
     glm::dvec3 sum(0.0);
     for (int i = 0; i < 3; ++i)
     {
-      vtkIdType point = triangles.GetPoint(meeting.Triangle, i);
+      vtkIdType point = triangles.GetPoint(hit.Triangle, i);
       if (this->To.Sources[static_cast<std::size_t>(mesh)].Points)
       {
         const auto at = target.Points.find(ids ? ids->GetValue(point) : point);
@@ -1336,8 +1332,8 @@ private:
     std::unordered_set<CellPoints, HashOfCellPoints> Cells; // only if they have changed
   };
 
-  const Held& From;
-  const Held& To;
+  const Internals& From;
+  const Internals& To;
   std::vector<int> Meshes;       // index in To, for each mesh of From; -1: none
   std::vector<bool> IsChanged;   // for each mesh of From, whether its cells differ
   std::map<int, Target> Targets; // for each mesh of To
@@ -1367,7 +1363,7 @@ private:
   // Points are identified by their index in the data, so a change of the data's points loses all.
   bool HasSamePoints(std::size_t from, std::size_t to) const
   {
-    const auto count = [](const Held& scene, std::size_t mesh) {
+    const auto count = [](const Internals& scene, std::size_t mesh) {
       vtkDataSet* data = scene.Sources[mesh].Points ? nullptr : scene.Meshes[mesh].Mesh;
       // For a surface, whose points have indices in the data.
       return data ? data->GetNumberOfPoints() : -1;
@@ -1404,7 +1400,7 @@ private:
     }
   }
 
-  static std::vector<Key> GetKeys(const Held& scene)
+  static std::vector<Key> GetKeys(const Internals& scene)
   {
     std::map<Key, int> counts;
     std::vector<Key> keys;
@@ -1444,8 +1440,8 @@ void vtkRelievoRayScene::CopyStateOf(vtkRelievoRayScene* other)
     return;
   }
   other->Update();
-  Held& from = *other->Scene;
-  Held& to = *this->Scene;
+  Internals& from = *other->Internal;
+  Internals& to = *this->Internal;
   to.Renderer = nullptr;
   to.Data.clear();
   to.Surfaces.clear();
@@ -1454,7 +1450,7 @@ void vtkRelievoRayScene::CopyStateOf(vtkRelievoRayScene* other)
   to.Frozen = true;
   to.Meshes = from.Meshes;
   to.Sources = from.Sources;
-  std::vector<vtkSmartPointer<vtkPolyData>> kept;
+  std::vector<vtkSmartPointer<vtkPolyData>> owned;
   std::map<vtkPolyData*, vtkSmartPointer<vtkPolyData>> copies;
   for (vtkRelievoPlacedMesh& placed : to.Meshes)
   {
@@ -1465,12 +1461,12 @@ void vtkRelievoRayScene::CopyStateOf(vtkRelievoRayScene* other)
     }
     placed.Mesh = copy;
     placed.Actor = nullptr;
-    kept.push_back(copy);
+    owned.push_back(copy);
   }
   to.FrozenMeshes = to.Meshes;
   to.FrozenSources = to.Sources;
   to.SetMeshes(this->OpaqueOnly);
-  to.Kept = kept;
+  to.Owned = owned;
   this->Modified();
 }
 
@@ -1484,30 +1480,30 @@ bool vtkRelievoRayScene::FindMoved(vtkRelievoRayScene* later, vtkDataArray* orig
                                          << ", expected both.");
     return false;
   }
-  std::vector<Meeting> meetings;
-  this->Scene->Meetings = &meetings;
+  std::vector<Hit> nearest;
+  this->Internal->Nearest = &nearest;
   const bool found = this->FindNearest(origins, directions, hits);
-  this->Scene->Meetings = nullptr;
+  this->Internal->Nearest = nullptr;
   if (!found)
   {
     return false;
   }
   later->Update();
-  const Held& scene = *this->Scene;
-  const Held::Correspondence same(scene, *later->Scene);
-  const auto count = static_cast<vtkIdType>(meetings.size());
+  const Internals& scene = *this->Internal;
+  const Internals::Correspondence same(scene, *later->Internal);
+  const auto count = static_cast<vtkIdType>(nearest.size());
   places->SetNumberOfComponents(3);
   places->SetNumberOfTuples(count);
   vtkRelievoWithThreads([&]() {
     vtkSMPTools::For(0, count, Grain, [&](vtkIdType first, vtkIdType last) {
       for (vtkIdType row = first; row < last; ++row)
       {
-        const Meeting& meeting = meetings[static_cast<std::size_t>(row)];
+        const Hit& hit = nearest[static_cast<std::size_t>(row)];
         double weights[3];
         vtkDataArray::SafeDownCast(hits->GetColumnByName("weights"))->GetTuple(row, weights);
-        const glm::dvec3 place = meeting.Place < 0
+        const glm::dvec3 place = hit.Place < 0
           ? glm::dvec3(std::numeric_limits<double>::quiet_NaN())
-          : same.Get(meeting, weights);
+          : same.Get(hit, weights);
         places->SetTuple(row, &place.x);
       }
     });
@@ -1518,16 +1514,16 @@ bool vtkRelievoRayScene::FindMoved(vtkRelievoRayScene* later, vtkDataArray* orig
 //------------------------------------------------------------------------------
 int vtkRelievoRayScene::GetNumberOfProps()
 {
-  vtkRenderer* renderer = this->Scene->Renderer;
+  vtkRenderer* renderer = this->Internal->Renderer;
   const int actors = renderer ? renderer->GetActors()->GetNumberOfItems() : 0;
-  return actors + static_cast<int>(this->Scene->Data.size());
+  return actors + static_cast<int>(this->Internal->Data.size());
 }
 
 //------------------------------------------------------------------------------
 // The mapper of the renderer's actor with this number, if there is one.
 vtkMapper* vtkRelievoRayScene::GetMapper(int prop)
 {
-  vtkRenderer* renderer = this->Scene->Renderer;
+  vtkRenderer* renderer = this->Internal->Renderer;
   auto* actor = renderer && prop >= 0
     ? vtkActor::SafeDownCast(renderer->GetActors()->GetItemAsObject(prop))
     : nullptr;
@@ -1542,9 +1538,10 @@ vtkDataObject* vtkRelievoRayScene::GetPropData(int prop)
   {
     return mapper->GetNumberOfInputConnections(0) > 0 ? mapper->GetInputDataObject(0, 0) : nullptr;
   }
-  const int added = prop - (this->GetNumberOfProps() - static_cast<int>(this->Scene->Data.size()));
+  const int added =
+    prop - (this->GetNumberOfProps() - static_cast<int>(this->Internal->Data.size()));
   return added >= 0 && prop < this->GetNumberOfProps()
-    ? this->Scene->Data[static_cast<std::size_t>(added)].Data
+    ? this->Internal->Data[static_cast<std::size_t>(added)].Data
     : nullptr;
 }
 
@@ -1558,14 +1555,14 @@ bool vtkRelievoRayScene::GetIsGlyphs(int prop)
 //------------------------------------------------------------------------------
 int vtkRelievoRayScene::GetNumberOfMeshes()
 {
-  return static_cast<int>(this->Scene->Meshes.size());
+  return static_cast<int>(this->Internal->Meshes.size());
 }
 
 //------------------------------------------------------------------------------
 int vtkRelievoRayScene::GetMeshProp(int mesh)
 {
   return mesh >= 0 && mesh < this->GetNumberOfMeshes()
-    ? this->Scene->Sources[static_cast<std::size_t>(mesh)].Prop
+    ? this->Internal->Sources[static_cast<std::size_t>(mesh)].Prop
     : -1;
 }
 
@@ -1573,7 +1570,7 @@ int vtkRelievoRayScene::GetMeshProp(int mesh)
 int vtkRelievoRayScene::GetMeshBlock(int mesh)
 {
   return mesh >= 0 && mesh < this->GetNumberOfMeshes()
-    ? this->Scene->Meshes[static_cast<std::size_t>(mesh)].Block
+    ? this->Internal->Meshes[static_cast<std::size_t>(mesh)].Block
     : -1;
 }
 
@@ -1586,20 +1583,20 @@ void vtkRelievoRayScene::CopyMesh(int number, vtkPolyData* copy)
                                    << ", expected one of " << this->GetNumberOfMeshes());
     return;
   }
-  const vtkRelievoPlacedMesh& placed = this->Scene->Meshes[static_cast<std::size_t>(number)];
-  const Held::Source& source = this->Scene->Sources[static_cast<std::size_t>(number)];
+  const vtkRelievoPlacedMesh& placed = this->Internal->Meshes[static_cast<std::size_t>(number)];
+  const Internals::Source& source = this->Internal->Sources[static_cast<std::size_t>(number)];
   CopyInWorld(placed, source.Cells, copy);
 }
 
 //------------------------------------------------------------------------------
 int vtkRelievoRayScene::GetNumberOfPropsLeftOut()
 {
-  return static_cast<int>(this->Scene->LeftOut.size());
+  return static_cast<int>(this->Internal->LeftOut.size());
 }
 
 //------------------------------------------------------------------------------
 vtkProp* vtkRelievoRayScene::GetPropLeftOut(int index)
 {
   const bool there = index >= 0 && index < this->GetNumberOfPropsLeftOut();
-  return there ? this->Scene->LeftOut[static_cast<std::size_t>(index)] : nullptr;
+  return there ? this->Internal->LeftOut[static_cast<std::size_t>(index)] : nullptr;
 }

@@ -116,7 +116,7 @@ public:
   /**
    * Whether each ray hits anything: 1 or 0.
    */
-  bool FindAny(vtkDataArray* origins, vtkDataArray* directions, vtkUnsignedCharArray* met);
+  bool FindAny(vtkDataArray* origins, vtkDataArray* directions, vtkUnsignedCharArray* hit);
 
   /**
    * All hits, one row each, ordered by rays and then by distance, with the columns of FindNearest
@@ -221,8 +221,8 @@ private:
   bool Begin(vtkDataArray* origins, vtkDataArray* directions, vtkObject* answer);
   void Warn(vtkIdType invalid, vtkIdType rays);
 
-  struct Held;
-  std::unique_ptr<Held> Scene;
+  struct Internals;
+  std::unique_ptr<Internals> Internal;
   double MinimumDistance = 0.0;
   double MaximumDistance;
   bool OpaqueOnly = false;

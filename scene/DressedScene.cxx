@@ -2,23 +2,62 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DressedScene.h"
 
-#include "Look.h"
+#include "ReadContext.h"
 #include "ShadowOptions.h"
 #include "Shadows.h"
+#include "Surface.h"
 
+#include "vtkActorCollection.h"
 #include "vtkCamera.h"
+#include "vtkLightCollection.h"
+#include "vtkMapper.h"
 #include "vtkNew.h"
+#include "vtkPropCollection.h"
 #include "vtkRelievoPass.h"
 #include "vtkRelievoStage.h"
 #include "vtkRenderWindow.h"
 
 #include <algorithm>
+#include <map>
 #include <vector>
 
 namespace scene
 {
 namespace
 {
+// VTK's copy of a property releases textures without having referenced them: once for each name of
+// a texture.
+vtkSmartPointer<vtkProperty> Copy(vtkProperty* property)
+{
+  std::map<vtkTexture*, int> counts; // references, including the copy's
+  for (const auto& named : property->GetAllTextures())
+  {
+    const auto known = counts.emplace(named.second, named.second->GetReferenceCount()).first;
+    ++known->second;
+  }
+  auto copy = vtkSmartPointer<vtkProperty>::New();
+  copy->DeepCopy(property);
+  for (const auto& [texture, count] : counts)
+  {
+    while (texture->GetReferenceCount() < count)
+    {
+      texture->Register(copy);
+    }
+  }
+  return copy;
+}
+
+std::vector<vtkSmartPointer<vtkProp>> GetProps(vtkRenderer* renderer)
+{
+  std::vector<vtkSmartPointer<vtkProp>> props;
+  vtkPropCollection* all = renderer->GetViewProps();
+  for (int i = 0; i < all->GetNumberOfItems(); ++i)
+  {
+    props.emplace_back(vtkProp::SafeDownCast(all->GetItemAsObject(i)));
+  }
+  return props;
+}
+
 constexpr const char* Reading[] = { "--allow-folder", "--time", "--times", "--animation", "--blend",
   "--loop", "--image", "--skeleton", "--bone-weight", "--skin", "--normal-map", "--height-map",
   "--texture-coordinates", "--up" };
@@ -42,7 +81,7 @@ std::string MakeKey(const Settings& settings, const Names& names)
 
 std::string MakeSurfaceKey(const Settings& settings, const RenderOptions& options)
 {
-  const bool shadowed = !options.HeightMap.empty() && ShowsShadows(options);
+  const bool shadowed = !options.Surface.HeightMap.empty() && ShowsShadows(options);
   return MakeKey(settings, Wearing) + (shadowed ? "in its own shadow" : "");
 }
 
@@ -63,12 +102,12 @@ std::string MakeDressKey(const Settings& settings)
 
 RenderOptions WithCamera(RenderOptions options, vtkCamera* camera)
 {
-  options.Camera = GetPlace(camera);
-  options.ParallelScale.reset();
+  options.View.Place = GetPlace(camera);
+  options.View.ParallelScale.reset();
   if (camera->GetParallelProjection())
   {
-    options.ParallelScale = camera->GetParallelScale();
-    options.ViewAngle.reset();
+    options.View.ParallelScale = camera->GetParallelScale();
+    options.View.Angle.reset();
   }
   return options;
 }
@@ -100,9 +139,40 @@ std::string GetReadingKey(const Settings& settings)
 
 //------------------------------------------------------------------------------
 DressedScene::DressedScene(const Scene& scene, const FramePoints& points)
-  : Bare(scene)
+  : Read(scene)
   , Points(points)
 {
+  vtkRenderer* renderer = this->Read.Renderer;
+  this->Props = this->Kept = GetProps(renderer);
+  for (vtkProp* prop : this->Props)
+  {
+    vtkActor* actor = vtkActor::SafeDownCast(prop);
+    vtkMapper* mapper = actor ? actor->GetMapper() : nullptr;
+    if (!mapper)
+    {
+      continue;
+    }
+    const char* name = mapper->GetArrayName();
+    vtkTexture* texture = actor->GetTexture();
+    this->Parts.push_back(
+      { actor, Copy(actor->GetProperty()), texture, texture && texture->GetUseSRGBColorSpace(),
+        vtkRelievoMaterial::Get(actor), mapper->GetScalarVisibility() != 0, mapper->GetScalarMode(),
+        mapper->GetColorMode(), mapper->GetArrayAccessMode(), mapper->GetArrayId(),
+        name ? name : "", mapper->GetUseLookupTableScalarRange() != 0,
+        mapper->GetInterpolateScalarsBeforeMapping() != 0 });
+  }
+  vtkLightCollection* lights = renderer->GetLights();
+  for (int i = 0; i < lights->GetNumberOfItems(); ++i)
+  {
+    this->Lights.emplace_back(vtkLight::SafeDownCast(lights->GetItemAsObject(i)));
+  }
+}
+
+//------------------------------------------------------------------------------
+bool DressedScene::IsOfFiles(vtkActor* actor) const
+{
+  return std::any_of(this->Parts.begin(), this->Parts.end(),
+    [actor](const Part& part) { return part.Actor == actor; });
 }
 
 //------------------------------------------------------------------------------
@@ -138,7 +208,7 @@ void DressedScene::Update(
   const Settings& settings, const RenderOptions& asked, bool keepCamera, Progress& progress)
 {
   vtkRenderer* renderer = this->GetRenderer();
-  const RenderOptions known = FollowFile(asked, this->Bare.Get());
+  const RenderOptions known = FollowFile(asked, this->Read);
   const RenderOptions options = keepCamera ? WithCamera(known, renderer->GetActiveCamera()) : known;
   const std::string surface = MakeSurfaceKey(settings, options);
   const std::string dress = MakeDressKey(settings);
@@ -149,21 +219,24 @@ void DressedScene::Update(
     if (!isDressed)
     {
       renderer->GetActiveCamera()->SetViewAngle(StandardViewAngle);
-      DressScene(this->Bare.Undress(), options);
+      this->Undress();
+      DressScene(this->Read, options);
       std::copy_n(renderer->GetRenderWindow()->GetSize(), 2, this->BarSize.begin());
     }
     else if (!keepCamera)
     {
       renderer->GetActiveCamera()->SetViewAngle(StandardViewAngle);
-      PlaceCamera(renderer, options, this->GetBounds());
+      PlaceCamera(renderer, options.View, options.UpAxis, this->GetBounds());
     }
     if (wears)
     {
-      this->Bare.Wear(options, progress);
+      this->Wear(options, progress);
     }
-    if (!isDressed || wears)
+    if (!isDressed)
     {
-      SetDepthPeeling(this->Bare.Get());
+      // Materials and the look decide together what is translucent.
+      renderer->SetUseDepthPeeling(std::any_of(this->Parts.begin(), this->Parts.end(),
+        [](const Part& part) { return part.Actor->HasTranslucentPolygonalGeometry() != 0; }));
     }
     this->Surface = surface;
     this->Dress = dress;
@@ -175,6 +248,127 @@ void DressedScene::Update(
     throw;
   }
   this->Options = options;
+}
+
+//------------------------------------------------------------------------------
+void DressedScene::Restore(const Part& part)
+{
+  part.Actor->SetProperty(Copy(part.Property));
+  part.Actor->SetTexture(part.Texture);
+  if (part.Texture)
+  {
+    part.Texture->SetUseSRGBColorSpace(part.SRGB);
+  }
+  vtkMapper* mapper = part.Actor->GetMapper();
+  mapper->SetScalarVisibility(part.Colored);
+  mapper->SetScalarMode(part.ScalarMode);
+  mapper->SetColorMode(part.ColorMode);
+  mapper->SetUseLookupTableScalarRange(part.OwnRange);
+  mapper->SetInterpolateScalarsBeforeMapping(part.Interpolated);
+  mapper->SetLookupTable(nullptr);
+  mapper->SetArrayName(part.ArrayName.c_str());
+  mapper->SetArrayId(part.ArrayId);
+  mapper->SetArrayAccessMode(part.ArrayAccess);
+}
+
+//------------------------------------------------------------------------------
+void DressedScene::Undress()
+{
+  vtkRenderer* renderer = this->Read.Renderer;
+  for (const vtkSmartPointer<vtkProp>& prop : GetProps(renderer))
+  {
+    if (std::find(this->Kept.begin(), this->Kept.end(), prop) == this->Kept.end())
+    {
+      renderer->RemoveViewProp(prop);
+    }
+  }
+  for (const Part& part : this->Parts)
+  {
+    this->Restore(part);
+  }
+  renderer->RemoveAllLights();
+  renderer->AutomaticLightCreationOn();
+  for (vtkLight* light : this->Lights)
+  {
+    renderer->AddLight(light);
+  }
+  renderer->SetBackground(0.0, 0.0, 0.0);
+  renderer->GradientBackgroundOff();
+}
+
+//------------------------------------------------------------------------------
+void DressedScene::TakeOff()
+{
+  for (const Part& part : this->Parts)
+  {
+    if (vtkRelievoMaterial* material = vtkRelievoMaterial::Get(part.Actor))
+    {
+      material->Detach(part.Actor);
+    }
+    if (part.Material)
+    {
+      part.Material->Attach(part.Actor);
+    }
+  }
+  for (const vtkSmartPointer<vtkProp>& prop : this->Kept)
+  {
+    if (std::find(this->Props.begin(), this->Props.end(), prop) == this->Props.end())
+    {
+      this->Read.Renderer->RemoveViewProp(prop);
+    }
+  }
+  this->Kept = this->Props;
+}
+
+//------------------------------------------------------------------------------
+void DressedScene::Wear(const RenderOptions& options, Progress& progress)
+{
+  std::vector<vtkSmartPointer<vtkRelievoMaterial>> worn;
+  for (const Part& part : this->Parts)
+  {
+    worn.emplace_back(vtkRelievoMaterial::Get(part.Actor));
+  }
+  const std::vector<vtkSmartPointer<vtkProp>> kept = this->Kept;
+  this->TakeOff();
+  const std::vector<vtkSmartPointer<vtkProp>> before = GetProps(this->Read.Renderer);
+  const auto keepNew = [this, &before] {
+    for (const vtkSmartPointer<vtkProp>& prop : GetProps(this->Read.Renderer))
+    {
+      if (std::find(before.begin(), before.end(), prop) == before.end())
+      {
+        this->Kept.push_back(prop);
+      }
+    }
+  };
+  try
+  {
+    ReadContext context(progress, options.AllowedFolders);
+    const Scene& scene = this->Read;
+    SetSurface(scene.Renderer, { scene.Ground, scene.Grid ? scene.Grid->GetLines() : nullptr },
+      options.Surface, options.UpAxis, options.Look.Opacity >= 1.0, context);
+    keepNew();
+  }
+  catch (...)
+  {
+    keepNew();
+    this->TakeOff();
+    for (std::size_t i = 0; i < worn.size(); ++i)
+    {
+      if (worn[i])
+      {
+        worn[i]->Attach(this->Parts[i].Actor);
+      }
+    }
+    for (const vtkSmartPointer<vtkProp>& prop : kept)
+    {
+      if (!this->Read.Renderer->HasViewProp(prop))
+      {
+        this->Read.Renderer->AddViewProp(prop);
+      }
+    }
+    this->Kept = kept;
+    throw;
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -7,10 +7,17 @@
 #ifndef DressedScene_h
 #define DressedScene_h
 
-#include "BareScene.h"
 #include "Frame.h"
 #include "Options.h"
+#include "Scene.h"
 #include "Settings.h"
+
+#include "vtkActor.h"
+#include "vtkLight.h"
+#include "vtkProperty.h"
+#include "vtkRelievoMaterial.h"
+#include "vtkSmartPointer.h"
+#include "vtkTexture.h"
 
 #include <array>
 #include <string>
@@ -50,18 +57,49 @@ public:
   /// Whether the colour bar was laid out for another window size.
   bool IsBarOutgrown() const;
 
-  vtkRenderer* GetRenderer() const { return this->Bare.Get().Renderer; }
+  /// Whether the actor was read from a file, unlike a skeleton, the ground or lines.
+  bool IsOfFiles(vtkActor* actor) const;
+
+  vtkRenderer* GetRenderer() const { return this->Read.Renderer; }
   vtkRelievoPass* GetFrame() const; ///< null: VTK draws the picture without a frame
-  Scene& GetScene() { return this->Bare.Get(); }
-  const BareScene& GetBare() const { return this->Bare; }
+  Scene& GetScene() { return this->Read; }
+  const Scene& GetScene() const { return this->Read; }
+  const std::vector<vtkSmartPointer<vtkLight>>& GetFileLights() const { return this->Lights; }
   const FramePoints& GetPoints() const { return this->Points; }
   const RenderOptions& GetOptions() const { return this->Options; } ///< of the last update
-  const double* GetBounds() const { return this->Bare.Get().Bounds; }
+  const double* GetBounds() const { return this->Read.Bounds; }
 
 private:
   void SetFrame(const RenderOptions& options);
 
-  BareScene Bare;
+  /// An actor's state before options were applied.
+  struct Part
+  {
+    vtkSmartPointer<vtkActor> Actor;
+    vtkSmartPointer<vtkProperty> Property;
+    vtkSmartPointer<vtkTexture> Texture;
+    bool SRGB;                                    // whether the texture is sRGB
+    vtkSmartPointer<vtkRelievoMaterial> Material; // the model's own material
+    bool Colored;
+    int ScalarMode, ColorMode, ArrayAccess, ArrayId;
+    std::string ArrayName;
+    bool OwnRange;
+    bool Interpolated; // interpolates scalars before mapping them to colours
+  };
+
+  /// Restores the scene as read from its files; surface maps and the skybox stay.
+  void Undress();
+  void Restore(const Part& part);
+
+  /// Replaces surface maps and the skybox. If this throws, the old ones stay, and their files are
+  /// not read again.
+  void Wear(const RenderOptions& options, Progress& progress);
+  void TakeOff();
+
+  Scene Read;
+  std::vector<Part> Parts;
+  std::vector<vtkSmartPointer<vtkProp>> Props, Kept;
+  std::vector<vtkSmartPointer<vtkLight>> Lights; // of the files
   FramePoints Points;
   RenderOptions Options;
   std::string Dress = "\n", Surface = "\n"; // keys of the last update; at first unlike any key

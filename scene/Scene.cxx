@@ -8,13 +8,14 @@
 #include "FinitePoints.h"
 #include "FittedView.h"
 #include "Ground.h"
+#include "Lights.h"
 #include "Look.h"
-#include "Messages.h"
 #include "Models.h"
 #include "Numbers.h"
 #include "ObjMaterials.h"
 #include "Options.h"
 #include "Progress.h"
+#include "ReadContext.h"
 #include "Readers.h"
 #include "TextureCoordinates.h"
 #include "UpAxis.h"
@@ -22,7 +23,6 @@
 
 #include "vtkActorCollection.h"
 #include "vtkBoundingBox.h"
-#include "vtkCamera.h"
 #include "vtkDataArray.h"
 #include "vtkDataObject.h"
 #include "vtkImageData.h"
@@ -32,13 +32,9 @@
 #include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
-#include "vtkProperty.h"
 #include "vtkRelievoFormulas.h"
-#include "vtkRelievoFramePass.h"
-#include "vtkRelievoNullLight.h"
 #include "vtkRelievoScaleBar.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
-#include "vtkTexture.h"
 #include "vtkVolume.h"
 #include "vtkVolumeCollection.h"
 
@@ -49,112 +45,11 @@ namespace scene
 {
 namespace
 {
-void SetShading(vtkRenderer* renderer, Shading kind)
-{
-  vtkActorCollection* actors = renderer->GetActors();
-  vtkCollectionSimpleIterator place;
-  actors->InitTraversal(place);
-  while (vtkActor* actor = actors->GetNextActor(place))
-  {
-    switch (kind)
-    {
-      case Shading::Flat:
-        actor->GetProperty()->SetInterpolationToFlat();
-        break;
-      case Shading::Gouraud:
-        actor->GetProperty()->SetInterpolationToGouraud();
-        break;
-      case Shading::Phong:
-        actor->GetProperty()->SetInterpolationToPhong();
-        break;
-      case Shading::PBR:
-        actor->GetProperty()->SetInterpolationToPBR();
-        if (vtkTexture* texture = actor->GetTexture()) // PBR ignores it
-        {
-          texture->UseSRGBColorSpaceOn();
-          actor->GetProperty()->SetBaseColorTexture(texture);
-        }
-        break;
-      case Shading::FromFile:
-        break;
-    }
-  }
-}
-
-//------------------------------------------------------------------------------
-// Checked before the first draw, also where no frame does so.
-void CheckLights(vtkRenderer* renderer, const RenderOptions& options)
-{
-  const std::string wrong = vtkRelievoFramePass::CheckLights(renderer);
-  if (!wrong.empty() && !options.Lights.empty())
-  {
-    throw UsageError("--light: " + wrong + " Give them as points with --lamps FILE");
-  }
-  if (!wrong.empty())
-  {
-    throw WorkError("the files' lights: " + wrong + " Give --light, or points with --lamps FILE");
-  }
-}
-
-//------------------------------------------------------------------------------
-// Explains why a sun by date gives no light.
-void NoteNight(const LightChoice& light)
-{
-  const double below = -GetSunAngles(*light.Time).Elevation;
-  Messages::Note("--light sun:" + WriteSunTime(*light.Time) + ": night: the sun is " +
-    WriteNumber(std::round(10.0 * below) / 10.0) + " degrees below the horizon");
-}
-
-//------------------------------------------------------------------------------
-void AddLights(vtkRenderer* renderer, const RenderOptions& options)
-{
-  if (options.Lights.empty())
-  {
-    if (!options.Environment.empty() && renderer->GetLights()->GetNumberOfItems() == 0)
-    {
-      vtkRelievoNullLight().Place(renderer, true); // light comes from the environment
-    }
-    return; // the file's lights, or the headlight that VTK makes
-  }
-  renderer->RemoveAllLights();
-  renderer->AutomaticLightCreationOff();
-  for (const LightChoice& choice : options.Lights)
-  {
-    vtkNew<vtkLight> light;
-    light->SetLightTypeToSceneLight();
-    light->SetPosition(
-      (choice.Is == LightChoice::Kind::Sun ? choice.GetDirection(options.UpAxis) : choice.Position)
-        .data());
-    light->SetPositional(choice.Is != LightChoice::Kind::Sun);
-    light->SetConeAngle(choice.ConeAngle);
-    if (choice.Is == LightChoice::Kind::Spot)
-    {
-      light->SetFocalPoint(choice.FocalPoint.data());
-    }
-    else if (choice.Is == LightChoice::Kind::Point)
-    {
-      // A point light shines in all directions, but VTK needs a focal point away from its position.
-      light->SetFocalPoint(choice.Position[0], choice.Position[1] - 1.0, choice.Position[2]);
-    }
-    else
-    {
-      light->SetFocalPoint(0.0, 0.0, 0.0);
-    }
-    light->SetColor(choice.Color[0], choice.Color[1], choice.Color[2]);
-    light->SetIntensity(choice.IsNight() ? 0.0 : choice.Intensity);
-    renderer->AddLight(light);
-    if (choice.IsNight())
-    {
-      NoteNight(choice);
-    }
-  }
-}
-
 // Why reading dropped all content, from the file's notes.
-std::string WhyNothing(const std::string& path)
+std::string WhyNothing(const std::string& path, ReadContext& context)
 {
   std::string why;
-  for (const std::string& note : Messages::TakeNotes())
+  for (const std::string& note : context.TakeNotes())
   {
     if (note.rfind(path + ": ", 0) == 0)
     {
@@ -262,45 +157,6 @@ RenderOptions FollowFile(RenderOptions options, const Scene& scene)
   return options;
 }
 
-//------------------------------------------------------------------------------
-void PlaceCamera(vtkRenderer* renderer, const RenderOptions& options, const double bounds[6])
-{
-  vtkCamera* camera = renderer->GetActiveCamera();
-  camera->SetParallelProjection(options.ParallelScale.has_value());
-  if (options.ViewAngle)
-  {
-    camera->SetViewAngle(*options.ViewAngle);
-  }
-  if (options.Camera)
-  {
-    camera->SetPosition(options.Camera->Position.data());
-    camera->SetFocalPoint(options.Camera->FocalPoint.data());
-    camera->SetViewUp(options.Camera->ViewUp.data());
-  }
-  else
-  {
-    FittedView view(options.UpAxis);
-    if (FittedView::IsFlat(bounds))
-    {
-      view.TurnToFlatSide(bounds);
-    }
-    else if (options.ViewFrom)
-    {
-      view.TurnTo(*options.ViewFrom);
-    }
-    options.ViewFrom ? view.FitTightly(renderer, bounds) : view.Fit(renderer, bounds);
-  }
-  if (options.ParallelScale)
-  {
-    camera->SetParallelScale(*options.ParallelScale);
-  }
-  renderer->ResetCameraClippingRange(); // the default range depends on the scale
-  if (options.Clip)
-  {
-    camera->SetClippingRange((*options.Clip)[0], (*options.Clip)[1]);
-  }
-}
-
 namespace
 {
 //------------------------------------------------------------------------------
@@ -316,7 +172,7 @@ void AddOwnLights(const PosedModel& model, vtkRenderer* renderer)
 //------------------------------------------------------------------------------
 // Returns the surfaces to draw; null if the renderer has a volume instead.
 vtkSmartPointer<vtkDataObject> ShowImage(vtkImageData* image, const ImageChoice& choice,
-  vtkRenderer* renderer, const std::string& path, Progress& progress)
+  vtkRenderer* renderer, const std::string& path, ReadContext& context)
 {
   using Kind = ImageChoice::Kind;
   const bool found = choice.Is == Kind::Found;
@@ -329,7 +185,7 @@ vtkSmartPointer<vtkDataObject> ShowImage(vtkImageData* image, const ImageChoice&
   {
     if (found)
     {
-      Messages::Note(path + ": holds labels, shown by their surfaces; --image box shows the image");
+      context.Note(path + ": holds labels, shown by their surfaces; --image box shows the image");
     }
     const std::string wrong = found ? "" : CheckLabels(image);
     if (!wrong.empty())
@@ -337,7 +193,7 @@ vtkSmartPointer<vtkDataObject> ShowImage(vtkImageData* image, const ImageChoice&
       throw WorkError(path + ": --image labels: " + wrong +
         "; --image surface shows where one is reached, --image volume all of them");
     }
-    return MakeLabelSurfaces(image, progress);
+    return MakeLabelSurfaces(image, context.GetProgress());
   }
   double range[2];
   image->GetPointData()->GetScalars()->GetFiniteRange(range);
@@ -354,15 +210,16 @@ vtkSmartPointer<vtkDataObject> ShowImage(vtkImageData* image, const ImageChoice&
   }
   if (found)
   {
-    Messages::Note(path + ": shown by the surface where its values are " + WriteNumber(value) +
+    context.Note(path + ": shown by the surface where its values are " + WriteNumber(value) +
       "; --image volume shows all of them, --image box the outer faces");
   }
-  return MakeIsosurface(image, value, progress);
+  return MakeIsosurface(image, value, context.GetProgress());
 }
 
 //------------------------------------------------------------------------------
 // Notes that a requested --image has no effect on the data.
-void NoteIdleImage(vtkDataObject* data, const RenderOptions& options, const std::string& path)
+void NoteIdleImage(
+  vtkDataObject* data, const RenderOptions& options, const std::string& path, ReadContext& context)
 {
   using Kind = ImageChoice::Kind;
   const std::string extension = ExtensionOf(path);
@@ -371,15 +228,9 @@ void NoteIdleImage(vtkDataObject* data, const RenderOptions& options, const std:
     extension == ".vti" || extension == ".pvti" || options.Files.size() == 1; // not a mesh beside
   if (asked && concerns && !vtkImageData::SafeDownCast(data))
   {
-    Messages::Note(path +
+    context.Note(path +
       ": --image changed nothing: it shows images with depth and one value for each point or cell");
   }
-}
-
-//------------------------------------------------------------------------------
-bool IsMapped(const RenderOptions& options)
-{
-  return !options.NormalMap.empty() || !options.HeightMap.empty();
 }
 
 //------------------------------------------------------------------------------
@@ -398,8 +249,9 @@ void WidenTimes(Scene& scene)
 }
 
 //------------------------------------------------------------------------------
-Scene ReadScene(const RenderOptions& options, Progress& progress)
+Scene ReadScene(const RenderOptions& options, ReadContext& context)
 {
+  Progress& progress = context.GetProgress();
   Scene scene;
   scene.Renderer = vtkSmartPointer<vtkRenderer>::New();
   RenderOptions known = options;
@@ -411,8 +263,7 @@ Scene ReadScene(const RenderOptions& options, Progress& progress)
     const int volumes = scene.Renderer->GetVolumes()->GetNumberOfItems();
     if (IsModel(path))
     {
-      scene.Models.push_back(
-        ReadModel(path, options.AllowedFolders, options.Model, smooth, progress));
+      scene.Models.push_back(ReadModel(path, options.Model, smooth, context));
       WidenTimes(scene);
       for (const PosedModel::Part& part : scene.Models.back().Parts)
       {
@@ -425,21 +276,20 @@ Scene ReadScene(const RenderOptions& options, Progress& progress)
     {
       scene.Dimensions.resize(scene.Counts.size() + 1);
       const bool images = options.Image.Is != ImageChoice::Kind::Box;
-      vtkSmartPointer<vtkDataObject> surface =
-        ReadSurface(path, options.AllowedFolders, smooth, images, progress);
+      vtkSmartPointer<vtkDataObject> surface = ReadSurface(path, smooth, images, context);
       progress.Begin("preparing " + path);
-      NoteIdleImage(surface, options, path);
+      NoteIdleImage(surface, options, path, context);
       if (auto* image = vtkImageData::SafeDownCast(surface))
       {
         image->GetDimensions(scene.Dimensions.back().data());
-        surface = ShowImage(image, options.Image, scene.Renderer, path, progress);
-        surface = surface ? MakeSurface(surface, smooth, path, progress) : nullptr;
+        surface = ShowImage(image, options.Image, scene.Renderer, path, context);
+        surface = surface ? MakeSurface(surface, smooth, path, context) : nullptr;
       }
-      auto parts = surface ? SplitByMaterials(surface, path, options.AllowedFolders, progress)
+      auto parts = surface ? SplitByMaterials(surface, path, context)
                            : std::vector<vtkSmartPointer<vtkActor>>();
       if (parts.empty() && surface)
       {
-        parts = DrawTextured(surface, path, options.AllowedFolders, progress);
+        parts = DrawTextured(surface, path, context);
       }
       for (vtkActor* actor : parts)
       {
@@ -463,21 +313,22 @@ Scene ReadScene(const RenderOptions& options, Progress& progress)
     for (int i = before; i < actors->GetNumberOfItems(); ++i)
     {
       vtkActor* actor = vtkActor::SafeDownCast(actors->GetItemAsObject(i));
-      AddArrayNames(actor, scene.Arrays, scene.Placed);
-      if (IsMapped(options))
+      AddArrayNames(actor, scene.Arrays);
+      if (options.Surface.IsMapped())
       {
-        AddTextureCoordinates(actor, known, path);
+        AddTextureCoordinates(actor, known.Surface.TextureMapping, known.UpAxis, path, context);
       }
       CheckReach(actor, path);
       shows = shows || vtkMath::AreBoundsInitialized(actor->GetBounds());
     }
-    Messages::Check(path, !shows, shows ? "" : "contains nothing to draw: " + WhyNothing(path));
+    context.Check(
+      path, !shows, shows ? "" : "contains nothing to draw: " + WhyNothing(path, context));
   }
   scene.Renderer->ComputeVisiblePropBounds(scene.Bounds);
   if (const std::optional<double> stops = FindExposure(scene, options))
   {
-    Messages::Note("the files' lights, in lux and candela, are brighter than white: drawn with "
-                   "--exposure " +
+    context.Note("the files' lights, in lux and candela, are brighter than white: drawn with "
+                 "--exposure " +
       WriteNumber(std::round(100.0 * *stops) / 100.0) +
       ", which darkens the background too; give --exposure to choose it");
   }
@@ -495,7 +346,8 @@ void LayGround(Scene& scene, const RenderOptions& options)
   if (options.Ground.value_or(false) && vtkMath::AreBoundsInitialized(scene.Bounds) &&
     !FittedView::IsFlat(scene.Bounds))
   {
-    scene.Ground = MakeGround(scene.Bounds, options);
+    scene.Ground = MakeGround(scene.Bounds, options.UpAxis,
+      options.Look.Background.empty() ? Color{} : options.Look.Background.front());
     scene.Renderer->AddActor(scene.Ground);
   }
 }
@@ -520,7 +372,7 @@ void LayGrid(Scene& scene, const RenderOptions& options)
 void DressScene(Scene& scene, const RenderOptions& options)
 {
   SetShading(scene.Renderer, options.ShadingKind);
-  SetLook(scene, options);
+  SetLook(scene.Renderer, options.Look, scene.Arrays, options.Surface.IsMapped());
   for (const PosedModel& model : scene.Models)
   {
     if (model.Skeleton)
@@ -528,8 +380,8 @@ void DressScene(Scene& scene, const RenderOptions& options)
       scene.Renderer->AddActor(model.Skeleton); // keeps its own look
     }
   }
-  AddLights(scene.Renderer, options);
-  CheckLights(scene.Renderer, options);
+  AddLights(scene.Renderer, options.Lights, options.UpAxis, !options.Surface.Environment.empty());
+  CheckLights(scene.Renderer, options.Lights);
   scene.Renderer->ComputeVisiblePropBounds(scene.Bounds);
   LayGround(scene, options);
   LayGrid(scene, options);
@@ -543,25 +395,27 @@ void DressScene(Scene& scene, const RenderOptions& options)
                                                 : vtkRelievoScaleBar::INK_WHITE);
     scene.Renderer->AddViewProp(bar);
   }
-  PlaceCamera(scene.Renderer, options, scene.Bounds);
+  PlaceCamera(scene.Renderer, options.View, options.UpAxis, scene.Bounds);
 }
 
 //------------------------------------------------------------------------------
 void PlayScene(Scene& scene, const RenderOptions& options, double time, Progress& progress)
 {
+  ReadContext context(progress);
   for (PosedModel& model : scene.Models)
   {
-    PlayModel(model, time, progress);
+    PlayModel(model, time, context);
     for (const PosedModel::Part& part : model.Parts)
     {
-      if (IsMapped(options))
+      if (options.Surface.IsMapped())
       {
-        AddTextureCoordinates(part.Actor, options, model.Path);
+        AddTextureCoordinates(
+          part.Actor, options.Surface.TextureMapping, options.UpAxis, model.Path, context);
       }
       CheckReach(part.Actor, model.Path);
     }
   }
-  if (!options.Clip)
+  if (!options.View.Clip)
   {
     scene.Renderer->ResetCameraClippingRange();
   }
@@ -584,17 +438,7 @@ void FitTimes(Scene& scene, const RenderOptions& options, Progress& progress)
   box.GetBounds(scene.Bounds);
   LayGround(scene, options);
   LayGrid(scene, options);
-  PlaceCamera(scene.Renderer, options, scene.Bounds);
+  PlaceCamera(scene.Renderer, options.View, options.UpAxis, scene.Bounds);
   PlayScene(scene, options, times.front(), progress);
-}
-
-//------------------------------------------------------------------------------
-CameraPlace GetPlace(vtkCamera* camera)
-{
-  const auto three = [](const double* values) {
-    return std::array<double, 3>{ values[0], values[1], values[2] };
-  };
-  return { three(camera->GetPosition()), three(camera->GetFocalPoint()),
-    three(camera->GetViewUp()) };
 }
 }

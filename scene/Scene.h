@@ -6,6 +6,7 @@
 #ifndef Scene_h
 #define Scene_h
 
+#include "Actors.h"
 #include "Grid.h"
 #include "Models.h"
 
@@ -15,16 +16,13 @@
 #include <array>
 #include <map>
 #include <optional>
-#include <set>
 #include <string>
 #include <vector>
-
-class vtkCamera;
 
 namespace scene
 {
 class Progress;
-struct CameraPlace;
+class ReadContext;
 struct RenderOptions;
 
 struct Scene
@@ -38,27 +36,18 @@ struct Scene
   int UpAxis = 1;          ///< by the first file: 0, 1, 2 for x, y, z
   std::vector<int> Counts; ///< number of actors from each file, without skeletons
   std::vector<std::array<int, 3>> Dimensions; ///< dimensions of images not shown as boxes, or zeros
-  std::set<std::string> Arrays; ///< names of the point and cell arrays that can be layers
-  std::set<std::string> Placed; ///< Arrays as point:NAME and cell:NAME
+  ArrayNames Arrays;                          ///< that can be layers
   std::optional<std::array<double, 2>> Times; ///< first and last second of animations
 };
 
 /// Reads every file. Throws WorkError naming the file that cannot be read or is empty.
-Scene ReadScene(const RenderOptions& options, Progress& progress);
+Scene ReadScene(const RenderOptions& options, ReadContext& context);
 
 /// Applies shading, colours, lights and camera to the actors.
 void DressScene(Scene& scene, const RenderOptions& options);
 
-constexpr double StandardViewAngle = 30.0; ///< VTK's, degrees
-
 /// The options with the scene's own up axis and lights where the options leave these open.
 RenderOptions FollowFile(RenderOptions options, const Scene& scene);
-
-/// Sets only the camera, fitted to these bounds unless the options place it.
-void PlaceCamera(vtkRenderer* renderer, const RenderOptions& options, const double bounds[6]);
-
-/// The pose of a camera.
-CameraPlace GetPlace(vtkCamera* camera);
 
 /// Fits one camera to all frames of a sequence.
 void FitTimes(Scene& scene, const RenderOptions& options, Progress& progress);

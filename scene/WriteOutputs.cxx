@@ -13,6 +13,8 @@
 #include "Outputs.h"
 #include "Progress.h"
 #include "Scene.h"
+#include "SequenceOptions.h"
+#include "ShadowOptions.h"
 #include "Shadows.h"
 #include "StandardError.h"
 #include "Transparency.h"
@@ -69,8 +71,8 @@ constexpr int FramesUntilTimed = 4;
 // Throws UsageError if no drawn prop can provide the layer.
 void CheckLayer(const std::string& option, const std::string& name, const Scene& scene)
 {
-  if (vtkRelievoLayerCatalogue::GetIsLayer(name) || scene.Arrays.count(name) != 0 ||
-    scene.Placed.count(name) != 0)
+  if (vtkRelievoLayerCatalogue::GetIsLayer(name) || scene.Arrays.Names.count(name) != 0 ||
+    scene.Arrays.Placed.count(name) != 0)
   {
     return;
   }
@@ -80,7 +82,7 @@ void CheckLayer(const std::string& option, const std::string& name, const Scene&
       "several times as well, as in --times 0:1:0.1: it goes from each frame to the "
       "previous one");
   }
-  const std::vector<std::string> arrays(scene.Arrays.begin(), scene.Arrays.end());
+  const std::vector<std::string> arrays(scene.Arrays.Names.begin(), scene.Arrays.Names.end());
   RefuseValue(option, name,
     "one of " + vtkRelievoLayerCatalogue::GetLayerNames() +
       (arrays.empty() ? "; the files hold no arrays" : ", or an array: " + Join(arrays, ", ")));
@@ -154,7 +156,7 @@ bool ShowsNothing(vtkRenderWindow* window, vtkImageData* picture, const RenderOp
     }
   }
   if (!options.Lens.empty() ||
-    (!options.Camera && !options.ParallelScale && !options.Clip && size[0] >= 16))
+    (!options.View.Place && !options.View.ParallelScale && !options.View.Clip && size[0] >= 16))
   {
     return true;
   }

@@ -2,16 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRelievoScene.h"
 
-#include "Apart.h"
 #include "Display.h"
 #include "DressedScene.h"
 #include "Errors.h"
 #include "Lens.h"
 #include "Messages.h"
-#include "OpenedFiles.h"
 #include "Options.h"
 #include "Outcome.h"
 #include "Progress.h"
+#include "ReadContext.h"
 #include "WriteOutputs.h"
 
 #include "vtkCommand.h"
@@ -86,7 +85,7 @@ auto OnFiles(Work work)
 
 //------------------------------------------------------------------------------
 vtkRelievoScene::vtkRelievoScene()
-  : Self(new Internals(this))
+  : Internal(new Internals(this))
 {
 }
 
@@ -113,8 +112,8 @@ bool vtkRelievoScene::Try(const std::function<void()>& work)
       list->InsertNextValue(text);
     }
   };
-  keep(scene::Messages::TakeNotes(), this->Self->Notes);
-  keep(scene::Messages::TakeWarnings(), this->Self->Warnings);
+  keep(scene::Messages::TakeNotes(), this->Internal->Notes);
+  keep(scene::Messages::TakeWarnings(), this->Internal->Warnings);
   if (this->Failure != NO_FAILURE)
   {
     vtkErrorMacro(<< this->FailureText);
@@ -132,27 +131,27 @@ bool vtkRelievoScene::SetWords(vtkStringArray* words)
       given.push_back(words->GetValue(i));
     }
     const scene::RenderOptions options = scene::ParseOptions(given);
-    this->Self->Settings = scene::Settings::FromWords(given);
-    this->Self->Options = options;
-    this->Self->Words->Initialize();
+    this->Internal->Settings = scene::Settings::FromWords(given);
+    this->Internal->Options = options;
+    this->Internal->Words->Initialize();
     for (const std::string& word : given)
     {
-      this->Self->Words->InsertNextValue(word);
+      this->Internal->Words->InsertNextValue(word);
     }
     std::vector<std::string> files = options.Files;
     files.insert(files.end(),
-      { options.Environment, options.NormalMap, options.HeightMap,
+      { options.Surface.Environment, options.Surface.NormalMap, options.Surface.HeightMap,
         vtkRelievoCalibration::IsFile(options.Lens) ? options.Lens : "" });
     for (const scene::PointsChoice& points : options.Points)
     {
       files.push_back(points.File);
     }
-    this->Self->InputFiles->Initialize();
+    this->Internal->InputFiles->Initialize();
     for (const std::string& file : files)
     {
       if (!file.empty())
       {
-        this->Self->InputFiles->InsertNextValue(file);
+        this->Internal->InputFiles->InsertNextValue(file);
       }
     }
     this->Modified();
@@ -162,32 +161,32 @@ bool vtkRelievoScene::SetWords(vtkStringArray* words)
 //------------------------------------------------------------------------------
 vtkStringArray* vtkRelievoScene::GetWords()
 {
-  return this->Self->Words;
+  return this->Internal->Words;
 }
 
 //------------------------------------------------------------------------------
 vtkStringArray* vtkRelievoScene::GetInputFiles()
 {
-  return this->Self->InputFiles;
+  return this->Internal->InputFiles;
 }
 
 //------------------------------------------------------------------------------
 void vtkRelievoScene::SetRenderWindow(vtkRenderWindow* window)
 {
-  if (this->Self->Window != window)
+  if (this->Internal->Window != window)
   {
     vtkRenderer* renderer = this->GetRenderer();
-    if (renderer && this->Self->Window)
+    if (renderer && this->Internal->Window)
     {
-      this->Self->Window->RemoveRenderer(renderer);
+      this->Internal->Window->RemoveRenderer(renderer);
     }
     if (renderer && window)
     {
       window->AddRenderer(renderer);
     }
-    this->Self->Window = window;
-    this->Self->IsOwnWindow = false;
-    this->Self->Size = {};
+    this->Internal->Window = window;
+    this->Internal->IsOwnWindow = false;
+    this->Internal->Size = {};
     this->Modified();
   }
 }
@@ -195,7 +194,7 @@ void vtkRelievoScene::SetRenderWindow(vtkRenderWindow* window)
 //------------------------------------------------------------------------------
 vtkRenderWindow* vtkRelievoScene::GetRenderWindow()
 {
-  return this->Self->Window;
+  return this->Internal->Window;
 }
 
 //------------------------------------------------------------------------------
@@ -232,7 +231,8 @@ void vtkRelievoScene::Internals::Read(scene::Progress& progress)
   }
   // Starting OpenGL takes about as long as reading a mesh. Errors in files are reported first.
   this->NoWindow = nullptr;
-  const scene::WhileReading window([this] {
+  scene::ReadContext context(progress, this->Options.AllowedFolders);
+  context.SetMeanwhile([this] {
     try
     {
       this->MakeWindow();
@@ -242,11 +242,9 @@ void vtkRelievoScene::Internals::Read(scene::Progress& progress)
       this->NoWindow = std::current_exception();
     }
   });
-  std::vector<std::string> opened;
-  const scene::OpenedFiles listed(opened);
-  const scene::Scene read = OnFiles([&] { return scene::ReadScene(this->Options, progress); });
+  const scene::Scene read = OnFiles([&] { return scene::ReadScene(this->Options, context); });
   const scene::FramePoints points =
-    OnFiles([&] { return scene::ReadFramePoints(this->Options, progress); });
+    OnFiles([&] { return scene::ReadFramePoints(this->Options, context); });
   if (vtkRenderer* before = this->Dressed.GetRenderer())
   {
     vtkRelievoPass::Detach(before);
@@ -255,7 +253,7 @@ void vtkRelievoScene::Internals::Read(scene::Progress& progress)
   this->Dressed = scene::DressedScene(read, points);
   this->ReadingKey = key;
   this->Played = false;
-  this->Opened = opened;
+  this->Opened = context.GetFiles();
 }
 
 //------------------------------------------------------------------------------
@@ -284,7 +282,7 @@ void vtkRelievoScene::Internals::Update(scene::Progress& progress)
     this->Window->AddRenderer(renderer);
   }
   this->Dressed.Update(this->Settings, this->Options, false, progress);
-  if (!this->Options.Camera && this->Options.Model.Times.size() > 1)
+  if (!this->Options.View.Place && this->Options.Model.Times.size() > 1)
   {
     scene::FitTimes(this->Dressed.GetScene(), this->Options, progress);
   }
@@ -294,9 +292,9 @@ void vtkRelievoScene::Internals::Update(scene::Progress& progress)
 bool vtkRelievoScene::Update()
 {
   return this->Try([this] {
-    OnFiles([this] { return scene::CheckInputs(this->Self->Options); });
-    scene::Progress progress(this->Self.get());
-    this->Self->Update(progress);
+    OnFiles([this] { return scene::CheckInputs(this->Internal->Options); });
+    scene::Progress progress(this->Internal.get());
+    this->Internal->Update(progress);
   });
 }
 
@@ -305,55 +303,55 @@ bool vtkRelievoScene::Write()
 {
   return this->Try([this] {
     // Refuses invalid requests before the long work.
-    const scene::RenderOptions& options = this->Self->Options;
-    this->Self->Certificate.clear();
+    const scene::RenderOptions& options = this->Internal->Options;
+    this->Internal->Certificate.clear();
     scene::CheckOutputs(options);
     std::vector<std::string> inputs = OnFiles([&options] { return scene::CheckInputs(options); });
     std::unique_ptr<scene::Outputs> outputs =
       OnFiles([&] { return scene::OpenOutputs(options, inputs); });
     if (!options.Lens.empty())
     {
-      this->Self->Options = OnFiles([&options] { return scene::FollowLens(options); });
+      this->Internal->Options = OnFiles([&options] { return scene::FollowLens(options); });
     }
-    scene::Progress progress(this->Self.get());
-    this->Self->Update(progress);
-    this->Self->Played = options.Model.Times.size() > 1;
-    const std::vector<std::string>& opened = this->Self->Opened;
+    scene::Progress progress(this->Internal.get());
+    this->Internal->Update(progress);
+    this->Internal->Played = options.Model.Times.size() > 1;
+    const std::vector<std::string>& opened = this->Internal->Opened;
     inputs.insert(inputs.end(), opened.begin(), opened.end());
-    this->Self->Certificate =
-      scene::WriteOutputs(this->Self->Dressed, options, inputs, std::move(outputs), progress);
+    this->Internal->Certificate =
+      scene::WriteOutputs(this->Internal->Dressed, options, inputs, std::move(outputs), progress);
   });
 }
 
 //------------------------------------------------------------------------------
 vtkRenderer* vtkRelievoScene::GetRenderer()
 {
-  return this->Self->Dressed.GetRenderer();
+  return this->Internal->Dressed.GetRenderer();
 }
 
 //------------------------------------------------------------------------------
 vtkRelievoPass* vtkRelievoScene::GetPass()
 {
-  return this->Self->Dressed.GetFrame();
+  return this->Internal->Dressed.GetFrame();
 }
 
 //------------------------------------------------------------------------------
 int vtkRelievoScene::GetUpAxis()
 {
-  return this->Self->Options.UpAxis;
+  return this->Internal->Options.UpAxis;
 }
 
 //------------------------------------------------------------------------------
 std::string vtkRelievoScene::GetFileOf(int actor)
 {
   int end = 0;
-  const std::vector<int>& counts = this->Self->Dressed.GetScene().Counts;
+  const std::vector<int>& counts = this->Internal->Dressed.GetScene().Counts;
   for (std::size_t i = 0; i < counts.size(); ++i)
   {
     end += counts[i];
     if (actor >= 0 && actor < end)
     {
-      return this->Self->Options.Files[i];
+      return this->Internal->Options.Files[i];
     }
   }
   return {};
@@ -362,25 +360,25 @@ std::string vtkRelievoScene::GetFileOf(int actor)
 //------------------------------------------------------------------------------
 vtkStringArray* vtkRelievoScene::GetNotes()
 {
-  return this->Self->Notes;
+  return this->Internal->Notes;
 }
 
 //------------------------------------------------------------------------------
 vtkStringArray* vtkRelievoScene::GetWarnings()
 {
-  return this->Self->Warnings;
+  return this->Internal->Warnings;
 }
 
 //------------------------------------------------------------------------------
 std::string vtkRelievoScene::GetCertificate()
 {
-  return this->Self->Certificate;
+  return this->Internal->Certificate;
 }
 
 //------------------------------------------------------------------------------
 std::string vtkRelievoScene::GetProgressText()
 {
-  return this->Self->Doing;
+  return this->Internal->Doing;
 }
 
 //------------------------------------------------------------------------------
@@ -400,11 +398,11 @@ void vtkRelievoScene::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Words:";
-  for (vtkIdType i = 0; i < this->Self->Words->GetNumberOfValues(); ++i)
+  for (vtkIdType i = 0; i < this->Internal->Words->GetNumberOfValues(); ++i)
   {
-    os << ' ' << this->Self->Words->GetValue(i);
+    os << ' ' << this->Internal->Words->GetValue(i);
   }
   os << "\n" << indent << "Renderer: " << this->GetRenderer() << "\n";
-  os << indent << "RenderWindow: " << this->Self->Window << "\n";
+  os << indent << "RenderWindow: " << this->Internal->Window << "\n";
   os << indent << "Failure: " << this->Failure << "\n";
 }

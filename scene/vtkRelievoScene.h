@@ -126,7 +126,7 @@ private:
   bool Abort = false;
 
   struct Internals;
-  std::unique_ptr<Internals> Self;
+  std::unique_ptr<Internals> Internal;
 };
 
 #endif

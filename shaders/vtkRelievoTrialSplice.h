@@ -30,13 +30,13 @@ namespace vtkRelievoTrialSplice
 // An error message (empty: none), and whether the error is that the shaders do not compile.
 struct Outcome
 {
-  std::string Wrong;
+  std::string Error;
   bool Compiles = true;
 
   // Key for reporting once: the compiler's messages differ from shader to shader.
   std::string GetKey(vtkObject* mapper) const
   {
-    return mapper->GetClassName() + (this->Compiles ? this->Wrong : "compiles not");
+    return mapper->GetClassName() + (this->Compiles ? this->Error : "compiles not");
   }
 };
 
@@ -100,15 +100,15 @@ Outcome Try(const vtkRelievoShaderTexts& texts, vtkOpenGLRenderWindow* window,
   const std::string geometry = texts.Geometry;
   const std::string fragment = texts.Fragment;
   Outcome outcome;
-  outcome.Wrong = fill();
+  outcome.Error = fill();
   const bool changed =
     texts.Vertex != vertex || texts.Geometry != geometry || texts.Fragment != fragment;
-  if (outcome.Wrong.empty() && window && changed)
+  if (outcome.Error.empty() && window && changed)
   {
-    outcome.Wrong = Compile(window, property, texts.Vertex, texts.Geometry, texts.Fragment);
-    outcome.Compiles = outcome.Wrong.empty();
+    outcome.Error = Compile(window, property, texts.Vertex, texts.Geometry, texts.Fragment);
+    outcome.Compiles = outcome.Error.empty();
   }
-  if (!outcome.Wrong.empty())
+  if (!outcome.Error.empty())
   {
     texts.Vertex = vertex;
     texts.Geometry = geometry;

@@ -27,13 +27,13 @@ vtkSmartPointer<vtkImageData> MakeImage(const ModelImage& image)
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkImageData> DecodeImage(const ModelImage& image, std::string& wrong)
+vtkSmartPointer<vtkImageData> DecodeImage(const ModelImage& image, std::string& error)
 {
-  wrong.clear();
+  error.clear();
   if (image.Width > 0)
   {
     return MakeImage(image);
   }
-  return vtkRelievoImageFile::Decode(image.Bytes.data(), image.Bytes.size(), image.Format, wrong);
+  return vtkRelievoImageFile::Decode(image.Bytes.data(), image.Bytes.size(), image.Format, error);
 }
 }

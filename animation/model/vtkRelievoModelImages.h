@@ -13,9 +13,9 @@
 
 namespace relievo
 {
-/// The image with the lowest row first, as in VTK. Null, with the problem in `wrong`, if it is
+/// The image with the lowest row first, as in VTK. Null, with the problem in `error`, if it is
 /// damaged.
-vtkSmartPointer<vtkImageData> DecodeImage(const ModelImage& image, std::string& wrong);
+vtkSmartPointer<vtkImageData> DecodeImage(const ModelImage& image, std::string& error);
 }
 
 #endif

@@ -35,14 +35,14 @@ bool ModelSources::AreSame() const
 ModelSources::State ModelSources::Look(const std::string& path)
 {
   State state;
-  std::error_code wrong;
-  const auto time = std::filesystem::last_write_time(path, wrong);
-  state.IsThere = !wrong;
+  std::error_code error;
+  const auto time = std::filesystem::last_write_time(path, error);
+  state.IsThere = !error;
   if (state.IsThere)
   {
     state.Time = static_cast<std::int64_t>(time.time_since_epoch().count());
-    const std::uintmax_t size = std::filesystem::file_size(path, wrong);
-    state.Size = wrong ? 0 : size; // folders have no size
+    const std::uintmax_t size = std::filesystem::file_size(path, error);
+    state.Size = error ? 0 : size; // folders have no size
   }
   return state;
 }

@@ -52,9 +52,9 @@ std::string BoneTexture::Upload(vtkOpenGLRenderWindow* window)
   {
     return "";
   }
-  const std::string wrong = this->Buffer.Upload(window, this->Values, 4);
-  this->Changed = !wrong.empty();
-  return wrong.empty() ? "" : "the bones do not fit (" + wrong + "): use vtkRelievoSkin";
+  const std::string error = this->Buffer.Upload(window, this->Values, 4);
+  this->Changed = !error.empty();
+  return error.empty() ? "" : "the bones do not fit (" + error + "): use vtkRelievoSkin";
 }
 
 //------------------------------------------------------------------------------

@@ -46,11 +46,11 @@ int vtkRelievoBoneWeights::FillInputPortInformation(int port, vtkInformation* in
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoBoneWeights::Complain(const std::string& wrong)
+void vtkRelievoBoneWeights::Complain(const std::string& error)
 {
-  if (this->Errors->IsNew(wrong))
+  if (this->Errors->IsNew(error))
   {
-    vtkErrorMacro("" << wrong);
+    vtkErrorMacro("" << error);
   }
 }
 

@@ -72,7 +72,7 @@ private:
   vtkRelievoBoneWeights(const vtkRelievoBoneWeights&) = delete;
   void operator=(const vtkRelievoBoneWeights&) = delete;
 
-  void Complain(const std::string& wrong);
+  void Complain(const std::string& error);
   int FindBone(vtkPolyData* skeleton); // -1: none
 
   int Bone = -1;

@@ -38,11 +38,11 @@ int vtkRelievoSkin::RequestData(
   vtkPolyData* mesh = vtkPolyData::GetData(inputVector[0]);
   vtkPolyData* skeleton = vtkPolyData::GetData(inputVector[1]);
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
-  const std::string wrong = relievo::SkinMesh(mesh, skeleton,
+  const std::string error = relievo::SkinMesh(mesh, skeleton,
     static_cast<relievo::SkinMethod>(this->Method), this->OutputPointsPrecision, output);
-  if (!wrong.empty() && this->Errors->IsNew(wrong))
+  if (!error.empty() && this->Errors->IsNew(error))
   {
-    vtkErrorMacro("" << wrong);
+    vtkErrorMacro("" << error);
   }
   // Returns 1 even on errors: after 0 the pipeline would add its own error.
   return 1;

@@ -133,9 +133,9 @@ vtkSmartPointer<Array> As(vtkDataArray* array)
   return typed;
 }
 
-// Directions of the input, and the output's new array that replaces them. `held` keeps the input.
+// Directions of the input, and the output's new array that replaces them. `owned` has the input.
 Directions MakeDirections(vtkDataArray* array, int attribute, vtkIdType count, vtkPointData* data,
-  std::vector<vtkSmartPointer<vtkFloatArray>>& held)
+  std::vector<vtkSmartPointer<vtkFloatArray>>& owned)
 {
   Directions directions;
   if (!array || (array->GetNumberOfComponents() != 3 && array->GetNumberOfComponents() != 4) ||
@@ -143,12 +143,12 @@ Directions MakeDirections(vtkDataArray* array, int attribute, vtkIdType count, v
   {
     return directions;
   }
-  held.push_back(As<vtkFloatArray>(array));
+  owned.push_back(As<vtkFloatArray>(array));
   vtkNew<vtkFloatArray> moved;
   moved->SetName(array->GetName());
   moved->SetNumberOfComponents(array->GetNumberOfComponents());
   moved->SetNumberOfTuples(count);
-  directions.From = held.back()->GetPointer(0);
+  directions.From = owned.back()->GetPointer(0);
   directions.To = moved->GetPointer(0);
   directions.Components = array->GetNumberOfComponents();
   data->SetAttribute(moved, attribute);
@@ -178,11 +178,11 @@ std::string SkinMesh(
     return "";
   }
   std::vector<glm::dmat4> matrices;
-  const std::string wrong =
+  const std::string error =
     GetBoneMatrices(input, skeleton, method == SkinMethod::KeyMatrix, matrices);
-  if (!wrong.empty())
+  if (!error.empty())
   {
-    return wrong;
+    return error;
   }
   SkinWeights weights;
   const std::string missing = weights.Read(input);
@@ -198,11 +198,11 @@ std::string SkinMesh(
   }
 
   vtkPointData* data = output->GetPointData();
-  std::vector<vtkSmartPointer<vtkFloatArray>> held;
+  std::vector<vtkSmartPointer<vtkFloatArray>> owned;
   const Directions normals = MakeDirections(
-    input->GetPointData()->GetNormals(), vtkDataSetAttributes::NORMALS, count, data, held);
+    input->GetPointData()->GetNormals(), vtkDataSetAttributes::NORMALS, count, data, owned);
   const Directions tangents = MakeDirections(
-    input->GetPointData()->GetTangents(), vtkDataSetAttributes::TANGENTS, count, data, held);
+    input->GetPointData()->GetTangents(), vtkDataSetAttributes::TANGENTS, count, data, owned);
 
   // Relative to the mesh's middle, matrices that cancel far from the origin lose no digits.
   const glm::dvec3 middle = GetFarOrigin(GetBox(input));

@@ -133,8 +133,8 @@ int vtkRelievoSkinRestPose::RequestData(
   output->ShallowCopy(input);
   about->ShallowCopy(input);
   relievo::SkinWeights weights;
-  this->Wrong = input->GetNumberOfPoints() > 0 ? weights.Read(input) : std::string();
-  if (input->GetNumberOfPoints() == 0 || !this->Wrong.empty())
+  this->Error = input->GetNumberOfPoints() > 0 ? weights.Read(input) : std::string();
+  if (input->GetNumberOfPoints() == 0 || !this->Error.empty())
   {
     this->Influences = 0;
     this->PointBounds = relievo::SkinBounds();

@@ -41,7 +41,7 @@ public:
   static const char* GetWeightsName(int four);
 
   int GetInfluences() const { return this->Influences; } ///< most per point; 0: nothing moves
-  const std::string& GetWrong() const { return this->Wrong; }
+  const std::string& GetError() const { return this->Error; }
   /// For the points relative to GetMiddle().
   const relievo::SkinBounds& GetSkinBounds() const { return this->PointBounds; }
   /// For a mesh far from the origin, otherwise the origin.
@@ -65,7 +65,7 @@ private:
   void Count(const relievo::SkinWeights& weights, std::size_t bones, vtkIdType count);
 
   int Influences = 0;
-  std::string Wrong;
+  std::string Error;
   relievo::SkinBounds PointBounds;
   glm::dvec3 Middle{ 0. };
   vtkSmartPointer<vtkPoints> About; // null if the middle is the origin

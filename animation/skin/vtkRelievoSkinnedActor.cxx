@@ -15,6 +15,7 @@
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkRelievoBoneTexture.h"
+#include "vtkRelievoReportOnce.h"
 #include "vtkRelievoSkin.h"
 #include "vtkRelievoSkinBones.h"
 #include "vtkRelievoSkinBounds.h"
@@ -65,7 +66,7 @@ struct vtkRelievoSkinnedActor::Internals
   vtkMTimeType MovedTime = 0; // PoseTime of its pose
   vtkMTimeType MovedMesh = 0; // MeshTime of its mesh
   vtkTimeStamp PoseTime;
-  std::string Reported; // the last error
+  vtkRelievoReportOnce Reported;
   relievo::SkinShader Shader;
 
   void SetAtRest();
@@ -103,11 +104,11 @@ double GetLargest(const relievo::SkinBox& box, const std::vector<glm::dmat4>& ma
 
 //------------------------------------------------------------------------------
 vtkRelievoSkinnedActor::vtkRelievoSkinnedActor()
-  : Inside(new Internals)
+  : Internal(new Internals)
 {
   this->Disconnect();
   // Limited to the number of bones that the shader supports.
-  this->Inside->Skin->SetInputConnection(0, this->Inside->Rest->GetOutputPort());
+  this->Internal->Skin->SetInputConnection(0, this->Internal->Rest->GetOutputPort());
   // Bones need original points, not shifted and scaled ones.
   if (auto* mapper = vtkOpenGLPolyDataMapper::SafeDownCast(this->Mesh))
   {
@@ -125,38 +126,38 @@ vtkRelievoSkinnedActor::~vtkRelievoSkinnedActor() = default;
 void vtkRelievoSkinnedActor::SetInputConnection(vtkAlgorithmOutput* port)
 {
   this->Disconnect();
-  this->Inside->Rest->SetInputConnection(port);
+  this->Internal->Rest->SetInputConnection(port);
 }
 
 //------------------------------------------------------------------------------
 void vtkRelievoSkinnedActor::SetInputData(vtkPolyData* mesh)
 {
   this->Disconnect();
-  this->Inside->Rest->SetInputData(mesh);
+  this->Internal->Rest->SetInputData(mesh);
 }
 
 //------------------------------------------------------------------------------
 void vtkRelievoSkinnedActor::SetSkeletonConnection(vtkAlgorithmOutput* port)
 {
-  this->Inside->Skin->SetInputConnection(1, port);
+  this->Internal->Skin->SetInputConnection(1, port);
 }
 
 //------------------------------------------------------------------------------
 void vtkRelievoSkinnedActor::SetSkeletonData(vtkPolyData* skeleton)
 {
-  this->Inside->Skin->SetInputData(1, skeleton);
+  this->Internal->Skin->SetInputData(1, skeleton);
 }
 
 //------------------------------------------------------------------------------
 void vtkRelievoSkinnedActor::SetMethod(int method)
 {
-  this->Inside->Skin->SetMethod(method);
+  this->Internal->Skin->SetMethod(method);
 }
 
 //------------------------------------------------------------------------------
 int vtkRelievoSkinnedActor::GetMethod()
 {
-  return this->Inside->Skin->GetMethod();
+  return this->Internal->Skin->GetMethod();
 }
 
 //------------------------------------------------------------------------------
@@ -169,7 +170,7 @@ vtkPolyDataMapper* vtkRelievoSkinnedActor::GetPolyDataMapper()
 double* vtkRelievoSkinnedActor::GetBounds()
 {
   this->UpdatePose();
-  const relievo::SkinBox& box = this->Inside->Box;
+  const relievo::SkinBox& box = this->Internal->Box;
   if (box.IsEmpty())
   {
     CopyBox(box, this->Bounds);
@@ -183,7 +184,7 @@ double* vtkRelievoSkinnedActor::GetBounds()
   }
   relievo::SkinBox placed;
   // Far from the origin, VTK transforms in double; the box has a margin for the shader's floats.
-  const bool far = this->Inside->Middle != glm::dvec3(0.);
+  const bool far = this->Internal->Middle != glm::dvec3(0.);
   placed.Add(box, toWorld, 0., far ? 1e-14 : 1e-6);
   CopyBox(placed, this->Bounds);
   return this->Bounds;
@@ -193,20 +194,20 @@ double* vtkRelievoSkinnedActor::GetBounds()
 void vtkRelievoSkinnedActor::GetMovedBounds(double bounds[6])
 {
   this->UpdatePose();
-  CopyBox(this->Inside->Box, bounds);
+  CopyBox(this->Internal->Box, bounds);
 }
 
 //------------------------------------------------------------------------------
 double vtkRelievoSkinnedActor::GetRoundedReach()
 {
   this->UpdatePose();
-  return this->Inside->Reach;
+  return this->Internal->Reach;
 }
 
 //------------------------------------------------------------------------------
 int vtkRelievoSkinnedActor::GetNumberOfMovingReplacements() const
 {
-  return this->Inside->Shader.GetNumberOfReplacements();
+  return this->Internal->Shader.GetNumberOfReplacements();
 }
 
 //------------------------------------------------------------------------------
@@ -214,31 +215,31 @@ vtkMTimeType vtkRelievoSkinnedActor::GetRedrawMTime()
 {
   this->UpdatePose();
   return std::max<vtkMTimeType>(
-    this->Superclass::GetRedrawMTime(), this->Inside->PoseTime.GetMTime());
+    this->Superclass::GetRedrawMTime(), this->Internal->PoseTime.GetMTime());
 }
 
 //------------------------------------------------------------------------------
 void vtkRelievoSkinnedActor::Render(vtkRenderer* renderer, vtkMapper* mapper)
 {
   this->UpdatePose();
-  Internals& in = *this->Inside;
+  Internals& in = *this->Internal;
   if (in.MeshTime == 0)
   {
     return; // no mesh
   }
   if (in.Shader.Moves())
   {
-    const std::string wrong =
+    const std::string error =
       in.Bones.Upload(static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow()));
-    if (wrong.empty())
+    if (error.empty())
     {
-      in.Reported.clear();
+      in.Reported.Forget();
     }
     else
     {
       in.Unfit = in.Bones.GetNumberOfTexels();
-      in.WhyUnfit = wrong;
-      this->Refuse(wrong);
+      in.WhyUnfit = error;
+      this->Refuse(error);
     }
   }
   if (in.Middle != glm::dvec3(0.))
@@ -268,7 +269,7 @@ void vtkRelievoSkinnedActor::Render(vtkRenderer* renderer, vtkMapper* mapper)
 //------------------------------------------------------------------------------
 vtkMatrix4x4* vtkRelievoSkinnedActor::GetMatrix()
 {
-  return this->Inside->Draws ? this->Inside->Placed : this->Superclass::GetMatrix();
+  return this->Internal->Draws ? this->Internal->Placed : this->Superclass::GetMatrix();
 }
 
 //------------------------------------------------------------------------------
@@ -285,14 +286,14 @@ void vtkRelievoSkinnedActor::GetMatrix(vtkMatrix4x4* result)
 //------------------------------------------------------------------------------
 int vtkRelievoSkinnedActor::GetIsIdentity()
 {
-  return this->Inside->Draws ? 0 : this->Superclass::GetIsIdentity();
+  return this->Internal->Draws ? 0 : this->Superclass::GetIsIdentity();
 }
 
 //------------------------------------------------------------------------------
 void vtkRelievoSkinnedActor::GetKeyMatrices(vtkMatrix4x4*& toWorld, vtkMatrix3x3*& normals)
 {
   // VTK caches its result from GetMatrix.
-  Internals& in = *this->Inside;
+  Internals& in = *this->Internal;
   const bool draws = std::exchange(in.Draws, false);
   this->Superclass::GetKeyMatrices(toWorld, normals);
   in.Draws = draws;
@@ -316,10 +317,10 @@ void vtkRelievoSkinnedActor::GetKeyMatrices(vtkMatrix4x4*& toWorld, vtkMatrix3x3
 void vtkRelievoSkinnedActor::SetUniforms(vtkObject*, unsigned long, void* program)
 {
   auto* shaders = static_cast<vtkShaderProgram*>(program);
-  this->Inside->Bones.SetUniform(shaders);
+  this->Internal->Bones.SetUniform(shaders);
   if (shaders->IsUniformUsed("relievoUnmovedBy"))
   {
-    const glm::vec3 by(this->Inside->UnmovedBy);
+    const glm::vec3 by(this->Internal->UnmovedBy);
     shaders->SetUniform3f("relievoUnmovedBy", &by.x);
   }
 }
@@ -327,8 +328,8 @@ void vtkRelievoSkinnedActor::SetUniforms(vtkObject*, unsigned long, void* progra
 //------------------------------------------------------------------------------
 void vtkRelievoSkinnedActor::ReleaseGraphicsResources(vtkWindow* window)
 {
-  this->Inside->Bones.Release(window);
-  this->Inside->Unfit = 0; // another window may support more
+  this->Internal->Bones.Release(window);
+  this->Internal->Unfit = 0; // another window may support more
   this->Superclass::ReleaseGraphicsResources(window);
 }
 
@@ -342,20 +343,19 @@ void vtkRelievoSkinnedActor::PrintSelf(ostream& os, vtkIndent indent)
 
 //------------------------------------------------------------------------------
 // Reports an error once, until everything is valid again.
-void vtkRelievoSkinnedActor::Complain(const std::string& wrong)
+void vtkRelievoSkinnedActor::Complain(const std::string& error)
 {
-  if (wrong != this->Inside->Reported)
+  if (this->Internal->Reported.IsChange(error))
   {
-    vtkErrorMacro("" << wrong);
+    vtkErrorMacro("" << error);
   }
-  this->Inside->Reported = wrong;
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoSkinnedActor::Refuse(const std::string& wrong)
+void vtkRelievoSkinnedActor::Refuse(const std::string& error)
 {
-  Internals& in = *this->Inside;
-  this->Complain(wrong + ". The mesh is drawn at rest.");
+  Internals& in = *this->Internal;
+  this->Complain(error + ". The mesh is drawn at rest.");
   in.Matrices.clear();
   in.Reach = 0.;
   in.SetAtRest();
@@ -415,7 +415,7 @@ void vtkRelievoSkinnedActor::Internals::SetMoved(const std::vector<glm::dmat4>& 
 // VTK's mappers need a mesh: an empty one until the input is known.
 void vtkRelievoSkinnedActor::Disconnect()
 {
-  Internals& in = *this->Inside;
+  Internals& in = *this->Internal;
   if (this->Mesh->GetInput() != in.Nothing)
   {
     this->Mesh->SetInputData(in.Nothing);
@@ -429,7 +429,7 @@ void vtkRelievoSkinnedActor::Disconnect()
 //------------------------------------------------------------------------------
 vtkPolyData* vtkRelievoSkinnedActor::UpdateMesh()
 {
-  Internals& in = *this->Inside;
+  Internals& in = *this->Internal;
   vtkDataObject* given = nullptr;
   if (in.Rest->GetNumberOfInputConnections(0) > 0)
   {
@@ -454,7 +454,7 @@ vtkPolyData* vtkRelievoSkinnedActor::UpdateMesh()
 //------------------------------------------------------------------------------
 void vtkRelievoSkinnedActor::UpdatePose()
 {
-  Internals& in = *this->Inside;
+  Internals& in = *this->Internal;
   vtkPolyData* mesh = this->UpdateMesh();
   if (!mesh)
   {
@@ -487,17 +487,17 @@ void vtkRelievoSkinnedActor::UpdatePose()
 
   std::vector<glm::dmat4> matrices;
   const bool dual = in.Method == vtkRelievoSkin::DUAL_QUATERNION;
-  std::string wrong = in.Rest->GetWrong();
-  if (wrong.empty() && !this->BindPose && mesh->GetNumberOfPoints() > 0)
+  std::string error = in.Rest->GetError();
+  if (error.empty() && !this->BindPose && mesh->GetNumberOfPoints() > 0)
   {
     const bool keys = in.Method == vtkRelievoSkin::KEY_MATRIX;
-    wrong = skeleton ? relievo::GetBoneMatrices(mesh, skeleton, keys, matrices)
+    error = skeleton ? relievo::GetBoneMatrices(mesh, skeleton, keys, matrices)
                      : "there is no skeleton: expected polydata with the point array pose";
   }
   const std::size_t texels = matrices.size() * (dual ? 5 : 3);
   if (in.Unfit > 0 && texels >= in.Unfit)
   {
-    wrong = in.WhyUnfit;
+    error = in.WhyUnfit;
   }
   if (newRest && in.Rest->GetNumberOfCut() > 0)
   {
@@ -505,9 +505,9 @@ void vtkRelievoSkinnedActor::UpdatePose()
                     << vtkRelievoSkinRestPose::MostInfluences
                     << " bones; the weaker ones are left out. vtkRelievoSkin takes any number.");
   }
-  if (!wrong.empty())
+  if (!error.empty())
   {
-    this->Refuse(wrong);
+    this->Refuse(error);
     return;
   }
   in.Shader.Set(
@@ -534,7 +534,7 @@ void vtkRelievoSkinnedActor::UpdatePose()
 //------------------------------------------------------------------------------
 vtkPolyData* vtkRelievoSkinnedActor::GetMovedMesh()
 {
-  Internals& in = *this->Inside;
+  Internals& in = *this->Internal;
   this->UpdatePose();
   if (in.MeshTime == 0)
   {

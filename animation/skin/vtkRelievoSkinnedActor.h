@@ -122,11 +122,11 @@ private:
   void Disconnect();
   vtkPolyData* UpdateMesh();
   void UpdatePose();
-  void Complain(const std::string& wrong);
-  void Refuse(const std::string& wrong);
+  void Complain(const std::string& error);
+  void Refuse(const std::string& error);
   void SetUniforms(vtkObject*, unsigned long, void* program);
 
-  std::unique_ptr<Internals> Inside;
+  std::unique_ptr<Internals> Internal;
   vtkNew<vtkPolyDataMapper> Mesh;
   bool BindPose = false;
 

@@ -66,6 +66,37 @@ Tr 0.6
 """
 
 
+OPENCV = b"""%YAML:1.0
+---
+# a comment
+image_width: 48
+image_height: 48
+camera_matrix: !!opencv-matrix
+   rows: 3
+   cols: 3
+   dt: d
+   data: [ 40., 0., 23.5, 0., 40., 23.5, 0.,
+       0., 1. ]
+distortion_coefficients: !!opencv-matrix
+   rows: 5
+   cols: 1
+   dt: d
+   data: [ -0.1, 0.02, 0.001, 0., 0. ]
+"""
+KALIBR = b"""cam0:
+  camera_model: pinhole
+  distortion_coeffs: [0.02, -0.013, 0.006, -0.0011]
+  distortion_model: 'equidistant'
+  intrinsics:
+  - 40.0
+  - 40.0
+  - 23.5
+  - 23.5
+  resolution: [48, 48]
+  rostopic: "/cam0/image_raw"
+"""
+
+
 @dataclass
 class Sample:
     kind: str
@@ -272,6 +303,12 @@ def of_models(data):
         yield from (row[-1] for i, row in enumerate(rows) if i == 0 or row[0] <= LARGEST)
 
 
+def of_calibrations():
+    for content in (OPENCV, KALIBR):
+        yield Sample("yml", {"a.yml": content, "m.off": MESH}, ["a.yml"],
+                     ["m.off", "--lens", "a.yml"])
+
+
 def of_sessions():
     words = ["--size", "64x64", "--color", "0.2/0.4/0.8", "--light", "sun:0,1,1", "m.off"]
     sun = {"by_time": False, "date": [2026, 6, 1], "hour": 12.5, "time_zone": 1, "latitude": 48.0,
@@ -287,7 +324,8 @@ def all_samples(data):
                of_one("off", "a.off", COLORED),
                Sample("obj", {"a.obj": OBJ, "a.mtl": MTL, "a.png": png()},
                       ["a.obj", "a.obj", "a.mtl"], ["a.obj"])]  # fmt: skip
-    samples += [*of_vtk(), *of_images(), *of_models(data), *of_sessions()]
+    samples += [*of_vtk(), *of_images(), *of_models(data), *of_calibrations(),
+                *of_sessions()]
     by_kind = {}
     for sample in samples:
         by_kind.setdefault(sample.kind, []).append(sample)

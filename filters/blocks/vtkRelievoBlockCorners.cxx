@@ -162,19 +162,6 @@ private:
   double NormalAxes[3][3];
 };
 
-template <typename Work>
-void ForAll(vtkIdType count, Work&& work)
-{
-  vtkRelievoWithThreads([&]() {
-    vtkSMPTools::For(0, count, [&](vtkIdType begin, vtkIdType end) {
-      for (vtkIdType i = begin; i < end; ++i)
-      {
-        work(i);
-      }
-    });
-  });
-}
-
 // A face between two labels counts half for each; a face beside air counts fully for its label.
 void MakeWeights(const BlockSurface& surface, const BlockLabels& labels, const Around& around,
   const BlockSettings& settings, std::vector<vtkTypeInt64> weighted, BlockCorners& result)
@@ -183,7 +170,7 @@ void MakeWeights(const BlockSurface& surface, const BlockLabels& labels, const A
   const vtkIdType faces = surface.Faces.GetSize();
   std::vector<vtkTypeInt64> materials(faces);
   std::vector<vtkTypeInt64> beyond(settings.Faces.BetweenLabels ? faces : 0);
-  ForAll(faces, [&](vtkIdType i) {
+  vtkRelievoForAll(faces, [&](vtkIdType i) {
     const BlockFace& face = surface.Faces[i];
     materials[i] = labels.LabelAt(face.Owner);
     if (!beyond.empty())
@@ -211,7 +198,7 @@ void MakeWeights(const BlockSurface& surface, const BlockLabels& labels, const A
   }
   const vtkIdType vertices = surface.Points->GetNumberOfTuples();
   result.Weights.assign(count * vertices, 0.f);
-  ForAll(vertices, [&](vtkIdType vertex) {
+  vtkRelievoForAll(vertices, [&](vtkIdType vertex) {
     const vtkIdType begin = around.Starts[vertex];
     const vtkIdType end = around.Starts[vertex + 1];
     for (std::size_t i = 0; i < count; ++i)
@@ -241,7 +228,7 @@ void SplitNullNormals(BlockSurface& surface, const BlockLabels& labels,
     return normal[0] == 0.f && normal[1] == 0.f && normal[2] == 0.f;
   };
   std::vector<unsigned char> hasNull(surface.Faces.GetSize());
-  ForAll(surface.Faces.GetSize(), [&](vtkIdType face) {
+  vtkRelievoForAll(surface.Faces.GetSize(), [&](vtkIdType face) {
     const vtkTypeUInt32* points = surface.Faces[face].Points;
     hasNull[face] = std::any_of(points, points + 4, isNull);
   });
@@ -305,12 +292,13 @@ BlockCorners MakeBlockCorners(const BlockSurface& surface, const BlockLabels& la
       around.Corners.data() + begin, static_cast<int>(around.Starts[vertex + 1] - begin));
   };
   std::vector<vtkIdType> starts(vertices + 1, 0);
-  ForAll(vertices, [&](vtkIdType vertex) { starts[vertex + 1] = groupsOf(vertex).Count; });
+  vtkRelievoForAll(
+    vertices, [&](vtkIdType vertex) { starts[vertex + 1] = groupsOf(vertex).Count; });
   std::partial_sum(starts.begin(), starts.end(), starts.begin());
   result.Points.resize(around.Corners.size());
   result.Vertices.resize(starts[vertices]);
   result.Normals.resize(settings.Normals ? starts[vertices] : 0);
-  ForAll(vertices, [&](vtkIdType vertex) {
+  vtkRelievoForAll(vertices, [&](vtkIdType vertex) {
     const Groups groups = groupsOf(vertex);
     for (int group = 0; group < groups.Count; ++group)
     {
@@ -339,7 +327,7 @@ BlockCorners MakeBlockCorners(const BlockSurface& surface, const BlockLabels& la
   std::vector<vtkIdType> ofCorners(corners);
   std::atomic<double> tileSize{ 0. };
   std::vector<std::array<float, 3>> normals(settings.Normals ? corners : 0);
-  ForAll(corners / 4, [&](vtkIdType face) {
+  vtkRelievoForAll(corners / 4, [&](vtkIdType face) {
     const FaceTexture texture = TextureOf(surface.Faces[face], surface, labels, settings, mesh);
     double largest = tileSize;
     while (texture.TileSize > largest && !tileSize.compare_exchange_weak(largest, texture.TileSize))

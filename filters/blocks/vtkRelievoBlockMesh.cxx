@@ -26,19 +26,6 @@ namespace relievo
 {
 namespace
 {
-template <typename Work>
-void ForAll(vtkIdType count, Work&& work)
-{
-  vtkRelievoWithThreads([&]() {
-    vtkSMPTools::For(0, count, [&](vtkIdType begin, vtkIdType end) {
-      for (vtkIdType i = begin; i < end; ++i)
-      {
-        work(i);
-      }
-    });
-  });
-}
-
 bool IsIn(const std::array<int, 6>& range, vtkIdType place, const BlockBox& box)
 {
   for (int axis = 0; axis < 3; ++axis)
@@ -93,9 +80,9 @@ void MakeCells(vtkIdType quads, bool triangles, vtkPolyData* output, PointOf&& p
   connectivity->SetNumberOfValues(corners * cells);
   Id* starts = offsets->GetPointer(0);
   Id* ids = connectivity->GetPointer(0);
-  ForAll(cells + 1, [&](vtkIdType i) { starts[i] = static_cast<Id>(corners * i); });
+  vtkRelievoForAll(cells + 1, [&](vtkIdType i) { starts[i] = static_cast<Id>(corners * i); });
   static const int fan[6] = { 0, 1, 2, 0, 2, 3 };
-  ForAll(quads, [&](vtkIdType quad) {
+  vtkRelievoForAll(quads, [&](vtkIdType quad) {
     Id* to = ids + (triangles ? 6 : 4) * quad;
     for (int i = 0; i < (triangles ? 6 : 4); ++i)
     {
@@ -121,7 +108,7 @@ void AddLabels(int type, const char* name, vtkIdType faces, int cellsPerFace, vt
   {
     vtkTemplateMacro(if constexpr (std::is_integral<VTK_TT>::value) {
       auto* values = static_cast<VTK_TT*>(array->GetVoidPointer(0));
-      ForAll(faces, [&](vtkIdType face) {
+      vtkRelievoForAll(faces, [&](vtkIdType face) {
         const auto value = static_cast<VTK_TT>(labelOf(face));
         for (int i = 0; i < cellsPerFace; ++i)
         {
@@ -137,7 +124,7 @@ void AddLabels(int type, const char* name, vtkIdType faces, int cellsPerFace, vt
 template <typename T>
 void CopyTuples(const T* from, int components, const Kept& points, T* to)
 {
-  ForAll(points.Count, [&](vtkIdType i) {
+  vtkRelievoForAll(points.Count, [&](vtkIdType i) {
     std::memcpy(to + components * i, from + components * points[i], sizeof(T) * components);
   });
 }
@@ -209,7 +196,7 @@ void MarkGhosts(const BlockSurface& surface, const BlockLabels& labels,
   ghosts->SetName(vtkDataSetAttributes::GhostArrayName());
   ghosts->SetNumberOfTuples(cellsPerFace * faces.Count);
   unsigned char* values = ghosts->GetPointer(0);
-  ForAll(faces.Count, [&](vtkIdType i) {
+  vtkRelievoForAll(faces.Count, [&](vtkIdType i) {
     const bool owned = IsIn(mesh.Owned, surface.Faces[faces[i]].Owner, labels.GetBox());
     std::memset(
       values + cellsPerFace * i, owned ? 0 : vtkDataSetAttributes::DUPLICATECELL, cellsPerFace);
@@ -240,7 +227,7 @@ BlockMeshReport MakeBlockMesh(BlockSurface& surface, const BlockLabels& labels, 
   if (own || mesh.HasGhosts)
   {
     cells.resize(4 * faces.Count);
-    ForAll(4 * faces.Count, [&](vtkIdType i) {
+    vtkRelievoForAll(4 * faces.Count, [&](vtkIdType i) {
       const vtkIdType face = faces[i / 4];
       cells[i] = own ? corners.Points[4 * face + i % 4]
                      : static_cast<vtkIdType>(surface.Faces[face].Points[i % 4]);
@@ -253,7 +240,8 @@ BlockMeshReport MakeBlockMesh(BlockSurface& surface, const BlockLabels& labels, 
   if (own)
   {
     vertices.List.resize(kept.Count);
-    ForAll(kept.Count, [&](vtkIdType i) { vertices.List[i] = corners.Vertices[kept[i]]; });
+    vtkRelievoForAll(
+      kept.Count, [&](vtkIdType i) { vertices.List[i] = corners.Vertices[kept[i]]; });
   }
   const bool asTheyAre = vertices.List.empty() && kept.Count == count;
   vtkNew<vtkPoints> points;

@@ -58,7 +58,7 @@ struct vtkRelievoSmoothBlocks::Internals
 
 //------------------------------------------------------------------------------
 vtkRelievoSmoothBlocks::vtkRelievoSmoothBlocks()
-  : Self(new Internals)
+  : Internal(new Internals)
 {
   this->SetNumberOfOutputPorts(2);
   this->SetInputArrayToProcess(
@@ -214,22 +214,22 @@ int vtkRelievoSmoothBlocks::RequestData(
       (mesh.AtlasColumns > 0 && mesh.AtlasRows > 0 ? 2. : 1.);
   }
   mesh.Weights = this->MaterialWeights;
-  mesh.WeightedLabels.assign(this->Self->Weighted.begin(), this->Self->Weighted.end());
+  mesh.WeightedLabels.assign(this->Internal->Weighted.begin(), this->Internal->Weighted.end());
   vtkInformation* asked = outputs->GetInformationObject(GetPort(request));
   const int levels = asked->Get(SDDP::UPDATE_NUMBER_OF_GHOST_LEVELS());
   mesh.Owned = relievo::FindOwnedBlocks(image, onPoints, box, whole);
   mesh.Kept = relievo::GrowBlocks(mesh.Owned, levels, box.Size);
   // One more layer for the normals at the border; its faces are dropped.
   settings.Faces.Owners = relievo::GrowBlocks(mesh.Kept, 1, box.Size);
-  if (asked->Get(SDDP::UPDATE_NUMBER_OF_PIECES()) > 1 && !this->Self->MissedGhosts)
+  if (asked->Get(SDDP::UPDATE_NUMBER_OF_PIECES()) > 1 && !this->Internal->MissedGhosts)
   {
     for (int side = 0; side < 6; ++side)
     {
       const int layers = side & 1 ? box.Size[side / 2] - mesh.Owned[side] : mesh.Owned[side] - 1;
-      this->Self->MissedGhosts = this->Self->MissedGhosts ||
+      this->Internal->MissedGhosts = this->Internal->MissedGhosts ||
         (extent[side] != whole[side] && layers < Internals::GhostLevels);
     }
-    if (this->Self->MissedGhosts)
+    if (this->Internal->MissedGhosts)
     {
       vtkWarningMacro("The input does not give "
         << Internals::GhostLevels
@@ -242,8 +242,8 @@ int vtkRelievoSmoothBlocks::RequestData(
 
   settings.Faces.BetweenLabels = this->Surface == BETWEEN_LABELS;
   settings.Strength = this->Strength;
-  settings.Rigid = this->Self->Rigid;
-  settings.Level = this->Self->Level;
+  settings.Rigid = this->Internal->Rigid;
+  settings.Level = this->Internal->Level;
   settings.Up = this->Up;
   settings.Noise.Amplitude = this->NoiseAmplitude;
   settings.Noise.Scale = this->NoiseScale;
@@ -314,7 +314,7 @@ int vtkRelievoSmoothBlocks::RequestData(
 //------------------------------------------------------------------------------
 void vtkRelievoSmoothBlocks::AddRigidLabel(vtkTypeInt64 label)
 {
-  if (this->Self->Rigid.insert(label).second)
+  if (this->Internal->Rigid.insert(label).second)
   {
     this->Modified();
   }
@@ -323,20 +323,20 @@ void vtkRelievoSmoothBlocks::AddRigidLabel(vtkTypeInt64 label)
 //------------------------------------------------------------------------------
 void vtkRelievoSmoothBlocks::ClearRigidLabels()
 {
-  this->Self->Rigid.clear();
+  this->Internal->Rigid.clear();
   this->Modified();
 }
 
 //------------------------------------------------------------------------------
 int vtkRelievoSmoothBlocks::GetNumberOfRigidLabels()
 {
-  return static_cast<int>(this->Self->Rigid.size());
+  return static_cast<int>(this->Internal->Rigid.size());
 }
 
 //------------------------------------------------------------------------------
 void vtkRelievoSmoothBlocks::AddLevelLabel(vtkTypeInt64 label)
 {
-  if (this->Self->Level.insert(label).second)
+  if (this->Internal->Level.insert(label).second)
   {
     this->Modified();
   }
@@ -345,20 +345,20 @@ void vtkRelievoSmoothBlocks::AddLevelLabel(vtkTypeInt64 label)
 //------------------------------------------------------------------------------
 void vtkRelievoSmoothBlocks::ClearLevelLabels()
 {
-  this->Self->Level.clear();
+  this->Internal->Level.clear();
   this->Modified();
 }
 
 //------------------------------------------------------------------------------
 int vtkRelievoSmoothBlocks::GetNumberOfLevelLabels()
 {
-  return static_cast<int>(this->Self->Level.size());
+  return static_cast<int>(this->Internal->Level.size());
 }
 
 //------------------------------------------------------------------------------
 void vtkRelievoSmoothBlocks::AddWeightedLabel(vtkTypeInt64 label)
 {
-  if (this->Self->Weighted.insert(label).second)
+  if (this->Internal->Weighted.insert(label).second)
   {
     this->Modified();
   }
@@ -367,14 +367,14 @@ void vtkRelievoSmoothBlocks::AddWeightedLabel(vtkTypeInt64 label)
 //------------------------------------------------------------------------------
 void vtkRelievoSmoothBlocks::ClearWeightedLabels()
 {
-  this->Self->Weighted.clear();
+  this->Internal->Weighted.clear();
   this->Modified();
 }
 
 //------------------------------------------------------------------------------
 int vtkRelievoSmoothBlocks::GetNumberOfWeightedLabels()
 {
-  return static_cast<int>(this->Self->Weighted.size());
+  return static_cast<int>(this->Internal->Weighted.size());
 }
 
 //------------------------------------------------------------------------------
@@ -391,10 +391,10 @@ void vtkRelievoSmoothBlocks::PrintSelf(ostream& os, vtkIndent indent)
     os << (labels.empty() ? " none\n" : "\n");
   };
   os << indent << "AirLabel: " << this->AirLabel << "\n";
-  print("RigidLabels", this->Self->Rigid);
-  print("LevelLabels", this->Self->Level);
+  print("RigidLabels", this->Internal->Rigid);
+  print("LevelLabels", this->Internal->Level);
   os << indent << "NoiseDimensions: " << this->NoiseDimensions << "\n";
   os << indent << "Atlas: " << this->Atlas[0] << " " << this->Atlas[1] << "\n";
-  print("WeightedLabels", this->Self->Weighted);
+  print("WeightedLabels", this->Internal->Weighted);
   os << indent << "OutputPointsPrecision: " << this->OutputPointsPrecision << "\n";
 }

@@ -241,7 +241,7 @@ public:
   ///@}
 
   ///@{
-  /** Parameters by name, with values in words, as of vtkRelievoStage. */
+  /** Parameters by name, with values in words, like vtkRelievoStage's. */
   vtkRelievoParametersMacro();
   ///@}
 
@@ -257,7 +257,7 @@ protected:
 
 private:
   struct Internals;
-  std::unique_ptr<Internals> Self;
+  std::unique_ptr<Internals> Internal;
   vtkTypeInt64 AirLabel = 0;
   double Strength = 0.125;
   int Surface = OUTSIDE;

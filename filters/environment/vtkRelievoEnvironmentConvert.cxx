@@ -3,6 +3,7 @@
 #include "vtkRelievoEnvironmentConvert.h"
 
 #include "vtkRelievoEnvironmentImage.h"
+#include "vtkRelievoWholeImage.h"
 
 #include "vtkErrorCode.h"
 #include "vtkFloatArray.h"
@@ -126,11 +127,7 @@ int vtkRelievoEnvironmentConvert::RequestInformation(
 int vtkRelievoEnvironmentConvert::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector*)
 {
-  vtkInformation* info = inputs[0]->GetInformationObject(0);
-  int whole[6];
-  info->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), whole);
-  info->Set(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), whole, 6);
-  return 1;
+  return relievo::RequestWholeImage(inputs);
 }
 
 //------------------------------------------------------------------------------

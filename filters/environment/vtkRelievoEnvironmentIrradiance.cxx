@@ -3,6 +3,7 @@
 #include "vtkRelievoEnvironmentIrradiance.h"
 
 #include "vtkRelievoEnvironmentImage.h"
+#include "vtkRelievoWholeImage.h"
 
 #include "vtkDataSetAttributes.h"
 #include "vtkDoubleArray.h"
@@ -13,7 +14,6 @@
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkSMPTools.h"
-#include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkTable.h"
 
 #include <algorithm>
@@ -107,11 +107,7 @@ int vtkRelievoEnvironmentIrradiance::FillInputPortInformation(int, vtkInformatio
 int vtkRelievoEnvironmentIrradiance::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector*)
 {
-  vtkInformation* info = inputs[0]->GetInformationObject(0);
-  int whole[6];
-  info->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), whole);
-  info->Set(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), whole, 6);
-  return 1;
+  return relievo::RequestWholeImage(inputs);
 }
 
 //------------------------------------------------------------------------------

@@ -5,6 +5,7 @@
 #include "vtkRelievoCubePyramid.h"
 #include "vtkRelievoEnvironmentConvert.h"
 #include "vtkRelievoEnvironmentImage.h"
+#include "vtkRelievoWholeImage.h"
 
 #include "vtkCompositeDataSet.h"
 #include "vtkDataSetAttributes.h"
@@ -20,7 +21,6 @@
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkSMPTools.h"
-#include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>
 #include <cmath>
@@ -102,11 +102,7 @@ int vtkRelievoEnvironmentPrefilter::FillInputPortInformation(int, vtkInformation
 int vtkRelievoEnvironmentPrefilter::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector*)
 {
-  vtkInformation* info = inputs[0]->GetInformationObject(0);
-  int whole[6];
-  info->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), whole);
-  info->Set(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), whole, 6);
-  return 1;
+  return relievo::RequestWholeImage(inputs);
 }
 
 //------------------------------------------------------------------------------

@@ -4,6 +4,7 @@
 
 #include "vtkRelievoArrayNames.h"
 #include "vtkRelievoFormulas.h"
+#include "vtkRelievoWholeImage.h"
 
 #include "vtkArrayDispatch.h"
 #include "vtkDataArray.h"
@@ -17,7 +18,6 @@
 #include "vtkPointData.h"
 #include "vtkSMPTools.h"
 #include "vtkSmartPointer.h"
-#include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnsignedShortArray.h"
 
@@ -240,12 +240,8 @@ int vtkRelievoHeightsToNormals::RequestInformation(
 int vtkRelievoHeightsToNormals::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector*)
 {
-  // Requests the whole input whatever part is asked for: a map that wraps needs its other side.
-  vtkInformation* info = inputs[0]->GetInformationObject(0);
-  int whole[6];
-  info->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), whole);
-  info->Set(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), whole, 6);
-  return 1;
+  // A map that wraps needs its other side.
+  return relievo::RequestWholeImage(inputs);
 }
 
 //------------------------------------------------------------------------------

@@ -37,7 +37,7 @@ namespace
 constexpr vtkIdType ChunkSize = 65536;  // points
 constexpr std::size_t ManyCorners = 48; // above this, searching pays
 
-using Vector = std::array<float, 3>;
+using FloatVector = std::array<float, 3>;
 
 // The polygons as arrays.
 template <typename Id>
@@ -102,7 +102,7 @@ struct Splits
   struct Copy
   {
     vtkIdType Of; // point
-    Vector Normal;
+    FloatVector Normal;
   };
   struct Move // of a corner
   {
@@ -114,11 +114,11 @@ struct Splits
 };
 
 // Rounded at each step as in vtkPolyDataNormals.
-Vector GetUnit(const Vector& sum)
+FloatVector GetUnit(const FloatVector& sum)
 {
   const float length = vtkMath::Norm(sum.data());
   const auto factor = static_cast<float>(1. / static_cast<double>(length));
-  return length != 0.f ? Vector{ factor * sum[0], factor * sum[1], factor * sum[2] } : sum;
+  return length != 0.f ? FloatVector{ factor * sum[0], factor * sum[1], factor * sum[2] } : sum;
 }
 
 //------------------------------------------------------------------------------
@@ -135,13 +135,14 @@ public:
   }
 
   // Returns the point's own normal; `splits` gets those of its other groups.
-  Vector Do(vtkIdType point, const std::uint32_t* begin, const std::uint32_t* end, Splits& splits)
+  FloatVector Do(
+    vtkIdType point, const std::uint32_t* begin, const std::uint32_t* end, Splits& splits)
   {
     if (this->Group(point, begin, end) > 1)
     {
       this->Split(point, splits);
     }
-    Vector sum = {};
+    FloatVector sum = {};
     for (const Part& part : this->Parts)
     {
       for (int i = 0; part.Group == 0 && i < part.Times; ++i)
@@ -164,7 +165,7 @@ private:
   // of a cone.
   using Corner = std::pair<Id, std::uint32_t>;
 
-  void AddNormal(vtkIdType polygon, Vector& sum) const
+  void AddNormal(vtkIdType polygon, FloatVector& sum) const
   {
     const float* normal = this->Normals + 3 * polygon;
     sum = { sum[0] + normal[0], sum[1] + normal[1], sum[2] + normal[2] };
@@ -367,7 +368,7 @@ std::vector<Splits> MakePointNormals(const Polygons<Id>& polygons, const Links& 
       for (vtkIdType point = begin * ChunkSize; point < std::min(end * ChunkSize, count); ++point)
       {
         Splits& own = splits[static_cast<std::size_t>(point / ChunkSize)];
-        const Vector normal = grouping.Do(point, links.Begin(point), links.End(point), own);
+        const FloatVector normal = grouping.Do(point, links.Begin(point), links.End(point), own);
         std::copy(normal.begin(), normal.end(), first + 3 * point);
       }
     });

@@ -59,8 +59,8 @@ vtkRelievoParticleSteps::vtkRelievoParticleSteps(
 void vtkRelievoParticleSteps::Begin(
   vtkRelievoParticleState start, double timeStep, int numberOfSteps, int checkpoints)
 {
-  this->Kept.clear();
-  this->Kept.emplace(0, std::move(start));
+  this->Cached.clear();
+  this->Cached.emplace(0, std::move(start));
   this->Latest = 0;
   this->TimeStep = timeStep;
   this->Interval = numberOfSteps / (checkpoints + 1) + 1;
@@ -75,21 +75,21 @@ const vtkRelievoParticleState* vtkRelievoParticleSteps::Get(
   const int whole = static_cast<int>(std::floor(steps)) + (part > 1. - 1e-6 ? 1 : 0);
   part = part < 1e-6 || part > 1. - 1e-6 ? 0. : part;
 
-  auto before = std::prev(this->Kept.upper_bound(whole));
+  auto before = std::prev(this->Cached.upper_bound(whole));
   const int from = before->first;
   if (from < whole)
   {
     // A state that no later time needs is moved, not copied.
-    const bool isKept = from % this->Interval == 0;
+    const bool isCached = from % this->Interval == 0;
     vtkRelievoParticleState state;
-    if (isKept)
+    if (isCached)
     {
       state = before->second;
     }
     else
     {
       state = std::move(before->second);
-      this->Kept.erase(before);
+      this->Cached.erase(before);
     }
     for (int step = from; step < whole; ++step)
     {
@@ -100,15 +100,15 @@ const vtkRelievoParticleState* vtkRelievoParticleSteps::Get(
       this->Advance(state, this->TimeStep);
       if ((step + 1) % this->Interval == 0 && step + 1 < whole)
       {
-        this->Kept.emplace(step + 1, state);
+        this->Cached.emplace(step + 1, state);
       }
     }
     if (this->Latest % this->Interval != 0)
     {
-      this->Kept.erase(this->Latest);
+      this->Cached.erase(this->Latest);
     }
     this->Latest = whole;
-    before = this->Kept.emplace(whole, std::move(state)).first;
+    before = this->Cached.emplace(whole, std::move(state)).first;
   }
   if (part == 0.)
   {
@@ -123,9 +123,9 @@ const vtkRelievoParticleState* vtkRelievoParticleSteps::Get(
 double vtkRelievoParticleSteps::GetBytesHeld() const
 {
   auto particles = static_cast<double>(this->Between.Positions.size());
-  for (const auto& kept : this->Kept)
+  for (const auto& cached : this->Cached)
   {
-    particles += static_cast<double>(kept.second.Positions.size());
+    particles += static_cast<double>(cached.second.Positions.size());
   }
   return particles * static_cast<double>(vtkRelievoParticleState::GetBytesPerParticle());
 }

@@ -46,7 +46,7 @@ private:
   bool Inside;
   double TimeStep = 1.;
   int Interval = 1;
-  std::map<int, vtkRelievoParticleState> Kept; // by step
+  std::map<int, vtkRelievoParticleState> Cached; // by step
   int Latest = 0;
   vtkRelievoParticleState Between; // a fraction of a step after a cached one
 };

@@ -213,7 +213,7 @@ void vtkRelievoSurfaceParticles::Internals::MakeSteps(
 
 //------------------------------------------------------------------------------
 vtkRelievoSurfaceParticles::vtkRelievoSurfaceParticles()
-  : Self(new Internals)
+  : Internal(new Internals)
 {
   this->SetNumberOfInputPorts(Inputs::PORTS);
   constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -339,7 +339,7 @@ int vtkRelievoSurfaceParticles::RequestData(
   output->Initialize();
   relievo::Begin(outputs);
   this->SetErrorCode(vtkErrorCode::NoError);
-  Internals& self = *this->Self;
+  Internals& self = *this->Internal;
 
   double steps = 0.;
   if (info->Has(SDDP::UPDATE_TIME_STEP()))
@@ -416,7 +416,7 @@ int vtkRelievoSurfaceParticles::RequestData(
 //------------------------------------------------------------------------------
 double vtkRelievoSurfaceParticles::GetUsedTexelSize()
 {
-  return this->Self->Maps.GetTexelSize();
+  return this->Internal->Maps.GetTexelSize();
 }
 
 //------------------------------------------------------------------------------

@@ -173,7 +173,7 @@ public:
   double GetUsedTexelSize();
 
   ///@{
-  /** Parameters by name, with values in words, as of vtkRelievoStage. */
+  /** Parameters by name, with values in words, like vtkRelievoStage's. */
   vtkRelievoParametersMacro();
   ///@}
 
@@ -191,7 +191,7 @@ protected:
 
 private:
   struct Internals;
-  std::unique_ptr<Internals> Self;
+  std::unique_ptr<Internals> Internal;
   int Place = ON_SURFACE;
   vtkIdType NumberOfParticles = 10000;
   int Seed = 0;

@@ -123,7 +123,7 @@ int vtkRelievoFlow::RequestData(
   vtkNew<vtkDoubleArray> moved;
   vtkNew<vtkDoubleArray> targets;
   vtkNew<vtkTable> hits;
-  vtkNew<vtkTable> met;
+  vtkNew<vtkTable> laterHits;
   const vtkIdType rowsAtOnce = std::max<vtkIdType>(1, FlowsAtOnce / columns);
   for (vtkIdType row = 0; row < rows; row += rowsAtOnce)
   {
@@ -138,13 +138,13 @@ int vtkRelievoFlow::RequestData(
     }
     this->To.Camera->Project(moved, targets);
     this->To.Camera->GetRays(targets, origins, directions);
-    if (!this->To.Scene->FindNearest(origins, directions, met))
+    if (!this->To.Scene->FindNearest(origins, directions, laterHits))
     {
       vtkErrorMacro("The rays to the moved points were not followed; see the errors before.");
       return 0;
     }
     auto* before = vtkDataArray::SafeDownCast(hits->GetColumnByName("position"));
-    auto* nearest = vtkDataArray::SafeDownCast(met->GetColumnByName("distance"));
+    auto* nearest = vtkDataArray::SafeDownCast(laterHits->GetColumnByName("distance"));
     for (vtkIdType i = 0; i < count; ++i)
     {
       const double* to = moved->GetPointer(3 * i);

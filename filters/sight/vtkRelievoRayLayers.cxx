@@ -221,7 +221,7 @@ struct vtkRelievoRayLayers::SkyRays
   std::vector<vtkIdType> Hit; // rays of the camera that hit something
   vtkNew<vtkDoubleArray> Origins;
   vtkNew<vtkDoubleArray> Directions;
-  vtkNew<vtkUnsignedCharArray> Met;
+  vtkNew<vtkUnsignedCharArray> Occluded;
 
   // Origins lie in front of the surfaces by a bound of rounding.
   void TakeOrigins(const Hits& hits)
@@ -288,7 +288,7 @@ bool vtkRelievoRayLayers::FindAmbient(
           hits.Normal->GetTuple(sky.Hit[k]));
       sky.Directions->SetTuple(static_cast<vtkIdType>(k), &ray.x);
     }
-    good = sky.Hit.empty() || this->Scene->FindAny(sky.Origins, sky.Directions, sky.Met);
+    good = sky.Hit.empty() || this->Scene->FindAny(sky.Origins, sky.Directions, sky.Occluded);
     if (!good || relievo::IsStopped(this))
     {
       break;
@@ -296,7 +296,7 @@ bool vtkRelievoRayLayers::FindAmbient(
     for (std::size_t k = 0; k < sky.Hit.size(); ++k)
     {
       share[static_cast<std::size_t>(sky.Hit[k])] -=
-        sky.Met->GetValue(static_cast<vtkIdType>(k)) != 0 ? 1.0 / this->AmbientSamples : 0.0;
+        sky.Occluded->GetValue(static_cast<vtkIdType>(k)) != 0 ? 1.0 / this->AmbientSamples : 0.0;
     }
   }
   this->Scene->SetMinimumDistance(nearest);

@@ -264,14 +264,14 @@ public:
     {
       return true;
     }
-    if (!this->Scene->FindAny(this->Origins, this->Directions, this->Met))
+    if (!this->Scene->FindAny(this->Origins, this->Directions, this->Hit))
     {
       return false;
     }
     for (std::size_t k = 0; k < this->Facing.size(); ++k)
     {
       const auto ray = static_cast<vtkIdType>(k);
-      if (this->Met->GetValue(ray) == 0)
+      if (this->Hit->GetValue(ray) == 0)
       {
         const std::size_t i = this->Facing[k];
         found(i, vtkMath::Dot(this->Directions->GetPointer(3 * ray), this->All.Normals[i].data()));
@@ -286,7 +286,7 @@ private:
   std::vector<std::size_t> Facing;
   vtkNew<vtkDoubleArray> Origins;
   vtkNew<vtkDoubleArray> Directions;
-  vtkNew<vtkUnsignedCharArray> Met;
+  vtkNew<vtkUnsignedCharArray> Hit;
 };
 
 void AddArray(vtkFieldData* data, const char* name, const std::vector<double>& values)
@@ -428,10 +428,10 @@ int vtkRelievoSunExposure::RequestData(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   relievo::Begin(outputs);
-  const std::string wrong = CheckDays(this->FirstDay, this->LastDay);
-  if (!wrong.empty())
+  const std::string error = CheckDays(this->FirstDay, this->LastDay);
+  if (!error.empty())
   {
-    vtkErrorMacro(<< wrong);
+    vtkErrorMacro(<< error);
     return 1; // status 0 would make the executive print an internal error
   }
   vtkPolyData* mesh = vtkPolyData::GetData(inputs[0]);

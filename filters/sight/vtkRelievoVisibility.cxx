@@ -194,7 +194,7 @@ public:
   bool Add(vtkRelievoCameraModel* camera, int number)
   {
     this->Camera = camera;
-    this->Met.assign(this->Pixels.size(), false);
+    this->Hit.assign(this->Pixels.size(), false);
     this->Shown.assign(this->Pixels.size(), 0.0);
     this->PixelsShown = 0;
     if (!this->AddPixels(number))
@@ -208,9 +208,9 @@ public:
     {
       return false;
     }
-    for (std::size_t cell = 0; cell < this->Met.size(); ++cell)
+    for (std::size_t cell = 0; cell < this->Hit.size(); ++cell)
     {
-      this->CellsSeen[cell] += this->Met[cell] ? 1 : 0;
+      this->CellsSeen[cell] += this->Hit[cell] ? 1 : 0;
       this->Angles[cell] += this->Shown[cell];
     }
     return true;
@@ -233,7 +233,7 @@ private:
   std::vector<std::int64_t> QuickCorners;         // index in Quick, by the mesh's points; -1: none
   bool IsQuick = false;                           // for this camera
   vtkRelievoCameraModel* Camera = nullptr;
-  std::vector<bool> Met;              // cells, by this camera
+  std::vector<bool> Hit;              // cells, by this camera
   std::vector<double> Shown;          // solid angles of cells, for this camera
   std::vector<bool> Large;            // cells whose solid angle is that of their pixels
   vtkIdType PixelsShown = 0;          // of the mesh, by this camera
@@ -301,7 +301,7 @@ private:
         ++this->Pixels[at];
         ++this->PixelsShown;
         this->Shown[at] += angles.Get(i);
-        this->Met[at] = true;
+        this->Hit[at] = true;
         if (this->Cloud)
         {
           this->AddToCloud(i, cell, number);
@@ -341,21 +341,21 @@ private:
   {
     const double sum = std::accumulate(this->Shown.begin(), this->Shown.end(), 0.0);
     this->PixelAngle = this->PixelsShown > 0 ? sum / static_cast<double>(this->PixelsShown) : 0.0;
-    std::vector<double> whole(this->Met.size(), 0.0);
+    std::vector<double> whole(this->Hit.size(), 0.0);
     for (const Triangle& triangle : this->Triangles)
     {
       const auto at = static_cast<std::size_t>(triangle.Cell);
-      if (this->Met[at])
+      if (this->Hit[at])
       {
         whole[at] += this->GetWholeAngle(triangle);
       }
     }
-    this->Large.assign(this->Met.size(), false);
-    for (std::size_t cell = 0; cell < this->Met.size(); ++cell)
+    this->Large.assign(this->Hit.size(), false);
+    for (std::size_t cell = 0; cell < this->Hit.size(); ++cell)
     {
       // A whole angle of 0 means that the cell reaches to where the camera has no rays.
       this->Large[cell] =
-        this->Met[cell] && !(whole[cell] < SmallPixels * this->PixelAngle && whole[cell] > 0.0);
+        this->Hit[cell] && !(whole[cell] < SmallPixels * this->PixelAngle && whole[cell] > 0.0);
       this->Shown[cell] = this->Large[cell] ? this->Shown[cell] : 0.0;
     }
   }
@@ -502,7 +502,7 @@ private:
       if (seen[i] > 0)
       {
         const auto at = static_cast<std::size_t>(this->Triangles[i].Cell);
-        this->Met[at] = true;
+        this->Hit[at] = true;
         // A large cell that no pixel's centre hits is visible in a strip narrower than a pixel.
         const double most =
           this->PixelAngle > 0.0 ? SmallPixels * this->PixelAngle : vtkMath::Inf();

@@ -13,10 +13,11 @@ namespace
 {
 // Lowers or raises a value that other threads also change.
 template <typename Better>
-void Improve(std::atomic<double>& held, double value, Better&& better)
+void Improve(std::atomic<double>& current, double value, Better&& better)
 {
-  double old = held.load(std::memory_order_relaxed);
-  while (better(value, old) && !held.compare_exchange_weak(old, value, std::memory_order_relaxed))
+  double old = current.load(std::memory_order_relaxed);
+  while (
+    better(value, old) && !current.compare_exchange_weak(old, value, std::memory_order_relaxed))
   {
   }
 }

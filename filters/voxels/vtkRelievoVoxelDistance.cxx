@@ -39,7 +39,7 @@ public:
       double from = -Infinity;
       while (count > 0)
       {
-        from = this->Meet(this->Vertex[count - 1], i);
+        from = this->Intersect(this->Vertex[count - 1], i);
         if (from > this->From[count - 1])
         {
           break;
@@ -63,7 +63,7 @@ public:
 
 private:
   // The position from which the parabola over cell b is lower than that over a.
-  double Meet(int a, int b) const
+  double Intersect(int a, int b) const
   {
     const double square = this->Spacing * this->Spacing;
     return ((this->Value[b] - this->Value[a]) / square + static_cast<double>(b) * b -

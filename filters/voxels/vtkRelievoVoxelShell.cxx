@@ -97,7 +97,7 @@ bool vtkRelievoVoxelShell::Internals::MakeGrid(vtkRelievoVoxelShell* self, vtkDa
 
 //------------------------------------------------------------------------------
 vtkRelievoVoxelShell::vtkRelievoVoxelShell()
-  : Self(new Internals)
+  : Internal(new Internals)
 {
   this->SetNumberOfInputPorts(2);
   constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -222,7 +222,7 @@ int vtkRelievoVoxelShell::RequestData(
   output->Initialize();
   relievo::Begin(outputs);
   this->SetErrorCode(vtkErrorCode::NoError);
-  Internals& self = *this->Self;
+  Internals& self = *this->Internal;
   self = Internals();
   vtkDataObject* surfaceData = vtkDataObject::GetData(inputs[0]);
   std::vector<vtkImageData*> images;
@@ -362,31 +362,31 @@ int vtkRelievoVoxelShell::RequestData(
 //------------------------------------------------------------------------------
 vtkIdType vtkRelievoVoxelShell::GetNumberOfCellsInside()
 {
-  return this->Self->Report.Inside;
+  return this->Internal->Report.Inside;
 }
 
 //------------------------------------------------------------------------------
 bool vtkRelievoVoxelShell::IsClosed()
 {
-  return this->Self->Report.Closed;
+  return this->Internal->Report.Closed;
 }
 
 //------------------------------------------------------------------------------
 vtkIdType vtkRelievoVoxelShell::GetNumberOfOpenColumns(int axis)
 {
-  return axis >= 0 && axis < 3 ? this->Self->Report.Open[static_cast<std::size_t>(axis)] : 0;
+  return axis >= 0 && axis < 3 ? this->Internal->Report.Open[static_cast<std::size_t>(axis)] : 0;
 }
 
 //------------------------------------------------------------------------------
 vtkIdType vtkRelievoVoxelShell::GetNumberOfColumns(int axis)
 {
-  return axis >= 0 && axis < 3 ? this->Self->Report.Columns[static_cast<std::size_t>(axis)] : 0;
+  return axis >= 0 && axis < 3 ? this->Internal->Report.Columns[static_cast<std::size_t>(axis)] : 0;
 }
 
 //------------------------------------------------------------------------------
 std::string vtkRelievoVoxelShell::GetReport()
 {
-  return this->Self->Report.Words;
+  return this->Internal->Report.Words;
 }
 
 //------------------------------------------------------------------------------
@@ -396,5 +396,5 @@ void vtkRelievoVoxelShell::PrintSelf(ostream& os, vtkIndent indent)
   this->Parameters.Print(os, indent);
   os << indent << "Bounds: " << this->Bounds[0] << " " << this->Bounds[1] << " " << this->Bounds[2]
      << " " << this->Bounds[3] << " " << this->Bounds[4] << " " << this->Bounds[5] << "\n";
-  os << indent << "Report: " << this->Self->Report.Words << "\n";
+  os << indent << "Report: " << this->Internal->Report.Words << "\n";
 }

@@ -142,7 +142,7 @@ public:
   ///@}
 
   ///@{
-  /** Parameters by name, with values in words, as of vtkRelievoStage. */
+  /** Parameters by name, with values in words, like vtkRelievoStage's. */
   vtkRelievoParametersMacro();
   ///@}
 
@@ -162,7 +162,7 @@ protected:
 
 private:
   struct Internals;
-  std::unique_ptr<Internals> Self;
+  std::unique_ptr<Internals> Internal;
   int Method = PARITY;
   int Axis = 2;
   double Bounds[6] = { 1., -1., 1., -1., 1., -1. };

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRelievoBytes.h"
 
-#include "vtkPolyData.h"
+#include "vtkDataObject.h"
 #include "vtkRelievoDataBytes.h"
 
 #include <cstring>
@@ -50,9 +50,9 @@ std::int64_t ByteWriter::FindNumber(const void* object)
 }
 
 //------------------------------------------------------------------------------
-void ByteWriter::Put(const vtkSmartPointer<vtkPolyData>& mesh)
+void ByteWriter::PutObject(vtkDataObject* data)
 {
-  PutData(*this, mesh);
+  PutData(*this, data);
 }
 
 //------------------------------------------------------------------------------
@@ -103,8 +103,8 @@ std::size_t ByteReader::GetCount(std::size_t each)
 }
 
 //------------------------------------------------------------------------------
-void ByteReader::Get(vtkSmartPointer<vtkPolyData>& mesh)
+vtkSmartPointer<vtkDataObject> ByteReader::GetObject()
 {
-  mesh = vtkPolyData::SafeDownCast(GetData(*this));
+  return GetData(*this);
 }
 }

@@ -21,7 +21,7 @@
 #include <valarray>
 #include <vector>
 
-class vtkPolyData;
+class vtkDataObject;
 
 namespace relievo
 {
@@ -36,6 +36,13 @@ struct HasFields<Value,
   std::void_t<decltype(VisitFields(std::declval<Value&>(), std::declval<void (*)(...)>()))>>
   : std::true_type
 {
+};
+
+// Bytes without ownership: those read are the reader's.
+struct ByteSpan
+{
+  const char* Data = nullptr;
+  std::size_t Size = 0;
 };
 
 // Writes bytes, passing them on in batches.
@@ -110,7 +117,18 @@ private:
     }
   }
 
-  void Put(const vtkSmartPointer<vtkPolyData>& mesh);
+  void Put(const ByteSpan& span)
+  {
+    this->Put(static_cast<std::uint64_t>(span.Size));
+    this->PutBytes(span.Data, span.Size);
+  }
+
+  template <typename Data>
+  void Put(const vtkSmartPointer<Data>& data)
+  {
+    this->PutObject(data);
+  }
+  void PutObject(vtkDataObject* data);
 
   template <typename Value>
   void Put(const Value& value)
@@ -226,7 +244,18 @@ private:
     }
   }
 
-  void Get(vtkSmartPointer<vtkPolyData>& mesh);
+  void Get(ByteSpan& span)
+  {
+    span.Size = this->GetCount(1);
+    span.Data = this->Take(span.Size);
+  }
+
+  template <typename Data>
+  void Get(vtkSmartPointer<Data>& data)
+  {
+    data = Data::SafeDownCast(this->GetObject());
+  }
+  vtkSmartPointer<vtkDataObject> GetObject();
 
   template <typename Value>
   void Get(Value& value)

@@ -8,6 +8,7 @@
 #include <cctype>
 #include <cerrno>
 #include <chrono>
+#include <climits>
 #include <csignal>
 #include <cstddef>
 #include <cstdio>
@@ -17,16 +18,21 @@
 #include <exception>
 #include <fstream>
 #include <memory>
+#include <mutex>
 #include <new>
 #include <stdexcept>
 #include <utility>
 #include <vector>
 
+#include <dlfcn.h>
 #include <fcntl.h>
+#include <link.h>
 #include <poll.h>
+#include <spawn.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/socket.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -92,6 +98,10 @@ struct Note
 struct Request
 {
   vtkRelievoReaderProcess::Work Work = nullptr;
+  // The library that has the work, and the work's place in it, for a process that was not forked
+  // from the program and has its own addresses.
+  char Library[PATH_MAX] = "";
+  std::uint64_t Place = 0;
   // Bytes of the request, which arrive through the first socket; the result returns through it.
   std::uint64_t Size = 0;
   std::uint64_t ProcessorSeconds = 0;
@@ -99,6 +109,11 @@ struct Request
 
 int Server = -1; // the program's socket to the process; -1: none
 pid_t Process = 0;
+bool Forked = false;   // the process is a fork of the program
+bool Searched = false; // for the program relievo-reader
+uid_t User = 0;        // whose rights it has
+gid_t Group = 0;
+std::mutex Starting;
 int Line = -1;            // during a work: to the program
 std::uint64_t Opened = 0; // during a work: bytes of files
 
@@ -184,7 +199,8 @@ bool Receive(int line, Note& note)
   return got == sizeof note;
 }
 
-constexpr std::size_t FilesSent = 2; // the socket for request and result, and the line for notes
+// The socket for request and result, the line for notes, and the folder of relative paths.
+constexpr std::size_t FilesSent = 3;
 
 bool SendRequest(int server, Request& request, const std::array<int, FilesSent>& files)
 {
@@ -208,7 +224,8 @@ bool SendRequest(int server, Request& request, const std::array<int, FilesSent>&
   return sent == sizeof request;
 }
 
-bool ReceiveRequest(int server, Request& request, Descriptor& bytes, Descriptor& line)
+bool ReceiveRequest(
+  int server, Request& request, Descriptor& bytes, Descriptor& line, Descriptor& folder)
 {
   iovec data = { &request, sizeof request };
   std::array<int, FilesSent> files = {};
@@ -231,6 +248,37 @@ bool ReceiveRequest(int server, Request& request, Descriptor& bytes, Descriptor&
   std::memcpy(files.data(), CMSG_DATA(header), sizeof files);
   bytes.Take(files[0]);
   line.Take(files[1]);
+  folder.Take(files[2]);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+// False if the work is in no library.
+bool FindPlace(vtkRelievoReaderProcess::Work work, Request& request)
+{
+  Dl_info about;
+  link_map* library = nullptr;
+  void* const address = reinterpret_cast<void*>(work);
+  if (!dladdr1(address, &about, reinterpret_cast<void**>(&library), RTLD_DL_LINKMAP) ||
+    !realpath(library->l_name, request.Library))
+  {
+    return false;
+  }
+  request.Place = reinterpret_cast<std::uintptr_t>(address) - library->l_addr;
+  return true;
+}
+
+// The reverse. Libraries stay loaded, for more files. RTLD_GLOBAL: ExpatDeferral.cxx, in
+// relievo-reader, finds the functions that it stands before.
+bool LoadWork(Request& request)
+{
+  link_map* library = nullptr;
+  void* const handle = dlopen(request.Library, RTLD_NOW | RTLD_GLOBAL);
+  if (!handle || dlinfo(handle, RTLD_DI_LINKMAP, &library) != 0)
+  {
+    return false;
+  }
+  request.Work = reinterpret_cast<vtkRelievoReaderProcess::Work>(library->l_addr + request.Place);
   return true;
 }
 
@@ -287,8 +335,12 @@ void LimitAll(std::uint64_t size)
 }
 
 // Runs in the process of one file.
-[[noreturn]] void Work(const Request& request, int bytes, int line)
+[[noreturn]] void Work(const Request& request, int bytes, int line, int folder)
 {
+  if (fchdir(folder) != 0)
+  {
+    _exit(1);
+  }
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   prctl(PR_SET_DUMPABLE, 0); // no core
   ProcessorSeconds = request.ProcessorSeconds;
@@ -370,7 +422,7 @@ struct Child
   Descriptor Line; // to the requester
 };
 
-std::unique_ptr<Child> Fork(const Request& request, int bytes, int line)
+std::unique_ptr<Child> Fork(const Request& request, int bytes, int line, int folder)
 {
   auto child = std::make_unique<Child>();
   child->Line.Take(fcntl(line, F_DUPFD_CLOEXEC, 0));
@@ -384,7 +436,7 @@ std::unique_ptr<Child> Fork(const Request& request, int bytes, int line)
   child->Number = fork();
   if (child->Number == 0)
   {
-    Work(request, bytes, line);
+    Work(request, bytes, line, folder);
   }
   return child->Number < 0 ? nullptr : std::move(child);
 }
@@ -399,7 +451,7 @@ void Bury(const Child& child)
   Send(child.Line.Get(), note);
 }
 
-[[noreturn]] void Serve(int server)
+[[noreturn]] void ServeProgram(int server)
 {
   prctl(PR_SET_NAME, "relievo-reader");
   // These signals end the program; this process then ends when the program's socket closes.
@@ -443,12 +495,14 @@ void Bury(const Child& child)
     if (ready[0].revents != 0)
     {
       Request request;
-      Descriptor bytes, line;
-      if (!ReceiveRequest(server, request, bytes, line))
+      Descriptor bytes, line, folder;
+      if (!ReceiveRequest(server, request, bytes, line, folder))
       {
         _exit(0); // its children end with it
       }
-      if (auto child = Fork(request, bytes.Get(), line.Get()))
+      const bool found = request.Library[0] == '\0' || LoadWork(request);
+      auto child = found ? Fork(request, bytes.Get(), line.Get(), folder.Get()) : nullptr;
+      if (child)
       {
         children.push_back(std::move(child));
       }
@@ -499,7 +553,52 @@ void Stop()
   {
     close(Server);
     Server = -1;
-    waitpid(Process, nullptr, 0);
+    if (Forked)
+    {
+      waitpid(Process, nullptr, 0);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+constexpr int ServedDescriptor = 3; // of relievo-reader
+
+// Starts relievo-reader from the folder `relievo` beside the library that has this code. A fork
+// would keep whatever locks the program's other threads hold.
+void StartProgram()
+{
+  Dl_info about;
+  int ends[2];
+  if (!dladdr(reinterpret_cast<void*>(&StartProgram), &about) ||
+    socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, ends) != 0)
+  {
+    return;
+  }
+  Descriptor ours(ends[0]);
+  Descriptor its(ends[1]);
+  std::string path = about.dli_fname;
+  path = path.substr(0, path.rfind('/') + 1) + "relievo/relievo-reader";
+  char* const words[] = { path.data(), nullptr };
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  posix_spawn_file_actions_adddup2(&actions, its.Get(), ServedDescriptor);
+  pid_t started = 0;
+  const int trouble = posix_spawn(&started, path.c_str(), &actions, nullptr, words, environ);
+  posix_spawn_file_actions_destroy(&actions);
+  its.Close();
+  if (trouble != 0)
+  {
+    return;
+  }
+  waitpid(started, nullptr, 0); // it has forked the process that serves
+  pid_t process = 0;
+  if (recv(ours.Get(), &process, sizeof process, 0) == sizeof process)
+  {
+    Process = process;
+    User = geteuid();
+    Group = getegid();
+    Server = fcntl(ours.Get(), F_DUPFD_CLOEXEC, 0);
+    std::atexit(Stop);
   }
 }
 }
@@ -516,7 +615,7 @@ bool vtkRelievoReaderProcess::Start()
   if (Process == 0)
   {
     close(ends[0]);
-    Serve(ends[1]);
+    ServeProgram(ends[1]);
   }
   close(ends[1]);
   if (Process < 0)
@@ -526,13 +625,57 @@ bool vtkRelievoReaderProcess::Start()
     return false;
   }
   Server = ends[0];
+  Forked = true;
   std::atexit(Stop);
   return true;
 }
 
 //------------------------------------------------------------------------------
+bool vtkRelievoReaderProcess::Serve()
+{
+  struct stat about = {};
+  if (fstat(ServedDescriptor, &about) != 0 || !S_ISSOCK(about.st_mode))
+  {
+    return false; // started by hand
+  }
+  const pid_t served = fork(); // a script that waits for any of its children is not to wait for it
+  if (served != 0)
+  {
+    return served > 0;
+  }
+  close_range(ServedDescriptor + 1, ~0U, 0); // what the program left open
+  fcntl(ServedDescriptor, F_SETFD, FD_CLOEXEC);
+  const pid_t process = getpid();
+  if (send(ServedDescriptor, &process, sizeof process, MSG_NOSIGNAL) == sizeof process)
+  {
+    ServeProgram(ServedDescriptor);
+  }
+  return false;
+}
+
+//------------------------------------------------------------------------------
 bool vtkRelievoReaderProcess::IsThere()
 {
+  if (Line >= 0) // within a work, which itself reads the files that its own names
+  {
+    return false;
+  }
+  const std::lock_guard<std::mutex> guard(Starting);
+  // Nothing is read by the rights that the program has given up.
+  if (Server >= 0 && !Forked && (User != geteuid() || Group != getegid()))
+  {
+    close(Server);
+    Server = -1;
+    Searched = false;
+  }
+  if (Server < 0 && !Searched)
+  {
+    Searched = true;
+    if (!std::getenv("RELIEVO_READ_HERE"))
+    {
+      StartProgram();
+    }
+  }
   return Server >= 0;
 }
 
@@ -561,21 +704,30 @@ std::string vtkRelievoReaderProcess::Run(Work work,
   }
   const Descriptor line(lines[0]);
   Descriptor itsLine(lines[1]);
+  const Descriptor folder(open(".", O_PATH | O_DIRECTORY | O_CLOEXEC));
+  Request request;
+  request.Work = work;
+  if (!folder || (!Forked && !FindPlace(work, request)))
+  {
+    return std::string("cannot be started: ") +
+      (folder ? "its work is in no shared library" : std::strerror(errno));
+  }
   std::vector<char> asked;
   relievo::ByteWriter writer(
     [&asked](const char* part, std::size_t size) { asked.insert(asked.end(), part, part + size); });
   ask(writer);
   writer.Flush();
-  Request request;
-  request.Work = work;
   request.Size = asked.size();
   request.ProcessorSeconds = ProcessorSeconds;
   const auto fail = [] {
-    waitpid(Process, nullptr, WNOHANG);
+    if (Forked)
+    {
+      waitpid(Process, nullptr, WNOHANG);
+    }
     return "cannot be started: the process that reads files has been ended; start the program "
            "again";
   };
-  if (!SendRequest(Server, request, { its.Get(), itsLine.Get() }))
+  if (!SendRequest(Server, request, { its.Get(), itsLine.Get(), folder.Get() }))
   {
     return fail();
   }
@@ -695,6 +847,11 @@ void vtkRelievoReaderProcess::LackMemory()
 }
 #else
 bool vtkRelievoReaderProcess::Start()
+{
+  return false;
+}
+
+bool vtkRelievoReaderProcess::Serve()
 {
   return false;
 }

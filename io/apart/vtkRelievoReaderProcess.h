@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Reads files in a separate process: a crash, an endless loop or an exhausted memory in a reading
-// library then ends only that process. Our programs fork a server process at their start, which
-// forks another process for each file; that one is limited in memory and time and returns its
-// result. Elsewhere, for example in Python, there is no server, and files are read in the process
-// itself.
+// library then ends only that process. A server process forks another process for each file; that
+// one is limited in memory and time and returns its result. Our programs fork the server at their
+// start. Elsewhere, as in Python and ParaView, the server is the program relievo-reader, which is
+// started with the first file. Where it is not installed, or the environment has
+// RELIEVO_READ_HERE, files are read in the process itself.
 //
 // Limits: 8 GiB of memory, 15 s of processor time and 60 s of waiting, for example for a disk; in
 // addition, for each MiB of opened files, 32 MiB and 2 s of both times. Elapsed time does not
@@ -29,17 +30,43 @@ public:
   // Runs in the process of one file. Any exception except std::bad_alloc counts as a crash.
   using Work = void (*)(relievo::ByteReader& asked, const Say& say, relievo::ByteWriter& made);
 
-  // Must come first in a program's main(), before there are threads. False if no such process is
-  // possible.
+  // Forks the server. Must come first in a program's main(), before there are threads. False if no
+  // such process is possible.
   static bool Start();
 
-  // Whether there is a process to read files.
+  // The program relievo-reader: forks the server of the program that has started it. False if it
+  // cannot.
+  static bool Serve();
+
+  // Whether there is a process to read files. Starts it if need be.
   static bool IsThere();
 
   // Its process number; 0: none.
   static int GetProcess();
 
-  // Does the work in another process: `ask` writes the request, `take` reads the result. Returns
+  // Fills `made` by a function of `asked`, `say` and `made`, in another process, or here if there
+  // is none: what all readers call. Returns "", or the other process's failure as Run does.
+  template <auto work, typename Asked, typename Made>
+  static std::string Do(const Asked& asked, const Say& say, Made& made)
+  {
+    if (!IsThere())
+    {
+      work(asked, say, made);
+      return "";
+    }
+    const auto answer = [](relievo::ByteReader& reader, const Say& tell,
+                          relievo::ByteWriter& writer) {
+      Made result;
+      work(reader.Get<Asked>(), tell, result);
+      writer(result);
+    };
+    return Run(
+      answer, [&asked](relievo::ByteWriter& writer) { writer(asked); }, say,
+      [&made](relievo::ByteReader& reader) { reader(made); });
+  }
+
+  // Does the work, which is in a shared library or the program that called Start, in another
+  // process: `ask` writes the request, `take` reads the result. Returns
   // "", or the reader's failure, for example "crashed (segmentation fault)". Thread-safe.
   static std::string Run(Work work, const std::function<void(relievo::ByteWriter&)>& ask,
     const Say& say, const std::function<void(relievo::ByteReader&)>& take);

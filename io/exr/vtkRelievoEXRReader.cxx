@@ -87,7 +87,7 @@ std::unique_ptr<Input> vtkRelievoEXRReader::Internals::Open(vtkRelievoEXRReader*
 
 //------------------------------------------------------------------------------
 vtkRelievoEXRReader::vtkRelievoEXRReader()
-  : Self(new Internals)
+  : Internal(new Internals)
 {
   this->SetNumberOfInputPorts(0);
 }
@@ -106,7 +106,7 @@ void vtkRelievoEXRReader::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Part: " << this->Part << "\n";
   os << indent << "NumberOfThreads: " << this->NumberOfThreads << "\n";
   os << indent << "ChannelSelection:\n";
-  this->Self->Selection->PrintSelf(os, indent.GetNextIndent());
+  this->Internal->Selection->PrintSelf(os, indent.GetNextIndent());
 }
 
 //------------------------------------------------------------------------------
@@ -118,34 +118,34 @@ int vtkRelievoEXRReader::CanReadFile(const char* fileName)
 //------------------------------------------------------------------------------
 int vtkRelievoEXRReader::GetNumberOfParts()
 {
-  return static_cast<int>(this->Self->Parts.size());
+  return static_cast<int>(this->Internal->Parts.size());
 }
 
 //------------------------------------------------------------------------------
 const char* vtkRelievoEXRReader::GetPartName(int part)
 {
-  return part >= 0 && part < this->GetNumberOfParts() ? this->Self->Parts[part].Name.c_str()
+  return part >= 0 && part < this->GetNumberOfParts() ? this->Internal->Parts[part].Name.c_str()
                                                       : nullptr;
 }
 
 //------------------------------------------------------------------------------
 const char* vtkRelievoEXRReader::GetPartType(int part)
 {
-  return part >= 0 && part < this->GetNumberOfParts() ? this->Self->Parts[part].Type.c_str()
+  return part >= 0 && part < this->GetNumberOfParts() ? this->Internal->Parts[part].Type.c_str()
                                                       : nullptr;
 }
 
 //------------------------------------------------------------------------------
 int vtkRelievoEXRReader::GetNumberOfChannels()
 {
-  return static_cast<int>(this->Self->Channels.size());
+  return static_cast<int>(this->Internal->Channels.size());
 }
 
 //------------------------------------------------------------------------------
 const char* vtkRelievoEXRReader::GetChannelName(int channel)
 {
   return channel >= 0 && channel < this->GetNumberOfChannels()
-    ? this->Self->Channels[channel].Name.c_str()
+    ? this->Internal->Channels[channel].Name.c_str()
     : nullptr;
 }
 
@@ -153,33 +153,33 @@ const char* vtkRelievoEXRReader::GetChannelName(int channel)
 int vtkRelievoEXRReader::GetChannelPixelType(int channel)
 {
   return channel >= 0 && channel < this->GetNumberOfChannels()
-    ? static_cast<int>(this->Self->Channels[channel].Type)
+    ? static_cast<int>(this->Internal->Channels[channel].Type)
     : -1;
 }
 
 //------------------------------------------------------------------------------
 int vtkRelievoEXRReader::GetNumberOfLayers()
 {
-  return static_cast<int>(this->Self->Layers.size());
+  return static_cast<int>(this->Internal->Layers.size());
 }
 
 //------------------------------------------------------------------------------
 const char* vtkRelievoEXRReader::GetLayerName(int layer)
 {
-  return layer >= 0 && layer < this->GetNumberOfLayers() ? this->Self->Layers[layer].c_str()
+  return layer >= 0 && layer < this->GetNumberOfLayers() ? this->Internal->Layers[layer].c_str()
                                                          : nullptr;
 }
 
 //------------------------------------------------------------------------------
 vtkDataArraySelection* vtkRelievoEXRReader::GetChannelSelection()
 {
-  return this->Self->Selection;
+  return this->Internal->Selection;
 }
 
 //------------------------------------------------------------------------------
 vtkMTimeType vtkRelievoEXRReader::GetMTime()
 {
-  return std::max(this->Superclass::GetMTime(), this->Self->Selection->GetMTime());
+  return std::max(this->Superclass::GetMTime(), this->Internal->Selection->GetMTime());
 }
 
 //------------------------------------------------------------------------------
@@ -191,7 +191,7 @@ int vtkRelievoEXRReader::RequestInformation(
   double origin[3] = { 0, 0, 0 };
   double spacing[3] = { 1, 1, 1 };
   const Failure failure = relievo::exr::Translate(Advice, [&] {
-    const std::unique_ptr<Input> input = this->Self->Open(this);
+    const std::unique_ptr<Input> input = this->Internal->Open(this);
     const Imath::Box2i data = input->GetDataWindow();
     const Imath::Box2i display = input->GetDisplayWindow();
     extent[1] = data.max.x - data.min.x;
@@ -227,13 +227,13 @@ int vtkRelievoEXRReader::RequestData(
   vtkInformation* info = outputVector->GetInformationObject(0);
   const bool later = info->Has(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER()) &&
     info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER()) > 0;
-  if (later || this->Self->RefusedAt == this->GetMTime())
+  if (later || this->Internal->RefusedAt == this->GetMTime())
   {
     return 1;
   }
   std::unique_ptr<Input> input;
   const Failure failure = relievo::exr::Translate(Advice, [&] {
-    input = this->Self->Open(this);
+    input = this->Internal->Open(this);
     const Imath::Box2i data = input->GetDataWindow();
     const Imath::Box2i display = input->GetDisplayWindow();
     output->SetExtent(0, data.max.x - data.min.x, 0, data.max.y - data.min.y, 0, 0);
@@ -264,11 +264,11 @@ int vtkRelievoEXRReader::RequestData(
 void vtkRelievoEXRReader::Report(unsigned long code, const std::string& message)
 {
   this->SetErrorCode(code);
-  this->Self->RefusedAt = 0;
+  this->Internal->RefusedAt = 0;
   if (!message.empty())
   {
     // The pipeline requests missing data again; the error is reported only once.
-    this->Self->RefusedAt = this->GetMTime();
+    this->Internal->RefusedAt = this->GetMTime();
     vtkErrorMacro(
       "Cannot read '" << (this->FileName ? this->FileName : "") << "': " << message << ".");
   }

@@ -124,7 +124,7 @@ private:
   void Report(unsigned long code, const std::string& message);
 
   struct Internals;
-  std::unique_ptr<Internals> Self;
+  std::unique_ptr<Internals> Internal;
   char* FileName = nullptr;
   int Part = -1;
   int NumberOfThreads = 0;

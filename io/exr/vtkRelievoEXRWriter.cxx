@@ -39,7 +39,7 @@ struct vtkRelievoEXRWriter::Internals
 
 //------------------------------------------------------------------------------
 vtkRelievoEXRWriter::vtkRelievoEXRWriter()
-  : Self(new Internals)
+  : Internal(new Internals)
 {
   this->SetNumberOfOutputPorts(0);
 }
@@ -59,16 +59,16 @@ void vtkRelievoEXRWriter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "DWALevel: " << this->DWALevel << "\n";
   os << indent << "NumberOfThreads: " << this->NumberOfThreads << "\n";
   os << indent << "SystemError: " << this->SystemError << "\n";
-  for (const auto& choice : this->Self->Settings.PixelTypes)
+  for (const auto& choice : this->Internal->Settings.PixelTypes)
   {
     os << indent << "PixelType of " << choice.first << ": " << PixelTypeNames[choice.second]
        << "\n";
   }
-  for (const auto& attribute : this->Self->Settings.Strings)
+  for (const auto& attribute : this->Internal->Settings.Strings)
   {
     os << indent << "Attribute " << attribute.first << ": " << attribute.second << "\n";
   }
-  for (const auto& attribute : this->Self->Settings.Doubles)
+  for (const auto& attribute : this->Internal->Settings.Doubles)
   {
     os << indent << "Attribute " << attribute.first << ": " << attribute.second << "\n";
   }
@@ -121,14 +121,14 @@ void vtkRelievoEXRWriter::SetPixelType(const char* name, int type)
                                         << " is given; give a name, and UINT, HALF or FLOAT.");
     return;
   }
-  this->Self->Settings.PixelTypes[name] = static_cast<Imf::PixelType>(type);
+  this->Internal->Settings.PixelTypes[name] = static_cast<Imf::PixelType>(type);
   this->Modified();
 }
 
 //------------------------------------------------------------------------------
 int vtkRelievoEXRWriter::GetPixelType(const char* name)
 {
-  const auto& types = this->Self->Settings.PixelTypes;
+  const auto& types = this->Internal->Settings.PixelTypes;
   const auto found = types.find(name ? name : "");
   return found == types.end() ? -1 : static_cast<int>(found->second);
 }
@@ -136,7 +136,7 @@ int vtkRelievoEXRWriter::GetPixelType(const char* name)
 //------------------------------------------------------------------------------
 void vtkRelievoEXRWriter::RemoveAllPixelTypes()
 {
-  this->Self->Settings.PixelTypes.clear();
+  this->Internal->Settings.PixelTypes.clear();
   this->Modified();
 }
 
@@ -159,8 +159,8 @@ void vtkRelievoEXRWriter::SetStringAttribute(const char* name, const char* value
 {
   if (this->AcceptAttribute(name))
   {
-    this->Self->Settings.Doubles.erase(name);
-    this->Self->Settings.Strings[name] = value ? value : "";
+    this->Internal->Settings.Doubles.erase(name);
+    this->Internal->Settings.Strings[name] = value ? value : "";
     this->Modified();
   }
 }
@@ -170,8 +170,8 @@ void vtkRelievoEXRWriter::SetDoubleAttribute(const char* name, double value)
 {
   if (this->AcceptAttribute(name))
   {
-    this->Self->Settings.Strings.erase(name);
-    this->Self->Settings.Doubles[name] = value;
+    this->Internal->Settings.Strings.erase(name);
+    this->Internal->Settings.Doubles[name] = value;
     this->Modified();
   }
 }
@@ -179,8 +179,8 @@ void vtkRelievoEXRWriter::SetDoubleAttribute(const char* name, double value)
 //------------------------------------------------------------------------------
 void vtkRelievoEXRWriter::RemoveAllAttributes()
 {
-  this->Self->Settings.Strings.clear();
-  this->Self->Settings.Doubles.clear();
+  this->Internal->Settings.Strings.clear();
+  this->Internal->Settings.Doubles.clear();
   this->Modified();
 }
 
@@ -229,7 +229,7 @@ int vtkRelievoEXRWriter::RequestData(
         vtkErrorCode::NoFileNameError, "no file name is given; set it with SetFileName");
     }
     relievo::exr::StartThreads(this->NumberOfThreads);
-    Output::Settings settings = this->Self->Settings;
+    Output::Settings settings = this->Internal->Settings;
     settings.Compression = static_cast<Imf::Compression>(this->Compression);
     settings.DWALevel = static_cast<float>(this->DWALevel);
     Output output(image, settings);

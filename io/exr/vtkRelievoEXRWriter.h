@@ -161,7 +161,7 @@ private:
   bool AcceptAttribute(const char* name);
 
   struct Internals;
-  std::unique_ptr<Internals> Self;
+  std::unique_ptr<Internals> Internal;
   char* FileName = nullptr;
   int Compression = ZIP;
   double DWALevel = 45;

@@ -6,7 +6,6 @@
 #include "vtkCallbackCommand.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
-#include "vtkRelievoDataBytes.h"
 #include "vtkRelievoEXRImage.h"
 #include "vtkRelievoFileKind.h"
 #include "vtkRelievoFormulas.h"
@@ -36,10 +35,10 @@ using relievo::image::Failure;
 using Time = std::filesystem::file_time_type;
 
 // Images in use, and when their files were last written.
-std::map<std::string, std::pair<Time, vtkWeakPointer<vtkImageData>>>& Held()
+std::map<std::string, std::pair<Time, vtkWeakPointer<vtkImageData>>>& Cache()
 {
-  static std::map<std::string, std::pair<Time, vtkWeakPointer<vtkImageData>>> held;
-  return held;
+  static std::map<std::string, std::pair<Time, vtkWeakPointer<vtkImageData>>> cache;
+  return cache;
 }
 
 using Decoder = vtkSmartPointer<vtkImageData> (*)(const Bytes&);
@@ -126,23 +125,23 @@ std::string GetExpected()
 vtkSmartPointer<vtkImageData> Attempt(
   const std::function<vtkSmartPointer<vtkImageData>()>& read, std::string& failure)
 {
-  std::string wrong;
+  std::string error;
   try
   {
     return read();
   }
   catch (const Failure& thrown)
   {
-    wrong = thrown.what();
+    error = thrown.what();
   }
   catch (const std::exception&) // out of memory
   {
-    wrong = "there is no memory for it";
+    error = "there is no memory for it";
   }
   // Parts of the text may come from the file.
   std::replace_if(
-    wrong.begin(), wrong.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
-  failure = "an image, but it cannot be read: " + wrong;
+    error.begin(), error.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
+  failure = "an image, but it cannot be read: " + error;
   return nullptr;
 }
 
@@ -193,12 +192,7 @@ vtkSmartPointer<vtkImageData> ReadFile(
   const Format* format = FindFormat({ bytes.data(), bytes.size() }, "");
   if (format && !format->Decode)
   {
-    const auto watch = [&progress](vtkAlgorithm* reader) {
-      if (progress)
-      {
-        Watch(reader, progress);
-      }
-    };
+    const auto watch = [&progress](vtkAlgorithm* reader) { Watch(reader, progress); };
     return Attempt([&] { return relievo::image::ReadEXR(path, note, watch); }, failure);
   }
   if (error || size > vtkRelievoImageFile::MostBytes)
@@ -223,49 +217,62 @@ vtkSmartPointer<vtkImageData> ReadFile(
 }
 
 //------------------------------------------------------------------------------
-using relievo::ByteReader;
-using relievo::ByteWriter;
+struct Answer
+{
+  std::string Failure, Note;
+  vtkSmartPointer<vtkImageData> Image;
+};
+
+template <typename Visit>
+void VisitFields(Answer& answer, Visit&& visit)
+{
+  visit(answer.Failure, answer.Note, answer.Image);
+}
+
+struct NamedBytes
+{
+  std::string Name;
+  relievo::ByteSpan Content;
+};
+
+template <typename Visit>
+void VisitFields(NamedBytes& bytes, Visit&& visit)
+{
+  visit(bytes.Name, bytes.Content);
+}
 
 // Both run in the process of the image.
-void AnswerFile(ByteReader& asked, const vtkRelievoReaderProcess::Say& say, ByteWriter& made)
+void AnswerFile(const std::string& path, const vtkRelievoReaderProcess::Say& say, Answer& made)
 {
-  const auto path = asked.Get<std::string>();
   std::error_code error;
   const std::uintmax_t size = std::filesystem::file_size(path, error);
   vtkRelievoReaderProcess::Allow(error ? 0 : size);
-  std::string failure, note;
-  const vtkSmartPointer<vtkImageData> image =
-    ReadFile(path, failure, note, [&say](double share) { return say("", share); });
-  made(failure, note);
-  relievo::PutData(made, image);
+  made.Image =
+    ReadFile(path, made.Failure, made.Note, [&say](double share) { return say("", share); });
 }
 
-void AnswerBytes(ByteReader& asked, const vtkRelievoReaderProcess::Say&, ByteWriter& made)
+void AnswerBytes(const NamedBytes& asked, const vtkRelievoReaderProcess::Say&, Answer& made)
 {
-  const auto name = asked.Get<std::string>();
-  const std::size_t size = asked.GetCount(1);
-  const auto* bytes = reinterpret_cast<const unsigned char*>(asked.Take(size));
-  vtkRelievoReaderProcess::Allow(size);
-  std::string failure;
-  const vtkSmartPointer<vtkImageData> image = DecodeBytes({ bytes, size }, name, failure);
-  made(failure, std::string());
-  relievo::PutData(made, image);
+  const auto& [name, content] = asked;
+  vtkRelievoReaderProcess::Allow(content.Size);
+  made.Image = DecodeBytes(
+    { reinterpret_cast<const unsigned char*>(content.Data), content.Size }, name, made.Failure);
 }
 
-vtkSmartPointer<vtkImageData> ReadApart(vtkRelievoReaderProcess::Work work,
-  const std::function<void(ByteWriter&)>& ask, std::string& failure, std::string& note,
-  const Share& progress)
+template <auto work, typename Asked>
+vtkSmartPointer<vtkImageData> Do(
+  const Asked& asked, std::string& failure, std::string* note, const Share& progress)
 {
-  vtkSmartPointer<vtkImageData> image;
-  const std::string end = vtkRelievoReaderProcess::Run(
-    work, ask,
-    [&progress](const std::string&, double share) { return !progress || progress(share); },
-    [&](ByteReader& made) {
-      made(failure, note);
-      image = vtkImageData::SafeDownCast(relievo::GetData(made));
-    });
-  failure = end.empty() ? failure : "an image, but its reader " + end;
-  return failure.empty() ? image : nullptr;
+  Answer made;
+  const std::string end = vtkRelievoReaderProcess::Do<work>(
+    asked, [&progress](const std::string&, double share) { return !progress || progress(share); },
+    made);
+  failure = end.empty() ? made.Failure : "an image, but its reader " + end;
+  if (note)
+  {
+    *note = made.Note;
+  }
+  return failure.empty() ? made.Image : nullptr;
 }
 }
 
@@ -301,22 +308,13 @@ vtkSmartPointer<vtkImageData> vtkRelievoImageFile::Read(const std::string& path,
     failure = "an image, but " + instead;
     return nullptr;
   }
-  auto& held = Held()[path];
-  if (held.second && held.first == written)
+  auto& cached = Cache()[path];
+  if (cached.second && cached.first == written)
   {
-    return held.second.GetPointer();
+    return cached.second.GetPointer();
   }
-  std::string said;
-  failure.clear();
-  vtkSmartPointer<vtkImageData> image = vtkRelievoReaderProcess::IsThere()
-    ? ReadApart(
-        AnswerFile, [&path](ByteWriter& asked) { asked(path); }, failure, said, progress)
-    : ReadFile(path, failure, said, progress);
-  if (note)
-  {
-    *note = said;
-  }
-  held = { written, image.Get() };
+  const vtkSmartPointer<vtkImageData> image = Do<AnswerFile>(path, failure, note, progress);
+  cached = { written, image.Get() };
   return image;
 }
 
@@ -324,17 +322,8 @@ vtkSmartPointer<vtkImageData> vtkRelievoImageFile::Read(const std::string& path,
 vtkSmartPointer<vtkImageData> vtkRelievoImageFile::Decode(
   const void* bytes, std::size_t size, const std::string& name, std::string& failure)
 {
-  if (!vtkRelievoReaderProcess::IsThere())
-  {
-    return DecodeBytes({ static_cast<const unsigned char*>(bytes), size }, name, failure);
-  }
-  const auto ask = [&](ByteWriter& asked) {
-    asked(name, static_cast<std::uint64_t>(size));
-    asked.PutBytes(bytes, size);
-  };
-  std::string note;
-  failure.clear();
-  return ReadApart(AnswerBytes, ask, failure, note, nullptr);
+  return Do<AnswerBytes>(
+    NamedBytes{ name, { static_cast<const char*>(bytes), size } }, failure, nullptr, nullptr);
 }
 
 //------------------------------------------------------------------------------

@@ -9,22 +9,19 @@
 #include "vtkOpenGLState.h"
 #include "vtkRelievoFrameContext.h"
 #include "vtkRelievoFramePlan.h"
+#include "vtkRelievoReportOnce.h"
 #include "vtkRelievoScopedState.h"
 #include "vtkRelievoScreenQuad.h"
 #include "vtkRelievoShading.h"
 #include "vtkRelievoVTKVersions.h"
 #include "vtkShaderProgram.h"
 
-#include <set>
 #include <vector>
 
 vtkStandardNewMacro(vtkRelievoDeferredStage);
 
 namespace
 {
-const char* const Shading = "shading";
-const char* const ShadowMaps = "shadow maps";
-
 // VTK's declarations of its lights, and the calls for each in shaders/deferred/shadeFS.glsl.
 std::string DescribeLights(const vtkRelievoFrameContext& context)
 {
@@ -60,7 +57,7 @@ class vtkRelievoDeferredStage::Internals
 {
 public:
   vtkRelievoScreenQuad Quad;
-  std::set<std::string> Reported;
+  vtkRelievoReportOnce Reported;
   bool Done = false; // whether the lights were added in this frame
 };
 
@@ -80,8 +77,8 @@ void vtkRelievoDeferredStage::Describe(vtkRelievoStageDescription& description)
   description.Label = "Deferred Shading";
   description.Help = "Shades opaque surfaces once for each pixel, after they are drawn.";
   description.Slot = vtkRelievoStageDescription::SURFACES;
-  description.Reads = { Shading };
-  description.Writes = { "shaded" };
+  description.Reads = { vtkRelievoResources::Shading };
+  description.Writes = { vtkRelievoResourceName::Of("shaded") };
 }
 
 //------------------------------------------------------------------------------
@@ -102,7 +99,7 @@ bool vtkRelievoDeferredStage::Prepare(vtkRelievoFrameContext&)
 //------------------------------------------------------------------------------
 void vtkRelievoDeferredStage::EndOpaque(vtkRelievoFrameContext& context)
 {
-  if (!this->Internal->Done && context.Find(Shading))
+  if (!this->Internal->Done && context.Find(vtkRelievoResources::Shading))
   {
     this->AddLights(context);
   }
@@ -111,7 +108,7 @@ void vtkRelievoDeferredStage::EndOpaque(vtkRelievoFrameContext& context)
 //------------------------------------------------------------------------------
 void vtkRelievoDeferredStage::Execute(vtkRelievoFrameContext& context)
 {
-  const auto* shading = static_cast<vtkRelievoShading*>(context.Find(Shading));
+  const auto* shading = static_cast<vtkRelievoShading*>(context.Find(vtkRelievoResources::Shading));
   if (!shading)
   {
     this->Explain("failed", "the layers could not be made, so VTK lights all surfaces");
@@ -140,7 +137,7 @@ void vtkRelievoDeferredStage::Execute(vtkRelievoFrameContext& context)
 void vtkRelievoDeferredStage::AddLights(vtkRelievoFrameContext& context)
 {
   Internals& in = *this->Internal;
-  auto* shading = static_cast<vtkRelievoShading*>(context.Find(Shading));
+  auto* shading = static_cast<vtkRelievoShading*>(context.Find(vtkRelievoResources::Shading));
   in.Done = true;
   this->NumberDeferred = shading->Deferred;
   for (const auto& left : shading->Left)
@@ -152,16 +149,16 @@ void vtkRelievoDeferredStage::AddLights(vtkRelievoFrameContext& context)
     return;
   }
   auto* renderer = static_cast<vtkOpenGLRenderer*>(context.Renderer);
-  std::vector<std::string> reads{ Shading };
-  if (shading->NumberOfLights > 0 && context.Find(ShadowMaps))
+  std::vector<vtkRelievoResourceName> reads{ vtkRelievoResources::Shading };
+  if (shading->NumberOfLights > 0 && context.Find(vtkRelievoResources::ShadowMaps))
   {
-    reads.emplace_back(ShadowMaps);
+    reads.push_back(vtkRelievoResources::ShadowMaps);
   }
   vtkShaderProgram* program =
     in.Quad.Ready(context, "deferred/shadeFS.glsl", reads, DescribeLights(context));
   if (!program)
   {
-    if (in.Reported.insert(in.Quad.GetWrong()).second)
+    if (in.Reported.IsNew(in.Quad.GetWrong()))
     {
       vtkErrorMacro("Surfaces are not lit: " << in.Quad.GetWrong() << ".");
     }

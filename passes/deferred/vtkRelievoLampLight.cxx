@@ -42,11 +42,11 @@ bool vtkRelievoLampLight::HasQuads() const
 
 //------------------------------------------------------------------------------
 std::string vtkRelievoLampLight::Prepare(
-  vtkRelievoFrameContext& context, int way, bool floats, bool sums, bool counts)
+  vtkRelievoFrameContext& context, int way, const Buffers& buffers)
 {
   this->Way = way;
-  this->Counting = counts;
-  this->Floats = floats;
+  this->Counting = buffers.Counts;
+  this->Floats = buffers.Floats;
   this->Computed = this->Reaching = -1.0;
   const bool quads = this->HasQuads();
   if (way == vtkRelievoLampsStage::CLUSTERS)
@@ -67,7 +67,7 @@ std::string vtkRelievoLampLight::Prepare(
     this->CastingQuads.Release(context.Window);
     this->CastingLamps.Release(context.Window);
   }
-  if (!sums)
+  if (!buffers.Sums)
   {
     this->Sum.Release(context.Window);
     this->Gloss.Release(context.Window);
@@ -76,9 +76,10 @@ std::string vtkRelievoLampLight::Prepare(
   }
   // Half floats lose addends that are small beside the sum so far, so rectangles add up in floats.
   const bool white = this->List.IsWhite();
-  const std::string wrong = this->Sum.Prepare(context, { white ? 1 : 4, !floats && !quads, quads });
+  const std::string wrong =
+    this->Sum.Prepare(context, { white ? 1 : 4, !this->Floats && !quads, quads });
   this->Sum.SetDefines(white ? "#define RELIEVO_WHITE_LIGHT\n" : "");
-  if (counts && wrong.empty())
+  if (this->Counting && wrong.empty())
   {
     return this->Counts.Prepare(context, { 2, false, quads });
   }
@@ -173,10 +174,11 @@ std::string vtkRelievoLampLight::Add(vtkRelievoFrameContext& context, bool gloss
   defines += finishes ? "#define RELIEVO_TO_DISPLAY\n" : "";
   if (wrong.empty())
   {
-    std::vector<std::string> reads{ "depth", "normal", "surface", "color" };
+    std::vector<vtkRelievoResourceName> reads{ vtkRelievoResources::Depth,
+      vtkRelievoResources::Normal, vtkRelievoResources::Surface, vtkRelievoResources::Color };
     if (finishes)
     {
-      reads.emplace_back("drawn");
+      reads.push_back(vtkRelievoResources::Drawn);
     }
     if (vtkShaderProgram* program = this->ReadyPixels(context, this->Adder, reads, defines))
     {
@@ -277,7 +279,7 @@ std::string vtkRelievoLampLight::DrawQuads(
     // The count of computed lamps does not depend on their shadows.
     auto* shadows = &target == &this->Counts
       ? nullptr
-      : static_cast<vtkRelievoLampShadows*>(context.Find("lamp shadows"));
+      : static_cast<vtkRelievoLampShadows*>(context.Find(vtkRelievoResources::LampShadows));
     wrong = this->CastingQuads.Draw(
       context, this->Casting, defines,
       [this](vtkShaderProgram* program) { this->Bind(program, true); }, shadows, this->DrawCalls);
@@ -290,10 +292,11 @@ std::string vtkRelievoLampLight::DrawQuads(
 std::string vtkRelievoLampLight::DrawPixels(vtkRelievoFrameContext& context,
   vtkRelievoScreenTarget& target, vtkRelievoScreenQuad& quad, const std::string& defines)
 {
-  std::vector<std::string> reads{ "depth", "normal" };
+  std::vector<vtkRelievoResourceName> reads{ vtkRelievoResources::Depth,
+    vtkRelievoResources::Normal };
   if (&target == &this->Gloss)
   {
-    reads.emplace_back("surface");
+    reads.push_back(vtkRelievoResources::Surface);
   }
   if (vtkShaderProgram* program = this->ReadyPixels(context, quad, reads, defines))
   {
@@ -308,7 +311,7 @@ std::string vtkRelievoLampLight::DrawPixels(vtkRelievoFrameContext& context,
 //------------------------------------------------------------------------------
 // Prepares the quad in which each pixel loops over its lamps.
 vtkShaderProgram* vtkRelievoLampLight::ReadyPixels(vtkRelievoFrameContext& context,
-  vtkRelievoScreenQuad& quad, const std::vector<std::string>& reads, std::string defines)
+  vtkRelievoScreenQuad& quad, const std::vector<vtkRelievoResourceName>& reads, std::string defines)
 {
   defines +=
     this->Way == vtkRelievoLampsStage::CLUSTERS ? "#define RELIEVO_LAMPS_IN_CLUSTERS\n" : "";

@@ -19,13 +19,21 @@
 class vtkRelievoLampLight
 {
 public:
+  // What the light is summed in: floats instead of halves, no sums if Add() adds the light to the
+  // colour, and counts of lamps only if they are requested.
+  struct Buffers
+  {
+    bool Floats = false;
+    bool Sums = false;
+    bool Counts = false;
+  };
+
   // Take() selects the lamps, and tells the context which ones cast shadows: the `casting` largest,
-  // and those that always cast. Prepare() makes the buffers, those for counts only if requested,
-  // and returns an error message, or an empty string.
+  // and those that always cast. Prepare() makes the buffers, and returns an error message, or an
+  // empty string.
   void Take(
     vtkRelievoFrameContext& context, const std::vector<vtkRelievoLamps*>& sets, int casting);
-  std::string Prepare(
-    vtkRelievoFrameContext& context, int way, bool floats, bool sums, bool counts);
+  std::string Prepare(vtkRelievoFrameContext& context, int way, const Buffers& buffers);
 
   // Sums the light, the gloss of glossy surfaces, and the counts. Returns an error message, or an
   // empty string.
@@ -64,7 +72,7 @@ private:
   std::string DrawPixels(vtkRelievoFrameContext& context, vtkRelievoScreenTarget& target,
     vtkRelievoScreenQuad& quad, const std::string& defines);
   vtkShaderProgram* ReadyPixels(vtkRelievoFrameContext& context, vtkRelievoScreenQuad& quad,
-    const std::vector<std::string>& reads, std::string defines);
+    const std::vector<vtkRelievoResourceName>& reads, std::string defines);
   bool HasQuads() const;
   void SumCounts();
 

@@ -17,7 +17,7 @@ std::string vtkRelievoLampQuads::DrawSurfaces(
   vtkRelievoFrameContext& context, vtkRelievoScreenTarget& target)
 {
   vtkOpenGLState* state = context.Window->GetState();
-  if (!this->Surfaces.Ready(context, "deferred/lampDepthFS.glsl", { "depth" }))
+  if (!this->Surfaces.Ready(context, "deferred/lampDepthFS.glsl", { vtkRelievoResources::Depth }))
   {
     return this->Surfaces.GetWrong();
   }
@@ -44,8 +44,8 @@ std::string vtkRelievoLampQuads::Draw(vtkRelievoFrameContext& context,
   {
     return tooMany;
   }
-  vtkRelievoResource* layers = context.Find("depth");
-  vtkRelievoResource* normals = context.Find("normal");
+  vtkRelievoResource* layers = context.Find(vtkRelievoResources::Depth);
+  vtkRelievoResource* normals = context.Find(vtkRelievoResources::Normal);
   vtkShaderProgram* program =
     this->Lamps.Ready(context, "deferred/lampQuadVS.glsl", "deferred/lampsFS.glsl",
       layers->GetDefines() + (normals == layers ? "" : normals->GetDefines()) + defines +

@@ -28,9 +28,7 @@ namespace
 const char* const Light = "light";
 const char* const Evaluations = "lamp_evaluations";
 const char* const Reaching = "lamps_reaching";
-const char* const Surface = "surface";
-const char* const Gloss = "lamp gloss";
-const char* const LampShadows = "lamp shadows";
+const vtkRelievoResourceName Gloss = vtkRelievoResourceName::Of("lamp gloss");
 const std::vector<std::string> WayNames{ "auto", "quads", "clusters", "all" };
 
 // Up to MostAll lamps are computed in every pixel of their common rectangle, if they cover it at
@@ -48,7 +46,7 @@ std::string DescribeCasting(const vtkRelievoFrameContext& context)
   {
     return {};
   }
-  if (!context.Find(LampShadows))
+  if (!context.Find(vtkRelievoResources::LampShadows))
   {
     return "; no shadows: see the stage shadows";
   }
@@ -101,8 +99,8 @@ void vtkRelievoLampsStage::Describe(vtkRelievoStageDescription& description)
   description.Label = "Lamps";
   description.Help = "Lights surfaces with lamps from data, in any number.";
   description.Slot = vtkRelievoStageDescription::SHADE;
-  description.Reads = { "depth", "normal" };
-  description.Writes = { "color" };
+  description.Reads = { vtkRelievoResources::Depth, vtkRelievoResources::Normal };
+  description.Writes = { vtkRelievoResources::Color };
   description.Layers = { Light, Evaluations, Reaching };
   description.OnByDefault = true;
   description.TakesData = true;
@@ -164,18 +162,18 @@ void vtkRelievoLampsStage::Declare(
 }
 
 //------------------------------------------------------------------------------
-std::vector<std::string> vtkRelievoLampsStage::GetReadsFor(
+std::vector<vtkRelievoResourceName> vtkRelievoLampsStage::GetReadsFor(
   const vtkRelievoFrameContext&, const std::vector<std::string>& asked) const
 {
-  std::vector<std::string> reads;
-  if (std::find(asked.begin(), asked.end(), "color") != asked.end())
+  std::vector<vtkRelievoResourceName> reads;
+  if (std::find(asked.begin(), asked.end(), vtkRelievoResources::Color.Get()) != asked.end())
   {
-    reads.emplace_back(Surface);
+    reads.push_back(vtkRelievoResources::Surface);
   }
   if (this->Internal->SomeCast)
   {
-    reads.emplace_back("geometric_normal");
-    reads.emplace_back(LampShadows);
+    reads.push_back(vtkRelievoResources::GeometricNormal);
+    reads.push_back(vtkRelievoResources::LampShadows);
   }
   return reads;
 }
@@ -195,15 +193,20 @@ bool vtkRelievoLampsStage::Prepare(vtkRelievoFrameContext& context)
   {
     in.LeftOut += lamps->GetNumberLeftOut();
   }
-  const bool counts = context.IsAsked(this, Evaluations) || context.IsAsked(this, Reaching);
-  in.Adds = !counts && !context.IsAsked(this, Light) && this->NumberCasting == 0;
+  const bool counts =
+    context.IsLayerAsked(this, Evaluations) || context.IsLayerAsked(this, Reaching);
+  in.Adds = !counts && !context.IsLayerAsked(this, Light) && this->NumberCasting == 0;
   float reached[4];
   const bool all = in.Adds && others <= MostAll && in.Light.FindReached(reached) >= LeastCovered;
   const int automatic = all ? ALL : others <= MostQuads ? QUADS : CLUSTERS;
   this->WayTaken = this->Way == AUTOMATIC ? automatic : this->Way;
   in.Adds = in.Adds && this->WayTaken != QUADS;
-  std::string wrong = in.Light.Prepare(context, this->WayTaken, this->Floats, !in.Adds, counts);
-  if (!context.IsAsked(this, "color"))
+  vtkRelievoLampLight::Buffers buffers;
+  buffers.Floats = this->Floats;
+  buffers.Sums = !in.Adds;
+  buffers.Counts = counts;
+  std::string wrong = in.Light.Prepare(context, this->WayTaken, buffers);
+  if (!context.IsAsked(this, vtkRelievoResources::Color))
   {
     in.Translucent->ReleaseGraphicsResources(context.Window);
   }
@@ -222,8 +225,8 @@ bool vtkRelievoLampsStage::Prepare(vtkRelievoFrameContext& context)
 void vtkRelievoLampsStage::Execute(vtkRelievoFrameContext& context)
 {
   Internals& in = *this->Internal;
-  const bool colors = context.IsAsked(this, "color") && this->NumberDrawn > 0;
-  const vtkRelievoResource* surface = colors ? context.Find(Surface) : nullptr;
+  const bool colors = context.IsAsked(this, vtkRelievoResources::Color) && this->NumberDrawn > 0;
+  const vtkRelievoResource* surface = colors ? context.Find(vtkRelievoResources::Surface) : nullptr;
   const bool glossy =
     surface && surface->GetDefines().find("RELIEVO_GLOSSY_SURFACES") != std::string::npos;
   std::string wrong;
@@ -241,7 +244,7 @@ void vtkRelievoLampsStage::Execute(vtkRelievoFrameContext& context)
     context.ProvideLayer(Light, &in.Light.GetSum());
     for (const char* name : { Evaluations, Reaching })
     {
-      if (context.IsAsked(this, name))
+      if (context.IsLayerAsked(this, name))
       {
         context.ProvideLayer(name, &in.Light.GetCounts());
       }
@@ -249,11 +252,12 @@ void vtkRelievoLampsStage::Execute(vtkRelievoFrameContext& context)
   }
   if (wrong.empty() && colors && !in.Adds)
   {
-    std::vector<std::string> reads{ Surface, Light };
+    std::vector<vtkRelievoResourceName> reads{ vtkRelievoResources::Surface,
+      vtkRelievoResourceName::Of(Light) };
     if (glossy)
     {
       context.Provide(Gloss, &in.Light.GetGloss());
-      reads.emplace_back(Gloss);
+      reads.push_back(Gloss);
     }
     if (in.Colors.Ready(context, "deferred/lampsColorFS.glsl", reads))
     {

@@ -101,7 +101,7 @@ protected:
   void Describe(vtkRelievoStageDescription& description) override;
   void Declare(
     const vtkRelievoFrameContext& context, vtkRelievoDeclaration& declaration) const override;
-  std::vector<std::string> GetReadsFor(
+  std::vector<vtkRelievoResourceName> GetReadsFor(
     const vtkRelievoFrameContext& context, const std::vector<std::string>& asked) const override;
   bool Prepare(vtkRelievoFrameContext& context) override;
   void Execute(vtkRelievoFrameContext& context) override;

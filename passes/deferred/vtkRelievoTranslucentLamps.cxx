@@ -139,7 +139,7 @@ void vtkRelievoTranslucentLamps::SpliceShaders(
   if (this->IsNews(mapper, outcome))
   {
     vtkErrorMacro("Lamps do not light the translucent surfaces of "
-      << mapper->GetClassName() << ": " << outcome.Wrong << ".");
+      << mapper->GetClassName() << ": " << outcome.Error << ".");
   }
 }
 

@@ -36,8 +36,8 @@ void vtkRelievoAntialiasStage::Describe(vtkRelievoStageDescription& description)
   description.Help = "Smooths edges: the picture is the mean of samples spread over each pixel.";
   description.Slot = vtkRelievoStageDescription::COMPOSITE;
   description.Order = 100; // after all stages that change a sample
-  description.Reads = { "color" };
-  description.Writes = { "color" };
+  description.Reads = { vtkRelievoResources::Color };
+  description.Writes = { vtkRelievoResources::Color };
   description.AddWhole(
     "samples", this->Samples, [this](int samples) { this->SetSamples(samples); }, 1, 256, "samples",
     "Samples per pixel; each frame in which nothing changes adds one.");

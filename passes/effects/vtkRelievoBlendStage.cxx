@@ -6,6 +6,7 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkRelievoFrameContext.h"
 #include "vtkRelievoFramePlan.h"
+#include "vtkRelievoReportOnce.h"
 #include "vtkRelievoScreenQuad.h"
 #include "vtkRelievoScreenTarget.h"
 #include "vtkRenderer.h"
@@ -22,7 +23,7 @@ class vtkRelievoBlendStage::Internals
 public:
   vtkRelievoScreenTarget Layer{ "blendLayer" };
   vtkRelievoScreenQuad Quad;
-  std::string Reported; // the last frame's error, reported once
+  vtkRelievoReportOnce Reported;
 };
 
 //------------------------------------------------------------------------------
@@ -41,8 +42,8 @@ void vtkRelievoBlendStage::Describe(vtkRelievoStageDescription& description)
   description.Help = "Keeps translucent surfaces apart until opaque ones are lit.";
   description.Slot = vtkRelievoStageDescription::COMPOSITE;
   description.Order = -1; // before stages that change the colour of every pixel
-  description.Reads = { "translucent" };
-  description.Writes = { "color" };
+  description.Reads = { vtkRelievoResources::Translucent };
+  description.Writes = { vtkRelievoResources::Color };
   description.Layers = { Blend };
   description.OnByDefault = true;
 }
@@ -65,7 +66,8 @@ void vtkRelievoBlendStage::Declare(
 //------------------------------------------------------------------------------
 bool vtkRelievoBlendStage::Prepare(vtkRelievoFrameContext& context)
 {
-  context.KeepTranslucentApart(&this->Internal->Layer, !context.IsAsked(this, "color"));
+  context.KeepTranslucentApart(
+    &this->Internal->Layer, !context.IsAsked(this, vtkRelievoResources::Color));
   return true;
 }
 
@@ -73,10 +75,10 @@ bool vtkRelievoBlendStage::Prepare(vtkRelievoFrameContext& context)
 void vtkRelievoBlendStage::Execute(vtkRelievoFrameContext& context)
 {
   Internals& in = *this->Internal;
-  const bool any = context.Find("translucent") != nullptr;
+  const bool any = context.Find(vtkRelievoResources::Translucent) != nullptr;
   std::string wrong;
   this->DrawCalls = 0;
-  if (context.IsAsked(this, Blend))
+  if (context.IsLayerAsked(this, Blend))
   {
     wrong = any ? "" : in.Layer.Prepare(context, {});
     if (!any && wrong.empty())
@@ -93,9 +95,10 @@ void vtkRelievoBlendStage::Execute(vtkRelievoFrameContext& context)
   {
     this->ReleaseGraphicsResources(context.Window);
   }
-  if (any && context.IsAsked(this, "color"))
+  if (any && context.IsAsked(this, vtkRelievoResources::Color))
   {
-    if (in.Quad.Ready(context, "blend/colorFS.glsl", { "color", "translucent" }))
+    if (in.Quad.Ready(context, "blend/colorFS.glsl",
+          { vtkRelievoResources::Color, vtkRelievoResources::Translucent }))
     {
       this->DrawCalls += context.DrawColor(in.Quad) ? 1 : 0;
     }
@@ -105,11 +108,10 @@ void vtkRelievoBlendStage::Execute(vtkRelievoFrameContext& context)
     !wrong.empty() ? wrong
       : any        ? "keeps translucent surfaces apart"
                    : "nothing translucent was drawn into the colour");
-  if (!wrong.empty() && in.Reported != wrong)
+  if (in.Reported.IsChange(wrong))
   {
     vtkErrorMacro("Translucent surfaces are missing: " << wrong << ".");
   }
-  in.Reported = wrong;
 }
 
 //------------------------------------------------------------------------------

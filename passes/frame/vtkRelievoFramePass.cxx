@@ -20,6 +20,7 @@
 #include "vtkRelievoFrameRun.h"
 #include "vtkRelievoGpuTimer.h"
 #include "vtkRelievoLeakedTextureUnits.h"
+#include "vtkRelievoReportOnce.h"
 #include "vtkRelievoSampleAccumulator.h"
 #include "vtkRelievoSampleOffset.h"
 #include "vtkRelievoSampleRaster.h"
@@ -43,7 +44,7 @@ public:
   std::vector<vtkSmartPointer<vtkRelievoStage>> Registered;
   std::vector<vtkSmartPointer<vtkRelievoStage>> Added;
   std::set<std::string> Requested;
-  std::set<std::string> Reported; // errors reported so far
+  vtkRelievoReportOnce Reported;
   bool Drawing = false;
   vtkRelievoGpuTimer Timer;
   vtkRelievoFrameReport Report;
@@ -297,7 +298,7 @@ void vtkRelievoFramePass::Render(const vtkRenderState* s)
   }
   if (in.Drawing)
   {
-    if (in.Reported.insert("within itself").second)
+    if (in.Reported.IsNew("within itself"))
     {
       vtkErrorMacro("The frame is inside its own delegate pass: set another delegate pass.");
     }
@@ -372,7 +373,7 @@ bool vtkRelievoFramePass::DrawSample(const vtkRenderState* s)
   run.Declare();
   for (const std::string& wrong : run.Plan())
   {
-    if (in.Reported.insert(wrong).second)
+    if (in.Reported.IsNew(wrong))
     {
       vtkErrorMacro(<< wrong << ".");
     }
@@ -405,11 +406,11 @@ bool vtkRelievoFramePass::DrawSample(const vtkRenderState* s)
   in.Timer.End("frame");
 
   in.Samples.End(context, stages);
-  if (!in.Samples.GetFault().empty() && in.Reported.insert(in.Samples.GetFault()).second)
+  if (!in.Samples.GetFault().empty() && in.Reported.IsNew(in.Samples.GetFault()))
   {
     vtkErrorMacro("Samples are not gathered: " << in.Samples.GetFault() << ".");
   }
-  if (!in.Raster.GetFault().empty() && in.Reported.insert(in.Raster.GetFault()).second)
+  if (!in.Raster.GetFault().empty() && in.Reported.IsNew(in.Raster.GetFault()))
   {
     vtkWarningMacro("Samples are drawn one by one: " << in.Raster.GetFault() << ".");
   }

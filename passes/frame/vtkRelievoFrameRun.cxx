@@ -7,7 +7,7 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLRenderer.h"
 #include "vtkRelievoAccess.h"
-#include "vtkRelievoColorBuffers.h"
+#include "vtkRelievoBoundFramebuffer.h"
 #include "vtkRelievoColorTarget.h"
 #include "vtkRelievoDelegate.h"
 #include "vtkRelievoFrameContext.h"
@@ -64,7 +64,8 @@ void vtkRelievoFrameRun::Declare()
   delegate.Slot = Description::SURFACES;
   delegate.Order = -1;
   delegate.Delegate = true;
-  delegate.Declaration.Writes = { "picture", "color", "translucent" };
+  delegate.Declaration.Writes = { vtkRelievoResources::Picture, vtkRelievoResources::Color,
+    vtkRelievoResources::Translucent };
   for (std::size_t i = 0; i < this->Stages.size(); ++i)
   {
     vtkRelievoStage* stage = this->Stages[i];
@@ -88,8 +89,9 @@ void vtkRelievoFrameRun::Declare()
     }
     if (!stage->GetEnabled() && node.Declaration.Runs)
     {
-      std::vector<std::string>& writes = node.Declaration.Writes;
-      writes.erase(std::remove(writes.begin(), writes.end(), "color"), writes.end());
+      std::vector<vtkRelievoResourceName>& writes = node.Declaration.Writes;
+      writes.erase(
+        std::remove(writes.begin(), writes.end(), vtkRelievoResources::Color), writes.end());
       node.Declaration.OptionalWrites.clear();
       node.Declaration.Runs = description.ServesWhenOff;
       node.Declaration.ReasonCode = "off";
@@ -98,7 +100,7 @@ void vtkRelievoFrameRun::Declare()
     if (description.Slot == Description::LIGHT_MAPS || node.Declaration.DrawsWithDelegate)
     {
       // The picture's lighting uses data made for lights.
-      std::vector<std::string>& uses = delegate.Declaration.OptionalReads;
+      std::vector<vtkRelievoResourceName>& uses = delegate.Declaration.OptionalReads;
       uses.insert(uses.end(), description.Writes.begin(), description.Writes.end());
     }
   }
@@ -112,10 +114,12 @@ void vtkRelievoFrameRun::FindLights()
   std::vector<std::string> layers = this->Context.ReadBack;
   for (const vtkRelievoFramePlan::Node& node : this->Nodes)
   {
-    for (const auto* reads : { &node.Declaration.Reads, &node.Declaration.ReadsLayers })
+    for (const vtkRelievoResourceName& read : node.Declaration.Reads)
     {
-      layers.insert(layers.end(), reads->begin(), reads->end());
+      layers.push_back(read.Get());
     }
+    const std::vector<std::string>& more = node.Declaration.ReadsLayers;
+    layers.insert(layers.end(), more.begin(), more.end());
   }
   for (vtkRelievoStage* stage : this->Stages)
   {
@@ -156,11 +160,13 @@ std::vector<std::string> vtkRelievoFrameRun::Plan()
   const auto worksOnColor = [](const vtkRelievoFramePlan::Node& node) {
     const auto reads = vtkRelievoFramePlan::GetReads(node);
     return node.Declaration.Presents || node.ChangesColor() ||
-      std::any_of(reads.begin(), reads.end(),
-        [](const vtkRelievoFramePlan::Name& read) { return read.Resource == "color"; });
+      std::any_of(reads.begin(), reads.end(), [](const vtkRelievoFramePlan::Name& read) {
+        return read.Resource == vtkRelievoResources::Color.Get();
+      });
   };
   const auto hasColor = [](const std::vector<std::string>& layers) {
-    return std::find(layers.begin(), layers.end(), "color") != layers.end();
+    return std::find(layers.begin(), layers.end(), vtkRelievoResources::Color.Get()) !=
+      layers.end();
   };
   this->Context.ReadsColor = hasColor(this->Context.ReadBack) ||
     std::any_of(this->Nodes.begin(), this->Nodes.end(), [&hasColor](const auto& node) {
@@ -293,7 +299,8 @@ bool vtkRelievoFrameRun::FinishesColor() const
     std::none_of(order.begin() + static_cast<std::ptrdiff_t>(this->Next) + 1, order.end(),
       [this, &context](int later) {
         return this->WorkOnColor[later] &&
-          (!this->Nodes[later].Declaration.OnlyIfTranslucent || context.Find("translucent"));
+          (!this->Nodes[later].Declaration.OnlyIfTranslucent ||
+            context.Find(vtkRelievoResources::Translucent));
       });
 }
 
@@ -423,7 +430,7 @@ void vtkRelievoFrameRun::FindHidden(HiddenPoints& hidden) const
   };
   if (!context.OwnSteps || context.Nested || context.Lattice ||
     std::none_of(props, end, vtkRelievoHiddenPoints::IsPossible) ||
-    vtkRelievoColorBuffers::GetBoundSamples() > 0 ||
+    vtkRelievoBoundFramebuffer::GetSamples() > 0 ||
     std::any_of(running.begin(), running.end(), counts))
   {
     return;

@@ -74,14 +74,17 @@ vtkRelievoSampleAccumulator::Demand vtkRelievoSampleAccumulator::GetDemand(
     {
       continue;
     }
-    const auto isAmong = [](const std::vector<std::string>& names, const std::string& name) {
-      return std::find(names.begin(), names.end(), name) != names.end();
+    const auto isAmong = [](const std::vector<vtkRelievoResourceName>& names,
+                           const std::string& name) {
+      return std::any_of(names.begin(), names.end(),
+        [&name](const vtkRelievoResourceName& other) { return other.Get() == name; });
     };
+    const std::string& colorName = vtkRelievoResources::Color.Get();
     // A picture that is not made from the linear colour cannot be a mean; layers can, if samples
     // affect nothing else.
     const bool layersAlone =
       std::all_of(node.Asked.begin(), node.Asked.end(), [&](const std::string& asked) {
-        return asked != "color" && isAmong(declaration.Gathered, asked);
+        return asked != colorName && isAmong(declaration.Gathered, asked);
       });
     if (context.Picture && !hasColor && !layersAlone)
     {
@@ -94,7 +97,7 @@ vtkRelievoSampleAccumulator::Demand vtkRelievoSampleAccumulator::GetDemand(
     for (const std::string& asked : node.Asked)
     {
       const bool gathered = isAmong(declaration.Gathered, asked);
-      const bool color = asked == "color" && gathered;
+      const bool color = asked == colorName && gathered;
       demand.Color =
         demand.Color || (hasColor && (color || isAmong(declaration.OptionalWrites, asked)));
       if (gathered && !color)
@@ -257,7 +260,7 @@ void vtkRelievoSampleAccumulator::Choose(vtkRelievoFrameContext& context)
 
 //------------------------------------------------------------------------------
 std::string vtkRelievoSampleAccumulator::Add(vtkRelievoFrameContext& context, Sum& sum,
-  const std::string& resource, const std::string& defines, int channels)
+  const vtkRelievoResourceName& resource, const std::string& defines, int channels)
 {
   const bool wanted =
     context.Lattice ? sum.Count < this->Asked.Samples : sum.Count == context.Sample;
@@ -302,8 +305,9 @@ std::string vtkRelievoSampleAccumulator::ShowMean(vtkRelievoFrameContext& contex
   {
     return {}; // one sample is its own mean
   }
-  context.Provide("gathered", &this->Color->Target);
-  vtkShaderProgram* program = this->Mean.Ready(context, "frame/meanFS.glsl", { "gathered" });
+  context.Provide(vtkRelievoResources::Gathered, &this->Color->Target);
+  vtkShaderProgram* program =
+    this->Mean.Ready(context, "frame/meanFS.glsl", { vtkRelievoResources::Gathered });
   if (!program)
   {
     return this->Mean.GetWrong();
@@ -331,7 +335,7 @@ void vtkRelievoSampleAccumulator::Accumulate(vtkRelievoFrameContext& context)
     else if (this->Fault.empty())
     {
       const auto light = context.Lights.find(layer);
-      this->Fault = this->Add(context, sum, layer,
+      this->Fault = this->Add(context, sum, vtkRelievoResourceName::Of(layer),
         light == context.Lights.end() ? "#define RELIEVO_GATHERED_TEXTURE\n"
                                       : "#define RELIEVO_GATHERED_PLACE RELIEVO_SHADOW_PLACE_" +
             std::to_string(light->second) + "\n",
@@ -340,8 +344,9 @@ void vtkRelievoSampleAccumulator::Accumulate(vtkRelievoFrameContext& context)
   }
   if (this->Fault.empty() && this->Asked.Color)
   {
-    this->Fault = context.Find("color") ? this->Add(context, *this->Color, "color", "", 4)
-                                        : "the frame has made no linear colour";
+    this->Fault = context.Find(vtkRelievoResources::Color)
+      ? this->Add(context, *this->Color, vtkRelievoResources::Color, "", 4)
+      : "the frame has made no linear colour";
   }
   if (!context.Last && this->Fault.empty() &&
     (context.Window->GetAbortRender() || context.Window->CheckAbortStatus()))

@@ -87,7 +87,7 @@ private:
   void ReleaseSums(vtkWindow* window);
   void GiveUp(vtkRelievoFrameContext& context);
   std::string ShowMean(vtkRelievoFrameContext& context);
-  std::string Add(vtkRelievoFrameContext& context, Sum& sum, const std::string& resource,
+  std::string Add(vtkRelievoFrameContext& context, Sum& sum, const vtkRelievoResourceName& resource,
     const std::string& defines, int channels);
 
   Demand Asked;

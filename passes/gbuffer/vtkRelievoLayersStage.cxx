@@ -26,9 +26,11 @@
 #include "vtkRelievoMeshLinks.h"
 #include "vtkRelievoOpaqueProps.h"
 #include "vtkRelievoPrimitiveIds.h"
+#include "vtkRelievoReportOnce.h"
 #include "vtkRelievoScopedState.h"
 #include "vtkRelievoSurfaces.h"
 #include "vtkRelievoVTKVersions.h"
+#include "vtkRelievoWordFormats.h"
 #include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
 #include "vtkTimeStamp.h"
@@ -39,10 +41,41 @@
 #include <algorithm>
 #include <iterator>
 #include <numeric>
-#include <set>
 #include <string>
 #include <utility>
 #include <vector>
+
+namespace
+{
+#define RELIEVO_SAME_CODE(name)                                                                    \
+  static_assert(static_cast<int>(vtkRelievoLayersStage::name) ==                                   \
+      static_cast<int>(vtkRelievoWordFormats::name),                                               \
+    "differs from vtkRelievoWordFormats")
+RELIEVO_SAME_CODE(NORMAL_AUTO);
+RELIEVO_SAME_CODE(NORMAL_FLOAT32);
+RELIEVO_SAME_CODE(NORMAL_FLOAT16);
+RELIEVO_SAME_CODE(NORMAL_OCT16);
+RELIEVO_SAME_CODE(NORMAL_OCT16_PRECISE);
+RELIEVO_SAME_CODE(NORMAL_OCT8);
+RELIEVO_SAME_CODE(NORMAL_OCT8_PRECISE);
+RELIEVO_SAME_CODE(NORMAL_RGB10A2);
+RELIEVO_SAME_CODE(NORMAL_RGB8);
+RELIEVO_SAME_CODE(DEPTH_32F);
+RELIEVO_SAME_CODE(DEPTH_16F);
+RELIEVO_SAME_CODE(DEPTH_WINDOW_Z24);
+RELIEVO_SAME_CODE(DEPTH_REVERSED_32F);
+RELIEVO_SAME_CODE(NORMAL_DEPTH_SEPARATE);
+RELIEVO_SAME_CODE(NORMAL_DEPTH_RGBA8);
+RELIEVO_SAME_CODE(NORMAL_DEPTH_RGBA16F);
+RELIEVO_SAME_CODE(NORMAL_DEPTH_RGBA32F);
+#undef RELIEVO_SAME_CODE
+
+// Outputs for shaders that are no layers.
+bool IsForShaders(const vtkRelievoResourceName& name)
+{
+  return name == vtkRelievoResources::Surface || name == vtkRelievoResources::Shading;
+}
+}
 
 class vtkRelievoLayersStage::Internals
 {
@@ -58,8 +91,8 @@ public:
   vtkRelievoGlyphReach Glyphs;
   vtkRelievoMeshLinks Links; // built by the first read that needs them
   vtkRelievoOpaqueProps Props;
-  std::set<std::string> Reported; // reported refusals, by reason and mapper's class
-  std::string NotShared;          // why the delegate's geometry pass cannot be shared
+  vtkRelievoReportOnce Reported; // refusals, by reason and mapper's class
+  std::string NotShared;         // why the delegate's geometry pass cannot be shared
   vtkRelievoPrimitiveIds::Route PrimitiveIds = vtkRelievoPrimitiveIds::AsWritten;
   bool Writing = false;
   bool RefinesDepth = true;              // of the last frame
@@ -118,16 +151,17 @@ void vtkRelievoLayersStage::Describe(vtkRelievoStageDescription& description)
   }
   description.WritesArrays = true;
   // For lighting stages: next to VTK's own light, and instead of it.
-  description.Writes = { "surface", "shading" };
+  description.Writes = { vtkRelievoResources::Surface, vtkRelievoResources::Shading };
 }
 
 //------------------------------------------------------------------------------
-std::vector<std::string> vtkRelievoLayersStage::GetReadsFor(
+std::vector<vtkRelievoResourceName> vtkRelievoLayersStage::GetReadsFor(
   const vtkRelievoFrameContext& context, const std::vector<std::string>& asked) const
 {
   const bool visibility = std::any_of(asked.begin(), asked.end(),
     [&context](const std::string& layer) { return context.Lights.count(layer) > 0; });
-  return visibility ? std::vector<std::string>{ "visibility" } : std::vector<std::string>();
+  return visibility ? std::vector<vtkRelievoResourceName>{ vtkRelievoResources::Visibility }
+                    : std::vector<vtkRelievoResourceName>();
 }
 
 //------------------------------------------------------------------------------
@@ -173,8 +207,7 @@ bool vtkRelievoLayersStage::Prepare(vtkRelievoFrameContext& context)
   if (in.Layout.IdWord >= 0)
   {
     in.PrimitiveIds = vtkRelievoPrimitiveIds::Get(context.Window);
-    if (in.PrimitiveIds == vtkRelievoPrimitiveIds::Unreliable &&
-      in.Reported.insert("primitives").second)
+    if (in.PrimitiveIds == vtkRelievoPrimitiveIds::Unreliable && in.Reported.IsNew("primitives"))
     {
       vtkErrorMacro("This OpenGL gives fragment shaders wrong numbers of primitives: cell ids are "
                     "-1, arrays are not read, and depth is as the rasteriser rounds it. Update its "
@@ -248,7 +281,7 @@ void vtkRelievoLayersStage::EndOpaque(vtkRelievoFrameContext& context)
   if (in.Shading)
   {
     in.Textures.Set(in.Layout, in.Target, in.Offset, this->NormalSpace == WORLD);
-    context.Provide("shading", &in.Textures);
+    context.Provide(vtkRelievoResources::Shading, &in.Textures);
   }
 }
 
@@ -272,7 +305,7 @@ void vtkRelievoLayersStage::Execute(vtkRelievoFrameContext& context)
   if (in.ShadingAsked && !in.Valid)
   {
     in.Textures.WhyNot = in.Textures.WhyNot.empty() ? in.NotShared : in.Textures.WhyNot;
-    context.Provide("shading", &in.Textures);
+    context.Provide(vtkRelievoResources::Shading, &in.Textures);
     if (asked.size() == 1)
     {
       in.Target.Release(context.Window);
@@ -293,8 +326,9 @@ void vtkRelievoLayersStage::Execute(vtkRelievoFrameContext& context)
   in.Textures.SetDraws(in.Draws, context.Window);
   for (const std::string& layer : asked)
   {
-    const bool internal = layer == "surface" || layer == "shading";
-    internal ? context.Provide(layer, &in.Textures) : context.ProvideLayer(layer, &in.Textures);
+    const auto name = vtkRelievoResourceName::Of(layer);
+    IsForShaders(name) ? context.Provide(name, &in.Textures)
+                       : context.ProvideLayer(layer, &in.Textures);
     words += " " + layer;
   }
   this->Explain("ran",
@@ -334,7 +368,7 @@ void vtkRelievoLayersStage::DrawOwnPass(vtkRelievoFrameContext& context)
   else
   {
     this->Explain("failed", wrong);
-    if (in.Reported.insert(wrong).second)
+    if (in.Reported.IsNew(wrong))
     {
       vtkErrorMacro("No layers: " << wrong << ".");
     }
@@ -449,7 +483,7 @@ void vtkRelievoLayersStage::Internals::Arrange(
   layout.NormalDepth = separate ? static_cast<int>(NORMAL_DEPTH_SEPARATE) : self.NormalDepthFormat;
   for (const std::string& layer : context.GetAsked(&self))
   {
-    if (layer == "surface" || layer == "shading")
+    if (IsForShaders(vtkRelievoResourceName::Of(layer)))
     {
       layout.Surface = true;
     }
@@ -484,7 +518,7 @@ void vtkRelievoLayersStage::Internals::Arrange(
   this->Textures.WhyNot.clear();
   this->Textures.Left.clear();
   this->Textures.Deferred = this->Textures.NumberOfLights = 0;
-  this->ShadingAsked = context.IsAsked(&self, "shading");
+  this->ShadingAsked = context.IsAsked(&self, vtkRelievoResources::Shading);
   if (this->ShadingAsked)
   {
     this->Textures.WhyNot = this->DrawsWithoutLayers
@@ -498,7 +532,7 @@ void vtkRelievoLayersStage::Internals::Arrange(
   {
     layout.Depth = layout.Normal = true;
     asked = layout.Shadows;
-    if (context.IsPlanned("shadow maps"))
+    if (context.IsPlanned(vtkRelievoResources::ShadowMaps))
     {
       layout.Shadows.resize(context.Renderer->GetLights()->GetNumberOfItems());
       std::iota(layout.Shadows.begin(), layout.Shadows.end(), 0);
@@ -559,13 +593,13 @@ void vtkRelievoLayersStage::SpliceShaders(
   const std::string name = mapper->GetClassName();
   if (this->IsNews(mapper, outcome))
   {
-    vtkWarningMacro("No layers of geometry drawn by " << name << ": " << outcome.Wrong << ".");
+    vtkWarningMacro("No layers of geometry drawn by " << name << ": " << outcome.Error << ".");
   }
   const bool numbered = vtkRelievoGBufferSplice::GetPrimitiveSource(mapper, actor) !=
     vtkRelievoGBufferSplice::GetPrimitiveSource(shaders.Fragment);
-  if (outcome.Wrong.empty() && numbered && in.Layout.IdWord >= 0 &&
+  if (outcome.Error.empty() && numbered && in.Layout.IdWord >= 0 &&
     in.Mode.PrimitiveIds == vtkRelievoPrimitiveIds::ThroughGeometryShader &&
-    in.Reported.insert(name + "ids").second)
+    in.Reported.IsNew(name + "ids"))
   {
     vtkErrorMacro("No cell ids of geometry drawn by "
       << name << ": with this OpenGL they need a geometry shader, which cannot pass on all outputs "
@@ -599,7 +633,7 @@ bool vtkRelievoLayersStage::SetShaderParameters(vtkShaderProgram* program,
     return true;
   }
   ++this->DrawCalls;
-  if (vtkRelievoIsProjective(actor->GetMatrix()) && in.Reported.insert("projective").second)
+  if (vtkRelievoIsProjective(actor->GetMatrix()) && in.Reported.IsNew("projective"))
   {
     vtkWarningMacro("An actor's matrix is projective: its last row is not 0 0 0 1. VTK lights it "
                     "at other positions than it draws it, and its depth, positions, normals and "
@@ -611,14 +645,14 @@ bool vtkRelievoLayersStage::SetShaderParameters(vtkShaderProgram* program,
     const int source =
       vtkRelievoGBufferSplice::GetPrimitiveSource(program->GetFragmentShader()->GetSource());
     const std::uint32_t first = in.Draws.Add(actor, mapper, source);
-    if (in.Draws.IsLastAmbiguous() && in.Reported.insert("blocks").second)
+    if (in.Draws.IsLastAmbiguous() && in.Reported.IsNew("blocks"))
     {
       vtkErrorMacro("No cell and block ids of some composite data: this VTK gives primitives of "
                     "several of its blocks the same numbers where cells have normals but no "
                     "colours. Colour the cells, or compute the normals at the points.");
     }
     program->SetUniformi("relievoFirstPrimitive", static_cast<int>(first));
-    if (first == vtkRelievoDrawTable::Nothing && in.Reported.insert("words").second)
+    if (first == vtkRelievoDrawTable::Nothing && in.Reported.IsNew("words"))
     {
       vtkErrorMacro("More primitives are drawn than 32 bits can count: the last ones have the ids "
                     "-1, no arrays, and depth with the rasteriser's rounding. Draw fewer at once.");

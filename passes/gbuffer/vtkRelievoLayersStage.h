@@ -192,7 +192,7 @@ protected:
     vtkActor* actor) override;
 #endif
   void Describe(vtkRelievoStageDescription& description) override;
-  std::vector<std::string> GetReadsFor(
+  std::vector<vtkRelievoResourceName> GetReadsFor(
     const vtkRelievoFrameContext& context, const std::vector<std::string>& asked) const override;
   bool Prepare(vtkRelievoFrameContext& context) override;
   void BeginOpaque(vtkRelievoFrameContext& context) override;

@@ -4,6 +4,7 @@
 
 #include "vtkObjectFactory.h"
 #include "vtkRelievoFrameContext.h"
+#include "vtkRelievoReportOnce.h"
 #include "vtkRelievoScreenQuad.h"
 #include "vtkRelievoScreenTarget.h"
 #include "vtkRelievoShadowContext.h"
@@ -42,7 +43,7 @@ class vtkRelievoLightDepthStage::Internals
 public:
   vtkRelievoScreenTarget Target{ "relievoLightDepth" };
   vtkRelievoScreenQuad Quad;
-  std::string Reported;
+  vtkRelievoReportOnce Reported;
 
   const vtkRelievoShadowCache::Entry* Find(const vtkRelievoShadowContext* work, int light) const
   {
@@ -73,7 +74,9 @@ void vtkRelievoLightDepthStage::Describe(vtkRelievoStageDescription& description
   description.Label = "Light's Depth";
   description.Help = "Shows the depth in a light's shadow maps.";
   description.Slot = vtkRelievoStageDescription::COMPOSITE;
-  description.Reads = { "visibility" }; // whether or not the picture shows shadows
+  description.Reads = {
+    vtkRelievoResources::Visibility
+  }; // whether or not the picture shows shadows
   description.Layers = { Layer };
   description.OnByDefault = true;
   description.AddWhole(
@@ -90,7 +93,8 @@ void vtkRelievoLightDepthStage::Execute(vtkRelievoFrameContext& context)
   format.Channels = 1;
   format.Halves = false;
   std::string wrong = in.Target.Prepare(context, format);
-  const auto* shadows = static_cast<vtkRelievoShadowStrengths*>(context.Find("shadow maps"));
+  const auto* shadows =
+    static_cast<vtkRelievoShadowStrengths*>(context.Find(vtkRelievoResources::ShadowMaps));
   const vtkRelievoShadowContext* work = shadows ? shadows->GetWork() : nullptr;
   const vtkRelievoShadowCache::Entry* entry = in.Find(work, this->Light);
   vtkShaderProgram* program = nullptr;
@@ -99,17 +103,15 @@ void vtkRelievoLightDepthStage::Execute(vtkRelievoFrameContext& context)
     program = in.Quad.Ready(context, "shadow/lightDepthFS.glsl", {});
     wrong = in.Quad.GetWrong();
   }
+  if (in.Reported.IsChange(wrong))
+  {
+    vtkErrorMacro("No " << Layer << ": " << wrong << ".");
+  }
   if (!wrong.empty())
   {
     this->Explain("failed", wrong);
-    if (in.Reported != wrong)
-    {
-      vtkErrorMacro("No " << Layer << ": " << wrong << ".");
-    }
-    in.Reported = wrong;
     return;
   }
-  in.Reported.clear();
   in.Target.Begin(context, std::numeric_limits<float>::infinity());
   const int maps = entry ? static_cast<int>(entry->Maps.size()) : 0;
   for (int i = 0; i < maps; ++i)

@@ -390,18 +390,9 @@ private:
   void operator=(const vtkRelievoShadowStage&) = delete;
 
   void DescribeSoft(vtkRelievoStageDescription& description);
-  void DeclareSoft(const vtkRelievoFrameContext& context, vtkRelievoDeclaration& declaration) const;
-  bool FollowsSuns(vtkRenderer* renderer) const;
-  std::string DescribeSamples() const;                   // "; WORDS"
-  std::string MakeMaps(vtkRelievoFrameContext& context); // as planned, or why there are none
-  void PrepareMethod(vtkRelievoFrameContext& context);   // or maps, with a warning
   void CollectLights(vtkRelievoFrameContext& context);
-  void DrawLights(vtkRelievoFrameContext& context);
+  std::string DrawLights(vtkRelievoFrameContext& context);
   std::string DrawLamps(vtkRelievoFrameContext& context);
-  std::string DescribeMaps() const;
-  void ReportOnce(const std::string& error);
-  double GetExpectedWrongShare() const; // for the frame's maps
-  int GetSizeHere(int size);            // or OpenGL's limit, with a warning
 
   class Internals;
   std::unique_ptr<Internals> Internal;

@@ -111,10 +111,10 @@ def capture(renderer, layers=("depth",), size=None, hdr=False, camera=None, ambi
         )
     wrong_name = not failed and source.GetErrorCode() == vtkRelievoLayerSource.NO_SUCH_LAYER
     for name in drawn if wrong_name else ():
-        wrong = why_not(name, renderer, None)  # lists the existing arrays
-        if wrong:
+        error = why_not(name, renderer, None)  # lists the existing arrays
+        if error:
             hint = NEEDS_MOMENT if name in FLOW_LAYERS else ""
-            raise ValueError(f"capture: {wrong}{hint}")
+            raise ValueError(f"capture: {error}{hint}")
     watch.raise_as(ValueError if wrong_name else RuntimeError, f"capture {', '.join(layers)}")
     image = source.GetOutput()
     if flows:

@@ -37,9 +37,9 @@ class Frame(vtkRelievoPasses.vtkRelievoPass):
         return self._renderer.Get() is None
 
     def _check(self, name, method):
-        wrong = why_not(name, self._renderer.Get(), self.GetShadowStage())
-        if wrong:
-            raise ValueError(f"{method}: {wrong}")
+        error = why_not(name, self._renderer.Get(), self.GetShadowStage())
+        if error:
+            raise ValueError(f"{method}: {error}")
 
     def RequestLayer(self, name):
         """Renders the layer in every frame, until it is released."""

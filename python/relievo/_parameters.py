@@ -86,7 +86,7 @@ def set_value(function, owner, name, given, keyword=None):
         raise ValueError(
             f"{function}: {keyword}: got {described(given)}, expected a number, numbers or a word"
         ) from None
-    wrong = owner.TrySetParameter(name, text)
-    if wrong:
-        expected = wrong.partition(" given, ")[2]
+    error = owner.TrySetParameter(name, text)
+    if error:
+        expected = error.partition(" given, ")[2]
         raise ValueError(f"{function}: {keyword}: got {described(given)}, {expected}")

@@ -106,9 +106,9 @@ class Rays:
 
     def any(self, origins, directions, minimum=0.0, maximum=numpy.inf, progress=None):
         """Whether each ray has a hit: an array of bool. Arguments as for nearest()."""
-        met = vtkUnsignedCharArray()
-        self._ask(self.scene.FindAny, met, origins, directions, minimum, maximum, progress)
-        return vtk_to_numpy(met).astype(bool)
+        hit = vtkUnsignedCharArray()
+        self._ask(self.scene.FindAny, hit, origins, directions, minimum, maximum, progress)
+        return vtk_to_numpy(hit).astype(bool)
 
     def all(self, origins, directions, minimum=0.0, maximum=numpy.inf, progress=None):
         """All hits of all rays, as Hits with a row for each hit, sorted by rays and distance.
@@ -154,9 +154,9 @@ class Rays:
         self.scene.SetMaximumDistance(maximum)
         report = _Progress(self.scene, progress)
         # Not copied, so these references must last for the call.
-        held = [numpy.ascontiguousarray(each) for each in (origins, directions)]
+        arrays = [numpy.ascontiguousarray(each) for each in (origins, directions)]
         with Watch(self.scene) as watch, report:
-            find(*map(numpy_to_vtk, held), answer)
+            find(*map(numpy_to_vtk, arrays), answer)
         report.check()
         watch.raise_as(ValueError, "rays")
         return len(directions)

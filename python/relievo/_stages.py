@@ -45,12 +45,12 @@ def stage(renderer, name, on=True, **parameters) -> vtkRelievoStage:
     # Checked on an unused frame, so that nothing is attached if a value is invalid.
     before = {key: found.GetParameter(key) for key in wanted if key in names(found)}
     for key, text in wanted.items():
-        wrong = found.TrySetParameter(key, text)
-        if wrong:
+        error = found.TrySetParameter(key, text)
+        if error:
             for known, old in before.items():
                 found.TrySetParameter(known, old)
             guess = "" if key in before else did_you_mean(key, names(found))
-            raise ValueError(f"stage: {wrong}{guess}")
+            raise ValueError(f"stage: {error}{guess}")
     if frame is not there:
         found = attach(renderer).GetStage(name)
         for key, text in wanted.items():

@@ -58,28 +58,28 @@ def _set_value(made, name, parameter, value):
     arrays = _arrays(made)
     text = isinstance(value, str)
     is_switch = isinstance(value, bool) and made.IsPerPoint(parameter)
-    wrong = ""
+    error = ""
     try:
         said = words(value) if not is_switch else "always" if value else "never"
     except (TypeError, ValueError, OverflowError):
-        said, wrong = "", f"got {described(value)}, expected a number, three numbers or a word"
+        said, error = "", f"got {described(value)}, expected a number, three numbers or a word"
     per_point = made.IsPerPoint(parameter)
     if text and said and per_point and (said in (arrays or ()) or _is_number(said)):
         made.SetArray(parameter, said)  # arrays may be named like numbers and colours
-    elif not wrong:
-        wrong = made.TrySetParameter(parameter, said)
-        if not (wrong or text) and per_point and made.GetArray(parameter):
-            wrong = f"got {described(value)}. {made.GetParameterHelp(parameter)}"
-    array = made.GetArray(parameter) if per_point and not wrong else None
+    elif not error:
+        error = made.TrySetParameter(parameter, said)
+        if not (error or text) and per_point and made.GetArray(parameter):
+            error = f"got {described(value)}. {made.GetParameterHelp(parameter)}"
+    array = made.GetArray(parameter) if per_point and not error else None
     if array and arrays is not None and array in arrays:
-        wrong = _unlike(made, parameter, array)
+        error = _unlike(made, parameter, array)
     elif array and arrays is not None:
         known = ", ".join(sorted(arrays)) or "none"
         guess = did_you_mean(array, arrays)
-        wrong = (f"got {value!r}{guess}, which is neither a value nor a point array; the points' "
+        error = (f"got {value!r}{guess}, which is neither a value nor a point array; the points' "
                  f"arrays are {known}. {made.GetParameterHelp(parameter)}")
-    if wrong:
-        raise ValueError(f"{name}: {parameter}: {wrong}")
+    if error:
+        raise ValueError(f"{name}: {parameter}: {error}")
 
 
 def _arrays(made):
@@ -196,9 +196,9 @@ def _make(stage, made):
                 raise ValueError(
                     f"{name}: {each}: got {described(given[each])}, expected a word"
                 ) from None
-            wrong = trial.TrySetParameter(each, said[each])
-            if wrong:
-                raise ValueError(f"{name}: {each}: {wrong.split(': ', 1)[-1]}")
+            error = trial.TrySetParameter(each, said[each])
+            if error:
+                raise ValueError(f"{name}: {each}: {error.split(': ', 1)[-1]}")
         there = attach(renderer).GetStage(name)
         for each, text in said.items():
             there.SetParameter(each, text)

@@ -90,9 +90,9 @@ class RelievoComponent:
 
     def _check(self, used):
         renderer = self._renderer()
-        wrong = renderer in _providers and _refusal([used], _providers[renderer].settings)
-        if wrong:
-            raise ValueError(f"plotter.relievo: {wrong}")
+        error = renderer in _providers and _refusal([used], _providers[renderer].settings)
+        if error:
+            raise ValueError(f"plotter.relievo: {error}")
 
     def _call(self, function, *arguments, **values):
         with self._kept().held() as renderer:
@@ -242,10 +242,10 @@ class RenderPassProvider:
         """Why settings are refused, or None."""
         renderer = self._renderer() if self._renderer is not None else None
         found = kept(renderer) if renderer is not None else None
-        wrong = _refusal(_used(found.frame), settings) if found is not None else None
-        if not wrong:
+        error = _refusal(_used(found.frame), settings) if found is not None else None
+        if not error:
             self.settings = dict(settings)
-        return wrong
+        return error
 
 
 def read_exr(path, **options):

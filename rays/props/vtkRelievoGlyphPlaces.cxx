@@ -325,10 +325,10 @@ const std::vector<vtkRelievoGlyphPlaces::Group>* vtkRelievoGlyphPlaces::Find(
     state.push_back(reinterpret_cast<std::uintptr_t>(each.Points));
     state.push_back(each.Points->GetMTime());
   }
-  Held& held = this->Mappers[mapper];
-  if (held.State != state)
+  Cached& cached = this->Mappers[mapper];
+  if (cached.State != state)
   {
-    held = { mapper, state, true, {} };
+    cached = { mapper, state, true, {} };
     vtkIdType count = 0;
     for (const Input& each : inputs)
     {
@@ -336,16 +336,16 @@ const std::vector<vtkRelievoGlyphPlaces::Group>* vtkRelievoGlyphPlaces::Find(
       const vtkIdType points = each.Points->GetNumberOfPoints();
       std::vector<SourcePlaces> places(sources.size());
       count += points;
-      held.Known = held.Known && count <= MostGlyphs && rules.AreSound() &&
+      cached.Known = cached.Known && count <= MostGlyphs && rules.AreSound() &&
         AddPlaces(rules, points, this->Kind, places);
-      for (std::size_t i = 0; i < sources.size() && held.Known; ++i)
+      for (std::size_t i = 0; i < sources.size() && cached.Known; ++i)
       {
         for (vtkPolyData* mesh : sources[i])
         {
-          held.Groups.push_back({ mesh, places[i].Places, places[i].Points, each.Block });
+          cached.Groups.push_back({ mesh, places[i].Places, places[i].Points, each.Block });
         }
       }
     }
   }
-  return held.Known ? &held.Groups : nullptr;
+  return cached.Known ? &cached.Groups : nullptr;
 }

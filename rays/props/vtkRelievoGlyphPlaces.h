@@ -54,7 +54,7 @@ public:
   const std::vector<Group>* Find(vtkGlyph3DMapper* mapper);
 
 private:
-  struct Held
+  struct Cached
   {
     vtkWeakPointer<vtkGlyph3DMapper> Mapper;
     std::vector<std::uint64_t> State;
@@ -62,7 +62,7 @@ private:
     std::vector<Group> Groups;
   };
   Numbers Kind;
-  std::map<vtkGlyph3DMapper*, Held> Mappers;
+  std::map<vtkGlyph3DMapper*, Cached> Mappers;
 };
 
 #endif

@@ -247,7 +247,7 @@ bool AddMesh(vtkPolyData* mesh, const Manner& manner, std::vector<vtkRelievoPlac
   vtkRelievoPlacedMesh& placed = meshes.back();
   placed.Mesh = mesh;
   placed.MeshToWorld = manner.MeshToWorld;
-  placed.Passes = manner.OpacityKnown ? 1.0 - manner.Opacity : vtkMath::Nan();
+  placed.Opacity = manner.OpacityKnown ? manner.Opacity : vtkMath::Nan();
   placed.Actor = manner.Actor;
   placed.Block = manner.Block;
   const bool plain = manner.ArraysKnown || manner.Overrides || !GetColors(manner.Mapper, mesh);

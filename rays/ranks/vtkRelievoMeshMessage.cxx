@@ -161,7 +161,7 @@ bool vtkRelievoMeshSender::IsSame(
   const auto sent = this->Meshes.find(now.Mesh);
   return now.Mesh == before.Mesh && sent != this->Meshes.end() && sent->second.Data == now.Mesh &&
     sent->second.Times == GetTimes(now.Mesh) && now.MeshToWorld == before.MeshToWorld &&
-    now.Places == before.Places && now.Passes == before.Passes && now.Color == before.Color &&
+    now.Places == before.Places && now.Opacity == before.Opacity && now.Color == before.Color &&
     now.Reach == before.Reach;
 }
 
@@ -273,7 +273,7 @@ void vtkRelievoMeshSender::WritePart(const vtkRelievoMeshPart& part, vtkRelievoB
     Put(written[2], at ? places[at] : -1);
     Put(written[2], &placed.MeshToWorld[0][0], 16);
     Put(written[2], &placed.Color.x, 3);
-    Put(written[2], placed.Passes);
+    Put(written[2], placed.Opacity);
     Put(written[2], placed.Reach);
   }
   for (int i = 0; i < 3; ++i)
@@ -334,7 +334,7 @@ void vtkRelievoMeshReceiver::Read(const vtkRelievoBytes& bytes)
     placed.Places = place >= 0 ? places[place] : nullptr;
     from.Take(&placed.MeshToWorld[0][0], 16);
     from.Take(&placed.Color.x, 3);
-    placed.Passes = from.Take<double>();
+    placed.Opacity = from.Take<double>();
     placed.Reach = from.Take<double>();
   }
   this->Part.Receivers = TakeBoxes(from);

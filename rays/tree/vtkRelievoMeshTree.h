@@ -137,18 +137,37 @@ void vtkRelievoMeshTree::Walk(const vtkRelievoRay& ray, double low, double high,
   const auto getLast = [&](double t) {
     return static_cast<float>((t - enters) * toTree * (1.0 + 1e-6) + 1e-6);
   };
-  const auto walkLeaf = [&](int first, int count) {
-    for (int triangle = first; triangle < first + count; ++triangle)
+  const bool byFour = vtkRelievoWideTree::UsesAvx2();
+  const auto take = [&](int triangle, double t) {
+    if (t >= low && t <= high)
     {
-      const std::uint32_t* corners = this->GetCorners(triangle);
-      double t = 0.0;
-      glm::dvec3 sides;
-      if (ray.Meets(this->Places[corners[0]], this->Places[corners[1]], this->Places[corners[2]], t,
-            sides) &&
-        t >= low && t <= high)
+      high = visit(triangle, t);
+      leaves = std::min(leaves, high);
+    }
+  };
+  const auto walkLeaf = [&](int first, int count) {
+    const std::uint32_t* corners = this->GetCorners(first);
+    if (byFour && count == 4)
+    {
+      double t[4];
+      unsigned bits = vtkRelievoAvx2::HitTriangles(ray, this->Places.data(), corners, t);
+      for (; bits != 0; bits &= bits - 1)
       {
-        high = visit(triangle, t);
-        leaves = std::min(leaves, high);
+        const int i = vtkRelievoGetLowest(bits);
+        take(first + i, t[i]);
+      }
+    }
+    else
+    {
+      for (int i = 0; i < count; ++i, corners += 3)
+      {
+        double t = 0.0;
+        glm::dvec3 sides;
+        if (ray.Hits(this->Places[corners[0]], this->Places[corners[1]], this->Places[corners[2]],
+              t, sides))
+        {
+          take(first + i, t);
+        }
       }
     }
     return high < low ? -1.f : std::max(0.f, getLast(leaves));

@@ -31,7 +31,7 @@ struct vtkRelievoRay
 
   // Edges belong to the triangle: for both directions of an edge, side() is the same number with
   // opposite signs. This requires products without fusing (-ffp-contract=off).
-  bool Meets(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, double& t,
+  bool Hits(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, double& t,
     glm::dvec3& sides) const
   {
     const glm::dvec3 p = this->Place(a);

@@ -23,24 +23,24 @@ bool vtkRelievoRayTree::UpdateMeshes(const std::vector<vtkRelievoPlacedMesh>& me
 {
   this->MeshesBuilt = 0;
   this->MeshesRefitted = 0;
-  std::map<Key, Held> before;
+  std::map<Key, Cached> before;
   before.swap(this->Trees);
   for (const vtkRelievoPlacedMesh& mesh : meshes)
   {
     const Key key(mesh.Mesh, mesh.ByOutline);
-    Held& held = this->Trees[key];
-    if (held.Triangles)
+    Cached& cached = this->Trees[key];
+    if (cached.Triangles)
     {
       continue;
     }
     const auto old = before.find(key);
-    held = old != before.end() && old->second.Data == mesh.Mesh
+    cached = old != before.end() && old->second.Data == mesh.Mesh
       ? old->second
-      : Held{ mesh.Mesh, std::make_shared<vtkRelievoMeshTree>() };
+      : Cached{ mesh.Mesh, std::make_shared<vtkRelievoMeshTree>() };
     using Rule = vtkRelievoPolygonCut::Rule;
-    if (held.Triangles->Update(mesh.Mesh, mesh.ByOutline ? Rule::ByOutline : Rule::AsDrawn))
+    if (cached.Triangles->Update(mesh.Mesh, mesh.ByOutline ? Rule::ByOutline : Rule::AsDrawn))
     {
-      ++(held.Triangles->WasRefitted() ? this->MeshesRefitted : this->MeshesBuilt);
+      ++(cached.Triangles->WasRefitted() ? this->MeshesRefitted : this->MeshesBuilt);
     }
   }
   return this->MeshesBuilt + this->MeshesRefitted > 0;
@@ -131,9 +131,9 @@ void vtkRelievoRayTree::Place()
 std::size_t vtkRelievoRayTree::GetBytes() const
 {
   std::size_t bytes = this->Places.capacity() * sizeof(Placed) + this->Tree.GetBytes();
-  for (const auto& held : this->Trees)
+  for (const auto& cached : this->Trees)
   {
-    bytes += held.second.Triangles->GetBytes();
+    bytes += cached.second.Triangles->GetBytes();
   }
   return bytes;
 }
@@ -150,7 +150,7 @@ long long vtkRelievoRayTree::GetNumberOfTriangles() const
 }
 
 //------------------------------------------------------------------------------
-bool vtkRelievoRayTree::IsBefore(const Meeting& a, const Meeting& b) const
+bool vtkRelievoRayTree::IsBefore(const Hit& a, const Hit& b) const
 {
   if (a.T != b.T || a.Place != b.Place)
   {
@@ -161,15 +161,15 @@ bool vtkRelievoRayTree::IsBefore(const Meeting& a, const Meeting& b) const
 }
 
 //------------------------------------------------------------------------------
-vtkRelievoRayTree::Meeting vtkRelievoRayTree::FindNearest(
+vtkRelievoRayTree::Hit vtkRelievoRayTree::FindNearest(
   const glm::dvec3& from, const glm::dvec3& ray, double low, double high) const
 {
-  Meeting nearest;
+  Hit nearest;
   this->Walk(from, ray, low, high, [&](int place, int triangle, double t) {
-    const Meeting meeting{ place, triangle, t };
-    if (nearest.Place < 0 || this->IsBefore(meeting, nearest))
+    const Hit hit{ place, triangle, t };
+    if (nearest.Place < 0 || this->IsBefore(hit, nearest))
     {
-      nearest = meeting;
+      nearest = hit;
     }
     return nearest.T;
   });
@@ -177,7 +177,7 @@ vtkRelievoRayTree::Meeting vtkRelievoRayTree::FindNearest(
 }
 
 //------------------------------------------------------------------------------
-bool vtkRelievoRayTree::MeetsAny(
+bool vtkRelievoRayTree::HitsAny(
   const glm::dvec3& from, const glm::dvec3& ray, double low, double high) const
 {
   bool any = false;
@@ -190,15 +190,15 @@ bool vtkRelievoRayTree::MeetsAny(
 
 //------------------------------------------------------------------------------
 void vtkRelievoRayTree::FindAll(const glm::dvec3& from, const glm::dvec3& ray, double low,
-  double high, std::vector<Meeting>& meetings) const
+  double high, std::vector<Hit>& hits) const
 {
-  meetings.clear();
+  hits.clear();
   this->Walk(from, ray, low, high, [&](int place, int triangle, double t) {
-    meetings.push_back({ place, triangle, t });
+    hits.push_back({ place, triangle, t });
     return high;
   });
-  std::sort(meetings.begin(), meetings.end(),
-    [this](const Meeting& a, const Meeting& b) { return this->IsBefore(a, b); });
+  std::sort(
+    hits.begin(), hits.end(), [this](const Hit& a, const Hit& b) { return this->IsBefore(a, b); });
 }
 
 //------------------------------------------------------------------------------
@@ -233,17 +233,17 @@ bool vtkRelievoRayTree::Owns(
 
 //------------------------------------------------------------------------------
 vtkRelievoRayTree::Details vtkRelievoRayTree::GetDetails(
-  const Meeting& meeting, const glm::dvec3& from, const glm::dvec3& ray) const
+  const Hit& hit, const glm::dvec3& from, const glm::dvec3& ray) const
 {
-  const Placed& placed = this->Places[meeting.Place];
+  const Placed& placed = this->Places[hit.Place];
   const vtkRelievoMeshTree& mesh = *placed.Triangles;
-  const glm::dvec3& a = mesh.GetCorner(meeting.Triangle, 0);
-  const glm::dvec3& b = mesh.GetCorner(meeting.Triangle, 1);
-  const glm::dvec3& c = mesh.GetCorner(meeting.Triangle, 2);
+  const glm::dvec3& a = mesh.GetCorner(hit.Triangle, 0);
+  const glm::dvec3& b = mesh.GetCorner(hit.Triangle, 1);
+  const glm::dvec3& c = mesh.GetCorner(hit.Triangle, 2);
   const vtkRelievoRay inner = GetInner(placed, from, ray);
   double t = 0.0;
   glm::dvec3 sides(1.0, 0.0, 0.0);
-  inner.Meets(a, b, c, t, sides);
+  inner.Hits(a, b, c, t, sides);
   Details details;
   details.Weights = sides / (sides.x + sides.y + sides.z);
   const glm::dmat4 toScene = this->GetToScene(placed);

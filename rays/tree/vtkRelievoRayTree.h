@@ -22,7 +22,7 @@ class VTKRELIEVORAYS_EXPORT vtkRelievoRayTree
 {
 public:
   // A hit of a ray with a triangle.
-  struct Meeting
+  struct Hit
   {
     int Place = -1; // -1: no hit
     int Triangle = -1;
@@ -68,13 +68,13 @@ public:
 
   ///@{
   // The first hit in the range, whether there is any, and all hits in order.
-  Meeting FindNearest(const glm::dvec3& from, const glm::dvec3& ray, double low, double high) const;
-  bool MeetsAny(const glm::dvec3& from, const glm::dvec3& ray, double low, double high) const;
+  Hit FindNearest(const glm::dvec3& from, const glm::dvec3& ray, double low, double high) const;
+  bool HitsAny(const glm::dvec3& from, const glm::dvec3& ray, double low, double high) const;
   void FindAll(const glm::dvec3& from, const glm::dvec3& ray, double low, double high,
-    std::vector<Meeting>& meetings) const;
+    std::vector<Hit>& hits) const;
   ///@}
 
-  Details GetDetails(const Meeting& meeting, const glm::dvec3& from, const glm::dvec3& ray) const;
+  Details GetDetails(const Hit& hit, const glm::dvec3& from, const glm::dvec3& ray) const;
 
   // Normal of the plane, and one of its points; not unit.
   glm::dvec3 GetNormal(int place, int triangle, glm::dvec3& corner) const;
@@ -91,7 +91,7 @@ private:
     glm::dmat4 ToMesh{ 1.0 }; // about the mesh's origin
   };
   using Key = std::pair<vtkPolyData*, bool>; // and whether polygons are triangulated by outline
-  struct Held
+  struct Cached
   {
     vtkWeakPointer<vtkPolyData> Data;
     std::shared_ptr<vtkRelievoMeshTree> Triangles;
@@ -99,7 +99,7 @@ private:
   bool UpdateMeshes(const std::vector<vtkRelievoPlacedMesh>& meshes);
   void Place();
   // Order along the ray; at equal positions by number, independent of the trees.
-  bool IsBefore(const Meeting& a, const Meeting& b) const;
+  bool IsBefore(const Hit& a, const Hit& b) const;
   glm::dmat4 GetToScene(const Placed& placed) const;
   // In the scene's coordinates.
   void GetCorners(int place, int triangle, glm::dvec3 corners[3]) const;
@@ -109,7 +109,7 @@ private:
       glm::dvec3(placed.ToMesh * glm::dvec4(from, 1.0)), glm::dmat3(placed.ToMesh) * ray);
   }
 
-  std::map<Key, Held> Trees;
+  std::map<Key, Cached> Trees;
   std::vector<vtkRelievoPlacedMesh> Meshes;
   std::vector<Placed> Places; // one or more for each of Meshes
   vtkRelievoWideTree Tree;    // over Places, about the centre, in units of Size

@@ -106,7 +106,8 @@ struct vtkRelievoTriangleSight::Facing
 };
 
 // Bits of the points that the triangle may hide: it is not clearly beside them.
-inline unsigned vtkRelievoTriangleSight::Meets(const Facing& facing, const Quad& quad, double reach)
+inline unsigned vtkRelievoTriangleSight::MayHide(
+  const Facing& facing, const Quad& quad, double reach)
 {
   using Four = vtkRelievoFour;
   // Rounding of differences up to `size` between coordinates up to reach + size, and of their
@@ -644,9 +645,9 @@ void vtkRelievoTriangleSight::LookAtChunk(int chunk, const View& view)
     {
       const int at = vtkRelievoGetLowest(bits);
       Quad& quad = group.Quads[at];
-      if (const unsigned met = Meets(facing, quad, group.Reach) & quad.Open)
+      if (const unsigned hidden = MayHide(facing, quad, group.Reach) & quad.Open)
       {
-        this->Compare(quad, facing, met);
+        this->Compare(quad, facing, hidden);
         open &= quad.Open ? ~0u : ~(1u << at);
       }
     }
@@ -673,7 +674,7 @@ void vtkRelievoTriangleSight::LookAtChunk(int chunk, const View& view)
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoTriangleSight::Compare(Quad& quad, const Facing& facing, unsigned met) const
+void vtkRelievoTriangleSight::Compare(Quad& quad, const Facing& facing, unsigned hidden) const
 {
   const Vertex& a = *facing.Corners[0];
   const Vertex& b = *facing.Corners[1];
@@ -684,9 +685,9 @@ void vtkRelievoTriangleSight::Compare(Quad& quad, const Facing& facing, unsigned
   const double most = std::max(std::max(a.Q, b.Q), c.Q);
   const double size = facing.Size + quad.Size;
   const double margin = facing.Error * size;
-  for (; met != 0; met &= met - 1)
+  for (; hidden != 0; hidden &= hidden - 1)
   {
-    const int i = vtkRelievoGetLowest(met);
+    const int i = vtkRelievoGetLowest(hidden);
     const unsigned bit = 1u << i;
     // Twice the areas between the point and the triangle's sides: of equal sign inside.
     const double ax = a.X - quad.X[i];

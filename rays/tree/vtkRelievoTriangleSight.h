@@ -122,8 +122,8 @@ private:
   void LookAtChunk(int chunk, const View& view);
   void Fill(Group& group, int chunk) const;
   void FillQuad(Quad& quad, int count) const;
-  static unsigned Meets(const Facing& facing, const Quad& quad, double reach);
-  void Compare(Quad& quad, const Facing& facing, unsigned met) const;
+  static unsigned MayHide(const Facing& facing, const Quad& quad, double reach);
+  void Compare(Quad& quad, const Facing& facing, unsigned hidden) const;
   void CompareWild(Quad& quad, const Wild& wild, const View& view) const;
   void Keep(const Group& group);
 

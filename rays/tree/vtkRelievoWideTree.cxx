@@ -47,6 +47,8 @@ private:
 };
 }
 
+bool vtkRelievoWideTree::Avx2 = vtkRelievoAvx2::IsSupported();
+
 //------------------------------------------------------------------------------
 vtkRelievoWideTree::Box vtkRelievoWideTree::Nowhere()
 {

@@ -8,6 +8,7 @@
 #ifndef vtkRelievoWideTree_h
 #define vtkRelievoWideTree_h
 
+#include "vtkRelievoAvx2.h"
 #include "vtkRelievoBoxTree.h"
 #include "vtkRelievoFour.h"
 #include "vtkRelievoRaysModule.h" // for the export macro
@@ -51,6 +52,13 @@ public:
     return this->Nodes.capacity() * sizeof(Node) + this->Order.capacity() * sizeof(int);
   }
 
+  // Whether rays use AVX2: by default where the processor has it. Results are the same.
+  static bool UsesAvx2() { return vtkRelievoWideTree::Avx2; }
+  static void SetUsesAvx2(bool uses)
+  {
+    vtkRelievoWideTree::Avx2 = uses && vtkRelievoAvx2::IsSupported();
+  }
+
   // A ray in floats. The largest coordinate of the direction is 1.
   struct Ray
   {
@@ -86,7 +94,7 @@ private:
   static constexpr float Rounding = 1.0000008f; // of the products on both sides
 
   static constexpr int Width = 8; // boxes per node
-  struct alignas(16) Node
+  struct alignas(32) Node
   {
     float Sides[6][Width]; // least x, y, z, and greatest, of the boxes
     // A node, or -1 - (Most x index of a leaf's first box + number of its boxes - 1).
@@ -108,8 +116,19 @@ private:
   };
   static constexpr int Few = 160; // stack entries without allocation
 
+  static unsigned HitBoxes(const Node& node, const Ray& ray, float last, float* t);
+  template <bool ByAvx2, typename Visit>
+  void WalkBy(
+    const Ray& ray, float last, const void* leaves, std::size_t bytes, Visit& visit) const;
+  template <typename Visit>
+  RELIEVO_AVX2 void WalkByAvx2(
+    const Ray& ray, float last, const void* leaves, std::size_t bytes, Visit& visit) const
+  {
+    this->WalkBy<true>(ray, last, leaves, bytes, visit);
+  }
   void Fit(const std::vector<Box>& boxes);
 
+  static bool Avx2;
   std::vector<Node> Nodes;
   std::vector<int> Order;
   int Stack = 0; // largest size of the traversal's stack
@@ -118,9 +137,45 @@ private:
 };
 
 //------------------------------------------------------------------------------
+// Bits of the node's boxes that the ray hits up to `last`, and its distances to them.
+inline unsigned vtkRelievoWideTree::HitBoxes(const Node& node, const Ray& ray, float last, float* t)
+{
+  const int* near = ray.Near;
+  const auto getT = [&](int side, int i, int axis) {
+    return (Four::Load(node.Sides[side] + i) - Four(ray.From[axis])) * Four(ray.Inverse[axis]);
+  };
+  unsigned bits = 0;
+  for (int i = 0; i < Width; i += 4)
+  {
+    const Four low = vtkRelievoMax(vtkRelievoMax(getT(near[0], i, 0), getT(near[1], i, 1)),
+      vtkRelievoMax(getT(near[2], i, 2), Four(0.f)));
+    const Four high = vtkRelievoMin(vtkRelievoMin(getT(3 - near[0], i, 0), getT(5 - near[1], i, 1)),
+      vtkRelievoMin(getT(7 - near[2], i, 2), Four(last)));
+    low.Store(t + i);
+    bits |= vtkRelievoGetBits(low <= high * Four(Rounding)) << i;
+  }
+  return bits;
+}
+
+//------------------------------------------------------------------------------
 template <typename Visit>
 void vtkRelievoWideTree::Walk(
   const Ray& ray, float last, const void* leaves, std::size_t bytes, Visit visit) const
+{
+  if (UsesAvx2())
+  {
+    this->WalkByAvx2(ray, last, leaves, bytes, visit);
+  }
+  else
+  {
+    this->WalkBy<false>(ray, last, leaves, bytes, visit);
+  }
+}
+
+//------------------------------------------------------------------------------
+template <bool ByAvx2, typename Visit>
+RELIEVO_INLINED void vtkRelievoWideTree::WalkBy(
+  const Ray& ray, float last, const void* leaves, std::size_t bytes, Visit& visit) const
 {
   if (this->Nodes.empty())
   {
@@ -134,17 +189,6 @@ void vtkRelievoWideTree::Walk(
     large.resize(static_cast<std::size_t>(this->Stack));
     stack = large.data();
   }
-  const Four from[3] = { Four(ray.From[0]), Four(ray.From[1]), Four(ray.From[2]) };
-  const Four inverse[3] = { Four(ray.Inverse[0]), Four(ray.Inverse[1]), Four(ray.Inverse[2]) };
-  const auto getT = [&](const Node& node, int side, int i, int axis) {
-    return (Four::Load(node.Sides[side] + i) - from[axis]) * inverse[axis];
-  };
-  const int nearX = ray.Near[0];
-  const int nearY = ray.Near[1];
-  const int nearZ = ray.Near[2];
-  const int farX = 3 - nearX;
-  const int farY = 5 - nearY;
-  const int farZ = 7 - nearZ;
   int size = 0;
   int next = 0;
   for (;;)
@@ -152,19 +196,10 @@ void vtkRelievoWideTree::Walk(
     while (next >= 0)
     {
       const Node& node = this->Nodes[static_cast<std::size_t>(next)];
-      alignas(16) float t[Width];
-      unsigned bits = 0;
-      for (int i = 0; i < Width; i += 4)
-      {
-        const Four low =
-          vtkRelievoMax(vtkRelievoMax(getT(node, nearX, i, 0), getT(node, nearY, i, 1)),
-            vtkRelievoMax(getT(node, nearZ, i, 2), Four(0.f)));
-        const Four high =
-          vtkRelievoMin(vtkRelievoMin(getT(node, farX, i, 0), getT(node, farY, i, 1)),
-            vtkRelievoMin(getT(node, farZ, i, 2), Four(last)));
-        low.Store(t + i);
-        bits |= vtkRelievoGetBits(low <= high * Four(Rounding)) << i;
-      }
+      alignas(32) float t[Width];
+      unsigned bits = ByAvx2
+        ? vtkRelievoAvx2::HitBoxes(node.Sides, ray.Near, ray.From, ray.Inverse, last, Rounding, t)
+        : HitBoxes(node, ray, last, t);
       if (bits == 0)
       {
         break;

@@ -25,7 +25,7 @@ std::vector<std::string> CheckInputs(const RenderOptions& options)
     CheckExtension(path);
     CheckReadable(path);
   }
-  CheckSurface(options);
+  CheckSurface(options.Surface);
   std::vector<std::string> inputs = options.Files;
   for (const PointsChoice& choice : options.Points)
   {
@@ -37,7 +37,8 @@ std::vector<std::string> CheckInputs(const RenderOptions& options)
     CheckReadable(options.Lens);
     inputs.push_back(options.Lens);
   }
-  inputs.insert(inputs.end(), { options.NormalMap, options.HeightMap, options.Environment });
+  inputs.insert(inputs.end(),
+    { options.Surface.NormalMap, options.Surface.HeightMap, options.Surface.Environment });
   inputs.erase(std::remove(inputs.begin(), inputs.end(), std::string()), inputs.end());
   return inputs;
 }

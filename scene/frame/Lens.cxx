@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Lens.h"
 
+#include "CameraOptions.h"
 #include "Errors.h"
 #include "Messages.h"
 #include "Options.h"
 #include "Progress.h"
-#include "Scene.h"
 #include "Values.h"
 
 #include "vtkCallbackCommand.h"
@@ -67,7 +67,7 @@ vtkSmartPointer<vtkRelievoCameraModel> MakeSensor(
   vtkRelievoCalibration* calibration, const RenderOptions& options)
 {
   vtkNew<vtkCamera> view;
-  view->SetViewAngle(options.ViewAngle.value_or(StandardViewAngle));
+  view->SetViewAngle(options.View.Angle.value_or(StandardViewAngle));
   return MakeSensor(calibration, options, view);
 }
 }
@@ -84,43 +84,6 @@ vtkSmartPointer<vtkRelievoCameraModel> MakeSensor(const RenderOptions& options)
 {
   vtkNew<vtkRelievoCalibration> calibration;
   return MakeSensor(calibration, options);
-}
-
-//------------------------------------------------------------------------------
-void CheckLens(const RenderOptions& options)
-{
-  if (options.Lens.empty())
-  {
-    return;
-  }
-  if (options.ParallelScale && options.Lens.rfind("orthographic", 0) != 0)
-  {
-    throw UsageError(
-      "--lens and --parallel-scale: give one of them; only the lens orthographic is a "
-      "parallel projection, with its own scale");
-  }
-  const std::pair<bool, const char*> others[] = {
-    { options.Transparent, "--transparent: its background is told apart in a pinhole's picture" },
-    { options.Certify.has_value(), "--certify: it judges a pinhole's picture" },
-    { options.Look.Grid, "--grid: it is drawn over a pinhole's picture" },
-    { options.Look.ScaleBar.has_value(), "--scale-bar: it is drawn over a pinhole's picture" },
-    { options.Look.ScalarBar, "--scalar-bar: it is drawn over a pinhole's picture" }
-  };
-  for (const auto& [given, words] : others)
-  {
-    if (given)
-    {
-      throw UsageError("--lens and " + std::string(words) + "; give one of them");
-    }
-  }
-  for (const StageChoice& stage : options.Stages)
-  {
-    if (stage.Name == "display")
-    {
-      throw UsageError("--lens and " + stage.Option +
-        " display: a lens has colour; give --exr F --layers for its layers");
-    }
-  }
 }
 
 //------------------------------------------------------------------------------
@@ -153,9 +116,9 @@ RenderOptions FollowLens(RenderOptions options)
   const auto sensor = MakeSensor(calibration, options);
   std::copy_n(sensor->GetSize(), 2, options.Size.begin());
   const double angle = calibration->GetAngleOfWords();
-  if (angle > 0.0 && !options.ViewAngle && !options.ParallelScale)
+  if (angle > 0.0 && !options.View.Angle && !options.View.ParallelScale)
   {
-    options.ViewAngle = std::min(angle, WidestFit);
+    options.View.Angle = std::min(angle, WidestFit);
   }
   return options;
 }

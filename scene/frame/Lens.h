@@ -24,9 +24,6 @@ namespace scene
 class Progress;
 struct RenderOptions;
 
-/// Throws UsageError for options that do not work with a lens.
-void CheckLens(const RenderOptions& options);
-
 /// Throws UsageError for a layer that rays cannot compute.
 void CheckLensLayer(const std::string& name);
 

@@ -9,30 +9,12 @@
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
 #include "vtkOpenGLRenderWindow.h"
-#include "vtkRelievoLayerCatalogue.h"
 #include "vtkRelievoPass.h"
 #include "vtkRelievoShadowStage.h"
 #include "vtkRenderer.h"
 
 namespace scene
 {
-//------------------------------------------------------------------------------
-void CheckShadowLayers(const RenderOptions& options, int lights, const std::string& whose)
-{
-  for (const std::string& name : options.Layers)
-  {
-    if (vtkRelievoLayerCatalogue::GetLight(name) >= lights)
-    {
-      const std::string last =
-        vtkRelievoLayerCatalogue::GetOfLight().Name + std::to_string(lights - 1);
-      RefuseValue("--layers", name,
-        (lights == 1 ? "no shadow layer but " + last : "none beyond " + last) + ": there " +
-          (lights == 1 ? "is 1 " : "are " + std::to_string(lights) + " ") + whose +
-          ", counted from 0");
-    }
-  }
-}
-
 //------------------------------------------------------------------------------
 int CountLights(vtkRenderer* renderer)
 {

@@ -6,8 +6,6 @@
 #ifndef Shadows_h
 #define Shadows_h
 
-#include <string>
-
 class vtkRelievoPass;
 class vtkRenderer;
 
@@ -15,10 +13,6 @@ namespace scene
 {
 struct RenderOptions;
 enum class Shadows;
-
-/// Throws UsageError if a layer refers to a light beyond the `lights` available. `whose` names the
-/// lights in the message, such as "--light options".
-void CheckShadowLayers(const RenderOptions& options, int lights, const std::string& whose);
 
 /// Number of lights drawn: VTK makes a headlight if there are none.
 int CountLights(vtkRenderer* renderer);

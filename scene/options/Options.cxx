@@ -5,12 +5,11 @@
 #include "Arguments.h"
 #include "Colormaps.h"
 #include "Errors.h"
-#include "Lens.h"
 #include "Numbers.h"
 #include "Presets.h"
 #include "Readers.h"
+#include "SequenceOptions.h"
 #include "ShadowOptions.h"
-#include "Shadows.h"
 #include "SurfaceOptions.h"
 #include "ToneOptions.h"
 #include "Triples.h"
@@ -73,7 +72,7 @@ void TakeCamera(RenderOptions& options, const std::string& word)
   {
     RefuseValue("--camera", word, "an up direction UX,UY,UZ that is not along the view direction");
   }
-  options.Camera = camera;
+  options.View.Place = camera;
 }
 
 //------------------------------------------------------------------------------
@@ -95,7 +94,7 @@ void TakeClip(RenderOptions& options, const std::string& word)
   {
     RefuseValue("--clip", word, "NEAR,FAR with 0 < NEAR < FAR");
   }
-  options.Clip = { n[0], n[1] };
+  options.View.Clip = { n[0], n[1] };
 }
 
 //------------------------------------------------------------------------------
@@ -133,10 +132,11 @@ void TakeLayers(RenderOptions& options, const std::string& word)
 }
 
 //------------------------------------------------------------------------------
-template <std::string RenderOptions::*Member>
-void TakePath(RenderOptions& options, const std::string& word)
+// An option of one of their parts.
+template <auto Part, auto Take>
+void TakePart(RenderOptions& options, const std::string& word)
 {
-  options.*Member = word;
+  Take(options.*Part, word);
 }
 
 //------------------------------------------------------------------------------
@@ -269,12 +269,12 @@ vtkRelievoCommand DescribeRender(RenderOptions& all)
   rows.Add("--view-angle", "DEG",
     "full vertical angle of the perspective, degrees, above 0 and below 180 (30)",
     [](RenderOptions& options, const std::string& word) {
-      options.ViewAngle = ParseNumberBetween("--view-angle", word, 0.0, 180.0);
+      options.View.Angle = ParseNumberBetween("--view-angle", word, 0.0, 180.0);
     });
   rows.Add("--parallel-scale", "S",
     "parallel projection; S is half the picture's height in world units",
     [](RenderOptions& options, const std::string& word) {
-      options.ParallelScale = ParseNumberBetween("--parallel-scale", word, 0.0, Infinity);
+      options.View.ParallelScale = ParseNumberBetween("--parallel-scale", word, 0.0, Infinity);
     });
   vtkRelievoOption& lens = rows.Add("--lens", "LENS",
     "replaces the pinhole in --png and --exr; the layers are then computed by rays: " +
@@ -324,18 +324,18 @@ vtkRelievoCommand DescribeRender(RenderOptions& all)
       "shows a scale bar of a round length, or of LENGTH, at the lower right, only in the "
       "picture. UNIT is the unit of the scene's coordinates, such as mm; none: the number "
       "alone. In perspective the bar is correct at the depth of the focal point",
-      TakeScaleBar)
+      TakePart<&RenderOptions::Look, TakeScaleBar>)
     .Words = { "none" };
   rows.Add("--color-by", "NAME[,COMPONENT]",
     "colours by a point or cell array, point:NAME or cell:NAME if two share a name; "
     "COMPONENT is a number from 0, or magnitude (the active scalars; the magnitude; "
     "bytes of 3 or 4 components are colours)",
-    TakeColorBy);
+    TakePart<&RenderOptions::Look, TakeColorBy>);
   rows
     .Add("--range", "MIN,MAX",
       "values of the first and the last colour (the array's finite range in all files); "
       "symmetric: that range, extended to be symmetric around zero",
-      TakeRange)
+      TakePart<&RenderOptions::Look, TakeRange>)
     .Words = { "symmetric" };
   rows
     .Add("--colormap", "NAME",
@@ -343,24 +343,25 @@ vtkRelievoCommand DescribeRender(RenderOptions& all)
       "or at shares of the range, such as black,0.3=#ff8000,white; then optionally "
       ":reversed, :log (by the logarithm of the values), :steps=N (N colours) and "
       ":nan=COLOR (the colour of NaN) (viridis)",
-      TakeColormap)
+      TakePart<&RenderOptions::Look, TakeColormap>)
     .Words = GetColormapNames();
   rows.AddFlag(
     "--scalar-bar", "shows the colours and their values at the right", all.Look.ScalarBar);
   rows.Add("--color", "COLOR",
     "one colour for all meshes; COLOR is R/G/B from 0 to 1 as displays show it, "
     "#rrggbb, or a name such as slategray",
-    TakeColor);
-  rows.Add("--opacity", "A", "opacity of all meshes and volumes, 0 to 1 (1)", TakeOpacity);
+    TakePart<&RenderOptions::Look, TakeColor>);
+  rows.Add("--opacity", "A", "opacity of all meshes and volumes, 0 to 1 (1)",
+    TakePart<&RenderOptions::Look, TakeOpacity>);
   rows.Add("--point-size", "PIXELS",
     "width of points, 1 to 100 pixels; wider than 1, they are drawn as spheres (4 with a "
     "preset, else 1)",
-    TakePointSize);
+    TakePart<&RenderOptions::Look, TakePointSize>);
   rows.AddFlag("--edges", "draws the edges of cells", all.Look.Edges);
   rows.Add("--background", "COLOR[,COLOR]",
     "one colour, or a gradient: the bottom's and the top's (the preset's; black with "
     "--preset none)",
-    TakeBackground);
+    TakePart<&RenderOptions::Look, TakeBackground>);
   vtkRelievoOption& light =
     rows.Add("--light", "LIGHT", lights, TakeNext<&RenderOptions::Lights, ParseLight>);
   light.Repeats = true;
@@ -369,17 +370,20 @@ vtkRelievoCommand DescribeRender(RenderOptions& all)
     "strength of a preset's weak suns, which light the areas that its first light, or "
     "--light, leaves dark, 0 to 1 (1; 0.4 with --light)",
     TakeFill);
-  rows.Add(
-    "--time", "T", "the time of models with bones, in seconds (the animation's start)", TakeTime);
+  rows.Add("--time", "T", "the time of models with bones, in seconds (the animation's start)",
+    TakePart<&RenderOptions::Model, TakeTime>);
   rows.Add("--times", "START:END:STEP",
     "draws a frame for each of these times, including the end; the names of --png, --exr "
     "and --report must contain %d or %04d, the frame number from 0. The fitted camera "
     "sees all frames, and each frame's files are written before the next frame is drawn",
-    TakeTimes);
-  rows.Add("--animation", "NAME", "the animation of the models to play (the first)", TakeAnimation);
-  rows.Add("--blend", "NAME=W", "blends in another animation with weight W, 0 to 1", TakeBlend);
+    TakePart<&RenderOptions::Model, TakeTimes>);
+  rows.Add("--animation", "NAME", "the animation of the models to play (the first)",
+    TakePart<&RenderOptions::Model, TakeAnimation>);
+  rows.Add("--blend", "NAME=W", "blends in another animation with weight W, 0 to 1",
+    TakePart<&RenderOptions::Model, TakeBlend>);
   rows.Add("--loop", "",
-    "times after the end of an animation start again from its beginning (the end holds)", TakeLoop);
+    "times after the end of an animation start again from its beginning (the end holds)",
+    TakePart<&RenderOptions::Model, TakeLoop>);
   rows.AddChoice("--skin", "METHOD", { "linear", "dual-quaternion", "key-matrix", "off" },
     "how bones move points: linear, dual-quaternion, key-matrix, or off for the mesh at "
     "rest (linear)",
@@ -392,10 +396,10 @@ vtkRelievoCommand DescribeRender(RenderOptions& all)
   rows.Add("--skeleton", "",
     "draws the bones, and the axes of their joints in red, green and blue; --opacity "
     "affects only the mesh",
-    TakeSkeleton);
+    TakePart<&RenderOptions::Model, TakeSkeleton>);
   rows.Add("--bone-weight", "BONE",
     "colours by the weight of one bone; --color-by first_bone colours by the strongest",
-    TakeBoneWeight);
+    TakePart<&RenderOptions::Model, TakeBoneWeight>);
   rows.AddChoice("--shadows", "METHOD", { "off", "map", "forward", "warped", "exact" },
     "shadows of the lights in the picture: @choices@ (map with studio and town, else off)",
     [&all](std::size_t place) {
@@ -442,26 +446,26 @@ vtkRelievoCommand DescribeRender(RenderOptions& all)
       "tangent-space normals from an image (" + listed +
         "; green points up, as in OpenGL), placed by the meshes' texture coordinates; linear "
         "values, not sRGB",
-      TakePath<&RenderOptions::NormalMap>)
+      [](RenderOptions& options, const std::string& word) { options.Surface.NormalMap = word; })
     .Files = images;
   rows
     .Add("--height-map", "F[,SCALE]",
       "heights from an image; the ground lies SCALE below the mesh, in world units "
       "(0.02 of the scene's longest side)",
-      TakeHeightMap)
+      TakePart<&RenderOptions::Surface, TakeHeightMap>)
     .Files = images;
   rows.AddChoice("--relief", "METHOD", GetReliefMethods(),
-    "how heights are drawn: off (as normals only), parallax, steep, occlusion or relief "
-    "(relief)",
-    [&all](std::size_t place) { all.ReliefMethod = GetReliefMethods()[place]; });
+    "how heights are drawn: off (as normals only), parallax, steep, occlusion or relief (relief)",
+    [&all](std::size_t place) { all.Surface.ReliefMethod = GetReliefMethods()[place]; });
   rows.Add("--material", "NAME=VALUE[,NAME=VALUE]...",
-    "other values of the material of all surfaces" + ofMaterial, TakeMaterial);
+    "other values of the material of all surfaces" + ofMaterial,
+    TakePart<&RenderOptions::Surface, TakeMaterial>);
   rows.AddChoice("--texture-coordinates", "METHOD", { "box", "plane", "sphere" },
     "how texture coordinates are made for meshes without them: @choices@ (box, with a "
     "note)",
     [&all](std::size_t place) {
       constexpr Mapping methods[] = { Mapping::Box, Mapping::Plane, Mapping::Sphere };
-      all.TextureMapping = methods[place];
+      all.Surface.TextureMapping = methods[place];
     });
   rows
     .Add("--environment", "F[,DEG][,NAME=VALUE]...",
@@ -470,13 +474,13 @@ vtkRelievoCommand DescribeRender(RenderOptions& all)
         "rotated by DEG about the up axis (0). 8 and 16 bits are sRGB, floats linear light. "
         "Other values are" +
         ofEnvironment,
-      TakeEnvironment)
+      TakePart<&RenderOptions::Surface, TakeEnvironment>)
     .Files = images;
   rows.Add("--reflectivity", "R[,ROUGHNESS]",
     "share of the environment's light that surfaces mirror at normal incidence, and "
     "roughness of the mirror, each 0 to 1 (0.04,0.2)",
-    TakeReflectivity);
-  rows.AddFlag("--skybox", "shows the environment behind everything", all.Skybox);
+    TakePart<&RenderOptions::Surface, TakeReflectivity>);
+  rows.AddFlag("--skybox", "shows the environment behind everything", all.Surface.Skybox);
   rows.AddChoice("--up", "AXIS", { "x", "y", "z" },
     "the up axis, @choices@, of --environment, the fitted camera, the ground, "
     "--texture-coordinates and the shadows of --markers (y with --preset none; else by "
@@ -549,7 +553,7 @@ vtkRelievoCommand DescribeRender(RenderOptions& all)
     .OfOutputs = true;
   vtkRelievoOption& report = rows.Add("--report", "F",
     "the frame report, JSON: which stages ran and why, GPU milliseconds, bytes held",
-    TakePath<&RenderOptions::Report>);
+    [](RenderOptions& options, const std::string& word) { options.Report = word; });
   report.OfOutputs = true;
   report.Files = "json";
   return rows.Command;
@@ -633,9 +637,46 @@ void CheckShadowsAsked(const RenderOptions& options, const std::set<std::string>
 }
 
 //------------------------------------------------------------------------------
+void CheckLens(const RenderOptions& options)
+{
+  if (options.Lens.empty())
+  {
+    return;
+  }
+  if (options.View.ParallelScale && options.Lens.rfind("orthographic", 0) != 0)
+  {
+    throw UsageError(
+      "--lens and --parallel-scale: give one of them; only the lens orthographic is a "
+      "parallel projection, with its own scale");
+  }
+  const std::pair<bool, const char*> others[] = {
+    { options.Transparent, "--transparent: its background is told apart in a pinhole's picture" },
+    { options.Certify.has_value(), "--certify: it judges a pinhole's picture" },
+    { options.Look.Grid, "--grid: it is drawn over a pinhole's picture" },
+    { options.Look.ScaleBar.has_value(), "--scale-bar: it is drawn over a pinhole's picture" },
+    { options.Look.ScalarBar, "--scalar-bar: it is drawn over a pinhole's picture" }
+  };
+  for (const auto& [given, words] : others)
+  {
+    if (given)
+    {
+      throw UsageError("--lens and " + std::string(words) + "; give one of them");
+    }
+  }
+  for (const StageChoice& stage : options.Stages)
+  {
+    if (stage.Name == "display")
+    {
+      throw UsageError("--lens and " + stage.Option +
+        " display: a lens has colour; give --exr F --layers for its layers");
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
 void CheckTogether(RenderOptions& options, const std::set<std::string>& given)
 {
-  if (options.ViewAngle && options.ParallelScale)
+  if (options.View.Angle && options.View.ParallelScale)
   {
     throw UsageError("--view-angle and --parallel-scale: give one of them; a parallel projection "
                      "has no view angle");
@@ -655,14 +696,14 @@ void CheckTogether(RenderOptions& options, const std::set<std::string>& given)
   }
   CheckLens(options);
   CheckModelOptions(options);
-  CheckLookOptions(options, given);
+  CheckLookOptions(options.Look, given);
   CheckStages(options.Stages);
   if (!options.Lights.empty())
   {
     const int lights = static_cast<int>(options.Lights.size());
     CheckShadowLayers(options, lights, lights == 1 ? "--light option" : "--light options");
   }
-  CheckSurfaceOptions(options, given);
+  CheckSurfaceOptions(options.Surface, given);
   CheckSaidOnce(options, given);
   CheckShadowsAsked(options, given);
 }
@@ -693,7 +734,7 @@ RenderOptions ParseOptions(const std::vector<std::string>& words)
     [](const StageChoice& choice) { return choice.Option.find(' ') == std::string::npos; });
   ApplyPreset(options, seen);
   const auto darkens = [](const StageChoice& choice) { return choice.Name == "ambient"; };
-  if (options.Ground.value_or(false) && !options.Environment.empty() &&
+  if (options.Ground.value_or(false) && !options.Surface.Environment.empty() &&
     std::none_of(options.Stages.begin(), options.Stages.end(), darkens))
   {
     // An environment's light casts no shadows: on the ground it falls like light from a uniform
@@ -702,6 +743,7 @@ RenderOptions ParseOptions(const std::vector<std::string>& words)
       { "only_catchers", "on" } };
   }
   CheckShadowWishes(options, seen);
+  options.Surface.Shadowed = ShowsShadows(options);
   CheckTogether(options, seen);
   return options;
 }

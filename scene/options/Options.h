@@ -7,11 +7,13 @@
 #ifndef Options_h
 #define Options_h
 
+#include "CameraOptions.h"
 #include "LightOptions.h"
 #include "LookOptions.h"
 #include "ModelOptions.h"
-#include "Points.h"
+#include "PointOptions.h"
 #include "Stages.h"
+#include "SurfaceOptions.h"
 #include "VolumeImages.h"
 #include "vtkRelievoOption.h"
 
@@ -22,16 +24,6 @@
 
 namespace scene
 {
-/// FromFile: phong, except that a glTF file keeps the shading of its own materials.
-enum class Shading
-{
-  FromFile,
-  Flat,
-  Gouraud,
-  Phong,
-  PBR
-};
-
 enum class Shadows
 {
   Off,
@@ -41,39 +33,20 @@ enum class Shadows
   Exact
 };
 
-/// Methods for generating missing texture coordinates.
-enum class Mapping
-{
-  Box,
-  Plane,
-  Sphere
-};
-
 /// Pixels or texels per direction. OpenGL's own limit, which may be lower, is queried later.
 constexpr int LargestSize = 16384;
 
 /// Maximum number of rays for --certify.
 constexpr int MostRays = 100000000;
 
-struct CameraPlace
-{
-  std::array<double, 3> Position;
-  std::array<double, 3> FocalPoint;
-  std::array<double, 3> ViewUp;
-};
-
 struct RenderOptions
 {
   std::vector<std::string> Files;
-  std::vector<std::string> AllowedFolders;       ///< of referenced files, besides the files' own
-  std::array<int, 2> Size = { 1024, 768 };       ///< width, height in pixels
-  bool IsSized = false;                          ///< whether --size was given
-  std::string Lens;                              ///< in place of a pinhole; empty: none
-  std::optional<CameraPlace> Camera;             ///< none: fitted to the scene
-  std::optional<std::array<double, 3>> ViewFrom; ///< right, up and near; none: along an axis
-  std::optional<double> ViewAngle;               ///< full vertical angle, degrees
-  std::optional<double> ParallelScale;           ///< half the height, world units
-  std::optional<std::array<double, 2>> Clip;
+  std::vector<std::string> AllowedFolders; ///< of referenced files, besides the files' own
+  std::array<int, 2> Size = { 1024, 768 }; ///< width, height in pixels
+  bool IsSized = false;                    ///< whether --size was given
+  std::string Lens;                        ///< in place of a pinhole; empty: none
+  CameraChoice View;
   ImageChoice Image; ///< how images with depth are shown
   Shading ShadingKind = Shading::FromFile;
   std::string Preset; ///< of lights, shadows, ground, background and view
@@ -83,18 +56,8 @@ struct RenderOptions
   std::optional<double> Fill;      ///< share of the preset's weak lights; none: the preset has none
   bool YieldsToFile = false;       ///< the file's lights, if any, replace these
   Shadows ShadowMethod = Shadows::Off;
-  std::optional<int> Certify;            ///< rays
-  std::string NormalMap, HeightMap;      ///< files; empty: none
-  std::optional<double> HeightScale;     ///< depth of the relief, world units
-  std::string ReliefMethod = "relief";   ///< a word of vtkRelievoMaterial's relief_method
-  NamedWords Material;                   ///< other values, as given
-  std::optional<Mapping> TextureMapping; ///< none: a box, with a note
-  std::string Environment;               ///< file; empty: none
-  double EnvironmentRotation = 0.0;      ///< degrees about the up axis
-  NamedWords EnvironmentValues;          ///< other values, as given
-  double Reflectivity = 0.04;            ///< share of the environment's light that is mirrored
-  double Roughness = 0.2;                ///< of the mirror
-  bool Skybox = false;
+  std::optional<int> Certify;       ///< rays
+  SurfaceChoice Surface;            ///< what surfaces wear
   int UpAxis = 1;                   ///< the world's up axis: 0, 1, 2 for x, y, z
   bool FindsUp = false;             ///< replaces UpAxis by the scene's own
   std::optional<bool> Ground;       ///< whether to add one below the scene; none: no

@@ -20,9 +20,9 @@ namespace
 {
 std::string GetFirstTime(const std::string& times)
 {
-  RenderOptions options;
-  TakeTimes(options, times);
-  return WriteNumber(options.Model.Times.front());
+  ModelChoice model;
+  TakeTimes(model, times);
+  return WriteNumber(model.Times.front());
 }
 
 // One sample switches antialiasing off.

@@ -16,7 +16,7 @@ vec3 relievoRayInverse(vec3 ray)
 }
 
 // True as well if rounding makes the result uncertain.
-bool relievoRayMeetsBox(vec3 from, vec3 inverse, float last, vec3 low, vec3 high)
+bool relievoRayHitsBox(vec3 from, vec3 inverse, float last, vec3 low, vec3 high)
 {
   vec3 a = (low - from) * inverse;
   vec3 b = (high - from) * inverse;
@@ -49,7 +49,7 @@ bool relievoEdgeIsLeft(vec2 a, vec2 b, float side)
 // triangle seen edge-on is not hit. closed: all edges belong to the triangle; otherwise an edge
 // shared by triangles on both sides belongs to one of them, and so does a corner surrounded by
 // triangles.
-bool relievoLineMeetsTriangle(vec2 a, vec2 b, vec2 c, bool closed)
+bool relievoLineHitsTriangle(vec2 a, vec2 b, vec2 c, bool closed)
 {
   float ab = relievoEdgeSide(a, b);
   float bc = relievoEdgeSide(b, c);

@@ -106,7 +106,7 @@ float relievoStepsOf(vec2 through)
 }
 
 // Depth at which a ray from uv hits the heights; it moves by `through` on its way to the ground.
-float relievoMeet(vec2 uv, vec2 through)
+float relievoTraceDepth(vec2 uv, vec2 through)
 {
 #if RELIEVO_METHOD == RELIEVO_METHOD_PARALLAX
   return 1.0 - relievoHeight(uv);
@@ -172,7 +172,7 @@ void relievoSeeRelief(vec3 gazeVC, vec3 vertexVC)
   // Limits the offset: the ray's full shift would tear the surface at grazing angles.
   through *= down;
 #endif
-  relievoHitDepth = relievoMeet(relievoUV, through);
+  relievoHitDepth = relievoTraceDepth(relievoUV, through);
   vec2 moved = relievoHitDepth * through;
   relievoUV += moved;
   relievoShiftVC = relievoPerU * moved.x + relievoPerV * moved.y;

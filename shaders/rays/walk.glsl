@@ -28,10 +28,10 @@ RELIEVO_PASSES relievoTreeWalk(
     {
       vec4 low = texelFetch(relievoTree, 2 * caster);
       vec4 high = texelFetch(relievoTree, 2 * caster + 1);
-      bool meets = relievoRayMeetsBox(fromLC, inverseLC, last, low.xyz, high.xyz);
+      bool hitsBox = relievoRayHitsBox(fromLC, inverseLC, last, low.xyz, high.xyz);
       bool leaf = low.w < 0.0;
-      found = meets && leaf ? int(-1.0 - low.w) : -1;
-      caster = meets || leaf ? caster + 1 : int(low.w);
+      found = hitsBox && leaf ? int(-1.0 - low.w) : -1;
+      caster = hitsBox || leaf ? caster + 1 : int(low.w);
     }
     int record = relievoTreeRecords + 5 * max(found, 0);
     vec4 rowX = texelFetch(relievoTree, record);
@@ -67,11 +67,11 @@ RELIEVO_PASSES relievoTreeWalk(
       {
         vec4 low = texelFetch(relievoTree, base + 2 * node);
         vec4 high = texelFetch(relievoTree, base + 2 * node + 1);
-        bool meets = relievoRayMeetsBox(from, inverse, last, low.xyz, high.xyz);
+        bool hitsBox = relievoRayHitsBox(from, inverse, last, low.xyz, high.xyz);
         bool leaf = low.w < 0.0;
-        slot = meets && leaf ? int(-1.0 - low.w) : 0;
-        end = meets && leaf ? slot + int(high.w) : 0;
-        node = meets || leaf ? node + 1 : int(low.w);
+        slot = hitsBox && leaf ? int(-1.0 - low.w) : 0;
+        end = hitsBox && leaf ? slot + int(high.w) : 0;
+        node = hitsBox || leaf ? node + 1 : int(low.w);
       }
       while (slot < end)
       {
@@ -92,7 +92,7 @@ RELIEVO_PASSES relievoTreeWalk(
         bool between = !seen && abs(side) > nearest && side * along < 0.0 &&
           (!ends || (abs(other) > nearest && side * other < 0.0));
         bool hit = between &&
-          relievoLineMeetsTriangle(vec2(dot(right, a), dot(up, a)), vec2(dot(right, b), dot(up, b)),
+          relievoLineHitsTriangle(vec2(dot(right, a), dot(up, a)), vec2(dot(right, b), dot(up, b)),
             vec2(dot(right, c), dot(up, c)), blocks);
         passes *= hit ? share : RELIEVO_PASSES(1.0);
         ++slot;

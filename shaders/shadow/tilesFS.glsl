@@ -34,30 +34,30 @@ vec3 relievoTilePlace(vec2 texel, float z)
 }
 
 // Whether a ray from the tile may hit anything on its way to the light.
-bool relievoTileMeets(int casters, relievoTile tile, vec4 source)
+bool relievoTileHits(int casters, relievoTile tile, vec4 source)
 {
   bool ends = source.w != 0.0;
   float last = ends ? 1.0 : 1e30;
   vec3 rayLC = relievoSeenToLight(source, tile.middle);
   vec3 inverseLC = relievoRayInverse(rayLC);
-  bool met = false;
+  bool hit = false;
   int caster = 0;
-  while (caster < casters && !met)
+  while (caster < casters && !hit)
   {
     vec4 low = texelFetch(relievoTree, 2 * caster);
     vec4 high = texelFetch(relievoTree, 2 * caster + 1);
     bool leaf = low.w < 0.0;
-    bool meets = relievoRayMeetsBox(
+    bool hitsBox = relievoRayHitsBox(
       tile.middle, inverseLC, last, low.xyz - tile.extent, high.xyz + tile.extent);
-    caster = meets || leaf ? caster + 1 : int(low.w);
-    int record = relievoTreeRecords + 5 * (meets && leaf ? int(-1.0 - low.w) : 0);
+    caster = hitsBox || leaf ? caster + 1 : int(low.w);
+    int record = relievoTreeRecords + 5 * (hitsBox && leaf ? int(-1.0 - low.w) : 0);
     vec4 rowX = texelFetch(relievoTree, record);
     vec4 rowY = texelFetch(relievoTree, record + 1);
     vec4 rowZ = texelFetch(relievoTree, record + 2);
     vec4 mesh = texelFetch(relievoTree, record + 3);
     vec4 size = texelFetch(relievoTree, record + 4);
     int base = 16 * int(mesh.x);
-    int nodes = meets && leaf ? int(mesh.y) : 0;
+    int nodes = hitsBox && leaf ? int(mesh.y) : 0;
     int triangles = base + 2 * int(mesh.y);
     float near = size.x * tile.blur + size.y;
     vec4 start = vec4(tile.middle, 1.0);
@@ -69,11 +69,11 @@ bool relievoTileMeets(int casters, relievoTile tile, vec4 source)
     room = 1.0001 * room + 1e-6 * max(abs(from.x), max(abs(from.y), abs(from.z)));
     vec3 light = vec3(dot(rowX, source), dot(rowY, source), dot(rowZ, source));
     int node = 0;
-    while (node < nodes && !met)
+    while (node < nodes && !hit)
     {
       vec4 least = texelFetch(relievoTree, base + 2 * node);
       vec4 most = texelFetch(relievoTree, base + 2 * node + 1);
-      bool within = relievoRayMeetsBox(from, inverse, last, least.xyz - room, most.xyz + room);
+      bool within = relievoRayHitsBox(from, inverse, last, least.xyz - room, most.xyz + room);
       bool isLeaf = least.w < 0.0;
       int slot = within && isLeaf ? int(-1.0 - least.w) : 0;
       int end = within && isLeaf ? slot + int(most.w) : 0;
@@ -94,28 +94,28 @@ bool relievoTileMeets(int casters, relievoTile tile, vec4 source)
           vec3 place = vec3(dot(rowX, corner), dot(rowY, corner), dot(rowZ, corner));
           lowest = min(lowest, dot(normal, place - a) * sign(toward));
         }
-        bool inBox = relievoRayMeetsBox(
+        bool inBox = relievoRayHitsBox(
           from, inverse, last, min(a, min(b, c)) - room, max(a, max(b, c)) + room);
-        met = met || !(lowest >= -0.5 * nearest || !inBox);
+        hit = hit || !(lowest >= -0.5 * nearest || !inBox);
         ++slot;
       }
     }
   }
-  return met;
+  return hit;
 }
 
 // Whether a ray from the tile may hit anything that has moved.
-bool relievoTileMeetsMoved(relievoTile tile, vec4 source)
+bool relievoTileHitsMoved(relievoTile tile, vec4 source)
 {
   float last = source.w != 0.0 ? 1.0 : 1e30;
   vec3 inverseLC = relievoRayInverse(relievoSeenToLight(source, tile.middle));
-  bool met = false;
+  bool hit = false;
   for (int i = 0; i < relievoMovedCount; ++i)
   {
-    met = met || relievoRayMeetsBox(tile.middle, inverseLC, last,
+    hit = hit || relievoRayHitsBox(tile.middle, inverseLC, last,
       relievoMoved[2 * i] - tile.extent, relievoMoved[2 * i + 1] + tile.extent);
   }
-  return met;
+  return hit;
 }
 
 void main()
@@ -160,15 +160,15 @@ void main()
   tile.blur = relievoTreeBlur.x + relievoTreeBlur.y * eye;
   for (int light = 0; light < (keep && some ? relievoSeenLights : 0); ++light)
   {
-    keep = keep && !relievoTileMeetsMoved(tile, relievoSeenSource[light]);
+    keep = keep && !relievoTileHitsMoved(tile, relievoSeenSource[light]);
   }
   bool plane = !keep && whole && wide && off <= 0.4 * tile.blur;
   float sure = 0.0;
   float digit = 1.0;
   for (int light = 0; light < relievoSeenLights; ++light)
   {
-    bool met = relievoTileMeets(plane ? relievoTreeNodes : 0, tile, relievoSeenSource[light]);
-    sure += plane && !met ? digit : 0.0;
+    bool hit = relievoTileHits(plane ? relievoTreeNodes : 0, tile, relievoSeenSource[light]);
+    sure += plane && !hit ? digit : 0.0;
     digit *= 2.0;
   }
   gl_FragData[0] = vec4(keep ? -2.0 : some && sure < digit - 1.0 ? sure : -1.0, 0.0, 0.0, 0.0);

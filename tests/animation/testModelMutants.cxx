@@ -150,8 +150,8 @@ bool Try(const std::string& path, const std::string& what)
   for (unsigned int i = 0; read && i < reader->GetOutput()->GetNumberOfBlocks(); ++i)
   {
     auto* mesh = vtkPolyData::SafeDownCast(reader->GetOutput()->GetBlock(i));
-    const std::string wrong = mesh ? Judge(mesh, skeleton) : "no mesh";
-    RELIEVO_CHECK_THAT(wrong.empty(), what + ": " + wrong);
+    const std::string error = mesh ? Judge(mesh, skeleton) : "no mesh";
+    RELIEVO_CHECK_THAT(error.empty(), what + ": " + error);
   }
   reader->SetPose(vtkRelievoModelReader::POSE_ANIMATION);
   reader->UpdateTimeStep(0.3);

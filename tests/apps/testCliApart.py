@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
 """Files are read in a separate process: a reader's errors give one message, nothing is left
-behind, and the picture equals Python's, which reads in its own process."""
+behind, and the picture equals Python's if Python reads in its own process."""
 
 import ctypes
 import json
@@ -232,6 +232,70 @@ class Processes(CliTest):
         self.assertIn("start the program again", said)
 
 
+SCRIPT = """
+import os, pathlib, signal, sys
+import numpy, relievo
+from relievo.vtkRelievoIO import vtkRelievoImageReader
+for path in sys.argv[1:]:
+    try:
+        relievo.scene(path).update()
+        print(path, "read")
+    except OSError as error:
+        print(error)
+pathlib.Path("below").mkdir()
+os.chdir("below")
+pathlib.Path("flat.off").write_text("OFF\\n3 1 0\\n0 0 0\\n1 0 0\\n0 1 0\\n3 0 1 2\\n")
+relievo.scene("flat.off").update()
+relievo.write_png("b.png", numpy.zeros((2, 3, 3), numpy.uint8))
+reader = vtkRelievoImageReader()
+reader.SetFileName("b.png")
+reader.Update()
+print(reader.GetOutput().GetDimensions())
+try:
+    os.wait()
+except ChildProcessError:
+    print("no children")
+sys.stdout.flush()
+os.kill(os.getpid(), signal.SIGSTOP)
+try:
+    relievo.scene("flat.off").update()
+except OSError as error:
+    print(error)
+"""
+
+
+class Scripts(CliTest):
+    """Python hands its files to a process of the program relievo-reader."""
+
+    def test_script(self):
+        become_subreaper()
+        (self.folder / "self.dae").write_text(COLLADA % '<instance_node url="#n"/>')
+        (self.folder / "whole.dae").write_text(COLLADA % "")
+        text = '<?xml version="1.0"?>\n<VTKFile type="PolyData" version="0.1"><PolyData>'
+        (self.folder / "deep.vtp").write_text(
+            text + "<Piece>" * DEEP + "</Piece>" * DEEP + "</PolyData></VTKFile>")
+        (self.folder / "cut.vtp").write_text(text + "<Piece")
+        script = subprocess.Popen(
+            [sys.executable, "-c", SCRIPT, "self.dae", "deep.vtp", "cut.vtp", "whole.dae"],
+            cwd=self.folder, text=True, stdout=subprocess.PIPE)  # fmt: skip
+        self.addCleanup(script.kill)
+        os.waitpid(script.pid, os.WUNTRACED)
+        servers = [each for each in children(os.getpid()) if each != script.pid]
+        self.assertEqual(len(servers), 1)
+        os.kill(servers[0], signal.SIGKILL)
+        os.waitpid(servers[0], 0)
+        os.kill(script.pid, signal.SIGCONT)
+        said = script.communicate(timeout=60)[0].splitlines()
+        for line, part in zip(said, (
+                "self.dae: the reader (Assimp) crashed (segmentation fault)",
+                "deep.vtp: the reader (VTK) crashed (segmentation fault)",
+                "cut.vtp: Error parsing XML in stream at line 2", "whole.dae read", "(3, 2, 1)",
+                "no children", "start the program again"), strict=True):  # fmt: skip
+            self.assertIn(part, line)
+        self.assertEqual(script.returncode, 0)
+        self.assertEqual(children(os.getpid()), [])
+
+
 class Alike(CliTest):
     """Command and Python draw the same, number by number, with the same notes."""
 
@@ -333,6 +397,7 @@ class Alike(CliTest):
         here = subprocess.run([sys.executable, __file__, "--here", "../words.json"],
                               cwd=self.folder / "here", check=True, text=True,
                               stdout=subprocess.PIPE, stderr=subprocess.DEVNULL,
+                              env={**os.environ, "RELIEVO_READ_HERE": "1"},
                               timeout=600).stdout  # fmt: skip
         kinds = set()  # of each, the first is drawn and the first refused by the command itself
         for i, said in enumerate(json.loads(here)):

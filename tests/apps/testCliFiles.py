@@ -465,7 +465,7 @@ class Named(CliTest):
                 self.refused_then_read(name)
 
     def test_points_of_pieces(self):
-        """Other doors: points of stages, and the commands that work on meshes."""
+        """Other interfaces: points of stages, and the commands that work on meshes."""
         self.write_pieces("../secret/piece.vtp")
         self.before = self.names()
         outside = ["a.vtm", "outside the folder", "--allow-folder"]

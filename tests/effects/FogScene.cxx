@@ -93,7 +93,8 @@ FogErrors FogScene::Compare()
       }
       const double passes = std::exp(-sum);
       const double error = std::abs(passes - layers.Value("fog", x, y));
-      errors.Passes = error > errors.Passes || std::isnan(error) ? error : errors.Passes;
+      errors.Transmittance =
+        error > errors.Transmittance || std::isnan(error) ? error : errors.Transmittance;
       errors.Fogged += passes < 0.99 ? 1 : 0;
       errors.Sky += passes < 0.99 && std::isinf(end) ? 1 : 0;
       const glm::dvec3 added = sum > 0. ? color / sum * (1. - passes) : glm::dvec3(0.);

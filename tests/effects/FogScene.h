@@ -27,10 +27,10 @@ vtkSmartPointer<vtkPolyData> MakeFogPoints(const std::vector<FogSphere>& spheres
 
 struct FogErrors
 {
-  double Passes = 0.;  // of the layer `fog`
-  double Picture = 0.; // levels of 255
-  int Fogged = 0;      // pixels that fog is seen in
-  int Sky = 0;         // of these, without a surface
+  double Transmittance = 0.; // of the layer `fog`
+  double Picture = 0.;       // levels of 255
+  int Fogged = 0;            // pixels that fog is seen in
+  int Sky = 0;               // of these, without a surface
 };
 
 class FogScene : public EffectScene

@@ -64,7 +64,7 @@ void TestLayer()
         const FogErrors errors = scene.Compare();
         const std::string name = std::string(look.Name) + (chord ? ", chord" : ", beer") +
           (dominant ? ", dominant" : ", sum");
-        RELIEVO_CHECK_AT_MOST(errors.Passes, 1e-6, name + ": what passes");
+        RELIEVO_CHECK_AT_MOST(errors.Transmittance, 1e-6, name + ": what passes");
         RELIEVO_CHECK_AT_MOST(errors.Picture, 1.01, name + ": levels of 255 of the picture");
         RELIEVO_CHECK_THAT(errors.Fogged > 800 && errors.Sky > 200,
           name + ": " + std::to_string(errors.Fogged) + " fogged, of the sky " +
@@ -79,7 +79,7 @@ void TestLayer()
   scene.Fog->SetArray("density", "");
   scene.Fog->SetDensity(0.5);
   const FogErrors errors = scene.Compare();
-  RELIEVO_CHECK(errors.Passes > 0.05 && errors.Picture > 5.);
+  RELIEVO_CHECK(errors.Transmittance > 0.05 && errors.Picture > 5.);
 }
 
 // From as far as 10 000 radii the outlines are as they are from near by, on the GPU as well.
@@ -98,7 +98,7 @@ void TestFar()
       { { 0.7, 1.1, -0.3 }, 0.5, 2., { 1., 0.5, 0. } } });
     const FogErrors errors = scene.Compare();
     RELIEVO_CHECK_AT_MOST(
-      errors.Passes, 1e-6, "from " + std::to_string(distance) + " radii: what passes");
+      errors.Transmittance, 1e-6, "from " + std::to_string(distance) + " radii: what passes");
     RELIEVO_CHECK(errors.Fogged > 10000);
   }
 }
@@ -139,7 +139,7 @@ void TestOrder()
   FogScene scene(100, 75);
   scene.Set(spheres);
   const FogErrors errors = scene.Compare();
-  RELIEVO_CHECK_AT_MOST(errors.Passes, 1e-6, "1000 spheres: what passes");
+  RELIEVO_CHECK_AT_MOST(errors.Transmittance, 1e-6, "1000 spheres: what passes");
   RELIEVO_CHECK_AT_MOST(errors.Picture, 1.01, "1000 spheres: levels of 255");
   RELIEVO_CHECK(scene.Stage->GetNumberDrawn() > 800 && scene.Stage->GetDrawCalls() == 2);
   const Layers first = scene.Read({ "fog", "color" });
@@ -176,7 +176,7 @@ void TestSamples()
   const Layers one = scene.Read({ "fog" });
   scene.Window->SetMultiSamples(8);
   const FogErrors errors = scene.Compare();
-  RELIEVO_CHECK_AT_MOST(errors.Passes, 1e-6, "8 samples: what passes");
+  RELIEVO_CHECK_AT_MOST(errors.Transmittance, 1e-6, "8 samples: what passes");
   RELIEVO_CHECK_AT_MOST(errors.Picture, 2.01, "8 samples: levels of 255");
   const Layers eight = scene.Read({ "fog" });
   RELIEVO_CHECK_AT_MOST(LargestDifference(one, eight, "fog"), 2e-6, "8 samples and one");

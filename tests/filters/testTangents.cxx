@@ -135,7 +135,7 @@ void TestSurfaces()
   }
 }
 
-// u = 1 - |2 u - 1|: the second half of a torus wears the first half's texture, mirrored.
+// u = 1 - |2 u - 1|: the second half of a torus has the first half's texture, mirrored.
 void TestMirrored()
 {
   const vtkSmartPointer<vtkPolyData> mesh = MakeSurface(TorusPoint, 64, 32);

@@ -85,35 +85,36 @@ struct GpuCases::Internals
 
 //------------------------------------------------------------------------------
 GpuCases::GpuCases()
-  : Self(new Internals)
+  : Internal(new Internals)
 {
   const vtkSmartPointer<vtkRenderWindow> window = MakeWindow(16, 16);
-  this->Self->Window = vtkOpenGLRenderWindow::SafeDownCast(window);
-  if (!RELIEVO_CHECK_THAT(this->Self->Window, "VTK made no OpenGL window"))
+  this->Internal->Window = vtkOpenGLRenderWindow::SafeDownCast(window);
+  if (!RELIEVO_CHECK_THAT(this->Internal->Window, "VTK made no OpenGL window"))
   {
     return;
   }
-  this->Self->Watch.reset(new GLCheck(window));
-  this->Self->Quad.reset(
-    new vtkOpenGLQuadHelper(this->Self->Window, nullptr, FragmentShader().c_str(), nullptr));
+  this->Internal->Watch.reset(new GLCheck(window));
+  this->Internal->Quad.reset(
+    new vtkOpenGLQuadHelper(this->Internal->Window, nullptr, FragmentShader().c_str(), nullptr));
   RELIEVO_CHECK_THAT(this->IsValid(), "casesFS.glsl does not compile with the formulas");
 }
 
 //------------------------------------------------------------------------------
 GpuCases::~GpuCases()
 {
-  if (this->Self->Window)
+  if (this->Internal->Window)
   {
-    this->Self->Window->MakeCurrent();
+    this->Internal->Window->MakeCurrent();
   }
-  this->Self->Quad.reset();
-  this->Self->Watch.reset();
+  this->Internal->Quad.reset();
+  this->Internal->Watch.reset();
 }
 
 //------------------------------------------------------------------------------
 bool GpuCases::IsValid() const
 {
-  return this->Self->Quad && this->Self->Quad->Program && this->Self->Quad->Program->GetCompiled();
+  return this->Internal->Quad && this->Internal->Quad->Program &&
+    this->Internal->Quad->Program->GetCompiled();
 }
 
 //------------------------------------------------------------------------------
@@ -131,7 +132,7 @@ std::vector<glm::uvec4> GpuCases::Run(int which, const std::vector<CaseInput>& i
     a[i] = inputs[i].A;
     b[i] = inputs[i].B;
   }
-  vtkOpenGLRenderWindow* window = this->Self->Window;
+  vtkOpenGLRenderWindow* window = this->Internal->Window;
   window->MakeCurrent();
   auto textureA = NewWordTexture(window);
   auto textureB = NewWordTexture(window);
@@ -152,14 +153,14 @@ std::vector<glm::uvec4> GpuCases::Run(int which, const std::vector<CaseInput>& i
   state->vtkglDisable(GL_BLEND);
   state->vtkglDisable(GL_SCISSOR_TEST);
 
-  vtkShaderProgram* program = this->Self->Quad->Program;
+  vtkShaderProgram* program = this->Internal->Quad->Program;
   window->GetShaderCache()->ReadyShaderProgram(program);
   textureA->Activate();
   textureB->Activate();
   program->SetUniformi("inputA", textureA->GetTextureUnit());
   program->SetUniformi("inputB", textureB->GetTextureUnit());
   program->SetUniformi("whichCase", which);
-  this->Self->Quad->Render();
+  this->Internal->Quad->Render();
   textureA->Deactivate();
   textureB->Deactivate();
   state->PopFramebufferBindings();
@@ -180,7 +181,7 @@ std::vector<glm::uvec4> GpuCases::Run(int which, const std::vector<CaseInput>& i
   textureB->ReleaseGraphicsResources(window);
   output->ReleaseGraphicsResources(window);
   const std::string place = "in case " + std::to_string(which);
-  this->Self->Watch->Poll(place);
+  this->Internal->Watch->Poll(place);
   return RELIEVO_CHECK_THAT(downloaded, "no words came back " + place) ? results
                                                                        : std::vector<glm::uvec4>();
 }

@@ -48,18 +48,17 @@ void TestTriangles(bool closed)
     {
       met += more < 1e-12 ? 1 : 0;
       wrong +=
-        f64::relievoLineMeetsTriangle(a, b, c, closed) != (more < 1e-12) && Area(a, b, c) > 1e-3
-        ? 1
-        : 0;
+        f64::relievoLineHitsTriangle(a, b, c, closed) != (more < 1e-12) && Area(a, b, c) > 1e-3 ? 1
+                                                                                                : 0;
       continue;
     }
-    wrong += f64::relievoLineMeetsTriangle(a, b, c, closed) ? 1 : 0;
+    wrong += f64::relievoLineHitsTriangle(a, b, c, closed) ? 1 : 0;
   }
   RELIEVO_CHECK(met > 1000);
   RELIEVO_CHECK_AT_MOST(wrong, 0, "lines at triangles");
   const glm::dvec2 p(0.3, 0.4);
-  RELIEVO_CHECK(!f64::relievoLineMeetsTriangle(p, p, p, closed));
-  RELIEVO_CHECK(!f64::relievoLineMeetsTriangle(-p, p, 2. * p, closed)); // edge-on
+  RELIEVO_CHECK(!f64::relievoLineHitsTriangle(p, p, p, closed));
+  RELIEVO_CHECK(!f64::relievoLineHitsTriangle(-p, p, 2. * p, closed)); // edge-on
 }
 
 // Four triangles, turned either way, around a corner that is on the line, or all but on it, or with
@@ -86,9 +85,9 @@ void TestSharedEdges()
     {
       const glm::vec2& p = corners[k];
       const glm::vec2& q = corners[(k + 1) % 4];
-      closed += f32::relievoLineMeetsTriangle(middle, p, q, true) ? 1 : 0;
-      open += (k + i / 16) % 2 ? f32::relievoLineMeetsTriangle(p, middle, q, false)
-                               : f32::relievoLineMeetsTriangle(q, p, middle, false);
+      closed += f32::relievoLineHitsTriangle(middle, p, q, true) ? 1 : 0;
+      open += (k + i / 16) % 2 ? f32::relievoLineHitsTriangle(p, middle, q, false)
+                               : f32::relievoLineHitsTriangle(q, p, middle, false);
     }
     missed += closed == 0 ? 1 : 0;
     counted += open == 1 ? 0 : 1;
@@ -110,7 +109,7 @@ void TestBoxes()
     ray.x = i % 5 ? ray.x : 0.f;
     const glm::vec3 half(std::abs(Place(1.).x), std::abs(Place(1.).x), i % 7 ? 0.5f : 0.f);
     const glm::vec3 inverse = f32::relievoRayInverse(ray);
-    const bool meets = f32::relievoRayMeetsBox(from, inverse, 4.f, -half, half);
+    const bool meets = f32::relievoRayHitsBox(from, inverse, 4.f, -half, half);
     bool in = false;
     for (int k = 0; k <= 400 && !in; ++k)
     {

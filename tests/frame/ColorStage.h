@@ -39,8 +39,8 @@ protected:
     description.Name = this->Name;
     description.Help = "Changes the colour.";
     description.Slot = this->Slot;
-    description.Reads = { "color" };
-    description.Writes = { "color" };
+    description.Reads = { vtkRelievoResources::Color };
+    description.Writes = { vtkRelievoResources::Color };
     description.AddNumber(
       "factor", this->Factor, [this](double v) { this->Factor = v; }, 0.0, 10.0, "", "Times this.");
   }
@@ -53,8 +53,9 @@ protected:
       "in vec2 texCoord;\nuniform vec2 relievoSize;\nuniform float factor;\nuniform float shift;\n"
       "void main() {\n  vec4 c = relievoFetchColor(ivec2(floor(texCoord * relievoSize)));\n"
       "  gl_FragData[0] = vec4(factor * c.rgb + shift, c.a);\n}\n");
-    vtkShaderProgram* program =
-      added ? this->Quad.Ready(context, "test/shiftFS.glsl", { "color" }) : nullptr;
+    vtkShaderProgram* program = added
+      ? this->Quad.Ready(context, "test/shiftFS.glsl", { vtkRelievoResources::Color })
+      : nullptr;
     if (program)
     {
       program->SetUniformf("factor", static_cast<float>(this->Factor));

@@ -27,6 +27,7 @@ namespace testFramePhases
 namespace
 {
 std::vector<std::string> Trace;
+const vtkRelievoResourceName Traced = vtkRelievoResourceName::Of("trace");
 
 void Note(const std::string& phase)
 {
@@ -55,14 +56,14 @@ protected:
     switch (this->Slot)
     {
       case vtkRelievoStageDescription::LIGHT_MAPS:
-        description.Writes = { "trace" };
+        description.Writes = { Traced };
         break;
       case vtkRelievoStageDescription::COMPOSITE:
-        description.Reads = { "trace" };
-        description.Writes = { "color" };
+        description.Reads = { Traced };
+        description.Writes = { vtkRelievoResources::Color };
         break;
       default:
-        description.Writes = { "picture" };
+        description.Writes = { vtkRelievoResources::Picture };
         break;
     }
   }
@@ -72,7 +73,7 @@ protected:
     Note("declare");
     declaration.HidesColor = false;
   }
-  std::vector<std::string> GetReadsFor(
+  std::vector<vtkRelievoResourceName> GetReadsFor(
     const vtkRelievoFrameContext&, const std::vector<std::string>&) const override
   {
     Note("plan");

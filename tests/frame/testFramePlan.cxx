@@ -23,13 +23,26 @@ using Plan = vtkRelievoFramePlan;
 using D = vtkRelievoStageDescription;
 using Names = std::vector<std::string>;
 
+// No text becomes a resource's name by itself, so that a misspelt one does not compile.
+using Resource = vtkRelievoResourceName;
+static_assert(!std::is_convertible<const char*, Resource>::value, "");
+static_assert(!std::is_constructible<Resource, const char*>::value, "");
+static_assert(!std::is_constructible<Resource, std::string>::value, "");
+
+std::vector<Resource> ToResources(const Names& names)
+{
+  std::vector<Resource> resources;
+  std::transform(names.begin(), names.end(), std::back_inserter(resources), Resource::Of);
+  return resources;
+}
+
 Plan::Node Make(const std::string& name, int slot, const Names& reads, const Names& writes)
 {
   Plan::Node node;
   node.Name = name;
   node.Slot = slot;
-  node.Declaration.Reads = reads;
-  node.Declaration.Writes = writes;
+  node.Declaration.Reads = ToResources(reads);
+  node.Declaration.Writes = ToResources(writes);
   return node;
 }
 
@@ -39,21 +52,21 @@ std::vector<Plan::Node> MakeOwn(bool shadows)
   Plan::Node delegate = Make("delegate", D::SURFACES, {}, { "picture", "color" });
   delegate.Order = -1;
   delegate.Delegate = true;
-  delegate.Declaration.OptionalReads = { "shadow maps" };
+  delegate.Declaration.OptionalReads = { vtkRelievoResources::ShadowMaps };
   Plan::Node layers = Make("gbuffer", D::SURFACES, {}, {});
   layers.Declaration.Layers = { "depth", "normal", "cell" };
   layers.Declaration.WritesArrays = true;
   layers.ReadsFor = [](const Names& asked) {
     const bool shadow = std::find(asked.begin(), asked.end(), "shadow_0") != asked.end();
-    return shadow ? Names{ "shadow maps" } : Names();
+    return ToResources(shadow ? Names{ "shadow maps" } : Names());
   };
   Plan::Node maps = Make("shadows", D::LIGHT_MAPS, {}, { "shadow maps" });
-  maps.Declaration.OptionalWrites = shadows ? Names{ "shadow maps" } : Names();
+  maps.Declaration.OptionalWrites = ToResources(shadows ? Names{ "shadow maps" } : Names());
   return { delegate, layers, maps };
 }
 
 // The names of those that run, in order; every order of the nodes must give the same.
-Names Run(std::vector<Plan::Node> nodes, const Names& outputs, Names* wrong = nullptr,
+Names Run(std::vector<Plan::Node> nodes, const Names& outputs, Names* errors = nullptr,
   bool* color = nullptr)
 {
   std::mt19937 random(7);
@@ -80,9 +93,9 @@ Names Run(std::vector<Plan::Node> nodes, const Names& outputs, Names* wrong = nu
     if (round == 0)
     {
       first = names;
-      if (wrong)
+      if (errors)
       {
-        *wrong = said;
+        *errors = said;
       }
       if (color)
       {
@@ -127,7 +140,7 @@ void TestColor()
   RELIEVO_CHECK(!color);
   // A stage that shows a layer hides stages that work on the colour.
   nodes.push_back(Make("display", D::DISPLAY, { "cell" }, { "picture" }));
-  nodes[2].Declaration.OptionalWrites = { "shadow maps" };
+  nodes[2].Declaration.OptionalWrites = { vtkRelievoResources::ShadowMaps };
   RELIEVO_CHECK(
     (Run(nodes, { "the picture" }, nullptr, &color) == Names{ "delegate", "gbuffer", "display" }));
   RELIEVO_CHECK(!color);
@@ -147,7 +160,7 @@ void TestColor()
 void TestPictureMakers()
 {
   std::vector<Plan::Node> nodes = MakeOwn(false);
-  nodes[2].Declaration.OptionalWrites = { "shadow maps" };
+  nodes[2].Declaration.OptionalWrites = { vtkRelievoResources::ShadowMaps };
   nodes.push_back(Make("glow", D::COMPOSITE, { "color" }, { "color" }));
   nodes.push_back(Make("tone", D::DISPLAY, { "color" }, { "picture" }));
   nodes.back().Order = -1;
@@ -162,13 +175,13 @@ void TestPictureMakers()
     Names{ "shadows", "delegate", "gbuffer", "glow", "tone", "display" }));
   RELIEVO_CHECK(color);
   // A stage that refuses by itself is told of, and the others go on.
-  Names wrong;
+  Names errors;
   nodes[nodes.size() - 2].Declaration.Runs = false;
   nodes[nodes.size() - 2].Declaration.ReasonCode = "refused";
   nodes[nodes.size() - 2].Declaration.Reason = "it is not alone";
-  RELIEVO_CHECK((Run(nodes, { "the picture" }, &wrong) ==
+  RELIEVO_CHECK((Run(nodes, { "the picture" }, &errors) ==
     Names{ "shadows", "delegate", "gbuffer", "glow", "display" }));
-  RELIEVO_CHECK(wrong.size() == 1 && wrong[0] == "The stage tone does not run: it is not alone");
+  RELIEVO_CHECK(errors.size() == 1 && errors[0] == "The stage tone does not run: it is not alone");
 }
 
 // A stage that reads the colour and changes nothing sees it as it is at its place.
@@ -181,13 +194,13 @@ void TestReaderInTheMiddle()
   nodes.push_back(Make("z", D::COMPOSITE, { "color", "mean" }, { "color" }));
   RELIEVO_CHECK((Run(nodes, { "the picture" }) == Names{ "delegate", "a", "meter", "z" }));
   nodes[4].Order = 1;
-  nodes[5].Declaration.Reads = { "color" };
+  nodes[5].Declaration.Reads = { vtkRelievoResources::Color };
   RELIEVO_CHECK((Run(nodes, { "the picture", "mean" }) == Names{ "delegate", "a", "z", "meter" }));
 }
 
-bool Says(const Names& wrong, const Names& words)
+bool Says(const Names& errors, const Names& words)
 {
-  return std::any_of(wrong.begin(), wrong.end(), [&words](const std::string& line) {
+  return std::any_of(errors.begin(), errors.end(), [&words](const std::string& line) {
     return std::all_of(words.begin(), words.end(),
       [&line](const std::string& word) { return line.find(word) != std::string::npos; });
   });
@@ -195,34 +208,34 @@ bool Says(const Names& wrong, const Names& words)
 
 void TestRefused()
 {
-  Names wrong;
+  Names errors;
   std::vector<Plan::Node> nodes = MakeOwn(false);
   nodes.push_back(Make("haze", D::COMPOSITE, { "smoke", "color" }, { "color" }));
-  RELIEVO_CHECK((Run(nodes, { "the picture" }, &wrong) == Names{ "delegate" }));
-  RELIEVO_CHECK(Says(wrong, { "haze", "'smoke'", "no stage writes" }));
+  RELIEVO_CHECK((Run(nodes, { "the picture" }, &errors) == Names{ "delegate" }));
+  RELIEVO_CHECK(Says(errors, { "haze", "'smoke'", "no stage writes" }));
 
   // The stage that would write it is off.
   nodes.push_back(Make("fire", D::SHADE, {}, { "smoke" }));
   nodes.back().Declaration.Runs = false;
   nodes.back().Declaration.Reason = "switched off";
-  RELIEVO_CHECK((Run(nodes, { "the picture" }, &wrong) == Names{ "delegate" }));
-  RELIEVO_CHECK(Says(wrong, { "haze", "'smoke'", "fire", "switched off" }));
+  RELIEVO_CHECK((Run(nodes, { "the picture" }, &errors) == Names{ "delegate" }));
+  RELIEVO_CHECK(Says(errors, { "haze", "'smoke'", "fire", "switched off" }));
 
   // A cycle; unrelated stages run.
   nodes = MakeOwn(false);
   nodes.push_back(Make("chicken", D::COMPOSITE, { "egg", "color" }, { "color", "bird" }));
   nodes.push_back(Make("hen", D::COMPOSITE, { "bird" }, { "egg" }));
   nodes.push_back(Make("fog", D::COMPOSITE, { "color" }, { "color" }));
-  RELIEVO_CHECK((Run(nodes, { "the picture" }, &wrong) == Names{ "delegate", "fog" }));
-  RELIEVO_CHECK(Says(wrong, { "chicken", "'egg'", "hen", "'bird'" }));
+  RELIEVO_CHECK((Run(nodes, { "the picture" }, &errors) == Names{ "delegate", "fog" }));
+  RELIEVO_CHECK(Says(errors, { "chicken", "'egg'", "hen", "'bird'" }));
 
   // A resource written in a later slot.
   nodes = MakeOwn(false);
   nodes.push_back(Make("early", D::LIGHT_MAPS, { "depth" }, { "shadow maps" }));
-  nodes.back().Declaration.OptionalWrites = { "shadow maps" };
+  nodes.back().Declaration.OptionalWrites = { vtkRelievoResources::ShadowMaps };
   nodes[2].Declaration.Runs = false;
-  RELIEVO_CHECK((Run(nodes, { "the picture" }, &wrong) == Names{ "delegate" }));
-  RELIEVO_CHECK(Says(wrong, { "early", "'depth'", "gbuffer", "light maps", "surfaces" }));
+  RELIEVO_CHECK((Run(nodes, { "the picture" }, &errors) == Names{ "delegate" }));
+  RELIEVO_CHECK(Says(errors, { "early", "'depth'", "gbuffer", "light maps", "surfaces" }));
 }
 
 // A stage that only writes onto the colour also changes it: alone, and beside those that read it.
@@ -231,17 +244,17 @@ void TestAdders()
   std::vector<Plan::Node> nodes = MakeOwn(false);
   nodes.push_back(Make("lamps", D::SHADE, { "depth" }, { "color" }));
   bool color = false;
-  Names wrong;
+  Names errors;
   RELIEVO_CHECK(
-    (Run(nodes, { "the picture" }, &wrong, &color) == Names{ "delegate", "gbuffer", "lamps" }));
-  RELIEVO_CHECK(color && wrong.empty());
+    (Run(nodes, { "the picture" }, &errors, &color) == Names{ "delegate", "gbuffer", "lamps" }));
+  RELIEVO_CHECK(color && errors.empty());
   RELIEVO_CHECK(
-    (Run(nodes, { "color" }, &wrong, &color) == Names{ "delegate", "gbuffer", "lamps" }));
+    (Run(nodes, { "color" }, &errors, &color) == Names{ "delegate", "gbuffer", "lamps" }));
   nodes.push_back(Make("marks", D::COMPOSITE, {}, { "color" }));
   nodes.push_back(Make("ao", D::SHADE, { "color" }, { "color" }));
-  RELIEVO_CHECK((Run(nodes, { "the picture" }, &wrong) ==
+  RELIEVO_CHECK((Run(nodes, { "the picture" }, &errors) ==
     Names{ "delegate", "gbuffer", "ao", "lamps", "marks" }));
-  RELIEVO_CHECK(wrong.empty());
+  RELIEVO_CHECK(errors.empty());
   // A layer that is shown hides them.
   nodes.push_back(Make("display", D::DISPLAY, { "cell" }, { "picture" }));
   RELIEVO_CHECK((Run(nodes, { "the picture" }) == Names{ "delegate", "gbuffer", "display" }));
@@ -254,9 +267,9 @@ void TestNames()
   {
     for (const char* name : { "picture", "shadow maps", "delegate" })
     {
-      Names wrong;
-      RELIEVO_CHECK_THAT((Run(MakeOwn(shadows), { name }, &wrong) == Names{ "gbuffer" }), name);
-      RELIEVO_CHECK_THAT(wrong.empty(), name);
+      Names errors;
+      RELIEVO_CHECK_THAT((Run(MakeOwn(shadows), { name }, &errors) == Names{ "gbuffer" }), name);
+      RELIEVO_CHECK_THAT(errors.empty(), name);
     }
   }
   // Shown as the picture too.
@@ -283,12 +296,12 @@ void TestMissing()
   nodes[1].Declaration.Runs = false;
   nodes[1].Declaration.Reason = "gone";
   nodes.push_back(Make("display", D::DISPLAY, {}, { "picture" }));
-  Names wrong;
+  Names errors;
   for (const char* layer : { "depth", "temperature" })
   {
     nodes.back().Declaration.ReadsLayers = { layer };
-    RELIEVO_CHECK((Run(nodes, { "the picture", layer }, &wrong) == Names{ "delegate" }));
-    RELIEVO_CHECK(Says(wrong, { "display", layer, "gbuffer", "gone" }));
+    RELIEVO_CHECK((Run(nodes, { "the picture", layer }, &errors) == Names{ "delegate" }));
+    RELIEVO_CHECK(Says(errors, { "display", layer, "gbuffer", "gone" }));
     made = nodes;
     plan.Make(made, { layer }, false);
     RELIEVO_CHECK(Says({ plan.GetMissing().at(layer) }, { "gbuffer", "gone" }));
@@ -330,7 +343,7 @@ void TestNoColor()
 void TestOnlyIfColorChanges()
 {
   std::vector<Plan::Node> nodes = MakeOwn(true);
-  nodes[0].Declaration.Writes.emplace_back("translucent");
+  nodes[0].Declaration.Writes.push_back(vtkRelievoResources::Translucent);
   Plan::Node joins = Make("joins", D::COMPOSITE, { "translucent" }, { "color" });
   joins.Order = -10;
   joins.Declaration.Layers = { "blend" };

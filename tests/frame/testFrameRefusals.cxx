@@ -87,7 +87,7 @@ protected:
     description.Name = this->Name;
     description.Help = "Adds to the colour.";
     description.Slot = this->Slot;
-    description.Writes = { "color" };
+    description.Writes = { vtkRelievoResources::Color };
   }
   bool Prepare(vtkRelievoFrameContext&) override
   {

@@ -107,7 +107,7 @@ public:
 protected:
   void Declare(const vtkRelievoFrameContext&, vtkRelievoDeclaration& declaration) const override
   {
-    declaration.Reads.emplace_back("depth");
+    declaration.Reads.push_back(vtkRelievoResources::Depth);
   }
 };
 

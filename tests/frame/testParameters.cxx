@@ -103,9 +103,9 @@ void TestWords()
   const std::string unknown = stage->TrySetParameter("size", "3");
   RELIEVO_CHECK(
     unknown.find("'size'") != std::string::npos && unknown.find("map_size") != std::string::npos);
-  const std::string wrong = stage->TrySetParameter("bias", "1e3");
+  const std::string error = stage->TrySetParameter("bias", "1e3");
   RELIEVO_CHECK(
-    wrong.find("'1e3'") != std::string::npos && wrong.find("0 to 100") != std::string::npos);
+    error.find("'1e3'") != std::string::npos && error.find("0 to 100") != std::string::npos);
   RELIEVO_CHECK(
     stage->GetParameterHelp("map_size").find("16 to 16384 (texels)") != std::string::npos);
 }
@@ -120,10 +120,10 @@ void TestPairsAndConditions()
   pair.OnlyIf = "map,method!=off,way=far";
   RELIEVO_CHECK(list.GetDefault("scale") == "1,2" && list.TrySet("scale", "3/-4.5").empty());
   RELIEVO_CHECK(scale[0] == 3.0 && scale[1] == -4.5 && list.GetValue("scale") == "3,-4.5");
-  for (const char* wrong : { "1", "1,2,3", "1,nan", "one,two" })
+  for (const char* error : { "1", "1,2,3", "1,nan", "one,two" })
   {
     RELIEVO_CHECK_THAT(
-      list.TrySet("scale", wrong).find("expected two numbers") != std::string::npos, wrong);
+      list.TrySet("scale", error).find("expected two numbers") != std::string::npos, error);
   }
   RELIEVO_CHECK(scale[0] == 3.0 && scale[1] == -4.5);
   RELIEVO_CHECK(list.TrySet("size", "1").find("one of scale") != std::string::npos);

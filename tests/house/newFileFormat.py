@@ -24,7 +24,7 @@ def replace(path, old, new):
 def add(tree):
     """The rows, and their documentation."""
     row = '    { { "off" }, Open<vtkRelievoOFFReader>, "off" },\n'
-    replace(tree / "scene" / "files" / "Readers.cxx", row, row + DATA)
+    replace(tree / "reading" / "files" / "Readers.cxx", row, row + DATA)
     row = '    { { "bmp" }, { "BM" }, DecodeBMP },\n'
     replace(tree / "io" / "image" / "vtkRelievoImageFile.cxx", row, row + IMAGE)
     replace(tree / "docs" / "command-line.md", "| `.stl` `.ply` `.off` |",

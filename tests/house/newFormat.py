@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A new format of data sets is a class in a file of its own, a word of scene/CMakeLists.txt and a
+"""A new format of data sets is a class in a file of its own, a word of dataset/CMakeLists.txt and a
 row of its page: after that the command, its help, its completion and Python have it. For
 testNewPass.py, which builds the tree anyway.
 
@@ -63,8 +63,8 @@ def replace(path, old, new):
 
 def add(tree):
     """The class, its word, and their documentation."""
-    (tree / "scene" / "dataset" / "formats" / "LinesFormat.cxx").write_text(CLASS, encoding="utf-8")
-    replace(tree / "scene" / "CMakeLists.txt", "Bop Coco Nerf Npz)", "Bop Coco Nerf Npz Lines)")
+    (tree / "dataset" / "formats" / "LinesFormat.cxx").write_text(CLASS, encoding="utf-8")
+    replace(tree / "dataset" / "CMakeLists.txt", "Bop Coco Nerf Npz)", "Bop Coco Nerf Npz Lines)")
     replace(tree / "docs" / "datasets.md", "| `npz` | `NUMBER.npz`",
             "| `lines` | `pictures/`, `depth/` and `lines.txt`, where cameras stand |\n"
             "| `npz` | `NUMBER.npz`")  # fmt: skip

@@ -17,7 +17,7 @@ OUTPUT = pathlib.Path(os.environ["RELIEVO_TEST_OUTPUT"])
 # The allowed and the required content of a component.
 LIBRARY = r"lib(/[^/]+)*/libvtkRelievo\w+\.so"
 MAY = {
-    "runtime": rf"{LIBRARY}\.\d.*|share/doc/.*/LICENSE",
+    "runtime": rf"{LIBRARY}\.\d.*|lib(/[^/]+)*/relievo/relievo-reader|share/doc/.*/LICENSE",
     "command": r"bin/relievo|share/man/man1/relievo\.1|share/bash-completion/completions/relievo",
     "viewer": r"bin/relievo-viewer|share/man/man1/relievo-viewer\.1"
     r"|share/(applications|icons/hicolor/scalable/apps)/relievo-viewer\.(desktop|svg)"
@@ -28,7 +28,7 @@ MAY = {
     "plugin": r"lib/.*plugins/(Relievo/Relievo\.so|relievo\.plugins\.xml)",
 }
 MUST = {
-    "runtime": ["libvtkRelievoPasses.so."],
+    "runtime": ["libvtkRelievoPasses.so.", "relievo/relievo-reader"],
     "command": ["bin/relievo", "bash-completion/completions/relievo"],
     "viewer": ["bin/relievo-viewer", "relievo-viewer.desktop"],
     "development": ["libvtkRelievoPasses.so", "RelievoConfig.cmake", "vtkRelievoPass.h"],

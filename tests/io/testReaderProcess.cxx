@@ -368,6 +368,7 @@ void TestGone()
 
 RELIEVO_TEST_CASE_APART(testReaderProcess)
 {
+  setenv("RELIEVO_READ_HERE", "1", 1);
   RELIEVO_CHECK(!vtkRelievoReaderProcess::IsThere());
   RELIEVO_CHECK(vtkRelievoReaderProcess::Start() && vtkRelievoReaderProcess::IsThere());
   relievoTest::Session session;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Normal textures of a glTF model (Debian's assimp-testmodels), worn by vtkRelievoMaterial: each
+// Normal textures of a glTF model (Debian's assimp-testmodels), as maps of vtkRelievoMaterial: each
 // pixel's normal against that of the glTF specification, computed in double from the file's arrays.
 #include "Check.h"
 #include "GLCheck.h"
@@ -225,7 +225,7 @@ void TestModel()
     reader->Update();
   }
   // The first mesh with each of the images.
-  std::map<vtkImageData*, vtkPolyData*> worn;
+  std::map<vtkImageData*, vtkPolyData*> images;
   vtkSmartPointer<vtkCompositeDataIterator> it;
   it.TakeReference(reader->GetOutput()->NewIterator());
   for (it->InitTraversal(); !it->IsDoneWithTraversal(); it->GoToNextItem())
@@ -236,14 +236,14 @@ void TestModel()
     {
       const auto texture = static_cast<vtkIdType>(index->GetComponent(0, 0));
 #ifdef RELIEVO_VTK_GLTF_TEXTURE_OBJECTS
-      worn.emplace(reader->GetTexture(texture)->Image.GetPointer(), mesh);
+      images.emplace(reader->GetTexture(texture)->Image.GetPointer(), mesh);
 #else
-      worn.emplace(reader->GetGLTFTexture(texture).Image.GetPointer(), mesh);
+      images.emplace(reader->GetGLTFTexture(texture).Image.GetPointer(), mesh);
 #endif
     }
   }
-  RELIEVO_CHECK_THAT(worn.size() == 2, "images: " + std::to_string(worn.size()));
-  for (const auto& [image, mesh] : worn)
+  RELIEVO_CHECK_THAT(images.size() == 2, "images: " + std::to_string(images.size()));
+  for (const auto& [image, mesh] : images)
   {
     TestTexture(mesh, image, std::to_string(image->GetDimensions()[0]) + " texels");
   }

@@ -156,7 +156,7 @@ void TestSelfShadow()
     for (int x = 2; x < 400; x += 5)
     {
       const ReliefRay ray = RayOf(renderer, x, y);
-      if (!ray.MeetsPlane)
+      if (!ray.HitsPlane)
       {
         continue;
       }

@@ -180,7 +180,7 @@ class Environment(pv.PluginTest):
                 setattr(self.view, name, on)
                 first = pv.picture(self.view)
                 switch(1)
-                self.differ(pv.picture(self.view), first, f"{name}: worn", share=0.1)
+                self.differ(pv.picture(self.view), first, f"{name}: styled", share=0.1)
                 switch(0)
                 self.same(pv.picture(self.view), first, f"{name}: off again")
                 setattr(self.view, name, off)

@@ -66,7 +66,7 @@ class OlderViews(pv.Test):
         self.assertEqual(OLDER_PLANE.RelievoHeightScale, 0.5)
         leaning = materialScene.write_normals("leaning.png", materialScene.lean(40))
         OLDER_PLANE.RelievoMaterial, OLDER_PLANE.RelievoNormalMap = 1, leaning
-        self.differ(pv.picture(OLDER), BEFORE, "worn")
+        self.differ(pv.picture(OLDER), BEFORE, "styled")
         OLDER_PLANE.RelievoMaterial = 0
         self.same(pv.picture(OLDER), BEFORE, "off again")
 

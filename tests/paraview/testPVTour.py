@@ -33,19 +33,20 @@ class Tour(pv.Test):
         said = pv.run(EXAMPLES / "11_paraview_materials.py", pv.OUTPUT, tool="pvbatch")
         self.assertEqual(pv.messages(said), [])
         both = pv.read(pv.OUTPUT / "paraview_materials.png").astype(int)
-        plain, worn = both[:, :719], both[:, 721:]
+        plain, styled = both[:, :719], both[:, 721:]
         # The ground, lower left: even without relief; stones in the sun and gaps between with it.
         self.assertLess(plain[430:, :200].std(axis=(0, 1)).max(), 3)
-        self.assertGreater(worn[430:, :200].std(axis=(0, 1)).min(), 25)
+        self.assertGreater(styled[430:, :200].std(axis=(0, 1)).min(), 25)
         # The bike: its own red, brighter or darker; and mirrored, other colours and white.
         bike = (plain[..., 0] > 1.5 * plain[..., 2] + 20) & (plain[..., 0] > 2 * plain[..., 1])
         self.assertGreater(bike.mean(), 0.2)
-        self.assertGreater((worn[bike].min(axis=1) > 150).mean(), 0.02, "the sky's white")
-        self.assertGreater((worn[..., 1] > worn[..., 0])[bike].mean(), 0.02, "the forest's green")
+        self.assertGreater((styled[bike].min(axis=1) > 150).mean(), 0.02, "the sky's white")
+        green = styled[..., 1] > styled[..., 0]
+        self.assertGreater(green[bike].mean(), 0.02, "the forest's green")
         # The forest in place of the background.
         sky = (plain == plain[0, 0]).all(axis=2)
         self.assertGreater(sky.mean(), 0.15)
-        self.assertLess(worn[sky].max(axis=1).mean(), 120)
+        self.assertLess(styled[sky].max(axis=1).mean(), 120)
 
     def test_hall(self):
         said = pv.run(EXAMPLES / "17_paraview_hall.py", pv.OUTPUT, tool="pvbatch")

@@ -594,6 +594,11 @@ class Words(unittest.TestCase):
             ("h.yml", ROS_YAML.replace("cols: 8", "cols: 4").replace("rational_polynomial", '""')
              .replace("0.4, -0.1, 0.0006, 0.0011, 0.03, 0.65, -0.05, 2e-2", "0, 0, 0, 0"),
              "pinhole"),
+            # Several messages of one topic: the first; a comment in a string, and keys in braces.
+            ("n.yaml", ROS_MESSAGE + ROS_MESSAGE.replace("640", "320"), "brown"),
+            ("o.yaml", "frame: 'a # b: c'\n" + ROS_MESSAGE, "brown"),
+            ("p.yaml", "{width: 640, height: 480, distortion_model: plumb_bob,\n"
+             f" K: {K.ravel().tolist()}, D: [-0.25, 0.07, 0.001, -0.0007, -0.01]}}\n", "brown"),
             ("i.yaml", KALIBR_YAML, "fisheye"), ("j.XML", OPENCV_XML, "brown"),
             ("k.xml.gz", gzip.compress(OPENCV_XML.encode()), "brown"),
             ("l.yml.gz", gzip.compress(OPENCV_YAML.encode()), "brown"),
@@ -725,7 +730,8 @@ class Words(unittest.TestCase):
             ("image_width: it is missing", self.file("b.yml", "camera_matrix: 1\n")),
             ("camera_matrix: expected 9",
              self.file("c.yml", OPENCV_YAML.replace("0., 0., 1.", "0."))),
-            ("camera_matrix: expected 9", self.file("d.yml", OPENCV_YAML.replace("1. ]", "1."))),
+            ("line 13: expected YAML, got end of sequence flow not found",
+             self.file("d.yml", OPENCV_YAML.replace("1. ]", "1."))),
             ("distortion_model: got \"bent\"",
              self.file("e.yml", ROS_YAML.replace("rational_polynomial", "bent"))),
             # One number is lost: those behind it would each be taken for the one before.
@@ -786,8 +792,23 @@ class Words(unittest.TestCase):
             ("binning_y: got 0.5, expected a whole number",
              self.file("o.yml", ROS_MESSAGE.replace("binning_y: 0", "binning_y: 0.5"))),
             # Lists in lists, more than a stack has room for.
-            ("camera_matrix: it is missing, expected 9", self.file("p.yml", OPENCV_YAML.replace(
+            ("expected YAML, got ", self.file("p.yml", OPENCV_YAML.replace(
                 "camera_matrix: !!opencv-matrix", "camera_matrix: " + "[" * 40000))),
+            # A billion values by ten aliases; a list that is no matrix at all.
+            ("expected YAML, got an alias", self.file("y1.yml", "a: &a [1, 1]\nk: [*a, *a]\n")),
+            ("more values than a calibration has", self.file("y2.yml", "k: [" + "1," * 200000)),
+            ("line 2: expected YAML, got width is there twice",
+             self.file("y3.yml", "width: 640\nwidth: 641\n")),
+            ("expected YAML, got ", self.file("y4.yml", "? " * 40000)),
+            ("expected YAML, got ", self.file("y5.yml", "{" * 40000)),
+            ("expected YAML, got ", self.file("y6.yml", "- " * 40000)),
+            ("it is no YAML map", self.file("y7.yml", "")),
+            ("it is no YAML map", self.file("y8.yml", "- 1\n")),
+            # Bytes that are no UTF-8 ended the process.
+            ("distortion_model: got \"", self.file("z.yml", ROS_YAML.encode().replace(
+                b"rational_polynomial", b"\xff\xfe"))),
+            ("distortion_model: got \"", self.file("z.xml", OPENCV_XML.encode().replace(
+                b"<flags>6</flags>", b"<distortion_model>\xff\xfe</distortion_model>"))),
             ("camera_matrix: expected 9", self.file("q.json", json.dumps(
                 {"image_width": 64, "image_height": 49, "camera_matrix": "@"}).replace(
                     '"@"', "[" * 40000 + "]" * 40000))),

@@ -220,22 +220,29 @@ class Png(Files):
         head = whole[:33]
         sizes = b"\x89PNG\r\n\x1a\n" + b"%s" + whole[33:]
         cases = {
-            "too little": (png(7, 5, 8, 2, rows[:4]), "too little data"),
-            "no data": (head + png_chunk(b"IEND", b""), "too little data"),
-            "no palette": (png(7, 5, 8, 3, [row[:7] for row in rows]), "palette"),
+            "too little": (png(7, 5, 8, 2, rows[:4]), "Not enough image data"),
+            "no data": (head + png_chunk(b"IEND", b""), "IEND: out of place"),
+            "no palette": (png(7, 5, 8, 3, [row[:7] for row in rows]), "Missing PLTE"),
             "short palette": (png(7, 5, 8, 3, [b"\1" * 7] * 5, png_chunk(b"PLTE", b"abc")),
                               "palette"),
+            "long transparency": (png(7, 5, 8, 3, [bytes(7)] * 5, png_chunk(b"PLTE", b"abc")
+                                      + png_chunk(b"tRNS", b"abcd")), "tRNS"),
+            "late transparency": (whole[:-12] + png_chunk(b"tRNS", bytes(6)) + whole[-12:],
+                                  "tRNS: out of place"),
+            "unknown chunk": (png(7, 5, 8, 2, rows, png_chunk(b"NEED", b"")), "NEED"),
+            "turned bit of a text": (png(7, 5, 8, 2, rows, png_chunk(b"tEXt", b"a\0b")[:-1]
+                                         + b"x"), "damaged"),
             "cut": (whole[:-20], "ends too early"),
             "turned bit": (whole[:50] + bytes([whole[50] ^ 4]) + whole[51:], "damaged"),
             "no header": (whole[:8] + whole[33:], "header"),
             "zero": (sizes.replace(b"%s", png_chunk(
                 b"IHDR", struct.pack(">IIBBBBB", 0, 5, 8, 2, 0, 0, 0))), "0 x 5"),
             "2^31": (sizes.replace(b"%s", png_chunk(
-                b"IHDR", struct.pack(">IIBBBBB", 2 ** 31, 5, 8, 2, 0, 0, 0))), "width"),
+                b"IHDR", struct.pack(">IIBBBBB", 2 ** 31, 5, 8, 2, 0, 0, 0))), "2147483648 x 5"),
             "bomb": (sizes.replace(b"%s", png_chunk(
                 b"IHDR", struct.pack(">IIBBBBB", 50000, 50000, 8, 2, 0, 0, 0))), "at most 256 Mi"),
             "depth 3": (sizes.replace(b"%s", png_chunk(
-                b"IHDR", struct.pack(">IIBBBBB", 7, 5, 3, 2, 0, 0, 0))), "depth 3"),
+                b"IHDR", struct.pack(">IIBBBBB", 7, 5, 3, 2, 0, 0, 0))), "bit depth"),
         }
         for label, (content, says) in cases.items():
             with self.subTest(label=label):

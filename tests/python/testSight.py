@@ -1360,6 +1360,22 @@ class Colour(unittest.TestCase):
             self.assertLess(source.GetNumberOfDrawnPixels(), 1.2 * least)
         window.Finalize()
 
+    def test_window_in_tiles(self):
+        """A window that draws a picture in tiles has its size and its tile again."""
+        window = scenes.window_of(self.room())
+        window.SetTileScale(2, 3)
+        window.SetTileViewport(0.5, 0, 1, 0.5)
+        before = tuple(window.GetActualSize())
+        source = relievo.vtkRelievoLensPicture()
+        source.SetRenderer(window.GetRenderers().GetFirstRenderer())
+        source.SetCamera(relievo.Equirectangular((40, 20)).model)
+        source.Update()
+        self.assertEqual(source.GetNumberOfViews(), 6)
+        self.assertEqual(tuple(window.GetActualSize()), before)
+        self.assertEqual(tuple(window.GetTileScale()), (2, 3))
+        self.assertEqual(tuple(window.GetTileViewport()), (0.5, 0, 1, 0.5))
+        window.Finalize()
+
     def test_odd_ones(self):
         empty = vtkRenderer()
         empty.SetBackground(0.2, 0.4, 0.6)

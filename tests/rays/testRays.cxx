@@ -31,6 +31,7 @@
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 #include <vtkRelievoRayScene.h>
+#include <vtkRelievoWideTree.h>
 #include <vtkRenderer.h>
 #include <vtkSkybox.h>
 #include <vtkSphereSource.h>
@@ -46,6 +47,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstring>
 #include <iostream>
 #include <random>
 #include <string>
@@ -131,7 +133,27 @@ glm::dvec3 GetVector(vtkTable* table, const char* column, vtkIdType row)
     GetNumber(table, column, row, 2));
 }
 
-// All three answers for all rays, against the truth, to so much of the scene's size.
+bool IsSame(vtkDataArray* a, vtkDataArray* b)
+{
+  return a && b && a->GetDataType() == b->GetDataType() &&
+    a->GetNumberOfValues() == b->GetNumberOfValues() &&
+    std::memcmp(a->GetVoidPointer(0), b->GetVoidPointer(0),
+      static_cast<std::size_t>(a->GetNumberOfValues() * a->GetDataTypeSize())) == 0;
+}
+
+bool IsSame(vtkTable* a, vtkTable* b)
+{
+  bool same = a->GetNumberOfColumns() == b->GetNumberOfColumns();
+  for (vtkIdType i = 0; i < a->GetNumberOfColumns() && same; ++i)
+  {
+    same = IsSame(
+      vtkDataArray::SafeDownCast(a->GetColumn(i)), vtkDataArray::SafeDownCast(b->GetColumn(i)));
+  }
+  return same;
+}
+
+// All three answers for all rays, against the truth, to so much of the scene's size, and bit for
+// bit against those without AVX2.
 void Compare(vtkRelievoRayScene* scene, const BruteRays& truth, const Rays& rays,
   const std::string& what, double low = 0., double high = 1e300, double most = 1e-12)
 {
@@ -144,6 +166,18 @@ void Compare(vtkRelievoRayScene* scene, const BruteRays& truth, const Rays& rays
       scene->FindAll(rays.Origins, rays.Directions, all) &&
       scene->FindAny(rays.Origins, rays.Directions, any),
     what);
+  vtkNew<vtkTable> plainNearest;
+  vtkNew<vtkTable> plainAll;
+  vtkNew<vtkUnsignedCharArray> plainAny;
+  vtkRelievoWideTree::SetUsesAvx2(false);
+  RELIEVO_CHECK_THAT(scene->FindNearest(rays.Origins, rays.Directions, plainNearest) &&
+      scene->FindAll(rays.Origins, rays.Directions, plainAll) &&
+      scene->FindAny(rays.Origins, rays.Directions, plainAny),
+    what + ", without AVX2");
+  vtkRelievoWideTree::SetUsesAvx2(true);
+  RELIEVO_CHECK_THAT(
+    IsSame(nearest, plainNearest) && IsSame(all, plainAll) && IsSame(any, plainAny),
+    what + ", other answers without AVX2");
   const double size = glm::length(truth.GetHigh() - truth.GetLow());
   vtkIdType row = 0;
   int unsure = 0;

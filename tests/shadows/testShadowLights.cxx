@@ -345,10 +345,10 @@ void Test(const Material& material, const std::vector<int>& numbers)
     material.Set(actor);
   }
   const std::string name = material.Name;
-  const relievoTest::Layers dressed(stage.Renderer, masks);
+  const relievoTest::Layers styled(stage.Renderer, masks);
   for (const std::string& mask : masks)
   {
-    RELIEVO_CHECK_AT_MOST(relievoTest::CountDifferent(plain, dressed, mask), 0,
+    RELIEVO_CHECK_AT_MOST(relievoTest::CountDifferent(plain, styled, mask), 0,
       name + ": pixels of " + mask + " unlike the default material's");
   }
   const auto off = Picture(stage.Window);

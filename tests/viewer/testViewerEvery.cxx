@@ -258,7 +258,7 @@ private Q_SLOTS:
       for (vtkRelievoParameter parameter : list->Parameters)
       {
         const std::string name = parameter.Name;
-        parameter.Default = scene::GetSurfaceValue(before.Parse(), name);
+        parameter.Default = scene::GetSurfaceValue(before.Parse().Surface, name);
         auto* edit = this->Window->findChild<viewer::ParameterEdit*>(QString::fromStdString(name));
         QVERIFY2(edit && edit->isEnabled(), name.c_str());
         for (const std::string& value : GetValues(parameter))
@@ -267,7 +267,7 @@ private Q_SLOTS:
           Q_EMIT edit->edited(QString::fromStdString(value));
           const scene::Settings after = this->Window->GetDocument()->Get();
           QVERIFY2(after != before, what.c_str());
-          QVERIFY2(scene::GetSurfaceValue(after.Parse(), name) == value, what.c_str());
+          QVERIFY2(scene::GetSurfaceValue(after.Parse().Surface, name) == value, what.c_str());
           this->WaitUntilRead();
           this->Compare(what.c_str());
         }

@@ -37,12 +37,12 @@ private Q_SLOTS:
   {
     this->Open({ this->WriteOBJ(), "--light", "sun:0.2,0.1,1", "--shadows", "map" });
     this->Compare("materials");
-    const vtkSmartPointer<vtkImageData> worn = this->Grab();
+    const vtkSmartPointer<vtkImageData> styled = this->Grab();
     this->Change([](scene::Settings& settings) { settings.Set("--color", "#336699"); });
     this->Compare("a colour instead");
-    QVERIFY(CountDifferent(worn, this->Grab()) > 100);
+    QVERIFY(CountDifferent(styled, this->Grab()) > 100);
     this->Change([](scene::Settings& settings) { settings.Remove("--color"); });
-    QCOMPARE(CountDifferent(worn, this->Grab()), 0);
+    QCOMPARE(CountDifferent(styled, this->Grab()), 0);
   }
 
   void glTF()

@@ -97,7 +97,7 @@ class Files(unittest.TestCase):
             for each in ":".join(paths).split(":"):
                 self.assertRegex(each, r"^(\$ORIGIN.*)?$", f"{path.name} looks outside the wheel")
         self.assertTrue(any(re.fullmatch(VTK, name) for name in found))
-        for name in ("OpenEXR", "assimp", "draco", "Imath"):
+        for name in ("OpenEXR", "assimp", "draco", "Imath", "yaml-cpp"):
             self.assertTrue(any(name in file and file in own for file in found), name)
 
     def test_licences(self):
@@ -107,7 +107,7 @@ class Files(unittest.TestCase):
         with_it = [path for path in self.files if path.parent.name == "relievo.libs"]
         self.assertGreater(len(with_it), 4)
         for path in with_it:
-            library = re.match(r"lib([A-Za-z]+)", path.name)[1]
+            library = re.match(r"lib([A-Za-z]+(?:-cpp)?)", path.name)[1]
             part = "openexr" if library in ("Iex", "IlmThread") else library.lower()
             self.assertIn("Copyright", texts.get(part, ""), path.name)
 

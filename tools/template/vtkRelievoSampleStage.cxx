@@ -25,8 +25,8 @@ void vtkRelievoSampleStage::Describe(vtkRelievoStageDescription& description)
   description.Name = "sample";
   description.Help = "Fades what is far from the eye towards a colour.";
   description.Slot = vtkRelievoStageDescription::COMPOSITE;
-  description.Reads = { "depth", "color" };
-  description.Writes = { "color" };
+  description.Reads = { vtkRelievoResources::Depth, vtkRelievoResources::Color };
+  description.Writes = { vtkRelievoResources::Color };
   description.AddNumber(
     "strength", this->Strength, [this](double strength) { this->SetStrength(strength); }, 0.0, 1.0,
     "", "Fraction of the colour at the far plane.");
@@ -52,8 +52,8 @@ void vtkRelievoSampleStage::Declare(
 void vtkRelievoSampleStage::Execute(vtkRelievoFrameContext& context)
 {
   this->DrawCalls = 0;
-  vtkShaderProgram* program =
-    this->Quad->Ready(context, "sample/sampleFS.glsl", { "depth", "color" });
+  vtkShaderProgram* program = this->Quad->Ready(
+    context, "sample/sampleFS.glsl", { vtkRelievoResources::Depth, vtkRelievoResources::Color });
   if (!program)
   {
     this->Explain("failed", this->Quad->GetWrong());

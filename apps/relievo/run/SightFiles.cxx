@@ -7,6 +7,7 @@
 #include "Messages.h"
 #include "Outputs.h"
 #include "Progress.h"
+#include "ReadContext.h"
 #include "Readers.h"
 #include "UpAxis.h"
 
@@ -31,12 +32,13 @@ int ReadMeshes(const std::vector<std::string>& files, const std::vector<std::str
   {
     scene::CheckFolder(folder);
   }
+  scene::ReadContext context(progress, folders);
   int up = 1;
   for (std::size_t i = 0; i < files.size(); ++i)
   {
     scene::CheckReadable(files[i]);
     vtkNew<vtkAppendPolyData> all;
-    scene::ForEachDataSet(scene::ReadSurface(files[i], folders, false, false, progress),
+    scene::ForEachDataSet(scene::ReadSurface(files[i], false, false, context),
       [&all](vtkDataSet* data) { all->AddInputData(vtkPolyData::SafeDownCast(data)); });
     if (all->GetNumberOfInputConnections(0) > 0)
     {

@@ -10,6 +10,7 @@
 #include "ParameterEdit.h"
 #include "StageGroup.h"
 #include "SurfaceOptions.h"
+#include "SurfaceSettings.h"
 #include "SurfaceValues.h"
 
 #include <QCheckBox>
@@ -85,8 +86,9 @@ void LightPanel::AddEnvironment()
   // Each control writes its own option and leaves the other words unchanged.
   QObject::connect(this->File, &FileEdit::edited, this,
     [this](const QString& path) { this->SetFile(path.toStdString(), this->Rotation->GetValue()); });
-  QObject::connect(this->Rotation, &relievoQt::Number::edited, this,
-    [this](double rotation) { this->SetFile(this->Edited->Get().Parse().Environment, rotation); });
+  QObject::connect(this->Rotation, &relievoQt::Number::edited, this, [this](double rotation) {
+    this->SetFile(this->Edited->Get().Parse().Surface.Environment, rotation);
+  });
   QObject::connect(this->Reflectivity, &relievoQt::Number::edited, this, [this](double value) {
     this->Edited->Change([this, value](scene::Settings& settings) {
       const bool both = settings.Get("--reflectivity").find(',') != std::string::npos;
@@ -120,7 +122,7 @@ void LightPanel::SetFile(const std::string& file, double rotation)
 //------------------------------------------------------------------------------
 void LightPanel::SwitchEnvironment(bool on)
 {
-  if (!this->Kept.Has("--environment") && this->Edited->Get().Parse().Environment.empty())
+  if (!this->Kept.Has("--environment") && this->Edited->Get().Parse().Surface.Environment.empty())
   {
     this->Waiting = on;
     this->ShowSettings();
@@ -151,7 +153,7 @@ void LightPanel::SwitchEnvironment(bool on)
 scene::NamedWords LightPanel::GetMirrorValues() const
 {
   scene::NamedWords mirror;
-  for (const auto& given : this->Edited->Get().Parse().Material)
+  for (const auto& given : this->Edited->Get().Parse().Surface.Material)
   {
     if (scene::GetMaterialValues().Find(given.first)->OnlyIf == "environment")
     {
@@ -168,8 +170,8 @@ void LightPanel::ShowSettings()
   const scene::Settings& settings = this->Edited->Get();
   const scene::RenderOptions options = settings.Parse();
   this->Values->ShowSettings();
-  this->Waiting = this->Waiting && options.Environment.empty();
-  this->Environment->setChecked(this->Waiting || !options.Environment.empty());
+  this->Waiting = this->Waiting && options.Surface.Environment.empty();
+  this->Environment->setChecked(this->Waiting || !options.Surface.Environment.empty());
   this->Hint->setVisible(this->Waiting);
   QList<QWidget*> rest = { this->Rotation, this->Reflectivity, this->Roughness, this->Sky };
   for (ParameterEdit* edit : this->Environment->findChildren<ParameterEdit*>())
@@ -180,12 +182,12 @@ void LightPanel::ShowSettings()
   {
     SetIdle(edit, this->Waiting ? "Has an effect with an image." : "");
   }
-  if (!options.Environment.empty())
+  if (!options.Surface.Environment.empty())
   {
     this->Kept = scene::Settings();
-    this->File->SetPath(QString::fromStdString(options.Environment));
-    this->Rotation->SetValue(options.EnvironmentRotation);
-    this->Sky->setChecked(options.Skybox);
+    this->File->SetPath(QString::fromStdString(options.Surface.Environment));
+    this->Rotation->SetValue(options.Surface.EnvironmentRotation);
+    this->Sky->setChecked(options.Surface.Skybox);
   }
   else if (!this->Kept.Has("--environment"))
   {
@@ -193,8 +195,8 @@ void LightPanel::ShowSettings()
   }
   if (!this->Kept.Has("--environment"))
   {
-    this->Reflectivity->SetValue(options.Reflectivity);
-    this->Roughness->SetValue(options.Roughness);
+    this->Reflectivity->SetValue(options.Surface.Reflectivity);
+    this->Roughness->SetValue(options.Surface.Roughness);
   }
 }
 }

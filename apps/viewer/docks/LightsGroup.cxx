@@ -229,8 +229,8 @@ void LightsGroup::AddPresets(std::vector<Row>& rows, bool own) const
   if (rows.empty())
   {
     Row row;
-    row.Name = options.Environment.empty() ? "headlight" : "environment";
-    row.Kind = options.Environment.empty() ? "at the camera" : "all around";
+    row.Name = options.Surface.Environment.empty() ? "headlight" : "environment";
+    row.Kind = options.Surface.Environment.empty() ? "at the camera" : "all around";
     row.Tip = "Lights that you add replace it";
     rows.push_back(row);
   }
@@ -336,7 +336,7 @@ void LightsGroup::ShowFill()
     each->setEnabled(has);
     each->setToolTip(has ? "How much of the preset's fill is there, which no shadow takes away"
         : ofFile         ? "The file's own lights are in the place of the preset's"
-        : options.Environment.empty() || options.Preset == "none"
+        : options.Surface.Environment.empty() || options.Preset == "none"
         ? "The preset " + QString::fromStdString(options.Preset) + " has no fill"
         : "The environment fills");
   }

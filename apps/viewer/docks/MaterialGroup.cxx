@@ -58,8 +58,9 @@ MaterialGroup::MaterialGroup(Document* document, QWidget* parent)
   QObject::connect(this->Heights, &FileEdit::edited, this, [this](const QString& path) {
     this->SetHeightMap(path.toStdString(), this->Depth->GetValue());
   });
-  QObject::connect(this->Depth, &relievoQt::Number::edited, this,
-    [this](double depth) { this->SetHeightMap(this->Edited->Get().Parse().HeightMap, depth); });
+  QObject::connect(this->Depth, &relievoQt::Number::edited, this, [this](double depth) {
+    this->SetHeightMap(this->Edited->Get().Parse().Surface.HeightMap, depth);
+  });
   QObject::connect(document, &Document::changed, this, &MaterialGroup::ShowSettings);
   this->ShowSettings();
 }
@@ -85,10 +86,10 @@ void MaterialGroup::ShowSettings()
 {
   const scene::Settings& settings = this->Edited->Get();
   const scene::RenderOptions options = settings.Parse();
-  const bool heights = !options.HeightMap.empty();
-  this->Normals->SetPath(QString::fromStdString(options.NormalMap));
-  this->Heights->SetPath(QString::fromStdString(options.HeightMap));
-  this->Depth->SetValue(options.HeightScale.value_or(0.0));
+  const bool heights = !options.Surface.HeightMap.empty();
+  this->Normals->SetPath(QString::fromStdString(options.Surface.NormalMap));
+  this->Heights->SetPath(QString::fromStdString(options.Surface.HeightMap));
+  this->Depth->SetValue(options.Surface.HeightScale.value_or(0.0));
   ShowChoice(this->Relief, settings, "--relief");
   ShowChoice(this->Coordinates, settings, "--texture-coordinates");
   this->Values->ShowSettings();
@@ -96,7 +97,8 @@ void MaterialGroup::ShowSettings()
   SetIdle(this->Depth, whyFlat);
   SetIdle(this->Relief, whyFlat);
   SetIdle(this->Coordinates,
-    heights || !options.NormalMap.empty() ? ""
-                                          : "Has an effect with a normal map or a height map.");
+    heights || !options.Surface.NormalMap.empty()
+      ? ""
+      : "Has an effect with a normal map or a height map.");
 }
 }

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ScenePanel.h"
 
+#include "CameraOptions.h"
 #include "ModelGroup.h"
 #include "Number.h"
 #include "OptionEdits.h"
 #include "Options.h"
 #include "Presets.h"
-#include "Scene.h"
 #include "SceneText.h"
 
 #include <QCheckBox>
@@ -215,6 +215,6 @@ void ScenePanel::ShowSettings()
   ShowFlag(this->Grid, settings, "--grid");
   ShowChoice(this->ScaleBar, settings, "--scale-bar");
   ShowChoice(this->Images, settings, "--image");
-  this->Angle->SetValue(options.ViewAngle.value_or(scene::StandardViewAngle));
+  this->Angle->SetValue(options.View.Angle.value_or(scene::StandardViewAngle));
 }
 }

@@ -8,7 +8,7 @@
 #define PointsEdit_h
 
 #include "Document.h"
-#include "Points.h"
+#include "PointOptions.h"
 
 #include <QString>
 #include <QWidget>

@@ -7,6 +7,7 @@
 #include "Options.h"
 #include "ParameterEdit.h"
 #include "SurfaceOptions.h"
+#include "SurfaceSettings.h"
 
 #include <algorithm>
 #include <string>
@@ -16,9 +17,9 @@ namespace viewer
 namespace
 {
 // Separates the numbers of a value by /, because commas separate values.
-std::string Read(const scene::RenderOptions& options, const std::string& name)
+std::string Read(const scene::SurfaceChoice& surface, const std::string& name)
 {
-  std::string words = scene::GetSurfaceValue(options, name);
+  std::string words = scene::GetSurfaceValue(surface, name);
   std::replace(words.begin(), words.end(), ',', '/');
   return words;
 }
@@ -45,7 +46,7 @@ void SurfaceValues::Add(const vtkRelievoParameter& value)
       const std::string given = QString(words).replace(',', '/').toStdString();
       this->Edited->Change([&](scene::Settings& settings) {
         scene::SetSurfaceValue(settings, name, "");
-        if (given != Read(settings.Parse(), name))
+        if (given != Read(settings.Parse().Surface, name))
         {
           scene::SetSurfaceValue(settings, name, given);
         }
@@ -56,12 +57,12 @@ void SurfaceValues::Add(const vtkRelievoParameter& value)
 //------------------------------------------------------------------------------
 void SurfaceValues::ShowSettings()
 {
-  const scene::RenderOptions options = this->Edited->Get().Parse();
+  const scene::SurfaceChoice surface = this->Edited->Get().Parse().Surface;
   for (const Row& row : this->All)
   {
-    const auto failing = scene::FindFailing(options, *row.Value);
+    const auto failing = scene::FindFailing(surface, *row.Value);
     SetIdle(row.Edit, failing ? WriteCondition(scene::GetMaterialValues(), *failing) : QString());
-    row.Edit->SetValue(QString::fromStdString(Read(options, row.Value->Name)));
+    row.Edit->SetValue(QString::fromStdString(Read(surface, row.Value->Name)));
   }
 }
 }

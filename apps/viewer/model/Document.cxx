@@ -5,7 +5,7 @@
 #include "Messages.h"
 #include "Options.h"
 #include "Presets.h"
-#include "SurfaceOptions.h"
+#include "SurfaceSettings.h"
 
 #include <algorithm>
 #include <exception>

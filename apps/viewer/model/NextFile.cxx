@@ -6,9 +6,9 @@
 #include "LightOptions.h"
 #include "ModelOptions.h"
 #include "Options.h"
-#include "Points.h"
+#include "PointOptions.h"
 #include "Presets.h"
-#include "SurfaceOptions.h"
+#include "SurfaceSettings.h"
 
 #include <QStringList>
 

@@ -150,8 +150,8 @@ struct Contents
 std::vector<FileFacts> GetFileFacts(
   const Picture& picture, const std::vector<std::string>& files, bool ranges)
 {
-  const scene::BareScene& bare = picture.GetScene().GetBare();
-  const scene::Scene& scene = bare.Get();
+  const scene::DressedScene& shown = picture.GetScene();
+  const scene::Scene& scene = shown.GetScene();
   vtkActorCollection* actors = scene.Renderer->GetActors();
   vtkVolumeCollection* volumes = scene.Renderer->GetVolumes();
   std::vector<FileFacts> all;
@@ -164,7 +164,7 @@ std::vector<FileFacts> GetFileFacts(
     for (int left = scene.Counts[i]; left > 0 && next < actors->GetNumberOfItems(); ++next)
     {
       vtkActor* actor = vtkActor::SafeDownCast(actors->GetItemAsObject(next));
-      if (!bare.Find(actor)) // a skeleton
+      if (!shown.IsOfFiles(actor)) // a skeleton
       {
         continue;
       }

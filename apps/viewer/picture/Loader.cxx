@@ -5,6 +5,7 @@
 #include "Errors.h"
 #include "Messages.h"
 #include "Options.h"
+#include "ReadContext.h"
 
 #include <cmath>
 #include <exception>
@@ -71,11 +72,12 @@ void Loader::Read(const scene::Settings& settings, bool pointsOnly)
     const scene::RenderOptions options = settings.Parse();
     scene::CheckInputs(options);
     scene::Progress progress(this);
+    scene::ReadContext context(progress, options.AllowedFolders);
     if (!pointsOnly)
     {
-      this->Scene = scene::ReadScene(options, progress);
+      this->Scene = scene::ReadScene(options, context);
     }
-    this->Points = scene::ReadFramePoints(options, progress);
+    this->Points = scene::ReadFramePoints(options, context);
   }
   catch (const std::bad_alloc&)
   {

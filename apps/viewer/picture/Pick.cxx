@@ -41,7 +41,7 @@ std::array<double, 3> ToWorld(vtkRenderer* renderer, int x, int y, double depth)
 std::optional<std::array<double, 3>> PickGround(const Picture& picture, int x, int y)
 {
   const scene::DressedScene& scene = picture.GetScene();
-  if (!scene.GetBare().Get().Ground)
+  if (!scene.GetScene().Ground)
   {
     return std::nullopt;
   }

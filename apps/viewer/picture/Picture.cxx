@@ -161,9 +161,9 @@ void Picture::FitClipping()
     {
     }
   }
-  if (scene.GetOptions().Clip)
+  if (scene.GetOptions().View.Clip)
   {
-    this->GetRenderer()->GetActiveCamera()->SetClippingRange(scene.GetOptions().Clip->data());
+    this->GetRenderer()->GetActiveCamera()->SetClippingRange(scene.GetOptions().View.Clip->data());
   }
   else
   {

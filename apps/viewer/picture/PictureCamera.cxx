@@ -109,7 +109,7 @@ void Picture::SetParallel(bool on)
     if (!on)
     {
       // A parallel projection has no view angle.
-      camera->SetViewAngle(this->Now.Shown.Parse().ViewAngle.value_or(scene::StandardViewAngle));
+      camera->SetViewAngle(this->Now.Shown.Parse().View.Angle.value_or(scene::StandardViewAngle));
     }
     const double half = std::tan(vtkMath::RadiansFromDegrees(0.5 * camera->GetViewAngle()));
     if (on)

@@ -94,14 +94,15 @@ bool NeedsPrefix(const std::string& name, const Arrays& arrays)
 //------------------------------------------------------------------------------
 Facts GetFacts(const Picture& picture)
 {
-  const scene::BareScene& scene = picture.GetScene().GetBare();
+  const scene::DressedScene& shown = picture.GetScene();
+  const scene::Scene& scene = shown.GetScene();
   Arrays arrays;
   bool ownValues = false;
-  vtkActorCollection* actors = scene.Get().Renderer->GetActors();
+  vtkActorCollection* actors = scene.Renderer->GetActors();
   for (int i = 0; i < actors->GetNumberOfItems(); ++i)
   {
     vtkActor* actor = vtkActor::SafeDownCast(actors->GetItemAsObject(i));
-    if (actor->GetMapper() && scene.Find(actor)) // no skeleton
+    if (actor->GetMapper() && shown.IsOfFiles(actor)) // no skeleton
     {
       scene::ForEachDataSet(actor->GetMapper()->GetInputDataObject(0, 0), [&](vtkDataSet* block) {
         AddArrays(block, arrays);
@@ -114,12 +115,12 @@ Facts GetFacts(const Picture& picture)
   {
     facts.Valueless.insert("");
   }
-  facts.UpAxis = scene.Get().UpAxis;
-  if (vtkMath::AreBoundsInitialized(scene.Get().Bounds))
+  facts.UpAxis = scene.UpAxis;
+  if (vtkMath::AreBoundsInitialized(scene.Bounds))
   {
-    std::copy_n(scene.Get().Bounds, 6, facts.Bounds.begin());
+    std::copy_n(scene.Bounds, 6, facts.Bounds.begin());
   }
-  for (const vtkSmartPointer<vtkLight>& light : scene.GetLights())
+  for (const vtkSmartPointer<vtkLight>& light : shown.GetFileLights())
   {
     facts.Lights.push_back(!light->GetPositional() ? "sun"
         : light->GetConeAngle() < 90.0             ? "spot"
@@ -144,9 +145,9 @@ Facts GetFacts(const Picture& picture)
     }
   }
   std::sort(facts.Layers.begin(), facts.Layers.end());
-  facts.Times = scene.Get().Times.value_or(facts.Times);
+  facts.Times = scene.Times.value_or(facts.Times);
   std::set<std::string> known;
-  for (const scene::PosedModel& model : scene.Get().Models)
+  for (const scene::PosedModel& model : scene.Models)
   {
     for (int i = 0; i < model.Reader->GetNumberOfAnimations(); ++i)
     {
@@ -157,7 +158,7 @@ Facts GetFacts(const Picture& picture)
       }
     }
   }
-  for (const scene::FramePointSet& set : picture.GetScene().GetPoints())
+  for (const scene::FramePointSet& set : shown.GetPoints())
   {
     Arrays ofPoints;
     scene::ForEachDataSet(set.Points->GetInputDataObject(0, 0),
@@ -179,11 +180,11 @@ std::optional<std::array<double, 2>> GetColorRange(const Picture& picture)
   {
     return std::nullopt;
   }
-  vtkActorCollection* actors = picture.GetScene().GetBare().Get().Renderer->GetActors();
+  vtkActorCollection* actors = picture.GetRenderer()->GetActors();
   for (int i = 0; i < actors->GetNumberOfItems(); ++i)
   {
     vtkActor* actor = vtkActor::SafeDownCast(actors->GetItemAsObject(i));
-    vtkMapper* mapper = picture.GetScene().GetBare().Find(actor) ? actor->GetMapper() : nullptr;
+    vtkMapper* mapper = picture.GetScene().IsOfFiles(actor) ? actor->GetMapper() : nullptr;
     if (mapper && mapper->GetScalarVisibility() && mapper->GetUseLookupTableScalarRange())
     {
       const double* range = mapper->GetLookupTable()->GetRange();

@@ -83,7 +83,7 @@ QString WriteScene(const Picture& picture, const std::vector<std::string>& files
   {
     return "Nothing is open.";
   }
-  const scene::Scene& scene = picture.GetScene().GetBare().Get();
+  const scene::Scene& scene = picture.GetScene().GetScene();
   QString text;
   for (const FileFacts& file : GetFileFacts(picture, files, true))
   {

@@ -146,7 +146,7 @@ vtkSmartPointer<vtkImageData> MainWindow::DrawTransparent()
   vtkSmartPointer<vtkImageData> over[2]; // over black and over white
   for (int i = 0; i < 2; ++i)
   {
-    const scene::Backdrop backdrop(this->Shown->GetPicture().GetScene().GetBare().Get(), i);
+    const scene::Backdrop backdrop(this->Shown->GetPicture().GetScene().GetScene(), i);
     over[i] = this->Draw();
     if (!over[i])
     {

@@ -73,7 +73,7 @@ void vtkRelievoAmbientCatch::SpliceShaders(
   const vtkRelievoTrialSplice::Outcome outcome = TrySplice(shaders, this->Window, actor, fill);
   if (this->IsNews(mapper, outcome))
   {
-    vtkErrorMacro("No ambient occlusion on the shadow catcher: " << outcome.Wrong << ".");
+    vtkErrorMacro("No ambient occlusion on the shadow catcher: " << outcome.Error << ".");
   }
 }
 

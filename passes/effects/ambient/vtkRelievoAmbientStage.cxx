@@ -14,6 +14,7 @@
 #include "vtkRelievoFrameContext.h"
 #include "vtkRelievoFramePlan.h"
 #include "vtkRelievoMeshTexels.h"
+#include "vtkRelievoReportOnce.h"
 #include "vtkRelievoScopedState.h"
 #include "vtkRelievoScreenQuad.h"
 #include "vtkRelievoScreenTarget.h"
@@ -47,7 +48,7 @@ public:
   std::vector<vtkRelievoSkySamples::Point> Points; // of all frames
   vtkNew<vtkRelievoAmbientCatch> Catchers;
   bool Begun = false; // rays can be traced in this frame
-  std::string Failed; // the last error, reported once
+  vtkRelievoReportOnce Reported;
   bool ToldOfTriangles = false;
 
   Internals() { this->Share.SetDefines("#define RELIEVO_GATHERED ambientShare\n"); }
@@ -71,8 +72,8 @@ void vtkRelievoAmbientStage::Describe(vtkRelievoStageDescription& description)
     "Ambient occlusion by rays: surfaces are darker where they see less of the sky.";
   description.Slot = vtkRelievoStageDescription::SHADE;
   description.Order = -10; // before the lamps, whose direct light is not darkened
-  description.Reads = { "depth", "geometric_normal" };
-  description.Writes = { "color" };
+  description.Reads = { vtkRelievoResources::Depth, vtkRelievoResources::GeometricNormal };
+  description.Writes = { vtkRelievoResources::Color };
   description.Layers = { Layer };
   description.ServesWhenOff = true;
   description
@@ -116,7 +117,7 @@ void vtkRelievoAmbientStage::Describe(vtkRelievoStageDescription& description)
 void vtkRelievoAmbientStage::Declare(
   const vtkRelievoFrameContext&, vtkRelievoDeclaration& declaration) const
 {
-  declaration.Gathered = { "color", Layer };
+  declaration.Gathered = { vtkRelievoResources::Color, vtkRelievoResourceName::Of(Layer) };
   declaration.Samples = (this->Samples + this->SamplesPerFrame - 1) / this->SamplesPerFrame;
   declaration.AtOnce = this->AtOnce;
   if (this->OnlyCatchers)
@@ -132,12 +133,13 @@ void vtkRelievoAmbientStage::Declare(
 }
 
 //------------------------------------------------------------------------------
-std::vector<std::string> vtkRelievoAmbientStage::GetReadsFor(
+std::vector<vtkRelievoResourceName> vtkRelievoAmbientStage::GetReadsFor(
   const vtkRelievoFrameContext&, const std::vector<std::string>& asked) const
 {
   return std::find(asked.begin(), asked.end(), Layer) != asked.end()
-    ? std::vector<std::string>{ "depth", "geometric_normal" }
-    : std::vector<std::string>();
+    ? std::vector<vtkRelievoResourceName>{ vtkRelievoResources::Depth,
+        vtkRelievoResources::GeometricNormal }
+    : std::vector<vtkRelievoResourceName>();
 }
 
 //------------------------------------------------------------------------------
@@ -145,7 +147,7 @@ bool vtkRelievoAmbientStage::Prepare(vtkRelievoFrameContext& context)
 {
   Internals& in = *this->Internal;
   in.Begun = false;
-  const std::vector<vtkProp*> catchers = context.IsAsked(this, "color")
+  const std::vector<vtkProp*> catchers = context.IsAsked(this, vtkRelievoResources::Color)
     ? vtkRelievoShadowCatcher::Find(context)
     : std::vector<vtkProp*>();
   if (!catchers.empty() && this->BeginRays(context).empty())
@@ -227,8 +229,8 @@ std::string vtkRelievoAmbientStage::DrawShare(vtkRelievoFrameContext& context)
   {
     return wrong;
   }
-  vtkShaderProgram* program =
-    in.Find.Ready(context, "ambient/shareFS.glsl", { "depth", "geometric_normal" });
+  vtkShaderProgram* program = in.Find.Ready(context, "ambient/shareFS.glsl",
+    { vtkRelievoResources::Depth, vtkRelievoResources::GeometricNormal });
   if (program)
   {
     this->TellRays(program, context);
@@ -246,7 +248,8 @@ std::string vtkRelievoAmbientStage::DrawShare(vtkRelievoFrameContext& context)
 std::string vtkRelievoAmbientStage::DrawColor(vtkRelievoFrameContext& context)
 {
   Internals& in = *this->Internal;
-  vtkShaderProgram* program = in.Darken.Ready(context, "ambient/colorFS.glsl", { Layer });
+  vtkShaderProgram* program =
+    in.Darken.Ready(context, "ambient/colorFS.glsl", { vtkRelievoResourceName::Of(Layer) });
   if (program)
   {
     program->SetUniformf("ambientStrength", static_cast<float>(this->Strength));
@@ -265,8 +268,8 @@ void vtkRelievoAmbientStage::Execute(vtkRelievoFrameContext& context)
   Internals& in = *this->Internal;
   this->DrawCalls = 0;
   std::string wrong = this->BeginRays(context);
-  const bool darkens = !this->OnlyCatchers && context.IsAsked(this, "color");
-  if (wrong.empty() && (darkens || context.IsAsked(this, Layer)))
+  const bool darkens = !this->OnlyCatchers && context.IsAsked(this, vtkRelievoResources::Color);
+  if (wrong.empty() && (darkens || context.IsLayerAsked(this, Layer)))
   {
     wrong = this->DrawShare(context);
   }
@@ -274,6 +277,7 @@ void vtkRelievoAmbientStage::Execute(vtkRelievoFrameContext& context)
   {
     wrong = this->DrawColor(context);
   }
+  const bool isChange = in.Reported.IsChange(wrong);
   if (wrong.empty())
   {
     const int rays = std::min(this->Samples, this->SamplesPerFrame);
@@ -302,12 +306,11 @@ void vtkRelievoAmbientStage::Execute(vtkRelievoFrameContext& context)
     this->Explain("failed", wrong);
     // Only one process reports the error.
     vtkMultiProcessController* all = context.Controller;
-    if (in.Failed != wrong && (!all || all->GetLocalProcessId() == 0))
+    if (isChange && (!all || all->GetLocalProcessId() == 0))
     {
       vtkErrorMacro("There is no ambient occlusion: " << wrong << ".");
     }
   }
-  in.Failed = wrong;
 }
 
 //------------------------------------------------------------------------------

@@ -14,6 +14,7 @@
 #include "vtkRelievoFramePlan.h"
 #include "vtkRelievoLayerCatalogue.h"
 #include "vtkRelievoLayerColors.h"
+#include "vtkRelievoReportOnce.h"
 #include "vtkRelievoScopedState.h"
 #include "vtkRelievoScreenQuad.h"
 #include "vtkRelievoShownValues.h"
@@ -55,8 +56,8 @@ public:
   vtkIdType ColorBytes = 0;
   vtkSmartPointer<vtkTextureObject> Map;
   std::vector<std::array<float, 3>> Row; // the map's texture
-  std::string Reported;                  // the layer's error in the last frame, reported once
-  std::string Failed;                    // the shader's error, reported once
+  vtkRelievoReportOnce Refused;          // errors of the layer
+  vtkRelievoReportOnce Failed;           // errors of the shader
 };
 
 //------------------------------------------------------------------------------
@@ -85,7 +86,7 @@ void vtkRelievoDisplayStage::Describe(vtkRelievoStageDescription& description)
   description.Label = "Layer Shown";
   description.Help = "Shows a layer as the picture.";
   description.Slot = vtkRelievoStageDescription::DISPLAY;
-  description.Writes = { "picture" };
+  description.Writes = { vtkRelievoResources::Picture };
   description.OnByDefault = true;
   description.AddText(
     "layer", [this]() { return this->Layer; },
@@ -131,11 +132,10 @@ void vtkRelievoDisplayStage::Declare(
 //------------------------------------------------------------------------------
 bool vtkRelievoDisplayStage::IsGood(const std::string& wrong)
 {
-  if (!wrong.empty() && wrong != this->Internal->Reported)
+  if (this->Internal->Refused.IsChange(wrong))
   {
     vtkErrorMacro(<< wrong);
   }
-  this->Internal->Reported = wrong;
   if (!wrong.empty())
   {
     this->Explain("failed", wrong);
@@ -218,11 +218,11 @@ void vtkRelievoDisplayStage::Execute(vtkRelievoFrameContext& context)
   {
     return;
   }
-  std::vector<std::string> reads;
+  std::vector<vtkRelievoResourceName> reads;
   const bool values = shader == "DEPTH" || shader == "RANGE";
   if (!colors)
   {
-    reads.push_back(this->Layer);
+    reads.push_back(vtkRelievoResourceName::Of(this->Layer));
     this->ShownComponents = vtkRelievoLayerCatalogue::Find(this->Layer).Components;
     this->Same = false;
     std::copy(this->Range, this->Range + 2, this->ShownRange);
@@ -242,11 +242,10 @@ void vtkRelievoDisplayStage::Execute(vtkRelievoFrameContext& context)
   {
     const std::string wrong = in.Quad.GetWrong();
     this->Explain("failed", wrong);
-    if (in.Failed != wrong)
+    if (in.Failed.IsChange(wrong))
     {
       vtkErrorMacro("The layer '" << this->Layer << "' is not shown: " << wrong << ".");
     }
-    in.Failed = wrong;
     return;
   }
   vtkRenderer* renderer = context.Renderer;

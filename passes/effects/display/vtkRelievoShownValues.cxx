@@ -136,8 +136,9 @@ std::string vtkRelievoShownValues::Measure(
     this->Extremes->Allocate2D(
       static_cast<unsigned int>(area[2]), static_cast<unsigned int>(area[3]), 4, VTK_FLOAT);
   }
-  vtkShaderProgram* program = this->Quad.Ready(context, "display/extremesFS.glsl", { layer },
-    "#define RELIEVO_SHOW_" + vtkRelievoLayerCatalogue::Find(layer).Shader + "\n");
+  vtkShaderProgram* program =
+    this->Quad.Ready(context, "display/extremesFS.glsl", { vtkRelievoResourceName::Of(layer) },
+      "#define RELIEVO_SHOW_" + vtkRelievoLayerCatalogue::Find(layer).Shader + "\n");
   if (!program)
   {
     return this->Quad.GetWrong();

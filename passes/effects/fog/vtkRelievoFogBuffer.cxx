@@ -87,16 +87,16 @@ void vtkRelievoFogBuffer::Add(
 
 //------------------------------------------------------------------------------
 std::string vtkRelievoFogBuffer::Draw(vtkRelievoFrameContext& context,
-  const vtkRelievoSphereRays& rays, bool chord, bool dominant, bool everywhere,
-  vtkRelievoResource* translucent)
+  const vtkRelievoSphereRays& rays, const Options& options, vtkRelievoResource* translucent)
 {
   vtkRelievoInstancedQuads& quads = this->Quads[translucent ? 1 : 0];
   vtkShaderProgram* program = nullptr;
   vtkRelievoScreenTarget::Format format;
   format.Halves = false;
-  format.Depth = dominant;
+  format.Depth = options.Dominant;
   std::string wrong = this->Target.Prepare(context, format);
-  vtkRelievoResource* depth = context.Find(this->BeforeDrawn ? "drawn" : "depth");
+  vtkRelievoResource* depth =
+    context.Find(this->BeforeDrawn ? vtkRelievoResources::Drawn : vtkRelievoResources::Depth);
   const bool any = !this->Texels.empty();
   if (wrong.empty() && any && !depth)
   {
@@ -111,8 +111,8 @@ std::string vtkRelievoFogBuffer::Draw(vtkRelievoFrameContext& context,
     program = quads.Ready(context, "fog/sphereVS.glsl", "fog/sphereFS.glsl",
       depth->GetDefines() + (this->BeforeDrawn ? "#define RELIEVO_FOG_DRAWN_DEPTH\n" : "") +
         (translucent ? translucent->GetDefines() : "") +
-        (chord ? "#define RELIEVO_FOG_CHORD\n" : "") +
-        (dominant ? "#define RELIEVO_FOG_DOMINANT\n" : ""));
+        (options.Chord ? "#define RELIEVO_FOG_CHORD\n" : "") +
+        (options.Dominant ? "#define RELIEVO_FOG_DOMINANT\n" : ""));
     wrong = quads.GetWrong();
   }
   if (!wrong.empty())
@@ -120,11 +120,11 @@ std::string vtkRelievoFogBuffer::Draw(vtkRelievoFrameContext& context,
     return wrong;
   }
 
-  this->Target.Begin(context, 0.0f, everywhere || !any ? nullptr : this->Part);
+  this->Target.Begin(context, 0.0f, options.Everywhere || !any ? nullptr : this->Part);
   if (any)
   {
     vtkOpenGLState* state = context.Window->GetState();
-    if (dominant)
+    if (options.Dominant)
     {
       const float none = 0.0f;
       state->vtkglEnable(GL_DEPTH_TEST);

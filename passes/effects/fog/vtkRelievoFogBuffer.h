@@ -33,11 +33,19 @@ public:
   // The viewport's rectangle with spheres: x, y, width, height.
   const int* GetPart() const { return this->Part; }
 
+  // The stage's mode and overlap, and whether pixels without spheres have no fog instead of
+  // undefined values.
+  struct Options
+  {
+    bool Chord = false;
+    bool Dominant = false;
+    bool Everywhere = false;
+  };
+
   // Draws the fog in front of opaque surfaces, and, if `translucent` depth is given, the fog in
-  // front of translucent ones. Pixels without spheres have no fog if `everywhere`, else undefined
-  // values. Returns an error message, or an empty string.
-  std::string Draw(vtkRelievoFrameContext& context, const vtkRelievoSphereRays& rays, bool chord,
-    bool dominant, bool everywhere, vtkRelievoResource* translucent = nullptr);
+  // front of translucent ones. Returns an error message, or an empty string.
+  std::string Draw(vtkRelievoFrameContext& context, const vtkRelievoSphereRays& rays,
+    const Options& options, vtkRelievoResource* translucent = nullptr);
 
   // Whether fog ends at the drawn depth instead of the layer `depth`.
   bool BeforeDrawn = false;

@@ -49,6 +49,14 @@ bool Sees(const vtkRelievoSphereRays& rays, vtkRelievoFogSpheres* fog)
   }
   return false;
 }
+
+vtkRelievoFogBuffer::Options GetOptions(vtkRelievoFogStage* stage)
+{
+  vtkRelievoFogBuffer::Options options;
+  options.Chord = stage->GetMode() == vtkRelievoFogStage::CHORD;
+  options.Dominant = stage->GetOverlap() == vtkRelievoFogStage::DOMINANT;
+  return options;
+}
 }
 
 //------------------------------------------------------------------------------
@@ -63,7 +71,7 @@ vtkRelievoFogStage::~vtkRelievoFogStage() = default;
 //------------------------------------------------------------------------------
 bool vtkRelievoFogStage::Prepare(vtkRelievoFrameContext& context)
 {
-  if (context.IsAsked(this, "color"))
+  if (context.IsAsked(this, vtkRelievoResources::Color))
   {
     context.WantTranslucentDepth(&this->Internal->Translucent);
   }
@@ -83,7 +91,7 @@ void vtkRelievoFogStage::Describe(vtkRelievoStageDescription& description)
   description.Help = "Fog in spheres, which come from data.";
   description.Slot = vtkRelievoStageDescription::COMPOSITE;
   description.Order = -5; // over markers, before the translucent surfaces of the stage `blend`
-  description.Writes = { "color" };
+  description.Writes = { vtkRelievoResources::Color };
   description.Layers = { "fog" };
   description.OnByDefault = true;
   description.TakesData = true;
@@ -155,12 +163,13 @@ void vtkRelievoFogStage::Synchronize(vtkRelievoFrameContext& context)
 }
 
 //------------------------------------------------------------------------------
-std::vector<std::string> vtkRelievoFogStage::GetReadsFor(
+std::vector<vtkRelievoResourceName> vtkRelievoFogStage::GetReadsFor(
   const vtkRelievoFrameContext&, const std::vector<std::string>& asked) const
 {
   const bool layer = std::find(asked.begin(), asked.end(), "fog") != asked.end();
-  return layer || !this->DrawnDepthSuffices ? std::vector<std::string>{ "depth" }
-                                            : std::vector<std::string>();
+  return layer || !this->DrawnDepthSuffices
+    ? std::vector<vtkRelievoResourceName>{ vtkRelievoResources::Depth }
+    : std::vector<vtkRelievoResourceName>();
 }
 
 //------------------------------------------------------------------------------
@@ -170,7 +179,7 @@ void vtkRelievoFogStage::Execute(vtkRelievoFrameContext& context)
   this->DrawCalls = 0;
   this->NumberDrawn = 0;
   const vtkRelievoSphereRays rays(context.View);
-  in.Buffer.BeforeDrawn = this->DrawnDepthSuffices && !context.IsAsked(this, "fog");
+  in.Buffer.BeforeDrawn = this->DrawnDepthSuffices && !context.IsLayerAsked(this, "fog");
   std::string wrong;
   int spheres = 0;
   if (!rays.IsUsual())
@@ -189,8 +198,9 @@ void vtkRelievoFogStage::Execute(vtkRelievoFrameContext& context)
     wrong = this->DrawBeforeTranslucent(context, rays);
     if (wrong.empty())
     {
-      wrong = in.Buffer.Draw(context, rays, this->Mode == CHORD, this->Overlap == DOMINANT,
-        context.IsAsked(this, "fog"));
+      vtkRelievoFogBuffer::Options options = GetOptions(this);
+      options.Everywhere = context.IsLayerAsked(this, "fog");
+      wrong = in.Buffer.Draw(context, rays, options);
     }
   }
   if (wrong.empty())
@@ -200,16 +210,19 @@ void vtkRelievoFogStage::Execute(vtkRelievoFrameContext& context)
     this->Explain("ran",
       "draws " + std::to_string(this->NumberDrawn) + " of " + std::to_string(spheres) + " spheres");
   }
-  if (wrong.empty() && this->NumberDrawn > 0 && context.IsAsked(this, "color"))
+  if (wrong.empty() && this->NumberDrawn > 0 && context.IsAsked(this, vtkRelievoResources::Color))
   {
     const bool finishes = context.FinishesColor();
     if (finishes &&
-      in.Finish.Ready(
-        context, "fog/colorFS.glsl", { "fog", "color", "drawn" }, "#define RELIEVO_TO_DISPLAY\n"))
+      in.Finish.Ready(context, "fog/colorFS.glsl",
+        { vtkRelievoResourceName::Of("fog"), vtkRelievoResources::Color,
+          vtkRelievoResources::Drawn },
+        "#define RELIEVO_TO_DISPLAY\n"))
     {
       this->DrawCalls += context.PresentPart(in.Finish, in.Buffer.GetPart()) ? 1 : 0;
     }
-    else if (!finishes && in.Quad.Ready(context, "fog/colorFS.glsl", { "fog" }))
+    else if (!finishes &&
+      in.Quad.Ready(context, "fog/colorFS.glsl", { vtkRelievoResourceName::Of("fog") }))
     {
       vtkOpenGLState* state = context.Window->GetState();
       const vtkRelievoScopedState kept(state);
@@ -231,24 +244,25 @@ std::string vtkRelievoFogStage::DrawBeforeTranslucent(
   vtkRelievoFrameContext& context, const vtkRelievoSphereRays& rays)
 {
   Internals& in = *this->Internal;
-  auto* layer = dynamic_cast<vtkRelievoScreenTarget*>(context.Find("translucent"));
-  vtkRelievoResource* depth = context.Find("translucent depth");
+  auto* layer =
+    dynamic_cast<vtkRelievoScreenTarget*>(context.Find(vtkRelievoResources::Translucent));
+  vtkRelievoResource* depth = context.Find(vtkRelievoResources::TranslucentDepth);
   if (!depth)
   {
     in.Translucent.Release(context.Window);
   }
-  if (this->NumberDrawn == 0 || !layer || !depth || !context.IsAsked(this, "color"))
+  if (this->NumberDrawn == 0 || !layer || !depth ||
+    !context.IsAsked(this, vtkRelievoResources::Color))
   {
     return {};
   }
-  const std::string wrong =
-    in.Buffer.Draw(context, rays, this->Mode == CHORD, this->Overlap == DOMINANT, false, depth);
+  const std::string wrong = in.Buffer.Draw(context, rays, GetOptions(this), depth);
   if (!wrong.empty())
   {
     return wrong;
   }
   context.ProvideLayer("fog", &in.Buffer.Target);
-  if (in.Quad.Ready(context, "fog/colorFS.glsl", { "fog" }))
+  if (in.Quad.Ready(context, "fog/colorFS.glsl", { vtkRelievoResourceName::Of("fog") }))
   {
     layer->GoOn(context);
     vtkOpenGLState* state = context.Window->GetState();

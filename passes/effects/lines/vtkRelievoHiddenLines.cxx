@@ -148,7 +148,7 @@ std::vector<float> vtkRelievoHiddenLines::FindPieces(
 std::string vtkRelievoHiddenLines::Draw(
   vtkRelievoFrameContext& context, vtkRelievoScreenTarget& target, const Settings& settings)
 {
-  vtkRelievoResource* depth = context.Find("depth");
+  vtkRelievoResource* depth = context.Find(vtkRelievoResources::Depth);
   if (!depth)
   {
     return "the frame has no layer 'depth'";

@@ -10,6 +10,7 @@
 #include "vtkRelievoFrameContext.h"
 #include "vtkRelievoFramePlan.h"
 #include "vtkRelievoHiddenLines.h"
+#include "vtkRelievoReportOnce.h"
 #include "vtkRelievoScopedState.h"
 #include "vtkRelievoScreenQuad.h"
 #include "vtkRelievoScreenTarget.h"
@@ -19,6 +20,11 @@
 
 vtkStandardNewMacro(vtkRelievoLinesStage);
 
+namespace
+{
+const vtkRelievoResourceName SidesName = vtkRelievoResourceName::Of("lines sides");
+}
+
 class vtkRelievoLinesStage::Internals
 {
 public:
@@ -26,7 +32,7 @@ public:
   vtkRelievoScreenQuad Find;
   vtkRelievoScreenQuad Draw;
   vtkRelievoHiddenLines Hidden;
-  std::string Failed; // the last error, reported once
+  vtkRelievoReportOnce Reported;
 };
 
 //------------------------------------------------------------------------------
@@ -45,8 +51,9 @@ void vtkRelievoLinesStage::Describe(vtkRelievoStageDescription& description)
   description.Help = "Outlines, creases and folds as lines, as in a technical illustration.";
   description.Slot = vtkRelievoStageDescription::COMPOSITE;
   description.Order = -5; // on surfaces: after markers, before fog
-  description.Reads = { "depth", "geometric_normal", "actor", "color" };
-  description.Writes = { "color" };
+  description.Reads = { vtkRelievoResources::Depth, vtkRelievoResources::GeometricNormal,
+    vtkRelievoResources::Actor, vtkRelievoResources::Color };
+  description.Writes = { vtkRelievoResources::Color };
   description.AddNumber(
     "width", this->Width, [this](double width) { this->SetWidth(width); }, 0.0, 16.0, "pixels",
     "Width of the lines.");
@@ -82,10 +89,11 @@ void vtkRelievoLinesStage::Describe(vtkRelievoStageDescription& description)
 void vtkRelievoLinesStage::Declare(
   const vtkRelievoFrameContext&, vtkRelievoDeclaration& declaration) const
 {
-  declaration.Reads = { "depth", "actor", "color" };
+  declaration.Reads = { vtkRelievoResources::Depth, vtkRelievoResources::Actor,
+    vtkRelievoResources::Color };
   if (this->Creases)
   {
-    declaration.Reads.emplace_back("geometric_normal");
+    declaration.Reads.push_back(vtkRelievoResources::GeometricNormal);
   }
   if (this->Width == 0.0 || !(this->Outlines || this->Creases || this->Folds))
   {
@@ -106,11 +114,12 @@ std::string vtkRelievoLinesStage::Draw(vtkRelievoFrameContext& context)
   {
     return wrong;
   }
-  std::vector<std::string> reads = { "depth", "actor" };
+  std::vector<vtkRelievoResourceName> reads = { vtkRelievoResources::Depth,
+    vtkRelievoResources::Actor };
   std::string defines;
   if (this->Creases)
   {
-    reads.emplace_back("geometric_normal");
+    reads.push_back(vtkRelievoResources::GeometricNormal);
     defines += "#define LINES_CREASES\n";
   }
   vtkShaderProgram* program = in.Find.Ready(context, "lines/sidesFS.glsl", reads, defines);
@@ -132,8 +141,8 @@ std::string vtkRelievoLinesStage::Draw(vtkRelievoFrameContext& context)
     return wrong;
   }
 
-  context.Provide("lines sides", &in.Sides);
-  program = in.Draw.Ready(context, "lines/linesFS.glsl", { "lines sides" },
+  context.Provide(SidesName, &in.Sides);
+  program = in.Draw.Ready(context, "lines/linesFS.glsl", { SidesName },
     this->Hidden == DASHED ? "#define LINES_HIDDEN\n" : "");
   if (!program)
   {
@@ -190,12 +199,11 @@ void vtkRelievoLinesStage::Execute(vtkRelievoFrameContext& context)
   if (!wrong.empty())
   {
     this->Explain("failed", wrong);
-    if (this->Internal->Failed != wrong)
-    {
-      vtkErrorMacro("Lines are not drawn: " << wrong << ".");
-    }
   }
-  this->Internal->Failed = wrong;
+  if (this->Internal->Reported.IsChange(wrong))
+  {
+    vtkErrorMacro("Lines are not drawn: " << wrong << ".");
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -27,8 +27,9 @@ std::string vtkRelievoMarkerBuffer::Draw(
   format.Halves = false;
   std::string wrong = this->Target.Prepare(context, format);
   const int count = list.GetNumberDrawn();
-  vtkRelievoResource* depth = context.Find("depth");
-  vtkRelievoResource* normal = list.GetShadows() ? context.Find("normal") : depth;
+  vtkRelievoResource* depth = context.Find(vtkRelievoResources::Depth);
+  vtkRelievoResource* normal =
+    list.GetShadows() ? context.Find(vtkRelievoResources::Normal) : depth;
   if (wrong.empty() && count > 0 && (!depth || !normal))
   {
     wrong = std::string("the frame has no layer '") + (depth ? "normal" : "depth") + "'";

@@ -50,8 +50,8 @@ void vtkRelievoMarkersStage::Describe(vtkRelievoStageDescription& description)
   description.Help = "Rings, glows, discs and blob shadows on surfaces, around points and actors.";
   description.Slot = vtkRelievoStageDescription::COMPOSITE;
   description.Order = -10; // on surfaces, before everything in front of them
-  description.Reads = { "depth", "normal" };
-  description.Writes = { "color" };
+  description.Reads = { vtkRelievoResources::Depth, vtkRelievoResources::Normal };
+  description.Writes = { vtkRelievoResources::Color };
   description.Layers = { "marker" };
   description.OnByDefault = true;
   description.TakesData = true;
@@ -70,7 +70,7 @@ void vtkRelievoMarkersStage::Declare(
     }));
   if (!shadows)
   {
-    declaration.Reads = { "depth" };
+    declaration.Reads = { vtkRelievoResources::Depth };
   }
   if (!this->IsTogether() && list.GetNumberDrawn() == 0 &&
     vtkRelievoSphereRays(context.View).IsUsual())
@@ -102,11 +102,11 @@ std::string vtkRelievoMarkersStage::Draw(vtkRelievoFrameContext& context)
   this->Explain("ran",
     "draws " + std::to_string(this->NumberDrawn) + " of " +
       std::to_string(in.List.GetNumberGiven()) + " markers");
-  if (this->NumberDrawn == 0 || !context.IsAsked(this, "color"))
+  if (this->NumberDrawn == 0 || !context.IsAsked(this, vtkRelievoResources::Color))
   {
     return {};
   }
-  if (!in.Quad.Ready(context, "marker/colorFS.glsl", { "marker" }))
+  if (!in.Quad.Ready(context, "marker/colorFS.glsl", { vtkRelievoResourceName::Of("marker") }))
   {
     return in.Quad.GetWrong();
   }

@@ -71,7 +71,8 @@ std::string vtkRelievoLuminanceMeter::Measure(vtkRelievoFrameContext& context)
     vtkRelievoScreenQuad& quad = summed ? this->Rest : this->First;
     vtkShaderProgram* program = summed
       ? quad.Ready(context, "tone/measureFS.glsl", {})
-      : quad.Ready(context, "tone/measureFS.glsl", { "color", "drawn" }, "#define RELIEVO_FIRST\n");
+      : quad.Ready(context, "tone/measureFS.glsl",
+          { vtkRelievoResources::Color, vtkRelievoResources::Drawn }, "#define RELIEVO_FIRST\n");
     if (!program)
     {
       return quad.GetWrong();

@@ -13,6 +13,7 @@
 #include "vtkRelievoFramePass.h"
 #include "vtkRelievoFramePlan.h"
 #include "vtkRelievoLuminanceMeter.h"
+#include "vtkRelievoReportOnce.h"
 #include "vtkRelievoScreenQuad.h"
 #include "vtkRenderPassCollection.h"
 #include "vtkRenderer.h"
@@ -85,7 +86,7 @@ public:
   vtkRelievoLuminanceMeter Meter;
   double LastExposure = std::numeric_limits<double>::quiet_NaN(); // of a released meter
   vtkSmartPointer<vtkTextureObject> Thresholds;
-  std::string Reported; // the last error, reported once
+  vtkRelievoReportOnce Reported;
 };
 
 //------------------------------------------------------------------------------
@@ -105,8 +106,8 @@ void vtkRelievoToneStage::Describe(vtkRelievoStageDescription& description)
     "Makes the picture from the linear colour by exposure, tone operator and dithering.";
   description.Slot = vtkRelievoStageDescription::DISPLAY;
   description.Order = -1; // before the display stage, which draws over it
-  description.Reads = { "color" };
-  description.Writes = { "picture" };
+  description.Reads = { vtkRelievoResources::Color };
+  description.Writes = { vtkRelievoResources::Picture };
   description.AddChoice(
     "operator", this->Operator, [this](int which) { this->SetOperator(which); },
     { "clamp", "simple", "reinhard", "reinhard_rgb" },
@@ -170,11 +171,10 @@ void vtkRelievoToneStage::Declare(
 void vtkRelievoToneStage::Fail(const std::string& wrong)
 {
   this->Explain("failed", wrong);
-  if (this->Internal->Reported != wrong)
+  if (this->Internal->Reported.IsChange(wrong))
   {
     vtkErrorMacro("Tones are not mapped: " << wrong << ".");
   }
-  this->Internal->Reported = wrong;
 }
 
 //------------------------------------------------------------------------------
@@ -244,8 +244,8 @@ void vtkRelievoToneStage::Execute(vtkRelievoFrameContext& context)
   chosen += this->AutoExposure ? "#define RELIEVO_TONE_MEASURED\n" : "";
   chosen += this->Dither != DITHER_NONE ? "#define RELIEVO_TONE_DITHER\n" : "";
   chosen += this->Dither == DITHER_BLUE_NOISE ? "#define RELIEVO_TONE_DITHER_TEXTURE\n" : "";
-  vtkShaderProgram* program =
-    in.Quad.Ready(context, "tone/toneFS.glsl", { "color", "drawn" }, chosen);
+  vtkShaderProgram* program = in.Quad.Ready(context, "tone/toneFS.glsl",
+    { vtkRelievoResources::Color, vtkRelievoResources::Drawn }, chosen);
   if (!program)
   {
     this->Fail(in.Quad.GetWrong());

@@ -32,42 +32,6 @@ void ReleaseAndForget(vtkSmartPointer<T>& object, vtkWindow* window)
   }
   object = nullptr;
 }
-
-// The depth format of the framebuffer bound for drawing: VTK's passes copy depths between
-// framebuffers, which requires equal formats.
-vtkRelievoColorBuffers::DepthFormat GetBoundDepth()
-{
-  vtkRelievoColorBuffers::DepthFormat format;
-  GLint type = GL_UNSIGNED_NORMALIZED;
-  const GLenum place =
-    vtkRelievoColorBuffers::GetBoundFramebuffer() == 0 ? GL_DEPTH : GL_DEPTH_ATTACHMENT;
-  glGetFramebufferAttachmentParameteriv(
-    GL_DRAW_FRAMEBUFFER, place, GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE, &type);
-  if (type == GL_NONE)
-  {
-    return format;
-  }
-  glGetFramebufferAttachmentParameteriv(
-    GL_DRAW_FRAMEBUFFER, place, GL_FRAMEBUFFER_ATTACHMENT_DEPTH_SIZE, &format.Bits);
-  glGetFramebufferAttachmentParameteriv(
-    GL_DRAW_FRAMEBUFFER, place, GL_FRAMEBUFFER_ATTACHMENT_COMPONENT_TYPE, &type);
-  format.Float = type == GL_FLOAT;
-  const GLenum stencil =
-    vtkRelievoColorBuffers::GetBoundFramebuffer() == 0 ? GL_STENCIL : GL_STENCIL_ATTACHMENT;
-  glGetFramebufferAttachmentParameteriv(
-    GL_DRAW_FRAMEBUFFER, stencil, GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE, &type);
-  format.Stencil = type != GL_NONE;
-  return format;
-}
-
-unsigned int GetInternalFormat(const vtkRelievoColorBuffers::DepthFormat& depth)
-{
-  return depth.Stencil ? GL_DEPTH24_STENCIL8
-    : depth.Float      ? GL_DEPTH_COMPONENT32F
-    : depth.Bits == 32 ? GL_DEPTH_COMPONENT32
-    : depth.Bits == 16 ? GL_DEPTH_COMPONENT16
-                       : GL_DEPTH_COMPONENT24;
-}
 }
 
 //------------------------------------------------------------------------------
@@ -77,31 +41,9 @@ vtkRelievoColorBuffers::~vtkRelievoColorBuffers()
 }
 
 //------------------------------------------------------------------------------
-unsigned int vtkRelievoColorBuffers::GetBoundDepthFormat()
-{
-  return GetInternalFormat(GetBoundDepth());
-}
-
-//------------------------------------------------------------------------------
-int vtkRelievoColorBuffers::GetBoundSamples()
-{
-  GLint samples = 0;
-  glGetIntegerv(GL_SAMPLES, &samples);
-  return samples;
-}
-
-//------------------------------------------------------------------------------
-int vtkRelievoColorBuffers::GetBoundDepthBits()
-{
-  return GetBoundDepth().Bits;
-}
-
-//------------------------------------------------------------------------------
 bool vtkRelievoColorBuffers::HasBoundDepth() const
 {
-  const DepthFormat bound = GetBoundDepth();
-  return bound.Bits == this->DepthOf.Bits && bound.Float == this->DepthOf.Float &&
-    bound.Stencil == this->DepthOf.Stencil;
+  return vtkRelievoBoundFramebuffer::GetDepth() == this->DepthOf;
 }
 
 //------------------------------------------------------------------------------
@@ -122,14 +64,6 @@ vtkSmartPointer<vtkTextureObject> vtkRelievoColorBuffers::MakeTexture(
 }
 
 //------------------------------------------------------------------------------
-int vtkRelievoColorBuffers::GetBoundFramebuffer(bool reading)
-{
-  GLint bound = 0;
-  glGetIntegerv(reading ? GL_READ_FRAMEBUFFER_BINDING : GL_DRAW_FRAMEBUFFER_BINDING, &bound);
-  return bound;
-}
-
-//------------------------------------------------------------------------------
 std::string vtkRelievoColorBuffers::Allocate(
   vtkOpenGLRenderWindow* window, const int viewport[4], int samples)
 {
@@ -140,7 +74,8 @@ std::string vtkRelievoColorBuffers::Allocate(
   {
     return {};
   }
-  const DepthFormat depth = GetBoundDepth();
+  // VTK's passes copy depths between framebuffers, which requires equal formats.
+  const vtkRelievoBoundFramebuffer::DepthFormat depth = vtkRelievoBoundFramebuffer::GetDepth();
   this->Release(this->Window);
   this->Window = window;
   this->NumberOfSamples = samples;
@@ -178,7 +113,7 @@ std::string vtkRelievoColorBuffers::Allocate(
   state->PushFramebufferBindings();
   if (samples > 0)
   {
-    const unsigned int formats[2] = { format, GetInternalFormat(depth) };
+    const unsigned int formats[2] = { format, depth.GetFormat() };
     for (int i = 0; i < 2; ++i)
     {
       this->Samples[i] = vtkSmartPointer<vtkRenderbuffer>::New();

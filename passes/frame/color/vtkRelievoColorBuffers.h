@@ -6,6 +6,7 @@
 #ifndef vtkRelievoColorBuffers_h
 #define vtkRelievoColorBuffers_h
 
+#include "vtkRelievoBoundFramebuffer.h"
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
 #include "vtkWeakPointer.h"
@@ -20,13 +21,6 @@ class vtkWindow;
 
 struct vtkRelievoColorBuffers
 {
-  struct DepthFormat
-  {
-    int Bits = 24;
-    bool Float = false;
-    bool Stencil = false;
-  };
-
   ~vtkRelievoColorBuffers();
 
   // Allocates buffers for a viewport x, y, width, height, with `samples` samples per pixel (0 for
@@ -38,20 +32,8 @@ struct vtkRelievoColorBuffers
   static vtkSmartPointer<vtkTextureObject> MakeTexture(
     vtkOpenGLRenderWindow* window, unsigned int format, int width, int height);
 
-  // The framebuffer bound for drawing, or for reading.
-  static int GetBoundFramebuffer(bool reading = false);
-
   // Whether the framebuffer bound for drawing has the depth format of these buffers.
   bool HasBoundDepth() const;
-
-  ///@{
-  // For the framebuffer bound for drawing: samples per pixel, 0 for one; and bits of its depth.
-  static int GetBoundSamples();
-  static int GetBoundDepthBits();
-  ///@}
-
-  // OpenGL's depth format of the framebuffer bound for drawing.
-  static unsigned int GetBoundDepthFormat();
 
   // OpenGL's format of the colours.
   unsigned int GetFormat() const;
@@ -70,7 +52,7 @@ struct vtkRelievoColorBuffers
   vtkSmartPointer<vtkOpenGLFramebufferObject> Pen;
   int Size[4] = { 0, 0, 0, 0 }; // of the framebuffer, and of the viewport
   int NumberOfSamples = 0;
-  DepthFormat DepthOf;
+  vtkRelievoBoundFramebuffer::DepthFormat DepthOf;
   bool Floats = false;      // in place of half floats
   bool DepthCopied = false; // this OpenGL has copied depth to the bound framebuffer
 };

@@ -72,7 +72,7 @@ std::string vtkRelievoColorTarget::Prepare(vtkRelievoFrameContext& context, bool
       : "the renderer keeps what was drawn before (EraseOff)";
   }
   const std::string fault = this->Buffers.Allocate(
-    context.Window, context.View.Viewport, single ? 0 : vtkRelievoColorBuffers::GetBoundSamples());
+    context.Window, context.View.Viewport, single ? 0 : vtkRelievoBoundFramebuffer::GetSamples());
   if (!fault.empty())
   {
     return fault;
@@ -105,8 +105,8 @@ void vtkRelievoColorTarget::Begin(vtkRelievoFrameContext& context)
   drawn.Find(context);
   this->DrawnOn = this->GetAll().Within(Rectangle::Of(drawn.Part));
   this->TellsByDepth = drawn.TellsByDepth;
-  const int before = vtkRelievoColorBuffers::GetBoundFramebuffer();
-  const bool resolves = vtkRelievoColorBuffers::GetBoundSamples() > 0;
+  const int before = vtkRelievoBoundFramebuffer::GetNumber();
+  const bool resolves = vtkRelievoBoundFramebuffer::GetSamples() > 0;
   state->PushFramebufferBindings();
   this->Buffers.Framebuffer->Bind();
   const bool keeps =
@@ -188,7 +188,7 @@ void vtkRelievoColorTarget::CopyWhatIsThere(
 bool vtkRelievoColorTarget::IsBound(bool reading) const
 {
   return this->Buffers.Framebuffer &&
-    vtkRelievoColorBuffers::GetBoundFramebuffer(reading) ==
+    vtkRelievoBoundFramebuffer::GetNumber(reading) ==
     static_cast<int>(this->Buffers.Framebuffer->GetFBOIndex());
 }
 
@@ -212,7 +212,7 @@ void vtkRelievoColorTarget::Resolve(vtkRelievoFrameContext& context)
   }
   this->Drawn->Offset[0] = v[0];
   this->Drawn->Offset[1] = v[1];
-  context.Provide("drawn", this->Drawn.get());
+  context.Provide(vtkRelievoResources::Drawn, this->Drawn.get());
 }
 
 //------------------------------------------------------------------------------
@@ -303,8 +303,8 @@ void vtkRelievoColorTarget::MakeLinear(vtkRelievoFrameContext& context, const Re
   const Rectangle all = this->Made.With(where);
   for (const Rectangle& rest : all.Without(this->Made))
   {
-    this->Valid =
-      this->Valid && this->ToLinear.Ready(context, "frame/toLinearFS.glsl", { "drawn" });
+    this->Valid = this->Valid &&
+      this->ToLinear.Ready(context, "frame/toLinearFS.glsl", { vtkRelievoResources::Drawn });
     if (this->Valid)
     {
       this->DrawOnto(context, this->ToLinear, 0, false, rest);
@@ -320,7 +320,7 @@ void vtkRelievoColorTarget::Separate(vtkRelievoFrameContext& context)
   this->Valid = true;
   this->MakeLinear(context, this->GetAll());
   this->Separated = true;
-  context.Provide("color", this);
+  context.Provide(vtkRelievoResources::Color, this);
 }
 
 //------------------------------------------------------------------------------
@@ -369,7 +369,7 @@ void vtkRelievoColorTarget::End(vtkRelievoFrameContext& context)
   this->Presented = false;
   if (this->Valid)
   {
-    context.Provide("color", this);
+    context.Provide(vtkRelievoResources::Color, this);
   }
 }
 
@@ -471,10 +471,11 @@ bool vtkRelievoColorTarget::Present(vtkRelievoFrameContext& context, vtkRelievoS
   }
   const bool ready = whole ||
     ((changed.empty() ||
-       this->ToDisplay.Ready(context, "frame/toDisplayFS.glsl", { "color", "drawn" })) &&
+       this->ToDisplay.Ready(context, "frame/toDisplayFS.glsl",
+         { vtkRelievoResources::Color, vtkRelievoResources::Drawn })) &&
       (others.empty() ||
-        this->ToDisplayAsDrawn.Ready(
-          context, "frame/toDisplayFS.glsl", { "drawn" }, "#define RELIEVO_AS_DRAWN\n")));
+        this->ToDisplayAsDrawn.Ready(context, "frame/toDisplayFS.glsl",
+          { vtkRelievoResources::Drawn }, "#define RELIEVO_AS_DRAWN\n")));
   if (!ready)
   {
     return false;
@@ -522,7 +523,7 @@ bool vtkRelievoColorTarget::PresentDepth(vtkRelievoFrameContext& context)
     return true;
   }
   if (!this->Valid || this->Presented || this->Buffers.Resolved ||
-    vtkRelievoColorBuffers::GetBoundSamples() > 0 || !this->Buffers.HasBoundDepth())
+    vtkRelievoBoundFramebuffer::GetSamples() > 0 || !this->Buffers.HasBoundDepth())
   {
     return false;
   }

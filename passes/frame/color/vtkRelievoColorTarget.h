@@ -13,6 +13,7 @@
 #define vtkRelievoColorTarget_h
 
 #include "vtkRelievoColorBuffers.h"
+#include "vtkRelievoFrameColor.h"
 #include "vtkRelievoResource.h"
 #include "vtkRelievoScreenQuad.h"
 
@@ -24,7 +25,9 @@ class vtkImageData;
 class vtkRelievoFrameContext;
 class vtkWindow;
 
-class vtkRelievoColorTarget : public vtkRelievoResource
+class vtkRelievoColorTarget
+  : public vtkRelievoResource
+  , public vtkRelievoFrameColor
 {
 public:
   vtkRelievoColorTarget();
@@ -63,22 +66,16 @@ public:
   void EndAside(vtkRelievoFrameContext& context);
   ///@}
 
-  // Draws the quad, which is ready, over the linear colour: as the new colour, or blended,
-  // optionally over a part only.
   bool Draw(vtkRelievoFrameContext& context, vtkRelievoScreenQuad& quad, bool replaces,
-    const int* part = nullptr);
+    const int* part = nullptr) override;
 
   // Copies the depth to the bound framebuffer, if the formats match, once after each End();
   // otherwise Present() writes it with the colour, and shaders that read `drawn` learn this from
   // RELIEVO_DEPTH_LEFT. Must be called before the presenting quads are made ready.
   bool PresentDepth(vtkRelievoFrameContext& context);
 
-  // Writes the colour and the depth into the bound framebuffer, once after each End(): through the
-  // sRGB curve, or by the quad, which is ready; `background` is the quad's colour of the
-  // background, if known. With a part, the quad applies only there, with `drawnOnly` perhaps only
-  // at drawn pixels. False if the colour was presented before.
   bool Present(vtkRelievoFrameContext& context, vtkRelievoScreenQuad* quad = nullptr,
-    const float* background = nullptr, const int* part = nullptr, bool drawnOnly = false);
+    const float* background = nullptr, const int* part = nullptr, bool drawnOnly = false) override;
 
   // Adds the colour as the point array `color`, 4 floats per pixel.
   std::string Read(vtkImageData* image);
@@ -86,12 +83,8 @@ public:
   vtkIdType GetBytes() const { return this->Buffers.GetBytes(); }
   void Release(vtkWindow* window);
 
-  ///@{
-  // The part that the delegate may have drawn to: x, y, width, height; and the background outside
-  // it.
-  void GetDrawnPart(int part[4]) const;
-  void GetBackground(const vtkRelievoFrameContext& context, float color[4]) const;
-  ///@}
+  void GetDrawnPart(int part[4]) const override;
+  void GetBackground(const vtkRelievoFrameContext& context, float color[4]) const override;
 
   std::string GetDefines() const override;
   void Activate(vtkShaderProgram* program) override;

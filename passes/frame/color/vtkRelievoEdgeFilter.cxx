@@ -6,6 +6,7 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLRenderer.h"
 #include "vtkOpenGLState.h"
+#include "vtkRelievoBoundFramebuffer.h"
 #include "vtkRelievoColorBuffers.h"
 #include "vtkRelievoFrameContext.h"
 #include "vtkRelievoScopedState.h"
@@ -14,7 +15,7 @@
 void vtkRelievoEdgeFilter::Execute(const vtkRelievoFrameContext& context)
 {
   const vtkRelievoScopedState kept(context.Window->GetState());
-  if (vtkRelievoColorBuffers::GetBoundSamples() > 0)
+  if (vtkRelievoBoundFramebuffer::GetSamples() > 0)
   {
     this->Resolve(context);
   }
@@ -30,7 +31,7 @@ void vtkRelievoEdgeFilter::Resolve(const vtkRelievoFrameContext& context)
   const auto height = static_cast<unsigned int>(v[1] + v[3]);
   vtkOpenGLState* state = context.Window->GetState();
   const vtkOpenGLState::ScopedglEnableDisable scissor(state, GL_SCISSOR_TEST);
-  const auto drawn = static_cast<unsigned int>(vtkRelievoColorBuffers::GetBoundFramebuffer());
+  const auto drawn = static_cast<unsigned int>(vtkRelievoBoundFramebuffer::GetNumber());
   GLint place = GL_NONE;
   glGetIntegerv(GL_DRAW_BUFFER, &place);
   this->Framebuffer->SetContext(context.Window);

@@ -39,7 +39,7 @@ std::string vtkRelievoSampleMarks::Begin(vtkRelievoFrameContext& context, const 
 //------------------------------------------------------------------------------
 std::string vtkRelievoSampleMarks::Find(vtkRelievoFrameContext& context, const int part[4])
 {
-  if (!this->Quad.Ready(context, "frame/marksFS.glsl", { "samples" }))
+  if (!this->Quad.Ready(context, "frame/marksFS.glsl", { vtkRelievoResources::Samples }))
   {
     return this->Quad.GetWrong();
   }

@@ -367,16 +367,17 @@ void vtkRelievoSampleRaster::End(
 {
   this->Projection.reset();
   const std::string defines = marked ? "#define RELIEVO_MARKED\n" : "";
-  std::vector<std::string> reads = { "drawn", "samples" };
+  std::vector<vtkRelievoResourceName> reads = { vtkRelievoResources::Drawn,
+    vtkRelievoResources::Samples };
   if (marked)
   {
-    reads.emplace_back("marks");
+    reads.push_back(vtkRelievoResources::Marks);
   }
   vtkRelievoScreenQuad& mean = marked ? this->MeanOfMarked : this->Mean;
   if (!mean.Ready(context, "frame/samplesFS.glsl", reads, defines) ||
     (!marked &&
-      !this->Nearest.Ready(
-        context, "frame/samplesFS.glsl", { "samples" }, "#define RELIEVO_DEPTH\n")))
+      !this->Nearest.Ready(context, "frame/samplesFS.glsl", { vtkRelievoResources::Samples },
+        "#define RELIEVO_DEPTH\n")))
   {
     this->Fault = mean.GetWrong() + this->Nearest.GetWrong();
     return;
@@ -441,8 +442,8 @@ void vtkRelievoSampleRaster::DrawTranslucent(vtkRelievoFrameContext& context)
 //------------------------------------------------------------------------------
 void vtkRelievoSampleRaster::End(vtkRelievoFrameContext& context, vtkRelievoColorTarget& target)
 {
-  context.Provide("samples", this);
-  context.Provide("marks", &this->Marks);
+  context.Provide(vtkRelievoResources::Samples, this);
+  context.Provide(vtkRelievoResources::Marks, &this->Marks);
   const bool marks = !this->Parts.empty() && HasFew(context);
   if (!this->Parts.empty())
   {

@@ -200,7 +200,7 @@ void vtkRelievoTranslucentLayers::Close()
 {
   this->Color->Resolve(*this->Context);
   vtkShaderProgram* program = this->Context->Translucent
-    ? this->ToLinear.Ready(*this->Context, "frame/layerFS.glsl", { "drawn" })
+    ? this->ToLinear.Ready(*this->Context, "frame/layerFS.glsl", { vtkRelievoResources::Drawn })
     : nullptr;
   if (program)
   {
@@ -212,11 +212,12 @@ void vtkRelievoTranslucentLayers::Close()
     state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
     this->ToLinear.Draw(*this->Context, this->Context->Translucent->GetArea());
     this->Context->Translucent->End();
-    this->Context->Provide("translucent", this->Context->Translucent);
+    this->Context->Provide(vtkRelievoResources::Translucent, this->Context->Translucent);
   }
   if (this->Context->PutBack || !this->Context->Translucent)
   {
-    program = this->ToColor.Ready(*this->Context, "frame/putBackFS.glsl", { "color", "drawn" });
+    program = this->ToColor.Ready(*this->Context, "frame/putBackFS.glsl",
+      { vtkRelievoResources::Color, vtkRelievoResources::Drawn });
     if (program)
     {
       program->SetUniformi("relievoAveraged", this->Averaged);
@@ -234,10 +235,10 @@ void vtkRelievoTranslucentLayers::End()
     this->Close();
   }
   this->IsOpen = false;
-  if (this->Context && this->Context->Find("translucent") && this->Context->TranslucentDepth &&
-    this->Context->TranslucentDepth->Draw(*this->Context))
+  if (this->Context && this->Context->Find(vtkRelievoResources::Translucent) &&
+    this->Context->TranslucentDepth && this->Context->TranslucentDepth->Draw(*this->Context))
   {
-    this->Context->Provide("translucent depth", this->Context->TranslucentDepth);
+    this->Context->Provide(vtkRelievoResources::TranslucentDepth, this->Context->TranslucentDepth);
   }
   this->Context = nullptr;
 }

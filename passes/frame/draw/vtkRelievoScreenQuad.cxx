@@ -24,17 +24,18 @@ vtkRelievoScreenQuad::~vtkRelievoScreenQuad() = default;
 
 //------------------------------------------------------------------------------
 vtkShaderProgram* vtkRelievoScreenQuad::Ready(vtkRelievoFrameContext& context,
-  const std::string& source, const std::vector<std::string>& reads, const std::string& defines)
+  const std::string& source, const std::vector<vtkRelievoResourceName>& reads,
+  const std::string& defines)
 {
   this->Wrong.clear();
   this->Resources.clear();
   std::string all;
-  for (const std::string& name : reads)
+  for (const vtkRelievoResourceName& name : reads)
   {
     vtkRelievoResource* resource = context.Find(name);
     if (!resource)
     {
-      this->Wrong = "the frame has no resource '" + name + "'";
+      this->Wrong = "the frame has no resource '" + name.Get() + "'";
       return nullptr;
     }
     auto& known = this->Resources;

@@ -12,6 +12,7 @@
 #define vtkRelievoScreenQuad_h
 
 #include "vtkRelievoFrameModule.h" // for the export macro
+#include "vtkRelievoResourceName.h"
 
 #include <memory>
 #include <string>
@@ -35,7 +36,7 @@ public:
   // recompiled only after a change of its inputs' structure or of `defines`. nullptr if it does not
   // compile, or if the frame lacks an input: see GetWrong().
   vtkShaderProgram* Ready(vtkRelievoFrameContext& context, const std::string& source,
-    const std::vector<std::string>& reads, const std::string& defines = "");
+    const std::vector<vtkRelievoResourceName>& reads, const std::string& defines = "");
   const std::string& GetWrong() const { return this->Wrong; }
 
   // Use of the bound depth: none; the shader's depth is written; only pixels with a written depth

@@ -22,7 +22,7 @@ constexpr std::size_t MostRecords = std::size_t(1) << 23;
 bool IsSame(const vtkRelievoPlacedMesh& a, const vtkRelievoPlacedMesh& b)
 {
   return a.Mesh == b.Mesh && a.MeshToWorld == b.MeshToWorld && a.Places == b.Places &&
-    a.Passes == b.Passes && a.Color == b.Color && a.Reach == b.Reach;
+    a.Opacity == b.Opacity && a.Color == b.Color && a.Reach == b.Reach;
 }
 
 constexpr double Ulp = 1.0 / (1 << 23);
@@ -261,7 +261,7 @@ vtkIdType vtkRelievoTreeBuffer::GetNumberOfGlyphs() const
 bool vtkRelievoTreeBuffer::HasTranslucent() const
 {
   return std::any_of(this->Casters.begin(), this->Casters.end(),
-    [](const vtkRelievoPlacedMesh& caster) { return caster.Passes > 0.0; });
+    [](const vtkRelievoPlacedMesh& caster) { return caster.Opacity < 1.0; });
 }
 
 //------------------------------------------------------------------------------
@@ -269,7 +269,7 @@ bool vtkRelievoTreeBuffer::HasColors() const
 {
   return std::any_of(
     this->Casters.begin(), this->Casters.end(), [](const vtkRelievoPlacedMesh& caster) {
-      return caster.Passes > 0.0 && caster.Color != glm::dvec3(1.0);
+      return caster.Opacity < 1.0 && caster.Color != glm::dvec3(1.0);
     });
 }
 
@@ -326,7 +326,8 @@ std::vector<glm::vec4> vtkRelievoTreeBuffer::MakeFront()
     const double size =
       glm::length(glm::max(glm::abs(low), glm::abs(high)) + glm::abs(held.Mesh.GetOrigin()));
     const double actorUlp = Ulp * vtkRelievoGetScale(caster.MeshToWorld);
-    const glm::vec3 colors(caster.Passes * caster.Color);
+    const double transmittance = 1.0 - caster.Opacity;
+    const glm::vec3 colors(transmittance * caster.Color);
     const auto make = [&](std::size_t i) {
       const glm::dmat4 aboutToLocal = worldToLocal * caster.GetPlace(i) * aboutToMesh;
       const glm::dmat4 localToAbout = glm::inverse(aboutToLocal);
@@ -357,7 +358,7 @@ std::vector<glm::vec4> vtkRelievoTreeBuffer::MakeFront()
         scale = std::max(scale, glm::length(glm::dvec3(numbers)));
       }
       record[3] = glm::vec4(static_cast<float>(held.Texel / Grain),
-        static_cast<float>(held.Mesh.GetNumberOfNodes()), static_cast<float>(caster.Passes),
+        static_cast<float>(held.Mesh.GetNumberOfNodes()), static_cast<float>(transmittance),
         colors.r);
       record[4] = glm::vec4(static_cast<float>(scale),
         static_cast<float>(Ulp * caster.Reach + scale * rounding), colors.g, colors.b);

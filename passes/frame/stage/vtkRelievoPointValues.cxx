@@ -185,7 +185,7 @@ void vtkRelievoPointValues::SetArray(RELIEVO_TEXT value, RELIEVO_TEXT array)
       if (known.Array != array)
       {
         known.Array = array;
-        this->Reported.clear();
+        this->Reported.Forget();
         this->Modified();
       }
       return;
@@ -421,9 +421,13 @@ void vtkRelievoPointValues::Fill(vtkDataSet* data, const Value& value, double* c
   }
   if (!wrong.empty())
   {
-    this->ReportOnce("The array '" + value.Array + "', asked for the " + value.Name + ", " + wrong +
-      "; needed: " + (value.Components == 3 ? "red, green and blue" : "one number") +
-      " per point. One " + value.Name + " is taken for all points.");
+    const std::string error = "The array '" + value.Array + "', asked for the " + value.Name +
+      ", " + wrong + "; needed: " + (value.Components == 3 ? "red, green and blue" : "one number") +
+      " per point. One " + value.Name + " is taken for all points.";
+    if (this->Reported.IsNew(error))
+    {
+      vtkErrorMacro(<< error);
+    }
     array = nullptr;
   }
   if (!array)
@@ -447,15 +451,6 @@ void vtkRelievoPointValues::Fill(vtkDataSet* data, const Value& value, double* c
     {
       column[i * this->Width + c] = scale * from[i * stride + c];
     }
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkRelievoPointValues::ReportOnce(const std::string& words)
-{
-  if (this->Reported.insert(words).second)
-  {
-    vtkErrorMacro(<< words);
   }
 }
 

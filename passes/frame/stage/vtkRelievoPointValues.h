@@ -21,10 +21,10 @@
 #include "vtkAlgorithm.h"
 #include "vtkRelievoFrameModule.h"   // for the export macro
 #include "vtkRelievoParameterList.h" // for the description
+#include "vtkRelievoReportOnce.h"    // for errors
 #include "vtkRelievoText.h"          // for names that are given
 #include "vtkSmartPointer.h"         // for the matrix
 
-#include <set>    // for reported errors
 #include <string> // for names
 #include <vector> // for values
 
@@ -186,7 +186,6 @@ private:
   void Take(vtkDataSet* data);
   bool HasColors(const double* row) const;
   void Fill(vtkDataSet* data, const Value& value, double* column);
-  void ReportOnce(const std::string& words);
 
   std::vector<Value> Values;
   std::string Things;
@@ -196,7 +195,7 @@ private:
   std::vector<double> All; // of all processes
   bool Shared = false;
   vtkMTimeType SharedTime = 0; // RowsTime of the rows in All
-  std::set<std::string> Reported;
+  vtkRelievoReportOnce Reported;
   vtkTimeStamp RowsTime;
   int Width = 3;
   int NumberLeftOut = 0;

@@ -56,7 +56,7 @@ vtkRelievoTrialSplice::Outcome vtkRelievoSplicedPass::TrySplice(
 //------------------------------------------------------------------------------
 bool vtkRelievoSplicedPass::IsNews(vtkObject* mapper, const vtkRelievoTrialSplice::Outcome& outcome)
 {
-  return !outcome.Wrong.empty() && this->Reported.insert(outcome.GetKey(mapper)).second;
+  return !outcome.Error.empty() && this->Reported.IsNew(outcome.GetKey(mapper));
 }
 
 //------------------------------------------------------------------------------

@@ -14,10 +14,10 @@
 
 #include "vtkOpenGLRenderPass.h"
 #include "vtkRelievoFrameModule.h" // for the export macro
+#include "vtkRelievoReportOnce.h"  // for errors
 #include "vtkTimeStamp.h"          // for when shaders are built anew
 
 #include <functional> // for TrySplice
-#include <set>        // for reported errors
 #include <string>     // for shaders
 
 #ifndef __VTK_WRAP__
@@ -91,7 +91,7 @@ private:
 
   vtkTimeStamp ShaderTime;
   bool BuiltUnspliced = false; // the pass's keys have shaders built without the text
-  std::set<std::string> Reported;
+  vtkRelievoReportOnce Reported;
 };
 
 #endif

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRelievoStage.h"
 
-#include "vtkRelievoFramePlan.h"
+#include "vtkRelievoDeclaration.h"
 #include "vtkSmartPointer.h"
 
 //------------------------------------------------------------------------------
@@ -70,7 +70,7 @@ bool vtkRelievoStage::SetParameter(RELIEVO_TEXT name, RELIEVO_TEXT words)
 void vtkRelievoStage::Declare(const vtkRelievoFrameContext&, vtkRelievoDeclaration&) const {}
 
 //------------------------------------------------------------------------------
-std::vector<std::string> vtkRelievoStage::GetReadsFor(
+std::vector<vtkRelievoResourceName> vtkRelievoStage::GetReadsFor(
   const vtkRelievoFrameContext&, const std::vector<std::string>&) const
 {
   return {};

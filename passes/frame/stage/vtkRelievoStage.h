@@ -142,7 +142,7 @@ protected:
   /**
    * Additional inputs for the requested outputs. Changes nothing.
    */
-  virtual std::vector<std::string> GetReadsFor(
+  virtual std::vector<vtkRelievoResourceName> GetReadsFor(
     const vtkRelievoFrameContext& context, const std::vector<std::string>& asked) const;
 
   /** The layers that show the visibility of one of the renderer's lights, and the light's index. */

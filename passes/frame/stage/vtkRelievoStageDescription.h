@@ -9,6 +9,7 @@
 
 #include "vtkRelievoFrameModule.h" // for the export macro
 #include "vtkRelievoParameterList.h"
+#include "vtkRelievoResourceName.h"
 
 #include <string>
 #include <vector>
@@ -25,14 +26,14 @@ struct VTKRELIEVOFRAME_EXPORT vtkRelievoStageDescription : vtkRelievoParameterLi
     DISPLAY = 4     // makes the picture from the linear colour, or replaces it
   };
 
-  std::string Name;  // a lower-case word; several are joined by _
+  std::string Name;  // lower-case words joined by _
   std::string Label; // for users: "Depth Fade"
   std::string Help;  // one sentence
   int Slot = COMPOSITE;
   int Order = 0; // among stages of a slot that change one resource: the smallest first
-  std::vector<std::string> Reads;
-  std::vector<std::string>
-    Writes; // `color` included: the stage changes, or blends onto, the linear colour
+  std::vector<vtkRelievoResourceName> Reads;
+  // `color` included: the stage changes, or blends onto, the linear colour.
+  std::vector<vtkRelievoResourceName> Writes;
   std::vector<std::string> Layers; // outputs that users can also request by name
   bool WritesArrays = false;       // and any layer whose name is not among another stage's Layers
 

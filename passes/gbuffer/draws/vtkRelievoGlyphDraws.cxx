@@ -13,7 +13,7 @@
 #include "vtkNew.h"
 #include "vtkOpenGLGlyph3DHelper.h"
 #include "vtkPolyData.h"
-#include "vtkRelievoCellGeometry.h"
+#include "vtkRelievoCell.h"
 #include "vtkRelievoCellMap.h"
 #include "vtkRelievoGlyphArrays.h"
 #include "vtkShaderProgram.h"

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRelievoCellGeometry.h"
 
-#include "vtkCellArray.h"
 #include "vtkIdList.h"
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
+#include "vtkRelievoCell.h"
 #include "vtkRelievoFrameCamera.h"
 #include "vtkRelievoPolygonCut.h"
 
@@ -53,34 +53,6 @@ int GetCorners(const vtkRelievoDrawTable::Hit& hit, const vtkRelievoCell& cell,
   }
   return 3;
 }
-}
-
-//------------------------------------------------------------------------------
-vtkRelievoCell::vtkRelievoCell(vtkPolyData* mesh, vtkIdType cell, vtkIdList* scratch)
-{
-  vtkCellArray* arrays[4] = { mesh->GetVerts(), mesh->GetLines(), mesh->GetPolys(),
-    mesh->GetStrips() };
-  for (this->Kind = Verts; this->Kind <= Strips; ++this->Kind)
-  {
-    vtkCellArray* array = arrays[this->Kind];
-    const vtkIdType count = array->GetNumberOfCells();
-    if (cell >= count)
-    {
-      cell -= count;
-      continue;
-    }
-    if (array->IsStorageShareable())
-    {
-      array->GetCellAtId(cell, this->Count, this->Points);
-    }
-    else
-    {
-      array->GetCellAtId(cell, scratch);
-      this->Count = scratch->GetNumberOfIds();
-      this->Points = scratch->GetPointer(0);
-    }
-    return;
-  }
 }
 
 //------------------------------------------------------------------------------

@@ -10,24 +10,6 @@
 class vtkIdList;
 struct vtkRelievoFrameCamera;
 
-// The points of a cell. Unlike vtkPolyData's own look-up this builds nothing in the mesh, so it is
-// thread-safe with one scratch list for each thread, which must outlive the cell.
-struct vtkRelievoCell
-{
-  enum Kinds
-  {
-    Verts,
-    Lines,
-    Polys,
-    Strips
-  };
-  int Kind = Polys;
-  vtkIdType Count = 0;
-  const vtkIdType* Points = nullptr;
-
-  vtkRelievoCell(vtkPolyData* mesh, vtkIdType cell, vtkIdList* scratch);
-};
-
 struct vtkRelievoCellGeometry
 {
   int Count = 0; // 1 point, 2 line, 3 triangle; 0: unknown

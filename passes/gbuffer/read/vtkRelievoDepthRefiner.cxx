@@ -5,6 +5,7 @@
 #include "vtkIdList.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
+#include "vtkRelievoCell.h"
 #include "vtkRelievoCellGeometry.h"
 #include "vtkRelievoFrameCamera.h"
 #include "vtkRelievoMeshLinks.h"

@@ -19,9 +19,9 @@
 #include "vtkRelievoGBufferTarget.h"
 #include "vtkRelievoImageMemory.h"
 #include "vtkRelievoLayerCatalogue.h"
-#include "vtkRelievoLayersStage.h"
 #include "vtkRelievoRows.h"
 #include "vtkRelievoWordDecoder.h"
+#include "vtkRelievoWordFormats.h"
 #include "vtkRenderer.h"
 #include "vtkUnsignedCharArray.h"
 
@@ -220,7 +220,7 @@ std::string vtkRelievoLayerReader::Read(const std::string& layer, vtkImageData* 
 vtkSmartPointer<vtkFloatArray> vtkRelievoLayerReader::ReadDepth()
 {
   if (this->Layout.NormalDepthWord < 0 &&
-    this->Layout.DepthFormat == vtkRelievoLayersStage::DEPTH_32F)
+    this->Layout.DepthFormat == vtkRelievoWordFormats::DEPTH_32F)
   {
     // The words are the depths themselves.
     this->GetWords(this->Layout.DepthWord);

@@ -65,7 +65,7 @@ double vtkRelievoCasterRays::Pass(
     const int surface = this->Tree.GetMesh(place);
     const vtkRelievoSurface& caster = this->Surfaces[surface];
     const bool counts =
-      caster.Casts && (caster.Caster.Passes == 0.0 || this->Tree.Owns(place, triangle, from, ray));
+      caster.Casts && (caster.Caster.Opacity == 1.0 || this->Tree.Owns(place, triangle, from, ray));
     if (counts && (place != own.Place || triangle != own.Triangle))
     {
       glm::dvec3 corner;
@@ -74,7 +74,7 @@ double vtkRelievoCasterRays::Pass(
       if (std::abs(glm::dot(normal, corner - from)) > blur &&
         (!ends || std::abs(glm::dot(normal, corner - from - last * ray)) > blur))
       {
-        passes *= caster.Caster.Passes;
+        passes *= 1.0 - caster.Caster.Opacity;
       }
     }
     return passes > 0.0 ? last : -1.0;

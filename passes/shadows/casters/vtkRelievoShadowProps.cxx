@@ -518,8 +518,9 @@ std::vector<vtkRelievoSurface> vtkRelievoShadowProps::CollectSurfaces(
     for (const vtkRelievoPlacedMesh& caster : casters)
     {
       surface.Caster = caster;
-      surface.Seen = caster.Passes <= 0.0; // also outside the view, which the probe rounds to steps
-      surface.Caster.Passes = attenuates ? caster.Passes : 0.0;
+      surface.Seen = caster.Opacity >= 1.0; // also outside the view, which the probe rounds to
+                                            // steps
+      surface.Caster.Opacity = attenuates ? caster.Opacity : 1.0;
       surfaces.push_back(surface);
     }
   }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRelievoShadowPlanner.h"
 
-#include "vtkRelievoShadowStage.h"
+#include "vtkRelievoShadowMethods.h"
 
 #include <algorithm>
 #include <cmath>
@@ -76,14 +76,13 @@ double vtkRelievoShadowPlanner::Model(const Choice& choice, const SceneCost& cos
   const Costs& costs = cost.Software ? Software : Hardware;
   const double geometry = costs.Triangle * cost.Triangles + costs.Draw * cost.Props;
   double time = geometry + costs.Pixel * cost.Pixels;
-  if (choice.Method == vtkRelievoShadowStage::METHOD_EXACT)
+  if (choice.Method == vtkRelievoShadowMethods::EXACT)
   {
     const double trace = costs.Trace * cost.Lights * std::log2(2.0 + std::max(0.0, cost.Triangles));
     return time + (redraws ? 1.0 : Kept) * (costs.Passes + (costs.Start + trace) * cost.Pixels);
   }
   time += costs.Lookup * cost.Pixels * cost.Lights;
-  const double pieces =
-    choice.Method == vtkRelievoShadowStage::METHOD_WARPED ? 1.0 + costs.Piece : 1.0;
+  const double pieces = choice.Method == vtkRelievoShadowMethods::WARPED ? 1.0 + costs.Piece : 1.0;
   const double texels = static_cast<double>(choice.Size) * choice.Size;
   return time + (redraws ? cost.Maps * (pieces * geometry + costs.Texel * texels) : 0.0);
 }
@@ -122,7 +121,7 @@ double vtkRelievoShadowPlanner::GetMedian(std::vector<double> numbers, double no
 //------------------------------------------------------------------------------
 bool vtkRelievoShadowPlanner::Redraws(const Choice& choice, const Invalidated& invalidated)
 {
-  return choice.Method == vtkRelievoShadowStage::METHOD_EXACT ? invalidated.Rays : invalidated.Maps;
+  return choice.Method == vtkRelievoShadowMethods::EXACT ? invalidated.Rays : invalidated.Maps;
 }
 
 //------------------------------------------------------------------------------
@@ -171,7 +170,7 @@ vtkRelievoShadowPlanner::Plan vtkRelievoShadowPlanner::Choose(
 {
   const auto accurate = [&goal](const Choice& choice) {
     return Margin * choice.WrongShare <= goal.Tolerance ||
-      (choice.Method == vtkRelievoShadowStage::METHOD_EXACT && choice.WrongShare <= goal.Tolerance);
+      (choice.Method == vtkRelievoShadowMethods::EXACT && choice.WrongShare <= goal.Tolerance);
   };
   const auto better = [](const Choice& a, const Choice& b) { return a.WrongShare < b.WrongShare; };
   const auto cheaper = [&cost](const Choice& a, const Choice& b) {

@@ -7,7 +7,7 @@
 #include "vtkRelievoShadowContext.h"
 #include "vtkRelievoShadowLights.h"
 #include "vtkRelievoShadowMethodExact.h"
-#include "vtkRelievoShadowStage.h"
+#include "vtkRelievoShadowMethods.h"
 #include "vtkRelievoSoftwareOpenGL.h"
 
 #include <algorithm>
@@ -16,8 +16,6 @@
 
 namespace
 {
-using Stage = vtkRelievoShadowStage;
-
 const int Sizes[] = { 1024, 2048, 4096, 8192 };
 
 // Without rays, measured shares are within this factor of the law.
@@ -68,27 +66,29 @@ double vtkRelievoShadowPlanning::GetShareInView(
   const Scene& scene, const Settings& settings, int method, int size)
 {
   const double law = GetLaw(method, size);
-  if (method == Stage::METHOD_EXACT)
+  if (method == vtkRelievoShadowMethods::EXACT)
   {
     if (scene.Together || this->Probe.HasUnfollowed())
     {
       // Casters that rays cannot trace are drawn into maps.
-      return std::min(1.0, LawsFactor * GetLaw(Stage::METHOD_MAP, settings.MapSize));
+      return std::min(1.0, LawsFactor * GetLaw(vtkRelievoShadowMethods::MAP, settings.MapSize));
     }
     vtkRelievoShadowDemand demand;
     demand.Farness =
       vtkRelievoShadowMethodExact::GetFarness(scene.Work, this->Probe.GetRoundedReach());
     demand.EdgeShare = this->Probe.GetEdgeShare();
     demand.Height = scene.Work.View.Viewport[3];
-    return vtkRelievoShadowMethod::Make(Stage::METHOD_EXACT)->Estimate(demand).WrongShare;
+    return vtkRelievoShadowMethod::Make(vtkRelievoShadowMethods::EXACT)
+      ->Estimate(demand)
+      .WrongShare;
   }
   if (scene.Together || !this->Probe.IsKnown())
   {
     return std::min(1.0, LawsFactor * law);
   }
-  const double share = this->Probe.GetWrongShare(size, method == Stage::METHOD_WARPED);
-  return method == Stage::METHOD_FORWARD
-    ? std::min(1.0, share * law / GetLaw(Stage::METHOD_MAP, size))
+  const double share = this->Probe.GetWrongShare(size, method == vtkRelievoShadowMethods::WARPED);
+  return method == vtkRelievoShadowMethods::FORWARD
+    ? std::min(1.0, share * law / GetLaw(vtkRelievoShadowMethods::MAP, size))
     : share;
 }
 
@@ -158,11 +158,11 @@ std::vector<vtkRelievoShadowPlanner::Choice> vtkRelievoShadowPlanning::GetChoice
   const bool suns = std::any_of(casting.begin(), casting.end(),
     [](const vtkRelievoShadowLight& light) { return !light.Positional; });
   std::vector<vtkRelievoShadowPlanner::Choice> choices;
-  for (const int method : { Stage::METHOD_MAP, Stage::METHOD_WARPED })
+  for (const int method : { vtkRelievoShadowMethods::MAP, vtkRelievoShadowMethods::WARPED })
   {
     for (const int size : Sizes)
     {
-      if ((method == Stage::METHOD_MAP || suns) &&
+      if ((method == vtkRelievoShadowMethods::MAP || suns) &&
         this->Fits(method, size, static_cast<int>(casting.size())))
       {
         choices.push_back({ method, size, this->GetShareInView(scene, settings, method, size) });
@@ -177,8 +177,8 @@ std::vector<vtkRelievoShadowPlanner::Choice> vtkRelievoShadowPlanning::GetChoice
     {
       choices.clear(); // maps lack transmittances and colours: the picture would differ
     }
-    choices.push_back(
-      { Stage::METHOD_EXACT, 0, this->GetShareInView(scene, settings, Stage::METHOD_EXACT, 1) });
+    choices.push_back({ vtkRelievoShadowMethods::EXACT, 0,
+      this->GetShareInView(scene, settings, vtkRelievoShadowMethods::EXACT, 1) });
   }
   return choices;
 }
@@ -205,7 +205,8 @@ void vtkRelievoShadowPlanning::Make(
   const bool part = !context.Picture || tiled || context.Sample > 0;
   if (planned && this->Planned && settings.TimeBudget > 0.0 && part &&
     updates == this->Probe.GetUpdates() &&
-    !(scene.ExactRefused && before.Method == Stage::METHOD_EXACT) && this->HasRoom(before.Size))
+    !(scene.ExactRefused && before.Method == vtkRelievoShadowMethods::EXACT) &&
+    this->HasRoom(before.Size))
   {
     return; // layers, tiles and samples of a picture use the picture's plan
   }

@@ -6,7 +6,7 @@
 #include "vtkRelievoPropMeshes.h"
 #include "vtkRelievoShadowContext.h"
 #include "vtkRelievoShadowMethod.h"
-#include "vtkRelievoShadowStage.h"
+#include "vtkRelievoShadowMethods.h"
 #include "vtkRelievoThreads.h"
 
 #include <algorithm>
@@ -150,7 +150,7 @@ void vtkRelievoShadowProbe::Update(const vtkRelievoShadowContext& work,
   this->EdgeShare = -1.0;
   this->TakeSamples(view, vtkRelievoProbeView::GetPart(scene.Receivers, scene.WorldToNDC));
   vtkRelievoShadowCache even;
-  even.Update(casting, scene, *vtkRelievoShadowMethod::Make(vtkRelievoShadowStage::METHOD_MAP));
+  even.Update(casting, scene, *vtkRelievoShadowMethod::Make(vtkRelievoShadowMethods::MAP));
   this->Maps = even.GetNumberOfMaps();
   this->Even = this->Ask(even, work.Bias);
   this->Warped = this->Even;
@@ -158,8 +158,7 @@ void vtkRelievoShadowProbe::Update(const vtkRelievoShadowContext& work,
         [](const vtkRelievoShadowLight& light) { return !light.Positional; }))
   {
     vtkRelievoShadowCache warped;
-    warped.Update(
-      casting, scene, *vtkRelievoShadowMethod::Make(vtkRelievoShadowStage::METHOD_WARPED));
+    warped.Update(casting, scene, *vtkRelievoShadowMethod::Make(vtkRelievoShadowMethods::WARPED));
     this->Warped = this->Ask(warped, work.Bias);
   }
 }

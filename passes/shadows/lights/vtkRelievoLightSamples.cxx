@@ -3,7 +3,6 @@
 #include "vtkRelievoLightSamples.h"
 
 #include "vtkMath.h"
-#include "vtkRelievoLightSpace.h"
 #include "vtkRelievoShadowLight.h"
 
 #include <algorithm>
@@ -142,7 +141,7 @@ void vtkRelievoLightSizes::Move(vtkRelievoShadowLight& light, int sample, int sa
   using namespace vtkRelievoLightSamples;
   const Shape* shape = this->Find(light.Light);
   const double size = this->Get(light.Light);
-  const glm::dvec3 right = vtkRelievoLightSpace::AnySquareTo(light.Direction);
+  const glm::dvec3 right = vtkRelievoShadowLight::AnySquareTo(light.Direction);
   const glm::dvec3 up = glm::cross(light.Direction, right);
   glm::dvec3 offset(0.0);
   if (!light.Positional)

@@ -35,6 +35,9 @@ VTKRELIEVOSHADOWS_EXPORT glm::dvec2 OnSquare(int sample, int samples);
 class vtkRelievoLightSizes
 {
 public:
+  static constexpr double WidestSun = 90.0;
+  static constexpr double LargestLamp = 1e9;
+
   double SunAngle = 0.53;  // diameter of directional lights, in degrees
   double LampRadius = 0.0; // of positional lights, in world units
 

@@ -99,3 +99,15 @@ std::vector<vtkRelievoShadowLight> vtkRelievoShadowLight::Collect(vtkRenderer* r
   }
   return lights;
 }
+
+//------------------------------------------------------------------------------
+glm::dvec3 vtkRelievoShadowLight::AnySquareTo(const glm::dvec3& direction)
+{
+  constexpr double Rounding = 1e-6; // axes that differ by less are alike
+  const glm::dvec3 size = glm::abs(direction);
+  const double least = std::min({ size.x, size.y, size.z }) + Rounding;
+  const glm::dvec3 axis = size.x <= least ? glm::dvec3(1, 0, 0)
+    : size.y <= least                     ? glm::dvec3(0, 1, 0)
+                                          : glm::dvec3(0, 0, 1);
+  return glm::normalize(axis - direction * glm::dot(axis, direction));
+}

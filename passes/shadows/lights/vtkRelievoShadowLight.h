@@ -42,6 +42,9 @@ struct vtkRelievoShadowLight
   std::string NoShadow; // reason why it casts none; empty if it casts
   bool Broken = false;  // it could never cast: worth a warning
 
+  // A unit vector square to a direction.
+  static glm::dvec3 AnySquareTo(const glm::dvec3& direction);
+
   bool IsSpot() const { return this->Positional && this->ConeAngle < 90.0; }
 
   // All lights of the renderer. Headlights are marked as casting none: the shadow of a light at the

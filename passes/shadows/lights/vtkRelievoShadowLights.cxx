@@ -340,3 +340,15 @@ std::string vtkRelievoShadowLights::GetReport() const
   }
   return report;
 }
+
+//------------------------------------------------------------------------------
+std::string vtkRelievoShadowLights::GetCastingReport() const
+{
+  std::string words = std::to_string(this->Casting.size());
+  words += this->Casting.size() == 1 ? " light casts" : " lights cast";
+  for (const vtkRelievoShadowLight& light : this->Casting)
+  {
+    words += (&light == this->Casting.data() ? " (" : ", ") + this->GetName(light);
+  }
+  return words + ")";
+}

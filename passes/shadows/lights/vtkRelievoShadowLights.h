@@ -63,6 +63,9 @@ public:
     this->Unmoved.clear();
   }
 
+  // In words: the number and the names of the casting lights.
+  std::string GetCastingReport() const;
+
   // The other lights, as a part of a sentence: "; NAME casts none: WHY".
   std::string GetReport() const;
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRelievoShadowCache.h"
 
-#include "vtkRelievoShadowMethod.h"
+#include "vtkRelievoShadowFitter.h"
 #include "vtkRelievoShadowProps.h"
 
 #include <glm/vector_relational.hpp>
@@ -83,7 +83,7 @@ const Map* Find(const std::vector<Entry>& entries, const vtkRelievoShadowView& v
 
 //------------------------------------------------------------------------------
 void vtkRelievoShadowCache::Update(const std::vector<vtkRelievoShadowLight>& casting,
-  const vtkRelievoShadowScene& scene, const vtkRelievoShadowMethod& method)
+  const vtkRelievoShadowScene& scene, const vtkRelievoShadowFitter& fitter)
 {
   if (!scene.SameCasters)
   {
@@ -104,14 +104,14 @@ void vtkRelievoShadowCache::Update(const std::vector<vtkRelievoShadowLight>& cas
     }
     return;
   }
-  this->Fit(casting, scene, method);
+  this->Fit(casting, scene, fitter);
   this->Scene = scene;
   this->Fitted = true;
 }
 
 //------------------------------------------------------------------------------
 void vtkRelievoShadowCache::Fit(const std::vector<vtkRelievoShadowLight>& casting,
-  const vtkRelievoShadowScene& scene, const vtkRelievoShadowMethod& method)
+  const vtkRelievoShadowScene& scene, const vtkRelievoShadowFitter& fitter)
 {
   const auto visible = vtkRelievoShadowRegion::Cut(scene.Receivers, scene.WorldToNDC);
   const auto all = vtkRelievoShadowRegion::GetFaces(scene.Receivers);
@@ -132,7 +132,7 @@ void vtkRelievoShadowCache::Fit(const std::vector<vtkRelievoShadowLight>& castin
       local ? vtkRelievoShadowRegion::Cut(receivers, scene.WorldToNDC) : visible, planes);
     entry.Cube = !local && vtkRelievoShadowFit::IsCube(light, shaded);
     const std::vector<vtkRelievoShadowView> views =
-      method.Fit(light, seen, shaded, casters, scene.Request);
+      fitter.Fit(light, seen, shaded, casters, scene.Request);
     for (const vtkRelievoShadowView& view : views)
     {
       Map map;

@@ -12,7 +12,7 @@
 #include <cstdint>
 #include <vector>
 
-class vtkRelievoShadowMethod;
+class vtkRelievoShadowFitter;
 class vtkRelievoShadowProps;
 
 // The scene that maps are fitted to.
@@ -41,11 +41,11 @@ public:
     bool Cube = false; // another camera may need several maps: shaders reserve six
   };
 
-  // Fits the method's maps to the casting lights, and keeps maps that are still valid.
+  // Fits maps to the casting lights, and keeps maps that are still valid.
   void Update(const std::vector<vtkRelievoShadowLight>& casting, const vtkRelievoShadowScene& scene,
-    const vtkRelievoShadowMethod& method);
+    const vtkRelievoShadowFitter& fitter);
 
-  // Call after a change of method, which may fit differently: equal maps are kept.
+  // Call after a change of fitter, which may fit differently: equal maps are kept.
   void Refit() { this->Fitted = false; }
 
   std::vector<Entry>& GetEntries() { return this->Entries; }
@@ -68,7 +68,7 @@ public:
 
 private:
   void Fit(const std::vector<vtkRelievoShadowLight>& casting, const vtkRelievoShadowScene& scene,
-    const vtkRelievoShadowMethod& method);
+    const vtkRelievoShadowFitter& fitter);
   void AssignLayers(const std::vector<Entry>& before);
 
   std::vector<Entry> Entries;

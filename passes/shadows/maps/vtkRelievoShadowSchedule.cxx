@@ -4,7 +4,7 @@
 
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkRelievoShadowContext.h"
-#include "vtkRelievoShadowMethod.h"
+#include "vtkRelievoShadowFitter.h"
 #include "vtkRelievoTiles.h"
 #include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
@@ -14,7 +14,7 @@
 
 //------------------------------------------------------------------------------
 std::string vtkRelievoShadowSchedule::Fit(vtkRelievoShadowContext& work,
-  const std::vector<vtkRelievoShadowLight>& casting, const vtkRelievoShadowMethod& method, int size,
+  const std::vector<vtkRelievoShadowLight>& casting, const vtkRelievoShadowFitter& fitter, int size,
   int radius, vtkRenderer* renderer)
 {
   auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
@@ -41,7 +41,7 @@ std::string vtkRelievoShadowSchedule::Fit(vtkRelievoShadowContext& work,
   }
   if (!together || this->Exchange.IsRoot())
   {
-    work.Cache.Update(casting, scene, method);
+    work.Cache.Update(casting, scene, fitter);
   }
   if (together)
   {

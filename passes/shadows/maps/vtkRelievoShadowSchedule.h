@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-class vtkRelievoShadowMethod;
+class vtkRelievoShadowFitter;
 class vtkRenderer;
 class vtkShaderProgram;
 struct vtkRelievoShadowContext;
@@ -26,7 +26,7 @@ public:
   // Prepares maps of size x size texels, or less if another process has a lower limit, with a
   // filter of at most this radius, and a texture unit. Returns the error, or "".
   std::string Fit(vtkRelievoShadowContext& work, const std::vector<vtkRelievoShadowLight>& casting,
-    const vtkRelievoShadowMethod& method, int size, int radius, vtkRenderer* renderer);
+    const vtkRelievoShadowFitter& fitter, int size, int radius, vtkRenderer* renderer);
 
   // Draws the maps. Returns the draw calls except those of mappers that draw by themselves.
   int Draw(vtkRelievoShadowContext& work, vtkRenderer* renderer);

@@ -6,31 +6,22 @@
 #include "vtkRelievoShadowMethodForward.h"
 #include "vtkRelievoShadowMethodMap.h"
 #include "vtkRelievoShadowMethodWarped.h"
-#include "vtkRelievoShadowStage.h"
+#include "vtkRelievoShadowMethods.h"
 
 //------------------------------------------------------------------------------
 std::unique_ptr<vtkRelievoShadowMethod> vtkRelievoShadowMethod::Make(int method)
 {
   switch (method)
   {
-    case vtkRelievoShadowStage::METHOD_FORWARD:
+    case vtkRelievoShadowMethods::FORWARD:
       return std::make_unique<vtkRelievoShadowMethodForward>();
-    case vtkRelievoShadowStage::METHOD_WARPED:
+    case vtkRelievoShadowMethods::WARPED:
       return std::make_unique<vtkRelievoShadowMethodWarped>();
-    case vtkRelievoShadowStage::METHOD_EXACT:
+    case vtkRelievoShadowMethods::EXACT:
       return std::make_unique<vtkRelievoShadowMethodExact>();
     default:
       return std::make_unique<vtkRelievoShadowMethodMap>();
   }
-}
-
-//------------------------------------------------------------------------------
-std::vector<vtkRelievoShadowView> vtkRelievoShadowMethod::Fit(const vtkRelievoShadowLight& light,
-  const std::vector<vtkRelievoShadowRegion::Polygon>& visible,
-  const std::vector<vtkRelievoShadowRegion::Polygon>& scene,
-  const std::vector<vtkRelievoBox>& casters, const vtkRelievoShadowFit::Request& request) const
-{
-  return vtkRelievoShadowFit::Fit(light, visible, scene, casters, request);
 }
 
 //------------------------------------------------------------------------------

@@ -7,7 +7,7 @@
 #ifndef vtkRelievoShadowMethod_h
 #define vtkRelievoShadowMethod_h
 
-#include "vtkRelievoShadowFit.h"
+#include "vtkRelievoShadowFitter.h"
 #include "vtkType.h"
 
 #include <memory>
@@ -57,26 +57,15 @@ struct vtkRelievoShadowErrorLaw
 // (testShadowEstimate).
 constexpr vtkRelievoShadowErrorLaw vtkRelievoShadowMapLaw = { 1.92e-4, 0.91 };
 
-class vtkRelievoShadowMethod
+class vtkRelievoShadowMethod : public vtkRelievoShadowFitter
 {
 public:
-  // One of vtkRelievoShadowStage::Methods.
+  // One of vtkRelievoShadowMethods.
   static std::unique_ptr<vtkRelievoShadowMethod> Make(int method);
-
-  vtkRelievoShadowMethod() = default;
-  virtual ~vtkRelievoShadowMethod() = default;
-  vtkRelievoShadowMethod(const vtkRelievoShadowMethod&) = delete;
-  void operator=(const vtkRelievoShadowMethod&) = delete;
 
   // Before maps are fitted: selects the casters that need no maps. Returns why this method cannot
   // make the frame's shadows, or ""; `map` then replaces it.
   virtual std::string Prepare(vtkRelievoShadowContext&, vtkRenderer*) { return std::string(); }
-
-  // The views of a light's maps; by default those of vtkRelievoShadowFit::Fit.
-  virtual std::vector<vtkRelievoShadowView> Fit(const vtkRelievoShadowLight& light,
-    const std::vector<vtkRelievoShadowRegion::Polygon>& visible,
-    const std::vector<vtkRelievoShadowRegion::Polygon>& scene,
-    const std::vector<vtkRelievoBox>& casters, const vtkRelievoShadowFit::Request& request) const;
 
   // After the maps: draws the method's own data before the picture. Returns the draw calls except
   // those by mappers, which the stage's callbacks count.

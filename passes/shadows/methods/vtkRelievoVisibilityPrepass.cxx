@@ -11,8 +11,8 @@
 #include "vtkOpenGLShaderCache.h"
 #include "vtkOpenGLState.h"
 #include "vtkProperty.h"
+#include "vtkRelievoBoundFramebuffer.h"
 #include "vtkRelievoCasterDraw.h"
-#include "vtkRelievoColorBuffers.h"
 #include "vtkRelievoScopedContext.h"
 #include "vtkRelievoShaderLibrary.h"
 #include "vtkShaderProgram.h"
@@ -368,7 +368,7 @@ void vtkRelievoVisibilityPrepass::Unbind()
 bool vtkRelievoVisibilityPrepass::Allocate()
 {
   const int* size = this->View.Viewport + 2;
-  const unsigned int depths = vtkRelievoColorBuffers::GetBoundDepthFormat();
+  const unsigned int depths = vtkRelievoBoundFramebuffer::GetDepth().GetFormat();
   if (this->Textures[0] && this->Width == size[0] && this->Height == size[1] &&
     this->DepthFormat == depths && this->AllocatedColored == this->Colored)
   {

@@ -42,8 +42,8 @@ void vtkOutsideStage::Describe(vtkRelievoStageDescription& description)
 {
   description.Name = "times";
   description.Help = "Multiplies the colour of what is seen.";
-  description.Reads = { "depth", "color" };
-  description.Writes = { "color" };
+  description.Reads = { vtkRelievoResources::Depth, vtkRelievoResources::Color };
+  description.Writes = { vtkRelievoResources::Color };
   description.AddNumber(
     "factor", this->Factor, [this](double f) { this->SetFactor(f); }, 0.0, 10.0, "", "Times this.");
 }
@@ -78,7 +78,8 @@ void vtkOutsideStage::Finish(vtkRelievoFrameContext&)
 void vtkOutsideStage::Execute(vtkRelievoFrameContext& context)
 {
   vtkShaderProgram* program = Registered && Added
-    ? this->Quad.Ready(context, "outside/timesFS.glsl", { "depth", "color" })
+    ? this->Quad.Ready(
+        context, "outside/timesFS.glsl", { vtkRelievoResources::Depth, vtkRelievoResources::Color })
     : nullptr;
   if (!program)
   {

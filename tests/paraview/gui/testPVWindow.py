@@ -71,7 +71,7 @@ class Window(pv.Test):
         self.same(before, off, "off again")
         self.assertEqual(notes["on"][0]["RelievoShadows"], 1)
         self.assertEqual(notes["off"][0]["RelievoShadows"], 0)
-        self.assertEqual(notes["worn"], [1, 1], "a surface that is older than the plugin")
+        self.assertEqual(notes["styled"], [1, 1], "a surface that is older than the plugin")
         self.assertEqual(notes["new session"][0]["RelievoSun"], 1)
         # The ball's shadow on the floor: darker, and somewhere in the middle third.
         darker = (before.astype(int) - on.astype(int)).min(axis=2) > 20

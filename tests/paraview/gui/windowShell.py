@@ -200,7 +200,7 @@ def shown(name, *properties):
 
 
 @noted
-def wear(**values):
+def style(**values):
     """Sets display properties of the active source, as a script does."""
     display = simple.GetDisplayProperties()
     for name, value in values.items():

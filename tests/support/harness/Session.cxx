@@ -74,7 +74,7 @@ struct Session::Internals
 
 //------------------------------------------------------------------------------
 Session::Session()
-  : Self(new Internals)
+  : Internal(new Internals)
 {
   vtkSmartPointer<Window> window = vtkSmartPointer<Window>::New();
   vtkOutputWindow::SetInstance(window);
@@ -83,7 +83,7 @@ Session::Session()
 //------------------------------------------------------------------------------
 Session::~Session()
 {
-  vtkOutputWindow::SetInstance(this->Self->Previous);
+  vtkOutputWindow::SetInstance(this->Internal->Previous);
   const std::lock_guard<std::mutex> lock(Mutex);
   Allowed.clear();
 }
@@ -98,9 +98,9 @@ void Session::Allow(const std::string& text)
 //------------------------------------------------------------------------------
 int Session::Result()
 {
-  vtkOutputWindow::SetInstance(this->Self->Previous);
+  vtkOutputWindow::SetInstance(this->Internal->Previous);
   RELIEVO_CHECK_THAT(CanCountObjects(), "living VTK objects cannot be counted in this build");
-  const std::string leaks = this->Self->Leaks.Leaks();
+  const std::string leaks = this->Internal->Leaks.Leaks();
   RELIEVO_CHECK_THAT(leaks.empty(), "VTK objects still alive: " + leaks);
   const int failures = NumberOfFailures();
   if (failures > 0)

@@ -54,7 +54,7 @@ protected:
     description.Name = "paint";
     description.Help = "Paints the colour.";
     description.Slot = vtkRelievoStageDescription::COMPOSITE;
-    description.Writes = { "color" };
+    description.Writes = { vtkRelievoResources::Color };
   }
 
   void Execute(vtkRelievoFrameContext& context) override

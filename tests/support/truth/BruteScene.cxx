@@ -39,7 +39,7 @@ void BruteScene::Add(vtkPolyData* mesh)
 }
 
 //------------------------------------------------------------------------------
-bool BruteScene::Meets(const Box& box, const Ray& ray, double tMax)
+bool BruteScene::Hits(const Box& box, const Ray& ray, double tMax)
 {
   double first = 0.;
   double last = tMax;
@@ -68,7 +68,7 @@ void BruteScene::ForEach(const Ray& ray, double tMax, const Each& each) const
 {
   for (std::size_t group = 0; group < this->Groups.size(); ++group)
   {
-    if (!Meets(this->Groups[group], ray, tMax))
+    if (!Hits(this->Groups[group], ray, tMax))
     {
       continue;
     }

@@ -58,7 +58,7 @@ private:
     glm::dvec3 High;
   };
   Hit MakeHit(const Ray& ray, std::size_t triangle, double t) const;
-  static bool Meets(const Box& box, const Ray& ray, double tMax);
+  static bool Hits(const Box& box, const Ray& ray, double tMax);
 
   // Calls each(index, t) for triangles that the ray hits, until it returns true.
   template <typename Each>

@@ -153,30 +153,30 @@ struct EmbreeScene::Internals
 
 //------------------------------------------------------------------------------
 EmbreeScene::EmbreeScene()
-  : Self(new Internals)
+  : Internal(new Internals)
 {
 }
 
 //------------------------------------------------------------------------------
 EmbreeScene::~EmbreeScene()
 {
-  if (this->Self->Scene)
+  if (this->Internal->Scene)
   {
-    rtcReleaseScene(this->Self->Scene);
+    rtcReleaseScene(this->Internal->Scene);
   }
-  rtcReleaseDevice(this->Self->Device);
+  rtcReleaseDevice(this->Internal->Device);
 }
 
 //------------------------------------------------------------------------------
 int EmbreeScene::AddActor(vtkPolyData* mesh, vtkMatrix4x4* matrix)
 {
-  if (this->Self->Scene)
+  if (this->Internal->Scene)
   {
     Fail(__FILE__, __LINE__, "an actor was added to a scene that has been cast into");
     return -1;
   }
   Triangle triangle;
-  triangle.Actor = this->Self->NumberOfActors++;
+  triangle.Actor = this->Internal->NumberOfActors++;
   triangle.Cell = mesh->GetNumberOfVerts() + mesh->GetNumberOfLines();
   triangle.Mirrored = matrix && matrix->Determinant() < 0.;
   const auto add = [&](vtkIdType a, vtkIdType b, vtkIdType c) {
@@ -191,7 +191,7 @@ int EmbreeScene::AddActor(vtkPolyData* mesh, vtkMatrix4x4* matrix)
       }
       triangle.Corners[i] = glm::dvec3(p[0], p[1], p[2]) / p[3];
     }
-    this->Self->Add(triangle);
+    this->Internal->Add(triangle);
   };
   const auto forEachCell = [&](vtkCellArray* cells, auto&& work) {
     const auto iterator = vtk::TakeSmartPointer(cells->NewIterator());
@@ -254,25 +254,25 @@ int EmbreeScene::AddActors(vtkRenderer* renderer)
 //------------------------------------------------------------------------------
 long long EmbreeScene::NumberOfTriangles() const
 {
-  return static_cast<long long>(this->Self->Triangles.size());
+  return static_cast<long long>(this->Internal->Triangles.size());
 }
 
 //------------------------------------------------------------------------------
 std::array<glm::dvec3, 3> EmbreeScene::Corners(long long triangle) const
 {
-  return this->Self->Triangles[static_cast<size_t>(triangle)].Corners;
+  return this->Internal->Triangles[static_cast<size_t>(triangle)].Corners;
 }
 
 //------------------------------------------------------------------------------
 std::array<long long, 3> EmbreeScene::PointIds(long long triangle) const
 {
-  return this->Self->Triangles[static_cast<size_t>(triangle)].Ids;
+  return this->Internal->Triangles[static_cast<size_t>(triangle)].Ids;
 }
 
 //------------------------------------------------------------------------------
 glm::dvec3 EmbreeScene::Weights(long long triangle, const glm::dvec3& position) const
 {
-  const auto& p = this->Self->Triangles[static_cast<size_t>(triangle)].Corners;
+  const auto& p = this->Internal->Triangles[static_cast<size_t>(triangle)].Corners;
   const glm::dvec3 normal = glm::cross(p[1] - p[0], p[2] - p[0]);
   const double area = glm::dot(normal, normal);
   const double b = glm::dot(glm::cross(p[0] - p[2], position - p[2]), normal) / area;
@@ -283,11 +283,11 @@ glm::dvec3 EmbreeScene::Weights(long long triangle, const glm::dvec3& position) 
 //------------------------------------------------------------------------------
 SurfacePoint EmbreeScene::Cast(const Ray& ray, double tMin, double tMax, long long ignored) const
 {
-  std::call_once(this->Self->Built, [this] { this->Self->Build(); });
+  std::call_once(this->Internal->Built, [this] { this->Internal->Build(); });
   SurfacePoint point;
   double start = tMin;
   double end = tMax;
-  if (this->Self->Triangles.empty() || !this->Self->Enter(ray, start, end))
+  if (this->Internal->Triangles.empty() || !this->Internal->Enter(ray, start, end))
   {
     return point;
   }
@@ -296,7 +296,7 @@ SurfacePoint EmbreeScene::Cast(const Ray& ray, double tMin, double tMax, long lo
   context.Embree.filter = Filter;
   context.Ignored = ignored < 0 ? RTC_INVALID_GEOMETRY_ID : static_cast<unsigned int>(ignored);
 
-  const glm::vec3 origin(ray.At(start) - this->Self->Center());
+  const glm::vec3 origin(ray.At(start) - this->Internal->Center());
   const glm::vec3 direction(ray.Direction);
   RTCRayHit query;
   query.ray.org_x = origin.x;
@@ -316,12 +316,12 @@ SurfacePoint EmbreeScene::Cast(const Ray& ray, double tMin, double tMax, long lo
     query.ray.tfar = static_cast<float>(end - start);
     query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
     query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
-    rtcIntersect1(this->Self->Scene, &context.Embree, &query);
+    rtcIntersect1(this->Internal->Scene, &context.Embree, &query);
     if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID)
     {
       return point;
     }
-    const Triangle& triangle = this->Self->Triangles[query.hit.primID];
+    const Triangle& triangle = this->Internal->Triangles[query.hit.primID];
     const auto& p = triangle.Corners;
     const glm::dvec3 normal = glm::cross(p[1] - p[0], p[2] - p[0]);
     const double along = glm::dot(ray.Direction, normal);
@@ -382,6 +382,8 @@ ShadowVerdict EmbreeScene::Shadow(
 //------------------------------------------------------------------------------
 double EmbreeScene::Size() const
 {
-  return this->Self->Triangles.empty() ? 0. : glm::length(this->Self->Highest - this->Self->Lowest);
+  return this->Internal->Triangles.empty()
+    ? 0.
+    : glm::length(this->Internal->Highest - this->Internal->Lowest);
 }
 }

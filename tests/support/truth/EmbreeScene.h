@@ -86,7 +86,7 @@ public:
 
 private:
   struct Internals;
-  std::unique_ptr<Internals> Self;
+  std::unique_ptr<Internals> Internal;
 };
 }
 

@@ -152,7 +152,7 @@ relievoTest::ReliefRay relievoTest::RayOf(vtkRenderer* renderer, int x, int y)
     ray.Origin = near - ray.Direction * glm::dot(near - ray.Origin, gaze);
   }
   ray.OnPlane = ray.Origin - ray.Direction * (ray.Origin.z / ray.Direction.z);
-  ray.MeetsPlane =
+  ray.HitsPlane =
     ray.Direction.z < 0. && std::abs(ray.OnPlane.x) < 1. && std::abs(ray.OnPlane.y) < 1.;
   return ray;
 }
@@ -223,7 +223,7 @@ relievoTest::ReliefErrors relievoTest::CompareRelief(
       const vtkIdType pixel = static_cast<vtkIdType>(y) * size[0] + x;
       const double depth = depths->GetComponent(pixel, 0);
       const ReliefRay ray = RayOf(renderer, x, y);
-      if (!ray.MeetsPlane || !std::isfinite(depth))
+      if (!ray.HitsPlane || !std::isfinite(depth))
       {
         continue;
       }

@@ -52,7 +52,7 @@ struct ReliefRay
   glm::dvec3 Direction{ 0. }; // unit
   double AxisPerLength = 1.;  // eye-space depth gained per length of the ray
   glm::dvec3 OnPlane{ 0. };
-  bool MeetsPlane = false; // inside the plane's square, from above
+  bool HitsPlane = false; // inside the plane's square, from above
 };
 ReliefRay RayOf(vtkRenderer* renderer, int x, int y);
 

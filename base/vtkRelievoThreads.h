@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Runs vtkSMPTools in several threads, even if VTK's default is one thread, as in Debian.
+#ifndef vtkRelievoThreads_h
+#define vtkRelievoThreads_h
+
+#include "vtkSMP.h" // for VTK's backends
+#include "vtkSMPTools.h"
+
+#include <cstdlib>
+#include <string>
+
+// Runs the work. A backend chosen by the user (vtkSMPTools::SetBackend, or the environment variable
+// VTK_SMP_BACKEND_IN_USE) is kept.
+template <typename Work>
+void vtkRelievoWithThreads(Work&& work)
+{
+#if VTK_SMP_ENABLE_STDTHREAD
+  if (std::string(vtkSMPTools::GetBackend()) == "Sequential" &&
+    !std::getenv("VTK_SMP_BACKEND_IN_USE"))
+  {
+    // The number of threads remains that of vtkSMPTools::Initialize. Names are in capitals, and so
+    // without LocalScope: VTK converts names to capitals by the user's locale, and Turkish has no I
+    // for i.
+    vtkSMPTools::SetBackend("STDTHREAD");
+    work();
+    vtkSMPTools::SetBackend("SEQUENTIAL");
+    return;
+  }
+#endif
+  work();
+}
+
+// Runs work(i) for each i below `count`.
+template <typename Work>
+void vtkRelievoForAll(vtkIdType count, Work&& work)
+{
+  vtkRelievoWithThreads([&]() {
+    vtkSMPTools::For(0, count, [&](vtkIdType begin, vtkIdType end) {
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        work(i);
+      }
+    });
+  });
+}
+
+#endif

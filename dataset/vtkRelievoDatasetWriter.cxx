@@ -1,0 +1,559 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkRelievoDatasetWriter.h"
+
+#include "DatasetFiles.h"
+#include "DatasetFormats.h"
+#include "DatasetObjects.h"
+#include "DatasetPoses.h"
+#include "DatasetView.h"
+#include "Errors.h"
+#include "Messages.h"
+#include "Outcome.h"
+#include "Values.h"
+
+#include "vtkCommand.h"
+#include "vtkObjectFactory.h"
+#include "vtkRelievoCameraModel.h"
+#include "vtkRelievoRayLayers.h"
+#include "vtkRelievoScene.h"
+#include "vtkRenderer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <limits>
+#include <map>
+
+vtkStandardNewMacro(vtkRelievoDatasetWriter);
+
+static_assert(static_cast<int>(vtkRelievoScene::USAGE_FAILURE) == scene::Outcome::Usage &&
+    static_cast<int>(vtkRelievoScene::FILE_FAILURE) == scene::Outcome::File &&
+    static_cast<int>(vtkRelievoScene::DRAW_FAILURE) == scene::Outcome::Draw,
+  "one word for a failure");
+
+namespace fs = std::filesystem;
+
+namespace
+{
+using Json = nlohmann::ordered_json;
+
+constexpr const char* SettingsFile = "/dataset.json";
+constexpr const char* Records = "/views";
+
+Json Parse(const std::string& path)
+{
+  Json json = Json::parse(scene::ReadWhole(path), nullptr, false);
+  if (json.is_discarded())
+  {
+    throw scene::FileError(path + ": is no JSON; remove it, or give another folder");
+  }
+  return json;
+}
+
+// The first file in the folder other than its settings and temporary files; empty: none.
+std::string FindOther(const std::string& folder)
+{
+  std::error_code trouble;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, trouble))
+  {
+    const std::string name = entry.path().filename().string();
+    if (name.rfind(".relievo-", 0) != 0 && name != SettingsFile + 1)
+    {
+      return name;
+    }
+  }
+  return "";
+}
+
+// Throws UsageError unless the folder is empty or was begun with these settings. A folder with
+// nothing but settings, left by a refused or interrupted call, is begun anew.
+void OpenFolder(const std::string& folder, const Json& settings)
+{
+  const std::string path = folder + SettingsFile;
+  std::error_code trouble;
+  if (!fs::exists(path, trouble))
+  {
+    scene::MakeFolder(folder);
+    const std::string other = FindOther(folder);
+    if (other.empty())
+    {
+      scene::WriteWhole(path, scene::WriteDatasetJson(settings));
+      return;
+    }
+    if (!fs::exists(path, trouble)) // another process may have created it meanwhile
+    {
+      throw scene::UsageError(folder + ": contains other files, such as " + other +
+        "; give a folder that is empty or not there");
+    }
+  }
+  const Json before = Parse(path);
+  const Json now = Json::parse(scene::WriteDatasetJson(settings)); // as in the file
+  // A computed depth step depends on all settings, so the message names the differing setting.
+  std::vector<std::string> names;
+  for (const auto& [name, value] : now.items())
+  {
+    names.push_back(name);
+  }
+  std::stable_partition(
+    names.begin(), names.end(), [](const std::string& name) { return name != "depth_step"; });
+  for (const std::string& name : names)
+  {
+    const Json& value = now[name];
+    if (!before.contains(name) || before[name] != value)
+    {
+      if (FindOther(folder).empty())
+      {
+        scene::WriteWhole(path, scene::WriteDatasetJson(settings));
+        return;
+      }
+      throw scene::UsageError(folder + ": was begun with " + name + " " +
+        (before.contains(name) ? before[name].dump() : "of its own") + ", now it is " +
+        value.dump() + "; give another folder, or the settings of before");
+    }
+  }
+}
+
+// The largest depth of a bounds' corner in any camera.
+double FindFarthest(
+  const std::vector<vtkSmartPointer<vtkRelievoCameraModel>>& cameras, const vtkBoundingBox& box)
+{
+  double farthest = 0.0;
+  for (const auto& camera : cameras)
+  {
+    double center[3];
+    for (int i = 0; i < 3; ++i)
+    {
+      center[i] = 0.0;
+      for (int k = 0; k < 3; ++k)
+      {
+        center[i] -= camera->GetRotation()[3 * k + i] * camera->GetTranslation()[k];
+      }
+    }
+    for (int corner = 0; corner < 8; ++corner)
+    {
+      double point[3];
+      box.GetCorner(corner, point);
+      farthest = std::max(farthest, camera->GetDepth(center, point));
+    }
+  }
+  return farthest;
+}
+}
+
+struct vtkRelievoDatasetWriter::Internals
+{
+  vtkSmartPointer<vtkRenderer> Renderer;
+  std::string Directory, Description;
+  std::vector<vtkSmartPointer<vtkRelievoCameraModel>> Cameras;
+  std::vector<std::string> Layers;
+  std::map<int, std::string> Names;
+
+  std::string GetRecord(std::size_t view) const
+  {
+    return this->Directory + Records + "/" + scene::WriteDatasetNumber(view) + ".json";
+  }
+
+  // Complete views.
+  std::vector<std::size_t> FindRecords() const
+  {
+    std::vector<std::size_t> views;
+    for (std::size_t view = 0; view < this->Cameras.size(); ++view)
+    {
+      if (fs::exists(this->GetRecord(view)))
+      {
+        views.push_back(view);
+      }
+    }
+    return views;
+  }
+
+  Json ReadRecord(const scene::DatasetStyle& style, std::size_t view, std::size_t objects) const;
+
+  void Check(const scene::DatasetFormat& format) const;
+  double GetDepthStep(const scene::DatasetObjects& objects) const;
+  void WriteIndex(const scene::DatasetStyle& style, const std::vector<std::string>& objects) const;
+};
+
+//------------------------------------------------------------------------------
+vtkRelievoDatasetWriter::vtkRelievoDatasetWriter()
+  : Internal(new Internals)
+{
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  constexpr int least = std::numeric_limits<int>::min(), most = std::numeric_limits<int>::max();
+  vtkRelievoParameterList& list = this->Parameters;
+  std::vector<std::string> names;
+  for (const auto& format : scene::GetDatasetFormats())
+  {
+    names.push_back(format->Name);
+  }
+  list.AddChoice(
+    "format", this->Format, [this](int format) { this->SetFormat(format); }, names,
+    "Layout of the files in the folder.");
+  list.AddNumber(
+    "depth_step", this->DepthStep, [this](double units) { this->SetDepthStep(units); }, 0.0,
+    infinity, "",
+    "World units per step of 16-bit depth; 0: the largest depth of the scene is the last "
+    "step.");
+  list
+    .AddNumber(
+      "mm_per_unit", this->MillimetersPerUnit,
+      [this](double millimeters) { this->SetMillimetersPerUnit(millimeters); }, 0.0, infinity, "",
+      "For bop: millimetres per world unit.")
+    .Open = true;
+  list.AddWhole(
+    "seed", this->Seed, [this](int seed) { this->SetSeed(seed); }, least, most, "",
+    "Seed of random poses and suns.");
+  list.AddFlag(
+    "random_sun", this->RandomSun, [this](bool on) { this->SetRandomSun(on); },
+    "Moves the sun in each view.");
+  list.AddChoice(
+    "up", this->UpAxis, [this](int axis) { this->SetUpAxis(axis); }, { "x", "y", "z" },
+    "The axis that points up.");
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoDatasetWriter::~vtkRelievoDatasetWriter() = default;
+
+//------------------------------------------------------------------------------
+void vtkRelievoDatasetWriter::SetFormat(int format)
+{
+  const int known = std::clamp(format, 0, static_cast<int>(scene::GetDatasetFormats().size()) - 1);
+  if (this->Format != known)
+  {
+    this->Format = known;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoDatasetWriter::Try(const std::function<void()>& work)
+{
+  this->Abort = false;
+  const scene::Outcome outcome = scene::Try(work);
+  this->Failure = outcome.Kind;
+  this->FailureText = outcome.Text;
+  for (const std::string& warning : scene::Messages::TakeWarnings())
+  {
+    vtkWarningMacro(<< warning);
+  }
+  if (this->Failure != scene::Outcome::Done)
+  {
+    vtkErrorMacro(<< this->FailureText);
+  }
+  return this->Failure == scene::Outcome::Done;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoDatasetWriter::SetRenderer(vtkRenderer* renderer)
+{
+  this->Internal->Renderer = renderer;
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+vtkRenderer* vtkRelievoDatasetWriter::GetRenderer()
+{
+  return this->Internal->Renderer;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoDatasetWriter::SetDirectory(RELIEVO_TEXT directory)
+{
+  this->Internal->Directory = directory;
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+std::string vtkRelievoDatasetWriter::GetDirectory()
+{
+  return this->Internal->Directory;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoDatasetWriter::AddView(vtkRelievoCameraModel* camera)
+{
+  if (!camera)
+  {
+    vtkErrorMacro("AddView was given no camera.");
+    return;
+  }
+  this->Internal->Cameras.push_back(
+    vtkSmartPointer<vtkRelievoCameraModel>::Take(camera->NewInstance()));
+  this->Internal->Cameras.back()->Copy(camera);
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoDatasetWriter::AddViews(RELIEVO_TEXT words, vtkRelievoCameraModel* like)
+{
+  return this->Try([this, &words, like] {
+    if (!like)
+    {
+      throw scene::UsageError("poses: there is no camera that has their size and intrinsics");
+    }
+    scene::DatasetSurroundings around = { {}, this->UpAxis, this->Seed };
+    if (this->Internal->Renderer)
+    {
+      const scene::DatasetObjects objects(
+        this->Internal->Renderer, this->Internal->Names, this->ObjectsByBlock);
+      around.Box = objects.GetBounds();
+    }
+    const auto made = scene::MakeDatasetPoses("poses", words, like, around);
+    this->Internal->Cameras.insert(this->Internal->Cameras.end(), made.begin(), made.end());
+    this->Modified();
+  });
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoDatasetWriter::RemoveAllViews()
+{
+  this->Internal->Cameras.clear();
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+int vtkRelievoDatasetWriter::GetNumberOfViews()
+{
+  return static_cast<int>(this->Internal->Cameras.size());
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoCameraModel* vtkRelievoDatasetWriter::GetView(int i)
+{
+  return i >= 0 && i < this->GetNumberOfViews() ? this->Internal->Cameras[i].GetPointer() : nullptr;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoDatasetWriter::AddLayer(RELIEVO_TEXT name)
+{
+  std::vector<std::string>& layers = this->Internal->Layers;
+  if (std::find(layers.begin(), layers.end(), name) == layers.end())
+  {
+    layers.push_back(name);
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoDatasetWriter::RemoveAllLayers()
+{
+  this->Internal->Layers.clear();
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoDatasetWriter::SetObjectName(int actor, RELIEVO_TEXT name)
+{
+  this->Internal->Names[actor] = name;
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoDatasetWriter::SetDescription(RELIEVO_TEXT text)
+{
+  this->Internal->Description = text;
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+std::string vtkRelievoDatasetWriter::GetDescription()
+{
+  return this->Internal->Description;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoDatasetWriter::Internals::Check(const scene::DatasetFormat& format) const
+{
+  if (!this->Renderer)
+  {
+    throw scene::UsageError("there is no renderer; give one by SetRenderer");
+  }
+  if (this->Directory.empty())
+  {
+    throw scene::UsageError("there is no folder to write to; give one by SetDirectory");
+  }
+  if (this->Cameras.empty())
+  {
+    throw scene::UsageError("there are no views; give some by AddView or AddViews");
+  }
+  double viewport[4];
+  this->Renderer->GetViewport(viewport);
+  if (viewport[0] != 0.0 || viewport[1] != 0.0 || viewport[2] != 1.0 || viewport[3] != 1.0)
+  {
+    throw scene::UsageError(
+      "the renderer's viewport is a part of its window; give one that fills it");
+  }
+  for (const std::string& layer : this->Layers)
+  {
+    format.CheckLayer(layer);
+  }
+  const auto flow = std::find_if(this->Layers.begin(), this->Layers.end(),
+    [](const std::string& layer) { return vtkRelievoRayLayers::IsFlow(layer.c_str()); });
+  for (std::size_t i = 0; i < this->Cameras.size(); ++i)
+  {
+    const std::string view = "view " + std::to_string(i);
+    scene::CheckDatasetCamera(format, this->Cameras[i], this->Cameras[0], view);
+    // Flow goes to the previous view; the first view has none and uses itself.
+    const bool isGoal = i == 0 || i + 1 < this->Cameras.size();
+    if (flow != this->Layers.end() && isGoal && !this->Cameras[i]->HasPlaces())
+    {
+      throw scene::UsageError(view + ": layer " + *flow +
+        " refers to places in a picture, which a lidar does not have between its beams; "
+        "expected another sensor, or layers without flow");
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+double vtkRelievoDatasetWriter::Internals::GetDepthStep(const scene::DatasetObjects& objects) const
+{
+  const vtkBoundingBox box = objects.GetOpaqueBounds();
+  const double farthest = box.IsValid() ? FindFarthest(this->Cameras, box) : 0.0;
+  return farthest > 0.0 ? farthest / scene::MostDepthSteps : 1.0; // without depth
+}
+
+//------------------------------------------------------------------------------
+// Throws FileError for a damaged record, UsageError for one of another camera.
+Json vtkRelievoDatasetWriter::Internals::ReadRecord(
+  const scene::DatasetStyle& style, std::size_t view, std::size_t objects) const
+{
+  const std::string path = this->GetRecord(view);
+  Json record = Parse(path);
+  if (!scene::IsDatasetRecord(*style.Format, record, objects) || record["view"] != view)
+  {
+    throw scene::FileError(path + ": is no record of view " + std::to_string(view) +
+      "; remove it, and the same call draws the view again");
+  }
+  const Json camera = scene::DescribeDatasetCamera(this->Cameras[view]);
+  if (record["camera"] != Json::parse(scene::WriteDatasetJson(camera)))
+  {
+    throw scene::UsageError(this->Directory + ": view " + std::to_string(view) +
+      " was written from another camera; give another folder, or the poses of before");
+  }
+  return record;
+}
+
+//------------------------------------------------------------------------------
+// The process that ends last must index all views, so look again for views added meanwhile.
+void vtkRelievoDatasetWriter::Internals::WriteIndex(
+  const scene::DatasetStyle& style, const std::vector<std::string>& objects) const
+{
+  std::vector<std::size_t> views = this->FindRecords();
+  std::vector<std::size_t> written;
+  while (views != written)
+  {
+    std::vector<Json> records;
+    for (const std::size_t view : views)
+    {
+      records.push_back(this->ReadRecord(style, view, objects.size()));
+    }
+    style.Format->WriteIndex(style, objects, records);
+    written = views;
+    views = this->FindRecords();
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoDatasetWriter::Write()
+{
+  this->NumberOfViewsWritten = 0;
+  this->NumberOfViewsKept = 0;
+  return this->Try([this] { this->WriteViews(); });
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoDatasetWriter::WriteViews()
+{
+  Internals& self = *this->Internal;
+  const scene::DatasetFormat& format =
+    *scene::GetDatasetFormats()[static_cast<std::size_t>(this->Format)];
+  self.Check(format);
+  const int views = this->GetNumberOfViews();
+  const int end = this->Range[1] < 0 ? views : this->Range[1];
+  const std::string range =
+    "views: got " + std::to_string(this->Range[0]) + ":" + std::to_string(end);
+  if (this->Range[0] >= end)
+  {
+    throw scene::UsageError(range + ", expected the first view to be before the end");
+  }
+  if (this->Range[0] < 0 || end > views)
+  {
+    throw scene::UsageError(range + ", expected views from 0 to " + std::to_string(views) +
+      ": there are " + std::to_string(views));
+  }
+  const scene::DatasetObjects objects(self.Renderer, self.Names, this->ObjectsByBlock);
+  std::vector<std::string> names;
+  for (const scene::DatasetObject& object : objects.Get())
+  {
+    names.push_back(object.Name);
+  }
+  scene::DatasetStyle style;
+  style.Folder = self.Directory;
+  style.Format = &format;
+  style.DepthStep = this->DepthStep > 0.0 ? this->DepthStep : self.GetDepthStep(objects);
+  style.MillimetersPerUnit = this->MillimetersPerUnit;
+  style.Layers = self.Layers;
+  OpenFolder(self.Directory,
+    { { "format", format.Name }, { "views", views }, { "objects", names },
+      { "layers", self.Layers }, { "depth_step", style.DepthStep },
+      { "mm_per_unit", this->MillimetersPerUnit }, { "random_sun", this->RandomSun },
+      { "seed", this->Seed }, { "up_axis", std::string(1, "xyz"[this->UpAxis]) },
+      { "scene", self.Description } });
+  scene::DatasetPainter painter(self.Renderer, objects, self.Layers, format.NeedsSilhouettes);
+  std::size_t beyond = 0;
+  for (int i = this->Range[0]; i < end; ++i)
+  {
+    const auto number = static_cast<std::size_t>(i);
+    vtkRelievoCameraModel* camera = self.Cameras[number];
+    const std::string path = self.GetRecord(number);
+    if (fs::exists(path))
+    {
+      self.ReadRecord(style, number, names.size());
+      ++this->NumberOfViewsKept;
+    }
+    else
+    {
+      Json record = { { "view", i }, { "camera", scene::DescribeDatasetCamera(camera) } };
+      std::optional<std::array<double, 3>> sun;
+      if (this->RandomSun)
+      {
+        sun = scene::MakeDatasetSun(this->Seed, i, this->UpAxis);
+        record["sun"] = *sun;
+      }
+      const scene::DatasetView view =
+        painter.Draw(camera, i > 0 ? self.Cameras[number - 1].GetPointer() : nullptr, sun);
+      beyond += scene::WriteDatasetView(style, view, objects, camera, number, record);
+      scene::WriteWhole(path, scene::WriteDatasetJson(record));
+      ++this->NumberOfViewsWritten;
+    }
+    double share = static_cast<double>(i + 1 - this->Range[0]) / (end - this->Range[0]);
+    this->InvokeEvent(vtkCommand::ProgressEvent, &share);
+    if (this->Abort)
+    {
+      throw scene::WorkError(self.Directory + ": stopped after view " + std::to_string(i) +
+        "; the same call goes on from there");
+    }
+  }
+  self.WriteIndex(style, names);
+  format.WriteModels(style, self.Renderer, objects);
+  if (beyond > 0)
+  {
+    scene::Messages::Warn(self.Directory + ": " + std::to_string(beyond) +
+      " pixels are farther than 65535 steps of depth, or behind the camera's plane, and "
+      "are 0; a larger depth step covers the former");
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoDatasetWriter::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Renderer: " << this->Internal->Renderer << "\n";
+  os << indent << "Directory: " << this->Internal->Directory << "\n";
+  os << indent << "Views: " << this->Internal->Cameras.size() << "\n";
+  os << indent << "Layers: " << scene::Join(this->Internal->Layers, ", ") << "\n";
+  os << indent << "ObjectsByBlock: " << this->ObjectsByBlock << "\n";
+  this->Parameters.Print(os, indent);
+  os << indent << "Range: " << this->Range[0] << ", " << this->Range[1] << "\n";
+}

@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * --ground: a ground below the scene that catches its shadows.
+ */
+#ifndef Ground_h
+#define Ground_h
+
+#include "vtkSmartPointer.h"
+
+#include <array>
+
+class vtkActor;
+
+namespace scene
+{
+/// A disc below these bounds, visible from above, that catches shadows: where lit, it has this
+/// colour, 0 to 1; in the background's bottom colour it is invisible. It fades out towards its rim.
+/// It is translucent, so that layers do not show it.
+vtkSmartPointer<vtkActor> MakeGround(
+  const double bounds[6], int upAxis, const std::array<double, 3>& color);
+
+///@{
+/// Its lit colour, 0 to 1.
+void GetGroundColor(vtkActor* ground, double color[3]);
+void SetGroundColor(vtkActor* ground, const double color[3]);
+///@}
+}
+
+#endif

@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * Where the camera stands, and how much it sees.
+ */
+#ifndef CameraOptions_h
+#define CameraOptions_h
+
+#include <array>
+#include <optional>
+
+class vtkCamera;
+class vtkRenderer;
+
+namespace scene
+{
+struct CameraPlace
+{
+  std::array<double, 3> Position;
+  std::array<double, 3> FocalPoint;
+  std::array<double, 3> ViewUp;
+};
+
+struct CameraChoice
+{
+  std::optional<CameraPlace> Place;          ///< none: fitted to the scene
+  std::optional<std::array<double, 3>> From; ///< the fitted camera looks from right, up and near;
+                                             ///< none: along an axis
+  std::optional<double> Angle;               ///< full vertical angle, degrees
+  std::optional<double> ParallelScale;       ///< half the height, world units
+  std::optional<std::array<double, 2>> Clip; ///< clipping distances; none: around the scene
+};
+
+constexpr double StandardViewAngle = 30.0; ///< VTK's, degrees
+
+/// Sets only the renderer's camera, fitted to these bounds unless the choice places it; `up`: the
+/// axis that points up.
+void PlaceCamera(vtkRenderer* renderer, const CameraChoice& choice, int up, const double bounds[6]);
+
+/// The pose of a camera.
+CameraPlace GetPlace(vtkCamera* camera);
+}
+
+#endif

@@ -1,0 +1,437 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Look.h"
+
+#include "Actors.h"
+#include "Colormaps.h"
+#include "DataSets.h"
+#include "Errors.h"
+#include "ScalarBar.h"
+#include "Values.h"
+#include "VolumeImages.h"
+
+#include "vtkActor.h"
+#include "vtkActorCollection.h"
+#include "vtkCellData.h"
+#include "vtkColorTransferFunction.h"
+#include "vtkDataArray.h"
+#include "vtkDataSet.h"
+#include "vtkImageData.h"
+#include "vtkMapper.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkProperty.h"
+#include "vtkRelievoMaterial.h"
+#include "vtkRenderer.h"
+#include "vtkTexture.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkVolume.h"
+#include "vtkVolumeCollection.h"
+#include "vtkVolumeMapper.h"
+#include "vtkVolumeProperty.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <map>
+#include <vector>
+
+namespace scene
+{
+namespace
+{
+void ForEachActor(vtkRenderer* renderer, const std::function<void(vtkActor*)>& visit)
+{
+  vtkActorCollection* actors = renderer->GetActors();
+  vtkCollectionSimpleIterator it;
+  actors->InitTraversal(it);
+  while (vtkActor* actor = actors->GetNextActor(it))
+  {
+    if (actor->GetMapper())
+    {
+      visit(actor);
+    }
+  }
+}
+
+void ForEachVolume(
+  vtkRenderer* renderer, const std::function<void(vtkImageData*, vtkVolume*)>& visit)
+{
+  vtkVolumeCollection* volumes = renderer->GetVolumes();
+  vtkCollectionSimpleIterator it;
+  volumes->InitTraversal(it);
+  while (vtkVolume* volume = volumes->GetNextVolume(it))
+  {
+    visit(vtkImageData::SafeDownCast(volume->GetMapper()->GetInputDataObject(0, 0)), volume);
+  }
+}
+
+// The source of an actor's colours.
+struct Coloring
+{
+  vtkMapper* Mapper;
+  std::vector<vtkDataArray*> Arrays;
+  bool OfPoints = false;
+  std::string Name;    // of the array; may be empty
+  bool Mapped = false; // has a normal map or heights
+};
+
+bool AreColors(const std::vector<vtkDataArray*>& arrays, const LookChoice& look)
+{
+  return !look.Magnitude && !look.Component && vtkUnsignedCharArray::SafeDownCast(arrays[0]) &&
+    arrays[0]->GetNumberOfComponents() >= 3;
+}
+
+//------------------------------------------------------------------------------
+// The chosen array of an actor's data, or else the active scalars; points before cells.
+Coloring Find(vtkActor* actor, const LookChoice& look, bool mapped)
+{
+  const bool ofPoints = look.Place != LookChoice::OfCells;
+  const bool ofCells = look.Place != LookChoice::OfPoints;
+  vtkRelievoMaterial* material = vtkRelievoMaterial::Get(actor);
+  Coloring found = { actor->GetMapper(), {}, true, look.ColorBy,
+    mapped || (material && material->GetNormalMap()) };
+  found.Mapper->Update();
+  for (const bool points : { true, false })
+  {
+    if (!(points ? ofPoints : ofCells))
+    {
+      continue;
+    }
+    ForEachDataSet(found.Mapper->GetInputDataObject(0, 0), [&](vtkDataSet* block) {
+      vtkDataSetAttributes* attributes = points
+        ? static_cast<vtkDataSetAttributes*>(block->GetPointData())
+        : static_cast<vtkDataSetAttributes*>(block->GetCellData());
+      vtkDataArray* array = look.ColorBy.empty() ? attributes->GetScalars()
+                                                 : attributes->GetArray(look.ColorBy.c_str());
+      if (array && array->GetDataType() != VTK_BIT) // VTK maps bits to no colours
+      {
+        found.Arrays.push_back(array);
+      }
+    });
+    if (!found.Arrays.empty())
+    {
+      found.OfPoints = points;
+      found.Name = found.Arrays[0]->GetName() ? found.Arrays[0]->GetName() : "";
+      break;
+    }
+  }
+  return found;
+}
+
+//------------------------------------------------------------------------------
+void CheckFound(const std::map<std::string, std::vector<Coloring>>& all, const ArrayNames& arrays,
+  const LookChoice& look)
+{
+  if (all.empty() && !look.ColorBy.empty())
+  {
+    const std::vector<std::string> names(arrays.Names.begin(), arrays.Names.end());
+    throw UsageError("--color-by: got '" + look.ColorBy + "', expected " +
+      (names.empty() ? "no array: nothing that is drawn has any"
+                     : "an array of the drawn data: " + Join(names, ", ")));
+  }
+  for (const auto& named : all)
+  {
+    for (const Coloring& each : named.second)
+    {
+      for (vtkDataArray* array : each.Arrays)
+      {
+        const int components = array->GetNumberOfComponents();
+        if (look.Component && *look.Component >= components)
+        {
+          throw UsageError("--color-by: got component " + std::to_string(*look.Component) +
+            " of '" + look.ColorBy + "', expected one from 0 to " + std::to_string(components - 1));
+        }
+      }
+    }
+  }
+}
+
+// Adds the range of a component, -1 for the magnitude; with `positive`, of positive values only.
+void AddRange(vtkDataArray* array, int component, bool positive, std::array<double, 2>& range)
+{
+  double own[2];
+  array->GetFiniteRange(own, component);
+  if (positive && own[0] <= 0.0)
+  {
+    own[0] = VTK_DOUBLE_MAX;
+    const int count = array->GetNumberOfComponents();
+    for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
+    {
+      double value = component < 0 ? 0.0 : array->GetComponent(i, component);
+      for (int c = 0; component < 0 && c < count; ++c)
+      {
+        value = std::hypot(value, array->GetComponent(i, c));
+      }
+      own[0] = value > 0.0 ? std::min(own[0], value) : own[0];
+    }
+  }
+  if (own[0] <= own[1])
+  {
+    range = { std::min(range[0], own[0]), std::max(range[1], own[1]) };
+  }
+}
+
+// Relative rounding error of values of an array's type, and of magnitudes.
+double GetRounding(vtkDataArray* array)
+{
+  constexpr double steps = 8.0;
+  switch (array->GetDataType())
+  {
+    case VTK_FLOAT:
+      return steps * std::numeric_limits<float>::epsilon();
+    case VTK_DOUBLE:
+      return steps * std::numeric_limits<double>::epsilon();
+    default:
+      return 0.0;
+  }
+}
+
+// Values that differ only by rounding get the range of one value: a colour map over their range
+// would show noise.
+std::array<double, 2> WithoutRounding(const std::array<double, 2>& range, double rounding)
+{
+  const double size = std::max(std::abs(range[0]), std::abs(range[1]));
+  return range[0] < range[1] && range[1] - range[0] <= rounding * size
+    ? std::array<double, 2>{ range[0], range[0] }
+    : range;
+}
+
+//------------------------------------------------------------------------------
+// Empty if there are no values.
+std::array<double, 2> FindRange(
+  const std::vector<Coloring>& all, const LookChoice& look, bool positive)
+{
+  std::array<double, 2> range = { VTK_DOUBLE_MAX, -VTK_DOUBLE_MAX };
+  double rounding = 0.0;
+  for (const Coloring& each : all)
+  {
+    if (AreColors(each.Arrays, look))
+    {
+      continue;
+    }
+    for (vtkDataArray* array : each.Arrays)
+    {
+      AddRange(array, look.Component.value_or(array->GetNumberOfComponents() > 1 ? -1 : 0),
+        positive, range);
+      rounding = std::max(rounding, GetRounding(array));
+    }
+  }
+  return WithoutRounding(range, rounding);
+}
+
+//------------------------------------------------------------------------------
+// The values of the first and last colour, for values with this range.
+std::array<double, 2> ChooseRange(
+  const std::array<double, 2>& found, const LookChoice& look, const std::string& name)
+{
+  if (look.Range)
+  {
+    return *look.Range;
+  }
+  const bool any = found[0] <= found[1];
+  if (Colormap::Parse(look.Colormap).Log)
+  {
+    if (!any)
+    {
+      throw UsageError("--colormap log: '" + name + "' has no positive values");
+    }
+    return { found[0], found[1] > found[0] ? found[1] : 10.0 * found[0] };
+  }
+  if (!any)
+  {
+    return { 0.0, 1.0 };
+  }
+  const double far = std::max(std::abs(found[0]), std::abs(found[1]));
+  return look.Symmetric && far > 0.0 ? std::array<double, 2>{ -far, far } : found;
+}
+
+//------------------------------------------------------------------------------
+void SetColoring(const Coloring& coloring, vtkColorTransferFunction* map, const LookChoice& look)
+{
+  vtkMapper* mapper = coloring.Mapper;
+  mapper->ScalarVisibilityOn();
+  if (!look.ColorBy.empty())
+  {
+    coloring.OfPoints ? mapper->SetScalarModeToUsePointFieldData()
+                      : mapper->SetScalarModeToUseCellFieldData();
+    mapper->SelectColorArray(look.ColorBy.c_str());
+  }
+  if (AreColors(coloring.Arrays, look))
+  {
+    return;
+  }
+  mapper->SetColorModeToMapScalars();
+  mapper->SetLookupTable(map);
+  mapper->UseLookupTableScalarRangeOn();
+  // Interpolates values between points, not colours: each colour is one of the map's. A normal map
+  // or heights need the texture coordinates that this uses.
+  mapper->SetInterpolateScalarsBeforeMapping(coloring.OfPoints && !coloring.Mapped);
+}
+
+//------------------------------------------------------------------------------
+// Arrays of one name share a range of colours.
+std::map<std::string, std::vector<Coloring>> FindAll(
+  vtkRenderer* renderer, const LookChoice& look, bool mapped)
+{
+  std::map<std::string, std::vector<Coloring>> all;
+  ForEachActor(renderer, [&](vtkActor* actor) {
+    // The file may have coloured it already (glTF).
+    if (look.ColorBy.empty() && actor->GetMapper()->GetColorMode() == VTK_COLOR_MODE_DIRECT_SCALARS)
+    {
+      return;
+    }
+    const Coloring coloring = Find(actor, look, mapped);
+    if (!coloring.Arrays.empty())
+    {
+      all[coloring.Name].push_back(coloring);
+    }
+    else
+    {
+      actor->GetMapper()->ScalarVisibilityOff();
+    }
+  });
+  return all;
+}
+
+//------------------------------------------------------------------------------
+void SetColors(vtkRenderer* renderer, const LookChoice& look, const ArrayNames& arrays, bool mapped)
+{
+  const std::map<std::string, std::vector<Coloring>> all = FindAll(renderer, look, mapped);
+  CheckFound(all, arrays, look);
+  const int steps = Colormap::Parse(look.Colormap).Steps;
+  int bars = 0;
+  for (const auto& [name, colorings] : all)
+  {
+    const bool colors = std::all_of(colorings.begin(), colorings.end(),
+      [&look](const Coloring& each) { return AreColors(each.Arrays, look); });
+    const bool log = Colormap::Parse(look.Colormap).Log;
+    const std::array<double, 2> found = FindRange(colorings, look, log);
+    const bool values = found[0] <= found[1];
+    const std::array<double, 2> range =
+      colors ? std::array<double, 2>{ 1.0, 2.0 } : ChooseRange(found, look, name);
+    const vtkSmartPointer<vtkColorTransferFunction> map = MakeColormap(look.Colormap, range);
+    look.Component ? map->SetVectorModeToComponent() : map->SetVectorModeToMagnitude();
+    map->SetVectorComponent(look.Component.value_or(0));
+    for (const Coloring& each : colorings)
+    {
+      SetColoring(each, map, look);
+    }
+    if (look.ScalarBar && values && ++bars == 1)
+    {
+      AddScalarBar(
+        renderer, map, name + (look.Component ? " " + std::to_string(*look.Component) : ""), steps);
+    }
+  }
+  ForEachVolume(renderer, [&](vtkImageData* image, vtkVolume* volume) {
+    vtkDataArray* values = image->GetPointData()->GetScalars();
+    const std::string name = values->GetName() ? values->GetName() : "";
+    std::array<double, 2> range = { VTK_DOUBLE_MAX, -VTK_DOUBLE_MAX };
+    AddRange(values, 0, Colormap::Parse(look.Colormap).Log, range);
+    range = ChooseRange(WithoutRounding(range, GetRounding(values)), look, name);
+    volume->GetProperty()->SetColor(MakeColormap(look.Colormap, range, true));
+    if (look.ScalarBar && ++bars == 1)
+    {
+      AddScalarBar(renderer, MakeColormap(look.Colormap, range), name, steps);
+    }
+  });
+  if (look.ScalarBar && bars != 1)
+  {
+    throw UsageError(std::string("--scalar-bar: ") +
+      (bars == 0 ? "no values give the colours" : "several arrays give the colours") +
+      "; give --color-by NAME as well");
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+void SetShading(vtkRenderer* renderer, Shading kind)
+{
+  vtkActorCollection* actors = renderer->GetActors();
+  vtkCollectionSimpleIterator place;
+  actors->InitTraversal(place);
+  while (vtkActor* actor = actors->GetNextActor(place))
+  {
+    switch (kind)
+    {
+      case Shading::Flat:
+        actor->GetProperty()->SetInterpolationToFlat();
+        break;
+      case Shading::Gouraud:
+        actor->GetProperty()->SetInterpolationToGouraud();
+        break;
+      case Shading::Phong:
+        actor->GetProperty()->SetInterpolationToPhong();
+        break;
+      case Shading::PBR:
+        actor->GetProperty()->SetInterpolationToPBR();
+        if (vtkTexture* texture = actor->GetTexture()) // PBR ignores it
+        {
+          texture->UseSRGBColorSpaceOn();
+          actor->GetProperty()->SetBaseColorTexture(texture);
+        }
+        break;
+      case Shading::FromFile:
+        break;
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void SetLook(vtkRenderer* renderer, LookChoice look, const ArrayNames& arrays, bool mapped)
+{
+  if (arrays.Names.count(look.ColorByAsGiven))
+  {
+    // A suffix that looks like a component belongs to the name here.
+    look.ColorBy = look.ColorByAsGiven;
+    look.Component.reset();
+    look.Magnitude = false;
+  }
+  else if (arrays.Names.count(look.ColorBy) == 0 && arrays.Placed.count(look.ColorBy))
+  {
+    const std::size_t colon = look.ColorBy.find(':');
+    look.Place = look.ColorBy[0] == 'p' ? LookChoice::OfPoints : LookChoice::OfCells;
+    look.ColorBy = look.ColorBy.substr(colon + 1);
+  }
+  if (!look.Background.empty())
+  {
+    const Color& bottom = look.Background.front();
+    const Color& top = look.Background.back();
+    renderer->SetBackground(bottom[0], bottom[1], bottom[2]);
+    renderer->SetBackground2(top[0], top[1], top[2]);
+    renderer->SetGradientBackground(look.Background.size() > 1);
+  }
+  SetColors(renderer, look, arrays, mapped);
+  ForEachActor(renderer, [&](vtkActor* actor) {
+    vtkProperty* property = actor->GetProperty();
+    if (look.Solid || !look.ColorBy.empty())
+    {
+      // A texture would multiply the colours.
+      actor->SetTexture(nullptr);
+      property->RemoveTexture("albedoTex");
+    }
+    if (look.Solid)
+    {
+      actor->GetMapper()->ScalarVisibilityOff();
+      property->SetColor((*look.Solid)[0], (*look.Solid)[1], (*look.Solid)[2]);
+    }
+    if (look.Opacity < 1.0)
+    {
+      property->SetOpacity(look.Opacity * property->GetOpacity());
+    }
+    if (look.PointSize > 1.0)
+    {
+      property->SetPointSize(static_cast<float>(look.PointSize));
+      property->RenderPointsAsSpheresOn();
+    }
+    if (look.Edges)
+    {
+      property->EdgeVisibilityOn();
+      property->SetEdgeColor(0.1, 0.1, 0.1);
+    }
+  });
+  ForEachVolume(renderer,
+    [&look](vtkImageData*, vtkVolume* volume) { SetVolumeOpacity(volume, look.Opacity); });
+}
+}

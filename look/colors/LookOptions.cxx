@@ -1,0 +1,173 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "LookOptions.h"
+
+#include "Colormaps.h"
+#include "Errors.h"
+#include "Values.h"
+
+#include "vtkRelievoColorWords.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace scene
+{
+namespace
+{
+constexpr double MostPointSize = 100.0;
+constexpr std::size_t LongestUnit = 32; // bytes
+}
+
+//------------------------------------------------------------------------------
+Color ParseColor(const std::string& option, const std::string& word)
+{
+  Color color;
+  if (relievo::ReadColor(word, color.data()))
+  {
+    return color;
+  }
+  const std::vector<std::string> parts = Split(word, '/');
+  const char* const form = "R/G/B from 0 to 1, #rrggbb, or a colour's name";
+  if (parts.size() != 3)
+  {
+    RefuseValue(option, word, form);
+  }
+  const std::vector<double> numbers = ParseNumbers(option, Join(parts, ","), 3, form);
+  if (std::any_of(numbers.begin(), numbers.end(), [](double n) { return n < 0.0 || n > 1.0; }))
+  {
+    RefuseValue(option, word, form);
+  }
+  std::copy(numbers.begin(), numbers.end(), color.begin());
+  return color;
+}
+
+//------------------------------------------------------------------------------
+void TakeColorBy(LookChoice& look, const std::string& word)
+{
+  look.ColorBy = look.ColorByAsGiven = word;
+  // An array's name may contain commas.
+  const std::string::size_type comma = word.rfind(',');
+  const std::string last = comma == std::string::npos ? "" : word.substr(comma + 1);
+  look.Magnitude = last == "magnitude";
+  const bool number =
+    !last.empty() && last.size() < 7 && last.find_first_not_of("0123456789") == std::string::npos;
+  if (number)
+  {
+    look.Component = std::stoi(last);
+  }
+  if (number || look.Magnitude)
+  {
+    look.ColorBy.erase(comma);
+  }
+  if (look.ColorBy.empty())
+  {
+    RefuseValue("--color-by", word, "NAME[,COMPONENT]");
+  }
+}
+
+//------------------------------------------------------------------------------
+void TakeRange(LookChoice& look, const std::string& word)
+{
+  look.Symmetric = word == "symmetric";
+  if (look.Symmetric)
+  {
+    look.Range.reset();
+    return;
+  }
+  const std::vector<double> n = ParseNumbers("--range", word, 2, "MIN,MAX or symmetric");
+  if (n[0] >= n[1])
+  {
+    RefuseValue("--range", word, "MIN,MAX with MIN < MAX");
+  }
+  look.Range = { n[0], n[1] };
+}
+
+//------------------------------------------------------------------------------
+void TakeColormap(LookChoice& look, const std::string& word)
+{
+  CheckColormap(word);
+  look.Colormap = word;
+}
+
+//------------------------------------------------------------------------------
+void TakeColor(LookChoice& look, const std::string& word)
+{
+  look.Solid = ParseColor("--color", word);
+}
+
+//------------------------------------------------------------------------------
+void TakeOpacity(LookChoice& look, const std::string& word)
+{
+  look.Opacity = ParseNumberFrom("--opacity", word, 0.0, 1.0);
+}
+
+//------------------------------------------------------------------------------
+void TakePointSize(LookChoice& look, const std::string& word)
+{
+  const double size = ParseNumbers("--point-size", word, 1, "PIXELS")[0];
+  if (size < 1.0 || size > MostPointSize)
+  {
+    RefuseValue("--point-size", word, "a number of pixels from 1 to 100");
+  }
+  look.PointSize = size;
+}
+
+//------------------------------------------------------------------------------
+void TakeScaleBar(LookChoice& look, const std::string& word)
+{
+  const std::string mark = ",length=";
+  const std::string unit = word.substr(0, word.find(','));
+  const std::string rest = word.substr(unit.size());
+  const auto isControl = [](char letter) { return static_cast<unsigned char>(letter) < ' '; };
+  if (unit.empty() || unit.size() > LongestUnit ||
+    std::any_of(unit.begin(), unit.end(), isControl) || !(rest.empty() || rest.rfind(mark, 0) == 0))
+  {
+    RefuseValue("--scale-bar", word,
+      "a unit in a few letters, such as mm, or none, optionally followed by ,length=LENGTH");
+  }
+  look.ScaleBar = unit == "none" ? "" : unit;
+  look.ScaleBarLength = rest.empty()
+    ? 0.0
+    : ParseNumberBetween("--scale-bar length", rest.substr(mark.size()), 0.0,
+        std::numeric_limits<double>::infinity());
+}
+
+//------------------------------------------------------------------------------
+void TakeBackground(LookChoice& look, const std::string& word)
+{
+  const std::vector<std::string> parts = Split(word, ',');
+  if (parts.size() > 2)
+  {
+    RefuseValue("--background", word, "COLOR, or COLOR,COLOR for the bottom and the top");
+  }
+  look.Background.clear();
+  for (const std::string& part : parts)
+  {
+    look.Background.push_back(ParseColor("--background", part));
+  }
+}
+
+//------------------------------------------------------------------------------
+void CheckLookOptions(const LookChoice& look, const std::set<std::string>& given)
+{
+  if (Colormap::Parse(look.Colormap).Log &&
+    (look.Symmetric || (look.Range && (*look.Range)[0] <= 0.0)))
+  {
+    throw UsageError(std::string("--colormap log: logarithms need positive values; ") +
+      (look.Symmetric ? "give no --range symmetric as well"
+                      : "give a --range that begins above 0"));
+  }
+  if (look.Solid)
+  {
+    for (const char* option : { "--color-by", "--colormap", "--range", "--scalar-bar" })
+    {
+      if (given.count(option))
+      {
+        throw UsageError(std::string(option) +
+          " and --color: colours follow values, or are one for all; give one of them");
+      }
+    }
+  }
+}
+}

@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The names of a frame's resources, by which stages declare what they read and write. A name is a
+// type of its own, and no text becomes one by itself: a misspelt name does not compile.
+#ifndef vtkRelievoResourceName_h
+#define vtkRelievoResourceName_h
+
+#include <string>
+#include <utility>
+
+class vtkRelievoResourceName
+{
+public:
+  // The name of a layer or an array, or of a resource of one's own; other names are the constants
+  // below.
+  static vtkRelievoResourceName Of(std::string name)
+  {
+    return vtkRelievoResourceName(std::move(name));
+  }
+
+  const std::string& Get() const { return this->Name; }
+
+  bool operator==(const vtkRelievoResourceName& other) const { return this->Name == other.Name; }
+  bool operator!=(const vtkRelievoResourceName& other) const { return !(*this == other); }
+
+private:
+  explicit vtkRelievoResourceName(std::string name)
+    : Name(std::move(name))
+  {
+  }
+
+  std::string Name;
+};
+
+namespace vtkRelievoResources
+{
+using Name = vtkRelievoResourceName;
+
+// The window's content, and the linear colour from which it is made.
+inline const Name Picture = Name::Of("picture");
+inline const Name Color = Name::Of("color");
+
+// With the linear colour: the delegate's drawing with its depth; its translucent geometry, kept
+// apart, and the depth of that.
+inline const Name Drawn = Name::Of("drawn");
+inline const Name Translucent = Name::Of("translucent");
+inline const Name TranslucentDepth = Name::Of("translucent depth");
+
+// Samples of a frame: all that were drawn at once, where several are needed, and their sum.
+inline const Name Samples = Name::Of("samples");
+inline const Name Marks = Name::Of("marks");
+inline const Name Gathered = Name::Of("gathered");
+
+// Layers of the G-buffer that stages read, and what it keeps of surfaces: for lamps, and for lights
+// that are evaluated after the drawing (vtkRelievoShading).
+inline const Name Depth = Name::Of("depth");
+inline const Name Normal = Name::Of("normal");
+inline const Name GeometricNormal = Name::Of("geometric_normal");
+inline const Name Actor = Name::Of("actor");
+inline const Name Surface = Name::Of("surface");
+inline const Name Shading = Name::Of("shading");
+
+// Of the stage `shadows`: for stages that light by themselves, for layers, and for lamps from data
+// (vtkRelievoLampShadows).
+inline const Name ShadowMaps = Name::Of("shadow maps");
+inline const Name Visibility = Name::Of("visibility");
+inline const Name LampShadows = Name::Of("lamp shadows");
+}
+
+#endif

@@ -1,0 +1,212 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkRelievoShadowSplice.h"
+
+#include "vtkActor.h"
+#include "vtkMapper.h"
+#include "vtkRelievoAccess.h"
+#include "vtkRelievoShaderLibrary.h"
+#include "vtkRelievoShadowCatcher.h"
+#include "vtkRelievoShadowStructure.h"
+#include "vtkRelievoSpliceText.h"
+#include "vtkShaderProgram.h"
+
+#include <algorithm>
+#include <cstring>
+#include <regex>
+#include <sstream>
+
+using namespace vtkRelievoSpliceText;
+
+namespace
+{
+const char* const Dec = "//RELIEVO::Shadow::Dec";
+const char* const VertexDec = "//RELIEVO::Shadow::VertexDec";
+const char* const Impl = "//RELIEVO::Shadow::Impl";
+const char* const Catch = "//RELIEVO::Shadow::Catch";
+const char* const Caught = BehindLight[0];
+const char* const Extensions = "//RELIEVO::Shadow::Extensions";
+const char* const UniformFlow = "//RELIEVO::Shadow::UniformFlow";
+
+std::string Section(const char* section)
+{
+  return vtkRelievoShaderLibrary::GetSection("shadow/receive.glsl", section);
+}
+
+std::string Lens(const char* section)
+{
+  return vtkRelievoShaderLibrary::GetSection("shadow/lens.glsl", section);
+}
+
+// Whether the shader text uses the vertex's place, and does not only set it or add to it.
+bool ReadsPlace(const std::string& text)
+{
+  std::istringstream pattern(Lens("Use"));
+  std::string use;
+  pattern >> use;
+  const std::regex found(use);
+  for (std::sregex_iterator each(text.begin(), text.end(), found), none; each != none; ++each)
+  {
+    if (each->str(3).empty())
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+// Maps are drawn without the effect of such a text.
+void SpareLights(std::string& vertex)
+{
+  const char* const mark = "//RELIEVO::Position::Impl";
+  const std::size_t at = vertex.find(mark);
+  const std::size_t end = vertex.rfind('}');
+  if (at != std::string::npos && end != std::string::npos && ReadsPlace(vertex.substr(at)))
+  {
+    vertex.insert(end, Lens("Impl"));
+    MarkBehind(vertex, mark, Lens("Keep"));
+    MarkBehind(vertex, VertexDec, Lens("Dec"));
+  }
+}
+
+// Repeats VTK's light code, which is between two marks, without shadows.
+void Compare(std::string& fragment, const std::string& unshadowed)
+{
+  const std::size_t from = fragment.find(Catch) + std::strlen(Catch);
+  const std::string light = fragment.substr(from, fragment.find(Caught) - from);
+  std::string caught = Section("CaughtImpl");
+  FillWord(caught, "RELIEVO_LIGHT_OF_VTK", unshadowed + light);
+  FillMark(fragment, Catch, Section("CatchImpl"));
+  FillMark(fragment, Caught, caught);
+}
+
+std::string Numbered(
+  const char* section, const vtkRelievoShadowStructure::Light& light, int slot, int face)
+{
+  std::string text = Section(section);
+  FillWord(text, "RELIEVO_NUMBER", std::to_string(light.ShaderIndex));
+  FillWord(text, "RELIEVO_SLOT", std::to_string(slot));
+  FillWord(text, "RELIEVO_FACE", std::to_string(face));
+  return text;
+}
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoShadowSplice::Mark(std::string& vertex, std::string& geometry, std::string& fragment)
+{
+  MarkVaryings(vertex, geometry, fragment);
+  MarkBehind(vertex, "//VTK::Camera::Dec", VertexDec);
+  MarkBehind(fragment, "//VTK::System::Dec", Extensions);
+  MarkBehind(fragment, "//VTK::Light::Dec", Dec);
+  vtkShaderProgram::Substitute(fragment, "//VTK::Light::Impl",
+    std::string(Impl) + "\n" + Catch + "\n//VTK::Light::Impl", false);
+  MarkBehindLight(fragment, Caught);
+  vtkShaderProgram::Substitute(fragment, "//VTK::UniformFlow::Impl",
+    std::string(UniformFlow) + "\n  //VTK::UniformFlow::Impl", false);
+}
+
+//------------------------------------------------------------------------------
+std::string vtkRelievoShadowSplice::Fill(std::string& vertex, std::string& geometry,
+  std::string& fragment, vtkOpenGLPolyDataMapper* mapper, vtkActor* actor,
+  const vtkRelievoShadowStructure& structure)
+{
+  const bool impostor = Has(fragment, "vertexVC.xyz =") && Has(fragment, "normalVCVSOutput");
+  SpareLights(vertex);
+  std::string lights;
+  std::string flow = Section("UniformFlow");
+  std::string visibility;
+  std::string colors;
+  std::string unshadowed;
+  const std::pair<vtkActor*, vtkMapper*> drawn(actor, actor->GetMapper());
+  const bool found = std::count(structure.Found.begin(), structure.Found.end(), drawn) > 0;
+  int slot = 0;
+  int face = 0;
+  for (const vtkRelievoShadowStructure::Light& light : structure.Lights)
+  {
+    // An impostor has its own normal. Derivatives are undefined where it selects a cube's side.
+    const std::string way = !structure.Maps ? "No"
+      : light.Cube                          ? "Cube"
+      : impostor                            ? "Normal"
+      : light.Soft > 0                      ? "Soft"
+      : light.Parallel                      ? "Sun"
+                                            : "Lamp";
+    visibility += Numbered((way + "Visibility").c_str(), light, slot, face);
+    flow += way == "Sun" || way == "Lamp" ? Numbered((way + "Flow").c_str(), light, slot, face)
+                                          : std::string();
+    if (Has(fragment, " lightColor" + std::to_string(light.ShaderIndex) + ";"))
+    {
+      lights += Numbered("LightDec", light, slot, face);
+      colors += Numbered("LightImpl", light, slot, face);
+      unshadowed += Numbered("UnshadowedImpl", light, slot, face);
+    }
+    ++slot;
+    face += light.GetRoom();
+  }
+  if (structure.Lights.empty() || (colors.empty() && !structure.Unlit))
+  {
+    return std::string();
+  }
+  if (Has(fragment, "shadowAttenuation0"))
+  {
+    return "vtkShadowMapPass has put its own into its shaders; take one of the two";
+  }
+  for (const char* mark : { Extensions, Dec, Impl, UniformFlow })
+  {
+    if (!Has(fragment, mark))
+    {
+      return std::string("its fragment shader lacks VTK's tag for ") + mark +
+        "; use VTK's templates, with their tags";
+    }
+  }
+  if (!EnsurePosition(vertex, geometry, fragment))
+  {
+    return "its shaders lack VTK's tags PositionVC::Dec and PositionVC::Impl; use VTK's templates";
+  }
+  // Actors of other representations may share the mapper and its shaders: a uniform distinguishes
+  // them.
+  const bool triangles = vtkRelievoAccess::Mapper::DrawsTriangles(mapper) && !impostor;
+  std::ostringstream dec;
+  dec << "#define RELIEVO_SHADOW_LIGHTS " << structure.Lights.size() << "\n";
+  dec << "#define RELIEVO_SHADOW_FACES " << structure.GetFaces() << "\n";
+  dec << "#define RELIEVO_SHADOW_NUMBERS " << structure.Numbers << "\n";
+  if (structure.Parts > 0)
+  {
+    dec << "#define RELIEVO_SHADOW_PARTS " << structure.Parts << "\n";
+  }
+  dec << (structure.WideFilter ? "#define RELIEVO_SHADOW_WIDE\n" : "");
+  dec << (structure.Colored ? "#define RELIEVO_SHADOW_COLORED\n" : "");
+  dec << (impostor ? "#define RELIEVO_SHADOW_IMPOSTOR\n" : "");
+  dec << (triangles ? "#define RELIEVO_SHADOW_TRIANGLES\n" : "");
+  // Some VTK versions widen triangles with edges by half a line, and move places with them.
+  dec << (Has(geometry, "+ offsets[i]*") ? "#define RELIEVO_SHADOW_WIDENED\n" : "");
+  std::string normal = Section("FragmentImpl");
+  if (impostor) // for others, the name alone would make other splices assume a normal
+  {
+    FillWord(normal, "RELIEVO_IMPOSTOR_NORMAL", "normalVCVSOutput");
+  }
+  std::string bulge = Section("BulgeOfVTK"); // of spheres and tubes
+  bulge.erase(bulge.find_last_not_of('\n') + 1);
+  vtkShaderProgram::Substitute(fragment, bulge, bulge + "\n" + Section("BulgeDec"), false);
+  FillMark(fragment, Extensions, Section("Extensions") + GetContract());
+  const auto ofMethod = [&](const char* section) {
+    return vtkRelievoShaderLibrary::GetSection(structure.Method, section);
+  };
+  const bool traced = structure.Traced && !found;
+  if (structure.Traced && found) // another program draws the visible surface
+  {
+    FillMark(vertex, VertexDec, ofMethod("FoundVertexDec"));
+  }
+  FillMark(fragment, Dec,
+    dec.str() + Section("FragmentDec") + ofMethod("MethodDec") +
+      (traced ? ofMethod("TraceDec") : std::string()) + Section("MapsDec") + lights);
+  FillMark(fragment, UniformFlow, flow);
+  const std::string trace = structure.Traced
+    ? ofMethod("PlaceImpl") + ofMethod(traced ? "TraceImpl" : "FoundImpl")
+    : std::string();
+  FillMark(fragment, Impl, normal + visibility + trace + colors);
+  if (vtkRelievoShadowCatcher::Is(actor))
+  {
+    Compare(fragment, unshadowed);
+  }
+  return std::string();
+}

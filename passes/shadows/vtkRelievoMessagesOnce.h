@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Errors and warnings of a stage that would come with every frame: each is reported once.
+#ifndef vtkRelievoMessagesOnce_h
+#define vtkRelievoMessagesOnce_h
+
+#include "vtkObject.h"
+#include "vtkRelievoReportOnce.h"
+
+#include <string>
+
+class vtkRelievoMessagesOnce
+{
+public:
+  explicit vtkRelievoMessagesOnce(vtkObject* owner)
+    : Owner(owner)
+  {
+  }
+
+  void Error(const std::string& words)
+  {
+    if (this->Reported.IsNew(words))
+    {
+      vtkErrorWithObjectMacro(this->Owner, << words << ".");
+    }
+  }
+
+  // Warnings of one kind are one.
+  void Warn(const std::string& kind, const std::string& words)
+  {
+    if (this->Reported.IsNew(kind))
+    {
+      vtkWarningWithObjectMacro(this->Owner, << words << ".");
+    }
+  }
+
+private:
+  vtkObject* Owner;
+  vtkRelievoReportOnce Reported;
+};
+
+#endif

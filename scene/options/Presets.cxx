@@ -1,0 +1,286 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Presets.h"
+
+#include "Errors.h"
+#include "Numbers.h"
+#include "Options.h"
+#include "Settings.h"
+#include "Values.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <exception>
+#include <iterator>
+#include <vector>
+
+namespace scene
+{
+namespace
+{
+struct Preset
+{
+  const char* Name;
+  std::array<double, 3> Towards; // to the first light: right, up, and to the fitted camera
+  Color Light;
+  double Angle; // of the light's disc, degrees; negative: no shadow, and no ground
+  Color Fill;
+  std::vector<Color> Background; // bottom, top
+};
+
+const std::vector<Preset>& GetPresets()
+{
+  static const std::vector<Preset> presets = {
+    // A large lamp at the left in front of a light wall.
+    { "studio", { -0.65, 0.9, 0.6 }, { 0.66, 0.65, 0.63 }, 6.0, { 0.30, 0.31, 0.33 },
+      { { 0.80, 0.82, 0.85 }, { 0.95, 0.96, 0.97 } } },
+    // An afternoon sun, and the sky, which is bluer.
+    { "town", { -0.75, 0.6, 0.45 }, { 0.76, 0.68, 0.54 }, 0.53, { 0.27, 0.30, 0.36 },
+      { { 0.86, 0.90, 0.94 }, { 0.45, 0.64, 0.87 } } },
+    // On white paper, without shadows.
+    { "print", { -0.4, 0.6, 1.0 }, { 0.65, 0.65, 0.65 }, -1.0, { 0.32, 0.32, 0.32 },
+      { { 1.0, 1.0, 1.0 } } },
+  };
+  return presets;
+}
+
+// Directions of weak suns that fill the first light's shadows, so that no side is black from any
+// camera: at least a fifth of the light arrives everywhere. The last one is weaker.
+constexpr std::array<double, 3> Fills[] = { { 1.0, 0.2, 0.3 }, { -0.5, 0.2, -1.0 },
+  { 0.0, -1.0, 0.1 }, { -0.6, 0.6, 0.8 } };
+constexpr double LastFill = 0.8;
+
+// Samples of soft shadows and of antialiasing.
+constexpr int Samples = 24;
+
+// Maps per sun for soft shadows.
+constexpr int SoftMaps = 8;
+
+// Samples for volumes, which have no edges, cast no shadows, and take long to draw.
+constexpr int SamplesOfVolumes = 4;
+
+// Size of points in clouds, visible on a light background.
+constexpr double PointSize = 4.0;
+
+// From the upper right: shows three sides of a box.
+constexpr std::array<double, 3> ThreeQuarter = { 0.5, 0.4, 1.0 };
+
+LightChoice MakeSun(const std::array<double, 3>& towards, const Color& color, const char* name)
+{
+  LightChoice light;
+  light.Is = LightChoice::Kind::Sun;
+  light.Position = towards;
+  light.InView = true;
+  light.Color = color;
+  light.Casts = false;
+  light.Name = name;
+  return light;
+}
+
+// Lights given by --light replace the first one, and the fill is weaker: a white surface in one of
+// them is then not brighter than white.
+constexpr double ShareOfOthers = 0.8;
+constexpr double ShareOfFill = 0.4;
+
+void AddSuns(RenderOptions& options, const Preset& preset, bool others)
+{
+  for (LightChoice& light : options.Lights)
+  {
+    light.Intensity *= ShareOfOthers;
+  }
+  if (!others)
+  {
+    LightChoice first = MakeSun(preset.Towards, preset.Light, "key light");
+    first.Casts = preset.Angle >= 0.0;
+    if (first.Casts)
+    {
+      first.Size = preset.Angle;
+    }
+    options.Lights.push_back(first);
+  }
+  options.Fill = options.Fill.value_or(others ? ShareOfFill : 1.0);
+  if (*options.Fill == 0.0)
+  {
+    return;
+  }
+  for (const std::array<double, 3>& towards : Fills)
+  {
+    options.Lights.push_back(MakeSun(towards, preset.Fill, "fill"));
+    options.Lights.back().Intensity =
+      *options.Fill * (&towards == std::end(Fills) - 1 ? LastFill : 1.0);
+  }
+}
+
+// Applies if no option sets shadows; layers and verdicts use point lights.
+void AddShadows(RenderOptions& options, const std::set<std::string>& given, int samples)
+{
+  if (given.count("--shadows") == 0)
+  {
+    options.ShadowMethod = Shadows::Map;
+    const auto says = [&given](const char* option) { return given.count(option) > 0; };
+    if (!says("--soft-shadows") && !says("--certify") && !says("--shadow-tolerance") &&
+      !says("--time-budget") && !says("--layers"))
+    {
+      // Placed first, because --stage and options take precedence.
+      options.Stages.insert(options.Stages.begin(),
+        { "shadows",
+          { { "soft_samples", std::to_string(samples) },
+            { "soft_maps", std::to_string(SoftMaps) } },
+          "--preset" });
+    }
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::string> GetPresetNames()
+{
+  std::vector<std::string> names = { "none" };
+  for (const Preset& preset : GetPresets())
+  {
+    names.emplace_back(preset.Name);
+  }
+  return names;
+}
+
+//------------------------------------------------------------------------------
+bool IsOfPresets(const std::string& stage, const std::string& parameter)
+{
+  return (stage == "antialias" && parameter == "samples") ||
+    (stage == "shadows" && parameter == "soft_samples");
+}
+
+//------------------------------------------------------------------------------
+void TakePreset(RenderOptions& options, const std::string& word)
+{
+  ParseChoice("--preset", word, GetPresetNames());
+  options.Preset = word;
+}
+
+//------------------------------------------------------------------------------
+void TakeFill(RenderOptions& options, const std::string& word)
+{
+  options.Fill = ParseNumberFrom("--fill", word, 0.0, 1.0);
+}
+
+//------------------------------------------------------------------------------
+void DropIdleFill(Settings& settings)
+{
+  if (!settings.Has("--fill"))
+  {
+    return;
+  }
+  Settings without = settings;
+  without.Remove("--fill");
+  try
+  {
+    if (!without.Parse().Fill)
+    {
+      settings = without;
+    }
+  }
+  catch (const std::exception&) // reported when the options are set
+  {
+  }
+}
+
+//------------------------------------------------------------------------------
+std::string WriteKeyLight(const Settings& settings, int upAxis)
+{
+  const std::vector<LightChoice> lights = settings.Parse().Lights;
+  if (lights.empty() || !lights.front().InView)
+  {
+    return "";
+  }
+  const LightChoice& key = lights.front();
+  // Written as angles, which suit any up axis: a direction in world axes would light the next file
+  // from below if another of its axes points up.
+  const SunAngles angles = GetSunAngles(key.GetDirection(upAxis), upAxis);
+  const auto number = [](double value) { return WriteNumber(value); };
+  LightWords words = { "sun", WriteNumbers({ angles.Azimuth, angles.Elevation }), {} };
+  words.Values.emplace_back(
+    "color", number(key.Color[0]) + "/" + number(key.Color[1]) + "/" + number(key.Color[2]));
+  words.Values.emplace_back(
+    key.Casts ? "size" : "casts", key.Casts ? number(key.Size.value_or(0.0)) : "off");
+  words.Values.emplace_back("name", key.Name);
+  return WriteLight(words);
+}
+
+//------------------------------------------------------------------------------
+void OwnKeyLight(Settings& settings, int upAxis)
+{
+  std::vector<std::string> lights = settings.GetAll("--light");
+  Settings without = settings;
+  without.Remove("--light");
+  const std::string key = WriteKeyLight(without, upAxis);
+  if (key.empty())
+  {
+    return;
+  }
+  LightWords words = SplitLight(key);
+  if (lights.empty())
+  {
+    words.Values.emplace_back("intensity", WriteNumber(1.0 / ShareOfOthers));
+    settings.Set("--fill", WriteNumber(without.Parse().Fill.value_or(1.0)));
+  }
+  lights.push_back(WriteLight(words));
+  settings.SetAll("--light", lights);
+}
+
+//------------------------------------------------------------------------------
+void ApplyPreset(RenderOptions& options, const std::set<std::string>& given)
+{
+  if (given.count("--preset") == 0)
+  {
+    const char* usual = std::getenv("RELIEVO_PRESET");
+    options.Preset = usual && *usual ? usual : GetPresets().front().Name;
+    ParseChoice("the environment variable RELIEVO_PRESET", options.Preset, GetPresetNames());
+    options.YieldsToFile = given.count("--light") == 0;
+  }
+  const auto preset = std::find_if(GetPresets().begin(), GetPresets().end(),
+    [&options](const Preset& each) { return options.Preset == each.Name; });
+  // An environment is the only light, unless a preset was requested as well.
+  const bool lights = preset != GetPresets().end() &&
+    (given.count("--environment") == 0 || given.count("--preset") > 0);
+  if (given.count("--fill") > 0 && !lights)
+  {
+    throw UsageError(preset == GetPresets().end()
+        ? "--fill: the preset none has no fill lights: give --preset NAME as well"
+        : "--fill: the environment is the only light: give --preset NAME as well");
+  }
+  if (preset == GetPresets().end())
+  {
+    return;
+  }
+  if (given.count("--background") == 0)
+  {
+    options.Look.Background = preset->Background;
+  }
+  if (given.count("--image") + given.count("--color-by") + given.count("--scalar-bar") == 0)
+  {
+    options.Image.Is = ImageChoice::Kind::Found;
+  }
+  if (given.count("--point-size") == 0)
+  {
+    options.Look.PointSize = PointSize;
+  }
+  options.View.From = ThreeQuarter;
+  options.FindsUp = given.count("--up") == 0;
+  const int samples = options.Image.Is == ImageChoice::Kind::Volume ? SamplesOfVolumes : Samples;
+  const auto smooths = [](const StageChoice& stage) { return stage.Name == "antialias"; };
+  if (std::none_of(options.Stages.begin(), options.Stages.end(), smooths))
+  {
+    AddStage(options.Stages, "antialias", "--preset")
+      .Parameters.emplace_back("samples", std::to_string(samples));
+  }
+  if (lights)
+  {
+    AddSuns(options, *preset, given.count("--light") > 0);
+    if (preset->Angle >= 0.0)
+    {
+      AddShadows(options, given, samples);
+      options.Ground = options.Ground.value_or(true);
+    }
+  }
+}
+}

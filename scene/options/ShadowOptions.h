@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * Options of `relievo render` about the accuracy of shadows: goals for choosing the method, and
+ * certification. Each throws UsageError.
+ */
+#ifndef ShadowOptions_h
+#define ShadowOptions_h
+
+#include <set>
+#include <string>
+
+namespace scene
+{
+struct RenderOptions;
+
+/// Maximum number of rays.
+void TakeCertify(RenderOptions& options, const std::string& word);
+
+/// Checks that the goals fit the `given` options; a goal of accuracy or speed switches shadows on.
+void CheckShadowWishes(RenderOptions& options, const std::set<std::string>& given);
+
+/// Whether any option shows shadows in the picture.
+bool ShowsShadows(const RenderOptions& options);
+
+/// Throws UsageError if a layer refers to a light beyond the `lights` available. `whose` names the
+/// lights in the message, such as "--light options".
+void CheckShadowLayers(const RenderOptions& options, int lights, const std::string& whose);
+}
+
+#endif
