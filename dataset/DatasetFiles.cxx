@@ -52,21 +52,21 @@ void Append(std::string& bytes, int count, std::size_t number)
   }
 }
 
-// What the file's two headers of an entry share.
+// Fields common to a file's two headers of an entry.
 void AppendEntry(std::string& bytes, unsigned int check, std::size_t size, const std::string& name)
 {
   constexpr std::size_t version = 20;
-  constexpr std::size_t firstDay = 1 << 5 | 1; // 1980-01-01: the same arrays are the same bytes
+  constexpr std::size_t firstDay = 1 << 5 | 1; // 1980-01-01: equal arrays give equal bytes
   Append(bytes, 2, version);
   Append(bytes, 2, 0); // flags
-  Append(bytes, 2, 0); // stored as they are
+  Append(bytes, 2, 0); // stored without compression
   Append(bytes, 2, 0); // time
   Append(bytes, 2, firstDay);
   Append(bytes, 4, check);
   Append(bytes, 4, size);
   Append(bytes, 4, size);
   Append(bytes, 2, name.size());
-  Append(bytes, 2, 0); // no more fields
+  Append(bytes, 2, 0); // no extra fields
 }
 }
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Files of data sets as bytes, and bytes as files that are there whole or not at all.
+ * Encodes files of data sets, and writes each file completely or not at all.
  */
 #ifndef DatasetFiles_h
 #define DatasetFiles_h
@@ -13,31 +13,31 @@
 
 namespace scene
 {
-/// Makes folders, also those above. Throws FileError.
+/// Makes a folder and its parents. Throws FileError.
 void MakeFolder(const std::string& folder);
 
-/// `write` makes the file of a temporary name, which then takes the place of what is there; its
-/// folder is made. Throws FileError.
+/// `write` makes a file of a temporary name, which then replaces the file at `path`; makes the
+/// folder first. Throws FileError.
 void WriteWhole(const std::string& path, const std::function<bool(const std::string&)>& write);
 void WriteWhole(const std::string& path, const std::string& bytes);
 
-/// The bytes of a file of at most 256 MiB. Throws FileError.
+/// Returns the bytes of a file of at most 256 MiB. Throws FileError.
 std::string ReadWhole(const std::string& path);
 
-/// Pixels row by row from the top, as a PNG.
+/// Writes pixels as a PNG, row by row from the top.
 std::string EncodePNG(
   const std::vector<unsigned char>& pixels, int columns, int rows, int components);
 std::string EncodePNG(const std::vector<unsigned short>& pixels, int columns, int rows);
 
-/// Arrays that numpy.load() reads, uncompressed.
+/// An archive of arrays that numpy.load() reads, uncompressed.
 class NumpyArchive
 {
 public:
-  /// Row-major values of a type that numpy calls so, such as <f4.
+  /// Adds row-major values of a numpy type such as <f4.
   void Add(const std::string& name, const std::string& type, const std::vector<std::size_t>& shape,
     const void* values, std::size_t bytes);
 
-  /// The file. Throws FileError from 4 GiB on, where a ZIP file ends.
+  /// The file's bytes. Throws FileError from 4 GiB on, the limit of a ZIP file.
   std::string Finish(const std::string& path);
 
 private:

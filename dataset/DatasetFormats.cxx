@@ -27,7 +27,7 @@ namespace
 {
 using Json = nlohmann::ordered_json;
 
-// The steps of a depth; 0: none, beyond the last, or behind the plane of the camera.
+// Depth in whole steps; 0: no depth, beyond the last step, or behind the camera's plane.
 unsigned short GetSteps(double depth, double step)
 {
   const double steps = std::round(depth / step);
@@ -36,7 +36,7 @@ unsigned short GetSteps(double depth, double step)
     : 0;
 }
 
-// The pose of an object in a camera: a rotation, and a translation in world units.
+// An object's pose in the camera's frame: a rotation, and a translation in world units.
 Json DescribePose(vtkMatrix4x4* matrix, vtkRelievoCameraModel* camera)
 {
   double turned[9];
@@ -71,7 +71,7 @@ std::vector<unsigned short> GetDepthSteps(const DatasetView& view, double step)
 }
 
 //------------------------------------------------------------------------------
-// Floats as they were drawn, by names.
+// Layers as floats, by name.
 void WriteLayers(const DatasetStyle& style, const DatasetView& view, const std::string& name)
 {
   if (style.Layers.empty())

@@ -54,14 +54,14 @@ std::vector<unsigned char> DatasetMask::GetBytes(unsigned char value) const
 }
 
 //------------------------------------------------------------------------------
-// COCO writes a length less the one before the last, in groups of five bits from the lowest, each
-// as a letter from '0' on; a sixth bit says that more follow, and the last group has the sign.
+// COCO writes a length minus the second-last one, in groups of five bits from the lowest, each as a
+// letter from '0' on; a sixth bit means that more follow, and the last group has the sign.
 std::string DatasetMask::GetRuns() const
 {
   std::vector<long> lengths;
   const std::array<int, 4> box = this->GetBox();
   const std::vector<unsigned char> bytes = this->GetBytes(1);
-  std::size_t begin = 0; // of the run, column by column
+  std::size_t begin = 0; // start of the run, column by column
   unsigned char is = 0;
   const auto end = [&](std::size_t place) {
     lengths.push_back(static_cast<long>(place - begin));

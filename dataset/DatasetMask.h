@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Which pixels of a picture an object has.
+ * The pixels of a picture that belong to an object.
  */
 #ifndef DatasetMask_h
 #define DatasetMask_h
@@ -23,21 +23,21 @@ public:
   {
   }
 
-  /// Pixels count row by row from the top, and are added in this order; one twice is there once.
+  /// Adds pixels, numbered row by row from the top, in increasing order; repeated ones count once.
   void Add(std::size_t pixel);
 
   std::size_t GetCount() const { return this->Count; }
 
-  /// First column and row, columns and rows; all -1 without a pixel.
+  /// First column and row, columns and rows; all -1 for an empty mask.
   std::array<int, 4> GetBox() const;
 
-  /// One byte for each pixel, row by row from the top: 0 or this value.
+  /// One byte per pixel, row by row from the top: 0 or this value.
   std::vector<unsigned char> GetBytes(unsigned char value) const;
 
-  /// The runs of COCO: lengths of nothing and mask in turn, column by column, as its text.
+  /// COCO's run lengths as text: background and mask in turn, column by column.
   std::string GetRuns() const;
 
-  /// Calls with each pixel.
+  /// Calls a function with each pixel.
   template <typename Call>
   void ForEach(const Call& call) const
   {
@@ -52,7 +52,7 @@ public:
 
 private:
   std::size_t Columns, Rows, Count = 0;
-  std::vector<std::pair<std::size_t, std::size_t>> Spans; // pixels from one to before another, each
+  std::vector<std::pair<std::size_t, std::size_t>> Spans; // pixel ranges, the end excluded, each
                                                           // within a row
 };
 }

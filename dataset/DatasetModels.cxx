@@ -38,8 +38,8 @@ double GetSquare(const Point& a, const Point& b)
   return vtkMath::Dot(between, between);
 }
 
-// The largest distance of two points, within a share of it, by a tree of boxes: pairs of boxes that
-// do not reach farther than two points do are left out.
+// The largest distance of two points, within a relative tolerance, by a tree of boxes: pairs of
+// boxes closer than the largest distance so far are skipped.
 class Diameter
 {
 public:
@@ -50,7 +50,7 @@ public:
     {
       return;
     }
-    // A start: what is farthest from what is farthest.
+    // Starts with the point farthest from the point farthest from the first.
     Point from = points[0];
     for (int i = 0; i < 2; ++i)
     {
@@ -69,7 +69,7 @@ public:
 
 private:
   static constexpr double Share = 1e-7;
-  static constexpr std::size_t Few = 8; // points of a leaf
+  static constexpr std::size_t Few = 8; // points in a leaf
 
   struct Node
   {
@@ -104,7 +104,7 @@ private:
     return number;
   }
 
-  // Of a point of one and a point of the other, squared: at most.
+  // Upper bound of the squared distance between points of two nodes.
   double GetReach(std::size_t one, std::size_t other) const
   {
     const vtkBoundingBox& a = this->Nodes[one].Box;
@@ -151,7 +151,7 @@ private:
 
   std::vector<Point> Points;
   std::vector<Node> Nodes;
-  double Largest = 0.0; // squared
+  double Largest = 0.0; // squared distance
 };
 
 struct Model
@@ -160,13 +160,13 @@ struct Model
   std::vector<std::array<std::int32_t, 3>> Triangles;
 };
 
-// The triangles of a mesh in the world, by the axes of an object.
+// The triangles of a mesh in the world, in an object's axes.
 void AddMesh(Model& model, vtkPolyData* mesh, const DatasetObject& object, double scale)
 {
   double turn[9];
   double origin[3];
   GetRigidPose(object.Pose, turn, origin);
-  std::map<vtkIdType, std::int32_t> known; // points that triangles have
+  std::map<vtkIdType, std::int32_t> known; // points used by triangles
   const auto add = [&](vtkIdType id) {
     const auto [place, isNew] = known.emplace(id, static_cast<std::int32_t>(model.Points.size()));
     if (isNew)
@@ -198,7 +198,7 @@ void AppendBytes(std::string& bytes, const void* values, std::size_t size)
   bytes.append(static_cast<const char*>(values), size);
 }
 
-// A PLY file, binary and little-endian: the machines that Relievo is built for are.
+// A binary, little-endian PLY file: Relievo is built only for little-endian machines.
 std::string EncodePLY(const Model& model)
 {
   std::string bytes = "ply\nformat binary_little_endian 1.0\nelement vertex " +
@@ -243,7 +243,7 @@ void WriteDatasetModels(const std::string& folder, vtkRenderer* renderer,
     return;
   }
   vtkNew<vtkRelievoRayScene> scene;
-  const vtkNew<vtkCallbackCommand> silent; // of an object that has none it is said below
+  const vtkNew<vtkCallbackCommand> silent; // an object without a mesh is reported below
   scene->AddObserver(vtkCommand::WarningEvent, silent);
   scene->SetRenderer(renderer);
   scene->Update();
@@ -265,7 +265,7 @@ void WriteDatasetModels(const std::string& folder, vtkRenderer* renderer,
     if (models[i].Triangles.empty())
     {
       Messages::Warn(folder + ": no model of " + objects.Get()[i].Name +
-        ": rays cannot follow its triangles, or it has none");
+        ": rays cannot trace its triangles, or it has none");
       continue;
     }
     WriteWhole(path + "obj_" + WriteDatasetNumber(i + 1) + ".ply", EncodePLY(models[i]));

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * The objects of a data set as meshes that their poses refer to.
+ * The meshes of a data set's objects, to which the poses refer.
  */
 #ifndef DatasetModels_h
 #define DatasetModels_h
@@ -14,9 +14,9 @@ namespace scene
 {
 class DatasetObjects;
 
-/// Writes models/obj_NUMBER.ply of each object, and models/models_info.json, as BOP has them: in
-/// millimetres, by the axes and from the origin that the object's pose places. What is there is
-/// left. Throws FileError.
+/// Writes models/obj_NUMBER.ply of each object, and models/models_info.json, in BOP's layout: in
+/// millimetres, relative to the axes and the origin of the object's pose. Existing models stay.
+/// Throws FileError.
 void WriteDatasetModels(const std::string& folder, vtkRenderer* renderer,
   const DatasetObjects& objects, double millimetersPerUnit);
 }

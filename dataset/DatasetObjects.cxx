@@ -24,7 +24,7 @@ namespace scene
 {
 namespace
 {
-// What says which blocks are shown; nullptr for a mapper of one mesh.
+// The attributes that hide blocks; nullptr for a mapper of one mesh.
 vtkCompositeDataDisplayAttributes* GetAttributes(vtkActor* actor)
 {
   auto* mapper = vtkRelievoCompositeMapper::SafeDownCast(actor->GetMapper());
@@ -36,7 +36,7 @@ vtkCompositeDataDisplayAttributes* GetAttributes(vtkActor* actor)
   return mapper ? mapper->GetCompositeDataDisplayAttributes() : nullptr;
 }
 
-// The blocks that hold data, by their flat index.
+// The blocks with data, by flat index.
 std::vector<std::pair<int, vtkDataObject*>> GetBlocks(vtkActor* actor)
 {
   std::vector<std::pair<int, vtkDataObject*>> blocks;
@@ -67,8 +67,8 @@ void AddTo(vtkBoundingBox& box, const std::vector<std::array<double, 3>>& points
   }
 }
 
-// The renderer's actors in the order of their numbers, with the matrices by which they are drawn:
-// those of an assembly's parts are the assembly's and their own.
+// The renderer's actors in the order of their numbers, with their drawing matrices: an assembly's
+// part combines the assembly's matrix with its own.
 std::vector<std::pair<vtkActor*, vtkSmartPointer<vtkMatrix4x4>>> GetPlacedActors(
   vtkRenderer* renderer)
 {
@@ -266,7 +266,7 @@ DatasetObjects::Alone::Alone(const DatasetObjects& objects, int object)
       this->Hidden.push_back(prop);
     }
   };
-  // Assemblies without a part of it, volumes.
+  // Hides volumes, and assemblies that contain no part of the object.
   vtkPropCollection* props = objects.Renderer->GetViewProps();
   for (int i = 0; i < props->GetNumberOfItems(); ++i)
   {
@@ -284,7 +284,7 @@ DatasetObjects::Alone::Alone(const DatasetObjects& objects, int object)
       hide(prop);
     }
   }
-  // Of assemblies and composite data, the other parts.
+  // Hides the other parts of assemblies and composite data.
   for (const Part& part : objects.Parts)
   {
     const bool any = objects.Has(object, part.Actor);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * The objects of a data set: actors of a renderer, several by one name, or blocks of their data.
+ * The objects of a data set: actors (several of one name form one object) or blocks of their data.
  */
 #ifndef DatasetObjects_h
 #define DatasetObjects_h
@@ -26,35 +26,34 @@ namespace scene
 struct DatasetObject
 {
   std::string Name;
-  vtkSmartPointer<vtkMatrix4x4> Pose; ///< from its data to the world; the first of several
+  vtkSmartPointer<vtkMatrix4x4> Pose; ///< data to world; of the first of several actors
 };
 
-/// A pose as a rotation, row by row, and a place: what its matrix scales or mirrors belongs to the
-/// object.
+/// A matrix as rotation (row by row) and translation; its scale and mirroring belong to the object.
 void GetRigidPose(vtkMatrix4x4* pose, double rotation[9], double place[3]);
 
 class DatasetObjects
 {
 public:
-  /// Visible actors; those without a name in `names` (by number) are called actor_NUMBER, those
-  /// with an empty one only hide others.
+  /// Takes the visible actors. One without a name in `names` (by number) is called actor_NUMBER;
+  /// one with an empty name only hides others.
   DatasetObjects(vtkRenderer* renderer, const std::map<int, std::string>& names, bool blocks);
 
   const std::vector<DatasetObject>& Get() const { return this->Objects; }
 
-  /// The corners in the world of boxes around the parts of an object.
+  /// World corners of the boxes around an object's parts.
   std::vector<std::array<double, 3>> GetCorners(int object) const;
 
-  /// Around the objects: where there are none, around all that is shown.
+  /// Bounds of the objects; without objects, of all visible props.
   vtkBoundingBox GetBounds() const;
 
-  /// Around all that has a depth.
+  /// Bounds of all props with a depth.
   vtkBoundingBox GetOpaqueBounds() const;
 
-  /// The object of these values of the layers `actor` and `block`; -1: none.
+  /// The object for values of the layers `actor` and `block`; -1: none.
   int Find(int actor, int block) const;
 
-  /// While it lives, the renderer shows this object and no other mesh.
+  /// While it lives, the renderer shows this object's mesh only.
   class Alone
   {
   public:
@@ -80,9 +79,9 @@ private:
   struct Part
   {
     vtkActor* Actor;
-    int Number;          // of the actor
+    int Number;          // actor's number
     int Block;           // -1: all
-    vtkDataObject* Data; // of the block
+    vtkDataObject* Data; // the block's data
     int Object;          // -1: none
     vtkSmartPointer<vtkMatrix4x4> Pose;
   };
@@ -91,7 +90,7 @@ private:
   vtkRenderer* Renderer;
   std::vector<Part> Parts;
   std::vector<DatasetObject> Objects;
-  std::map<std::pair<int, int>, int> Numbers; // objects by actor and block
+  std::map<std::pair<int, int>, int> Numbers; // object numbers by actor and block
 };
 }
 

@@ -28,9 +28,9 @@ using Json = nlohmann::ordered_json;
 using Cameras = std::vector<vtkSmartPointer<vtkRelievoCameraModel>>;
 
 constexpr int MostViews = 10000000;
-constexpr double MostPixels = 1 << 20;             // each way
-constexpr std::uint64_t Step = 0x9e3779b97f4a7c15; // of random numbers
-constexpr double PoseMargin = 1.05;                // around what a pose is to show
+constexpr double MostPixels = 1 << 20;             // in each direction
+constexpr std::uint64_t Step = 0x9e3779b97f4a7c15; // increment of the random generator
+constexpr double PoseMargin = 1.05; // margin around the objects that a pose must show
 
 std::uint64_t Mix(std::uint64_t state)
 {
@@ -48,8 +48,8 @@ vtkSmartPointer<vtkRelievoCameraModel> CopyOf(vtkRelievoCameraModel* camera)
 }
 
 //------------------------------------------------------------------------------
-// The distance from which a sphere of radius 1 is within the picture: by the ray that leaves it
-// nearest to the axis. Sensors that look all around, or along parallels, stand at twice the radius.
+// The distance from which a sphere of radius 1 fits the picture, by the boundary ray nearest to the
+// axis. Panoramas and parallel projections stand at twice the radius.
 double GetFittingDistance(vtkRelievoCameraModel* camera)
 {
   const double right = camera->GetSize()[0] - 0.5;
@@ -78,7 +78,7 @@ bool IsStanding(const std::string& words)
   return words.rfind("orbit:", 0) == 0 || words.rfind("random:", 0) == 0;
 }
 
-// Named numbers behind a word, each with its default, and what it lies between.
+// Named numbers after a word, each with its default and range.
 struct Named
 {
   const char* Name;
@@ -107,7 +107,7 @@ void Take(
 }
 
 //------------------------------------------------------------------------------
-// Words that say where cameras stand around something.
+// Words that place cameras around an object.
 struct Standing
 {
   bool Orbit;
@@ -124,7 +124,7 @@ Standing ParseStanding(const std::string& option, const std::string& word)
   const int count =
     ParseWhole(option + " " + word + ", number of views", parts.front(), 1, MostViews);
   parts.erase(parts.begin());
-  // The distance in those from which everything is seen.
+  // Distances are multiples of the one from which everything is visible.
   std::vector<Named> numbers = { { "elevation", 30.0, -90.0, 90.0 },
     { "distance", 1.0, 1e-6, infinity } };
   if (!orbit)
@@ -153,8 +153,9 @@ Cameras StandAround(const std::string& option, const std::string& word, vtkRelie
   const auto [orbit, count, numbers] = ParseStanding(option, word);
   if (!around.Box.IsValid())
   {
-    throw UsageError(
-      option + " " + word + ": there is nothing to stand around; give poses, or show something");
+    throw UsageError(option + " " + word +
+      ": the scene is empty, so that cameras have nothing to surround; give poses, or show "
+      "something");
   }
   double center[3];
   around.Box.GetCenter(center);
@@ -172,7 +173,7 @@ Cameras StandAround(const std::string& option, const std::string& word, vtkRelie
     {
       DatasetRandom random(around.Seed, 0, i);
       azimuth = random.Next(0.0, 360.0);
-      // Evenly over the sphere.
+      // Uniform on the sphere.
       elevation = vtkMath::DegreesFromRadians(std::asin(random.Next(sines[0], sines[1])));
       distance = random.Next(numbers[2].Value, numbers[3].Value);
     }
@@ -181,7 +182,7 @@ Cameras StandAround(const std::string& option, const std::string& word, vtkRelie
     double up[3] = {};
     if (std::abs(elevation) > 89.9)
     {
-      // From above, what is farther from the place on the circle is up.
+      // Seen from straight above, `up` points away from the camera's place on the circle.
       const std::array<double, 3> outwards = GetSunDirection({ azimuth, 0.0 }, around.UpAxis);
       std::transform(outwards.begin(), outwards.end(), up,
         [elevation](double along) { return elevation > 0.0 ? -along : along; });
@@ -201,7 +202,7 @@ Cameras StandAround(const std::string& option, const std::string& word, vtkRelie
 }
 
 //------------------------------------------------------------------------------
-// Numbers, in lists of lists or not. `where` names the place in the file.
+// Flattens numbers in nested lists. `where` names the place in the file.
 std::vector<double> TakeNumbers(const Json& values, std::size_t count, const std::string& where)
 {
   std::vector<double> numbers;
@@ -238,12 +239,12 @@ void SetIntrinsics(
   auto* lens = vtkRelievoLensCamera::SafeDownCast(camera);
   if (!lens)
   {
-    throw UsageError(where + ": is of a camera, and this sensor has none of it");
+    throw UsageError(where + ": belongs to a camera, and this sensor has none of it");
   }
   lens->SetIntrinsics(k[0], k[4], k[1], k[2], k[5]);
 }
 
-// Pixels stay square, the view as high as before, and its axis where it was in the picture.
+// Keeps square pixels, the vertical view angle, and the axis's relative place in the picture.
 void SetSize(
   vtkRelievoCameraModel* camera, const std::vector<double>& size, const std::string& where)
 {
@@ -267,9 +268,9 @@ void SetSize(
 }
 
 //------------------------------------------------------------------------------
-// The lens of transforms.json: k1, k2, p1, p2, k3 of Brown and Conrady, k4 to k6 too if it is
-// FULL_OPENCV's, or k1 to k4 of a fisheye. Without any, that of the camera stays; throws UsageError
-// if both bend, and for other lenses.
+// The lens of transforms.json: k1, k2, p1, p2, k3 (Brown and Conrady) with k4 to k6 for
+// FULL_OPENCV, or k1 to k4 of a fisheye. Without coefficients, the camera's lens stays; throws
+// UsageError if both lenses distort, and for other lenses.
 void SetLens(
   vtkRelievoCameraModel* camera, const Json& frame, const Json& all, const std::string& where)
 {
@@ -320,8 +321,7 @@ void SetLens(
   auto* lens = vtkRelievoLensCamera::SafeDownCast(camera);
   if (bends && (!lens || lens->GetLens() != vtkRelievoLensCamera::PINHOLE))
   {
-    throw UsageError(
-      where + ": has a lens, and another one is given beside the file; expected one of them");
+    throw UsageError(where + ": has a lens, and the given camera has another; expected only one");
   }
   if (bends)
   {
@@ -331,8 +331,8 @@ void SetLens(
 }
 
 //------------------------------------------------------------------------------
-// The OpenGL camera-to-world matrices of transforms.json, and its K: the corner of the first pixel,
-// not its centre, is (0, 0) there.
+// The OpenGL camera-to-world matrices of transforms.json, and its K, which places (0, 0) at the
+// corner of the first pixel, not at its centre.
 void SetFromFrame(
   vtkRelievoCameraModel* camera, const Json& frame, const Json& all, const std::string& where)
 {
@@ -351,7 +351,7 @@ void SetFromFrame(
     SetSize(camera, { get("w"), get("h") }, where + ", w and h");
   }
   const int* size = camera->GetSize();
-  // In pixels, or as the angle from one edge to the other.
+  // Focal length in pixels, or from the angle between the edges.
   const auto getFocal = [&](const char* name, const char* ofAngle, int pixels) {
     const double angle = get(ofAngle);
     if (angle <= 0.0 || angle >= vtkMath::Pi())
@@ -372,7 +372,7 @@ void SetFromFrame(
   }
   else if (!std::isnan(get("cx")) || !std::isnan(get("cy")))
   {
-    throw UsageError(where + ", cx and cy: expected fl_x or camera_angle_x beside them");
+    throw UsageError(where + ", cx and cy: expected fl_x or camera_angle_x as well");
   }
   const std::vector<double> m =
     TakeNumbers(frame["transform_matrix"], 16, where + ", transform_matrix");

@@ -17,8 +17,8 @@
 
 namespace scene
 {
-/// Numbers that a seed gives alike on every machine (G. Steele, D. Lea, C. Flood, Fast splittable
-/// pseudorandom number generators, 2014).
+/// A random generator with equal sequences on every machine (G. Steele, D. Lea, C. Flood, Fast
+/// splittable pseudorandom number generators, 2014).
 class DatasetRandom
 {
 public:
@@ -30,23 +30,23 @@ private:
   std::uint64_t State;
 };
 
-/// What poses stand around.
+/// The scene that poses surround.
 struct DatasetSurroundings
 {
-  vtkBoundingBox Box; ///< not valid: nothing is there
-  int UpAxis;         ///< also of poses by position and target that have no other
+  vtkBoundingBox Box; ///< invalid: the scene is empty
+  int UpAxis;         ///< default up axis of poses with position and target, too
   int Seed;
 };
 
-/// "orbit:N[,NAME=VALUE]...", "random:N[,NAME=VALUE]..." or a file of JSON: cameras that are copies
-/// of `like`, where they do not say otherwise. `option` is named in errors: UsageError, FileError.
+/// Parses "orbit:N[,NAME=VALUE]...", "random:N[,NAME=VALUE]..." or a JSON file into cameras: copies
+/// of `like` with the given values replaced. `option` is named in errors: UsageError, FileError.
 std::vector<vtkSmartPointer<vtkRelievoCameraModel>> MakeDatasetPoses(const std::string& option,
   const std::string& words, vtkRelievoCameraModel* like, const DatasetSurroundings& around);
 
-/// Throws UsageError for words that say no poses, whatever there is to see; files are not read.
+/// Throws UsageError for words that describe no poses, without knowing the scene; reads no file.
 void CheckDatasetPoses(const std::string& option, const std::string& words);
 
-/// A direction towards the sun of a view, by its number: 15 to 75 degrees above the horizon.
+/// The direction towards a view's sun, by the view's number: 15 to 75 degrees above the horizon.
 std::array<double, 3> MakeDatasetSun(int seed, int view, int upAxis);
 }
 

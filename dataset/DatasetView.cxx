@@ -33,8 +33,8 @@ namespace scene
 {
 namespace
 {
-constexpr int OwnSamples = 8;          // of a pixel, in a window that is made here
-constexpr int RaysWithAllHits = 65536; // at a time
+constexpr int OwnSamples = 8;          // samples per pixel, in a window made here
+constexpr int RaysWithAllHits = 65536; // rays per batch
 constexpr double MostPixelsBeyond = 1 << 25;
 
 int GetLimit(vtkRenderWindow* window)
@@ -53,8 +53,8 @@ void CheckWindowSize(vtkRenderWindow* window, const int size[2])
   }
 }
 
-// Columns and rows at each side of a picture: as many as its own, but where all of them are more
-// than a limit each way, or too many pixels.
+// Margin columns and rows at each side of a picture: its own size, limited by the size per
+// direction and by the total number of pixels.
 std::array<int, 2> GetMargin(double limit, int columns, int rows)
 {
   const double pixels = static_cast<double>(columns) * rows;
@@ -64,7 +64,7 @@ std::array<int, 2> GetMargin(double limit, int columns, int rows)
   return { static_cast<int>(share * columns), static_cast<int>(share * rows) };
 }
 
-// Calls with each pixel's number from the top, and its point of the image.
+// Calls `visit` with each pixel's number from the top and its image point.
 template <typename Call>
 void ForEachPixel(vtkImageData* image, const Call& call)
 {
@@ -80,7 +80,7 @@ void ForEachPixel(vtkImageData* image, const Call& call)
   }
 }
 
-// Calls with each pixel's number from the top, and its object.
+// Calls `visit` with each pixel's number from the top and its object.
 template <typename Call>
 void ForEachObject(const DatasetObjects& objects, vtkImageData* layers, const Call& call)
 {
@@ -89,7 +89,7 @@ void ForEachObject(const DatasetObjects& objects, vtkImageData* layers, const Ca
   };
   const int* actors = getNumbers("actor");
   const int* blocks = getNumbers("block");
-  std::pair<int, int> last(-1, -1); // neighbours are mostly of the same object
+  std::pair<int, int> last(-1, -1); // neighbours mostly show one object
   int object = -1;
   ForEachPixel(layers, [&](std::size_t pixel, vtkIdType point) {
     const std::pair<int, int> is(actors[point], blocks[point]);
@@ -102,8 +102,8 @@ void ForEachObject(const DatasetObjects& objects, vtkImageData* layers, const Ca
   });
 }
 
-// Whether boxes around an object say that all of it is in a picture, some may be beyond, or none is
-// before the camera.
+// Whether boxes around an object place it entirely in a picture, partly outside, or entirely behind
+// the camera.
 enum class ObjectReach
 {
   Within,
@@ -135,8 +135,8 @@ ObjectReach FindReach(vtkRelievoLensCamera* camera, const DatasetObjects& object
                                                  : ObjectReach::Beyond;
 }
 
-// All of an object, of what is in the picture and what is beyond it, in a picture that is wider by
-// a margin at each side.
+// An object's complete silhouette, from its mask in the picture and its mask in a picture that is
+// wider by a margin at each side.
 DatasetSilhouette JoinSilhouette(
   const DatasetMask& whole, const DatasetMask& beyond, const std::array<int, 2>& margin)
 {
@@ -210,7 +210,7 @@ DatasetPainter::~DatasetPainter()
   this->RestoreLights();
   if (!this->HadLights)
   {
-    this->Renderer->RemoveAllLights(); // the first frame makes one
+    this->Renderer->RemoveAllLights(); // the first frame makes a headlight
   }
   if (!this->Window)
   {
@@ -242,7 +242,7 @@ void DatasetPainter::OpenWindow()
   CheckDisplay(window);
   if (auto* gl = vtkOpenGLRenderWindow::SafeDownCast(window))
   {
-    gl->Initialize(); // at its own size: X ends the process for sizes that it cannot make
+    gl->Initialize(); // keeps the window's size: X ends the process for sizes that it cannot make
   }
   window->MakeCurrent();
   Messages::Check("OpenGL");
@@ -256,8 +256,8 @@ void DatasetPainter::OpenWindow()
 }
 
 //------------------------------------------------------------------------------
-// Each view has a new camera: what one keeps of the view before, such as its distance, changes the
-// last digits of its matrices, and files would depend on which views a call writes.
+// Each view gets a new camera: state such as the previous distance changes the last digits of a
+// camera's matrices, and files would depend on the set of views in a call.
 void DatasetPainter::BeginView()
 {
   this->OpenWindow();
@@ -299,7 +299,7 @@ DatasetView DatasetPainter::Draw(vtkRelievoCameraModel* camera, vtkRelievoCamera
 }
 
 //------------------------------------------------------------------------------
-// The first sun of the scene turns; without one, the sun is the only light.
+// The first sun of the scene turns; without one, a sun becomes the only light.
 void DatasetPainter::SetSun(const std::array<double, 3>& direction)
 {
   if (!this->Sun)
@@ -383,7 +383,7 @@ vtkSmartPointer<vtkImageData> DatasetPainter::DrawLayers(const std::vector<std::
 }
 
 //------------------------------------------------------------------------------
-// What the window shows, as it smooths edges.
+// The window's picture, antialiased by the window.
 void DatasetPainter::TakePicture(DatasetView& view)
 {
   auto* frame = vtkRelievoPass::SafeDownCast(this->Renderer->GetPass());
@@ -414,8 +414,8 @@ void DatasetPainter::TakePicture(DatasetView& view)
 }
 
 //------------------------------------------------------------------------------
-// All of an object is what is drawn without the others, by the same camera: a pixel that shows it
-// among others shows it alone.
+// An object's full mask is drawn without the others, by the same camera: pixels where the object is
+// visible among the others also show it alone.
 void DatasetPainter::DrawInWindow(vtkRelievoLensCamera* camera, DatasetView& view)
 {
   this->BeginView();
@@ -447,8 +447,8 @@ void DatasetPainter::DrawInWindow(vtkRelievoLensCamera* camera, DatasetView& vie
 
 //------------------------------------------------------------------------------
 // An object that may reach beyond the picture is drawn once more, on up to three times as many
-// columns and rows; what lies in the middle is known. Shaders move surfaces out of their boxes: a
-// mask that touches the edge counts as well.
+// columns and rows; the middle part is known. Shaders can displace surfaces out of their boxes, so
+// a mask that touches the edge counts as well.
 void DatasetPainter::LookBeyond(vtkRelievoLensCamera* camera, DatasetView& view)
 {
   const std::array<int, 2> margin = GetMargin(GetLimit(this->Window), view.Columns, view.Rows);
@@ -499,7 +499,7 @@ void DatasetPainter::LookBeyond(vtkRelievoLensCamera* camera, DatasetView& view)
 }
 
 //------------------------------------------------------------------------------
-// What the sensor sees by pinholes around its rays.
+// The sensor's picture, warped from pinhole views.
 void DatasetPainter::TakePicture(vtkRelievoCameraModel* camera, DatasetView& view)
 {
   this->BeginView();
@@ -542,7 +542,7 @@ vtkSmartPointer<vtkImageData> DatasetPainter::TraceLayers(vtkRelievoCameraModel*
   {
     this->Rays = vtkSmartPointer<vtkRelievoRayScene>::New();
     this->Rays->SetRenderer(this->Renderer);
-    this->Rays->OpaqueOnlyOn(); // as in the layers of the frame
+    this->Rays->OpaqueOnlyOn(); // like the frame's layers
     this->Nothing = vtkSmartPointer<vtkRelievoRayScene>::New();
   }
   vtkNew<vtkRelievoRayLayers> source;
@@ -581,9 +581,9 @@ void DatasetPainter::FollowRays(
 }
 
 //------------------------------------------------------------------------------
-// All of an object is where a ray meets it, behind whatever others: the first hit is one of all. A
-// lens bends what is straight, so that corners within the picture do not say that all is in it: for
-// silhouettes the rays go beyond it for every object.
+// A full mask covers every pixel whose ray hits the object, also behind others: one of the ray's
+// hits is the object's. A lens bends straight lines, so an object whose corners are in the picture
+// may still leave it: for silhouettes, rays beyond the picture are traced for every object.
 void DatasetPainter::FindWhole(vtkRelievoCameraModel* camera, DatasetView& view)
 {
   const std::array<int, 2> margin = this->Silhouettes

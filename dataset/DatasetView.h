@@ -29,40 +29,40 @@ class vtkRenderer;
 
 namespace scene
 {
-/// How much of an object there is, also beyond the picture: up to its size around it.
+/// The size of an object's silhouette, which may extend beyond the picture by up to its size.
 struct DatasetSilhouette
 {
   std::size_t Count = 0;
-  std::array<int, 4> Box{}; ///< in the picture's columns and rows; see DatasetMask::GetBox
+  std::array<int, 4> Box{}; ///< in columns and rows of the picture; see DatasetMask::GetBox
 };
 
 struct DatasetView
 {
   int Columns = 0, Rows = 0;
   std::vector<unsigned char> Picture;         ///< RGB, row by row from the top; empty: none
-  std::vector<int> Objects;                   ///< of each pixel, from the top; -1: none
-  std::vector<DatasetMask> Visible, Whole;    ///< of each object: what is seen of it, and all of it
-  std::vector<DatasetSilhouette> Silhouettes; ///< of each object, if they are asked for
-  /// What was asked for, and depth, actor and block, row 0 at the bottom.
+  std::vector<int> Objects;                   ///< object of each pixel, from the top; -1: none
+  std::vector<DatasetMask> Visible, Whole;    ///< of each object: visible mask and full mask
+  std::vector<DatasetSilhouette> Silhouettes; ///< of each object, if requested
+  /// The requested layers, and depth, actor and block; row 0 is the bottom one.
   vtkSmartPointer<vtkImageData> Layers;
   /// A layer's values row by row from the top.
   std::vector<double> GetLayer(const std::string& name, int& components) const;
 };
 
-/// Draws views. The renderer, its camera, its lights and its window are as before when it is gone.
+/// Draws views. Its destructor restores the renderer, its camera, its lights and its window.
 class DatasetPainter
 {
 public:
-  /// `silhouettes`: whether views have them.
+  /// `silhouettes`: whether to compute silhouettes.
   DatasetPainter(vtkRenderer* renderer, const DatasetObjects& objects,
     const std::vector<std::string>& layers, bool silhouettes);
   ~DatasetPainter();
   DatasetPainter(const DatasetPainter&) = delete;
   void operator=(const DatasetPainter&) = delete;
 
-  /// What the view before was seen by, which flow goes to, or nullptr; and the direction towards
-  /// the sun, in place of that of the scene's first. Throws UsageError for layers that there are
-  /// not, WorkError.
+  /// Draws a view. `before`: the previous view's camera, the target of flow, or nullptr. `sun`: the
+  /// direction towards the sun, in place of the scene's first. Throws UsageError for unknown
+  /// layers, and WorkError.
   DatasetView Draw(vtkRelievoCameraModel* camera, vtkRelievoCameraModel* before,
     const std::optional<std::array<double, 3>>& sun);
 
@@ -89,13 +89,13 @@ private:
 
   vtkRenderer* Renderer;
   const DatasetObjects& Objects;
-  std::vector<std::string> Layers, Flow; // drawn, or traced for sensors; traced for all
+  std::vector<std::string> Layers, Flow; // drawn (traced for sensors); always traced
   bool Silhouettes, HadLights;
-  std::unique_ptr<vtkRelievoWindowGuard> Guard; // of a window that is open
+  std::unique_ptr<vtkRelievoWindowGuard> Guard; // of an open window
   vtkSmartPointer<vtkCamera> Camera;
   vtkSmartPointer<vtkRenderWindow> Window;
   bool IsOwnWindow = false;
-  std::vector<Lamp> Lamps; // switched off for the sun
+  std::vector<Lamp> Lamps; // switched off while the sun is the only light
   vtkSmartPointer<vtkLight> Sun;
   std::array<double, 3> SunPosition{}, SunFocus{};
   vtkSmartPointer<vtkMatrix4x4> SunMatrix;

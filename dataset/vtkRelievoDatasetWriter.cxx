@@ -51,7 +51,7 @@ Json Parse(const std::string& path)
   return json;
 }
 
-// A file of the folder besides its settings and those that are being written; empty: none.
+// The first file in the folder other than its settings and temporary files; empty: none.
 std::string FindOther(const std::string& folder)
 {
   std::error_code trouble;
@@ -66,8 +66,8 @@ std::string FindOther(const std::string& folder)
   return "";
 }
 
-// Throws UsageError unless the folder is empty, or was begun with these settings. One that has
-// settings and nothing else, of a call that was refused or ended at once, is begun anew.
+// Throws UsageError unless the folder is empty or was begun with these settings. A folder with
+// nothing but settings, left by a refused or interrupted call, is begun anew.
 void OpenFolder(const std::string& folder, const Json& settings)
 {
   const std::string path = folder + SettingsFile;
@@ -81,15 +81,15 @@ void OpenFolder(const std::string& folder, const Json& settings)
       scene::WriteWhole(path, scene::WriteDatasetJson(settings));
       return;
     }
-    if (!fs::exists(path, trouble)) // another process may have begun it meanwhile
+    if (!fs::exists(path, trouble)) // another process may have created it meanwhile
     {
-      throw scene::UsageError(folder + ": holds other files, such as " + other +
+      throw scene::UsageError(folder + ": contains other files, such as " + other +
         "; give a folder that is empty or not there");
     }
   }
   const Json before = Parse(path);
-  const Json now = Json::parse(scene::WriteDatasetJson(settings)); // as a file has it
-  // A depth step that is reckoned is by all that was set: what differs there is what to name.
+  const Json now = Json::parse(scene::WriteDatasetJson(settings)); // as in the file
+  // A computed depth step depends on all settings, so the message names the differing setting.
   std::vector<std::string> names;
   for (const auto& [name, value] : now.items())
   {
@@ -114,7 +114,7 @@ void OpenFolder(const std::string& folder, const Json& settings)
   }
 }
 
-// Depth of the farthest corner of the bounds from any camera.
+// The largest depth of a bounds' corner in any camera.
 double FindFarthest(
   const std::vector<vtkSmartPointer<vtkRelievoCameraModel>>& cameras, const vtkBoundingBox& box)
 {
@@ -154,7 +154,7 @@ struct vtkRelievoDatasetWriter::Internals
     return this->Directory + Records + "/" + scene::WriteDatasetNumber(view) + ".json";
   }
 
-  // Views that are whole.
+  // Complete views.
   std::vector<std::size_t> FindRecords() const
   {
     std::vector<std::size_t> views;
@@ -189,23 +189,24 @@ vtkRelievoDatasetWriter::vtkRelievoDatasetWriter()
   }
   list.AddChoice(
     "format", this->Format, [this](int format) { this->SetFormat(format); }, names,
-    "How files lie in the folder.");
+    "Layout of the files in the folder.");
   list.AddNumber(
     "depth_step", this->DepthStep, [this](double units) { this->SetDepthStep(units); }, 0.0,
     infinity, "",
-    "World units of a step of 16-bit depth; 0: such that it reaches what is farthest.");
+    "World units per step of 16-bit depth; 0: the largest depth of the scene is the last "
+    "step.");
   list
     .AddNumber(
       "mm_per_unit", this->MillimetersPerUnit,
       [this](double millimeters) { this->SetMillimetersPerUnit(millimeters); }, 0.0, infinity, "",
-      "Of bop: millimetres in a world unit.")
+      "For bop: millimetres per world unit.")
     .Open = true;
   list.AddWhole(
     "seed", this->Seed, [this](int seed) { this->SetSeed(seed); }, least, most, "",
-    "Of all that is random.");
+    "Seed of random poses and suns.");
   list.AddFlag(
     "random_sun", this->RandomSun, [this](bool on) { this->SetRandomSun(on); },
-    "The sun stands elsewhere in each view.");
+    "Moves the sun in each view.");
   list.AddChoice(
     "up", this->UpAxis, [this](int axis) { this->SetUpAxis(axis); }, { "x", "y", "z" },
     "The axis that points up.");
@@ -393,13 +394,13 @@ void vtkRelievoDatasetWriter::Internals::Check(const scene::DatasetFormat& forma
   {
     const std::string view = "view " + std::to_string(i);
     scene::CheckDatasetCamera(format, this->Cameras[i], this->Cameras[0], view);
-    // Flow goes to the view before; that of the first one, which has none, to itself.
+    // Flow goes to the previous view; the first view has none and uses itself.
     const bool isGoal = i == 0 || i + 1 < this->Cameras.size();
     if (flow != this->Layers.end() && isGoal && !this->Cameras[i]->HasPlaces())
     {
       throw scene::UsageError(view + ": layer " + *flow +
-        " goes to places in its picture, and a lidar has none between its beams; expected another "
-        "sensor, or layers without flow");
+        " refers to places in a picture, which a lidar does not have between its beams; "
+        "expected another sensor, or layers without flow");
     }
   }
 }
@@ -409,11 +410,11 @@ double vtkRelievoDatasetWriter::Internals::GetDepthStep(const scene::DatasetObje
 {
   const vtkBoundingBox box = objects.GetOpaqueBounds();
   const double farthest = box.IsValid() ? FindFarthest(this->Cameras, box) : 0.0;
-  return farthest > 0.0 ? farthest / scene::MostDepthSteps : 1.0; // nothing has a depth
+  return farthest > 0.0 ? farthest / scene::MostDepthSteps : 1.0; // without depth
 }
 
 //------------------------------------------------------------------------------
-// Throws FileError for one that is damaged, UsageError for one of another camera.
+// Throws FileError for a damaged record, UsageError for one of another camera.
 Json vtkRelievoDatasetWriter::Internals::ReadRecord(
   const scene::DatasetStyle& style, std::size_t view, std::size_t objects) const
 {
@@ -434,7 +435,7 @@ Json vtkRelievoDatasetWriter::Internals::ReadRecord(
 }
 
 //------------------------------------------------------------------------------
-// Whoever ends last has all of them: what has come in between is looked for again.
+// The process that ends last must index all views, so look again for views added meanwhile.
 void vtkRelievoDatasetWriter::Internals::WriteIndex(
   const scene::DatasetStyle& style, const std::vector<std::string>& objects) const
 {
@@ -530,7 +531,7 @@ void vtkRelievoDatasetWriter::WriteViews()
     this->InvokeEvent(vtkCommand::ProgressEvent, &share);
     if (this->Abort)
     {
-      throw scene::WorkError(self.Directory + ": stopped behind view " + std::to_string(i) +
+      throw scene::WorkError(self.Directory + ": stopped after view " + std::to_string(i) +
         "; the same call goes on from there");
     }
   }
@@ -539,8 +540,8 @@ void vtkRelievoDatasetWriter::WriteViews()
   if (beyond > 0)
   {
     scene::Messages::Warn(self.Directory + ": " + std::to_string(beyond) +
-      " pixels are farther than 65535 steps of depth, or behind the plane of the camera, and "
-      "are 0; a larger depth step reaches the former");
+      " pixels are farther than 65535 steps of depth, or behind the camera's plane, and "
+      "are 0; a larger depth step covers the former");
   }
 }
 

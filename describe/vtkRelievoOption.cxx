@@ -11,10 +11,10 @@
 
 namespace
 {
-constexpr std::size_t Indent = 26; // of what options mean
+constexpr std::size_t Indent = 26; // column of the help texts
 constexpr std::size_t Columns = 98;
 
-// A paragraph, of which the first line goes on in a column, and the others are indented.
+// Adds a paragraph whose first line continues a column and whose other lines are indented.
 void AddParagraph(
   const std::string& text, std::size_t column, std::size_t indent, std::string& page)
 {
@@ -34,7 +34,7 @@ void AddParagraph(
   page += '\n';
 }
 
-// A line of a table, which keeps its blanks where it is short.
+// Adds a line of a table, unchanged if it is short.
 void AddTableLine(const std::string& line, std::string& page)
 {
   if (Indent + line.size() <= Columns)
@@ -62,7 +62,7 @@ std::string WriteHelp(const std::string& use, const std::string& help)
   return page;
 }
 
-// "Whether it is on." as "whether it is on".
+// Turns "Whether it is on." into "whether it is on".
 std::string AsPart(std::string sentence)
 {
   sentence[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(sentence[0])));

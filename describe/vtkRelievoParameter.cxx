@@ -14,7 +14,7 @@
 
 namespace
 {
-// The shortest digits that give the number back: 0.1, 100, 1e-07.
+// The shortest digits that parse back to the number: 0.1, 100, 1e-07.
 std::string Write(double value)
 {
   constexpr int most = 17;

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// One parameter of a stage, of points that a stage draws, of a material or of an environment: what
-// it is called, what values it takes, and how to get and set it.
+// Describes one parameter of a stage, of a stage's points, of a material or of an environment: its
+// name, its valid values, and functions to get and set it.
 #ifndef vtkRelievoParameter_h
 #define vtkRelievoParameter_h
 
@@ -20,7 +20,7 @@ struct VTKRELIEVODESCRIBE_EXPORT vtkRelievoParameter
     FLAG,   // 0 or 1
     WHOLE,  // a whole number from Least to Most
     NUMBER, // a finite number from Least to Most
-    CHOICE, // the place of one of Choices
+    CHOICE, // the index of one of Choices
     COLOR,  // red, green, blue, from Least to Most each
     PAIR,   // two finite numbers
     VECTOR, // three finite numbers
@@ -28,26 +28,25 @@ struct VTKRELIEVODESCRIBE_EXPORT vtkRelievoParameter
     TEXT
   };
 
-  std::string Name;  // a lower-case word; several are joined by _
-  std::string Label; // as people read it, where the name does not say it: see GetLabel
+  std::string Name;  // lower-case words joined by _
+  std::string Label; // display name if it differs from the name: see GetLabel
   Types Type = NUMBER;
   double Least = 0.0;
   double Most = 0.0;
-  bool Open = false;   // Least and Most themselves are not taken
+  bool Open = false;   // Least and Most are excluded
   std::string Unit;    // "" if it has none
   std::string Help;    // one line
-  std::string Default; // of a new stage, in words as Format
+  std::string Default; // of a new stage, formatted by Format
   std::vector<std::string> Choices;
-  std::vector<std::string> ChoiceLabels; // of each of them; empty: by their names
-  bool IsDirection = false;              // of a vector: not 0 0 0
-  bool IsLinear = false; // of a colour: numbers are of light, names and #rrggbb as displays show it
-  double Usual = 0.0;    // up to which a slider goes; 0: to Most
+  std::vector<std::string> ChoiceLabels; // of each choice; empty: their names
+  bool IsDirection = false;              // for a vector: not 0 0 0
+  bool IsLinear = false; // for a colour: numbers are linear light, names and #rrggbb sRGB
+  double Usual = 0.0;    // upper end of a slider; 0: Most
   bool PerPoint = false; // the name of a point array gives each point its own value
-  bool Advanced = false; // for those who know the method: ParaView shows it behind its gear, the
-                         // viewer among what is folded
+  bool Advanced = false; // behind ParaView's gear, and in the viewer's section Advanced
 
-  // Without effect but where this holds: "falloff=vtk", another parameter's value, or several with
-  // commas. "relief!=off" is any other value; "height_map", something that the object is given.
+  // Condition without which it has no effect: "falloff=vtk", another parameter's value, or several
+  // with commas. "relief!=off" means any other value; "height_map", that the object has this input.
   std::string OnlyIf;
 
   std::function<std::vector<double>()> GetValues;
@@ -55,10 +54,10 @@ struct VTKRELIEVODESCRIBE_EXPORT vtkRelievoParameter
   std::function<std::string()> GetText;
   std::function<void(const std::string&)> SetText;
 
-  // How many numbers a value consists of; 0 for a text.
+  // Number of numbers in a value; 0 for a text.
   int GetNumberOfComponents() const;
 
-  // A part of OnlyIf: what has to have the value, or another one; "" of what has to be there.
+  // A part of OnlyIf: the parameter, and the required or excluded value; "" for a required input.
   struct Condition
   {
     std::string Name;
@@ -70,30 +69,29 @@ struct VTKRELIEVODESCRIBE_EXPORT vtkRelievoParameter
   // The label for people, in ParaView and the viewer: "Map Size" for "map_size".
   std::string GetLabel() const;
 
-  // That of a choice, by its place: "blue noise" for "blue_noise".
+  // A choice's label, by its index: "blue noise" for "blue_noise".
   std::string GetChoiceLabel(std::size_t choice) const;
 
-  // The value in words, which Parse takes: "0.5", "on", "warped", "1,0.5,0" or "1/0.5/0", "64x64".
+  // The value in words, for Parse: "0.5", "on", "warped", "1,0.5,0" or "1/0.5/0", "64x64".
   std::string Format() const;
 
-  // Sets the value that the words say. Returns what is wrong with them, in words; nothing is set
-  // then.
+  // Sets the value from words. Returns an error and sets nothing if they are invalid; otherwise "".
   std::string Parse(const std::string& words) const;
 
-  // Sets the value; what is wrong, in words, as Parse.
+  // Sets the value; returns an error like Parse.
   std::string Set(const std::vector<double>& values) const;
 
-  // Whether the words are meant as a value, right or wrong, and not as the name of a point array.
+  // Whether the words are meant as a value, valid or not, rather than as the name of a point array.
   bool IsValue(const std::string& words) const;
 
-  // The values that it takes, in words: "a number from 0 to 1".
+  // The valid values, in words: "a number from 0 to 1".
   std::string GetExpected() const;
 
-  // Their bounds, in words: "from 0 to 1", "0 or more", "above 0"; "" if there are none.
+  // The bounds, in words: "from 0 to 1", "0 or more", "above 0"; "" if there are none.
   std::string GetBounds() const;
 };
 
-// "depth_fade" as "Depth Fade", or without the space as "DepthFade".
+// Turns "depth_fade" into "Depth Fade", or without the space into "DepthFade".
 VTKRELIEVODESCRIBE_EXPORT std::string vtkRelievoCapitalize(const std::string& name, bool spaces);
 
 #endif

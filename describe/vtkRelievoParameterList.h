@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Parameters by name, of a stage, of points, of a material or of an environment: each is described
-// once, by the class that has it.
+// Parameters by name, of a stage, of points, of a material or of an environment, each described
+// once by the class that has it.
 #ifndef vtkRelievoParameterList_h
 #define vtkRelievoParameterList_h
 
@@ -22,8 +22,8 @@ struct VTKRELIEVODESCRIBE_EXPORT vtkRelievoParameterList
   const vtkRelievoParameter* Find(const std::string& parameter) const;
 
   ///@{
-  // For scripts: how many there are, and of each its name, its help with what it takes, its default
-  // and its value in words, and OnlyIf. "" of one that there is not.
+  // For scripts: the number of parameters, and the name, help with valid values, default, value in
+  // words and OnlyIf of each. "" for an unknown one.
   int GetNumber() const { return static_cast<int>(this->Parameters.size()); }
   std::string GetName(int i) const;
   std::string GetHelp(const std::string& parameter) const;
@@ -35,17 +35,17 @@ struct VTKRELIEVODESCRIBE_EXPORT vtkRelievoParameterList
   // The values, a line each, for PrintSelf.
   void Print(std::ostream& os, vtkIndent indent) const;
 
-  // Sets the value that the words say. Returns what is wrong, in words; nothing is set then.
+  // Sets a value from words. Returns an error and sets nothing if they are invalid; otherwise "".
   std::string TrySet(const std::string& parameter, const std::string& words) const;
 
   // The names, with commas between them.
   std::string GetNames() const;
 
-  // Adds a parameter, whose value now is its default.
+  // Adds a parameter whose present value is its default.
   vtkRelievoParameter& Add(const vtkRelievoParameter& parameter);
 
   ///@{
-  // Adds a parameter: the member that holds its value, and the function that sets it.
+  // Adds a parameter by the member with its value and the function that sets it.
   vtkRelievoParameter& AddFlag(const std::string& name, const bool& value,
     std::function<void(bool)> set, const std::string& help);
   vtkRelievoParameter& AddWhole(const std::string& name, const int& value,

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What scripts ask of a class that describes its parameters, in its member Parameters. The class
-// includes vtkRelievoText.h as well. vtkRelievoMember is a member and its Set method, for Add....
+// Methods for scripts in a class that describes its parameters in the member Parameters. The class
+// must include vtkRelievoText.h as well. vtkRelievoMember expands to a member and its Set method,
+// for Add....
 #ifndef vtkRelievoParametersMacro_h
 #define vtkRelievoParametersMacro_h
 

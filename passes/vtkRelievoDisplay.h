@@ -11,7 +11,7 @@
 #include "vtkObject.h"
 #include "vtkRelievoPassesModule.h" // for the export macro
 
-#include <string> // for the words
+#include <string> // for the sentence
 
 class vtkRenderWindow;
 

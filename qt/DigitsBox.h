@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Qt's box for a number, without zeros that say nothing, with a unit that knows its singular, and
- * with a clock's way to write hours.
+ * Qt's spin box without trailing zeros, with a unit that has a singular, and optionally with clock
+ * times.
  */
 #ifndef DigitsBox_h
 #define DigitsBox_h
@@ -19,7 +19,7 @@ class DigitsBox : public QDoubleSpinBox
 public:
   explicit DigitsBox(QWidget* parent = nullptr);
 
-  /// In the plural.
+  /// The unit's plural.
   void SetUnit(const QString& unit);
   void SetClock();
 
@@ -27,7 +27,7 @@ public:
   double valueFromText(const QString& text) const override;
   QValidator::State validate(QString& text, int& place) const override;
 
-  /// Of the value that it has.
+  /// The unit for the present value.
   void ShowUnit();
 
 private:

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * A frame report (vtkRelievoPass::GetFrameReport) as windows show it.
+ * A frame report (vtkRelievoPass::GetFrameReport) for display in windows.
  */
 #ifndef FrameReport_h
 #define FrameReport_h
@@ -16,30 +16,30 @@ struct FrameReport
 {
   struct Stage
   {
-    QString Name;   ///< of the report
-    QString Label;  ///< for people
-    QString Code;   ///< why it ran, or did not: see vtkRelievoStage::GetReasonCode
-    QString Reason; ///< that in words: clauses with "; " between them, the first says most
+    QString Name;   ///< name in the report
+    QString Label;  ///< display name
+    QString Code;   ///< code of the reason: see vtkRelievoStage::GetReasonCode
+    QString Reason; ///< the reason in words: clauses separated by "; ", the most important first
     bool Ran = false;
     double Milliseconds = -1.0; ///< on the GPU; -1: not measured (yet)
     double Bytes = 0.0;         ///< of GPU memory
     int DrawCalls = -1;         ///< -1: not counted
 
-    /// No stage: what the frame is drawn around.
+    /// No stage: VTK's own drawing.
     bool IsDelegate() const { return this->Name == "delegate"; }
 
-    /// The reason's first clause; empty for a stage that has no part in the picture.
+    /// The reason's first clause; empty for a stage that takes no part in the picture.
     QString GetShortReason() const;
   };
   QVector<Stage> Stages;
   double Milliseconds = -1.0; ///< of the whole frame
   double Bytes = 0.0;
 
-  /// Of JSON; without stages if there is no report in it.
+  /// Parses JSON; without stages if it contains no report.
   explicit FrameReport(const QByteArray& json = QByteArray());
 
   ///@{
-  /// "<0.001", "0.041", "41.2"; "16.0 MiB"; an en dash where there is no number.
+  /// "<0.001", "0.041", "41.2"; "16.0 MiB"; an en dash for a missing number.
   static QString FormatMilliseconds(double milliseconds);
   static QString FormatBytes(double bytes);
   ///@}

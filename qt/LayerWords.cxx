@@ -43,7 +43,7 @@ QString MakeTitle(const std::string& layer)
   return title;
 }
 
-// Empty for what has a strip.
+// Empty for a layer with a colour strip.
 QString DescribeColors(const vtkRelievoLayer& layer, int components)
 {
   switch (layer.Kind)
@@ -73,7 +73,7 @@ QString NameLayer(const std::string& layer)
   const bool light = Catalogue::GetIsOfLight(layer);
   if (!light && !Catalogue::GetIsLayer(layer))
   {
-    return words; // an array, as the data name it
+    return words; // an array, under its own name
   }
   words.replace('_', ' ');
   if (light)
@@ -126,7 +126,7 @@ LayerWords DescribeLayer(vtkRelievoDisplayStage* stage, bool isDrawnHere)
     return words;
   }
   const bool given = stage->GetRange()[0] < stage->GetRange()[1];
-  const bool named = light && !given && stage->HasScale(); // the ends say what their values are
+  const bool named = light && !given && stage->HasScale(); // the strip's ends have values
   const QString colors = DescribeColors(known, stage->GetShownComponents());
   words.Words =
     named ? words.Words.section(':', 0, 0) + "." : (words.Words + " " + colors).trimmed();

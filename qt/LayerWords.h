@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * What the colours of the layer that is shown as the picture mean, or why there is nothing to see.
+ * Explains the colours of a layer shown as the picture, or why the picture is empty.
  */
 #ifndef LayerWords_h
 #define LayerWords_h
@@ -17,19 +17,19 @@ namespace relievoQt
 {
 struct LayerWords
 {
-  QString Title; ///< the layer, and the unit of its values
+  QString Title; ///< layer and unit
   QString Words;
-  QString First, Last; ///< what the ends of the strip stand for
-  QImage Strip;        ///< the colours in a row; null where words tell all
+  QString First, Last; ///< values at the strip's ends
+  QImage Strip;        ///< the colours in a row; null if words suffice
 
-  /// All texts, a line each.
+  /// All texts, one per line.
   QString GetText() const;
 };
 
-/// The name for people: "Shadow of light 0" for shadow_0; that of an array as it is.
+/// The display name: "Shadow of light 0" for shadow_0; an array's own name.
 QString NameLayer(const std::string& layer);
 
-/// `isDrawnHere`: the stage drew the last picture, and knows its values; if not, a server did.
+/// `isDrawnHere`: the stage drew the last picture and knows its values; otherwise a server did.
 LayerWords DescribeLayer(vtkRelievoDisplayStage* stage, bool isDrawnHere = true);
 }
 

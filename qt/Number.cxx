@@ -19,7 +19,7 @@ namespace relievoQt
 namespace
 {
 constexpr double MostSteps = 2000.0;
-constexpr double Largest = 1e9; // a spin box shows no more
+constexpr double Largest = 1e9; // limit of the spin box
 constexpr int DialPixels = 56;
 
 QDial* MakeDial(QWidget* parent)
@@ -32,7 +32,7 @@ QDial* MakeDial(QWidget* parent)
   return dial;
 }
 
-// A dial begins at the bottom, a compass at the top: half a turn, there and back.
+// A dial begins at the bottom, a compass at the top: adds or subtracts half a turn.
 int TurnHalf(int position, int around)
 {
   return around > 0 ? ((position + around / 2) % around + around) % around : position;
@@ -65,14 +65,14 @@ Number::Number(double least, double most, double step, int decimals, QWidget* pa
     this->Slider->setObjectName("slider");
     this->Slider->setRange(0, count);
     this->Slider->setPageStep(std::max(1, count / 10));
-    this->Slider->installEventFilter(this); // a dial moves before it says that it is held
+    this->Slider->installEventFilter(this); // a dial changes before it reports the press
     layout->addWidget(this->Slider, kind == DIAL ? 0 : 1);
     QWidget::setTabOrder(this->Slider, this->Digits);
     QObject::connect(this->Slider, &QAbstractSlider::valueChanged, this, [this](int position) {
       this->Digits->setValue(this->Least + this->Step * TurnHalf(position, this->Around));
     });
   }
-  else if (decimals > 0) // small and large numbers alike
+  else if (decimals > 0) // relative precision for small and large numbers
   {
     this->Digits->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
   }
@@ -150,7 +150,7 @@ double Number::Wrap(double value) const
 //------------------------------------------------------------------------------
 void Number::SetValue(double value)
 {
-  if (!this->Held && value != this->Value) // what is being typed stays
+  if (!this->Held && value != this->Value) // keeps a text while the user types
   {
     this->Show(value);
   }
@@ -181,7 +181,7 @@ bool Number::eventFilter(QObject* watched, QEvent* event)
   }
   else if (event->type() == QEvent::MouseButtonRelease)
   {
-    // A dial moves once more when it is let go.
+    // A dial changes once more at its release.
     QTimer::singleShot(0, this, SLOT(LetGo()));
   }
   return this->QWidget::eventFilter(watched, event);

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * A number as digits, with a slider before them where its steps are few, or with a dial. Values
- * given to it are not rounded: only what the user changes is as it is shown.
+ * A number as digits, with a slider if its steps are few, or with a dial. Values set by the program
+ * are not rounded to the displayed digits, only the user's changes.
  */
 #ifndef Number_h
 #define Number_h
@@ -24,37 +24,37 @@ public:
   enum Kind
   {
     SLIDER,
-    DIAL // goes around like a compass: its least value is at the top
+    DIAL // circular, with the least value at the top
   };
 
   /// The slider goes from `least` to `most`.
   Number(double least, double most, double step, int decimals, QWidget* parent = nullptr,
     Kind kind = SLIDER);
 
-  /// In the plural, if there is one: "texels" becomes "texel" behind a 1.
+  /// The unit's plural, if there is one: "texels" becomes "texel" after a 1.
   void SetUnit(const QString& unit);
 
-  /// What may be typed, where that is more than the slider's range.
+  /// The limits for typing, if wider than the slider's range.
   void SetTypedRange(double least, double most);
 
-  /// Goes around: what is behind the end is shown and given from the beginning on, as with angles.
+  /// Wraps around: values beyond the end continue from the beginning, as with angles.
   void SetWrapping();
 
-  /// What is shown instead of the least value.
+  /// Text shown instead of the least value.
   void SetSpecial(const QString& text);
 
-  /// Hours are shown as on a clock, 15:30.
+  /// Shows hours as on a clock, 15:30.
   void SetClock();
 
-  /// Digits of one width, at the right: those of a column line up, whatever their ranges.
+  /// Aligns digits of one width at the right, so that a column lines up for any ranges.
   void AlignDigits();
 
-  /// Sends no signal. Does nothing while the mouse holds the slider.
+  /// Emits no signal. Does nothing while the mouse drags the slider.
   void SetValue(double value);
   double GetValue() const { return this->Value; }
 
 Q_SIGNALS:
-  /// `held`: the mouse holds the slider; when it lets go, the signal comes once more.
+  /// `held`: the mouse drags the slider; its release emits the signal once more.
   void edited(double value, bool held);
 
 protected:
@@ -71,7 +71,7 @@ private:
   double Value = 0.0;
   bool Wrapping = false;
   bool Held = false;
-  bool Moved = false; // while it is held
+  bool Moved = false; // changed during a drag
   QAbstractSlider* Slider = nullptr;
   int Around = 0; // steps of a dial
   DigitsBox* Digits;

@@ -14,7 +14,7 @@ namespace relievoQt
 {
 namespace
 {
-constexpr int RangeDigits = 5; // of what is found
+constexpr int RangeDigits = 5; // significant digits of automatic values
 }
 
 //------------------------------------------------------------------------------

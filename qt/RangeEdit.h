@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * The values of the first and the last colour: found automatically, or typed.
+ * Edits the values of the first and last colour: automatic, or typed.
  */
 #ifndef RangeEdit_h
 #define RangeEdit_h
@@ -25,10 +25,10 @@ public:
 
   void SetAutomaticToolTip(const QString& text);
 
-  /// Empty texts: automatic. Sends no signal.
+  /// Empty texts: automatic. Emits no signal.
   void Show(const QString& least, const QString& most);
 
-  /// What is shown for the ends while they are found automatically.
+  /// Texts for the ends of an automatic range.
   void ShowFound(const std::array<double, 2>& range);
 
 Q_SIGNALS:

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Rows of labels and fields that suit a narrow dock.
+ * Rows of labels and fields for a narrow dock.
  */
 #ifndef Rows_h
 #define Rows_h
@@ -15,7 +15,7 @@ namespace relievoQt
 /// The widget's layout, without margins.
 QFormLayout* MakeRows(QWidget* parent);
 
-/// Labels are of one width: fields of several parts line up.
+/// Gives labels one width, so that fields of several parts line up.
 void AddRow(QFormLayout* rows, const QString& title, QWidget* field);
 }
 

@@ -16,7 +16,7 @@ constexpr struct
 {
   const char* Name;
   const char* Title;
-  const char* Widest; // of its texts
+  const char* Widest; // text of the column
   const char* Tip;
 } Columns[] = { { "_ms", "ms", "00000.0", "Time on the graphics processor, of the last pictures" },
   { "_bytes", "Memory", "1023.9 MiB", "Graphics memory that is held for it" },
@@ -113,7 +113,7 @@ void StageTable::SetReport(const FrameReport& report)
     const QString reason = this->Full ? stage.Reason : stage.GetShortReason();
     if (!stage.Ran && reason.isEmpty())
     {
-      continue; // it has no part in the picture
+      continue; // takes no part in the picture
     }
     const Row& row = this->GetRow(stage.Name);
     const QString draws = stage.DrawCalls < 0 ? QString() : QString::number(stage.DrawCalls);

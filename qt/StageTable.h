@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * A row for each stage of a frame report, why it ran or did not, and the whole. Columns of numbers
- * have one width, whatever is in them.
+ * A table of a frame report: for each stage, why it ran or not, and totals. Columns of numbers have
+ * a fixed width.
  */
 #ifndef StageTable_h
 #define StageTable_h
@@ -26,13 +26,13 @@ class StageTable : public QWidget
 public:
   enum Detail
   {
-    SHORT, // stages that have part in the picture, and the first clause of their reasons
+    SHORT, // stages that take part in the picture, and the first clause of their reasons
     FULL   // all stages, their reasons and draw calls
   };
 
   explicit StageTable(Detail detail, QWidget* parent = nullptr);
 
-  /// Shows a report; an empty one clears all.
+  /// Shows a report; an empty one clears the table.
   void SetReport(const FrameReport& report);
 
 private:

@@ -62,7 +62,7 @@ SunEdit::SunEdit(QWidget* parent)
                     "From north, clockwise seen from above: 90 is east, 180 south" },
     { angles, this->Elevation, "Elevation", "degrees",
       "Above the horizon. Below 0, which can be typed, the sun lights from beneath" },
-    { place, this->Time, "Time", "", "What the clock says" },
+    { place, this->Time, "Time", "", "Clock time" },
     { place, this->Latitude, "Latitude", "degrees", "North is positive" },
     { place, this->Longitude, "Longitude", "degrees", "East is positive" },
     { place, this->TimeZone, "Time zone", "h",

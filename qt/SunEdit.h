@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Where the sun stands: by angles, or by date, time and place. What they make of it is their
- * owner's to say.
+ * Edits the sun's position: by angles, or by date, time and place. The owner interprets the values.
  */
 #ifndef SunEdit_h
 #define SunEdit_h
@@ -26,18 +25,18 @@ public:
 
   bool IsByPlace() const;
 
-  /// Those of the choice, after a change of which no signal was sent.
+  /// Shows the rows of the choice; call it after a change without a signal.
   void ShowRows();
 
-  /// Words below the rows; none hides them.
+  /// Text below the rows; empty hides it.
   void SetWords(const QString& words);
 
-  /// Words on where the sun is: by date and place its angles, "Azimuth 179.0°, elevation 65.4°", or
-  /// that it is night; by angles that it lights from beneath, where it does.
+  /// Describes the sun's position: for date and place, its angles, "Azimuth 179.0°, elevation
+  /// 65.4°", or that it is night; for angles, a note if it shines from below.
   static QString WritePlace(double azimuth, double elevation, bool byPlace);
 
-  /// Each sends its own signals. Angles are in degrees, the time in hours of the clock, the zone in
-  /// hours that the clock is ahead of universal time.
+  /// Each emits its own signals. Angles are in degrees, the time in hours of the clock, the zone in
+  /// hours ahead of universal time.
   QComboBox* By; // 0: angles, 1: date and place
   QDateEdit* Date;
   Number *Azimuth, *Elevation, *Time, *Latitude, *Longitude, *TimeZone;

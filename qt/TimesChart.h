@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * A bar for each stage that was timed: the longest fills the width.
+ * A bar for each timed stage: the longest fills the width.
  */
 #ifndef TimesChart_h
 #define TimesChart_h
@@ -22,10 +22,10 @@ public:
   /// An empty report clears the chart.
   void SetReport(const FrameReport& report);
 
-  /// Those that have a bar.
+  /// The stages with a bar.
   const QVector<FrameReport::Stage>& GetStages() const { return this->Stages; }
 
-  /// Where a bar is painted.
+  /// The area of a bar.
   QRect GetPlace(int stage) const;
 
   QSize sizeHint() const override;

@@ -25,11 +25,11 @@ namespace scene
 {
 namespace
 {
-// VTK's copy of a property gives its textures back without having taken them: once for each name
-// that it knows them by.
+// VTK's copy of a property releases textures without having referenced them: once for each name of
+// a texture.
 vtkSmartPointer<vtkProperty> Copy(vtkProperty* property)
 {
-  std::map<vtkTexture*, int> counts; // of references, with those of the copy
+  std::map<vtkTexture*, int> counts; // references, including the copy's
   for (const auto& named : property->GetAllTextures())
   {
     const auto known = counts.emplace(named.second, named.second->GetReferenceCount()).first;
@@ -85,7 +85,7 @@ std::string MakeSurfaceKey(const Settings& settings, const RenderOptions& option
   return MakeKey(settings, Wearing) + (shadowed ? "in its own shadow" : "");
 }
 
-// Everything but stages, the camera and the files.
+// The key of all options except those of the camera and of the shadow method.
 std::string MakeDressKey(const Settings& settings)
 {
   std::vector<const char*> names;
@@ -186,7 +186,7 @@ vtkRelievoPass* DressedScene::GetFrame() const
 void DressedScene::SetPoints(const FramePoints& points)
 {
   this->Points = points;
-  vtkRelievoPass::Detach(this->GetRenderer()); // a new one takes them
+  vtkRelievoPass::Detach(this->GetRenderer()); // a new frame takes the points
 }
 
 //------------------------------------------------------------------------------
@@ -372,7 +372,7 @@ void DressedScene::Wear(const RenderOptions& options, Progress& progress)
 }
 
 //------------------------------------------------------------------------------
-// Stages that stay as they were keep what they hold.
+// Unchanged stages keep their resources.
 void DressedScene::SetFrame(const RenderOptions& options)
 {
   vtkRenderer* renderer = this->GetRenderer();
@@ -389,7 +389,7 @@ void DressedScene::SetFrame(const RenderOptions& options)
   };
   if (colors(options) != colors(this->Options))
   {
-    vtkRelievoPass::Detach(renderer); // for it says of props that they cast
+    vtkRelievoPass::Detach(renderer); // the frame marks props as casters
   }
   const bool isNew = !this->GetFrame();
   vtkRelievoPass* frame = vtkRelievoPass::Attach(renderer);

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * A scene that was read, shown as options say: only what changed is set anew, and the picture is
- * that of a scene which was never shown otherwise.
+ * A scene that is updated from changed options: only the differences are set, and the picture
+ * equals that of a scene built anew.
  */
 #ifndef DressedScene_h
 #define DressedScene_h
@@ -29,8 +29,8 @@ namespace scene
 class Progress;
 
 ///@{
-/// What of the settings a reader needs: when this changes, files are read again. The scene's part
-/// is all but the points of lamps, fog and markers.
+/// The settings that a reader depends on: when this key changes, files are read again. The scene's
+/// key covers every setting but the points of lamps, fog and markers.
 std::string GetReadingKey(const Settings& settings);
 std::string GetSceneKey(const Settings& settings);
 ///@}
@@ -42,57 +42,57 @@ public:
 
   DressedScene(const Scene& scene, const FramePoints& points);
 
-  /// Shows the scene by these options, which are those of the settings; `keepCamera`: but with
-  /// the renderer's camera. The renderer must be in a window. Throws UsageError or WorkError, and
-  /// leaves the scene between what it was and what it was to be: another update mends it.
+  /// Updates the scene to these options, parsed from the settings; with `keepCamera` the renderer's
+  /// camera stays. The renderer must be in a window. Throws UsageError or WorkError; the scene is
+  /// then partly updated, and another update completes it.
   void Update(
     const Settings& settings, const RenderOptions& options, bool keepCamera, Progress& progress);
 
-  /// Other points for the lamps, fog and markers of the options that are shown next.
+  /// Replaces the points of lamps, fog and markers; the next update shows them.
   void SetPoints(const FramePoints& points);
 
-  /// Whether an update reads no file.
+  /// Whether an update would read no file.
   bool IsDressedAlike(const Settings& settings) const;
 
-  /// Whether a colour bar that is shown was made for another size of the window.
+  /// Whether the colour bar was laid out for another window size.
   bool IsBarOutgrown() const;
 
-  /// Whether it is an actor of the files, and no skeleton, ground or lines.
+  /// Whether the actor was read from a file, unlike a skeleton, the ground or lines.
   bool IsOfFiles(vtkActor* actor) const;
 
   vtkRenderer* GetRenderer() const { return this->Read.Renderer; }
-  vtkRelievoPass* GetFrame() const; ///< null: the picture is VTK's own
+  vtkRelievoPass* GetFrame() const; ///< null: VTK draws the picture without a frame
   Scene& GetScene() { return this->Read; }
   const Scene& GetScene() const { return this->Read; }
   const std::vector<vtkSmartPointer<vtkLight>>& GetFileLights() const { return this->Lights; }
   const FramePoints& GetPoints() const { return this->Points; }
-  const RenderOptions& GetOptions() const { return this->Options; } ///< that are shown
+  const RenderOptions& GetOptions() const { return this->Options; } ///< of the last update
   const double* GetBounds() const { return this->Read.Bounds; }
 
 private:
   void SetFrame(const RenderOptions& options);
 
-  // What an actor was before it was dressed.
+  /// An actor's state before options were applied.
   struct Part
   {
     vtkSmartPointer<vtkActor> Actor;
     vtkSmartPointer<vtkProperty> Property;
     vtkSmartPointer<vtkTexture> Texture;
-    bool SRGB;                                    // of the texture
-    vtkSmartPointer<vtkRelievoMaterial> Material; // of a model that brings one
+    bool SRGB;                                    // whether the texture is sRGB
+    vtkSmartPointer<vtkRelievoMaterial> Material; // the model's own material
     bool Colored;
     int ScalarMode, ColorMode, ArrayAccess, ArrayId;
     std::string ArrayName;
     bool OwnRange;
-    bool Interpolated; // scalars, before they are colours
+    bool Interpolated; // interpolates scalars before mapping them to colours
   };
 
-  // Brings the scene back to how it was read; what surfaces wear stays, and the sky.
+  /// Restores the scene as read from its files; surface maps and the skybox stay.
   void Undress();
   void Restore(const Part& part);
 
-  // Sets what surfaces wear, and the sky, instead of what there was; that stays, without its files
-  // being read again, where this throws.
+  /// Replaces surface maps and the skybox. If this throws, the old ones stay, and their files are
+  /// not read again.
   void Wear(const RenderOptions& options, Progress& progress);
   void TakeOff();
 
@@ -102,8 +102,8 @@ private:
   std::vector<vtkSmartPointer<vtkLight>> Lights; // of the files
   FramePoints Points;
   RenderOptions Options;
-  std::string Dress = "\n", Surface = "\n"; // the words it was made of; at first like no words
-  std::array<int, 2> BarSize{};             // of the window that the scalar bar was made for
+  std::string Dress = "\n", Surface = "\n"; // keys of the last update; at first unlike any key
+  std::array<int, 2> BarSize{};             // window size for which the scalar bar was laid out
 };
 }
 

@@ -45,7 +45,7 @@ namespace scene
 {
 namespace
 {
-// What was left out, by the notes on the file.
+// Why reading dropped all content, from the file's notes.
 std::string WhyNothing(const std::string& path, ReadContext& context)
 {
   std::string why;
@@ -64,8 +64,8 @@ std::string WhyNothing(const std::string& path, ReadContext& context)
 namespace
 {
 //------------------------------------------------------------------------------
-// How bright the files' lights, in lux and candela, make a white surface in the middle of the scene
-// that faces one of them; white is 1.
+// Radiance from a white surface in the scene's centre that faces one of the files' lights, which
+// are in lux and candela; white is 1.
 double FindBrightness(const Scene& scene, Shading shading)
 {
   const vtkBoundingBox box(scene.Bounds);
@@ -75,8 +75,8 @@ double FindBrightness(const Scene& scene, Shading shading)
   }
   double center[3];
   box.GetCenter(center);
-  const double nearest = 0.25 * box.GetDiagonalLength(); // of lamps among what they light
-  std::vector<std::array<double, 3>> all;                // the way to each, as long as it is bright
+  const double nearest = 0.25 * box.GetDiagonalLength(); // least distance of a lamp
+  std::vector<std::array<double, 3>> all; // directions to lights, scaled by brightness
   for (const PosedModel& model : scene.Models)
   {
     for (int i = 0; i < model.Reader->GetNumberOfLights(); ++i)
@@ -106,15 +106,15 @@ double FindBrightness(const Scene& scene, Shading shading)
     }
     brightest = std::max(brightest, sum / std::max(vtkMath::Norm(one.data()), 1e-300));
   }
-  // VTK's PBR shows a power of the light, and the frame takes what VTK shows as sRGB.
+  // VTK's PBR shows a power of the light, and the frame decodes VTK's output as sRGB.
   const bool isPBR = shading == Shading::FromFile || shading == Shading::PBR;
   return relievo::f64::relievoLinearFromSrgb(
     isPBR ? std::pow(brightest / vtkMath::Pi(), 1.0 / 2.2) : brightest);
 }
 
 //------------------------------------------------------------------------------
-// The exposure, in stops, at which the files' lights make white of white. None where the options
-// say one, or where nothing is brighter.
+// The exposure, in stops, at which the files' lights show white as white. None if the options set
+// an exposure, or if nothing is brighter than white.
 std::optional<double> FindExposure(const Scene& scene, const RenderOptions& options)
 {
   const auto exposes = [](const StageChoice& stage) {
@@ -160,7 +160,7 @@ RenderOptions FollowFile(RenderOptions options, const Scene& scene)
 namespace
 {
 //------------------------------------------------------------------------------
-// They follow the reader's time.
+// The lights follow the reader's time.
 void AddOwnLights(const PosedModel& model, vtkRenderer* renderer)
 {
   for (int i = 0; i < model.Reader->GetNumberOfLights(); ++i)
@@ -170,7 +170,7 @@ void AddOwnLights(const PosedModel& model, vtkRenderer* renderer)
 }
 
 //------------------------------------------------------------------------------
-// The surfaces to draw. Null: the renderer has a volume instead.
+// Returns the surfaces to draw; null if the renderer has a volume instead.
 vtkSmartPointer<vtkDataObject> ShowImage(vtkImageData* image, const ImageChoice& choice,
   vtkRenderer* renderer, const std::string& path, ReadContext& context)
 {
@@ -197,7 +197,7 @@ vtkSmartPointer<vtkDataObject> ShowImage(vtkImageData* image, const ImageChoice&
   }
   double range[2];
   image->GetPointData()->GetScalars()->GetFiniteRange(range);
-  if (found && !(range[0] < range[1])) // nothing parts it
+  if (found && !(range[0] < range[1])) // no value separates the samples
   {
     return image;
   }
@@ -217,7 +217,7 @@ vtkSmartPointer<vtkDataObject> ShowImage(vtkImageData* image, const ImageChoice&
 }
 
 //------------------------------------------------------------------------------
-// Of data that --image, where it was asked for, does not change.
+// Notes that a requested --image has no effect on the data.
 void NoteIdleImage(
   vtkDataObject* data, const RenderOptions& options, const std::string& path, ReadContext& context)
 {
@@ -234,7 +234,7 @@ void NoteIdleImage(
 }
 
 //------------------------------------------------------------------------------
-// By what the last model's animation lasts.
+// Widens the scene's times by the last model's animation.
 void WidenTimes(Scene& scene)
 {
   vtkInformation* information = scene.Models.back().Reader->GetOutputInformation(0);
@@ -322,7 +322,7 @@ Scene ReadScene(const RenderOptions& options, ReadContext& context)
       shows = shows || vtkMath::AreBoundsInitialized(actor->GetBounds());
     }
     context.Check(
-      path, !shows, shows ? "" : "holds nothing that can be drawn: " + WhyNothing(path, context));
+      path, !shows, shows ? "" : "contains nothing to draw: " + WhyNothing(path, context));
   }
   scene.Renderer->ComputeVisiblePropBounds(scene.Bounds);
   if (const std::optional<double> stops = FindExposure(scene, options))
@@ -338,7 +338,7 @@ Scene ReadScene(const RenderOptions& options, ReadContext& context)
 namespace
 {
 //------------------------------------------------------------------------------
-// Below the scene's bounds, in the place of the one before.
+// Lays a ground below the scene's bounds and removes the previous one.
 void LayGround(Scene& scene, const RenderOptions& options)
 {
   scene.Renderer->RemoveActor(scene.Ground);
@@ -353,7 +353,7 @@ void LayGround(Scene& scene, const RenderOptions& options)
 }
 
 //------------------------------------------------------------------------------
-// Round the scene's bounds, in the place of the one before.
+// Lays a grid around the scene's bounds and removes the previous one.
 void LayGrid(Scene& scene, const RenderOptions& options)
 {
   if (scene.Grid)
@@ -377,7 +377,7 @@ void DressScene(Scene& scene, const RenderOptions& options)
   {
     if (model.Skeleton)
     {
-      scene.Renderer->AddActor(model.Skeleton); // which looks as it does
+      scene.Renderer->AddActor(model.Skeleton); // keeps its own look
     }
   }
   AddLights(scene.Renderer, options.Lights, options.UpAxis, !options.Surface.Environment.empty());
@@ -390,7 +390,7 @@ void DressScene(Scene& scene, const RenderOptions& options)
     vtkNew<vtkRelievoScaleBar> bar;
     bar->SetUnit(*options.Look.ScaleBar);
     bar->SetLength(options.Look.ScaleBarLength);
-    // Other backgrounds are painted where a picture is to have none.
+    // Other backgrounds are painted for --transparent; the ink must not follow them.
     bar->SetInk(GetInk(scene.Renderer)[0] < 0.5 ? vtkRelievoScaleBar::INK_BLACK
                                                 : vtkRelievoScaleBar::INK_WHITE);
     scene.Renderer->AddViewProp(bar);

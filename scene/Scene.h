@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * From files and options to a renderer, ready to draw: actors, lights, camera.
+ * Builds a renderer, ready to draw, from files and options: actors, lights, camera.
  */
 #ifndef Scene_h
 #define Scene_h
@@ -31,27 +31,25 @@ struct Scene
   std::vector<PosedModel> Models;
   vtkSmartPointer<vtkActor> Ground;                       ///< null: none
   vtkSmartPointer<scene::Grid> Grid;                      ///< null: none
-  double Bounds[6] = { 1.0, -1.0, 1.0, -1.0, 1.0, -1.0 }; ///< of what is shown, without a ground
-  bool HasLights = false;                                 ///< of its files
+  double Bounds[6] = { 1.0, -1.0, 1.0, -1.0, 1.0, -1.0 }; ///< of the visible props but the ground
+  bool HasLights = false;                                 ///< whether the files have lights
   int UpAxis = 1;          ///< by the first file: 0, 1, 2 for x, y, z
-  std::vector<int> Counts; ///< how many actors each file gave, skeletons apart
-  std::vector<std::array<int, 3>>
-    Dimensions;      ///< points of images that are not shown as boxes, or zeros
-  ArrayNames Arrays; ///< that can be layers
-  std::optional<std::array<double, 2>> Times; ///< seconds that animations last; none: nothing moves
+  std::vector<int> Counts; ///< number of actors from each file, without skeletons
+  std::vector<std::array<int, 3>> Dimensions; ///< dimensions of images not shown as boxes, or zeros
+  ArrayNames Arrays;                          ///< that can be layers
+  std::optional<std::array<double, 2>> Times; ///< first and last second of animations
 };
 
-/// Reads every file. Throws WorkError with the name of the file that cannot be read or shows
-/// nothing.
+/// Reads every file. Throws WorkError naming the file that cannot be read or is empty.
 Scene ReadScene(const RenderOptions& options, ReadContext& context);
 
-/// Shading, colours and lights of what was read, and the camera.
+/// Applies shading, colours, lights and camera to the actors.
 void DressScene(Scene& scene, const RenderOptions& options);
 
-/// The options with the scene's up axis and lights, where they leave it to that.
+/// The options with the scene's own up axis and lights where the options leave these open.
 RenderOptions FollowFile(RenderOptions options, const Scene& scene);
 
-/// Fits the camera so that it sees every frame of a sequence, from one place.
+/// Fits one camera to all frames of a sequence.
 void FitTimes(Scene& scene, const RenderOptions& options, Progress& progress);
 
 /// Moves the models to a time in seconds; the camera stays.

@@ -61,7 +61,7 @@ vtkSmartPointer<vtkImageData> MakeTransparent(vtkImageData* overBlack, vtkImageD
     const unsigned char* black = from->GetPointer(3 * pixel);
     const unsigned char* white = other->GetPointer(3 * pixel);
     unsigned char* rgba = to->GetPointer(4 * pixel);
-    int seen = 0; // of the background, in all channels
+    int seen = 0; // the background's share, over all channels
     for (int i = 0; i < 3; ++i)
     {
       seen += std::max(0, white[i] - black[i]);

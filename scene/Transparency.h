@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * --transparent: a picture without its background. Drawn over black and over white, it tells how
- * much of both is seen: so the ground, which has the background's colour, is gone but for its
- * shadows, which are black of the opacity that darkens white as they do.
+ * --transparent: a picture without its background. Drawing over black and over white gives the
+ * share of the background in each pixel. The ground has the background's colour, so that only its
+ * shadows remain: black, with the opacity that darkens white as much.
  */
 #ifndef Transparency_h
 #define Transparency_h
@@ -16,7 +16,7 @@ namespace scene
 {
 struct Scene;
 
-/// While one lives, the background has one grey, 0 black to 1 white, and the ground with it.
+/// While one lives, background and ground have one grey, 0 black to 1 white.
 class Backdrop
 {
 public:
@@ -34,8 +34,9 @@ private:
   double Ground[3] = { 0.0, 0.0, 0.0 };
 };
 
-/// RGBA, 8 bits, not premultiplied: over black it is the first picture, within rounding, and over
-/// white the second, where the background is seen alike in all three colours, else in their mean.
+/// RGBA, 8 bits, not premultiplied: over black it gives the first picture, within rounding. Over
+/// white it gives the second where the background's share is equal in all three channels, and
+/// otherwise their mean.
 vtkSmartPointer<vtkImageData> MakeTransparent(vtkImageData* overBlack, vtkImageData* overWhite);
 }
 

@@ -63,13 +63,13 @@ namespace scene
 {
 namespace
 {
-// An EXR file without a word about layers holds the colour and the depth.
+// Without --layers, an EXR file holds the colour and the depth.
 const std::vector<std::string> DefaultLayers = { "depth" };
 
-// GPU times are read a frame or more later and never waited for, so a report needs a few frames.
+// GPU times arrive a frame or more later without waiting, so a report needs a few frames.
 constexpr int FramesUntilTimed = 4;
 
-// Throws UsageError if nothing that is drawn can have the layer.
+// Throws UsageError if no drawn prop can provide the layer.
 void CheckLayer(const std::string& option, const std::string& name, const Scene& scene)
 {
   if (vtkRelievoLayerCatalogue::GetIsLayer(name) || scene.Arrays.Names.count(name) != 0 ||
@@ -80,7 +80,8 @@ void CheckLayer(const std::string& option, const std::string& name, const Scene&
   if (option == "--layers" && vtkRelievoRayLayers::IsFlow(name.c_str()))
   {
     RefuseValue(option, name,
-      "several times beside it, as in --times 0:1:0.1: it goes from each frame to the one before");
+      "several times as well, as in --times 0:1:0.1: it goes from each frame to the "
+      "previous one");
   }
   const std::vector<std::string> arrays(scene.Arrays.Names.begin(), scene.Arrays.Names.end());
   RefuseValue(option, name,
@@ -88,7 +89,7 @@ void CheckLayer(const std::string& option, const std::string& name, const Scene&
       (arrays.empty() ? "; the files hold no arrays" : ", or an array: " + Join(arrays, ", ")));
 }
 
-// The layer that is shown as the picture, if one is.
+// The layer shown as the picture, if any.
 void CheckShownLayer(const RenderOptions& options, const Scene& scene)
 {
   for (const StageChoice& stage : options.Stages)
@@ -131,10 +132,9 @@ std::vector<std::string> LayersToCapture(const RenderOptions& options, const Sce
 }
 
 //------------------------------------------------------------------------------
-// Whether nothing stands out against the background: each row of the picture has one colour, within
-// the level by which newer versions of VTK dither a gradient, and nothing is in sight. A fitted
-// camera leaves a margin, of a pixel at least where the picture is not narrow, so that there the
-// colours alone tell.
+// Whether the picture shows nothing but background: each row has one colour, within the level of
+// newer VTK versions' dithered gradients, and no prop is in view. A fitted camera leaves a margin
+// of at least a pixel unless the picture is narrow; colours alone decide then.
 bool ShowsNothing(vtkRenderWindow* window, vtkImageData* picture, const RenderOptions& options)
 {
   if (std::any_of(options.Stages.begin(), options.Stages.end(),
@@ -167,8 +167,8 @@ bool ShowsNothing(vtkRenderWindow* window, vtkImageData* picture, const RenderOp
 }
 
 //------------------------------------------------------------------------------
-// Whether it has a polygon with area, a line or a point. Of data that is drawn in its own colours,
-// these are not all transparent.
+// Whether the data has a polygon with area, a line or a point. If it brings its own colours, these
+// must not all be transparent.
 bool HasVisibleCells(vtkDataSet* data, bool isColored)
 {
   auto* colors = vtkUnsignedCharArray::SafeDownCast(data->GetPointData()->GetScalars()
@@ -199,7 +199,7 @@ bool HasVisibleCells(vtkDataSet* data, bool isColored)
   return false;
 }
 
-// Whether the ground is all that can be seen: such a picture is not empty.
+// Whether only the ground is visible: such a picture counts as not empty.
 bool ShowsGroundAlone(const Scene& scene, const RenderOptions& options)
 {
   if (!scene.Ground || scene.Grid || !options.Points.empty() ||
@@ -256,7 +256,7 @@ void WritePNG(const Scene& scene, vtkImageData* picture, const RenderOptions& op
   writer->SetFileName(outputs.Temporary(options.PNG).c_str());
   progress.Observe(writer);
   {
-    const SilentLibraries silence; // libpng prints what the writer says
+    const SilentLibraries silence; // libpng prints errors that the writer reports
     writer->Write();
   }
   progress.End();
@@ -264,13 +264,13 @@ void WritePNG(const Scene& scene, vtkImageData* picture, const RenderOptions& op
   if (ShowsGroundAlone(scene, options))
   {
     Messages::Note(options.PNG +
-      ": shows nothing but the ground: all else is wholly transparent, or has no area");
+      ": shows only the ground: everything else is fully transparent, or has no area");
   }
   else if (ShowsNothing(scene.Renderer->GetRenderWindow(), picture, options))
   {
     Messages::Note(options.PNG +
-      ": shows nothing but the background: all else is out of sight, thinner than a pixel, or has "
-      "the background's colour");
+      ": shows only the background: everything else is out of view, thinner than a pixel, "
+      "or has the background's colour");
   }
 }
 
@@ -289,7 +289,7 @@ void WriteEXR(
 }
 
 //------------------------------------------------------------------------------
-// The frame's, and the camera's calibration.
+// The frame's metadata and the camera's calibration.
 void WriteReport(vtkRelievoPass* pass, vtkFieldData* calibration, const RenderOptions& options,
   const Outputs& outputs)
 {
@@ -314,7 +314,7 @@ std::string Certify(vtkRelievoPass* pass, int rays)
 }
 
 //------------------------------------------------------------------------------
-// Somebody who asks for a stage should not have to guess why nothing of it is seen.
+// Tells a user why a requested stage has no visible effect.
 void NoteIdleStages(vtkRelievoPass* pass, const std::vector<StageChoice>& stages)
 {
   for (const StageChoice& choice : stages)
@@ -330,7 +330,7 @@ void NoteIdleStages(vtkRelievoPass* pass, const std::vector<StageChoice>& stages
 }
 
 //------------------------------------------------------------------------------
-// The options of one frame of a sequence: its time, and the names of its files.
+// The options for one frame of a sequence: its time and its file names.
 RenderOptions FrameOptions(const RenderOptions& options, int frame)
 {
   RenderOptions own = options;
@@ -345,7 +345,7 @@ RenderOptions FrameOptions(const RenderOptions& options, int frame)
 }
 
 //------------------------------------------------------------------------------
-// The files that are asked for, each with its option.
+// The output files, each with its option.
 std::vector<std::pair<std::string, std::string>> GetPlaces(const RenderOptions& options)
 {
   std::vector<std::pair<std::string, std::string>> places = { { "--png", options.PNG },
@@ -357,7 +357,7 @@ std::vector<std::pair<std::string, std::string>> GetPlaces(const RenderOptions& 
 }
 
 //------------------------------------------------------------------------------
-// Draws the scene as it is and writes what is asked for, whole.
+// Draws the scene and writes the complete outputs.
 void DrawFrame(DressedScene& dressed, vtkRelievoPass* pass, const std::vector<std::string>& layers,
   const RenderOptions& options, const Settings& settings, FlowOfFrames& flow, Outputs& outputs,
   Progress& progress, const std::string& what)
@@ -373,7 +373,7 @@ void DrawFrame(DressedScene& dressed, vtkRelievoPass* pass, const std::vector<st
   }
   if (!options.Report.empty())
   {
-    pass->GetFrameReport(); // from now on frames are timed, whatever the OpenGL
+    pass->GetFrameReport(); // starts timing frames, whatever the OpenGL
   }
   for (int frame = 1; !options.Report.empty() && frame < FramesUntilTimed; ++frame)
   {
@@ -396,7 +396,7 @@ void DrawFrame(DressedScene& dressed, vtkRelievoPass* pass, const std::vector<st
       source->AddLayer(name);
     }
     source->Update();
-    // The image and not the source's port: a source of layers draws anew whenever it is asked.
+    // Uses the image and not the source's port, because a source of layers redraws on each request.
     seen = source->GetOutput();
   }
   if (!options.EXR.empty())
@@ -411,8 +411,7 @@ void DrawFrame(DressedScene& dressed, vtkRelievoPass* pass, const std::vector<st
   else if (options.Lens.empty())
   {
     const bool isDrawn = baseline && options.PNG.empty() && options.Report.empty();
-    if ((options.EXR.empty() && !isDrawn) ||
-      (options.HDR && !options.PNG.empty())) // which leaves the window
+    if ((options.EXR.empty() && !isDrawn) || (options.HDR && !options.PNG.empty())) // not drawn yet
     {
       window->Render();
     }
@@ -420,7 +419,7 @@ void DrawFrame(DressedScene& dressed, vtkRelievoPass* pass, const std::vector<st
   }
   progress.End();
   Messages::Check(what);
-  if (options.Lens.empty()) // of which the last view may show less than the picture
+  if (options.Lens.empty()) // a lens's last view may show less than the picture
   {
     NoteIdleStages(pass, options.Stages);
   }
@@ -460,7 +459,7 @@ void DrawFrame(DressedScene& dressed, vtkRelievoPass* pass, const std::vector<st
 
 namespace
 {
-// The frame that draws the outputs; afterwards the renderer is as it was.
+// Attaches the frame that draws the outputs, and afterwards restores the renderer.
 class OutputFrame
 {
 public:
@@ -483,7 +482,7 @@ public:
     }
     for (const std::string& name : layers)
     {
-      if (name != vtkRelievoLayerCatalogue::GetPicture().Name) // which is drawn anyway
+      if (name != vtkRelievoLayerCatalogue::GetPicture().Name) // the picture is drawn in any case
       {
         this->Pass->RequestLayer(name);
         this->Layers.push_back(name);

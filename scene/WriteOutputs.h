@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Draws a scene and writes what is asked for: pictures, layers, reports; all of them or none.
+ * Draws a scene and writes the requested pictures, layers and reports: all of them or none.
  */
 #ifndef WriteOutputs_h
 #define WriteOutputs_h
@@ -19,16 +19,16 @@ class Progress;
 class Settings;
 struct RenderOptions;
 
-/// The files that the options ask for; of a sequence, those of its first frame. Throws UsageError
-/// or WorkError for a place that cannot be written, or that is one of the inputs.
+/// The output files of the options; for a sequence, those of its first frame. Throws UsageError or
+/// WorkError for a place that cannot be written or is an input.
 std::unique_ptr<Outputs> OpenOutputs(
   const RenderOptions& options, const std::vector<std::string>& inputs);
 
-/// Draws the scene, which is shown by the options, and writes the files; of a sequence, each
-/// frame's before the next one is drawn. `inputs`: all files that were read, for none to be
-/// replaced, be it by the last frame. `settings`: what the options were made of, for the record of
-/// a baseline. Returns the shadows' certificate in words, if it is
-/// asked for. Throws UsageError for layers that the scene does not have, WorkError.
+/// Draws the scene as set by the options and writes the files; in a sequence, each frame's files
+/// are written before the next frame is drawn. `settings`: the source of the options, for the record
+/// of a baseline. `inputs`: all files read; no frame may replace one. Returns the shadows'
+/// certificate as text if it was requested. Throws UsageError for layers that the scene does not
+/// have, and WorkError.
 std::string WriteOutputs(DressedScene& dressed, const RenderOptions& options,
   const Settings& settings, const std::vector<std::string>& inputs,
   std::unique_ptr<Outputs> outputs, Progress& progress);

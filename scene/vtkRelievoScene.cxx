@@ -54,22 +54,22 @@ struct vtkRelievoScene::Internals : public scene::ProgressListener
 
   vtkRelievoScene* Owner;
   vtkNew<vtkStringArray> Words, InputFiles, Notes, Warnings;
-  scene::RenderOptions Options; // of the words
+  scene::RenderOptions Options; // parsed words
   scene::Settings Settings;
   vtkSmartPointer<vtkRenderWindow> Window;
   bool IsOwnWindow = false;
-  std::exception_ptr NoWindow;     // why it could not be made while a file was read
-  std::array<int, 2> Size{};       // that the own window was given
-  std::string ReadingKey;          // of what was read; empty: nothing
+  std::exception_ptr NoWindow;     // why no window could be made while reading a file
+  std::array<int, 2> Size{};       // size given to the own window
+  std::string ReadingKey;          // of the files read; empty: none
   bool Played = false;             // a sequence has moved the models from the time of reading
-  std::vector<std::string> Opened; // to read it
+  std::vector<std::string> Opened; // while reading
   scene::DressedScene Dressed;
   std::string Certificate, Doing;
 };
 
 namespace
 {
-// Of work on files, what fails is a file.
+// Rethrows errors of work on files as WorkError about a file.
 template <typename Work>
 auto OnFiles(Work work)
 {
@@ -199,7 +199,7 @@ vtkRenderWindow* vtkRelievoScene::GetRenderWindow()
 }
 
 //------------------------------------------------------------------------------
-// Before the first that asks its OpenGL.
+// Needed before the first use of its OpenGL.
 void vtkRelievoScene::Internals::MakeWindow()
 {
   if (!this->Window)
@@ -223,14 +223,14 @@ void vtkRelievoScene::Internals::MakeWindow()
 //------------------------------------------------------------------------------
 void vtkRelievoScene::Internals::Read(scene::Progress& progress)
 {
-  // The array of the strongest bones is read where a layer asks for it, too.
+  // A layer of the strongest bones needs its array to be read, too.
   const std::string key =
     scene::GetReadingKey(this->Settings) + (this->Options.Model.FirstBone ? "first_bone" : "");
   if (key == this->ReadingKey && this->Dressed.GetRenderer())
   {
     return;
   }
-  // Starting OpenGL takes about as long as reading a mesh. What is wrong with files is told first.
+  // Starting OpenGL takes about as long as reading a mesh. Errors in files are reported first.
   this->NoWindow = nullptr;
   scene::ReadContext context(progress, this->Options.AllowedFolders);
   context.SetMeanwhile([this] {
@@ -266,7 +266,7 @@ void vtkRelievoScene::Internals::Update(scene::Progress& progress)
   }
   this->Read(progress);
   this->Options = scene::FollowFile(this->Options, this->Dressed.GetScene());
-  if (this->Played) // what is read alike has its time
+  if (this->Played) // unchanged models keep the time of reading
   {
     scene::PlayScene(
       this->Dressed.GetScene(), this->Options, this->Options.Model.Time.value_or(0.0), progress);
@@ -303,7 +303,7 @@ bool vtkRelievoScene::Update()
 bool vtkRelievoScene::Write()
 {
   return this->Try([this] {
-    // What can be refused at once is refused before the long work.
+    // Refuses invalid requests before the long work.
     const scene::RenderOptions& options = this->Internal->Options;
     this->Internal->Certificate.clear();
     scene::CheckOutputs(options);

@@ -5,16 +5,16 @@
  * @brief Makes a renderer of files and options, as `relievo render` does.
  *
  * SetWords() takes files and options in the words of `relievo render`. Update() reads the files and
- * fills GetRenderer(): readers, materials, lights, camera, lamps, fog and the frame around them. Of
- * later words it sets only what they say differently; a file is read again if what it is read by
- * has changed. Write() writes the outputs that the words ask for.
+ * fills GetRenderer(): readers, materials, lights, camera, lamps, fog and the frame around them.
+ * After later words it applies only the differences; a file is read again only if options that
+ * affect its reading have changed. Write() writes the outputs that the words request.
  *
- * Files: what `relievo --help` lists. Progress: progress events of 0 to 1, with GetProgressText();
+ * Files: see `relievo --help`. Progress: progress events of 0 to 1, with GetProgressText();
  * SetAbort() ends the work with an error.
  *
  * Errors: a function that fails returns false and invokes one error event, which names the option
- * or the file; GetFailureText() is its text, GetFailure() tells its kind. The renderer then shows
- * what it did, or part of what it was to show, and another Update() mends it.
+ * or the file; GetFailureText() is its text, GetFailure() its kind. The renderer then shows the
+ * previous scene or a partly updated one, and another Update() completes it.
  */
 #ifndef vtkRelievoScene_h
 #define vtkRelievoScene_h
@@ -22,8 +22,8 @@
 #include "vtkObject.h"
 #include "vtkRelievoSceneModule.h" // for the export macro
 
-#include <functional> // for work that may fail
-#include <memory>     // for what is private
+#include <functional> // for fallible work
+#include <memory>     // for private data
 #include <string>     // for texts
 
 class vtkImageData;
@@ -41,73 +41,73 @@ public:
 
   ///@{
   /**
-   * Files and options, as the words behind `relievo render`; those of outputs may be lacking. Words
-   * that are wrong change nothing. Default: none.
+   * Files and options, as the words after `relievo render`; outputs may be missing. Invalid words
+   * leave the scene unchanged. Default: none.
    */
   bool SetWords(vtkStringArray* words);
   vtkStringArray* GetWords();
   ///@}
 
-  /** The files that the words name to be read: those shown, and those of options. */
+  /** All input files named by the words: those shown, and those of options. */
   vtkStringArray* GetInputFiles();
 
   /**
-   * The window that the renderer is in, which keeps its size; set it before Update(). Default:
-   * one of the scene's own, off screen, of the size that the words say.
+   * The renderer's window, which keeps its size; set it before Update(). Default: one of the
+   * scene's own, off screen, of the size in the words.
    */
   void SetRenderWindow(vtkRenderWindow* window);
   vtkRenderWindow* GetRenderWindow();
 
-  /** Shows the scene as the words say; the camera is where they put it. */
+  /** Shows the scene as set by the words, and places the camera. */
   bool Update();
 
-  /** Shows the scene as the words say, and writes the outputs they ask for: all or none. */
+  /** Shows the scene as set by the words, and writes the requested outputs: all or none. */
   bool Write();
 
   /**
-   * Shows the scene as the words say, and draws what `--baseline` writes into an image:
+   * Shows the scene as set by the words, and draws the content of `--baseline` into an image:
    * vtkRelievoBaseline, with the files' names for objects.
    */
   bool CaptureBaseline(vtkImageData* image);
 
-  /** What shows the scene; it is another one when other files are read. Null before Update(). */
+  /** The renderer of the scene; reading other files replaces it. Null before Update(). */
   vtkRenderer* GetRenderer();
 
-  /** The frame around what VTK draws; null where the words ask for nothing that needs one. */
+  /** The frame around VTK's drawing; null if no option needs one. */
   vtkRelievoPass* GetPass();
 
-  /** The axis that points up, 0, 1, 2 for x, y, z; as found by an Update(). */
+  /** The up axis, 0, 1, 2 for x, y, z, as found by Update(). */
   int GetUpAxis();
 
-  /** The file that an actor is of, by its number in vtkRenderer::GetActors(); empty: of none. */
+  /** The file of an actor, by its number in vtkRenderer::GetActors(); empty: no file. */
   std::string GetFileOf(int actor);
 
   ///@{
-  /** What the user should know of the last Update() or Write(): a line each. */
+  /** Notes for the user from the last Update() or Write(): a line each. */
   vtkStringArray* GetNotes();
   vtkStringArray* GetWarnings();
   ///@}
 
-  /** What the last Write() with `--certify` found; empty without one. */
+  /** The certificate of the last Write() with `--certify`; empty without one. */
   std::string GetCertificate();
 
   enum Failures
   {
     NO_FAILURE = 0,
-    USAGE_FAILURE = 1, ///< words are wrong, for themselves or for what the files hold
+    USAGE_FAILURE = 1, ///< invalid words, in themselves or for the files' contents
     FILE_FAILURE = 2,  ///< a file cannot be read or written
     DRAW_FAILURE = 3   ///< the scene cannot be drawn
   };
   ///@{
-  /** Why the last function that may fail did; NO_FAILURE and empty if it did not. */
+  /** Error of the last function that can fail; NO_FAILURE and empty if it succeeded. */
   int GetFailure() { return this->Failure; }
   std::string GetFailureText() { return this->FailureText; }
   ///@}
 
-  /** What is being done, such as "reading bunny.off". */
+  /** The current step, such as "reading bunny.off". */
   std::string GetProgressText();
 
-  /** Ends the work that goes on, from an observer of its progress. */
+  /** Stops the work in progress; call it from an observer of the progress. */
   void SetAbort() { this->Abort = true; }
 
   /**
@@ -124,7 +124,8 @@ private:
   vtkRelievoScene(const vtkRelievoScene&) = delete;
   void operator=(const vtkRelievoScene&) = delete;
 
-  // Whether the work ends without an exception; one becomes the error event and the failure.
+  // Runs the work and returns whether it succeeded; an exception becomes the error event and the
+  // failure.
   bool Try(const std::function<void()>& work);
 
   int Failure = NO_FAILURE;

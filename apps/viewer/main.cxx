@@ -44,7 +44,7 @@ bool Has(const std::vector<std::string>& words, const char* word)
   return std::find(words.begin(), words.end(), word) != words.end();
 }
 
-// Prints; returns the exit status.
+// Prints the text; returns the exit status.
 int Print(const char* text)
 {
   std::fputs(text, stdout);
@@ -57,15 +57,15 @@ int Print(const char* text)
   return 1;
 }
 
-// Closing the window is not timed.
+// The time for closing the window does not count.
 void End(int status)
 {
   std::_Exit(status);
 }
 
 //------------------------------------------------------------------------------
-// Where there is no display or no OpenGL, Qt prints lines about its plugins, and aborts or shows an
-// empty window.
+// Without a display or OpenGL, Qt prints lines about its plugins, and aborts or shows an empty
+// window.
 void EndWithoutOpenGL()
 {
   std::fputs("relievo-viewer: nothing can be drawn: this display has no OpenGL 3.2\n",
@@ -73,7 +73,7 @@ void EndWithoutOpenGL()
   End(1);
 }
 
-QtMessageHandler QtsOwn = nullptr; // while there is an application
+QtMessageHandler QtsOwn = nullptr; // while an application exists
 
 void OnMessage(QtMsgType type, const QMessageLogContext& context, const QString& text)
 {
@@ -90,15 +90,15 @@ void OnMessage(QtMsgType type, const QMessageLogContext& context, const QString&
   else if (type == QtFatalMsg)
   {
     std::fprintf(scene::StandardError(),
-      "relievo-viewer: no window can be opened: %s; start it where there is a screen, or under "
-      "xvfb-run, or use relievo render\n",
+      "relievo-viewer: no window can be opened: %s; start it on a machine with a screen, "
+      "or under xvfb-run, or use relievo render\n",
       reason.toUtf8().constData());
     End(1);
   }
 }
 
 //------------------------------------------------------------------------------
-// After the first picture, or when there is none.
+// Called after the first picture, or if there is none.
 void EndAfterPicture(viewer::MainWindow& window, const std::string& session)
 {
   if (window.GetTrouble().isEmpty() && window.GetDocument()->Get().Files.empty())
@@ -112,7 +112,7 @@ void EndAfterPicture(viewer::MainWindow& window, const std::string& session)
   const auto drawn = std::make_shared<bool>(false);
   QObject::connect(view, &viewer::PictureView::drawn, qApp,
     [view, drawn] { *drawn = !view->GetPicture().IsEmpty(); });
-  // When it is on the screen.
+  // Called when the picture is on the screen.
   QObject::connect(view, &QOpenGLWidget::frameSwapped, qApp, [view, drawn] {
     if (*drawn)
     {
@@ -150,7 +150,7 @@ int main(int argc, char* argv[])
   words.erase(timed, words.end());
   const bool isSession =
     words.size() == 1 && QFileInfo(QString::fromStdString(words[0])).suffix().toLower() == "json";
-  const scene::Messages::Scope scope; // notes, too, on what the words say
+  const scene::Messages::Scope scope; // collects notes on the words too
   scene::Settings settings;
   try
   {
@@ -171,7 +171,7 @@ int main(int argc, char* argv[])
   viewer::UseHighDpi();
   QCoreApplication::setOrganizationName("Relievo");
   QCoreApplication::setApplicationName("relievo-viewer");
-  int ours = 1; // Qt has options of its own, which ours might be taken for
+  int ours = 1; // hides our options from Qt, which has some of its own
   const QtMessageHandler before = qInstallMessageHandler(OnMessage);
   viewer::Application application(ours, argv);
   QtsOwn = before;
@@ -187,7 +187,7 @@ int main(int argc, char* argv[])
   {
     window.Open(settings);
   }
-  window.show(); // while the files are read
+  window.show(); // appears while files are being read
   if (once)
   {
     EndAfterPicture(window, words.front());
@@ -196,7 +196,7 @@ int main(int argc, char* argv[])
   if (window.IsBusy())
   {
     QSettings().sync();
-    End(status); // what is made of files may take long
+    End(status); // skips destructors, which may take long
   }
   return status;
 }

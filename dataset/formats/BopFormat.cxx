@@ -21,7 +21,7 @@ std::vector<double> Scaled(const Json& values, double scale)
   return numbers;
 }
 
-// A scene of the Benchmark for 6D Object Pose Estimation, whose lengths are millimetres.
+// A scene of the Benchmark for 6D Object Pose Estimation; lengths are in millimetres.
 class BopFormat : public DatasetFormat
 {
 public:

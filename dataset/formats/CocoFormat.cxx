@@ -9,7 +9,7 @@ namespace
 {
 using Json = nlohmann::ordered_json;
 
-// Instances as runs of pixels.
+// Instances as run-length masks.
 class CocoFormat : public DatasetFormat
 {
 public:

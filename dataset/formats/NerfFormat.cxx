@@ -13,13 +13,13 @@ namespace
 {
 using Json = nlohmann::ordered_json;
 
-// Whether a camera's record, by DescribeDatasetCamera, is that of a fisheye lens.
+// Whether the record of a camera, by DescribeDatasetCamera, has a fisheye lens.
 bool IsFisheye(const Json& camera)
 {
   return camera.contains("lens") && camera["lens"] == "fisheye";
 }
 
-// What transforms.json says of a camera: (0, 0) is the corner of the first pixel.
+// The camera's entries of transforms.json: (0, 0) is the corner of the first pixel.
 Json DescribeIntrinsics(const Json& camera)
 {
   const Json& k = camera["K"];
@@ -35,7 +35,7 @@ Json DescribeIntrinsics(const Json& camera)
   return all;
 }
 
-// transforms.json, with one kind of lens for all views.
+// transforms.json, with a single kind of lens in all views.
 class NerfFormat : public DatasetFormat
 {
 public:
@@ -51,7 +51,7 @@ public:
     auto* lens = vtkRelievoLensCamera::SafeDownCast(camera);
     const auto refuse = [&view](const std::string& what) {
       throw UsageError(view + ": " + what +
-        ", which transforms.json cannot say; expected another format, or another camera");
+        ", which transforms.json cannot describe; expected another format, or another camera");
     };
     if (lens->GetSkew() != 0.0)
     {
@@ -72,8 +72,8 @@ public:
     if (IsFisheye(DescribeDatasetCamera(camera)) != IsFisheye(DescribeDatasetCamera(first)))
     {
       throw UsageError(view +
-        ": transforms.json has one kind of lens for all views, and view 0 has another; expected "
-        "fisheyes alone, or none");
+        ": transforms.json has one kind of lens for all views, and view 0 has another; "
+        "expected fisheyes in all views, or in none");
     }
   }
 
@@ -105,7 +105,7 @@ public:
       Json matrix = Json::array();
       for (std::size_t i = 0; i < 3; ++i)
       {
-        // Columns: right, up, backwards, and where the camera is.
+        // Columns: right, up, backwards, camera position.
         const double place = -(r[i] * t[0] + r[3 + i] * t[1] + r[6 + i] * t[2]);
         matrix.push_back({ r[i], -r[3 + i], -r[6 + i], place });
       }

@@ -20,7 +20,7 @@ namespace
 {
 using Json = nlohmann::ordered_json;
 
-// Doubles that come from floats or integers are these again.
+// Stores doubles converted from floats or integers in their original type.
 template <typename T>
 void AddLayer(
   NumpyArchive& archive, const DatasetView& view, const std::string& name, const std::string& type)
@@ -52,7 +52,7 @@ void AddLayer(NumpyArchive& archive, const DatasetView& view, const std::string&
   }
 }
 
-// All that there is of a view as arrays that numpy.load() reads.
+// All data of a view as arrays that numpy.load() reads.
 class NpzFormat : public DatasetFormat
 {
 public:
@@ -136,7 +136,7 @@ public:
         archive.Add(array, "<U" + std::to_string(letters.size()), {}, letters.data(),
           letters.size() * sizeof(letters[0]));
       }
-      else if (array != "size") // which all arrays have
+      else if (array != "size") // all arrays have it
       {
         const auto values = value.get<std::vector<double>>();
         const bool isMatrix = array == "K" || array == "R";

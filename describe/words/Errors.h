@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * The ways in which the work on a scene ends badly. They are thrown where the trouble is met and
- * caught once, by vtkRelievoScene or a program.
+ * Errors of the work on a scene. They are thrown at their cause and caught once, by vtkRelievoScene
+ * or a program.
  */
 #ifndef Errors_h
 #define Errors_h
@@ -11,8 +11,8 @@
 
 namespace scene
 {
-/// The words were wrong: exit status 2. The text names the option, what was given, what was
-/// expected.
+/// The words were invalid: exit status 2. The text names the option, the given value and the
+/// expected one.
 struct UsageError : std::runtime_error
 {
   using std::runtime_error::runtime_error;
@@ -24,7 +24,7 @@ struct WorkError : std::runtime_error
   using std::runtime_error::runtime_error;
 };
 
-/// A file could not be read or written, which the text names.
+/// A file, named in the text, could not be read or written.
 struct FileError : WorkError
 {
   using WorkError::WorkError;

@@ -27,14 +27,14 @@ double RoundTo(double value, double step)
     return value;
   }
   const double exponent = std::floor(std::log10(step));
-  const double power = std::pow(10.0, std::abs(exponent)); // exact, as its inverse is not
+  const double power = std::pow(10.0, std::abs(exponent)); // exact, unlike its inverse
   return exponent < 0.0 ? std::round(value * power) / power : std::round(value / power) * power;
 }
 
 //------------------------------------------------------------------------------
 std::string WriteFileAndNumber(const std::string& file, double number)
 {
-  // What ends in a comma and digits would be read as a name with a number.
+  // A name that ends in a comma and digits would be parsed as a name with a number.
   const std::size_t comma = file.rfind(',');
   const bool plain = comma == std::string::npos ||
     file.find_first_not_of("0123456789.eE+-", comma + 1) != std::string::npos;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Numbers as words of the command line.
+ * Writes and parses numbers as words of the command line.
  */
 #ifndef Numbers_h
 #define Numbers_h
@@ -11,16 +11,17 @@
 
 namespace scene
 {
-/// The shortest digits that give the number back.
+/// The shortest digits that parse back to the value.
 std::string WriteNumber(double value);
 
-/// The value to a power of ten that is not above the step: few digits for WriteNumber.
+/// Rounds the value to the largest power of ten not above the step: few digits for WriteNumber.
 double RoundTo(double value, double step);
 
-/// FILE,NUMBER, as options of images have it; without a 0 where the name alone is read as such.
+/// Writes FILE,NUMBER for options of images; omits 0 unless the bare name would be parsed
+/// otherwise.
 std::string WriteFileAndNumber(const std::string& file, double number);
 
-/// Numbers between commas.
+/// Writes numbers separated by commas.
 std::string WriteNumbers(const std::vector<double>& values);
 }
 

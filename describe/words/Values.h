@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Values of options: from a word to numbers and choices. Numbers read the same in every locale.
- * Each function throws UsageError that names the option, the word and what was expected.
+ * Parses values of options to numbers and choices. Numbers parse the same in every locale. Each
+ * function throws UsageError naming the option, the word and the expected value.
  */
 #ifndef Values_h
 #define Values_h
@@ -15,24 +15,23 @@ struct vtkRelievoParameterList;
 
 namespace scene
 {
-/// Names with what is said of each, in words.
+/// Names with their values in words.
 using NamedWords = std::vector<std::pair<std::string, std::string>>;
 
-/// The error for a word that does not fit: "OPTION: got 'WORD', expected EXPECTED".
+/// The error for an invalid word: "OPTION: got 'WORD', expected EXPECTED".
 [[noreturn]] void RefuseValue(
   const std::string& option, const std::string& word, const std::string& expected);
 
 /// The parts of a word between separators; an empty word has one empty part.
 std::vector<std::string> Split(const std::string& word, char separator);
 
-/// The parts of a word between separators; a backslash before a separator or a backslash stands for
-/// the letter itself.
+/// Split, except that a backslash before a separator or a backslash makes it an ordinary letter.
 std::vector<std::string> SplitEscaped(const std::string& word, char separator);
 
-/// The word that SplitEscaped takes apart so.
+/// A word that SplitEscaped splits into these parts.
 std::string JoinEscaped(const std::vector<std::string>& parts, char separator);
 
-/// The parts with a separator between each two.
+/// Joins the parts, with a separator between each two.
 std::string Join(const std::vector<std::string>& parts, const std::string& separator);
 
 /// Exactly `count` finite numbers between commas. `form` shows the shape, such as "NEAR,FAR".
@@ -52,23 +51,23 @@ double ParseShare(const std::string& option, const std::string& word);
 /// One whole number with low <= number <= high.
 int ParseWhole(const std::string& option, const std::string& word, int low, int high);
 
-/// What NAME=VALUE parts say, each name once. `form` shows the shape of the whole word.
+/// The values of NAME=VALUE parts, each name once. `form` shows the shape of the whole word.
 NamedWords ParseNamedWords(
   const std::string& option, const std::vector<std::string>& parts, const std::string& form);
 
-/// The parts that ParseNamedWords reads so, with commas between them.
+/// Writes the parts that ParseNamedWords parses, with commas between them.
 std::string WriteNamedWords(const NamedWords& values);
 
-/// What is said of the name; "" if nothing is.
+/// The value of a name; "" if it has none.
 std::string FindWords(const NamedWords& values, const std::string& name);
 
-/// Says it of the name; "" takes it back.
+/// Sets the value of a name; "" removes it.
 void SetWords(NamedWords& values, const std::string& name, const std::string& words);
 
-/// Values that a class describes, for people: a line NAME=VALUE with its help and default for each.
+/// Describes parameters as text: a line NAME=VALUE with help and default for each.
 std::string DescribeValues(const vtkRelievoParameterList& values);
 
-/// The place of the word among the choices.
+/// The index of the word among the choices.
 std::size_t ParseChoice(
   const std::string& option, const std::string& word, const std::vector<std::string>& choices);
 }

@@ -63,7 +63,7 @@ public:
   void GetIrradiance(const double normal[3], double color[3]);
 
   ///@{
-  /** Parameters by name, with values in words, as of vtkRelievoStage. */
+  /** Parameters by name, with values in words, like vtkRelievoStage's. */
   vtkRelievoParametersMacro();
   ///@}
 

@@ -124,7 +124,7 @@ public:
   ///@}
 
   ///@{
-  /** Parameters by name, with values in words, as of vtkRelievoStage. */
+  /** Parameters by name, with values in words, like vtkRelievoStage's. */
   vtkRelievoParametersMacro();
   ///@}
 

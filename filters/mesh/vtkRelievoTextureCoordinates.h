@@ -90,7 +90,7 @@ public:
   vtkGetMacro(NumberOfAddedPoints, vtkIdType);
 
   ///@{
-  /** Parameters by name, with values in words, as of vtkRelievoStage. */
+  /** Parameters by name, with values in words, like vtkRelievoStage's. */
   vtkRelievoParametersMacro();
   ///@}
 

@@ -12,7 +12,7 @@ namespace scene
 {
 namespace
 {
-constexpr std::size_t Short = 8; // letters of a value
+constexpr std::size_t Short = 8; // letters in a value
 
 WrittenValues Write(const std::vector<double>& values, std::chars_format kind, int digits)
 {
@@ -28,7 +28,7 @@ WrittenValues Write(const std::vector<double>& values, std::chars_format kind, i
   return written;
 }
 
-// With the fewest digits that are right to a few hundredths of the step between two values.
+// With the fewest digits that are accurate to a few hundredths of the step between two values.
 WrittenValues Write(const std::vector<double>& values, std::chars_format kind)
 {
   const double step = std::abs(values[1] - values[0]);
@@ -80,7 +80,7 @@ double RoundDown(double length)
   const double exponent = std::floor(std::log10(length));
   const double share = length / std::pow(10.0, exponent);
   const double digit = share >= 5.0 ? 5.0 : share >= 2.0 ? 2.0 : 1.0;
-  // Powers below 1 are no doubles: the quotient of two that are is rounded once.
+  // Negative powers of ten are inexact doubles: a quotient of two exact doubles is rounded once.
   return exponent < 0.0 ? digit / std::pow(10.0, -exponent) : digit * std::pow(10.0, exponent);
 }
 

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * What the numbers in a picture have in common, of the colour bar, the grid and the scale
- * bar.
+ * Formatting of the numbers in a picture, shared by the colour bar, the grid and the scale bar.
  */
 #ifndef Annotation_h
 #define Annotation_h
@@ -15,21 +14,21 @@ class vtkRenderer;
 
 namespace scene
 {
-/// Black or white, whatever is read better on the background.
+/// Black or white, whichever contrasts more with the background.
 std::array<double, 3> GetInk(vtkRenderer* renderer);
 
-/// 1, 2 or 5 times a power of 10, at most that; the double nearest to it.
+/// The largest 1, 2 or 5 times a power of 10 not above the value, as the nearest double.
 double RoundDown(double length);
 
-/// A way to write numbers as printf has it, and values written so.
+/// A printf format, and the values written by it.
 struct WrittenValues
 {
   std::string Format;
   std::vector<std::string> Texts;
 };
 
-/// At least two values at even steps, with the fewest digits that are right to a few hundredths of
-/// the step; exponents are for what would be long without.
+/// Writes at least two evenly spaced values with the fewest digits that are accurate to a few
+/// hundredths of the step; exponents shorten long numbers.
 WrittenValues WriteValues(const std::vector<double>& values);
 }
 

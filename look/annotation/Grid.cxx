@@ -30,16 +30,16 @@ namespace scene
 {
 namespace
 {
-constexpr double ManySteps = 6.0; // along the longest side, at the least
-constexpr double FewSteps = 3.0;  // along a short one
-constexpr double Thin = 0.03;     // of the longest side: without numbers
-constexpr double Outside = 5e-5;  // of the box's diagonal, of what is shown: above the ground
-constexpr double Behind = 2e-3;   // instead of that along the axis of what is flat
-constexpr double Tick = 0.012;    // of the longest side
+constexpr double ManySteps = 6.0; // least number along the longest side
+constexpr double FewSteps = 3.0;  // along a short side
+constexpr double Thin = 0.03;     // share of the longest side: thinner sides get no numbers
+constexpr double Outside = 5e-5;  // share of the diagonal between scene and box, above the ground
+constexpr double Behind = 2e-3;   // the same along the axis of a flat scene
+constexpr double Tick = 0.012;    // share of the longest side
 constexpr unsigned char Edge = 150, Inner = 60; // opacities of lines
-constexpr int LinesOfText = 45;                 // as high as the picture, about
+constexpr int LinesOfText = 45;                 // lines per picture height, about
 constexpr int SmallestText = 9;                 // pixels
-constexpr double FineLine = 900.0; // pixels of a picture's height for each of a line's width
+constexpr double FineLine = 900.0;              // picture height in pixels per unit of line width
 
 int GetShorterSide(vtkRenderer* renderer)
 {
@@ -48,7 +48,7 @@ int GetShorterSide(vtkRenderer* renderer)
 }
 
 //------------------------------------------------------------------------------
-// Where a camera sees points, in pixels of the renderer.
+// Projects points to pixels of the renderer.
 class Projection
 {
 public:
@@ -60,7 +60,7 @@ public:
   {
   }
 
-  /// None for what is beside or behind the camera.
+  /// None for points beside or behind the camera.
   std::optional<std::array<double, 2>> operator()(const std::array<double, 3>& point) const
   {
     const double from[4] = { point[0], point[1], point[2], 1.0 };
@@ -88,7 +88,7 @@ private:
 }
 
 //------------------------------------------------------------------------------
-// Whose left bottom is the text's place.
+// At is the text's left bottom corner.
 struct Grid::Box
 {
   std::array<double, 2> At{}, Size{};
@@ -102,7 +102,7 @@ struct Grid::Box
       isBefore(other, *this, 1);
   }
 
-  // Beside a point, in that direction of length 1, with a gap between; within the picture.
+  // Places a text beside a point in a unit direction, with a gap; within the picture.
   void Place(const std::array<double, 2>& point, const std::array<double, 2>& out, double gap,
     const std::array<double, 2>& picture)
   {
@@ -239,7 +239,7 @@ void Grid::Execute(vtkObject* caller, unsigned long, void*)
 }
 
 //------------------------------------------------------------------------------
-// A side is far if what the box holds is before it.
+// A side is far if the box's contents are in front of it.
 Grid::Sides Grid::FindFarSides(vtkRenderer* renderer) const
 {
   vtkCamera* camera = renderer->GetActiveCamera();
@@ -261,7 +261,7 @@ Grid::Sides Grid::FindFarSides(vtkRenderer* renderer) const
 }
 
 //------------------------------------------------------------------------------
-// The edges along an axis are counted by the sides of the next axis (1) and of that after it (2).
+// The edges along an axis are counted by the sides of the next axis (1) and the one after it (2).
 std::array<double, 3> Grid::GetCorner(int axis, int edge) const
 {
   std::array<double, 3> corner;
@@ -288,7 +288,7 @@ void Grid::AddLine(
 }
 
 //------------------------------------------------------------------------------
-// Through the box, along the axis.
+// A line through the box, along the axis.
 void Grid::AddThrough(int axis, const std::array<double, 3>& from, bool edge)
 {
   const auto along = static_cast<std::size_t>(axis);
@@ -299,7 +299,7 @@ void Grid::AddThrough(int axis, const std::array<double, 3>& from, bool edge)
 }
 
 //------------------------------------------------------------------------------
-// In the plane of the far one of the sides that share the outer edge, and beyond the other.
+// A tick in the plane of the far one of the two sides at the outer edge, beyond the other side.
 void Grid::AddTicks(int axis, int edge, const Sides& far)
 {
   const auto along = static_cast<std::size_t>(axis);
@@ -345,7 +345,7 @@ void Grid::DrawLines(const Sides& far, const Edges& numbered)
     {
       this->AddTicks(axis, edge, far);
     }
-    // On the sides of either of the other axes, at the numbers of the third.
+    // Lines on the sides of the other two axes, at the numbers of the third.
     for (const auto& [on, at] : { std::make_pair(next, last), std::make_pair(last, next) })
     {
       for (std::size_t side = 0; side < 2; ++side)
@@ -367,7 +367,7 @@ void Grid::DrawLines(const Sides& far, const Edges& numbered)
 }
 
 //------------------------------------------------------------------------------
-// Of which only the size is known.
+// The text's box, with only its size set.
 Grid::Box Grid::GetBox(vtkRenderer* renderer, const Label& label) const
 {
   std::array<int, 4> extent{};
@@ -398,7 +398,7 @@ Grid::Edges Grid::PlaceLabels(vtkRenderer* renderer, const Sides& far)
 }
 
 //------------------------------------------------------------------------------
-// Beside the outer edge that is furthest left, of the up axis, or lowest.
+// Chooses the leftmost outer edge for the up axis, and the lowest one for the others.
 int Grid::PlaceAxis(vtkRenderer* renderer, int axis, const Sides& far, std::vector<Box>& taken)
 {
   const auto along = static_cast<std::size_t>(axis);
@@ -446,7 +446,7 @@ int Grid::PlaceAxis(vtkRenderer* renderer, int axis, const Sides& far, std::vect
   const double gap = std::max(4.0, 0.6 * this->GetBox(renderer, placed.Title).Size[1]);
   if (length < 5.0 * gap)
   {
-    return -1; // seen from its end
+    return -1; // the axis is seen end-on
   }
   Pixel out = { (from[1] - to[1]) / length, (to[0] - from[0]) / length };
   if ((middle[0] - center[0] / seen) * out[0] + (middle[1] - center[1] / seen) * out[1] < 0.0)
@@ -474,7 +474,7 @@ int Grid::PlaceAxis(vtkRenderer* renderer, int axis, const Sides& far, std::vect
   };
   Box title = this->GetBox(renderer, placed.Title);
   title.Place(middle, out, 2.0 * gap + reach, project.Size);
-  // Each one, or every second, fifth, tenth: at round numbers, and none on another.
+  // Shows every number, or every second, fifth or tenth: round ones, without overlap.
   for (const long every : { 1L, 2L, 5L, 10L, 20L })
   {
     std::vector<std::size_t> shown;

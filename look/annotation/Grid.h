@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * --grid: lines at round coordinates on the far sides of the scene's box, and their numbers.
+ * --grid: lines at round coordinates on the far sides of the scene's box, with numbers.
  */
 #ifndef Grid_h
 #define Grid_h
@@ -22,20 +22,20 @@ class vtkTextProperty;
 
 namespace scene
 {
-/// Before each picture it is laid out anew for the camera: lines where the sides of the box are
-/// behind all that it holds, numbers beside its outer edges. The lines are translucent and without
-/// light, so that they are in no layer, cast nothing and are in no shadow, and they are not among
-/// the renderer's visible bounds; the numbers are texts over the picture.
+/// Lays itself out for the camera before each picture: lines where sides of the box are behind its
+/// contents, numbers at its outer edges. The lines are translucent and unlit, so that they appear
+/// in no layer and cast or receive no shadow, and they do not count among the renderer's visible
+/// bounds; the numbers are texts over the picture.
 class Grid : public vtkCommand
 {
 public:
   vtkBaseTypeMacro(Grid, vtkCommand);
 
-  /// Puts one round these bounds into the renderer, with numbers that are read on its background as
-  /// it is now. `up`: the axis whose numbers are at the side of the picture.
+  /// Adds a grid around these bounds to the renderer, with numbers that contrast with its present
+  /// background. `up`: the axis with numbers at the side of the picture.
   static vtkSmartPointer<Grid> Add(vtkRenderer* renderer, const double bounds[6], int up);
 
-  /// Takes it out of that renderer.
+  /// Removes it from that renderer.
   void Remove(vtkRenderer* renderer);
 
   vtkActor* GetLines() { return this->Lines; }
@@ -47,8 +47,8 @@ private:
 
   struct Label
   {
-    double At = 0.0; // on its axis
-    long Index = 0;  // At is so many steps from 0
+    double At = 0.0; // coordinate
+    long Index = 0;  // At is this number of steps from 0
     vtkSmartPointer<vtkTextActor> Text;
   };
   struct Axis
@@ -58,9 +58,9 @@ private:
   };
   struct Box; // of a text in the picture
 
-  using Sides = std::array<std::array<bool, 2>, 3>; // of each axis the lower and the upper one
+  using Sides = std::array<std::array<bool, 2>, 3>; // of each axis, the lower and the upper side
 
-  using Edges = std::array<int, 3>; // of each axis the one with numbers, or -1
+  using Edges = std::array<int, 3>; // of each axis, the edge with numbers, or -1
 
   Sides FindFarSides(vtkRenderer* renderer) const;
   void DrawLines(const Sides& far, const Edges& numbered);
@@ -77,7 +77,7 @@ private:
   std::array<std::array<double, 2>, 3> Ends; // of the box
   int Up;
   std::array<Axis, 3> Axes;
-  Sides DrawnSides{}; // by the lines as they are
+  Sides DrawnSides{}; // sides that the present lines are on
   Edges DrawnEdges{ -1, -1, -1 };
   vtkNew<vtkTextProperty> Font;
   vtkNew<vtkPolyData> Segments;

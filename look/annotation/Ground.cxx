@@ -28,9 +28,9 @@ namespace
 constexpr int Sectors = 96;
 constexpr int Rings = 16;
 constexpr double Reach = 3.0; // in radii of the scene
-constexpr double Solid = 1.2; // there it begins to fade
+constexpr double Solid = 1.2; // radius at which it begins to fade
 
-// Opaque inside, nothing at the rim, and smooth in between.
+// Opacity: opaque inside, 0 at the rim, smooth between.
 unsigned char GetAlpha(double radii)
 {
   const double t = std::clamp((Reach - radii) / (Reach - Solid), 0.0, 1.0);
@@ -69,7 +69,7 @@ vtkSmartPointer<vtkActor> MakeGround(
     half[axis] = 0.5 * (bounds[2 * axis + 1] - bounds[2 * axis]);
   }
   const double radius = Length(half);
-  middle[up] -= half[up] + 1e-4 * radius; // below what lies flat on it
+  middle[up] -= half[up] + 1e-4 * radius; // avoids z-fighting with flat bottoms
 
   vtkNew<vtkPoints> points;
   vtkNew<vtkUnsignedCharArray> colors;
@@ -113,7 +113,7 @@ vtkSmartPointer<vtkActor> MakeGround(
   actor->PickableOff();
   actor->ForceTranslucentOn();
   vtkProperty* property = actor->GetProperty();
-  property->BackfaceCullingOn(); // from below the scene is seen without
+  property->BackfaceCullingOn(); // invisible from below
   property->SetInterpolationToFlat();
   property->SetAmbient(1.0);
   property->SetDiffuse(0.0);

@@ -26,13 +26,13 @@ namespace
 constexpr int Labels = 5;
 constexpr int MostWrittenSteps = 13; // where colours change
 constexpr int MostDecades = 8;
-constexpr double Width = 0.1;        // of the picture's, as all below
-constexpr double Right = 0.97;       // of the bar at the most
+constexpr double Width = 0.1;        // share of the picture, like those below
+constexpr double Right = 0.97;       // right limit of the bar
 constexpr double LabelsAt = 0.043;   // from the bar's left
 constexpr double Margin = 0.01;      // beside texts
-constexpr double TitleAtMost = 0.45; // as wide
+constexpr double TitleAtMost = 0.45; // largest width
 
-// At even steps.
+// Evenly spaced values.
 std::vector<double> ListValues(const double* range, int count)
 {
   std::vector<double> values(static_cast<std::size_t>(count));
@@ -44,7 +44,7 @@ std::vector<double> ListValues(const double* range, int count)
   return values;
 }
 
-// Of logarithms: where the steps' colours change, or the ends and powers of ten between them.
+// Values of a logarithmic map: where the steps' colours change, or the ends and powers of ten.
 std::vector<double> ListLogValues(const double* range, int steps)
 {
   const double logs[2] = { std::log10(range[0]), std::log10(range[1]) };
@@ -71,7 +71,7 @@ std::vector<double> ListLogValues(const double* range, int steps)
   return values;
 }
 
-// Of values that are no even steps.
+// Writes values that are not evenly spaced.
 WrittenValues WriteLogValues(const std::vector<double>& values)
 {
   WrittenValues written;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * The bar of colours and their values at the right of a picture.
+ * The bar of colours with their values, at the right of a picture.
  */
 #ifndef ScalarBar_h
 #define ScalarBar_h
@@ -13,9 +13,9 @@ class vtkRenderer;
 
 namespace scene
 {
-/// In the renderer's size as it is now: the title and the values are in the picture, in black or
-/// white, and neighbouring values differ. Those of a map in a few steps are where its colours
-/// change; of one by logarithms, powers of ten between the ends.
+/// Fits the bar to the renderer's present size: title and values are in the picture, in black or
+/// white, and neighbouring values differ. A map in a few steps has values where its colours change;
+/// a logarithmic map at the ends and powers of ten between them.
 void AddScalarBar(
   vtkRenderer* renderer, vtkColorTransferFunction* map, const std::string& title, int steps = 0);
 }

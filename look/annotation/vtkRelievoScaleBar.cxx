@@ -27,15 +27,15 @@
 
 namespace
 {
-constexpr int LinesOfText = 40; // as high as the picture's shorter side
-constexpr int SmallestText = 9; // pixels, as all below are in shares of the text's size
+constexpr int LinesOfText = 40; // lines per shorter side of the picture
+constexpr int SmallestText = 9; // pixels; lengths below are in units of the text's size
 constexpr double Margin = 0.9;  // to the picture's edges
 constexpr double Thickness = 0.25;
 constexpr double Gap = 0.3; // between the bar and its label
 constexpr double Halo = 0.08;
-constexpr double Jitter = 1e-6; // by which the lengths that tiles see may differ
+constexpr double Jitter = 1e-6; // tolerance for lengths seen by different tiles
 
-// Of a length of one across the view; 0 where the camera or the tile sees none.
+// Pixels per unit length across the view; 0 if the camera or the tile has none.
 double GetPixelsPerUnit(vtkRenderer* renderer, double depth)
 {
   vtkCamera* camera = renderer->GetActiveCamera();
@@ -62,7 +62,7 @@ double GetPixelsPerUnit(vtkRenderer* renderer, double depth)
   double moved[4];
   toNDC->MultiplyPoint(right, moved);
   toNDC->MultiplyPoint(point, point);
-  // Across the view w stays as it is.
+  // w is constant across the view.
   const double pixels = 0.5 * size[0] * moved[0] / (norm * point[3]);
   return std::isfinite(pixels) ? std::max(pixels, 0.0) : 0.0;
 }
@@ -113,18 +113,18 @@ struct vtkRelievoScaleBar::Internals
   };
 
   std::string Unit;
-  double Refused = 0.0; // the length that was named as too long
+  double Refused = 0.0; // the length last reported as too long
   Box Edge, Bar;
   vtkNew<vtkTextActor> EdgeText, Text;
 
-  // Sets the texts and returns their width in pixels, which is at most the room.
+  // Sets the texts and returns their width in pixels, at most `room`.
   double SetText(vtkRenderer* renderer, const std::string& label, double size, double room)
   {
     const int dpi = renderer->GetRenderWindow()->GetDPI();
     std::array<int, 4> box{};
     for (int fit = 0; fit < 2; ++fit)
     {
-      // Points, of which 72 are an inch.
+      // Font sizes are in points, 72 to an inch.
       this->Text->GetTextProperty()->SetFontSize(std::max(1, static_cast<int>(size * 72 / dpi)));
       vtkTextRenderer::GetInstance()->GetBoundingBox(
         this->Text->GetTextProperty(), label, box.data(), dpi);
@@ -144,7 +144,7 @@ struct vtkRelievoScaleBar::Internals
   static void RenderAt(vtkTextActor* text, vtkViewport* viewport, double x, double y)
   {
     text->SetPosition(x, y);
-    text->RenderOpaqueGeometry(viewport); // which makes its image
+    text->RenderOpaqueGeometry(viewport); // makes the text's image
     text->RenderOverlay(viewport);
   }
 };

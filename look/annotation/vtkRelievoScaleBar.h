@@ -2,18 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkRelievoScaleBar
- * @brief Shows how long a round length of the world is in the picture, at its lower right.
+ * @brief Shows a round length of the world at the lower right of the picture.
  *
- * It is added to a renderer like any prop (vtkRenderer::AddViewProp): a horizontal bar and its
- * length above it, drawn over the picture, without light or tone, and in no layer. Each frame is
- * laid out anew for the renderer's camera and size, also in tiles. Both are black or white,
- * whatever is read better on the renderer's background, with an edge of the other, and as large as
- * fits the shorter side of the picture.
+ * Add it to a renderer like any prop (vtkRenderer::AddViewProp): a horizontal bar with its length
+ * above it, drawn over the picture, without light or tone, and in no layer. It lays itself out in
+ * each frame for the renderer's camera and size, also in tiles. Both are black or white, whichever
+ * contrasts more with the renderer's background, with an edge of the other colour, and sized to the
+ * shorter side of the picture.
  *
- * In a parallel projection the bar is right everywhere, to half a pixel. In perspective
- * what is near looks larger: there it is right at Depth, for what lies across the view.
+ * In a parallel projection the bar is accurate everywhere, to half a pixel. In perspective near
+ * objects look larger: the bar is accurate at Depth, across the view.
  *
- * Errors: a Length that is wider than the picture is named once, and no bar is drawn.
+ * Errors: a Length wider than the picture is reported once, and no bar is drawn.
  */
 #ifndef vtkRelievoScaleBar_h
 #define vtkRelievoScaleBar_h
@@ -35,27 +35,29 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /** The unit of the world's lengths, in UTF-8, which the label ends with. Default: none. */
+  /** The unit of the world's lengths, in UTF-8, at the end of the label. Default: none. */
   void SetUnit(RELIEVO_TEXT unit);
   std::string GetUnit();
   ///@}
 
   ///@{
-  /** The bar's length in world units. Default 0: 1, 2 or 5 times a power of ten, by Share. */
+  /**
+   * The bar's length in world units. Default 0: 1, 2 or 5 times a power of ten, limited by Share.
+   */
   vtkSetClampMacro(Length, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(Length, double);
   ///@}
 
   ///@{
-  /** The share of the picture's width that a round length has at most, 0.01 to 0.9. Default 0.2. */
+  /** The largest share of the picture's width for a round length, 0.01 to 0.9. Default 0.2. */
   vtkSetClampMacro(Share, double, 0.01, 0.9);
   vtkGetMacro(Share, double);
   ///@}
 
   ///@{
   /**
-   * In perspective, how far along the view direction from the camera the bar is right, in world
-   * units. Default 0: as far as the camera's focal point.
+   * In perspective, the distance along the view direction from the camera at which the bar is
+   * accurate, in world units. Default 0: the distance of the camera's focal point.
    */
   vtkSetClampMacro(Depth, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(Depth, double);
@@ -69,15 +71,15 @@ public:
   };
 
   ///@{
-  /** The colour of bar and label; their edges have the other. Default: by the background. */
+  /** The colour of bar and label; their edges have the other one. Default: by the background. */
   vtkSetClampMacro(Ink, int, INK_AUTOMATIC, INK_WHITE);
   vtkGetMacro(Ink, int);
   ///@}
 
-  /** The length in world units that the bar has in a renderer, which is in a window; else 0. */
+  /** The bar's length in world units in a renderer, which must be in a window; otherwise 0. */
   double GetShownLength(vtkRenderer* renderer);
 
-  /** The text above the bar: the shown length as a decimal number, and the unit; else empty. */
+  /** The text above the bar: the length as a decimal number, and the unit; empty without a bar. */
   std::string GetLabel(vtkRenderer* renderer);
 
   ///@{

@@ -41,7 +41,7 @@ void PlaceCamera(vtkRenderer* renderer, const CameraChoice& choice, int up, cons
   {
     camera->SetParallelScale(*choice.ParallelScale);
   }
-  renderer->ResetCameraClippingRange(); // whose gaps depend on the scale
+  renderer->ResetCameraClippingRange(); // the default range depends on the scale
   if (choice.Clip)
   {
     camera->SetClippingRange((*choice.Clip)[0], (*choice.Clip)[1]);

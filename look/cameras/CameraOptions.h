@@ -33,11 +33,11 @@ struct CameraChoice
 
 constexpr double StandardViewAngle = 30.0; ///< VTK's, degrees
 
-/// Places the renderer's camera, fitted to these bounds if nothing else is chosen; `up`: the axis
-/// that points up.
+/// Sets only the renderer's camera, fitted to these bounds unless the choice places it; `up`: the
+/// axis that points up.
 void PlaceCamera(vtkRenderer* renderer, const CameraChoice& choice, int up, const double bounds[6]);
 
-/// Where a camera stands.
+/// The pose of a camera.
 CameraPlace GetPlace(vtkCamera* camera);
 }
 

@@ -16,7 +16,7 @@ namespace scene
 {
 namespace
 {
-constexpr double Filled = 0.84; // of the picture, by what it is fitted to
+constexpr double Filled = 0.84; // share of the picture that the fitted bounds fill
 
 bool IsFlatAlong(const double bounds[6], int axis)
 {
@@ -27,7 +27,7 @@ bool IsFlatAlong(const double bounds[6], int axis)
 }
 
 //------------------------------------------------------------------------------
-// Where an environment's z is: with z up, that of a world with y up is turned about x.
+// An environment's z axis: with z up, the view of a world with y up is turned about x.
 FittedView::FittedView(int up)
   : Up(up)
   , Towards(
@@ -59,7 +59,7 @@ bool FittedView::IsFlat(const double bounds[6])
 //------------------------------------------------------------------------------
 void FittedView::TurnToFlatSide(const double bounds[6])
 {
-  const int depth = this->Up == 2 ? 1 : 2; // what the camera looks along
+  const int depth = this->Up == 2 ? 1 : 2; // axis along the view
   const int side = 3 - this->Up - depth;
   const int axis = IsFlatAlong(bounds, side) ? side : this->Up;
   if (IsFlatAlong(bounds, depth) || !IsFlatAlong(bounds, axis))
@@ -95,7 +95,7 @@ void FittedView::Fit(vtkRenderer* renderer, const double bounds[6]) const
   this->Turn(renderer);
   vtkCamera* camera = renderer->GetActiveCamera();
   const double angle = camera->GetViewAngle();
-  renderer->ResetCamera(bounds); // which makes the angle VTK's own, and the distance for it
+  renderer->ResetCamera(bounds); // sets VTK's view angle and the distance for it
   if (angle == camera->GetViewAngle())
   {
     return;
@@ -126,7 +126,7 @@ void FittedView::FitTightly(vtkRenderer* renderer, const double bounds[6]) const
   {
     return;
   }
-  // The picture's axes, and how far the view opens along two of them.
+  // The picture's axes, and the view's slopes along two of them.
   std::array<double, 3> up{};
   std::array<double, 3> right{};
   const std::array<double, 3>& towards = this->Towards;
@@ -137,8 +137,8 @@ void FittedView::FitTightly(vtkRenderer* renderer, const double bounds[6]) const
     Filled * std::tan(0.5 * vtkMath::RadiansFromDegrees(camera->GetViewAngle()));
   const std::array<double, 2> slopes = { opening * renderer->GetTiledAspectRatio(), opening };
 
-  // Of a camera at (x, y) and at the distance d along `towards`, a corner (cx, cy, cz) is in the
-  // picture if x + slope d >= cx + slope cz and slope d - x >= slope cz - cx, and so with y.
+  // For a camera at (x, y) and at the distance d along `towards`, a corner (cx, cy, cz) is in the
+  // picture if x + slope d >= cx + slope cz and slope d - x >= slope cz - cx; y behaves alike.
   std::array<double, 2> ahead = { -VTK_DOUBLE_MAX, -VTK_DOUBLE_MAX };
   std::array<double, 2> behind = ahead;
   std::array<double, 2> highest = ahead;
@@ -169,7 +169,7 @@ void FittedView::FitTightly(vtkRenderer* renderer, const double bounds[6]) const
       lowest[i] = std::min(lowest[i], across[i]);
     }
   }
-  double distance = nearest + 0.1 * size; // the camera stays outside
+  double distance = nearest + 0.1 * size; // keeps the camera outside the bounds
   std::array<double, 2> at{};
   for (std::size_t i = 0; i < 2; ++i)
   {

@@ -19,7 +19,7 @@ namespace scene
 {
 namespace
 {
-// VTK's mappers and bars go by logarithms, too, where a map says that it does.
+// With this setting VTK's mappers and bars use logarithms, too.
 class LogColormap : public vtkColorTransferFunction
 {
 public:
@@ -30,14 +30,14 @@ public:
 vtkStandardNewMacro(LogColormap);
 
 constexpr int MostSteps = 256;
-constexpr int LogPoints = 256; // of a map by logarithms
-constexpr double Hair = 1e-7;  // a value at an edge has the upper one's colour
+constexpr int LogPoints = 256; // points of a logarithmic map
+constexpr double Hair = 1e-7;  // gives a value at an edge the upper colour
 
 const char* const ColormapForm = "MAP[:reversed][:log][:steps=N][:nan=COLOR]";
 const char* const OwnMapForm = ", or colours between commas, such as black,#ff8000,white or "
                                "black,0.3=#ff8000,white";
 
-// Over a range, evenly.
+// Evenly spaced over a range.
 void FillMap(vtkColorTransferFunction* map, const Colormap& words, double low, double high)
 {
   const double from = words.Reversed ? high : low;
@@ -46,7 +46,7 @@ void FillMap(vtkColorTransferFunction* map, const Colormap& words, double low, d
   const std::vector<ColorStop> stops = ParseStops(words.Map);
   for (std::size_t i = 0; i < stops.size(); ++i)
   {
-    // Of stops at one place, an edge, each is a hair before the next: VTK keeps one point a place.
+    // Spaces stops at one place, an edge, by a hair each, because VTK keeps one point per place.
     std::size_t later = 0;
     while (i + later + 1 < stops.size() && stops[i + later + 1].Place == stops[i].Place)
     {
@@ -56,7 +56,7 @@ void FillMap(vtkColorTransferFunction* map, const Colormap& words, double low, d
     const Color& shown = stops[i].Shown;
     map->AddRGBPoint(from + place * (to - from), shown[0], shown[1], shown[2]);
   }
-  if (!stops.empty()) // which may end within the range
+  if (!stops.empty()) // stops may end within the range
   {
     const Color& first = stops.front().Shown;
     const Color& last = stops.back().Shown;
@@ -86,7 +86,7 @@ std::string WriteHexadecimal(const Color& color)
   return letters.data();
 }
 
-// Those without a place, which is negative, between those that have one.
+// Spaces stops without a place (negative) evenly between their neighbours.
 void Spread(std::vector<ColorStop>& stops)
 {
   stops.front().Place = stops.front().Place < 0.0 ? 0.0 : stops.front().Place;
@@ -268,7 +268,7 @@ vtkSmartPointer<vtkColorTransferFunction> MakeColormap(
       map->AddRGBPoint(GetValueAt(share, from, to, words.Log), rgb[0], rgb[1], rgb[2]);
       continue;
     }
-    // From the middle of one step to that of the next the colour changes halfway, at once.
+    // Between two steps' middles the colour jumps halfway.
     constexpr double Halfway = 0.5;
     constexpr double AtOnce = 1.0;
     const double middle = (i + 0.5) / count - Hair;

@@ -67,14 +67,14 @@ void ForEachVolume(
   }
 }
 
-// What colours an actor.
+// The source of an actor's colours.
 struct Coloring
 {
   vtkMapper* Mapper;
   std::vector<vtkDataArray*> Arrays;
   bool OfPoints = false;
   std::string Name;    // of the array; may be empty
-  bool Mapped = false; // with a normal map or heights
+  bool Mapped = false; // has a normal map or heights
 };
 
 bool AreColors(const std::vector<vtkDataArray*>& arrays, const LookChoice& look)
@@ -84,7 +84,7 @@ bool AreColors(const std::vector<vtkDataArray*>& arrays, const LookChoice& look)
 }
 
 //------------------------------------------------------------------------------
-// The chosen array of an actor's data, or else the active scalars; of points before cells.
+// The chosen array of an actor's data, or else the active scalars; points before cells.
 Coloring Find(vtkActor* actor, const LookChoice& look, bool mapped)
 {
   const bool ofPoints = look.Place != LookChoice::OfCells;
@@ -105,7 +105,7 @@ Coloring Find(vtkActor* actor, const LookChoice& look, bool mapped)
         : static_cast<vtkDataSetAttributes*>(block->GetCellData());
       vtkDataArray* array = look.ColorBy.empty() ? attributes->GetScalars()
                                                  : attributes->GetArray(look.ColorBy.c_str());
-      if (array && array->GetDataType() != VTK_BIT) // which VTK maps to no colours
+      if (array && array->GetDataType() != VTK_BIT) // VTK maps bits to no colours
       {
         found.Arrays.push_back(array);
       }
@@ -129,7 +129,7 @@ void CheckFound(const std::map<std::string, std::vector<Coloring>>& all, const A
     const std::vector<std::string> names(arrays.Names.begin(), arrays.Names.end());
     throw UsageError("--color-by: got '" + look.ColorBy + "', expected " +
       (names.empty() ? "no array: nothing that is drawn has any"
-                     : "an array of what is drawn: " + Join(names, ", ")));
+                     : "an array of the drawn data: " + Join(names, ", ")));
   }
   for (const auto& named : all)
   {
@@ -148,7 +148,7 @@ void CheckFound(const std::map<std::string, std::vector<Coloring>>& all, const A
   }
 }
 
-// Adds the range of a component, -1 for the magnitude; of positive values only, if asked for.
+// Adds the range of a component, -1 for the magnitude; with `positive`, of positive values only.
 void AddRange(vtkDataArray* array, int component, bool positive, std::array<double, 2>& range)
 {
   double own[2];
@@ -173,8 +173,7 @@ void AddRange(vtkDataArray* array, int component, bool positive, std::array<doub
   }
 }
 
-// How far numbers of an array's type, and magnitudes of several, are off by rounding, of their
-// size.
+// Relative rounding error of values of an array's type, and of magnitudes.
 double GetRounding(vtkDataArray* array)
 {
   constexpr double steps = 8.0;
@@ -189,7 +188,7 @@ double GetRounding(vtkDataArray* array)
   }
 }
 
-// Of values that differ by their rounding alone, the range of one value: a colour map over it
+// Values that differ only by rounding get the range of one value: a colour map over their range
 // would show noise.
 std::array<double, 2> WithoutRounding(const std::array<double, 2>& range, double rounding)
 {
@@ -200,7 +199,7 @@ std::array<double, 2> WithoutRounding(const std::array<double, 2>& range, double
 }
 
 //------------------------------------------------------------------------------
-// Empty where there are no values.
+// Empty if there are no values.
 std::array<double, 2> FindRange(
   const std::vector<Coloring>& all, const LookChoice& look, bool positive)
 {
@@ -223,7 +222,7 @@ std::array<double, 2> FindRange(
 }
 
 //------------------------------------------------------------------------------
-// What the first and the last colour are for, of values that have this range.
+// The values of the first and last colour, for values with this range.
 std::array<double, 2> ChooseRange(
   const std::array<double, 2>& found, const LookChoice& look, const std::string& name)
 {
@@ -266,19 +265,19 @@ void SetColoring(const Coloring& coloring, vtkColorTransferFunction* map, const 
   mapper->SetColorModeToMapScalars();
   mapper->SetLookupTable(map);
   mapper->UseLookupTableScalarRangeOn();
-  // Between points values are interpolated, not colours: each colour is one of the map's. A normal
-  // map or heights need the texture coordinates that this takes.
+  // Interpolates values between points, not colours: each colour is one of the map's. A normal map
+  // or heights need the texture coordinates that this uses.
   mapper->SetInterpolateScalarsBeforeMapping(coloring.OfPoints && !coloring.Mapped);
 }
 
 //------------------------------------------------------------------------------
-// Arrays of one name have one range of colours.
+// Arrays of one name share a range of colours.
 std::map<std::string, std::vector<Coloring>> FindAll(
   vtkRenderer* renderer, const LookChoice& look, bool mapped)
 {
   std::map<std::string, std::vector<Coloring>> all;
   ForEachActor(renderer, [&](vtkActor* actor) {
-    // A file may have coloured it already (glTF).
+    // The file may have coloured it already (glTF).
     if (look.ColorBy.empty() && actor->GetMapper()->GetColorMode() == VTK_COLOR_MODE_DIRECT_SCALARS)
     {
       return;
@@ -367,7 +366,7 @@ void SetShading(vtkRenderer* renderer, Shading kind)
         break;
       case Shading::PBR:
         actor->GetProperty()->SetInterpolationToPBR();
-        if (vtkTexture* texture = actor->GetTexture()) // which PBR does not look at
+        if (vtkTexture* texture = actor->GetTexture()) // PBR ignores it
         {
           texture->UseSRGBColorSpaceOn();
           actor->GetProperty()->SetBaseColorTexture(texture);
@@ -384,7 +383,7 @@ void SetLook(vtkRenderer* renderer, LookChoice look, const ArrayNames& arrays, b
 {
   if (arrays.Names.count(look.ColorByAsGiven))
   {
-    // What looks like a component belongs to the name.
+    // A suffix that looks like a component belongs to the name here.
     look.ColorBy = look.ColorByAsGiven;
     look.Component.reset();
     look.Magnitude = false;
@@ -408,7 +407,7 @@ void SetLook(vtkRenderer* renderer, LookChoice look, const ArrayNames& arrays, b
     vtkProperty* property = actor->GetProperty();
     if (look.Solid || !look.ColorBy.empty())
     {
-      // A texture would be multiplied with the colours.
+      // A texture would multiply the colours.
       actor->SetTexture(nullptr);
       property->RemoveTexture("albedoTex");
     }

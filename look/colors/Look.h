@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * What meshes and the background look like.
+ * Sets the look of meshes and the background.
  */
 #ifndef Look_h
 #define Look_h
@@ -14,12 +14,12 @@ namespace scene
 {
 struct ArrayNames;
 
-/// How the surfaces of all actors are shaded.
+/// Sets the shading of all actors' surfaces.
 void SetShading(vtkRenderer* renderer, Shading kind);
 
-/// Colours, edges, opacity, background, colour bar. `arrays`: those of what is shown; `mapped`:
-/// whether surfaces have a normal map or heights. Throws UsageError if nothing that is drawn has
-/// the array to colour by, or not so many components.
+/// Sets colours, edges, opacity, background, colour bar. `arrays`: names of the drawn props'
+/// arrays; `mapped`: whether surfaces have a normal map or heights. Throws UsageError if no drawn
+/// prop has the array to colour by, or if it has fewer components.
 void SetLook(vtkRenderer* renderer, LookChoice look, const ArrayNames& arrays, bool mapped);
 }
 

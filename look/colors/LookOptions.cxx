@@ -46,7 +46,7 @@ Color ParseColor(const std::string& option, const std::string& word)
 void TakeColorBy(LookChoice& look, const std::string& word)
 {
   look.ColorBy = look.ColorByAsGiven = word;
-  // An array's name may hold commas.
+  // An array's name may contain commas.
   const std::string::size_type comma = word.rfind(',');
   const std::string last = comma == std::string::npos ? "" : word.substr(comma + 1);
   look.Magnitude = last == "magnitude";
@@ -124,7 +124,7 @@ void TakeScaleBar(LookChoice& look, const std::string& word)
     std::any_of(unit.begin(), unit.end(), isControl) || !(rest.empty() || rest.rfind(mark, 0) == 0))
   {
     RefuseValue("--scale-bar", word,
-      "a unit in a few letters, such as mm, or none, and by choice behind it ,length=LENGTH");
+      "a unit in a few letters, such as mm, or none, optionally followed by ,length=LENGTH");
   }
   look.ScaleBar = unit == "none" ? "" : unit;
   look.ScaleBarLength = rest.empty()
@@ -154,7 +154,7 @@ void CheckLookOptions(const LookChoice& look, const std::set<std::string>& given
   if (Colormap::Parse(look.Colormap).Log &&
     (look.Symmetric || (look.Range && (*look.Range)[0] <= 0.0)))
   {
-    throw UsageError(std::string("--colormap log: logarithms are of positive values alone; ") +
+    throw UsageError(std::string("--colormap log: logarithms need positive values; ") +
       (look.Symmetric ? "give no --range symmetric as well"
                       : "give a --range that begins above 0"));
   }

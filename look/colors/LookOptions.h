@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * How meshes and the background look: colours by values or one for all, edges, opacity. All
- * functions throw UsageError.
+ * Options for the look of meshes and the background: colours by values or one for all, edges,
+ * opacity. All functions throw UsageError.
  */
 #ifndef LookOptions_h
 #define LookOptions_h
@@ -26,9 +26,9 @@ enum class Shading
   PBR
 };
 
-using Color = std::array<double, 3>; ///< as displays show it, 0 to 1
+using Color = std::array<double, 3>; ///< as on displays, 0 to 1
 
-/// The colour map of active scalars, too.
+/// Options of colours by values, which also apply to active scalars.
 constexpr const char* DefaultColormap = "viridis";
 
 struct LookChoice
@@ -37,15 +37,15 @@ struct LookChoice
   std::string ColorBy; ///< name of an array, or point:NAME; empty: the active scalars
   enum Places
   {
-    Anywhere, ///< of points before cells
+    Anywhere, ///< points before cells
     OfPoints,
     OfCells
   };
-  Places Place = Anywhere;      ///< of arrays of that name
-  std::optional<int> Component; ///< of it; none: colours as they are, else the magnitude
-  bool Magnitude = false;       ///< of arrays that could be colours
+  Places Place = Anywhere;      ///< where to look for the array
+  std::optional<int> Component; ///< none: bytes as colours, else the magnitude
+  bool Magnitude = false;       ///< even for bytes that could be colours
   std::optional<std::array<double, 2>> Range;
-  bool Symmetric = false; ///< the range of the files, as far below zero as above it
+  bool Symmetric = false; ///< extends the files' range as far below zero as above it
   std::string Colormap = DefaultColormap;
   bool ScalarBar = false;
   std::optional<Color> Solid;
@@ -53,8 +53,8 @@ struct LookChoice
   double PointSize = 1.0; ///< pixels; larger ones are spheres
   bool Edges = false;
   bool Grid = false;
-  std::optional<std::string> ScaleBar; ///< its unit, which may be empty; none: no bar
-  double ScaleBarLength = 0.0;         ///< world units; 0: a round one
+  std::optional<std::string> ScaleBar; ///< unit, may be empty; none: no bar
+  double ScaleBarLength = 0.0;         ///< world units; 0: a round length
   std::vector<Color> Background;       ///< none: VTK's; two: bottom and top
 };
 
@@ -67,7 +67,7 @@ void TakePointSize(LookChoice& look, const std::string& word);
 void TakeScaleBar(LookChoice& look, const std::string& word);
 void TakeBackground(LookChoice& look, const std::string& word);
 
-/// "#rrggbb", "R/G/B" from 0 to 1, or a name of HTML's.
+/// Parses "#rrggbb", "R/G/B" from 0 to 1, or an HTML colour name.
 Color ParseColor(const std::string& option, const std::string& word);
 
 void CheckLookOptions(const LookChoice& look, const std::set<std::string>& given);

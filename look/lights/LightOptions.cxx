@@ -88,7 +88,7 @@ void TakeSize(LightChoice& light, const std::string& word)
 }
 
 //------------------------------------------------------------------------------
-// What may stand behind the numbers.
+// Parameters after the numbers.
 struct LightValue
 {
   const char* Form;
@@ -102,22 +102,22 @@ const std::vector<LightValue>& GetValues()
 {
   static const std::vector<LightValue> values = {
     { "size=S",
-      "for --soft-shadows: a sun's angle in degrees (0.53), the radius of others in world units "
-      "(0)",
+      "for --soft-shadows: a sun's angular diameter in degrees (0.53), or the radius of "
+      "another light in world units (0)",
       TakeSize },
-    { "color=COLOR", "R/G/B from 0 to 1, #rrggbb, or a colour's name (white)",
+    { "color=COLOR", "R/G/B from 0 to 1, #rrggbb, or a name such as orange (white)",
       [](LightChoice& light, const std::string& word) {
         light.Color = ParseColor("--light color", word);
       } },
-    { "intensity=I", "1 lights a white surface that faces it fully (1; with a preset, of 0.8)",
+    { "intensity=I", "factor of the colour, 0 or more (1, which means 0.8 with a preset)",
       [](LightChoice& light, const std::string& word) {
         light.Intensity = ParseNotNegative("--light intensity", word, "I");
       } },
-    { "casts=on|off", "whether it casts shadows, where there are any (on)",
+    { "casts=on|off", "whether it casts shadows, if shadows are on (on)",
       [](LightChoice& light, const std::string& word) {
         light.Casts = ParseChoice("--light casts", word, { "off", "on" }) == 1;
       } },
-    { "name=TEXT", "in reports and files (its number)",
+    { "name=TEXT", "its name in reports and files (its number)",
       [](LightChoice& light, const std::string& word) {
         if (word.empty())
         {
@@ -143,7 +143,7 @@ LightWords SplitLight(const std::string& word)
   const auto named = std::find_if(parts.begin(), parts.end(),
     [](const std::string& part) { return part.find('=') != std::string::npos; });
   return { word.substr(0, colon), Join({ parts.begin(), named }, ","),
-    ParseNamedWords("--light " + word, { named, parts.end() }, "NAME=VALUE behind the numbers") };
+    ParseNamedWords("--light " + word, { named, parts.end() }, "NAME=VALUE after the numbers") };
 }
 
 //------------------------------------------------------------------------------
@@ -193,9 +193,11 @@ std::array<double, 3> LightChoice::GetDirection(int upAxis) const
 std::string DescribeLights()
 {
   std::string text =
-    "may be repeated (the file's lights, else the environment alone, else a headlight); LIGHT is\n"
+    "may be repeated (with --preset NAME, the preset's lights; else the file's, else the "
+    "environment alone, else the default preset's; with --preset none, a headlight instead of "
+    "a preset's lights); LIGHT is\n"
     "  sun:DX,DY,DZ                    direction towards the sun\n"
-    "  sun:AZIMUTH,ELEVATION           degrees from north, clockwise, and above the horizon\n"
+    "  sun:AZIMUTH,ELEVATION           degrees: clockwise from north, height\n"
     "  sun:TIME,LATITUDE,LONGITUDE     TIME such as 2026-06-21T15:30+02:00\n"
     "  spot:PX,PY,PZ,FX,FY,FZ,CONE     CONE: half the opening, degrees\n"
     "  point:PX,PY,PZ\n"

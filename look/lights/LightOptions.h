@@ -25,25 +25,25 @@ struct LightChoice
   };
   Kind Is = Kind::Sun;
   std::array<double, 3> Position; ///< for a sun, the unit direction towards it
-  bool InView = false; ///< that direction is right, up and to the camera before it is fitted
-  std::optional<SunAngles> Angles;  ///< of a sun that stands by them, instead
-  std::optional<SunTime> Time;      ///< of a sun that stands by it, instead
+  bool InView = false; ///< the direction is right, up and to the camera before it is fitted
+  std::optional<SunAngles> Angles;  ///< of a sun given by angles
+  std::optional<SunTime> Time;      ///< of a sun given by time
   std::array<double, 3> FocalPoint; ///< of a spot
-  double ConeAngle = 180.0;         ///< degrees, half the opening
+  double ConeAngle = 180.0;         ///< half the opening, degrees
   std::array<double, 3> Color = { 1.0, 1.0, 1.0 };
   double Intensity = 1.0;
-  bool Casts = true;          ///< shadows, if there are any
-  std::optional<double> Size; ///< a sun's angle in degrees, else a radius; none: as others are
-  std::string Name;           ///< in reports; empty: by its number
+  bool Casts = true;          ///< whether it casts shadows, if there are any
+  std::optional<double> Size; ///< a sun's angle in degrees, else a radius; none: the default
+  std::string Name;           ///< in reports; empty: its number
 
-  /// A sun by date, time and place that is below the horizon: it gives no light.
+  /// Whether a sun by date, time and place is below the horizon and gives no light.
   bool IsNight() const { return this->Time && GetSunAngles(*this->Time).IsNight(); }
 
-  /// Towards a sun in the world, where this axis (0, 1, 2 for x, y, z) points up.
+  /// Unit direction towards a sun in the world, where `upAxis` (0, 1, 2 for x, y, z) points up.
   std::array<double, 3> GetDirection(int upAxis) const;
 };
 
-/// "KIND:NUMBERS[,NAME=VALUE]..."; throws UsageError.
+/// Parses "KIND:NUMBERS[,NAME=VALUE]..."; throws UsageError.
 LightChoice ParseLight(const std::string& word);
 
 /// The parts of such a word.
@@ -54,11 +54,11 @@ struct LightWords
   NamedWords Values;
 };
 
-/// Throws UsageError where there is no kind, or what is behind the numbers is no NAME=VALUE.
+/// Throws UsageError if the kind is missing, or if a part after the numbers is no NAME=VALUE.
 LightWords SplitLight(const std::string& word);
 std::string WriteLight(const LightWords& words);
 
-/// What --light says of such words, for people.
+/// The help of --light.
 std::string DescribeLights();
 }
 

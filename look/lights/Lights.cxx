@@ -21,7 +21,7 @@ namespace scene
 {
 namespace
 {
-// A sun by date that gives no light, for whoever wonders.
+// Explains why a sun by date gives no light.
 void NoteNight(const LightChoice& light)
 {
   const double below = -GetSunAngles(*light.Time).Elevation;
@@ -38,7 +38,7 @@ void AddLights(
   {
     if (environment && renderer->GetLights()->GetNumberOfItems() == 0)
     {
-      vtkRelievoNullLight().Place(renderer, true); // the environment lights
+      vtkRelievoNullLight().Place(renderer, true); // light comes from the environment
     }
     return; // the file's lights, or the headlight that VTK makes
   }
@@ -58,7 +58,7 @@ void AddLights(
     }
     else if (choice.Is == LightChoice::Kind::Point)
     {
-      // All around alike; but a light that stands on its focal point has no direction.
+      // A point light shines in all directions, but VTK needs a focal point away from its position.
       light->SetFocalPoint(choice.Position[0], choice.Position[1] - 1.0, choice.Position[2]);
     }
     else
@@ -76,7 +76,7 @@ void AddLights(
 }
 
 //------------------------------------------------------------------------------
-// Before anything is drawn, also where no frame looks.
+// Checked before the first draw, also where no frame does so.
 void CheckLights(vtkRenderer* renderer, const std::vector<LightChoice>& lights)
 {
   const std::string wrong = vtkRelievoFramePass::CheckLights(renderer);

@@ -14,8 +14,8 @@ namespace scene
 {
 struct LightChoice;
 
-/// Puts these lights in the place of those of the renderer, if there are any; `up`: the axis that
-/// points up. If neither has any, an `environment` lights alone.
+/// Replaces the renderer's lights by these, if there are any; `up`: the axis that points up. If
+/// neither has any, light comes only from the `environment`.
 void AddLights(
   vtkRenderer* renderer, const std::vector<LightChoice>& lights, int up, bool environment);
 

@@ -18,7 +18,7 @@ namespace scene
 {
 namespace
 {
-// Exact at quarters of a turn, so that the words are short there.
+// Exact at quarter turns, to keep written directions short.
 void SineCosine(double degrees, double& sine, double& cosine)
 {
   sine = std::sin(vtkMath::RadiansFromDegrees(degrees));

@@ -20,7 +20,7 @@ namespace scene
 {
 namespace
 {
-// What the levels' sums may err by: a command waits for them.
+// Tolerance of the levels' sums; smaller ones would make the command wait.
 constexpr double LevelTolerance = 2e-3;
 }
 
@@ -68,7 +68,7 @@ void ShowSky(vtkRenderer* renderer, vtkRelievoEnvironment* environment)
 {
   vtkNew<vtkRelievoSkybox> sky;
   sky->SetEnvironment(environment);
-  // Rays that are parallel would all see one place of it.
+  // With a parallel projection, all rays would see a single place of the sky.
   sky->SetParallelViewAngle(renderer->GetActiveCamera()->GetViewAngle());
   renderer->AddViewProp(sky);
 }

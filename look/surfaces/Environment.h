@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * The light from all around, from an image file: for surfaces to mirror and be lit by, and as sky.
+ * Light from all directions, from an image file: for reflections, ambient light, and as a skybox.
  */
 #ifndef Environment_h
 #define Environment_h
@@ -19,13 +19,13 @@ namespace scene
 class ReadContext;
 struct SurfaceChoice;
 
-/// The environment that is chosen, with its irradiance, and levels if the mirror is rough; nullptr
-/// if there is none. `up`: the axis that points up. Whole numbers are sRGB, floats linear. Throws
-/// WorkError with the file's name.
+/// The chosen environment with its irradiance, and with levels for a rough mirror; nullptr if there
+/// is none. `up`: the axis that points up. Whole numbers are sRGB, floats linear. Throws WorkError
+/// naming the file.
 vtkSmartPointer<vtkRelievoEnvironment> ReadEnvironment(
   const SurfaceChoice& surface, int up, ReadContext& context);
 
-/// Puts the sky behind the renderer's picture.
+/// Adds the skybox behind the renderer's picture.
 void ShowSky(vtkRenderer* renderer, vtkRelievoEnvironment* environment);
 }
 

@@ -27,7 +27,7 @@ namespace scene
 {
 namespace
 {
-// Without a word about it, relief is this share of the scene's longest side deep.
+// Default depth of relief, as a share of the scene's longest side.
 constexpr double DefaultDepth = 0.02;
 
 //------------------------------------------------------------------------------
@@ -62,7 +62,7 @@ vtkSmartPointer<vtkImageData> ReadNormals(const std::string& path, ReadContext& 
 }
 
 //------------------------------------------------------------------------------
-// `own`: of a model that brings a normal map, which stays where the words name none; or null.
+// `own`: material of a model with a normal map, used unless --normal-map replaces it; or null.
 vtkSmartPointer<vtkRelievoMaterial> MakeMaterial(vtkRelievoMaterial* own,
   vtkRelievoEnvironment* environment, vtkRenderer* renderer, const SurfaceChoice& surface,
   bool opaque, ReadContext& context)
@@ -78,7 +78,7 @@ vtkSmartPointer<vtkRelievoMaterial> MakeMaterial(vtkRelievoMaterial* own,
     material->SetNormalStrength(own->GetNormalStrength());
     material->SetRepeat(own->GetRepeat());
   }
-  if (own && opaque) // else VTK draws the holes, and the rest see-through
+  if (own && opaque) // otherwise VTK blends the cut-out
   {
     material->SetAlphaCutoff(own->GetAlphaCutoff());
   }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * What surfaces wear, from image files: normals, relief, and what is all around.
+ * Sets surface maps from image files: normals, relief, and the environment.
  */
 #ifndef Surface_h
 #define Surface_h
@@ -19,9 +19,9 @@ struct SurfaceChoice;
 /// Throws UsageError or WorkError for a file that is no image, or cannot be opened.
 void CheckSurface(const SurfaceChoice& surface);
 
-/// Puts maps and environment on every actor but those of `without`, some of which may be null.
+/// Sets maps and environment on every actor but those of `without`, some of which may be null.
 /// `up`: the axis that points up; `opaque`: no option makes surfaces translucent. Throws WorkError
-/// with the file's name.
+/// naming the file.
 void SetSurface(vtkRenderer* renderer, const std::vector<vtkActor*>& without,
   const SurfaceChoice& surface, int up, bool opaque, ReadContext& context);
 }

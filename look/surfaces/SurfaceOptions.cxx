@@ -18,7 +18,7 @@ namespace scene
 {
 namespace
 {
-// "F" or "F,NUMBER". A file's name may hold commas: only a number behind the last one is one.
+// "F" or "F,NUMBER". File names may contain commas: only a number after the last one counts.
 std::string TakeNumberBehind(std::string& path)
 {
   const std::string::size_type comma = path.rfind(',');
@@ -46,7 +46,7 @@ vtkRelievoEnvironment* GetEnvironment()
   return environment;
 }
 
-// Throws UsageError unless the values take the words.
+// Throws UsageError if the parameters refuse the words.
 void CheckValues(
   const std::string& option, const vtkRelievoParameterList& values, const NamedWords& given)
 {
@@ -64,7 +64,7 @@ void CheckValues(
   }
 }
 
-// Without those that have options of their own, and with defaults of scenes.
+// Removes parameters that have options of their own, and sets the defaults of scenes.
 vtkRelievoParameterList TakeOthers(const vtkRelievoParameterList& all,
   const std::set<std::string>& ownOptions, const std::map<std::string, std::string>& defaults)
 {
@@ -82,7 +82,7 @@ vtkRelievoParameterList TakeOthers(const vtkRelievoParameterList& all,
   return others;
 }
 
-// Of the word of --environment: behind the file and a number.
+// Parses --environment: the part after the file and a number.
 NamedWords TakeValuesBehind(std::string& word)
 {
   std::vector<std::string> parts;
@@ -113,7 +113,7 @@ const vtkRelievoParameterList& GetMaterialValues()
 //------------------------------------------------------------------------------
 const vtkRelievoParameterList& GetEnvironmentValues()
 {
-  // Pictures are for displays: the sky's are to look as they did.
+  // Pictures are made for displays: the sky keeps its displayed colours.
   static const vtkRelievoParameterList values = TakeOthers(
     GetEnvironment()->GetDescription(), { "rotation", "up" }, { { "gamma_correct", "on" } });
   return values;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * The values of the options that say what surfaces wear, and what of them goes together. All throw
+ * Values of the options for surface maps, and checks of their combinations. All functions throw
  * UsageError.
  */
 #ifndef SurfaceOptions_h
@@ -17,7 +17,7 @@
 
 namespace scene
 {
-/// How meshes without texture coordinates get some.
+/// Methods for generating missing texture coordinates.
 enum class Mapping
 {
   Box,
@@ -30,13 +30,13 @@ struct SurfaceChoice
   std::string NormalMap, HeightMap;      ///< files; empty: none
   std::optional<double> HeightScale;     ///< depth of the relief, world units
   std::string ReliefMethod = "relief";   ///< a word of vtkRelievoMaterial's relief_method
-  NamedWords Material;                   ///< its other values, as given
-  std::optional<Mapping> TextureMapping; ///< none: as a box, with a note
+  NamedWords Material;                   ///< other values, as given
+  std::optional<Mapping> TextureMapping; ///< none: a box, with a note
   std::string Environment;               ///< file; empty: none
   double EnvironmentRotation = 0.0;      ///< degrees about the up axis
-  NamedWords EnvironmentValues;          ///< its other values, as given
+  NamedWords EnvironmentValues;          ///< other values, as given
   double Reflectivity = 0.04;            ///< share of the environment's light that is mirrored
-  double Roughness = 0.2;                ///< of that mirror
+  double Roughness = 0.2;                ///< of the mirror
   bool Skybox = false;
   bool Shadowed = false; ///< the picture shows shadows, which relief then casts on itself
 
@@ -45,20 +45,20 @@ struct SurfaceChoice
 };
 
 ///@{
-/// What --material and --environment take by name: what materials and environments say of their
-/// values, without those that have options of their own; defaults are those of scenes.
+/// The named values of --material and --environment: the parameters of materials and environments
+/// without those that have options of their own, with the defaults of scenes.
 const vtkRelievoParameterList& GetMaterialValues();
 const vtkRelievoParameterList& GetEnvironmentValues();
 ///@}
 
-/// One of these values, in words: as given, or as scenes have it.
+/// One of these values, in words: as given, or the default of scenes.
 std::string GetSurfaceValue(const SurfaceChoice& surface, const std::string& name);
 
-/// The first condition for a value to have an effect that does not hold beside the others.
+/// The value's first condition (OnlyIf) that the other values do not meet.
 std::optional<vtkRelievoParameter::Condition> FindFailing(
   const SurfaceChoice& surface, const vtkRelievoParameter& value);
 
-/// The words of vtkRelievoMaterial's relief_method.
+/// The choices of vtkRelievoMaterial's relief_method.
 const std::vector<std::string>& GetReliefMethods();
 
 void TakeMaterial(SurfaceChoice& surface, const std::string& word);
@@ -66,7 +66,7 @@ void TakeHeightMap(SurfaceChoice& surface, const std::string& word);
 void TakeEnvironment(SurfaceChoice& surface, const std::string& word);
 void TakeReflectivity(SurfaceChoice& surface, const std::string& word);
 
-/// `given`: the names of the options that were said.
+/// `given`: the names of the options on the command line.
 void CheckSurfaceOptions(const SurfaceChoice& surface, const std::set<std::string>& given);
 }
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Texture coordinates for meshes that have none, so that maps have a place on them.
+ * Texture coordinates for meshes that have none, to place maps on them.
  */
 #ifndef TextureCoordinates_h
 #define TextureCoordinates_h
@@ -16,9 +16,8 @@ namespace scene
 enum class Mapping;
 class ReadContext;
 
-/// Gives the meshes of the actor, which are of the file `path`, texture coordinates where they have
-/// polygons and none; `up`: the axis that points up. If nothing is chosen, as a box, and that is
-/// noted.
+/// Gives texture coordinates to the actor's meshes (of the file `path`) that have polygons but no
+/// coordinates; `up`: the axis that points up. If no method is chosen, uses a box, and notes it.
 void AddTextureCoordinates(vtkActor* actor, const std::optional<Mapping>& chosen, int up,
   const std::string& path, ReadContext& context);
 }

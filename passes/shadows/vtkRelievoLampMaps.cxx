@@ -81,7 +81,7 @@ void vtkRelievoLampMaps::SetLamp(vtkShaderProgram* program, int lamp)
   glm::vec3 center(0.f);
   if (place < entries.size())
   {
-    // The lamp's place in eye space as the shader has it, in float.
+    // The lamp's place in eye space in float, like the shader's.
     center =
       glm::vec3(this->Work.View.WorldToView * glm::dvec4(entries[place].Light.Position, 1.0));
   }

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The maps of lamps from data that cast shadows: as those of the renderer's positional lights with
-// the method `map`, fitted to what each lamp reaches, and kept while lamp, casters and view stay.
+// The maps of lamps from data that cast shadows: like those of positional lights with the method
+// `map`, fitted to each lamp's reach, and cached while lamp, casters and view stay.
 #ifndef vtkRelievoLampMaps_h
 #define vtkRelievoLampMaps_h
 
@@ -29,12 +29,12 @@ public:
   vtkRelievoShadowContext Work;
   vtkRelievoShadowSchedule Schedule;
 
-  // Draws the maps of the context's casting lamps that are not there yet, and binds them until
-  // Unbind. Returns what is wrong, in words. strength: share of a blocked light that is removed.
+  // Draws the missing maps of the context's casting lamps, and binds them until Unbind. Returns an
+  // error, or "". strength: share of a blocked light that is removed.
   std::string Draw(vtkRelievoFrameContext& context, int size, int radius, double strength);
   int GetDrawCalls() const { return this->DrawCalls; }
 
-  // In the last frame: what casts and has maps, as a sentence.
+  // In the last frame: the casting lamps and their maps, as a sentence.
   std::string GetReport() const;
 
   void Unbind() { this->Work.Maps.Unbind(); }

@@ -23,7 +23,7 @@ namespace
 const char* const Layer = "light_depth";
 constexpr int MostColumns = 3;
 
-// The largest area of the map's shape in the middle of a cell of the picture.
+// The largest area with the map's shape, centred in a cell of the picture.
 std::array<int, 4> GetArea(
   const vtkRelievoShadowView& view, const int* picture, int maps, int number)
 {
@@ -72,16 +72,16 @@ void vtkRelievoLightDepthStage::Describe(vtkRelievoStageDescription& description
 {
   description.Name = Layer;
   description.Label = "Light's Depth";
-  description.Help = "Shows what a light's shadow maps see.";
+  description.Help = "Shows the depth in a light's shadow maps.";
   description.Slot = vtkRelievoStageDescription::COMPOSITE;
   description.Reads = {
     vtkRelievoResources::Visibility
-  }; // whether shadows are seen in the picture or not
+  }; // whether or not the picture shows shadows
   description.Layers = { Layer };
   description.OnByDefault = true;
   description.AddWhole(
     "light", this->Light, [this](int light) { this->SetLight(light); }, -1, 999, "",
-    "Which light, by its place among the renderer's lights; -1 for the first that casts.");
+    "Number of the light among the renderer's lights; -1: the first that casts.");
 }
 
 //------------------------------------------------------------------------------

@@ -4,14 +4,14 @@
  * @class vtkRelievoLightDepthStage
  * @brief The stage that shows a light's shadow maps: the layer `light_depth`.
  *
- * The layer is the map as the light sees it, as large as the picture has room for: float, the
- * distance along the map's axis in world units, from the light, or from the map's near plane where
- * rays are parallel; +infinity where nothing casts, and beside the map. A light with several maps
- * has them side by side, three in a row. It runs only where the layer is requested.
+ * The layer is the map as seen from the light, as large as fits the picture: float, the distance
+ * along the map's axis in world units, from the light, or with parallel rays from the map's near
+ * plane; +infinity without casters, and beside the map. A light's several maps are side by side,
+ * three in a row. The stage runs only if the layer is requested.
  *
- * Shadows need not be seen in the picture. Maps that are unevenly spaced
- * (vtkRelievoShadowStage::METHOD_WARPED) are shown as they are stored; exact shadows
- * (METHOD_EXACT) have none, but for casters that they cannot follow.
+ * Shadows need not be visible in the picture. Uneven maps (vtkRelievoShadowStage::METHOD_WARPED)
+ * are shown as stored; exact shadows (METHOD_EXACT) have maps only for casters that rays cannot
+ * trace.
  */
 #ifndef vtkRelievoLightDepthStage_h
 #define vtkRelievoLightDepthStage_h
@@ -29,8 +29,7 @@ public:
 
   ///@{
   /**
-   * Which light: its place in vtkRenderer::GetLights(), from 0; -1 (default) for the first that
-   * casts.
+   * The light's index in vtkRenderer::GetLights(), from 0; -1 (default) for the first that casts.
    */
   vtkSetClampMacro(Light, int, -1, 999);
   vtkGetMacro(Light, int);

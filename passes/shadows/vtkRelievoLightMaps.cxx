@@ -24,7 +24,7 @@ void vtkRelievoLightMaps::UseMethod(int method, vtkOpenGLRenderWindow* window)
   this->Method = vtkRelievoShadowMethod::Make(method);
   this->Made = method;
   this->Work.Cache.Refit();
-  window->MakeCurrent(); // what the one before held may have been another window's
+  window->MakeCurrent(); // earlier resources may belong to another window
 }
 
 //------------------------------------------------------------------------------
@@ -48,7 +48,7 @@ vtkRelievoShadowPlanning::Scene vtkRelievoLightMaps::GetScene(const vtkRelievoSh
 }
 
 //------------------------------------------------------------------------------
-// Makes the method that is planned, or maps, with a warning.
+// Creates the planned method, or maps, with a warning.
 void vtkRelievoLightMaps::PrepareMethod(
   vtkRelievoFrameContext& context, vtkRelievoMessagesOnce& messages)
 {
@@ -67,13 +67,13 @@ void vtkRelievoLightMaps::PrepareMethod(
   const std::string fault = this->Method->Prepare(this->Work, context.Renderer);
   if (method == this->Refused && !refused)
   {
-    this->Refused = -1; // what was refused once may fit by now
+    this->Refused = -1; // a refused request may fit now
   }
   if (!fault.empty())
   {
     this->Refuse(this->Work.Others.IsDeclined() ? -1 : method);
     this->UseMethod(vtkRelievoShadowMethods::MAP, context.Window);
-    // One process speaks for all.
+    // Only one process reports.
     if (!together || this->Schedule.Exchange.IsRoot())
     {
       messages.Warn(fault, "Shadows are made with maps: " + fault);
@@ -99,7 +99,7 @@ int vtkRelievoLightMaps::GetSizeHere(int size, vtkRelievoMessagesOnce& messages)
   {
     std::ostringstream out;
     out << "Shadow maps of " << size << " x " << size
-        << " texels were asked for, this OpenGL makes at most " << largest << " x " << largest
+        << " texels were requested, this OpenGL makes at most " << largest << " x " << largest
         << ": these are used";
     messages.Warn("size" + std::to_string(size), out.str());
   }
@@ -107,7 +107,7 @@ int vtkRelievoLightMaps::GetSizeHere(int size, vtkRelievoMessagesOnce& messages)
 }
 
 //------------------------------------------------------------------------------
-// Ways that OpenGL has no memory for are remembered, and the choice is made among the others.
+// Choices without enough OpenGL memory are recorded, and the plan chooses among the others.
 std::string vtkRelievoLightMaps::Make(vtkRelievoFrameContext& context,
   const vtkRelievoShadowLights& lights, const Settings& settings, vtkRelievoMessagesOnce& messages)
 {
@@ -138,7 +138,7 @@ std::string vtkRelievoLightMaps::Make(vtkRelievoFrameContext& context,
       if (!fault.empty())
       {
         this->Work.Cache.Clear();
-        this->Method->Unbind(); // what it took in Prepare
+        this->Method->Unbind(); // releases resources reserved in Prepare
       }
       if (!this->Planning.IsPlanned() && !this->Method->Traces())
       {
@@ -278,6 +278,6 @@ void vtkRelievoLightMaps::Release(vtkWindow* window)
   this->Work.PlainDraw.Release(window);
   this->Work.Props.ForgetGlyphs();
   this->Work.Cache.Clear();
-  this->Refused = -1; // another window's OpenGL may hold what this one did not
+  this->Refused = -1; // another window's OpenGL may have enough memory
   this->Planning.ForgetRoom({});
 }

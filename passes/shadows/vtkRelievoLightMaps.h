@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The shadows of a renderer's lights in a frame: the method, as it is set or planned, its maps, and
-// what it draws beside them. Lamps from data have vtkRelievoLampMaps.
+// The shadows of a renderer's lights in a frame: the set or planned method, its maps, and the data
+// that it draws beside them. Lamps from data have vtkRelievoLampMaps.
 #ifndef vtkRelievoLightMaps_h
 #define vtkRelievoLightMaps_h
 
@@ -38,8 +38,8 @@ public:
   vtkRelievoShadowPlanning Planning;
 
   ///@{
-  // Fits the maps of the lights that cast, as planned, and gives them a texture unit. Returns why
-  // there are none, in words. MakeNone: no light casts.
+  // Fits the maps of the casting lights, as planned, and assigns a texture unit. Returns why there
+  // are none, or "". `MakeNone`: no light casts.
   std::string Make(vtkRelievoFrameContext& context, const vtkRelievoShadowLights& lights,
     const Settings& settings, vtkRelievoMessagesOnce& messages);
   void MakeNone(vtkOpenGLRenderWindow* window);
@@ -48,14 +48,14 @@ public:
   // The size of maps in this OpenGL: its limit if that is less, with a warning.
   static int GetSizeHere(int size, vtkRelievoMessagesOnce& messages);
 
-  // Whether the shaders of what receives are to be others than in the frame before. `unlit`:
-  // visibility is asked for also where no light is computed.
+  // Whether the shaders of receivers must differ from the previous frame's. `unlit`: visibility is
+  // requested also where no light is computed.
   bool UpdateStructure(const vtkRelievoShadowLights& lights, bool unlit);
 
   ///@{
-  // Draws the maps that no frame before drew, and binds all; then what the method draws. Both
-  // return the draw calls but for those of mappers that draw by themselves. Unbind gives texture
-  // units back.
+  // Draws the missing maps and binds all; then draws the method's own data. Both return the draw
+  // calls except those by mappers, which the stage's callbacks count. `Unbind` releases the texture
+  // units.
   int DrawMaps(vtkRenderer* renderer);
   int DrawMethod(vtkRenderer* renderer);
   void Unbind();
@@ -68,16 +68,16 @@ public:
   void Settle(bool probed);
   ///@}
 
-  // What was drawn was not all of it: nothing of it is kept.
+  // The drawing was incomplete: discards cached data.
   void Invalidate();
 
   const std::unique_ptr<vtkRelievoShadowMethod>& GetMethod() const { return this->Method; }
   int GetMethodMade() const { return this->Made; } // one of vtkRelievoShadowMethods
 
-  // What the plan is made for.
+  // The input of the plan.
   vtkRelievoShadowPlanning::Scene GetScene(const vtkRelievoShadowLights& lights);
 
-  // The expected share of wrong pixels of the frame's maps.
+  // The expected share of wrong pixels for the frame's maps.
   double GetExpectedWrongShare() const;
 
   // Of the last frame, as a part of a sentence.
@@ -95,7 +95,7 @@ private:
   std::unique_ptr<vtkRelievoShadowMethod> Method =
     vtkRelievoShadowMethod::Make(vtkRelievoShadowMethods::MAP);
   int Made = vtkRelievoShadowMethods::MAP;
-  int Refused = -1; // the method that could not make shadows of what cast so
+  int Refused = -1; // method that could not make shadows of the casters
   std::vector<std::uint64_t> RefusedCasters;
 };
 

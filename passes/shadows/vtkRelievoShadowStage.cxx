@@ -53,11 +53,11 @@ public:
   vtkRelievoShadowCasters Casters;     // of all maps
   vtkRelievoLightMaps Maps{ Casters }; // of lights
   vtkRelievoLampMaps Lamps{ Casters }; // from data
-  vtkRelievoShadowStrengths Strengths; // of the lights of this frame
-  vtkRelievoShadowUniforms Uniforms;   // of what receives
+  vtkRelievoShadowStrengths Strengths; // of this frame's lights
+  vtkRelievoShadowUniforms Uniforms;   // of receivers
   vtkRelievoMessagesOnce Messages;
-  bool LayersAsked = false; // visibility is asked for as a layer
-  bool LampsAsked = false;  // and of lamps from data
+  bool LayersAsked = false; // visibility is requested as a layer
+  bool LampsAsked = false;  // and for lamps from data
   bool Spliced = false;
   vtkWeakPointer<vtkOpenGLRenderWindow> Window; // of the frame
   vtkWeakPointer<vtkRenderer> Renderer;
@@ -70,7 +70,7 @@ public:
       self.FilterRadius, self.ColoredShadows };
   }
 
-  // Whether a map is being drawn: notes the program that draws into it.
+  // While a map is being drawn: records the program that draws into it.
   bool IsDrawingMaps(vtkShaderProgram* program);
 };
 
@@ -181,7 +181,7 @@ void vtkRelievoShadowStage::SetController(vtkMultiProcessController* controller)
     this->Internal->Maps.Schedule.Exchange.SetController(controller);
     this->Internal->Lamps.Schedule.Exchange.SetController(controller);
     this->Internal->Maps.Work.Others.SetController(controller);
-    // Maps of this process alone, or of others that are gone.
+    // Maps of this process alone, or of a former group.
     this->Internal->Lamps.Work.Cache.Clear();
     this->Internal->Maps.Work.Cache.Clear();
     this->Modified();
@@ -218,7 +218,7 @@ bool vtkRelievoShadowStage::Prepare(vtkRelievoFrameContext& context)
   Internals& in = *this->Internal;
   in.Maps.Planning.Begin(context.Picture);
   vtkRelievoAccess::Renderer::FollowCamera(context.Renderer);
-  // The shaders that draw the maps are built for the lights that VTK counts here.
+  // VTK counts lights here, and builds the maps' shaders for them.
   static_cast<vtkOpenGLRenderer*>(context.Renderer)->UpdateLights();
   in.LayersAsked = context.IsAsked(this, vtkRelievoResources::Visibility);
   in.LampsAsked = context.IsAsked(this, vtkRelievoResources::LampShadows);
@@ -242,7 +242,7 @@ bool vtkRelievoShadowStage::Prepare(vtkRelievoFrameContext& context)
   in.Casters.Props.Collect(context.Renderer, context.Scene.Props);
   const bool traces =
     this->Method == METHOD_EXACT || this->Tolerance > 0.0 || this->TimeBudget > 0.0;
-  // What is translucent may be another process's.
+  // Another process may have translucent props.
   context.ColorsLight = this->Enabled && this->ColoredShadows && traces &&
     !in.Lights.GetCasting().empty() &&
     (in.Maps.Work.Others.IsOn() || in.Casters.Props.HasTranslucentCasters());
@@ -296,7 +296,7 @@ void vtkRelievoShadowStage::Execute(vtkRelievoFrameContext& context)
   {
     in.Maps.MakeNone(context.Window);
   }
-  // Processes that draw together fit their maps together, though there be none.
+  // Processes that draw together fit their maps together, even if there are none.
   const bool lamps =
     in.LampsAsked && (!context.CastingLamps.empty() || in.Lamps.Schedule.Exchange.IsOn());
   if (!fault.empty())
@@ -313,7 +313,7 @@ void vtkRelievoShadowStage::Execute(vtkRelievoFrameContext& context)
   }
   if ((!lights || !fault.empty()) && !lamps)
   {
-    this->Explain(lights ? "failed" : "idle", lights ? fault : "no lamp that is seen casts");
+    this->Explain(lights ? "failed" : "idle", lights ? fault : "no visible lamp casts");
     return;
   }
   in.Spliced = true;
@@ -333,7 +333,7 @@ void vtkRelievoShadowStage::Execute(vtkRelievoFrameContext& context)
 }
 
 //------------------------------------------------------------------------------
-// Returns what was done, in words.
+// Returns a description of the shadows.
 std::string vtkRelievoShadowStage::DrawLights(vtkRelievoFrameContext& context)
 {
   Internals& in = *this->Internal;
@@ -343,11 +343,11 @@ std::string vtkRelievoShadowStage::DrawLights(vtkRelievoFrameContext& context)
   context.Provide(vtkRelievoResources::ShadowMaps, &in.Strengths);
   in.Uniforms.Forget();
   const int methodDraws = in.Maps.DrawMethod(context.Renderer);
-  this->DrawCalls += mapDraws + methodDraws; // mappers that draw by themselves counted theirs
+  this->DrawCalls += mapDraws + methodDraws; // mappers that draw by themselves have counted theirs
   const std::string fault = in.Maps.GetMethod()->GetFault();
   if (!fault.empty())
   {
-    in.Messages.Error("Shadows are looked up in the maps alone: " + fault);
+    in.Messages.Error("Shadows use the maps alone: " + fault);
   }
   const vtkRelievoShadowExchange& exchange = in.Maps.Schedule.Exchange;
   return in.Lights.GetCastingReport() + ", " + in.Maps.GetReport() +
@@ -356,7 +356,7 @@ std::string vtkRelievoShadowStage::DrawLights(vtkRelievoFrameContext& context)
 }
 
 //------------------------------------------------------------------------------
-// Returns what was done, in words.
+// Returns a description of the shadows.
 std::string vtkRelievoShadowStage::DrawLamps(vtkRelievoFrameContext& context)
 {
   Internals& in = *this->Internal;
@@ -386,7 +386,7 @@ void vtkRelievoShadowStage::Finish(vtkRelievoFrameContext& context)
     in.Spliced = false;
     if (in.Casters.Props.ChangesByDrawing())
     {
-      // Some mappers count themselves as modified when they draw.
+      // Some mappers mark themselves as modified when they draw.
       const bool probed = in.Maps.IsProbed();
       in.Casters.Props.Collect(context.Renderer, context.Scene.Props);
       in.Maps.Settle(probed);
@@ -395,13 +395,13 @@ void vtkRelievoShadowStage::Finish(vtkRelievoFrameContext& context)
   }
   if (context.Window->GetAbortRender())
   {
-    // Mappers draw nothing from there on: what maps and masks hold is not all that casts.
+    // Mappers skip drawing from there on: maps and masks are incomplete.
     in.Maps.Invalidate();
     in.Lamps.Work.Cache.Invalidate();
   }
   else
   {
-    // Of an aborted frame the time tells nothing.
+    // The time of an aborted frame is meaningless.
     in.Maps.Planning.End(in.Maps.GetScene(in.Lights), context.Picture, this->NumberOfMapsDrawn > 0,
       this->GetShaderTime());
   }
@@ -528,7 +528,7 @@ void vtkRelievoShadowStage::Declare(
   const vtkRelievoFrameContext& context, vtkRelievoDeclaration& declaration) const
 {
   const Internals& in = *this->Internal;
-  // The visibility is for layers, and lamps are lit by their own stage.
+  // Visibility is needed only for layers, and lamps are lit by their own stage.
   declaration.OptionalWrites = { vtkRelievoResources::ShadowMaps };
   const bool together = in.Maps.Schedule.Exchange.IsOn();
   if (this->SoftSamples > 1 && !together && in.Soft.HasSized(in.Lights, context.Renderer))
@@ -536,7 +536,7 @@ void vtkRelievoShadowStage::Declare(
     declaration.Samples = this->SoftSamples;
     declaration.AtOnce = this->SoftAtOnce;
   }
-  // Other methods than these know what is seen at pixels.
+  // Methods other than these depend on the visible surfaces.
   const bool ofAnyRaster = this->Tolerance == 0.0 && this->TimeBudget == 0.0 &&
     (this->Method == METHOD_MAP || this->Method == METHOD_WARPED);
   const bool follows = this->SoftMaps > 0 && this->Method == METHOD_MAP && !together &&
@@ -649,9 +649,9 @@ void vtkRelievoShadowStage::SetTolerance(double share)
 {
   if (!(share >= 0.0 && share <= 1.0))
   {
-    vtkErrorMacro("SetTolerance was given " << share << "; give it the share of wrong pixels that "
-                                            << "is tolerable, from 0 (none is set) to 1; 0.05 % "
-                                            << "is 0.0005.");
+    vtkErrorMacro("SetTolerance was given " << share << "; give it the tolerable share of wrong "
+                                            << "pixels, from 0 (no goal) to 1; 0.05 % is "
+                                            << "0.0005.");
     return;
   }
   if (this->Tolerance != share)
@@ -833,12 +833,12 @@ void vtkRelievoShadowStage::SpliceShaders(
     return vtkRelievoShadowSplice::Fill(
       shaders.Vertex, shaders.Geometry, shaders.Fragment, mapper, actor, in.Maps.Work.Structure);
   });
-  // Gaussian splats are known to cast and not to receive: nothing that a user could mend.
+  // Gaussian splats cast and do not receive by design: a user cannot change that.
   const bool known = mapper->IsA("vtkOpenGLPointGaussianMapperHelper") != 0;
   if (!known && this->IsNews(mapper, outcome))
   {
     vtkErrorMacro(
-      "No shadows on what " << mapper->GetClassName() << " draws: " << outcome.Error << ".");
+      "No shadows on surfaces drawn by " << mapper->GetClassName() << ": " << outcome.Error << ".");
   }
 }
 

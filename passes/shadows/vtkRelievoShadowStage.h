@@ -7,7 +7,7 @@
  * A stage of the frame. Before the delegate draws, the depth seen from each casting light is drawn
  * into a map; while it draws, each light's colour is multiplied by its visibility wherever VTK's
  * shaders read it. Phong, flat and PBR, textures, colour maps, glyphs, blocks and impostors look as
- * before, without the light that is blocked. Maps are kept until the light, the casters or the view
+ * before, without the blocked light. Maps are cached until the light, the casters or the view
  * change.
  *
  * Lights may be directional, spots of any cone angle, or points (positional with a cone angle of 90
@@ -59,21 +59,21 @@ public:
   /**
    * How visibility from a light is computed. METHOD_MAP (default) compares with the light's depth
    * map. METHOD_FORWARD transforms the map's samples into the camera's view, as a mesh that is cut
-   * where depth jumps, and compares them there, in eye space, with what is visible (H. Zhang,
+   * where depth jumps, and compares them there, in eye space, with the surface (H. Zhang,
    * Forward shadow mapping, 1998); its masks have the picture's pixels, so its edges are not
    * filtered. Translucent geometry, and pictures of another size than the viewport, use the map.
-   * METHOD_WARPED gives more of a sun's map to what is near the camera: the map lies in the ground
+   * METHOD_WARPED gives more of a sun's map to surfaces near the camera: the map lies in the ground
    * plane, with rays sheared upright so that its depth is the height. Along the view direction its
    * density follows the logistic function, in up to four straight pieces that are drawn separately,
    * so that edges stay straight. Lamps use maps as with METHOD_MAP.
-   * METHOD_EXACT sends a ray from each pixel's own place to the light, past the triangles of what
-   * casts: no texels, no bias, no filter. Translucent geometry with CASTS_ALWAYS lets 1 - opacity
-   * of the light pass; what the rays meet is multiplied, and the visibility is a transmittance. It
-   * follows the surfaces of vtkPolyDataMapper, of composite meshes and of vtkGlyph3DMapper; other
-   * casters (points, lines, wireframes, impostors, cut-out textures, clipping planes, shaders of
-   * their own) are drawn into maps as with METHOD_MAP, whose settings then hold for them. Where
-   * OpenGL has no buffer that holds the triangles, all of them are, with a warning. With several
-   * processes (SetController) each holds all triangles, or all use maps.
+   * METHOD_EXACT traces a ray from each pixel's own place to the light, past the triangles of the
+   * casters: no texels, no bias, no filter. Translucent geometry with CASTS_ALWAYS lets 1 - opacity
+   * of the light pass; the visibility is the product over the ray's hits, a transmittance. Rays
+   * trace the surfaces of vtkPolyDataMapper, of composite meshes and of vtkGlyph3DMapper; other
+   * casters (points, lines, wireframes, impostors, cut-out textures, clipping planes, custom
+   * shaders) are drawn into maps as with METHOD_MAP, whose settings then apply. If no OpenGL buffer
+   * can hold the triangles, all casters are, with a warning. With several processes (SetController)
+   * each holds all triangles, or all use maps.
    */
   vtkSetClampMacro(Method, int, METHOD_MAP, METHOD_EXACT);
   vtkGetMacro(Method, int);
@@ -100,15 +100,15 @@ public:
 
   ///@{
   /**
-   * What the method and the size of the maps are chosen for, in place of SetMethod and SetMapSize:
-   * the share of the pixels facing a light that may have a wrong verdict (0.0005 is 0.05 %), and
-   * the milliseconds that a frame may take. 0 (default): not chosen. An error if a value is
-   * negative, not a number, or a share above 1.
+   * Goals that choose the method and the size of the maps, in place of SetMethod and SetMapSize:
+   * the acceptable share of wrong verdicts among the pixels facing a light (0.0005 is 0.05 %), and
+   * the milliseconds of a frame. 0 (default): no goal. An error if a value is negative, not a
+   * number, or a share above 1.
    * With a tolerance, the cheapest of map and warped with 1024 to 8192 texels and exact whose
-   * expected share is below it: rays on the CPU at some pixels tell what each would get wrong
-   * (docs/shadows.md). The choice follows from scene, lights, camera and settings. With a time
-   * alone, the most accurate one that is expected to fit: that depends on the times of the frames
-   * before. With both, the tolerance comes first. GetPlan() says what is not met.
+   * expected share is below it: rays on the CPU at some pixels predict the errors of each
+   * (docs/shadows.md). The choice depends on scene, lights, camera and settings. With a time alone,
+   * the most accurate one that is expected to fit, by the times of earlier frames. With both, the
+   * tolerance takes precedence. GetPlan() names an unmet goal.
    */
   void SetTolerance(double share);
   vtkGetMacro(Tolerance, double);
@@ -118,18 +118,18 @@ public:
 
   /**
    * The expected share of wrong pixels in the last frame's view of the scene, by rays as for
-   * SetTolerance; 2.5 times EstimateWrongShare where they cannot tell (several processes,
-   * casters that are not followed triangle by triangle). For METHOD_EXACT it grows with the edges
-   * that these rays meet, and with the distance of casters and eye; ties within a pixel's rounding
-   * are in it. -1 if no frame has made shadows of lights.
+   * SetTolerance; 2.5 times EstimateWrongShare if they do not apply (several processes, casters
+   * that cannot be traced triangle by triangle). For METHOD_EXACT it grows with the edges that
+   * these rays find, and with the distance of casters and eye; it includes ties within a pixel's
+   * rounding. -1 if no frame has made shadows of lights.
    */
   double EstimateWrongShareInView(int method, int size);
 
   ///@{
   /**
-   * Of the last frame: what was chosen and why ("" without a goal), the method and map size that
-   * were used, the milliseconds that were expected, and those that the last picture took, from the
-   * shadows' first work until OpenGL had finished (-1 without a goal).
+   * For the last frame: the choice and its reason ("" without a goal), the method and map size in
+   * use, the expected milliseconds, and those of the last picture, from the shadows' first work
+   * until OpenGL had finished (-1 without a goal).
    */
   std::string GetPlan();
   int GetMethodUsed();
@@ -150,7 +150,7 @@ public:
 
   ///@{
   /**
-   * Distance behind the surface that the light sees within which a surface is still lit, in texel
+   * Distance behind the surface seen by the light within which a surface is still lit, in texel
    * widths, 0 to 100. It is added to the receiver plane, so that flat surfaces need it for rounding
    * only. Default 1.5.
    */
@@ -163,9 +163,10 @@ public:
 
   ///@{
   /**
-   * With METHOD_EXACT, whether translucent surfaces cast (but for CASTS_NEVER) and colour the light
-   * that passes: each multiplies red, green and blue by (1 - opacity) * its diffuse colour. What an
-   * array or a texture colours counts as white. Neither layers nor maps have colours. Default off.
+   * With METHOD_EXACT, whether translucent surfaces cast (except CASTS_NEVER) and colour the
+   * transmitted light: each multiplies red, green and blue by (1 - opacity) * its diffuse colour.
+   * Surfaces coloured by an array or a texture count as white. Neither layers nor maps have
+   * colours. Default off.
    */
   vtkSetMacro(ColoredShadows, bool);
   vtkGetMacro(ColoredShadows, bool);
@@ -175,11 +176,11 @@ public:
   ///@{
   /**
    * Soft shadows: samples of each light's shape, 0 to 4096; 0 (default) and 1: lights are points.
-   * Each frame draws the shadow from another sample, as long as nothing else changes, and the frame
-   * shows the mean of the linear colour: the share of the light that is not blocked. A layer
-   * shadow_N is that share. vtkRelievoFramePass::GetSamplesLeft says how many frames are missing.
-   * Lights are shaded as before: only their shadows are soft. With several processes
-   * (SetController) lights stay points.
+   * Each frame draws the shadow from another sample, as long as nothing else changes, and shows the
+   * mean of the linear colour: the share of the light that is not blocked. A layer shadow_N is that
+   * share. vtkRelievoFramePass::GetSamplesLeft returns the number of missing frames. Lights are
+   * shaded as before: only their shadows are soft. With several processes (SetController) lights
+   * stay points.
    */
   vtkSetClampMacro(SoftSamples, int, 0, 4096);
   vtkGetMacro(SoftSamples, int);
@@ -188,19 +189,19 @@ public:
   vtkGetMacro(SoftAtOnce, bool);
   vtkBooleanMacro(SoftAtOnce, bool);
   /**
-   * Number of maps in which all samples of a sun are looked up along their rays, 0 to 64. 0
-   * (default) draws a map for each sample.
+   * Number of maps that all samples of a sun share along their rays, 0 to 64. 0 (default) draws a
+   * map for each sample.
    *
-   * This is for METHOD_MAP, where a frame draws all samples of its pixels at once
-   * (vtkRelievoAntialiasStage) and no lamp has a size. The maps have half of MapSize. Surfaces that
-   * others hide from the centres of these maps cast nothing.
+   * This is for METHOD_MAP, if a frame draws all samples of its pixels at once
+   * (vtkRelievoAntialiasStage) and no lamp has a size. The maps have half of MapSize. Surfaces
+   * hidden from the centres of these maps cast nothing.
    */
   vtkSetClampMacro(SoftMaps, int, 0, 64);
   vtkGetMacro(SoftMaps, int);
   ///@}
 
   ///@{
-  /** The angle that directional lights appear under, in degrees, 0 to 90; default 0.53. */
+  /** The angular diameter of directional lights, in degrees, 0 to 90; default 0.53. */
   void SetSunAngle(double degrees);
   vtkGetMacro(SunAngle, double);
   /**
@@ -212,12 +213,14 @@ public:
   ///@}
 
   ///@{
-  /** One light's own: an angle for a directional, a radius for a positional one; -1: the pass's. */
+  /**
+   * The size of a single light: an angle if directional, a radius if positional; -1: the pass's.
+   */
   void SetLightSize(vtkLight* light, double size);
   double GetLightSize(vtkLight* light);
   /**
    * Makes a positional light a parallelogram around its position, with these edges in world
-   * coordinates; two edges of no length make it what it was.
+   * coordinates; two edges of zero length restore it.
    */
   void SetLightEdges(vtkLight* light, const double first[3], const double second[3]);
   ///@}
@@ -237,10 +240,10 @@ public:
   ///@}
 
   /**
-   * The layer that has a light's visibility: "shadow_" and its name in lower case, with underscores
-   * in place of everything but letters and digits ("Key light": shadow_key_light); if several
-   * lights have the same name, the second gets "_2", and so on. Empty for a light that is not the
-   * renderer's. shadow_N names the same layer by the light's index N.
+   * The layer of a light's visibility: "shadow_" and its name in lower case, with underscores in
+   * place of everything but letters and digits ("Key light": shadow_key_light); if several lights
+   * share a name, the second gets "_2", and so on. Empty for a light of another renderer. shadow_N
+   * names the same layer by the light's index N.
    */
   std::string GetLightLayer(vtkRenderer* renderer, vtkLight* light);
 
@@ -272,7 +275,7 @@ public:
   ///@{
   /**
    * The processes that draw one picture together, each its own part of the scene. Every light's map
-   * then has the casters of all (the smallest depth, texel by texel), and METHOD_EXACT brings their
+   * then has the casters of all (the smallest depth, texel by texel), and METHOD_EXACT sends their
    * triangles to all, so that casters and receivers may be on different ones. Every process must
    * draw every frame, with the same lights and method. Default nullptr: this process alone.
    */
@@ -281,9 +284,9 @@ public:
   ///@}
 
   /**
-   * Registers a class of actors that draw their mapper as VTK's own actor does, whatever else they
-   * do. Plain meshes of such actors are drawn into maps without their shaders, which is faster.
-   * Applies to all passes of the process.
+   * Registers a class of actors that draw their mapper like VTK's own actor. Plain meshes of such
+   * actors are drawn into maps without their shaders, which is faster. Applies to all passes of the
+   * process.
    */
   static void AddPlainActorClass(RELIEVO_TEXT name);
 
@@ -293,15 +296,16 @@ public:
    * unknown method or a negative number.
    *
    * Bytes: GPU memory for maps of size x size texels (one for a sun or a narrow lamp, up to six for
-   * other lamps), so many casting lights and a picture of width x height pixels. METHOD_EXACT holds
-   * 16 bytes for each pixel instead, and 56 for each triangle, which are not in it.
+   * other lamps), this number of casting lights and a picture of width x height pixels.
+   * METHOD_EXACT holds 16 bytes for each pixel instead, and 56 for each triangle, which are not
+   * included.
    *
    * Draw calls: at most, in a frame that redraws all maps, with props of one draw call each.
    *
    * Share of wrong pixels: of those that face the light, 0 to 1. Measured on real meshes in
    * pictures of 600 x 600 pixels (docs/charts/README.md), where each scene is within a factor of
    * 2.5; scenes that extend to the horizon, and larger pictures, have more. For METHOD_EXACT it is
-   * 0.00002; EstimateWrongShareInView knows that dense edges, far casters and eyes have more.
+   * 0.00002; EstimateWrongShareInView includes dense edges, far casters and far eyes.
    */
   vtkIdType EstimateBytes(int method, int size, int maps, int lights, int width, int height);
   int EstimateDrawCalls(int method, int maps, int props);
@@ -309,11 +313,11 @@ public:
   ///@}
 
   /**
-   * Proves the last picture: judges so many verdicts of its pixels, drawn by lot, against rays in
+   * Certifies the last picture: checks this number of verdicts at random pixels against rays in
    * double precision past the casters' own triangles (vtkRelievoShadowCertificate). The picture is
-   * drawn again as layers for it; the window does not change. The same seed draws the same lots.
-   * What is returned is a new object each time, held until the next call. Null, with an error, if
-   * there are no shadows of lights to judge, or `rays` is not positive.
+   * drawn again as layers for it; the window does not change. Equal seeds give equal pixels.
+   * Returns a new object each time, held until the next call. Null, with an error, if there are no
+   * shadows of lights to judge, or `rays` is not positive.
    */
   vtkRelievoShadowCertificate* Certify(int rays, int seed = 0);
 
@@ -321,7 +325,7 @@ public:
   double GetMergeSeconds();
 
   ///@{
-  /** In the last frame: lights that cast, their maps, and the maps that were redrawn. */
+  /** In the last frame: casting lights, their maps, and the redrawn maps. */
   int GetNumberOfCastingLights();
   int GetNumberOfMaps();
   vtkGetMacro(NumberOfMapsDrawn, int);
@@ -331,10 +335,11 @@ public:
 
 #ifndef __VTK_WRAP__
   /**
-   * "soft_samples", "soft_gathered": see SetSoftSamples; 1 where lights are points.
+   * "soft_samples", "soft_gathered": see SetSoftSamples; 1 for point lights.
    * "expected_wrong_share": see EstimateWrongShare; null if no shadows of lights were made.
    * "shadow_plan", "expected_frame_ms", "frame_ms": see SetTolerance; null without a goal.
-   * "lamp_maps", "lamp_maps_drawn", "lamp_maps_bytes": of lamps from data; the second were redrawn.
+   * "lamp_maps", "lamp_maps_drawn", "lamp_maps_bytes": for lamps from data; the second were
+   * redrawn.
    */
   std::map<std::string, vtkVariant> GetFacts() override;
 #endif

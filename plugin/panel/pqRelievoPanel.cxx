@@ -56,7 +56,8 @@ pqRelievoPanel::pqRelievoPanel(QWidget* parent)
 
   auto* sections = new QVBoxLayout(this->All);
   sections->setContentsMargins(0, 0, 0, 0);
-  // The sun brings shadows: their rows come below its own, which stay under the mouse.
+  // The sun switches shadows on: their rows are below its own, so that no row moves under the
+  // mouse.
   this->Sections = { new pqRelievoSunControls(this->All), new pqRelievoShadowControls(this->All),
     new pqRelievoEnvironmentControls(this->All), new pqRelievoLayerControls(this->All),
     new pqRelievoStageControls(this->All) };
@@ -80,13 +81,13 @@ pqRelievoPanel::pqRelievoPanel(QWidget* parent)
   layout->addWidget(this->All);
   layout->addStretch(1);
   scroll->setWidget(content);
-  // One width, whatever is shown: all fits, and the views beside it keep theirs.
+  // A fixed width fits all contents, and keeps the size of the views beside the dock.
   scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   scroll->setMinimumWidth(
     content->minimumSizeHint().width() + this->style()->pixelMetric(QStyle::PM_ScrollBarExtent));
   this->setWidget(scroll);
 
-  // Also sent when another tab covers the dock.
+  // Also emitted when another tab covers the dock.
   QObject::connect(this, &QDockWidget::visibilityChanged, this, [this](bool seen) {
     this->Seen = seen;
     this->Rewatch();
@@ -102,8 +103,8 @@ pqRelievoPanel::~pqRelievoPanel() = default;
 //------------------------------------------------------------------------------
 void pqRelievoPanel::Introduce()
 {
-  // Open when the plugin is met for the first time; later as it was when ParaView was left. The
-  // window has read that before this dock came.
+  // Open when the plugin is first loaded; later in the state of ParaView's last exit, which the
+  // window has read before this dock was created.
   const QString key = "Relievo/PanelIntroduced";
   pqSettings* settings = pqApplicationCore::instance()->settings();
   auto* window = qobject_cast<QMainWindow*>(this->parentWidget());
@@ -162,7 +163,7 @@ void pqRelievoPanel::Rewatch()
   else if (!known)
   {
     message = vtkSMRenderViewProxy::SafeDownCast(view->getProxy())
-      ? "This view does not know Relievo: load the plugin on the server too (Tools > Manage "
+      ? "This view has no Relievo settings: load the plugin on the server too (Tools > Manage "
         "Plugins)."
       : "The active view is no 3D render view.";
   }

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class pqRelievoPanel
- * @brief Dock: what Relievo does in the active view, in the order of use, and what that took.
+ * @brief Dock for Relievo's settings of the active view, in the order of use, and the frame report.
  *
- * Shadows, sun, ground, environment, the layer shown with the values under the mouse, further
- * stages; then the frame report, folded away. While the dock is closed, or behind another tab, it
+ * Shadows, sun, ground, environment, the displayed layer with the values under the mouse, further
+ * stages; then the frame report, folded. While the dock is closed or behind another tab, it
  * observes nothing.
  */
 #ifndef pqRelievoPanel_h
@@ -26,7 +26,7 @@ class pqRelievoPanel : public QDockWidget
   using Superclass = QDockWidget;
   /** Whether it reads reports of a view's pictures. */
   Q_PROPERTY(bool watching READ IsWatching)
-  /** Names of the stages that have a time on show, with commas. */
+  /** Names of the stages with a displayed time, separated by commas. */
   Q_PROPERTY(QString timedStages READ GetTimedStages)
 
 public:
@@ -36,14 +36,14 @@ public:
   bool IsWatching() const;
   QString GetTimedStages() const;
 
-  /** Looks again at the active view: it may have changed, or got Relievo's settings. */
+  /** Updates for the active view, which may have changed or received Relievo's settings. */
   void Rewatch();
 
 private Q_SLOTS:
   void Introduce();
 
 private:
-  bool Seen = false; // it is open, and no tab covers it
+  bool Seen = false; // open, and not covered by another tab
   QLabel* Heading;
   QLabel* Message;
   QWidget* All;

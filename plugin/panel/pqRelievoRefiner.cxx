@@ -17,10 +17,10 @@
 
 namespace
 {
-// Milliseconds between pictures: time to begin working.
+// Milliseconds between pictures, in which the user can act.
 constexpr int Pause = 20;
 
-// Pictures in a row that bring no sample.
+// Consecutive pictures without a new sample.
 constexpr int MostVain = 3;
 
 int GetInteger(vtkSMProxy* proxy, const char* property)
@@ -65,7 +65,7 @@ void pqRelievoRefiner::Follow(pqAnimationScene* scene)
 //------------------------------------------------------------------------------
 void pqRelievoRefiner::Watch(pqView* view)
 {
-  // One for each view: it goes with it.
+  // One timer per view, deleted with it.
   auto* timer = new QTimer(view);
   timer->setSingleShot(true);
   timer->setInterval(Pause);
@@ -73,7 +73,7 @@ void pqRelievoRefiner::Watch(pqView* view)
   QObject::connect(timer, &QTimer::timeout, this, [this, view, timer, progress]() {
     if (QApplication::activePopupWidget())
     {
-      timer->start(); // a menu answers, and the picture goes on later
+      timer->start(); // a menu is open; the picture continues later
     }
     else if (QApplication::mouseButtons() == Qt::NoButton && !this->Playing)
     {
@@ -96,8 +96,8 @@ void pqRelievoRefiner::Refine(pqView* view, QTimer* timer, Progress& progress)
     proxy->UpdatePropertyInformation(left);
     missing = GetInteger(proxy, "RelievoSamplesLeft");
   }
-  // Pictures that bring no sample end it, until somebody changes something: another process draws
-  // them, or what is drawn changes by itself.
+  // Pictures without new samples stop the refinement until the next change: another process draws
+  // them, or the scene changes by itself.
   progress.Vain = progress.Own && missing >= progress.Missing ? progress.Vain + 1 : 0;
   progress.Missing = missing;
   progress.Own = false;

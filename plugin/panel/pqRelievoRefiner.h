@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class pqRelievoRefiner
- * @brief Draws render views again while their soft shadows lack samples, and nobody is working.
+ * @brief Redraws render views while their soft shadows lack samples and the user is idle.
  */
 #ifndef pqRelievoRefiner_h
 #define pqRelievoRefiner_h
@@ -26,13 +26,13 @@ private:
   void Follow(pqAnimationScene* scene);
   struct Progress
   {
-    int Missing = 0;  // samples, after the last picture
-    int Vain = 0;     // pictures of ours in a row that brought no sample
-    bool Own = false; // the picture that is being drawn is ours
+    int Missing = 0;  // samples missing after the last picture
+    int Vain = 0;     // consecutive own pictures without a new sample
+    bool Own = false; // the current picture is ours
   };
   static void Refine(pqView* view, QTimer* timer, Progress& progress);
 
-  bool Playing = false; // an animation
+  bool Playing = false; // an animation plays
 };
 
 #endif

@@ -109,7 +109,7 @@ void pqRelievoReportView::Refresh()
   }
   if (this->Watched->getServer()->isProgressPending())
   {
-    this->Timer.start(RefreshMilliseconds); // the server is at work for somebody else
+    this->Timer.start(RefreshMilliseconds); // the server is busy with other work
     return;
   }
   relievoQt::FrameReport report(this->PullReport());

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class pqRelievoReportView
- * @brief What the last picture of a view took, stage by stage, folded away until it is opened.
+ * @brief The cost of a view's last picture, stage by stage, folded until opened.
  *
- * Read after pictures, at most four times a second. While it is folded, or its dock is not seen, it
- * observes and reads nothing, and pictures cost nothing for it.
+ * Read after pictures, at most four times a second. While it is folded, or its dock is hidden, it
+ * observes and reads nothing, so that pictures cost nothing extra.
  */
 #ifndef pqRelievoReportView_h
 #define pqRelievoReportView_h
@@ -35,13 +35,13 @@ class pqRelievoReportView : public QWidget
 public:
   explicit pqRelievoReportView(QWidget* parent = nullptr);
 
-  /** The view to tell of; nullptr for none. */
+  /** The view to report on; nullptr for none. */
   void SetView(pqView* view);
 
   /** Whether it observes a view. */
   bool IsWatching() const { return !this->Watched.isNull(); }
 
-  /** The report that is shown. */
+  /** The report shown. */
   const relievoQt::FrameReport& GetReport() const { return this->Report; }
 
 private:
@@ -52,7 +52,7 @@ private:
   void Show(const relievoQt::FrameReport& report, const QString& message);
 
   QPointer<pqView> View;
-  QPointer<pqView> Watched; // while it is open
+  QPointer<pqView> Watched; // observed while open
   QTimer Timer;
   QElapsedTimer SinceRefresh;
   relievoQt::FrameReport Report;

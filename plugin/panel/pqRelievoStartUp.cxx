@@ -44,7 +44,7 @@ void pqRelievoStartUp::Refresh()
   }
   for (pqPropertiesPanel* panel : window->findChildren<pqPropertiesPanel*>())
   {
-    // It makes widgets when the view or the representation becomes another one.
+    // ParaView makes a panel's widgets when the view or the representation changes.
     pqView* view = panel->view();
     panel->setView(nullptr);
     panel->setView(view);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class pqRelievoStartUp
- * @brief Has ParaView's panels look again at a view that just got Relievo's properties.
+ * @brief Refreshes ParaView's panels for a view that has just received Relievo's properties.
  */
 #ifndef pqRelievoStartUp_h
 #define pqRelievoStartUp_h

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class pqRelievoToolBar
- * @brief Shadows, and a world-fixed sun with its shadows, of the active view with one click each.
+ * @brief One-click switches for shadows and for a world-fixed sun with shadows in the active view.
  */
 #ifndef pqRelievoToolBar_h
 #define pqRelievoToolBar_h
@@ -22,7 +22,7 @@ class pqRelievoToolBar : public QToolBar
 public:
   explicit pqRelievoToolBar(QWidget* parent = nullptr);
 
-  /** Looks again at the active view: it may have changed, or got Relievo's settings. */
+  /** Updates for the active view, which may have changed or received Relievo's settings. */
   void Rewatch();
 
 private Q_SLOTS:

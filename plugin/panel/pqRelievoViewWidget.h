@@ -24,7 +24,7 @@ public:
   ~pqRelievoViewWidget() override;
 
   ///@{
-  /** The view that is chosen, or nullptr. */
+  /** The selected view, or nullptr. */
   pqSMProxy GetChosen() const;
   void SetChosen(const pqSMProxy& view);
   ///@}

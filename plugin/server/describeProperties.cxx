@@ -1,18 +1,19 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// describeProperties TEMPLATE OUTPUT: writes the XML of ParaView's proxies, in which properties are
-// made of what stages, points, materials, environments and filters say of themselves, and lists of
-// layers of the catalogue. Run by the build.
+// describeProperties TEMPLATE OUTPUT: writes the XML of ParaView's proxies, with properties
+// generated from the descriptions of stages, points, materials, environments and filters, and lists
+// of layers from the catalogue. Run by the build.
 //
-// A comment in the template that stands alone becomes: `points`, the proxies of points of surfaces,
-// for every stage that draws such; `stages: properties`, the properties of every stage that can be
-// switched, and `stages: exposed` their groups in the render view; so for `shadows`, `sun`,
+// A comment on a line of its own in the template is replaced: `points` by the proxies of surfaces'
+// points for every stage of points; `stages: properties` by the properties of every stage with a
+// switch, and `stages: exposed` by their groups in the render view; likewise `shadows`, `sun`,
 // `environment`, `selection` and `material`, which have groups of their own; `caves: properties`
-// and the like, those of filters; `layers`, the names of layers; `layers: shown`, those that can be
-// shown as the picture. In other lines @layers: help@ is what they are, @layers: count@ how many
-// values a selection of layers has, and @layers: A B@ the values of one in which A and B are
-// chosen, A first; @images@ and @models@ are the extensions of their files.
+// and the like by those of filters; `layers` by the names of layers; `layers: shown` by those that
+// can be shown as the picture. Within other lines, @layers: help@ is replaced by a description of
+// the layers, @layers: count@ by the number of values in a selection of layers, and @layers: A B@
+// by the values of a selection of A and B, A first; @images@ and @models@ by the extensions of
+// their files.
 #include "vtkNew.h"
 #include "vtkPVRelievoSun.h"
 #include "vtkRelievoCaves.h"
@@ -66,7 +67,7 @@ std::string Escape(const std::string& text)
   return out;
 }
 
-// The value that a new object has now, as XML writes it.
+// The parameter's present value in a new object, formatted for XML.
 std::string FormatDefault(const vtkRelievoParameter& parameter)
 {
   using P = vtkRelievoParameter;
@@ -83,7 +84,8 @@ std::string FormatDefault(const vtkRelievoParameter& parameter)
   return Escape(words);
 }
 
-// "Blue Noise" for "blue noise", and "Blue noise" of a filter, which scripts hold.
+// Turns "blue noise" into "Blue Noise", and for filters into "Blue noise", the name in existing
+// scripts.
 std::string WriteChoice(const std::string& label, bool ofFilter)
 {
   if (ofFilter)
@@ -100,20 +102,20 @@ std::string Documentation(const std::string& help)
   return "        <Documentation>" + Escape(help) + "</Documentation>\n";
 }
 
-// What has parameters, and how they are properties of a proxy. Every name is a file format: state
-// files and scripts hold it.
+// An owner of parameters, and the form of its properties in a proxy. Every name is a file format:
+// state files and scripts contain it.
 struct Described
 {
   const vtkRelievoParameterList& List;
   std::string Command; // of the proxy's object; empty: the parameter's own method
-  std::string Owner;   // what the command is told before the parameter's name
+  std::string Owner;   // the command's argument before the parameter's name
   std::string Prefix;  // of the properties' names in the proxy
-  std::string Exposed; // of the names that scripts have, before that
-  std::string Shown;   // the decorator that hides them where they have no effect
+  std::string Exposed; // prefix of the exposed names for scripts
+  std::string Shown;   // the decorator that hides properties without effect
 
   std::string GetName(const std::string& parameter) const
   {
-    // Colored shadows of shadows are colored.
+    // Avoids the word Shadows twice in "Colored Shadows" of shadows.
     const std::string again = "_shadows";
     const std::size_t at = this->Owner == "shadows:" ? parameter.rfind(again) : std::string::npos;
     return this->Prefix + vtkRelievoCapitalize(parameter.substr(0, at), false);
@@ -179,7 +181,7 @@ std::string MakeHints(
   {
     out << "          <Array components=\"" << parameter.GetNumberOfComponents() << "\"/>\n";
   }
-  // Lamps from data cast, too, where the shadows of lights are off.
+  // Lamps from data cast shadows even if the shadows of lights are off.
   const bool ofLamps = described.Owner == "shadows:" && parameter.Name == "lamp_map_size";
   out << (ofLamps ? "" : described.Shown);
   for (const vtkRelievoParameter::Condition& condition : parameter.GetConditions())
@@ -190,7 +192,7 @@ std::string MakeHints(
   return out.str();
 }
 
-// What a control shows. What it takes is more where the description says so.
+// The range of a control. The description may accept a wider one.
 std::string MakeDomain(const vtkRelievoParameter& parameter, bool ofFilter)
 {
   using P = vtkRelievoParameter;
@@ -216,7 +218,7 @@ std::string MakeDomain(const vtkRelievoParameter& parameter, bool ofFilter)
   }
   else if (parameter.Type == P::WHOLE || parameter.Type == P::NUMBER || parameter.Type == P::SIZE)
   {
-    constexpr double above = 1e-3; // of what is not to be the least itself
+    constexpr double above = 1e-3; // stands for an excluded lower bound
     const double least =
       parameter.Usual > 0.0 ? 0.0 : parameter.Least + (parameter.Open ? above : 0.0);
     const double most = parameter.Usual > 0.0 ? parameter.Usual : parameter.Most;
@@ -255,7 +257,7 @@ std::string MakeProperty(const Described& described, const vtkRelievoParameter& 
   const std::string name = described.GetName(parameter.Name);
   const std::string words = described.Owner + parameter.Name;
   P ofAll = parameter;
-  ofAll.PerPoint = false; // arrays are properties of their own
+  ofAll.PerPoint = false; // arrays are separate properties
   std::ostringstream out;
   out << "      <" << element << " name=\"" << name << "\" label=\"" << Escape(parameter.GetLabel())
       << "\" command=\""
@@ -312,7 +314,7 @@ std::string MakeExposed(const Described& described)
   return out;
 }
 
-// `told`: what the command is told first; empty: nothing.
+// `told`: the first argument of the command; empty: none.
 std::string MakeSwitch(const std::string& name, const std::string& label,
   const std::string& command, const std::string& told, bool on, const std::string& help)
 {
@@ -323,7 +325,7 @@ std::string MakeSwitch(const std::string& name, const std::string& label,
     Documentation(help) + "      </RelievoIntVectorProperty>\n";
 }
 
-// Shows properties while a stage is switched on, or any of its layers is the picture.
+// Shows properties while a stage is on, or while one of its layers is the picture.
 std::string DecorateInUse(const std::string& on, const std::vector<std::string>& layers)
 {
   std::string either = Decorate(on, "1", false);
@@ -342,7 +344,7 @@ void AddStage(vtkRelievoStage* stage, std::map<std::string, std::string>& made)
 {
   const vtkRelievoStageDescription& says = stage->GetDescription();
   const std::string name = "Stage" + vtkRelievoCapitalize(says.Name, false);
-  // The points have boxes of their own.
+  // Points have check boxes of their own.
   const std::string label = says.TakesData ? "Draw " + says.Label : says.Label;
   const Described described = { says, "SetStage", says.Name + ":", name, "Relievo",
     DecorateInUse(
@@ -355,13 +357,13 @@ void AddStage(vtkRelievoStage* stage, std::map<std::string, std::string>& made)
     "          </PropertyGroup>\n";
 }
 
-// The proxy of a stage's points, and how every surface of render views begins with it.
+// The proxy of a stage's points, and the XML that adds it to every surface of render views.
 std::string MakePoints(vtkRelievoPointStage* stage)
 {
   const auto points = vtkSmartPointer<vtkRelievoPointValues>::Take(stage->NewPoints());
   if (points->GetDescription().Find("up"))
   {
-    points->SetParameter("up", "0,0,1"); // as in ParaView's worlds
+    points->SetParameter("up", "0,0,1"); // up axis of ParaView's scenes
   }
   const std::string name = vtkRelievoCapitalize(stage->GetStageName(), false);
   const std::string things = points->GetThings();
@@ -371,11 +373,11 @@ std::string MakePoints(vtkRelievoPointStage* stage)
   out << "  <ProxyGroup name=\"relievo\">\n    <RelievoSurfaceProxy name=\"" << name
       << "\" class=\"vtkPVRelievoPoints\" processes=\"client|renderserver\">\n"
       << "      <Documentation short_help=\"Points as " << things << "\">Each point of a surface "
-      << "representation, as " << things << " in what the view shows.</Documentation>\n"
+      << "representation, as " << things << " in the view.</Documentation>\n"
       << MakeSwitch("Enabled", "Points Are " + vtkRelievoCapitalize(things, true), "SetEnabled", "",
            false,
            "Whether the points are " + things +
-             " in what the view shows. For the representations Surface, Points, Wireframe and the "
+             " in the view. For the representations Surface, Points, Wireframe and the "
              "like.")
       << MakeProperties(described) << "    </RelievoSurfaceProxy>\n  </ProxyGroup>\n"
       << "  <ProxyGroup name=\"internal_representations\">\n"
@@ -389,7 +391,7 @@ std::string MakePoints(vtkRelievoPointStage* stage)
   return out.str();
 }
 
-// Those that have a name of their own: not those of lights.
+// Layers with a name of their own, so without those of lights.
 std::vector<vtkRelievoLayer> GetNamedLayers()
 {
   std::vector<vtkRelievoLayer> layers = vtkRelievoLayerCatalogue::GetAll();
@@ -442,7 +444,7 @@ std::string MakeSelection(const std::string& words)
   return out;
 }
 
-// The line with what stands for its @images@, @models@ and @layers: ...@.
+// The line with @images@, @models@ and @layers: ...@ replaced.
 std::string FillIn(const std::string& line)
 {
   for (const auto& [mark, extensions] :
@@ -469,7 +471,7 @@ std::string FillIn(const std::string& line)
   return line.substr(0, from) + filled + FillIn(line.substr(to + 1));
 }
 
-// What stands for the template's comments.
+// The text that replaces a comment of the template.
 std::map<std::string, std::string> MakeAll()
 {
   std::map<std::string, std::string> made = { { "layers", MakeLayers(true) },
@@ -495,7 +497,7 @@ std::map<std::string, std::string> MakeAll()
   vtkPVRelievoSun sun;
   add("sun",
     { sun.GetDescription(), "SetSun", "", "Sun", "Relievo", Decorate("RelievoSun", "1", false) });
-  // One value is for all points of what is selected.
+  // A single value applies to all points of the selection.
   vtkNew<vtkRelievoMarkers> markers;
   vtkRelievoParameterList ofSelection = markers->GetDescription();
   for (vtkRelievoParameter& parameter : ofSelection.Parameters)
@@ -511,7 +513,7 @@ std::map<std::string, std::string> MakeAll()
     { frame->GetShadowStage()->GetDescription(), "SetStage", "shadows:", "Shadow", "Relievo",
       Decorate("RelievoShadows", "1", false) });
   vtkNew<vtkRelievoEnvironment> environment;
-  environment->SetUpAxis(2); // as vtkPVRelievoView has it
+  environment->SetUpAxis(2); // as in vtkPVRelievoView
   environment->GammaCorrectOn();
   add("environment",
     { environment->GetDescription(), "SetEnvironment", "", "Environment", "Relievo",
@@ -533,7 +535,7 @@ std::map<std::string, std::string> MakeAll()
   addFilter("voxel cubes", vtkNew<vtkRelievoVoxelCubes>());
   addFilter("voxel shell", vtkNew<vtkRelievoVoxelShell>());
   vtkNew<vtkRelievoSurfaceParticles> particles;
-  particles->SetNoiseSpeed(-1.0); // so that something moves at first
+  particles->SetNoiseSpeed(-1.0); // a default with visible motion
   addFilter("surface particles", particles);
   vtkNew<vtkRelievoSunExposure> exposure;
   exposure->SetUpAxis(2);

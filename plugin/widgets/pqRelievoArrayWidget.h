@@ -5,9 +5,8 @@
  * @brief A combo box of the point arrays of a representation's data, for properties that hold the
  * name of one (panel_widget "relievo_array").
  *
- * Those with the number of components of the hint `<Array components="3"/>` are listed, 1 by
- * default. Other names can be written: of arrays that come with a later time step, for example.
- * Empty: none.
+ * Lists the arrays with the number of components of the hint `<Array components="3"/>`, default 1.
+ * Other names can be typed: for example of arrays that appear in a later time step. Empty: none.
  */
 #ifndef pqRelievoArrayWidget_h
 #define pqRelievoArrayWidget_h
@@ -43,7 +42,7 @@ private:
 
   QComboBox* Arrays;
   QString Array;
-  int Components = 1; // that an array needs
+  int Components = 1; // required components
 };
 
 #endif

@@ -5,8 +5,8 @@
  * @brief A field for a file's name, for properties that are read at once (panel_widget
  * "relievo_file").
  *
- * ParaView's own sets the property at every letter that is typed. This one sets it when the name is
- * finished: with Enter, when the field is left, or with a file that was chosen in the dialog.
+ * ParaView's own field sets the property at every typed letter. This one sets it when the name is
+ * complete: with Enter, when the field loses focus, or after choosing a file in the dialog.
  */
 #ifndef pqRelievoFileWidget_h
 #define pqRelievoFileWidget_h
@@ -25,11 +25,11 @@ public:
   pqRelievoFileWidget(vtkSMProxy* proxy, vtkSMProperty* property, QWidget* parent = nullptr);
   ~pqRelievoFileWidget() override;
 
-  /** What dialogs offer, by a property's hints: "Images (*.png *.jpg)"; "": everything. */
+  /** Filters of dialogs, from a property's hints: "Images (*.png *.jpg)"; "": everything. */
   static QString GetFilter(vtkSMProperty* property);
 
   ///@{
-  /** The file whose name is finished. */
+  /** The last completed file name. */
   QString GetFile() const { return this->File; }
   void SetFile(const QString& file);
   ///@}

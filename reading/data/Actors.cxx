@@ -58,8 +58,8 @@ vtkSmartPointer<vtkDataObject> Run(vtkAlgorithm* filter, vtkDataObject* data, Pr
 }
 
 //------------------------------------------------------------------------------
-// Points without cells, such as a laser scan's, get a vertex each: VTK draws cells alone. Where a
-// reader has left out cells, the points are no such cloud.
+// Gives points without cells, such as a laser scan's, a vertex each, because VTK draws only cells.
+// If a reader has removed cells, the points are not such a cloud.
 vtkSmartPointer<vtkDataObject> WithVertices(vtkDataObject* data)
 {
   const auto isCloud = [](vtkDataObject* object) {
@@ -94,7 +94,7 @@ vtkSmartPointer<vtkDataObject> WithVertices(vtkDataObject* data)
 }
 
 //------------------------------------------------------------------------------
-// Whether a cell is hidden by the array vtkGhostType, as tools hide what is cut off.
+// Whether the array vtkGhostType hides a cell; tools use it for cut-off parts.
 bool IsHidden(vtkDataSet* data, vtkIdType cell)
 {
   return (data->GetCellGhostArray()->GetValue(cell) & vtkDataSetAttributes::HIDDENCELL) != 0;
@@ -111,8 +111,7 @@ bool HasHidden(vtkDataSet* data)
   return cell < count;
 }
 
-// The polygons without hidden ones; those that are left keep their numbers as
-// `vtkOriginalCellIds`.
+// The polygons without hidden ones; `vtkOriginalCellIds` keeps the numbers of the others.
 vtkSmartPointer<vtkDataObject> LeaveOutHidden(vtkDataObject* surface)
 {
   return ReplaceDataSets(surface, [](vtkDataObject* block) {
@@ -141,8 +140,8 @@ vtkSmartPointer<vtkDataObject> LeaveOutHidden(vtkDataObject* surface)
 }
 
 //------------------------------------------------------------------------------
-// Where VTK's filter numbers polygons as its threads happen to finish, it works in turn: the layer
-// `cell` shows these numbers.
+// Runs VTK's filter serially where its polygon numbers depend on the order in which threads finish,
+// because the layer `cell` shows these numbers.
 vtkSmartPointer<vtkDataObject> RunSurface(
   vtkGeometryFilter* surface, vtkDataObject* data, Progress& progress)
 {
@@ -157,8 +156,8 @@ vtkSmartPointer<vtkDataObject> RunSurface(
 }
 
 //------------------------------------------------------------------------------
-// The polygons to draw. `vtkOriginalCellIds` says for each polygon of a grid which cell of the file
-// it bounds.
+// The polygons to draw. For a grid, `vtkOriginalCellIds` maps each polygon to the cell that it
+// bounds.
 vtkSmartPointer<vtkDataObject> Surface(vtkDataObject* data, Progress& progress)
 {
   bool polygonal = true;
@@ -172,7 +171,7 @@ vtkSmartPointer<vtkDataObject> Surface(vtkDataObject* data, Progress& progress)
     const bool structured = block->IsA("vtkImageData") || block->IsA("vtkRectilinearGrid") ||
       block->IsA("vtkStructuredGrid");
     vtkNew<vtkGeometryFilter> surface;
-    if (structured) // of which there may be more cells than memory has numbers for
+    if (structured) // may have more cells than memory can number
     {
       surface->PassThroughCellIdsOn();
       const vtkSmartPointer<vtkDataObject> made = RunSurface(surface, block, progress);
@@ -180,10 +179,10 @@ vtkSmartPointer<vtkDataObject> Surface(vtkDataObject* data, Progress& progress)
       auto* faces = vtkPolyData::SafeDownCast(made);
       return image && faces ? vtkSmartPointer<vtkDataObject>(TurnOutwards(faces, image)) : made;
     }
-    // The filter's own numbers are those of its copy without nonlinear cells, where there are any.
+    // With nonlinear cells, the filter's numbers refer to its copy without them.
     vtkSmartPointer<vtkDataObject> numbered = CopyDataSets(block);
     ForEachDataSet(numbered, NumberCells);
-    // Before the surface: cells beside hidden ones have faces there.
+    // Hidden cells go first: their neighbours then get faces there.
     auto* grid = vtkUnstructuredGrid::SafeDownCast(numbered);
     if (grid && HasHidden(grid))
     {
@@ -213,7 +212,7 @@ bool LacksNormals(vtkPolyData* mesh)
     mesh->GetNumberOfPolys() > 0;
 }
 
-// Whether vertices or lines have points that no polygon has: these would have no normal, or any.
+// Whether vertices or lines use points that no polygon uses: their normals would be undefined.
 bool LeavesUnlit(vtkPolyData* mesh)
 {
   std::vector<bool> ofPolygons(static_cast<std::size_t>(mesh->GetNumberOfPoints()), false);
@@ -241,9 +240,9 @@ bool LeavesUnlit(vtkPolyData* mesh)
 }
 
 //------------------------------------------------------------------------------
-// The time that VTK takes for normals goes with the square or the cube of the number of polygons at
-// a point or an edge. Where there are many, as in one that is repeated, each gets points of its
-// own, and so the normal of its plane.
+// VTK's time for normals grows with the square or cube of the number of polygons at a point or an
+// edge. Where it is large, as with a repeated polygon, each polygon gets points of its own, and so
+// the normal of its plane.
 vtkSmartPointer<vtkDataObject> SeparateCrowded(vtkPolyData* mesh)
 {
   constexpr int mostAtEdge = 64;
@@ -269,7 +268,7 @@ vtkSmartPointer<vtkDataObject> SeparateCrowded(vtkPolyData* mesh)
     };
     return above(mostAtEdge) > 1 || above(mostAtPoint) > 0;
   };
-  std::vector<vtkIdType> sources(counts.size()); // of each point, in the mesh
+  std::vector<vtkIdType> sources(counts.size()); // source point of each new point
   std::iota(sources.begin(), sources.end(), vtkIdType(0));
   vtkNew<vtkCellArray> separate;
   for (cells->GoToFirstCell(); !cells->IsDoneWithTraversal(); cells->GoToNextCell())
@@ -311,7 +310,7 @@ vtkSmartPointer<vtkDataObject> SeparateCrowded(vtkPolyData* mesh)
 }
 
 //------------------------------------------------------------------------------
-// Meshes whose lines would be black by that stay as they are.
+// Leaves meshes unchanged if smooth normals would make their lines black.
 vtkSmartPointer<vtkDataObject> WithNormals(
   vtkDataObject* data, const std::string& path, ReadContext& context)
 {
@@ -332,7 +331,7 @@ vtkSmartPointer<vtkDataObject> WithNormals(
     {
       return vtkSmartPointer<vtkDataObject>(block);
     }
-    // Either keeps the file's own winding, which is what its author sees everywhere else.
+    // Either filter keeps the file's winding, as the author's other tools do.
     if (mesh->GetNumberOfCells() == mesh->GetNumberOfPolys())
     {
       vtkNew<vtkRelievoPointNormals> fast;
@@ -352,8 +351,8 @@ vtkSmartPointer<vtkDataObject> WithNormals(
 }
 
 //------------------------------------------------------------------------------
-// VTK lights the side that a triangle's corners turn around to the left by its normal; of the other
-// side it turns the normal round. Where the file's normals are against that, both sides are dark.
+// VTK lights a triangle's front, whose corners run counterclockwise, by its normal, and its back by
+// the reversed normal. If the file's normals oppose the winding, both sides are dark.
 void NoteNormals(vtkDataObject* surface, const std::string& path, ReadContext& context)
 {
   vtkIdType corners = 0;
@@ -401,7 +400,7 @@ vtkSmartPointer<vtkDataObject> MakeSurface(
   }
   vtkSmartPointer<vtkDataObject> surface = LeaveOutInfinite(
     LeaveOutHidden(Surface(WithVertices(data), context.GetProgress())), path, context);
-  // Before normals: those that VTK computes of such polygons may point to their other side.
+  // Before normals: VTK's normals of such polygons may point to the wrong side.
   surface = ReplaceDataSets(surface, [&context](vtkDataObject* block) {
     vtkNew<vtkRelievoConvexPolygons> convex;
     return vtkPolyData::SafeDownCast(block) ? Run(convex, block, context.GetProgress())
@@ -457,7 +456,7 @@ void AddArrayNames(vtkActor* actor, ArrayNames& arrays)
     for (int i = 0; i < attributes->GetNumberOfArrays(); ++i)
     {
       vtkDataArray* array = attributes->GetArray(i);
-      if (array && array->GetName() && array->GetDataType() != VTK_BIT) // which VTK cannot draw
+      if (array && array->GetName() && array->GetDataType() != VTK_BIT) // VTK cannot draw bits
       {
         arrays.Names.insert(array->GetName());
         arrays.Placed.insert(std::string(place) + array->GetName());

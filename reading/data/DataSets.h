@@ -12,21 +12,21 @@ class vtkDataSet;
 
 namespace scene
 {
-/// Calls visit for the data set that the object is, or for each one that a composite holds.
+/// Calls `visit` for the object if it is a data set, or for each data set in a composite.
 void ForEachDataSet(vtkDataObject* data, const std::function<void(vtkDataSet*)>& visit);
 
-/// The object, or the composite, with each of its data sets changed; what was given stays.
+/// Returns the object, or the composite, with each of its data sets changed; the input stays.
 vtkSmartPointer<vtkDataObject> ReplaceDataSets(
   vtkDataObject* data, const std::function<vtkSmartPointer<vtkDataObject>(vtkDataObject*)>& change);
 
-/// Data sets of its own, which share their arrays with the given one's.
+/// Shallow copies of the data sets.
 vtkSmartPointer<vtkDataObject> CopyDataSets(vtkDataObject* data);
 
-/// The points of the object, or of all data sets that it holds, as meshes without cells, with their
-/// point and field data.
+/// The points of the object, or of all its data sets, as meshes without cells, with their point and
+/// field data.
 vtkSmartPointer<vtkDataObject> KeepPoints(vtkDataObject* data);
 
-/// Gives each cell its number, from 0, in the cell array vtkOriginalCellIds.
+/// Numbers the cells, from 0, in the cell array vtkOriginalCellIds.
 void NumberCells(vtkDataSet* data);
 }
 

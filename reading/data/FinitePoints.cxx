@@ -23,7 +23,7 @@ namespace scene
 {
 namespace
 {
-// Squares of distances must be floats too: shaders take lengths.
+// Squared distances must be floats too: shaders compute lengths.
 constexpr double Furthest = 1e18;
 constexpr double Smallest = 1e-18;
 
@@ -65,7 +65,7 @@ void RemoveCells(vtkPolyData* mesh, const std::vector<vtkIdType>& infinite, Left
     std::distance(wrong.begin(), std::find(wrong.begin(), wrong.end(), false)), good);
   for (const vtkIdType point : infinite)
   {
-    points->SetPoint(point, good); // out of the bounds' way: no cell uses it any more
+    points->SetPoint(point, good); // keeps the bounds finite: no cell uses the point
   }
   mesh->SetPoints(points);
 
@@ -139,7 +139,7 @@ vtkSmartPointer<vtkDataObject> LeaveOutInfinite(
 void CheckReach(vtkProp3D* prop, const std::string& path)
 {
   const double* bounds = prop->GetBounds();
-  if (!bounds || bounds[0] > bounds[1]) // there is nothing
+  if (!bounds || bounds[0] > bounds[1]) // the prop is empty
   {
     return;
   }

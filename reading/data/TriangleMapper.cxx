@@ -31,7 +31,7 @@ Value* GetValues(vtkDataArray* array)
   return plain ? plain->GetPointer(0) : nullptr;
 }
 
-// Calls `visit` with the points' coordinates and the polygons' corners. False: VTK is to do it.
+// Calls `visit` with the points' coordinates and the polygons' corners. False: VTK must draw them.
 template <typename Visit>
 bool VisitCorners(vtkPolyData* mesh, const Visit& visit)
 {
@@ -58,7 +58,7 @@ bool VisitCorners(vtkPolyData* mesh, const Visit& visit)
   return doubles && visitPoints(doubles);
 }
 
-// Whether each triangle has three places, so that VTK draws all of them.
+// Whether each triangle has three distinct places, so that VTK draws all of them.
 template <typename Real, typename Id>
 bool HaveAreas(const Real* places, const Id* corners, vtkIdType count)
 {
@@ -165,7 +165,7 @@ void TriangleMapper::BuildIBO(vtkRenderer* renderer, vtkActor* actor, vtkPolyDat
   }
   vtkNew<vtkPolyData> rest;
   rest->SetPoints(mesh->GetPoints());
-  this->Superclass::BuildIBO(renderer, actor, rest); // which leaves a buffer that gets none alone
+  this->Superclass::BuildIBO(renderer, actor, rest); // leaves buffers without cells unchanged
   buffer->IndexCount = static_cast<std::size_t>(corners);
 }
 }

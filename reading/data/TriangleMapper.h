@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// VTK's mapper of polygons, faster where all of them are triangles: the corners go to the GPU as
-// they lie in memory, where they are 32-bit integers, and the bounds are found in one pass. VTK
-// gathers the corners cell by cell in an array of its own. The picture is the same, and so is the
-// name of the class, by which passes know what a mapper draws.
+// VTK's mapper of polygons, faster for pure triangle meshes: 32-bit corners go to the GPU directly
+// from memory, and the bounds are found in one pass. VTK gathers the corners cell by cell in an
+// array of its own. The picture is the same, and so is the name of the class, by which passes
+// recognise a mapper's kind.
 #ifndef TriangleMapper_h
 #define TriangleMapper_h
 

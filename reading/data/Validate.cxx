@@ -30,8 +30,8 @@ namespace scene
 {
 namespace
 {
-// Of a structured grid and of its surface, which take some gigabytes then: VTK numbers all points
-// to find those of the surface.
+// Limits for a structured grid and its surface, which need several gigabytes here: VTK numbers all
+// points to find those of the surface.
 constexpr double MostPoints = 1.2e9;
 constexpr double MostFaces = 1e8;
 
@@ -52,7 +52,7 @@ bool FindRange(vtkDataArray* integers, std::array<double, 2>& range)
   const Integer* const first = plain->GetPointer(0);
   Integer least = *first;
   Integer most = *first;
-  for (vtkIdType i = 0; i < plain->GetNumberOfValues(); ++i) // several at once, not by comparisons
+  for (vtkIdType i = 0; i < plain->GetNumberOfValues(); ++i) // a form that compilers vectorize
   {
     least = std::min(least, first[i]);
     most = std::max(most, first[i]);
@@ -61,7 +61,7 @@ bool FindRange(vtkDataArray* integers, std::array<double, 2>& range)
   return true;
 }
 
-// Of an array that is not empty. VTK's own takes ten times as long.
+// The range of a non-empty array. VTK's own function takes ten times as long.
 std::array<double, 2> GetRange(vtkDataArray* integers)
 {
   std::array<double, 2> range;
@@ -95,18 +95,18 @@ void CheckCellArray(vtkCellArray* cells, vtkIdType numberOfPoints, const std::st
     const double wrong = range[0] < 0 ? range[0] : range[1];
     throw WorkError(path + ": a cell uses " + noun + " " +
       std::to_string(static_cast<long long>(wrong)) + ", but there are " + noun + "s 0 to " +
-      std::to_string(numberOfPoints - 1) + " only; is the file whole?");
+      std::to_string(numberOfPoints - 1) + " only; is the file complete?");
   }
 }
 
 //------------------------------------------------------------------------------
-// How many points cells of a type have.
+// Number of points in a cell of each type.
 struct CellRow
 {
   int Type;
   const char* Name;
   int Least;
-  bool Exact; // or more
+  bool Exact; // false: Least or more
 };
 const CellRow CellRows[] = {
   { VTK_EMPTY_CELL, "empty cell", 0, false },
@@ -150,11 +150,11 @@ const CellRow CellRows[] = {
 // Cells of any order.
 struct OrderRow
 {
-  int Types[2]; // of Lagrange and Bezier
+  int Types[2]; // Lagrange and Bezier
   const char* Name;
   double (*CountFor)(double order);
-  double (*CountForOrders)(const double* orders); // in each direction; nullptr: always one
-  int Other;                                      // number of points that is one more kind; 0: none
+  double (*CountForOrders)(const double* orders); // per direction; nullptr: always one
+  int Other;                                      // another allowed number of points; 0: none
 };
 const OrderRow OrderRows[] = {
   { { VTK_LAGRANGE_CURVE, VTK_BEZIER_CURVE }, "curve", [](double n) { return n + 1.; }, nullptr,
@@ -175,7 +175,7 @@ const OrderRow OrderRows[] = {
 };
 
 //------------------------------------------------------------------------------
-// What is wrong with a cell of a grid.
+// The error in a cell of a grid.
 class CellJudge
 {
 public:
@@ -247,7 +247,7 @@ private:
 };
 
 //------------------------------------------------------------------------------
-// Empty, or what is wrong with the faces of a polyhedron.
+// The error in a polyhedron's faces, or "".
 #ifdef RELIEVO_VTK_POLYHEDRON_CELL_ARRAYS
 std::string JudgeFaces(vtkUnstructuredGrid* grid, vtkIdType cell)
 {
@@ -437,7 +437,7 @@ void CheckArrays(
     {
       throw WorkError(path + ": its array '" + (array->GetName() ? array->GetName() : "") +
         "' has " + Count(static_cast<double>(array->GetNumberOfTuples()), "value") + " for " +
-        Count(static_cast<double>(count), noun) + "; is the file whole?");
+        Count(static_cast<double>(count), noun) + "; is the file complete?");
     }
   }
 }

@@ -41,21 +41,22 @@ namespace
 {
 constexpr int Bins = 256;
 constexpr std::size_t MostLabels = 2000;
-// Samples that are looked at for all labels of an image without regions, each in its own box.
+// Limit of samples visited for all labels of an image without regions, each in its own box.
 constexpr double MostSamples = 1e8;
-// Of neighbours along x, in regions: in noise and steep gradients far fewer are equal.
+// Least share of equal neighbours along x in images of regions: noise and steep gradients have far
+// fewer.
 constexpr double LeastEqual = 0.6;
-// Of those that are unlike: in gradients of bytes hardly any differ by more than 1.
+// Least share of jumps by more than 1 among unequal neighbours: in gradients of bytes hardly any.
 constexpr double LeastLeaps = 0.25;
-// Of the image's diagonal: the farthest apart that places of a point are by rounding.
+// Tolerance of equal places, as a share of the image's diagonal.
 constexpr double SameShare = 1e-6;
 
-// Of a volume, as a share of the distance of its points.
+// Sample distance of a volume, as a share of the distance of its points.
 constexpr float SampleShare = 0.5F;
-// Of a volume's range: differences between neighbours from which on a sample stops all its light.
+// Differences between neighbours from which a sample stops all its light, as a share of the range.
 constexpr double EvenShare = 0.002;
-constexpr double EvenLabels = 0.1;  // of labels, which differ by 1 at least
-constexpr double LeastShare = 1e-9; // of light that is stopped
+constexpr double EvenLabels = 0.1;  // for labels, which differ by at least 1
+constexpr double LeastShare = 1e-9; // least share of light stopped
 constexpr double MostOpacity = 0.7; // per hundredth of the image's diagonal
 
 using Extent = std::array<int, 6>;
@@ -65,7 +66,7 @@ bool IsWhole(int type)
   return type != VTK_FLOAT && type != VTK_DOUBLE && type != VTK_BIT;
 }
 
-// Of each value but 0, where it is; one more than MostLabels at most.
+// The extent of each non-zero value; stops at one value more than MostLabels.
 std::map<double, Extent> FindLabels(vtkImageData* image)
 {
   int whole[6];
@@ -74,7 +75,7 @@ std::map<double, Extent> FindLabels(vtkImageData* image)
   const auto values = vtk::DataArrayValueRange<1>(image->GetPointData()->GetScalars());
   auto value = values.begin();
   double last = 0.0;
-  Extent* box = nullptr; // of the last value
+  Extent* box = nullptr; // of the previous value
   for (int z = whole[4]; z <= whole[5]; ++z)
   {
     for (int y = whole[2]; y <= whole[3]; ++y)
@@ -107,7 +108,8 @@ std::map<double, Extent> FindLabels(vtkImageData* image)
   return labels;
 }
 
-// Hues a golden section apart, so that neighbours in number differ; soft, so that shading is seen.
+// Hues a golden section apart, so that neighbouring numbers differ; soft, so that shading is
+// visible.
 std::array<unsigned char, 3> GetLabelColor(std::size_t number)
 {
   constexpr double GoldenSection = 0.618033988749895;
@@ -122,7 +124,7 @@ std::array<unsigned char, 3> GetLabelColor(std::size_t number)
   return bytes;
 }
 
-// The image along the axes of its indices: some filters follow a direction matrix, others do not.
+// The image along the axes of its indices: some filters apply a direction matrix, others do not.
 vtkSmartPointer<vtkImageData> WithoutDirection(vtkImageData* image)
 {
   auto upright = vtkSmartPointer<vtkImageData>::New();
@@ -131,7 +133,7 @@ vtkSmartPointer<vtkImageData> WithoutDirection(vtkImageData* image)
   return upright;
 }
 
-// The result, in world coordinates.
+// Transforms the result to world coordinates.
 vtkSmartPointer<vtkPolyData> WithDirection(vtkPolyData* mesh, vtkImageData* image)
 {
   vtkMatrix3x3* direction = image->GetDirectionMatrix();
@@ -156,7 +158,7 @@ vtkSmartPointer<vtkPolyData> WithDirection(vtkPolyData* mesh, vtkImageData* imag
   return TurnOutwards(mesh, image);
 }
 
-// The region's steps, closed where the image ends. Its cells have the label and the color.
+// Surface of a region, closed at the image's border. Its cells carry the label and the colour.
 vtkSmartPointer<vtkPolyData> MakeRegion(
   vtkImageData* image, double label, const Extent& box, const std::array<unsigned char, 3>& color)
 {
@@ -175,7 +177,7 @@ vtkSmartPointer<vtkPolyData> MakeRegion(
   vtkNew<vtkImageConstantPad> pad;
   pad->SetInputConnection(part->GetOutputPort());
   pad->SetOutputWholeExtent(padded.data());
-  pad->SetConstant(0.0); // is no label
+  pad->SetConstant(0.0); // 0 is no label
   vtkNew<vtkDiscreteFlyingEdges3D> surface;
   surface->SetInputConnection(pad->GetOutputPort());
   surface->SetValue(0, label);
@@ -261,7 +263,7 @@ vtkSmartPointer<vtkImageData> GetVolumeImage(vtkDataObject* data)
     --extent[2 * axis + 1];
     if (extent[2 * axis] == extent[2 * axis + 1])
     {
-      return nullptr; // one layer of cells
+      return nullptr; // a single layer of cells
     }
   }
   made->SetExtent(extent);
@@ -289,7 +291,7 @@ bool HasLabels(vtkImageData* image)
   {
     const double a = static_cast<double>(values[i - 1]);
     const double b = static_cast<double>(values[i]);
-    const bool empty = a == 0.0 && b == 0.0; // which any image has around what it shows
+    const bool empty = a == 0.0 && b == 0.0; // background, common to most images
     const bool counts = i % row != 0 && !empty;
     pairs += counts ? 1 : 0;
     equal += counts && a == b ? 1 : 0;
@@ -348,7 +350,7 @@ vtkSmartPointer<vtkPolyData> MakeLabelSurfaces(vtkImageData* image, Progress& pr
   {
     return vtkSmartPointer<vtkPolyData>::New();
   }
-  // Regions that touch have their points there in common, so that no gap opens between them.
+  // Adjacent regions share their boundary points, so that no gap opens between them.
   vtkNew<vtkCleanPolyData> joined;
   joined->SetInputConnection(all->GetOutputPort());
   joined->SetTolerance(SameShare);
@@ -406,7 +408,8 @@ double FindThreshold(vtkImageData* image)
     last = variance >= best ? bin : last;
     best = std::max(best, variance);
   }
-  // In the middle of the gap, where all of it parts alike; in few digits, for people.
+  // The middle of the gap, where every value separates equally well; in few digits, for
+  // readability.
   const double width = range[1] - range[0];
   const double exact = range[0] + width * (0.5 * (first + last) + 1.0) / Bins;
   const double rounded = RoundTo(exact, 1e-3 * width);
@@ -424,7 +427,7 @@ vtkSmartPointer<vtkPolyData> MakeIsosurface(vtkImageData* image, double value, P
   surface->InterpolateAttributesOn();
   surface->Update();
   const vtkSmartPointer<vtkPolyData> made = WithDirection(surface->GetOutput(), image);
-  made->GetPointData()->SetActiveScalars(nullptr); // one value gives no colours
+  made->GetPointData()->SetActiveScalars(nullptr); // a single value gives no colours
   return made;
 }
 
@@ -443,7 +446,7 @@ vtkSmartPointer<vtkVolume> MakeVolume(vtkImageData* image)
   image->GetPointData()->GetScalars()->GetFiniteRange(range);
   const bool labels = HasLabels(image);
   vtkNew<vtkPiecewiseFunction> opacity; // per hundredth of the image's diagonal
-  if (labels) // which are whole numbers: all are seen but 0, the background
+  if (labels)                           // labels: all are visible but 0, the background
   {
     opacity->AddPoint(-0.5, MostOpacity);
     opacity->AddPoint(-0.25, 0.0);
@@ -461,7 +464,7 @@ vtkSmartPointer<vtkVolume> MakeVolume(vtkImageData* image)
   auto volume = vtkSmartPointer<vtkVolume>::New();
   vtkNew<vtkSmartVolumeMapper> mapper;
   mapper->SetInputData(image);
-  // Or else the distance of samples follows from how long pictures before took.
+  // The default would adapt the sample distance to the time of earlier frames.
   mapper->InteractiveAdjustSampleDistancesOff();
   mapper->AutoAdjustSampleDistancesOff();
   mapper->SetSampleDistance(SampleShare *
@@ -478,8 +481,8 @@ vtkSmartPointer<vtkVolume> MakeVolume(vtkImageData* image)
   property->SetSpecular(0.1);
   if (range[0] < range[1])
   {
-    // Where all values around are equal, as within labels, a sample has no side that light could
-    // fall on: it would be black.
+    // Where all values around a sample are equal, as within labels, it has no gradient to shade by
+    // and would be black.
     vtkNew<vtkPiecewiseFunction> even;
     even->AddPoint(0.0, 0.0);
     even->AddPoint(labels ? EvenLabels : EvenShare * (range[1] - range[0]), 1.0);

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Images with depth to something that shows what is in them: a surface where a value is reached,
- * the surfaces of labelled regions, or a volume that light passes.
+ * Turns images with depth into a surface at a value, the surfaces of labelled regions, or a volume.
  */
 #ifndef VolumeImages_h
 #define VolumeImages_h
@@ -22,52 +21,51 @@ namespace scene
 {
 class Progress;
 
-/// --image: how images with depth are shown.
+/// --image: how to show images with depth.
 struct ImageChoice
 {
   enum class Kind
   {
-    Found, ///< labels or a surface, by what the image holds
-    Box,   ///< the outer faces, with colours
+    Found, ///< labels or a surface, by the image's content
+    Box,   ///< outer faces, in colours
     Surface,
     Labels,
     Volume
   };
   Kind Is = Kind::Box;
-  std::optional<double> Value; ///< of the surface; none: by Otsu's threshold
+  std::optional<double> Value; ///< value of the surface; none: Otsu's threshold
 };
 
-/// "labels", "surface=120" and so on; throws UsageError.
+/// Parses "labels", "surface=120" and so on; throws UsageError.
 ImageChoice ParseImage(const std::string& word);
 
-/// The image, if the data is one with depth and one value for each point, or else each cell; the
-/// values of cells are at points then. Null: other data.
+/// The image if the data has depth and one value per point, or else per cell; values of cells are
+/// moved to points. Null: other data.
 vtkSmartPointer<vtkImageData> GetVolumeImage(vtkDataObject* data);
 
-/// A surface of the image by VTK, with triangles that a left-handed image has turned inside out
-/// turned back.
+/// An isosurface by VTK; a left-handed image turns triangles inside out, which is corrected.
 vtkSmartPointer<vtkPolyData> TurnOutwards(vtkPolyData* surface, vtkImageData* image);
 
-/// Whether the values are whole numbers that hardly change from a point to the next.
+/// Whether the values are whole numbers that rarely change between neighbouring points.
 bool HasLabels(vtkImageData* image);
 
-/// Why MakeLabelSurfaces does not take the image: its values are too many, or those of a grey one,
-/// whose surfaces are nearly as many as its points. "" if it does.
+/// Why MakeLabelSurfaces refuses the image: too many values, or a grey image, whose surfaces would
+/// have nearly as many polygons as the image has points. "" if it accepts the image.
 std::string CheckLabels(vtkImageData* image);
 
-/// The smoothed surface of each region whose value is not 0, with a colour for each value.
+/// The smoothed surface of each region with a non-zero value, with a colour per value.
 vtkSmartPointer<vtkPolyData> MakeLabelSurfaces(vtkImageData* image, Progress& progress);
 
-/// The value that parts the image's histogram best (Otsu, 1979).
+/// The threshold that separates the image's histogram best (Otsu, 1979).
 double FindThreshold(vtkImageData* image);
 
-/// Where the image has the value; its faces turn to what is less.
+/// The isosurface at the value; its faces look towards smaller values.
 vtkSmartPointer<vtkPolyData> MakeIsosurface(vtkImageData* image, double value, Progress& progress);
 
-/// Light passes what is below the threshold; SetLook gives the colours.
+/// A volume that is transparent below the threshold; SetLook gives the colours.
 vtkSmartPointer<vtkVolume> MakeVolume(vtkImageData* image);
 
-/// From 0 to 1: the square of it is the share of light stopped of what such a volume stops at 1.
+/// From 0 to 1: its square scales the share of light that the volume stops at 1.
 void SetVolumeOpacity(vtkVolume* volume, double opacity);
 }
 

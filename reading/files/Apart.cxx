@@ -54,7 +54,7 @@ void VisitFields(Made& made, Visit&& visit)
   visit(made.Is, made.Wrong, made.Notes, made.Warnings, made.Opened, made.Data);
 }
 
-// Steps go to the program.
+// Sends progress steps to the program.
 class Steps : public ProgressListener
 {
 public:
@@ -63,13 +63,13 @@ public:
   {
   }
   void Say(const std::string& what, double share) override { this->Tell(what, share); }
-  bool IsStopped() override { return false; } // then the process ends
+  bool IsStopped() override { return false; } // stopping ends the process instead
 
 private:
   const vtkRelievoReaderProcess::Say& Tell;
 };
 
-// In the process of the file.
+// Runs in the process that reads the file.
 void Answer(const Asked& asked, const vtkRelievoReaderProcess::Say& say, Made& made)
 {
   const auto work =
@@ -91,7 +91,7 @@ void Answer(const Asked& asked, const vtkRelievoReaderProcess::Say& say, Made& m
   }
   catch (const WorkError& error)
   {
-    if (Messages::TellsOfMemory(error.what())) // what VTK 9.1 gets over, with no data
+    if (Messages::TellsOfMemory(error.what())) // VTK 9.1 continues after this, without data
     {
       throw std::bad_alloc();
     }
@@ -162,7 +162,7 @@ vtkSmartPointer<vtkDataObject> ReadApart(
   }
   if (!made.Data)
   {
-    throw WorkError(path + ": holds nothing that can be drawn");
+    throw WorkError(path + ": contains nothing to draw");
   }
   return made.Data;
 }

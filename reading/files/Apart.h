@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Reads files of data in a process of their own, where there is one (vtkRelievoReaderProcess).
+ * Reads data files in a separate process where one is available (vtkRelievoReaderProcess).
  */
 #ifndef Apart_h
 #define Apart_h
@@ -16,12 +16,12 @@ namespace scene
 {
 class ReadContext;
 
-/// Makes something of a file. Throws UsageError or WorkError with its name.
+/// Makes an object from a file. Throws UsageError or WorkError naming the file.
 using ReadingWork = vtkSmartPointer<vtkDataObject> (*)(
   const std::string& path, ReadContext& context);
 
-/// What the work makes of a file, with its notes, warnings, errors and the files that it opens as
-/// if it were done here. Throws WorkError if the process of the file ends badly.
+/// Returns the work's result for a file; notes, warnings, errors and opened files are reported as
+/// if the work ran here. Throws WorkError if the reading process crashes.
 vtkSmartPointer<vtkDataObject> ReadApart(
   ReadingWork work, const std::string& path, ReadContext& context);
 }

@@ -30,7 +30,7 @@ namespace
 {
 using Place = std::array<float, 3>;
 
-// Numbers places in the order in which they come.
+// Numbers distinct places in order of first use.
 class Places
 {
 public:
@@ -40,7 +40,7 @@ public:
   {
   }
 
-  // Numbers that are none equal no others.
+  // NaN equals no number.
   std::int32_t Find(const Place& place)
   {
     const std::size_t mask = this->Slots.size() - 1;
@@ -77,7 +77,7 @@ private:
     std::uint64_t hash = 0;
     for (const float coordinate : place)
     {
-      const float positive = coordinate + 0.f; // of a negative zero, which equals zero
+      const float positive = coordinate + 0.f; // turns a negative zero into zero
       std::uint32_t bits = 0;
       std::memcpy(&bits, &positive, sizeof bits);
       hash = (hash ^ (hash >> 29) ^ bits) * mix;
@@ -101,7 +101,7 @@ private:
   }
 
   vtkFloatArray* const Points;
-  std::vector<std::int32_t> Slots; // a power of two, at most half of it full
+  std::vector<std::int32_t> Slots; // size a power of two, at most half full
   std::int32_t Count = 0;
 };
 }
@@ -124,7 +124,7 @@ int BinarySTL::RequestData(vtkInformation*, vtkInformationVector**, vtkInformati
   vtkNew<vtkFloatArray> points;
   points->SetNumberOfComponents(3);
   relievo::Reserve(
-    points, 3 * static_cast<vtkIdType>(count / 2 + 3)); // as many as closed surfaces have
+    points, 3 * static_cast<vtkIdType>(count / 2 + 3)); // the number of points in a closed surface
   vtkNew<vtkTypeInt32Array> starts, corners;
   relievo::Reserve(starts, static_cast<vtkIdType>(count) + 1);
   relievo::Reserve(corners, 3 * static_cast<vtkIdType>(count));
@@ -144,7 +144,7 @@ int BinarySTL::RequestData(vtkInformation*, vtkInformationVector**, vtkInformati
       std::int32_t triangle[3];
       for (std::size_t corner = 0; corner < 3; ++corner)
       {
-        Place place; // behind the normal
+        Place place; // the place follows the normal
         std::memcpy(place.data(), &block[i * TriangleSize + 12 * (corner + 1)], sizeof place);
         vtkByteSwap::Swap4LERange(place.data(), place.size());
         triangle[corner] = places.Find(place);

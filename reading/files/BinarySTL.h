@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Reads binary STL: all whole triangles to the end of the file, whatever number it says. Corners at
-// one place are one point; triangles that have fewer than three places are left out. The points and
-// their order are those of vtkSTLReader, which takes five times as long to find them.
+// Reads binary STL: all whole triangles to the end of the file, whatever count the header gives.
+// Corners at one place become one point; triangles with fewer than three places are left out.
+// Points and their order equal those of vtkSTLReader, which takes five times as long to find them.
 #ifndef BinarySTL_h
 #define BinarySTL_h
 
@@ -20,10 +20,10 @@ public:
   static BinarySTL* New();
   vtkTypeMacro(BinarySTL, vtkPolyDataAlgorithm);
 
-  // What comes before the triangles, and the bytes of each.
+  // Size of the header, and of each triangle.
   static constexpr std::size_t HeadSize = 84;
   static constexpr std::size_t TriangleSize = 50;
-  static constexpr double MostTriangles = 7e8; // whose corners have numbers of 32 bits
+  static constexpr double MostTriangles = 7e8; // more corners would not fit 32-bit ids
 
   void SetFileName(const char* name) { this->FileName = name; }
 

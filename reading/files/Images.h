@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Files of images that surfaces take: maps and environments.
+ * Reads image files for surfaces: maps and environments.
  */
 #ifndef Images_h
 #define Images_h
@@ -20,25 +20,25 @@ namespace scene
 {
 class ReadContext;
 
-/// Throws UsageError if the path, which came with `option`, has no extension of an image that is
-/// read, WorkError if it cannot be opened.
+/// Throws UsageError unless the path, given with `option`, has the extension of a readable image,
+/// and WorkError if it cannot be opened.
 void CheckImage(const std::string& option, const std::string& path);
 
-/// Throws WorkError with the path unless it may be read, which a file names.
+/// Throws WorkError naming the path unless a file may refer to it and it can be read.
 void CheckAllowed(const std::string& path, const vtkRelievoAllowedFolders& allowed);
 
-/// The image, row 0 lowest, its numbers as they are in the file. Throws WorkError with the path.
+/// Reads an image, row 0 lowest, with the file's own numbers. Throws WorkError naming the path.
 vtkSmartPointer<vtkImageData> ReadImage(const std::string& path, ReadContext& context);
 
-/// A smooth texture of the image's colours.
+/// An interpolated texture of the image's colours.
 vtkSmartPointer<vtkTexture> MakeTexture(vtkImageData* image);
 
-/// The opacity below which a surface with this image as its texture is left out: half for cut-outs,
-/// which VTK has translucent where they are smooth; 0 for others, and for what is translucent as a
-/// whole.
+/// The opacity below which a surface with this texture is cut out: one half for cut-outs, which VTK
+/// would treat as translucent where their edges are smooth; 0 for other textures, and for textures
+/// that are translucent as a whole.
 double FindCutoff(vtkImageData* image, vtkActor* actor);
 
-/// The file that ReadImage has an image from; "" for any other image.
+/// The file from which ReadImage read the image; "" for any other image.
 std::string GetImageFile(vtkImageData* image);
 }
 

@@ -60,8 +60,8 @@ vtkSmartPointer<vtkAlgorithm> Open(const std::string& path, ReadContext&)
   return reader;
 }
 
-// VTK's reader goes on to the end of the file, whatever the file says that it holds, and takes text
-// for binary by the share of its first 256 bytes that are not ASCII.
+// VTK's reader reads to the end of the file, whatever count the header gives, and takes text for
+// binary by the share of non-ASCII bytes among the first 256.
 vtkSmartPointer<vtkAlgorithm> OpenSTL(const std::string& path, ReadContext& context)
 {
   std::ifstream file(path, std::ios::binary);
@@ -91,14 +91,13 @@ vtkSmartPointer<vtkAlgorithm> OpenSTL(const std::string& path, ReadContext& cont
   }
   if (!isText)
   {
-    const std::string counts = path + ": says that it holds " +
-      std::to_string(static_cast<long long>(said)) + " triangles, and has " +
-      std::to_string(static_cast<long long>(held));
+    const std::string counts = path + ": declares " + std::to_string(static_cast<long long>(said)) +
+      " triangles, and has " + std::to_string(static_cast<long long>(held));
     if (held < said)
     {
-      throw WorkError(counts + "; is it whole?");
+      throw WorkError(counts + "; is it complete?");
     }
-    if (held > said && said > 0.) // some writers leave it at none
+    if (held > said && said > 0.) // some writers leave the count at 0
     {
       context.Note(counts + ", which are drawn");
     }
@@ -107,7 +106,7 @@ vtkSmartPointer<vtkAlgorithm> OpenSTL(const std::string& path, ReadContext& cont
                                                                 : Open<BinarySTL>(path, context);
 }
 
-// Of legacy files VTK says only that it does not read them.
+// VTK's message about unknown legacy files says only that it cannot read them.
 vtkSmartPointer<vtkAlgorithm> OpenLegacy(const std::string& path, ReadContext& context)
 {
   vtkNew<vtkGenericDataObjectReader> reader;
@@ -118,13 +117,14 @@ vtkSmartPointer<vtkAlgorithm> OpenLegacy(const std::string& path, ReadContext& c
   if (!isKnown)
   {
     throw WorkError(path +
-      ": expected DATASET with a mesh or a grid, such as POLYDATA or UNSTRUCTURED_GRID, behind the "
-      "three lines of its head, and there is none; is it whole, and has it geometry?");
+      ": expected DATASET with a mesh or a grid, such as POLYDATA or UNSTRUCTURED_GRID, "
+      "after the three lines of the header; is the file complete, and does it contain "
+      "geometry?");
   }
   return Open<vtkGenericDataObjectReader>(path, context);
 }
 
-// The pieces that VTK's own parser finds in a file of XML, however unusual its form.
+// Lists pieces with VTK's own XML parser, which accepts unusual forms too.
 void ListPieces(vtkXMLDataElement* element, std::vector<std::string>& pieces)
 {
   for (const char* attribute : { "Source", "file" })
@@ -140,11 +140,11 @@ void ListPieces(vtkXMLDataElement* element, std::vector<std::string>& pieces)
   }
 }
 
-// VTK's number for the type of the file's first element; below 0: no type of VTK's.
+// VTK's number for the type of the file's first element; negative: unknown type.
 int FindKind(const std::string& path, bool& isParallel)
 {
   vtkNew<vtkXMLGenericDataObjectReader> reader;
-  const vtkNew<vtkCallbackCommand> nothing; // it says no more
+  const vtkNew<vtkCallbackCommand> nothing; // VTK's message adds nothing
   reader->AddObserver(vtkCommand::ErrorEvent, nothing);
   return reader->ReadOutputType(path.c_str(), isParallel);
 }
@@ -159,7 +159,7 @@ vtkSmartPointer<vtkAlgorithm> OpenXML(const std::string& path, ReadContext& cont
   return Open<vtkXMLGenericDataObjectReader>(path, context);
 }
 
-// Whether VTK opens other files for one: by its name or by its first element.
+// Whether VTK opens further files for this one: by its name or by its first element.
 bool HasPieces(const std::string& path)
 {
   const std::string extension = ExtensionOf(path);
@@ -169,8 +169,8 @@ bool HasPieces(const std::string& path)
     !vtkDataObjectTypes::TypeIdIsA(kind, VTK_DATA_SET);
 }
 
-// VTK's files of several pieces name them, and it opens them whatever they are. Throws WorkError
-// for those that are not to be read.
+// VTK opens the pieces that a file names without any check. Throws WorkError for pieces outside the
+// allowed folders.
 void AddPieces(const std::string& path, ReadContext& context)
 {
   const vtkRelievoAllowedFolders allowed = context.GetAllowed(path);
@@ -184,7 +184,7 @@ void AddPieces(const std::string& path, ReadContext& context)
     if (HasPieces(of))
     {
       vtkNew<vtkXMLDataParser> parser;
-      vtkNew<vtkCallbackCommand> nothing; // what is wrong, the reader tells
+      vtkNew<vtkCallbackCommand> nothing; // the reader reports errors
       parser->AddObserver(vtkCommand::ErrorEvent, nothing);
       parser->SetFileName(of.c_str());
       parser->Parse();
@@ -195,7 +195,7 @@ void AddPieces(const std::string& path, ReadContext& context)
     }
     for (const std::string& name : pieces)
     {
-      // VTK takes what begins like a drive for a whole path.
+      // VTK takes a name that begins like a drive for an absolute path.
       const std::filesystem::path folder = std::filesystem::path(of).parent_path();
       const bool isWhole = name.size() > 1 && name[1] == ':';
       const std::string piece = isWhole ? name : (folder / name).string();
@@ -216,13 +216,13 @@ void AddPieces(const std::string& path, ReadContext& context)
   }
 }
 
-// Files of data; those of models are vtkRelievoModelReader's.
+// Data files only; models belong to vtkRelievoModelReader.
 struct Format
 {
   std::vector<std::string> Extensions;
   vtkSmartPointer<vtkAlgorithm> (*Open)(const std::string& path, ReadContext& context);
-  std::string Reader;  // whose it is, for messages
-  bool HasZUp = false; // as tools of CAD and printing have it, and grids in space
+  std::string Reader;  // name of the reader's owner, for messages
+  bool HasZUp = false; // custom of CAD, printing and spatial grids
 };
 
 const std::vector<Format>& GetFormats()
@@ -241,7 +241,7 @@ const std::vector<Format>& GetFormats()
   return formats;
 }
 
-// nullptr: of models, or of no format.
+// nullptr: a model, or an unknown format.
 const Format* FindFormat(const std::string& path)
 {
   const std::string extension = ExtensionOf(path);
@@ -373,13 +373,14 @@ void CheckFolder(const std::string& path)
 //------------------------------------------------------------------------------
 std::string NotAsNamed(const std::string& path)
 {
-  return "cannot be read as " + ExtensionOf(path) + "; is it what its name says, and whole?";
+  return "cannot be read as " + ExtensionOf(path) +
+    "; does its content match its name, and is it complete?";
 }
 
 namespace
 {
 //------------------------------------------------------------------------------
-// Of numbers that are small enough; none of others.
+// Numbers small enough for 32 bits; none otherwise.
 vtkSmartPointer<vtkTypeInt32Array> Shrink(vtkDataArray* numbers)
 {
   auto* large = vtkAOSDataArrayTemplate<vtkTypeInt64>::FastDownCast(numbers);
@@ -395,8 +396,8 @@ vtkSmartPointer<vtkTypeInt32Array> Shrink(vtkDataArray* numbers)
 }
 
 //------------------------------------------------------------------------------
-// With half the memory for the corners of cells, where their numbers are small enough. VTK's own
-// ConvertTo32BitStorage() takes longer than reading them.
+// Halves the memory for cells' corners if their numbers are small enough. VTK's own
+// ConvertTo32BitStorage() takes longer than reading the cells.
 void ShrinkCells(vtkDataObject* data)
 {
   constexpr vtkIdType most = std::numeric_limits<vtkTypeInt32>::max();

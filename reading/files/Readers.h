@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Files of data to VTK data objects, by the extension of the name. Programs of ours have another
- * process read them (Apart). Models are whole scenes and not data: ReadModel reads them.
+ * Reads data files into VTK data objects, by the extension of the name. The command and the viewer
+ * read them in a separate process (Apart). Models are whole scenes: ReadModel reads them.
  */
 #ifndef Readers_h
 #define Readers_h
@@ -18,50 +18,49 @@ namespace scene
 {
 class ReadContext;
 
-/// The extension in lower case with its dot, ".vtp"; "" without one.
+/// The extension in lower case with its dot, ".vtp"; "" if there is none.
 std::string ExtensionOf(const std::string& path);
 
 ///@{
-/// Those that readers take, without dots: of data, of models, of both.
+/// Extensions with a reader, without dots: of data, of models, of both.
 std::vector<std::string> GetDataExtensions();
 std::vector<std::string> GetModelExtensions();
 std::vector<std::string> GetExtensions();
 ///@}
 
-/// Throws UsageError if no reader takes the path's extension.
+/// Throws UsageError if no reader accepts the path's extension.
 void CheckExtension(const std::string& path);
 
-/// Whether some reader takes it.
+/// Whether a reader accepts it.
 bool HasReader(const std::string& path);
 
-/// Whether the path's extension is that of glTF.
+/// Whether the path has a glTF extension.
 bool IsGLTF(const std::string& path);
 
-/// Whether the path's extension is glTF's or that of other models, which ReadModel reads.
+/// Whether the path has the extension of glTF or another model format, read by ReadModel.
 bool IsModel(const std::string& path);
 
-/// Whether files of the path's format have z up, where nothing else says so.
+/// Whether the path's format has z up by custom.
 bool HasZUp(const std::string& path);
 
-/// Whose reader reads the path, for messages: "VTK", or a format that Relievo itself reads.
+/// Owner of the path's reader, for messages: "VTK", or a format that Relievo itself reads.
 std::string GetReaderName(const std::string& path);
 
 /// Throws WorkError unless the path is a file that can be opened.
 void CheckReadable(const std::string& path);
 
-/// Throws WorkError unless the path, which came with --allow-folder, is a folder.
+/// Throws WorkError unless the path, given with --allow-folder, is a folder.
 void CheckFolder(const std::string& path);
 
-/// What is said of a file that no reader understands and VTK has no words for.
+/// The message for a file that no reader understands, when VTK gives none.
 std::string NotAsNamed(const std::string& path);
 
-/// What there is to draw of a file: its surface, as MakeSurface. With `images`, one that
-/// GetVolumeImage takes stays an image. Throws WorkError with its
-/// name.
+/// Reads a file's drawable surface, by MakeSurface. With `images`, an image that GetVolumeImage
+/// accepts stays an image. Throws WorkError naming the file.
 vtkSmartPointer<vtkDataObject> ReadSurface(
   const std::string& path, bool smooth, bool images, ReadContext& context);
 
-/// The points of a file with their arrays. Throws WorkError with its name.
+/// Reads the points of a file with their arrays. Throws WorkError naming the file.
 vtkSmartPointer<vtkDataObject> ReadPoints(const std::string& path, ReadContext& context);
 }
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Which way is up in a file that does not say so.
+ * Guesses the up axis of a file that does not define it.
  */
 #ifndef UpAxis_h
 #define UpAxis_h
@@ -10,8 +10,8 @@
 
 namespace scene
 {
-/// 1 (y) or 2 (z), by the format's custom, and by where what was read lies: models of tools with z
-/// up stand on z = 0.
+/// Returns 1 (y) or 2 (z), by the format's custom and by the place of the bounds: models from tools
+/// with z up stand on z = 0.
 int FindUpAxis(const std::string& path, const double bounds[6]);
 }
 

@@ -49,29 +49,29 @@ public:
   }
 
   std::vector<std::string> Errors, Warnings;
-  std::vector<std::string> Named; // warnings that have been given their subject
+  std::vector<std::string> Named; // warnings that already name their subject
   std::vector<std::string> Notes;
 
 private:
   void Keep(const char* text, bool error)
   {
     const std::string line = OneLine(text ? text : "");
-    // VTK 9.4 and later look for a display before they open a window without one; who has neither
-    // is told by CheckDisplay.
+    // VTK 9.4 and later look for a display before they open a window without one; CheckDisplay
+    // reports the case that both are missing.
     if (!error && line.compare(0, 23, "bad X server connection") == 0)
     {
       return;
     }
-    // VTK writes ranges of arrays with NaN that its readers do not know, and then leave out.
+    // VTK writes ranges of arrays with NaN that its own readers reject and ignore.
     if (line.rfind("Error reading InformationKey element for vtkDataArray::", 0) == 0)
     {
       return;
     }
     if (Messages::TellsOfMemory(line))
     {
-      vtkRelievoReaderProcess::LackMemory(); // before a VTK of Debian aborts
+      vtkRelievoReaderProcess::LackMemory(); // before Debian's VTK aborts
     }
-    // Readers of legacy files call a file that ends too early a warning, "Error reading ...".
+    // Readers of legacy files report a truncated file as a warning, "Error reading ...".
     this->Add(error || line.compare(0, 5, "Error") == 0 ? &MessageCollector::Errors
                                                         : &MessageCollector::Warnings,
       line);
@@ -90,13 +90,14 @@ private:
         text.erase(0, address + 3);
       }
     }
-    // A list of numbers, and the place in VTK.
+    // VTK lists numbers and its source line.
     if (text.find("OpenGL errors detected") != std::string::npos)
     {
       const bool lacks = text.find("Out of memory") != std::string::npos;
       return std::string("OpenGL failed") + (lacks ? ": out of memory" : "") +
-        ": the scene or the picture is more than this driver takes; give a smaller --size, fewer "
-        "samples or smaller files, or another driver, such as Mesa's (LIBGL_ALWAYS_SOFTWARE=1)";
+        ": the scene or the picture exceeds this driver's limits; give a smaller --size, "
+        "fewer samples or smaller files, or another driver, such as Mesa's "
+        "(LIBGL_ALWAYS_SOFTWARE=1)";
     }
     std::string words;
     bool gap = false;
@@ -129,7 +130,7 @@ MessageCollector* Collector()
   return collector;
 }
 
-// What scopes replaced, while there are any.
+// State replaced by scopes, while any lives.
 struct Replaced
 {
   std::mutex Lock;
@@ -157,8 +158,8 @@ Messages::Scope::Scope()
     replaced.Verbosity = vtkLogger::GetCurrentVerbosityCutoff();
     vtkOutputWindow::SetInstance(Collector());
     replaced.Display = vtkObject::GetGlobalWarningDisplay();
-    vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF); // which prints each text again
-    vtkObject::GlobalWarningDisplayOn();                     // or no error is reported at all
+    vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF); // the logger prints each text again
+    vtkObject::GlobalWarningDisplayOn(); // otherwise VTK reports no error at all
   }
 }
 
@@ -233,8 +234,8 @@ void Messages::Check(const std::string& subject, bool failed, const std::string&
   const std::vector<std::string> errors = Collector()->Take(&MessageCollector::Errors);
   for (const std::string& error : errors)
   {
-    // The first is the cause. The others are its echoes up VTK's pipeline, which begin like this
-    // and hold nothing but addresses.
+    // The first error is the cause. The others are its echoes up VTK's pipeline, which begin like
+    // this and hold nothing but addresses.
     if (error.compare(0, 13, "Algorithm vtk") != 0)
     {
       throw WorkError(named(error));

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * While it lives, VTK's readers take a point for the decimal point in this thread, and i for the
- * small I, whatever locale the program has: a Python program, or one of Qt's, may have its user's.
- * That stays: VTK's readers of .vtk files leave the program with the locale C.
+ * While it lives, VTK's readers use a decimal point and the ASCII lower case of I in this thread,
+ * whatever the program's locale: Python and Qt programs may use their user's. The program's locale
+ * is preserved, although VTK's readers of .vtk files set it to C.
  */
 #ifndef NumberLocale_h
 #define NumberLocale_h

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * How work ended, for classes of VTK, which throw nothing.
+ * The outcome of work, for VTK classes, which throw no exceptions.
  */
 #ifndef Outcome_h
 #define Outcome_h
@@ -13,7 +13,7 @@ namespace scene
 {
 struct Outcome
 {
-  /// Those of vtkRelievoScene::Failures.
+  /// Values of vtkRelievoScene::Failures.
   enum Kinds
   {
     Done = 0,
@@ -22,10 +22,10 @@ struct Outcome
     Draw = 3
   };
   int Kind = Done;
-  std::string Text; ///< what is wrong
+  std::string Text; ///< the error message
 };
 
-/// Does the work, while VTK's messages are collected and numbers have a decimal point.
+/// Does the work while collecting VTK's messages, with a decimal point in numbers.
 Outcome Try(const std::function<void()>& work);
 }
 

@@ -17,12 +17,12 @@ namespace scene
 {
 namespace
 {
-// Where a file of that name is, or would be: at the end of links, which may lead nowhere yet.
+// The target of a file name, at the end of links, which may not exist yet.
 fs::path Follow(const std::string& path, std::error_code& trouble)
 {
-  constexpr int most = 40; // links, as Linux has it
+  constexpr int most = 40; // limit of links, as in Linux
   fs::path place = fs::weakly_canonical(fs::absolute(path), trouble);
-  std::error_code none; // there may be nothing of that name
+  std::error_code none; // the name may not exist
   for (int i = 0; i < most && !trouble && fs::is_symlink(fs::symlink_status(place, none)); ++i)
   {
     const fs::path target = fs::read_symlink(place, trouble);
@@ -137,17 +137,17 @@ std::string Outputs::WithGivenNames(std::string text) const
 //------------------------------------------------------------------------------
 void Outputs::Commit()
 {
-  // What is replaced stays under a name of its own until all are in place, for no signal to see.
+  // Replaced files keep a second name until all outputs are in place; signals wait meanwhile.
   const vtkRelievoTemporaryFile::Uninterrupted whole;
   std::error_code trouble;
   std::size_t moved = 0;
   for (; moved < this->Entries.size() && !trouble; ++moved)
   {
     Entry& entry = this->Entries[moved];
-    std::error_code none; // there may be nothing to keep
+    std::error_code none; // the old file may not exist
     if (fs::is_regular_file(fs::status(entry.Place, none)))
     {
-      // By a second name of the file, so that its place is never empty; where there are such names.
+      // A hard link, so that the place is never empty; where the file system has links.
       entry.Kept = entry.Temporary + ".old";
       fs::create_hard_link(entry.Place, entry.Kept, trouble);
       if (trouble)
@@ -185,7 +185,7 @@ void Outputs::Commit()
       fs::rename(entry.Kept, entry.Place, none);
       if (!none)
       {
-        fs::remove(entry.Kept, none); // still there, where both are names of one file
+        fs::remove(entry.Kept, none); // still there if both names are hard links
       }
     }
     else if (i < moved)
@@ -200,7 +200,8 @@ void Outputs::Commit()
 void Outputs::RemoveAtEnd()
 {
   vtkRelievoTemporaryFile::RemoveAtEnd();
-  // A file that grows over its limit is then a write error, which is said, and not the end.
+  // A file above its size limit then gives a write error with a message instead of ending the
+  // program.
   std::signal(SIGXFSZ, SIG_IGN);
 }
 }

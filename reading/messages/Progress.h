@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Progress of long work on the standard error stream. On a terminal one line is rewritten in place
- * from the start and cleared at the end. Elsewhere (a log, a pipe) nothing is said about a step
- * shorter than two seconds; after that a line is written at most every five seconds. A program with
- * a window listens instead.
+ * Progress of long work on the standard error stream. On a terminal, one line is rewritten in place
+ * from the start and cleared at the end. Elsewhere (a log, a pipe), steps shorter than two seconds
+ * are not reported; after that a line appears at most every five seconds. A program with a window
+ * listens instead.
  */
 #ifndef Progress_h
 #define Progress_h
@@ -16,7 +16,7 @@ class vtkObject;
 
 namespace scene
 {
-/// Is told instead of the standard error stream, and may stop the work.
+/// A listener that replaces the standard error stream, and may stop the work.
 class ProgressListener
 {
 public:
@@ -33,20 +33,20 @@ public:
   Progress(const Progress&) = delete;
   void operator=(const Progress&) = delete;
 
-  /// A step begins: `what` such as "reading bunny.off". Throws WorkError if the work was stopped.
+  /// Begins a step: `what` such as "reading bunny.off". Throws WorkError if the work was stopped.
   void Begin(const std::string& what);
 
-  /// The step is done by this share, 0 to 1.
+  /// Reports the step's progress, 0 to 1.
   void Update(double share);
 
-  /// Whether the listener wants the work to end.
+  /// Whether the listener has stopped the work.
   bool IsStopped();
 
-  /// The step is over; also called by Begin and the destructor.
+  /// Ends the step; also called by Begin and the destructor.
   void End();
 
-  /// Takes the progress events of a VTK algorithm, which must not outlive this object. Work that is
-  /// stopped aborts it.
+  /// Listens to the progress events of a VTK algorithm, which must not outlive this object.
+  /// Stopping the work aborts it.
   void Observe(vtkObject* algorithm);
 
 private:

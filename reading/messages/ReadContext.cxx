@@ -91,7 +91,7 @@ void ReadContext::AddFile(const std::string& path)
   if (std::filesystem::exists(path, trouble))
   {
     const std::uintmax_t size = std::filesystem::file_size(path, trouble);
-    vtkRelievoReaderProcess::Allow(trouble ? 0 : size); // a folder has none
+    vtkRelievoReaderProcess::Allow(trouble ? 0 : size); // a folder has no size
     const std::filesystem::path whole = std::filesystem::absolute(path, trouble);
     this->Files.push_back(trouble ? path : whole.string());
   }

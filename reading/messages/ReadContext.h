@@ -19,10 +19,10 @@ class Progress;
 class ReadContext
 {
 public:
-  /// `folders`: where files may name others in, besides their own folders and below.
+  /// `folders`: allowed folders of files that files name, besides their own folders and below.
   explicit ReadContext(Progress& progress, std::vector<std::string> folders = {});
 
-  /// Messages has the notes and warnings that nobody took.
+  /// Passes notes and warnings that were not taken to Messages.
   ~ReadContext();
   ReadContext(const ReadContext&) = delete;
   void operator=(const ReadContext&) = delete;
@@ -30,14 +30,14 @@ public:
   Progress& GetProgress() { return this->Steps; }
   const std::vector<std::string>& GetFolders() const { return this->Folders; }
 
-  /// Where the file at the path may name others in.
+  /// The folders of files that the file at the path may name.
   vtkRelievoAllowedFolders GetAllowed(const std::string& path) const;
 
   /// As of Messages.
   void Check(const std::string& subject, bool failed = false, const std::string& otherwise = "");
 
   ///@{
-  /// Keeps what the user should know, one line, once.
+  /// Stores a note or a warning for the user, one line, once.
   void Note(const std::string& text);
   void Warn(const std::string& text);
   std::vector<std::string> TakeNotes();
@@ -45,16 +45,16 @@ public:
   ///@}
 
   ///@{
-  /// Files that are read: those that the words name, and those that these name in turn, such as
-  /// textures, buffers and pieces. No output may take the place of one. Nothing is added for a file
-  /// that is not there.
+  /// The files opened while reading: those named by the words, and those that these name in turn,
+  /// such as textures, buffers and pieces. No output may replace one. Adding a missing file does
+  /// nothing.
   void AddFile(const std::string& path);
   const std::vector<std::string>& GetFiles() const { return this->Files; }
   ///@}
 
   ///@{
-  /// Work that is done once, instead of waiting, when another process reads a file. It may be done
-  /// never, and throws nothing.
+  /// Work for this thread while another process reads a file for it, instead of waiting; done once.
+  /// The work may never run, and must not throw.
   void SetMeanwhile(std::function<void()> work) { this->Meanwhile = std::move(work); }
   void DoMeanwhile();
   ///@}

@@ -20,7 +20,7 @@ bool Ours = false;
 void BeProgram()
 {
   Ours = true;
-  // A file that is opened later must not take the place of a closed one, and what is printed.
+  // A file opened later must not take a closed stream's descriptor, and with it printed output.
   for (const int each : { STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO })
   {
     if (fcntl(each, F_GETFD) < 0)
@@ -39,7 +39,7 @@ std::FILE* StandardError()
     std::FILE* file = copy < 0 ? nullptr : fdopen(copy, "w");
     if (file)
     {
-      std::setvbuf(file, nullptr, _IONBF, 0); // as stderr
+      std::setvbuf(file, nullptr, _IONBF, 0); // unbuffered, like stderr
     }
     return file ? file : stderr;
   }();
@@ -59,7 +59,7 @@ SilentLibraries::SilentLibraries()
   {
     return;
   }
-  StandardError(); // before there is nothing left to copy
+  StandardError(); // copies the stream before it is redirected
   std::fflush(stderr);
   const int nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC);
   if (nowhere >= 0)

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * The user's error output. Libraries print to it as well (libpng, assertions of VTK's readers):
- * without a file's name, and before the one line that matters.
+ * The user's error output. Libraries also print to it (libpng, assertions of VTK's readers),
+ * without a file's name and before the line that matters.
  */
 #ifndef StandardError_h
 #define StandardError_h
@@ -11,18 +11,18 @@
 
 namespace scene
 {
-/// The process is the command or the viewer: its error output is ours, and files are read in other
-/// processes. First thing in main(), before there are threads. Elsewhere, as in Python, what others
-/// print stays theirs, and files are read in the process itself.
+/// Declares that the process is the command or the viewer: its error output is ours, and files are
+/// read in other processes. Call it first in main(), before threads start. In other programs, such
+/// as Python, the output of libraries stays, and files are read in the process itself.
 void BeProgram();
 
-/// Where the command itself writes, also while libraries are silent.
+/// The command's own output stream, also while libraries are silent.
 std::FILE* StandardError();
 
-/// Writes what is left of the standard output. False if any of it, also before, was lost.
+/// Flushes the standard output. False if any of it, also earlier, was lost.
 bool FlushStandardOutput();
 
-/// While it lives, what anybody else writes to the error output of a program of ours is dropped.
+/// While it lives, other output to the program's error stream is dropped.
 class SilentLibraries
 {
 public:

@@ -60,7 +60,7 @@ void TakeTimes(ModelChoice& model, const std::string& word)
     numbers[i] = ParseNumbers("--times " + word, parts[i], 1, form).front();
   }
   const auto [start, end, step] = numbers;
-  // The end belongs to it, whatever the rounding of the steps.
+  // Includes the end despite rounding of the steps.
   const double frames = step > 0.0 ? std::floor((end - start) / step * (1.0 + 1e-12) + 1e-9) : -1.0;
   if (!(frames >= 0.0) || frames >= most)
   {

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * --time, --times, --animation, --blend, --loop, --skin, --skeleton and --bone-weight: what models
- * with bones show.
+ * --time, --times, --animation, --blend, --loop, --skin, --skeleton and --bone-weight: the pose and
+ * the look of models with bones.
  */
 #ifndef ModelOptions_h
 #define ModelOptions_h
@@ -15,7 +15,7 @@ namespace scene
 {
 enum class SkinChoice
 {
-  Off, ///< as the file holds the mesh
+  Off, ///< the mesh at rest
   Linear,
   DualQuaternion,
   KeyMatrix
@@ -27,16 +27,16 @@ struct ModelChoice
   std::vector<double> Times;  ///< of a sequence of frames; none: one picture
   std::string Animation;      ///< empty: the first
   std::string Blend;          ///< an animation to blend in; empty: none
-  double BlendWeight = 0.0;   ///< of it, 0 to 1
-  bool Loop = false;          ///< whether it starts anew after its end
-  bool Skeleton = false;      ///< whether bones are drawn, with their axes
+  double BlendWeight = 0.0;   ///< weight of the blended animation, 0 to 1
+  bool Loop = false;          ///< whether the animation repeats after its end
+  bool Skeleton = false;      ///< whether to draw bones and their axes
   std::string BoneWeight;     ///< the bone whose weight gives the colour; empty: none
   bool FirstBone = false;     ///< whether points have the array first_bone
   SkinChoice Skin = SkinChoice::Linear;
-  bool Given = false; ///< whether any of these was
+  bool Given = false; ///< whether any option of models was given
 };
 
-/// The options that choose what models show, as they are written.
+/// The names of the options of models, for messages.
 const std::vector<std::string>& GetModelOptions();
 
 void TakeTime(ModelChoice& model, const std::string& word);

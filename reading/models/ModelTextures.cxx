@@ -31,7 +31,7 @@ vtkSmartPointer<vtkImageData> ModelTextures::Read(const std::string& name)
     this->Context.Check("in the file", !image, "expected an image");
     return image;
   }
-  // Files name textures by paths of the machine that wrote them: the name alone is looked for too.
+  // Files name textures by paths of the machine that wrote them: the bare name is tried too.
   const vtkRelievoAllowedFolders allowed = this->Context.GetAllowed(this->Path);
   const std::string file =
     FindNamedFile(name, std::filesystem::path(this->Path).parent_path(), allowed);
@@ -73,9 +73,9 @@ void ModelTextures::Put(vtkActor* actor, vtkDataSet* mesh, const std::optional<d
   }
   if (maps.Color)
   {
-    actor->GetProperty()->SetColor(1., 1., 1.); // the texture's colours are the whole
+    actor->GetProperty()->SetColor(1., 1., 1.); // the texture gives the complete colour
   }
-  // Where a sampler says more than a map can, VTK's shaders draw the actor's own normal texture.
+  // A sampler with settings that a map lacks: VTK's shaders draw the actor's own normal texture.
   auto* own = vtkRelievoWrapTexture::SafeDownCast(actor->GetProperty()->GetTexture("normalTex"));
   const bool isMap =
     !own || (own->GetWrapU() == own->GetWrapV() && own->GetWrapU() != vtkTexture::MirroredRepeat);

@@ -33,9 +33,9 @@ public:
   {
   }
 
-  /// The normal map that the mesh names, on its actor, and its texture, unless the file's own
-  /// material has the colours and says the `cutoff`: the alpha below which the actor is cut out, 0:
-  /// nowhere. What cannot be read is noted.
+  /// Sets the mesh's normal map on its actor, and its texture, unless the file's own material has
+  /// the colours and sets the `cutoff`: the alpha below which the actor is cut out; 0: no cut-out.
+  /// Notes unreadable images.
   void Put(vtkActor* actor, vtkDataSet* mesh, const std::optional<double>& cutoff);
 
 private:

@@ -42,14 +42,14 @@ void SetColor(vtkActor* actor, vtkDataSet* mesh)
       part = std::clamp(part, 0., 1.);
     }
     actor->GetProperty()->SetColor(c);
-    if (c[3] > 0.) // some writers leave it at none
+    if (c[3] > 0.) // some writers leave the opacity at 0
     {
       actor->GetProperty()->SetOpacity(c[3]);
     }
   }
 }
 
-// Whether the file has materials of its own for the block. What is wrong with images is noted.
+// Whether the file has materials of its own for the block. Notes faulty images.
 bool Dress(vtkRelievoModelReader* reader, int block, vtkActor* actor, const std::string& path,
   ReadContext& context)
 {
@@ -79,7 +79,7 @@ vtkSmartPointer<vtkPolyData> CopySkeleton(vtkRelievoModelReader* reader)
   return copy;
 }
 
-// Throws UsageError for an animation or a bone that the file does not have.
+// Throws UsageError for an animation or a bone missing from the file.
 void CheckNames(vtkRelievoModelReader* reader, const ModelChoice& choice, const std::string& path,
   ReadContext& context)
 {
@@ -101,7 +101,7 @@ void CheckNames(vtkRelievoModelReader* reader, const ModelChoice& choice, const 
   }
 }
 
-// Lines as they are, not lit, with the colours of their axes.
+// Unlit lines in the colours of their axes.
 vtkSmartPointer<vtkActor> MakeSkeletonActor(vtkRelievoModelReader* reader)
 {
   vtkNew<vtkPolyDataMapper> mapper;
@@ -140,7 +140,7 @@ PosedModel ReadModel(
   reader->SetWeightsOf(choice.BoneWeight.c_str());
   if (!choice.Given && IsGLTF(path))
   {
-    reader->SetPose(vtkRelievoModelReader::POSE_NODES); // a scene stands until it is to move
+    reader->SetPose(vtkRelievoModelReader::POSE_NODES); // the file's static pose
   }
   else if (choice.Skin == SkinChoice::Off)
   {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Models with bones to actors: posed at a time, with their colours and textures.
+ * Reads models with bones into actors: posed at a time, with colours and textures.
  */
 #ifndef Models_h
 #define Models_h
@@ -26,14 +26,14 @@ struct PosedModel
     vtkSmartPointer<vtkActor> Actor;
   };
   std::string Path;
-  bool Smooth = true; ///< as MakeActor
+  bool Smooth = true; ///< as in MakeActor
   vtkSmartPointer<vtkRelievoModelReader> Reader;
   std::vector<Part> Parts;
-  vtkSmartPointer<vtkActor> Skeleton; ///< null: not asked for
+  vtkSmartPointer<vtkActor> Skeleton; ///< null: not requested
 };
 
-/// An actor for each mesh. What was mended while reading and textures that are missing are noted.
-/// Throws WorkError with the path.
+/// Makes an actor for each mesh. Notes repairs made while reading, and missing textures. Throws
+/// WorkError naming the path.
 PosedModel ReadModel(
   const std::string& path, const ModelChoice& choice, bool smooth, ReadContext& context);
 

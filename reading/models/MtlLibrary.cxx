@@ -20,7 +20,7 @@ namespace scene
 namespace
 {
 const char* const Blanks = " \t";
-constexpr std::size_t MostBytes = std::size_t(1) << 28; // of a library
+constexpr std::size_t MostBytes = std::size_t(1) << 28; // in a library
 
 std::string TrimLine(const std::string& line)
 {
@@ -29,7 +29,7 @@ std::string TrimLine(const std::string& line)
                                     : line.substr(first, line.find_last_not_of(Blanks) + 1 - first);
 }
 
-// A blank before it begins a comment, as names may have the sign.
+// A comment needs a blank before its #, because names may contain #.
 std::string WithoutComment(const std::string& line)
 {
   std::string::size_type sign = line.find('#');
@@ -60,8 +60,8 @@ std::optional<double> ToNumber(const std::string& word)
 }
 
 //------------------------------------------------------------------------------
-// What stands behind an option: up to three numbers behind some, of which the first must be there;
-// one word behind the others, or two.
+// Parses an option's arguments: up to three numbers (the first required) for some options, one or
+// two words for the others.
 std::vector<std::string> TakeArguments(const std::string& option, std::string& rest)
 {
   std::vector<std::string> words;
@@ -90,7 +90,7 @@ std::vector<std::string> TakeArguments(const std::string& option, std::string& r
 //------------------------------------------------------------------------------
 bool IsWithoutEffect(const std::string& option, const std::vector<std::string>& words)
 {
-  // How it is filtered and stored is left to VTK, and -bm is for bumps.
+  // VTK decides how to filter and store textures, and -bm concerns bump maps.
   const std::vector<std::string> others = { "-blendu", "-blendv", "-boost", "-texres", "-bm",
     "-type" };
   const auto isEach = [&words](double value) {
@@ -104,7 +104,7 @@ bool IsWithoutEffect(const std::string& option, const std::vector<std::string>& 
 }
 
 //------------------------------------------------------------------------------
-// Options, then the file.
+// Options, followed by the file.
 void TakeTexture(std::string rest, const std::filesystem::path& folder,
   const vtkRelievoAllowedFolders& allowed, MtlMaterial& material)
 {
@@ -170,7 +170,7 @@ void TakeLine(const std::string& line, const std::filesystem::path& folder,
   }
   else if (name == "d")
   {
-    // Behind -halo.
+    // After -halo.
     if (const std::optional<double> last = ToNumber(rest.substr(rest.find_last_of(Blanks) + 1)))
     {
       material.Opacity = std::clamp(*last, 0.0, 1.0);

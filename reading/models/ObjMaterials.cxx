@@ -63,7 +63,7 @@ std::map<std::string, MtlMaterial> ReadLibraries(const std::vector<std::string>&
   };
   for (const std::string& line : libraries)
   {
-    // One name, which may have blanks, or several names.
+    // One name, which may contain blanks, or several names.
     const std::string ofLine = read(line);
     if (ofLine.empty())
     {
@@ -119,8 +119,8 @@ vtkIdTypeArray* GetIds(vtkPolyData* mesh, const char* name)
   return vtkIdTypeArray::SafeDownCast(mesh->GetCellData()->GetAbstractArray(name));
 }
 
-// These cells; `vtkOriginalCellIds` says which they are in the file, and `vtkRelievoPolygonIds`
-// counts the part's own polygons.
+// Extracts these cells; `vtkOriginalCellIds` gives their numbers in the file, and
+// `vtkRelievoPolygonIds` counts the part's own polygons.
 vtkSmartPointer<vtkPolyData> Extract(vtkPolyData* mesh, const std::vector<vtkIdType>& cells)
 {
   auto part = vtkSmartPointer<vtkPolyData>::New();
@@ -158,7 +158,7 @@ vtkSmartPointer<vtkPolyData> Extract(vtkPolyData* mesh, const std::vector<vtkIdT
 }
 
 //------------------------------------------------------------------------------
-// Faces without texture coordinates have 0 0 beside others that have some.
+// VTK gives faces without texture coordinates 0 0 if other faces have some.
 void DropFlatTextureCoordinates(vtkPolyData* part)
 {
   vtkDataArray* coordinates = part->GetPointData()->GetTCoords();
@@ -179,7 +179,7 @@ void DropFlatTextureCoordinates(vtkPolyData* part)
 }
 
 //------------------------------------------------------------------------------
-// `key`: what names the texture.
+// `key`: names the texture in messages.
 void PutTexture(vtkActor* actor, const MtlMaterial& material, const std::string& key,
   const std::string& path, const vtkRelievoAllowedFolders& allowed, ReadContext& context)
 {
@@ -241,7 +241,7 @@ std::vector<vtkSmartPointer<vtkActor>> DrawTextured(
     return {};
   }
   const vtkRelievoAllowedFolders allowed = context.GetAllowed(path);
-  // Colours would be multiplied with the texture; they stay as arrays.
+  // Vertex colours would multiply the texture; they remain as arrays.
   vtkNew<vtkPolyData> plain;
   plain->ShallowCopy(mesh);
   plain->GetPointData()->SetActiveScalars(nullptr);
@@ -273,7 +273,7 @@ std::vector<vtkSmartPointer<vtkActor>> SplitByMaterials(
     return {};
   }
   const std::vector<std::string> names = GetStrings(mesh, "MaterialNames");
-  std::vector<std::vector<vtkIdType>> cellsOf(names.size() + 1); // the first: of none
+  std::vector<std::vector<vtkIdType>> cellsOf(names.size() + 1); // first: without a material
   for (vtkIdType cell = 0; cell < ids->GetNumberOfValues(); ++cell)
   {
     cellsOf[static_cast<std::size_t>(ids->GetValue(cell) + 1)].push_back(cell);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Materials of OBJ files: colours, highlights, opacity and textures of their MTL libraries; and the
+ * Materials of OBJ files (colours, highlights, opacity and textures of their MTL libraries) and
  * textures of PLY files.
  */
 #ifndef ObjMaterials_h
@@ -19,16 +19,16 @@ namespace scene
 {
 class ReadContext;
 
-/// An actor for each material of the surface of an OBJ file, those without one first, then by the
-/// first use of the name; the cell array `vtkOriginalCellIds` has the numbers that cells have in
-/// the surface, or had in the file. None if the file is no OBJ file, or no library has a material.
-/// What is named and cannot be read, or lies where it is not allowed, is noted, and drawn without.
+/// Makes an actor for each material of an OBJ surface: cells without a material first, then
+/// materials in order of first use. The cell array `vtkOriginalCellIds` has the cells' numbers in
+/// the surface or in the file. Returns none if the file is no OBJ file, or if no library has a
+/// material. Unreadable files, and files outside the allowed folders, are noted and ignored.
 std::vector<vtkSmartPointer<vtkActor>> SplitByMaterials(
   vtkDataObject* surface, const std::string& path, ReadContext& context);
 
-/// An actor for the surface of a PLY file with the texture that its comment `TextureFile` names, in
-/// place of colours; none for any other surface. What cannot be read, or lies where it is not
-/// allowed, is noted, and drawn without.
+/// Makes an actor for the surface of a PLY file whose comment `TextureFile` names a texture, which
+/// replaces colours; none for any other surface. Unreadable files, and files outside the allowed
+/// folders, are noted and ignored.
 std::vector<vtkSmartPointer<vtkActor>> DrawTextured(
   vtkDataObject* surface, const std::string& path, ReadContext& context);
 }

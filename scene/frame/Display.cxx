@@ -39,7 +39,7 @@ void CheckSize(vtkRenderWindow* window, const std::array<int, 2>& size)
   {
     return;
   }
-  // The context is made small: asking for it at the full size would already meet the limit.
+  // The context is made small: a window of the full size would already exceed the limit.
   window->SetSize(1, 1);
   gl->Initialize();
   Messages::Check("OpenGL");

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Whether this machine can draw what was asked: a display to make an OpenGL context on, and
- * pictures no larger than that context takes.
+ * Whether this machine can draw the request: a display for an OpenGL context, and pictures within
+ * the context's limits.
  */
 #ifndef Display_h
 #define Display_h
@@ -14,13 +14,13 @@ class vtkRenderWindow;
 
 namespace scene
 {
-/// Throws WorkError if the display of the window cannot be reached: VTK would end the process then.
+/// Throws WorkError if the window's display cannot be reached: VTK would end the process instead.
 void CheckDisplay(vtkRenderWindow* window);
 
-/// The most pixels each way that OpenGL draws in the window. Makes its context the current one.
+/// OpenGL's largest picture size in each direction; makes the window's context current.
 int GetSizeLimit(vtkOpenGLRenderWindow* window);
 
-/// Makes the window's context and throws WorkError if the size is above its limits.
+/// Makes the window's context and throws WorkError if the size exceeds its limits.
 void CheckSize(vtkRenderWindow* window, const std::array<int, 2>& size);
 }
 

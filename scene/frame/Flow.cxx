@@ -22,7 +22,7 @@ namespace scene
 {
 namespace
 {
-// What the picture is seen by.
+// The camera model of the picture.
 vtkSmartPointer<vtkRelievoCameraModel> GetSensor(
   vtkRenderer* renderer, const RenderOptions& options)
 {
@@ -67,8 +67,8 @@ void FlowOfFrames::AddTo(vtkImageData* image, vtkRenderer* renderer, const Rende
   {
     this->Scene = vtkSmartPointer<vtkRelievoRayScene>::New();
     this->Scene->SetRenderer(renderer);
-    this->Scene->SetOpaqueOnly(options.Lens.empty()); // the frame's other layers have no more
-    this->Before = vtkSmartPointer<vtkRelievoRayScene>::New(); // of nothing
+    this->Scene->SetOpaqueOnly(options.Lens.empty());          // like the frame's other layers
+    this->Before = vtkSmartPointer<vtkRelievoRayScene>::New(); // empty: no earlier frame
     this->CameraBefore = camera;
   }
   vtkNew<vtkRelievoRayLayers> source;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * The layers flow, motion and flow_valid of a sequence: from each frame to the one before, by rays.
+ * Layers flow, motion and flow_valid of a sequence: from each frame to the previous one, by rays.
  */
 #ifndef Flow_h
 #define Flow_h
@@ -20,17 +20,17 @@ namespace scene
 {
 struct RenderOptions;
 
-/// Whether these options make a layer of this name one of them: those of several times.
+/// Whether the options have a sequence and the name is one of these layers.
 bool IsFlowOfFrames(const RenderOptions& options, const std::string& name);
 
 class FlowOfFrames
 {
 public:
-  /// Takes its layers from a list.
+  /// Removes its layers from a list.
   FlowOfFrames(const RenderOptions& options, std::vector<std::string>& layers);
 
-  /// Adds them to an image of what the renderer shows now. In the first frame nothing has been
-  /// anywhere before: NaN, and 0. Throws WorkError.
+  /// Adds the layers to an image of the renderer's present view. The first frame has no earlier
+  /// positions: NaN, and 0. Throws WorkError.
   void AddTo(vtkImageData* image, vtkRenderer* renderer, const RenderOptions& options);
 
 private:

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * What the options ask of the frame around a scene: stages, shadows, and points with values.
+ * Sets up the frame around a scene from the options: stages, shadows, and points with values.
  */
 #ifndef Frame_h
 #define Frame_h
@@ -18,14 +18,14 @@ namespace scene
 {
 struct RenderOptions;
 
-/// Every file that the options name; throws UsageError or WorkError for one that cannot be opened
-/// or that is not what its option takes.
+/// Every file named by the options; throws UsageError or WorkError for one that cannot be opened or
+/// does not fit its option.
 std::vector<std::string> CheckInputs(const RenderOptions& options);
 
-/// Whether the picture needs a frame: a plain one is VTK's own, and nothing of Relievo is attached.
+/// Whether the picture needs a frame; otherwise VTK draws it, with nothing of Relievo attached.
 bool NeedsFrame(const RenderOptions& options);
 
-/// Sets the pass, a new one, as asked. Throws UsageError.
+/// Sets up a new pass as requested. Throws UsageError.
 void SetFrame(vtkRelievoPass* pass, vtkRenderer* renderer, const RenderOptions& options,
   const FramePoints& points);
 }

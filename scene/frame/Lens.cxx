@@ -34,12 +34,12 @@ namespace scene
 {
 namespace
 {
-constexpr double WidestFit = 120.0; // of a camera that is fitted, degrees
+constexpr double WidestFit = 120.0; // of a fitted camera, degrees
 
 vtkSmartPointer<vtkRelievoCameraModel> MakeSensor(
   vtkRelievoCalibration* calibration, const RenderOptions& options, vtkCamera* view)
 {
-  const vtkNew<vtkCallbackCommand> silent; // what it says is thrown
+  const vtkNew<vtkCallbackCommand> silent; // its message is thrown instead
   calibration->AddObserver(vtkCommand::ErrorEvent, silent);
   if ((!options.Lens.empty() && !calibration->SetWords(options.Lens)) || !calibration->Read())
   {
@@ -91,8 +91,9 @@ void CheckLensScale(const RenderOptions& options)
 {
   if (options.Lens == "orthographic")
   {
-    throw UsageError("--lens orthographic: no camera says its scale here; give the pixels for a "
-                     "world unit, as in orthographic:100");
+    throw UsageError(
+      "--lens orthographic: no camera gives its scale here; give the pixels per world "
+      "unit, as in orthographic:100");
   }
 }
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * --lens: what a lens, a panorama or a map sees in place of the camera's pinhole. Colour is warped
- * from frames, layers are by rays.
+ * --lens: the view of a lens, a panorama or a map in place of the camera's pinhole. Colour is
+ * warped from frames, layers are computed by rays.
  */
 #ifndef Lens_h
 #define Lens_h
@@ -24,35 +24,34 @@ namespace scene
 class Progress;
 struct RenderOptions;
 
-/// Throws UsageError for a layer that rays do not have.
+/// Throws UsageError for a layer that rays cannot compute.
 void CheckLensLayer(const std::string& name);
 
-/// Throws UsageError for a lens that takes its scale from a camera, where no camera says any.
+/// Throws UsageError for a lens that takes its scale from a camera, if no camera gives one.
 void CheckLensScale(const RenderOptions& options);
 
-/// The sensor of the option's words, or a pinhole without them, with the pose and the angle of a
-/// view. Throws FileError, and UsageError for a size or an angle that it cannot have.
+/// The option's sensor, or a pinhole without the option, with the pose and the angle of a view.
+/// Throws FileError, and UsageError for an impossible size or angle.
 vtkSmartPointer<vtkRelievoCameraModel> MakeSensor(const RenderOptions& options, vtkCamera* view);
 
-/// That sensor with the angle of the options, or the standard one, before it has a pose.
+/// That sensor with the options' or the standard angle, before it has a pose.
 vtkSmartPointer<vtkRelievoCameraModel> MakeSensor(const RenderOptions& options);
 
-/// The options with what the lens says: the size, if a file says it and no option does, and the
-/// angle to which a camera is fitted. Throws FileError, and UsageError for a size or an angle that
-/// the lens cannot have.
+/// The options completed by the lens: the size, if a file gives it and no option does, and the
+/// angle for fitting the camera. Throws FileError, and UsageError for a size or an angle that the
+/// lens cannot have.
 RenderOptions FollowLens(RenderOptions options);
 
-/// The layers, `color` among them, with the calibration as field data, and the picture, if one is
-/// to be written. Throws WorkError.
+/// The layers, `color` among them, with the calibration as field data, and the picture if one is
+/// requested. Throws WorkError.
 vtkSmartPointer<vtkImageData> DrawLens(vtkRenderer* renderer, const RenderOptions& options,
   const std::vector<std::string>& layers, vtkSmartPointer<vtkImageData>& picture,
   Progress& progress);
 
-/// A calibration as JSON: the size, and what the field data has of K, R, t, lens and distortion.
+/// A calibration as JSON: the size, and the entries K, R, t, lens and distortion of the field data.
 std::string WriteCalibration(vtkFieldData* fields, const std::array<int, 2>& size);
 
-/// The calibration of a picture that was drawn by a camera of VTK, in so many pixels: R and t, and
-/// K if it has one.
+/// The calibration of a picture of this size by a VTK camera: R and t, and K if it has one.
 vtkSmartPointer<vtkFieldData> GetCalibration(vtkRenderer* renderer, const int size[2]);
 }
 

@@ -35,7 +35,7 @@ std::set<std::string> GetArrays(vtkDataObject* data)
   return names;
 }
 
-// Throws UsageError if a value is to come from an array that the file does not have.
+// Throws UsageError if the file lacks an array that a value refers to.
 void CheckArrays(const PointsChoice& choice, vtkRelievoPointValues* points)
 {
   const std::set<std::string> names = GetArrays(points->GetInputDataObject(0, 0));
@@ -53,7 +53,7 @@ void CheckArrays(const PointsChoice& choice, vtkRelievoPointValues* points)
   }
 }
 
-// Throws WorkError if no point has an effect; notes those that have none.
+// Throws WorkError if no point has an effect; notes points that have none.
 void CheckPoints(const std::string& path, vtkRelievoPointValues* points, ReadContext& context)
 {
   const std::string things = points->GetThings(), needs = points->GetNeeds();
@@ -69,7 +69,7 @@ void CheckPoints(const std::string& path, vtkRelievoPointValues* points, ReadCon
   }
 }
 
-// Sizes that neither the file nor the words give: what is right depends on the scene.
+// Sizes given by neither file nor words: their defaults depend on the scene.
 void NoteDefaults(const PointsChoice& choice, vtkRelievoPointValues* points, ReadContext& context)
 {
   const std::set<std::string> names = GetArrays(points->GetInputDataObject(0, 0));

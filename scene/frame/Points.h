@@ -20,11 +20,11 @@ class ReadContext;
 struct PointsChoice;
 struct RenderOptions;
 
-/// Throws UsageError or WorkError, which name the option or the file, for one that cannot be read
-/// or is no points.
+/// Throws UsageError or WorkError, naming the option or the file, if a file cannot be read or
+/// contains no points.
 void CheckPointFile(const PointsChoice& choice);
 
-/// Points for a stage of that name.
+/// New points for the stage of that name.
 struct FramePointSet
 {
   std::string Stage;
@@ -32,11 +32,11 @@ struct FramePointSet
 };
 using FramePoints = std::vector<FramePointSet>;
 
-/// Throws UsageError for arrays that a file does not have, WorkError with the file's name: what
-/// cannot be read, arrays that do not fit, files without a point that has an effect.
+/// Reads the points. Throws UsageError for arrays that a file lacks, and WorkError naming the file
+/// for unreadable files, unsuitable arrays, or files without any point that has an effect.
 FramePoints ReadFramePoints(const RenderOptions& options, ReadContext& context);
 
-/// Gives the points to a pass that has none.
+/// Gives the points to a new pass.
 void AddFramePoints(vtkRelievoPass* pass, const FramePoints& points);
 }
 

@@ -27,7 +27,7 @@ void SetCasters(vtkRelievoPass* pass, vtkRenderer* renderer, const RenderOptions
 {
   for (std::size_t i = 0; i < options.Lights.size(); ++i)
   {
-    // The file's lights are gone where others are asked for.
+    // --light has replaced the file's lights.
     vtkObject* object = renderer->GetLights()->GetItemAsObject(static_cast<int>(i));
     vtkLight* light = vtkLight::SafeDownCast(object);
     const LightChoice& choice = options.Lights[i];
@@ -45,7 +45,7 @@ void SetShadows(vtkRelievoPass* pass, vtkRenderer* renderer, const RenderOptions
 {
   pass->SetShadows(options.ShadowMethod != Shadows::Off);
   SetCasters(pass, renderer, options);
-  // In the viewer's words it is --stage: between frames of a widget OpenGL is not to be asked.
+  // The viewer uses --stage instead, because OpenGL must not be queried between a widget's frames.
   const std::string option = "--shadow-size";
   if (const std::string* size = FindStageChoice(options.Stages, "shadows", "map_size", option))
   {

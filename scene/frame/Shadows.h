@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Shadows as the command line asks for them: in the picture, and as layers shadow_N of light N.
+ * Shadows on the command line: in the picture, and as layers shadow_N of light N.
  */
 #ifndef Shadows_h
 #define Shadows_h
@@ -14,14 +14,14 @@ namespace scene
 struct RenderOptions;
 enum class Shadows;
 
-/// Lights that the renderer will draw with: VTK makes a headlight where there are none.
+/// Number of lights drawn: VTK makes a headlight if there are none.
 int CountLights(vtkRenderer* renderer);
 
-/// Which lights and props cast, and how large lights are.
+/// Sets which lights and props cast shadows, and the size of lights.
 void SetCasters(vtkRelievoPass* pass, vtkRenderer* renderer, const RenderOptions& options);
 
-/// Sets the pass as asked, lights too. Throws UsageError if the maps are larger than the window's
-/// OpenGL makes.
+/// Sets the pass and its lights as requested. Throws UsageError if the maps exceed the limits of
+/// the window's OpenGL.
 void SetShadows(vtkRelievoPass* pass, vtkRenderer* renderer, const RenderOptions& options);
 }
 

@@ -32,7 +32,7 @@ std::string Find(const std::string& report, const std::string& name)
 }
 
 //------------------------------------------------------------------------------
-// What OpenGL says of itself, and what was found out about it: a line each.
+// OpenGL's own strings, and properties found by tests: a line each.
 std::string DescribeOpenGL()
 {
   vtkNew<vtkRenderWindow> any;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * What draws here: the versions of Relievo, VTK and OpenGL, for reports of defects.
+ * Versions of Relievo, VTK and OpenGL, for defect reports.
  */
 #ifndef Version_h
 #define Version_h
@@ -13,7 +13,8 @@ class vtkRenderWindow;
 
 namespace scene
 {
-/// One line each. OpenGL is asked in a window of its own; where none can open, its line says why.
+/// One line each. OpenGL is queried in a window of its own; if none can open, its line gives the
+/// reason.
 std::string DescribeVersions();
 
 /// What has drawn a window, a line each: Relievo, VTK, and OpenGL's renderer and version.

@@ -67,7 +67,7 @@ void TakeCamera(RenderOptions& options, const std::string& word)
   {
     RefuseValue("--camera", word, "a focal point FX,FY,FZ apart from the position PX,PY,PZ");
   }
-  // Below this angle VTK chooses an up direction of its own, and the picture turns without a word.
+  // Below this angle VTK silently chooses another up direction.
   if (Length(camera.ViewUp) == 0.0 || SineBetween(direction, camera.ViewUp) < 1e-6)
   {
     RefuseValue("--camera", word, "an up direction UX,UY,UZ that is not along the view direction");
@@ -147,7 +147,7 @@ void TakeNext(RenderOptions& options, const std::string& word)
 }
 
 //------------------------------------------------------------------------------
-// A picture in another format than its name says would be a surprise.
+// The format of a picture must match its name.
 std::string NamedAs(
   const std::string& extension, const std::string& option, const std::string& word)
 {
@@ -187,8 +187,8 @@ struct Rows
     return this->Add(name, "", help, [&flag](RenderOptions&, const std::string&) { flag = true; });
   }
 
-  // One that is another way to say a parameter of a stage. `help` stands before the bounds and the
-  // default; `read` makes the parameter's words of the option's.
+  // An option that sets a parameter of a stage. `help` precedes the range and the default; `read`
+  // converts the option's value to the parameter's.
   vtkRelievoOption& AddOfStage(const std::string& use, const std::string& stage,
     const std::string& parameter, const std::string& help,
     const std::function<std::string(const std::string& word)>& read = nullptr)
@@ -201,7 +201,7 @@ struct Rows
                     const std::string& word) {
       const std::string words = read ? read(word) : word;
       const std::string wrong = check(words);
-      set.Parse(set.Default); // of the frame that has only been asked
+      set.Parse(set.Default); // resets the new frame, which serves only for its description
       if (wrong.empty())
       {
         AddStage(options->Stages, stage, name)
@@ -213,7 +213,7 @@ struct Rows
     return this->Command.Options.back();
   }
 
-  // @choices@ in the help stands for them.
+  // The choices replace @choices@ in the help.
   void AddChoice(const std::string& name, const std::string& form,
     const std::vector<std::string>& choices, std::string help,
     const std::function<void(std::size_t place)>& take)
@@ -240,7 +240,7 @@ vtkRelievoCommand DescribeRender(RenderOptions& all)
   rows.Command.Name = "render";
   rows.Command.Use = "FILE... --png F | --exr F | --baseline F | --report F";
   rows.Command.About = "render draws the FILEs off screen and writes the outputs that you request.";
-  // Words are parsed often: what is long is written once.
+  // Words are parsed often: long texts are made once.
   static const std::string extensions = Join(GetExtensions(), "|");
   static const std::string aboutFile = "." + Join(GetDataExtensions(), " .") +
     " and models, which may have bones: ." + Join(GetModelExtensions(), " .") +
@@ -254,20 +254,20 @@ vtkRelievoCommand DescribeRender(RenderOptions& all)
   static const std::string ofMaterial = DescribeValues(GetMaterialValues());
   static const std::string ofEnvironment = DescribeValues(GetEnvironmentValues());
   vtkRelievoOption& allowFolder = rows.Add("--allow-folder", "DIR",
-    "a folder that files may name others in, such as textures, buffers and pieces (each file's "
-    "own "
-    "folder); with what is below it",
+    "allows files to name others, such as textures, buffers and pieces, in this folder "
+    "and below (each file's own folder)",
     [](
       RenderOptions& options, const std::string& word) { options.AllowedFolders.push_back(word); });
   allowFolder.Repeats = true;
   allowFolder.Files = "/";
   rows.Add("--size", "WxH", "size of the picture in pixels, 1 to 16384 (1024x768)", TakeSize);
   rows.Add("--camera", "PX,PY,PZ,FX,FY,FZ,UX,UY,UZ",
-    "position, focal point, up (fitted to the scene, from the upper right, or with "
-    "--preset none along -z, y up, or as --up says; at a flat scene from its flat side)",
+    "position, focal point, up (fitted to the scene: from the upper right, or with "
+    "--preset none along -z with y or the axis of --up up; from the flat side of a flat "
+    "scene)",
     TakeCamera);
   rows.Add("--view-angle", "DEG",
-    "full vertical angle of the perspective, above 0 and below 180 (30)",
+    "full vertical angle of the perspective, degrees, above 0 and below 180 (30)",
     [](RenderOptions& options, const std::string& word) {
       options.View.Angle = ParseNumberBetween("--view-angle", word, 0.0, 180.0);
     });
@@ -277,23 +277,26 @@ vtkRelievoCommand DescribeRender(RenderOptions& all)
       options.View.ParallelScale = ParseNumberBetween("--parallel-scale", word, 0.0, Infinity);
     });
   vtkRelievoOption& lens = rows.Add("--lens", "LENS",
-    "what sees in place of a pinhole, in --png and --exr, whose layers are by rays: " +
+    "replaces the pinhole in --png and --exr; the layers are then computed by rays: " +
       vtkRelievoCalibration::GetForms(true) +
-      ", with ,K=FX/FY/CX/CY in pixels or ,angle=DEG that the height spans (the view angle); " +
+      ", with ,K=FX/FY/CX/CY in pixels or ,angle=DEG, the full vertical angle (the view "
+      "angle); " +
       vtkRelievoCalibration::GetForms(false) +
-      "; or a calibration's file, which says the size as well: .yml, .yaml, .json or .xml by "
+      "; or a calibration file, which also gives the size: .yml, .yaml, .json or .xml by "
       "OpenCV, ROS, Kalibr or EuRoC, also with .gz, or COLMAP's cameras.txt",
     TakeLens);
   lens.OfOutputs = true;
   lens.Files = "json|yml|yaml|xml|txt|gz";
   lens.Words = vtkRelievoCalibration::GetNames();
-  rows.Add("--clip", "NEAR,FAR", "clipping distances, 0 < NEAR < FAR (around the scene)", TakeClip);
+  rows.Add("--clip", "NEAR,FAR",
+    "clipping distances from the camera, 0 < NEAR < FAR (around the scene)", TakeClip);
   rows
     .Add("--image", "KIND",
-      "how images with depth (.vti, .vtk) are shown: labels, the smooth surface of each value but "
-      "0; surface[=VALUE], where VALUE is reached (that which parts the values best); volume; box, "
-      "the outer faces; auto, labels where there are any, else surface (auto with a preset and "
-      "without --color-by, else box)",
+      "how images with depth (.vti, .pvti, .vtk) are shown: labels, the smooth surface of "
+      "each value other than 0, for at most 2000 values; surface[=VALUE], the surface at "
+      "VALUE (the threshold that separates the values best); volume; box, the outer faces; "
+      "auto, labels if the image consists of labels, at most 2000, else surface (auto with "
+      "a preset and without --color-by and --scalar-bar, else box)",
       [](RenderOptions& options, const std::string& word) { options.Image = ParseImage(word); })
     .Words = { "auto", "labels", "surface", "volume", "box" };
   rows.AddChoice("--shading", "KIND", { "flat", "gouraud", "phong", "pbr" },
@@ -303,42 +306,43 @@ vtkRelievoCommand DescribeRender(RenderOptions& all)
     });
   rows
     .Add("--preset", "NAME",
-      "studio, town or print: lights, shadows, ground, background and a view from the upper "
-      "right, where no other option says them; none: VTK's headlight on black (studio, or what "
-      "the environment variable RELIEVO_PRESET says)",
+      "studio, town or print: lights, shadows, ground, background and a view from the "
+      "upper right, unless other options set them; none: VTK's headlight on black (the "
+      "environment variable RELIEVO_PRESET, or else studio)",
       TakePreset)
     .Words = GetPresetNames();
   rows.AddChoice("--ground", "ON", { "off", "on" },
-    "on or off: a ground below the scene that catches its shadows, in the picture alone (on with "
-    "the lights of studio and town)",
+    "on or off: a ground below the scene that catches its shadows, only in the picture "
+    "(on with the lights of studio and town)",
     [&all](std::size_t place) { all.Ground = place == 1; });
   rows.AddFlag("--grid",
-    "shows a grid round the scene, with numbers on its axes x, y and z, in the picture alone",
+    "shows a grid around the scene with numbers on its axes x, y and z, only in the "
+    "picture",
     all.Look.Grid);
   rows
     .Add("--scale-bar", "UNIT[,length=LENGTH]",
-      "shows a bar of a round length, or of LENGTH, at the lower right, in the picture alone, with "
-      "its number and the unit of the scene's lengths, such as mm; none: the number alone. In "
-      "perspective it is right at the depth of the focal point",
+      "shows a scale bar of a round length, or of LENGTH, at the lower right, only in the "
+      "picture. UNIT is the unit of the scene's coordinates, such as mm; none: the number "
+      "alone. In perspective the bar is correct at the depth of the focal point",
       TakePart<&RenderOptions::Look, TakeScaleBar>)
     .Words = { "none" };
   rows.Add("--color-by", "NAME[,COMPONENT]",
-    "colours by a point or cell array, point:NAME or cell:NAME where two share a "
-    "name; COMPONENT a number from 0, or magnitude (the magnitude; bytes of 3 or 4 "
-    "components are colours)",
+    "colours by a point or cell array, point:NAME or cell:NAME if two share a name; "
+    "COMPONENT is a number from 0, or magnitude (the active scalars; the magnitude; "
+    "bytes of 3 or 4 components are colours)",
     TakePart<&RenderOptions::Look, TakeColorBy>);
   rows
     .Add("--range", "MIN,MAX",
-      "values of the first and the last colour (those of all files together); symmetric: those, as "
-      "far below zero as above it",
+      "values of the first and the last colour (the array's finite range in all files); "
+      "symmetric: that range, extended to be symmetric around zero",
       TakePart<&RenderOptions::Look, TakeRange>)
     .Words = { "symmetric" };
   rows
     .Add("--colormap", "NAME",
-      "viridis, cool-warm, grey, hot or rainbow, or colours between commas, evenly placed or by "
-      "their share of the range, such as black,0.3=#ff8000,white; behind it :reversed, the other "
-      "way round, :log, by the logarithm of the values, :steps=N, in so many colours, :nan=COLOR, "
-      "of what is no number (viridis)",
+      "viridis, cool-warm, grey, hot or rainbow, or colours between commas, evenly spaced "
+      "or at shares of the range, such as black,0.3=#ff8000,white; then optionally "
+      ":reversed, :log (by the logarithm of the values), :steps=N (N colours) and "
+      ":nan=COLOR (the colour of NaN) (viridis)",
       TakePart<&RenderOptions::Look, TakeColormap>)
     .Words = GetColormapNames();
   rows.AddFlag(
@@ -347,39 +351,42 @@ vtkRelievoCommand DescribeRender(RenderOptions& all)
     "one colour for all meshes; COLOR is R/G/B from 0 to 1 as displays show it, "
     "#rrggbb, or a name such as slategray",
     TakePart<&RenderOptions::Look, TakeColor>);
-  rows.Add("--opacity", "A", "of all meshes and volumes, 0 to 1 (1)",
+  rows.Add("--opacity", "A", "opacity of all meshes and volumes, 0 to 1 (1)",
     TakePart<&RenderOptions::Look, TakeOpacity>);
   rows.Add("--point-size", "PIXELS",
-    "width of points, 1 to 100; those wider than 1 are spheres (4 with a preset, else 1)",
+    "width of points, 1 to 100 pixels; wider than 1, they are drawn as spheres (4 with a "
+    "preset, else 1)",
     TakePart<&RenderOptions::Look, TakePointSize>);
   rows.AddFlag("--edges", "draws the edges of cells", all.Look.Edges);
-  rows.Add("--background", "COLOR[,COLOR]", "one colour, or the bottom's and the top's (black)",
+  rows.Add("--background", "COLOR[,COLOR]",
+    "one colour, or a gradient: the bottom's and the top's (the preset's; black with "
+    "--preset none)",
     TakePart<&RenderOptions::Look, TakeBackground>);
   vtkRelievoOption& light =
     rows.Add("--light", "LIGHT", lights, TakeNext<&RenderOptions::Lights, ParseLight>);
   light.Repeats = true;
   light.Words = { "sun:", "spot:", "point:" };
   rows.Add("--fill", "F",
-    "share of the weak suns by which a preset fills what its first light, or --light, leaves "
-    "dark, 0 to 1 (1; 0.4 with --light)",
+    "strength of a preset's weak suns, which light the areas that its first light, or "
+    "--light, leaves dark, 0 to 1 (1; 0.4 with --light)",
     TakeFill);
   rows.Add("--time", "T", "the time of models with bones, in seconds (the animation's start)",
     TakePart<&RenderOptions::Model, TakeTime>);
   rows.Add("--times", "START:END:STEP",
-    "a frame for each of these times, the end included; the names of --png, --exr "
-    "and --report hold %d or %04d, the frame's number from 0. The fitted camera "
-    "sees all of them, and each frame's files are written whole before the next "
-    "frame",
+    "draws a frame for each of these times, including the end; the names of --png, --exr "
+    "and --report must contain %d or %04d, the frame number from 0. The fitted camera "
+    "sees all frames, and each frame's files are written before the next frame is drawn",
     TakePart<&RenderOptions::Model, TakeTimes>);
-  rows.Add("--animation", "NAME", "which of their animations (the first)",
+  rows.Add("--animation", "NAME", "the animation of the models to play (the first)",
     TakePart<&RenderOptions::Model, TakeAnimation>);
-  rows.Add("--blend", "NAME=W", "blends in another animation, W of the way, 0 to 1",
+  rows.Add("--blend", "NAME=W", "blends in another animation with weight W, 0 to 1",
     TakePart<&RenderOptions::Model, TakeBlend>);
-  rows.Add("--loop", "", "times after an animation's end start anew (the end holds)",
+  rows.Add("--loop", "",
+    "times after the end of an animation start again from its beginning (the end holds)",
     TakePart<&RenderOptions::Model, TakeLoop>);
   rows.AddChoice("--skin", "METHOD", { "linear", "dual-quaternion", "key-matrix", "off" },
-    "how their bones move points: linear, dual-quaternion, key-matrix, or off for the mesh at rest "
-    "(linear)",
+    "how bones move points: linear, dual-quaternion, key-matrix, or off for the mesh at "
+    "rest (linear)",
     [&all](std::size_t place) {
       constexpr SkinChoice kinds[] = { SkinChoice::Linear, SkinChoice::DualQuaternion,
         SkinChoice::KeyMatrix, SkinChoice::Off };
@@ -387,11 +394,11 @@ vtkRelievoCommand DescribeRender(RenderOptions& all)
       all.Model.Given = true;
     });
   rows.Add("--skeleton", "",
-    "draws the bones, and the axes of their joints in red, green and blue; "
-    "--opacity makes the mesh see-through, not them",
+    "draws the bones, and the axes of their joints in red, green and blue; --opacity "
+    "affects only the mesh",
     TakePart<&RenderOptions::Model, TakeSkeleton>);
   rows.Add("--bone-weight", "BONE",
-    "colours by the weight of one bone; --color-by first_bone by the strongest",
+    "colours by the weight of one bone; --color-by first_bone colours by the strongest",
     TakePart<&RenderOptions::Model, TakeBoneWeight>);
   rows.AddChoice("--shadows", "METHOD", { "off", "map", "forward", "warped", "exact" },
     "shadows of the lights in the picture: @choices@ (map with studio and town, else off)",
@@ -401,42 +408,44 @@ vtkRelievoCommand DescribeRender(RenderOptions& all)
       all.ShadowMethod = methods[place];
     });
   rows.AddOfStage("--shadow-size N", "shadows", "map_size", "Side of each shadow map");
-  rows.AddOfStage("--soft-shadows N", "shadows", "soft_samples",
-    "Shadows of lights with a size: the mean of N samples of each light's shape");
+  rows.AddOfStage("--soft-shadows N", "shadows", "soft_samples", "-").Help =
+    "shadows of lights with a size: the mean of N samples of each light's shape, 0 to "
+    "4096 (24 with studio and town, 4 with --image volume, unless --shadows, --certify, "
+    "--shadow-tolerance, --time-budget or --layers is given; else 0: hard shadows)";
   rows.AddOfStage("--colored-shadows", "shadows", "colored_shadows",
-    "Translucent meshes cast as well, and colour the light that passes them, as stained glass "
-    "does; "
-    "needs --shadows exact");
+    "Translucent meshes cast shadows too, and colour the light that passes them; needs "
+    "--shadows exact");
   rows
     .AddOfStage("--shadow-tolerance S", "shadows", "tolerance", "-",
       [](const std::string& word) { return WriteNumber(ParseShare("--shadow-tolerance", word)); })
-    .Help =
-    "shadows by the cheapest method that is expected to get at most this share of the pixels "
-    "wrong, such as 0.05% or 0.0005";
+    .Help = "shadows by the cheapest method with an expected share of wrong pixels of at most S, "
+            "such as 0.05% or 0.0005";
   rows
     .AddOfStage("--time-budget MS", "shadows", "time_budget", "-",
       [](const std::string& word) {
         return WriteNumber(ParseNumberBetween("--time-budget", word, 0.0, Infinity));
       })
-    .Help = "shadows by the most accurate method whose frames are expected to take at most so many "
+    .Help = "shadows by the most accurate method whose frames are expected to take at most MS "
             "milliseconds";
   rows
     .Add("--certify", "N",
-      "judges N verdicts of the shadows, chosen at random, by rays in double "
-      "precision, and prints the share that is wrong, with its 95 % bound",
+      "checks N shadow verdicts, chosen at random, by rays in double precision, and prints "
+      "the share of wrong ones with its 95 % bound",
       TakeCertify)
     .OfOutputs = true;
   rows
     .Add("--ambient", "STRENGTH[,radius=R][,NAME=VALUE]...",
-      "ambient occlusion: opaque surfaces are darker by up to this share, 0 to 1, where they see "
-      "less of the sky, by rays; beyond R world units nothing hides it (0: no limit). Other values "
-      "are those of the stage ambient, such as samples=N rays of each pixel (64)",
+      "ambient occlusion by rays: opaque surfaces are darker by up to this share, 0 to 1, "
+      "where they see less of the sky; R limits the distance of occluders in world units "
+      "(0: no limit). Other values are parameters of the stage ambient, such as samples=N, "
+      "rays per pixel (64)",
       TakeAmbient)
     .Sets = "ambient";
   rows
     .Add("--normal-map", "F",
-      "normals from an image (" + listed +
-        "; OpenGL's green), placed by the meshes' texture coordinates; linear values, not sRGB",
+      "tangent-space normals from an image (" + listed +
+        "; green points up, as in OpenGL), placed by the meshes' texture coordinates; linear "
+        "values, not sRGB",
       [](RenderOptions& options, const std::string& word) { options.Surface.NormalMap = word; })
     .Files = images;
   rows
@@ -452,28 +461,32 @@ vtkRelievoCommand DescribeRender(RenderOptions& all)
     "other values of the material of all surfaces" + ofMaterial,
     TakePart<&RenderOptions::Surface, TakeMaterial>);
   rows.AddChoice("--texture-coordinates", "METHOD", { "box", "plane", "sphere" },
-    "for meshes without them, to place maps: @choices@ (box, with a note)",
+    "how texture coordinates are made for meshes without them: @choices@ (box, with a "
+    "note)",
     [&all](std::size_t place) {
       constexpr Mapping methods[] = { Mapping::Box, Mapping::Plane, Mapping::Sphere };
       all.Surface.TextureMapping = methods[place];
     });
   rows
     .Add("--environment", "F[,DEG][,NAME=VALUE]...",
-      "light from all directions, which surfaces mirror and are lit by, from an image (" + listed +
-        ") that is twice as wide as high, or from a square one of a mirror ball; rotated by DEG "
-        "about the up axis (0). 8 and 16 bits are sRGB, floats linear light. Other values are" +
+      "light from all directions, for reflections and ambient light, from an image (" + listed +
+        ") that is twice as wide as high, or square for a photograph of a mirror ball; "
+        "rotated by DEG about the up axis (0). 8 and 16 bits are sRGB, floats linear light. "
+        "Other values are" +
         ofEnvironment,
       TakePart<&RenderOptions::Surface, TakeEnvironment>)
     .Files = images;
   rows.Add("--reflectivity", "R[,ROUGHNESS]",
-    "share of the environment that is mirrored at normal incidence, and roughness "
-    "of the mirror, each 0 to 1 (0.04,0.2)",
+    "share of the environment's light that surfaces mirror at normal incidence, and "
+    "roughness of the mirror, each 0 to 1 (0.04,0.2)",
     TakePart<&RenderOptions::Surface, TakeReflectivity>);
   rows.AddFlag("--skybox", "shows the environment behind everything", all.Surface.Skybox);
   rows.AddChoice("--up", "AXIS", { "x", "y", "z" },
-    "the up axis, @choices@, of --environment, the fitted camera, the ground, shadows of "
-    "--markers and --texture-coordinates (y with --preset none; else by the first file: z for STL, "
-    "grids with depth, and what stands on z = 0, else y)",
+    "the up axis, @choices@, of --environment, the fitted camera, the ground, "
+    "--texture-coordinates and the shadows of --markers (y with --preset none; else by "
+    "the first file: y for models; z for data that is low along z, unless it stands on y "
+    "= 0 like a figure; y or z for data that stands on y = 0 or on z = 0; else z for STL "
+    "and grids with depth, y for others)",
     [&all](std::size_t place) { all.UpAxis = static_cast<int>(place); });
   for (const PointStage& stage : GetPointStages())
   {
@@ -484,8 +497,8 @@ vtkRelievoCommand DescribeRender(RenderOptions& all)
     points.Files = extensions;
   }
   vtkRelievoOption& deferred = rows.Add("--deferred", "",
-    "shades opaque surfaces once for each pixel, after they are drawn: the same "
-    "picture, sooner where much is drawn over each other",
+    "shades opaque surfaces once per pixel, after they are drawn: the same picture, "
+    "faster if many surfaces overlap",
     [](RenderOptions& options, const std::string&) {
       AddStage(options.Stages, "deferred", "--deferred");
     });
@@ -496,21 +509,23 @@ vtkRelievoCommand DescribeRender(RenderOptions& all)
   stage.Repeats = true;
   stage.Sets = "any";
   vtkRelievoOption& tone = rows.Add("--tone", "OPERATOR[,white=W]",
-    "how light above 1 is shown in the picture: clamp, simple, reinhard or "
-    "reinhard-rgb; W is the light that becomes white (reinhard,white=4, if "
-    "--exposure is given). The EXR's colour is the light before",
+    "how light above 1 is shown in the picture: clamp, simple, reinhard or reinhard-rgb; "
+    "W is the light that becomes white (reinhard,white=4, if --exposure is given). The "
+    "EXR stores the colour before the operator",
     TakeTone);
   tone.Sets = "tone";
   tone.Words = { "clamp", "simple", "reinhard", "reinhard-rgb" };
   vtkRelievoOption& exposure = rows.Add("--exposure", "STOPS",
-    "multiplies the light by 2 to this power, -20 to 20, or auto (0)", TakeExposure);
+    "multiplies the light by 2 to this power, -20 to 20; auto: makes the mean of the "
+    "drawn pixels a middle grey (0)",
+    TakeExposure);
   exposure.Sets = "tone";
   exposure.Words = { "auto" };
   vtkRelievoOption& layers = rows.Add("--layers", "A,B,...",
-    "layers in the EXR besides its colour (depth), of " +
-      vtkRelievoLayerCatalogue::GetLayerNames() +
-      " (shadow_N: visibility of the Nth --light, from 0: 1 lit, 0 dark), or the name "
-      "of a point or cell array; with --times flow, motion and flow_valid, to the frame before",
+    "layers in the EXR besides its colour (depth): " + vtkRelievoLayerCatalogue::GetLayerNames() +
+      " (shadow_N: visibility of the Nth --light, from 0: 1 lit, 0 dark), or the name of a "
+      "point or cell array; with --times also flow, motion and flow_valid, towards the "
+      "previous frame",
     TakeLayers);
   layers.Repeats = true;
   layers.OfOutputs = true;
@@ -522,8 +537,8 @@ vtkRelievoCommand DescribeRender(RenderOptions& all)
   png.Files = "png";
   rows
     .AddFlag("--transparent",
-      "the picture without its background, RGBA; of the ground its shadows remain, as black that "
-      "is seen through",
+      "the picture without its background, RGBA; the ground shows only its shadows, as "
+      "translucent black",
       all.Transparent)
     .OfOutputs = true;
   vtkRelievoOption& exr = rows.Add("--exr", "F",
@@ -534,8 +549,7 @@ vtkRelievoCommand DescribeRender(RenderOptions& all)
   exr.OfOutputs = true;
   exr.Files = "exr";
   rows
-    .AddFlag(
-      "--hdr", "the colour of the EXR as the lights give it, unclamped, half floats", all.HDR)
+    .AddFlag("--hdr", "stores the EXR's colour unclamped, as linear light in half floats", all.HDR)
     .OfOutputs = true;
   vtkRelievoOption& baseline = rows.Add("--baseline", "F",
     "OpenEXR for `relievo compare`: the picture, the layers that tell causes, and a record of "
@@ -545,9 +559,9 @@ vtkRelievoCommand DescribeRender(RenderOptions& all)
     });
   baseline.OfOutputs = true;
   baseline.Files = "exr";
-  vtkRelievoOption& report =
-    rows.Add("--report", "F", "frame report, JSON: what ran and why, GPU ms, bytes held",
-      [](RenderOptions& options, const std::string& word) { options.Report = word; });
+  vtkRelievoOption& report = rows.Add("--report", "F",
+    "the frame report, JSON: which stages ran and why, GPU milliseconds, bytes held",
+    [](RenderOptions& options, const std::string& word) { options.Report = word; });
   report.OfOutputs = true;
   report.Files = "json";
   return rows.Command;
@@ -564,7 +578,7 @@ const vtkRelievoCommand& GetRenderCommand()
 namespace
 {
 //------------------------------------------------------------------------------
-// Whether --stage sets a parameter of the shadows, to this value if there is one.
+// Whether --stage sets a parameter of the shadows; with `value`, whether to this value.
 bool SetsShadows(
   const RenderOptions& options, const std::string& parameter, const std::string& value = {})
 {
@@ -573,8 +587,8 @@ bool SetsShadows(
 }
 
 //------------------------------------------------------------------------------
-// An option and a parameter of --stage that set one thing may contradict each other. What points'
-// own options say of their stage counts more.
+// Rejects an option and a --stage parameter that set the same value. Options of points override
+// their stage's parameters instead.
 void CheckSaidOnce(const RenderOptions& options, const std::set<std::string>& given)
 {
   std::vector<StageChoice> said = options.Stages;
@@ -598,7 +612,7 @@ void CheckSaidOnce(const RenderOptions& options, const std::set<std::string>& gi
 }
 
 //------------------------------------------------------------------------------
-// Options about shadows where there are none would change nothing.
+// Rejects options about shadows that have no effect without shadows.
 void CheckShadowsAsked(const RenderOptions& options, const std::set<std::string>& given)
 {
   const bool asked = given.count("--shadows") != 0 || options.ShadowMethod != Shadows::Off ||
@@ -616,7 +630,8 @@ void CheckShadowsAsked(const RenderOptions& options, const std::set<std::string>
   if (given.count("--colored-shadows") && options.ShadowMethod != Shadows::Exact &&
     !SetsShadows(options, "method", "exact"))
   {
-    throw UsageError("--colored-shadows: maps know no colours: give --shadows exact as well");
+    throw UsageError(
+      "--colored-shadows: shadow maps store no colour: give --shadows exact as well");
   }
   const bool sized =
     std::any_of(options.Lights.begin(), options.Lights.end(), [](const LightChoice& light) {
@@ -638,8 +653,9 @@ void CheckLens(const RenderOptions& options)
   }
   if (options.View.ParallelScale && options.Lens.rfind("orthographic", 0) != 0)
   {
-    throw UsageError("--lens and --parallel-scale: give one of them; a lens sees from one place, "
-                     "and orthographic alone does not");
+    throw UsageError(
+      "--lens and --parallel-scale: give one of them; only the lens orthographic is a "
+      "parallel projection, with its own scale");
   }
   const std::pair<bool, const char*> others[] = {
     { options.Transparent, "--transparent: its background is told apart in a pinhole's picture" },
@@ -727,7 +743,7 @@ RenderOptions ParseOptions(const std::vector<std::string>& words)
   RenderOptions options;
   const std::set<std::string> seen = TakeArguments(words, DescribeRender(options),
     [&](const std::string& word) { options.Files.push_back(word); });
-  // What the points' own options say of their stage counts more than --stage.
+  // Options of points override --stage.
   std::stable_partition(options.Stages.begin(), options.Stages.end(),
     [](const StageChoice& choice) { return choice.Option.find(' ') == std::string::npos; });
   ApplyPreset(options, seen);
@@ -735,7 +751,8 @@ RenderOptions ParseOptions(const std::vector<std::string>& words)
   if (options.Ground.value_or(false) && !options.Surface.Environment.empty() &&
     std::none_of(options.Stages.begin(), options.Stages.end(), darkens))
   {
-    // An environment's light casts no shadows: on the ground it falls as from an even sky.
+    // An environment's light casts no shadows: on the ground it falls like light from a uniform
+    // sky.
     AddStage(options.Stages, "ambient", "--ground").Parameters = { { "enabled", "on" },
       { "only_catchers", "on" } };
   }

@@ -20,8 +20,8 @@ const char* const Form = "FILE[,NAME=VALUE]...";
 std::string DescribePoints(const PointStage& stage)
 {
   std::string text = "the points of FILE as " + stage.Points->GetThings() +
-    "; may be repeated. Values of points are numbers for all, or names of point arrays (those of "
-    "the values' names)" +
+    "; may be repeated. Values are numbers for all points, or names of point arrays (the "
+    "array with the value's name, else the default)" +
     DescribeValues(stage.Points->GetDescription());
   return stage.Parameters.empty()
     ? text
@@ -55,7 +55,7 @@ const PointStage& FindStage(const std::string& name)
     stages.begin(), stages.end(), [&name](const PointStage& stage) { return stage.Name == name; });
 }
 
-// A parameter of the stage is that of all points.
+// A stage's parameter applies to all points.
 void TakeStageParameter(RenderOptions& options, const std::string& stage, const std::string& name,
   const std::string& value)
 {
@@ -74,8 +74,8 @@ void TakeStageParameter(RenderOptions& options, const std::string& stage, const 
   AddStage(options.Stages, stage, option).Parameters.emplace_back(name, value);
 }
 
-// Throws UsageError for what has no effect beside the others; values of points may be for another
-// shape, too.
+// Throws UsageError for parameters without effect beside the others; values of points are exempt,
+// because they may be for points of another shape.
 void CheckTogether(
   const std::string& option, vtkRelievoPointValues* points, const NamedWords& values)
 {

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * --lamps, --fog, --markers: files of points with values, for the stages that draw such. Which
- * stages these are, and which values they take, they say themselves.
+ * Files of points with values, for the stages that draw points: --lamps, --fog, --markers. The list
+ * of stages and their values comes from the stages' own descriptions.
  */
 #ifndef PointOptions_h
 #define PointOptions_h
@@ -23,35 +23,33 @@ struct RenderOptions;
 struct PointStage
 {
   std::string Name;
-  vtkSmartPointer<vtkRelievoPointValues> Points; ///< new ones, for what they say of themselves
-  std::vector<std::string> Parameters;           ///< of the stage, which its option takes as well
-  std::string Help;                              ///< of the option
+  vtkSmartPointer<vtkRelievoPointValues> Points; ///< new ones, for their description
+  std::vector<std::string> Parameters;           ///< stage parameters that the option accepts too
+  std::string Help;                              ///< help of the option
 };
 
-/// Of a frame, in its order.
+/// The point stages of a frame, in its order.
 const std::vector<PointStage>& GetPointStages();
 
-/// New values of points for a stage of that name.
+/// New values of points for the stage of that name.
 vtkSmartPointer<vtkRelievoPointValues> MakePointValues(const std::string& stage);
 
-/// What an option asks for.
+/// One use of such an option.
 struct PointsChoice
 {
   std::string Stage;
   std::string File;
-  NamedWords Values; ///< of points, by name
+  NamedWords Values; ///< values of points, by name
 };
 
-/// FILE[,NAME=VALUE]... behind the option of a stage: values of points, or parameters of the stage.
-/// Throws UsageError.
+/// Parses FILE[,NAME=VALUE]...: values of points, or parameters of the stage. Throws UsageError.
 void TakePoints(RenderOptions& options, const std::string& stage, const std::string& word);
 
-/// The file, and the names with their values, each once; a comma of one is written \,. Throws
-/// UsageError.
+/// Parses the file and the values, each name once; \, is a comma within a value. Throws UsageError.
 std::string ParseFileAndValues(
   const std::string& option, const std::string& word, NamedWords& values);
 
-/// The word that ParseFileAndValues reads so.
+/// Writes a word that ParseFileAndValues accepts.
 std::string WriteFileAndValues(const std::string& file, const NamedWords& values);
 }
 

@@ -21,9 +21,9 @@ namespace
 struct Preset
 {
   const char* Name;
-  std::array<double, 3> Towards; // the first light: right, up, and to the fitted camera
+  std::array<double, 3> Towards; // to the first light: right, up, and to the fitted camera
   Color Light;
-  double Angle; // of its disc, degrees; below 0: it casts no shadow, and there is no ground
+  double Angle; // of the light's disc, degrees; negative: no shadow, and no ground
   Color Fill;
   std::vector<Color> Background; // bottom, top
 };
@@ -31,10 +31,10 @@ struct Preset
 const std::vector<Preset>& GetPresets()
 {
   static const std::vector<Preset> presets = {
-    // A large lamp at the left before a light wall.
+    // A large lamp at the left in front of a light wall.
     { "studio", { -0.65, 0.9, 0.6 }, { 0.66, 0.65, 0.63 }, 6.0, { 0.30, 0.31, 0.33 },
       { { 0.80, 0.82, 0.85 }, { 0.95, 0.96, 0.97 } } },
-    // A sun in the afternoon, and the sky, which is bluer.
+    // An afternoon sun, and the sky, which is bluer.
     { "town", { -0.75, 0.6, 0.45 }, { 0.76, 0.68, 0.54 }, 0.53, { 0.27, 0.30, 0.36 },
       { { 0.86, 0.90, 0.94 }, { 0.45, 0.64, 0.87 } } },
     // On white paper, without shadows.
@@ -44,25 +44,25 @@ const std::vector<Preset>& GetPresets()
   return presets;
 }
 
-// From where weak suns fill what the first light leaves, so that wherever the camera goes no side
-// is black, in shadows neither: a fifth of the light at least is there. The last one is weaker.
+// Directions of weak suns that fill the first light's shadows, so that no side is black from any
+// camera: at least a fifth of the light arrives everywhere. The last one is weaker.
 constexpr std::array<double, 3> Fills[] = { { 1.0, 0.2, 0.3 }, { -0.5, 0.2, -1.0 },
   { 0.0, -1.0, 0.1 }, { -0.6, 0.6, 0.8 } };
 constexpr double LastFill = 0.8;
 
-// Of soft shadows and of smooth edges.
+// Samples of soft shadows and of antialiasing.
 constexpr int Samples = 24;
 
-// That the soft shadows of suns are looked up in.
+// Maps per sun for soft shadows.
 constexpr int SoftMaps = 8;
 
-// Of both beside a volume, which has no edges, casts no shadows, and takes long to draw.
+// Samples for volumes, which have no edges, cast no shadows, and take long to draw.
 constexpr int SamplesOfVolumes = 4;
 
-// Of clouds, so that they are seen on a light background.
+// Size of points in clouds, visible on a light background.
 constexpr double PointSize = 4.0;
 
-// From the upper right, so that three sides of a box are seen.
+// From the upper right: shows three sides of a box.
 constexpr std::array<double, 3> ThreeQuarter = { 0.5, 0.4, 1.0 };
 
 LightChoice MakeSun(const std::array<double, 3>& towards, const Color& color, const char* name)
@@ -77,8 +77,8 @@ LightChoice MakeSun(const std::array<double, 3>& towards, const Color& color, co
   return light;
 }
 
-// Where lights were asked for, they are in the place of the first one, and the fill is weaker: with
-// it, a white surface in one of them is not brighter than white.
+// Lights given by --light replace the first one, and the fill is weaker: a white surface in one of
+// them is then not brighter than white.
 constexpr double ShareOfOthers = 0.8;
 constexpr double ShareOfFill = 0.4;
 
@@ -111,7 +111,7 @@ void AddSuns(RenderOptions& options, const Preset& preset, bool others)
   }
 }
 
-// Where nothing is said of shadows; layers and verdicts are those of lights that are points.
+// Applies if no option sets shadows; layers and verdicts use point lights.
 void AddShadows(RenderOptions& options, const std::set<std::string>& given, int samples)
 {
   if (given.count("--shadows") == 0)
@@ -121,7 +121,7 @@ void AddShadows(RenderOptions& options, const std::set<std::string>& given, int 
     if (!says("--soft-shadows") && !says("--certify") && !says("--shadow-tolerance") &&
       !says("--time-budget") && !says("--layers"))
     {
-      // Before what is said by --stage and by options, which count more.
+      // Placed first, because --stage and options take precedence.
       options.Stages.insert(options.Stages.begin(),
         { "shadows",
           { { "soft_samples", std::to_string(samples) },
@@ -179,7 +179,7 @@ void DropIdleFill(Settings& settings)
       settings = without;
     }
   }
-  catch (const std::exception&) // whoever sets them will be told
+  catch (const std::exception&) // reported when the options are set
   {
   }
 }
@@ -193,8 +193,8 @@ std::string WriteKeyLight(const Settings& settings, int upAxis)
     return "";
   }
   const LightChoice& key = lights.front();
-  // By angles, which hold with any axis: a direction of the world's axes lights the next file from
-  // beneath where another axis of it points up.
+  // Written as angles, which suit any up axis: a direction in world axes would light the next file
+  // from below if another of its axes points up.
   const SunAngles angles = GetSunAngles(key.GetDirection(upAxis), upAxis);
   const auto number = [](double value) { return WriteNumber(value); };
   LightWords words = { "sun", WriteNumbers({ angles.Azimuth, angles.Elevation }), {} };
@@ -239,14 +239,14 @@ void ApplyPreset(RenderOptions& options, const std::set<std::string>& given)
   }
   const auto preset = std::find_if(GetPresets().begin(), GetPresets().end(),
     [&options](const Preset& each) { return options.Preset == each.Name; });
-  // An environment lights alone, unless the preset was asked for as well.
+  // An environment is the only light, unless a preset was requested as well.
   const bool lights = preset != GetPresets().end() &&
     (given.count("--environment") == 0 || given.count("--preset") > 0);
   if (given.count("--fill") > 0 && !lights)
   {
     throw UsageError(preset == GetPresets().end()
-        ? "--fill: the preset none has no lights that fill: give --preset NAME as well"
-        : "--fill: the environment lights alone: give --preset NAME as well");
+        ? "--fill: the preset none has no fill lights: give --preset NAME as well"
+        : "--fill: the environment is the only light: give --preset NAME as well");
   }
   if (preset == GetPresets().end())
   {

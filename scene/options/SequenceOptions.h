@@ -12,12 +12,12 @@ namespace scene
 {
 struct RenderOptions;
 
-/// Sets what the options mean for each other. Throws UsageError if they are given and no file can
-/// have bones, or if a sequence's files have no number in their names.
+/// Resolves how the options depend on each other. Throws UsageError if they are given and no file
+/// can have bones, or if a sequence's file names lack a number.
 void CheckModelOptions(RenderOptions& options);
 
-/// The name of a frame's file: %d or %04d is its number. "" for a name without a number, or with
-/// several.
+/// The file name of a frame: %d or %04d becomes its number. "" for a name with no or several such
+/// places.
 std::string GetFrameName(const std::string& name, int frame);
 }
 

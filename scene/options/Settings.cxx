@@ -25,13 +25,13 @@ std::string GetFirstTime(const std::string& times)
   return WriteNumber(model.Times.front());
 }
 
-// Of which one sample is none.
+// One sample switches antialiasing off.
 bool IsOff(const std::string& stage, const std::string& samples)
 {
   return stage == "antialias" && samples == "1";
 }
 
-// Of stages that are there without being asked for.
+// Whether a stage takes part without being requested.
 bool IsThere(const std::string& stage)
 {
   const vtkRelievoStageDescription& says = GetNewFrame()->GetStage(stage)->GetDescription();
@@ -81,7 +81,7 @@ void Settings::TakeStages(const RenderOptions& options)
   {
     if (!option.Sets.empty())
     {
-      this->Remove(option.Name); // said as parameters of stages instead
+      this->Remove(option.Name); // set as parameters of stages instead
     }
   }
   for (const StageChoice& choice : options.Stages)
@@ -111,7 +111,7 @@ void Settings::TakeStages(const RenderOptions& options)
 }
 
 //------------------------------------------------------------------------------
-// Of files of points; it is said as the stage's parameter.
+// Files of points are the stage's parameter.
 void Settings::DropValue(const std::string& option, const std::string& name)
 {
   std::vector<std::string> words = this->GetAll(option);
@@ -157,7 +157,7 @@ void Settings::ChangePaths(const std::string& folder, PathChange change)
 void Settings::MakePathsAbsolute(const std::string& folder)
 {
   this->ChangePaths(folder, [](const std::string& path, const std::string& in) {
-    return (std::filesystem::path(in) / path).string(); // as it is, if it is absolute
+    return (std::filesystem::path(in) / path).string(); // an absolute path stays unchanged
   });
 }
 
@@ -294,7 +294,7 @@ std::string Settings::GetParameter(const std::string& stage, const std::string& 
 }
 
 //------------------------------------------------------------------------------
-// Of what no word says: the preset's, where it has one.
+// The value without any option: the preset's, if it has one.
 std::string Settings::GetStandard(const std::string& stage, const std::string& parameter) const
 {
   if (IsOfPresets(stage, parameter))
@@ -314,7 +314,7 @@ bool Settings::IsStageOn(const std::string& stage) const
     return this->ShowsShadows();
   }
   const bool enabled = this->GetParameter(stage, "enabled") == "on";
-  if (!enabled || stage != "antialias") // which presets ask for
+  if (!enabled || stage != "antialias") // presets request it
   {
     return enabled && this->IsStageAsked(stage);
   }
@@ -333,7 +333,7 @@ void Settings::SwitchStage(const std::string& stage, bool on)
     return;
   }
   this->AskStage(stage, false);
-  if (on != this->IsStageOn(stage)) // which a preset may be the reason of
+  if (on != this->IsStageOn(stage)) // a preset may set it
   {
     this->SetParameter(stage, "enabled", on ? "on" : "off");
   }
@@ -342,12 +342,13 @@ void Settings::SwitchStage(const std::string& stage, bool on)
 //------------------------------------------------------------------------------
 void Settings::SetShadows(bool on, const std::string& method)
 {
-  this->SetGiven("shadows", "method", "map"); // which is the default
+  this->SetGiven("shadows", "method", "map"); // the default
   if (on)
   {
     const bool wasOff = this->Get("--shadows") == "off";
     this->Remove("--shadows");
-    if (!wasOff || method != "map" || !this->ShowsShadows()) // the preset's, which are soft
+    if (!wasOff || method != "map" || !this->ShowsShadows()) // otherwise the preset's, which are
+                                                             // soft
     {
       this->Set("--shadows", method);
     }
@@ -355,7 +356,7 @@ void Settings::SetShadows(bool on, const std::string& method)
   else
   {
     this->Remove("--shadows");
-    if (this->ShowsShadows()) // the preset's
+    if (this->ShowsShadows()) // set by the preset
     {
       this->Set("--shadows", "off");
     }
@@ -457,7 +458,7 @@ void Settings::TakeChanges(const Settings& before, const Settings& after)
     const std::size_t colon = change.find(':');
     if (change.empty())
     {
-      continue; // files are each one's own
+      continue; // each settings object keeps its own files
     }
     if (colon == std::string::npos)
     {

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * All that the window shows, as the words of `relievo render`: files, and options with their
- * values. Every stage has at most one --stage; options that are another way to say the same
- * (--tone, --deferred, --shadow-size ...) become that word, and whether shadows are seen, and by
- * which method, is --shadows. What is written, and where, is no part of it.
+ * The viewer's settings as words of `relievo render`: files, and options with their values. Every
+ * stage has at most one --stage; options that are synonyms for its parameters (--tone, --deferred,
+ * --shadow-size ...) are converted to it; the visibility and the method of shadows are --shadows.
+ * Outputs are not part of the settings.
  */
 #ifndef Settings_h
 #define Settings_h
@@ -26,39 +26,39 @@ class Settings
 public:
   std::vector<std::string> Files;
 
-  /// Throws UsageError for words that `relievo render` refuses, outputs apart.
+  /// Throws UsageError for words that `relievo render` refuses, except for missing outputs.
   static Settings FromWords(const std::vector<std::string>& words);
 
-  /// Files of all options as seen from a folder: they hold in another one's shell too.
+  /// Makes the paths of all options absolute, relative to a folder: they work in another shell too.
   void MakePathsAbsolute(const std::string& folder);
 
-  /// Those in the folder and below, which move with it; others stay absolute.
+  /// Makes paths in the folder and below relative, to move with it; others stay absolute.
   void MakePathsRelative(const std::string& folder);
 
   /// Options, then files.
   std::vector<std::string> GetWords() const;
 
-  /// What the command line makes of the words; throws UsageError.
+  /// The command line's options for the words; throws UsageError.
   RenderOptions Parse() const;
 
   bool Has(const std::string& option) const { return this->Values.count(option) != 0; }
 
-  /// The words of an option, those of stages among them.
+  /// The words of an option, including those of stages.
   std::vector<std::string> GetAllWords(const std::string& option) const;
 
   /// The first value; "" if it was not given.
   std::string Get(const std::string& option) const;
   std::vector<std::string> GetAll(const std::string& option) const;
 
-  /// One value instead of all; a flag's is "".
+  /// Replaces all values by one; a flag's is "".
   void Set(const std::string& option, const std::string& value);
   void SetAll(const std::string& option, const std::vector<std::string>& values);
   void Remove(const std::string& option) { this->Values.erase(option); }
 
   ///@{
-  /// Stages. A parameter's value is in words; that of one that was not given is the
-  /// preset's or its default.
-  /// Setting a parameter asks for its stage.
+  /// Stages. A parameter's value is in words; the value of a missing one is the preset's or the
+  /// default.
+  /// Setting a parameter requests its stage.
   bool IsStageAsked(const std::string& stage) const { return this->Stages.count(stage) != 0; }
   void AskStage(const std::string& stage, bool asked);
   bool HasParameter(const std::string& stage, const std::string& parameter) const
@@ -74,10 +74,10 @@ public:
   void SwitchStage(const std::string& stage, bool on);
   ///@}
 
-  /// Options, and STAGE:PARAMETER, that the other says differently; "" for files.
+  /// Options, and STAGE:PARAMETER, with different values in `other`; "" for files.
   std::set<std::string> GetChanges(const Settings& other) const;
 
-  /// What `after` says differently than `before`, files apart, is said here as well.
+  /// Applies the differences between `before` and `after`, except files, to these settings.
   void TakeChanges(const Settings& before, const Settings& after);
 
   bool operator==(const Settings& other) const;

@@ -42,7 +42,7 @@ void CheckShadowWishes(RenderOptions& options, const std::set<std::string>& give
     }
     if (given.count(wish))
     {
-      options.ShadowMethod = Shadows::Map; // seen, by the method that is chosen
+      options.ShadowMethod = Shadows::Map; // visible; the method is chosen later
     }
   }
   if (options.Certify && options.ShadowMethod == Shadows::Off && !SetsShadows(options) &&

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Options of `relievo render` about how right shadows are: what their method is chosen for, and
- * whether that is proven. Each throws UsageError.
+ * Options of `relievo render` about the accuracy of shadows: goals for choosing the method, and
+ * certification. Each throws UsageError.
  */
 #ifndef ShadowOptions_h
 #define ShadowOptions_h
@@ -14,18 +14,17 @@ namespace scene
 {
 struct RenderOptions;
 
-/// Rays.
+/// Maximum number of rays.
 void TakeCertify(RenderOptions& options, const std::string& word);
 
-/// Whether they go together with the `given` options; a goal of right or quick shadows switches
-/// them on.
+/// Checks that the goals fit the `given` options; a goal of accuracy or speed switches shadows on.
 void CheckShadowWishes(RenderOptions& options, const std::set<std::string>& given);
 
-/// Whether shadows are seen in the picture, by whichever option.
+/// Whether any option shows shadows in the picture.
 bool ShowsShadows(const RenderOptions& options);
 
-/// Throws UsageError if a layer is of a light beyond the `lights` that there are. `whose` says in
-/// the message what they are, such as "--light options".
+/// Throws UsageError if a layer refers to a light beyond the `lights` available. `whose` names the
+/// lights in the message, such as "--light options".
 void CheckShadowLayers(const RenderOptions& options, int lights, const std::string& whose);
 }
 

@@ -14,7 +14,7 @@ namespace scene
 {
 namespace
 {
-// TrySetParameter of the stage's switch.
+// TrySetParameter for the stage's switch.
 std::string TrySwitch(vtkRelievoStage* stage, const std::string& words)
 {
   const bool enabled = stage->GetEnabled();

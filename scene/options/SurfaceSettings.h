@@ -12,14 +12,14 @@ namespace scene
 {
 class Settings;
 
-/// Sets a value of --material or --environment, in words; "" takes it back.
+/// Sets a value of --material or --environment, in words; "" removes it.
 void SetSurfaceValue(Settings& settings, const std::string& name, const std::string& words);
 
-/// The word of --environment, whose other values stay; "" takes it back.
+/// Sets the file of --environment and keeps its other values; "" removes the option.
 void SetEnvironmentFile(Settings& settings, const std::string& file, double rotation);
 
-/// Takes back what --normal-map, --height-map and --environment were needed for, if they are gone:
-/// it would be refused.
+/// Removes the options that need --normal-map, --height-map or --environment when these are
+/// missing, because they would be refused.
 void DropIdleSurface(Settings& settings);
 }
 

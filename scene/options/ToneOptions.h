@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * --tone and --exposure: parameters of the stage `tone`. All throw UsageError.
+ * --tone and --exposure: parameters of the stage `tone`. All functions throw UsageError.
  */
 #ifndef ToneOptions_h
 #define ToneOptions_h

@@ -2,7 +2,7 @@
 //VTK::Output::Dec
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Nothing but depth.
+// Writes only depth.
 
 void main()
 {

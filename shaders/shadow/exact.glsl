@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The verdict of a ray from the fragment's own place to the light against the casters' triangles;
-// what is no triangle is looked up in maps: see receive.glsl.
+// The verdict of a ray from the fragment's own place to the light, past the casters' triangles;
+// casters without triangles are in maps: see receive.glsl.
 //
-// FoundImpl: of surfaces that verdictsFS.glsl has found the verdicts of, pixel by pixel; what is
-// hidden of them may be given any. TraceImpl: of all others, which take these verdicts where their
-// place is the one that is seen, and otherwise go the same way to them.
+// FoundImpl: for surfaces whose verdicts verdictsFS.glsl has found, pixel by pixel; hidden
+// fragments may get any verdict. TraceImpl: for all others, which take these verdicts if their
+// place is the visible one, and otherwise trace the ray themselves, with the same result.
 
 //RELIEVO::Section(MethodDec)
 //RELIEVO::Include(shadow/seen.glsl)
@@ -20,7 +20,7 @@ float relievoShadowVerdict(int face, vec3 place, vec2 slope, float texel)
 #ifdef RELIEVO_SHADOW_WIDENED
 uniform vec4 vpDims; // of VTK's geometry shader: the viewport
 
-// Where the pixel sees the plane of a place beside it; the place itself where it sees it edge-on.
+// The pixel's place in the plane of a nearby place; the given place if the plane is seen edge-on.
 vec3 relievoSeenInPlane(vec3 place, vec3 normal)
 {
   vec2 pixel = gl_FragCoord.xy - vpDims.xy - 0.5 * vpDims.zw;
@@ -33,7 +33,7 @@ vec3 relievoSeenInPlane(vec3 place, vec3 normal)
 }
 #endif
 
-// What passes is all that a light has left.
+// The transmitted light is all that remains of a light.
 void relievoShadowTake(int slot, RELIEVO_PASSES passes)
 {
 #ifdef RELIEVO_SHADOW_COLORED
@@ -44,7 +44,7 @@ void relievoShadowTake(int slot, RELIEVO_PASSES passes)
 
 //RELIEVO::Section(TraceDec)
 //RELIEVO::Include(rays/walk.glsl)
-uniform int relievoSeenHides; // whether what is behind it is not seen: no samples of pixels' edges
+uniform int relievoSeenHides; // whether it hides everything behind it: no samples of pixels' edges
 
 //RELIEVO::Section(PlaceImpl)
   vec2 relievoSeenOwn = relievoSeenAt(vertexVC.xyz);
@@ -54,7 +54,7 @@ uniform int relievoSeenHides; // whether what is behind it is not seen: no sampl
   vec2 relievoSeenOff = abs(relievoSeenOwn - relievoSeenCenter);
 #ifdef RELIEVO_SHADOW_WIDENED
   bool relievoSeenCentered = false;
-  float relievoSeenInside = 0.0; // not on what the triangle was widened by
+  float relievoSeenInside = 0.0; // not in the band by which the triangle was widened
   for (int i = 0; i < 3; ++i)
   {
     relievoSeenInside =
@@ -85,14 +85,14 @@ uniform int relievoSeenHides; // whether what is behind it is not seen: no sampl
 #endif
 
 //RELIEVO::Section(FoundVertexDec)
-invariant gl_Position; // seenVS.glsl has the same
+invariant gl_Position; // equal to that of seenVS.glsl
 
 //RELIEVO::Section(FoundImpl)
   for (int slot = 0; slot < relievoShadowTaken; ++slot)
   {
     RELIEVO_PASSES level = relievoSeenNextLevel(relievoSeenDigits);
     vec3 ray = relievoSeenToLight(relievoShadowSource[slot], relievoShadowPlaceLC);
-    // Dark where the side that is seen is turned away from the light.
+    // Dark if the visible side is turned away from the light.
     bool facing =
       !RELIEVO_SHADOW_HAS_PLANE || dot(relievoShadowNormalLC, ray) * relievoShadowSide > 0.0;
     relievoShadowTake(slot, facing ? relievoSeenVerdict(level) : RELIEVO_PASSES(0.0));
@@ -103,7 +103,7 @@ invariant gl_Position; // seenVS.glsl has the same
     float front = texelFetch(relievoSeen, ivec2(relievoSeenOwnTexel), 0).x;
     bool same = relievoSeenCentered && relievoShadowPlaceLC == relievoShadowOwnLC.xyz &&
       front == vertexVC.z;
-    // What is behind it is drawn over. The margin: steps of a depth buffer.
+    // Fragments behind it will be overdrawn. The margin: steps of a depth buffer.
     bool hidden = relievoSeenCentered && relievoSeenHides != 0 &&
       relievoSeenDepth(vertexVC.z) - relievoSeenDepth(front) > 1e-6;
     int found = hidden ? RELIEVO_SHADOW_LIGHTS : same ? relievoSeenLights : 0;

@@ -1,13 +1,14 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Lit is what a sample of the mask in the camera's view reaches. The map decides the rest: samples
-// are cut off where depth steps, and none lies on what is narrower than a texel. See receive.glsl.
+// A fragment is lit where a sample of the mask in the camera's view reaches it. The map decides
+// elsewhere: samples end at depth steps, and surfaces narrower than a texel have none. See
+// receive.glsl.
 
 //RELIEVO::Section(MethodDec)
 uniform sampler2DArray relievoShadowMasks;
 uniform int relievoShadowMask[RELIEVO_SHADOW_FACES]; // the mask of the face's light
-uniform ivec2 relievoShadowOrigin; // of the viewport in what is drawn to
-uniform int relievoShadowMasked;   // whether the masks hold for what is drawn
+uniform ivec2 relievoShadowOrigin; // of the viewport in the framebuffer
+uniform int relievoShadowMasked;   // whether the masks apply to this draw
 
 float relievoShadowVerdict(int face, vec3 place, vec2 slope, float texel)
 {

@@ -2,8 +2,8 @@
 //VTK::Output::Dec
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A lit sample, in the camera's view: marks the pixel as lit if it is the surface that is seen
-// there.
+// A lit sample in the camera's view: marks the pixel as lit if the sample is on its visible
+// surface.
 uniform sampler2D relievoCameraDepth; // window z
 uniform vec4 relievoDepthFromZ; // a, b, c, d: eye depth = (a + b z) / (c + d z) of NDC z
 uniform float relievoTolerance; // in texels

@@ -2,14 +2,14 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Forward shadow mapping (H. Zhang, 1998): each sample of a light's map, a square of its texel's
-// size, is carried into the camera's view. Where samples go on, squares share their corners, so
-// that what is lit is drawn without holes; where depth jumps, they end half a texel off.
+// size, is transformed into the camera's view. Squares of a continuous surface share their corners,
+// so that lit areas have no holes; at depth jumps they end half a texel off.
 uniform sampler2DArray relievoShadowMaps;
 uniform int relievoLayer;
 uniform int relievoSize;
 uniform mat4 relievoMapToClip; // map space: texels from the centre of the lowest left one, depth
 uniform mat4 relievoMapToView;
-uniform float relievoJump; // of depth between samples, at w = 1, from which on they do not go on
+uniform float relievoJump; // least depth difference of a jump between samples, at w = 1
 uniform float relievoTexel; // width of a texel in world units, at w = 1
 uniform vec2 relievoW;      // 1 / w of the map = x + y * depth
 out float relievoDepthVSOutput;
@@ -40,7 +40,7 @@ void main()
   float depth = 0.25 * (own + x + y + xy);
   if (!goesX || !goesY || abs(xy - own) > 2.0 * jump)
   {
-    // The slope as far as the neighbours on either side tell it.
+    // The slope, by the neighbours on either side of the same surface.
     float beforeX = relievoSample(texel - ivec2(side.x, 0));
     float beforeY = relievoSample(texel - ivec2(0, side.y));
     float slopeX = goesX ? x - own : abs(own - beforeX) <= jump ? own - beforeX : 0.0;
@@ -51,6 +51,6 @@ void main()
   vec4 view = relievoMapToView * map;
   relievoDepthVSOutput = -view.z / view.w;
   relievoTexelVSOutput = relievoTexel / inverseW;
-  // Nothing is drawn at depth 1.
+  // Depth 1 means no surface.
   gl_Position = own < 1.0 ? relievoMapToClip * map : vec4(2.0, 2.0, 2.0, 1.0);
 }

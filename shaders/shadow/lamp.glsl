@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What of the light of one lamp from data reaches a point: for the resource `lamp shadows`
-// (vtkRelievoLampShadows), whose places are relative to the lamp, in eye space.
+// The share of the light of one lamp from data that reaches a point: for the resource `lamp
+// shadows` (vtkRelievoLampShadows), with places relative to the lamp, in eye space.
 #define RELIEVO_SHADOW_FACES 6
 #define RELIEVO_SHADOW_HAS_PLANE true
 #define RELIEVO_RECEIVER(matrix, place) (place)

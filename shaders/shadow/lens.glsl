@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Spliced into VTK's vertex shaders where a user's replacement goes on from VTK's gl_Position, as
-// the distortion of a camera's lens does: what a light sees goes without.
+// Spliced into VTK's vertex shaders if a user's replacement modifies VTK's gl_Position, as for the
+// distortion of a camera's lens: maps are drawn without the modification.
 
-// How such a text is known: VTK's position without an assignment behind it (a regular expression).
+// Detects such a text: VTK's position without an assignment after it (a regular expression).
 //RELIEVO::Section(Use)
 gl_Position(\s*(\.\w+|\[[^\]]*\]))*\s*([-+*/]?=(?!=))?
 
 //RELIEVO::Section(Dec)
-uniform int relievoFromLight; // 1 while what a light sees is drawn
+uniform int relievoFromLight; // 1 while a light's map is drawn
 
 //RELIEVO::Section(Keep)
   vec4 relievoUndistorted = gl_Position;

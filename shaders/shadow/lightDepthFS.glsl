@@ -4,7 +4,7 @@
 //VTK::Output::Dec
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-// One map of a light, over the area that is drawn.
+// One map of a light, over the drawn area.
 //RELIEVO::Include(formulas/depth.glsl)
 in vec2 texCoord;
 uniform sampler2DArray relievoLightMaps;

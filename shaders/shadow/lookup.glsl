@@ -1,19 +1,20 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Looks places up in the maps of lights, texel by texel. Defines of whoever includes it:
-// RELIEVO_SHADOW_FACES (room for maps), RELIEVO_SHADOW_WIDE (the filter's radius is above 1),
+// Looks places up in the maps of lights, texel by texel. The includer defines RELIEVO_SHADOW_FACES
+// (number of maps), RELIEVO_SHADOW_WIDE (the filter's radius is above 1) and
 // RELIEVO_SHADOW_HAS_PLANE (an expression: whether the receiver has a plane).
 uniform sampler2DArray relievoShadowMaps;
-// From a place, relative to a point that the includer names, to map space, less the bias.
+// From a place, relative to the includer's origin, to map space, with the bias subtracted.
 uniform mat4 relievoShadowMatrix[RELIEVO_SHADOW_FACES];
 uniform float relievoShadowTexel[RELIEVO_SHADOW_FACES]; // depth of a texel's width, at w = 1
 uniform vec4 relievoShadowEye[RELIEVO_SHADOW_FACES]; // in map space; w = 0: the direction to it
 uniform float relievoShadowLayer[RELIEVO_SHADOW_FACES];
 uniform float relievoShadowLowest[RELIEVO_SHADOW_FACES]; // depth of a receiver
 uniform float relievoShadowSize;  // of a map, in texels
-uniform float relievoShadowInner; // half of it, less the filter; -1 for what receives no shadows
-uniform int relievoShadowRadius;  // of the filter, in texels; 0: the nearest texel alone
-uniform float relievoShadowLift;  // in texels: of points and lines, which have no plane
+uniform float relievoShadowInner; // half of it, less the filter; -1 for props without shadows on
+                                  // them
+uniform int relievoShadowRadius;  // of the filter, in texels; 0: only the nearest texel
+uniform float relievoShadowLift;  // in texels: for points and lines, which have no plane
 
 // Depths of the texels right and above of a corner texel, as textureGather orders them: (0, 1),
 // (1, 1), (1, 0), (0, 0).
@@ -33,9 +34,9 @@ vec4 relievoShadowGather(float layer, vec2 corner)
 #endif
 }
 
-// Which of those texels let light through to a receiver with this depth at the corner texel.
-// Nothing is drawn at depth 1, so a receiver there is lit. Casters before the map are drawn at
-// depth 0, so where there may be some no bias may bring a receiver there.
+// Which of those texels are unblocked for a receiver with this depth at the corner texel. Depth 1
+// means no caster, so a receiver there is lit. Casters in front of the map are at depth 0, so if
+// there may be any, no bias may move a receiver there.
 vec4 relievoShadowLit(int face, vec2 corner, float depth, vec2 slope)
 {
   vec4 receivers = depth + vec4(slope.y, slope.x + slope.y, slope.x, 0.0);
@@ -43,9 +44,9 @@ vec4 relievoShadowLit(int face, vec2 corner, float depth, vec2 slope)
     relievoShadowGather(relievoShadowLayer[face], corner));
 }
 
-// What of the light of a map reaches a receiver. place: in the map's texels, and its depth; slope:
-// of the receiver's depth per texel; texel: depth of a texel's width there. Branches cost more than
-// they save: but for wide filters this is one straight line of code.
+// The share of a map's light that reaches a receiver. place: in the map's texels, and its depth;
+// slope: of the receiver's depth per texel; texel: depth of a texel's width there. Branches cost
+// more than they save: except for wide filters the code has none.
 float relievoShadowFilter(int face, vec3 place, vec2 slope, float texel)
 {
   place.z -= RELIEVO_SHADOW_HAS_PLANE ? 0.0 : relievoShadowLift * texel;
@@ -77,7 +78,7 @@ float relievoShadowFilter(int face, vec3 place, vec2 slope, float texel)
 #endif
 }
 
-// Whether the map holds the place.
+// Whether the place is within the map.
 bool relievoShadowSees(vec3 place)
 {
   vec2 off = abs(place.xy - (0.5 * relievoShadowSize - 0.5));

@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What of a light reaches a place, by the maps that lookup.glsl looks up and the method's
+// The share of a light that reaches a place, by the maps of lookup.glsl and the method's
 // relievoShadowVerdict. RELIEVO_RECEIVER: see splice/contract.glsl.
 
-// What of the light of a map reaches a place of it, as the method finds it. plane: normal of the
-// receiver's plane in map space, of any length. Dark unless `facing` is negative: the side that is
-// seen is turned away from the light, the surface is in between.
+// The share of a map's light that reaches a place in it, by the method. plane: normal of the
+// receiver's plane in map space, of any length. Dark unless `facing` is negative: the visible side
+// is turned away from the light, so the surface itself is between.
 float relievoShadowAt(int face, vec3 place, vec3 plane, float facing, float inverseW)
 {
   float texel = relievoShadowTexel[face] * inverseW;

@@ -1,35 +1,35 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Spliced into VTK's fragment shaders: how much of each casting light reaches the fragment, and the
-// light's colour taken down by it wherever VTK's own code reads it.
+// Spliced into VTK's fragment shaders: computes the share of each casting light that reaches the
+// fragment, and multiplies the light's colour by it wherever VTK's own code reads it.
 //
 // Defines, by vtkRelievoShadowSplice: RELIEVO_SHADOW_LIGHTS (casting lights), RELIEVO_SHADOW_FACES
-// (room for their maps), RELIEVO_SHADOW_NUMBERS (lights of the renderer), RELIEVO_SHADOW_WIDE (the
+// (number of their maps), RELIEVO_SHADOW_NUMBERS (lights of the renderer), RELIEVO_SHADOW_WIDE (the
 // filter's radius is above 1), RELIEVO_SHADOW_PARTS (of each soft sun), RELIEVO_SHADOW_COLORED
-// (surfaces colour what passes them), and of the mapper's shader: RELIEVO_SHADOW_TRIANGLES (planes
-// come from derivatives),
-// RELIEVO_SHADOW_IMPOSTOR (VTK moved vertexVC to the impostor, normalVCVSOutput is exact). What it
-// shares with other splices: splice/contract.glsl.
+// (surfaces colour the transmitted light), and by the mapper's shader: RELIEVO_SHADOW_TRIANGLES
+// (planes come from derivatives), RELIEVO_SHADOW_IMPOSTOR (VTK moved vertexVC to the impostor,
+// normalVCVSOutput is exact). Names shared with other splices: splice/contract.glsl.
 //
-// On shadow catchers VTK's light code stands twice, by the sections CatchImpl and CaughtImpl: with
+// On shadow catchers VTK's light code appears twice, in the sections CatchImpl and CaughtImpl: with
 // shadows and without. Both light a white surface; the catcher's colour is VTK's ambientColor.
 //
-// Between the sections FragmentDec and MapsDec stands the section MethodDec of the method's own
-// file, which declares its uniforms and defines
+// The section MethodDec of the method's own file is inserted between the sections FragmentDec and
+// MapsDec. It declares the method's uniforms and defines
 //   float relievoShadowVerdict(int face, vec3 place, vec2 slope, float texel)
-// with the arguments of relievoShadowFilter, in an evenly spaced map: 1 lit, 0 dark.
+// with the arguments of relievoShadowFilter, in an even map: 1 lit, 0 dark.
 
 //RELIEVO::Section(Extensions)
 #extension GL_ARB_texture_gather : enable
 
 //RELIEVO::Section(FragmentDec)
 //RELIEVO::Include(formulas/shadow.glsl)
-// Places are taken from a point amid what is seen: far from the eye the large parts of matrix and
-// position would cancel each other, and their digits with them.
+// Places are relative to a point near the visible surfaces: far from the eye, the large parts of
+// matrix and position would otherwise cancel, and lose digits.
 uniform vec3 relievoShadowCenter; // eye space
 #define RELIEVO_SHADOW_POSITION (vertexVC.xyz - relievoShadowCenter)
 // -1; 1 if the picture is mirrored. A plane's normal from derivatives in map space points away from
-// the light where eye and light see the same side: a picture and a map are not each other's mirror.
+// the light if eye and light see the same side, because a picture and a map have opposite
+// handedness.
 uniform float relievoShadowHand;
 uniform float relievoShadowStrength[RELIEVO_SHADOW_LIGHTS];
 uniform int relievoShadowSlot[RELIEVO_SHADOW_NUMBERS]; // of light N of the renderer; -1: casts none
@@ -44,7 +44,7 @@ uniform int relievoShadowFaces; // whether faces are drawn, not their edges or c
 //RELIEVO::Include(shadow/lookup.glsl)
 float relievoVisibility[RELIEVO_SHADOW_LIGHTS];
 #ifdef RELIEVO_SHADOW_COLORED
-vec3 relievoShadowColors[RELIEVO_SHADOW_LIGHTS]; // the same of a light's colours
+vec3 relievoShadowColors[RELIEVO_SHADOW_LIGHTS]; // per colour channel
 #define RELIEVO_SHADOW_LEFT(slot) relievoShadowColors[slot]
 #else
 #define RELIEVO_SHADOW_LEFT(slot) relievoVisibility[slot]
@@ -54,7 +54,7 @@ vec3 relievoShadowColors[RELIEVO_SHADOW_LIGHTS]; // the same of a light's colour
 
 float relievoVisibilityOf(int number)
 {
-  // A layer may be asked of a light that there is not.
+  // A layer may be requested for a light that does not exist.
   int slot = number < RELIEVO_SHADOW_NUMBERS ? relievoShadowSlot[number] : -1;
   return slot < 0 ? 1.0 : relievoVisibility[slot];
 }
@@ -62,15 +62,16 @@ float relievoVisibilityOf(int number)
 //RELIEVO::Section(BulgeOfVTK)
 uniform float ZCalcR;
 //RELIEVO::Section(BulgeDec)
-uniform int relievoFromLight; // 1 while what a light sees is drawn
-// Points as spheres and lines as tubes stand before their primitive by a share of the radius, which
-// VTK tells in pixels of the picture: in a map that would be so far that they shade themselves.
+uniform int relievoFromLight; // 1 while a light's map is drawn
+// Points as spheres and lines as tubes are moved in front of their primitive by a share of the
+// radius, which VTK gives in pixels of the picture: in a map, that offset would make them shadow
+// themselves.
 #define ZCalcR (relievoFromLight != 0 ? 0.0 : ZCalcR)
 
 //RELIEVO::Section(MapsDec)
 //RELIEVO::Include(shadow/reach.glsl)
 
-// A light with one map: of parallel rays, or a lamp's.
+// A light with one map: with parallel rays, or a lamp.
 float relievoShadowSun(int face, vec3 place, vec3 plane)
 {
   float lit = relievoShadowAt(face, place, plane, relievoShadowHand * plane.z, 1.0);

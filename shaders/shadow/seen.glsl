@@ -1,15 +1,16 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Places in pixels and verdicts about them, for verdicts that are found once for each pixel.
+// Places in pixels, and verdicts about them, for verdicts found once per pixel.
 //
-// Pixels are counted from the middle of the viewport, so that their centres are exact in float. A
-// place that is seen at a pixel's centre is given by its eye-space z: whoever has the same z has
-// the same place, bit for bit.
+// Pixels are counted from the centre of the viewport, so that their centres are exact in float. The
+// visible place at a pixel's centre is given by its eye-space z: an equal z means the same place,
+// bit for bit.
 //RELIEVO::Include(rays/passes.glsl)
 
-// Local space: the world's axes, about a point amid what is seen; from eye space about the centre.
+// Local space: the world's axes, relative to a point near the visible surfaces; from eye space
+// about the centre.
 uniform mat4 relievoShadowToLocal;
-// Texel: z, far behind everything where nothing is seen, and the code of the plane's normal.
+// Texel: z, far behind everything for the background, and the code of the plane's normal.
 uniform sampler2D relievoSeen;
 uniform vec2 relievoSeenSize; // of the viewport, in pixels
 // From eye space to pixels: (x * X.x + z * X.y + X.z) / (z * W.x + W.y), Y likewise; to depth:
@@ -18,7 +19,7 @@ uniform vec3 relievoSeenX;
 uniform vec3 relievoSeenY;
 uniform vec2 relievoSeenZ;
 uniform vec2 relievoSeenW;
-uniform int relievoSeenLights;   // that there are verdicts of
+uniform int relievoSeenLights;   // with verdicts
 uniform float relievoSeenLevels; // of a verdict, from 0, dark, to the last, lit
 
 // The pixel of a texel, and the texel of a place in pixels.
@@ -38,7 +39,7 @@ vec2 relievoSeenAt(vec3 placeVC)
   return at / (placeVC.z * relievoSeenW.x + relievoSeenW.y);
 }
 
-// The place that is seen at a pixel, in eye space.
+// The visible place at a pixel, in eye space.
 vec3 relievoSeenPlace(vec2 pixel, float z)
 {
   float w = z * relievoSeenW.x + relievoSeenW.y;
@@ -46,10 +47,11 @@ vec3 relievoSeenPlace(vec2 pixel, float z)
     (pixel.y * w - relievoSeenY.y * z - relievoSeenY.z) / relievoSeenY.x, z);
 }
 
-// What a raster's grid does to a place that is seen, in eye space: towards the eye, as long as the
-// place may lie off a plane. Corners move by half a diagonal of 1/256 pixel, those of the triangle
-// seen and those of its neighbour, and the place with them, in the picture and, by its plane's
-// slope, along the line of sight. slant: the cosine between line and normal, 1 of what is no
+// The effect of a raster's grid on a visible place, in eye space: a vector towards the eye, as long
+// as the distance by which the place may be off a plane. Corners move by half a diagonal of 1/256
+// pixel, those of the visible triangle and those of its neighbour, and the place with them, in the
+// picture and, by its plane's slope, along the line of sight. slant: the cosine between line and
+// normal, 1 without a surface; a NaN normal counts as seen from the side.
 // surface; a normal may be NaN, which counts as seen from the side.
 vec3 relievoSeenSnap(vec3 placeVC, float slant, bool parallel)
 {
@@ -65,7 +67,7 @@ float relievoSeenDepth(float z)
   return 0.5 + 0.5 * (z * relievoSeenZ.x + relievoSeenZ.y) / (z * relievoSeenW.x + relievoSeenW.y);
 }
 
-// A verdict in its levels: all that is kept of it.
+// Rounds a verdict to its levels, as stored.
 RELIEVO_PASSES relievoSeenLevel(RELIEVO_PASSES passes)
 {
   return floor(passes * (relievoSeenLevels - 1.0) + 0.5);
@@ -75,7 +77,7 @@ RELIEVO_PASSES relievoSeenVerdict(RELIEVO_PASSES level)
   return level / (relievoSeenLevels - 1.0);
 }
 
-// The level of the next light, of those that are digits of a number.
+// The level of the next light, a digit of the number.
 RELIEVO_PASSES relievoSeenNextLevel(inout RELIEVO_PASSES digits)
 {
   RELIEVO_PASSES others = floor(digits / relievoSeenLevels);

@@ -2,7 +2,7 @@
 //VTK::Output::Dec
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What is seen at a pixel: see seen.glsl.
+// The visible surface at a pixel: see seen.glsl.
 //RELIEVO::Include(formulas/octahedral.glsl)
 in vec4 vertexVCVSOutput;
 #ifdef RELIEVO_SEEN_OFFSET

@@ -1,7 +1,7 @@
 //VTK::System::Dec
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A mesh where VTK's own shaders put it, bit for bit.
+// Positions a mesh like VTK's own shaders, bit for bit.
 in vec4 vertexMC;
 uniform mat4 MCDCMatrix;
 uniform mat4 MCVCMatrix;

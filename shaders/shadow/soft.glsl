@@ -1,19 +1,19 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Whether a part of a sun's disc reaches a place: the part's ray is followed through a map that is
-// seen from the middle of several parts, as relief mapping follows rays through heights (F.
-// Policarpo, M. Oliveira, J. Comba, Real-time relief mapping on arbitrary polygonal surfaces,
-// 2005), in steps that grow with the distance. The ray is blocked where it goes through the
-// surface, up or down, but not where the surface ends above it.
+// Whether a part of a sun's disc reaches a place: the part's ray is traced through a map drawn from
+// the centre of several parts, like relief mapping traces rays through heights (F. Policarpo, M.
+// Oliveira, J. Comba, Real-time relief mapping on arbitrary polygonal surfaces, 2005), in steps
+// that grow with the distance. The ray is blocked where it passes through the surface, up or down,
+// but not where the surface ends above it.
 //
 // The includer has shadow/lookup.glsl, RELIEVO_SHADOW_LIGHTS and RELIEVO_SHADOW_PARTS, the number
 // of parts.
 #define RELIEVO_SHADOW_STEPS 12 // at most
 
-// To each part of the light: texels of its map per depth, and which of the light's maps it is.
+// For each part of the light: texels of its map per depth, and the index of its map.
 uniform vec3 relievoShadowRays[RELIEVO_SHADOW_LIGHTS * RELIEVO_SHADOW_PARTS];
 
-// Of the number of the sample that a cell of the raster takes (vtkRelievoSampleLattice).
+// Steps of the sample number per column and row of the raster (vtkRelievoSampleLattice).
 uniform vec2 relievoShadowPartStep; // whole numbers
 
 float relievoShadowDepthAt(int face, ivec2 texel)
@@ -23,7 +23,7 @@ float relievoShadowDepthAt(int face, ivec2 texel)
   return inside == texel ? depth : 1.0;
 }
 
-// within: 0 to 1, where within the steps places are looked up.
+// within: 0 to 1, position of the lookups within the steps.
 float relievoShadowFollow(int face, vec3 place, vec2 slope, vec2 ray, int steps, float within)
 {
   float lit = 1.0;
@@ -48,8 +48,8 @@ float relievoShadowFollow(int face, vec3 place, vec2 slope, vec2 ray, int steps,
   return lit;
 }
 
-// Of the part that the cell that is drawn takes, from a place relative to the point that
-// lookup.glsl has places from. first: of the light's maps.
+// For the part of the present cell, from a place relative to the origin of lookup.glsl. first: of
+// the light's maps.
 float relievoShadowPart(int light, int first, vec3 position, vec3 normalVC)
 {
   ivec2 cell = ivec2(gl_FragCoord.xy);
@@ -68,7 +68,7 @@ float relievoShadowPart(int light, int first, vec3 position, vec3 normalVC)
   float lit = 0.0;
   if (faces || !RELIEVO_SHADOW_HAS_PLANE)
   {
-    // Between neighbouring texels there is nothing to follow.
+    // Neighbouring texels need no tracing.
     float texels = place.z * max(abs(chosen.x), abs(chosen.y));
     ivec2 at = ivec2(floor(place.xy + 0.5));
     int steps = clamp(int(ceil(2.0 * texels)), 3, RELIEVO_SHADOW_STEPS);

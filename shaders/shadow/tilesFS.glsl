@@ -2,20 +2,20 @@
 //VTK::Output::Dec
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Which lights surely reach all that is seen in a tile of 8 x 8 pixels: where it is one plane, rays
-// from all of its places are followed at once. A sum of 2^light, -1 where nothing is open, or -2
-// where the verdicts that are there stay: the same is seen, and no ray of it comes near what has
-// moved since.
+// Which lights certainly reach all visible places in a tile of 8 x 8 pixels: if they lie in one
+// plane, rays from all of them are tested at once. Writes a sum of 2^light, -1 if nothing is open,
+// or -2 if the present verdicts stay: the same surface is visible, and none of its rays passes near
+// anything that has moved since.
 //
-// What every place of the tile sees lies in boxes that are larger by half of the tile's extent; and
-// a triangle that no corner of the tile has between itself and the light blocks no ray of it.
+// The boxes of all rays of the tile are enlarged by half of the tile's extent; and a triangle
+// blocks no ray of the tile if it is not between any corner of the tile and the light.
 //RELIEVO::Include(formulas/ray.glsl)
 //RELIEVO::Include(rays/tree.glsl)
 //RELIEVO::Include(shadow/seen.glsl)
 uniform vec4 relievoSeenSource[24]; // w = 0: the direction to it
 uniform vec3 relievoShadowCenter;
 uniform int relievoSeenKeeps;        // whether verdicts may stay
-uniform sampler2D relievoSeenBefore; // what was seen when they were found
+uniform sampler2D relievoSeenBefore; // visible surfaces at the time of the verdicts
 uniform int relievoMovedCount;
 uniform vec3 relievoMoved[16]; // boxes of local space, two corners each
 
@@ -104,7 +104,7 @@ bool relievoTileHits(int casters, relievoTile tile, vec4 source)
   return hit;
 }
 
-// Whether a ray from the tile may hit what has moved.
+// Whether a ray from the tile may hit anything that has moved.
 bool relievoTileHitsMoved(relievoTile tile, vec4 source)
 {
   float last = source.w != 0.0 ? 1.0 : 1e30;
@@ -129,7 +129,7 @@ void main()
     ivec2 texel = ivec2((k & 1) == 0 ? first.x : ends.x, k < 2 ? first.y : ends.y);
     tile.corners[k] = relievoTilePlace(vec2(texel), texelFetch(relievoSeen, texel, 0).x);
   }
-  // None, and NaN, in a row or a column of pixels: the rest of a tile at the viewport's rim.
+  // NaN for a single row or column of pixels: the remainder of a tile at the viewport's edge.
   vec3 normal = normalize(cross(normalize(tile.corners[1] - tile.corners[0]),
     normalize(tile.corners[2] - tile.corners[0])));
   bool wide = ends.x > first.x && ends.y > first.y && dot(normal, normal) > 0.5;

@@ -2,7 +2,7 @@
 //VTK::Output::Dec
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The verdicts of all lights about what is seen at a pixel.
+// The verdicts of all lights about the visible surface at a pixel.
 //RELIEVO::Include(formulas/octahedral.glsl)
 //RELIEVO::Include(formulas/shadow.glsl)
 //RELIEVO::Include(shadow/seen.glsl)
@@ -37,8 +37,8 @@ void main()
   {
     vec4 source = relievoSeenSource[light];
     vec3 ray = relievoSeenToLight(source, placeLC);
-    // What is turned away is dark, by the fragment's own normal, whatever is written here. A normal
-    // that is none, NaN, turns nothing away.
+    // Surfaces turned away are dark, by the fragment's own normal, whatever is written here. A
+    // missing normal, NaN, turns none away.
     float others = floor(0.5 * sure);
     bool open = sure - 2.0 * others < 0.5;
     sure = others;

@@ -1,8 +1,8 @@
 //VTK::System::Dec
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Tiles of pixels whose verdicts are open, two triangles each; the others are nowhere. Where some
-// verdicts stay, all that do not are written.
+// Tiles of pixels with open verdicts, two triangles each; the others are clipped. If some verdicts
+// stay, all others are written.
 uniform sampler2D relievoSeenTiles; // see tilesFS.glsl
 uniform ivec2 relievoSeenTileCount;
 uniform int relievoSeenKeeps;

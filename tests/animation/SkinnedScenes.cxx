@@ -48,7 +48,7 @@ SkinnedSide::SkinnedSide(bool gpu, int width, int height)
     this->Mapper->SetInputConnection(this->Skin->GetOutputPort());
     this->Actor = vtkSmartPointer<vtkActor>::New();
     this->Actor->SetMapper(this->Mapper);
-    // Read as the other is, by what is interpolated on the graphics card.
+    // Read like the other one, by an array interpolated on the GPU.
     this->Actor->GetShaderProperty()->AddVertexShaderReplacement(
       "//VTK::CustomBegin::Impl", true, "//VTK::CustomBegin::Impl\n", false);
   }

@@ -162,7 +162,7 @@ class Collada:
 
 
 def read(path, pose=relievo.vtkRelievoModelReader.POSE_NODES):
-    """The reader, what it reported, and the corners of all of its triangles."""
+    """The reader, its reports, and the corners of all of its triangles."""
     reader = relievo.vtkRelievoModelReader()
     reader.SetFileName(str(path))
     reader.SetPose(pose)
@@ -276,7 +276,7 @@ Connections:  {
 
 class Scales(unittest.TestCase):
     def test_inherit_type(self):
-        """What a node does with its parent's scale, which Assimp does not know, is noted."""
+        """Handling of a parent's scale unknown to Assimp is noted."""
         pivot = 'P: "ScalingPivot", "Vector3D", "Vector", "",1,2,3'  # makes chains of nodes
         with tempfile.TemporaryDirectory() as folder:
             path = pathlib.Path(folder) / "a.fbx"

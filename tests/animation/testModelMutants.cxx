@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Copies of rigged models with bytes changed, cut out or cut off, the same in every run: each is
-// read or refused with one message, and nothing that comes out leads beyond what there is.
+// Copies of rigged models with bytes changed, cut out or cut off, equal in every run: each is read
+// or refused with one message, and no output refers to missing data.
 //
 // testModelMutants [FIRST COUNT FILE...] tries other seeds and files, for a sanitizer to watch.
 #include "Check.h"

@@ -62,7 +62,7 @@ void TestAgainstRays()
     const auto pose = MakePose(0.7);
     for (const ShadowMethod& method : ShadowMethods)
     {
-      // Maps of all kinds draw with the mapper's shaders, whichever they are.
+      // Maps of all kinds draw with any of the mapper's shaders.
       if (skin == vtkRelievoSkin::LINEAR && method.Value != vtkRelievoShadowStage::METHOD_EXACT)
       {
         continue;

@@ -44,7 +44,7 @@ class Many:
     running = {}  # by the environment that differs
 
     def __init__(self, environment):
-        self.errors, self.seen = tempfile.TemporaryFile("a+b"), 0  # what libraries print is there
+        self.errors, self.seen = tempfile.TemporaryFile("a+b"), 0  # output of libraries
         self.process = subprocess.Popen(
             [MANY], cwd=FOLDER, env={**os.environ, **environment}, stdin=subprocess.PIPE,
             stdout=subprocess.PIPE, stderr=self.errors)  # fmt: skip
@@ -97,9 +97,9 @@ class CliTest(unittest.TestCase):
         return sorted(path.name for path in self.folder.rglob("*"))
 
     def finished(self, *words, environment=None, wrapper=(), whole=False):
-        """Runs the command and returns the finished process, without what it says of its progress
-        on a busy machine. What is rendered is so in one process for all, unless a whole one is
-        asked for, or must be one for its wrapper."""
+        """Runs the command and returns the finished process, without its progress messages on a
+        busy machine. Renderings share one process, unless a separate one is requested or
+        needed for a wrapper."""
         words, environment = [str(word) for word in words], environment or {}
         if MANY and words[:1] == ["render"] and not (
                 whole or wrapper or {"-h", "--help", "--version"} & set(words)):  # fmt: skip

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Files are read in a process of their own: what readers do wrong is one message, nothing is left,
-and what is drawn is what Python draws if it reads in its own process."""
+"""Files are read in a separate process: a reader's errors give one message, nothing is left
+behind, and the picture equals Python's if Python reads in its own process."""
 
 import ctypes
 import json
@@ -48,7 +48,7 @@ DEEP = 300000
 
 
 def become_subreaper():
-    """Whoever is left of a process that ends becomes a child of this one."""
+    """Orphans of a process become children of this one."""
     pr_set_child_subreaper = 36
     assert ctypes.CDLL(None).prctl(pr_set_child_subreaper, 1, 0, 0, 0) == 0
 
@@ -190,7 +190,7 @@ class Processes(CliTest):
             if each == signal.SIGKILL:
                 command.wait()
                 for temporary in self.folder.glob(".relievo-*.tmp"):
-                    temporary.unlink()  # which nobody else can
+                    temporary.unlink()  # no other process can
             self.ends(command, server, worker)
             self.assertEqual(command.returncode, -each)
 

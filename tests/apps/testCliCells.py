@@ -201,11 +201,11 @@ class Cells(CliTest):
                 found, words = self.render("a.stl", head + triangle * held + rest)
                 self.assertEqual(found, status, words)
                 noted = status == 1 or said == 1
-                says = f"says that it holds {said} triangles, and has {held}"
+                says = f"declares {said} triangles, and has {held}"
                 self.assertEqual(says in words, noted)
 
     def test_stl_names(self):
-        """Text is known by what it holds: letters of any language before the facets, up to the
+        """Text is detected by its content: letters of any language before the facets, up to the
         share that VTK's reader still takes for text; a mark before the first word is named."""
         rest = ("facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\n"
                 "endloop\nendfacet\nendsolid\n")  # fmt: skip
@@ -213,7 +213,7 @@ class Cells(CliTest):
             with self.subTest(name=name):
                 found, words = self.render("a.stl", f"solid {name}\n{rest}".encode())
                 self.assertEqual((found, says in words), (1 if says else 0, True), words)
-                self.assertNotIn("whole", words)
+                self.assertNotIn("complete", words)
         for code in ("utf-8-sig", "utf-16"):
             found, words = self.render("a.stl", f"solid part\n{rest}".encode(code))
             self.assertEqual((found, "byte order mark" in words), (1, True), words)

@@ -123,8 +123,8 @@ class Data(CliTest):
             self.assertEqual(self.exr("a.exr")[1]["id.V"][60, 60], 2**24)
 
     def test_hidden_cells(self):
-        """Cells that vtkGhostType hides are not drawn, and what is behind them is; others keep
-        their numbers."""
+        """Cells hidden by vtkGhostType are not drawn, and the surfaces behind them are; others
+        keep their numbers."""
         def hide(data, hidden):
             flags = numpy_to_vtk(numpy.array([32 * (i == hidden) for i in range(2)], numpy.uint8),
                                  deep=True)  # fmt: skip

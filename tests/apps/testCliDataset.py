@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""`relievo dataset`: objects of files, poses in words and files, processes that share the work, and
-what is refused."""
+"""`relievo dataset`: objects of files, poses in words and files, processes that share the work,
+and refused words."""
 
 import filecmp
 import json
@@ -161,7 +161,7 @@ class Dataset(CliTest):
             (["--poses", "random:4,nearest=2", "--out", "set"],
              "--poses random:4,nearest=2: nearest is above farthest"),
             (["--poses", "orbit:4", "--out", "set", "--camera", "0,0,5,0,0,0,0,1,0"],
-             "--camera: is an option of relievo render; of a data set --poses says"),
+             "--camera: is an option of relievo render; for a data set, --poses sets"),
             (["--poses", "orbit:4", "--out", "set", "--seed=1", "--seed=2"], "given twice"),
             (["--poses", "orbit:4", "--out", "set", "--lens", "fish"], "--lens: "),
             (["--poses", "orbit:4", "--out", "set", "--lens", "orthographic"],

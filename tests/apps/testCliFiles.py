@@ -117,7 +117,7 @@ class Inputs(CliTest):
         (self.folder / "blanks.gltf").write_text('{"asset": {"version": "2.0"}, ' + images + "}")
         self.before = self.names()
         self.refused("render", "blanks.gltf", *OUTPUTS, status=1,
-                     says=["blanks.gltf", "holds nothing that can be drawn"])  # fmt: skip
+                     says=["blanks.gltf", "contains nothing to draw"])  # fmt: skip
 
     def test_causes(self):
         """Messages with expectation and remedy where libraries only report failure."""
@@ -141,7 +141,7 @@ class Inputs(CliTest):
         memory = ["does not fit into memory", "is it damaged"]
         for name, says in (("huge.bvh", memory), ("huge.dae", memory),
                            ("field.vtk", ["DATASET", "geometry"]), ("none.vtk", ["DATASET"]),
-                           ("words.vtp", ["cannot be read as .vtp", "whole"])):  # fmt: skip
+                           ("words.vtp", ["cannot be read as .vtp", "complete"])):  # fmt: skip
             with self.subTest(name):
                 self.refused("render", name, "--png", "a.png", status=1, says=[name, *says])
         self.refused("render", "triangle.off", "--lens", "large.json", "--png", "a.png", status=2,
@@ -453,7 +453,7 @@ class Named(CliTest):
             f'<VTKFile type="{kind}" version="1.0"><{kind}>{piece}</{kind}></VTKFile>\n')
 
     def test_pieces_of_vtk(self):
-        """In any form, and of any of VTK's readers, which goes by what the file holds."""
+        """In any form, and of any of VTK's readers, chosen by the file's content."""
         for place in (*self.places("piece.vtp"), "..&#x2f;secret&#47;piece.vtp"):
             self.write_pieces(place)
             with self.subTest(place=place):
@@ -539,8 +539,8 @@ class Outputs(CliTest):
                      says=["shut/a.png", "Permission denied"])  # fmt: skip
 
     def test_disk_full(self):
-        # A limit on the size of files does to a writer what a full disk does. Each kind of file is
-        # tried alone and after another one that was complete.
+        # A limit on the size of files has the effect of a full disk on a writer. Each kind of file
+        # is tried alone and after another one that was complete.
         full = ["/bin/bash", "-c", 'ulimit -f "$0" && exec "$@"']
         look = [*LOOK, "--size", "300x300"]
         layers = ["--layers", "depth,normal,position"]
@@ -686,8 +686,8 @@ class Display(CliTest):
                      environment=only, whole=True)  # fmt: skip
 
     def test_several_runs_on_one_server(self):
-        # An X server without -noreset starts anew when its last client leaves, and answers nobody
-        # meanwhile; a run meets the end of the one before.
+        # An X server without -noreset restarts when its last client leaves, and does not respond
+        # meanwhile, so that a run may meet the end of the previous one.
         read, write = os.pipe()
         server = subprocess.Popen(
             ["Xvfb", "-displayfd", str(write), "-screen", "0", "640x480x24", "+extension", "GLX"],

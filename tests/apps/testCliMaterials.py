@@ -43,7 +43,7 @@ class Materials(CliTest):
         bytes_of_it = numpy.round(tilted * 255).astype(numpy.uint8)
         write_image(vtkPNGWriter(), self.folder / "tilted.png", numpy.tile(bytes_of_it, (8, 8, 1)))
         self.before = self.names()
-        # Straight down, what is seen at a pixel is at its own u.
+        # Seen straight from above, each pixel's surface is at the pixel's own u.
         self.u = (numpy.arange(SIDE) + 0.5) / SIDE
         self.sure = (abs(self.u - 0.5) > 0.03) & (self.u > 0.03) & (self.u < 0.97)
 

@@ -66,7 +66,7 @@ class OBJ(CliTest):
         (self.folder / name).write_bytes(data)
 
     def draw(self, name="a.obj", layers="cell", says=(), **more):
-        """The layers, after what is said was compared with the texts."""
+        """The layers, after comparing the messages with the texts."""
         done = self.relievo("render", name, *LOOK, "--png", "a.png", "--exr", "a.exr",
                             "--layers", layers, **more)  # fmt: skip
         said = done.stderr.splitlines()
@@ -119,8 +119,8 @@ class OBJ(CliTest):
                 self.assertEqual((tuple(found), seen["actor.id"][50, x]), (color, actor))
 
     def test_names_of_other_systems(self):
-        """Slashes of either kind, quotes, and paths of the machine that wrote the file: what is not
-        there is looked for beside the file that names it."""
+        """Slashes of either kind, quotes, and paths of the machine that wrote the file: missing
+        files are looked for beside the file that names them."""
         write_image(vtkPNGWriter(), self.folder / "green.png",
                     numpy.tile(numpy.array([0, 255, 0], numpy.uint8), (8, 8, 1)))  # fmt: skip
         (self.folder / "sub").mkdir()
@@ -333,7 +333,7 @@ class Clouds(CliTest):
         (self.folder / "b.obj").write_text("v nan 0 0\nv 1 0\n")
         self.before = self.names()
         self.refused("render", "b.obj", *LOOK, "--png", "a.png", status=1,
-                     says=["b.obj: holds nothing", "left out 2 points"])  # fmt: skip
+                     says=["b.obj: contains nothing", "left out 2 points"])  # fmt: skip
 
     def test_vtk(self):
         for what in ("POLYDATA", "UNSTRUCTURED_GRID"):
@@ -350,7 +350,7 @@ class Clouds(CliTest):
         (self.folder / "flat.obj").write_text("v 0 0\nv 1 0\nv 1 1\nf 1 2 3\n")
         self.before = self.names()
         self.refused("render", "flat.obj", *LOOK, "--png", "a.png", status=1,
-                     says=["flat.obj: holds nothing", "left out 3 points", "line 1"])  # fmt: skip
+                     says=["flat.obj: contains no", "left out 3 points", "line 1"])  # fmt: skip
 
 
 class FlatScenes(CliTest):
@@ -402,17 +402,17 @@ class FlatScenes(CliTest):
             }))  # fmt: skip
             done = self.relievo("render", "a.gltf", "--background", "navy,black", "--size", "50x50",
                                 "--png", "a.png")  # fmt: skip
-            self.assertEqual("nothing but the background" in done.stderr, not seen, done.stderr)
+            self.assertEqual("shows only the background" in done.stderr, not seen, done.stderr)
             done = self.relievo("render", "a.gltf", *LOOK, "--png", "a.png")
-            self.assertEqual("nothing but the background" in done.stderr, not seen, done.stderr)
+            self.assertEqual("shows only the background" in done.stderr, not seen, done.stderr)
         done = self.relievo("render", "triangle.off", "--color", "black", "--png", "a.png")
-        self.assertIn("a.png: shows nothing but the background", done.stderr)
+        self.assertIn("a.png: shows only the background", done.stderr)
 
     def test_nothing_above_the_ground(self):
         """A word where the ground alone is seen: transparent as a whole, or without area."""
         small = ["--size", "40x30", "--preset", "studio", "--shadows", "off", "--stage",
                  "antialias:samples=1", "--png", "a.png"]  # fmt: skip
-        nothing = "a.png: shows nothing but the ground"
+        nothing = "a.png: shows only the ground"
         cube = "".join(f"v {i & 1} {i >> 1 & 1} {i >> 2}\n" for i in range(8))
         cube += "usemtl glass\nf 1 2 4 3\nf 5 7 8 6\nusemtl rest\nf 1 5 6 2\nf 3 4 8 7\n"
         (self.folder / "a.obj").write_text("mtllib a.mtl\n" + cube)
@@ -440,7 +440,7 @@ class FlatScenes(CliTest):
 
     def test_a_repeated_triangle(self):
         """It is read within a reader's processor time, with the normal of its plane, and so are
-        many at an edge and at a point. What is beside it keeps its smooth normals."""
+        many at an edge and at a point. Neighbouring surfaces keep their smooth normals."""
         ring = [(numpy.cos(a), numpy.sin(a)) for a in numpy.linspace(0, 6, 5000)]
         corners = "".join(f"v {x / 2} {y / 2} 0.1\n" for x, y in ring)
         fan = "".join(f"f 1 {i} {i + 1}\n" for i in range(2, 5001))

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Polygons that are not convex, in every format that has polygons: what is inside by even and odd
-crossings is what is drawn, measured and shadowed, whatever corner comes first."""
+"""Polygons that are not convex, in every format that has polygons: the inside by even and odd
+crossings is drawn, measured and shadowed, whatever corner comes first."""
 
 import numpy
 from vtkmodules.vtkCommonCore import vtkPoints

@@ -107,7 +107,7 @@ class Picture(CliTest):
         """A picture of the background alone comes with a note, whatever the reason."""
         sliver = "OFF\n3 1 0\n-1 -1 0\n1 -1 1e9\n-1 1 0\n3 0 1 2\n"
         (self.folder / "sliver.off").write_text(sliver)
-        says = "relievo: a.png: shows nothing but the background: all else is out of sight, "
+        says = "relievo: a.png: shows only the background: everything else is out of view, "
         says += "thinner than a pixel, or has the background's colour\n"
         for words in (["sliver.off"], ["triangle.off", "--camera", "0,0,5,0,0,9,0,1,0"],
                       ["triangle.off", "--camera", "0,0,5,0,0,9,0,1,0", "--shadows", "map"]):
@@ -240,7 +240,7 @@ class Picture(CliTest):
             (lambda file: file["accessors"][0].update(count=65000), "accessors[0] has 65000"),
             (lambda file: file["nodes"][0].update(children=[0]), "nodes[0] is below itself"),
             (lambda file: file.update(extensionsRequired=["EXT_none"]), "EXT_none"),
-            (lambda file: file.update(scenes=[{}]), "holds nothing that can be drawn"),
+            (lambda file: file.update(scenes=[{}]), "contains nothing to draw"),
         ):
             file = json.loads(gltf_triangle((1, 1, 1)))
             change(file)

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What a shell and the pages know of the command agrees with its own help: completion, manual page,
-the tables of options in docs."""
+"""Shell completion, manual page and the tables of options in docs agree with the command's own
+help."""
 
 import os
 import pathlib
@@ -32,7 +32,7 @@ compopt() { :; }
 
 
 def options_of(verb):
-    """Each option of that part of the help, with what is said of it."""
+    """Each option of that part of the help, with its text."""
     end = "(?=^(?:compare|dataset|visible|sun|cave|stages|bench|Options) )"
     part = re.search(rf"^{verb} (?:.|\n)*?{end}", HELP, re.M).group()
     found = re.split(r"^  (--?[a-z][a-z-]*)", part, flags=re.M)[1:]
@@ -40,7 +40,7 @@ def options_of(verb):
 
 
 def complete(*words, known=WORDS, program=RELIEVO):
-    """What bash offers for the last word; `known` are the words that the completion has asked for
+    """Bash's completions of the last word; `known` are the words requested by the completion
     before, so that these tests do not start the command each time."""
     script = f"""{STUBS}
 source {COMPLETION}

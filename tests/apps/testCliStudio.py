@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The picture without options, in studio: lit on all sides, on a ground, in sight, the right side
-up, with smooth edges; and what of it other options and the file itself replace."""
+"""The picture without options, in studio: lit on all sides, on a ground, in view, upright, with
+smooth edges; and the parts replaced by other options and the file itself."""
 
 import json
 import os
@@ -160,8 +160,8 @@ class Studio(CliTest):
             self.picture("flat.obj", *COARSE, "--ground", "off"))  # fmt: skip
 
     def test_ground_in_all_light(self):
-        """Of what would reach a place if nothing were in the way, its brightness is the share that
-        does; lamps add to it. A ball stands on it, and is seen from above."""
+        """Its brightness is the share of the unobstructed light that arrives; lamps add to it. A
+        ball stands on it, and is seen from above."""
         self.sphere("ball.obj")
         paint = numpy.array([204, 209, 217])  # of studio
         right, down = numpy.meshgrid(

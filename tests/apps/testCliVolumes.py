@@ -244,7 +244,7 @@ class Volumes(CliTest):
         # Nor is one seen whose alpha is 0, but in other colours.
         image.GetPointData().GetScalars().FillComponent(3, 0)
         writer.Write()
-        nothing = "a.png: shows nothing but the ground"
+        nothing = "a.png: shows only the ground"
         for words in ([], ["--color", "red"]):
             done = self.relievo("render", "colors.vti", *words, *SMALL, "--png", "a.png",
                                 environment=STUDIO)  # fmt: skip

@@ -79,7 +79,7 @@ WRONG_VALUES = [
     ("--time-budget", "-3", "a finite number above 0"),
     ("--certify", "0", "whole number from 1"),
     ("--scale-bar", "m" * 40, "a unit in a few letters"),
-    ("--scale-bar", "m,lenght=7", "a unit in a few letters, such as mm, or none, and by choice"),
+    ("--scale-bar", "m,lenght=7", "a unit in a few letters, such as mm, or none, optionally"),
     ("--scale-bar", "m,length=0", "a finite number above 0"),
     ("--scale-bar", "m,length=wide", "a finite number above 0"),
     ("--up", "w", "x, y, z"),

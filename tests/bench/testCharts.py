@@ -1,8 +1,8 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""bench/charts.py draws what the committed tables hold: each chart's points are compared with what
-is read from its CSV file here; a method looks alike in all charts; words overlap nowhere; and two
-runs make the same bytes, those that are committed."""
+"""bench/charts.py draws the committed tables: each chart's points are compared with its CSV file,
+as read here; a method looks alike in all charts; words overlap nowhere; and two runs make equal
+bytes, those that are committed."""
 
 import collections
 import csv
@@ -306,8 +306,8 @@ TRUTH = {
 
 
 def shown(figure):
-    """[panel, method, x, y] of what a figure shows, and [panel, x, y] of rings. Rows have names as
-    y."""
+    """[panel, method, x, y] of the points in a figure, and [panel, x, y] of rings. Rows have
+    names as y."""
     found, rings = [], []
     rows_of = {i: label.get_text() for i, label in enumerate(figure.axes[0].get_yticklabels())}
     is_rows = figure.axes[0].yaxis_inverted()

@@ -4,11 +4,11 @@
 
     PYTHONPATH=tests/clients v/bin/python -m pytest -p pictures PYVISTA/tests/plotting
 
-with PyVista's tests, from its repository, and a virtual environment with pytest, what they need and
-an installed wheel. By hand: it takes a quarter of an hour. Each plotter that a test closes is drawn
-with the frame, twice without it, and with it again; at the end a line says how many pictures were
-equal bit for bit, and how many differ although both were drawn without Relievo. Status 1 if another
-one differs.
+with PyVista's tests, from its repository, and a virtual environment with pytest, the tests'
+requirements and an installed wheel. By hand: it takes a quarter of an hour. Each plotter that a
+test closes is drawn with the frame, twice without it, and with it again; at the end a line says how
+many pictures were equal bit for bit, and how many differ although both were drawn without Relievo.
+Status 1 if another one differs.
 """
 
 import collections

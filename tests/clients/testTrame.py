@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""trame in headless Chromium: a remote view shows what Relievo draws, and a local view, which the
-browser draws itself, says what it loses."""
+"""trame in headless Chromium: a remote view shows Relievo's picture, and a local view, drawn by
+the browser itself, lists its losses."""
 
 import contextlib
 import importlib

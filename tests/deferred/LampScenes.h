@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file LampScenes.h
- * @brief A scene, lamps in it, and what they add: in double, from position and normal.
+ * @brief A scene with lamps, and their contribution: in double, from position and normal.
  */
 #ifndef relievoTestLampScenes_h
 #define relievoTestLampScenes_h

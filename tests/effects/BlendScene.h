@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file BlendScene.h
- * @brief Two panes before a wall that a lamp lights, and what of them must be seen.
+ * @brief Two panes in front of a wall lit by a lamp, and their expected picture.
  */
 #ifndef relievoTestBlendScene_h
 #define relievoTestBlendScene_h

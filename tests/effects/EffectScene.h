@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file EffectScene.h
- * @brief What the scenes of fog and of markers share: things, looks at them, layers, pictures.
+ * @brief Helpers shared by the scenes of fog and markers: props, cameras, layers, pictures.
  */
 #ifndef relievoTestEffectScene_h
 #define relievoTestEffectScene_h

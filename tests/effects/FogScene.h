@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file FogScene.h
- * @brief A wall, a ball and a bit of sky with fog, and what of it must be seen.
+ * @brief A wall, a ball and a bit of sky with fog, and their expected picture.
  */
 #ifndef relievoTestFogScene_h
 #define relievoTestFogScene_h

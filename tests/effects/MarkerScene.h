@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file MarkerScene.h
- * @brief A floor, a ball, a turned wall and a bit of sky with markers, and what of them must be
- * seen.
+ * @brief A floor, a ball, a turned wall and a bit of sky with markers, and their expected picture.
  */
 #ifndef relievoTestMarkerScene_h
 #define relievoTestMarkerScene_h

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// vtkRelievoAmbientStage: the share of the sky against closed forms and many rays of Embree; where
-// it is all or nothing; what hides and what does not; and the picture that is darkened by it.
+// vtkRelievoAmbientStage: the share of the sky against closed forms and many rays of Embree; places
+// with all or none of it; occluders and props that do not occlude; and the darkened picture.
 #include "Check.h"
 #include "EmbreeScene.h"
 #include "GLCheck.h"

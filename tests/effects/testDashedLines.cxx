@@ -99,7 +99,7 @@ struct Places
 };
 
 // Every dash lies on one of the lines, with its middle within half a pixel of it, and together they
-// are that share of the lines' lengths, up to what is given away at ends before a silhouette.
+// cover that share of the lines' lengths, except for ends before a silhouette.
 void CheckDashes(
   Scene& scene, const std::vector<Line>& lines, const std::string& what, double room = 0.06)
 {

@@ -232,8 +232,8 @@ void TestRequests()
   CheckOff(scene, "fog", "fog");
 }
 
-// Fog ends at what is drawn, if it has layers or not, whatever else is asked of the frame. Where z
-// is too coarse for the fog, the layer of depths is taken.
+// Fog ends at surfaces, with or without layers, for any other request to the frame. Where z is too
+// coarse for the fog, the layer of depths is used.
 void TestDrawn()
 {
   FogScene scene(60, 45);

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// vtkRelievoMarkersStage: what markers cover of each pixel against the same in double, in every
-// projection; against the area of the pixel that lies within the radius, on a plane; and the
-// picture against color (1 - a) + marker a in linear light.
+// vtkRelievoMarkersStage: the coverage of each pixel against the same formula in double, in every
+// projection; against the area of the pixel within the radius, on a plane; and the picture against
+// color (1 - a) + marker a in linear light.
 #include "Check.h"
 #include "FogTruth.h"
 #include "GLCheck.h"
@@ -190,8 +190,8 @@ void TestBall()
   RELIEVO_CHECK(largest > 0.5 && largest < 1. - 0.5 / 2.4);
 }
 
-// What is covered of a pixel on a plane is its area within the marker, to a filter's difference;
-// also of rings thinner than a pixel, and seen at an angle.
+// A pixel's coverage on a plane is its area within the marker, to a filter's difference; also for
+// rings thinner than a pixel, and seen at an angle.
 void TestArea()
 {
   const struct

@@ -1,9 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// vtkRelievoToneStage against the formulas in double, on light that is known: operators, exposure,
-// what white is, pixels that are no light, alpha, and the automatic exposure against the
-// log-average of the pixels.
+// vtkRelievoToneStage against the formulas in double, on known light: operators, exposure, white,
+// invalid pixels, alpha, and the automatic exposure against the log-average of the pixels.
 #include "Check.h"
 #include "GLCheck.h"
 #include "Session.h"
@@ -105,7 +104,7 @@ void TestWhiteAndLayer()
   RELIEVO_CHECK(color && color->GetComponent(0, 0) == 1.);
 }
 
-// What is no light is a pixel, not a stain.
+// Invalid light stays a single pixel, not a stain.
 // The colour before tone, as the picture: by the sRGB curve alone, clamped, or brought into range.
 void TestShownColor()
 {

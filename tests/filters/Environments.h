@@ -43,7 +43,7 @@ vtkSmartPointer<vtkImageData> MakeEnvironment(const Light& light, int projection
 /** Sum over all texels of light times solid angle. */
 glm::dvec3 FluxOf(vtkImageData* image, int projection);
 
-/** Of a sphere map, only texels up to this direction are compared: 20 degrees before -z. */
+/** For a sphere map, compares only texels up to this direction: 20 degrees before -z. */
 constexpr double BallEnd = -0.94;
 
 /** |image - mean of light over the texel| over the light's mean: all texels, those at borders. */

@@ -1,8 +1,8 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""vtkRelievoConvexPolygons: the fans that VTK draws cover a polygon once, and nothing else. What is
-inside is said by the number of edges that a ray crosses (even or odd). vtkRelievoPointNormals: the
-normals of such meshes."""
+"""vtkRelievoConvexPolygons: the fans that VTK draws cover a polygon once, and nothing else. The
+inside is defined by the number of edges that a ray crosses (even or odd).
+vtkRelievoPointNormals: the normals of such meshes."""
 
 import time
 import unittest

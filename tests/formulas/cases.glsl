@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Every formula once, by number, from words to words: the GPU and C++ run these same lines, and the
-// test compares what comes out. Results that are numbers come as the bits of a float.
+// test compares the results. Numbers are returned as the bits of a float.
 
 vec3 relievoTestVector(uvec4 words)
 {
@@ -271,7 +271,7 @@ uvec4 relievoTestEnvironment(int which, uvec4 a, uvec4 b)
   return relievoTestBits3(relievoShIrradiance(d, coefficients));
 }
 
-// Fog: pairs of floats, that must be the same to the last bit, and what is made of them.
+// Fog: pairs of floats, which must be equal to the last bit, and values derived from them.
 uvec4 relievoTestFog(int which, uvec4 a, uvec4 b)
 {
   vec3 u = relievoTestVector(a);

@@ -185,7 +185,7 @@ void TestNothingThere()
   RELIEVO_CHECK(f32::relievoUnpackNormalDepth16F(f32::relievoNormalDepth16FNone, 1.f) == nothing);
   RELIEVO_CHECK(f32::relievoUnpackNormalDepth32F(f32::relievoNormalDepth32FNone) == nothing);
 
-  // What is drawn never reads as nothing: without a normal on the far plane, and beyond half.
+  // Surfaces never read as background: without a normal on the far plane, and beyond half.
   const std::uint32_t word = f32::relievoPackNormalDepth8(none, 9.f, 1.f, 9.f);
   const glm::vec4 drawn = f32::relievoUnpackNormalDepth8(word, 1.f, 9.f);
   RELIEVO_CHECK(drawn.x == 0.f && drawn.y == 0.f && drawn.z == 0.f);

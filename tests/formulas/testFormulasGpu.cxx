@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Every formula on the GPU gives what it gives in C++ (float): the same lines on the same words.
+// Every formula gives equal results on the GPU and in C++ (float): the same lines on the same
+// words.
 //
 // Words of codes may differ by one code where the GPU divides or takes a root with another last
 // bit; words for "nothing here" may not. Numbers may differ by the tolerance that stands with the

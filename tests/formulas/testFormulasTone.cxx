@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Tone mapping against its definitions, written out here in double: the curves, what white is, what
-// becomes of hue and luminance, of light that is none, and of values rounded by thresholds.
+// Tone mapping against its definitions, written out here in double: the curves, white, hue and
+// luminance, invalid light, and values rounded by thresholds.
 #include "Check.h"
 #include "Samples.h"
 #include "Session.h"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // With more actors of composite data than a window has texture units, tone and shadows equal those
-// of the surfaces drawn by the plain mapper, from the first frame on, whichever frame was first:
-// since 9.6 VTK leaves a unit in use for each.
+// of the surfaces drawn by the plain mapper, from the first frame on, for any first frame: since
+// 9.6 VTK leaves a unit in use for each.
 #include "Check.h"
 #include "Session.h"
 #include "TestCase.h"

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Layers shown as the picture: each colour is what the layer's value says, by the formula files.
+// Layers shown as the picture: each colour follows from the layer's value, by the formula files.
 
 // First, since GLM's own packing functions would compete with its.
 #include <vtkRelievoFormulas.h>

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The words behind the layers: every format holds the bytes that it says and leaves the background
-// exact for all layers, also with a far plane 1e7 times as far as the near one; and what AUTO
-// takes.
+// The words behind the layers: every format holds its stated number of bytes and leaves the
+// background exact for all layers, also with a far plane 1e7 times as far as the near one; and the
+// choice of AUTO.
 #include "Check.h"
 #include "GLCheck.h"
 #include "Layers.h"

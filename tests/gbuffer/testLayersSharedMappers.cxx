@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // A surface and its wire frame that share a mapper have the same layers as with a mapper each, in
-// whichever order they are drawn, and whatever was drawn before: both, one of them, other widths.
-// So have thin lines and wide ones of the same blocks of composite data.
+// either drawing order, and after any earlier drawing: both, one of them, other widths. So have
+// thin lines and wide ones of the same blocks of composite data.
 #include "Check.h"
 #include "GLCheck.h"
 #include "Layers.h"

@@ -173,7 +173,7 @@ void TestClipping()
   }
 }
 
-// Of two squares in one plane, the one drawn nearer is visible, at the plane's own depth.
+// Two squares in one plane: the one drawn nearer is visible, at the plane's own depth.
 void TestCoincident(double zNear, double zFar)
 {
   const Stage stage(160, 120);

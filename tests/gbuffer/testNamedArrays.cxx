@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Point and cell arrays by name: point values are linear over every triangle of any cell, cell
-// values are the cell's own, to the last digit; what is missing is NaN, what is wrong is said.
+// values are the cell's own, to the last digit; missing values are NaN, errors are reported.
 #include "AnalyticScene.h"
 #include "Check.h"
 #include "EmbreeScene.h"

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The truth about a glTF 2 file, in double: what the specification says that its primitives are at
-a time. It reads JSON and buffers by itself and shares no code with the reader."""
+"""The truth about a glTF 2 file, in double: its primitives at a time by the specification. It
+reads JSON and buffers by itself and shares no code with the reader."""
 
 import base64
 import json

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the tests of glTF share: reading a file with the reader, and comparing what it gives with
+"""Helpers for the tests of glTF: reading a file with the reader, and comparing the result with
 the evaluator's truth, corner by corner."""
 
 import pathlib

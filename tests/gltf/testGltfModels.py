@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Every glTF 2 file of Debian's assimp-testmodels: those that are valid equal the evaluator's
-truth, the others are refused with what is wrong, or differ as is said here."""
+"""Every glTF 2 file of Debian's assimp-testmodels: valid ones equal the evaluator's truth, the
+others are refused with their error, or differ as stated here."""
 
 import os
 import pathlib

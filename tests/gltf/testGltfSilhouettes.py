@@ -1,8 +1,8 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What `relievo render` shows of glTF files, from three sides and at times of their animations:
-no pixel is farther than one pixel from the silhouette of the evaluator's triangles, as numpy fills
-them, or from its lines and points."""
+"""Pictures of glTF files by `relievo render`, from three sides and at times of their animations:
+no pixel is farther than one pixel from the silhouette of the evaluator's triangles, as numpy
+fills them, or from its lines and points."""
 
 import os
 import pathlib
@@ -42,7 +42,7 @@ SMALL = 8  # pixels across: such triangles, of which files have many, are filled
 
 
 def within(triangles, x, y):
-    """Whether places are in the triangles, whichever way round these are."""
+    """Whether places are in the triangles, for either winding."""
     corners = numpy.moveaxis(triangles, -2, 0)
     sides = [(q[..., 0] - p[..., 0]) * (y - p[..., 1]) - (q[..., 1] - p[..., 1]) * (x - p[..., 0])
              for p, q in zip(corners, numpy.roll(corners, -1, axis=0))]  # fmt: skip

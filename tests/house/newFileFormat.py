@@ -22,7 +22,7 @@ def replace(path, old, new):
 
 
 def add(tree):
-    """The rows, and what is written of them."""
+    """The rows, and their documentation."""
     row = '    { { "off" }, Open<vtkRelievoOFFReader>, "off" },\n'
     replace(tree / "reading" / "files" / "Readers.cxx", row, row + DATA)
     row = '    { { "bmp" }, { "BM" }, DecodeBMP },\n'

@@ -62,7 +62,7 @@ def replace(path, old, new):
 
 
 def add(tree):
-    """The class, its word, and what is written of it."""
+    """The class, its word, and their documentation."""
     (tree / "dataset" / "formats" / "LinesFormat.cxx").write_text(CLASS, encoding="utf-8")
     replace(tree / "dataset" / "CMakeLists.txt", "Bop Coco Nerf Npz)", "Bop Coco Nerf Npz Lines)")
     replace(tree / "docs" / "datasets.md", "| `npz` | `NUMBER.npz`",

@@ -120,7 +120,7 @@ def replace(path, old, new):
 
 
 def add(tree):
-    """The class, its name, and what is written of it."""
+    """The class, its name, and their documentation."""
     cameras = tree / "cameras"
     (cameras / "vtkRelievoCylinderCamera.h").write_text(HEADER, encoding="utf-8")
     (cameras / "vtkRelievoCylinderCamera.cxx").write_text(SOURCE, encoding="utf-8")

@@ -4,7 +4,7 @@
 file; each has a row in its page. After that the command, its help, its completion, Python and
 ParaView have them. For testNewPass.py, which builds the tree anyway.
 
-The setting leaves out the sun where it stands low, the option leaves out what the command prints.
+The setting ignores the sun where it stands low, the option suppresses the command's output.
 """
 
 import os
@@ -33,7 +33,7 @@ def replace(path, *edits):
 
 
 def add(tree):
-    """The filter's class and the command's file, and what is written of them."""
+    """The filter's class and the command's file, and their documentation."""
     filter_ = tree / "filters" / "sight" / "vtkRelievoSunExposure"
     replace(filter_.with_suffix(".h"),
             ("  double Latitude = 48.0;\n", "{0}  double Horizon = 0.0;\n"),
@@ -55,7 +55,7 @@ def add(tree):
 
 
 def on_the_command_line(run, build, folder):
-    """In the help, in the completion's words, and in what is done."""
+    """In the help, in the completion's words, and in the results."""
     relievo = build / "bin" / "relievo"
     page, words = run([relievo, "--help"]), run([relievo, "--words"])
     assert "\n  --horizon N " in page and "does not count, 0 to 80 degrees (0)" in page, page

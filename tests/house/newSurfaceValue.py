@@ -4,7 +4,7 @@
 command, its help, Python, the viewer's panel and ParaView have it. For testNewPass.py, which builds
 the tree anyway.
 
-The value takes away a share of what is mirrored, so that all of it is what a weight of 0 makes.
+The value removes a share of the reflected light, so that 1 equals a weight of 0.
 """
 
 import os
@@ -37,7 +37,7 @@ def replace(path, *edits):
 
 
 def add(tree):
-    """Two files: the class, and what is written of it."""
+    """Two files: the class, and its documentation."""
     replace(tree / "materials" / "vtkRelievoMaterial.cxx", *EDITS)
     replace(tree / "docs" / "materials.md", ("| `reflection_weight` |", ROW + "{0}"))
 
@@ -87,7 +87,7 @@ try:
 except ValueError as error:
     assert "from 0 to 1" in str(error), error
 
-# What the viewer copies as Python is these words.
+# The viewer's Python program uses these words.
 relievo.scene(
     folder + "/tile.off", size="60x60", environment=folder + "/around.tga", reflectivity="1,0",
     material="darkness=0.25",

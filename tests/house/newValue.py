@@ -13,7 +13,7 @@ ROW = "| `share` | fog of less than half a share is not drawn | 1 |\n"
 
 
 def add(tree):
-    """The class: what fog consists of, where rows have it, what it does; and its page."""
+    """The class: the columns of a row, and the value's effect; and its page."""
     fog = tree / "passes" / "effects" / "fog" / "vtkRelievoFogSpheres.h"
     text = fog.read_text(encoding="utf-8")
     assert text.count("    BLUE\n") == 1, text
@@ -80,7 +80,7 @@ try:
 except ValueError as error:
     assert "from 0 to 1" in str(error), error
 
-# What the viewer copies as Python is these words.
+# The viewer's Python program uses these words.
 relievo.scene(
     folder + "/ground.off", size="90x70", fog=[folder + "/fog.vtk,density=1,radius=1,share=wanted"]
 ).render(folder + "/scene.png")

@@ -12,7 +12,7 @@ import unittest
 import zlib
 
 ROOT = pathlib.Path(__file__).parents[2]
-# Writes what it finds beside it as what --png and so on name; {build} is where it is.
+# Writes its data beside itself under the names of --png and so on; {build} is its folder.
 STUB = """#!/bin/sh
 while [ $# -gt 0 ]; do
   case "$1" in
@@ -111,7 +111,7 @@ class CompareFrames(unittest.TestCase):
             self.assertTrue((kept / side / "render/fog-beer/picture.png").exists(), last)
 
     def test_identical(self):
-        """What varies, and what is packed in another way, is no difference; nothing stays."""
+        """Values that vary, and other packing, are no difference; nothing stays."""
         self.build("new", report={**REPORT, "gpu_ms": 7.5, "shadow_plan": "map, 9.5 ms"},
                    says=SAYS.replace("12.5", "9"))  # fmt: skip
         words = (self.folder / "old", self.folder / "new", "--only", "^render/(fog|hdr)")

@@ -1,10 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// vtkRelievoImageFile says what is wrong with a file: missing, a folder, not to be opened, cut.
-// From memory it reads what VTK's writers write, and TGA where a name says so; colours of 16 bits
-// and of light are those of the formulas. tests/python/testImageFiles.py has all kinds of each
-// format.
+// vtkRelievoImageFile reports the error in a file: missing, a folder, not to be opened, cut. From
+// memory it reads the output of VTK's writers, and TGA if the name says so; colours of 16 bits and
+// of light are those of the formulas. tests/python/testImageFiles.py has all kinds of each format.
 #include "Check.h"
 #include "Session.h"
 #include "TestCase.h"

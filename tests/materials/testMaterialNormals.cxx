@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Mapped normals against those of an analytic height field: formats, frames, mirrored and seam
-// texels, shading, and what the picture and the other layers must keep.
+// texels, shading, and the unchanged parts of the picture and the other layers.
 #include "Check.h"
 #include "GLCheck.h"
 #include "Layers.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Each pixel of a skybox against the light of the ray through it: projections, views, rotations,
-// edges, and what the rest of the picture must keep.
+// edges, and the unchanged rest of the picture.
 #include "Check.h"
 #include "GLCheck.h"
 #include "Layers.h"

@@ -2,9 +2,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A white square, seen straight from above in the light of one lamp at the camera; and maps.
 
-With the words `restore FILE PICTURE` the script loads a state and draws it; with `wrong` it gives
-wrong files and values and says what came of them; with `ranks FOLDER NAMES [PORT]` it draws parts
-of a square that lie on the ranks, or with a server, and for the name `client` as its client.
+With the words `restore FILE PICTURE` the script loads a state and draws it; with `wrong` it
+sets wrong files and values and prints the results; with `ranks FOLDER NAMES [PORT]` it draws
+parts of a square that lie on the ranks, or with a server, and for the name `client` as its
+client.
 """
 
 import math

@@ -210,8 +210,8 @@ class PluginTest(Test):
 
 
 def values(proxy, properties):
-    """The values of properties as Python's own objects, of the kinds of their defaults, which are
-    the first of what `properties` has by name."""
+    """The values of properties as Python's own objects, of the kinds of their defaults, which
+    come first in the lists of `properties`, by name."""
     found = {}
     for name, (default, *_) in properties.items():
         value = getattr(proxy, name)

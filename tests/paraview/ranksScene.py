@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Draws pictures of a scene whose parts lie on the ranks: ranksScene.py FOLDER NAME
 
-The ground is on the last rank and what casts is spread over all, so that part of it casts from
-another rank than the one that receives. Writes FOLDER/STEP-NAME.png for every step, and
+The ground is on the last rank and the casters are spread over all, so that some of them cast
+from another rank than the receiving one. Writes FOLDER/STEP-NAME.png for every step, and
 FOLDER/layers-NAME.npz.
 """
 

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A sphere over a square ground in a render view; by rays in double, what a light reaches."""
+"""A sphere over a square ground in a render view, and the lit part of it by rays in double."""
 
 import numpy
 from paraview import simple
@@ -92,7 +92,8 @@ class Stage:
         return numpy.where((d > 0) & (near > 1e-9), near, numpy.inf)
 
     def verdicts(self, size=None, light=None, lamp=None, cone=90.0, margin=2):
-        """What a light reaches: LIT, DARK, NONE, or UNSURE within `margin` pixels of an edge.
+        """The visibility of a light: LIT, DARK, NONE, or UNSURE within `margin` pixels of an
+        edge.
 
         `light` is the direction towards a far light (default: the stage's sun), `lamp` the place of
         a near one that looks at the scene's middle with that cone angle in degrees.

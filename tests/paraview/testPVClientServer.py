@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A client and a pvserver show what ParaView alone shows, whoever renders; and a server without the
-plugin is told of in words.
+"""A client and a pvserver show the picture of ParaView alone, whichever renders; and a server
+without the plugin is reported.
 
 With the words `draw PORT FILE` the script is the client that draws.
 """

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""ParaView's render view stays what it was: without the plugin's features bit for bit, and with
+"""ParaView's render view stays unchanged: without the plugin's features bit for bit, and with
 shadows every pixel is one of two of ParaView's own pictures, the lit or the unlit, as rays say.
 
 With the words `draw FILE` the script draws all features without the plugin.

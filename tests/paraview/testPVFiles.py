@@ -1,8 +1,8 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""OpenEXR through File > Open, Save Data and Export View: what is written is read back bit for bit.
+"""OpenEXR through File > Open, Save Data and Export View: files are read back bit for bit.
 
-With the word `provoke`: what must be refused.
+With the word `provoke`: requests that must be refused.
 """
 
 import locale

@@ -7,7 +7,8 @@ for bit.
 
     testPVHistory.py [STEPS [SEED]]
 
-With the words `restore FILE PICTURE LAYERS` the script loads a state and keeps what it draws.
+With the words `restore FILE PICTURE LAYERS` the script loads a state and stores its picture
+and layers.
 """
 
 import random
@@ -173,7 +174,7 @@ class Walk:
     def size(self):
         return self.set(ViewSize=self.random.choice(SIZES))
 
-    # What must leave no trace -------------------------------------------------
+    # Operations that must leave no trace ---------------------------------------
 
     def screenshot(self):
         size = self.random.choice([(700, 560), (124, 456), (260, 260)])

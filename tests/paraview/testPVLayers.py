@@ -1,9 +1,9 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The source Relievo Layers gives what the view shows, in numbers, when it is asked to.
+"""The source Relievo Layers gives the view's contents as numbers, at the requested times.
 
-With words: `restore STATE FILE` loads a state and keeps what its layers are; `provoke` does what
-must be refused.
+With words: `restore STATE FILE` loads a state and stores its layers; `provoke` makes requests
+that must be refused.
 """
 
 import sys

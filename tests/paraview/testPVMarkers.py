@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Points of a representation as markers, and markers of what is selected: where they are,
-properties. Several ranks: testPVLamps."""
+"""Points of a representation as markers, and markers of the selection: positions, properties.
+Several ranks: testPVLamps."""
 
 import lampScene
 import numpy

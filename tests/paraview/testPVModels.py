@@ -2,8 +2,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Models with bones in ParaView: opened by their names, played by its time controls, skinned.
 
-With the words `restore STATE PICTURE` the script draws a state; with `ranks FILE` it counts what
-all ranks together have of the figure, at rest, moved by the reader, and moved by Skin.
+With the words `restore STATE PICTURE` the script draws a state; with `ranks FILE` it counts
+the figure's points and cells on all ranks together, at rest, moved by the reader, and moved
+by Skin.
 """
 
 import json

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Views and surfaces that are older than the plugin get what later ones have."""
+"""Views and surfaces older than the plugin get the properties of newer ones."""
 
 import materialScene
 import pv

@@ -38,8 +38,9 @@ class Ranks(pv.Test):
 
     def test_two(self):
         """
-        The caster on both, the ground on one: maps are fitted to whole props, whoever draws their
-        parts. No more than 0.02 % of the pixels may differ by more than a grey level.
+        The caster on both, the ground on one: maps are fitted to whole props, whichever rank
+        draws their parts. No more than 0.02 % of the pixels may differ by more than a grey
+        level.
         """
         two, said = draw(2)
         self.assertEqual(pv.messages(said), [])

@@ -3,7 +3,7 @@
 """Properties by script: trace, state files in fresh processes, undo, wrong values, no plugin.
 
 With the words `restore plugin|none FILE PICTURE` the script loads a state and draws it; with
-`wrong` it sets wrong values and says what came of them.
+`wrong` it sets wrong values and prints the results.
 """
 
 import json

@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Writes what filters of blocks, caves, voxels and particles make: volumeRanks.py FOLDER RANKS
+"""Writes the output of filters for blocks, caves, voxels and particles: volumeRanks.py FOLDER
+RANKS
 
 Each rank writes its part of each output as FOLDER/NAME-RANKS-RANK.npy: a table with a row for each
 point or cell that is no ghost.

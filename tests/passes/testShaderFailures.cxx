@@ -45,7 +45,7 @@ const Case Cases[] = {
     " { return uint(0); }\n",
     false, "No layers of geometry drawn by " },
   { "shadows", "bool relievoShadowSees(vec3 place) { return false; }\n", true,
-    "No shadows on what " },
+    "No shadows on surfaces drawn by " },
 };
 
 void Test(const Case& c, bool early, bool last)

@@ -1,9 +1,9 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What Relievo must leave as it is, for any window: its picture, bit for bit, whatever was drawn.
+"""Relievo must not change the picture of any window, bit for bit, whatever was drawn before.
 
-check(window) draws the window plain, attached with nothing asked, with layers, with shadows, with
-them off again, captured, and detached, and says what differs.
+check(window) draws the window plain, attached without requests, with layers, with shadows, with
+them off again, captured, and detached, and returns the differences.
 """
 
 from contextlib import contextmanager
@@ -46,10 +46,11 @@ def capture_surfaces(renderer):
 
 
 def plain_pictures(window):
-    """What VTK itself draws: at first, again, and after its mappers are told to have changed, their
-    properties, and the number of lights, for which it builds its shaders anew.
+    """VTK's own pictures: the first, a second, and those after marking its mappers as modified,
+    then their properties, and after changing the number of lights, which rebuilds its
+    shaders.
 
-    They differ where VTK depends on what was drawn before: actors that share a mapper, levels of
+    They differ where VTK depends on earlier drawing: actors that share a mapper, levels of
     detail, widgets. Then each of them is right.
     """
     found = [picture(window), picture(window)]
@@ -208,7 +209,7 @@ class Frames:
         self.step("capture")
         for renderer, layers in zip(renderers, once):
             # Drawn at another place of a framebuffer, values round another way; and alone, nothing
-            # is hidden by what other renderers drew.
+            # is hidden by surfaces of other renderers.
             if renderer.GetOrigin() != (0, 0) or renderer.GetPreserveDepthBuffer():
                 continue
             image = relievo.capture(renderer, LAYERS)

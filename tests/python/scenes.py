@@ -122,9 +122,9 @@ def rays(camera, columns, rows):
 
 
 def truth(renderer, columns, rows):
-    """Depth, and the unit normal of the triangle hit, by intersecting every ray with every triangle
-    in double: (rows, columns) and (rows, columns, 3); infinity and 0 where nothing is hit. Last, a
-    mask of pixels that are no nearer than `margin` pixels to an edge of what is seen there."""
+    """Depth, and the unit normal of the triangle hit, by intersecting every ray with every
+    triangle in double: (rows, columns) and (rows, columns, 3); infinity and 0 for a miss.
+    Last, a mask of pixels at least `margin` pixels away from an edge of the visible surfaces."""
     origins, directions = rays(renderer.GetActiveCamera(), columns, rows)
     depth = numpy.full((rows, columns), numpy.inf)
     normal = numpy.zeros((rows, columns, 3))

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The stage antialias: edges against the area of each pixel that a polygon covers, and what it must
-leave as it is: the camera, layers, and pictures without it."""
+"""The stage antialias: edges against the area of each pixel covered by a polygon, and the
+unchanged camera, layers, and pictures without it."""
 
 import unittest
 
@@ -117,7 +117,7 @@ class Antialias(unittest.TestCase):
                 delta=0.01)  # fmt: skip
 
     def test_moving(self):
-        """A picture of the first sample alone is filtered, and what is gathered is not, whether or
+        """A picture of the first sample alone is filtered, an accumulated one is not, whether or
         not the window has samples of its own."""
         shares = covered(CORNERS)
         edges = (shares > 0) & (shares < 1)

@@ -429,7 +429,7 @@ rectification_matrix:
   cols: 3
   data: [1, 0, 0, 0, 1, 0, 0, 0, 1]
 """
-# What `rostopic echo -n 1` and `ros2 topic echo --once` print of a CameraInfo.
+# Output of `rostopic echo -n 1` and `ros2 topic echo --once` for a CameraInfo.
 ROS_MESSAGE = """header:
   seq: 12
   stamp:

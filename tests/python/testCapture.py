@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""capture(): layers against truth in double, sizes, windows, what it leaves behind, errors."""
+"""capture(): layers against truth in double, sizes, windows, restored state, errors."""
 
 import json
 import os
@@ -225,7 +225,8 @@ class Windows(unittest.TestCase):
         self.assertEqual(window.GetSize(), (400, 200))
 
     def test_alpha_of_screenshots(self):
-        """Straight, of panes over nothing, over what is opaque, and of all that a sphere hides."""
+        """Straight, for panes over the background, over opaque surfaces, and everything that a
+        sphere hides."""
         renderer = vtkRenderer()
         renderer.SetBackground(0.2, 0.4, 0.6)
         renderer.GetActiveCamera().ParallelProjectionOn()
@@ -356,7 +357,7 @@ class NothingToSee(unittest.TestCase):
 
 
 class NoDisplay(unittest.TestCase):
-    """Before VTK 9.4 each way in says what to do; from then on VTK draws."""
+    """Before VTK 9.4 each function explains what to do; from then on VTK draws."""
 
     DRAWS = """
 import relievo

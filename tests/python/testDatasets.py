@@ -537,7 +537,7 @@ class Datasets(unittest.TestCase):
         self.assertEqual(found["visible_masks"].shape, (0, SIZE[1], SIZE[0]))
         self.assertTrue(numpy.isinf(found["depth"]).all())
         self.assertFalse(read_png(self.folder / "bop" / "depth" / "000000.png").any())
-        with self.assertRaisesRegex(ValueError, "nothing to stand around"):
+        with self.assertRaisesRegex(ValueError, "cameras have nothing to surround"):
             relievo.write_dataset(renderer, "orbit:3", self.folder / "none")
 
     def test_goes_on(self):
@@ -619,7 +619,7 @@ class Datasets(unittest.TestCase):
                 relievo.write_dataset(renderer, poses, self.folder / "none")
         (self.folder / "mine").mkdir()
         (self.folder / "mine" / "thesis.txt").write_text("mine")
-        with self.assertRaisesRegex(ValueError, "holds other files, such as thesis.txt"):
+        with self.assertRaisesRegex(ValueError, "contains other files, such as thesis.txt"):
             relievo.write_dataset(renderer, camera, self.folder / "mine")
         (self.folder / "file").write_text("mine")
         with self.assertRaisesRegex(OSError, "cannot be made"):

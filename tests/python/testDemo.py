@@ -66,8 +66,8 @@ class Demo(unittest.TestCase):
         part = relievo.layer(image, "part")
         self.assertGreater(len(numpy.unique(part[numpy.isfinite(part)])), 20)
         self.assertEqual(set(relievo.layer(image, "block").ravel()), {0, 1, 2, 3})
-        # Part of what is seen is lit by the key light, part in its shadow; the picture shows that:
-        # the floor is darker there.
+        # A part of the visible surfaces is lit by the key light, a part is in its shadow; the
+        # picture shows that: the floor is darker there.
         lit, floor = relievo.layer(image, "shadow_0"), actor == 0
         self.assertGreater((lit == 1).mean(), 0.3)
         self.assertGreater((lit == 0).mean(), 0.03)

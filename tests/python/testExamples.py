@@ -193,8 +193,8 @@ class Examples(unittest.TestCase):
     def test_three_spots(self):
         self.run_example("07_three_spots.py")
         picture = read_png(self.folder / "out" / "three_spots.png").astype(float)
-        # What one spot does not reach has the colour of the two others: yellow without blue, cyan
-        # without red; magenta, without green, is behind the bike.
+        # Surfaces without the light of one spot have the colour of the two others: yellow without
+        # blue, cyan without red; magenta, without green, is behind the bike.
         red, green, blue = picture[..., 0], picture[..., 1], picture[..., 2]
         self.assertGreater((numpy.minimum(red, green) > 1.5 * blue + 30).mean(), 0.03)
         self.assertGreater((numpy.minimum(green, blue) > 1.5 * red + 30).mean(), 0.03)

@@ -145,7 +145,7 @@ class Attach(unittest.TestCase):
         self.assertIs(self.renderer.GetPass(), own)
 
     def test_a_pass_around_the_frame(self):
-        """By whoever wraps what the renderer has: it stays where it is put, and nothing recurs."""
+        """Other code may wrap the renderer's pass: it stays in its place, and nothing recurs."""
         frame = relievo.attach(self.renderer)
         self.window.Render()
         passes = vtkRenderPassCollection()

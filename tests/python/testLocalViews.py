@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Scenes that a browser draws itself: Relievo says what they lose, against a stand-in of trame's
+"""Scenes drawn by the browser: Relievo lists their losses, against a stand-in of trame's
 functions. tests/clients has trame itself."""
 
 import os
@@ -61,7 +61,7 @@ class LocalViews(unittest.TestCase):
         return [line for line in done.stderr.splitlines() if "RuntimeWarning" in line]
 
     def test_a_frame(self):
-        """Said once a process, with what to do."""
+        """Reported once per process, with a remedy."""
         found = self.said("""
 import relievo
 first, second = scene(), scene()

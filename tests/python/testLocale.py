@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Readers, writers and words in a program that has the user's locale, whose decimal point is a
-comma and whose small i may have no dot: what they say and make is what it is everywhere."""
+"""Readers, writers and words in a program with the user's locale, whose decimal point is a comma
+and whose small i may have no dot: their texts and results are as everywhere."""
 
 import json
 import locale

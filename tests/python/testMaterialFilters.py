@@ -46,7 +46,7 @@ class Normals(unittest.TestCase):
 
 class Settings(unittest.TestCase):
     def check(self, made, name):
-        """Get and the setting's name gives what its words set, at both ends of its range."""
+        """Get and the setting's name returns the value set by words, at both ends of its range."""
         words = (word.capitalize() for word in name.replace("srgb", "s_r_g_b").split("_"))
         got = getattr(made, "Get" + "".join(words))
         help_ = made.GetParameterHelp(name)

@@ -260,7 +260,7 @@ class SensorDatasets(unittest.TestCase):
             self.assertEqual(one["lens"], two["lens"])
             for name in ("K", "R", "t", "distortion"):
                 numpy.testing.assert_allclose(one[name], two[name], atol=1e-12)
-            with self.assertRaisesRegex(ValueError, "pose 0: has a lens, and another one"):
+            with self.assertRaisesRegex(ValueError, "pose 0: has a lens, and the given camera"):
                 relievo.write_dataset(renderer, folder / "transforms.json", self.folder / "x",
                                       "nerf", lens="division:-0.1")  # fmt: skip
 
@@ -314,7 +314,7 @@ class SensorDatasets(unittest.TestCase):
         self.assertEqual(found["lens"], "lidar")
         pinhole = relievo.Pinhole(K, SIZE)
         for cameras, view in (([lidar, pinhole], 0), ([pinhole, lidar, pinhole], 1)):
-            says = f"view {view}: layer flow_valid goes to places"
+            says = f"view {view}: layer flow_valid refers to places"
             with self.assertRaisesRegex(ValueError, says):
                 relievo.write_dataset(heap(), cameras, self.folder / "x", "npz", ["flow_valid"])
             self.assertFalse((self.folder / "x").exists())
@@ -328,7 +328,7 @@ class SensorDatasets(unittest.TestCase):
         add(renderer, plate(0.5), (0, 0, -2))
         wide = relievo.Fisheye([[15, 0, 31.5], [0, 15, 31.5], [0, 0, 1]], (64, 64))
         wide.look_at((1.5, 0, 0), (1.5, 0, -1))
-        with self.assertWarnsRegex(RuntimeWarning, "behind the plane of the camera"):
+        with self.assertWarnsRegex(RuntimeWarning, "behind the camera's plane"):
             relievo.write_dataset(renderer, wide, self.folder, "coco")
         layers = relievo.capture(renderer, ["depth", "actor"], camera=wide)
         actor, depth = (relievo.layer(layers, each) for each in ("actor", "depth"))

@@ -104,8 +104,8 @@ class Shadows(unittest.TestCase):
                 self.assertEqual(set(values[nothing]), {1.0})
 
     def test_a_lens(self):
-        """A vertex shader that goes on from VTK's gl_Position, as PyVista's camera distortion has
-        it, bends what the camera sees, and not what lights see."""
+        """A vertex shader that modifies VTK's gl_Position, like that of PyVista's camera
+        distortion, bends the camera's picture, but not the lights' maps."""
         for thing in (self.floor, self.plate):
             source = thing.GetMapper().GetInputAlgorithm()
             source.SetResolution(40, 40)

@@ -1198,8 +1198,8 @@ class Colour(unittest.TestCase):
         return renderer
 
     def test_places_of_colours(self):
-        """The colour where a ray meets the walls, within 1 of 255, mean 0.3 (with HDR 0.1); in the
-        corners, where it turns, within half of what it changes in a pixel."""
+        """The colour where a ray hits the walls, within 1 of 255, mean 0.3 (with HDR 0.1); in
+        the corners, where it turns, within half of its change in a pixel."""
         eye = numpy.array((0.2, -0.1, 0.15))
         for far in (0.0, 5e5):
             center = numpy.array((far, -far, far))

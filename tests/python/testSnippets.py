@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The snippets of README and of the pages in docs run as they are printed, a page's in one Python,
-with what a reader would have at hand. Those of ParaView (`from paraview`, `view.`) are
+"""The snippets of README and of the pages in docs run as printed, a page's in one Python, with a
+reader's likely data at hand. Those of ParaView (`from paraview`, `view.`) are
 tests/paraview's, and those of packages from PyPI are tests/clients'."""
 
 import base64

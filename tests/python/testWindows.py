@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Windows that go and come back, captures from other processes and threads, and what outlives an
-actor that it was attached to."""
+"""Windows that are closed and reopened, captures from other processes and threads, and objects
+that outlive their actor."""
 
 import gc
 import multiprocessing

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file BruteRays.h
- * @brief What rays meet, triangle after triangle, in extended precision and by another formula than
+ * @brief Hits of rays, triangle after triangle, in extended precision and by another formula than
  *   the library's: the plane first, and then on which side of the edges its point is.
  */
 #ifndef relievoTestBruteRays_h

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What rays meet, against all triangles in extended precision, and against Embree: meshes, soups,
+// Hits of rays, against all triangles in extended precision, and against Embree: meshes, soups,
 // slivers, glyphs, far from the origin, moved points and matrices.
 #include "BruteRays.h"
 #include "Check.h"
@@ -613,7 +613,7 @@ void TestConcave()
   RELIEVO_CHECK_NEAR(wrong, 0, 0, "rays at polygons that are not convex");
 }
 
-// Glyphs by the thousands beside a mesh, blocks and what rays cannot follow, of a renderer.
+// Glyphs by the thousands beside a mesh, blocks and props that rays cannot trace, in a renderer.
 void TestRenderer()
 {
   vtkNew<vtkRenderer> renderer;
@@ -866,7 +866,7 @@ void TestMatrices()
       RELIEVO_CHECK(glm::length(copied - glm::dvec3(p[0], p[1], p[2]) / p[3]) < 1e-13);
     }
   }
-  // What a matrix sends behind infinity is left out, and said.
+  // Geometry that a matrix moves behind infinity is left out, with a warning.
   vtkNew<vtkPolyDataMapper> mapper;
   mapper->SetInputData(hills);
   vtkNew<vtkActor> actor;

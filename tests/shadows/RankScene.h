@@ -40,7 +40,7 @@ inline constexpr int Height = 150;
 inline constexpr int Pixels = Width * Height;
 inline constexpr int Values = 6; // of a pixel: depth, two lights' visibility, colour
 
-/** What a process has of the scene. All have all props; of those that others have, no mesh. */
+/** A process's part of the scene. All have all props, but the props of others have no mesh. */
 struct RankScene
 {
   ShadowStage Stage{ Width, Height };
@@ -175,7 +175,7 @@ struct RankScene
     this->Pair->GetProperty()->SetOpacity(0.5);
   }
 
-  // Appends what a picture shows, and layers of another frame.
+  // Appends the picture, and layers of another frame.
   void Record(std::vector<float>& numbers)
   {
     const auto picture = Picture(this->Stage.Window);

@@ -54,7 +54,7 @@ struct SoftStage : ShadowStage
   vtkSmartPointer<vtkLight> Sun;
   vtkSmartPointer<vtkLight> Lamp;
 
-  // What AddSubObjects adds.
+  // Objects added by AddSubObjects.
   vtkNew<vtkPlane> Plane;
   vtkNew<vtkImageFlip> Image;
   vtkSmartPointer<vtkActor> Sheet;

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The layer `light_depth`: what the maps of a sun, a spot and a lamp straight above see of a box on
-// a ground, whose distances along the axis are known.
+// The layer `light_depth`: the depths in the maps of a sun, a spot and a lamp straight above a box
+// on a ground, whose distances along the axis are known.
 #include "Check.h"
 #include "GLCheck.h"
 #include "Session.h"
@@ -179,7 +179,7 @@ void TestSpotAndLamp()
   }
 }
 
-// Which light; none that casts; no shadows at all; nothing left of what was.
+// Selection of the light; no casting light; no shadows at all; no trace of the former state.
 void TestWhichLight()
 {
   Scene scene(false, 90.0);

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Maps are drawn anew exactly when something that matters changed: after every change the picture
-// is that of a renderer that never saw anything else, and what does not matter draws no map. With
-// the argument `exact` the same of the verdicts of rays, which are found anew instead.
+// Maps are redrawn exactly when something relevant changed: after every change the picture equals
+// that of a new renderer, and irrelevant changes draw no map. With the argument `exact`, the test
+// covers the verdicts of rays, which are recomputed instead.
 #include "Check.h"
 #include "GLCheck.h"
 #include "Layers.h"
@@ -42,7 +42,8 @@ using relievoTest::Picture;
 
 bool Exact = false; // the method
 
-// A sun, a lamp that shines everywhere and one that does not, one map each; and what they shine on.
+// A sun, a lamp that shines everywhere and one that does not, one map each; and the surfaces that
+// they light.
 struct Scene : relievoTest::ShadowStage
 {
   Scene()
@@ -149,7 +150,7 @@ void UseBlocks(Scene& s)
   s.Thing->SetMapper(mapper);
 }
 
-// Of two boxes with back faces away from one, the mappers change places.
+// Two boxes, one without back faces, exchange their mappers.
 void UseCulled(Scene& s)
 {
   s.Other = s.AddBox({ -0.9, 0.7, 0.6 }, { 0.5, 1.4, 0.5 });
@@ -294,7 +295,7 @@ const Case Cases[] = {
   { "a light goes", 2, true, [](Scene& s) { s.Renderer->RemoveLight(s.Sun); } },
 };
 
-// What casts is drawn into maps with every method, or is met above in another way.
+// Casters are drawn into maps with every method, or traced as tested above.
 bool IsOfMaps(const Case& test)
 {
   static const std::set<std::string> names = { "a user's transform", "another mapper",
@@ -305,7 +306,7 @@ bool IsOfMaps(const Case& test)
   return test.Matters == Case::InMapsOnly || names.count(test.Name) > 0;
 }
 
-// What the last frame drew before its picture: maps, or what takes their place.
+// The draws of the last frame before its picture: maps, or the method's own.
 int CountDrawn(Scene& scene)
 {
   return Exact ? scene.GetShadows()->GetDrawCalls() : scene.GetShadows()->GetNumberOfMapsDrawn();

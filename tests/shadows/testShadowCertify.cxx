@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Certificates of shadows: they find the errors that Embree finds, and none where there are none;
-// the bound against closed forms; what is counted apart, and what is refused.
+// Certificates of shadows: they find Embree's errors, and none where there are none; the bound
+// against closed forms; separately counted verdicts, and refused requests.
 #include "Check.h"
 #include "EmbreeScene.h"
 #include "Layers.h"
@@ -42,8 +42,8 @@ using relievoTest::ShadowStage;
 
 constexpr int All = 1 << 30;
 
-// Of n without an error, (1 - p)^n = 0.05; of n all but one wrong, 1 - p^n = 0.05; symmetric under
-// exchange of right and wrong at the other confidence.
+// For n without an error, (1 - p)^n = 0.05; for n all but one wrong, 1 - p^n = 0.05; symmetric
+// under exchange of right and wrong at the other confidence.
 void TestBound()
 {
   for (const long long n : { 1ll, 10ll, 6000ll, 10000000ll })
@@ -130,7 +130,7 @@ void TestMesh(const std::string& mesh, SceneLight kind)
   vtkRelievoPass::Detach(scene.Renderer);
 }
 
-// What is no part of the share, one kind at a time; none of it is taken for an error.
+// Verdicts outside the share, one kind at a time; none of them counts as an error.
 void TestCountedApart()
 {
   ShadowStage stage;
@@ -147,7 +147,7 @@ void TestCountedApart()
   const vtkSmartPointer<Certificate> bare = stage.GetShadows()->Certify(All);
   RELIEVO_CHECK_THAT(bare->GetUnlit() > 5000 && bare->GetWrong() == 0, bare->GetWords());
   stage.GetShadows()->SetPropReceives(ground, true);
-  // A wireframe has no triangles: what it may shadow is not judged.
+  // A wireframe has no triangles: places that it may shadow are not judged.
   box->GetProperty()->SetRepresentationToWireframe();
   const vtkSmartPointer<Certificate> lines = stage.GetShadows()->Certify(All);
   RELIEVO_CHECK_THAT(lines->GetUnknown() > 100 && lines->GetWrong() == 0, lines->GetWords());
@@ -173,7 +173,7 @@ void TestSpot()
   RELIEVO_CHECK_THAT(exact->GetWrong() == 0, exact->GetWords());
 }
 
-// What is drawn opaque casts as such, whatever its opacity.
+// Geometry drawn as opaque casts as such, whatever its opacity.
 void TestForcedOpaque()
 {
   ShadowStage stage(120, 90);
@@ -251,7 +251,7 @@ void TestNested()
   RELIEVO_CHECK(some && some->GetJudged() == 1000);
 }
 
-// What is a tie depends on the surfaces, not on what was drawn.
+// Ties depend on the surfaces, not on the drawn verdicts.
 void TestTies()
 {
   ShadowStage stage;

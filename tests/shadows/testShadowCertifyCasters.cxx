@@ -166,7 +166,7 @@ void TestBlocks()
     RELIEVO_CHECK_THAT(errors.Compared > 10000 && errors.Dark > 500, what);
     RELIEVO_CHECK_AT_MOST(errors.Wrong(), 1e-4, what);
     const vtkSmartPointer<Certificate> all = stage.GetShadows()->Certify(All);
-    // A pixel at an edge may show what a ray through its middle misses.
+    // A pixel at an edge may show a surface that a ray through its centre misses.
     RELIEVO_CHECK_THAT(all->GetWrong() == 0 && all->GetUnknown() < 5, all->GetWords());
     RELIEVO_CHECK_THAT(all->GetJudged() > 10000, all->GetWords());
     return errors.Dark;
@@ -176,7 +176,7 @@ void TestBlocks()
   stage.Hide(1);
   stage.Window->Render();
   RELIEVO_CHECK(check("one hidden", truth({ 1 })) < all);
-  // A block of glass casts nothing while only what is opaque casts.
+  // A block of glass casts nothing while only opaque geometry casts.
   stage.Attributes->SetBlockOpacity(stage.Boxes[2], 0.5);
   stage.Mapper->Modified();
   stage.Window->Render();
@@ -191,8 +191,8 @@ void TestBlocks()
   RELIEVO_CHECK_THAT(casts->GetWrong() == 0 && casts->GetJudged() > 5000, casts->GetWords());
 }
 
-// Rays are sent again where the view has moved by some steps, and not for each frame: what they
-// tell stays in between.
+// Rays are traced again after the view has moved by some steps, and not for each frame: their
+// result stays in between.
 void TestProbes()
 {
   ShadowStage stage(160, 120);

@@ -76,7 +76,7 @@ struct Machine
   }
 };
 
-// What a way finds anew of what moves in the frame.
+// The data that a choice recomputes when the frame changes.
 using Motion = std::function<Anew(int frame, const Way& way)>;
 
 Anew Still(int, const Way&)
@@ -100,7 +100,7 @@ std::vector<Way> Draw(Planner& planner, Machine& machine, double budget, int fra
     const Anew anew = motion(frame, way);
     const bool exact = way.Method == Pass::METHOD_EXACT;
     const bool fresh = drawn.empty() || !(way == drawn.back());
-    if (!fresh) // a frame of another way builds what it needs: the pass adds none
+    if (!fresh) // another choice's frame builds its own data: the pass adds none
     {
       planner.AddFrame(anew);
       const double drawing = machine.Measure(way, exact ? anew.Rays : anew.Maps);
@@ -232,7 +232,7 @@ void TestMovingCamera()
           " ms: " + std::to_string(changes) + " changes in 240 frames");
     }
   }
-  // When it has stopped, what is kept is used.
+  // When it has stopped, cached data is used.
   Planner planner;
   Machine machine;
   const auto drawn = Draw(planner, machine, 70., 200, [](int frame, const Way&) {
@@ -242,8 +242,8 @@ void TestMovingCamera()
   RELIEVO_CHECK(drawn[199].Method == Pass::METHOD_EXACT);
 }
 
-// Points that move in each frame have each planned anew: the time of that is part of the frame's,
-// whatever its way, and no part of what a way is said to take.
+// Points that move in each frame have each planned anew: the planning time is part of the frame's,
+// for any choice, and no part of the choice's own time.
 void TestPlanning()
 {
   for (const double planning : { 5., 40. })
@@ -252,7 +252,7 @@ void TestPlanning()
     {
       Planner planner;
       Machine machine;
-      machine.ExactFactor = 0.5; // not what the model expects
+      machine.ExactFactor = 0.5; // unlike the model's expectation
       const double budget = drawing + planning;
       const auto drawn = Draw(planner, machine, budget, 100, LightMoves, planning);
       const int changes = CountChanges(drawn, 60);
@@ -276,7 +276,7 @@ void TestPlanning()
   RELIEVO_CHECK(Draw(planner, machine, 175., 50, LightMoves).back().Method == Pass::METHOD_EXACT);
 }
 
-// Exact shadows that take twice what the model says are tried, left, and not soon tried again.
+// Exact shadows that take twice the model's time are tried, left, and not soon tried again.
 void TestSlowerThanExpected()
 {
   for (double budget = 20.; budget < 400.; budget *= 1.1)

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Light through coloured panes: the product of what each lets pass of red, green and blue, in every
-// way that a surface gets its verdicts; without colours, nothing changes.
+// Light through coloured panes: the product of the transmitted shares of red, green and blue, for
+// every way of computing verdicts; without colours, nothing changes.
 #include "Check.h"
 #include "EmbreeScene.h"
 #include "GLCheck.h"
@@ -67,7 +67,7 @@ const std::vector<Pane> Panes = { { { -1.5, -1. }, { 0.1, 1. }, 4., 0.3, { 1., 0
   { { -0.7, -1. }, { 0.9, 1. }, 5., 0.5, { 0.1, 0.6, 1. } },
   { { 1.2, -1. }, { 1.9, 1. }, 4.5, 0.4, { 1., 1., 1. } } };
 
-// A white ground right below a white sun: its colour is what passes.
+// A white ground right below a white sun: its colour is the transmitted light.
 struct PaneStage
 {
   ShadowStage Stage;
@@ -213,7 +213,7 @@ void TestOff()
     white.Stage.GetShadows()->GetBytesHeld() < panes.Stage.GetShadows()->GetBytesHeld() + 1);
 }
 
-// What OpenGL holds: 12 bytes a pixel for the colours.
+// OpenGL memory: 12 bytes a pixel for the colours.
 void TestMemory()
 {
   PaneStage panes(Panes, true);
@@ -226,7 +226,7 @@ void TestMemory()
   RELIEVO_CHECK(with - without == 12LL * size[0] * size[1]);
 }
 
-// Where maps are used nothing is known of colours: what is translucent casts as without them.
+// Maps store no colours: translucent props cast as without them.
 void TestMaps()
 {
   for (const int method : { vtkRelievoShadowStage::METHOD_MAP,
@@ -258,7 +258,7 @@ void TestDeferred()
     panes.Stage.GetFrame()->GetFrameReport());
 }
 
-// What is not seen at all does not colour the light.
+// Invisible props do not colour the light.
 void TestFaded()
 {
   std::vector<Pane> more = Panes;
@@ -351,7 +351,7 @@ void TestSoft()
   ground.AddActor(GetMesh(panes.Ground));
   const auto view = ground.Trace(relievoTest::View(panes.Stage.Renderer));
   const double reach = 4. * std::tan(Angle / 360. * vtkMath::Pi());
-  // What of a disc is on one side of a line at a distance.
+  // The area of a disc on one side of a line at a distance.
   const auto beyond = [reach](double x) {
     const double h = glm::clamp(x / reach, -1., 1.);
     return 0.5 + (h * std::sqrt(1. - h * h) + std::asin(h)) / vtkMath::Pi();

@@ -132,8 +132,8 @@ const Feature Features[] = {
     } },
 };
 
-// A pane in the light, before the ground: it casts nothing, and both it and what is seen through it
-// stay as they are.
+// A pane in the light, in front of the ground: it casts nothing, and the pane and the surfaces seen
+// through it stay unchanged.
 void AddGlass(ShadowStage& stage)
 {
   const auto pane = stage.AddBox({ -1.5, 0.7, 2.2 }, { 0.7, 0.9, 0.05 });
@@ -200,8 +200,9 @@ void TestTiles()
     truth, 2, 3e-4);
 }
 
-// Each eye has its shadows: those of a camera that stands where the eye does differ by no more than
-// what is between the eyes, so here every pixel is one of the two pictures of that eye, or between.
+// Each eye has its shadows: those of a camera at the eye's place differ by no more than the
+// surfaces between the eyes, so here every pixel is one of the two pictures of that eye, or
+// between.
 void TestStereo()
 {
   for (const int type :
@@ -276,7 +277,7 @@ void TestTilesShareMaps()
   }
 }
 
-// A picture for two eyes is what it is in the first frame, whatever was drawn before it.
+// A stereo picture equals that of the first frame, whatever was drawn before it.
 void TestStereoStays()
 {
   for (const int type : { VTK_STEREO_LEFT, VTK_STEREO_RIGHT, VTK_STEREO_RED_BLUE,

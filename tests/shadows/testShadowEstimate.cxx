@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What shadows are expected to cost and to err against what they do: the share of wrong pixels
-// against Embree and against the bench's measurements, bytes and draw calls of frames.
+// The expected cost and error of shadows against the real ones: the share of wrong pixels against
+// Embree and against the bench's measurements, bytes and draw calls of frames.
 //   testShadowEstimate CSV (of the bench of shadows)
 #include "Check.h"
 #include "CsvFile.h"
@@ -139,8 +139,8 @@ void TestMesh(const std::string& mesh, SceneLight kind, const std::string& name)
   }
 }
 
-// A camera close above a ground that extends to the horizon: its place and what it sees are far
-// apart, and the estimate by rays is that of the picture all the same.
+// A camera close above a ground that extends to the horizon: its place and the visible surfaces are
+// far apart, and the estimate by rays is that of the picture all the same.
 void TestHorizon()
 {
   relievoTest::ShadowStage stage(320, 240);
@@ -163,7 +163,7 @@ void TestHorizon()
   }
 }
 
-// What the frame report says; a failure if it says nothing.
+// The frame report's entry; a failure if it is missing.
 double GetReportedShare(relievoTest::ShadowStage& stage)
 {
   const std::string report = stage.GetFrame()->GetFrameReport();

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Exact shadows: the real meshes against Embree, light through panes against the product of what
-// they let pass, and what a hierarchy of triangles may stumble over.
+// Exact shadows: the real meshes against Embree, light through panes against the product of their
+// transmittances, and difficult cases for a hierarchy of triangles.
 #include "Check.h"
 #include "EmbreeScene.h"
 #include "GLCheck.h"
@@ -109,8 +109,8 @@ void TestMesh(const std::string& mesh, SceneLight kind, int width, int height)
     relievoTest::CountDifferent(phong, pbr, "shadow_0"), 0, what + ": pixels unlike with PBR");
   TestEdges(scene, shadow, what);
   RELIEVO_CHECK_THAT(frame->GetShadowStage()->GetNumberOfMaps() == 0, what + ": maps");
-  // At most 64 bytes for each of the mesh's triangles, and what the ground takes; 16 a pixel, and 4
-  // for each tile of 8 x 8.
+  // At most 64 bytes for each of the mesh's triangles, plus the ground's; 16 a pixel, and 4 for
+  // each tile of 8 x 8.
   const auto bytes = static_cast<double>(frame->GetShadowStage()->GetBytesHeld());
   RELIEVO_CHECK_AT_MOST(bytes,
     64. * static_cast<double>(truth->NumberOfTriangles()) + 4096. +
@@ -120,7 +120,7 @@ void TestMesh(const std::string& mesh, SceneLight kind, int width, int height)
   vtkRelievoPass::Detach(scene.Renderer);
 }
 
-// Triangles smaller than pixels: what is judged is what OpenGL draws there.
+// Triangles smaller than pixels: the judged surface is the one that OpenGL draws there.
 void TestSmall(SceneLight kind)
 {
   const auto scene = relievoTest::MakeReferenceScene("bunny", kind);
@@ -151,7 +151,8 @@ void TestHorizon()
   relievoTest::CheckShadow(stage, 0, Limit, "horizon");
 }
 
-// Two panes over the ground: each point lets pass what its rays meet, by the panes' extent.
+// Two panes over the ground: each point receives the product over the panes hit by its rays, by the
+// panes' extent.
 void TestPanes()
 {
   ShadowStage stage;
@@ -310,7 +311,7 @@ void TestCreases()
   relievoTest::CheckShadow(stage, 0, Limit, "creases");
 }
 
-// What is no triangle is drawn into a map, and takes what rays let pass.
+// Casters without triangles are drawn into a map, and block the light that rays let pass.
 void TestOthers()
 {
   ShadowStage stage;

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Exact shadows of spheres and of poles to the horizon, under every kind of light and in three
-// shapes of windows, against rays in double precision that try all triangles: nothing of this truth
-// is shared with what it judges, nor with Embree.
+// shapes of windows, against rays in double precision that try all triangles: this truth shares no
+// code with the tested one, nor with Embree.
 #include "BruteScene.h"
 #include "Check.h"
 #include "Props.h"
@@ -64,7 +64,7 @@ void AddSpheres(ShadowStage& stage)
   }
 }
 
-// What the light is to a ray.
+// The light as seen by a ray.
 struct Source
 {
   glm::dvec3 Position{ 0. };
@@ -119,7 +119,7 @@ Verdict Judge(
   return hit.IsThere() ? Judge(scene, source, eye, hit) : Unjudged;
 }
 
-// OpenGL places corners in steps of 1/256 of a pixel, which moves the depth of what is seen nearly
+// OpenGL places corners in steps of 1/256 of a pixel, which moves the depth of surfaces seen nearly
 // edge-on: where triangles meet, it may show any of them. Whether one has another verdict.
 bool IsTie(const BruteScene& scene, const Source& source, const relievoTest::View& view, double x,
   double y, Verdict truth)

@@ -185,7 +185,8 @@ void TestCoarseDepth()
   RELIEVO_CHECK_AT_MOST(CountUnlike(first, kept), 1, "coarse depth: pixels unlike the first's");
 }
 
-// Surfaces that VTK moves in depth, each by its own: what is found for each pixel is what it shows.
+// Surfaces that VTK moves in depth, each by its own offset: each pixel's verdict belongs to its
+// visible surface.
 void TestOffset()
 {
   vtkMapper::SetResolveCoincidentTopologyToPolygonOffset();
@@ -205,8 +206,8 @@ void TestOffset()
   vtkMapper::SetResolveCoincidentTopologyToOff();
 }
 
-// A sheet over the ground with a texture of numbers, whose table leaves half of it out: what it
-// casts is what VTK draws of it, and no ray knows that.
+// A sheet over the ground with a texture of numbers, whose table leaves half of it out: its shadow
+// is that of VTK's picture, which no ray can trace.
 void TestTableTexture()
 {
   for (const bool leavesOut : { true, false })

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Exact shadows of vtkGlyph3DMapper: places, sizes, turns, masks and sources as VTK draws them,
-// against the same instances as meshes of their own; and what happens when any of them changes.
+// Exact shadows of vtkGlyph3DMapper: VTK's places, sizes, turns, masks and sources, against the
+// same instances as meshes of their own; and the effect of changing any of them.
 #include "Check.h"
 #include "EmbreeScene.h"
 #include "GLCheck.h"
@@ -222,7 +222,7 @@ struct Swarm
     return truth;
   }
 
-  // Pixels that show what the truth has there.
+  // Pixels that agree with the truth.
   void Check(const std::string& what, double leastDark = 0.03)
   {
     const auto truth = this->MakeTruth();
@@ -348,7 +348,7 @@ void TestFar()
     relievoTest::CountUnlike(without, with, 2), 3, "pixels that change by a glyph far away");
 }
 
-// Blocks of points; where VTK's versions differ in what they draw, maps take them.
+// Blocks of points; where VTK's versions differ in drawing them, maps are used.
 void TestBlocks()
 {
   Swarm swarm(300, Way::Direction);

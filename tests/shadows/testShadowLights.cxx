@@ -1,9 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Every light that VTK has, on every material: where it is dark is traced with rays; which
-// materials there are must not matter; what is lit and what is dark look as VTK draws them with
-// that light on and off.
+// Every light that VTK has, on every material: dark pixels are checked by rays; the set of
+// materials must not matter; lit and dark surfaces look like VTK's with that light on and off.
 #include "Check.h"
 #include "GLCheck.h"
 #include "Layers.h"
@@ -58,7 +57,7 @@ void TestKinds()
     stage.AddThings();
     stage.AddLamp({ -1., 4., -1.5 }, { 0.3, 0., 0.3 }, cone);
     const auto errors = CheckShadow(stage, 0, Limit, "lamp of " + std::to_string(cone), 0.03);
-    // A cone lights what is in it only; from 90 degrees on there is none.
+    // A cone lights only its inside; from 90 degrees on there is none.
     RELIEVO_CHECK((errors.Compared < 12000) == (cone == 15.));
     RELIEVO_CHECK(stage.GetShadows()->GetNumberOfMaps() >= 1);
   }
@@ -111,8 +110,8 @@ void TestCameraLights()
   }
 }
 
-// A sun along the gaze of a parallel camera hides its shadows, but that of what the near plane cuts
-// away: here a box above the eye.
+// A sun along the gaze of a parallel camera hides its shadows, except those of geometry cut away by
+// the near plane: here a box above the eye.
 void TestAlongTheView()
 {
   ShadowStage stage(200, 150);

@@ -142,7 +142,7 @@ double GetTruth(const glm::dvec3& onGround)
   return tie ? -1. : 1.;
 }
 
-// Of this process, in MiB: now, or the most so far.
+// Memory of this process, in MiB: now, or the maximum so far.
 double GetMemory(const std::string& which)
 {
   std::ifstream status("/proc/self/status");

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// An OpenGL that has no memory for maps or masks: what cannot be made is said once and counts no
-// bytes, the picture is the one without it, and what fits later is made.
+// An OpenGL without memory for maps or masks: a failure is reported once and counts no bytes, the
+// picture is the one without it, and smaller requests work later.
 #include "Check.h"
 #include "Layers.h"
 #include "Session.h"
@@ -65,7 +65,7 @@ using relievoTest::ExpectMessage;
 using relievoTest::Picture;
 using relievoTest::SamePicture;
 
-// Of VTK with glad, which loads its pointers with every window.
+// From VTK with glad, which loads its pointers with every window.
 void StandBeforeOpenGL()
 {
 #ifdef RELIEVO_VTK_GLAD
@@ -128,7 +128,7 @@ void TestMasks()
     relievoTest::CountUnlike(masks, Picture(stage.Window)) > 0, "another size: no masks");
 }
 
-// What a tolerance chooses, and OpenGL has no memory for, is not chosen again; what fits is.
+// A tolerance's choice without enough OpenGL memory is not chosen again; one that fits is.
 void TestPlanned()
 {
   relievoTest::ShadowStage stage;

@@ -92,8 +92,7 @@ void TestHorizon()
     wrong[Pass::METHOD_WARPED] / wrong[Pass::METHOD_MAP], 0.75, "horizon, warped over map");
 }
 
-// What casts is out of the view, and what receives is flat: the map's near plane is at the
-// receiver.
+// The caster is out of the view, and the receiver is flat: the map's near plane is at the receiver.
 void TestFlatReceiver()
 {
   for (const int method : { Pass::METHOD_MAP, Pass::METHOD_WARPED })
@@ -155,8 +154,8 @@ void TestChanges()
     "warped is map where the farthest is hardly farther than the nearest");
 }
 
-// What draws itself is counted wherever it is drawn, and a picture in which nothing moves draws
-// neither maps nor masks anew, also if its mappers count as modified when they draw.
+// Props that draw themselves are counted wherever they are drawn, and a static picture redraws
+// neither maps nor masks, even if its mappers count as modified when they draw.
 void TestDraws()
 {
   int first[2] = { 0, 0 };

@@ -1,9 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The planner of shadows: what it chooses for a tolerance meets it, on scenes that no estimate was
-// fitted to; the choice does not depend on earlier frames; what a report says;
-// times; what is refused.
+// The planner of shadows: its choice for a tolerance meets it, on scenes that no estimate was
+// fitted to; the choice does not depend on earlier frames; reports; times; refused goals.
 #include "Check.h"
 #include "EmbreeScene.h"
 #include "Scenes.h"
@@ -89,7 +88,7 @@ void TestScenes()
   }
 }
 
-// Without a goal what is set is used, and nothing is said.
+// Without a goal the settings apply, without any message.
 void TestNoWish()
 {
   ShadowStage stage;
@@ -186,8 +185,8 @@ void TestTiles()
   }
 }
 
-// Props that enter the view, and the way back: what is expected at a place is the same. It follows
-// what merely receives, and what is culled.
+// Props that enter the view, and the way back: the expectation at a place is equal. It follows mere
+// receivers and culled sides.
 void TestEntering()
 {
   ShadowStage stage;
@@ -277,7 +276,7 @@ void TestTimes()
   RELIEVO_CHECK(GetWay(shadows) == std::make_pair(int(Pass::METHOD_MAP), 1024));
   RELIEVO_CHECK_THAT(
     shadows->GetPlan().find("the time is not met") != std::string::npos, shadows->GetPlan());
-  // Of both, the tolerance comes first.
+  // With both, the tolerance comes first.
   shadows->SetTolerance(3e-5);
   stage.Window->Render();
   RELIEVO_CHECK(shadows->GetMethodUsed() == Pass::METHOD_EXACT);

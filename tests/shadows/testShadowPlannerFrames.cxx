@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // The planner of shadows from frame to frame: soft shadows are planned once for all of their
-// samples, frames that plan anew tell the time as others do, and a capture or a certificate leaves
-// what the picture took; and what exact shadows are expected to get wrong far away.
+// samples, frames with a new plan have a measured time as well, and a capture or a certificate
+// preserves the picture's time; and the expected error of exact shadows far away.
 #include "Check.h"
 #include "Props.h"
 #include "Session.h"
@@ -62,8 +62,8 @@ struct Things : ShadowStage
   }
 };
 
-// A wide sun, whose samples are further apart than the steps in which rays are sent again: what is
-// expected stays that of its middle, and with it the choice.
+// A wide sun, whose samples are further apart than the steps for new rays: the expectation stays
+// that of its centre, and with it the choice.
 void TestSoft(bool atOnce, double budget)
 {
   constexpr int Samples = 12;

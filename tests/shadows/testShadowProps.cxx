@@ -80,7 +80,7 @@ vtkSmartPointer<vtkPolyData> MakePoints(bool asLine)
   return points;
 }
 
-// Adds the props, and what they stand for to the truth. Pixels of impostors' own curved surface may
+// Adds the props, and their equivalents to the truth. Pixels of impostors' own curved surface may
 // have other verdicts at the border of light.
 struct Kind
 {
@@ -146,7 +146,7 @@ const Kind Kinds[] = {
       s.Renderer->AddActor(assembly);
       return Copies(box);
     } },
-  // What it draws without a mesh's mapper casts nothing, as such a prop alone casts nothing.
+  // Geometry that it draws without a mesh's mapper casts nothing, like such a prop alone.
   { "an assembly with an image", 1e-3,
     [](ShadowStage& s) {
       const auto mesh = Copies(relievoTest::MakeBox(0.6, 0.5, 0.4));
@@ -204,8 +204,8 @@ void TestKind(const Kind& kind)
   }
 }
 
-// What has its size in pixels has none in the world that a ray could meet: it stays, is lit or
-// dark, and has a shadow, as many of the map's texels wide.
+// Geometry with a size in pixels has none in the world that a ray could hit: it stays, is lit or
+// dark, and has a shadow of the same number of the map's texels.
 void TestPixelSized()
 {
   struct

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Exact shadows of several processes that each hold a part of the scene: what is nearest of their
-// pictures and layers is what one process draws, whatever moves, leaves or has no room.
+// Exact shadows of several processes that each hold a part of the scene: their merged pictures and
+// layers equal those of one process, after motion, removal and lack of memory.
 #include "Check.h"
 #include "RankScene.h"
 #include "Ranks.h"
@@ -40,7 +40,7 @@ using Part = relievoTest::RankScene;
 enum Likeness
 {
   Same,    // in every bit
-  Rounded, // where a mesh is shared, or what passes several surfaces is multiplied
+  Rounded, // if a mesh is shared, or transmittances of several surfaces are multiplied
   Mapped   // maps are merged, not their every bit
 };
 

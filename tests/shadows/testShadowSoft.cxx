@@ -92,7 +92,7 @@ void TestSamples()
 {
   for (const int n : { 16, 64, 256 })
   {
-    // Of random points it is 0.4 / sqrt(n).
+    // For random points it is 0.4 / sqrt(n).
     const double disc = GetDiscrepancy(
       vtkRelievoLightSamples::OnDisc,
       [](const glm::dvec2& p, double t) { return p.x * std::cos(t) + p.y * std::sin(t); }, n);
@@ -146,7 +146,7 @@ std::string Describe(SceneLight kind, double size)
                                  : "ball of radius " + number;
 }
 
-// A sheet whose edge is over the middle of the ground: what is seen of the light beside it.
+// A sheet whose edge is over the middle of the ground: the visible share of the light beside it.
 // `size`: the sun's angle in degrees, or the lamp's radius.
 void TestEdge(int method, SceneLight kind, double size, int pixels = 80)
 {

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Soft shadows from frame to frame: what begins the gathering anew, what a picture is the mean of,
-// captures and tiles, and that nothing is left of it afterwards.
+// Soft shadows from frame to frame: events that restart the accumulation, the samples in a
+// picture's mean, captures and tiles, and no trace afterwards.
 #include "Check.h"
 #include "GLCheck.h"
 #include "Layers.h"
@@ -140,7 +140,7 @@ void TestChanges()
     RELIEVO_CHECK_THAT(
       stage.GetFrame()->GetSamplesLeft() == 0, std::string("after another ") + change.What);
     stage.GetShadows()->SetSoftSamples(0);
-    stage.Window->Render(); // what was gathered is gone
+    stage.Window->Render(); // the accumulated samples are gone
     stage.GetShadows()->SetSoftSamples(4);
     SamePicture(stage.DrawAll(), gathered, std::string("after another ") + change.What);
   }
@@ -153,7 +153,7 @@ void TestChanges()
   SamePicture(fresh.DrawAll(), stage.DrawAll(), "after all changes");
 }
 
-// A capture gathers what it needs and leaves the window's picture where it was.
+// A capture accumulates its own samples and leaves the window's picture unchanged.
 void TestCaptures()
 {
   SoftStage stage;
@@ -192,7 +192,7 @@ void TestCaptures()
   RELIEVO_CHECK_AT_MOST(wrong, 0, "pixels that show another share than the layer's");
 }
 
-// A picture in tiles has all samples in each, and is what a larger window shows.
+// A picture in tiles has all samples in each, and equals that of a larger window.
 void TestTiles()
 {
   SoftStage large(Samples, 160, 120);

@@ -44,7 +44,7 @@ vtkSmartPointer<vtkPolyDataMapper> MakeMapper(vtkPolyData* mesh)
   return mapper;
 }
 
-// What VTK makes of an environment, in small.
+// A small version of VTK's data for an environment.
 struct Environment : SoftStage
 {
   explicit Environment(bool first)
@@ -127,7 +127,7 @@ struct PlainTexts : Texts
   }
 };
 
-// Which levels may be chosen tells nobody that it has changed.
+// A change of the levels to choose from emits no event.
 struct Levels : SoftStage
 {
   vtkNew<vtkLODProp3D> Prop;

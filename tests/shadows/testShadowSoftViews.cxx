@@ -60,7 +60,8 @@ protected:
 };
 vtkStandardNewMacro(UnsteadyMesh);
 
-// What changes whenever it is drawn never gathers from frame to frame, but it does within one.
+// A scene that changes whenever it is drawn never accumulates from frame to frame, but it does
+// within one.
 void TestUnsteady()
 {
   SoftStage stage;
@@ -143,7 +144,7 @@ void TestAbortedTimes()
   RELIEVO_CHECK(stage.GetShadows()->GetMillisecondsTaken() > 0.);
 }
 
-// A frame that is aborted shows the mean of what it has; the next one goes on.
+// An aborted frame shows the mean of its samples; the next one continues.
 void TestAborted()
 {
   SoftStage stage;

@@ -244,7 +244,7 @@ void TestWorlds()
     1e-3, 1., glm::dvec3(0.), 2e-4); // nor in eye space, so far from the eye
 }
 
-// Floors with a wall, in one mesh, far from the origin and wider than what the camera sees.
+// Floors with a wall, in one mesh, far from the origin and wider than the camera's view.
 void TestSurveys()
 {
   struct
@@ -276,7 +276,7 @@ void TestSurveys()
   }
 }
 
-// A scene is the same picture wherever it lies, but for what rounding does to edges.
+// A scene gives the same picture at any place, except for rounding at edges.
 void TestPlaces()
 {
   vtkSmartPointer<vtkImageData> pictures[2];

@@ -74,7 +74,7 @@ extern "C" __attribute__((visibility("default"))) void glGetIntegerv(unsigned in
 
 namespace
 {
-// Of VTK with glad, which loads its pointers with every window.
+// From VTK with glad, which loads its pointers with every window.
 void StandBeforeOpenGL()
 {
 #ifdef RELIEVO_VTK_GLAD
@@ -179,7 +179,7 @@ void TestLights()
     stage.GetShadows()->GetNumberOfCastingLights() == 0 && stage.GetFrame()->GetBytesHeld() == 0);
 }
 
-// Three renderers in one window, each with other settings: each shows what it shows alone.
+// Three renderers in one window, each with other settings: each shows its own picture.
 void TestBeside()
 {
   const auto set = [](ShadowStage& stage, int which) {
@@ -272,7 +272,7 @@ void TestRoom()
   stage.Window->Render();
   RELIEVO_CHECK(stage.GetShadows()->GetNumberOfCastingLights() == lights);
   StandBeforeOpenGL();
-  // What OpenGL 3.2 guarantees.
+  // Guaranteed by OpenGL 3.2.
   MostUniforms = 1024;
   relievoTest::ExpectMessage expect("the lights before it take all maps");
   stage.Window->Render();
@@ -286,7 +286,7 @@ void TestRoom()
   MostUniforms = 0;
 }
 
-// What is picked does not depend on shadows.
+// Picking does not depend on shadows.
 void TestSelection()
 {
   ShadowStage stage;

@@ -1,9 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What is translucent receives shadows, and casts as it is told; volumes, sky, images and texts
-// stay as they are. With testShadowProps these cases are the rows of docs/shadow-matrix.md about
-// props.
+// Translucent props receive shadows, and cast as set; volumes, sky, images and texts stay
+// unchanged. With testShadowProps these cases are the rows of docs/shadow-matrix.md about props.
 #include "Check.h"
 #include "EmbreeScene.h"
 #include "GLCheck.h"
@@ -130,7 +129,7 @@ vtkSmartPointer<vtkImageData> MakeSky()
   return sky;
 }
 
-// What neither casts nor receives stays as it is, in front of shadows and beside them.
+// Props that neither cast nor receive stay unchanged, in front of shadows and beside them.
 void TestOthers()
 {
   struct

@@ -104,7 +104,7 @@ void TestTooMany(vtkOpenGLRenderWindow* window)
   RELIEVO_CHECK_THAT(
     fault == "there are 9437184 casters and glyphs, and at most 8388608 are supported", fault);
   RELIEVO_CHECK(tree.GetBytes() == 0);
-  // What is less again, is followed again.
+  // A scene that becomes smaller again is traced again.
   caster.Places = nullptr;
   RELIEVO_CHECK(tree.Update(window, { caster }, glm::dvec3(0.)).empty());
   RELIEVO_CHECK(tree.GetBytes() > 0);
@@ -122,7 +122,7 @@ void TestSmallBuffers(vtkOpenGLRenderWindow* window)
   RELIEVO_CHECK(tree.Update(window, { caster }, glm::dvec3(0.)).empty());
   const vtkIdType texels = tree.GetBytes() / 16;
   vtkRelievoTextureBuffer::SetMostTexels(static_cast<int>(texels) - 1);
-  // What is there already stays until something changes.
+  // Existing data stays until something changes.
   RELIEVO_CHECK(tree.Update(window, { caster }, glm::dvec3(0.)).empty());
   const std::string fault = tree.Update(window, { caster }, glm::dvec3(1.));
   RELIEVO_CHECK_THAT(fault ==
@@ -136,8 +136,8 @@ void TestSmallBuffers(vtkOpenGLRenderWindow* window)
   vtkRelievoTextureBuffer::SetMostTexels(0);
 }
 
-// A picture by such an OpenGL has the shadows of maps, and one warning, however many frames are
-// drawn; once what casts has changed, and fits, the rays are back.
+// A picture by such an OpenGL has the shadows of maps, and one warning for any number of frames;
+// once the casters have changed, and fit, the rays are back.
 void TestFallback(bool planned)
 {
   constexpr int Exact = vtkRelievoShadowStage::METHOD_EXACT;
@@ -163,7 +163,7 @@ void TestFallback(bool planned)
   RELIEVO_CHECK_THAT(shadows->GetMethodUsed() == Exact, what + ": not exact");
   RELIEVO_CHECK(relievoTest::CountDifferent(map, exact, "shadow_0") > 100);
   vtkRelievoTextureBuffer::SetMostTexels(64);
-  checkSame(exact, capture()); // what is in a buffer stays there
+  checkSame(exact, capture()); // existing buffers stay
   {
     const relievoTest::ExpectMessage expected("buffers of at most 64");
     for (int frame = 0; frame < 4; ++frame)

@@ -110,7 +110,8 @@ vtkSmartPointer<vtkPolyData> MakeClosed(Relief relief, int hole, int holeEnd)
   return mesh;
 }
 
-// What a pixel's place must see of the light: 0, 1, or -1 where an edge of the truth decides.
+// The share of the light visible from a pixel's place: 0, 1, or -1 where an edge of the truth
+// decides.
 using Truth = double (*)(double x, double z);
 
 void Check(ShadowStage& stage, Truth truth, long long leastDark, const std::string& what)

@@ -287,7 +287,7 @@ bool ViewerTest::RunCommand(const scene::Settings& settings, const std::vector<s
   vtkSmartPointer<vtkRenderer> renderer;
   bool written = false;
   {
-    // Another each time: what a scene makes of changed words is what the window is tested for.
+    // Another scene each time: the test is about a window with changed words.
     vtkNew<vtkRelievoScene> scene;
     scene->SetRenderWindow(this->Command);
     written = scene->SetWords(words) && scene->Write();

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * What the tests of the viewer share: its window, scenes, and what the command line makes of them.
+ * Helpers for the tests of the viewer: its window, scenes, and the command line's pictures.
  */
 #ifndef ViewerTest_h
 #define ViewerTest_h
@@ -72,15 +72,16 @@ protected:
   /// Opens a window with these words and waits until it shows them.
   void Open(const std::vector<std::string>& words, const QSize& size = QSize(800, 480));
 
-  /// The same window opens these words, as a scene that nothing has changed.
+  /// The same window opens these words as an unchanged scene.
   void OpenAgain(const std::vector<std::string>& words);
 
-  /// The window changes its settings and has read what it needs.
+  /// The window changes its settings and has read the necessary files.
   void Change(const std::function<void(scene::Settings&)>& edit);
   void WaitUntilRead();
 
-  /// What the window shows, and what `relievo render` makes of the words that the window copies, in
-  /// this process: another's OpenGL and shaders take much longer than a picture.
+  /// The window's picture, and the picture by `relievo render` with the words that the window
+  /// copies, in this process: starting another one's OpenGL and shaders takes much longer than a
+  /// picture.
   vtkSmartPointer<vtkImageData> Grab();
   vtkSmartPointer<vtkImageData> RenderCommand();
 
@@ -91,17 +92,16 @@ protected:
   void Compare(const char* what);
 
   /**
-   * The view, or what lies over it there, gets an event of the mouse at a place of the view, with
-   * the left button's state told:
-   * QTest moves the display's pointer, whose events come late and without buttons on a busy
-   * machine.
+   * Sends a mouse event to the view, or to a widget over it there, at a place of the view, with the
+   * left button's state: QTest moves the display's pointer, whose events come late and without
+   * buttons on a busy machine.
    */
   void SendMouse(QEvent::Type type, const QPoint& place, Qt::MouseButton pressed);
 
-  /// What the Python program that the window copies writes.
+  /// The output of the Python program that the window copies.
   vtkSmartPointer<vtkImageData> RunPython();
 
-  /// What this program says to the class that the command has too, without drawing.
+  /// This program's words for the class shared with the command, without drawing.
   scene::Settings RunPythonForWords();
 
   static vtkSmartPointer<vtkImageData> ReadPNG(const std::string& path);
@@ -120,7 +120,7 @@ private Q_SLOTS:
   void cleanupTestCase();
 
 private:
-  // What Python answers to the program that the window copies, whole; empty if it fails.
+  // Python's whole output for the program that the window copies; empty if it fails.
   QByteArray AskPython(const char* task);
 
   vtkSmartPointer<vtkRenderWindow> Command; // off screen, of all pictures of the command

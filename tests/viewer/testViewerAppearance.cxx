@@ -44,7 +44,7 @@ double GetContrast(const QColor& a, const QColor& b)
   return std::max(first, second) / std::min(first, second);
 }
 
-// Of what is painted there, the lightest and the darkest.
+// The lightest and the darkest painted colour.
 double GetPaintedContrast(QWidget* widget)
 {
   const QImage image = widget->grab().toImage();

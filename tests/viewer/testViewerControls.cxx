@@ -70,7 +70,7 @@ private Q_SLOTS:
     document->Undo();
     this->WaitUntilRead();
     QCOMPARE(now(), time);
-    // What is refused while it plays ends the playing, and so does a file in which nothing moves.
+    // A refused setting during playback stops it, and so does a file without animations.
     play->setChecked(true);
     QCOMPARE(play->text(), QString("Pause"));
     QTRY_VERIFY_WITH_TIMEOUT(now() != time, 20000);
@@ -140,7 +140,7 @@ private Q_SLOTS:
       }
       return words;
     };
-    // Until what was drawn last is in the table.
+    // Until the last picture is in the table.
     QTRY_VERIFY_WITH_TIMEOUT(say().contains("1 light casts") && say().contains("Lamps: "), 20000);
     const QString words = say();
     for (const QLabel* label : reasons())

@@ -34,8 +34,8 @@ using scene::Settings;
 
 namespace
 {
-// What options take, where it is not in other tests: of switches in testViewerPictures, of models
-// in testViewerPythonFiles. Words that others need stand in front.
+// Values of options not covered by other tests: switches are in testViewerPictures, models in
+// testViewerPythonFiles. Words needed by others come first.
 const std::vector<QStringList> Rows = {
   { "--allow-folder", "/" },
   { "--clip", "0.5,40" },
@@ -84,13 +84,13 @@ const std::set<std::string> OfStages = { "--shadow-size", "--soft-shadows", "--s
   "--time-budget", "--stage", "--ambient", "--deferred", "--tone", "--exposure", "--certify",
   "--layers", "--hdr", "--lens", "--png", "--exr", "--report", "--transparent" };
 
-// What it comes to follows from times that are measured.
+// The result follows from measured times.
 const std::string Measured = "time_budget";
 
-// Of the view: a picture of each value takes long where it is large.
+// For the view: a picture of each value takes long if it is large.
 const char* const Small = "150x110";
 
-// Of a shadow map's side: more than that take longer than all else.
+// For a shadow map's side: larger ones take longer than everything else.
 const char* const Texels = "256";
 
 // Other values than the default.
@@ -275,7 +275,7 @@ private Q_SLOTS:
     }
   }
 
-  // What has no effect any longer goes, and its row is idle and says why.
+  // Settings without effect are removed, and their row is disabled with the reason.
   void idleSurfaceValues()
   {
     this->Open({ this->WriteScene(), "--height-map", this->WriteImage(), "--size", Small });

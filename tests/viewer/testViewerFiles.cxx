@@ -88,13 +88,13 @@ private Q_SLOTS:
       QVERIFY(this->Window->GetDocument()->Get() == shown);
       QCOMPARE(CountDifferent(before, this->Grab()), 0);
     }
-    // What needs no file goes on.
+    // Changes that need no file continue.
     this->Change([](scene::Settings& settings) { settings.SetParameter("tone", "exposure", "1"); });
     QCOMPARE(this->Window->GetTrouble(), QString());
     QVERIFY(CountDifferent(before, this->Grab()) > 100);
   }
 
-  // A file on which its reader crashes: what was shown stays, and the next file opens.
+  // A file that crashes its reader: the shown scene stays, and the next file opens.
   void readersThatCrash()
   {
     const std::string scene = this->WriteScene();
@@ -275,8 +275,8 @@ private Q_SLOTS:
     }
   }
 
-  // Another file begins a new scene: the look and suns stay, and what belongs to the file before
-  // goes. Undoing brings that back, with its camera.
+  // Another file begins a new scene: the look and suns stay, and settings of the previous file are
+  // dropped. Undo restores them, with the camera.
   void anotherFile()
   {
     const std::string scene = this->WriteScene(), plain = this->WriteOBJ();
@@ -382,7 +382,7 @@ private Q_SLOTS:
       this->Window->GetDocument()->Get().Files, std::vector<std::string>{ other.toStdString() });
   }
 
-  // What was saved is what the layers hold, number by number.
+  // The saved file equals the layers, number by number.
   void savesLayers()
   {
     this->Open({ this->WriteScene(), "--shadows", "map", "--light", "sun:0.4,1,0.6" });

@@ -99,7 +99,7 @@ private Q_SLOTS:
     QVERIFY(!this->GetCamera()->GetParallelProjection()); // by the first press
     this->Press(Qt::Key_P);
     QVERIFY(this->GetCamera()->GetParallelProjection());
-    // What is in the middle keeps its size.
+    // Objects at the centre keep their size.
     this->Open({ this->WriteScene(), "--camera", "0,0.5,7,0,0.5,0,0,1,0" });
     this->Grab();
     this->Press(Qt::Key_P);
@@ -258,7 +258,7 @@ private Q_SLOTS:
     QVERIFY(this->Activate());
     auto* digits = number->findChild<QDoubleSpinBox*>();
     digits->setFocus();
-    QTest::keyClick(digits, Qt::Key_Z, Qt::ControlModifier); // and not what was refused
+    QTest::keyClick(digits, Qt::Key_Z, Qt::ControlModifier); // and not the refused text
     QCOMPARE(this->Window->GetDocument()->Get().Get("--opacity"), std::string("0.4"));
     QVERIFY(this->Window->GetDocument()->Get().Has("--edges"));
     QTest::keyClick(digits, Qt::Key_Z, Qt::ControlModifier);
@@ -431,7 +431,7 @@ private Q_SLOTS:
     QCOMPARE(this->CountEdits(), 3);
   }
 
-  // What wheel and keys turn one control by is one edit, until something else is done.
+  // Turning one control by wheel and keys is one edit, until another action.
   void undoOfTurning()
   {
     this->Open({ this->WriteScene() });

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The controls of lights: they write what was edited, and leave all other words as they are.
+// The controls of lights: they write the edited values, and leave all other words unchanged.
 #include "TestCase.h"
 #include "ViewerTest.h"
 
@@ -66,7 +66,7 @@ private:
 
   void Select(int row) { this->GetList()->setCurrentItem(this->GetList()->topLevelItem(row)); }
 
-  // What the list shows, row by row.
+  // The contents of the list, row by row.
   QStringList GetRows()
   {
     QStringList rows;
@@ -146,7 +146,7 @@ private Q_SLOTS:
     }
   }
 
-  // What is edited of the preset's light, and a sun that is added, stand as high with any axis.
+  // Edited preset lights, and a new sun, have the same height for any up axis.
   void editedSunsFollowUp()
   {
     this->Open({ this->WriteScene(), "--preset", "print" });
@@ -499,7 +499,7 @@ private Q_SLOTS:
     this->GetButton("makeOwn")->click();
     QCOMPARE(this->GetLights().size(), std::size_t(2));
     QVERIFY(this->GetLights()[1].find("intensity") == std::string::npos);
-    // What is edited of the preset's becomes the user's own, and nothing else of it changes.
+    // Editing the preset's light makes it the user's own, and changes no others.
     this->Change([](scene::Settings& settings) {
       settings.Remove("--light");
       settings.Remove("--fill");
@@ -515,7 +515,7 @@ private Q_SLOTS:
     QCOMPARE(this->Shown("fill"), 1.0);
   }
 
-  // One word, Softness, for the size of a light; what has no effect says why.
+  // One word, Softness, for the size of a light; controls without effect give the reason.
   void softness()
   {
     this->Open({ this->WriteScene(), "--shadows", "map", "--soft-shadows", "8", "--light",
@@ -591,8 +591,8 @@ private Q_SLOTS:
     QVERIFY(this->GetList()->topLevelItem(1)->font(0).strikeOut());
   }
 
-  // A click in the picture is where a spot shines, and what a point light hangs over; on a surface,
-  // or on the ground. It turns nothing.
+  // A click in the picture sets a spot's target, or places a point light above the surface, or
+  // above the ground. It does not turn the view.
   void placedInThePicture()
   {
     this->Open(
@@ -640,7 +640,7 @@ private Q_SLOTS:
     this->Compare("placed");
   }
 
-  // While a click is waited for, the window says what for; Esc ends it.
+  // While a click is expected, the window gives its purpose; Esc cancels.
   void saysWhatIsWaitedFor()
   {
     this->Open({ this->WriteScene(), "--light", "spot:2,5,2,0,0,0,30", "--light", "point:3,4,-2" });
@@ -652,7 +652,7 @@ private Q_SLOTS:
       this->Select(light);
       button->click();
       QVERIFY2(hint->GetText().startsWith(light == 0 ? "Click where the spot shall shine"
-                                                     : "Click on what the light shall hang over"),
+                                                     : "Click on the surface below the light"),
         qPrintable(hint->GetText()));
       QCOMPARE(this->Window->GetView()->cursor().shape(), Qt::CrossCursor);
       if (light == 0)
@@ -669,8 +669,8 @@ private Q_SLOTS:
     }
   }
 
-  // Handles are dragged: a light in the plane of the view, what a spot shines at over the surfaces,
-  // each drag one step to undo. Lights outside of the picture wait at its border.
+  // Handles are dragged: a light in the plane of the view, a spot's target over the surfaces, each
+  // drag one undo step. Lights outside of the picture are at its border.
   void handles()
   {
     this->Open({ this->WriteScene(), "--light", "point:1,2,0", "--light",

@@ -86,7 +86,7 @@ private Q_SLOTS:
     this->Choose("material", "relief", "steep");
     QCOMPARE(this->Window->GetTrouble(), QString());
     this->Compare("height map");
-    // What is said of maps goes with them.
+    // Options of maps are removed with them.
     this->SetFile("heightmap", "");
     QCOMPARE(this->Get("--relief"), std::string());
     QCOMPARE(this->Get("--texture-coordinates"), std::string("sphere"));
@@ -186,7 +186,7 @@ private Q_SLOTS:
     const double place = dragged.section(',', 1).section('=', 0, 0).toDouble();
     QVERIFY2(std::abs(place - 0.5) < 0.01, qPrintable(dragged));
     this->Find<QToolButton>("colors", "editStops")->setChecked(false);
-    // Steps, logarithms, a range around zero, and what is seen.
+    // Steps, logarithms, a symmetric range, and the visible range.
     type("cool-warm");
     this->Find<QSpinBox>("colors", "steps")->setValue(5);
     QCOMPARE(this->Get("--colormap"), std::string("cool-warm:steps=5"));
@@ -311,7 +311,7 @@ private Q_SLOTS:
     this->Compare("model");
   }
 
-  // What is not chosen here is the preset's.
+  // Settings not made here are the preset's.
   // Images with depth and clouds of points, as the command draws them.
   void imagesWithDepth()
   {

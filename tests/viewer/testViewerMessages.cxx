@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What went wrong is seen where it cannot be overlooked, until it is closed or mended.
+// Errors are shown prominently, until they are closed or fixed.
 #include "TestCase.h"
 #include "ViewerTest.h"
 
@@ -27,7 +27,7 @@ namespace testViewerMessages
 {
 namespace
 {
-// What the words are whenever a widget is painted.
+// The words at each painting of a widget.
 class PaintWatcher : public QObject
 {
 public:
@@ -94,7 +94,7 @@ private Q_SLOTS:
       QVERIFY(this->Window->findChild<QPushButton*>("emptyOpen")->isVisible());
       QCOMPARE(this->GetMessage(), QString());
     }
-    // A picture takes its place, and what is wrong next is over that.
+    // A picture takes its place, and the next error is over that.
     this->WriteScene();
     this->OpenFile("scene.vtp");
     QCOMPARE(this->GetEmptyWords(), QString());
@@ -136,7 +136,7 @@ private Q_SLOTS:
     QCOMPARE(this->GetMessage(), QString());
     this->OpenFile("what.xyz");
     QVERIFY(!this->GetMessage().isEmpty());
-    // What is waited for, and which layer is shown, stand below it.
+    // Wait messages, and the name of the layer, are below it.
     auto* hint = this->Window->findChild<viewer::MessageBar*>("hint");
     auto* banner = this->Window->findChild<QWidget*>("layerBanner");
     auto* bar = this->Window->findChild<viewer::MessageBar*>("messageBar");
@@ -153,7 +153,7 @@ private Q_SLOTS:
     QCOMPARE(this->GetMessage(), QString());
   }
 
-  // Messages name controls as the window has them, and nothing that nobody typed.
+  // Messages name the window's controls, and no option.
   void namesOfControls()
   {
     const auto quoted = [](const char* text) { return QString::fromUtf8(text); };
@@ -209,7 +209,7 @@ private Q_SLOTS:
     QCOMPARE(this->GetMessage(), QString());
   }
 
-  // What the window does itself is told while it does so.
+  // Work in the window's own thread is reported meanwhile.
   void environmentIsPrepared()
   {
     this->Open({ this->WriteScene() });

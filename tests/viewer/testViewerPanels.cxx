@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The panels: their order, what is in which, what folds, what is idle; layouts of older windows.
+// The panels: their order, contents, folding and idle controls; layouts of older windows.
 #include "TestCase.h"
 #include "ViewerTest.h"
 
@@ -36,7 +36,7 @@ namespace
 {
 const char* const Docks[] = { "scene", "light", "look", "layers", "report" };
 
-// Of a library that the viewer does not know.
+// From a library unknown to the viewer.
 vtkRelievoStage* NewUnplaced()
 {
   relievoTest::ColorStage* stage = relievoTest::ColorStage::New();
@@ -132,7 +132,7 @@ private Q_SLOTS:
     QSettings().clear();
   }
 
-  // Every stage that can be set has one group, and whoever brings one finds it in Look.
+  // Every configurable stage has one group, in Look by default.
   void everyStage()
   {
     this->Open({ this->WriteScene() });
@@ -165,7 +165,7 @@ private Q_SLOTS:
     QVERIFY(CountDifferent(before, this->Grab()) > 100);
   }
 
-  // What the description marks, and nothing else, is in the section Advanced, under its own label.
+  // Exactly the marked parameters are in the section Advanced, under its own label.
   void advanced()
   {
     this->Open({ this->WriteScene(), "--shadows", "map", "--light", "sun:0.4,1,0.6" });
@@ -207,7 +207,8 @@ private Q_SLOTS:
     QVERIFY(!bias->isVisible() && strength->isVisible());
   }
 
-  // A tick unfolds, none folds, by whomever; the arrow folds what is on or has no switch.
+  // Switching on unfolds, switching off folds, for any cause; the arrow folds groups that are on or
+  // have no switch.
   void folding()
   {
     this->Open({ this->WriteScene(), "--light", "sun:0.4,1,0.6" });
@@ -289,7 +290,8 @@ private Q_SLOTS:
     QCOMPARE(CountDifferent(before, this->Grab()), 0);
   }
 
-  // What has no effect is disabled with its label, and says why; what it does else, too.
+  // Controls without effect are disabled with their label, and give the reason; others give their
+  // help.
   void idle()
   {
     this->Open({ this->WriteScene(), "--shadows", "map", "--light", "sun:0.4,1,0.6", "--stage",

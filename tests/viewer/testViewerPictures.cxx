@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The picture of every switch equals that of the command line, byte for byte; so does what is left
-// when it is switched off again.
+// The picture of every switch equals that of the command line, byte for byte; so does the picture
+// after it is switched off again.
 #include "TestCase.h"
 #include "ViewerTest.h"
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Stages that work on files of points, and what their points are, by the controls.
+// Stages of points, and the values of their points, by the controls.
 #include "TestCase.h"
 #include "ViewerTest.h"
 
@@ -94,7 +94,7 @@ private Q_SLOTS:
     QCOMPARE(this->Get("--lamps"), Words{ points });
   }
 
-  // Of a file and of an array.
+  // From a file and from an array.
   void commas()
   {
     const std::string points = this->WritePoints("a,b.vtp", "wide,\\1");
@@ -132,7 +132,7 @@ private Q_SLOTS:
     }
   }
 
-  // Switched on without a file, a group says what it needs, and opens no dialog.
+  // Switched on without a file, a group asks for one, and opens no dialog.
   void firstFile()
   {
     this->Open({ this->WriteScene() });

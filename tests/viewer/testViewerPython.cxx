@@ -37,7 +37,7 @@ private Q_SLOTS:
       "0.6", "--background", "white,#8899aa", "--shading", "flat", "--parallel-scale", "1.5" });
   }
 
-  // Also what the material says of highlights.
+  // Also the material's highlights.
   void oneMaterial()
   {
     this->Open(

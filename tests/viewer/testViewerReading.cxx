@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// While files are read: what is opened next, what is set meanwhile, and what stays after it.
+// While files are read: opening others, changing settings, and the state afterwards.
 #include "TestCase.h"
 #include "ViewerTest.h"
 
@@ -127,7 +127,7 @@ private Q_SLOTS:
     QCOMPARE(this->Window->GetDocument()->Get().Files, std::vector<std::string>{ next });
   }
 
-  // What is set while a file is read is seen at once, and stays when the reading is stopped.
+  // Settings changed while a file is read apply at once, and stay when the reading is stopped.
   void setsMeanwhile()
   {
     const std::string scene = this->WriteScene();
@@ -147,7 +147,7 @@ private Q_SLOTS:
     QCOMPARE(after.GetParameter("tone", "exposure"), std::string("1"));
     QVERIFY(!after.Has("--edges"));
     QCOMPARE(CountDifferent(during, this->Grab()), 0);
-    QCOMPARE(this->Window->GetTrouble(), QString()); // it is what the user wants
+    QCOMPARE(this->Window->GetTrouble(), QString()); // as the user wants
     QCOMPARE(this->Words(), QString("Stopped."));
   }
 
@@ -179,7 +179,7 @@ private Q_SLOTS:
     QVERIFY(!bar->isVisible());
   }
 
-  // What was said for a file that cannot be read is for the next.
+  // Settings made for an unreadable file apply to the next.
   void optionsOfAFailure()
   {
     const std::string missing = this->Path("missing.glb");
@@ -198,7 +198,7 @@ private Q_SLOTS:
     QCOMPARE(view.Get("--camera"), std::string("3,4,5,0,0,0,0,1,0"));
   }
 
-  // The list holds what has been read, by every way, and tells files of one name apart.
+  // The list contains files read in any way, and distinguishes files of one name.
   void recentFiles()
   {
     QSettings().clear();
@@ -255,7 +255,7 @@ private Q_SLOTS:
     QVERIFY(!this->Window->findChild<QToolBar*>("time")->isVisible());
   }
 
-  // A session without files leaves nothing of what was shown; one with other things is named.
+  // A session without files clears the previous scene; one with other contents is named.
   void emptySessions()
   {
     this->Open({ this->WriteScene() });

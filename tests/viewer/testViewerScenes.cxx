@@ -16,7 +16,7 @@ class TestViewerScenes : public viewerTest::ViewerTest
   Q_OBJECT
 
 private Q_SLOTS:
-  // What a word about fog says stays when other stages come and go.
+  // The values of fog stay when other stages come and go.
   void fogModeStays()
   {
     const std::string fog = this->WritePoints() + ",density=0.8,mode=";

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// scene::Settings say what the words said, in words again.
+// scene::Settings keep the meaning of words, and write it as words again.
 #include "TestCase.h"
 #include "ViewerTest.h"
 
@@ -46,7 +46,7 @@ private Q_SLOTS:
     QVERIFY_EXCEPTION_THROWN(words({ "a.vtp", "--opacity", "2" }), scene::UsageError);
   }
 
-  // What is said again is the same.
+  // Written words parse to the same settings.
   void again()
   {
     const scene::Settings once = scene::Settings::FromWords({ "a.vtp", "b.vtp", "--tone", "simple",
@@ -111,7 +111,7 @@ private Q_SLOTS:
     QVERIFY(other == before);
   }
 
-  // What the preset sets is read as it is, said by no word, and switched off by one.
+  // The preset's values are readable, without words for them, and a word switches them off.
   void presets()
   {
     for (const Words& words : { Words{}, Words{ "a.vtp" } })
@@ -140,7 +140,7 @@ private Q_SLOTS:
     const scene::Settings soft =
       scene::Settings::FromWords({ "a.vtp", "--preset", "studio", "--soft-shadows", "8" });
     QCOMPARE(soft.GetParameter("shadows", "soft_samples"), std::string("8"));
-    // What words say counts more than the preset, in whichever way they say it.
+    // Words override the preset, in any of their forms.
     const scene::Settings same = scene::Settings::FromWords(
       { "a.vtp", "--preset", "studio", "--stage", "shadows:soft_samples=8" });
     QVERIFY(same == soft);
@@ -172,7 +172,7 @@ private Q_SLOTS:
       scene::Settings wanted = settings;
       wanted.Set("--edges", "");
       QCOMPARE(document.Get().GetWords(), wanted.GetWords());
-      // What is set of them meanwhile stays.
+      // Values set meanwhile stay.
       document.SwitchShadows(!on);
       document.Change(
         [](scene::Settings& other) { other.SetParameter("shadows", "strength", "0.5"); });
@@ -209,7 +209,7 @@ private Q_SLOTS:
     history.Add(at("0.6"), at("0.7")); // another edit
     history.DropUntil(at("0.6"));      // it was refused
     QVERIFY(*history.Undo(at("0.6")) == at("0.5"));
-    // There and back is no edit, and what follows in the same drag is one of its own.
+    // There and back is no edit, and later changes of the same drag form a new one.
     history.Clear();
     history.Add(at("0.1"), at("0.2"));
     history.Add(at("0.2"), at("0.3"), 2);
@@ -219,7 +219,7 @@ private Q_SLOTS:
     QVERIFY(*history.Undo(at("0.5")) == at("0.2"));
     QVERIFY(*history.Undo(at("0.2")) == at("0.1"));
     QVERIFY(!history.CanUndo());
-    // Undone in the middle of a drag: what follows goes back to there.
+    // Undone in the middle of a drag: later changes start from there.
     history.Add(at("0.1"), at("0.2"));
     history.Add(at("0.2"), at("0.3"), 3);
     QVERIFY(*history.Undo(at("0.3")) == at("0.2"));

@@ -49,7 +49,7 @@ private Q_SLOTS:
     }
   }
 
-  // What is written is read as the same.
+  // Written words are read as the same.
   void words()
   {
     QFETCH(QString, words);
@@ -80,7 +80,7 @@ private Q_SLOTS:
     }
   }
 
-  // What people read of it, in the viewer and in ParaView.
+  // Texts for users, in the viewer and in ParaView.
   void sayings()
   {
     using relievoQt::SunEdit;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The tool bar, and what else surrounds the picture without being part of it.
+// The tool bar and other parts around the picture.
 #include "TestCase.h"
 #include "ViewerTest.h"
 
@@ -48,7 +48,7 @@ class TestViewerTools : public viewerTest::ViewerTest
 private:
   QToolBar* GetBar() { return this->Window->findChild<QToolBar*>("tools"); }
 
-  // Of a button, the share of pixels that are nearly the colour of the controls' text.
+  // In a button, the share of pixels that are nearly the colour of the controls' text.
   double GetInk(QToolButton* button)
   {
     const QImage image = button->grab().toImage();
@@ -280,7 +280,7 @@ private Q_SLOTS:
     QVERIFY(first.count() > 0 || first.wait(60000));
     QTRY_COMPARE_WITH_TIMEOUT(
       this->Window->GetView()->GetPicture().GetFrame()->GetSamplesLeft(), 0, 60000);
-    // What was asked for before may still come, however long that takes.
+    // Results of earlier requests may still arrive, after any time.
     QSignalSpy drawn(this->Window->GetView(), &viewer::PictureView::drawn);
     int late = 0;
     while (late < 5 && drawn.wait(400))
@@ -355,7 +355,7 @@ private Q_SLOTS:
       qPrintable(listed.join(", ")));
   }
 
-  // Of each file its own points, cells, bounds and arrays.
+  // Each file has its own points, cells, bounds and arrays.
   void properties()
   {
     this->Open({ this->WriteScene(), this->WriteOBJ() });
@@ -416,7 +416,7 @@ private Q_SLOTS:
       this->Grab();
       return legend->GetText();
     };
-    // By default it fits what is seen, whatever is clipped; or it is as given.
+    // By default it fits the visible values, with any clipping; or it is as given.
     const QStringList fitted = show("depth").split('\n');
     QVERIFY(fitted[0].contains("world units"));
     QVERIFY2(fitted[2].toDouble() > 1.5 && fitted[3].toDouble() < 11.0 &&

@@ -47,13 +47,13 @@ namespace
 struct Memory
 {
   long Allocated; // by malloc, of every thread, and not freed
-  long Resident;  // of the process: also what drivers map by themselves, and compile
+  long Resident;  // of the process: includes memory mapped and compiled by drivers
 };
 
 // In kilobytes.
 Memory GetMemory()
 {
-  malloc_trim(0); // what was freed does not count
+  malloc_trim(0); // freed memory does not count
   QFile file("/proc/self/statm");
   const long pages = file.open(QIODevice::ReadOnly) ? file.readAll().split(' ')[1].toLong() : 0;
   char* text = nullptr;
@@ -61,8 +61,8 @@ Memory GetMemory()
   FILE* stream = open_memstream(&text, &size);
   malloc_info(0, stream);
   std::fclose(stream);
-  // The last elements are the sums: free in small and in other blocks, mapped, and all from the
-  // system but what is mapped.
+  // The last elements are the sums: free in small and in other blocks, mapped, and total from the
+  // system except mapped.
   const QString words = QString::fromUtf8(text);
   std::free(text);
   const auto sum = [&words](const char* element) {
@@ -97,7 +97,7 @@ private Q_SLOTS:
       this->Window->OpenFiles({ path });
       this->WaitUntilRead();
       QVERIFY2(this->Window->GetTrouble().contains(name), qPrintable(this->Window->GetTrouble()));
-      // What was shown still is.
+      // The previous scene is still shown.
       QCOMPARE(CountDifferent(before, this->Grab()), 0);
       QCOMPARE(this->Window->GetDocument()->Get().Files, std::vector<std::string>{ scene });
     }
@@ -164,9 +164,9 @@ private Q_SLOTS:
     }
   }
 
-  // What is left behind adds up. What is held for a while does not: Mesa's rasterizer keeps a
-  // shadow map that was deleted for as long as a frame in its queue names it, now and then. So the
-  // least counts that is held after any of some rounds, each of which switches all off again.
+  // Leaked memory accumulates. Memory held for a while does not: Mesa's rasterizer keeps a deleted
+  // shadow map as long as a frame in its queue names it, now and then. So the smallest amount after
+  // any of some rounds counts, each of which switches everything off again.
   void memoryIsFlat()
   {
     this->Open({ this->WriteScene(), "--light", "sun:0.4,1,0.6" });
@@ -180,7 +180,7 @@ private Q_SLOTS:
           group->setChecked(!group->isChecked());
           this->Grab();
         }
-        QApplication::processEvents(); // what folds posts some, which wait here
+        QApplication::processEvents(); // folding posts events, which wait here
         const Memory now = GetMemory();
         least = { std::min(least.Allocated, now.Allocated),
           std::min(least.Resident, now.Resident) };
@@ -191,7 +191,7 @@ private Q_SLOTS:
     const Memory before = getLeast(12);
     getLeast(22); // with the next, 204 switches
     Memory after = getLeast(12);
-    // On a busy machine frames stay in the queue for longer; what adds up never comes back.
+    // On a busy machine frames stay in the queue for longer; leaks never come back.
     for (int more = 0; more < 8 && after.Allocated - before.Allocated >= 256; ++more)
     {
       const Memory later = getLeast(12);
@@ -311,8 +311,8 @@ private Q_SLOTS:
       std::exception);
   }
 
-  // Of any size, and without a background: as the command with these words, byte for byte. The view
-  // is afterwards as it was.
+  // Pictures of any size, and without a background: equal to the command's with these words, byte
+  // for byte. Afterwards the view is restored.
   void savesOtherSizes()
   {
     this->Open({ this->WriteScene(), "--preset", "studio", "--color-by", "height", "--scalar-bar",

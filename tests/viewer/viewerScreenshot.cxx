@@ -28,7 +28,7 @@ namespace
 {
 constexpr int Pause = 2000; // milliseconds, for a step to be seen
 
-// What is left to do, one step after the other, and then the picture.
+// The remaining steps, one after the other, and then the picture.
 void Go(viewer::MainWindow& window, std::vector<std::string> steps, const char* place)
 {
   if (!window.GetView()->GetPicture().IsEmpty())

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The wheel itself: what it holds, what it needs, and how its users meet it."""
+"""The wheel itself: its contents, its requirements, and its first use."""
 
 import importlib.metadata
 import os
@@ -17,7 +17,7 @@ INDEX = os.environ["RELIEVO_WHEEL_INDEX"]
 BASE_PYTHON = os.environ["RELIEVO_WHEEL_BASE_PYTHON"]
 DATA = pathlib.Path(os.environ["RELIEVO_DATA"])
 
-# What any Linux with that glibc has; all else comes with the wheel, or with VTK's.
+# Available on any Linux with that glibc; the rest comes with the wheel, or with VTK's.
 SYSTEM = r"lib(c|m|gcc_s|stdc\+\+|pthread|dl|rt|z)\.so\.\d+|ld-linux-x86-64\.so\.2"
 VTK = r"libvtk\w+-cvista\.so|libvtkWrappingPythonCore3\.\d+-cvista\.so"
 
@@ -101,7 +101,7 @@ class Files(unittest.TestCase):
             self.assertTrue(any(name in file and file in own for file in found), name)
 
     def test_licences(self):
-        """What comes with it is under licences that are to be passed on."""
+        """Licences of included libraries are passed on."""
         texts = {path.stem: path.read_text() for path in self.files if "licenses" in path.parts}
         self.assertIn("BSD", texts["LICENSE"])
         with_it = [path for path in self.files if path.parent.name == "relievo.libs"]
@@ -120,8 +120,8 @@ class Files(unittest.TestCase):
 
 class Imports(unittest.TestCase):
     def run_script(self, script, **environment):
-        """What it prints; it ends well and says nothing on the error output, but what VTK says of
-        a display or a library that it tries and goes without."""
+        """Its output; it exits normally without error output, except VTK's about a missing
+        display or library."""
         done = subprocess.run(
             [sys.executable, "-c", script],
             env={**os.environ, "PYTHONPATH": "", **environment},
@@ -159,7 +159,7 @@ class Imports(unittest.TestCase):
             self.assertEqual(self.run_script(DRAWS, DISPLAY=display), DREW)
 
     def test_without_opengl(self):
-        """One line says what is missing."""
+        """One line names the missing package."""
         said = self.run_script(
             f"try:\n    exec({DRAWS!r})\nexcept RuntimeError as error:\n    print(error)",
             VTK_DEFAULT_OPENGL_WINDOW="vtkOSOpenGLRenderWindow",

@@ -30,22 +30,22 @@ class BenchCommand : public Command
 public:
   BenchCommand()
     : Command("bench", "NAME...",
-        "bench measures, prints what it found, and writes CSV to a folder, and charts where "
-        "Python has matplotlib; elsewhere bench/charts.py draws them. Without a known NAME it "
-        "lists them. Several NAMEs, or all, run in processes of their own: none stops "
-        "another, what they print is in DIR/logs, and DIR/summary.md says how they ended and "
-        "how long they took. The same call again runs those that are not done.")
+        "bench runs benchmarks, prints their results, and writes CSV files, and charts if "
+        "Python has matplotlib; otherwise bench/charts.py draws them later. Without a known "
+        "NAME it lists the names. Several NAMEs, or all, run in separate processes, so that "
+        "a failure does not stop the others: their output is in DIR/logs, and DIR/summary.md "
+        "lists outcomes and times. Repeating the call runs only the unfinished ones.")
   {
-    this->AddWord("--out DIR", "where to write (the current folder)", this->Folder).Files = "/";
+    this->AddWord("--out DIR", "output folder (the current folder)", this->Folder).Files = "/";
     this
       ->AddWord("--beside DIR",
-        "writes the summary, also for one NAME, with figures beside those of the CSV files in DIR, "
-        "such as docs/charts",
+        "writes the summary, also for one NAME, with the figures of the CSV files in DIR, "
+        "such as docs/charts, beside the new ones",
         this->Beside)
       .Files = "/";
     this->AddFlag("--quick",
-      "times everything three times instead of up to 31 times, for a first look; the same call "
-      "without it measures again",
+      "repeats each measurement three times instead of up to 31 times, for a first look; "
+      "the same call without --quick measures again",
       this->Quick);
   }
 
@@ -73,7 +73,7 @@ public:
       }
     }
     {
-      vtkNew<vtkRenderWindow> probe; // benches draw in windows that they make themselves
+      vtkNew<vtkRenderWindow> probe; // benches draw in windows of their own
       scene::CheckDisplay(probe);
     }
     if (isAll || this->Names.size() > 1 || !this->Beside.empty())
@@ -107,8 +107,8 @@ private:
 #endif
 
   std::string Folder = ".";
-  std::string Beside; // folder of CSV files that the summary compares with; may be empty
-  bool Quick = false; // fewer rounds of what is timed
+  std::string Beside; // folder of CSV files for comparison; may be empty
+  bool Quick = false; // fewer repetitions
 };
 }
 

@@ -51,7 +51,7 @@ public:
       catch (const scene::WorkError& error)
       {
         const std::string text = this->NameOptions(error.what());
-        if (text.find(", expected ") != std::string::npos) // and not that the memory is too small
+        if (text.find(", expected ") != std::string::npos) // not an error about memory
         {
           throw scene::UsageError(text);
         }
@@ -60,7 +60,7 @@ public:
       vtkNew<vtkXMLImageDataWriter> writer;
       writer->SetInputData(this->Caves->GetOutput());
       writer->SetFileName(outputs.Temporary(this->File).c_str());
-      // Not appended: Debian's mended expat keeps VTK before 9.3.1 from reading that.
+      // Not appended: VTK before 9.3.1 cannot read appended data with Debian's patched expat.
       writer->SetDataModeToBinary();
       progress.Begin("writing " + this->File);
       progress.Observe(writer);

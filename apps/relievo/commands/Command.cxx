@@ -16,7 +16,7 @@ namespace cli
 {
 namespace
 {
-// The words of a parameter that has none of its own: "--air-label N" of air_label.
+// The default option of a parameter: "--air-label N" for air_label.
 std::string MakeUse(const vtkRelievoParameter& parameter)
 {
   using P = vtkRelievoParameter;
@@ -92,7 +92,8 @@ void Command::AddMeshOptions(const std::string& extension)
   this->AddOutput("-o FILE" + extension, "the mesh", this->File).Missing =
     "no file to write; give -o FILE" + extension;
   vtkRelievoOption& folders = this->Add("--allow-folder DIR",
-    "a folder that files may name pieces in, besides their own; repeatable",
+    "allows files to name pieces in this folder and below (each file's own folder); "
+    "repeatable",
     [this](const std::string& value) { this->AllowedFolders.push_back(value); });
   folders.Files = "/";
   folders.Repeats = true;

@@ -16,8 +16,8 @@ struct vtkRelievoParameterList;
 
 namespace cli
 {
-/// A command of `relievo`: its options, each described once, and its work. Errors are thrown:
-/// scene::UsageError, scene::WorkError.
+/// A command of `relievo`: its options, each described once, and its work. Errors are thrown as
+/// scene::UsageError or scene::WorkError.
 class Command
 {
 public:
@@ -25,59 +25,59 @@ public:
   Command(const Command&) = delete;
   void operator=(const Command&) = delete;
 
-  /// Its own options, and the help.
+  /// The command's own options, and its help.
   const vtkRelievoCommand& Describe() const { return this->Rows; }
 
-  /// All that it takes.
+  /// All options that the command accepts.
   virtual vtkRelievoCommand DescribeAll() { return this->Rows; }
 
-  /// Takes the words behind its name, and works. Returns the exit status.
+  /// Parses the words after the command's name, and runs it. Returns the exit status.
   virtual int Run(const std::vector<std::string>& words) = 0;
 
 protected:
-  /// `use`: what stands behind the name, such as FILE...; "" if options alone do. `about`: a
+  /// `use`: the words after the name, such as FILE...; "" if there are only options. `about`: a
   /// paragraph.
   Command(const std::string& name, const std::string& use, const std::string& about);
 
   ///@{
-  /// Adds an option. `use`: its name, and what its value is called, such as "--seed N".
+  /// Adds an option. `use`: its name and its value's placeholder, such as "--seed N".
   vtkRelievoOption& Add(const std::string& use, const std::string& help,
     const std::function<void(const std::string& value)>& take);
   vtkRelievoOption& AddWord(const std::string& use, const std::string& help, std::string& word);
   void AddFlag(const std::string& name, const std::string& help, bool& flag);
   ///@}
 
-  /// One for a file to write, of the extension that its use ends in: "-o FILE.vtp".
+  /// Adds an option for an output file with the extension at the end of its use: "-o FILE.vtp".
   vtkRelievoOption& AddOutput(const std::string& use, const std::string& help, std::string& file);
 
-  /// What commands that read meshes share: -o, --allow-folder and --up, which is -1 if it is not
-  /// given.
+  /// Adds the options of commands that read meshes: -o, --allow-folder and --up, which is -1 if it
+  /// is not given.
   void AddMeshOptions(const std::string& extension);
 
-  /// Those of a filter's parameters, in their order. `uses` has the words where they are not those
-  /// of the parameter ("--day-step N"); "" leaves it out.
+  /// Adds the parameters of a filter, in their order. `uses` replaces the default of a parameter's
+  /// option ("--day-step N"); "" omits the parameter.
   void AddParameters(
     const vtkRelievoParameterList& list, const std::map<std::string, std::string>& uses);
 
-  /// What a filter says of its parameters, with the names of the options that set them.
+  /// A filter's message, with parameters replaced by the names of their options.
   std::string NameOptions(const std::string& text) const;
 
-  /// Has the options take their values. Plain words go to Names; those of meshes are checked.
+  /// Passes values to the options. Plain words become Names; names of meshes are checked.
   std::set<std::string> Take(const std::vector<std::string>& words);
   void TakeMeshes(const std::vector<std::string>& words);
 
   vtkRelievoCommand Rows;
-  std::vector<std::string> Names; ///< words that are no options
+  std::vector<std::string> Names; ///< words other than options
   std::vector<std::string> AllowedFolders;
-  std::string File; ///< of -o
+  std::string File; ///< value of -o
   int Up = -1;
 
 private:
-  std::map<std::string, std::string> OptionOf; // by the parameter's name as methods have it
+  std::map<std::string, std::string> OptionOf; // by the parameter's name in methods
 };
 
 ///@{
-/// Each is made in a file of its own.
+/// Each is defined in a file of its own.
 std::unique_ptr<Command> MakeBench();
 std::unique_ptr<Command> MakeCave();
 std::unique_ptr<Command> MakeCompare();

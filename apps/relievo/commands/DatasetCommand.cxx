@@ -27,7 +27,7 @@ namespace cli
 {
 namespace
 {
-// Options of render that poses, or the data set's own files, are in the place of.
+// Options of render that poses or the data set's own files replace.
 constexpr const char* OfRender[] = { "--camera", "--parallel-scale", "--clip", "--times", "--png",
   "--exr", "--baseline", "--report", "--hdr", "--transparent", "--certify" };
 
@@ -36,7 +36,7 @@ bool IsOfRender(const std::string& name)
   return std::find(std::begin(OfRender), std::end(OfRender), name) != std::end(OfRender);
 }
 
-// What an object is.
+// Kinds of objects.
 enum class DatasetParts
 {
   File,
@@ -44,12 +44,12 @@ enum class DatasetParts
   Block
 };
 
-// Objects are called by their files; what is of no file, such as a ground, hides and no more.
+// Names objects by their files; actors without a file, such as a ground, only hide others.
 void NameObjects(vtkRelievoDatasetWriter* writer, vtkRelievoScene* scene, DatasetParts kind)
 {
   std::map<std::string, std::string> names; // by file
-  std::map<std::string, int> parts;         // of a file, so far
-  std::set<std::string> ofFiles, ofParts;   // that are taken
+  std::map<std::string, int> parts;         // numbers of parts per file
+  std::set<std::string> ofFiles, ofParts;   // names in use
   for (int actor = 0; actor < scene->GetRenderer()->GetActors()->GetNumberOfItems(); ++actor)
   {
     const std::string file = scene->GetFileOf(actor);
@@ -86,18 +86,19 @@ class DatasetCommand : public Command
 public:
   DatasetCommand()
     : Command("dataset", "FILE...",
-        "dataset writes what many cameras see of the FILEs as a data set, to learn from or to "
-        "judge by: pictures, depth, masks of each object, its boxes and poses, and the "
+        "dataset writes views of the FILEs from many cameras as a data set for training or "
+        "evaluation: pictures, depth, masks of each object, its boxes and poses, and the "
         "cameras. It takes the options of render that shape the scene and its look; --size, "
-        "--view-angle and --lens are the cameras'. The same call goes on where an earlier one "
-        "ended.")
+        "--view-angle and --lens apply to the cameras. Repeating an interrupted call "
+        "continues it.")
   {
     this->Rows.Files = scene::GetRenderCommand().Files;
     vtkRelievoOption& poses = this->Add("--poses POSES",
-      "orbit:N[,elevation=30][,distance=1], places around the scene; "
-      "random:N[,lowest=0][,highest=90][,nearest=1][,farthest=1.5], anywhere between two "
-      "elevations and two distances, of which 1 shows everything; or a FILE.json, a list of "
-      "{\"R\", \"t\"} or {\"position\", \"target\"}, or a transforms.json",
+      "orbit:N[,elevation=30][,distance=1], places around the objects; "
+      "random:N[,lowest=0][,highest=90][,nearest=1][,farthest=1.5], random places between "
+      "two elevations, in degrees, and two distances; a distance of 1 shows all objects; "
+      "or a FILE.json, a list of {\"R\", \"t\"} or {\"position\", \"target\"}, or a "
+      "transforms.json",
       [this](const std::string& value) {
         scene::CheckDatasetPoses("--poses", value);
         this->Poses = value;
@@ -111,15 +112,14 @@ public:
     out.Files = "/";
     this
       ->Add("--layers A,B...",
-        "layers that are written as floats: in layers/NUMBER.exr, of npz as arrays; flow, motion "
-        "and flow_valid go to the view before",
+        "layers to write as floats: in layers/NUMBER.exr, with npz as arrays; flow, motion "
+        "and flow_valid go to the previous view",
         [this](const std::string& value) { this->TakeLayers(value); })
       .Repeats = true;
     const std::vector<std::string> kinds = { "file", "actor", "block" };
     this
       ->Add("--objects KIND",
-        "what an object is: file, actor (of a file with several materials or parts) or block "
-        "(file)",
+        "kind of objects: file, actor (a material or a part of a file) or block (file)",
         [this, kinds](const std::string& value) {
           this->Objects = static_cast<DatasetParts>(scene::ParseChoice("--objects", value, kinds));
         })
@@ -127,11 +127,12 @@ public:
     this->AddParameters(this->Writer->GetParameters(),
       { { "format", "--format FORMAT" }, { "depth_step", "--depth-step S" },
         { "mm_per_unit", "--mm-per-unit M" }, { "up", "" } });
-    this->Add("--views A:B", "from view A to before view B, as one of several processes (all)",
+    this->Add("--views A:B",
+      "draws only the views from A to B - 1, as one of several processes (all)",
       [this](const std::string& value) { this->TakeRange(value); });
   }
 
-  // Its own, and those of render for the scene.
+  // The command's own options, and those of render for the scene.
   vtkRelievoCommand DescribeAll() override
   {
     vtkRelievoCommand all = this->Rows;
@@ -239,8 +240,8 @@ private:
       if (IsOfRender(name))
       {
         throw scene::UsageError(name +
-          ": is an option of relievo render; of a data set --poses says where the cameras are, "
-          "--format and --out what is written");
+          ": is an option of relievo render; for a data set, --poses sets the cameras, and "
+          "--format and --out the output");
       }
       if (word == "--")
       {
@@ -277,13 +278,13 @@ private:
   }
 
   vtkNew<vtkRelievoDatasetWriter> Writer;
-  std::vector<std::string> Scene; // files and options in the words of render
-  std::vector<std::string> Words; // all words but where to write, and which views
-  scene::RenderOptions Render;    // of these words
+  std::vector<std::string> Scene; // files and options, as words of render
+  std::vector<std::string> Words; // all words except the output folder and the range of views
+  scene::RenderOptions Render;    // parsed words
   std::string Poses;              // "orbit:N", "random:N", or a file
   std::string Folder;
   DatasetParts Objects = DatasetParts::File;
-  std::array<int, 2> Range = { 0, -1 }; // views from one to before another; -1: all
+  std::array<int, 2> Range = { 0, -1 }; // first view, and the one after the last; -1: all
 };
 }
 

@@ -16,10 +16,10 @@ using Commands = std::vector<std::unique_ptr<Command>>;
 /// All commands, in the order of the help.
 Commands MakeCommands();
 
-/// What `relievo --help` prints.
+/// The output of `relievo --help`.
 std::string GetHelpPage(const Commands& commands);
 
-/// What `relievo --words` prints, for the completion of shells: vtkRelievoCommand::GetWords of each
+/// The output of `relievo --words`, for completion in shells: vtkRelievoCommand::GetWords of each
 /// command, and of the viewer.
 std::string GetWords(const Commands& commands);
 }

@@ -28,19 +28,20 @@ class SunCommand : public Command
 public:
   SunCommand()
     : Command("sun", "FILE...",
-        "sun finds by rays how long the sun shines on a mesh, and writes it with the arrays "
-        "sun_hours and insolation (each hour times the cosine between the sun and the "
-        "normal). The first FILE is the mesh, the others shade it. North is z, -z or y where "
-        "x, y or z points up.")
+        "sun computes by rays how long the sun shines on a mesh, and writes the mesh with "
+        "the arrays sun_hours and insolation (hours weighted by the cosine between the sun "
+        "and the normal). The first FILE is the mesh, the others shade it. North is z, -z or "
+        "y where x, y or z points up.")
   {
     this
-      ->Add("--place LATITUDE,LONGITUDE", "degrees; north and east are positive",
+      ->Add("--place LATITUDE,LONGITUDE",
+        "degrees, -90 to 90 and -180 to 180; north and east are positive",
         [this](const std::string& value) { this->TakePlace(value); })
       .Missing = "no place; give --place LATITUDE,LONGITUDE";
     this
       ->Add("--dates FIRST[:LAST[:EVERY]]",
-        "days such as 2026-01-01:2026-12-31:7, which both count; of every so many days one stands "
-        "for all",
+        "first and last day, both included, such as 2026-01-01:2026-12-31:7; one day in "
+        "EVERY stands for all of them",
         [this](const std::string& value) { this->TakeDates(value); })
       .Missing = "no dates; give --dates FIRST[:LAST[:EVERY]]";
     this->AddMeshOptions(".vtp");

@@ -29,12 +29,12 @@ class VisibleCommand : public Command
 public:
   VisibleCommand()
     : Command("visible", "FILE...",
-        "visible finds by rays which cells of a mesh cameras see, in how many pixels and "
-        "under which solid angle, and writes the mesh with the arrays seen, pixels and "
-        "solid_angle. The first FILE is the mesh, the others hide it.")
+        "visible finds by rays which cells of a mesh are visible to cameras, in how many "
+        "pixels and under which solid angle, and writes the mesh with the arrays seen, "
+        "pixels and solid_angle. The first FILE is the mesh, the others hide it.")
   {
     vtkRelievoOption& poses = this->Add("--poses POSES",
-      "orbit:N, random:N or a FILE.json, as of dataset", [this](const std::string& value) {
+      "cameras, as in dataset: orbit:N, random:N or a FILE.json", [this](const std::string& value) {
         scene::CheckDatasetPoses("--poses", value);
         this->Poses = value;
       });
@@ -42,13 +42,14 @@ public:
     poses.Words = { "orbit:", "random:" };
     poses.Files = "json";
     this->AddMeshOptions(".vtp");
-    this->AddOutput("--cloud FILE.vtp", "what the pixels show of the mesh, as points", this->Cloud);
+    this->AddOutput(
+      "--cloud FILE.vtp", "writes the surface points seen in the pixels", this->Cloud);
     this->AddOfRender("--size", "pixels of each camera (1024x768)");
     this->AddOfRender("--view-angle", "full vertical angle of each camera (30)");
     this->AddOfRender("--lens",
       scene::Join(vtkRelievoCalibration::GetNames(), ", ") +
-        " or a file, as of render; orthographic with its PIXELS (pinhole)");
-    this->Add("--seed N", "of random poses (0)", [this](const std::string& value) {
+        "; or a file, as in render; orthographic with its PIXELS (pinhole)");
+    this->Add("--seed N", "seed of random poses (0)", [this](const std::string& value) {
       this->Seed = scene::ParseWhole(
         "--seed", value, std::numeric_limits<int>::min(), std::numeric_limits<int>::max());
     });
@@ -95,7 +96,7 @@ public:
   }
 
 private:
-  // An option of render that says what cameras are.
+  // Adds an option of render that describes cameras.
   void AddOfRender(const std::string& name, const std::string& help)
   {
     vtkRelievoOption option = *scene::GetRenderCommand().Find(name);
@@ -120,8 +121,8 @@ private:
     }
   }
 
-  std::vector<std::string> OfCameras; // in the words of render
-  scene::RenderOptions Render;        // of these words
+  std::vector<std::string> OfCameras; // as words of render
+  scene::RenderOptions Render;        // parsed words
   std::string Poses;                  // "orbit:N", "random:N", or a file
   std::string Cloud;                  // "": none
   int Seed = 0;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * What commands that work on a scene share.
+ * Helpers of commands that work on a scene.
  */
 #ifndef SceneWork_h
 #define SceneWork_h
@@ -15,7 +15,7 @@
 
 namespace cli
 {
-/// The scene's steps on the error output, while it lives.
+/// While it lives, prints the scene's steps to the error output.
 class SceneSteps
 {
 public:
@@ -33,16 +33,16 @@ private:
   scene::Progress Shown;
 };
 
-/// Throws UsageError or WorkError for a function that returned false; `failure` and `text` say why.
+/// Throws UsageError or WorkError for a function that returned false, by its `failure` and `text`.
 void CheckDone(bool done, int failure, const std::string& text);
 
 /// Gives the scene its words.
 void SetWords(vtkRelievoScene* scene, const std::vector<std::string>& words);
 
-/// Prints what the user should know of the scene's last work.
+/// Prints the notes and warnings of the scene's last work.
 void PrintMessages(vtkRelievoScene* scene);
 
-/// Prints the warnings of others since then.
+/// Prints warnings of other code since then.
 void PrintWarnings();
 }
 

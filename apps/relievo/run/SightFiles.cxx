@@ -64,9 +64,9 @@ void WriteMesh(vtkPolyData* mesh, const std::string& option, const std::string& 
 {
   vtkNew<vtkXMLPolyDataWriter> writer;
   writer->SetInputData(mesh);
-  // VTK's writer of meshes crashes on a full disk.
+  // VTK's mesh writer crashes on a full disk, so it writes to memory.
   writer->WriteToOutputStringOn();
-  // Not appended: Debian's mended expat keeps VTK before 9.3.1 from reading that.
+  // Not appended: VTK before 9.3.1 cannot read appended data with Debian's patched expat.
   writer->SetDataModeToBinary();
   writer->SetCompressionLevel(1); // half the time, and files that are hardly larger
   progress.Begin("writing " + path);

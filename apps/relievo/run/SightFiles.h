@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * The files of commands that ask rays what lies before a mesh: the first is the mesh, the others
- * hide it.
+ * Input and output files of commands that trace rays at a mesh: the first file is the mesh, the
+ * others hide it.
  */
 #ifndef SightFiles_h
 #define SightFiles_h
@@ -21,12 +21,12 @@ class Progress;
 
 namespace cli
 {
-/// Gives the filter the surfaces of the files; `folders` are those that files may name others in,
-/// besides their own. Returns the up axis of the first.
+/// Passes the surfaces of the files to the filter; `folders`: allowed folders of referenced files,
+/// besides the files' own. Returns the up axis of the first file.
 int ReadMeshes(const std::vector<std::string>& files, const std::vector<std::string>& folders,
   vtkRelievoSightAlgorithm* filter, scene::Progress& progress);
 
-/// Writes what is to be at the path of the outputs.
+/// Writes the mesh to its output's path.
 void WriteMesh(vtkPolyData* mesh, const std::string& option, const std::string& path,
   const scene::Outputs& outputs, scene::Progress& progress);
 }

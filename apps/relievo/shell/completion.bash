@@ -2,8 +2,8 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# `relievo --words` says what there is, and is asked once in a shell: lines of a command, an option (a
-# dot: its files), what it takes (flag, value, extensions, or / for folders), and words.
+# `relievo --words` lists all options, and runs once per shell: each line has a command, an option (a
+# dot: its files), the kind of its value (flag, value, extensions, or / for folders), and words.
 
 _relievo()
 {

@@ -1,11 +1,11 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# Writes relievo.1 from what `relievo --help` prints; -v version=N.
-#   the first line      name - what it is
+# Writes relievo.1 from the output of `relievo --help`; -v version=N.
+#   the first line      name - description
 #   lines by 2, before any other text: ways to call it
 #   lines by 0          text; "Examples" alone begins the lines to be shown as they are
-#   lines by 2          an option or word, two blanks, what it means, which goes on in lines by 26
+#   lines by 2          an option or word, two blanks, its meaning, which continues in lines by 26
 
 function quoted(text) {
   gsub(/\\/, "\\e", text)

@@ -29,7 +29,7 @@ void ColorButton::SetColor(const QColor& color)
   this->Color = color;
   QPixmap swatch(this->iconSize());
   swatch.fill(color);
-  QPainter frame(&swatch); // or else white would not be seen
+  QPainter frame(&swatch); // otherwise white would be invisible
   frame.setPen(this->palette().color(QPalette::Mid));
   frame.drawRect(0, 0, swatch.width() - 1, swatch.height() - 1);
   frame.end();

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * A colour as a button that opens Qt's dialog.
+ * A button that shows a colour and opens Qt's colour dialog.
  */
 #ifndef ColorButton_h
 #define ColorButton_h
@@ -18,11 +18,11 @@ class ColorButton : public QPushButton
 public:
   explicit ColorButton(QWidget* parent = nullptr);
 
-  /// Sends no signal.
+  /// Emits no signal.
   void SetColor(const QColor& color);
   QColor GetColor() const { return this->Color; }
 
-  /// Whether its name is beside it; true at first.
+  /// Whether the colour's name is beside it; true by default.
   void ShowNames(bool on);
 
 Q_SIGNALS:

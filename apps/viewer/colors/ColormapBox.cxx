@@ -17,7 +17,7 @@ namespace
 {
 const QSize MapSize(56, 12);
 
-// From the first colour to the last.
+// A strip from the first colour to the last.
 QIcon DrawMap(const std::string& map)
 {
   QPixmap strip(MapSize);
@@ -58,7 +58,7 @@ void ColormapBox::Show(const std::string& map)
   this->setCurrentIndex(this->findText(text));
   if (this->lineEdit())
   {
-    this->lineEdit()->setCursorPosition(0); // the beginning of long words
+    this->lineEdit()->setCursorPosition(0); // shows the beginning of long words
   }
 }
 }

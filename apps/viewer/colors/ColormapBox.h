@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * A choice of colour maps that shows their colours.
+ * A combo box of colour maps that shows their colours.
  */
 #ifndef ColormapBox_h
 #define ColormapBox_h
@@ -17,10 +17,10 @@ class ColormapBox : public QComboBox
   Q_OBJECT
 
 public:
-  /// All maps that have a name; an entry's text is the word.
+  /// All named maps; an entry's text is its word.
   explicit ColormapBox(QWidget* parent);
 
-  /// Shows a word of --colormap, as a new entry where there is none. Sends no signal.
+  /// Shows a word of --colormap, as a new entry if needed. Emits no signal.
   void Show(const std::string& map);
 };
 }

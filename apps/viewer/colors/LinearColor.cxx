@@ -12,11 +12,11 @@
 namespace viewer
 {
 //------------------------------------------------------------------------------
-// The curve of sRGB, IEC 61966-2-1.
+// The sRGB transfer function, IEC 61966-2-1.
 QColor ReadLinearColor(const QString& text)
 {
   double named[3];
-  if (relievo::ReadColor(text.toStdString(), named)) // which says how displays show it
+  if (relievo::ReadColor(text.toStdString(), named)) // values as on displays
   {
     return QColor::fromRgbF(named[0], named[1], named[2]);
   }
@@ -40,7 +40,7 @@ QString WriteLinearColor(const QColor& color)
   {
     const double shown = byte / 255.0;
     const double light = shown <= 0.04045 ? shown / 12.92 : std::pow((shown + 0.055) / 1.055, 2.4);
-    words += QString::number(light, 'g', 4); // enough for the byte
+    words += QString::number(light, 'g', 4); // precise enough for 8 bits
   }
   return words.join('/');
 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Colours as screens show them, and as words: R/G/B of linear light, or names and #rrggbb.
+ * Converts between colours on displays and words: R/G/B of linear light, or names and #rrggbb.
  */
 #ifndef LinearColor_h
 #define LinearColor_h
@@ -11,7 +11,7 @@
 
 namespace viewer
 {
-/// White for a text that is no such colour. What is brighter than the screen is cut off.
+/// White for an invalid text. Light above the display's white is clamped.
 QColor ReadLinearColor(const QString& text);
 
 QString WriteLinearColor(const QColor& color);

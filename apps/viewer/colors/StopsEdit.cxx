@@ -35,7 +35,7 @@ QColor MakeQColor(const scene::Color& color)
   return QColor::fromRgbF(color[0], color[1], color[2]);
 }
 
-// The map's colour there.
+// The map's colour at a place.
 scene::Color GetColorAt(const std::vector<scene::ColorStop>& stops, double place)
 {
   const auto map = scene::MakeColormap(scene::WriteStops(stops), { 0.0, 1.0 });
@@ -178,7 +178,7 @@ StopsEdit::StopsEdit(QWidget* parent)
   QObject::connect(add, &QPushButton::clicked, this, &StopsEdit::Add);
   QObject::connect(this->Strip, &StopStrip::moved, this, [this](std::size_t stop, double place) {
     std::vector<scene::ColorStop> stops = this->Stops;
-    if (stop < stops.size()) // they may have become fewer while it was held
+    if (stop < stops.size()) // the number may have decreased during the drag
     {
       stops[stop].Place = place;
       this->Tell(stops);
@@ -229,7 +229,7 @@ void StopsEdit::Show(const std::vector<scene::ColorStop>& stops,
     QLayoutItem* item = this->Rows->takeAt(this->Rows->count() - 1);
     item->widget()->findChild<QLineEdit*>("value")->blockSignals(true); // hidden, it is edited
     item->widget()->hide();
-    item->widget()->deleteLater(); // it may be what was clicked
+    item->widget()->deleteLater(); // may be the sender of the click
     delete item;
   }
   for (std::size_t i = 0; i < stops.size(); ++i)
@@ -322,7 +322,7 @@ void StopsEdit::Tell(std::vector<scene::ColorStop> stops)
     [](const scene::ColorStop& a, const scene::ColorStop& b) { return a.Place < b.Place; });
   for (scene::ColorStop& stop : stops)
   {
-    stop.Place = std::round(stop.Place * 1e6) / 1e6; // few digits in the word
+    stop.Place = std::round(stop.Place * 1e6) / 1e6; // keeps the word short
   }
   Q_EMIT this->edited(stops);
 }

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * The colours of an own map: a strip with a handle for each, which is dragged, and a list with the
- * value and the colour of each.
+ * Edits a list of colours: a strip with a draggable handle for each, and a list with their values
+ * and colours.
  */
 #ifndef StopsEdit_h
 #define StopsEdit_h
@@ -28,8 +28,8 @@ class StopsEdit : public QWidget
 public:
   explicit StopsEdit(QWidget* parent);
 
-  /// At least two, sorted by place. Values are those of the range, by its logarithms if `log`;
-  /// without a range they are shares of it. Sends no signal.
+  /// Sets at least two stops, sorted by place. Values refer to the range, logarithmically if `log`;
+  /// without a range they are shares of it. Emits no signal.
   void Show(const std::vector<scene::ColorStop>& stops,
     const std::optional<std::array<double, 2>>& range, bool log);
 
@@ -51,7 +51,7 @@ private:
   QVBoxLayout* Rows;
 };
 
-/// The strip alone. A double click adds a handle.
+/// Only the strip. A double click adds a handle.
 class StopStrip : public QWidget
 {
   Q_OBJECT

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * What the files hold, in a window of its own that stays beside the picture.
+ * The contents of the files, in a window that stays open beside the picture.
  */
 #ifndef Properties_h
 #define Properties_h
@@ -12,10 +12,10 @@ class QWidget;
 
 namespace viewer
 {
-/// One for each parent, which is shown again with another text.
+/// Creates one window per parent and reuses it with a new text.
 void ShowProperties(QWidget* parent, const QString& html);
 
-/// Whether it is seen.
+/// Whether the window is visible.
 bool AreShown(QWidget* parent);
 }
 

@@ -14,14 +14,14 @@ namespace
 const char* const Key = "recent_files";
 constexpr int Most = 10;
 
-// The name; also the folder, where another file has the same name.
+// The name, with the folder if another file has the same name.
 QString GetLabel(const QString& path, const QStringList& all)
 {
   const QString name = QFileInfo(path).fileName();
   const auto count = std::count_if(all.begin(), all.end(),
     [&name](const QString& other) { return QFileInfo(other).fileName() == name; });
   QString label = count > 1 ? name + " (" + QFileInfo(path).path() + ")" : name;
-  return label.replace('&', "&&"); // or else it would mark a key
+  return label.replace('&', "&&"); // otherwise it would mark a key
 }
 }
 

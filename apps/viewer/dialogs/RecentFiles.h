@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * The files opened last, in a menu, from one run of the program to the next.
+ * A menu of recently opened files, stored between runs.
  */
 #ifndef RecentFiles_h
 #define RecentFiles_h
@@ -11,7 +11,7 @@
 
 namespace viewer
 {
-/// Of the file opened last, for dialogs to start in; "" if there is none.
+/// Folder of the last opened file, for dialogs; "" if there is none.
 QString GetLastFolder();
 
 class RecentFiles : public QMenu

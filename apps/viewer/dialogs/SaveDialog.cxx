@@ -30,7 +30,7 @@ const QStringList UsualLayers = { "color", "depth", "position", "normal", "actor
   "cell" };
 
 //------------------------------------------------------------------------------
-// Pixels: as the view has them, some times as many, or any.
+// Pixels: the view's size, a multiple of it, or any size.
 class SizeEdit : public QWidget
 {
 public:
@@ -105,9 +105,9 @@ QString Run(QFileDialog& dialog, const QString& suffix)
     QString path = dialog.selectedFiles().value(0);
     if (path.endsWith(suffix, Qt::CaseInsensitive))
     {
-      return path; // which the dialog has asked about
+      return path; // the dialog has already asked about overwriting
     }
-    path += suffix; // the dialog takes what is behind any other dot for one
+    path += suffix; // the dialog treats any text after a dot as a suffix
     if (!QFileInfo::exists(path) ||
       QMessageBox::question(dialog.parentWidget(), dialog.windowTitle(),
         QFileInfo(path).fileName() + " exists already. Do you want to replace it?",
@@ -128,14 +128,14 @@ QString AskPlace(QWidget* parent, const QString& title, const QString& suffix, Q
   dialog.setDefaultSuffix(suffix.mid(1));
   if (more)
   {
-    dialog.setOption(QFileDialog::DontUseNativeDialog); // others take nothing in
+    dialog.setOption(QFileDialog::DontUseNativeDialog); // native ones take no widgets
     auto* rows = static_cast<QGridLayout*>(dialog.layout());
     rows->addWidget(more, rows->rowCount(), 0, 1, rows->columnCount());
   }
   const QString path = Run(dialog, suffix);
   if (more)
   {
-    more->setParent(nullptr); // it is not the dialog's
+    more->setParent(nullptr); // the dialog does not own it
   }
   return path;
 }
@@ -149,7 +149,7 @@ std::optional<PictureChoice> AskPicture(QWidget* parent, const QSize& size)
   auto* pixels = new SizeEdit(size);
   auto* transparent = new QCheckBox("Transparent background");
   transparent->setObjectName("transparent");
-  transparent->setToolTip("Of the ground the shadows remain, as black that is seen through");
+  transparent->setToolTip("The ground shows only its shadows, as translucent black");
   rows->addRow("Size", pixels);
   rows->addRow("", transparent);
   const QString path = AskPlace(parent, "Save picture", ".png", &more);

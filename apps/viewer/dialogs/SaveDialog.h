@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Where to save to, and what.
+ * Dialogs for saving: the file and its contents.
  */
 #ifndef SaveDialog_h
 #define SaveDialog_h
@@ -17,9 +17,9 @@ class QWidget;
 
 namespace viewer
 {
-/// A path to save to that ends in the suffix, such as ".png", in letters of any case; empty if the
-/// user wants none. Nothing that exists is given without the user's word. `more` is shown below
-/// the files.
+/// Asks for a path that ends in the suffix, such as ".png", in either case; empty if the user
+/// cancels. An existing file is returned only after the user's consent. `more` is shown below the
+/// files.
 QString AskPlace(
   QWidget* parent, const QString& title, const QString& suffix, QWidget* more = nullptr);
 
@@ -38,7 +38,7 @@ struct LayersChoice
 };
 
 ///@{
-/// None: the user wants none. `size` is the view's.
+/// None if the user cancels. `size` is the view's.
 std::optional<PictureChoice> AskPicture(QWidget* parent, const QSize& size);
 std::optional<LayersChoice> AskLayers(
   QWidget* parent, const QSize& size, const std::vector<std::string>& layers);

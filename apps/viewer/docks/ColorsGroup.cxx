@@ -32,9 +32,9 @@ namespace
 constexpr const char* OfValues[] = { "--color-by", "--colormap", "--range", "--scalar-bar" };
 
 constexpr int MostSteps = 256;
-constexpr int NamedStops = 5; // of maps with a name, to begin with
+constexpr int NamedStops = 5; // first number of stops for a named map
 
-// From the last to the first.
+// In reverse order.
 std::vector<scene::ColorStop> TurnRound(std::vector<scene::ColorStop> stops)
 {
   std::reverse(stops.begin(), stops.end());
@@ -45,7 +45,7 @@ std::vector<scene::ColorStop> TurnRound(std::vector<scene::ColorStop> stops)
   return stops;
 }
 
-// The array and the component of --color-by, "" for none. Names may end like a component.
+// The array and the component of --color-by, "" for none. Array names may end like a component.
 struct ByValue
 {
   std::string Name;
@@ -84,7 +84,7 @@ ColorsGroup::ColorsGroup(
   , Nan(new ColorButton(this))
   , Range(new relievoQt::RangeEdit(this))
   , Symmetric(new QCheckBox("Symmetric around zero", this))
-  , Seen(new QPushButton("Fit to what is seen", this))
+  , Seen(new QPushButton("Fit to visible", this))
   , Bar(MakeFlag(document, "--scalar-bar", this))
   , Solid(new QCheckBox("One colour", this))
   , Color(new ColorButton(this))
@@ -93,7 +93,7 @@ ColorsGroup::ColorsGroup(
   this->ColorBy->setObjectName("colorby");
   this->ColorBy->setToolTip("The point or cell array whose values give the colours");
   this->Component->setObjectName("component");
-  this->Component->setToolTip("Of arrays with several numbers for each point or cell");
+  this->Component->setToolTip("The component of arrays with several numbers per point or cell");
   rows->addRow("Colour by", this->ColorBy);
   rows->addRow("Component", this->Component);
   this->AddMap();
@@ -120,7 +120,7 @@ ColorsGroup::ColorsGroup(
   });
   QObject::connect(document, &Document::changed, this, &ColorsGroup::ShowSettings);
   QObject::connect(document, &Document::factsChanged, this, &ColorsGroup::ShowArrays);
-  // When the picture has what was asked for.
+  // Updates when the picture shows the requested data.
   QObject::connect(document, &Document::asked, this, &ColorsGroup::ShowFound, Qt::QueuedConnection);
   QObject::connect(document, &Document::shown, this, &ColorsGroup::ShowFound);
   this->ShowArrays();
@@ -133,10 +133,11 @@ void ColorsGroup::AddMap()
   this->Colormap->setObjectName("colormap");
   this->Colormap->setEditable(true);
   this->Colormap->setInsertPolicy(QComboBox::NoInsert);
-  this->Colormap->setToolTip("A map, or colours between commas, evenly placed or by their share of "
-                             "the range, such as black,0.3=#ff8000,white");
+  this->Colormap->setToolTip(
+    "A map, or colours between commas, evenly spaced or at shares of the range, such as "
+    "black,0.3=#ff8000,white");
   this->Reversed->setObjectName("reversed");
-  this->Reversed->setToolTip("The first colour for the greatest value");
+  this->Reversed->setToolTip("Reverses the colours: the largest value has the first one");
   this->Log->setObjectName("log");
   this->Log->setToolTip(
     "By the logarithm of the values; those not above zero have the first colour");
@@ -144,9 +145,9 @@ void ColorsGroup::AddMap()
   this->Steps->setRange(1, MostSteps);
   this->Steps->setSpecialValueText("Smooth");
   this->Steps->setKeyboardTracking(false);
-  this->Steps->setToolTip("In so many colours; smooth: as many as there are");
+  this->Steps->setToolTip("Number of colours; smooth: continuous");
   this->Nan->setObjectName("nan");
-  this->Nan->setToolTip("The colour of what is no number");
+  this->Nan->setToolTip("The colour of NaN");
   auto* fold = new QToolButton(this);
   fold->setObjectName("editStops");
   fold->setText("Edit colours");
@@ -192,12 +193,12 @@ void ColorsGroup::AddMap()
 //------------------------------------------------------------------------------
 void ColorsGroup::AddRange()
 {
-  this->Range->SetAutomaticToolTip("From the least to the greatest value of all files");
+  this->Range->SetAutomaticToolTip("From the smallest to the largest value of all files");
   this->Symmetric->setObjectName("symmetric");
-  this->Symmetric->setToolTip("As far below zero as above it, as far as the values go");
+  this->Symmetric->setToolTip("Symmetric around zero, up to the largest absolute value");
   this->Seen->setObjectName("fitSeen");
   this->Seen->setToolTip(
-    "Takes the least and the greatest value that are seen now; hidden ones do not count");
+    "Takes the smallest and the largest visible value; hidden ones do not count");
   QFormLayout* rows = this->GetRows();
   rows->addRow("Range", this->Range);
   rows->addRow("", this->Symmetric);
@@ -234,7 +235,7 @@ void ColorsGroup::SetColorBy(const QString& name, const QString& component)
     {
       settings.Remove("--color");
     }
-    if (!this->HasValues(name, component)) // a bar would have nothing to show
+    if (!this->HasValues(name, component)) // the bar would be empty
     {
       settings.Remove("--scalar-bar");
     }
@@ -243,7 +244,7 @@ void ColorsGroup::SetColorBy(const QString& name, const QString& component)
 }
 
 //------------------------------------------------------------------------------
-// What the controls say, or what was typed as a whole.
+// The value in the controls, or the typed word.
 void ColorsGroup::TakeMap()
 {
   this->ChangeMap([this](scene::Colormap& map) {
@@ -289,7 +290,7 @@ void ColorsGroup::ShowMap(const std::string& word)
 }
 
 //------------------------------------------------------------------------------
-// The stops that are seen; of a map with a name, what comes near it.
+// The stops shown; for a named map, an approximation.
 void ColorsGroup::ShowStops()
 {
   if (this->Stops->isHidden())
@@ -321,7 +322,7 @@ void ColorsGroup::SwitchRange(bool automatic)
   }
   else if (const std::optional<std::array<double, 2>> range = this->ReadRange())
   {
-    // A range of one value has no first and last colour.
+    // A range of one value has no distinct ends.
     const double most = (*range)[0] < (*range)[1] ? (*range)[1] : (*range)[0] + 1.0;
     this->SetRange(scene::WriteNumbers({ (*range)[0], most }));
   }
@@ -392,7 +393,7 @@ void ColorsGroup::ShowComponents(const std::string& name, const QString& compone
   {
     this->Component->addItem(QString::number(i), QString::number(i));
   }
-  if (this->Component->findData(component) < 0) // of a file that is not read yet
+  if (this->Component->findData(component) < 0) // of a file still being read
   {
     this->Component->addItem(component, component);
   }
@@ -429,7 +430,7 @@ void ColorsGroup::ShowSettings()
   this->Symmetric->setChecked(look.Symmetric);
   SetIdle(this->Symmetric,
     look.Range                                    ? "Has an effect where the range is automatic."
-      : scene::Colormap::Parse(look.Colormap).Log ? "Logarithms are of positive values alone."
+      : scene::Colormap::Parse(look.Colormap).Log ? "Logarithms need positive values."
                                                   : "");
   SetIdle(this->Seen,
     by.Name.empty()                                            ? "Choose an array to colour by."
@@ -445,7 +446,7 @@ void ColorsGroup::ShowSettings()
 }
 
 //------------------------------------------------------------------------------
-// Once the picture has them.
+// Called when the picture has them.
 void ColorsGroup::ShowFound()
 {
   this->Range->ShowFound(this->ReadRange().value_or(std::array<double, 2>{ 0.0, 0.0 }));

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Colours of meshes: by the values of an array, its component and their range, or one for all.
+ * Colours of meshes: by an array's values, with component and range, or one colour for all.
  */
 #ifndef ColorsGroup_h
 #define ColorsGroup_h
@@ -34,10 +34,10 @@ class ColorsGroup : public FoldGroup
   Q_OBJECT
 
 public:
-  /// Values that the first and the last colour stand for now, if values give the colours.
+  /// The present values of the first and last colour, if values give the colours.
   using RangeReader = std::function<std::optional<std::array<double, 2>>()>;
 
-  /// `readSeen`: those of what is seen now, of the array that gives them.
+  /// `readSeen`: reads the visible range of the array that gives the colours.
   ColorsGroup(
     Document* document, RangeReader read, RangeReader readSeen, QWidget* parent = nullptr);
 

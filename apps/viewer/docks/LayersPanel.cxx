@@ -37,7 +37,7 @@ QString WriteValues(const ProbeValue& value)
   QStringList words;
   for (const double number : value.Values)
   {
-    // Ids in full, and metres of a map with their centimetres.
+    // Enough digits for ids, and for centimetres in map coordinates.
     const double size = std::abs(number);
     const bool whole = size < 1e15 && number == std::floor(number);
     words +=
@@ -68,7 +68,7 @@ LayersPanel::LayersPanel(Document* document, RangeReader read, QWidget* parent)
   this->Values->verticalHeader()->hide();
   this->Values->setEditTriggers(QAbstractItemView::NoEditTriggers);
   this->Values->setMinimumHeight(260);
-  this->Values->setTabKeyNavigation(false); // Tab goes on to the next control
+  this->Values->setTabKeyNavigation(false); // Tab moves to the next control
   GetRows(probe)->addRow(this->Probing);
   GetRows(probe)->addRow(this->Values);
   this->Fill(probe);
@@ -91,11 +91,11 @@ void LayersPanel::AddColors(QGroupBox* shown)
   this->Colormap->setObjectName("shownColormap");
   this->Reversed = new QCheckBox("Reversed", shown);
   this->Reversed->setObjectName("shownReversed");
-  this->Reversed->setToolTip("The first colour for the greatest value");
+  this->Reversed->setToolTip("Reverses the colours: the largest value has the first one");
   this->Range = new relievoQt::RangeEdit(shown);
   this->Range->setObjectName("shownRange");
   this->Range->SetAutomaticToolTip(
-    "From the least to the greatest value that is seen, without what an endless ground has");
+    "From the smallest to the largest visible value, without those of an endless ground");
   this->Grey = new QCheckBox("In grey", shown);
   this->Grey->setObjectName("grey");
   QFormLayout* rows = GetRows(shown);
@@ -129,7 +129,7 @@ void LayersPanel::AddColors(QGroupBox* shown)
 }
 
 //------------------------------------------------------------------------------
-// A range is of the layer that it was given for.
+// A range applies only to the layer for which it was given.
 void LayersPanel::SetLayer(const std::string& layer)
 {
   this->Edited->Change([&layer](scene::Settings& settings) {
@@ -139,7 +139,7 @@ void LayersPanel::SetLayer(const std::string& layer)
       settings.SetParameter(Stage, "range", "0/0");
     }
   });
-  this->ShowSettings(); // what is refused goes back
+  this->ShowSettings(); // restores a refused value
 }
 
 //------------------------------------------------------------------------------
@@ -148,11 +148,11 @@ void LayersPanel::Set(const char* parameter, const std::string& value)
   this->Edited->Change([parameter, &value](scene::Settings& settings) {
     settings.SetParameter(Stage, parameter, value);
   });
-  this->ShowSettings(); // what is refused goes back
+  this->ShowSettings(); // restores a refused value
 }
 
 //------------------------------------------------------------------------------
-// Why the range, or the colour map, has no effect; empty if it has one.
+// Why the range or the colour map has no effect; empty if it has one.
 QString LayersPanel::ExplainIdle(bool ofColors) const
 {
   const std::string layer = this->Edited->Get().GetParameter(Stage, "layer");
@@ -169,7 +169,7 @@ QString LayersPanel::ExplainIdle(bool ofColors) const
   }
   return known.Kind == vtkRelievoLayer::NUMBER || known.Kind == vtkRelievoLayer::ARRAY
     ? ""
-    : "Has an effect on layers of single values, such as depth, and on arrays.";
+    : "Applies to layers of single values, such as depth, and to arrays.";
 }
 
 //------------------------------------------------------------------------------
@@ -260,6 +260,6 @@ void LayersPanel::ShowValues(const std::vector<ProbeValue>& values)
       item->setToolTip(texts[column]);
     }
   }
-  this->Values->resizeRowsToContents(); // where many components are on several lines
+  this->Values->resizeRowsToContents(); // components may fill several lines
 }
 }

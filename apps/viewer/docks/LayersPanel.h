@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * The layer that is shown as the picture, and the values under the mouse.
+ * The layer shown as the picture, and the values under the mouse.
  */
 #ifndef LayersPanel_h
 #define LayersPanel_h
@@ -29,17 +29,17 @@ class LayersPanel : public Panel
   Q_OBJECT
 
 public:
-  /// What the first and the last colour of the layer stand for in the last picture.
+  /// The values of the layer's first and last colour in the last picture.
   using RangeReader = std::function<std::array<double, 2>()>;
 
   LayersPanel(Document* document, RangeReader read, QWidget* parent = nullptr);
 
   bool IsProbing() const;
 
-  /// One row for each layer; none if nothing is there.
+  /// Shows a row for each layer; none for the background.
   void ShowValues(const std::vector<ProbeValue>& values);
 
-  /// The picture was drawn anew.
+  /// Updates after a new picture.
   void Follow();
 
 Q_SIGNALS:
@@ -61,7 +61,7 @@ private:
   QTableWidget* Values;
 };
 
-/// Numbers as they are read aloud: "1.25, 0, -3".
+/// Formats numbers: "1.25, 0, -3".
 QString WriteValues(const ProbeValue& value);
 }
 

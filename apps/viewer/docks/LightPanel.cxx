@@ -83,7 +83,7 @@ void LightPanel::AddEnvironment()
   this->Sky = new QCheckBox("Show as sky", this->Environment);
   this->Sky->setObjectName("sky");
   rows->addRow(this->Sky);
-  // Each writes what it stands for and leaves the other words as they are.
+  // Each control writes its own option and leaves the other words unchanged.
   QObject::connect(this->File, &FileEdit::edited, this,
     [this](const QString& path) { this->SetFile(path.toStdString(), this->Rotation->GetValue()); });
   QObject::connect(this->Rotation, &relievoQt::Number::edited, this, [this](double rotation) {
@@ -149,7 +149,7 @@ void LightPanel::SwitchEnvironment(bool on)
 }
 
 //------------------------------------------------------------------------------
-// The material's values that have no effect without an environment, as given.
+// The material's values without effect if there is no environment, as given.
 scene::NamedWords LightPanel::GetMirrorValues() const
 {
   scene::NamedWords mirror;
@@ -176,7 +176,7 @@ void LightPanel::ShowSettings()
   QList<QWidget*> rest = { this->Rotation, this->Reflectivity, this->Roughness, this->Sky };
   for (ParameterEdit* edit : this->Environment->findChildren<ParameterEdit*>())
   {
-    this->Waiting ? rest.append(edit) : void(); // which else say themselves why they are idle
+    this->Waiting ? rest.append(edit) : void(); // the others report their reasons
   }
   for (QWidget* edit : rest)
   {

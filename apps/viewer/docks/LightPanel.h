@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Where light comes from, and how: lights, the environment; shadows and lamps.
+ * Lighting: lights, the environment, shadows and lamps.
  */
 #ifndef LightPanel_h
 #define LightPanel_h
@@ -46,9 +46,9 @@ private:
   relievoQt::Number *Rotation, *Reflectivity, *Roughness;
   QCheckBox* Sky;
   SurfaceValues* Values;
-  bool Waiting = false;         // for an image: switched on, and no word says so yet
+  bool Waiting = false;         // switched on without an image; not in the words yet
   scene::Settings Kept;         // the environment while it is switched off
-  scene::NamedWords KeptMirror; // and what it is mirrored by
+  scene::NamedWords KeptMirror; // the reflection's values with it
 };
 }
 

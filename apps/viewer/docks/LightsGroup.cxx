@@ -33,7 +33,7 @@ constexpr int LinesOfNote = 2;
 constexpr int SwatchSize = 14;
 const char* const Kinds[] = { "sun", "spot", "point" };
 
-// A disc of the light's colour, with a rim that shows white as well.
+// A disc of the light's colour, with a rim that keeps white visible.
 QIcon MakeSwatch(const scene::LightChoice& light, const QPalette& palette)
 {
   QPixmap swatch(SwatchSize, SwatchSize);
@@ -86,7 +86,7 @@ LightsGroup::LightsGroup(Document* document, QWidget* parent)
   this->Note->setFixedHeight(LinesOfNote * this->Note->fontMetrics().lineSpacing());
   this->GetRows()->addRow(this->Note);
   this->GetRows()->addRow(this->Light);
-  // The first edit makes a preset's light one's own: nothing may move under the mouse meanwhile.
+  // The first edit copies a preset's light to the settings: rows must not move under the mouse.
   this->OwnButton->setObjectName("makeOwn");
   QSizePolicy kept = this->OwnButton->sizePolicy();
   kept.setRetainSizeWhenHidden(true);
@@ -94,7 +94,7 @@ LightsGroup::LightsGroup(Document* document, QWidget* parent)
   this->GetRows()->addRow(this->OwnButton);
   this->AddFill();
   QObject::connect(this->List, &QTreeWidget::currentItemChanged, this, [this] {
-    this->Light->StopPlacing(); // which was asked for another one
+    this->Light->StopPlacing(); // placing was for another light
     this->ShowCurrent();
   });
   QObject::connect(this->List, &QTreeWidget::itemChanged, this, &LightsGroup::Rename);
@@ -151,7 +151,7 @@ void LightsGroup::AddFill()
   this->Fill->setObjectName("fill");
   relievoQt::AddRow(rows, "Fill", this->Fill);
   this->FillLabel = qobject_cast<QLabel*>(rows->labelForField(this->Fill));
-  auto* line = new QFrame(this); // what is above is of one light
+  auto* line = new QFrame(this); // separates the rows of one light
   line->setFrameShape(QFrame::HLine);
   line->setFrameShadow(QFrame::Sunken);
   this->GetRows()->addRow(line);
@@ -176,7 +176,7 @@ std::vector<LightsGroup::Row> LightsGroup::FindLights() const
     row.Name = QString::fromStdString(light.Name);
     if (row.Name.isEmpty())
     {
-      row.Name = QString("light %1").arg(row.Own); // as reports have it
+      row.Name = QString("light %1").arg(row.Own); // like in reports
     }
     row.Kind = Kinds[static_cast<int>(light.Is)];
     row.Kind += light.IsNight() ? ", night" : "";
@@ -188,7 +188,7 @@ std::vector<LightsGroup::Row> LightsGroup::FindLights() const
 }
 
 //------------------------------------------------------------------------------
-// And the file's, and VTK's.
+// Adds the file's lights, or VTK's headlight.
 void LightsGroup::AddPresets(std::vector<Row>& rows, bool own) const
 {
   scene::Settings without = this->Edited->Get();
@@ -290,7 +290,7 @@ void LightsGroup::ShowList(const std::vector<Row>& rows)
 }
 
 //------------------------------------------------------------------------------
-// The grey of the list is another where the window becomes dark.
+// The list's grey depends on whether the window is dark.
 void LightsGroup::changeEvent(QEvent* event)
 {
   this->FoldGroup::changeEvent(event);
@@ -312,7 +312,7 @@ void LightsGroup::ShowCurrent()
   this->OwnButton->setVisible(row && row->CanOwn);
   this->OwnButton->setToolTip(row && row->IsOn
       ? "The same light as a --light, to be edited: the picture stays"
-      : "This light beside yours, to be edited");
+      : "Adds this light to yours, for editing");
   this->Note->setText(row ? row->Tip + "." : QString());
   this->Light->setVisible(row && !row->Word.empty());
   if (row && !row->Word.empty())
@@ -352,7 +352,7 @@ void LightsGroup::SetLight(int place, const std::string& word)
     lights[static_cast<std::size_t>(place)] = word;
     this->Edited->Change(
       [&lights](scene::Settings& settings) { settings.SetAll("--light", lights); });
-    this->ShowSettings(); // where nothing has changed, too
+    this->ShowSettings(); // even if nothing has changed
   }
 }
 
@@ -405,7 +405,7 @@ void LightsGroup::MakeOwn()
 }
 
 //------------------------------------------------------------------------------
-// The preset's light, with what was edited of it.
+// The preset's light, with the user's edits.
 void LightsGroup::TakeEdit(const std::string& before, const std::string& after)
 {
   const scene::LightWords was = scene::SplitLight(before), is = scene::SplitLight(after);
@@ -443,7 +443,7 @@ void LightsGroup::Rename(QTreeWidgetItem* item)
   scene::LightWords words = scene::SplitLight(row.Word);
   scene::SetWords(words.Values, "name", item->text(0).trimmed().toStdString());
   this->SetLight(row.Own, scene::WriteLight(words));
-  this->Rows.clear(); // the text may be another than was typed
+  this->Rows.clear(); // the stored text may differ from the typed one
   this->ShowSettings();
 }
 
@@ -456,7 +456,7 @@ void LightsGroup::StopPlacing()
 //------------------------------------------------------------------------------
 void LightsGroup::Select(int own)
 {
-  this->List->setCurrentItem(this->List->topLevelItem(own)); // they are the first
+  this->List->setCurrentItem(this->List->topLevelItem(own)); // the user's lights come first
 }
 
 //------------------------------------------------------------------------------

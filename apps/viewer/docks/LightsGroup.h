@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * All lights of the picture: those of --light as a list to edit, and in grey those of the preset
- * and of the file, which stand as long as there are no others.
+ * All lights of the picture: those of --light as a list for editing, and in grey the preset's and
+ * the file's, which apply while there are no others.
  */
 #ifndef LightsGroup_h
 #define LightsGroup_h
@@ -35,20 +35,21 @@ class LightsGroup : public FoldGroup
 public:
   explicit LightsGroup(Document* document, QWidget* parent = nullptr);
 
-  /// A place in the picture was chosen for the light that is edited.
+  /// The user chose a place in the picture for the edited light.
   void Place(const std::array<double, 3>& place);
 
-  /// No click in the picture is waited for any more.
+  /// Cancels waiting for a click in the picture.
   void StopPlacing();
 
-  /// One of those of --light is edited, by its place among them.
+  /// The user selected one of --light's lights, by index, for editing.
   void Select(int own);
 
 Q_SIGNALS:
-  /// The next click in the picture is to be told to Place, and what it is for; empty: no longer.
+  /// The next click in the picture must be passed to Place; the text names its purpose; empty:
+  /// cancelled.
   void placing(const QString& hint);
 
-  /// Of those of --light, which is edited; -1: none.
+  /// Index of the edited light among those of --light; -1: none.
   void selected(int own);
 
 protected:
@@ -57,10 +58,10 @@ protected:
 private:
   struct Row
   {
-    std::string Word; // empty: it is said by no word
+    std::string Word; // empty: not in the words
     QString Name, Kind, Tip;
-    int Own = -1;     // its place among those of --light
-    bool IsOn = true; // it lights
+    int Own = -1;     // index among --light's; -1: none
+    bool IsOn = true; // whether it shines
     bool CanOwn = false;
 
     bool operator==(const Row& other) const;

@@ -55,7 +55,7 @@ void LookPanel::AddSurface()
     "How light is computed on surfaces");
   this->Opacity = new relievoQt::Number(0.0, 1.0, 0.01, 2, group);
   this->Opacity->setObjectName("opacity");
-  this->Opacity->setToolTip("Of all meshes and volumes; 0 is invisible");
+  this->Opacity->setToolTip("Opacity of all meshes and volumes; 0 is invisible");
   GetRows(group)->addRow("Opacity", this->Opacity);
   QObject::connect(this->Opacity, &relievoQt::Number::edited, this, [this](double value) {
     this->Edited->Change([&](scene::Settings& settings) {
@@ -65,7 +65,7 @@ void LookPanel::AddSurface()
   this->PointSize = new relievoQt::Number(1.0, 100.0, 1.0, 1, group);
   this->PointSize->setObjectName("pointSize");
   this->PointSize->SetUnit("pixels");
-  this->PointSize->setToolTip("Of points; those wider than 1 are drawn as balls");
+  this->PointSize->setToolTip("Width of points; wider than 1, they are drawn as balls");
   GetRows(group)->addRow("Point size", this->PointSize);
   QObject::connect(this->PointSize, &relievoQt::Number::edited, this, [this](double value) {
     this->Edited->Change(

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * How meshes, the background and the picture look: also every stage that has no place elsewhere.
+ * The look of meshes, the background and the picture, and every stage without another place.
  */
 #ifndef LookPanel_h
 #define LookPanel_h

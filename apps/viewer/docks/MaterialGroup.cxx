@@ -35,8 +35,9 @@ MaterialGroup::MaterialGroup(Document* document, QWidget* parent)
   this->Heights->setToolTip("Heights from an image: the brightest lie on the mesh");
   this->Depth->setObjectName("depth");
   this->Depth->SetSpecial("automatic");
-  this->Depth->setToolTip("How far below the mesh the lowest heights lie, in world units; by "
-                          "itself 0.02 of the scene's longest side");
+  this->Depth->setToolTip(
+    "Depth of the lowest heights below the mesh, in world units; default 0.02 of the "
+    "scene's longest side");
   rows->addRow("Normal map", this->Normals);
   rows->addRow("Height map", this->Heights);
   rows->addRow("Relief depth", this->Depth);
@@ -47,7 +48,7 @@ MaterialGroup::MaterialGroup(Document* document, QWidget* parent)
   this->Values = new SurfaceValues(document, this);
   for (const vtkRelievoParameter& value : scene::GetMaterialValues().Parameters)
   {
-    if (value.OnlyIf != "environment") // in the group of the environment
+    if (value.OnlyIf != "environment") // those are in the environment's group
     {
       this->Values->Add(value);
     }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * What surfaces are made of, from images: normals and heights, and where they lie on the meshes.
+ * Surface maps from images: normals and heights, and their placement on meshes.
  */
 #ifndef MaterialGroup_h
 #define MaterialGroup_h

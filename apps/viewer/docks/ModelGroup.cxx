@@ -21,7 +21,7 @@ ModelGroup::ModelGroup(Document* document, QWidget* parent)
   , Loop(MakeFlag(document, "--loop", this))
   , Skeleton(MakeFlag(document, "--skeleton", this))
 {
-  this->setToolTip("Of glTF scenes, too, which stand still without any of these");
+  this->setToolTip("Also for glTF scenes, which are static without any of these");
   QFormLayout* rows = this->GetRows();
   this->Animation = AddChoice(document, rows, "--animation", "the first", "");
   this->Skin = AddChoice(document, rows, "--skin", "linear", "How bones move points",

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Models with bones: which animation, and how bones move points. Seen where a file can have bones.
+ * Models with bones: the animation, and the method that moves points. Hidden unless a file can have
+ * bones.
  */
 #ifndef ModelGroup_h
 #define ModelGroup_h

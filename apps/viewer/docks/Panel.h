@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * What the panels of the window have in common: rows in a column that scrolls, and a document.
+ * Base of the window's panels: rows in a scrolling column, and a document.
  */
 #ifndef Panel_h
 #define Panel_h
@@ -23,14 +23,14 @@ class Panel : public QScrollArea
 public:
   Panel(Document* document, QWidget* parent);
 
-  /// The panel asks for its least width only: the rest of the room is the picture's.
+  /// Requests only the panel's minimum width, to leave space for the picture.
   QSize sizeHint() const override;
 
 protected:
-  /// A group of rows, below the others, or one that is made already.
+  /// Adds a group of rows below the others, or an existing group.
   FoldGroup* AddGroup(const QString& title, const QString& name);
   void AddGroup(FoldGroup* group);
-  /// One of these groups gets the room that is left.
+  /// Gives one group the remaining space.
   void Fill(QGroupBox* group);
   static QFormLayout* GetRows(QGroupBox* group);
 

@@ -16,7 +16,7 @@ namespace viewer
 namespace
 {
 constexpr int RefreshMilliseconds = 250;
-constexpr int MostTries = 8; // some drivers never know
+constexpr int MostTries = 8; // some drivers never deliver times
 }
 
 //------------------------------------------------------------------------------

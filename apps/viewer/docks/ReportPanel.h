@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * The frame report as a chart and a table that follow the picture while it is seen.
+ * The frame report as a chart and a table, updated while visible.
  */
 #ifndef ReportPanel_h
 #define ReportPanel_h
@@ -27,17 +27,17 @@ class ReportPanel : public QWidget
   Q_OBJECT
 
 public:
-  /// `read` gives the report of the last frame as JSON, "" if there was none.
+  /// `read` returns the report of the last frame as JSON, "" if there was none.
   ReportPanel(std::function<std::string()> read, QWidget* parent = nullptr);
 
-  /// The picture was drawn: chart and table follow soon, if they are seen.
+  /// Updates chart and table soon after a picture, if they are visible.
   void Follow();
 
-  /// Another picture is drawn, whose times are not known yet.
+  /// A new picture is drawn; its times are not known yet.
   void Renew();
 
 Q_SIGNALS:
-  /// Times are measured only of frames that are drawn, and known some frames later.
+  /// Only drawn frames are timed, and times arrive some frames later.
   void framesWanted();
 
 protected:
@@ -51,7 +51,7 @@ private:
   QLabel* Total;
   relievoQt::TimesChart* Chart;
   QTimer Timer;
-  int Tries = 0; // frames that may still be asked for
+  int Tries = 0; // frames that may still be requested
 };
 }
 

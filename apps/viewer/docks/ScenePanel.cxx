@@ -23,8 +23,8 @@ namespace viewer
 {
 namespace
 {
-constexpr int NamePixels = 280;       // a longer one is cut in its middle
-constexpr std::size_t MostInFull = 3; // files; of more, each is said in short
+constexpr int NamePixels = 280;       // longer names are elided in the middle
+constexpr std::size_t MostInFull = 3; // with more files, each is summarised
 constexpr int MostArrays = 12;
 
 QString MakeRow(const QString& title, const QString& text)
@@ -136,18 +136,18 @@ void ScenePanel::AddScene()
     this->Preset->addItem(QString::fromStdString(name));
   }
   this->Preset->setToolTip(
-    "Lights, shadows, ground, background and view, for what is not set in these panels");
+    "Lights, shadows, ground, background and view, unless these panels set them");
   group->GetRows()->addRow("Preset", this->Preset);
   this->Up = AddChoice(this->Edited, group->GetRows(), "--up", "as the file",
     "The axis of the data that points up. North is then z, -z or y");
   this->Ground = AddChoice(this->Edited, group->GetRows(), "--ground", "as the preset",
-    "A ground below the scene that catches its shadows, in the picture alone");
+    "A ground below the scene that catches its shadows, only in the picture");
   this->Grid = MakeFlag(this->Edited, "--grid", group);
   this->Grid->setToolTip("Round the scene, with numbers on its axes");
   group->GetRows()->addRow(this->Grid);
   this->ScaleBar = AddChoice(this->Edited, group->GetRows(), "--scale-bar", "off",
-    "A bar of a round length at the lower right, and the unit of the scene's lengths. In "
-    "perspective it is right at the depth of the camera's focal point",
+    "A scale bar of a round length at the lower right, with the unit of the scene's "
+    "coordinates. In perspective it is correct at the depth of the camera's focal point",
     { { "none", "without a unit" } });
   for (const char* unit : { "nm", "µm", "mm", "cm", "m", "km" })
   {
@@ -184,7 +184,7 @@ void ScenePanel::AddCamera()
 //------------------------------------------------------------------------------
 void ScenePanel::ShowFiles()
 {
-  // New labels would be blank until they are laid out, while an animation plays for good.
+  // New labels would stay blank until layout, which a playing animation prevents.
   const std::vector<FileFacts>& files = this->Edited->GetFacts().Files;
   this->NoFiles->setVisible(files.empty());
   while (this->Files.size() > files.size())

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * What is shown and how it stands: the files, preset, up axis, ground, grid and scale bar, models
- * with bones, the camera's angle.
+ * The scene: files, preset, up axis, ground, grid and scale bar, models with bones, the camera's
+ * angle.
  */
 #ifndef ScenePanel_h
 #define ScenePanel_h

@@ -28,7 +28,7 @@ struct Placed
   StageGroup::Place Place;
 };
 
-// In the order that they are seen in.
+// In display order.
 constexpr Placed Places[] = { { "shadows", StageGroup::LIGHT }, { "lamps", StageGroup::LIGHT },
   { "tone", StageGroup::LOOK }, { "fog", StageGroup::LOOK }, { "markers", StageGroup::LOOK },
   { "antialias", StageGroup::LOOK }, { "deferred", StageGroup::ADVANCED },
@@ -45,7 +45,7 @@ QString Words(const std::string& text)
   return QString::fromStdString(text);
 }
 
-// Stages that work on data take it by an option of their own name.
+// Stages of points take their data by an option of their name.
 std::string GetOption(const std::string& stage)
 {
   return "--" + stage;
@@ -55,7 +55,7 @@ bool CanBeSet(const vtkRelievoStageDescription& description)
 {
   const bool nothing =
     description.OnByDefault && description.Parameters.empty() && !description.TakesData;
-  return !nothing && description.Name != "display"; // which is chosen among the layers
+  return !nothing && description.Name != "display"; // chosen among the layers instead
 }
 }
 
@@ -105,7 +105,7 @@ StageGroup::StageGroup(
   {
     this->AddParameter(parameter);
   }
-  this->AddBelow(this->Reason); // its text moves no row under the mouse
+  this->AddBelow(this->Reason); // below the rows, so that a changed text does not move them
   if (!description.OnByDefault || description.TakesData)
   {
     this->setCheckable(true);
@@ -139,7 +139,7 @@ bool StageGroup::IsOn() const
 }
 
 //------------------------------------------------------------------------------
-// What is switched off is kept: on again is as it was.
+// Stores the settings of a switched-off stage, to restore them.
 void StageGroup::Switch(bool on)
 {
   if (this->Stage == "shadows")
@@ -222,7 +222,7 @@ void StageGroup::ShowReason(vtkRelievoPass* frame)
   const QString words = idle ? "Changes nothing: " +
       NameOptions(WriteReason(Words(stage->GetReasonCode()), Words(stage->GetReason())))
                              : QString();
-  if (words != this->Reason->text()) // for every frame asks
+  if (words != this->Reason->text()) // avoids a new layout in every frame
   {
     this->Reason->setText(words);
     this->Reason->setVisible(idle);

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * A stage of the frame: a switch, its parameters, and why it does nothing where it does not. Made
- * from the stage's own description.
+ * A stage of the frame: a switch, its parameters, and the reason if it has no effect. Built from
+ * the stage's own description.
  */
 #ifndef StageGroup_h
 #define StageGroup_h
@@ -34,7 +34,7 @@ public:
   StageGroup(
     Document* document, const vtkRelievoStageDescription& description, QWidget* parent = nullptr);
 
-  /// Where a stage is seen: beside the lights, with how things look, or with what few need there.
+  /// Where a stage appears: beside the lights, in the look, or among expert settings there.
   enum Place
   {
     LIGHT,
@@ -42,11 +42,11 @@ public:
     ADVANCED
   };
 
-  /// The groups of all stages of that place that can be set, whoever brings them; those without a
-  /// place of their own are in LOOK, behind the others.
+  /// The groups of all configurable stages of that place, from any module; stages without a place
+  /// of their own are last in LOOK.
   static std::vector<StageGroup*> MakeAll(Document* document, Place place, QWidget* parent);
 
-  /// Says why the stage did not run, if it is on. nullptr: there is no frame.
+  /// Shows why an enabled stage did not run. nullptr: there is no frame.
   void ShowReason(vtkRelievoPass* frame);
 
 private:
@@ -58,12 +58,12 @@ private:
 
   Document* Edited;
   std::string Stage;
-  vtkRelievoParameterList Parameters; // what they say of themselves, and not their values
+  vtkRelievoParameterList Parameters; // descriptions, without values
   QLabel* Reason;
-  PointsEdit* Points = nullptr; // of a stage that works on data
+  PointsEdit* Points = nullptr; // for a stage of points
   std::map<std::string, ParameterEdit*> Edits;
-  bool Waiting = false;                // for the first file: switched on, and no word says so yet
-  std::optional<scene::Settings> Kept; // while it is switched off
+  bool Waiting = false;                // switched on without a file; not in the words yet
+  std::optional<scene::Settings> Kept; // the words while switched off
 };
 }
 

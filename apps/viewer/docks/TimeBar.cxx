@@ -80,7 +80,7 @@ void TimeBar::ShowSettings()
   const std::array<double, 2>& times = this->Edited->GetFacts().Times;
   const double length = times[1] - times[0];
   this->setVisible(length > 0.0);
-  this->Playing->setEnabled(length > 0.0); // or else its key would start what is not there
+  this->Playing->setEnabled(length > 0.0); // otherwise its key would start a missing animation
   if (length > 0.0)
   {
     const QSignalBlocker quiet(this->Slider);
@@ -105,7 +105,7 @@ void TimeBar::Play(bool on)
 }
 
 //------------------------------------------------------------------------------
-// By the clock: slow models leave out times instead of playing slowly.
+// By the clock: slow models skip times instead of playing slowly.
 void TimeBar::Step()
 {
   const std::array<double, 2>& times = this->Edited->GetFacts().Times;

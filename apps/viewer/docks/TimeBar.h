@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * The time of animations, seen where something moves.
+ * The time of animations, visible if the scene has any.
  */
 #ifndef TimeBar_h
 #define TimeBar_h
@@ -25,7 +25,7 @@ class TimeBar : public QToolBar
 public:
   explicit TimeBar(Document* document, QWidget* parent = nullptr);
 
-  /// Is hidden where nothing moves.
+  /// Hides the bar without animations.
   void ShowSettings();
 
   void Stop() { this->Playing->setChecked(false); }
@@ -42,7 +42,7 @@ private:
   QLabel* Words;
   QTimer Next;
   QElapsedTimer Clock;
-  int Played = 0; // as long as it plays, times are one edit
+  int Played = 0; // groups the times of one playback into one edit
 };
 }
 

@@ -33,7 +33,7 @@ FileEdit::FileEdit(const QString& title, QWidget* parent)
   this->setFocusProxy(this->Line);
   QObject::connect(this->Line, &QLineEdit::editingFinished, this, [this] {
     const QString typed = this->Line->text();
-    if (typed != this->Shown) // and not left as it was
+    if (typed != this->Shown) // skips unchanged text
     {
       this->SetPath(typed.isEmpty() ? typed : QFileInfo(typed).absoluteFilePath());
       Q_EMIT this->edited(this->Shown);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * A file as a line with its path, and a button that asks for one.
+ * A line edit for a file path, with a button that opens a file dialog.
  */
 #ifndef FileEdit_h
 #define FileEdit_h
@@ -18,10 +18,10 @@ class FileEdit : public QWidget
   Q_OBJECT
 
 public:
-  /// Of images. `title`: that of the dialog.
+  /// For images. `title`: of the dialog.
   explicit FileEdit(const QString& title, QWidget* parent = nullptr);
 
-  /// Sends no signal.
+  /// Emits no signal.
   void SetPath(const QString& path);
 
 Q_SIGNALS:

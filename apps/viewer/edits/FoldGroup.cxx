@@ -21,13 +21,13 @@ QFormLayout* MakeRows()
   return rows;
 }
 
-// Before the first show, widgets that are not hidden seem hidden, too.
+// Before the first show, isHidden() is true for every widget.
 bool IsShown(const QWidget* widget)
 {
   return !widget->isHidden() || !widget->testAttribute(Qt::WA_WState_ExplicitShowHide);
 }
 
-// Whether there is anything besides hidden widgets.
+// Whether a layout has any visible widget.
 bool HasShown(const QFormLayout* rows)
 {
   for (int i = 0; i < rows->count(); ++i)
@@ -71,7 +71,7 @@ QFormLayout* FoldGroup::GetAdvanced()
     auto* title = new QToolButton(this->Content);
     title->setObjectName("advanced");
     title->setText("Advanced");
-    title->setToolTip("For those who know the method");
+    title->setToolTip("Expert settings");
     title->setAutoRaise(true);
     title->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     title->setArrowType(Qt::RightArrow);
@@ -107,7 +107,7 @@ void FoldGroup::Fold(bool folded)
 }
 
 //------------------------------------------------------------------------------
-// The switch enables the rows, also where it sends no signal.
+// The switch enables the rows even when its signals are blocked.
 bool FoldGroup::eventFilter(QObject* watched, QEvent* event)
 {
   if (watched == this->Content && event->type() == QEvent::EnabledChange)
@@ -163,7 +163,7 @@ QSize FoldGroup::Limit(QSize size) const
 }
 
 //------------------------------------------------------------------------------
-// A title without a switch folds, too.
+// A title without a switch folds as well.
 void FoldGroup::mouseReleaseEvent(QMouseEvent* event)
 {
   if (!this->isCheckable() && this->GetTitle().contains(event->pos()))
@@ -183,7 +183,7 @@ void FoldGroup::resizeEvent(QResizeEvent* event)
 }
 
 //------------------------------------------------------------------------------
-// Styles draw a frame around nothing, too, which looks as if something should be there.
+// Styles draw a frame around empty contents too, which looks like a missing widget.
 void FoldGroup::paintEvent(QPaintEvent*)
 {
   QStylePainter painter(this);

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * A group of rows that folds to its title: by an arrow, and by itself while its switch is off. Rows
- * that few need are in a section of their own at its end, folded until it is opened.
+ * A group of rows that folds to its title: by an arrow, and automatically while its switch is off.
+ * Expert rows are in a section at its end, folded until opened.
  */
 #ifndef FoldGroup_h
 #define FoldGroup_h
@@ -24,23 +24,23 @@ public:
 
   QFormLayout* GetRows() { return this->Rows; }
 
-  /// The rows of the section Advanced. It is there from the first call on.
+  /// The rows of the section Advanced, which the first call creates.
   QFormLayout* GetAdvanced();
 
-  /// Below all rows, those of the section Advanced too: where it comes and goes, no row moves.
+  /// Adds a widget below all rows, those of Advanced too: showing it moves no row.
   void AddBelow(QWidget* widget);
 
-  /// The group's own arrow; what is switched on afterwards is unfolded.
+  /// Adds the group's own arrow; switching on unfolds the group.
   void Fold(bool folded);
 
   ///@{
-  /// Of a title alone where the rows are folded: styles leave room for a frame.
+  /// The size of a title with folded rows, without the space that styles reserve for a frame.
   QSize sizeHint() const override;
   QSize minimumSizeHint() const override;
   ///@}
 
 protected:
-  /// Rows were added or hidden.
+  /// Call after adding or hiding rows.
   void Arrange();
 
   bool eventFilter(QObject* watched, QEvent* event) override;

@@ -78,7 +78,7 @@ Sign Mirror(const Sign& sign)
   return { mirror.map(sign.Lines), mirror.map(sign.Areas) };
 }
 
-// Corners around what is in the middle.
+// Corners around the centre.
 QPainterPath DrawCorners(double from, double to, double length)
 {
   QPainterPath path;
@@ -171,7 +171,7 @@ const QMap<QString, Sign>& GetSigns()
 }
 
 //------------------------------------------------------------------------------
-// Looks its colour up whenever it is painted.
+// Looks up its colour at each painting.
 class Engine : public QIconEngine
 {
 public:

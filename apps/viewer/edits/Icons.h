@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Signs for buttons, in the colour of the controls' text, be they light or dark.
+ * Icons for buttons, in the colour of the controls' text, light or dark.
  */
 #ifndef Icons_h
 #define Icons_h
@@ -10,7 +10,7 @@
 
 namespace viewer
 {
-/// By the name of what it stands for, such as "open"; empty for a name that there is not.
+/// By name, such as "open"; empty for an unknown name.
 QIcon MakeIcon(const QString& name);
 }
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Labels of stages and parameters, as the window writes its texts.
+ * Labels of stages and parameters in the window's spelling.
  */
 #ifndef Labels_h
 #define Labels_h
@@ -15,21 +15,21 @@ class QWidget;
 
 namespace viewer
 {
-/// "Colored Shadows" as "Coloured shadows".
+/// Turns "Colored Shadows" into "Coloured shadows".
 QString WriteLabel(const QString& label);
 
-/// Why a stage did nothing, in the viewer's words; by the code of the reason.
+/// Explains why a stage did not run, in the viewer's terms; by the reason's code.
 QString WriteReason(const QString& code, const QString& reason);
 
-/// When a value has an effect: "Has an effect where Method is exact."
+/// The condition of a value's effect: "Has an effect where Method is exact."
 QString WriteCondition(
   const vtkRelievoParameterList& list, const vtkRelievoParameter::Condition& condition);
 
-/// A control that has no effect now is disabled, its label with it, and says why before its tool
-/// tip. Empty: it has one.
+/// Disables a control without effect and its label, and puts the reason before its tool tip. Empty:
+/// enabled.
 void SetIdle(QWidget* edit, const QString& why);
 
-/// A row with the parameter's label, and the edit's tool tip for both.
+/// Adds a row with the parameter's label and one tool tip for label and edit.
 void AddParameterRow(QFormLayout* rows, const vtkRelievoParameter& parameter, QWidget* edit);
 }
 

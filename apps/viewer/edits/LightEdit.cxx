@@ -150,7 +150,7 @@ void LightEdit::AddPlace()
     const bool spot = this->Kind == Kind::Spot;
     Q_EMIT this->placing(!on ? QString()
         : spot               ? "Click where the spot shall shine. Esc to stop."
-                             : "Click on what the light shall hang over. Esc to stop.");
+                             : "Click on the surface below the light. Esc to stop.");
   });
 }
 
@@ -171,7 +171,7 @@ void LightEdit::SetNumbers(const std::string& numbers)
   if (this->Words.Numbers != numbers)
   {
     this->Words.Numbers = numbers;
-    this->Word = scene::WriteLight(this->Words); // angles are not read back: they have other digits
+    this->Word = scene::WriteLight(this->Words); // displayed angles are rounded
     Q_EMIT this->edited(QString::fromStdString(this->Word));
   }
 }
@@ -183,7 +183,7 @@ void LightEdit::SetWord(const std::string& word, Owner owner)
   const int up = this->Edited->GetUpAxis();
   this->setEnabled(owner != OFF);
   SetIdle(this->Intensity, owner == PRESET ? "Make it your own to change how bright it is." : "");
-  this->ShowSoftness(light); // whose effect may have changed
+  this->ShowSoftness(light); // the size's effect may have changed
   if (word == this->Word && up == this->WordUp)
   {
     this->ShowWords();
@@ -218,8 +218,9 @@ void LightEdit::SetWord(const std::string& word, Owner owner)
     this->Target->SetValue(light.FocalPoint);
     this->Cone->SetValue(light.ConeAngle);
   }
-  this->PlaceButton->setToolTip(spot ? "The next click in the picture is where it shines"
-                                     : "The next click in the picture is what it hangs over");
+  this->PlaceButton->setToolTip(spot
+      ? "The next click in the picture sets the target"
+      : "The next click in the picture places the light above that surface");
 }
 
 //------------------------------------------------------------------------------
@@ -271,7 +272,7 @@ void LightEdit::ShowWords()
 //------------------------------------------------------------------------------
 void LightEdit::WriteSun()
 {
-  if (!this->Sun->IsByPlace()) // or the angles that it has
+  if (!this->Sun->IsByPlace()) // by angles
   {
     this->SetNumbers(
       scene::WriteNumbers({ this->Sun->Azimuth->GetValue(), this->Sun->Elevation->GetValue() }));
@@ -315,11 +316,11 @@ void LightEdit::Place(const std::array<double, 3>& place)
   }
   else
   {
-    // At the height that it has, if that is above the place.
+    // Keeps the light's height if that is above the clicked place.
     const auto up = static_cast<std::size_t>(this->WordUp);
     const std::array<double, 6>& b = this->Edited->GetFacts().Bounds;
     const double high =
-      0.25 * std::hypot(b[1] - b[0], b[3] - b[2], b[5] - b[4]); // above what is clicked
+      0.25 * std::hypot(b[1] - b[0], b[3] - b[2], b[5] - b[4]); // distance above the clicked place
     std::array<double, 3> position = place;
     const double before = this->Position->GetValue()[up];
     position[up] = before > place[up] ? before : place[up] + high;

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * One light in the words of --light: colour, strength, size and where it is. What is not edited
- * keeps its words.
+ * Edits one light in the words of --light: colour, strength, size and position. Unedited parts keep
+ * their words.
  */
 #ifndef LightEdit_h
 #define LightEdit_h
@@ -39,23 +39,24 @@ public:
   enum Owner
   {
     OWN,    ///< the user's
-    PRESET, ///< becomes the user's by an edit
+    PRESET, ///< becomes the user's when edited
     OFF     ///< cannot be edited
   };
 
-  /// Shows the light. Sends no signal.
+  /// Shows the light. Emits no signal.
   void SetWord(const std::string& word, Owner owner);
 
-  /// A place in the picture was chosen: a spot turns there, a point moves over it.
+  /// Applies a place chosen in the picture: a spot turns there, a point light moves above it.
   void Place(const std::array<double, 3>& place);
 
-  /// No click in the picture is waited for any more.
+  /// Cancels waiting for a click in the picture.
   void StopPlacing();
 
 Q_SIGNALS:
   void edited(const QString& word);
 
-  /// The next click in the picture is to be told to Place, and what it is for; empty: no longer.
+  /// The next click in the picture must be passed to Place; the text names its purpose; empty:
+  /// cancelled.
   void placing(const QString& hint);
 
 private:
@@ -70,18 +71,18 @@ private:
   void WritePlace();
 
   Document* Edited;
-  std::string Word; // that is shown
+  std::string Word; // the light shown
   int WordUp = -1;
   scene::LightWords Words;
   scene::LightChoice::Kind Kind = scene::LightChoice::Kind::Sun;
-  scene::SunTime Time; // for a sun that is to be placed by it
+  scene::SunTime Time; // for a sun by date and time
   QLineEdit* Name;
   ColorButton* Color;
   relievoQt::Number *Intensity, *Angle, *Radius;
-  QWidget* Softness; // of them the one that the light has
+  QWidget* Softness; // the size edit of the present kind of light
   QCheckBox* Casts;
   relievoQt::SunEdit* Sun;
-  QWidget* Where; // of spots and points
+  QWidget* Where; // position of spots and points
   TripleEdit *Position, *Target;
   relievoQt::Number* Cone;
   QLabel *TargetLabel, *ConeLabel;

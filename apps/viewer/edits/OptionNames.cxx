@@ -84,7 +84,7 @@ OptionName FindOptionName(const QString& option)
 //------------------------------------------------------------------------------
 QString NameOptions(const QString& text)
 {
-  // What stands for a value, in capitals, is left out.
+  // Omits placeholders of values, which are in capitals.
   static const QRegularExpression spelled(
     "(?<![\\w/.-])(--[a-z][a-z-]*[a-z])(?![\\w.-])(?: ([A-Z]+)\\b| ([a-z]+)\\b)?");
   QString named;

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Options of the command by the names of their controls, for messages: what is said of a picture
- * names options, which nobody typed in the window.
+ * Replaces options in messages by the names of their controls, because users of the window do not
+ * type options.
  */
 #ifndef OptionNames_h
 #define OptionNames_h
@@ -12,17 +12,17 @@
 
 namespace viewer
 {
-/// Where the window has an option.
+/// The control of an option.
 struct OptionName
 {
   QString Label; ///< of the control, or of its group
-  QString Panel; ///< the title; empty: no control has the option
+  QString Panel; ///< title; empty: no control for the option
 };
 
 OptionName FindOptionName(const QString& option);
 
-/// The text with such names: "--image box" as "Images: box" in quotes, with "in Scene" behind it.
-/// Options without a control stay as they are.
+/// The text with replaced names: "--image box" becomes "Images: box" in quotes, followed by "in
+/// Scene". Options without a control stay unchanged.
 QString NameOptions(const QString& text);
 }
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * A parameter of a stage, a material or an environment in a widget, made from the parameter's own
+ * A widget for a parameter of a stage, a material or an environment, built from the parameter's own
  * description.
  */
 #ifndef ParameterEdit_h
@@ -23,7 +23,7 @@ class ParameterEdit : public QWidget
 public:
   explicit ParameterEdit(const vtkRelievoParameter& parameter, QWidget* parent = nullptr);
 
-  /// The value in the words of the description. Sends no signal.
+  /// Sets the value in words of the description. Emits no signal.
   void SetValue(const QString& words) { this->Show(words); }
 
 Q_SIGNALS:

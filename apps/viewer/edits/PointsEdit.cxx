@@ -126,7 +126,7 @@ QComboBox* PointsEdit::MakeBox(Row& row, const vtkRelievoParameter& value, QWidg
   }
   box->setEditable(true);
   box->setInsertPolicy(QComboBox::NoInsert);
-  box->setCompleter(nullptr); // a number is no beginning of a name
+  box->setCompleter(nullptr); // must not complete a number to a name
   box->setMinimumContentsLength(8);
   box->lineEdit()->setPlaceholderText(
     Words((value.PerPoint ? "array " + value.Name + ", or " : "") + value.Default));
@@ -134,7 +134,7 @@ QComboBox* PointsEdit::MakeBox(Row& row, const vtkRelievoParameter& value, QWidg
   {
     box->addItem(Words(choice));
   }
-  box->setEditText(QString()); // the first is no choice yet
+  box->setEditText(QString()); // starts without a choice
   if (value.PerPoint)
   {
     row.Arrays = box;
@@ -158,7 +158,7 @@ void PointsEdit::Connect(QComboBox* box, const std::string& name)
 }
 
 //------------------------------------------------------------------------------
-// A name or three numbers, and the colour that they are on the screen.
+// A name or three numbers, and the colour for display.
 QWidget* PointsEdit::MakeColor(Row& row, const vtkRelievoParameter& value)
 {
   auto* both = new QWidget(this->Values);
@@ -212,7 +212,7 @@ void PointsEdit::Remove()
 }
 
 //------------------------------------------------------------------------------
-// Empty: it has an effect.
+// Why the value has no effect; empty if it has one.
 QString PointsEdit::WhyIdle(const Row& row, const scene::NamedWords& values) const
 {
   for (const vtkRelievoParameter::Condition& condition : row.Conditions)
@@ -249,7 +249,7 @@ void PointsEdit::Write(const std::string& name, const QString& text)
   }
   word = scene::WriteFileAndValues(file, values);
   this->Edited->Change([&](scene::Settings& settings) { settings.SetAll(this->Option, words); });
-  this->ShowValues(true); // as it was, if it was refused
+  this->ShowValues(true); // restores a refused value
 }
 
 //------------------------------------------------------------------------------
@@ -290,7 +290,7 @@ void PointsEdit::ShowValues(bool again)
   for (Row& row : this->Rows)
   {
     const QString text = Words(scene::FindWords(values, row.Name));
-    if (again || text != row.Shown) // but not what is being typed
+    if (again || text != row.Shown) // keeps a text while the user types
     {
       row.Shown = text;
       row.Show(text);

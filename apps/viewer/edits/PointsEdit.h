@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * The files of points that a stage works on, such as --lamps FILE,radius=R, and what the points of
- * the chosen file are: each value a number, or the name of a point array.
+ * The files of points for a stage, such as --lamps FILE,radius=R, and the values of the selected
+ * file's points: each a number, or the name of a point array.
  */
 #ifndef PointsEdit_h
 #define PointsEdit_h
@@ -30,19 +30,19 @@ class PointsEdit : public QWidget
   Q_OBJECT
 
 public:
-  /// `stage`: one that draws points, such as fog; its name is an option too.
+  /// `stage`: a stage of points, such as fog; its name is also an option.
   PointsEdit(Document* document, const std::string& stage, QWidget* parent = nullptr);
 
 private:
   struct Row
   {
-    std::string Name, Default; // as of the parameter
+    std::string Name, Default; // of the parameter
     std::vector<vtkRelievoParameter::Condition> Conditions;
     QWidget* Edit;
     std::function<void(const QString&)> Show;
     QString Shown;
-    QComboBox* Arrays = nullptr; // of what names of arrays are offered in
-    int Own = 0;                 // entries before them
+    QComboBox* Arrays = nullptr; // offers names of arrays
+    int Own = 0;                 // entries before the arrays
   };
 
   void AddRow(QFormLayout* rows, const vtkRelievoParameter& value);

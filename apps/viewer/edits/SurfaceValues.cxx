@@ -16,7 +16,7 @@ namespace viewer
 {
 namespace
 {
-// Numbers of one value with / between them: commas are between values.
+// Separates the numbers of a value by /, because commas separate values.
 std::string Read(const scene::SurfaceChoice& surface, const std::string& name)
 {
   std::string words = scene::GetSurfaceValue(surface, name);

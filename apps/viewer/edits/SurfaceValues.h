@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Rows of values that materials and environments describe: those of --material and --environment.
+ * Rows for the values of --material and --environment, built from the descriptions of materials and
+ * environments.
  */
 #ifndef SurfaceValues_h
 #define SurfaceValues_h
@@ -26,11 +27,11 @@ class SurfaceValues : public QObject
 public:
   SurfaceValues(Document* document, FoldGroup* group);
 
-  /// Adds the row of a value to the group, or to its section Advanced; its edit has the value's
-  /// name.
+  /// Adds the row of a value to the group, or to its section Advanced; the edit's object name is
+  /// the value's name.
   void Add(const vtkRelievoParameter& value);
 
-  /// Shows what the settings say.
+  /// Shows the settings' values.
   void ShowSettings();
 
 private:

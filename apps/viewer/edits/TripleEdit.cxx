@@ -11,7 +11,7 @@ namespace viewer
 {
 namespace
 {
-constexpr double Largest = 1e9; // a spin box shows no more
+constexpr double Largest = 1e9; // limit of the spin boxes
 constexpr int Decimals = 4;
 constexpr int LeastWidth = 50;
 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * A place as three numbers beside each other, of any size.
+ * Three spin boxes in a row for a place, of any magnitude.
  */
 #ifndef TripleEdit_h
 #define TripleEdit_h
@@ -24,7 +24,7 @@ class TripleEdit : public QWidget
 public:
   explicit TripleEdit(QWidget* parent = nullptr);
 
-  /// Sends no signal. What is not edited is not rounded.
+  /// Emits no signal. Unedited numbers are not rounded.
   void SetValue(const std::array<double, 3>& value);
   std::array<double, 3> GetValue() const { return this->Value; }
 

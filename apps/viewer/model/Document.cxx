@@ -109,8 +109,8 @@ void Document::Amend(const scene::Settings& settings)
 }
 
 //------------------------------------------------------------------------------
-// No word says what is off, such as colours of shadows, or that they are hard where those of the
-// preset are soft.
+// Words cannot express a disabled default, such as coloured shadows, or hard shadows with a soft
+// preset.
 void Document::SwitchShadows(bool on)
 {
   const std::set<std::string> since = this->Switched.GetChanges(this->Now);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * The settings that the window shows, and who is told when they change.
+ * The window's settings; signals changes to the panels.
  */
 #ifndef Document_h
 #define Document_h
@@ -25,32 +25,31 @@ class Document : public QObject
 public:
   explicit Document(QObject* parent = nullptr);
 
-  /// Settings in the words of the command line, outputs left out; notes what a window does
-  /// otherwise. Throws scene::UsageError.
+  /// Parses settings from command-line words without outputs; notes differences in the window's
+  /// behaviour. Throws scene::UsageError.
   static scene::Settings FromWords(const std::vector<std::string>& words);
 
   const scene::Settings& Get() const { return this->Now; }
 
-  /// Refuses settings that the command line would refuse. A number (MakeEdit): that of the edit
-  /// that this is a part of, unless one is under way (BeginEdit).
+  /// Changes the settings; refuses those that the command line would refuse. `number` (from
+  /// MakeEdit) joins the change to that edit, unless BeginEdit has begun one.
   void Set(const scene::Settings& settings, int number = 0);
   void Change(const std::function<void(scene::Settings&)>& edit, int number = 0);
 
-  /// These settings, known to be good, are a part of the edit before: undoing undoes both.
+  /// Joins these valid settings to the previous edit: undo reverts both.
   void Amend(const scene::Settings& settings);
 
-  /// Switched twice, shadows are as they were.
+  /// Switches shadows; switching twice restores them.
   void SwitchShadows(bool on);
 
   ///@{
-  /// Goes back to settings that are known to be good: because the user wants so, or after a picture
-  /// of the new ones failed.
+  /// Returns to valid settings, by the user's wish or because a picture of the new ones failed.
   void Return(const scene::Settings& good);
   void Refuse(const scene::Settings& good, const QString& why);
   ///@}
 
   ///@{
-  /// Edits are undone one by one, and done again.
+  /// Undoes and redoes single edits.
   void Undo();
   void Redo();
   bool CanUndo() const { return this->Past.CanUndo(); }
@@ -60,30 +59,30 @@ public:
   ///@}
 
   ///@{
-  /// What changes from here on is one edit, until it ends or another begins: that of a slider that
-  /// is dragged, or of a number that the wheel turns. Everything else is an edit of its own.
+  /// Joins all following changes into one edit until it ends or another begins, as for dragging a
+  /// slider or turning the wheel on a number. Other changes are edits of their own.
   int BeginEdit() { return this->UnderWay = this->MakeEdit(); }
   void EndEdit(int number) { this->UnderWay = this->UnderWay == number ? 0 : this->UnderWay; }
 
-  /// The number of an edit whose parts come one by one, while others may be made.
+  /// Number of an edit whose parts arrive one by one, possibly between other edits.
   int MakeEdit() { return ++this->Edits; }
   ///@}
 
   ///@{
-  /// Of what is shown.
+  /// Properties of the files shown.
   const Facts& GetFacts() const { return this->Known; }
   void SetFacts(const Facts& facts);
   ///@}
 
-  /// That of the settings, or, where they leave it to that, of the files: 0, 1, 2 for x, y, z.
+  /// The up axis of the settings, or else of the files: 0, 1, 2 for x, y, z.
   int GetUpAxis() const;
 
 Q_SIGNALS:
-  /// What was asked for last is seen, or was refused.
+  /// The last requested settings are visible, or were refused.
   void shown();
   void changed();
 
-  /// Others than before, to be shown; panels show them already.
+  /// The settings changed and must be shown; panels already show them.
   void asked();
   void factsChanged();
   void pastChanged();
@@ -95,9 +94,9 @@ private:
   scene::Settings Now;
   History Past;
   int Edits = 0;
-  int UnderWay = 0; // an edit's number; 0: none
+  int UnderWay = 0; // number of the edit in progress; 0: none
   Facts Known;
-  scene::Settings Unswitched, Switched; // before and after shadows were switched
+  scene::Settings Unswitched, Switched; // before and after the last switch of shadows
 };
 }
 

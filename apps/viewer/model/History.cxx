@@ -35,7 +35,7 @@ void History::Add(const scene::Settings& before, const scene::Settings& after, i
   else if (this->Past.back() == after)
   {
     this->Past.pop_back();
-    this->Number = 0; // the next change begins anew
+    this->Number = 0; // the next change begins a new edit
   }
   if (this->Past.size() > Most)
   {

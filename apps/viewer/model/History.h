@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Settings as they were before each edit, to go back to and forth again. Changes of one number, as
- * those of a slider that is dragged, are one edit.
+ * Undo and redo of settings. Changes of one number, such as a dragged slider's, form one edit.
  */
 #ifndef History_h
 #define History_h
@@ -17,17 +16,17 @@ namespace viewer
 class History
 {
 public:
-  /// A change that is an edit of its own, or, with a number, of one edit with those that came right
-  /// before it with the same number.
+  /// Records a change: an edit of its own, or, with a number, joined to the directly preceding
+  /// changes of that number.
   void Add(const scene::Settings& before, const scene::Settings& after, int number = 0);
 
   ///@{
-  /// The settings to go to from those of now; none: there are no more.
+  /// The settings to restore, given the present ones; none: there are no more.
   std::optional<scene::Settings> Undo(const scene::Settings& now);
   std::optional<scene::Settings> Redo(const scene::Settings& now);
   ///@}
 
-  /// Edits that led away from these settings, to which the program itself went back, were none.
+  /// Forgets edits that led away from these settings, to which the program itself returned.
   void DropUntil(const scene::Settings& settings);
 
   void Clear();
@@ -37,7 +36,7 @@ public:
 
 private:
   std::vector<scene::Settings> Past, Future;
-  int Number = 0; // of the last edit; 0: nothing goes on with it
+  int Number = 0; // of the last edit; 0: closed
 };
 }
 

@@ -13,13 +13,13 @@ namespace viewer
 {
 namespace
 {
-// From the upper left before the scene, as it is fitted, and from the other side where lights are
-// already; in radii of the ball around it.
+// From the upper left in front of the fitted scene, or from the other side if there are lights; in
+// radii of the scene's bounding sphere.
 constexpr std::array<double, 3> Towards[] = { { -0.6, 1.0, 0.7 }, { 1.0, 0.9, -0.2 } };
 constexpr double Distance = 2.5;
-constexpr double Cone = 28.0; // degrees: the ball is seen from there under 23.6 degrees each way
+constexpr double Cone = 28.0; // degrees; the sphere spans 23.6 degrees each way from there
 
-// Digits that nobody needs make long words.
+// Keeps words short.
 double Round(double value, double size)
 {
   return scene::RoundTo(value, 0.01 * size);
@@ -55,7 +55,7 @@ std::string WriteNewLight(const Document& document, const std::string& kind)
   scene::LightWords words = { kind, scene::WriteNumbers(position), {} };
   if (others > 0)
   {
-    words.Values.emplace_back("intensity", "0.3"); // or else they burn the picture together
+    words.Values.emplace_back("intensity", "0.3"); // together they would overexpose the picture
   }
   return scene::WriteLight(words);
 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Lights that are added: where they show the scene well, and as strong as it bears.
+ * Chooses position and strength for new lights, to show the scene well.
  */
 #ifndef NewLights_h
 #define NewLights_h

@@ -21,7 +21,7 @@ namespace
 struct Dropped
 {
   const char* Option;
-  const char* Words; // empty: not worth a word
+  const char* Words; // empty: not mentioned
 };
 
 constexpr Dropped OfFiles[] = { { "--allow-folder", "" }, { "--color-by", "" }, { "--range", "" },
@@ -29,7 +29,7 @@ constexpr Dropped OfFiles[] = { { "--allow-folder", "" }, { "--color-by", "" }, 
   { "--image", "how the image is shown" }, { "--normal-map", "the normal map" },
   { "--height-map", "the height map" }, { "--relief", "" }, { "--texture-coordinates", "" } };
 
-// Suns stand in any scene.
+// Suns suit any scene.
 int DropPlacedLights(scene::Settings& settings)
 {
   std::vector<std::string> lights = settings.GetAll("--light");

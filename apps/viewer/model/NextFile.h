@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * What stays where another file is opened in the place of those that are shown.
+ * The settings that stay when other files replace the displayed ones.
  */
 #ifndef NextFile_h
 #define NextFile_h
@@ -12,10 +12,10 @@
 
 namespace viewer
 {
-/// Drops the files, and what belongs to them: places in their coordinates, arrays, times, maps of
-/// their surfaces, the layer that is shown. The preset, its look and suns stay. Returns what was
-/// dropped, for people, such as "2 lights and the up axis", but for colours by an array, which come
-/// back if the next file has it; empty: nothing.
+/// Drops the files and settings tied to them: places in their coordinates, arrays, times, surface
+/// maps, the displayed layer. The preset, its look and suns stay. Returns a description of the
+/// dropped settings, such as "2 lights and the up axis", without colours by an array, which return
+/// if the next file has it; empty: nothing was dropped.
 QString DropFiles(scene::Settings& settings);
 }
 

@@ -15,7 +15,7 @@ namespace viewer
 {
 namespace
 {
-// Whether a clipboard and a terminal leave the word as it is.
+// Whether the word survives a clipboard and a terminal unchanged.
 bool IsPrinted(const std::string& word)
 {
   return QString::fromStdString(word).toStdString() == word &&
@@ -23,8 +23,8 @@ bool IsPrinted(const std::string& word)
       [](char letter) { return std::iscntrl(static_cast<unsigned char>(letter)); });
 }
 
-// The word as $'...', which bash, zsh and POSIX of 2024 read; a byte has three octal digits, which
-// no letter behind them prolongs.
+// The word as $'...', which bash, zsh and POSIX of 2024 read; bytes have three octal digits, which
+// a following character cannot extend.
 std::string QuoteBytes(const std::string& word)
 {
   std::string quoted = "$'";
@@ -60,7 +60,7 @@ std::string Quote(const std::string& word)
 }
 
 //------------------------------------------------------------------------------
-// The text as a Python string, or as bytes where it is not UTF-8.
+// The text as a Python string, or as bytes unless it is UTF-8.
 std::string QuoteForPython(const std::string& text)
 {
   const bool isText = QString::fromStdString(text).toStdString() == text;

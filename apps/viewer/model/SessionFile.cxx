@@ -30,7 +30,7 @@ constexpr int Version = 1;
   throw scene::WorkError((path + ": " + why.simplified()).toStdString()); // one line
 }
 
-// Sessions once said beside the words that the first sun stands by date and place.
+// Older sessions stored a first sun by date and place beside the words.
 void PlaceSun(scene::Settings& view, const QJsonObject& sun)
 {
   std::vector<std::string> lights = view.GetAll("--light");
@@ -101,7 +101,7 @@ scene::Settings LoadSession(const QString& path)
   }
   std::vector<std::string> words;
   const QJsonArray given = root["words"].toArray();
-  for (const auto& word : given) // whose type differs between versions of Qt
+  for (const auto& word : given) // the string type differs between Qt versions
   {
     if (!word.isString() || word.toString().contains(QChar(0)))
     {

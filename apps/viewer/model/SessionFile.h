@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * A session in a file: the words of the command line with camera and size, as JSON. Files in its
- * folder and below are named from there, so that they may be moved together.
+ * A session file: the words of the command line with camera and size, as JSON. Paths in the
+ * session's folder and below are relative, so that they can be moved together.
  */
 #ifndef SessionFile_h
 #define SessionFile_h
@@ -13,7 +13,7 @@
 
 namespace viewer
 {
-/// Both throw scene::WorkError with the file's name. No half-written file is left.
+/// Both throw scene::WorkError with the file's name. Files are written completely or not at all.
 void SaveSession(const QString& path, const scene::Settings& view);
 scene::Settings LoadSession(const QString& path);
 }

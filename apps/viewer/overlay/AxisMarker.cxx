@@ -22,7 +22,7 @@ const char* const Kept = "axis_marker"; // in the settings
 constexpr int Side = 96;                // pixels
 constexpr double Length = 33.0;
 constexpr double BallRadius = 9.0; // radius of a named end
-constexpr double OtherBall = 6.0;  // and of the other
+constexpr double OtherBall = 6.0;  // radius of the opposite end
 const QColor Colors[] = { { 214, 64, 64 }, { 76, 158, 58 }, { 64, 112, 224 } };
 const char* const Names[] = { "x", "y", "z" };
 }
@@ -34,7 +34,7 @@ AxisMarker::AxisMarker(QWidget* parent)
 {
   this->setObjectName("axes");
   this->setToolTip("Click on the end of an axis to look from there");
-  this->setMouseTracking(true); // for the values under the mouse
+  this->setMouseTracking(true); // shows the values under the mouse
   this->resize(Side, Side);
   this->Place();
   this->hide();
@@ -79,7 +79,7 @@ QPointF AxisMarker::GetEnd(int end) const
 }
 
 //------------------------------------------------------------------------------
-// Of ends before each other the nearer one.
+// Of overlapping ends, the nearer one.
 std::optional<int> AxisMarker::Find(const QPointF& at) const
 {
   std::optional<int> found;
@@ -107,7 +107,7 @@ void AxisMarker::mousePressEvent(QMouseEvent* event)
   }
   else
   {
-    event->ignore(); // for the picture below
+    event->ignore(); // passed to the picture below
   }
 }
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * The axes of the world in a corner of the view; a click on an end looks from there. It is the
- * window's: no picture that is saved has it.
+ * The world's axes in a corner of the view; a click on an end looks from there. Saved pictures do
+ * not contain them.
  */
 #ifndef AxisMarker_h
 #define AxisMarker_h
@@ -21,21 +21,21 @@ class AxisMarker : public Overlay
   Q_OBJECT
 
 public:
-  /// In the parent's lower left corner.
+  /// Placed in the parent's lower left corner.
   explicit AxisMarker(QWidget* parent);
 
-  /// Shows the axes as seen by this renderer's camera; null: not at all.
+  /// Shows the axes for this renderer's camera; null: hides them.
   void Follow(vtkRenderer* renderer);
 
-  /// Whether it is wanted; kept from one run to the next.
+  /// Whether the user wants the marker; stored between runs.
   void SetWanted(bool wanted);
   bool IsWanted() const { return this->Wanted; }
 
-  /// Where an axis ends, from 0 to 2 for x, y, z, and its other end from 3 to 5.
+  /// Position of an axis's end: 0 to 2 for x, y, z, and 3 to 5 for the opposite ends.
   QPointF GetEnd(int end) const;
 
 Q_SIGNALS:
-  /// From an end, as of GetEnd().
+  /// The user clicked an end, numbered like GetEnd().
   void lookWanted(int end);
 
 protected:

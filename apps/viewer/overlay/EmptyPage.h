@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * What is seen while there is no picture: how to get one, what is being read, or why there is none.
+ * Shown while there is no picture: how to open a file, the file being read, or an error.
  */
 #ifndef EmptyPage_h
 #define EmptyPage_h

@@ -31,7 +31,7 @@ LayerBanner::LayerBanner(QWidget* parent)
   this->Words->setStyleSheet("color: white");
   auto* back = new QPushButton("Show the picture", this);
   back->setObjectName("showPicture");
-  back->setToolTip("Edits of Look and Light are seen in the picture");
+  back->setToolTip("Edits of Look and Light appear in the picture");
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(14, 6, 8, 6);
   row->setSpacing(12);
@@ -64,7 +64,7 @@ void LayerBanner::Place()
 }
 
 //------------------------------------------------------------------------------
-// White on dark, which can be read over any picture.
+// White on dark, readable over any picture.
 void LayerBanner::paintEvent(QPaintEvent*)
 {
   QPainter painter(this);

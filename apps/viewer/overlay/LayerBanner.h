@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Says over the picture that a layer is shown instead of it, where edits of the look and of lights
- * are not seen, and goes back. It is the window's: no picture that is saved has it.
+ * Tells that the view shows a layer, in which edits of the look and of lights are invisible, with a
+ * button that returns to the picture. Saved pictures do not contain it.
  */
 #ifndef LayerBanner_h
 #define LayerBanner_h
@@ -19,10 +19,10 @@ class LayerBanner : public Overlay
   Q_OBJECT
 
 public:
-  /// At the parent's top.
+  /// Placed at the parent's top.
   explicit LayerBanner(QWidget* parent);
 
-  /// Names the layer that the frame shows; null: there is none.
+  /// Names the layer shown by the frame; null: no frame.
   void Follow(vtkRelievoPass* frame);
 
 Q_SIGNALS:

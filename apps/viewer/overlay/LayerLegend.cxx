@@ -14,7 +14,7 @@ namespace viewer
 namespace
 {
 // Pixels
-constexpr int Left = 108; // beside the axes
+constexpr int Left = 108; // right of the axes
 constexpr int Width = 300;
 constexpr int Margin = 10;
 constexpr int Strip = 12;
@@ -63,7 +63,7 @@ void LayerLegend::Place()
 }
 
 //------------------------------------------------------------------------------
-// White on dark, which can be read over any picture.
+// White on dark, readable over any picture.
 void LayerLegend::paintEvent(QPaintEvent*)
 {
   QPainter painter(this);

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * What the colours of a layer mean that is shown as the picture, or why it shows nothing. It is the
- * window's: no picture that is saved has it.
+ * Explains the colours of a layer shown as the picture, or why it is empty. Saved pictures do not
+ * contain it.
  */
 #ifndef LayerLegend_h
 #define LayerLegend_h
@@ -19,13 +19,13 @@ class LayerLegend : public Overlay
   Q_OBJECT
 
 public:
-  /// At the parent's bottom.
+  /// Placed at the parent's bottom.
   explicit LayerLegend(QWidget* parent);
 
-  /// Explains the layer that the frame's last picture shows; null: no layer is shown.
+  /// Explains the layer in the frame's last picture; null: no layer.
   void Follow(vtkRelievoPass* frame);
 
-  /// All that it says, the values of the first and the last colour included; empty if it is hidden.
+  /// All of its texts, including the values of the first and last colour; empty if it is hidden.
   QString GetText() const;
 
 protected:

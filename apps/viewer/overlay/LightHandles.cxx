@@ -20,11 +20,11 @@ namespace
 // Pixels
 constexpr double HandleRadius = 9.0;
 constexpr double Ring = 7.0;  // radius
-constexpr double Ray = 14.0;  // its end, from the middle
-constexpr double Border = 20; // that handles keep from the border of the view
-constexpr double Reach = 15;  // of a handle, for the mouse and for its drawing
+constexpr double Ray = 14.0;  // distance of its end from the centre
+constexpr double Border = 20; // least distance of handles from the view's border
+constexpr double Reach = 15;  // of a handle, for the mouse and for drawing
 
-constexpr double Digits = 1e-3; // of a place, in sizes of the scene
+constexpr double Digits = 1e-3; // precision of a place, relative to the scene's size
 
 QColor GetColor(const scene::LightChoice& light)
 {
@@ -49,7 +49,7 @@ LightHandles::LightHandles(Document* document, PictureView* view)
   , View(view)
 {
   this->setObjectName("lightHandles");
-  this->setMouseTracking(true); // for the values under the mouse
+  this->setMouseTracking(true); // shows the values under the mouse
   QObject::connect(document, &Document::changed, this, [this] { this->Follow(); });
   this->Place();
   this->hide();
@@ -119,7 +119,7 @@ void LightHandles::Follow()
 }
 
 //------------------------------------------------------------------------------
-// What is beside them is the picture's, and the mouse there.
+// The mask leaves the mouse to the picture outside the handles.
 void LightHandles::Show(const std::vector<Handle>& handles)
 {
   this->setVisible(!handles.empty());
@@ -190,7 +190,7 @@ void LightHandles::mousePressEvent(QMouseEvent* event)
   const Handle* handle = this->Find(event->pos());
   if (!handle || event->button() != Qt::LeftButton)
   {
-    event->ignore(); // for the picture below
+    event->ignore(); // passed to the picture below
     return;
   }
   this->Held = *handle;
@@ -226,7 +226,7 @@ void LightHandles::mouseReleaseEvent(QMouseEvent* event)
     return;
   }
   this->Held.reset();
-  this->Surfaces.Forget(); // it takes memory
+  this->Surfaces.Forget(); // frees its memory
   this->setCursor(Qt::OpenHandCursor);
 }
 
@@ -238,7 +238,7 @@ void LightHandles::Drag(const QPoint& at)
   const auto light = static_cast<std::size_t>(this->Held->Light);
   if (picture.IsEmpty() || light >= lights.size())
   {
-    return; // it went while it was held
+    return; // the light was removed during the drag
   }
   const QPoint pixel = this->View->GetPixel(at);
   std::array<double, 3> place =
@@ -279,7 +279,7 @@ void LightHandles::paintEvent(QPaintEvent*)
 {
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
-  // Dark and bright: one of them is seen on any picture.
+  // A dark and a bright outline: one contrasts with any picture.
   const auto stroke = [&](double width, const auto& draw) {
     for (const bool bright : { false, true })
     {

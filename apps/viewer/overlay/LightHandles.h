@@ -1,10 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Handles over the picture for the spots and point lights of --light: a ball where each stands, and
- * for the spot that is edited a ring where it shines. A ball is dragged in the plane of the view, a
- * ring over the surfaces. What is outside of the picture waits at its border. They are the
- * window's: no picture that is saved has them.
+ * Handles over the picture for the spots and point lights of --light: a ball at each position, and
+ * a ring at the edited spot's target. A ball is dragged in the plane of the view, a ring over the
+ * surfaces. Handles outside the picture are at its border. Saved pictures do not contain them.
  */
 #ifndef LightHandles_h
 #define LightHandles_h
@@ -32,21 +31,21 @@ class LightHandles : public Overlay
 public:
   LightHandles(Document* document, PictureView* view);
 
-  /// Shows them where the picture that was drawn last has their places.
+  /// Moves the handles to their places in the last picture.
   void Follow();
 
-  /// Whether they are seen at all.
+  /// Whether handles are shown.
   void SetWanted(bool wanted);
 
-  /// The light that is edited, by its place among those of --light; -1: none.
+  /// Index of the edited light among those of --light; -1: none.
   void Select(int light);
 
-  /// Where a handle is in the view: the ball of a light, or the ring of its target; none: it has
-  /// none.
+  /// Position of a handle in the view: the ball of a light, or the ring of its target; none if
+  /// there is no handle.
   std::optional<QPointF> GetPlace(int light, bool target) const;
 
 Q_SIGNALS:
-  /// The mouse took a handle of this light.
+  /// The mouse pressed a handle of this light.
   void selected(int light);
 
 protected:
@@ -63,7 +62,7 @@ private:
     bool IsTarget;
     std::array<double, 3> World;
     QPointF Place; // in the view
-    bool IsInside; // or else it waits at the border
+    bool IsInside; // false: at the border
     QColor Color;
 
     bool operator==(const Handle& other) const;
@@ -77,12 +76,12 @@ private:
 
   Document* Edited;
   PictureView* View;
-  std::vector<Handle> Handles; // those that are in front last
+  std::vector<Handle> Handles; // front ones last
   int Current = -1;
   bool Wanted = false;
-  std::optional<Handle> Held; // as the mouse took it
-  QPointF Away;               // of the mouse from its middle
-  Probe Surfaces;             // under the mouse while it is held
+  std::optional<Handle> Held; // state at the press
+  QPointF Away;               // offset of the mouse from its centre
+  Probe Surfaces;             // under the mouse during a drag
 };
 }
 

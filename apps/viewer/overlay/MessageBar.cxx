@@ -14,7 +14,7 @@ namespace viewer
 {
 namespace
 {
-constexpr int Edge = 4; // pixels, of the side that has the kind's colour
+constexpr int Edge = 4; // width of the coloured edge, pixels
 }
 
 //------------------------------------------------------------------------------

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * What went wrong, or what is waited for, in a strip over the top of the picture, which keeps its
- * size; it stays until it is closed.
+ * An error or a wait message in a strip over the top of the picture, which keeps its size; it stays
+ * until it is closed.
  */
 #ifndef MessageBar_h
 #define MessageBar_h
@@ -25,14 +25,14 @@ public:
     Error
   };
 
-  /// Over the parent's top, as wide as that.
+  /// Placed over the parent's top, with the same width.
   explicit MessageBar(QWidget* parent);
 
   void Show(const QString& text, Kind kind);
   QString GetText() const;
 
 Q_SIGNALS:
-  /// By the user.
+  /// The user closed it.
   void closed();
 
 protected:

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * What lies over the picture, at a place that follows the picture's size. It is the window's: no
- * picture that is saved has it.
+ * Base of widgets over the picture that follow its size. Saved pictures do not contain them.
  */
 #ifndef Overlay_h
 #define Overlay_h
@@ -18,16 +17,16 @@ class Overlay : public QWidget
 public:
   explicit Overlay(QWidget* parent);
 
-  /// Takes its place below another one at the parent's top, where that is seen.
+  /// Places it below another visible overlay at the parent's top.
   void PutBelow(Overlay* above);
 
 protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
 
-  /// Takes its place in the parent as large as that is now.
+  /// Places it for the parent's present size.
   virtual void Place() = 0;
 
-  /// Where the room begins that those above it leave.
+  /// The top of the free space below the overlays above it.
   int GetTop() const;
 
 private:

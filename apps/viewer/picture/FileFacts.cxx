@@ -28,7 +28,7 @@ namespace viewer
 {
 namespace
 {
-// What the cells that have been seen are.
+// The kind of the cells so far.
 struct Kinds
 {
   bool Triangles = false;
@@ -66,7 +66,7 @@ struct Kinds
   }
 };
 
-// What the actors and volumes of one file show.
+// Collects properties from the actors and volumes of one file.
 struct Contents
 {
   FileFacts Facts;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * What each of the files that are shown holds.
+ * Properties of each displayed file.
  */
 #ifndef FileFacts_h
 #define FileFacts_h
@@ -12,7 +12,7 @@ namespace viewer
 {
 class Picture;
 
-/// In the order of the files. Ranges of arrays take time.
+/// In the order of the files. Finding ranges of arrays takes time.
 std::vector<FileFacts> GetFileFacts(
   const Picture& picture, const std::vector<std::string>& files, bool ranges = false);
 }

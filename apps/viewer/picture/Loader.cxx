@@ -46,7 +46,7 @@ void Loader::Stop()
 {
   this->Wanted = false;
   this->Stopped = true;
-  if (!this->Thread.joinable()) // which else still writes them
+  if (!this->Thread.joinable()) // otherwise the thread still writes them
   {
     this->Scene = scene::Scene();
     this->Points = scene::FramePoints();
@@ -109,7 +109,7 @@ void Loader::End(const QString& trouble)
   {
     scene::Messages::Check("");
   }
-  catch (const scene::WorkError&) // of what nobody waits for
+  catch (const scene::WorkError&) // the result is not wanted any more
   {
   }
   if (this->Wanted)

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Reads files in a thread of its own. One at a time, for readers' messages are the program's: what
- * is stopped ends soon, for its reader is another process, and the next begins after it.
+ * Reads files in a thread of its own, one at a time, because readers' messages are collected
+ * globally. A stopped reading ends soon, because its reader is another process; the next begins
+ * after it.
  */
 #ifndef Loader_h
 #define Loader_h
@@ -30,26 +31,26 @@ public:
   explicit Loader(QObject* parent = nullptr);
   ~Loader() override;
 
-  /// Returns at once; ended() follows. `pointsOnly`: no scene, but the points of lamps, fog and
+  /// Returns at once; ended() follows. `pointsOnly`: reads only the points of lamps, fog and
   /// markers.
   void Start(const scene::Settings& settings, bool pointsOnly = false);
 
-  /// Ends the reading, without a signal. Returns at once.
+  /// Stops reading, without a signal. Returns at once.
   void Stop();
 
   bool IsReading() const { return this->Wanted; }
 
-  /// Whether the thread runs, be it for what is not wanted any more.
+  /// Whether the thread runs, even for an unwanted result.
   bool IsBusy() const { return this->Thread.joinable(); }
 
-  /// What was read is given away.
+  /// Moves out the result.
   scene::Scene TakeScene();
   scene::FramePoints TakePoints();
 
 Q_SIGNALS:
   void progressed(const QString& what, int percent);
 
-  /// `trouble` is empty if all was read.
+  /// `trouble` is empty after success.
   void ended(const QString& trouble);
 
 private:

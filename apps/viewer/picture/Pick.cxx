@@ -15,8 +15,8 @@ namespace viewer
 {
 namespace
 {
-constexpr double Outside = 1e6;     // of the picture, in halves of it
-constexpr double LeastDepth = 0.01; // in distances of what the camera turns about
+constexpr double Outside = 1e6;     // limit in half pictures
+constexpr double LeastDepth = 0.01; // in distances of the camera's focal point
 
 std::array<double, 3> Between(
   const std::array<double, 3>& near, const std::array<double, 3>& far, double share)
@@ -37,7 +37,7 @@ std::array<double, 3> ToWorld(vtkRenderer* renderer, int x, int y, double depth)
   return { point[0] / point[3], point[1] / point[3], point[2] / point[3] };
 }
 
-// Where the line through the pixel meets the ground, which layers do not have.
+// The intersection of the line through the pixel with the ground, which layers do not show.
 std::optional<std::array<double, 3>> PickGround(const Picture& picture, int x, int y)
 {
   const scene::DressedScene& scene = picture.GetScene();
@@ -49,7 +49,7 @@ std::optional<std::array<double, 3>> PickGround(const Picture& picture, int x, i
   const double height = scene.GetBounds()[2 * up];
   const std::array<double, 3> near = ToWorld(picture.GetRenderer(), x, y, 0.0);
   const std::array<double, 3> far = ToWorld(picture.GetRenderer(), x, y, 1.0);
-  if (near[up] <= height || far[up] >= height) // it is seen from above
+  if (near[up] <= height || far[up] >= height) // the ground is visible only from above
   {
     return std::nullopt;
   }

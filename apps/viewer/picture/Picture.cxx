@@ -135,7 +135,7 @@ void Picture::Update(const scene::Settings& settings)
     {
       this->Dress(this->Now.Shown, true);
     }
-    catch (const std::exception&) // what was asked for is the trouble to tell of
+    catch (const std::exception&) // the original error is reported instead
     {
     }
     throw;
@@ -143,7 +143,7 @@ void Picture::Update(const scene::Settings& settings)
 }
 
 //------------------------------------------------------------------------------
-// Fits the scalar bar and the clipping range before each frame, as the command line does.
+// Fits the scalar bar and the clipping range before each frame, like the command line.
 void Picture::FitClipping()
 {
   if (this->IsEmpty())
@@ -157,7 +157,7 @@ void Picture::FitClipping()
     {
       this->Dress(this->Now.Shown, true);
     }
-    catch (const std::exception&) // within a frame there is nobody to tell; it worked before
+    catch (const std::exception&) // a frame cannot report errors; the step worked before
     {
     }
   }

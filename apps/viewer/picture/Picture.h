@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * The picture of a scene in a render window, kept as `relievo render` would draw it: only what
- * changed is set anew.
+ * The picture of a scene in a render window, equal to that of `relievo render`, with incremental
+ * updates.
  */
 #ifndef Picture_h
 #define Picture_h
@@ -34,50 +34,51 @@ public:
   Picture(const Picture&) = delete;
   void operator=(const Picture&) = delete;
 
-  /// Is told of work that takes long, such as reading an environment, while Show and Update do it.
+  /// Receives the progress of long work, such as reading an environment, during Show and Update.
   void SetListener(scene::ProgressListener* listener) { this->Listener = listener; }
 
-  /// Shows another scene. The camera stays if `keepCamera`, else it is fitted or as the settings
-  /// say. Throws what Update throws; what was shown then still is.
+  /// Shows another scene. The camera stays if `keepCamera`, otherwise it is fitted or set by the
+  /// settings. Throws like Update; the previous scene then stays.
   void Show(const scene::Scene& scene, const scene::FramePoints& points,
     const scene::Settings& settings, bool keepCamera);
 
-  /// Other points in the same scene. Throws what Update throws; the points are then as before.
+  /// Replaces the points in the scene. Throws like Update; the previous points then stay.
   void ShowPoints(const scene::FramePoints& points, const scene::Settings& settings);
 
-  /// Nothing is shown.
+  /// Removes the scene.
   void Clear();
 
   bool IsEmpty() const { return !this->GetRenderer(); }
 
-  /// Throws scene::WorkError if it is empty.
+  /// Throws scene::WorkError if the picture is empty.
   void CheckShown(const std::string& what) const;
 
-  /// The settings of the scene that is shown, or of what is given to it. Throws scene::UsageError
-  /// or scene::WorkError; the picture is then as it was before.
+  /// Changes the settings of the displayed or given scene. Throws scene::UsageError or
+  /// scene::WorkError; the picture then stays unchanged.
   void Update(const scene::Settings& settings);
 
-  /// Whether an update to these settings reads no file.
+  /// Whether an update to these settings would read no file.
   bool IsDressedAlike(const scene::Settings& settings) const;
 
   /// Fits the camera to the scene.
   void ResetCamera();
 
-  /// The view's width over its height has become another: the camera steps back as far as is needed
-  /// to see the same part of the scene, and forth again, until something else moves it.
+  /// Call after a change of the view's aspect ratio: the camera moves back as far as needed to show
+  /// the same part of the scene, and forward again, until something else moves it.
   void KeepInView(double before, double now);
 
-  /// Looks along a direction at what is shown.
+  /// Looks at the scene along a direction.
   void LookAlong(const std::array<double, 3>& direction, const std::array<double, 3>& up);
 
-  /// What is in the middle keeps its size.
+  /// Objects at the centre keep their size.
   void SetParallel(bool on);
   bool IsParallel() const;
 
-  /// With the camera and the window's size, as words of the command line, where there is a picture.
+  /// The settings with the camera and the window's size, as command-line words, if there is a
+  /// picture.
   scene::Settings GetView(const scene::Settings& settings) const;
 
-  /// Renders, every sample of every light gathered, and returns the window's pixels.
+  /// Renders with all light samples, and returns the window's pixels.
   vtkSmartPointer<vtkImageData> Grab();
 
   vtkRenderer* GetRenderer() const { return this->Now.Scene.GetRenderer(); }
@@ -88,7 +89,7 @@ private:
   void FitClipping();
   void Dress(const scene::Settings& settings, bool keepCamera);
 
-  // All that belongs to one scene.
+  // State of one scene.
   struct Contents
   {
     scene::DressedScene Scene;
@@ -96,7 +97,7 @@ private:
   };
   void Remove(const Contents& contents);
 
-  // The camera's place, and half the height of a parallel view.
+  // The camera's pose, and half the height of a parallel view.
   struct Stand
   {
     scene::CameraPlace Place;
@@ -110,7 +111,7 @@ private:
   scene::ProgressListener* Listener = nullptr;
   unsigned long Observer;
   Contents Now;
-  Stand Chosen, Kept; // the view before its shape changed first, and the resulting view
+  Stand Chosen, Kept; // the view before its first change of shape, and the resulting view
 };
 }
 

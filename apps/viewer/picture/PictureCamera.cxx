@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The picture's camera: how the user moves it, and its words.
+// The picture's camera: the user's movements, and its words.
 #include "Picture.h"
 
 #include "vtkCamera.h"
@@ -32,7 +32,7 @@ Picture::Stand Picture::GetStand(double aspect) const
 }
 
 //------------------------------------------------------------------------------
-// The camera's vertical angle stays, and a narrower view would cut off both sides.
+// The vertical angle stays, so that a narrower view would cut off both sides.
 void Picture::KeepInView(double before, double now)
 {
   const double* bounds = this->Now.Scene.GetBounds();
@@ -64,7 +64,7 @@ void Picture::KeepInView(double before, double now)
       bounds[4 + ((corner >> 2) & 1)] - from[2] };
     const double aside = std::abs(vtkMath::Dot(v, right));
     const double depth = vtkMath::Dot(v, along);
-    // In halves of the view: places outside may stay as far outside.
+    // In half views: places outside may stay equally far outside.
     const double seen = this->Chosen.Aspect *
       (camera->GetParallelProjection() ? this->Chosen.Scale : half * std::max(depth, 0.0));
     const double most = std::max(1.0, aside / seen);
@@ -108,7 +108,7 @@ void Picture::SetParallel(bool on)
     }
     if (!on)
     {
-      // A parallel picture has no angle of its own.
+      // A parallel projection has no view angle.
       camera->SetViewAngle(this->Now.Shown.Parse().View.Angle.value_or(scene::StandardViewAngle));
     }
     const double half = std::tan(vtkMath::RadiansFromDegrees(0.5 * camera->GetViewAngle()));

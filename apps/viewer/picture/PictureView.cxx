@@ -24,12 +24,12 @@ namespace
 // Milliseconds
 constexpr int BusyPause = 50;
 constexpr int InputPause = 250; // after the user's last input, if a sample takes long
-constexpr int Patience = 100;   // of those who open a menu while samples are gathered
+constexpr int Patience = 100;   // acceptable delay for opening a menu while samples accumulate
 
-// What all samples at once take, in times of one: 13 on llvmpipe, fewer on GPUs.
+// Time for all samples together, relative to a single one: 13 on llvmpipe, less on GPUs.
 constexpr int SamplesOfAll = 13;
 
-// The keys are the program's, and the clipping planes the picture's.
+// The program handles keys, and the picture its clipping planes.
 class MouseStyle : public vtkInteractorStyleTrackballCamera
 {
 public:
@@ -47,7 +47,7 @@ vtkStandardNewMacro(MouseStyle);
 QSurfaceFormat PictureView::GetFormat()
 {
   QSurfaceFormat format = QVTKOpenGLNativeWidget::defaultFormat();
-  format.setOption(QSurfaceFormat::DeprecatedFunctions); // of which wide lines are one
+  format.setOption(QSurfaceFormat::DeprecatedFunctions); // wide lines need deprecated functions
   return format;
 }
 
@@ -57,9 +57,9 @@ PictureView::PictureView(QWidget* parent)
 {
   vtkNew<vtkGenericOpenGLRenderWindow> window;
   window->SetMultiSamples(0);
-  this->setEnableHiDPI(false); // sizes of texts follow from the picture's height
+  this->setEnableHiDPI(false); // text sizes follow from the picture's height
   this->setRenderWindow(window);
-  this->setAcceptDrops(false); // the program's window takes them
+  this->setAcceptDrops(false); // the program's window accepts them
   this->setFocusPolicy(Qt::StrongFocus);
   this->setMouseTracking(true);
   this->setMinimumSize(200, 150);
@@ -106,8 +106,8 @@ void PictureView::Draw()
 }
 
 //------------------------------------------------------------------------------
-// VTK's widget has wide lines drawn as quadrilaterals, for OpenGL may refuse them to Qt's contexts.
-// The command line's window leaves them to OpenGL, which takes other pixels at their ends.
+// VTK's widget draws wide lines as quadrilaterals, because OpenGL may refuse them in Qt's contexts.
+// The command line's window uses OpenGL's wide lines, whose ends cover other pixels.
 void PictureView::LetLinesBeWide()
 {
   vtkGenericOpenGLRenderWindow::SafeDownCast(this->renderWindow())
@@ -120,7 +120,7 @@ void PictureView::OnDrawn()
 {
   vtkRelievoPass* frame = this->Shown ? this->Shown->GetFrame() : nullptr;
   const int left = frame ? frame->GetSamplesLeft() : 0;
-  if (left > 0 && left >= this->SamplesLeft) // this was the first
+  if (left > 0 && left >= this->SamplesLeft) // this was the first sample
   {
     this->renderWindow()->WaitForCompletion();
     frame->SetSamplesOneByOne(!this->Hurried && this->Begun.elapsed() * SamplesOfAll > Patience);
@@ -159,8 +159,8 @@ bool PictureView::eventFilter(QObject* watched, QEvent* event)
 }
 
 //------------------------------------------------------------------------------
-// With the samples that are left, unless somebody chooses in a menu, or drags, or just did
-// something: that comes first.
+// Draws the remaining samples, unless the user has a menu open, drags, or has just acted: input
+// takes precedence.
 void PictureView::GoOn()
 {
   vtkRelievoPass* frame = this->Shown->GetFrame();

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * The picture in a widget: the mouse turns, moves and zooms it; soft shadows gather while it rests.
+ * A widget with the picture: the mouse turns, moves and zooms it; soft shadows accumulate while it
+ * rests.
  */
 #ifndef PictureView_h
 #define PictureView_h
@@ -24,7 +25,7 @@ class PictureView : public QVTKOpenGLNativeWidget
   Q_OBJECT
 
 public:
-  /// Programs make it their default before there is a view.
+  /// Programs set it as the default before the first view.
   static QSurfaceFormat GetFormat();
 
   explicit PictureView(QWidget* parent = nullptr);
@@ -32,14 +33,14 @@ public:
 
   Picture& GetPicture() { return *this->Shown; }
 
-  /// The pixel of the window at a place of the widget, from the lower left.
+  /// The window's pixel at a widget position, from the lower left.
   QPoint GetPixel(const QPoint& place) const;
 
-  /// The next click of the left button is told as `picked`, and turns nothing.
+  /// The next left click emits `picked` instead of turning the view.
   void PickNext(bool on);
 
   /// While one lives, the picture has this many pixels, and the vertical angle stays. An invalid
-  /// size is the view's own. Throws scene::WorkError for more than OpenGL draws.
+  /// size means the view's own. Throws scene::WorkError for more pixels than OpenGL can draw.
   class OtherSize
   {
   public:
@@ -53,23 +54,23 @@ public:
     QSize Before;
   };
 
-  /// Draws soon; several calls draw once.
+  /// Draws soon; several calls are combined.
   void Draw();
 
-  /// Samples are drawn at once, however long the window does not answer; otherwise one by one where
-  /// that takes long. Default off.
+  /// Draws all samples at once, although the window is unresponsive meanwhile; otherwise slow
+  /// samples are drawn one by one. Default off.
   void SetHurried(bool on);
 
 Q_SIGNALS:
   void drawn();
 
-  /// The display's OpenGL is older than 3.2, before VTK, which crashes then, is told.
+  /// Emitted if OpenGL is older than 3.2, before VTK starts, which would crash.
   void openGLTooOld();
 
-  /// The mouse is over a pixel of the window, from the lower left; -1 when it has left.
+  /// The mouse is over a pixel of the window, from the lower left; -1 after it has left.
   void pointed(int x, int y);
 
-  /// Pixels as of `pointed`.
+  /// Pixels as in `pointed`.
   void picked(int x, int y);
 
 protected:
@@ -89,7 +90,7 @@ private:
   unsigned long Beginning;
   bool Picking = false;
   QTimer Soon, Rest;
-  QElapsedTimer Begun; // the frame
+  QElapsedTimer Begun; // start of the frame
   QElapsedTimer SinceInput;
   bool Hurried = false;
   int SamplesLeft = 0;

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Reads what layers hold at a pixel. The layers are drawn when they are first asked for after the
- * picture has changed, beside it: it stays as it is.
+ * Reads layers at a pixel. They are drawn at the first request after the picture has changed,
+ * without affecting it.
  */
 #ifndef Probe_h
 #define Probe_h
@@ -21,18 +21,18 @@ struct ProbeValue
 {
   std::string Layer;
   std::vector<double> Values;
-  bool IsBackground; ///< nothing is drawn there
+  bool IsBackground; ///< no surface at the pixel
 };
 
 class Probe
 {
 public:
-  /// The picture has changed.
+  /// Call when the picture has changed.
   void Forget() { this->Image = nullptr; }
   bool IsFresh() const { return this->Image != nullptr; }
 
-  /// Layers of the catalogue, and of arrays. Pixels count from the lower left. Empty outside of the
-  /// picture, or if it cannot be read.
+  /// Values of the catalogue's layers, and of arrays. Pixels count from the lower left. Empty
+  /// outside the picture, or if reading fails.
   std::vector<ProbeValue> Read(
     vtkRenderer* renderer, const std::vector<std::string>& arrays, int x, int y);
 

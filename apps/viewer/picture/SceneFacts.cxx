@@ -36,10 +36,10 @@ namespace
 struct Array
 {
   int Components = 0;
-  bool HasValues = false; // in one data set at least, and not colours
+  bool HasValues = false; // a data set has values other than colours
 };
 
-// By name: of points and of cells.
+// Arrays by name: of points and of cells.
 using Arrays = std::array<std::map<std::string, Array>, 2>;
 
 constexpr const char* Prefixes[] = { "point:", "cell:" };
@@ -67,7 +67,7 @@ void AddArrays(vtkDataSet* block, Arrays& arrays)
   }
 }
 
-// Whether the array that colours a data set by itself has values.
+// Whether the array that colours a data set by default has values.
 bool HasOwnValues(vtkDataSet* block)
 {
   vtkDataArray* own = block->GetPointData()->GetScalars();
@@ -75,13 +75,13 @@ bool HasOwnValues(vtkDataSet* block)
   return own && AreValues(own);
 }
 
-// Whether what was given is one array's name, and no component stands behind it.
+// Whether the given name is an array's, without a component.
 bool HasWholeName(const scene::LookChoice& look, const Facts& facts)
 {
   return facts.Components.count(look.ColorByAsGiven) != 0;
 }
 
-// A name that stands for something else without it needs to say what it is of.
+// An ambiguous name needs point: or cell: in front.
 bool NeedsPrefix(const std::string& name, const Arrays& arrays)
 {
   const bool like = std::any_of(std::begin(Prefixes), std::end(Prefixes),
@@ -102,7 +102,7 @@ Facts GetFacts(const Picture& picture)
   for (int i = 0; i < actors->GetNumberOfItems(); ++i)
   {
     vtkActor* actor = vtkActor::SafeDownCast(actors->GetItemAsObject(i));
-    if (actor->GetMapper() && shown.IsOfFiles(actor)) // and no skeleton
+    if (actor->GetMapper() && shown.IsOfFiles(actor)) // no skeleton
     {
       scene::ForEachDataSet(actor->GetMapper()->GetInputDataObject(0, 0), [&](vtkDataSet* block) {
         AddArrays(block, arrays);
@@ -138,7 +138,7 @@ Facts GetFacts(const Picture& picture)
         facts.Valueless.insert(colorBy);
       }
       if (array.Components <=
-        vtkRelievoArraySampler::MaximumComponents) // others would spoil the rest
+        vtkRelievoArraySampler::MaximumComponents) // larger arrays would break the others
       {
         facts.Layers.push_back(NeedsPrefix(name, arrays) ? Prefixes[kind] + name : name);
       }
@@ -199,7 +199,7 @@ std::string FindColorLayer(const scene::LookChoice& look, const Facts& facts)
 {
   const std::string& name = HasWholeName(look, facts) ? look.ColorByAsGiven : look.ColorBy;
   std::vector<std::string> names = { name, Prefixes[0] + name };
-  for (const std::string prefix : Prefixes) // given where none is needed
+  for (const std::string prefix : Prefixes) // given although not needed
   {
     if (name.rfind(prefix, 0) == 0)
     {

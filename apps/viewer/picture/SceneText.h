@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * What the files of a picture hold, to be read.
+ * A description of a picture's files as text.
  */
 #ifndef SceneText_h
 #define SceneText_h
@@ -19,8 +19,8 @@ class Picture;
 /// "181 × 217 × 181 points"
 QString WriteDimensions(const std::array<int, 3>& dimensions);
 
-/// HTML: of each file its place, size, numbers of points and cells, bounds and arrays with their
-/// ranges; of all together times and lights.
+/// HTML: for each file its path, size, numbers of points and cells, bounds and arrays with their
+/// ranges; for all together times and lights.
 QString WriteScene(const Picture& picture, const std::vector<std::string>& files);
 }
 

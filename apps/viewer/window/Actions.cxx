@@ -54,7 +54,7 @@ QAction* Add(QMenu* menu, MainWindow* window, const QString& text, const QKeySeq
 }
 
 //------------------------------------------------------------------------------
-// An action on the picture, which is idle where there is none.
+// An action on the picture, disabled while there is none.
 QAction* NeedPicture(MainWindow* window, QAction* action)
 {
   const auto follow = [window, action] {
@@ -73,7 +73,7 @@ QSize GetViewSize(MainWindow* window)
 }
 
 //------------------------------------------------------------------------------
-// Those of the catalogue, of each light a shadow, and the arrays.
+// The catalogue's layers, a shadow for each light, and arrays.
 std::vector<std::string> ListLayers(MainWindow* window)
 {
   std::vector<std::string> layers = { vtkRelievoLayerCatalogue::GetPicture().Name };
@@ -113,7 +113,7 @@ void AddFileMenu(MainWindow* window, RecentFiles* recent)
   });
   Add(menu, window, "Open &beside...", QKeySequence("Ctrl+Shift+O"), "openBeside", [window] {
     const QStringList paths =
-      QFileDialog::getOpenFileNames(window, "Open beside what is shown", GetLastFolder());
+      QFileDialog::getOpenFileNames(window, "Add files to the scene", GetLastFolder());
     if (!paths.isEmpty())
     {
       window->OpenFiles(paths, true);
@@ -172,7 +172,7 @@ void AddEditMenu(MainWindow* window)
 {
   QMenu* menu = window->menuBar()->addMenu("&Edit");
   Document* document = window->GetDocument();
-  // A field that this hides would keep the keys.
+  // A focused field that this hides would keep the keys.
   const auto keepFocus = [window] {
     const QWidget* focus = window->focusWidget();
     if (!focus || !focus->isVisible())
@@ -212,13 +212,13 @@ void AddEditMenu(MainWindow* window)
 }
 
 //------------------------------------------------------------------------------
-// A switch of the picture that follows the settings.
+// A check item for a picture option that follows the settings.
 void AddShadows(MainWindow* window, QMenu* menu)
 {
   QAction* shadows = NeedPicture(window, menu->addAction("&Shadows"));
   shadows->setObjectName("shadowsOn");
   shadows->setShortcut(QKeySequence("S"));
-  shadows->setToolTip("Of the lights in the picture");
+  shadows->setToolTip("Shadows of the lights in the picture");
   shadows->setCheckable(true);
   Document* document = window->GetDocument();
   QObject::connect(shadows, &QAction::toggled, document, &Document::SwitchShadows);
@@ -249,12 +249,12 @@ void AddGrid(MainWindow* window, QMenu* menu)
 }
 
 //------------------------------------------------------------------------------
-// Its data is the unit that it had when it was shown last.
+// Its data is the last unit.
 void AddScaleBar(MainWindow* window, QMenu* menu)
 {
   QAction* bar = NeedPicture(window, menu->addAction("S&cale bar"));
   bar->setObjectName("scaleBar");
-  bar->setToolTip("A round length at the lower right; the panel Scene has its unit");
+  bar->setToolTip("A scale bar at the lower right; the panel Scene sets its unit");
   bar->setCheckable(true);
   bar->setData("none");
   Document* document = window->GetDocument();
@@ -288,7 +288,7 @@ void AddViewMenu(MainWindow* window)
   NeedPicture(window,
     Add(menu, window, "&Fit", QKeySequence("R"), "fit",
       draw([](Picture& picture) { picture.ResetCamera(); })))
-    ->setToolTip("The whole scene, from where it is seen now");
+    ->setToolTip("The whole scene, from the current direction");
   struct
   {
     const char* Text;
@@ -300,7 +300,7 @@ void AddViewMenu(MainWindow* window)
     { "From &below", "Ctrl+2", { 0, 1, 0 }, { 0, 0, 1 } },
     { "From the &front", "3", { 0, 0, -1 }, { 0, 1, 0 } },
     { "From the bac&k", "Ctrl+3", { 0, 0, 1 }, { 0, 1, 0 } } };
-  auto* views = new QMenu(window); // a tool bar's
+  auto* views = new QMenu(window); // of the tool bar
   views->setObjectName("views");
   views->setToolTipsVisible(true);
   for (const auto& side : sides)
@@ -308,7 +308,7 @@ void AddViewMenu(MainWindow* window)
     QAction* look = Add(menu, window, side.Text, QKeySequence(side.Key), QString("look") + side.Key,
       [window, along = side.Along, up = side.Up] {
         const int axis = window->GetDocument()->GetUpAxis();
-        // The sides are named for y up; other axes turn them as the fitted camera is turned.
+        // The names of sides assume y up; other axes turn them like the fitted camera.
         const auto turn = [&axis](const std::array<double, 3>& v) {
           return axis == 2 ? std::array<double, 3>{ v[0], -v[2], v[1] }
             : axis == 0    ? std::array<double, 3>{ v[1], -v[0], v[2] }
@@ -321,7 +321,7 @@ void AddViewMenu(MainWindow* window)
     views->addAction(look);
   }
   QAction* parallel = NeedPicture(window, menu->addAction("&Parallel projection"));
-  parallel->setToolTip("Without perspective; what is in the middle keeps its size");
+  parallel->setToolTip("Without perspective; objects at the centre keep their size");
   parallel->setObjectName("parallel");
   parallel->setShortcut(QKeySequence("P"));
   parallel->setCheckable(true);
@@ -329,7 +329,7 @@ void AddViewMenu(MainWindow* window)
     window->GetView()->GetPicture().SetParallel(on);
     window->GetView()->Draw();
   });
-  // Files and sessions may bring it as well.
+  // Files and sessions can switch it too.
   QObject::connect(window->GetView(), &PictureView::drawn, parallel, [window, parallel] {
     const QSignalBlocker quiet(parallel);
     parallel->setChecked(window->GetView()->GetPicture().IsParallel());
@@ -342,7 +342,7 @@ void AddViewMenu(MainWindow* window)
   AddScaleBar(window, menu);
   QAction* axes = menu->addAction("A&xes in the corner");
   axes->setObjectName("axisMarker");
-  axes->setToolTip("Of the window alone; no picture that is saved has them");
+  axes->setToolTip("Only in the window, not in saved pictures");
   axes->setCheckable(true);
   axes->setChecked(window->GetAxes()->IsWanted());
   QObject::connect(
@@ -351,7 +351,7 @@ void AddViewMenu(MainWindow* window)
   QAction* full = menu->addAction("F&ull screen");
   full->setObjectName("fullScreen");
   full->setShortcut(QKeySequence("F11")); // desktops differ
-  full->setToolTip("The window alone on the screen");
+  full->setToolTip("Shows the window on the full screen");
   QObject::connect(full, &QAction::triggered, window,
     [window] { window->setWindowState(window->windowState() ^ Qt::WindowFullScreen); });
   AddAppearance(menu->addMenu("Appeara&nce"));

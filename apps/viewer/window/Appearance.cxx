@@ -23,7 +23,7 @@ const char* const Kept = "appearance"; // in the settings: the name of the choic
 QPalette MakePalette(int window, int field, int text, const QColor& link)
 {
   const auto grey = [](int level) { return QColor(level, level, level); };
-  QPalette palette(grey(window)); // with edges, buttons and shades
+  QPalette palette(grey(window)); // includes edges, buttons and shades
   for (const QPalette::ColorRole role :
     { QPalette::WindowText, QPalette::Text, QPalette::ButtonText, QPalette::ToolTipText })
   {
@@ -42,7 +42,7 @@ QPalette MakePalette(int window, int field, int text, const QColor& link)
 }
 
 //------------------------------------------------------------------------------
-// The style draws the frame of a box darker than the window, which in the dark is not seen.
+// The style draws a box's frame darker than the window, which is invisible in dark mode.
 class BoxesInDark : public QProxyStyle
 {
 public:

@@ -10,7 +10,7 @@ class QMenu;
 
 namespace viewer
 {
-/// Adds the choice to a menu, and makes what the user chose last.
+/// Adds the choice to a menu, and applies the stored one.
 void AddAppearance(QMenu* menu);
 }
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Qt's application, in which files are read as everywhere: Qt takes over the user's locale, in
- * which C's functions, and VTK's readers with them, take a comma for the decimal point.
+ * Qt's application, with a locale that suits file readers: Qt applies the user's locale, in which
+ * C's functions, and so VTK's readers, would use a decimal comma.
  */
 #ifndef Application_h
 #define Application_h

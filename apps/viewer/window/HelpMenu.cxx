@@ -43,7 +43,7 @@ QString WriteKeys(MainWindow* window)
 }
 
 //------------------------------------------------------------------------------
-// One sheet, which the key shows and hides.
+// A single sheet, toggled by its key.
 void SwitchKeys(MainWindow* window)
 {
   auto* sheet = window->findChild<QDialog*>("keys");
@@ -55,7 +55,7 @@ void SwitchKeys(MainWindow* window)
     auto* words = new QLabel(WriteKeys(window), sheet);
     words->setObjectName("sheet");
     (new QVBoxLayout(sheet))->addWidget(words);
-    auto* again = new QAction(sheet); // the window's own key is not the sheet's
+    auto* again = new QAction(sheet); // the window's key does not work in the sheet
     again->setShortcut(QKeySequence("H"));
     sheet->addAction(again);
     QObject::connect(again, &QAction::triggered, sheet, &QDialog::hide);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * The menu of help: a sheet of the keys, made from the window's actions, and what draws here.
+ * The help menu: a sheet of the keys, made from the window's actions, and the versions.
  */
 #ifndef HelpMenu_h
 #define HelpMenu_h
@@ -10,7 +10,7 @@ namespace viewer
 {
 class MainWindow;
 
-/// After all other menus, whose keys the sheet lists.
+/// Call after creating all other menus, whose keys the sheet lists.
 void AddHelpMenu(MainWindow* window);
 }
 

@@ -28,7 +28,7 @@ bool IsTurnedByWheel(QWidget* widget)
     qobject_cast<QSlider*>(widget) || qobject_cast<QDial*>(widget);
 }
 
-// The control that a widget is, or is a part of, as the digits are of a spin box.
+// The control that a widget belongs to, such as the spin box of a line edit.
 QWidget* FindTurned(QWidget* widget)
 {
   while (widget && !IsTurnedByWheel(widget))
@@ -72,7 +72,7 @@ bool IsInPanel(QWidget* widget)
   return widget != nullptr;
 }
 
-// Texts take their letters by themselves.
+// Text fields handle letters themselves.
 bool IsOwnKey(QWidget* widget, const QKeyEvent& event)
 {
   if (event.modifiers() & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier))
@@ -86,7 +86,7 @@ bool IsOwnKey(QWidget* widget, const QKeyEvent& event)
     (box && !event.text().isEmpty() && event.text()[0].isPrint());
 }
 
-// Texts undo what is typed; where nothing is, they have no use for the keys.
+// Text fields undo typing; without any, they ignore the keys.
 bool IsIdleUndo(QWidget* widget, QKeyEvent& event)
 {
   if (auto* text = qobject_cast<QPlainTextEdit*>(widget))
@@ -126,7 +126,7 @@ bool InputGuard::eventFilter(QObject* watched, QEvent* event)
     case QEvent::Polish:
       if (IsTurnedByWheel(widget) && IsInPanel(widget))
       {
-        widget->setFocusPolicy(Qt::StrongFocus); // the wheel gives none
+        widget->setFocusPolicy(Qt::StrongFocus); // no focus by the wheel
       }
       return false;
     case QEvent::MouseButtonPress:
@@ -137,7 +137,7 @@ bool InputGuard::eventFilter(QObject* watched, QEvent* event)
       return false;
     case QEvent::MouseButtonRelease:
     {
-      // Controls may change once more when they are let go, by a timer of their own.
+      // Controls may change once more after release, by a timer.
       this->Held = false;
       const auto end = [this, edit = this->Edit] { this->Edited->EndEdit(edit); };
       QTimer::singleShot(
@@ -147,7 +147,7 @@ bool InputGuard::eventFilter(QObject* watched, QEvent* event)
     case QEvent::Wheel:
       if (IsTurnedByWheel(widget) && IsInPanel(widget) && !widget->hasFocus())
       {
-        event->ignore(); // goes on to the panel
+        event->ignore(); // passed on to the panel
         return true;
       }
       this->Turn(FindTurned(widget));
@@ -180,7 +180,7 @@ bool InputGuard::eventFilter(QObject* watched, QEvent* event)
 }
 
 //------------------------------------------------------------------------------
-// Of parents, which get what controls leave alone, it is the same key.
+// Parents receive the same key again if a control ignores it.
 void InputGuard::TakeKey(const QKeyEvent& key)
 {
   QWidget* control = FindTurned(QApplication::focusWidget());
@@ -191,7 +191,7 @@ void InputGuard::TakeKey(const QKeyEvent& key)
 }
 
 //------------------------------------------------------------------------------
-// No control: something else is done.
+// Any other action ends the edit.
 void InputGuard::Turn(QWidget* control)
 {
   if (!control)

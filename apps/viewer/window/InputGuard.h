@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * The wheel and the keys belong to the control that has the focus. The wheel over any other control
- * of a panel scrolls the panel, and the window's keys without modifiers leave alone what controls
- * use them for. One edit of the document is what the mouse changes from its press to its release,
- * and what wheel and keys turn one control by, until anything else is done. A filter of the
- * application's events, so that new controls need no word of it.
+ * Reserves the wheel and keys for the control with the focus. The wheel over any other control
+ * scrolls its panel, and the window's keys without modifiers do not act on keys that controls use.
+ * One edit of the document comprises all changes from a mouse press to its release, or by wheel and
+ * keys on one control until another action. It filters the application's events, so that new
+ * controls need no code for it.
  */
 #ifndef InputGuard_h
 #define InputGuard_h
@@ -36,8 +36,8 @@ private:
   void Stop();
 
   Document* Edited;
-  int Edit = 0;      // that the mouse, the wheel or a key has begun last
-  bool Held = false; // by the mouse
+  int Edit = 0;      // number of the last edit begun by mouse, wheel or key
+  bool Held = false; // a mouse button is down
   QPointer<QWidget> Turned;
 };
 }

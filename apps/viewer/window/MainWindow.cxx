@@ -61,9 +61,9 @@ namespace viewer
 namespace
 {
 // Milliseconds
-constexpr int ProbePause = 120; // that the mouse rests before layers are drawn
-constexpr int Patience = 250;   // until reading is told of
-constexpr int Silence = 1500;   // of a reader, until how far it is counts as unknown
+constexpr int ProbePause = 120; // rest of the mouse before layers are drawn
+constexpr int Patience = 250;   // delay before a reading message
+constexpr int Silence = 1500;   // time without progress after which progress counts as unknown
 
 QDockWidget* AddDock(QMainWindow* window, const QString& title, const QString& name, QWidget* panel)
 {
@@ -79,7 +79,7 @@ bool HaveCommon(const std::vector<std::string>& a, const std::vector<std::string
   return std::find_first_of(a.begin(), a.end(), b.begin(), b.end()) != a.end();
 }
 
-// Whoever lets go of a file keeps it, whatever was proposed: moved files would be deleted there.
+// Dropped files are copied, whatever the source proposes: moving would delete them there.
 void AcceptCopy(QDropEvent& event)
 {
   event.setDropAction(Qt::CopyAction);
@@ -99,7 +99,7 @@ QStringList GetPaths(const QMimeData* data)
   return paths;
 }
 
-// Of the docks: a layout that was kept with other docks is not theirs.
+// Layout version: a layout stored with other docks does not fit.
 constexpr int LayoutVersion = 1;
 
 constexpr const char* PlaceWords[] = { "--camera", "--parallel-scale", "--size" };
@@ -122,7 +122,7 @@ constexpr int SmoothPatience = 500; // milliseconds until the user is told of it
 }
 
 //------------------------------------------------------------------------------
-// Says how far work is that the window itself does: nothing else is painted meanwhile.
+// Progress of work in the window's own thread: nothing else is painted meanwhile.
 class WorkTeller : public scene::ProgressListener
 {
 public:
@@ -323,7 +323,7 @@ void MainWindow::Say(const QString& said, bool isTrouble)
 }
 
 //------------------------------------------------------------------------------
-// What went wrong with a file that was to be opened: only another one that is opened mends it.
+// An error of opening a file: only opening another one clears it.
 void MainWindow::SayOfFile(const QString& why)
 {
   this->Say(why, true);
@@ -331,7 +331,7 @@ void MainWindow::SayOfFile(const QString& why)
 }
 
 //------------------------------------------------------------------------------
-// All is well that an edit can change.
+// Clears errors that an edit can fix.
 void MainWindow::Mend()
 {
   if (!this->OfFile)
@@ -353,7 +353,7 @@ void MainWindow::PointAt(int x, int y)
 }
 
 //------------------------------------------------------------------------------
-// For a click in the picture, and says what for.
+// Waits for a click in the picture, and says for which purpose.
 void MainWindow::WaitForPlace(const QString& hint)
 {
   const bool on = !hint.isEmpty();
@@ -368,7 +368,7 @@ void MainWindow::PlaceLight(int x, int y)
 {
   const std::optional<std::array<double, 3>> place =
     Pick(this->Shown->GetPicture(), this->Reading, x, y);
-  this->Reading.Forget(); // it has no arrays
+  this->Reading.Forget(); // the new scene has no arrays
   if (place)
   {
     this->Light->GetLights()->Place(*place);
@@ -385,7 +385,7 @@ void MainWindow::ShowProbe()
 {
   if (this->Pointed[0] < 0 || this->Reader->IsReading())
   {
-    return; // the last values stay, to be read
+    return; // keeps the last values readable
   }
   const std::vector<ProbeValue> values = this->Reading.Read(this->Shown->GetPicture().GetRenderer(),
     this->Edited->GetFacts().Layers, this->Pointed[0], this->Pointed[1]);
@@ -403,7 +403,7 @@ void MainWindow::ShowProbe()
 }
 
 //------------------------------------------------------------------------------
-// Of a picture that is there no more. They are read anew where the mouse rests.
+// Values of an outdated picture, read anew when the mouse rests.
 void MainWindow::DropValues()
 {
   this->Reading.Forget();
@@ -417,7 +417,7 @@ void MainWindow::DropValues()
 }
 
 //------------------------------------------------------------------------------
-// The view takes the size, in pixels of the screen, or as much of it as the screen has room for.
+// Resizes the view to this size in screen pixels, as far as the screen allows.
 void MainWindow::SetViewSize(const std::string& words)
 {
   if (words.empty())
@@ -431,7 +431,7 @@ void MainWindow::SetViewSize(const std::string& words)
   const double ratio = this->Shown->effectiveDevicePixelRatio();
   const QSize frame = this->frameGeometry().size() - this->size();
   double share = 1.0;
-  for (int i = 0; i < 3; ++i) // for panels may take another share of another window
+  for (int i = 0; i < 3; ++i) // panels may take another share of another window
   {
     const QSize panels = this->size() - this->Pages->size();
     const QSize room =
@@ -447,7 +447,7 @@ void MainWindow::SetViewSize(const std::string& words)
   if (share < 1.0)
   {
     scene::Messages::Note(
-      "--size " + words + ": the screen has no room for so many pixels; the view is smaller");
+      "--size " + words + ": the screen is too small for this size; the view is smaller");
   }
 }
 
@@ -457,7 +457,7 @@ void MainWindow::RestoreLayout()
   const QSettings kept;
   this->restoreGeometry(kept.value("geometry").toByteArray());
   this->restoreState(kept.value("state").toByteArray(), LayoutVersion);
-  this->Time->ShowSettings(); // where nothing moves there is none, whatever was seen before
+  this->Time->ShowSettings(); // hides the bar without animations
   const QSize room = this->screen()->availableSize();
   if (!this->isMaximized() && !this->isFullScreen())
   {
@@ -484,7 +484,7 @@ void MainWindow::OpenFiles(const QStringList& paths, bool beside)
       return;
     }
     scene::Settings settings = this->Edited->Get();
-    const bool first = this->Good.Files.empty(); // what was said before it is meant for it
+    const bool first = this->Good.Files.empty(); // earlier notes belong to it
     const QString dropped = beside || first ? QString() : DropFiles(settings);
     settings.Files = beside ? settings.Files : std::vector<std::string>();
     QStringList whole;
@@ -497,7 +497,7 @@ void MainWindow::OpenFiles(const QStringList& paths, bool beside)
     {
       const bool safe = this->IsSafe || !this->HasEdits();
       const scene::Settings before = this->Edited->Get();
-      // Of a file that was opened and is not there yet, nothing has been told and given back.
+      // While a file is being read, its colours by an array are not in the settings yet.
       const bool pending = this->Reader->IsReading() && this->Colors.Has("--color-by") &&
         !before.Has("--color-by") && !before.Has("--color");
       const scene::Settings colors = pending ? this->Colors : before;
@@ -529,7 +529,7 @@ void MainWindow::OpenFiles(const QStringList& paths, bool beside)
 }
 
 //------------------------------------------------------------------------------
-// From the camera as it is.
+// From the present camera.
 void MainWindow::Reload()
 {
   this->ReadingKey.clear();
@@ -615,7 +615,7 @@ void MainWindow::Open(const scene::Settings& settings)
 //------------------------------------------------------------------------------
 void MainWindow::Open(const scene::Settings& settings, const QStringList& recent)
 {
-  settings.Parse(); // what is refused leaves everything as it is
+  settings.Parse(); // an error leaves everything unchanged
   this->Opening = recent;
   this->Dropped.clear();
   this->Colors = scene::Settings();
@@ -626,7 +626,7 @@ void MainWindow::Open(const scene::Settings& settings, const QStringList& recent
     this->Place.SetAll(word, settings.GetAll(word));
     rest.Remove(word);
   }
-  this->ReadingKey.clear(); // read even what is shown already
+  this->ReadingKey.clear(); // reads displayed files again, too
   this->KeepCamera = false;
   rest == this->Edited->Get() ? this->Follow() : this->Edited->Set(rest);
 }
@@ -689,12 +689,12 @@ void MainWindow::Update()
   {
     this->Edited->Refuse(this->Good, QString::fromStdString(error.what()));
   }
-  this->Begin(); // without the bar of work that is done
+  this->Begin(); // without the progress bar of finished work
   this->Shown->Draw();
 }
 
 //------------------------------------------------------------------------------
-// What is set while a file is read is seen at once, where that needs no file.
+// Settings changed while a file is read apply at once if no file is needed.
 void MainWindow::ChangeShown(const scene::Settings& settings)
 {
   scene::Settings changed = this->Meanwhile;
@@ -709,13 +709,13 @@ void MainWindow::ChangeShown(const scene::Settings& settings)
   this->SetMeanwhile = true;
   try
   {
-    if (picture.IsDressedAlike(changed)) // for messages about files are the reader's now
+    if (picture.IsDressedAlike(changed)) // messages about files belong to the reader now
     {
       picture.Update(changed);
       this->Good = changed;
     }
   }
-  catch (const std::exception&) // it may suit what is being read
+  catch (const std::exception&) // it may suit the file being read
   {
   }
   this->Shown->Draw();
@@ -784,7 +784,7 @@ void MainWindow::OnProgress(const QString& what, int percent)
   {
     this->Words->setText(what);
   }
-  if (percent > 0) // some readers say that they began, and no more
+  if (percent > 0) // some readers report only their start
   {
     this->Bar->setRange(0, 100);
     this->Bar->setValue(percent);
@@ -807,7 +807,7 @@ void MainWindow::StopReading()
 }
 
 //------------------------------------------------------------------------------
-// What is being read is not asked for any more; what else was set stays.
+// Cancels reading; other changes stay.
 void MainWindow::GiveUp()
 {
   this->Begin();
@@ -817,13 +817,13 @@ void MainWindow::GiveUp()
   this->Colors = scene::Settings();
   if (this->SetMeanwhile)
   {
-    this->Edited->ForgetPast(); // which would lead to what is given up
+    this->Edited->ForgetPast(); // undo would lead to the cancelled files
   }
   Picture& picture = this->Shown->GetPicture();
   if (picture.IsEmpty())
   {
     this->Empty->ShowHint();
-    // For the next file.
+    // Settings for the next file.
     this->Good = this->Edited->Get();
     this->Good.Files.clear();
     this->Good.TakeChanges(scene::Settings(), this->Place);
@@ -835,7 +835,7 @@ void MainWindow::GiveUp()
       picture.Update(this->Meanwhile);
       this->Good = this->Meanwhile;
     }
-    catch (const std::exception&) // as it was before
+    catch (const std::exception&) // unchanged
     {
     }
   }
@@ -892,7 +892,7 @@ QString MainWindow::ShowRead()
   if (!this->HasShown)
   {
     this->HasShown = true;
-    this->Edited->ForgetPast(); // for the first file there is nothing to go back to
+    this->Edited->ForgetPast(); // there is nothing to undo before the first file
   }
   this->Good = this->Edited->Get();
   this->DropValues();
@@ -919,7 +919,7 @@ QString MainWindow::ShowRead()
 //------------------------------------------------------------------------------
 void MainWindow::EndReading()
 {
-  this->Begin(); // without the bar of work that is done
+  this->Begin(); // without the progress bar of finished work
   this->Report->Renew();
   this->Place = scene::Settings();
   this->Shown->Draw();
@@ -938,7 +938,7 @@ void MainWindow::Remember()
 }
 
 //------------------------------------------------------------------------------
-// The camera of the files that are shown, for when undoing brings them back.
+// Stores the camera of the displayed files, for undo.
 void MainWindow::KeepView()
 {
   if (this->Shown->GetPicture().IsEmpty())
@@ -953,8 +953,8 @@ void MainWindow::KeepView()
 }
 
 //------------------------------------------------------------------------------
-// Colours by an array stay where the next file has it, as one of a series has, unless others have
-// been chosen since.
+// Colours by an array stay if the next file has it, as in a series, unless the user has chosen
+// others since.
 bool MainWindow::KeepColors(const scene::Settings& colors, const Facts& facts)
 {
   const scene::Settings now = this->Edited->Get();
@@ -987,7 +987,7 @@ bool MainWindow::KeepColors(const scene::Settings& colors, const Facts& facts)
 }
 
 //------------------------------------------------------------------------------
-// What the user set and does not see any more.
+// Settings that have no visible effect any more.
 void MainWindow::TellDropped()
 {
   if (!this->Dropped.isEmpty())
@@ -1041,7 +1041,7 @@ void MainWindow::OnDrawn()
   this->Handles->Follow();
   try
   {
-    if (!this->Reader->IsBusy()) // whose messages are the thread's
+    if (!this->Reader->IsBusy()) // otherwise messages belong to the thread
     {
       scene::Messages::Check("Picture");
     }
@@ -1053,7 +1053,7 @@ void MainWindow::OnDrawn()
 }
 
 //------------------------------------------------------------------------------
-// From an end of an axis; along the up axis, what is behind comes to the top.
+// Looks from an axis's end; along the up axis, the rear turns to the top.
 void MainWindow::LookFrom(int end)
 {
   const int up = this->Edited->GetUpAxis();
@@ -1067,12 +1067,12 @@ void MainWindow::LookFrom(int end)
 }
 
 //------------------------------------------------------------------------------
-// How many samples a picture has that rests, where they take long.
+// Progress of the samples of a resting picture, if they take long.
 void MainWindow::ShowSmoothing()
 {
   vtkRelievoPass* frame = this->Shown->GetPicture().GetFrame();
   const int left = frame ? frame->GetSamplesLeft() : 0;
-  if (left >= this->SamplesLeft) // they are gathered anew
+  if (left >= this->SamplesLeft) // they accumulate anew
   {
     this->Samples = left + 1;
     this->Smoothed.start();

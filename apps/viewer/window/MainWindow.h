@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * The program's window: the picture, panels around it, files in and out.
+ * The program's window: the picture, panels around it, opening and saving.
  */
 #ifndef MainWindow_h
 #define MainWindow_h
@@ -55,47 +55,47 @@ public:
   LightHandles* GetLightHandles() { return this->Handles; }
 
   /// Shows these settings; files are read in the background. Throws scene::UsageError, and changes
-  /// nothing, for those that the command line refuses.
+  /// nothing, if the command line refuses them.
   void Open(const scene::Settings& settings);
 
-  /// Files, of which a session is opened alone, instead of those shown or `beside` them.
+  /// Opens files, or a single session, instead of the displayed ones or `beside` them.
   void OpenFiles(const QStringList& paths, bool beside = false);
 
-  /// The files are read again; the camera stays.
+  /// Reads the files again; the camera stays.
   void Reload();
 
-  /// The file that many steps on in the folder of the last file shown, by name and around.
+  /// Opens the file `step` steps after the last displayed file, by name in its folder, cyclically.
   void OpenNext(int step);
 
   ///@{
-  /// Pictures with every sample of soft shadows: the user sees how far it is, and may end it, which
-  /// saves nothing. Each throws scene::WorkError or scene::UsageError.
+  /// Saves pictures with all samples of soft shadows, with a progress bar; if the user cancels,
+  /// nothing is saved. Each throws scene::WorkError or scene::UsageError.
   void OpenSession(const QString& path);
   void SaveSession(const QString& path);
   void SavePicture(const PictureChoice& choice);
   void SaveLayers(const LayersChoice& choice);
   ///@}
 
-  /// What is shown with its camera and size.
+  /// The present settings with camera and size.
   scene::Settings GetViewSettings();
 
-  /// A line that stays until the next, options by the names of their controls. What went wrong is
-  /// shown where it cannot be overlooked, until it is closed or mended.
+  /// Shows a message, with options replaced by the names of their controls, until the next one.
+  /// Errors appear prominently until they are closed or fixed.
   void Say(const QString& said, bool isTrouble = false);
 
-  /// What went wrong last; empty if all went well since.
+  /// The last error; empty after success.
   QString GetTrouble() const { return this->Trouble; }
 
   bool IsReading() const { return this->Reader->IsReading(); }
 
-  /// Whether a reader still works, be it on what nobody waits for.
+  /// Whether a reader still works, even for an unwanted result.
   bool IsBusy() const { return this->Reader->IsBusy(); }
 
-  /// The window as it was when the program ended.
+  /// Restores the window's layout from the last run.
   void RestoreLayout();
 
 Q_SIGNALS:
-  /// All that was asked for has been read, or has failed.
+  /// All requested files have been read, or have failed.
   void ready();
 
 protected:
@@ -167,32 +167,32 @@ private:
   QProgressBar* Bar;
   QPushButton* Cancel;
   QString Trouble;
-  bool OfFile = false;                // is what is shown as wrong: another edit does not mend it
-  scene::Settings Good;               // what is shown
-  scene::Settings Safe;               // the settings opened or saved last
+  bool OfFile = false;                // whether the error is a file's: other edits do not clear it
+  scene::Settings Good;               // displayed
+  scene::Settings Safe;               // last opened or saved
   bool IsSafe = false;                // the settings being read become Safe
-  scene::Settings Asked;              // what is being read
-  std::vector<std::string> BeingRead; // files that the last reading was begun for
-  scene::Settings Meanwhile; // what is shown, with all that was set since the reading began
+  scene::Settings Asked;              // being read
+  std::vector<std::string> BeingRead; // files of the reading in progress
+  scene::Settings Meanwhile;          // displayed settings with all changes since the reading began
   bool SetMeanwhile = false;
-  bool PointsOnly = false; // is being read, and the scene stays
-  std::string ReadingKey;  // of what is shown, or being read; empty: what the user opens now
-  scene::Settings Place;   // camera and size of what is being read
-  std::map<std::vector<std::string>, scene::Settings> Cameras; // of files that were shown
-  scene::Settings Colors;  // by an array, of the file before the one that is being read
-  QString Dropped;         // by opening what is being read
-  bool HasShown = false;   // a file
-  bool KeepCamera = false; // instead
+  bool PointsOnly = false; // only points are being read, and the scene stays
+  std::string ReadingKey;  // of the displayed or requested files; empty: opened by the user
+  scene::Settings Place;   // camera and size for the files being read
+  std::map<std::vector<std::string>, scene::Settings> Cameras; // by displayed files
+  scene::Settings Colors;                                      // by an array, of the previous file
+  QString Dropped;                                             // by opening the file being read
+  bool HasShown = false;                                       // any file
+  bool KeepCamera = false;                                     // instead of Place
   bool Saving = false;
-  std::optional<QString> Late; // what a reading came to while a picture was saved
-  QStringList Opening;         // what the list of recent files gets when it has been read
+  std::optional<QString> Late; // result of a reading that ended while a picture was saved
+  QStringList Opening;         // entries for the recent files after reading
   Probe Reading;
-  int Samples = 0;     // that the picture is to have
-  int SamplesLeft = 0; // of them
+  int Samples = 0;     // in the complete picture
+  int SamplesLeft = 0; // still missing
   QElapsedTimer Smoothed;
   QTimer Pause, Waiting, Quiet, Later;
   int Pointed[2] = { -1, -1 };
-  scene::Settings Probed; // what the picture shows that the values are of
+  scene::Settings Probed; // settings of the picture that the values belong to
 };
 }
 

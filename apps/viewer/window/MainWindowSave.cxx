@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What the window saves: sessions, pictures and layers, with every sample.
+// The window's saving: sessions, pictures and layers, with all samples.
 #include "MainWindow.h"
 
 #include "LightPanel.h"
@@ -38,7 +38,7 @@ namespace
 constexpr int SavePatience = 500; // milliseconds until the user is told
 constexpr int MostIdle = 10;
 
-// Whole or not at all.
+// Writes a file completely or not at all.
 template <typename Writer>
 void Write(const QString& path, vtkImageData* image)
 {
@@ -54,7 +54,7 @@ void Write(const QString& path, vtkImageData* image)
   outputs.Commit();
 }
 
-// While one lives, frames make these layers, and have the samples that go with them.
+// While one lives, frames make these layers, with the samples that they need.
 class AskedLayers
 {
 public:
@@ -91,8 +91,8 @@ private:
 }
 
 //------------------------------------------------------------------------------
-// Every sample, a few a frame, so that the user sees how far it is and may end it. Nothing else is
-// done meanwhile: no other picture may be saved than the one that was asked for.
+// Draws all samples, a few per frame, with a progress bar, so that the user can cancel. Nothing
+// else may change meanwhile: the saved picture must be the requested one.
 bool MainWindow::Gather()
 {
   vtkRelievoPass* frame = this->Shown->GetPicture().GetFrame();
@@ -102,14 +102,14 @@ bool MainWindow::Gather()
   }
   this->Time->Stop();
   this->Saving = true;
-  this->Shown->SetHurried(true); // samples as the command draws them
+  this->Shown->SetHurried(true); // draws samples like the command
   QProgressDialog dialog("Gathering the samples of the picture", "Cancel", 0, 0, this);
   dialog.setWindowModality(Qt::ApplicationModal);
   dialog.setMinimumDuration(SavePatience);
   dialog.setAutoReset(false);
   this->Shown->renderWindow()->Render();
   dialog.setMaximum(100);
-  int idle = 0; // frames that brought nothing, as where something moves by itself
+  int idle = 0; // frames without progress, as in a picture that never rests
   int done = 0;
   for (int left = frame->GetSamplesLeft(); left > 0 && idle < MostIdle && !dialog.wasCanceled();)
   {
@@ -117,7 +117,7 @@ bool MainWindow::Gather()
     idle = now < left ? 0 : idle + 1;
     done += std::max(0, left - now);
     left = now;
-    // Stages find more to do as they go; what was reached is not taken back.
+    // Stages may add samples; progress never goes back.
     dialog.setValue(std::max(dialog.value(), 100 * done / std::max(1, done + left)));
     QApplication::processEvents();
     this->Shown->renderWindow()->Render();
@@ -134,7 +134,7 @@ bool MainWindow::Gather()
 }
 
 //------------------------------------------------------------------------------
-// Null if the user ended it.
+// Null if the user cancelled.
 vtkSmartPointer<vtkImageData> MainWindow::Draw()
 {
   return this->Gather() ? this->Shown->GetPicture().Grab() : nullptr;
@@ -143,7 +143,7 @@ vtkSmartPointer<vtkImageData> MainWindow::Draw()
 //------------------------------------------------------------------------------
 vtkSmartPointer<vtkImageData> MainWindow::DrawTransparent()
 {
-  vtkSmartPointer<vtkImageData> over[2]; // black and white
+  vtkSmartPointer<vtkImageData> over[2]; // over black and over white
   for (int i = 0; i < 2; ++i)
   {
     const scene::Backdrop backdrop(this->Shown->GetPicture().GetScene().GetScene(), i);
@@ -157,7 +157,7 @@ vtkSmartPointer<vtkImageData> MainWindow::DrawTransparent()
 }
 
 //------------------------------------------------------------------------------
-// What has been read while a picture was saved.
+// Shows files whose reading ended while a picture was saved.
 void MainWindow::ShowLate()
 {
   if (this->Late)
@@ -185,8 +185,8 @@ void MainWindow::SaveSession(const QString& path)
 }
 
 //------------------------------------------------------------------------------
-// Whether anything was set that no session has. The files are no edits: undoing brings back what
-// went with one of them.
+// Whether there are unsaved settings. Opening files is no edit: undo restores settings that it
+// dropped.
 bool MainWindow::HasEdits() const
 {
   const auto getEdits = [](scene::Settings settings) {
@@ -199,7 +199,7 @@ bool MainWindow::HasEdits() const
 }
 
 //------------------------------------------------------------------------------
-// Whether the window may close: edits are saved, or the user does not want them.
+// Whether the window may close: edits are saved or discarded.
 bool MainWindow::LetGoOfEdits()
 {
   if (!this->HasEdits())
@@ -207,7 +207,7 @@ bool MainWindow::LetGoOfEdits()
     return true;
   }
   const auto answer = QMessageBox::question(this, "Quit",
-    "What you changed is in no session. Do you want to save it as one?",
+    "Your changes are in no session. Do you want to save them as one?",
     QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, QMessageBox::Save);
   if (answer == QMessageBox::Save)
   {

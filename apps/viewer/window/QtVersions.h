@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * What the viewer says differently to Qt 5 and to Qt 6.
+ * Differences between Qt 5 and Qt 6.
  */
 #ifndef QtVersions_h
 #define QtVersions_h
@@ -11,8 +11,8 @@
 
 namespace viewer
 {
-// Pictures and controls of as many pixels as the screen has: Qt 6 does so by itself. Call it before
-// the application is made.
+// Draws pictures and controls at the screen's full resolution, as Qt 6 does by default. Call it
+// before creating the application.
 inline void UseHighDpi()
 {
 #if QT_VERSION < QT_VERSION_CHECK(6, 0, 0)
@@ -21,7 +21,7 @@ inline void UseHighDpi()
 #endif
 }
 
-// The keys that were held when something was dropped.
+// The modifier keys at a drop.
 inline Qt::KeyboardModifiers GetModifiers(const QDropEvent& event)
 {
 #if QT_VERSION < QT_VERSION_CHECK(6, 0, 0)

@@ -16,7 +16,7 @@ namespace
 {
 constexpr int IconSide = 20; // pixels
 
-// The tip is the action's own, or else its text, and its key.
+// The tool tip: the action's own, or else its text, with its key.
 void SetTip(QAction* action)
 {
   const QString text = QString(action->text()).remove('&').remove("...");
@@ -46,7 +46,7 @@ void AddToolBar(MainWindow* window, QMenu* view)
       auto* button = new QToolButton(bar);
       button->setObjectName(QString(name) + "Button");
       button->setIcon(MakeIcon(name));
-      button->setToolTip("Where the scene is seen from");
+      button->setToolTip("View direction of the scene");
       button->setMenu(menu);
       button->setPopupMode(QToolButton::InstantPopup);
       bar->addWidget(button);

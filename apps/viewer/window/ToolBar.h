@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * What is wanted most, as buttons above the picture. The menu bar's actions must be there already.
+ * Buttons above the picture for frequent actions. Create the menu bar first.
  */
 #ifndef ToolBar_h
 #define ToolBar_h
@@ -12,7 +12,7 @@ namespace viewer
 {
 class MainWindow;
 
-/// The menu gets an entry that hides and shows it.
+/// Adds a menu entry that hides and shows the tool bar.
 void AddToolBar(MainWindow* window, QMenu* view);
 }
 

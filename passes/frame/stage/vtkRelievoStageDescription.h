@@ -26,7 +26,7 @@ struct VTKRELIEVOFRAME_EXPORT vtkRelievoStageDescription : vtkRelievoParameterLi
     DISPLAY = 4     // makes the picture from the linear colour, or replaces it
   };
 
-  std::string Name;  // a lower-case word; several are joined by _
+  std::string Name;  // lower-case words joined by _
   std::string Label; // for users: "Depth Fade"
   std::string Help;  // one sentence
   int Slot = COMPOSITE;

@@ -36,7 +36,7 @@ namespace
 using Access = vtkRelievoAccess::Mapper;
 
 #ifdef RELIEVO_VTK_COMPOSITE_HELPERS
-// A composite mapper's helpers, if all is current, seen and opaque; else none.
+// The helpers of a composite mapper if all are up to date, visible and opaque; else none.
 std::vector<vtkOpenGLPolyDataMapper*> GetHelpers(
   vtkCompositePolyDataMapper2* mapper, vtkActor* actor)
 {
@@ -46,7 +46,7 @@ std::vector<vtkOpenGLPolyDataMapper*> GetHelpers(
   {
     return {};
   }
-  // The helpers' may be gone, where blocks within blocks have changed.
+  // The helpers may have been deleted after a change of nested blocks.
   std::set<vtkPolyData*> leaves;
   std::size_t drawn = 0;
   auto* tree = vtkCompositeDataSet::SafeDownCast(mapper->GetInputDataObject(0, 0));
@@ -152,7 +152,7 @@ vtkMTimeType vtkRelievoCasterDraw::GetBuildTime(vtkActor* actor) const
 //------------------------------------------------------------------------------
 std::vector<vtkOpenGLPolyDataMapper*> vtkRelievoCasterDraw::GetBuffers(vtkActor* actor) const
 {
-  // Exactly these classes, of actors and of mappers: a derived one may draw otherwise.
+  // Exactly these classes of actors and mappers: derived ones may draw differently.
   vtkMapper* mapper = actor->GetMapper();
   if (!mapper || !vtkRelievoPlainActor::IsOfClass(actor))
   {
@@ -214,7 +214,7 @@ void vtkRelievoCasterDraw::SetWindow(vtkOpenGLRenderWindow* window)
     this->Release(this->Window);
     this->Window = window;
   }
-  // Of mappers that are gone.
+  // Removes deleted mappers.
   for (auto it = this->Built.begin(); it != this->Built.end();)
   {
     it = it->second.Mapper ? std::next(it) : this->Built.erase(it);
@@ -330,7 +330,7 @@ void vtkRelievoCasterDraw::Release(vtkWindow* window)
 {
   if (window && this->Window && this->Window != window)
   {
-    return; // what is held is another window's
+    return; // the resources belong to another window
   }
   if (window && this->Arrays)
   {

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Draws the depth of plain meshes from their mappers' buffers, without the mappers' shaders: what a
-// map needs of them, and all that most casters are. Composite meshes as well, where VTK has a
-// mapper of helpers for them (before 9.3).
+// Draws the depth of plain meshes from their mappers' buffers, without the mappers' shaders: a map
+// needs no more, and most casters are plain. Also draws composite meshes if VTK has a mapper of
+// helpers for them (before 9.3).
 #ifndef vtkRelievoCasterDraw_h
 #define vtkRelievoCasterDraw_h
 
@@ -30,29 +30,30 @@ public:
   vtkRelievoCasterDraw(const vtkRelievoCasterDraw&) = delete;
   void operator=(const vtkRelievoCasterDraw&) = delete;
 
-  // The window that is drawn in; what another one held is released.
+  // Sets the window to draw in; resources of another one are released.
   void SetWindow(vtkOpenGLRenderWindow* window);
 
-  // A mapper has drawn in this window: its buffers, as built now, are in this context.
+  // Records that a mapper has drawn in this window: its buffers are then in this context.
   void Learn(vtkOpenGLPolyDataMapper* mapper);
 
-  // The prop as an actor whose triangles are all that it casts, with buffers in this context that
-  // are up to date; nullptr for anything else: textures, own shaders, clipping planes, lines, other
-  // mappers.
+  // The prop as an actor that casts with all of its triangles and nothing else, with up-to-date
+  // buffers in this context; nullptr for any other prop: textures, custom shaders, clipping planes,
+  // lines, other mappers.
   vtkActor* GetPlainActor(vtkProp* prop) const;
 
-  // What GetPlainActor gives, and also an actor whose depths VTK moves by a little (IsOffset).
+  // Like GetPlainActor, but also accepts an actor with a small depth offset by VTK (IsOffset).
   vtkActor* GetSurface(vtkProp* prop) const;
   static bool IsOffset(vtkActor* actor);
-  static glm::vec2 GetOffset(vtkActor* actor); // by slope, and constant
+  static glm::vec2 GetOffset(vtkActor* actor); // slope factor and constant
 
-  // Changes when what it would draw is of other buffers.
+  // Changes when Draw would use other buffers.
   vtkMTimeType GetBuildTime(vtkActor* actor) const;
 
-  // Between Begin and End, into what is bound for drawing. False if the shader does not compile.
+  // Call Draw between Begin and End; it draws into the bound framebuffer. False if the shader does
+  // not compile.
   bool Begin(vtkOpenGLRenderWindow* window, const glm::dmat4& worldToNDC);
 
-  // Begins drawing with another program, which may read MCVCMatrix and relievoSeenOffset as well.
+  // Begins drawing with another program, which may use MCVCMatrix and relievoSeenOffset as well.
   // False if the shader does not compile.
   bool Begin(vtkOpenGLRenderWindow* window, const glm::dmat4& worldToNDC,
     const glm::dmat4& worldToView, const std::string& vertexShader,
@@ -63,13 +64,13 @@ public:
   void Release(vtkWindow* window);
 
 private:
-  // The mappers whose buffers are all that the actor draws; none if it draws otherwise.
+  // The mappers whose buffers contain all of the actor's geometry; none if it draws anything else.
   std::vector<vtkOpenGLPolyDataMapper*> GetBuffers(vtkActor* actor) const;
   bool IsBuilt(vtkOpenGLPolyDataMapper* mapper) const;
   int Draw(vtkOpenGLPolyDataMapper* mapper, vtkActor* actor);
 
   vtkWeakPointer<vtkOpenGLRenderWindow> Window;
-  vtkShaderProgram* Program = nullptr; // the window's shader cache owns it
+  vtkShaderProgram* Program = nullptr; // owned by the window's shader cache
   glm::dmat4 WorldToNDC{ 1.0 };
   glm::dmat4 WorldToView{ 1.0 };
   struct Known

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Rays in double precision past what casts and what is seen, on the CPU: what certifies shadows,
-// and what they are planned by.
+// Rays in double precision past casters and visible surfaces, on the CPU, for certifying and
+// planning shadows.
 //
-// Coordinates are the world's axes about the scene's centre.
+// Coordinates use the world's axes, relative to the scene's centre.
 #ifndef vtkRelievoCasterRays_h
 #define vtkRelievoCasterRays_h
 
@@ -12,45 +12,44 @@
 
 #include <vector>
 
-// A mesh of the scene, and what it is there for.
+// A mesh of the scene with its roles.
 struct vtkRelievoSurface
 {
   vtkRelievoPlacedMesh Caster;
   bool Casts = true;
-  bool Seen = true; // and opaque
+  bool Seen = true; // visible and opaque
   bool Receives = true;
 };
 
 class vtkRelievoCasterRays
 {
 public:
-  // Where a ray meets a surface.
+  // A hit of a ray.
   struct Meeting
   {
-    int Surface = -1; // none
-    int Place = -1;   // of a mesh of glyphs, of all surfaces' places
+    int Surface = -1; // -1: no hit
+    int Place = -1;   // glyph number, counted over all surfaces
     int Triangle = -1;
     double T = 0.0;
-    glm::dvec3 Normal{ 0.0 }; // of the plane, towards the ray's start; not unit
+    glm::dvec3 Normal{ 0.0 }; // of the triangle's plane, towards the ray's start; not normalised
   };
 
-  // Meshes that have not changed keep their trees.
+  // Unchanged meshes keep their trees.
   void SetSurfaces(const std::vector<vtkRelievoSurface>& surfaces);
   const std::vector<vtkRelievoSurface>& GetSurfaces() const { return this->Surfaces; }
   const glm::dvec3& GetCenter() const { return this->Tree.GetCenter(); }
   long long GetNumberOfTriangles() const { return this->Tree.GetNumberOfTriangles(); }
 
-  // The meeting with what is seen that is nearest to t = `wanted`, between two others.
+  // The hit with a visible surface nearest to t = `wanted`, between two limits.
   Meeting Find(
     const glm::dvec3& from, const glm::dvec3& ray, double low, double high, double wanted) const;
 
-  // The first one.
+  // The first such hit.
   Meeting FindFirst(const glm::dvec3& from, const glm::dvec3& ray, double low) const;
 
-  // What of the light passes from t = 0 to `last`: the product of what the casters between let
-  // pass; translucent triangles that share an edge count once there. A triangle does not count if
-  // it is `own`, or if the ray's start, or its end where it has one, lies in its plane within
-  // `blur`.
+  // The light's transmittance from t = 0 to `last`: the product over the casters between;
+  // translucent triangles that share an edge count once there. A triangle does not count if it is
+  // `own`, or if the ray's start (or its end, if it has one) lies in its plane within `blur`.
   double Pass(const glm::dvec3& from, const glm::dvec3& ray, double last, const Meeting& own,
     double blur) const;
 

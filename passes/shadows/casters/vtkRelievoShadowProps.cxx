@@ -42,11 +42,12 @@ bool IsPlain(vtkMapper* mapper)
   return std::strcmp(mapper->GetClassName(), "vtkOpenGLPolyDataMapper") == 0;
 }
 
-// Of what a mapper draws, not of how it colours it.
+// The state of a mapper's geometry, without its colouring.
 vtkMTimeType GetMapperTime(vtkMapper* mapper)
 {
   const vtkMTimeType time = vtkRelievoPropMTime::OfInputs(mapper);
-  // A plain mapper's own settings are about colour; others' may be sizes, blocks, orientations.
+  // A plain mapper's own settings concern colour; other mappers' may be sizes, blocks,
+  // orientations.
   return IsPlain(mapper) ? time : std::max(time, mapper->GetMTime());
 }
 
@@ -69,19 +70,19 @@ bool HasFacesOnly(vtkDataObject* data)
   return mesh && mesh->GetNumberOfVerts() == 0 && mesh->GetNumberOfLines() == 0;
 }
 
-// Whether the actor may draw beyond its bounds: points and lines, which are as wide as they are on
-// a screen, glyphs of mappers that count their centers alone, and what a shader moves.
+// Whether the actor may draw beyond its bounds: points and lines, whose width is in pixels, glyphs
+// of mappers whose bounds contain only the centres, and geometry moved by a shader.
 bool IsLoose(vtkActor* actor)
 {
   vtkMapper* mapper = actor->GetMapper();
   vtkShaderProperty* shaders = actor->GetShaderProperty();
   bool moves = shaders->HasVertexShaderCode() || shaders->HasGeometryShaderCode();
-  const bool bones = actor->IsA("vtkRelievoSkinnedActor"); // whose bounds are of its pose
+  const bool bones = actor->IsA("vtkRelievoSkinnedActor"); // its bounds are those of its pose
   for (int i = 0; i < shaders->GetNumberOfShaderReplacements() && !bones; ++i)
   {
     moves = moves || shaders->GetNthShaderReplacementTypeAsString(i) != "Fragment";
   }
-  // Whose bounds are those of the piece that it has now.
+  // The bounds are those of the mapper's present piece.
   auto* pieces = vtkPolyDataMapper::SafeDownCast(mapper);
   moves = moves || (pieces && pieces->GetNumberOfSubPieces() > 1);
   vtkProperty* property = actor->GetProperty();
@@ -166,7 +167,7 @@ void vtkRelievoShadowProps::Collect(
       parts.end());
     vtkRelievoBox box;
     box.Number = visible.Number;
-    // The bounds bring the mapper's input up to date as well.
+    // Computing bounds also updates the mapper's input.
     if (parts.empty() || !GetBox(prop, box))
     {
       continue;
@@ -243,7 +244,7 @@ bool vtkRelievoShadowProps::Receives(vtkProp* part) const
   {
     return this->NotReceiving.count(part) == 0;
   }
-  // A level of detail draws an actor of its own, with the keys of the one that was chosen for.
+  // A level of detail draws another actor with the keys of the selected one.
   return std::none_of(
     this->NotReceiving.begin(), this->NotReceiving.end(), [part](vtkProp* chosen) {
       return chosen->GetPropertyKeys() && chosen->GetPropertyKeys() == part->GetPropertyKeys();
@@ -274,7 +275,7 @@ void vtkRelievoShadowProps::AddState(vtkActor* actor)
   this->Part.push_back((property->GetVertexVisibility() ? 1 : 0) +
     (property->GetRenderPointsAsSpheres() ? 2 : 0) + (property->GetRenderLinesAsTubes() ? 4 : 0) +
     (property->GetEdgeVisibility() ? 8 : 0));
-  // VTK's offsets in depth, of the process and of the mapper.
+  // VTK's depth offsets, of the process and of the mapper.
   double factor = 0.0;
   double units = 0.0;
   mapper->GetCoincidentTopologyPolygonOffsetParameters(factor, units);
@@ -288,13 +289,13 @@ void vtkRelievoShadowProps::AddState(vtkActor* actor)
   this->AddDouble(units);
   this->AddDouble(property->GetPointSize());
   this->AddDouble(property->GetLineWidth());
-  // Cut-outs: what is not there casts nothing.
+  // Cut-outs: discarded pixels cast no shadow.
   const double cutoff = vtkRelievoCutSurface::GetCutoff(actor->GetPropertyKeys());
   this->AddDouble(cutoff);
   if (cutoff > 0.0)
   {
     this->AddDouble(property->GetOpacity());
-    this->Part.push_back(mapper->GetMTime()); // its colours have opacities
+    this->Part.push_back(mapper->GetMTime()); // the mapper's colours include opacities
   }
   this->Part.push_back(vtkRelievoPropMTime::OfTexture(actor->GetTexture()));
   for (const auto& named : property->GetAllTextures())
@@ -306,7 +307,8 @@ void vtkRelievoShadowProps::AddState(vtkActor* actor)
     vtkObject* blocks = glyphs->GetBlockAttributes();
     this->Part.push_back(blocks ? blocks->GetMTime() : 0);
   }
-  // Replacements and uniforms of a user may move vertices, by arrays that the mapper hands on.
+  // Shader replacements and uniforms of a user may move vertices, by arrays that the mapper passes
+  // on.
   vtkShaderProperty* shaders = actor->GetShaderProperty();
   this->Part.push_back(
     shaders->HasVertexShaderCode() || shaders->GetNumberOfShaderReplacements() > 0
@@ -387,7 +389,7 @@ int vtkRelievoShadowProps::RenderSurfaces(
   for (vtkProp* prop : this->Seen)
   {
     vtkActor* actor = plainDraw.GetPlainActor(prop);
-    // What is culled is not seen.
+    // Culled sides are invisible.
     const bool culls = actor &&
       (actor->GetProperty()->GetBackfaceCulling() || actor->GetProperty()->GetFrontfaceCulling());
     if (actor && !culls && actor->HasOpaqueGeometry())
@@ -511,12 +513,13 @@ std::vector<vtkRelievoSurface> vtkRelievoShadowProps::CollectSurfaces(
     const Wanted wanted = translucent ? Wanted::Translucent : Wanted::Opaque;
     if (!vtkRelievoPropMeshes::Collect(prop, wanted, this->Glyphs, casters))
     {
-      others.push_back(this->AllBoxes[i]); // one for each of Spliced
+      others.push_back(this->AllBoxes[i]); // one per entry of Spliced
     }
     for (const vtkRelievoPlacedMesh& caster : casters)
     {
       surface.Caster = caster;
-      surface.Seen = caster.Opacity >= 1.0; // also outside the view, which may be stepped
+      surface.Seen = caster.Opacity >= 1.0; // also outside the view, which the probe rounds to
+                                            // steps
       surface.Caster.Opacity = attenuates ? caster.Opacity : 1.0;
       surfaces.push_back(surface);
     }

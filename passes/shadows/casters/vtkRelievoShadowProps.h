@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What casts and what receives shadows in a renderer, and whether what casts has changed since the
-// frame before.
+// The casters and receivers of shadows in a renderer, and whether the casters have changed since
+// the previous frame.
 #ifndef vtkRelievoShadowProps_h
 #define vtkRelievoShadowProps_h
 
@@ -28,7 +28,7 @@ struct vtkRelievoSurface;
 class vtkRelievoShadowProps
 {
 public:
-  // What was chosen for a prop; casting: -1 opaque geometry only, 0 never, 1 always.
+  // The user's choice for a prop; casting: -1 opaque geometry only, 0 never, 1 always.
   struct Choice
   {
     vtkWeakPointer<vtkProp> Prop;
@@ -37,70 +37,70 @@ public:
   };
   Choice& GetChoice(vtkProp* prop);
 
-  // Casters and receivers are all visible props of the renderer, also outside the view.
+  // Collects casters and receivers: all visible props of the renderer, also outside the view.
   void Collect(vtkRenderer* renderer, const std::vector<vtkRelievoFrameProp>& drawnProps);
 
-  // What is translucent and was not chosen to cast or not casts where rays follow it, and so lets
-  // part of the light pass; never into maps.
+  // Whether translucent props without a user's choice cast where rays trace them, and let part of
+  // the light pass; never into maps.
   void SetAttenuates(bool attenuates) { this->Attenuates = attenuates; }
 
-  // Whether something translucent casts where rays follow it.
+  // Whether a translucent prop casts where rays trace it.
   bool HasTranslucentCasters() const { return this->TranslucentCasters; }
 
-  // The state of what casts into maps, for comparison.
+  // The state of the casters in maps, for comparison.
   const std::vector<std::uint64_t>& GetState() const { return this->State; }
 
-  // The state of what casts into maps, and which of it is left out of them: if `withoutFollowed`,
-  // what Follow has taken.
+  // The state of the casters in maps, and of which casters are excluded from them: with
+  // `withoutFollowed`, those taken by Follow.
   std::vector<std::uint64_t> GetState(bool withoutFollowed) const;
 
-  // The state of everything that casts or is seen, and of what receives, for comparison.
+  // The state of all casters, visible props and receivers, for comparison.
   const std::vector<std::uint64_t>& GetSceneState() const { return this->SceneState; }
 
-  // Whether drawing alone may change the state: to be collected again after it.
+  // Whether drawing alone may change the state, so that it must be collected again afterwards.
   bool ChangesByDrawing() const { return this->Unsteady; }
 
-  // Of what casts into maps; or of what of it Follow has left.
+  // Bounds of the casters in maps, or of those left by Follow.
   std::vector<vtkRelievoBox> GetCasterBoxes(bool withoutFollowed) const;
   const std::vector<vtkRelievoBox>& GetReceiverBoxes() const { return this->ReceiverBoxes; }
   const std::vector<vtkRelievoBox>& GetAllBoxes() const { return this->AllBoxes; }
   bool Receives(vtkProp* part) const;
 
-  // What casts and can be followed triangle by triangle.
+  // Casters that rays can trace triangle by triangle.
   std::vector<vtkRelievoPlacedMesh> Follow();
-  // Of a mesh that Follow has left for them; 0: there is none.
+  // Triangles of a mesh that Follow left because they are too many; 0: there is none.
   vtkIdType GetTooManyTriangles() const { return this->TooManyTriangles; }
 
-  // Everything that casts or is seen and can be followed, and the boxes of what cannot. Without
-  // `attenuates`, what is translucent and casts lets no light pass.
+  // All casters and visible surfaces that rays can trace, and the boxes of the others. Without
+  // `attenuates`, translucent casters block all light.
   std::vector<vtkRelievoSurface> CollectSurfaces(
     bool attenuates, std::vector<vtkRelievoBox>& others) const;
 
   void AddPass(vtkOpenGLRenderPass* pass);
   void RemovePass(vtkOpenGLRenderPass* pass);
 
-  // Draws the depth of what may cast into the view, plain meshes from their buffers, the rest as
-  // it draws itself; or of what of it Follow has left. Returns the draw calls of the first.
+  // Draws the depth of casters in the view, or of those left by Follow: plain meshes from their
+  // buffers, other props by themselves. Returns the draw calls for plain meshes.
   int RenderCasters(vtkRenderer* renderer, const vtkRelievoShadowView& view,
     vtkRelievoCasterDraw& plainDraw, bool withoutFollowed);
 
-  // What is known of glyphs is calculated again when it is needed.
+  // Discards data about glyphs, which are computed again when needed.
   void ForgetGlyphs() { this->Glyphs = vtkRelievoGlyphPlaces(); }
 
-  // Draws the depth of the opaque geometry that is seen, likewise.
+  // Draws the depth of the visible opaque geometry in the same way.
   int RenderSurfaces(
     vtkRenderer* renderer, const glm::dmat4& worldToNDC, vtkRelievoCasterDraw& plainDraw);
 
-  // Of all props those that are seen.
+  // The visible ones among all props.
   const std::vector<vtkProp*>& GetSeen() const { return this->Seen; }
 
-  // All actors that draw these and the props that are not.
+  // All actors that draw these props and the others.
   const std::set<vtkProp*>& GetParts() const { return this->Parts; }
 
-  // Which sides are seen of what is seen: casting does not depend on it.
+  // Whether culling changes the visible sides of visible surfaces: casting does not depend on it.
   const std::vector<bool>& GetCulling() const { return this->Culling; }
 
-  // Whether something is seen that casts no shadow.
+  // Whether a visible surface casts no shadow.
   bool HasMereReceivers() const { return this->MereReceivers; }
 
 private:
@@ -108,38 +108,38 @@ private:
     const glm::dmat4& worldToNDC, vtkRelievoCasterDraw& plainDraw);
   void Render(vtkProp* prop, bool translucent, vtkRenderer* renderer);
   void AddState(vtkActor* actor);
-  void AddDouble(double value); // to Part
+  void AddDouble(double value); // appends to Part
 
   struct Caster
   {
     vtkProp* Prop;
-    bool Translucent; // draws its translucent geometry as well
-    bool Attenuates;  // the same where rays follow it
-    bool InMaps;      // not only there
+    bool Translucent; // translucent geometry casts in maps
+    bool Attenuates;  // translucent geometry casts for rays
+    bool InMaps;      // casts in maps, not only for rays
   };
-  // What a prop casts as.
+  // How a prop casts.
   Caster GetCaster(vtkProp* prop, const Choice& choice) const;
   bool IsInMaps(const Caster& caster, bool withoutFollowed) const;
   std::vector<Choice> Choices;
   std::vector<vtkProp*> Spliced;
   std::vector<vtkProp*> Seen; // of Spliced
-  std::set<vtkProp*> Mixed;   // of Spliced: assemblies of which only the meshes cast
+  std::set<vtkProp*> Mixed;   // of Spliced: assemblies in which only the meshes cast
   bool MereReceivers = false;
   bool Attenuates = false;
   bool TranslucentCasters = false;
   std::vector<Caster> Casters;
-  std::vector<vtkRelievoBox> CasterBoxes; // of Casters, one each
+  std::vector<vtkRelievoBox> CasterBoxes; // one per entry of Casters
   std::set<vtkProp*> Followed;            // of Casters
-  vtkIdType TooManyTriangles = 0;         // of a mesh that is not followed for them
+  vtkIdType TooManyTriangles = 0;         // of a mesh left for its triangles
   std::vector<vtkRelievoBox> ReceiverBoxes;
-  std::vector<vtkRelievoBox> AllBoxes; // of what was chosen to receive and what was not
-  std::set<vtkProp*> Parts;            // that draw themselves
+  std::vector<vtkRelievoBox> AllBoxes; // of receivers, whether chosen or not
+  std::set<vtkProp*> Parts;            // props that draw themselves
   std::set<vtkProp*> NotReceiving;     // of Parts
   vtkRelievoSplicedKeys Keys;
-  mutable vtkRelievoGlyphPlaces Glyphs; // what is known of them from before
+  mutable vtkRelievoGlyphPlaces Glyphs; // cached between frames
   std::vector<std::uint64_t> State;
   std::vector<std::uint64_t> SceneState;
-  std::vector<std::uint64_t> Part; // of both, while it is made
+  std::vector<std::uint64_t> Part; // of both states, during collection
   std::vector<bool> Culling;
   bool Unsteady = false;
 };

@@ -10,9 +10,9 @@
 
 namespace
 {
-constexpr double LightSteps = 32.0;      // of a light, in its distance
-constexpr double StepsPerView = 8.0;     // of the camera, in half the height of what it sees
-constexpr double LeastAway = 1.0 / 64.0; // of the distance to the middle: the camera is in a box
+constexpr double LightSteps = 32.0;      // steps of a light per distance
+constexpr double StepsPerView = 8.0;     // steps of the camera per half height of its view
+constexpr double LeastAway = 1.0 / 64.0; // least share of the distance to the centre, in a box
 
 glm::dvec3 Round(const glm::dvec3& v, double step)
 {
@@ -24,8 +24,8 @@ double GetDistance(const vtkRelievoBox& box, const glm::dvec3& place)
   return glm::length(place - glm::clamp(place, box.Min, box.Max));
 }
 
-// Near and far in steps, as most cameras' follow the scene; only what is in view by its sides
-// matters.
+// Near and far in steps, because most cameras adapt them to the scene; only the sides of the view
+// matter.
 void SetDepths(vtkRelievoFrameCamera& view)
 {
   double& n = view.Near;

@@ -18,7 +18,7 @@ double AtMost(long long k, long long n, double p)
 {
   double sum = 0.0;
   const double all = static_cast<double>(n);
-  // Downwards: below the mean terms fall, so that the rest is soon nothing.
+  // Downwards: below the mean, terms decrease quickly.
   for (long long i = k; i >= 0; --i)
   {
     const double some = static_cast<double>(i);
@@ -100,9 +100,10 @@ std::string vtkRelievoShadowCertificate::GetWords()
         << " false light): " << Percent(this->GetWrongShare()) << ", at most "
         << Percent(this->GetWrongShareBound()) << " with a confidence of 95 %";
   }
-  out << "; counted apart: " << this->Ties << " ties within a pixel's rounding, " << this->Grazing
-      << " turned away from the light or grazing, " << this->Unlit << " where there is nothing to "
-      << "shadow, " << this->Unknown << " that involve what cannot be followed by rays";
+  out << "; counted separately: " << this->Ties << " ties within a pixel's rounding, "
+      << this->Grazing << " turned away from the light or grazing, " << this->Unlit
+      << " without light to block, " << this->Unknown
+      << " involving surfaces that rays cannot trace";
   return out.str();
 }
 

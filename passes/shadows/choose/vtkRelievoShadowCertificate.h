@@ -2,22 +2,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkRelievoShadowCertificate
- * @brief How many of a picture's shadow verdicts are wrong: what vtkRelievoShadowStage::Certify
- * found.
+ * @brief The share of wrong shadow verdicts in a picture, found by vtkRelievoShadowStage::Certify.
  *
- * A verdict is that of one pixel about one light. It is judged against a ray from the pixel's
- * place to the light, in double precision, past the casters' own triangles: wrong if the layer
- * shadow_N is on the other side of one half, or, where translucent casters attenuate, off by more
- * than 0.02.
+ * A verdict states whether one pixel is lit by one light. It is compared with a ray from the
+ * pixel's surface to the light, in double precision, past the casters' own triangles: it is wrong
+ * if the layer shadow_N is on the other side of one half, or, with attenuating translucent casters,
+ * off by more than 0.02.
  *
- * Counted apart, and no part of any share:
- * - ties: within the pixel's own rounding, 1/256 of a pixel each way, to which OpenGL places edges,
- *   the verdict of the ray changes, another triangle is seen that has another, or the surface ends;
- *   it does not depend on what was drawn;
+ * Counted separately, and not part of any share:
+ * - ties: within the pixel's own rounding, 1/256 of a pixel in each direction, OpenGL's step for
+ *   edges, the ray's verdict changes, another triangle with another verdict is visible, or the
+ *   surface ends; this does not depend on the drawn verdict;
  * - grazing: the surface is turned away from the light, or nearly so (n.l at most 0.05);
- * - unlit: outside a spot's cone, beyond a light's reach, or on what receives no shadows;
- * - unknown: what is seen there, or may be between it and the light, cannot be followed triangle by
- *   triangle (points, lines, impostors, cut-outs, clipping planes, shaders of one's own).
+ * - unlit: outside a spot's cone, beyond a light's reach, or on a surface without shadows;
+ * - unknown: the surface, or a possible caster between it and the light, cannot be traced triangle
+ * by
+ *   triangle (points, lines, impostors, cut-outs, clipping planes, custom shaders).
  */
 #ifndef vtkRelievoShadowCertificate_h
 #define vtkRelievoShadowCertificate_h
@@ -25,7 +25,7 @@
 #include "vtkObject.h"
 #include "vtkRelievoShadowsModule.h" // for the export macro
 
-#include <string> // for the words
+#include <string> // for the sentence
 
 class VTKRELIEVOSHADOWS_EXPORT vtkRelievoShadowCertificate : public vtkObject
 {
@@ -35,7 +35,7 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /** Verdicts that were judged; of these the wrong ones: lit, but drawn dark, and dark but lit. */
+  /** Judged verdicts, and the wrong ones among them: drawn dark but lit, and drawn lit but dark. */
   vtkGetMacro(Judged, long long);
   long long GetWrong() { return this->FalseShadow + this->FalseLight; }
   vtkGetMacro(FalseShadow, long long);
@@ -43,29 +43,29 @@ public:
   ///@}
 
   ///@{
-  /** Verdicts that were drawn by lot as well, and counted apart. */
+  /** Verdicts of the random sample that are counted separately. */
   vtkGetMacro(Ties, long long);
   vtkGetMacro(Grazing, long long);
   vtkGetMacro(Unlit, long long);
   vtkGetMacro(Unknown, long long);
   ///@}
 
-  /** The share of the judged verdicts that is wrong, 0 to 1; NaN if none was judged. */
+  /** The share of wrong ones among the judged verdicts, 0 to 1; NaN if none was judged. */
   double GetWrongShare();
 
-  /** GetBound of what was judged, with a confidence of 0.95. */
+  /** GetBound of the judged verdicts, with a confidence of 0.95. */
   double GetWrongShareBound();
 
   /**
-   * The upper bound of the share in all, after `wrong` of `judged` drawn by lot were found wrong: a
-   * larger share would have shown so few of them with a probability of at most 1 - confidence (C.
-   * Clopper, E. Pearson, The use of confidence or fiducial limits, 1934; one-sided). Of n without
-   * an error it is close to 3 / n. 1 if nothing was judged; NaN, with a warning, for negative
-   * numbers, more wrong than judged, or a confidence that is not between 0 and 1.
+   * The upper bound of the share of wrong verdicts, after `wrong` of `judged` random ones were
+   * found wrong: a larger share would have shown so few with a probability of at most 1 -
+   * confidence (C. Clopper, E. Pearson, The use of confidence or fiducial limits, 1934; one-sided).
+   * For n without an error it is close to 3 / n. 1 if nothing was judged; NaN, with a warning, for
+   * negative numbers, more wrong than judged, or a confidence that is not between 0 and 1.
    */
   static double GetBound(long long wrong, long long judged, double confidence = 0.95);
 
-  /** All of it in a sentence. */
+  /** The certificate in a sentence. */
   std::string GetWords();
 
 protected:

@@ -21,11 +21,11 @@
 
 namespace
 {
-// Steps in which OpenGL places edges in a pixel.
+// OpenGL's steps for edges in a pixel.
 constexpr double SubPixel = 1.0 / 256.0;
 
-// Surfaces are looked for where the layer depth has one, within a share of it; in parallel
-// projection, of the whole depth.
+// Surfaces are searched at the layer depth's value, within this share of it; in parallel
+// projection, of the whole depth range.
 constexpr double DepthWindow = 1e-3;
 
 constexpr double TransmittanceSlack = 0.02;
@@ -33,7 +33,7 @@ constexpr std::size_t Batch = 8192;
 const char* const DepthLayer = "depth";
 constexpr double MostTexels = 8.0;
 
-// Whether all of them have a half float's 11 bits.
+// Whether all numbers fit a half float's 11 bits.
 bool AreHalf(const float* depths, vtkIdType count)
 {
   return std::all_of(depths, depths + count, [](float depth) {
@@ -43,8 +43,8 @@ bool AreHalf(const float* depths, vtkIdType count)
   });
 }
 
-// Adds what the other processes cast with, and where own meshes have copies of the others' cells,
-// what casts in their place.
+// Adds the casters of other processes; meshes with copies of other processes' cells are replaced by
+// those.
 void AddOthers(const vtkRelievoMeshExchange& others, std::vector<vtkRelievoSurface>& surfaces)
 {
   for (std::size_t i = 0, own = surfaces.size(); i < own; ++i)
@@ -67,7 +67,8 @@ void AddOthers(const vtkRelievoMeshExchange& others, std::vector<vtkRelievoSurfa
   }
 }
 
-// The renderer alone draws the layers, into a framebuffer of the frame's own; "" or what is wrong.
+// Draws the layers with the renderer alone, into a framebuffer of the frame; returns an error, or
+// "".
 std::string DrawLayers(vtkRenderer* renderer, vtkRelievoFramePass* frame,
   const std::vector<std::string>& layers, vtkImageData* image)
 {
@@ -94,14 +95,14 @@ std::string DrawLayers(vtkRenderer* renderer, vtkRelievoFramePass* frame,
   return fault;
 }
 
-// A step beside the centre of a pixel, to one of four sides.
+// A step from the centre of a pixel towards one of its four sides.
 vtkRelievoPixelRay GetBeside(const vtkRelievoShadowPixels& pixels, int x, int y, int corner)
 {
   return pixels.GetRay(
     x + 0.5 + (corner & 1 ? SubPixel : -SubPixel), y + 0.5 + (corner & 2 ? SubPixel : -SubPixel));
 }
 
-// What is drawn into maps as points and lines is wider there than its box, by some texels.
+// Points and lines in maps are wider than their boxes by some texels.
 double GetWidth(const vtkRelievoShadowCache& cache)
 {
   double widest = 0.0;
@@ -152,7 +153,7 @@ vtkSmartPointer<vtkRelievoShadowCertificate> vtkRelievoShadowCertifier::CertifyP
   {
     certifier.Visibility.push_back(read(layers[i]));
   }
-  // Maps know translucent casters as opaque ones.
+  // Maps treat translucent casters as opaque.
   std::vector<vtkRelievoSurface> surfaces =
     picture.Work.Props.CollectSurfaces(certifier.Attenuates, certifier.Unfollowed);
   if (certifier.Attenuates && picture.Work.Others.IsOn())
@@ -189,7 +190,7 @@ vtkRelievoShadowCertifier::Findings vtkRelievoShadowCertifier::Judge(int x, int 
   const vtkRelievoCasterRays::Meeting seen =
     this->Rays.Find(eye.From, eye.Ray, depth - window, depth + window, wanted);
   const float drawn = this->Visibility[light][pixel];
-  // On an outline OpenGL may draw what a ray through the pixel's centre just misses.
+  // On an outline OpenGL may draw a surface that the ray through the pixel's centre just misses.
   for (int corner = 0; corner < 4 && seen.Surface < 0; ++corner)
   {
     const vtkRelievoPixelRay beside = GetBeside(pixels, x, y, corner);
@@ -220,7 +221,7 @@ vtkRelievoShadowCertifier::Findings vtkRelievoShadowCertifier::Judge(int x, int 
   }
   const double blur = vtkRelievoPlaceBlur * glm::length(seen.T * eye.Ray);
   const double truth = this->Rays.Pass(place, to.Ray, to.Last, seen, blur);
-  // Before it is known what was drawn: it must not decide what is counted.
+  // Before the drawn verdict is known, which must not influence the selection.
   for (int corner = 0; corner < 4; ++corner)
   {
     const vtkRelievoPixelRay beside = GetBeside(pixels, x, y, corner);
@@ -244,8 +245,8 @@ bool vtkRelievoShadowCertifier::IsAlike(double a, double b) const
 }
 
 //------------------------------------------------------------------------------
-// Whether a ray beside the pixel's centre meets another triangle, which has another verdict: OpenGL
-// may draw either.
+// Whether a ray beside the pixel's centre hits another triangle with another verdict: OpenGL may
+// draw either.
 bool vtkRelievoShadowCertifier::HasOtherNeighbour(const vtkRelievoPixelRay& beside, int light,
   double wanted, const vtkRelievoCasterRays::Meeting& seen, double truth) const
 {

@@ -25,17 +25,18 @@ struct vtkRelievoShadowContext;
 class vtkRelievoShadowCertifier
 {
 public:
-  // What drew a picture.
+  // The objects that drew a picture.
   struct Picture
   {
     vtkRelievoFramePass* Frame;
     vtkRenderer* Renderer;
     const vtkRelievoShadowContext& Work;
     const vtkRelievoShadowLights& Lights;
-    const std::unique_ptr<vtkRelievoShadowMethod>& Method; // drawing may make another
+    const std::unique_ptr<vtkRelievoShadowMethod>& Method; // drawing may replace it
   };
 
-  // Draws the picture again as layers, and judges it. Null if it cannot be drawn, for the fault.
+  // Draws the picture again as layers, and judges it. Null if it cannot be drawn, with the error in
+  // `fault`.
   static vtkSmartPointer<vtkRelievoShadowCertificate> CertifyPicture(
     const Picture& picture, int rays, int seed, std::string& fault);
 
@@ -48,26 +49,26 @@ public:
     GRAZING,
     UNLIT,
     UNKNOWN,
-    NOTHING // no surface: not drawn by lot
+    NOTHING // no surface: not sampled
   };
 
   vtkRelievoFrameCamera View;
   vtkRelievoCasterRays Rays;
-  std::vector<vtkRelievoBox> Unfollowed; // what may cast or be seen there is unknown
+  std::vector<vtkRelievoBox> Unfollowed; // boxes of surfaces that rays cannot trace
   std::vector<vtkRelievoShadowLight> Lights;
   std::vector<const float*> Visibility; // of each light, per pixel
-  bool CoarseDepth = false;             // it does not tell the sides of a thin plate apart
-  bool Attenuates = false;              // what was drawn is a transmittance, not a verdict
+  bool CoarseDepth = false;             // too coarse to distinguish the sides of a thin plate
+  bool Attenuates = false;              // the layers are transmittances, not verdicts
   const float* Depth = nullptr;         // per pixel, from the eye along the view's axis
 
   Findings Judge(int x, int y, int light) const;
 
-  // Draws lots until so many verdicts are judged, or all of the picture are.
+  // Samples pixels until enough verdicts are judged, or all pixels are.
   void Certify(int rays, int seed, vtkRelievoShadowCertificate* certificate) const;
 
 private:
   double GetDepthWindow(double depth) const;
-  bool IsAlike(double a, double b) const; // verdicts
+  bool IsAlike(double a, double b) const; // compares verdicts
   bool HasOtherNeighbour(const vtkRelievoPixelRay& beside, int light, double wanted,
     const vtkRelievoCasterRays::Meeting& seen, double truth) const;
 };

@@ -9,7 +9,7 @@
 
 namespace
 {
-constexpr double ConeMargin = 1e-3; // of its cosine
+constexpr double ConeMargin = 1e-3; // tolerance of its cosine
 }
 
 //------------------------------------------------------------------------------
@@ -27,7 +27,7 @@ vtkRelievoPixelRay vtkRelievoShadowPixels::GetRay(double x, double y) const
 {
   const glm::dvec2 ndc = 2.0 * glm::dvec2(x, y) / this->Size - 1.0;
   const glm::dmat4& p = this->ViewToNDC;
-  // x and y of the view that are seen there, as a linear function of z; projections may be sheared.
+  // x and y visible in the view, as a linear function of z; projections may be sheared.
   glm::dmat2 slope;
   glm::dvec2 constant;
   glm::dvec2 alongZ;

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The pixels of a view as rays in double, in the coordinates of vtkRelievoCasterRays, and lots that
-// are the same on every machine.
+// The pixels of a view as rays in double, in the coordinates of vtkRelievoCasterRays, and random
+// numbers that are equal on every machine.
 #ifndef vtkRelievoShadowPixels_h
 #define vtkRelievoShadowPixels_h
 
@@ -16,7 +16,7 @@
 
 struct vtkRelievoShadowLight;
 
-// Of a pixel: t is the distance from the eye along the view's axis, as the layer depth has it.
+// The ray of a pixel: t is the distance from the eye along the view's axis, like the layer depth.
 struct vtkRelievoPixelRay
 {
   glm::dvec3 From;
@@ -28,7 +28,7 @@ class vtkRelievoShadowPixels
 public:
   vtkRelievoShadowPixels(const vtkRelievoFrameCamera& view, const glm::dvec3& center);
 
-  // x and y in pixels; the middle of the first is 0.5, 0.5.
+  // x and y in pixels; the centre of the first pixel is 0.5, 0.5.
   vtkRelievoPixelRay GetRay(double x, double y) const;
 
 private:
@@ -37,26 +37,26 @@ private:
   glm::dvec2 Size;
 };
 
-// A light as a place of those coordinates sees it.
+// A light seen from a place in those coordinates.
 struct vtkRelievoToLight
 {
-  glm::dvec3 Ray;     // to the light; of a sun, unit
+  glm::dvec3 Ray;     // to the light; unit length for a sun
   double Last = 0.0;  // t of the light; infinite for a sun
-  bool Lights = true; // within its cone and reach
+  bool Lights = true; // whether the place is within the cone and reach
 
   vtkRelievoToLight(
     const vtkRelievoShadowLight& light, const glm::dvec3& place, const glm::dvec3& center);
 };
 
-// Whether a ray may meet one of the boxes, which are of the world, from t = 0 to `last`.
+// Whether a ray may hit one of the boxes, in world coordinates, from t = 0 to `last`.
 bool vtkRelievoMeetsAny(const std::vector<vtkRelievoBox>& boxes, const glm::dvec3& center,
   const glm::dvec3& from, const glm::dvec3& ray, double last);
 
-// Surfaces that turn less than this to the light, as n.l, are not judged.
+// Surfaces with a smaller n.l are not judged.
 constexpr double vtkRelievoLeastFacing = 0.05;
 
-// How far the place of a pixel may be off, per distance from the eye: places so near a plane lie in
-// it (docs/shadows.md).
+// Bound of the error of a pixel's place per distance from the eye: places this close to a plane
+// count as lying in it (docs/shadows.md).
 constexpr double vtkRelievoPlaceBlur = 5e-7;
 
 // S. Vigna's splitmix64.
@@ -74,7 +74,7 @@ public:
     z = (z ^ (z >> 27)) * 0x94d049bb133111ebull;
     return z ^ (z >> 31);
   }
-  // 0 to 1, without 1.
+  // From 0 to 1, excluding 1.
   double NextShare() { return std::ldexp(static_cast<double>(this->Next() >> 11), -53); }
 
 private:

@@ -14,30 +14,30 @@ namespace
 using Choice = vtkRelievoShadowPlanner::Choice;
 
 // Milliseconds for one of each: on software OpenGL, fitted to the frames of `relievo bench planner`
-// and of small scenes on two cores; on a common GPU, not measured.
+// and of small scenes on two cores; for a common GPU, estimated, not measured.
 struct Costs
 {
   double Pixel;    // shaded
   double Triangle; // drawn
   double Draw;     // call
-  double Texel;    // of a map that is drawn again
+  double Texel;    // of a redrawn map
   double Lookup;   // in a map, per pixel and light
-  double Piece;    // of a warped map, beyond the first, as a share of drawing it
-  double Trace;    // per pixel, light and halving of the triangles
-  double Start;    // per pixel: what rays start from
+  double Piece;    // of a warped map, beyond the first, as a share of its cost
+  double Trace;    // per pixel, light and level of the tree
+  double Start;    // per pixel: finding the rays' starts
   double Passes;   // over the picture, before and between rays
 };
 constexpr Costs Software = { 6e-5, 1.3e-4, 0.02, 1.8e-6, 5e-6, 0.3, 3.5e-6, 1.2e-5, 1.5 };
 constexpr Costs Hardware = { 5e-7, 1e-6, 0.01, 4e-8, 2e-7, 0.1, 5e-7, 2e-7, 0.1 };
 
-constexpr double Kept = 0.1; // of tracing, while neither view nor casters move
+constexpr double Kept = 0.1; // share of tracing while neither view nor casters move
 
 constexpr std::size_t Remembered = 9; // frames
-constexpr std::size_t Enough = 5;     // frames of a choice; before, others' stand in
-constexpr long long Old = 300;        // a choice's frames so long ago tell nothing
-constexpr long long Settles = 20;     // frames after which what moved is expected to stay
-constexpr double Stays = 1.1;         // a choice stays up to so much over the time,
-constexpr double Enters = 0.85;       // and a more accurate one is taken from so much under it
+constexpr std::size_t Enough = 5;     // frames of a choice; with fewer, those of others are used
+constexpr long long Old = 300;        // age in frames beyond which a choice's times are ignored
+constexpr long long Settles = 20; // frames without motion after which the scene counts as static
+constexpr double Stays = 1.1;     // factor on the time up to which a choice stays
+constexpr double Enters = 0.85;   // and below which a more accurate one is chosen
 
 std::string Percent(double share)
 {
@@ -176,13 +176,13 @@ vtkRelievoShadowPlanner::Plan vtkRelievoShadowPlanner::Choose(
   const auto cheaper = [&cost](const Choice& a, const Choice& b) {
     return Model(a, cost, true) < Model(b, cost, true);
   };
-  // Ways are compared by the frames that are likely to come, not by the latest alone: a camera that
-  // stops and goes would change the choice each time.
+  // Compares choices by the expected frames, not by the latest alone: a camera that stops and
+  // starts would otherwise change the choice each time.
   const auto moves = [this](long long last) {
     return this->Frames == 0 || (last > 0 && last + Settles > this->Frames);
   };
   const Invalidated likely{ moves(this->MapsMoved), moves(this->RaysMoved) };
-  // Casters that change in most frames have most of them planned again.
+  // Casters that change in most frames have most of those frames planned again.
   const double planning = GetMedian(this->Plannings, 0.0);
   const auto time = [&](const Choice& choice) {
     return planning + this->GetTime(choice, cost, Redraws(choice, likely));
@@ -201,7 +201,7 @@ vtkRelievoShadowPlanner::Plan vtkRelievoShadowPlanner::Choose(
   }
   else
   {
-    // The choice of the frame before stays while it is fast enough and no better one surely is.
+    // The previous choice stays while it is fast enough and no better one surely is.
     const auto current = std::find(choices.begin(), choices.end(), this->Current);
     const bool stays =
       this->HasCurrent && current != choices.end() && time(*current) <= Stays * goal.Time;

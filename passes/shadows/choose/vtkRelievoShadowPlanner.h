@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Chooses how shadows are made: the cheapest choice that is accurate enough, or the most accurate
+// Chooses the method for shadows: the cheapest one that is accurate enough, or the most accurate
 // one that is fast enough.
 //
-// For a tolerance the choice follows from what it is given alone. For a time it follows from the
-// times of earlier frames as well.
+// For a tolerance the choice depends only on the input. For a time it also depends on the times of
+// earlier frames.
 #ifndef vtkRelievoShadowPlanner_h
 #define vtkRelievoShadowPlanner_h
 
@@ -30,7 +30,7 @@ public:
     std::string GetWords() const;
   };
 
-  // What of the scene a frame's time depends on, beside the choice.
+  // The scene's properties that determine a frame's time, beside the choice.
   struct SceneCost
   {
     double Pixels = 0.0;
@@ -41,7 +41,7 @@ public:
     bool Software = false;
   };
 
-  // What of the frame before cannot be kept, whatever the choice: the depths in maps, the verdicts
+  // Results of the previous frame that are invalid for any choice: the depths in maps, the verdicts
   // of rays.
   struct Invalidated
   {
@@ -49,14 +49,14 @@ public:
     bool Rays = false;
   };
 
-  // Shares of wrong pixels, 0: any; milliseconds of a frame, 0: any.
+  // Goals: share of wrong pixels, 0: any; milliseconds of a frame, 0: any.
   struct Goal
   {
     double Tolerance = 0.0;
     double Time = 0.0;
   };
 
-  // Of choices, all for the same cost. `Words` says what of the goal is not met.
+  // Chooses among these for a cost. `Words` explains which part of the goal is not met.
   struct Plan
   {
     Choice Chosen;
@@ -65,27 +65,28 @@ public:
   };
   Plan Choose(const Goal& goal, const std::vector<Choice>& choices, const SceneCost& cost);
 
-  // The time of a frame, without that of planning: expected from earlier ones, or from figures of
-  // common machines. `redraws`: it draws its maps again.
+  // The time of a frame without planning, expected from earlier ones or from figures of common
+  // machines. `redraws`: whether it draws its maps again.
   double GetTime(const Choice& choice, const SceneCost& cost, bool redraws) const;
 
-  // A frame was drawn in which this moved. What moves now and then is expected to go on.
+  // Records a frame and its changes. Occasional changes are expected to continue.
   void AddFrame(const Invalidated& invalidated);
 
-  // It took so long; of that, `planning` to plan, which it would have taken with every choice.
+  // Records the frame's time, of which `planning` was spent on the plan, whatever the choice.
   void AddTime(const Choice& choice, const SceneCost& cost, const Invalidated& invalidated,
     double milliseconds, double planning = 0.0);
 
   void Forget();
 
-  // Estimates are this many times better than a tolerance, as their own error needs it.
+  // Factor between a tolerance and an acceptable estimate, because estimates have errors.
   static constexpr double Margin = 1.2;
 
 private:
   static double Model(const Choice& choice, const SceneCost& cost, bool redraws);
   static bool Redraws(const Choice& choice, const Invalidated& invalidated);
 
-  // Measured times over the model's, the latest last, by method, size and whether maps were drawn.
+  // Ratios of measured to expected times, the latest last, by method, size and whether maps were
+  // drawn.
   struct Key
   {
     int Method;
@@ -101,12 +102,12 @@ private:
   static double GetMedian(std::vector<double> numbers, double none);
 
   std::map<Key, std::vector<Measured>> Ratios;
-  std::vector<double> AllRatios;    // of the latest frames, whatever their choice
+  std::vector<double> AllRatios;    // of the latest frames with any choice
   std::vector<double> Plannings;    // of these frames, milliseconds
-  long long Frame = 0;              // of those with a time
-  Invalidated Latest{ true, true }; // before there is a frame, everything is new
+  long long Frame = 0;              // number of frames with a time
+  Invalidated Latest{ true, true }; // before the first frame, everything is new
   long long Frames = 0;
-  long long MapsMoved = 0; // the latest of these frames in which they did
+  long long MapsMoved = 0; // the latest of these frames in which maps changed
   long long RaysMoved = 0;
   Choice Current;
   bool HasCurrent = false;

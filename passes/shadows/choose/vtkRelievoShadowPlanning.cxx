@@ -18,10 +18,10 @@ namespace
 {
 const int Sizes[] = { 1024, 2048, 4096, 8192 };
 
-// Where rays cannot tell: measurements are within so many times the law.
+// Without rays, measured shares are within this factor of the law.
 constexpr double LawsFactor = 2.5;
 
-// Maps of more bytes are not chosen.
+// Maps with more bytes are not chosen.
 constexpr vtkIdType MostBytes = vtkIdType(1) << 31;
 
 double GetNow()
@@ -70,7 +70,7 @@ double vtkRelievoShadowPlanning::GetShareInView(
   {
     if (scene.Together || this->Probe.HasUnfollowed())
     {
-      // What cannot be followed is looked up in maps.
+      // Casters that rays cannot trace are drawn into maps.
       return std::min(1.0, LawsFactor * GetLaw(vtkRelievoShadowMethods::MAP, settings.MapSize));
     }
     vtkRelievoShadowDemand demand;
@@ -93,7 +93,7 @@ double vtkRelievoShadowPlanning::GetShareInView(
 }
 
 //------------------------------------------------------------------------------
-// Frames of layers alone leave what the picture took.
+// Frames that draw only layers do not change the picture's time.
 void vtkRelievoShadowPlanning::Begin(bool picture)
 {
   this->Began = GetNow();
@@ -102,8 +102,8 @@ void vtkRelievoShadowPlanning::Begin(bool picture)
 }
 
 //------------------------------------------------------------------------------
-// What has moved since the frame before, for every method: maps are drawn again when casters or
-// lights move, and verdicts of rays are kept only while the view stays as well.
+// Changes since the previous frame, for every method: maps are redrawn when casters or lights
+// change; verdicts of rays also depend on the view.
 void vtkRelievoShadowPlanning::FindMoves(const Scene& scene, const vtkRelievoFrameCamera& view)
 {
   const glm::dmat4 seen = view.ViewToNDC * view.WorldToView;
@@ -169,13 +169,13 @@ std::vector<vtkRelievoShadowPlanner::Choice> vtkRelievoShadowPlanning::GetChoice
       }
     }
   }
-  // What cannot be followed by rays needs maps.
+  // Casters that rays cannot trace need maps.
   if (!scene.Together && !scene.ExactRefused &&
     (!this->Probe.HasUnfollowed() || this->HasRoom(settings.MapSize)))
   {
     if (settings.ColoredShadows && scene.Work.Props.HasTranslucentCasters())
     {
-      choices.clear(); // maps have neither shares nor colours: the picture would be another
+      choices.clear(); // maps lack transmittances and colours: the picture would differ
     }
     choices.push_back({ vtkRelievoShadowMethods::EXACT, 0,
       this->GetShareInView(scene, settings, vtkRelievoShadowMethods::EXACT, 1) });
@@ -189,7 +189,7 @@ void vtkRelievoShadowPlanning::Make(
 {
   const vtkRelievoShadowPlanner::Choice before = this->Plan.Chosen;
   const bool planned = this->Planned;
-  // Several processes have no time in common.
+  // Several processes have no common time.
   this->Planned = settings.Tolerance > 0.0 || (settings.TimeBudget > 0.0 && !scene.Together);
   const vtkRelievoFrameCamera picture =
     vtkRelievoProbeView::GetPicture(context.SteadyView, context.Renderer);
@@ -208,7 +208,7 @@ void vtkRelievoShadowPlanning::Make(
     !(scene.ExactRefused && before.Method == vtkRelievoShadowMethods::EXACT) &&
     this->HasRoom(before.Size))
   {
-    return; // layers, tiles and samples of a picture are made as the picture was
+    return; // layers, tiles and samples of a picture use the picture's plan
   }
   this->Plan = vtkRelievoShadowPlanner::Plan();
   this->Plan.Chosen.Method = settings.Method;
@@ -217,7 +217,7 @@ void vtkRelievoShadowPlanning::Make(
   {
     return;
   }
-  // Processes choose alike: by what all of them know.
+  // All processes make the same choice, from shared data.
   const auto own = [&scene](double cost) { return scene.Together ? 0.0 : cost; };
   this->Cost.Pixels = static_cast<double>(picture.Viewport[2]) * picture.Viewport[3];
   this->Cost.Lights = static_cast<double>(scene.Lights.GetCasting().size());
@@ -237,11 +237,11 @@ void vtkRelievoShadowPlanning::Make(
 }
 
 //------------------------------------------------------------------------------
-// Of frames with a plan that draw a picture; those that build shaders tell nothing of the next.
+// Frames with a plan that draw a picture; a frame that builds shaders predicts nothing.
 void vtkRelievoShadowPlanning::End(
   const Scene& scene, bool picture, bool mapsDrawn, vtkMTimeType shaderTime)
 {
-  this->TimedCasters = scene.Work.Props.GetState(); // some have changed by being drawn
+  this->TimedCasters = scene.Work.Props.GetState(); // drawing has changed the state of some
   if (!this->Planned || !picture)
   {
     return;
@@ -252,7 +252,7 @@ void vtkRelievoShadowPlanning::End(
   this->TimedShaders = shaderTime;
   if (this->Fresh || built)
   {
-    return; // what is drawn again for that tells nothing either
+    return; // a frame redrawn for this reason predicts nothing either
   }
   this->Planner.AddFrame({ this->Moves.Maps || mapsDrawn, this->Moves.Rays });
   if (!this->Failed)

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The plan of a frame's shadows: method and map size, as they are set, or for a tolerance or a
-// time chosen by vtkRelievoShadowPlanner from what rays and earlier frames tell.
+// The plan of a frame's shadows: method and map size as set, or chosen by vtkRelievoShadowPlanner
+// for a tolerance or a time, from rays and earlier frames.
 #ifndef vtkRelievoShadowPlanning_h
 #define vtkRelievoShadowPlanning_h
 
@@ -22,7 +22,7 @@ struct vtkRelievoShadowContext;
 class vtkRelievoShadowPlanning
 {
 public:
-  // What is set.
+  // The settings.
   struct Settings
   {
     int Method = 0;
@@ -36,16 +36,16 @@ public:
     bool HasGoal() const { return this->Tolerance > 0.0 || this->TimeBudget > 0.0; }
   };
 
-  // What is to be drawn.
+  // The scene to draw.
   struct Scene
   {
     vtkRelievoShadowContext& Work;
     const vtkRelievoShadowLights& Lights;
     bool Together = false;     // with other processes
-    bool ExactRefused = false; // OpenGL has no room for rays past what casts
+    bool ExactRefused = false; // OpenGL has no room for the casters' triangles
   };
 
-  // A goal is another than before.
+  // Call when a goal has changed.
   void ForgetRoom(const Settings& settings);
   void ForgetTimes() { this->Planner.Forget(); }
 
@@ -53,26 +53,25 @@ public:
   vtkRelievoShadowProbe& GetProbe() { return this->Probe; }
 
   ///@{
-  // The share of wrong verdicts that a method is expected to have in the picture, by the probe's
-  // rays where they can tell. The probe is brought up to date first.
+  // The expected share of wrong verdicts of a method in the picture, by the probe's rays if they
+  // apply. Updates the probe first.
   void UpdateProbe(const Scene& scene, const Settings& settings, vtkRenderer* renderer);
   double GetShareInView(const Scene& scene, const Settings& settings, int method, int size);
   ///@}
 
   ///@{
-  // A frame: its plan, made again if what was planned could not be had, and what the frame
-  // took.
+  // A frame: its plan, renewed if the planned method is impossible, and its time.
   void Begin(bool picture);
   void FindMoves(const Scene& scene, const vtkRelievoFrameCamera& view);
   void Make(const Scene& scene, const Settings& settings, const vtkRelievoFrameContext& context);
   void RefuseRoom(int size); // OpenGL had no memory for such maps
   void SetMade(bool made) { this->Failed = !made; }
   void End(const Scene& scene, bool picture, bool mapsDrawn, vtkMTimeType shaderTime);
-  void ForgetView() { this->TimedView = glm::dmat4(0.0); } // the next frame finds everything anew
+  void ForgetView() { this->TimedView = glm::dmat4(0.0); } // the next frame counts as new
   void SetNone() { this->Planned = false; }
   ///@}
 
-  // Whether the frame's choice was made for a goal.
+  // Whether a goal determined the frame's choice.
   bool IsPlanned() const { return this->Planned; }
   const vtkRelievoShadowPlanner::Plan& Get() const { return this->Plan; }
   double GetMillisecondsTaken() const { return this->Took; } // by the last picture; -1: unknown
@@ -85,16 +84,16 @@ private:
 
   vtkRelievoShadowProbe Probe;
   vtkRelievoShadowPlanner Planner;
-  vtkRelievoShadowPlanner::Plan Plan; // of the frame; without a goal, what is set
+  vtkRelievoShadowPlanner::Plan Plan; // of the frame; without a goal, the settings
   vtkRelievoShadowPlanner::SceneCost Cost;
-  vtkRelievoShadowPlanner::Invalidated Moves; // since the frame before
+  vtkRelievoShadowPlanner::Invalidated Moves; // changes since the previous frame
   bool Planned = false;
-  bool Fresh = false;       // other than in the frame before
-  bool Failed = false;      // what was chosen could not be made
+  bool Fresh = false;       // differs from the previous frame's
+  bool Failed = false;      // the chosen method is impossible
   double RoomRefused = 0.0; // texels of maps that OpenGL had no memory for; 0: none
   double Began = 0.0;       // milliseconds
-  double Took = -1.0;       // the last picture
-  double Spent = 0.0;       // on planning, in this frame
+  double Took = -1.0;       // of the last picture
+  double Spent = 0.0;       // planning time in this frame
   vtkMTimeType TimedShaders = 0;
   glm::dmat4 TimedView{ 0.0 };
   std::vector<std::uint64_t> TimedCasters;

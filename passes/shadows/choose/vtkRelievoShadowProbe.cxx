@@ -17,18 +17,18 @@ namespace
 // Sides of the coarse maps, in texels.
 constexpr int Sides[] = { 512, 2048 };
 
-// Powers of the law: where edges are far apart for a texel, and where they are not.
+// Exponents of the law: where edges are many texels apart, and where they are not.
 constexpr double Power = 0.9;
 constexpr double LeastPower = 0.5;
 
-// Wrong verdicts of maps over those that are counted so: fitted to the bench of the planner
+// Ratio of wrong verdicts of maps to those counted by the probe: fitted to the planner's bench
 // (docs/charts/README.md).
 constexpr double WrongOfCounted = 0.6;
 
-constexpr int Phases = 8;          // places of the grid that are tried
-constexpr int LeastSamples = 3000; // that face a light
-constexpr int MostPixels = 9000;   // that are looked at for them
-constexpr int FittedSize = 2048;   // of the maps whose views are asked for
+constexpr int Phases = 8;          // tested offsets of the grid
+constexpr int LeastSamples = 3000; // pixels that face a light
+constexpr int MostPixels = 9000;   // pixels tested to find them
+constexpr int FittedSize = 2048;   // of the maps whose views are requested
 
 vtkRelievoShadowScene GetScene(
   const vtkRelievoShadowContext& work, const vtkRelievoFrameCamera& view)
@@ -43,7 +43,7 @@ vtkRelievoShadowScene GetScene(
   request.ViewUp = glm::dvec3(viewToWorld[1]);
   request.ParallelEye = view.Parallel;
   scene.WorldToNDC = view.ViewToNDC * view.WorldToView;
-  scene.Casters = work.Props.GetAllBoxes(); // a method may have taken casters out
+  scene.Casters = work.Props.GetAllBoxes(); // a method may have removed casters
   scene.Receivers = work.Props.GetReceiverBoxes();
   return scene;
 }
@@ -58,7 +58,7 @@ void Add(std::vector<double>& key, const glm::dmat4& m)
   key.insert(key.end(), &m[0][0], &m[0][0] + 16);
 }
 
-// Along one axis of the map, from the fitted rectangle to the map.
+// Maps one axis of the fitted rectangle to the map.
 double Place(const vtkRelievoMapAxis& axis, double from)
 {
   int i = 0;
@@ -70,13 +70,13 @@ double Place(const vtkRelievoMapAxis& axis, double from)
     (from - axis.From[i]) * (axis.To[i + 1] - axis.To[i]) / (axis.From[i + 1] - axis.From[i]);
 }
 
-// n.l of what is seen.
+// n.l of the visible surface.
 double GetFacing(const vtkRelievoCasterRays::Meeting& seen, const vtkRelievoToLight& to)
 {
   return glm::dot(glm::normalize(seen.Normal), glm::normalize(to.Ray));
 }
 
-// A place on the map, both 0 to 1; false outside it.
+// A place on the map, both coordinates 0 to 1; false outside it.
 bool Project(const vtkRelievoShadowView& view, const glm::dvec3& world, glm::dvec2& at)
 {
   const glm::dvec4 clip = view.ViewToNDC * (view.WorldToView * glm::dvec4(world, 1.0));
@@ -175,7 +175,7 @@ double vtkRelievoShadowProbe::GetRoundedReach() const
 }
 
 //------------------------------------------------------------------------------
-// Places that face a light, at pixels that fill the part evenly (M. Roberts, The unreasonable
+// Places that face a light, at pixels that cover the part evenly (M. Roberts, The unreasonable
 // effectiveness of quasirandom sequences, 2018).
 void vtkRelievoShadowProbe::TakeSamples(const vtkRelievoFrameCamera& view, const glm::dvec4& part)
 {
@@ -203,7 +203,7 @@ void vtkRelievoShadowProbe::TakeSamples(const vtkRelievoFrameCamera& view, const
       }
       const glm::dvec3 place = eye.From + seen.T * eye.Ray;
       const double blur = vtkRelievoPlaceBlur * std::abs(seen.T) * glm::length(eye.Ray);
-      // To the right, the left, above or below.
+      // To the right, left, above or below.
       const glm::dvec2 aside = (i & 2 ? -0.5 : 0.5) * glm::dvec2(i & 1, ~i & 1);
       const vtkRelievoPixelRay beside =
         pixels.GetRay(x * view.Viewport[2] + aside.x, y * view.Viewport[3] + aside.y);
@@ -256,7 +256,7 @@ vtkRelievoShadowProbe::Count vtkRelievoShadowProbe::Ask(
         {
           const Sample& sample = this->Samples[i];
           const auto& maps = cache.GetEntries()[sample.Light].Maps;
-          // Outside of all maps nothing casts.
+          // There are no casters outside all maps.
           const auto map = std::find_if(maps.begin(), maps.end(), [&](const auto& each) {
             glm::dvec2 at;
             return Project(each.View, sample.Place + center, at);
@@ -281,7 +281,7 @@ vtkRelievoShadowProbe::Count vtkRelievoShadowProbe::Ask(
 }
 
 //------------------------------------------------------------------------------
-// In each of the coarse maps, the share of places of its grid for which the verdict is wrong.
+// For each of the coarse maps, the share of grid offsets with a wrong verdict.
 void vtkRelievoShadowProbe::AddWrong(const Sample& sample, const vtkRelievoShadowView& view,
   double bias, double (&wrong)[Levels]) const
 {
@@ -296,7 +296,7 @@ void vtkRelievoShadowProbe::AddWrong(const Sample& sample, const vtkRelievoShado
   const glm::dvec3 up = glm::cross(normal, right);
   const double depth = -(view.WorldToView * glm::dvec4(world, 1.0)).z;
   const double texel = view.Texel * (view.Parallel ? 1.0 : depth); // of FittedSize
-  // How the map's coordinates change along the receiver's plane.
+  // Change of the map's coordinates along the receiver's plane.
   const double step = 0.25 * texel;
   glm::dvec2 at;
   glm::dvec2 beside[2];
@@ -349,10 +349,10 @@ double vtkRelievoShadowProbe::GetWrongShare(int size, bool warped) const
   const Count& count = warped ? this->Warped : this->Even;
   const double asked = std::max(1.0, count.Asked);
   const double ratio = static_cast<double>(Sides[1]) / Sides[0];
-  // Half a pixel more than were seen: nothing seen is not nothing there.
+  // Half a pixel more than the number found: finding none does not prove that there are none.
   const double coarse = (count.Wrong[0] + 0.5 * std::pow(ratio, Power)) / asked;
   const double fine = (count.Wrong[1] + 0.5) / asked;
-  // Most of what is known comes from the coarser map, as long as the law holds.
+  // The coarser map gives most of the estimate as long as the law holds.
   const double both =
     (count.Wrong[0] + count.Wrong[1] + 0.5) / (asked * (1.0 + std::pow(ratio, Power)));
   const double share = std::max(both, fine);
@@ -383,7 +383,7 @@ double vtkRelievoShadowProbe::GetEdgeShare()
 }
 
 //------------------------------------------------------------------------------
-// No edge is where nothing is seen aside, or what is seen is outside the light's cone: there is no
+// No edge if the neighbouring pixel shows no surface, or one outside the light's cone, which has no
 // verdict.
 bool vtkRelievoShadowProbe::IsAtEdge(const Sample& sample) const
 {

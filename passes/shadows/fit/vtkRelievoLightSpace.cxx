@@ -15,7 +15,7 @@ using vtkRelievoShadowFit::Request;
 using vtkRelievoShadowRegion::Rectangle;
 using vtkRelievoShadowSnapping::Rounding;
 
-// Angles that a map is tried at, in a quarter turn.
+// Tested angles of a map, in a quarter turn.
 constexpr int Turns = 8;
 
 glm::dmat4 LookAlong(const glm::dvec3& position, const glm::dvec3& forward, const glm::dvec3& right,
@@ -58,7 +58,7 @@ glm::dmat4 Project(const Rectangle& r, bool parallel, double n, double f)
 void Widen(Rectangle& r, const Request& request)
 {
   const glm::dvec2 size = r.Max - r.Min;
-  // A region without width, a line say, still has texels.
+  // A region without width, such as a line, still gets texels.
   const double least = 1e-6 * std::max(std::max(size.x, size.y), 1e-12);
   const glm::dvec2 middle = 0.5 * (r.Max + r.Min);
   const double texels =
@@ -68,7 +68,7 @@ void Widen(Rectangle& r, const Request& request)
   r.Max = middle + half;
 }
 
-// Points as the light sees them: their places in the map's plane, and how far they are.
+// Points in the light's frame: their places in the map's plane, and their distances.
 struct Seen
 {
   std::vector<glm::dvec2> Hull;
@@ -90,14 +90,14 @@ struct Seen
   }
 };
 
-// The part of a view's depth that its region takes, in steps, out of the whole scene's.
+// The depth range of a view's region, in steps of the whole scene's.
 void SetDepths(const Seen& region, const Seen& whole, double side, vtkRelievoShadowView& view)
 {
   view.Near = whole.Nearest;
   view.Far = whole.Farthest;
   if (view.Parallel)
   {
-    // Sides of the map: they take next to nothing of a float's digits.
+    // The map's side planes: nearly exact in float.
     const double first = std::floor((region.Nearest - whole.Nearest) / side + Rounding);
     const double last = std::ceil((region.Farthest - whole.Nearest) / side - Rounding);
     view.Near = whole.Nearest + side * first;
@@ -109,7 +109,7 @@ void SetDepths(const Seen& region, const Seen& whole, double side, vtkRelievoSha
   }
 }
 
-// The depth of the first caster that the view sees.
+// The depth of the first caster in the view.
 double GetFirst(
   const vtkRelievoShadowView& view, const Frame& frame, const std::vector<vtkRelievoBox>& casters)
 {
@@ -192,7 +192,7 @@ bool vtkRelievoLightSpace::Fit(bool parallel, const std::vector<glm::dvec3>& vis
   SetDepths(region, whole, side, view);
   if (parallel)
   {
-    // The view's origin is near what it sees, so that no digits are lost far away.
+    // The view's origin is near its region, to keep digits far from the world's origin.
     const glm::dvec2 middle = 0.5 * (rectangle.Min + rectangle.Max);
     frame.MoveTo(glm::dvec3(c * middle.x - s * middle.y, s * middle.x + c * middle.y, view.Near));
     rectangle.Min = -0.5 * size;
@@ -206,7 +206,7 @@ bool vtkRelievoLightSpace::Fit(bool parallel, const std::vector<glm::dvec3>& vis
   view.Up = frame.Up * c - frame.Right * s;
   view.Position = frame.Origin;
   view.WorldToView = LookAlong(view.Position, view.Forward, right, view.Up);
-  // First with a depth range that holds everything, to see what casts.
+  // First with a depth range around everything, to find the casters.
   view.Far += 1e-3 * (view.Far - view.Near) + 1e-6 * side * (parallel ? 1.0 : view.Far);
   view.Near = parallel ? nearest : Frame::NearestShare * view.Far;
   glm::dmat4 shear(1.0);
@@ -219,20 +219,20 @@ bool vtkRelievoLightSpace::Fit(bool parallel, const std::vector<glm::dvec3>& vis
     return false;
   }
   const double texel = side / request.Size;
-  // Room for a few texels' bias on both sides.
+  // Margin of a few texels' bias on both sides.
   const double room = 8.0 * texel * placement.Widest * (parallel ? 1.0 : view.Far);
   view.Far += parallel ? room : 0.0;
   const double before =
     std::max(1e-3 * (view.Far - (parallel ? std::max(first, nearest) : first)), room);
-  // Nothing is looked up before the region: casters there are drawn onto the near plane, and a far
-  // one does not take the digits of the others.
+  // There are no receivers in front of the region: casters there are drawn onto the near plane, so
+  // that a far one does not cost the others' precision.
   view.Near = parallel ? std::max(first, nearest) - before
                        : std::max(first - before, Frame::NearestShare * view.Far);
   view.ViewToNDC = Project(rectangle, parallel, view.Near, view.Far) * shear;
   view.NearCut = parallel && nearest > first;
   view.Width = size.x;
   view.Height = size.y;
-  // Along an oblique ray a texel's width is less of the map's depth.
+  // Along an oblique ray, a texel's width covers less of the map's depth.
   const double oblique = 1.0 / std::sqrt(1.0 + glm::dot(frame.Shear, frame.Shear));
   view.Texel = parallel ? oblique * texel / (view.Far - view.Near)
                         : texel * view.Far * view.Near / (view.Far - view.Near);

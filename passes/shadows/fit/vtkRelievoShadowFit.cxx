@@ -18,18 +18,18 @@ using vtkRelievoShadowRegion::GetPoints;
 using vtkRelievoShadowRegion::Polygon;
 using vtkRelievoShadowSnapping::Rounding;
 
-// Half the opening, in tangents, up to which one perspective map serves a lamp; beyond it texels at
-// the rim get too small for what they cost.
+// Tangent of half the opening up to which a lamp uses a single perspective map; beyond it, texels
+// at the rim are too small for their cost.
 constexpr double WidestTangent = 1.43; // 55 degrees
-// Sides of a cube reach a little over their edges, for the filter.
+// Overlap of a cube's sides over their edges, for the filter.
 constexpr double CubeTangent = 1.01;
 
-// Of the casters' width: they are drawn in float.
+// Margin as a share of the casters' width, because they are drawn in float.
 constexpr double ShadowMargin = 1e-5;
-// Half the opening, in tangents, of the cone around what casts by a lamp.
+// Tangent of half the opening of the cone from a lamp around the casters.
 constexpr double WidestShadow = 5.0;
 
-// Whether the box is flat, and all that receives is on the side of it that the light is on.
+// Whether the box is flat, and all receivers are on the lit side of it.
 bool CastsNothing(const vtkRelievoBox& box, const vtkRelievoShadowLight& light,
   const std::vector<vtkRelievoBox>& receivers)
 {
@@ -52,7 +52,7 @@ bool CastsNothing(const vtkRelievoBox& box, const vtkRelievoShadowLight& light,
   return false;
 }
 
-// What of the region is within the pyramid of the frame.
+// The part of the region within the frame's pyramid.
 std::vector<glm::dvec3> GetPointsWithin(
   const std::vector<Polygon>& region, const Frame& frame, double tangent, double nearest)
 {
@@ -70,8 +70,8 @@ std::vector<glm::dvec3> GetPointsWithin(
   return points;
 }
 
-// Points, and the corners of the cones from them to a sun's parts, as far as something may cast
-// there: for a map that these are looked up in.
+// Points, and the corners of the cones from them to a sun's parts, as far as there may be casters:
+// for a map shared by these parts.
 std::vector<glm::dvec3> SpreadOut(const std::vector<glm::dvec3>& points,
   const vtkRelievoShadowLight::Center& light, const std::vector<vtkRelievoBox>& casters)
 {
@@ -109,7 +109,7 @@ double GetReach(const glm::dvec3& place, const std::vector<glm::dvec3>& points)
   return reach;
 }
 
-// The tangent of half the angle of a cone about the axis that holds all points; -1 from 90 degrees
+// The tangent of half the opening of the cone about the axis around all points; -1 from 90 degrees
 // on.
 double GetTangent(
   const glm::dvec3& tip, const glm::dvec3& axis, const std::vector<glm::dvec3>& points)
@@ -123,7 +123,7 @@ double GetTangent(
   return cosine <= 1e-3 ? -1.0 : std::sqrt(1.0 - cosine * cosine) / cosine;
 }
 
-// The middle of the points' directions; zero if they are all around.
+// The mean of the points' directions; zero if they surround the light.
 glm::dvec3 GetAxis(const glm::dvec3& tip, const std::vector<glm::dvec3>& points)
 {
   glm::dvec3 low(1e300);
@@ -142,7 +142,7 @@ glm::dvec3 GetAxis(const glm::dvec3& tip, const std::vector<glm::dvec3>& points)
   return length > 1e-3 && low.x <= high.x ? axis / length : glm::dvec3(0.0);
 }
 
-// One perspective map, if one can serve what is visible.
+// A single perspective map, if it can cover the visible region.
 struct Cone
 {
   glm::dvec3 Axis{ 0.0 };
@@ -150,7 +150,7 @@ struct Cone
 
   bool IsNarrow() const { return this->Tangent >= 0.0 && this->Tangent <= WidestTangent; }
 
-  // A little more: the rim is computed in float.
+  // A margin, because the rim is computed in float.
   double GetOpening() const { return 1.001 * std::max(this->Tangent, 1e-4); }
 };
 
@@ -165,7 +165,7 @@ Cone GetCone(const glm::dvec3& tip, const glm::dvec3& axis, const std::vector<gl
   return cone;
 }
 
-// Of a lamp, for all that the camera may see.
+// A lamp's maps for the whole visible region.
 Cone GetWholeCone(const vtkRelievoShadowLight& light, const std::vector<glm::dvec3>& all)
 {
   const double tangent =
@@ -208,12 +208,12 @@ std::vector<glm::dvec4> vtkRelievoShadowFit::GetShadowPlanes(const vtkRelievoSha
   const double tangent = light.Positional ? GetCone(light.Position, axis, corners).Tangent : 0.0;
   if (tangent < 0.0 || tangent > WidestShadow)
   {
-    return planes; // the casters are around the lamp
+    return planes; // the casters surround the lamp
   }
   const Frame frame(light.Positional ? light.Position : corners.front(), axis);
   std::vector<glm::dvec2> places;
   double width = 0.0;
-  // Parts of a sun's disc see places beside those that its centre sees.
+  // Parts of a sun's disc see places beside those seen from its centre.
   double low = 1e300;
   double high = -1e300;
   for (const vtkRelievoBox& box : light.Spread > 0.0 ? receivers : std::vector<vtkRelievoBox>())
@@ -275,7 +275,7 @@ std::vector<vtkRelievoShadowView> vtkRelievoShadowFit::Fit(const vtkRelievoShado
       if (!own.Fit(true, SpreadOut(points, center, casters), SpreadOut(all, center, casters),
             casters, request, view))
       {
-        return {}; // nor does anything cast for the others
+        return {}; // nor does anything cast for the other sides
       }
       views.push_back(view);
     }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Fits the maps of a light: evenly spaced ones, unless a class that derives from it knows better.
+// Fits the maps of a light: evenly spaced ones, unless a derived class fits others.
 #ifndef vtkRelievoShadowFitter_h
 #define vtkRelievoShadowFitter_h
 
@@ -17,7 +17,7 @@ public:
   vtkRelievoShadowFitter(const vtkRelievoShadowFitter&) = delete;
   void operator=(const vtkRelievoShadowFitter&) = delete;
 
-  // The views of the maps, as vtkRelievoShadowFit::Fit.
+  // The views of a light's maps; by default those of vtkRelievoShadowFit::Fit.
   virtual std::vector<vtkRelievoShadowView> Fit(const vtkRelievoShadowLight& light,
     const std::vector<vtkRelievoShadowRegion::Polygon>& visible,
     const std::vector<vtkRelievoShadowRegion::Polygon>& scene,

@@ -28,7 +28,7 @@ std::vector<glm::dvec4> GetBoxPlanes(const vtkRelievoBox& box)
     glm::dvec4(0, 0, 1, -box.Min.z), glm::dvec4(0, 0, -1, box.Max.z) };
 }
 
-// The faces of a hexahedron with corners in the order of vtkRelievoBox::GetCorners, cut by planes.
+// The faces of a hexahedron, with corners in the order of vtkRelievoBox::GetCorners, cut by planes.
 void AddFaces(const std::array<glm::dvec3, 8>& corners, const std::vector<glm::dvec4>& planes,
   std::vector<Polygon>& polygons)
 {
@@ -59,7 +59,7 @@ double Cross(const glm::dvec2& a, const glm::dvec2& b)
 //------------------------------------------------------------------------------
 Polygon vtkRelievoShadowRegion::Clip(const Polygon& polygon, const glm::dvec4& plane)
 {
-  // Sutherland and Hodgman (1974).
+  // Clips by the method of Sutherland and Hodgman (1974).
   Polygon kept;
   auto side = [&plane](const glm::dvec3& p) { return glm::dot(glm::dvec3(plane), p) + plane.w; };
   for (std::size_t i = 0; i < polygon.size(); ++i)
@@ -177,7 +177,7 @@ vtkRelievoShadowRegion::Rectangle vtkRelievoShadowRegion::EncloseAt(
 }
 
 //------------------------------------------------------------------------------
-// Andrew's monotone chain (1979).
+// By Andrew's monotone chain (1979).
 std::vector<glm::dvec2> vtkRelievoShadowRegion::GetHull(std::vector<glm::dvec2> points)
 {
   std::sort(points.begin(), points.end(), [](const glm::dvec2& a, const glm::dvec2& b) {
@@ -212,9 +212,9 @@ vtkRelievoShadowRegion::Rectangle vtkRelievoShadowRegion::Enclose(
   const std::vector<glm::dvec2>& points)
 {
   const std::vector<glm::dvec2> hull = GetHull(points);
-  // The least rectangle has a side along a side of the hull: between, its length is a sum of sines
-  // of the angle, which is least at an end. Angles
-  // that differ by a quarter turn give the same one.
+  // The smallest rectangle has a side along a side of the hull: between, its length is a sum of
+  // sines of the angle, which is smallest at an end. Angles a quarter turn apart give equal
+  // rectangles.
   const double quarter = 0.5 * vtkMath::Pi();
   constexpr double Rounding = 1e-6;
   Rectangle best;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Where shadows can be seen: the boxes of what receives them, cut by the camera's frustum, as
+// The region with visible shadows: the boxes of the receivers, cut by the camera's frustum, as
 // convex polygons in world coordinates.
 #ifndef vtkRelievoShadowRegion_h
 #define vtkRelievoShadowRegion_h
@@ -20,17 +20,16 @@ Polygon Clip(const Polygon& polygon, const glm::dvec4& plane);
 // The surface of each box.
 std::vector<Polygon> GetFaces(const std::vector<vtkRelievoBox>& boxes);
 
-// The surface of each box cut by the frustum of worldToNDC (no far plane beyond it, as the camera
-// has it).
+// The surface of each box cut by the frustum of worldToNDC (without a separate far plane).
 std::vector<Polygon> Cut(const std::vector<vtkRelievoBox>& boxes, const glm::dmat4& worldToNDC);
 
-// The parts that are within all planes.
+// The parts within all planes.
 std::vector<Polygon> Clip(std::vector<Polygon> polygons, const std::vector<glm::dvec4>& planes);
 
-// The corners of all of them.
+// The corners of all polygons.
 std::vector<glm::dvec3> GetPoints(const std::vector<Polygon>& polygons);
 
-// The middle of the polygons' extent.
+// The centre of the polygons' extent.
 glm::dvec3 GetMiddle(const std::vector<Polygon>& polygons);
 
 // A rectangle of the plane, its axes turned by Angle.
@@ -40,11 +39,12 @@ struct Rectangle
   glm::dvec2 Min{ 0.0 };
   glm::dvec2 Max{ 0.0 };
 
-  // Of both sides: a map has as many texels along either, so that edges of shadows, which run any
-  // way, are off by a share of this.
+  // The sum of both sides: a map has equally many texels along either, so that the error of edges,
+  // in any direction, is proportional to it.
   double GetLength() const { return this->Max.x - this->Min.x + this->Max.y - this->Min.y; }
 };
-// The least around points; where two are alike but for rounding, always at the same angle.
+// The smallest rectangle around points; among rectangles equal but for rounding, always at the same
+// angle.
 Rectangle Enclose(const std::vector<glm::dvec2>& points);
 Rectangle EncloseAt(const std::vector<glm::dvec2>& points, double angle);
 

@@ -11,12 +11,12 @@ using vtkRelievoShadowRegion::Rectangle;
 
 namespace
 {
-// A map is at most 2^(1/16), 1.05 times, as long as it must be, and a little more for its place.
+// A map is at most 2^(1/16), 1.05 times, longer than necessary, and a little more for its place.
 constexpr int SizesPerOctave = 16;
 constexpr int PlacesPerLength = 16;
-constexpr double Shortest = 1e-9; // of the whole
+constexpr double Shortest = 1e-9; // share of the whole
 
-// Directions per half side of a cube: 14 degrees apart and less.
+// Directions per half side of a cube: at most 14 degrees apart.
 constexpr double DirectionSteps = 4.0;
 }
 

@@ -9,7 +9,7 @@
 void vtkRelievoMapAxis::Warp(double focus, double ratio, int size)
 {
   *this = vtkRelievoMapAxis();
-  // Fewer pieces would not gain what they cost.
+  // Fewer pieces would gain less than they cost.
   if (!(ratio > 1.5))
   {
     return;
@@ -18,7 +18,7 @@ void vtkRelievoMapAxis::Warp(double focus, double ratio, int size)
   this->Ratio = ratio;
   this->Pieces = ratio > 6.0 ? 4 : ratio > 2.5 ? 3 : 2;
   const double reach = std::max(focus, 1.0 - focus);
-  // The density of the logistic function falls as 1 / cosh^2.
+  // The density of the logistic function is proportional to 1 / cosh^2.
   const double k = 2.0 * std::acosh(std::sqrt(ratio)) / reach;
   auto logistic = [&](double x) { return 1.0 / (1.0 + std::exp(-k * (x - focus))); };
   const double low = logistic(0.0);
@@ -62,7 +62,7 @@ bool vtkRelievoShadowView::IsSame(const vtkRelievoShadowView& other) const
   auto same = [](const vtkRelievoMapAxis& a, const vtkRelievoMapAxis& b) {
     return a.Pieces == b.Pieces && a.Focus == b.Focus && a.Ratio == b.Ratio;
   };
-  // What the matrices are made of: drawing writes WorldToView anew, rounded otherwise.
+  // The matrices' sources: drawing rewrites WorldToView with other rounding.
   return this->Position == other.Position && this->Forward == other.Forward &&
     this->Up == other.Up && this->Parallel == other.Parallel && this->Near == other.Near &&
     this->Far == other.Far && this->NearCut == other.NearCut && this->Side == other.Side &&
@@ -73,7 +73,7 @@ bool vtkRelievoShadowView::IsSame(const vtkRelievoShadowView& other) const
 //------------------------------------------------------------------------------
 bool vtkRelievoShadowView::Sees(const vtkRelievoBox& box) const
 {
-  // Not if all corners are beyond the same side of the map, or beyond its far plane.
+  // Not if all corners are beyond one side of the map, or beyond its far plane.
   const glm::dmat4 worldToNDC = this->ViewToNDC * this->WorldToView;
   int outside = 31;
   for (const glm::dvec3& corner : box.GetCorners())

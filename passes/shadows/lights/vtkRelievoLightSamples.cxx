@@ -13,15 +13,14 @@ namespace
 {
 const double GoldenAngle = vtkMath::Pi() * (3.0 - std::sqrt(5.0));
 
-// Its multiples, less their whole parts, are far apart, and not in step with the golden angle.
-constexpr double Spread = 0.5698402909980532;      // of x^3 = x + 1, to the power of -2
+// The fractional parts of its multiples are far apart, and not aligned with the golden angle.
+constexpr double Spread = 0.5698402909980532;      // of the root of x^3 = x + 1, to the power of -2
 constexpr double OtherSpread = 0.6180339887498949; // the golden ratio's
 
-// Nearer to a spot than so many radii, the rim of its cone may be lit where it is not.
+// Closer to a spot than this number of radii, the rim of its cone may be lit wrongly.
 constexpr double RadiiOff = 8.0;
 
-// The samples in the order of these multiples, counted from one of them, which is the first: a
-// permutation.
+// A permutation of the samples, in the order of these multiples, starting from one of them.
 std::vector<int> GetOrder(int samples, double spread, int first = 0)
 {
   std::vector<int> order(static_cast<std::size_t>(samples));
@@ -34,7 +33,7 @@ std::vector<int> GetOrder(int samples, double spread, int first = 0)
   return order;
 }
 
-// The radius sin t within which this share of a glowing ball is: t - sin t cos t = share * pi / 2.
+// The radius sin t of the disc with this share of a glowing ball: t - sin t cos t = share * pi / 2.
 double GetBallRadius(double share)
 {
   double low = 0.0;
@@ -59,7 +58,7 @@ glm::dvec2 vtkRelievoLightSamples::OnDisc(int sample, int samples)
 //------------------------------------------------------------------------------
 glm::dvec3 vtkRelievoLightSamples::InBall(int sample, int samples)
 {
-  // Directions of a spiral from pole to pole; the radii are spread over them.
+  // Directions of a spiral from pole to pole; the radii are distributed over them.
   const int i = GetOrder(samples, OtherSpread)[static_cast<std::size_t>(sample)];
   const std::vector<int> order = GetOrder(samples, Spread);
   const auto rank = std::find(order.begin(), order.end(), i) - order.begin();
@@ -147,7 +146,7 @@ void vtkRelievoLightSizes::Move(vtkRelievoShadowLight& light, int sample, int sa
   glm::dvec3 offset(0.0);
   if (!light.Positional)
   {
-    // Evenly over the solid angle of its cone.
+    // Uniform over the solid angle of the sun's cone.
     const glm::dvec2 place = OnDisc(sample, samples);
     const double r = glm::length(place);
     const double half = std::sin(0.25 * vtkMath::RadiansFromDegrees(size));
@@ -174,7 +173,7 @@ void vtkRelievoLightSizes::Move(vtkRelievoShadowLight& light, int sample, int sa
   light.Position += offset;
   if (light.IsSpot())
   {
-    // The cone of the light itself, which stays where it is, is within that of its map.
+    // The cone of the light itself, which does not move, is within that of its map.
     const double tangent = std::tan(vtkMath::RadiansFromDegrees(light.ConeAngle));
     light.ConeAngle = vtkMath::DegreesFromRadians(std::atan(tangent + 1.0 / RadiiOff));
   }

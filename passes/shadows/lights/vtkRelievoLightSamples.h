@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Points spread evenly over the shapes of lights with a size: how large they are, and where a
-// light's shadow is cast from in one of so many samples.
+// Points distributed evenly over the shapes of lights with a size, the sizes of lights, and the
+// position from which a sample casts a light's shadow.
 #ifndef vtkRelievoLightSamples_h
 #define vtkRelievoLightSamples_h
 
@@ -19,15 +19,15 @@ struct vtkRelievoShadowLight;
 
 namespace vtkRelievoLightSamples
 {
-// Of the unit disc: a spiral (H. Vogel, A better way to construct the sunflower head, 1979) whose
-// points come in an order that is spread out as well; the first is the centre.
+// Points of the unit disc: a spiral (H. Vogel, A better way to construct the sunflower head, 1979)
+// in an order that is evenly distributed as well; the first is the centre.
 VTKRELIEVOSHADOWS_EXPORT glm::dvec2 OnDisc(int sample, int samples);
 
-// Of the unit ball, denser towards its surface as 1 / sqrt(1 - r^2): from every side it is seen as
-// an evenly covered disc, as a glowing ball is. The first is the centre.
+// Points of the unit ball, with a density of 1 / sqrt(1 - r^2): seen from any side they cover a
+// disc evenly, like a glowing ball. The first is the centre.
 VTKRELIEVOSHADOWS_EXPORT glm::dvec3 InBall(int sample, int samples);
 
-// Of the square from -1 to 1; the first is within 1 / samples of its middle.
+// Points of the square from -1 to 1; the first is within 1 / samples of the centre.
 VTKRELIEVOSHADOWS_EXPORT glm::dvec2 OnSquare(int sample, int samples);
 }
 
@@ -41,18 +41,18 @@ public:
   double SunAngle = 0.53;  // diameter of directional lights, in degrees
   double LampRadius = 0.0; // of positional lights, in world units
 
-  // Of one light, in the unit of its kind; negative: as the others of its kind.
+  // The size of one light, in the unit of its kind; negative: the common size of its kind.
   void Set(vtkLight* light, double size);
   double Get(vtkLight* light) const;
 
-  // A positional light that is a parallelogram with these edges, in world coordinates, around its
-  // position; edges of no length: it is none.
+  // Makes a positional light a parallelogram with these edges, in world coordinates, around its
+  // position; edges of zero length remove it.
   void SetEdges(vtkLight* light, const glm::dvec3& first, const glm::dvec3& second);
 
   // Whether the light is more than a point.
   bool IsSized(vtkLight* light) const;
 
-  // To where its shadow is cast from.
+  // Moves the light to the position from which its shadow is cast.
   void Move(vtkRelievoShadowLight& light, int sample, int samples) const;
 
 private:

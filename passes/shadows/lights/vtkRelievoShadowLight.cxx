@@ -14,7 +14,7 @@
 
 namespace
 {
-// Whether the near plane cuts something away: its shadow is seen, though it is not.
+// Whether the near plane cuts anything away: its shadow is visible although it is not.
 bool IsCut(vtkRenderer* renderer, const glm::dvec3& eye, const glm::dvec3& gaze)
 {
   const double nearest = renderer->GetActiveCamera()->GetClippingRange()[0];
@@ -45,8 +45,8 @@ bool IsAtEye(const vtkRelievoShadowLight& light, vtkRenderer* renderer)
   glm::dvec3 gaze(0.0);
   camera->GetPosition(eye.x, eye.y, eye.z);
   camera->GetDirectionOfProjection(gaze.x, gaze.y, gaze.z);
-  // A light of parallel rays casts no shadow that is seen along them, which only a parallel camera
-  // does, but that of what is before the near plane; the eye's own place is that for a lamp.
+  // Parallel rays along a parallel camera's view cast no visible shadow, except from casters in
+  // front of the near plane; for a lamp this holds at the eye's position.
   const bool along = glm::length(light.Direction - gaze) < 1e-6;
   return light.Positional ? glm::length(light.Position - eye) <= 1e-6 * camera->GetDistance() &&
       !camera->GetParallelProjection()

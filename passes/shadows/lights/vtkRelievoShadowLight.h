@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A light of a renderer as its shadows see it: where it is, what it reaches, whether it casts.
+// A light of a renderer with the properties for shadows: position, reach, whether it casts.
 #ifndef vtkRelievoShadowLight_h
 #define vtkRelievoShadowLight_h
 
@@ -16,16 +16,16 @@ class vtkRenderer;
 struct vtkRelievoShadowLight
 {
   vtkLight* Light = nullptr;
-  int Number = 0;       // place in vtkRenderer::GetLights()
-  int ShaderIndex = -1; // among the lights that are on, as VTK's shaders count; -1 if off
+  int Number = 0;       // index in vtkRenderer::GetLights()
+  int ShaderIndex = -1; // index among lights that are on, as in VTK's shaders; -1 if off
   bool Positional = false;
   double ConeAngle = 90.0;            // degrees from the axis; 90 and more: all directions
-  glm::dvec3 Position{ 0.0 };         // world, of positional lights
-  glm::dvec3 Direction{ 0.0, 0, -1 }; // world, unit, the way the light goes
-  double Reach = 0.0;                 // of positional lights: nothing beyond is lit; 0: no end
-  // Of a sun whose parts are looked up in a few maps: the way that a part's light goes, and the
-  // map; the way of a map's light, and the tangent of the widest angle to the parts that it is for.
-  // Empty, and 0, of a point.
+  glm::dvec3 Position{ 0.0 };         // world, for positional lights
+  glm::dvec3 Direction{ 0.0, 0, -1 }; // world, unit, direction of the light's rays
+  double Reach = 0.0; // for positional lights: radius of the lit region; 0: unlimited
+  // For a sun whose parts share a few maps: the direction of a part's rays, and the map; the
+  // direction of a map's rays, and the tangent of the widest angle to its parts. Empty, and 0, for
+  // a point light.
   struct Part
   {
     glm::dvec3 Direction{ 0.0 };
@@ -38,17 +38,17 @@ struct vtkRelievoShadowLight
   };
   std::vector<Part> Parts;
   std::vector<Center> Centers;
-  double Spread = 0.0;  // the tangent of the widest angle of all parts to the light's direction
-  std::string NoShadow; // why it casts none, in words; empty if it casts
-  bool Broken = false;  // it could not cast if it were asked to: worth a warning
+  double Spread = 0.0;  // tangent of the widest angle of all parts to the light's direction
+  std::string NoShadow; // reason why it casts none; empty if it casts
+  bool Broken = false;  // it could never cast: worth a warning
 
   // A unit vector square to a direction.
   static glm::dvec3 AnySquareTo(const glm::dvec3& direction);
 
   bool IsSpot() const { return this->Positional && this->ConeAngle < 90.0; }
 
-  // All lights of the renderer. Headlights are marked as casting none: no shadow of a light at the
-  // eye is seen.
+  // All lights of the renderer. Headlights are marked as casting none: the shadow of a light at the
+  // eye is invisible.
   static std::vector<vtkRelievoShadowLight> Collect(vtkRenderer* renderer);
 };
 

@@ -18,7 +18,8 @@ double GetTangent(const glm::dvec3& a, const glm::dvec3& b)
   return glm::length(glm::cross(a, b)) / std::max(glm::dot(a, b), 1e-3);
 }
 
-// Groups the parts around so many centres (S. Lloyd, Least squares quantization in PCM, 1982).
+// Clusters the parts around this number of centres (S. Lloyd, Least squares quantization in PCM,
+// 1982).
 void FindCenters(vtkRelievoShadowLight& light, int count)
 {
   constexpr int Rounds = 16;
@@ -64,7 +65,7 @@ std::string Identify(const std::string& name)
     out += digit || lower ? c : upper ? static_cast<char>(c - 'A' + 'a') : '_';
     isNumber = isNumber && digit;
   }
-  return isNumber ? "light_" + out : out; // shadow_3 is the light in place 3
+  return isNumber ? "light_" + out : out; // shadow_3 means the light with index 3
 }
 }
 
@@ -307,7 +308,7 @@ void vtkRelievoShadowLights::KeepOnly(const std::vector<int>& numbers)
     }
     else
     {
-      light.NoShadow = "it casts none on another process; choose lights alike on all";
+      light.NoShadow = "it casts none on another process; use the same settings on all processes";
       light.Broken = true;
     }
   }
@@ -316,7 +317,7 @@ void vtkRelievoShadowLights::KeepOnly(const std::vector<int>& numbers)
 //------------------------------------------------------------------------------
 std::string vtkRelievoShadowLights::GetReport() const
 {
-  // Each reason once, with the lights that it holds for: presets have several fills of one name.
+  // Lists each reason once, with its lights: presets have several fills of one name.
   std::map<std::string, std::map<std::string, int>> reasons;
   for (const vtkRelievoShadowLight& light : this->All)
   {

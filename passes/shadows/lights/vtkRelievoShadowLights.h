@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The lights of a renderer as the stage sees them: what was chosen for each, what it is called,
-// which layer has its visibility, and which of them cast in a frame.
+// The renderer's lights as the stage uses them: the user's choices, names and visibility layers,
+// and which of them cast in a frame.
 #ifndef vtkRelievoShadowLights_h
 #define vtkRelievoShadowLights_h
 
@@ -29,30 +29,30 @@ public:
   std::string GetName(vtkRenderer* renderer, vtkLight* light) const;
 
   // The layer of a light's visibility (vtkRelievoShadowStage::GetLightLayer), the layers of all
-  // lights that cast by what was chosen, and the indices of the lights whose layers are among
+  // lights that cast by the user's choice, and the indices of the lights with a layer among
   // `layers`.
   std::string GetLayer(vtkRenderer* renderer, vtkLight* light) const;
   std::vector<std::string> GetLayers(vtkRenderer* renderer) const;
   std::map<std::string, int> Find(
     const std::vector<std::string>& layers, vtkRenderer* renderer) const;
 
-  // Decides which lights cast in this frame, with so many maps at most.
+  // Selects the casting lights of this frame, limited by the number of maps.
   void Collect(vtkRenderer* renderer, int mostMaps);
-  std::vector<int> GetNumbers() const; // of those that cast
+  std::vector<int> GetNumbers() const; // of the casting lights
   void KeepOnly(const std::vector<int>& numbers);
-  // Those that cast, to where a sample of so many casts its shadow from.
+  // Moves the casting lights to the positions of a sample.
   void Move(const vtkRelievoLightSizes& sizes, int sample, int samples);
 
-  // Suns that cast and have a size, into so many parts, which are looked up in so many maps each,
-  // or fewer, if all lights would have more than `most`. Returns whether there are any.
+  // Splits casting suns with a size into parts, which share up to this number of maps each, or
+  // fewer if all lights together would need more than `most`. Returns whether there are any.
   bool Divide(const vtkRelievoLightSizes& sizes, int parts, int maps, int most);
 
-  // Lights that may cast and are more than points: those with a position, or suns.
+  // Lights that may cast and have a size: positional ones, or suns.
   int CountSized(vtkRenderer* renderer, const vtkRelievoLightSizes& sizes, bool positional) const;
 
   const std::vector<vtkRelievoShadowLight>& GetAll() const { return this->All; }
   const std::vector<vtkRelievoShadowLight>& GetCasting() const { return this->Casting; }
-  // These, where they are by themselves, whatever sample of them is drawn.
+  // The casting lights at their own positions, for any sample.
   const std::vector<vtkRelievoShadowLight>& GetUnmoved() const
   {
     return this->Unmoved.empty() ? this->Casting : this->Unmoved;
@@ -63,18 +63,18 @@ public:
     this->Unmoved.clear();
   }
 
-  // In words: how many lights cast, and their names.
+  // In words: the number and the names of the casting lights.
   std::string GetCastingReport() const;
 
-  // Of the others, as a part of a sentence: "; NAME casts none: WHY".
+  // The other lights, as a part of a sentence: "; NAME casts none: WHY".
   std::string GetReport() const;
 
 private:
-  std::vector<vtkWeakPointer<vtkLight>> NotCasting; // chosen so
+  std::vector<vtkWeakPointer<vtkLight>> NotCasting; // chosen not to cast
   std::vector<std::pair<vtkWeakPointer<vtkLight>, std::string>> Names;
   std::vector<vtkRelievoShadowLight> All;
-  std::vector<vtkRelievoShadowLight> Casting; // those with a place in the shaders
-  std::vector<vtkRelievoShadowLight> Unmoved; // before Move; empty if there was none
+  std::vector<vtkRelievoShadowLight> Casting; // lights with an index in the shaders
+  std::vector<vtkRelievoShadowLight> Unmoved; // before Move; empty without it
 };
 
 #endif

@@ -10,7 +10,7 @@
 
 namespace
 {
-// Samples that are followed through a few maps, and suns.
+// Samples of soft lights and suns that share a few maps.
 constexpr int MostFollowed = 64;
 constexpr int MostFollowedSuns = 4;
 }
@@ -58,7 +58,7 @@ void vtkRelievoSoftLights::Begin(const vtkRelievoFrameContext& context, bool sof
 std::string vtkRelievoSoftLights::GetReport(bool together) const
 {
   return this->PartStep != glm::vec2(0.f)
-    ? ", " + std::to_string(this->Samples) + " parts of each sun are followed through its maps"
+    ? ", " + std::to_string(this->Samples) + " parts of each sun are traced through its maps"
     : this->Samples > 1 ? ", " + std::to_string(this->Gathered) + " of " +
       std::to_string(this->Samples) + " samples of the lights' shapes gathered"
     : together ? ", lights are points: several processes draw together"

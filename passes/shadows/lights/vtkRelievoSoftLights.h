@@ -29,7 +29,7 @@ public:
 
   bool HasSized(const vtkRelievoShadowLights& lights, vtkRenderer* renderer) const;
 
-  // Whether so many samples of all lights can be followed through a few maps.
+  // Whether this number of samples of all lights can share a few maps.
   bool CanFollow(int samples, const vtkRelievoShadowLights& lights, vtkRenderer* renderer) const;
 
   // Moves the lights that cast to the frame's sample, or divides them into parts where it draws all

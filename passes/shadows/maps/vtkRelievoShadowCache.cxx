@@ -64,7 +64,7 @@ int Count(const std::vector<Entry>& entries)
   return count;
 }
 
-// A map of the same view, whichever light it was drawn for.
+// Finds a map of an equal view, of any light.
 const Map* Find(const std::vector<Entry>& entries, const vtkRelievoShadowView& view)
 {
   for (const Entry& entry : entries)
@@ -150,7 +150,7 @@ void vtkRelievoShadowCache::AssignLayers(const std::vector<Entry>& before)
 {
   const int layers = Count(this->Entries);
   const bool lost = layers != Count(before);
-  // Two lights with one view have a map each, of which one was drawn.
+  // Two lights with equal views have a map each, of which only one was drawn.
   std::vector<bool> used(layers, false);
   std::vector<Map*> open;
   for (Entry& entry : this->Entries)

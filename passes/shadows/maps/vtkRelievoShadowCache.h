@@ -1,9 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The maps that a frame's lights have, and which of them must be drawn anew: only those that no
-// frame before drew from the same view, with the same casters. What maps there are is a function of
-// the frame alone.
+// The maps of a frame's lights, and which of them must be redrawn: only those that no earlier frame
+// drew from the same view, with the same casters. The set of maps depends only on the frame.
 #ifndef vtkRelievoShadowCache_h
 #define vtkRelievoShadowCache_h
 
@@ -16,12 +15,12 @@
 class vtkRelievoShadowFitter;
 class vtkRelievoShadowProps;
 
-// What maps are fitted to.
+// The scene that maps are fitted to.
 struct vtkRelievoShadowScene
 {
   std::vector<vtkRelievoBox> Casters;
   std::vector<vtkRelievoBox> Receivers;
-  bool SameCasters = false; // as when the maps were drawn
+  bool SameCasters = false; // as in the drawn maps
   glm::dmat4 WorldToNDC{ 0.0 };
   vtkRelievoShadowFit::Request Request;
 };
@@ -33,37 +32,37 @@ public:
   {
     vtkRelievoShadowView View;
     int Layer = -1;     // of the texture array
-    bool Drawn = false; // what the layer holds is this view's
+    bool Drawn = false; // the layer contains this view
   };
   struct Entry
   {
     vtkRelievoShadowLight Light;
     std::vector<Map> Maps;
-    bool Cube = false; // another camera may need several maps: shaders keep room for six
+    bool Cube = false; // another camera may need several maps: shaders reserve six
   };
 
-  // Fits maps to the casting lights, keeping what is still right.
+  // Fits maps to the casting lights, and keeps maps that are still valid.
   void Update(const std::vector<vtkRelievoShadowLight>& casting, const vtkRelievoShadowScene& scene,
     const vtkRelievoShadowFitter& fitter);
 
-  // Another fitter may fit otherwise: maps that it has as well are kept.
+  // Call after a change of fitter, which may fit differently: equal maps are kept.
   void Refit() { this->Fitted = false; }
 
   std::vector<Entry>& GetEntries() { return this->Entries; }
   const std::vector<Entry>& GetEntries() const { return this->Entries; }
   int GetNumberOfMaps() const;
 
-  // The middle of what is visible of the receivers, in world coordinates.
+  // The centre of the visible parts of the receivers, in world coordinates.
   const glm::dvec3& GetCenter() const { return this->Center; }
 
-  // Maps that another process fitted, in their layers.
+  // Sets maps fitted by another process, with their layers.
   void SetEntries(std::vector<Entry> entries, const glm::dvec3& center);
 
-  // What casts as the maps are drawn, or what it looks like now without having changed.
+  // State of the casters while the maps are drawn, or the present one if only drawing changed it.
   void SetCasters(const vtkRelievoShadowProps& props, bool withoutFollowed);
   bool HasCasters(const vtkRelievoShadowProps& props, bool withoutFollowed) const;
 
-  // What the layers held is lost.
+  // The contents of the layers are lost.
   void Invalidate();
   void Clear();
 
@@ -74,7 +73,7 @@ private:
 
   std::vector<Entry> Entries;
   std::vector<std::uint64_t> Casters;
-  vtkRelievoShadowScene Scene; // that the maps were fitted to
+  vtkRelievoShadowScene Scene; // scene to which the maps were fitted
   bool Fitted = false;
   glm::dvec3 Center{ 0.0 };
 };

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What a frame's shadows are made of: what the parts of the stage and its methods work on.
+// The data of a frame's shadows, shared by the parts of the stage and its methods.
 #ifndef vtkRelievoShadowContext_h
 #define vtkRelievoShadowContext_h
 
@@ -13,7 +13,7 @@
 #include "vtkRelievoShadowProps.h"
 #include "vtkRelievoShadowStructure.h"
 
-// What is drawn into all maps of a frame, and how.
+// The casters drawn into all maps of a frame, and settings for drawing.
 struct vtkRelievoShadowCasters
 {
   vtkRelievoShadowProps Props;
@@ -31,28 +31,28 @@ struct vtkRelievoShadowContext
   }
 
   vtkRelievoFrameCamera View;       // the camera's
-  vtkRelievoFrameCamera SteadyView; // without the sample's offset: what maps are fitted to
+  vtkRelievoFrameCamera SteadyView; // without the sample's offset: maps are fitted to it
   vtkRelievoShadowProps& Props;
   vtkRelievoCasterDraw& PlainDraw;
   bool& DrawingAnyMaps;          // these or others of the same casters
-  vtkRelievoMeshExchange Others; // that draw together with this process
+  vtkRelievoMeshExchange Others; // of processes that draw together with this one
   vtkRelievoShadowCache Cache;
   vtkRelievoShadowMaps Maps;
   vtkRelievoShadowStructure Structure;
-  int Radius = 1;    // of the filter in texels, as the maps' size allows
+  int Radius = 1;    // of the filter in texels, limited by the maps' size
   double Bias = 0.0; // in texels
-  // Of soft lights' parts, in frames that draw all samples at once: the step of their numbers
-  // (vtkRelievoSampleLattice::GetNumberStep); 0, 0 in others.
+  // For soft lights' parts, in frames that draw all samples at once: the step between their numbers
+  // (vtkRelievoSampleLattice::GetNumberStep); 0, 0 in other frames.
   glm::vec2 PartStep{ 0.f };
-  int MapsDrawn = 0; // anew, in this frame
+  int MapsDrawn = 0; // in this frame
   bool DrawingMaps = false;
-  bool DrawingDepth = false; // that the camera sees, for a method
+  bool DrawingDepth = false; // a method is drawing the camera's depth
   bool ColoredShadows = false;
-  bool WithoutFollowed = false; // in these maps: the method sends rays past what can be followed
-  bool OwnSteps = true;         // the renderer draws the picture without a pass of its own
-  bool OnEverything = false;    // shadows fall also on what was chosen not to receive any
+  bool WithoutFollowed = false; // in these maps: the method traces rays at the other casters
+  bool OwnSteps = true;         // the renderer draws the picture without a render pass of its own
+  bool OnEverything = false;    // shadows fall also on props chosen not to receive any
 
-  // Texels from a map's middle to where the filter no longer has room.
+  // Texels from a map's centre up to which the filter fits.
   float GetInner() const { return 0.5f * (this->Maps.GetSize() - 1) - this->Radius; }
 };
 

@@ -40,7 +40,7 @@ const double* Take(const double* from, std::vector<vtkRelievoBox>& boxes)
   return from;
 }
 
-// One function names the numbers of a view, for both ways.
+// A single function lists the numbers of a view, for sending and receiving.
 template <typename Each>
 void ForEachNumber(vtkRelievoShadowCache::Map& map, Each each)
 {
@@ -85,7 +85,7 @@ void ForEachNumber(vtkRelievoShadowCache::Map& map, Each each)
 //------------------------------------------------------------------------------
 std::vector<int> vtkRelievoShadowExchange::FindCommon(const std::vector<int>& lights)
 {
-  constexpr int Most = 256; // as many numbers everywhere; more lights have no room in a shader
+  constexpr int Most = 256; // equal on all processes; more lights do not fit a shader
   std::vector<unsigned char> own(Most, 0);
   for (const int light : lights)
   {
@@ -238,7 +238,7 @@ void vtkRelievoShadowExchange::Agree(vtkRelievoShadowCache& cache)
 //------------------------------------------------------------------------------
 void vtkRelievoShadowExchange::Merge(vtkRelievoShadowMaps& maps, int layer)
 {
-  maps.Read(this->Own); // waits for the drawing, which is not the merging's time
+  maps.Read(this->Own); // waits for the drawing, which must not count as merging
   const double start = vtkTimerLog::GetUniversalTime();
   this->Least.resize(this->Own.size());
   this->Controller->AllReduce(this->Own.data(), this->Least.data(),

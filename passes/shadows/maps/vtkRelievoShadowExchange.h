@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// One set of maps for processes that each hold a part of the scene. The first process fits the maps
-// to what all of them cast and receive; each draws what it holds into them; the least depth over
-// all is what every one looks up. Only maps that changed travel.
+// Common maps for processes that each hold a part of the scene. The first process fits the maps to
+// the casters and receivers of all; each draws its own casters into them; the smallest depth over
+// all processes is the result for every one. Only changed maps are sent.
 #ifndef vtkRelievoShadowExchange_h
 #define vtkRelievoShadowExchange_h
 
@@ -22,28 +22,28 @@ public:
   void SetController(vtkMultiProcessController* controller) { this->Controller = controller; }
   vtkMultiProcessController* GetController() const { return this->Controller; }
 
-  // Whether there is anybody to exchange with. All that follows is called by every process.
+  // Whether there are other processes. All following functions are collective.
   bool IsOn() const { return this->Controller && this->Controller->GetNumberOfProcesses() > 1; }
   bool IsRoot() const { return this->Controller->GetLocalProcessId() == 0; }
 
-  // Of lights by their number in the renderer, those that every process names.
+  // Light numbers in the renderer listed by every process.
   std::vector<int> FindCommon(const std::vector<int>& lights);
 
-  // Whether all processes say so.
+  // Whether the argument is true on all processes.
   bool IsEverywhere(bool here);
 
-  // Brings what casts and receives anywhere to the first process. Its view counts for all, and the
-  // least of all processes' largest maps.
+  // Collects the casters and receivers of all processes on the first one. Uses its view, and the
+  // smallest of all processes' largest maps.
   void Gather(vtkRelievoShadowScene& scene);
 
-  // Gives the first process's maps to all; `size` is set to theirs.
+  // Sends the first process's maps to all; sets `size` to theirs.
   void Share(
     vtkRelievoShadowCache& cache, const std::vector<vtkRelievoShadowLight>& casting, int& size);
 
-  // A map that any process has lost is drawn anew by all.
+  // Marks maps lost on any process for redrawing on all.
   void Agree(vtkRelievoShadowCache& cache);
 
-  // The map that was just drawn becomes that of all processes.
+  // Merges the map drawn last over all processes.
   void Merge(vtkRelievoShadowMaps& maps, int layer);
 
   double GetSeconds() const { return this->Seconds; }
@@ -53,8 +53,8 @@ private:
   void Broadcast(std::vector<double>& numbers);
 
   vtkSmartPointer<vtkMultiProcessController> Controller;
-  double Seconds = 0.0; // of the last frame that merged maps
-  int Merged = 0;       // maps in it
+  double Seconds = 0.0; // in the last frame that merged maps
+  int Merged = 0;       // maps merged in it
   bool NewFrame = false;
   std::vector<float> Own;
   std::vector<float> Least;

@@ -19,7 +19,7 @@ vtkRelievoShadowMapUniforms::vtkRelievoShadowMapUniforms(
   , Lowest(faces, -1.f)
 {
   this->FromCenter[3] = glm::dvec4(glm::dvec3(center), 1.0);
-  // Where there is no map, every point is outside of it.
+  // Without a map, every point is outside of it.
   glm::mat4 nowhere(0.f);
   nowhere[3] = glm::vec4(-1e9f, -1e9f, 0.f, 1.f);
   this->Matrices.assign(faces, nowhere);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The uniforms of shaders/shadow/lookup.glsl: where places lie in the maps of lights.
+// The uniforms of shaders/shadow/lookup.glsl: transforms from places to the maps of lights.
 #ifndef vtkRelievoShadowMapUniforms_h
 #define vtkRelievoShadowMapUniforms_h
 
@@ -15,14 +15,14 @@ struct vtkRelievoShadowContext;
 class vtkRelievoShadowMapUniforms
 {
 public:
-  // Room for so many maps; shaders have places relative to `center`, in eye space.
+  // Sets the number of maps; shaders have places relative to `center`, in eye space.
   vtkRelievoShadowMapUniforms(
     const vtkRelievoShadowContext& work, int faces, const glm::vec3& center);
 
-  // bias: depth of the map that is taken off receivers.
+  // bias: map depth subtracted from receivers.
   void Set(int face, const vtkRelievoShadowCache::Map& map, double bias);
 
-  // Sets all uniforms but those of what receives.
+  // Sets all uniforms except the receivers'.
   void Tell(vtkShaderProgram* program) const;
 
 private:

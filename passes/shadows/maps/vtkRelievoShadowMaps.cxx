@@ -20,7 +20,7 @@
 
 namespace
 {
-// Of a fragment shader's uniforms, but for those of VTK's own shader.
+// Uniforms of a fragment shader beside those of VTK's own shader.
 int CountFreeNumbers()
 {
   constexpr int ForOthers = 512;
@@ -53,7 +53,7 @@ unsigned int vtkRelievoShadowMaps::MakeArray(unsigned int format, int width, int
   const bool depth = format == GL_DEPTH_COMPONENT32F;
   for (int i = 0; i < 16 && glGetError() != GL_NO_ERROR; ++i)
   {
-    // Others' errors: what follows is to be known.
+    // Clears earlier errors, to detect errors of the calls below.
   }
   GLint others = 0; // such as the maps of lights, when those of lamps are made
   glGetIntegerv(GL_TEXTURE_BINDING_2D_ARRAY, &others);
@@ -93,7 +93,7 @@ bool vtkRelievoShadowMaps::Allocate(vtkOpenGLRenderWindow* window, int size, int
   this->Texture = MakeArray(GL_DEPTH_COMPONENT32F, side, side, std::max(1, layers));
   if (!this->Texture)
   {
-    return true; // not tried again before something else is asked
+    return true; // not tried again before another request
   }
   this->Empty = MakeArray(GL_DEPTH_COMPONENT32F, 1, 1, 1);
   this->Framebuffer = vtkSmartPointer<vtkOpenGLFramebufferObject>::New();
@@ -104,7 +104,7 @@ bool vtkRelievoShadowMaps::Allocate(vtkOpenGLRenderWindow* window, int size, int
 //------------------------------------------------------------------------------
 int vtkRelievoShadowMaps::GetMostFaces()
 {
-  // Numbers per face in shaders/shadow/receive.glsl and the methods' files.
+  // Numbers per map side in shaders/shadow/receive.glsl and the methods' files.
   constexpr int PerFace = 48;
   constexpr int Enough = 96;
   return std::min(Enough, std::max(6, CountFreeNumbers() / PerFace));
@@ -113,7 +113,7 @@ int vtkRelievoShadowMaps::GetMostFaces()
 //------------------------------------------------------------------------------
 int vtkRelievoShadowMaps::GetMostRays()
 {
-  constexpr int PerRay = 4; // as arrays of them are aligned
+  constexpr int PerRay = 4; // alignment of arrays
   return std::max(1, CountFreeNumbers() / 2 / PerRay);
 }
 
@@ -133,7 +133,7 @@ void vtkRelievoShadowMaps::Begin()
   vtkOpenGLState* state = this->Window->GetState();
   this->Kept.reset(new vtkRelievoScopedState(state));
   this->Framebuffer->Bind();
-  // VTK remembers the buffers of the framebuffer bound before and may think that nothing changes.
+  // VTK caches the buffers of the previously bound framebuffer and may skip changes.
   unsigned int none = GL_NONE;
   state->vtkglDrawBuffers(1, &none);
   glDrawBuffers(1, &none);
@@ -164,10 +164,11 @@ void vtkRelievoShadowMaps::Draw(int layer, vtkRelievoShadowView& view, vtkRender
   glFramebufferTextureLayer(GL_DRAW_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, this->Texture, 0, layer);
   const GLfloat farthest = 1.0f;
   glClearBufferfv(GL_DEPTH, 0, &farthest);
-  // Casters before the near plane cast from it. Clamped fragments take longer in software OpenGL.
+  // Casters in front of the near plane cast from it. Clamping fragments instead is slower in
+  // software OpenGL.
   view.NearCut || !view.Parallel ? glEnable(GL_DEPTH_CLAMP) : glDisable(GL_DEPTH_CLAMP);
 
-  // Far enough off for the direction to keep its digits.
+  // Far enough for the direction to keep its digits.
   const double reach =
     std::max({ std::abs(view.Far), view.Width, view.Height, 1e-6 * glm::length(view.Position) });
   const glm::dvec3 focus = view.Position + view.Forward * reach;
@@ -244,7 +245,7 @@ void vtkRelievoShadowMaps::End()
 void vtkRelievoShadowMaps::DrawBothSides(vtkOpenGLRenderWindow* window)
 {
   window->GetState()->vtkglDisable(GL_CULL_FACE);
-  window->GetState()->vtkglDepthMask(GL_TRUE); // also of what is translucent
+  window->GetState()->vtkglDepthMask(GL_TRUE); // also for translucent geometry
 }
 
 //------------------------------------------------------------------------------
@@ -292,11 +293,11 @@ void vtkRelievoShadowMaps::Release(vtkWindow* window)
 {
   if (window && this->Window && this->Window != window)
   {
-    return; // what is held is another window's
+    return; // the resources belong to another window
   }
   if (window && this->Texture)
   {
-    // Not by the weak pointer: in the window's own destructor it points nowhere.
+    // Not by the weak pointer, which is null in the window's own destructor.
     const vtkRelievoScopedContext context(window);
     this->Unbind();
     glDeleteTextures(1, &this->Texture);

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The maps of a frame's lights on the GPU: the layers of one array of depth textures, so that any
-// number of lights takes one texture unit.
+// The maps of a frame's lights on the GPU: layers of one array of depth textures, so that any
+// number of lights uses one texture unit.
 #ifndef vtkRelievoShadowMaps_h
 #define vtkRelievoShadowMaps_h
 
@@ -31,45 +31,45 @@ public:
   vtkRelievoShadowMaps(const vtkRelievoShadowMaps&) = delete;
   void operator=(const vtkRelievoShadowMaps&) = delete;
 
-  // Room for maps of size x size texels. True if what was drawn before is lost. The window's
+  // Allocates maps of size x size texels. True if their former contents are lost. The window's
   // context must be current.
   bool Allocate(vtkOpenGLRenderWindow* window, int size, int layers);
 
-  // Whether OpenGL has the room that was asked last.
+  // Whether OpenGL has the memory requested last.
   bool IsThere() const { return this->Texture != 0; }
 
-  // A texture of so many layers, looked up texel by texel; 0 if OpenGL has no memory for it.
+  // A texture with this number of layers, without filtering; 0 if OpenGL has no memory for it.
   static unsigned int MakeArray(unsigned int format, int width, int height, int layers);
 
   // The largest map of this OpenGL.
   static int GetLargestSize();
 
-  // How many maps a shader of this OpenGL has room for in its uniforms.
+  // The number of maps whose uniforms fit a shader of this OpenGL.
   static int GetMostFaces();
 
-  // How many rays of three numbers it has room for beside half as many maps.
+  // The number of rays of three numbers that fit beside half as many maps.
   static int GetMostRays();
 
   // NDC to map space: texels from the centre of the lowest left one, depth in [0, 1].
   static glm::dmat4 GetNDCToMap(int size);
 
   // Draws one map: `casters` is called with the view as the renderer's camera, once for each piece
-  // of a map whose texels are not evenly spent, between Begin and
-  // End, which keep OpenGL's state. The view's matrices become exactly those that were drawn with.
+  // of an uneven map, between Begin and End, which save and restore OpenGL's state. Sets the view's
+  // matrices to exactly those used for drawing.
   void Begin();
   void Draw(int layer, vtkRelievoShadowView& view, vtkRenderer* renderer,
     const std::function<void(const vtkRelievoShadowView&)>& casters);
   void End();
 
-  // The depths of the map drawn last, row by row, and others in their place.
+  // Reads the depths of the last map, row by row, and replaces them.
   void Read(std::vector<float>& depths);
   void Write(int layer, const std::vector<float>& depths);
 
-  // For the draw call that follows: a sheet blocks light from both sides.
+  // For the next draw call: a sheet blocks light from both sides.
   static void DrawBothSides(vtkOpenGLRenderWindow* window);
 
-  // Binds the maps for looking up, or an empty texture that stands in for them while they are
-  // drawn. Returns false if no texture unit is free.
+  // Binds the maps for lookup, or an empty texture while they are being drawn. Returns false if no
+  // texture unit is free.
   bool Bind(bool maps);
   void Unbind();
   int GetTextureUnit() const { return this->Unit; }

@@ -110,7 +110,7 @@ int vtkRelievoShadowSchedule::Draw(vtkRelievoShadowContext& work, vtkRenderer* r
   {
     work.Maps.End();
     work.DrawingMaps = work.DrawingAnyMaps = false;
-    // What VTK takes for these programs' lights are in a light's eye space.
+    // VTK updates these programs' lights with a light's eye space.
     for (vtkShaderProgram* program : this->LitForMaps)
     {
       program->SetUniformGroupUpdateTime(vtkShaderProgram::LightingGroup, 0);

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Which maps a frame needs, and which of them must be drawn: fits them to the lights that cast, and
-// draws those that no frame before drew, together with other processes if there are any.
+// Decides which maps a frame needs and which of them must be redrawn: fits them to the casting
+// lights, and draws the new ones, together with other processes if there are any.
 #ifndef vtkRelievoShadowSchedule_h
 #define vtkRelievoShadowSchedule_h
 
@@ -23,15 +23,15 @@ class vtkRelievoShadowSchedule
 public:
   vtkRelievoShadowExchange Exchange;
 
-  // Maps of size x size texels, or less if another process makes no larger ones, with a filter of
-  // this radius at most. They get a texture unit. Returns why there are none, in words.
+  // Prepares maps of size x size texels, or less if another process has a lower limit, with a
+  // filter of at most this radius, and a texture unit. Returns the error, or "".
   std::string Fit(vtkRelievoShadowContext& work, const std::vector<vtkRelievoShadowLight>& casting,
     const vtkRelievoShadowFitter& fitter, int size, int radius, vtkRenderer* renderer);
 
-  // Returns the draw calls but for those of mappers that draw by themselves.
+  // Draws the maps. Returns the draw calls except those of mappers that draw by themselves.
   int Draw(vtkRelievoShadowContext& work, vtkRenderer* renderer);
 
-  // A mapper's own program draws into a map: VTK gives it lights in a light's eye space.
+  // Call when a mapper's own program draws into a map: VTK gives it lights in a light's eye space.
   void AddProgram(vtkShaderProgram* program) { this->LitForMaps.insert(program); }
 
 private:

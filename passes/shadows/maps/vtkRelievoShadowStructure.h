@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What the shaders of what receives shadows are built for; a change builds them anew.
+// The properties that the shaders of shadow receivers depend on; a change rebuilds them.
 #ifndef vtkRelievoShadowStructure_h
 #define vtkRelievoShadowStructure_h
 
@@ -17,10 +17,10 @@ struct vtkRelievoShadowStructure
 {
   struct Light
   {
-    int ShaderIndex; // as VTK's shaders count lights
+    int ShaderIndex; // index in VTK's shaders
     bool Parallel;
-    bool Cube; // room for six maps instead of one
-    int Soft;  // maps that its parts are looked up in; 0: it is a point
+    bool Cube; // reserves six maps instead of one
+    int Soft;  // maps shared by its parts; 0: a point light
 
     int GetRoom() const { return this->Cube ? 6 : std::max(this->Soft, 1); }
     bool operator==(const Light& other) const
@@ -29,17 +29,17 @@ struct vtkRelievoShadowStructure
         this->Cube == other.Cube && this->Soft == other.Soft;
     }
   };
-  std::vector<Light> Lights; // that cast
-  std::string Method;        // the file of the method's own section
-  bool Maps = true;          // are looked up
-  bool Traced = false;       // rays decide, after the maps
-  bool Colored = false;      // what passes surfaces has their colours
+  std::vector<Light> Lights; // casting lights
+  std::string Method;        // file of the method's own section
+  bool Maps = true;          // whether maps are looked up
+  bool Traced = false;       // whether rays decide, after the maps
+  bool Colored = false;      // whether transmitted light has the surfaces' colours
   bool WideFilter = false;   // of a radius above 1
   int Numbers = 0;           // lights of the renderer
   int Parts = 0;             // of soft lights
-  bool Unlit = false;        // visibility is asked for also where no light is computed
-  // Whose verdicts the method finds before the picture, with their mappers, which have the shaders;
-  // for comparison only.
+  bool Unlit = false;        // visibility is needed even if no light is computed
+  // Actors whose verdicts the method finds before the picture, with their mappers, which own the
+  // shaders; for comparison only.
   std::vector<std::pair<vtkActor*, vtkMapper*>> Found;
 
   int GetFaces() const

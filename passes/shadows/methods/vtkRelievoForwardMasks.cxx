@@ -20,8 +20,8 @@
 
 namespace
 {
-// Samples go on as one surface while their depth changes by less than this many texels' widths from
-// one to the next: the light meets such a surface at 3.6 degrees.
+// Neighbouring samples form one surface while their depths differ by less than this number of texel
+// widths: a surface at 3.6 degrees to the light.
 constexpr double Steepest = 16.0;
 }
 
@@ -57,7 +57,7 @@ bool vtkRelievoForwardMasks::Allocate(
   this->Masks = vtkRelievoShadowMaps::MakeArray(GL_R8, width, height, lights);
   if (!this->Masks)
   {
-    return true; // not tried again before something else is asked
+    return true; // not tried again before another request
   }
   glGenVertexArrays(1, &this->Arrays);
   this->Depth = vtkSmartPointer<vtkTextureObject>::New();
@@ -83,7 +83,7 @@ void vtkRelievoForwardMasks::Begin()
 //------------------------------------------------------------------------------
 void vtkRelievoForwardMasks::DrawTo(unsigned int buffer)
 {
-  // VTK remembers the buffers of the framebuffer bound before and may think that nothing changes.
+  // VTK caches the buffers of the previously bound framebuffer and may skip changes.
   vtkOpenGLState* state = this->Window->GetState();
   state->vtkglDrawBuffers(1, &buffer);
   glDrawBuffers(1, &buffer);
@@ -228,7 +228,7 @@ void vtkRelievoForwardMasks::Release(vtkWindow* window)
 {
   if (window && this->Window && this->Window != window)
   {
-    return; // what is held is another window's
+    return; // the resources belong to another window
   }
   if (window && this->Masks)
   {

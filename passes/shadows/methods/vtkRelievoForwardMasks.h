@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Forward shadow mapping: which pixels each light reaches, found by carrying the samples of its
+// Forward shadow mapping: finds the pixels lit by each light by transforming the samples of its
 // maps into the camera's view (H. Zhang, Forward shadow mapping, 1998) and comparing them there, in
-// eye space, with the depth of what is seen.
+// eye space, with the visible depth.
 #ifndef vtkRelievoForwardMasks_h
 #define vtkRelievoForwardMasks_h
 
@@ -31,22 +31,22 @@ public:
   vtkRelievoForwardMasks(const vtkRelievoForwardMasks&) = delete;
   void operator=(const vtkRelievoForwardMasks&) = delete;
 
-  // x, y, width, height of what is drawn to now.
+  // x, y, width, height of the present viewport.
   static void GetViewport(int region[4]);
 
-  // True if what was drawn before is lost.
+  // True if the former contents are lost.
   bool Allocate(vtkOpenGLRenderWindow* window, int width, int height, int lights);
 
-  // Draws the depth that the camera sees: `surfaces` is called with the framebuffer bound.
+  // Draws the camera's depth: `surfaces` is called with the framebuffer bound.
   void DrawDepth(const std::function<void()>& surfaces);
 
-  // Between BeginLight and EndLight: marks what of one light's maps is seen, `layer` of the maps
-  // bound to the texture unit. False if a shader does not compile.
+  // Call between BeginLight and EndLight: marks the pixels seen by one of the light's maps, `layer`
+  // of the maps bound to the texture unit. False if a shader does not compile.
   bool BeginLight(int light, const vtkRelievoFrameCamera& camera, int mapUnit, int mapSize);
   void DrawMap(const vtkRelievoShadowView& view, int layer, double tolerance);
   void EndLight();
 
-  // False if OpenGL has no memory for them, or no texture unit is free.
+  // False if OpenGL has no memory or no texture unit.
   bool Bind();
   void Unbind();
   int GetTextureUnit() const { return this->Unit; }
@@ -68,11 +68,11 @@ private:
   vtkSmartPointer<vtkOpenGLFramebufferObject> Framebuffer;
   std::unique_ptr<vtkRelievoScopedState> Kept; // between Begin and End
   vtkSmartPointer<vtkTextureObject> Depth;
-  vtkShaderProgram* Program = nullptr; // the window's shader cache owns it
+  vtkShaderProgram* Program = nullptr; // owned by the window's shader cache
   glm::dmat4 WorldToView{ 1.0 };
   glm::dmat4 ViewToNDC{ 1.0 };
   unsigned int Masks = 0;
-  unsigned int Arrays = 0; // without any: samples are made of their number
+  unsigned int Arrays = 0; // without attributes: the shader computes samples from their number
   int Width = 0;
   int Height = 0;
   int Lights = 0;

@@ -24,46 +24,47 @@
 
 namespace
 {
-// The share of wrong verdicts that testShadowExact allows, whatever the maps' size.
+// The share of wrong verdicts that testShadowExact allows, for any map size.
 constexpr vtkRelievoShadowErrorLaw ExactLaw = { 2e-5, 0.0 };
 
-// More where floats have no digits left: testShadowStability has 0.11 % at a farness of 27000, and
-// 0.02 % at 3800. Corners are rounded twice, in VTK's buffer and on their way through the raster:
+// Additional share where floats lack digits: testShadowStability has 0.11 % at a farness of 27000,
+// and 0.02 % at 3800. Corners are rounded twice, in VTK's buffer and in the rasterisation:
 // certificates have 2.5 % where coordinates of a caster reach 400000 times as far as the view.
 constexpr double FarLaw = 5e-8;
 constexpr double CornerRoundings = 2.0;
 
-// And where edges lie densely: OpenGL places corners in steps of 1/256 of a pixel, and decides on
-// which side of an edge so near a pixel's middle is. Edges within half a pixel are 128 times as
-// many. Fitted to docs/charts/exact-hard.csv. Roundings of more than a step are worth as many.
+// Additional share for dense edges: OpenGL places corners in steps of 1/256 of a pixel, which
+// decides the side of an edge so close to a pixel's centre. Edges within half a pixel are 128 times
+// as many. Fitted to docs/charts/exact-hard.csv. Rounding by more than a step counts
+// proportionally.
 constexpr double Steps = 256.0;
 constexpr double EdgeLaw = 0.6 / Steps;
 
-// Roundings on a place's way from the vertex buffer through the camera's matrix and the raster.
+// Number of roundings of a place from the vertex buffer through the camera's matrix to the raster.
 constexpr double Roundings = 4.0;
 constexpr double Ulp = 1.0 / (1 << 23);
 
-// Half of what the picture's height shows of the world at a point.
+// Half of the picture's height in world units at a point.
 double GetSizeInView(const vtkRelievoFrameCamera& view, const glm::dvec3& center)
 {
   const double away = -(view.WorldToView * glm::dvec4(center, 1.0)).z;
   return (view.Parallel ? 1.0 : std::abs(away)) / std::abs(view.ViewToNDC[1][1]);
 }
 
-// How far places are off that are rounded so far, in pixels of a picture of this height.
+// The error of places rounded at this distance, in pixels of a picture of this height.
 double GetPixels(double farness, int height)
 {
   return 0.5 * Ulp * farness * height;
 }
 
-// The middle of what the view shows of the receivers.
+// The centre of the visible parts of the receivers.
 glm::dvec3 GetCenter(const vtkRelievoFrameCamera& view, const std::vector<vtkRelievoBox>& receivers)
 {
   return vtkRelievoShadowRegion::GetMiddle(
     vtkRelievoShadowRegion::Cut(receivers, view.ViewToNDC * view.WorldToView));
 }
 
-// A point near it, of a grid about as wide as the view: few moves of the camera take another.
+// A point near it, on a grid about as wide as the view: few camera moves change it.
 glm::dvec3 GetOrigin(const vtkRelievoFrameCamera& view, const std::vector<vtkRelievoBox>& receivers)
 {
   const glm::dvec3 center = GetCenter(view, receivers);
@@ -80,7 +81,7 @@ glm::dvec3 GetOrigin(const vtkRelievoFrameCamera& view, const std::vector<vtkRel
 //------------------------------------------------------------------------------
 double vtkRelievoShadowMethodExact::GetFarness(const vtkRelievoShadowContext& work, double reach)
 {
-  // With several processes, what all of them receive on.
+  // With several processes, the receivers of all.
   const std::vector<vtkRelievoBox>& others = work.Others.GetWhole().Receivers;
   const glm::dvec3 center =
     GetCenter(work.View, others.empty() ? work.Props.GetReceiverBoxes() : others);
@@ -193,7 +194,7 @@ vtkRelievoShadowMethodExact::Rays vtkRelievoShadowMethodExact::GetRays(
   const vtkRelievoShadowContext& work) const
 {
   Rays rays;
-  // The center in eye space, rounded to float as vtkRelievoShadowUniforms hands it to the shader.
+  // The centre in eye space, rounded to float like vtkRelievoShadowUniforms' value for the shader.
   const glm::dvec3& center = work.Cache.GetCenter();
   rays.Center = glm::vec3(work.View.WorldToView * glm::dvec4(center, 1.0));
   const glm::dmat4 viewToWorld = glm::inverse(work.View.WorldToView);
@@ -263,7 +264,7 @@ vtkRelievoShadowEstimate vtkRelievoShadowMethodExact::Estimate(
   const vtkRelievoShadowDemand& demand) const
 {
   vtkRelievoShadowEstimate estimate;
-  // The triangles, 56 bytes each, come to it.
+  // The triangles add 56 bytes each.
   estimate.Bytes = vtkRelievoVisibilityPrepass::GetBytes(demand.Width, demand.Height);
   const double farness = std::max(this->Farness, demand.Farness);
   estimate.WrongShare = std::min(1.0,
@@ -291,7 +292,7 @@ std::string vtkRelievoShadowMethodExact::GetReport() const
   if (this->Rounding > 0.25)
   {
     out << "; coordinates are rounded by up to " << std::setprecision(2) << this->Rounding
-        << std::setprecision(6) << " pixels, and more is wrong where edges lie densely";
+        << std::setprecision(6) << " pixels, with more errors at dense edges";
   }
   if (this->InMaps > 0)
   {

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Sends a ray from each pixel's own place to the light, past the casters' triangles. What casts and
-// is no triangle is drawn into maps, as of the method map, and blocks what the rays let pass.
+// Traces a ray from each pixel's own place to the light, past the casters' triangles. Casters other
+// than triangles are drawn into maps, like with the method map, and block the light that rays let
+// pass.
 #ifndef vtkRelievoShadowMethodExact_h
 #define vtkRelievoShadowMethodExact_h
 
@@ -28,8 +29,9 @@ public:
   std::vector<vtkActor*> GetFound(std::size_t lights) const override;
   void SetActorUniforms(
     vtkShaderProgram* program, const vtkRelievoShadowContext& work, vtkActor* actor) const override;
-  // Of the frame's scene, as a vtkRelievoShadowDemand has it: how many times more than the view
-  // shows is rounded. `reach`: of vtkRelievoPropMeshes::GetRoundedReach, the casters' largest.
+  // Farness for a vtkRelievoShadowDemand of the frame's scene: the ratio of the largest rounded
+  // coordinate to the view's size. `reach`: of vtkRelievoPropMeshes::GetRoundedReach, the casters'
+  // largest.
   static double GetFarness(const vtkRelievoShadowContext& work, double reach);
 
   vtkRelievoShadowEstimate Estimate(const vtkRelievoShadowDemand& demand) const override;
@@ -43,7 +45,7 @@ public:
   }
 
 private:
-  struct Rays // what a shader is told of them
+  struct Rays // input of a shader
   {
     glm::mat4 ToLocal{ 1.f };
     glm::vec3 Center{ 0.f }; // eye space
@@ -58,10 +60,10 @@ private:
   vtkRelievoVisibilityPrepass Seen;
   double Farness = 0.0;            // of this frame
   double Rounding = 0.0;           // of coordinates, in pixels
-  std::size_t InMaps = 0;          // casters that cannot be followed
-  std::vector<vtkActor*> Surfaces; // of this frame, whose verdicts are found
-  bool Colored = false;            // some of them colour what passes
-  bool Alone = false;              // each of their pixels shows what is seen at its centre
+  std::size_t InMaps = 0;          // casters that rays cannot trace
+  std::vector<vtkActor*> Surfaces; // of this frame, with verdicts found beforehand
+  bool Colored = false;            // some colour the transmitted light
+  bool Alone = false;              // each of their pixels shows only the surface at its centre
 };
 
 #endif

@@ -12,8 +12,8 @@
 
 namespace
 {
-// Fitted as vtkRelievoShadowMapLaw is, but only to maps of 512 and 1024 texels: larger
-// ones were not measured.
+// Fitted like vtkRelievoShadowMapLaw, but only to maps of 512 and 1024 texels; larger ones were not
+// measured.
 constexpr vtkRelievoShadowErrorLaw ForwardLaw = { 2.09e-4, 1.00 };
 }
 
@@ -33,7 +33,7 @@ int vtkRelievoShadowMethodForward::Draw(vtkRelievoShadowContext& work, vtkRender
     window, work.View.Viewport[2], work.View.Viewport[3], static_cast<int>(entries.size()));
   this->Fault.clear();
   const bool bound = this->Masks.Bind();
-  work.Maps.Bind(true); // making the masks may have taken their place
+  work.Maps.Bind(true); // making the masks may have replaced their binding
   if (!bound)
   {
     this->Drawn = {};
@@ -50,7 +50,7 @@ int vtkRelievoShadowMethodForward::Draw(vtkRelievoShadowContext& work, vtkRender
   {
     state.Lights.push_back(entry.Light.Light);
   }
-  // What only receives is not in the casters' state: redrawn whenever there is any.
+  // Mere receivers are not in the casters' state: redraws whenever there is any.
   if (!lost && work.MapsDrawn == 0 && state == this->Drawn && !work.Props.HasMereReceivers())
   {
     return 0;
@@ -99,7 +99,7 @@ void vtkRelievoShadowMethodForward::SetFrameUniforms(
     std::fill_n(masks.begin() + first, entry.Maps.size(), light);
     first += work.Structure.Lights[light++].GetRoom();
   }
-  // While maps are drawn there are no masks yet; the sampler needs a unit all the same.
+  // While maps are drawn there are no masks yet, but the sampler needs a unit.
   program->SetUniformi("relievoShadowMasks",
     this->Masks.GetTextureUnit() >= 0 ? this->Masks.GetTextureUnit() : work.Maps.GetTextureUnit());
   program->SetUniform1iv("relievoShadowMask", faces, masks.data());
@@ -111,7 +111,7 @@ void vtkRelievoShadowMethodForward::SetActorUniforms(
 {
   int region[4];
   vtkRelievoForwardMasks::GetViewport(region);
-  // A mask is of the opaque surfaces that are seen, at the size of the viewport.
+  // A mask covers the visible opaque surfaces, at the size of the viewport.
   const bool holds = !work.DrawingAnyMaps && !work.DrawingDepth && this->Fault.empty() &&
     this->Masks.GetTextureUnit() >= 0 && actor->HasOpaqueGeometry() &&
     region[2] == work.View.Viewport[2] && region[3] == work.View.Viewport[3];
@@ -126,7 +126,7 @@ vtkRelievoShadowEstimate vtkRelievoShadowMethodForward::Estimate(
   vtkRelievoShadowEstimate estimate;
   estimate.Bytes = vtkRelievoShadowMaps::GetBytes(demand.MapSize, demand.Maps) +
     vtkRelievoForwardMasks::GetBytes(demand.Width, demand.Height, demand.Lights);
-  // The maps, the depth that the camera sees, the maps' samples.
+  // The maps, the camera's depth, the maps' samples.
   estimate.DrawCalls = demand.Maps * demand.Props + demand.Props + demand.Maps;
   estimate.WrongShare = ForwardLaw.GetShare(demand.MapSize);
   return estimate;

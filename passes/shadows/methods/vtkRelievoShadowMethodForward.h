@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Carries the maps' samples into the camera's view (H. Zhang, Forward shadow mapping, 1998); see
-// vtkRelievoForwardMasks. What they do not reach is looked up in the maps.
+// Transforms the maps' samples into the camera's view (H. Zhang, Forward shadow mapping, 1998); see
+// vtkRelievoForwardMasks. Pixels without samples use the maps.
 #ifndef vtkRelievoShadowMethodForward_h
 #define vtkRelievoShadowMethodForward_h
 
@@ -31,7 +31,7 @@ public:
   void Release(vtkWindow* window) override { this->Masks.Release(window); }
 
 private:
-  struct State // what the masks were drawn for
+  struct State // input of the masks
   {
     glm::dmat4 WorldToNDC{ 0.0 };
     std::vector<std::uint64_t> Surfaces;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Looks places up in evenly spaced maps.
+// Looks places up in even maps.
 #ifndef vtkRelievoShadowMethodMap_h
 #define vtkRelievoShadowMethodMap_h
 

@@ -18,21 +18,22 @@ using Frame = vtkRelievoLightSpace;
 using vtkRelievoShadowFit::Request;
 using vtkRelievoShadowSnapping::Rounding;
 
-// Angles that a map may have, in half a turn.
+// Possible angles of a map, in half a turn.
 constexpr double GazeTurns = 16.0;
-// Places along a map where it may be finest.
+// Possible places along a map for its finest texels.
 constexpr double FocusPlaces = 8.0;
-// The part of a gaze along the map below which the camera sees all of the map alike.
+// Component of a gaze along the map below which the camera sees all of the map equally well.
 constexpr double LeastAlong = 0.2;
-// Farthest over nearest depth of what is visible from which an uneven map errs less than an even
-// one: by docs/charts/shadows.csv, not on a table, where it is below 3, and at rows to the horizon.
+// Ratio of the farthest to the nearest visible depth from which an uneven map errs less than an
+// even one: by docs/charts/shadows.csv, not on a table, with a ratio below 3, but for rows to the
+// horizon.
 constexpr double LeastDeep = 4.0;
-// Bound of the widest texel over an even map's, for the room that bias takes.
+// Bound of the ratio of the widest texel to an even map's, for the range of the bias.
 constexpr double WidestTexel = 8.0;
 
-// The frame whose depth is the height over the ground, which is what stands on the view-up's
-// nearest axis: rays are sheared upright, and the map lies in the ground. Upright rays if the sun
-// is too low.
+// The frame whose depth is the height over the ground, the plane perpendicular to the axis nearest
+// to the view-up: rays are sheared upright, and the map lies in the ground. Rays stay unsheared if
+// the sun is too low.
 Frame GetFrameOfGround(
   const glm::dvec3& origin, const glm::dvec3& direction, const glm::dvec3& viewUp)
 {
@@ -56,8 +57,8 @@ Frame GetFrameOfGround(
   return frame;
 }
 
-// Whether the farthest surfaces are so much farther than the nearest that it pays to spend texels
-// unevenly; else an even map may lie as it takes the fewest.
+// Whether the ratio of the largest to the smallest depth justifies an uneven map; otherwise an even
+// map may have the orientation with the fewest texels.
 bool IsDeep(const std::vector<glm::dvec3>& visible, const Request& request)
 {
   double nearest = 1e300;
@@ -71,9 +72,9 @@ bool IsDeep(const std::vector<glm::dvec3>& visible, const Request& request)
   return !request.ParallelEye && farthest > LeastDeep * nearest;
 }
 
-// What the camera needs along the u axis, which runs along its gaze: where most texels, and how
-// many times fewer at the farther end. Pixels on a surface grow with their distance from the eye;
-// across the gaze, distance changes little.
+// The camera's demand along the u axis, which runs along its gaze: the place with the highest
+// density, and the ratio to that at the farther end. Pixels on a surface grow with their distance
+// from the eye; across the gaze, distance changes little.
 void Warp(
   vtkRelievoShadowView& view, const std::vector<glm::dvec3>& visible, const Request& request)
 {
@@ -151,7 +152,7 @@ void vtkRelievoShadowMethodWarped::SetFrameUniforms(
     int face = first;
     for (const auto& map : entry.Maps)
     {
-      // A texel's place x goes to scale * x + offset; each piece adds to what the one before has.
+      // A texel's place x maps to scale * x + offset; each piece adds to the previous ones.
       const vtkRelievoMapAxis& axis = map.View.U;
       double scale = 0.0;
       double offset = 0.0;
@@ -189,7 +190,7 @@ vtkRelievoShadowEstimate vtkRelievoShadowMethodWarped::Estimate(
   vtkRelievoShadowEstimate estimate;
   estimate.Bytes = vtkRelievoShadowMaps::GetBytes(demand.MapSize, demand.Maps);
   estimate.DrawCalls = demand.Maps * demand.Props * vtkRelievoMapAxis::MostPieces;
-  // On the meshes it was fitted to it is map; to the horizon it has 36 to 55 % of that.
+  // On the meshes of its law it equals map; for scenes to the horizon it has 36 to 55 % of that.
   estimate.WrongShare = vtkRelievoShadowMapLaw.GetShare(demand.MapSize);
   return estimate;
 }

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Gives more of a sun's map to what is near the camera: the map lies in the ground, with the rays
-// sheared upright, and spends its texels along the view direction in straight pieces. Lamps have
-// evenly spaced maps.
+// Gives more of a sun's map to the region near the camera: the map lies in the ground, with the
+// rays sheared upright, and its density changes along the view direction in linear pieces. Lamps
+// have even maps.
 #ifndef vtkRelievoShadowMethodWarped_h
 #define vtkRelievoShadowMethodWarped_h
 
@@ -19,7 +19,7 @@ public:
     const vtkRelievoShadowFit::Request& request) const override;
   std::string GetShader() const override { return "shadow/warped.glsl"; }
 
-  // The width of a texel depends on the place: the shader takes the bias off.
+  // The width of a texel depends on the place: the shader subtracts the bias.
   double GetBias(const vtkRelievoShadowView&, double) const override { return 0.0; }
 
   void SetFrameUniforms(

@@ -24,7 +24,7 @@
 
 namespace
 {
-// A float counts to 2^24: that many verdicts of two levels, or three of 256.
+// Floats count exactly to 2^24: that is the capacity for verdicts of two levels, or three of 256.
 constexpr double Most = 16777216.0;
 constexpr double Fine = 256.0;
 constexpr float Nowhere = -1e30f; // behind everything
@@ -34,7 +34,7 @@ void Append(std::vector<double>& state, const glm::dmat4& matrix)
   state.insert(state.end(), &matrix[0][0], &matrix[0][0] + 16);
 }
 
-// Pixels across by x or y alone, as seen.glsl has them.
+// Pixels across by x or y alone, like seen.glsl.
 bool IsUpright(const glm::dmat4& p)
 {
   return p[0][1] == 0.0 && p[1][0] == 0.0 && p[0][3] == 0.0 && p[1][3] == 0.0 && p[0][0] != 0.0 &&
@@ -95,7 +95,7 @@ void vtkRelievoVisibilityPrepass::BeginDrawing(unsigned int target, int width, i
   this->Kept.reset(new vtkRelievoScopedState(state));
   this->Framebuffer->Bind();
   glFramebufferTexture2D(GL_DRAW_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, target, 0);
-  // VTK remembers the buffers of the framebuffer bound before and may think that nothing changes.
+  // VTK caches the buffers of the previously bound framebuffer and may skip changes.
   const unsigned int buffer = GL_COLOR_ATTACHMENT0;
   unsigned int buffers[1] = { buffer };
   state->vtkglDrawBuffers(1, buffers);
@@ -131,7 +131,7 @@ int vtkRelievoVisibilityPrepass::DrawSurfaces(
   Append(seen, this->View.ViewToNDC);
   for (vtkActor* actor : actors)
   {
-    // Buffers are built anew, at a time of their own, for other data and other mappers.
+    // Buffers are rebuilt, with a time of their own, for other data and other mappers.
     seen.push_back(static_cast<double>(draw.GetBuildTime(actor)));
     Append(seen, vtkRelievoToGlm(actor->GetMatrix()));
     const glm::vec2 moved = vtkRelievoCasterDraw::GetOffset(actor);
@@ -142,7 +142,7 @@ int vtkRelievoVisibilityPrepass::DrawSurfaces(
   {
     return 0;
   }
-  constexpr std::ptrdiff_t camera = 32; // numbers
+  constexpr std::ptrdiff_t camera = 32; // number of values
   this->HasBefore = !this->SurfacesDrawn.empty() && !this->SurfacesAreNew &&
     std::equal(seen.begin(), seen.begin() + camera, this->SurfacesDrawn.begin()) &&
     this->KeepSurfaces();
@@ -220,7 +220,7 @@ int vtkRelievoVisibilityPrepass::DrawVerdicts(const std::vector<glm::vec4>& sour
 }
 
 //------------------------------------------------------------------------------
-// Whether verdicts stay whose rays pass by everything that has moved.
+// Whether verdicts stay valid if their rays avoid everything that has moved.
 bool vtkRelievoVisibilityPrepass::KeepsVerdicts(
   const std::vector<double>& lights, const Past& past) const
 {
@@ -279,7 +279,7 @@ int vtkRelievoVisibilityPrepass::FindVerdicts(const std::vector<glm::vec4>& sour
       program->SetUniform2i("relievoSeenTileCount", tiles);
       if (!moved)
       {
-        // Where nothing is open all lights reach what is seen.
+        // Without casters all lights reach the visible surfaces.
         const std::vector<GLfloat> lit(
           4, static_cast<GLfloat>(std::pow(this->Levels, lights) - 1.0));
         glClearBufferfv(GL_COLOR, 0, lit.data());
@@ -335,8 +335,8 @@ void vtkRelievoVisibilityPrepass::SetUniforms(vtkShaderProgram* program) const
 //------------------------------------------------------------------------------
 void vtkRelievoVisibilityPrepass::SetActorUniforms(vtkShaderProgram* program, vtkActor* actor) const
 {
-  // Of a pixel with several samples, some may see past what is seen at its centre; lines, edges and
-  // offsets in depth are drawn over what is nearer.
+  // Among several samples of a pixel, some may see past the surface at its centre; lines, edges and
+  // depth offsets are drawn over nearer surfaces.
   GLint samples = 0;
   glGetIntegerv(GL_SAMPLES, &samples);
   vtkProperty* property = actor->GetProperty();
@@ -390,9 +390,9 @@ bool vtkRelievoVisibilityPrepass::Allocate()
   }
   for (int i = 0; i < 16 && glGetError() != GL_NO_ERROR; ++i)
   {
-    // Others' errors: what follows is to be known.
+    // Clears earlier errors, to detect errors of the calls below.
   }
-  // What lies within one step of the picture's depths hides what it hides there.
+  // Surfaces within one step of the picture's depth hide each other as in the picture.
   const bool stencil = depths == GL_DEPTH24_STENCIL8;
   const GLint formats[Count] = { GL_RG32F, GL_RG32F, this->Colored ? GL_RGBA32F : GL_R32F,
     static_cast<GLint>(depths), GL_R32F };
@@ -414,20 +414,20 @@ bool vtkRelievoVisibilityPrepass::Allocate()
   }
   glBindTexture(GL_TEXTURE_2D, 0);
   this->Window->GetState()->vtkglActiveTexture(GL_TEXTURE0);
-  this->Room = glGetError() == GL_NO_ERROR; // else rays for each fragment
+  this->Room = glGetError() == GL_NO_ERROR; // otherwise each fragment traces rays
   this->RoomForBefore = false;
   return this->Room;
 }
 
 //------------------------------------------------------------------------------
-// What is seen becomes what was. False if OpenGL has no memory for both.
+// The present surfaces become the previous ones. False if OpenGL has no memory for both.
 bool vtkRelievoVisibilityPrepass::KeepSurfaces()
 {
   if (!this->RoomForBefore)
   {
     for (int i = 0; i < 16 && glGetError() != GL_NO_ERROR; ++i)
     {
-      // Others' errors: what follows is to be known.
+      // Clears earlier errors, to detect errors of the calls below.
     }
     this->Bind(Before, -1);
     this->Window->GetState()->vtkglActiveTexture(
@@ -457,7 +457,7 @@ std::string vtkRelievoVisibilityPrepass::GetSource(const std::string& name) cons
 }
 
 //------------------------------------------------------------------------------
-// Before shaders are built that look verdicts up.
+// Before building shaders that look up verdicts.
 bool vtkRelievoVisibilityPrepass::IsReady()
 {
   if (this->Checked)
@@ -511,7 +511,7 @@ void vtkRelievoVisibilityPrepass::Release(vtkWindow* window)
 {
   if (window && this->Window && this->Window != window)
   {
-    return; // what is held is another window's
+    return; // the resources belong to another window
   }
   const vtkRelievoScopedContext context(window);
   if (window)

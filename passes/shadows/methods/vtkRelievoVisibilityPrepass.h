@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The verdicts of rays about what is seen, found once for each pixel before the picture is drawn,
-// and kept while view, surfaces, casters and lights stay as they are. Small triangles fill few of
-// the lanes that a fragment shader runs in; pixels fill all of them.
+// The verdicts of rays about visible surfaces, computed once per pixel before the picture is drawn,
+// and cached while view, surfaces, casters and lights stay. Small triangles fill few of a fragment
+// shader's lanes; pixels fill all of them.
 //
-// It holds for plain surfaces alone (vtkRelievoCasterDraw), once VTK has drawn them: whoever is not
-// found in it, or finds another place there, goes the way of the ray itself, to the same verdict.
+// Only for plain surfaces (vtkRelievoCasterDraw), once VTK has drawn them: a fragment without an
+// entry, or with an entry for another place, traces the ray itself, with the same verdict.
 #ifndef vtkRelievoVisibilityPrepass_h
 #define vtkRelievoVisibilityPrepass_h
 
@@ -32,16 +32,16 @@ class vtkWindow;
 class vtkRelievoVisibilityPrepass
 {
 public:
-  static constexpr vtkIdType BytesPerPixel = 16; // what is seen, its depth, verdicts
-  static constexpr vtkIdType BytesOfBefore = 8;  // beside, once surfaces have moved
-  static constexpr vtkIdType BytesOfColors = 12; // beside
+  static constexpr vtkIdType BytesPerPixel = 16; // visible surface, its depth, verdicts
+  static constexpr vtkIdType BytesOfBefore = 8;  // in addition, once surfaces have moved
+  static constexpr vtkIdType BytesOfColors = 12; // in addition
   static constexpr int Tile = 8;                 // pixels: as in shaders/shadow/tilesFS.glsl
 
-  enum Kind // what verdicts are
+  enum Kind // kind of verdicts
   {
     Whole,  // all or nothing
     Shares, // of a light
-    Colors  // shares of its red, green and blue, and of the whole
+    Colors  // shares of its red, green and blue, and of the total
   };
 
   vtkRelievoVisibilityPrepass();
@@ -49,33 +49,33 @@ public:
   vtkRelievoVisibilityPrepass(const vtkRelievoVisibilityPrepass&) = delete;
   void operator=(const vtkRelievoVisibilityPrepass&) = delete;
 
-  // Takes texture units for the frame. False if there are none left.
+  // Reserves texture units for the frame. False if none is free.
   bool TakeUnits(vtkOpenGLRenderWindow* window);
 
-  // Begins a frame, of which nothing is known yet, and takes texture units for it. False if there
-  // are none left.
+  // Begins a frame, without any data yet, and reserves texture units. False if none is free.
   bool Begin(vtkOpenGLRenderWindow* window, const vtkRelievoFrameCamera& view, Kind kind);
 
-  // How many lights' verdicts can be found in it; 0: of none.
+  // Number of lights whose verdicts can be stored; 0: none.
   int GetMostLights() const;
 
-  // What is seen of these actors, if it is not known from the frame before. Returns draw calls.
+  // Draws the visible surfaces of these actors, unless they are known from the previous frame.
+  // Returns draw calls.
   int DrawSurfaces(const std::vector<vtkActor*>& actors, vtkRelievoCasterDraw& draw);
 
-  // What rays go past.
+  // The casters for rays.
   struct Past
   {
     double Version = 0.0;
-    // Boxes in the tree's coordinates that hold all that differs from the version before, or null.
+    // Boxes, in the tree's coordinates, around all differences from the previous version, or null.
     const std::vector<vtkRelievoBoxTree::Box>* Moved = nullptr;
   };
 
-  // What rays find about it, if they have not found it in the frame before. rays: numbers that tell
-  // them from others; tell: uniforms of shaders/rays/walk.glsl. Returns draw calls.
+  // Traces the rays, unless the verdicts are known from the previous frame. rays: values that
+  // identify the input; tell: sets the uniforms of shaders/rays/walk.glsl. Returns draw calls.
   int DrawVerdicts(const std::vector<glm::vec4>& sources, const std::vector<double>& rays,
     const Past& past, const std::function<void(vtkShaderProgram*)>& tell);
 
-  // What has been found, for those who look it up; before the verdicts are drawn, nothing.
+  // Uniforms for looking up the verdicts; before they are drawn, there are none.
   void SetUniforms(vtkShaderProgram* program) const;
   void SetActorUniforms(vtkShaderProgram* program, vtkActor* actor) const;
 
@@ -93,7 +93,7 @@ private:
   enum Texture
   {
     Surfaces,
-    Before, // what Surfaces were when the verdicts were found
+    Before, // Surfaces at the time of the verdicts
     Verdicts,
     Depth,
     Tiles,
@@ -114,26 +114,26 @@ private:
   void Tell(vtkShaderProgram* program, int lights) const;
 
   vtkWeakPointer<vtkOpenGLRenderWindow> Window;
-  const vtkWindow* Owner = nullptr; // the same, known also in its destructor; for comparison only
+  const vtkWindow* Owner = nullptr; // also valid in its destructor; for comparison only
   vtkRelievoFrameCamera View;
   double Levels = 2.0;           // of a verdict
-  bool Colored = false;          // verdicts of colours
-  bool AllocatedColored = false; // the same of the texture that there is
-  int Lights = 0;                // whose verdicts are there
-  bool Room = false;             // OpenGL has the memory
-  bool Fits = false;             // there is room, and a way from a pixel and its depth to a place
+  bool Colored = false;          // verdicts with colours
+  bool AllocatedColored = false; // whether the present texture has colours
+  int Lights = 0;                // with verdicts
+  bool Room = false;             // whether OpenGL has the memory
+  bool Fits = false;             // room, and an invertible projection
   bool Broken = false;           // the shaders do not compile, or cannot draw
   bool Checked = false;
   unsigned int Textures[Count] = {};
   vtkSmartPointer<vtkOpenGLFramebufferObject> Framebuffer;
   std::unique_ptr<vtkRelievoScopedState> Kept; // while drawing
-  std::vector<double> SurfacesDrawn;           // the state of what is there; none if nothing is
+  std::vector<double> SurfacesDrawn;           // state of the present data; empty: none
   std::vector<double> VerdictsDrawn;
   std::vector<double> LightsOfVerdicts;
   double VersionOfVerdicts = 0.0;
   std::vector<double> RaysOfVerdicts;
-  bool SurfacesAreNew = false; // since the verdicts were found
-  bool HasBefore = false;      // from the same camera
+  bool SurfacesAreNew = false; // changed since the verdicts
+  bool HasBefore = false;      // with the same camera
   bool RoomForBefore = false;
   unsigned int DepthFormat = 0;
   int Width = 0;

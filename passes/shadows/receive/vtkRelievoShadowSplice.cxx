@@ -38,7 +38,7 @@ std::string Lens(const char* section)
   return vtkRelievoShaderLibrary::GetSection("shadow/lens.glsl", section);
 }
 
-// Whether the text goes on from the vertex's place, and does not only set it or add to it.
+// Whether the shader text uses the vertex's place, and does not only set it or add to it.
 bool ReadsPlace(const std::string& text)
 {
   std::istringstream pattern(Lens("Use"));
@@ -55,7 +55,7 @@ bool ReadsPlace(const std::string& text)
   return false;
 }
 
-// What lights see goes without what such a text makes of it.
+// Maps are drawn without the effect of such a text.
 void SpareLights(std::string& vertex)
 {
   const char* const mark = "//RELIEVO::Position::Impl";
@@ -69,7 +69,7 @@ void SpareLights(std::string& vertex)
   }
 }
 
-// Has VTK's light code, which is between two marks, once more, without shadows.
+// Repeats VTK's light code, which is between two marks, without shadows.
 void Compare(std::string& fragment, const std::string& unshadowed)
 {
   const std::size_t from = fragment.find(Catch) + std::strlen(Catch);
@@ -123,7 +123,7 @@ std::string vtkRelievoShadowSplice::Fill(std::string& vertex, std::string& geome
   int face = 0;
   for (const vtkRelievoShadowStructure::Light& light : structure.Lights)
   {
-    // An impostor has its own normal. Derivatives are not to be had where a cube's side is chosen.
+    // An impostor has its own normal. Derivatives are undefined where it selects a cube's side.
     const std::string way = !structure.Maps ? "No"
       : light.Cube                          ? "Cube"
       : impostor                            ? "Normal"
@@ -162,7 +162,8 @@ std::string vtkRelievoShadowSplice::Fill(std::string& vertex, std::string& geome
   {
     return "its shaders lack VTK's tags PositionVC::Dec and PositionVC::Impl; use VTK's templates";
   }
-  // Actors of other representations may share the mapper, and so these shaders: a uniform tells.
+  // Actors of other representations may share the mapper and its shaders: a uniform distinguishes
+  // them.
   const bool triangles = vtkRelievoAccess::Mapper::DrawsTriangles(mapper) && !impostor;
   std::ostringstream dec;
   dec << "#define RELIEVO_SHADOW_LIGHTS " << structure.Lights.size() << "\n";
@@ -176,10 +177,10 @@ std::string vtkRelievoShadowSplice::Fill(std::string& vertex, std::string& geome
   dec << (structure.Colored ? "#define RELIEVO_SHADOW_COLORED\n" : "");
   dec << (impostor ? "#define RELIEVO_SHADOW_IMPOSTOR\n" : "");
   dec << (triangles ? "#define RELIEVO_SHADOW_TRIANGLES\n" : "");
-  // Some VTKs widen triangles with edges by half a line, and move with them where places are.
+  // Some VTK versions widen triangles with edges by half a line, and move places with them.
   dec << (Has(geometry, "+ offsets[i]*") ? "#define RELIEVO_SHADOW_WIDENED\n" : "");
   std::string normal = Section("FragmentImpl");
-  if (impostor) // elsewhere the name alone would tell other splices that VTK has a normal
+  if (impostor) // for others, the name alone would make other splices assume a normal
   {
     FillWord(normal, "RELIEVO_IMPOSTOR_NORMAL", "normalVCVSOutput");
   }
@@ -191,7 +192,7 @@ std::string vtkRelievoShadowSplice::Fill(std::string& vertex, std::string& geome
     return vtkRelievoShaderLibrary::GetSection(structure.Method, section);
   };
   const bool traced = structure.Traced && !found;
-  if (structure.Traced && found) // what is seen of it is drawn by another program
+  if (structure.Traced && found) // another program draws the visible surface
   {
     FillMark(vertex, VertexDec, ofMethod("FoundVertexDec"));
   }

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The resource `shadow maps`, for stages that light by themselves: which share of each of the
-// renderer's lights is taken where it is blocked. In shaders it is
+// The resource `shadow maps`, for stages that compute light themselves: the share removed from each
+// of the renderer's lights where it is blocked. In shaders it is
 // relievoShadowStrengths[RELIEVO_SHADOW_NUMBERS].
 #ifndef vtkRelievoShadowStrengths_h
 #define vtkRelievoShadowStrengths_h
@@ -16,10 +16,10 @@ struct vtkRelievoShadowContext;
 class vtkRelievoShadowStrengths : public vtkRelievoResource
 {
 public:
-  // `strength` is the share for a light whose own shadow attenuation is 1.
+  // `strength`: the share for a light whose own shadow attenuation is 1.
   void Set(const vtkRelievoShadowContext& work, double strength);
 
-  // What they were made of, until the frame is done.
+  // The sources, until the frame is done.
   const vtkRelievoShadowContext* GetWork() const { return this->Work; }
 
   std::string GetDefines() const override;

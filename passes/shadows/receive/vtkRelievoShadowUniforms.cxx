@@ -16,11 +16,11 @@
 
 namespace
 {
-// Those that have one value for all that a program draws in a frame.
+// Sets the uniforms that are constant for a program in a frame.
 void SetFrame(vtkShaderProgram* program, const vtkRelievoShadowContext& work,
   const vtkRelievoShadowMethod& method, double strength)
 {
-  // The middle of the visible receivers in eye space as the shader has it, in float.
+  // The centre of the visible receivers in eye space in float, like the shader's.
   const glm::vec3 center(work.View.WorldToView * glm::dvec4(work.Cache.GetCenter(), 1.0));
   vtkRelievoShadowMapUniforms faces(work, work.Structure.GetFaces(), center);
   std::vector<float> strengths;
@@ -84,7 +84,7 @@ void vtkRelievoShadowUniforms::Set(vtkShaderProgram* program, const vtkRelievoSh
 {
   if (this->Programs.insert(program).second)
   {
-    // Another renderer's lights may be newer, and VTK's shader cache gives both the same program.
+    // Another renderer's lights may be newer, and both may share a program in VTK's shader cache.
     program->SetUniformGroupUpdateTime(vtkShaderProgram::LightingGroup, 0);
     SetFrame(program, work, method, strength);
     method.SetFrameUniforms(program, work);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The uniforms of shaders/shadow/receive.glsl, and of the method's section in it.
+// The uniforms of shaders/shadow/receive.glsl, and of the method's own section.
 #ifndef vtkRelievoShadowUniforms_h
 #define vtkRelievoShadowUniforms_h
 
@@ -15,16 +15,16 @@ struct vtkRelievoShadowContext;
 class vtkRelievoShadowUniforms
 {
 public:
-  // Sets the uniforms for what the program draws of an actor. strength: share of a blocked light
+  // Sets the uniforms for the program's drawing of an actor. strength: share of a blocked light
   // that is removed from the picture.
   void Set(vtkShaderProgram* program, const vtkRelievoShadowContext& work,
     const vtkRelievoShadowMethod& method, double strength, vtkActor* actor);
 
-  // What programs have is another frame's, or of other maps.
+  // The programs' uniforms belong to another frame, or to other maps.
   void Forget() { this->Programs.clear(); }
 
 private:
-  std::set<vtkShaderProgram*> Programs; // those that have this frame's
+  std::set<vtkShaderProgram*> Programs; // programs with this frame's uniforms
 };
 
 #endif

@@ -66,7 +66,7 @@ void pqRelievoControls::SetView(pqView* view)
   {
     QObject::connect(view, &pqView::endRender, this, &pqRelievoControls::ShowScene);
     this->Connector->Connect(settings, vtkCommand::PropertyModifiedEvent, this, SLOT(ShowState()));
-    // What the view makes of its properties is known once it has them.
+    // Values computed by the view are available only after it has received the properties.
     this->Connector->Connect(settings, vtkCommand::UpdateEvent, this, SLOT(ShowState()));
   }
   this->ShowState();
@@ -85,7 +85,7 @@ void pqRelievoControls::ShowState()
     const int value = this->Get(choice.value()).toInt();
     if (this->View && choice.key()->findData(value) < 0)
     {
-      choice.key()->addItem(QString::number(value), value); // by script
+      choice.key()->addItem(QString::number(value), value); // set by a script
     }
     choice.key()->setCurrentIndex(choice.key()->findData(value));
   }
@@ -140,7 +140,7 @@ void pqRelievoControls::Settle(const char* property, double value, const QString
 {
   if (this->Before.contains(property))
   {
-    // One step of undo from where the drag began.
+    // One undo step from the start of the drag.
     pqRelievoViewSettings::Try(this->View, { { property, this->Before.take(property) } });
   }
   if (this->Get(property).toDouble() != value)

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class pqRelievoControls
- * @brief A section of the dock: what one part of Relievo does in a view, and its switches.
+ * @brief A section of the dock: state and settings of one part of Relievo in a view.
  *
- * Shows the values of the view's properties whenever they change, by whomever, and changes them.
+ * Shows and edits the view's properties, and follows changes made elsewhere.
  */
 #ifndef pqRelievoControls_h
 #define pqRelievoControls_h
@@ -35,17 +35,17 @@ class pqRelievoControls : public QWidget
 public:
   explicit pqRelievoControls(QWidget* parent = nullptr);
 
-  /** The view that is controlled; nullptr for none, or one without Relievo. */
+  /** The view to control; nullptr for none, or for one without Relievo. */
   virtual void SetView(pqView* view);
 
-  /** A button that shows and hides the rest, which is hidden at first. */
+  /** A button that shows and hides the other controls, which are hidden at first. */
   static QToolButton* MakeFold(const QString& text, QWidget* rest, QWidget* parent);
 
 public Q_SLOTS:
   /** Shows the view's values. */
   virtual void ShowState();
 
-  /** Shows what depends on what the view shows: after each of its pictures. */
+  /** Updates controls that depend on the view's picture: called after each picture. */
   virtual void ShowScene() {}
 
 protected:
@@ -53,16 +53,16 @@ protected:
   bool IsOn(const char* name) const { return this->Get(name).toInt() != 0; }
   void Apply(const QString& label, const QVector<pqRelievoViewSettings::Change>& changes);
 
-  /** Has a number set one of the view's properties, and show it. */
+  /** Connects a number edit to one of the view's properties. */
   void Bind(relievoQt::Number* number, const char* property, const QString& label);
 
-  /** Has a choice set one of the view's properties to the data of an item, and show it. */
+  /** Connects a combo box to one of the view's properties, whose values are the items' data. */
   void Bind(QComboBox* choice, const char* property, const QString& label);
 
-  /** The look of a section's head. */
+  /** The style of a section's title. */
   static void MakeHead(QWidget* head);
 
-  /** Controls below what switches them. */
+  /** Indents controls below their switch. */
   static void Indent(QWidget* part);
 
   QPointer<pqView> View;
@@ -74,7 +74,7 @@ private:
 
   QMap<relievoQt::Number*, const char*> Numbers;
   QMap<QComboBox*, const char*> Choices;
-  QMap<QString, QVariant> Before; // of properties whose sliders are dragged
+  QMap<QString, QVariant> Before; // values of properties before the drag of their sliders
 };
 
 #endif

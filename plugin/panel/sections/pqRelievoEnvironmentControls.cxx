@@ -119,5 +119,5 @@ void pqRelievoEnvironmentControls::ShowScene()
   this->Light->setEnabled(any && !all);
   this->Light->setToolTip(!any ? "No surface is shown"
       : all                    ? "All surfaces mirror it and are lit by it"
-                               : "Material and Mirror Environment of all surfaces that are shown");
+                               : "Material and Mirror Environment of all visible surfaces");
 }

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class pqRelievoEnvironmentControls
- * @brief The dock's section of the environment: the file, the surfaces it lights, the sky,
- * rotation, intensity.
+ * @brief The dock's section for the environment: file, lit surfaces, skybox, rotation, intensity.
  */
 #ifndef pqRelievoEnvironmentControls_h
 #define pqRelievoEnvironmentControls_h
@@ -30,7 +29,7 @@ private:
 
   QToolButton* File;
   QToolButton* None;
-  QWidget* Rest; // shown while there is one
+  QWidget* Rest; // shown if there is an environment
   QPushButton* Light;
   QCheckBox* Sky;
 };

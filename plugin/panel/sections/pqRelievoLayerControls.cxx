@@ -78,12 +78,12 @@ bool HasNothing(vtkImageData* image, const QString& layer, vtkIdType pixel)
 
 QString WriteNumber(double value)
 {
-  // Ids in full.
+  // Ids with all digits.
   const bool whole = std::abs(value) < 1e15 && value == std::floor(value);
   return whole ? QString::number(value, 'f', 0) : QString::number(value, 'g', 7);
 }
 
-// Without what is noise beside the largest: normals are kept in fewer bits.
+// Omits digits below the precision of the largest component: normals have fewer bits.
 QString WriteValues(vtkDataArray* array, bool normal, vtkIdType pixel)
 {
   const double share = normal ? 1e-4 : 1e-7;
@@ -177,9 +177,9 @@ void pqRelievoLayerControls::AddColors(QFormLayout* rows)
     this->Colormap->addItem(QString::fromStdString(names[i]), static_cast<int>(i));
   }
   this->Reversed->setObjectName("reversed");
-  this->Reversed->setToolTip("The first colour for the greatest value");
+  this->Reversed->setToolTip("Reverses the colours: the largest value has the first one");
   this->Range->setObjectName("range");
-  this->Range->SetAutomaticToolTip("From the least to the greatest value that is seen");
+  this->Range->SetAutomaticToolTip("From the smallest to the largest visible value");
   relievoQt::AddRow(colors, "Colour map", this->Colormap);
   relievoQt::AddRow(colors, "", this->Reversed);
   relievoQt::AddRow(colors, "Range", this->Range);
@@ -242,7 +242,7 @@ void pqRelievoLayerControls::ShowState()
   }
   if (!layer.isEmpty() && !names.contains(layer))
   {
-    this->Layer->addItem(relievoQt::NameLayer(layer.toStdString()), layer); // by script: an array
+    this->Layer->addItem(relievoQt::NameLayer(layer.toStdString()), layer); // set by a script
   }
   this->Layer->setCurrentIndex(std::max(0, this->Layer->findData(layer)));
   const bool probing = this->View && (this->All->isChecked() || !layer.isEmpty());
@@ -267,7 +267,7 @@ void pqRelievoLayerControls::DropValues()
 }
 
 //------------------------------------------------------------------------------
-// What is in the picture, and from where: other values are under the mouse when it changes.
+// The picture's contents and view: when they change, so do the values under the mouse.
 QString pqRelievoLayerControls::GetSeen() const
 {
   auto* view = this->View ? vtkSMRenderViewProxy::SafeDownCast(this->View->getProxy()) : nullptr;
@@ -410,7 +410,7 @@ bool pqRelievoLayerControls::ReadAll()
   std::vector<std::string> names(all.size());
   std::transform(
     all.begin(), all.end(), names.begin(), [](const QString& each) { return each.toStdString(); });
-  // Arrays that are not drawn fail all: without them there are the layers of every surface.
+  // A single missing array makes all reading fail: retries without arrays.
   for (const auto& each : { names, std::vector<std::string>(std::begin(Always), std::end(Always)) })
   {
     if (this->Image->GetNumberOfPoints() == 0 &&

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class pqRelievoLayerControls
- * @brief The dock's section of the layer shown as the picture, with what its colours mean, and of
- * the values under the mouse.
+ * @brief The dock's section for the displayed layer, with its legend, and for the values under the
+ * mouse.
  *
- * The shown layer is read when the mouse is over it. All values are read if that is switched on, by
- * a picture of their own, when the mouse first moves after one.
+ * The displayed layer is read when the mouse is over the view. Reading all values is optional: it
+ * needs an extra picture when the mouse first moves after a picture.
  */
 #ifndef pqRelievoLayerControls_h
 #define pqRelievoLayerControls_h
@@ -32,9 +32,9 @@ class pqRelievoLayerControls : public pqRelievoControls
 {
   Q_OBJECT
   using Superclass = pqRelievoControls;
-  /** The layers whose values were found last, with commas. */
+  /** The layers of the last values, separated by commas. */
   Q_PROPERTY(QString probedLayers READ GetProbedLayers)
-  /** The values of the first of them, which is the one that is shown; or "nothing". */
+  /** The values of the first of these layers, which is displayed; or "nothing". */
   Q_PROPERTY(QString probed READ GetProbed)
 
 public:
@@ -68,17 +68,17 @@ private:
   QComboBox *Layer, *Colormap;
   QCheckBox* Reversed;
   relievoQt::RangeEdit* Range;
-  QWidget* Colors; // what gives layers of single values theirs
+  QWidget* Colors; // settings of colours for layers of single values
   pqRelievoLegend* Legend;
   QCheckBox* All;
   QTableWidget* Values;
   QLabel* Message;
-  QPointer<QWidget> Screen; // of the view, watched for the mouse
+  QPointer<QWidget> Screen; // the view's widget, observed for mouse events
   QTimer LegendTimer;
-  QString Asked, Seen; // what the values are of
+  QString Asked, Seen; // sources of the requested and the present values
   vtkNew<vtkImageData> Image;
-  bool Fresh = false;   // it is of the last picture
-  bool Reading = false; // by a picture of our own
+  bool Fresh = false;   // the values are of the last picture
+  bool Reading = false; // an own picture is being drawn
 };
 
 #endif

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class pqRelievoLegend
- * @brief What the colours of the layer that is shown mean: a bar with its ends, or words.
+ * @brief Explains the colours of the displayed layer: a bar with values at its ends, or words.
  */
 #ifndef pqRelievoLegend_h
 #define pqRelievoLegend_h
@@ -20,7 +20,7 @@ class pqRelievoLegend : public QWidget
 {
   Q_OBJECT
   using Superclass = QWidget;
-  /** All of its words, a line each. */
+  /** All of its texts, one per line. */
   Q_PROPERTY(QString text READ GetText)
 
 public:

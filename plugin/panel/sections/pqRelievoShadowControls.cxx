@@ -20,7 +20,7 @@
 
 namespace
 {
-constexpr int SoftSamples = 16; // when they are switched on
+constexpr int SoftSamples = 16; // initial number when switched on
 }
 
 //------------------------------------------------------------------------------
@@ -53,7 +53,7 @@ pqRelievoShadowControls::pqRelievoShadowControls(QWidget* parent)
   relievoQt::AddRow(relievoQt::MakeRows(row), "Strength", strength);
   this->Bind(strength, "RelievoShadowStrength", "Strength of shadows");
   this->AddMethods(this->Rest);
-  parts->addWidget(this->Hint); // which comes and goes with what is drawn
+  parts->addWidget(this->Hint); // its visibility depends on the picture
   QObject::connect(this->On, &QCheckBox::toggled, this,
     [this](bool on) { pqRelievoViewSettings::SetShadows(this->View, on); });
   QObject::connect(this->Hint, &QLabel::linkActivated, this, [this](const QString& link) {
@@ -120,7 +120,7 @@ void pqRelievoShadowControls::AddMethods(QWidget* parent)
   size->setObjectName("size");
   for (int texels = 256; texels <= 16384; texels *= 2)
   {
-    const int mebibytes = texels * texels / 262144; // four bytes a texel
+    const int mebibytes = texels * texels / 262144; // four bytes per texel
     size->addItem(
       mebibytes ? QString("%1 (%2 MiB)").arg(texels).arg(mebibytes) : QString::number(texels),
       texels);
@@ -168,7 +168,7 @@ QString pqRelievoShadowControls::FindHint() const
   vtkPVRelievoView* here = pqRelievoViewSettings::FindHere(this->View);
   if (!here || pqRelievoScene::FindSurfaces(this->View).isEmpty())
   {
-    return here ? "Only surfaces cast shadows, and none is shown." : "";
+    return here ? "Only surfaces cast shadows, and none is visible." : "";
   }
   static const QStringList kit = { "shadow_key_light", "shadow_fill_light",
     "shadow_first_back_light", "shadow_second_back_light", "shadow_headlight" };

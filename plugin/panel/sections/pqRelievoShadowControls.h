@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class pqRelievoShadowControls
- * @brief The dock's section of shadows: on or off, soft or not, strength; folded away, how they are
- * found. Below them, why none can be seen, and what to do.
+ * @brief The dock's section for shadows: on or off, soft or not, strength; folded, their method.
+ * Below them, the reason why no shadow is visible, and a remedy.
  */
 #ifndef pqRelievoShadowControls_h
 #define pqRelievoShadowControls_h
@@ -30,7 +30,7 @@ private:
   QString FindHint() const;
 
   QCheckBox* On;
-  QWidget* Rest; // shown while they are on
+  QWidget* Rest; // shown while shadows are on
   QCheckBox* Soft;
   QWidget* Softness; // shown while they are soft
   QLabel* Hint;

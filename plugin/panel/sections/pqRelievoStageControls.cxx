@@ -17,8 +17,8 @@
 
 namespace
 {
-// The view's properties of a stage, by the names that describeProperties.cxx gives them: the switch
-// first, and its parameters. None, if the stage has no properties.
+// The view's properties of a stage, by the names from describeProperties.cxx: the switch first,
+// then its parameters. Empty if the stage has no properties.
 QStringList FindProperties(vtkSMProxy* view, const QString& name)
 {
   const QString on = "RelievoStage" + name;

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class pqRelievoStageControls
- * @brief The dock's section for further stages of the frame: a switch each, and below it its
- * parameters. Those of points, such as lamps, are there while the view shows any.
+ * @brief The dock's section for further stages of the frame: a switch for each, with its
+ * parameters. Stages of points, such as lamps, appear while the view shows any.
  *
- * Made from the view's properties, which are made from the stages' own descriptions: a new stage
- * needs nothing here. Hidden while there is none.
+ * Built from the view's properties, which are generated from the stages' own descriptions: a new
+ * stage needs no code here. Hidden while there is none.
  */
 #ifndef pqRelievoStageControls_h
 #define pqRelievoStageControls_h
@@ -31,8 +31,8 @@ private:
   void AddProperties(const QStringList& properties, QWidget* part);
 
   QVBoxLayout* Rows;
-  QPointer<pqView> Shown;     // whose stages these are
-  QMap<QString, QWidget*> Of; // by the switch of a representation whose points it takes
+  QPointer<pqView> Shown;     // the view of these stages
+  QMap<QString, QWidget*> Of; // by the switch of the representations whose points a stage uses
   QVector<QWidget*> Parts;
 };
 

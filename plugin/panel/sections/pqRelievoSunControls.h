@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class pqRelievoSunControls
- * @brief The dock's section of the sun: on or off; by angles, or by date and place with a slider
- * over the day; brightness and fill. Below it the button that makes a ground.
+ * @brief The dock's section for the sun: on or off; by angles, or by date and place with a slider
+ * for the time of day; brightness and fill. Below it, a button that adds a ground.
  */
 #ifndef pqRelievoSunControls_h
 #define pqRelievoSunControls_h
@@ -33,7 +33,7 @@ private:
   void ShowPlace();
 
   QCheckBox* On;
-  relievoQt::SunEdit* Rest; // shown while it is on
+  relievoQt::SunEdit* Rest; // shown while the sun is on
   QPushButton* Ground;
 };
 

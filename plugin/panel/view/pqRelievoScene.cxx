@@ -27,11 +27,11 @@
 
 namespace
 {
-constexpr double Reach = 2.0; // of the ground, in radii of the scene, to each side
+constexpr double Reach = 2.0; // half the ground's width, in radii of the scene
 constexpr double GreyOfGround = 0.45;
-constexpr double Flat = 0.25; // height over width of what shadows can fall on
+constexpr double Flat = 0.25; // largest height over width of a surface that shows shadows
 
-// A vector of a representation; the values that are there already where it has none.
+// A vector property of a representation; keeps the given values if it is missing.
 void Read(vtkSMProxy* representation, const char* name, double values[3])
 {
   if (representation->GetProperty(name))
@@ -80,7 +80,7 @@ vtkBoundingBox GetBox(pqDataRepresentation* shown)
   return box;
 }
 
-// The sun's while it is on, or once it was chosen.
+// The sun's up axis if it is on, or once the user has chosen it.
 int GetUpAxis(pqView* view)
 {
   const int given = std::clamp(pqRelievoViewSettings::Get(view, "RelievoSunUpAxis").toInt(), 0, 2);
@@ -167,11 +167,11 @@ void pqRelievoScene::MakeGround(pqView* view)
   const int up = GetUpAxis(view);
   const int first = (up + 1) % 3; // first x second = up
   const int second = (up + 2) % 3;
-  double corners[3][3]; // the origin, the ends of both edges
+  double corners[3][3]; // the origin, and the ends of both edges
   for (double* corner : corners)
   {
     box.GetCenter(corner);
-    corner[up] = bounds[2 * up] - 1e-4 * radius; // below what lies flat on it
+    corner[up] = bounds[2 * up] - 1e-4 * radius; // avoids z-fighting with flat bottoms
     corner[first] -= Reach * radius;
     corner[second] -= Reach * radius;
   }
@@ -199,7 +199,7 @@ void pqRelievoScene::MakeGround(pqView* view)
   if (shown && shown->GetProperty("DiffuseColor") && ink &&
     vtkSMPropertyHelper(ink).GetAsDouble(0) > 0.5)
   {
-    // Annotations in front of it are white, as on the view's own background.
+    // White annotations in front of it would be unreadable, as on the view's own background.
     SM_SCOPED_TRACE(PropertiesModified).arg("proxy", shown);
     const std::vector<double> color(3, GreyOfGround);
     for (const char* name : { "AmbientColor", "DiffuseColor" })

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What a view of ParaView's window shows, as far as Relievo's dock asks for it and adds to it. Each
-// change is one step of undo, with its lines of a Python trace.
+// Queries and extends the scene of a view for Relievo's dock. Each change is one undo step, with
+// its lines of a Python trace.
 #ifndef pqRelievoScene_h
 #define pqRelievoScene_h
 
@@ -14,28 +14,28 @@ class pqView;
 
 namespace pqRelievoScene
 {
-/** The representations that are seen as surfaces: they can have a material. */
+/** The representations visible as surfaces, which can have a material. */
 QVector<pqDataRepresentation*> FindSurfaces(pqView* view);
 
-/** Whether a representation that is seen has the switch of that name on ("RelievoFog"). */
+/** Whether a visible representation has the switch of that name on ("RelievoFog"). */
 bool IsUsed(pqView* view, const QString& name);
 
-/** Bounds in the world of all surfaces together; false if there are none. */
+/** World bounds of all surfaces together; false if there are none. */
 bool GetBounds(pqView* view, double bounds[6]);
 
-/** The axis that points up, by what is shown and by the camera; z where nothing is. */
+/** The up axis, by the surfaces and the camera; z if there are none. */
 int FindUpAxis(pqView* view);
 
-/** Whether one of the surfaces is flat along the up axis: shadows can fall on it. */
+/** Whether one of the surfaces is flat along the up axis, so that shadows are visible on it. */
 bool HasGround(pqView* view);
 
-/** Shows a plane below all surfaces, of three times their width and more. */
+/** Adds a plane below all surfaces, at least three times as wide. */
 void MakeGround(pqView* view);
 
 /** Whether all surfaces mirror the environment and are lit by it; false if there are none. */
 bool IsLitByEnvironment(pqView* view);
 
-/** Has all surfaces mirror the environment, and be lit by it. */
+/** Makes all surfaces mirror the environment, and be lit by it. */
 void LightByEnvironment(pqView* view);
 }
 

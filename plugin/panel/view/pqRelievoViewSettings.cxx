@@ -20,11 +20,11 @@
 
 namespace
 {
-// The word of view.xml for the picture itself.
+// The value of DisplayLayer in view.xml that shows the picture itself.
 constexpr const char* NoLayer = "None";
-// On a view whose shadows came with its sun.
+// Set on a view whose shadows were switched on by its sun.
 constexpr const char* SunsShadows = "RelievoShadowsOfSun";
-// On a view whose sun was switched on before.
+// Set on a view whose sun was on before.
 constexpr const char* SunHasUp = "RelievoSunHasUp";
 
 void Push(vtkSMProxy* proxy, const QVector<pqRelievoViewSettings::Change>& changes)
@@ -171,7 +171,7 @@ void pqRelievoViewSettings::SetShadows(pqView* view, bool on)
 {
   if (view)
   {
-    view->setProperty(SunsShadows, false); // somebody wants them, or not, for themselves
+    view->setProperty(SunsShadows, false); // the user has set shadows separately
   }
   Apply(view, on ? "Shadows on" : "Shadows off", { { "RelievoShadows", on ? 1 : 0 } });
 }
@@ -186,7 +186,7 @@ void pqRelievoViewSettings::SetSun(pqView* view, bool on)
   QVector<Change> changes = { { "RelievoSun", on ? 1 : 0 } };
   if (on && !view->property(SunHasUp).toBool())
   {
-    // Later switches leave what the user may have chosen since.
+    // Later switches respect the user's later choice.
     const int up = pqRelievoScene::FindUpAxis(view);
     if (up != 2 && GetNumber(view, "RelievoSunUpAxis") == 2)
     {
@@ -200,7 +200,7 @@ void pqRelievoViewSettings::SetSun(pqView* view, bool on)
   {
     changes.append({ "RelievoShadows", on ? 1 : 0 });
   }
-  view->setProperty(SunsShadows, brings); // whatever was before, by script or undo
+  view->setProperty(SunsShadows, brings); // independent of earlier changes by scripts or undo
   Apply(view, on ? "Sun on" : "Sun off", changes);
 }
 

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What the plugin needs of ParaView's view and representations and VTK's light kit, and they keep
-// protected. The members are named through derived classes that are never made: checked when
-// compiled.
+// Access to protected members of ParaView's view and representations and of VTK's light kit. The
+// members are named through derived classes that are never instantiated, so that the compiler
+// checks them.
 #ifndef vtkPVRelievoAccess_h
 #define vtkPVRelievoAccess_h
 
@@ -26,26 +26,26 @@ namespace vtkPVRelievoAccess
 class View : public vtkPVRenderView
 {
 public:
-  // Where the view's passes are put together.
+  // Where the view composes its passes.
   static vtkPVSynchronizedRenderer* Passes(vtkPVRenderView* view)
   {
     return view->*(&View::SynchronizedRenderers);
   }
   static vtkLightKit* Kit(vtkPVRenderView* view) { return view->*(&View::LightKit); }
-  // Whether its picture is made by a server, and this process only shows it.
+  // Whether a server makes the view's picture, and this process only shows it.
   static bool IsDrawnElsewhere(vtkPVRenderView* view)
   {
     return vtkProcessModule::GetProcessType() == vtkProcessModule::PROCESS_CLIENT &&
       view->GetUseDistributedRenderingForRender();
   }
-  // Whether what it draws is saved.
+  // Whether the view is drawing a saved picture.
   static bool IsSaving(vtkPVRenderView* view) { return (view->*(&View::GetInCaptureScreenshot))(); }
 };
 
 class Surface : public vtkGeometryRepresentationWithFaces
 {
 public:
-  // What draws it: the front, and the back where that can look otherwise.
+  // The representation's actors: the front, and the back if it can look different.
   static std::vector<vtkActor*> Actors(vtkGeometryRepresentation* representation)
   {
     std::vector<vtkActor*> actors = { representation->GetActor() };
@@ -60,7 +60,7 @@ public:
 class Selection : public vtkSelectionRepresentation
 {
 public:
-  // What shows it.
+  // The representation's views.
   static vtkGeometryRepresentation* Surface(vtkSelectionRepresentation* selection)
   {
     return selection->*(&Selection::GeometryRepresentation);
@@ -70,7 +70,7 @@ public:
 class Synchronizer : public vtkSynchronizedRenderers
 {
 public:
-  // The picture that it sends or shows.
+  // The picture that the view sends or shows.
   static vtkRawImage& Capture(vtkSynchronizedRenderers* synchronizer)
   {
     return (synchronizer->*(&Synchronizer::CaptureRenderedImage))();
@@ -81,7 +81,7 @@ class LightKit : public vtkLightKit
 {
 public:
   static vtkLight* Key(vtkLightKit* kit) { return kit->*(&LightKit::KeyLight); }
-  // With what reports call them.
+  // The name for reports.
   static std::array<std::pair<vtkLight*, const char*>, 4> Others(vtkLightKit* kit)
   {
     return { { { kit->*(&LightKit::FillLight), "fill light" },

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// ParaView's domains guide its panel but let scripts and state files through: what is out of range
-// is brought into it where it arrives, with a message.
+// Clamps values to their range on arrival, with a message: ParaView's domains limit its panel but
+// not scripts and state files.
 #ifndef vtkPVRelievoClamped_h
 #define vtkPVRelievoClamped_h
 
@@ -10,14 +10,14 @@
 #include "vtkProcessModule.h"
 #include "vtkRelievoParameterList.h"
 
-// Of several processes that draw together, the first speaks.
+// With several drawing processes, only the first reports.
 inline bool vtkPVRelievoReports()
 {
   auto* process = vtkProcessModule::GetProcessModule();
   return !process || process->GetPartitionId() == 0;
 }
 
-// The nearest value within the range (not a number: the least), with a message if it is another.
+// The nearest value within the range (the lowest for NaN), with a message if it differs.
 template <typename T>
 T vtkPVRelievoClamped(vtkObject* self, const char* property, T value, T least, T most)
 {
@@ -31,8 +31,8 @@ T vtkPVRelievoClamped(vtkObject* self, const char* property, T value, T least, T
   return taken;
 }
 
-// Sets a described value. Its property (vtkSMRelievoRange.h) has brought it into its range; what is
-// refused all the same is left, with a message.
+// Sets a described value. Its property (vtkSMRelievoRange.h) has clamped it; a value that is still
+// refused leaves the old one, with a message.
 inline void vtkPVRelievoSet(vtkObject* self, const vtkRelievoParameterList& list,
   const std::string& name, const std::vector<double>& values)
 {

@@ -32,15 +32,15 @@ namespace
 {
 constexpr int MoveTag = 46121;
 
-// The layer that the window has and not the frame.
+// The window's picture, a layer that the frame does not have.
 const std::string& Picture()
 {
   return vtkRelievoLayerCatalogue::GetPicture().Name;
 }
 using vtkPVRelievoLayerMerge::ProcessLayer;
 
-// Reads what can be read: on several processes each lacks arrays of what others draw. Returns what
-// is wrong with the first that cannot.
+// Reads the available layers: with several processes, each lacks arrays of surfaces drawn by
+// others. Returns the error of the first missing one.
 std::string ReadSome(
   vtkRelievoPass* frame, const std::vector<std::string>& names, vtkImageData* image)
 {
@@ -68,9 +68,9 @@ class vtkPVRelievoCapture::Internals
 public:
   vtkWeakPointer<vtkPVView> View;
   std::vector<std::string> Layers;
-  vtkWeakPointer<vtkPVRelievoView> Started; // the view that makes the layers now
-  std::vector<std::string> Requested;       // of it
-  bool Failed = false;                      // the last Read() did
+  vtkWeakPointer<vtkPVRelievoView> Started; // the view that makes the layers at present
+  std::vector<std::string> Requested;       // from that view
+  bool Failed = false;                      // whether the last Read() failed
   vtkNew<vtkImageData> Image;
 
   bool IsAsked(const std::string& name) const
@@ -129,7 +129,7 @@ void vtkPVRelievoCapture::Start()
   in.Requested = in.Layers;
   in.Requested.erase(
     std::remove(in.Requested.begin(), in.Requested.end(), Picture()), in.Requested.end());
-  // Parts of the scene are put together by it; others do not pay for a layer nobody reads.
+  // Merging several parts needs the depth; a single process does not pay for an unrequested layer.
   const bool parts = vtkProcessModule::GetProcessType() != vtkProcessModule::PROCESS_CLIENT &&
     vtkProcessModule::GetProcessModule()->GetNumberOfLocalPartitions() > 1;
   if (parts && !in.Requested.empty() && !in.IsAsked("depth"))
@@ -139,7 +139,7 @@ void vtkPVRelievoCapture::Start()
   vtkRenderWindow* window = vtkPVRenderView::SafeDownCast(in.View)->GetRenderWindow();
   if (window && !window->GetNeverRendered())
   {
-    // A server with nothing to draw is left out of the picture: it must not show an old one's.
+    // A server without geometry takes no part in the picture: its old layers are invalid.
     window->MakeCurrent();
     in.Started->GetFrame()->GetLayersStage()->ReleaseGraphicsResources(window);
   }
@@ -176,7 +176,7 @@ void vtkPVRelievoCapture::Read(bool together, bool quiet)
   const int processes = together && controller ? controller->GetNumberOfProcesses() : 1;
   if (!together && process != 0)
   {
-    return; // the root drew it all
+    return; // the root drew everything
   }
   std::vector<std::string> names = in.Requested;
   std::string wrong;
@@ -224,7 +224,7 @@ void vtkPVRelievoCapture::Read(bool together, bool quiet)
   {
     if (!in.Image->GetPointData()->HasArray(name.c_str()))
     {
-      // What another process lacks is no fault of the layer.
+      // A layer missing on another process is no error.
       wrong = wrong.empty() ? "Nothing that is drawn has the array '" + name + "'." : wrong;
       in.Image->Initialize();
       in.Failed = true;
@@ -294,7 +294,7 @@ void vtkPVRelievoCapture::Move(bool toServer)
   {
     return;
   }
-  // One of them: the client has the server's, the servers' root the client's, others none.
+  // The other side: the server for the client, the client for the servers' root, none for others.
   vtkMultiProcessController* server = session->GetController(vtkPVSession::DATA_SERVER_ROOT);
   vtkMultiProcessController* client = session->GetController(vtkPVSession::CLIENT);
   vtkMultiProcessController* peer = server ? server : client;
@@ -313,7 +313,7 @@ void vtkPVRelievoCapture::Move(bool toServer)
   auto* image = vtkImageData::SafeDownCast(received);
   if (in.Failed || !image || image->GetNumberOfPoints() == 0)
   {
-    in.Image->Initialize(); // half of what is asked is none
+    in.Image->Initialize(); // an incomplete set counts as none
     return;
   }
   if (in.Image->GetNumberOfPoints() == 0)
@@ -340,7 +340,7 @@ void vtkPVRelievoCapture::Move(bool toServer)
 //------------------------------------------------------------------------------
 void vtkPVRelievoCapture::Arrange()
 {
-  // The arrays in the order in which they were asked for, and none besides.
+  // The requested arrays in their order, without others.
   Internals& in = *this->Internal;
   vtkPointData* layers = in.Image->GetPointData();
   std::vector<vtkSmartPointer<vtkDataArray>> arrays;

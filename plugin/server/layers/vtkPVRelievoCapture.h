@@ -2,16 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkPVRelievoCapture
- * @brief Takes the layers of a render view's next picture, on every process that draws it.
+ * @brief Reads the layers of a render view's next picture, on every process that draws it.
  *
- * The view draws its picture as ever; its frame makes the layers beside it, so that no rendering
- * happens that ParaView does not know of. Then they are read where they are: on the process that
- * drew all, or on all servers, whose layers are put together by depth (vtkPVRelievoLayerMerge). The
- * image, as vtkRelievoLayerSource makes it, ends on the root of the servers, on the client, or
- * where it was made.
+ * The view draws its picture as usual; its frame makes the layers with it, without any rendering
+ * unknown to ParaView. They are read where they are: on the process that drew everything, or on all
+ * servers, whose layers are merged by depth (vtkPVRelievoLayerMerge). The image, as in
+ * vtkRelievoLayerSource, ends on the servers' root, on the client, or where it was made.
  *
  * Start() and Stop() are called on all processes that may draw, Read() where the picture was drawn;
- * vtkSMRelievoCaptureProxy does it in the right order.
+ * vtkSMRelievoCaptureProxy calls them in the right order.
  */
 #ifndef vtkPVRelievoCapture_h
 #define vtkPVRelievoCapture_h
@@ -31,48 +30,48 @@ public:
   vtkTypeMacro(vtkPVRelievoCapture, vtkObject);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /** The view whose layers are taken: a vtkPVRenderView. */
+  /** The view to read from: a vtkPVRenderView. */
   void SetView(vtkPVView* view);
 
   ///@{
   /**
-   * The layers, by name, in the order of the image's arrays. `color` is the picture as it is seen,
-   * annotations included.
+   * The layers, by name, in the order of the image's arrays. `color` is the final picture,
+   * including annotations.
    */
   void AddLayer(const char* name);
   void RemoveAllLayers();
   ///@}
 
   ///@{
-  /** From Start() to Stop() the view's pictures make the layers. */
+  /** Between Start() and Stop() the view's pictures make the layers. */
   void Start();
   void Stop();
   ///@}
 
   /**
-   * Reads the layers of the last picture, all but `color`. With `together`, called on all servers:
-   * each has drawn its part of the scene, and the image is on the root. Where several parts make
-   * the layer `cell`, the array `process` tells whose cells they are. With `quiet`, layers that
-   * cannot be read are no error.
+   * Reads the layers of the last picture, all but `color`. With `together`, it is called on all
+   * servers: each has drawn its part of the scene, and the image is on the root. If several parts
+   * make the layer `cell`, the array `process` gives the owner of the cells. With `quiet`,
+   * unreadable layers are no error.
    */
   void Read(bool together, bool quiet);
 
   /**
-   * Adds `color` if it is asked for: on the process that shows the picture, after Read(). Not after
-   * an error there.
+   * Adds `color` if it is requested: on the process that shows the picture, after Read(). Does
+   * nothing there after an error.
    */
   void ReadColor();
 
   ///@{
   /**
-   * Moves the image between the client and the servers' root, which may both have part of it;
+   * Moves the image between the client and the servers' root, each of which may have a part of it;
    * called on both. Without a server nothing moves.
    */
   void MoveToServer();
   void MoveToClient();
   ///@}
 
-  /** The layers: without points before Read(), after an error, and where the image is not. */
+  /** The layers: empty before Read(), after an error, and on processes without the image. */
   vtkImageData* GetImage();
 
 protected:

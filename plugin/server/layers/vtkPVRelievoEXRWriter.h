@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkPVRelievoEXRWriter
- * @brief vtkRelievoEXRWriter on several processes: the root writes, all take part in the pipeline.
+ * @brief vtkRelievoEXRWriter on several processes: the root writes, and all execute the pipeline.
  */
 #ifndef vtkPVRelievoEXRWriter_h
 #define vtkPVRelievoEXRWriter_h

@@ -20,22 +20,22 @@ namespace
 {
 constexpr int Tag = 46120;
 
-// What a process says of a layer.
+// A process's description of a layer.
 struct Kind
 {
-  int Type = VTK_VOID; // VTK_VOID: it has none
+  int Type = VTK_VOID; // VTK_VOID: missing
   int Components = 0;
 };
 
-// What is known of a layer without its image; of kind ARRAY if nothing is.
+// Known properties of a layer without its image; of kind ARRAY if unknown.
 const vtkRelievoLayer& Know(const std::string& name)
 {
-  // A light's name is the frame's to know; its layers all begin so.
+  // Names of lights are known only to the frame; all layers of lights have this prefix.
   return vtkRelievoLayerCatalogue::GetIsOfLight(name) ? vtkRelievoLayerCatalogue::GetOfLight()
                                                       : vtkRelievoLayerCatalogue::Find(name);
 }
 
-// The value of a layer where nothing is.
+// The background value of a layer.
 double GetNothing(const std::string& name, const Kind& kind)
 {
   if (name == vtkPVRelievoLayerMerge::ProcessLayer)
@@ -43,7 +43,7 @@ double GetNothing(const std::string& name, const Kind& kind)
     return -1.0;
   }
   const vtkRelievoLayer& layer = Know(name);
-  // An array of the data may have a name like a light's.
+  // An array of the data may be named like a layer of lights.
   const bool fits =
     !layer.OfLight || (kind.Type == layer.Type && kind.Components == layer.Components);
   const bool whole = kind.Type != VTK_FLOAT && kind.Type != VTK_DOUBLE;
@@ -64,7 +64,7 @@ Kind GetKnownKind(const std::string& name)
     : Kind{};
 }
 
-// The image's array, of the given kind: as it is, converted, or made where it lacks.
+// The image's array with the given kind: unchanged, converted, or created if missing.
 void Complete(vtkImageData* image, const std::string& name, const Kind& kind)
 {
   vtkDataArray* own = image->GetPointData()->GetArray(name.c_str());
@@ -114,7 +114,7 @@ void Send(vtkMultiProcessController* controller, int to, const std::vector<std::
   }
 }
 
-// Takes the pixels of another process that are nearer: all of them if the image has none.
+// Copies the nearer pixels of another process: all of them if the image has none.
 void Receive(vtkMultiProcessController* controller, int from, const std::vector<std::string>& names,
   bool hasOwn, vtkImageData* image)
 {
@@ -122,7 +122,7 @@ void Receive(vtkMultiProcessController* controller, int from, const std::vector<
   std::vector<std::size_t> sizes;
   const auto bytes = GetBytes(image, names, sizes);
   std::vector<unsigned char> nearer(static_cast<std::size_t>(count), 1);
-  // Depth comes first: it decides for the others.
+  // Depth comes first, because it decides for the others.
   std::vector<unsigned char> other;
   for (std::size_t k = 0; k < names.size(); ++k)
   {
@@ -148,16 +148,17 @@ void Receive(vtkMultiProcessController* controller, int from, const std::vector<
     }
   }
 }
-// What all processes know of each other.
+// The combined description, equal on all processes.
 struct Plan
 {
-  int Size[2] = { 0, 0 };         // 0: none has an image
-  std::vector<bool> Has;          // an image, by process
-  std::vector<std::string> Names; // of layers that any has, depth first
-  std::vector<Kind> Kinds;        // of these
+  int Size[2] = { 0, 0 };         // 0: no process has an image
+  std::vector<bool> Has;          // which processes have an image
+  std::vector<std::string> Names; // of all layers, depth first
+  std::vector<Kind> Kinds;        // of these layers
 };
 
-// Tells the others what this process has, so that all decide the same. Returns what is wrong.
+// Sends this process's description to the others, so that all decide alike. Returns an error, or
+// "".
 std::string Agree(vtkMultiProcessController* controller, vtkImageData* image,
   const std::vector<std::string>& names, Plan& plan)
 {
@@ -270,7 +271,7 @@ std::string vtkPVRelievoLayerMerge::Merge(
   }
   if (self == 0)
   {
-    complete(); // alone with an image, it has converted nothing yet
+    complete(); // a single process with an image has converted nothing yet
   }
   else
   {

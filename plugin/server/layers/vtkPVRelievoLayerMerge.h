@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The layers of processes that each hold a part of the scene, put together: in every pixel the
-// process with the least depth gives all layers. Each exchange is of one image; there are as many
-// exchanges as the number of processes has binary digits.
+// Merges the layers of processes that each hold a part of the scene: in every pixel, the process
+// with the smallest depth gives all layers. Each exchange transfers one image; the number of
+// exchanges is the number of binary digits of the number of processes.
 #ifndef vtkPVRelievoLayerMerge_h
 #define vtkPVRelievoLayerMerge_h
 
@@ -15,21 +15,21 @@ class vtkMultiProcessController;
 
 namespace vtkPVRelievoLayerMerge
 {
-// No layer of a frame's, but of processes: which of them a pixel's values come from.
+// A layer of the merge, not of a frame: the process from which a pixel's values come.
 constexpr const char* ProcessLayer = "process";
 
-// Called by all processes, with the same names, `depth` among them. `image` has what the process
-// made: no points if it drew nothing, arrays only for layers it has. Afterwards that of process 0
-// has all layers that any process had; a layer is empty (as vtkRelievoLayerSource says) where the
-// nearest process lacks it. Returns what is wrong, in words, the same on all processes.
+// Called by all processes, with equal names, `depth` among them. `image` has this process's layers:
+// no points if it drew nothing, and arrays only for its layers. Afterwards the image of process 0
+// has all layers of any process; a layer is empty (see vtkRelievoLayerSource) where the nearest
+// process lacks it. Returns an error, equal on all processes, or "".
 std::string Merge(vtkMultiProcessController* controller, const std::vector<std::string>& names,
   vtkImageData* image);
 
-// Adds the array ProcessLayer: the process in every pixel that it has, -1 in the others.
+// Adds the array ProcessLayer: this process in every pixel with a surface, -1 in the others.
 void AddProcess(int process, vtkImageData* image);
 
-// Layers where nothing is, for pictures without any geometry: those that the image lacks and whose
-// type is known without it.
+// Background layers for pictures without any geometry: those missing from the image whose type is
+// known.
 void FillBackground(const std::vector<std::string>& names, const int size[2], vtkImageData* image);
 }
 

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkPVRelievoLayers
- * @brief The layers that a vtkPVRelievoCapture took, in the pipeline.
+ * @brief The layers of a vtkPVRelievoCapture as a pipeline source.
  *
- * The algorithm of "Relievo Layers" in ParaView's Sources menu. Draws nothing itself: its output is
- * the capture's image, empty on the processes that have none of it.
+ * The algorithm of "Relievo Layers" in ParaView's Sources menu. It draws nothing itself: its output
+ * is the capture's image, empty on processes without it.
  */
 #ifndef vtkPVRelievoLayers_h
 #define vtkPVRelievoLayers_h
@@ -26,12 +26,12 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /** Whose layers they are; nullptr if that view is closed. */
+  /** The view of the layers; nullptr if that view is closed. */
   void SetView(vtkPVView* view);
   vtkPVView* GetView();
   ///@}
 
-  /** Where the layers come from. Modified() tells that it has new ones. */
+  /** The source of the layers. Modified() announces new ones. */
   void SetCapture(vtkPVRelievoCapture* capture);
 
 protected:

@@ -34,7 +34,7 @@ std::vector<vtkPVRelievoMaterial*>& GetAllMaterials()
 class vtkPVRelievoMaterial::Internals
 {
 public:
-  // A file that a property names, and what is in it.
+  // A file named by a property, and its contents.
   struct Map
   {
     std::string Property;
@@ -54,7 +54,7 @@ public:
     }
   };
 
-  bool ColorsInterpolated = false; // by this object, not by the representation's own setting
+  bool ColorsInterpolated = false; // set by this object, not by the representation's own setting
   vtkWeakPointer<vtkGeometryRepresentation> Representation;
   vtkNew<vtkRelievoMaterial> Material;
   Map Normals{ "NormalMap", {}, false, nullptr };
@@ -166,12 +166,12 @@ void vtkPVRelievoMaterial::Say(vtkObject*, unsigned long, void* text)
     Internals& in = *this->Internal;
     if (in.Representation && in.Representation->GetActor()->GetEnableLOD())
     {
-      return; // coarse data while the camera moves have none
+      return; // coarse data during interaction has no coordinates
     }
     words.replace(
       found, name.size(), "the filter Texture Coordinates (menu Filters, Relievo) makes");
   }
-  // The mapper's class is nothing that a user has chosen.
+  // Users do not choose the mapper's class.
   const std::string::size_type drawn = words.find(" on geometry drawn by vtk");
   const std::string::size_type end = words.find(": ", drawn);
   if (drawn != std::string::npos && end != std::string::npos)
@@ -203,7 +203,7 @@ void vtkPVRelievoMaterial::Prepare(vtkPVView* view, vtkRelievoEnvironment* envir
   for (vtkPVRelievoMaterial* each : GetAllMaterials())
   {
     Internals& in = *each->Internal;
-    each->KeepCoordinates(); // the representation may have got its own setting after this did
+    each->KeepCoordinates(); // the representation may have applied its own setting since
     if (each->IsMirroring(view) && in.Material->GetEnvironment() != environment)
     {
       in.Material->SetEnvironment(environment);

@@ -4,16 +4,15 @@
  * @class vtkPVRelievoMaterial
  * @brief The material of one of ParaView's surface representations, on one process.
  *
- * Puts a vtkRelievoMaterial on the actors of a vtkGeometryRepresentation, front and back, while it
- * is on and has something to show: a map that could be read, or the view's environment to mirror.
- * Off it takes it away again, and ParaView's picture is its own.
+ * Sets a vtkRelievoMaterial on the actors of a vtkGeometryRepresentation, front and back, while it
+ * is on and has an effect: a readable map, or the view's environment to mirror. Switched off, it is
+ * removed, and the picture is ParaView's own.
  *
- * Every process reads the maps' files itself, so they must be found by the same name on all that
- * draw. A file that cannot be read gives one error, and the surface is drawn without it.
+ * Every process reads the maps' files itself, so they must exist under equal names on all processes
+ * that draw. An unreadable file gives one error, and the surface is drawn without it.
  *
- * Every setting is a property of the representation's proxy (material.xml), where the values of the
- * material come from its own description. A value out of its range is brought into it by the
- * property, with a warning that says so.
+ * Every setting is a property of the representation's proxy (material.xml); the material's values
+ * come from its own description. The property clamps a value outside its range, with a warning.
  */
 #ifndef vtkPVRelievoMaterial_h
 #define vtkPVRelievoMaterial_h
@@ -36,12 +35,12 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * The representation to work on, a vtkGeometryRepresentation. Given once, when its proxy is made.
+   * The representation to work on, a vtkGeometryRepresentation. Set once, when its proxy is made.
    */
   void SetRepresentation(vtkPVDataRepresentation* representation);
 
   ///@{
-  /** Whether the surface wears the material; its files are not read before. Default off. */
+  /** Whether the surface has the material; its files are not read before. Default off. */
   void SetEnabled(bool on);
   vtkGetMacro(Enabled, bool);
   ///@}
@@ -59,31 +58,36 @@ public:
   ///@}
 
   /**
-   * The representation's own setting, which it shares: whether scalars or their colours are
-   * interpolated. Scalars take the place of the texture coordinates, so while the surface wears
-   * maps colours are, whatever this says. Default on.
+   * The representation's own setting, shared with this class: whether scalars or their colours are
+   * interpolated. Interpolated scalars use the texture coordinates, so a surface with maps
+   * interpolates colours, whatever this setting. Default on.
    */
   void SetInterpolateScalarsBeforeMapping(bool on);
 
   ///@{
   /**
-   * A value of vtkRelievoMaterial by its name there, in the numbers of vtkRelievoParameter: a
-   * choice by its place, a switch as 0 or 1. What it does not take is left, with a warning.
+   * A value of vtkRelievoMaterial by its name, in the numbers of vtkRelievoParameter: a choice by
+   * its index, a switch as 0 or 1. A refused value leaves the old one, with a warning.
    */
   void SetValue(const char* parameter, double value);
   void SetValue(const char* parameter, double first, double second);
   ///@}
 
-  /** Whether any material in the view mirrors its environment; `rough`: and is rough. */
+  /**
+   * Whether any material in the view mirrors its environment; `rough`: whether any is also rough.
+   */
   static bool IsMirrored(vtkPVView* view, bool rough = false);
 
-  /** Before each picture: gives materials in the view that mirror its environment, or nullptr. */
+  /** Before each picture: passes the view's environment, or nullptr, to its mirroring materials. */
   static void Prepare(vtkPVView* view, vtkRelievoEnvironment* environment);
 
-  /** An environment that goes: no material keeps it. Touches no representation. */
+  /**
+   * Before an environment is deleted: removes it from all materials, without changing
+   * representations.
+   */
   static void Forget(vtkRelievoEnvironment* environment);
 
-  /** What the actors wear while the material is on. */
+  /** The material that the actors have while this is on. */
   vtkRelievoMaterial* GetMaterial();
 
 protected:

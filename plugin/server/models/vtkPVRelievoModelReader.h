@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkPVRelievoModelReader
- * @brief vtkRelievoModelReader for ParaView's lists of names, where no name is a word of its own.
+ * @brief vtkRelievoModelReader for ParaView's lists of names, in which a word stands for no name.
  *
- * ParaView sends that word as it stands in the list. It is NoName, which no file would use, rather
- * than "None", which a bone may well be called.
+ * ParaView sends that word like any other entry. It is NoName, which no file would use, rather than
+ * "None", which might be a bone's name.
  */
 #ifndef vtkPVRelievoModelReader_h
 #define vtkPVRelievoModelReader_h
@@ -20,7 +20,7 @@ public:
   vtkTypeMacro(vtkPVRelievoModelReader, vtkRelievoModelReader);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /** The word "(none)", as models.xml has it. */
+  /** The word "(none)", also in models.xml. */
   static const char* const NoName;
 
   void SetBlendAnimation(const char* name) override;

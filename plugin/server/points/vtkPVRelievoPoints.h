@@ -2,15 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkPVRelievoPoints
- * @brief The points of one of ParaView's surface representations as things in its view, on one
- * process: lamps, spheres of fog, markers.
+ * @brief Turns the points of one of ParaView's surface representations into lamps, spheres of fog
+ * or markers, on one process.
  *
- * While it is on and the representation is visible, each point of what it draws is one. With
- * several ranks, the points of each are there for all.
+ * While it is on and the representation is visible, each of its points is one of these. With
+ * several ranks, every rank gets the points of all.
  *
- * Every setting is a property of the representation's proxy, made from what the points say of
- * themselves (points.xml). A parameter is named with its stage, "fog:radius". A value out of its
- * range is brought into it, with a warning that says so.
+ * Every setting is a property of the representation's proxy, generated from the description of the
+ * points (points.xml). A parameter's name includes its stage, "fog:radius". A value outside its
+ * range is clamped, with a warning.
  */
 #ifndef vtkPVRelievoPoints_h
 #define vtkPVRelievoPoints_h
@@ -36,33 +36,32 @@ public:
   vtkTypeMacro(vtkPVRelievoPoints, vtkObject);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /** The representation, a vtkGeometryRepresentation. Given once, when its proxy is made. */
+  /** The representation, a vtkGeometryRepresentation. Set once, when its proxy is made. */
   void SetRepresentation(vtkPVDataRepresentation* representation);
 
   ///@{
-  /** Whether the points are anything. Default off. */
+  /** Whether the points are used. Default off. */
   vtkSetMacro(Enabled, bool);
   vtkGetMacro(Enabled, bool);
   ///@}
 
   ///@{
-  /** A parameter's value for all points without the array, or their place in its choices. */
+  /** A parameter's value for all points without the array, or its index for a choice. */
   void SetValue(const char* parameter, double value);
   void SetValue(const char* parameter, double first, double second, double third);
   ///@}
 
-  /** The point array that a value is taken from; empty: one for all. */
+  /** The point array for a value; empty: one value for all. */
   void SetArray(const char* parameter, const char* array);
 
-  /** Whether any points in the view are anything. */
+  /** Whether any points in the view are used. */
   static bool IsAny(vtkPVView* view);
 
-  /** Gives the points that the representation draws, where it draws them; nullptr: none. */
+  /** Sets the representation's points on the process that draws it; nullptr: none. */
   static void TakeInput(vtkGeometryRepresentation* representation, vtkRelievoPointValues* values);
 
   /**
-   * Before each picture: gives the stage the points in the view that are for it, and `more`, which
-   * are there beside them.
+   * Before each picture: passes the view's points for it to the stage, and `more` in addition.
    */
   static void Prepare(vtkPVView* view, vtkRelievoPointStage* stage,
     const std::vector<vtkRelievoPointValues*>& more, vtkMultiProcessController* controller);
@@ -79,7 +78,7 @@ private:
 
   bool IsIn(vtkPVView* view);
 
-  // Sets a parameter of the points, which are made of the stage's first.
+  // Sets a parameter of the points, which are created from the stage on first use.
   void Set(const char* parameter, const std::vector<double>& values);
   std::string TakeName(const char* parameter);
 

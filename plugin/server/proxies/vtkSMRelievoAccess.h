@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What the plugin needs of ParaView's proxies, and they keep protected. The members are named
-// through a derived class that is never made: checked when compiled.
+// Access to protected members of ParaView's proxies. The members are named through a derived class
+// that is never instantiated, so that the compiler checks them.
 #ifndef vtkSMRelievoAccess_h
 #define vtkSMRelievoAccess_h
 

@@ -96,7 +96,7 @@ void vtkSMRelievoCaptureProxy::Finish(int destination, bool quiet)
   {
     return;
   }
-  // The image of servers that only draw would have to go to those that hold the data.
+  // The image would have to go from render servers to data servers.
   vtkSMSession* session = this->GetSession();
   if (session->GetController(vtkPVSession::DATA_SERVER_ROOT) !=
     session->GetController(vtkPVSession::RENDER_SERVER_ROOT))

@@ -2,12 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkSMRelievoCaptureProxy
- * @brief Takes the layers of a view's picture, wherever that is drawn.
+ * @brief Reads the layers of a view's picture, on whichever process draws it.
  *
- * Drives vtkPVRelievoCapture on the client and the servers: a picture is drawn as the view always
- * draws it, its layers are read where the geometry was, and the image moves to where it is wanted.
- * Every step is started from here on all processes that take part, so none waits for another that
- * does not come.
+ * Drives vtkPVRelievoCapture on the client and the servers: the view draws a picture as usual, its
+ * layers are read where the geometry was drawn, and the image moves to its destination. Every step
+ * is started from here on all participating processes, so that none waits for another in vain.
  */
 #ifndef vtkSMRelievoCaptureProxy_h
 #define vtkSMRelievoCaptureProxy_h
@@ -36,22 +35,24 @@ public:
   };
 
   /**
-   * Draws the view and takes its layers. Returns false, with an error, if the view cannot be drawn;
-   * layers that cannot be read are reported where that happens, unless `quiet`.
+   * Draws the view and reads its layers. Returns false, with an error, if the view cannot be drawn;
+   * unreadable layers are reported where they occur, unless `quiet`.
    */
   bool Capture(
     vtkSMViewProxy* view, const std::vector<std::string>& layers, int destination, bool quiet);
 
   ///@{
-  /** Takes the layers of a picture that is drawn anyway: Start() before it, Finish() after it. */
+  /**
+   * Reads the layers of a picture drawn for another purpose: Start() before it, Finish() after it.
+   */
   void Start(vtkSMViewProxy* view, const std::vector<std::string>& layers);
   void Finish(int destination, bool quiet);
   ///@}
 
-  /** Names whose status is on, of a property of names and statuses. */
+  /** Names with status on, in a property of names and statuses. */
   static std::vector<std::string> GetSelected(vtkSMProperty* property);
 
-  /** The client's image: that of TO_CLIENT, and without a server every image. */
+  /** The client's image: the one for TO_CLIENT, and without a server every image. */
   vtkImageData* GetImage();
 
 protected:
@@ -66,9 +67,9 @@ private:
   void OnDrawn();
 
   vtkSMViewProxy* View = nullptr; // between Start() and Finish()
-  bool Drawn = false;             // StillRender() did
-  bool Color = false;             // is among its layers
-  bool Others = false;            // there are others
+  bool Drawn = false;             // whether StillRender() has drawn
+  bool Color = false;             // whether color is requested
+  bool Others = false;            // whether other layers are requested
 };
 
 #endif

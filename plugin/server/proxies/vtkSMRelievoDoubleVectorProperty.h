@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkSMRelievoDoubleVectorProperty
- * @brief A property that has the value that is used: one out of its range is brought into it.
+ * @brief A property that clamps its value to its range, so that it shows the value in use.
  *
- * The value is changed when it is pushed, with a warning: after scripts, state files and links too.
- * The range is that of its domain, or of its hint Accepts (vtkSMRelievoRange.h).
+ * The value is clamped when it is pushed, with a warning: also after scripts, state files and
+ * links. The range is that of its domain, or of its hint Accepts (vtkSMRelievoRange.h).
  */
 #ifndef vtkSMRelievoDoubleVectorProperty_h
 #define vtkSMRelievoDoubleVectorProperty_h

@@ -39,7 +39,7 @@ void vtkSMRelievoEXRExporterProxy::Write()
     return;
   }
   vtkImageData* image = capture->GetImage();
-  // Without points what is wrong has been said. Of several processes the root alone has some.
+  // Without points, an error has been reported. With several processes only the root has points.
   if (image && image->GetNumberOfPoints() > 0)
   {
     writer->SetInputData(image);

@@ -4,8 +4,8 @@
  * @class vtkSMRelievoEXRExporterProxy
  * @brief File > Export View: the view's picture and layers into one OpenEXR file.
  *
- * The layers are taken where the picture is drawn; only pixels come to the client, which writes the
- * file (vtkRelievoEXRWriter).
+ * The layers are read where the picture is drawn; only pixels are sent to the client, which writes
+ * the file (vtkRelievoEXRWriter).
  */
 #ifndef vtkSMRelievoEXRExporterProxy_h
 #define vtkSMRelievoEXRExporterProxy_h
@@ -21,7 +21,7 @@ public:
   vtkTypeMacro(vtkSMRelievoEXRExporterProxy, vtkSMRenderViewExporterProxy);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /** Draws the view and writes the file. No file is left or changed after an error. */
+  /** Draws the view and writes the file. After an error no file is left or changed. */
   void Write() override;
 
 protected:

@@ -18,7 +18,7 @@ namespace
 // ParaView's number for a scale along each axis (ScaleMode of 3D Glyphs).
 constexpr int ByComponents = 2;
 
-// Each point as a box, as long along each axis as the array says.
+// Shows each point as a box whose size along each axis is given by the array.
 void ShowBoxes(vtkSMProxy* proxy, const char* array)
 {
   vtkSMProperty* glyph = proxy->GetProperty("GlyphType");
@@ -36,7 +36,7 @@ void ShowBoxes(vtkSMProxy* proxy, const char* array)
   vtkSMPropertyHelper(proxy, "ScaleFactor", true).Set(1.0);
   if (vtkSMProperty* factor = proxy->GetProperty("ScaleFactor"))
   {
-    factor->Modified(); // 1 is what it was, and only what is set keeps ParaView's guess away
+    factor->Modified(); // the value stays 1, but an explicit value prevents ParaView's guess
   }
 }
 }

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkSMRelievoFirstShown
- * @brief Gives a new representation a type that shows its data.
+ * @brief Gives a new representation a suitable type.
  *
  * The hint `<InitializationHelper class="vtkSMRelievoFirstShown" type="Volume"/>` of a
- * representation names the type. ParaView shows images as outlines and points as dots otherwise.
+ * representation names the type; ParaView's default shows images as outlines and points as dots.
  * With `scales`, the name of a point array of three components, each point is shown as a box of
- * that size. A type that was set while the representation was made stays.
+ * that size. A type set explicitly during creation stays.
  */
 #ifndef vtkSMRelievoFirstShown_h
 #define vtkSMRelievoFirstShown_h
@@ -21,7 +21,7 @@ public:
   static vtkSMRelievoFirstShown* New();
   vtkTypeMacro(vtkSMRelievoFirstShown, vtkSMProxyInitializationHelper);
 
-  /** Called by ParaView for each new representation, not for those of state files. */
+  /** Called by ParaView for each new representation, but not for those of state files. */
   void PostInitializeProxy(
     vtkSMProxy* proxy, vtkPVXMLElement* xml, vtkMTimeType initializationTimeStamp) override;
 

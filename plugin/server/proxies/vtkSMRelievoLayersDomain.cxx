@@ -10,7 +10,8 @@ vtkStandardNewMacro(vtkSMRelievoLayersDomain);
 //------------------------------------------------------------------------------
 vtkSMRelievoLayersDomain::vtkSMRelievoLayersDomain()
 {
-  // ParaView's, of its constructor. The list never changes, and the definition has defaults.
+  // Skips ParaView's own, of its constructor. The list never changes, and the definition has
+  // defaults.
   this->RemoveObservers(vtkCommand::DomainModifiedEvent);
 }
 

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkSMRelievoLayersDomain
- * @brief The names of layers, each chosen or not; the definition lists them.
+ * @brief A selection among the names of layers, which the definition lists.
  *
- * Since 6.1 ParaView's own domain sets a property's default values whenever its list changes, also
- * while the definition is read and there is no property yet.
+ * Since 6.1 ParaView's own domain sets a property's default values whenever its list changes, even
+ * while the definition is being read and the property does not exist yet.
  */
 #ifndef vtkSMRelievoLayersDomain_h
 #define vtkSMRelievoLayersDomain_h

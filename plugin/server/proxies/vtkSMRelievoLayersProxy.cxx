@@ -99,7 +99,7 @@ void vtkSMRelievoLayersProxy::UpdateVTKObjects()
   this->Watch(view);
   if (this->Wanted && view && !this->GetSessionProxyManager()->GetInLoadXMLState())
   {
-    // A scene that was never drawn may still be in the making: what it lacks is no error yet, and
+    // A scene that was never drawn may still be incomplete: missing layers are no error yet, and
     // its first picture is grabbed again.
     this->Grab(this->Early);
     this->Wanted = this->Early;
@@ -215,7 +215,7 @@ void vtkSMRelievoLayersProxy::OnViewStarts(vtkObject*, unsigned long, void* inte
   const int* tiles = window ? window->GetTileScale() : nullptr;
   if (tiles && (tiles[0] > 1 || tiles[1] > 1))
   {
-    return; // a part of a picture that is larger than the screen
+    return; // a tile of a picture larger than the screen
   }
   this->Started = true;
   this->GetCapture()->Start(this->Watched, layers);
@@ -241,7 +241,7 @@ void vtkSMRelievoLayersProxy::OnUnregistered(vtkObject*, unsigned long, void* wh
   if (info && this->Watched && info->Proxy == this->Watched && info->GroupName &&
     std::strcmp(info->GroupName, "views") == 0)
   {
-    // A view that is closed must not live on for its layers.
+    // The layers must not keep a closed view alive.
     this->Watch(nullptr);
     vtkSMPropertyHelper(this, "View").RemoveAllValues();
     this->UpdateVTKObjects();

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkSMRelievoLayersProxy
- * @brief Proxy of the source "Relievo Layers": grabs a view's layers when that is due.
+ * @brief Proxy of the source "Relievo Layers", which decides when to grab a view's layers.
  *
- * It is due when a property that says what to grab is set, at the command GrabAgain, with
- * FollowView after each picture of the view at full quality, and after the first picture of a view
- * that had none when the layers were asked for (a state file's, whose scene is not yet there). In
- * between the layers stay as they are.
+ * It grabs when a property of the layers is set, at the command GrabAgain, with FollowView after
+ * each picture of the view at full quality, and after the first picture of a view that had none
+ * when the layers were requested (in a state file, before its scene exists). Otherwise the layers
+ * stay unchanged.
  */
 #ifndef vtkSMRelievoLayersProxy_h
 #define vtkSMRelievoLayersProxy_h
@@ -36,8 +36,8 @@ protected:
 
   ///@{
   /**
-   * A view is no input: it is not up to date because the layers are, and they stay as they are when
-   * it changes.
+   * A view is not a pipeline input: updating the layers does not update the view, and a change of
+   * the view does not invalidate the layers.
    */
   void PostUpdateData(bool usingCache) override;
   void MarkDirtyFromProducer(
@@ -61,12 +61,12 @@ private:
   void OnViewEnds();
   void OnUnregistered(vtkObject*, unsigned long, void* what);
 
-  bool Connected = false; // the algorithm knows its capture
-  bool Wanted = true;     // what the properties say has not been grabbed
-  bool Early = false;     // the view was drawn for its layers only
+  bool Connected = false; // whether the algorithm has its capture
+  bool Wanted = true;     // whether properties have changed since the last grab
+  bool Early = false;     // whether the view was drawn for its layers only
   bool Pushing = false;   // in UpdateVTKObjects()
   bool Grabbing = false;  // in Grab()
-  bool Started = false;   // the view draws a picture that is grabbed
+  bool Started = false;   // whether the view is drawing a picture to grab
   unsigned long ManagerTag = 0;
   unsigned long StartTag = 0;
   unsigned long EndTag = 0;

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Brings a property's values into its range, with a warning: ParaView's domains guide its panel but
-// let scripts and state files through. The range is that of the property's domain, or a wider one
-// in its hints: <Accepts min="0" max="1000"/>, or <Accepts finite="1"/> for any number.
+// Clamps a property's values to its range, with a warning: ParaView's domains limit its panel but
+// not scripts and state files. The range is that of the property's domain, or a wider one in its
+// hints: <Accepts min="0" max="1000"/>, or <Accepts finite="1"/> for any number.
 #ifndef vtkSMRelievoRange_h
 #define vtkSMRelievoRange_h
 
@@ -65,7 +65,7 @@ Range Find(vtkSMProperty* property, unsigned int element)
   return range;
 }
 
-// What scripts call the property.
+// The property's name in scripts.
 inline std::string GetName(vtkSMProperty* property)
 {
   vtkSMProxy* owner = property->GetParent();
@@ -74,7 +74,7 @@ inline std::string GetName(vtkSMProperty* property)
   return exposed ? exposed : property->GetXMLName();
 }
 
-// Where a property's values come by on their way to its object.
+// Called when a property's values are pushed to its object.
 template <typename RangeDomain, typename Property>
 void Enforce(Property* property)
 {

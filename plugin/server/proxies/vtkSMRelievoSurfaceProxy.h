@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkSMRelievoSurfaceProxy
- * @brief Proxy of what Relievo does with a surface: a sub-proxy of its representation's.
+ * @brief Proxy of Relievo's objects for a surface: a sub-proxy of its representation's.
  *
- * Tells its object, on every process, which representation it belongs to: its parent's sub-proxy
+ * Passes the representation to its object, on every process: its parent's sub-proxy
  * SurfaceRepresentation.
  */
 #ifndef vtkSMRelievoSurfaceProxy_h

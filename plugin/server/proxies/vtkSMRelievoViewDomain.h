@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkSMRelievoViewDomain
- * @brief The render views, as values of a property; the active one is its default.
+ * @brief The render views as values of a property; the active one is the default.
  *
- * If the active view is no render view, the default is the first that is.
+ * If the active view is no render view, the default is the first render view.
  */
 #ifndef vtkSMRelievoViewDomain_h
 #define vtkSMRelievoViewDomain_h

@@ -91,7 +91,7 @@ void vtkSMRelievoViewProxy::OfferLights()
   {
     names.push_back(layer);
   }
-  vtkSMRelievoAccess::StringListDomain::Set(offered, names); // tells of changes only
+  vtkSMRelievoAccess::StringListDomain::Set(offered, names); // has an effect only after changes
 }
 
 //------------------------------------------------------------------------------

@@ -4,9 +4,9 @@
  * @class vtkSMRelievoViewProxy
  * @brief Proxy of vtkPVRelievoView, a sub-proxy of a render view's.
  *
- * Tells its object, on every process, which view it belongs to, and what the view's added lights
- * are called. Takes the frame report from the server when that draws the view's pictures, else from
- * this process. After each picture the property DisplayLayer offers the lights that cast.
+ * Passes to its object, on every process, the view and the names of the view's added lights. Gets
+ * the frame report from the server if that draws the view's pictures, otherwise from this process.
+ * After each picture the property DisplayLayer offers the lights that cast.
  */
 #ifndef vtkSMRelievoViewProxy_h
 #define vtkSMRelievoViewProxy_h
@@ -38,7 +38,7 @@ private:
   void NameLights(vtkSMProxy* view);
   void OfferLights();
 
-  std::map<vtkTypeUInt32, std::string> LightNames; // by global id, as told
+  std::map<vtkTypeUInt32, std::string> LightNames; // by global id, as last sent
   vtkSMRelievoViewProxy(const vtkSMRelievoViewProxy&) = delete;
   void operator=(const vtkSMRelievoViewProxy&) = delete;
 };

@@ -36,8 +36,8 @@ vtkStandardNewMacro(vtkSMRelievoViews);
 
 namespace
 {
-// What older proxies are given: the sub-proxy of view.xml, and those of material.xml and
-// points.xml, in the order in which later ones have them.
+// The parts added to older proxies: the sub-proxy of view.xml, and those of material.xml and
+// points.xml, in the order of new proxies.
 struct Kind
 {
   const char* Group;
@@ -55,7 +55,7 @@ vtkSmartPointer<vtkSMRelievoViews>& Instance()
   return instance;
 }
 
-// The part of a definition that makes Relievo's sub-proxy, or nullptr.
+// The part of a definition that creates Relievo's sub-proxy, or nullptr.
 vtkPVXMLElement* FindSubProxyElement(vtkPVXMLElement* definition, const char* name)
 {
   for (unsigned int i = 0; definition && i < definition->GetNumberOfNestedElements(); ++i)
@@ -72,7 +72,7 @@ vtkPVXMLElement* FindSubProxyElement(vtkPVXMLElement* definition, const char* na
   return nullptr;
 }
 
-// What the user saved as defaults of such proxies; ParaView gives it to new ones only.
+// The user's saved defaults of such proxies; ParaView applies them only to new ones.
 void TakeUserDefaults(vtkSMSessionProxyManager* manager, vtkSMProxy* proxy, const char* name)
 {
   vtkSMProxy* settings = vtkSMRelievoAccess::Proxy::Find(proxy, name);
@@ -96,7 +96,7 @@ void TakeUserDefaults(vtkSMSessionProxyManager* manager, vtkSMProxy* proxy, cons
   }
 }
 
-// Undo makes a closed view or deleted representation anew from a state that names its sub-proxies.
+// Undo recreates a closed view or deleted representation from a state that names its sub-proxies.
 void AddToState(vtkSMProxy* proxy, const char* name)
 {
   vtkSMProxy* settings = vtkSMRelievoAccess::Proxy::Find(proxy, name);
@@ -115,7 +115,7 @@ void AddToState(vtkSMProxy* proxy, const char* name)
   }
 }
 
-// Prototypes that were made of old definitions.
+// Removes prototypes made from old definitions.
 void DropPrototypes(vtkSMSessionProxyManager* manager, const Kind& kind)
 {
   const std::string group = std::string(kind.Group) + "_prototypes";
@@ -133,7 +133,7 @@ void DropPrototypes(vtkSMSessionProxyManager* manager, const Kind& kind)
   }
 }
 
-// paraview.servermanager keeps a class of each kind of proxy from its first use on.
+// paraview.servermanager caches a class of each kind of proxy from its first use on.
 void TellPython()
 {
 #if VTK_MODULE_ENABLE_VTK_PythonInterpreter
@@ -160,7 +160,7 @@ if make and sm.ActiveConnection:
 #endif
 }
 
-// Gives one proxy what later ones have; false if there was nothing to do.
+// Adds the missing parts to one proxy; false if nothing was missing.
 bool UpgradeProxy(vtkSMProxy* proxy, const Kind& kind)
 {
   if (!proxy || !proxy->GetObjectsCreated() ||
@@ -200,8 +200,9 @@ void vtkSMRelievoViews::Start()
     return;
   }
   Instance() = vtkSmartPointer<vtkSMRelievoViews>::New();
-  // Loaded here: after those who read the plugin's XML. Loaded on a server: after its definitions
-  // came. vtkSMProxyDefinitionManager's own event comes while it still answers with old ones.
+  // Plugin loaded here: called after the observers that read its XML. Loaded on a server: called
+  // after its definitions arrived. vtkSMProxyDefinitionManager's own event comes while it still
+  // returns old definitions.
   vtkPVPluginTracker::GetInstance()->AddObserver(
     vtkCommand::RegisterEvent, Instance().Get(), &vtkSMRelievoViews::OnChange, -100.0F);
   vtkSMProxyManager::GetProxyManager()->GetPluginManager()->AddObserver(
@@ -249,7 +250,7 @@ int vtkSMRelievoViews::Upgrade()
     }
   }
 
-  // It is no step that a user would undo.
+  // not an undo step for users
   vtkSMUndoStackBuilder* undo = vtkSMProxyManager::GetProxyManager()->GetUndoStackBuilder();
   const bool ignored = undo && undo->GetIgnoreAllChanges();
   if (undo)

@@ -2,16 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkSMRelievoViews
- * @brief Gives render views and surfaces that are older than the plugin what later ones are made
- * with.
+ * @brief Adds Relievo's properties to render views and surfaces created before the plugin was
+ * loaded.
  *
- * A proxy is built from its XML once. Views made before the plugin came (ParaView's window always
- * holds one) lack the sub-proxy and the properties of view.xml, representations those of
- * material.xml. This adds them from the same XML, in the process that holds the proxies, as soon as
- * that process and its server know the plugin: when it is loaded on either, and when definitions
- * are read again. Those that have them stay as they are.
+ * A proxy is built from its XML once. Views created before the plugin was loaded (ParaView's window
+ * always has one) lack the sub-proxy and the properties of view.xml, representations those of
+ * material.xml. This class adds them from the XML, in the process with the proxies, as soon as that
+ * process and its server have loaded the plugin: when it is loaded on either, and when definitions
+ * are read again. Proxies that have them stay unchanged.
  *
- * Where a Python interpreter runs, its classes learn the properties too.
+ * With a Python interpreter, its proxy classes get the properties too.
  *
  * Events: vtkCommand::UpdateEvent after Upgrade() has changed any.
  */
@@ -30,19 +30,21 @@ public:
   vtkTypeMacro(vtkSMRelievoViews, vtkObject);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /** The plugin's initializer: from now on views are upgraded in this process. */
+  /** The plugin's initializer: from now on, views in this process are upgraded. */
   static void Start();
 
-  /** The one that Start() made; nullptr before, and in processes without proxies (servers). */
+  /** The instance made by Start(); nullptr before, and in processes without proxies (servers). */
   static vtkSMRelievoViews* GetInstance();
 
-  /** Upgrades all views and representations of every session; returns how many it changed. */
+  /**
+   * Upgrades all views and representations of every session; returns the number of changed ones.
+   */
   int Upgrade();
 
-  /** Upgrades one view's proxy. True if it was changed, false if there was nothing to do. */
+  /** Upgrades one view's proxy. Returns whether anything was missing. */
   static bool UpgradeView(vtkSMProxy* view);
 
-  /** The sub-proxy that holds Relievo's settings of a view, or nullptr. */
+  /** The sub-proxy with Relievo's settings of a view, or nullptr. */
   static vtkSMProxy* GetSettings(vtkSMProxy* view);
 
 protected:

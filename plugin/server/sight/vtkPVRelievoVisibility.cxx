@@ -32,7 +32,7 @@ int vtkPVRelievoVisibility::RequestData(
   {
     vtkErrorMacro("Lens: got 'orthographic', expected the pixels for a world unit as well, as in "
                   "'orthographic:100'");
-    return 1; // of a 0 the executive speaks in words of code
+    return 1; // after 0 the executive adds an error in terms of code
   }
   const std::string wrong =
     vtkRelievoCameraModel::CheckView(this->Position, this->FocalPoint, this->ViewUp);
@@ -54,9 +54,9 @@ int vtkPVRelievoVisibility::RequestData(
   }
   if (!camera)
   {
-    return 1; // it has said why
+    return 1; // the error has been reported
   }
-  // A vtkCamera would turn a direction upwards that is none into y.
+  // vtkCamera would replace an invalid up direction by y.
   camera->LookAt(this->Position, this->FocalPoint, this->ViewUp);
   this->AddCamera(camera);
   return this->Superclass::RequestData(request, inputs, outputs);

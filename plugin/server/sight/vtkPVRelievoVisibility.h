@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkPVRelievoVisibility
- * @brief vtkRelievoVisibility of one camera, which ParaView's properties describe.
+ * @brief vtkRelievoVisibility for a single camera, described by ParaView's properties.
  *
- * Errors: what vtkRelievoCalibration says of the lens; `orthographic` without its pixels; a place,
- * a focal point and a direction upwards that are no view.
+ * Errors: those of vtkRelievoCalibration about the lens; `orthographic` without its pixels; a
+ * position, focal point and up direction that define no view.
  */
 #ifndef vtkPVRelievoVisibility_h
 #define vtkPVRelievoVisibility_h
@@ -23,7 +23,7 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /** As vtkCamera has them. Default 0, 0, 1; 0, 0, 0; 0, 1, 0; 30 degrees. */
+  /** Like vtkCamera. Default 0, 0, 1; 0, 0, 0; 0, 1, 0; 30 degrees. */
   vtkSetVector3Macro(Position, double);
   vtkGetVector3Macro(Position, double);
   vtkSetVector3Macro(FocalPoint, double);
@@ -36,13 +36,13 @@ public:
 
   ///@{
   /**
-   * Columns and rows of its picture. Default 0, 0: as the file of the lens says, or 1024, 768.
+   * Columns and rows of the camera's picture. Default 0, 0: from the lens file, or 1024, 768.
    */
   vtkSetVector2Macro(Size, int);
   vtkGetVector2Macro(Size, int);
   ///@}
 
-  /** The words of vtkRelievoCalibration. Default "pinhole". */
+  /** A lens in the words of vtkRelievoCalibration. Default "pinhole". */
   void SetLens(const char* words);
 
 protected:

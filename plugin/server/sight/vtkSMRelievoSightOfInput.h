@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkSMRelievoSightOfInput
- * @brief Places the camera of a new filter Visibility above its input, so that it sees all of it.
+ * @brief Places the camera of a new filter Visibility above its input, with all of it in view.
  *
- * The hint `<InitializationHelper class="vtkSMRelievoSightOfInput"/>` of a filter with the
- * properties Position, FocalPoint and ViewAngle. It looks at the middle of the input's bounds, down
- * z, from where a sphere around them fits the view angle. What was set while the filter was made
- * stays, and so does all of it for an input without bounds.
+ * The hint `<InitializationHelper class="vtkSMRelievoSightOfInput"/>` applies to a filter with the
+ * properties Position, FocalPoint and ViewAngle. The camera looks down z at the centre of the
+ * input's bounds, from a distance where their bounding sphere fits the view angle. Values set
+ * during creation stay; for an input without bounds, all do.
  */
 #ifndef vtkSMRelievoSightOfInput_h
 #define vtkSMRelievoSightOfInput_h
@@ -21,7 +21,7 @@ public:
   static vtkSMRelievoSightOfInput* New();
   vtkTypeMacro(vtkSMRelievoSightOfInput, vtkSMProxyInitializationHelper);
 
-  /** Called by ParaView for each new filter, not for those of state files. */
+  /** Called by ParaView for each new filter, but not for those of state files. */
   void PostInitializeProxy(
     vtkSMProxy* proxy, vtkPVXMLElement* xml, vtkMTimeType initializationTimeStamp) override;
 

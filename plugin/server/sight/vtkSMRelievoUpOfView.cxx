@@ -22,7 +22,7 @@ vtkStandardNewMacro(vtkSMRelievoUpOfView);
 
 namespace
 {
-// The largest height of a mesh that lies flat, as a share of its width and of its length.
+// Largest height of a flat mesh, as a share of both its width and its length.
 constexpr double LowShare = 0.34;
 
 bool IsLow(const double bounds[6], int axis)
@@ -41,7 +41,7 @@ int vtkSMRelievoUpOfView::FindUpAxis(vtkSMProxy* view, const double bounds[6])
 {
   for (const int axis : { 1, 2 })
   {
-    if (IsLow(bounds, axis)) // also seen from above, where another axis is up in the picture
+    if (IsLow(bounds, axis)) // even seen from above, with another axis up in the picture
     {
       return axis;
     }
@@ -68,7 +68,7 @@ void vtkSMRelievoUpOfView::PostInitializeProxy(
   {
     return;
   }
-  input->GetSourceProxy()->UpdatePipeline(); // or else it has no bounds yet
+  input->GetSourceProxy()->UpdatePipeline(); // computes the bounds
   vtkSMProxySelectionModel* views =
     proxy->GetSessionProxyManager()->GetSelectionModel("ActiveView");
   vtkSMPropertyHelper(axis).Set(FindUpAxis(

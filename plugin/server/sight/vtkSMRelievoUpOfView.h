@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkSMRelievoUpOfView
- * @brief Which axis of the data points up in a render view, also for new filters.
+ * @brief The up axis of data in a render view, also for new filters.
  *
- * The hint `<InitializationHelper class="vtkSMRelievoUpOfView"/>` of a filter with the property
- * UpAxis gives it that of the active view. What was set while the filter was made stays.
+ * The hint `<InitializationHelper class="vtkSMRelievoUpOfView"/>` gives a filter with the property
+ * UpAxis the up axis of the active view. A value set during creation stays.
  */
 #ifndef vtkSMRelievoUpOfView_h
 #define vtkSMRelievoUpOfView_h
@@ -19,13 +19,13 @@ public:
   static vtkSMRelievoUpOfView* New();
   vtkTypeMacro(vtkSMRelievoUpOfView, vtkSMProxyInitializationHelper);
 
-  /** Called by ParaView for each new filter, not for those of state files. */
+  /** Called by ParaView for each new filter, but not for those of state files. */
   void PostInitializeProxy(
     vtkSMProxy* proxy, vtkPVXMLElement* xml, vtkMTimeType initializationTimeStamp) override;
 
   /**
-   * The axis (0, 1, 2 for x, y, z) that points up for data in these bounds: that which it is low
-   * along, y or z; else the nearest to the view up of the camera, and z without a render view.
+   * The up axis (0, 1, 2 for x, y, z) of data with these bounds: y or z if the data is low along
+   * it; else the axis nearest to the camera's view up, and z without a render view.
    */
   static int FindUpAxis(vtkSMProxy* view, const double bounds[6]);
 

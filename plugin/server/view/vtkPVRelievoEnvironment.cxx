@@ -22,10 +22,11 @@
 
 namespace
 {
-// Of levels for rough mirrors, as the command has them: in a third of the filter's own time.
+// Tolerance of levels for rough mirrors, as in the command: takes a third of the filter's default
+// time.
 constexpr double LevelTolerance = 2e-3;
 
-// Who puts the pictures of several processes together, or nullptr.
+// The compositor of several processes, or nullptr.
 vtkSynchronizedRenderers* FindCompositor(vtkPVRenderView* view)
 {
   auto* ranks = vtkPVRelievoAccess::View::Passes(view)->GetParallelSynchronizer();
@@ -152,7 +153,7 @@ void vtkPVRelievoEnvironment::Finish(vtkPVRenderView* view)
   {
     return;
   }
-  // Where the picture was drawn is free: the whole is put there next.
+  // The window's framebuffer is free: the composited picture replaces it next.
   const int width = whole.GetWidth();
   const int height = whole.GetHeight();
   std::vector<unsigned char> sky(static_cast<std::size_t>(width) * height * 4);
@@ -170,7 +171,7 @@ void vtkPVRelievoEnvironment::Finish(vtkPVRenderView* view)
   unsigned char* color = colors->GetPointer(0);
   for (std::size_t i = 0; i < sky.size(); i += 4)
   {
-    const int behind = 255 - color[i + 3]; // colours come multiplied by their opacity
+    const int behind = 255 - color[i + 3]; // colours are premultiplied by opacity
     for (std::size_t j = i; j < i + 3; ++j)
     {
       color[j] =

@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The environment of one of ParaView's views, on one process: read from a file when something first
-// shows it or mirrors it, with levels and irradiance only for what mirrors. Views with the same
-// file share what was made of it.
+// The environment of one of ParaView's views, on one process: read from its file at the first use
+// as skybox or reflection, with levels and irradiance only for mirroring materials. Views of one
+// file share the results.
 //
-// The sky is a prop of the view's renderer. Several processes that draw together have no place for
-// it there, for what has no depth is left out when their pictures are put together: it is put
-// behind the whole.
+// The skybox is a prop of the view's renderer. With several drawing processes that is impossible,
+// because compositing drops pixels without depth: the skybox is then drawn behind the composited
+// picture.
 #ifndef vtkPVRelievoEnvironment_h
 #define vtkPVRelievoEnvironment_h
 
@@ -28,18 +28,19 @@ class vtkPVRelievoEnvironment
 public:
   // Rotation, intensity and so on.
   vtkNew<vtkRelievoEnvironment> Environment;
-  // Whether it is shown.
+  // Whether the skybox is visible.
   bool Sky = false;
 
   void SetFile(const char* file);
 
-  // Before each picture of the view: reads, makes and places what the picture needs. `self` speaks.
+  // Before each picture of the view: reads, computes and places the necessary parts. `self` reports
+  // errors.
   void Prepare(vtkObject* self, vtkPVRenderView* view);
 
   // After each picture, before processes send it or show it.
   void Finish(vtkPVRenderView* view);
 
-  // Takes the sky out of the view.
+  // Removes the skybox from the view.
   void Leave(vtkPVRenderView* view);
 
 private:

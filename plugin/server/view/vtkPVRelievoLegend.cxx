@@ -17,14 +17,14 @@
 
 namespace
 {
-constexpr double Left = 0.87; // of the picture, as all below
+constexpr double Left = 0.87; // share of the picture, like those below
 constexpr double Bottom = 0.05;
 constexpr double Width = 0.11;
 constexpr double Height = 0.4;
-constexpr double Dark = 0.08; // the ground of texts, on which white is read whatever is behind
+constexpr double Dark = 0.08; // background of texts, on which white is readable over any picture
 constexpr double Opacity = 0.75;
 constexpr int Labels = 3;
-constexpr int Lines = 38; // of text in the picture's height
+constexpr int Lines = 38; // lines of text in the picture's height
 constexpr int LeastFont = 8;
 constexpr int Pad = 4; // pixels
 }

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The legend of the layer that a view shows as its picture, in the place of the scalar bars of the
-// data, whose colours are not seen.
+// The legend of the layer shown as a view's picture; it replaces the data's scalar bars, whose
+// colours are hidden.
 #ifndef vtkPVRelievoLegend_h
 #define vtkPVRelievoLegend_h
 
@@ -25,13 +25,13 @@ public:
 
   bool On = true;
 
-  /** Before annotations are drawn, and after the layer: its values are known then. */
+  /** Before annotations are drawn, and after the layer, whose values are known then. */
   void Place(vtkPVRenderView* view, vtkRelievoDisplayStage* stage, bool isDrawnHere);
 
-  /** After annotations are drawn: the data's scalar bars are seen again. */
+  /** After annotations are drawn: makes the data's scalar bars visible again. */
   void ShowOthers();
 
-  /** Takes the legend out of the view. */
+  /** Removes the legend from the view. */
   void Leave(vtkPVRenderView* view);
 
 private:

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Markers around the points of what is selected in a view: those of each of ParaView's
-// representations of a selection that is visible.
+// Markers around the points of the selection in a view, for each of ParaView's visible
+// representations of a selection.
 #ifndef vtkPVRelievoSelection_h
 #define vtkPVRelievoSelection_h
 
@@ -19,11 +19,11 @@ class vtkPVRelievoSelection
 public:
   bool On = false;
 
-  // How they look: values that are the same for all points.
+  // The markers' parameters, equal for all points.
   vtkNew<vtkRelievoMarkers> Look;
 
-  // One set for each representation of a selection in the view, visible or not, so that all
-  // processes have as many; none while it is off.
+  // One set per representation of a selection in the view, visible or not, so that all processes
+  // have equally many; none while it is off.
   std::vector<vtkRelievoMarkers*> FindIn(vtkPVView* view);
 
 private:

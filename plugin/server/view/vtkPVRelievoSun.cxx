@@ -13,12 +13,13 @@
 
 namespace
 {
-// Where the fill comes from, and its parts: most from the sun's far side, for what faces away from
-// it, the rest from both sides of it, for what faces it in the shadow of others; together they
-// reach upright walls of every direction. Low, so that the ground's shadows stay dark.
+// Directions and shares of the fill: most comes from the side opposite the sun, for surfaces facing
+// away from it, the rest from both sides of it, for surfaces that face the sun in shadow; together
+// they reach vertical walls of every direction. They are low, so that shadows on the ground stay
+// dark.
 struct FillPlace
 {
-  double Azimuth; // from the sun's
+  double Azimuth; // relative to the sun's
   double Elevation;
   double Part;
 };
@@ -159,7 +160,8 @@ void vtkPVRelievoSun::Point(vtkLight* light, double azimuth, double elevation)
 //------------------------------------------------------------------------------
 void vtkPVRelievoSun::PlaceLast(vtkRenderer* renderer, const std::vector<vtkLight*>& wanted)
 {
-  // Lights are summed in their order, and sums are rounded: it must not tell which was added first.
+  // Rounding of a sum of lights depends on their order, which must not depend on the order of
+  // adding.
   vtkLightCollection* lights = renderer->GetLights();
   const int others = lights->GetNumberOfItems() - static_cast<int>(wanted.size());
   int there = 0;
@@ -191,7 +193,7 @@ void vtkPVRelievoSun::Place(vtkRenderer* renderer, vtkLightKit* kit)
 {
   if (kit->GetKeyLightIntensity() != this->DimmedIntensity)
   {
-    this->KitIntensity = kit->GetKeyLightIntensity(); // set by the user since
+    this->KitIntensity = kit->GetKeyLightIntensity(); // changed by the user since
   }
   std::vector<vtkLight*> wanted;
   if (this->On)
@@ -216,7 +218,7 @@ void vtkPVRelievoSun::Place(vtkRenderer* renderer, vtkLightKit* kit)
   this->GetAngles(angles);
   const double azimuth = angles[0] + this->North;
   this->Point(this->Light, azimuth, angles[1]);
-  // Not switched off: where no light is on, VTK draws everything as if it were lit.
+  // Dimmed, not switched off: without any light VTK draws surfaces unlit.
   this->Light->SetIntensity(this->IsNight() ? 0.0 : this->Intensity);
   this->Light->SetColor(this->Color);
   for (int i = 0; i < NumberOfFills; ++i)

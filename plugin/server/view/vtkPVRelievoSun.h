@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The sun of a view: where it stands, the light that it is, what fills the sides that it does not
-// reach, and the light kit dimmed for it.
+// The sun of a view: its position, its light, its fill lights, and the dimming of the light kit.
 #ifndef vtkPVRelievoSun_h
 #define vtkPVRelievoSun_h
 
@@ -24,7 +23,7 @@ public:
   void operator=(const vtkPVRelievoSun&) = delete;
 
   bool On = false;
-  bool ByDateAndPlace = false; // by Position, else by Azimuth and Elevation
+  bool ByDateAndPlace = false; // placed by Position, otherwise by Azimuth and Elevation
   vtkNew<vtkRelievoSolarPosition> Position;
 
   // The other settings.
@@ -34,28 +33,29 @@ public:
   vtkNew<vtkLight> Light;
   vtkNew<vtkLight> Fills[NumberOfFills];
 
-  // Azimuth and elevation, however it is placed.
+  // Azimuth and elevation, for either kind of placement.
   void GetAngles(double angles[2]);
 
-  // By date and place it is below the horizon: it gives no light, and its fill is what is left.
+  // Whether a sun by date and place is below the horizon: it gives no light, only its fill remains.
   bool IsNight();
 
-  // Towards the sun in the world, of unit length.
+  // Unit direction towards the sun in the world.
   void GetDirection(double direction[3]);
 
-  // Before each picture: lights and kit as the settings say. Off, the kit is given back.
+  // Before each picture: applies the settings to the lights and the kit. Switched off, restores the
+  // kit.
   void Place(vtkRenderer* renderer, vtkLightKit* kit);
 
 private:
   void Describe();
   void DescribePosition();
 
-  // The sun's own and its fills.
+  // The sun's own light and its fill lights.
   std::vector<vtkLight*> GetLights();
 
   void Point(vtkLight* light, double azimuth, double elevation);
 
-  // Of the sun's lights the wanted ones are the renderer's last, in that order.
+  // Moves the wanted lights of the sun to the end of the renderer's list, in this order.
   void PlaceLast(vtkRenderer* renderer, const std::vector<vtkLight*>& wanted);
 
   vtkRelievoParameterList Description;
@@ -65,14 +65,14 @@ private:
   double TimeZone = 0.0;
   double Latitude = 48.0;
   double Longitude = 0.0;
-  double North = 0.0; // degrees by which the data's north is turned, clockwise seen from above
+  double North = 0.0; // clockwise rotation of the data's north seen from above, degrees
   int UpAxis = 2;
   double Intensity = 0.7;
   double Color[3] = { 1.0, 1.0, 1.0 };
   double KitShare = 0.3;
   double Fill = 0.3;
-  double KitIntensity = -1.0;    // the user's, of the kit's key light
-  double DimmedIntensity = -1.0; // what it was set to because of the sun
+  double KitIntensity = -1.0;    // the user's key light intensity
+  double DimmedIntensity = -1.0; // the intensity set because of the sun
 };
 
 #endif

@@ -54,8 +54,8 @@ vtkRelievoDisplayStage* GetDisplay(vtkPVRelievoView* view)
   return vtkRelievoDisplayStage::SafeDownCast(view->GetFrame()->GetStage("display"));
 }
 
-// When cells are selected VTK's state takes note of the buffers that are bound (SaveGLState), and
-// binds them again whenever a state is popped, also when they are gone.
+// While cells are being selected, VTK's state stores the bound buffers (SaveGLState), and restores
+// them whenever a state is popped, even after their deletion.
 void ForgetBuffers(vtkRenderWindow* window)
 {
   if (auto* opened = vtkOpenGLRenderWindow::SafeDownCast(window))
@@ -67,7 +67,7 @@ void ForgetBuffers(vtkRenderWindow* window)
   }
 }
 
-// Sets a parameter by `set`, which says what is wrong.
+// Sets a parameter by `set`, which returns an error or "".
 template <typename Set>
 void SetParameter(vtkPVRelievoView* view, const std::string& word, Set set)
 {
@@ -98,7 +98,7 @@ public:
   unsigned long StartTag = 0;
   unsigned long EndTag = 0;
   unsigned long AnnotatedTag = 0;
-  std::map<std::string, int> Asked; // layers, and by how many
+  std::map<std::string, int> Asked; // layers, with the number of their users
   std::string Report;
   std::string ShadowLayers;
 };
@@ -108,7 +108,7 @@ vtkPVRelievoView::vtkPVRelievoView()
   : Internal(new Internals)
 {
   this->Internal->Frame->SetDelegatePass(this->Internal->Delegate);
-  // The actor of all of ParaView's surfaces; what it has more is a coarse mapper for interaction.
+  // The actor of ParaView's surfaces; its subclass adds only a coarse mapper for interaction.
   vtkRelievoShadowStage::AddPlainActorClass("vtkPVLODActor");
   this->Internal->Environment.Environment->GammaCorrectOn();
   this->Internal->Environment.Environment->SetUpAxis(2);
@@ -172,7 +172,7 @@ void vtkPVRelievoView::SetView(vtkPVView* view)
     renderer->AddObserver(vtkCommand::StartEvent, this, &vtkPVRelievoView::Prepare, -10.0F);
   // Before those that send it away.
   in.EndTag = renderer->AddObserver(vtkCommand::EndEvent, this, &vtkPVRelievoView::Finish, 10.0F);
-  // Which is drawn after it.
+  // Drawn after the renderer.
   in.AnnotatedTag = renderView->GetNonCompositedRenderer()->AddObserver(
     vtkCommand::EndEvent, this, &vtkPVRelievoView::EndAnnotations);
 }
@@ -270,8 +270,8 @@ void vtkPVRelievoView::KeepLayersSharp()
   Internals& in = *this->Internal;
   if (in.Frame->GetDisplayLayer())
   {
-    // A layer's pixels are measured, not smoothed: several processes would, after compositing. The
-    // view switches it on again before its next picture.
+    // A layer's pixels are values, which must not be antialiased: several processes would do so
+    // after compositing. The view re-enables it before its next picture.
     in.View->GetRenderer()->SetUseFXAA(false);
     vtkPVRelievoAccess::View::Passes(in.View)->SetUseFXAA(false);
   }
@@ -318,7 +318,7 @@ void vtkPVRelievoView::ChooseCasters()
   {
     choose(other.first, all);
   }
-  // What ParaView draws beside the data cannot be picked: outlines, selections, the centre's axes.
+  // ParaView's own props cannot be picked: outlines, selections, the centre's axes.
   vtkPropCollection* props = in.View->GetRenderer()->GetViewProps();
   vtkCollectionSimpleIterator it;
   props->InitTraversal(it);
@@ -366,7 +366,7 @@ const char* vtkPVRelievoView::GetShadowLayers()
   in.ShadowLayers.clear();
   if (in.View)
   {
-    // The names are those of the settings now, whenever the last frame was.
+    // Uses the present settings' names, whatever the age of the last frame.
     in.Sun.Place(in.View->GetRenderer(), vtkPVRelievoAccess::View::Kit(in.View));
     this->ChooseCasters();
     for (const std::string& layer :
@@ -385,9 +385,9 @@ bool vtkPVRelievoView::ReadShownLayer(const char* name, vtkImageData* image)
   std::vector<std::string> names = { name };
   if (vtkRelievoLayerCatalogue::GetIsOfLight(name))
   {
-    names.emplace_back("depth"); // which tells where nothing is
+    names.emplace_back("depth"); // distinguishes the background
   }
-  // Where a server draws, this process draws a frame too, which has no surfaces.
+  // If a server draws, this process draws a frame too, without surfaces.
   const bool good = this->IsInPlace() &&
     !vtkPVRelievoAccess::View::IsDrawnElsewhere(this->Internal->View) &&
     this->Internal->Frame->GetLayersStage()->GetHoldsLayers() &&
@@ -605,7 +605,7 @@ bool vtkPVRelievoView::IsAnyStageOn()
   for (int i = 0; i < frame->GetNumberOfStages(); ++i)
   {
     vtkRelievoStage* stage = frame->GetStage(i);
-    // Stages that are on by default wait for data, or for a layer's name.
+    // Stages that are on by default wait for data, or for the request of a layer.
     if (stage->GetEnabled() && !stage->GetDescription().OnByDefault)
     {
       return true;
@@ -621,7 +621,7 @@ void vtkPVRelievoView::SetStageOn(const char* name, bool on)
   {
     stage->SetEnabled(on);
   }
-  else if (on && vtkPVRelievoReports()) // all that are off are told of, too, when a view is made
+  else if (on && vtkPVRelievoReports()) // for a new view, stages that are off are reported too
   {
     vtkWarningMacro(<< name << ": there is no such stage here.");
   }
@@ -652,7 +652,7 @@ void vtkPVRelievoView::SetStageText(const char* parameter, const char* text)
 }
 
 //------------------------------------------------------------------------------
-// Representations' points, to the stages that take them: of all processes that draw together.
+// Passes representations' points, from all drawing processes, to their stages.
 void vtkPVRelievoView::GivePoints(vtkPVView* view, vtkMultiProcessController* controller)
 {
   vtkRelievoPass* frame = this->GetFrame();

@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkPVRelievoView
- * @brief What Relievo does in one of ParaView's render views, on one process.
+ * @brief Relievo's settings and frame for one of ParaView's render views, on one process.
  *
- * Puts a vtkRelievoPass where the view takes its render pass from, as long as anything of Relievo's
- * is on, and takes it away again when all is off: then the view is ParaView's own. A pass that
- * another feature of ParaView put there (ray tracing, value images) stays, and Relievo waits.
+ * Sets a vtkRelievoPass as the view's render pass while any part of Relievo is on, and removes it
+ * when all are off: then the view is ParaView's own. A pass set by another feature of ParaView (ray
+ * tracing, value images) stays, and Relievo waits.
  *
- * Every setting is a property of the view's proxy (view.xml), so state files, Python traces and
- * undo know it. A value out of its range is brought into it, with a warning that says so.
+ * Every setting is a property of the view's proxy (view.xml), so that state files, Python traces
+ * and undo include it. A value outside its range is clamped, with a warning.
  */
 #ifndef vtkPVRelievoView_h
 #define vtkPVRelievoView_h
@@ -36,7 +36,7 @@ public:
   vtkTypeMacro(vtkPVRelievoView, vtkObject);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /** The view to work in: a vtkPVRenderView. Given once, when the view's proxy is made. */
+  /** The view to work in: a vtkPVRenderView. Set once, when the view's proxy is made. */
   void SetView(vtkPVView* view);
 
   ///@{
@@ -61,9 +61,9 @@ public:
 
   ///@{
   /**
-   * A light from a fixed direction in the world, placed by azimuth and elevation or by date, time
-   * and place on Earth (vtkPVRelievoSun says what each is). Placed by date, it gives no light while
-   * it is below the horizon. Default off.
+   * A light from a fixed direction in the world, by azimuth and elevation or by date, time and
+   * place on Earth (see vtkPVRelievoSun). By date, it gives no light while it is below the horizon.
+   * Default off.
    */
   void SetSun(bool on);
   void SetSunBy(int placing);
@@ -72,18 +72,18 @@ public:
   void SetSunValue(const char* parameter, double red, double green, double blue);
   ///@}
 
-  /** Azimuth and elevation of the sun in degrees, however it is placed. */
+  /** Azimuth and elevation of the sun in degrees, for either kind of placement. */
   double* GetSunAngles() VTK_SIZEHINT(2);
 
-  /** What a light is called in reports and layers; the light's own name in ParaView. */
+  /** The name of a light in reports and layers: the light's own name in ParaView. */
   void SetLightName(vtkLight* light, const char* name);
 
-  /** The layers of the view's lights that can cast, as of the last picture; with commas. */
+  /** Layers of the view's lights that can cast, from the last picture; separated by commas. */
   const char* GetShadowLayers();
 
   ///@{
   /**
-   * A picture of the light from all directions, which materials of the view's surfaces mirror
+   * An image of the light from all directions, mirrored by materials of the view's surfaces
    * (vtkPVRelievoMaterial); empty (default): none. Integers count as sRGB, floats as linear light.
    * Read when it is first mirrored or shown, on each process that draws.
    */
@@ -91,13 +91,13 @@ public:
   ///@}
 
   /**
-   * A value of the view's vtkRelievoEnvironment by its name there, in the numbers of
-   * vtkRelievoParameter. By default gamma_correct is on, and z is up.
+   * A value of the view's vtkRelievoEnvironment by its name, in the numbers of vtkRelievoParameter.
+   * By default gamma_correct is on, and z is up.
    */
   void SetEnvironmentValue(const char* parameter, double value);
 
   ///@{
-  /** Markers around the points of what is selected, as of vtkRelievoMarkers. Default off. */
+  /** Markers around the points of the selection, by vtkRelievoMarkers. Default off. */
   void SetMarkSelection(bool on);
   void SetMarkSelectionValue(const char* parameter, double value);
   void SetMarkSelectionValue(const char* parameter, double first, double second, double third);
@@ -107,7 +107,7 @@ public:
   void SetSkybox(bool on);
 
   ///@{
-  /** The settings of vtkRelievoPass for the layer that is shown. */
+  /** The settings of vtkRelievoPass for the displayed layer. */
   void SetDisplayLayer(const char* name);
   void SetDisplayRange(double first, double last);
   void SetDisplayColormap(int map);
@@ -116,17 +116,17 @@ public:
   ///@}
 
   /**
-   * Whether its legend is in the picture, where one row of colours tells all its values; scalar
-   * bars of the data are out of it. Default on.
+   * Whether its legend is in the picture, if a single row of colours explains all its values;
+   * scalar bars of the data are then hidden. Default on.
    */
   void SetDisplayLegend(bool on);
 
   ///@{
   /**
    * A stage of the frame by its name, and its parameters as "stage:parameter", in the numbers of
-   * vtkRelievoParameter (a choice by its place, a flag as 0 or 1). What a stage does not take is
-   * left as it was, with a warning. The XML of these properties, those of shadows among them, is
-   * made from the stages.
+   * vtkRelievoParameter (a choice by its index, a flag as 0 or 1). A refused value leaves the old
+   * one, with a warning. The XML of these properties, including those of shadows, is generated from
+   * the stages.
    */
   void SetStageOn(const char* stage, bool on);
   void SetStageValue(const char* parameter, double value);
@@ -136,30 +136,30 @@ public:
 
   ///@{
   /**
-   * Layers that the view's pictures make until all who asked for them have released them: what
-   * GetFrame()->ReadLayers() reads after a picture. The G-buffer is freed with the last.
+   * Layers made by the view's pictures until all requests for them are released; read them with
+   * GetFrame()->ReadLayers() after a picture. The last release frees the G-buffer.
    */
   void RequestLayer(const std::string& name);
   void ReleaseLayer(const std::string& name);
   ///@}
 
   /**
-   * Reads the layer that is shown into an image, of the last picture that this process drew, and
-   * the depth with what a light reaches; false and an empty image if it drew none. The window's
-   * OpenGL context must be current.
+   * Reads the displayed layer of the last picture drawn by this process into an image, with the
+   * depth if the layer is a light's; false and an empty image if it drew none. The window's OpenGL
+   * context must be current.
    */
   bool ReadShownLayer(const char* name, vtkImageData* image);
 
-  /** Whether the view's pictures are drawn through the frame: it is in use, nothing else is. */
+  /** Whether the frame draws the view's pictures: it is in use, and no other pass is. */
   bool IsInPlace();
 
-  /** The frame report of the last picture that this process drew, as JSON; empty before. */
+  /** The frame report of the last picture drawn by this process, as JSON; empty before. */
   const char* GetFrameReport();
 
-  /** How many samples the last frame is short of (vtkRelievoFramePass). */
+  /** Number of samples missing from the last frame (vtkRelievoFramePass). */
   int GetSamplesLeft();
 
-  /** Pictures that this process has drawn with Relievo on. */
+  /** Number of pictures that this process has drawn with Relievo on. */
   vtkGetMacro(NumberOfFrames, int);
 
   /** The frame, also while it is not in use. */
@@ -168,13 +168,13 @@ public:
   /** The view's sun. */
   vtkPVRelievoSun& GetSunlight();
 
-  /** The markers of what is selected in the view. */
+  /** The markers of the selection in the view. */
   vtkPVRelievoSelection& GetSelection();
 
   /** The view's environment. */
   vtkPVRelievoEnvironment& GetEnvironment();
 
-  /** The object that works in a view, or nullptr. */
+  /** The object for a view, or nullptr. */
   static vtkPVRelievoView* Find(vtkPVView* view);
 
 protected:

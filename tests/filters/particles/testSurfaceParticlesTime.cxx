@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Particles are a function of the time: whichever times were asked for before, with any number of
-// checkpoints, threads and pieces, bit for bit; inputs and settings that change start them anew.
+// Particles are a function of the time, bit for bit, independent of earlier requests and of the
+// number of checkpoints, threads and pieces; changed inputs and settings restart them.
 #include "Check.h"
 #include "Particles.h"
 #include "Session.h"

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the tests of ParaView's window run in its Python shell. Whatever they find goes into a file:
-the shell itself only prints."""
+"""Code that the tests of ParaView's window run in its Python shell. Its results go into a file,
+because the shell itself only prints."""
 
 import json
 import os

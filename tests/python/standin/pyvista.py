@@ -10,8 +10,8 @@ much of a plotter as the tests need.
   each plotter, and its __plotter_close__() is called by close(), newest first.
 - Groups pyvista.readers and pyvista.writers: names are endings, values load as handler(path,
   **options) and handler(dataset, path, **options). A reader is given addresses (https://...) as
-  they are; if it raises LocalFileRequiredError it is called again with a file of what was fetched.
-- A plotter's camera is placed when it is first shown, unless somebody has set it.
+  they are; if it raises LocalFileRequiredError it is called again with the downloaded file.
+- A plotter's camera is placed when it is first shown, unless it has been set.
 - PyVista's passes are set by SetPass() of the renderer, at any time.
 """
 

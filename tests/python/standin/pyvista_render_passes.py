@@ -6,7 +6,7 @@
 - Group pyvista_render_passes.providers: a value is a class, of which each renderer has an object.
   bind() gives that a method of the renderer's component, which has the passes built anew.
 - Passes are built in the renderer's StartEvent when something has changed: the renderer's pass is
-  None, then build_pass("base", renderer, chain, delegate) makes a pass around what draws the scene,
+  None, then build_pass("base", renderer, chain, delegate) makes a pass around the scene's,
   or returns None, then all others go around it.
 - veto() is asked before a setting changes, and may say why not.
 """
