@@ -25,8 +25,8 @@ std::unique_ptr<Outputs> OpenOutputs(
   const RenderOptions& options, const std::vector<std::string>& inputs);
 
 /// Draws the scene as set by the options and writes the files; in a sequence, each frame's files
-/// are written before the next frame is drawn. `settings`: the source of the options, for the record
-/// of a baseline. `inputs`: all files read; no frame may replace one. Returns the shadows'
+/// are written before the next frame is drawn. `settings`: the source of the options, for the
+/// record of a baseline. `inputs`: all files read; no frame may replace one. Returns the shadows'
 /// certificate as text if it was requested. Throws UsageError for layers that the scene does not
 /// have, and WorkError.
 std::string WriteOutputs(DressedScene& dressed, const RenderOptions& options,
