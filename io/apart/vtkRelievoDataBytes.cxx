@@ -23,6 +23,8 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
+#include <climits>
+#include <cstdint>
 #include <cstring>
 #include <iterator>
 #include <string>
@@ -35,6 +37,8 @@ namespace
 {
 // No user has deeper composites.
 constexpr int DeepestBlock = 200;
+
+constexpr double MostPoints = 1e18; // of an image: VTK's numbers of points must not overflow
 
 constexpr std::uint64_t MostOfNone = 1 << 16; // components of an array without tuples
 
@@ -365,6 +369,10 @@ void GetAttributes(ByteReader& reader, vtkDataSetAttributes* attributes, vtkIdTy
   {
     if (const vtkSmartPointer<vtkAbstractArray> array = GetArray(reader))
     {
+      if (array->GetNumberOfTuples() < least)
+      {
+        ByteReader::Refuse();
+      }
       attributes->SetAttribute(array, kind);
     }
   }
@@ -448,6 +456,16 @@ vtkSmartPointer<vtkImageData> GetImage(ByteReader& reader)
   for (int& end : extent)
   {
     reader(end);
+  }
+  double points = 1.0;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const std::int64_t side = std::int64_t(extent[2 * axis + 1]) - extent[2 * axis] + 1;
+    points *= static_cast<double>(side);
+    if (side < 0 || side > INT_MAX || points > MostPoints)
+    {
+      ByteReader::Refuse();
+    }
   }
   image->SetExtent(extent);
   double origin[3], spacing[3];

@@ -8,6 +8,7 @@
 #include <cctype>
 #include <cerrno>
 #include <chrono>
+#include <cinttypes>
 #include <climits>
 #include <csignal>
 #include <cstddef>
@@ -69,12 +70,34 @@ public:
     this->Close();
     this->Number = number;
   }
+  int Release() { return std::exchange(this->Number, -1); }
   int Get() const { return this->Number; }
   explicit operator bool() const { return this->Number >= 0; }
 
 private:
   int Number;
 };
+
+// Two connected sockets. They leave the numbers of closed standard streams free: what is printed
+// must not go into a socket.
+bool Connect(int kind, Descriptor& ours, Descriptor& its)
+{
+  int ends[2];
+  if (socketpair(AF_UNIX, kind | SOCK_CLOEXEC, 0, ends) != 0)
+  {
+    return false;
+  }
+  ours.Take(ends[0]);
+  its.Take(ends[1]);
+  for (Descriptor* end : { &ours, &its })
+  {
+    if (end->Get() <= STDERR_FILENO)
+    {
+      end->Take(fcntl(end->Get(), F_DUPFD_CLOEXEC, STDERR_FILENO + 1));
+    }
+  }
+  return ours && its;
+}
 
 // Messages about the work in progress, sent in packets.
 struct Note
@@ -85,8 +108,9 @@ struct Note
     Began,    // Status: the process's number
     Opened,   // Size
     NoMemory, // the reader may still succeed
-    Whole,    // the result is written completely
-    Ended     // Status, of the process
+    Whole,    // the result is written completely: Size
+    Ended,    // Status, of the process
+    Refused   // What: why there is no process
   };
   Kinds Kind = Progress;
   int Status = 0; // exit status of the process, or its number
@@ -253,19 +277,45 @@ bool ReceiveRequest(
 }
 
 //------------------------------------------------------------------------------
-// False if the work is in no library.
-bool FindPlace(vtkRelievoReaderProcess::Work work, Request& request)
+// The absolute path of the file that was loaded at an address; empty if another file has replaced
+// it since, as after an update. The dynamic linker's own name may be relative to a former folder.
+std::string FindLoadedFile(const void* address)
+{
+  const auto at = reinterpret_cast<std::uintptr_t>(address);
+  std::ifstream maps("/proc/self/maps");
+  for (std::string line; std::getline(maps, line);)
+  {
+    std::uintptr_t begin = 0, end = 0;
+    const bool has = std::sscanf(line.c_str(), "%" SCNxPTR "-%" SCNxPTR, &begin, &end) == 2 &&
+      begin <= at && at < end;
+    const std::size_t path = has ? line.find('/') : std::string::npos;
+    if (path != std::string::npos) // the kernel adds " (deleted)" to a replaced file's
+    {
+      return access(line.c_str() + path, R_OK) == 0 ? line.substr(path) : "";
+    }
+  }
+  return "";
+}
+
+// Returns an error message, or an empty string.
+std::string FindPlace(vtkRelievoReaderProcess::Work work, Request& request)
 {
   Dl_info about;
   link_map* library = nullptr;
   void* const address = reinterpret_cast<void*>(work);
   if (!dladdr1(address, &about, reinterpret_cast<void**>(&library), RTLD_DL_LINKMAP) ||
-    !realpath(library->l_name, request.Library))
+    library->l_name[0] == '\0') // the program itself
   {
-    return false;
+    return "its work is in no shared library";
   }
+  const std::string file = FindLoadedFile(address);
+  if (file.empty() || file.size() >= sizeof request.Library)
+  {
+    return "its library has been replaced; start the program again";
+  }
+  std::memcpy(request.Library, file.c_str(), file.size() + 1);
   request.Place = reinterpret_cast<std::uintptr_t>(address) - library->l_addr;
-  return true;
+  return "";
 }
 
 // The reverse. Libraries stay loaded, for more files. RTLD_GLOBAL: ExpatDeferral.cxx, in
@@ -379,11 +429,13 @@ void LimitAll(std::uint64_t size)
     {
     }
     relievo::ByteReader reader(asked.Get(), asked.GetSize());
-    relievo::ByteWriter writer([bytes](const char* part, std::size_t size) {
+    std::uint64_t sent = 0;
+    relievo::ByteWriter writer([bytes, &sent](const char* part, std::size_t size) {
       if (!SendBytes(bytes, part, size))
       {
         _exit(0); // the requester has gone
       }
+      sent += size;
     });
     int percent = -1;
     std::string before;
@@ -404,6 +456,7 @@ void LimitAll(std::uint64_t size)
     writer.Flush();
     Note note;
     note.Kind = Note::Whole;
+    note.Size = sent;
     Send(line, note);
   }
   catch (const std::bad_alloc&)
@@ -459,9 +512,20 @@ void Bury(const Child& child)
   {
     std::signal(signal, SIG_IGN);
   }
-  const int nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC);
-  dup2(nowhere, STDOUT_FILENO); // the original's other end may be awaited
-  dup2(nowhere, STDERR_FILENO);
+  // A program that has started this one may ignore or block these: waitpid and the limit of
+  // processor time need them.
+  for (const int signal : { SIGCHLD, SIGXCPU })
+  {
+    std::signal(signal, SIG_DFL);
+  }
+  sigset_t none;
+  sigemptyset(&none);
+  sigprocmask(SIG_SETMASK, &none, nullptr);
+  const int nowhere = open("/dev/null", O_RDWR | O_CLOEXEC);
+  for (const int stream : { STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO })
+  {
+    dup2(nowhere, stream); // the original's other end may be awaited
+  }
   std::vector<std::unique_ptr<Child>> children;
   for (;;)
   {
@@ -500,11 +564,21 @@ void Bury(const Child& child)
       {
         _exit(0); // its children end with it
       }
-      const bool found = request.Library[0] == '\0' || LoadWork(request);
-      auto child = found ? Fork(request, bytes.Get(), line.Get(), folder.Get()) : nullptr;
-      if (child)
+      Note refused;
+      refused.Kind = Note::Refused;
+      if (request.Library[0] != '\0' && !LoadWork(request))
+      {
+        std::snprintf(refused.What, sizeof refused.What, "%s", dlerror());
+        Send(line.Get(), refused);
+      }
+      else if (auto child = Fork(request, bytes.Get(), line.Get(), folder.Get()))
       {
         children.push_back(std::move(child));
+      }
+      else
+      {
+        std::snprintf(refused.What, sizeof refused.What, "%s", std::strerror(errno));
+        Send(line.Get(), refused);
       }
     }
   }
@@ -567,16 +641,12 @@ constexpr int ServedDescriptor = 3; // of relievo-reader
 // would keep whatever locks the program's other threads hold.
 void StartProgram()
 {
-  Dl_info about;
-  int ends[2];
-  if (!dladdr(reinterpret_cast<void*>(&StartProgram), &about) ||
-    socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, ends) != 0)
+  std::string path = FindLoadedFile(reinterpret_cast<void*>(&StartProgram));
+  Descriptor ours, its;
+  if (path.empty() || !Connect(SOCK_SEQPACKET, ours, its))
   {
     return;
   }
-  Descriptor ours(ends[0]);
-  Descriptor its(ends[1]);
-  std::string path = about.dli_fname;
   path = path.substr(0, path.rfind('/') + 1) + "relievo/relievo-reader";
   char* const words[] = { path.data(), nullptr };
   posix_spawn_file_actions_t actions;
@@ -590,41 +660,55 @@ void StartProgram()
   {
     return;
   }
-  waitpid(started, nullptr, 0); // it has forked the process that serves
+  while (waitpid(started, nullptr, 0) < 0 && errno == EINTR) // it forks the process that serves
+  {
+  }
   pid_t process = 0;
-  if (recv(ours.Get(), &process, sizeof process, 0) == sizeof process)
+  ssize_t got = -1;
+  do
+  {
+    got = recv(ours.Get(), &process, sizeof process, 0);
+  } while (got < 0 && errno == EINTR);
+  if (got == sizeof process)
   {
     Process = process;
     User = geteuid();
     Group = getegid();
-    Server = fcntl(ours.Get(), F_DUPFD_CLOEXEC, 0);
+    Server = ours.Release();
     std::atexit(Stop);
   }
+}
+
+// The next file starts the program again.
+void LeaveProgram()
+{
+  close(Server);
+  Server = -1;
+  Process = 0;
+  Searched = false;
 }
 }
 
 //------------------------------------------------------------------------------
 bool vtkRelievoReaderProcess::Start()
 {
-  int ends[2];
-  if (Server >= 0 || socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, ends) != 0)
+  Descriptor ours, its;
+  if (Server >= 0 || !Connect(SOCK_SEQPACKET, ours, its))
   {
     return Server >= 0;
   }
   Process = fork();
   if (Process == 0)
   {
-    close(ends[0]);
-    ServeProgram(ends[1]);
+    ours.Close();
+    ServeProgram(its.Get());
   }
-  close(ends[1]);
   if (Process < 0)
   {
-    close(ends[0]);
     Process = 0;
     return false;
   }
-  Server = ends[0];
+  Server = ours.Release();
   Forked = true;
   std::atexit(Stop);
   return true;
@@ -664,9 +748,7 @@ bool vtkRelievoReaderProcess::IsThere()
   // Nothing is read by the rights that the program has given up.
   if (Server >= 0 && !Forked && (User != geteuid() || Group != getegid()))
   {
-    close(Server);
-    Server = -1;
-    Searched = false;
+    LeaveProgram();
   }
   if (Server < 0 && !Searched)
   {
@@ -690,27 +772,24 @@ std::string vtkRelievoReaderProcess::Run(Work work,
   const std::function<void(relievo::ByteWriter&)>& ask, const Say& say,
   const std::function<void(relievo::ByteReader&)>& take)
 {
-  int ends[2] = { -1, -1 };
-  int lines[2] = { -1, -1 };
-  if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0)
+  const std::string cannot = "cannot be started: ";
+  Descriptor bytes, its, line, itsLine;
+  constexpr int how = O_PATH | O_DIRECTORY | O_CLOEXEC;
+  Descriptor folder(open(".", how));
+  if (!folder && errno == EACCES) // as after sudo; only absolute paths lead anywhere
   {
-    return std::string("cannot be started: ") + std::strerror(errno);
+    folder.Take(open("/", how));
   }
-  const Descriptor bytes(ends[0]);
-  Descriptor its(ends[1]);
-  if (socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, lines) != 0)
+  if (!folder || !Connect(SOCK_STREAM, bytes, its) || !Connect(SOCK_SEQPACKET, line, itsLine))
   {
-    return std::string("cannot be started: ") + std::strerror(errno);
+    return cannot + std::strerror(errno);
   }
-  const Descriptor line(lines[0]);
-  Descriptor itsLine(lines[1]);
-  const Descriptor folder(open(".", O_PATH | O_DIRECTORY | O_CLOEXEC));
   Request request;
   request.Work = work;
-  if (!folder || (!Forked && !FindPlace(work, request)))
+  const std::string nowhere = Forked ? "" : FindPlace(work, request);
+  if (!nowhere.empty())
   {
-    return std::string("cannot be started: ") +
-      (folder ? "its work is in no shared library" : std::strerror(errno));
+    return cannot + nowhere;
   }
   std::vector<char> asked;
   relievo::ByteWriter writer(
@@ -719,27 +798,36 @@ std::string vtkRelievoReaderProcess::Run(Work work,
   writer.Flush();
   request.Size = asked.size();
   request.ProcessorSeconds = ProcessorSeconds;
-  const int server = Server;
-  const auto fail = [server] {
+  Descriptor server; // a copy, since another thread may close the socket
+  pid_t served = 0;
+  {
+    const std::lock_guard<std::mutex> guard(Starting);
+    server.Take(fcntl(Server, F_DUPFD_CLOEXEC, STDERR_FILENO + 1));
+    served = Process;
+    if (!server && Server >= 0)
+    {
+      return cannot + std::strerror(errno);
+    }
+  }
+  const auto fail = [served, &cannot] {
     const std::lock_guard<std::mutex> guard(Starting);
     if (!Forked)
     {
-      if (Server == server) // the next file starts another
+      if (Server >= 0 && Process == served) // not another thread's new one
       {
-        close(Server);
-        Server = -1;
-        Searched = false;
+        LeaveProgram();
       }
-      return "cannot be started: the process that reads files has been ended; read it again";
+      return cannot + "the process that reads files has been ended; read it again";
     }
     waitpid(Process, nullptr, WNOHANG);
-    return "cannot be started: the process that reads files has been ended; start the program "
-           "again";
+    return cannot + "the process that reads files has been ended; start the program again";
   };
-  if (!SendRequest(server, request, { its.Get(), itsLine.Get(), folder.Get() }))
+  if (!SendRequest(server.Get(), request, { its.Get(), itsLine.Get(), folder.Get() }))
   {
-    return fail();
+    const bool lacks = errno == ETOOMANYREFS || errno == ENOBUFS || errno == ENOMEM;
+    return lacks ? cannot + std::strerror(errno) : fail();
   }
+  server.Close();
   its.Close();
   itsLine.Close();
   SendBytes(bytes.Get(), asked.data(), asked.size()); // a failure is reported as the process's end
@@ -749,6 +837,7 @@ std::string vtkRelievoReaderProcess::Run(Work work,
   pid_t process = 0;
   constexpr int patience = 50; // milliseconds between checks whether to go on
   std::uint64_t size = 0;
+  std::uint64_t total = 0; // bytes of the result
   std::string what;
   double share = 0.;
   bool whole = false, lackedMemory = false, stopped = false, late = false, made = false;
@@ -775,10 +864,15 @@ std::string vtkRelievoReaderProcess::Run(Work work,
         }
         break; // the process no longer exists
       }
+      if (note.Kind == Note::Refused)
+      {
+        return cannot + note.What;
+      }
       ended = note.Kind == Note::Ended;
       process = note.Kind == Note::Began ? note.Status : process;
       size += note.Kind == Note::Opened ? note.Size : 0;
       whole = whole || note.Kind == Note::Whole;
+      total = note.Kind == Note::Whole ? note.Size : total;
       lackedMemory = lackedMemory || note.Kind == Note::NoMemory;
       tells = note.Kind == Note::Progress;
       what = tells ? note.What : what;
@@ -807,7 +901,8 @@ std::string vtkRelievoReaderProcess::Run(Work work,
   {
     return Describe(note.Status, lackedMemory, size);
   }
-  while (!made && answer.Receive(bytes.Get(), SIZE_MAX)) // to its end: nothing else reads it
+  // Not to the socket's end: a process that another thread has forked may have a copy of it.
+  while (!made && answer.GetSize() < total && answer.Receive(bytes.Get(), SIZE_MAX))
   {
   }
   relievo::ByteReader reader(answer.Get(), answer.GetSize());

@@ -268,6 +268,10 @@ vtkSmartPointer<vtkImageData> Do(
     asked, [&progress](const std::string&, double share) { return !progress || progress(share); },
     made);
   failure = end.empty() ? made.Failure : "an image, but its reader " + end;
+  if (failure.empty() && (!made.Image || !made.Image->GetPointData()->GetScalars()))
+  {
+    failure = "an image, but its reader crashed: its result is damaged";
+  }
   if (note)
   {
     *note = made.Note;

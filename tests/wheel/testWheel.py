@@ -100,6 +100,14 @@ class Files(unittest.TestCase):
         for name in ("OpenEXR", "assimp", "draco", "Imath", "yaml-cpp"):
             self.assertTrue(any(name in file and file in own for file in found), name)
 
+    def test_reading_process(self):
+        """The program that reads files may be executed, and finds its libraries."""
+        (program,) = [path for path in importlib.metadata.files("relievo")
+                      if path.name == "relievo-reader"]  # fmt: skip
+        done = subprocess.run([program.locate()], capture_output=True, text=True, check=False)
+        self.assertEqual(done.returncode, 2, done.stderr)
+        self.assertIn("expected to be started by a program", done.stderr)
+
     def test_licences(self):
         """Licences of included libraries are passed on."""
         texts = {path.stem: path.read_text() for path in self.files if "licenses" in path.parts}
