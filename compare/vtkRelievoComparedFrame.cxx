@@ -7,6 +7,7 @@
 #include "vtkImageData.h"
 #include "vtkMatrix4x4.h"
 #include "vtkPointData.h"
+#include "vtkRelievoCauseList.h"
 #include "vtkRelievoFormulas.h"
 #include "vtkRelievoLayerCatalogue.h"
 #include "vtkStringArray.h"
@@ -25,6 +26,10 @@ using Json = nlohmann::json;
 
 // Components beyond these tell nothing new about a pixel.
 constexpr int MostComponents = 9;
+
+// Objects of a frame without a record are counted by the largest id, which a damaged file may have
+// at random: memory goes by it.
+constexpr int MostActors = 1000000;
 
 template <typename T>
 std::vector<T> GetValues(vtkDataArray* array)
@@ -54,7 +59,9 @@ std::vector<int> GetValues<int>(vtkDataArray* array)
   std::vector<int> values;
   for (const double value : GetValues<double>(array))
   {
-    values.push_back(static_cast<int>(value));
+    // Files of other programs have ids as floats; of NaN and what no int holds, there is none.
+    const bool isId = value >= -1.0 && value <= std::numeric_limits<int>::max();
+    values.push_back(isId ? static_cast<int>(value) : -1);
   }
   return values;
 }
@@ -197,7 +204,7 @@ std::string Frame::Read(vtkImageData* image)
       this->Picture = MakeLayer(array);
       this->IsLinear = !this->Picture.IsBytes;
     }
-    else if (name == "actor" || name == "block" || name == "cell")
+    else if ((name == "actor" || name == "block" || name == "cell") && components == 1)
     {
       (name == "actor"     ? this->Actor
           : name == "cell" ? this->Cell
@@ -274,12 +281,23 @@ std::string Frame::ReadRecord(vtkImageData* image)
   double version = 0.0;
   if (!GetNumbers(image, "baseline_version", &version, 1))
   {
+    const auto most = std::max_element(this->Actor.begin(), this->Actor.end());
+    if (most != this->Actor.end() && *most >= MostActors)
+    {
+      return "shows actor " + std::to_string(*most) + ", expected at most " +
+        std::to_string(MostActors - 1) + " without a record; write it with write_baseline()";
+    }
     return {};
   }
   if (version > RecordVersion)
   {
-    return "is a baseline of format " + std::to_string(static_cast<int>(version)) +
-      ", expected at most " + std::to_string(RecordVersion) + "; use a newer Relievo";
+    return "is a baseline of format " + WriteShort(version) + ", expected at most " +
+      std::to_string(RecordVersion) + "; use a newer Relievo";
+  }
+  if (!(version >= 1.0)) // NaN is none
+  {
+    return "is a baseline of format " + WriteShort(version) +
+      ", expected at least 1; write the baseline again";
   }
   this->HasRecord = true;
   for (const std::string& text : GetStrings(image, "objects"))
@@ -360,10 +378,13 @@ bool Frame::SeesAs(const Frame& other) const
 //------------------------------------------------------------------------------
 float Frame::Level(std::size_t pixel, int c) const
 {
+  const int components = this->Picture.Components;
+  const bool isGray = components < 3;
+  const bool isAlpha = c == 3;
+  const int place = !isGray ? c : isAlpha ? 1 : 0;
   const float value =
-    this->Picture.Values[pixel * static_cast<std::size_t>(this->Picture.Components) +
-      static_cast<std::size_t>(c)];
-  const bool isAlpha = c == 3 || (c == 1 && this->Picture.Components == 2);
+    this->Picture
+      .Values[pixel * static_cast<std::size_t>(components) + static_cast<std::size_t>(place)];
   if (!this->IsLinear || std::isnan(value))
   {
     return value;
@@ -434,7 +455,7 @@ double Frame::GetDepth(std::size_t pixel) const
   {
     return this->Depth[pixel];
   }
-  if (this->Position.empty() || !this->HasCamera)
+  if (!this->HasDepths())
   {
     return std::numeric_limits<double>::quiet_NaN();
   }

@@ -81,8 +81,15 @@ public:
   // bounds, and are not asked.
   bool SeesAs(const Frame& other) const;
 
-  // Component `c` of the picture as displays show it: 0 to 255, and on beyond that for light above
-  // 1. NaN stays NaN.
+  // Whether the picture has two or four components.
+  bool HasAlpha() const
+  {
+    return this->Picture.Components > 0 && this->Picture.Components % 2 == 0;
+  }
+
+  // Red, green, blue or alpha (0 to 3) of the picture as displays show it: 0 to 255, and on beyond
+  // that for light above 1. Grey is the same red, green and blue; alpha is for pictures that have
+  // it. NaN stays NaN.
   float Level(std::size_t pixel, int c) const;
 
   // Whether there are positions, in a layer or by depth and camera.
@@ -95,7 +102,14 @@ public:
   // The world's length of a pixel at the depth of this one.
   double GetFootprint(std::size_t pixel) const;
 
-  // Distance from the eye, or along the view, by which surfaces hide each other.
+  // Whether there are depths, in a layer or by position and camera.
+  bool HasDepths() const
+  {
+    return !this->Depth.empty() || (!this->Position.empty() && this->HasCamera);
+  }
+
+  // Distance from the eye, or along the view, by which surfaces hide each other. NaN without
+  // depths.
   double GetDepth(std::size_t pixel) const;
 
 private:

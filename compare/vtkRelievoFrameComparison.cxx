@@ -87,7 +87,8 @@ std::vector<std::string> ListUndetectable(const Frame& a, const Frame& b)
   lacks(a.HasCamera && b.HasCamera, { Cause::Camera });
   lacks(!a.Actor.empty() && !b.Actor.empty(),
     { Cause::Removed, Cause::Added, Cause::Moved, Cause::Visibility });
-  lacks(a.HasPositions() && b.HasPositions(), { Cause::Moved, Cause::Shape });
+  lacks(a.HasPositions() && b.HasPositions() && a.HasDepths() && b.HasDepths(),
+    { Cause::Moved, Cause::Shape });
   lacks(a.Surface.count("normal") != 0 && b.Surface.count("normal") != 0, { Cause::Normal });
   lacks(a.Surface.count("albedo") != 0 && b.Surface.count("albedo") != 0, { Cause::Color });
   lacks(a.HasLights && b.HasLights, { Cause::Light });
@@ -126,6 +127,15 @@ std::string Join(const std::vector<std::string>& words)
   {
     text += (text.empty() ? "" : ", ") + word;
   }
+  return text;
+}
+
+// Names and values are a file's: a character that steers the terminal, or ends the line, is shown
+// as a question mark.
+std::string Show(std::string text)
+{
+  const auto steers = [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7F; };
+  std::replace_if(text.begin(), text.end(), steers, '?');
   return text;
 }
 
@@ -401,7 +411,7 @@ std::string vtkRelievoFrameComparison::GetText()
     const std::string said = finding.Words.empty()
       ? std::string(CauseWords[static_cast<std::size_t>(finding.Is)])
       : finding.Words;
-    lines.push_back({ finding.GetLabel(), said, WriteCount(finding.Pixels) });
+    lines.push_back({ Show(finding.GetLabel()), Show(said), WriteCount(finding.Pixels) });
     labels = std::max(labels, std::min<std::size_t>(28, lines.back()[0].size()));
     words = std::max(words, std::min<std::size_t>(60, said.size()));
   }

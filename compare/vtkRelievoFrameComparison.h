@@ -116,15 +116,16 @@ public:
 
   /**
    * The same, complete, as JSON: `alike`, `pixels` (that differ), `size`, `causes` (a list of
-   * `cause`, `kind`, `name`, `id`, `pixels` and what the cause has besides), `within_limits`
-   * (`edge`, `rounding`), `unexplained`, `cannot_be_detected` (causes that these files do not
-   * tell), `limits`, `versions`.
+   * `cause`, `kind`, `name`, `id`, `pixels`, `words` and values of the cause's own),
+   * `within_limits` (`edge`, `rounding`), `unexplained`, `cannot_be_detected` (causes that these
+   * files do not tell), `limits`, `versions`.
    */
   std::string GetJSON();
 
   /**
    * For each pixel the place of its cause in the JSON's list, as the int array `cause`; -1: alike,
-   * -2: rounding, -3: edge, -4: unexplained. Null before Compare(), and for frames of two sizes.
+   * -2: rounding, -3: edge, -4: unexplained. Null before Compare(), and for frames of two sizes or
+   * cameras.
    */
   vtkImageData* GetCauses();
 

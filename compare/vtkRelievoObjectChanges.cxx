@@ -18,6 +18,10 @@ namespace
 {
 using Vector = std::array<double, 3>;
 
+// Pairs of equal objects whose distances are compared: 64 MiB. Of more, all of which have moved,
+// the nearest would take time and memory by the square of their number.
+constexpr std::size_t MostPairs = 4000000;
+
 Vector Minus(const Vector& a, const Vector& b)
 {
   return { a[0] - b[0], a[1] - b[1], a[2] - b[2] };
@@ -56,7 +60,8 @@ std::size_t CountObjects(const Frame& frame)
 std::int64_t GetKey(const Frame& frame, std::size_t pixel)
 {
   const std::int64_t block = frame.Block.empty() ? 0 : frame.Block[pixel];
-  return (block << 32) + (frame.Cell.empty() ? 0 : frame.Cell[pixel]);
+  const int cell = frame.Cell.empty() ? 0 : frame.Cell[pixel];
+  return block * (std::int64_t(1) << 32) + static_cast<std::uint32_t>(cell);
 }
 
 // Whether points are spread alike around their centres, but for the rounding of floats. One point
@@ -147,7 +152,7 @@ std::string ObjectChanges::GetName(int object) const
 
 //------------------------------------------------------------------------------
 // From what makes an object most certainly the same to what does least. Within a group of equals
-// the nearest ones are the same.
+// the nearest ones are the same, of a large one those in the order of the records.
 void ObjectChanges::MatchByRecord()
 {
   using Text = std::function<std::string(const Object& object)>;
@@ -191,11 +196,20 @@ void ObjectChanges::MatchByRecord()
     }
     for (const auto& [text, members] : groups)
     {
-      std::vector<std::tuple<double, int, int>> pairs;
-      for (const int a : text.empty() ? std::vector<int>() : members.first)
+      if (text.empty())
       {
-        for (const int b : members.second)
+        continue;
+      }
+      const bool isLarge = members.first.size() * members.second.size() > MostPairs;
+      std::vector<std::tuple<double, int, int>> pairs;
+      for (std::size_t i = 0; i < members.first.size(); ++i)
+      {
+        const int a = members.first[i];
+        const std::size_t begin = isLarge ? i : 0;
+        const std::size_t end = isLarge ? i + 1 : members.second.size();
+        for (std::size_t j = begin; j < std::min(end, members.second.size()); ++j)
         {
+          const int b = members.second[j];
           const Object& from = this->A.Objects[static_cast<std::size_t>(a)];
           const Object& to = this->B.Objects[static_cast<std::size_t>(b)];
           if (takesNames || from.Name.empty() || to.Name.empty())
@@ -367,10 +381,14 @@ void ObjectChanges::ChangeByRecord()
 bool ObjectChanges::DiffersInDepth(
   const Frame& before, const Frame& after, std::size_t pixel, const Limits& limits)
 {
+  if (!before.HasDepths() || !after.HasDepths())
+  {
+    return false;
+  }
   const double a = before.GetDepth(pixel);
   const double b = after.GetDepth(pixel);
   const double difference = std::abs(a - b);
-  // NaN where a frame has no depths, and where both are infinite.
+  // NaN where a frame says so, and where both are infinite.
   if (a == b || !(difference > 4.0 * std::numeric_limits<float>::epsilon() * std::abs(a)))
   {
     return std::isnan(a) != std::isnan(b);
@@ -551,19 +569,27 @@ void ObjectChanges::MatchBySight()
       this->Pair(a, b);
     }
   }
-  std::vector<std::tuple<double, int, int>> moved;
-  for (int a = 0; a < static_cast<int>(this->After.size()); ++a)
+  // Those that are seen and have no match: pairs of all objects would be too many.
+  std::vector<int> left[2];
+  for (std::size_t side = 0; side < 2; ++side)
   {
-    for (int b = 0; b < static_cast<int>(this->Before.size()); ++b)
+    const std::vector<int>& matches = side == 0 ? this->After : this->Before;
+    for (std::size_t i = 0; i < matches.size(); ++i)
     {
-      if (this->GetAfter(a) < 0 && this->GetBefore(b) < 0 &&
-        !this->Seen[0][static_cast<std::size_t>(a)].empty() &&
-        !this->Seen[1][static_cast<std::size_t>(b)].empty())
+      if (matches[i] < 0 && !this->Seen[side][i].empty())
       {
-        if (const std::optional<Vector> translation = this->FindTranslation(a, b))
-        {
-          moved.emplace_back(Length(*translation), a, b);
-        }
+        left[side].push_back(static_cast<int>(i));
+      }
+    }
+  }
+  std::vector<std::tuple<double, int, int>> moved;
+  for (const int a : left[0])
+  {
+    for (const int b : left[1])
+    {
+      if (const std::optional<Vector> translation = this->FindTranslation(a, b))
+      {
+        moved.emplace_back(Length(*translation), a, b);
       }
     }
   }
@@ -581,10 +607,10 @@ void ObjectChanges::MatchBySight()
     const auto object = static_cast<std::size_t>(a);
     const bool isFree = this->After[object] < 0 && this->Before[object] < 0;
     const bool isSeen = !this->Seen[0][object].empty() && !this->Seen[1][object].empty();
-    const Patches& to = this->GetPatches(a, false);
     if (isFree && isSeen)
     {
       const Patches& from = this->GetPatches(a, true);
+      const Patches& to = this->GetPatches(a, false);
       const auto shared = std::count_if(
         from.begin(), from.end(), [&](const auto& each) { return to.count(each.first) != 0; });
       if (2 * static_cast<std::size_t>(shared) >= std::max(from.size(), to.size()))

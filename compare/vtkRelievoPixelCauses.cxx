@@ -54,6 +54,7 @@ PixelCauses::PixelCauses(const Frame& before, const Frame& after, const Limits& 
   this->PairLights();
   this->CompareSettings();
   this->PairLayers();
+  this->ProjectTranslucent();
   this->BorderStep = this->FindBorderStep();
   for (std::size_t i = 0; i < before.Pixels; ++i)
   {
@@ -301,19 +302,26 @@ void PixelCauses::CompareSettings()
   }
   if (this->A.Overlays != this->B.Overlays)
   {
-    std::string names;
+    std::set<std::string> kinds;
     for (const auto& [own, others] : { std::pair(&this->A.Overlays, &this->B.Overlays),
            std::pair(&this->B.Overlays, &this->A.Overlays) })
     {
       for (const nlohmann::json& overlay : *own)
       {
-        const std::string kind = overlay.is_object() ? overlay.value("kind", "overlay") : "overlay";
-        if (std::find(others->begin(), others->end(), overlay) == others->end() &&
-          names.find(kind) == std::string::npos)
+        const auto found = overlay.find("kind"); // which files may have as anything
+        const std::string kind = found != overlay.end() && found->is_string()
+          ? found->get<std::string>()
+          : std::string("overlay");
+        if (std::find(others->begin(), others->end(), overlay) == others->end())
         {
-          names += (names.empty() ? "" : ", ") + kind;
+          kinds.insert(kind);
         }
       }
+    }
+    std::string names;
+    for (const std::string& kind : kinds)
+    {
+      names += (names.empty() ? "" : ", ") + kind;
     }
     this->Overlay = this->List.Find(Cause::Overlay, "picture");
     this->List.At(this->Overlay).Words = "overlay: " + (names.empty() ? "order" : names);
@@ -341,20 +349,24 @@ void PixelCauses::CompareSettings()
 }
 
 //------------------------------------------------------------------------------
+int PixelCauses::CountLevels() const
+{
+  const bool hasPictures = this->A.Picture.Components > 0 && this->B.Picture.Components > 0;
+  return !hasPictures ? 0 : this->A.HasAlpha() && this->B.HasAlpha() ? 4 : 3;
+}
+
+//------------------------------------------------------------------------------
 int PixelCauses::JudgePicture(std::size_t pixel) const
 {
-  const int components = std::min(this->A.Picture.Components, this->B.Picture.Components);
-  bool isEqual = this->A.IsLinear == this->B.IsLinear;
-  for (int c = 0; c < components && isEqual; ++c)
+  const auto components = static_cast<std::size_t>(this->A.Picture.Components);
+  bool isEqual = this->A.IsLinear == this->B.IsLinear &&
+    this->A.Picture.Components == this->B.Picture.Components;
+  for (std::size_t i = pixel * components; i < (pixel + 1) * components && isEqual; ++i)
   {
-    isEqual =
-      IsEqual(this->A.Picture.Values[pixel * static_cast<std::size_t>(this->A.Picture.Components) +
-                static_cast<std::size_t>(c)],
-        this->B.Picture.Values[pixel * static_cast<std::size_t>(this->B.Picture.Components) +
-          static_cast<std::size_t>(c)]);
+    isEqual = IsEqual(this->A.Picture.Values[i], this->B.Picture.Values[i]);
   }
   int found = Alike;
-  for (int c = 0; c < components && !isEqual; ++c)
+  for (int c = 0; c < this->CountLevels() && !isEqual; ++c)
   {
     const float a = this->A.Level(pixel, c);
     const float b = this->B.Level(pixel, c);
@@ -463,7 +475,8 @@ int PixelCauses::JudgeGeometry(std::size_t pixel, int a, int b)
     }
   }
   const int own = this->Objects.GetBefore(b); // of the frame before
-  if (isGone && (before < this->B.Near || before > this->B.Far) && this->B.HasCamera)
+  const bool hasRange = this->B.HasCamera && this->B.Near < this->B.Far;
+  if (isGone && hasRange && (before < this->B.Near || before > this->B.Far))
   {
     const int place = this->NameActor(Cause::Visibility, a);
     this->List.At(place).Words = "visibility: clipped";
@@ -574,9 +587,14 @@ int PixelCauses::JudgeSurface(std::size_t pixel, int a, bool sameCell)
     const auto components = static_cast<std::size_t>(albedo->Components);
     for (std::size_t i = pixel * components; i < (pixel + 1) * components; ++i)
     {
-      largest = std::max(largest, double(std::abs(albedo->Values[i] - other->Values[i])));
+      const auto level = [i](const Layer& layer) {
+        return (layer.IsBytes ? 1.f : 255.f) * layer.Values[i]; // files have them as 0 to 1
+      };
+      const float before = level(*albedo);
+      const float after = level(*other);
+      const double off = IsEqual(before, after) ? 0.0 : std::abs(double(before) - double(after));
+      largest = std::max(largest, std::isfinite(off) ? off : 255.0);
     }
-    largest *= albedo->IsBytes ? 1.0 : 255.0; // files have them as 0 to 1
     this->IsDifferent = this->IsDifferent || largest > 0.0;
     if (largest > this->Bounds.ColorLevels)
     {
@@ -721,8 +739,7 @@ bool PixelCauses::IsEdge(std::size_t pixel) const
 //------------------------------------------------------------------------------
 bool PixelCauses::IsBetweenNeighbours(std::size_t pixel) const
 {
-  const int components = std::min(this->A.Picture.Components, this->B.Picture.Components);
-  for (int c = 0; c < components; ++c)
+  for (int c = 0; c < this->CountLevels(); ++c)
   {
     if (!this->IsBetween(pixel, this->Bounds.ColorLevels,
           [c](const Frame& frame, std::size_t at) { return frame.Level(at, c); }))
@@ -734,20 +751,37 @@ bool PixelCauses::IsBetweenNeighbours(std::size_t pixel) const
 }
 
 //------------------------------------------------------------------------------
-// Whether the box around a changed object can be seen in the pixel.
-bool PixelCauses::Covers(const Change& change, std::size_t pixel) const
+// The pixels in which the boxes around translucent objects can be seen, once for all pixels that
+// ask.
+void PixelCauses::ProjectTranslucent()
 {
-  const double x = static_cast<double>(pixel % static_cast<std::size_t>(this->A.Size[0])) + 0.5;
-  const double y = static_cast<double>(pixel / static_cast<std::size_t>(this->A.Size[0])) + 0.5;
-  double range[4] = { 1e300, -1e300, 1e300, -1e300 };
+  for (std::size_t side = 0; side < 2; ++side)
+  {
+    const std::vector<Change>& changes =
+      side == 0 ? this->Objects.GetBeforeChanges() : this->Objects.GetAfterChanges();
+    for (std::size_t i = 0; i < changes.size(); ++i)
+    {
+      if (changes[i].IsTranslucent)
+      {
+        this->Translucent[side].push_back({ i, this->ProjectBox(changes[i].Bounds) });
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+std::array<double, 4> PixelCauses::ProjectBox(const std::array<double, 6>& bounds) const
+{
+  constexpr double Most = 1e300;
+  std::array<double, 4> range = { Most, -Most, Most, -Most };
   for (std::size_t corner = 0; corner < 8; ++corner)
   {
-    const double point[3] = { change.Bounds[corner & 1], change.Bounds[2 + (corner >> 1 & 1)],
-      change.Bounds[4 + (corner >> 2)] };
+    const double point[3] = { bounds[corner & 1], bounds[2 + (corner >> 1 & 1)],
+      bounds[4 + (corner >> 2)] };
     double place[2];
     if (!this->A.Project(point, place))
     {
-      return true; // it reaches behind the eye
+      return { -Most, Most, -Most, Most }; // it reaches behind the eye
     }
     for (std::size_t i = 0; i < 2; ++i)
     {
@@ -755,6 +789,15 @@ bool PixelCauses::Covers(const Change& change, std::size_t pixel) const
       range[2 * i + 1] = std::max(range[2 * i + 1], place[i]);
     }
   }
+  return range;
+}
+
+//------------------------------------------------------------------------------
+bool PixelCauses::Covers(const Cover& cover, std::size_t pixel) const
+{
+  const double x = static_cast<double>(pixel % static_cast<std::size_t>(this->A.Size[0])) + 0.5;
+  const double y = static_cast<double>(pixel / static_cast<std::size_t>(this->A.Size[0])) + 0.5;
+  const std::array<double, 4>& range = cover.Range;
   return x >= range[0] - 1. && x <= range[1] + 1. && y >= range[2] - 1. && y <= range[3] + 1.;
 }
 
@@ -765,15 +808,14 @@ int PixelCauses::Explain(std::size_t pixel)
   const bool hasLayers = !this->A.Actor.empty() && !this->B.Actor.empty();
   const int actor = hasLayers ? this->A.Actor[pixel] : -1;
   // What catches shadows is translucent, and in no layer.
-  const std::vector<Change>& objects = this->Objects.GetBeforeChanges();
-  const auto catcher = actor >= 0
-    ? objects.end()
-    : std::find_if(objects.begin(), objects.end(), [&](const Change& change) {
-        return change.IsTranslucent && change.IsSame && this->Covers(change, pixel);
-      });
+  const std::vector<Cover>& covers = this->Translucent[0];
+  const auto catcher =
+    actor >= 0 ? covers.end() : std::find_if(covers.begin(), covers.end(), [&](const Cover& cover) {
+      return this->Objects.GetBeforeChanges()[cover.Object].IsSame && this->Covers(cover, pixel);
+    });
   for (const LightPair& pair : this->Lights)
   {
-    if (pair.Finding >= 0 && (actor >= 0 || !hasLayers || catcher != objects.end()))
+    if (pair.Finding >= 0 && (actor >= 0 || !hasLayers || catcher != covers.end()))
     {
       return pair.Finding;
     }
@@ -786,13 +828,15 @@ int PixelCauses::Explain(std::size_t pixel)
   {
     return WithinEdge;
   }
-  for (const std::vector<Change>* changes :
-    { &this->Objects.GetBeforeChanges(), &this->Objects.GetAfterChanges() })
+  for (std::size_t side = 0; side < 2; ++side)
   {
-    for (const Change& change : *changes)
+    const std::vector<Change>& changes =
+      side == 0 ? this->Objects.GetBeforeChanges() : this->Objects.GetAfterChanges();
+    for (const Cover& cover : this->Translucent[side])
     {
+      const Change& change = changes[cover.Object];
       const int found = change.IsSame ? change.Settings : change.Finding;
-      if (change.IsTranslucent && found >= 0 && this->Covers(change, pixel))
+      if (found >= 0 && this->Covers(cover, pixel))
       {
         const Finding& of = this->List.Get()[static_cast<std::size_t>(found)];
         return this->List.Find(Cause::Translucent, of.Kind, of.Name, of.Id);
@@ -803,10 +847,9 @@ int PixelCauses::Explain(std::size_t pixel)
   {
     return this->Overlay;
   }
-  if (catcher != objects.end() && this->Objects.AnyChanged())
+  if (catcher != covers.end() && this->Objects.AnyChanged())
   {
-    const int object = static_cast<int>(catcher - objects.begin());
-    return this->NameActor(Cause::Shadow, object);
+    return this->NameActor(Cause::Shadow, static_cast<int>(catcher->Object));
   }
   for (const int found : { this->Tone, this->Settings })
   {

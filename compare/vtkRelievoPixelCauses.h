@@ -10,6 +10,7 @@
 #include "vtkRelievoComparisonLimits.h"
 #include "vtkRelievoObjectChanges.h"
 
+#include <array>
 #include <map>
 #include <optional>
 #include <set>
@@ -54,6 +55,13 @@ private:
     std::size_t Components;
   };
 
+  // A translucent object, and where in the picture its box is: x and y from and to, in pixels.
+  struct Cover
+  {
+    std::size_t Object;
+    std::array<double, 4> Range;
+  };
+
   void PairLights();
   void PairLayers();
   bool IsEqualInAll(std::size_t pixel) const;
@@ -64,6 +72,7 @@ private:
   int JudgeLights(std::size_t pixel);
   int JudgeStages(std::size_t pixel);
   int JudgePicture(std::size_t pixel) const;
+  int CountLevels() const; // of a pixel, alpha if both have it; 0: a frame has no picture
   int Explain(std::size_t pixel);
   int GetNeighbourCause(std::size_t pixel, const std::vector<int>& causes) const;
   bool IsEdge(std::size_t pixel) const;
@@ -72,7 +81,9 @@ private:
   std::optional<double> FindBorderStep() const;
   bool DiffersInLayer(const Layer& a, const Layer& b, std::size_t pixel, double limit) const;
   double GetAngle(std::size_t pixel) const;
-  bool Covers(const Change& change, std::size_t pixel) const;
+  void ProjectTranslucent();
+  std::array<double, 4> ProjectBox(const std::array<double, 6>& bounds) const;
+  bool Covers(const Cover& cover, std::size_t pixel) const;
   int FindLight(const LightPair& pair, Cause cause);
   int NameActor(Cause cause, int object);
 
@@ -91,6 +102,7 @@ private:
   CauseList& List;
   std::vector<LightPair> Lights;
   std::vector<Values> Layers;
+  std::vector<Cover> Translucent[2];          // objects of A and of B
   bool HasOtherForms = false;                 // layers of other numbers of components
   int Overlay = -1, Tone = -1, Settings = -1; // findings of the records
   std::map<int, std::set<int>> Cells;         // of changed shapes, by finding

@@ -45,11 +45,13 @@
 #include "vtkTextActor.h"
 #include "vtkTextMapper.h"
 #include "vtkTextProperty.h"
+#include "vtkUnstructuredGrid.h"
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <cstring>
@@ -89,6 +91,7 @@ private:
 struct MeshRecord
 {
   vtkIdType Points = 0, Cells = 0;
+  vtkIdType Placed = 0; // points whose coordinates are finite
   CheckSum PointSum, CellSum;
   std::array<double, 3> Center{}; // the sum
   double Products[3][3] = {};     // of coordinates, summed
@@ -96,7 +99,7 @@ struct MeshRecord
   // The mean of (p - center) (p - center)^T, which a translation of all points leaves as it is.
   std::array<double, 9> GetSpread() const
   {
-    const double count = std::max<double>(1.0, double(this->Points));
+    const double count = std::max<double>(1.0, double(this->Placed));
     std::array<double, 9> spread{};
     for (std::size_t i = 0; i < 9; ++i)
     {
@@ -104,6 +107,19 @@ struct MeshRecord
         this->Center[i / 3] * this->Center[i % 3] / (count * count);
     }
     return spread;
+  }
+
+  void AddToMeans(const double point[3])
+  {
+    ++this->Placed;
+    for (int c = 0; c < 3; ++c)
+    {
+      this->Center[static_cast<std::size_t>(c)] += point[c];
+      for (int k = 0; k < 3; ++k)
+      {
+        this->Products[c][k] += point[c] * point[k];
+      }
+    }
   }
 
   void AddCells(vtkCellArray* cells)
@@ -129,13 +145,13 @@ struct MeshRecord
       for (int c = 0; c < 3; ++c)
       {
         point[c] += 0.0; // -0 is 0
-        this->Center[static_cast<std::size_t>(c)] += point[c];
-        for (int k = 0; k < 3; ++k)
-        {
-          this->Products[c][k] += point[c] * point[k];
-        }
       }
       this->PointSum.Add(point, sizeof(point));
+      // Of NaN and infinity there is no mean, and JSON has no word for it.
+      if (std::all_of(point, point + 3, [](double each) { return std::isfinite(each); }))
+      {
+        this->AddToMeans(point);
+      }
     }
     this->Points += points;
     this->Cells += data->GetNumberOfCells();
@@ -143,6 +159,13 @@ struct MeshRecord
     {
       for (vtkCellArray* cells :
         { mesh->GetVerts(), mesh->GetLines(), mesh->GetPolys(), mesh->GetStrips() })
+      {
+        this->AddCells(cells);
+      }
+    }
+    else if (vtkUnstructuredGrid* grid = vtkUnstructuredGrid::SafeDownCast(data))
+    {
+      if (vtkCellArray* cells = grid->GetCells())
       {
         this->AddCells(cells);
       }
@@ -191,12 +214,13 @@ Json DescribeActor(vtkActor* actor, const std::string& name)
   }
   vtkNew<vtkMatrix4x4> matrix;
   actor->GetMatrix(matrix);
-  const double count = mesh.Points > 0 ? double(mesh.Points) : 1.0;
+  const double count = mesh.Placed > 0 ? double(mesh.Placed) : 1.0;
   double center[4] = { mesh.Center[0] / count, mesh.Center[1] / count, mesh.Center[2] / count,
     1.0 };
   matrix->MultiplyPoint(center, center);
   std::array<double, 6> bounds = { 1., -1., 1., -1., 1., -1. };
-  if (const double* found = actor->GetBounds())
+  const double* found = actor->GetBounds();
+  if (found && std::all_of(found, found + 6, [](double each) { return std::isfinite(each); }))
   {
     std::copy(found, found + 6, bounds.begin());
   }
@@ -410,6 +434,11 @@ std::string vtkRelievoBaseline::GetObjectName(int actor)
 //------------------------------------------------------------------------------
 bool vtkRelievoBaseline::Capture(vtkImageData* image)
 {
+  if (!image)
+  {
+    vtkErrorMacro("Capture was given no image; give it a vtkImageData to fill.");
+    return false;
+  }
   image->Initialize();
   vtkNew<vtkRelievoLayerSource> source; // which says what is wrong
   source->SetRenderer(this->Renderer);

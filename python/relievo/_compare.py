@@ -3,6 +3,7 @@
 """Frames compared by cause, and baselines to compare with."""
 
 import json
+import numbers
 import os
 from contextlib import nullcontext
 
@@ -79,11 +80,11 @@ def compare(a, b, levels=2, normal_angle=0.02, depth_pixels=1 / 256) -> Comparis
     comparison = vtkRelievoFrameComparison()
     for name, value, most in (("levels", levels, 255), ("normal_angle", normal_angle, 180),
                               ("depth_pixels", depth_pixels, 1)):
-        if not (isinstance(value, (int, float)) and 0 <= value <= most):
+        if not (isinstance(value, numbers.Real) and 0 <= value <= most):
             raise ValueError(f"{name}: got {value!r}, expected a number from 0 to {most}")
-    comparison.SetColorLevels(levels)
-    comparison.SetNormalAngle(normal_angle)
-    comparison.SetDepthPixels(depth_pixels)
+    comparison.SetColorLevels(float(levels))
+    comparison.SetNormalAngle(float(normal_angle))
+    comparison.SetDepthPixels(float(depth_pixels))
     for thing, read, take in ((a, comparison.ReadBaseline, comparison.SetBaseline),
                               (b, comparison.ReadFrame, comparison.SetFrame)):
         if isinstance(thing, (str, bytes, os.PathLike)):
@@ -150,6 +151,8 @@ def _drawn(thing, size=None, names=None):
     actors = renderer.GetActors()
     places = {actors.GetItemAsObject(i): i for i in range(actors.GetNumberOfItems())}
     for actor, name in named.items():
+        if not isinstance(name, str):
+            raise ValueError(f"names: got {name!r} as an actor's name, expected a str")
         if names is not None and actor not in places:
             raise ValueError(f"names: got {name!r} for an actor that the renderer does not have")
         if actor in places:

@@ -503,12 +503,14 @@ POLYGONS 1 5
         for name in ("one", "two"):
             (self.folder / name).mkdir()
             (self.folder / name / "a.exr").write_bytes((self.folder / "a.exr").read_bytes())
+            (self.folder / name / "link.exr").symlink_to(self.folder / "a.exr")
+            (self.folder / name / "nothing.png").symlink_to("nowhere.png")
         self.relievo("compare", "one", "two")
         self.relievo("render", "table.vtk", "--png", "two/b.png", *self.LOOK)
         text, found = self.found("one", "two")
-        self.assertEqual(text, "b.png: missing in one\n1 of 2 files different\n")
+        self.assertEqual(text, "b.png: missing in one\n1 of 3 files different\n")
         self.assertEqual([(each["file"], each["alike"]) for each in found["files"]],
-                         [("a.exr", True), ("b.png", False)])
+                         [("a.exr", True), ("b.png", False), ("link.exr", True)])
 
     def test_refused(self):
         self.before = self.names()

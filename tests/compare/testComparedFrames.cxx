@@ -249,6 +249,148 @@ void TestFiles()
 }
 
 //------------------------------------------------------------------------------
+// Records and layers that a file may have and nobody wrote so.
+void TestDamaged()
+{
+  compareTest::Boxes boxes = compareTest::MakeBoxes();
+  const vtkSmartPointer<vtkImageData> whole = compareTest::Draw(boxes);
+  vtkNew<vtkRelievoFrameComparison> comparison;
+  comparison->SetBaseline(whole);
+  // Overlays of any kind are compared.
+  compareTest::Boxes odd = boxes;
+  odd.Overlays = { R"({"kind": 3})", "[1]", "7", "{" };
+  const json overlays = Compare(whole, compareTest::Draw(odd));
+  RELIEVO_CHECK_THAT(
+    overlays["causes"].size() == 1 && overlays["causes"][0]["cause"] == "overlay", overlays.dump());
+  // Formats before the first.
+  const vtkSmartPointer<vtkImageData> zeroth = compareTest::Draw(boxes);
+  zeroth->GetFieldData()->GetArray("baseline_version")->SetTuple1(0, 0);
+  comparison->SetFrame(zeroth);
+  {
+    relievoTest::ExpectMessage expect("the frame is a baseline of format 0, expected at least 1");
+    RELIEVO_CHECK(!comparison->Compare());
+  }
+  // A number of an actor at random.
+  boxes.HasRecord = false;
+  const vtkSmartPointer<vtkImageData> many = compareTest::Draw(boxes);
+  many->GetPointData()->GetArray("actor")->SetTuple1(100, std::numeric_limits<int>::max());
+  comparison->SetFrame(many);
+  {
+    relievoTest::ExpectMessage expect("the frame shows actor 2147483647, expected at most 999999");
+    RELIEVO_CHECK(!comparison->Compare());
+  }
+  // Ids of two components are none; of floats, those that are no int are none.
+  const vtkSmartPointer<vtkImageData> wide = compareTest::Draw(boxes);
+  vtkNew<vtkIntArray> pairs;
+  pairs->SetName("actor");
+  pairs->SetNumberOfComponents(2);
+  pairs->SetNumberOfTuples(wide->GetNumberOfPoints());
+  pairs->Fill(1);
+  wide->GetPointData()->AddArray(pairs);
+  RELIEVO_CHECK(Cannot(Compare(wide, wide), "removed"));
+  const vtkSmartPointer<vtkImageData> floats = compareTest::Draw(boxes);
+  vtkNew<vtkFloatArray> ids;
+  ids->DeepCopy(floats->GetPointData()->GetArray("actor"));
+  ids->SetName("actor");
+  ids->SetValue(0, std::numeric_limits<float>::quiet_NaN());
+  ids->SetValue(1, 1e30f);
+  floats->GetPointData()->AddArray(ids);
+  RELIEVO_CHECK(Compare(floats, floats)["alike"] == true);
+  // Names do not steer the terminal.
+  compareTest::Boxes named = compareTest::MakeBoxes();
+  named.All[1].Name = R"(wh\u001b[2J\nel)";
+  comparison->SetBaseline(compareTest::Draw(named));
+  named.All[1].MovedBy = { 0.1, 0., 0. };
+  comparison->SetFrame(compareTest::Draw(named));
+  RELIEVO_CHECK(comparison->Compare());
+  RELIEVO_CHECK(comparison->GetText().find('\x1b') == std::string::npos);
+  RELIEVO_CHECK_THAT(
+    comparison->GetText().find("wh?[2J?el (actor 1)") != std::string::npos, comparison->GetText());
+}
+
+//------------------------------------------------------------------------------
+// A frame with layers beside a picture of the same: the picture alone is compared.
+void TestUnequalSides()
+{
+  const compareTest::Boxes boxes = compareTest::MakeBoxes();
+  const vtkSmartPointer<vtkImageData> layers = compareTest::Draw(boxes);
+  vtkNew<vtkImageData> picture;
+  picture->SetDimensions(layers->GetDimensions());
+  vtkNew<vtkFloatArray> color;
+  color->DeepCopy(layers->GetPointData()->GetArray("color"));
+  color->SetName("color");
+  picture->GetPointData()->AddArray(color);
+  for (const bool swaps : { false, true })
+  {
+    const json found = swaps ? Compare(picture, layers) : Compare(layers, picture);
+    RELIEVO_CHECK_THAT(found["alike"] == true && found["pixels"] == 0, found.dump());
+    RELIEVO_CHECK(Cannot(found, "moved") && Cannot(found, "shape") && Cannot(found, "camera"));
+  }
+  compareTest::Fill(picture, "color", 5, 15, 5, 6, 1.);
+  RELIEVO_CHECK(Compare(layers, picture)["unexplained"] == 10);
+
+  // Grey beside red, green and blue: alike where these are equal. Alpha counts where both have it.
+  const auto fill = [](std::initializer_list<double> tuple) {
+    auto image = vtkSmartPointer<vtkImageData>::New();
+    image->SetDimensions(4, 3, 1);
+    image->AllocateScalars(VTK_UNSIGNED_CHAR, static_cast<int>(tuple.size()));
+    for (vtkIdType i = 0; i < 12; ++i)
+    {
+      image->GetPointData()->GetScalars()->SetTuple(i, std::data(tuple));
+    }
+    return image;
+  };
+  RELIEVO_CHECK(Compare(fill({ 200. }), fill({ 200., 200., 200. }))["alike"] == true);
+  RELIEVO_CHECK(Compare(fill({ 200. }), fill({ 200., 200., 100. }))["unexplained"] == 12);
+  RELIEVO_CHECK(Compare(fill({ 200., 9. }), fill({ 200., 200., 200. }))["alike"] == true);
+  RELIEVO_CHECK(Compare(fill({ 200., 9. }), fill({ 200., 200., 200., 9. }))["alike"] == true);
+  RELIEVO_CHECK(Compare(fill({ 200., 9. }), fill({ 200., 200., 200., 90. }))["unexplained"] == 12);
+}
+
+//------------------------------------------------------------------------------
+// What is nearer than the clipping distance is gone, and no other object's.
+void TestClipped()
+{
+  const compareTest::Boxes boxes = compareTest::MakeBoxes();
+  compareTest::Boxes without = boxes;
+  without.All[2].Visible = false;
+  const vtkSmartPointer<vtkImageData> a = compareTest::Draw(boxes);
+  const vtkSmartPointer<vtkImageData> b = compareTest::Draw(boxes);
+  const vtkSmartPointer<vtkImageData> behind = compareTest::Draw(without);
+  vtkDataArray* actor = a->GetPointData()->GetArray("actor");
+  vtkDataArray* depth = a->GetPointData()->GetArray("depth");
+  double range[2] = { std::numeric_limits<double>::infinity(), 0. };
+  for (vtkIdType i = 0; i < a->GetNumberOfPoints(); ++i)
+  {
+    if (actor->GetTuple1(i) == 2.)
+    {
+      range[0] = std::min(range[0], depth->GetTuple1(i));
+      range[1] = std::max(range[1], depth->GetTuple1(i));
+    }
+  }
+  const double near = 0.5 * (range[0] + range[1]);
+  int gone = 0;
+  for (vtkIdType i = 0; i < a->GetNumberOfPoints(); ++i)
+  {
+    if (actor->GetTuple1(i) == 2. && depth->GetTuple1(i) < near)
+    {
+      for (const char* name : { "actor", "block", "cell", "depth", "normal", "albedo", "color" })
+      {
+        b->GetPointData()->GetArray(name)->SetTuple(i, i, behind->GetPointData()->GetArray(name));
+      }
+      ++gone;
+    }
+  }
+  b->GetFieldData()->GetArray("near")->SetTuple1(0, near);
+  const json found = Compare(a, b);
+  const json& cause = found["causes"][0];
+  RELIEVO_CHECK_THAT(gone > 100 && found["causes"].size() == 1 && cause["cause"] == "visibility" &&
+      cause["name"] == "helmet" && cause["words"] == "visibility: clipped" &&
+      cause["pixels"] == gone,
+    found.dump());
+}
+
+//------------------------------------------------------------------------------
 void TestPNG()
 {
   vtkNew<vtkImageData> image;
@@ -297,6 +439,9 @@ RELIEVO_TEST_CASE(testComparedFrames)
   TestValues();
   TestBorders();
   TestFiles();
+  TestDamaged();
+  TestUnequalSides();
+  TestClipped();
   TestPNG();
   return session.Result();
 }

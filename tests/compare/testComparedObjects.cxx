@@ -8,6 +8,7 @@
 #include "TestCase.h"
 #include "vtkRelievoFrameComparison.h"
 
+#include <vtkFloatArray.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
@@ -362,6 +363,37 @@ void TestPictureAlone()
 }
 
 //------------------------------------------------------------------------------
+// Layers of stages, each of which has a word of its own.
+void TestStages()
+{
+  const std::pair<const char*, const char*> stages[] = { { "light", "lamps" }, { "fog", "fog" },
+    { "ambient", "ambient" }, { "marker", "markers" }, { "blend", "translucent" } };
+  for (const auto& [layer, cause] : stages)
+  {
+    vtkSmartPointer<vtkImageData> frames[2];
+    for (vtkSmartPointer<vtkImageData>& frame : frames)
+    {
+      frame = compareTest::Draw(compareTest::MakeBoxes());
+      vtkNew<vtkFloatArray> array;
+      array->SetName(layer);
+      array->SetNumberOfComponents(3);
+      array->SetNumberOfTuples(frame->GetNumberOfPoints());
+      array->Fill(0.25);
+      frame->GetPointData()->AddArray(array);
+    }
+    // A level and a half is within the limits.
+    compareTest::Fill(frames[1], layer, 5, 25, 5, 12, 0.25 + 1.5 / 255.);
+    const json within = Compare(frames[0], frames[1]);
+    RELIEVO_CHECK_THAT(
+      within["alike"] == true && within["within_limits"]["rounding"] == 140, within.dump());
+    compareTest::Fill(frames[1], layer, 5, 15, 5, 12, 0.5);
+    const json found = Compare(frames[0], frames[1]);
+    CheckList(found, std::string(cause) + " ", layer);
+    RELIEVO_CHECK(found["pixels"] == 70 && found["within_limits"]["rounding"] == 70);
+  }
+}
+
+//------------------------------------------------------------------------------
 // Objects that are all the same, named by nothing, which swap their places: nothing has changed.
 void TestSwarm()
 {
@@ -399,6 +431,7 @@ RELIEVO_TEST_CASE(testComparedObjects)
   TestSurfaces();
   TestLights();
   TestPictureAlone();
+  TestStages();
   TestSwarm();
   return session.Result();
 }

@@ -5,6 +5,7 @@
 import base64
 import errno
 import json
+import math
 import os
 import pathlib
 import struct
@@ -622,6 +623,19 @@ class Compared(unittest.TestCase):
         self.assertEqual(
             self.only(relievo.compare(self.path, renderer), "removed")["name"], "low")
 
+    def test_nan(self):
+        renderer = self.renderer()
+        points = self.actors[1].GetMapper().GetInput().GetPoints()
+        points.InsertNextPoint(math.nan, 0, 0)  # of no cell
+        relievo.write_baseline(self.path, renderer)
+        found = relievo.compare(self.path, renderer)
+        self.assertTrue(found, str(found))
+        points.SetPoint(8, math.inf, 0, 0)
+        points.Modified()
+        found = relievo.compare(self.path, renderer)
+        self.assertEqual(self.only(found, "shape")["id"], 1)
+        self.assertEqual(found.pixels, 0)
+
     def test_scene(self):
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")
@@ -645,6 +659,7 @@ class Compared(unittest.TestCase):
         self.assertEqual((bool(found), found.unexplained), (False, 20))
         self.assertTrue((found.image[3:5, 10:20] == -4).all())
         self.assertTrue(relievo.compare(picture, other, levels=3))
+        self.assertTrue(relievo.compare(picture, other, levels=numpy.int64(3)))
         self.assertIn("moved", found.cannot_be_detected)
         self.assertEqual(json.loads(found.json)["size"], [40, 30])
 
@@ -656,6 +671,8 @@ class Compared(unittest.TestCase):
             (FileNotFoundError, "none.exr", lambda: relievo.compare("none.exr", picture)),
             (ValueError, "damaged.exr", lambda: relievo.compare(picture, damaged)),
             (ValueError, "levels: got -1", lambda: relievo.compare(picture, picture, levels=-1)),
+            (ValueError, "levels: got nan",
+             lambda: relievo.compare(picture, picture, levels=math.nan)),
             (ValueError, "expected a vtkRenderer", lambda: relievo.compare(picture, 3)),
             (ValueError, "ends in .exr", lambda: relievo.write_baseline("a.png", picture)),
         ):

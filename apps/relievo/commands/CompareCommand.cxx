@@ -5,6 +5,7 @@
 #include "Messages.h"
 #include "Numbers.h"
 #include "Outputs.h"
+#include "Readers.h"
 #include "SceneWork.h"
 #include "Settings.h"
 #include "Values.h"
@@ -147,6 +148,22 @@ private:
   }
 
   //----------------------------------------------------------------------------
+  // The options that a baseline records; that they are wrong is no fault of the command's words.
+  static scene::Settings ParseRecorded(
+    const std::string& path, const std::vector<std::string>& words)
+  {
+    try
+    {
+      return scene::Settings::FromWords(words);
+    }
+    catch (const scene::UsageError& error)
+    {
+      throw scene::WorkError(
+        path + ": records options that cannot be read: " + error.what() + "; write it again");
+    }
+  }
+
+  //----------------------------------------------------------------------------
   // Draws the files as the baseline was drawn, but for the options that are given.
   bool CompareDrawn(const std::vector<std::string>& given)
   {
@@ -164,7 +181,7 @@ private:
     {
       words.push_back(record->GetValue(i));
     }
-    scene::Settings settings = scene::Settings::FromWords(words);
+    scene::Settings settings = ParseRecorded(path, words);
     const scene::Settings other = scene::Settings::FromWords(given);
     settings.TakeChanges(scene::Settings(), other);
     settings.Files = other.Files;
@@ -193,10 +210,12 @@ private:
     for (fs::recursive_directory_iterator each(folder, error), end; !error && each != end;
          each.increment(error))
     {
+      std::error_code unknown; // of a link to nothing, which is no picture
       const std::string extension = scene::ExtensionOf(each->path().string());
-      if (each->is_regular_file() && (extension == ".exr" || extension == ".png"))
+      if (each->is_regular_file(unknown) && (extension == ".exr" || extension == ".png"))
       {
-        names.insert(fs::relative(each->path(), folder).generic_string());
+        // Not fs::relative(), which goes to the files that links lead to.
+        names.insert(each->path().lexically_relative(folder).generic_string());
       }
     }
     if (error)
