@@ -11,9 +11,11 @@ namespace relievo::compare
 std::string Finding::GetLabel() const
 {
   const std::string number = this->Id < 0 ? "" : this->Kind + " " + std::to_string(this->Id);
-  return this->Name.empty() ? (number.empty() ? this->Kind : number)
-    : number.empty()        ? this->Name
-                            : this->Name + " (" + number + ")";
+  if (number.empty())
+  {
+    return this->Name.empty() ? this->Kind : this->Name;
+  }
+  return this->Name.empty() || this->Name == number ? number : this->Name + " (" + number + ")";
 }
 
 //------------------------------------------------------------------------------

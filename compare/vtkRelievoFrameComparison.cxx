@@ -254,7 +254,7 @@ std::size_t vtkRelievoFrameComparison::Internals::CountDifferent(const std::stri
 
 //------------------------------------------------------------------------------
 vtkRelievoFrameComparison::vtkRelievoFrameComparison()
-  : Self(new Internals)
+  : Internal(new Internals)
 {
   const relievo::compare::Limits limits;
   this->ColorLevels = limits.ColorLevels;
@@ -276,9 +276,9 @@ bool vtkRelievoFrameComparison::Fail(const std::string& text)
 //------------------------------------------------------------------------------
 void vtkRelievoFrameComparison::SetBaseline(vtkImageData* image)
 {
-  if (this->Self->Baseline != image)
+  if (this->Internal->Baseline != image)
   {
-    this->Self->Baseline = image;
+    this->Internal->Baseline = image;
     this->Modified();
   }
 }
@@ -286,15 +286,15 @@ void vtkRelievoFrameComparison::SetBaseline(vtkImageData* image)
 //------------------------------------------------------------------------------
 vtkImageData* vtkRelievoFrameComparison::GetBaseline()
 {
-  return this->Self->Baseline;
+  return this->Internal->Baseline;
 }
 
 //------------------------------------------------------------------------------
 void vtkRelievoFrameComparison::SetFrame(vtkImageData* image)
 {
-  if (this->Self->Frame != image)
+  if (this->Internal->Frame != image)
   {
-    this->Self->Frame = image;
+    this->Internal->Frame = image;
     this->Modified();
   }
 }
@@ -302,7 +302,7 @@ void vtkRelievoFrameComparison::SetFrame(vtkImageData* image)
 //------------------------------------------------------------------------------
 vtkImageData* vtkRelievoFrameComparison::GetFrame()
 {
-  return this->Self->Frame;
+  return this->Internal->Frame;
 }
 
 //------------------------------------------------------------------------------
@@ -325,10 +325,11 @@ bool vtkRelievoFrameComparison::ReadFrame(const char* path)
 bool vtkRelievoFrameComparison::Compare()
 {
   this->FailureText.clear();
-  this->Self->Reset();
+  this->Internal->Reset();
   relievo::compare::Frame frames[2];
-  const std::pair<const char*, vtkImageData*> given[2] = { { "the baseline", this->Self->Baseline },
-    { "the frame", this->Self->Frame } };
+  const std::pair<const char*, vtkImageData*> given[2] = {
+    { "the baseline", this->Internal->Baseline }, { "the frame", this->Internal->Frame }
+  };
   for (int i = 0; i < 2; ++i)
   {
     if (!given[i].second)
@@ -343,38 +344,39 @@ bool vtkRelievoFrameComparison::Compare()
   }
   const relievo::compare::Limits limits = { this->ColorLevels, this->NormalAngle,
     this->DepthPixels };
-  this->Self->Compare(frames[0], frames[1], limits);
+  this->Internal->Compare(frames[0], frames[1], limits);
   return true;
 }
 
 //------------------------------------------------------------------------------
 bool vtkRelievoFrameComparison::GetAlike()
 {
-  return this->Self->IsCompared && this->Self->Findings.empty() && this->Self->Pixels == 0;
+  return this->Internal->IsCompared && this->Internal->Findings.empty() &&
+    this->Internal->Pixels == 0;
 }
 
 //------------------------------------------------------------------------------
 vtkIdType vtkRelievoFrameComparison::GetNumberOfDifferentPixels()
 {
-  return static_cast<vtkIdType>(this->Self->Pixels);
+  return static_cast<vtkIdType>(this->Internal->Pixels);
 }
 
 //------------------------------------------------------------------------------
 vtkIdType vtkRelievoFrameComparison::GetNumberOfUnexplainedPixels()
 {
-  return static_cast<vtkIdType>(this->Self->Unexplained);
+  return static_cast<vtkIdType>(this->Internal->Unexplained);
 }
 
 //------------------------------------------------------------------------------
 vtkImageData* vtkRelievoFrameComparison::GetCauses()
 {
-  return this->Self->Causes;
+  return this->Internal->Causes;
 }
 
 //------------------------------------------------------------------------------
 std::string vtkRelievoFrameComparison::GetText()
 {
-  const Internals& self = *this->Self;
+  const Internals& self = *this->Internal;
   if (!self.IsCompared)
   {
     return "not compared\n";
@@ -444,7 +446,7 @@ std::string vtkRelievoFrameComparison::GetText()
 //------------------------------------------------------------------------------
 std::string vtkRelievoFrameComparison::GetJSON()
 {
-  const Internals& self = *this->Self;
+  const Internals& self = *this->Internal;
   Json causes = Json::array();
   for (const Finding& finding : self.Findings)
   {
@@ -490,8 +492,8 @@ std::string vtkRelievoFrameComparison::GetCauseWords()
 void vtkRelievoFrameComparison::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Baseline: " << this->Self->Baseline << "\n";
-  os << indent << "Frame: " << this->Self->Frame << "\n";
+  os << indent << "Baseline: " << this->Internal->Baseline << "\n";
+  os << indent << "Frame: " << this->Internal->Frame << "\n";
   os << indent << "ColorLevels: " << this->ColorLevels << "\n";
   os << indent << "NormalAngle: " << this->NormalAngle << "\n";
   os << indent << "DepthPixels: " << this->DepthPixels << "\n";

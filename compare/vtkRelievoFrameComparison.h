@@ -149,7 +149,7 @@ private:
   std::string FailureText;
 
   struct Internals;
-  std::unique_ptr<Internals> Self;
+  std::unique_ptr<Internals> Internal;
 };
 
 #endif

@@ -455,8 +455,7 @@ POLYGONS 1 5
         (self.folder / "plate.vtk").write_text(self.PLATE.format(y=y))
 
     def found(self, *words, status=3):
-        done = self.relievo("compare", *words[:1], "--json", "found.json", *words[1:],
-                            status=status)
+        done = self.relievo("compare", *words, "--json", "found.json", status=status)
         return done.stdout, json.loads((self.folder / "found.json").read_text())
 
     def test_alike(self):

@@ -63,18 +63,29 @@ public:
       [this](const std::string& value) {
         this->Comparison->SetDepthPixels(scene::ParseNumberFrom("--depth-pixels", value, 0.0, 1.0));
       });
-    // Taken before the others, with all behind it.
+    // Taken before the others, with the words behind it that are not this command's.
     this->Add("--render FILE...",
-      "draws these files in place of B, by the options that the baseline A records; those behind "
-      "it, of `relievo render`, are in their place. Stands last",
+      "draws these files in place of B, by the options that the baseline A records; options of "
+      "`relievo render` behind it replace recorded ones",
       [](const std::string&) {});
   }
 
   int Run(const std::vector<std::string>& words) override
   {
     const auto render = std::find(words.begin(), words.end(), "--render");
-    this->Take(std::vector<std::string>(words.begin(), render));
     const bool draws = render != words.end();
+    std::vector<std::string> own(words.begin(), render);
+    std::vector<std::string> drawn;
+    for (auto word = draws ? std::next(render) : render; word != words.end(); ++word)
+    {
+      const bool isOwn = this->Has(*word);
+      (isOwn ? own : drawn).push_back(*word);
+      if (isOwn && std::next(word) != words.end())
+      {
+        own.push_back(*++word); // its value
+      }
+    }
+    this->Take(own);
     if (this->Names.size() != (draws ? 1 : 2))
     {
       throw scene::UsageError("compare: got " + std::to_string(this->Names.size()) +
@@ -90,7 +101,7 @@ public:
     bool alike = false;
     if (draws)
     {
-      alike = this->CompareDrawn(std::vector<std::string>(std::next(render), words.end()));
+      alike = this->CompareDrawn(drawn);
     }
     else if (IsFolder(this->Names[0]) || IsFolder(this->Names[1]))
     {
@@ -119,6 +130,13 @@ public:
   }
 
 private:
+  // Whether the word is an option of this command, which render does not have.
+  bool Has(const std::string& word) const
+  {
+    return std::any_of(this->Rows.Options.begin(), this->Rows.Options.end(),
+      [&word](const vtkRelievoOption& option) { return option.Name == word; });
+  }
+
   static bool IsFolder(const std::string& path)
   {
     std::error_code error;
