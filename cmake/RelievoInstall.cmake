@@ -32,9 +32,14 @@ write_basic_package_version_file(
   "${CMAKE_BINARY_DIR}/${relievo_cmake}/RelievoConfigVersion.cmake"
   VERSION "${PROJECT_VERSION}"
   COMPATIBILITY SameMinorVersion)
+foreach (file IN ITEMS RelievoPictureTest.cmake RelievoRunPictureTest.cmake)
+  configure_file("cmake/${file}" "${CMAKE_BINARY_DIR}/${relievo_cmake}/${file}" COPYONLY)
+endforeach ()
 install(FILES
   "${CMAKE_BINARY_DIR}/${relievo_cmake}/RelievoConfig.cmake"
   "${CMAKE_BINARY_DIR}/${relievo_cmake}/RelievoConfigVersion.cmake"
+  cmake/RelievoPictureTest.cmake
+  cmake/RelievoRunPictureTest.cmake
   DESTINATION "${relievo_cmake}" COMPONENT development)
 if (NOT RELIEVO_DEBIAN AND NOT SKBUILD)
   install(FILES LICENSE DESTINATION "${CMAKE_INSTALL_DOCDIR}" COMPONENT runtime)

@@ -487,6 +487,24 @@ POLYGONS 1 5
         _, swapped = self.found("a.exr", "--render", "plate.vtk", "table.vtk")
         self.assertEqual(found["causes"], swapped["causes"])
 
+    def test_pictures(self):
+        """Of both sides: what `relievo render` shows, to a rounding."""
+        camera = ("--camera", "2,4,6,0,0.2,0,0,1,0")
+        drawn = []
+        for name, y in (("a.png", 0.5), ("b.png", 0.53)):
+            self.move(y)
+            self.relievo("render", "table.vtk", "plate.vtk", *self.LOOK, *camera, "--png", name)
+            drawn.append(read_png(self.folder / name).astype(int))
+        self.relievo("compare", "a.exr", "--png-a", "1.png", "--png-b", "2.png",
+                     "--render", "table.vtk", "plate.vtk", status=3)
+        self.relievo("compare", "1.png", "2.png", "--png-a", "3.png", status=3)
+        for name, side in (("1.png", 0), ("2.png", 1), ("3.png", 0)):
+            seen = read_png(self.folder / name)
+            self.assertEqual(seen.shape, (120, 160, 3))
+            for other in range(2):
+                off = numpy.abs(seen - drawn[other]).max()
+                (self.assertLessEqual if side == other else self.assertGreater)(off, 1, name)
+
     def test_options_that_are_given(self):
         _, found = self.found("a.exr", "--render", "table.vtk", "plate.vtk",
                               "--light", "sun:1,5,2.2", "--light", "point:-1,3,2")
@@ -521,6 +539,8 @@ POLYGONS 1 5
             (2, ("a.exr",), "got 1 file, expected A and B"),
             (2, ("a.exr", "b.exr", "--render", "table.vtk"), "expected A alone"),
             (2, ("a.exr", "a.exr", "--levels", "300"), "--levels"),
+            (2, (".", ".", "--png-a", "a.png"), "--png-b are of files, got folders"),
+            (2, ("a.exr", "plain.exr", "--png-b", "plain.exr"), "--png-b"),
             (2, ("plain.exr", "--render", "table.vtk"), "records no options"),
             (2, ("a.exr", "--render", "table.vtk", "--lite", "1"), "--lite"),
             (1, ("a.exr", "none.exr"), "none.exr"),

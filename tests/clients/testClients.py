@@ -5,6 +5,7 @@
 import importlib.util
 import os
 import pathlib
+import re
 import subprocess
 import sys
 import tempfile
@@ -132,6 +133,23 @@ class PyVista(Clients):
         self.assertTrue((alpha[seen] > 0).all() and (alpha[~seen] < 255).all())
         self.assertGreater((alpha == 255 * seen).mean(), 0.99)  # but for the window's multisamples
         plotter.close()
+
+    def test_baselines(self):
+        """The example of docs/compare.md, in pytest: written, then alike, then changed."""
+        page = (pathlib.Path(__file__).parents[2] / "docs" / "compare.md").read_text("utf-8")
+        example = re.search(r"^```python\n(import pyvista\n.*?)^```$", page, re.M | re.S)[1]
+        with tempfile.TemporaryDirectory() as folder:
+            for text, option, says in (
+                (example, "--relievo-update", "1 skipped"), (example, "-v", "1 passed"),
+                (example.replace("off_screen", "window_size=(400, 300), off_screen"), "-v",
+                 "E +picture +size "),
+            ):  # fmt: skip
+                pathlib.Path(folder, "test_page.py").write_text(text, "utf-8")
+                done = subprocess.run(
+                    [sys.executable, "-B", "-m", "pytest", "-p", "no:cacheprovider", option],
+                    cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
+                    check=False)  # fmt: skip
+                self.assertRegex(done.stdout, says)
 
     def test_subplots(self):
         plotter = pyvista.Plotter(shape=(1, 2), window_size=(400, 200))

@@ -24,17 +24,19 @@ MAY = {
     r"|share/bash-completion/completions/relievo-viewer",
     "development": rf"{LIBRARY}|include/relievo/.*|lib/.*/?(cmake/relievo|relievo/hierarchy)/.*"
     r"|lib(/[^/]+)*/libvtkRelievo\w+CS\.a",
-    "python": rf"{re.escape(PYTHON)}/relievo(-[\d.]+\.dist-info)?/[^/]+",
+    "python": rf"{re.escape(PYTHON)}/(relievo(-[\d.]+\.dist-info)?/[^/]+|pytest_relievo\.py)",
     "plugin": r"lib/.*plugins/(Relievo/Relievo\.so|relievo\.plugins\.xml)",
 }
 MUST = {
     "runtime": ["libvtkRelievoPasses.so.", "relievo/relievo-reader"],
     "command": ["bin/relievo", "bash-completion/completions/relievo"],
     "viewer": ["bin/relievo-viewer", "relievo-viewer.desktop"],
-    "development": ["libvtkRelievoPasses.so", "RelievoConfig.cmake", "vtkRelievoPass.h"],
+    "development": ["libvtkRelievoPasses.so", "RelievoConfig.cmake",
+                    "RelievoPictureTest.cmake", "RelievoRunPictureTest.cmake",
+                    "vtkRelievoPass.h"],  # fmt: skip
     "python": ["relievo/__init__.py", "relievo/_wrapped.py", "relievo/vtkRelievoPasses",
                "relievo/__init__.pyi", "relievo/py.typed",
-               ".dist-info/entry_points.txt"],  # fmt: skip
+               "pytest_relievo.py", ".dist-info/entry_points.txt"],  # fmt: skip
     "plugin": ["Relievo/Relievo.so", "relievo.plugins.xml"],
 }
 

@@ -24,9 +24,22 @@ foreach (text IN LISTS texts)
   endif ()
 endforeach ()
 
+# Its tests of pictures: the page's example, and what can go wrong. A mesh is two triangles.
+set(relievo "${here}/prefix/bin/relievo")
+set(pictures)
+if (EXISTS "${relievo}")
+  set(pictures "${here}/pictures")
+  file(READ "${PAGE}" page)
+  string(REGEX MATCH "```cmake\n([^`]*)```" found "${page}")
+  file(WRITE "${pictures}/CMakeLists.txt" "${CMAKE_MATCH_1}include(\"${OUTSIDE}/pictures.cmake\")\n")
+  file(WRITE "${pictures}/bunny.off" "OFF\n4 2 0\n-1 0 0\n1 0 0\n0 1 0\n0 -1 0\n3 0 1 2\n3 0 3 1\n")
+  file(WRITE "${pictures}/moved/bunny.off"
+    "OFF\n4 2 0\n-0.75 0 0\n1.25 0 0\n0.25 1 0\n0.25 -1 0\n3 0 1 2\n3 0 3 1\n")
+endif ()
+
 run("configure an outside project" "${CMAKE_COMMAND}" -G Ninja -S "${OUTSIDE}" -B "${here}/build"
   -DCMAKE_BUILD_TYPE=Release "-DCMAKE_PREFIX_PATH=${here}/prefix"
-  "-DCMAKE_CXX_COMPILER=${COMPILER}" "-DCMAKE_CXX_FLAGS=${FLAGS}")
+  "-DCMAKE_CXX_COMPILER=${COMPILER}" "-DCMAKE_CXX_FLAGS=${FLAGS}" "-DPICTURES=${pictures}")
 run("build it" "${CMAKE_COMMAND}" --build "${here}/build")
 run("run it" "${here}/build/outside" "${here}/outside.exr")
 message(STATUS "${output}")
@@ -60,6 +73,37 @@ if (status EQUAL 0 OR NOT error MATCHES "no component 'Teapots'")
   message(FATAL_ERROR "a wrong component was not refused by its name: ${status}\n${error}")
 endif ()
 
-if (EXISTS "${here}/prefix/bin/relievo")
-  run("the installed command line" "${here}/prefix/bin/relievo" --version)
+file(GLOB_RECURSE tests "${here}/prefix/*/RelievoPictureTest.cmake")
+file(WRITE "${here}/wrong.cmake" "include(\"${tests}\")\nrelievo_add_picture_test(NAME a BASELINE b.exr)\n")
+execute_process(COMMAND "${CMAKE_COMMAND}" -P "${here}/wrong.cmake" ERROR_VARIABLE error RESULT_VARIABLE status)
+if (status EQUAL 0 OR NOT error MATCHES "COMMAND is missing")
+  message(FATAL_ERROR "a test without a command was not refused: ${status}\n${error}")
+endif ()
+
+if (pictures)
+  run("the installed command line" "${relievo}" --version)
+  set(camera --size 80x60 --camera 0,0,5,0,0,0,0,1,0)
+  file(MAKE_DIRECTORY "${pictures}/baselines")
+  run("baselines" "${relievo}" render "${pictures}/bunny.off" --baseline "${pictures}/baselines/bunny.exr")
+  run("baselines" "${relievo}" render "${pictures}/bunny.off" ${camera}
+    --baseline "${pictures}/baselines/moved.exr" --png "${pictures}/baselines/black.png")
+  configure_file("${pictures}/baselines/moved.exr" "${here}/build/pictures/old.exr" COPYONLY)
+  execute_process(COMMAND "${CMAKE_CTEST_COMMAND}" -T Test -V WORKING_DIRECTORY "${here}/build"
+    OUTPUT_VARIABLE output ERROR_VARIABLE output)
+  foreach (line IN ITEMS
+      "bunny \\.+ +Passed" "levels/3 \\.+ +Passed" ", 5 tests failed out of 7"
+      "bunny.off \\(actor 0\\) +moved by \\(0.25, 0, 0\\)" "no such baseline: [^\n]*/none.exr"
+      "none.off: No such file" "some; words -- [\\]\"'\n" "did not write [^\n]*/old.exr")
+    if (NOT output MATCHES "${line}")
+      message(FATAL_ERROR "the tests of pictures do not say ${line}:\n${output}")
+    endif ()
+  endforeach ()
+  # What CDash gets of the two that differ.
+  file(GLOB results "${here}/build/Testing/*/Test.xml")
+  file(READ "${results}" results)
+  string(REGEX MATCHALL "type=\"image/png\"|name=\"(ValidImage|TestImage|Causes)\"" sent "${results}")
+  list(LENGTH sent number)
+  if (NOT number EQUAL 10 OR NOT results MATCHES "<Value>different[^<]*moved by")
+    message(FATAL_ERROR "CDash gets ${sent}")
+  endif ()
 endif ()

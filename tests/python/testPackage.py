@@ -3,7 +3,7 @@
 """pyproject.toml compared with the files it names; tools/wheel builds with it."""
 
 import configparser
-import importlib
+import importlib.util
 import inspect
 import pathlib
 import re
@@ -39,7 +39,9 @@ class Pyproject(unittest.TestCase):
         self.assertEqual(PROJECT["project"]["entry-points"],
                          {name: dict(group) for name, group in installed.items() if group})
         sys.path.insert(0, str(pathlib.Path(__file__).parent / "standin"))
-        for group in PROJECT["project"]["entry-points"].values():
+        for kind, group in PROJECT["project"]["entry-points"].items():
+            if kind == "pytest11" and importlib.util.find_spec("pytest") is None:
+                continue  # it imports pytest, which loads it
             for value in group.values():
                 module, _, name = value.partition(":")
                 loaded = importlib.import_module(module)

@@ -2,7 +2,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """PyVista finds Relievo by its metadata: against a stand-in of the documented protocol."""
 
+import importlib.util
+import json
+import os
 import pathlib
+import re
 import subprocess
 import sys
 import tempfile
@@ -312,6 +316,154 @@ class Files(unittest.TestCase):
         for name in ("depth", "normal"):
             arrays = [each.GetPointData().GetArray(name) for each in (image, again)]
             numpy.testing.assert_array_equal(*[numpy.array(memoryview(a)) for a in arrays])
+
+
+# A page's example, and what can go wrong. RADIUS is a change that a programmer makes.
+PAGE = (pathlib.Path(__file__).parents[2] / "docs" / "compare.md").read_text(encoding="utf-8")
+EXAMPLE = next(each for each in re.findall("^```python\n(.*?)^```$", PAGE, re.M | re.S)
+               if "relievo_baseline" in each)  # fmt: skip
+LAZY = """
+import sys
+
+def test_lazy():
+    assert "relievo" not in sys.modules
+"""
+WHEELS = """
+import os
+import numpy
+import pytest
+import pyvista
+
+RADIUS = float(os.environ["RADIUS"])
+
+@pytest.mark.parametrize("word", ["a/../b", "ä %", "x" * 300], ids=str)
+def test_picture(relievo_baseline, word):
+    relievo_baseline(numpy.full((4, 6, 3), len(word) % 100, numpy.uint8))
+
+def test_twice(relievo_baseline):
+    plotter = pyvista.Plotter()
+    actor = plotter.add_mesh(pyvista.Cylinder(), name="wheel")
+    relievo_baseline(plotter.renderer)
+    actor.SetPosition(RADIUS - 0.5, 0, 0)
+    relievo_baseline(plotter)
+
+def test_limits(relievo_baseline):
+    picture = numpy.full((4, 6, 3), 100 if RADIUS == 0.5 else 105, numpy.uint8)
+    relievo_baseline(picture, name="grey", levels=5)
+
+def test_same_grey(relievo_baseline):
+    relievo_baseline(numpy.full((4, 6, 3), 101, numpy.uint8), name="grey")
+"""
+WRONG = """
+import numpy
+import pytest
+
+PICTURE = numpy.zeros((4, 6, 3), numpy.uint8)
+
+def test_nothing(relievo_baseline):
+    pass
+
+@pytest.mark.parametrize("word", ["a b", "a/b"])
+def test_clash(relievo_baseline, word):
+    relievo_baseline(PICTURE)
+
+def test_name(relievo_baseline):
+    relievo_baseline(PICTURE, name="../a")
+
+def test_damaged(relievo_baseline):
+    relievo_baseline(PICTURE)
+"""
+
+
+@unittest.skipUnless(importlib.util.find_spec("pytest"), "needs pytest: packages.txt, [tests]")
+class Pytest(unittest.TestCase):
+    """The fixture relievo_baseline, which pytest finds by the metadata of the package."""
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+        (self.folder / "unit").mkdir()
+
+    def write(self, name, text):
+        (self.folder / "unit" / name).write_text(text, encoding="utf-8")
+
+    def pytest(self, *words, counts, radius=0.5):
+        """What a run prints; counts is a dict of the outcomes that it expects."""
+        paths = [str(pathlib.Path(pyvista.__file__).parent), os.environ.get("PYTHONPATH", "")]
+        done = subprocess.run(
+            [sys.executable, "-m", "pytest", "-p", "no:cacheprovider", *words], cwd=self.folder,
+            env={**os.environ, "PYTHONPATH": os.pathsep.join(paths), "RADIUS": str(radius)},
+            stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False)  # fmt: skip
+        last = done.stdout.splitlines()[-1]
+        seen = {word: int(number) for number, word in re.findall(r"(\d+) (\w+)[, ]", last)
+                if word != "warnings"}
+        self.assertEqual(seen, counts, done.stdout)
+        self.assertEqual(done.returncode, 1 if counts.get("failed") else 0, done.stdout)
+        return done.stdout
+
+    def baselines(self):
+        return {path.name for path in (self.folder / "unit" / "baselines").iterdir()}
+
+    def test_written_then_compared(self):
+        self.write("test_lazy.py", LAZY)  # which runs first
+        self.write("test_wheels.py", WHEELS)
+        self.write("test_page.py", EXAMPLE.replace("Cylinder()", "Cylinder(radius=RADIUS)")
+                   + "\nimport os\nRADIUS = float(os.environ['RADIUS'])\n")  # fmt: skip
+        said = self.pytest(counts={"passed": 1, "failed": 7})
+        self.assertIn("unit/baselines/wheel.exr: there is no such baseline", said)
+        self.assertIn("pytest --relievo-update unit/test_page.py::test_wheel", said)
+        self.assertFalse((self.folder / "unit" / "baselines").exists())
+
+        said = self.pytest("--relievo-update", counts={"passed": 1, "skipped": 7})
+        self.assertRegex(said, "Written; look at them[^\n]*\n(.*\n)*  unit/baselines/wheel.exr")
+        names = self.baselines()
+        self.assertLessEqual({"wheel.exr", "twice.exr", "twice_1.exr", "grey.exr",
+                              "picture_a_.._b.exr"}, names)  # fmt: skip
+        self.assertEqual(len(names), 7)
+        self.assertLess(max(map(len, names)), 80)
+        self.pytest(counts={"passed": 8})
+
+        said = self.pytest("--relievo-report", "report", radius=0.7,
+                           counts={"passed": 6, "failed": 2})  # fmt: skip
+        self.assertRegex(said, r"unit/baselines/wheel.exr: different: .*\nE +picture +camera ")
+        self.assertRegex(said, r"wheel \(actor 0\) +moved by \(0.2, 0, 0\)")
+        report = self.folder / "report" / "unit"
+        found = json.loads((report / "test_page" / "wheel.json").read_text())
+        self.assertFalse(found["alike"])
+        self.assertEqual({path.name for path in (report / "test_wheels").iterdir()},
+                         {f"twice_1.{end}" for end in ("json", "frame.exr", "frame.png",
+                                                       "baseline.exr", "baseline.png")})
+        old = (report / "test_page" / "wheel.baseline.exr").read_bytes()
+        self.assertEqual(old, (self.folder / "unit" / "baselines" / "wheel.exr").read_bytes())
+
+        said = self.pytest("--relievo-update", radius=0.7, counts={"passed": 6, "skipped": 2})
+        self.assertIn("  unit/baselines/wheel.exr\n", said)
+        self.assertNotIn("  unit/baselines/twice.exr\n", said)  # it does not differ
+        self.pytest(radius=0.7, counts={"passed": 8})
+        self.assertEqual(self.baselines(), names)
+
+    def test_refused(self):
+        self.write("test_wrong.py", WRONG)
+        (self.folder / "pytest.ini").write_text("[pytest]\nrelievo_baselines = expected\n")
+        folder = self.folder / "expected"
+        folder.mkdir()
+        (folder / "damaged.exr").write_bytes(b"v/1\x01 not an image")
+        said = self.pytest("--relievo-report", "report", counts={"failed": 5})
+        for words in (
+            "test_nothing: has the fixture relievo_baseline, but compares nothing",
+            "expected/clash_a_b.exr: there is no such baseline",
+            "expected/clash_a_b.exr: is the baseline of unit/test_wrong.py::test_clash[a b] and of",
+            "name: got '../a', expected a file's name",
+            "expected/damaged.exr: the baseline cannot be read:",
+        ):
+            self.assertIn(words, said)
+        self.pytest("--relievo-update", "--relievo-baselines", "other", "-k", "clash or damaged",
+                    counts={"failed": 1, "skipped": 2, "deselected": 2})  # fmt: skip
+        self.assertEqual({path.name for path in (self.folder / "other").iterdir()},
+                         {"clash_a_b.exr", "damaged.exr"})
+        self.pytest("--relievo-update", "-k", "damaged", counts={"skipped": 1, "deselected": 4})
+        self.pytest("-k", "damaged", counts={"passed": 1, "deselected": 4})
 
 
 if __name__ == "__main__":

@@ -12,8 +12,12 @@
 
 #include "vtkFieldData.h"
 #include "vtkImageData.h"
+#include "vtkImageExtractComponents.h"
 #include "vtkNew.h"
+#include "vtkPNGWriter.h"
+#include "vtkPointData.h"
 #include "vtkRelievoFrameComparison.h"
+#include "vtkRelievoImageFile.h"
 #include "vtkStringArray.h"
 
 #include <nlohmann/json.hpp>
@@ -25,6 +29,7 @@
 #include <optional>
 #include <set>
 #include <system_error>
+#include <utility>
 
 namespace cli
 {
@@ -47,6 +52,8 @@ public:
       "pictures alone are compared), or folders of these, whose files are compared by name.";
     this->Rows.Files = "exr|png";
     this->AddOutput("--json FILE.json", "the same, complete, as JSON", this->JSON);
+    this->AddOutput("--png-a FILE.png", "the picture of A, 8 bits", this->PNG[0]);
+    this->AddOutput("--png-b FILE.png", "the picture of B, 8 bits", this->PNG[1]);
     this->Add("--levels N",
       "by how many of 255 levels colours, and shares such as shadows, may differ, 0 to 255 (2)",
       [this](const std::string& value) {
@@ -92,18 +99,27 @@ public:
         (this->Names.size() == 1 ? " file" : " files") + ", expected " +
         (draws ? "A alone before --render" : "A and B, or A --render FILE"));
     }
+    const bool takesFolders = !draws && (IsFolder(this->Names[0]) || IsFolder(this->Names[1]));
+    if (takesFolders && !(this->PNG[0].empty() && this->PNG[1].empty()))
+    {
+      throw scene::UsageError("compare: --png-a and --png-b are of files, got folders");
+    }
     const scene::Messages::Scope scope;
     scene::Outputs outputs;
-    if (!this->JSON.empty())
+    for (const auto& [option, path] : { std::pair("--json", &this->JSON),
+           std::pair("--png-a", &this->PNG[0]), std::pair("--png-b", &this->PNG[1]) })
     {
-      outputs.Add("--json", this->JSON, this->Names);
+      if (!path->empty())
+      {
+        outputs.Add(option, *path, this->Names);
+      }
     }
     bool alike = false;
     if (draws)
     {
       alike = this->CompareDrawn(drawn);
     }
-    else if (IsFolder(this->Names[0]) || IsFolder(this->Names[1]))
+    else if (takesFolders)
     {
       alike = this->CompareFolders();
     }
@@ -124,8 +140,10 @@ public:
       {
         throw scene::WorkError(this->JSON + ": cannot be written; is the disk full?");
       }
-      outputs.Commit();
     }
+    WritePNG(this->Comparison->GetBaseline(), this->PNG[0], outputs);
+    WritePNG(this->Comparison->GetFrame(), this->PNG[1], outputs);
+    outputs.Commit();
     return alike ? 0 : Different;
   }
 
@@ -141,6 +159,37 @@ private:
   {
     std::error_code error;
     return fs::is_directory(path, error);
+  }
+
+  // Writes the picture of a frame, without alpha, unless the path is empty.
+  static void WritePNG(vtkImageData* frame, const std::string& path, const scene::Outputs& outputs)
+  {
+    if (path.empty())
+    {
+      return;
+    }
+    vtkNew<vtkImageData> picture;
+    picture->ShallowCopy(frame);
+    vtkPointData* data = picture->GetPointData();
+    if (data->HasArray("color"))
+    {
+      data->SetActiveScalars("color");
+    }
+    else if (data->HasArray("depth") || data->HasArray("actor"))
+    {
+      throw scene::WorkError(path + ": cannot be written: the frame has layers, and no picture");
+    }
+    const vtkSmartPointer<vtkImageData> bytes = vtkRelievoImageFile::ToColors(picture);
+    vtkNew<vtkImageExtractComponents> colors;
+    colors->SetInputData(bytes);
+    bytes->GetNumberOfScalarComponents() < 3 ? colors->SetComponents(0)
+                                             : colors->SetComponents(0, 1, 2);
+    vtkNew<vtkPNGWriter> writer;
+    writer->SetInputConnection(colors->GetOutputPort());
+    writer->SetFileName(outputs.Temporary(path).c_str());
+    writer->Write();
+    scene::Messages::Check(
+      path, writer->GetErrorCode() != 0, "cannot be written; is the disk full?");
   }
 
   // Says a failure once, as this command does.
@@ -295,6 +344,7 @@ private:
 
   vtkNew<vtkRelievoFrameComparison> Comparison;
   std::string JSON, Found;
+  std::string PNG[2]; // of A and B
 };
 }
 

@@ -23,6 +23,7 @@ from importlib.metadata import entry_points
 
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
 from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkFiltersSources import vtkCylinderSource
 from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow
 
 
@@ -89,8 +90,8 @@ class Renderer(vtkRenderer):
 
 
 class BasePlotter:
-    def __init__(self, shape=1, window_size=(300, 200)):
-        self._components = []
+    def __init__(self, shape=1, window_size=(300, 200), off_screen=True):
+        self._components, self.actors = [], {}
         self.render_window = vtkRenderWindow()
         self.render_window.SetOffScreenRendering(True)
         self.render_window.SetMultiSamples(0)
@@ -113,12 +114,13 @@ class BasePlotter:
     def subplot(self, index):
         self.renderer = self.renderers[index]
 
-    def add_mesh(self, source):
+    def add_mesh(self, source, name=None):
         mapper = vtkPolyDataMapper()
         mapper.SetInputConnection(source.GetOutputPort())
         actor = vtkActor()
         actor.SetMapper(mapper)
         self.renderer.AddActor(actor)
+        self.actors[name or f"Addr={id(actor)}"] = actor
         return actor
 
     def show(self):
@@ -139,6 +141,12 @@ class BasePlotter:
 
 class Plotter(BasePlotter):
     pass
+
+
+def Cylinder(radius=0.5):  # noqa: N802
+    source = vtkCylinderSource()
+    source.SetRadius(radius)
+    return source
 
 
 class _Component:
