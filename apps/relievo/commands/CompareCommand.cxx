@@ -12,6 +12,7 @@
 #include "vtkFieldData.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
+#include "vtkRelievoComparisonReport.h"
 #include "vtkRelievoFrameComparison.h"
 #include "vtkStringArray.h"
 
@@ -24,6 +25,7 @@
 #include <optional>
 #include <set>
 #include <system_error>
+#include <utility>
 
 namespace cli
 {
@@ -46,6 +48,12 @@ public:
       "pictures alone are compared), or folders of these, whose files are compared by name.";
     this->Rows.Files = "exr|png";
     this->AddOutput("--json FILE.json", "the same, complete, as JSON", this->JSON);
+    this->AddOutput("--html FILE.html",
+      "a page to look at, in one file: both pictures, the pixels of each cause, values under the "
+      "mouse",
+      this->HTML);
+    this->AddOutput(
+      "--markdown FILE.md", "the table of causes as Markdown, for pull requests", this->Markdown);
     this->Add("--levels N",
       "by how many of 255 levels colours, and shares such as shadows, may differ, 0 to 255 (2)",
       [this](const std::string& value) {
@@ -82,9 +90,14 @@ public:
     }
     const scene::Messages::Scope scope;
     scene::Outputs outputs;
-    if (!this->JSON.empty())
+    const std::pair<const char*, const std::string*> files[] = { { "--json", &this->JSON },
+      { "--html", &this->HTML }, { "--markdown", &this->Markdown } };
+    for (const auto& [option, file] : files)
     {
-      outputs.Add("--json", this->JSON, this->Names);
+      if (!file->empty())
+      {
+        outputs.Add(option, *file, this->Names);
+      }
     }
     bool alike = false;
     if (draws)
@@ -105,19 +118,32 @@ public:
     }
     if (!this->JSON.empty())
     {
-      std::ofstream file(outputs.Temporary(this->JSON), std::ios::binary);
-      file << this->Found << '\n';
-      file.close();
-      if (!file)
-      {
-        throw scene::WorkError(this->JSON + ": cannot be written; is the disk full?");
-      }
-      outputs.Commit();
+      Write(outputs, this->JSON, this->Found + '\n');
     }
+    if (!this->HTML.empty())
+    {
+      Write(outputs, this->HTML, this->Report->GetHTML());
+    }
+    if (!this->Markdown.empty())
+    {
+      Write(outputs, this->Markdown, this->Report->GetMarkdown());
+    }
+    outputs.Commit();
     return alike ? 0 : Different;
   }
 
 private:
+  static void Write(const scene::Outputs& outputs, const std::string& path, const std::string& text)
+  {
+    std::ofstream file(outputs.Temporary(path), std::ios::binary);
+    file << text;
+    file.close();
+    if (!file)
+    {
+      throw scene::WorkError(path + ": cannot be written; is the disk full?");
+    }
+  }
+
   static bool IsFolder(const std::string& path)
   {
     std::error_code error;
@@ -140,10 +166,17 @@ private:
                            : this->Comparison->ReadFrame(path.c_str()));
   }
 
-  bool Compare(const std::string& files)
+  // `showsAlike`: whether the page shows pictures that are alike.
+  bool Compare(const std::string& files, bool showsAlike = true)
   {
     this->Check(this->Comparison->Compare(), files);
-    return this->Comparison->GetAlike();
+    const bool alike = this->Comparison->GetAlike();
+    if (!this->HTML.empty() || !this->Markdown.empty())
+    {
+      this->Report->Add(
+        files.c_str(), this->Comparison, !this->HTML.empty() && (showsAlike || !alike));
+    }
+    return alike;
   }
 
   //----------------------------------------------------------------------------
@@ -232,6 +265,7 @@ private:
       {
         entry["alike"] = false;
         entry["missing_in"] = isOld ? b : a;
+        this->Report->AddMissing(name.c_str(), (isOld ? b : a).c_str());
         std::printf("%s: missing in %s\n", name.c_str(), (isOld ? b : a).c_str());
         ++different;
       }
@@ -239,7 +273,7 @@ private:
       {
         this->Read(true, (fs::path(a) / name).string());
         this->Read(false, (fs::path(b) / name).string());
-        const bool alike = this->Compare(name);
+        const bool alike = this->Compare(name, false);
         entry.update(nlohmann::ordered_json::parse(this->Comparison->GetJSON()));
         if (!alike)
         {
@@ -257,7 +291,8 @@ private:
   }
 
   vtkNew<vtkRelievoFrameComparison> Comparison;
-  std::string JSON, Found;
+  vtkNew<vtkRelievoComparisonReport> Report;
+  std::string JSON, HTML, Markdown, Found;
 };
 }
 
