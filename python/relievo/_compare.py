@@ -35,7 +35,8 @@ class Comparison:
     size: (columns, rows). text: the table. json: all of it, as a text. dict: the same, parsed.
     """
 
-    def __init__(self, comparison, name):
+    def __init__(self, comparison, title):
+        self._comparison, self._title = comparison, title
         self.text = comparison.GetText()
         self.json = comparison.GetJSON()
         self.dict = json.loads(self.json)
@@ -45,8 +46,6 @@ class Comparison:
         self.size = tuple(self.dict["size"])
         image = comparison.GetCauses()
         self._causes = None if image is None else layer(image, "cause").copy()
-        self._comparison, self._name = comparison, name
-
     @property
     def image(self):
         """The place of each pixel's cause in causes, of shape (rows, columns), row 0 at the top.
@@ -74,7 +73,7 @@ class Comparison:
 
     def _report(self, with_frames=True):
         report = vtkRelievoComparisonReport()
-        report.Add(self._name, self._comparison, with_frames)
+        report.Add(self._title, self._comparison, with_frames)
         return report
 
     def _repr_html_(self):
