@@ -67,8 +67,7 @@ std::size_t Flip(const std::array<int, 2>& size, std::size_t pixel)
 template <typename GetWord>
 std::string PackWords(const std::array<int, 2>& size, const GetWord& get)
 {
-  const std::size_t pixels =
-    static_cast<std::size_t>(size[0]) * static_cast<std::size_t>(size[1]);
+  const std::size_t pixels = static_cast<std::size_t>(size[0]) * static_cast<std::size_t>(size[1]);
   std::vector<unsigned char> bytes(4 * pixels);
   for (std::size_t i = 0; i < pixels; ++i)
   {
@@ -92,8 +91,9 @@ std::uint32_t RoundFloat(double value)
 
 unsigned char RoundLevel(float level)
 {
-  return std::isnan(level) ? 0
-                           : static_cast<unsigned char>(std::min(255.f, std::max(0.f, level)) + .5f);
+  return std::isnan(level)
+    ? 0
+    : static_cast<unsigned char>(std::min(255.f, std::max(0.f, level)) + .5f);
 }
 
 // The picture as PNG, without its alpha: a page behind it is no part of it.
@@ -184,8 +184,8 @@ std::string EscapeMarkdown(const std::string& text)
     }
     else
     {
-      escaped += (std::strchr("\\`*_[]|~", c) && c != '\0') ? "\\" + std::string(1, c)
-                                                             : std::string(1, c);
+      escaped +=
+        (std::strchr("\\`*_[]|~", c) && c != '\0') ? "\\" + std::string(1, c) : std::string(1, c);
     }
   }
   return escaped;
@@ -289,8 +289,8 @@ std::string vtkRelievoComparisonReport::GetMarkdown()
     }
     if (causes.size() > MostRows)
     {
-      text += "| " + WriteCount(causes.size() - MostRows) + " more | | " + WriteCount(rest) +
-        " |\n";
+      text +=
+        "| " + WriteCount(causes.size() - MostRows) + " more | | " + WriteCount(rest) + " |\n";
     }
     if (entry.value("unexplained", 0) > 0)
     {

@@ -8,8 +8,8 @@
  * other, such as those of two folders. The page needs no other file and no network: it has both
  * pictures, with a slider or flickering, the pixels coloured by cause, a table whose rows highlight
  * their pixels, and the colours, the object and the depth under the mouse. Depths are rounded to
- * 17 bits, which are five digits; everything else is exact. A page of 800 x 600 pixels takes 1 to
- * 3 MB.
+ * 17 bits, which are five digits; everything else is exact. A page of 800 x 600 pixels takes about
+ * 1 MB.
  *
  * Names of files and objects are data in both: no HTML, and no Markdown.
  */

@@ -188,8 +188,8 @@ class Report(unittest.TestCase):
     def painted(self, page, color):
         """How many pixels of the picture have this colour."""
         return page.evaluate("""(color) => {
-            const canvas = document.querySelector("canvas");
-            const all = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height).data;
+            const canvas = document.querySelector("canvas"), { width, height } = canvas;
+            const all = canvas.getContext("2d").getImageData(0, 0, width, height).data;
             let n = 0;
             for (let i = 0; i < all.length; i += 4) {
               n += color.every((level, c) => level === all[i + c]);
