@@ -20,9 +20,11 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <string>
 #include <vector>
 
 vtkStandardNewMacro(vtkRelievoComparisonReport);
@@ -93,7 +95,7 @@ unsigned char RoundLevel(float level)
 {
   return std::isnan(level)
     ? 0
-    : static_cast<unsigned char>(std::min(255.f, std::max(0.f, level)) + .5f);
+    : static_cast<unsigned char>(std::lround(std::min(255.f, std::max(0.f, level))));
 }
 
 // The picture as PNG, without its alpha: a page behind it is no part of it.

@@ -5,6 +5,7 @@
 #include "Messages.h"
 #include "Numbers.h"
 #include "Outputs.h"
+#include "Readers.h"
 #include "SceneWork.h"
 #include "Settings.h"
 #include "Values.h"
