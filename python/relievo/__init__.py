@@ -91,7 +91,7 @@ from ._cameras import (
     lens,
 )
 from ._capture import capture, screenshot
-from ._compare import Comparison, compare, write_baseline
+from ._compare import compare, write_baseline
 from ._dataset import write_dataset
 from ._environment import environment
 from ._exr import read_exr, write_exr
@@ -116,7 +116,6 @@ _browser.prepare()
 __all__ = [
     *_functions(),
     "CameraModel",
-    "Comparison",
     "Cube",
     "Division",
     "Equirectangular",

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Frames compared by cause, and baselines to compare with."""
 
+import html
 import json
 import numbers
 import os
@@ -18,11 +19,13 @@ from ._keep import kept
 from ._picture import captured
 from ._renderers import renderer_of
 from ._scene import Scene
-from ._wrapped import vtkRelievoBaseline, vtkRelievoFrameComparison
+from ._wrapped import vtkRelievoBaseline, vtkRelievoComparisonReport, vtkRelievoFrameComparison
 
 
 class Comparison:
     """What compare() found; true if the frames are alike, and printed as a table of causes.
+
+    Notebooks show it as the page of write_html().
 
     alike: whether they are, within the limits.
     pixels, unexplained: numbers of pixels that differ, and of those that no cause explains.
@@ -33,7 +36,8 @@ class Comparison:
     size: (columns, rows). text: the table. json: all of it, as a text. dict: the same, parsed.
     """
 
-    def __init__(self, comparison):
+    def __init__(self, comparison, title):
+        self._comparison, self._title = comparison, title
         self.text = comparison.GetText()
         self.json = comparison.GetJSON()
         self.dict = json.loads(self.json)
@@ -43,7 +47,6 @@ class Comparison:
         self.size = tuple(self.dict["size"])
         image = comparison.GetCauses()
         self._causes = None if image is None else layer(image, "cause").copy()
-
     @property
     def image(self):
         """The place of each pixel's cause in causes, of shape (rows, columns), row 0 at the top.
@@ -51,6 +54,33 @@ class Comparison:
         -1: alike, -2: rounding, -3: edge, -4: unexplained. None for frames of two sizes or cameras.
         """
         return self._causes
+
+    def write_html(self, path):
+        """Writes a page for browsers, which needs no other file and no network.
+
+        It has both pictures with a slider and flickering, the pixels coloured by cause, a table
+        whose rows highlight their pixels, and the values under the mouse.
+
+        path: name of the file. Raises OSError if it cannot be written.
+        """
+        _write(path, self._report().GetHTML())
+
+    def write_markdown(self, path):
+        """Writes the table of causes as Markdown, for pull requests.
+
+        path: name of the file. Raises OSError if it cannot be written.
+        """
+        _write(path, self._report(False).GetMarkdown())
+
+    def _report(self, with_frames=True):
+        report = vtkRelievoComparisonReport()
+        report.Add(self._title, self._comparison, with_frames)
+        return report
+
+    def _repr_html_(self):
+        page = html.escape(self._report().GetHTML())
+        return (f'<iframe srcdoc="{page}" title="Comparison" sandbox="allow-scripts" '
+                'style="width:100%;height:800px;border:0"></iframe>')
 
     def __bool__(self):
         return self.alike
@@ -100,7 +130,7 @@ def compare(a, b, levels=2, normal_angle=0.02, depth_pixels=1 / 256) -> Comparis
         good = comparison.Compare()
     if not good:
         raise ValueError(f"compare: {comparison.GetFailureText()}")
-    return Comparison(comparison)
+    return Comparison(comparison, f"{_name_of(a)}, {_name_of(b)}")
 
 
 def write_baseline(path, thing, size=None, names=None) -> None:
@@ -124,6 +154,17 @@ def write_baseline(path, thing, size=None, names=None) -> None:
     if os.path.splitext(os.fspath(path))[1].lower() not in (".exr", b".exr"):
         raise ValueError(f"path: got {os.fspath(path)!r}, expected a name that ends in .exr")
     write_exr(path, _drawn(thing, size, names))
+
+
+def _write(path, text):
+    with open(os.fspath(path), "w", encoding="utf-8") as file:
+        file.write(text)
+
+
+def _name_of(thing):
+    """A file's path, or what else a side is, for the reader of a report."""
+    is_path = isinstance(thing, (str, bytes, os.PathLike))
+    return os.fsdecode(thing) if is_path else type(thing).__name__
 
 
 def _image_of(thing):

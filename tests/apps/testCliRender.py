@@ -3,10 +3,14 @@
 """Good runs: the picture's size and pixels, the EXR's channels and values, the report."""
 
 import base64
+import html.parser
 import importlib.util
 import json
 import math
+import re
+import shutil
 import unittest
+import zlib
 
 import numpy
 
@@ -426,6 +430,41 @@ class Report(CliTest):
         )
 
 
+class Page(html.parser.HTMLParser):
+    """A page's JSON, and what is wrong with it: elements that do not close, and addresses."""
+
+    VOID = {"meta", "input"}
+
+    def __init__(self, text):
+        super().__init__()
+        self.open, self.problems, self.data, self.scripts = [], [], "", 0
+        self.feed(text)
+        self.close()
+        self.problems += self.open
+        if self.scripts != 2:
+            self.problems.append(f"{self.scripts} scripts")
+
+    def handle_starttag(self, tag, attrs):
+        self.problems += [f"{tag} {name}" for name, _ in attrs if name in ("src", "href")]
+        self.scripts += tag == "script"
+        if tag not in self.VOID:
+            self.open.append((tag, dict(attrs).get("id")))
+
+    def handle_endtag(self, tag):
+        if not self.open or self.open.pop()[0] != tag:
+            self.problems.append(f"/{tag} at {self.getpos()}")
+
+    def handle_data(self, data):
+        if self.open and self.open[-1] == ("script", "data"):
+            self.data += data
+
+
+def words_of(text, kind):
+    """The words of 32 bits of a page: compressed, the lowest bytes of all first."""
+    planes = numpy.frombuffer(zlib.decompress(base64.b64decode(text)), "u1").reshape(4, -1)
+    return numpy.ascontiguousarray(planes.T).view(kind).ravel()
+
+
 @unittest.skipUnless(BENCHES, "built without benches")
 class Compare(CliTest):
     """`relievo compare`: exit status, text and JSON of changes that the test makes."""
@@ -516,6 +555,78 @@ POLYGONS 1 5
         self.assertEqual(causes["settings"]["name"], "background")
         self.assertGreater(causes["settings"]["pixels"], 5000)
 
+    # A file's name that is HTML, Markdown, a mention and an issue.
+    ODD = "<script>x&amp;@me #1 |_`.vtk"
+
+    def test_report(self):
+        """The page has the pictures and the cause of each pixel; names are data, there and in
+        Markdown."""
+        (self.folder / "plate.vtk").rename(self.folder / self.ODD)
+        look = (*self.LOOK, "--camera", "2,4,6,0,0.2,0,0,1,0")
+        self.relievo("render", "table.vtk", self.ODD, *look, "--baseline", "a.exr", "--png",
+                     "a.png")
+        (self.folder / self.ODD).write_text(self.PLATE.format(y=0.53))
+        self.relievo("render", "table.vtk", self.ODD, *look, "--baseline", "b.exr", "--png",
+                     "b.png")
+        _, found = self.found("a.exr", "b.exr", "--html", "page.html", "--markdown", "page.md")
+        page = (self.folder / "page.html").read_text("ascii")
+        parts = Page(page)
+        self.assertEqual(parts.problems, [])
+        (entry,) = json.loads(parts.data)
+        self.assertEqual(entry["name"], "a.exr, b.exr")
+        self.assertEqual([{**each, "label": ""} for each in entry["causes"]],
+                         [{**each, "label": ""} for each in found["causes"]])
+        self.assertIn(f"{self.ODD} (actor 1)", [each["label"] for each in entry["causes"]])
+        places = words_of(entry["places"], "<i4")
+        self.assertEqual([(places == i).sum() for i in range(len(found["causes"]))],
+                         [each["pixels"] for each in found["causes"]])
+        self.assertEqual([(places == i).sum() for i in (-4, -3, -2)],
+                         [0, *found["within_limits"].values()])
+        for frame, name in zip(entry["frames"], "ab", strict=True):
+            _, channels = self.exr(f"{name}.exr")
+            (self.folder / "shown.png").write_bytes(
+                base64.b64decode(frame["picture"].removeprefix("data:image/png;base64,")))
+            numpy.testing.assert_array_equal(
+                read_png(self.folder / "shown.png"), read_png(self.folder / f"{name}.png")[..., :3])
+            actor = words_of(frame["actor"], "<u4").reshape(120, 160)
+            numpy.testing.assert_array_equal(actor, channels["actor.id"])
+            self.assertEqual(frame["objects"][1], self.ODD)
+            depth = words_of(frame["depth"], "<f4").reshape(120, 160)
+            numpy.testing.assert_allclose(depth, channels["depth.Z"], rtol=2**-17)
+        # The plate is where its pixels are, the right way up.
+        moved = [each["cause"] for each in found["causes"]].index("moved")
+        plate = channels["actor.id"] == 1
+        self.assertGreater(plate[places.reshape(120, 160) == moved].mean(), 0.9)
+        self.marked(found)
+
+    def marked(self, found):
+        """The table in Markdown has a row for each cause, and nothing of a name is markup."""
+        text = (self.folder / "page.md").read_text("utf-8")
+        rows = [line for line in text.splitlines() if line.startswith("| ")]
+        self.assertEqual(len(rows), len(found["causes"]) + 1, text)
+        for row, cause in zip(rows[1:], found["causes"], strict=True):
+            cells = re.split(r"(?<!\\)\|", row)
+            self.assertEqual(int(cells[3].replace(" ", "")), cause["pixels"])
+        self.assertIn("&lt;script&gt;x&amp;amp;@&#8203;me #&#8203;1 \\|\\_\\`.vtk", text)
+
+    def test_report_of_folders(self):
+        for name in ("one", "two"):
+            (self.folder / name).mkdir()
+            for file in ("a.exr", "c.exr"):
+                shutil.copy(self.folder / "a.exr", self.folder / name / file)
+        self.move(0.53)
+        self.relievo("render", "table.vtk", "plate.vtk", *self.LOOK, "--camera",
+                     "2,4,6,0,0.2,0,0,1,0", "--baseline", "two/a.exr")
+        self.relievo("render", "table.vtk", "--png", "two/b.png", *self.LOOK)
+        self.found("one", "two", "--html", "page.html", "--markdown", "page.md")
+        parts = Page((self.folder / "page.html").read_text("ascii"))
+        self.assertEqual([(each["name"], each["alike"], "frames" in each)
+                          for each in json.loads(parts.data)],
+                         [("a.exr", False, True), ("b.png", False, False), ("c.exr", True, False)])
+        text = (self.folder / "page.md").read_text("utf-8")
+        self.assertEqual(re.findall("^### (.*)", text, re.M), ["a.exr", "b.png", "c.exr"])
+        self.assertIn("missing in one", text)
+
     def test_folders(self):
         for name in ("one", "two"):
             (self.folder / name).mkdir()
@@ -546,6 +657,8 @@ POLYGONS 1 5
             (1, ("a.exr", "none.exr"), "none.exr"),
             (1, ("a.exr", "cut.exr"), "cut.exr"),
             (1, ("a.exr", "table.vtk"), "table.vtk"),
+            (2, ("a.exr", "a.exr", "--html", "page.md"), "a name that ends in .html"),
+            (1, ("a.exr", "a.exr", "--html", "none/page.html"), "none/page.html"),
         ):
             with self.subTest(words):
                 self.refused("compare", *words, status=status, says=says)

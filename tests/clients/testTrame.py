@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""trame in headless Chromium: a remote view shows Relievo's picture, and a local view, drawn by
-the browser itself, lists its losses."""
+"""Headless Chromium: trame's remote view shows Relievo's picture, and a local view, drawn by the
+browser itself, lists its losses; the report of a comparison tells what the comparison found."""
 
 import contextlib
 import importlib
@@ -152,6 +152,109 @@ class Views(unittest.TestCase):
             self.assertLess(off.mean(), 1.5)
             self.assertLess(off[dark].mean(), 6)
         self.assertEqual(log.read_text().count("the browser draws this scene itself"), 1)
+
+
+class Report(unittest.TestCase):
+    """The page of relievo.compare() in Chromium, as someone uses it."""
+
+    @classmethod
+    def setUpClass(cls):
+        folder = pathlib.Path(os.environ["RELIEVO_TEST_OUTPUT"])
+        cls.path = folder / "report.html"
+        renderer, window = scene("hard")
+        window.Render()
+        ball = renderer.GetActors().GetItemAsObject(0)
+        names = {ball: "<b>ball</b>"}
+        relievo.write_baseline(folder / "report.exr", renderer, names=names)
+        ball.SetPosition(0.1, 0, 0)
+        cls.found = relievo.compare(folder / "report.exr", renderer)
+        cls.found.write_html(cls.path)
+        cls.after = relievo.picture(relievo.capture(renderer, "color"), "color")
+
+    @contextlib.contextmanager
+    def page(self):
+        problems = []
+        with browser.chromium((1280, 900)) as page:
+            page.on("pageerror", lambda error: problems.append(str(error)))
+            page.on("console", lambda message: problems.append(message.text)
+                    if message.type == "error" else None)
+            page.on("request", lambda request: problems.append(request.url[:80])
+                    if not request.url.startswith(("file:", "data:")) else None)
+            page.goto(self.path.as_uri())
+            page.wait_for_selector("html[data-ready]")
+            yield page
+        self.assertEqual(problems, [])
+
+    def painted(self, page, color):
+        """How many pixels of the picture have this colour."""
+        return page.evaluate("""(color) => {
+            const canvas = document.querySelector("canvas"), { width, height } = canvas;
+            const all = canvas.getContext("2d").getImageData(0, 0, width, height).data;
+            let n = 0;
+            for (let i = 0; i < all.length; i += 4) {
+              n += color.every((level, c) => level === all[i + c]);
+            }
+            return n;
+        }""", color)
+
+    def test_table(self):
+        """A row for each cause; a click leaves its pixels in their colour, and Escape all."""
+        moved, shadow = (next(each for each in self.found.causes if each["cause"] == cause)
+                         for cause in ("moved", "shadow"))
+        with self.page() as page:
+            rows = page.locator("#causes tbody tr").all_inner_texts()
+            for row, cause in zip(rows, self.found.causes, strict=False):
+                self.assertEqual(int("".join(filter(str.isdigit, row.split("\t")[-1]))),
+                                 cause["pixels"])
+            self.assertEqual(page.locator("#causes b").count(), 0)
+            colors = {"moved": [0xF5, 0xA0, 0x0B], "shadow": [0x5F, 0x62, 0xEA]}
+            self.assertEqual(self.painted(page, colors["moved"]), moved["pixels"])
+            button = page.get_by_role("button", name="<b>ball</b>")
+            button.first.click()
+            self.assertEqual(button.first.get_attribute("aria-pressed"), "true")
+            self.assertEqual(self.painted(page, colors["moved"]), moved["pixels"])
+            self.assertEqual(self.painted(page, colors["shadow"]), 0)
+            page.keyboard.press("Escape")
+            self.assertGreaterEqual(self.painted(page, colors["shadow"]), shadow["pixels"])
+
+    def test_values(self):
+        """Colour, object and cause of a pixel, by mouse and keys."""
+        place = self.found.image.tolist()
+        moved = [each["cause"] for each in self.found.causes].index("moved")
+        row = next(i for i, each in enumerate(place) if each.count(moved) > 3)
+        column = place[row].index(moved)
+        with self.page() as page:
+            canvas = page.locator("canvas").first
+            box = canvas.bounding_box()
+            size = box["width"] / SIZE[0]
+            canvas.hover(position={"x": (column + 0.5) * size, "y": (row + 0.5) * size})
+            text = page.locator("#inspector").inner_text()
+            self.assertIn(f"column {column}, row {row} ", text)
+            self.assertIn("<b>ball</b> (actor 0): moved by (0.1, 0, 0)", text)
+            self.assertIn(" ".join(map(str, self.after[row, column][:3])),
+                          page.locator("#values tr").nth(1).locator("td").nth(1).inner_text())
+            canvas.focus()
+            page.keyboard.press("ArrowRight")
+            self.assertIn(f"column {column + 1}, row {row} ", page.locator("#place").inner_text())
+
+    def test_views(self):
+        """All views, by keys, in both themes and on a telephone, with nothing beyond its width."""
+        back = "getComputedStyle(document.body).backgroundColor"
+        with self.page() as page:
+            for width, scheme in ((390, "light"), (390, "dark"), (1280, "light"), (1280, "dark")):
+                page.set_viewport_size({"width": width, "height": 844})
+                page.emulate_media(color_scheme=scheme)
+                levels = page.evaluate(back)[4:-1].split(",")
+                self.assertEqual(max(map(int, levels)) < 128, scheme == "dark")
+                for key, view in zip("1234", ("causes", "slider", "flicker", "beside"),
+                                     strict=True):
+                    page.keyboard.press(key)
+                    chosen = page.locator(f"[data-view={view}]")
+                    self.assertEqual(chosen.get_attribute("aria-pressed"), "true")
+                    self.assertEqual(page.evaluate("document.documentElement.scrollWidth"), width)
+            before = page.evaluate(back)
+            page.locator("#theme").select_option("light")
+            self.assertNotEqual(page.evaluate(back), before)
 
 
 if __name__ == "__main__":

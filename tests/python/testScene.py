@@ -4,6 +4,7 @@
 
 import base64
 import errno
+import html
 import json
 import math
 import os
@@ -590,6 +591,13 @@ class Compared(unittest.TestCase):
         numpy.testing.assert_allclose(
             seen.causes[0]["displacement"], (-0.02, -0.01, 0.03), atol=1e-4)
         self.assertIn("overlay", seen.cannot_be_detected)
+        seen.write_markdown(self.folder / "seen.md")
+        self.assertIn("| actor 1 | moved by", (self.folder / "seen.md").read_text("utf-8"))
+        seen.write_html(self.folder / "seen.html")
+        page = (self.folder / "seen.html").read_text("utf-8")
+        self.assertTrue('[{"name":"Capture, Capture",' in page)
+        self.assertTrue(f'<iframe srcdoc="{html.escape(page)}"' in seen._repr_html_())
+        self.assertRaises(OSError, seen.write_html, self.folder / "none" / "seen.html")
         causes = seen.image
         self.assertEqual(numpy.count_nonzero(causes == 0), seen.causes[0]["pixels"])
         actor = relievo.layer(before, "actor")

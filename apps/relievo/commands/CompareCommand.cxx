@@ -16,6 +16,7 @@
 #include "vtkNew.h"
 #include "vtkPNGWriter.h"
 #include "vtkPointData.h"
+#include "vtkRelievoComparisonReport.h"
 #include "vtkRelievoFrameComparison.h"
 #include "vtkRelievoImageFile.h"
 #include "vtkStringArray.h"
@@ -54,6 +55,12 @@ public:
     this->AddOutput("--json FILE.json", "the same, complete, as JSON", this->JSON);
     this->AddOutput("--png-a FILE.png", "the picture of A, 8 bits", this->PNG[0]);
     this->AddOutput("--png-b FILE.png", "the picture of B, 8 bits", this->PNG[1]);
+    this->AddOutput("--html FILE.html",
+      "a page to look at, in one file: both pictures, the pixels of each cause, values under the "
+      "mouse",
+      this->HTML);
+    this->AddOutput(
+      "--markdown FILE.md", "the table of causes as Markdown, for pull requests", this->Markdown);
     this->Add("--levels N",
       "by how many of 255 levels colours, and shares such as shadows, may differ, 0 to 255 (2)",
       [this](const std::string& value) {
@@ -107,7 +114,8 @@ public:
     const scene::Messages::Scope scope;
     scene::Outputs outputs;
     for (const auto& [option, path] : { std::pair("--json", &this->JSON),
-           std::pair("--png-a", &this->PNG[0]), std::pair("--png-b", &this->PNG[1]) })
+           std::pair("--png-a", &this->PNG[0]), std::pair("--png-b", &this->PNG[1]),
+           std::pair("--html", &this->HTML), std::pair("--markdown", &this->Markdown) })
     {
       if (!path->empty())
       {
@@ -133,13 +141,15 @@ public:
     }
     if (!this->JSON.empty())
     {
-      std::ofstream file(outputs.Temporary(this->JSON), std::ios::binary);
-      file << this->Found << '\n';
-      file.close();
-      if (!file)
-      {
-        throw scene::WorkError(this->JSON + ": cannot be written; is the disk full?");
-      }
+      Write(outputs, this->JSON, this->Found + '\n');
+    }
+    if (!this->HTML.empty())
+    {
+      Write(outputs, this->HTML, this->Report->GetHTML());
+    }
+    if (!this->Markdown.empty())
+    {
+      Write(outputs, this->Markdown, this->Report->GetMarkdown());
     }
     WritePNG(this->Comparison->GetBaseline(), this->PNG[0], outputs);
     WritePNG(this->Comparison->GetFrame(), this->PNG[1], outputs);
@@ -153,6 +163,17 @@ private:
   {
     return std::any_of(this->Rows.Options.begin(), this->Rows.Options.end(),
       [&word](const vtkRelievoOption& option) { return option.Name == word; });
+  }
+
+  static void Write(const scene::Outputs& outputs, const std::string& path, const std::string& text)
+  {
+    std::ofstream file(outputs.Temporary(path), std::ios::binary);
+    file << text;
+    file.close();
+    if (!file)
+    {
+      throw scene::WorkError(path + ": cannot be written; is the disk full?");
+    }
   }
 
   static bool IsFolder(const std::string& path)
@@ -208,10 +229,17 @@ private:
                            : this->Comparison->ReadFrame(path.c_str()));
   }
 
-  bool Compare(const std::string& files)
+  // `showsAlike`: whether the page shows pictures that are alike.
+  bool Compare(const std::string& files, bool showsAlike = true)
   {
     this->Check(this->Comparison->Compare(), files);
-    return this->Comparison->GetAlike();
+    const bool alike = this->Comparison->GetAlike();
+    if (!this->HTML.empty() || !this->Markdown.empty())
+    {
+      this->Report->Add(
+        files.c_str(), this->Comparison, !this->HTML.empty() && (showsAlike || !alike));
+    }
+    return alike;
   }
 
   //----------------------------------------------------------------------------
@@ -318,6 +346,7 @@ private:
       {
         entry["alike"] = false;
         entry["missing_in"] = isOld ? b : a;
+        this->Report->AddMissing(name.c_str(), (isOld ? b : a).c_str());
         std::printf("%s: missing in %s\n", name.c_str(), (isOld ? b : a).c_str());
         ++different;
       }
@@ -325,7 +354,7 @@ private:
       {
         this->Read(true, (fs::path(a) / name).string());
         this->Read(false, (fs::path(b) / name).string());
-        const bool alike = this->Compare(name);
+        const bool alike = this->Compare(name, false);
         entry.update(nlohmann::ordered_json::parse(this->Comparison->GetJSON()));
         if (!alike)
         {
@@ -343,7 +372,8 @@ private:
   }
 
   vtkNew<vtkRelievoFrameComparison> Comparison;
-  std::string JSON, Found;
+  vtkNew<vtkRelievoComparisonReport> Report;
+  std::string JSON, HTML, Markdown, Found;
   std::string PNG[2]; // of A and B
 };
 }

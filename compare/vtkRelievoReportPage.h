@@ -1,0 +1,14 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The page of vtkRelievoComparisonReport, made from page/report.html.
+#ifndef vtkRelievoReportPage_h
+#define vtkRelievoReportPage_h
+
+namespace relievo::compare
+{
+// `@DATA@` stands for the comparisons, as JSON.
+extern const char* const ReportPage;
+}
+
+#endif
