@@ -202,7 +202,7 @@ struct vtkRelievoComparisonReport::Internals
 
 //------------------------------------------------------------------------------
 vtkRelievoComparisonReport::vtkRelievoComparisonReport()
-  : Self(new Internals)
+  : Internal(new Internals)
 {
 }
 
@@ -213,6 +213,11 @@ vtkRelievoComparisonReport::~vtkRelievoComparisonReport() = default;
 void vtkRelievoComparisonReport::Add(
   const char* name, vtkRelievoFrameComparison* comparison, bool withFrames)
 {
+  if (!comparison)
+  {
+    vtkErrorMacro("Add was given no comparison; give it a vtkRelievoFrameComparison.");
+    return;
+  }
   const std::string text = comparison->GetText();
   Json entry = { { "name", name ? name : "" }, { "summary", text.substr(0, text.find('\n')) } };
   entry.update(Json::parse(comparison->GetJSON()));
@@ -236,14 +241,14 @@ void vtkRelievoComparisonReport::Add(
         { size[0], size[1] }, [&](std::size_t i) { return static_cast<std::uint32_t>(places[i]); });
     }
   }
-  this->Self->Entries.push_back(entry);
+  this->Internal->Entries.push_back(entry);
   this->Modified();
 }
 
 //------------------------------------------------------------------------------
 void vtkRelievoComparisonReport::AddMissing(const char* name, const char* missingIn)
 {
-  this->Self->Entries.push_back({ { "name", name ? name : "" },
+  this->Internal->Entries.push_back({ { "name", name ? name : "" },
     { "summary", std::string("missing in ") + (missingIn ? missingIn : "") }, { "alike", false } });
   this->Modified();
 }
@@ -253,7 +258,7 @@ std::string vtkRelievoComparisonReport::GetHTML()
 {
   // In an element <script> no text may look like markup; JSON writes any character as a number.
   std::string data;
-  for (const char c : this->Self->Entries.dump(-1, ' ', true, Json::error_handler_t::replace))
+  for (const char c : this->Internal->Entries.dump(-1, ' ', true, Json::error_handler_t::replace))
   {
     data += c == '<' ? "\\u003c" : c == '>' ? "\\u003e" : c == '&' ? "\\u0026" : std::string(1, c);
   }
@@ -266,7 +271,7 @@ std::string vtkRelievoComparisonReport::GetHTML()
 std::string vtkRelievoComparisonReport::GetMarkdown()
 {
   std::string text;
-  for (const Json& entry : this->Self->Entries)
+  for (const Json& entry : this->Internal->Entries)
   {
     text += (text.empty() ? "### " : "\n### ") + EscapeMarkdown(entry["name"]) + "\n\n" +
       EscapeMarkdown(entry["summary"]) + "\n";
@@ -321,5 +326,5 @@ std::string vtkRelievoComparisonReport::GetMarkdown()
 void vtkRelievoComparisonReport::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Comparisons: " << this->Self->Entries.size() << "\n";
+  os << indent << "Comparisons: " << this->Internal->Entries.size() << "\n";
 }

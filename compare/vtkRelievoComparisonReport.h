@@ -55,7 +55,7 @@ private:
   void operator=(const vtkRelievoComparisonReport&) = delete;
 
   struct Internals;
-  std::unique_ptr<Internals> Self;
+  std::unique_ptr<Internals> Internal;
 };
 
 #endif

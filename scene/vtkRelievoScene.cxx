@@ -327,6 +327,11 @@ bool vtkRelievoScene::Write()
 //------------------------------------------------------------------------------
 bool vtkRelievoScene::CaptureBaseline(vtkImageData* image)
 {
+  if (!image)
+  {
+    vtkErrorMacro("CaptureBaseline was given no image; give it a vtkImageData to fill.");
+    return false;
+  }
   image->Initialize();
   return this->Try([this, image] {
     OnFiles([this] { return scene::CheckInputs(this->Internal->Options); });
