@@ -465,7 +465,6 @@ def words_of(text, kind):
     return numpy.ascontiguousarray(planes.T).view(kind).ravel()
 
 
-@unittest.skipUnless(BENCHES, "built without benches")
 class Compare(CliTest):
     """`relievo compare`: exit status, text and JSON of changes that the test makes."""
 
@@ -666,6 +665,7 @@ POLYGONS 1 5
                      status=2, says="--lens")
 
 
+@unittest.skipUnless(BENCHES, "built without benches")
 class Bench(CliTest):
     def without_matplotlib(self):
         """The environment of a command that finds none; to draw charts takes longest."""

@@ -642,7 +642,7 @@ class Compared(unittest.TestCase):
         points.Modified()
         found = relievo.compare(self.path, renderer)
         self.assertEqual(self.only(found, "shape")["id"], 1)
-        self.assertEqual(found.pixels, 0)
+        self.assertGreater(found.pixels, 0)  # VTK draws nothing that has infinite bounds
 
     def test_scene(self):
         with warnings.catch_warnings():
