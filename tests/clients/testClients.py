@@ -142,7 +142,7 @@ class PyVista(Clients):
             for text, option, says in (
                 (example, "--relievo-update", "1 skipped"), (example, "-v", "1 passed"),
                 (example.replace("off_screen", "window_size=(400, 300), off_screen"), "-v",
-                 "E +picture +size "),
+                 "E +picture +size: "),
             ):  # fmt: skip
                 pathlib.Path(folder, "test_page.py").write_text(text, "utf-8")
                 done = subprocess.run(

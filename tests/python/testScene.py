@@ -615,10 +615,10 @@ class Compared(unittest.TestCase):
 
         text = vtkTextActor()
         text.SetInput("12 %")
-        renderer.AddActor2D(text)
+        renderer.AddViewProp(text)
         overlay = self.only(relievo.compare(self.path, renderer), "overlay")
         self.assertGreater(overlay["pixels"], 20)
-        renderer.RemoveActor2D(text)
+        renderer.RemoveViewProp(text)
 
         self.actors.insert(0, self.box(0, 3))
         self.actors[0].SetPosition(0, 0, -3)
