@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Errors that each frame or update would find again, and that are reported once.
+// Reports each error once, although every frame or update finds it again.
 #ifndef vtkRelievoReportOnce_h
 #define vtkRelievoReportOnce_h
 
@@ -11,11 +11,11 @@
 class vtkRelievoReportOnce
 {
 public:
-  // Whether the error, or a text that identifies it, is passed for the first time.
+  // Whether this error, or this text that identifies it, is new.
   bool IsNew(const std::string& error) { return this->Reported.insert(error).second; }
 
-  // For the only error of a frame, which is empty if there is none: whether it is one, and not that
-  // of the frame before.
+  // For frames with at most one error (empty: none): whether there is an error that differs from
+  // the previous frame's.
   bool IsChange(const std::string& error)
   {
     const bool known = this->Reported.count(error) > 0;
@@ -23,7 +23,7 @@ public:
     return !known && !error.empty();
   }
 
-  // Everything is reported again.
+  // Lets all errors be reported again.
   void Forget() { this->Reported.clear(); }
 
 private:

@@ -2,7 +2,7 @@
 #   cmake -DINPUT=FILE -DOUTPUT=F.cxx -DHEADER=F.h -DNAME=space::Name -P RelievoEmbedText.cmake
 file(READ "${INPUT}" text)
 get_filename_component(file "${INPUT}" NAME)
-# Visual C++ takes at most 16 380 characters a literal, and joins those that follow each other.
+# Visual C++ limits a literal to 16 380 characters, but joins adjacent literals.
 set(literals "")
 string(LENGTH "${text}" length)
 set(at 0)

@@ -1,15 +1,15 @@
-# A test of a picture, which find_package(Relievo) provides:
+# Tests of pictures, for projects that use find_package(Relievo):
 #
 #   relievo_add_picture_test(
 #     NAME name                 name of the test, as for add_test
-#     COMMAND command word...   a target or a program, and its words; draws, and writes OUTPUT. It runs in
-#                               CMAKE_CURRENT_BINARY_DIR. `Relievo::relievo` is the command relievo
-#     BASELINE file             the expected frame, .exr or .png, from CMAKE_CURRENT_SOURCE_DIR
-#     [OUTPUT file]             what the command writes, from CMAKE_CURRENT_BINARY_DIR; default: NAME.exr
+#     COMMAND command word...   a target or a program, with its arguments, that draws and writes OUTPUT; runs
+#                               in CMAKE_CURRENT_BINARY_DIR. `Relievo::relievo` is the command relievo
+#     BASELINE file             the expected frame, .exr or .png, in CMAKE_CURRENT_SOURCE_DIR
+#     [OUTPUT file]             the file that the command writes, in CMAKE_CURRENT_BINARY_DIR (NAME.exr)
 #     [LIMITS word...])         options of `relievo compare`, such as --levels 3
 #
-# `relievo compare BASELINE OUTPUT` judges. A test whose pictures differ prints the causes, and tells CDash
-# of them and of both pictures, which are beside OUTPUT. Without a baseline it fails.
+# The test runs `relievo compare BASELINE OUTPUT`. If the frames differ, it prints the causes, and sends them
+# and both pictures, which it writes beside OUTPUT, to CDash. It fails without a baseline.
 function (relievo_add_picture_test)
   cmake_parse_arguments(PARSE_ARGV 0 test "" "NAME;BASELINE;OUTPUT" "COMMAND;LIMITS")
   foreach (word IN ITEMS NAME COMMAND BASELINE)
@@ -33,7 +33,7 @@ function (relievo_add_picture_test)
     message(FATAL_ERROR "relievo_add_picture_test(${test_NAME}): OUTPUT is the BASELINE, ${baseline}")
   endif ()
   list(GET test_COMMAND 0 program)
-  if (TARGET "${program}") # replaced in the text, as operations on lists split words at their semicolons
+  if (TARGET "${program}") # by text, because list operations split words at semicolons
     string(REGEX REPLACE "^[^;]+" "$<TARGET_FILE:${program}>" test_COMMAND "${test_COMMAND}")
   endif ()
   add_test(NAME "${test_NAME}"

@@ -1,11 +1,11 @@
-# Script: a test of relievo_add_picture_test. Runs the command that stands behind `--`, which writes OUTPUT,
-# and compares it with BASELINE.
+# Script: a test of relievo_add_picture_test. Runs the command after `--`, which writes OUTPUT, and compares
+# OUTPUT with BASELINE.
 cmake_minimum_required(VERSION 3.20)
 
-# As it is: an error of CMake breaks its lines.
+# Prints the text with message(), because FATAL_ERROR would wrap its lines.
 function (fail text)
   message("${text}")
-  message(FATAL_ERROR "The test of a picture failed.")
+  message(FATAL_ERROR "The picture test failed.")
 endfunction ()
 
 set(command)
@@ -20,14 +20,14 @@ foreach (i RANGE ${last})
   endif ()
 endforeach ()
 
-# An old picture must not be judged in place of one that is missing.
+# Otherwise an old picture would be compared if the command writes none.
 file(REMOVE "${OUTPUT}")
 execute_process(COMMAND ${command} RESULT_VARIABLE status)
 if (NOT status EQUAL 0)
-  fail("The command that draws ended with: ${status}")
+  fail("The drawing command ended with: ${status}")
 endif ()
 if (NOT EXISTS "${OUTPUT}")
-  fail("The command that draws did not write ${OUTPUT}")
+  fail("The drawing command did not write ${OUTPUT}")
 endif ()
 set(remedy "If the frame is right, copy ${OUTPUT} to ${BASELINE}")
 if (NOT EXISTS "${BASELINE}")
@@ -49,7 +49,7 @@ if (status EQUAL 3)
   endif ()
   string(REPLACE "&" "&amp;" table "${table}")
   string(REPLACE "<" "&lt;" table "${table}")
-  # CDash shows pictures of these names in one place, one over the other.
+  # CDash shows pictures with these names together, one over the other.
   message("<${tag}Measurement name=\"Causes\" type=\"text/preformatted\">${table}</${tag}Measurement>\n"
     "<${tag}MeasurementFile name=\"ValidImage\" type=\"image/png\">${png_a}</${tag}MeasurementFile>\n"
     "<${tag}MeasurementFile name=\"TestImage\" type=\"image/png\">${png_b}</${tag}MeasurementFile>")

@@ -82,7 +82,7 @@ function (relievo_add_test)
     target_link_libraries("${program}" PRIVATE ${test_LIBRARIES})
     target_include_directories("${program}" PRIVATE ${test_PRIVATE_INCLUDES})
     set(command "$<TARGET_FILE:${program}>" --case "${case}")
-    list(APPEND test_ENVIRONMENT "RELIEVO_READ_HERE=1") # crashes of readers are to fail the test
+    list(APPEND test_ENVIRONMENT "RELIEVO_READ_HERE=1") # so that a reader's crash fails the test
   elseif (test_PYTHON)
     get_filename_component(script "${test_PYTHON}" ABSOLUTE)
     set(command "${Python3_EXECUTABLE}" "${script}")

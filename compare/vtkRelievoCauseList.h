@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What differs between two frames, and how many pixels each cause explains.
+// The differences between two frames by cause, and how many pixels each cause explains.
 #ifndef vtkRelievoCauseList_h
 #define vtkRelievoCauseList_h
 
@@ -39,7 +39,7 @@ enum class Cause
   Settings
 };
 
-// The words of the causes, in the order in which they are asked.
+// The words of the causes, in the order of precedence.
 constexpr std::array<const char*, 20> CauseWords = { "size", "camera", "removed", "added", "moved",
   "shape", "visibility", "normal", "array", "color", "light", "shadow", "lamps", "fog", "ambient",
   "markers", "translucent", "overlay", "tone", "settings" };
@@ -51,17 +51,17 @@ struct Finding
   std::string Name; // empty: none
   int Id = -1;      // -1: none
   std::size_t Pixels = 0;
-  std::string Words;                                              // for people; empty: the cause's
-  nlohmann::ordered_json More = nlohmann::ordered_json::object(); // entries of its own
+  std::string Words; // shown to users; empty: the cause's word
+  nlohmann::ordered_json More = nlohmann::ordered_json::object(); // further entries of the JSON
 
-  // "wheel (actor 3)".
+  // The object's label, such as "wheel (actor 3)".
   std::string GetLabel() const;
 };
 
 class CauseList
 {
 public:
-  // The place of a finding, which is added if there is none of this cause, kind, name and id.
+  // The index of the finding of this cause, kind, name and id; adds a missing one.
   int Find(Cause cause, const std::string& kind, const std::string& name = {}, int id = -1);
 
   Finding& At(int place) { return this->Findings[static_cast<std::size_t>(place)]; }
@@ -72,10 +72,10 @@ private:
   std::map<std::pair<std::string, int>, int> Places;
 };
 
-// A number with three digits that tell, wherever the program runs: "0.02".
+// A number with three significant digits, independent of the locale: "0.02".
 std::string WriteShort(double number);
 
-// 2031 as "2 031".
+// A count with grouped digits: "2 031".
 std::string WriteCount(std::size_t count);
 }
 

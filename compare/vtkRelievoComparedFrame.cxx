@@ -24,11 +24,11 @@ namespace
 {
 using Json = nlohmann::json;
 
-// Components beyond these tell nothing new about a pixel.
+// Further components of a layer are ignored.
 constexpr int MostComponents = 9;
 
-// Objects of a frame without a record are counted by the largest id, which a damaged file may have
-// at random: memory goes by it.
+// Without a record, the largest id gives the number of objects, and so the memory to allocate; a
+// damaged file may contain any id.
 constexpr int MostActors = 1000000;
 
 template <typename T>
@@ -59,7 +59,7 @@ std::vector<int> GetValues<int>(vtkDataArray* array)
   std::vector<int> values;
   for (const double value : GetValues<double>(array))
   {
-    // Files of other programs have ids as floats; of NaN and what no int holds, there is none.
+    // Files of other programs store ids as floats; NaN and values outside int count as no id.
     const bool isId = value >= -1.0 && value <= std::numeric_limits<int>::max();
     values.push_back(isId ? static_cast<int>(value) : -1);
   }
@@ -171,8 +171,7 @@ bool TakeObject(const std::string& text, Object& object)
 
 const std::set<std::string> StageLayers = { "light", "fog", "ambient", "marker", "blend" };
 
-// Layers whose values are not compared: they repeat others, or are of the method and not of what is
-// seen.
+// Layers that are not compared: they repeat others, or describe the method instead of the scene.
 const std::set<std::string> PassedOver = { "range", "geometric_normal", "light_depth",
   "lamp_evaluations", "lamps_reaching" };
 }
@@ -236,7 +235,7 @@ std::string Frame::Read(vtkImageData* image)
   {
     this->Depth = GetValues<float>(range);
   }
-  // An image of other programs, of PNG for example: its scalars are the picture.
+  // In images of other programs, such as PNG, the scalars are the picture.
   vtkDataArray* scalars = arrays->GetScalars();
   const bool isPlain = this->Picture.Components == 0 && this->Actor.empty() &&
     this->Depth.empty() && this->Position.empty();
@@ -294,7 +293,7 @@ std::string Frame::ReadRecord(vtkImageData* image)
     return "is a baseline of format " + WriteShort(version) + ", expected at most " +
       std::to_string(RecordVersion) + "; use a newer Relievo";
   }
-  if (!(version >= 1.0)) // NaN is none
+  if (!(version >= 1.0)) // also refuses NaN
   {
     return "is a baseline of format " + WriteShort(version) +
       ", expected at least 1; write the baseline again";
@@ -363,8 +362,8 @@ bool Frame::SeesAs(const Frame& other) const
 {
   for (std::size_t i = 0; i < 16; ++i)
   {
-    // Not the row of the depth buffer, which is of the clipping distances; they also round the
-    // other rows of the projection.
+    // Skips the row for the depth buffer, which depends on the clipping distances; they also affect
+    // the rounding of the other rows.
     const double most = 1e-13 * std::max(1.0, std::abs(this->WorldToNDC[i]));
     const bool isEqual = i / 4 == 2 || std::abs(this->WorldToNDC[i] - other.WorldToNDC[i]) <= most;
     if (!isEqual || this->WorldToCamera[i] != other.WorldToCamera[i])
@@ -393,7 +392,7 @@ float Frame::Level(std::size_t pixel, int c) const
 }
 
 //------------------------------------------------------------------------------
-// Where the view through (x, y), in pixels, has this depth: two linear equations.
+// The point at this depth on the ray through (x, y), in pixels, from two linear equations.
 std::array<double, 3> Frame::Unproject(double x, double y, double depth) const
 {
   const std::array<double, 16>& m = this->CameraToNDC;

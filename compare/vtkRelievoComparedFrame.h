@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A frame to compare: the layers of its image as plain numbers, and its record (the field data:
-// camera, lights, and of baselines objects, overlays, settings), read once.
+// A frame to compare, read once: the layers of its image as plain numbers, and its record, which is
+// the field data (camera and lights; in baselines also objects, overlays and settings).
 #ifndef vtkRelievoComparedFrame_h
 #define vtkRelievoComparedFrame_h
 
@@ -17,53 +17,53 @@ class vtkImageData;
 
 namespace relievo::compare
 {
-// The format of records that is read and written; older ones lack entries.
+// The newest format of records, which is also written; older formats lack entries.
 constexpr int RecordVersion = 1;
 
-// An actor, as the record has it. Without a record only the number of objects is known, by the
-// largest id that is seen.
+// An actor, as recorded. Without a record only the number of objects is known, from the largest
+// visible id.
 struct Object
 {
   std::string Name; // empty: none was given
   bool Visible = true;
-  bool Translucent = false; // in no layer
+  bool Translucent = false; // translucent objects appear in no layer
   std::array<double, 16> Matrix{};
-  std::string Points, Cells; // numbers and sums of the mesh
+  std::string Points, Cells; // counts and check sums of the mesh
   std::array<double, 3> Center{};
   std::array<double, 9> Spread{};                            // the covariance of the mesh's points
-  std::array<double, 6> Bounds{ 1., -1., 1., -1., 1., -1. }; // in the world
-  nlohmann::json Settings;                                   // of its property
+  std::array<double, 6> Bounds{ 1., -1., 1., -1., 1., -1. }; // in world coordinates
+  nlohmann::json Settings;                                   // the values of its vtkProperty
 };
 
 struct Light
 {
   std::string Name;
-  std::string Layer; // of its shadows, which the frame may lack
+  std::string Layer; // the name of its shadow layer, which the frame may lack
   nlohmann::json Values;
 };
 
 struct Layer
 {
   int Components = 0;
-  std::vector<float> Values; // by pixels; components side by side
-  bool IsBytes = false;      // 0 to 255
+  std::vector<float> Values; // pixel by pixel, components interleaved
+  bool IsBytes = false;      // values are 0 to 255
 };
 
 class Frame
 {
 public:
-  // Empty, or what is wrong with the image, such as "has no layers".
+  // Returns an error message such as "has no layers", or an empty string.
   std::string Read(vtkImageData* image);
 
   std::array<int, 2> Size{};
   std::size_t Pixels = 0;
   Layer Picture;                        // no components: none
-  bool IsLinear = false;                // the picture is of light, and not of levels
+  bool IsLinear = false;                // the picture has linear light instead of display levels
   std::vector<int> Actor, Block, Cell;  // empty: no such layer
   std::vector<float> Depth;             // along the view direction; empty: no such layer
   std::vector<double> Position;         // 3 each; empty: no such layer
   std::map<std::string, Layer> Surface; // other layers of surfaces: normal, albedo, arrays
-  std::map<std::string, std::vector<float>> Shadow; // of lights, by the layer's name
+  std::map<std::string, std::vector<float>> Shadow; // shadows of lights, by the layer's name
   std::map<std::string, Layer> Stages;              // light, fog, ambient, marker, blend
 
   bool HasRecord = false;
@@ -77,8 +77,8 @@ public:
   bool HasCamera = false;
   double Near = 0., Far = 0.;
 
-  // Whether cameras see the same points in the same pixels. Clipping distances follow the scene's
-  // bounds, and are not asked.
+  // Whether both cameras show the same points in the same pixels. Ignores clipping distances, which
+  // follow the scene's bounds.
   bool SeesAs(const Frame& other) const;
 
   // Whether the picture has two or four components.
@@ -87,29 +87,30 @@ public:
     return this->Picture.Components > 0 && this->Picture.Components % 2 == 0;
   }
 
-  // Red, green, blue or alpha (0 to 3) of the picture as displays show it: 0 to 255, and on beyond
-  // that for light above 1. Grey is the same red, green and blue; alpha is for pictures that have
-  // it. NaN stays NaN.
+  // Red, green, blue or alpha (0 to 3) of the picture in display levels: 0 to 255, and more for
+  // light above 1. Grey has equal red, green and blue; alpha only if the picture has it. NaN stays
+  // NaN.
   float Level(std::size_t pixel, int c) const;
 
-  // Whether there are positions, in a layer or by depth and camera.
+  // Whether positions are known, from a layer or from depth and camera.
   bool HasPositions() const { return !this->Position.empty() || this->UnprojectsDepth(); }
   std::array<double, 3> GetPosition(std::size_t pixel) const;
 
-  // Where the picture shows a point, in pixels from the lower left corner; false: behind the eye.
+  // Projects a point to pixels from the lower left corner of the picture. False: the point is
+  // behind the camera.
   bool Project(const double point[3], double place[2]) const;
 
-  // The world's length of a pixel at the depth of this one.
+  // The size of a pixel in world units, at this pixel's depth.
   double GetFootprint(std::size_t pixel) const;
 
-  // Whether there are depths, in a layer or by position and camera.
+  // Whether depths are known, from a layer or from positions and camera.
   bool HasDepths() const
   {
     return !this->Depth.empty() || (!this->Position.empty() && this->HasCamera);
   }
 
-  // Distance from the eye, or along the view, by which surfaces hide each other. NaN without
-  // depths.
+  // The distance from the camera, or along the view direction: nearer surfaces hide farther ones.
+  // NaN without depths.
   double GetDepth(std::size_t pixel) const;
 
 private:

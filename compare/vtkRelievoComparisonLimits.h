@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What may differ between two frames that are alike; vtkRelievoFrameComparison says why.
+// The largest differences between two frames that count as alike; vtkRelievoFrameComparison gives
+// the reasons.
 #ifndef vtkRelievoComparisonLimits_h
 #define vtkRelievoComparisonLimits_h
 

@@ -36,7 +36,7 @@ using Json = nlohmann::ordered_json;
 
 namespace
 {
-// Rows of a table in Markdown; more are counted in a line.
+// Maximum rows of a Markdown table; a last row counts the others.
 constexpr std::size_t MostRows = 50;
 
 std::string Encode(const unsigned char* bytes, std::size_t size)
@@ -48,7 +48,7 @@ std::string Encode(const unsigned char* bytes, std::size_t size)
   return text;
 }
 
-// Compressed bytes, as browsers' DecompressionStream("deflate") takes them.
+// Compresses bytes for browsers' DecompressionStream("deflate").
 std::string Deflate(const std::vector<unsigned char>& bytes)
 {
   uLongf size = compressBound(static_cast<uLong>(bytes.size()));
@@ -57,15 +57,15 @@ std::string Deflate(const std::vector<unsigned char>& bytes)
   return Encode(packed.data(), size);
 }
 
-// The pixel, counted from the lower left corner, of one counted from the upper left.
+// Converts a pixel's number from the upper left corner to one from the lower left.
 std::size_t Flip(const std::array<int, 2>& size, std::size_t pixel)
 {
   const auto width = static_cast<std::size_t>(size[0]);
   return (static_cast<std::size_t>(size[1]) - 1 - pixel / width) * width + pixel % width;
 }
 
-// Words of 32 bits per pixel, first the lowest bytes of all, then the next: equal bytes compress.
-// The first row is at the top.
+// Packs one 32-bit word per pixel, top row first: the lowest bytes of all words, then the next
+// ones, because runs of equal bytes compress well.
 template <typename GetWord>
 std::string PackWords(const std::array<int, 2>& size, const GetWord& get)
 {
@@ -82,7 +82,7 @@ std::string PackWords(const std::array<int, 2>& size, const GetWord& get)
   return Deflate(bytes);
 }
 
-// A float without its seven lowest bits, rounded: these are noise that does not compress.
+// Rounds away a float's seven lowest bits, noise that does not compress.
 std::uint32_t RoundFloat(double value)
 {
   const auto number = static_cast<float>(value);
@@ -98,7 +98,7 @@ unsigned char RoundLevel(float level)
     : static_cast<unsigned char>(std::lround(std::min(255.f, std::max(0.f, level))));
 }
 
-// The picture as PNG, without its alpha: a page behind it is no part of it.
+// The picture as PNG, without alpha, so that the page does not show through.
 std::string PackPicture(const Frame& frame)
 {
   vtkNew<vtkImageData> image;
@@ -121,7 +121,7 @@ std::string PackPicture(const Frame& frame)
     Encode(bytes->GetPointer(0), static_cast<std::size_t>(bytes->GetNumberOfValues()));
 }
 
-// What the page shows of a frame.
+// A frame's data for the page.
 Json PackFrame(const Frame& frame)
 {
   Json json = { { "size", frame.Size } };
@@ -166,7 +166,7 @@ Json PackFrames(vtkRelievoFrameComparison* comparison)
   return frames;
 }
 
-// Text that is neither HTML nor Markdown, names nobody (@) and no issue (#), and stays in its cell.
+// Escapes HTML and Markdown, mentions (@), issues (#), and the borders of table cells.
 std::string EscapeMarkdown(const std::string& text)
 {
   std::string escaped;
@@ -256,7 +256,7 @@ void vtkRelievoComparisonReport::AddMissing(const char* name, const char* missin
 //------------------------------------------------------------------------------
 std::string vtkRelievoComparisonReport::GetHTML()
 {
-  // In an element <script> no text may look like markup; JSON writes any character as a number.
+  // Text in a <script> element must not look like markup; JSON can write characters as numbers.
   std::string data;
   for (const char c : this->Internal->Entries.dump(-1, ' ', true, Json::error_handler_t::replace))
   {

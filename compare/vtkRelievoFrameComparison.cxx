@@ -39,10 +39,10 @@ using Json = nlohmann::ordered_json;
 
 namespace
 {
-// Causes in the text; more are counted in a line.
+// Maximum causes in the text; a last line counts the others.
 constexpr std::size_t MostLines = 18;
 
-// The image in a file; null: `failure` says why, and names the file.
+// Reads an image file; on failure returns null, and `failure` names the file and the reason.
 vtkSmartPointer<vtkImageData> ReadImage(const std::string& path, std::string& failure)
 {
   const std::size_t dot = path.rfind('.');
@@ -74,7 +74,7 @@ vtkSmartPointer<vtkImageData> ReadImage(const std::string& path, std::string& fa
   return reader->GetOutput();
 }
 
-// The causes that these frames do not tell.
+// The causes that cannot be detected, because a frame lacks data.
 std::vector<std::string> ListUndetectable(const Frame& a, const Frame& b)
 {
   std::set<Cause> missing;
@@ -92,7 +92,7 @@ std::vector<std::string> ListUndetectable(const Frame& a, const Frame& b)
   lacks(a.Surface.count("normal") != 0 && b.Surface.count("normal") != 0, { Cause::Normal });
   lacks(a.Surface.count("albedo") != 0 && b.Surface.count("albedo") != 0, { Cause::Color });
   lacks(a.HasLights && b.HasLights, { Cause::Light });
-  // A record comes with the layers of all that its picture shows: stages, and lights that cast.
+  // A frame with a record has layers for every stage and every casting light in its picture.
   const bool recorded = a.HasRecord && b.HasRecord;
   lacks(recorded || (!a.Shadow.empty() && !b.Shadow.empty()), { Cause::Shadow });
   lacks(recorded, { Cause::Overlay, Cause::Tone, Cause::Settings });
@@ -130,8 +130,8 @@ std::string Join(const std::vector<std::string>& words)
   return text;
 }
 
-// Names and values are a file's: a character that steers the terminal, or ends the line, is shown
-// as a question mark.
+// Names and values come from files: replaces control characters by question marks, because they
+// could steer the terminal or end the line.
 std::string Show(std::string text)
 {
   const auto steers = [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7F; };
@@ -141,7 +141,7 @@ std::string Show(std::string text)
 
 std::string Pad(const std::string& text, std::size_t width, bool toRight = false)
 {
-  // Bytes that go on a character of UTF-8 take no place.
+  // Continuation bytes of UTF-8 add no width.
   const auto length = static_cast<std::size_t>(std::count_if(text.begin(), text.end(),
     [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
   const std::string blanks(width > length ? width - length : 0, ' ');

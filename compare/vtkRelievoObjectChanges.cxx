@@ -18,8 +18,8 @@ namespace
 {
 using Vector = std::array<double, 3>;
 
-// Pairs of equal objects whose distances are compared: 64 MiB. Of more, all of which have moved,
-// the nearest would take time and memory by the square of their number.
+// Maximum pairs of equal objects whose distances are compared, in 64 MiB. Time and memory to find
+// the nearest ones grow with the square of the number of objects.
 constexpr std::size_t MostPairs = 4000000;
 
 Vector Minus(const Vector& a, const Vector& b)
@@ -37,7 +37,7 @@ double Dot(const Vector& a, const Vector& b)
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-// "(0.02, 0, 0)": rounding beside the largest component is 0.
+// Writes "(0.02, 0, 0)"; components within the rounding error of the largest become 0.
 std::string WriteVector(const Vector& v)
 {
   const double least = 1e-6 * Length(v);
@@ -64,8 +64,8 @@ std::int64_t GetKey(const Frame& frame, std::size_t pixel)
   return block * (std::int64_t(1) << 32) + static_cast<std::uint32_t>(cell);
 }
 
-// Whether points are spread alike around their centres, but for the rounding of floats. One point
-// of many that moves changes the spread more than the centre.
+// Whether points have the same spread around moved centres, except for the rounding of floats. If
+// only one of many points moves, the spread changes more than the centre.
 bool IsSpreadAlike(const Object& a, const Object& b)
 {
   const double size = std::sqrt(a.Spread[0] + a.Spread[4] + a.Spread[8]);
@@ -151,8 +151,8 @@ std::string ObjectChanges::GetName(int object) const
 }
 
 //------------------------------------------------------------------------------
-// From what makes an object most certainly the same to what does least. Within a group of equals
-// the nearest ones are the same, of a large one those in the order of the records.
+// Matches by the most reliable keys first. Among objects with equal keys the nearest match, in
+// large groups those at the same position in the order of the records.
 void ObjectChanges::MatchByRecord()
 {
   using Text = std::function<std::string(const Object& object)>;
@@ -165,8 +165,8 @@ void ObjectChanges::MatchByRecord()
     return text;
   };
   const auto mesh = [](const Object& o) { return o.Points + " " + o.Cells; };
-  // The last two: one without a name is whatever has its mesh, or its cells. One with a name is not
-  // another name's in another place.
+  // The last two keys are for pairs with an unnamed object, which may have moved: equal meshes with
+  // different names in different places are different objects.
   const std::pair<Text, bool> keys[] = { { [&](const Object& o) {
                                             return o.Name.empty()
                                               ? ""
@@ -352,7 +352,7 @@ void ObjectChanges::ChangeByRecord()
     }
     else
     {
-      // One whose points were all moved alike is where another matrix would place it.
+      // Moving all points by one vector equals a change of the matrix.
       const Vector displacement = Minus(to.Center, from.Center);
       if (from.Cells == to.Cells && IsSpreadAlike(from, to) && from.Matrix == to.Matrix)
       {
@@ -388,7 +388,7 @@ bool ObjectChanges::DiffersInDepth(
   const double a = before.GetDepth(pixel);
   const double b = after.GetDepth(pixel);
   const double difference = std::abs(a - b);
-  // NaN where a frame says so, and where both are infinite.
+  // The difference is NaN if a depth is NaN, or both are infinite.
   if (a == b || !(difference > 4.0 * std::numeric_limits<float>::epsilon() * std::abs(a)))
   {
     return std::isnan(a) != std::isnan(b);
@@ -442,7 +442,7 @@ const ObjectChanges::Patches& ObjectChanges::GetPatches(int object, bool isBefor
     patch.IsWhole =
       patch.IsWhole && column > 0 && column + 1 < width && i >= width && i + width < frame.Pixels;
     for (const std::size_t other :
-      { i - 1, i + 1, i - width, i + width }) // of one that is whole so far: in the picture
+      { i - 1, i + 1, i - width, i + width }) // inside the picture while IsWhole
     {
       const bool isOwn = patch.IsWhole && frame.Actor[other] == object;
       const double nearer = isOwn ? 4.0 * frame.GetFootprint(i) : 0.0;
@@ -479,7 +479,7 @@ std::optional<std::array<double, 3>> ObjectChanges::FindTranslation(int before, 
   const Patches& from = this->GetPatches(before, true);
   const Patches& to = this->GetPatches(after, false);
   double matrix[3][3] = {}, right[3] = {};
-  constexpr double OfCenters = 1e-6; // weight of what is known to a pixel only
+  constexpr double OfCenters = 1e-6; // weight of centres, which are accurate to a pixel only
   for (const auto& [key, patch] : from)
   {
     const auto found = to.find(key);
@@ -512,7 +512,7 @@ std::optional<std::array<double, 3>> ObjectChanges::FindTranslation(int before, 
     }
     pairings.push_back(pairing);
   }
-  // Others of its cells may be hidden, but not most.
+  // Some of the object's cells may be hidden, but not most.
   if (pairings.empty() || 2 * pairings.size() < std::min(from.size(), to.size()))
   {
     return std::nullopt;
@@ -528,8 +528,8 @@ std::optional<std::array<double, 3>> ObjectChanges::FindTranslation(int before, 
     (pairing.IsPlane ? planes : centers) +=
       pairing.Weight * (pairing.IsPlane ? std::pow(Dot(off, pairing.Normal), 2.0) : Dot(off, off));
     (pairing.IsPlane ? ofPlanes : ofCenters) += pairing.Weight;
-    // Planes of a box go onto those of any other one; their centres do not. Those of cells that
-    // something cuts are not where the whole ones' would be.
+    // The planes of two different boxes coincide after a translation, but the centres of their
+    // cells do not. Centres of partly hidden cells are less accurate.
     const double most = pairing.IsWhole ? 0.6 : 1.0 + 0.25 * std::sqrt(pairing.Weight);
     all += pairing.Weight;
     near += Length(off) <= most * footprint ? pairing.Weight : 0.0;
@@ -542,8 +542,8 @@ std::optional<std::array<double, 3>> ObjectChanges::FindTranslation(int before, 
 }
 
 //------------------------------------------------------------------------------
-// Pixels that show the same cell at the same place vote for their objects; objects without votes
-// are those whose cells a translation takes to them.
+// Pixels that show the same cell at the same place vote for a pair of objects; objects without
+// votes match if a translation moves the cells of one to those of the other.
 void ObjectChanges::MatchBySight()
 {
   std::map<std::pair<int, int>, std::size_t> votes;
@@ -569,7 +569,7 @@ void ObjectChanges::MatchBySight()
       this->Pair(a, b);
     }
   }
-  // Those that are seen and have no match: pairs of all objects would be too many.
+  // Only visible objects without a match: there would be too many pairs of all objects.
   std::vector<int> left[2];
   for (std::size_t side = 0; side < 2; ++side)
   {
@@ -601,7 +601,7 @@ void ObjectChanges::MatchBySight()
       this->Pair(a, b);
     }
   }
-  // What deforms keeps its number, if that is free.
+  // An object that deforms keeps its number, if both frames still have that number free.
   for (int a = 0; a < static_cast<int>(std::min(this->After.size(), this->Before.size())); ++a)
   {
     const auto object = static_cast<std::size_t>(a);
@@ -622,7 +622,7 @@ void ObjectChanges::MatchBySight()
 }
 
 //------------------------------------------------------------------------------
-// Whether all that one frame shows of an object is behind what the other frame shows there.
+// Whether all pixels of an object in one frame are behind the other frame's surfaces there.
 bool ObjectChanges::IsHidden(int object, bool isBefore) const
 {
   const Frame& own = isBefore ? this->A : this->B;
@@ -636,7 +636,8 @@ bool ObjectChanges::IsHidden(int object, bool isBefore) const
 //------------------------------------------------------------------------------
 void ObjectChanges::ChangeBySight()
 {
-  // Of each object: pixels that show the same cell elsewhere, and those that are another object's.
+  // Counts for each object: pixels with another depth, pixels that show it in one frame only, and
+  // unchanged pixels.
   std::vector<std::size_t> elsewhere(this->After.size()), others(this->After.size()),
     there(this->After.size());
   for (std::size_t i = 0; i < this->A.Actor.size(); ++i)
@@ -702,7 +703,7 @@ void ObjectChanges::ChangeBySight()
     }
     else if (translation && shift > 0.5 && grown > 0.9 && grown < 1.1)
     {
-      this->AddMove(a, Translation(*translation), *translation); // within its own plane
+      this->AddMove(a, Translation(*translation), *translation); // a shift within its own plane
     }
   }
   for (int b = 0; b < static_cast<int>(this->Before.size()); ++b)

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Which objects of two frames are the same, and what has become of each: from the records where
-// both frames have one, otherwise from the cells and positions that both frames show.
+// Matches the objects of two frames, and finds the change of each: by the records if both frames
+// have one, otherwise by the visible cells and positions.
 #ifndef vtkRelievoObjectChanges_h
 #define vtkRelievoObjectChanges_h
 
@@ -22,12 +22,12 @@ namespace relievo::compare
 struct Change
 {
   bool IsSame = true;
-  int Finding = -1;  // in the list, of what changed
-  int Settings = -1; // in the list, of a property that differs
+  int Finding = -1;  // index of the change in the list
+  int Settings = -1; // index of a changed vtkProperty in the list
 
-  // What of the frame a changed object without a place in the layers may cover.
+  // The region that a changed object may cover if it appears in no layer.
   bool IsTranslucent = false;
-  std::array<double, 6> Bounds{ 1., -1., 1., -1., 1., -1. }; // of both frames
+  std::array<double, 6> Bounds{ 1., -1., 1., -1., 1., -1. }; // in both frames
 };
 
 class ObjectChanges
@@ -35,35 +35,35 @@ class ObjectChanges
 public:
   ObjectChanges(const Frame& before, const Frame& after, const Limits& limits, CauseList& list);
 
-  // The number of an object in the other frame; -1: it has none, or `object` is none.
+  // The number of an object in the other frame; -1: no match, or `object` is -1.
   int GetAfter(int object) const { return Get(this->After, object); }
   int GetBefore(int object) const { return Get(this->Before, object); }
 
-  // What has become of an object of the frame before, and of the one after.
+  // The change of an object, by its number in the frame before, or in the frame after.
   const Change& OfBefore(int object) const { return Get(this->BeforeChanges, object); }
   const Change& OfAfter(int object) const { return Get(this->AfterChanges, object); }
   const std::vector<Change>& GetBeforeChanges() const { return this->BeforeChanges; }
   const std::vector<Change>& GetAfterChanges() const { return this->AfterChanges; }
 
-  // Whether any object has changed.
   bool AnyChanged() const;
 
-  // The name of an object of the frame before, or of that which it is in the frame after.
+  // The name of an object by its number in the frame before; without one, its name in the frame
+  // after.
   std::string GetName(int object) const;
 
   std::size_t GetNumber() const { return this->BeforeChanges.size(); }
 
-  // Whether depths of a pixel, which shows the same surface in both frames, differ.
+  // Whether the depths differ at a pixel that shows the same surface in both frames.
   static bool DiffersInDepth(
     const Frame& before, const Frame& after, std::size_t pixel, const Limits& limits);
 
 private:
-  // What is seen of a cell.
+  // The visible part of a cell.
   struct Patch
   {
-    std::array<double, 3> Sum{}, Normal{}; // of positions; not normalized
+    std::array<double, 3> Sum{}, Normal{}; // sum of positions; normal, not normalized
     double Pixels = 0.;
-    bool IsWhole = true; // nothing nearer, and no border of the picture, cuts it
+    bool IsWhole = true; // cut neither by a nearer surface nor by the picture's border
   };
   using Patches = std::unordered_map<std::int64_t, Patch>;
 
@@ -88,9 +88,9 @@ private:
   void AddChange(int before, int after, Cause cause, const std::string& words);
   void CompareSettings(int before, int after);
 
-  // The translation that takes what both frames show of an object from one to the other, by least
-  // squares over its cells: planes tell it exactly along their normals, centres of cells to about
-  // a pixel. None, if no translation does.
+  // The translation between the visible parts of an object in the two frames, by least squares over
+  // its cells: exact along the normals of planes, and accurate to about a pixel from the centres of
+  // cells. None if no translation fits.
   std::optional<std::array<double, 3>> FindTranslation(int before, int after) const;
   const Patches& GetPatches(int object, bool isBefore) const;
 
@@ -101,7 +101,7 @@ private:
   std::vector<int> After, Before;
   std::vector<Change> BeforeChanges, AfterChanges;
   std::vector<std::vector<std::size_t>> Seen[2]; // the pixels of each object, of A and of B
-  mutable std::vector<Patches> AllPatches[2];    // by object; empty: not looked for yet
+  mutable std::vector<Patches> AllPatches[2];    // by object; empty: not computed yet
 };
 
 template <>

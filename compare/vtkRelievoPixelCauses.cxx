@@ -14,10 +14,10 @@ namespace relievo::compare
 {
 namespace
 {
-// Cells that a finding lists by number.
+// Maximum cells that a finding lists by number.
 constexpr std::size_t MostCells = 100;
 
-// Normals that part by more than this are two faces.
+// The angle between normals, in degrees, from which they belong to two faces.
 constexpr double CreaseAngle = 20.0;
 
 bool IsEqual(float a, float b)
@@ -70,7 +70,8 @@ PixelCauses::PixelCauses(const Frame& before, const Frame& after, const Limits& 
       : this->IsDifferent            ? WithinRounding
                                      : Alike;
   }
-  // What a changed pixel's surface covers in part: samples beside the centre, smooth edges.
+  // Pixels beside a changed pixel may show a part of its surface, by samples off the pixel's centre
+  // or smooth edges.
   const std::vector<int> first = this->Causes;
   for (std::size_t i = 0; i < before.Pixels; ++i)
   {
@@ -136,7 +137,7 @@ void PixelCauses::PairLayers()
 }
 
 //------------------------------------------------------------------------------
-// Whether all values are the same bits, as those of most pixels are.
+// Whether all values are bitwise equal, as at most pixels.
 bool PixelCauses::IsEqualInAll(std::size_t pixel) const
 {
   const bool isJudged = this->Lights.empty() && !this->A.Shadow.empty();
@@ -211,7 +212,7 @@ bool PixelCauses::IsBetween(std::size_t pixel, double limit, Value value) const
 }
 
 //------------------------------------------------------------------------------
-// By name, otherwise by number.
+// Pairs lights by name, otherwise by number.
 void PixelCauses::PairLights()
 {
   if (!this->A.HasLights || !this->B.HasLights)
@@ -308,7 +309,7 @@ void PixelCauses::CompareSettings()
     {
       for (const nlohmann::json& overlay : *own)
       {
-        const auto found = overlay.find("kind"); // which files may have as anything
+        const auto found = overlay.find("kind"); // of any type in files
         const std::string kind = found != overlay.end() && found->is_string()
           ? found->get<std::string>()
           : std::string("overlay");
@@ -419,8 +420,9 @@ int PixelCauses::JudgeLayers(std::size_t pixel)
 }
 
 //------------------------------------------------------------------------------
-// Where the records say that nothing has changed, rounding alone turns a shadow's verdicts, and
-// only on its borders: of a soft one, which is a mean, one sample's.
+// The tolerance at shadow borders: if the records are equal, only rounding changes shadows, and
+// values stay between the neighbours' values, in soft shadows to within one of the averaged
+// samples.
 std::optional<double> PixelCauses::FindBorderStep() const
 {
   const bool isSame = this->A.HasRecord && this->B.HasRecord && !this->Objects.AnyChanged() &&
@@ -434,9 +436,10 @@ std::optional<double> PixelCauses::FindBorderStep() const
 }
 
 //------------------------------------------------------------------------------
-// Whether the pixel's centre is on a border of what is unchanged: each frame has the other's object
-// or cell beside it. Of meshes that the records say are equal, of which cells may be smaller than
-// pixels or lie in one another, each frame's depth is between those that the other has there.
+// Whether the pixel's centre is on a border between unchanged cells: each frame shows the other's
+// object or cell in a neighbouring pixel. Cells may also be smaller than pixels, or coincide; so
+// with records it is enough that each frame's depth lies between the other frame's depths around
+// the pixel.
 bool PixelCauses::IsTie(std::size_t pixel) const
 {
   bool hasBefore = false, hasAfter = false;
@@ -458,8 +461,8 @@ bool PixelCauses::IsTie(std::size_t pixel) const
 }
 
 //------------------------------------------------------------------------------
-// A pixel that shows another object than before: what is nearer has gone or come, unless it is
-// what it was.
+// Explains a pixel with a different object: the nearer of the two objects was removed or added
+// there, unless that object is unchanged.
 int PixelCauses::JudgeGeometry(std::size_t pixel, int a, int b)
 {
   const double before = this->A.GetDepth(pixel);
@@ -474,7 +477,7 @@ int PixelCauses::JudgeGeometry(std::size_t pixel, int a, int b)
       return change->Finding;
     }
   }
-  const int own = this->Objects.GetBefore(b); // of the frame before
+  const int own = this->Objects.GetBefore(b); // its number in the frame before
   const bool hasRange = this->B.HasCamera && this->B.Near < this->B.Far;
   if (isGone && hasRange && (before < this->B.Near || before > this->B.Far))
   {
@@ -568,7 +571,7 @@ int PixelCauses::JudgeSurface(std::size_t pixel, int a, bool sameCell)
       continue;
     }
     this->IsDifferent = this->IsDifferent || this->DiffersInLayer(layer, *other, pixel, 0.0);
-    // Values that are interpolated round by their float's digits.
+    // Interpolated values have the rounding error of floats.
     if (this->DiffersInLayer(layer, *other, pixel,
           layer.IsBytes ? this->Bounds.ColorLevels : 4.0 * std::numeric_limits<float>::epsilon()))
     {
@@ -588,7 +591,7 @@ int PixelCauses::JudgeSurface(std::size_t pixel, int a, bool sameCell)
     for (std::size_t i = pixel * components; i < (pixel + 1) * components; ++i)
     {
       const auto level = [i](const Layer& layer) {
-        return (layer.IsBytes ? 1.f : 255.f) * layer.Values[i]; // files have them as 0 to 1
+        return (layer.IsBytes ? 1.f : 255.f) * layer.Values[i]; // files store 0 to 1
       };
       const float before = level(*albedo);
       const float after = level(*other);
@@ -751,8 +754,7 @@ bool PixelCauses::IsBetweenNeighbours(std::size_t pixel) const
 }
 
 //------------------------------------------------------------------------------
-// The pixels in which the boxes around translucent objects can be seen, once for all pixels that
-// ask.
+// Projects the boxes around translucent objects to the picture, once for all pixels.
 void PixelCauses::ProjectTranslucent()
 {
   for (std::size_t side = 0; side < 2; ++side)
@@ -781,7 +783,7 @@ std::array<double, 4> PixelCauses::ProjectBox(const std::array<double, 6>& bound
     double place[2];
     if (!this->A.Project(point, place))
     {
-      return { -Most, Most, -Most, Most }; // it reaches behind the eye
+      return { -Most, Most, -Most, Most }; // the box reaches behind the camera
     }
     for (std::size_t i = 0; i < 2; ++i)
     {
@@ -802,12 +804,12 @@ bool PixelCauses::Covers(const Cover& cover, std::size_t pixel) const
 }
 
 //------------------------------------------------------------------------------
-// A pixel whose picture alone differs.
+// Explains a pixel where only the picture differs.
 int PixelCauses::Explain(std::size_t pixel)
 {
   const bool hasLayers = !this->A.Actor.empty() && !this->B.Actor.empty();
   const int actor = hasLayers ? this->A.Actor[pixel] : -1;
-  // What catches shadows is translucent, and in no layer.
+  // A surface that catches shadows is translucent, and appears in no layer.
   const std::vector<Cover>& covers = this->Translucent[0];
   const auto catcher =
     actor >= 0 ? covers.end() : std::find_if(covers.begin(), covers.end(), [&](const Cover& cover) {

@@ -22,7 +22,7 @@ namespace relievo::compare
 class PixelCauses
 {
 public:
-  // What a pixel is that has no finding.
+  // Codes of pixels without a finding.
   enum Codes
   {
     Alike = -1,
@@ -35,27 +35,28 @@ public:
   PixelCauses(const Frame& before, const Frame& after, const Limits& limits,
     const ObjectChanges& objects, CauseList& list);
 
-  // For each pixel the place of its finding in the list, or a code.
+  // The index of each pixel's finding in the list, or a code.
   const std::vector<int>& Get() const { return this->Causes; }
 
   std::size_t Count(int code) const;
 
 private:
-  // A light of either frame; -1: it has none such.
+  // A light in both frames; -1: absent from that frame.
   struct LightPair
   {
-    int Before = -1, After = -1; // places in Frame::Lights
-    int Finding = -1;            // of a difference between their records
+    int Before = -1, After = -1; // indices in Frame::Lights
+    int Finding = -1;            // the difference between their records
   };
 
-  // The values of a layer of both frames, which have the same meaning.
+  // The values of corresponding layers of both frames.
   struct Values
   {
     const float *Before, *After;
     std::size_t Components;
   };
 
-  // A translucent object, and where in the picture its box is: x and y from and to, in pixels.
+  // A translucent object, and its box in the picture: first and last x, first and last y, in
+  // pixels.
   struct Cover
   {
     std::size_t Object;
@@ -72,7 +73,7 @@ private:
   int JudgeLights(std::size_t pixel);
   int JudgeStages(std::size_t pixel);
   int JudgePicture(std::size_t pixel) const;
-  int CountLevels() const; // of a pixel, alpha if both have it; 0: a frame has no picture
+  int CountLevels() const; // components of a pixel, with alpha if both have it; 0: no picture
   int Explain(std::size_t pixel);
   int GetNeighbourCause(std::size_t pixel, const std::vector<int>& causes) const;
   bool IsEdge(std::size_t pixel) const;
@@ -90,7 +91,7 @@ private:
   template <typename Visit>
   void ForNeighbours(std::size_t pixel, Visit visit) const;
 
-  // Whether each frame's value(frame, pixel) lies between those that the other has around the
+  // Whether each frame's value(frame, pixel) lies between the other frame's values around the
   // pixel.
   template <typename Value>
   bool IsBetween(std::size_t pixel, double limit, Value value) const;
@@ -103,11 +104,11 @@ private:
   std::vector<LightPair> Lights;
   std::vector<Values> Layers;
   std::vector<Cover> Translucent[2];          // objects of A and of B
-  bool HasOtherForms = false;                 // layers of other numbers of components
+  bool HasOtherForms = false;                 // layers with different numbers of components
   int Overlay = -1, Tone = -1, Settings = -1; // findings of the records
-  std::map<int, std::set<int>> Cells;         // of changed shapes, by finding
-  std::optional<double> BorderStep;           // of shadows; none: something has changed
-  bool IsDifferent = false;                   // of the pixel: some layer, within its limits
+  std::map<int, std::set<int>> Cells;         // cells of changed shapes, by finding
+  std::optional<double> BorderStep;           // tolerance at shadow borders; none: scene changed
+  bool IsDifferent = false;                   // some layer of the pixel differs within its limits
   std::vector<int> Causes;
 };
 }

@@ -7,7 +7,7 @@
 
 namespace relievo::compare
 {
-// `@DATA@` stands for the comparisons, as JSON.
+// The comparisons replace `@DATA@`, as JSON.
 extern const char* const ReportPage;
 }
 

@@ -1,8 +1,9 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The plugin of pytest: plotters, renderers and scenes are compared with baselines, by cause.
+"""A pytest plugin that compares plotters, renderers and scenes with baselines, by cause.
 
-Outside the package relievo, whose import loads all of VTK: only a test that compares does that.
+It is not part of the package relievo, because importing that loads all of VTK; only tests that
+compare import it.
 Options, names of files and folders follow pytest-pyvista.
 """
 
@@ -16,22 +17,22 @@ import shutil
 import pytest
 
 _USE = pytest.StashKey()  # of a test: its fixture
-_OWNERS = pytest.StashKey()  # of a run: {baseline: (test, whether its name is of the test)}
+_OWNERS = pytest.StashKey()  # of a run: {baseline: (test, whether it has the test's name)}
 _NEW = pytest.StashKey()  # of a run: the baselines that it wrote
 _WRITTEN = "relievo_baseline_written"  # a property of reports
 
 
 def pytest_addoption(parser):
     group = parser.getgroup("relievo", "frames compared with baselines (fixture relievo_baseline)")
-    folder = ("folder of the baselines, from pytest's root folder; default: baselines, beside the "
-              "file of the test")  # fmt: skip
+    folder = ("folder of the baselines, relative to pytest's root folder; default: baselines, "
+              "beside the file of the test")  # fmt: skip
     group.addoption("--relievo-baselines", metavar="DIR", help=folder)
     parser.addini("relievo_baselines", folder, default="")
     group.addoption("--relievo-update", action="store_true",
                     help="write baselines that are missing or differ; their tests are skipped")
     group.addoption("--relievo-report", metavar="DIR",
-                    help="write both frames of failures (.exr, .png) and the causes (.json) there, "
-                    "from pytest's root folder")  # fmt: skip
+                    help="folder for both frames (.exr, .png) and the causes (.json) of failures, "
+                    "relative to pytest's root folder")  # fmt: skip
 
 
 def pytest_configure(config):
@@ -44,11 +45,12 @@ def relievo_baseline(request):
 
     thing: a plotter, a renderer, a scene or anything else that relievo.compare() draws, or an image
         of relievo.capture().
-    name: of the baseline's file, without folder; default: that of the test without `test_`, with
-        its parameters, and for later calls `_1`, `_2` and so on.
-    limits: of relievo.compare(): levels, normal_angle, depth_pixels.
+    name: name of the baseline's file, without folder; default: the test's name without `test_`,
+        with its parameters, and for later calls `_1`, `_2` and so on.
+    limits: limits of relievo.compare(): levels, normal_angle, depth_pixels.
 
-    Fails with the table of causes, and if there is no baseline. A test that never calls it fails.
+    Fails with the table of causes if the frames differ, and if there is no baseline. A test that
+    never calls the fixture fails.
     """
     request.node.stash[_USE] = use = _Baselines(request)
     return use
@@ -77,7 +79,7 @@ class _Baselines:
             baseline = relievo.read_exr(path)
         except FileNotFoundError:
             said = "there is no such baseline"
-        except (OSError, ValueError) as error:  # which name the file
+        except (OSError, ValueError) as error:  # the message names the file
             said = f"the baseline cannot be read: {error}"
         else:
             found = relievo.compare(baseline, frame, **limits)
@@ -95,7 +97,7 @@ class _Baselines:
                     f"baseline: pytest --relievo-update {shlex.quote(self._node.nodeid)}")
 
     def _path(self, name):
-        """The file of the baseline; no two tests have one by their names alone."""
+        """The baseline's path. Two tests share one only if both give its name."""
         __tracebackhide__ = True
         is_own = name is None
         if is_own:
@@ -121,7 +123,7 @@ class _Baselines:
         return os.path.relpath(path, self._config.rootpath)
 
     def _report(self, path, baseline, frame, found):
-        """Writes what --relievo-report asks for, and returns a line about it."""
+        """Writes the files of --relievo-report, and returns a line that names them."""
         import relievo
 
         folder = self._config.getoption("relievo_report")
@@ -143,7 +145,7 @@ class _Baselines:
 
 
 def _safe(name):
-    """A name for a file: parameters of tests have any letters, in any number."""
+    """Makes a file name: parameters of tests may contain any characters, and be long."""
     safe = re.sub(r"[^\w.-]+", "_", name).strip("_.") or "test"
     if len(safe.encode()) > 200:
         safe = f"{safe[:40]}-{hashlib.sha256(safe.encode()).hexdigest()[:12]}"
@@ -152,7 +154,7 @@ def _safe(name):
 
 @pytest.hookimpl(hookwrapper=True, tryfirst=True)
 def pytest_runtest_makereport(item, call):
-    """A test that passes without having compared does not count as passed."""
+    """Tests that wrote baselines are skipped; tests that pass without a comparison fail."""
     outcome = yield
     report = outcome.get_result()
     use = item.stash.get(_USE, None)

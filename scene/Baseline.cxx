@@ -25,8 +25,8 @@ namespace scene
 {
 namespace
 {
-// With the camera's place, which is no longer fitted, and the preset, which the environment may
-// have said.
+// Records the camera's place, which is not fitted again, and the preset, which may come from the
+// environment.
 std::vector<std::string> GetWordsOf(
   vtkRenderer* renderer, const RenderOptions& options, Settings settings)
 {
@@ -47,7 +47,7 @@ std::vector<std::string> GetWordsOf(
   return settings.GetWords();
 }
 
-// By their files; several of one file share its name.
+// Names objects by their files; several objects of one file share its name.
 void NameObjects(vtkRelievoBaseline* baseline, const Scene& scene, const RenderOptions& options)
 {
   int actor = 0;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * A frame to compare others with: --baseline.
+ * --baseline: a frame for later comparisons.
  */
 #ifndef Baseline_h
 #define Baseline_h
@@ -15,9 +15,9 @@ class DressedScene;
 class Settings;
 struct RenderOptions;
 
-/// The frame of the scene as it is shown, which vtkRelievoBaseline describes. Objects have the
-/// names of their files; the field data holds `words` as well, the options of `relievo render` that
-/// show other files in the same way. Throws WorkError.
+/// The scene's frame as a baseline (vtkRelievoBaseline). Objects have the names of their files. The
+/// field data also has `words`: options of `relievo render` that draw other files the same way.
+/// Throws WorkError.
 vtkSmartPointer<vtkImageData> MakeBaseline(
   DressedScene& dressed, const RenderOptions& options, const Settings& settings);
 }

@@ -64,7 +64,7 @@ namespace
 {
 using Json = nlohmann::ordered_json;
 
-// The 64 bits of Fowler, Noll and Vo's sum, FNV-1a (1991).
+// The 64-bit hash FNV-1a by Fowler, Noll and Vo (1991).
 class CheckSum
 {
 public:
@@ -87,16 +87,16 @@ private:
   std::uint64_t Sum = 0xcbf29ce484222325ULL;
 };
 
-// The mesh that an actor draws, by numbers and sums.
+// Counts and sums that identify the mesh of an actor.
 struct MeshRecord
 {
   vtkIdType Points = 0, Cells = 0;
   vtkIdType Placed = 0; // points whose coordinates are finite
   CheckSum PointSum, CellSum;
-  std::array<double, 3> Center{}; // the sum
-  double Products[3][3] = {};     // of coordinates, summed
+  std::array<double, 3> Center{}; // sum of the points
+  double Products[3][3] = {};     // sums of products of coordinates
 
-  // The mean of (p - center) (p - center)^T, which a translation of all points leaves as it is.
+  // The mean of (p - center) (p - center)^T, which a translation of all points does not change.
   std::array<double, 9> GetSpread() const
   {
     const double count = std::max<double>(1.0, double(this->Placed));
@@ -144,10 +144,10 @@ struct MeshRecord
       data->GetPoint(i, point);
       for (int c = 0; c < 3; ++c)
       {
-        point[c] += 0.0; // -0 is 0
+        point[c] += 0.0; // turns -0 into 0
       }
       this->PointSum.Add(point, sizeof(point));
-      // Of NaN and infinity there is no mean, and JSON has no word for it.
+      // NaN and infinity have no mean, and JSON cannot represent them.
       if (std::all_of(point, point + 3, [](double each) { return std::isfinite(each); }))
       {
         this->AddToMeans(point);
@@ -237,7 +237,7 @@ Json DescribeActor(vtkActor* actor, const std::string& name)
     { "bounds", bounds }, { "settings", DescribeProperty(actor->GetProperty()) } };
 }
 
-// What it shows, where that can be asked.
+// Describes an overlay's content, for known classes.
 Json DescribeOverlay(vtkActor2D* actor)
 {
   Json json = { { "kind", actor->GetClassName() } };
@@ -304,7 +304,7 @@ std::vector<std::string> DescribeOverlays(vtkRenderer* renderer)
       overlays.push_back(Write(DescribeOverlay(actor)));
     }
   }
-  std::sort(overlays.begin(), overlays.end()); // their order shows only where they overlap
+  std::sort(overlays.begin(), overlays.end()); // order matters only where they overlap
   return overlays;
 }
 
@@ -341,7 +341,7 @@ std::vector<std::string> DescribeSettings(vtkRenderer* renderer)
   return settings;
 }
 
-// The arrays whose values colour actors; bytes are colours themselves.
+// The arrays that colour actors through a colour map; bytes are colours themselves.
 std::set<std::string> FindColoringArrays(vtkRenderer* renderer)
 {
   std::set<std::string> names;
@@ -375,7 +375,7 @@ std::set<std::string> FindColoringArrays(vtkRenderer* renderer)
   return names;
 }
 
-// Layers of stages that causes are told by.
+// Layers of stages that identify causes.
 std::vector<std::string> FindStageLayers(vtkRelievoPass* pass)
 {
   std::vector<std::string> layers;
@@ -440,7 +440,7 @@ bool vtkRelievoBaseline::Capture(vtkImageData* image)
     return false;
   }
   image->Initialize();
-  vtkNew<vtkRelievoLayerSource> source; // which says what is wrong
+  vtkNew<vtkRelievoLayerSource> source; // reports errors
   source->SetRenderer(this->Renderer);
   std::vector<std::string> layers = { vtkRelievoLayerCatalogue::GetPicture().Name, "depth",
     "normal", "albedo", "actor", "block", "cell" };
@@ -470,7 +470,7 @@ bool vtkRelievoBaseline::Capture(vtkImageData* image)
   const std::vector<std::string> settings = DescribeSettings(this->Renderer);
   if (!ofStages.empty())
   {
-    vtkNew<vtkRelievoLayerSource> more; // without the picture, which shows what runs
+    vtkNew<vtkRelievoLayerSource> more; // without the picture: stages that ran are known now
     more->SetRenderer(this->Renderer);
     for (const std::string& layer : ofStages)
     {
@@ -501,7 +501,7 @@ void vtkRelievoBaseline::AddRecord(vtkImageData* image)
   image->GetFieldData()->AddArray(version);
   std::vector<std::string> objects;
   vtkCollectionSimpleIterator at;
-  vtkActorCollection* actors = this->Renderer->GetActors(); // which is made anew for each call
+  vtkActorCollection* actors = this->Renderer->GetActors(); // rebuilt by each call
   actors->InitTraversal(at);
   while (vtkActor* actor = actors->GetNextActor(at))
   {

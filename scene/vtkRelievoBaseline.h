@@ -2,25 +2,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkRelievoBaseline
- * @brief A renderer's frame with all that vtkRelievoFrameComparison explains differences by.
+ * @brief Captures a renderer's frame as a baseline for vtkRelievoFrameComparison.
  *
- * Capture() draws the renderer as it is and fills an image: the picture (`color`), the layers that
- * causes need, and field data with the record.
+ * Capture() draws the renderer unchanged and fills an image: the picture (`color`), the layers that
+ * identify causes, and field data with the record.
  *
- * Layers: depth, normal, albedo, actor, block, cell; the shadows of lights, if the picture shows
- * any; light, fog, ambient, marker and blend, if the frame's stages made them; and the arrays by
- * which actors are coloured.
+ * Layers: depth, normal, albedo, actor, block, cell; shadows of lights, if the picture shows any;
+ * light, fog, ambient, marker and blend, if the frame's stages made them; and the arrays that
+ * colour actors.
  *
- * Record, besides the camera and the lights that every capture has (vtkRelievoLayerSource):
+ * Record, in addition to the camera and the lights of every capture (vtkRelievoLayerSource):
  * - baseline_version (int): the format, 1.
  * - objects (one JSON string for each of vtkRenderer::GetActors()): name, visible, translucent,
- *   matrix, points and cells (numbers and check sums of the mesh), center and bounds in the world,
- *   spread (the covariance of the points), settings (of the property).
- * - overlays (JSON strings): texts, bars and other 2D actors that are shown.
+ *   matrix, points and cells (counts and check sums of the mesh), center and bounds in world
+ *   coordinates, spread (the covariance of the points), settings (of the vtkProperty).
+ * - overlays (JSON strings): visible texts, bars and other 2D actors.
  * - settings (strings NAME=VALUE): background, and the parameters of the stages that ran.
- * - versions (strings): of Relievo, VTK and OpenGL.
+ * - versions (strings): Relievo, VTK and OpenGL.
  *
- * Errors: those of vtkRelievoLayerSource.
+ * Errors: as for vtkRelievoLayerSource.
  */
 #ifndef vtkRelievoBaseline_h
 #define vtkRelievoBaseline_h
@@ -51,14 +51,14 @@ public:
 
   ///@{
   /**
-   * The name of an actor, by its index in vtkRenderer::GetActors(). Objects are matched by their
-   * names first, wherever they are; those without a name by their meshes. Default: none.
+   * The name of an actor, by its index in vtkRenderer::GetActors(). Objects are matched by name
+   * first, wherever they are; unnamed objects by their meshes. Default: none.
    */
   void SetObjectName(int actor, RELIEVO_TEXT name);
   std::string GetObjectName(int actor);
   ///@}
 
-  /** Draws the frame into an image. False, with an error event, if it cannot be drawn. */
+  /** Draws the frame into an image. Returns false, with an error event, on failure. */
   bool Capture(vtkImageData* image);
 
 protected:

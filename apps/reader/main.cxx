@@ -12,8 +12,8 @@ int main()
   {
     return 0;
   }
-  std::fputs("relievo-reader: expected to be started by a program with Relievo's libraries, which "
-             "reads files by it\n",
+  std::fputs("relievo-reader: expected to be started by a program with Relievo's libraries, to "
+             "read files\n",
     stderr);
   return 2;
 }

@@ -17,7 +17,7 @@ vtkRelievoWindowGuard::vtkRelievoWindowGuard(vtkRenderer* renderer)
     this->Camera = renderer->GetActiveCamera();
   }
   renderer->GetViewport(this->Viewport);
-  std::copy_n(this->Window->GetActualSize(), 2, this->Size); // GetSize() is that of all tiles
+  std::copy_n(this->Window->GetActualSize(), 2, this->Size); // GetSize() covers all tiles
   this->Window->GetTileScale(this->TileScale);
   this->Window->GetTileViewport(this->TileViewport);
   this->Window->SetTileScale(1, 1);
@@ -29,7 +29,7 @@ vtkRelievoWindowGuard::~vtkRelievoWindowGuard()
 {
   this->Renderer->SetViewport(this->Viewport);
   this->Renderer->SetActiveCamera(this->Camera);
-  // The base class's way: a window on the screen stays as it is, only its buffers change.
+  // Calls the base class's method: a window on the screen stays visible, only its buffers change.
   this->Window->vtkWindow::SetSize(this->Size[0], this->Size[1]);
   this->Window->SetUseOffScreenBuffers(this->OffScreenBuffers);
   this->Window->SetTileScale(this->TileScale);

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The camera and the viewport of a renderer, and the size, the tile and the buffers of its window,
-// which are restored at the end of the scope. Until then the window draws no tile.
+// Restores a renderer's camera and viewport, and its window's size, tile and buffers, at the end of
+// the scope. Until then the window draws no tile.
 #ifndef vtkRelievoWindowGuard_h
 #define vtkRelievoWindowGuard_h
 
@@ -16,7 +16,7 @@ class vtkRenderer;
 class VTKRELIEVOBASEGL_EXPORT vtkRelievoWindowGuard
 {
 public:
-  explicit vtkRelievoWindowGuard(vtkRenderer* renderer); // which has a window
+  explicit vtkRelievoWindowGuard(vtkRenderer* renderer); // in a window
   ~vtkRelievoWindowGuard();
   vtkRelievoWindowGuard(const vtkRelievoWindowGuard&) = delete;
   void operator=(const vtkRelievoWindowGuard&) = delete;
@@ -24,7 +24,7 @@ public:
 private:
   vtkRenderer* Renderer;
   vtkSmartPointer<vtkRenderWindow> Window;
-  vtkSmartPointer<vtkCamera> Camera; // null: none was made
+  vtkSmartPointer<vtkCamera> Camera; // null: the renderer had none
   double Viewport[4];
   int Size[2];
   bool OffScreenBuffers;

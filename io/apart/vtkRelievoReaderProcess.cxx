@@ -78,8 +78,8 @@ private:
   int Number;
 };
 
-// Two connected sockets. They leave the numbers of closed standard streams free: what is printed
-// must not go into a socket.
+// Two connected sockets, never with the descriptor of a closed standard stream: printed text must
+// not go into a socket.
 bool Connect(int kind, Descriptor& ours, Descriptor& its)
 {
   int ends[2];
@@ -108,9 +108,9 @@ struct Note
     Began,    // Status: the process's number
     Opened,   // Size
     NoMemory, // the reader may still succeed
-    Whole,    // the result is written completely: Size
-    Ended,    // Status, of the process
-    Refused   // What: why there is no process
+    Whole,    // the result of Size bytes is complete
+    Ended,    // the process ended with Status
+    Refused   // no process; What is the reason
   };
   Kinds Kind = Progress;
   int Status = 0; // exit status of the process, or its number
@@ -122,8 +122,8 @@ struct Note
 struct Request
 {
   vtkRelievoReaderProcess::Work Work = nullptr;
-  // The library that has the work, and the work's place in it, for a process that was not forked
-  // from the program and has its own addresses.
+  // The library that contains the work, and the work's offset in it, for a server that is no fork
+  // of the program and has other addresses.
   char Library[PATH_MAX] = "";
   std::uint64_t Place = 0;
   // Bytes of the request, which arrive through the first socket; the result returns through it.
@@ -135,7 +135,7 @@ int Server = -1; // the program's socket to the process; -1: none
 pid_t Process = 0;
 bool Forked = false;   // the process is a fork of the program
 bool Searched = false; // for the program relievo-reader
-uid_t User = 0;        // whose rights it has
+uid_t User = 0;        // user of the server
 gid_t Group = 0;
 std::mutex Starting;
 int Line = -1;            // during a work: to the program
@@ -278,7 +278,7 @@ bool ReceiveRequest(
 
 //------------------------------------------------------------------------------
 // The absolute path of the file that was loaded at an address; empty if another file has replaced
-// it since, as after an update. The dynamic linker's own name may be relative to a former folder.
+// it since, as after an update. The dynamic linker's name may be relative to a former folder.
 std::string FindLoadedFile(const void* address)
 {
   const auto at = reinterpret_cast<std::uintptr_t>(address);
@@ -318,8 +318,8 @@ std::string FindPlace(vtkRelievoReaderProcess::Work work, Request& request)
   return "";
 }
 
-// The reverse. Libraries stay loaded, for more files. RTLD_GLOBAL: ExpatDeferral.cxx, in
-// relievo-reader, finds the functions that it stands before.
+// Loads the library of a request, and finds its work. Libraries stay loaded for more files. With
+// RTLD_GLOBAL, ExpatDeferral.cxx in relievo-reader finds the functions that it overrides.
 bool LoadWork(Request& request)
 {
   link_map* library = nullptr;
@@ -512,8 +512,8 @@ void Bury(const Child& child)
   {
     std::signal(signal, SIG_IGN);
   }
-  // A program that has started this one may ignore or block these: waitpid and the limit of
-  // processor time need them.
+  // waitpid and the limit of processor time need these signals, which the program that started this
+  // one may ignore or block.
   for (const int signal : { SIGCHLD, SIGXCPU })
   {
     std::signal(signal, SIG_DFL);
@@ -637,8 +637,8 @@ void Stop()
 //------------------------------------------------------------------------------
 constexpr int ServedDescriptor = 3; // of relievo-reader
 
-// Starts relievo-reader from the folder `relievo` beside the library that has this code. A fork
-// would keep whatever locks the program's other threads hold.
+// Starts relievo-reader from the folder `relievo` beside the library that contains this code. A
+// fork of the program would keep all locks that its other threads hold.
 void StartProgram()
 {
   std::string path = FindLoadedFile(reinterpret_cast<void*>(&StartProgram));
@@ -660,7 +660,7 @@ void StartProgram()
   {
     return;
   }
-  while (waitpid(started, nullptr, 0) < 0 && errno == EINTR) // it forks the process that serves
+  while (waitpid(started, nullptr, 0) < 0 && errno == EINTR) // it forks the server, then ends
   {
   }
   pid_t process = 0;
@@ -679,7 +679,7 @@ void StartProgram()
   }
 }
 
-// The next file starts the program again.
+// Gives up the server; the next file starts the program again.
 void LeaveProgram()
 {
   close(Server);
@@ -722,12 +722,12 @@ bool vtkRelievoReaderProcess::Serve()
   {
     return false; // started by hand
   }
-  const pid_t served = fork(); // a script that waits for any of its children is not to wait for it
+  const pid_t served = fork(); // so that a script that waits for its children ignores the server
   if (served != 0)
   {
     return served > 0;
   }
-  close_range(ServedDescriptor + 1, ~0U, 0); // what the program left open
+  close_range(ServedDescriptor + 1, ~0U, 0); // files that the program left open
   fcntl(ServedDescriptor, F_SETFD, FD_CLOEXEC);
   const pid_t process = getpid();
   if (send(ServedDescriptor, &process, sizeof process, MSG_NOSIGNAL) == sizeof process)
@@ -740,12 +740,12 @@ bool vtkRelievoReaderProcess::Serve()
 //------------------------------------------------------------------------------
 bool vtkRelievoReaderProcess::IsThere()
 {
-  if (Line >= 0) // within a work, which itself reads the files that its own names
+  if (Line >= 0) // within a work, which reads referenced files itself
   {
     return false;
   }
   const std::lock_guard<std::mutex> guard(Starting);
-  // Nothing is read by the rights that the program has given up.
+  // Nothing is read with rights that the program has given up.
   if (Server >= 0 && !Forked && (User != geteuid() || Group != getegid()))
   {
     LeaveProgram();
@@ -776,7 +776,7 @@ std::string vtkRelievoReaderProcess::Run(Work work,
   Descriptor bytes, its, line, itsLine;
   constexpr int how = O_PATH | O_DIRECTORY | O_CLOEXEC;
   Descriptor folder(open(".", how));
-  if (!folder && errno == EACCES) // as after sudo; only absolute paths lead anywhere
+  if (!folder && errno == EACCES) // as after sudo; only absolute paths then work
   {
     folder.Take(open("/", how));
   }
@@ -901,7 +901,7 @@ std::string vtkRelievoReaderProcess::Run(Work work,
   {
     return Describe(note.Status, lackedMemory, size);
   }
-  // Not to the socket's end: a process that another thread has forked may have a copy of it.
+  // Does not wait for the socket's end: a process forked by another thread may hold a copy of it.
   while (!made && answer.GetSize() < total && answer.Receive(bytes.Get(), SIZE_MAX))
   {
   }

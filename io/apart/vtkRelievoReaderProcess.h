@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Reads files in a separate process: a crash, an endless loop or an exhausted memory in a reading
-// library then ends only that process. A server process forks another process for each file; that
-// one is limited in memory and time and returns its result. Our programs fork the server at their
-// start. Elsewhere, as in Python and ParaView, the server is the program relievo-reader, which is
-// started with the first file. Where it is not installed, or the environment has
-// RELIEVO_READ_HERE, files are read in the process itself.
+// library then ends only that process. A server process forks a process for each file, which is
+// limited in memory and time and returns its result. Our programs fork the server at their start.
+// Elsewhere, as in Python and ParaView, the server is the program relievo-reader, started with the
+// first file. If it is not installed, or the environment variable RELIEVO_READ_HERE is set, files
+// are read in the process itself.
 //
 // Limits: 8 GiB of memory, 15 s of processor time and 60 s of waiting, for example for a disk; in
 // addition, for each MiB of opened files, 32 MiB and 2 s of both times. Elapsed time does not
@@ -34,18 +34,17 @@ public:
   // such process is possible.
   static bool Start();
 
-  // The program relievo-reader: forks the server of the program that has started it. False if it
-  // cannot.
+  // In relievo-reader: forks the server for the program that started it. False on failure.
   static bool Serve();
 
-  // Whether there is a process to read files. Starts it if need be.
+  // Whether there is a server process; starts relievo-reader if needed.
   static bool IsThere();
 
   // Its process number; 0: none.
   static int GetProcess();
 
-  // Fills `made` by a function of `asked`, `say` and `made`, in another process, or here if there
-  // is none: what all readers call. Returns "", or the other process's failure as Run does.
+  // Calls work(asked, say, made), which fills `made`, in another process, or here without a server.
+  // All readers use this. Returns "", or the other process's failure as Run does.
   template <auto work, typename Asked, typename Made>
   static std::string Do(const Asked& asked, const Say& say, Made& made)
   {
@@ -65,9 +64,9 @@ public:
       [&made](relievo::ByteReader& reader) { reader(made); });
   }
 
-  // Does the work, which is in a shared library or the program that called Start, in another
-  // process: `ask` writes the request, `take` reads the result. Returns
-  // "", or the reader's failure, for example "crashed (segmentation fault)". Thread-safe.
+  // Does the work, a function of a shared library or of the program that called Start, in another
+  // process: `ask` writes the request, `take` reads the result. Returns "", or the reader's
+  // failure, for example "crashed (segmentation fault)". Thread-safe.
   static std::string Run(Work work, const std::function<void(relievo::ByteWriter&)>& ask,
     const Say& say, const std::function<void(relievo::ByteReader&)>& take);
 

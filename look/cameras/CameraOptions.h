@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Where the camera stands, and how much it sees.
+ * Options of the camera: its place, its view angle and its clipping distances.
  */
 #ifndef CameraOptions_h
 #define CameraOptions_h

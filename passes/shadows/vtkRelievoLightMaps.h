@@ -62,8 +62,9 @@ public:
   ///@}
 
   ///@{
-  // Drawing alone has changed what the casters' state says. `probed`: whether the plan's probe knew
-  // them before.
+  // For mappers that mark themselves as modified when they draw. Settle accepts the casters,
+  // collected again after the drawing, as unchanged; `probed`: IsProbed before that, whether the
+  // plan's probe knew the casters.
   bool IsProbed();
   void Settle(bool probed);
   ///@}
@@ -80,7 +81,7 @@ public:
   // The expected share of wrong pixels for the frame's maps.
   double GetExpectedWrongShare() const;
 
-  // Of the last frame, as a part of a sentence.
+  // A clause about the last frame, for the frame report.
   std::string GetReport() const;
 
   vtkIdType GetBytes() const { return this->Work.Maps.GetBytes() + this->Method->GetBytes(); }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Errors and warnings of a stage that would come with every frame: each is reported once.
+// Reports each error and warning of a stage once, instead of with every frame.
 #ifndef vtkRelievoMessagesOnce_h
 #define vtkRelievoMessagesOnce_h
 
@@ -26,7 +26,7 @@ public:
     }
   }
 
-  // Warnings of one kind are one.
+  // Reports only the first warning of a kind.
   void Warn(const std::string& kind, const std::string& words)
   {
     if (this->Reported.IsNew(kind))

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Frames compared by cause, and baselines to compare with."""
+"""Comparison of frames by cause, and baselines."""
 
 import html
 import json
@@ -23,17 +23,17 @@ from ._wrapped import vtkRelievoBaseline, vtkRelievoComparisonReport, vtkRelievo
 
 
 class Comparison:
-    """What compare() found; true if the frames are alike, and printed as a table of causes.
+    """The result of compare(): true if the frames are alike, and printed as a table of causes.
 
-    Notebooks show it as the page of write_html().
+    Notebooks show the page of write_html().
 
-    alike: whether they are, within the limits.
+    alike: whether the frames are alike within the limits.
     pixels, unexplained: numbers of pixels that differ, and of those that no cause explains.
-    causes: a list of dicts, most pixels first, with cause, kind, pixels, words, and where there are
-        any name, id, displacement, largest, cells, array, ...
+    causes: a list of dicts, most pixels first, with cause, kind, pixels, words, and depending on
+        the cause name, id, displacement, largest, cells, array, ...
     within_limits: a dict of the numbers of pixels that differ by edge and by rounding.
-    cannot_be_detected: causes that these frames do not tell.
-    size: (columns, rows). text: the table. json: all of it, as a text. dict: the same, parsed.
+    cannot_be_detected: causes for which these frames lack data.
+    size: (columns, rows). text: the table. json: the full result as text. dict: the parsed json.
     """
 
     def __init__(self, comparison, title):
@@ -49,9 +49,10 @@ class Comparison:
         self._causes = None if image is None else layer(image, "cause").copy()
     @property
     def image(self):
-        """The place of each pixel's cause in causes, of shape (rows, columns), row 0 at the top.
+        """The index of each pixel's cause in causes, of shape (rows, columns), row 0 at the top.
 
-        -1: alike, -2: rounding, -3: edge, -4: unexplained. None for frames of two sizes or cameras.
+        -1: alike, -2: rounding, -3: edge, -4: unexplained. None for frames of different sizes or
+        cameras.
         """
         return self._causes
 
@@ -94,15 +95,15 @@ def compare(a, b, levels=2, normal_angle=0.02, depth_pixels=1 / 256) -> Comparis
 
         assert relievo.compare("bike.exr", plotter)     # a failure prints the causes
 
-    a, b: paths of files (.exr of write_baseline() or write_exr(); .png and other pictures, of which
-        the pictures alone are compared), images of capture() or read_exr(), numpy arrays of
-        pictures (uint8, row 0 at the top), or renderers, plotters and scenes, which are drawn.
-    levels: by how many of 255 levels colours, and shares such as shadows, may differ, 0 to 255.
-    normal_angle: by how many degrees normals may differ, 0 to 180.
-    depth_pixels: how far apart in the picture, in pixels, points of a surface may be whose depths
-        are compared, 0 to 1.
+    a, b: paths of files (.exr of write_baseline() or write_exr(); for .png and other pictures, only
+        the pictures are compared), images of capture() or read_exr(), numpy arrays of pictures
+        (uint8, row 0 at the top), or renderers, plotters and scenes, which are drawn.
+    levels: tolerance for colours, and for shares such as shadows, in levels of 255, 0 to 255.
+    normal_angle: tolerance for normals, in degrees, 0 to 180.
+    depth_pixels: tolerance for depths, as the change of a surface's depth over this many pixels, 0
+        to 1.
 
-    Returns a Comparison. docs/compare.md has the causes, and the reason for each limit.
+    Returns a Comparison. docs/compare.md describes the causes, and the reason for each limit.
 
     Raises ValueError for wrong arguments and frames that cannot be compared, OSError for files that
     cannot be read, RuntimeError if a frame cannot be drawn.
@@ -134,16 +135,16 @@ def compare(a, b, levels=2, normal_angle=0.02, depth_pixels=1 / 256) -> Comparis
 
 
 def write_baseline(path, thing, size=None, names=None) -> None:
-    """Draws a frame and writes it as a baseline for compare(), lossless.
+    """Draws a frame and writes it as a lossless baseline for compare().
 
         relievo.write_baseline("bike.exr", plotter)
 
     path: name of the file, .exr; an existing one is replaced when the new one is complete.
     thing: a vtkRenderer, a plotter or anything else that capture() draws, or a scene().
-    size: (columns, rows) in pixels, as for capture(); of a scene, it is the scene's.
-    names: of actors, by which they are matched, wherever they are: a dict {actor: name}. Without a
-        name an actor is matched by its mesh. Actors of PyVista's plotters have the names that were
-        given to add_mesh(), those of scenes the names of their files.
+    size: (columns, rows) in pixels, as for capture(); scenes have their own size.
+    names: a dict {actor: name}. Actors are matched by name, wherever they are; an actor without a
+        name is matched by its mesh. Actors of PyVista's plotters have the names given to
+        add_mesh(), actors of scenes the names of their files.
 
     The file has the picture, depth, normals, albedo, ids, shadows, the layers of stages that ran,
     and a record of objects, camera, lights, settings and versions (docs/compare.md).
@@ -162,13 +163,13 @@ def _write(path, text):
 
 
 def _name_of(thing):
-    """A file's path, or what else a side is, for the reader of a report."""
+    """A side's label in a report: the file's path, or the type's name."""
     is_path = isinstance(thing, (str, bytes, os.PathLike))
     return os.fsdecode(thing) if is_path else type(thing).__name__
 
 
 def _image_of(thing):
-    """The frame that something is or shows."""
+    """The frame as an image; draws things that are not images."""
     if is_a(thing, "vtkImageData"):
         return thing
     if isinstance(thing, numpy.ndarray):
@@ -177,7 +178,7 @@ def _image_of(thing):
 
 
 def _drawn(thing, size=None, names=None):
-    """The baseline of a scene, a renderer, or what capture() draws."""
+    """The baseline of a scene, a renderer, or anything else that capture() draws."""
     image = vtkImageData()
     if isinstance(thing, Scene):
         if size is not None or names is not None:
@@ -213,7 +214,7 @@ def _drawn(thing, size=None, names=None):
 
 
 def _names_in(thing):
-    """Names by actor, as plotters of PyVista have them; those made of addresses are not names."""
+    """The names of actors in a PyVista plotter, except for names that PyVista made of addresses."""
     actors = getattr(thing, "actors", None)
     if not isinstance(actors, dict):
         return {}

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * What reading files goes by, and what it leaves beside the data.
+ * The settings for reading files, and the messages and file names that reading collects.
  */
 #ifndef ReadContext_h
 #define ReadContext_h
@@ -33,7 +33,7 @@ public:
   /// The folders of files that the file at the path may name.
   vtkRelievoAllowedFolders GetAllowed(const std::string& path) const;
 
-  /// As of Messages.
+  /// Like Messages::Check.
   void Check(const std::string& subject, bool failed = false, const std::string& otherwise = "");
 
   ///@{

@@ -552,7 +552,7 @@ vtkRelievoCommand DescribeRender(RenderOptions& all)
     .AddFlag("--hdr", "stores the EXR's colour unclamped, as linear light in half floats", all.HDR)
     .OfOutputs = true;
   vtkRelievoOption& baseline = rows.Add("--baseline", "F",
-    "OpenEXR for `relievo compare`: the picture, the layers that tell causes, and a record of "
+    "OpenEXR for `relievo compare`: the picture, the layers that identify causes, and a record of "
     "objects, camera, lights and settings",
     [](RenderOptions& options, const std::string& word) {
       options.Baseline = NamedAs(".exr", "--baseline", word);
@@ -658,11 +658,11 @@ void CheckLens(const RenderOptions& options)
       "parallel projection, with its own scale");
   }
   const std::pair<bool, const char*> others[] = {
-    { options.Transparent, "--transparent: its background is told apart in a pinhole's picture" },
-    { options.Certify.has_value(), "--certify: it judges a pinhole's picture" },
-    { options.Look.Grid, "--grid: it is drawn over a pinhole's picture" },
-    { options.Look.ScaleBar.has_value(), "--scale-bar: it is drawn over a pinhole's picture" },
-    { options.Look.ScalarBar, "--scalar-bar: it is drawn over a pinhole's picture" }
+    { options.Transparent, "--transparent: only a pinhole's picture can leave out its background" },
+    { options.Certify.has_value(), "--certify: it checks only a pinhole's picture" },
+    { options.Look.Grid, "--grid: it is drawn only over a pinhole's picture" },
+    { options.Look.ScaleBar.has_value(), "--scale-bar: it is drawn only over a pinhole's picture" },
+    { options.Look.ScalarBar, "--scalar-bar: it is drawn only over a pinhole's picture" }
   };
   for (const auto& [given, words] : others)
   {
@@ -695,8 +695,9 @@ void CheckTogether(RenderOptions& options, const std::set<std::string>& given)
   }
   if (!options.Baseline.empty() && !options.Lens.empty())
   {
-    throw UsageError("--baseline and --lens: a baseline is of a pinhole; give the lens's frame as "
-                     "--exr F, which `relievo compare` takes as well");
+    throw UsageError(
+      "--baseline and --lens: a baseline needs a pinhole camera; give --exr F, which "
+      "`relievo compare` accepts as well");
   }
   if (options.HDR && options.EXR.empty())
   {

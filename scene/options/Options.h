@@ -57,7 +57,7 @@ struct RenderOptions
   bool YieldsToFile = false;       ///< the file's lights, if any, replace these
   Shadows ShadowMethod = Shadows::Off;
   std::optional<int> Certify;       ///< rays
-  SurfaceChoice Surface;            ///< what surfaces wear
+  SurfaceChoice Surface;            ///< maps and environment of surfaces
   int UpAxis = 1;                   ///< the world's up axis: 0, 1, 2 for x, y, z
   bool FindsUp = false;             ///< replaces UpAxis by the scene's own
   std::optional<bool> Ground;       ///< whether to add one below the scene; none: no

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * --times, and what else the options of models mean for the other options.
+ * --times, and the effects of the options of models on other options.
  */
 #ifndef SequenceOptions_h
 #define SequenceOptions_h

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Changes of settings in what surfaces wear.
+ * Changes of settings for surface maps, materials and the environment.
  */
 #ifndef SurfaceSettings_h
 #define SurfaceSettings_h

@@ -48,7 +48,7 @@ DEEP = 300000
 
 
 def become_subreaper():
-    """Orphans of a process become children of this one."""
+    """Makes orphaned descendants children of this process."""
     pr_set_child_subreaper = 36
     assert ctypes.CDLL(None).prctl(pr_set_child_subreaper, 1, 0, 0, 0) == 0
 
@@ -267,7 +267,7 @@ print("read again")
 
 
 class Scripts(CliTest):
-    """Python hands its files to a process of the program relievo-reader."""
+    """Python reads files in a process of relievo-reader."""
 
     def test_script(self):
         become_subreaper()

@@ -431,7 +431,7 @@ class Report(CliTest):
 
 
 class Page(html.parser.HTMLParser):
-    """A page's JSON, and what is wrong with it: elements that do not close, and addresses."""
+    """A page's JSON, and its faults: elements that do not close, and addresses."""
 
     VOID = {"meta", "input"}
 
@@ -460,13 +460,13 @@ class Page(html.parser.HTMLParser):
 
 
 def words_of(text, kind):
-    """The words of 32 bits of a page: compressed, the lowest bytes of all first."""
+    """Decodes a page's 32-bit words, compressed with the lowest bytes of all words first."""
     planes = numpy.frombuffer(zlib.decompress(base64.b64decode(text)), "u1").reshape(4, -1)
     return numpy.ascontiguousarray(planes.T).view(kind).ravel()
 
 
 class Compare(CliTest):
-    """`relievo compare`: exit status, text and JSON of changes that the test makes."""
+    """`relievo compare`: exit status, text and JSON for known changes."""
 
     # A table 2 wide at y = 0, and above it a plate of this height, which casts a shadow.
     PLATE = """# vtk DataFile Version 3.0
@@ -500,7 +500,7 @@ POLYGONS 1 5
         text, found = self.found("a.exr", "a.exr", status=0)
         self.assertEqual(text, "alike: 0 of 19 200 pixels\n")
         self.assertTrue(found["alike"])
-        # Drawn again by the recorded options, whatever the environment says.
+        # The recorded options override the environment.
         done = self.relievo("compare", "a.exr", "--render", "table.vtk", "plate.vtk",
                             environment={"RELIEVO_PRESET": "studio"})
         self.assertTrue(done.stdout.startswith("alike: 0 of 19 200 pixels"), done.stdout)
@@ -521,12 +521,12 @@ POLYGONS 1 5
         self.assertIn("1 of 2 objects, 2 of 2 lights;", text)
         self.assertRegex(text, r"plate.vtk \(actor 1\) +moved by \(0, 0.03, 0\), at most [01]\.")
         self.assertLessEqual(max(map(len, text.splitlines())), 120)
-        # In another order, the other's number is no difference.
+        # Another order of the files is no difference.
         _, swapped = self.found("a.exr", "--render", "plate.vtk", "table.vtk")
         self.assertEqual(found["causes"], swapped["causes"])
 
     def test_pictures(self):
-        """Of both sides: what `relievo render` shows, to a rounding."""
+        """The pictures of both sides equal those of `relievo render`, except for rounding."""
         camera = ("--camera", "2,4,6,0,0.2,0,0,1,0")
         drawn = []
         for name, y in (("a.png", 0.5), ("b.png", 0.53)):
@@ -554,11 +554,11 @@ POLYGONS 1 5
         self.assertEqual(causes["settings"]["name"], "background")
         self.assertGreater(causes["settings"]["pixels"], 5000)
 
-    # A file's name that is HTML, Markdown, a mention and an issue.
+    # A file name with HTML, Markdown, a mention and an issue.
     ODD = "<script>x&amp;@me #1 |_`.vtk"
 
     def test_report(self):
-        """The page has the pictures and the cause of each pixel; names are data, there and in
+        """The page has the pictures and the cause of each pixel; names are escaped, also in
         Markdown."""
         (self.folder / "plate.vtk").rename(self.folder / self.ODD)
         look = (*self.LOOK, "--camera", "2,4,6,0,0.2,0,0,1,0")
@@ -592,14 +592,14 @@ POLYGONS 1 5
             self.assertEqual(frame["objects"][1], self.ODD)
             depth = words_of(frame["depth"], "<f4").reshape(120, 160)
             numpy.testing.assert_allclose(depth, channels["depth.Z"], rtol=2**-17)
-        # The plate is where its pixels are, the right way up.
+        # The plate's pixels are at the right place, with the top row first.
         moved = [each["cause"] for each in found["causes"]].index("moved")
         plate = channels["actor.id"] == 1
         self.assertGreater(plate[places.reshape(120, 160) == moved].mean(), 0.9)
         self.marked(found)
 
     def marked(self, found):
-        """The table in Markdown has a row for each cause, and nothing of a name is markup."""
+        """The table in Markdown has a row for each cause, and names are escaped."""
         text = (self.folder / "page.md").read_text("utf-8")
         rows = [line for line in text.splitlines() if line.startswith("| ")]
         self.assertEqual(len(rows), len(found["causes"]) + 1, text)
@@ -649,7 +649,7 @@ POLYGONS 1 5
             (2, ("a.exr",), "got 1 file, expected A and B"),
             (2, ("a.exr", "b.exr", "--render", "table.vtk"), "expected A alone"),
             (2, ("a.exr", "a.exr", "--levels", "300"), "--levels"),
-            (2, (".", ".", "--png-a", "a.png"), "--png-b are of files, got folders"),
+            (2, (".", ".", "--png-a", "a.png"), "--png-b need two files, got folders"),
             (2, ("a.exr", "plain.exr", "--png-b", "plain.exr"), "--png-b"),
             (2, ("plain.exr", "--render", "table.vtk"), "records no options"),
             (2, ("a.exr", "--render", "table.vtk", "--lite", "1"), "--lite"),

@@ -135,7 +135,7 @@ class PyVista(Clients):
         plotter.close()
 
     def test_baselines(self):
-        """The example of docs/compare.md, in pytest: written, then alike, then changed."""
+        """The example of docs/compare.md writes a baseline, passes, then fails after a change."""
         page = (pathlib.Path(__file__).parents[2] / "docs" / "compare.md").read_text("utf-8")
         example = re.search(r"^```python\n(import pyvista\n.*?)^```$", page, re.M | re.S)[1]
         with tempfile.TemporaryDirectory() as folder:

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
 """Headless Chromium: trame's remote view shows Relievo's picture, and a local view, drawn by the
-browser itself, lists its losses; the report of a comparison tells what the comparison found."""
+browser itself, lists its losses; the report of a comparison shows its result."""
 
 import contextlib
 import importlib
@@ -155,7 +155,7 @@ class Views(unittest.TestCase):
 
 
 class Report(unittest.TestCase):
-    """The page of relievo.compare() in Chromium, as someone uses it."""
+    """The page of relievo.compare(), used in Chromium."""
 
     @classmethod
     def setUpClass(cls):
@@ -186,7 +186,7 @@ class Report(unittest.TestCase):
         self.assertEqual(problems, [])
 
     def painted(self, page, color):
-        """How many pixels of the picture have this colour."""
+        """The number of pixels of this colour in the picture."""
         return page.evaluate("""(color) => {
             const canvas = document.querySelector("canvas"), { width, height } = canvas;
             const all = canvas.getContext("2d").getImageData(0, 0, width, height).data;
@@ -198,7 +198,7 @@ class Report(unittest.TestCase):
         }""", color)
 
     def test_table(self):
-        """A row for each cause; a click leaves its pixels in their colour, and Escape all."""
+        """Each cause has a row; a click highlights its pixels, and Escape shows all again."""
         moved, shadow = (next(each for each in self.found.causes if each["cause"] == cause)
                          for cause in ("moved", "shadow"))
         with self.page() as page:
@@ -218,7 +218,7 @@ class Report(unittest.TestCase):
             self.assertGreaterEqual(self.painted(page, colors["shadow"]), shadow["pixels"])
 
     def test_values(self):
-        """Colour, object and cause of a pixel, by mouse and keys."""
+        """Mouse and keys show colour, object and cause of a pixel."""
         place = self.found.image.tolist()
         moved = [each["cause"] for each in self.found.causes].index("moved")
         row = next(i for i, each in enumerate(place) if each.count(moved) > 3)
@@ -238,7 +238,7 @@ class Report(unittest.TestCase):
             self.assertIn(f"column {column + 1}, row {row} ", page.locator("#place").inner_text())
 
     def test_views(self):
-        """All views, by keys, in both themes and on a telephone, with nothing beyond its width."""
+        """Keys choose all views, in both themes; the page fits a telephone's width."""
         back = "getComputedStyle(document.body).backgroundColor"
         with self.page() as page:
             for width, scheme in ((390, "light"), (390, "dark"), (1280, "light"), (1280, "dark")):

@@ -304,7 +304,7 @@ std::size_t CountDifferent(vtkImageData* a, vtkImageData* b)
     {
       vtkDataArray* from = a->GetPointData()->GetArray(k);
       vtkDataArray* to = b->GetPointData()->GetArray(from->GetName());
-      // Another number of an actor is no difference.
+      // Other numbers of actors are no difference.
       for (int c = 0; std::string(from->GetName()) != "actor" && c < from->GetNumberOfComponents();
            ++c)
       {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file BoxFrames.h
- * @brief Frames of boxes by rays in double: every layer and record, so that tests know each change.
+ * @brief Draws boxes by rays in double precision, with all layers and records, for known changes.
  */
 #ifndef BoxFrames_h
 #define BoxFrames_h
@@ -23,11 +23,11 @@ struct Box
   std::string Name;
   Vector Center, HalfSize;
   Vector Color = { 0.5, 0.5, 0.5 }; ///< in levels of 255, 0 to 1
-  Vector MovedBy = { 0., 0., 0. };  ///< by the actor's matrix
+  Vector MovedBy = { 0., 0., 0. };  ///< translation in the actor's matrix
   bool Visible = true;
   bool Translucent = false; ///< in the record, and in no layer
   double Specular = 0.0;
-  std::string Mesh = {}; ///< sum of the points; empty: by the size
+  std::string Mesh = {}; ///< check sum of the points; empty: derived from the size
   double Value = 1.0;    ///< of the array `pressure`
 };
 
@@ -49,16 +49,16 @@ struct Boxes
   bool HasRecord = true;
 };
 
-/** A wheel, a helmet and a cup on a floor, in the light of two suns. */
+/** Makes a wheel, a helmet and a cup on a floor, lit by two suns. */
 Boxes MakeBoxes();
 
-/** The frame: color, depth, normal, albedo, actor, block, cell, pressure, shadow_N. */
+/** Draws the layers color, depth, normal, albedo, actor, block, cell, pressure and shadow_N. */
 vtkSmartPointer<vtkImageData> Draw(const Boxes& boxes);
 
-/** Pixels with any difference in any array of both. */
+/** Counts pixels with a difference in any common array. */
 std::size_t CountDifferent(vtkImageData* a, vtkImageData* b);
 
-/** Sets all components of an array in some pixels. */
+/** Sets all components of an array in a rectangle of pixels. */
 void Fill(vtkImageData* image, const char* array, int x0, int x1, int y0, int y1, double value);
 }
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Files and images that are hard to compare: sizes, cameras, NaN, PNG, damaged and other formats.
+// Comparisons of unusual images and files: sizes, cameras, NaN, PNG, damaged files, other formats.
 #include "BoxFrames.h"
 
 #include "Check.h"
@@ -82,7 +82,7 @@ void TestSizeAndCamera()
   other.Eye[0] += 1e-11;
   const json camera = Compare(compareTest::Draw(boxes), compareTest::Draw(other));
   RELIEVO_CHECK(camera["causes"].size() == 1 && camera["causes"][0]["cause"] == "camera");
-  // Clipping distances follow the scene's bounds, and are no camera's place.
+  // Clipping distances follow the scene's bounds, so they are ignored.
   const vtkSmartPointer<vtkImageData> nearer = compareTest::Draw(boxes);
   nearer->GetFieldData()->GetArray("near")->SetTuple1(0, 1.5);
   vtkDataArray* projection = nearer->GetFieldData()->GetArray("worldToNDC");
@@ -94,7 +94,7 @@ void TestSizeAndCamera()
 void TestValues()
 {
   const compareTest::Boxes boxes = compareTest::MakeBoxes();
-  // NaN is alike to NaN only.
+  // NaN equals only NaN.
   const vtkSmartPointer<vtkImageData> a = compareTest::Draw(boxes);
   const vtkSmartPointer<vtkImageData> b = compareTest::Draw(boxes);
   compareTest::Fill(b, "color", 0, 3, 0, 1, std::numeric_limits<double>::quiet_NaN());
@@ -104,12 +104,12 @@ void TestValues()
   compareTest::Fill(b, "depth", 80, 82, 40, 41, std::numeric_limits<double>::quiet_NaN());
   const json depth = Compare(a, b);
   RELIEVO_CHECK_THAT(depth["alike"] == false && depth["pixels"] == 2, depth.dump());
-  // Nothing in sight.
+  // An empty scene.
   compareTest::Boxes empty;
   RELIEVO_CHECK(Compare(compareTest::Draw(empty), compareTest::Draw(empty))["alike"] == true);
   const json all = Compare(compareTest::Draw(empty), compareTest::Draw(boxes));
   RELIEVO_CHECK(all["alike"] == false && all["unexplained"] == 0);
-  // Smooth edges: colours between those around them.
+  // Smooth edges have colours between their neighbours' colours.
   const vtkSmartPointer<vtkImageData> smooth = compareTest::Draw(boxes);
   const vtkSmartPointer<vtkImageData> sharp = compareTest::Draw(boxes);
   vtkDataArray* actors = sharp->GetPointData()->GetArray("actor");
@@ -133,25 +133,25 @@ void TestValues()
 }
 
 //------------------------------------------------------------------------------
-// What rounding turns where records say that nothing has changed, and what it does not.
+// With equal records, differences by rounding at borders are within the limits, others are not.
 void TestBorders()
 {
   compareTest::Boxes boxes = compareTest::MakeBoxes();
   boxes.Settings.emplace_back("shadows:soft_samples=24");
   const vtkSmartPointer<vtkImageData> a = compareTest::Draw(boxes);
-  // One of two faces that coincide: another cell at the same depth, inside of a face.
+  // Two coincident faces: another cell at the same depth, inside a face.
   vtkSmartPointer<vtkImageData> b = compareTest::Draw(boxes);
   compareTest::Fill(b, "cell", 90, 92, 50, 52, 9.);
   const json twins = Compare(a, b);
   RELIEVO_CHECK_THAT(twins["alike"] == true && twins["within_limits"]["edge"] == 4, twins.dump());
-  // A hole, through which something far is seen, is none of rounding: only its border may be.
+  // A hole through which a far surface is visible is a change, not rounding.
   compareTest::Fill(b, "depth", 88, 94, 48, 54, 40.);
   compareTest::Fill(b, "cell", 88, 94, 48, 54, 7.);
   const json hole = Compare(a, b);
   RELIEVO_CHECK_THAT(
     hole["alike"] == false && hole["pixels"] == 36 && hole["causes"][0]["cause"] == "shape",
     hole.dump());
-  // The border of a shadow goes one pixel further; inside of it a light that leaks is seen.
+  // A shadow's border may move by one pixel; light that leaks inside the shadow is a change.
   vtkDataArray* shadow = a->GetPointData()->GetArray("shadow_0");
   vtkDataArray* actor = a->GetPointData()->GetArray("actor");
   b = compareTest::Draw(boxes);
@@ -174,7 +174,7 @@ void TestBorders()
   RELIEVO_CHECK_THAT(
     leak["alike"] == false && leak["causes"][0]["cause"] == "shadow" && leak["pixels"] == 9,
     leak.dump());
-  // Without records no border is known to be one of rounding.
+  // Without records, a changed cell at a border may be a changed shape.
   boxes.HasRecord = false;
   const vtkSmartPointer<vtkImageData> c = compareTest::Draw(boxes);
   const vtkSmartPointer<vtkImageData> d = compareTest::Draw(boxes);
@@ -197,14 +197,14 @@ void TestFiles()
   const json inMemory = Compare(compareTest::Draw(boxes), compareTest::Draw(moved));
   RELIEVO_CHECK_THAT(found == inMemory, found.dump() + "\n" + inMemory.dump());
 
-  // Written before there were records: by sight, and it says what that does not tell.
+  // A file without a record: compared by its layers, with the causes that these cannot identify.
   compareTest::Boxes older = moved;
   older.HasRecord = false;
   Write(compareTest::Draw(older), "older.exr");
   const json old = CompareFiles(File("a.exr"), File("older.exr"));
   RELIEVO_CHECK(old["alike"] == false && old["causes"][0]["cause"] == "moved");
   RELIEVO_CHECK(Cannot(old, "overlay") && Cannot(old, "settings") && !Cannot(old, "moved"));
-  // By a Relievo of the future.
+  // A newer format.
   const vtkSmartPointer<vtkImageData> future = compareTest::Draw(boxes);
   future->GetFieldData()->GetArray("baseline_version")->SetTuple1(0, 9);
   vtkNew<vtkRelievoFrameComparison> comparison;
@@ -214,7 +214,7 @@ void TestFiles()
     relievoTest::ExpectMessage expect("the frame is a baseline of format 9, expected at most 1");
     RELIEVO_CHECK(!comparison->Compare() && !comparison->GetAlike());
   }
-  // A record that is not one, and one of fewer objects than are seen.
+  // An invalid record, and one with fewer objects than are visible.
   for (const char* text : { "{\"name\": 3}", "[", "" })
   {
     const vtkSmartPointer<vtkImageData> damaged = compareTest::Draw(boxes);
@@ -232,7 +232,7 @@ void TestFiles()
     relievoTest::ExpectMessage expect("but its record has 2 objects");
     RELIEVO_CHECK(!comparison->Compare());
   }
-  // Cut off, and missing.
+  // Truncated and missing files.
   std::ifstream whole(File("a.exr"), std::ios::binary);
   std::string bytes((std::istreambuf_iterator<char>(whole)), std::istreambuf_iterator<char>());
   std::ofstream(File("cut.exr"), std::ios::binary) << bytes.substr(0, bytes.size() / 2);
@@ -249,7 +249,7 @@ void TestFiles()
 }
 
 //------------------------------------------------------------------------------
-// Records and layers that a file may have and nobody wrote so.
+// Invalid records and layers, as in damaged files.
 void TestDamaged()
 {
   compareTest::Boxes boxes = compareTest::MakeBoxes();
@@ -262,7 +262,7 @@ void TestDamaged()
   const json overlays = Compare(whole, compareTest::Draw(odd));
   RELIEVO_CHECK_THAT(
     overlays["causes"].size() == 1 && overlays["causes"][0]["cause"] == "overlay", overlays.dump());
-  // Formats before the first.
+  // An invalid format number.
   const vtkSmartPointer<vtkImageData> zeroth = compareTest::Draw(boxes);
   zeroth->GetFieldData()->GetArray("baseline_version")->SetTuple1(0, 0);
   comparison->SetFrame(zeroth);
@@ -270,7 +270,7 @@ void TestDamaged()
     relievoTest::ExpectMessage expect("the frame is a baseline of format 0, expected at least 1");
     RELIEVO_CHECK(!comparison->Compare());
   }
-  // A number of an actor at random.
+  // A random actor number.
   boxes.HasRecord = false;
   const vtkSmartPointer<vtkImageData> many = compareTest::Draw(boxes);
   many->GetPointData()->GetArray("actor")->SetTuple1(100, std::numeric_limits<int>::max());
@@ -279,7 +279,7 @@ void TestDamaged()
     relievoTest::ExpectMessage expect("the frame shows actor 2147483647, expected at most 999999");
     RELIEVO_CHECK(!comparison->Compare());
   }
-  // Ids of two components are none; of floats, those that are no int are none.
+  // Ids with two components are ignored, and so are float ids that are no int.
   const vtkSmartPointer<vtkImageData> wide = compareTest::Draw(boxes);
   vtkNew<vtkIntArray> pairs;
   pairs->SetName("actor");
@@ -296,7 +296,7 @@ void TestDamaged()
   ids->SetValue(1, 1e30f);
   floats->GetPointData()->AddArray(ids);
   RELIEVO_CHECK(Compare(floats, floats)["alike"] == true);
-  // Names do not steer the terminal.
+  // Control characters in names must not reach the terminal.
   compareTest::Boxes named = compareTest::MakeBoxes();
   named.All[1].Name = R"(wh\u001b[2J\nel)";
   comparison->SetBaseline(compareTest::Draw(named));
@@ -309,7 +309,7 @@ void TestDamaged()
 }
 
 //------------------------------------------------------------------------------
-// A frame with layers beside a picture of the same: the picture alone is compared.
+// A frame with layers and its picture without layers: only the pictures are compared.
 void TestUnequalSides()
 {
   const compareTest::Boxes boxes = compareTest::MakeBoxes();
@@ -329,7 +329,7 @@ void TestUnequalSides()
   compareTest::Fill(picture, "color", 5, 15, 5, 6, 1.);
   RELIEVO_CHECK(Compare(layers, picture)["unexplained"] == 10);
 
-  // Grey beside red, green and blue: alike where these are equal. Alpha counts where both have it.
+  // Grey equals equal red, green and blue. Alpha counts only if both pictures have it.
   const auto fill = [](std::initializer_list<double> tuple) {
     auto image = vtkSmartPointer<vtkImageData>::New();
     image->SetDimensions(4, 3, 1);
@@ -348,7 +348,7 @@ void TestUnequalSides()
 }
 
 //------------------------------------------------------------------------------
-// What is nearer than the clipping distance is gone, and no other object's.
+// Pixels nearer than the clipping distance are clipped, not hidden by another object.
 void TestClipped()
 {
   const compareTest::Boxes boxes = compareTest::MakeBoxes();
@@ -421,7 +421,7 @@ void TestPNG()
   {
     RELIEVO_CHECK_THAT(Cannot(found, cause), cause);
   }
-  // The limit, which can be set.
+  // Larger and smaller limits.
   vtkNew<vtkRelievoFrameComparison> comparison;
   comparison->ReadBaseline(File("a.png").c_str());
   comparison->ReadFrame(File("b.png").c_str());

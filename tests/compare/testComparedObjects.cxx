@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Changes of a scene of boxes, each attributed to its cause and object, with and without a record.
+// Changes in a scene of boxes, each attributed to its cause and object, with and without a record.
 #include "BoxFrames.h"
 
 #include "Check.h"
@@ -33,7 +33,7 @@ json Compare(vtkImageData* a, vtkImageData* b)
   comparison->SetFrame(b);
   RELIEVO_CHECK(comparison->Compare());
   const json found = json::parse(comparison->GetJSON());
-  // Each different pixel is counted once, and the image of causes says the same.
+  // Each different pixel is counted once, also in the image of causes.
   std::size_t sum = found["unexplained"].get<std::size_t>();
   for (const json& cause : found["causes"])
   {
@@ -66,7 +66,7 @@ json Compare(const Boxes& a, const Boxes& b)
   return Compare(compareTest::Draw(a), compareTest::Draw(b));
 }
 
-// The entry of a cause and a name; null if there is none.
+// The entry with this cause and name; null if there is none.
 json Find(const json& found, const std::string& cause, const std::string& name)
 {
   for (const json& each : found["causes"])
@@ -79,7 +79,7 @@ json Find(const json& found, const std::string& cause, const std::string& name)
   return json();
 }
 
-// "moved wheel, shadow key": causes in the order of their words.
+// Lists causes and names, sorted, as in "moved wheel, shadow key".
 std::string List(const json& found)
 {
   std::vector<std::string> all;
@@ -112,12 +112,12 @@ void TestAlike()
     const json found = Compare(boxes, boxes);
     RELIEVO_CHECK(found["alike"] == true && found["pixels"] == 0);
     CheckList(found, "", "equal frames");
-    // Other order, and another number for each.
+    // Reversed order, so that the numbers change.
     Boxes other = boxes;
     std::reverse(other.All.begin(), other.All.end());
     CheckList(Compare(boxes, other), "", "reversed order");
   }
-  // Renamed, all of them: still the same meshes in the same places.
+  // All objects renamed, with the same meshes in the same places.
   const Boxes boxes = compareTest::MakeBoxes();
   Boxes renamed = boxes;
   for (Box& box : renamed.All)
@@ -146,11 +146,11 @@ void TestMoved()
     RELIEVO_CHECK(moved["id"] == 1 && moved["kind"] == "actor");
     for (std::size_t i = 0; i < 3; ++i)
     {
-      // By the record exactly; by sight, of three faces, to a float's rounding of depths near 9.
+      // Exact by the record; from the layers, accurate to a float's rounding of depths near 9.
       RELIEVO_CHECK_NEAR(moved["displacement"][i].get<double>(), by[i], record ? 1e-14 : 2e-5,
-        record ? "displacement by the record" : "displacement by what is seen");
+        record ? "displacement by the record" : "displacement by the layers");
     }
-    // The largest shift: that of the pixel whose point comes nearest, to the next projection.
+    // The largest shift of a pixel.
     RELIEVO_CHECK(moved["largest"].get<double>() > 0.3 && moved["largest"].get<double>() < 2.);
     CheckList(found,
       record ? "moved wheel, shadow fill, shadow key" : "moved , shadow fill, shadow key", "moved");
@@ -163,14 +163,14 @@ void TestMoved()
         return compareTest::Draw(sorted);
       }()));
   }
-  // By other points, under the same matrix.
+  // Moved points with an unchanged matrix.
   Boxes baked = compareTest::MakeBoxes();
   baked.All[1].Mesh = "elsewhere";
   baked.All[1].Center[0] += 0.04;
   const json points = Compare(compareTest::MakeBoxes(), baked);
   RELIEVO_CHECK_NEAR(Find(points, "moved", "wheel")["displacement"][0].get<double>(), 0.04, 1e-14,
     "displacement by points");
-  // By a twentieth of a pixel, which no picture shows.
+  // Moved by a twentieth of a pixel, which is invisible in the picture.
   const Boxes before = compareTest::MakeBoxes();
   Boxes little = before;
   little.HasRecord = false;
@@ -198,7 +198,7 @@ void TestAddedAndRemoved()
     const json added = Compare(without, before);
     CheckList(added, "added " + name + ", shadow fill, shadow key", "added");
     RELIEVO_CHECK(removed["pixels"] == added["pixels"]);
-    // As many as the picture shows of it, at least.
+    // All visible pixels of the wheel count as removed.
     std::size_t seen = 0;
     const vtkSmartPointer<vtkImageData> frame = compareTest::Draw(before);
     for (vtkIdType i = 0; i < frame->GetNumberOfPoints(); ++i)
@@ -207,17 +207,17 @@ void TestAddedAndRemoved()
     }
     RELIEVO_CHECK(Find(removed, "removed", name)["pixels"].get<std::size_t>() == seen);
   }
-  // Hidden: what is behind is not said to have been added.
+  // A hidden object is not reported as removed, nor an uncovered one as added.
   Boxes before = compareTest::MakeBoxes();
   before.All.push_back({ "screen", { -1.2, 0.9, 0. }, { 0.5, 0.6, 0.05 } });
   before.HasRecord = false;
   Boxes after = before;
-  after.All[4].MovedBy = { 1.6, -0.3, 0. }; // before the cup
+  after.All[4].MovedBy = { 1.6, -0.3, 0. }; // in front of the cup
   const json found = Compare(before, after);
   RELIEVO_CHECK_THAT(
     Find(found, "added", "").is_null() && Find(found, "removed", "").is_null(), found.dump());
   RELIEVO_CHECK_THAT(Find(found, "visibility", "").is_null(), found.dump());
-  // Not shown.
+  // An object switched off.
   Boxes hidden = compareTest::MakeBoxes();
   hidden.All[2].Visible = false;
   CheckList(Compare(compareTest::MakeBoxes(), hidden), "shadow fill, shadow key, visibility helmet",
@@ -231,15 +231,15 @@ void TestShape()
   {
     Boxes before = compareTest::MakeBoxes();
     before.HasRecord = record;
-    before.All[2].Center[1] = 0.6; // over the floor: what stands on it might as well have sunk
+    before.All[2].Center[1] = 0.6; // above the floor, because an object on it could have sunk
     Boxes after = before;
-    after.All[2].HalfSize[1] = 0.3; // the top alone is lower
+    after.All[2].HalfSize[1] = 0.3; // lowers only the top
     after.All[2].Center[1] = 0.55;
     const json found = Compare(before, after);
     const json shape = Find(found, "shape", record ? "helmet" : "");
     RELIEVO_CHECK_THAT(!shape.is_null(), found.dump());
     RELIEVO_CHECK_THAT(Find(found, "moved", record ? "helmet" : "").is_null(), found.dump());
-    // Its top is cell 3.
+    // The helmet's top is cell 3.
     const std::vector<int> cells = shape["cells"].get<std::vector<int>>();
     RELIEVO_CHECK_THAT(std::find(cells.begin(), cells.end(), 3) != cells.end(), shape.dump());
     RELIEVO_CHECK(found["unexplained"] == 0);
@@ -259,7 +259,7 @@ void TestSurfaces()
     const json color = Compare(before, recolored);
     CheckList(color, "color " + cup, "recoloured");
     RELIEVO_CHECK(Find(color, "color", cup)["largest"] == 9.0);
-    // Two levels are within the limits, and counted.
+    // A difference of two levels is within the limits, and counted there.
     recolored.All[3].Color[2] = 0.9 + 2. / 255.;
     const json within = Compare(before, recolored);
     RELIEVO_CHECK_THAT(within["alike"] == true, within.dump());
@@ -269,7 +269,7 @@ void TestSurfaces()
     const json array = Compare(before, values);
     CheckList(array, "array " + cup, "array");
     RELIEVO_CHECK(Find(array, "array", cup)["array"] == "pressure");
-    // A normal that is turned.
+    // A turned normal.
     const vtkSmartPointer<vtkImageData> a = compareTest::Draw(before);
     const vtkSmartPointer<vtkImageData> b = compareTest::Draw(before);
     vtkDataArray* normals = b->GetPointData()->GetArray("normal");
@@ -285,7 +285,7 @@ void TestSurfaces()
       normal.dump());
     RELIEVO_CHECK_NEAR(normal["causes"][0]["largest"].get<double>(), 0.5, 1e-4, "angle");
   }
-  // A shine is no colour of the surface: the record knows it.
+  // Highlights do not belong to the surface's colour; the record has the material.
   Boxes shiny = compareTest::MakeBoxes();
   shiny.All[3].Specular = 0.1;
   CheckList(Compare(compareTest::MakeBoxes(), shiny), "settings cup", "specular");
@@ -303,11 +303,11 @@ void TestLights()
   const json light = Compare(before, moved);
   CheckList(light, "light key", "light moved");
   RELIEVO_CHECK(Find(light, "light", "key")["changed"] == "position");
-  // In another order.
+  // Another order of the lights.
   Boxes swapped = before;
   std::swap(swapped.Lamps[0], swapped.Lamps[1]);
   CheckList(Compare(before, swapped), "", "lights in another order");
-  // The shadow of one light alone.
+  // A change of only one light's shadow.
   const vtkSmartPointer<vtkImageData> a = compareTest::Draw(before);
   const vtkSmartPointer<vtkImageData> b = compareTest::Draw(before);
   std::size_t lit = 0;
@@ -322,7 +322,7 @@ void TestLights()
   const json shadow = Compare(a, b);
   CheckList(shadow, "shadow fill", "shadow of one light");
   RELIEVO_CHECK(lit > 0 && shadow["pixels"] == lit);
-  // Lights without a difference that is seen are compared all the same.
+  // Records of lights are compared even if no pixel changes.
   Boxes dark = before;
   dark.Lamps.push_back({ "off", { 0., 1., 0. }, 0. });
   CheckList(Compare(before, dark), "light off", "a light more");
@@ -341,7 +341,7 @@ void TestPictureAlone()
   const json text = Compare(a, b);
   CheckList(text, "overlay ", "text");
   RELIEVO_CHECK(text["pixels"] == 140);
-  // The same pixels without any record of a reason.
+  // Equal pixel changes without a recorded reason are unexplained.
   b = compareTest::Draw(before);
   compareTest::Fill(b, "color", 5, 25, 5, 12, 1.);
   const json unexplained = Compare(a, b);
@@ -351,7 +351,7 @@ void TestPictureAlone()
   after = before;
   after.Settings = { "background=1 1 1", "tone:operator=reinhard" };
   CheckList(Compare(before, after), "settings background, tone tone:operator", "settings");
-  // Something translucent that moves: a box around it.
+  // A translucent object that moves is located by its bounding box.
   before.All.push_back({ "glass", { 0., 1., 0. }, { 0.2, 0.2, 0.2 } });
   before.All.back().Translucent = true;
   after = before;
@@ -363,7 +363,7 @@ void TestPictureAlone()
 }
 
 //------------------------------------------------------------------------------
-// Layers of stages, each of which has a word of its own.
+// Layers of stages, each with a cause of its own.
 void TestStages()
 {
   const std::pair<const char*, const char*> stages[] = { { "light", "lamps" }, { "fog", "fog" },
@@ -381,7 +381,7 @@ void TestStages()
       array->Fill(0.25);
       frame->GetPointData()->AddArray(array);
     }
-    // A level and a half is within the limits.
+    // One and a half levels are within the limits.
     compareTest::Fill(frames[1], layer, 5, 25, 5, 12, 0.25 + 1.5 / 255.);
     const json within = Compare(frames[0], frames[1]);
     RELIEVO_CHECK_THAT(
@@ -394,7 +394,7 @@ void TestStages()
 }
 
 //------------------------------------------------------------------------------
-// Objects that are all the same, named by nothing, which swap their places: nothing has changed.
+// Equal, unnamed objects that swap places are no change.
 void TestSwarm()
 {
   Boxes before;

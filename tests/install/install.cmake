@@ -24,7 +24,7 @@ foreach (text IN LISTS texts)
   endif ()
 endforeach ()
 
-# Its tests of pictures: the page's example, and what can go wrong. A mesh is two triangles.
+# Picture tests of the installed package: the documentation's example, and failures. A mesh is two triangles.
 set(relievo "${here}/prefix/bin/relievo")
 set(pictures)
 if (EXISTS "${relievo}")
@@ -98,7 +98,7 @@ if (pictures)
       message(FATAL_ERROR "the tests of pictures do not say ${line}:\n${output}")
     endif ()
   endforeach ()
-  # What CDash gets of the two that differ.
+  # The measurements that CDash gets for the two tests with differences.
   file(GLOB results "${here}/build/Testing/*/Test.xml")
   file(READ "${results}" results)
   string(REGEX MATCHALL "type=\"image/png\"|name=\"(ValidImage|TestImage|Causes)\"" sent "${results}")

@@ -184,7 +184,7 @@ class Scene(unittest.TestCase):
         self.assertEqual(self.picture(scene), first)
 
     def test_a_cutoff_and_back(self):
-        """A material that makes a see-through texture opaque leaves no trace when it goes."""
+        """Removing a material that made a translucent texture opaque restores the picture."""
         texture = numpy.full((8, 8, 4), 200, numpy.uint8)
         texture[..., 3] = 255 * (numpy.indices((8, 8)).sum(0) % 4) // 4
         image = vtkImageData()
@@ -515,7 +515,7 @@ class Scene(unittest.TestCase):
 
 
 class Compared(unittest.TestCase):
-    """compare() and write_baseline(): changes that the test makes are what they find."""
+    """compare() and write_baseline(): known changes are found."""
 
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
@@ -583,7 +583,7 @@ class Compared(unittest.TestCase):
         moved = self.only(relievo.compare(self.path, renderer), "moved")
         self.assertEqual((moved["name"], moved["id"]), ("low", 1))
         numpy.testing.assert_allclose(moved["displacement"], (0.02, 0.01, -0.03), atol=1e-12)
-        # By what is seen alone, without the record: to the digits of depths in float.
+        # Without the record, the displacement is as accurate as depths in float.
         before = relievo.capture(renderer, ["color", "depth", "actor", "cell"])
         self.actors[1].SetPosition(0, 0, 0)
         after = relievo.capture(renderer, ["color", "depth", "actor", "cell"])
@@ -623,7 +623,7 @@ class Compared(unittest.TestCase):
         self.actors.insert(0, self.box(0, 3))
         self.actors[0].SetPosition(0, 0, -3)
         renderer.RemoveAllViewProps()
-        for actor in self.actors:  # so that all numbers change
+        for actor in self.actors:  # changes all numbers
             renderer.AddActor(actor)
         self.assertEqual(self.only(relievo.compare(self.path, renderer), "added")["id"], 0)
         renderer.RemoveActor(self.actors[0])
@@ -634,7 +634,7 @@ class Compared(unittest.TestCase):
     def test_nan(self):
         renderer = self.renderer()
         points = self.actors[1].GetMapper().GetInput().GetPoints()
-        points.InsertNextPoint(math.nan, 0, 0)  # of no cell
+        points.InsertNextPoint(math.nan, 0, 0)  # used by no cell
         relievo.write_baseline(self.path, renderer)
         found = relievo.compare(self.path, renderer)
         self.assertTrue(found, str(found))
@@ -642,7 +642,7 @@ class Compared(unittest.TestCase):
         points.Modified()
         found = relievo.compare(self.path, renderer)
         self.assertEqual(self.only(found, "shape")["id"], 1)
-        self.assertGreater(found.pixels, 0)  # VTK draws nothing that has infinite bounds
+        self.assertGreater(found.pixels, 0)  # VTK draws no actor with infinite bounds
 
     def test_scene(self):
         with warnings.catch_warnings():

@@ -49,38 +49,37 @@ public:
         "why. Exit status: 0 alike, 1 the work failed, 2 the arguments were wrong, 3 different.")
   {
     this->Rows.AboutFile =
-      "A and B are .exr of `relievo render --baseline` or --exr, pictures (.png ...; then the "
-      "pictures alone are compared), or folders of these, whose files are compared by name.";
+      "A and B are .exr files of `relievo render --baseline` or --exr, pictures (.png ...; then "
+      "only the pictures are compared), or folders of these, whose files are matched by name.";
     this->Rows.Files = "exr|png";
-    this->AddOutput("--json FILE.json", "the same, complete, as JSON", this->JSON);
+    this->AddOutput("--json FILE.json", "the full result as JSON", this->JSON);
     this->AddOutput("--png-a FILE.png", "the picture of A, 8 bits", this->PNG[0]);
     this->AddOutput("--png-b FILE.png", "the picture of B, 8 bits", this->PNG[1]);
     this->AddOutput("--html FILE.html",
-      "a page to look at, in one file: both pictures, the pixels of each cause, values under the "
-      "mouse",
+      "a report page in one file: both pictures, the pixels of each cause, values under the mouse",
       this->HTML);
     this->AddOutput(
       "--markdown FILE.md", "the table of causes as Markdown, for pull requests", this->Markdown);
     this->Add("--levels N",
-      "by how many of 255 levels colours, and shares such as shadows, may differ, 0 to 255 (2)",
+      "tolerance for colours, and for shares such as shadows, in levels of 255, 0 to 255 (2)",
       [this](const std::string& value) {
         this->Comparison->SetColorLevels(scene::ParseNumberFrom("--levels", value, 0.0, 255.0));
       });
-    this->Add("--normal-angle DEG", "by how many degrees normals may differ, 0 to 180 (0.02)",
+    this->Add("--normal-angle DEG", "tolerance for normals, in degrees, 0 to 180 (0.02)",
       [this](const std::string& value) {
         this->Comparison->SetNormalAngle(
           scene::ParseNumberFrom("--normal-angle", value, 0.0, 180.0));
       });
     this->Add("--depth-pixels P",
-      "how far apart in the picture, in pixels, points of a surface may be whose depths are "
-      "compared, 0 to 1 (0.00390625, which is OpenGL's grid)",
+      "tolerance for depths, as the change of a surface's depth over P pixels, 0 to 1 (0.00390625, "
+      "the step of OpenGL's grid)",
       [this](const std::string& value) {
         this->Comparison->SetDepthPixels(scene::ParseNumberFrom("--depth-pixels", value, 0.0, 1.0));
       });
-    // Taken before the others, with the words behind it that are not this command's.
+    // Run() splits the words at --render; this entry serves the help.
     this->Add("--render FILE...",
-      "draws these files in place of B, by the options that the baseline A records; options of "
-      "`relievo render` behind it replace recorded ones",
+      "draws these files in place of B, with the options recorded in the baseline A; options of "
+      "`relievo render` after --render replace recorded ones",
       [](const std::string&) {});
   }
 
@@ -109,7 +108,7 @@ public:
     const bool takesFolders = !draws && (IsFolder(this->Names[0]) || IsFolder(this->Names[1]));
     if (takesFolders && !(this->PNG[0].empty() && this->PNG[1].empty()))
     {
-      throw scene::UsageError("compare: --png-a and --png-b are of files, got folders");
+      throw scene::UsageError("compare: --png-a and --png-b need two files, got folders");
     }
     const scene::Messages::Scope scope;
     scene::Outputs outputs;
@@ -158,7 +157,7 @@ public:
   }
 
 private:
-  // Whether the word is an option of this command, which render does not have.
+  // Whether the word is an option of this command; render has none of these names.
   bool Has(const std::string& word) const
   {
     return std::any_of(this->Rows.Options.begin(), this->Rows.Options.end(),
@@ -198,7 +197,7 @@ private:
     }
     else if (data->HasArray("depth") || data->HasArray("actor"))
     {
-      throw scene::WorkError(path + ": cannot be written: the frame has layers, and no picture");
+      throw scene::WorkError(path + ": cannot be written: the frame has layers but no picture");
     }
     const vtkSmartPointer<vtkImageData> bytes = vtkRelievoImageFile::ToColors(picture);
     vtkNew<vtkImageExtractComponents> colors;
@@ -213,7 +212,7 @@ private:
       path, writer->GetErrorCode() != 0, "cannot be written; is the disk full?");
   }
 
-  // Says a failure once, as this command does.
+  // Throws the comparison's error, so that it is reported once.
   void Check(bool done, const std::string& before = {})
   {
     if (!done)
@@ -229,7 +228,7 @@ private:
                            : this->Comparison->ReadFrame(path.c_str()));
   }
 
-  // `showsAlike`: whether the page shows pictures that are alike.
+  // `showsAlike`: whether the page has the pictures of frames that are alike, too.
   bool Compare(const std::string& files, bool showsAlike = true)
   {
     this->Check(this->Comparison->Compare(), files);
@@ -243,7 +242,7 @@ private:
   }
 
   //----------------------------------------------------------------------------
-  // The options that a baseline records; that they are wrong is no fault of the command's words.
+  // Parses the options in a baseline. Invalid ones are a WorkError: the command line is correct.
   static scene::Settings ParseRecorded(
     const std::string& path, const std::vector<std::string>& words)
   {
@@ -259,7 +258,7 @@ private:
   }
 
   //----------------------------------------------------------------------------
-  // Draws the files as the baseline was drawn, but for the options that are given.
+  // Draws the files with the baseline's options, except for the given ones, and compares.
   bool CompareDrawn(const std::vector<std::string>& given)
   {
     const std::string& path = this->Names.front();
@@ -269,7 +268,7 @@ private:
     if (!record)
     {
       throw scene::UsageError(
-        path + ": records no options to draw by, expected a file of `relievo render --baseline`");
+        path + ": records no options, expected a file of `relievo render --baseline`");
     }
     std::vector<std::string> words;
     for (vtkIdType i = 0; i < record->GetNumberOfValues(); ++i)
@@ -297,7 +296,7 @@ private:
   }
 
   //----------------------------------------------------------------------------
-  // Names of the pictures in a folder and below, from there.
+  // The pictures in a folder and below, as paths relative to the folder.
   static std::set<std::string> ListPictures(const std::string& folder)
   {
     std::set<std::string> names;
@@ -305,11 +304,11 @@ private:
     for (fs::recursive_directory_iterator each(folder, error), end; !error && each != end;
          each.increment(error))
     {
-      std::error_code unknown; // of a link to nothing, which is no picture
+      std::error_code unknown; // set for a broken link, which is skipped
       const std::string extension = scene::ExtensionOf(each->path().string());
       if (each->is_regular_file(unknown) && (extension == ".exr" || extension == ".png"))
       {
-        // Not fs::relative(), which goes to the files that links lead to.
+        // Not fs::relative(), which resolves links.
         names.insert(each->path().lexically_relative(folder).generic_string());
       }
     }
@@ -326,15 +325,15 @@ private:
     const std::string& b = this->Names[1];
     if (!IsFolder(a) || !IsFolder(b))
     {
-      throw scene::UsageError(
-        "compare: got a folder, " + (IsFolder(a) ? a : b) + ", and a file, expected two of a kind");
+      throw scene::UsageError("compare: got a folder, " + (IsFolder(a) ? a : b) +
+        ", and a file, expected two folders or two files");
     }
     const std::set<std::string> sides[2] = { ListPictures(a), ListPictures(b) };
     std::set<std::string> all = sides[0];
     all.insert(sides[1].begin(), sides[1].end());
     if (all.empty())
     {
-      throw scene::WorkError(a + ", " + b + ": hold no .exr or .png");
+      throw scene::WorkError(a + ", " + b + ": contain no .exr or .png");
     }
     nlohmann::ordered_json files = nlohmann::ordered_json::array();
     std::size_t different = 0;

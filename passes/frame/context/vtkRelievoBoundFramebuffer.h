@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The framebuffer that is bound, into which a frame is drawn.
+// The bound framebuffer, into which a frame is drawn.
 #ifndef vtkRelievoBoundFramebuffer_h
 #define vtkRelievoBoundFramebuffer_h
 
@@ -28,7 +28,7 @@ struct VTKRELIEVOFRAME_EXPORT vtkRelievoBoundFramebuffer
   static int GetNumber(bool reading = false);
 
   ///@{
-  // Of the framebuffer bound for drawing: samples per pixel, 0 for one; and its depth.
+  // The samples per pixel (0 for one), and the depth, of the framebuffer bound for drawing.
   static int GetSamples();
   static DepthFormat GetDepth();
   ///@}

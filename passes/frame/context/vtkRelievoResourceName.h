@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The names of a frame's resources, by which stages declare what they read and write. A name is a
-// type of its own, and no text becomes one by itself: a misspelt name does not compile.
+// The names of a frame's resources, by which stages declare their inputs and outputs. Names have a
+// type of their own, and text does not convert to it: a misspelt name does not compile.
 #ifndef vtkRelievoResourceName_h
 #define vtkRelievoResourceName_h
 
@@ -12,8 +12,7 @@
 class vtkRelievoResourceName
 {
 public:
-  // The name of a layer or an array, or of a resource of one's own; other names are the constants
-  // below.
+  // Names a layer, an array, or a stage's own resource; all other names are the constants below.
   static vtkRelievoResourceName Of(std::string name)
   {
     return vtkRelievoResourceName(std::move(name));
@@ -41,18 +40,18 @@ using Name = vtkRelievoResourceName;
 inline const Name Picture = Name::Of("picture");
 inline const Name Color = Name::Of("color");
 
-// With the linear colour: the delegate's drawing with its depth; its translucent geometry, kept
-// apart, and the depth of that.
+// Beside the linear colour: the delegate's drawing with its depth; its translucent geometry, stored
+// separately, with its depth.
 inline const Name Drawn = Name::Of("drawn");
 inline const Name Translucent = Name::Of("translucent");
 inline const Name TranslucentDepth = Name::Of("translucent depth");
 
-// Samples of a frame: all that were drawn at once, where several are needed, and their sum.
+// Samples of a frame: the samples drawn at once, if several are needed, and their sum.
 inline const Name Samples = Name::Of("samples");
 inline const Name Marks = Name::Of("marks");
 inline const Name Gathered = Name::Of("gathered");
 
-// Layers of the G-buffer that stages read, and what it keeps of surfaces: for lamps, and for lights
+// Layers of the G-buffer that stages read, and its stored surface data, for lamps and for lights
 // that are evaluated after the drawing (vtkRelievoShading).
 inline const Name Depth = Name::Of("depth");
 inline const Name Normal = Name::Of("normal");
@@ -61,8 +60,8 @@ inline const Name Actor = Name::Of("actor");
 inline const Name Surface = Name::Of("surface");
 inline const Name Shading = Name::Of("shading");
 
-// Of the stage `shadows`: for stages that light by themselves, for layers, and for lamps from data
-// (vtkRelievoLampShadows).
+// Outputs of the stage `shadows`: for stages with their own lighting, for layers, and for lamps
+// from data (vtkRelievoLampShadows).
 inline const Name ShadowMaps = Name::Of("shadow maps");
 inline const Name Visibility = Name::Of("visibility");
 inline const Name LampShadows = Name::Of("lamp shadows");

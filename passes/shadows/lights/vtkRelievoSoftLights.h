@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Lights with a size, and the samples of their shapes that a frame draws.
+// Lights with a size, and the samples of their shapes in a frame.
 #ifndef vtkRelievoSoftLights_h
 #define vtkRelievoSoftLights_h
 
@@ -18,7 +18,7 @@ class vtkRenderer;
 class vtkRelievoSoftLights
 {
 public:
-  // Room in the shaders of this OpenGL.
+  // Limits of this OpenGL's shaders.
   struct Room
   {
     int Maps;
@@ -29,23 +29,24 @@ public:
 
   bool HasSized(const vtkRelievoShadowLights& lights, vtkRenderer* renderer) const;
 
-  // Whether this number of samples of all lights can share a few maps.
+  // Whether so many samples of all lights can share a few maps.
   bool CanFollow(int samples, const vtkRelievoShadowLights& lights, vtkRenderer* renderer) const;
 
-  // Moves the lights that cast to the frame's sample, or divides them into parts where it draws all
-  // samples at once. `soft`: samples are wanted; `maps`: of each sun, for all of its parts.
+  // Moves the casting lights to the frame's sample, or divides them into parts if the frame draws
+  // all samples at once. `soft`: samples are requested; `maps`: maps of each sun, shared by its
+  // parts.
   void Begin(const vtkRelievoFrameContext& context, bool soft, int maps, const Room& room,
     vtkRelievoShadowLights& lights);
 
   ///@{
-  // In this frame: samples, those gathered until now, and the step of the numbers of parts where
-  // all samples are drawn at once (vtkRelievoSampleLattice::GetNumberStep); 0, 0 elsewhere.
+  // In this frame: the number of samples, the number gathered so far, and, if all samples are drawn
+  // at once, the step of the parts' numbers (vtkRelievoSampleLattice::GetNumberStep), else 0, 0.
   int GetSamples() const { return this->Samples; }
   int GetGathered() const { return this->Gathered; }
   const glm::vec2& GetPartStep() const { return this->PartStep; }
   ///@}
 
-  // As a part of a sentence: ", WORDS". `together`: with other processes.
+  // A clause for the frame report, ", WORDS". `together`: several processes draw the frame.
   std::string GetReport(bool together) const;
 
 private:
