@@ -27,7 +27,7 @@ struct Change
 
   // The region that a changed object may cover if it appears in no layer.
   bool IsTranslucent = false;
-  std::array<double, 6> Bounds{ 1., -1., 1., -1., 1., -1. }; // in both frames
+  std::array<double, 6> Bounds{ 1., -1., 1., -1., 1., -1. }; // of both frames together
 };
 
 class ObjectChanges

@@ -16,9 +16,9 @@ import shutil
 
 import pytest
 
-_USE = pytest.StashKey()  # of a test: its fixture
-_OWNERS = pytest.StashKey()  # of a run: {baseline: (test, whether it has the test's name)}
-_NEW = pytest.StashKey()  # of a run: the baselines that it wrote
+_USE = pytest.StashKey()  # a test's fixture
+_OWNERS = pytest.StashKey()  # a run's {baseline: (test, whether it has the test's name)}
+_NEW = pytest.StashKey()  # baselines written by a run
 _WRITTEN = "relievo_baseline_written"  # a property of reports
 
 

@@ -271,7 +271,7 @@ class Scripts(CliTest):
 
     def test_script(self):
         become_subreaper()
-        before = set(children(os.getpid()))  # of other tests
+        before = set(children(os.getpid()))  # started by other tests
         (self.folder / "self.dae").write_text(COLLADA % '<instance_node url="#n"/>')
         (self.folder / "whole.dae").write_text(COLLADA % "")
         text = '<?xml version="1.0"?>\n<VTKFile type="PolyData" version="0.1"><PolyData>'

@@ -606,7 +606,7 @@ class Compared(unittest.TestCase):
         self.actors[0].GetProperty().SetColor(1, 1, 0.9)
         color = self.only(relievo.compare(self.path, renderer), "color")
         self.assertEqual(color["name"], "tall")
-        self.assertEqual(color["largest"], 25)  # 255 and 230, which is 229.5
+        self.assertEqual(color["largest"], 25)  # 255 - 230, rounded from 229.5
         self.actors[0].GetProperty().SetColor(1, 1, 1)
         self.actors[0].GetProperty().SetSpecular(0.4)
         self.assertEqual(self.only(relievo.compare(self.path, renderer), "settings")["name"],
