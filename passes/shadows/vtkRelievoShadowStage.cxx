@@ -879,7 +879,8 @@ bool vtkRelievoShadowStage::SetShaderParameters(vtkShaderProgram* program,
   }
   if (program->IsUniformUsed("relievoFromLight"))
   {
-    program->SetUniformi("relievoFromLight", drawingMaps ? 1 : 0);
+    // Masks are of the mesh, too: vtkRelievoCasterDraw draws most surfaces, without their relief.
+    program->SetUniformi("relievoFromLight", drawingMaps ? 1 : in.Maps.Work.DrawingDepth ? -1 : 0);
   }
   if (!program->IsUniformUsed("relievoShadowMaps") &&
     !program->IsUniformUsed("relievoSeenVerdicts"))

@@ -81,7 +81,7 @@ uniform vec2 relievoNormalWeight; // of the map's x and y: strength; negative y 
 #undef RELIEVO_RECEIVER
 #define RELIEVO_RECEIVER(matrix, place) ((place) + (matrix) * vec4(relievoShiftVC, 0.0))
 uniform sampler2D relievoHeightMap;
-// From shadow/: casters are drawn, with the mesh and without its relief.
+// From shadow/: unless it is 0, the mesh is drawn without its relief.
 uniform int relievoFromLight;
 uniform vec2 relievoHeightDecode; // from the texture's values to 0 .. 1: scale, offset
 uniform vec2 relievoHeightSize; // texels

@@ -14,7 +14,7 @@ uniform int relievoFromLight; // 1 while a light's map is drawn
   vec4 relievoUndistorted = gl_Position;
 
 //RELIEVO::Section(Impl)
-  if (relievoFromLight != 0)
+  if (relievoFromLight > 0)
   {
     gl_Position = relievoUndistorted;
   }

@@ -66,7 +66,7 @@ uniform int relievoFromLight; // 1 while a light's map is drawn
 // Points as spheres and lines as tubes are moved in front of their primitive by a share of the
 // radius, which VTK gives in pixels of the picture: in a map, that offset would make them shadow
 // themselves.
-#define ZCalcR (relievoFromLight != 0 ? 0.0 : ZCalcR)
+#define ZCalcR (relievoFromLight > 0 ? 0.0 : ZCalcR)
 
 //RELIEVO::Section(MapsDec)
 //RELIEVO::Include(shadow/reach.glsl)

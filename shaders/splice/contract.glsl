@@ -22,8 +22,9 @@
 //                                                    opacity of colours and textures
 //
 // relievoFromLight            shadow       material  uniform int, 1 while a light's view is drawn,
-//                                                    else, and without shadow/, 0; each reader
-//                                                    declares it
+//                                                    -1 while a shadow method draws the camera's
+//                                                    depth, else, and without shadow/, 0; each
+//                                                    reader declares it
 //
 // A macro is expanded where it is read: the names that it uses must be declared before that place.
 // material/ declares after //VTK::PositionVC::Dec, shadow/ after //VTK::Light::Dec, gbuffer/

@@ -207,6 +207,20 @@ class Scene(unittest.TestCase):
         self.assertEqual(self.picture(scene.set(**cut)), opaque)
         self.assertEqual(self.picture(scene.set(material=None)), first)
 
+    def test_relief_in_masks(self):
+        """Masks of forward shadows do not depend on what was drawn before."""
+        heights = 255 * (numpy.indices((32, 32)).sum(0) % 8 < 4)
+        relievo.write_png(self.path("heights.png"),
+                          numpy.repeat(heights[..., None], 3, -1).astype(numpy.uint8))
+        scene = relievo.scene(self.mesh, size=SIZE, camera=CAMERA, light="point:0,3,1",
+                              shadows="forward", shadow_size=256,
+                              height_map=self.path("heights.png,0.3"),
+                              texture_coordinates="plane")  # fmt: skip
+        first = self.picture(scene)
+        for _ in range(2):  # mappers make their buffers anew
+            self.assertTrue(self.picture(scene.set(color="red")) != first)
+            self.assertTrue(self.picture(scene.set(color=None)) == first)
+
     def test_layers_leave_nothing(self):
         """Layers of the file are the capture's; the renderer has no frame afterwards."""
         scene = relievo.scene(self.mesh, size=SIZE, camera=CAMERA)
