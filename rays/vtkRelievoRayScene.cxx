@@ -369,8 +369,12 @@ struct vtkRelievoRayScene::Internals
     bool OfCells = false;
     vtkIdTypeArray* Cells = nullptr; // indices of the mesh's cells in the data; none: equal
     vtkIdTypeArray* Points = nullptr;
+    // The user's ids of the mesh's points, which identify them for FindMoved; null: `Points` does.
+    vtkSmartPointer<vtkIdTypeArray> Ids;
     vtkIdType PointsOfPlace = 0; // points per glyph, if glyphs' places are merged into one mesh
     bool IsOpaque = true;        // drawn as opaque by VTK
+
+    vtkIdTypeArray* GetIds() const { return this->Ids ? this->Ids.Get() : this->Points; }
   };
 
   // An entry of AddData.
@@ -422,6 +426,8 @@ struct vtkRelievoRayScene::Internals
   void AddProps();
   void AddActors(vtkProp* prop, std::map<vtkProp*, int>& numbers);
   void AddAdded();
+  void TakeIds(const char* name);
+  bool HasIds() const;
   bool SetMeshes(bool opaqueOnly);
   std::string AddBlock(vtkDataObject* data, int block, int prop, vtkMatrix4x4* matrix);
   void Write(const Columns& columns, vtkIdType row, const CenteredRay& ray, const Hit& hit) const;
@@ -692,6 +698,29 @@ std::string vtkRelievoRayScene::Internals::AddBlock(
 }
 
 //------------------------------------------------------------------------------
+// Copies the user's ids, so that a copied state keeps them.
+void vtkRelievoRayScene::Internals::TakeIds(const char* name)
+{
+  for (std::size_t i = 0; i < this->Sources.size(); ++i)
+  {
+    vtkDataArray* given = this->Meshes[i].Mesh->GetPointData()->GetArray(name);
+    if (given && given->GetNumberOfComponents() == 1 && given->GetDataType() != VTK_FLOAT &&
+      given->GetDataType() != VTK_DOUBLE)
+    {
+      this->Sources[i].Ids = vtkSmartPointer<vtkIdTypeArray>::New();
+      this->Sources[i].Ids->DeepCopy(given);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoRayScene::Internals::HasIds() const
+{
+  return std::any_of(this->Sources.begin(), this->Sources.end(),
+    [](const Source& source) { return source.Ids != nullptr; });
+}
+
+//------------------------------------------------------------------------------
 // Returns whether anything has changed.
 bool vtkRelievoRayScene::Internals::SetMeshes(bool opaqueOnly)
 {
@@ -833,7 +862,10 @@ vtkRelievoRayScene::vtkRelievoRayScene()
 }
 
 //------------------------------------------------------------------------------
-vtkRelievoRayScene::~vtkRelievoRayScene() = default;
+vtkRelievoRayScene::~vtkRelievoRayScene()
+{
+  this->SetPointIds(nullptr);
+}
 
 //------------------------------------------------------------------------------
 void vtkRelievoRayScene::PrintSelf(ostream& os, vtkIndent indent)
@@ -845,6 +877,7 @@ void vtkRelievoRayScene::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MinimumDistance: " << this->MinimumDistance << '\n';
   os << indent << "MaximumDistance: " << this->MaximumDistance << '\n';
   os << indent << "OpaqueOnly: " << this->OpaqueOnly << '\n';
+  os << indent << "PointIds: " << (this->PointIds ? this->PointIds : "(none)") << '\n';
   os << indent << "Abort: " << this->Abort << '\n';
 }
 
@@ -929,6 +962,10 @@ bool vtkRelievoRayScene::Update()
     scene.AddProps();
   }
   scene.AddAdded();
+  if (this->PointIds && *this->PointIds)
+  {
+    scene.TakeIds(this->PointIds);
+  }
   scene.CopiesBefore.clear();
   std::string names;
   for (vtkProp* prop : scene.LeftOut)
@@ -1281,12 +1318,12 @@ public:
     {
       return nowhere;
     }
-    vtkIdTypeArray* ids = this->From.Sources[from].Points;
+    vtkIdTypeArray* ids = this->From.Sources[from].GetIds();
     glm::dvec3 sum(0.0);
     for (int i = 0; i < 3; ++i)
     {
       vtkIdType point = triangles.GetPoint(hit.Triangle, i);
-      if (this->To.Sources[static_cast<std::size_t>(mesh)].Points)
+      if (this->To.Sources[static_cast<std::size_t>(mesh)].GetIds())
       {
         const auto at = target.Points.find(ids ? ids->GetValue(point) : point);
         point = at == target.Points.end() ? -1 : at->second;
@@ -1304,7 +1341,7 @@ public:
   }
 
 private:
-  // A cell by its points' indices in the data, in ascending order.
+  // A cell by its points' ids, or their indices in the data, in ascending order.
   using CellPoints = std::vector<vtkIdType>;
 
   struct HashOfCellPoints
@@ -1327,7 +1364,7 @@ private:
   struct Target
   {
     std::unordered_map<vtkIdType, std::size_t> Places; // of glyphs, by the input's point
-    // In the mesh, by their indices in the data.
+    // In the mesh, by their ids, or their indices in the data.
     std::unordered_map<vtkIdType, vtkIdType> Points;
     std::unordered_set<CellPoints, HashOfCellPoints> Cells; // only if they have changed
   };
@@ -1338,15 +1375,15 @@ private:
   std::vector<bool> IsChanged;   // for each mesh of From, whether its cells differ
   std::map<int, Target> Targets; // for each mesh of To
 
-  // `names`: indices of the mesh's points in the data; null: equal.
+  // `ids` of the mesh's points; null: their indices.
   static void TakeCellPoints(
-    vtkCellArray* cells, vtkIdType cell, vtkIdTypeArray* names, vtkIdList* list, CellPoints& points)
+    vtkCellArray* cells, vtkIdType cell, vtkIdTypeArray* ids, vtkIdList* list, CellPoints& points)
   {
     cells->GetCellAtId(cell, list);
     points.clear();
     for (vtkIdType i = 0; i < list->GetNumberOfIds(); ++i)
     {
-      points.push_back(names ? names->GetValue(list->GetId(i)) : list->GetId(i));
+      points.push_back(ids ? ids->GetValue(list->GetId(i)) : list->GetId(i));
     }
     std::sort(points.begin(), points.end());
   }
@@ -1355,18 +1392,17 @@ private:
   {
     vtkPolyData* before = this->From.Meshes[from].Mesh;
     vtkPolyData* after = this->To.Meshes[to].Mesh;
-    return AreEqual(this->From.Sources[from].Points, this->To.Sources[to].Points) &&
+    return AreEqual(this->From.Sources[from].GetIds(), this->To.Sources[to].GetIds()) &&
       AreEqual(before->GetPolys(), after->GetPolys()) &&
       AreEqual(before->GetStrips(), after->GetStrips());
   }
 
-  // Points are identified by their index in the data, so a change of the data's points loses all.
+  // Points without ids are identified by their index in the data, so a change of the data's points
+  // loses all.
   bool HasSamePoints(std::size_t from, std::size_t to) const
   {
     const auto count = [](const Internals& scene, std::size_t mesh) {
-      vtkDataSet* data = scene.Sources[mesh].Points ? nullptr : scene.Meshes[mesh].Mesh;
-      // For a surface, whose points have indices in the data.
-      return data ? data->GetNumberOfPoints() : -1;
+      return scene.Sources[mesh].GetIds() ? -1 : scene.Meshes[mesh].Mesh->GetNumberOfPoints();
     };
     return count(this->From, from) == count(this->To, to);
   }
@@ -1379,7 +1415,7 @@ private:
     vtkNew<vtkIdList> list;
     CellPoints points;
     TakeCellPoints(polygon < polygons ? mesh->GetPolys() : mesh->GetStrips(),
-      polygon < polygons ? polygon : polygon - polygons, this->From.Sources[from].Points, list,
+      polygon < polygons ? polygon : polygon - polygons, this->From.Sources[from].GetIds(), list,
       points);
     return target.Cells.count(points) != 0;
   }
@@ -1387,14 +1423,14 @@ private:
   void AddCells(int mesh)
   {
     vtkPolyData* data = this->To.Meshes[static_cast<std::size_t>(mesh)].Mesh;
-    vtkIdTypeArray* names = this->To.Sources[static_cast<std::size_t>(mesh)].Points;
+    vtkIdTypeArray* ids = this->To.Sources[static_cast<std::size_t>(mesh)].GetIds();
     vtkNew<vtkIdList> list;
     CellPoints points;
     for (vtkCellArray* cells : { data->GetPolys(), data->GetStrips() })
     {
       for (vtkIdType cell = 0; cell < cells->GetNumberOfCells(); ++cell)
       {
-        TakeCellPoints(cells, cell, names, list, points);
+        TakeCellPoints(cells, cell, ids, list, points);
         this->Targets[mesh].Cells.insert(points);
       }
     }
@@ -1422,7 +1458,7 @@ private:
     {
       target.Places.emplace((*placed.Points)[k], k);
     }
-    vtkIdTypeArray* points = this->To.Sources[static_cast<std::size_t>(mesh)].Points;
+    vtkIdTypeArray* points = this->To.Sources[static_cast<std::size_t>(mesh)].GetIds();
     for (vtkIdType k = 0; points && k < points->GetNumberOfTuples(); ++k)
     {
       target.Points.emplace(points->GetValue(k), k);
@@ -1467,6 +1503,7 @@ void vtkRelievoRayScene::CopyStateOf(vtkRelievoRayScene* other)
   to.FrozenSources = to.Sources;
   to.SetMeshes(this->OpaqueOnly);
   to.Owned = owned;
+  this->SetPointIds(other->PointIds);
   this->Modified();
 }
 
@@ -1489,6 +1526,13 @@ bool vtkRelievoRayScene::FindMoved(vtkRelievoRayScene* later, vtkDataArray* orig
     return false;
   }
   later->Update();
+  if (later->PointIds && *later->PointIds && !later->Internal->HasIds())
+  {
+    vtkErrorMacro("No mesh has an array '" << later->PointIds
+                                           << "' with one number for each point; "
+                                           << "SetPointIds expects the name of such an array.");
+    return false;
+  }
   const Internals& scene = *this->Internal;
   const Internals::Correspondence same(scene, *later->Internal);
   const auto count = static_cast<vtkIdType>(nearest.size());

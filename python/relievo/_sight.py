@@ -38,6 +38,7 @@ def layers_by_rays(thing, names, sensor, ambient=None, previous=None, opaque_onl
     scene.SetOpaqueOnly(opaque_only)
     source = vtkRelievoRayLayers()
     if previous is not None:
+        scene.SetPointIds(previous.scene.GetPointIds())
         source.SetOther(previous.scene, previous.sensor.model)
     _set_ambient(source, {} if ambient is None else ambient)
     source.SetScene(scene)
@@ -259,24 +260,29 @@ possible_hours. Raises ValueError for wrong arguments.
 class Moment:
     """A copy of a scene and its camera, made by moment() and compared by flow()."""
 
-    def __init__(self, thing, camera, size):
+    def __init__(self, thing, camera, size, point_ids):
         self.scene = vtkRelievoRayScene()
         self.sensor = _sensor_of(thing, camera, size).copy()
         scene = rays(thing).scene
+        if not isinstance(point_ids, (str, type(None))):
+            raise ValueError(f"point_ids: got {describe(point_ids)}, expected an array's name")
+        scene.SetPointIds(point_ids)
         with Watch(scene):
             self.scene.CopyStateOf(scene)
 
 
-def moment(thing, camera=None, size=None) -> Moment:
+def moment(thing, camera=None, size=None, point_ids=None) -> Moment:
     """Copies the current state of a scene, for flow().
 
     thing: as for rays(): a renderer, a plotter, data.
     camera: a CameraModel, or a vtkCamera; None for the renderer's own, seen in `size` pixels.
     size: (columns, rows); None for the size of the renderer's viewport.
+    point_ids: name of a point array of integers that identifies points when the data are meshed
+        anew; None: points are identified by their index, and changed cells have no flow.
 
     Raises ValueError for wrong arguments.
     """
-    return Moment(thing, camera, size)
+    return Moment(thing, camera, size, point_ids)
 
 
 def flow(before, thing, camera=None, size=None) -> vtkImageData:
@@ -303,6 +309,7 @@ def flow(before, thing, camera=None, size=None) -> vtkImageData:
         scene, sensor = thing.scene, thing.sensor
     else:
         scene = rays(thing).scene
+        scene.SetPointIds(before.scene.GetPointIds())
         sensor = _sensor_of(thing, camera, before.sensor.size if size is None else size)
     source = vtkRelievoFlow()
     source.SetFrom(before.scene, before.sensor.model)

@@ -846,6 +846,42 @@ class Flow(unittest.TestCase):
                     self.assertTrue((numpy.isfinite(flow[seen]) == kept[cell]).all())
                     self.assertTrue((valid[seen] == kept[cell]).mean() > 0.99)
 
+    def test_cells_by_ids(self):
+        """Points with ids are followed to other places in the arrays, and cells by their points."""
+        sensor = relievo.Pinhole([[60, 0, 40], [0, 60, 30], [0, 0, 1]], (81, 61))
+        sensor.look_at((0, 0, 3), (0, 0, 0), (0, 1, 0))
+        corners = numpy.array([(-1, -1, 0), (1, -1, 0), (1, 1, 0), (-1, 1, 0)])
+
+        def with_ids(points, cells, ids):
+            mesh = mesh_of(points, cells)
+            array = numpy_to_vtk(numpy.array(ids), deep=True)
+            array.SetName("id")
+            mesh.GetPointData().AddArray(array)
+            return mesh
+
+        whole = with_ids(corners, [(0, 1, 2), (0, 2, 3)], [10, 11, 12, 13])
+        which = relievo.layer(relievo.capture(whole, "cell", camera=sensor), "cell")
+        step = numpy.array([0.1, 0.05, 0])
+        # Another point stands first; the corners are in reverse; the second triangle is of others.
+        anew = with_ids([(5, 5, 5), *(corners + step)[::-1]],
+                        [(0, 1, 2), (4, 3, 2), (1, 3, 2)], [99, 13, 12, 11, 10])  # fmt: skip
+        before = relievo.moment(whole, sensor, point_ids="id")
+        for name, image in (
+            ("flow", relievo.flow(before, anew, sensor)),
+            ("between moments",
+             relievo.flow(before, relievo.moment(anew, sensor, point_ids="id"))),
+            ("capture", relievo.capture(whole, ["motion"], camera=sensor, previous=relievo.moment(
+                anew, sensor, point_ids="id"))),
+        ):  # fmt: skip
+            with self.subTest(name=name):
+                motion = relievo.layer(image, "motion")
+                self.assertLess(numpy.abs(motion[which == 0] - step).max(), 1e-6)
+                self.assertTrue(numpy.isnan(motion[which == 1]).all())
+        with self.assertRaisesRegex(ValueError, "No mesh has an array 'number'"):
+            relievo.flow(relievo.moment(whole, sensor, point_ids="number"), anew, sensor)
+        with self.assertRaisesRegex(ValueError, "point_ids: got 3"):
+            relievo.moment(whole, sensor, point_ids=3)
+
     def test_actors_that_go(self):
         renderer = vtkRenderer()
         actors = []
