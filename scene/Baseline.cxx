@@ -12,8 +12,11 @@
 #include "vtkActor.h"
 #include "vtkActorCollection.h"
 #include "vtkFieldData.h"
+#include "vtkImageExtractComponents.h"
 #include "vtkNew.h"
+#include "vtkPointData.h"
 #include "vtkRelievoBaseline.h"
+#include "vtkRelievoImageFile.h"
 #include "vtkRenderer.h"
 #include "vtkStringArray.h"
 
@@ -69,9 +72,10 @@ void NameObjects(vtkRelievoBaseline* baseline, const Scene& scene, const RenderO
 
 //------------------------------------------------------------------------------
 vtkSmartPointer<vtkImageData> MakeBaseline(
-  DressedScene& dressed, const RenderOptions& options, const Settings& settings)
+  DressedScene& dressed, const RenderOptions& options, const Settings& settings, bool portable)
 {
   vtkNew<vtkRelievoBaseline> baseline;
+  baseline->SetPortable(portable);
   baseline->SetRenderer(dressed.GetRenderer());
   NameObjects(baseline, dressed.GetScene(), options);
   auto image = vtkSmartPointer<vtkImageData>::New();
@@ -84,5 +88,28 @@ vtkSmartPointer<vtkImageData> MakeBaseline(
   }
   image->GetFieldData()->AddArray(words);
   return image;
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkImageData> MakePicture(vtkImageData* frame)
+{
+  vtkNew<vtkImageData> picture;
+  picture->ShallowCopy(frame);
+  vtkPointData* data = picture->GetPointData();
+  if (data->HasArray("color"))
+  {
+    data->SetActiveScalars("color");
+  }
+  else if (data->HasArray("depth") || data->HasArray("actor"))
+  {
+    return nullptr;
+  }
+  const vtkSmartPointer<vtkImageData> bytes = vtkRelievoImageFile::ToColors(picture);
+  vtkNew<vtkImageExtractComponents> colors;
+  colors->SetInputData(bytes);
+  bytes->GetNumberOfScalarComponents() < 3 ? colors->SetComponents(0)
+                                           : colors->SetComponents(0, 1, 2);
+  colors->Update();
+  return colors->GetOutput();
 }
 }

@@ -369,7 +369,7 @@ void DrawFrame(DressedScene& dressed, vtkRelievoPass* pass, const std::vector<st
   vtkSmartPointer<vtkImageData> baseline;
   if (!options.Baseline.empty()) // first: notes and the report are of the frame after it
   {
-    baseline = MakeBaseline(dressed, options, settings);
+    baseline = MakeBaseline(dressed, options, settings, options.Portable);
   }
   if (!options.Report.empty())
   {

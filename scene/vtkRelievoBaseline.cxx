@@ -2,13 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRelievoBaseline.h"
 
+#include "Baseline.h"
 #include "DataSets.h"
+#include "Lens.h"
 #include "Numbers.h"
 #include "Version.h"
 
 #include "vtkActor.h"
 #include "vtkActor2D.h"
 #include "vtkActorCollection.h"
+#include "vtkCallbackCommand.h"
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
 #include "vtkCornerAnnotation.h"
@@ -24,21 +27,28 @@
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkPNGWriter.h"
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
 #include "vtkPolyData.h"
 #include "vtkPropCollection.h"
 #include "vtkProperty.h"
 #include "vtkProperty2D.h"
+#include "vtkRelievoCameraModel.h"
+#include "vtkRelievoComparisonReport.h"
+#include "vtkRelievoEXRWriter.h"
 #include "vtkRelievoFrameComparison.h"
 #include "vtkRelievoLayerCatalogue.h"
 #include "vtkRelievoLayerSource.h"
 #include "vtkRelievoPass.h"
+#include "vtkRelievoRayLayers.h"
+#include "vtkRelievoRayScene.h"
 #include "vtkRelievoShadowStage.h"
 #include "vtkRelievoStage.h"
 #include "vtkRelievoStageDescription.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
+#include "vtkRendererCollection.h"
 #include "vtkScalarBarActor.h"
 #include "vtkScalarsToColors.h"
 #include "vtkStringArray.h"
@@ -55,7 +65,11 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
 #include <set>
+#include <string>
 #include <vector>
 
 vtkStandardNewMacro(vtkRelievoBaseline);
@@ -342,6 +356,17 @@ std::vector<std::string> DescribeSettings(vtkRenderer* renderer)
 }
 
 // The arrays that colour actors through a colour map; bytes are colours themselves.
+// Text for an element of XML.
+std::string Escape(const std::string& text)
+{
+  std::string escaped;
+  for (const char c : text)
+  {
+    escaped += c == '&' ? "&amp;" : c == '<' ? "&lt;" : std::string(1, c);
+  }
+  return escaped;
+}
+
 std::set<std::string> FindColoringArrays(vtkRenderer* renderer)
 {
   std::set<std::string> names;
@@ -442,8 +467,10 @@ bool vtkRelievoBaseline::Capture(vtkImageData* image)
   image->Initialize();
   vtkNew<vtkRelievoLayerSource> source; // reports errors
   source->SetRenderer(this->Renderer);
-  std::vector<std::string> layers = { vtkRelievoLayerCatalogue::GetPicture().Name, "depth",
-    "normal", "albedo", "actor", "block", "cell" };
+  std::vector<std::string> layers = { vtkRelievoLayerCatalogue::GetPicture().Name, "albedo" };
+  std::vector<std::string> traced;
+  std::vector<std::string>& geometry = this->Portable ? traced : layers;
+  geometry.insert(geometry.end(), { "depth", "normal", "actor", "block", "cell" });
   auto* pass = vtkRelievoPass::SafeDownCast(this->Renderer ? this->Renderer->GetPass() : nullptr);
   if (pass && pass->GetShadows() && pass->GetShadowStage())
   {
@@ -454,7 +481,7 @@ bool vtkRelievoBaseline::Capture(vtkImageData* image)
   if (this->Renderer)
   {
     const std::set<std::string> arrays = FindColoringArrays(this->Renderer);
-    layers.insert(layers.end(), arrays.begin(), arrays.end());
+    geometry.insert(geometry.end(), arrays.begin(), arrays.end());
   }
   for (const std::string& layer : layers)
   {
@@ -487,9 +514,67 @@ bool vtkRelievoBaseline::Capture(vtkImageData* image)
       image->GetPointData()->AddArray(more->GetOutput()->GetPointData()->GetArray(layer.c_str()));
     }
   }
+  if (this->Portable && !this->AddRayLayers(image, traced))
+  {
+    image->Initialize();
+    return false;
+  }
   AddStrings(image, "settings", settings);
   this->AddRecord(image);
   return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoBaseline::AddRayLayers(vtkImageData* image, const std::vector<std::string>& layers)
+{
+  vtkNew<vtkRelievoRayScene> rays;
+  rays->SetRenderer(this->Renderer);
+  rays->OpaqueOnlyOn(); // like the layers of a frame
+  const vtkNew<vtkCallbackCommand> silent; // actors that rays do not hit are an error below
+  rays->AddObserver(vtkCommand::WarningEvent, silent);
+  rays->Update();
+  for (int i = 0; i < rays->GetNumberOfPropsLeftOut(); ++i)
+  {
+    if (auto* actor = vtkActor::SafeDownCast(rays->GetPropLeftOut(i)))
+    {
+      const int number = this->Renderer->GetActors()->IsItemPresent(actor) - 1;
+      vtkErrorMacro("A portable baseline has actors that rays hit, but they do not hit actor "
+        << number << "; expected surfaces, not wireframes, points, lines or cut-outs. Use a "
+        << "baseline that is not portable.");
+      return false;
+    }
+  }
+  const int* size = image->GetDimensions();
+  const vtkSmartPointer<vtkRelievoCameraModel> sensor =
+    scene::MakeSensor(this->Renderer->GetActiveCamera(), size[0], size[1]);
+  vtkNew<vtkRelievoRayLayers> source; // reports errors
+  source->SetScene(rays);
+  source->SetCamera(sensor);
+  for (const std::string& layer : layers)
+  {
+    source->AddLayer(layer.c_str());
+  }
+  source->Update();
+  if (source->GetOutput()->GetNumberOfPoints() != image->GetNumberOfPoints())
+  {
+    return false;
+  }
+  for (const std::string& layer : layers)
+  {
+    image->GetPointData()->AddArray(source->GetOutput()->GetPointData()->GetArray(layer.c_str()));
+  }
+  vtkNew<vtkIntArray> portable;
+  portable->SetName("portable");
+  portable->InsertNextValue(1);
+  image->GetFieldData()->AddArray(portable);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoBaseline::IsPortable(vtkImageData* image)
+{
+  auto* portable = image ? image->GetFieldData()->GetArray("portable") : nullptr;
+  return portable && portable->GetNumberOfValues() == 1 && portable->GetComponent(0, 0) == 1.0;
 }
 
 //------------------------------------------------------------------------------
@@ -514,10 +599,108 @@ void vtkRelievoBaseline::AddRecord(vtkImageData* image)
 }
 
 //------------------------------------------------------------------------------
+bool vtkRelievoBaseline::Test(vtkRenderWindow* window, const char* baseline)
+{
+  namespace fs = std::filesystem;
+  vtkNew<vtkRelievoBaseline> source;
+  int drawn = 0;
+  vtkNew<vtkRendererCollection> none;
+  vtkRendererCollection* renderers = window ? window->GetRenderers() : none.Get();
+  vtkCollectionSimpleIterator at;
+  renderers->InitTraversal(at);
+  while (vtkRenderer* renderer = renderers->GetNextRenderer(at))
+  {
+    if (renderer->GetDraw() && renderer->GetViewProps()->GetNumberOfItems() > 0)
+    {
+      source->SetRenderer(renderer);
+      ++drawn;
+    }
+  }
+  if (drawn != 1 || !baseline)
+  {
+    vtkErrorWithObjectMacro(source,
+      "Test was given " << drawn << " renderers with props" << (baseline ? "" : " and no file")
+                        << ", expected a window with one, and a baseline's file. For more "
+                           "renderers, Capture() each.");
+    return false;
+  }
+  const std::string stem = fs::path(baseline).stem().string();
+  const std::string frameFile = stem + ".frame.exr";
+  const std::array<std::string, 2> pictures = { stem + ".baseline.png", stem + ".frame.png" };
+  const std::string page = stem + ".html";
+  std::error_code ignored; // files of an earlier run may be missing
+  for (const std::string& old : { frameFile, pictures[0], pictures[1], page })
+  {
+    fs::remove(old, ignored);
+  }
+  vtkNew<vtkRelievoFrameComparison> comparison; // reports errors
+  const bool there = fs::exists(baseline, ignored);
+  if (there && !comparison->ReadBaseline(baseline))
+  {
+    return false;
+  }
+  source->SetPortable(IsPortable(comparison->GetBaseline()));
+  vtkNew<vtkImageData> frame;
+  if (!source->Capture(frame))
+  {
+    return false;
+  }
+  const auto keepFrame = [&]() {
+    vtkNew<vtkRelievoEXRWriter> writer; // reports errors
+    writer->SetInputData(frame);
+    writer->SetFileName(frameFile.c_str());
+    writer->Write();
+    std::cout << "If the frame is right, copy " << frameFile << " to " << baseline << std::endl;
+  };
+  if (!there)
+  {
+    std::cout << "There is no such baseline: " << baseline << "\n";
+    keepFrame();
+    return false;
+  }
+  comparison->SetFrame(frame);
+  if (!comparison->Compare())
+  {
+    return false;
+  }
+  const std::string table = comparison->GetText();
+  std::cout << table;
+  if (comparison->GetAlike())
+  {
+    return true;
+  }
+  keepFrame();
+  vtkNew<vtkRelievoComparisonReport> report;
+  report->Add(baseline, comparison);
+  std::ofstream(page, std::ios::binary) << report->GetHTML();
+  std::cout << "<DartMeasurement name=\"Causes\" type=\"text/preformatted\">" << Escape(table)
+            << "</DartMeasurement>\n";
+  // CDash shows pictures with these names together, one over the other.
+  const std::array<const char*, 2> names = { "ValidImage", "TestImage" };
+  for (std::size_t i = 0; i < 2; ++i)
+  {
+    const auto picture =
+      scene::MakePicture(i == 0 ? comparison->GetBaseline() : comparison->GetFrame());
+    if (picture)
+    {
+      vtkNew<vtkPNGWriter> writer; // reports errors
+      writer->SetInputData(picture);
+      writer->SetFileName(pictures[i].c_str());
+      writer->Write();
+      std::cout << "<DartMeasurementFile name=\"" << names[i] << "\" type=\"image/png\">"
+                << Escape(fs::absolute(pictures[i]).string()) << "</DartMeasurementFile>\n";
+    }
+  }
+  std::cout << std::flush;
+  return false;
+}
+
+//------------------------------------------------------------------------------
 void vtkRelievoBaseline::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Renderer: " << this->Renderer << "\n";
+  os << indent << "Portable: " << this->Portable << "\n";
   for (const auto& [actor, name] : this->Names)
   {
     os << indent << "ObjectName " << actor << ": " << name << "\n";

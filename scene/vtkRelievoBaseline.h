@@ -11,8 +11,12 @@
  * light, fog, ambient, marker and blend, if the frame's stages made them; and the arrays that
  * colour actors.
  *
+ * A portable baseline takes depth, normal, actor, block, cell and arrays from rays in double
+ * instead of OpenGL: these layers are then equal on all processors and drivers (vtkRelievoRayLayers).
+ *
  * Record, in addition to the camera and the lights of every capture (vtkRelievoLayerSource):
  * - baseline_version (int): the format, 1.
+ * - portable (int): 1, in a portable baseline.
  * - objects (one JSON string for each of vtkRenderer::GetActors()): name, visible, translucent,
  *   matrix, points and cells (counts and check sums of the mesh), center and bounds in world
  *   coordinates, spread (the covariance of the points), settings (of the vtkProperty).
@@ -20,7 +24,12 @@
  * - settings (strings NAME=VALUE): background, and the parameters of the stages that ran.
  * - versions (strings): Relievo, VTK and OpenGL.
  *
- * Errors: as for vtkRelievoLayerSource.
+ * In tests of C++ programs, Test() compares a window with a baseline:
+ *
+ *     return vtkRelievoBaseline::Test(window, "baselines/wheel.exr") ? 0 : 1;
+ *
+ * Errors: as for vtkRelievoLayerSource; a portable baseline of actors that rays do not hit, such as
+ * wireframes, points and lines (vtkRelievoRayScene).
  */
 #ifndef vtkRelievoBaseline_h
 #define vtkRelievoBaseline_h
@@ -32,8 +41,10 @@
 
 #include <map>    // for names
 #include <string> // for names
+#include <vector> // for layers
 
 class vtkImageData;
+class vtkRenderWindow;
 class vtkRenderer;
 
 class VTKRELIEVOSCENE_EXPORT vtkRelievoBaseline : public vtkObject
@@ -58,8 +69,27 @@ public:
   std::string GetObjectName(int actor);
   ///@}
 
+  ///@{
+  /** Whether baselines are portable. Default: no. */
+  vtkSetMacro(Portable, bool);
+  vtkGetMacro(Portable, bool);
+  vtkBooleanMacro(Portable, bool);
+  ///@}
+
+  /** Whether an image is a portable baseline, which is compared with such baselines only. */
+  static bool IsPortable(vtkImageData* image);
+
   /** Draws the frame into an image. Returns false, with an error event, on failure. */
   bool Capture(vtkImageData* image);
+
+  /**
+   * Compares a window with a baseline, in place of vtkRegressionTestImage: an .exr file of this
+   * class, or a picture. Draws the window's only renderer with props, and prints the table of
+   * causes. If the frames differ, the current folder gets NAME.frame.exr, which can become the
+   * baseline, NAME.html, a report, and both pictures, which are also printed as measurements for
+   * CDash. Returns whether the frames are alike; false, too, without a baseline, and after errors.
+   */
+  static bool Test(vtkRenderWindow* window, const char* baseline);
 
 protected:
   vtkRelievoBaseline();
@@ -69,10 +99,12 @@ private:
   vtkRelievoBaseline(const vtkRelievoBaseline&) = delete;
   void operator=(const vtkRelievoBaseline&) = delete;
 
+  bool AddRayLayers(vtkImageData* image, const std::vector<std::string>& layers);
   void AddRecord(vtkImageData* image);
 
   vtkSmartPointer<vtkRenderer> Renderer;
   std::map<int, std::string> Names;
+  bool Portable = false;
 };
 
 #endif

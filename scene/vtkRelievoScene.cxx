@@ -325,7 +325,7 @@ bool vtkRelievoScene::Write()
 }
 
 //------------------------------------------------------------------------------
-bool vtkRelievoScene::CaptureBaseline(vtkImageData* image)
+bool vtkRelievoScene::CaptureBaseline(vtkImageData* image, bool portable)
 {
   if (!image)
   {
@@ -333,13 +333,13 @@ bool vtkRelievoScene::CaptureBaseline(vtkImageData* image)
     return false;
   }
   image->Initialize();
-  return this->Try([this, image] {
+  return this->Try([this, image, portable] {
     OnFiles([this] { return scene::CheckInputs(this->Internal->Options); });
     scene::Progress progress(this->Internal.get());
     this->Internal->Update(progress);
     progress.Begin("drawing the baseline");
     image->ShallowCopy(scene::MakeBaseline(
-      this->Internal->Dressed, this->Internal->Options, this->Internal->Settings));
+      this->Internal->Dressed, this->Internal->Options, this->Internal->Settings, portable));
   });
 }
 

@@ -66,9 +66,9 @@ public:
 
   /**
    * Shows the scene as set by the words, and draws the content of `--baseline` into an image:
-   * vtkRelievoBaseline, with the files' names for objects.
+   * vtkRelievoBaseline, portable or not, with the files' names for objects.
    */
-  bool CaptureBaseline(vtkImageData* image);
+  bool CaptureBaseline(vtkImageData* image, bool portable = false);
 
   /** The renderer of the scene; reading other files replaces it. Null before Update(). */
   vtkRenderer* GetRenderer();

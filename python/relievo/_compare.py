@@ -116,8 +116,9 @@ def compare(a, b, levels=2, normal_angle=0.02, depth_pixels=1 / 256) -> Comparis
     comparison.SetColorLevels(float(levels))
     comparison.SetNormalAngle(float(normal_angle))
     comparison.SetDepthPixels(float(depth_pixels))
-    for thing, read, take in ((a, comparison.ReadBaseline, comparison.SetBaseline),
-                              (b, comparison.ReadFrame, comparison.SetFrame)):
+    sides = ((a, comparison.ReadBaseline, comparison.SetBaseline),
+             (b, comparison.ReadFrame, comparison.SetFrame))  # fmt: skip
+    for thing, read, take in sides:
         if isinstance(thing, (str, bytes, os.PathLike)):
             path = os.fspath(thing)
             check_file(path)
@@ -125,8 +126,13 @@ def compare(a, b, levels=2, normal_angle=0.02, depth_pixels=1 / 256) -> Comparis
                 good = read(path)
             if not good:
                 raise ValueError(comparison.GetFailureText())
-        else:
+        elif not _is_drawn(thing):
             take(_image_of(thing))
+    images = (comparison.GetBaseline(), comparison.GetFrame())
+    portable = any(vtkRelievoBaseline.IsPortable(image) for image in images)
+    for thing, _, take in sides:
+        if _is_drawn(thing):
+            take(_drawn(thing, portable=portable))
     with Watch(comparison):
         good = comparison.Compare()
     if not good:
@@ -134,7 +140,7 @@ def compare(a, b, levels=2, normal_angle=0.02, depth_pixels=1 / 256) -> Comparis
     return Comparison(comparison, f"{_name_of(a)}, {_name_of(b)}")
 
 
-def write_baseline(path, thing, size=None, names=None) -> None:
+def write_baseline(path, thing, size=None, names=None, portable=False) -> None:
     """Draws a frame and writes it as a lossless baseline for compare().
 
         relievo.write_baseline("bike.exr", plotter)
@@ -145,6 +151,8 @@ def write_baseline(path, thing, size=None, names=None) -> None:
     names: a dict {actor: name}. Actors are matched by name, wherever they are; an actor without a
         name is matched by its mesh. Actors of PyVista's plotters have the names given to
         add_mesh(), actors of scenes the names of their files.
+    portable: whether ids, depth, normals and arrays come from rays instead of OpenGL, and are equal
+        on all processors and drivers; for surfaces only.
 
     The file has the picture, depth, normals, albedo, ids, shadows, the layers of stages that ran,
     and a record of objects, camera, lights, settings and versions (docs/compare.md).
@@ -154,7 +162,7 @@ def write_baseline(path, thing, size=None, names=None) -> None:
     """
     if os.path.splitext(os.fspath(path))[1].lower() not in (".exr", b".exr"):
         raise ValueError(f"path: got {os.fspath(path)!r}, expected a name that ends in .exr")
-    write_exr(path, _drawn(thing, size, names))
+    write_exr(path, _drawn(thing, size, names, portable))
 
 
 def _write(path, text):
@@ -168,28 +176,30 @@ def _name_of(thing):
     return os.fsdecode(thing) if is_path else type(thing).__name__
 
 
+def _is_drawn(thing):
+    return not (isinstance(thing, (str, bytes, os.PathLike, numpy.ndarray))
+                or is_a(thing, "vtkImageData"))
+
+
 def _image_of(thing):
-    """The frame as an image; draws things that are not images."""
-    if is_a(thing, "vtkImageData"):
-        return thing
-    if isinstance(thing, numpy.ndarray):
-        return to_image(thing, "color")
-    return _drawn(thing)
+    """The frame as an image, of an image or an array."""
+    return to_image(thing, "color") if isinstance(thing, numpy.ndarray) else thing
 
 
-def _drawn(thing, size=None, names=None):
+def _drawn(thing, size=None, names=None, portable=False):
     """The baseline of a scene, a renderer, or anything else that capture() draws."""
     image = vtkImageData()
     if isinstance(thing, Scene):
         if size is not None or names is not None:
             raise ValueError("size, names: got them with a scene, which has its own")
-        thing.capture_baseline(image)
+        thing.capture_baseline(image, portable)
         return captured(image)
     named = _names_in(thing) if names is None else names
     renderer, made = renderer_of(thing)
     size = (1024, 768) if made and size is None else size
     baseline = vtkRelievoBaseline()
     baseline.SetRenderer(renderer)
+    baseline.SetPortable(bool(portable))
     actors = renderer.GetActors()
     places = {actors.GetItemAsObject(i): i for i in range(actors.GetNumberOfItems())}
     for actor, name in named.items():

@@ -125,11 +125,11 @@ class Scene:
         self._stale = False
         return self._scene.GetCertificate() or None
 
-    def capture_baseline(self, image):
+    def capture_baseline(self, image, portable=False):
         """Draws what write_baseline() writes into a vtkImageData."""
         self._say(self._options)
         self._check_files(self._options)
-        self._run(lambda: self._scene.CaptureBaseline(image))
+        self._run(lambda: self._scene.CaptureBaseline(image, portable))
         self._stale = False
 
     def _repr_png_(self):

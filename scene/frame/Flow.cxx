@@ -11,7 +11,7 @@
 #include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
-#include "vtkRelievoLensCamera.h"
+#include "vtkRelievoCameraModel.h"
 #include "vtkRelievoRayLayers.h"
 #include "vtkRelievoRayScene.h"
 #include "vtkRenderer.h"
@@ -27,16 +27,13 @@ vtkSmartPointer<vtkRelievoCameraModel> GetSensor(
   vtkRenderer* renderer, const RenderOptions& options)
 {
   vtkCamera* camera = renderer->GetActiveCamera();
-  if (!options.Lens.empty() || camera->GetParallelProjection())
+  if (!options.Lens.empty())
   {
-    RenderOptions own = options;
-    own.Lens = options.Lens.empty() ? "orthographic" : options.Lens;
-    return MakeSensor(own, camera);
+    return MakeSensor(options, camera);
   }
-  auto pinhole = vtkSmartPointer<vtkRelievoLensCamera>::New();
-  pinhole->TakeFrom(camera, options.Size[0], options.Size[1]);
-  Messages::Check("--layers flow");
-  return pinhole;
+  const auto sensor = MakeSensor(camera, options.Size[0], options.Size[1]);
+  Messages::Check("--layers flow", !sensor);
+  return sensor;
 }
 }
 

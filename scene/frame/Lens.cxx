@@ -80,6 +80,19 @@ vtkSmartPointer<vtkRelievoCameraModel> MakeSensor(const RenderOptions& options, 
 }
 
 //------------------------------------------------------------------------------
+vtkSmartPointer<vtkRelievoCameraModel> MakeSensor(vtkCamera* view, int columns, int rows)
+{
+  if (view->GetParallelProjection())
+  {
+    vtkNew<vtkRelievoCalibration> calibration;
+    calibration->SetWords("orthographic");
+    return calibration->MakeCamera(view, columns, rows);
+  }
+  auto pinhole = vtkSmartPointer<vtkRelievoLensCamera>::New();
+  return pinhole->TakeFrom(view, columns, rows) ? pinhole : nullptr;
+}
+
+//------------------------------------------------------------------------------
 vtkSmartPointer<vtkRelievoCameraModel> MakeSensor(const RenderOptions& options)
 {
   vtkNew<vtkRelievoCalibration> calibration;

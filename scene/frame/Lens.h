@@ -34,7 +34,11 @@ void CheckLensScale(const RenderOptions& options);
 /// Throws FileError, and UsageError for an impossible size or angle.
 vtkSmartPointer<vtkRelievoCameraModel> MakeSensor(const RenderOptions& options, vtkCamera* view);
 
-/// That sensor with the options' or the standard angle, before it has a pose.
+/// The view of a camera, pinhole or orthographic, in these columns and rows. Null, with an error
+/// event, for a view that is neither.
+vtkSmartPointer<vtkRelievoCameraModel> MakeSensor(vtkCamera* view, int columns, int rows);
+
+/// The option's sensor with the options' or the standard angle, before it has a pose.
 vtkSmartPointer<vtkRelievoCameraModel> MakeSensor(const RenderOptions& options);
 
 /// The options completed by the lens: the size, if a file gives it and no option does, and the

@@ -559,6 +559,12 @@ vtkRelievoCommand DescribeRender(RenderOptions& all)
     });
   baseline.OfOutputs = true;
   baseline.Files = "exr";
+  rows
+    .AddFlag("--portable",
+      "takes the baseline's ids, depth, normals and arrays from rays instead of OpenGL: equal on "
+      "all processors and drivers; surfaces only",
+      all.Portable)
+    .OfOutputs = true;
   vtkRelievoOption& report = rows.Add("--report", "F",
     "the frame report, JSON: which stages ran and why, GPU milliseconds, bytes held",
     [](RenderOptions& options, const std::string& word) { options.Report = word; });
@@ -698,6 +704,10 @@ void CheckTogether(RenderOptions& options, const std::set<std::string>& given)
     throw UsageError(
       "--baseline and --lens: a baseline needs a pinhole camera; give --exr F, which "
       "`relievo compare` accepts as well");
+  }
+  if (options.Portable && options.Baseline.empty())
+  {
+    throw UsageError("--portable: describes a baseline: give --baseline F as well");
   }
   if (options.HDR && options.EXR.empty())
   {

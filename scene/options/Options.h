@@ -64,6 +64,7 @@ struct RenderOptions
   std::vector<PointsChoice> Points; ///< for stages that draw points
   std::vector<StageChoice> Stages;  ///< in the order given
   bool HDR = false;                 ///< EXR colour unclamped
+  bool Portable = false;            ///< the baseline's
   bool Transparent = false;         ///< PNG without background
   std::vector<std::string> Layers;  ///< each once; of the EXR besides its colour
   std::string PNG, EXR, Report;     ///< empty: not requested

@@ -9,6 +9,7 @@ import json
 import math
 import os
 import pathlib
+import re
 import struct
 import subprocess
 import tempfile
@@ -17,12 +18,18 @@ import warnings
 
 import numpy
 import relievo
+from relievo.vtkRelievoScene import vtkRelievoBaseline
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkPoints, vtkUnsignedCharArray
+from vtkmodules.vtkCommonCore import (
+    vtkOutputWindow,
+    vtkPoints,
+    vtkStringOutputWindow,
+    vtkUnsignedCharArray,
+)
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkImageData, vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkTriangleFilter
 from vtkmodules.vtkIOGeometry import vtkSTLReader
-from vtkmodules.vtkIOImage import vtkPNGWriter
+from vtkmodules.vtkIOImage import vtkPNGReader, vtkPNGWriter
 from vtkmodules.vtkIOLegacy import vtkPolyDataReader
 from vtkmodules.vtkIOXML import vtkXMLImageDataWriter, vtkXMLPolyDataWriter
 from vtkmodules.vtkRenderingCore import (
@@ -644,6 +651,92 @@ class Compared(unittest.TestCase):
         renderer.RemoveActor(self.actors[2])
         self.assertEqual(
             self.only(relievo.compare(self.path, renderer), "removed")["name"], "low")
+
+    def test_window(self):
+        """vtkRelievoBaseline.Test(), for programs in C++: what it prints and writes."""
+        renderer = self.renderer()
+        window = renderer.GetRenderWindow()
+        path = self.folder / "boxes & more.exr"
+        here = pathlib.Path.cwd()
+        self.addCleanup(os.chdir, here)
+        os.chdir(self.folder)
+
+        def run():
+            printed = self.folder / "printed.txt"
+            with printed.open("wb") as file:
+                stdout = os.dup(1)
+                os.dup2(file.fileno(), 1)
+                try:
+                    alike = vtkRelievoBaseline.Test(window, str(path))
+                finally:
+                    os.dup2(stdout, 1)
+                    os.close(stdout)
+            return alike, printed.read_text("utf-8")
+
+        alike, text = run()
+        self.assertFalse(alike)
+        self.assertIn(f"There is no such baseline: {path}", text)
+        (self.folder / "boxes & more.frame.exr").rename(path)
+        self.assertEqual(run(), (True, "alike: 0 of 19 200 pixels\n"))
+        self.assertEqual(list(self.folder.glob("boxes*")), [path])
+
+        self.actors[1].SetPosition(0.02, 0, 0)
+        alike, text = run()
+        self.assertFalse(alike)
+        self.assertIn("actor 1  moved by (0.02, 0, 0)", text)
+        (picture,) = re.findall('name="TestImage" type="image/png">(.*)</DartMeasurementFile>', text)
+        self.assertIn("boxes &amp; more.frame.png", picture)
+        for side, expected in (("baseline", path), ("frame", renderer)):
+            reader = vtkPNGReader()
+            reader.SetFileName(str(self.folder / f"boxes & more.{side}.png"))
+            reader.Update()
+            self.assertTrue(relievo.compare(reader.GetOutput(), expected), side)
+        self.assertIn("moved by (0.02", (self.folder / "boxes & more.html").read_text("utf-8"))
+        found = relievo.compare("boxes & more.frame.exr", renderer)
+        self.assertTrue(found, str(found))
+
+        window.AddRenderer(self.renderer())
+        output = vtkStringOutputWindow()
+        before = vtkOutputWindow.GetInstance()
+        vtkOutputWindow.SetInstance(output)
+        self.addCleanup(vtkOutputWindow.SetInstance, before)
+        self.assertFalse(run()[0])
+        self.assertIn("Test was given 2 renderers with props", output.GetOutput())
+
+    def test_portable(self):
+        """Layers by rays: known depths, the same bytes without the processor's FMA, and refusals."""
+        renderer = self.renderer()
+        relievo.write_baseline(self.path, renderer, portable=True)
+        image = relievo.read_exr(self.path)
+        self.assertTrue(vtkRelievoBaseline.IsPortable(image))
+        self.assertTrue(relievo.compare(self.path, renderer))
+        ordinary = self.folder / "ordinary.exr"
+        relievo.write_baseline(ordinary, renderer)
+        self.assertFalse(vtkRelievoBaseline.IsPortable(relievo.read_exr(ordinary)))
+        sensor = relievo.Pinhole.of(renderer.GetActiveCamera(), (160, 120))
+        hits = relievo.capture(renderer, ["depth", "actor", "cell", "normal"], camera=sensor)
+        for name in ("depth", "actor", "cell", "normal"):
+            self.assertTrue((relievo.layer(image, name) == relievo.layer(hits, name)).all(), name)
+        self.actors[0].GetProperty().SetRepresentationToWireframe()
+        with self.assertRaisesRegex(RuntimeError, "they do not hit actor 0"):
+            relievo.write_baseline(self.path, renderer, portable=True)
+
+        # The command, with and without the vector units that libraries choose by the processor.
+        files = [str(self.folder / name) for name in ("a.exr", "b.exr")]
+        relievo_command = os.environ["RELIEVO"]
+        command = [relievo_command, "render", str(self.mesh), "--preset", "none",
+                   "--size", "160x120", "--portable", "--baseline"]  # fmt: skip
+        for file, units in zip(files, ("", "glibc.cpu.hwcaps=-AVX2,-FMA,-AVX512F"), strict=True):
+            given = {**os.environ, "GLIBC_TUNABLES": units}
+            subprocess.run([*command, file], check=True, env=given)
+        a, b = map(relievo.read_exr, files)
+        for name in ("depth", "actor", "cell", "normal"):
+            self.assertTrue((relievo.layer(a, name) == relievo.layer(b, name)).all(), name)
+        shown = subprocess.run(
+            [relievo_command, "compare", files[0], "--render", str(self.mesh)],
+            check=True, capture_output=True, text=True,
+        )  # fmt: skip
+        self.assertIn("alike: 0 of 19 200 pixels", shown.stdout)
 
     def test_nan(self):
         renderer = self.renderer()

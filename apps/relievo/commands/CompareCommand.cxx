@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Baseline.h"
 #include "Command.h"
 #include "Errors.h"
 #include "Messages.h"
@@ -12,13 +13,11 @@
 
 #include "vtkFieldData.h"
 #include "vtkImageData.h"
-#include "vtkImageExtractComponents.h"
 #include "vtkNew.h"
 #include "vtkPNGWriter.h"
-#include "vtkPointData.h"
+#include "vtkRelievoBaseline.h"
 #include "vtkRelievoComparisonReport.h"
 #include "vtkRelievoFrameComparison.h"
-#include "vtkRelievoImageFile.h"
 #include "vtkStringArray.h"
 
 #include <nlohmann/json.hpp>
@@ -181,31 +180,20 @@ private:
     return fs::is_directory(path, error);
   }
 
-  // Writes the picture of a frame, without alpha, unless the path is empty.
+  // Writes the picture of a frame unless the path is empty.
   static void WritePNG(vtkImageData* frame, const std::string& path, const scene::Outputs& outputs)
   {
     if (path.empty())
     {
       return;
     }
-    vtkNew<vtkImageData> picture;
-    picture->ShallowCopy(frame);
-    vtkPointData* data = picture->GetPointData();
-    if (data->HasArray("color"))
-    {
-      data->SetActiveScalars("color");
-    }
-    else if (data->HasArray("depth") || data->HasArray("actor"))
+    const vtkSmartPointer<vtkImageData> picture = scene::MakePicture(frame);
+    if (!picture)
     {
       throw scene::WorkError(path + ": cannot be written: the frame has layers but no picture");
     }
-    const vtkSmartPointer<vtkImageData> bytes = vtkRelievoImageFile::ToColors(picture);
-    vtkNew<vtkImageExtractComponents> colors;
-    colors->SetInputData(bytes);
-    bytes->GetNumberOfScalarComponents() < 3 ? colors->SetComponents(0)
-                                             : colors->SetComponents(0, 1, 2);
     vtkNew<vtkPNGWriter> writer;
-    writer->SetInputConnection(colors->GetOutputPort());
+    writer->SetInputData(picture);
     writer->SetFileName(outputs.Temporary(path).c_str());
     writer->Write();
     scene::Messages::Check(
@@ -284,7 +272,8 @@ private:
     vtkNew<vtkImageData> image;
     {
       const SceneSteps steps(scene);
-      const bool done = scene->CaptureBaseline(image);
+      const bool done = scene->CaptureBaseline(
+        image, vtkRelievoBaseline::IsPortable(this->Comparison->GetBaseline()));
       CheckDone(done, scene->GetFailure(), scene->GetFailureText());
     }
     PrintMessages(scene);
