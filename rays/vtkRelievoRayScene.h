@@ -83,9 +83,10 @@ public:
 
   ///@{
   /**
-   * Name of a point array of integers that identifies points for FindMoved where the data are meshed
-   * anew: a point and a cell of another state are followed if they have the same ids, wherever they
-   * stand in the arrays. A mesh without it identifies points by their index. Default: none.
+   * Name of a point array of integers that identifies points for FindMoved where the data are
+   * meshed anew: a point and a cell of another state are followed if they have the same ids,
+   * wherever they stand in the arrays. A mesh without it identifies points by their index. Default:
+   * none.
    */
   vtkSetStringMacro(PointIds);
   vtkGetStringMacro(PointIds);
@@ -174,9 +175,9 @@ public:
   /**
    * FindNearest, and the positions of the hit points in another state of the scene, copied earlier
    * or present: `places` gets three components for each ray, world coordinates, NaN if there is no
-   * hit or the point no longer exists. A point is identified by its triangle's corners (PointIds) and
-   * their weights; a mesh by its actor and block, or by the index in AddData's list. Also false if
-   * no mesh of the other state has the array PointIds.
+   * hit or the point no longer exists. A point is identified by its triangle's corners (PointIds)
+   * and their weights; a mesh by its actor and block, or by the index in AddData's list. Also false
+   * if no mesh of the other state has the array PointIds.
    */
   bool FindMoved(vtkRelievoRayScene* later, vtkDataArray* origins, vtkDataArray* directions,
     vtkTable* hits, vtkDoubleArray* places);

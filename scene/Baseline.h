@@ -15,9 +15,9 @@ class DressedScene;
 class Settings;
 struct RenderOptions;
 
-/// The scene's frame as a baseline, portable or not (vtkRelievoBaseline). Objects have the names of their files. The
-/// field data also has `words`: options of `relievo render` that draw other files the same way.
-/// Throws WorkError.
+/// The scene's frame as a baseline, portable or not (vtkRelievoBaseline). Objects have the names of
+/// their files. The field data also has `words`: options of `relievo render` that draw other files
+/// the same way. Throws WorkError.
 vtkSmartPointer<vtkImageData> MakeBaseline(
   DressedScene& dressed, const RenderOptions& options, const Settings& settings, bool portable);
 

@@ -529,7 +529,7 @@ bool vtkRelievoBaseline::AddRayLayers(vtkImageData* image, const std::vector<std
 {
   vtkNew<vtkRelievoRayScene> rays;
   rays->SetRenderer(this->Renderer);
-  rays->OpaqueOnlyOn(); // like the layers of a frame
+  rays->OpaqueOnlyOn();                    // like the layers of a frame
   const vtkNew<vtkCallbackCommand> silent; // actors that rays do not hit are an error below
   rays->AddObserver(vtkCommand::WarningEvent, silent);
   rays->Update();

@@ -12,7 +12,7 @@
  * colour actors.
  *
  * A portable baseline takes depth, normal, actor, block, cell and arrays from rays in double
- * instead of OpenGL: these layers are then equal on all processors and drivers (vtkRelievoRayLayers).
+ * (vtkRelievoRayLayers) instead of OpenGL: these layers are equal on all processors and drivers.
  *
  * Record, in addition to the camera and the lights of every capture (vtkRelievoLayerSource):
  * - baseline_version (int): the format, 1.
