@@ -70,14 +70,15 @@ class Completion(unittest.TestCase):
             if verb == "dataset":  # of a scene of render, but poses and files of its own
                 known |= set(options_of("render")) - {
                     "--camera", "--parallel-scale", "--clip", "--times", "--png", "--exr",
-                    "--baseline", "--report", "--hdr", "--transparent", "--certify"}  # fmt: skip
+                    "--baseline", "--portable", "--report", "--hdr", "--transparent",
+                    "--certify"}  # fmt: skip
             self.assertEqual(sorted(offered), sorted(known))
 
     def test_the_viewer_takes_the_words_of_render(self):
         viewer = RELIEVO + "-viewer"
         offered = complete("-", known="", program=viewer)  # asks the command beside it
-        outputs = {"--png", "--exr", "--baseline", "--report", "--layers", "--hdr", "--lens",
-                   "--transparent", "--certify"}
+        outputs = {"--png", "--exr", "--baseline", "--portable", "--report", "--layers", "--hdr",
+                   "--lens", "--transparent", "--certify"}  # fmt: skip
         own = {"--once", "--help", "--version"}
         self.assertEqual(set(offered), set(options_of("render")) - outputs | own)
         self.assertEqual(

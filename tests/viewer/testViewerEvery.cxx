@@ -82,7 +82,8 @@ const std::set<std::string> Elsewhere = { "--size", "--camera", "--parallel-scal
 // Said as parameters of stages, or no part of a picture.
 const std::set<std::string> OfStages = { "--shadow-size", "--soft-shadows", "--shadow-tolerance",
   "--time-budget", "--stage", "--ambient", "--deferred", "--tone", "--exposure", "--certify",
-  "--layers", "--hdr", "--lens", "--png", "--exr", "--baseline", "--report", "--transparent" };
+  "--layers", "--hdr", "--lens", "--png", "--exr", "--baseline", "--portable", "--report",
+  "--transparent" };
 
 // The result follows from measured times.
 const std::string Measured = "time_budget";
