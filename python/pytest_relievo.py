@@ -41,12 +41,16 @@ def pytest_configure(config):
 
 @pytest.fixture
 def relievo_baseline(request):
-    """Compares a frame with a baseline: relievo_baseline(thing, name=None, **limits).
+    """Compares a frame with a baseline.
+
+        relievo_baseline(thing, name=None, portable=False, **limits)
 
     thing: a plotter, a renderer, a scene or anything else that relievo.compare() draws, or an image
         of relievo.capture().
     name: name of the baseline's file, without folder; default: the test's name without `test_`,
         with its parameters, and for later calls `_1`, `_2` and so on.
+    portable: whether a new baseline is portable, as for relievo.write_baseline(). Frames are drawn
+        like the existing baseline.
     limits: limits of relievo.compare(): levels, normal_angle, depth_pixels.
 
     Fails with the table of causes if the frames differ, and if there is no baseline. A test that
@@ -62,18 +66,15 @@ class _Baselines:
         self._own = 0  # calls without a name
         self.calls, self.written = 0, []
 
-    def __call__(self, thing, name=None, **limits):
+    def __call__(self, thing, name=None, portable=False, **limits):
         __tracebackhide__ = True
         import relievo
-        from relievo._compare import _image_of
+        from relievo._compare import frame_of
+        from relievo._wrapped import vtkRelievoBaseline
 
         self.calls += 1
         path = self._path(name)
         shown = self._shown(path)
-        frame = _image_of(thing)
-        if path in self._config.stash[_NEW]:
-            self.written.append(shown)
-            return
         baseline = found = None
         try:
             baseline = relievo.read_exr(path)
@@ -81,7 +82,11 @@ class _Baselines:
             said = "there is no such baseline"
         except (OSError, ValueError) as error:  # the message names the file
             said = f"the baseline cannot be read: {error}"
-        else:
+        frame = frame_of(thing, portable or vtkRelievoBaseline.IsPortable(baseline))
+        if path in self._config.stash[_NEW]:
+            self.written.append(shown)
+            return
+        if baseline is not None:
             found = relievo.compare(baseline, frame, **limits)
             if found:
                 return

@@ -127,12 +127,12 @@ def compare(a, b, levels=2, normal_angle=0.02, depth_pixels=1 / 256) -> Comparis
             if not good:
                 raise ValueError(comparison.GetFailureText())
         elif not _is_drawn(thing):
-            take(_image_of(thing))
+            take(frame_of(thing))
     images = (comparison.GetBaseline(), comparison.GetFrame())
     portable = any(vtkRelievoBaseline.IsPortable(image) for image in images)
     for thing, _, take in sides:
         if _is_drawn(thing):
-            take(_drawn(thing, portable=portable))
+            take(frame_of(thing, portable))
     with Watch(comparison):
         good = comparison.Compare()
     if not good:
@@ -181,8 +181,10 @@ def _is_drawn(thing):
                 or is_a(thing, "vtkImageData"))
 
 
-def _image_of(thing):
-    """The frame as an image, of an image or an array."""
+def frame_of(thing, portable=False):
+    """The frame as an image; draws things that are not images, as a portable baseline or not."""
+    if _is_drawn(thing):
+        return _drawn(thing, portable=portable)
     return to_image(thing, "color") if isinstance(thing, numpy.ndarray) else thing
 
 

@@ -343,7 +343,7 @@ def test_picture(relievo_baseline, word):
 def test_twice(relievo_baseline):
     plotter = pyvista.Plotter()
     actor = plotter.add_mesh(pyvista.Cylinder(), name="wheel")
-    relievo_baseline(plotter.renderer)
+    relievo_baseline(plotter.renderer, portable=True)
     actor.SetPosition(RADIUS - 0.5, 0, 0)
     relievo_baseline(plotter)
 
@@ -423,6 +423,11 @@ class Pytest(unittest.TestCase):
         self.assertEqual(len(names), 7)
         self.assertLess(max(map(len, names)), 80)
         self.pytest(counts={"passed": 8})
+        import relievo
+        from relievo.vtkRelievoScene import vtkRelievoBaseline
+
+        twice = relievo.read_exr(self.folder / "unit" / "baselines" / "twice.exr")
+        self.assertTrue(vtkRelievoBaseline.IsPortable(twice))
 
         said = self.pytest("--relievo-report", "report", radius=0.7,
                            counts={"passed": 6, "failed": 2})  # fmt: skip
