@@ -33,8 +33,8 @@ private:
   scene::Progress Shown;
 };
 
-/// The command's scene, which lives until the process ends: VTK takes down the buffers of many objects
-/// in time that grows with the square of their number, and the kernel frees them at once.
+/// The command's scene, which lives until the process ends: VTK takes down the buffers of many
+/// objects in time that grows with the square of their number, and the kernel frees them at once.
 vtkRelievoScene* GetScene();
 
 /// Throws UsageError or WorkError for a function that returned false, by its `failure` and `text`.
