@@ -6,6 +6,7 @@
 #include "vtkRelievoShaderTable.h"
 
 #include <map>
+#include <mutex>
 #include <set>
 #include <sstream>
 
@@ -20,7 +21,7 @@ std::map<std::string, std::string>& GetAdded()
   return added;
 }
 
-const char* FindQuietly(const std::string& name)
+const char* Find(const std::string& name)
 {
   for (const vtkRelievoShaderTableEntry* entry = vtkRelievoShaderTable; entry->Name; ++entry)
   {
@@ -33,26 +34,17 @@ const char* FindQuietly(const std::string& name)
   return added == GetAdded().end() ? nullptr : added->second.c_str();
 }
 
-const char* Find(const std::string& name)
-{
-  if (const char* text = FindQuietly(name))
-  {
-    return text;
-  }
-  vtkGenericWarningMacro("No GLSL source named '" << name << "' is embedded in Relievo.");
-  return nullptr;
-}
-
-bool Append(const std::string& name, std::set<std::string>& seen, std::ostream& out)
+// Returns the name of a source that is not embedded; empty if none is missing.
+std::string Append(const std::string& name, std::set<std::string>& seen, std::ostream& out)
 {
   if (!seen.insert(name).second)
   {
-    return true;
+    return {};
   }
   const char* text = Find(name);
   if (!text)
   {
-    return false;
+    return name;
   }
   static const std::string directive = "//RELIEVO::Include(";
   std::istringstream lines(text);
@@ -65,12 +57,79 @@ bool Append(const std::string& name, std::set<std::string>& seen, std::ostream& 
       continue;
     }
     const std::size_t from = at + directive.size();
-    if (!Append(line.substr(from, line.find(')', from) - from), seen, out))
+    const std::string missing = Append(line.substr(from, line.find(')', from) - from), seen, out);
+    if (!missing.empty())
     {
-      return false;
+      return missing;
     }
   }
-  return true;
+  return {};
+}
+
+// A source with its includes, and its sections that have been asked for. Neither changes once it is
+// known: a name is added once. The shaders of every actor ask for the same ones.
+struct Source
+{
+  std::string Text;
+  std::map<std::string, std::string> Sections;
+};
+
+std::mutex& GetMutex()
+{
+  static std::mutex mutex;
+  return mutex;
+}
+
+// Null if the source, or one that it includes, is missing. Needs the mutex.
+Source* Compose(const std::string& name, std::string& missing)
+{
+  static std::map<std::string, Source> known;
+  const auto found = known.find(name);
+  if (found != known.end())
+  {
+    return &found->second;
+  }
+  std::ostringstream out;
+  std::set<std::string> seen;
+  missing = Append(name, seen, out);
+  if (!missing.empty())
+  {
+    return nullptr;
+  }
+  Source& source = known[name];
+  source.Text = out.str();
+  return &source;
+}
+
+// Null if the source has no such section. Needs the mutex.
+const std::string* FindSection(Source& source, const std::string& section)
+{
+  const auto known = source.Sections.find(section);
+  if (known != source.Sections.end())
+  {
+    return &known->second;
+  }
+  static const std::string directive = "//RELIEVO::Section(";
+  const std::string opening = directive + section + ")\n";
+  std::size_t from = source.Text.find(opening);
+  if (from == std::string::npos)
+  {
+    return nullptr;
+  }
+  from += opening.size();
+  const std::size_t to = source.Text.find(directive, from);
+  std::string& text = source.Sections[section];
+  text = source.Text.substr(from, to == std::string::npos ? to : to - from);
+  return &text;
+}
+
+// The mutex is released before: observers of warnings may use the library.
+void WarnOfMissing(const std::string& name)
+{
+  if (!name.empty())
+  {
+    vtkGenericWarningMacro("No GLSL source named '" << name << "' is embedded in Relievo.");
+  }
 }
 }
 
@@ -94,27 +153,34 @@ const char* vtkRelievoShaderLibrary::GetName(int i)
 //------------------------------------------------------------------------------
 std::string vtkRelievoShaderLibrary::Get(const std::string& name)
 {
-  std::ostringstream out;
-  std::set<std::string> seen;
-  return Append(name, seen, out) ? out.str() : std::string();
+  std::string missing;
+  {
+    const std::lock_guard<std::mutex> lock(GetMutex());
+    if (const Source* source = Compose(name, missing))
+    {
+      return source->Text;
+    }
+  }
+  WarnOfMissing(missing);
+  return std::string();
 }
 
 //------------------------------------------------------------------------------
 std::string vtkRelievoShaderLibrary::GetSection(const std::string& name, const std::string& section)
 {
-  const std::string source = Get(name);
-  static const std::string directive = "//RELIEVO::Section(";
-  const std::string opening = directive + section + ")\n";
-  std::size_t from = source.find(opening);
-  if (from == std::string::npos)
+  std::string missing;
   {
-    vtkGenericWarningMacro(
-      "The GLSL source '" << name << "' has no section named '" << section << "'.");
-    return std::string();
+    const std::lock_guard<std::mutex> lock(GetMutex());
+    Source* const source = Compose(name, missing);
+    if (const std::string* text = source ? FindSection(*source, section) : nullptr)
+    {
+      return *text;
+    }
   }
-  from += opening.size();
-  const std::size_t to = source.find(directive, from);
-  return source.substr(from, to == std::string::npos ? to : to - from);
+  WarnOfMissing(missing);
+  vtkGenericWarningMacro(
+    "The GLSL source '" << name << "' has no section named '" << section << "'.");
+  return std::string();
 }
 
 //------------------------------------------------------------------------------
@@ -127,12 +193,15 @@ void vtkRelievoShaderLibrary::PrintSelf(ostream& os, vtkIndent indent)
 //------------------------------------------------------------------------------
 bool vtkRelievoShaderLibrary::Add(const std::string& name, const std::string& text)
 {
-  if (FindQuietly(name))
+  bool added = false;
+  {
+    const std::lock_guard<std::mutex> lock(GetMutex());
+    added = !Find(name) && GetAdded().emplace(name, text).second;
+  }
+  if (!added)
   {
     vtkGenericWarningMacro(
       "A GLSL source named '" << name << "' exists already; choose another name.");
-    return false;
   }
-  GetAdded()[name] = text;
-  return true;
+  return added;
 }

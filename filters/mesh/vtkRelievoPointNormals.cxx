@@ -439,19 +439,30 @@ void PutSplits(const std::vector<Splits>& splits, vtkCellArray* cells, vtkFloatA
 int vtkRelievoPointNormals::RequestData(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  vtkPolyData* input = vtkPolyData::GetData(inputs[0]);
-  vtkPolyData* output = vtkPolyData::GetData(outputs);
+  this->MakeNormals(vtkPolyData::GetData(inputs[0]), vtkPolyData::GetData(outputs));
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoPointNormals::MakeNormals(vtkPolyData* input, vtkPolyData* output)
+{
+  if (!input || !output)
+  {
+    vtkErrorMacro(
+      "MakeNormals was given no " << (input ? "output" : "input") << "; give it two meshes.");
+    return;
+  }
   output->ShallowCopy(input);
   vtkCellArray* cells = input->GetPolys();
   if (!input->GetPoints() || cells->GetNumberOfCells() == 0)
   {
-    return 1;
+    return;
   }
   if (cells->GetNumberOfConnectivityIds() > std::numeric_limits<std::uint32_t>::max())
   {
     vtkErrorMacro("expected polygons with at most 4294967295 corners, not "
       << cells->GetNumberOfConnectivityIds() << ": take a part of the mesh");
-    return 1;
+    return;
   }
   const double leastCosine = std::cos(vtkMath::RadiansFromDegrees(this->FeatureAngle));
   vtkNew<vtkFloatArray> normals;
@@ -516,7 +527,6 @@ int vtkRelievoPointNormals::RequestData(
     allCorners->DeepCopy(corners);
     make(allStarts, allCorners);
   }
-  return 1;
 }
 
 //------------------------------------------------------------------------------

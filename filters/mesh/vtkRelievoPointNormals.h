@@ -43,6 +43,12 @@ public:
   vtkGetMacro(FeatureAngle, double);
   ///@}
 
+  /**
+   * Gives `output` the polygons of `input` with normals, as an update of the filter does, without a
+   * pipeline, which takes longer than a small mesh. Error: no input or no output.
+   */
+  void MakeNormals(vtkPolyData* input, vtkPolyData* output);
+
 protected:
   vtkRelievoPointNormals() = default;
   ~vtkRelievoPointNormals() override = default;

@@ -335,7 +335,10 @@ vtkSmartPointer<vtkDataObject> WithNormals(
     if (mesh->GetNumberOfCells() == mesh->GetNumberOfPolys())
     {
       vtkNew<vtkRelievoPointNormals> fast;
-      return Run(fast, block, context.GetProgress());
+      context.GetProgress().Observe(fast);
+      auto result = vtkSmartPointer<vtkPolyData>::New();
+      fast->MakeNormals(mesh, result);
+      return vtkSmartPointer<vtkDataObject>(result);
     }
     vtkNew<vtkPolyDataNormals> normals;
     normals->ConsistencyOff();
@@ -402,9 +405,17 @@ vtkSmartPointer<vtkDataObject> MakeSurface(
     LeaveOutHidden(Surface(WithVertices(data), context.GetProgress())), path, context);
   // Before normals: VTK's normals of such polygons may point to the wrong side.
   surface = ReplaceDataSets(surface, [&context](vtkDataObject* block) {
+    auto* mesh = vtkPolyData::SafeDownCast(block);
+    if (!mesh)
+    {
+      return vtkSmartPointer<vtkDataObject>(block);
+    }
+    if (mesh->GetPolys()->IsHomogeneous() == 3) // a pipeline costs more than a small mesh
+    {
+      return CopyDataSets(mesh);
+    }
     vtkNew<vtkRelievoConvexPolygons> convex;
-    return vtkPolyData::SafeDownCast(block) ? Run(convex, block, context.GetProgress())
-                                            : vtkSmartPointer<vtkDataObject>(block);
+    return Run(convex, block, context.GetProgress());
   });
   NoteNormals(surface, path, context);
   if (smooth)

@@ -4,6 +4,7 @@
 
 #include "vtkAOSDataArrayTemplate.h"
 #include "vtkActor.h"
+#include "vtkAlgorithmOutput.h"
 #include "vtkBoundingBox.h"
 #include "vtkCellArray.h"
 #include "vtkNew.h"
@@ -13,6 +14,7 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
+#include "vtkTrivialProducer.h"
 
 #include <algorithm>
 #include <limits>
@@ -97,6 +99,13 @@ bool IsPlainSurface(vtkProperty* property, vtkPolyData* mesh)
     !property->GetVertexVisibility() &&
     !mesh->GetPointData()->GetAttribute(vtkDataSetAttributes::EDGEFLAG);
 }
+}
+
+//------------------------------------------------------------------------------
+void TriangleMapper::SetInputConnection(int port, vtkAlgorithmOutput* input)
+{
+  this->Superclass::SetInputConnection(port, input);
+  this->SetStatic(input && vtkTrivialProducer::SafeDownCast(input->GetProducer()));
 }
 
 //------------------------------------------------------------------------------

@@ -3,8 +3,9 @@
 //
 // VTK's mapper of polygons, faster for pure triangle meshes: 32-bit corners go to the GPU directly
 // from memory, and the bounds are found in one pass. VTK gathers the corners cell by cell in an
-// array of its own. The picture is the same, and so is the name of the class, by which passes
-// recognise a mapper's kind.
+// array of its own. Input that is data, and no filter's output, has no pipeline to update, which
+// would cost more than drawing a small mesh. The picture is the same, and so is the name of the
+// class, by which passes recognise a mapper's kind.
 #ifndef TriangleMapper_h
 #define TriangleMapper_h
 
@@ -20,6 +21,8 @@ public:
   static TriangleMapper* New();
   using Superclass = vtkOpenGLPolyDataMapper;
 
+  using Superclass::SetInputConnection;
+  void SetInputConnection(int port, vtkAlgorithmOutput* input) override;
   void ReleaseGraphicsResources(vtkWindow* window) override;
 
 protected:

@@ -258,6 +258,11 @@ def smooth(mesh, angle=30):
     step.SetFeatureAngle(angle)
     step.SetInputData(mesh)
     step.Update()
+    direct = vtkPolyData()
+    step.MakeNormals(mesh, direct)
+    if mesh.GetNumberOfCells() > 0:
+        for one, other in zip(arrays_of(direct), arrays_of(step.GetOutput())):
+            numpy.testing.assert_array_equal(one, other)
     return step.GetOutput()
 
 

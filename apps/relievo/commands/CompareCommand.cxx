@@ -267,7 +267,7 @@ private:
     const scene::Settings other = scene::Settings::FromWords(given);
     settings.TakeChanges(scene::Settings(), other);
     settings.Files = other.Files;
-    vtkNew<vtkRelievoScene> scene;
+    vtkRelievoScene* scene = GetScene();
     SetWords(scene, settings.GetWords());
     vtkNew<vtkImageData> image;
     {

@@ -166,7 +166,7 @@ public:
   {
     this->TakeAll(words);
     const scene::Messages::Scope scope;
-    vtkNew<vtkRelievoScene> scene;
+    vtkRelievoScene* scene = GetScene();
     SetWords(scene, this->Scene);
     {
       const SceneSteps steps(scene);

@@ -5,8 +5,6 @@
 #include "Options.h"
 #include "SceneWork.h"
 
-#include "vtkNew.h"
-
 #include <cstdio>
 
 namespace cli
@@ -25,7 +23,7 @@ public:
   int Run(const std::vector<std::string>& words) override
   {
     const scene::Messages::Scope scope;
-    vtkNew<vtkRelievoScene> scene;
+    vtkRelievoScene* scene = GetScene();
     SetWords(scene, words);
     {
       const SceneSteps steps(scene);

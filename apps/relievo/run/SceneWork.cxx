@@ -61,6 +61,13 @@ void SceneSteps::Show(double share)
 }
 
 //------------------------------------------------------------------------------
+vtkRelievoScene* GetScene()
+{
+  static vtkRelievoScene* const scene = vtkRelievoScene::New(); // never deleted
+  return scene;
+}
+
+//------------------------------------------------------------------------------
 void CheckDone(bool done, int failure, const std::string& text)
 {
   if (!done && failure == vtkRelievoScene::USAGE_FAILURE)

@@ -33,6 +33,10 @@ private:
   scene::Progress Shown;
 };
 
+/// The command's scene, which lives until the process ends: VTK takes down the buffers of many
+/// objects in time that grows with the square of their number, and the kernel frees them at once.
+vtkRelievoScene* GetScene();
+
 /// Throws UsageError or WorkError for a function that returned false, by its `failure` and `text`.
 void CheckDone(bool done, int failure, const std::string& text);
 

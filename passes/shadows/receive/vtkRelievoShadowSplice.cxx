@@ -41,10 +41,12 @@ std::string Lens(const char* section)
 // Whether the shader text uses the vertex's place, and does not only set it or add to it.
 bool ReadsPlace(const std::string& text)
 {
-  std::istringstream pattern(Lens("Use"));
-  std::string use;
-  pattern >> use;
-  const std::regex found(use);
+  static const std::regex found = [] {
+    std::istringstream pattern(Lens("Use"));
+    std::string use;
+    pattern >> use;
+    return std::regex(use);
+  }();
   for (std::sregex_iterator each(text.begin(), text.end(), found), none; each != none; ++each)
   {
     if (each->str(3).empty())
