@@ -29,6 +29,14 @@ struct VTKRELIEVODESCRIBE_EXPORT vtkRelievoOption
   bool OfOutputs = false; // concerns outputs, not the scene
   std::string Sets;       // stage parameters that it sets: "shadows:map_size", "tone", "any"
 
+  struct Bounds
+  {
+    double Least = 0.0;
+    double Most = 0.0;
+    bool Open = false; // Least and Most are excluded
+  };
+  Bounds Range; // of a number; Least and Most equal: not described
+
   // Candidates for completion in shells: words, which may continue after a colon; and files, by
   // extensions such as "png|jpg", or "/" for folders.
   std::vector<std::string> Words;

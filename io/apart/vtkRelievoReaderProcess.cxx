@@ -3,6 +3,9 @@
 #include "vtkRelievoReaderProcess.h"
 
 #ifdef __linux__
+#include "vtkObject.h"
+#include "vtkSetGet.h"
+
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -638,16 +641,17 @@ void Stop()
 constexpr int ServedDescriptor = 3; // of relievo-reader
 
 // Starts relievo-reader from the folder `relievo` beside the library that contains this code. A
-// fork of the program would keep all locks that its other threads hold.
-void StartProgram()
+// fork of the program would keep all locks that its other threads hold. Returns "", or the failure.
+std::string StartProgram()
 {
   std::string path = FindLoadedFile(reinterpret_cast<void*>(&StartProgram));
-  Descriptor ours, its;
-  if (path.empty() || !Connect(SOCK_SEQPACKET, ours, its))
-  {
-    return;
-  }
   path = path.substr(0, path.rfind('/') + 1) + "relievo/relievo-reader";
+  const std::string cannot = path + " cannot be started: ";
+  Descriptor ours, its;
+  if (!Connect(SOCK_SEQPACKET, ours, its))
+  {
+    return cannot + std::strerror(errno);
+  }
   char* const words[] = { path.data(), nullptr };
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
@@ -658,7 +662,7 @@ void StartProgram()
   its.Close();
   if (trouble != 0)
   {
-    return;
+    return cannot + std::strerror(trouble);
   }
   while (waitpid(started, nullptr, 0) < 0 && errno == EINTR) // it forks the server, then ends
   {
@@ -669,14 +673,16 @@ void StartProgram()
   {
     got = recv(ours.Get(), &process, sizeof process, 0);
   } while (got < 0 && errno == EINTR);
-  if (got == sizeof process)
+  if (got != sizeof process)
   {
-    Process = process;
-    User = geteuid();
-    Group = getegid();
-    Server = ours.Release();
-    std::atexit(Stop);
+    return cannot + "it ended early";
   }
+  Process = process;
+  User = geteuid();
+  Group = getegid();
+  Server = ours.Release();
+  std::atexit(Stop);
+  return "";
 }
 
 // Gives up the server; the next file starts the program again.
@@ -744,7 +750,7 @@ bool vtkRelievoReaderProcess::IsThere()
   {
     return false;
   }
-  const std::lock_guard<std::mutex> guard(Starting);
+  std::unique_lock<std::mutex> guard(Starting);
   // Nothing is read with rights that the program has given up.
   if (Server >= 0 && !Forked && (User != geteuid() || Group != getegid()))
   {
@@ -753,9 +759,14 @@ bool vtkRelievoReaderProcess::IsThere()
   if (Server < 0 && !Searched)
   {
     Searched = true;
-    if (!std::getenv("RELIEVO_READ_HERE"))
+    const std::string trouble = std::getenv("RELIEVO_READ_HERE") ? "" : StartProgram();
+    static bool warned = false;
+    if (!trouble.empty() && !std::exchange(warned, true))
     {
-      StartProgram();
+      guard.unlock(); // whoever shows the message may read a file for it
+      vtkGenericWarningMacro("Files are read in this process, which a damaged file can crash: "
+        << trouble << ". Install this program, or set RELIEVO_READ_HERE=1 to read without it.");
+      return false;
     }
   }
   return Server >= 0;

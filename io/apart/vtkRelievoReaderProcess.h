@@ -5,8 +5,8 @@
 // library then ends only that process. A server process forks a process for each file, which is
 // limited in memory and time and returns its result. Our programs fork the server at their start.
 // Elsewhere, as in Python and ParaView, the server is the program relievo-reader, started with the
-// first file. If it is not installed, or the environment variable RELIEVO_READ_HERE is set, files
-// are read in the process itself.
+// first file. If it is not installed, which causes one warning, or if the environment variable
+// RELIEVO_READ_HERE is set, files are read in the process itself.
 //
 // Limits: 8 GiB of memory, 15 s of processor time and 60 s of waiting, for example for a disk; in
 // addition, for each MiB of opened files, 32 MiB and 2 s of both times. Elapsed time does not

@@ -15,7 +15,6 @@ namespace scene
 {
 namespace
 {
-constexpr double MostPointSize = 100.0;
 constexpr std::size_t LongestUnit = 32; // bytes
 }
 
@@ -94,23 +93,6 @@ void TakeColormap(LookChoice& look, const std::string& word)
 void TakeColor(LookChoice& look, const std::string& word)
 {
   look.Solid = ParseColor("--color", word);
-}
-
-//------------------------------------------------------------------------------
-void TakeOpacity(LookChoice& look, const std::string& word)
-{
-  look.Opacity = ParseNumberFrom("--opacity", word, 0.0, 1.0);
-}
-
-//------------------------------------------------------------------------------
-void TakePointSize(LookChoice& look, const std::string& word)
-{
-  const double size = ParseNumbers("--point-size", word, 1, "PIXELS")[0];
-  if (size < 1.0 || size > MostPointSize)
-  {
-    RefuseValue("--point-size", word, "a number of pixels from 1 to 100");
-  }
-  look.PointSize = size;
 }
 
 //------------------------------------------------------------------------------

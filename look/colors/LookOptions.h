@@ -62,8 +62,6 @@ void TakeColorBy(LookChoice& look, const std::string& word);
 void TakeRange(LookChoice& look, const std::string& word);
 void TakeColormap(LookChoice& look, const std::string& word);
 void TakeColor(LookChoice& look, const std::string& word);
-void TakeOpacity(LookChoice& look, const std::string& word);
-void TakePointSize(LookChoice& look, const std::string& word);
 void TakeScaleBar(LookChoice& look, const std::string& word);
 void TakeBackground(LookChoice& look, const std::string& word);
 

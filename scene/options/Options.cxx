@@ -159,6 +159,13 @@ std::string NamedAs(
 }
 
 //------------------------------------------------------------------------------
+std::string Insert(std::string help, const std::string& mark, const std::string& text)
+{
+  const std::size_t at = help.find(mark);
+  return at == std::string::npos ? help : help.replace(at, mark.size(), text);
+}
+
+//------------------------------------------------------------------------------
 // The rows of a command that fills these options.
 struct Rows
 {
@@ -213,19 +220,30 @@ struct Rows
     return this->Command.Options.back();
   }
 
+  // The bounds replace @bounds@ in the help.
+  void AddNumber(const std::string& name, const std::string& form, const std::string& help,
+    const vtkRelievoOption::Bounds& range,
+    const std::function<void(RenderOptions& options, double number)>& take)
+  {
+    const std::string least = WriteNumber(range.Least), most = WriteNumber(range.Most);
+    this
+      ->Add(name, form,
+        Insert(help, "@bounds@",
+          range.Open ? "above " + least + " and below " + most : least + " to " + most),
+        [=](RenderOptions& options, const std::string& word) {
+          const auto parse = range.Open ? ParseNumberBetween : ParseNumberFrom;
+          take(options, parse(name, word, range.Least, range.Most));
+        })
+      .Range = range;
+  }
+
   // The choices replace @choices@ in the help.
   void AddChoice(const std::string& name, const std::string& form,
-    const std::vector<std::string>& choices, std::string help,
+    const std::vector<std::string>& choices, const std::string& help,
     const std::function<void(std::size_t place)>& take)
   {
-    const std::string mark = "@choices@";
-    const std::size_t at = help.find(mark);
-    if (at != std::string::npos)
-    {
-      help.replace(at, mark.size(), vtkRelievoEither(choices));
-    }
     this
-      ->Add(name, form, help,
+      ->Add(name, form, Insert(help, "@choices@", vtkRelievoEither(choices)),
         [name, choices, take](
           RenderOptions&, const std::string& word) { take(ParseChoice(name, word, choices)); })
       .Words = choices;
@@ -266,11 +284,9 @@ vtkRelievoCommand DescribeRender(RenderOptions& all)
     "--preset none along -z with y or the axis of --up up; from the flat side of a flat "
     "scene)",
     TakeCamera);
-  rows.Add("--view-angle", "DEG",
-    "full vertical angle of the perspective, degrees, above 0 and below 180 (30)",
-    [](RenderOptions& options, const std::string& word) {
-      options.View.Angle = ParseNumberBetween("--view-angle", word, 0.0, 180.0);
-    });
+  rows.AddNumber("--view-angle", "DEG",
+    "full vertical angle of the perspective, degrees, @bounds@ (30)", { 0.0, 180.0, true },
+    [](RenderOptions& options, double angle) { options.View.Angle = angle; });
   rows.Add("--parallel-scale", "S",
     "parallel projection; S is half the picture's height in world units",
     [](RenderOptions& options, const std::string& word) {
@@ -351,12 +367,12 @@ vtkRelievoCommand DescribeRender(RenderOptions& all)
     "one colour for all meshes; COLOR is R/G/B from 0 to 1 as displays show it, "
     "#rrggbb, or a name such as slategray",
     TakePart<&RenderOptions::Look, TakeColor>);
-  rows.Add("--opacity", "A", "opacity of all meshes and volumes, 0 to 1 (1)",
-    TakePart<&RenderOptions::Look, TakeOpacity>);
-  rows.Add("--point-size", "PIXELS",
-    "width of points, 1 to 100 pixels; wider than 1, they are drawn as spheres (4 with a "
+  rows.AddNumber("--opacity", "A", "opacity of all meshes and volumes, @bounds@ (1)", { 0.0, 1.0 },
+    [](RenderOptions& options, double opacity) { options.Look.Opacity = opacity; });
+  rows.AddNumber("--point-size", "PIXELS",
+    "width of points, @bounds@ pixels; wider than 1, they are drawn as spheres (4 with a "
     "preset, else 1)",
-    TakePart<&RenderOptions::Look, TakePointSize>);
+    { 1.0, 100.0 }, [](RenderOptions& options, double size) { options.Look.PointSize = size; });
   rows.AddFlag("--edges", "draws the edges of cells", all.Look.Edges);
   rows.Add("--background", "COLOR[,COLOR]",
     "one colour, or a gradient: the bottom's and the top's (the preset's; black with "
@@ -366,10 +382,10 @@ vtkRelievoCommand DescribeRender(RenderOptions& all)
     rows.Add("--light", "LIGHT", lights, TakeNext<&RenderOptions::Lights, ParseLight>);
   light.Repeats = true;
   light.Words = { "sun:", "spot:", "point:" };
-  rows.Add("--fill", "F",
+  rows.AddNumber("--fill", "F",
     "strength of a preset's weak suns, which light the areas that its first light, or "
-    "--light, leaves dark, 0 to 1 (1; 0.4 with --light)",
-    TakeFill);
+    "--light, leaves dark, @bounds@ (1; 0.4 with --light)",
+    { 0.0, 1.0 }, [](RenderOptions& options, double fill) { options.Fill = fill; });
   rows.Add("--time", "T", "the time of models with bones, in seconds (the animation's start)",
     TakePart<&RenderOptions::Model, TakeTime>);
   rows.Add("--times", "START:END:STEP",

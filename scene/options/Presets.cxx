@@ -158,12 +158,6 @@ void TakePreset(RenderOptions& options, const std::string& word)
 }
 
 //------------------------------------------------------------------------------
-void TakeFill(RenderOptions& options, const std::string& word)
-{
-  options.Fill = ParseNumberFrom("--fill", word, 0.0, 1.0);
-}
-
-//------------------------------------------------------------------------------
 void DropIdleFill(Settings& settings)
 {
   if (!settings.Has("--fill"))

@@ -25,9 +25,6 @@ bool IsOfPresets(const std::string& stage, const std::string& parameter);
 /// Throws UsageError for an unknown name.
 void TakePreset(RenderOptions& options, const std::string& word);
 
-/// Throws UsageError unless the word is a share.
-void TakeFill(RenderOptions& options, const std::string& word);
-
 /// Removes --fill if the preset has no fill lights, because it would be refused.
 void DropIdleFill(Settings& settings);
 

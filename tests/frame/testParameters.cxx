@@ -1,15 +1,34 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The description of every registered stage: complete, and consistent with the accepted values.
+// The description of every registered stage: complete, and consistent with the accepted values;
+// bounds in descriptions of stages, points, materials, filters and data sets.
 #include "Check.h"
 #include "Session.h"
 #include "TestCase.h"
 
 #include <vtkNew.h>
+#include <vtkObject.h>
+#include <vtkRelievoCaves.h>
+#include <vtkRelievoDatasetWriter.h>
+#include <vtkRelievoEnvironment.h>
+#include <vtkRelievoEnvironmentConvert.h>
+#include <vtkRelievoEnvironmentIrradiance.h>
+#include <vtkRelievoEnvironmentPrefilter.h>
+#include <vtkRelievoHeightsToNormals.h>
+#include <vtkRelievoMaterial.h>
 #include <vtkRelievoPass.h>
+#include <vtkRelievoPointStage.h>
 #include <vtkRelievoShadowStage.h>
+#include <vtkRelievoSmoothBlocks.h>
 #include <vtkRelievoStage.h>
+#include <vtkRelievoSunExposure.h>
+#include <vtkRelievoSurfaceParticles.h>
+#include <vtkRelievoTextureCoordinates.h>
+#include <vtkRelievoVoxelCubes.h>
+#include <vtkRelievoVoxelShell.h>
+#include <vtkSmartPointer.h>
+#include <vtkType.h>
 
 #include <algorithm>
 #include <cmath>
@@ -67,6 +86,70 @@ void TestDescriptions()
   {
     TestDescription(frame->GetStage(i));
   }
+}
+
+// A setter takes the bounds of its description; a number beyond them becomes the bound, is refused,
+// or is kept by a setter without bounds.
+void TestBounds(const std::string& name, const vtkRelievoParameterList& list)
+{
+  vtkObject::GlobalWarningDisplayOff(); // of refusals
+  for (const vtkRelievoParameter& parameter : list.Parameters)
+  {
+    const bool whole =
+      parameter.Type == vtkRelievoParameter::WHOLE || parameter.Type == vtkRelievoParameter::CHOICE;
+    if (!whole && parameter.Type != vtkRelievoParameter::NUMBER)
+    {
+      continue;
+    }
+    const double before = parameter.GetValues()[0];
+    for (const bool upper : { false, true })
+    {
+      const double end = upper ? parameter.Most : parameter.Least;
+      const double most = whole ? VTK_INT_MAX : VTK_DOUBLE_MAX;
+      const double beyond = upper ? most : whole ? VTK_INT_MIN : -most;
+      const auto set = [&](double value) {
+        parameter.SetValues({ before });
+        parameter.SetValues({ value });
+        return parameter.GetValues()[0];
+      };
+      const double got = set(beyond);
+      const bool isEnd = std::abs(got - end) <= (parameter.Open ? 1e-9 : 0.0);
+      RELIEVO_CHECK_THAT(isEnd || got == beyond || got == before,
+        name + ":" + parameter.Name + " is described to " + std::to_string(end) + ", clamped to " +
+          std::to_string(got));
+      RELIEVO_CHECK_THAT(!std::isfinite(end) || parameter.Open || set(end) == end,
+        name + ":" + parameter.Name + " takes " + std::to_string(end));
+    }
+    parameter.SetValues({ before });
+  }
+  vtkObject::GlobalWarningDisplayOn();
+}
+
+template <typename... Described>
+void TestBoundsOf()
+{
+  (TestBounds(vtkNew<Described>()->GetClassName(), vtkNew<Described>()->GetParameters()), ...);
+}
+
+void TestAllBounds()
+{
+  vtkNew<vtkRelievoPass> frame;
+  for (int i = 0; i < frame->GetNumberOfStages(); ++i)
+  {
+    vtkRelievoStage* stage = frame->GetStage(i);
+    TestBounds(stage->GetClassName(), stage->GetDescription());
+    if (auto* drawn = vtkRelievoPointStage::SafeDownCast(stage))
+    {
+      const auto points = vtkSmartPointer<vtkRelievoPointValues>::Take(drawn->NewPoints());
+      TestBounds(points->GetClassName(), points->GetDescription());
+    }
+  }
+  TestBounds("material", vtkNew<vtkRelievoMaterial>()->GetDescription());
+  TestBounds("environment", vtkNew<vtkRelievoEnvironment>()->GetDescription());
+  TestBoundsOf<vtkRelievoCaves, vtkRelievoDatasetWriter, vtkRelievoEnvironmentConvert,
+    vtkRelievoEnvironmentIrradiance, vtkRelievoEnvironmentPrefilter, vtkRelievoHeightsToNormals,
+    vtkRelievoSmoothBlocks, vtkRelievoSunExposure, vtkRelievoSurfaceParticles,
+    vtkRelievoTextureCoordinates, vtkRelievoVoxelCubes, vtkRelievoVoxelShell>();
 }
 
 // The default is a new stage's value, whatever this one is set to when it is first asked.
@@ -178,6 +261,7 @@ RELIEVO_TEST_CASE(testParameters)
 {
   relievoTest::Session session;
   TestDescriptions();
+  TestAllBounds();
   TestDefaults();
   TestWords();
   TestPairsAndConditions();

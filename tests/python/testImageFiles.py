@@ -5,7 +5,10 @@
 import io
 import os
 import pathlib
+import shutil
 import struct
+import subprocess
+import sys
 import tempfile
 import unittest
 import zlib
@@ -564,6 +567,43 @@ class NoFiles(Files):
             with self.assertRaises(ValueError) as caught:
                 watch.raise_as(ValueError, "read")
             self.assertIn(says, str(caught.exception))
+
+
+READ_TWICE = """
+import sys
+from relievo.vtkRelievoIO import vtkRelievoImageReader
+for _ in range(2):
+    reader = vtkRelievoImageReader()
+    reader.SetFileName(sys.argv[1])
+    reader.Update()
+    assert reader.GetOutput().GetDimensions() == (7, 5, 1)
+"""
+
+
+class WithoutProcess(Files):
+    """relievo-reader is missing beside a copy of the library that starts it, or not executable."""
+
+    def test_it_warns_once(self):
+        lines = pathlib.Path("/proc/self/maps").read_text().splitlines()
+        libraries = {line[line.index("/"):] for line in lines if ".so" in line and "/" in line}
+        (library,) = [each for each in libraries if "/libvtkRelievoIO" in each]
+        preloaded = shutil.copy(library, self.folder)
+        folders = ":".join(sorted({os.path.dirname(each) for each in libraries}))
+        environment = {**os.environ, "LD_LIBRARY_PATH": folders, "LD_PRELOAD":
+                       f"{os.environ.get('LD_PRELOAD', '')}:{preloaded}"}  # fmt: skip
+        image = self.path_of(self.written(Image.fromarray(texels()), "png"), "a.png")
+        program = self.folder / "relievo" / "relievo-reader"
+        for words, reason in (({}, "No such file"), ({}, "Permission denied"),
+                              ({"RELIEVO_READ_HERE": "1"}, "")):  # fmt: skip
+            with self.subTest(words=words, reason=reason):
+                done = subprocess.run([sys.executable, "-c", READ_TWICE, image], check=True,
+                                      stderr=subprocess.PIPE, text=True,
+                                      env={**environment, **words})  # fmt: skip
+                self.assertEqual(done.stderr.count(f"{program} cannot be started: {reason}"),
+                                 1 if reason else 0, done.stderr)  # fmt: skip
+                self.assertEqual(done.stderr.count("RELIEVO_READ_HERE=1"), 1 if reason else 0)
+            program.parent.mkdir(exist_ok=True)
+            program.write_text("")
 
 
 if __name__ == "__main__":

@@ -5,6 +5,7 @@
 #include "LightEdit.h"
 #include "NewLights.h"
 #include "Number.h"
+#include "OptionEdits.h"
 #include "Options.h"
 #include "Presets.h"
 #include "Rows.h"
@@ -147,7 +148,7 @@ void LightsGroup::AddFill()
 {
   auto* foot = new QWidget(this);
   QFormLayout* rows = relievoQt::MakeRows(foot);
-  this->Fill = new relievoQt::Number(0.0, 1.0, 0.01, 2, foot);
+  this->Fill = MakeNumber("--fill", 0.01, 2, foot);
   this->Fill->setObjectName("fill");
   relievoQt::AddRow(rows, "Fill", this->Fill);
   this->FillLabel = qobject_cast<QLabel*>(rows->labelForField(this->Fill));

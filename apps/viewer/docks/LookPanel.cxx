@@ -53,7 +53,7 @@ void LookPanel::AddSurface()
   QGroupBox* group = this->AddGroup("Surfaces", "surfaces");
   this->Shading = AddChoice(this->Edited, GetRows(group), "--shading", "As in the file",
     "How light is computed on surfaces");
-  this->Opacity = new relievoQt::Number(0.0, 1.0, 0.01, 2, group);
+  this->Opacity = MakeNumber("--opacity", 0.01, 2, group);
   this->Opacity->setObjectName("opacity");
   this->Opacity->setToolTip("Opacity of all meshes and volumes; 0 is invisible");
   GetRows(group)->addRow("Opacity", this->Opacity);
@@ -62,7 +62,7 @@ void LookPanel::AddSurface()
       SetOption(settings, "--opacity", value == 1.0 ? "" : scene::WriteNumber(value));
     });
   });
-  this->PointSize = new relievoQt::Number(1.0, 100.0, 1.0, 1, group);
+  this->PointSize = MakeNumber("--point-size", 1.0, 1, group);
   this->PointSize->setObjectName("pointSize");
   this->PointSize->SetUnit("pixels");
   this->PointSize->setToolTip("Width of points; wider than 1, they are drawn as balls");

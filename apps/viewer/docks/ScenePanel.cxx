@@ -168,7 +168,7 @@ void ScenePanel::AddScene()
 void ScenePanel::AddCamera()
 {
   FoldGroup* group = this->AddGroup("Camera", "camera");
-  this->Angle = new relievoQt::Number(1.0, 179.0, 1.0, 2, group);
+  this->Angle = MakeNumber("--view-angle", 1.0, 2, group);
   this->Angle->setObjectName("viewangle");
   this->Angle->SetUnit("degrees");
   this->Angle->setToolTip("The full vertical angle of the perspective");

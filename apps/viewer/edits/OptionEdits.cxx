@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "OptionEdits.h"
 
+#include "Number.h"
 #include "OptionNames.h"
 #include "Options.h"
 
@@ -67,6 +68,14 @@ QCheckBox* MakeFlag(Document* document, const char* option, QWidget* parent)
       [&](scene::Settings& settings) { on ? settings.Set(option, "") : settings.Remove(option); });
   });
   return box;
+}
+
+//------------------------------------------------------------------------------
+relievoQt::Number* MakeNumber(const char* option, double step, int decimals, QWidget* parent)
+{
+  const vtkRelievoOption::Bounds& range = scene::GetRenderCommand().Find(option)->Range;
+  const double inset = range.Open ? step : 0.0;
+  return new relievoQt::Number(range.Least + inset, range.Most - inset, step, decimals, parent);
 }
 
 //------------------------------------------------------------------------------

@@ -17,6 +17,11 @@ class QComboBox;
 class QFormLayout;
 class QWidget;
 
+namespace relievoQt
+{
+class Number;
+}
+
 namespace viewer
 {
 /// A row with a choice among the option's words, stored as the entries' data. The first entry
@@ -30,6 +35,9 @@ void ShowChoice(QComboBox* box, const scene::Settings& settings, const char* opt
 /// A check box for an option without a value.
 QCheckBox* MakeFlag(Document* document, const char* option, QWidget* parent);
 void ShowFlag(QCheckBox* box, const scene::Settings& settings, const char* option);
+
+/// A number within the option's bounds; if these are excluded, from a step above to a step below.
+relievoQt::Number* MakeNumber(const char* option, double step, int decimals, QWidget* parent);
 
 /// The option's value, or none.
 void SetOption(scene::Settings& settings, const char* option, const std::string& value);
