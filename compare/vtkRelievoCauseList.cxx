@@ -38,6 +38,20 @@ int CauseList::Find(Cause cause, const std::string& kind, const std::string& nam
 }
 
 //------------------------------------------------------------------------------
+const std::map<std::string, std::string>& GetColors()
+{
+  static const std::map<std::string, std::string> colors = { { "removed", "#e5484d" },
+    { "added", "#2fb56a" }, { "moved", "#f5a00b" }, { "shape", "#a65cf0" },
+    { "visibility", "#b8860b" }, { "normal", "#5b9df5" }, { "array", "#12b5a5" },
+    { "color", "#f2dc3c" }, { "light", "#ffc9a3" }, { "shadow", "#5f62ea" }, { "lamps", "#ff7f50" },
+    { "fog", "#b7c4d6" }, { "ambient", "#9bd52f" }, { "markers", "#d946ef" },
+    { "translucent", "#22c7e6" }, { "overlay", "#c4622d" }, { "tone", "#7d8f3c" },
+    { "settings", "#a58f7c" }, { "size", "#888888" }, { "camera", "#888888" },
+    { "unexplained", "#ff2bb0" }, { "edge", "#7b8798" }, { "rounding", "#5b6472" } };
+  return colors;
+}
+
+//------------------------------------------------------------------------------
 std::string WriteShort(double number)
 {
   std::ostringstream out;

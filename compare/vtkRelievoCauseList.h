@@ -72,6 +72,10 @@ private:
   std::map<std::pair<std::string, int>, int> Places;
 };
 
+// The colours of causes and other kinds of pixels in reports, as "#rrggbb". Causes that often occur
+// together have very different colours.
+const std::map<std::string, std::string>& GetColors();
+
 // A number with three significant digits, independent of the locale: "0.02".
 std::string WriteShort(double number);
 

@@ -25,11 +25,11 @@
 #include <cstdint>
 #include <cstring>
 #include <string>
+#include <utility>
 #include <vector>
 
 vtkStandardNewMacro(vtkRelievoComparisonReport);
 
-using relievo::compare::Finding;
 using relievo::compare::Frame;
 using relievo::compare::WriteCount;
 using Json = nlohmann::ordered_json;
@@ -221,14 +221,6 @@ void vtkRelievoComparisonReport::Add(
   const std::string text = comparison->GetText();
   Json entry = { { "name", name ? name : "" }, { "summary", text.substr(0, text.find('\n')) } };
   entry.update(Json::parse(comparison->GetJSON()));
-  for (Json& cause : entry["causes"])
-  {
-    Finding finding;
-    finding.Kind = cause["kind"];
-    finding.Name = cause.value("name", std::string());
-    finding.Id = cause.value("id", -1);
-    cause["label"] = finding.GetLabel();
-  }
   if (withFrames)
   {
     entry["frames"] = PackFrames(comparison);
@@ -263,8 +255,14 @@ std::string vtkRelievoComparisonReport::GetHTML()
     data += c == '<' ? "\\u003c" : c == '>' ? "\\u003e" : c == '&' ? "\\u0026" : std::string(1, c);
   }
   std::string page = relievo::compare::ReportPage;
-  const std::string mark = "@DATA@";
-  return page.replace(page.find(mark), mark.size(), data);
+  // The data, which may contain the other mark, last.
+  for (const auto& [mark, value] :
+    { std::pair<std::string, std::string>("@COLORS@", Json(relievo::compare::GetColors()).dump()),
+      { "@DATA@", data } })
+  {
+    page.replace(page.find(mark), mark.size(), value);
+  }
+  return page;
 }
 
 //------------------------------------------------------------------------------

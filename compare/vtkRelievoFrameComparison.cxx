@@ -460,6 +460,7 @@ std::string vtkRelievoFrameComparison::GetJSON()
     {
       entry["id"] = finding.Id;
     }
+    entry["label"] = finding.GetLabel();
     entry["pixels"] = finding.Pixels;
     entry["words"] = finding.Words;
     entry.update(finding.More);
@@ -486,6 +487,14 @@ int vtkRelievoFrameComparison::GetRecordVersion()
 std::string vtkRelievoFrameComparison::GetCauseWords()
 {
   return Join({ CauseWords.begin(), CauseWords.end() });
+}
+
+//------------------------------------------------------------------------------
+std::string vtkRelievoFrameComparison::GetCauseColor(const char* word)
+{
+  const auto& colors = relievo::compare::GetColors();
+  const auto found = colors.find(word ? word : "");
+  return found == colors.end() ? std::string() : found->second;
 }
 
 //------------------------------------------------------------------------------

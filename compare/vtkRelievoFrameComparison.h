@@ -119,7 +119,7 @@ public:
 
   /**
    * The full result as JSON: `alike`, `pixels` (beyond the limits), `size`, `causes` (a list of
-   * `cause`, `kind`, `name`, `id`, `pixels`, `words` and further values of some causes),
+   * `cause`, `kind`, `name`, `id`, `label`, `pixels`, `words` and further values of some causes),
    * `within_limits` (`edge`, `rounding`), `unexplained`, `cannot_be_detected` (causes for which
    * these files lack data), `limits`, `versions`.
    */
@@ -137,6 +137,12 @@ public:
 
   /** All words of causes, separated by commas, in the order of precedence. */
   static std::string GetCauseWords();
+
+  /**
+   * The colour of a cause in reports, as "#rrggbb"; also of `edge`, `rounding` and `unexplained`.
+   * Empty for other words.
+   */
+  static std::string GetCauseColor(const char* word);
 
 protected:
   vtkRelievoFrameComparison();

@@ -3,11 +3,11 @@
 #include "Baseline.h"
 
 #include "DressedScene.h"
+#include "Errors.h"
 #include "Messages.h"
 #include "Numbers.h"
 #include "Options.h"
 #include "Scene.h"
-#include "Settings.h"
 
 #include "vtkActor.h"
 #include "vtkActorCollection.h"
@@ -71,8 +71,8 @@ void NameObjects(vtkRelievoBaseline* baseline, const Scene& scene, const RenderO
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkImageData> MakeBaseline(
-  DressedScene& dressed, const RenderOptions& options, const Settings& settings, bool portable)
+vtkSmartPointer<vtkImageData> MakeBaseline(const DressedScene& dressed,
+  const RenderOptions& options, const Settings& settings, bool portable)
 {
   vtkNew<vtkRelievoBaseline> baseline;
   baseline->SetPortable(portable);
@@ -88,6 +88,30 @@ vtkSmartPointer<vtkImageData> MakeBaseline(
   }
   image->GetFieldData()->AddArray(words);
   return image;
+}
+
+//------------------------------------------------------------------------------
+std::optional<Settings> GetRecorded(vtkImageData* baseline, const std::string& path)
+{
+  auto* record = vtkStringArray::SafeDownCast(baseline->GetFieldData()->GetAbstractArray("words"));
+  if (!record)
+  {
+    return std::nullopt;
+  }
+  std::vector<std::string> words;
+  for (vtkIdType i = 0; i < record->GetNumberOfValues(); ++i)
+  {
+    words.push_back(record->GetValue(i));
+  }
+  try
+  {
+    return Settings::FromWords(words);
+  }
+  catch (const UsageError& error) // a WorkError, because the command line is correct
+  {
+    throw WorkError(
+      path + ": records options that cannot be read: " + error.what() + "; write it again");
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -6,20 +6,28 @@
 #ifndef Baseline_h
 #define Baseline_h
 
+#include "Settings.h"
+
 #include "vtkImageData.h"
 #include "vtkSmartPointer.h"
+
+#include <optional>
+#include <string>
 
 namespace scene
 {
 class DressedScene;
-class Settings;
 struct RenderOptions;
 
 /// The scene's frame as a baseline, portable or not (vtkRelievoBaseline). Objects have the names of
 /// their files. The field data also has `words`: options of `relievo render` that draw other files
 /// the same way. Throws WorkError.
-vtkSmartPointer<vtkImageData> MakeBaseline(
-  DressedScene& dressed, const RenderOptions& options, const Settings& settings, bool portable);
+vtkSmartPointer<vtkImageData> MakeBaseline(const DressedScene& dressed,
+  const RenderOptions& options, const Settings& settings, bool portable);
+
+/// The options in a baseline, without files; none if it records none. `path` names the baseline in
+/// errors. Throws WorkError for options that cannot be parsed.
+std::optional<Settings> GetRecorded(vtkImageData* baseline, const std::string& path);
 
 /// The picture of a frame or of an image file, 8 bits, without alpha; null if it has only layers.
 vtkSmartPointer<vtkImageData> MakePicture(vtkImageData* frame);

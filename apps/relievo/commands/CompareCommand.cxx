@@ -11,14 +11,12 @@
 #include "Settings.h"
 #include "Values.h"
 
-#include "vtkFieldData.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkPNGWriter.h"
 #include "vtkRelievoBaseline.h"
 #include "vtkRelievoComparisonReport.h"
 #include "vtkRelievoFrameComparison.h"
-#include "vtkStringArray.h"
 
 #include <nlohmann/json.hpp>
 
@@ -230,40 +228,19 @@ private:
   }
 
   //----------------------------------------------------------------------------
-  // Parses the options in a baseline. Invalid ones are a WorkError: the command line is correct.
-  static scene::Settings ParseRecorded(
-    const std::string& path, const std::vector<std::string>& words)
-  {
-    try
-    {
-      return scene::Settings::FromWords(words);
-    }
-    catch (const scene::UsageError& error)
-    {
-      throw scene::WorkError(
-        path + ": records options that cannot be read: " + error.what() + "; write it again");
-    }
-  }
-
-  //----------------------------------------------------------------------------
   // Draws the files with the baseline's options, except for the given ones, and compares.
   bool CompareDrawn(const std::vector<std::string>& given)
   {
     const std::string& path = this->Names.front();
     this->Read(true, path);
-    auto* record = vtkStringArray::SafeDownCast(
-      this->Comparison->GetBaseline()->GetFieldData()->GetAbstractArray("words"));
-    if (!record)
+    const std::optional<scene::Settings> recorded =
+      scene::GetRecorded(this->Comparison->GetBaseline(), path);
+    if (!recorded)
     {
       throw scene::UsageError(
         path + ": records no options, expected a file of `relievo render --baseline`");
     }
-    std::vector<std::string> words;
-    for (vtkIdType i = 0; i < record->GetNumberOfValues(); ++i)
-    {
-      words.push_back(record->GetValue(i));
-    }
-    scene::Settings settings = ParseRecorded(path, words);
+    scene::Settings settings = *recorded;
     const scene::Settings other = scene::Settings::FromWords(given);
     settings.TakeChanges(scene::Settings(), other);
     settings.Files = other.Files;
