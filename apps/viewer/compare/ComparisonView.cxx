@@ -6,6 +6,7 @@
 
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
+#include "vtkPointData.h"
 #include "vtkSmartPointer.h"
 
 #include <QMouseEvent>
