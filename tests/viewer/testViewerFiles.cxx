@@ -1,10 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Files that cannot be shown, that follow one another, that are saved, and none at all.
+// Files that cannot be shown, that follow one another, that are saved, that are compared with, and
+// none at all.
 #include "TestCase.h"
 #include "ViewerTest.h"
 
+#include "ComparisonPanel.h"
 #include "Errors.h"
 
 #include "vtkDataArray.h"
@@ -16,13 +18,18 @@
 #include <QAbstractButton>
 #include <QAction>
 #include <QApplication>
+#include <QDockWidget>
 #include <QFileDialog>
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
 #include <QMessageBox>
+#include <QPushButton>
+#include <QRadioButton>
 #include <QSettings>
 #include <QSignalSpy>
+#include <QTableWidget>
+#include <QTreeWidget>
 #include <QtTest>
 
 #include <cmath>
@@ -41,6 +48,19 @@ std::string Repeat(const std::string& text, int times)
     all += text;
   }
   return all;
+}
+
+int CountPixels(const QImage& image, const QColor& color)
+{
+  int count = 0;
+  for (int y = 0; y < image.height(); ++y)
+  {
+    for (int x = 0; x < image.width(); ++x)
+    {
+      count += image.pixelColor(x, y) == color;
+    }
+  }
+  return count;
 }
 }
 
@@ -418,6 +438,127 @@ private Q_SLOTS:
       QCOMPARE(different, 0);
       QVERIFY(finite > 1000);
     }
+  }
+
+  // The scene is drawn with the size and the camera of the baseline, and the view stays as it is.
+  void comparesWithABaseline()
+  {
+    const auto writePart = [this](const char* x, const char* farX) {
+      const std::string left = std::string("\nv ") + x, right = std::string("\nv ") + farX;
+      this->WriteText("part.obj",
+        left + " 0.2 1.2" + right + " 0.2 1.2" + right + " 0.7 1.2" + left +
+          " 0.7 1.2\nf 1 2 3 4\n");
+    };
+    const std::string base = this->Path("base.exr");
+    writePart("0", "0.5");
+    this->Open({ this->WriteScene(), this->Path("part.obj"), "--light", "sun:0.4,1,0.6,name=noon",
+      "--shadows", "map", "--view-angle", "40", "--color-by", "height", "--scalar-bar" });
+    auto* dock = this->Window->findChild<QDockWidget*>("comparison");
+    QVERIFY(dock->isHidden());
+    dock->show(); // a further tab makes the view narrower
+    QTest::qWait(50);
+    const vtkSmartPointer<vtkImageData> picture = this->Grab();
+    const Settings view = this->Window->GetViewSettings();
+    Settings other = view;
+    other.Set("--size", "240x160");
+    other.Set("--camera", "1,2,5,0,0.5,0,0,1,0");
+    other.Remove("--view-angle");
+    QVERIFY(this->RunCommand(other, { "--baseline", base }));
+    this->Window->CompareWith(QString::fromStdString(base));
+    auto* panel = this->Window->findChild<viewer::ComparisonPanel*>();
+    QVERIFY2(panel->GetComparison()->GetAlike(), panel->GetComparison()->GetText().c_str());
+    QVERIFY(!dock->isHidden() && !dock->visibleRegion().isEmpty());
+    QVERIFY(this->Window->GetViewSettings() == view);
+    QCOMPARE(CountDifferent(picture, this->Grab()), 0);
+
+    writePart("0.125", "0.625");
+    this->Window->Reload();
+    this->WaitUntilRead();
+    this->Change(
+      [](Settings& settings) { settings.Set("--light", "sun:0.4,1,0.6,name=noon,intensity=0.5"); });
+    QVERIFY(panel->GetComparison()->GetAlike()); // not compared yet
+    QVERIFY(!panel->findChild<QLabel*>("comparisonOutdated")->isHidden());
+    panel->findChild<QPushButton*>("compareAgain")->click();
+    QVERIFY(panel->findChild<QLabel*>("comparisonOutdated")->isHidden());
+    auto* table = panel->findChild<QTableWidget*>("causes");
+    auto* shown = panel->findChild<viewer::ComparisonView*>();
+    const auto find = [&](const QString& object) {
+      const QList<QTableWidgetItem*> items = table->findItems(object, Qt::MatchExactly);
+      return items.isEmpty() ? -1 : items.first()->row();
+    };
+    const int moved = find("part.obj (actor 1)");
+    const int light = find("noon (light 0)");
+    QVERIFY2(moved >= 0 && light >= 0, panel->GetComparison()->GetText().c_str());
+    QVERIFY2(table->item(moved, 1)->text().startsWith("moved by (0.125, 0, 0)"),
+      qPrintable(table->item(moved, 1)->text()));
+    const auto count = [&](int row) { return QLocale().toInt(table->item(row, 2)->text()); };
+    const QColor ofMoved("#f5a00b"), ofLight("#ffc9a3"); // compare/page/report.html
+    QVERIFY(count(moved) > 100 && count(light) > 1000);
+    QCOMPARE(CountPixels(shown->GetImage(), ofMoved), count(moved));
+    QCOMPARE(CountPixels(shown->GetImage(), ofLight), count(light));
+    // A click shows the row's pixels alone, another one all again; a light is chosen in its list.
+    const auto click = [&](int row) {
+      const QRect cell = table->visualItemRect(table->item(row, 2));
+      QTest::mouseClick(table->viewport(), Qt::LeftButton, {}, cell.center());
+    };
+    click(moved);
+    QCOMPARE(CountPixels(shown->GetImage(), ofMoved), count(moved));
+    QCOMPARE(CountPixels(shown->GetImage(), ofLight), 0);
+    click(moved);
+    QCOMPARE(CountPixels(shown->GetImage(), ofLight), count(light));
+    auto* lights = this->Window->findChild<QTreeWidget*>("list");
+    lights->setCurrentItem(nullptr);
+    click(light);
+    QVERIFY(lights->currentItem() && lights->currentItem()->text(0) == "noon");
+    click(light);
+    // A held key shows the baseline in place of the causes.
+    const QImage causes = shown->GetImage();
+    QTest::keyPress(table, Qt::Key_B);
+    const QImage held = shown->GetImage();
+    QTest::keyRelease(table, Qt::Key_B);
+    QVERIFY(shown->GetImage() == causes);
+    panel->findChild<QRadioButton*>("showBaseline")->click();
+    QVERIFY(held != causes && held == shown->GetImage());
+    panel->findChild<QRadioButton*>("showNow")->click();
+    QVERIFY(shown->GetImage() != held);
+
+    const QString page = QString::fromStdString(this->Path("report.html"));
+    this->Window->SaveReport(page);
+    QFile file(page);
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    const QByteArray text = file.readAll();
+    QVERIFY(text.contains("moved by (0.125, 0, 0)") && text.contains("\"moved\":\"#f5a00b\""));
+  }
+
+  // A picture has the camera of the view. A file that cannot be read is reported once.
+  void comparesWithAPicture()
+  {
+    this->Open({ this->WriteScene(), "--light", "sun:0.4,1,0.6" });
+    QVERIFY_EXCEPTION_THROWN(this->Window->SaveReport("none.html"), scene::WorkError);
+    auto* action = this->Window->findChild<QAction*>("compareWith");
+    for (const char* name : { "broken.exr", "broken.png" })
+    {
+      this->WriteText(name, "v/1");
+      const viewerTest::Dialogs dialogs([&](QDialog* dialog) {
+        dialog->findChild<QLineEdit*>()->setText(QString::fromStdString(this->Path(name)));
+        QMetaObject::invokeMethod(dialog, "accept", Qt::QueuedConnection);
+      });
+      action->trigger();
+      QCOMPARE(dialogs.GetCount(), 1);
+      QVERIFY2(this->Window->GetTrouble().count(name) == 1, qPrintable(this->Window->GetTrouble()));
+      QVERIFY(this->Window->findChild<QDockWidget*>("comparison")->isHidden());
+    }
+    const QString png = QString::fromStdString(this->Path("picture.png"));
+    this->Window->SavePicture({ png, QSize(320, 200), false });
+    this->Window->CompareWith(png);
+    QVERIFY2(this->Window->GetTrouble().isEmpty(), qPrintable(this->Window->GetTrouble()));
+    auto* panel = this->Window->findChild<viewer::ComparisonPanel*>();
+    QVERIFY2(panel->GetComparison()->GetAlike(), panel->GetComparison()->GetText().c_str());
+    QVERIFY(panel->findChild<QLabel*>("comparisonNotes")->text().contains("moved"));
+    // Another camera is seen in the colours alone.
+    this->Window->GetView()->GetPicture().LookAlong({ 0., -1., 0. }, { 0., 0., -1. });
+    this->Window->CompareWith(png);
+    QVERIFY(panel->GetComparison()->GetNumberOfDifferentPixels() > 1000);
   }
 };
 

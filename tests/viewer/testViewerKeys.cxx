@@ -275,8 +275,9 @@ private Q_SLOTS:
   void tab()
   {
     this->Open({ this->WriteScene(), "--lamps", this->WritePoints() });
-    for (const char* name : { "scene", "light", "look", "layers", "report" })
+    for (const char* name : { "scene", "light", "look", "layers", "report", "comparison" })
     {
+      this->Window->findChild<QDockWidget*>(name)->show();
       this->Window->findChild<QDockWidget*>(name)->raise();
       QTest::qWait(50);
       QVERIFY(this->Activate());

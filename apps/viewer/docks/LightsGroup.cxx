@@ -460,6 +460,20 @@ void LightsGroup::Select(int own)
 }
 
 //------------------------------------------------------------------------------
+// Rows of a preset's lights begin with its name.
+void LightsGroup::SelectNamed(const QString& name)
+{
+  for (std::size_t i = 0; i < this->Rows.size(); ++i)
+  {
+    if (this->Rows[i].Name == name || this->Rows[i].Name.endsWith(": " + name))
+    {
+      this->List->setCurrentItem(this->List->topLevelItem(static_cast<int>(i)));
+      return;
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
 void LightsGroup::Place(const std::array<double, 3>& place)
 {
   const Row* row = this->GetCurrent();

@@ -44,6 +44,9 @@ public:
   /// The user selected one of --light's lights, by index, for editing.
   void Select(int own);
 
+  /// Selects a light by its name in reports, if the list has it.
+  void SelectNamed(const QString& name);
+
 Q_SIGNALS:
   /// The next click in the picture must be passed to Place; the text names its purpose; empty:
   /// cancelled.

@@ -2,21 +2,50 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Picture.h"
 
+#include "Baseline.h"
 #include "Errors.h"
 #include "Progress.h"
 
 #include "vtkCallbackCommand.h"
-#include "vtkCamera.h"
 #include "vtkImageData.h"
 #include "vtkRelievoPass.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkWindowToImageFilter.h"
 
+#include <algorithm>
 #include <exception>
 
 namespace viewer
 {
+namespace
+{
+// While one lives, each frame has all light samples.
+class AllSamples
+{
+public:
+  explicit AllSamples(vtkRelievoPass* frame)
+    : Frame(frame)
+  {
+    this->Set(true);
+  }
+  ~AllSamples() { this->Set(false); }
+  AllSamples(const AllSamples&) = delete;
+  void operator=(const AllSamples&) = delete;
+
+private:
+  void Set(bool on)
+  {
+    if (this->Frame)
+    {
+      this->Frame->SetWaitForSamples(on);
+    }
+  }
+
+  vtkRelievoPass* Frame;
+};
+}
+
 //------------------------------------------------------------------------------
 Picture::Picture(vtkRenderWindow* window)
   : Window(window)
@@ -174,15 +203,9 @@ void Picture::FitClipping()
 //------------------------------------------------------------------------------
 vtkSmartPointer<vtkImageData> Picture::Grab()
 {
-  vtkRelievoPass* frame = this->GetFrame();
-  if (frame)
   {
-    frame->WaitForSamplesOn();
-  }
-  this->Window->Render();
-  if (frame)
-  {
-    frame->WaitForSamplesOff();
+    const AllSamples all(this->GetFrame());
+    this->Window->Render();
   }
   vtkNew<vtkWindowToImageFilter> grab;
   grab->SetInput(this->Window);
@@ -190,5 +213,14 @@ vtkSmartPointer<vtkImageData> Picture::Grab()
   grab->ShouldRerenderOff();
   grab->Update();
   return grab->GetOutput();
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkImageData> Picture::Capture()
+{
+  const AllSamples all(this->GetFrame());
+  scene::RenderOptions options = this->Now.Scene.GetOptions();
+  std::copy_n(this->Window->GetSize(), 2, options.Size.begin());
+  return scene::MakeBaseline(this->Now.Scene, options, this->Now.Shown);
 }
 }

@@ -7,8 +7,10 @@
 #ifndef Picture_h
 #define Picture_h
 
+#include "CameraOptions.h"
 #include "DressedScene.h"
 
+#include "vtkCamera.h"
 #include "vtkNew.h"
 #include "vtkSmartPointer.h"
 
@@ -80,6 +82,22 @@ public:
 
   /// Renders with all light samples, and returns the window's pixels.
   vtkSmartPointer<vtkImageData> Grab();
+
+  /// Renders with all light samples, and returns the frame as a baseline. Throws scene::WorkError.
+  vtkSmartPointer<vtkImageData> Capture();
+
+  /// While one lives, the picture has another camera.
+  class OtherCamera
+  {
+  public:
+    OtherCamera(Picture* picture, const scene::CameraChoice& choice);
+    ~OtherCamera();
+    OtherCamera(const OtherCamera&) = delete;
+    void operator=(const OtherCamera&) = delete;
+
+  private:
+    vtkSmartPointer<vtkCamera> Camera, Before;
+  };
 
   vtkRenderer* GetRenderer() const { return this->Now.Scene.GetRenderer(); }
   vtkRelievoPass* GetFrame() const { return this->Now.Scene.GetFrame(); }

@@ -131,6 +131,24 @@ bool Picture::IsParallel() const
 }
 
 //------------------------------------------------------------------------------
+Picture::OtherCamera::OtherCamera(Picture* picture, const scene::CameraChoice& choice)
+  : Camera(picture->GetRenderer()->GetActiveCamera())
+  , Before(vtkSmartPointer<vtkCamera>::New())
+{
+  this->Before->DeepCopy(this->Camera);
+  picture->FitClipping(); // a scalar bar that is fitted later would reset the view angle
+  this->Camera->SetViewAngle(scene::StandardViewAngle);
+  const scene::DressedScene& scene = picture->GetScene();
+  scene::PlaceCamera(picture->GetRenderer(), choice, scene.GetOptions().UpAxis, scene.GetBounds());
+}
+
+//------------------------------------------------------------------------------
+Picture::OtherCamera::~OtherCamera()
+{
+  this->Camera->DeepCopy(this->Before);
+}
+
+//------------------------------------------------------------------------------
 scene::Settings Picture::GetView(const scene::Settings& settings) const
 {
   scene::Settings view = settings;

@@ -150,6 +150,16 @@ void AddFileMenu(MainWindow* window, RecentFiles* recent)
         window->SaveLayers(*choice);
       }
     }));
+  NeedPicture(
+    window, Add(menu, window, "Compare &with...", QKeySequence(), "compareWith", [window] {
+      const QString path =
+        QFileDialog::getOpenFileName(window, "Compare with a baseline or picture", GetLastFolder(),
+          "Baselines and pictures (*.exr *.png);;All files (*)");
+      if (!path.isEmpty())
+      {
+        window->CompareWith(path);
+      }
+    }));
   menu->addSeparator();
   const auto tell = [window] {
     ShowProperties(

@@ -39,7 +39,7 @@ QString WriteKeys(MainWindow* window)
   }
   return "<table>" + WriteKey("Left button", "turns") + WriteKey("Middle button", "moves") +
     WriteKey("Right button, wheel", "zooms") + WriteKey("Space", "Plays the animation") + rows +
-    "</table>";
+    WriteKey("B, held", "Baseline, in a comparison") + "</table>";
 }
 
 //------------------------------------------------------------------------------

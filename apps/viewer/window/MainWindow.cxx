@@ -5,6 +5,7 @@
 #include "Actions.h"
 #include "AxisMarker.h"
 #include "Colormaps.h"
+#include "ComparisonPanel.h"
 #include "EmptyPage.h"
 #include "FileFacts.h"
 #include "InputGuard.h"
@@ -100,7 +101,7 @@ QStringList GetPaths(const QMimeData* data)
 }
 
 // Layout version: a layout stored with other docks does not fit.
-constexpr int LayoutVersion = 1;
+constexpr int LayoutVersion = 2;
 
 constexpr const char* PlaceWords[] = { "--camera", "--parallel-scale", "--size" };
 constexpr const char* ColorWords[] = { "--color-by", "--range", "--scalar-bar" };
@@ -193,6 +194,7 @@ MainWindow::MainWindow(QWidget* parent)
   this->addToolBar(Qt::BottomToolBarArea, this->Time);
   AddActions(this, this->Recent);
   this->Connect();
+  this->ConnectComparison();
   this->Later.setSingleShot(true);
   this->Pause.setSingleShot(true);
   this->Pause.setInterval(ProbePause);
@@ -234,6 +236,10 @@ void MainWindow::AddPanels()
   this->tabifyDockWidget(first, AddDock(this, "Look", "look", look));
   this->tabifyDockWidget(first, AddDock(this, "Layers", "layers", this->Layers));
   this->tabifyDockWidget(first, AddDock(this, "Report", "report", this->Report));
+  this->Comparison = new ComparisonPanel(this);
+  QDockWidget* comparison = AddDock(this, "Comparison", "comparison", this->Comparison);
+  this->tabifyDockWidget(first, comparison);
+  comparison->hide(); // until there is one
   first->raise();
 }
 

@@ -28,6 +28,7 @@ class QStackedWidget;
 namespace viewer
 {
 class AxisMarker;
+class ComparisonPanel;
 class EmptyPage;
 class LayerBanner;
 class LayerLegend;
@@ -76,6 +77,13 @@ public:
   void SaveLayers(const LayersChoice& choice);
   ///@}
 
+  /// Draws the scene with the size of a baseline or picture, and with the camera that a baseline
+  /// records, and shows how it differs from the file. Throws scene::WorkError.
+  void CompareWith(const QString& path);
+
+  /// Saves the displayed comparison as a page for browsers. Throws scene::WorkError.
+  void SaveReport(const QString& path);
+
   /// The present settings with camera and size.
   scene::Settings GetViewSettings();
 
@@ -107,6 +115,7 @@ private:
   void AddPanels();
   void AddStatus();
   void Connect();
+  void ConnectComparison();
   void Open(const scene::Settings& settings, const QStringList& recent);
   void Follow();
   void ShowNothing();
@@ -136,7 +145,7 @@ private:
   void TellMessages();
   void SayOfFile(const QString& why);
   void Mend();
-  bool Gather();
+  bool Gather(const QString& ifStopped = "Stopped: nothing was saved.");
   vtkSmartPointer<vtkImageData> Draw();
   vtkSmartPointer<vtkImageData> DrawTransparent();
   void SaySaved(const QString& path);
@@ -152,6 +161,7 @@ private:
   LightPanel* Light;
   LayersPanel* Layers;
   ReportPanel* Report;
+  ComparisonPanel* Comparison;
   TimeBar* Time;
   RecentFiles* Recent;
   QStackedWidget* Pages;
@@ -183,6 +193,8 @@ private:
   QString Dropped;                                             // by opening the file being read
   bool HasShown = false;                                       // any file
   bool KeepCamera = false;                                     // instead of Place
+  QString ComparedWith;                                        // file of the displayed comparison
+  scene::Settings Compared; // of the scene in the displayed comparison
   bool Saving = false;
   std::optional<QString> Late; // result of a reading that ended while a picture was saved
   QStringList Opening;         // entries for the recent files after reading

@@ -93,7 +93,7 @@ private:
 //------------------------------------------------------------------------------
 // Draws all samples, a few per frame, with a progress bar, so that the user can cancel. Nothing
 // else may change meanwhile: the saved picture must be the requested one.
-bool MainWindow::Gather()
+bool MainWindow::Gather(const QString& ifStopped)
 {
   vtkRelievoPass* frame = this->Shown->GetPicture().GetFrame();
   if (!frame || this->Saving)
@@ -127,7 +127,7 @@ bool MainWindow::Gather()
   this->Saving = false;
   if (!good)
   {
-    this->Say("Stopped: nothing was saved.");
+    this->Say(ifStopped);
   }
   this->Later.start(0);
   return good;
