@@ -24,6 +24,7 @@
 #include <fstream>
 #include <iterator>
 #include <limits>
+#include <sstream>
 
 namespace testComparedFrames
 {
@@ -430,6 +431,21 @@ void TestPNG()
   comparison->SetColorLevels(0.);
   RELIEVO_CHECK(comparison->Compare() && comparison->GetNumberOfUnexplainedPixels() == 20);
 }
+
+//------------------------------------------------------------------------------
+// A new cause needs a colour.
+void TestColors()
+{
+  std::istringstream words(
+    vtkRelievoFrameComparison::GetCauseWords() + ", unexplained, edge, rounding");
+  for (std::string word; std::getline(words >> std::ws, word, ',');)
+  {
+    const std::string color = vtkRelievoFrameComparison::GetCauseColor(word.c_str());
+    RELIEVO_CHECK_THAT(color.size() == 7 && color[0] == '#', word);
+  }
+  RELIEVO_CHECK(vtkRelievoFrameComparison::GetCauseColor("wheel").empty() &&
+    vtkRelievoFrameComparison::GetCauseColor(nullptr).empty());
+}
 }
 
 RELIEVO_TEST_CASE(testComparedFrames)
@@ -443,6 +459,7 @@ RELIEVO_TEST_CASE(testComparedFrames)
   TestUnequalSides();
   TestClipped();
   TestPNG();
+  TestColors();
   return session.Result();
 }
 }

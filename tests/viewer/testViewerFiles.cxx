@@ -452,7 +452,7 @@ private Q_SLOTS:
     const std::string base = this->Path("base.exr");
     writePart("0", "0.5");
     this->Open({ this->WriteScene(), this->Path("part.obj"), "--light", "sun:0.4,1,0.6,name=noon",
-      "--shadows", "map", "--view-angle", "40" });
+      "--shadows", "map", "--view-angle", "40", "--color-by", "height", "--scalar-bar" });
     auto* dock = this->Window->findChild<QDockWidget*>("comparison");
     QVERIFY(dock->isHidden());
     dock->show(); // a further tab makes the view narrower

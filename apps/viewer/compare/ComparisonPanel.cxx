@@ -159,7 +159,7 @@ void ComparisonPanel::Show(vtkRelievoFrameComparison* comparison, const QString&
   const QString text = QString::fromStdString(comparison->GetText());
   QString summary = text.section('\n', 0, 0);
   summary[0] = summary[0].toUpper();
-  summary.replace(QRegularExpression("(\\d) (?=\\d{3})"), QString("\\1") + QChar::Nbsp);
+  summary.replace(QRegularExpression("(\\d) (?=\\d{3})"), QString("\\1") + QChar(QChar::Nbsp));
   this->Summary->setText(summary);
   this->About->setText(about);
   this->SetOutdated(false);

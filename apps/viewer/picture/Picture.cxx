@@ -18,34 +18,6 @@
 
 namespace viewer
 {
-namespace
-{
-// While one lives, each frame has all light samples.
-class AllSamples
-{
-public:
-  explicit AllSamples(vtkRelievoPass* frame)
-    : Frame(frame)
-  {
-    this->Set(true);
-  }
-  ~AllSamples() { this->Set(false); }
-  AllSamples(const AllSamples&) = delete;
-  void operator=(const AllSamples&) = delete;
-
-private:
-  void Set(bool on)
-  {
-    if (this->Frame)
-    {
-      this->Frame->SetWaitForSamples(on);
-    }
-  }
-
-  vtkRelievoPass* Frame;
-};
-}
-
 //------------------------------------------------------------------------------
 Picture::Picture(vtkRenderWindow* window)
   : Window(window)
@@ -203,9 +175,15 @@ void Picture::FitClipping()
 //------------------------------------------------------------------------------
 vtkSmartPointer<vtkImageData> Picture::Grab()
 {
+  vtkRelievoPass* frame = this->GetFrame();
+  if (frame)
   {
-    const AllSamples all(this->GetFrame());
-    this->Window->Render();
+    frame->WaitForSamplesOn();
+  }
+  this->Window->Render();
+  if (frame)
+  {
+    frame->WaitForSamplesOff();
   }
   vtkNew<vtkWindowToImageFilter> grab;
   grab->SetInput(this->Window);
@@ -218,7 +196,6 @@ vtkSmartPointer<vtkImageData> Picture::Grab()
 //------------------------------------------------------------------------------
 vtkSmartPointer<vtkImageData> Picture::Capture(bool portable)
 {
-  const AllSamples all(this->GetFrame());
   scene::RenderOptions options = this->Now.Scene.GetOptions();
   std::copy_n(this->Window->GetSize(), 2, options.Size.begin());
   return scene::MakeBaseline(this->Now.Scene, options, this->Now.Shown, portable);

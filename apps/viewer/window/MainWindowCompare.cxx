@@ -21,9 +21,9 @@
 #include "vtkRelievoComparisonReport.h"
 #include "vtkRelievoFrameComparison.h"
 
-#include <QAction>
 #include <QDockWidget>
 #include <QFileInfo>
+#include <QScopeGuard>
 
 #include <exception>
 #include <fstream>
@@ -82,23 +82,21 @@ void MainWindow::CompareWith(const QString& path)
     {
       return;
     }
+    const auto end = qScopeGuard([this] { this->Begin(); }); // hides the progress bar
     scene::Progress progress(this->Teller.get());
     progress.Begin("comparing with " + QFileInfo(path).fileName().toStdString());
     comparison->SetFrame(
       picture.Capture(vtkRelievoBaseline::IsPortable(comparison->GetBaseline())));
     scene::Messages::Check(place, !comparison->Compare());
   }
-  this->Begin(); // without the progress bar of finished work
   this->ComparedWith = path;
-  this->Compared = this->Edited->Get();
+  this->Compared = this->Good;
   this->Comparison->Show(comparison,
-    QString("With %1: %2 %3 %4 pixels, %5.")
-      .arg(QFileInfo(path).fileName())
-      .arg(size[0])
-      .arg(QChar(0xd7))
-      .arg(size[1])
-      .arg(recorded ? "drawn with the size and the camera of the baseline"
-                    : "drawn with its size and the camera of the view"));
+    QString("With %1: %2 pixels, %3.")
+      .arg(QFileInfo(path).fileName(),
+        QString("%1 %2 %3").arg(size[0]).arg(QChar(0xd7)).arg(size[1]),
+        recorded ? "drawn with the size and the camera of the baseline"
+                 : "drawn with its size and the camera of the view"));
   auto* dock = this->findChild<QDockWidget*>("comparison");
   dock->show();
   dock->raise();
