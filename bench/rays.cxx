@@ -3,7 +3,8 @@
 //
 // Rays per second and core at meshes of many sizes, and bytes per triangle, beside Embree's; and
 // beside Embree with boxes only, which calls our test in double for their triangles. Rays are
-// incoherent: from positions on a sphere around the mesh to positions in its box.
+// incoherent: from positions on a sphere around the mesh to positions in its box. Our rays are
+// given all at once, as vtkRelievoRayScene gives them, and Embree's one by one.
 #include "BenchSizes.h"
 #include "RelievoBench.h"
 
@@ -41,11 +42,7 @@ using namespace relievoBench;
 
 constexpr double Endless = std::numeric_limits<double>::infinity();
 
-struct RayLine
-{
-  glm::dvec3 From;
-  glm::dvec3 Direction;
-};
+using RayLine = vtkRelievoRayTree::Line;
 
 std::vector<RayLine> DrawLines(const double bounds[6], int count)
 {
@@ -286,11 +283,20 @@ struct Way
 {
   const char* Method;
   const char* Answer;
-  std::function<bool(const RayLine&)> Ask;
+  std::function<int(const std::vector<RayLine>&)> CountHits;
   double Bytes;
   double Best = 1e9; // core seconds for all rays
   int Hits = 0;
 };
+
+// Calls ask(line) for each line.
+template <typename Ask>
+std::function<int(const std::vector<RayLine>&)> OneByOne(Ask ask)
+{
+  return [ask](const std::vector<RayLine>& lines) {
+    return static_cast<int>(std::count_if(lines.begin(), lines.end(), ask));
+  };
+}
 
 bool Measure(const std::string& name, vtkPolyData* mesh, const RaySizes& sizes, Table& table)
 {
@@ -304,20 +310,31 @@ bool Measure(const std::string& name, vtkPolyData* mesh, const RaySizes& sizes, 
   const EmbreeBoxes boxes(mesh, bounds);
   const std::vector<RayLine> lines = DrawLines(bounds, sizes.Rays);
   const auto own = static_cast<double>(tree.GetBytes());
+  std::vector<vtkRelievoRayTree::Hit> hits(lines.size());
+  const auto countHits = [&hits]() {
+    return static_cast<int>(
+      std::count_if(hits.begin(), hits.end(), [](const auto& hit) { return hit.Place >= 0; }));
+  };
   Way ways[] = {
     { "rays in double", "nearest",
-      [&](const RayLine& line) {
-        return tree.FindNearest(line.From, line.Direction, 0., Endless).Place >= 0;
+      [&](const std::vector<RayLine>& all) {
+        tree.FindNearest(all.data(), sizes.Rays, 0., Endless, hits.data());
+        return countHits();
       },
       own },
-    { "Embree", "nearest", [&](const RayLine& line) { return peer.Nearest(line); },
+    { "Embree", "nearest", OneByOne([&](const RayLine& line) { return peer.Nearest(line); }),
       peer.GetBytes() },
     { "Embree's boxes, triangles in double", "nearest",
-      [&](const RayLine& line) { return boxes.Nearest(line) < Endless; }, boxes.GetBytes() },
+      OneByOne([&](const RayLine& line) { return boxes.Nearest(line) < Endless; }),
+      boxes.GetBytes() },
     { "rays in double", "any",
-      [&](const RayLine& line) { return tree.HitsAny(line.From, line.Direction, 0., Endless); },
+      [&](const std::vector<RayLine>& all) {
+        tree.FindAny(all.data(), sizes.Rays, 0., Endless, hits.data());
+        return countHits();
+      },
       own },
-    { "Embree", "any", [&](const RayLine& line) { return peer.Any(line); }, peer.GetBytes() },
+    { "Embree", "any", OneByOne([&](const RayLine& line) { return peer.Any(line); }),
+      peer.GetBytes() },
   };
   // In turn, each several times, so that the caches' content from others does not count.
   for (int round = 0; round < sizes.Rounds; ++round)
@@ -326,12 +343,8 @@ bool Measure(const std::string& name, vtkPolyData* mesh, const RaySizes& sizes, 
     {
       for (int again = 0; again < 4; ++again)
       {
-        way.Hits = 0;
         const std::clock_t begin = std::clock();
-        for (const RayLine& line : lines)
-        {
-          way.Hits += way.Ask(line) ? 1 : 0;
-        }
+        way.Hits = way.CountHits(lines);
         way.Best = std::min(way.Best, static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC);
       }
     }

@@ -61,10 +61,12 @@ vtkStandardNewMacro(vtkRelievoRayScene);
 namespace
 {
 using Hit = vtkRelievoRayTree::Hit;
+using Line = vtkRelievoRayTree::Line;
 
 constexpr double Endless = std::numeric_limits<double>::infinity();
 constexpr vtkIdType Batch = 1 << 16; // rays between two progress events
 constexpr vtkIdType Grain = 512;     // rays per task of a thread
+constexpr vtkIdType Together = 256;  // rays traced by one call
 // Least volume of a box, relative to a rectangular one with its sides.
 constexpr double Flat = 1e-6;
 constexpr vtkIdType MostCorners = 1 << 24; // of copies
@@ -243,10 +245,8 @@ Entry FindEntry(const vtkRelievoPlacedMesh& placed)
 }
 
 // A ray about the scene's centre. If it is not Valid, it hits nothing.
-struct CenteredRay
+struct CenteredRay : Line
 {
-  glm::dvec3 From{ 0.0 };
-  glm::dvec3 Direction{ 0.0 };
   bool Valid = false;
   bool None = false; // not a ray: causes no warning
 };
@@ -280,6 +280,40 @@ public:
     ray.From -= this->Center;
     ray.Direction = glm::normalize(ray.Direction / size);
     return ray;
+  }
+
+  // Calls trace(lines, count, hits) for several rays at once, and take(row, line, hit) for each ray
+  // from row `first` up to `last`. Returns the number of rays that are not valid.
+  template <typename Trace, typename Take>
+  vtkIdType ForEach(vtkIdType first, vtkIdType last, Trace trace, Take take) const
+  {
+    vtkIdType invalid = 0;
+    Line lines[Together];
+    vtkIdType rows[Together];
+    Hit hits[Together];
+    for (vtkIdType row = first; row < last;)
+    {
+      int count = 0;
+      for (; row < last && count < Together; ++row)
+      {
+        const CenteredRay ray = this->Get(row);
+        lines[count] = ray;
+        rows[count] = row;
+        if (ray.Valid)
+        {
+          ++count;
+          continue;
+        }
+        take(row, ray, Hit());
+        invalid += ray.None ? 0 : 1;
+      }
+      trace(lines, count, hits);
+      for (int i = 0; i < count; ++i)
+      {
+        take(rows[i], lines[i], hits[i]);
+      }
+    }
+    return invalid;
   }
 
 private:
@@ -430,7 +464,7 @@ struct vtkRelievoRayScene::Internals
   bool HasIds() const;
   bool SetMeshes(bool opaqueOnly);
   std::string AddBlock(vtkDataObject* data, int block, int prop, vtkMatrix4x4* matrix);
-  void Write(const Columns& columns, vtkIdType row, const CenteredRay& ray, const Hit& hit) const;
+  void Write(const Columns& columns, vtkIdType row, const Line& ray, const Hit& hit) const;
   glm::dvec3 GetShadingNormal(const Hit& hit, const vtkRelievoRayTree::Details& details) const;
 };
 
@@ -768,7 +802,7 @@ glm::dvec3 vtkRelievoRayScene::Internals::GetShadingNormal(
 
 //------------------------------------------------------------------------------
 void vtkRelievoRayScene::Internals::Write(
-  const Columns& columns, vtkIdType row, const CenteredRay& ray, const Hit& hit) const
+  const Columns& columns, vtkIdType row, const Line& ray, const Hit& hit) const
 {
   const int index = this->Tree.GetMesh(hit.Place);
   const vtkRelievoPlacedMesh& placed = this->Meshes[index];
@@ -799,8 +833,8 @@ void vtkRelievoRayScene::Internals::Write(
 
 namespace
 {
-// Runs each ray in threads, batch by batch; after(from, to) is called after each batch. False if it
-// was aborted.
+// Calls each(first, last) for ranges of rays in threads, batch by batch, and after(from, to) after
+// each batch. False if it was aborted.
 template <typename Each, typename After>
 bool DoInBatches(vtkRelievoRayScene* scene, vtkIdType count, Each each, After after)
 {
@@ -808,14 +842,7 @@ bool DoInBatches(vtkRelievoRayScene* scene, vtkIdType count, Each each, After af
   for (vtkIdType from = 0; from < count; from += Batch)
   {
     const vtkIdType to = std::min(count, from + Batch);
-    vtkRelievoWithThreads([&]() {
-      vtkSMPTools::For(from, to, Grain, [&](vtkIdType first, vtkIdType last) {
-        for (vtkIdType ray = first; ray < last; ++ray)
-        {
-          each(ray);
-        }
-      });
-    });
+    vtkRelievoWithThreads([&]() { vtkSMPTools::For(from, to, Grain, each); });
     after(from, to);
     double done = static_cast<double>(to) / static_cast<double>(count);
     scene->InvokeEvent(vtkCommand::ProgressEvent, &done);
@@ -1040,30 +1067,25 @@ bool vtkRelievoRayScene::FindNearest(
     scene.Nearest->resize(static_cast<std::size_t>(rays.GetCount()));
   }
   std::atomic<vtkIdType> invalid(0);
-  const auto find = [&](vtkIdType row) {
-    const CenteredRay ray = rays.Get(row);
-    Hit hit;
-    if (ray.Valid)
-    {
-      hit = scene.Tree.FindNearest(
-        ray.From, ray.Direction, this->MinimumDistance, this->MaximumDistance);
-    }
-    else if (!ray.None)
-    {
-      ++invalid;
-    }
-    if (scene.Nearest)
-    {
-      (*scene.Nearest)[static_cast<std::size_t>(row)] = hit;
-    }
-    if (hit.Place >= 0)
-    {
-      scene.Write(columns, row, ray, hit);
-    }
-    else
-    {
-      columns.SetNone(row);
-    }
+  const auto find = [&](vtkIdType first, vtkIdType last) {
+    const auto trace = [&](const Line* lines, int count, Hit* found) {
+      scene.Tree.FindNearest(lines, count, this->MinimumDistance, this->MaximumDistance, found);
+    };
+    invalid +=
+      rays.ForEach(first, last, trace, [&](vtkIdType row, const Line& ray, const Hit& hit) {
+        if (scene.Nearest)
+        {
+          (*scene.Nearest)[static_cast<std::size_t>(row)] = hit;
+        }
+        if (hit.Place >= 0)
+        {
+          scene.Write(columns, row, ray, hit);
+        }
+        else
+        {
+          columns.SetNone(row);
+        }
+      });
   };
   const bool done = DoInBatches(this, rays.GetCount(), find, [](vtkIdType, vtkIdType) {});
   if (!done)
@@ -1091,13 +1113,12 @@ bool vtkRelievoRayScene::FindAny(
   hit->SetNumberOfTuples(rays.GetCount());
   unsigned char* const values = hit->GetPointer(0);
   std::atomic<vtkIdType> invalid(0);
-  const auto find = [&](vtkIdType row) {
-    const CenteredRay ray = rays.Get(row);
-    invalid += ray.Valid || ray.None ? 0 : 1;
-    values[row] = ray.Valid &&
-        scene.Tree.HitsAny(ray.From, ray.Direction, this->MinimumDistance, this->MaximumDistance)
-      ? 1
-      : 0;
+  const auto find = [&](vtkIdType first, vtkIdType last) {
+    const auto trace = [&](const Line* lines, int count, Hit* found) {
+      scene.Tree.FindAny(lines, count, this->MinimumDistance, this->MaximumDistance, found);
+    };
+    invalid += rays.ForEach(first, last, trace,
+      [&](vtkIdType row, const Line&, const Hit& each) { values[row] = each.Place >= 0 ? 1 : 0; });
   };
   const bool done = DoInBatches(this, rays.GetCount(), find, [](vtkIdType, vtkIdType) {});
   if (!done)
@@ -1129,18 +1150,21 @@ bool vtkRelievoRayScene::FindAll(vtkDataArray* origins, vtkDataArray* directions
   std::vector<RayHit> all;
   std::vector<std::vector<Hit>> batch(static_cast<std::size_t>(std::min(Batch, rays.GetCount())));
   std::atomic<vtkIdType> invalid(0);
-  const auto find = [&](vtkIdType row) {
-    const CenteredRay ray = rays.Get(row);
-    std::vector<Hit>& own = batch[static_cast<std::size_t>(row % Batch)];
-    own.clear();
-    if (ray.Valid)
+  const auto find = [&](vtkIdType first, vtkIdType last) {
+    for (vtkIdType row = first; row < last; ++row)
     {
-      scene.Tree.FindAll(
-        ray.From, ray.Direction, this->MinimumDistance, this->MaximumDistance, own);
-    }
-    else if (!ray.None)
-    {
-      ++invalid;
+      const CenteredRay ray = rays.Get(row);
+      std::vector<Hit>& own = batch[static_cast<std::size_t>(row % Batch)];
+      own.clear();
+      if (ray.Valid)
+      {
+        scene.Tree.FindAll(
+          ray.From, ray.Direction, this->MinimumDistance, this->MaximumDistance, own);
+      }
+      else if (!ray.None)
+      {
+        ++invalid;
+      }
     }
   };
   const auto gather = [&](vtkIdType from, vtkIdType to) {

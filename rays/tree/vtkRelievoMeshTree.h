@@ -65,6 +65,8 @@ public:
   template <typename Visit>
   void Walk(const vtkRelievoRay& ray, double low, double high, Visit visit) const;
 
+  class Course;
+
 private:
   void TakePlaces(vtkPolyData* data);
   void TakeTriangles(vtkPolyData* data, vtkRelievoPolygonCut::Rule rule);
@@ -117,40 +119,56 @@ inline glm::dvec3 vtkRelievoInvert(const glm::dvec3& ray)
   return inverse;
 }
 
-//------------------------------------------------------------------------------
-template <typename Visit>
-void vtkRelievoMeshTree::Walk(const vtkRelievoRay& ray, double low, double high, Visit visit) const
+// A ray in a mesh, between its first point in the mesh's box and the farthest hit that matters.
+class vtkRelievoMeshTree::Course
 {
-  double enters = low;
-  double leaves = high;
-  const glm::dvec3 inverse = vtkRelievoInvert(ray.Ray);
-  if (!vtkRelievoClip(ray.From, inverse, this->Low, this->High, enters, leaves))
+public:
+  // False if the ray misses the mesh's box.
+  bool Start(const vtkRelievoMeshTree& mesh, const vtkRelievoRay& ray, double low, double high)
   {
-    return;
-  }
-  // The tree's unit is the mesh's half size, and the ray's unit the largest coordinate of its
-  // direction.
-  const double size = std::abs(ray.Ray[ray.Z]);
-  const double toTree = this->Scale * size;
-  const vtkRelievoWideTree::Ray rounded(
-    this->Scale * (ray.From + enters * ray.Ray), size * inverse);
-  const auto getLast = [&](double t) {
-    return static_cast<float>((t - enters) * toTree * (1.0 + 1e-6) + 1e-6);
-  };
-  const bool byFour = vtkRelievoWideTree::UsesAvx2();
-  const auto take = [&](int triangle, double t) {
-    if (t >= low && t <= high)
+    this->Ray = ray;
+    this->Low = low;
+    this->High = high;
+    this->Enters = low;
+    this->Leaves = high;
+    this->Inverse = vtkRelievoInvert(ray.Ray);
+    if (!vtkRelievoClip(ray.From, this->Inverse, mesh.Low, mesh.High, this->Enters, this->Leaves))
     {
-      high = visit(triangle, t);
-      leaves = std::min(leaves, high);
+      return false;
     }
-  };
-  const auto walkLeaf = [&](int first, int count) {
-    const std::uint32_t* corners = this->GetCorners(first);
+    // The tree's unit is the mesh's half size, and the ray's unit the largest coordinate of its
+    // direction.
+    this->Size = std::abs(ray.Ray[ray.Z]);
+    this->ToTree = mesh.Scale * this->Size;
+    return true;
+  }
+  vtkRelievoWideTree::Ray GetRounded(const vtkRelievoMeshTree& mesh) const
+  {
+    return { mesh.Scale * (this->Ray.From + this->Enters * this->Ray.Ray),
+      this->Size * this->Inverse };
+  }
+  float GetLast() const
+  {
+    return static_cast<float>((this->Leaves - this->Enters) * this->ToTree * (1.0 + 1e-6) + 1e-6);
+  }
+
+  // Calls visit(triangle, t) for hits in a leaf, as vtkRelievoMeshTree::Walk; returns the end in
+  // the tree.
+  template <typename Visit>
+  float Test(const vtkRelievoMeshTree& mesh, int first, int count, bool byFour, Visit visit)
+  {
+    const auto take = [&](int triangle, double t) {
+      if (t >= this->Low && t <= this->High)
+      {
+        this->High = visit(triangle, t);
+        this->Leaves = std::min(this->Leaves, this->High);
+      }
+    };
+    const std::uint32_t* corners = mesh.GetCorners(first);
     if (byFour && count == 4)
     {
       double t[4];
-      unsigned bits = vtkRelievoAvx2::HitTriangles(ray, this->Places.data(), corners, t);
+      unsigned bits = vtkRelievoAvx2::HitTriangles(this->Ray, mesh.Places.data(), corners, t);
       for (; bits != 0; bits &= bits - 1)
       {
         const int i = vtkRelievoGetLowest(bits);
@@ -163,17 +181,40 @@ void vtkRelievoMeshTree::Walk(const vtkRelievoRay& ray, double low, double high,
       {
         double t = 0.0;
         glm::dvec3 sides;
-        if (ray.Hits(this->Places[corners[0]], this->Places[corners[1]], this->Places[corners[2]],
-              t, sides))
+        if (this->Ray.Hits(
+              mesh.Places[corners[0]], mesh.Places[corners[1]], mesh.Places[corners[2]], t, sides))
         {
           take(first + i, t);
         }
       }
     }
-    return high < low ? -1.f : std::max(0.f, getLast(leaves));
-  };
-  this->Tree.Walk(
-    rounded, getLast(leaves), this->Corners.data(), 3 * sizeof(std::uint32_t), walkLeaf);
+    return this->High < this->Low ? -1.f : std::max(0.f, this->GetLast());
+  }
+
+private:
+  vtkRelievoRay Ray{ glm::dvec3(0.0), glm::dvec3(1.0) };
+  glm::dvec3 Inverse{ 1.0 };
+  double Low = 0.0;
+  double High = 0.0;
+  double Enters = 0.0;
+  double Leaves = 0.0;
+  double Size = 1.0;
+  double ToTree = 1.0;
+};
+
+//------------------------------------------------------------------------------
+template <typename Visit>
+void vtkRelievoMeshTree::Walk(const vtkRelievoRay& ray, double low, double high, Visit visit) const
+{
+  Course course;
+  if (!course.Start(*this, ray, low, high))
+  {
+    return;
+  }
+  const bool byFour = vtkRelievoWideTree::UsesAvx2();
+  this->Tree.Walk(course.GetRounded(*this), course.GetLast(), this->Corners.data(),
+    3 * sizeof(std::uint32_t),
+    [&](int first, int count) { return course.Test(*this, first, count, byFour, visit); });
 }
 
 #endif

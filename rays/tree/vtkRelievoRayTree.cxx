@@ -11,6 +11,10 @@ namespace
 {
 constexpr double NoEnd = std::numeric_limits<double>::infinity();
 
+constexpr int Turns = 8; // rays that take turns
+// Least size of a mesh for turns: caches hold smaller ones.
+constexpr std::size_t LeastBytesForTurns = std::size_t(1) << 19;
+
 bool IsSamePlace(const vtkRelievoPlacedMesh& a, const vtkRelievoPlacedMesh& b)
 {
   return a.Mesh == b.Mesh && a.MeshToWorld == b.MeshToWorld && a.Places == b.Places &&
@@ -186,6 +190,124 @@ bool vtkRelievoRayTree::HitsAny(
     return -NoEnd;
   });
   return any;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoRayTree::FindNearest(
+  const Line* lines, int count, double low, double high, Hit* hits) const
+{
+  this->Find<false>(lines, count, low, high, hits);
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoRayTree::FindAny(
+  const Line* lines, int count, double low, double high, Hit* hits) const
+{
+  this->Find<true>(lines, count, low, high, hits);
+}
+
+//------------------------------------------------------------------------------
+template <bool OnlyAny>
+void vtkRelievoRayTree::Find(const Line* lines, int count, double low, double high, Hit* hits) const
+{
+  const bool inTurns = this->Places.size() == 1 &&
+    this->Places[0].Triangles->GetTree().HasSteps() &&
+    this->Places[0].Triangles->GetBytes() >= LeastBytesForTurns;
+  if (inTurns && vtkRelievoWideTree::UsesAvx2())
+  {
+    this->FindInTurnsByAvx2<OnlyAny>(lines, count, low, high, hits);
+    return;
+  }
+  if (inTurns)
+  {
+    this->FindInTurns<OnlyAny, false>(lines, count, low, high, hits);
+    return;
+  }
+  for (int i = 0; i < count; ++i)
+  {
+    const glm::dvec3& from = lines[i].From;
+    const glm::dvec3& ray = lines[i].Direction;
+    if (OnlyAny)
+    {
+      hits[i] = Hit();
+      hits[i].Place = this->HitsAny(from, ray, low, high) ? 0 : -1;
+    }
+    else
+    {
+      hits[i] = this->FindNearest(from, ray, low, high);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+template <bool OnlyAny>
+void vtkRelievoRayTree::FindInTurnsByAvx2(
+  const Line* lines, int count, double low, double high, Hit* hits) const
+{
+  this->FindInTurns<OnlyAny, true>(lines, count, low, high, hits);
+}
+
+//------------------------------------------------------------------------------
+// In a scene of one place.
+template <bool OnlyAny, bool ByAvx2>
+RELIEVO_INLINED void vtkRelievoRayTree::FindInTurns(
+  const Line* lines, int count, double low, double high, Hit* hits) const
+{
+  struct Turn
+  {
+    vtkRelievoMeshTree::Course Course;
+    vtkRelievoWideTree::Steps Steps;
+    Hit* Found = nullptr;
+  };
+  const Placed& placed = this->Places[0];
+  const vtkRelievoMeshTree& mesh = *placed.Triangles;
+  int next = 0;
+  const auto start = [&](Turn& turn) {
+    while (next < count)
+    {
+      const Line& line = lines[next];
+      turn.Found = hits + next++;
+      *turn.Found = Hit();
+      if (turn.Course.Start(mesh, GetInner(placed, line.From, line.Direction), low, high))
+      {
+        turn.Steps.Start(turn.Course.GetRounded(mesh), turn.Course.GetLast());
+        return true;
+      }
+    }
+    return false;
+  };
+  Turn turns[Turns];
+  Turn* order[Turns];
+  int active = 0;
+  while (active < Turns && start(turns[active]))
+  {
+    order[active] = turns + active;
+    ++active;
+  }
+  while (active > 0)
+  {
+    for (int i = 0; i < active; ++i)
+    {
+      Turn& turn = *order[i];
+      const auto take = [&](int triangle, double t) {
+        const Hit hit{ 0, triangle, t };
+        if (turn.Found->Place < 0 || this->IsBefore(hit, *turn.Found))
+        {
+          *turn.Found = hit;
+        }
+        return OnlyAny ? -NoEnd : turn.Found->T;
+      };
+      const auto test = [&](int first, int size) {
+        return turn.Course.Test(mesh, first, size, ByAvx2, take);
+      };
+      if (!mesh.GetTree().Step<ByAvx2>(
+            turn.Steps, mesh.GetCorners(0), 3 * sizeof(std::uint32_t), test) &&
+        !start(turn))
+      {
+        order[i--] = order[--active];
+      }
+    }
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -74,6 +74,19 @@ public:
     std::vector<Hit>& hits) const;
   ///@}
 
+  // A ray without a range.
+  struct Line
+  {
+    glm::dvec3 From{ 0.0 };
+    glm::dvec3 Direction{ 0.0 };
+  };
+  ///@{
+  // FindNearest for many rays, and some hit of each if there is any. In large meshes rays take
+  // turns, so that other rays are traversed while a ray's memory is read.
+  void FindNearest(const Line* lines, int count, double low, double high, Hit* hits) const;
+  void FindAny(const Line* lines, int count, double low, double high, Hit* hits) const;
+  ///@}
+
   Details GetDetails(const Hit& hit, const glm::dvec3& from, const glm::dvec3& ray) const;
 
   // Normal of the plane, and one of its points; not unit.
@@ -100,6 +113,13 @@ private:
   void Place();
   // Order along the ray; at equal positions by number, independent of the trees.
   bool IsBefore(const Hit& a, const Hit& b) const;
+  template <bool OnlyAny>
+  void Find(const Line* lines, int count, double low, double high, Hit* hits) const;
+  template <bool OnlyAny, bool ByAvx2>
+  void FindInTurns(const Line* lines, int count, double low, double high, Hit* hits) const;
+  template <bool OnlyAny>
+  RELIEVO_AVX2 void FindInTurnsByAvx2(
+    const Line* lines, int count, double low, double high, Hit* hits) const;
   glm::dmat4 GetToScene(const Placed& placed) const;
   // In the scene's coordinates.
   void GetCorners(int place, int triangle, glm::dvec3 corners[3]) const;

@@ -84,6 +84,41 @@ public:
   template <typename Visit>
   void Walk(const Ray& ray, float last, const void* leaves, std::size_t bytes, Visit visit) const;
 
+  // A traversal as by Walk, in steps, so that several rays can take turns while memory is read.
+  struct Steps
+  {
+    struct Entry
+    {
+      int Child;
+      float Near;
+    };
+    static constexpr int Few = 160; // stack entries without allocation
+
+    Ray Line;
+    float Last = 0.f;
+    int Next = 0;
+    int Size = 0;
+    Entry Stack[Few];
+
+    Steps()
+      : Line(glm::dvec3(0.0), glm::dvec3(1.0))
+    {
+    }
+    void Start(const Ray& line, float last)
+    {
+      this->Line = line;
+      this->Last = last;
+      this->Next = 0;
+      this->Size = 0;
+    }
+  };
+  // Whether the stack of Steps suffices.
+  bool HasSteps() const { return !this->Nodes.empty() && this->Stack <= Few; }
+
+  // Visits a node or a leaf; false after the last one. The processor must have AVX2 for ByAvx2.
+  template <bool ByAvx2, typename Visit>
+  bool Step(Steps& steps, const void* leaves, std::size_t bytes, Visit visit) const;
+
   // Calls visit(first, count) for leaves whose boxes share a point with this one, roughly from the
   // greatest z to the least; `visit` returns whether to continue.
   template <typename Visit>
@@ -101,7 +136,8 @@ private:
     int Child[Width];
   };
 #if defined(__GNUC__)
-  static void Prefetch(const void* at)
+  // Always inlined: GCC removes calls of functions that only prefetch.
+  static RELIEVO_INLINED void Prefetch(const void* at)
   {
     __builtin_prefetch(at);
     __builtin_prefetch(static_cast<const char*>(at) + 64);
@@ -109,13 +145,13 @@ private:
 #else
   static void Prefetch(const void*) {}
 #endif
-  struct Entry
-  {
-    int Child;
-    float Near;
-  };
-  static constexpr int Few = 160; // stack entries without allocation
+  using Entry = Steps::Entry;
+  static constexpr int Few = Steps::Few;
 
+  template <bool ByAvx2>
+  static unsigned HitBoxes(const Node& node, const Ray& ray, float last, float* t);
+  static int Choose(const Node& node, unsigned bits, const float* t, Entry* stack, int& size);
+  static bool Pop(const Entry* stack, int& size, float last, int& next);
   static unsigned HitBoxes(const Node& node, const Ray& ray, float last, float* t);
   template <bool ByAvx2, typename Visit>
   void WalkBy(
@@ -158,6 +194,59 @@ inline unsigned vtkRelievoWideTree::HitBoxes(const Node& node, const Ray& ray, f
 }
 
 //------------------------------------------------------------------------------
+template <bool ByAvx2>
+RELIEVO_INLINED unsigned vtkRelievoWideTree::HitBoxes(
+  const Node& node, const Ray& ray, float last, float* t)
+{
+  return ByAvx2
+    ? vtkRelievoAvx2::HitBoxes(node.Sides, ray.Near, ray.From, ray.Inverse, last, Rounding, t)
+    : HitBoxes(node, ray, last, t);
+}
+
+//------------------------------------------------------------------------------
+// The nearest of several boxes; the others are put on the stack.
+RELIEVO_INLINED int vtkRelievoWideTree::Choose(
+  const Node& node, unsigned bits, const float* t, Entry* stack, int& size)
+{
+  const unsigned rest = bits & (bits - 1);
+  if ((rest & (rest - 1)) == 0) // two
+  {
+    const int a = vtkRelievoGetLowest(bits);
+    const int b = vtkRelievoGetLowest(rest);
+    const bool second = t[b] < t[a];
+    stack[size++] = { node.Child[second ? a : b], t[second ? a : b] };
+    return node.Child[second ? b : a];
+  }
+  const int before = size;
+  for (; bits != 0; bits &= bits - 1)
+  {
+    const int i = vtkRelievoGetLowest(bits);
+    int k = size++;
+    for (; k > before && stack[k - 1].Near < t[i]; --k)
+    {
+      stack[k] = stack[k - 1];
+    }
+    stack[k] = { node.Child[i], t[i] };
+  }
+  return stack[--size].Child;
+}
+
+//------------------------------------------------------------------------------
+RELIEVO_INLINED bool vtkRelievoWideTree::Pop(const Entry* stack, int& size, float last, int& next)
+{
+  do
+  {
+    if (size == 0)
+    {
+      return false;
+    }
+    --size;
+  } while (stack[size].Near > last * Rounding);
+  next = stack[size].Child;
+  return true;
+}
+
+//------------------------------------------------------------------------------
 template <typename Visit>
 void vtkRelievoWideTree::Walk(
   const Ray& ray, float last, const void* leaves, std::size_t bytes, Visit visit) const
@@ -197,9 +286,7 @@ RELIEVO_INLINED void vtkRelievoWideTree::WalkBy(
     {
       const Node& node = this->Nodes[static_cast<std::size_t>(next)];
       alignas(32) float t[Width];
-      unsigned bits = ByAvx2
-        ? vtkRelievoAvx2::HitBoxes(node.Sides, ray.Near, ray.From, ray.Inverse, last, Rounding, t)
-        : HitBoxes(node, ray, last, t);
+      const unsigned bits = HitBoxes<ByAvx2>(node, ray, last, t);
       if (bits == 0)
       {
         break;
@@ -209,34 +296,13 @@ RELIEVO_INLINED void vtkRelievoWideTree::WalkBy(
         next = node.Child[vtkRelievoGetLowest(bits)];
         continue;
       }
-      const unsigned rest = bits & (bits - 1);
       for (unsigned each = bits; each != 0; each &= each - 1)
       {
         const int child = node.Child[vtkRelievoGetLowest(each)];
         Prefetch(child >= 0 ? static_cast<const void*>(this->Nodes.data() + child)
                             : static_cast<const char*>(leaves) + bytes * ((-1 - child) / Most));
       }
-      if ((rest & (rest - 1)) == 0) // two
-      {
-        const int a = vtkRelievoGetLowest(bits);
-        const int b = vtkRelievoGetLowest(rest);
-        const bool second = t[b] < t[a];
-        stack[size++] = { node.Child[second ? a : b], t[second ? a : b] };
-        next = node.Child[second ? b : a];
-        continue;
-      }
-      const int before = size;
-      for (; bits != 0; bits &= bits - 1)
-      {
-        const int i = vtkRelievoGetLowest(bits);
-        int k = size++;
-        for (; k > before && stack[k - 1].Near < t[i]; --k)
-        {
-          stack[k] = stack[k - 1];
-        }
-        stack[k] = { node.Child[i], t[i] };
-      }
-      next = stack[--size].Child;
+      next = Choose(node, bits, t, stack, size);
     }
     if (next < 0)
     {
@@ -247,16 +313,55 @@ RELIEVO_INLINED void vtkRelievoWideTree::WalkBy(
         return;
       }
     }
-    do
+    if (!Pop(stack, size, last, next))
     {
-      if (size == 0)
-      {
-        return;
-      }
-      --size;
-    } while (stack[size].Near > last * Rounding);
-    next = stack[size].Child;
+      return;
+    }
   }
+}
+
+//------------------------------------------------------------------------------
+template <bool ByAvx2, typename Visit>
+RELIEVO_INLINED bool vtkRelievoWideTree::Step(
+  Steps& steps, const void* leaves, std::size_t bytes, Visit visit) const
+{
+  int size = steps.Size;
+  int next = steps.Next;
+  bool goesOn = false; // to a box within the last node
+  if (next >= 0)
+  {
+    const Node& node = this->Nodes[static_cast<std::size_t>(next)];
+    alignas(32) float t[Width];
+    const unsigned bits = HitBoxes<ByAvx2>(node, steps.Line, steps.Last, t);
+    goesOn = bits != 0;
+    if (goesOn)
+    {
+      next = (bits & (bits - 1)) == 0 ? node.Child[vtkRelievoGetLowest(bits)]
+                                      : Choose(node, bits, t, steps.Stack, size);
+    }
+  }
+  else
+  {
+    const int leaf = -1 - next;
+    steps.Last = visit(leaf / Most, leaf % Most + 1);
+  }
+  if (!goesOn && (steps.Last < 0.f || !Pop(steps.Stack, size, steps.Last, next)))
+  {
+    return false;
+  }
+  steps.Next = next;
+  steps.Size = size;
+  if (next >= 0)
+  {
+    const char* node = reinterpret_cast<const char*>(this->Nodes.data() + next);
+    Prefetch(node);
+    Prefetch(node + 128);
+  }
+  else
+  {
+    Prefetch(static_cast<const char*>(leaves) + bytes * ((-1 - next) / Most));
+  }
+  return true;
 }
 
 //------------------------------------------------------------------------------
