@@ -177,6 +177,7 @@ bool vtkRelievoLightMaps::UpdateStructure(const vtkRelievoShadowLights& lights, 
   structure.Numbers = static_cast<int>(lights.GetAll().size());
   structure.Unlit = unlit;
   structure.WideFilter = this->Work.Radius > 1;
+  structure.Highlights = this->Work.Props.HasHighlights();
   structure.Parts = 0;
   for (const auto& entry : this->Work.Cache.GetEntries())
   {

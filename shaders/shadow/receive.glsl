@@ -59,6 +59,14 @@ float relievoVisibilityOf(int number)
   return slot < 0 ? 1.0 : relievoVisibility[slot];
 }
 
+// Left out where highlights have no strength: their powers are a tenth of the shader's work.
+//RELIEVO::Section(SpecularOfVTK)
+specularColor = specularIntensity * specularColorUniform;
+//RELIEVO::Section(HighlightOfVTK)
+sf = sign(df)*
+//RELIEVO::Section(NoHighlight)
+sf = 0.0
+
 //RELIEVO::Section(BulgeOfVTK)
 uniform float ZCalcR;
 //RELIEVO::Section(BulgeDec)

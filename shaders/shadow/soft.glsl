@@ -8,7 +8,6 @@
 //
 // The includer has shadow/lookup.glsl, RELIEVO_SHADOW_LIGHTS and RELIEVO_SHADOW_PARTS, the number
 // of parts.
-#define RELIEVO_SHADOW_STEPS 12 // at most
 
 // For each part of the light: texels of its map per depth, and the index of its map.
 uniform vec3 relievoShadowRays[RELIEVO_SHADOW_LIGHTS * RELIEVO_SHADOW_PARTS];
@@ -16,36 +15,15 @@ uniform vec3 relievoShadowRays[RELIEVO_SHADOW_LIGHTS * RELIEVO_SHADOW_PARTS];
 // Steps of the sample number per column and row of the raster (vtkRelievoSampleLattice).
 uniform vec2 relievoShadowPartStep; // whole numbers
 
-float relievoShadowDepthAt(int face, ivec2 texel)
+// Most steps along a ray. Mesa unrolls a loop whose limit is a constant, and then every pixel takes
+// all steps in software.
+uniform float relievoShadowSteps; // a whole number
+
+float relievoShadowDepthAt(int layer, ivec2 texel)
 {
   ivec2 inside = clamp(texel, ivec2(0), ivec2(int(relievoShadowSize) - 1));
-  float depth = texelFetch(relievoShadowMaps, ivec3(inside, int(relievoShadowLayer[face])), 0).r;
+  float depth = texelFetch(relievoShadowMaps, ivec3(inside, layer), 0).r;
   return inside == texel ? depth : 1.0;
-}
-
-// within: 0 to 1, position of the lookups within the steps.
-float relievoShadowFollow(int face, vec3 place, vec2 slope, vec2 ray, int steps, float within)
-{
-  float lit = 1.0;
-  float before = place.z;
-  bool wasBelow = false;
-  for (int i = 0; i <= steps; ++i)
-  {
-    float part = i == 0 ? 0.0 : min((float(i) - 1.0 + within) / float(steps - 1), 1.0);
-    float way = place.z * part * part;
-    float own = place.z - way;
-    ivec2 at = ivec2(floor(place.xy + way * ray + 0.5));
-    float seen = relievoShadowDepthAt(face, at);
-    // The receiver itself does not block, as far as it is flat.
-    bool below = seen < min(own, place.z + dot(slope, vec2(at) - place.xy));
-    float step = before - own;
-    bool blocks = i > 0 && (wasBelow ? !below && seen < before + 1.5 * step
-                                     : below && seen > own - step);
-    lit = blocks ? 0.0 : lit;
-    wasBelow = below;
-    before = own;
-  }
-  return lit;
 }
 
 // For the part of the present cell, from a place relative to the origin of lookup.glsl. first: of
@@ -57,25 +35,50 @@ float relievoShadowPart(int light, int first, vec3 position, vec3 normalVC)
   number -= number / RELIEVO_SHADOW_PARTS * RELIEVO_SHADOW_PARTS;
   vec3 chosen = relievoShadowRays[light * RELIEVO_SHADOW_PARTS + number];
   int face = first + int(chosen.z);
-  vec4 map = relievoShadowMatrix[face] * vec4(position, 1.0);
-  vec3 plane = relievoMapPlane(relievoShadowMatrix[face], map, normalVC);
-  vec3 place = RELIEVO_RECEIVER(relievoShadowMatrix[face], map).xyz;
+  // Affine, as the rays are parallel: elements that are not read cost nothing.
+  mat4 matrix = mat4(vec4(relievoShadowMatrix[face][0].xyz, 0.0),
+    vec4(relievoShadowMatrix[face][1].xyz, 0.0), vec4(relievoShadowMatrix[face][2].xyz, 0.0),
+    vec4(relievoShadowMatrix[face][3].xyz, 1.0));
+  vec4 eye = relievoShadowEye[face];
   float texel = relievoShadowTexel[face];
+  int layer = int(relievoShadowLayer[face]);
+  vec4 map = matrix * vec4(position, 1.0);
+  vec3 plane = relievoMapPlane(matrix, map, normalVC);
+  vec3 place = RELIEVO_RECEIVER(matrix, map).xyz;
   vec2 slope = RELIEVO_SHADOW_HAS_PLANE ? relievoReceiverSlope(plane, 64.0 * texel) : vec2(0.0);
   place.z -= RELIEVO_SHADOW_HAS_PLANE ? 0.0 : relievoShadowLift * texel;
-  vec4 eye = relievoShadowEye[face];
-  bool faces = (plane.z - dot(plane.xy, chosen.xy)) * dot(plane, eye.xyz - eye.w * place) < 0.0;
-  float lit = 0.0;
-  if (faces || !RELIEVO_SHADOW_HAS_PLANE)
+  bool open = !RELIEVO_SHADOW_HAS_PLANE ||
+    (plane.z - dot(plane.xy, chosen.xy)) * dot(plane, eye.xyz - eye.w * place) < 0.0;
+  ivec2 at = ivec2(floor(place.xy + 0.5));
+  // The receiver itself does not block, as far as it is flat.
+  float surface = place.z + dot(slope, vec2(at) - place.xy);
+  float seen = relievoShadowDepthAt(layer, at);
+  float texels = place.z * max(abs(chosen.x), abs(chosen.y));
+  // Neighbouring texels need no tracing.
+  bool traced = open && texels > 1.0;
+  open = open && (traced || !(seen < surface));
+  float steps = clamp(ceil(2.0 * texels), 3.0, relievoShadowSteps);
+  // Position of the lookups within the steps.
+  float within = fract(0.6180339887 * float(number) + 0.5);
+  float before = place.z;
+  bool wasBelow = seen < min(place.z, surface);
+  if (traced)
   {
-    // Neighbouring texels need no tracing.
-    float texels = place.z * max(abs(chosen.x), abs(chosen.y));
-    ivec2 at = ivec2(floor(place.xy + 0.5));
-    int steps = clamp(int(ceil(2.0 * texels)), 3, RELIEVO_SHADOW_STEPS);
-    float within = fract(0.6180339887 * float(number) + 0.5);
-    lit = texels > 1.0
-      ? relievoShadowFollow(face, place, slope, chosen.xy, steps, within)
-      : step(place.z + dot(slope, vec2(at) - place.xy), relievoShadowDepthAt(face, at));
+    float i = 0.0;
+    do
+    {
+      float part = min((i + within) / (steps - 1.0), 1.0);
+      float way = place.z * part * part;
+      float own = place.z - way;
+      at = ivec2(floor(place.xy + way * chosen.xy + 0.5));
+      seen = relievoShadowDepthAt(layer, at);
+      bool below = seen < min(own, place.z + dot(slope, vec2(at) - place.xy));
+      float step = before - own;
+      open = !(wasBelow ? !below && seen < before + 1.5 * step : below && seen > own - step);
+      wasBelow = below;
+      before = own;
+      i += 1.0;
+    } while (open && i < steps);
   }
-  return relievoShadowSees(place) ? lit : 1.0;
+  return open || !relievoShadowSees(place) ? 1.0 : 0.0;
 }

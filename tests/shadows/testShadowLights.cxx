@@ -25,6 +25,8 @@
 #include <vtkProperty.h>
 #include <vtkRelievoPass.h>
 #include <vtkRelievoShadowStage.h>
+#include <vtkShaderProperty.h>
+#include <vtkSmartPointer.h>
 #include <vtkTexture.h>
 
 #include <cmath>
@@ -376,6 +378,59 @@ void Test(const Material& material, const std::vector<int>& numbers)
     RELIEVO_CHECK_AT_MOST(errors.Outside, 20, what + ": pixels that are neither");
   }
 }
+
+// The middle pixel of a ground that the sun and the camera are straight above: the diffuse share,
+// and the highlight's whole strength.
+double GetMiddle(ShadowStage& stage)
+{
+  const auto picture = Picture(stage.Window);
+  return picture->GetScalarComponentAsDouble(40, 30, 0, 0) / 255.;
+}
+
+// Highlights are left out while no surface has any: each way to get them brings them back.
+void TestHighlights()
+{
+  ShadowStage stage(81, 61);
+  stage.AddSun(0., 1., 0.);
+  vtkCamera* camera = stage.Renderer->GetActiveCamera();
+  camera->SetFocalPoint(0., 0., 0.);
+  camera->SetPosition(0., 6., 0.);
+  camera->SetViewUp(0., 0., -1.);
+  const auto ground = stage.AddGround();
+  const auto make = [](double specular) {
+    auto property = vtkSmartPointer<vtkProperty>::New();
+    property->SetAmbient(0.);
+    property->SetDiffuse(0.25);
+    property->SetColor(1., 1., 1.);
+    property->SetSpecular(specular);
+    property->SetSpecularPower(20.);
+    return property;
+  };
+  const auto shiny = make(0.5);
+  const auto dull = make(0.);
+  ground->SetProperty(dull);
+  stage.GetShadows()->EnabledOn();
+  stage.Renderer->ResetCameraClippingRange();
+  constexpr double Step = 1. / 255.;
+  RELIEVO_CHECK_AT_MOST(std::abs(GetMiddle(stage) - 0.25), Step, "no highlight");
+  ground->SetProperty(shiny);
+  RELIEVO_CHECK_AT_MOST(std::abs(GetMiddle(stage) - 0.75), Step, "another property");
+  ground->SetProperty(dull);
+  RELIEVO_CHECK_AT_MOST(std::abs(GetMiddle(stage) - 0.25), Step, "the first property again");
+  dull->SetSpecular(0.25);
+  RELIEVO_CHECK_AT_MOST(std::abs(GetMiddle(stage) - 0.5), Step, "a changed property");
+  dull->SetSpecular(0.);
+  ground->SetBackfaceProperty(shiny);
+  RELIEVO_CHECK_AT_MOST(std::abs(GetMiddle(stage) - 0.25), Step, "its back is shiny");
+  camera->SetPosition(0., -6., 0.);
+  stage.Renderer->GetLights()->RemoveAllItems();
+  stage.AddSun(0., -1., 0.);
+  RELIEVO_CHECK_AT_MOST(std::abs(GetMiddle(stage) - 0.75), Step, "the shiny back");
+  ground->SetBackfaceProperty(nullptr);
+  ground->GetShaderProperty()->AddFragmentShaderReplacement(
+    "//VTK::Light::Impl", true, "specularColor = vec3(0.5);\n//VTK::Light::Impl\n", false);
+  RELIEVO_CHECK_AT_MOST(std::abs(GetMiddle(stage) - 0.75), Step, "a highlight of a replacement");
+}
 }
 
 //------------------------------------------------------------------------------
@@ -389,6 +444,7 @@ RELIEVO_TEST_CASE(testShadowLights)
   TestLightKit();
   TestEight();
   TestWarnings();
+  TestHighlights();
   int turn = 0;
   for (const Material& material : Materials)
   {

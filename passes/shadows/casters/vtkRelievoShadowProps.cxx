@@ -133,6 +133,7 @@ void vtkRelievoShadowProps::Collect(
   this->Seen.clear();
   this->Mixed.clear();
   this->MereReceivers = false;
+  this->Highlights = false;
   this->TranslucentCasters = false;
   this->Casters.clear();
   this->CasterBoxes.clear();
@@ -228,6 +229,7 @@ void vtkRelievoShadowProps::Collect(
         this->State.insert(this->State.end(), this->Part.begin(), this->Part.end());
       }
       vtkProperty* property = actor->GetProperty();
+      this->Highlights = this->Highlights || property->GetSpecular() != 0.0;
       this->Part.push_back((property->GetBackfaceCulling() ? 1 : 0) +
         (property->GetFrontfaceCulling() ? 2 : 0) + (casts ? 4 : 0) + (choice.Receives ? 8 : 0) +
         (caster.Translucent ? 16 : 0) + (caster.Attenuates ? 32 : 0));

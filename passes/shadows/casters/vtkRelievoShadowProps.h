@@ -100,6 +100,9 @@ public:
   // Whether culling changes the visible sides of visible surfaces: casting does not depend on it.
   const std::vector<bool>& GetCulling() const { return this->Culling; }
 
+  // Whether a surface has highlights.
+  bool HasHighlights() const { return this->Highlights; }
+
   // Whether a visible surface casts no shadow.
   bool HasMereReceivers() const { return this->MereReceivers; }
 
@@ -125,6 +128,7 @@ private:
   std::vector<vtkProp*> Seen; // of Spliced
   std::set<vtkProp*> Mixed;   // of Spliced: assemblies in which only the meshes cast
   bool MereReceivers = false;
+  bool Highlights = false;
   bool Attenuates = false;
   bool TranslucentCasters = false;
   std::vector<Caster> Casters;

@@ -35,6 +35,7 @@ struct vtkRelievoShadowStructure
   bool Traced = false;       // whether rays decide, after the maps
   bool Colored = false;      // whether transmitted light has the surfaces' colours
   bool WideFilter = false;   // of a radius above 1
+  bool Highlights = true;    // whether a surface has any
   int Numbers = 0;           // lights of the renderer
   int Parts = 0;             // of soft lights
   bool Unlit = false;        // visibility is needed even if no light is computed
@@ -55,8 +56,9 @@ struct vtkRelievoShadowStructure
   {
     return this->Lights == other.Lights && this->Method == other.Method &&
       this->Maps == other.Maps && this->Traced == other.Traced && this->Colored == other.Colored &&
-      this->WideFilter == other.WideFilter && this->Numbers == other.Numbers &&
-      this->Parts == other.Parts && this->Unlit == other.Unlit && this->Found == other.Found;
+      this->WideFilter == other.WideFilter && this->Highlights == other.Highlights &&
+      this->Numbers == other.Numbers && this->Parts == other.Parts && this->Unlit == other.Unlit &&
+      this->Found == other.Found;
   }
 };
 

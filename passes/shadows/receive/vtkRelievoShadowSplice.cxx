@@ -4,6 +4,7 @@
 
 #include "vtkActor.h"
 #include "vtkMapper.h"
+#include "vtkProperty.h"
 #include "vtkRelievoAccess.h"
 #include "vtkRelievoShaderLibrary.h"
 #include "vtkRelievoShadowCatcher.h"
@@ -68,6 +69,32 @@ void SpareLights(std::string& vertex)
     vertex.insert(end, Lens("Impl"));
     MarkBehind(vertex, mark, Lens("Keep"));
     MarkBehind(vertex, VertexDec, Lens("Dec"));
+  }
+}
+
+// A section's text as part of a line.
+std::string Line(const char* section)
+{
+  std::string text = Section(section);
+  text.erase(text.find_last_not_of('\n') + 1);
+  return text;
+}
+
+// Leaves VTK's highlights out, unless a user's replacement or the back faces give them a strength.
+void LeaveHighlights(std::string& fragment)
+{
+  const std::string set = Line("SpecularOfVTK");
+  const std::string begin = Line("HighlightOfVTK");
+  const std::string none = Line("NoHighlight");
+  const std::string anySet = set.substr(0, set.find('=') + 1);
+  if (!Has(fragment, set) || fragment.find(anySet) != fragment.rfind(anySet))
+  {
+    return;
+  }
+  for (std::size_t from = fragment.find(begin); from != std::string::npos;
+       from = fragment.find(begin, from))
+  {
+    fragment.replace(from, fragment.find(';', from) - from, none);
   }
 }
 
@@ -186,8 +213,7 @@ std::string vtkRelievoShadowSplice::Fill(std::string& vertex, std::string& geome
   {
     FillWord(normal, "RELIEVO_IMPOSTOR_NORMAL", "normalVCVSOutput");
   }
-  std::string bulge = Section("BulgeOfVTK"); // of spheres and tubes
-  bulge.erase(bulge.find_last_not_of('\n') + 1);
+  const std::string bulge = Line("BulgeOfVTK"); // of spheres and tubes
   vtkShaderProgram::Substitute(fragment, bulge, bulge + "\n" + Section("BulgeDec"), false);
   FillMark(fragment, Extensions, Section("Extensions") + GetContract());
   const auto ofMethod = [&](const char* section) {
@@ -206,6 +232,11 @@ std::string vtkRelievoShadowSplice::Fill(std::string& vertex, std::string& geome
     ? ofMethod("PlaceImpl") + ofMethod(traced ? "TraceImpl" : "FoundImpl")
     : std::string();
   FillMark(fragment, Impl, normal + visibility + trace + colors);
+  // Shaders are not built again for an actor's other property, but they are for another structure.
+  if (!structure.Highlights && actor->GetProperty()->GetSpecular() == 0.0)
+  {
+    LeaveHighlights(fragment);
+  }
   if (vtkRelievoShadowCatcher::Is(actor))
   {
     Compare(fragment, unshadowed);

@@ -16,6 +16,9 @@
 
 namespace
 {
+// Of a part's ray through a map.
+constexpr float MostSteps = 12.f;
+
 // Sets the uniforms that are constant for a program in a frame.
 void SetFrame(vtkShaderProgram* program, const vtkRelievoShadowContext& work,
   const vtkRelievoShadowMethod& method, double strength)
@@ -65,6 +68,7 @@ void SetFrame(vtkShaderProgram* program, const vtkRelievoShadowContext& work,
     program->SetUniform3fv("relievoShadowRays", static_cast<int>(rays.size()),
       reinterpret_cast<const float(*)[3]>(rays.data()));
     program->SetUniform2f("relievoShadowPartStep", &work.PartStep.x);
+    program->SetUniformf("relievoShadowSteps", MostSteps);
   }
 }
 
