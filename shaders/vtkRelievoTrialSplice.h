@@ -13,7 +13,10 @@
 #include "vtkOpenGLShaderProperty.h"
 #include "vtkShader.h"
 #include "vtkShaderProgram.h"
+#include "vtkWeakPointer.h"
 
+#include <algorithm>
+#include <array>
 #include <map>
 #include <string>
 
@@ -40,6 +43,44 @@ struct Outcome
   }
 };
 
+// The last texts that compiled in this thread's window: those of many objects are equal, and VTK
+// would compute the checksum of each again.
+class Compiled
+{
+public:
+  using Texts = std::array<std::string, 3>;
+
+  static bool Has(vtkOpenGLRenderWindow* window, const Texts& texts)
+  {
+    const Compiled& last = Get();
+    return last.Window == window &&
+      std::find(last.Last.begin(), last.Last.end(), texts) != last.Last.end();
+  }
+
+  static void Add(vtkOpenGLRenderWindow* window, const Texts& texts)
+  {
+    Compiled& last = Get();
+    if (last.Window != window)
+    {
+      last = Compiled();
+      last.Window = window;
+    }
+    last.Last[last.Next] = texts;
+    last.Next = (last.Next + 1) % last.Last.size();
+  }
+
+private:
+  static Compiled& Get()
+  {
+    thread_local Compiled last;
+    return last;
+  }
+
+  vtkWeakPointer<vtkOpenGLRenderWindow> Window;
+  std::array<Texts, 8> Last;
+  std::size_t Next = 0;
+};
+
 // Returns an error message, or an empty string if OpenGL accepts the shaders. The user's
 // replacements, which VTK makes last, are included in the trial. The program stays in the window's
 // cache, where VTK finds it if the shaders do not change any more.
@@ -60,6 +101,11 @@ inline std::string Compile(vtkOpenGLRenderWindow* window, vtkShaderProperty* pro
       }
     }
   }
+  const Compiled::Texts texts = { vertex, geometry, fragment };
+  if (Compiled::Has(window, texts))
+  {
+    return std::string();
+  }
   vtkNew<vtkShader> shaders[3];
   std::map<vtkShader::Type, vtkShader*> byType;
   auto add = [&](vtkShader* shader, vtkShader::Type type, const std::string& source) {
@@ -77,6 +123,7 @@ inline std::string Compile(vtkOpenGLRenderWindow* window, vtkShaderProperty* pro
   vtkObject::SetGlobalWarningDisplay(display);
   if (compiles)
   {
+    Compiled::Add(window, texts);
     return std::string();
   }
   for (const auto& shader : shaders)

@@ -54,6 +54,34 @@ double Cross(const glm::dvec2& a, const glm::dvec2& b)
 {
   return a.x * b.y - a.y * b.x;
 }
+
+// Leaves out points that are clearly inside the octagon of the outermost ones in eight directions
+// (S. G. Akl and G. T. Toussaint, A Fast Convex Hull Algorithm, 1978).
+void LeaveOutInner(std::vector<glm::dvec2>& points)
+{
+  static const glm::dvec2 directions[8] = { { 1., 0. }, { 1., 1. }, { 0., 1. }, { -1., 1. },
+    { -1., 0. }, { -1., -1. }, { 0., -1. }, { 1., -1. } };
+  glm::dvec2 outer[8]; // counterclockwise
+  for (int i = 0; i < 8; ++i)
+  {
+    outer[i] = *std::max_element(
+      points.begin(), points.end(), [&](const glm::dvec2& one, const glm::dvec2& other) {
+        return glm::dot(directions[i], one) < glm::dot(directions[i], other);
+      });
+  }
+  const glm::dvec2 size(outer[0].x - outer[4].x, outer[2].y - outer[6].y);
+  const double margin = 1e-9 * glm::dot(size, size);
+  const auto isInner = [&](const glm::dvec2& point) {
+    bool inner = size.x > 0. && size.y > 0.;
+    for (int i = 0; inner && i < 8; ++i)
+    {
+      const glm::dvec2 along = outer[(i + 1) % 8] - outer[i];
+      inner = along == glm::dvec2(0.) || Cross(along, point - outer[i]) > margin;
+    }
+    return inner;
+  };
+  points.erase(std::remove_if(points.begin(), points.end(), isInner), points.end());
+}
 }
 
 //------------------------------------------------------------------------------
@@ -180,6 +208,11 @@ vtkRelievoShadowRegion::Rectangle vtkRelievoShadowRegion::EncloseAt(
 // By Andrew's monotone chain (1979).
 std::vector<glm::dvec2> vtkRelievoShadowRegion::GetHull(std::vector<glm::dvec2> points)
 {
+  constexpr std::size_t many = 64;
+  if (points.size() > many)
+  {
+    LeaveOutInner(points);
+  }
   std::sort(points.begin(), points.end(), [](const glm::dvec2& a, const glm::dvec2& b) {
     return a.x < b.x || (a.x == b.x && a.y < b.y);
   });
