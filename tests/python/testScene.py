@@ -17,8 +17,14 @@ import warnings
 
 import numpy
 import relievo
+from relievo.vtkRelievoScene import vtkRelievoScene
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkPoints, vtkUnsignedCharArray
+from vtkmodules.vtkCommonCore import (
+    vtkOutputWindow,
+    vtkPoints,
+    vtkStringArray,
+    vtkUnsignedCharArray,
+)
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkImageData, vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkTriangleFilter
 from vtkmodules.vtkIOGeometry import vtkSTLReader
@@ -170,6 +176,16 @@ class Scene(unittest.TestCase):
             (bar,) = [prop for prop in props if isinstance(prop, vtkScalarBarActor)]
             labels = vtk_to_numpy(bar.GetCustomLabels())
             numpy.testing.assert_allclose(labels, [ends[0], *inner, ends[1]], rtol=1e-12)
+
+    def test_files_of_actors(self):
+        files = [str(self.folder / f"{i}.vtk") for i in range(3)]
+        words = vtkStringArray()
+        for file in files:
+            pathlib.Path(file).write_text(MESH)
+            words.InsertNextValue(file)
+        scene = vtkRelievoScene()
+        self.assertTrue(scene.SetWords(words) and scene.Update())
+        self.assertEqual([scene.GetFileOf(actor) for actor in range(-1, 4)], ["", *files, ""])
 
     def test_suns_right_above_and_below(self):
         for elevation in (90, -90):
