@@ -147,10 +147,15 @@ void TestLook()
   const auto reader = Read(*scene, "look");
   reader->SetFirstBone(true);
   reader->SetWeightsOf("arm");
+  reader->UpdateTimeStep(0.5);
+  auto* skeleton = vtkPolyData::SafeDownCast(reader->GetOutputDataObject(1));
+  RELIEVO_CHECK(skeleton->GetNumberOfPoints() == 3); // its lines have no colours of axes
+  RELIEVO_CHECK(!skeleton->GetCellData()->HasArray("axis"));
+  RELIEVO_CHECK(!skeleton->GetCellData()->GetScalars());
   reader->SetSkeletonAxes(true);
   reader->SetAxisLength(0.5);
   reader->UpdateTimeStep(0.5);
-  auto* skeleton = vtkPolyData::SafeDownCast(reader->GetOutputDataObject(1));
+  skeleton = vtkPolyData::SafeDownCast(reader->GetOutputDataObject(1));
   // Nodes root, body, arm; then the ends of arm's axes, turned by 45 degrees.
   if (RELIEVO_CHECK(skeleton->GetNumberOfPoints() == 6 && skeleton->GetNumberOfLines() == 3))
   {

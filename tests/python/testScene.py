@@ -18,11 +18,12 @@ import warnings
 
 import numpy
 import relievo
-from relievo.vtkRelievoScene import vtkRelievoBaseline
+from relievo.vtkRelievoScene import vtkRelievoBaseline, vtkRelievoScene
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import (
     vtkOutputWindow,
     vtkPoints,
+    vtkStringArray,
     vtkStringOutputWindow,
     vtkUnsignedCharArray,
 )
@@ -32,6 +33,7 @@ from vtkmodules.vtkIOGeometry import vtkSTLReader
 from vtkmodules.vtkIOImage import vtkPNGReader, vtkPNGWriter
 from vtkmodules.vtkIOLegacy import vtkPolyDataReader
 from vtkmodules.vtkIOXML import vtkXMLImageDataWriter, vtkXMLPolyDataWriter
+from vtkmodules.vtkRenderingAnnotation import vtkScalarBarActor
 from vtkmodules.vtkRenderingCore import (
     vtkActor,
     vtkPolyDataMapper,
@@ -160,6 +162,40 @@ class Scene(unittest.TestCase):
             scene.set(**{**dict.fromkeys(before), **look, **ways[i]})
             before = ways[i]
             self.assertEqual(self.picture(scene), fresh[i], ways[i])
+
+    def test_labels_of_logarithms(self):
+        """The ends of the range, and the powers of ten farther than 6 % of the bar from them."""
+        for ends, inner in (((0.9, 1000), (10, 100)), ((2, 900), (10, 100)), ((1, 11), ())):
+            scene = relievo.scene(
+                self.mesh,
+                color_by="height",
+                range=ends,
+                colormap="grey:log",
+                scalar_bar=True,
+            )
+            props = scene.renderer.GetViewProps()
+            props = [props.GetItemAsObject(i) for i in range(props.GetNumberOfItems())]
+            (bar,) = [prop for prop in props if isinstance(prop, vtkScalarBarActor)]
+            labels = vtk_to_numpy(bar.GetCustomLabels())
+            numpy.testing.assert_allclose(labels, [ends[0], *inner, ends[1]], rtol=1e-12)
+
+    def test_files_of_actors(self):
+        files = [str(self.folder / f"{i}.vtk") for i in range(3)]
+        words = vtkStringArray()
+        for file in files:
+            pathlib.Path(file).write_text(MESH)
+            words.InsertNextValue(file)
+        scene = vtkRelievoScene()
+        self.assertTrue(scene.SetWords(words) and scene.Update())
+        self.assertEqual([scene.GetFileOf(actor) for actor in range(-1, 4)], ["", *files, ""])
+
+    def test_suns_right_above_and_below(self):
+        for elevation in (90, -90):
+            scene = relievo.scene(self.mesh, light=f"sun:30,{elevation}")
+            light = scene.renderer.GetLights().GetItemAsObject(0)
+            towards = numpy.subtract(light.GetPosition(), light.GetFocalPoint())
+            towards /= numpy.linalg.norm(towards)
+            numpy.testing.assert_allclose(towards, [0, elevation / 90, 0], atol=1e-9)
 
     def test_after_a_sequence(self):
         """A sequence's movements are undone at its end; a script's angle and size do not stay."""

@@ -10,7 +10,9 @@
 #include "TestCase.h"
 #include "vtkRelievoSurfaceParticles.h"
 
+#include <vtkCellArray.h>
 #include <vtkDoubleArray.h>
+#include <vtkIdList.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
@@ -61,6 +63,14 @@ void TestThin()
   filter->SetResolution(500);
   const Places places = PlacesAt(filter, 0.);
   RELIEVO_CHECK(places.size() == 4000);
+  vtkCellArray* vertices = filter->GetOutput()->GetVerts();
+  RELIEVO_CHECK(vertices->GetNumberOfCells() == 4000); // one for each particle
+  vtkNew<vtkIdList> points;
+  for (vtkIdType i = 0; i < vertices->GetNumberOfCells(); ++i)
+  {
+    vertices->GetCellAtId(i, points);
+    RELIEVO_CHECK(points->GetNumberOfIds() == 1 && points->GetId(0) == i);
+  }
   double squares = 0.;
   double farthest = 0.;
   int counts[8] = {};
