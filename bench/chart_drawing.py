@@ -130,6 +130,11 @@ METHODS = {
     # other viewers
     "Relievo": "blue o -", "Relievo, PBR": "green D -", "Relievo, studio": "vermillion s -",
     "F3D": "grey x --",
+    # comparisons of pictures
+    "Relievo, baselines": "blue o -", "Relievo, layers": "green D --",
+    "Relievo, pictures": "sky s -.", "vtkImageDifference": "grey x --",
+    "SSIM, scikit-image": "purple ^ - SSIM", "FLIP": "orange v -", "pixelmatch": "vermillion s -.",
+    "idiff": "black + -",
     "Relievo, none": "blue o -", "VTK": "grey v -.", "VTK, normals": "grey ^ :",
 }  # fmt: skip
 

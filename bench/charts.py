@@ -231,6 +231,20 @@ def studio(rows):
             methods=("at once", "one by one")), columns=2)  # fmt: skip
 
 
+@bench("compare.csv")
+def compare(rows):
+    """Faults found by comparisons of pictures against false alarms, by bench/compare.py."""
+    shown = sorted((row for row in rows if row["role"] != "best"),
+                   key=lambda row: (number(row, "false alarms %"), number(row, "detected %")))
+    yield Chart(
+        "compare", "Comparisons: visible faults that are detected against false alarms",
+        "Each curve: all limits of a method. Ring: its recommended limit. Further left and up is "
+        "better.",
+        Axis("false alarms, % of changes without a fault"), Axis("detected, % of visible faults"),
+        panels(shown, "false alarms %", "detected %", panel=None,
+               default=lambda row: row["role"] == "recommended"))  # fmt: skip
+
+
 @bench("scale.csv")
 def scale(rows):
     """Time and memory of whole commands by the size of the scene, by bench/scale.py."""

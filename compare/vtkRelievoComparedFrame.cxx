@@ -164,8 +164,10 @@ bool TakeObject(const std::string& text, Object& object)
   object.Cells = TakeText(json, "cells");
   object.Visible = TakeFlag(json, "visible", true);
   object.Translucent = TakeFlag(json, "translucent", false);
-  const auto settings = json.find("settings");
-  object.Settings = settings == json.end() ? Json::object() : *settings;
+  object.HasNormalMap = TakeFlag(json, "normal_map", false);
+  object.Settings = json.value("settings", Json::object());
+  object.Color = json.value("color", Json());
+  object.Clipping = json.value("clipping", Json());
   return true;
 }
 
@@ -299,6 +301,7 @@ std::string Frame::ReadRecord(vtkImageData* image)
       ", expected at least 1; write the baseline again";
   }
   this->HasRecord = true;
+  this->HasVolumes = version >= 2.0;
   for (const std::string& text : GetStrings(image, "objects"))
   {
     Object object;
@@ -316,6 +319,18 @@ std::string Frame::ReadRecord(vtkImageData* image)
       return "shows actor " + std::to_string(actor) + ", but its record has " +
         std::to_string(this->Objects.size()) + " objects; write the baseline again";
     }
+  }
+  for (const std::string& text : GetStrings(image, "volumes"))
+  {
+    Volume volume;
+    const Json json = Json::parse(text, nullptr, false);
+    if (json.is_object())
+    {
+      TakeNumbers(json, "bounds", volume.Bounds);
+      volume.Values = json;
+      volume.Values.erase("bounds");
+    }
+    this->Volumes.push_back(volume);
   }
   for (const std::string& text : GetStrings(image, "overlays"))
   {

@@ -18,7 +18,7 @@ class vtkImageData;
 namespace relievo::compare
 {
 // The newest format of records, which is also written; older formats lack entries.
-constexpr int RecordVersion = 1;
+constexpr int RecordVersion = 2;
 
 // An actor, as recorded. Without a record only the number of objects is known, from the largest
 // visible id.
@@ -33,6 +33,15 @@ struct Object
   std::array<double, 9> Spread{};                            // the covariance of the mesh's points
   std::array<double, 6> Bounds{ 1., -1., 1., -1., 1., -1. }; // in world coordinates
   nlohmann::json Settings;                                   // the values of its vtkProperty
+  nlohmann::json Color;                                      // null: coloured by an array, unknown
+  nlohmann::json Clipping; // origin and normal of each plane; null: unknown
+  bool HasNormalMap = false;
+};
+
+struct Volume
+{
+  std::array<double, 6> Bounds{ 1., -1., 1., -1., 1., -1. }; // in world coordinates
+  nlohmann::json Values = nlohmann::json::object();          // place, data, properties
 };
 
 struct Light
@@ -67,9 +76,11 @@ public:
   std::map<std::string, Layer> Stages;              // light, fog, ambient, marker, blend
 
   bool HasRecord = false;
+  bool HasVolumes = false; // whether the record lists volumes
   bool HasLights = false;
   std::vector<Object> Objects;
   std::vector<Light> Lights;
+  std::vector<Volume> Volumes;
   std::vector<nlohmann::json> Overlays;
   std::map<std::string, std::string> Settings;
   std::vector<std::string> Versions;

@@ -10,6 +10,7 @@
 #include <functional>
 #include <limits>
 #include <map>
+#include <set>
 #include <tuple>
 
 namespace relievo::compare
@@ -79,6 +80,19 @@ bool IsSpreadAlike(const Object& a, const Object& b)
   return isAlike;
 }
 
+// The shared part of two boxes, as a fraction of the larger one's size in each direction.
+double GetSharedBox(const std::array<double, 6>& a, const std::array<double, 6>& b)
+{
+  double shared = 1.0;
+  for (std::size_t i = 0; i < 6; i += 2)
+  {
+    const double both = std::min(a[i + 1], b[i + 1]) - std::max(a[i], b[i]);
+    const double most = std::max(a[i + 1] - a[i], b[i + 1] - b[i]);
+    shared *= both < 0.0 ? 0.0 : most > 0.0 ? both / most : 1.0;
+  }
+  return shared;
+}
+
 std::array<double, 16> Translation(const Vector& t)
 {
   return { 1., 0., 0., t[0], 0., 1., 0., t[1], 0., 0., 1., t[2], 0., 0., 0., 1. };
@@ -114,6 +128,7 @@ ObjectChanges::ObjectChanges(
   if (before.HasRecord && after.HasRecord)
   {
     this->MatchByRecord();
+    this->MatchByBounds();
     this->ChangeByRecord();
   }
   else if (!before.Actor.empty() && !after.Actor.empty())
@@ -165,8 +180,8 @@ void ObjectChanges::MatchByRecord()
     return text;
   };
   const auto mesh = [](const Object& o) { return o.Points + " " + o.Cells; };
-  // The last two keys are for pairs with an unnamed object, which may have moved: equal meshes with
-  // different names in different places are different objects.
+  // The last three keys are for pairs with an unnamed object, which may have moved: equal meshes
+  // with different names in different places are different objects.
   const std::pair<Text, bool> keys[] = { { [&](const Object& o) {
                                             return o.Name.empty()
                                               ? ""
@@ -176,7 +191,8 @@ void ObjectChanges::MatchByRecord()
     { [&](const Object& o) { return o.Name.empty() ? "" : o.Name + "\n" + mesh(o); }, true },
     { [](const Object& o) { return o.Name; }, true },
     { [&](const Object& o) { return mesh(o) + "\n" + place(o); }, true }, { mesh, false },
-    { [](const Object& o) { return o.Cells; }, false } };
+    { [](const Object& o) { return o.Cells; }, false },
+    { [](const Object& o) { return o.Points; }, false } };
   for (const auto& [key, takesNames] : keys)
   {
     std::map<std::string, std::pair<std::vector<int>, std::vector<int>>> groups;
@@ -226,6 +242,50 @@ void ObjectChanges::MatchByRecord()
           this->Pair(a, b);
         }
       }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+// Matches unnamed objects whose meshes have changed, if their boxes overlap by more than half.
+void ObjectChanges::MatchByBounds()
+{
+  std::vector<int> left[2];
+  for (std::size_t side = 0; side < 2; ++side)
+  {
+    const std::vector<int>& matches = side == 0 ? this->After : this->Before;
+    for (std::size_t i = 0; i < matches.size(); ++i)
+    {
+      if (matches[i] < 0)
+      {
+        left[side].push_back(static_cast<int>(i));
+      }
+    }
+  }
+  if (left[0].size() * left[1].size() > MostPairs)
+  {
+    return;
+  }
+  std::vector<std::tuple<double, int, int>> pairs;
+  for (const int a : left[0])
+  {
+    const Object& from = this->A.Objects[static_cast<std::size_t>(a)];
+    for (const int b : left[1])
+    {
+      const Object& to = this->B.Objects[static_cast<std::size_t>(b)];
+      const double shared = GetSharedBox(from.Bounds, to.Bounds);
+      if (shared > 0.5 && (from.Name.empty() || to.Name.empty()))
+      {
+        pairs.emplace_back(-shared, a, b);
+      }
+    }
+  }
+  std::sort(pairs.begin(), pairs.end());
+  for (const auto& [shared, a, b] : pairs)
+  {
+    if (this->GetAfter(a) < 0 && this->GetBefore(b) < 0)
+    {
+      this->Pair(a, b);
     }
   }
 }
@@ -299,21 +359,38 @@ void ObjectChanges::AddMove(
 //------------------------------------------------------------------------------
 void ObjectChanges::CompareSettings(int before, int after)
 {
-  const nlohmann::json& a = this->A.Objects[static_cast<std::size_t>(before)].Settings;
-  const nlohmann::json& b = this->B.Objects[static_cast<std::size_t>(after)].Settings;
-  std::string names;
-  for (const auto& [name, value] : a.items())
+  static const std::set<std::string> coverage = { "representation", "opacity", "edges",
+    "line_width", "point_size", "frontface_culling", "backface_culling" };
+  const Object& from = this->A.Objects[static_cast<std::size_t>(before)];
+  const Object& to = this->B.Objects[static_cast<std::size_t>(after)];
+  Change* changes[2] = { &this->BeforeChanges[static_cast<std::size_t>(before)],
+    &this->AfterChanges[static_cast<std::size_t>(after)] };
+  if (!from.Color.is_null() && !to.Color.is_null() && from.Color != to.Color)
   {
-    const auto found = b.find(name);
-    names += found != b.end() && *found == value ? "" : (names.empty() ? "" : ", ") + name;
+    changes[0]->Color = changes[1]->Color =
+      this->List.Find(Cause::Color, "actor", this->GetName(before), before);
+  }
+  std::string names;
+  bool affectsCoverage = false;
+  for (const auto& [name, value] : from.Settings.items())
+  {
+    const auto found = to.Settings.find(name);
+    if (found == to.Settings.end() || *found != value)
+    {
+      names += (names.empty() ? "" : ", ") + name;
+      affectsCoverage = affectsCoverage || coverage.count(name) != 0;
+    }
   }
   if (!names.empty())
   {
     const int place = this->List.Find(Cause::Settings, "actor", this->GetName(before), before);
     this->List.At(place).Words = "settings: " + names;
     this->List.At(place).More["settings"] = names;
-    this->BeforeChanges[static_cast<std::size_t>(before)].Settings = place;
-    this->AfterChanges[static_cast<std::size_t>(after)].Settings = place;
+    for (Change* change : changes)
+    {
+      change->Settings = place;
+      change->Coverage = affectsCoverage ? place : -1;
+    }
   }
 }
 
@@ -348,6 +425,10 @@ void ObjectChanges::ChangeByRecord()
         vtkMatrix4x4::Invert(from.Matrix.data(), back.data());
         vtkMatrix4x4::Multiply4x4(to.Matrix.data(), back.data(), transform.data());
         this->AddMove(a, transform, Minus(to.Center, from.Center));
+      }
+      else if (!from.Clipping.is_null() && !to.Clipping.is_null() && from.Clipping != to.Clipping)
+      {
+        this->AddChange(a, b, Cause::Visibility, "visibility: clipping planes");
       }
     }
     else

@@ -24,6 +24,8 @@ struct Change
   bool IsSame = true;
   int Finding = -1;  // index of the change in the list
   int Settings = -1; // index of a changed vtkProperty in the list
+  int Coverage = -1; // equal to Settings, if these affect which pixels the object covers
+  int Color = -1;    // index of a changed colour in the list
 
   // The region that a changed object may cover if it appears in no layer.
   bool IsTranslucent = false;
@@ -87,6 +89,7 @@ private:
     int object, const std::array<double, 16>& transform, const std::array<double, 3>& displacement);
   void AddChange(int before, int after, Cause cause, const std::string& words);
   void CompareSettings(int before, int after);
+  void MatchByBounds();
 
   // The translation between the visible parts of an object in the two frames, by least squares over
   // its cells: exact along the normals of planes, and accurate to about a pixel from the centres of

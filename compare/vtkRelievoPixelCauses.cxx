@@ -20,6 +20,15 @@ constexpr std::size_t MostCells = 100;
 // The angle between normals, in degrees, from which they belong to two faces.
 constexpr double CreaseAngle = 20.0;
 
+// The setting with the number of samples per pixel.
+const std::string Multisamples = "multisamples";
+
+int GetSamples(const Frame& frame)
+{
+  const auto found = frame.Settings.find(Multisamples);
+  return found == frame.Settings.end() ? -1 : std::atoi(found->second.c_str());
+}
+
 bool IsEqual(float a, float b)
 {
   return a == b || (std::isnan(a) && std::isnan(b));
@@ -51,20 +60,31 @@ PixelCauses::PixelCauses(const Frame& before, const Frame& after, const Limits& 
   , List(list)
   , Causes(before.Pixels, Alike)
 {
+  const int samples[2] = { GetSamples(before), GetSamples(after) };
+  if (samples[0] >= 0 && samples[1] >= 0 && samples[0] != samples[1])
+  {
+    this->Smoother = samples[0] > samples[1] ? &this->A : &this->B;
+  }
   this->PairLights();
   this->CompareSettings();
   this->PairLayers();
   this->ProjectTranslucent();
-  this->BorderStep = this->FindBorderStep();
+  this->CompareVolumes();
+  this->BorderStep = this->FindStep("shadows:soft_samples");
+  this->AmbientStep = this->FindStep("ambient:samples");
   for (std::size_t i = 0; i < before.Pixels; ++i)
   {
     if (this->IsEqualInAll(i))
     {
       continue;
     }
-    this->IsDifferent = false;
+    this->IsDifferent = this->IsLoose = false;
     const int cause = this->JudgeLayers(i);
-    const int picture = this->JudgePicture(i);
+    int picture = this->JudgePicture(i);
+    if (picture == Pending && this->IsLoose && this->IsBetweenNeighbours(i))
+    {
+      picture = WithinRounding;
+    }
     this->Causes[i] = cause != Alike ? cause
       : picture != Alike             ? picture
       : this->IsDifferent            ? WithinRounding
@@ -194,21 +214,23 @@ void PixelCauses::ForNeighbours(std::size_t pixel, Visit visit) const
 template <typename Value>
 bool PixelCauses::IsBetween(std::size_t pixel, double limit, Value value) const
 {
-  for (const auto& [own, other] : { std::pair(&this->A, &this->B), std::pair(&this->B, &this->A) })
-  {
-    double least = std::numeric_limits<double>::infinity();
-    double most = -least;
-    this->ForNeighbours(pixel, [&, frame = other](std::size_t near) {
-      least = std::min(least, double(value(*frame, near)));
-      most = std::max(most, double(value(*frame, near)));
-    });
-    const double here = value(*own, pixel);
-    if (!(here >= least - limit && here <= most + limit))
-    {
-      return false;
-    }
-  }
-  return true;
+  return this->IsBetween(this->A, this->B, pixel, limit, value) &&
+    this->IsBetween(this->B, this->A, pixel, limit, value);
+}
+
+//------------------------------------------------------------------------------
+template <typename Value>
+bool PixelCauses::IsBetween(
+  const Frame& own, const Frame& other, std::size_t pixel, double limit, Value value) const
+{
+  double least = std::numeric_limits<double>::infinity();
+  double most = -least;
+  this->ForNeighbours(pixel, [&](std::size_t near) {
+    least = std::min(least, double(value(other, near)));
+    most = std::max(most, double(value(other, near)));
+  });
+  const double here = value(own, pixel);
+  return here >= least - limit && here <= most + limit;
 }
 
 //------------------------------------------------------------------------------
@@ -332,6 +354,10 @@ void PixelCauses::CompareSettings()
   all.insert(this->B.Settings.begin(), this->B.Settings.end());
   for (const auto& [name, value] : all)
   {
+    if (name == Multisamples)
+    {
+      continue; // innocent
+    }
     const auto valueIn = [&name = name](const std::map<std::string, std::string>& settings) {
       const auto found = settings.find(name);
       return found == settings.end() ? std::string("not set") : found->second;
@@ -420,17 +446,16 @@ int PixelCauses::JudgeLayers(std::size_t pixel)
 }
 
 //------------------------------------------------------------------------------
-// The tolerance at shadow borders: if the records are equal, only rounding changes shadows, and
-// values stay between the neighbours' values, in soft shadows to within one of the averaged
-// samples.
-std::optional<double> PixelCauses::FindBorderStep() const
+// The tolerance for shares of samples: if the records are equal, only rounding changes them, and
+// values stay between the neighbours' values, to within one of the averaged samples.
+std::optional<double> PixelCauses::FindStep(const std::string& samples) const
 {
   const bool isSame = this->A.HasRecord && this->B.HasRecord && !this->Objects.AnyChanged() &&
     this->Settings < 0 && this->Tone < 0 &&
     std::all_of(this->Lights.begin(), this->Lights.end(),
       [](const LightPair& pair) { return pair.Finding < 0; });
-  const auto samples = this->A.Settings.find("shadows:soft_samples");
-  const int count = samples == this->A.Settings.end() ? 0 : std::atoi(samples->second.c_str());
+  const auto setting = this->A.Settings.find(samples);
+  const int count = setting == this->A.Settings.end() ? 0 : std::atoi(setting->second.c_str());
   const double step = count > 1 ? 1.001 / count : 0.0;
   return isSame ? std::optional<double>(step) : std::nullopt;
 }
@@ -472,9 +497,9 @@ int PixelCauses::JudgeGeometry(std::size_t pixel, int a, int b)
   const bool isGone = b < 0 || (a >= 0 && !(after < before));
   for (const Change* change : { isGone ? &gone : &come, isGone ? &come : &gone })
   {
-    if (!change->IsSame)
+    if (!change->IsSame || change->Coverage >= 0)
     {
-      return change->Finding;
+      return change->IsSame ? change->Coverage : change->Finding;
     }
   }
   const int own = this->Objects.GetBefore(b); // its number in the frame before
@@ -490,6 +515,19 @@ int PixelCauses::JudgeGeometry(std::size_t pixel, int a, int b)
     return WithinEdge;
   }
   return this->NameActor(Cause::Visibility, isGone || own < 0 ? a : own);
+}
+
+//------------------------------------------------------------------------------
+// The tolerance for normals of an object of the frame before. The three components of a texel in a
+// normal map are colours.
+double PixelCauses::GetMostAngle(int a) const
+{
+  const auto object = static_cast<std::size_t>(a);
+  const bool isMapped =
+    a >= 0 && object < this->A.Objects.size() && this->A.Objects[object].HasNormalMap;
+  const double ofTexels =
+    vtkMath::DegreesFromRadians(std::sqrt(3.0) * this->Bounds.ColorLevels / 127.5);
+  return isMapped ? std::max(ofTexels, this->Bounds.NormalAngle) : this->Bounds.NormalAngle;
 }
 
 //------------------------------------------------------------------------------
@@ -536,15 +574,16 @@ int PixelCauses::JudgeSurface(std::size_t pixel, int a, bool sameCell)
   const Change& change = this->Objects.OfBefore(a);
   const bool isElsewhere = ObjectChanges::DiffersInDepth(this->A, this->B, pixel, this->Bounds);
   const double angle = sameCell ? this->GetAngle(pixel) : 0.0;
-  const bool isTurned = angle > this->Bounds.NormalAngle;
+  const bool isTurned = angle > this->GetMostAngle(a);
   this->IsDifferent = this->IsDifferent || angle > 0.0;
-  const bool isTie = !sameCell && change.IsSame && this->IsTie(pixel);
+  this->IsLoose = this->IsLoose || (angle > this->Bounds.NormalAngle && !isTurned);
+  const bool isTie = !sameCell && change.IsSame && change.Coverage < 0 && this->IsTie(pixel);
   if ((isElsewhere && !isTie) || (!sameCell && !isTie) || (isTurned && !change.IsSame))
   {
     int place = change.Finding;
     if (change.IsSame)
     {
-      place = this->NameActor(Cause::Shape, a);
+      place = change.Coverage >= 0 ? change.Coverage : this->NameActor(Cause::Shape, a);
     }
     if (this->List.At(place).Is == Cause::Shape && !this->A.Cell.empty())
     {
@@ -664,16 +703,38 @@ int PixelCauses::JudgeStages(std::size_t pixel)
   {
     const Layer* from = Find(this->A.Stages, name);
     const Layer* to = Find(this->B.Stages, name);
-    if (from && to)
+    if (!from || !to)
     {
-      this->IsDifferent = this->IsDifferent || this->DiffersInLayer(*from, *to, pixel, 0.0);
-      if (this->DiffersInLayer(*from, *to, pixel, this->Bounds.ColorLevels / 255.0))
+      continue;
+    }
+    this->IsDifferent = this->IsDifferent || this->DiffersInLayer(*from, *to, pixel, 0.0);
+    if (this->DiffersInLayer(*from, *to, pixel, this->Bounds.ColorLevels / 255.0))
+    {
+      const bool isSample = cause == Cause::Ambient && this->AmbientStep && from->Components == 1 &&
+        to->Components == 1 &&
+        this->IsBetween(
+          pixel, *this->AmbientStep, [&, a = from, b = to](const Frame& frame, std::size_t at) {
+            return (&frame == &this->A ? a : b)->Values[at];
+          });
+      if (!isSample)
       {
         return this->List.Find(cause, "picture");
       }
+      this->IsLoose = true;
     }
   }
   return Alike;
+}
+
+//------------------------------------------------------------------------------
+// The cause of a difference within the limits, which bright light can enlarge in the picture.
+int PixelCauses::JudgeWithinLimits(std::size_t pixel)
+{
+  const double levels = this->Bounds.ColorLevels;
+  this->Bounds.ColorLevels = 0.0;
+  const int cause = this->JudgeLayers(pixel);
+  this->Bounds.ColorLevels = levels;
+  return cause;
 }
 
 //------------------------------------------------------------------------------
@@ -744,8 +805,12 @@ bool PixelCauses::IsBetweenNeighbours(std::size_t pixel) const
 {
   for (int c = 0; c < this->CountLevels(); ++c)
   {
-    if (!this->IsBetween(pixel, this->Bounds.ColorLevels,
-          [c](const Frame& frame, std::size_t at) { return frame.Level(at, c); }))
+    const auto value = [c](const Frame& frame, std::size_t at) { return frame.Level(at, c); };
+    // Pixels of several samples are mixtures of the surfaces that other frames show unmixed.
+    if (!(this->Smoother
+            ? this->IsBetween(*this->Smoother, this->Smoother == &this->A ? this->B : this->A,
+                pixel, this->Bounds.ColorLevels, value)
+            : this->IsBetween(pixel, this->Bounds.ColorLevels, value)))
     {
       return false;
     }
@@ -766,6 +831,47 @@ void PixelCauses::ProjectTranslucent()
       if (changes[i].IsTranslucent)
       {
         this->Translucent[side].push_back({ i, this->ProjectBox(changes[i].Bounds) });
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+// Volumes appear in no layer: compares their records, by number, and projects the boxes of those
+// that differ.
+void PixelCauses::CompareVolumes()
+{
+  if (!this->A.HasVolumes || !this->B.HasVolumes)
+  {
+    return;
+  }
+  const std::size_t counts[2] = { this->A.Volumes.size(), this->B.Volumes.size() };
+  for (std::size_t i = 0; i < std::max(counts[0], counts[1]); ++i)
+  {
+    const Volume from = i < counts[0] ? this->A.Volumes[i] : Volume();
+    const Volume to = i < counts[1] ? this->B.Volumes[i] : Volume();
+    if (from.Values == to.Values)
+    {
+      continue;
+    }
+    std::string names;
+    for (const auto& [name, value] : from.Values.items())
+    {
+      const auto found = to.Values.find(name);
+      const bool isEqual = found != to.Values.end() && *found == value;
+      names += isEqual ? "" : (names.empty() ? "" : ", ") + name;
+    }
+    const int place = this->List.Find(Cause::Translucent, "volume", "", static_cast<int>(i));
+    this->List.At(place).Words = "translucent: " +
+      (i >= counts[0]      ? "added"
+          : i >= counts[1] ? "removed"
+                           : names);
+    for (const Volume* volume : { &from, &to })
+    {
+      if (volume->Bounds[0] <= volume->Bounds[1])
+      {
+        this->Volumes.push_back(
+          { static_cast<std::size_t>(place), this->ProjectBox(volume->Bounds) });
       }
     }
   }
@@ -822,13 +928,43 @@ int PixelCauses::Explain(std::size_t pixel)
       return pair.Finding;
     }
   }
-  if (this->Objects.OfBefore(actor).Settings >= 0)
+  const Change& own = this->Objects.OfBefore(actor);
+  for (const int found : { own.Color, own.Settings })
   {
-    return this->Objects.OfBefore(actor).Settings;
+    if (found >= 0)
+    {
+      return found;
+    }
   }
-  if (hasLayers && this->IsEdge(pixel) && this->IsBetweenNeighbours(pixel))
+  bool isEdge = hasLayers && this->IsEdge(pixel);
+  if ((isEdge || this->Smoother) && this->IsBetweenNeighbours(pixel))
   {
     return WithinEdge;
+  }
+  if (hasLayers && this->Smoother)
+  {
+    // With other numbers of samples, pixels near edges show surfaces that no pixel's centre shows,
+    // and pixels at borders of cells show cells whose values were extrapolated.
+    this->ForNeighbours(pixel, [&](std::size_t near) {
+      isEdge = isEdge || this->IsEdge(near) ||
+        (!this->A.Cell.empty() && this->A.Cell[near] != this->A.Cell[pixel]);
+    });
+    if (isEdge)
+    {
+      return WithinEdge;
+    }
+  }
+  const int layer = this->JudgeWithinLimits(pixel);
+  if (layer >= 0)
+  {
+    return layer;
+  }
+  for (const Cover& cover : this->Volumes)
+  {
+    if (this->Covers(cover, pixel))
+    {
+      return static_cast<int>(cover.Object);
+    }
   }
   for (std::size_t side = 0; side < 2; ++side)
   {
@@ -837,7 +973,9 @@ int PixelCauses::Explain(std::size_t pixel)
     for (const Cover& cover : this->Translucent[side])
     {
       const Change& change = changes[cover.Object];
-      const int found = change.IsSame ? change.Settings : change.Finding;
+      const int found = !change.IsSame ? change.Finding
+        : change.Color >= 0            ? change.Color
+                                       : change.Settings;
       if (found >= 0 && this->Covers(cover, pixel))
       {
         const Finding& of = this->List.Get()[static_cast<std::size_t>(found)];
@@ -859,6 +997,14 @@ int PixelCauses::Explain(std::size_t pixel)
     {
       return found;
     }
+  }
+  // Single samples of occlusion by a changed object, which the layer can show otherwise than the
+  // picture does.
+  const Layer* ambient = Find(this->A.Stages, "ambient");
+  if (ambient && ambient->Components == 1 && ambient->Values[pixel] < 1.f &&
+    this->Objects.AnyChanged())
+  {
+    return this->List.Find(Cause::Ambient, "picture");
   }
   return Unexplained;
 }

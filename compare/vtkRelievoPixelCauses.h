@@ -73,15 +73,18 @@ private:
   int JudgeLights(std::size_t pixel);
   int JudgeStages(std::size_t pixel);
   int JudgePicture(std::size_t pixel) const;
+  int JudgeWithinLimits(std::size_t pixel);
   int CountLevels() const; // components of a pixel, with alpha if both have it; 0: no picture
   int Explain(std::size_t pixel);
   int GetNeighbourCause(std::size_t pixel, const std::vector<int>& causes) const;
   bool IsEdge(std::size_t pixel) const;
   bool IsBetweenNeighbours(std::size_t pixel) const;
   bool IsTie(std::size_t pixel) const;
-  std::optional<double> FindBorderStep() const;
+  std::optional<double> FindStep(const std::string& samples) const;
   bool DiffersInLayer(const Layer& a, const Layer& b, std::size_t pixel, double limit) const;
   double GetAngle(std::size_t pixel) const;
+  double GetMostAngle(int a) const;
+  void CompareVolumes();
   void ProjectTranslucent();
   std::array<double, 4> ProjectBox(const std::array<double, 6>& bounds) const;
   bool Covers(const Cover& cover, std::size_t pixel) const;
@@ -95,20 +98,27 @@ private:
   // pixel.
   template <typename Value>
   bool IsBetween(std::size_t pixel, double limit, Value value) const;
+  template <typename Value>
+  bool IsBetween(
+    const Frame& own, const Frame& other, std::size_t pixel, double limit, Value value) const;
 
   const Frame& A;
   const Frame& B;
-  const Limits& Bounds;
+  Limits Bounds;
   const ObjectChanges& Objects;
   CauseList& List;
+  const Frame* Smoother = nullptr; // the frame with more samples per pixel
   std::vector<LightPair> Lights;
   std::vector<Values> Layers;
   std::vector<Cover> Translucent[2];          // objects of A and of B
+  std::vector<Cover> Volumes;                 // changed ones; Object is the finding
   bool HasOtherForms = false;                 // layers with different numbers of components
   int Overlay = -1, Tone = -1, Settings = -1; // findings of the records
   std::map<int, std::set<int>> Cells;         // cells of changed shapes, by finding
-  std::optional<double> BorderStep;           // tolerance at shadow borders; none: scene changed
-  bool IsDifferent = false;                   // some layer of the pixel differs within its limits
+  // Tolerances at shadow borders, and of ambient occlusion; none: the scene has changed.
+  std::optional<double> BorderStep, AmbientStep;
+  bool IsDifferent = false; // some layer of the pixel differs within its limits
+  bool IsLoose = false;     // by more than rounding changes the picture
   std::vector<int> Causes;
 };
 }

@@ -8,12 +8,14 @@
 #include "Numbers.h"
 #include "Version.h"
 
+#include "vtkAbstractVolumeMapper.h"
 #include "vtkActor.h"
 #include "vtkActor2D.h"
 #include "vtkActorCollection.h"
 #include "vtkCallbackCommand.h"
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
+#include "vtkColorTransferFunction.h"
 #include "vtkCornerAnnotation.h"
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
@@ -28,6 +30,9 @@
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPNGWriter.h"
+#include "vtkPiecewiseFunction.h"
+#include "vtkPlane.h"
+#include "vtkPlaneCollection.h"
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
 #include "vtkPolyData.h"
@@ -56,6 +61,9 @@
 #include "vtkTextMapper.h"
 #include "vtkTextProperty.h"
 #include "vtkUnstructuredGrid.h"
+#include "vtkVolume.h"
+#include "vtkVolumeCollection.h"
+#include "vtkVolumeProperty.h"
 
 #include <nlohmann/json.hpp>
 
@@ -216,15 +224,64 @@ Json DescribeProperty(vtkProperty* property)
     { "backface_culling", property->GetBackfaceCulling() != 0 } };
 }
 
+// The origin and the normal of each clipping plane.
+Json DescribePlanes(vtkAbstractMapper* mapper)
+{
+  Json planes = Json::array();
+  vtkPlaneCollection* all = mapper ? mapper->GetClippingPlanes() : nullptr;
+  for (int i = 0; all && i < all->GetNumberOfItems(); ++i)
+  {
+    const double* origin = all->GetItem(i)->GetOrigin();
+    const double* normal = all->GetItem(i)->GetNormal();
+    planes.push_back({ origin[0], origin[1], origin[2], normal[0], normal[1], normal[2] });
+  }
+  return planes;
+}
+
+// Adds the nodes of a transfer function to a check sum.
+template <typename Function>
+void AddNodes(CheckSum& sum, Function* function)
+{
+  for (int i = 0; function && i < function->GetSize(); ++i)
+  {
+    double node[6] = {}; // of opacities four values
+    function->GetNodeValue(i, node);
+    sum.Add(node, sizeof(node));
+  }
+}
+
+// Describes the colours of a map: 256 of them, across its range.
+std::string DescribeColors(vtkScalarsToColors* map)
+{
+  CheckSum sum;
+  const double* range = map->GetRange();
+  for (int i = 0; i < 256; ++i)
+  {
+    const double value = range[0] + (range[1] - range[0]) * i / 255.0;
+    sum.Add(map->MapValue(value), 4);
+  }
+  return sum.Get();
+}
+
+vtkAbstractArray* FindScalars(vtkMapper* mapper, vtkDataSet* data, int& isCell)
+{
+  return vtkMapper::GetAbstractScalars(data, mapper->GetScalarMode(), mapper->GetArrayAccessMode(),
+    mapper->GetArrayId(), mapper->GetArrayName(), isCell);
+}
+
 Json DescribeActor(vtkActor* actor, const std::string& name)
 {
   MeshRecord mesh;
+  bool isColored = false; // by an array
   vtkMapper* mapper = actor->GetMapper();
   if (mapper && mapper->GetNumberOfInputConnections(0) > 0)
   {
     mapper->Update();
-    scene::ForEachDataSet(
-      mapper->GetInputDataObject(0, 0), [&mesh](vtkDataSet* data) { mesh.Add(data); });
+    scene::ForEachDataSet(mapper->GetInputDataObject(0, 0), [&](vtkDataSet* data) {
+      int isCell = 0;
+      isColored = isColored || (mapper->GetScalarVisibility() && FindScalars(mapper, data, isCell));
+      mesh.Add(data);
+    });
   }
   vtkNew<vtkMatrix4x4> matrix;
   actor->GetMatrix(matrix);
@@ -243,12 +300,80 @@ Json DescribeActor(vtkActor* actor, const std::string& name)
   {
     rows.push_back(matrix->GetElement(i / 4, i % 4));
   }
-  return { { "name", name }, { "visible", actor->GetVisibility() != 0 },
+  vtkProperty* property = actor->GetProperty();
+  Json json = { { "name", name }, { "visible", actor->GetVisibility() != 0 },
     { "translucent", actor->HasTranslucentPolygonalGeometry() != 0 }, { "matrix", rows },
     { "points", std::to_string(mesh.Points) + " " + mesh.PointSum.Get() },
     { "cells", std::to_string(mesh.Cells) + " " + mesh.CellSum.Get() },
     { "center", { center[0], center[1], center[2] } }, { "spread", mesh.GetSpread() },
-    { "bounds", bounds }, { "settings", DescribeProperty(actor->GetProperty()) } };
+    { "bounds", bounds }, { "clipping", DescribePlanes(mapper) },
+    { "normal_map", property->GetTexture("normalTex") != nullptr },
+    { "settings", DescribeProperty(property) } };
+  if (!isColored)
+  {
+    const double* color = property->GetDiffuseColor();
+    json["color"] = { color[0], color[1], color[2] };
+  }
+  return json;
+}
+
+// Describes a volume by its place and by check sums of its data and transfer functions.
+Json DescribeVolume(vtkVolume* volume)
+{
+  CheckSum data;
+  auto* mapper = vtkAbstractVolumeMapper::SafeDownCast(volume->GetMapper());
+  if (mapper && mapper->GetNumberOfInputConnections(0) > 0)
+  {
+    mapper->Update();
+    scene::ForEachDataSet(mapper->GetInputDataObject(0, 0), [&](vtkDataSet* part) {
+      int isCell = 0;
+      vtkDataArray* values = vtkAbstractVolumeMapper::GetScalars(part, mapper->GetScalarMode(),
+        mapper->GetArrayAccessMode(), mapper->GetArrayId(), mapper->GetArrayName(), isCell);
+      for (vtkIdType i = 0; values && i < values->GetNumberOfTuples(); ++i)
+      {
+        for (int c = 0; c < values->GetNumberOfComponents(); ++c)
+        {
+          const double value = values->GetComponent(i, c);
+          data.Add(&value, sizeof(value));
+        }
+      }
+    });
+  }
+  CheckSum functions;
+  vtkVolumeProperty* property = volume->GetProperty();
+  const double range[] = { double(property->GetInterpolationType()), double(property->GetShade()),
+    property->GetAmbient(), property->GetDiffuse(), property->GetSpecular(),
+    property->GetSpecularPower(), property->GetScalarOpacityUnitDistance() };
+  functions.Add(range, sizeof(range));
+  AddNodes(functions, property->GetScalarOpacity());
+  AddNodes(functions, property->GetRGBTransferFunction());
+  Json rows = Json::array();
+  vtkNew<vtkMatrix4x4> matrix;
+  volume->GetMatrix(matrix);
+  for (int i = 0; i < 16; ++i)
+  {
+    rows.push_back(matrix->GetElement(i / 4, i % 4));
+  }
+  Json json = { { "visible", volume->GetVisibility() != 0 }, { "matrix", rows },
+    { "data", data.Get() }, { "functions", functions.Get() } };
+  if (const double* bounds = volume->GetBounds())
+  {
+    json["bounds"] = std::vector<double>(bounds, bounds + 6);
+  }
+  return json;
+}
+
+std::vector<std::string> DescribeVolumes(vtkRenderer* renderer)
+{
+  std::vector<std::string> volumes;
+  vtkCollectionSimpleIterator at;
+  vtkVolumeCollection* all = renderer->GetVolumes();
+  all->InitTraversal(at);
+  while (vtkVolume* volume = vtkVolume::SafeDownCast(all->GetNextItemAsObject(at)))
+  {
+    volumes.push_back(Write(DescribeVolume(volume)));
+  }
+  return volumes;
 }
 
 // Describes an overlay's content, for known classes.
@@ -282,6 +407,7 @@ Json DescribeOverlay(vtkActor2D* actor)
     {
       const double* range = map->GetRange();
       json["range"] = { range[0], range[1] };
+      json["colors"] = DescribeColors(map);
     }
     addFont(bar->GetLabelTextProperty());
   }
@@ -341,6 +467,8 @@ std::vector<std::string> DescribeSettings(vtkRenderer* renderer)
   }
   addColor("ambient_light", renderer->GetAmbient());
   settings.push_back(
+    "multisamples=" + std::to_string(renderer->GetRenderWindow()->GetMultiSamples()));
+  settings.push_back(
     std::string("environment=") + (renderer->GetUseImageBasedLighting() ? "on" : "off"));
   auto* pass = vtkRelievoPass::SafeDownCast(renderer->GetPass());
   for (int i = 0; pass && i < pass->GetNumberOfStages(); ++i)
@@ -386,9 +514,7 @@ std::set<std::string> FindColoringArrays(vtkRenderer* renderer)
     }
     scene::ForEachDataSet(data, [&](vtkDataSet* part) {
       int isCell = 0;
-      auto* array =
-        vtkDataArray::SafeDownCast(vtkMapper::GetAbstractScalars(part, mapper->GetScalarMode(),
-          mapper->GetArrayAccessMode(), mapper->GetArrayId(), mapper->GetArrayName(), isCell));
+      auto* array = vtkDataArray::SafeDownCast(FindScalars(mapper, part, isCell));
       const std::string name = array && array->GetName() ? array->GetName() : "";
       if (!name.empty() && array->GetDataType() != VTK_UNSIGNED_CHAR && isCell < 2 &&
         !vtkRelievoLayerCatalogue::GetIsLayer(name))
@@ -594,6 +720,7 @@ void vtkRelievoBaseline::AddRecord(vtkImageData* image)
       Write(DescribeActor(actor, this->GetObjectName(static_cast<int>(objects.size())))));
   }
   AddStrings(image, "objects", objects);
+  AddStrings(image, "volumes", DescribeVolumes(this->Renderer));
   AddStrings(image, "overlays", DescribeOverlays(this->Renderer));
   AddStrings(image, "versions", scene::ListVersions(this->Renderer->GetRenderWindow()));
 }

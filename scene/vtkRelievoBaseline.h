@@ -15,13 +15,18 @@
  * (vtkRelievoRayLayers) instead of OpenGL: these layers are equal on all processors and drivers.
  *
  * Record, in addition to the camera and the lights of every capture (vtkRelievoLayerSource):
- * - baseline_version (int): the format, 1.
+ * - baseline_version (int): the format, 2.
  * - portable (int): 1, in a portable baseline.
  * - objects (one JSON string for each of vtkRenderer::GetActors()): name, visible, translucent,
  *   matrix, points and cells (counts and check sums of the mesh), center and bounds in world
- *   coordinates, spread (the covariance of the points), settings (of the vtkProperty).
+ *   coordinates, spread (the covariance of the points), color (of actors that no array colours),
+ *   clipping (origin and normal of each clipping plane), normal_map (whether there is one),
+ *   settings (of the vtkProperty).
+ * - volumes (JSON strings): visible, matrix, bounds, and check sums of the data (data) and of the
+ *   transfer functions and material (functions).
  * - overlays (JSON strings): visible texts, bars and other 2D actors.
- * - settings (strings NAME=VALUE): background, and the parameters of the stages that ran.
+ * - settings (strings NAME=VALUE): background, samples per pixel, and the parameters of the stages
+ *   that ran.
  * - versions (strings): Relievo, VTK and OpenGL.
  *
  * In tests of C++ programs, Test() compares a window with a baseline:

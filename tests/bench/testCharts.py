@@ -35,7 +35,7 @@ import charts  # noqa: E402
 # Tables that no chart shows.
 UNSHOWN = {
     "blocks-labels", "blocks-labels-vtk97", "blocks-threads", "blocks-vtk97", "capture",
-    "command-start",
+    "command-start", "compare-faults", "compare-frames",
     "environment-frames", "lamp-shadows", "lights-peer", "normal-maps", "paraview-frames",
     "planner-cases", "relief-geometry", "shadow-frames", "tone", "tone-dither", "tone-frames",
 }  # fmt: skip
@@ -208,6 +208,9 @@ TRUTH = {
         "effects", "[scene]",
         lambda row: "VTK's shading" if row["frame"].startswith("vtk") else "Relievo",
         "[times the plain frame's]", "[frame]", None, lambda row: row["frame"] != "plain"),
+    "compare": points(
+        "compare", "", "[method]", "[false alarms %]", "[detected %]",
+        lambda row: row["role"] == "recommended", lambda row: row["role"] != "best"),
     "scale": scale("[processor seconds]"),
     "scale-memory": scale("[MiB]"),
     "f3d-first": f3d("first picture"),

@@ -1,9 +1,12 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
 """Benches of whole commands: bench/command_start.py with commands that only write a file, its
-output and refusals; bench/scale.py with the command itself, in small; and the counts of both."""
+output and refusals; bench/scale.py with the command itself, in small; the counts of both; and
+bench/compare.py, which draws in Python."""
 
 import csv
+import importlib.util
+import json
 import math
 import os
 import pathlib
@@ -147,6 +150,62 @@ class Scale(unittest.TestCase):
             for column, share in (("processor seconds", 1.0), ("MiB", 0.15)):
                 self.assertAlmostEqual(float(a[column]), float(b[column]),
                                        delta=share * float(a[column]))  # fmt: skip
+
+
+@unittest.skipUnless(importlib.util.find_spec("relievo"), "no package relievo")
+class Compare(unittest.TestCase):
+    def run_with(self, *words):
+        with tempfile.TemporaryDirectory() as folder:
+            subprocess.run([sys.executable, BENCH / "compare.py", "--out", folder, *words],
+                           stdout=subprocess.DEVNULL, check=True)  # fmt: skip
+            found = []
+            for name in ("compare", "compare-faults"):
+                table = pathlib.Path(folder, f"{name}.csv").read_text(encoding="utf-8")
+                found.append(list(csv.DictReader(table.splitlines())))
+            return found
+
+    def test_few_faults(self):
+        methods, kinds = self.run_with("--quick")
+        self.assertEqual([row["method"] for row in methods],
+                         [f"Relievo, {of}" for of in ("baselines", "layers", "pictures")])
+        for row in methods:
+            self.assertEqual((row["detected %"], row["false alarms"]), ("100.00", "0"), row)
+        self.assertEqual(methods[0]["attributed %"], "100.00")
+        self.assertEqual(methods[0]["innocent"], "6")
+        self.assertGreaterEqual(sum(int(row["pairs"]) for row in kinds), 14)
+
+    def test_counts(self):
+        """Of known scores: 8 faults, of which 6 are visible, and 5 changes without a fault."""
+        ours = dict.fromkeys(("Relievo, baselines", "Relievo, layers", "Relievo, pictures"), 0.0)
+        pairs = [
+            {"scene": "meshes", "kind": "colour" if score else "another run", "size": 1,
+             "is_fault": bool(score), "pixels": 3 if score < 3 else 40,
+             "scores": {**ours, "Relievo, baselines": float(score > 3),
+                        "vtkImageDifference": score or off},
+             "right": dict.fromkeys(ours, score > 4), "said": "", "causes": []}
+            for score, off in ((1, 0), (2, 0), (3, 0), (4, 0), (5, 0), (6, 0), (11, 0), (30, 0),
+                               (0, 0), (0, 0), (0, 0), (0, 4.5), (0, 5.5))]  # fmt: skip
+        with tempfile.TemporaryDirectory() as folder:
+            file = pathlib.Path(folder, "pairs.json")
+            file.write_text(json.dumps(pairs), encoding="utf-8")
+            methods, kinds = self.run_with("--of", str(file), "--frames", "no")
+        found = {(row["method"], row["role"], row["limit"]): row for row in methods}
+        for key, detected, alarms in (
+            (("Relievo, baselines", "recommended", "0.5"), 5 / 6, 0),
+            (("vtkImageDifference", "recommended", "10"), 2 / 6, 0),
+            (("vtkImageDifference", "best", "5.5"), 3 / 6, 0),
+            (("vtkImageDifference", "curve", "0"), 1, 2 / 5),
+            (("vtkImageDifference", "curve", "4.5"), 4 / 6, 1 / 5),
+        ):
+            self.assertEqual(found[key]["detected %"], f"{100 * detected:.2f}", key)
+            self.assertEqual(found[key]["false alarms %"], f"{100 * alarms:.2f}", key)
+        self.assertEqual(
+            found["Relievo, baselines", "recommended", "0.5"]["attributed %"], f"{100 * 4 / 6:.2f}")
+        fault, change = kinds
+        self.assertEqual([fault[name] for name in ("pairs", "visible", "detected", "attributed")],
+                         ["8", "6", "5", "4"])
+        self.assertEqual((change["kind"], change["pairs"], change["visible"]),
+                         ("another run", "5", ""))
 
 
 if __name__ == "__main__":

@@ -128,13 +128,14 @@ std::string DescribeBox(const Box& box)
   out << R"({"name": ")" << box.Name << R"(", "visible": )" << (box.Visible ? "true" : "false")
       << R"(, "translucent": )" << (box.Translucent ? "true" : "false") << R"(, "matrix": [)"
       << Join({ 1., 0., 0., m[0], 0., 1., 0., m[1], 0., 0., 1., m[2], 0., 0., 0., 1. })
-      << R"(], "points": "8 )" << mesh << R"(", "cells": "6", "center": [)"
+      << R"(], "points": "8 )" << mesh << R"(", "cells": ")" << box.Cells << R"(", "center": [)"
       << Join({ c[0], c[1], c[2] }) << R"(], "bounds": [)"
       << Join({ bounds[0], bounds[1], bounds[2], bounds[3], bounds[4], bounds[5] })
       << R"(], "spread": [)"
       << Join({ box.HalfSize[0] * box.HalfSize[0], 0., 0., 0., box.HalfSize[1] * box.HalfSize[1],
            0., 0., 0., box.HalfSize[2] * box.HalfSize[2] })
-      << R"(], "settings": {"specular": )" << box.Specular << "}}";
+      << R"(], "settings": {"specular": )" << box.Specular << R"(, "point_size": )" << box.PointSize
+      << "}" << box.More << "}";
   return out.str();
 }
 }
@@ -284,9 +285,10 @@ vtkSmartPointer<vtkImageData> Draw(const Boxes& boxes)
     }
     vtkNew<vtkIntArray> version;
     version->SetName("baseline_version");
-    version->InsertNextValue(1);
+    version->InsertNextValue(2);
     image->GetFieldData()->AddArray(version);
     AddStrings(image, "objects", objects);
+    AddStrings(image, "volumes", boxes.Volumes);
     AddStrings(image, "overlays", boxes.Overlays);
     AddStrings(image, "settings", boxes.Settings);
   }

@@ -27,8 +27,11 @@ struct Box
   bool Visible = true;
   bool Translucent = false; ///< in the record, and in no layer
   double Specular = 0.0;
-  std::string Mesh = {}; ///< check sum of the points; empty: derived from the size
-  double Value = 1.0;    ///< of the array `pressure`
+  std::string Mesh = {};   ///< check sum of the points; empty: derived from the size
+  double Value = 1.0;      ///< of the array `pressure`
+  std::string Cells = "6"; ///< count and check sum of the cells
+  double PointSize = 1.0;
+  std::string More = {}; ///< further entries of the record: `, "color": [1, 0, 0]`
 };
 
 struct Lamp
@@ -45,7 +48,7 @@ struct Boxes
   double ViewAngle = 30.0;
   std::vector<Box> All;
   std::vector<Lamp> Lamps;
-  std::vector<std::string> Overlays, Settings = { "background=0 0 0" };
+  std::vector<std::string> Overlays, Volumes, Settings = { "background=0 0 0" };
   bool HasRecord = true;
 };
 

@@ -212,7 +212,7 @@ void TestFiles()
   comparison->SetBaseline(compareTest::Draw(boxes));
   comparison->SetFrame(future);
   {
-    relievoTest::ExpectMessage expect("the frame is a baseline of format 9, expected at most 1");
+    relievoTest::ExpectMessage expect("the frame is a baseline of format 9, expected at most 2");
     RELIEVO_CHECK(!comparison->Compare() && !comparison->GetAlike());
   }
   // An invalid record, and one with fewer objects than are visible.

@@ -363,6 +363,147 @@ void TestPictureAlone()
 }
 
 //------------------------------------------------------------------------------
+// Entries of records that explain what the layers do not show.
+void TestRecords()
+{
+  const Boxes plain = compareTest::MakeBoxes();
+  // The meshes of unnamed objects change: neither removed nor added.
+  Boxes before = plain;
+  for (Box& box : before.All)
+  {
+    box.Name.clear();
+    box.Mesh = "box " + std::to_string(box.Center[0]);
+    box.Cells = "6 " + std::to_string(box.Center[0]);
+  }
+  Boxes after = before;
+  after.All[1].Cells = "5";
+  CheckList(Compare(before, after), "shape ", "other cells");
+  after.All[1].Mesh = "9 points";
+  const json shape = Compare(before, after);
+  CheckList(shape, "shape ", "other cells and points");
+  RELIEVO_CHECK(shape["causes"][0]["id"] == 1);
+  after.All[1].MovedBy = { 2., 0., 0. };
+  RELIEVO_CHECK_THAT(List(Compare(before, after)).find("added") == 0, "another object elsewhere");
+  // Bright light enlarges a level of the surface's colour.
+  before = plain;
+  before.Lamps[0].Intensity = 4.;
+  after = before;
+  after.All[1].Color[1] += 1. / 255.;
+  const json color = Compare(before, after);
+  CheckList(color, "color wheel", "a level of colour");
+  RELIEVO_CHECK_THAT(color["pixels"] > 40, color.dump());
+  // Recorded colours.
+  before = plain;
+  before.All[1].More = R"(, "color": [1, 0, 0])";
+  after = before;
+  after.All[1].More = R"(, "color": [1, 0.01, 0])";
+  CheckList(Compare(before, after), "color wheel", "a recorded colour");
+  CheckList(Compare(plain, after), "", "a colour in one record");
+  // Clipping planes explain all pixels of their object, also at its edges.
+  before = after = plain;
+  before.All[1].More = R"(, "clipping": [[0, 0, 0, 1, 0, 0]])";
+  after.All[1].More = R"(, "clipping": [])";
+  after.All[1].Mesh = "0.3 0.4 0.2";
+  before.All[1].Mesh = after.All[1].Mesh;
+  after.All[1].HalfSize[1] += 0.02;
+  const json clipped = Compare(before, after);
+  RELIEVO_CHECK_THAT(Find(clipped, "visibility", "wheel")["pixels"] > 20, clipped.dump());
+  RELIEVO_CHECK_THAT(Find(clipped, "shape", "wheel").is_null(), clipped.dump());
+  // Sizes of points change the covered pixels.
+  before.All[1].More = after.All[1].More = "";
+  after.All[1].PointSize = 3.;
+  const json points = Compare(before, after);
+  RELIEVO_CHECK_THAT(Find(points, "settings", "wheel")["pixels"] > 20, points.dump());
+  RELIEVO_CHECK_THAT(Find(points, "visibility", "wheel").is_null(), points.dump());
+  // Volumes.
+  before = plain;
+  before.Volumes = { R"({"bounds": [-1, 1, 0, 1, -1, 1], "data": "1", "functions": "2"})" };
+  after = before;
+  after.Volumes[0].replace(after.Volumes[0].find("\"1\""), 3, "\"3\"");
+  vtkSmartPointer<vtkImageData> b = compareTest::Draw(after);
+  compareTest::Fill(b, "color", 76, 84, 71, 79, 0.7);
+  const json volume = Compare(compareTest::Draw(before), b);
+  CheckList(volume, "translucent ", "a volume");
+  RELIEVO_CHECK_THAT(volume["causes"][0]["kind"] == "volume" &&
+      volume["causes"][0]["words"] == "translucent: data" && volume["pixels"] == 64,
+    volume.dump());
+  after.Volumes.clear();
+  RELIEVO_CHECK(Compare(before, after)["causes"][0]["words"] == "translucent: removed");
+}
+
+//------------------------------------------------------------------------------
+// Tolerances for normals from maps, for single samples, and for other numbers of samples.
+void TestTolerances()
+{
+  Boxes boxes = compareTest::MakeBoxes();
+  for (const bool isMapped : { false, true })
+  {
+    boxes.All[0].More = isMapped ? R"(, "normal_map": true)" : "";
+    vtkSmartPointer<vtkImageData> frames[2] = { compareTest::Draw(boxes),
+      compareTest::Draw(boxes) };
+    vtkDataArray* normals = frames[1]->GetPointData()->GetArray("normal");
+    for (vtkIdType i = 0; i < normals->GetNumberOfTuples(); ++i)
+    {
+      if (frames[1]->GetPointData()->GetArray("actor")->GetTuple1(i) == 0.)
+      {
+        normals->SetComponent(i, 0, 0.02); // 1.1 degrees
+      }
+    }
+    CheckList(Compare(frames[0], frames[1]), isMapped ? "" : "normal floor", "a texel");
+  }
+  boxes.All[0].More = "";
+  boxes.Settings.emplace_back("ambient:samples=16");
+  for (const int samples : { 1, 3 })
+  {
+    vtkSmartPointer<vtkImageData> frames[2];
+    for (vtkSmartPointer<vtkImageData>& frame : frames)
+    {
+      frame = compareTest::Draw(boxes);
+      vtkNew<vtkFloatArray> array;
+      array->SetName("ambient");
+      array->SetNumberOfTuples(frame->GetNumberOfPoints());
+      array->Fill(0.5);
+      frame->GetPointData()->AddArray(array);
+    }
+    compareTest::Fill(frames[1], "ambient", 70, 71, 40, 41, 0.5 + samples / 16.);
+    CheckList(Compare(frames[0], frames[1]), samples == 1 ? "" : "ambient ", "samples");
+  }
+  // Borders of cells are mixtures in frames of several samples; their inside is not.
+  boxes.Settings = { "multisamples=0" };
+  const vtkSmartPointer<vtkImageData> one = compareTest::Draw(boxes);
+  vtkDataArray* cells = one->GetPointData()->GetArray("cell");
+  for (const bool isInside : { false, true })
+  {
+    boxes.Settings = { "multisamples=4" };
+    const vtkSmartPointer<vtkImageData> four = compareTest::Draw(boxes);
+    std::size_t count = 0;
+    for (int y = 3; y < boxes.Height - 3; ++y)
+    {
+      for (int x = 3; x < boxes.Width - 3; ++x)
+      {
+        bool isUniform = true;
+        for (int step = 0; step < 49; ++step)
+        {
+          isUniform = isUniform &&
+            cells->GetTuple1((y + step / 7 - 3) * boxes.Width + x + step % 7 - 3) ==
+              cells->GetTuple1(y * boxes.Width + x);
+        }
+        const bool isBorder =
+          cells->GetTuple1(y * boxes.Width + x) != cells->GetTuple1(y * boxes.Width + x + 1);
+        if (isInside ? isUniform : isBorder)
+        {
+          compareTest::Fill(four, "color", x, x + 1, y, y + 1, 0.9);
+          ++count;
+        }
+      }
+    }
+    const json found = Compare(one, four);
+    const auto pixels = found["unexplained"].get<std::size_t>(); // fewer: at edges of shadows
+    RELIEVO_CHECK_THAT(count > 50 && (isInside ? pixels > count / 2 : pixels == 0), found.dump());
+  }
+}
+
+//------------------------------------------------------------------------------
 // Layers of stages, each with a cause of its own.
 void TestStages()
 {
@@ -431,6 +572,8 @@ RELIEVO_TEST_CASE(testComparedObjects)
   TestSurfaces();
   TestLights();
   TestPictureAlone();
+  TestRecords();
+  TestTolerances();
   TestStages();
   TestSwarm();
   return session.Result();
