@@ -26,6 +26,15 @@ function (relievo_relative_autoinit)
   endforeach ()
 endfunction ()
 
+# Layers by rays are the same bytes on every processor: no fused products and sums in these modules.
+include(CheckCXXCompilerFlag)
+check_cxx_compiler_flag(-ffp-contract=off RELIEVO_HAS_FP_CONTRACT)
+function (relievo_round_each_operation module)
+  if (RELIEVO_HAS_FP_CONTRACT)
+    vtk_module_compile_options("${module}" PRIVATE -ffp-contract=off)
+  endif ()
+endfunction ()
+
 # The environment in which an uninstrumented interpreter can load instrumented libraries. Python
 # does not free its own memory: leaks are checked by the C++ tests.
 set(relievo_sanitizer_environment)
