@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRelievoBoxTree.h"
 
+#include "vtkRelievoAvx2.h" // for RELIEVO_INLINED
 #include "vtkRelievoThreads.h"
 
 #include <algorithm>
@@ -19,19 +20,20 @@ constexpr int ForAThread = 8192; // boxes of a subtree built by one thread
 const Box Nothing = { glm::vec3(std::numeric_limits<float>::max()),
   glm::vec3(-std::numeric_limits<float>::max()) };
 
-void Add(Box& box, const Box& other)
+// Inlined by force: calls take a sixth of a build.
+RELIEVO_INLINED void Add(Box& box, const Box& other)
 {
   box.Min = glm::min(box.Min, other.Min);
   box.Max = glm::max(box.Max, other.Max);
 }
 
-float GetArea(const Box& box)
+RELIEVO_INLINED float GetArea(const Box& box)
 {
   const glm::vec3 size = glm::max(box.Max - box.Min, glm::vec3(0.f));
   return size.x * size.y + size.y * size.z + size.z * size.x;
 }
 
-glm::vec3 GetMiddle(const Box& box)
+RELIEVO_INLINED glm::vec3 GetMiddle(const Box& box)
 {
   return 0.5f * box.Min + 0.5f * box.Max;
 }
