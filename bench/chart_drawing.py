@@ -132,7 +132,7 @@ METHODS = {
     "F3D": "grey x --",
     # comparisons of pictures
     "Relievo, baselines": "blue o -", "Relievo, layers": "green D --",
-    "Relievo, pictures": "sky s -.", "vtkImageDifference": "grey x --",
+    "Relievo, pictures": "sky s :", "vtkImageDifference": "grey x --",
     "SSIM, scikit-image": "purple ^ - SSIM", "FLIP": "orange v -", "pixelmatch": "vermillion s -.",
     "idiff": "black + -",
     "Relievo, none": "blue o -", "VTK": "grey v -.", "VTK, normals": "grey ^ :",

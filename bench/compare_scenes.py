@@ -109,6 +109,17 @@ def smooth(mesh):
     return output(normals)
 
 
+def halved(source):
+    """The output of a source, its squares as two triangles each: VTK's filter depends on its
+    version."""
+    source.Update()
+    mesh = vtkPolyData()
+    mesh.DeepCopy(source.GetOutput())
+    squares = vtk_to_numpy(mesh.GetPolys().GetConnectivityArray()).reshape(-1, 4)
+    set_cells(mesh, squares[:, (0, 1, 2, 0, 2, 3)].reshape(-1, 3))
+    return mesh
+
+
 def ring(triangles=1800, **more):
     return smooth(mesh_of(*torus(triangles, **more)))
 
@@ -128,7 +139,7 @@ def box(center=(0, 0, 0), side=0.7):
     source.SetCenter(*center)
     for axis in "XYZ":
         getattr(source, f"Set{axis}Length")(side)
-    return output(source, vtkTriangleFilter())
+    return halved(source)
 
 
 def cone(center=(0, 0, 0)):
@@ -145,7 +156,7 @@ def ground(side=5, z=-0.5):
     source.SetPoint1(side / 2, -side / 2, z)
     source.SetPoint2(-side / 2, side / 2, z)
     source.SetResolution(6, 6)
-    return output(source, vtkTriangleFilter())
+    return halved(source)
 
 
 def picture(shift=0, seed=3):

@@ -238,10 +238,10 @@ void vtkRelievoComparisonReport::Add(
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoComparisonReport::AddMissing(const char* name, const char* missingIn)
+void vtkRelievoComparisonReport::AddNotCompared(const char* name, const char* reason)
 {
-  this->Internal->Entries.push_back({ { "name", name ? name : "" },
-    { "summary", std::string("missing in ") + (missingIn ? missingIn : "") }, { "alike", false } });
+  this->Internal->Entries.push_back(
+    { { "name", name ? name : "" }, { "summary", reason ? reason : "" }, { "alike", false } });
   this->Modified();
 }
 

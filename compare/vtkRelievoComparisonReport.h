@@ -37,8 +37,8 @@ public:
    */
   void Add(const char* name, vtkRelievoFrameComparison* comparison, bool withFrames = true);
 
-  /** Adds a frame that is missing on one side, as a difference; `missingIn` names that side. */
-  void AddMissing(const char* name, const char* missingIn);
+  /** Adds a pair that was not compared, as a difference, with a reason like "missing in base". */
+  void AddNotCompared(const char* name, const char* reason);
 
   ///@{
   /** Returns the report on all added comparisons. */

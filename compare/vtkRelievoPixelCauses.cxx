@@ -80,11 +80,9 @@ PixelCauses::PixelCauses(const Frame& before, const Frame& after, const Limits& 
     }
     this->IsDifferent = this->IsLoose = false;
     const int cause = this->JudgeLayers(i);
-    int picture = this->JudgePicture(i);
-    if (picture == Pending && this->IsLoose && this->IsBetweenNeighbours(i))
-    {
-      picture = WithinRounding;
-    }
+    // Gloss enlarges differences of normals without bound.
+    const int found = this->JudgePicture(i);
+    const int picture = found == Pending && this->IsLoose ? WithinRounding : found;
     this->Causes[i] = cause != Alike ? cause
       : picture != Alike             ? picture
       : this->IsDifferent            ? WithinRounding
@@ -1000,11 +998,14 @@ int PixelCauses::Explain(std::size_t pixel)
   }
   // Single samples of occlusion by a changed object, which the layer can show otherwise than the
   // picture does.
-  const Layer* ambient = Find(this->A.Stages, "ambient");
-  if (ambient && ambient->Components == 1 && ambient->Values[pixel] < 1.f &&
-    this->Objects.AnyChanged())
+  for (const Frame* frame : { &this->A, &this->B })
   {
-    return this->List.Find(Cause::Ambient, "picture");
+    const Layer* ambient = Find(frame->Stages, "ambient");
+    if (ambient && ambient->Components == 1 && ambient->Values[pixel] < 1.f &&
+      this->Objects.AnyChanged())
+    {
+      return this->List.Find(Cause::Ambient, "picture");
+    }
   }
   return Unexplained;
 }

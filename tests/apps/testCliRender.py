@@ -638,6 +638,16 @@ POLYGONS 1 5
         self.assertEqual(text, "b.png: missing in one\n1 of 3 files different\n")
         self.assertEqual([(each["file"], each["alike"]) for each in found["files"]],
                          [("a.exr", True), ("b.png", False), ("link.exr", True)])
+        # A file that cannot be read fails alone; the others are compared and reported.
+        (self.folder / "one" / "a.exr").write_bytes(b"cut")
+        done = self.relievo("compare", "one", "two", "--json", "all.json", "--html", "all.html",
+                            status=1)  # fmt: skip
+        self.assertRegex(done.stdout, r"a\.exr: not compared: .*a\.exr.*\nb\.png: missing in one\n"
+                                      r"2 of 3 files different\n")  # fmt: skip
+        found = json.loads((self.folder / "all.json").read_text("utf-8"))
+        self.assertIn("a.exr", found["files"][0]["failure"])
+        self.assertEqual([each["alike"] for each in found["files"]], [False, False, True])
+        self.assertIn("not compared", done.stdout)
 
     def test_refused(self):
         self.before = self.names()

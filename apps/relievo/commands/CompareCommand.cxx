@@ -35,7 +35,9 @@ namespace
 {
 namespace fs = std::filesystem;
 
-constexpr int Different = 3; // the exit status
+// Exit statuses.
+constexpr int Failed = 1;
+constexpr int Different = 3;
 
 class CompareCommand : public Command
 {
@@ -150,7 +152,7 @@ public:
     WritePNG(this->Comparison->GetBaseline(), this->PNG[0], outputs);
     WritePNG(this->Comparison->GetFrame(), this->PNG[1], outputs);
     outputs.Commit();
-    return alike ? 0 : Different;
+    return this->HasFailed ? Failed : alike ? 0 : Different;
   }
 
 private:
@@ -285,6 +287,33 @@ private:
     return names;
   }
 
+  // Compares the files of this name in both folders, and adds the result to the entry. A pair that
+  // cannot be compared is reported, and the others are compared all the same.
+  bool ComparePair(const std::string& name, nlohmann::ordered_json& entry)
+  {
+    try
+    {
+      this->Read(true, (fs::path(this->Names[0]) / name).string());
+      this->Read(false, (fs::path(this->Names[1]) / name).string());
+      const bool alike = this->Compare(name, false);
+      entry.update(nlohmann::ordered_json::parse(this->Comparison->GetJSON()));
+      if (!alike)
+      {
+        std::printf("%s: %s", name.c_str(), this->Comparison->GetText().c_str());
+      }
+      return alike;
+    }
+    catch (const scene::WorkError& error)
+    {
+      this->HasFailed = true;
+      entry["alike"] = false;
+      entry["failure"] = error.what();
+      this->Report->AddNotCompared(name.c_str(), error.what());
+      std::printf("%s: not compared: %s\n", name.c_str(), error.what());
+      return false;
+    }
+  }
+
   bool CompareFolders()
   {
     const std::string& a = this->Names[0];
@@ -311,21 +340,14 @@ private:
       {
         entry["alike"] = false;
         entry["missing_in"] = isOld ? b : a;
-        this->Report->AddMissing(name.c_str(), (isOld ? b : a).c_str());
-        std::printf("%s: missing in %s\n", name.c_str(), (isOld ? b : a).c_str());
+        const std::string reason = "missing in " + (isOld ? b : a);
+        this->Report->AddNotCompared(name.c_str(), reason.c_str());
+        std::printf("%s: %s\n", name.c_str(), reason.c_str());
         ++different;
       }
-      else
+      else if (!this->ComparePair(name, entry))
       {
-        this->Read(true, (fs::path(a) / name).string());
-        this->Read(false, (fs::path(b) / name).string());
-        const bool alike = this->Compare(name, false);
-        entry.update(nlohmann::ordered_json::parse(this->Comparison->GetJSON()));
-        if (!alike)
-        {
-          std::printf("%s: %s", name.c_str(), this->Comparison->GetText().c_str());
-          ++different;
-        }
+        ++different;
       }
       files.push_back(entry);
     }
@@ -339,7 +361,8 @@ private:
   vtkNew<vtkRelievoFrameComparison> Comparison;
   vtkNew<vtkRelievoComparisonReport> Report;
   std::string JSON, HTML, Markdown, Found;
-  std::string PNG[2]; // of A and B
+  std::string PNG[2];     // of A and B
+  bool HasFailed = false; // a pair in folders could not be compared
 };
 }
 
