@@ -89,6 +89,41 @@ void TestSpeedJumps()
   }
 }
 
+// A field at the points of an image is interpolated: a uniform one moves all by equal steps.
+void TestFieldAtPoints()
+{
+  const relievoTest::Solid box = relievoTest::MakeBox();
+  vtkNew<vtkImageData> grid;
+  grid->SetDimensions(9, 9, 9);
+  grid->SetOrigin(-4., -4., -4.);
+  vtkNew<vtkDoubleArray> field;
+  field->SetName("field");
+  field->SetNumberOfComponents(3);
+  for (int i = 0; i < 9 * 9 * 9; ++i)
+  {
+    field->InsertNextTuple3(0.02, 0., 0.);
+  }
+  grid->GetPointData()->AddArray(field);
+  vtkNew<Particles> filter;
+  SetUp(filter, box.Mesh, Particles::INSIDE);
+  filter->SetInputDataObject(3, grid);
+  filter->SetFieldArray("field");
+  const Places start = PlacesAt(filter, 0.);
+  const Places end = PlacesAt(filter, 5.);
+  int inner = 0;
+  double error = 0.;
+  for (std::size_t i = 0; i < start.size(); ++i)
+  {
+    if (start[i].x < 0.5) // others may reach the wall
+    {
+      ++inner;
+      error = std::max(error, glm::distance(end[i], start[i] + glm::dvec3(0.1, 0., 0.)));
+    }
+  }
+  RELIEVO_CHECK(inner > 100);
+  RELIEVO_CHECK_AT_MOST(error, 1e-5, "error of places in a uniform field");
+}
+
 // Whirls that no coordinate can tell apart are none; the rest of the field still counts.
 void TestNarrowestNoise()
 {
@@ -210,6 +245,7 @@ RELIEVO_TEST_CASE(testSurfaceParticlesInputs)
 {
   relievoTest::Session session;
   TestSpeedJumps();
+  TestFieldAtPoints();
   TestNarrowestNoise();
   TestBlocksAndThreads();
   TestAbort();
