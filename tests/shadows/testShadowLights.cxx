@@ -430,6 +430,11 @@ void TestHighlights()
   ground->GetShaderProperty()->AddFragmentShaderReplacement(
     "//VTK::Light::Impl", true, "specularColor = vec3(0.5);\n//VTK::Light::Impl\n", false);
   RELIEVO_CHECK_AT_MOST(std::abs(GetMiddle(stage) - 0.75), Step, "a highlight of a replacement");
+  ground->GetShaderProperty()->ClearAllFragmentShaderReplacements();
+  RELIEVO_CHECK_AT_MOST(std::abs(GetMiddle(stage) - 0.25), Step, "no replacement");
+  ground->GetShaderProperty()->AddFragmentShaderReplacement(
+    "specular = specular * specularColor;", false, "specular = specular * 0.5;", false);
+  RELIEVO_CHECK_AT_MOST(std::abs(GetMiddle(stage) - 0.75), Step, "a replacement made last");
 }
 }
 

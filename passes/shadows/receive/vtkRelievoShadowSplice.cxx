@@ -11,6 +11,7 @@
 #include "vtkRelievoShadowStructure.h"
 #include "vtkRelievoSpliceText.h"
 #include "vtkShaderProgram.h"
+#include "vtkShaderProperty.h"
 
 #include <algorithm>
 #include <cstring>
@@ -80,7 +81,19 @@ std::string Line(const char* section)
   return text;
 }
 
-// Leaves VTK's highlights out, unless a user's replacement or the back faces give them a strength.
+// Whether a user changes the fragment shader, and so may read or set VTK's highlights. VTK makes
+// some replacements last, after this splice.
+bool HasUsersFragment(vtkShaderProperty* shaders)
+{
+  bool found = shaders->HasFragmentShaderCode();
+  for (int i = 0; i < shaders->GetNumberOfShaderReplacements(); ++i)
+  {
+    found = found || shaders->GetNthShaderReplacementTypeAsString(i) == "Fragment";
+  }
+  return found;
+}
+
+// Leaves VTK's highlights out, unless the back faces or VTK's passes give them a strength.
 void LeaveHighlights(std::string& fragment)
 {
   const std::string set = Line("SpecularOfVTK");
@@ -233,7 +246,8 @@ std::string vtkRelievoShadowSplice::Fill(std::string& vertex, std::string& geome
     : std::string();
   FillMark(fragment, Impl, normal + visibility + trace + colors);
   // Shaders are not built again for an actor's other property, but they are for another structure.
-  if (!structure.Highlights && actor->GetProperty()->GetSpecular() == 0.0)
+  if (!structure.Highlights && actor->GetProperty()->GetSpecular() == 0.0 &&
+    !HasUsersFragment(actor->GetShaderProperty()))
   {
     LeaveHighlights(fragment);
   }
