@@ -24,6 +24,9 @@ namespace
 {
 using Json = nlohmann::json;
 
+// Copies and comparisons of JSON recurse; a damaged file may nest it until the stack overflows.
+constexpr int MostDepth = 16;
+
 // Further components of a layer are ignored.
 constexpr int MostComponents = 9;
 
@@ -150,9 +153,27 @@ bool TakeFlag(const Json& json, const char* name, bool otherwise)
   return found != json.end() && found->is_boolean() ? found->get<bool>() : otherwise;
 }
 
+// Null if the text is no JSON.
+Json Parse(const std::string& text)
+{
+  bool isDeep = false;
+  Json json = Json::parse(
+    text,
+    [&isDeep](int depth, Json::parse_event_t, Json&) {
+      isDeep = isDeep || depth > MostDepth;
+      return !isDeep;
+    },
+    false);
+  if (isDeep || json.is_discarded())
+  {
+    json = nullptr;
+  }
+  return json;
+}
+
 bool TakeObject(const std::string& text, Object& object)
 {
-  const Json json = Json::parse(text, nullptr, false);
+  const Json json = Parse(text);
   if (!json.is_object() || !TakeNumbers(json, "matrix", object.Matrix) ||
     !TakeNumbers(json, "center", object.Center) || !TakeNumbers(json, "bounds", object.Bounds))
   {
@@ -165,6 +186,7 @@ bool TakeObject(const std::string& text, Object& object)
   object.Visible = TakeFlag(json, "visible", true);
   object.Translucent = TakeFlag(json, "translucent", false);
   object.HasNormalMap = TakeFlag(json, "normal_map", false);
+  object.NormalMap = TakeText(json, "normal_map_sum");
   object.Settings = json.value("settings", Json::object());
   object.Color = json.value("color", Json());
   object.Clipping = json.value("clipping", Json());
@@ -302,6 +324,8 @@ std::string Frame::ReadRecord(vtkImageData* image)
   }
   this->HasRecord = true;
   this->HasVolumes = version >= 2.0;
+  double portable = 0.0;
+  this->IsPortable = GetNumbers(image, "portable", &portable, 1) && portable == 1.0;
   for (const std::string& text : GetStrings(image, "objects"))
   {
     Object object;
@@ -323,7 +347,7 @@ std::string Frame::ReadRecord(vtkImageData* image)
   for (const std::string& text : GetStrings(image, "volumes"))
   {
     Volume volume;
-    const Json json = Json::parse(text, nullptr, false);
+    const Json json = Parse(text);
     if (json.is_object())
     {
       TakeNumbers(json, "bounds", volume.Bounds);
@@ -334,7 +358,7 @@ std::string Frame::ReadRecord(vtkImageData* image)
   }
   for (const std::string& text : GetStrings(image, "overlays"))
   {
-    this->Overlays.push_back(Json::parse(text, nullptr, false));
+    this->Overlays.push_back(Parse(text));
   }
   for (const std::string& text : GetStrings(image, "settings"))
   {
@@ -352,7 +376,7 @@ void Frame::ReadLights(vtkImageData* image)
   this->HasLights = this->HasCamera; // files without lights have no such attribute
   for (const std::string& text : GetStrings(image, "lights"))
   {
-    Json json = Json::parse(text, nullptr, false);
+    Json json = Parse(text);
     if (!json.is_object())
     {
       continue;

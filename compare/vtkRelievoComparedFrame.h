@@ -36,6 +36,7 @@ struct Object
   nlohmann::json Color;                                      // null: coloured by an array, unknown
   nlohmann::json Clipping; // origin and normal of each plane; null: unknown
   bool HasNormalMap = false;
+  std::string NormalMap; // its check sum; empty: unknown
 };
 
 struct Volume
@@ -76,6 +77,7 @@ public:
   std::map<std::string, Layer> Stages;              // light, fog, ambient, marker, blend
 
   bool HasRecord = false;
+  bool IsPortable = false; // the layers of surfaces are from rays
   bool HasVolumes = false; // whether the record lists volumes
   bool HasLights = false;
   std::vector<Object> Objects;

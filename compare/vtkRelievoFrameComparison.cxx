@@ -342,6 +342,12 @@ bool vtkRelievoFrameComparison::Compare()
       return this->Fail(std::string(given[i].first) + " " + wrong);
     }
   }
+  if (frames[0].HasRecord && frames[1].HasRecord && frames[0].IsPortable != frames[1].IsPortable)
+  {
+    const int portable = frames[0].IsPortable ? 0 : 1;
+    return this->Fail(std::string(given[portable].first) + " is portable, but " +
+      given[1 - portable].first + " is not; draw both in the same way");
+  }
   const relievo::compare::Limits limits = { this->ColorLevels, this->NormalAngle,
     this->DepthPixels };
   this->Internal->Compare(frames[0], frames[1], limits);

@@ -517,12 +517,19 @@ int PixelCauses::JudgeGeometry(std::size_t pixel, int a, int b)
 
 //------------------------------------------------------------------------------
 // The tolerance for normals of an object of the frame before. The three components of a texel in a
-// normal map are colours.
+// normal map are colours, if both frames have the same map.
 double PixelCauses::GetMostAngle(int a) const
 {
-  const auto object = static_cast<std::size_t>(a);
-  const bool isMapped =
-    a >= 0 && object < this->A.Objects.size() && this->A.Objects[object].HasNormalMap;
+  const int b = this->Objects.GetAfter(a);
+  const auto find = [](const Frame& frame, int object) {
+    return object >= 0 && object < static_cast<int>(frame.Objects.size())
+      ? &frame.Objects[static_cast<std::size_t>(object)]
+      : nullptr;
+  };
+  const Object* from = find(this->A, a);
+  const Object* to = find(this->B, b);
+  const bool isMapped = from && to && from->HasNormalMap && to->HasNormalMap &&
+    (from->NormalMap == to->NormalMap || from->NormalMap.empty() || to->NormalMap.empty());
   const double ofTexels =
     vtkMath::DegreesFromRadians(std::sqrt(3.0) * this->Bounds.ColorLevels / 127.5);
   return isMapped ? std::max(ofTexels, this->Bounds.NormalAngle) : this->Bounds.NormalAngle;
@@ -848,16 +855,16 @@ void PixelCauses::CompareVolumes()
   {
     const Volume from = i < counts[0] ? this->A.Volumes[i] : Volume();
     const Volume to = i < counts[1] ? this->B.Volumes[i] : Volume();
-    if (from.Values == to.Values)
-    {
-      continue;
-    }
     std::string names;
     for (const auto& [name, value] : from.Values.items())
     {
       const auto found = to.Values.find(name);
       const bool isEqual = found != to.Values.end() && *found == value;
       names += isEqual ? "" : (names.empty() ? "" : ", ") + name;
+    }
+    if (names.empty() && i < counts[0] && i < counts[1])
+    {
+      continue; // older records lack entries
     }
     const int place = this->List.Find(Cause::Translucent, "volume", "", static_cast<int>(i));
     this->List.At(place).Words = "translucent: " +

@@ -82,7 +82,8 @@ class _Baselines:
             said = "there is no such baseline"
         except (OSError, ValueError) as error:  # the message names the file
             said = f"the baseline cannot be read: {error}"
-        frame = frame_of(thing, portable or vtkRelievoBaseline.IsPortable(baseline))
+        is_portable = vtkRelievoBaseline.IsPortable(baseline)
+        frame = frame_of(thing, portable if baseline is None else is_portable)
         if path in self._config.stash[_NEW]:
             self.written.append(shown)
             return
@@ -93,6 +94,8 @@ class _Baselines:
             said = found.text.rstrip("\n")
         if self._config.getoption("relievo_update"):
             path.parent.mkdir(parents=True, exist_ok=True)
+            if portable and not vtkRelievoBaseline.IsPortable(frame):
+                frame = frame_of(thing, portable)
             relievo.write_exr(path, frame)
             self._config.stash[_NEW].add(path)
             self.written.append(shown)

@@ -737,9 +737,10 @@ void vtkRelievoRayScene::Internals::TakeIds(const char* name)
 {
   for (std::size_t i = 0; i < this->Sources.size(); ++i)
   {
-    vtkDataArray* given = this->Meshes[i].Mesh->GetPointData()->GetArray(name);
+    vtkPolyData* mesh = this->Meshes[i].Mesh;
+    vtkDataArray* given = mesh->GetPointData()->GetArray(name);
     if (given && given->GetNumberOfComponents() == 1 && given->GetDataType() != VTK_FLOAT &&
-      given->GetDataType() != VTK_DOUBLE)
+      given->GetDataType() != VTK_DOUBLE && given->GetNumberOfTuples() == mesh->GetNumberOfPoints())
     {
       this->Sources[i].Ids = vtkSmartPointer<vtkIdTypeArray>::New();
       this->Sources[i].Ids->DeepCopy(given);
@@ -1347,7 +1348,8 @@ public:
     for (int i = 0; i < 3; ++i)
     {
       vtkIdType point = triangles.GetPoint(hit.Triangle, i);
-      if (this->To.Sources[static_cast<std::size_t>(mesh)].GetIds())
+      // In equal meshes points have equal indices, even if several have one id.
+      if (this->IsChanged[from] && this->To.Sources[static_cast<std::size_t>(mesh)].GetIds())
       {
         const auto at = target.Points.find(ids ? ids->GetValue(point) : point);
         point = at == target.Points.end() ? -1 : at->second;
@@ -1388,7 +1390,7 @@ private:
   struct Target
   {
     std::unordered_map<vtkIdType, std::size_t> Places; // of glyphs, by the input's point
-    // In the mesh, by their ids, or their indices in the data.
+    // In the mesh, by their ids, or their indices in the data; -1: in several places.
     std::unordered_map<vtkIdType, vtkIdType> Points;
     std::unordered_set<CellPoints, HashOfCellPoints> Cells; // only if they have changed
   };
@@ -1428,7 +1430,9 @@ private:
     const auto count = [](const Internals& scene, std::size_t mesh) {
       return scene.Sources[mesh].GetIds() ? -1 : scene.Meshes[mesh].Mesh->GetNumberOfPoints();
     };
-    return count(this->From, from) == count(this->To, to);
+    // The user's ids and indices in the data do not identify each other.
+    return (this->From.Sources[from].Ids != nullptr) == (this->To.Sources[to].Ids != nullptr) &&
+      count(this->From, from) == count(this->To, to);
   }
 
   bool HasCell(std::size_t from, vtkIdType cell, const Target& target) const
@@ -1485,7 +1489,14 @@ private:
     vtkIdTypeArray* points = this->To.Sources[static_cast<std::size_t>(mesh)].GetIds();
     for (vtkIdType k = 0; points && k < points->GetNumberOfTuples(); ++k)
     {
-      target.Points.emplace(points->GetValue(k), k);
+      const auto [known, isNew] = target.Points.emplace(points->GetValue(k), k);
+      if (!isNew && known->second >= 0)
+      {
+        glm::dvec3 first, again;
+        placed.Mesh->GetPoint(known->second, &first.x);
+        placed.Mesh->GetPoint(k, &again.x);
+        known->second = first == again ? known->second : -1;
+      }
     }
   }
 };
@@ -1553,7 +1564,7 @@ bool vtkRelievoRayScene::FindMoved(vtkRelievoRayScene* later, vtkDataArray* orig
   if (later->PointIds && *later->PointIds && !later->Internal->HasIds())
   {
     vtkErrorMacro("No mesh has an array '" << later->PointIds
-                                           << "' with one number for each point; "
+                                           << "' with one integer for each point; "
                                            << "SetPointIds expects the name of such an array.");
     return false;
   }

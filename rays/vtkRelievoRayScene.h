@@ -85,8 +85,8 @@ public:
   /**
    * Name of a point array of integers that identifies points for FindMoved where the data are
    * meshed anew: a point and a cell of another state are followed if they have the same ids,
-   * wherever they stand in the arrays. A mesh without it identifies points by their index. Default:
-   * none.
+   * wherever they stand in the arrays. Points of a changed mesh in different places that have the
+   * same id are not followed. A mesh without it identifies points by their index. Default: none.
    */
   vtkSetStringMacro(PointIds);
   vtkGetStringMacro(PointIds);

@@ -26,6 +26,7 @@
 #include "vtkLight.h"
 #include "vtkMapper.h"
 #include "vtkMath.h"
+#include "vtkMatrix3x3.h"
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
@@ -60,6 +61,7 @@
 #include "vtkTextActor.h"
 #include "vtkTextMapper.h"
 #include "vtkTextProperty.h"
+#include "vtkTexture.h"
 #include "vtkUnstructuredGrid.h"
 #include "vtkVolume.h"
 #include "vtkVolumeCollection.h"
@@ -220,8 +222,26 @@ Json DescribeProperty(vtkProperty* property)
     { "roughness", property->GetRoughness() }, { "opacity", property->GetOpacity() },
     { "edges", property->GetEdgeVisibility() != 0 }, { "line_width", property->GetLineWidth() },
     { "point_size", property->GetPointSize() }, { "lighting", property->GetLighting() },
+    { "normal_scale", property->GetNormalScale() },
     { "frontface_culling", property->GetFrontfaceCulling() != 0 },
     { "backface_culling", property->GetBackfaceCulling() != 0 } };
+}
+
+// The check sum of a texture's texels; empty without any.
+std::string DescribeMap(vtkTexture* map)
+{
+  vtkImageData* image = map ? map->GetInput() : nullptr;
+  vtkDataArray* texels = image ? image->GetPointData()->GetScalars() : nullptr;
+  if (!texels)
+  {
+    return {};
+  }
+  CheckSum sum;
+  sum.Add(image->GetDimensions(), 3 * sizeof(int));
+  sum.Add(texels->GetVoidPointer(0),
+    static_cast<std::size_t>(texels->GetNumberOfValues()) *
+      static_cast<std::size_t>(texels->GetDataTypeSize()));
+  return sum.Get();
 }
 
 // The origin and the normal of each clipping plane.
@@ -308,6 +328,7 @@ Json DescribeActor(vtkActor* actor, const std::string& name)
     { "center", { center[0], center[1], center[2] } }, { "spread", mesh.GetSpread() },
     { "bounds", bounds }, { "clipping", DescribePlanes(mapper) },
     { "normal_map", property->GetTexture("normalTex") != nullptr },
+    { "normal_map_sum", DescribeMap(property->GetTexture("normalTex")) },
     { "settings", DescribeProperty(property) } };
   if (!isColored)
   {
@@ -315,6 +336,25 @@ Json DescribeActor(vtkActor* actor, const std::string& name)
     json["color"] = { color[0], color[1], color[2] };
   }
   return json;
+}
+
+// Adds the points of a volume's data to a check sum.
+void AddPlace(CheckSum& sum, vtkDataSet* data)
+{
+  if (auto* image = vtkImageData::SafeDownCast(data))
+  {
+    sum.Add(image->GetExtent(), 6 * sizeof(int));
+    sum.Add(image->GetOrigin(), 3 * sizeof(double));
+    sum.Add(image->GetSpacing(), 3 * sizeof(double));
+    sum.Add(image->GetDirectionMatrix()->GetData(), 9 * sizeof(double));
+    return;
+  }
+  for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
+  {
+    double point[3];
+    data->GetPoint(i, point);
+    sum.Add(point, sizeof(point));
+  }
 }
 
 // Describes a volume by its place and by check sums of its data and transfer functions.
@@ -327,6 +367,7 @@ Json DescribeVolume(vtkVolume* volume)
     mapper->Update();
     scene::ForEachDataSet(mapper->GetInputDataObject(0, 0), [&](vtkDataSet* part) {
       int isCell = 0;
+      AddPlace(data, part);
       vtkDataArray* values = vtkAbstractVolumeMapper::GetScalars(part, mapper->GetScalarMode(),
         mapper->GetArrayAccessMode(), mapper->GetArrayId(), mapper->GetArrayName(), isCell);
       for (vtkIdType i = 0; values && i < values->GetNumberOfTuples(); ++i)
@@ -355,7 +396,8 @@ Json DescribeVolume(vtkVolume* volume)
     rows.push_back(matrix->GetElement(i / 4, i % 4));
   }
   Json json = { { "visible", volume->GetVisibility() != 0 }, { "matrix", rows },
-    { "data", data.Get() }, { "functions", functions.Get() } };
+    { "data", data.Get() }, { "functions", functions.Get() },
+    { "clipping", DescribePlanes(mapper) } };
   if (const double* bounds = volume->GetBounds())
   {
     json["bounds"] = std::vector<double>(bounds, bounds + 6);
@@ -483,7 +525,6 @@ std::vector<std::string> DescribeSettings(vtkRenderer* renderer)
   return settings;
 }
 
-// The arrays that colour actors through a colour map; bytes are colours themselves.
 // Text for an element of XML.
 std::string Escape(const std::string& text)
 {
@@ -495,6 +536,7 @@ std::string Escape(const std::string& text)
   return escaped;
 }
 
+// The arrays that colour actors through a colour map; bytes are colours themselves.
 std::set<std::string> FindColoringArrays(vtkRenderer* renderer)
 {
   std::set<std::string> names;
@@ -661,11 +703,13 @@ bool vtkRelievoBaseline::AddRayLayers(vtkImageData* image, const std::vector<std
   rays->Update();
   for (int i = 0; i < rays->GetNumberOfPropsLeftOut(); ++i)
   {
-    if (auto* actor = vtkActor::SafeDownCast(rays->GetPropLeftOut(i)))
+    vtkProp* prop = rays->GetPropLeftOut(i);
+    if (!vtkVolume::SafeDownCast(prop)) // volumes are in no layer
     {
-      const int number = this->Renderer->GetActors()->IsItemPresent(actor) - 1;
-      vtkErrorMacro("A portable baseline has actors that rays hit, but they do not hit actor "
-        << number << "; expected surfaces, not wireframes, points, lines or cut-outs. Use a "
+      const int number = this->Renderer->GetActors()->IsItemPresent(prop) - 1;
+      vtkErrorMacro("A portable baseline has actors that rays hit, but they do not hit "
+        << (number < 0 ? std::string(prop->GetClassName()) : "actor " + std::to_string(number))
+        << "; expected surfaces, not wireframes, points, lines or cut-outs. Use a "
         << "baseline that is not portable.");
       return false;
     }
@@ -772,12 +816,29 @@ bool vtkRelievoBaseline::Test(vtkRenderWindow* window, const char* baseline)
   {
     return false;
   }
+  const auto writePicture = [](vtkImageData* of, const std::string& path) {
+    const auto picture = scene::MakePicture(of);
+    if (picture)
+    {
+      vtkNew<vtkPNGWriter> writer; // reports errors
+      writer->SetInputData(picture);
+      writer->SetFileName(path.c_str());
+      writer->Write();
+    }
+    return picture != nullptr;
+  };
   const auto keepFrame = [&]() {
     vtkNew<vtkRelievoEXRWriter> writer; // reports errors
     writer->SetInputData(frame);
     writer->SetFileName(frameFile.c_str());
     writer->Write();
-    std::cout << "If the frame is right, copy " << frameFile << " to " << baseline << std::endl;
+    const bool isPicture = fs::path(baseline).extension() == ".png";
+    if (isPicture)
+    {
+      writePicture(frame, pictures[1]);
+    }
+    std::cout << "If the frame is right, copy " << (isPicture ? pictures[1] : frameFile) << " to "
+              << baseline << std::endl;
   };
   if (!there)
   {
@@ -806,16 +867,11 @@ bool vtkRelievoBaseline::Test(vtkRenderWindow* window, const char* baseline)
   const std::array<const char*, 2> names = { "ValidImage", "TestImage" };
   for (std::size_t i = 0; i < 2; ++i)
   {
-    const auto picture =
-      scene::MakePicture(i == 0 ? comparison->GetBaseline() : comparison->GetFrame());
-    if (picture)
+    if (writePicture(i == 0 ? comparison->GetBaseline() : comparison->GetFrame(), pictures[i]))
     {
-      vtkNew<vtkPNGWriter> writer; // reports errors
-      writer->SetInputData(picture);
-      writer->SetFileName(pictures[i].c_str());
-      writer->Write();
       std::cout << "<DartMeasurementFile name=\"" << names[i] << "\" type=\"image/png\">"
-                << Escape(fs::absolute(pictures[i]).string()) << "</DartMeasurementFile>\n";
+                << Escape(fs::absolute(pictures[i], ignored).string())
+                << "</DartMeasurementFile>\n";
     }
   }
   std::cout << std::flush;

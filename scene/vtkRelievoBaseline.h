@@ -21,9 +21,9 @@
  *   matrix, points and cells (counts and check sums of the mesh), center and bounds in world
  *   coordinates, spread (the covariance of the points), color (of actors that no array colours),
  *   clipping (origin and normal of each clipping plane), normal_map (whether there is one),
- *   settings (of the vtkProperty).
- * - volumes (JSON strings): visible, matrix, bounds, and check sums of the data (data) and of the
- *   transfer functions and material (functions).
+ *   normal_map_sum (its check sum), settings (of the vtkProperty).
+ * - volumes (JSON strings): visible, matrix, bounds, clipping, and check sums of the data with its
+ *   points (data) and of the transfer functions and material (functions).
  * - overlays (JSON strings): visible texts, bars and other 2D actors.
  * - settings (strings NAME=VALUE): background, samples per pixel, and the parameters of the stages
  *   that ran.
@@ -81,7 +81,10 @@ public:
   vtkBooleanMacro(Portable, bool);
   ///@}
 
-  /** Whether an image is a portable baseline, which is compared with such baselines only. */
+  /**
+   * Whether an image is a portable baseline. Baselines are compared with others of the same kind
+   * only.
+   */
   static bool IsPortable(vtkImageData* image);
 
   /** Draws the frame into an image. Returns false, with an error event, on failure. */
@@ -91,8 +94,9 @@ public:
    * Compares a window with a baseline, in place of vtkRegressionTestImage: an .exr file of this
    * class, or a picture. Draws the window's only renderer with props, and prints the table of
    * causes. If the frames differ, the current folder gets NAME.frame.exr, which can become the
-   * baseline, NAME.html, a report, and both pictures, which are also printed as measurements for
-   * CDash. Returns whether the frames are alike; false, too, without a baseline, and after errors.
+   * baseline (NAME.frame.png for a baseline that is a PNG), NAME.html, a report, and both pictures,
+   * which are also printed as measurements for CDash. Returns whether the frames are alike; false,
+   * too, without a baseline, and after errors.
    */
   static bool Test(vtkRenderWindow* window, const char* baseline);
 

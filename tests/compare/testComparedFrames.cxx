@@ -263,6 +263,25 @@ void TestDamaged()
   const json overlays = Compare(whole, compareTest::Draw(odd));
   RELIEVO_CHECK_THAT(
     overlays["causes"].size() == 1 && overlays["causes"][0]["cause"] == "overlay", overlays.dump());
+  // JSON that is nested deeply enough to overflow the stack when it is copied.
+  const vtkSmartPointer<vtkImageData> deep = compareTest::Draw(boxes);
+  vtkNew<vtkStringArray> volumes;
+  volumes->SetName("volumes");
+  volumes->InsertNextValue(
+    R"({"data": )" + std::string(200000, '[') + std::string(200000, ']') + "}");
+  deep->GetFieldData()->AddArray(volumes);
+  RELIEVO_CHECK(!Compare(whole, deep).empty());
+  // A portable baseline and another one.
+  const vtkSmartPointer<vtkImageData> portable = compareTest::Draw(boxes);
+  vtkNew<vtkIntArray> mark;
+  mark->SetName("portable");
+  mark->InsertNextValue(1);
+  portable->GetFieldData()->AddArray(mark);
+  comparison->SetFrame(portable);
+  {
+    relievoTest::ExpectMessage expect("the frame is portable, but the baseline is not");
+    RELIEVO_CHECK(!comparison->Compare());
+  }
   // An invalid format number.
   const vtkSmartPointer<vtkImageData> zeroth = compareTest::Draw(boxes);
   zeroth->GetFieldData()->GetArray("baseline_version")->SetTuple1(0, 0);

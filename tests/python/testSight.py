@@ -877,6 +877,14 @@ class Flow(unittest.TestCase):
                 motion = relievo.layer(image, "motion")
                 self.assertLess(numpy.abs(motion[which == 0] - step).max(), 1e-6)
                 self.assertTrue(numpy.isnan(motion[which == 1]).all())
+        # Points that share an id are followed by their index if the mesh is the same.
+        cells = [(0, 1, 2), (0, 2, 3)]
+        shared = relievo.moment(with_ids(corners, cells, [7] * 4), sensor, point_ids="id")
+        image = relievo.flow(shared, with_ids(corners + step, cells, [7] * 4), sensor)
+        motion = relievo.layer(image, "motion")
+        self.assertLess(numpy.abs(motion[which >= 0] - step).max(), 1e-6)
+        image = relievo.flow(shared, with_ids(corners + step, cells[::-1], [7] * 4), sensor)
+        self.assertTrue(numpy.isnan(relievo.layer(image, "motion")).all())
         with self.assertRaisesRegex(ValueError, "No mesh has an array 'number'"):
             relievo.flow(relievo.moment(whole, sensor, point_ids="number"), anew, sensor)
         with self.assertRaisesRegex(ValueError, "point_ids: got 3"):

@@ -162,9 +162,10 @@ void Picture::FitClipping()
     {
     }
   }
-  if (scene.GetOptions().View.Clip)
+  const scene::CameraChoice& choice = this->Other ? *this->Other : scene.GetOptions().View;
+  if (choice.Clip)
   {
-    this->GetRenderer()->GetActiveCamera()->SetClippingRange(scene.GetOptions().View.Clip->data());
+    this->GetRenderer()->GetActiveCamera()->SetClippingRange(choice.Clip->data());
   }
   else
   {

@@ -15,6 +15,7 @@
 #include "vtkSmartPointer.h"
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -97,6 +98,7 @@ public:
     void operator=(const OtherCamera&) = delete;
 
   private:
+    Picture* Shown;
     vtkSmartPointer<vtkCamera> Camera, Before;
   };
 
@@ -130,6 +132,7 @@ private:
   scene::ProgressListener* Listener = nullptr;
   unsigned long Observer;
   Contents Now;
+  std::optional<scene::CameraChoice> Other; // of OtherCamera
   Stand Chosen, Kept; // the view before its first change of shape, and the resulting view
 };
 }

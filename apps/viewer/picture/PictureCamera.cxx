@@ -132,7 +132,8 @@ bool Picture::IsParallel() const
 
 //------------------------------------------------------------------------------
 Picture::OtherCamera::OtherCamera(Picture* picture, const scene::CameraChoice& choice)
-  : Camera(picture->GetRenderer()->GetActiveCamera())
+  : Shown(picture)
+  , Camera(picture->GetRenderer()->GetActiveCamera())
   , Before(vtkSmartPointer<vtkCamera>::New())
 {
   this->Before->DeepCopy(this->Camera);
@@ -140,12 +141,14 @@ Picture::OtherCamera::OtherCamera(Picture* picture, const scene::CameraChoice& c
   this->Camera->SetViewAngle(scene::StandardViewAngle);
   const scene::DressedScene& scene = picture->GetScene();
   scene::PlaceCamera(picture->GetRenderer(), choice, scene.GetOptions().UpAxis, scene.GetBounds());
+  picture->Other = choice;
 }
 
 //------------------------------------------------------------------------------
 Picture::OtherCamera::~OtherCamera()
 {
   this->Camera->DeepCopy(this->Before);
+  this->Shown->Other.reset();
 }
 
 //------------------------------------------------------------------------------
