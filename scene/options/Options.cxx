@@ -725,6 +725,11 @@ void CheckTogether(RenderOptions& options, const std::set<std::string>& given)
   {
     throw UsageError("--portable: describes a baseline: give --baseline F as well");
   }
+  if (options.Portable && options.View.Clip)
+  {
+    throw UsageError("--portable and --clip: give one of them; the rays of a portable baseline do "
+                     "not end at clipping distances");
+  }
   if (options.HDR && options.EXR.empty())
   {
     throw UsageError("--hdr: unclamped colour is written to OpenEXR: give --exr F as well");

@@ -144,6 +144,10 @@ class Words(CliTest):
         self.refused("render", "triangle.off", "--png", "a.png", "--view-angle", "30",
                      "--parallel-scale", "1", status=2,
                      says=["--view-angle", "--parallel-scale"])  # fmt: skip
+        self.refused("render", "triangle.off", "--png", "a.png", "--portable", status=2,
+                     says=["--portable", "--baseline"])  # fmt: skip
+        self.refused("render", "triangle.off", "--baseline", "a.exr", "--portable", "--clip", "1,9",
+                     status=2, says=["--portable", "--clip"])  # fmt: skip
         self.refused("render", "triangle.off", "--png", "a.png", "--layers", "depth", status=2,
                      says=["--layers", "--exr"])  # fmt: skip
         self.refused("render", "triangle.off", "--png", "a.png", "--preset", "none", "--fill", "1",
