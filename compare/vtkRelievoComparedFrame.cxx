@@ -27,6 +27,8 @@ using Json = nlohmann::json;
 // Copies and comparisons of JSON recurse; a damaged file may nest it until the stack overflows.
 constexpr int MostDepth = 16;
 
+constexpr float OfStorage = 1e-3f; // levels
+
 // Further components of a layer are ignored.
 constexpr int MostComponents = 9;
 
@@ -427,7 +429,11 @@ float Frame::Level(std::size_t pixel, int c) const
   {
     return value;
   }
-  return 255.f * (isAlpha ? value : relievo::f32::relievoSrgbFromLinear(std::max(0.f, value)));
+  const float level =
+    255.f * (isAlpha ? value : relievo::f32::relievoSrgbFromLinear(std::max(0.f, value)));
+  // Pictures of 8 bits are stored as linear floats, which rounds: 2 levels must not become 2.00002.
+  const float whole = std::round(level);
+  return std::abs(level - whole) < OfStorage ? whole : level;
 }
 
 //------------------------------------------------------------------------------

@@ -5,6 +5,7 @@
 
 #include "Check.h"
 #include "Session.h"
+#include "SrgbCurve.h"
 #include "TestCase.h"
 #include "vtkRelievoEXRWriter.h"
 #include "vtkRelievoFrameComparison.h"
@@ -411,6 +412,32 @@ void TestClipped()
 }
 
 //------------------------------------------------------------------------------
+// Pictures of 8 bits that are stored as linear floats: all pairs of levels at the limit of 2.
+void TestLevels()
+{
+  const auto make = [](int above) {
+    vtkNew<vtkFloatArray> color;
+    color->SetName("color");
+    color->SetNumberOfComponents(3);
+    color->SetNumberOfTuples(253);
+    for (int level = 0; level < 253; ++level)
+    {
+      for (int c = 0; c < 3; ++c)
+      {
+        color->SetComponent(level, c, relievoTest::LinearFromSrgb((level + above) / 255.));
+      }
+    }
+    auto image = vtkSmartPointer<vtkImageData>::New();
+    image->SetDimensions(253, 1, 1);
+    image->GetPointData()->AddArray(color);
+    return image;
+  };
+  const json two = Compare(make(0), make(2));
+  RELIEVO_CHECK(two["alike"] == true && two["within_limits"]["rounding"] == 253);
+  RELIEVO_CHECK(Compare(make(0), make(3))["unexplained"] == 253);
+}
+
+//------------------------------------------------------------------------------
 void TestPNG()
 {
   vtkNew<vtkImageData> image;
@@ -477,6 +504,7 @@ RELIEVO_TEST_CASE(testComparedFrames)
   TestDamaged();
   TestUnequalSides();
   TestClipped();
+  TestLevels();
   TestPNG();
   TestColors();
   return session.Result();
