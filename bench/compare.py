@@ -446,6 +446,8 @@ def main():
         with open(given.pairs, "w", encoding="utf-8") as file:
             json.dump([dataclasses.asdict(pair) for pair in pairs], file, indent=1)
     folder = pathlib.Path(given.out) if given.out else None
+    if folder:
+        folder.mkdir(parents=True, exist_ok=True)
     for name, columns, rows in (
         ("compare", COLUMNS, summary(pairs)),
         ("compare-faults", KINDS, by_kind(pairs)),
