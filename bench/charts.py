@@ -596,7 +596,7 @@ def rays(rows):
     titles = {"nearest": "the first hit", "any": "any hit"}
     yield Chart(
         "rays-speed", "Rays at a mesh, on one core",
-        "Higher is better. Incoherent rays, one at a time. Embree's hits are floats.",
+        "Higher is better. Incoherent rays, ours given at once. Embree's hits are floats.",
         triangles, Axis("million rays per second"),
         panels(rows, "thousands", "million rays per second",
                panel=lambda row: titles[row["answer"]]))
