@@ -14,6 +14,7 @@
 #include "PictureView.h"
 #include "Progress.h"
 #include "SaveDialog.h"
+#include "WorkTeller.h"
 
 #include "vtkImageData.h"
 #include "vtkNew.h"
