@@ -25,6 +25,11 @@ class QPushButton;
 class QShortcut;
 class QStackedWidget;
 
+namespace scene
+{
+class ProgressListener;
+}
+
 namespace viewer
 {
 class AxisMarker;
@@ -36,7 +41,6 @@ class LayersPanel;
 class LightHandles;
 class LightPanel;
 class MessageBar;
-class WorkTeller;
 class RecentFiles;
 class ReportPanel;
 class PictureView;
@@ -173,7 +177,7 @@ private:
   MessageBar *Message, *Hint;
   QShortcut* StopPlacing;
   QLabel *Words, *Values, *Smoothing;
-  std::unique_ptr<WorkTeller> Teller;
+  std::unique_ptr<scene::ProgressListener> Teller;
   QProgressBar* Bar;
   QPushButton* Cancel;
   QString Trouble;

@@ -14,7 +14,6 @@
 #include "PictureView.h"
 #include "Progress.h"
 #include "SaveDialog.h"
-#include "WorkTeller.h"
 
 #include "vtkImageData.h"
 #include "vtkNew.h"
