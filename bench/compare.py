@@ -57,7 +57,7 @@ CURVE = 24  # limits of a curve
 
 @dataclasses.dataclass
 class Change:
-    """No fault: what differs from the baseline's process."""
+    """No fault: a difference from the baseline's process."""
 
     kind: str
     order: int = 0

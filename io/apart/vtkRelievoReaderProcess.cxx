@@ -113,13 +113,13 @@ struct Note
     NoMemory, // the reader may still succeed
     Whole,    // the result of Size bytes is complete
     Ended,    // the process ended with Status
-    Refused   // no process; What is the reason
+    Refused   // no process; Text has the reason
   };
   Kinds Kind = Progress;
   int Status = 0; // exit status of the process, or its number
   std::uint64_t Size = 0;
   double Share = 0.;
-  char What[5000] = "";
+  char Text[5000] = "";
 };
 
 struct Request
@@ -222,7 +222,7 @@ bool Receive(int line, Note& note)
   {
     got = recv(line, &note, sizeof note, 0);
   } while (got < 0 && errno == EINTR);
-  note.What[sizeof note.What - 1] = '\0';
+  note.Text[sizeof note.Text - 1] = '\0';
   return got == sizeof note;
 }
 
@@ -450,7 +450,7 @@ void LimitAll(std::uint64_t size)
         before = what;
         Note note;
         note.Share = share;
-        std::snprintf(note.What, sizeof note.What, "%s", what.c_str());
+        std::snprintf(note.Text, sizeof note.Text, "%s", what.c_str());
         Send(line, note);
       }
       return true;
@@ -571,7 +571,7 @@ void Bury(const Child& child)
       refused.Kind = Note::Refused;
       if (request.Library[0] != '\0' && !LoadWork(request))
       {
-        std::snprintf(refused.What, sizeof refused.What, "%s", dlerror());
+        std::snprintf(refused.Text, sizeof refused.Text, "%s", dlerror());
         Send(line.Get(), refused);
       }
       else if (auto child = Fork(request, bytes.Get(), line.Get(), folder.Get()))
@@ -580,7 +580,7 @@ void Bury(const Child& child)
       }
       else
       {
-        std::snprintf(refused.What, sizeof refused.What, "%s", std::strerror(errno));
+        std::snprintf(refused.Text, sizeof refused.Text, "%s", std::strerror(errno));
         Send(line.Get(), refused);
       }
     }
@@ -877,7 +877,7 @@ std::string vtkRelievoReaderProcess::Run(Work work,
       }
       if (note.Kind == Note::Refused)
       {
-        return cannot + note.What;
+        return cannot + note.Text;
       }
       ended = note.Kind == Note::Ended;
       process = note.Kind == Note::Began ? note.Status : process;
@@ -886,7 +886,7 @@ std::string vtkRelievoReaderProcess::Run(Work work,
       total = note.Kind == Note::Whole ? note.Size : total;
       lackedMemory = lackedMemory || note.Kind == Note::NoMemory;
       tells = note.Kind == Note::Progress;
-      what = tells ? note.What : what;
+      what = tells ? note.Text : what;
       share = tells ? note.Share : share;
     }
     const bool unwanted = stopped || late;

@@ -363,7 +363,7 @@ void TestPictureAlone()
 }
 
 //------------------------------------------------------------------------------
-// Entries of records that explain what the layers do not show.
+// Entries of records that explain differences outside the layers.
 void TestRecords()
 {
   const Boxes plain = compareTest::MakeBoxes();

@@ -689,7 +689,7 @@ class Compared(unittest.TestCase):
             self.only(relievo.compare(self.path, renderer), "removed")["name"], "low")
 
     def test_window(self):
-        """vtkRelievoBaseline.Test(), for programs in C++: what it prints and writes."""
+        """vtkRelievoBaseline.Test(), for programs in C++: its text and files."""
         renderer = self.renderer()
         window = renderer.GetRenderWindow()
         path = self.folder / "boxes & more.exr"

@@ -190,7 +190,7 @@ void ComparisonPanel::SetKind(ComparisonView::Kind kind)
 }
 
 //------------------------------------------------------------------------------
-// While the key is down, the other picture is shown, so that the eye sees what differs.
+// While the key is down, the other picture is shown, so that the eye sees the differences.
 void ComparisonPanel::Hold(bool on)
 {
   this->View->SetKind(!on                      ? this->Kind
