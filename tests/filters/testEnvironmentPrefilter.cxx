@@ -196,7 +196,7 @@ void TestSuns()
     },
     Cube, 128);
   sun->GetPointData()->GetScalars()->SetTuple3(128 * 37 + 50, 1e5, 9e4, 8e4);
-  TestSums("sun", sun, 5e-4, 30, 0.01);
+  TestSums("sun", sun, 5e-4, 15, 0.01);
   const vtkSmartPointer<vtkImageData> noise =
     MakeEnvironment([](const glm::dvec3&) { return glm::dvec3(0.); }, Cube, 64);
   std::mt19937 random(5);
@@ -275,7 +275,7 @@ RELIEVO_TEST_CASE(testEnvironmentPrefilter)
   Session session;
   TestFurnace();
   TestGradient();
-  TestSums("smooth light", MakeEnvironment(SmoothLight, Cube, 128), 5e-4, 20, 0.01);
+  TestSums("smooth light", MakeEnvironment(SmoothLight, Cube, 128), 5e-4, 10, 0.01);
   TestSums("smooth light, tolerance 1e-5", MakeEnvironment(SmoothLight, Cube, 64), 1e-5, 10, 0.002);
   TestSuns();
   TestStructure();

@@ -11,8 +11,10 @@
 #include "TestCase.h"
 
 #include <vtkCamera.h>
+#include <vtkDataArray.h>
 #include <vtkImageData.h>
 #include <vtkLight.h>
+#include <vtkPointData.h>
 #include <vtkProperty.h>
 #include <vtkRelievoLayerSource.h>
 #include <vtkRelievoMaterial.h>
@@ -50,8 +52,15 @@ struct Scene
 
   explicit Scene(const HeightField& field)
   {
-    this->Material->SetHeightMap(HeightImage(field, Texels));
-    this->Material->SetHeightRange(0., 1.);
+    // Heights above a sea: their range starts at 2.
+    const vtkSmartPointer<vtkImageData> heights = HeightImage(field, Texels);
+    vtkDataArray* values = heights->GetPointData()->GetScalars();
+    for (vtkIdType i = 0; i < values->GetNumberOfTuples(); ++i)
+    {
+      values->SetComponent(i, 0, 2. + 3. * values->GetComponent(i, 0));
+    }
+    this->Material->SetHeightMap(heights);
+    this->Material->SetHeightRange(2., 5.);
     this->Material->SetHeightScale(Scale);
     this->Material->DepthCorrectionOn();
     this->Material->Attach(this->Actor);

@@ -42,7 +42,9 @@ const float* Visibility(const Layers& layers)
     ->GetPointer(0);
 }
 
-void Test(const std::string& mesh, SceneLight kind, const std::string& name, double limit)
+// Pictures that are not square are drawn where `everySize` is true.
+void Test(const std::string& mesh, SceneLight kind, const std::string& name, double limit,
+  bool everySize)
 {
   const auto scene = relievoTest::MakeReferenceScene(mesh, kind);
   if (!scene.IsValid())
@@ -54,6 +56,10 @@ void Test(const std::string& mesh, SceneLight kind, const std::string& name, dou
   const auto truth = scene.MakeTruth();
   for (const auto& size : Sizes)
   {
+    if (!everySize && size[0] != size[1])
+    {
+      continue;
+    }
     window->SetSize(size[0], size[1]);
     window->Render();
     const auto view = truth->Trace(relievoTest::View(scene.Renderer));
@@ -88,9 +94,10 @@ RELIEVO_TEST_CASE(testShadowsOfMeshes)
   for (const std::string& mesh : relievoTest::ReferenceMeshes())
   {
     const double limit = Limits.at(mesh);
-    Test(mesh, SceneLight::Sun, "sun", limit);
-    Test(mesh, SceneLight::Spot, "spot", 2. * limit);
-    Test(mesh, SceneLight::Point, "point", 2. * limit);
+    // Each mesh with one light in all sizes, and each light with one mesh.
+    Test(mesh, SceneLight::Sun, "sun", limit, mesh == "bunny");
+    Test(mesh, SceneLight::Spot, "spot", 2. * limit, mesh == "motorBike");
+    Test(mesh, SceneLight::Point, "point", 2. * limit, mesh == "buildings");
   }
   return session.Result();
 }
