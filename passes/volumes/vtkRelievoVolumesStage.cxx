@@ -1,0 +1,353 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkRelievoVolumesStage.h"
+
+#include "vtkDataArray.h"
+#include "vtkDataSet.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtkPropCollection.h"
+#include "vtkRectilinearGrid.h"
+#include "vtkRelievoFrameContext.h"
+#include "vtkRelievoFramePlan.h"
+#include "vtkRelievoLayerCatalogue.h"
+#include "vtkRelievoReportOnce.h"
+#include "vtkRelievoScreenQuad.h"
+#include "vtkRelievoShaderLibrary.h"
+#include "vtkRelievoSpliceText.h"
+#include "vtkRelievoVolumeReader.h"
+#include "vtkRelievoVolumeSettings.h"
+#include "vtkRelievoVolumeSplice.h"
+#include "vtkRelievoVolumeTarget.h"
+#include "vtkRenderer.h"
+#include "vtkShaderProgram.h"
+#include "vtkVolume.h"
+#include "vtkVolumeCollection.h"
+#include "vtkVolumeMapper.h"
+#include "vtkVolumeProperty.h"
+
+#include <algorithm>
+
+namespace
+{
+// A prop's volume that is drawn by itself: a part of an assembly, or the prop.
+struct Drawn
+{
+  vtkProp* Prop = nullptr;
+  vtkVolume* Part = nullptr;
+  vtkMatrix4x4* Matrix = nullptr; // of the part in its assembly
+};
+
+std::vector<Drawn> FindVolumes(const vtkRelievoFrameContext& context)
+{
+  std::vector<Drawn> drawn;
+  for (const vtkRelievoFrameProp& each : context.Scene.Props)
+  {
+    vtkNew<vtkPropCollection> volumes;
+    each.Prop->GetVolumes(volumes);
+    if (volumes->GetNumberOfItems() == 0)
+    {
+      continue;
+    }
+    // Levels of detail choose one of their volumes when they are drawn.
+    const bool levels = each.Prop->IsA("vtkLODProp3D");
+    for (const vtkRelievoPropParts::Part& part : each.Parts)
+    {
+      if (auto* volume = levels ? nullptr : vtkVolume::SafeDownCast(part.Prop))
+      {
+        drawn.push_back({ each.Prop, volume, volume == each.Prop ? nullptr : part.Matrix });
+      }
+    }
+    if (levels)
+    {
+      drawn.push_back({ each.Prop, nullptr, nullptr });
+    }
+  }
+  return drawn;
+}
+
+// The reason why layers of a volume cannot be made, or an empty string.
+std::string WhyNot(vtkVolume* volume)
+{
+  vtkAbstractVolumeMapper* mapper = volume->GetMapper();
+  if (volume->IsA("vtkMultiVolume"))
+  {
+    return "a vtkMultiVolume mixes its volumes";
+  }
+  if (!mapper || !volume->GetProperty() ||
+    !(mapper->IsA("vtkGPUVolumeRayCastMapper") || mapper->IsA("vtkSmartVolumeMapper") ||
+      mapper->IsA("vtkMultiBlockVolumeMapper") || mapper->IsA("vtkAMRVolumeMapper")))
+  {
+    return std::string("a ") + (mapper ? mapper->GetClassName() : "vtkVolume without a mapper") +
+      " does not march along rays on the GPU";
+  }
+  auto* blended = vtkVolumeMapper::SafeDownCast(mapper);
+  const int mode = blended ? blended->GetBlendMode() : vtkVolumeMapper::COMPOSITE_BLEND;
+  return mode == vtkVolumeMapper::AVERAGE_INTENSITY_BLEND || mode == vtkVolumeMapper::ADDITIVE_BLEND
+    ? "the blend modes average and additive have no depth"
+    : std::string();
+}
+
+// Index of the component that gives a sample's value, as GLSL: the one with the greatest weight, or
+// the one that gives the opacity.
+std::string GetComponent(const std::string& fragment, vtkVolume* volume)
+{
+  if (!vtkRelievoSpliceText::Has(fragment, "uniform vec4 in_componentWeight"))
+  {
+    return "(in_noOfComponents - 1)";
+  }
+  int heaviest = 0;
+  for (int i = 1; i < 4; ++i)
+  {
+    vtkVolumeProperty* property = volume->GetProperty();
+    heaviest =
+      property->GetComponentWeight(i) > property->GetComponentWeight(heaviest) ? i : heaviest;
+  }
+  return std::to_string(heaviest);
+}
+
+const char* const Declared = "//RELIEVO::Volumes::Dec";
+const char* const Sampled = "//RELIEVO::Volumes::Sample";
+const char* const Ended = "//RELIEVO::Volumes::Exit";
+
+void Mark(std::string& fragment)
+{
+  using namespace vtkRelievoSpliceText;
+  FillMark(
+    fragment, "//VTK::DepthPeeling::Dec", std::string("//VTK::DepthPeeling::Dec\n") + Declared);
+  MarkBehind(fragment, "//VTK::DepthPass::Impl", Sampled);
+  MarkBehind(fragment, "//VTK::DepthPass::Exit", Ended);
+}
+
+std::string Fill(std::string& fragment, vtkVolumeMapper* mapper, vtkVolume* volume)
+{
+  using namespace vtkRelievoSpliceText;
+  const char* const local = "      vec4 scalar;"; // in the march's loop
+  for (const char* place : { Declared, Sampled, Ended, local })
+  {
+    if (!Has(fragment, place))
+    {
+      return std::string("its shader has no place '") + place + "'";
+    }
+  }
+  const int mode = mapper->GetBlendMode();
+  std::string defines = "#define RELIEVO_VOLUME_COMPONENT " + GetComponent(fragment, volume) + "\n";
+  defines += mode == vtkVolumeMapper::MAXIMUM_INTENSITY_BLEND
+    ? "#define RELIEVO_VOLUME_EXTREME 1.0\n"
+    : mode == vtkVolumeMapper::MINIMUM_INTENSITY_BLEND ? "#define RELIEVO_VOLUME_EXTREME -1.0\n"
+                                                       : "";
+  defines += vtkRectilinearGrid::SafeDownCast(mapper->GetDataSetInput())
+    ? "#define RELIEVO_VOLUME_GRID\n"
+    : "";
+  const auto section = [](const char* name) {
+    return vtkRelievoShaderLibrary::GetSection("volumes/layers.glsl", name);
+  };
+  FillMark(fragment, local, "");
+  FillWord(fragment, "g_dirStep * jitterValue", "g_dirStep");
+  FillMark(
+    fragment, Declared, vtkRelievoVolumeSplice::GetNames(fragment) + defines + section("Dec"));
+  FillMark(fragment, Sampled, section("Sample"));
+  FillMark(fragment, Ended, section("Exit"));
+  return {};
+}
+}
+
+class vtkRelievoVolumesStage::Internals
+{
+public:
+  vtkNew<vtkRelievoVolumeSplice> Splice;
+  vtkRelievoVolumeTarget Target;
+  vtkRelievoScreenQuad Quad;
+  std::vector<vtkRelievoDrawnVolume> Volumes; // in the target
+  vtkRelievoFrameCamera View;
+  vtkRelievoReportOnce Reported;
+};
+
+vtkStandardNewMacro(vtkRelievoVolumesStage);
+
+//------------------------------------------------------------------------------
+vtkRelievoVolumesStage::vtkRelievoVolumesStage()
+  : Internal(new Internals)
+{
+  vtkRelievoVolumeSplice* splice = this->Internal->Splice;
+  splice->Mark = Mark;
+  splice->Fill = Fill;
+  splice->Report = [this](const std::string& message) {
+    vtkErrorMacro("Volumes lack layers: " << message << ".");
+  };
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoVolumesStage::~vtkRelievoVolumesStage() = default;
+
+//------------------------------------------------------------------------------
+void vtkRelievoVolumesStage::Describe(vtkRelievoStageDescription& description)
+{
+  description.Name = "volumes";
+  description.Label = "Volume Layers";
+  description.Help = "Makes the layers of volumes: depth, position, value, normal, opacity, id.";
+  description.Slot = vtkRelievoStageDescription::SHADE;
+  description.OnByDefault = true;
+  description.Reads = { vtkRelievoResources::Depth };
+  for (const vtkRelievoLayer& layer : vtkRelievoLayerCatalogue::GetAll())
+  {
+    if (layer.Name.compare(0, 6, "volume") == 0)
+    {
+      description.Layers.push_back(layer.Name);
+    }
+  }
+  description
+    .AddChoice(
+      "rule", this->Rule, [this](int rule) { this->SetRule(rule); },
+      { "first", "opacity", "strongest" },
+      "The place that stands for a volume: first, the first visible sample; opacity, where the "
+      "accumulated opacity reaches a threshold; strongest, the sample that contributes most.")
+    .Label = "Depth Of Volumes";
+  description
+    .AddNumber(
+      "opacity", this->Opacity, [this](double opacity) { this->SetOpacity(opacity); }, 0.001, 0.99,
+      "", "Accumulated opacity at the depth of a volume.")
+    .OnlyIf = "rule=opacity";
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoVolumesStage::Execute(vtkRelievoFrameContext& context)
+{
+  Internals& in = *this->Internal;
+  this->DrawCalls = 0;
+  in.Volumes.clear();
+  in.View = context.View;
+  std::vector<Drawn> volumes;
+  std::string wrong;
+  const auto reject = [this, &in](const std::string& why) {
+    if (in.Reported.IsNew(why))
+    {
+      vtkErrorMacro("A volume has no layers: " << why << ".");
+    }
+  };
+  for (const Drawn& each : FindVolumes(context))
+  {
+    const std::string why = each.Part ? WhyNot(each.Part) : std::string();
+    if (why.empty())
+    {
+      volumes.push_back(each);
+    }
+    else
+    {
+      reject(why);
+    }
+  }
+  if (volumes.empty())
+  {
+    this->Explain("ran", "there are no volumes");
+    return;
+  }
+  wrong = in.Target.Prepare(context, static_cast<int>(volumes.size()));
+  if (wrong.empty() &&
+    !in.Quad.Ready(context, "volumes/depthFS.glsl", { vtkRelievoResources::Depth }))
+  {
+    wrong = in.Quad.GetWrong();
+  }
+  if (!wrong.empty())
+  {
+    this->Explain("failed", wrong);
+    reject(wrong);
+    return;
+  }
+  in.Target.Begin(context);
+  context.Window->GetState()->vtkglDisable(GL_BLEND);
+  in.Target.Select(0);
+  in.Quad.Draw(context, in.Target.GetArea(), vtkRelievoScreenQuad::WRITES_DEPTH);
+  ++this->DrawCalls;
+  vtkVolumeCollection* all = context.Renderer->GetVolumes();
+  for (const Drawn& each : volumes)
+  {
+    vtkRelievoDrawnVolume drawn;
+    in.Splice->Set = [this, all, &drawn](
+                       vtkShaderProgram* program, vtkVolumeMapper* mapper, vtkVolume* volume) {
+      vtkDataSet* data = mapper->GetDataSetInput();
+      drawn.Take(volume, data);
+      drawn.Index = all->IsItemPresent(volume) - 1;
+      program->SetUniformi("relievoVolumeRule", this->Rule);
+      program->SetUniformf("relievoVolumeThreshold", static_cast<float>(this->Opacity));
+      const glm::vec3 points(drawn.Points);
+      program->SetUniform3f("relievoVolumePoints", &points[0]);
+    };
+    in.Target.Select(static_cast<int>(in.Volumes.size()));
+    in.Splice->Begin({ each.Prop }, context.Window);
+    {
+      const vtkRelievoVolumeSettings still(
+        each.Part ? each.Part->GetMapper() : nullptr, context.Window);
+      if (each.Part && each.Part != each.Prop)
+      {
+        each.Part->SetPropertyKeys(each.Prop->GetPropertyKeys());
+        each.Part->PokeMatrix(each.Matrix);
+        each.Part->RenderVolumetricGeometry(context.Renderer);
+        each.Part->PokeMatrix(nullptr);
+      }
+      else
+      {
+        each.Prop->RenderVolumetricGeometry(context.Renderer);
+      }
+    }
+    in.Splice->End();
+    this->DrawCalls += drawn.Draws;
+    if (drawn.Draws > 1 && this->Rule != FIRST)
+    {
+      drawn.HasDepth = false;
+      reject("its data is drawn in several blocks, which only the rule 'first' combines");
+    }
+    if (drawn.Draws > 0)
+    {
+      in.Volumes.push_back(drawn);
+    }
+  }
+  in.Splice->Set = nullptr;
+  in.Target.End();
+  this->Explain("ran", "draws " + std::to_string(in.Volumes.size()) + " volumes");
+}
+
+//------------------------------------------------------------------------------
+std::string vtkRelievoVolumesStage::ReadLayers(
+  const std::vector<std::string>& names, vtkImageData* image)
+{
+  Internals& in = *this->Internal;
+  vtkRelievoVolumeReader reader(in.Target, in.Volumes, in.View);
+  if (reader.HasBricks() && this->Rule != FIRST)
+  {
+    return "The layer '" + names.front() +
+      "' cannot be read: a volume is drawn in bricks (SetPartitions), which only the rule 'first' "
+      "combines.";
+  }
+  for (const std::string& name : names)
+  {
+    reader.Read(name, image);
+  }
+  return {};
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkRelievoVolumesStage::GetBytesHeld()
+{
+  return this->Internal->Target.GetBytes();
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoVolumesStage::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->Internal->Target.Release(window);
+  this->Internal->Quad.Release(window);
+  this->Internal->Volumes.clear();
+  this->DrawCalls = 0;
+  this->Superclass::ReleaseGraphicsResources(window);
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoVolumesStage::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Rule: " << this->Rule << "\n";
+  os << indent << "Opacity: " << this->Opacity << "\n";
+}
