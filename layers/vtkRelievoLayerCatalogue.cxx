@@ -77,8 +77,8 @@ std::vector<L> MakeTable()
     "unit vector along falling values at the depth of a volume, world space" });
   table.push_back({ "volume_opacity", L::SHARE, L::FROM_STAGE, VTK_FLOAT, 1, 0.0, "V",
     "opacity of volumes before the surface: 0 nothing, 1 all" });
-  table.push_back({ "volume", L::ID, L::FROM_STAGE, VTK_INT, 1, -1.0, "id",
-    "index of the volume, from 0" });
+  table.push_back(
+    { "volume", L::ID, L::FROM_STAGE, VTK_INT, 1, -1.0, "id", "index of the volume, from 0" });
   L shadow = { "shadow_", L::SHARE, L::FROM_SHADOW, VTK_FLOAT, 1, 1.0, "V",
     "visibility of a light: 1 lit, 0 dark" };
   shadow.OfLight = true;

@@ -96,6 +96,7 @@ void vtkRelievoVolumeTarget::Begin(vtkRelievoFrameContext& context)
   state->vtkglViewport(0, 0, this->Area[2], this->Area[3]);
   state->vtkglScissor(0, 0, this->Area[2], this->Area[3]);
   state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  state->vtkglDisable(GL_BLEND);
   state->vtkglDepthMask(GL_TRUE);
   state->vtkglDepthFunc(GL_LEQUAL);
 }

@@ -4,16 +4,18 @@
 
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
+#include "vtkFieldData.h"
+#include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
-#include "vtkOpenGLState.h"
 #include "vtkPropCollection.h"
 #include "vtkRectilinearGrid.h"
 #include "vtkRelievoFrameContext.h"
 #include "vtkRelievoFramePlan.h"
 #include "vtkRelievoLayerCatalogue.h"
 #include "vtkRelievoReportOnce.h"
+#include "vtkRelievoResource.h"
 #include "vtkRelievoScreenQuad.h"
 #include "vtkRelievoShaderLibrary.h"
 #include "vtkRelievoSpliceText.h"
@@ -23,6 +25,7 @@
 #include "vtkRelievoVolumeTarget.h"
 #include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
+#include "vtkStringArray.h"
 #include "vtkVolume.h"
 #include "vtkVolumeCollection.h"
 #include "vtkVolumeMapper.h"
@@ -94,7 +97,7 @@ std::string WhyNot(vtkVolume* volume)
 // the one that gives the opacity.
 std::string GetComponent(const std::string& fragment, vtkVolume* volume)
 {
-  if (!vtkRelievoSpliceText::Has(fragment, "uniform vec4 in_componentWeight"))
+  if (!vtkRelievoSpliceText::Has(fragment, "in_componentWeight"))
   {
     return "(in_noOfComponents - 1)";
   }
@@ -108,15 +111,14 @@ std::string GetComponent(const std::string& fragment, vtkVolume* volume)
   return std::to_string(heaviest);
 }
 
-const char* const Declared = "//RELIEVO::Volumes::Dec";
-const char* const Sampled = "//RELIEVO::Volumes::Sample";
-const char* const Ended = "//RELIEVO::Volumes::Exit";
+const std::string Declared = "//RELIEVO::Volumes::Dec";
+const std::string Sampled = "//RELIEVO::Volumes::Sample";
+const std::string Ended = "//RELIEVO::Volumes::Exit";
 
 void Mark(std::string& fragment)
 {
   using namespace vtkRelievoSpliceText;
-  FillMark(
-    fragment, "//VTK::DepthPeeling::Dec", std::string("//VTK::DepthPeeling::Dec\n") + Declared);
+  FillMark(fragment, "//VTK::DepthPeeling::Dec", Declared + "\n//VTK::DepthPeeling::Dec");
   MarkBehind(fragment, "//VTK::DepthPass::Impl", Sampled);
   MarkBehind(fragment, "//VTK::DepthPass::Exit", Ended);
 }
@@ -124,12 +126,16 @@ void Mark(std::string& fragment)
 std::string Fill(std::string& fragment, vtkVolumeMapper* mapper, vtkVolume* volume)
 {
   using namespace vtkRelievoSpliceText;
-  const char* const local = "      vec4 scalar;"; // in the march's loop
-  for (const char* place : { Declared, Sampled, Ended, local })
+  const auto section = [](const char* name) {
+    return vtkRelievoShaderLibrary::GetSection("volumes/layers.glsl", name);
+  };
+  std::string local = section("Local");
+  local.erase(local.find_last_not_of(" \n") + 1);
+  for (const std::string& place : { Declared, Sampled, Ended, local })
   {
     if (!Has(fragment, place))
     {
-      return std::string("its shader has no place '") + place + "'";
+      return "its shader has no place '" + place + "'";
     }
   }
   const int mode = mapper->GetBlendMode();
@@ -141,9 +147,6 @@ std::string Fill(std::string& fragment, vtkVolumeMapper* mapper, vtkVolume* volu
   defines += vtkRectilinearGrid::SafeDownCast(mapper->GetDataSetInput())
     ? "#define RELIEVO_VOLUME_GRID\n"
     : "";
-  const auto section = [](const char* name) {
-    return vtkRelievoShaderLibrary::GetSection("volumes/layers.glsl", name);
-  };
   FillMark(fragment, local, "");
   FillWord(fragment, "g_dirStep * jitterValue", "g_dirStep");
   FillMark(
@@ -157,11 +160,22 @@ std::string Fill(std::string& fragment, vtkVolumeMapper* mapper, vtkVolume* volu
 class vtkRelievoVolumesStage::Internals
 {
 public:
+  // Volumes are merged when their layers are read: no shader reads these.
+  class Merged : public vtkRelievoResource
+  {
+  public:
+    void Activate(vtkShaderProgram*) override {}
+    void Deactivate() override {}
+  };
+
+  Merged Layers;
   vtkNew<vtkRelievoVolumeSplice> Splice;
   vtkRelievoVolumeTarget Target;
   vtkRelievoScreenQuad Quad;
   std::vector<vtkRelievoDrawnVolume> Volumes; // in the target
   vtkRelievoFrameCamera View;
+  int Rule = OPACITY;    // of the last frame
+  std::string RuleWords; // for files
   vtkRelievoReportOnce Reported;
 };
 
@@ -219,12 +233,19 @@ void vtkRelievoVolumesStage::Execute(vtkRelievoFrameContext& context)
   this->DrawCalls = 0;
   in.Volumes.clear();
   in.View = context.View;
+  in.Rule = this->Rule;
+  in.RuleWords = this->GetParameter("rule");
+  in.RuleWords += this->Rule == OPACITY ? "=" + this->GetParameter("opacity") : std::string();
+  for (const std::string& layer : context.GetAsked(this))
+  {
+    context.ProvideLayer(layer, &in.Layers);
+  }
   std::vector<Drawn> volumes;
   std::string wrong;
   const auto reject = [this, &in](const std::string& why) {
     if (in.Reported.IsNew(why))
     {
-      vtkErrorMacro("A volume has no layers: " << why << ".");
+      vtkErrorMacro("A volume lacks layers: " << why << ".");
     }
   };
   for (const Drawn& each : FindVolumes(context))
@@ -257,7 +278,6 @@ void vtkRelievoVolumesStage::Execute(vtkRelievoFrameContext& context)
     return;
   }
   in.Target.Begin(context);
-  context.Window->GetState()->vtkglDisable(GL_BLEND);
   in.Target.Select(0);
   in.Quad.Draw(context, in.Target.GetArea(), vtkRelievoScreenQuad::WRITES_DEPTH);
   ++this->DrawCalls;
@@ -297,7 +317,13 @@ void vtkRelievoVolumesStage::Execute(vtkRelievoFrameContext& context)
     if (drawn.Draws > 1 && this->Rule != FIRST)
     {
       drawn.HasDepth = false;
-      reject("its data is drawn in several blocks, which only the rule 'first' combines");
+      reject("data drawn in several blocks has only 'volume_opacity' and the layers of the rule "
+             "'first'");
+    }
+    auto* smart = vtkSmartVolumeMapper::SafeDownCast(each.Part ? each.Part->GetMapper() : nullptr);
+    if (smart && smart->GetLastUsedRenderMode() == vtkSmartVolumeMapper::RayCastRenderMode)
+    {
+      reject("a vtkSmartVolumeMapper marches along rays on the CPU");
     }
     if (drawn.Draws > 0)
     {
@@ -315,9 +341,11 @@ std::string vtkRelievoVolumesStage::ReadLayers(
 {
   Internals& in = *this->Internal;
   vtkRelievoVolumeReader reader(in.Target, in.Volumes, in.View);
-  if (reader.HasBricks() && this->Rule != FIRST)
+  const auto needsPlace = std::find_if(
+    names.begin(), names.end(), [](const std::string& name) { return name != "volume_opacity"; });
+  if (reader.HasBricks() && in.Rule != FIRST && needsPlace != names.end())
   {
-    return "The layer '" + names.front() +
+    return "The layer '" + *needsPlace +
       "' cannot be read: a volume is drawn in bricks (SetPartitions), which only the rule 'first' "
       "combines.";
   }
@@ -325,6 +353,10 @@ std::string vtkRelievoVolumesStage::ReadLayers(
   {
     reader.Read(name, image);
   }
+  vtkNew<vtkStringArray> rule;
+  rule->SetName("volumeRule");
+  rule->InsertNextValue(in.RuleWords);
+  image->GetFieldData()->AddArray(rule);
   return {};
 }
 

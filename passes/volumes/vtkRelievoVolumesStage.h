@@ -63,7 +63,10 @@ public:
   void ReleaseGraphicsResources(vtkWindow* window) override;
 
 #ifndef __VTK_WRAP__
-  /** Reads layers of the last frame: see vtkRelievoStage::ReadLayers. */
+  /**
+   * Reads layers of the last frame: see vtkRelievoStage::ReadLayers. The image's field data gets
+   * the rule as the text `volumeRule`: "first", "opacity=0.5", "strongest".
+   */
   std::string ReadLayers(const std::vector<std::string>& names, vtkImageData* image) override;
 #endif
 

@@ -115,6 +115,9 @@ void relievoVolumeWrite()
   }
 }
 
+//RELIEVO::Section(Local)
+      vec4 scalar;
+
 //RELIEVO::Section(Sample)
     if (!g_skip)
     {
