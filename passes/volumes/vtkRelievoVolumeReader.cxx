@@ -3,6 +3,7 @@
 #include "vtkRelievoVolumeReader.h"
 
 #include "vtkDataArray.h"
+#include "vtkGPUVolumeRayCastMapper.h"
 #include "vtkImageData.h"
 #include "vtkMatrix4x4.h"
 #include "vtkPointData.h"
@@ -10,6 +11,7 @@
 #include "vtkRelievoLayerCatalogue.h"
 #include "vtkRelievoMatrix.h"
 #include "vtkRelievoVolumeTarget.h"
+#include "vtkSMPTools.h"
 #include "vtkSmartPointer.h"
 #include "vtkVolume.h"
 
@@ -22,6 +24,8 @@ using namespace relievo::f64;
 
 namespace
 {
+constexpr int Around = 3; // steps in which the refined place is looked for
+
 glm::dvec3 Point(const glm::dmat4& matrix, const glm::dvec3& point)
 {
   const glm::dvec4 moved = matrix * glm::dvec4(point, 1.0);
@@ -66,12 +70,15 @@ struct vtkRelievoVolumeReader::Pixels
   std::vector<int> Nearest;       // volume in each pixel; -1: none
   std::vector<double> Depths;     // of the nearest
   std::vector<glm::dvec3> Places; // in the world
+  std::vector<float> Values;      // of the data
 };
 
 //------------------------------------------------------------------------------
-void vtkRelievoDrawnVolume::Take(vtkVolume* volume, vtkDataSet* data)
+void vtkRelievoDrawnVolume::Take(vtkGPUVolumeRayCastMapper* mapper, vtkVolume* volume)
 {
   ++this->Draws;
+  vtkDataSet* data = mapper->GetDataSetInput();
+  this->HasField = this->Draws == 1 && this->Field.Take(mapper, volume);
   const glm::dmat4 dataToWorld = vtkRelievoToGlm(volume->GetMatrix());
   this->GridToData = glm::dmat4(1.0);
   double bounds[6];
@@ -98,9 +105,9 @@ void vtkRelievoDrawnVolume::Take(vtkVolume* volume, vtkDataSet* data)
 
 //------------------------------------------------------------------------------
 vtkRelievoVolumeReader::vtkRelievoVolumeReader(vtkRelievoVolumeTarget& target,
-  const std::vector<vtkRelievoDrawnVolume>& volumes, const vtkRelievoFrameCamera& view)
+  std::vector<vtkRelievoDrawnVolume>& volumes, const vtkRelievoFrameCamera& view, int rule,
+  double threshold)
   : Volumes(volumes)
-  , View(view)
   , Internal(new Pixels)
 {
   Pixels& in = *this->Internal;
@@ -110,49 +117,100 @@ vtkRelievoVolumeReader::vtkRelievoVolumeReader(vtkRelievoVolumeTarget& target,
   in.Nearest.assign(count, -1);
   in.Depths.assign(count, std::numeric_limits<double>::infinity());
   in.Places.assign(count, glm::dvec3(0.0));
+  in.Values.assign(count, 0.0f);
+  for (int i = 0; i < static_cast<int>(volumes.size()); ++i)
+  {
+    in.Texels.push_back(target.Read(i));
+    if (volumes[i].HasDepth)
+    {
+      this->Find(i, view, rule, threshold);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+// The volume's places in double, in pixels where they are the nearest.
+void vtkRelievoVolumeReader::Find(
+  int index, const vtkRelievoFrameCamera& view, int rule, double threshold)
+{
+  Pixels& in = *this->Internal;
+  vtkRelievoDrawnVolume& volume = this->Volumes[index];
+  const auto& texels = in.Texels[index];
   const glm::dmat4 ndcToView = glm::inverse(view.ViewToNDC);
-  const glm::dmat4 viewToWorld = glm::inverse(view.WorldToView);
+  const glm::dmat4 viewToGrid = glm::inverse(volume.GridToWorld) * glm::inverse(view.WorldToView);
   // Where the camera is inside a volume, VTK starts rays at this depth.
   const double inside = view.Near +
     std::max(1e-3 * (view.Far - view.Near), 1e3 * std::numeric_limits<float>::epsilon());
-  for (std::size_t v = 0; v < volumes.size(); ++v)
+  // VTK's error of an entry, in data units.
+  const double rounding = 8.0 * std::numeric_limits<float>::epsilon() *
+    std::max(glm::length(Point(volume.GridToData, volume.Corners[0])),
+      glm::length(Point(volume.GridToData, volume.Corners[1])));
+  bool refines = volume.HasField && volume.Field.IsUnchanged();
+  const auto step =
+    std::find_if(texels[1].begin(), texels[1].end(), [](float x) { return x > 0.0f; });
+  if (refines && step != texels[1].end())
   {
-    const vtkRelievoDrawnVolume& volume = volumes[v];
-    in.Texels.push_back(target.Read(static_cast<int>(v)));
-    const glm::dmat4 viewToGrid = glm::inverse(volume.GridToWorld) * viewToWorld;
-    for (std::size_t i = 0; volume.HasDepth && i < count; ++i)
-    {
-      const float* found = &in.Texels[v][1][4 * i];
-      if (found[3] == 0.0f)
-      {
-        continue;
-      }
-      const glm::dvec2 ndc = relievoNdcFromPixel(
-        glm::dvec2(static_cast<double>(i % in.Columns), static_cast<double>(i / in.Columns)),
-        glm::dvec2(in.Columns, in.Rows));
-      Ray ray;
-      ray.EyeBegin = Point(ndcToView, glm::dvec3(ndc, -1.0));
-      ray.EyeEnd = Point(ndcToView, glm::dvec3(ndc, 1.0));
-      ray.Begin = Point(viewToGrid, ray.EyeBegin);
-      ray.End = Point(viewToGrid, ray.EyeEnd);
-      // The entry in double, if it is the one that VTK used.
-      const float* start = &in.Texels[v][0][4 * i];
-      const double perT =
-        glm::length(glm::dmat3(volume.GridToData) * (ray.End - ray.Begin)); // data units
-      const double perDepth = ray.GetDepth(1.0) - ray.GetDepth(0.0);
-      double t = ray.Enter(volume.Corners);
-      t = ray.GetDepth(t) < inside ? (inside - ray.GetDepth(0.0)) / perDepth : t;
-      const double off = std::abs(ray.GetDepth(t) - start[0]) / perDepth * perT;
-      t = off < 0.5 * start[1] ? t + found[0] * start[1] / perT
-                               : (found[2] - ray.GetDepth(0.0)) / perDepth;
-      if (ray.GetDepth(t) < in.Depths[i])
-      {
-        in.Nearest[i] = static_cast<int>(v);
-        in.Depths[i] = ray.GetDepth(t);
-        in.Places[i] = Point(volume.GridToWorld, ray.At(t));
-      }
-    }
+    const std::size_t pixel = static_cast<std::size_t>(step - texels[1].begin()) / 4;
+    volume.Field.SetStep(texels[0][4 * pixel + 1]);
   }
+  const auto findPixel = [&](vtkIdType i) {
+    const float* start = &texels[0][4 * i];
+    const float* found = &texels[1][4 * i];
+    if (found[3] == 0.0f)
+    {
+      return;
+    }
+    const glm::dvec2 ndc = relievoNdcFromPixel(
+      glm::dvec2(static_cast<double>(i % in.Columns), static_cast<double>(i / in.Columns)),
+      glm::dvec2(in.Columns, in.Rows));
+    Ray ray;
+    ray.EyeBegin = Point(ndcToView, glm::dvec3(ndc, -1.0));
+    ray.EyeEnd = Point(ndcToView, glm::dvec3(ndc, 1.0));
+    ray.Begin = Point(viewToGrid, ray.EyeBegin);
+    ray.End = Point(viewToGrid, ray.EyeEnd);
+    const double perT =
+      glm::length(glm::dmat3(volume.GridToData) * (ray.End - ray.Begin)); // data units
+    const double perDepth = ray.GetDepth(1.0) - ray.GetDepth(0.0);
+    // The entry in double, if it is the one that VTK used.
+    double t = ray.Enter(volume.Corners);
+    t = ray.GetDepth(t) < inside ? (inside - ray.GetDepth(0.0)) / perDepth : t;
+    const double off = std::abs(ray.GetDepth(t) - start[0]) / perDepth * perT;
+    float value = found[1];
+    if (off < 0.5 * start[1] + rounding)
+    {
+      const double stepT = start[1] / perT;
+      double steps = found[0];
+      if (refines)
+      {
+        const int near = static_cast<int>(std::ceil(steps));
+        const double refined =
+          volume.Field.FindStep(ray.At(t) - volume.Corners[0], stepT * (ray.End - ray.Begin), rule,
+            threshold, std::max(1, near - Around), near + Around);
+        steps = std::isnan(refined) ? steps : refined;
+      }
+      t += steps * stepT;
+      value =
+        refines ? static_cast<float>(volume.Field.GetValue(ray.At(t) - volume.Corners[0])) : value;
+    }
+    else
+    {
+      t = (found[2] - ray.GetDepth(0.0)) / perDepth;
+    }
+    if (ray.GetDepth(t) < in.Depths[i])
+    {
+      in.Nearest[i] = index;
+      in.Depths[i] = ray.GetDepth(t);
+      in.Places[i] = Point(volume.GridToWorld, ray.At(t));
+      in.Values[i] = value;
+    }
+  };
+  vtkSMPTools::For(
+    0, static_cast<vtkIdType>(in.Nearest.size()), [&findPixel](vtkIdType begin, vtkIdType end) {
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        findPixel(i);
+      }
+    });
 }
 
 //------------------------------------------------------------------------------
@@ -210,7 +268,7 @@ void vtkRelievoVolumeReader::Read(const std::string& name, vtkImageData* image)
       }
       else if (name == "volume_value")
       {
-        array->SetTuple1(pixel, texels[1][4 * i + 1]);
+        array->SetTuple1(pixel, in.Values[i]);
       }
       else if (name == "volume_normal")
       {

@@ -8,12 +8,13 @@
 
 #include "vtkRelievoFormulas.h" // for GLM
 #include "vtkRelievoFrameCamera.h"
+#include "vtkRelievoVolumeField.h"
 
 #include <memory>
 #include <string>
 #include <vector>
 
-class vtkDataSet;
+class vtkGPUVolumeRayCastMapper;
 class vtkImageData;
 class vtkRelievoVolumeTarget;
 class vtkVolume;
@@ -29,14 +30,19 @@ struct vtkRelievoDrawnVolume
   glm::dvec3 Corners[2];  // of the grid
   glm::dvec3 Points;      // number along each axis
 
-  void Take(vtkVolume* volume, vtkDataSet* data);
+  bool HasField = false; // Field is known
+  vtkRelievoVolumeField Field;
+
+  void Take(vtkGPUVolumeRayCastMapper* mapper, vtkVolume* volume);
 };
 
 class vtkRelievoVolumeReader
 {
 public:
+  // The rule and its threshold are those by which the volumes were drawn.
   vtkRelievoVolumeReader(vtkRelievoVolumeTarget& target,
-    const std::vector<vtkRelievoDrawnVolume>& volumes, const vtkRelievoFrameCamera& view);
+    std::vector<vtkRelievoDrawnVolume>& volumes, const vtkRelievoFrameCamera& view, int rule,
+    double threshold);
   ~vtkRelievoVolumeReader();
   vtkRelievoVolumeReader(const vtkRelievoVolumeReader&) = delete;
   void operator=(const vtkRelievoVolumeReader&) = delete;
@@ -50,8 +56,9 @@ public:
 private:
   struct Pixels;
 
-  const std::vector<vtkRelievoDrawnVolume>& Volumes;
-  vtkRelievoFrameCamera View;
+  void Find(int volume, const vtkRelievoFrameCamera& view, int rule, double threshold);
+
+  std::vector<vtkRelievoDrawnVolume>& Volumes;
   std::unique_ptr<Pixels> Internal;
 };
 

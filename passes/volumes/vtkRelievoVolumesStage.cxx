@@ -3,7 +3,6 @@
 #include "vtkRelievoVolumesStage.h"
 
 #include "vtkDataArray.h"
-#include "vtkDataSet.h"
 #include "vtkFieldData.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
@@ -174,7 +173,8 @@ public:
   vtkRelievoScreenQuad Quad;
   std::vector<vtkRelievoDrawnVolume> Volumes; // in the target
   vtkRelievoFrameCamera View;
-  int Rule = OPACITY;    // of the last frame
+  int Rule = OPACITY; // of the last frame
+  double Threshold = 0.5;
   std::string RuleWords; // for files
   vtkRelievoReportOnce Reported;
 };
@@ -234,6 +234,7 @@ void vtkRelievoVolumesStage::Execute(vtkRelievoFrameContext& context)
   in.Volumes.clear();
   in.View = context.View;
   in.Rule = this->Rule;
+  in.Threshold = this->Opacity;
   in.RuleWords = this->GetParameter("rule");
   in.RuleWords += this->Rule == OPACITY ? "=" + this->GetParameter("opacity") : std::string();
   for (const std::string& layer : context.GetAsked(this))
@@ -287,8 +288,7 @@ void vtkRelievoVolumesStage::Execute(vtkRelievoFrameContext& context)
     vtkRelievoDrawnVolume drawn;
     in.Splice->Set = [this, all, &drawn](
                        vtkShaderProgram* program, vtkVolumeMapper* mapper, vtkVolume* volume) {
-      vtkDataSet* data = mapper->GetDataSetInput();
-      drawn.Take(volume, data);
+      drawn.Take(vtkGPUVolumeRayCastMapper::SafeDownCast(mapper), volume);
       drawn.Index = all->IsItemPresent(volume) - 1;
       program->SetUniformi("relievoVolumeRule", this->Rule);
       program->SetUniformf("relievoVolumeThreshold", static_cast<float>(this->Opacity));
@@ -340,7 +340,7 @@ std::string vtkRelievoVolumesStage::ReadLayers(
   const std::vector<std::string>& names, vtkImageData* image)
 {
   Internals& in = *this->Internal;
-  vtkRelievoVolumeReader reader(in.Target, in.Volumes, in.View);
+  vtkRelievoVolumeReader reader(in.Target, in.Volumes, in.View, in.Rule, in.Threshold);
   const auto needsPlace = std::find_if(
     names.begin(), names.end(), [](const std::string& name) { return name != "volume_opacity"; });
   if (reader.HasBricks() && in.Rule != FIRST && needsPlace != names.end())

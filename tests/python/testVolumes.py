@@ -34,14 +34,15 @@ def grid(side=SIDE):
     return numpy.mgrid[0:side, 0:side, 0:side] - (side - 1) / 2
 
 
-def image_of(values, spacing=(1, 1, 1), origin=(0, 0, 0), direction=None, of_cells=False):
+def image_of(values, spacing=(1, 1, 1), origin=(0, 0, 0), direction=None, of_cells=False,
+             kind="f4"):  # fmt: skip
     image = vtkImageData()
     image.SetDimensions(*(n + of_cells for n in values.shape[::-1]))
     image.SetSpacing(*spacing)
     image.SetOrigin(*origin)
     if direction is not None:
         image.SetDirectionMatrix(*direction.ravel())
-    array = numpy_to_vtk(values.astype(numpy.float32).ravel(), deep=True)
+    array = numpy_to_vtk(values.astype(kind).ravel(), deep=True)
     array.SetName("values")
     (image.GetCellData() if of_cells else image.GetPointData()).SetScalars(array)
     return image
@@ -115,7 +116,8 @@ class Scene:
     def table(self):
         """Opacities of a step over the data's range, as VTK's texture has them."""
         low, high = self.range()
-        size = 1024
+        needed = self.opacity.EstimateMinNumberOfSamples(low, high)
+        size = max(1024, 2 ** math.ceil(math.log2(needed)))
         shares = [self.opacity.GetValue(low + (high - low) * i / (size - 1)) for i in range(size)]
         shares = numpy.array(shares)
         corrected = 1 - (1 - shares) ** (self.step / self.unit)
@@ -232,7 +234,7 @@ class Volumes(unittest.TestCase):
         hit &= seen
         off = numpy.abs(found["volume_depth"][hit] - depths[hit]) / steps[hit]
         wrong = numpy.abs(found["volume_opacity"] - opacities)[sure]
-        self.assertLessEqual(numpy.quantile(off, 0.998), most)
+        self.assertLessEqual(off.max(), most)
         self.assertLessEqual(wrong.max(), opacity)
         # The other layers belong to the same place.
         places = found["volume_position"][seen]
@@ -309,16 +311,30 @@ class Volumes(unittest.TestCase):
         self.check(scene, ball(), least=2000)
 
     def test_far(self):
-        """VTK's march is in float: a million voxels away, its samples lie off the ray."""
+        """VTK marches in float, so that a million voxels away its samples lie off the ray; the
+        place is refined in double, where VTK has one."""
         origin = 1e6
         scene = Scene(image_of(ball(), origin=(origin,) * 3), STEEP)
         scene.look_at([origin + m for m in (30, 25, 40)], (origin + MIDDLE,) * 3)
-        self.check(scene, ball(), most=2.5, differ=30, opacity=0.05)
+        self.check(scene, ball(), differ=30, opacity=0.05)
 
     def test_cells(self):
         scene = Scene(image_of(ball(), of_cells=True), STEEP)
         scene.look_at((30, 25, 40), (MIDDLE + 0.5,) * 3, parallel=False)
         self.check(scene, ball())
+
+    def test_kinds(self):
+        """Integers, nearest values, and functions that need a longer table."""
+        values = numpy.round(200 * ball())
+        steep = [(200 * value, share) for value, share in STEEP]
+        for kind in ("u1", "i2", "f8"):
+            scene = Scene(image_of(values, kind=kind), steep)
+            scene.look_at((30, 25, 40), up=(0.2, 1, 0))
+            for rule in ("first", "opacity"):
+                self.check(scene, values, rule, differ=20, opacity=0.02)
+        scene = Scene(image_of(ball()), [(0, 0), (0.5, 0), (0.5003, 0.9), (1, 0.9)])
+        scene.look_at((30, 25, 40), up=(0.2, 1, 0))
+        self.check(scene, ball(), "first", least=150, opacity=2e-3)
 
     def test_nothing(self):
         """Opacity 0 everywhere, and values that are no numbers."""
