@@ -375,11 +375,3 @@ void vtkRelievoVolumesStage::ReleaseGraphicsResources(vtkWindow* window)
   this->DrawCalls = 0;
   this->Superclass::ReleaseGraphicsResources(window);
 }
-
-//------------------------------------------------------------------------------
-void vtkRelievoVolumesStage::PrintSelf(ostream& os, vtkIndent indent)
-{
-  this->Superclass::PrintSelf(os, indent);
-  os << indent << "Rule: " << this->Rule << "\n";
-  os << indent << "Opacity: " << this->Opacity << "\n";
-}

@@ -33,7 +33,6 @@ class VTKRELIEVOVOLUMES_EXPORT vtkRelievoVolumesStage : public vtkRelievoStage
 public:
   static vtkRelievoVolumesStage* New();
   vtkTypeMacro(vtkRelievoVolumesStage, vtkRelievoStage);
-  void PrintSelf(ostream& os, vtkIndent indent) override;
 
   enum Rules
   {
