@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A volume mapper as in a still picture of full quality, during the object's lifetime: with the
+// The mappers of volumes as in a still picture of full quality, during the object's lifetime: with the
 // step that does not depend on the time of former draws, for every pixel, to the bound framebuffer.
 // Sets VTK's members without Modified(), which would rebuild the mapper's shaders.
 #ifndef vtkRelievoVolumeSettings_h
@@ -10,6 +10,7 @@
 #include "vtkOpenGLGPUVolumeRayCastMapper.h"
 #include "vtkRenderWindow.h"
 #include "vtkSmartVolumeMapper.h"
+#include "vtkVolume.h"
 
 #include <functional>
 #include <vector>
@@ -17,10 +18,28 @@
 class vtkRelievoVolumeSettings
 {
 public:
-  vtkRelievoVolumeSettings(vtkAbstractVolumeMapper* mapper, vtkRenderWindow* window)
+  vtkRelievoVolumeSettings(const std::vector<vtkVolume*>& volumes, vtkRenderWindow* window)
   {
-    // From this rate on, vtkSmartVolumeMapper lets the time of former draws decide on the step.
+    // From a rate of 1 on, vtkSmartVolumeMapper lets the time of former draws decide on the step.
     this->Set(Window::Rate(window), 0.0001);
+    for (vtkVolume* volume : volumes)
+    {
+      this->Change(volume->GetMapper());
+    }
+  }
+  ~vtkRelievoVolumeSettings()
+  {
+    for (auto restore = this->Restores.rbegin(); restore != this->Restores.rend(); ++restore)
+    {
+      (*restore)();
+    }
+  }
+  vtkRelievoVolumeSettings(const vtkRelievoVolumeSettings&) = delete;
+  void operator=(const vtkRelievoVolumeSettings&) = delete;
+
+private:
+  void Change(vtkAbstractVolumeMapper* mapper)
+  {
     auto* gpu = vtkOpenGLGPUVolumeRayCastMapper::SafeDownCast(mapper);
     if (auto* smart = vtkSmartVolumeMapper::SafeDownCast(mapper))
     {
@@ -40,17 +59,7 @@ public:
       this->Set(Gpu::DepthPass(gpu), 0);
     }
   }
-  ~vtkRelievoVolumeSettings()
-  {
-    for (const auto& restore : this->Restores)
-    {
-      restore();
-    }
-  }
-  vtkRelievoVolumeSettings(const vtkRelievoVolumeSettings&) = delete;
-  void operator=(const vtkRelievoVolumeSettings&) = delete;
 
-private:
   struct Window : public vtkRenderWindow
   {
     static double& Rate(vtkRenderWindow* window) { return window->*(&Window::DesiredUpdateRate); }

@@ -34,12 +34,14 @@
 
 namespace
 {
-// A prop's volume that is drawn by itself: a part of an assembly, or the prop.
+// What is drawn by itself: a volume, one that is part of an assembly, or the one of several levels
+// of detail that VTK chooses then.
 struct Drawn
 {
   vtkProp* Prop = nullptr;
-  vtkVolume* Part = nullptr;
+  vtkProp* Part = nullptr;
   vtkMatrix4x4* Matrix = nullptr; // of the part in its assembly
+  std::vector<vtkVolume*> Volumes;
 };
 
 std::vector<Drawn> FindVolumes(const vtkRelievoFrameContext& context)
@@ -53,18 +55,21 @@ std::vector<Drawn> FindVolumes(const vtkRelievoFrameContext& context)
     {
       continue;
     }
-    // Levels of detail choose one of their volumes when they are drawn.
-    const bool levels = each.Prop->IsA("vtkLODProp3D");
+    if (each.Prop->IsA("vtkLODProp3D"))
+    {
+      drawn.push_back({ each.Prop, each.Prop, nullptr, {} });
+      for (int i = 0; i < volumes->GetNumberOfItems(); ++i)
+      {
+        drawn.back().Volumes.push_back(vtkVolume::SafeDownCast(volumes->GetItemAsObject(i)));
+      }
+      continue;
+    }
     for (const vtkRelievoPropParts::Part& part : each.Parts)
     {
-      if (auto* volume = levels ? nullptr : vtkVolume::SafeDownCast(part.Prop))
+      if (auto* volume = vtkVolume::SafeDownCast(part.Prop))
       {
-        drawn.push_back({ each.Prop, volume, volume == each.Prop ? nullptr : part.Matrix });
+        drawn.push_back({ each.Prop, volume, part.Matrix, { volume } });
       }
-    }
-    if (levels)
-    {
-      drawn.push_back({ each.Prop, nullptr, nullptr });
     }
   }
   return drawn;
@@ -251,15 +256,12 @@ void vtkRelievoVolumesStage::Execute(vtkRelievoFrameContext& context)
   };
   for (const Drawn& each : FindVolumes(context))
   {
-    const std::string why = each.Part ? WhyNot(each.Part) : std::string();
-    if (why.empty())
+    std::string why;
+    for (vtkVolume* volume : each.Volumes)
     {
-      volumes.push_back(each);
+      why = why.empty() ? WhyNot(volume) : why;
     }
-    else
-    {
-      reject(why);
-    }
+    why.empty() ? volumes.push_back(each) : reject(why);
   }
   if (volumes.empty())
   {
@@ -288,6 +290,10 @@ void vtkRelievoVolumesStage::Execute(vtkRelievoFrameContext& context)
     vtkRelievoDrawnVolume drawn;
     in.Splice->Set = [this, all, &drawn](
                        vtkShaderProgram* program, vtkVolumeMapper* mapper, vtkVolume* volume) {
+      if (!program->IsUniformUsed("relievoVolumePoints"))
+      {
+        return; // drawn without the splice, whose error is reported
+      }
       drawn.Take(vtkGPUVolumeRayCastMapper::SafeDownCast(mapper), volume);
       drawn.Index = all->IsItemPresent(volume) - 1;
       program->SetUniformi("relievoVolumeRule", this->Rule);
@@ -298,9 +304,8 @@ void vtkRelievoVolumesStage::Execute(vtkRelievoFrameContext& context)
     in.Target.Select(static_cast<int>(in.Volumes.size()));
     in.Splice->Begin({ each.Prop }, context.Window);
     {
-      const vtkRelievoVolumeSettings still(
-        each.Part ? each.Part->GetMapper() : nullptr, context.Window);
-      if (each.Part && each.Part != each.Prop)
+      const vtkRelievoVolumeSettings still(each.Volumes, context.Window);
+      if (each.Part != each.Prop)
       {
         each.Part->SetPropertyKeys(each.Prop->GetPropertyKeys());
         each.Part->PokeMatrix(each.Matrix);
@@ -320,7 +325,7 @@ void vtkRelievoVolumesStage::Execute(vtkRelievoFrameContext& context)
       reject("data drawn in several blocks has only 'volume_opacity' and the layers of the rule "
              "'first'");
     }
-    auto* smart = vtkSmartVolumeMapper::SafeDownCast(each.Part ? each.Part->GetMapper() : nullptr);
+    auto* smart = vtkSmartVolumeMapper::SafeDownCast(each.Volumes.front()->GetMapper());
     if (smart && smart->GetLastUsedRenderMode() == vtkSmartVolumeMapper::RayCastRenderMode)
     {
       reject("a vtkSmartVolumeMapper marches along rays on the CPU");

@@ -13,7 +13,8 @@ from vtkmodules.vtkCommonDataModel import (
     vtkImageData, vtkMultiBlockDataSet, vtkPiecewiseFunction, vtkPlane)  # fmt: skip
 from vtkmodules.vtkCommonMath import vtkMatrix4x4
 from vtkmodules.vtkFiltersSources import vtkPlaneSource
-from vtkmodules.vtkRenderingCore import vtkColorTransferFunction, vtkRenderer, vtkVolume
+from vtkmodules.vtkRenderingCore import (
+    vtkAssembly, vtkColorTransferFunction, vtkLODProp3D, vtkRenderer, vtkVolume)  # fmt: skip
 from vtkmodules.vtkRenderingVolume import (
     vtkFixedPointVolumeRayCastMapper, vtkGPUVolumeRayCastMapper)  # fmt: skip
 from vtkmodules.vtkRenderingVolumeOpenGL2 import vtkMultiBlockVolumeMapper, vtkSmartVolumeMapper
@@ -432,6 +433,26 @@ class Volumes(unittest.TestCase):
         jitter = Scene(image_of(ball()), STEEP, step=0.5)
         jitter.mapper.UseJitteringOn()
         numpy.testing.assert_array_equal(jitter.capture()["volume_depth"], truth["volume_depth"])
+
+    def test_parts(self):
+        """Volumes in an assembly, and as levels of detail."""
+        plain = Scene(image_of(ball()), STEEP)
+        plain.volume.SetPosition(1, 2, 3)
+        truth = plain.capture()
+        assembly = vtkAssembly()
+        levels = vtkLODProp3D()
+        for prop in (assembly, levels):
+            scene = Scene(image_of(ball()), STEEP)
+            scene.renderer.RemoveVolume(scene.volume)
+            if prop is assembly:
+                prop.AddPart(scene.volume)
+            else:
+                prop.AddLOD(scene.mapper, scene.volume.GetProperty(), 0.0)
+            prop.SetPosition(1, 2, 3)
+            scene.renderer.AddViewProp(prop)
+            found = scene.capture()
+            for name in LAYERS:
+                numpy.testing.assert_allclose(found[name], truth[name], 1e-5, 1e-5, err_msg=name)
 
     def test_rejected(self):
         """What has no layers is named once."""
