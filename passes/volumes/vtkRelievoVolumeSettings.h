@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The mappers of volumes as in a still picture of full quality, during the object's lifetime: with the
-// step that does not depend on the time of former draws, for every pixel, to the bound framebuffer.
-// Sets VTK's members without Modified(), which would rebuild the mapper's shaders.
+// The mappers of volumes as in a still picture of full quality, during the object's lifetime: with
+// the step that does not depend on the time of former draws, for every pixel, to the bound
+// framebuffer. Sets VTK's members without Modified(), which would rebuild the mappers' shaders.
 #ifndef vtkRelievoVolumeSettings_h
 #define vtkRelievoVolumeSettings_h
 
