@@ -10,7 +10,7 @@ import numpy
 import vtkmodules.vtkRenderingVolumeOpenGL2  # noqa: F401
 from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonDataModel import (
-    vtkImageData, vtkMultiBlockDataSet, vtkPiecewiseFunction, vtkPlane)  # fmt: skip
+    vtkImageData, vtkMultiBlockDataSet, vtkPiecewiseFunction, vtkPlane, vtkRectilinearGrid)  # fmt: skip
 from vtkmodules.vtkCommonMath import vtkMatrix4x4
 from vtkmodules.vtkFiltersSources import vtkPlaneSource
 from vtkmodules.vtkRenderingCore import (
@@ -47,6 +47,13 @@ def image_of(values, spacing=(1, 1, 1), origin=(0, 0, 0), direction=None, of_cel
     array.SetName("values")
     (image.GetCellData() if of_cells else image.GetPointData()).SetScalars(array)
     return image
+
+
+def filled(origin=(0, 0, 0)):
+    """The value 1, but for a corner that no ray of INNER meets: VTK's table needs a range."""
+    values = numpy.ones((SIDE,) * 3)
+    values[0, 0, 0] = 0
+    return image_of(values, origin=origin)
 
 
 class Scene:
@@ -247,10 +254,8 @@ class Volumes(unittest.TestCase):
 
     def test_box(self):
         """Constant extinction: closed forms."""
-        values = numpy.ones((SIDE,) * 3)
-        values[0, 0, 0] = 0  # outside of all rays; VTK's table needs a range
         for unit, share in ((1.0, 0.1), (0.01, 0.002), (100.0, 0.999)):
-            scene = Scene(image_of(values), [(0, 0), (1, share)], step=0.3, unit=unit)
+            scene = Scene(filled(), [(0, 0), (1, share)], step=0.3, unit=unit)
             for threshold in (0.3, 0.5):
                 scene.set_rule("opacity", threshold)
                 found = scene.capture()
@@ -337,6 +342,36 @@ class Volumes(unittest.TestCase):
         scene.look_at((30, 25, 40), up=(0.2, 1, 0))
         self.check(scene, ball(), "first", least=150, opacity=2e-3)
 
+    def test_functions(self):
+        """An opacity of the gradient that is 1, a component without weight, a rectilinear grid."""
+        plain = Scene(image_of(ball()), STEEP)
+        truth = plain.capture()
+        gradient = Scene(image_of(ball()), STEEP)
+        opaque = vtkPiecewiseFunction()
+        opaque.AddPoint(0, 1)
+        gradient.volume.GetProperty().SetGradientOpacity(opaque)
+        image = image_of(ball())
+        both = numpy.stack([ball().ravel(), numpy.linspace(0, 1, SIDE**3)], -1)
+        image.GetPointData().SetScalars(numpy_to_vtk(both.astype("f4"), deep=True))
+        two = Scene(image, STEEP)
+        look = two.volume.GetProperty()
+        look.SetScalarOpacity(1, two.opacity)
+        look.SetColor(1, look.GetRGBTransferFunction(0))
+        look.SetComponentWeight(1, 0)
+        for scene in (gradient, two):
+            found = scene.capture()
+            for name in ("volume_depth", "volume_value", "volume_opacity", "volume"):
+                numpy.testing.assert_allclose(found[name], truth[name], 1e-4, 1e-4, err_msg=name)
+        grid = vtkRectilinearGrid()
+        grid.SetDimensions(SIDE, SIDE, SIDE)
+        coordinates = numpy.linspace(0, 1, SIDE) ** 1.5 * (SIDE - 1)
+        for place in (grid.SetXCoordinates, grid.SetYCoordinates, grid.SetZCoordinates):
+            place(numpy_to_vtk(coordinates, deep=True))
+        grid.GetPointData().SetScalars(filled().GetPointData().GetScalars())
+        found = Scene(grid, [(0, 0), (1, 0.1)], step=0.3).capture()
+        depth = 60 - (SIDE - 1) + math.log(0.5) / math.log(0.9)
+        self.assertLess(numpy.abs(found["volume_depth"][INNER] - depth).max(), 1e-3)
+
     def test_nothing(self):
         """Opacity 0 everywhere, and values that are no numbers."""
         scene = Scene(image_of(ball()), [(0, 0), (1, 0)])
@@ -357,9 +392,7 @@ class Volumes(unittest.TestCase):
 
     def test_surfaces(self):
         """Rays end at opaque surfaces; those behind them are hidden."""
-        values = numpy.ones((SIDE,) * 3)
-        values[0, 0, 0] = 0
-        scene = Scene(image_of(values), [(0, 0), (1, 0.1)])
+        scene = Scene(filled(), [(0, 0), (1, 0.1)])
         for z, steps, shown in ((6.1, 40, True), (-5, 63, True), (12.1, 16, False), (20, 0, False)):
             plane = vtkPlaneSource()
             plane.SetOrigin(-40, -40, z)
@@ -377,11 +410,9 @@ class Volumes(unittest.TestCase):
 
     def test_cut(self):
         """Cropping, clipping planes and masks, which VTK's march follows."""
-        values = numpy.ones((SIDE,) * 3)
-        values[0, 0, 0] = 0
         dense = [(0, 0), (1, 0.999999)]
         for cut in ("crop", "clip", "mask"):
-            scene = Scene(image_of(values), dense)
+            scene = Scene(filled(), dense)
             if cut == "crop":
                 scene.mapper.CroppingOn()
                 scene.mapper.SetCroppingRegionPlanes(-1, 17, -1, 17, -1, 10)
@@ -529,10 +560,8 @@ class Volumes(unittest.TestCase):
 
     def test_several(self):
         """The nearest of two volumes; opacities multiply what passes."""
-        values = numpy.ones((SIDE,) * 3)
-        values[0, 0, 0] = 0
-        scene = Scene(image_of(values), [(0, 0), (1, 0.1)], step=0.3)
-        other = Scene(image_of(values, origin=(0, 0, 30)), [(0, 0), (1, 0.1)], step=0.3)
+        scene = Scene(filled(), [(0, 0), (1, 0.1)], step=0.3)
+        other = Scene(filled((0, 0, 30)), [(0, 0), (1, 0.1)], step=0.3)
         scene.renderer.AddVolume(other.volume)
         found = scene.capture()
         self.assertTrue((found["volume"][INNER] == 1).all())
