@@ -10,7 +10,8 @@ import numpy
 import vtkmodules.vtkRenderingVolumeOpenGL2  # noqa: F401
 from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonDataModel import (
-    vtkImageData, vtkMultiBlockDataSet, vtkPiecewiseFunction, vtkPlane, vtkRectilinearGrid)  # fmt: skip
+    vtkImageData, vtkMultiBlockDataSet, vtkPiecewiseFunction, vtkPlane,
+    vtkRectilinearGrid)  # fmt: skip
 from vtkmodules.vtkCommonMath import vtkMatrix4x4
 from vtkmodules.vtkFiltersSources import vtkPlaneSource
 from vtkmodules.vtkRenderingCore import (
