@@ -17,6 +17,7 @@ using L = vtkRelievoLayer;
 
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 constexpr double OfRenderer = std::numeric_limits<double>::quiet_NaN();
+constexpr double None = std::numeric_limits<double>::quiet_NaN();
 
 void GetRange(const double point[3], double* range)
 {
@@ -66,6 +67,18 @@ std::vector<L> MakeTable()
     "visible share of the sky at the surface: 1 all, 0 nothing" });
   table.push_back({ "marker", L::SHARE, L::FROM_STAGE, VTK_FLOAT, 1, 0.0, "V",
     "cover of the surface by markers: 0 nothing, 1 all" });
+  table.push_back({ "volume_depth", L::NUMBER, L::FROM_STAGE, VTK_FLOAT, 1, Infinity, "Z",
+    "depth of a volume by the rule of the stage volumes, world units" });
+  table.push_back({ "volume_position", L::POSITION, L::FROM_STAGE, VTK_DOUBLE, 3, 0.0, "X,Y,Z",
+    "position in the world at the depth of a volume" });
+  table.push_back({ "volume_value", L::NUMBER, L::FROM_STAGE, VTK_FLOAT, 1, None, "V",
+    "value of the data at the depth of a volume" });
+  table.push_back({ "volume_normal", L::VECTOR, L::FROM_STAGE, VTK_FLOAT, 3, 0.0, "X,Y,Z",
+    "unit vector along falling values at the depth of a volume, world space" });
+  table.push_back({ "volume_opacity", L::SHARE, L::FROM_STAGE, VTK_FLOAT, 1, 0.0, "V",
+    "opacity of volumes before the surface: 0 nothing, 1 all" });
+  table.push_back(
+    { "volume", L::ID, L::FROM_STAGE, VTK_INT, 1, -1.0, "id", "index of the volume, from 0" });
   L shadow = { "shadow_", L::SHARE, L::FROM_SHADOW, VTK_FLOAT, 1, 1.0, "V",
     "visibility of a light: 1 lit, 0 dark" };
   shadow.OfLight = true;

@@ -31,8 +31,8 @@ public:
   /**
    * The layers in the order shown to users, from 0: the name ("shadow_N" for the layers of lights),
    * one line of help, the type of a component ("float", "unsigned char"), the number of components,
-   * and the background value: NaN for `color`, whose background is the renderer's. For any other
-   * index: empty, 0, NaN.
+   * and the background value: NaN for `volume_value`, and for `color`, whose background is the
+   * renderer's. For any other index: empty, 0, NaN.
    */
   static int GetNumberOfLayers();
   static std::string GetLayerName(int layer);

@@ -36,6 +36,12 @@ actor block cell   1 int       ids, from 0                                      
 fog                1 float     transmittance of fog: 1 all, 0 nothing                1
 ambient            1 float     visible share of the sky: 1 all, 0 nothing            1
 marker             1 float     cover of the surface by markers, 0 to 1               0
+volume_depth       1 float     depth of a volume, world units                        +infinity
+volume_position    3 double    world position there                                  0
+volume_value       1 float     value of the data there                               NaN
+volume_normal      3 float     unit vector along falling values there, world space   0
+volume_opacity     1 float     opacity of volumes before the surface, 0 to 1         0
+volume             1 int       index of the volume, from 0                           -1
 shadow_N           1 float     visibility of light N: 1 lit, 0 dark                  1
 any array's name   the array's  point data interpolated, cell data per cell          NaN
 =================  ==========  ====================================================  ==========
@@ -43,7 +49,10 @@ any array's name   the array's  point data interpolated, cell data per cell     
 The background of color is the renderer's background in linear light, with its own alpha
 (GetBackgroundAlpha(), 0 by default). N is an index in renderer.GetLights(), from 0;
 shadow_key_light belongs to the light named "Key light" (shadows.SetLightName). These layers do not
-need shadows in the picture. Shadows are switched on by
+need shadows in the picture. The place that stands for a volume follows a rule:
+relievo.stage(renderer, "volumes", rule="opacity", opacity=0.5) takes the depth at which half of
+the light is absorbed (the default), "first" the first visible sample, "strongest" the one that
+contributes most. Shadows are switched on by
 
     frame = relievo.attach(renderer)
     frame.ShadowsOn()                                 # every light casts; see also ShadowsOff()

@@ -120,6 +120,25 @@ class Volumes(CliTest):
         self.assertLess((grey.max(axis=-1) - grey.min(axis=-1))[seen].max(), 40)
         self.assertGreater((volume.max(axis=-1) - volume.min(axis=-1))[seen].max(), 80)
 
+    def test_volume_layers(self):
+        """A volume has layers of its own, at the first sample that absorbs light."""
+        self.image("ball.vti", (20 - distances()).astype(numpy.float32))
+        layers = ["depth", "volume_depth", "volume_value", "volume_position"]
+        self.relievo("render", "ball.vti", "--image", "volume", *SMALL, *ALONG_Z, "--exr", "a.exr",
+                     "--layers", ",".join(layers), "--stage", "volumes:rule=first",
+                     environment=None)  # fmt: skip
+        found = self.exr("a.exr")[1]
+        self.assertTrue(numpy.isinf(found["depth.Z"]).all())
+        hit = numpy.isfinite(found["volume_depth.Z"])
+        self.assertTrue(0.1 < hit.mean() < 0.9)
+        values = found["volume_value.V"][hit]
+        self.assertTrue(numpy.isnan(found["volume_value.V"][~hit]).all())
+        self.assertLess(values.max() - values.min(), 3)
+        place = numpy.stack([found[f"volume_position.{axis}"][hit] for axis in "XYZ"], -1)
+        place[:, 2] -= MIDDLE[2]  # relative to the camera's focal point
+        radii = numpy.linalg.norm(place / SPACING, axis=-1)
+        self.assertLess(abs(radii - (20 - values)).max(), 0.05)
+
     def test_samples(self):
         """Of a volume, which takes long and has no edges, the preset draws fewer."""
         self.image("ball.vti", (20 - distances()).astype(numpy.float32))

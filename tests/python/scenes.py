@@ -7,9 +7,12 @@ import unittest
 import numpy
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkPolyData
+from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPiecewiseFunction, vtkPolyData
 from vtkmodules.vtkFiltersSources import vtkPlaneSource, vtkPointSource, vtkSphereSource
-from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow
+from vtkmodules.vtkRenderingCore import (
+    vtkActor, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow, vtkVolume)  # fmt: skip
+from vtkmodules.vtkRenderingVolume import vtkGPUVolumeRayCastMapper
+import vtkmodules.vtkRenderingVolumeOpenGL2  # noqa: F401
 
 
 def add(renderer, source):
@@ -170,3 +173,24 @@ def inner(owner):
                 numpy.roll(owner, (rows, columns), (0, 1))[1:-1, 1:-1] == owner[1:-1, 1:-1]
             )
     return mask
+
+
+def dense_ball(side=9):
+    """A volume that is opaque in its middle, of side 1 around the origin."""
+    image = vtkImageData()
+    image.SetDimensions(side, side, side)
+    image.SetSpacing(1 / (side - 1), 1 / (side - 1), 1 / (side - 1))
+    image.SetOrigin(-0.5, -0.5, -0.5)
+    z, y, x = numpy.mgrid[-1 : 1 : side * 1j, -1 : 1 : side * 1j, -1 : 1 : side * 1j]
+    values = numpy.maximum(0, 1 - numpy.sqrt(x**2 + y**2 + z**2)).astype("f4")
+    image.GetPointData().SetScalars(numpy_to_vtk(values.ravel(), deep=True))
+    mapper = vtkGPUVolumeRayCastMapper()
+    mapper.SetInputData(image)
+    volume = vtkVolume()
+    volume.SetMapper(mapper)
+    opacity = vtkPiecewiseFunction()
+    opacity.AddPoint(0, 0)
+    opacity.AddPoint(1, 1)
+    volume.GetProperty().SetScalarOpacity(opacity)
+    volume.GetProperty().SetScalarOpacityUnitDistance(0.1)
+    return volume

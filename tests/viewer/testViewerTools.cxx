@@ -9,12 +9,14 @@
 #include "LayerLegend.h"
 #include "LayerWords.h"
 #include "Picture.h"
+#include "Probe.h"
 
 #include "vtkCamera.h"
 #include "vtkDataArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkRelievoPass.h"
+#include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkXMLImageDataWriter.h"
 
@@ -400,6 +402,18 @@ private Q_SLOTS:
       QVERIFY(file->text().contains(QString::fromUtf8("7 \u00d7 8 \u00d7 9")));
       QCOMPARE(text.contains("504"), kind == std::string("volume"));
       QVERIFY(kind != std::string("volume") || text.contains("density (points)"));
+      // Under the mouse, a volume has its own values.
+      const viewer::Picture& picture = this->Window->GetView()->GetPicture();
+      const int* size = picture.GetRenderer()->GetRenderWindow()->GetSize();
+      viewer::Probe reading;
+      bool beside = true;
+      for (const viewer::ProbeValue& value :
+        reading.Read(picture.GetRenderer(), {}, size[0] / 2, size[1] / 2))
+      {
+        beside = beside && value.Layer != "volume_value";
+        QVERIFY(value.Layer != "volume_opacity" || value.Values[0] > 0.1);
+      }
+      QCOMPARE(beside, kind != std::string("volume"));
     }
   }
 

@@ -10,6 +10,7 @@
 #include "vtkRenderer.h"
 
 #include <cmath>
+#include <limits>
 
 namespace viewer
 {
@@ -60,12 +61,25 @@ std::optional<std::array<double, 3>> PickGround(const Picture& picture, int x, i
 //------------------------------------------------------------------------------
 std::optional<std::array<double, 3>> Pick(const Picture& picture, Probe& probe, int x, int y)
 {
+  // The nearer of surface and volume; each depth comes before its position.
+  std::optional<std::array<double, 3>> place;
+  double nearest = std::numeric_limits<double>::infinity();
+  double depth = nearest;
   for (const ProbeValue& value : probe.Read(picture.GetRenderer(), {}, x, y))
   {
-    if (value.Layer == "position" && !value.IsBackground)
+    if (value.Layer == "depth" || value.Layer == "volume_depth")
     {
-      return std::array<double, 3>{ value.Values[0], value.Values[1], value.Values[2] };
+      depth = value.Values[0];
     }
+    else if ((value.Layer == "position" || value.Layer == "volume_position") && depth < nearest)
+    {
+      nearest = depth;
+      place = { value.Values[0], value.Values[1], value.Values[2] };
+    }
+  }
+  if (place)
+  {
+    return place;
   }
   return picture.IsEmpty() ? std::nullopt : PickGround(picture, x, y);
 }

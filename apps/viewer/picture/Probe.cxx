@@ -7,7 +7,9 @@
 #include "vtkPointData.h"
 #include "vtkRelievoLayerSource.h"
 #include "vtkRenderer.h"
+#include "vtkVolumeCollection.h"
 
+#include <algorithm>
 #include <cmath>
 #include <iterator>
 
@@ -16,6 +18,8 @@ namespace viewer
 namespace
 {
 const char* const Always[] = { "depth", "range", "position", "normal", "actor", "block", "cell" };
+const char* const OfVolumes[] = { "volume_depth", "volume_position", "volume_value",
+  "volume_opacity", "volume" };
 }
 
 //------------------------------------------------------------------------------
@@ -28,6 +32,10 @@ std::vector<ProbeValue> Probe::Read(
     return values;
   }
   std::vector<std::string> layers(std::begin(Always), std::end(Always));
+  if (renderer->GetVolumes()->GetNumberOfItems() > 0)
+  {
+    layers.insert(layers.end(), std::begin(OfVolumes), std::end(OfVolumes));
+  }
   layers.insert(layers.end(), arrays.begin(), arrays.end());
   if (!this->Image)
   {
@@ -46,13 +54,19 @@ std::vector<ProbeValue> Probe::Read(
     return values;
   }
   const vtkIdType pixel = static_cast<vtkIdType>(y) * size[0] + x;
-  vtkDataArray* depth = this->Image->GetPointData()->GetArray("depth");
-  const bool background = !depth || !std::isfinite(depth->GetComponent(pixel, 0));
+  const auto isBackground = [this, pixel](const char* layer) {
+    vtkDataArray* depth = this->Image->GetPointData()->GetArray(layer);
+    return !depth || !std::isfinite(depth->GetComponent(pixel, 0));
+  };
+  const bool background = isBackground("depth");
+  const bool beside = isBackground("volume_depth");
   for (const std::string& layer : layers)
   {
     if (vtkDataArray* array = this->Image->GetPointData()->GetArray(layer.c_str()))
     {
-      ProbeValue value = { layer, {}, background };
+      const bool volume =
+        std::find(std::begin(OfVolumes), std::end(OfVolumes), layer) != std::end(OfVolumes);
+      ProbeValue value = { layer, {}, volume ? beside && layer != "volume_opacity" : background };
       for (int i = 0; i < array->GetNumberOfComponents(); ++i)
       {
         value.Values.push_back(array->GetComponent(pixel, i));

@@ -21,7 +21,7 @@ struct ProbeValue
 {
   std::string Layer;
   std::vector<double> Values;
-  bool IsBackground; ///< no surface at the pixel
+  bool IsBackground; ///< no surface at the pixel; for layers of volumes, no volume
 };
 
 class Probe

@@ -399,13 +399,14 @@ void MainWindow::ShowProbe()
   QStringList words;
   for (const ProbeValue& value : values)
   {
-    if (value.Layer == "depth" || value.Layer == "position" || value.Layer == "cell")
+    const QStringList shown = { "depth", "position", "cell", "volume_depth", "volume_value" };
+    if (!value.IsBackground && shown.contains(QString::fromStdString(value.Layer)))
     {
       words += QString::fromStdString(value.Layer) + " " + WriteValues(value);
     }
   }
   this->Values->setText(
-    !values.empty() && values[0].IsBackground ? QString("background") : words.join("   "));
+    words.empty() && !values.empty() ? QString("background") : words.join("   "));
 }
 
 //------------------------------------------------------------------------------

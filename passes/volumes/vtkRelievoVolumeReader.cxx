@@ -1,0 +1,288 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkRelievoVolumeReader.h"
+
+#include "vtkDataArray.h"
+#include "vtkGPUVolumeRayCastMapper.h"
+#include "vtkImageData.h"
+#include "vtkMatrix4x4.h"
+#include "vtkPointData.h"
+#include "vtkRectilinearGrid.h"
+#include "vtkRelievoLayerCatalogue.h"
+#include "vtkRelievoMatrix.h"
+#include "vtkRelievoVolumeTarget.h"
+#include "vtkSMPTools.h"
+#include "vtkSmartPointer.h"
+#include "vtkVolume.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+using namespace relievo::f64;
+
+namespace
+{
+constexpr int Around = 3; // steps in which the refined place is looked for
+
+glm::dvec3 Point(const glm::dmat4& matrix, const glm::dvec3& point)
+{
+  const glm::dvec4 moved = matrix * glm::dvec4(point, 1.0);
+  return glm::dvec3(moved) / moved.w;
+}
+
+// A pixel's ray through a grid: position = Begin + t (End - Begin), from near to far plane.
+struct Ray
+{
+  glm::dvec3 EyeBegin;
+  glm::dvec3 EyeEnd;
+  glm::dvec3 Begin;
+  glm::dvec3 End;
+
+  glm::dvec3 At(double t) const { return Begin + t * (End - Begin); }
+  double GetDepth(double t) const { return -(EyeBegin.z + t * (EyeEnd.z - EyeBegin.z)); }
+
+  // The t at which the ray enters the box of the corners.
+  double Enter(const glm::dvec3 corners[2]) const
+  {
+    double entry = -std::numeric_limits<double>::infinity();
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const double along = End[axis] - Begin[axis];
+      if (along != 0.0)
+      {
+        entry = std::max(entry,
+          std::min(
+            (corners[0][axis] - Begin[axis]) / along, (corners[1][axis] - Begin[axis]) / along));
+      }
+    }
+    return entry;
+  }
+};
+}
+
+struct vtkRelievoVolumeReader::Pixels
+{
+  int Columns = 0;
+  int Rows = 0;
+  std::vector<std::array<std::vector<float>, vtkRelievoVolumeTarget::Textures>> Texels;
+  std::vector<int> Nearest;       // volume in each pixel; -1: none
+  std::vector<double> Depths;     // of the nearest
+  std::vector<glm::dvec3> Places; // in the world
+  std::vector<float> Values;      // of the data
+};
+
+//------------------------------------------------------------------------------
+void vtkRelievoDrawnVolume::Take(vtkGPUVolumeRayCastMapper* mapper, vtkVolume* volume)
+{
+  ++this->Draws;
+  vtkDataSet* data = mapper->GetDataSetInput();
+  this->HasField = this->Draws == 1 && this->Field.Take(mapper, volume);
+  const glm::dmat4 dataToWorld = vtkRelievoToGlm(volume->GetMatrix());
+  this->GridToData = glm::dmat4(1.0);
+  double bounds[6];
+  int points[3] = { 0, 0, 0 };
+  if (auto* image = vtkImageData::SafeDownCast(data))
+  {
+    image->GetDimensions(points);
+    this->GridToData = vtkRelievoToGlm(image->GetIndexToPhysicalMatrix());
+    std::copy_n(image->GetExtent(), 6, bounds);
+  }
+  else
+  {
+    data->GetBounds(bounds);
+    if (auto* grid = vtkRectilinearGrid::SafeDownCast(data))
+    {
+      grid->GetDimensions(points);
+    }
+  }
+  this->Points = { points[0], points[1], points[2] };
+  this->GridToWorld = dataToWorld * this->GridToData;
+  this->Corners[0] = { bounds[0], bounds[2], bounds[4] };
+  this->Corners[1] = { bounds[1], bounds[3], bounds[5] };
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoVolumeReader::vtkRelievoVolumeReader(vtkRelievoVolumeTarget& target,
+  std::vector<vtkRelievoDrawnVolume>& volumes, const vtkRelievoFrameCamera& view, int rule,
+  double threshold)
+  : Volumes(volumes)
+  , Internal(new Pixels)
+{
+  Pixels& in = *this->Internal;
+  in.Columns = view.Viewport[2];
+  in.Rows = view.Viewport[3];
+  const std::size_t count = static_cast<std::size_t>(in.Columns) * in.Rows;
+  in.Nearest.assign(count, -1);
+  in.Depths.assign(count, std::numeric_limits<double>::infinity());
+  in.Places.assign(count, glm::dvec3(0.0));
+  in.Values.assign(count, 0.0f);
+  for (int i = 0; i < static_cast<int>(volumes.size()); ++i)
+  {
+    in.Texels.push_back(target.Read(i));
+    if (volumes[i].HasDepth)
+    {
+      this->Find(i, view, rule, threshold);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+// The volume's places in double, in pixels where they are the nearest.
+void vtkRelievoVolumeReader::Find(
+  int index, const vtkRelievoFrameCamera& view, int rule, double threshold)
+{
+  Pixels& in = *this->Internal;
+  vtkRelievoDrawnVolume& volume = this->Volumes[index];
+  const auto& texels = in.Texels[index];
+  const glm::dmat4 ndcToView = glm::inverse(view.ViewToNDC);
+  const glm::dmat4 viewToGrid = glm::inverse(volume.GridToWorld) * glm::inverse(view.WorldToView);
+  // Where the camera is inside a volume, VTK starts rays at this depth.
+  const double inside = view.Near +
+    std::max(1e-3 * (view.Far - view.Near), 1e3 * std::numeric_limits<float>::epsilon());
+  // VTK's error of an entry, in data units.
+  const double rounding = 8.0 * std::numeric_limits<float>::epsilon() *
+    std::max(glm::length(Point(volume.GridToData, volume.Corners[0])),
+      glm::length(Point(volume.GridToData, volume.Corners[1])));
+  bool refines = volume.HasField && volume.Field.IsUnchanged();
+  const auto step =
+    std::find_if(texels[1].begin(), texels[1].end(), [](float x) { return x > 0.0f; });
+  if (refines && step != texels[1].end())
+  {
+    const std::size_t pixel = static_cast<std::size_t>(step - texels[1].begin()) / 4;
+    volume.Field.SetStep(texels[0][4 * pixel + 1]);
+  }
+  const auto findPixel = [&](vtkIdType i) {
+    const float* start = &texels[0][4 * i];
+    const float* found = &texels[1][4 * i];
+    if (found[3] == 0.0f)
+    {
+      return;
+    }
+    const glm::dvec2 ndc = relievoNdcFromPixel(
+      glm::dvec2(static_cast<double>(i % in.Columns), static_cast<double>(i / in.Columns)),
+      glm::dvec2(in.Columns, in.Rows));
+    Ray ray;
+    ray.EyeBegin = Point(ndcToView, glm::dvec3(ndc, -1.0));
+    ray.EyeEnd = Point(ndcToView, glm::dvec3(ndc, 1.0));
+    ray.Begin = Point(viewToGrid, ray.EyeBegin);
+    ray.End = Point(viewToGrid, ray.EyeEnd);
+    const double perT =
+      glm::length(glm::dmat3(volume.GridToData) * (ray.End - ray.Begin)); // data units
+    const double perDepth = ray.GetDepth(1.0) - ray.GetDepth(0.0);
+    // The entry in double, if it is the one that VTK used.
+    double t = ray.Enter(volume.Corners);
+    t = ray.GetDepth(t) < inside ? (inside - ray.GetDepth(0.0)) / perDepth : t;
+    const double off = std::abs(ray.GetDepth(t) - start[0]) / perDepth * perT;
+    float value = found[1];
+    if (off < 0.5 * start[1] + rounding)
+    {
+      const double stepT = start[1] / perT;
+      double steps = found[0];
+      if (refines)
+      {
+        const int near = static_cast<int>(std::ceil(steps));
+        const double refined =
+          volume.Field.FindStep(ray.At(t) - volume.Corners[0], stepT * (ray.End - ray.Begin), rule,
+            threshold, std::max(1, near - Around), near + Around);
+        steps = std::isnan(refined) ? steps : refined;
+      }
+      t += steps * stepT;
+      value =
+        refines ? static_cast<float>(volume.Field.GetValue(ray.At(t) - volume.Corners[0])) : value;
+    }
+    else
+    {
+      t = (found[2] - ray.GetDepth(0.0)) / perDepth;
+    }
+    if (ray.GetDepth(t) < in.Depths[i])
+    {
+      in.Nearest[i] = index;
+      in.Depths[i] = ray.GetDepth(t);
+      in.Places[i] = Point(volume.GridToWorld, ray.At(t));
+      in.Values[i] = value;
+    }
+  };
+  vtkSMPTools::For(
+    0, static_cast<vtkIdType>(in.Nearest.size()), [&findPixel](vtkIdType begin, vtkIdType end) {
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        findPixel(i);
+      }
+    });
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoVolumeReader::~vtkRelievoVolumeReader() = default;
+
+//------------------------------------------------------------------------------
+bool vtkRelievoVolumeReader::HasBricks() const
+{
+  const Pixels& in = *this->Internal;
+  for (const auto& texels : in.Texels)
+  {
+    for (std::size_t i = 2; i < texels[0].size(); i += 4)
+    {
+      if (texels[0][i] != 0.0f)
+      {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoVolumeReader::Read(const std::string& name, vtkImageData* image)
+{
+  const Pixels& in = *this->Internal;
+  const vtkRelievoLayer& layer = vtkRelievoLayerCatalogue::Find(name);
+  auto array = vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(layer.Type));
+  array->SetName(name.c_str());
+  array->SetNumberOfComponents(layer.Components);
+  array->SetNumberOfTuples(static_cast<vtkIdType>(in.Nearest.size()));
+  array->Fill(layer.Background);
+  for (std::size_t i = 0; i < in.Nearest.size(); ++i)
+  {
+    const auto pixel = static_cast<vtkIdType>(i);
+    if (name == "volume_opacity")
+    {
+      double passes = 1.0;
+      for (const auto& texels : in.Texels)
+      {
+        passes *= 1.0 - texels[0][4 * i + 3];
+      }
+      array->SetTuple1(pixel, 1.0 - passes);
+    }
+    else if (in.Nearest[i] >= 0)
+    {
+      const auto& texels = in.Texels[in.Nearest[i]];
+      if (name == "volume_depth")
+      {
+        array->SetTuple1(pixel, in.Depths[i]);
+      }
+      else if (name == "volume_position")
+      {
+        array->SetTuple(pixel, &in.Places[i][0]);
+      }
+      else if (name == "volume_value")
+      {
+        array->SetTuple1(pixel, in.Values[i]);
+      }
+      else if (name == "volume_normal")
+      {
+        array->SetTuple(pixel, &texels[2][4 * i]);
+      }
+      else
+      {
+        array->SetTuple1(pixel, this->Volumes[in.Nearest[i]].Index);
+      }
+    }
+  }
+  if (image->GetNumberOfPoints() == 0)
+  {
+    image->SetDimensions(in.Columns, in.Rows, 1);
+  }
+  image->GetPointData()->AddArray(array);
+}

@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Converts the texels of layers of volumes (shaders/volumes/layers.glsl) to layers as arrays: the
+// nearest volume's, with positions in double.
+#ifndef vtkRelievoVolumeReader_h
+#define vtkRelievoVolumeReader_h
+
+#include "vtkRelievoFormulas.h" // for GLM
+#include "vtkRelievoFrameCamera.h"
+#include "vtkRelievoVolumeField.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+class vtkGPUVolumeRayCastMapper;
+class vtkImageData;
+class vtkRelievoVolumeTarget;
+class vtkVolume;
+
+// A volume in the target, as it was drawn.
+struct vtkRelievoDrawnVolume
+{
+  int Index = -1;         // in vtkRenderer::GetVolumes()
+  int Draws = 0;          // blocks that were drawn
+  bool HasDepth = true;   // false: only the opacity is right
+  glm::dmat4 GridToWorld; // from indices of points; from data coordinates for rectilinear grids
+  glm::dmat4 GridToData;  // the space in which VTK's steps have their length
+  glm::dvec3 Corners[2];  // of the grid
+  glm::dvec3 Points;      // number along each axis
+
+  bool HasField = false; // Field is known
+  vtkRelievoVolumeField Field;
+
+  void Take(vtkGPUVolumeRayCastMapper* mapper, vtkVolume* volume);
+};
+
+class vtkRelievoVolumeReader
+{
+public:
+  // The rule and its threshold are those by which the volumes were drawn.
+  vtkRelievoVolumeReader(vtkRelievoVolumeTarget& target,
+    std::vector<vtkRelievoDrawnVolume>& volumes, const vtkRelievoFrameCamera& view, int rule,
+    double threshold);
+  ~vtkRelievoVolumeReader();
+  vtkRelievoVolumeReader(const vtkRelievoVolumeReader&) = delete;
+  void operator=(const vtkRelievoVolumeReader&) = delete;
+
+  // Whether a volume was drawn in bricks.
+  bool HasBricks() const;
+
+  // Adds the layer to the image's point data.
+  void Read(const std::string& layer, vtkImageData* image);
+
+private:
+  struct Pixels;
+
+  void Find(int volume, const vtkRelievoFrameCamera& view, int rule, double threshold);
+
+  std::vector<vtkRelievoDrawnVolume>& Volumes;
+  std::unique_ptr<Pixels> Internal;
+};
+
+#endif

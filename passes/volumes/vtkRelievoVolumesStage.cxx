@@ -1,0 +1,382 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkRelievoVolumesStage.h"
+
+#include "vtkDataArray.h"
+#include "vtkFieldData.h"
+#include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkPropCollection.h"
+#include "vtkRectilinearGrid.h"
+#include "vtkRelievoFrameContext.h"
+#include "vtkRelievoFramePlan.h"
+#include "vtkRelievoLayerCatalogue.h"
+#include "vtkRelievoReportOnce.h"
+#include "vtkRelievoResource.h"
+#include "vtkRelievoScreenQuad.h"
+#include "vtkRelievoShaderLibrary.h"
+#include "vtkRelievoSpliceText.h"
+#include "vtkRelievoVolumeReader.h"
+#include "vtkRelievoVolumeSettings.h"
+#include "vtkRelievoVolumeSplice.h"
+#include "vtkRelievoVolumeTarget.h"
+#include "vtkRenderer.h"
+#include "vtkShaderProgram.h"
+#include "vtkStringArray.h"
+#include "vtkVolume.h"
+#include "vtkVolumeCollection.h"
+#include "vtkVolumeMapper.h"
+#include "vtkVolumeProperty.h"
+
+#include <algorithm>
+
+namespace
+{
+// What is drawn by itself: a volume, one that is part of an assembly, or the one of several levels
+// of detail that VTK chooses then.
+struct Drawn
+{
+  vtkProp* Prop = nullptr;
+  vtkProp* Part = nullptr;
+  vtkMatrix4x4* Matrix = nullptr; // of the part in its assembly
+  std::vector<vtkVolume*> Volumes;
+};
+
+std::vector<Drawn> FindVolumes(const vtkRelievoFrameContext& context)
+{
+  std::vector<Drawn> drawn;
+  for (const vtkRelievoFrameProp& each : context.Scene.Props)
+  {
+    vtkNew<vtkPropCollection> volumes;
+    each.Prop->GetVolumes(volumes);
+    if (volumes->GetNumberOfItems() == 0)
+    {
+      continue;
+    }
+    if (each.Prop->IsA("vtkLODProp3D"))
+    {
+      drawn.push_back({ each.Prop, each.Prop, nullptr, {} });
+      for (int i = 0; i < volumes->GetNumberOfItems(); ++i)
+      {
+        drawn.back().Volumes.push_back(vtkVolume::SafeDownCast(volumes->GetItemAsObject(i)));
+      }
+      continue;
+    }
+    for (const vtkRelievoPropParts::Part& part : each.Parts)
+    {
+      if (auto* volume = vtkVolume::SafeDownCast(part.Prop))
+      {
+        drawn.push_back({ each.Prop, volume, part.Matrix, { volume } });
+      }
+    }
+  }
+  return drawn;
+}
+
+// The reason why layers of a volume cannot be made, or an empty string.
+std::string WhyNot(vtkVolume* volume)
+{
+  vtkAbstractVolumeMapper* mapper = volume->GetMapper();
+  if (volume->IsA("vtkMultiVolume"))
+  {
+    return "a vtkMultiVolume mixes its volumes";
+  }
+  if (!mapper || !volume->GetProperty() ||
+    !(mapper->IsA("vtkGPUVolumeRayCastMapper") || mapper->IsA("vtkSmartVolumeMapper") ||
+      mapper->IsA("vtkMultiBlockVolumeMapper") || mapper->IsA("vtkAMRVolumeMapper")))
+  {
+    return std::string("a ") + (mapper ? mapper->GetClassName() : "vtkVolume without a mapper") +
+      " does not march along rays on the GPU";
+  }
+  auto* blended = vtkVolumeMapper::SafeDownCast(mapper);
+  const int mode = blended ? blended->GetBlendMode() : vtkVolumeMapper::COMPOSITE_BLEND;
+  return mode == vtkVolumeMapper::AVERAGE_INTENSITY_BLEND || mode == vtkVolumeMapper::ADDITIVE_BLEND
+    ? "the blend modes average and additive have no depth"
+    : std::string();
+}
+
+// Index of the component that gives a sample's value, as GLSL: the one with the greatest weight, or
+// the one that gives the opacity.
+std::string GetComponent(const std::string& fragment, vtkVolume* volume)
+{
+  if (!vtkRelievoSpliceText::Has(fragment, "in_componentWeight"))
+  {
+    return "(in_noOfComponents - 1)";
+  }
+  int heaviest = 0;
+  for (int i = 1; i < 4; ++i)
+  {
+    vtkVolumeProperty* property = volume->GetProperty();
+    heaviest =
+      property->GetComponentWeight(i) > property->GetComponentWeight(heaviest) ? i : heaviest;
+  }
+  return std::to_string(heaviest);
+}
+
+const std::string Declared = "//RELIEVO::Volumes::Dec";
+const std::string Sampled = "//RELIEVO::Volumes::Sample";
+const std::string Ended = "//RELIEVO::Volumes::Exit";
+
+void Mark(std::string& fragment)
+{
+  using namespace vtkRelievoSpliceText;
+  FillMark(fragment, "//VTK::DepthPeeling::Dec", Declared + "\n//VTK::DepthPeeling::Dec");
+  MarkBehind(fragment, "//VTK::DepthPass::Impl", Sampled);
+  MarkBehind(fragment, "//VTK::DepthPass::Exit", Ended);
+}
+
+std::string Fill(std::string& fragment, vtkVolumeMapper* mapper, vtkVolume* volume)
+{
+  using namespace vtkRelievoSpliceText;
+  const auto section = [](const char* name) {
+    return vtkRelievoShaderLibrary::GetSection("volumes/layers.glsl", name);
+  };
+  std::string local = section("Local");
+  local.erase(local.find_last_not_of(" \n") + 1);
+  for (const std::string& place : { Declared, Sampled, Ended, local })
+  {
+    if (!Has(fragment, place))
+    {
+      return "its shader has no place '" + place + "'";
+    }
+  }
+  const int mode = mapper->GetBlendMode();
+  std::string defines = "#define RELIEVO_VOLUME_COMPONENT " + GetComponent(fragment, volume) + "\n";
+  defines += mode == vtkVolumeMapper::MAXIMUM_INTENSITY_BLEND
+    ? "#define RELIEVO_VOLUME_EXTREME 1.0\n"
+    : mode == vtkVolumeMapper::MINIMUM_INTENSITY_BLEND ? "#define RELIEVO_VOLUME_EXTREME -1.0\n"
+                                                       : "";
+  defines += vtkRectilinearGrid::SafeDownCast(mapper->GetDataSetInput())
+    ? "#define RELIEVO_VOLUME_GRID\n"
+    : "";
+  FillMark(fragment, local, "");
+  FillWord(fragment, "g_dirStep * jitterValue", "g_dirStep");
+  FillMark(
+    fragment, Declared, vtkRelievoVolumeSplice::GetNames(fragment) + defines + section("Dec"));
+  FillMark(fragment, Sampled, section("Sample"));
+  FillMark(fragment, Ended, section("Exit"));
+  return {};
+}
+}
+
+class vtkRelievoVolumesStage::Internals
+{
+public:
+  // Volumes are merged when their layers are read: no shader reads these.
+  class Merged : public vtkRelievoResource
+  {
+  public:
+    void Activate(vtkShaderProgram*) override {}
+    void Deactivate() override {}
+  };
+
+  Merged Layers;
+  vtkNew<vtkRelievoVolumeSplice> Splice;
+  vtkRelievoVolumeTarget Target;
+  vtkRelievoScreenQuad Quad;
+  std::vector<vtkRelievoDrawnVolume> Volumes; // in the target
+  vtkRelievoFrameCamera View;
+  int Rule = OPACITY; // of the last frame
+  double Threshold = 0.5;
+  std::string RuleWords; // for files
+  vtkRelievoReportOnce Reported;
+};
+
+vtkStandardNewMacro(vtkRelievoVolumesStage);
+
+//------------------------------------------------------------------------------
+vtkRelievoVolumesStage::vtkRelievoVolumesStage()
+  : Internal(new Internals)
+{
+  vtkRelievoVolumeSplice* splice = this->Internal->Splice;
+  splice->Mark = Mark;
+  splice->Fill = Fill;
+  splice->Report = [this](const std::string& message) {
+    vtkErrorMacro("Volumes lack layers: " << message << ".");
+  };
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoVolumesStage::~vtkRelievoVolumesStage() = default;
+
+//------------------------------------------------------------------------------
+void vtkRelievoVolumesStage::Describe(vtkRelievoStageDescription& description)
+{
+  description.Name = "volumes";
+  description.Label = "Volume Layers";
+  description.Help = "Makes the layers of volumes: depth, position, value, normal, opacity, id.";
+  description.Slot = vtkRelievoStageDescription::SHADE;
+  description.OnByDefault = true;
+  description.Reads = { vtkRelievoResources::Depth };
+  for (const vtkRelievoLayer& layer : vtkRelievoLayerCatalogue::GetAll())
+  {
+    if (layer.Name.compare(0, 6, "volume") == 0)
+    {
+      description.Layers.push_back(layer.Name);
+    }
+  }
+  description
+    .AddChoice(
+      "rule", this->Rule, [this](int rule) { this->SetRule(rule); },
+      { "first", "opacity", "strongest" },
+      "The place that stands for a volume: first, the first visible sample; opacity, where the "
+      "accumulated opacity reaches a threshold; strongest, the sample that contributes most.")
+    .Label = "Depth Of Volumes";
+  description
+    .AddNumber(
+      "opacity", this->Opacity, [this](double opacity) { this->SetOpacity(opacity); }, 0.001, 0.99,
+      "", "Accumulated opacity at the depth of a volume.")
+    .OnlyIf = "rule=opacity";
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoVolumesStage::Execute(vtkRelievoFrameContext& context)
+{
+  Internals& in = *this->Internal;
+  this->DrawCalls = 0;
+  in.Volumes.clear();
+  in.View = context.View;
+  in.Rule = this->Rule;
+  in.Threshold = this->Opacity;
+  in.RuleWords = this->GetParameter("rule");
+  in.RuleWords += this->Rule == OPACITY ? "=" + this->GetParameter("opacity") : std::string();
+  for (const std::string& layer : context.GetAsked(this))
+  {
+    context.ProvideLayer(layer, &in.Layers);
+  }
+  std::vector<Drawn> volumes;
+  std::string wrong;
+  const auto reject = [this, &in](const std::string& why) {
+    if (in.Reported.IsNew(why))
+    {
+      vtkErrorMacro("A volume lacks layers: " << why << ".");
+    }
+  };
+  for (const Drawn& each : FindVolumes(context))
+  {
+    std::string why;
+    for (vtkVolume* volume : each.Volumes)
+    {
+      why = why.empty() ? WhyNot(volume) : why;
+    }
+    why.empty() ? volumes.push_back(each) : reject(why);
+  }
+  if (volumes.empty())
+  {
+    this->Explain("ran", "there are no volumes");
+    return;
+  }
+  wrong = in.Target.Prepare(context, static_cast<int>(volumes.size()));
+  if (wrong.empty() &&
+    !in.Quad.Ready(context, "volumes/depthFS.glsl", { vtkRelievoResources::Depth }))
+  {
+    wrong = in.Quad.GetWrong();
+  }
+  if (!wrong.empty())
+  {
+    this->Explain("failed", wrong);
+    reject(wrong);
+    return;
+  }
+  in.Target.Begin(context);
+  in.Target.Select(0);
+  in.Quad.Draw(context, in.Target.GetArea(), vtkRelievoScreenQuad::WRITES_DEPTH);
+  ++this->DrawCalls;
+  vtkVolumeCollection* all = context.Renderer->GetVolumes();
+  for (const Drawn& each : volumes)
+  {
+    vtkRelievoDrawnVolume drawn;
+    in.Splice->Set = [this, all, &drawn](
+                       vtkShaderProgram* program, vtkVolumeMapper* mapper, vtkVolume* volume) {
+      if (!program->IsUniformUsed("relievoVolumePoints"))
+      {
+        return; // drawn without the splice, whose error is reported
+      }
+      drawn.Take(vtkGPUVolumeRayCastMapper::SafeDownCast(mapper), volume);
+      drawn.Index = all->IsItemPresent(volume) - 1;
+      program->SetUniformi("relievoVolumeRule", this->Rule);
+      program->SetUniformf("relievoVolumeThreshold", static_cast<float>(this->Opacity));
+      const glm::vec3 points(drawn.Points);
+      program->SetUniform3f("relievoVolumePoints", &points[0]);
+    };
+    in.Target.Select(static_cast<int>(in.Volumes.size()));
+    in.Splice->Begin({ each.Prop }, context.Window);
+    {
+      const vtkRelievoVolumeSettings still(each.Volumes, context.Window);
+      if (each.Part != each.Prop)
+      {
+        each.Part->SetPropertyKeys(each.Prop->GetPropertyKeys());
+        each.Part->PokeMatrix(each.Matrix);
+        each.Part->RenderVolumetricGeometry(context.Renderer);
+        each.Part->PokeMatrix(nullptr);
+      }
+      else
+      {
+        each.Prop->RenderVolumetricGeometry(context.Renderer);
+      }
+    }
+    in.Splice->End();
+    this->DrawCalls += drawn.Draws;
+    if (drawn.Draws > 1 && this->Rule != FIRST)
+    {
+      drawn.HasDepth = false;
+      reject("data drawn in several blocks has only 'volume_opacity' and the layers of the rule "
+             "'first'");
+    }
+    auto* smart = vtkSmartVolumeMapper::SafeDownCast(each.Volumes.front()->GetMapper());
+    if (smart && smart->GetLastUsedRenderMode() == vtkSmartVolumeMapper::RayCastRenderMode)
+    {
+      reject("a vtkSmartVolumeMapper marches along rays on the CPU");
+    }
+    if (drawn.Draws > 0)
+    {
+      in.Volumes.push_back(drawn);
+    }
+  }
+  in.Splice->Set = nullptr;
+  in.Target.End();
+  this->Explain("ran", "draws " + std::to_string(in.Volumes.size()) + " volumes");
+}
+
+//------------------------------------------------------------------------------
+std::string vtkRelievoVolumesStage::ReadLayers(
+  const std::vector<std::string>& names, vtkImageData* image)
+{
+  Internals& in = *this->Internal;
+  vtkRelievoVolumeReader reader(in.Target, in.Volumes, in.View, in.Rule, in.Threshold);
+  const auto needsPlace = std::find_if(
+    names.begin(), names.end(), [](const std::string& name) { return name != "volume_opacity"; });
+  if (reader.HasBricks() && in.Rule != FIRST && needsPlace != names.end())
+  {
+    return "The layer '" + *needsPlace +
+      "' cannot be read: a volume is drawn in bricks (SetPartitions), which only the rule 'first' "
+      "combines.";
+  }
+  for (const std::string& name : names)
+  {
+    reader.Read(name, image);
+  }
+  vtkNew<vtkStringArray> rule;
+  rule->SetName("volumeRule");
+  rule->InsertNextValue(in.RuleWords);
+  image->GetFieldData()->AddArray(rule);
+  return {};
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkRelievoVolumesStage::GetBytesHeld()
+{
+  return this->Internal->Target.GetBytes();
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoVolumesStage::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->Internal->Target.Release(window);
+  this->Internal->Quad.Release(window);
+  this->Internal->Volumes.clear();
+  this->DrawCalls = 0;
+  this->Superclass::ReleaseGraphicsResources(window);
+}
