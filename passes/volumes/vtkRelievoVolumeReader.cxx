@@ -78,7 +78,7 @@ void vtkRelievoDrawnVolume::Take(vtkGPUVolumeRayCastMapper* mapper, vtkVolume* v
 {
   ++this->Draws;
   vtkDataSet* data = mapper->GetDataSetInput();
-  this->HasField = this->Draws == 1 && this->Field.Take(mapper, volume);
+  this->HasMarch = this->Draws == 1 && this->March.Take(mapper, volume);
   const glm::dmat4 dataToWorld = vtkRelievoToGlm(volume->GetMatrix());
   this->GridToData = glm::dmat4(1.0);
   double bounds[6];
@@ -145,13 +145,13 @@ void vtkRelievoVolumeReader::Find(
   const double rounding = 8.0 * std::numeric_limits<float>::epsilon() *
     std::max(glm::length(Point(volume.GridToData, volume.Corners[0])),
       glm::length(Point(volume.GridToData, volume.Corners[1])));
-  bool refines = volume.HasField && volume.Field.IsUnchanged();
+  bool refines = volume.HasMarch && volume.March.IsUnchanged();
   const auto step =
     std::find_if(texels[1].begin(), texels[1].end(), [](float x) { return x > 0.0f; });
   if (refines && step != texels[1].end())
   {
     const std::size_t pixel = static_cast<std::size_t>(step - texels[1].begin()) / 4;
-    volume.Field.SetStep(texels[0][4 * pixel + 1]);
+    volume.March.SetStep(texels[0][4 * pixel + 1]);
   }
   const auto findPixel = [&](vtkIdType i) {
     const float* start = &texels[0][4 * i];
@@ -184,13 +184,13 @@ void vtkRelievoVolumeReader::Find(
       {
         const int near = static_cast<int>(std::ceil(steps));
         const double refined =
-          volume.Field.FindStep(ray.At(t) - volume.Corners[0], stepT * (ray.End - ray.Begin), rule,
+          volume.March.FindStep(ray.At(t) - volume.Corners[0], stepT * (ray.End - ray.Begin), rule,
             threshold, std::max(1, near - Around), near + Around);
         steps = std::isnan(refined) ? steps : refined;
       }
       t += steps * stepT;
       value =
-        refines ? static_cast<float>(volume.Field.GetValue(ray.At(t) - volume.Corners[0])) : value;
+        refines ? static_cast<float>(volume.March.GetValue(ray.At(t) - volume.Corners[0])) : value;
     }
     else
     {

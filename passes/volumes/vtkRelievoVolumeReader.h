@@ -8,7 +8,7 @@
 
 #include "vtkRelievoFormulas.h" // for GLM
 #include "vtkRelievoFrameCamera.h"
-#include "vtkRelievoVolumeField.h"
+#include "vtkRelievoVolumeMarch.h"
 
 #include <memory>
 #include <string>
@@ -30,8 +30,8 @@ struct vtkRelievoDrawnVolume
   glm::dvec3 Corners[2];  // of the grid
   glm::dvec3 Points;      // number along each axis
 
-  bool HasField = false; // Field is known
-  vtkRelievoVolumeField Field;
+  bool HasMarch = false; // March is known
+  vtkRelievoVolumeMarch March;
 
   void Take(vtkGPUVolumeRayCastMapper* mapper, vtkVolume* volume);
 };

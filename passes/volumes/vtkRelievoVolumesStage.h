@@ -17,7 +17,7 @@
  * vtkSmartVolumeMapper and vtkMultiBlockVolumeMapper, with the mapper's step of full quality,
  * without jitter: it follows transfer functions, cropping, clipping planes and masks. The ray ends
  * at the visible surface. When layers are read, the place is refined in double by the same march
- * (vtkRelievoVolumeField). Rejected, with one error: other mappers and vtkMultiVolume, blend modes
+ * (vtkRelievoVolumeMarch). Rejected, with one error: other mappers and vtkMultiVolume, blend modes
  * without a place (average, additive), and, except for FIRST, data drawn in several blocks.
  */
 #ifndef vtkRelievoVolumesStage_h

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "vtkRelievoVolumeField.h"
+#include "vtkRelievoVolumeMarch.h"
 
 #include "vtkDataArray.h"
 #include "vtkGPUVolumeRayCastMapper.h"
@@ -39,7 +39,7 @@ bool IsUsual(vtkGPUVolumeRayCastMapper* mapper, vtkVolume* volume, vtkImageData*
 }
 
 //------------------------------------------------------------------------------
-bool vtkRelievoVolumeField::Take(vtkGPUVolumeRayCastMapper* mapper, vtkVolume* volume)
+bool vtkRelievoVolumeMarch::Take(vtkGPUVolumeRayCastMapper* mapper, vtkVolume* volume)
 {
   auto* image = vtkImageData::SafeDownCast(mapper->GetDataSetInput());
   if (!image || !IsUsual(mapper, volume, image))
@@ -81,14 +81,14 @@ bool vtkRelievoVolumeField::Take(vtkGPUVolumeRayCastMapper* mapper, vtkVolume* v
 }
 
 //------------------------------------------------------------------------------
-bool vtkRelievoVolumeField::IsUnchanged() const
+bool vtkRelievoVolumeMarch::IsUnchanged() const
 {
   return this->Values->GetMTime() == this->Time;
 }
 
 //------------------------------------------------------------------------------
 // Corrected by unit distance (vtkOpenGLVolumeOpacityTable).
-void vtkRelievoVolumeField::SetStep(double length)
+void vtkRelievoVolumeMarch::SetStep(double length)
 {
   this->Opacities = this->Function;
   for (double& opacity : this->Opacities)
@@ -102,7 +102,7 @@ void vtkRelievoVolumeField::SetStep(double length)
 
 //------------------------------------------------------------------------------
 // By OpenGL's filter, without the offset of half a texel at the table's ends.
-double vtkRelievoVolumeField::GetOpacity(double value) const
+double vtkRelievoVolumeMarch::GetOpacity(double value) const
 {
   const double share = (value - this->Range[0]) / (this->Range[1] - this->Range[0]);
   if (std::isnan(share))
@@ -123,7 +123,7 @@ double vtkRelievoVolumeField::GetOpacity(double value) const
 }
 
 //------------------------------------------------------------------------------
-double vtkRelievoVolumeField::GetValue(const glm::dvec3& position) const
+double vtkRelievoVolumeMarch::GetValue(const glm::dvec3& position) const
 {
   const glm::dvec3 last = glm::dvec3(this->Size - 1);
   glm::dvec3 at = position - this->Shift;
@@ -144,7 +144,7 @@ double vtkRelievoVolumeField::GetValue(const glm::dvec3& position) const
 }
 
 //------------------------------------------------------------------------------
-double vtkRelievoVolumeField::FindStep(const glm::dvec3& entry, const glm::dvec3& step, int rule,
+double vtkRelievoVolumeMarch::FindStep(const glm::dvec3& entry, const glm::dvec3& step, int rule,
   double threshold, int first, int last) const
 {
   using Stage = vtkRelievoVolumesStage;

@@ -3,8 +3,8 @@
 //
 // A volume's data and opacity as VTK's shader samples them, in double: to refine the place that the
 // march on the GPU has found. GPUs filter with weights of about 8 bits, and march in float.
-#ifndef vtkRelievoVolumeField_h
-#define vtkRelievoVolumeField_h
+#ifndef vtkRelievoVolumeMarch_h
+#define vtkRelievoVolumeMarch_h
 
 #include "vtkRelievoFormulas.h" // for GLM
 #include "vtkSmartPointer.h"
@@ -17,7 +17,7 @@ class vtkDataArray;
 class vtkGPUVolumeRayCastMapper;
 class vtkVolume;
 
-class vtkRelievoVolumeField
+class vtkRelievoVolumeMarch
 {
 public:
   // False if the volume is drawn in other ways than this class knows: one component of an image,
