@@ -2,8 +2,8 @@
 
 include(RelievoStages)
 set(relievo_rooms base base/gl describe shaders layers cameras rays passes/frame passes/gbuffer
-  passes/shadows passes/deferred passes/effects passes materials io filters animation compare reading
-  look scene dataset)
+  passes/volumes passes/shadows passes/deferred passes/effects passes materials io filters animation
+  compare reading look scene dataset)
 set(relievo_module_files ${relievo_rooms})
 list(TRANSFORM relievo_module_files REPLACE "(.+)" "${CMAKE_CURRENT_SOURCE_DIR}/\\1/vtk.module")
 set(relievo_requested Relievo::Base Relievo::BaseGL Relievo::Describe Relievo::Shaders Relievo::Layers
