@@ -162,8 +162,27 @@ void vtkRelievoLightMaps::MakeNone(vtkOpenGLRenderWindow* window)
   this->UseMethod(vtkRelievoShadowMethods::MAP, window);
   this->Work.WithoutFollowed = false;
   this->Work.Maps.Release(window);
+  this->Work.Shade.Release(window);
   this->Work.Cache.Clear();
   this->Work.Others.Clear();
+}
+
+//------------------------------------------------------------------------------
+std::string vtkRelievoLightMaps::MakeShade(vtkOpenGLRenderWindow* window)
+{
+  std::vector<vtkRelievoOpticalDepths::Source> sources;
+  for (const auto& entry : this->Work.Cache.GetEntries())
+  {
+    sources.push_back({ entry.Light.Positional, entry.Light.Position, entry.Light.Direction });
+  }
+  this->Work.Shade.SetCasters(this->Work.Props.GetVolumeCasters());
+  const std::string fault = this->Work.Shade.Update(window, sources);
+  if (!this->Work.Shade.Bind())
+  {
+    this->Work.Shade.Release(window);
+    return "all texture units of this OpenGL are taken; use fewer textures";
+  }
+  return fault;
 }
 
 //------------------------------------------------------------------------------
@@ -173,6 +192,7 @@ bool vtkRelievoLightMaps::UpdateStructure(const vtkRelievoShadowLights& lights, 
   structure.Method = this->Method->GetShader();
   structure.Traced = this->Method->Traces();
   structure.Colored = this->Method->Colors();
+  structure.Volumes = this->Work.Shade.IsMade();
   structure.Maps = !structure.Traced || this->Work.Cache.GetNumberOfMaps() > 0;
   structure.Numbers = static_cast<int>(lights.GetAll().size());
   structure.Unlit = unlit;
@@ -217,6 +237,7 @@ int vtkRelievoLightMaps::DrawMethod(vtkRenderer* renderer)
 void vtkRelievoLightMaps::Unbind()
 {
   this->Work.Maps.Unbind();
+  this->Work.Shade.Unbind();
   this->Method->Unbind();
 }
 
@@ -267,7 +288,8 @@ std::string vtkRelievoLightMaps::GetReport() const
       << this->Work.MapsDrawn << " drawn anew, expected share of wrong pixels "
       << std::setprecision(2) << 100.0 * this->GetExpectedWrongShare() << " %"
       << (this->Planning.IsPlanned() ? ", " + this->Planning.Get().Words : std::string())
-      << this->Method->GetReport() << this->Work.Others.GetReport();
+      << this->Method->GetReport() << this->Work.Shade.GetReport()
+      << this->Work.Others.GetReport();
   return out.str();
 }
 
@@ -275,6 +297,7 @@ std::string vtkRelievoLightMaps::GetReport() const
 void vtkRelievoLightMaps::Release(vtkWindow* window)
 {
   this->Work.Maps.Release(window);
+  this->Work.Shade.Release(window);
   this->Method->Release(window);
   this->Work.PlainDraw.Release(window);
   this->Work.Props.ForgetGlyphs();

@@ -45,6 +45,9 @@ public:
   void MakeNone(vtkOpenGLRenderWindow* window);
   ///@}
 
+  // The shade of volumes towards these lights. Returns why there is none, or "".
+  std::string MakeShade(vtkOpenGLRenderWindow* window);
+
   // The size of maps in this OpenGL: its limit if that is less, with a warning.
   static int GetSizeHere(int size, vtkRelievoMessagesOnce& messages);
 
@@ -84,7 +87,10 @@ public:
   // A clause about the last frame, for the frame report.
   std::string GetReport() const;
 
-  vtkIdType GetBytes() const { return this->Work.Maps.GetBytes() + this->Method->GetBytes(); }
+  vtkIdType GetBytes() const
+  {
+    return this->Work.Maps.GetBytes() + this->Work.Shade.GetBytes() + this->Method->GetBytes();
+  }
   void Release(vtkWindow* window);
 
 private:

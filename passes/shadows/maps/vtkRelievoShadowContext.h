@@ -12,6 +12,7 @@
 #include "vtkRelievoShadowMaps.h"
 #include "vtkRelievoShadowProps.h"
 #include "vtkRelievoShadowStructure.h"
+#include "vtkRelievoVolumeShade.h"
 
 // The casters drawn into all maps of a frame, and settings for drawing.
 struct vtkRelievoShadowCasters
@@ -39,6 +40,7 @@ struct vtkRelievoShadowContext
   vtkRelievoShadowCache Cache;
   vtkRelievoShadowMaps Maps;
   vtkRelievoShadowStructure Structure;
+  vtkRelievoVolumeShade Shade; // of volumes
   int Radius = 1;    // of the filter in texels, limited by the maps' size
   double Bias = 0.0; // in texels
   // For soft lights' parts, in frames that draw all samples at once: the step between their numbers

@@ -33,6 +33,7 @@ struct vtkRelievoShadowStructure
   std::string Method;        // file of the method's own section
   bool Maps = true;          // whether maps are looked up
   bool Traced = false;       // whether rays decide, after the maps
+  bool Volumes = false;      // whether volumes cast
   bool Colored = false;      // whether transmitted light has the surfaces' colours
   bool WideFilter = false;   // of a radius above 1
   bool Highlights = true;    // whether a surface has any
@@ -56,6 +57,7 @@ struct vtkRelievoShadowStructure
   {
     return this->Lights == other.Lights && this->Method == other.Method &&
       this->Maps == other.Maps && this->Traced == other.Traced && this->Colored == other.Colored &&
+      this->Volumes == other.Volumes &&
       this->WideFilter == other.WideFilter && this->Highlights == other.Highlights &&
       this->Numbers == other.Numbers && this->Parts == other.Parts && this->Unlit == other.Unlit &&
       this->Found == other.Found;

@@ -1,0 +1,223 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkRelievoShadowVolumes.h"
+
+#include "vtkLight.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkRelievoFrameScene.h"
+#include "vtkRelievoMessagesOnce.h"
+#include "vtkRelievoShaderLibrary.h"
+#include "vtkRelievoShadowContext.h"
+#include "vtkRelievoShadowMapUniforms.h"
+#include "vtkRelievoShadowMethod.h"
+#include "vtkRelievoSpliceText.h"
+#include "vtkRelievoVolumeField.h"
+#include "vtkRenderer.h"
+#include "vtkShaderProgram.h"
+#include "vtkVolume.h"
+#include "vtkVolumeMapper.h"
+
+#include <algorithm>
+#include <sstream>
+#include <vector>
+
+using namespace vtkRelievoSpliceText;
+
+namespace
+{
+const char* const VolumeExtensions = "//RELIEVO::ShadowVolume::Extensions";
+const char* const VolumeDec = "//RELIEVO::ShadowVolume::Dec";
+const char* const LightingDec = "//VTK::ComputeLighting::Dec";
+
+std::string VolumeSection(const char* section)
+{
+  return vtkRelievoShaderLibrary::GetSection("shadow/volume.glsl", section);
+}
+
+// Multiplies VTK's lights by their visibility. Returns whether there were any.
+bool DimLights(std::string& fragment)
+{
+  const std::string before = fragment;
+  std::istringstream numbers(VolumeSection("Numbers"));
+  for (std::string number; numbers >> number;)
+  {
+    std::istringstream words(VolumeSection("Words"));
+    for (std::string line; std::getline(words, line);)
+    {
+      const std::string arrow = " => ";
+      const std::size_t at = line.find(arrow);
+      if (at != std::string::npos)
+      {
+        FillWord(line, "RELIEVO_NUMBER", number);
+        const std::size_t middle = line.find(arrow);
+        FillWord(fragment, line.substr(0, middle), line.substr(middle + arrow.size()));
+      }
+    }
+  }
+  return fragment != before;
+}
+
+// The lights that are on, by their numbers in VTK's shader of volumes.
+std::vector<int> GetSlots(
+  const vtkRelievoShadowVolumes::Shadows& shadows, bool lampsFirst, std::size_t least)
+{
+  std::vector<vtkLight*> lights;
+  for (const vtkRelievoFrameLight& light : vtkRelievoFrameScene::FindLights(shadows.Renderer))
+  {
+    if (light.ShaderIndex >= 0)
+    {
+      lights.push_back(light.Light);
+    }
+  }
+  if (lampsFirst)
+  {
+    std::stable_partition(
+      lights.begin(), lights.end(), [](vtkLight* light) { return light->GetPositional() != 0; });
+  }
+  std::vector<int> slots;
+  for (vtkLight* light : lights)
+  {
+    const auto& entries = shadows.Work.Cache.GetEntries();
+    const auto entry = std::find_if(entries.begin(), entries.end(),
+      [&](const vtkRelievoShadowCache::Entry& each) { return each.Light.Light == light; });
+    slots.push_back(entry == entries.end() ? -1 : static_cast<int>(entry - entries.begin()));
+  }
+  slots.resize(std::max(least, slots.size()), -1);
+  return slots;
+}
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoShadowVolumes::vtkRelievoShadowVolumes()
+{
+  this->Splice->Mark = [](std::string& fragment) {
+    MarkBehind(fragment, "//VTK::System::Dec", VolumeExtensions);
+    vtkShaderProgram::Substitute(
+      fragment, LightingDec, std::string(VolumeDec) + "\n" + LightingDec, false);
+  };
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoShadowVolumes::Begin(const Shadows& shadows)
+{
+  const std::vector<vtkProp*>& props = shadows.Work.Props.GetVolumeReceivers();
+  const vtkRelievoShadowStructure& structure = shadows.Work.Structure;
+  if (props.empty() || structure.Lights.empty() || this->Begun)
+  {
+    return;
+  }
+  this->Begun = true;
+  this->Splice->Fill = [this, shadows](std::string& fragment, vtkVolumeMapper*, vtkVolume*) {
+    return this->Fill(fragment, shadows);
+  };
+  this->Splice->Set = [this, shadows](vtkShaderProgram* program, vtkVolumeMapper* mapper,
+                        vtkVolume* volume) {
+    this->SetUniforms(program, mapper, volume, shadows);
+  };
+  vtkRelievoMessagesOnce& messages = shadows.Messages;
+  this->Splice->Report = [&messages](
+                           const std::string& message) { messages.Error("Shadows: " + message); };
+  this->Splice->Begin(
+    props, static_cast<vtkOpenGLRenderWindow*>(shadows.Renderer->GetRenderWindow()));
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoShadowVolumes::End()
+{
+  if (this->Begun)
+  {
+    this->Splice->End();
+    this->Splice->Fill = nullptr;
+    this->Splice->Set = nullptr;
+    this->Splice->Report = nullptr;
+    this->Begun = false;
+  }
+}
+
+//------------------------------------------------------------------------------
+std::string vtkRelievoShadowVolumes::Fill(std::string& fragment, const Shadows& shadows)
+{
+  const vtkRelievoShadowStructure& structure = shadows.Work.Structure;
+  if (!DimLights(fragment)) // neither has a head light a shadow
+  {
+    FillMark(fragment, VolumeExtensions, "");
+    FillMark(fragment, VolumeDec, "");
+    return std::string();
+  }
+  if (!Has(fragment, VolumeExtensions) || !Has(fragment, VolumeDec))
+  {
+    return "its fragment shader lacks VTK's tags System::Dec and ComputeLighting::Dec; use VTK's "
+           "template";
+  }
+  this->LampsFirst = Has(fragment, "NUMBER_POS_LIGHTS");
+  std::string maps;
+  int slot = 0;
+  int face = 0;
+  for (const vtkRelievoShadowStructure::Light& light : structure.Lights)
+  {
+    std::string text = VolumeSection(light.Cube ? "CubeImpl" : "MapImpl");
+    FillWord(text, "RELIEVO_SLOT", std::to_string(slot++));
+    FillWord(text, "RELIEVO_FACE", std::to_string(face));
+    face += light.GetRoom();
+    maps += structure.Maps ? text : std::string();
+  }
+  const std::string method = shadows.Method.GetVolumeShader();
+  const auto ofMethod = [&](const char* section) {
+    return vtkRelievoShaderLibrary::GetSection(method, section);
+  };
+  std::string lit = VolumeSection("LitDec");
+  FillWord(lit, "RELIEVO_VOLUME_MAPS", maps + (structure.Traced ? VolumeSection("TraceImpl") : ""));
+  FillWord(lit, "RELIEVO_VOLUME_SHADE", structure.Volumes ? VolumeSection("Shade") : "");
+  std::ostringstream dec;
+  dec << "#define RELIEVO_SHADOW_LIGHTS " << structure.Lights.size() << "\n";
+  dec << "#define RELIEVO_SHADOW_FACES " << structure.GetFaces() << "\n";
+  dec << "#define RELIEVO_VOLUME_NUMBERS " << GetSlots(shadows, true, 1).size() << "\n";
+  dec << (structure.WideFilter ? "#define RELIEVO_SHADOW_WIDE\n" : "");
+  dec << (structure.Colored ? "#define RELIEVO_SHADOW_COLORED\n" : "");
+  FillMark(fragment, VolumeExtensions, VolumeSection("Extensions") + GetContract());
+  FillMark(fragment, VolumeDec,
+    dec.str() + VolumeSection("Dec") + ofMethod("MethodDec") +
+      (structure.Traced ? ofMethod("TraceDec") : std::string()) +
+      (structure.Volumes ? VolumeSection("ShadeDec") : std::string()) +
+      lit);
+  return std::string();
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoShadowVolumes::SetUniforms(vtkShaderProgram* program, vtkVolumeMapper* mapper,
+  vtkVolume* volume, const Shadows& shadows) const
+{
+  if (!program->IsUniformUsed("relievoVolumeSlot"))
+  {
+    return;
+  }
+  const vtkRelievoShadowContext& work = shadows.Work;
+  const glm::dmat4 placeToWorld = vtkRelievoVolumeField::GetTextureToWorld(mapper, volume);
+  const glm::dmat4 placeToView = work.View.WorldToView * placeToWorld;
+  vtkRelievoShadowMapUniforms faces(work, work.Structure.GetFaces(), placeToView);
+  std::vector<float> strengths;
+  int first = 0;
+  for (const auto& entry : work.Cache.GetEntries())
+  {
+    int face = first;
+    for (const auto& map : entry.Maps)
+    {
+      faces.Set(face++, map, shadows.Method.GetBias(map.View, work.Bias));
+    }
+    first += work.Structure.Lights[strengths.size()].GetRoom();
+    strengths.push_back(
+      static_cast<float>(shadows.Strength * entry.Light.Light->GetShadowAttenuation()));
+  }
+  faces.Tell(program);
+  const std::vector<int> slots = GetSlots(shadows, this->LampsFirst, 1);
+  program->SetUniform1iv("relievoVolumeSlot", static_cast<int>(slots.size()), slots.data());
+  program->SetUniform1fv(
+    "relievoShadowStrength", static_cast<int>(strengths.size()), strengths.data());
+  program->SetUniformf("relievoShadowInner", work.GetInner());
+  program->SetUniformf("relievoShadowLift", 0.f);
+  shadows.Method.SetVolumeUniforms(program, work, placeToView);
+  if (work.Structure.Volumes)
+  {
+    work.Shade.SetUniforms(program, placeToWorld);
+  }
+}
