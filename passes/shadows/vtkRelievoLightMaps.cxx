@@ -193,6 +193,7 @@ bool vtkRelievoLightMaps::UpdateStructure(const vtkRelievoShadowLights& lights, 
   structure.Traced = this->Method->Traces();
   structure.Colored = this->Method->Colors();
   structure.Volumes = this->Work.Shade.IsMade();
+  structure.Around = this->Work.Shade.IsAround();
   structure.Maps = !structure.Traced || this->Work.Cache.GetNumberOfMaps() > 0;
   structure.Numbers = static_cast<int>(lights.GetAll().size());
   structure.Unlit = unlit;
@@ -288,8 +289,7 @@ std::string vtkRelievoLightMaps::GetReport() const
       << this->Work.MapsDrawn << " drawn anew, expected share of wrong pixels "
       << std::setprecision(2) << 100.0 * this->GetExpectedWrongShare() << " %"
       << (this->Planning.IsPlanned() ? ", " + this->Planning.Get().Words : std::string())
-      << this->Method->GetReport() << this->Work.Shade.GetReport()
-      << this->Work.Others.GetReport();
+      << this->Method->GetReport() << this->Work.Shade.GetReport() << this->Work.Others.GetReport();
   return out.str();
 }
 

@@ -353,7 +353,9 @@ std::string vtkRelievoShadowStage::DrawLights(vtkRelievoFrameContext& context)
   in.Strengths.Set(in.Maps.Work, this->Enabled ? this->Strength : 0.0);
   context.Provide(vtkRelievoResources::ShadowMaps, &in.Strengths);
   in.Volumes.Begin({ in.Maps.Work, *in.Maps.GetMethod(), this->Enabled ? this->Strength : 0.0,
-    in.Renderer, in.Messages });
+    in.Renderer, [&in](const std::string& message) {
+      in.Messages.Error("No shadows on volumes: " + message);
+    } });
   in.Uniforms.Forget();
   const int methodDraws = in.Maps.DrawMethod(context.Renderer);
   this->DrawCalls += mapDraws + methodDraws; // mappers that draw by themselves have counted theirs

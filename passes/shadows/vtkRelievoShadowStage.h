@@ -22,9 +22,9 @@
  * Translucent geometry receives shadows and does not cast, unless SetPropCasts() says so. Volumes
  * (vtkVolumeMapper, images, composite blending, one opacity function) dim the light behind them,
  * exp(-optical depth) by VTK's definitions of opacity and unit distance, for every method; if they
- * are shaded, they receive shadows of surfaces, of other volumes and of themselves (depths in a grid
- * along the light's rays, after T. Lokovic and E. Veach, Deep shadow maps, 2000). Props that draw
- * without a vtkActor's mapper neither cast nor receive.
+ * are shaded, they receive shadows of surfaces, of other volumes and of themselves (depths in a
+ * grid along the light's rays, after T. Lokovic and E. Veach, Deep shadow maps, 2000). Props that
+ * draw without a vtkActor's mapper neither cast nor receive.
  */
 #ifndef vtkRelievoShadowStage_h
 #define vtkRelievoShadowStage_h

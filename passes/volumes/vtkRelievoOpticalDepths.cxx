@@ -106,8 +106,8 @@ void vtkRelievoOpticalDepths::Make(
   }
   const glm::dvec3 away = center - source.Position;
   const glm::dvec3 axis = glm::normalize(!source.Positional ? source.Direction
-      : glm::length(away) > 0.0                              ? away
-                                                             : glm::dvec3(0.0, 0.0, 1.0));
+      : glm::length(away) > 0.0                             ? away
+                                                            : glm::dvec3(0.0, 0.0, 1.0));
   const glm::dvec3 u = GetAcross(fields[0].GetAxes(), axis);
   const glm::dvec3 v = glm::cross(axis, u);
   const glm::dvec3 origin = source.Positional ? source.Position : center;
@@ -126,8 +126,8 @@ void vtkRelievoOpticalDepths::Make(
     z.Add(far);
     this->Around = this->Around || (source.Positional && far <= 0.0);
   }
-  this->Around = this->Around ||
-    (source.Positional && std::max({ -x.Low, x.High, -y.Low, y.High }) > Widest);
+  this->Around =
+    this->Around || (source.Positional && std::max({ -x.Low, x.High, -y.Low, y.High }) > Widest);
 
   int across[2];
   int pieces = 0;
@@ -223,8 +223,9 @@ double vtkRelievoOpticalDepths::GetDepth(const glm::dvec3& world) const
   {
     return 0.0;
   }
-  const glm::dvec3 texel =
-    relievo::f64::relievoVolumeTexel(map, glm::dvec3(this->Size), this->Around);
+  const glm::dvec3 size(this->Size);
+  const glm::dvec3 texel = this->Around ? relievo::f64::relievoVolumeTexelAround(map, size)
+                                        : relievo::f64::relievoVolumeTexel(map, size);
   double depth = 0.0;
   for (int corner = 0; corner < 8; ++corner)
   {

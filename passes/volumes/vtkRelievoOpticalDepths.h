@@ -40,9 +40,10 @@ public:
   // The interpolated depth at a point of the world.
   double GetDepth(const glm::dvec3& world) const;
 
-  // From the world to the argument `map` of relievoVolumeTexel (shaders/volumes/texel.glsl).
+  // From the world to the argument `map` of relievoVolumeTexel, or of relievoVolumeTexelAround if
+  // rays go in all directions (shaders/volumes/texel.glsl).
   const glm::dmat4& GetWorldToMap() const { return this->WorldToMap; }
-  bool IsAround() const { return this->Around; } // its argument of that name
+  bool IsAround() const { return this->Around; }
   const glm::ivec3& GetSize() const { return this->Size; }
   const std::vector<float>& GetDepths() const { return this->Depths; } // x fastest
 

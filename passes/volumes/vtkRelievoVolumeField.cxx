@@ -369,8 +369,10 @@ void vtkRelievoVolumeField::March(const T* values, const glm::dvec3& from, const
         for (int axis = 0, stride = 1; axis < 3; ++axis, stride *= 3)
         {
           const double at = place[axis];
-          region +=
-            stride * (at <= this->Crop[2 * axis] ? 0 : at <= this->Crop[2 * axis + 1] ? 1 : 2);
+          region += stride *
+            (at <= this->Crop[2 * axis]          ? 0
+                : at <= this->Crop[2 * axis + 1] ? 1
+                                                 : 2);
         }
         there = (this->Cropped >> region & 1) != 0;
       }
@@ -408,8 +410,8 @@ bool vtkRelievoVolumeField::Clip(
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoVolumeField::AddDepths(const glm::dvec3& from, const glm::dvec3& step, int samples,
-  std::vector<float>& depths) const
+void vtkRelievoVolumeField::AddDepths(
+  const glm::dvec3& from, const glm::dvec3& step, int samples, std::vector<float>& depths) const
 {
   double first = 0.0;
   double last = static_cast<double>(depths.size());
@@ -421,8 +423,9 @@ void vtkRelievoVolumeField::AddDepths(const glm::dvec3& from, const glm::dvec3& 
   const glm::dvec3 along(glm::dmat3(this->WorldToIndex) * step);
   switch (this->Array->GetDataType())
   {
-    vtkTemplateMacro(this->March(static_cast<const VTK_TT*>(this->Array->GetVoidPointer(0)) +
-        this->Component, start, along, first, last, samples, depths));
+    vtkTemplateMacro(
+      this->March(static_cast<const VTK_TT*>(this->Array->GetVoidPointer(0)) + this->Component,
+        start, along, first, last, samples, depths));
     default:
       break;
   }

@@ -53,8 +53,8 @@ public:
 
   // Adds the optical depths of the pieces of a ray to `depths`: piece k reaches from t = k to k + 1
   // of from + t * step (world). `samples`: of each piece.
-  void AddDepths(const glm::dvec3& from, const glm::dvec3& step, int samples,
-    std::vector<float>& depths) const;
+  void AddDepths(
+    const glm::dvec3& from, const glm::dvec3& step, int samples, std::vector<float>& depths) const;
 
 private:
   template <typename T>
@@ -66,20 +66,20 @@ private:
 
   vtkSmartPointer<vtkDataArray> Array;
   int Component = 0;
-  int Size[3] = { 1, 1, 1 };     // samples
-  double Low[3] = { 0, 0, 0 };   // of the box, in indices of samples
+  int Size[3] = { 1, 1, 1 };   // samples
+  double Low[3] = { 0, 0, 0 }; // of the box, in indices of samples
   double High[3] = { 0, 0, 0 };
   bool Nearest = false;
   glm::dmat4 WorldToIndex{ 1.0 };
   glm::dmat3 IndexToData{ 1.0 }; // of directions: lengths count in the volume's own coordinates
   glm::dmat3 Axes{ 1.0 };
   std::vector<glm::dvec3> Corners;
-  std::vector<glm::dvec4> Planes; // in world coordinates: positive inside
-  int Cropped = -1;               // flags of the 27 regions; -1: none is cut
+  std::vector<glm::dvec4> Planes;        // in world coordinates: positive inside
+  int Cropped = -1;                      // flags of the 27 regions; -1: none is cut
   double Crop[6] = { 0, 0, 0, 0, 0, 0 }; // in indices of samples
-  std::vector<float> Extinction;  // of scalars, per unit of length in the volume's coordinates
-  float First = 0.f;              // the scalar of its first entry
-  float PerScalar = 0.f;          // entries
+  std::vector<float> Extinction; // of scalars, per unit of length in the volume's coordinates
+  float First = 0.f;             // the scalar of its first entry
+  float PerScalar = 0.f;         // entries
 };
 
 #endif

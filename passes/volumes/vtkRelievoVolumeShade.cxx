@@ -108,8 +108,9 @@ std::string vtkRelievoVolumeShade::Update(
       made[i] = i;
     }
   }
-  if (!this->Texture ||
-    !std::all_of(made.begin(), made.end(), [this](std::size_t light) { return this->Upload(light); }))
+  if (!this->Texture || !std::all_of(made.begin(), made.end(), [this](std::size_t light) {
+        return this->Upload(light);
+      }))
   {
     this->Release(window);
     return "this OpenGL has no memory for the depths of volumes towards lights";
@@ -244,6 +245,13 @@ void vtkRelievoVolumeShade::SetUniforms(
     "relievoVolumeSize", lights, reinterpret_cast<const float(*)[4]>(&sizes[0].x));
   program->SetUniform3f("relievoVolumeTexture", size);
   program->SetUniformf("relievoVolumeSlices", static_cast<float>(this->Slices));
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoVolumeShade::IsAround() const
+{
+  return std::any_of(this->Depths.begin(), this->Depths.end(),
+    [](const vtkRelievoOpticalDepths& depths) { return depths.IsAround(); });
 }
 
 //------------------------------------------------------------------------------

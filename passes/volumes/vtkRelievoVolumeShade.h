@@ -40,8 +40,9 @@ public:
   std::string Update(
     vtkOpenGLRenderWindow* window, const std::vector<vtkRelievoOpticalDepths::Source>& sources);
 
-  // Whether shaders have to look the depths up.
+  // Whether shaders have to look the depths up; whether a light is among the volumes.
   bool IsMade() const { return this->Texture != 0; }
+  bool IsAround() const;
 
   // Between Bind and Unbind, a texture unit is taken. False if there is none.
   bool Bind();

@@ -9,23 +9,37 @@
 // the number of lights in VTK's shader. The method's section MethodDec is inserted between Dec and
 // LitDec, and TraceDec if it traces rays.
 
-// Lines of two texts: VTK's, and its replacement, for each of VTK's names of a light's number.
-//RELIEVO::Section(Words)
-(df * in_lightDiffuseColor[RELIEVO_NUMBER] => (df * relievoVolumeLit(RELIEVO_NUMBER) * in_lightDiffuseColor[RELIEVO_NUMBER]
-(sf * in_lightSpecularColor[RELIEVO_NUMBER] => (sf * relievoVolumeLit(RELIEVO_NUMBER) * in_lightSpecularColor[RELIEVO_NUMBER]
-+= in_lightDiffuseColor[RELIEVO_NUMBER] * nDotL => += relievoVolumeLit(RELIEVO_NUMBER) * in_lightDiffuseColor[RELIEVO_NUMBER] * nDotL
-specular = in_lightSpecularColor[RELIEVO_NUMBER] * => specular = relievoVolumeLit(RELIEVO_NUMBER) * in_lightSpecularColor[RELIEVO_NUMBER] *
+// VTK's texts of a light's colour, and of a light's number; and the text in front of the colour.
+//RELIEVO::Section(Colors)
+(df * in_lightDiffuseColor[RELIEVO_NUMBER]
+(sf * in_lightSpecularColor[RELIEVO_NUMBER]
++= in_lightDiffuseColor[RELIEVO_NUMBER] * nDotL
+specular = in_lightSpecularColor[RELIEVO_NUMBER] *
 //RELIEVO::Section(Numbers)
 posNum
 dirNum
 lightNum
+//RELIEVO::Section(Color)
+in_light
+//RELIEVO::Section(DimmedColor)
+relievoVolumeLit(RELIEVO_NUMBER) * in_light
 
 //RELIEVO::Section(Dec)
 //RELIEVO::Include(formulas/shadow.glsl)
 #define RELIEVO_SHADOW_HAS_PLANE false
 uniform float relievoShadowStrength[RELIEVO_SHADOW_LIGHTS];
 uniform int relievoVolumeSlot[RELIEVO_VOLUME_NUMBERS]; // of a light in VTK's shader; -1: casts none
-//RELIEVO::Include(shadow/lookup.glsl)
+//RELIEVO::Include(shadow/maps.glsl)
+
+// The nearest texel decides: the march averages over many samples, and each costs.
+float relievoShadowFilter(int face, vec3 place, vec2 slope, float texel)
+{
+  ivec2 last = ivec2(relievoShadowSize) - 1;
+  float depth =
+    texelFetch(relievoShadowMaps,
+      ivec3(clamp(ivec2(place.xy + 0.5), ivec2(0), last), int(relievoShadowLayer[face])), 0).r;
+  return step(clamp(place.z, relievoShadowLowest[face], 1.0), depth);
+}
 
 //RELIEVO::Section(ShadeDec)
 //RELIEVO::Include(volumes/shade.glsl)
@@ -42,45 +56,48 @@ float relievoVolumeInMap(int face)
   return map.w > 0.0 && relievoShadowSees(place) ? lit : 1.0;
 }
 
-float relievoVolumePast(int slot)
-{
-  float lit = 1.0;
-RELIEVO_VOLUME_MAPS
-  return lit;
-}
+// Software OpenGL runs all branches: each light is looked up once for a sample.
+float relievoVolumeLeft[RELIEVO_SHADOW_LIGHTS];
 
-// The last light and sample asked for: VTK asks twice for each.
-int relievoVolumeLast = -1;
-vec3 relievoVolumeAt;
-float relievoVolumeLeft;
+void relievoVolumeLookUp()
+{
+RELIEVO_VOLUME_LOOKUPS
+}
 
 float relievoVolumeLit(int number)
 {
-  if (number != relievoVolumeLast || g_dataPos != relievoVolumeAt)
-  {
-    int slot = relievoVolumeSlot[number];
-    relievoVolumeLast = number;
-    relievoVolumeAt = g_dataPos;
-    relievoVolumeLeft = slot < 0
-      ? 1.0
-      : 1.0 - relievoShadowStrength[slot] * (1.0 - relievoVolumePast(slot) RELIEVO_VOLUME_SHADE);
-  }
-  return relievoVolumeLeft;
+  int slot = relievoVolumeSlot[number];
+  return slot < 0 ? 1.0 : relievoVolumeLeft[slot];
 }
 
-//RELIEVO::Section(Shade)
-* relievoVolumePasses(slot, g_dataPos)
+// VTK's function that lights a sample, and the first line of its body.
+//RELIEVO::Section(Function)
+vec4 computeLighting(vec4 color
+//RELIEVO::Section(FunctionBegin)
+vec4 finalColor = vec4(0.0);
+//RELIEVO::Section(LookUp)
+  relievoVolumeLookUp();
+
+//RELIEVO::Section(LightImpl)
+  {
+    float lit = 1.0;
+RELIEVO_VOLUME_PAST
+    relievoVolumeLeft[RELIEVO_SLOT] = 1.0 - relievoShadowStrength[RELIEVO_SLOT] * (1.0 - lit);
+  }
+
+//RELIEVO::Section(ShadeImpl)
+    lit *= relievoVolumePasses(RELIEVO_SLOT, g_dataPos);
 
 //RELIEVO::Section(MapImpl)
-  lit = slot == RELIEVO_SLOT ? relievoVolumeInMap(RELIEVO_FACE) : lit;
+    lit *= relievoVolumeInMap(RELIEVO_FACE);
 
 //RELIEVO::Section(CubeImpl)
-  lit = slot == RELIEVO_SLOT ? relievoShadowCube(RELIEVO_FACE, g_dataPos, vec3(0.0, 0.0, 1.0)) : lit;
+    lit *= relievoShadowCube(RELIEVO_FACE, g_dataPos, vec3(0.0, 0.0, 1.0));
 
 //RELIEVO::Section(TraceImpl)
-  {
-    vec3 placeLC = (relievoShadowToLocal * vec4(g_dataPos, 1.0)).xyz;
-    vec4 source = relievoShadowSource[slot];
-    lit *= RELIEVO_PASSES_WHOLE(relievoTreeWalk(relievoTreeNodes, placeLC,
-      relievoSeenToLight(source, placeLC), source.w != 0.0, 0.0, vec3(0.0)));
-  }
+    {
+      vec3 placeLC = (relievoShadowToLocal * vec4(g_dataPos, 1.0)).xyz;
+      vec4 source = relievoShadowSource[RELIEVO_SLOT];
+      lit *= RELIEVO_PASSES_WHOLE(relievoTreeWalk(relievoTreeNodes, placeLC,
+        relievoSeenToLight(source, placeLC), source.w != 0.0, 0.0, vec3(0.0)));
+    }

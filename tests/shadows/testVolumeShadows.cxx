@@ -155,14 +155,14 @@ void TestBox()
         {
           glm::dvec3 other = place;
           other[i] += off;
-          around = std::max(around,
-            std::abs(GetChord(source, other, glm::dvec3(0.0), glm::dvec3(1.0)) - chord));
+          around = std::max(
+            around, std::abs(GetChord(source, other, glm::dvec3(0.0), glm::dvec3(1.0)) - chord));
         }
       }
       if (around < 0.3)
       {
-        worst = relievoTest::Larger(worst,
-          std::abs(std::exp(-volume.GetDepth(source, place)) - std::exp(-Sigma * chord)));
+        worst = relievoTest::Larger(
+          worst, std::abs(std::exp(-volume.GetDepth(source, place)) - std::exp(-Sigma * chord)));
       }
     }
   }
@@ -217,10 +217,13 @@ void TestSmooth()
   RELIEVO_CHECK_NEAR(ramp.GetDepth(Sun({ 1, 0, 0 }), { 3.0, 0.5, 0.3 }), 0.6, 2e-4, "across it");
 
   // Parabolic: the integral along a chord of half length h is 4 / 3 * h^3.
-  Volume ball(65, [&](const glm::dvec3& place) {
-    const glm::dvec3 off = 2.0 * place - 1.0;
-    return toOpacity(std::max(0.0, 1.0 - glm::dot(off, off)));
-  }, 2.0);
+  Volume ball(
+    65,
+    [&](const glm::dvec3& place) {
+      const glm::dvec3 off = 2.0 * place - 1.0;
+      return toOpacity(std::max(0.0, 1.0 - glm::dot(off, off)));
+    },
+    2.0);
   double worst = 0.0;
   for (const glm::dvec3& direction :
     { glm::dvec3(0, 0, -1), glm::dvec3(1, -2, 0.5), glm::dvec3(-1, -1, -1) })
@@ -268,7 +271,8 @@ void TestGround()
     const char* Name;
     bool Positional;
     glm::dvec3 Place;
-  } const lights[] = { { "a sun", false, { 1.0, 3.0, 1.5 } }, { "a lamp", true, { 1.0, 3.0, 0.5 } } };
+  } const lights[] = { { "a sun", false, { 1.0, 3.0, 1.5 } },
+    { "a lamp", true, { 1.0, 3.0, 0.5 } } };
   for (const auto& each : lights)
   {
     ShadowStage stage;
@@ -276,10 +280,13 @@ void TestGround()
     stage.AddGround();
     stage.Renderer->GetActiveCamera()->SetPosition(0.0, 5.0, 5.0);
     stage.Renderer->ResetCameraClippingRange();
-    Volume volume(65, [](const glm::dvec3& place) {
-      const glm::dvec3 off = 2.0 * place - 1.0;
-      return 1.0 - std::exp(-3.0 * std::max(0.0, 1.0 - glm::dot(off, off)));
-    }, 1.2);
+    Volume volume(
+      65,
+      [](const glm::dvec3& place) {
+        const glm::dvec3 off = 2.0 * place - 1.0;
+        return 1.0 - std::exp(-3.0 * std::max(0.0, 1.0 - glm::dot(off, off)));
+      },
+      1.2);
     volume.Prop->SetPosition(-0.6, 0.7, -0.6);
     stage.Renderer->AddVolume(volume.Prop);
     const auto light = each.Positional ? stage.AddLamp(each.Place, { 0.0, 0.0, 0.0 }, 60.0)

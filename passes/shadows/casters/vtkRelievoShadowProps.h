@@ -147,8 +147,8 @@ private:
   std::vector<vtkRelievoBox> AllBoxes; // of receivers, whether chosen or not
   std::vector<vtkVolume*> VolumeCasters;
   std::vector<vtkProp*> VolumeReceivers;
-  std::set<vtkProp*> Parts;            // props that draw themselves
-  std::set<vtkProp*> NotReceiving;     // of Parts
+  std::set<vtkProp*> Parts;        // props that draw themselves
+  std::set<vtkProp*> NotReceiving; // of Parts
   vtkRelievoSplicedKeys Keys;
   mutable vtkRelievoGlyphPlaces Glyphs; // cached between frames
   std::vector<std::uint64_t> State;

@@ -41,8 +41,8 @@ struct vtkRelievoShadowContext
   vtkRelievoShadowMaps Maps;
   vtkRelievoShadowStructure Structure;
   vtkRelievoVolumeShade Shade; // of volumes
-  int Radius = 1;    // of the filter in texels, limited by the maps' size
-  double Bias = 0.0; // in texels
+  int Radius = 1;              // of the filter in texels, limited by the maps' size
+  double Bias = 0.0;           // in texels
   // For soft lights' parts, in frames that draw all samples at once: the step between their numbers
   // (vtkRelievoSampleLattice::GetNumberStep); 0, 0 in other frames.
   glm::vec2 PartStep{ 0.f };

@@ -11,8 +11,7 @@
 //------------------------------------------------------------------------------
 vtkRelievoShadowMapUniforms::vtkRelievoShadowMapUniforms(
   const vtkRelievoShadowContext& work, int faces, const glm::vec3& center)
-  : vtkRelievoShadowMapUniforms(
-      work, faces, glm::translate(glm::dmat4(1.0), glm::dvec3(center)))
+  : vtkRelievoShadowMapUniforms(work, faces, glm::translate(glm::dmat4(1.0), glm::dvec3(center)))
 {
 }
 

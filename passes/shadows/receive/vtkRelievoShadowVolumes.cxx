@@ -4,8 +4,8 @@
 
 #include "vtkLight.h"
 #include "vtkOpenGLRenderWindow.h"
+#include "vtkProp.h"
 #include "vtkRelievoFrameScene.h"
-#include "vtkRelievoMessagesOnce.h"
 #include "vtkRelievoShaderLibrary.h"
 #include "vtkRelievoShadowContext.h"
 #include "vtkRelievoShadowMapUniforms.h"
@@ -18,6 +18,7 @@
 #include "vtkVolumeMapper.h"
 
 #include <algorithm>
+#include <limits>
 #include <sstream>
 #include <vector>
 
@@ -34,27 +35,89 @@ std::string VolumeSection(const char* section)
   return vtkRelievoShaderLibrary::GetSection("shadow/volume.glsl", section);
 }
 
+// The lines of a section.
+std::vector<std::string> GetLines(const char* section)
+{
+  std::vector<std::string> lines;
+  std::istringstream text(VolumeSection(section));
+  for (std::string line; std::getline(text, line);)
+  {
+    if (!line.empty())
+    {
+      lines.push_back(line);
+    }
+  }
+  return lines;
+}
+
 // Multiplies VTK's lights by their visibility. Returns whether there were any.
 bool DimLights(std::string& fragment)
 {
   const std::string before = fragment;
-  std::istringstream numbers(VolumeSection("Numbers"));
-  for (std::string number; numbers >> number;)
+  for (const std::string& number : GetLines("Numbers"))
   {
-    std::istringstream words(VolumeSection("Words"));
-    for (std::string line; std::getline(words, line);)
+    for (std::string color : GetLines("Colors"))
     {
-      const std::string arrow = " => ";
-      const std::size_t at = line.find(arrow);
-      if (at != std::string::npos)
-      {
-        FillWord(line, "RELIEVO_NUMBER", number);
-        const std::size_t middle = line.find(arrow);
-        FillWord(fragment, line.substr(0, middle), line.substr(middle + arrow.size()));
-      }
+      std::string dimmed = color;
+      FillWord(dimmed, GetLines("Color").front(), GetLines("DimmedColor").front());
+      FillWord(color, "RELIEVO_NUMBER", number);
+      FillWord(dimmed, "RELIEVO_NUMBER", number);
+      FillWord(fragment, color, dimmed);
     }
   }
   return fragment != before;
+}
+
+// Whether all rays from the volumes to a light miss the box: it is beside the box of them and the
+// light.
+bool IsAside(
+  const vtkRelievoBox& caster, const vtkRelievoBox& volumes, const vtkRelievoShadowLight& light)
+{
+  if (caster.Loose)
+  {
+    return false;
+  }
+  for (int i = 0; i < 3; ++i)
+  {
+    const bool up =
+      light.Positional ? light.Position[i] > volumes.Max[i] : light.Direction[i] < 0.0;
+    const bool down =
+      light.Positional ? light.Position[i] < volumes.Min[i] : light.Direction[i] > 0.0;
+    const double low = !down ? volumes.Min[i]
+      : light.Positional     ? light.Position[i]
+                             : -std::numeric_limits<double>::infinity();
+    const double high = !up ? volumes.Max[i]
+      : light.Positional    ? light.Position[i]
+                            : std::numeric_limits<double>::infinity();
+    if (caster.Max[i] < low || caster.Min[i] > high)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+// The lights from which surfaces may shade a volume.
+std::vector<bool> FindPast(const vtkRelievoShadowContext& work)
+{
+  vtkRelievoBox volumes;
+  volumes.Min = glm::dvec3(std::numeric_limits<double>::infinity());
+  volumes.Max = -volumes.Min;
+  for (vtkProp* prop : work.Props.GetVolumeReceivers())
+  {
+    const double* b = prop->GetBounds();
+    volumes.Min = glm::min(volumes.Min, glm::dvec3(b[0], b[2], b[4]));
+    volumes.Max = glm::max(volumes.Max, glm::dvec3(b[1], b[3], b[5]));
+  }
+  const std::vector<vtkRelievoBox> casters = work.Props.GetCasterBoxes(false);
+  std::vector<bool> past;
+  for (const auto& entry : work.Cache.GetEntries())
+  {
+    past.push_back(work.Others.IsOn() ||
+      !std::all_of(casters.begin(), casters.end(),
+        [&](const vtkRelievoBox& caster) { return IsAside(caster, volumes, entry.Light); }));
+  }
+  return past;
 }
 
 // The lights that are on, by their numbers in VTK's shader of volumes.
@@ -107,16 +170,18 @@ void vtkRelievoShadowVolumes::Begin(const Shadows& shadows)
     return;
   }
   this->Begun = true;
+  const std::vector<bool> past = FindPast(shadows.Work);
+  if (past != this->Past)
+  {
+    this->Past = past;
+    this->Splice->ModifyShaders();
+  }
   this->Splice->Fill = [this, shadows](std::string& fragment, vtkVolumeMapper*, vtkVolume*) {
     return this->Fill(fragment, shadows);
   };
   this->Splice->Set = [this, shadows](vtkShaderProgram* program, vtkVolumeMapper* mapper,
-                        vtkVolume* volume) {
-    this->SetUniforms(program, mapper, volume, shadows);
-  };
-  vtkRelievoMessagesOnce& messages = shadows.Messages;
-  this->Splice->Report = [&messages](
-                           const std::string& message) { messages.Error("Shadows: " + message); };
+                        vtkVolume* volume) { this->SetUniforms(program, mapper, volume, shadows); };
+  this->Splice->Report = shadows.Report;
   this->Splice->Begin(
     props, static_cast<vtkOpenGLRenderWindow*>(shadows.Renderer->GetRenderWindow()));
 }
@@ -144,42 +209,54 @@ std::string vtkRelievoShadowVolumes::Fill(std::string& fragment, const Shadows& 
     FillMark(fragment, VolumeDec, "");
     return std::string();
   }
-  if (!Has(fragment, VolumeExtensions) || !Has(fragment, VolumeDec))
+  const std::string begin = GetLines("FunctionBegin").front();
+  std::size_t at = fragment.find(GetLines("Function").front());
+  at = at == std::string::npos ? at : fragment.find(begin, at);
+  if (at == std::string::npos || !Has(fragment, VolumeExtensions) || !Has(fragment, VolumeDec))
   {
     return "its fragment shader lacks VTK's tags System::Dec and ComputeLighting::Dec; use VTK's "
            "template";
   }
+  fragment.insert(at + begin.size(), "\n" + VolumeSection("LookUp"));
   this->LampsFirst = Has(fragment, "NUMBER_POS_LIGHTS");
-  std::string maps;
+  std::string lookUps;
   int slot = 0;
   int face = 0;
   for (const vtkRelievoShadowStructure::Light& light : structure.Lights)
   {
-    std::string text = VolumeSection(light.Cube ? "CubeImpl" : "MapImpl");
+    std::string past;
+    if (this->Past[slot])
+    {
+      past += !structure.Maps ? "" : VolumeSection(light.Cube ? "CubeImpl" : "MapImpl");
+      past += structure.Traced ? VolumeSection("TraceImpl") : "";
+    }
+    past += structure.Volumes ? VolumeSection("ShadeImpl") : "";
+    std::string text = VolumeSection("LightImpl");
+    FillWord(text, "RELIEVO_VOLUME_PAST", past);
     FillWord(text, "RELIEVO_SLOT", std::to_string(slot++));
     FillWord(text, "RELIEVO_FACE", std::to_string(face));
     face += light.GetRoom();
-    maps += structure.Maps ? text : std::string();
+    lookUps += text;
   }
   const std::string method = shadows.Method.GetVolumeShader();
   const auto ofMethod = [&](const char* section) {
     return vtkRelievoShaderLibrary::GetSection(method, section);
   };
   std::string lit = VolumeSection("LitDec");
-  FillWord(lit, "RELIEVO_VOLUME_MAPS", maps + (structure.Traced ? VolumeSection("TraceImpl") : ""));
-  FillWord(lit, "RELIEVO_VOLUME_SHADE", structure.Volumes ? VolumeSection("Shade") : "");
+  FillWord(lit, "RELIEVO_VOLUME_LOOKUPS", lookUps);
   std::ostringstream dec;
   dec << "#define RELIEVO_SHADOW_LIGHTS " << structure.Lights.size() << "\n";
   dec << "#define RELIEVO_SHADOW_FACES " << structure.GetFaces() << "\n";
   dec << "#define RELIEVO_VOLUME_NUMBERS " << GetSlots(shadows, true, 1).size() << "\n";
   dec << (structure.WideFilter ? "#define RELIEVO_SHADOW_WIDE\n" : "");
+  dec << (structure.Around ? "#define RELIEVO_VOLUME_AROUND\n" : "");
   dec << (structure.Colored ? "#define RELIEVO_SHADOW_COLORED\n" : "");
-  FillMark(fragment, VolumeExtensions, VolumeSection("Extensions") + GetContract());
+  FillMark(fragment, VolumeExtensions,
+    vtkRelievoShaderLibrary::GetSection("shadow/receive.glsl", "Extensions") + GetContract());
   FillMark(fragment, VolumeDec,
     dec.str() + VolumeSection("Dec") + ofMethod("MethodDec") +
       (structure.Traced ? ofMethod("TraceDec") : std::string()) +
-      (structure.Volumes ? VolumeSection("ShadeDec") : std::string()) +
-      lit);
+      (structure.Volumes ? VolumeSection("ShadeDec") : std::string()) + lit);
   return std::string();
 }
 

@@ -8,9 +8,10 @@
 #include "vtkNew.h"
 #include "vtkRelievoVolumeSplice.h"
 
+#include <functional>
 #include <string>
+#include <vector>
 
-class vtkRelievoMessagesOnce;
 class vtkRelievoShadowMethod;
 class vtkRenderer;
 class vtkShaderProgram;
@@ -28,7 +29,7 @@ public:
     const vtkRelievoShadowMethod& Method;
     double Strength;
     vtkRenderer* Renderer;
-    vtkRelievoMessagesOnce& Messages;
+    std::function<void(const std::string& message)> Report; // of errors
   };
 
   vtkRelievoShadowVolumes();
@@ -51,6 +52,7 @@ private:
 
   vtkNew<vtkRelievoVolumeSplice> Splice;
   bool Begun = false;
+  std::vector<bool> Past; // lights from which surfaces may shade a volume
   bool LampsFirst = true; // VTK's shader numbers positional lights before the others
 };
 
