@@ -30,6 +30,14 @@ relievoVolumeLit(RELIEVO_NUMBER) * in_light
 uniform float relievoShadowStrength[RELIEVO_SHADOW_LIGHTS];
 uniform int relievoVolumeSlot[RELIEVO_VOLUME_NUMBERS]; // of a light in VTK's shader; -1: casts none
 //RELIEVO::Include(shadow/maps.glsl)
+#ifdef RELIEVO_SHADOW_COLORED
+#define RELIEVO_VOLUME_LEFT vec3
+vec3 relievoShadowColors[RELIEVO_SHADOW_LIGHTS];
+#else
+#define RELIEVO_VOLUME_LEFT float
+#endif
+float relievoVisibility[RELIEVO_SHADOW_LIGHTS];
+RELIEVO_VOLUME_LEFT relievoVolumeLeft[RELIEVO_SHADOW_LIGHTS]; // of each light, for a sample
 
 // The nearest texel decides: the march averages over many samples, and each costs.
 float relievoShadowFilter(int face, vec3 place, vec2 slope, float texel)
@@ -57,17 +65,15 @@ float relievoVolumeInMap(int face)
 }
 
 // Software OpenGL runs all branches: each light is looked up once for a sample.
-float relievoVolumeLeft[RELIEVO_SHADOW_LIGHTS];
-
 void relievoVolumeLookUp()
 {
 RELIEVO_VOLUME_LOOKUPS
 }
 
-float relievoVolumeLit(int number)
+RELIEVO_VOLUME_LEFT relievoVolumeLit(int number)
 {
   int slot = relievoVolumeSlot[number];
-  return slot < 0 ? 1.0 : relievoVolumeLeft[slot];
+  return slot < 0 ? RELIEVO_VOLUME_LEFT(1.0) : relievoVolumeLeft[slot];
 }
 
 // VTK's function that lights a sample, and the first line of its body.
@@ -80,7 +86,7 @@ vec4 finalColor = vec4(0.0);
 
 //RELIEVO::Section(LightImpl)
   {
-    float lit = 1.0;
+    RELIEVO_VOLUME_LEFT lit = RELIEVO_VOLUME_LEFT(1.0);
 RELIEVO_VOLUME_PAST
     relievoVolumeLeft[RELIEVO_SLOT] = 1.0 - relievoShadowStrength[RELIEVO_SLOT] * (1.0 - lit);
   }
@@ -98,6 +104,6 @@ RELIEVO_VOLUME_PAST
     {
       vec3 placeLC = (relievoShadowToLocal * vec4(g_dataPos, 1.0)).xyz;
       vec4 source = relievoShadowSource[RELIEVO_SLOT];
-      lit *= RELIEVO_PASSES_WHOLE(relievoTreeWalk(relievoTreeNodes, placeLC,
+      lit *= RELIEVO_VOLUME_LEFT(relievoTreeWalk(relievoTreeNodes, placeLC,
         relievoSeenToLight(source, placeLC), source.w != 0.0, 0.0, vec3(0.0)));
     }

@@ -14,6 +14,7 @@
 #include "Window.h"
 
 #include <vtkActor.h>
+#include <vtkCamera.h>
 #include <vtkColorTransferFunction.h>
 #include <vtkGPUVolumeRayCastMapper.h>
 #include <vtkImageData.h>
@@ -342,6 +343,152 @@ void TestGround()
     RELIEVO_CHECK(shadows->GetBytesHeld() < bytes);
   }
 }
+
+// Volumes in front of black, seen along z in parallel projection: light from above is then equal
+// along each ray.
+struct LitStage : ShadowStage
+{
+  LitStage()
+    : ShadowStage(64, 64)
+  {
+    this->Renderer->SetBackground(0.0, 0.0, 0.0);
+    vtkCamera* camera = this->Renderer->GetActiveCamera();
+    camera->ParallelProjectionOn();
+    camera->SetParallelScale(1.2);
+    camera->SetPosition(0.5, 1.0, 10.0);
+    camera->SetFocalPoint(0.5, 1.0, 0.0);
+    camera->SetViewUp(0.0, 1.0, 0.0);
+    camera->SetClippingRange(1.0, 20.0);
+    this->Light(this->Sun, glm::dvec3(0.8, 0.0, 0.0));
+    this->Sun->SetPosition(0.5, 5.0, 0.5);
+    this->Sun->SetFocalPoint(0.5, 0.0, 0.5);
+    // As good as parallel.
+    this->Light(this->Lamp, glm::dvec3(0.0, 0.8, 0.0));
+    this->Lamp->SetPosition(0.5, 1000.0, 0.5);
+    this->Lamp->SetFocalPoint(0.5, 0.0, 0.5);
+    this->Lamp->PositionalOn();
+    this->Lamp->SetConeAngle(20.0);
+    this->Lamp->SetExponent(0.0);
+    this->GetShadows();
+  }
+
+  void Light(vtkLight* light, const glm::dvec3& color)
+  {
+    light->SetLightTypeToSceneLight();
+    light->SetColor(color.x, color.y, color.z);
+    this->Renderer->AddLight(light);
+  }
+
+  // Adds a shaded volume whose normals point along y.
+  void Add(Volume& volume)
+  {
+    vtkVolumeProperty* property = volume.Prop->GetProperty();
+    property->ShadeOn();
+    property->SetAmbient(0.0);
+    property->SetDiffuse(1.0);
+    property->SetSpecular(0.0);
+    volume.Opacity->RemoveAllPoints();
+    volume.Opacity->AddPoint(0.0, 0.7);
+    volume.Opacity->AddPoint(1.0, 0.7);
+    vtkNew<vtkColorTransferFunction> white;
+    white->AddRGBPoint(0.0, 1.0, 1.0, 1.0);
+    property->SetColor(white);
+    this->Renderer->AddVolume(volume.Prop);
+  }
+
+  // The picture's row of this height, in the middle of the volumes; or of another x.
+  glm::dvec3 GetColor(double y, double x = 0.5)
+  {
+    const auto picture = relievoTest::Picture(this->Window);
+    const int column = static_cast<int>((x - 0.5) / 2.4 * 64 + 32);
+    const int row = static_cast<int>((y - 1.0) / 2.4 * 64 + 32);
+    glm::dvec3 color;
+    for (int i = 0; i < 3; ++i)
+    {
+      color[i] = picture->GetScalarComponentAsDouble(column, row, 0, i);
+    }
+    return color;
+  }
+
+  static double GetHeight(double y) // of that row's centre
+  {
+    return (std::floor((y - 1.0) / 2.4 * 64 + 32) + 0.5 - 32) * 2.4 / 64 + 1.0;
+  }
+
+  vtkNew<vtkLight> Sun;
+  vtkNew<vtkLight> Lamp;
+};
+
+Scalars Upwards()
+{
+  return [](const glm::dvec3& place) { return place.y; };
+}
+
+// The share of both lights' colours that is left at a height, with `shadows` on.
+void CheckLeft(LitStage& stage, double y, const glm::dvec2& expected, const std::string& what)
+{
+  vtkRelievoShadowStage* shadows = stage.GetShadows();
+  shadows->EnabledOff();
+  const glm::dvec3 lit = stage.GetColor(y);
+  shadows->EnabledOn();
+  const glm::dvec3 left = stage.GetColor(y);
+  RELIEVO_CHECK_THAT(lit.x > 100.0 && lit.y > 100.0, what + ": it is lit");
+  RELIEVO_CHECK_NEAR(left.x / lit.x, expected.x, 0.015, what + ": the sun");
+  RELIEVO_CHECK_NEAR(left.y / lit.y, expected.y, 0.015, what + ": the lamp");
+}
+
+void TestOnVolumes()
+{
+  LitStage stage; // without GLCheck: drivers warn about VTK's own shader of lit volumes
+  vtkRelievoShadowStage* shadows = stage.GetShadows();
+  Volume volume(33, Upwards());
+  stage.Add(volume);
+  for (const double y : { 0.2, 0.5, 0.8 })
+  {
+    const double own = std::exp(-Sigma * (1.0 - LitStage::GetHeight(y)));
+    CheckLeft(stage, y, { own, own }, "a volume on itself");
+  }
+  // VTK's shader of volumes numbers lamps first, the renderer as they were added.
+  const double middle = std::exp(-Sigma * (1.0 - LitStage::GetHeight(0.5)));
+  shadows->SetLightCasts(stage.Lamp, false);
+  CheckLeft(stage, 0.5, { middle, 1.0 }, "without the lamp's");
+  shadows->SetLightCasts(stage.Lamp, true);
+  shadows->SetLightCasts(stage.Sun, false);
+  CheckLeft(stage, 0.5, { 1.0, middle }, "without the sun's");
+  shadows->SetLightCasts(stage.Sun, true);
+  shadows->SetStrength(0.5);
+  CheckLeft(stage, 0.5, glm::dvec2(0.5 + 0.5 * middle), "half of it");
+  shadows->SetStrength(1.0);
+  shadows->SetPropReceives(volume.Prop, false);
+  CheckLeft(stage, 0.5, { 1.0, 1.0 }, "a volume that receives none");
+  shadows->SetPropReceives(volume.Prop, true);
+
+  shadows->SetPropCasts(volume.Prop, vtkRelievoShadowStage::CASTS_NEVER);
+  CheckLeft(stage, 0.5, { 1.0, 1.0 }, "a volume that casts none");
+  Volume above(17, Upwards(), 0.5);
+  stage.Add(above);
+  above.Prop->SetPosition(0.25, 1.4, 0.0);
+  above.Prop->SetScale(1.0, 1.0, 2.0);
+  CheckLeft(stage, 0.5, glm::dvec2(std::exp(-0.5 * Sigma)), "a volume below another one");
+  stage.Renderer->RemoveVolume(above.Prop);
+
+  // A slab over the left half.
+  const auto slab = stage.AddBox({ -0.5, 1.6, 0.5 }, { 2.0, 0.1, 2.0 });
+  slab->GetProperty()->SetOpacity(1.0);
+  for (const int method :
+    { vtkRelievoShadowStage::METHOD_MAP, vtkRelievoShadowStage::METHOD_FORWARD,
+      vtkRelievoShadowStage::METHOD_WARPED, vtkRelievoShadowStage::METHOD_EXACT })
+  {
+    shadows->SetMethod(method);
+    const std::string what = "below a slab, method " + std::to_string(method);
+    const glm::dvec3 left = stage.GetColor(0.5, 0.3);
+    const glm::dvec3 right = stage.GetColor(0.5, 0.7);
+    RELIEVO_CHECK_NEAR(glm::length(left), 0.0, 0.0, what);
+    shadows->EnabledOff();
+    RELIEVO_CHECK_NEAR(glm::length(right - stage.GetColor(0.5, 0.7)), 0.0, 1.5, what + ", beside");
+    shadows->EnabledOn();
+  }
+}
 }
 
 RELIEVO_TEST_CASE(testVolumeShadows)
@@ -351,6 +498,7 @@ RELIEVO_TEST_CASE(testVolumeShadows)
   TestSmooth();
   TestRefused();
   TestGround();
+  TestOnVolumes();
   return session.Result();
 }
 }
