@@ -932,6 +932,12 @@ vtkRelievoShadowCertificate* vtkRelievoShadowStage::Certify(int rays, int seed)
       << this->SoftSamples << "; set it to 0 and render first.");
     return nullptr;
   }
+  if (in.Maps.Work.Shade.IsMade())
+  {
+    vtkErrorMacro("Certify traces the triangles of surfaces, and a volume casts; give it to "
+                  "SetPropCasts with 0 (never) and render first.");
+    return nullptr;
+  }
   vtkRenderer* const renderer = in.Renderer;
   vtkRelievoFramePass* const frame = in.Frame;
   if (!frame || !renderer || !renderer->GetRenderWindow() || in.Lights.GetCasting().empty())

@@ -281,10 +281,16 @@ std::vector<vtkRelievoVolumeField> vtkRelievoVolumeField::Collect(
     }
     field.First = static_cast<float>(range[0]);
     field.PerScalar = static_cast<float>((Entries - 1) / (range[1] - range[0]));
-    if (property->HasGradientOpacity())
+    if (property->HasGradientOpacity() && !property->GetDisableGradientOpacity())
     {
-      why = "it has a gradient opacity";
-      return {};
+      field.GradientOpacity.resize(Entries);
+      property->GetGradientOpacity(0)->GetTable(
+        0.0, 0.25 * (range[1] - range[0]), Entries, field.GradientOpacity.data());
+      const glm::dvec3 spacing(
+        image->GetSpacing()[0], image->GetSpacing()[1], image->GetSpacing()[2]);
+      const double mean = (spacing.x + spacing.y + spacing.z) / 3.0;
+      field.Weights =
+        glm::vec3(mean / (2.0 * spacing) * (4.0 * (Entries - 1) / (range[1] - range[0])));
     }
     fields.push_back(field);
   }
@@ -305,7 +311,7 @@ double vtkRelievoVolumeField::GetSpacing() const
 
 //------------------------------------------------------------------------------
 template <typename T>
-inline float vtkRelievoVolumeField::GetExtinction(const T* values, const glm::vec3& place) const
+inline float vtkRelievoVolumeField::GetScalar(const T* values, const glm::vec3& place) const
 {
   int low[3];
   int high[3];
@@ -332,16 +338,40 @@ inline float vtkRelievoVolumeField::GetExtinction(const T* values, const glm::ve
   const auto line = [&](const T* from) {
     return mix(static_cast<float>(from[x0]), static_cast<float>(from[x1]), part[0]);
   };
-  const float scalar = mix(mix(line(z0 + y0), line(z0 + y1), part[1]),
-    mix(line(z1 + y0), line(z1 + y1), part[1]), part[2]);
-  const float entry = (scalar - this->First) * this->PerScalar;
-  if (!(entry > 0.f)) // also NaN
+  return mix(mix(line(z0 + y0), line(z0 + y1), part[1]), mix(line(z1 + y0), line(z1 + y1), part[1]),
+    part[2]);
+}
+
+//------------------------------------------------------------------------------
+template <typename T>
+inline float vtkRelievoVolumeField::GetExtinction(const T* values, const glm::vec3& place) const
+{
+  const auto look = [](const std::vector<float>& table, float entry) {
+    const int before = std::min(static_cast<int>(entry), Entries - 2);
+    return table[before] +
+      std::min(entry - static_cast<float>(before), 1.f) * (table[before + 1] - table[before]);
+  };
+  const float entry = (this->GetScalar(values, place) - this->First) * this->PerScalar;
+  if (std::isnan(entry))
   {
-    return scalar == scalar ? this->Extinction[0] : 0.f;
+    return 0.f;
   }
-  const int before = std::min(static_cast<int>(entry), Entries - 2);
-  return mix(this->Extinction[before], this->Extinction[before + 1],
-    std::min(entry - static_cast<float>(before), 1.f));
+  float extinction = look(this->Extinction, std::min(std::max(entry, 0.f), Entries - 1.f));
+  if (extinction > 0.f && !this->GradientOpacity.empty())
+  {
+    glm::vec3 gradient;
+    for (int i = 0; i < 3; ++i)
+    {
+      glm::vec3 step(0.f);
+      step[i] = 1.f;
+      gradient[i] = this->Weights[i] *
+        (this->GetScalar(values, place + step) - this->GetScalar(values, place - step));
+    }
+    const float length = glm::length(gradient);
+    extinction *=
+      std::isnan(length) ? 0.f : look(this->GradientOpacity, std::min(length, Entries - 1.f));
+  }
+  return extinction;
 }
 
 //------------------------------------------------------------------------------

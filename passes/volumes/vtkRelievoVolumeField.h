@@ -3,7 +3,7 @@
 //
 // The extinction of a volume along rays, on the CPU, by the definitions of VTK's ray-cast mappers:
 // scalars interpolated in the image, their opacity from the property's scalar opacity function,
-// per unit distance in the volume's own coordinates: a path of length s through opacity
+// times its gradient opacity, per unit distance in the volume's own coordinates: a path of length s through opacity
 // a lets (1 - a)^(s / unit distance) of the light pass. Cropping and clipping planes cut the
 // volume.
 #ifndef vtkRelievoVolumeField_h
@@ -61,6 +61,8 @@ private:
   void March(const T* values, const glm::dvec3& from, const glm::dvec3& step, double first,
     double last, int samples, std::vector<float>& depths) const;
   template <typename T>
+  float GetScalar(const T* values, const glm::vec3& place) const;
+  template <typename T>
   float GetExtinction(const T* values, const glm::vec3& place) const;
   bool Clip(const glm::dvec3& from, const glm::dvec3& step, double& first, double& last) const;
 
@@ -80,6 +82,10 @@ private:
   std::vector<float> Extinction; // of scalars, per unit of length in the volume's coordinates
   float First = 0.f;             // the scalar of its first entry
   float PerScalar = 0.f;         // entries
+  // Of the gradient's length, from 0 to a quarter of the scalars' range, beyond which it stays;
+  // empty: none. The length is that of differences of neighbours, each times its weight.
+  std::vector<float> GradientOpacity;
+  glm::vec3 Weights{ 1.f };
 };
 
 #endif

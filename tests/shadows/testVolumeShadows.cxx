@@ -217,6 +217,17 @@ void TestSmooth()
     ramp.GetDepth(Sun({ 0, 0, -1 }), { 0.5, 0.5, 0.5 }), 0.75, 2e-4, "a ramp, half of it");
   RELIEVO_CHECK_NEAR(ramp.GetDepth(Sun({ 1, 0, 0 }), { 3.0, 0.5, 0.3 }), 0.6, 2e-4, "across it");
 
+  // A gradient of 1 per unit, which VTK expects to be at most a quarter of the range per sample.
+  vtkNew<vtkPiecewiseFunction> gradients;
+  gradients->AddPoint(0.0, 0.0);
+  gradients->AddPoint(1.0 / 32.0, 1.0);
+  Volume edges(65, [](const glm::dvec3& place) { return place.x; });
+  edges.Opacity->AddPoint(0.0, 0.7);
+  edges.Opacity->AddPoint(1.0, 0.7);
+  edges.Prop->GetProperty()->SetGradientOpacity(gradients);
+  RELIEVO_CHECK_NEAR(
+    edges.GetDepth(Sun({ 0, 0, -1 }), { 0.5, 0.5, 0.0 }), 0.5 * Sigma, 1e-3, "gradient opacity");
+
   // Parabolic: the integral along a chord of half length h is 4 / 3 * h^3.
   Volume ball(
     65,
