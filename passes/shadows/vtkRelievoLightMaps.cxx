@@ -4,13 +4,16 @@
 
 #include "vtkActor.h"
 #include "vtkMapper.h"
+#include "vtkMath.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkRelievoFrameContext.h"
+#include "vtkRelievoLightSamples.h"
 #include "vtkRelievoMeshTexels.h"
 #include "vtkRelievoMessagesOnce.h"
 #include "vtkRelievoShadowLights.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iomanip>
 #include <sstream>
 
@@ -168,13 +171,23 @@ void vtkRelievoLightMaps::MakeNone(vtkOpenGLRenderWindow* window)
 }
 
 //------------------------------------------------------------------------------
-std::string vtkRelievoLightMaps::MakeShade(vtkOpenGLRenderWindow* window)
+std::string vtkRelievoLightMaps::MakeShade(
+  vtkOpenGLRenderWindow* window, const vtkRelievoLightSizes& sizes, int samples)
 {
+  std::vector<double> spreads;
   std::vector<vtkRelievoOpticalDepths::Source> sources;
   for (const auto& entry : this->Work.Cache.GetEntries())
   {
-    sources.push_back({ entry.Light.Positional, entry.Light.Position, entry.Light.Direction });
+    const vtkRelievoShadowLight& light = entry.Light;
+    sources.push_back({ light.Positional, light.Position, light.Direction });
+    // A sample stands for its share of the sun's disc.
+    const double half = vtkMath::RadiansFromDegrees(0.5 * sizes.Get(light.Light));
+    const bool soft = samples > 1 && !light.Positional;
+    spreads.push_back(!soft   ? 0.0
+        : light.Parts.empty() ? std::tan(half) / std::sqrt(static_cast<double>(samples))
+                              : std::tan(half));
   }
+  this->Work.Shade.SetSpreads(spreads);
   this->Work.Shade.SetCasters(this->Work.Props.GetVolumeCasters());
   const std::string fault = this->Work.Shade.Update(window, sources);
   if (!this->Work.Shade.Bind())
@@ -193,6 +206,7 @@ bool vtkRelievoLightMaps::UpdateStructure(const vtkRelievoShadowLights& lights, 
   structure.Traced = this->Method->Traces();
   structure.Colored = this->Method->Colors();
   structure.Volumes = this->Work.Shade.IsMade();
+  structure.Spread = structure.Volumes && this->Work.Shade.IsSpread();
   structure.Around = this->Work.Shade.IsAround();
   structure.Maps = !structure.Traced || this->Work.Cache.GetNumberOfMaps() > 0;
   structure.Numbers = static_cast<int>(lights.GetAll().size());

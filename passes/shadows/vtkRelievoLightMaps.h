@@ -19,6 +19,7 @@
 
 class vtkOpenGLRenderWindow;
 class vtkRelievoFrameContext;
+class vtkRelievoLightSizes;
 class vtkRelievoMessagesOnce;
 class vtkRelievoShadowLights;
 class vtkWindow;
@@ -45,8 +46,10 @@ public:
   void MakeNone(vtkOpenGLRenderWindow* window);
   ///@}
 
-  // The shade of volumes towards these lights. Returns why there is none, or "".
-  std::string MakeShade(vtkOpenGLRenderWindow* window);
+  // The shade of volumes towards these lights, each moved to one of `samples` places of its shape.
+  // Returns why there is none, or "".
+  std::string MakeShade(
+    vtkOpenGLRenderWindow* window, const vtkRelievoLightSizes& sizes, int samples);
 
   // The size of maps in this OpenGL: its limit if that is less, with a warning.
   static int GetSizeHere(int size, vtkRelievoMessagesOnce& messages);

@@ -307,7 +307,7 @@ void vtkRelievoShadowStage::Execute(vtkRelievoFrameContext& context)
   }
   if (lights && fault.empty())
   {
-    const std::string noShade = in.Maps.MakeShade(in.Window);
+    const std::string noShade = in.Maps.MakeShade(in.Window, in.Soft.Sizes, in.Soft.GetSamples());
     if (!noShade.empty())
     {
       in.Messages.Error("No shadows of volumes: " + noShade);

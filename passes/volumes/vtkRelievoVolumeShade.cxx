@@ -13,6 +13,8 @@
 #include "vtkVolume.h"
 #include "vtkVolumeMapper.h"
 
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
 #include <glm/vec4.hpp>
 
 #include <algorithm>
@@ -231,8 +233,13 @@ void vtkRelievoVolumeShade::SetUniforms(
 {
   std::vector<glm::mat4> matrices;
   std::vector<glm::vec4> sizes;
+  std::vector<glm::vec3> spreads;
   for (const vtkRelievoOpticalDepths& depths : this->Depths)
   {
+    const glm::dmat4 rows = glm::transpose(depths.GetWorldToMap());
+    const double slices = this->Spreads[spreads.size()] / glm::length(glm::dvec3(rows[2]));
+    spreads.emplace_back(slices * glm::length(glm::dvec3(rows[0])),
+      slices * glm::length(glm::dvec3(rows[1])), 0.5 * (depths.GetSize().z - 1));
     matrices.emplace_back(depths.GetWorldToMap() * placeToWorld);
     sizes.emplace_back(glm::vec3(depths.GetSize()), depths.IsAround() ? 1.f : 0.f);
   }
@@ -243,6 +250,11 @@ void vtkRelievoVolumeShade::SetUniforms(
   program->SetUniformMatrix4x4v("relievoVolumeMatrix", lights, &matrices[0][0][0]);
   program->SetUniform4fv(
     "relievoVolumeSize", lights, reinterpret_cast<const float(*)[4]>(&sizes[0].x));
+  if (this->IsSpread())
+  {
+    program->SetUniform3fv(
+      "relievoVolumeSpread", lights, reinterpret_cast<const float(*)[3]>(&spreads[0].x));
+  }
   program->SetUniform3f("relievoVolumeTexture", size);
   program->SetUniformf("relievoVolumeSlices", static_cast<float>(this->Slices));
 }
@@ -252,6 +264,13 @@ bool vtkRelievoVolumeShade::IsAround() const
 {
   return std::any_of(this->Depths.begin(), this->Depths.end(),
     [](const vtkRelievoOpticalDepths& depths) { return depths.IsAround(); });
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoVolumeShade::IsSpread() const
+{
+  return std::any_of(
+    this->Spreads.begin(), this->Spreads.end(), [](double tangent) { return tangent > 0.0; });
 }
 
 //------------------------------------------------------------------------------

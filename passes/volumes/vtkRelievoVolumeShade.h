@@ -34,6 +34,10 @@ public:
   void SetCasters(const std::vector<vtkVolume*>& volumes) { this->Casters = volumes; }
   bool HasCasters() const { return !this->Casters.empty(); }
 
+  // For each light that Update is given, the tangent of half the angle of its rays; 0 unless it is a
+  // sun with a size.
+  void SetSpreads(const std::vector<double>& tangents) { this->Spreads = tangents; }
+
   // Brings the depths towards these lights up to date: those that a change of the volumes or of a
   // light concerns. Returns why there are none, or ""; also if the volumes let all light pass. The
   // context is current.
@@ -43,6 +47,9 @@ public:
   // Whether shaders have to look the depths up; whether a light is among the volumes.
   bool IsMade() const { return this->Texture != 0; }
   bool IsAround() const;
+
+  // Whether a sun's rays are spread.
+  bool IsSpread() const;
 
   // Between Bind and Unbind, a texture unit is taken. False if there is none.
   bool Bind();
@@ -70,6 +77,7 @@ private:
   std::string NotTraced; // the volumes that cast none, with reasons
   std::vector<vtkRelievoOpticalDepths::Source> Sources;
   std::vector<vtkRelievoOpticalDepths> Depths; // one per source
+  std::vector<double> Spreads;                 // of their rays
   int Made = 0;                                // in this frame
   vtkWeakPointer<vtkOpenGLRenderWindow> Window;
   vtkWindow* Owner = nullptr; // equals Window, also in its destructor; only compared

@@ -355,6 +355,44 @@ void TestGround()
   }
 }
 
+// The half shadow of a thin plate of cloud below a sun with a size: the covered share of its disc.
+void TestSoft()
+{
+  ShadowStage stage;
+  const relievoTest::GLCheck gl(stage.Window);
+  stage.AddGround();
+  stage.Renderer->GetActiveCamera()->SetPosition(0.0, 8.0, 0.1);
+  stage.Renderer->ResetCameraClippingRange();
+  Volume plate(17, Constant(0.7));
+  plate.Prop->SetScale(4.0, 0.1, 4.0);
+  plate.Prop->SetPosition(-4.0, 1.0, -2.0); // its border is at x = 0
+  plate.Prop->GetProperty()->SetScalarOpacityUnitDistance(0.5);
+  stage.Renderer->AddVolume(plate.Prop);
+  stage.AddSun(0.0, 1.0, 0.0);
+  vtkRelievoShadowStage* shadows = stage.GetShadows();
+  shadows->SetSunAngle(40.0);
+  shadows->SetSoftSamples(4);
+  shadows->SoftAtOnceOn();
+  const relievoTest::Layers layer(relievoTest::CaptureShadow(stage, 0));
+  const relievoTest::View view(stage.Renderer);
+  const double radius = 1.05 * std::tan(20.0 * 3.14159265358979 / 180.0);
+  const double passes = std::exp(-2.0 * Sigma);
+  double worst = 0.0;
+  for (int x = 0; x < 240; ++x)
+  {
+    const relievoTest::Ray ray = view.PixelRay(x + 0.5, 90.5);
+    const double place = ray.At(-ray.Origin.y / ray.Direction.y).x;
+    if (std::abs(place) < 1.0)
+    {
+      const double t = std::min(1.0, std::max(-1.0, place / radius));
+      const double free = 0.5 + (t * std::sqrt(1.0 - t * t) + std::asin(t)) / 3.14159265358979;
+      worst = relievoTest::Larger(
+        worst, std::abs(layer.Value("shadow_0", x, 90) - (passes + (1.0 - passes) * free)));
+    }
+  }
+  RELIEVO_CHECK_AT_MOST(worst, 0.12, "a half shadow");
+}
+
 // Volumes in front of black, seen along z in parallel projection: light from above is then equal
 // along each ray.
 struct LitStage : ShadowStage
@@ -509,6 +547,7 @@ RELIEVO_TEST_CASE(testVolumeShadows)
   TestSmooth();
   TestRefused();
   TestGround();
+  TestSoft();
   TestOnVolumes();
   return session.Result();
 }

@@ -216,6 +216,7 @@ std::string vtkRelievoShadowSplice::Fill(std::string& vertex, std::string& geome
     dec << "#define RELIEVO_SHADOW_PARTS " << structure.Parts << "\n";
   }
   dec << (structure.WideFilter ? "#define RELIEVO_SHADOW_WIDE\n" : "");
+  dec << (structure.Spread ? "#define RELIEVO_VOLUME_SPREAD\n" : "");
   dec << (structure.Around ? "#define RELIEVO_VOLUME_AROUND\n" : "");
   dec << (structure.Colored ? "#define RELIEVO_SHADOW_COLORED\n" : "");
   dec << (impostor ? "#define RELIEVO_SHADOW_IMPOSTOR\n" : "");
