@@ -4,13 +4,16 @@
 
 #include "vtkActor.h"
 #include "vtkMapper.h"
+#include "vtkMath.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkRelievoFrameContext.h"
+#include "vtkRelievoLightSamples.h"
 #include "vtkRelievoMeshTexels.h"
 #include "vtkRelievoMessagesOnce.h"
 #include "vtkRelievoShadowLights.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iomanip>
 #include <sstream>
 
@@ -162,8 +165,37 @@ void vtkRelievoLightMaps::MakeNone(vtkOpenGLRenderWindow* window)
   this->UseMethod(vtkRelievoShadowMethods::MAP, window);
   this->Work.WithoutFollowed = false;
   this->Work.Maps.Release(window);
+  this->Work.Shade.Release(window);
   this->Work.Cache.Clear();
   this->Work.Others.Clear();
+}
+
+//------------------------------------------------------------------------------
+std::string vtkRelievoLightMaps::MakeShade(
+  vtkOpenGLRenderWindow* window, const vtkRelievoLightSizes& sizes, int samples)
+{
+  std::vector<double> spreads;
+  std::vector<vtkRelievoOpticalDepths::Source> sources;
+  for (const auto& entry : this->Work.Cache.GetEntries())
+  {
+    const vtkRelievoShadowLight& light = entry.Light;
+    sources.push_back({ light.Positional, light.Position, light.Direction });
+    // A sample stands for its share of the sun's disc.
+    const double half = vtkMath::RadiansFromDegrees(0.5 * sizes.Get(light.Light));
+    const bool soft = samples > 1 && !light.Positional;
+    spreads.push_back(!soft   ? 0.0
+        : light.Parts.empty() ? std::tan(half) / std::sqrt(static_cast<double>(samples))
+                              : std::tan(half));
+  }
+  this->Work.Shade.SetSpreads(spreads);
+  this->Work.Shade.SetCasters(this->Work.Props.GetVolumeCasters());
+  const std::string fault = this->Work.Shade.Update(window, sources);
+  if (!this->Work.Shade.Bind())
+  {
+    this->Work.Shade.Release(window);
+    return "all texture units of this OpenGL are taken; use fewer textures";
+  }
+  return fault;
 }
 
 //------------------------------------------------------------------------------
@@ -173,6 +205,9 @@ bool vtkRelievoLightMaps::UpdateStructure(const vtkRelievoShadowLights& lights, 
   structure.Method = this->Method->GetShader();
   structure.Traced = this->Method->Traces();
   structure.Colored = this->Method->Colors();
+  structure.Volumes = this->Work.Shade.IsMade();
+  structure.Spread = structure.Volumes && this->Work.Shade.IsSpread();
+  structure.Around = this->Work.Shade.IsAround();
   structure.Maps = !structure.Traced || this->Work.Cache.GetNumberOfMaps() > 0;
   structure.Numbers = static_cast<int>(lights.GetAll().size());
   structure.Unlit = unlit;
@@ -217,6 +252,7 @@ int vtkRelievoLightMaps::DrawMethod(vtkRenderer* renderer)
 void vtkRelievoLightMaps::Unbind()
 {
   this->Work.Maps.Unbind();
+  this->Work.Shade.Unbind();
   this->Method->Unbind();
 }
 
@@ -267,7 +303,7 @@ std::string vtkRelievoLightMaps::GetReport() const
       << this->Work.MapsDrawn << " drawn anew, expected share of wrong pixels "
       << std::setprecision(2) << 100.0 * this->GetExpectedWrongShare() << " %"
       << (this->Planning.IsPlanned() ? ", " + this->Planning.Get().Words : std::string())
-      << this->Method->GetReport() << this->Work.Others.GetReport();
+      << this->Method->GetReport() << this->Work.Shade.GetReport() << this->Work.Others.GetReport();
   return out.str();
 }
 
@@ -275,6 +311,7 @@ std::string vtkRelievoLightMaps::GetReport() const
 void vtkRelievoLightMaps::Release(vtkWindow* window)
 {
   this->Work.Maps.Release(window);
+  this->Work.Shade.Release(window);
   this->Method->Release(window);
   this->Work.PlainDraw.Release(window);
   this->Work.Props.ForgetGlyphs();

@@ -19,6 +19,7 @@
 
 class vtkOpenGLRenderWindow;
 class vtkRelievoFrameContext;
+class vtkRelievoLightSizes;
 class vtkRelievoMessagesOnce;
 class vtkRelievoShadowLights;
 class vtkWindow;
@@ -44,6 +45,11 @@ public:
     const Settings& settings, vtkRelievoMessagesOnce& messages);
   void MakeNone(vtkOpenGLRenderWindow* window);
   ///@}
+
+  // The shade of volumes towards these lights, each moved to one of `samples` places of its shape.
+  // Returns why there is none, or "".
+  std::string MakeShade(
+    vtkOpenGLRenderWindow* window, const vtkRelievoLightSizes& sizes, int samples);
 
   // The size of maps in this OpenGL: its limit if that is less, with a warning.
   static int GetSizeHere(int size, vtkRelievoMessagesOnce& messages);
@@ -84,7 +90,10 @@ public:
   // A clause about the last frame, for the frame report.
   std::string GetReport() const;
 
-  vtkIdType GetBytes() const { return this->Work.Maps.GetBytes() + this->Method->GetBytes(); }
+  vtkIdType GetBytes() const
+  {
+    return this->Work.Maps.GetBytes() + this->Work.Shade.GetBytes() + this->Method->GetBytes();
+  }
   void Release(vtkWindow* window);
 
 private:

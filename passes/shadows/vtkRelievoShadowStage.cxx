@@ -24,6 +24,7 @@
 #include "vtkRelievoShadowSplice.h"
 #include "vtkRelievoShadowStrengths.h"
 #include "vtkRelievoShadowUniforms.h"
+#include "vtkRelievoShadowVolumes.h"
 #include "vtkRelievoSoftLights.h"
 #include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
@@ -55,6 +56,7 @@ public:
   vtkRelievoLampMaps Lamps{ Casters }; // from data
   vtkRelievoShadowStrengths Strengths; // of this frame's lights
   vtkRelievoShadowUniforms Uniforms;   // of receivers
+  vtkRelievoShadowVolumes Volumes;     // that receive
   vtkRelievoMessagesOnce Messages;
   bool LayersAsked = false; // visibility is requested as a layer
   bool LampsAsked = false;  // and for lamps from data
@@ -303,9 +305,18 @@ void vtkRelievoShadowStage::Execute(vtkRelievoFrameContext& context)
   {
     in.Messages.Error("No shadows: " + fault);
   }
+  if (lights && fault.empty())
+  {
+    const std::string noShade = in.Maps.MakeShade(in.Window, in.Soft.Sizes, in.Soft.GetSamples());
+    if (!noShade.empty())
+    {
+      in.Messages.Error("No shadows of volumes: " + noShade);
+    }
+  }
   if (in.Maps.UpdateStructure(in.Lights, in.LayersAsked))
   {
     this->ModifyShaders();
+    in.Volumes.ModifyShaders();
   }
   if (!lamps)
   {
@@ -341,6 +352,10 @@ std::string vtkRelievoShadowStage::DrawLights(vtkRelievoFrameContext& context)
   this->NumberOfMapsDrawn = in.Maps.Work.MapsDrawn;
   in.Strengths.Set(in.Maps.Work, this->Enabled ? this->Strength : 0.0);
   context.Provide(vtkRelievoResources::ShadowMaps, &in.Strengths);
+  in.Volumes.Begin({ in.Maps.Work, *in.Maps.GetMethod(), this->Enabled ? this->Strength : 0.0,
+    in.Renderer, [&in](const std::string& message) {
+      in.Messages.Error("No shadows on volumes: " + message);
+    } });
   in.Uniforms.Forget();
   const int methodDraws = in.Maps.DrawMethod(context.Renderer);
   this->DrawCalls += mapDraws + methodDraws; // mappers that draw by themselves have counted theirs
@@ -381,6 +396,7 @@ void vtkRelievoShadowStage::Finish(vtkRelievoFrameContext& context)
   if (in.Spliced)
   {
     in.Casters.Props.RemovePass(this);
+    in.Volumes.End();
     in.Maps.Unbind();
     in.Lamps.Unbind();
     in.Spliced = false;
@@ -914,6 +930,12 @@ vtkRelievoShadowCertificate* vtkRelievoShadowStage::Certify(int rays, int seed)
   {
     vtkErrorMacro("Certify judges verdicts of lights that are points, and SoftSamples is "
       << this->SoftSamples << "; set it to 0 and render first.");
+    return nullptr;
+  }
+  if (in.Maps.Work.Shade.IsMade())
+  {
+    vtkErrorMacro("Certify traces the triangles of surfaces, and a volume casts; give it to "
+                  "SetPropCasts with 0 (never) and render first.");
     return nullptr;
   }
   vtkRenderer* const renderer = in.Renderer;

@@ -19,8 +19,12 @@
  * mapping: GPU-based tips and techniques, 2006; percentage-closer filtering after W. Reeves, D.
  * Salesin, R. Cook, Rendering antialiased shadows with depth maps, 1987).
  *
- * Translucent geometry receives shadows and does not cast, unless SetPropCasts() says so. Volumes,
- * and props that draw without a vtkActor's mapper, neither cast nor receive.
+ * Translucent geometry receives shadows and does not cast, unless SetPropCasts() says so. Volumes
+ * (vtkVolumeMapper, images, composite blending, one opacity function) dim the light behind them,
+ * exp(-optical depth) by VTK's definitions of opacity and unit distance, for every method; if they
+ * are shaded, they receive shadows of surfaces, of other volumes and of themselves (depths in a
+ * grid along the light's rays, after T. Lokovic and E. Veach, Deep shadow maps, 2000). Props that
+ * draw without a vtkActor's mapper neither cast nor receive.
  */
 #ifndef vtkRelievoShadowStage_h
 #define vtkRelievoShadowStage_h
@@ -260,7 +264,8 @@ public:
   ///@{
   /**
    * Whether a prop of the renderer casts shadows: CASTS_IF_OPAQUE (default) with its opaque
-   * geometry only (but see ColoredShadows), CASTS_NEVER, or CASTS_ALWAYS with all of it.
+   * geometry and volumes only (but see ColoredShadows), CASTS_NEVER, or CASTS_ALWAYS with all of
+   * it.
    */
   void SetPropCasts(vtkProp* prop, int casts);
   int GetPropCasts(vtkProp* prop);

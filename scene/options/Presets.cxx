@@ -56,7 +56,7 @@ constexpr int Samples = 24;
 // Maps per sun for soft shadows.
 constexpr int SoftMaps = 8;
 
-// Samples for volumes, which have no edges, cast no shadows, and take long to draw.
+// Samples for volumes, which have no edges, cast soft-edged shadows, and take long to draw.
 constexpr int SamplesOfVolumes = 4;
 
 // Size of points in clouds, visible on a light background.

@@ -3,18 +3,7 @@
 // Looks places up in the maps of lights, texel by texel. The includer defines RELIEVO_SHADOW_FACES
 // (number of maps), RELIEVO_SHADOW_WIDE (the filter's radius is above 1) and
 // RELIEVO_SHADOW_HAS_PLANE (an expression: whether the receiver has a plane).
-uniform sampler2DArray relievoShadowMaps;
-// From a place, relative to the includer's origin, to map space, with the bias subtracted.
-uniform mat4 relievoShadowMatrix[RELIEVO_SHADOW_FACES];
-uniform float relievoShadowTexel[RELIEVO_SHADOW_FACES]; // depth of a texel's width, at w = 1
-uniform vec4 relievoShadowEye[RELIEVO_SHADOW_FACES]; // in map space; w = 0: the direction to it
-uniform float relievoShadowLayer[RELIEVO_SHADOW_FACES];
-uniform float relievoShadowLowest[RELIEVO_SHADOW_FACES]; // depth of a receiver
-uniform float relievoShadowSize;  // of a map, in texels
-uniform float relievoShadowInner; // half of it, less the filter; -1 for props without shadows on
-                                  // them
-uniform int relievoShadowRadius;  // of the filter, in texels; 0: only the nearest texel
-uniform float relievoShadowLift;  // in texels: for points and lines, which have no plane
+//RELIEVO::Include(shadow/maps.glsl)
 
 // Depths of the texels right and above of a corner texel, as textureGather orders them: (0, 1),
 // (1, 1), (1, 0), (0, 0).
@@ -76,11 +65,4 @@ float relievoShadowFilter(int face, vec3 place, vec2 slope, float texel)
   vec2 rows = mix(four.wx, four.zy, part.x);
   return mix(rows.x, rows.y, part.y);
 #endif
-}
-
-// Whether the place is within the map.
-bool relievoShadowSees(vec3 place)
-{
-  vec2 off = abs(place.xy - (0.5 * relievoShadowSize - 0.5));
-  return max(off.x, off.y) <= relievoShadowInner;
 }

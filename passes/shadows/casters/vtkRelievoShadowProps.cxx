@@ -14,6 +14,7 @@
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProp.h"
+#include "vtkPropCollection.h"
 #include "vtkProperty.h"
 #include "vtkRelievoCasterDraw.h"
 #include "vtkRelievoCasterRays.h"
@@ -29,6 +30,8 @@
 #include "vtkSmartPointer.h"
 #include "vtkTexture.h"
 #include "vtkUniforms.h"
+#include "vtkVolume.h"
+#include "vtkVolumeProperty.h"
 
 #include <algorithm>
 #include <cstring>
@@ -139,6 +142,8 @@ void vtkRelievoShadowProps::Collect(
   this->CasterBoxes.clear();
   this->ReceiverBoxes.clear();
   this->AllBoxes.clear();
+  this->VolumeCasters.clear();
+  this->VolumeReceivers.clear();
   this->Parts.clear();
   this->NotReceiving.clear();
   this->State.clear();
@@ -159,6 +164,7 @@ void vtkRelievoShadowProps::Collect(
     {
       choice = made.Prop == prop ? made : choice;
     }
+    this->AddVolumes(prop, choice, visible.Number);
     const bool mixed = vtkRelievoPropParts::IsMixed(prop, parts);
     parts.erase(std::remove_if(parts.begin(), parts.end(),
                   [&choice](const vtkRelievoPropParts::Part& part) {
@@ -235,6 +241,33 @@ void vtkRelievoShadowProps::Collect(
         (caster.Translucent ? 16 : 0) + (caster.Attenuates ? 32 : 0));
       this->AddDouble(property->GetOpacity());
       this->SceneState.insert(this->SceneState.end(), this->Part.begin(), this->Part.end());
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoShadowProps::AddVolumes(vtkProp* prop, const Choice& choice, int number)
+{
+  vtkNew<vtkPropCollection> volumes;
+  prop->GetVolumes(volumes);
+  for (int i = 0; i < volumes->GetNumberOfItems(); ++i)
+  {
+    auto* volume = vtkVolume::SafeDownCast(volumes->GetItemAsObject(i));
+    vtkRelievoBox box;
+    box.Number = number;
+    // Computing bounds also updates the mapper's input.
+    if (!volume || !volume->GetVisibility() || !volume->GetMapper() || !GetBox(volume, box))
+    {
+      continue;
+    }
+    if (choice.Casts != 0)
+    {
+      this->VolumeCasters.push_back(volume);
+    }
+    if (choice.Receives && volume->GetProperty()->GetShade())
+    {
+      this->ReceiverBoxes.push_back(box);
+      this->VolumeReceivers.push_back(prop);
     }
   }
 }

@@ -20,6 +20,7 @@ class vtkOpenGLRenderPass;
 class vtkProp;
 class vtkRelievoCasterDraw;
 class vtkRenderer;
+class vtkVolume;
 struct vtkRelievoPlacedMesh;
 struct vtkRelievoFrameProp;
 struct vtkRelievoShadowView;
@@ -71,6 +72,12 @@ public:
   // Triangles of a mesh that Follow left because they are too many; 0: there is none.
   vtkIdType GetTooManyTriangles() const { return this->TooManyTriangles; }
 
+  // Props with volumes that are lit, and receive.
+  const std::vector<vtkProp*>& GetVolumeReceivers() const { return this->VolumeReceivers; }
+
+  // Volumes that cast.
+  const std::vector<vtkVolume*>& GetVolumeCasters() const { return this->VolumeCasters; }
+
   // All casters and visible surfaces that rays can trace, and the boxes of the others. Without
   // `attenuates`, translucent casters block all light.
   std::vector<vtkRelievoSurface> CollectSurfaces(
@@ -112,6 +119,7 @@ private:
   void Render(vtkProp* prop, bool translucent, vtkRenderer* renderer);
   void AddState(vtkActor* actor);
   void AddDouble(double value); // appends to Part
+  void AddVolumes(vtkProp* prop, const Choice& choice, int number);
 
   struct Caster
   {
@@ -137,8 +145,10 @@ private:
   vtkIdType TooManyTriangles = 0;         // of a mesh left for its triangles
   std::vector<vtkRelievoBox> ReceiverBoxes;
   std::vector<vtkRelievoBox> AllBoxes; // of receivers, whether chosen or not
-  std::set<vtkProp*> Parts;            // props that draw themselves
-  std::set<vtkProp*> NotReceiving;     // of Parts
+  std::vector<vtkVolume*> VolumeCasters;
+  std::vector<vtkProp*> VolumeReceivers;
+  std::set<vtkProp*> Parts;        // props that draw themselves
+  std::set<vtkProp*> NotReceiving; // of Parts
   vtkRelievoSplicedKeys Keys;
   mutable vtkRelievoGlyphPlaces Glyphs; // cached between frames
   std::vector<std::uint64_t> State;

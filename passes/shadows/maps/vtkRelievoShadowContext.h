@@ -12,6 +12,7 @@
 #include "vtkRelievoShadowMaps.h"
 #include "vtkRelievoShadowProps.h"
 #include "vtkRelievoShadowStructure.h"
+#include "vtkRelievoVolumeShade.h"
 
 // The casters drawn into all maps of a frame, and settings for drawing.
 struct vtkRelievoShadowCasters
@@ -39,8 +40,9 @@ struct vtkRelievoShadowContext
   vtkRelievoShadowCache Cache;
   vtkRelievoShadowMaps Maps;
   vtkRelievoShadowStructure Structure;
-  int Radius = 1;    // of the filter in texels, limited by the maps' size
-  double Bias = 0.0; // in texels
+  vtkRelievoVolumeShade Shade; // of volumes
+  int Radius = 1;              // of the filter in texels, limited by the maps' size
+  double Bias = 0.0;           // in texels
   // For soft lights' parts, in frames that draw all samples at once: the step between their numbers
   // (vtkRelievoSampleLattice::GetNumberStep); 0, 0 in other frames.
   glm::vec2 PartStep{ 0.f };

@@ -5,20 +5,28 @@
 #include "vtkRelievoShadowContext.h"
 #include "vtkShaderProgram.h"
 
+#include <glm/gtc/matrix_transform.hpp>
 #include <glm/matrix.hpp>
 
 //------------------------------------------------------------------------------
 vtkRelievoShadowMapUniforms::vtkRelievoShadowMapUniforms(
   const vtkRelievoShadowContext& work, int faces, const glm::vec3& center)
+  : vtkRelievoShadowMapUniforms(work, faces, glm::translate(glm::dmat4(1.0), glm::dvec3(center)))
+{
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoShadowMapUniforms::vtkRelievoShadowMapUniforms(
+  const vtkRelievoShadowContext& work, int faces, const glm::dmat4& placeToView)
   : Work(work)
   , ViewToWorld(glm::inverse(work.View.WorldToView))
   , NDCToMap(vtkRelievoShadowMaps::GetNDCToMap(work.Maps.GetSize()))
+  , PlaceToView(placeToView)
   , Eyes(faces, glm::vec4(0.f))
   , Texels(faces, 0.f)
   , Layers(faces, 0.f)
   , Lowest(faces, -1.f)
 {
-  this->FromCenter[3] = glm::dvec4(glm::dvec3(center), 1.0);
   // Without a map, every point is outside of it.
   glm::mat4 nowhere(0.f);
   nowhere[3] = glm::vec4(-1e9f, -1e9f, 0.f, 1.f);
@@ -33,7 +41,7 @@ void vtkRelievoShadowMapUniforms::Set(int face, const vtkRelievoShadowCache::Map
     this->NDCToMap * map.View.ViewToNDC * (map.View.WorldToView * this->ViewToWorld);
   glm::dmat4 biased = viewToMap;
   biased[3].z -= bias;
-  this->Matrices[face] = glm::mat4(biased * this->FromCenter);
+  this->Matrices[face] = glm::mat4(biased * this->PlaceToView);
   this->Eyes[face] =
     glm::vec4(viewToMap * (view.Parallel ? glm::dvec4(0, 0, 1, 0) : glm::dvec4(0, 0, 0, 1)));
   this->Texels[face] = static_cast<float>(map.View.Texel);

@@ -19,6 +19,10 @@ public:
   vtkRelievoShadowMapUniforms(
     const vtkRelievoShadowContext& work, int faces, const glm::vec3& center);
 
+  // For places in other coordinates, from which `placeToView` leads to eye space.
+  vtkRelievoShadowMapUniforms(
+    const vtkRelievoShadowContext& work, int faces, const glm::dmat4& placeToView);
+
   // bias: map depth subtracted from receivers.
   void Set(int face, const vtkRelievoShadowCache::Map& map, double bias);
 
@@ -29,7 +33,7 @@ private:
   const vtkRelievoShadowContext& Work;
   glm::dmat4 ViewToWorld;
   glm::dmat4 NDCToMap;
-  glm::dmat4 FromCenter{ 1.0 };
+  glm::dmat4 PlaceToView;
   std::vector<glm::mat4> Matrices;
   std::vector<glm::vec4> Eyes;
   std::vector<float> Texels;

@@ -104,6 +104,17 @@ public:
   {
   }
 
+  // The uniforms of the section in a volume's shader, for places that `placeToView` takes to eye
+  // space.
+  virtual void SetVolumeUniforms(
+    vtkShaderProgram* program, const vtkRelievoShadowContext& work, const glm::dmat4&) const
+  {
+    this->SetFrameUniforms(program, work);
+  }
+
+  // The section for volumes' shaders: forward masks are of surfaces.
+  virtual std::string GetVolumeShader() const { return this->GetShader(); }
+
   virtual vtkRelievoShadowEstimate Estimate(const vtkRelievoShadowDemand& demand) const = 0;
 
   // For the frame's report: ", WORDS".

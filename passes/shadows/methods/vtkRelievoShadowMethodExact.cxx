@@ -253,6 +253,17 @@ void vtkRelievoShadowMethodExact::SetFrameUniforms(
 }
 
 //------------------------------------------------------------------------------
+void vtkRelievoShadowMethodExact::SetVolumeUniforms(vtkShaderProgram* program,
+  const vtkRelievoShadowContext& work, const glm::dmat4& placeToView) const
+{
+  this->SetFrameUniforms(program, work);
+  glm::dmat4 toLocal = glm::inverse(work.View.WorldToView) * placeToView;
+  toLocal[3] -= glm::dvec4(this->Tree.GetOrigin(), 0.0);
+  const glm::mat4 rounded(toLocal);
+  program->SetUniformMatrix4x4("relievoShadowToLocal", const_cast<float*>(&rounded[0][0]));
+}
+
+//------------------------------------------------------------------------------
 void vtkRelievoShadowMethodExact::SetActorUniforms(
   vtkShaderProgram* program, const vtkRelievoShadowContext&, vtkActor* actor) const
 {

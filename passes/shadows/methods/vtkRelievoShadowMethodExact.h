@@ -26,6 +26,8 @@ public:
   bool Colors() const override { return this->Colored; }
   void SetFrameUniforms(
     vtkShaderProgram* program, const vtkRelievoShadowContext& work) const override;
+  void SetVolumeUniforms(vtkShaderProgram* program, const vtkRelievoShadowContext& work,
+    const glm::dmat4& placeToView) const override;
   std::vector<vtkActor*> GetFound(std::size_t lights) const override;
   void SetActorUniforms(
     vtkShaderProgram* program, const vtkRelievoShadowContext& work, vtkActor* actor) const override;

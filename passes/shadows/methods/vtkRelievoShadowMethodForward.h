@@ -22,6 +22,7 @@ public:
   void Forget() override { this->Drawn = {}; }
   void Unbind() override { this->Masks.Unbind(); }
   std::string GetShader() const override { return "shadow/forward.glsl"; }
+  std::string GetVolumeShader() const override { return "shadow/map.glsl"; }
   void SetFrameUniforms(
     vtkShaderProgram* program, const vtkRelievoShadowContext& work) const override;
   void SetActorUniforms(

@@ -216,6 +216,8 @@ std::string vtkRelievoShadowSplice::Fill(std::string& vertex, std::string& geome
     dec << "#define RELIEVO_SHADOW_PARTS " << structure.Parts << "\n";
   }
   dec << (structure.WideFilter ? "#define RELIEVO_SHADOW_WIDE\n" : "");
+  dec << (structure.Spread ? "#define RELIEVO_VOLUME_SPREAD\n" : "");
+  dec << (structure.Around ? "#define RELIEVO_VOLUME_AROUND\n" : "");
   dec << (structure.Colored ? "#define RELIEVO_SHADOW_COLORED\n" : "");
   dec << (impostor ? "#define RELIEVO_SHADOW_IMPOSTOR\n" : "");
   dec << (triangles ? "#define RELIEVO_SHADOW_TRIANGLES\n" : "");
@@ -237,14 +239,20 @@ std::string vtkRelievoShadowSplice::Fill(std::string& vertex, std::string& geome
   {
     FillMark(vertex, VertexDec, ofMethod("FoundVertexDec"));
   }
+  std::string shade;
+  for (slot = 0; structure.Volumes && slot < static_cast<int>(structure.Lights.size()); ++slot)
+  {
+    shade += Numbered("ShadeImpl", structure.Lights[slot], slot, 0);
+  }
   FillMark(fragment, Dec,
     dec.str() + Section("FragmentDec") + ofMethod("MethodDec") +
-      (traced ? ofMethod("TraceDec") : std::string()) + Section("MapsDec") + lights);
+      (traced ? ofMethod("TraceDec") : std::string()) + Section("MapsDec") +
+      (structure.Volumes ? Section("ShadeDec") : std::string()) + lights);
   FillMark(fragment, UniformFlow, flow);
   const std::string trace = structure.Traced
     ? ofMethod("PlaceImpl") + ofMethod(traced ? "TraceImpl" : "FoundImpl")
     : std::string();
-  FillMark(fragment, Impl, normal + visibility + trace + colors);
+  FillMark(fragment, Impl, normal + visibility + trace + shade + colors);
   // Shaders are not built again for an actor's other property, but they are for another structure.
   if (!structure.Highlights && actor->GetProperty()->GetSpecular() == 0.0 &&
     !HasUsersFragment(actor->GetShaderProperty()))

@@ -58,6 +58,12 @@ void SetFrame(vtkShaderProgram* program, const vtkRelievoShadowContext& work,
   }
   const int lights = static_cast<int>(strengths.size());
   faces.Tell(program);
+  if (work.Shade.IsMade())
+  {
+    glm::dmat4 fromCenter(1.0);
+    fromCenter[3] = glm::dvec4(glm::dvec3(center), 1.0);
+    work.Shade.SetUniforms(program, glm::inverse(work.View.WorldToView) * fromCenter);
+  }
   program->SetUniform3f("relievoShadowCenter", &center.x);
   program->SetUniform1fv("relievoShadowStrength", lights, strengths.data());
   program->SetUniform1iv("relievoShadowSlot", work.Structure.Numbers, slots.data());

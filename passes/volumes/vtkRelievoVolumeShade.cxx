@@ -1,0 +1,315 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkRelievoVolumeShade.h"
+
+#include "vtkObject.h"
+#include "vtkOpenGLError.h" // for OpenGL
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtkRelievoScopedContext.h"
+#include "vtkRelievoVolumeField.h"
+#include "vtkShaderProgram.h"
+#include "vtkTextureUnitManager.h"
+#include "vtkVolume.h"
+#include "vtkVolumeMapper.h"
+
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+#include <glm/vec4.hpp>
+
+#include <algorithm>
+#include <sstream>
+
+namespace
+{
+// Textures grow in these steps, so that a moving light seldom needs another one.
+constexpr int Step = 32;
+
+int RoundUp(int size)
+{
+  return (size + Step - 1) / Step * Step;
+}
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoVolumeShade::vtkRelievoVolumeShade() = default;
+
+//------------------------------------------------------------------------------
+vtkRelievoVolumeShade::~vtkRelievoVolumeShade()
+{
+  this->Release(this->Window);
+}
+
+//------------------------------------------------------------------------------
+std::string vtkRelievoVolumeShade::Update(
+  vtkOpenGLRenderWindow* window, const std::vector<vtkRelievoOpticalDepths::Source>& sources)
+{
+  this->Made = 0;
+  if (this->Window != window)
+  {
+    this->Release(this->Window);
+    this->Window = window;
+    this->Owner = window;
+  }
+  std::vector<std::uint64_t> state;
+  for (vtkVolume* volume : this->Casters)
+  {
+    vtkRelievoVolumeField::AddState(volume, state);
+  }
+  const bool changed = state != this->State;
+  if (changed)
+  {
+    this->State = state;
+    this->Fields.clear();
+    this->NotTraced.clear();
+    for (vtkVolume* volume : this->Casters)
+    {
+      std::string why;
+      for (const vtkRelievoVolumeField& field : vtkRelievoVolumeField::Collect(volume, why))
+      {
+        this->Fields.push_back(field);
+      }
+      this->NotTraced += why.empty() ? std::string() : "; a volume casts none: " + why;
+    }
+  }
+  if (this->Fields.empty() || sources.empty())
+  {
+    const std::string notTraced = this->NotTraced;
+    this->Release(window);
+    this->State = state;
+    this->NotTraced = notTraced;
+    return std::string();
+  }
+  GLint limit = 0;
+  glGetIntegerv(GL_MAX_3D_TEXTURE_SIZE, &limit);
+  const int lights = static_cast<int>(sources.size());
+  const int most = std::min(Most, limit / Step / lights * Step - Step);
+  if (most < Step)
+  {
+    this->Release(window);
+    return "this OpenGL has no room for the depths of volumes towards " + std::to_string(lights) +
+      " lights";
+  }
+  std::vector<std::size_t> made;
+  this->Depths.resize(sources.size());
+  for (std::size_t i = 0; i < sources.size(); ++i)
+  {
+    if (changed || i >= this->Sources.size() || !(this->Sources[i] == sources[i]))
+    {
+      this->Depths[i].Make(this->Fields, sources[i], most);
+      made.push_back(i);
+    }
+  }
+  this->Made = static_cast<int>(made.size());
+  this->Sources = sources;
+  if (this->Allocate(lights))
+  {
+    made.resize(sources.size());
+    for (std::size_t i = 0; i < made.size(); ++i)
+    {
+      made[i] = i;
+    }
+  }
+  if (!this->Texture || !std::all_of(made.begin(), made.end(), [this](std::size_t light) {
+        return this->Upload(light);
+      }))
+  {
+    this->Release(window);
+    return "this OpenGL has no memory for the depths of volumes towards lights";
+  }
+  return std::string();
+}
+
+//------------------------------------------------------------------------------
+// Returns whether the texture is a new one, and empty; 0 if there is no memory.
+bool vtkRelievoVolumeShade::Allocate(int lights)
+{
+  int size[3] = { 0, 0, 0 };
+  for (const vtkRelievoOpticalDepths& depths : this->Depths)
+  {
+    for (int i = 0; i < 3; ++i)
+    {
+      size[i] = std::max(size[i], RoundUp(depths.GetSize()[i]));
+    }
+  }
+  // A size that would do keeps: maps of a light that turns need more and less.
+  const bool fits = this->Texture && this->Slices * lights <= this->Size[2] &&
+    size[0] <= this->Size[0] && size[1] <= this->Size[1] && size[2] <= this->Slices &&
+    this->Size[2] <= 2 * this->Slices * lights;
+  if (fits)
+  {
+    return false;
+  }
+  if (this->Texture)
+  {
+    glDeleteTextures(1, &this->Texture);
+    this->Texture = 0;
+  }
+  this->Slices = size[2];
+  std::copy(size, size + 3, this->Size);
+  this->Size[2] *= lights;
+  for (int i = 0; i < 16 && glGetError() != GL_NO_ERROR; ++i)
+  {
+    // Clears earlier errors, to detect errors of the calls below.
+  }
+  GLint others = 0;
+  glGetIntegerv(GL_TEXTURE_BINDING_3D, &others);
+  glGenTextures(1, &this->Texture);
+  glBindTexture(GL_TEXTURE_3D, this->Texture);
+  glTexImage3D(GL_TEXTURE_3D, 0, GL_R16F, this->Size[0], this->Size[1], this->Size[2], 0, GL_RED,
+    GL_FLOAT, nullptr);
+  const bool there = glGetError() == GL_NO_ERROR;
+  glTexParameteri(GL_TEXTURE_3D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+  glTexParameteri(GL_TEXTURE_3D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+  glTexParameteri(GL_TEXTURE_3D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+  glTexParameteri(GL_TEXTURE_3D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+  glTexParameteri(GL_TEXTURE_3D, GL_TEXTURE_WRAP_R, GL_CLAMP_TO_EDGE);
+  glTexParameteri(GL_TEXTURE_3D, GL_TEXTURE_MAX_LEVEL, 0);
+  glBindTexture(GL_TEXTURE_3D, static_cast<GLuint>(others));
+  if (!there)
+  {
+    glDeleteTextures(1, &this->Texture);
+    this->Texture = 0;
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoVolumeShade::Upload(std::size_t light)
+{
+  const vtkRelievoOpticalDepths& depths = this->Depths[light];
+  const glm::ivec3& size = depths.GetSize();
+  vtkOpenGLState* state = this->Window->GetState();
+  state->vtkglPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+  GLint others = 0;
+  glGetIntegerv(GL_TEXTURE_BINDING_3D, &others);
+  glBindTexture(GL_TEXTURE_3D, this->Texture);
+  glTexSubImage3D(GL_TEXTURE_3D, 0, 0, 0, static_cast<GLint>(light) * this->Slices, size.x, size.y,
+    size.z, GL_RED, GL_FLOAT, depths.GetDepths().data());
+  const bool there = glGetError() == GL_NO_ERROR;
+  glBindTexture(GL_TEXTURE_3D, static_cast<GLuint>(others));
+  return there;
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoVolumeShade::Bind()
+{
+  if (!this->Texture)
+  {
+    return true;
+  }
+  vtkOpenGLState* state = this->Window->GetState();
+  if (this->Unit < 0)
+  {
+    this->Unit = state->GetTextureUnitManager()->Allocate();
+  }
+  if (this->Unit < 0)
+  {
+    return false;
+  }
+  state->vtkglActiveTexture(GL_TEXTURE0 + static_cast<unsigned int>(this->Unit));
+  glBindTexture(GL_TEXTURE_3D, this->Texture);
+  state->vtkglActiveTexture(GL_TEXTURE0);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoVolumeShade::Unbind()
+{
+  if (this->Unit >= 0 && this->Window)
+  {
+    vtkOpenGLState* state = this->Window->GetState();
+    state->vtkglActiveTexture(GL_TEXTURE0 + static_cast<unsigned int>(this->Unit));
+    glBindTexture(GL_TEXTURE_3D, 0);
+    state->vtkglActiveTexture(GL_TEXTURE0);
+    state->GetTextureUnitManager()->Free(this->Unit);
+  }
+  this->Unit = -1;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoVolumeShade::SetUniforms(
+  vtkShaderProgram* program, const glm::dmat4& placeToWorld) const
+{
+  std::vector<glm::mat4> matrices;
+  std::vector<glm::vec4> sizes;
+  std::vector<glm::vec3> spreads;
+  for (const vtkRelievoOpticalDepths& depths : this->Depths)
+  {
+    const glm::dmat4 rows = glm::transpose(depths.GetWorldToMap());
+    const double slices = this->Spreads[spreads.size()] / glm::length(glm::dvec3(rows[2]));
+    spreads.emplace_back(slices * glm::length(glm::dvec3(rows[0])),
+      slices * glm::length(glm::dvec3(rows[1])), 0.5 * (depths.GetSize().z - 1));
+    matrices.emplace_back(depths.GetWorldToMap() * placeToWorld);
+    sizes.emplace_back(glm::vec3(depths.GetSize()), depths.IsAround() ? 1.f : 0.f);
+  }
+  const int lights = static_cast<int>(matrices.size());
+  const float size[3] = { static_cast<float>(this->Size[0]), static_cast<float>(this->Size[1]),
+    static_cast<float>(this->Size[2]) };
+  program->SetUniformi("relievoVolumeDepths", this->Unit);
+  program->SetUniformMatrix4x4v("relievoVolumeMatrix", lights, &matrices[0][0][0]);
+  program->SetUniform4fv(
+    "relievoVolumeSize", lights, reinterpret_cast<const float(*)[4]>(&sizes[0].x));
+  if (this->IsSpread())
+  {
+    program->SetUniform3fv(
+      "relievoVolumeSpread", lights, reinterpret_cast<const float(*)[3]>(&spreads[0].x));
+  }
+  program->SetUniform3f("relievoVolumeTexture", size);
+  program->SetUniformf("relievoVolumeSlices", static_cast<float>(this->Slices));
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoVolumeShade::IsAround() const
+{
+  return std::any_of(this->Depths.begin(), this->Depths.end(),
+    [](const vtkRelievoOpticalDepths& depths) { return depths.IsAround(); });
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoVolumeShade::IsSpread() const
+{
+  return std::any_of(
+    this->Spreads.begin(), this->Spreads.end(), [](double tangent) { return tangent > 0.0; });
+}
+
+//------------------------------------------------------------------------------
+std::string vtkRelievoVolumeShade::GetReport() const
+{
+  std::ostringstream out;
+  if (this->Texture)
+  {
+    const glm::ivec3& size = this->Depths[0].GetSize();
+    out << ", depths of volumes in " << size.x << " x " << size.y << " x " << size.z
+        << " nodes for each light, " << this->Made << " made anew";
+  }
+  out << this->NotTraced;
+  return out.str();
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkRelievoVolumeShade::GetBytes() const
+{
+  return this->Texture ? vtkIdType(2) * this->Size[0] * this->Size[1] * this->Size[2] : 0;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoVolumeShade::Release(vtkWindow* window)
+{
+  if (this->Texture && window && window == this->Owner)
+  {
+    this->Unbind();
+    const vtkRelievoScopedContext context(window);
+    glDeleteTextures(1, &this->Texture);
+  }
+  if (window == this->Owner || !this->Window)
+  {
+    this->Texture = 0;
+    this->Unit = -1;
+    this->Sources.clear();
+    this->Depths.clear();
+    this->Fields.clear();
+    this->State.clear();
+    this->NotTraced.clear();
+  }
+}

@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The share of a light that volumes let pass (vtkRelievoVolumeShade). The includer defines
+// RELIEVO_SHADOW_LIGHTS, the number of lights, and RELIEVO_VOLUME_AROUND if one is among the volumes,
+// RELIEVO_VOLUME_SPREAD if a sun has a size.
+//RELIEVO::Include(volumes/texel.glsl)
+uniform sampler3D relievoVolumeDepths; // of all lights, one behind the other
+uniform vec3 relievoVolumeTexture;     // its size
+uniform float relievoVolumeSlices;     // of a light
+uniform mat4 relievoVolumeMatrix[RELIEVO_SHADOW_LIGHTS]; // from a place to `map`
+uniform vec4 relievoVolumeSize[RELIEVO_SHADOW_LIGHTS];   // w: whether it is around the light
+
+#ifdef RELIEVO_VOLUME_SPREAD
+// Of a sun's rays: texels aside per slice behind the volumes' middle, and that slice.
+uniform vec3 relievoVolumeSpread[RELIEVO_SHADOW_LIGHTS];
+#endif
+
+float relievoVolumePassesAt(int slot, vec4 map)
+{
+  vec3 texel = relievoVolumeTexel(map, relievoVolumeSize[slot].xyz);
+  bool there = map.w > 0.0;
+#ifdef RELIEVO_VOLUME_AROUND
+  bool around = relievoVolumeSize[slot].w > 0.0;
+  texel = around ? relievoVolumeTexelAround(map, relievoVolumeSize[slot].xyz) : texel;
+  there = there || around;
+#endif
+  texel.z += float(slot) * relievoVolumeSlices;
+  float depth = texture(relievoVolumeDepths, (texel + 0.5) / relievoVolumeTexture).r;
+  return there ? exp(-depth) : 1.0;
+}
+
+float relievoVolumePasses(int slot, vec3 place)
+{
+  vec4 map = relievoVolumeMatrix[slot] * vec4(place, 1.0);
+#ifdef RELIEVO_VOLUME_SPREAD
+  // Rays of a disc of the sky, by a spiral of points, meet the volumes about at their middle.
+  vec3 spread = relievoVolumeSpread[slot];
+  float sum = 0.0;
+  for (int i = 0; i < 8; ++i)
+  {
+    float angle = 2.3999632 * float(i);
+    vec2 disc = sqrt((float(i) + 0.5) / 8.0) * vec2(cos(angle), sin(angle));
+    vec2 aside = spread.xy * disc * max(map.z - spread.z, 0.0);
+    sum += relievoVolumePassesAt(slot, map + vec4(aside, 0.0, 0.0));
+  }
+  return sum / 8.0;
+#else
+  return relievoVolumePassesAt(slot, map);
+#endif
+}

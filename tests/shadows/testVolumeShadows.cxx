@@ -1,0 +1,554 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Shadows of volumes. Optical depths towards lights: closed forms of a box, a ramp and a ball, with
+// the volume's matrices, clipping, cropping and units, and a march in double through a field of
+// waves. Pictures: a ground in the shade of a box against exp(-depth) at each of its pixels.
+#include "Check.h"
+#include "GLCheck.h"
+#include "Layers.h"
+#include "Session.h"
+#include "ShadowScenes.h"
+#include "TestCase.h"
+#include "View.h"
+#include "Window.h"
+
+#include <vtkActor.h>
+#include <vtkCamera.h>
+#include <vtkColorTransferFunction.h>
+#include <vtkGPUVolumeRayCastMapper.h>
+#include <vtkImageData.h>
+#include <vtkLight.h>
+#include <vtkPiecewiseFunction.h>
+#include <vtkPlane.h>
+#include <vtkPointData.h>
+#include <vtkProperty.h>
+#include <vtkRelievoOpticalDepths.h>
+#include <vtkRelievoPass.h>
+#include <vtkRelievoShadowStage.h>
+#include <vtkRelievoVolumeField.h>
+#include <vtkVolume.h>
+#include <vtkVolumeProperty.h>
+
+#include <cmath>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace testVolumeShadows
+{
+namespace
+{
+using relievoTest::ShadowStage;
+using Source = vtkRelievoOpticalDepths::Source;
+using Scalars = std::function<double(const glm::dvec3&)>; // of a place from 0 to 1 in the box
+
+// A volume with the corners (0, 0, 0) and (size, size, size); its scalars are opacities from 0 to 1
+// per unit distance.
+struct Volume
+{
+  explicit Volume(int samples, const Scalars& scalars, double size = 1.0, int type = VTK_FLOAT)
+  {
+    this->Image->SetDimensions(samples, samples, samples);
+    const double spacing = size / (samples - 1);
+    this->Image->SetSpacing(spacing, spacing, spacing);
+    this->Image->AllocateScalars(type, 1);
+    for (int k = 0; k < samples; ++k)
+    {
+      for (int j = 0; j < samples; ++j)
+      {
+        for (int i = 0; i < samples; ++i)
+        {
+          this->Image->SetScalarComponentFromDouble(
+            i, j, k, 0, scalars(glm::dvec3(i, j, k) / (samples - 1.0)));
+        }
+      }
+    }
+    this->Mapper->SetInputData(this->Image);
+    this->Mapper->AutoAdjustSampleDistancesOff();
+    this->Mapper->SetSampleDistance(static_cast<float>(spacing));
+    this->Mapper->UseJitteringOff();
+    this->Opacity->AddPoint(0.0, 0.0);
+    this->Opacity->AddPoint(1.0, 1.0);
+    vtkNew<vtkColorTransferFunction> color;
+    color->AddRGBPoint(0.0, 1.0, 0.8, 0.6);
+    vtkVolumeProperty* property = this->Prop->GetProperty();
+    property->SetColor(color);
+    property->SetScalarOpacity(this->Opacity);
+    property->SetInterpolationTypeToLinear();
+    this->Prop->SetMapper(this->Mapper);
+  }
+
+  double GetDepth(const Source& source, const glm::dvec3& place) const
+  {
+    std::string why;
+    const auto fields = vtkRelievoVolumeField::Collect(this->Prop, why);
+    RELIEVO_CHECK(fields.size() == 1 && why.empty());
+    vtkRelievoOpticalDepths depths;
+    depths.Make(fields, source, 256);
+    return depths.GetDepth(place);
+  }
+
+  vtkNew<vtkImageData> Image;
+  vtkNew<vtkGPUVolumeRayCastMapper> Mapper;
+  vtkNew<vtkPiecewiseFunction> Opacity;
+  vtkNew<vtkVolume> Prop;
+};
+
+Scalars Constant(double opacity)
+{
+  return [=](const glm::dvec3&) { return opacity; };
+}
+
+// A sun whose rays have this direction, and a lamp.
+Source Sun(const glm::dvec3& direction)
+{
+  Source source;
+  source.Direction = glm::normalize(direction);
+  return source;
+}
+Source Lamp(const glm::dvec3& place)
+{
+  Source source;
+  source.Positional = true;
+  source.Position = place;
+  return source;
+}
+
+// The part of the way from the light to a place that lies within a box.
+double GetChord(
+  const Source& source, const glm::dvec3& place, const glm::dvec3& low, const glm::dvec3& high)
+{
+  const glm::dvec3 ray = source.Positional ? place - source.Position : source.Direction;
+  double first = source.Positional ? 0.0 : -1e9;
+  double last = source.Positional ? 1.0 : 0.0;
+  const glm::dvec3 start = source.Positional ? source.Position : place;
+  for (int i = 0; i < 3; ++i)
+  {
+    const double a = (low[i] - start[i]) / ray[i];
+    const double b = (high[i] - start[i]) / ray[i];
+    first = std::max(first, std::min(a, b));
+    last = std::min(last, std::max(a, b));
+  }
+  return last > first ? (last - first) * glm::length(ray) : 0.0;
+}
+
+const double Sigma = -std::log(1.0 - 0.7);
+
+void TestBox()
+{
+  Volume volume(17, Constant(0.7));
+  const Source sources[] = { Sun({ 0, 0, -1 }), Sun({ 0.3, -1.0, 0.2 }), Sun({ 1, 1, 1 }),
+    Lamp({ 0.5, 4.0, 0.3 }), Lamp({ 1.5, 1.2, 0.6 }), Lamp({ 0.4, 0.5, 0.6 }) };
+  const glm::dvec3 places[] = { { 0.5, 0.5, 0.5 }, { 0.31, 0.62, 0.27 }, { 0.5, -0.4, 0.45 },
+    { 0.5, 0.45, -3.0 }, { 0.6, 2.0, 0.5 }, { 3.0, 3.0, 2.8 } };
+  double worst = 0.0;
+  for (const Source& source : sources)
+  {
+    for (const glm::dvec3& place : places)
+    {
+      const double chord = GetChord(source, place, glm::dvec3(0.0), glm::dvec3(1.0));
+      // A ray near an edge of the box is interpolated with one past it.
+      double around = 0.0;
+      for (const double off : { -0.1, 0.1 })
+      {
+        for (int i = 0; i < 3; ++i)
+        {
+          glm::dvec3 other = place;
+          other[i] += off;
+          around = std::max(
+            around, std::abs(GetChord(source, other, glm::dvec3(0.0), glm::dvec3(1.0)) - chord));
+        }
+      }
+      if (around < 0.3)
+      {
+        worst = relievoTest::Larger(
+          worst, std::abs(std::exp(-volume.GetDepth(source, place)) - std::exp(-Sigma * chord)));
+      }
+    }
+  }
+  RELIEVO_CHECK_AT_MOST(worst, 8e-3, "a box: transmittance");
+  const Source down = Sun({ 0, 0, -1 });
+  RELIEVO_CHECK_NEAR(volume.GetDepth(down, { 0.5, 0.5, -2.0 }), Sigma, 1e-5, "a box, whole");
+  RELIEVO_CHECK_NEAR(volume.GetDepth(down, { 0.5, 0.5, 0.25 }), 0.75 * Sigma, 1e-5, "a box, part");
+  RELIEVO_CHECK_NEAR(volume.GetDepth(down, { 0.5, 0.5, 2.0 }), 0.0, 0.0, "before a box");
+  RELIEVO_CHECK_NEAR(volume.GetDepth(down, { 1.1, 0.5, -2.0 }), 0.0, 0.0, "beside a box");
+
+  vtkVolumeProperty* property = volume.Prop->GetProperty();
+  for (const double unit : { 1e-3, 1e3 })
+  {
+    property->SetScalarOpacityUnitDistance(unit);
+    RELIEVO_CHECK_NEAR(unit * volume.GetDepth(down, { 0.5, 0.5, -2.0 }), Sigma, 1e-5,
+      "a unit distance of " + std::to_string(unit));
+  }
+  property->SetScalarOpacityUnitDistance(1.0);
+
+  // Lengths count in the volume's own coordinates, whatever its matrix.
+  volume.Prop->SetScale(2.0, 2.0, 2.0);
+  volume.Prop->RotateX(90.0);
+  volume.Prop->SetPosition(1e5, 0.0, 0.0);
+  RELIEVO_CHECK_NEAR(
+    volume.GetDepth(Sun({ 0, 1, 0 }), { 1e5 + 1.0, 5.0, 1.0 }), Sigma, 1e-4, "a matrix");
+  volume.Prop->SetScale(1.0, 1.0, 1.0);
+  volume.Prop->SetOrientation(0.0, 0.0, 0.0);
+  volume.Prop->SetPosition(0.0, 0.0, 0.0);
+  volume.Image->SetDirectionMatrix(0, -1, 0, 1, 0, 0, 0, 0, 1);
+  RELIEVO_CHECK_NEAR(volume.GetDepth(down, { -0.5, 0.5, -2.0 }), Sigma, 1e-5, "a direction matrix");
+  volume.Image->SetDirectionMatrix(1, 0, 0, 0, 1, 0, 0, 0, 1);
+
+  vtkNew<vtkPlane> plane;
+  plane->SetOrigin(0.0, 0.0, 0.4);
+  plane->SetNormal(0.0, 0.0, 1.0);
+  volume.Mapper->AddClippingPlane(plane);
+  RELIEVO_CHECK_NEAR(volume.GetDepth(down, { 0.5, 0.5, -2.0 }), 0.6 * Sigma, 1e-5, "clipped");
+  volume.Mapper->RemoveAllClippingPlanes();
+  volume.Mapper->CroppingOn();
+  volume.Mapper->SetCroppingRegionFlagsToSubVolume();
+  volume.Mapper->SetCroppingRegionPlanes(0.0, 1.0, 0.0, 1.0, 0.25, 0.5);
+  RELIEVO_CHECK_NEAR(volume.GetDepth(down, { 0.5, 0.5, -2.0 }), 0.25 * Sigma, 1e-5, "cropped");
+}
+
+// Opacities whose extinction is a ramp, and a ball whose extinction falls from its centre.
+void TestSmooth()
+{
+  const auto toOpacity = [](double extinction) { return 1.0 - std::exp(-extinction); };
+  Volume ramp(65, [&](const glm::dvec3& place) { return toOpacity(2.0 * place.z); });
+  RELIEVO_CHECK_NEAR(
+    ramp.GetDepth(Sun({ 0, 0, -1 }), { 0.5, 0.5, 0.5 }), 0.75, 2e-4, "a ramp, half of it");
+  RELIEVO_CHECK_NEAR(ramp.GetDepth(Sun({ 1, 0, 0 }), { 3.0, 0.5, 0.3 }), 0.6, 2e-4, "across it");
+
+  // A gradient of 1 per unit, which VTK expects to be at most a quarter of the range per sample.
+  vtkNew<vtkPiecewiseFunction> gradients;
+  gradients->AddPoint(0.0, 0.0);
+  gradients->AddPoint(1.0 / 32.0, 1.0);
+  Volume edges(65, [](const glm::dvec3& place) { return place.x; });
+  edges.Opacity->AddPoint(0.0, 0.7);
+  edges.Opacity->AddPoint(1.0, 0.7);
+  edges.Prop->GetProperty()->SetGradientOpacity(gradients);
+  RELIEVO_CHECK_NEAR(
+    edges.GetDepth(Sun({ 0, 0, -1 }), { 0.5, 0.5, 0.0 }), 0.5 * Sigma, 1e-3, "gradient opacity");
+
+  // Parabolic: the integral along a chord of half length h is 4 / 3 * h^3.
+  Volume ball(
+    65,
+    [&](const glm::dvec3& place) {
+      const glm::dvec3 off = 2.0 * place - 1.0;
+      return toOpacity(std::max(0.0, 1.0 - glm::dot(off, off)));
+    },
+    2.0);
+  double worst = 0.0;
+  for (const glm::dvec3& direction :
+    { glm::dvec3(0, 0, -1), glm::dvec3(1, -2, 0.5), glm::dvec3(-1, -1, -1) })
+  {
+    const Source sun = Sun(direction);
+    const glm::dvec3 across = glm::normalize(glm::cross(sun.Direction, glm::dvec3(0.3, 0.2, 0.9)));
+    for (double off = 0.0; off < 1.2; off += 0.1)
+    {
+      const double half = std::sqrt(std::max(0.0, 1.0 - off * off));
+      const glm::dvec3 place = glm::dvec3(1.0) + off * across;
+      const double whole = 4.0 / 3.0 * half * half * half;
+      worst = relievoTest::Larger(
+        worst, std::abs(ball.GetDepth(sun, place + 3.0 * sun.Direction) - whole));
+      worst = relievoTest::Larger(worst, std::abs(ball.GetDepth(sun, place) - 0.5 * whole));
+    }
+  }
+  RELIEVO_CHECK_AT_MOST(worst, 6e-3, "a ball: depth");
+}
+
+// Whatever is not traced is named; NaN lets light pass.
+void TestRefused()
+{
+  Volume volume(9, Constant(0.5), 1.0, VTK_DOUBLE);
+  volume.Image->SetScalarComponentFromDouble(4, 4, 4, 0, std::nan(""));
+  RELIEVO_CHECK(volume.GetDepth(Sun({ 0, 0, -1 }), { 0.5, 0.5, -1.0 }) < std::log(2.0));
+  const auto why = [&]() {
+    std::string reason;
+    RELIEVO_CHECK(vtkRelievoVolumeField::Collect(volume.Prop, reason).empty());
+    return reason;
+  };
+  volume.Mapper->SetBlendModeToMaximumIntensity();
+  RELIEVO_CHECK(why() == "its blend mode is not composite");
+  volume.Mapper->SetBlendModeToComposite();
+  vtkNew<vtkPiecewiseFunction> none;
+  none->AddPoint(0.0, 0.0);
+  volume.Prop->GetProperty()->SetScalarOpacity(none);
+  RELIEVO_CHECK(why().empty());
+}
+
+// A box of cloud above the ground, with a lamp or a sun.
+void TestGround()
+{
+  struct
+  {
+    const char* Name;
+    bool Positional;
+    glm::dvec3 Place;
+  } const lights[] = { { "a sun", false, { 1.0, 3.0, 1.5 } },
+    { "a lamp", true, { 1.0, 3.0, 0.5 } } };
+  for (const auto& each : lights)
+  {
+    ShadowStage stage;
+    const relievoTest::GLCheck gl(stage.Window);
+    stage.AddGround();
+    stage.Renderer->GetActiveCamera()->SetPosition(0.0, 5.0, 5.0);
+    stage.Renderer->ResetCameraClippingRange();
+    Volume volume(
+      65,
+      [](const glm::dvec3& place) {
+        const glm::dvec3 off = 2.0 * place - 1.0;
+        return 1.0 - std::exp(-3.0 * std::max(0.0, 1.0 - glm::dot(off, off)));
+      },
+      1.2);
+    volume.Prop->SetPosition(-0.6, 0.7, -0.6);
+    stage.Renderer->AddVolume(volume.Prop);
+    const auto light = each.Positional ? stage.AddLamp(each.Place, { 0.0, 0.0, 0.0 }, 60.0)
+                                       : stage.AddSun(each.Place.x, each.Place.y, each.Place.z);
+    const auto layer = relievoTest::CaptureShadow(stage, 0);
+    const relievoTest::View view(stage.Renderer);
+    vtkRelievoShadowStage* shadows = stage.GetShadows();
+    const Source source = each.Positional ? Lamp(each.Place) : Sun(-each.Place);
+    double squares = 0.0;
+    double worst = 0.0;
+    long long dimmed = 0;
+    vtkDataArray* values = layer->GetPointData()->GetArray("shadow_0");
+    for (int y = 0; values && y < 180; ++y)
+    {
+      for (int x = 0; x < 240; ++x)
+      {
+        const relievoTest::Ray ray = view.PixelRay(x + 0.5, y + 0.5);
+        const glm::dvec3 place = ray.At(-ray.Origin.y / ray.Direction.y);
+        if (std::max(std::abs(place.x), std::abs(place.z)) > 2.9)
+        {
+          continue;
+        }
+        // The chord's half length through the ball, h, and its centre's distance.
+        const glm::dvec3 center(0.0, 1.3, 0.0);
+        const glm::dvec3 way =
+          source.Positional ? glm::normalize(place - source.Position) : source.Direction;
+        const glm::dvec3 off = center - place - way * glm::dot(center - place, way);
+        const double half2 = std::max(0.0, 0.36 - glm::dot(off, off));
+        const double depth = 4.0 * std::pow(half2, 1.5) / 0.36;
+        const double error =
+          values->GetTuple1(static_cast<vtkIdType>(y) * 240 + x) - std::exp(-depth);
+        dimmed += depth > 0.0 ? 1 : 0;
+        squares += depth > 0.0 ? error * error : 0.0;
+        worst = relievoTest::Larger(worst, std::abs(error));
+      }
+    }
+    const std::string what = std::string("the shadow of a ball by ") + each.Name;
+    RELIEVO_CHECK_THAT(dimmed > 500, what + ": " + std::to_string(dimmed) + " pixels");
+    RELIEVO_CHECK_AT_MOST(std::sqrt(squares / dimmed), 1.0 / 255.0, what + ": rms");
+    RELIEVO_CHECK_AT_MOST(worst, 0.02, what + ": worst");
+    RELIEVO_CHECK(shadows->GetBytesHeld() > 0);
+
+    // Chosen not to cast, it changes nothing; nor does it hold anything.
+    const vtkIdType bytes = shadows->GetBytesHeld();
+    shadows->SetPropCasts(volume.Prop, vtkRelievoShadowStage::CASTS_NEVER);
+    const relievoTest::Layers lit(relievoTest::CaptureShadow(stage, 0));
+    double darkest = 1.0;
+    for (int i = 0; i < 240 * 180; ++i)
+    {
+      darkest = std::min(darkest, lit.Value("shadow_0", i % 240, i / 240));
+    }
+    RELIEVO_CHECK_NEAR(darkest, 1.0, 0.0, what + ": casts nothing");
+    RELIEVO_CHECK(shadows->GetBytesHeld() < bytes);
+  }
+}
+
+// The half shadow of a thin plate of cloud below a sun with a size: the covered share of its disc.
+void TestSoft()
+{
+  ShadowStage stage;
+  const relievoTest::GLCheck gl(stage.Window);
+  stage.AddGround();
+  stage.Renderer->GetActiveCamera()->SetPosition(0.0, 8.0, 0.1);
+  stage.Renderer->ResetCameraClippingRange();
+  Volume plate(17, Constant(0.7));
+  plate.Prop->SetScale(4.0, 0.1, 4.0);
+  plate.Prop->SetPosition(-4.0, 1.0, -2.0); // its border is at x = 0
+  plate.Prop->GetProperty()->SetScalarOpacityUnitDistance(0.5);
+  stage.Renderer->AddVolume(plate.Prop);
+  stage.AddSun(0.0, 1.0, 0.0);
+  vtkRelievoShadowStage* shadows = stage.GetShadows();
+  shadows->SetSunAngle(40.0);
+  shadows->SetSoftSamples(4);
+  shadows->SoftAtOnceOn();
+  const relievoTest::Layers layer(relievoTest::CaptureShadow(stage, 0));
+  const relievoTest::View view(stage.Renderer);
+  const double radius = 1.05 * std::tan(20.0 * 3.14159265358979 / 180.0);
+  const double passes = std::exp(-2.0 * Sigma);
+  double worst = 0.0;
+  for (int x = 0; x < 240; ++x)
+  {
+    const relievoTest::Ray ray = view.PixelRay(x + 0.5, 90.5);
+    const double place = ray.At(-ray.Origin.y / ray.Direction.y).x;
+    if (std::abs(place) < 1.0)
+    {
+      const double t = std::min(1.0, std::max(-1.0, place / radius));
+      const double free = 0.5 + (t * std::sqrt(1.0 - t * t) + std::asin(t)) / 3.14159265358979;
+      worst = relievoTest::Larger(
+        worst, std::abs(layer.Value("shadow_0", x, 90) - (passes + (1.0 - passes) * free)));
+    }
+  }
+  RELIEVO_CHECK_AT_MOST(worst, 0.12, "a half shadow");
+}
+
+// Volumes in front of black, seen along z in parallel projection: light from above is then equal
+// along each ray.
+struct LitStage : ShadowStage
+{
+  LitStage()
+    : ShadowStage(64, 64)
+  {
+    this->Renderer->SetBackground(0.0, 0.0, 0.0);
+    vtkCamera* camera = this->Renderer->GetActiveCamera();
+    camera->ParallelProjectionOn();
+    camera->SetParallelScale(1.2);
+    camera->SetPosition(0.5, 1.0, 10.0);
+    camera->SetFocalPoint(0.5, 1.0, 0.0);
+    camera->SetViewUp(0.0, 1.0, 0.0);
+    camera->SetClippingRange(1.0, 20.0);
+    this->Light(this->Sun, glm::dvec3(0.8, 0.0, 0.0));
+    this->Sun->SetPosition(0.5, 5.0, 0.5);
+    this->Sun->SetFocalPoint(0.5, 0.0, 0.5);
+    // As good as parallel.
+    this->Light(this->Lamp, glm::dvec3(0.0, 0.8, 0.0));
+    this->Lamp->SetPosition(0.5, 1000.0, 0.5);
+    this->Lamp->SetFocalPoint(0.5, 0.0, 0.5);
+    this->Lamp->PositionalOn();
+    this->Lamp->SetConeAngle(20.0);
+    this->Lamp->SetExponent(0.0);
+    this->GetShadows();
+  }
+
+  void Light(vtkLight* light, const glm::dvec3& color)
+  {
+    light->SetLightTypeToSceneLight();
+    light->SetColor(color.x, color.y, color.z);
+    this->Renderer->AddLight(light);
+  }
+
+  // Adds a shaded volume whose normals point along y.
+  void Add(Volume& volume)
+  {
+    vtkVolumeProperty* property = volume.Prop->GetProperty();
+    property->ShadeOn();
+    property->SetAmbient(0.0);
+    property->SetDiffuse(1.0);
+    property->SetSpecular(0.0);
+    volume.Opacity->RemoveAllPoints();
+    volume.Opacity->AddPoint(0.0, 0.7);
+    volume.Opacity->AddPoint(1.0, 0.7);
+    vtkNew<vtkColorTransferFunction> white;
+    white->AddRGBPoint(0.0, 1.0, 1.0, 1.0);
+    property->SetColor(white);
+    this->Renderer->AddVolume(volume.Prop);
+  }
+
+  // The picture's row of this height, in the middle of the volumes; or of another x.
+  glm::dvec3 GetColor(double y, double x = 0.5)
+  {
+    const auto picture = relievoTest::Picture(this->Window);
+    const int column = static_cast<int>((x - 0.5) / 2.4 * 64 + 32);
+    const int row = static_cast<int>((y - 1.0) / 2.4 * 64 + 32);
+    glm::dvec3 color;
+    for (int i = 0; i < 3; ++i)
+    {
+      color[i] = picture->GetScalarComponentAsDouble(column, row, 0, i);
+    }
+    return color;
+  }
+
+  static double GetHeight(double y) // of that row's centre
+  {
+    return (std::floor((y - 1.0) / 2.4 * 64 + 32) + 0.5 - 32) * 2.4 / 64 + 1.0;
+  }
+
+  vtkNew<vtkLight> Sun;
+  vtkNew<vtkLight> Lamp;
+};
+
+Scalars Upwards()
+{
+  return [](const glm::dvec3& place) { return place.y; };
+}
+
+// The share of both lights' colours that is left at a height, with `shadows` on.
+void CheckLeft(LitStage& stage, double y, const glm::dvec2& expected, const std::string& what)
+{
+  vtkRelievoShadowStage* shadows = stage.GetShadows();
+  shadows->EnabledOff();
+  const glm::dvec3 lit = stage.GetColor(y);
+  shadows->EnabledOn();
+  const glm::dvec3 left = stage.GetColor(y);
+  RELIEVO_CHECK_THAT(lit.x > 100.0 && lit.y > 100.0, what + ": it is lit");
+  RELIEVO_CHECK_NEAR(left.x / lit.x, expected.x, 0.015, what + ": the sun");
+  RELIEVO_CHECK_NEAR(left.y / lit.y, expected.y, 0.015, what + ": the lamp");
+}
+
+void TestOnVolumes()
+{
+  LitStage stage; // without GLCheck: drivers warn about VTK's own shader of lit volumes
+  vtkRelievoShadowStage* shadows = stage.GetShadows();
+  Volume volume(33, Upwards());
+  stage.Add(volume);
+  for (const double y : { 0.2, 0.5, 0.8 })
+  {
+    const double own = std::exp(-Sigma * (1.0 - LitStage::GetHeight(y)));
+    CheckLeft(stage, y, { own, own }, "a volume on itself");
+  }
+  // VTK's shader of volumes numbers lamps first, the renderer as they were added.
+  const double middle = std::exp(-Sigma * (1.0 - LitStage::GetHeight(0.5)));
+  shadows->SetLightCasts(stage.Lamp, false);
+  CheckLeft(stage, 0.5, { middle, 1.0 }, "without the lamp's");
+  shadows->SetLightCasts(stage.Lamp, true);
+  shadows->SetLightCasts(stage.Sun, false);
+  CheckLeft(stage, 0.5, { 1.0, middle }, "without the sun's");
+  shadows->SetLightCasts(stage.Sun, true);
+  shadows->SetStrength(0.5);
+  CheckLeft(stage, 0.5, glm::dvec2(0.5 + 0.5 * middle), "half of it");
+  shadows->SetStrength(1.0);
+  shadows->SetPropReceives(volume.Prop, false);
+  CheckLeft(stage, 0.5, { 1.0, 1.0 }, "a volume that receives none");
+  shadows->SetPropReceives(volume.Prop, true);
+
+  shadows->SetPropCasts(volume.Prop, vtkRelievoShadowStage::CASTS_NEVER);
+  CheckLeft(stage, 0.5, { 1.0, 1.0 }, "a volume that casts none");
+  Volume above(17, Upwards(), 0.5);
+  stage.Add(above);
+  above.Prop->SetPosition(0.25, 1.4, 0.0);
+  above.Prop->SetScale(1.0, 1.0, 2.0);
+  CheckLeft(stage, 0.5, glm::dvec2(std::exp(-0.5 * Sigma)), "a volume below another one");
+  stage.Renderer->RemoveVolume(above.Prop);
+
+  // A slab over the left half.
+  const auto slab = stage.AddBox({ -0.5, 1.6, 0.5 }, { 2.0, 0.1, 2.0 });
+  slab->GetProperty()->SetOpacity(1.0);
+  for (const int method :
+    { vtkRelievoShadowStage::METHOD_MAP, vtkRelievoShadowStage::METHOD_FORWARD,
+      vtkRelievoShadowStage::METHOD_WARPED, vtkRelievoShadowStage::METHOD_EXACT })
+  {
+    shadows->SetMethod(method);
+    const std::string what = "below a slab, method " + std::to_string(method);
+    const glm::dvec3 left = stage.GetColor(0.5, 0.3);
+    const glm::dvec3 right = stage.GetColor(0.5, 0.7);
+    RELIEVO_CHECK_NEAR(glm::length(left), 0.0, 0.0, what);
+    shadows->EnabledOff();
+    RELIEVO_CHECK_NEAR(glm::length(right - stage.GetColor(0.5, 0.7)), 0.0, 1.5, what + ", beside");
+    shadows->EnabledOn();
+  }
+}
+}
+
+RELIEVO_TEST_CASE(testVolumeShadows)
+{
+  relievoTest::Session session;
+  TestBox();
+  TestSmooth();
+  TestRefused();
+  TestGround();
+  TestSoft();
+  TestOnVolumes();
+  return session.Result();
+}
+}
