@@ -569,16 +569,18 @@ std::set<std::string> FindColoringArrays(vtkRenderer* renderer)
 }
 
 // Layers of stages that identify causes.
+const std::set<std::string> StageLayers = { "light", "fog", "ambient", "marker", "blend" };
+
+// Those of the stages that ran.
 std::vector<std::string> FindStageLayers(vtkRelievoPass* pass)
 {
   std::vector<std::string> layers;
-  for (int i = 0; pass && i < pass->GetNumberOfStages(); ++i)
+  for (int i = 0; i < pass->GetNumberOfStages(); ++i)
   {
     vtkRelievoStage* stage = pass->GetStage(i);
     for (const std::string& layer : stage->GetDescription().Layers)
     {
-      static const std::set<std::string> told = { "light", "fog", "ambient", "marker", "blend" };
-      if (HasRun(stage) && told.count(layer) != 0)
+      if (HasRun(stage) && StageLayers.count(layer) != 0)
       {
         layers.push_back(layer);
       }
@@ -655,39 +657,28 @@ bool vtkRelievoBaseline::Capture(vtkImageData* image)
   {
     source->AddLayer(layer);
   }
+  // Layers of stages are drawn with the picture: drawn later, they could differ from it by rounding.
+  if (pass)
+  {
+    pass->SetOptionalLayers({ StageLayers.begin(), StageLayers.end() });
+  }
   source->Update();
-  if (source->GetOutput()->GetNumberOfPoints() == 0)
+  bool isDrawn = source->GetOutput()->GetNumberOfPoints() > 0;
+  if (pass)
+  {
+    isDrawn = isDrawn && pass->ReadLayers(FindStageLayers(pass), source->GetOutput());
+    pass->SetOptionalLayers({});
+  }
+  if (!isDrawn)
   {
     return false;
   }
   image->ShallowCopy(source->GetOutput());
-  const std::vector<std::string> ofStages = FindStageLayers(pass);
-  const std::vector<std::string> settings = DescribeSettings(this->Renderer);
-  if (!ofStages.empty())
-  {
-    vtkNew<vtkRelievoLayerSource> more; // without the picture: stages that ran are known now
-    more->SetRenderer(this->Renderer);
-    for (const std::string& layer : ofStages)
-    {
-      more->AddLayer(layer);
-    }
-    more->Update();
-    if (more->GetOutput()->GetNumberOfPoints() == 0)
-    {
-      image->Initialize();
-      return false;
-    }
-    for (const std::string& layer : ofStages)
-    {
-      image->GetPointData()->AddArray(more->GetOutput()->GetPointData()->GetArray(layer.c_str()));
-    }
-  }
   if (this->Portable && !this->AddRayLayers(image, traced))
   {
     image->Initialize();
     return false;
   }
-  AddStrings(image, "settings", settings);
   this->AddRecord(image);
   return true;
 }
@@ -766,6 +757,7 @@ void vtkRelievoBaseline::AddRecord(vtkImageData* image)
   AddStrings(image, "objects", objects);
   AddStrings(image, "volumes", DescribeVolumes(this->Renderer));
   AddStrings(image, "overlays", DescribeOverlays(this->Renderer));
+  AddStrings(image, "settings", DescribeSettings(this->Renderer));
   AddStrings(image, "versions", scene::ListVersions(this->Renderer->GetRenderWindow()));
 }
 
