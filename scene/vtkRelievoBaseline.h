@@ -109,7 +109,6 @@ private:
   void operator=(const vtkRelievoBaseline&) = delete;
 
   bool AddRayLayers(vtkImageData* image, const std::vector<std::string>& layers);
-  void AddRecord(vtkImageData* image);
 
   vtkSmartPointer<vtkRenderer> Renderer;
   std::map<int, std::string> Names;
