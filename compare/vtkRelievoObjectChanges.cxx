@@ -370,22 +370,14 @@ void ObjectChanges::CompareSettings(int before, int after)
     changes[0]->Color = changes[1]->Color =
       this->List.Find(Cause::Color, "actor", this->GetName(before), before);
   }
-  std::string names;
-  bool affectsCoverage = false;
-  for (const auto& [name, value] : from.Settings.items())
-  {
-    const auto found = to.Settings.find(name);
-    if (found == to.Settings.end() || *found != value)
-    {
-      names += (names.empty() ? "" : ", ") + name;
-      affectsCoverage = affectsCoverage || coverage.count(name) != 0;
-    }
-  }
+  const std::vector<std::string> names = ListChanges(from.Settings, to.Settings);
+  const bool affectsCoverage = std::any_of(
+    names.begin(), names.end(), [](const std::string& name) { return coverage.count(name) != 0; });
   if (!names.empty())
   {
     const int place = this->List.Find(Cause::Settings, "actor", this->GetName(before), before);
-    this->List.At(place).Words = "settings: " + names;
-    this->List.At(place).More["settings"] = names;
+    this->List.At(place).Words = "settings: " + Join(names);
+    this->List.At(place).More["settings"] = Join(names);
     for (Change* change : changes)
     {
       change->Settings = place;

@@ -280,13 +280,8 @@ void PixelCauses::PairLights()
     }
     else
     {
-      const nlohmann::json& from = this->A.Lights[static_cast<std::size_t>(pair.Before)].Values;
-      const nlohmann::json& to = this->B.Lights[static_cast<std::size_t>(pair.After)].Values;
-      for (const auto& [name, value] : from.items())
-      {
-        const auto found = to.find(name);
-        words += found != to.end() && *found == value ? "" : (words.empty() ? "" : ", ") + name;
-      }
+      words = Join(ListChanges(this->A.Lights[static_cast<std::size_t>(pair.Before)].Values,
+        this->B.Lights[static_cast<std::size_t>(pair.After)].Values));
       std::replace(words.begin(), words.end(), '_', ' ');
     }
     if (!words.empty())
@@ -339,11 +334,7 @@ void PixelCauses::CompareSettings()
         }
       }
     }
-    std::string names;
-    for (const std::string& kind : kinds)
-    {
-      names += (names.empty() ? "" : ", ") + kind;
-    }
+    const std::string names = Join({ kinds.begin(), kinds.end() });
     this->Overlay = this->List.Find(Cause::Overlay, "picture");
     this->List.At(this->Overlay).Words = "overlay: " + (names.empty() ? "order" : names);
   }
@@ -855,16 +846,10 @@ void PixelCauses::CompareVolumes()
   {
     const Volume from = i < counts[0] ? this->A.Volumes[i] : Volume();
     const Volume to = i < counts[1] ? this->B.Volumes[i] : Volume();
-    std::string names;
-    for (const auto& [name, value] : from.Values.items())
-    {
-      const auto found = to.Values.find(name);
-      const bool isEqual = found != to.Values.end() && *found == value;
-      names += isEqual ? "" : (names.empty() ? "" : ", ") + name;
-    }
+    const std::string names = Join(ListChanges(from.Values, to.Values));
     if (names.empty() && i < counts[0] && i < counts[1])
     {
-      continue; // older records lack entries
+      continue;
     }
     const int place = this->List.Find(Cause::Translucent, "volume", "", static_cast<int>(i));
     this->List.At(place).Words = "translucent: " +

@@ -191,16 +191,45 @@ std::string Write(const Json& json)
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
+Json DescribeVector(const double v[3])
+{
+  return { v[0], v[1], v[2] };
+}
+
+// A colour that vtkProperty::SetColor also sets; null if it is the surface's own, which is recorded
+// apart.
+Json DescribeOtherColor(vtkProperty* property, const double color[3])
+{
+  const double* own = property->GetDiffuseColor();
+  return std::equal(own, own + 3, color) ? Json() : DescribeVector(color);
+}
+
 Json DescribeProperty(vtkProperty* property)
 {
   return { { "representation", property->GetRepresentation() },
     { "interpolation", property->GetInterpolation() }, { "ambient", property->GetAmbient() },
+    { "ambient_color", DescribeOtherColor(property, property->GetAmbientColor()) },
     { "diffuse", property->GetDiffuse() }, { "specular", property->GetSpecular() },
+    { "specular_color", DescribeOtherColor(property, property->GetSpecularColor()) },
     { "specular_power", property->GetSpecularPower() }, { "metallic", property->GetMetallic() },
-    { "roughness", property->GetRoughness() }, { "opacity", property->GetOpacity() },
-    { "edges", property->GetEdgeVisibility() != 0 }, { "line_width", property->GetLineWidth() },
-    { "point_size", property->GetPointSize() }, { "lighting", property->GetLighting() },
-    { "normal_scale", property->GetNormalScale() },
+    { "roughness", property->GetRoughness() }, { "anisotropy", property->GetAnisotropy() },
+    { "anisotropy_rotation", property->GetAnisotropyRotation() },
+    { "base_ior", property->GetBaseIOR() },
+    { "edge_tint", DescribeVector(property->GetEdgeTint()) },
+    { "coat_strength", property->GetCoatStrength() },
+    { "coat_roughness", property->GetCoatRoughness() }, { "coat_ior", property->GetCoatIOR() },
+    { "coat_color", DescribeVector(property->GetCoatColor()) },
+    { "coat_normal_scale", property->GetCoatNormalScale() },
+    { "emissive_factor", DescribeVector(property->GetEmissiveFactor()) },
+    { "occlusion_strength", property->GetOcclusionStrength() },
+    { "opacity", property->GetOpacity() }, { "edges", property->GetEdgeVisibility() != 0 },
+    { "edge_color", DescribeVector(property->GetEdgeColor()) },
+    { "vertices", property->GetVertexVisibility() != 0 },
+    { "vertex_color", DescribeVector(property->GetVertexColor()) },
+    { "line_width", property->GetLineWidth() }, { "point_size", property->GetPointSize() },
+    { "lines_as_tubes", property->GetRenderLinesAsTubes() },
+    { "points_as_spheres", property->GetRenderPointsAsSpheres() },
+    { "lighting", property->GetLighting() }, { "normal_scale", property->GetNormalScale() },
     { "frontface_culling", property->GetFrontfaceCulling() != 0 },
     { "backface_culling", property->GetBackfaceCulling() != 0 } };
 }
@@ -310,8 +339,7 @@ Json DescribeActor(vtkActor* actor, const std::string& name)
     { "settings", DescribeProperty(property) } };
   if (!isColored)
   {
-    const double* color = property->GetDiffuseColor();
-    json["color"] = { color[0], color[1], color[2] };
+    json["color"] = DescribeVector(property->GetDiffuseColor());
   }
   return json;
 }
@@ -339,6 +367,7 @@ void AddPlace(CheckSum& sum, vtkDataSet* data)
 Json DescribeVolume(vtkVolume* volume)
 {
   CheckSum data;
+  int components = 1;
   auto* mapper = vtkAbstractVolumeMapper::SafeDownCast(volume->GetMapper());
   if (mapper && mapper->GetNumberOfInputConnections(0) > 0)
   {
@@ -348,6 +377,7 @@ Json DescribeVolume(vtkVolume* volume)
       AddPlace(data, part);
       vtkDataArray* values = vtkAbstractVolumeMapper::GetScalars(part, mapper->GetScalarMode(),
         mapper->GetArrayAccessMode(), mapper->GetArrayId(), mapper->GetArrayName(), isCell);
+      components = std::max(components, values ? values->GetNumberOfComponents() : 1);
       for (vtkIdType i = 0; values && i < values->GetNumberOfTuples(); ++i)
       {
         for (int c = 0; c < values->GetNumberOfComponents(); ++c)
@@ -358,14 +388,25 @@ Json DescribeVolume(vtkVolume* volume)
       }
     });
   }
-  CheckSum functions;
+  CheckSum functions, gradients;
   vtkVolumeProperty* property = volume->GetProperty();
   const double range[] = { double(property->GetInterpolationType()), double(property->GetShade()),
     property->GetAmbient(), property->GetDiffuse(), property->GetSpecular(),
     property->GetSpecularPower(), property->GetScalarOpacityUnitDistance() };
   functions.Add(range, sizeof(range));
-  AddNodes(functions, property->GetScalarOpacity());
-  AddNodes(functions, property->GetRGBTransferFunction());
+  const int functionsOf = property->GetIndependentComponents() ? components : 1;
+  for (int c = 0; c < std::min(functionsOf, VTK_MAX_VRCOMP); ++c)
+  {
+    AddNodes(functions, property->GetScalarOpacity(c));
+    // Requesting the other kind would change the volume.
+    property->GetColorChannels(c) == 1 ? AddNodes(functions, property->GetGrayTransferFunction(c))
+                                       : AddNodes(functions, property->GetRGBTransferFunction(c));
+    if (property->HasGradientOpacity(c) && !property->GetDisableGradientOpacity(c))
+    {
+      gradients.Add(&c, sizeof(c));
+      AddNodes(gradients, property->GetGradientOpacity(c));
+    }
+  }
   Json rows = Json::array();
   vtkNew<vtkMatrix4x4> matrix;
   volume->GetMatrix(matrix);
@@ -375,7 +416,7 @@ Json DescribeVolume(vtkVolume* volume)
   }
   Json json = { { "visible", volume->GetVisibility() != 0 }, { "matrix", rows },
     { "data", data.Get() }, { "functions", functions.Get() },
-    { "clipping", DescribePlanes(mapper) } };
+    { "gradient_opacity", gradients.Get() }, { "clipping", DescribePlanes(mapper) } };
   if (const double* bounds = volume->GetBounds())
   {
     json["bounds"] = std::vector<double>(bounds, bounds + 6);
