@@ -3,6 +3,7 @@
 #include "vtkRelievoPixelCauses.h"
 
 #include "vtkMath.h"
+#include "vtkRelievoFormulas.h"
 
 #include <algorithm>
 #include <cmath>
@@ -79,10 +80,12 @@ PixelCauses::PixelCauses(const Frame& before, const Frame& after, const Limits& 
       continue;
     }
     this->IsDifferent = this->IsLoose = false;
+    this->Ambient = std::nullopt;
     const int cause = this->JudgeLayers(i);
     // Gloss enlarges differences of normals without bound.
     const int found = this->JudgePicture(i);
-    const int picture = found == Pending && this->IsLoose ? WithinRounding : found;
+    const bool isWithin = this->IsLoose || (this->Ambient && this->IsOfAmbient(i));
+    const int picture = found == Pending && isWithin ? WithinRounding : found;
     this->Causes[i] = cause != Alike ? cause
       : picture != Alike             ? picture
       : this->IsDifferent            ? WithinRounding
@@ -218,8 +221,8 @@ bool PixelCauses::IsBetween(std::size_t pixel, double limit, Value value) const
 
 //------------------------------------------------------------------------------
 template <typename Value>
-bool PixelCauses::IsBetween(
-  const Frame& own, const Frame& other, std::size_t pixel, double limit, Value value) const
+bool PixelCauses::IsBetween(const Frame& own, const Frame& other, std::size_t pixel, double limit,
+  Value value, double widening) const
 {
   double least = std::numeric_limits<double>::infinity();
   double most = -least;
@@ -228,7 +231,8 @@ bool PixelCauses::IsBetween(
     most = std::max(most, double(value(other, near)));
   });
   const double here = value(own, pixel);
-  return here >= least - limit && here <= most + limit;
+  const double around = limit + (widening > 0.0 ? widening * (most - least) : 0.0);
+  return here >= least - around && here <= most + around;
 }
 
 //------------------------------------------------------------------------------
@@ -716,10 +720,39 @@ int PixelCauses::JudgeStages(std::size_t pixel)
       {
         return this->List.Find(cause, "picture");
       }
-      this->IsLoose = true;
+      this->Ambient = { from->Values[pixel], to->Values[pixel] };
     }
   }
   return Alike;
+}
+
+//------------------------------------------------------------------------------
+// Whether the picture differs by no more than the samples of ambient occlusion by which the layers
+// differ. Occlusion multiplies linear light, all of it at most: the light without it is at most the
+// quotient of both.
+bool PixelCauses::IsOfAmbient(std::size_t pixel) const
+{
+  const std::array<double, 2>& share = *this->Ambient;
+  const double samples = std::abs(share[0] - share[1]);
+  for (int c = 0; c < this->CountLevels(); ++c)
+  {
+    const double levels[2] = { this->A.Level(pixel, c), this->B.Level(pixel, c) };
+    double without = 0.0;
+    for (std::size_t i = 0; i < 2; ++i)
+    {
+      const double light =
+        f64::relievoLinearFromSrgb((levels[i] + 0.5) / 255.0); // not rounded down
+      without = share[i] > 0.0 ? std::max(without, light / share[i]) : without;
+    }
+    const double least = std::min(levels[0], levels[1]);
+    const double most = 255.0 *
+      f64::relievoSrgbFromLinear(f64::relievoLinearFromSrgb(least / 255.0) + samples * without);
+    if (!(std::max(levels[0], levels[1]) <= (c == 3 ? least : most) + this->Bounds.ColorLevels))
+    {
+      return false;
+    }
+  }
+  return true;
 }
 
 //------------------------------------------------------------------------------
@@ -797,7 +830,7 @@ bool PixelCauses::IsEdge(std::size_t pixel) const
 }
 
 //------------------------------------------------------------------------------
-bool PixelCauses::IsBetweenNeighbours(std::size_t pixel) const
+bool PixelCauses::IsBetweenNeighbours(std::size_t pixel, double widening) const
 {
   for (int c = 0; c < this->CountLevels(); ++c)
   {
@@ -805,7 +838,7 @@ bool PixelCauses::IsBetweenNeighbours(std::size_t pixel) const
     // Pixels of several samples are mixtures of the surfaces that other frames show unmixed.
     if (!(this->Smoother
             ? this->IsBetween(*this->Smoother, this->Smoother == &this->A ? this->B : this->A,
-                pixel, this->Bounds.ColorLevels, value)
+                pixel, this->Bounds.ColorLevels, value, widening)
             : this->IsBetween(pixel, this->Bounds.ColorLevels, value)))
     {
       return false;
@@ -927,19 +960,21 @@ int PixelCauses::Explain(std::size_t pixel)
     }
   }
   bool isEdge = hasLayers && this->IsEdge(pixel);
-  if ((isEdge || this->Smoother) && this->IsBetweenNeighbours(pixel))
+  if ((isEdge || this->Smoother) && this->IsBetweenNeighbours(pixel, 0.0))
   {
     return WithinEdge;
   }
   if (hasLayers && this->Smoother)
   {
     // With other numbers of samples, pixels near edges show surfaces that no pixel's centre shows,
-    // and pixels at borders of cells show cells whose values were extrapolated.
+    // and pixels at borders of cells show cells whose values were extrapolated to the pixel's
+    // centre, from at most a pixel away: by as much as the neighbours' values differ.
+    bool isBorder = false;
     this->ForNeighbours(pixel, [&](std::size_t near) {
-      isEdge = isEdge || this->IsEdge(near) ||
-        (!this->A.Cell.empty() && this->A.Cell[near] != this->A.Cell[pixel]);
+      isEdge = isEdge || this->IsEdge(near);
+      isBorder = isBorder || (!this->A.Cell.empty() && this->A.Cell[near] != this->A.Cell[pixel]);
     });
-    if (isEdge)
+    if (isEdge || (isBorder && this->IsBetweenNeighbours(pixel, 1.0)))
     {
       return WithinEdge;
     }
