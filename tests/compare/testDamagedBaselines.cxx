@@ -24,6 +24,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <cstdlib>
 #include <cstring>
@@ -40,8 +41,8 @@ namespace
 {
 using nlohmann::json;
 
-constexpr int Usual = 400, Many = 100000; // baselines
-constexpr long MostMemory = 1024;         // MiB
+constexpr int Usual = 400, Many = 50000; // baselines
+constexpr long MostMemory = 1024;        // MiB
 
 class Chance
 {
@@ -147,6 +148,21 @@ void DamageJSON(json& value, Chance& chance)
   value = MakeValue(chance);
 }
 
+// A number for an array of a type; whole numbers are small.
+double MakeNumber(int type, Chance& chance)
+{
+  static const std::vector<double> values = { 0., -1., 1., 3., 1e9, -1e9, 1e30,
+    std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity() };
+  const double value = chance.Of(values);
+  const bool isReal = type == VTK_FLOAT || type == VTK_DOUBLE;
+  const double least = type == VTK_UNSIGNED_CHAR ? 0. : -1e9;
+  const double most = type == VTK_UNSIGNED_CHAR ? 255. : 1e9;
+  // Conversions of larger numbers to whole ones, and of finite ones to float, are undefined.
+  const bool fits =
+    isReal ? !std::isfinite(value) || std::abs(value) < 1e38 : value >= least && value <= most;
+  return fits ? value : 7.;
+}
+
 vtkSmartPointer<vtkAbstractArray> MakeArray(vtkIdType tuples, Chance& chance)
 {
   if (chance.Below(4) == 0)
@@ -158,8 +174,6 @@ vtkSmartPointer<vtkAbstractArray> MakeArray(vtkIdType tuples, Chance& chance)
     }
     return strings;
   }
-  static const std::vector<double> values = { 0., -1., 1., 3., 1e9, -1e9, 1e30, 1e308,
-    std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity() };
   const vtkSmartPointer<vtkDataArray> numbers = vtkDataArray::CreateDataArray(chance.Of(
     std::vector<int>{ VTK_INT, VTK_FLOAT, VTK_DOUBLE, VTK_UNSIGNED_CHAR, VTK_LONG_LONG }));
   numbers->UnRegister(nullptr);
@@ -169,11 +183,7 @@ vtkSmartPointer<vtkAbstractArray> MakeArray(vtkIdType tuples, Chance& chance)
   {
     for (int c = 0; c < numbers->GetNumberOfComponents(); ++c)
     {
-      const double value = chance.Of(values);
-      // Conversions of other values to whole numbers are undefined.
-      const bool isWhole =
-        numbers->GetDataType() != VTK_FLOAT && numbers->GetDataType() != VTK_DOUBLE;
-      numbers->SetComponent(i, c, isWhole && !(std::abs(value) < 200.) ? 7. : std::abs(value));
+      numbers->SetComponent(i, c, MakeNumber(numbers->GetDataType(), chance));
     }
   }
   return numbers;
@@ -191,6 +201,10 @@ void DamageImage(vtkImageData* image, Chance& chance)
       vtkFieldData* data = chance.Below(2) == 0 ? field : points;
       vtkAbstractArray* old = data->GetAbstractArray(
         static_cast<int>(chance.Below(std::size_t(data->GetNumberOfArrays()))));
+      if (!old) // none is left
+      {
+        return;
+      }
       const std::string name = old->GetName();
       data->RemoveArray(name.c_str());
       if (chance.Below(4) > 0)
@@ -207,12 +221,11 @@ void DamageImage(vtkImageData* image, Chance& chance)
     {
       vtkDataArray* array =
         points->GetArray(static_cast<int>(chance.Below(std::size_t(points->GetNumberOfArrays()))));
-      const vtkSmartPointer<vtkAbstractArray> from = MakeArray(50, chance);
-      auto* values = vtkDataArray::SafeDownCast(from);
-      for (vtkIdType i = 0; values && i < 50; ++i)
+      const vtkIdType count = array ? array->GetNumberOfTuples() : 0;
+      for (vtkIdType i = 0; i < std::min<vtkIdType>(count, 50); ++i)
       {
-        array->SetComponent(vtkIdType(chance.Below(std::size_t(image->GetNumberOfPoints()))), 0,
-          std::min(values->GetComponent(i, 0), array->GetDataTypeMax()));
+        const auto place = vtkIdType(chance.Below(std::size_t(count)));
+        array->SetComponent(place, 0, MakeNumber(array->GetDataType(), chance));
       }
       return;
     }
