@@ -461,9 +461,10 @@ std::optional<double> PixelCauses::FindStep(const std::string& samples) const
 bool PixelCauses::IsTie(std::size_t pixel) const
 {
   bool hasBefore = false, hasAfter = false;
-  const auto isSame = [this](std::size_t a, std::size_t b) {
-    const int object = this->A.Actor[a];
-    const int other = this->B.Actor[b];
+  const bool hasActors = !this->A.Actor.empty() && !this->B.Actor.empty();
+  const auto isSame = [this, hasActors](std::size_t a, std::size_t b) {
+    const int object = hasActors ? this->A.Actor[a] : -1;
+    const int other = hasActors ? this->B.Actor[b] : -1;
     return (object < 0 ? other < 0 : this->Objects.GetAfter(object) == other) &&
       (this->A.Cell.empty() || this->B.Cell.empty() || this->A.Cell[a] == this->B.Cell[b]) &&
       (this->A.Block.empty() || this->B.Block.empty() || this->A.Block[a] == this->B.Block[b]);

@@ -317,6 +317,11 @@ void TestDamaged()
   ids->SetValue(1, 1e30f);
   floats->GetPointData()->AddArray(ids);
   RELIEVO_CHECK(Compare(floats, floats)["alike"] == true);
+  // Records, and other cells, but no ids of actors.
+  const vtkSmartPointer<vtkImageData> cells = compareTest::Draw(compareTest::MakeBoxes());
+  cells->GetPointData()->RemoveArray("actor");
+  compareTest::Fill(cells, "cell", 90, 92, 50, 52, 9.);
+  RELIEVO_CHECK(Compare(whole, cells)["within_limits"]["edge"] == 4);
   // Control characters in names must not reach the terminal.
   compareTest::Boxes named = compareTest::MakeBoxes();
   named.All[1].Name = R"(wh\u001b[2J\nel)";
