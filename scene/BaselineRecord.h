@@ -15,8 +15,8 @@ class vtkRenderer;
 
 namespace scene
 {
-/// Adds the record of the renderer's last frame to the field data of its image. `names` are those of
-/// actors, by their indices in vtkRenderer::GetActors().
+/// Adds the record of the renderer's last frame to the field data of its image. `names` are those
+/// of actors, by their indices in vtkRenderer::GetActors().
 void AddRecord(vtkImageData* image, vtkRenderer* renderer, const std::map<int, std::string>& names);
 
 /// The arrays that colour actors through a colour map; bytes are colours themselves.

@@ -144,7 +144,7 @@ bool vtkRelievoBaseline::Capture(vtkImageData* image)
   {
     source->AddLayer(layer);
   }
-  // Layers of stages are drawn with the picture: drawn later, they could differ from it by rounding.
+  // Layers of stages are drawn with the picture: drawn later, they could differ by rounding.
   if (pass)
   {
     pass->SetOptionalLayers({ StageLayers.begin(), StageLayers.end() });
