@@ -99,7 +99,7 @@ PixelCauses::PixelCauses(const Frame& before, const Frame& after, const Limits& 
     if (first[i] == Pending)
     {
       const int neighbour = this->GetNeighbourCause(i, first);
-      this->Causes[i] = neighbour >= 0 ? neighbour : this->Explain(i);
+      this->Causes[i] = neighbour >= 0 ? neighbour : this->Explain(i, first);
     }
   }
   for (const int cause : this->Causes)
@@ -934,8 +934,8 @@ bool PixelCauses::Covers(const Cover& cover, std::size_t pixel) const
 }
 
 //------------------------------------------------------------------------------
-// Explains a pixel where only the picture differs.
-int PixelCauses::Explain(std::size_t pixel)
+// Explains a pixel where only the picture differs. `causes` are those found before, or Pending.
+int PixelCauses::Explain(std::size_t pixel, const std::vector<int>& causes)
 {
   const bool hasLayers = !this->A.Actor.empty() && !this->B.Actor.empty();
   const int actor = hasLayers ? this->A.Actor[pixel] : -1;
@@ -969,13 +969,17 @@ int PixelCauses::Explain(std::size_t pixel)
   {
     // With other numbers of samples, pixels near edges show surfaces that no pixel's centre shows,
     // and pixels at borders of cells show cells whose values were extrapolated to the pixel's
-    // centre, from at most a pixel away: by as much as the neighbours' values differ.
+    // centre, from at most a pixel away: by as much as the neighbours' values differ. A place that
+    // is extrapolated into the surface is dark, in a single pixel.
     bool isBorder = false;
+    int different = 0;
     this->ForNeighbours(pixel, [&](std::size_t near) {
       isEdge = isEdge || this->IsEdge(near);
       isBorder = isBorder || (!this->A.Cell.empty() && this->A.Cell[near] != this->A.Cell[pixel]);
+      different += causes[near] == Pending ? 1 : 0;
     });
-    if (isEdge || (isBorder && this->IsBetweenNeighbours(pixel, 1.0)))
+    const bool isOneShadow = different == 1 && !this->A.Shadow.empty() && !this->B.Shadow.empty();
+    if (isEdge || (isBorder && (isOneShadow || this->IsBetweenNeighbours(pixel, 1.0))))
     {
       return WithinEdge;
     }

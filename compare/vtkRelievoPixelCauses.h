@@ -75,7 +75,7 @@ private:
   int JudgePicture(std::size_t pixel) const;
   int JudgeWithinLimits(std::size_t pixel);
   int CountLevels() const; // components of a pixel, with alpha if both have it; 0: no picture
-  int Explain(std::size_t pixel);
+  int Explain(std::size_t pixel, const std::vector<int>& causes);
   int GetNeighbourCause(std::size_t pixel, const std::vector<int>& causes) const;
   bool IsEdge(std::size_t pixel) const;
   bool IsBetweenNeighbours(std::size_t pixel, double widening) const;

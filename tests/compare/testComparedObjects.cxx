@@ -546,9 +546,10 @@ void TestTolerances()
       }
       boxes.Settings = { "multisamples=4" };
     }
-    AddLevels(frames[1], 60, 61, 24, 25, levels);
+    AddLevels(frames[1], 60, 62, 24, 25, levels);
+    AddLevels(frames[1], 80, 81, 24, 25, -levels); // a single pixel may be in a false shadow
     const json found = Compare(frames[0], frames[1]);
-    RELIEVO_CHECK_THAT(found["unexplained"] == (levels > 10. ? 1 : 0), found.dump());
+    RELIEVO_CHECK_THAT(found["unexplained"] == (levels > 10. ? 2 : 0), found.dump());
   }
   // Borders of cells are mixtures in frames of several samples; their inside is not.
   boxes.Settings = { "multisamples=0" };
