@@ -206,6 +206,18 @@ void TestFiles()
   const json old = CompareFiles(File("a.exr"), File("older.exr"));
   RELIEVO_CHECK(old["alike"] == false && old["causes"][0]["cause"] == "moved");
   RELIEVO_CHECK(Cannot(old, "overlay") && Cannot(old, "settings") && !Cannot(old, "moved"));
+  // The first format, which has no volumes, and fewer values of materials.
+  const vtkSmartPointer<vtkImageData> first = compareTest::Draw(boxes);
+  first->GetFieldData()->GetArray("baseline_version")->SetTuple1(0, 1);
+  first->GetFieldData()->RemoveArray("volumes");
+  vtkStringArray* objects =
+    vtkStringArray::SafeDownCast(first->GetFieldData()->GetAbstractArray("objects"));
+  std::string text = objects->GetValue(1);
+  text.replace(text.find(", \"point_size\""), text.find('}') - text.find(", \"point_size\""), "");
+  objects->SetValue(1, text);
+  const vtkSmartPointer<vtkImageData> present = compareTest::Draw(boxes);
+  RELIEVO_CHECK(Compare(first, present)["alike"] == true);
+  RELIEVO_CHECK(Compare(present, first)["alike"] == true);
   // A newer format.
   const vtkSmartPointer<vtkImageData> future = compareTest::Draw(boxes);
   future->GetFieldData()->GetArray("baseline_version")->SetTuple1(0, 9);
