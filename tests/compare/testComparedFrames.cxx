@@ -212,9 +212,10 @@ void TestFiles()
   first->GetFieldData()->RemoveArray("volumes");
   vtkStringArray* objects =
     vtkStringArray::SafeDownCast(first->GetFieldData()->GetAbstractArray("objects"));
-  std::string text = objects->GetValue(1);
-  text.replace(text.find(", \"point_size\""), text.find('}') - text.find(", \"point_size\""), "");
-  objects->SetValue(1, text);
+  std::string wheel = objects->GetValue(1);
+  wheel.replace(
+    wheel.find(", \"point_size\""), wheel.find('}') - wheel.find(", \"point_size\""), "");
+  objects->SetValue(1, wheel);
   const vtkSmartPointer<vtkImageData> present = compareTest::Draw(boxes);
   RELIEVO_CHECK(Compare(first, present)["alike"] == true);
   RELIEVO_CHECK(Compare(present, first)["alike"] == true);

@@ -41,7 +41,7 @@ namespace
 {
 using nlohmann::json;
 
-constexpr int Usual = 400, Many = 50000; // baselines
+constexpr int Usual = 400, Many = 20000; // baselines
 constexpr long MostMemory = 1024;        // MiB
 
 class Chance
