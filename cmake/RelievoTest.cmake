@@ -21,7 +21,6 @@
 # seconds it took (tools/test-times), and finds in its environment
 #   RELIEVO_TEST_OUTPUT  that folder
 #   RELIEVO_DATA         the folder that tools/unpack-data fills
-#   RELIEVO_BASELINES    the folder of the expected images
 # and what the variable RELIEVO_TEST_ENVIRONMENT lists, as VAR=value.
 include_guard(GLOBAL)
 
@@ -30,7 +29,6 @@ set(RELIEVO_DATA "${PROJECT_SOURCE_DIR}/build/data" CACHE PATH
 set(RELIEVO_TESTS_LEFT_OUT "" CACHE STRING
   "Labels of tests that this build does without, such as `once`; their sources are not compiled")
 set(RELIEVO_TEST_OUTPUT "${PROJECT_BINARY_DIR}/Testing/output")
-set(RELIEVO_BASELINES "${PROJECT_SOURCE_DIR}/tests/baselines")
 
 # Adds the sources to the program of the current folder, once each, and returns its name.
 function (relievo_test_program result)
@@ -116,7 +114,6 @@ function (relievo_add_test)
     "RELIEVO_DATA=${RELIEVO_DATA}"
     "RELIEVO_PRESET=none" # VTK's look, for comparisons with truths
     "OPENBLAS_NUM_THREADS=1" # of numpy: waiting threads occupy other tests' cores
-    "RELIEVO_BASELINES=${RELIEVO_BASELINES}"
     ${RELIEVO_TEST_ENVIRONMENT}
     ${test_ENVIRONMENT})
   if (RELIEVO_SANITIZE)

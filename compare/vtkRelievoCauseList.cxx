@@ -72,4 +72,15 @@ std::string WriteCount(std::size_t count)
   }
   return digits;
 }
+
+//------------------------------------------------------------------------------
+std::string Join(const std::vector<std::string>& words)
+{
+  std::string text;
+  for (const std::string& word : words)
+  {
+    text += (text.empty() ? "" : ", ") + word;
+  }
+  return text;
+}
 }

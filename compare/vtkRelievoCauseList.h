@@ -81,6 +81,9 @@ std::string WriteShort(double number);
 
 // A count with grouped digits: "2 031".
 std::string WriteCount(std::size_t count);
+
+// Words separated by commas.
+std::string Join(const std::vector<std::string>& words);
 }
 
 #endif

@@ -203,6 +203,21 @@ const std::set<std::string> PassedOver = { "range", "geometric_normal", "light_d
 }
 
 //------------------------------------------------------------------------------
+std::vector<std::string> ListChanges(const Json& from, const Json& to)
+{
+  std::vector<std::string> names;
+  for (const auto& [name, value] : from.items())
+  {
+    const auto found = to.find(name);
+    if (found != to.end() && *found != value)
+    {
+      names.push_back(name);
+    }
+  }
+  return names;
+}
+
+//------------------------------------------------------------------------------
 std::string Frame::Read(vtkImageData* image)
 {
   const int* size = image->GetDimensions();

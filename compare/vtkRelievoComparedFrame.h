@@ -59,6 +59,10 @@ struct Layer
   bool IsBytes = false;      // values are 0 to 255
 };
 
+// The names of entries with different values. An entry that one of them lacks is not compared:
+// older formats have fewer.
+std::vector<std::string> ListChanges(const nlohmann::json& from, const nlohmann::json& to);
+
 class Frame
 {
 public:

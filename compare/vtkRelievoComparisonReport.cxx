@@ -258,6 +258,9 @@ std::string vtkRelievoComparisonReport::GetHTML()
   // The data, which may contain the other mark, last.
   for (const auto& [mark, value] :
     { std::pair<std::string, std::string>("@COLORS@", Json(relievo::compare::GetColors()).dump()),
+      { "@SHARES@",
+        Json({ { "behind", BehindCauses }, { "around", AroundChosen }, { "chosen", OfChosen } })
+          .dump() },
       { "@DATA@", data } })
   {
     page.replace(page.find(mark), mark.size(), value);

@@ -46,6 +46,19 @@ public:
   std::string GetMarkdown();
   ///@}
 
+#ifndef __VTK_WRAP__
+  ///@{
+  /**
+   * Shares of light and colour, 0 to 1, for pages and other views: what remains of the grey picture
+   * behind coloured causes, and of the picture around a chosen cause; and how much of the chosen
+   * cause's colour is mixed into its pixels.
+   */
+  static constexpr double BehindCauses = 0.4;
+  static constexpr double AroundChosen = 0.5;
+  static constexpr double OfChosen = 0.7;
+  ///@}
+#endif
+
 protected:
   vtkRelievoComparisonReport();
   ~vtkRelievoComparisonReport() override;

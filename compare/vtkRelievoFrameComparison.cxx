@@ -33,6 +33,7 @@ using relievo::compare::Cause;
 using relievo::compare::CauseWords;
 using relievo::compare::Finding;
 using relievo::compare::Frame;
+using relievo::compare::Join;
 using relievo::compare::PixelCauses;
 using relievo::compare::WriteCount;
 using Json = nlohmann::ordered_json;
@@ -118,16 +119,6 @@ std::vector<std::string> ListUndetectable(const Frame& a, const Frame& b)
     words.emplace_back(CauseWords[static_cast<std::size_t>(cause)]);
   }
   return words;
-}
-
-std::string Join(const std::vector<std::string>& words)
-{
-  std::string text;
-  for (const std::string& word : words)
-  {
-    text += (text.empty() ? "" : ", ") + word;
-  }
-  return text;
 }
 
 // Names and values come from files: replaces control characters by question marks, because they

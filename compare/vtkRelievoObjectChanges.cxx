@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRelievoObjectChanges.h"
 
+#include "vtkRelievoNearestPoints.h"
+
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
 
@@ -12,6 +14,7 @@
 #include <map>
 #include <set>
 #include <tuple>
+#include <vector>
 
 namespace relievo::compare
 {
@@ -19,9 +22,9 @@ namespace
 {
 using Vector = std::array<double, 3>;
 
-// Maximum pairs of equal objects whose distances are compared, in 64 MiB. Time and memory to find
-// the nearest ones grow with the square of the number of objects.
-constexpr std::size_t MostPairs = 4000000;
+// For an object that has changed or moved, the number of near objects of the other frame that are
+// tried: trying all would take the square of their number.
+constexpr std::size_t MostTries = 32;
 
 Vector Minus(const Vector& a, const Vector& b)
 {
@@ -166,8 +169,7 @@ std::string ObjectChanges::GetName(int object) const
 }
 
 //------------------------------------------------------------------------------
-// Matches by the most reliable keys first. Among objects with equal keys the nearest match, in
-// large groups those at the same position in the order of the records.
+// Matches by the most reliable keys first, and among objects with equal keys the nearest ones.
 void ObjectChanges::MatchByRecord()
 {
   using Text = std::function<std::string(const Object& object)>;
@@ -216,31 +218,34 @@ void ObjectChanges::MatchByRecord()
       {
         continue;
       }
-      const bool isLarge = members.first.size() * members.second.size() > MostPairs;
-      std::vector<std::tuple<double, int, int>> pairs;
-      for (std::size_t i = 0; i < members.first.size(); ++i)
+      for (const bool isNamed : { false, true }) // in the frame before
       {
-        const int a = members.first[i];
-        const std::size_t begin = isLarge ? i : 0;
-        const std::size_t end = isLarge ? i + 1 : members.second.size();
-        for (std::size_t j = begin; j < std::min(end, members.second.size()); ++j)
+        if (isNamed && takesNames)
         {
-          const int b = members.second[j];
-          const Object& from = this->A.Objects[static_cast<std::size_t>(a)];
-          const Object& to = this->B.Objects[static_cast<std::size_t>(b)];
-          if (takesNames || from.Name.empty() || to.Name.empty())
+          continue; // done with the unnamed ones
+        }
+        std::vector<int> numbers[2];
+        std::vector<Vector> centers[2];
+        for (std::size_t side = 0; side < 2; ++side)
+        {
+          for (const int number : side == 0 ? members.first : members.second)
           {
-            pairs.emplace_back(Length(Minus(to.Center, from.Center)), a, b);
+            const auto object = static_cast<std::size_t>(number);
+            const Object& of = (side == 0 ? this->A : this->B).Objects[object];
+            const bool isFree = (side == 0 ? this->After : this->Before)[object] < 0;
+            const bool fits =
+              takesNames || (side == 0 ? of.Name.empty() != isNamed : !isNamed || of.Name.empty());
+            if (isFree && fits)
+            {
+              numbers[side].push_back(number);
+              centers[side].push_back(of.Center);
+            }
           }
         }
-      }
-      std::sort(pairs.begin(), pairs.end());
-      for (const auto& [distance, a, b] : pairs)
-      {
-        if (this->GetAfter(a) < 0 && this->GetBefore(b) < 0)
-        {
-          this->Pair(a, b);
-        }
+        PairNearest(centers[0], centers[1], 1, [&](std::size_t a, std::size_t b) {
+          this->Pair(numbers[0][a], numbers[1][b]);
+          return true;
+        });
       }
     }
   }
@@ -251,6 +256,7 @@ void ObjectChanges::MatchByRecord()
 void ObjectChanges::MatchByBounds()
 {
   std::vector<int> left[2];
+  std::vector<Vector> centers[2];
   for (std::size_t side = 0; side < 2; ++side)
   {
     const std::vector<int>& matches = side == 0 ? this->After : this->Before;
@@ -259,35 +265,21 @@ void ObjectChanges::MatchByBounds()
       if (matches[i] < 0)
       {
         left[side].push_back(static_cast<int>(i));
+        centers[side].push_back((side == 0 ? this->A : this->B).Objects[i].Center);
       }
     }
   }
-  if (left[0].size() * left[1].size() > MostPairs)
-  {
-    return;
-  }
-  std::vector<std::tuple<double, int, int>> pairs;
-  for (const int a : left[0])
-  {
-    const Object& from = this->A.Objects[static_cast<std::size_t>(a)];
-    for (const int b : left[1])
+  PairNearest(centers[0], centers[1], MostTries, [&](std::size_t i, std::size_t j) {
+    const Object& from = this->A.Objects[static_cast<std::size_t>(left[0][i])];
+    const Object& to = this->B.Objects[static_cast<std::size_t>(left[1][j])];
+    const bool fits =
+      GetSharedBox(from.Bounds, to.Bounds) > 0.5 && (from.Name.empty() || to.Name.empty());
+    if (fits)
     {
-      const Object& to = this->B.Objects[static_cast<std::size_t>(b)];
-      const double shared = GetSharedBox(from.Bounds, to.Bounds);
-      if (shared > 0.5 && (from.Name.empty() || to.Name.empty()))
-      {
-        pairs.emplace_back(-shared, a, b);
-      }
+      this->Pair(left[0][i], left[1][j]);
     }
-  }
-  std::sort(pairs.begin(), pairs.end());
-  for (const auto& [shared, a, b] : pairs)
-  {
-    if (this->GetAfter(a) < 0 && this->GetBefore(b) < 0)
-    {
-      this->Pair(a, b);
-    }
-  }
+    return fits;
+  });
 }
 
 //------------------------------------------------------------------------------
@@ -370,22 +362,14 @@ void ObjectChanges::CompareSettings(int before, int after)
     changes[0]->Color = changes[1]->Color =
       this->List.Find(Cause::Color, "actor", this->GetName(before), before);
   }
-  std::string names;
-  bool affectsCoverage = false;
-  for (const auto& [name, value] : from.Settings.items())
-  {
-    const auto found = to.Settings.find(name);
-    if (found == to.Settings.end() || *found != value)
-    {
-      names += (names.empty() ? "" : ", ") + name;
-      affectsCoverage = affectsCoverage || coverage.count(name) != 0;
-    }
-  }
+  const std::vector<std::string> names = ListChanges(from.Settings, to.Settings);
+  const bool affectsCoverage = std::any_of(
+    names.begin(), names.end(), [](const std::string& name) { return coverage.count(name) != 0; });
   if (!names.empty())
   {
     const int place = this->List.Find(Cause::Settings, "actor", this->GetName(before), before);
-    this->List.At(place).Words = "settings: " + names;
-    this->List.At(place).More["settings"] = names;
+    this->List.At(place).Words = "settings: " + Join(names);
+    this->List.At(place).More["settings"] = Join(names);
     for (Change* change : changes)
     {
       change->Settings = place;
@@ -650,8 +634,9 @@ void ObjectChanges::MatchBySight()
       this->Pair(a, b);
     }
   }
-  // Only visible objects without a match: there would be too many pairs of all objects.
+  // Visible objects without a match may have moved.
   std::vector<int> left[2];
+  std::vector<Vector> centers[2];
   for (std::size_t side = 0; side < 2; ++side)
   {
     const std::vector<int>& matches = side == 0 ? this->After : this->Before;
@@ -660,28 +645,24 @@ void ObjectChanges::MatchBySight()
       if (matches[i] < 0 && !this->Seen[side][i].empty())
       {
         left[side].push_back(static_cast<int>(i));
+        Vector sum{};
+        for (const auto& [key, patch] : this->GetPatches(static_cast<int>(i), side == 0))
+        {
+          std::transform(sum.begin(), sum.end(), patch.Sum.begin(), sum.begin(), std::plus<>());
+        }
+        const auto count = static_cast<double>(this->Seen[side][i].size());
+        centers[side].push_back({ sum[0] / count, sum[1] / count, sum[2] / count });
       }
     }
   }
-  std::vector<std::tuple<double, int, int>> moved;
-  for (const int a : left[0])
-  {
-    for (const int b : left[1])
+  PairNearest(centers[0], centers[1], MostTries, [&](std::size_t a, std::size_t b) {
+    const bool fits = this->FindTranslation(left[0][a], left[1][b]).has_value();
+    if (fits)
     {
-      if (const std::optional<Vector> translation = this->FindTranslation(a, b))
-      {
-        moved.emplace_back(Length(*translation), a, b);
-      }
+      this->Pair(left[0][a], left[1][b]);
     }
-  }
-  std::sort(moved.begin(), moved.end());
-  for (const auto& [distance, a, b] : moved)
-  {
-    if (this->GetAfter(a) < 0 && this->GetBefore(b) < 0)
-    {
-      this->Pair(a, b);
-    }
-  }
+    return fits;
+  });
   // An object that deforms keeps its number, if both frames still have that number free.
   for (int a = 0; a < static_cast<int>(std::min(this->After.size(), this->Before.size())); ++a)
   {

@@ -3,6 +3,7 @@
 #include "vtkRelievoPixelCauses.h"
 
 #include "vtkMath.h"
+#include "vtkRelievoFormulas.h"
 
 #include <algorithm>
 #include <cmath>
@@ -79,10 +80,12 @@ PixelCauses::PixelCauses(const Frame& before, const Frame& after, const Limits& 
       continue;
     }
     this->IsDifferent = this->IsLoose = false;
+    this->Ambient = std::nullopt;
     const int cause = this->JudgeLayers(i);
     // Gloss enlarges differences of normals without bound.
     const int found = this->JudgePicture(i);
-    const int picture = found == Pending && this->IsLoose ? WithinRounding : found;
+    const bool isWithin = this->IsLoose || (this->Ambient && this->IsOfAmbient(i));
+    const int picture = found == Pending && isWithin ? WithinRounding : found;
     this->Causes[i] = cause != Alike ? cause
       : picture != Alike             ? picture
       : this->IsDifferent            ? WithinRounding
@@ -96,7 +99,7 @@ PixelCauses::PixelCauses(const Frame& before, const Frame& after, const Limits& 
     if (first[i] == Pending)
     {
       const int neighbour = this->GetNeighbourCause(i, first);
-      this->Causes[i] = neighbour >= 0 ? neighbour : this->Explain(i);
+      this->Causes[i] = neighbour >= 0 ? neighbour : this->Explain(i, first);
     }
   }
   for (const int cause : this->Causes)
@@ -218,8 +221,8 @@ bool PixelCauses::IsBetween(std::size_t pixel, double limit, Value value) const
 
 //------------------------------------------------------------------------------
 template <typename Value>
-bool PixelCauses::IsBetween(
-  const Frame& own, const Frame& other, std::size_t pixel, double limit, Value value) const
+bool PixelCauses::IsBetween(const Frame& own, const Frame& other, std::size_t pixel, double limit,
+  Value value, double widening) const
 {
   double least = std::numeric_limits<double>::infinity();
   double most = -least;
@@ -228,7 +231,8 @@ bool PixelCauses::IsBetween(
     most = std::max(most, double(value(other, near)));
   });
   const double here = value(own, pixel);
-  return here >= least - limit && here <= most + limit;
+  const double around = limit + (widening > 0.0 ? widening * (most - least) : 0.0);
+  return here >= least - around && here <= most + around;
 }
 
 //------------------------------------------------------------------------------
@@ -280,13 +284,8 @@ void PixelCauses::PairLights()
     }
     else
     {
-      const nlohmann::json& from = this->A.Lights[static_cast<std::size_t>(pair.Before)].Values;
-      const nlohmann::json& to = this->B.Lights[static_cast<std::size_t>(pair.After)].Values;
-      for (const auto& [name, value] : from.items())
-      {
-        const auto found = to.find(name);
-        words += found != to.end() && *found == value ? "" : (words.empty() ? "" : ", ") + name;
-      }
+      words = Join(ListChanges(this->A.Lights[static_cast<std::size_t>(pair.Before)].Values,
+        this->B.Lights[static_cast<std::size_t>(pair.After)].Values));
       std::replace(words.begin(), words.end(), '_', ' ');
     }
     if (!words.empty())
@@ -339,11 +338,7 @@ void PixelCauses::CompareSettings()
         }
       }
     }
-    std::string names;
-    for (const std::string& kind : kinds)
-    {
-      names += (names.empty() ? "" : ", ") + kind;
-    }
+    const std::string names = Join({ kinds.begin(), kinds.end() });
     this->Overlay = this->List.Find(Cause::Overlay, "picture");
     this->List.At(this->Overlay).Words = "overlay: " + (names.empty() ? "order" : names);
   }
@@ -466,9 +461,10 @@ std::optional<double> PixelCauses::FindStep(const std::string& samples) const
 bool PixelCauses::IsTie(std::size_t pixel) const
 {
   bool hasBefore = false, hasAfter = false;
-  const auto isSame = [this](std::size_t a, std::size_t b) {
-    const int object = this->A.Actor[a];
-    const int other = this->B.Actor[b];
+  const bool hasActors = !this->A.Actor.empty() && !this->B.Actor.empty();
+  const auto isSame = [this, hasActors](std::size_t a, std::size_t b) {
+    const int object = hasActors ? this->A.Actor[a] : -1;
+    const int other = hasActors ? this->B.Actor[b] : -1;
     return (object < 0 ? other < 0 : this->Objects.GetAfter(object) == other) &&
       (this->A.Cell.empty() || this->B.Cell.empty() || this->A.Cell[a] == this->B.Cell[b]) &&
       (this->A.Block.empty() || this->B.Block.empty() || this->A.Block[a] == this->B.Block[b]);
@@ -725,10 +721,39 @@ int PixelCauses::JudgeStages(std::size_t pixel)
       {
         return this->List.Find(cause, "picture");
       }
-      this->IsLoose = true;
+      this->Ambient = { from->Values[pixel], to->Values[pixel] };
     }
   }
   return Alike;
+}
+
+//------------------------------------------------------------------------------
+// Whether the picture differs by no more than the samples of ambient occlusion by which the layers
+// differ. Occlusion multiplies linear light, all of it at most: the light without it is at most the
+// quotient of both.
+bool PixelCauses::IsOfAmbient(std::size_t pixel) const
+{
+  const std::array<double, 2>& share = *this->Ambient;
+  const double samples = std::abs(share[0] - share[1]);
+  for (int c = 0; c < this->CountLevels(); ++c)
+  {
+    const double levels[2] = { this->A.Level(pixel, c), this->B.Level(pixel, c) };
+    double without = 0.0;
+    for (std::size_t i = 0; i < 2; ++i)
+    {
+      const double light =
+        f64::relievoLinearFromSrgb((levels[i] + 0.5) / 255.0); // not rounded down
+      without = share[i] > 0.0 ? std::max(without, light / share[i]) : without;
+    }
+    const double least = std::min(levels[0], levels[1]);
+    const double most = 255.0 *
+      f64::relievoSrgbFromLinear(f64::relievoLinearFromSrgb(least / 255.0) + samples * without);
+    if (!(std::max(levels[0], levels[1]) <= (c == 3 ? least : most) + this->Bounds.ColorLevels))
+    {
+      return false;
+    }
+  }
+  return true;
 }
 
 //------------------------------------------------------------------------------
@@ -806,7 +831,7 @@ bool PixelCauses::IsEdge(std::size_t pixel) const
 }
 
 //------------------------------------------------------------------------------
-bool PixelCauses::IsBetweenNeighbours(std::size_t pixel) const
+bool PixelCauses::IsBetweenNeighbours(std::size_t pixel, double widening) const
 {
   for (int c = 0; c < this->CountLevels(); ++c)
   {
@@ -814,7 +839,7 @@ bool PixelCauses::IsBetweenNeighbours(std::size_t pixel) const
     // Pixels of several samples are mixtures of the surfaces that other frames show unmixed.
     if (!(this->Smoother
             ? this->IsBetween(*this->Smoother, this->Smoother == &this->A ? this->B : this->A,
-                pixel, this->Bounds.ColorLevels, value)
+                pixel, this->Bounds.ColorLevels, value, widening)
             : this->IsBetween(pixel, this->Bounds.ColorLevels, value)))
     {
       return false;
@@ -855,16 +880,10 @@ void PixelCauses::CompareVolumes()
   {
     const Volume from = i < counts[0] ? this->A.Volumes[i] : Volume();
     const Volume to = i < counts[1] ? this->B.Volumes[i] : Volume();
-    std::string names;
-    for (const auto& [name, value] : from.Values.items())
-    {
-      const auto found = to.Values.find(name);
-      const bool isEqual = found != to.Values.end() && *found == value;
-      names += isEqual ? "" : (names.empty() ? "" : ", ") + name;
-    }
+    const std::string names = Join(ListChanges(from.Values, to.Values));
     if (names.empty() && i < counts[0] && i < counts[1])
     {
-      continue; // older records lack entries
+      continue;
     }
     const int place = this->List.Find(Cause::Translucent, "volume", "", static_cast<int>(i));
     this->List.At(place).Words = "translucent: " +
@@ -915,8 +934,8 @@ bool PixelCauses::Covers(const Cover& cover, std::size_t pixel) const
 }
 
 //------------------------------------------------------------------------------
-// Explains a pixel where only the picture differs.
-int PixelCauses::Explain(std::size_t pixel)
+// Explains a pixel where only the picture differs. `causes` are those found before, or Pending.
+int PixelCauses::Explain(std::size_t pixel, const std::vector<int>& causes)
 {
   const bool hasLayers = !this->A.Actor.empty() && !this->B.Actor.empty();
   const int actor = hasLayers ? this->A.Actor[pixel] : -1;
@@ -942,19 +961,25 @@ int PixelCauses::Explain(std::size_t pixel)
     }
   }
   bool isEdge = hasLayers && this->IsEdge(pixel);
-  if ((isEdge || this->Smoother) && this->IsBetweenNeighbours(pixel))
+  if ((isEdge || this->Smoother) && this->IsBetweenNeighbours(pixel, 0.0))
   {
     return WithinEdge;
   }
   if (hasLayers && this->Smoother)
   {
     // With other numbers of samples, pixels near edges show surfaces that no pixel's centre shows,
-    // and pixels at borders of cells show cells whose values were extrapolated.
+    // and pixels at borders of cells show cells whose values were extrapolated to the pixel's
+    // centre, from at most a pixel away: by as much as the neighbours' values differ. A place that
+    // is extrapolated into the surface is dark, in a single pixel.
+    bool isBorder = false;
+    int different = 0;
     this->ForNeighbours(pixel, [&](std::size_t near) {
-      isEdge = isEdge || this->IsEdge(near) ||
-        (!this->A.Cell.empty() && this->A.Cell[near] != this->A.Cell[pixel]);
+      isEdge = isEdge || this->IsEdge(near);
+      isBorder = isBorder || (!this->A.Cell.empty() && this->A.Cell[near] != this->A.Cell[pixel]);
+      different += causes[near] == Pending ? 1 : 0;
     });
-    if (isEdge)
+    const bool isOneShadow = different == 1 && !this->A.Shadow.empty() && !this->B.Shadow.empty();
+    if (isEdge || (isBorder && (isOneShadow || this->IsBetweenNeighbours(pixel, 1.0))))
     {
       return WithinEdge;
     }

@@ -75,10 +75,11 @@ private:
   int JudgePicture(std::size_t pixel) const;
   int JudgeWithinLimits(std::size_t pixel);
   int CountLevels() const; // components of a pixel, with alpha if both have it; 0: no picture
-  int Explain(std::size_t pixel);
+  int Explain(std::size_t pixel, const std::vector<int>& causes);
   int GetNeighbourCause(std::size_t pixel, const std::vector<int>& causes) const;
   bool IsEdge(std::size_t pixel) const;
-  bool IsBetweenNeighbours(std::size_t pixel) const;
+  bool IsBetweenNeighbours(std::size_t pixel, double widening) const;
+  bool IsOfAmbient(std::size_t pixel) const;
   bool IsTie(std::size_t pixel) const;
   std::optional<double> FindStep(const std::string& samples) const;
   bool DiffersInLayer(const Layer& a, const Layer& b, std::size_t pixel, double limit) const;
@@ -98,9 +99,10 @@ private:
   // pixel.
   template <typename Value>
   bool IsBetween(std::size_t pixel, double limit, Value value) const;
+  // One direction of it; `widening` extends the range by a part of its width at both ends.
   template <typename Value>
-  bool IsBetween(
-    const Frame& own, const Frame& other, std::size_t pixel, double limit, Value value) const;
+  bool IsBetween(const Frame& own, const Frame& other, std::size_t pixel, double limit, Value value,
+    double widening = 0.0) const;
 
   const Frame& A;
   const Frame& B;
@@ -118,7 +120,9 @@ private:
   // Tolerances at shadow borders, and of ambient occlusion; none: the scene has changed.
   std::optional<double> BorderStep, AmbientStep;
   bool IsDifferent = false; // some layer of the pixel differs within its limits
-  bool IsLoose = false;     // by more than rounding changes the picture
+  bool IsLoose = false;     // its normal, by more than rounding changes the picture
+  // The ambient occlusion of the pixel in both frames, if it differs by a sample.
+  std::optional<std::array<double, 2>> Ambient;
   std::vector<int> Causes;
 };
 }

@@ -21,9 +21,10 @@
  *   matrix, points and cells (counts and check sums of the mesh), center and bounds in world
  *   coordinates, spread (the covariance of the points), color (of actors that no array colours),
  *   clipping (origin and normal of each clipping plane), normal_map (whether there is one),
- *   normal_map_sum (its check sum), settings (of the vtkProperty).
+ *   normal_map_sum (its check sum), settings (of the vtkProperty; ambient_color and specular_color
+ *   are null if they equal the diffuse colour).
  * - volumes (JSON strings): visible, matrix, bounds, clipping, and check sums of the data with its
- *   points (data) and of the transfer functions and material (functions).
+ *   points (data), of the transfer functions and material (functions), and of gradient_opacity.
  * - overlays (JSON strings): visible texts, bars and other 2D actors.
  * - settings (strings NAME=VALUE): background, samples per pixel, and the parameters of the stages
  *   that ran.
@@ -109,7 +110,6 @@ private:
   void operator=(const vtkRelievoBaseline&) = delete;
 
   bool AddRayLayers(vtkImageData* image, const std::vector<std::string>& layers);
-  void AddRecord(vtkImageData* image);
 
   vtkSmartPointer<vtkRenderer> Renderer;
   std::map<int, std::string> Names;

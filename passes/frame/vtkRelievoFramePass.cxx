@@ -44,6 +44,7 @@ public:
   std::vector<vtkSmartPointer<vtkRelievoStage>> Registered;
   std::vector<vtkSmartPointer<vtkRelievoStage>> Added;
   std::set<std::string> Requested;
+  std::vector<std::string> Optional;
   vtkRelievoReportOnce Reported;
   bool Drawing = false;
   vtkRelievoGpuTimer Timer;
@@ -243,6 +244,16 @@ bool vtkRelievoFramePass::IsLayerRequested(RELIEVO_TEXT name)
 }
 
 //------------------------------------------------------------------------------
+void vtkRelievoFramePass::SetOptionalLayers(const std::vector<std::string>& names)
+{
+  if (this->Internal->Optional != names)
+  {
+    this->Internal->Optional = names;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
 bool vtkRelievoFramePass::ReadLayer(RELIEVO_TEXT name, vtkImageData* image)
 {
   return this->ReadLayers({ name }, image);
@@ -363,6 +374,7 @@ bool vtkRelievoFramePass::DrawSample(const vtkRenderState* s)
   context.Frame = this;
   context.Nested = renderer->GetPass() != this;
   context.ReadBack.assign(in.Requested.begin(), in.Requested.end());
+  context.OptionalLayers = in.Optional;
   context.ReadLayers = [&in](const std::vector<std::string>& names, vtkImageData* image) {
     return in.Reader.Read(names, image);
   };

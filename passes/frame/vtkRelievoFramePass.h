@@ -88,6 +88,14 @@ public:
   ///@}
 
   ///@{
+#ifndef __VTK_WRAP__
+  /**
+   * Layers to make only in frames whose other outputs, such as the picture, need their stages.
+   * Default: none.
+   */
+  void SetOptionalLayers(const std::vector<std::string>& names);
+#endif
+
   /** Makes only the layers and leaves the picture unchanged, for captures. Default off. */
   vtkSetMacro(LayersOnly, bool);
   vtkGetMacro(LayersOnly, bool);

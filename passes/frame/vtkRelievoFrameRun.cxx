@@ -141,6 +141,7 @@ void vtkRelievoFrameRun::FindLights()
 std::vector<std::string> vtkRelievoFrameRun::Plan()
 {
   const std::vector<vtkRelievoFramePlan::Node> declared = this->Nodes;
+  this->Planned.SetOptionalLayers(this->Context.OptionalLayers);
   std::vector<std::string> wrong =
     this->Planned.Make(this->Nodes, this->Context.ReadBack, this->Context.Picture);
   if (this->Planned.NeedsColor())

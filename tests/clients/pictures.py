@@ -52,6 +52,7 @@ class Pictures:
         plain, again = draw(), draw()
         for renderer in plotter.renderers:
             relievo.attach(renderer)
+        # relievo.compare() would forgive rounding, and only pictures are of interest here.
         if numpy.array_equal(idle, plain) and numpy.array_equal(draw(), plain):
             _counts["equal"] += 1
         elif not numpy.array_equal(plain, again):

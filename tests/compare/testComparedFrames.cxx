@@ -206,6 +206,19 @@ void TestFiles()
   const json old = CompareFiles(File("a.exr"), File("older.exr"));
   RELIEVO_CHECK(old["alike"] == false && old["causes"][0]["cause"] == "moved");
   RELIEVO_CHECK(Cannot(old, "overlay") && Cannot(old, "settings") && !Cannot(old, "moved"));
+  // The first format, which has no volumes, and fewer values of materials.
+  const vtkSmartPointer<vtkImageData> first = compareTest::Draw(boxes);
+  first->GetFieldData()->GetArray("baseline_version")->SetTuple1(0, 1);
+  first->GetFieldData()->RemoveArray("volumes");
+  vtkStringArray* objects =
+    vtkStringArray::SafeDownCast(first->GetFieldData()->GetAbstractArray("objects"));
+  std::string wheel = objects->GetValue(1);
+  wheel.replace(
+    wheel.find(", \"point_size\""), wheel.find('}') - wheel.find(", \"point_size\""), "");
+  objects->SetValue(1, wheel);
+  const vtkSmartPointer<vtkImageData> present = compareTest::Draw(boxes);
+  RELIEVO_CHECK(Compare(first, present)["alike"] == true);
+  RELIEVO_CHECK(Compare(present, first)["alike"] == true);
   // A newer format.
   const vtkSmartPointer<vtkImageData> future = compareTest::Draw(boxes);
   future->GetFieldData()->GetArray("baseline_version")->SetTuple1(0, 9);
@@ -317,6 +330,11 @@ void TestDamaged()
   ids->SetValue(1, 1e30f);
   floats->GetPointData()->AddArray(ids);
   RELIEVO_CHECK(Compare(floats, floats)["alike"] == true);
+  // Records, and other cells, but no ids of actors.
+  const vtkSmartPointer<vtkImageData> cells = compareTest::Draw(compareTest::MakeBoxes());
+  cells->GetPointData()->RemoveArray("actor");
+  compareTest::Fill(cells, "cell", 90, 92, 50, 52, 9.);
+  RELIEVO_CHECK(Compare(whole, cells)["within_limits"]["edge"] == 4);
   // Control characters in names must not reach the terminal.
   compareTest::Boxes named = compareTest::MakeBoxes();
   named.All[1].Name = R"(wh\u001b[2J\nel)";

@@ -5,11 +5,13 @@
 
 #include "Check.h"
 #include "Session.h"
+#include "SrgbCurve.h"
 #include "TestCase.h"
 #include "vtkRelievoFrameComparison.h"
 
 #include <vtkFloatArray.h>
 #include <vtkImageData.h>
+#include <vtkMath.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 
@@ -432,6 +434,31 @@ void TestRecords()
 }
 
 //------------------------------------------------------------------------------
+// The linear light nearest to it that a picture of 8 bits can have.
+double Quantize(double light)
+{
+  return relievoTest::LinearFromSrgb(std::round(255. * relievoTest::SrgbFromLinear(light)) / 255.);
+}
+
+// Adds levels of 255 to the picture in a rectangle.
+void AddLevels(vtkImageData* frame, int x0, int x1, int y0, int y1, double levels)
+{
+  vtkDataArray* colors = frame->GetPointData()->GetArray("color");
+  for (int y = y0; y < y1; ++y)
+  {
+    for (int x = x0; x < x1; ++x)
+    {
+      for (int c = 0; c < 3; ++c)
+      {
+        const vtkIdType i = y * frame->GetDimensions()[0] + x;
+        const double shown = relievoTest::SrgbFromLinear(colors->GetComponent(i, c));
+        colors->SetComponent(i, c, relievoTest::LinearFromSrgb(shown + levels / 255.));
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
 // Tolerances for normals from maps, for single samples, and for other numbers of samples.
 void TestTolerances()
 {
@@ -467,6 +494,62 @@ void TestTolerances()
     }
     compareTest::Fill(frames[1], "ambient", 70, 71, 40, 41, 0.5 + samples / 16.);
     CheckList(Compare(frames[0], frames[1]), samples == 1 ? "" : "ambient ", "samples");
+  }
+  // A sample at each pixel changes the picture by a sample, and hides nothing else.
+  for (const bool hasFault : { false, true })
+  {
+    vtkSmartPointer<vtkImageData> frames[2];
+    for (int side = 0; side < 2; ++side)
+    {
+      frames[side] = compareTest::Draw(boxes);
+      vtkNew<vtkFloatArray> array;
+      array->SetName("ambient");
+      array->SetNumberOfTuples(frames[side]->GetNumberOfPoints());
+      array->Fill((8. + side) / 16.);
+      frames[side]->GetPointData()->AddArray(array);
+      vtkDataArray* colors = frames[side]->GetPointData()->GetArray("color");
+      for (vtkIdType i = 0; i < colors->GetNumberOfTuples(); ++i)
+      {
+        for (int c = 0; c < 3; ++c)
+        {
+          const double light = colors->GetComponent(i, c) * array->GetValue(i);
+          colors->SetComponent(i, c, Quantize(light));
+        }
+      }
+    }
+    if (hasFault)
+    {
+      AddLevels(frames[1], 60, 80, 30, 36, 12.);
+    }
+    const json found = Compare(frames[0], frames[1]);
+    RELIEVO_CHECK_THAT(found["causes"].empty() && found["unexplained"] == (hasFault ? 120 : 0) &&
+        found["within_limits"]["rounding"].get<int>() > 5000,
+      found.dump());
+  }
+  // Each pixel of a fine mesh is at a border of cells, where values may be extrapolated by as much
+  // as they change from pixel to pixel.
+  for (const double levels : { 6., 16. })
+  {
+    boxes.Settings = { "multisamples=0" };
+    vtkSmartPointer<vtkImageData> frames[2];
+    for (vtkSmartPointer<vtkImageData>& frame : frames)
+    {
+      frame = compareTest::Draw(boxes);
+      vtkDataArray* cells = frame->GetPointData()->GetArray("cell");
+      for (vtkIdType i = 0; i < cells->GetNumberOfTuples(); ++i)
+      {
+        cells->SetTuple1(i, double(i));
+      }
+      for (int x = 20; x < 140; ++x)
+      {
+        AddLevels(frame, x, x + 1, 20, 30, x % 4 < 2 ? 0. : 3.);
+      }
+      boxes.Settings = { "multisamples=4" };
+    }
+    AddLevels(frames[1], 60, 62, 24, 25, levels);
+    AddLevels(frames[1], 80, 81, 24, 25, -levels); // a single pixel may be in a false shadow
+    const json found = Compare(frames[0], frames[1]);
+    RELIEVO_CHECK_THAT(found["unexplained"] == (levels > 10. ? 2 : 0), found.dump());
   }
   // Borders of cells are mixtures in frames of several samples; their inside is not.
   boxes.Settings = { "multisamples=0" };
@@ -560,6 +643,50 @@ void TestSwarm()
   const json one = Compare(before, after);
   RELIEVO_CHECK_THAT(one["causes"].size() == 1 && one["causes"][0]["cause"] == "moved", one.dump());
 }
+
+//------------------------------------------------------------------------------
+// A thousand equal tiles, in another order and each two pixels farther to the right, found by what
+// is seen of them.
+void TestTiles()
+{
+  constexpr int Columns = 40, Rows = 25, Pitch = 6, Side = 4;
+  Boxes boxes;
+  boxes.Width = Columns * Pitch + 2;
+  boxes.Height = Rows * Pitch;
+  boxes.HasRecord = false;
+  vtkSmartPointer<vtkImageData> frames[2];
+  for (int side = 0; side < 2; ++side)
+  {
+    frames[side] = compareTest::Draw(boxes);
+    for (int tile = 0; tile < Columns * Rows; ++tile)
+    {
+      const int number = side == 0 ? tile : (7 * tile + 3) % (Columns * Rows);
+      const int x = tile % Columns * Pitch + 2 * side;
+      const int y = tile / Columns * Pitch;
+      compareTest::Fill(frames[side], "actor", x, x + Side, y, y + Side, number);
+      compareTest::Fill(frames[side], "depth", x, x + Side, y, y + Side, 8.);
+      for (int cell = 0; cell < 4; ++cell)
+      {
+        const int left = x + cell % 2 * 2;
+        const int low = y + cell / 2 * 2;
+        compareTest::Fill(frames[side], "cell", left, left + 2, low, low + 2, cell);
+      }
+    }
+  }
+  const json found = Compare(frames[0], frames[1]);
+  const double shift =
+    2. * 2. * std::tan(vtkMath::RadiansFromDegrees(0.5 * boxes.ViewAngle)) * 8. / boxes.Height;
+  const auto isRight = [shift](const json& cause) {
+    return cause["cause"] == "moved" &&
+      std::abs(std::hypot(cause["displacement"][0].get<double>(),
+                 cause["displacement"][1].get<double>(), cause["displacement"][2].get<double>()) -
+        shift) < 0.01 * shift;
+  };
+  const auto right = std::count_if(found["causes"].begin(), found["causes"].end(), isRight);
+  RELIEVO_CHECK_THAT(right == Columns * Rows && found["causes"].size() == Columns * Rows &&
+      found["unexplained"] == 0,
+    std::to_string(right) + ": " + found["causes"][0].dump());
+}
 }
 
 RELIEVO_TEST_CASE(testComparedObjects)
@@ -576,6 +703,7 @@ RELIEVO_TEST_CASE(testComparedObjects)
   TestTolerances();
   TestStages();
   TestSwarm();
+  TestTiles();
   return session.Result();
 }
 }

@@ -136,7 +136,7 @@ void TestTwoRenderers()
     return Picture(scene.Window);
   };
   const auto own = both(false);
-  RELIEVO_CHECK_AT_MOST(CompareImages(both(true), own).Largest, 1, "two renderers: levels");
+  RELIEVO_CHECK_AT_MOST(GetLargestDifference(both(true), own), 1, "two renderers: levels");
 }
 
 // Nothing is deferred where the layers cannot be written along.

@@ -119,6 +119,31 @@ void TestReached()
   RELIEVO_CHECK(Run(MakeOwn(true), {}).empty());
 }
 
+// Optional layers are made where the picture needs their stages, and need no other stage then.
+void TestOptional()
+{
+  std::vector<Plan::Node> nodes = MakeOwn(false);
+  nodes.push_back(Make("light", D::SHADE, { "depth" }, { "color" }));
+  nodes.push_back(Make("fog", D::COMPOSITE, { "color" }, {}));
+  for (std::size_t i = 3; i < nodes.size(); ++i)
+  {
+    nodes[i].Declaration.Layers = { nodes[i].Name };
+  }
+  for (const bool picture : { true, false })
+  {
+    Plan plan;
+    plan.SetOptionalLayers({ "light", "fog", "none", "temperature" });
+    RELIEVO_CHECK(plan.Make(nodes, {}, picture).empty() && plan.GetMissing().empty());
+    Names run;
+    for (const int place : plan.GetOrder())
+    {
+      run.push_back(nodes[place].Name);
+    }
+    RELIEVO_CHECK(run == (picture ? Names{ "delegate", "gbuffer", "light" } : Names()));
+    RELIEVO_CHECK(nodes[3].Asked == (picture ? Names{ "color", "light" } : Names()));
+  }
+}
+
 void TestColor()
 {
   std::vector<Plan::Node> nodes = MakeOwn(false);
@@ -400,6 +425,7 @@ RELIEVO_TEST_CASE(testFramePlan)
 {
   relievoTest::Session session;
   TestReached();
+  TestOptional();
   TestColor();
   TestPictureMakers();
   TestReaderInTheMiddle();

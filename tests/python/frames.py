@@ -105,7 +105,7 @@ def one_sided(values):
 
 
 def unlike(one, other):
-    """How many pixels differ."""
+    """How many pixels differ, bit for bit; relievo.compare() forgives rounding at edges."""
     if one.shape != other.shape:
         return max(one.size, other.size)
     same = (one == other) | ((one != one) & (other != other))

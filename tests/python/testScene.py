@@ -27,7 +27,12 @@ from vtkmodules.vtkCommonCore import (
     vtkStringOutputWindow,
     vtkUnsignedCharArray,
 )
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkImageData, vtkPolyData
+from vtkmodules.vtkCommonDataModel import (
+    vtkCellArray,
+    vtkImageData,
+    vtkPiecewiseFunction,
+    vtkPolyData,
+)
 from vtkmodules.vtkFiltersCore import vtkTriangleFilter
 from vtkmodules.vtkIOGeometry import vtkSTLReader
 from vtkmodules.vtkIOImage import vtkPNGReader, vtkPNGWriter
@@ -40,7 +45,9 @@ from vtkmodules.vtkRenderingCore import (
     vtkRenderer,
     vtkRenderWindow,
     vtkTextActor,
+    vtkVolume,
 )
+from vtkmodules.vtkRenderingVolume import vtkFixedPointVolumeRayCastMapper
 
 # A roof over a floor, in two heights, with values at the points.
 MESH = """# vtk DataFile Version 3.0
@@ -665,10 +672,17 @@ class Compared(unittest.TestCase):
         self.assertEqual(color["name"], "tall")
         self.assertEqual(color["largest"], 25)  # 255 - 230, rounded from 229.5
         self.actors[0].GetProperty().SetColor(1, 1, 1)
-        self.actors[0].GetProperty().SetSpecular(0.4)
-        self.assertEqual(self.only(relievo.compare(self.path, renderer), "settings")["name"],
-                         "tall")
-        self.actors[0].GetProperty().SetSpecular(0)
+        material = self.actors[0].GetProperty()
+        for name, value in (
+            ("specular", 0.4), ("ambient_color", (1, 0, 0)), ("specular_color", (1, 0.9, 1)),
+            ("edge_color", (0, 0, 1)), ("coat_strength", 0.5), ("emissive_factor", (0, 1, 1)),
+        ):  # fmt: skip
+            word = "".join(part.capitalize() for part in name.split("_"))
+            before = getattr(material, "Get" + word)()
+            getattr(material, "Set" + word)(value)
+            changed = self.only(relievo.compare(self.path, renderer), "settings")
+            self.assertEqual((changed["name"], changed["settings"]), ("tall", name))
+            getattr(material, "Set" + word)(before)
 
         text = vtkTextActor()
         text.SetInput("12 %")
@@ -687,6 +701,64 @@ class Compared(unittest.TestCase):
         renderer.RemoveActor(self.actors[2])
         self.assertEqual(
             self.only(relievo.compare(self.path, renderer), "removed")["name"], "low")
+
+    def test_stages(self):
+        """Layers of stages are drawn with the picture, which is drawn once."""
+        renderer = self.renderer()
+        pictures = [relievo.layer(relievo.capture(renderer, ["color"]), "color").copy()]
+        stage = relievo.attach(renderer).GetStage("ambient")
+        stage.SetSamples(16)
+        stage.SetSamplesPerFrame(4)
+        stage.SetEnabled(True)
+        drawn = []
+        renderer.AddObserver("StartEvent", lambda *_: drawn.append(renderer))
+        relievo.write_baseline(self.path, renderer)
+        self.assertEqual(len(drawn), 1)
+        image = relievo.read_exr(self.path)
+        names = [image.GetPointData().GetArrayName(i)
+                 for i in range(image.GetPointData().GetNumberOfArrays())]
+        self.assertIn("ambient", names)
+        self.assertEqual({"light", "fog", "marker"} & set(names), set())  # they have no work
+        pictures.append(relievo.layer(image, "color"))
+        share = relievo.layer(image, "ambient")
+        self.assertTrue((share < 0.9).any())
+        levels = [256 * numpy.where(light < 0.0031308, 12.92 * light,
+                                    1.055 * light ** (1 / 2.4) - 0.055)
+                  for light in (pictures[1][..., :3], pictures[0][..., :3] * share[..., None])]
+        self.assertLess(numpy.abs(levels[1] - levels[0]).max(), 2)  # the picture has 8 bits
+
+    def test_volume(self):
+        """Gradient opacities are recorded, and grey volumes remain grey."""
+        renderer = self.renderer()
+        image = vtkImageData()
+        image.SetDimensions(9, 9, 9)
+        image.SetOrigin(-1, 0, -1)
+        image.SetSpacing(0.2, 0.2, 0.2)
+        values = numpy_to_vtk(numpy.arange(729, dtype=numpy.uint8), deep=True)
+        image.GetPointData().SetScalars(values)
+        mapper = vtkFixedPointVolumeRayCastMapper()
+        mapper.SetInputData(image)
+        volume = vtkVolume()
+        volume.SetMapper(mapper)
+        functions = volume.GetProperty()
+        grey, opacity, gradient = (vtkPiecewiseFunction() for _ in range(3))
+        for function in (grey, opacity, gradient):
+            function.AddPoint(0, 0.2)
+            function.AddPoint(255, 0.5)
+        functions.SetColor(grey)
+        functions.SetScalarOpacity(opacity)
+        functions.SetGradientOpacity(gradient)
+        renderer.AddVolume(volume)
+        relievo.write_baseline(self.path, renderer)
+        self.assertEqual(functions.GetColorChannels(), 1)
+        self.assertTrue(relievo.compare(self.path, renderer))
+        gradient.AddPoint(100, 0.9)
+        changed = self.only(relievo.compare(self.path, renderer), "translucent")
+        self.assertEqual(changed["words"], "translucent: gradient_opacity")
+        gradient.RemovePoint(100)
+        grey.AddPoint(100, 0.9)
+        changed = self.only(relievo.compare(self.path, renderer), "translucent")
+        self.assertEqual(changed["words"], "translucent: functions")
 
     def test_window(self):
         """vtkRelievoBaseline.Test(), for programs in C++: its text and files."""

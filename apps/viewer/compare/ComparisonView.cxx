@@ -7,6 +7,7 @@
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
 #include "vtkPointData.h"
+#include "vtkRelievoComparisonReport.h"
 #include "vtkSmartPointer.h"
 
 #include <QMouseEvent>
@@ -21,12 +22,6 @@ namespace viewer
 namespace
 {
 constexpr double MostZoom = 64.0;
-
-// Weights of the report's page: pictures behind causes are grey and dark, and pixels of a chosen
-// cause show through its colour.
-constexpr double Darkened = 0.4;
-constexpr double Dimmed = 0.5;
-constexpr double Tint = 0.7;
 
 // The colours of a frame's picture, without alpha; grey if it has only layers.
 QImage MakeImage(vtkImageData* frame)
@@ -133,12 +128,15 @@ void ComparisonView::Compose()
       for (int x = 0; x < width; ++x)
       {
         const int grey = qGray(line[x]);
-        const QRgb behind = isOfCauses ? Mix(qRgb(0, 0, 0), qRgb(grey, grey, grey), Darkened)
-                                       : Mix(qRgb(0, 0, 0), line[x], Dimmed);
+        const QRgb behind = isOfCauses
+          ? Mix(qRgb(0, 0, 0), qRgb(grey, grey, grey), vtkRelievoComparisonReport::BehindCauses)
+          : Mix(qRgb(0, 0, 0), line[x], vtkRelievoComparisonReport::AroundChosen);
         const auto color = this->Colors.find(causes[x]);
         const bool isSeen =
           color != this->Colors.end() && (!this->Chosen || *this->Chosen == causes[x]);
-        line[x] = isSeen ? Mix(behind, color->second.rgb(), isOfCauses ? 1.0 : Tint) : behind;
+        line[x] = isSeen ? Mix(behind, color->second.rgb(),
+                             isOfCauses ? 1.0 : vtkRelievoComparisonReport::OfChosen)
+                         : behind;
       }
     }
   }

@@ -62,6 +62,9 @@ public:
   // Layers to be read back to the CPU.
   std::vector<std::string> ReadBack;
 
+  // Layers to be read back, too, if the other outputs need their stages.
+  std::vector<std::string> OptionalLayers;
+
   // The linear colour is read as a layer, by the user or by a stage that shows it.
   bool ReadsColor = false;
 

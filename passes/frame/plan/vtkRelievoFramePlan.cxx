@@ -306,6 +306,19 @@ void vtkRelievoFramePlan::MarkPicture(std::vector<Node>& nodes)
 }
 
 //------------------------------------------------------------------------------
+void vtkRelievoFramePlan::AskForOptional(std::vector<Node>& nodes)
+{
+  for (const std::string& layer : this->OptionalLayers)
+  {
+    const int writer = FindWriter(nodes, { layer, true });
+    if (writer >= 0 && nodes[writer].Needed && ExplainMissing(nodes, { layer, true }).empty())
+    {
+      this->Need(nodes, writer, layer);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
 void vtkRelievoFramePlan::Mark(
   std::vector<Node>& nodes, const std::vector<std::string>& layers, bool picture)
 {
@@ -332,6 +345,7 @@ void vtkRelievoFramePlan::Mark(
   {
     this->MarkPicture(nodes);
   }
+  this->AskForOptional(nodes);
   for (std::size_t i = 0; i < nodes.size() && this->ColorSeen; ++i)
   {
     for (const vtkRelievoResourceName& use : nodes[i].Declaration.OptionalReads)

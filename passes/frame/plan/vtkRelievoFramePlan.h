@@ -49,6 +49,9 @@ public:
   // refused.
   void SetNoColor(const std::string& words) { this->NoColor = words; }
 
+  // Layers to make if the other outputs need the nodes that write them. Default: none.
+  void SetOptionalLayers(const std::vector<std::string>& layers) { this->OptionalLayers = layers; }
+
   // Determines the nodes needed for the layers and the picture. Returns a message for each stage
   // that lacks an input; these do not run, nor do the stages that need them. Layers that cannot be
   // made are left out.
@@ -74,6 +77,7 @@ private:
   static std::string ExplainMissing(const std::vector<Node>& nodes, const Name& name);
   void Mark(std::vector<Node>& nodes, const std::vector<std::string>& layers, bool picture);
   void MarkPicture(std::vector<Node>& nodes);
+  void AskForOptional(std::vector<Node>& nodes);
   void Need(std::vector<Node>& nodes, int node, const std::string& resource);
   void AskFor(std::vector<Node>& nodes, const Name& name, int reader);
   void AskForColor(std::vector<Node>& nodes, int reader);
@@ -83,6 +87,7 @@ private:
   std::vector<int> Order;
   std::vector<std::string> Wrong;
   std::map<std::string, std::string> Missing;
+  std::vector<std::string> OptionalLayers;
   std::string NoColor;
   bool Refused = false; // in this round of marking
   bool ColorNeeded = false;
