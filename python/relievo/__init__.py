@@ -57,15 +57,20 @@ need shadows in the picture. Shadows are switched on by
 
 Wrong arguments raise ValueError, file errors OSError and drawing errors RuntimeError; each message
 says what was given. The package also contains the wrapped classes (vtkRelievoPass,
-vtkRelievoEXRWriter, ...).
+vtkRelievoEXRWriter, ...), and the VTK that it is built on, as relievo.vtk:
+
+    from relievo.vtk.vtkRenderingCore import vtkRenderer
 """
 
-from . import _one_vtk
+from . import _one_vtk, _vtkmodules
+from ._build import VERSION as __version__
+from ._build import VTK as _vtk
 
 _one_vtk.check()
+_vtkmodules.prepare(_vtk)
 
 try:
-    import vtkmodules.vtkRenderingOpenGL2  # noqa: F401  (its factories draw)
+    from .vtk import vtkRenderingOpenGL2  # noqa: F401  (its factories draw)
 except ImportError as error:
     raise ImportError(
         f"relievo needs VTK's Python modules ({error}). With Debian's ParaView they belong to "

@@ -3,9 +3,9 @@
 """Cameras in the terms of their calibration: K, R, t, lenses, panoramas, scanners."""
 
 import numpy
-from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkDoubleArray
-from vtkmodules.vtkRenderingCore import vtkCamera
+from .vtk.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from .vtk.vtkCommonCore import vtkDoubleArray
+from .vtk.vtkRenderingCore import vtkCamera
 
 from ._errors import Watch, check_file, describe, is_a
 from ._renderers import inner_renderer

@@ -7,11 +7,11 @@ import threading
 from contextlib import contextmanager, nullcontext
 
 import numpy
-from vtkmodules import vtkCommonCore
-from vtkmodules.vtkCommonCore import vtkVersion
-from vtkmodules.vtkCommonDataModel import vtkImageData
-from vtkmodules.vtkRenderingCore import vtkRenderWindow, vtkWindowToImageFilter
-from vtkmodules.vtkRenderingOpenGL2 import vtkTextureObject
+from .vtk import vtkCommonCore
+from .vtk.vtkCommonCore import vtkVersion
+from .vtk.vtkCommonDataModel import vtkImageData
+from .vtk.vtkRenderingCore import vtkRenderWindow, vtkWindowToImageFilter
+from .vtk.vtkRenderingOpenGL2 import vtkTextureObject
 
 from ._arrays import why_not
 from ._cameras import CameraModel, sensor_of

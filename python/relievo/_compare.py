@@ -9,7 +9,7 @@ import os
 from contextlib import nullcontext
 
 import numpy
-from vtkmodules.vtkCommonDataModel import vtkImageData
+from .vtk.vtkCommonDataModel import vtkImageData
 
 from ._capture import _frame_of, _pixels, _window_of
 from ._errors import Watch, check_file, is_a

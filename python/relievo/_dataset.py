@@ -6,8 +6,8 @@ import inspect
 import os
 from contextlib import nullcontext
 
-from vtkmodules.util.misc import calldata_type
-from vtkmodules.util.vtkConstants import VTK_DOUBLE
+from .vtk.util.misc import calldata_type
+from .vtk.util.vtkConstants import VTK_DOUBLE
 
 from ._cameras import CameraModel, sensor_of
 from ._cameras import lens as lens_of

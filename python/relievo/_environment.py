@@ -7,9 +7,9 @@ import os
 import textwrap
 
 import numpy
-from vtkmodules.vtkCommonCore import vtkWeakReference
-from vtkmodules.vtkCommonDataModel import vtkImageData
-from vtkmodules.vtkRenderingCore import vtkCamera, vtkLight
+from .vtk.vtkCommonCore import vtkWeakReference
+from .vtk.vtkCommonDataModel import vtkImageData
+from .vtk.vtkRenderingCore import vtkCamera, vtkLight
 
 from ._errors import Watch, check_file, is_a, require
 from ._errors import describe as described

@@ -4,7 +4,7 @@
 
 import json
 
-from vtkmodules.vtkCommonCore import vtkWeakReference
+from .vtk.vtkCommonCore import vtkWeakReference
 
 from . import vtkRelievoPasses
 from ._arrays import why_not

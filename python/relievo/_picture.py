@@ -6,8 +6,8 @@ import os
 import tempfile
 
 import numpy
-from vtkmodules.vtkCommonDataModel import vtkImageData
-from vtkmodules.vtkIOImage import vtkPNGWriter
+from .vtk.vtkCommonDataModel import vtkImageData
+from .vtk.vtkIOImage import vtkPNGWriter
 
 from ._image import layer, layer_names, to_image
 

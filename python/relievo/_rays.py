@@ -5,13 +5,13 @@
 from typing import NamedTuple
 
 import numpy
-from vtkmodules.util.misc import calldata_type
-from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.util.vtkConstants import VTK_DOUBLE
-from vtkmodules.vtkCommonCore import vtkUnsignedCharArray
-from vtkmodules.vtkCommonDataModel import vtkTable
-from vtkmodules.vtkCommonMath import vtkMatrix4x4
-from vtkmodules.vtkRenderingCore import vtkRenderer
+from .vtk.util.misc import calldata_type
+from .vtk.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from .vtk.util.vtkConstants import VTK_DOUBLE
+from .vtk.vtkCommonCore import vtkUnsignedCharArray
+from .vtk.vtkCommonDataModel import vtkTable
+from .vtk.vtkCommonMath import vtkMatrix4x4
+from .vtk.vtkRenderingCore import vtkRenderer
 
 from ._data import EXPECTED, data_of
 from ._errors import Watch, describe, is_a

@@ -9,7 +9,7 @@ import tempfile
 import textwrap
 import warnings
 
-from vtkmodules.vtkCommonCore import vtkStringArray
+from .vtk.vtkCommonCore import vtkStringArray
 
 from ._errors import Watch, check_file, require
 from ._wrapped import vtkRelievoScene

@@ -6,11 +6,11 @@ import datetime
 import inspect
 
 import numpy
-from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData
-from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
-from vtkmodules.vtkFiltersCore import vtkAppendPolyData
-from vtkmodules.vtkFiltersGeometry import vtkCompositeDataGeometryFilter, vtkGeometryFilter
+from .vtk.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from .vtk.vtkCommonDataModel import vtkImageData, vtkPolyData
+from .vtk.vtkCommonExecutionModel import vtkAlgorithm
+from .vtk.vtkFiltersCore import vtkAppendPolyData
+from .vtk.vtkFiltersGeometry import vtkCompositeDataGeometryFilter, vtkGeometryFilter
 
 from ._cameras import CameraModel, sensor_of
 from ._data import need_data
