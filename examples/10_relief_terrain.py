@@ -139,7 +139,7 @@ relievo.attach(renderer_of(windows[1])).ShadowsOn()  # the relief casts on itsel
 
 for window in windows:
     window.Render()
-times = [[], []]
+times: list[list[float]] = [[], []]
 for _ in range(5):
     for window, seconds in zip(windows, times):
         start = time.perf_counter()

@@ -32,7 +32,9 @@ from relievo.vtk.vtkRenderingCore import (
 if vtkVersion().GetVTKMinorVersion() >= 3:
     from relievo.vtk.vtkRenderingCore import vtkCompositePolyDataMapper as CompositeMapper
 else:
-    from relievo.vtk.vtkRenderingOpenGL2 import vtkCompositePolyDataMapper2 as CompositeMapper
+    from relievo.vtk.vtkRenderingOpenGL2 import (  # type: ignore[attr-defined,no-redef]
+        vtkCompositePolyDataMapper2 as CompositeMapper,
+    )
 
 # The bike's materials: colour, metallic, roughness, and the beginnings of parts' names; the first
 # match counts. The three painted ones are the blocks of one actor.

@@ -62,6 +62,11 @@ vtkRelievoEXRWriter, ...), and the VTK that it is built on, as relievo.vtk:
     from relievo.vtk.vtkRenderingCore import vtkRenderer
 """
 
+import sys
+
+if sys.version_info < (3, 11):
+    raise ImportError("relievo: got Python %d.%d, expected 3.11 or later" % sys.version_info[:2])
+
 from . import _one_vtk, _vtkmodules
 from ._build import VERSION as __version__
 from ._build import VTK as _vtk

@@ -48,7 +48,7 @@ class Comparison:
         image = comparison.GetCauses()
         self._causes = None if image is None else layer(image, "cause").copy()
     @property
-    def image(self):
+    def image(self) -> numpy.ndarray | None:
         """The index of each pixel's cause in causes, of shape (rows, columns), row 0 at the top.
 
         -1: alike, -2: rounding, -3: edge, -4: unexplained. None for frames of different sizes or
@@ -56,7 +56,7 @@ class Comparison:
         """
         return self._causes
 
-    def write_html(self, path):
+    def write_html(self, path: str | os.PathLike[str]) -> None:
         """Writes a page for browsers, which needs no other file and no network.
 
         It has both pictures with a slider and flickering, the pixels coloured by cause, a table
@@ -66,7 +66,7 @@ class Comparison:
         """
         _write(path, self._report().GetHTML())
 
-    def write_markdown(self, path):
+    def write_markdown(self, path: str | os.PathLike[str]) -> None:
         """Writes the table of causes as Markdown, for pull requests.
 
         path: name of the file. Raises OSError if it cannot be written.
@@ -83,10 +83,10 @@ class Comparison:
         return (f'<iframe srcdoc="{page}" title="Comparison" sandbox="allow-scripts" '
                 'style="width:100%;height:800px;border:0"></iframe>')
 
-    def __bool__(self):
+    def __bool__(self) -> bool:
         return self.alike
 
-    def __repr__(self):
+    def __repr__(self) -> str:
         return self.text.rstrip("\n")
 
 

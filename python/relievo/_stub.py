@@ -22,6 +22,89 @@ from ._vtkmodules import FOLDER
 _VTK = "relievo.vtk" if (FOLDER / "vtk" / "__init__.py").is_file() else VTK
 
 
+_PATH = "str | os.PathLike[str]"
+_SIZE = "Sequence[int] | None"
+
+_HEAD = """import datetime
+import os
+from collections.abc import Callable, Sequence
+from typing import Any
+
+import numpy
+from numpy.typing import ArrayLike
+"""
+
+# The types of parameters by their names, which mean the same in most functions, or by function and
+# name. Any: a renderer, a plotter, data or a filter. Others have the type of their default.
+_PARAMETERS = {
+    "K": "ArrayLike",
+    "R": "ArrayLike | None",
+    "a": "Any",
+    "ambient": "dict[str, Any] | None",
+    "b": "Any",
+    "before": "Moment",
+    "camera": "CameraModel | None",
+    "cameras": "Any",
+    "compression": "str",
+    "directory": _PATH,
+    "far": "float | None",
+    "files": _PATH,
+    "first": "datetime.date | str",
+    "frame": "Any",
+    "image": "Any",  # also PyVista's
+    "last": "datetime.date | str | None",
+    "latitude": "float",
+    "layers": "str | Sequence[str]",
+    "length": "float | None",
+    "lens": "CameraModel | str | None",
+    "longitude": "float",
+    "mesh": "Any",
+    "name": "str",
+    "names": "dict[Any, str] | None",
+    "near": "float | None",
+    "objects": "Any",
+    "occluders": "Any",
+    "options": "Any",
+    "parameters": "Any",
+    "path": _PATH,
+    "pixel_types": "dict[str, str] | None",
+    "point_ids": "str | None",
+    "points": "Any",
+    "previous": "Moment | None",
+    "progress": "Callable[[float], Any] | None",
+    "renderer": "Any",
+    "size": _SIZE,
+    "t": "ArrayLike | None",
+    "target": "Any",
+    "thing": "Any",
+    "things": "Any",
+    "unit": "str | None",
+    "values": "ArrayLike | dict[str, ArrayLike]",
+    "views": "tuple[int, int] | None",
+    "words": _PATH,
+    "camera.size": "Sequence[int]",
+    "environment.path": "Any",
+    "extrinsics.camera": "Any",
+    "intrinsics.camera": "Any",
+    "intrinsics.size": "Sequence[int]",
+    "screenshot.path": f"{_PATH} | None",
+    "show.layers": "str | Sequence[str] | None",
+    "show.path": f"{_PATH} | None",
+    "sun_exposure.points": "bool",
+    "write_png.name": "str | None",
+}  # fmt: skip
+
+# Results of which the annotation says less.
+_RESULTS = {
+    "attributes": "dict[str, Any]",
+    "extrinsics": "tuple[numpy.ndarray, numpy.ndarray]",
+    "layer_names": "list[str]",
+    "layers": "dict[str, dict[str, Any]]",
+    "report": "dict[str, Any]",
+    "stages": "dict[str, dict[str, tuple[Any, str]]]",
+}
+
+
 def _is_wrapped(thing):
     return isinstance(thing, type) and thing.__module__.startswith("relievo.vtkRelievo")
 
@@ -33,7 +116,7 @@ def _shown(module):
 
 class _Writer:
     def __init__(self, package):
-        self.functions, self.imports = [], set()
+        self.functions, self.imports, self.renamed = [], set(), set()
         things = {name: getattr(package, name) for name in package.__all__}
         self.public = {kind: name for name, kind in things.items() if inspect.isclass(kind)}
         for kind in self.public:
@@ -50,17 +133,36 @@ class _Writer:
             return "None"
         name = self.public.get(kind, kind.__name__)
         if kind.__module__ != "builtins" and not _is_wrapped(kind):
-            shown = f" as {name}" if kind in self.public else ""
+            shown = f" as {name}" if name == kind.__name__ and kind in self.public else ""
             self.imports.add(f"from {_shown(kind.__module__)} import {kind.__name__}{shown}")
+            if name != kind.__name__:
+                self.renamed.add(f"{name} = {kind.__name__}")
         return name
 
     def function(self, name, function):
         signature = inspect.signature(function)
-        parameters = signature.replace(return_annotation=inspect.Signature.empty)
+        parameters = self.parameters(name, signature.parameters.values())
+        result = _RESULTS.get(name) or self.type_of(signature.return_annotation)
         text = inspect.getdoc(function).replace("\\", "\\\\").replace('"""', '\\"\\"\\"')
         end = "\n" if "\n" in text else ""
         lines = "".join(f"    {line}".rstrip() + "\n" for line in f'"""{text}{end}"""'.split("\n"))
-        return f"def {name}{parameters} -> {self.type_of(signature.return_annotation)}:\n{lines}"
+        return f"def {name}({parameters}) -> {result}:\n{lines}"
+
+    def parameters(self, function, given):
+        """How the stub writes parameters, with their types and defaults."""
+        written, by_name = [], False
+        for each in given:
+            if each.kind is each.KEYWORD_ONLY and not by_name:
+                written.append("*")
+            by_name = each.kind in (each.KEYWORD_ONLY, each.VAR_POSITIONAL)
+            known = _PARAMETERS.get(f"{function}.{each.name}") or _PARAMETERS.get(each.name)
+            default = each.default
+            plain = {bool: "bool", int: "float", float: "float", str: "str"}.get(type(default))
+            kind = known or plain or "Any"
+            stars = {each.VAR_POSITIONAL: "*", each.VAR_KEYWORD: "**"}.get(each.kind, "")
+            end = "" if default is each.empty else f" = {default!r}"
+            written.append(f"{stars}{each.name}: {kind}{end}")
+        return ", ".join(written)
 
 
 def make(package):
@@ -71,8 +173,9 @@ def make(package):
         for name, thing in vars(package).items()
         if _is_wrapped(thing)
     )
-    return "\n".join(["from typing import Any", "", *sorted({*writer.imports, *wrapped}), "",
-                      "__version__: str", "", *writer.functions])  # fmt: skip
+    imports = sorted({*writer.imports, *wrapped})
+    variables = [*writer.renamed, "__version__: str"]
+    return "\n".join([_HEAD, *imports, "", *variables, "", *writer.functions])
 
 
 def _modules(package, folder):
