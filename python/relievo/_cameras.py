@@ -74,9 +74,9 @@ class CameraModel:
     def pose(self, R: ArrayLike | None = None, t: ArrayLike | None = None) -> Self:
         """Sets the pose: R of (3, 3), or a rotation vector of 3 (Rodrigues, radians), and t of 3;
         None for the identity and 0. Returns self. Raises ValueError if R is not a rotation."""
-        R = _rotation(R)
-        t = numpy.zeros(3) if t is None else _numbers("t", t, 3)
-        self._call("pose", self.model.SetExtrinsics, R.ravel().tolist(), t.tolist())
+        turn = _rotation(R)
+        shift = numpy.zeros(3) if t is None else _numbers("t", t, 3)
+        self._call("pose", self.model.SetExtrinsics, turn.ravel().tolist(), shift.tolist())
         return self
 
     def look_at(self, position: ArrayLike, target: ArrayLike, up: ArrayLike = (0, 1, 0)) -> Self:
@@ -106,12 +106,11 @@ class CameraModel:
         if places is None:
             self.model.GetRays(origins, directions)
             columns, rows = self.size
-            shape = (rows, columns, 3)
+            shape: tuple[int, ...] = (rows, columns, 3)
         else:
-            places = _rows("places", places, 2)
-            self.model.GetRays(_array(places), origins, directions)
-            shape = (len(places), 3)
-        return tuple(vtk_to_numpy(each).reshape(shape) for each in (origins, directions))
+            self.model.GetRays(_array(_rows("places", places, 2)), origins, directions)
+            shape = (-1, 3)
+        return vtk_to_numpy(origins).reshape(shape), vtk_to_numpy(directions).reshape(shape)
 
     def project(self, points: ArrayLike) -> numpy.ndarray:
         """Returns the places (u, v) of world points (n, 3) in the picture, array of (n, 2); NaN for
@@ -237,9 +236,9 @@ class Orthographic(CameraModel):
                  t: ArrayLike | None = None) -> None:
         super().__init__(vtkRelievoOrthographicCamera(), size, R, t)
         self.model.SetPixelsPerUnit(_positive("pixels_per_unit", pixels_per_unit))
-        if center is None:
-            center = (numpy.array(self.size) - 1) / 2
-        self.model.SetPrincipalPoint(*_numbers("center", center, 2).tolist())
+        middle = (numpy.array(self.size) - 1) / 2
+        center = middle.tolist() if center is None else _numbers("center", center, 2).tolist()
+        self.model.SetPrincipalPoint(*center)
 
     @classmethod
     def of(cls, camera: Any, size: Sequence[int]) -> "Orthographic":
@@ -252,7 +251,7 @@ class Orthographic(CameraModel):
         matrices = (found.GetProjectionTransformMatrix(columns / rows, -1, 1),
                     found.GetModelViewTransformMatrix())
         for array, matrix in zip((projection, view), matrices):
-            array.flat = [matrix.GetElement(i, j) for i in range(4) for j in range(4)]
+            array[:] = [[matrix.GetElement(i, j) for j in range(4)] for i in range(4)]
         with numpy.errstate(all="ignore"):
             projection /= projection[3, 3]
         half = numpy.array([columns, rows]) / 2
@@ -266,7 +265,7 @@ class Orthographic(CameraModel):
                              "and square pixels, without shear")
         center = half * (1 + projection[:2, 3] * (1, -1)) - 0.5
         turn = numpy.diag((1, -1, -1)) @ view[:3]  # to y down and z forward
-        return Orthographic(scale, (columns, rows), center, turn[:, :3], turn[:, 3])
+        return Orthographic(scale, (columns, rows), center.tolist(), turn[:, :3], turn[:, 3])
 
 
 class Pushbroom(CameraModel):
@@ -311,17 +310,17 @@ class Lidar(CameraModel):
         if (steps is None) == (azimuths is None):
             raise ValueError("Lidar: expected either steps, of a spinning sensor, or azimuths, as "
                              "many as elevations")
-        elevations = _list("elevations", elevations)
-        count = len(elevations)
+        raised = _list("elevations", elevations)
+        count = len(raised)
         if azimuths is not None:
             azimuths = _numbers("azimuths", azimuths, count).tolist()
-            self._call("azimuths", self.model.SetDirections, count, azimuths, elevations)
+            self._call("azimuths", self.model.SetDirections, count, azimuths, raised)
             return
         turn = _numbers("turn", turn, 2).tolist()
         whole = _positive("steps", steps)
         if whole != int(whole) or whole > _LARGEST:
             raise ValueError(f"steps: got {steps!r}, expected a whole number up to {_LARGEST}")
-        self._call("elevations", self.model.SetSpinning, count, elevations, int(whole), *turn)
+        self._call("elevations", self.model.SetSpinning, count, raised, int(whole), *turn)
         if offsets is not None:
             offsets = _numbers("offsets", offsets, count).tolist()
             self._call("offsets", self.model.SetAzimuthOffsets, count, offsets)

@@ -5,6 +5,7 @@
 import os
 import threading
 from contextlib import contextmanager, nullcontext
+from typing import Any
 
 import numpy
 from .vtk import vtkCommonCore
@@ -325,7 +326,7 @@ def _frame_of(renderer):
         take(renderer)
 
 
-_spare_windows = {}  # by thread: a context is current in one only
+_spare_windows: dict[Any, Any] = {}  # by thread: a context is current in one only
 
 
 def _spare_window():

@@ -7,6 +7,7 @@ import json
 import numbers
 import os
 from contextlib import nullcontext
+from typing import Any
 
 import numpy
 from .vtk.vtkCommonDataModel import vtkImageData
@@ -35,6 +36,13 @@ class Comparison:
     cannot_be_detected: causes for which these frames lack data.
     size: (columns, rows). text: the table. json: the full result as text. dict: the parsed json.
     """
+
+    alike: bool
+    pixels: int
+    unexplained: int
+    causes: list[dict[str, Any]]
+    within_limits: dict[str, int]
+    cannot_be_detected: list[str]
 
     def __init__(self, comparison, title):
         self._comparison, self._title = comparison, title
@@ -111,7 +119,7 @@ def compare(a, b, levels=2, normal_angle=0.02, depth_pixels=1 / 256) -> Comparis
     comparison = vtkRelievoFrameComparison()
     for name, value, most in (("levels", levels, 255), ("normal_angle", normal_angle, 180),
                               ("depth_pixels", depth_pixels, 1)):
-        if not (isinstance(value, numbers.Real) and 0 <= value <= most):
+        if not (isinstance(value, numbers.Real) and 0 <= float(value) <= most):
             raise ValueError(f"{name}: got {value!r}, expected a number from 0 to {most}")
     comparison.SetColorLevels(float(levels))
     comparison.SetNormalAngle(float(normal_angle))
@@ -123,7 +131,7 @@ def compare(a, b, levels=2, normal_angle=0.02, depth_pixels=1 / 256) -> Comparis
             path = os.fspath(thing)
             check_file(path)
             with Watch(comparison):
-                good = read(path)
+                good = read(path)  # type: ignore[arg-type] # bytes, too
             if not good:
                 raise ValueError(comparison.GetFailureText())
         elif not _is_drawn(thing):

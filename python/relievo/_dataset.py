@@ -66,7 +66,7 @@ def write_dataset(*arguments, **given):
     return writer.GetNumberOfViewsWritten()
 
 
-write_dataset.__signature__ = _SIGNATURE
+write_dataset.__signature__ = _SIGNATURE  # type: ignore[attr-defined]
 write_dataset.__doc__ = f"""Writes cameras' views of a scene as a data set. See docs/datasets.md.
 
     relievo.write_dataset(renderer, "random:200", "train/000000", seed=7)

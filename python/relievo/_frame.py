@@ -52,7 +52,7 @@ class Frame(vtkRelievoPasses.vtkRelievoPass):
         """Shows the layer as the picture; None shows the picture itself."""
         if name is not None:
             self._check(name, "SetDisplayLayer")
-        super().SetDisplayLayer(name)
+        super().SetDisplayLayer(name)  # type: ignore[arg-type]
 
     def ReadLayer(self, name: str, image: Any) -> bool:
         """Adds a layer of the last frame to the image; see ReadLayers."""

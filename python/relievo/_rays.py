@@ -66,7 +66,7 @@ class Rays:
 
     def __init__(self, things: Sequence[Any]) -> None:
         self.scene = vtkRelievoRayScene()
-        self._data = []
+        self._data: list[Any] = []
         renderers = [each for each in map(inner_renderer, things) if each is not None]
         if len(renderers) > 1:
             raise ValueError(f"rays: got {len(renderers)} renderers, expected at most one")
@@ -90,8 +90,11 @@ class Rays:
     def props(self) -> list:
         """The props, in the order of the hits' numbers."""
         renderer = self.scene.GetRenderer()
-        actors = [] if renderer is None else list(renderer.GetActors())
-        return [*actors, *self._data]
+        if renderer is None:
+            return [*self._data]
+        actors = renderer.GetActors()
+        numbers = range(actors.GetNumberOfItems())
+        return [*map(actors.GetItemAsObject, numbers), *self._data]
 
     def nearest(self, origins: ArrayLike, directions: ArrayLike, minimum: ArrayLike = 0.0,
             maximum: ArrayLike = numpy.inf, progress: Progress = None) -> Hits:

@@ -16,8 +16,7 @@ from .vtk.vtkCommonCore import vtkStringArray
 from .vtk.vtkRenderingCore import vtkRenderer, vtkRenderWindow
 
 from ._errors import Watch, check_file, require
-from ._frame import vtkRelievoPass
-from ._wrapped import vtkRelievoScene
+from ._wrapped import vtkRelievoPass, vtkRelievoScene
 
 _OPTIONS = {
     row["name"][2:].replace("-", "_"): row for row in json.loads(vtkRelievoScene.GetOptions())
@@ -74,8 +73,8 @@ class Scene:
     def __init__(self, files: Sequence[str | os.PathLike[str]], options: dict[str, Any]) -> None:
         self._scene = vtkRelievoScene()
         self._files = [os.fsencode(path) for path in files]
-        self._options = {}
-        self._logged = []
+        self._options: dict[str, Any] = {}
+        self._logged: list[str] = []
         self._stale = True
         self.set(**options)
 
@@ -174,7 +173,7 @@ class Scene:
     def window(self, window: vtkRenderWindow | None) -> None:
         if window is not None:
             require(window, "vtkRenderWindow", "window")
-        self._scene.SetRenderWindow(window)
+        self._scene.SetRenderWindow(window)  # type: ignore[arg-type]
         self._stale = True
 
     @property

@@ -101,6 +101,7 @@ _RESULTS = {
     "layer_names": "list[str]",
     "layers": "dict[str, dict[str, Any]]",
     "report": "dict[str, Any]",
+    "visible": "Any",  # a mesh, a list of them, or with a cloud a pair of these
     "stages": "dict[str, dict[str, tuple[Any, str]]]",
 }
 
@@ -205,6 +206,7 @@ def _wrapped_texts(modules, package, homes):
             return f"'{homes[kind]}.{kind}'"
 
         text = text.replace("'getset_descriptor'", "Any")
+        text = re.sub(r"\b(Buffer|Callback|Pointer|Template)\b", r"_\1", text)  # not for import *
         text = re.sub(r"'(vtk\w+)'", place, text)
         text = re.sub(rf"\b{VTK}\.(?=vtk)", f"{_VTK}.", text)
         at = text.index("\n\nimport ") if "\n\nimport " in text else text.index("\nclass ")
