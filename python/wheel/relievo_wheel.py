@@ -68,7 +68,9 @@ def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
             _require(metadata, package, version)
             if package != "vtkmodules":
                 _include(pathlib.Path(files, "relievo"), package, sdk)
-                _run([sys.executable, "-m", "relievo._stub", "relievo"], PYTHONPATH=files)
+                # In the folder of the wheel: PYTHONPATH has what pip installed to build with.
+                words = [sys.executable, "-m", "relievo._stub", "relievo"]
+                subprocess.run(words, check=True, cwd=files)
         return wheel.name
 
 
