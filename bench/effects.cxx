@@ -27,7 +27,7 @@
 #include <vtkRelievoToneStage.h>
 #include <vtkRenderStepsPass.h>
 #include <vtkRenderer.h>
-#if __has_include(<vtkToneMappingPass.h>) // missing in PyVista's VTK
+#if __has_include(<vtkToneMappingPass.h>) // missing in cvista
 #include <vtkToneMappingPass.h>
 #endif
 

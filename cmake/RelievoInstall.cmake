@@ -47,7 +47,8 @@ endif ()
 
 # Programs find the libraries of their own prefix, even if it is moved.
 if (SKBUILD)
-  set(CMAKE_INSTALL_RPATH "$ORIGIN/.." "$ORIGIN/../../${relievo_vtk_package}")
+  string(REPLACE "$ORIGIN" "$ORIGIN/.." relievo_vtk_rpath "${relievo_vtk_rpath}")
+  set(CMAKE_INSTALL_RPATH "$ORIGIN/.." ${relievo_vtk_rpath})
 else ()
   set(CMAKE_INSTALL_RPATH "$ORIGIN/../${CMAKE_INSTALL_LIBDIR}" ${relievo_vtk_rpath})
 endif ()

@@ -3,8 +3,8 @@
 """Depth in world units of everything that a renderer shows, in ten lines."""
 
 import relievo
-from vtkmodules.vtkFiltersSources import vtkSphereSource
-from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkRenderer
+from relievo.vtk.vtkFiltersSources import vtkSphereSource
+from relievo.vtk.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkRenderer
 
 sphere = vtkSphereSource()
 actor = vtkActor()

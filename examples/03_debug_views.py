@@ -7,8 +7,8 @@
 
 import relievo
 import scene
-from vtkmodules.vtkIOImage import vtkPNGWriter
-from vtkmodules.vtkRenderingCore import vtkWindowToImageFilter
+from relievo.vtk.vtkIOImage import vtkPNGWriter
+from relievo.vtk.vtkRenderingCore import vtkWindowToImageFilter
 
 
 def save(window, path):

@@ -7,7 +7,7 @@
 
 import relievo
 import scene
-from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
+from relievo.vtk.vtkIOXML import vtkXMLPolyDataWriter
 
 renderer, window = scene.make()
 image = relievo.capture(renderer, ["depth", "normal", "albedo", "actor"])

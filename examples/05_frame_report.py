@@ -7,7 +7,7 @@
 
 import relievo
 import scene
-from vtkmodules.vtkRenderingOpenGL2 import vtkOpenGLFXAAPass, vtkRenderStepsPass
+from relievo.vtk.vtkRenderingOpenGL2 import vtkOpenGLFXAAPass, vtkRenderStepsPass
 
 renderer, window = scene.make()
 own = vtkOpenGLFXAAPass()

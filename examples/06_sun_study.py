@@ -20,9 +20,9 @@ import pathlib
 
 import numpy
 import relievo
-from vtkmodules.vtkFiltersSources import vtkPlaneSource
-from vtkmodules.vtkIOGeometry import vtkOBJReader
-from vtkmodules.vtkRenderingCore import (
+from relievo.vtk.vtkFiltersSources import vtkPlaneSource
+from relievo.vtk.vtkIOGeometry import vtkOBJReader
+from relievo.vtk.vtkRenderingCore import (
     vtkActor,
     vtkLight,
     vtkPolyDataMapper,

@@ -12,8 +12,8 @@ tools/unpack-data puts it there.
 """
 
 import relievo
-from vtkmodules.vtkCommonTransforms import vtkTransform
-from vtkmodules.vtkRenderingCore import vtkLight, vtkRenderer, vtkRenderWindow
+from relievo.vtk.vtkCommonTransforms import vtkTransform
+from relievo.vtk.vtkRenderingCore import vtkLight, vtkRenderer, vtkRenderWindow
 
 import demo_scene
 import demo_sheet

@@ -16,11 +16,11 @@ import math
 
 import numpy
 import relievo
-from vtkmodules.util.numpy_support import numpy_to_vtk
-from vtkmodules.vtkCommonDataModel import vtkImageData
-from vtkmodules.vtkCommonTransforms import vtkTransform
-from vtkmodules.vtkFiltersSources import vtkCylinderSource, vtkSphereSource
-from vtkmodules.vtkRenderingCore import vtkLight, vtkRenderer, vtkRenderWindow
+from relievo.vtk.util.numpy_support import numpy_to_vtk
+from relievo.vtk.vtkCommonDataModel import vtkImageData
+from relievo.vtk.vtkCommonTransforms import vtkTransform
+from relievo.vtk.vtkFiltersSources import vtkCylinderSource, vtkSphereSource
+from relievo.vtk.vtkRenderingCore import vtkLight, vtkRenderer, vtkRenderWindow
 
 import demo_scene
 import demo_sheet

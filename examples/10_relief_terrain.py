@@ -13,12 +13,13 @@ import sys
 import time
 
 import numpy
-from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
-from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkImageData, vtkPolyData
-from vtkmodules.vtkFiltersCore import vtkPolyDataNormals
-from vtkmodules.vtkFiltersSources import vtkPlaneSource
-from vtkmodules.vtkRenderingCore import (
+import relievo
+from relievo.vtk.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
+from relievo.vtk.vtkCommonCore import vtkPoints
+from relievo.vtk.vtkCommonDataModel import vtkCellArray, vtkImageData, vtkPolyData
+from relievo.vtk.vtkFiltersCore import vtkPolyDataNormals
+from relievo.vtk.vtkFiltersSources import vtkPlaneSource
+from relievo.vtk.vtkRenderingCore import (
     vtkActor,
     vtkLight,
     vtkPolyDataMapper,
@@ -26,8 +27,6 @@ from vtkmodules.vtkRenderingCore import (
     vtkRenderWindow,
     vtkWindowToImageFilter,
 )
-
-import relievo
 
 import demo_sheet
 import scene
@@ -140,7 +139,7 @@ relievo.attach(renderer_of(windows[1])).ShadowsOn()  # the relief casts on itsel
 
 for window in windows:
     window.Render()
-times = [[], []]
+times: list[list[float]] = [[], []]
 for _ in range(5):
     for window, seconds in zip(windows, times):
         start = time.perf_counter()

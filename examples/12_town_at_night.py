@@ -10,9 +10,9 @@ reach each pixel, and of those computed for it.
 
 import numpy
 import relievo
-from vtkmodules.vtkFiltersCore import vtkAppendPolyData
-from vtkmodules.vtkFiltersSources import vtkCubeSource, vtkPlaneSource
-from vtkmodules.vtkRenderingCore import (
+from relievo.vtk.vtkFiltersCore import vtkAppendPolyData
+from relievo.vtk.vtkFiltersSources import vtkCubeSource, vtkPlaneSource
+from relievo.vtk.vtkRenderingCore import (
     vtkActor,
     vtkLight,
     vtkPolyDataMapper,

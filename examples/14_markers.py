@@ -11,12 +11,12 @@ shows the layer `marker`: the share of each pixel that markers cover.
 
 import numpy
 import relievo
-from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkPolyData
-from vtkmodules.vtkFiltersCore import vtkPolyDataNormals
-from vtkmodules.vtkFiltersSources import vtkCubeSource, vtkPlaneSource, vtkSphereSource
-from vtkmodules.vtkRenderingCore import (
+from relievo.vtk.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from relievo.vtk.vtkCommonCore import vtkPoints
+from relievo.vtk.vtkCommonDataModel import vtkPolyData
+from relievo.vtk.vtkFiltersCore import vtkPolyDataNormals
+from relievo.vtk.vtkFiltersSources import vtkCubeSource, vtkPlaneSource, vtkSphereSource
+from relievo.vtk.vtkRenderingCore import (
     vtkActor,
     vtkLight,
     vtkPolyDataMapper,

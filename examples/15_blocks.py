@@ -12,11 +12,11 @@ import time
 
 import numpy
 import relievo
-from vtkmodules.util.numpy_support import numpy_to_vtk
-from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkImageData
-from vtkmodules.vtkFiltersCore import vtkThreshold
-from vtkmodules.vtkFiltersGeometry import vtkGeometryFilter
-from vtkmodules.vtkRenderingCore import (
+from relievo.vtk.util.numpy_support import numpy_to_vtk
+from relievo.vtk.vtkCommonDataModel import vtkDataObject, vtkImageData
+from relievo.vtk.vtkFiltersCore import vtkThreshold
+from relievo.vtk.vtkFiltersGeometry import vtkGeometryFilter
+from relievo.vtk.vtkRenderingCore import (
     vtkActor,
     vtkDataSetMapper,
     vtkLight,

@@ -12,8 +12,8 @@ import sys
 
 import numpy
 import relievo
-from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkRenderingCore import (
+from relievo.vtk.util.numpy_support import vtk_to_numpy
+from relievo.vtk.vtkRenderingCore import (
     vtkActor,
     vtkLight,
     vtkPolyDataMapper,

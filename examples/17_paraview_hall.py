@@ -10,10 +10,12 @@ RELIEVO_PLUGIN_PATH (default: build/release/plugin/Relievo beside this folder).
 
 import numpy
 from paraview import simple
+from vtkmodules.util.numpy_support import numpy_to_vtk
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkFiltersGeneral import vtkVertexGlyphFilter
 
 import paraview_sheet
-import scene
 
 WIDTH, LENGTH, HEIGHT = 12.0, 40.0, 7.0  # of the hall, in metres
 BAYS = 8
@@ -22,7 +24,13 @@ rng = numpy.random.default_rng(3)
 
 def points(places, **arrays):
     """Places, with an array of each name, as a source of ParaView's pipeline."""
-    data = scene.points(places, **arrays)
+    data, at = vtkPolyData(), vtkPoints()
+    at.SetData(numpy_to_vtk(numpy.array(places, dtype=float), deep=True))
+    data.SetPoints(at)
+    for name, values in arrays.items():
+        array = numpy_to_vtk(numpy.ascontiguousarray(values, dtype=float), deep=True)
+        array.SetName(name)
+        data.GetPointData().AddArray(array)
     vertices = vtkVertexGlyphFilter()  # ParaView draws cells
     vertices.SetInputData(data)
     vertices.Update()

@@ -11,8 +11,8 @@ fall outside the knot, and a point repels the cubes.
 
 import numpy
 import relievo
-from vtkmodules.vtkFiltersSources import vtkCubeSource
-from vtkmodules.vtkRenderingCore import (
+from relievo.vtk.vtkFiltersSources import vtkCubeSource
+from relievo.vtk.vtkRenderingCore import (
     vtkActor,
     vtkGlyph3DMapper,
     vtkPolyDataMapper,

@@ -11,8 +11,8 @@ turns a pillar to each particle's normal and velocity.
 
 import numpy
 import relievo
-from vtkmodules.vtkFiltersSources import vtkCubeSource
-from vtkmodules.vtkRenderingCore import (
+from relievo.vtk.vtkFiltersSources import vtkCubeSource
+from relievo.vtk.vtkRenderingCore import (
     vtkActor,
     vtkColorTransferFunction,
     vtkGlyph3DMapper,

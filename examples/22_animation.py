@@ -14,9 +14,9 @@ tools/unpack-data puts it there.
 
 import numpy
 import relievo
-from vtkmodules.vtkCommonCore import vtkLookupTable
-from vtkmodules.vtkFiltersSources import vtkPlaneSource
-from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper
+from relievo.vtk.vtkCommonCore import vtkLookupTable
+from relievo.vtk.vtkFiltersSources import vtkPlaneSource
+from relievo.vtk.vtkRenderingCore import vtkActor, vtkPolyDataMapper
 
 import demo_sheet
 import scene

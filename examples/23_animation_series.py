@@ -19,9 +19,9 @@ import os
 import pathlib
 
 import relievo
-from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
-from vtkmodules.vtkFiltersCore import vtkAppendPolyData
-from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
+from relievo.vtk.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
+from relievo.vtk.vtkFiltersCore import vtkAppendPolyData
+from relievo.vtk.vtkIOXML import vtkXMLPolyDataWriter
 
 import scene
 

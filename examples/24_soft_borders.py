@@ -10,9 +10,9 @@ hands the shares to the shader, which mixes the labels' textures by them.
 
 import numpy
 import relievo
-from vtkmodules.util.numpy_support import numpy_to_vtk
-from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkImageData
-from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkRenderer
+from relievo.vtk.util.numpy_support import numpy_to_vtk
+from relievo.vtk.vtkCommonDataModel import vtkDataObject, vtkImageData
+from relievo.vtk.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkRenderer
 
 import demo_sheet
 import scene

@@ -19,9 +19,9 @@ import time
 
 import numpy
 import relievo
-from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkFiltersCore import vtkPolyDataNormals
-from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
+from relievo.vtk.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from relievo.vtk.vtkFiltersCore import vtkPolyDataNormals
+from relievo.vtk.vtkIOXML import vtkXMLPolyDataWriter
 
 import scene
 

@@ -15,9 +15,9 @@ tools/unpack-data puts it there.
 import time
 
 import relievo
-from vtkmodules.vtkFiltersCore import vtkAppendPolyData
-from vtkmodules.vtkFiltersSources import vtkPlaneSource
-from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
+from relievo.vtk.vtkFiltersCore import vtkAppendPolyData
+from relievo.vtk.vtkFiltersSources import vtkPlaneSource
+from relievo.vtk.vtkIOXML import vtkXMLPolyDataWriter
 
 import scene
 

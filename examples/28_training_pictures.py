@@ -19,11 +19,11 @@ import time
 
 import numpy
 import relievo
-from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkFiltersCore import vtkPolyDataNormals
-from vtkmodules.vtkFiltersSources import vtkPlaneSource
-from vtkmodules.vtkIOImage import vtkPNGReader
-from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper
+from relievo.vtk.util.numpy_support import vtk_to_numpy
+from relievo.vtk.vtkFiltersCore import vtkPolyDataNormals
+from relievo.vtk.vtkFiltersSources import vtkPlaneSource
+from relievo.vtk.vtkIOImage import vtkPNGReader
+from relievo.vtk.vtkRenderingCore import vtkActor, vtkPolyDataMapper
 
 import demo_sheet
 import scene

@@ -11,11 +11,11 @@ Default: the current folder. Writes to FOLDER
 import math
 
 import relievo
-from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
-from vtkmodules.vtkFiltersGeneral import vtkContourTriangulator
-from vtkmodules.vtkFiltersModeling import vtkLinearExtrusionFilter
-from vtkmodules.vtkRenderingCore import (
+from relievo.vtk.vtkCommonCore import vtkPoints
+from relievo.vtk.vtkCommonDataModel import vtkCellArray, vtkPolyData
+from relievo.vtk.vtkFiltersGeneral import vtkContourTriangulator
+from relievo.vtk.vtkFiltersModeling import vtkLinearExtrusionFilter
+from relievo.vtk.vtkRenderingCore import (
     vtkActor,
     vtkPolyDataMapper,
     vtkRenderer,

@@ -21,7 +21,7 @@ import sys
 import time
 
 import relievo
-from vtkmodules.vtkRenderingCore import vtkRenderWindow, vtkWindowToImageFilter
+from relievo.vtk.vtkRenderingCore import vtkRenderWindow, vtkWindowToImageFilter
 
 import demo_scene
 import demo_sheet

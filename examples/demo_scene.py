@@ -5,20 +5,21 @@
 import math
 
 import numpy
-from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkPoints, vtkVersion
-from vtkmodules.vtkCommonDataModel import (
+import relievo
+from relievo.vtk.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from relievo.vtk.vtkCommonCore import vtkPoints, vtkVersion
+from relievo.vtk.vtkCommonDataModel import (
     vtkCellArray,
     vtkCompositeDataSet,
     vtkImageData,
     vtkMultiBlockDataSet,
     vtkPolyData,
 )
-from vtkmodules.vtkCommonTransforms import vtkTransform
-from vtkmodules.vtkFiltersCore import vtkCleanPolyData, vtkElevationFilter, vtkPolyDataNormals
-from vtkmodules.vtkFiltersGeneral import vtkTransformFilter
-from vtkmodules.vtkIOGeometry import vtkOBJReader
-from vtkmodules.vtkRenderingCore import (
+from relievo.vtk.vtkCommonTransforms import vtkTransform
+from relievo.vtk.vtkFiltersCore import vtkCleanPolyData, vtkElevationFilter, vtkPolyDataNormals
+from relievo.vtk.vtkFiltersGeneral import vtkTransformFilter
+from relievo.vtk.vtkIOGeometry import vtkOBJReader
+from relievo.vtk.vtkRenderingCore import (
     vtkActor,
     vtkCompositeDataDisplayAttributes,
     vtkLight,
@@ -27,13 +28,13 @@ from vtkmodules.vtkRenderingCore import (
     vtkTexture,
 )
 
-import relievo
-
 # VTK 9.3 extended the one to replace the other, which was removed later.
 if vtkVersion().GetVTKMinorVersion() >= 3:
-    from vtkmodules.vtkRenderingCore import vtkCompositePolyDataMapper as CompositeMapper
+    from relievo.vtk.vtkRenderingCore import vtkCompositePolyDataMapper as CompositeMapper
 else:
-    from vtkmodules.vtkRenderingOpenGL2 import vtkCompositePolyDataMapper2 as CompositeMapper
+    from relievo.vtk.vtkRenderingOpenGL2 import (  # type: ignore[attr-defined,no-redef]
+        vtkCompositePolyDataMapper2 as CompositeMapper,
+    )
 
 # The bike's materials: colour, metallic, roughness, and the beginnings of parts' names; the first
 # match counts. The three painted ones are the blocks of one actor.

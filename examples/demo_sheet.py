@@ -3,10 +3,10 @@
 """Layers as pictures, and pictures with captions on one sheet."""
 
 import numpy
-from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonDataModel import vtkImageData
-import vtkmodules.vtkRenderingFreeType  # noqa: F401  (draws the captions' letters)
-from vtkmodules.vtkRenderingCore import vtkTextProperty, vtkTextRenderer
+from relievo.vtk.util.numpy_support import vtk_to_numpy
+from relievo.vtk.vtkCommonDataModel import vtkImageData
+import relievo.vtk.vtkRenderingFreeType  # noqa: F401  (draws the captions' letters)
+from relievo.vtk.vtkRenderingCore import vtkTextProperty, vtkTextRenderer
 
 from relievo._picture import IDS, bytes_of, hashed, mapped, picture_of, png_of, where  # noqa: F401
 

@@ -3,9 +3,9 @@
 """A tube along a trefoil knot and its room, shared by several examples."""
 
 import numpy
-from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
-from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+from relievo.vtk.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
+from relievo.vtk.vtkCommonCore import vtkPoints
+from relievo.vtk.vtkCommonDataModel import vtkCellArray, vtkPolyData
 
 import scene
 

@@ -7,17 +7,18 @@ import pathlib
 import sys
 
 import numpy
-from vtkmodules.util.numpy_support import numpy_to_vtk
-from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData
-from vtkmodules.vtkFiltersCore import vtkElevationFilter
-from vtkmodules.vtkFiltersSources import (
+import relievo
+from relievo.vtk.util.numpy_support import numpy_to_vtk
+from relievo.vtk.vtkCommonCore import vtkPoints
+from relievo.vtk.vtkCommonDataModel import vtkImageData, vtkPolyData
+from relievo.vtk.vtkFiltersCore import vtkElevationFilter
+from relievo.vtk.vtkFiltersSources import (
     vtkConeSource,
     vtkPlaneSource,
     vtkSphereSource,
     vtkSuperquadricSource,
 )
-from vtkmodules.vtkRenderingCore import (
+from relievo.vtk.vtkRenderingCore import (
     vtkActor,
     vtkLight,
     vtkPolyDataMapper,
@@ -134,16 +135,12 @@ def room(actors, size, sun, background):
     fill.SetLightTypeToHeadlight()
     fill.SetIntensity(0.35)
     renderer.AddLight(fill)
-    import relievo  # not at the top: ParaView's own Python, which lacks it, also imports this file
-
     relievo.attach(renderer).ShadowsOn()
     return renderer, window_of(renderer, size)
 
 
 def picture(renderer):
     """The renderer's picture as rows of colours, the first row at the top."""
-    import relievo
-
     renderer.ResetCameraClippingRange()
     return relievo.picture(relievo.capture(renderer, ["color"]), "color")
 

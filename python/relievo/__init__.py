@@ -66,15 +66,25 @@ contributes most. Shadows are switched on by
 
 Wrong arguments raise ValueError, file errors OSError and drawing errors RuntimeError; each message
 says what was given. The package also contains the wrapped classes (vtkRelievoPass,
-vtkRelievoEXRWriter, ...).
+vtkRelievoEXRWriter, ...), and the VTK that it is built on, as relievo.vtk:
+
+    from relievo.vtk.vtkRenderingCore import vtkRenderer
 """
 
-from . import _one_vtk
+import sys
+
+if sys.version_info < (3, 11):
+    raise ImportError("relievo: got Python %d.%d, expected 3.11 or later" % sys.version_info[:2])
+
+from . import _one_vtk, _vtkmodules
+from ._build import VERSION as __version__
+from ._build import VTK as _vtk
 
 _one_vtk.check()
+_vtkmodules.prepare(_vtk)
 
 try:
-    import vtkmodules.vtkRenderingOpenGL2  # noqa: F401  (its factories draw)
+    from .vtk import vtkRenderingOpenGL2  # noqa: F401  (its factories draw)
 except ImportError as error:
     raise ImportError(
         f"relievo needs VTK's Python modules ({error}). With Debian's ParaView they belong to "

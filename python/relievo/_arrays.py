@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Checks whether a name can be a layer of a renderer's data."""
 
-from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet, vtkDataSet
+from .vtk.vtkCommonDataModel import vtkCompositeDataSet, vtkDataSet
 
 from ._data import did_you_mean
 from .vtkRelievoLayers import vtkRelievoLayerCatalogue

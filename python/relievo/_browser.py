@@ -9,8 +9,7 @@ import os
 import sys
 import warnings
 
-from vtkmodules.vtkCommonCore import vtkObjectBase
-
+from ._build import VTK
 from .vtkRelievoMaterials import vtkRelievoMaterial
 
 # The module with trame's serializers of VTK's classes, imported with an application's first view.
@@ -75,9 +74,8 @@ class _Finder(importlib.abc.MetaPathFinder):
 
 def prepare():
     """Makes trame, now or later, use Relievo's VTK and warn of parts missing in the browser."""
-    package = vtkObjectBase.__module__.split(".")[0]
-    if package != "vtkmodules" and "vtkmodules" not in sys.modules:
-        os.environ.setdefault("VTK_MODULE_NAME", package)
+    if VTK != "vtkmodules" and "vtkmodules" not in sys.modules:
+        os.environ.setdefault("VTK_MODULE_NAME", f"{__package__}.vtk")
     if _INITIALIZE in sys.modules:
         _watch(sys.modules[_INITIALIZE])
     else:

@@ -2,10 +2,14 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Cameras in the terms of their calibration: K, R, t, lenses, panoramas, scanners."""
 
+from collections.abc import Sequence
+from typing import Any, Self
+
 import numpy
-from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkDoubleArray
-from vtkmodules.vtkRenderingCore import vtkCamera
+from numpy.typing import ArrayLike
+from .vtk.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from .vtk.vtkCommonCore import vtkDoubleArray
+from .vtk.vtkRenderingCore import vtkCamera
 
 from ._errors import Watch, check_file, describe, is_a
 from ._renderers import inner_renderer
@@ -35,12 +39,17 @@ class CameraModel:
     Raises ValueError for wrong arguments, as all camera classes do.
     """
 
-    def __init__(self, model, size, R, t):
+    def __init__(self, model: Any, size: Sequence[int] | None, R: ArrayLike | None,
+                 t: ArrayLike | None) -> None:
         self.model = model
         if size is not None:
             self._call("size", model.SetSize, *_whole(size))
         if R is not None or t is not None:
             self.pose(R, t)
+
+    def __repr__(self):
+        columns, rows = self.size
+        return f"<relievo.{type(self).__name__} of {columns} x {rows} pixels>"
 
     def _call(self, subject, method, *values):
         with Watch(self.model) as watch:
@@ -48,29 +57,29 @@ class CameraModel:
         watch.raise_as(ValueError, subject)
 
     @property
-    def size(self):
+    def size(self) -> tuple[int, int]:
         """(columns, rows)."""
         return tuple(self.model.GetSize())
 
     @property
-    def R(self):
+    def R(self) -> numpy.ndarray:
         """The rotation from the world to the camera, array of (3, 3)."""
         return numpy.array(self.model.GetRotation()).reshape(3, 3)
 
     @property
-    def t(self):
+    def t(self) -> numpy.ndarray:
         """The translation from the world to the camera, array of 3, world units."""
         return numpy.array(self.model.GetTranslation())
 
-    def pose(self, R=None, t=None):
+    def pose(self, R: ArrayLike | None = None, t: ArrayLike | None = None) -> Self:
         """Sets the pose: R of (3, 3), or a rotation vector of 3 (Rodrigues, radians), and t of 3;
         None for the identity and 0. Returns self. Raises ValueError if R is not a rotation."""
-        R = _rotation(R)
-        t = numpy.zeros(3) if t is None else _numbers("t", t, 3)
-        self._call("pose", self.model.SetExtrinsics, R.ravel().tolist(), t.tolist())
+        turn = _rotation(R)
+        shift = numpy.zeros(3) if t is None else _numbers("t", t, 3)
+        self._call("pose", self.model.SetExtrinsics, turn.ravel().tolist(), shift.tolist())
         return self
 
-    def look_at(self, position, target, up=(0, 1, 0)):
+    def look_at(self, position: ArrayLike, target: ArrayLike, up: ArrayLike = (0, 1, 0)) -> Self:
         """Sets the pose of a camera at `position` that looks at `target`, with `up` upwards in the
         picture. Returns self. Raises ValueError if these define no direction."""
         triples = (_numbers(name, each, 3).tolist() for name, each in
@@ -78,14 +87,14 @@ class CameraModel:
         self._call("look_at", self.model.LookAt, *triples)
         return self
 
-    def copy(self):
+    def copy(self) -> Self:
         """Returns an independent copy."""
         other = object.__new__(type(self))
         other.model = self.model.NewInstance()
         other.model.Copy(self.model)
         return other
 
-    def rays(self, places=None):
+    def rays(self, places: ArrayLike | None = None) -> tuple[numpy.ndarray, numpy.ndarray]:
         """Returns (origins, directions), the rays in the world, directions of length 1.
 
         places: pixels (n, 2) as (u, v), also between their centres; None for all pixels.
@@ -97,14 +106,13 @@ class CameraModel:
         if places is None:
             self.model.GetRays(origins, directions)
             columns, rows = self.size
-            shape = (rows, columns, 3)
+            shape: tuple[int, ...] = (rows, columns, 3)
         else:
-            places = _rows("places", places, 2)
-            self.model.GetRays(_array(places), origins, directions)
-            shape = (len(places), 3)
-        return tuple(vtk_to_numpy(each).reshape(shape) for each in (origins, directions))
+            self.model.GetRays(_array(_rows("places", places, 2)), origins, directions)
+            shape = (-1, 3)
+        return vtk_to_numpy(origins).reshape(shape), vtk_to_numpy(directions).reshape(shape)
 
-    def project(self, points):
+    def project(self, points: ArrayLike) -> numpy.ndarray:
         """Returns the places (u, v) of world points (n, 3) in the picture, array of (n, 2); NaN for
         points that no ray hits. Places may lie outside the picture."""
         places = vtkDoubleArray()
@@ -121,7 +129,8 @@ class Pinhole(CameraModel):
     Raises ValueError for wrong arguments.
     """
 
-    def __init__(self, K, size, R=None, t=None, distortion=()):
+    def __init__(self, K: ArrayLike, size: Sequence[int], R: ArrayLike | None = None,
+                 t: ArrayLike | None = None, distortion: ArrayLike = ()) -> None:
         super().__init__(vtkRelievoLensCamera(), size, R, t)
         self._lens(K, vtkRelievoLensCamera.BROWN_CONRADY, distortion)
 
@@ -134,7 +143,7 @@ class Pinhole(CameraModel):
         self._call("distortion", self.model.SetLens, lens, len(values), values)
 
     @classmethod
-    def of(cls, camera, size):
+    def of(cls, camera: Any, size: Sequence[int]) -> "Pinhole":
         """The pinhole equal to a vtkCamera, a renderer's or a plotter's, in a picture of (columns,
         rows). Raises ValueError for cameras without perspective projection."""
         found = _camera_of(camera)
@@ -143,7 +152,7 @@ class Pinhole(CameraModel):
         return taken
 
     @property
-    def K(self):
+    def K(self) -> numpy.ndarray:
         """The intrinsics, array of (3, 3), pixels."""
         matrix = [0.0] * 9
         self.model.GetIntrinsics(matrix)
@@ -159,7 +168,8 @@ class Fisheye(Pinhole):
     Raises ValueError for wrong arguments.
     """
 
-    def __init__(self, K, size, D=(), R=None, t=None):
+    def __init__(self, K: ArrayLike, size: Sequence[int], D: ArrayLike = (),
+                 R: ArrayLike | None = None, t: ArrayLike | None = None) -> None:
         CameraModel.__init__(self, vtkRelievoLensCamera(), size, R, t)
         self._lens(K, vtkRelievoLensCamera.FISHEYE, D)
 
@@ -173,7 +183,8 @@ class Division(Pinhole):
     Raises ValueError for wrong arguments.
     """
 
-    def __init__(self, K, size, k, R=None, t=None):
+    def __init__(self, K: ArrayLike, size: Sequence[int], k: float, R: ArrayLike | None = None,
+                 t: ArrayLike | None = None) -> None:
         CameraModel.__init__(self, vtkRelievoLensCamera(), size, R, t)
         self._lens(K, vtkRelievoLensCamera.DIVISION, [k])
 
@@ -189,7 +200,8 @@ class Equirectangular(CameraModel):
     Raises ValueError for wrong arguments.
     """
 
-    def __init__(self, size, field=(360, 180), R=None, t=None):
+    def __init__(self, size: Sequence[int], field: Sequence[float] = (360, 180),
+                 R: ArrayLike | None = None, t: ArrayLike | None = None) -> None:
         super().__init__(vtkRelievoPanoramaCamera(), size, R, t)
         self._call("field", self.model.SetFieldOfView, *_numbers("field", field, 2).tolist())
 
@@ -204,7 +216,7 @@ class Cube(CameraModel):
     Raises ValueError for wrong arguments.
     """
 
-    def __init__(self, face, R=None, t=None):
+    def __init__(self, face: int, R: ArrayLike | None = None, t: ArrayLike | None = None) -> None:
         super().__init__(vtkRelievoPanoramaCamera(), (6 * face, face), R, t)
         self.model.SetLayout(vtkRelievoPanoramaCamera.CUBE)
 
@@ -219,15 +231,17 @@ class Orthographic(CameraModel):
     Raises ValueError for wrong arguments.
     """
 
-    def __init__(self, pixels_per_unit, size, center=None, R=None, t=None):
+    def __init__(self, pixels_per_unit: float, size: Sequence[int],
+                 center: Sequence[float] | None = None, R: ArrayLike | None = None,
+                 t: ArrayLike | None = None) -> None:
         super().__init__(vtkRelievoOrthographicCamera(), size, R, t)
         self.model.SetPixelsPerUnit(_positive("pixels_per_unit", pixels_per_unit))
-        if center is None:
-            center = (numpy.array(self.size) - 1) / 2
-        self.model.SetPrincipalPoint(*_numbers("center", center, 2).tolist())
+        middle = (numpy.array(self.size) - 1) / 2
+        center = middle.tolist() if center is None else _numbers("center", center, 2).tolist()
+        self.model.SetPrincipalPoint(*center)
 
     @classmethod
-    def of(cls, camera, size):
+    def of(cls, camera: Any, size: Sequence[int]) -> "Orthographic":
         """The map equal to a vtkCamera of parallel projection, a renderer's or a plotter's, in a
         picture of (columns, rows), from its matrices. Raises ValueError for other cameras, and for
         shear, a parallel scale of 0, or pixels that are not square."""
@@ -237,7 +251,7 @@ class Orthographic(CameraModel):
         matrices = (found.GetProjectionTransformMatrix(columns / rows, -1, 1),
                     found.GetModelViewTransformMatrix())
         for array, matrix in zip((projection, view), matrices):
-            array.flat = [matrix.GetElement(i, j) for i in range(4) for j in range(4)]
+            array[:] = [[matrix.GetElement(i, j) for j in range(4)] for i in range(4)]
         with numpy.errstate(all="ignore"):
             projection /= projection[3, 3]
         half = numpy.array([columns, rows]) / 2
@@ -251,7 +265,7 @@ class Orthographic(CameraModel):
                              "and square pixels, without shear")
         center = half * (1 + projection[:2, 3] * (1, -1)) - 0.5
         turn = numpy.diag((1, -1, -1)) @ view[:3]  # to y down and z forward
-        return Orthographic(scale, (columns, rows), center, turn[:, :3], turn[:, 3])
+        return Orthographic(scale, (columns, rows), center.tolist(), turn[:, :3], turn[:, 3])
 
 
 class Pushbroom(CameraModel):
@@ -264,7 +278,9 @@ class Pushbroom(CameraModel):
     Raises ValueError for wrong arguments.
     """
 
-    def __init__(self, focal_length, velocity, size, center=None, R=None, t=None):
+    def __init__(self, focal_length: float, velocity: ArrayLike, size: Sequence[int],
+                 center: float | None = None, R: ArrayLike | None = None,
+                 t: ArrayLike | None = None) -> None:
         super().__init__(vtkRelievoPushbroomCamera(), size, R, t)
         self.model.SetFocalLength(_positive("focal_length", focal_length))
         center = (self.size[0] - 1) / 2 if center is None else _numbers("center", center, 1)[0]
@@ -286,23 +302,25 @@ class Lidar(CameraModel):
     Raises ValueError for wrong arguments.
     """
 
-    def __init__(self, elevations, steps=None, azimuths=None, turn=(180, -180), offsets=None,
-                 R=None, t=None):
+    def __init__(self, elevations: ArrayLike, steps: int | None = None,
+                 azimuths: ArrayLike | None = None, turn: Sequence[float] = (180, -180),
+                 offsets: ArrayLike | None = None, R: ArrayLike | None = None,
+                 t: ArrayLike | None = None) -> None:
         super().__init__(vtkRelievoLidar(), None, R, t)
         if (steps is None) == (azimuths is None):
             raise ValueError("Lidar: expected either steps, of a spinning sensor, or azimuths, as "
                              "many as elevations")
-        elevations = _list("elevations", elevations)
-        count = len(elevations)
+        raised = _list("elevations", elevations)
+        count = len(raised)
         if azimuths is not None:
             azimuths = _numbers("azimuths", azimuths, count).tolist()
-            self._call("azimuths", self.model.SetDirections, count, azimuths, elevations)
+            self._call("azimuths", self.model.SetDirections, count, azimuths, raised)
             return
         turn = _numbers("turn", turn, 2).tolist()
         whole = _positive("steps", steps)
         if whole != int(whole) or whole > _LARGEST:
             raise ValueError(f"steps: got {steps!r}, expected a whole number up to {_LARGEST}")
-        self._call("elevations", self.model.SetSpinning, count, elevations, int(whole), *turn)
+        self._call("elevations", self.model.SetSpinning, count, raised, int(whole), *turn)
         if offsets is not None:
             offsets = _numbers("offsets", offsets, count).tolist()
             self._call("offsets", self.model.SetAzimuthOffsets, count, offsets)

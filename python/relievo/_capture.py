@@ -5,13 +5,14 @@
 import os
 import threading
 from contextlib import contextmanager, nullcontext
+from typing import Any
 
 import numpy
-from vtkmodules import vtkCommonCore
-from vtkmodules.vtkCommonCore import vtkVersion
-from vtkmodules.vtkCommonDataModel import vtkImageData
-from vtkmodules.vtkRenderingCore import vtkRenderWindow, vtkWindowToImageFilter
-from vtkmodules.vtkRenderingOpenGL2 import vtkTextureObject
+from .vtk import vtkCommonCore
+from .vtk.vtkCommonCore import vtkVersion
+from .vtk.vtkCommonDataModel import vtkImageData
+from .vtk.vtkRenderingCore import vtkRenderWindow, vtkWindowToImageFilter
+from .vtk.vtkRenderingOpenGL2 import vtkTextureObject
 
 from ._arrays import why_not
 from ._cameras import CameraModel, sensor_of
@@ -325,7 +326,7 @@ def _frame_of(renderer):
         take(renderer)
 
 
-_spare_windows = {}  # by thread: a context is current in one only
+_spare_windows: dict[Any, Any] = {}  # by thread: a context is current in one only
 
 
 def _spare_window():

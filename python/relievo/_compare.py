@@ -7,9 +7,10 @@ import json
 import numbers
 import os
 from contextlib import nullcontext
+from typing import Any
 
 import numpy
-from vtkmodules.vtkCommonDataModel import vtkImageData
+from .vtk.vtkCommonDataModel import vtkImageData
 
 from ._capture import _frame_of, _pixels, _window_of
 from ._errors import Watch, check_file, is_a
@@ -36,6 +37,13 @@ class Comparison:
     size: (columns, rows). text: the table. json: the full result as text. dict: the parsed json.
     """
 
+    alike: bool
+    pixels: int
+    unexplained: int
+    causes: list[dict[str, Any]]
+    within_limits: dict[str, int]
+    cannot_be_detected: list[str]
+
     def __init__(self, comparison, title):
         self._comparison, self._title = comparison, title
         self.text = comparison.GetText()
@@ -48,7 +56,7 @@ class Comparison:
         image = comparison.GetCauses()
         self._causes = None if image is None else layer(image, "cause").copy()
     @property
-    def image(self):
+    def image(self) -> numpy.ndarray | None:
         """The index of each pixel's cause in causes, of shape (rows, columns), row 0 at the top.
 
         -1: alike, -2: rounding, -3: edge, -4: unexplained. None for frames of different sizes or
@@ -56,7 +64,7 @@ class Comparison:
         """
         return self._causes
 
-    def write_html(self, path):
+    def write_html(self, path: str | os.PathLike[str]) -> None:
         """Writes a page for browsers, which needs no other file and no network.
 
         It has both pictures with a slider and flickering, the pixels coloured by cause, a table
@@ -66,7 +74,7 @@ class Comparison:
         """
         _write(path, self._report().GetHTML())
 
-    def write_markdown(self, path):
+    def write_markdown(self, path: str | os.PathLike[str]) -> None:
         """Writes the table of causes as Markdown, for pull requests.
 
         path: name of the file. Raises OSError if it cannot be written.
@@ -83,10 +91,10 @@ class Comparison:
         return (f'<iframe srcdoc="{page}" title="Comparison" sandbox="allow-scripts" '
                 'style="width:100%;height:800px;border:0"></iframe>')
 
-    def __bool__(self):
+    def __bool__(self) -> bool:
         return self.alike
 
-    def __repr__(self):
+    def __repr__(self) -> str:
         return self.text.rstrip("\n")
 
 
@@ -111,7 +119,7 @@ def compare(a, b, levels=2, normal_angle=0.02, depth_pixels=1 / 256) -> Comparis
     comparison = vtkRelievoFrameComparison()
     for name, value, most in (("levels", levels, 255), ("normal_angle", normal_angle, 180),
                               ("depth_pixels", depth_pixels, 1)):
-        if not (isinstance(value, numbers.Real) and 0 <= value <= most):
+        if not (isinstance(value, numbers.Real) and 0 <= float(value) <= most):
             raise ValueError(f"{name}: got {value!r}, expected a number from 0 to {most}")
     comparison.SetColorLevels(float(levels))
     comparison.SetNormalAngle(float(normal_angle))
@@ -123,7 +131,7 @@ def compare(a, b, levels=2, normal_angle=0.02, depth_pixels=1 / 256) -> Comparis
             path = os.fspath(thing)
             check_file(path)
             with Watch(comparison):
-                good = read(path)
+                good = read(path)  # type: ignore[arg-type] # bytes, too
             if not good:
                 raise ValueError(comparison.GetFailureText())
         elif not _is_drawn(thing):

@@ -5,9 +5,9 @@
 import difflib
 
 import numpy
-from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
-from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+from .vtk.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
+from .vtk.vtkCommonCore import vtkPoints
+from .vtk.vtkCommonDataModel import vtkCellArray, vtkPolyData
 
 from ._errors import describe, is_a
 

@@ -6,8 +6,8 @@ import inspect
 import os
 from contextlib import nullcontext
 
-from vtkmodules.util.misc import calldata_type
-from vtkmodules.util.vtkConstants import VTK_DOUBLE
+from .vtk.util.misc import calldata_type
+from .vtk.util.vtkConstants import VTK_DOUBLE
 
 from ._cameras import CameraModel, sensor_of
 from ._cameras import lens as lens_of
@@ -66,7 +66,7 @@ def write_dataset(*arguments, **given):
     return writer.GetNumberOfViewsWritten()
 
 
-write_dataset.__signature__ = _SIGNATURE
+write_dataset.__signature__ = _SIGNATURE  # type: ignore[attr-defined]
 write_dataset.__doc__ = f"""Writes cameras' views of a scene as a data set. See docs/datasets.md.
 
     relievo.write_dataset(renderer, "random:200", "train/000000", seed=7)

@@ -5,11 +5,12 @@
 import inspect
 import os
 import textwrap
+from typing import Any
 
 import numpy
-from vtkmodules.vtkCommonCore import vtkWeakReference
-from vtkmodules.vtkCommonDataModel import vtkImageData
-from vtkmodules.vtkRenderingCore import vtkCamera, vtkLight
+from .vtk.vtkCommonCore import vtkWeakReference
+from .vtk.vtkCommonDataModel import vtkImageData
+from .vtk.vtkRenderingCore import vtkCamera, vtkLight
 
 from ._errors import Watch, check_file, is_a, require
 from ._errors import describe as described
@@ -122,7 +123,7 @@ if the file cannot be read; then nothing is changed.
 """
 
 
-environment.__signature__ = _SIGNATURE
+environment.__signature__ = _SIGNATURE  # type: ignore[attr-defined]
 environment.__doc__ = _describe()
 
 
@@ -184,7 +185,7 @@ class _NullLight:
         renderer.RemoveLight(self._light)
 
 
-_placed = []  # of all calls
+_placed: list[Any] = []  # of all calls
 
 
 def _is_own(thing):

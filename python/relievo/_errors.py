@@ -6,11 +6,12 @@ import errno
 import os
 import re
 import reprlib
+import sys
 import warnings
 
-from vtkmodules.util.misc import calldata_type
-from vtkmodules.util.vtkConstants import VTK_STRING
-from vtkmodules.vtkCommonCore import vtkLogger, vtkObject, vtkObjectBase, vtkOutputWindow
+from .vtk.util.misc import calldata_type
+from .vtk.util.vtkConstants import VTK_STRING
+from .vtk.vtkCommonCore import vtkLogger, vtkObject, vtkObjectBase, vtkOutputWindow
 
 _PREAMBLE = re.compile(r"^(ERROR|Warning): In .*, line \d+\n\w+ \(0x[0-9a-f]+\): ")
 
@@ -100,12 +101,15 @@ def describe(thing):
         # PyVista's classes derive from VTK's.
         bases = [each for each in type(thing).__mro__ if each.__name__ == "vtkObjectBase"]
         known = [vtkObjectBase, *bases, type(thing)]
-        own, other = (each.__module__.split(".")[0] for each in known[:2])
-        names = ", or call relievo.provide_vtkmodules() before anything imports vtkmodules"
-        return (
-            f"a {thing.GetClassName()} of {other}, another VTK than Relievo's: import VTK's "
-            f"classes from {own}{names if other == 'vtkmodules' else ''}"
-        )
+        other = known[1].__module__.split(".")[0]
+        if "pyvista" in sys.modules:
+            cure = "import relievo before pyvista, or set PYVISTA_VTK_BACKEND to relievo.vtk"
+        else:
+            cure = (
+                "import VTK's classes from relievo.vtk, or call relievo.provide_vtkmodules() "
+                "before anything imports vtkmodules"
+            )
+        return f"a {thing.GetClassName()} of {other}, another VTK than Relievo's: {cure}"
     if hasattr(thing, "shape") and hasattr(thing, "dtype"):
         return f"an array of shape {tuple(thing.shape)}"
     return " ".join(_short.repr(thing).split())

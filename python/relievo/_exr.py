@@ -5,7 +5,7 @@
 import os
 
 import numpy
-from vtkmodules.vtkCommonDataModel import vtkImageData
+from .vtk.vtkCommonDataModel import vtkImageData
 
 from ._errors import Watch, check_file, require
 from ._image import to_image

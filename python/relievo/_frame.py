@@ -3,8 +3,10 @@
 """The frame around a renderer's own passes, and its report."""
 
 import json
+from collections.abc import Iterable
+from typing import Any
 
-from vtkmodules.vtkCommonCore import vtkWeakReference
+from .vtk.vtkCommonCore import vtkWeakReference
 
 from . import vtkRelievoPasses
 from ._arrays import why_not
@@ -23,16 +25,16 @@ class Frame(vtkRelievoPasses.vtkRelievoPass):
         self._renderer = vtkWeakReference()
 
     @staticmethod
-    def Attach(renderer):
+    def Attach(renderer: Any) -> "Frame":
         """Puts a frame around the renderer's pass; attach() also keeps it around later passes."""
         return put(renderer)
 
     @staticmethod
-    def Detach(renderer):
+    def Detach(renderer: Any) -> bool:
         """See detach()."""
         return take(renderer)
 
-    def is_detached(self):
+    def is_detached(self) -> bool:
         """Whether detach() has removed the frame from its renderer."""
         return self._renderer.Get() is None
 
@@ -41,22 +43,22 @@ class Frame(vtkRelievoPasses.vtkRelievoPass):
         if error:
             raise ValueError(f"{method}: {error}")
 
-    def RequestLayer(self, name):
+    def RequestLayer(self, name: str) -> None:
         """Renders the layer in every frame, until it is released."""
         self._check(name, "RequestLayer")
         super().RequestLayer(name)
 
-    def SetDisplayLayer(self, name):
+    def SetDisplayLayer(self, name: str | None) -> None:
         """Shows the layer as the picture; None shows the picture itself."""
         if name is not None:
             self._check(name, "SetDisplayLayer")
-        super().SetDisplayLayer(name)
+        super().SetDisplayLayer(name)  # type: ignore[arg-type]
 
-    def ReadLayer(self, name, image):
+    def ReadLayer(self, name: str, image: Any) -> bool:
         """Adds a layer of the last frame to the image; see ReadLayers."""
         return self.ReadLayers([name], image)
 
-    def ReadLayers(self, names, image):
+    def ReadLayers(self, names: Iterable[str], image: Any) -> bool:
         """Adds layers of the last frame to the image, as point arrays of their names.
 
         Returns True. Raises ValueError for a layer that the last frame did not make or that
@@ -70,7 +72,7 @@ class Frame(vtkRelievoPasses.vtkRelievoPass):
         watch.raise_as(ValueError, "ReadLayers")
         return good
 
-    def TryReadLayers(self, names, image):
+    def TryReadLayers(self, names: Iterable[str], image: Any) -> str:
         """Like ReadLayers, but returns the problem as a text, or ""."""
         names = list(names)
         "".join(names).encode()

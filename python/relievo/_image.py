@@ -3,8 +3,8 @@
 """Images as numpy arrays, and back: numpy's rows run downwards, VTK's upwards."""
 
 import numpy
-from vtkmodules.util.numpy_support import create_vtk_array, get_vtk_array_type, vtk_to_numpy
-from vtkmodules.vtkCommonDataModel import vtkImageData
+from .vtk.util.numpy_support import create_vtk_array, get_vtk_array_type, vtk_to_numpy
+from .vtk.vtkCommonDataModel import vtkImageData
 
 from ._errors import require
 

@@ -5,8 +5,8 @@
 import contextlib
 import weakref
 
-from vtkmodules.vtkCommonCore import vtkWeakReference
-from vtkmodules.vtkRenderingOpenGL2 import vtkRenderPassCollection, vtkSequencePass
+from .vtk.vtkCommonCore import vtkWeakReference
+from .vtk.vtkRenderingOpenGL2 import vtkRenderPassCollection, vtkSequencePass
 
 from ._frame import Frame, kept_of, put, take, vtkRelievoPass
 from ._renderers import need_renderer

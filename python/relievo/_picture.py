@@ -6,8 +6,10 @@ import os
 import tempfile
 
 import numpy
-from vtkmodules.vtkCommonDataModel import vtkImageData
-from vtkmodules.vtkIOImage import vtkPNGWriter
+from .vtk.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from .vtk.vtkCommonCore import vtkStringArray
+from .vtk.vtkCommonDataModel import vtkImageData
+from .vtk.vtkIOImage import vtkPNGWriter
 
 from ._image import layer, layer_names, to_image
 
@@ -174,8 +176,46 @@ def _rgba(linear):
     return numpy.concatenate([bytes_of(srgb(straight)), bytes_of(alpha)], axis=2)
 
 
+def _values_of(data):
+    """The arrays of point or field data: names, types, and numpy arrays or lists of texts."""
+    arrays = map(data.GetAbstractArray, range(data.GetNumberOfArrays()))
+    return [
+        (each.GetName(), None, [each.GetValue(i) for i in range(each.GetNumberOfValues())])
+        if each.IsA("vtkStringArray")
+        else (each.GetName(), each.GetDataType(), vtk_to_numpy(each))
+        for each in arrays
+    ]
+
+
+def _restored(extent, spacing, origin, of_points, of_field):
+    """A capture from its pickled parts."""
+    image = Capture()
+    image.SetExtent(extent)
+    image.SetSpacing(spacing)
+    image.SetOrigin(origin)
+    for data, arrays in ((image.GetPointData(), of_points), (image.GetFieldData(), of_field)):
+        for name, kind, values in arrays:
+            if kind is None:
+                array = vtkStringArray()
+                for text in values:
+                    array.InsertNextValue(text)
+            else:
+                array = numpy_to_vtk(values, deep=True, array_type=kind)
+            array.SetName(name)
+            data.AddArray(array)
+    return image
+
+
 class Capture(vtkImageData):
-    """Layers as vtkImageData, which notebooks show as pictures side by side."""
+    """Layers as vtkImageData, which notebooks show as pictures side by side; it can be pickled."""
+
+    def __repr__(self):
+        columns, rows, _ = self.GetDimensions()
+        return f"<relievo capture of {columns} x {rows} pixels: {', '.join(layer_names(self))}>"
+
+    def __reduce__(self):
+        parts = self.GetExtent(), self.GetSpacing(), self.GetOrigin()
+        return _restored, (*parts, *map(_values_of, (self.GetPointData(), self.GetFieldData())))
 
     def _repr_png_(self):
         names = layer_names(self)

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Converts depth images to points."""
 
-from vtkmodules.vtkCommonDataModel import vtkPolyData
+from .vtk.vtkCommonDataModel import vtkPolyData
 
 from ._errors import Watch, require
 from .vtkRelievoFilters import vtkRelievoDepthToPoints

@@ -2,22 +2,25 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Hits of rays as numpy arrays."""
 
-from typing import NamedTuple
+from collections.abc import Callable, Sequence
+from typing import Any, NamedTuple
 
 import numpy
-from vtkmodules.util.misc import calldata_type
-from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.util.vtkConstants import VTK_DOUBLE
-from vtkmodules.vtkCommonCore import vtkUnsignedCharArray
-from vtkmodules.vtkCommonDataModel import vtkTable
-from vtkmodules.vtkCommonMath import vtkMatrix4x4
-from vtkmodules.vtkRenderingCore import vtkRenderer
+from numpy.typing import ArrayLike
+from .vtk.util.misc import calldata_type
+from .vtk.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from .vtk.util.vtkConstants import VTK_DOUBLE
+from .vtk.vtkCommonCore import vtkUnsignedCharArray
+from .vtk.vtkCommonDataModel import vtkTable
+from .vtk.vtkCommonMath import vtkMatrix4x4
+from .vtk.vtkRenderingCore import vtkRenderer
 
 from ._data import EXPECTED, data_of
 from ._errors import Watch, describe, is_a
 from ._renderers import inner_renderer, prop_of
 from .vtkRelievoRays import vtkRelievoRayScene
 
+Progress = Callable[[float], Any] | None
 _EXPECTED = f"a vtkRenderer, something with a .renderer, actors, {EXPECTED}"
 
 
@@ -49,7 +52,7 @@ class Hits(NamedTuple):
     """For all(): 0 to 1; NaN if a mesh has more than one opacity. None for nearest()."""
 
     @property
-    def hit(self):
+    def hit(self) -> numpy.ndarray:
         """Whether there is a hit, for each row."""
         return numpy.isfinite(self.distance)
 
@@ -61,9 +64,9 @@ class Rays:
     lists the numbered props of hits: the renderer's actors, then the data.
     """
 
-    def __init__(self, things):
+    def __init__(self, things: Sequence[Any]) -> None:
         self.scene = vtkRelievoRayScene()
-        self._data = []
+        self._data: list[Any] = []
         renderers = [each for each in map(inner_renderer, things) if each is not None]
         if len(renderers) > 1:
             raise ValueError(f"rays: got {len(renderers)} renderers, expected at most one")
@@ -80,14 +83,21 @@ class Rays:
             if inner_renderer(thing) is None and prop_of(thing) is None:
                 self._add(thing)
 
+    def __repr__(self):
+        return f"<relievo.Rays in {len(self.props)} props>"
+
     @property
-    def props(self):
+    def props(self) -> list:
         """The props, in the order of the hits' numbers."""
         renderer = self.scene.GetRenderer()
-        actors = [] if renderer is None else list(renderer.GetActors())
-        return [*actors, *self._data]
+        if renderer is None:
+            return [*self._data]
+        actors = renderer.GetActors()
+        numbers = range(actors.GetNumberOfItems())
+        return [*map(actors.GetItemAsObject, numbers), *self._data]
 
-    def nearest(self, origins, directions, minimum=0.0, maximum=numpy.inf, progress=None):
+    def nearest(self, origins: ArrayLike, directions: ArrayLike, minimum: ArrayLike = 0.0,
+            maximum: ArrayLike = numpy.inf, progress: Progress = None) -> Hits:
         """The first hit of each ray, as Hits with a row for each ray.
 
         origins, directions: array-like, n x 3, world coordinates; or one origin (or direction) for
@@ -104,13 +114,15 @@ class Rays:
         )
         return _hits(hits, ray=numpy.arange(count), opacity=None)
 
-    def any(self, origins, directions, minimum=0.0, maximum=numpy.inf, progress=None):
+    def any(self, origins: ArrayLike, directions: ArrayLike, minimum: ArrayLike = 0.0,
+            maximum: ArrayLike = numpy.inf, progress: Progress = None) -> numpy.ndarray:
         """Whether each ray has a hit: an array of bool. Arguments as for nearest()."""
         hit = vtkUnsignedCharArray()
         self._ask(self.scene.FindAny, hit, origins, directions, minimum, maximum, progress)
         return vtk_to_numpy(hit).astype(bool)
 
-    def all(self, origins, directions, minimum=0.0, maximum=numpy.inf, progress=None):
+    def all(self, origins: ArrayLike, directions: ArrayLike, minimum: ArrayLike = 0.0,
+            maximum: ArrayLike = numpy.inf, progress: Progress = None) -> Hits:
         """All hits of all rays, as Hits with a row for each hit, sorted by rays and distance.
 
         Arguments as for nearest(). A ray through an edge hits both of its triangles.

@@ -3,11 +3,11 @@
 """Converts arguments to a renderer: a renderer, a plotter, data, a filter."""
 
 import numpy
-from vtkmodules.util.numpy_support import numpy_to_vtkIdTypeArray
-from vtkmodules.vtkCommonDataModel import vtkPolyData
-from vtkmodules.vtkFiltersCore import vtkReverseSense
-from vtkmodules.vtkFiltersGeometry import vtkCompositeDataGeometryFilter, vtkGeometryFilter
-from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkRenderer
+from .vtk.util.numpy_support import numpy_to_vtkIdTypeArray
+from .vtk.vtkCommonDataModel import vtkPolyData
+from .vtk.vtkFiltersCore import vtkReverseSense
+from .vtk.vtkFiltersGeometry import vtkCompositeDataGeometryFilter, vtkGeometryFilter
+from .vtk.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkRenderer
 
 from ._data import EXPECTED, cloud_of, data_of
 from ._errors import describe, is_a

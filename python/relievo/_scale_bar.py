@@ -32,12 +32,12 @@ def scale_bar(renderer, unit=None, length=None) -> vtkRelievoScaleBar:
     if unit is not None and (not isinstance(unit, str) or "\n" in unit):
         raise ValueError(f"unit: got {unit!r}, expected a text in one line, such as 'mm', or None")
     if length is not None and not (
-        isinstance(length, numbers.Real) and math.isfinite(length) and length > 0
+        isinstance(length, numbers.Real) and math.isfinite(length) and float(length) > 0
     ):
         raise ValueError(f"length: got {length!r}, expected a number above 0, or None")
     bar = vtkRelievoScaleBar()
     bar.SetUnit(unit or "")
-    bar.SetLength(length or 0)
+    bar.SetLength(float(length or 0))
     for prop in [each for each in inner.GetViewProps() if each.IsA("vtkRelievoScaleBar")]:
         inner.RemoveViewProp(prop)
     inner.AddViewProp(bar)

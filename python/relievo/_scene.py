@@ -3,20 +3,26 @@
 """Scenes of files, as `relievo render` makes them."""
 
 import json
+import logging
 import numbers
 import os
 import tempfile
 import textwrap
 import warnings
+from collections.abc import Sequence
+from typing import Any
 
-from vtkmodules.vtkCommonCore import vtkStringArray
+from .vtk.vtkCommonCore import vtkStringArray
+from .vtk.vtkRenderingCore import vtkRenderer, vtkRenderWindow
 
 from ._errors import Watch, check_file, require
-from ._wrapped import vtkRelievoScene
+from ._wrapped import vtkRelievoPass, vtkRelievoScene
 
 _OPTIONS = {
     row["name"][2:].replace("-", "_"): row for row in json.loads(vtkRelievoScene.GetOptions())
 }
+
+_LOG = logging.getLogger("relievo")
 
 # Separators of the numbers of a tuple; the default is a comma.
 _BETWEEN = {"size": "x", "color": "/", "background": "/"}
@@ -64,14 +70,20 @@ def _words(name, value):
 class Scene:
     """A scene of files with options; see scene()."""
 
-    def __init__(self, files, options):
+    def __init__(self, files: Sequence[str | os.PathLike[str]], options: dict[str, Any]) -> None:
         self._scene = vtkRelievoScene()
         self._files = [os.fsencode(path) for path in files]
-        self._options = {}
+        self._options: dict[str, Any] = {}
+        self._logged: list[str] = []
         self._stale = True
         self.set(**options)
 
-    def set(self, **options):
+    def __repr__(self):
+        words = [*(repr(os.fsdecode(path)) for path in self._files),
+                 *(f"{name}={value!r}" for name, value in self._options.items())]  # fmt: skip
+        return f"relievo.scene({', '.join(words)})"
+
+    def set(self, **options: Any) -> "Scene":
         """Changes options; None restores the default. Returns the scene."""
         bad = sorted(set(options) & set(_OUTPUTS))
         if bad:
@@ -83,7 +95,7 @@ class Scene:
         self._stale = True
         return self
 
-    def update(self):
+    def update(self) -> "Scene":
         """Reads new files and applies changed options. Returns the scene.
 
         The camera is set by the options, or fitted if none is given.
@@ -125,7 +137,7 @@ class Scene:
         self._stale = False
         return self._scene.GetCertificate() or None
 
-    def capture_baseline(self, image, portable=False):
+    def capture_baseline(self, image: Any, portable: bool = False) -> None:
         """Draws what write_baseline() writes into a vtkImageData."""
         self._say(self._options)
         self._check_files(self._options)
@@ -141,7 +153,7 @@ class Scene:
                 return file.read()
 
     @property
-    def renderer(self):
+    def renderer(self) -> vtkRenderer:
         """The vtkRenderer that shows the scene, up to date with its options.
 
         Changes by a script stay until an option changes the same setting.
@@ -151,29 +163,32 @@ class Scene:
         return self._scene.GetRenderer()
 
     @property
-    def window(self):
+    def window(self) -> vtkRenderWindow:
         """The renderer's vtkRenderWindow: off screen, unless another was set."""
         if self._stale:
             self.update()
         return self._scene.GetRenderWindow()
 
     @window.setter
-    def window(self, window):
+    def window(self, window: vtkRenderWindow | None) -> None:
         if window is not None:
             require(window, "vtkRenderWindow", "window")
-        self._scene.SetRenderWindow(window)
+        self._scene.SetRenderWindow(window)  # type: ignore[arg-type]
         self._stale = True
 
     @property
-    def frame(self):
+    def frame(self) -> vtkRelievoPass | None:
         """The vtkRelievoPass around VTK's drawing; None if no option needs one."""
         if self._stale:
             self.update()
         return self._scene.GetPass()
 
     @property
-    def notes(self):
-        """Parts that the last update or picture left out or repaired, a line each."""
+    def notes(self) -> list[str]:
+        """Parts that the last update or picture left out or repaired, a line each.
+
+        They are also logged, by the logger `relievo` at the level INFO.
+        """
         notes = self._scene.GetNotes()
         return [notes.GetValue(i) for i in range(notes.GetNumberOfValues())]
 
@@ -210,6 +225,10 @@ class Scene:
         found = self._scene.GetWarnings()
         for i in range(found.GetNumberOfValues()):
             warnings.warn(found.GetValue(i), RuntimeWarning, stacklevel=4)
+        notes, self._logged = self._logged, self.notes
+        for note in self._logged:
+            if note not in notes:
+                _LOG.info("%s", note)
 
 
 def scene(*files, **options) -> Scene:

@@ -23,7 +23,7 @@ class Page:
     def __init__(self, text, rows):
         self._text, self._rows = text, rows
 
-    def write(self, path):
+    def write(self, path: str | os.PathLike[str]) -> None:
         """Writes the page, which needs no other file and no network."""
         with open(os.fspath(path), "w", encoding="utf-8") as file:
             file.write(self._text)

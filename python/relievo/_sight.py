@@ -6,11 +6,11 @@ import datetime
 import inspect
 
 import numpy
-from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData
-from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
-from vtkmodules.vtkFiltersCore import vtkAppendPolyData
-from vtkmodules.vtkFiltersGeometry import vtkCompositeDataGeometryFilter, vtkGeometryFilter
+from .vtk.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from .vtk.vtkCommonDataModel import vtkImageData, vtkPolyData
+from .vtk.vtkCommonExecutionModel import vtkAlgorithm
+from .vtk.vtkFiltersCore import vtkAppendPolyData
+from .vtk.vtkFiltersGeometry import vtkCompositeDataGeometryFilter, vtkGeometryFilter
 
 from ._cameras import CameraModel, sensor_of
 from ._data import need_data
@@ -77,7 +77,7 @@ def _set_ambient(source, settings):
     source.SetSeed(_number("seed", settings.get("seed", 0), 0, 2**31 - 1, whole=True))
 
 
-def visible(thing, cameras, occluders=(), size=None, cloud=False) -> vtkPolyData | list:
+def visible(thing, cameras, occluders=(), size=None, cloud=False) -> vtkPolyData | list | tuple:
     """Returns a mesh, or each prop of a scene, with arrays of its visibility from cameras.
 
         seen = relievo.visible(mesh, [relievo.Pinhole(K, (1280, 720), R, t), ...])
@@ -239,7 +239,7 @@ def sun_exposure(*arguments, **given):
     return _copy(filter_.GetOutput())
 
 
-sun_exposure.__signature__ = _SUN_SIGNATURE
+sun_exposure.__signature__ = _SUN_SIGNATURE  # type: ignore[attr-defined]
 sun_exposure.__doc__ = f"""Returns the mesh with its hours of sun.
 
     town = relievo.sun_exposure(town, 48.2, 16.4, "2026-01-01", "2026-12-31", every=7)

@@ -1,24 +1,123 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Writes the package's stub, for editors and type checkers, which run nothing: parameters of
-functions and their help come from stages and filters, which describe them in C++.
+"""Writes the package's stubs, for editors and type checkers, which run nothing: parameters of
+functions and their help come from stages and filters, which describe them in C++; those of wrapped
+classes from VTK's own generator, and with a VTK that the package includes its modules as well.
 
-    python3 -m relievo._stub FILE.pyi
+    python3 -m relievo._stub FOLDER
 """
 
+import importlib
 import inspect
 import pathlib
+import re
 import sys
+import tempfile
 import types
+
+from ._build import VTK
+from ._vtkmodules import FOLDER
+
+# The VTK's package, as a type checker finds it.
+_VTK = "relievo.vtk" if (FOLDER / "vtk" / "__init__.py").is_file() else VTK
+
+
+_PATH = "str | os.PathLike[str]"
+_SIZE = "Sequence[int] | None"
+
+_HEAD = """import datetime
+import os
+from collections.abc import Callable, Sequence
+from typing import Any
+
+import numpy
+from numpy.typing import ArrayLike
+"""
+
+# The types of parameters by their names, which mean the same in most functions, or by function and
+# name. Any: a renderer, a plotter, data or a filter. Others have the type of their default.
+_PARAMETERS = {
+    "K": "ArrayLike",
+    "R": "ArrayLike | None",
+    "a": "Any",
+    "ambient": "dict[str, Any] | None",
+    "b": "Any",
+    "before": "Moment",
+    "camera": "CameraModel | None",
+    "cameras": "Any",
+    "compression": "str",
+    "directory": _PATH,
+    "far": "float | None",
+    "files": _PATH,
+    "first": "datetime.date | str",
+    "frame": "Any",
+    "image": "Any",  # also PyVista's
+    "last": "datetime.date | str | None",
+    "latitude": "float",
+    "layers": "str | Sequence[str]",
+    "length": "float | None",
+    "lens": "CameraModel | str | None",
+    "longitude": "float",
+    "mesh": "Any",
+    "name": "str",
+    "names": "dict[Any, str] | None",
+    "near": "float | None",
+    "objects": "Any",
+    "occluders": "Any",
+    "options": "Any",
+    "parameters": "Any",
+    "path": _PATH,
+    "pixel_types": "dict[str, str] | None",
+    "point_ids": "str | None",
+    "points": "Any",
+    "previous": "Moment | None",
+    "progress": "Callable[[float], Any] | None",
+    "renderer": "Any",
+    "size": _SIZE,
+    "t": "ArrayLike | None",
+    "target": "Any",
+    "thing": "Any",
+    "things": "Any",
+    "unit": "str | None",
+    "values": "ArrayLike | dict[str, ArrayLike]",
+    "views": "tuple[int, int] | None",
+    "words": _PATH,
+    "camera.size": "Sequence[int]",
+    "environment.path": "Any",
+    "extrinsics.camera": "Any",
+    "intrinsics.camera": "Any",
+    "intrinsics.size": "Sequence[int]",
+    "screenshot.path": f"{_PATH} | None",
+    "show.layers": "str | Sequence[str] | None",
+    "show.path": f"{_PATH} | None",
+    "sun_exposure.points": "bool",
+    "write_png.name": "str | None",
+}  # fmt: skip
+
+# Results of which the annotation says less.
+_RESULTS = {
+    "attributes": "dict[str, Any]",
+    "extrinsics": "tuple[numpy.ndarray, numpy.ndarray]",
+    "layer_names": "list[str]",
+    "layers": "dict[str, dict[str, Any]]",
+    "report": "dict[str, Any]",
+    "visible": "Any",  # a mesh, a list of them, or with a cloud a pair of these
+    "stages": "dict[str, dict[str, tuple[Any, str]]]",
+}
 
 
 def _is_wrapped(thing):
-    return isinstance(thing, type) and thing.__module__.startswith("relievo.vtk")
+    return isinstance(thing, type) and thing.__module__.startswith("relievo.vtkRelievo")
+
+
+def _shown(module):
+    """The name of a module, with that of VTK's package as a type checker finds it."""
+    return re.sub(rf"^{VTK}\b", _VTK, module)
 
 
 class _Writer:
     def __init__(self, package):
-        self.functions, self.imports = [], set()
+        self.functions, self.imports, self.renamed = [], set(), set()
         things = {name: getattr(package, name) for name in package.__all__}
         self.public = {kind: name for name, kind in things.items() if inspect.isclass(kind)}
         for kind in self.public:
@@ -35,27 +134,105 @@ class _Writer:
             return "None"
         name = self.public.get(kind, kind.__name__)
         if kind.__module__ != "builtins" and not _is_wrapped(kind):
-            shown = f" as {name}" if kind in self.public else ""
-            self.imports.add(f"from {kind.__module__} import {kind.__name__}{shown}")
+            shown = f" as {name}" if name == kind.__name__ and kind in self.public else ""
+            self.imports.add(f"from {_shown(kind.__module__)} import {kind.__name__}{shown}")
+            if name != kind.__name__:
+                self.renamed.add(f"{name} = {kind.__name__}")
         return name
 
     def function(self, name, function):
         signature = inspect.signature(function)
-        parameters = signature.replace(return_annotation=inspect.Signature.empty)
+        parameters = self.parameters(name, signature.parameters.values())
+        result = _RESULTS.get(name) or self.type_of(signature.return_annotation)
         text = inspect.getdoc(function).replace("\\", "\\\\").replace('"""', '\\"\\"\\"')
         end = "\n" if "\n" in text else ""
         lines = "".join(f"    {line}".rstrip() + "\n" for line in f'"""{text}{end}"""'.split("\n"))
-        return f"def {name}{parameters} -> {self.type_of(signature.return_annotation)}:\n{lines}"
+        return f"def {name}({parameters}) -> {result}:\n{lines}"
+
+    def parameters(self, function, given):
+        """How the stub writes parameters, with their types and defaults."""
+        written, by_name = [], False
+        for each in given:
+            if each.kind is each.KEYWORD_ONLY and not by_name:
+                written.append("*")
+            by_name = each.kind in (each.KEYWORD_ONLY, each.VAR_POSITIONAL)
+            known = _PARAMETERS.get(f"{function}.{each.name}") or _PARAMETERS.get(each.name)
+            default = each.default
+            plain = {bool: "bool", int: "float", float: "float", str: "str"}.get(type(default))
+            kind = known or plain or "Any"
+            stars = {each.VAR_POSITIONAL: "*", each.VAR_KEYWORD: "**"}.get(each.kind, "")
+            end = "" if default is each.empty else f" = {default!r}"
+            written.append(f"{stars}{each.name}: {kind}{end}")
+        return ", ".join(written)
 
 
 def make(package):
-    """The text: classes of Python by their files, which say more, and wrapped ones by name."""
+    """The package's own text: classes by the files that say more, and functions."""
     writer = _Writer(package)
-    wrapped = sorted(name for name, thing in vars(package).items() if _is_wrapped(thing))
-    return "\n".join(["from typing import Any", "", *sorted(writer.imports), "",
-                      *(f"class {name}(Any): ..." for name in wrapped), "",
-                      *writer.functions])  # fmt: skip
+    wrapped = (
+        f"from {thing.__module__} import {name} as {name}"
+        for name, thing in vars(package).items()
+        if _is_wrapped(thing)
+    )
+    imports = sorted({*writer.imports, *wrapped})
+    variables = [*writer.renamed, "__version__: str"]
+    return "\n".join([_HEAD, *imports, "", *variables, "", *writer.functions])
+
+
+def _modules(package, folder):
+    return {
+        name: importlib.import_module(f"{package}.{name}")
+        for name in sorted({path.name.split(".")[0] for path in folder.glob("vtk*.so")})
+    }
+
+
+def _wrapped_texts(modules, package, homes):
+    """The text of each module by its name, from VTK's generator; classes by their full names."""
+    with tempfile.TemporaryDirectory() as folder:
+        from .vtk import generate_pyi
+
+        generate_pyi.main(["generate_pyi", "-p", package, "-o", folder, *modules])
+        texts = {name: pathlib.Path(folder, f"{name}.pyi").read_text("utf-8") for name in modules}
+
+    for name, text in texts.items():
+        own = set(re.findall(r"(?m)^class (\w+)", text))
+        others = set()
+
+        def place(match, own=own, others=others):
+            kind = match[1]
+            if kind in own or kind not in homes:
+                return match[0]
+            others.add(homes[kind])
+            return f"'{homes[kind]}.{kind}'"
+
+        text = text.replace("'getset_descriptor'", "Any")
+        text = re.sub(r"\b(Buffer|Callback|Pointer|Template)\b", r"_\1", text)  # not for import *
+        text = re.sub(r"'(vtk\w+)'", place, text)
+        text = re.sub(rf"\b{VTK}\.(?=vtk)", f"{_VTK}.", text)
+        at = text.index("\n\nimport ") if "\n\nimport " in text else text.index("\nclass ")
+        others = sorted(others - set(re.findall(r"(?m)^import (\S+)", text)))
+        texts[name] = text[:at] + "".join(f"\nimport {each}" for each in others) + text[at:]
+    return texts
+
+
+def write(package, folder):
+    """Writes all stubs to a folder: __init__.pyi, and one for each wrapped module."""
+    (folder / "__init__.pyi").write_text(make(package), encoding="utf-8")
+    groups = [("relievo", _modules("relievo", FOLDER), folder)]
+    if VTK != _VTK:
+        groups.append((VTK, _modules(VTK, FOLDER / "vtk"), folder / "vtk"))
+    homes = {
+        name: _shown(thing.__module__)
+        for module in list(sys.modules.values())
+        for name, thing in vars(module).items()
+        if isinstance(thing, type) and name.startswith("vtk")
+        and getattr(module, "__name__", "").startswith(("relievo.vtk", f"{VTK}.vtk"))
+    }  # fmt: skip
+    for name, modules, to in groups:
+        to.mkdir(exist_ok=True)
+        for module, text in _wrapped_texts(modules, name, homes).items():
+            (to / f"{module}.pyi").write_text(text, encoding="utf-8")
 
 
 if __name__ == "__main__":
-    pathlib.Path(sys.argv[1]).write_text(make(sys.modules["relievo"]), encoding="utf-8")
+    write(sys.modules["relievo"], pathlib.Path(sys.argv[1]))

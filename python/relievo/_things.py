@@ -5,7 +5,7 @@
 import inspect
 import numbers
 
-from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm, vtkAlgorithmOutput
+from .vtk.vtkCommonExecutionModel import vtkAlgorithm, vtkAlgorithmOutput
 
 from ._arrays import add_arrays
 from ._data import EXPECTED, cloud_of, data_of, did_you_mean

@@ -13,12 +13,16 @@ PyVista finds this module by the entry points of the installed package `relievo`
     image = pyvista.read("frame.exr")               # one point array per layer
     image.save("copy.exr", compression="piz")
 
-All of these are for the plotter's active renderer, like PyVista's own; plotter.subplot()
+A wheel includes a VTK of its own, which PyVista takes if `import relievo` comes first, or if the
+environment variable PYVISTA_VTK_BACKEND is relievo.vtk. Files need neither.
+
+All of these but files are for the plotter's active renderer, like PyVista's own; plotter.subplot()
 changes it. Call plotter.render() to update a picture that is already drawn. PyVista's passes (EDL,
 SSAO, blur and so on) can be switched on and off before or after. With pyvista-render-passes, the
 frame is inside its passes, which smooth and shade the frame's picture.
 """
 
+import importlib
 import weakref
 
 import pyvista
@@ -29,6 +33,7 @@ if not hasattr(pyvista, "register_plotter_component"):
 from . import _capture, _environment, _exr, _frame, _image, _stages, _things
 from ._errors import describe, is_a
 from ._keep import kept
+from .vtk.vtkCommonDataModel import vtkImageData
 
 _providers = weakref.WeakKeyDictionary()  # of renderers whose passes pyvista-render-passes builds
 
@@ -71,10 +76,7 @@ class RelievoComponent:
     def _renderer(self):
         renderer = self._plotter.renderer
         if not is_a(renderer, "vtkRenderer"):
-            raise RuntimeError(
-                f"plotter.relievo: got {describe(renderer)}; PyVista takes that by itself where "
-                f"PYVISTA_VTK_BACKEND is not set"
-            )
+            raise RuntimeError(f"plotter.relievo: got {describe(renderer)}")
         if renderer not in self._renderers:
             self._renderers.append(renderer)
         return renderer
@@ -257,9 +259,25 @@ def read_exr(path, **options):
         raise pyvista.LocalFileRequiredError(path)
     if options:
         raise TypeError(f"read: .exr files take no options, got {', '.join(options)}")
-    return pyvista.wrap(_exr.read_exr(path))
+    return pyvista.wrap(_of_vtk(pyvista.ImageData(), _exr.read_exr(path)))
 
 
 def write_exr(dataset, path, **options):
     """Writes .exr files for save(), by relievo.write_exr(), with its compression, pixel_types."""
-    _exr.write_exr(path, dataset, **options)
+    _exr.write_exr(path, _of_vtk(vtkImageData(), dataset), **options)
+
+
+def _of_vtk(other, data):
+    """The data, or a copy in the VTK of another object where that is another one."""
+    give, take = (
+        next(each.__module__ for each in type(thing).__mro__ if each.__name__ == "vtkObjectBase")
+        for thing in (data, other)
+    )
+    if give == take:
+        return data
+    give, take = (
+        importlib.import_module(f"{name.rpartition('.')[0]}.util.pickle_support")
+        for name in (give, take)
+    )
+    _, (state,) = give.serialize_VTK_data_object(data)
+    return take.unserialize_VTK_data_object(state)

@@ -15,8 +15,9 @@ import collections
 
 import numpy
 import pytest
+import relievo  # first: PyVista then takes its VTK
+
 import pyvista
-import relievo
 from pyvista.plotting.renderer import Renderer
 
 _counts = collections.Counter()

@@ -12,9 +12,9 @@ import tempfile
 import unittest
 
 import numpy
-import pyvista
+import relievo  # noqa: F401  (first: PyVista then takes its VTK)
 
-# Not imported: relievo. PyVista finds it.
+import pyvista
 
 pyvista.OFF_SCREEN = True
 SUN = (2.0, 1.0, 6.0)
@@ -137,7 +137,7 @@ class PyVista(Clients):
     def test_baselines(self):
         """The example of docs/compare.md writes a baseline, passes, then fails after a change."""
         page = (pathlib.Path(__file__).parents[2] / "docs" / "compare.md").read_text("utf-8")
-        example = re.search(r"^```python\n(import pyvista\n.*?)^```$", page, re.M | re.S)[1]
+        example = re.search(r"^```python\n(import relievo .*?)^```$", page, re.M | re.S)[1]
         with tempfile.TemporaryDirectory() as folder:
             for text, option, says in (
                 (example, "--relievo-update", "1 skipped"), (example, "-v", "1 passed"),
@@ -211,6 +211,37 @@ class RenderPasses(Clients):
         with self.assertRaisesRegex(ValueError, "shadows beside those of plotter.render_passes"):
             plotter.relievo.shadows()
         plotter.close()
+
+
+ALONE = """
+import numpy, pyvista
+assert pyvista.vtk_backend() == "vtk"
+image = pyvista.ImageData(dimensions=(5, 4, 1))
+image["depth"] = numpy.linspace(0, 1, 20, dtype="f4")
+image["id of it"] = numpy.arange(20, dtype="i4")
+image["normal"] = numpy.full((20, 3), numpy.nan, "f4")
+image.save("a.exr", compression="piz")
+again = pyvista.read("a.exr")
+assert type(again) is pyvista.ImageData
+for name in image.array_names:
+    numpy.testing.assert_array_equal(again[name], image[name])
+plotter = pyvista.Plotter(off_screen=True)
+plotter.add_mesh(pyvista.Sphere())
+plotter.screenshot("a.png")
+plotter.relievo.shadows()
+"""
+
+
+class Alone(unittest.TestCase):
+    def test_usual_vtk(self):
+        """Beside the wheel PyVista has its usual VTK where relievo is not imported. Files work."""
+        with tempfile.TemporaryDirectory() as folder:
+            done = subprocess.run([sys.executable, "-c", ALONE], cwd=folder, check=False,
+                                  capture_output=True, text=True, env=os.environ)  # fmt: skip
+            self.assertTrue(pathlib.Path(folder, "a.png").is_file(), done.stderr)
+        refusal = ("^RuntimeError: plotter.relievo: got a vtkOpenGLRenderer of vtkmodules, .* "
+                   "import relievo before pyvista")  # fmt: skip
+        self.assertRegex(done.stderr.splitlines()[-1], refusal)
 
 
 class Vedo(Clients):

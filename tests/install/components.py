@@ -24,7 +24,8 @@ MAY = {
     r"|share/bash-completion/completions/relievo-viewer",
     "development": rf"{LIBRARY}|include/relievo/.*|lib/.*/?(cmake/relievo|relievo/hierarchy)/.*"
     r"|lib(/[^/]+)*/libvtkRelievo\w+CS\.a",
-    "python": rf"{re.escape(PYTHON)}/(relievo(-[\d.]+\.dist-info)?/[^/]+|pytest_relievo\.py)",
+    "python": rf"{re.escape(PYTHON)}/"
+    r"((relievo|vtk_relievo-[\d.]+\.dist-info)/[^/]+|pytest_relievo\.py)",
     "plugin": r"lib/.*plugins/(Relievo/Relievo\.so|relievo\.plugins\.xml)",
 }
 MUST = {
@@ -35,7 +36,7 @@ MUST = {
                     "RelievoPictureTest.cmake", "RelievoRunPictureTest.cmake",
                     "vtkRelievoPass.h"],  # fmt: skip
     "python": ["relievo/__init__.py", "relievo/_wrapped.py", "relievo/vtkRelievoPasses",
-               "relievo/__init__.pyi", "relievo/py.typed",
+               "relievo/__init__.pyi", "relievo/vtkRelievoPasses.pyi", "relievo/py.typed",
                "pytest_relievo.py", ".dist-info/entry_points.txt"],  # fmt: skip
     "plugin": ["Relievo/Relievo.so", "relievo.plugins.xml"],
 }

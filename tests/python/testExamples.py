@@ -1,8 +1,9 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Every numbered example runs and writes the documented files."""
+"""Every numbered example and every notebook runs as it is; examples write the documented files."""
 
 import datetime
+import json
 import math
 import os
 import pathlib
@@ -92,6 +93,20 @@ def write_smaller(name, folder):
     return folder / name
 
 
+def paths_of(*folders):
+    """PYTHONPATH without the wheel tests' folder that makes `vtkmodules` the wheel's VTK."""
+    given = os.environ.get("PYTHONPATH", "").split(os.pathsep)
+    kept = [path for path in given if not path.endswith("tests/wheel/vtk")]
+    return os.pathsep.join([*map(str, folders), *kept])
+
+
+def cells_of(notebook):
+    """The code of a notebook, with its largest pictures at a third of their size."""
+    cells = json.loads(notebook.read_text("utf-8"))["cells"]
+    text = "\n".join("".join(cell["source"]) for cell in cells if cell["cell_type"] == "code")
+    return re.sub(r"\(960, (\d+)\)", lambda found: f"(320, {int(found[1]) // 3})", text)
+
+
 def read_png(path):
     reader = vtkPNGReader()
     reader.SetFileName(str(path))
@@ -116,11 +131,10 @@ class Examples(unittest.TestCase):
             script = EXAMPLES / name
             if name in SMALLER:
                 script = write_smaller(name, pathlib.Path(self.copies.name))
-            paths = os.pathsep.join([str(EXAMPLES), os.environ.get("PYTHONPATH", "")])
             done = subprocess.run(
                 [sys.executable, script, folder / "out", *WORDS.get(name, [])], cwd=folder,
                 stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, timeout=600,
-                env={**os.environ, "PYTHONPATH": paths},
+                env={**os.environ, "PYTHONPATH": paths_of(EXAMPLES)},
             )  # fmt: skip
             self.ran[name] = folder, done
         self.folder, done = self.ran[name]
@@ -142,6 +156,19 @@ class Examples(unittest.TestCase):
                     self.assertIn(path.name, files)
                 for path in self.folder.glob("*"):
                     self.assertEqual(path.name, "out")
+
+    def test_notebooks(self):
+        notebooks = sorted(EXAMPLES.parent.glob("docs/notebooks/*.ipynb"))
+        self.assertGreater(len(notebooks), 4)
+        script = pathlib.Path(self.copies.name, "notebooks.py")
+        script.write_text("".join(f"print({each.stem!r})\nexec({cells_of(each)!r}, {{}})\n"
+                                  for each in notebooks), "utf-8")  # fmt: skip
+        done = subprocess.run([sys.executable, script], cwd=self.copies.name, check=False,
+                              capture_output=True, text=True,
+                              env={**os.environ, "PYTHONPATH": paths_of()})  # fmt: skip
+        self.assertEqual((done.returncode, done.stderr), (0, ""), done.stdout)
+        for each in notebooks:
+            self.assertIn(f"{each.stem}\n", done.stdout)
 
     def test_values(self):
         # A sphere of radius 1/2 around the origin: the nearest depth is the camera's distance less

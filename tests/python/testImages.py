@@ -6,8 +6,11 @@ import errno
 import json
 import os
 import pathlib
+import pickle
 import resource
 import signal
+import subprocess
+import sys
 import tempfile
 import tracemalloc
 import unittest
@@ -234,6 +237,25 @@ class RoundTrip(FolderTest):
                         numpy.testing.assert_allclose(after, before, rtol=0, atol=2e-6)
                     else:
                         self.assertEqual(before.tobytes(), after.tobytes(), name)
+
+    def test_pickled(self):
+        """A capture, its camera and its lights, also in a process that has not imported relievo."""
+        image = relievo.capture(scenes.plane_and_sphere(), LAYERS, size=(30, 20))
+        path = self.folder / "image.pickle"
+        path.write_bytes(pickle.dumps(image))
+        code = "import pickle, sys; data = open(sys.argv[1], 'rb').read(); image = "
+        code += "pickle.loads(data); print(repr(image)); assert pickle.dumps(image) == data"
+        done = subprocess.run([sys.executable, "-c", code, path], capture_output=True, text=True,
+                              check=False)  # fmt: skip
+        self.assertEqual(done.stdout, f"{image!r}\n", done.stderr)
+        back = pickle.loads(path.read_bytes())
+        for name in LAYERS:
+            before, after = relievo.layer(image, name), relievo.layer(back, name)
+            self.assertEqual((before.dtype, before.tobytes()), (after.dtype, after.tobytes()))
+        before, after = relievo.attributes(image), relievo.attributes(back)
+        self.assertEqual(list(before), list(after))
+        self.assertEqual(before["lights"], after["lights"])
+        numpy.testing.assert_array_equal(before["worldToNDC"], after["worldToNDC"])
 
     def test_the_camera_comes_back(self):
         renderer = scenes.plane_and_sphere()

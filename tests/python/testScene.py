@@ -546,8 +546,12 @@ class Scene(unittest.TestCase):
         writer.SetInputData(mesh)
         writer.SetFileName(self.path("hole.vtp"))
         writer.Write()
-        scene = relievo.scene(self.path("hole.vtp"), size=SIZE).update()
+        scene = relievo.scene(self.path("hole.vtp"), size=SIZE)
+        self.assertRegex(repr(scene), r"^relievo\.scene\('.*hole\.vtp', size=.*\)$")
+        with self.assertLogs("relievo", "INFO") as logged:
+            scene.update()
         self.assertRegex(" ".join(scene.notes), "left out 1 cell")
+        self.assertEqual([record.getMessage() for record in logged.records], scene.notes)
 
     def test_folders_of_named_files(self):
         """Those beside the file's own are read where they are allowed, also later."""

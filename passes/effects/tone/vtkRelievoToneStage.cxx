@@ -38,7 +38,7 @@ bool MapsTones(vtkRenderPass* pass)
   {
     return false;
   }
-  if (pass->IsA("vtkToneMappingPass")) // by name: PyVista's VTK lacks the class
+  if (pass->IsA("vtkToneMappingPass")) // by name: cvista lacks the class
   {
     return true;
   }

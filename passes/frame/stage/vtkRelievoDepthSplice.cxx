@@ -30,7 +30,7 @@ bool MayWriteDepth(const vtkRelievoPropParts::Part& part)
   }
   vtkProperty* property = actor->GetProperty();
   vtkMapper* mapper = actor->GetMapper();
-  // By name: PyVista's VTK lacks both classes.
+  // By name: cvista lacks both classes.
   return property->GetRenderPointsAsSpheres() || property->GetRenderLinesAsTubes() ||
     actor->GetShaderProperty()->GetNumberOfShaderReplacements() > 0 ||
     (mapper && (mapper->IsA("vtkOpenGLSphereMapper") || mapper->IsA("vtkOpenGLStickMapper")));

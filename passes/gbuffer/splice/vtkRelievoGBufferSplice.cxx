@@ -49,7 +49,7 @@ int vtkRelievoGBufferSplice::GetPrimitiveSource(vtkOpenGLPolyDataMapper* mapper,
     auto* glyphs = vtkGlyph3DMapper::SafeDownCast(actor->GetMapper());
     return glyphs && glyphs->GetCullingAndLOD() ? NoPrimitive : InstanceOfGlyphs;
   }
-  // By name: PyVista's VTK lacks both classes.
+  // By name: cvista lacks both classes.
   if (mapper->IsA("vtkOpenGLSphereMapper") || mapper->IsA("vtkOpenGLStickMapper"))
   {
     return PointOfMesh;

@@ -12,4 +12,4 @@ package = importlib.util.find_spec("relievo").submodule_search_locations[0]
 spec = importlib.util.spec_from_file_location("relievo_vtkmodules", f"{package}/_vtkmodules.py")
 module = importlib.util.module_from_spec(spec)
 spec.loader.exec_module(module)
-sys.meta_path.insert(0, module.Alias("cvista"))
+sys.meta_path[:0] = [module.Included("cvista"), module.Alias("vtkmodules", "cvista")]
