@@ -43,6 +43,25 @@ std::string EncodeImage(const void* pixels, int type, int columns, int rows, int
     static_cast<std::size_t>(bytes->GetNumberOfValues()) };
 }
 
+// A number of a PNG file, the highest byte first.
+void AppendReversed(std::string& bytes, std::size_t number)
+{
+  for (int i = 3; i >= 0; --i)
+  {
+    bytes += static_cast<char>(number >> (8 * i) & 255);
+  }
+}
+
+// A chunk of a PNG file.
+void AppendChunk(std::string& bytes, const std::string& type, const std::string& data)
+{
+  AppendReversed(bytes, data.size());
+  const std::string checked = type + data;
+  bytes += checked;
+  AppendReversed(bytes,
+    crc32(0, reinterpret_cast<const Bytef*>(checked.data()), static_cast<uInt>(checked.size())));
+}
+
 // Numbers of a ZIP file, the lowest byte first.
 void Append(std::string& bytes, int count, std::size_t number)
 {
@@ -140,6 +159,43 @@ std::string EncodePNG(
 std::string EncodePNG(const std::vector<unsigned short>& pixels, int columns, int rows)
 {
   return EncodeImage(pixels.data(), VTK_UNSIGNED_SHORT, columns, rows, 1);
+}
+
+//------------------------------------------------------------------------------
+// Runs of equal bytes are all there is to compress: with PNG's filters and a search for other
+// repetitions, masks would take most of the time of a data set.
+std::string EncodeMask(const std::vector<unsigned char>& pixels, int columns, int rows)
+{
+  const auto length = static_cast<std::size_t>(columns);
+  std::string lines;
+  lines.reserve((length + 1) * static_cast<std::size_t>(rows));
+  for (std::size_t row = 0; row < static_cast<std::size_t>(rows); ++row)
+  {
+    lines += '\0'; // no filter
+    lines.append(reinterpret_cast<const char*>(pixels.data()) + row * length, length);
+  }
+  z_stream stream = {};
+  constexpr int window = 15;
+  constexpr int memory = 8;
+  deflateInit2(&stream, Z_DEFAULT_COMPRESSION, Z_DEFLATED, window, memory, Z_RLE);
+  std::string packed(deflateBound(&stream, static_cast<uLong>(lines.size())), '\0');
+  stream.next_in = reinterpret_cast<Bytef*>(lines.data());
+  stream.avail_in = static_cast<uInt>(lines.size());
+  stream.next_out = reinterpret_cast<Bytef*>(packed.data());
+  stream.avail_out = static_cast<uInt>(packed.size());
+  deflate(&stream, Z_FINISH);
+  packed.resize(stream.total_out);
+  deflateEnd(&stream);
+
+  std::string header;
+  AppendReversed(header, length);
+  AppendReversed(header, static_cast<std::size_t>(rows));
+  header += std::string("\x08\0\0\0\0", 5); // grey levels of 8 bits
+  std::string file = "\x89PNG\r\n\x1a\n";
+  AppendChunk(file, "IHDR", header);
+  AppendChunk(file, "IDAT", packed);
+  AppendChunk(file, "IEND", "");
+  return file;
 }
 
 //------------------------------------------------------------------------------

@@ -29,6 +29,9 @@ std::string EncodePNG(
   const std::vector<unsigned char>& pixels, int columns, int rows, int components);
 std::string EncodePNG(const std::vector<unsigned short>& pixels, int columns, int rows);
 
+/// Writes a mask, one byte per pixel, as a PNG, row by row from the top.
+std::string EncodeMask(const std::vector<unsigned char>& pixels, int columns, int rows);
+
 /// An archive of arrays that numpy.load() reads, uncompressed.
 class NumpyArchive
 {

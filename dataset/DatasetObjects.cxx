@@ -14,7 +14,10 @@
 #include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkPropCollection.h"
+#include "vtkProperty.h"
 #include "vtkRelievoCompositeMapper.h"
+#include "vtkRelievoPlainActor.h"
+#include "vtkRelievoVTKVersions.h"
 #include "vtkRenderer.h"
 #include "vtkSmartPointer.h"
 
@@ -250,14 +253,48 @@ int DatasetObjects::Find(int actor, int block) const
 }
 
 //------------------------------------------------------------------------------
-bool DatasetObjects::Has(int object, vtkActor* actor) const
+// Classes are compared by name: subclasses may draw anything. A projected point may leave the box
+// of the projected corners.
+std::optional<double> DatasetObjects::GetBorder(int object) const
 {
-  return std::any_of(this->Parts.begin(), this->Parts.end(),
-    [=](const Part& part) { return part.Object == object && part.Actor == actor; });
+  double border = 0.0;
+  for (const Part& part : this->Parts)
+  {
+    if (part.Object != object)
+    {
+      continue;
+    }
+    const std::string mapper = part.Actor->GetMapper()->GetClassName();
+    const double* last = part.Pose->GetData() + 12;
+    bool isPlain = std::string(part.Actor->GetClassName()) == "vtkOpenGLActor" &&
+      !vtkRelievoPlainActor::HasOwnShaders(part.Actor) &&
+      (mapper == "vtkOpenGLPolyDataMapper" || mapper == "vtkDataSetMapper") && last[0] == 0.0 &&
+      last[1] == 0.0 && last[2] == 0.0 && last[3] == 1.0;
+#ifdef RELIEVO_VTK_COORDINATE_SYSTEMS
+    isPlain = isPlain && part.Actor->GetCoordinateSystem() == vtkProp3D::WORLD;
+#endif
+    if (!isPlain)
+    {
+      return std::nullopt;
+    }
+    vtkProperty* property = part.Actor->GetProperty();
+    border = std::max({ border, static_cast<double>(property->GetLineWidth()),
+      static_cast<double>(property->GetPointSize()) });
+  }
+  return border;
 }
 
 //------------------------------------------------------------------------------
-DatasetObjects::Alone::Alone(const DatasetObjects& objects, int object)
+bool DatasetObjects::Has(const std::vector<int>& objects, vtkActor* actor) const
+{
+  return std::any_of(this->Parts.begin(), this->Parts.end(), [&](const Part& part) {
+    return part.Actor == actor &&
+      std::find(objects.begin(), objects.end(), part.Object) != objects.end();
+  });
+}
+
+//------------------------------------------------------------------------------
+DatasetObjects::Alone::Alone(const DatasetObjects& objects, const std::vector<int>& shown)
 {
   const auto hide = [this](vtkProp* prop) {
     if (prop->GetVisibility())
@@ -266,7 +303,7 @@ DatasetObjects::Alone::Alone(const DatasetObjects& objects, int object)
       this->Hidden.push_back(prop);
     }
   };
-  // Hides volumes, and assemblies that contain no part of the object.
+  // Hides volumes, and assemblies that contain no part of the objects.
   vtkPropCollection* props = objects.Renderer->GetViewProps();
   for (int i = 0; i < props->GetNumberOfItems(); ++i)
   {
@@ -277,7 +314,7 @@ DatasetObjects::Alone::Alone(const DatasetObjects& objects, int object)
     for (int k = 0; k < inside->GetNumberOfItems(); ++k)
     {
       auto* actor = vtkActor::SafeDownCast(inside->GetItemAsObject(k));
-      any = any || (actor && objects.Has(object, actor));
+      any = any || (actor && objects.Has(shown, actor));
     }
     if (!any)
     {
@@ -287,12 +324,12 @@ DatasetObjects::Alone::Alone(const DatasetObjects& objects, int object)
   // Hides the other parts of assemblies and composite data.
   for (const Part& part : objects.Parts)
   {
-    const bool any = objects.Has(object, part.Actor);
+    const bool any = objects.Has(shown, part.Actor);
     if (!any)
     {
       hide(part.Actor);
     }
-    else if (part.Object != object && part.Data)
+    else if (part.Data && std::find(shown.begin(), shown.end(), part.Object) == shown.end())
     {
       vtkCompositeDataDisplayAttributes* attributes = GetAttributes(part.Actor);
       this->Blocks.push_back({ part.Actor, part.Data, attributes->HasBlockVisibility(part.Data),

@@ -12,6 +12,7 @@
 
 #include <array>
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -44,6 +45,9 @@ public:
   /// World corners of the boxes around an object's parts.
   std::vector<std::array<double, 3>> GetCorners(int object) const;
 
+  /// The number of pixels that an object may cover around its boxes; none if it may be anywhere.
+  std::optional<double> GetBorder(int object) const;
+
   /// Bounds of the objects; without objects, of all visible props.
   vtkBoundingBox GetBounds() const;
 
@@ -53,11 +57,11 @@ public:
   /// The object for values of the layers `actor` and `block`; -1: none.
   int Find(int actor, int block) const;
 
-  /// While it lives, the renderer shows this object's mesh only.
+  /// While it lives, the renderer shows the meshes of these objects only.
   class Alone
   {
   public:
-    Alone(const DatasetObjects& objects, int object);
+    Alone(const DatasetObjects& objects, const std::vector<int>& shown);
     ~Alone();
     Alone(const Alone&) = delete;
     void operator=(const Alone&) = delete;
@@ -74,7 +78,7 @@ public:
   };
 
 private:
-  bool Has(int object, vtkActor* actor) const;
+  bool Has(const std::vector<int>& objects, vtkActor* actor) const;
 
   struct Part
   {

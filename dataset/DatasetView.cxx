@@ -27,6 +27,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <utility>
 
 namespace scene
@@ -111,12 +112,12 @@ enum class ObjectReach
   Behind
 };
 
-ObjectReach FindReach(vtkRelievoLensCamera* camera, const DatasetObjects& objects, int object)
+// The corners of an object's boxes in pixels; none for corners behind the camera.
+std::vector<std::optional<std::array<double, 2>>> ProjectCorners(
+  vtkRelievoLensCamera* camera, const DatasetObjects& objects, int object)
 {
-  int behind = 0;
-  bool isWithin = true;
-  const std::vector<std::array<double, 3>> corners = objects.GetCorners(object);
-  for (const std::array<double, 3>& corner : corners)
+  std::vector<std::optional<std::array<double, 2>>> projected;
+  for (const std::array<double, 3>& corner : objects.GetCorners(object))
   {
     double point[3];
     for (int i = 0; i < 3; ++i)
@@ -124,15 +125,73 @@ ObjectReach FindReach(vtkRelievoLensCamera* camera, const DatasetObjects& object
       point[i] =
         vtkMath::Dot(camera->GetRotation() + 3 * i, corner.data()) + camera->GetTranslation()[i];
     }
-    double pixel[2];
-    const bool isBefore = point[2] > 0.0 && camera->ProjectCameraPoint(point, pixel);
-    behind += isBefore ? 0 : 1;
-    isWithin = isWithin && isBefore && pixel[0] > -0.5 && pixel[1] > -0.5 &&
-      pixel[0] < camera->GetSize()[0] - 0.5 && pixel[1] < camera->GetSize()[1] - 0.5;
+    std::array<double, 2> pixel{};
+    const bool isBefore = point[2] > 0.0 && camera->ProjectCameraPoint(point, pixel.data());
+    projected.push_back(isBefore ? std::make_optional(pixel) : std::nullopt);
   }
-  return isWithin                                ? ObjectReach::Within
-    : behind == static_cast<int>(corners.size()) ? ObjectReach::Behind
-                                                 : ObjectReach::Beyond;
+  return projected;
+}
+
+ObjectReach FindReach(vtkRelievoLensCamera* camera, const DatasetObjects& objects, int object)
+{
+  const auto corners = ProjectCorners(camera, objects, object);
+  const auto isWithin = [camera](const std::optional<std::array<double, 2>>& pixel) {
+    return pixel && (*pixel)[0] > -0.5 && (*pixel)[1] > -0.5 &&
+      (*pixel)[0] < camera->GetSize()[0] - 0.5 && (*pixel)[1] < camera->GetSize()[1] - 0.5;
+  };
+  return std::all_of(corners.begin(), corners.end(), isWithin) ? ObjectReach::Within
+    : std::none_of(
+        corners.begin(), corners.end(), [](const auto& pixel) { return pixel.has_value(); })
+    ? ObjectReach::Behind
+    : ObjectReach::Beyond;
+}
+
+// A rectangle that contains all pixels of an object: left, top, right and bottom.
+std::array<double, 4> FindRectangle(
+  vtkRelievoLensCamera* camera, const DatasetObjects& objects, int object)
+{
+  constexpr double far = std::numeric_limits<double>::infinity();
+  constexpr double rounding = 2.0;
+  const std::optional<double> border = objects.GetBorder(object);
+  std::array<double, 4> all = { far, far, -far, -far };
+  for (const auto& pixel : ProjectCorners(camera, objects, object))
+  {
+    if (!pixel || !border)
+    {
+      return { -far, -far, far, far };
+    }
+    for (std::size_t i = 0; i < 2; ++i)
+    {
+      all[i] = std::min(all[i], (*pixel)[i] - *border - rounding);
+      all[i + 2] = std::max(all[i + 2], (*pixel)[i] + *border + rounding);
+    }
+  }
+  return all;
+}
+
+// Divides objects into groups that never cover each other.
+std::vector<std::vector<int>> Separate(
+  vtkRelievoLensCamera* camera, const DatasetObjects& all, const std::vector<int>& objects)
+{
+  std::vector<std::vector<int>> groups;
+  std::vector<std::vector<std::array<double, 4>>> rectangles;
+  for (const int object : objects)
+  {
+    const std::array<double, 4> own = FindRectangle(camera, all, object);
+    const auto isApart = [&own](const std::array<double, 4>& other) {
+      return own[0] > other[2] || own[2] < other[0] || own[1] > other[3] || own[3] < other[1];
+    };
+    std::size_t i = 0;
+    while (i < groups.size() && !std::all_of(rectangles[i].begin(), rectangles[i].end(), isApart))
+    {
+      ++i;
+    }
+    groups.resize(std::max(groups.size(), i + 1));
+    rectangles.resize(groups.size());
+    groups[i].push_back(object);
+    rectangles[i].push_back(own);
+  }
+  return groups;
 }
 
 // An object's complete silhouette, from its mask in the picture and its mask in a picture that is
@@ -414,6 +473,29 @@ void DatasetPainter::TakePicture(DatasetView& view)
 }
 
 //------------------------------------------------------------------------------
+// Calls `call` with each pixel of each object, drawn without the other objects.
+void DatasetPainter::DrawAlone(vtkRelievoLensCamera* camera, const std::vector<int>& objects,
+  const std::function<void(std::size_t, std::size_t)>& call)
+{
+  for (const std::vector<int>& group : Separate(camera, this->Objects, objects))
+  {
+    const DatasetObjects::Alone alone(this->Objects, group);
+    std::vector<bool> isShown(this->Objects.Get().size());
+    for (const int object : group)
+    {
+      isShown[static_cast<std::size_t>(object)] = true;
+    }
+    ForEachObject(
+      this->Objects, this->DrawLayers({ "actor", "block" }), [&](std::size_t pixel, int found) {
+        if (found >= 0 && isShown[static_cast<std::size_t>(found)])
+        {
+          call(pixel, static_cast<std::size_t>(found));
+        }
+      });
+  }
+}
+
+//------------------------------------------------------------------------------
 // An object's full mask is drawn without the others, by the same camera: pixels where the object is
 // visible among the others also show it alone.
 void DatasetPainter::DrawInWindow(vtkRelievoLensCamera* camera, DatasetView& view)
@@ -427,18 +509,10 @@ void DatasetPainter::DrawInWindow(vtkRelievoLensCamera* camera, DatasetView& vie
   this->TakePicture(view);
   view.Layers = this->DrawLayers(this->Layers);
   FindVisible(this->Objects, view);
-  for (std::size_t i = 0; i < view.Whole.size(); ++i)
-  {
-    const auto object = static_cast<int>(i);
-    const DatasetObjects::Alone alone(this->Objects, object);
-    ForEachObject(
-      this->Objects, this->DrawLayers({ "actor", "block" }), [&](std::size_t pixel, int found) {
-        if (found == object)
-        {
-          view.Whole[i].Add(pixel);
-        }
-      });
-  }
+  std::vector<int> all(view.Whole.size());
+  std::iota(all.begin(), all.end(), 0);
+  this->DrawAlone(
+    camera, all, [&view](std::size_t pixel, std::size_t object) { view.Whole[object].Add(pixel); });
   if (this->Silhouettes)
   {
     this->LookBeyond(camera, view);
@@ -456,7 +530,7 @@ void DatasetPainter::LookBeyond(vtkRelievoLensCamera* camera, DatasetView& view)
   const std::array<std::size_t, 4> middle = { static_cast<std::size_t>(margin[0]),
     static_cast<std::size_t>(margin[1]), static_cast<std::size_t>(margin[0] + view.Columns),
     static_cast<std::size_t>(margin[1] + view.Rows) };
-  bool isWide = false;
+  std::vector<int> wider;
   for (std::size_t i = 0; i < view.Whole.size(); ++i)
   {
     const std::array<int, 4> box = view.Whole[i].GetBox();
@@ -465,36 +539,38 @@ void DatasetPainter::LookBeyond(vtkRelievoLensCamera* camera, DatasetView& view)
       (box[0] == 0 || box[1] == 0 || box[0] + box[2] == view.Columns ||
         box[1] + box[3] == view.Rows);
     const auto object = static_cast<int>(i);
-    if (!isTouching && FindReach(camera, this->Objects, object) != ObjectReach::Beyond)
+    if (isTouching || FindReach(camera, this->Objects, object) == ObjectReach::Beyond)
     {
-      continue;
+      wider.push_back(object);
     }
-    if (!isWide)
+  }
+  if (wider.empty())
+  {
+    return;
+  }
+  vtkNew<vtkRelievoLensCamera> wide;
+  wide->Copy(camera);
+  const double* axis = camera->GetPrincipalPoint();
+  wide->SetSize(all[0], all[1]);
+  wide->SetIntrinsics(camera->GetFocalX(), camera->GetFocalY(), camera->GetSkew(),
+    axis[0] + margin[0], axis[1] + margin[1]);
+  this->Window->vtkRenderWindow::SetSize(all[0], all[1]);
+  wide->ApplyTo(this->Camera);
+  std::vector<DatasetMask> beyond(view.Whole.size(), DatasetMask(all[0], all[1]));
+  this->DrawAlone(wide, wider, [&](std::size_t pixel, std::size_t object) {
+    const std::size_t column = pixel % static_cast<std::size_t>(all[0]);
+    const std::size_t row = pixel / static_cast<std::size_t>(all[0]);
+    const bool isMiddle =
+      column >= middle[0] && row >= middle[1] && column < middle[2] && row < middle[3];
+    if (!isMiddle)
     {
-      vtkNew<vtkRelievoLensCamera> wide;
-      wide->Copy(camera);
-      const double* axis = camera->GetPrincipalPoint();
-      wide->SetSize(all[0], all[1]);
-      wide->SetIntrinsics(camera->GetFocalX(), camera->GetFocalY(), camera->GetSkew(),
-        axis[0] + margin[0], axis[1] + margin[1]);
-      this->Window->vtkRenderWindow::SetSize(all[0], all[1]);
-      wide->ApplyTo(this->Camera);
-      isWide = true;
+      beyond[object].Add(pixel);
     }
-    const DatasetObjects::Alone alone(this->Objects, object);
-    DatasetMask beyond(all[0], all[1]);
-    ForEachObject(
-      this->Objects, this->DrawLayers({ "actor", "block" }), [&](std::size_t pixel, int found) {
-        const std::size_t column = pixel % static_cast<std::size_t>(all[0]);
-        const std::size_t row = pixel / static_cast<std::size_t>(all[0]);
-        const bool isMiddle =
-          column >= middle[0] && row >= middle[1] && column < middle[2] && row < middle[3];
-        if (found == object && !isMiddle)
-        {
-          beyond.Add(pixel);
-        }
-      });
-    view.Silhouettes[i] = JoinSilhouette(view.Whole[i], beyond, margin);
+  });
+  for (const int object : wider)
+  {
+    const auto i = static_cast<std::size_t>(object);
+    view.Silhouettes[i] = JoinSilhouette(view.Whole[i], beyond[i], margin);
   }
 }
 

@@ -17,6 +17,7 @@
 #include "vtkSmartPointer.h"
 
 #include <array>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -85,6 +86,8 @@ private:
   vtkSmartPointer<vtkImageData> TraceLayers(vtkRelievoCameraModel* camera,
     vtkRelievoCameraModel* before, const std::vector<std::string>& layers);
   void FindWhole(vtkRelievoCameraModel* camera, DatasetView& view);
+  void DrawAlone(vtkRelievoLensCamera* camera, const std::vector<int>& objects,
+    const std::function<void(std::size_t, std::size_t)>& call);
   void LookBeyond(vtkRelievoLensCamera* camera, DatasetView& view);
 
   vtkRenderer* Renderer;

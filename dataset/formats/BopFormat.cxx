@@ -50,7 +50,7 @@ public:
       {
         const DatasetMask& mask = whole ? view.Whole[i] : view.Visible[i];
         WriteWhole(style.Folder + (whole ? "/mask" : "/mask_visib") + file,
-          EncodePNG(mask.GetBytes(white), view.Columns, view.Rows, 1));
+          EncodeMask(mask.GetBytes(white), view.Columns, view.Rows));
       }
     }
   }

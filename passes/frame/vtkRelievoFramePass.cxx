@@ -20,6 +20,7 @@
 #include "vtkRelievoFrameRun.h"
 #include "vtkRelievoGpuTimer.h"
 #include "vtkRelievoLeakedTextureUnits.h"
+#include "vtkRelievoPointGroups.h"
 #include "vtkRelievoReportOnce.h"
 #include "vtkRelievoSampleAccumulator.h"
 #include "vtkRelievoSampleOffset.h"
@@ -56,6 +57,7 @@ public:
   vtkSmartPointer<vtkMultiProcessController> Controller;
   vtkRelievoSampleAccumulator Samples;
   vtkRelievoSampleRaster Raster; // all samples at once
+  vtkRelievoPointGroups PointGroups;
   vtkRelievoFrameReader Reader{ Color, Samples };
   vtkRelievoEdgeFilter Filter;                  // for pictures with one of several samples
   vtkWeakPointer<vtkOpenGLRenderWindow> Window; // of the last frame
@@ -380,7 +382,7 @@ bool vtkRelievoFramePass::DrawSample(const vtkRenderState* s)
   };
   const std::vector<vtkRelievoStage*> stages = in.GetStages();
   vtkRelievoFrameRun run(
-    context, stages, in.Color, in.Translucent, in.Samples, in.Raster, in.Timer);
+    context, stages, in.Color, in.Translucent, in.Samples, in.Raster, in.PointGroups, in.Timer);
   run.Synchronize();
   run.Declare();
   for (const std::string& wrong : run.Plan())
@@ -482,6 +484,7 @@ void vtkRelievoFramePass::ReleaseStages(vtkWindow* window)
   this->Internal->Raster.Release(window);
   this->Internal->Filter.Release(window);
   this->Internal->Timer.Release();
+  this->Internal->PointGroups.Clear();
 }
 
 //------------------------------------------------------------------------------

@@ -29,13 +29,14 @@
 vtkRelievoFrameRun::vtkRelievoFrameRun(vtkRelievoFrameContext& context,
   const std::vector<vtkRelievoStage*>& stages, vtkRelievoColorTarget& color,
   vtkRelievoTranslucentLayers& translucent, vtkRelievoSampleAccumulator& samples,
-  vtkRelievoSampleRaster& raster, vtkRelievoGpuTimer& timer)
+  vtkRelievoSampleRaster& raster, vtkRelievoPointGroups& pointGroups, vtkRelievoGpuTimer& timer)
   : Context(context)
   , Stages(stages)
   , Color(color)
   , Translucent(translucent)
   , Samples(samples)
   , Raster(raster)
+  , PointGroups(pointGroups)
   , Timer(timer)
   , Nodes(stages.size() + 1)
   , Dropped(stages.size() + 1, false)
@@ -452,7 +453,8 @@ void vtkRelievoFrameRun::FindHidden(HiddenPoints& hidden) const
     };
     if (vtkRelievoHiddenPoints::IsPossible(*prop) && std::none_of(props, end, shares))
     {
-      hidden.emplace_back(new vtkRelievoHiddenPoints(*prop, context.Renderer, false));
+      hidden.emplace_back(
+        new vtkRelievoHiddenPoints(*prop, context.Renderer, false, this->PointGroups));
     }
   }
 }

@@ -20,6 +20,7 @@ class vtkRelievoSampleRaster;
 class vtkRelievoFrameReport;
 class vtkRelievoGpuTimer;
 class vtkRelievoHiddenPoints;
+class vtkRelievoPointGroups;
 class vtkRelievoStage;
 class vtkRelievoTranslucentLayers;
 class vtkRenderPass;
@@ -30,7 +31,7 @@ public:
   vtkRelievoFrameRun(vtkRelievoFrameContext& context, const std::vector<vtkRelievoStage*>& stages,
     vtkRelievoColorTarget& color, vtkRelievoTranslucentLayers& translucent,
     vtkRelievoSampleAccumulator& samples, vtkRelievoSampleRaster& raster,
-    vtkRelievoGpuTimer& timer);
+    vtkRelievoPointGroups& pointGroups, vtkRelievoGpuTimer& timer);
 
   ///@{
   // The phases of a frame, to be called in this order.
@@ -97,6 +98,7 @@ private:
   vtkRelievoTranslucentLayers& Translucent;
   vtkRelievoSampleAccumulator& Samples;
   vtkRelievoSampleRaster& Raster;
+  vtkRelievoPointGroups& PointGroups;
   vtkRelievoGpuTimer& Timer;
   vtkRelievoFramePlan Planned;
   std::vector<vtkRelievoFramePlan::Node> Nodes; // the first is the delegate

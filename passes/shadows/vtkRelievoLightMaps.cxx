@@ -315,6 +315,7 @@ void vtkRelievoLightMaps::Release(vtkWindow* window)
   this->Method->Release(window);
   this->Work.PlainDraw.Release(window);
   this->Work.Props.ForgetGlyphs();
+  this->Work.Props.ForgetPointGroups();
   this->Work.Cache.Clear();
   this->Refused = -1; // another window's OpenGL may have enough memory
   this->Planning.ForgetRoom({});

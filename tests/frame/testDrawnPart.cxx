@@ -44,6 +44,7 @@
 #include <vtkRelievoLamps.h>
 #include <vtkRelievoLampsStage.h>
 #include <vtkRelievoPass.h>
+#include <vtkRelievoPointGroups.h>
 #include <vtkRelievoShadowStage.h>
 #include <vtkRelievoSoftwareOpenGL.h>
 #include <vtkRelievoToneStage.h>
@@ -419,7 +420,8 @@ public:
   vtkTypeMacro(WholeActor, vtkOpenGLActor);
 };
 
-// Many points as spheres, in a shell; `far`: from the origin, in diameters.
+// Many points as spheres, in a shell; `far`: from the origin, in diameters. With doubles, vertices
+// are in the reverse order of points.
 vtkSmartPointer<vtkPolyData> MakeShell(double far, bool floats)
 {
   vtkNew<vtkMinimalStandardRandomSequence> random;
@@ -439,7 +441,7 @@ vtkSmartPointer<vtkPolyData> MakeShell(double far, bool floats)
     points->InsertNextPoint(place[0] * scale + far, place[1] * scale, place[2] * scale);
     colors->InsertNextTuple3(next(0.0, 255.0), next(0.0, 255.0), next(0.0, 255.0));
     verts->InsertNextCell(1);
-    verts->InsertCellPoint(i);
+    verts->InsertCellPoint(floats ? i : 19999 - i);
   }
   auto shell = vtkSmartPointer<vtkPolyData>::New();
   shell->SetPoints(points);
@@ -457,7 +459,8 @@ struct ShellCase
   double Zoom;
   bool Parallel;
   bool Sun;
-  bool Forward; // shadows that draw the camera's view a second time
+  bool Forward;        // shadows that draw the camera's view a second time
+  bool Turned = false; // after a first picture
 };
 
 // The picture of the actor over a ground, with a shadow, and how many points were seen.
@@ -466,7 +469,8 @@ vtkSmartPointer<vtkImageData> DrawShell(const ShellCase& test, vtkActor* actor, 
   Scene scene;
   scene.Renderer->RemoveActor(scene.Actor);
   vtkNew<vtkPolyDataMapper> mapper;
-  mapper->SetInputData(MakeShell(test.Far, test.Sun));
+  const auto shell = MakeShell(test.Far, test.Sun);
+  mapper->SetInputData(shell);
   actor->SetMapper(mapper);
   actor->SetPosition(-test.Far * 1.2, 0.0, 0.0);
   actor->SetScale(1.2, 1.4, 1.3);
@@ -498,9 +502,22 @@ vtkSmartPointer<vtkImageData> DrawShell(const ShellCase& test, vtkActor* actor, 
   }
   // Once the buffers are made; the map with casters as before would be kept.
   scene.Window->Render();
+  if (test.Turned)
+  {
+    for (vtkIdType i = 0; i < shell->GetNumberOfPoints(); ++i)
+    {
+      double place[3];
+      shell->GetPoint(i, place);
+      shell->GetPoints()->SetPoint(i, -place[2], place[1], place[0]);
+    }
+    shell->GetPoints()->Modified();
+    light->SetPosition(1.0, 4.0, 2.1);
+    scene.Window->Render();
+  }
   light->SetPosition(1.0, 4.0, 2.5);
   const auto picture = Picture(scene.Window);
-  const vtkRelievoHiddenPoints hidden(actor, scene.Renderer, false);
+  vtkRelievoPointGroups groups;
+  const vtkRelievoHiddenPoints hidden(actor, scene.Renderer, false, groups);
   seen = hidden.GetNumberOfSeen();
   return picture;
 }
@@ -516,6 +533,7 @@ void TestHiddenPoints()
     { "a shell that is all at the far plane", 4.0, 0.0, 0.0005, 1.0, false, false, false },
     { "a shell far from its origin", 3.0, 5.0, 1.0, 1.0, false, false, false },
     { "a shell with shadows forward", 8.0, 0.0, 1.0, 1.0, false, true, true },
+    { "a shell whose points have moved", 4.0, 0.0, 1.0, 1.0, false, false, false, true },
   };
   for (const ShellCase& test : cases)
   {

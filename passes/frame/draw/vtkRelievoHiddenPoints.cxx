@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRelievoHiddenPoints.h"
 
-#include "vtkAOSDataArrayTemplate.h"
 #include "vtkActor.h"
 #include "vtkCellArray.h"
 #include "vtkMatrix4x4.h"
@@ -14,13 +13,13 @@
 #include "vtkOpenGLVertexBufferObject.h"
 #include "vtkOpenGLVertexBufferObjectGroup.h"
 #include "vtkPlaneCollection.h"
-#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
 #include "vtkRelievoAccess.h"
 #include "vtkRelievoCutSurface.h"
 #include "vtkRelievoFrameCamera.h"
 #include "vtkRelievoPlainActor.h"
+#include "vtkRelievoPointGroups.h"
 #include "vtkRelievoSoftwareOpenGL.h"
 #include "vtkRenderer.h"
 
@@ -128,6 +127,27 @@ struct Place
   double U;
   double V;
   double Z;
+  unsigned int Vertex;
+};
+
+// Pixels that points may draw to, by their first and last block of pixels in each direction, and
+// the least z that they may have there.
+struct Cover
+{
+  int Left = 0;
+  int Right = 0;
+  int Bottom = 0;
+  int Top = 0;
+  float Z = -Infinity; // may be seen anywhere
+};
+
+// Neighbouring points.
+struct Group
+{
+  std::size_t First; // in the mesh's order
+  std::size_t End;
+  glm::dvec3 Low; // corner of the points' box
+  Cover Pixels;
 };
 
 class Finder
@@ -141,33 +161,61 @@ public:
     , Tolerance(tolerance)
     , Table(spheres, slack)
     , Border(this->Table.Reach + this->Table.Columns)
-    , Stride(this->Size.x + 2 * this->Border)
-    , Height(this->Size.y + 2 * this->Border)
-    , Nearest(static_cast<std::size_t>(this->Stride) * this->Height, Farthest)
+    , Across((this->Size.x + 2 * this->Border) / Block + 1)
+    , Up((this->Size.y + 2 * this->Border) / Block + 1)
+    , Stride(this->Across * Block)
+    , Nearest(static_cast<std::size_t>(this->Stride) * this->Up * Block, Farthest)
+    , Farthests(static_cast<std::size_t>(this->Across) * this->Up, Farthest)
+    , Changed(this->Farthests.size(), 0)
   {
   }
 
-  // Calls forEach(visit), which calls visit(number, coordinates) for each point.
-  template <typename ForEach>
-  std::vector<unsigned int> Find(const ForEach& forEach)
+  // The points that may be seen, in the order of the vertices.
+  std::vector<unsigned int> Find(const vtkRelievoPointGroups::Mesh& mesh)
   {
-    Place place;
-    forEach([&](unsigned int, const auto* point) {
-      if (this->Project(point, place) == INSIDE)
+    std::vector<bool> seen(mesh.GetNumberOfVertices());
+    std::vector<Place> places;
+    // From the front to the back: groups behind others need no look at their points.
+    std::vector<Group> groups = this->GetGroups(mesh);
+    for (Group& group : groups)
+    {
+      const bool hidden = this->IsHidden(group.Pixels);
+      const std::size_t first = places.size();
+      for (std::size_t i = group.First; i < group.End && !hidden; ++i)
       {
-        this->Put(place);
+        Place place;
+        place.Vertex = mesh.Order[i];
+        const Where where = this->Project(group.Low + glm::dvec3(mesh.Places[i]), place);
+        if (where == UNKNOWN)
+        {
+          seen[place.Vertex] = true;
+        }
+        else if (where == INSIDE && this->MayBeSeen(place))
+        {
+          this->Put(place);
+          places.push_back(place);
+        }
       }
-    });
-    this->FindBlocks();
-    std::vector<unsigned int> seen;
-    forEach([&](unsigned int number, const auto* point) {
-      const Where where = this->Project(point, place);
-      if (where == UNKNOWN || (where == INSIDE && this->MayBeSeen(place)))
+      group.First = first; // in places, from here on
+      group.End = places.size();
+    }
+    for (const Group& group : groups)
+    {
+      const bool hidden = this->IsHidden(group.Pixels);
+      for (std::size_t i = group.First; i < group.End && !hidden; ++i)
       {
-        seen.push_back(number);
+        seen[places[i].Vertex] = this->MayBeSeen(places[i]);
       }
-    });
-    return seen;
+    }
+    std::vector<unsigned int> numbers;
+    for (std::size_t i = 0; i < seen.size(); ++i)
+    {
+      if (seen[i])
+      {
+        numbers.push_back(mesh.GetPoint(static_cast<unsigned int>(i)));
+      }
+    }
+    return numbers;
   }
 
 private:
@@ -180,8 +228,7 @@ private:
     UNKNOWN
   };
 
-  template <typename Real>
-  Where Project(const Real* point, Place& place) const
+  Where Project(const glm::dvec3& point, Place& place) const
   {
     const glm::dmat4& m = this->ToNDC;
     const double w = m[0][3] * point[0] + m[1][3] * point[1] + m[2][3] * point[2] + m[3][3];
@@ -211,6 +258,95 @@ private:
     return INSIDE;
   }
 
+  // The groups, the nearest first.
+  std::vector<Group> GetGroups(const vtkRelievoPointGroups::Mesh& mesh) const
+  {
+    std::vector<Group> groups;
+    groups.reserve(mesh.Groups.size());
+    std::size_t first = 0;
+    for (const vtkRelievoPointGroups::Group& group : mesh.Groups)
+    {
+      groups.push_back({ first, group.End, group.Low, this->GetCover(group) });
+      first = group.End;
+    }
+    std::sort(groups.begin(), groups.end(),
+      [](const Group& a, const Group& b) { return a.Pixels.Z < b.Pixels.Z; });
+    return groups;
+  }
+
+  // Of a group, by the corners of its box, if all are inside.
+  Cover GetCover(const vtkRelievoPointGroups::Group& group) const
+  {
+    Place least{ this->Size.x, this->Size.y, 0.0, 0.0, 1.0, 0 };
+    Place most{ 0, 0, 0.0, 0.0, 0.0, 0 };
+    for (int corner = 0; corner < 8; ++corner)
+    {
+      const glm::dvec3 point((corner & 1) != 0 ? group.High.x : group.Low.x,
+        (corner & 2) != 0 ? group.High.y : group.Low.y,
+        (corner & 4) != 0 ? group.High.z : group.Low.z);
+      Place place;
+      if (this->Project(point, place) != INSIDE)
+      {
+        return {};
+      }
+      least.X = std::min(least.X, place.X);
+      least.Y = std::min(least.Y, place.Y);
+      least.Z = std::min(least.Z, place.Z);
+      most.X = std::max(most.X, place.X);
+      most.Y = std::max(most.Y, place.Y);
+    }
+    return this->GetCover(least, most, 2.0 * this->Tolerance);
+  }
+
+  Cover GetCover(const Place& least, const Place& most, double tolerance) const
+  {
+    const int down = this->Border - this->Table.Reach;
+    const int up = this->Border + this->Table.Reach - 1;
+    return { (least.X + down) / Block, (most.X + up) / Block, (least.Y + down) / Block,
+      (most.Y + up) / Block,
+      static_cast<float>(least.Z - tolerance) +
+        static_cast<float>(this->Drawn.GetScale(least.Z)) * this->Table.Largest };
+  }
+
+  // Whether something nearer covers all pixels.
+  bool IsHidden(const Cover& pixels)
+  {
+    for (int y = pixels.Bottom; y <= pixels.Top; ++y)
+    {
+      for (int x = pixels.Left; x <= pixels.Right; ++x)
+      {
+        if (pixels.Z <= this->GetFarthest(x, y, pixels.Z))
+        {
+          return false;
+        }
+      }
+    }
+    return true;
+  }
+
+  // The farthest of the nearest z in a block; or only an upper bound, if that is less than z.
+  float GetFarthest(int x, int y, float z)
+  {
+    const std::size_t block = static_cast<std::size_t>(y) * this->Across + x;
+    if (this->Changed[block] != 0 && this->Farthests[block] >= z)
+    {
+      this->Changed[block] = 0;
+      float farthest[Block] = {};
+      const float* nearest =
+        this->Nearest.data() + static_cast<std::size_t>(y) * Block * this->Stride + x * Block;
+      for (int row = 0; row < Block; ++row)
+      {
+        for (int column = 0; column < Block; ++column)
+        {
+          farthest[column] = std::max(farthest[column], nearest[column]);
+        }
+        nearest += this->Stride;
+      }
+      this->Farthests[block] = *std::max_element(farthest, farthest + Block);
+    }
+    return this->Farthests[block];
+  }
+
   std::size_t GetFirst(const Place& place) const
   {
     return static_cast<std::size_t>(place.Y + this->Border - this->Table.Reach) * this->Stride +
@@ -232,49 +368,25 @@ private:
       nearest += this->Stride;
       share += this->Table.Columns;
     }
-  }
-
-  // For each block of pixels and its neighbours to the right and above: the farthest of the nearest
-  // z.
-  void FindBlocks()
-  {
-    this->Across = (this->Stride + Block - 1) / Block + 1;
-    const int up = (this->Height + Block - 1) / Block + 1;
-    std::vector<float> blocks(static_cast<std::size_t>(this->Across) * up, 0.0f);
-    for (int y = 0; y < this->Height; ++y)
+    const Cover pixels = this->GetCover(place, place, 0.0);
+    for (int y = pixels.Bottom; y <= pixels.Top; ++y)
     {
-      const float* nearest = this->Nearest.data() + static_cast<std::size_t>(y) * this->Stride;
-      float* block = blocks.data() + static_cast<std::size_t>(y / Block) * this->Across;
-      for (int x = 0; x < this->Stride; ++x)
+      for (int x = pixels.Left; x <= pixels.Right; ++x)
       {
-        block[x / Block] = std::max(block[x / Block], nearest[x]);
-      }
-    }
-    this->Farthests = blocks;
-    for (int y = 0; y + 1 < up; ++y)
-    {
-      for (int x = 0; x + 1 < this->Across; ++x)
-      {
-        const float* block = blocks.data() + static_cast<std::size_t>(y) * this->Across + x;
-        this->Farthests[block - blocks.data()] =
-          std::max({ block[0], block[1], block[this->Across], block[this->Across + 1] });
+        this->Changed[static_cast<std::size_t>(y) * this->Across + x] = 1;
       }
     }
   }
 
-  bool MayBeSeen(const Place& place) const
+  bool MayBeSeen(const Place& place)
   {
-    const float* share = this->Table.Get(this->Table.Most, place.U, place.V);
-    const auto z = static_cast<float>(place.Z - this->Tolerance);
-    const auto scale = static_cast<float>(this->Drawn.GetScale(place.Z));
-    const int x = place.X + this->Border - this->Table.Reach;
-    const int y = place.Y + this->Border - this->Table.Reach;
-    if (this->Table.Rows <= Block &&
-      z + scale * this->Table.Largest >
-        this->Farthests[static_cast<std::size_t>(y / Block) * this->Across + x / Block])
+    if (this->IsHidden(this->GetCover(place, place, this->Tolerance)))
     {
       return false;
     }
+    const float* share = this->Table.Get(this->Table.Most, place.U, place.V);
+    const auto z = static_cast<float>(place.Z - this->Tolerance);
+    const auto scale = static_cast<float>(this->Drawn.GetScale(place.Z));
     const float* nearest = this->Nearest.data() + this->GetFirst(place);
     for (int row = 0; row < this->Table.Rows; ++row)
     {
@@ -307,12 +419,19 @@ private:
   }
   static bool IsLaneSeen(const float* nearest, const float* share, float z, float scale)
   {
-    int seen = 0;
+    float behind[Shares::Lane];
     for (int i = 0; i < Shares::Lane; ++i)
     {
-      seen |= z + scale * share[i] <= nearest[i] ? 1 : 0;
+      behind[i] = z + scale * share[i] - nearest[i];
     }
-    return seen != 0;
+    for (int half = Shares::Lane / 2; half > 0; half /= 2)
+    {
+      for (int i = 0; i < half; ++i)
+      {
+        behind[i] = behind[i + half] < behind[i] ? behind[i + half] : behind[i];
+      }
+    }
+    return behind[0] <= 0.0f;
   }
 
   const glm::dmat4 ToNDC;
@@ -321,43 +440,13 @@ private:
   const double Tolerance; // of z
   const Shares Table;
   const int Border;
+  const int Across; // blocks of pixels
+  const int Up;
   const int Stride;
-  const int Height;
-  std::vector<float> Nearest; // z per pixel, with a border around the window
-  int Across = 0;
-  std::vector<float> Farthests;
+  std::vector<float> Nearest;   // z per pixel, with a border around the window
+  std::vector<float> Farthests; // of the nearest z per block
+  std::vector<char> Changed;    // per block, after its farthest z was found
 };
-
-template <typename Value>
-const Value* GetValues(vtkDataArray* array)
-{
-  auto* plain = vtkAOSDataArrayTemplate<Value>::FastDownCast(array);
-  return plain ? plain->GetPointer(0) : nullptr;
-}
-
-template <typename Real>
-std::vector<unsigned int> FindSeen(Finder& finder, const Real* points, vtkPolyData* mesh)
-{
-  vtkCellArray* verts = mesh->GetVerts();
-  const auto find = [&](const auto* numbers) {
-    const vtkIdType count = verts->GetNumberOfConnectivityIds();
-    return finder.Find([&](const auto& visit) {
-      for (vtkIdType i = 0; i < count; ++i)
-      {
-        if (numbers[i] >= 0 && numbers[i] < mesh->GetNumberOfPoints())
-        {
-          visit(static_cast<unsigned int>(numbers[i]), points + 3 * numbers[i]);
-        }
-      }
-    });
-  };
-  if (const auto* small = GetValues<vtkTypeInt32>(verts->GetConnectivityArray()))
-  {
-    return find(small);
-  }
-  const auto* large = GetValues<vtkTypeInt64>(verts->GetConnectivityArray());
-  return large ? find(large) : std::vector<unsigned int>();
-}
 
 // The mapper, if it draws only spheres at the points of vertices, by VTK's own code, from existing
 // buffers.
@@ -426,7 +515,8 @@ bool vtkRelievoHiddenPoints::IsPossible(vtkProp* prop)
 }
 
 //------------------------------------------------------------------------------
-vtkRelievoHiddenPoints::vtkRelievoHiddenPoints(vtkProp* prop, vtkRenderer* renderer, bool flat)
+vtkRelievoHiddenPoints::vtkRelievoHiddenPoints(
+  vtkProp* prop, vtkRenderer* renderer, bool flat, vtkRelievoPointGroups& groups)
 {
   vtkOpenGLPolyDataMapper* mapper = GetMapperOfSpheres(prop);
   auto* camera = vtkOpenGLCamera::SafeDownCast(renderer->GetActiveCamera());
@@ -470,20 +560,7 @@ vtkRelievoHiddenPoints::vtkRelievoHiddenPoints(vtkProp* prop, vtkRenderer* rende
   const double slack = 0.01 + 1e-6 * loss * std::max(viewport[2], viewport[3]);
   const double tolerance = 1e-6 * loss * std::max(1.0, std::abs(spheres.S));
   Finder finder(toNDC, viewport, spheres, slack, tolerance);
-  vtkDataArray* points = mesh->GetPoints()->GetData();
-  std::vector<unsigned int> seen;
-  if (const auto* floats = GetValues<float>(points))
-  {
-    seen = FindSeen(finder, floats, mesh);
-  }
-  else if (const auto* doubles = GetValues<double>(points))
-  {
-    seen = FindSeen(finder, doubles, mesh);
-  }
-  else
-  {
-    return;
-  }
+  const std::vector<unsigned int> seen = finder.Find(groups.Get(mesh));
   if (!seen.empty() && this->Seen->Upload(seen, vtkOpenGLBufferObject::ElementArrayBuffer))
   {
     this->Seen->IndexCount = seen.size();

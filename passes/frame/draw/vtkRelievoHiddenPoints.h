@@ -16,6 +16,7 @@
 class vtkOpenGLIndexBufferObject;
 class vtkOpenGLPolyDataMapper;
 class vtkProp;
+class vtkRelievoPointGroups;
 class vtkRenderer;
 
 class VTKRELIEVOFRAME_EXPORT vtkRelievoHiddenPoints
@@ -26,8 +27,9 @@ public:
 
   // During the lifetime of this object, drawing the prop with the renderer's camera into OpenGL's
   // viewport leaves out hidden points. `flat`: for a depth map, in which spheres are discs. Does
-  // nothing for other props or few points.
-  vtkRelievoHiddenPoints(vtkProp* prop, vtkRenderer* renderer, bool flat);
+  // nothing for other props or few points. `groups` keeps what does not depend on the camera.
+  vtkRelievoHiddenPoints(
+    vtkProp* prop, vtkRenderer* renderer, bool flat, vtkRelievoPointGroups& groups);
   ~vtkRelievoHiddenPoints();
   vtkRelievoHiddenPoints(const vtkRelievoHiddenPoints&) = delete;
   vtkRelievoHiddenPoints& operator=(const vtkRelievoHiddenPoints&) = delete;

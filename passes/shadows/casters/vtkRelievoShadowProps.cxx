@@ -405,7 +405,7 @@ int vtkRelievoShadowProps::RenderCasters(vtkRenderer* renderer, const vtkRelievo
       continue;
     }
     {
-      const vtkRelievoHiddenPoints hidden(caster.Prop, renderer, true);
+      const vtkRelievoHiddenPoints hidden(caster.Prop, renderer, true, this->PointGroups);
       this->Render(caster.Prop, false, renderer);
     }
     if (caster.Translucent)

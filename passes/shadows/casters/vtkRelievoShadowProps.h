@@ -7,6 +7,7 @@
 #define vtkRelievoShadowProps_h
 
 #include "vtkRelievoGlyphPlaces.h"
+#include "vtkRelievoPointGroups.h"
 #include "vtkRelievoShadowRegion.h"
 #include "vtkRelievoSplicedKeys.h"
 #include "vtkWeakPointer.h"
@@ -93,6 +94,7 @@ public:
 
   // Discards data about glyphs, which are computed again when needed.
   void ForgetGlyphs() { this->Glyphs = vtkRelievoGlyphPlaces(); }
+  void ForgetPointGroups() { this->PointGroups.Clear(); }
 
   // Draws the depth of the visible opaque geometry in the same way.
   int RenderSurfaces(
@@ -150,6 +152,7 @@ private:
   std::set<vtkProp*> Parts;        // props that draw themselves
   std::set<vtkProp*> NotReceiving; // of Parts
   vtkRelievoSplicedKeys Keys;
+  vtkRelievoPointGroups PointGroups;
   mutable vtkRelievoGlyphPlaces Glyphs; // cached between frames
   std::vector<std::uint64_t> State;
   std::vector<std::uint64_t> SceneState;
