@@ -222,6 +222,30 @@ std::array<double, 2> FindRange(
 }
 
 //------------------------------------------------------------------------------
+bool HasNan(const std::vector<Coloring>& all, const LookChoice& look)
+{
+  for (const Coloring& each : all)
+  {
+    for (vtkDataArray* array : each.Arrays)
+    {
+      const int count = array->GetNumberOfComponents();
+      const int first = look.Component.value_or(0);
+      for (vtkIdType i = 0; GetRounding(array) > 0.0 && i < array->GetNumberOfTuples(); ++i)
+      {
+        for (int c = first; c < (look.Component ? first + 1 : count); ++c)
+        {
+          if (std::isnan(array->GetComponent(i, c)))
+          {
+            return true;
+          }
+        }
+      }
+    }
+  }
+  return false;
+}
+
+//------------------------------------------------------------------------------
 // The values of the first and last colour, for values with this range.
 std::array<double, 2> ChooseRange(
   const std::array<double, 2>& found, const LookChoice& look, const std::string& name)
@@ -320,8 +344,10 @@ void SetColors(vtkRenderer* renderer, const LookChoice& look, const ArrayNames& 
     }
     if (look.ScalarBar && values && ++bars == 1)
     {
-      AddScalarBar(
-        renderer, map, name + (look.Component ? " " + std::to_string(*look.Component) : ""), steps);
+      AddScalarBar(renderer, map, steps,
+        { name + (look.Component ? " " + std::to_string(*look.Component) : ""), found,
+          HasNan(colorings, look) },
+        look.Bar, look.Print);
     }
   }
   ForEachVolume(renderer, [&](vtkImageData* image, vtkVolume* volume) {
@@ -329,11 +355,13 @@ void SetColors(vtkRenderer* renderer, const LookChoice& look, const ArrayNames& 
     const std::string name = values->GetName() ? values->GetName() : "";
     std::array<double, 2> range = { VTK_DOUBLE_MAX, -VTK_DOUBLE_MAX };
     AddRange(values, 0, Colormap::Parse(look.Colormap).Log, range);
+    const std::array<double, 2> found = range;
     range = ChooseRange(WithoutRounding(range, GetRounding(values)), look, name);
     volume->GetProperty()->SetColor(MakeColormap(look.Colormap, range, true));
     if (look.ScalarBar && ++bars == 1)
     {
-      AddScalarBar(renderer, MakeColormap(look.Colormap, range), name, steps);
+      AddScalarBar(
+        renderer, MakeColormap(look.Colormap, range), steps, { name, found }, look.Bar, look.Print);
     }
   });
   if (look.ScalarBar && bars != 1)
@@ -429,6 +457,10 @@ void SetLook(vtkRenderer* renderer, LookChoice look, const ArrayNames& arrays, b
     {
       property->EdgeVisibilityOn();
       property->SetEdgeColor(0.1, 0.1, 0.1);
+      if (look.Print.Width > 0.0)
+      {
+        property->SetLineWidth(static_cast<float>(look.Print.GetLineWidth()));
+      }
     }
   });
   ForEachVolume(renderer,

@@ -250,7 +250,9 @@ void ApplyPreset(RenderOptions& options, const std::set<std::string>& given)
   {
     options.Look.Background = preset->Background;
   }
-  if (given.count("--image") + given.count("--color-by") + given.count("--scalar-bar") == 0)
+  if (given.count("--image") + given.count("--color-by") + given.count("--scalar-bar") +
+      given.count("--bar") ==
+    0)
   {
     options.Image.Is = ImageChoice::Kind::Found;
   }
