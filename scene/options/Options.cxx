@@ -401,7 +401,8 @@ vtkRelievoCommand DescribeRender(RenderOptions& all)
     .Words = { "symmetric" };
   rows
     .Add("--colormap", "NAME",
-      "viridis, cool-warm, grey, hot or rainbow, or colours between commas, evenly spaced "
+      "viridis, cool-warm, grey, hot, rainbow, ember, ocean, blue-orange, green-purple, phase or "
+      "categories, or colours between commas, evenly spaced "
       "or at shares of the range, such as black,0.3=#ff8000,white; then optionally "
       ":reversed, :log (by the logarithm of the values), :steps=N (N colours) and "
       ":nan=COLOR (the colour of NaN) (viridis)",

@@ -10,7 +10,7 @@ from vtkmodules.vtkFiltersSources import vtkPlaneSource
 from vtkmodules.vtkIOImage import vtkPNGWriter
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLPolyDataWriter
 
-from cli import CliTest, main, read_png, write_image
+from cli import CliTest, main, oklab, read_png, write_image
 
 SIDE, CELLS = 96, 8
 CAMERA = ["--camera", "0,0,5,0,0,0,0,1,0", "--clip", "1,10", "--parallel-scale", "1"]
@@ -138,6 +138,34 @@ class Look(CliTest):
                 found = self.albedo("--color-by", "across", "--colormap", name, "--range", bounds)
                 apart = abs(found * 255 - end).max()
                 self.assertLess(apart, 4, f"{name}, {bounds}: {found[0, 0] * 255}")
+
+    def test_lightness(self):
+        """Grows evenly, is symmetric, or constant, by the kind of the map; labels are told
+        apart."""
+        found = {}
+        for name in ("ember", "ocean", "blue-orange", "green-purple", "phase", "categories"):
+            row = self.albedo("--color-by", "across", "--colormap", name)[SIDE // 2]
+            found[name] = oklab(row.astype(float))
+        for name in ("ember", "ocean"):
+            slope, first = numpy.polyfit(X / 2, found[name][:, 0], 1)
+            self.assertGreater(slope, 0.7, name)
+            off = found[name][:, 0] - (first + slope * X / 2)
+            self.assertLess(abs(off).max(), 0.012, name)
+        for name in ("blue-orange", "green-purple"):
+            light = found[name][:, 0]
+            self.assertLess(abs(light - light[::-1]).max(), 0.008, name)
+            self.assertTrue((numpy.diff(light[: SIDE // 2]) > 0).all(), name)
+            self.assertGreater(light.max() - light.min(), 0.38)
+            ends = numpy.arctan2(found[name][[0, -1], 2], found[name][[0, -1], 1])
+            self.assertGreater(abs(numpy.diff(ends)[0]), 2, name)
+        phase = found["phase"]
+        self.assertLess(numpy.ptp(phase[:, 0]), 0.01)
+        self.assertLess(numpy.ptp(numpy.hypot(phase[:, 1], phase[:, 2])), 0.01)
+        turns = numpy.linalg.norm(numpy.diff([*phase, phase[0]], axis=0), axis=1)
+        self.assertLess(turns.max(), 2 * numpy.median(turns))  # also from the last to the first
+        labels = found["categories"][numpy.linspace(SIDE // 20, SIDE - SIDE // 20, 10).astype(int)]
+        apart = numpy.linalg.norm(labels[:, None] - labels[None], axis=-1)
+        self.assertGreater(apart[~numpy.eye(10, dtype=bool)].min(), 0.15)
 
     def test_scales(self):
         """Logarithms, steps, positions of custom colours, a range around zero, NaN."""
