@@ -295,6 +295,28 @@ void SetColoring(const Coloring& coloring, vtkColorTransferFunction* map, const 
 }
 
 //------------------------------------------------------------------------------
+// Values can be read from their colours on a bar only if light changes lightness a little and no
+// highlight adds white: D. A. Szafir, A. Sarikaya, M. Gleicher, Lightness constancy in surface
+// visualization, IEEE TVCG 22(9), 2016. Scaling a display's colour by k keeps its hue and scales
+// OKLab's lightness by k^0.8 at least, so that 0.7 of it remains.
+void KeepReadable(vtkActor* actor)
+{
+  constexpr double unlit = 0.65;
+  vtkMapper* mapper = actor->GetMapper();
+  vtkProperty* property = actor->GetProperty();
+  if (mapper->GetScalarVisibility() && mapper->GetColorMode() == VTK_COLOR_MODE_MAP_SCALARS)
+  {
+    if (property->GetInterpolation() == VTK_PBR) // it has no such part
+    {
+      property->SetInterpolationToPhong();
+    }
+    property->SetAmbient(unlit);
+    property->SetDiffuse(1.0 - unlit);
+    property->SetSpecular(0.0);
+  }
+}
+
+//------------------------------------------------------------------------------
 // Arrays of one name share a range of colours.
 std::map<std::string, std::vector<Coloring>> FindAll(
   vtkRenderer* renderer, const LookChoice& look, bool mapped)
@@ -346,8 +368,7 @@ void SetColors(vtkRenderer* renderer, const LookChoice& look, const ArrayNames& 
     {
       AddScalarBar(renderer, map, steps,
         { name + (look.Component ? " " + std::to_string(*look.Component) : ""), found,
-          HasNan(colorings, look) },
-        look.Bar, look.Print);
+          HasNan(colorings, look) }, look.Bar, look.Print);
     }
   }
   ForEachVolume(renderer, [&](vtkImageData* image, vtkVolume* volume) {
@@ -360,8 +381,8 @@ void SetColors(vtkRenderer* renderer, const LookChoice& look, const ArrayNames& 
     volume->GetProperty()->SetColor(MakeColormap(look.Colormap, range, true));
     if (look.ScalarBar && ++bars == 1)
     {
-      AddScalarBar(
-        renderer, MakeColormap(look.Colormap, range), steps, { name, found }, look.Bar, look.Print);
+      AddScalarBar(renderer, MakeColormap(look.Colormap, range), steps, { name, found }, look.Bar,
+        look.Print);
     }
   });
   if (look.ScalarBar && bars != 1)
@@ -433,6 +454,10 @@ void SetLook(vtkRenderer* renderer, LookChoice look, const ArrayNames& arrays, b
   SetColors(renderer, look, arrays, mapped);
   ForEachActor(renderer, [&](vtkActor* actor) {
     vtkProperty* property = actor->GetProperty();
+    if (look.IsReadable)
+    {
+      KeepReadable(actor);
+    }
     if (look.Solid || !look.ColorBy.empty())
     {
       // A texture would multiply the colours.

@@ -49,6 +49,7 @@ struct LookChoice
   std::optional<std::array<double, 2>> Range;
   bool Symmetric = false; ///< extends the files' range as far below zero as above it
   std::string Colormap = DefaultColormap;
+  bool IsReadable = false; ///< whether light changes the colours of values only a little
   bool ScalarBar = false;
   BarChoice Bar;
   PrintChoice Print;

@@ -271,6 +271,7 @@ void ApplyPreset(RenderOptions& options, const std::set<std::string>& given)
   }
   if (lights)
   {
+    options.Look.IsReadable = options.ShadingKind != Shading::PBR;
     AddSuns(options, *preset, given.count("--light") > 0);
     if (preset->Angle >= 0.0)
     {

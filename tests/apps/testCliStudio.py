@@ -8,13 +8,13 @@ import os
 
 import numpy
 from vtkmodules.vtkCommonDataModel import vtkImageData
-from vtkmodules.util.numpy_support import numpy_to_vtk
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkFiltersSources import vtkCubeSource, vtkSphereSource
 from vtkmodules.vtkIOGeometry import vtkOBJWriter, vtkSTLWriter
 from vtkmodules.vtkIOImage import vtkPNGWriter
-from vtkmodules.vtkIOXML import vtkXMLImageDataWriter
+from vtkmodules.vtkIOXML import vtkXMLImageDataWriter, vtkXMLPolyDataWriter
 
-from cli import CliTest, main, read_png
+from cli import CliTest, main, oklab, read_png
 
 STUDIO = {"RELIEVO_PRESET": ""}
 SIZE = ["--size", "240x180"]
@@ -106,6 +106,47 @@ class Studio(CliTest):
                     self.assertGreater(inner.sum(), 700)
                     self.assertGreater(light.min(), 40)
                     self.assertLess(light.max(), 255)
+
+    def test_values_are_readable(self):
+        """Light leaves the hue of values' colours and 0.7 of their lightness, from all sides."""
+        ball = vtkSphereSource()
+        ball.SetRadius(2)
+        ball.SetThetaResolution(64)
+        ball.SetPhiResolution(64)
+        ball.Update()
+        data = ball.GetOutput()
+        heights = vtk_to_numpy(data.GetPoints().GetData())[:, 1].copy()
+        array = numpy_to_vtk(heights, deep=True)
+        array.SetName("height")
+        data.GetPointData().AddArray(array)
+        writer = vtkXMLPolyDataWriter()
+        writer.SetDataModeToBinary()
+        writer.SetFileName(str(self.folder / "ball.vtp"))
+        writer.SetInputData(data)
+        writer.Write()
+        for preset, colormap, (x, y, z) in (
+            ("studio", "viridis", SIDES[0]), ("studio", "rainbow", SIDES[3]),
+            ("town", "cool-warm", SIDES[1]), ("print", "viridis", SIDES[4]),
+        ):  # fmt: skip
+            self.relievo(
+                "render", "ball.vtp", "--camera", f"{9 * x},{9 * y},{9 * z},0,0,0,0,1,0", "--up",
+                "y", "--color-by", "height", "--colormap", colormap, "--preset", preset, *SMALL,
+                "--ground", "off", "--layers", "albedo,depth", "--exr", "a.exr", "--png", "a.png",
+                "--stage", "antialias:samples=1")  # fmt: skip
+            layers = self.exr("a.exr")[1]
+            inner = shrunk(numpy.isfinite(layers["depth.Z"]))
+            bar = oklab(numpy.stack([layers[f"albedo.{c}"] for c in "RGB"], axis=-1)[inner])
+            shown = oklab(read_png(self.folder / "a.png")[inner] / 255.0)
+            with self.subTest(preset=preset, colormap=colormap):
+                self.assertGreater(inner.sum(), 700)
+                kept = shown[:, 0] / bar[:, 0]
+                self.assertGreater(kept.min(), 0.7)
+                self.assertLess(kept.max(), 1.06)
+                self.assertGreater(numpy.ptp(kept), 0.05)  # the shape still shows
+                hues = [numpy.arctan2(each[:, 2], each[:, 1]) for each in (bar, shown)]
+                turn = abs((hues[1] - hues[0] + numpy.pi) % (2 * numpy.pi) - numpy.pi)
+                colorful = numpy.hypot(bar[:, 1], bar[:, 2]) > 0.05
+                self.assertLess(numpy.degrees(turn[colorful]).max(), 8)
 
     def test_light_that_is_added(self):
         """Is filled, casts its shadow on the ground, and burns little."""
