@@ -347,8 +347,14 @@ void LayGround(Scene& scene, const RenderOptions& options)
   if (options.Ground.value_or(false) && vtkMath::AreBoundsInitialized(scene.Bounds) &&
     !FittedView::IsFlat(scene.Bounds))
   {
+    // Moving models would leave the darkness of their first moment behind; the stage `ambient`
+    // darkens the ground itself.
+    const bool hasContact = !scene.Times &&
+      std::none_of(options.Stages.begin(), options.Stages.end(),
+        [](const StageChoice& stage) { return stage.Name == "ambient"; });
     scene.Ground = MakeGround(scene.Bounds, options.UpAxis,
-      options.Look.Background.empty() ? Color{} : options.Look.Background.front());
+      options.Look.Background.empty() ? Color{} : options.Look.Background.front(),
+      hasContact ? scene.Renderer.Get() : nullptr);
     scene.Renderer->AddActor(scene.Ground);
   }
 }

@@ -210,15 +210,21 @@ class Studio(CliTest):
         ground = numpy.stack([right, numpy.full_like(right, -2), down], axis=-1)
         away = numpy.hypot(right, down)
         place = (away > 2.1) & (away < 3.9)  # farther out it fades, from 1.2 times the box's radius
+        # The sky that a ball hides from the ground that it stands on: r^3 / d^3, by its solid
+        # angle's form factor (M. Modest, Radiative Heat Transfer, 2013, configuration 11). Half of
+        # the ground's brightness is the sky's.
+        far = numpy.sqrt(away**2 + 4)
+        sky = 1.0 - (2 / far) ** 3
+        contact = (0.5 + 0.5 * sky)[..., None]
 
         def picture(*words):
             return self.picture(
                 "ball.obj", "--camera", "0,20,0,0,0,0,0,0,-1", "--parallel-scale", 4.5, *words,
                 "--preset", "studio", size=SMALL)  # fmt: skip
 
-        def compare(share, *words, where=place, step=2.0):
+        def compare(share, *words, where=place, step=6.0):
             """The share of the light: 0.6 of it can be blocked, and the rest is in shadows, too."""
-            expected = paint * (0.4 + 0.6 * share[..., None])
+            expected = paint * contact * (0.4 + 0.6 * share[..., None])
             off = abs(picture(*words) - expected).max(axis=-1)
             self.assertLess(off[where].max(), step, words)
 
@@ -249,11 +255,6 @@ class Studio(CliTest):
         self.assertGreater((out & dark).sum(), 50)
         compare(numpy.ones_like(away), *words, where=out)
 
-        # The sky that a ball hides from the ground that it stands on: r^3 / d^3, by its solid
-        # angle's form factor (M. Modest, Radiative Heat Transfer, 2013, configuration 11).
-        far = numpy.sqrt(away**2 + 4)
-        sky = 1.0 - (2 / far) ** 3
-
         def linear(levels):
             return ((levels / 255 + 0.055) / 1.055) ** 2.4
 
@@ -279,13 +280,14 @@ class Studio(CliTest):
         to = numpy.array([-3, 0, 0]) - ground
         length = numpy.linalg.norm(to, axis=-1)
         added = numpy.clip(1 - length / 5, 0, None) * to[..., 1] / length
-        for words, left in ([], 1.0), (["--ambient", "1"], sky):
+        for words, left, paint_ in (
+            ([], 1.0, paint * contact), (["--ambient", "1"], sky, paint)):  # fmt: skip
             lamp = ["--shadows", "off", "--lamps", "lamp.vtk,radius=5,intensity=0.3"]
             found = picture(*lamp, *words)
-            expected = linear(paint) * numpy.clip(left + 0.3 * added, 0, None)[..., None]
+            expected = linear(paint_) * numpy.clip(left + 0.3 * added, 0, None)[..., None]
             shown = numpy.clip(1.055 * expected ** (1 / 2.4) - 0.055, 0, 1) * 255
             off = abs(found - shown)[place]
-            self.assertLess(numpy.sqrt((off**2).mean()), 2 if not words else 6, words)
+            self.assertLess(numpy.sqrt((off**2).mean()), 3 if not words else 6, words)
 
     def test_speckle(self):
         """The default picture has no pixel that stands out from one whose shadows are exact."""
