@@ -83,7 +83,7 @@ if (RELIEVO_USE_PARAVIEW)
     SECTION science
     SUMMARY "shadows, layers and materials in ParaView"
     CONTAINS "This package has the plugin, which every ParaView program loads when it\nstarts."
-    RECOMMENDS python3-paraview libqt5svg5)
+    RECOMMENDS python3-paraview libqt5svg5 fonts-dejavu-core)
 else ()
   set(relievo_vtk_major "${VTK_MAJOR_VERSION}")
   file(WRITE "${CMAKE_CURRENT_BINARY_DIR}/debian/triggers" "activate-noawait ldconfig\n")
@@ -101,7 +101,7 @@ else ()
     SECTION science
     SUMMARY "pictures and measurable layers of meshes and grids"
     CONTAINS "This package has ${relievo_program_words}\nand the libraries."
-    RECOMMENDS xvfb xauth libgl1-mesa-dri)
+    RECOMMENDS xvfb xauth libgl1-mesa-dri fonts-dejavu-core)
   relievo_package(libvtkrelievo-dev
     COMPONENTS development
     SECTION libdevel

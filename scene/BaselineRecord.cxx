@@ -31,6 +31,7 @@
 #include "vtkPropCollection.h"
 #include "vtkProperty.h"
 #include "vtkProperty2D.h"
+#include "vtkRelievoColorBar.h"
 #include "vtkRelievoFrameComparison.h"
 #include "vtkRelievoLayerCatalogue.h"
 #include "vtkRelievoPass.h"
@@ -458,6 +459,16 @@ Json DescribeOverlay(vtkActor2D* actor)
     json["kind"] = "text";
     json["text"] = getText(text->GetInput());
     addFont(text->GetTextProperty());
+  }
+  else if (auto* own = vtkRelievoColorBar::SafeDownCast(actor))
+  {
+    json["kind"] = "scalar bar";
+    json["text"] = own->GetTitle() + " " + own->GetUnit();
+    if (vtkScalarsToColors* map = own->GetLookupTable())
+    {
+      json["range"] = { map->GetRange()[0], map->GetRange()[1] };
+      json["colors"] = DescribeColors(map);
+    }
   }
   else if (auto* bar = vtkScalarBarActor::SafeDownCast(actor))
   {

@@ -196,14 +196,6 @@ bool DressedScene::IsDressedAlike(const Settings& settings) const
 }
 
 //------------------------------------------------------------------------------
-bool DressedScene::IsBarOutgrown() const
-{
-  return this->Options.Look.ScalarBar &&
-    !std::equal(this->BarSize.begin(), this->BarSize.end(),
-      this->GetRenderer()->GetRenderWindow()->GetSize());
-}
-
-//------------------------------------------------------------------------------
 void DressedScene::Update(
   const Settings& settings, const RenderOptions& asked, bool keepCamera, Progress& progress)
 {
@@ -213,7 +205,7 @@ void DressedScene::Update(
   const std::string surface = MakeSurfaceKey(settings, options);
   const std::string dress = MakeDressKey(settings);
   const bool wears = surface != this->Surface;
-  const bool isDressed = !wears && dress == this->Dress && !this->IsBarOutgrown();
+  const bool isDressed = !wears && dress == this->Dress;
   try
   {
     if (!isDressed)
@@ -221,7 +213,6 @@ void DressedScene::Update(
       renderer->GetActiveCamera()->SetViewAngle(StandardViewAngle);
       this->Undress();
       DressScene(this->Read, options);
-      std::copy_n(renderer->GetRenderWindow()->GetSize(), 2, this->BarSize.begin());
     }
     else if (!keepCamera)
     {

@@ -54,9 +54,6 @@ public:
   /// Whether an update would read no file.
   bool IsDressedAlike(const Settings& settings) const;
 
-  /// Whether the colour bar was laid out for another window size.
-  bool IsBarOutgrown() const;
-
   /// Whether the actor was read from a file, unlike a skeleton, the ground or lines.
   bool IsOfFiles(vtkActor* actor) const;
 
@@ -103,7 +100,6 @@ private:
   FramePoints Points;
   RenderOptions Options;
   std::string Dress = "\n", Surface = "\n"; // keys of the last update; at first unlike any key
-  std::array<int, 2> BarSize{};             // window size for which the scalar bar was laid out
 };
 }
 

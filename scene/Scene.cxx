@@ -3,7 +3,6 @@
 #include "Scene.h"
 
 #include "Actors.h"
-#include "Annotation.h"
 #include "Errors.h"
 #include "FinitePoints.h"
 #include "FittedView.h"
@@ -32,7 +31,9 @@
 #include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
+#include "vtkRelievoAnnotation.h"
 #include "vtkRelievoFormulas.h"
+#include "vtkRelievoLayerLegend.h"
 #include "vtkRelievoScaleBar.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkVolume.h"
@@ -346,8 +347,14 @@ void LayGround(Scene& scene, const RenderOptions& options)
   if (options.Ground.value_or(false) && vtkMath::AreBoundsInitialized(scene.Bounds) &&
     !FittedView::IsFlat(scene.Bounds))
   {
+    // Moving models would leave the darkness of their first moment behind; the stage `ambient`
+    // darkens the ground itself.
+    const bool hasContact = !scene.Times &&
+      std::none_of(options.Stages.begin(), options.Stages.end(),
+        [](const StageChoice& stage) { return stage.Name == "ambient"; });
     scene.Ground = MakeGround(scene.Bounds, options.UpAxis,
-      options.Look.Background.empty() ? Color{} : options.Look.Background.front());
+      options.Look.Background.empty() ? Color{} : options.Look.Background.front(),
+      hasContact ? scene.Renderer.Get() : nullptr);
     scene.Renderer->AddActor(scene.Ground);
   }
 }
@@ -363,7 +370,7 @@ void LayGrid(Scene& scene, const RenderOptions& options)
   }
   if (options.Look.Grid && vtkMath::AreBoundsInitialized(scene.Bounds))
   {
-    scene.Grid = Grid::Add(scene.Renderer, scene.Bounds, options.UpAxis);
+    scene.Grid = Grid::Add(scene.Renderer, scene.Bounds, options.UpAxis, options.Look.Print);
   }
 }
 }
@@ -372,7 +379,19 @@ void LayGrid(Scene& scene, const RenderOptions& options)
 void DressScene(Scene& scene, const RenderOptions& options)
 {
   SetShading(scene.Renderer, options.ShadingKind);
-  SetLook(scene.Renderer, options.Look, scene.Arrays, options.Surface.IsMapped());
+  // A layer shown as the picture hides the colours of values: the bar is that of the layer.
+  const std::string* layer = FindStageChoice(options.Stages, "display", "layer");
+  LookChoice look = options.Look;
+  const bool isLegend = look.ScalarBar && layer && !layer->empty();
+  look.ScalarBar = look.ScalarBar && !isLegend;
+  SetLook(scene.Renderer, look, scene.Arrays, options.Surface.IsMapped());
+  if (isLegend)
+  {
+    vtkNew<vtkRelievoLayerLegend> legend;
+    legend->SetPlace(look.Bar.Place);
+    legend->SetTextSize(look.Print.GetTextSize());
+    scene.Renderer->AddViewProp(legend);
+  }
   for (const PosedModel& model : scene.Models)
   {
     if (model.Skeleton)
@@ -390,9 +409,11 @@ void DressScene(Scene& scene, const RenderOptions& options)
     vtkNew<vtkRelievoScaleBar> bar;
     bar->SetUnit(*options.Look.ScaleBar);
     bar->SetLength(options.Look.ScaleBarLength);
+    bar->SetTextSize(options.Look.Print.GetTextSize());
     // Other backgrounds are painted for --transparent; the ink must not follow them.
-    bar->SetInk(GetInk(scene.Renderer)[0] < 0.5 ? vtkRelievoScaleBar::INK_BLACK
-                                                : vtkRelievoScaleBar::INK_WHITE);
+    bar->SetInk(vtkRelievoAnnotation::GetInk(scene.Renderer)[0] < 0.5
+        ? vtkRelievoScaleBar::INK_BLACK
+        : vtkRelievoScaleBar::INK_WHITE);
     scene.Renderer->AddViewProp(bar);
   }
   PlaceCamera(scene.Renderer, options.View, options.UpAxis, scene.Bounds);

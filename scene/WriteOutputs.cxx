@@ -52,10 +52,13 @@
 #include "vtkWindowToImageFilter.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
+#include <iterator>
 #include <memory>
 #include <utility>
 
@@ -247,6 +250,44 @@ vtkSmartPointer<vtkImageData> DrawOver(const Scene& scene, double grey)
 }
 
 //------------------------------------------------------------------------------
+// Inserts the chunk pHYs, pixels per metre, behind the header (Portable Network Graphics
+// Specification, Third Edition, W3C 2025, 11.3.4.3).
+void SetResolution(const std::string& path, double dpi)
+{
+  constexpr std::size_t header = 33; // bytes of the signature and of IHDR
+  constexpr double inch = 0.0254;    // metres
+  const auto perMetre = static_cast<std::uint32_t>(std::lround(dpi / inch));
+  std::string chunk = "pHYs";
+  const auto append = [&chunk](std::uint32_t number) {
+    for (const int shift : { 24, 16, 8, 0 })
+    {
+      chunk += static_cast<char>(number >> shift & 0xFFU);
+    }
+  };
+  append(perMetre);
+  append(perMetre);
+  chunk += '\x01';                 // the unit is the metre
+  std::uint32_t crc = 0xFFFFFFFFU; // its Annex D
+  for (const char byte : chunk)
+  {
+    crc ^= static_cast<unsigned char>(byte);
+    for (int bit = 0; bit < 8; ++bit)
+    {
+      crc = (crc & 1U) != 0 ? 0xEDB88320U ^ crc >> 1U : crc >> 1U;
+    }
+  }
+  append(~crc);
+  std::ifstream read(path, std::ios::binary);
+  std::string bytes{ std::istreambuf_iterator<char>(read), std::istreambuf_iterator<char>() };
+  read.close();
+  if (bytes.size() > header)
+  {
+    bytes.insert(header, std::string({ 0, 0, 0, 9 }) + chunk);
+    std::ofstream(path, std::ios::binary) << bytes;
+  }
+}
+
+//------------------------------------------------------------------------------
 void WritePNG(const Scene& scene, vtkImageData* picture, const RenderOptions& options,
   const Outputs& outputs, Progress& progress)
 {
@@ -258,6 +299,10 @@ void WritePNG(const Scene& scene, vtkImageData* picture, const RenderOptions& op
   {
     const SilentLibraries silence; // libpng prints errors that the writer reports
     writer->Write();
+  }
+  if (options.Look.Print.Width > 0.0 && writer->GetErrorCode() == 0)
+  {
+    SetResolution(outputs.Temporary(options.PNG), options.Look.Print.DPI);
   }
   progress.End();
   Messages::Check(options.PNG, writer->GetErrorCode() != 0, "cannot be written; is the disk full?");

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Grid.h"
 
-#include "Annotation.h"
 #include "Triples.h"
+#include "vtkRelievoAnnotation.h"
 
 #include "vtkActor.h"
 #include "vtkCamera.h"
@@ -28,6 +28,9 @@
 
 namespace scene
 {
+using vtkRelievoAnnotation::GetInk;
+using vtkRelievoAnnotation::RoundDown;
+
 namespace
 {
 constexpr double ManySteps = 6.0; // least number along the longest side
@@ -122,9 +125,10 @@ struct Grid::Box
 };
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<Grid> Grid::Add(vtkRenderer* renderer, const double bounds[6], int up)
+vtkSmartPointer<Grid> Grid::Add(
+  vtkRenderer* renderer, const double bounds[6], int up, const PrintChoice& print)
 {
-  const auto grid = vtkSmartPointer<Grid>::Take(new Grid(bounds, up, GetInk(renderer)));
+  const auto grid = vtkSmartPointer<Grid>::Take(new Grid(bounds, up, GetInk(renderer), print));
   renderer->AddActor(grid->Lines);
   for (const Axis& axis : grid->Axes)
   {
@@ -154,11 +158,14 @@ void Grid::Remove(vtkRenderer* renderer)
 }
 
 //------------------------------------------------------------------------------
-Grid::Grid(const double bounds[6], int up, const std::array<double, 3>& ink)
+Grid::Grid(
+  const double bounds[6], int up, const std::array<double, 3>& ink, const PrintChoice& print)
   : Up(up)
+  , Print(print)
   , Ink{ static_cast<unsigned char>(255.0 * ink[0]), static_cast<unsigned char>(255.0 * ink[1]),
     static_cast<unsigned char>(255.0 * ink[2]) }
 {
+  vtkRelievoAnnotation::SetFont(this->Font);
   this->Font->SetColor(ink[0], ink[1], ink[2]);
   const std::array<double, 3> sides = { bounds[1] - bounds[0], bounds[3] - bounds[2],
     bounds[5] - bounds[4] };
@@ -183,7 +190,7 @@ Grid::Grid(const double bounds[6], int up, const std::array<double, 3>& ink)
     {
       values.push_back(static_cast<double>(index) * step);
     }
-    const std::vector<std::string> texts = WriteValues(values).Texts;
+    const std::vector<std::string> texts = vtkRelievoAnnotation::WriteValues(values);
     for (std::size_t i = 0; i < values.size(); ++i)
     {
       Label label = this->MakeLabel(texts[i]);
@@ -224,9 +231,11 @@ void Grid::Execute(vtkObject* caller, unsigned long, void*)
     return;
   }
   const int side = GetShorterSide(renderer);
-  this->Lines->GetProperty()->SetLineWidth(
-    static_cast<float>(std::max(1.0, std::round(side / FineLine))));
-  const double pixels = std::max(SmallestText, side / LinesOfText);
+  const bool isPrinted = this->Print.Width > 0.0;
+  this->Lines->GetProperty()->SetLineWidth(static_cast<float>(
+    std::max(1.0, isPrinted ? this->Print.GetLineWidth() : std::round(side / FineLine))));
+  const double pixels =
+    isPrinted ? this->Print.GetTextSize() : std::max(SmallestText, side / LinesOfText);
   this->Font->SetFontSize(static_cast<int>(std::lround(pixels * 72.0 / window->GetDPI())));
   const Sides far = this->FindFarSides(renderer);
   const Edges numbered = this->PlaceLabels(renderer, far);

@@ -6,6 +6,8 @@
 #ifndef Grid_h
 #define Grid_h
 
+#include "AnnotationOptions.h"
+
 #include "vtkCommand.h"
 #include "vtkNew.h"
 #include "vtkSmartPointer.h"
@@ -32,8 +34,10 @@ public:
   vtkBaseTypeMacro(Grid, vtkCommand);
 
   /// Adds a grid around these bounds to the renderer, with numbers that contrast with its present
-  /// background. `up`: the axis with numbers at the side of the picture.
-  static vtkSmartPointer<Grid> Add(vtkRenderer* renderer, const double bounds[6], int up);
+  /// background. `up`: the axis with numbers at the side of the picture. `print`: sizes of text and
+  /// lines.
+  static vtkSmartPointer<Grid> Add(
+    vtkRenderer* renderer, const double bounds[6], int up, const PrintChoice& print);
 
   /// Removes it from that renderer.
   void Remove(vtkRenderer* renderer);
@@ -43,7 +47,7 @@ public:
   void Execute(vtkObject* renderer, unsigned long, void*) override;
 
 private:
-  Grid(const double bounds[6], int up, const std::array<double, 3>& ink);
+  Grid(const double bounds[6], int up, const std::array<double, 3>& ink, const PrintChoice& print);
 
   struct Label
   {
@@ -76,6 +80,7 @@ private:
 
   std::array<std::array<double, 2>, 3> Ends; // of the box
   int Up;
+  PrintChoice Print;
   std::array<Axis, 3> Axes;
   Sides DrawnSides{}; // sides that the present lines are on
   Edges DrawnEdges{ -1, -1, -1 };

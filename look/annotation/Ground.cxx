@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Ground.h"
 
+#include "GroundSky.h"
 #include "Triples.h"
 
 #include "vtkActor.h"
 #include "vtkCellArray.h"
 #include "vtkDataSet.h"
+#include "vtkFloatArray.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
@@ -20,14 +22,18 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 namespace scene
 {
 namespace
 {
 constexpr int Sectors = 96;
-constexpr int Rings = 16;
-constexpr double Reach = 3.0; // in radii of the scene
+constexpr int InnerRings = 32; // where the scene hides much of the sky
+constexpr int Rings = 42;
+constexpr double Near = 1.6; // in radii of the scene
+constexpr double Reach = 3.0;
 constexpr double Solid = 1.2; // radius at which it begins to fade
 
 // Opacity: opaque inside, 0 at the rim, smooth between.
@@ -37,14 +43,53 @@ unsigned char GetAlpha(double radii)
   return static_cast<unsigned char>(std::lround(255.0 * t * t * (3.0 - 2.0 * t)));
 }
 
+double GetRadius(int ring)
+{
+  return ring <= InnerRings ? Near * ring / InnerRings
+                            : Near + (Reach - Near) * (ring - InnerRings) / (Rings - InnerRings);
+}
+
+// The sky's share of the light on a ground that faces up, about; the rest is the first light's.
+constexpr double SkyShare = 0.5;
+
 unsigned char MakeByte(double value)
 {
   return static_cast<unsigned char>(std::lround(255.0 * value));
 }
 
+// Means of neighbours hide the few directions in which the sky is sampled.
+void Smooth(vtkFloatArray* shades)
+{
+  vtkNew<vtkFloatArray> found;
+  found->DeepCopy(shades);
+  for (int ring = 1; ring < Rings; ++ring)
+  {
+    for (int sector = 0; sector < Sectors; ++sector)
+    {
+      float sum = 0.0F;
+      for (int dr = -1; dr <= 1; ++dr)
+      {
+        for (int ds = -1; ds <= 1; ++ds)
+        {
+          const float weight = (dr == 0 ? 2.0F : 1.0F) * (ds == 0 ? 2.0F : 1.0F) / 16.0F;
+          sum +=
+            weight * found->GetValue((ring + dr) * Sectors + (sector + ds + Sectors) % Sectors);
+        }
+      }
+      shades->SetValue(ring * Sectors + sector, sum);
+    }
+  }
+}
+
 vtkPolyData* GetDisc(vtkActor* ground)
 {
   return vtkPolyData::SafeDownCast(ground->GetMapper()->GetInputDataObject(0, 0));
+}
+
+// Of the colour, for each point.
+vtkFloatArray* GetShades(vtkActor* ground)
+{
+  return vtkFloatArray::SafeDownCast(GetDisc(ground)->GetPointData()->GetArray("shade"));
 }
 
 vtkUnsignedCharArray* GetColors(vtkActor* ground)
@@ -56,7 +101,7 @@ vtkUnsignedCharArray* GetColors(vtkActor* ground)
 
 //------------------------------------------------------------------------------
 vtkSmartPointer<vtkActor> MakeGround(
-  const double bounds[6], int upAxis, const std::array<double, 3>& color)
+  const double bounds[6], int upAxis, const std::array<double, 3>& color, vtkRenderer* renderer)
 {
   const auto up = static_cast<std::size_t>(upAxis);
   const std::size_t first = (up + 1) % 3; // first x second = up
@@ -72,12 +117,17 @@ vtkSmartPointer<vtkActor> MakeGround(
   middle[up] -= half[up] + 1e-4 * radius; // avoids z-fighting with flat bottoms
 
   vtkNew<vtkPoints> points;
+  vtkNew<vtkFloatArray> shades;
+  shades->SetName("shade");
+  const std::optional<GroundSky> sky = renderer
+    ? std::optional<GroundSky>(std::in_place, renderer, bounds, upAxis, middle[up])
+    : std::nullopt;
   vtkNew<vtkUnsignedCharArray> colors;
   colors->SetName("color");
   colors->SetNumberOfComponents(4);
   for (int ring = 0; ring <= Rings; ++ring)
   {
-    const double radii = Reach * ring / Rings;
+    const double radii = GetRadius(ring);
     for (int sector = 0; sector < Sectors; ++sector)
     {
       const double angle = 2.0 * vtkMath::Pi() * sector / Sectors;
@@ -85,11 +135,13 @@ vtkSmartPointer<vtkActor> MakeGround(
       point[first] += radius * radii * std::cos(angle);
       point[second] += radius * radii * std::sin(angle);
       points->InsertNextPoint(point.data());
-      const unsigned char tuple[4] = { MakeByte(color[0]), MakeByte(color[1]), MakeByte(color[2]),
-        GetAlpha(radii) };
+      const unsigned char tuple[4] = { 0, 0, 0, GetAlpha(radii) };
       colors->InsertNextTypedTuple(tuple);
+      shades->InsertNextValue(
+        static_cast<float>(sky && ring < Rings ? 1.0 - SkyShare * sky->GetHidden(point) : 1.0));
     }
   }
+  Smooth(shades);
   vtkNew<vtkCellArray> cells;
   for (vtkIdType ring = 0; ring < Rings; ++ring)
   {
@@ -105,6 +157,7 @@ vtkSmartPointer<vtkActor> MakeGround(
   disc->SetPoints(points);
   disc->SetPolys(cells);
   disc->GetPointData()->SetScalars(colors);
+  disc->GetPointData()->AddArray(shades);
 
   vtkNew<vtkPolyDataMapper> mapper;
   mapper->SetInputData(disc);
@@ -118,6 +171,7 @@ vtkSmartPointer<vtkActor> MakeGround(
   property->SetAmbient(1.0);
   property->SetDiffuse(0.0);
   vtkRelievoShadowCatcher::Make(actor);
+  SetGroundColor(actor, color.data());
   return actor;
 }
 
@@ -126,7 +180,8 @@ void GetGroundColor(vtkActor* ground, double color[3])
 {
   for (int i = 0; i < 3; ++i)
   {
-    color[i] = GetColors(ground)->GetComponent(0, i) / 255.0;
+    vtkUnsignedCharArray* colors = GetColors(ground);
+    color[i] = colors->GetComponent(colors->GetNumberOfTuples() - 1, i) / 255.0; // no shade there
   }
 }
 
@@ -134,9 +189,13 @@ void GetGroundColor(vtkActor* ground, double color[3])
 void SetGroundColor(vtkActor* ground, const double color[3])
 {
   vtkUnsignedCharArray* colors = GetColors(ground);
-  for (int i = 0; i < 3; ++i)
+  vtkFloatArray* shades = GetShades(ground);
+  for (vtkIdType point = 0; point < colors->GetNumberOfTuples(); ++point)
   {
-    colors->FillTypedComponent(i, MakeByte(color[i]));
+    for (int i = 0; i < 3; ++i)
+    {
+      colors->SetTypedComponent(point, i, MakeByte(color[i] * shades->GetValue(point)));
+    }
   }
   colors->Modified();
   GetDisc(ground)->Modified();

@@ -11,14 +11,16 @@
 #include <array>
 
 class vtkActor;
+class vtkRenderer;
 
 namespace scene
 {
 /// A disc below these bounds, visible from above, that catches shadows: where lit, it has this
 /// colour, 0 to 1; in the background's bottom colour it is invisible. It fades out towards its rim.
-/// It is translucent, so that layers do not show it.
-vtkSmartPointer<vtkActor> MakeGround(
-  const double bounds[6], int upAxis, const std::array<double, 3>& color);
+/// It is translucent, so that layers do not show it. With a renderer, it is darker where the
+/// renderer's opaque actors hide the sky.
+vtkSmartPointer<vtkActor> MakeGround(const double bounds[6], int upAxis,
+  const std::array<double, 3>& color, vtkRenderer* renderer = nullptr);
 
 ///@{
 /// Its lit colour, 0 to 1.

@@ -1,11 +1,14 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * The bar of colours with their values, at the right of a picture.
+ * The bar of colours with their values, from options.
  */
 #ifndef ScalarBar_h
 #define ScalarBar_h
 
+#include "AnnotationOptions.h"
+
+#include <array>
 #include <string>
 
 class vtkColorTransferFunction;
@@ -13,11 +16,18 @@ class vtkRenderer;
 
 namespace scene
 {
-/// Fits the bar to the renderer's present size: title and values are in the picture, in black or
-/// white, and neighbouring values differ. A map in a few steps has values where its colours change;
-/// a logarithmic map at the ends and powers of ten between them.
-void AddScalarBar(
-  vtkRenderer* renderer, vtkColorTransferFunction* map, const std::string& title, int steps = 0);
+/// Values that a map colours.
+struct ColoredValues
+{
+  std::string Name;
+  std::array<double, 2> Range; ///< of the finite ones
+  bool HasNan = false;
+};
+
+/// Adds a vtkRelievoColorBar, with boxes for values that the map's range leaves out. `steps`: the
+/// number of the map's colours; 0: it is smooth.
+void AddScalarBar(vtkRenderer* renderer, vtkColorTransferFunction* map, int steps,
+  const ColoredValues& values, const BarChoice& choice, const PrintChoice& print);
 }
 
 #endif

@@ -2,28 +2,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRelievoScaleBar.h"
 
-#include "Annotation.h"
+#include "vtkRelievoAnnotation.h"
+#include "vtkRelievoOverlayPen.h"
 
 #include "vtkCamera.h"
-#include "vtkCellArray.h"
 #include "vtkMatrix4x4.h"
-#include "vtkNew.h"
 #include "vtkObjectFactory.h"
-#include "vtkPoints.h"
-#include "vtkPolyData.h"
-#include "vtkPolyDataMapper2D.h"
-#include "vtkProperty2D.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
-#include "vtkTextActor.h"
-#include "vtkTextProperty.h"
-#include "vtkTextRenderer.h"
 
 #include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <initializer_list>
 
 namespace
 {
@@ -80,73 +71,9 @@ std::string WriteLength(double length)
 //------------------------------------------------------------------------------
 struct vtkRelievoScaleBar::Internals
 {
-  // A rectangle of one colour.
-  struct Box
-  {
-    vtkNew<vtkPoints> Corners;
-    vtkNew<vtkActor2D> Actor;
-
-    Box()
-    {
-      this->Corners->SetNumberOfPoints(4);
-      vtkNew<vtkCellArray> cells;
-      cells->InsertNextCell({ 0, 1, 2, 3 });
-      vtkNew<vtkPolyData> data;
-      data->SetPoints(this->Corners);
-      data->SetPolys(cells);
-      vtkNew<vtkPolyDataMapper2D> mapper;
-      mapper->SetInputData(data);
-      this->Actor->SetMapper(mapper);
-    }
-
-    void Render(vtkViewport* viewport, double left, double bottom, double right, double top)
-    {
-      const double x[] = { left, right, right, left };
-      const double y[] = { bottom, bottom, top, top };
-      for (int i = 0; i < 4; ++i)
-      {
-        this->Corners->SetPoint(i, x[i], y[i], 0.0);
-      }
-      this->Corners->Modified();
-      this->Actor->RenderOverlay(viewport);
-    }
-  };
-
   std::string Unit;
   double Refused = 0.0; // the length last reported as too long
-  Box Edge, Bar;
-  vtkNew<vtkTextActor> EdgeText, Text;
-
-  // Sets the texts and returns their width in pixels, at most `room`.
-  double SetText(vtkRenderer* renderer, const std::string& label, double size, double room)
-  {
-    const int dpi = renderer->GetRenderWindow()->GetDPI();
-    std::array<int, 4> box{};
-    for (int fit = 0; fit < 2; ++fit)
-    {
-      // Font sizes are in points, 72 to an inch.
-      this->Text->GetTextProperty()->SetFontSize(std::max(1, static_cast<int>(size * 72 / dpi)));
-      vtkTextRenderer::GetInstance()->GetBoundingBox(
-        this->Text->GetTextProperty(), label, box.data(), dpi);
-      const double wide = box[1] - box[0] + 1;
-      if (wide <= room)
-      {
-        break;
-      }
-      size = std::max(1.0, size * room / wide);
-    }
-    this->EdgeText->GetTextProperty()->SetFontSize(this->Text->GetTextProperty()->GetFontSize());
-    this->Text->SetInput(label.c_str());
-    this->EdgeText->SetInput(label.c_str());
-    return box[1] - box[0] + 1.0;
-  }
-
-  static void RenderAt(vtkTextActor* text, vtkViewport* viewport, double x, double y)
-  {
-    text->SetPosition(x, y);
-    text->RenderOpaqueGeometry(viewport); // makes the text's image
-    text->RenderOverlay(viewport);
-  }
+  vtkRelievoOverlayPen Pen;
 };
 
 vtkStandardNewMacro(vtkRelievoScaleBar);
@@ -189,8 +116,9 @@ double vtkRelievoScaleBar::GetShownLength(vtkRenderer* renderer)
   {
     return 0.0;
   }
-  return this->Length > 0.0 ? this->Length
-                            : scene::RoundDown((1.0 + Jitter) * this->Share * width / perUnit);
+  return this->Length > 0.0
+    ? this->Length
+    : vtkRelievoAnnotation::RoundDown((1.0 + Jitter) * this->Share * width / perUnit);
 }
 
 //------------------------------------------------------------------------------
@@ -223,8 +151,10 @@ int vtkRelievoScaleBar::RenderOverlay(vtkViewport* viewport)
     }
     return 0;
   }
-  const double size = std::max<double>(
-    SmallestText, std::min(renderer->GetSize()[0], renderer->GetSize()[1]) / LinesOfText);
+  double size = this->TextSize > 0.0
+    ? this->TextSize
+    : std::max<double>(
+        SmallestText, std::min(renderer->GetSize()[0], renderer->GetSize()[1]) / LinesOfText);
   const double margin = std::round(Margin * size);
   const double thick = std::max(2.0, std::round(Thickness * size));
   const double halo = std::max(1.0, std::round(Halo * size));
@@ -232,37 +162,33 @@ int vtkRelievoScaleBar::RenderOverlay(vtkViewport* viewport)
   const double bar = std::max(1.0, std::round(length * perUnit));
   const double right = std::round(std::max(width - margin, 0.5 * (width + bar)));
   const double ink =
-    this->Ink == INK_AUTOMATIC ? scene::GetInk(renderer)[0] : this->Ink == INK_WHITE;
-  own.Bar.Actor->GetProperty()->SetColor(ink, ink, ink);
-  own.Edge.Actor->GetProperty()->SetColor(1.0 - ink, 1.0 - ink, 1.0 - ink);
-  own.Text->GetTextProperty()->SetColor(ink, ink, ink);
-  own.EdgeText->GetTextProperty()->SetColor(1.0 - ink, 1.0 - ink, 1.0 - ink);
-  own.Edge.Render(viewport, right - bar - halo, margin - halo, right + halo, margin + thick + halo);
-  own.Bar.Render(viewport, right - bar, margin, right, margin + thick);
+    this->Ink == INK_AUTOMATIC ? vtkRelievoAnnotation::GetInk(renderer)[0] : this->Ink == INK_WHITE;
+  const vtkRelievoOverlayPen::Color inkColor = { ink, ink, ink };
+  const vtkRelievoOverlayPen::Color edge = { 1.0 - ink, 1.0 - ink, 1.0 - ink };
+  own.Pen.Begin(viewport);
+  own.Pen.AddRectangle(
+    { right - bar - halo, margin - halo, right + halo, margin + thick + halo }, edge);
+  own.Pen.AddRectangle({ right - bar, margin, right, margin + thick }, inkColor);
 
-  const double wide = own.SetText(renderer, this->GetLabel(renderer), size, width - 2.0 * margin);
-  const double x = std::round(std::min(right - 0.5 * (bar + wide), width - margin - wide));
-  const double y = margin + thick + gap;
-  for (const double dx : { -halo, 0.0, halo })
+  const std::string label = this->GetLabel(renderer);
+  const double room = width - 2.0 * margin;
+  double wide = own.Pen.Measure(label, size)[0];
+  if (wide > room)
   {
-    for (const double dy : { -halo, 0.0, halo })
-    {
-      Internals::RenderAt(own.EdgeText, viewport, x + dx, y + dy);
-    }
+    size = std::max(1.0, size * room / wide);
+    wide = own.Pen.Measure(label, size)[0];
   }
-  Internals::RenderAt(own.Text, viewport, x, y);
+  own.Pen.AddText(
+    { std::min(right - 0.5 * (bar + wide), width - margin - wide), margin + thick + gap }, label,
+    size, inkColor, edge, halo);
+  own.Pen.Draw();
   return 1;
 }
 
 //------------------------------------------------------------------------------
 void vtkRelievoScaleBar::ReleaseGraphicsResources(vtkWindow* window)
 {
-  Internals& own = *this->Internal;
-  for (vtkActor2D* each :
-    std::initializer_list<vtkActor2D*>{ own.Edge.Actor, own.Bar.Actor, own.EdgeText, own.Text })
-  {
-    each->ReleaseGraphicsResources(window);
-  }
+  this->Internal->Pen.ReleaseGraphicsResources(window);
   this->Superclass::ReleaseGraphicsResources(window);
 }
 
@@ -274,5 +200,6 @@ void vtkRelievoScaleBar::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Length: " << this->Length << "\n";
   os << indent << "Share: " << this->Share << "\n";
   os << indent << "Depth: " << this->Depth << "\n";
+  os << indent << "TextSize: " << this->TextSize << "\n";
   os << indent << "Ink: " << this->Ink << "\n";
 }

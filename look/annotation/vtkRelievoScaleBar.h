@@ -7,8 +7,8 @@
  * Add it to a renderer like any prop (vtkRenderer::AddViewProp): a horizontal bar with its length
  * above it, drawn over the picture, without light or tone, and in no layer. It lays itself out in
  * each frame for the renderer's camera and size, also in tiles. Both are black or white, whichever
- * contrasts more with the renderer's background, with an edge of the other colour, and sized to the
- * shorter side of the picture.
+ * contrasts more with the renderer's background, with an edge of the other colour,, sized to the
+ * shorter side of the picture, or to TextSize.
  *
  * In a parallel projection the bar is accurate everywhere, to half a pixel. In perspective near
  * objects look larger: the bar is accurate at Depth, across the view.
@@ -63,6 +63,13 @@ public:
   vtkGetMacro(Depth, double);
   ///@}
 
+  ///@{
+  /** Height of the label's font, pixels. Default 0: by the shorter side of the picture, at least 9.
+   */
+  vtkSetClampMacro(TextSize, double, 0.0, 1000.0);
+  vtkGetMacro(TextSize, double);
+  ///@}
+
   enum Inks
   {
     INK_AUTOMATIC,
@@ -98,6 +105,7 @@ protected:
   double Length = 0.0;
   double Share = 0.2;
   double Depth = 0.0;
+  double TextSize = 0.0;
   int Ink = INK_AUTOMATIC;
 
 private:

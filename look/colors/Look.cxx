@@ -222,6 +222,30 @@ std::array<double, 2> FindRange(
 }
 
 //------------------------------------------------------------------------------
+bool HasNan(const std::vector<Coloring>& all, const LookChoice& look)
+{
+  for (const Coloring& each : all)
+  {
+    for (vtkDataArray* array : each.Arrays)
+    {
+      const int count = array->GetNumberOfComponents();
+      const int first = look.Component.value_or(0);
+      for (vtkIdType i = 0; GetRounding(array) > 0.0 && i < array->GetNumberOfTuples(); ++i)
+      {
+        for (int c = first; c < (look.Component ? first + 1 : count); ++c)
+        {
+          if (std::isnan(array->GetComponent(i, c)))
+          {
+            return true;
+          }
+        }
+      }
+    }
+  }
+  return false;
+}
+
+//------------------------------------------------------------------------------
 // The values of the first and last colour, for values with this range.
 std::array<double, 2> ChooseRange(
   const std::array<double, 2>& found, const LookChoice& look, const std::string& name)
@@ -268,6 +292,28 @@ void SetColoring(const Coloring& coloring, vtkColorTransferFunction* map, const 
   // Interpolates values between points, not colours: each colour is one of the map's. A normal map
   // or heights need the texture coordinates that this uses.
   mapper->SetInterpolateScalarsBeforeMapping(coloring.OfPoints && !coloring.Mapped);
+}
+
+//------------------------------------------------------------------------------
+// Values can be read from their colours on a bar only if light changes lightness a little and no
+// highlight adds white: D. A. Szafir, A. Sarikaya, M. Gleicher, Lightness constancy in surface
+// visualization, IEEE TVCG 22(9), 2016. Scaling a display's colour by k keeps its hue and scales
+// OKLab's lightness by k^0.8 at least, so that 0.7 of it remains.
+void KeepReadable(vtkActor* actor)
+{
+  constexpr double unlit = 0.65;
+  vtkMapper* mapper = actor->GetMapper();
+  vtkProperty* property = actor->GetProperty();
+  if (mapper->GetScalarVisibility() && mapper->GetColorMode() == VTK_COLOR_MODE_MAP_SCALARS)
+  {
+    if (property->GetInterpolation() == VTK_PBR) // it has no such part
+    {
+      property->SetInterpolationToPhong();
+    }
+    property->SetAmbient(unlit);
+    property->SetDiffuse(1.0 - unlit);
+    property->SetSpecular(0.0);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -320,8 +366,9 @@ void SetColors(vtkRenderer* renderer, const LookChoice& look, const ArrayNames& 
     }
     if (look.ScalarBar && values && ++bars == 1)
     {
-      AddScalarBar(
-        renderer, map, name + (look.Component ? " " + std::to_string(*look.Component) : ""), steps);
+      AddScalarBar(renderer, map, steps,
+        { name + (look.Component ? " " + std::to_string(*look.Component) : ""), found,
+          HasNan(colorings, look) }, look.Bar, look.Print);
     }
   }
   ForEachVolume(renderer, [&](vtkImageData* image, vtkVolume* volume) {
@@ -329,11 +376,13 @@ void SetColors(vtkRenderer* renderer, const LookChoice& look, const ArrayNames& 
     const std::string name = values->GetName() ? values->GetName() : "";
     std::array<double, 2> range = { VTK_DOUBLE_MAX, -VTK_DOUBLE_MAX };
     AddRange(values, 0, Colormap::Parse(look.Colormap).Log, range);
+    const std::array<double, 2> found = range;
     range = ChooseRange(WithoutRounding(range, GetRounding(values)), look, name);
     volume->GetProperty()->SetColor(MakeColormap(look.Colormap, range, true));
     if (look.ScalarBar && ++bars == 1)
     {
-      AddScalarBar(renderer, MakeColormap(look.Colormap, range), name, steps);
+      AddScalarBar(renderer, MakeColormap(look.Colormap, range), steps, { name, found }, look.Bar,
+        look.Print);
     }
   });
   if (look.ScalarBar && bars != 1)
@@ -405,6 +454,10 @@ void SetLook(vtkRenderer* renderer, LookChoice look, const ArrayNames& arrays, b
   SetColors(renderer, look, arrays, mapped);
   ForEachActor(renderer, [&](vtkActor* actor) {
     vtkProperty* property = actor->GetProperty();
+    if (look.IsReadable)
+    {
+      KeepReadable(actor);
+    }
     if (look.Solid || !look.ColorBy.empty())
     {
       // A texture would multiply the colours.
@@ -429,6 +482,10 @@ void SetLook(vtkRenderer* renderer, LookChoice look, const ArrayNames& arrays, b
     {
       property->EdgeVisibilityOn();
       property->SetEdgeColor(0.1, 0.1, 0.1);
+      if (look.Print.Width > 0.0)
+      {
+        property->SetLineWidth(static_cast<float>(look.Print.GetLineWidth()));
+      }
     }
   });
   ForEachVolume(renderer,

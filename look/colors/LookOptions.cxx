@@ -90,6 +90,33 @@ void TakeColormap(LookChoice& look, const std::string& word)
 }
 
 //------------------------------------------------------------------------------
+void TakeBar(LookChoice& look, const std::string& word)
+{
+  static const std::vector<std::string> places = { "right", "left", "bottom", "top" };
+  const char* const form = "right, left, bottom or top, then optionally ,title=TEXT and ,unit=UNIT";
+  BarChoice bar;
+  // Texts may contain commas: a text ends where the next part begins.
+  const std::size_t comma = std::min(word.find(','), word.size());
+  const auto place = std::find(places.begin(), places.end(), word.substr(0, comma));
+  const std::string rest = word.substr(comma);
+  const std::size_t unit = std::min(rest.rfind(",unit="), rest.size());
+  const std::string title = rest.substr(0, unit);
+  const std::string titled = ",title=";
+  if (place == places.end() || !(title.empty() || title.rfind(titled, 0) == 0))
+  {
+    RefuseValue("--bar", word, form);
+  }
+  bar.Place = static_cast<int>(place - places.begin());
+  if (!title.empty())
+  {
+    bar.Title = title.substr(titled.size());
+  }
+  bar.Unit = unit < rest.size() ? rest.substr(unit + std::string(",unit=").size()) : "";
+  look.Bar = bar;
+  look.ScalarBar = true;
+}
+
+//------------------------------------------------------------------------------
 void TakeColor(LookChoice& look, const std::string& word)
 {
   look.Solid = ParseColor("--color", word);
@@ -142,7 +169,7 @@ void CheckLookOptions(const LookChoice& look, const std::set<std::string>& given
   }
   if (look.Solid)
   {
-    for (const char* option : { "--color-by", "--colormap", "--range", "--scalar-bar" })
+    for (const char* option : { "--color-by", "--colormap", "--range", "--scalar-bar", "--bar" })
     {
       if (given.count(option))
       {

@@ -7,6 +7,8 @@
 #ifndef LookOptions_h
 #define LookOptions_h
 
+#include "AnnotationOptions.h"
+
 #include <array>
 #include <optional>
 #include <set>
@@ -47,7 +49,10 @@ struct LookChoice
   std::optional<std::array<double, 2>> Range;
   bool Symmetric = false; ///< extends the files' range as far below zero as above it
   std::string Colormap = DefaultColormap;
+  bool IsReadable = false; ///< whether light changes the colours of values only a little
   bool ScalarBar = false;
+  BarChoice Bar;
+  PrintChoice Print;
   std::optional<Color> Solid;
   double Opacity = 1.0;
   double PointSize = 1.0; ///< pixels; larger ones are spheres
@@ -61,6 +66,7 @@ struct LookChoice
 void TakeColorBy(LookChoice& look, const std::string& word);
 void TakeRange(LookChoice& look, const std::string& word);
 void TakeColormap(LookChoice& look, const std::string& word);
+void TakeBar(LookChoice& look, const std::string& word);
 void TakeColor(LookChoice& look, const std::string& word);
 void TakeScaleBar(LookChoice& look, const std::string& word);
 void TakeBackground(LookChoice& look, const std::string& word);

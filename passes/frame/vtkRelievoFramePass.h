@@ -87,7 +87,6 @@ public:
   bool IsLayerRequested(RELIEVO_TEXT name);
   ///@}
 
-  ///@{
 #ifndef __VTK_WRAP__
   /**
    * Layers to make only in frames whose other outputs, such as the picture, need their stages.
@@ -96,6 +95,7 @@ public:
   void SetOptionalLayers(const std::vector<std::string>& names);
 #endif
 
+  ///@{
   /** Makes only the layers and leaves the picture unchanged, for captures. Default off. */
   vtkSetMacro(LayersOnly, bool);
   vtkGetMacro(LayersOnly, bool);

@@ -93,7 +93,7 @@ except ImportError as error:
 
 from ._wrapped import *  # noqa: F401,F403
 
-from . import _browser
+from . import _browser, _font
 from ._cameras import (
     CameraModel,
     Cube,
@@ -131,6 +131,7 @@ from ._vtkmodules import provide_vtkmodules
 
 globals().update(_functions())  # lamps, fog, markers: each stage that draws points
 _browser.prepare()
+_font.offer_matplotlibs()
 
 __all__ = [
     *_functions(),

@@ -34,12 +34,53 @@ namespace scene
 namespace
 {
 constexpr double Infinity = std::numeric_limits<double>::infinity();
+constexpr double LargestFigure = 5000.0; // millimetres
+constexpr double SmallestDPI = 36.0;
+constexpr double LargestDPI = 4800.0;
 
 double SineBetween(const std::array<double, 3>& a, const std::array<double, 3>& b)
 {
   const std::array<double, 3> cross = { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2],
     a[0] * b[1] - a[1] * b[0] };
   return Length(cross) / (Length(a) * Length(b));
+}
+
+//------------------------------------------------------------------------------
+void TakeFigure(RenderOptions& options, const std::string& word)
+{
+  const char* const form = "WIDTHmm,DPI, such as 85mm,300";
+  const std::vector<std::string> parts = Split(word, ',');
+  const std::string unit = "mm";
+  const std::string width = parts[0].substr(0, parts[0].rfind(unit));
+  if (parts.size() != 2 || width + unit != parts[0])
+  {
+    RefuseValue("--figure", word, form);
+  }
+  options.Look.Print.Width = ParseNumberBetween("--figure width", width, 1.0, LargestFigure);
+  options.Look.Print.DPI = ParseNumberBetween("--figure DPI", parts[1], SmallestDPI, LargestDPI);
+}
+
+//------------------------------------------------------------------------------
+// The picture's size in pixels for a figure's width, with the proportions of --size.
+void SizeFigure(RenderOptions& options)
+{
+  constexpr double inch = 25.4; // millimetres
+  const PrintChoice& print = options.Look.Print;
+  if (print.Width <= 0.0)
+  {
+    return;
+  }
+  const double width = print.Width / inch * print.DPI;
+  const double height = width * options.Size[1] / options.Size[0];
+  if (std::max(width, height) > LargestSize)
+  {
+    throw UsageError("--figure: the picture is " + std::to_string(std::lround(width)) + " x " +
+      std::to_string(std::lround(height)) + " pixels, and at most " + std::to_string(LargestSize) +
+      " are possible: give a smaller width or fewer DPI");
+  }
+  options.Size = { std::max(1, static_cast<int>(std::lround(width))),
+    std::max(1, static_cast<int>(std::lround(height))) };
+  options.IsSized = true;
 }
 
 //------------------------------------------------------------------------------
@@ -279,6 +320,11 @@ vtkRelievoCommand DescribeRender(RenderOptions& all)
   allowFolder.Repeats = true;
   allowFolder.Files = "/";
   rows.Add("--size", "WxH", "size of the picture in pixels, 1 to 16384 (1024x768)", TakeSize);
+  rows.Add("--figure", "WIDTHmm,DPI",
+    "a picture for print, such as 85mm,300: of this width at this resolution, which the PNG "
+    "records, with the proportions of --size; texts of bars and grid in 8 points, lines in half "
+    "a point",
+    TakeFigure);
   rows.Add("--camera", "PX,PY,PZ,FX,FY,FZ,UX,UY,UZ",
     "position, focal point, up (fitted to the scene: from the upper right, or with "
     "--preset none along -z with y or the axis of --up up; from the flat side of a flat "
@@ -355,7 +401,8 @@ vtkRelievoCommand DescribeRender(RenderOptions& all)
     .Words = { "symmetric" };
   rows
     .Add("--colormap", "NAME",
-      "viridis, cool-warm, grey, hot or rainbow, or colours between commas, evenly spaced "
+      "viridis, cool-warm, grey, hot, rainbow, ember, ocean, blue-orange, green-purple, phase or "
+      "categories, or colours between commas, evenly spaced "
       "or at shares of the range, such as black,0.3=#ff8000,white; then optionally "
       ":reversed, :log (by the logarithm of the values), :steps=N (N colours) and "
       ":nan=COLOR (the colour of NaN) (viridis)",
@@ -363,6 +410,12 @@ vtkRelievoCommand DescribeRender(RenderOptions& all)
     .Words = GetColormapNames();
   rows.AddFlag(
     "--scalar-bar", "shows the colours and their values at the right", all.Look.ScalarBar);
+  rows
+    .Add("--bar", "PLACE[,title=TEXT][,unit=UNIT]",
+      "the scalar bar at the right, left, bottom or top (where it is horizontal), with another "
+      "title than the array's name, and with the unit of the values",
+      TakePart<&RenderOptions::Look, TakeBar>)
+    .Words = { "right", "left", "bottom", "top" };
   rows.Add("--color", "COLOR",
     "one colour for all meshes; COLOR is R/G/B from 0 to 1 as displays show it, "
     "#rrggbb, or a name such as slategray",
@@ -684,7 +737,8 @@ void CheckLens(const RenderOptions& options)
     { options.Certify.has_value(), "--certify: it checks only a pinhole's picture" },
     { options.Look.Grid, "--grid: it is drawn only over a pinhole's picture" },
     { options.Look.ScaleBar.has_value(), "--scale-bar: it is drawn only over a pinhole's picture" },
-    { options.Look.ScalarBar, "--scalar-bar: it is drawn only over a pinhole's picture" }
+    { options.Look.ScalarBar, "--scalar-bar: it is drawn only over a pinhole's picture" },
+    { options.Look.Print.Width > 0.0, "--figure: a lens has a size of its own" }
   };
   for (const auto& [given, words] : others)
   {
@@ -788,6 +842,7 @@ RenderOptions ParseOptions(const std::vector<std::string>& words)
     AddStage(options.Stages, "ambient", "--ground").Parameters = { { "enabled", "on" },
       { "only_catchers", "on" } };
   }
+  SizeFigure(options);
   CheckShadowWishes(options, seen);
   options.Surface.Shadowed = ShowsShadows(options);
   CheckTogether(options, seen);

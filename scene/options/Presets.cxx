@@ -250,7 +250,9 @@ void ApplyPreset(RenderOptions& options, const std::set<std::string>& given)
   {
     options.Look.Background = preset->Background;
   }
-  if (given.count("--image") + given.count("--color-by") + given.count("--scalar-bar") == 0)
+  if (given.count("--image") + given.count("--color-by") + given.count("--scalar-bar") +
+      given.count("--bar") ==
+    0)
   {
     options.Image.Is = ImageChoice::Kind::Found;
   }
@@ -269,6 +271,7 @@ void ApplyPreset(RenderOptions& options, const std::set<std::string>& given)
   }
   if (lights)
   {
+    options.Look.IsReadable = options.ShadingKind != Shading::PBR;
     AddSuns(options, *preset, given.count("--light") > 0);
     if (preset->Angle >= 0.0)
     {

@@ -83,6 +83,18 @@ class Many:
         return self.process.wait(timeout=60)
 
 
+def oklab(rgb):
+    """L, a and b (B. Ottosson, A perceptual color space for image processing, 2020) of display
+    values from 0 to 1."""
+    linear = numpy.where(rgb <= 0.04045, rgb / 12.92, ((rgb + 0.055) / 1.055) ** 2.4)
+    roots = numpy.cbrt(linear @ numpy.array([
+        [0.4122214708, 0.2119034982, 0.0883024619], [0.5363325363, 0.6806995451, 0.2817188376],
+        [0.0514459929, 0.1073969566, 0.6299787005]]))  # fmt: skip
+    return roots @ numpy.array([
+        [0.2104542553, 1.9779984951, 0.0259040371], [0.7936177850, -2.4285922050, 0.7827717662],
+        [-0.0040720468, 0.4505937099, -0.8086757660]])  # fmt: skip
+
+
 class CliTest(unittest.TestCase):
     """Each test runs in an empty folder that holds triangle.off."""
 

@@ -2,13 +2,15 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Colours by arrays, colour maps and bars, opacity, edges, backgrounds, presets, OBJ materials."""
 
+import zlib
+
 import numpy
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkFiltersSources import vtkPlaneSource
 from vtkmodules.vtkIOImage import vtkPNGWriter
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLPolyDataWriter
 
-from cli import CliTest, main, read_png, write_image
+from cli import CliTest, main, oklab, read_png, write_image
 
 SIDE, CELLS = 96, 8
 CAMERA = ["--camera", "0,0,5,0,0,0,0,1,0", "--clip", "1,10", "--parallel-scale", "1"]
@@ -137,6 +139,34 @@ class Look(CliTest):
                 apart = abs(found * 255 - end).max()
                 self.assertLess(apart, 4, f"{name}, {bounds}: {found[0, 0] * 255}")
 
+    def test_lightness(self):
+        """Grows evenly, is symmetric, or constant, by the kind of the map; labels are told
+        apart."""
+        found = {}
+        for name in ("ember", "ocean", "blue-orange", "green-purple", "phase", "categories"):
+            row = self.albedo("--color-by", "across", "--colormap", name)[SIDE // 2]
+            found[name] = oklab(row.astype(float))
+        for name in ("ember", "ocean"):
+            slope, first = numpy.polyfit(X / 2, found[name][:, 0], 1)
+            self.assertGreater(slope, 0.7, name)
+            off = found[name][:, 0] - (first + slope * X / 2)
+            self.assertLess(abs(off).max(), 0.012, name)
+        for name in ("blue-orange", "green-purple"):
+            light = found[name][:, 0]
+            self.assertLess(abs(light - light[::-1]).max(), 0.008, name)
+            self.assertTrue((numpy.diff(light[: SIDE // 2]) > 0).all(), name)
+            self.assertGreater(light.max() - light.min(), 0.38)
+            ends = numpy.arctan2(found[name][[0, -1], 2], found[name][[0, -1], 1])
+            self.assertGreater(abs(numpy.diff(ends)[0]), 2, name)
+        phase = found["phase"]
+        self.assertLess(numpy.ptp(phase[:, 0]), 0.01)
+        self.assertLess(numpy.ptp(numpy.hypot(phase[:, 1], phase[:, 2])), 0.01)
+        turns = numpy.linalg.norm(numpy.diff([*phase, phase[0]], axis=0), axis=1)
+        self.assertLess(turns.max(), 2 * numpy.median(turns))  # also from the last to the first
+        labels = found["categories"][numpy.linspace(SIDE // 20, SIDE - SIDE // 20, 10).astype(int)]
+        apart = numpy.linalg.norm(labels[:, None] - labels[None], axis=-1)
+        self.assertGreater(apart[~numpy.eye(10, dtype=bool)].min(), 0.15)
+
     def test_scales(self):
         """Logarithms, steps, positions of custom colours, a range around zero, NaN."""
         across, points = 3 + 2 * X, numpy.linspace(-1, 1, CELLS + 1)
@@ -223,6 +253,85 @@ class Look(CliTest):
         for color in ((68, 1, 84), (253, 231, 37)):
             self.assertGreater((abs(bar - color).max(axis=2) < 12)[:, 330:].sum(), 10, color)
 
+    def test_bar_places(self):
+        """At each edge, horizontal at two of them, with other texts; boxes for values left out."""
+        words = ["render", "plane.vtp", *CAMERA, "--size", "600x400", "--background", "white",
+                 "--color-by", "across", "--colormap", "grey", "--opacity", "0"]  # fmt: skip
+        self.relievo(*words, "--png", "a.png")
+        empty = read_png(self.folder / "a.png").astype(int)
+        for place in ("right", "left", "bottom", "top"):
+            self.relievo(*words, "--bar", place, "--png", "a.png")
+            seen = (read_png(self.folder / "a.png").astype(int) != empty).any(axis=2)
+            rows, columns = (numpy.flatnonzero(seen.any(axis=axis)) for axis in (1, 0))
+            tall, wide = numpy.ptp(rows), numpy.ptp(columns)
+            self.assertEqual(tall > wide, place in ("right", "left"), place)
+            self.assertTrue(0.5 < (tall / 400 if tall > wide else wide / 600) < 0.65, place)
+            middle = {"right": columns > 300, "left": columns < 300,
+                      "bottom": rows > 200, "top": rows < 200}[place]  # fmt: skip
+            self.assertTrue(middle.all(), place)
+            other = [*words, "--bar", f"{place},title=σ, first,unit=N/m²", "--png", "a.png"]
+            self.relievo(*other)
+            named = read_png(self.folder / "a.png").astype(int)
+            self.relievo(*other[:-2], "--range", "2,3", "--png", "a.png")
+            boxed = read_png(self.folder / "a.png").astype(int)
+            self.assertTrue((named != boxed).any() and not (boxed[..., 0] != boxed[..., 1]).any())
+
+    def test_bar_of_a_layer(self):
+        """Replaces that of the array where a layer is the picture, and is over the layer."""
+        for layer, has in (("depth", True), ("range", True), ("normal", False)):
+            shown = ["render", "plane.vtp", *CAMERA, "--size", "300x200", "--color-by", "across",
+                     "--stage", f"display:layer={layer}"]  # fmt: skip
+            self.relievo(*shown, "--png", "a.png")
+            plain = read_png(self.folder / "a.png").astype(int)
+            self.relievo(*shown, "--scalar-bar", "--png", "a.png")
+            seen = (read_png(self.folder / "a.png").astype(int) != plain).any(axis=2)
+            self.assertFalse(seen[:, :200].any(), layer)
+            self.assertEqual(seen[:, 200:].mean() > 0.1, has, layer)
+
+    def test_bar_of_nan(self):
+        """NaN has a box of its colour where the drawn values have any."""
+        reader = vtkXMLPolyDataReader()
+        reader.SetFileName(str(self.folder / "plane.vtp"))
+        reader.Update()
+        data = reader.GetOutput()
+        values = vtk_to_numpy(data.GetPointData().GetArray("across"))
+        values[3] = numpy.nan
+        writer = vtkXMLPolyDataWriter()
+        writer.SetDataModeToBinary()
+        writer.SetFileName(str(self.folder / "nan.vtp"))
+        writer.SetInputData(data)
+        writer.Write()
+        for name, most, least in (("plane.vtp", 0, 0), ("nan.vtp", 400, 100)):
+            self.relievo("render", name, *CAMERA[:-2], "--size", "600x400", "--background",
+                         "white", "--color-by", "across", "--colormap", "grey:nan=#ff0000",
+                         "--scalar-bar", "--parallel-scale", "4", "--png", "a.png")  # fmt: skip
+            picture = read_png(self.folder / "a.png")[:, 450:].astype(int)
+            red = (picture == (255, 0, 0)).all(axis=2).sum()
+            self.assertTrue(least <= red <= most, (name, red))
+
+    def test_figure(self):
+        """Millimetres and DPI give the size, 8 points the texts, and the PNG says so."""
+        for width, dpi in ((85, 150), (40, 600)):
+            self.relievo("render", "plane.vtp", *CAMERA, "--size", "400x300", "--background",
+                         "white", "--color-by", "across", "--colormap", "#ff0000,#ff0000", "--bar",
+                         "right,title=0", "--opacity", "0", "--figure", f"{width}mm,{dpi}",
+                         "--png", "a.png")  # fmt: skip
+            picture = read_png(self.folder / "a.png").astype(int)
+            pixels = round(width / 25.4 * dpi)
+            self.assertEqual(picture.shape[:2], (round(pixels * 0.75), pixels))
+            bytes_ = (self.folder / "a.png").read_bytes()
+            at = bytes_.index(b"pHYs")
+            chunk = bytes_[at : at + 13]
+            self.assertEqual(chunk[4:12], 2 * round(dpi / 0.0254).to_bytes(4, "big"))
+            self.assertEqual(bytes_[at + 13 : at + 17], zlib.crc32(chunk).to_bytes(4, "big"))
+            # The title, one digit, is above the bar. Digits of DejaVu Sans are 0.73 of its size
+            # high, those of VTK's own font about as much.
+            bar = (picture[..., 0] - picture[..., 1] > 100).any(axis=1)
+            ink = (picture[: numpy.flatnonzero(bar)[0]].max(axis=2) < 128).any(axis=1)
+            rows = numpy.flatnonzero(ink)
+            high = rows[numpy.flatnonzero(numpy.diff([*rows, 10**6]) > 1)[0]] - rows[0] + 1
+            self.assertLess(abs(high - 0.73 * 8 / 72 * dpi), 0.08 * 8 / 72 * dpi + 1)
+
     def test_bar_of_steps(self):
         """As many colours as steps, of one height, by logarithms, too."""
         for words in ("grey:steps=5", "grey:steps=5:log"):
@@ -249,7 +358,7 @@ class Look(CliTest):
             self.assertFalse(ink[:, -2:].any() or ink[:, :200].any(), (array, values))
             with self.subTest(array=array, values=values):
                 colorful = (picture.max(axis=2) - picture.min(axis=2) > 60)[:, 380:].any(axis=0)
-                right = 380 + int(numpy.flatnonzero(colorful).max()) + 2
+                right = 380 + int(numpy.flatnonzero(colorful).max()) + 7  # past ticks
                 texts = numpy.flatnonzero(numpy.diff(ink[:, right:].any(axis=1).astype(int)))
                 texts = [ink[top + 1 : end + 1, right:].tobytes()
                          for top, end in zip(texts[::2], texts[1::2], strict=True)]  # fmt: skip

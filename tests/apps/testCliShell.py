@@ -71,7 +71,7 @@ class Completion(unittest.TestCase):
                 known |= set(options_of("render")) - {
                     "--camera", "--parallel-scale", "--clip", "--times", "--png", "--exr",
                     "--baseline", "--portable", "--report", "--hdr", "--transparent",
-                    "--certify"}  # fmt: skip
+                    "--certify", "--figure"}  # fmt: skip
             self.assertEqual(sorted(offered), sorted(known))
 
     def test_the_viewer_takes_the_words_of_render(self):

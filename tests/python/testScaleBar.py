@@ -1,8 +1,10 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The scale bar is as long as the measured length: a plane of known width drawn by VTK."""
+"""The scale bar is as long as the measured length: a plane of known width drawn by VTK. The colour
+bar's colours are its map's, and its values are round."""
 
 import itertools
+import math
 import unittest
 
 import numpy
@@ -10,7 +12,11 @@ import relievo
 import scenes
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkFiltersSources import vtkPlaneSource
-from vtkmodules.vtkRenderingCore import vtkRenderer, vtkWindowToImageFilter
+from vtkmodules.vtkRenderingCore import (
+    vtkColorTransferFunction,
+    vtkRenderer,
+    vtkWindowToImageFilter,
+)
 
 
 def seen(window, scale=1, border=False):
@@ -320,6 +326,90 @@ class Picture(unittest.TestCase):
             with self.assertRaisesRegex(ValueError, message):
                 relievo.scale_bar(*arguments)
         self.assertEqual(renderer.GetViewProps().GetNumberOfItems(), 0)
+
+
+class ColorBar(unittest.TestCase):
+    def bar_of(self, low, high, size=(640, 480)):
+        renderer = vtkRenderer()
+        renderer.SetBackground(1, 1, 1)
+        bar = relievo.vtkRelievoColorBar()
+        grey = vtkColorTransferFunction()
+        grey.AddRGBPoint(low, 0, 0, 0)
+        grey.AddRGBPoint(high, 1, 1, 1)
+        bar.SetLookupTable(grey)
+        renderer.AddViewProp(bar)
+        return scenes.window_of(renderer, *size), renderer, bar
+
+    def test_smooth(self):
+        """Each row has the map's colour, over about half the height, in small and large pictures,
+        and in tiles."""
+        for size, scale in (((400, 300), 1), ((4000, 3000), 1), ((500, 400), 2)):
+            window, _, _ = self.bar_of(0, 1, size)
+            picture = seen(window, scale)
+            rows, columns = picture.shape[:2]
+            # The column in the bar with the longest run between the black lines of its edges.
+            band = picture[:, columns - columns // 4 :, 0]
+            best = max(range(band.shape[1]), key=lambda x: len(set(band[:, x])))
+            values = band[:, best]
+            runs_ = [(end - begin, begin, end) for begin, end in
+                     runs((values > 0) & (values < 255))]  # fmt: skip
+            length, begin, end = max(runs_)
+            self.assertTrue(0.45 < length / rows < 0.52, size)
+            expected = 255 * (1 - (numpy.arange(length) + 0.5) / length)
+            self.assertLess(abs(values[begin:end] - expected).max(), 255 / length + 3)
+            self.assertGreater(len(set(values[begin:end])), min(140, length - 10))
+            ink = (picture < 100).all(axis=2)[:, -columns // 30 :].any(axis=1)
+            heights = [end - begin for begin, end in runs(ink)]
+            self.assertGreaterEqual(max(heights), 7)  # pixels of a digit
+
+    def test_round_values(self):
+        """1, 2 or 5 times a power of ten apart, in the range, as many as fit."""
+        rng = numpy.random.default_rng(4)
+        ranges = [(0, 1), (-1, 1), (-12345, 98765), (101325, 101326), (0, 1e-4), (1e9, 3e9),
+                  (0, 1e300), (-1e-9, 2e-9), (293.15, 294)]  # fmt: skip
+        for _ in range(60):
+            middle, width = rng.normal() * 10.0 ** rng.integers(-6, 7), 10.0 ** rng.uniform(-3, 6)
+            ranges.append((middle - width, middle + width))
+        window, renderer, bar = self.bar_of(0, 1)
+        for low, high in ranges:
+            with self.subTest(low=low, high=high):
+                grey = vtkColorTransferFunction()
+                grey.AddRGBPoint(low, 0, 0, 0)
+                grey.AddRGBPoint(high, 1, 1, 1)
+                bar.SetLookupTable(grey)
+                title, *texts = bar.GetTexts(renderer).split("\n")
+                raised = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻", "0123456789-")
+                power = title.strip("()").replace("×10", "1e").translate(raised)
+                factor = float(power) if power else 1
+                values = [float(text.replace("−", "-")) * factor for text in texts]
+                self.assertTrue(3 <= len(values) <= 11, texts)
+                self.assertEqual(len(set(texts)), len(texts))
+                step = (values[-1] - values[0]) / (len(values) - 1)
+                numpy.testing.assert_allclose(numpy.diff(values), step, rtol=1e-6)
+                digit = step / 10 ** math.floor(math.log10(step * 1.000001))
+                self.assertLess(min(abs(digit - each) for each in (1, 2, 5)), 1e-6)
+                near = 1e-6 * step
+                self.assertTrue(low - near <= values[0] < low + step + near)
+                self.assertTrue(high - step - near < values[-1] <= high + near)
+        self.assertTrue(window)
+
+    def test_texts(self):
+        """Title, unit, ends and boxes; the values of steps are where colours change."""
+        _, renderer, bar = self.bar_of(0, 10)
+        bar.SetTitle("Pressure")
+        bar.SetUnit("Pa")
+        self.assertEqual(bar.GetTexts(renderer).split("\n")[0], "Pressure (Pa)")
+        bar.SetSteps(4)
+        values = bar.GetTexts(renderer).split("\n")[1:]
+        self.assertEqual(values, ["0.0", "2.5", "5.0", "7.5", "10.0"])
+        bar.BelowBoxOn()
+        bar.AboveBoxOn()
+        bar.NanBoxOn()
+        self.assertEqual(bar.GetTexts(renderer).split("\n")[-3:], ["> 10", "< 0", "NaN"])
+        bar.SetEnds("dark", "lit")
+        self.assertEqual(bar.GetTexts(renderer).split("\n")[1:3], ["dark", "lit"])
+        bar.SetLookupTable(None)
+        self.assertEqual(bar.GetTexts(renderer), "")
 
 
 if __name__ == "__main__":

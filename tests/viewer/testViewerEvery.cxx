@@ -55,6 +55,7 @@ const std::vector<QStringList> Rows = {
     "symmetric" },
   { "--color-by", "height", "--colormap", "hot:reversed:log", "--range", "0.1,2", "--scalar-bar" },
   { "--color-by", "Normals,1", "--scalar-bar" },
+  { "--color-by", "height", "--bar", "bottom,title=h,unit=m" },
   { "--background", "#102030,gray" },
   { "--preset", "studio", "--grid" },
   { "--preset", "print", "--scale-bar", "µm" },
@@ -83,7 +84,7 @@ const std::set<std::string> Elsewhere = { "--size", "--camera", "--parallel-scal
 const std::set<std::string> OfStages = { "--shadow-size", "--soft-shadows", "--shadow-tolerance",
   "--time-budget", "--stage", "--ambient", "--deferred", "--tone", "--exposure", "--certify",
   "--layers", "--hdr", "--lens", "--png", "--exr", "--baseline", "--portable", "--report",
-  "--transparent" };
+  "--transparent", "--figure" };
 
 // The result follows from measured times.
 const std::string Measured = "time_budget";

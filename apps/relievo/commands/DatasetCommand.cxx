@@ -29,7 +29,8 @@ namespace
 {
 // Options of render that poses or the data set's own files replace.
 constexpr const char* OfRender[] = { "--camera", "--parallel-scale", "--clip", "--times", "--png",
-  "--exr", "--baseline", "--portable", "--report", "--hdr", "--transparent", "--certify" };
+  "--exr", "--baseline", "--portable", "--report", "--hdr", "--transparent", "--certify",
+  "--figure" };
 
 bool IsOfRender(const std::string& name)
 {

@@ -29,7 +29,8 @@ namespace viewer
 {
 namespace
 {
-constexpr const char* OfValues[] = { "--color-by", "--colormap", "--range", "--scalar-bar" };
+constexpr const char* OfValues[] = { "--color-by", "--colormap", "--range", "--scalar-bar",
+  "--bar" };
 
 constexpr int MostSteps = 256;
 constexpr int NamedStops = 5; // first number of stops for a named map
@@ -100,6 +101,8 @@ ColorsGroup::ColorsGroup(
   this->AddRange();
   this->Bar->setToolTip("The colours and their values, at the right of the picture");
   rows->addRow(this->Bar);
+  this->BarPlace = AddChoice(document, rows, "--bar", "right, if shown",
+    "Where the colour bar is shown; it is horizontal at the bottom and the top");
   this->Solid->setObjectName("solid");
   this->Solid->setToolTip("One colour for all meshes, instead of values and textures");
   this->Color->setObjectName("color");
@@ -238,6 +241,7 @@ void ColorsGroup::SetColorBy(const QString& name, const QString& component)
     if (!this->HasValues(name, component)) // the bar would be empty
     {
       settings.Remove("--scalar-bar");
+      settings.Remove("--bar");
     }
   });
   this->ShowSettings();
@@ -421,6 +425,7 @@ void ColorsGroup::ShowSettings()
   this->ShowComponents(by.Name, by.Component);
   this->ShowMap(look.Colormap);
   ShowFlag(this->Bar, settings, "--scalar-bar");
+  ShowChoice(this->BarPlace, settings, "--bar");
   SetIdle(this->Bar,
     this->Bar->isChecked() || this->HasValues(name, by.Component)
       ? ""

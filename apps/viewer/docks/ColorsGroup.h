@@ -70,6 +70,7 @@ private:
   QCheckBox* Symmetric;
   QPushButton* Seen;
   QCheckBox *Bar, *Solid;
+  QComboBox* BarPlace;
   ColorButton* Color;
 };
 }

@@ -144,7 +144,7 @@ void Picture::Update(const scene::Settings& settings)
 }
 
 //------------------------------------------------------------------------------
-// Fits the scalar bar and the clipping range before each frame, like the command line.
+// Fits the clipping range before each frame, like the command line.
 void Picture::FitClipping()
 {
   if (this->IsEmpty())
@@ -152,16 +152,6 @@ void Picture::FitClipping()
     return;
   }
   scene::DressedScene& scene = this->Now.Scene;
-  if (scene.IsBarOutgrown())
-  {
-    try
-    {
-      this->Dress(this->Now.Shown, true);
-    }
-    catch (const std::exception&) // a frame cannot report errors; the step worked before
-    {
-    }
-  }
   const scene::CameraChoice& choice = this->Other ? *this->Other : scene.GetOptions().View;
   if (choice.Clip)
   {

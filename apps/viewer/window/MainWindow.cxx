@@ -104,7 +104,7 @@ QStringList GetPaths(const QMimeData* data)
 constexpr int LayoutVersion = 2;
 
 constexpr const char* PlaceWords[] = { "--camera", "--parallel-scale", "--size" };
-constexpr const char* ColorWords[] = { "--color-by", "--range", "--scalar-bar" };
+constexpr const char* ColorWords[] = { "--color-by", "--range", "--scalar-bar", "--bar" };
 constexpr const char* CameraWords[] = { "--camera", "--parallel-scale" };
 
 QString GetFileName(const std::string& path)
@@ -966,7 +966,8 @@ bool MainWindow::KeepColors(const scene::Settings& colors, const Facts& facts)
 {
   const scene::Settings now = this->Edited->Get();
   const std::string given = colors.Get("--color-by");
-  if (now.Has("--color") || now.Has("--color-by") || now.Has("--range") || now.Has("--scalar-bar"))
+  if (now.Has("--color") || now.Has("--color-by") || now.Has("--range") ||
+    now.Has("--scalar-bar") || now.Has("--bar"))
   {
     return false;
   }

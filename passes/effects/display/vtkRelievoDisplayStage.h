@@ -66,12 +66,18 @@ public:
     COOL_WARM = 1,
     GREY = 2,
     HOT = 3,
-    RAINBOW = 4
+    RAINBOW = 4,
+    EMBER = 5,
+    OCEAN = 6,
+    BLUE_ORANGE = 7,
+    GREEN_PURPLE = 8,
+    PHASE = 9,
+    CATEGORIES = 10
   };
 
   ///@{
   /** The colour map of scalar layers. Default VIRIDIS. */
-  vtkSetClampMacro(Colormap, int, VIRIDIS, RAINBOW);
+  vtkSetClampMacro(Colormap, int, VIRIDIS, CATEGORIES);
   vtkGetMacro(Colormap, int);
   ///@}
 

@@ -11,11 +11,10 @@
 
 #include <vector>
 
-class vtkColorTransferFunction;
 class vtkPVRenderView;
 class vtkProp;
 class vtkRelievoDisplayStage;
-class vtkScalarBarActor;
+class vtkRelievoLayerLegend;
 
 class vtkPVRelievoLegend
 {
@@ -35,8 +34,7 @@ public:
   void Leave(vtkPVRenderView* view);
 
 private:
-  vtkNew<vtkScalarBarActor> Bar;
-  vtkNew<vtkColorTransferFunction> Colors;
+  vtkNew<vtkRelievoLayerLegend> Bar;
   std::vector<vtkWeakPointer<vtkProp>> Hidden;
 };
 

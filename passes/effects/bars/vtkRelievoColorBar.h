@@ -1,0 +1,176 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkRelievoColorBar
+ * @brief Shows the colours of a map with their values, over the picture.
+ *
+ * Add it to a renderer like any prop (vtkRenderer::AddViewProp); it has no light and no tone, and
+ * is in no layer. It lays itself out in each frame for the picture's size, also in tiles. The
+ * colours are smooth if the map is: one for each row of pixels. Values are at 1, 2 or 5 times
+ * powers of ten; long numbers share a factor, which is in the title. Texts are in DejaVu Sans if
+ * the system has it (or the environment variable RELIEVO_FONT names a font's file), else in VTK's
+ * own font, which has no superscripts and few Greek letters.
+ *
+ * Errors: none; without a map nothing is drawn.
+ */
+#ifndef vtkRelievoColorBar_h
+#define vtkRelievoColorBar_h
+
+#include "vtkActor2D.h"
+#include "vtkRelievoEffectsModule.h" // for the export macro
+#include "vtkRelievoText.h"          // for texts
+
+#include <memory> // for the internals
+#include <string> // for texts
+
+class vtkRenderer;
+class vtkScalarsToColors;
+
+class VTKRELIEVOEFFECTS_EXPORT vtkRelievoColorBar : public vtkActor2D
+{
+public:
+  static vtkRelievoColorBar* New();
+  vtkTypeMacro(vtkRelievoColorBar, vtkActor2D);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /** The map, over its own range. Default: none. */
+  void SetLookupTable(vtkScalarsToColors* map);
+  vtkScalarsToColors* GetLookupTable();
+  ///@}
+
+  ///@{
+  /** What the values are, in UTF-8; above the bar. Default: none. */
+  void SetTitle(RELIEVO_TEXT title);
+  std::string GetTitle();
+  ///@}
+
+  ///@{
+  /** The values' unit, in UTF-8; in parentheses after the title. Default: none. */
+  void SetUnit(RELIEVO_TEXT unit);
+  std::string GetUnit();
+  ///@}
+
+  ///@{
+  /** Texts in place of the values of the first and the last colour. Default: none, ticks. */
+  void SetEnds(RELIEVO_TEXT first, RELIEVO_TEXT last);
+  ///@}
+
+  enum Places
+  {
+    PLACE_RIGHT,
+    PLACE_LEFT,
+    PLACE_BOTTOM,
+    PLACE_TOP
+  };
+
+  ///@{
+  /** The edge of the picture beside which the bar is; horizontal at the bottom and the top. */
+  vtkSetClampMacro(Place, int, PLACE_RIGHT, PLACE_TOP);
+  vtkGetMacro(Place, int);
+  ///@}
+
+  ///@{
+  /** The bar's length as a share of the picture along it, 0.1 to 0.9. Default 0.5. */
+  vtkSetClampMacro(Share, double, 0.1, 0.9);
+  vtkGetMacro(Share, double);
+  ///@}
+
+  ///@{
+  /** The middle of bar and texts along the picture's edge as a share, 0 to 1. Default 0.5. */
+  vtkSetClampMacro(Middle, double, 0.0, 1.0);
+  vtkGetMacro(Middle, double);
+  ///@}
+
+  ///@{
+  /** Height of the font, pixels. Default 0: by the shorter side of the picture, at least 11. */
+  vtkSetClampMacro(TextSize, double, 0.0, 1000.0);
+  vtkGetMacro(TextSize, double);
+  ///@}
+
+  ///@{
+  /** Number of colours of a map in steps; up to 12, values are where the colours change. Default
+   * 0. */
+  vtkSetClampMacro(Steps, int, 0, 256);
+  vtkGetMacro(Steps, int);
+  ///@}
+
+  ///@{
+  /** Boxes with the colours of values below and above the range, and of NaN. Default: off. */
+  vtkSetMacro(BelowBox, bool);
+  vtkGetMacro(BelowBox, bool);
+  vtkBooleanMacro(BelowBox, bool);
+  vtkSetMacro(AboveBox, bool);
+  vtkGetMacro(AboveBox, bool);
+  vtkBooleanMacro(AboveBox, bool);
+  vtkSetMacro(NanBox, bool);
+  vtkGetMacro(NanBox, bool);
+  vtkBooleanMacro(NanBox, bool);
+  ///@}
+
+  enum Inks
+  {
+    INK_AUTOMATIC,
+    INK_BLACK,
+    INK_WHITE
+  };
+
+  ///@{
+  /** The colour of texts and lines. Default: black or white, by the background. */
+  vtkSetClampMacro(Ink, int, INK_AUTOMATIC, INK_WHITE);
+  vtkGetMacro(Ink, int);
+  ///@}
+
+  ///@{
+  /** A dark ground under bar and texts, on which white is readable over any picture. Default: off.
+   */
+  vtkSetMacro(Backdrop, bool);
+  vtkGetMacro(Backdrop, bool);
+  vtkBooleanMacro(Backdrop, bool);
+  ///@}
+
+  /**
+   * A font file for all bars, grids and scale bars where neither RELIEVO_FONT nor the system gives
+   * one. Has an effect before the first of them is drawn.
+   */
+  static void SetFallbackFont(RELIEVO_TEXT file);
+
+  /**
+   * The texts in a renderer, which must be in a window, one a line: the title, the values from the
+   * first colour to the last, and those of boxes.
+   */
+  std::string GetTexts(vtkRenderer* renderer);
+
+  ///@{
+  /** Called by the renderer. */
+  int RenderOpaqueGeometry(vtkViewport*) override { return 0; }
+  int RenderTranslucentPolygonalGeometry(vtkViewport*) override { return 0; }
+  vtkTypeBool HasTranslucentPolygonalGeometry() override { return 0; }
+  int RenderOverlay(vtkViewport* viewport) override;
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+  ///@}
+
+protected:
+  vtkRelievoColorBar();
+  ~vtkRelievoColorBar() override;
+
+  int Place = PLACE_RIGHT;
+  double Share = 0.5;
+  double Middle = 0.5;
+  double TextSize = 0.0;
+  int Steps = 0;
+  bool BelowBox = false;
+  bool AboveBox = false;
+  bool NanBox = false;
+  int Ink = INK_AUTOMATIC;
+  bool Backdrop = false;
+
+private:
+  vtkRelievoColorBar(const vtkRelievoColorBar&) = delete;
+  void operator=(const vtkRelievoColorBar&) = delete;
+
+  struct Internals;
+  const std::unique_ptr<Internals> Internal;
+};
+
+#endif
