@@ -161,11 +161,11 @@ void vtkRelievoOpticalDepths::Make(
     const double texel[2] = { x.GetPiece(across[0]), y.GetPiece(across[1]) };
     const double piece = z.GetPiece(pieces);
     // The sides of the volumes lie between a ray past them and the first one through them.
-    const auto row = [&](const glm::dvec3& along, double low, double width1) {
+    const auto row = [&](const glm::dvec3& along, double low, double wide) {
       const glm::dvec3 scaled =
-        source.Positional ? along / width1 + axis * (0.5 - low / width1) : along / width1;
+        source.Positional ? along / wide + axis * (0.5 - low / wide) : along / wide;
       return glm::dvec4(
-        scaled, -glm::dot(scaled, origin) + (source.Positional ? 0.0 : 0.5 - low / width1));
+        scaled, -glm::dot(scaled, origin) + (source.Positional ? 0.0 : 0.5 - low / wide));
     };
     const glm::dvec4 last = source.Positional ? glm::dvec4(axis, -glm::dot(axis, origin))
                                               : glm::dvec4(0.0, 0.0, 0.0, 1.0);

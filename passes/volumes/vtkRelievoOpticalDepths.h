@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Optical depths of volumes between a light and every point, in a grid along the light's rays: its
-// last two axes are the rays' numbers, its first the distance along them. A point behind the
+// first two axes number the rays, its third is the distance along them. A point behind the
 // volumes has the depth of its whole ray, one before them none. The light that reaches a point is
 // exp(-depth), without a limit on how the extinction changes along the ray (T. Lokovic, E. Veach:
 // Deep shadow maps, 2000), since the grid has a node at every voxel.

@@ -3,7 +3,6 @@
 #include "vtkRelievoVolumeField.h"
 
 #include "vtkAbstractMapper.h"
-#include "vtkCellData.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
@@ -12,10 +11,8 @@
 #include "vtkPiecewiseFunction.h"
 #include "vtkPlane.h"
 #include "vtkPlaneCollection.h"
-#include "vtkPointData.h"
 #include "vtkRelievoMatrix.h"
 #include "vtkRelievoPropMTime.h"
-#include "vtkUniformGrid.h"
 #include "vtkVolume.h"
 #include "vtkVolumeMapper.h"
 #include "vtkVolumeProperty.h"
@@ -25,6 +22,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <functional>
 
 namespace
 {
@@ -206,6 +204,12 @@ std::vector<vtkRelievoVolumeField> vtkRelievoVolumeField::Collect(
       why = "it has three dependent components, which VTK does not draw";
       return {};
     }
+    if (!field.Array->HasStandardMemoryLayout()) // threads read its memory
+    {
+      auto copy = vtk::TakeSmartPointer(vtkDataArray::CreateDataArray(field.Array->GetDataType()));
+      copy->DeepCopy(field.Array);
+      field.Array = copy;
+    }
     field.Component = components - 1; // the last of two or four is the opacity's
     field.Nearest = property->GetInterpolationType() == VTK_NEAREST_INTERPOLATION;
 
@@ -260,7 +264,7 @@ std::vector<vtkRelievoVolumeField> vtkRelievoVolumeField::Collect(
     }
 
     double range[2];
-    field.Array->GetRange(range, field.Component);
+    field.Array->GetFiniteRange(range, field.Component);
     if (components == 4 && field.Array->GetDataType() == VTK_UNSIGNED_CHAR)
     {
       range[0] = 0.0;

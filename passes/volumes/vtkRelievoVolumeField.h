@@ -3,9 +3,9 @@
 //
 // The extinction of a volume along rays, on the CPU, by the definitions of VTK's ray-cast mappers:
 // scalars interpolated in the image, their opacity from the property's scalar opacity function,
-// times its gradient opacity, per unit distance in the volume's own coordinates: a path of length s through opacity
-// a lets (1 - a)^(s / unit distance) of the light pass. Cropping and clipping planes cut the
-// volume.
+// times its gradient opacity, per unit distance in the volume's own coordinates: a path of length s
+// through opacity a lets (1 - a)^(s / unit distance) of the light pass. Cropping and clipping
+// planes cut the volume.
 #ifndef vtkRelievoVolumeField_h
 #define vtkRelievoVolumeField_h
 

@@ -32,10 +32,9 @@ public:
 
   // The volumes that cast in this frame.
   void SetCasters(const std::vector<vtkVolume*>& volumes) { this->Casters = volumes; }
-  bool HasCasters() const { return !this->Casters.empty(); }
 
-  // For each light that Update is given, the tangent of half the angle of its rays; 0 unless it is a
-  // sun with a size.
+  // For each light that Update is given, the tangent of half the angle of its rays; 0 unless it is
+  // a sun with a size.
   void SetSpreads(const std::vector<double>& tangents) { this->Spreads = tangents; }
 
   // Brings the depths towards these lights up to date: those that a change of the volumes or of a

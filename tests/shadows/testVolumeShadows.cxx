@@ -341,6 +341,26 @@ void TestGround()
     RELIEVO_CHECK_AT_MOST(worst, 0.02, what + ": worst");
     RELIEVO_CHECK(shadows->GetBytesHeld() > 0);
 
+    // Depths are computed again only after a change.
+    const auto isMade = [&](const std::string& number) {
+      stage.Window->Render();
+      return shadows->GetReason().find(", " + number + " made anew") != std::string::npos;
+    };
+    stage.Window->Render();
+    RELIEVO_CHECK(isMade("0"));
+    stage.Renderer->GetActiveCamera()->Azimuth(1.0);
+    RELIEVO_CHECK(isMade("0"));
+    light->SetPosition(1.1, 3.0, 1.5);
+    RELIEVO_CHECK(isMade("1"));
+    RELIEVO_CHECK(isMade("0"));
+    volume.Opacity->AddPoint(0.5, 0.4);
+    RELIEVO_CHECK(isMade("1"));
+    volume.Image->Modified();
+    RELIEVO_CHECK(isMade("1"));
+    volume.Prop->AddPosition(0.1, 0.0, 0.0);
+    RELIEVO_CHECK(isMade("1"));
+    RELIEVO_CHECK(isMade("0"));
+
     // Chosen not to cast, it changes nothing; nor does it hold anything.
     const vtkIdType bytes = shadows->GetBytesHeld();
     shadows->SetPropCasts(volume.Prop, vtkRelievoShadowStage::CASTS_NEVER);
