@@ -346,6 +346,8 @@ void TestGround()
       stage.Window->Render();
       return shadows->GetReason().find(", " + number + " made anew") != std::string::npos;
     };
+    const vtkIdType bytes = shadows->GetBytesHeld();
+    shadows->EnabledOn();
     stage.Window->Render();
     RELIEVO_CHECK(isMade("0"));
     stage.Renderer->GetActiveCamera()->Azimuth(1.0);
@@ -362,7 +364,7 @@ void TestGround()
     RELIEVO_CHECK(isMade("0"));
 
     // Chosen not to cast, it changes nothing; nor does it hold anything.
-    const vtkIdType bytes = shadows->GetBytesHeld();
+    shadows->EnabledOff();
     shadows->SetPropCasts(volume.Prop, vtkRelievoShadowStage::CASTS_NEVER);
     const relievoTest::Layers lit(relievoTest::CaptureShadow(stage, 0));
     double darkest = 1.0;
