@@ -4,7 +4,7 @@
 
 #include "vtkRelievoFormulas.h"
 #include "vtkRelievoThreads.h"
-#include "vtkRelievoVolumeField.h"
+#include "vtkRelievoVolumeExtinction.h"
 
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
@@ -84,7 +84,7 @@ glm::dvec3 GetDirection(double longitude, double angle)
 
 //------------------------------------------------------------------------------
 void vtkRelievoOpticalDepths::Make(
-  const std::vector<vtkRelievoVolumeField>& fields, const Source& source, int most)
+  const std::vector<vtkRelievoVolumeExtinction>& fields, const Source& source, int most)
 {
   this->Depths.clear();
   this->Size = glm::ivec3(0);
@@ -94,7 +94,7 @@ void vtkRelievoOpticalDepths::Make(
   }
   std::vector<glm::dvec3> corners;
   double spacing = fields[0].GetSpacing();
-  for (const vtkRelievoVolumeField& field : fields)
+  for (const vtkRelievoVolumeExtinction& field : fields)
   {
     corners.insert(corners.end(), field.GetCorners().begin(), field.GetCorners().end());
     spacing = std::min(spacing, field.GetSpacing());
@@ -192,7 +192,7 @@ void vtkRelievoOpticalDepths::Make(
       glm::dvec3 step;
       getRay(i, static_cast<int>(j), from, step);
       std::fill(ray.begin(), ray.end(), 0.f);
-      for (const vtkRelievoVolumeField& field : fields)
+      for (const vtkRelievoVolumeExtinction& field : fields)
       {
         field.AddDepths(from, step, samples, ray);
       }

@@ -16,7 +16,7 @@
 
 #include <vector>
 
-class vtkRelievoVolumeField;
+class vtkRelievoVolumeExtinction;
 
 class VTKRELIEVOVOLUMES_EXPORT vtkRelievoOpticalDepths
 {
@@ -35,7 +35,7 @@ public:
   };
 
   // Marches through the fields: a node for each voxel, in each direction at most `most`.
-  void Make(const std::vector<vtkRelievoVolumeField>& fields, const Source& source, int most);
+  void Make(const std::vector<vtkRelievoVolumeExtinction>& fields, const Source& source, int most);
 
   // The interpolated depth at a point of the world.
   double GetDepth(const glm::dvec3& world) const;

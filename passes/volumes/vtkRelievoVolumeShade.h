@@ -72,7 +72,7 @@ private:
 
   std::vector<vtkVolume*> Casters;
   std::vector<std::uint64_t> State; // of the fields
-  std::vector<vtkRelievoVolumeField> Fields;
+  std::vector<vtkRelievoVolumeExtinction> Fields;
   std::string NotTraced; // the volumes that cast none, with reasons
   std::vector<vtkRelievoOpticalDepths::Source> Sources;
   std::vector<vtkRelievoOpticalDepths> Depths; // one per source

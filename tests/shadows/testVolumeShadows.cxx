@@ -26,7 +26,7 @@
 #include <vtkRelievoOpticalDepths.h>
 #include <vtkRelievoPass.h>
 #include <vtkRelievoShadowStage.h>
-#include <vtkRelievoVolumeField.h>
+#include <vtkRelievoVolumeExtinction.h>
 #include <vtkVolume.h>
 #include <vtkVolumeProperty.h>
 
@@ -82,7 +82,7 @@ struct Volume
   double GetDepth(const Source& source, const glm::dvec3& place) const
   {
     std::string why;
-    const auto fields = vtkRelievoVolumeField::Collect(this->Prop, why);
+    const auto fields = vtkRelievoVolumeExtinction::Collect(this->Prop, why);
     RELIEVO_CHECK(fields.size() == 1 && why.empty());
     vtkRelievoOpticalDepths depths;
     depths.Make(fields, source, 256);
@@ -263,7 +263,7 @@ void TestRefused()
   RELIEVO_CHECK(volume.GetDepth(Sun({ 0, 0, -1 }), { 0.5, 0.5, -1.0 }) < std::log(2.0));
   const auto why = [&]() {
     std::string reason;
-    RELIEVO_CHECK(vtkRelievoVolumeField::Collect(volume.Prop, reason).empty());
+    RELIEVO_CHECK(vtkRelievoVolumeExtinction::Collect(volume.Prop, reason).empty());
     return reason;
   };
   volume.Mapper->SetBlendModeToMaximumIntensity();
