@@ -248,7 +248,6 @@ std::string vtkRelievoShadowVolumes::Fill(std::string& fragment, const Shadows& 
   dec << "#define RELIEVO_SHADOW_LIGHTS " << structure.Lights.size() << "\n";
   dec << "#define RELIEVO_SHADOW_FACES " << structure.GetFaces() << "\n";
   dec << "#define RELIEVO_VOLUME_NUMBERS " << GetSlots(shadows, true, 1).size() << "\n";
-  dec << (structure.WideFilter ? "#define RELIEVO_SHADOW_WIDE\n" : "");
   dec << (structure.Around ? "#define RELIEVO_VOLUME_AROUND\n" : "");
   dec << (structure.Colored ? "#define RELIEVO_SHADOW_COLORED\n" : "");
   FillMark(fragment, VolumeExtensions,
