@@ -4,7 +4,7 @@
 
 #include "vtkRelievoFormulas.h"
 #include "vtkRelievoThreads.h"
-#include "vtkRelievoVolumeField.h"
+#include "vtkRelievoVolumeExtinction.h"
 
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
@@ -84,7 +84,7 @@ glm::dvec3 GetDirection(double longitude, double angle)
 
 //------------------------------------------------------------------------------
 void vtkRelievoOpticalDepths::Make(
-  const std::vector<vtkRelievoVolumeField>& fields, const Source& source, int most)
+  const std::vector<vtkRelievoVolumeExtinction>& fields, const Source& source, int most)
 {
   this->Depths.clear();
   this->Size = glm::ivec3(0);
@@ -94,7 +94,7 @@ void vtkRelievoOpticalDepths::Make(
   }
   std::vector<glm::dvec3> corners;
   double spacing = fields[0].GetSpacing();
-  for (const vtkRelievoVolumeField& field : fields)
+  for (const vtkRelievoVolumeExtinction& field : fields)
   {
     corners.insert(corners.end(), field.GetCorners().begin(), field.GetCorners().end());
     spacing = std::min(spacing, field.GetSpacing());
@@ -161,11 +161,11 @@ void vtkRelievoOpticalDepths::Make(
     const double texel[2] = { x.GetPiece(across[0]), y.GetPiece(across[1]) };
     const double piece = z.GetPiece(pieces);
     // The sides of the volumes lie between a ray past them and the first one through them.
-    const auto row = [&](const glm::dvec3& along, double low, double width1) {
+    const auto row = [&](const glm::dvec3& along, double low, double wide) {
       const glm::dvec3 scaled =
-        source.Positional ? along / width1 + axis * (0.5 - low / width1) : along / width1;
+        source.Positional ? along / wide + axis * (0.5 - low / wide) : along / wide;
       return glm::dvec4(
-        scaled, -glm::dot(scaled, origin) + (source.Positional ? 0.0 : 0.5 - low / width1));
+        scaled, -glm::dot(scaled, origin) + (source.Positional ? 0.0 : 0.5 - low / wide));
     };
     const glm::dvec4 last = source.Positional ? glm::dvec4(axis, -glm::dot(axis, origin))
                                               : glm::dvec4(0.0, 0.0, 0.0, 1.0);
@@ -192,7 +192,7 @@ void vtkRelievoOpticalDepths::Make(
       glm::dvec3 step;
       getRay(i, static_cast<int>(j), from, step);
       std::fill(ray.begin(), ray.end(), 0.f);
-      for (const vtkRelievoVolumeField& field : fields)
+      for (const vtkRelievoVolumeExtinction& field : fields)
       {
         field.AddDepths(from, step, samples, ray);
       }

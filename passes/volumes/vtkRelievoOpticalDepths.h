@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Optical depths of volumes between a light and every point, in a grid along the light's rays: its
-// last two axes are the rays' numbers, its first the distance along them. A point behind the
+// first two axes number the rays, its third is the distance along them. A point behind the
 // volumes has the depth of its whole ray, one before them none. The light that reaches a point is
 // exp(-depth), without a limit on how the extinction changes along the ray (T. Lokovic, E. Veach:
 // Deep shadow maps, 2000), since the grid has a node at every voxel.
@@ -16,7 +16,7 @@
 
 #include <vector>
 
-class vtkRelievoVolumeField;
+class vtkRelievoVolumeExtinction;
 
 class VTKRELIEVOVOLUMES_EXPORT vtkRelievoOpticalDepths
 {
@@ -35,7 +35,7 @@ public:
   };
 
   // Marches through the fields: a node for each voxel, in each direction at most `most`.
-  void Make(const std::vector<vtkRelievoVolumeField>& fields, const Source& source, int most);
+  void Make(const std::vector<vtkRelievoVolumeExtinction>& fields, const Source& source, int most);
 
   // The interpolated depth at a point of the world.
   double GetDepth(const glm::dvec3& world) const;

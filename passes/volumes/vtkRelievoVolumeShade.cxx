@@ -7,7 +7,7 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 #include "vtkRelievoScopedContext.h"
-#include "vtkRelievoVolumeField.h"
+#include "vtkRelievoVolumeExtinction.h"
 #include "vtkShaderProgram.h"
 #include "vtkTextureUnitManager.h"
 #include "vtkVolume.h"
@@ -54,7 +54,7 @@ std::string vtkRelievoVolumeShade::Update(
   std::vector<std::uint64_t> state;
   for (vtkVolume* volume : this->Casters)
   {
-    vtkRelievoVolumeField::AddState(volume, state);
+    vtkRelievoVolumeExtinction::AddState(volume, state);
   }
   const bool changed = state != this->State;
   if (changed)
@@ -65,7 +65,8 @@ std::string vtkRelievoVolumeShade::Update(
     for (vtkVolume* volume : this->Casters)
     {
       std::string why;
-      for (const vtkRelievoVolumeField& field : vtkRelievoVolumeField::Collect(volume, why))
+      for (const vtkRelievoVolumeExtinction& field :
+        vtkRelievoVolumeExtinction::Collect(volume, why))
       {
         this->Fields.push_back(field);
       }

@@ -32,10 +32,9 @@ public:
 
   // The volumes that cast in this frame.
   void SetCasters(const std::vector<vtkVolume*>& volumes) { this->Casters = volumes; }
-  bool HasCasters() const { return !this->Casters.empty(); }
 
-  // For each light that Update is given, the tangent of half the angle of its rays; 0 unless it is a
-  // sun with a size.
+  // For each light that Update is given, the tangent of half the angle of its rays; 0 unless it is
+  // a sun with a size.
   void SetSpreads(const std::vector<double>& tangents) { this->Spreads = tangents; }
 
   // Brings the depths towards these lights up to date: those that a change of the volumes or of a
@@ -73,7 +72,7 @@ private:
 
   std::vector<vtkVolume*> Casters;
   std::vector<std::uint64_t> State; // of the fields
-  std::vector<vtkRelievoVolumeField> Fields;
+  std::vector<vtkRelievoVolumeExtinction> Fields;
   std::string NotTraced; // the volumes that cast none, with reasons
   std::vector<vtkRelievoOpticalDepths::Source> Sources;
   std::vector<vtkRelievoOpticalDepths> Depths; // one per source

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 // The share of a light that volumes let pass (vtkRelievoVolumeShade). The includer defines
-// RELIEVO_SHADOW_LIGHTS, the number of lights, and RELIEVO_VOLUME_AROUND if one is among the volumes,
-// RELIEVO_VOLUME_SPREAD if a sun has a size.
+// RELIEVO_SHADOW_LIGHTS, the number of lights, RELIEVO_VOLUME_AROUND if one is among the volumes,
+// and RELIEVO_VOLUME_SPREAD if a sun has a size.
 //RELIEVO::Include(volumes/texel.glsl)
 uniform sampler3D relievoVolumeDepths; // of all lights, one behind the other
 uniform vec3 relievoVolumeTexture;     // its size

@@ -6,7 +6,8 @@
 // side or from one point.
 vec3 relievoVolumeTexel(vec4 map, vec3 size)
 {
-  return clamp(vec3(map.x / map.w, map.y / map.w, map.z), vec3(float(0.0)), size - vec3(float(1.0)));
+  vec3 texel = vec3(map.x / map.w, map.y / map.w, map.z);
+  return clamp(texel, vec3(float(0.0)), size - vec3(float(1.0)));
 }
 
 // For rays in all directions around the light: by longitude and the angle to the third axis, with a

@@ -26,7 +26,7 @@
 #include <vtkRelievoOpticalDepths.h>
 #include <vtkRelievoPass.h>
 #include <vtkRelievoShadowStage.h>
-#include <vtkRelievoVolumeField.h>
+#include <vtkRelievoVolumeExtinction.h>
 #include <vtkVolume.h>
 #include <vtkVolumeProperty.h>
 
@@ -82,7 +82,7 @@ struct Volume
   double GetDepth(const Source& source, const glm::dvec3& place) const
   {
     std::string why;
-    const auto fields = vtkRelievoVolumeField::Collect(this->Prop, why);
+    const auto fields = vtkRelievoVolumeExtinction::Collect(this->Prop, why);
     RELIEVO_CHECK(fields.size() == 1 && why.empty());
     vtkRelievoOpticalDepths depths;
     depths.Make(fields, source, 256);
@@ -263,7 +263,7 @@ void TestRefused()
   RELIEVO_CHECK(volume.GetDepth(Sun({ 0, 0, -1 }), { 0.5, 0.5, -1.0 }) < std::log(2.0));
   const auto why = [&]() {
     std::string reason;
-    RELIEVO_CHECK(vtkRelievoVolumeField::Collect(volume.Prop, reason).empty());
+    RELIEVO_CHECK(vtkRelievoVolumeExtinction::Collect(volume.Prop, reason).empty());
     return reason;
   };
   volume.Mapper->SetBlendModeToMaximumIntensity();
@@ -341,8 +341,30 @@ void TestGround()
     RELIEVO_CHECK_AT_MOST(worst, 0.02, what + ": worst");
     RELIEVO_CHECK(shadows->GetBytesHeld() > 0);
 
-    // Chosen not to cast, it changes nothing; nor does it hold anything.
+    // Depths are computed again only after a change.
+    const auto isMade = [&](const std::string& number) {
+      stage.Window->Render();
+      return shadows->GetReason().find(", " + number + " made anew") != std::string::npos;
+    };
     const vtkIdType bytes = shadows->GetBytesHeld();
+    shadows->EnabledOn();
+    stage.Window->Render();
+    RELIEVO_CHECK(isMade("0"));
+    stage.Renderer->GetActiveCamera()->Azimuth(1.0);
+    RELIEVO_CHECK(isMade("0"));
+    light->SetPosition(1.1, 3.0, 1.5);
+    RELIEVO_CHECK(isMade("1"));
+    RELIEVO_CHECK(isMade("0"));
+    volume.Opacity->AddPoint(0.5, 0.4);
+    RELIEVO_CHECK(isMade("1"));
+    volume.Image->Modified();
+    RELIEVO_CHECK(isMade("1"));
+    volume.Prop->AddPosition(0.1, 0.0, 0.0);
+    RELIEVO_CHECK(isMade("1"));
+    RELIEVO_CHECK(isMade("0"));
+
+    // Chosen not to cast, it changes nothing; nor does it hold anything.
+    shadows->EnabledOff();
     shadows->SetPropCasts(volume.Prop, vtkRelievoShadowStage::CASTS_NEVER);
     const relievoTest::Layers lit(relievoTest::CaptureShadow(stage, 0));
     double darkest = 1.0;

@@ -11,7 +11,7 @@
 #include "vtkRelievoShadowMapUniforms.h"
 #include "vtkRelievoShadowMethod.h"
 #include "vtkRelievoSpliceText.h"
-#include "vtkRelievoVolumeField.h"
+#include "vtkRelievoVolumeExtinction.h"
 #include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
 #include "vtkVolume.h"
@@ -248,7 +248,6 @@ std::string vtkRelievoShadowVolumes::Fill(std::string& fragment, const Shadows& 
   dec << "#define RELIEVO_SHADOW_LIGHTS " << structure.Lights.size() << "\n";
   dec << "#define RELIEVO_SHADOW_FACES " << structure.GetFaces() << "\n";
   dec << "#define RELIEVO_VOLUME_NUMBERS " << GetSlots(shadows, true, 1).size() << "\n";
-  dec << (structure.WideFilter ? "#define RELIEVO_SHADOW_WIDE\n" : "");
   dec << (structure.Around ? "#define RELIEVO_VOLUME_AROUND\n" : "");
   dec << (structure.Colored ? "#define RELIEVO_SHADOW_COLORED\n" : "");
   FillMark(fragment, VolumeExtensions,
@@ -269,7 +268,7 @@ void vtkRelievoShadowVolumes::SetUniforms(vtkShaderProgram* program, vtkVolumeMa
     return;
   }
   const vtkRelievoShadowContext& work = shadows.Work;
-  const glm::dmat4 placeToWorld = vtkRelievoVolumeField::GetTextureToWorld(mapper, volume);
+  const glm::dmat4 placeToWorld = vtkRelievoVolumeExtinction::GetTextureToWorld(mapper, volume);
   const glm::dmat4 placeToView = work.View.WorldToView * placeToWorld;
   vtkRelievoShadowMapUniforms faces(work, work.Structure.GetFaces(), placeToView);
   std::vector<float> strengths;

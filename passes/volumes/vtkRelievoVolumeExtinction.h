@@ -3,11 +3,11 @@
 //
 // The extinction of a volume along rays, on the CPU, by the definitions of VTK's ray-cast mappers:
 // scalars interpolated in the image, their opacity from the property's scalar opacity function,
-// times its gradient opacity, per unit distance in the volume's own coordinates: a path of length s through opacity
-// a lets (1 - a)^(s / unit distance) of the light pass. Cropping and clipping planes cut the
-// volume.
-#ifndef vtkRelievoVolumeField_h
-#define vtkRelievoVolumeField_h
+// times its gradient opacity, per unit distance in the volume's own coordinates: a path of length s
+// through opacity a lets (1 - a)^(s / unit distance) of the light pass. Cropping and clipping
+// planes cut the volume.
+#ifndef vtkRelievoVolumeExtinction_h
+#define vtkRelievoVolumeExtinction_h
 
 #include "vtkRelievoVolumesModule.h" // for the export macro
 #include "vtkSmartPointer.h"
@@ -24,18 +24,18 @@ class vtkDataArray;
 class vtkVolume;
 class vtkVolumeMapper;
 
-class VTKRELIEVOVOLUMES_EXPORT vtkRelievoVolumeField
+class VTKRELIEVOVOLUMES_EXPORT vtkRelievoVolumeExtinction
 {
 public:
-  vtkRelievoVolumeField();
-  ~vtkRelievoVolumeField();
-  vtkRelievoVolumeField(const vtkRelievoVolumeField&);
-  vtkRelievoVolumeField& operator=(const vtkRelievoVolumeField&);
+  vtkRelievoVolumeExtinction();
+  ~vtkRelievoVolumeExtinction();
+  vtkRelievoVolumeExtinction(const vtkRelievoVolumeExtinction&);
+  vtkRelievoVolumeExtinction& operator=(const vtkRelievoVolumeExtinction&);
 
   // The fields of a volume: one for each image that its mapper draws. Empty if nothing can be
   // traced; `why` then has the reason, as the end of a sentence, or is empty if there is nothing to
   // draw.
-  static std::vector<vtkRelievoVolumeField> Collect(vtkVolume* volume, std::string& why);
+  static std::vector<vtkRelievoVolumeExtinction> Collect(vtkVolume* volume, std::string& why);
 
   // From the texture coordinates of the mapper's image, as VTK's ray march has them, to the world.
   static glm::dmat4 GetTextureToWorld(vtkVolumeMapper* mapper, vtkVolume* volume);

@@ -1,9 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "vtkRelievoVolumeField.h"
+#include "vtkRelievoVolumeExtinction.h"
 
 #include "vtkAbstractMapper.h"
-#include "vtkCellData.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
@@ -12,10 +11,8 @@
 #include "vtkPiecewiseFunction.h"
 #include "vtkPlane.h"
 #include "vtkPlaneCollection.h"
-#include "vtkPointData.h"
 #include "vtkRelievoMatrix.h"
 #include "vtkRelievoPropMTime.h"
-#include "vtkUniformGrid.h"
 #include "vtkVolume.h"
 #include "vtkVolumeMapper.h"
 #include "vtkVolumeProperty.h"
@@ -25,6 +22,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <functional>
 
 namespace
 {
@@ -108,13 +106,14 @@ std::string FindWhyNot(vtkVolume* volume, vtkVolumeMapper* mapper)
 }
 
 //------------------------------------------------------------------------------
-vtkRelievoVolumeField::vtkRelievoVolumeField() = default;
-vtkRelievoVolumeField::~vtkRelievoVolumeField() = default;
-vtkRelievoVolumeField::vtkRelievoVolumeField(const vtkRelievoVolumeField&) = default;
-vtkRelievoVolumeField& vtkRelievoVolumeField::operator=(const vtkRelievoVolumeField&) = default;
+vtkRelievoVolumeExtinction::vtkRelievoVolumeExtinction() = default;
+vtkRelievoVolumeExtinction::~vtkRelievoVolumeExtinction() = default;
+vtkRelievoVolumeExtinction::vtkRelievoVolumeExtinction(const vtkRelievoVolumeExtinction&) = default;
+vtkRelievoVolumeExtinction& vtkRelievoVolumeExtinction::operator=(
+  const vtkRelievoVolumeExtinction&) = default;
 
 //------------------------------------------------------------------------------
-glm::dmat4 vtkRelievoVolumeField::GetTextureToWorld(vtkVolumeMapper* mapper, vtkVolume* volume)
+glm::dmat4 vtkRelievoVolumeExtinction::GetTextureToWorld(vtkVolumeMapper* mapper, vtkVolume* volume)
 {
   glm::dmat4 textureToIndex(1.0);
   glm::dmat4 indexToData(1.0);
@@ -134,7 +133,7 @@ glm::dmat4 vtkRelievoVolumeField::GetTextureToWorld(vtkVolumeMapper* mapper, vtk
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoVolumeField::AddState(vtkVolume* volume, std::vector<std::uint64_t>& state)
+void vtkRelievoVolumeExtinction::AddState(vtkVolume* volume, std::vector<std::uint64_t>& state)
 {
   auto* mapper = vtkVolumeMapper::SafeDownCast(volume->GetMapper());
   vtkMatrix4x4* matrix = volume->GetMatrix();
@@ -169,10 +168,10 @@ void vtkRelievoVolumeField::AddState(vtkVolume* volume, std::vector<std::uint64_
 }
 
 //------------------------------------------------------------------------------
-std::vector<vtkRelievoVolumeField> vtkRelievoVolumeField::Collect(
+std::vector<vtkRelievoVolumeExtinction> vtkRelievoVolumeExtinction::Collect(
   vtkVolume* volume, std::string& why)
 {
-  std::vector<vtkRelievoVolumeField> fields;
+  std::vector<vtkRelievoVolumeExtinction> fields;
   auto* mapper = vtkVolumeMapper::SafeDownCast(volume->GetMapper());
   why = FindWhyNot(volume, mapper);
   bool others = false;
@@ -188,7 +187,7 @@ std::vector<vtkRelievoVolumeField> vtkRelievoVolumeField::Collect(
   vtkVolumeProperty* property = volume->GetProperty();
   for (vtkImageData* image : images)
   {
-    vtkRelievoVolumeField field;
+    vtkRelievoVolumeExtinction field;
     int cells = 0;
     field.Array = GetScalars(mapper, image, cells);
     if (!field.Array || field.Array->GetNumberOfTuples() == 0)
@@ -205,6 +204,12 @@ std::vector<vtkRelievoVolumeField> vtkRelievoVolumeField::Collect(
     {
       why = "it has three dependent components, which VTK does not draw";
       return {};
+    }
+    if (!field.Array->HasStandardMemoryLayout()) // threads read its memory
+    {
+      auto copy = vtk::TakeSmartPointer(vtkDataArray::CreateDataArray(field.Array->GetDataType()));
+      copy->DeepCopy(field.Array);
+      field.Array = copy;
     }
     field.Component = components - 1; // the last of two or four is the opacity's
     field.Nearest = property->GetInterpolationType() == VTK_NEAREST_INTERPOLATION;
@@ -260,7 +265,7 @@ std::vector<vtkRelievoVolumeField> vtkRelievoVolumeField::Collect(
     }
 
     double range[2];
-    field.Array->GetRange(range, field.Component);
+    field.Array->GetFiniteRange(range, field.Component);
     if (components == 4 && field.Array->GetDataType() == VTK_UNSIGNED_CHAR)
     {
       range[0] = 0.0;
@@ -298,7 +303,7 @@ std::vector<vtkRelievoVolumeField> vtkRelievoVolumeField::Collect(
 }
 
 //------------------------------------------------------------------------------
-double vtkRelievoVolumeField::GetSpacing() const
+double vtkRelievoVolumeExtinction::GetSpacing() const
 {
   double least = 0.0;
   for (int i = 0; i < 3; ++i)
@@ -311,7 +316,7 @@ double vtkRelievoVolumeField::GetSpacing() const
 
 //------------------------------------------------------------------------------
 template <typename T>
-inline float vtkRelievoVolumeField::GetScalar(const T* values, const glm::vec3& place) const
+inline float vtkRelievoVolumeExtinction::GetScalar(const T* values, const glm::vec3& place) const
 {
   int low[3];
   int high[3];
@@ -344,7 +349,8 @@ inline float vtkRelievoVolumeField::GetScalar(const T* values, const glm::vec3& 
 
 //------------------------------------------------------------------------------
 template <typename T>
-inline float vtkRelievoVolumeField::GetExtinction(const T* values, const glm::vec3& place) const
+inline float vtkRelievoVolumeExtinction::GetExtinction(
+  const T* values, const glm::vec3& place) const
 {
   const auto look = [](const std::vector<float>& table, float entry) {
     const int before = std::min(static_cast<int>(entry), Entries - 2);
@@ -376,8 +382,8 @@ inline float vtkRelievoVolumeField::GetExtinction(const T* values, const glm::ve
 
 //------------------------------------------------------------------------------
 template <typename T>
-void vtkRelievoVolumeField::March(const T* values, const glm::dvec3& from, const glm::dvec3& step,
-  double first, double last, int samples, std::vector<float>& depths) const
+void vtkRelievoVolumeExtinction::March(const T* values, const glm::dvec3& from,
+  const glm::dvec3& step, double first, double last, int samples, std::vector<float>& depths) const
 {
   const float length = static_cast<float>(glm::length(this->IndexToData * step));
   const int pieces = static_cast<int>(depths.size());
@@ -413,7 +419,7 @@ void vtkRelievoVolumeField::March(const T* values, const glm::dvec3& from, const
 }
 
 //------------------------------------------------------------------------------
-bool vtkRelievoVolumeField::Clip(
+bool vtkRelievoVolumeExtinction::Clip(
   const glm::dvec3& from, const glm::dvec3& step, double& first, double& last) const
 {
   const auto cut = [&](double at, double change) { // to where at + t * change >= 0
@@ -440,7 +446,7 @@ bool vtkRelievoVolumeField::Clip(
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoVolumeField::AddDepths(
+void vtkRelievoVolumeExtinction::AddDepths(
   const glm::dvec3& from, const glm::dvec3& step, int samples, std::vector<float>& depths) const
 {
   double first = 0.0;
