@@ -779,6 +779,23 @@ class Datasets(unittest.TestCase):
                 )
         self.assertEqual([info["px_count_visib"] > 0 for info in infos], [True, False, False])
 
+    def test_surface_that_leaves_its_box(self):
+        """A shader moves a plate in front of another, whose full mask stays whole."""
+        renderer = vtkRenderer()
+        camera = relievo.Pinhole(K, SIZE, numpy.diag([1.0, -1, -1]), (0, 0, 3))
+        moved = add(renderer, plate(0.3), (0.9, 0, 0.5))
+        moved.GetShaderProperty().AddVertexShaderReplacement(
+            "//VTK::PositionVC::Impl", True,
+            "//VTK::PositionVC::Impl\n  gl_Position.x -= 0.67 * gl_Position.w;\n", False,
+        )  # fmt: skip
+        behind = add(renderer, plate(0.3))
+        relievo.write_dataset(renderer, camera, self.folder, "npz")
+        found = numpy.load(self.folder / "000000.npz")
+        truth = Truth(camera, [behind])
+        full = numpy.isfinite(truth.depths[0])
+        self.assertFalse(((found["amodal_masks"][1] != full) & ~truth.near).any())
+        self.assertLess(found["visible_masks"][1].sum(), 0.2 * full.sum())
+
     def test_names_of_any_bytes(self):
         """Invalid Unicode is replaced, and the views are not lost."""
         renderer = heap()
