@@ -525,6 +525,12 @@ void vtkRelievoFramePass::PrintSelf(ostream& os, vtkIndent indent)
     os << " " << name;
   }
   os << "\n";
+  os << indent << "Optional layers:";
+  for (const std::string& name : this->Internal->Optional)
+  {
+    os << " " << name;
+  }
+  os << "\n";
   os << indent << "LayersOnly: " << this->LayersOnly << "\n";
   os << indent << "Controller: " << this->Internal->Controller.GetPointer() << "\n";
   os << indent << "WaitForSamples: " << this->WaitForSamples << "\n";
