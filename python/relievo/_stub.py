@@ -110,9 +110,10 @@ def _is_wrapped(thing):
     return isinstance(thing, type) and thing.__module__.startswith("relievo.vtkRelievo")
 
 
-def _shown(module):
-    """The name of a module, with that of VTK's package as a type checker finds it."""
-    return re.sub(rf"^{VTK}\b", _VTK, module)
+def _shown(text):
+    """A text with modules of VTK as a type checker finds them. Some classes of cvista for Python's
+    stable ABI say that they are of vtkmodules."""
+    return re.sub(rf"\b({VTK}|vtkmodules)\.(?=vtk)", f"{_VTK}.", text)
 
 
 class _Writer:
@@ -208,7 +209,7 @@ def _wrapped_texts(modules, package, homes):
         text = text.replace("'getset_descriptor'", "Any")
         text = re.sub(r"\b(Buffer|Callback|Pointer|Template)\b", r"_\1", text)  # not for import *
         text = re.sub(r"'(vtk\w+)'", place, text)
-        text = re.sub(rf"\b{VTK}\.(?=vtk)", f"{_VTK}.", text)
+        text = _shown(text)
         at = text.index("\n\nimport ") if "\n\nimport " in text else text.index("\nclass ")
         others = sorted(others - set(re.findall(r"(?m)^import (\S+)", text)))
         texts[name] = text[:at] + "".join(f"\nimport {each}" for each in others) + text[at:]
