@@ -43,8 +43,8 @@ const float* Visibility(const Layers& layers)
 }
 
 // Pictures that are not square are drawn where `everySize` is true.
-void Test(const std::string& mesh, SceneLight kind, const std::string& name, double limit,
-  bool everySize)
+void Test(
+  const std::string& mesh, SceneLight kind, const std::string& name, double limit, bool everySize)
 {
   const auto scene = relievoTest::MakeReferenceScene(mesh, kind);
   if (!scene.IsValid())
