@@ -130,6 +130,8 @@ METHODS = {
     # other viewers
     "Relievo": "blue o -", "Relievo, PBR": "green D -", "Relievo, studio": "vermillion s -",
     "F3D": "grey x --",
+    # colours of values
+    "studio": "vermillion s -", "studio, before": "grey s --", "VTK's headlight": "grey x --",
     # comparisons of pictures
     "Relievo, baselines": "blue o -", "Relievo, layers": "green D --",
     "Relievo, pictures": "sky s :", "vtkImageDifference": "grey x --",

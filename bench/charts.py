@@ -231,6 +231,18 @@ def studio(rows):
             methods=("at once", "one by one")), columns=2)  # fmt: skip
 
 
+@bench("readable.csv")
+def readable(rows):
+    """Errors of the colours of values, by bench/readable_colors.py."""
+    yield Chart(
+        "readable", "Colours of values in lit pictures against those of the colour bar",
+        "CIEDE2000 over the pixels of the surface. Points: viridis and cool-warm. Lower and "
+        "further left is better. Ring: the default.",
+        Axis("median"), Axis("95th percentile"), panels(
+            rows, "median", "p95", default=lambda row: row["method"] == "studio", line=False,
+            methods=("studio", "studio, before", "VTK's headlight")))  # fmt: skip
+
+
 @bench("compare.csv")
 def compare(rows):
     """Faults found by comparisons of pictures against false alarms, by bench/compare.py."""

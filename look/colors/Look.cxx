@@ -301,7 +301,7 @@ void SetColoring(const Coloring& coloring, vtkColorTransferFunction* map, const 
 // OKLab's lightness by k^0.8 at least, so that 0.7 of it remains.
 void KeepReadable(vtkActor* actor)
 {
-  constexpr double unlit = 0.65;
+  constexpr double unlit = 0.7;
   vtkMapper* mapper = actor->GetMapper();
   vtkProperty* property = actor->GetProperty();
   if (mapper->GetScalarVisibility() && mapper->GetColorMode() == VTK_COLOR_MODE_MAP_SCALARS)
@@ -368,7 +368,8 @@ void SetColors(vtkRenderer* renderer, const LookChoice& look, const ArrayNames& 
     {
       AddScalarBar(renderer, map, steps,
         { name + (look.Component ? " " + std::to_string(*look.Component) : ""), found,
-          HasNan(colorings, look) }, look.Bar, look.Print);
+          HasNan(colorings, look) },
+        look.Bar, look.Print);
     }
   }
   ForEachVolume(renderer, [&](vtkImageData* image, vtkVolume* volume) {
@@ -381,8 +382,8 @@ void SetColors(vtkRenderer* renderer, const LookChoice& look, const ArrayNames& 
     volume->GetProperty()->SetColor(MakeColormap(look.Colormap, range, true));
     if (look.ScalarBar && ++bars == 1)
     {
-      AddScalarBar(renderer, MakeColormap(look.Colormap, range), steps, { name, found }, look.Bar,
-        look.Print);
+      AddScalarBar(
+        renderer, MakeColormap(look.Colormap, range), steps, { name, found }, look.Bar, look.Print);
     }
   });
   if (look.ScalarBar && bars != 1)

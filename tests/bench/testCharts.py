@@ -226,6 +226,10 @@ TRUTH = {
     "studio": points(
         "studio", "[scene]", "[samples]", "[seconds more than none]", "[rms levels]",
         lambda row: row["samples"] == "at once" and row["count"] == "24"),
+    "readable": points(
+        "readable", "[scene]", "[method]", "[median]", "[p95]",
+        lambda row: row["method"] == "studio" and row["map"] == "cool-warm",
+        lambda row: row["method"] in ("studio", "studio, before", "VTK's headlight")),
     "soft-shadows": points("soft-shadows", soft_panel, "[method]", "[samples]", "[penumbra rms]"),
     "exact-hard": exact_hard("with ties", "[wrong %]")
     + exact_hard("without ties", "[wrong without ties %]") + exact_hard("expected", "[expected %]"),
