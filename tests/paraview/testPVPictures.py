@@ -170,7 +170,7 @@ class Pictures(judge.StageTest):
         self.view.RelievoDisplayLegend = 1
         legend = pv.picture(self.view)
         self.assertGreater(pv.unlike(legend, bare).mean(), 0.01)
-        self.assertLess(pv.unlike(legend, bare).mean(), 0.1)
+        self.assertLess(pv.unlike(legend, bare).mean(), 0.15)
         shown.SetScalarBarVisibility(self.view, True)
         self.same(pv.picture(self.view), legend, "with a scalar bar of the data")
         self.view.Background = [1.0, 1.0, 1.0]
