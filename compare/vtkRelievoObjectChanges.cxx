@@ -252,11 +252,12 @@ void ObjectChanges::MatchByRecord()
 }
 
 //------------------------------------------------------------------------------
-// Matches unnamed objects whose meshes have changed, if their boxes overlap by more than half.
+// Matches unnamed objects whose meshes have changed, if their boxes overlap by more than half,
+// those with the nearest bounds first: nested surfaces have one centre.
 void ObjectChanges::MatchByBounds()
 {
   std::vector<int> left[2];
-  std::vector<Vector> centers[2];
+  std::vector<std::array<double, 6>> boxes[2];
   for (std::size_t side = 0; side < 2; ++side)
   {
     const std::vector<int>& matches = side == 0 ? this->After : this->Before;
@@ -265,11 +266,11 @@ void ObjectChanges::MatchByBounds()
       if (matches[i] < 0)
       {
         left[side].push_back(static_cast<int>(i));
-        centers[side].push_back((side == 0 ? this->A : this->B).Objects[i].Center);
+        boxes[side].push_back((side == 0 ? this->A : this->B).Objects[i].Bounds);
       }
     }
   }
-  PairNearest(centers[0], centers[1], MostTries, [&](std::size_t i, std::size_t j) {
+  PairNearest(boxes[0], boxes[1], MostTries, [&](std::size_t i, std::size_t j) {
     const Object& from = this->A.Objects[static_cast<std::size_t>(left[0][i])];
     const Object& to = this->B.Objects[static_cast<std::size_t>(left[1][j])];
     const bool fits =

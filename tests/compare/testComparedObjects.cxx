@@ -434,6 +434,47 @@ void TestRecords()
 }
 
 //------------------------------------------------------------------------------
+// Unnamed objects with new meshes are paired by the best of the boxes that overlap by half.
+void TestNested()
+{
+  // Shells around one centre, recorded in another order.
+  Boxes before = compareTest::MakeBoxes();
+  const auto addShell = [](Boxes& boxes, double half, const std::string& mesh, double red) {
+    boxes.All.push_back({ "", { 0., 0.5, 0. }, { half, half, half } });
+    boxes.All.back().Mesh = boxes.All.back().Cells = mesh;
+    boxes.All.back().More = R"(, "color": [)" + std::to_string(red) + ", 0, 0]";
+  };
+  Boxes after = before;
+  addShell(before, 0.5, "1", 1.);
+  addShell(before, 0.4, "2", 0.);
+  addShell(after, 0.4, "3", 0.);
+  addShell(after, 0.5, "4", 1.);
+  CheckList(Compare(before, after), "shape , shape ", "nested shells");
+  // A casing with many parts whose centres are nearer to its own.
+  before = compareTest::MakeBoxes();
+  before.Lamps.clear();
+  after = before;
+  addShell(before, 0.5, "1", 1.);
+  for (int part = 0; part < 40; ++part)
+  {
+    for (const bool isBefore : { true, false })
+    {
+      Boxes& boxes = isBefore ? before : after;
+      addShell(boxes, 0.001, std::to_string(100 * part + (isBefore ? 10 : 11)), 0.5);
+      boxes.All.back().Center[0] = 0.003 * (part - 20);
+    }
+  }
+  addShell(after, 0.5, "2", 1.);
+  after.All.back().Center[0] = 0.1;
+  const json found = Compare(before, after);
+  RELIEVO_CHECK_THAT(found["causes"].size() == 41, found.dump());
+  for (const json& each : found["causes"])
+  {
+    RELIEVO_CHECK_THAT(each["cause"] == "shape", each.dump());
+  }
+}
+
+//------------------------------------------------------------------------------
 // The linear light nearest to it that a picture of 8 bits can have.
 double Quantize(double light)
 {
@@ -547,7 +588,7 @@ void TestTolerances()
       boxes.Settings = { "multisamples=4" };
     }
     AddLevels(frames[1], 60, 62, 24, 25, levels);
-    AddLevels(frames[1], 80, 81, 24, 25, -levels); // a single pixel may be in a false shadow
+    AddLevels(frames[1], 80, 81, 24, 25, -levels);   // a single pixel may be in a false shadow
     const json found = Compare(frames[0], frames[1]);
     RELIEVO_CHECK_THAT(found["unexplained"] == (levels > 10. ? 2 : 0), found.dump());
   }
@@ -700,6 +741,7 @@ RELIEVO_TEST_CASE(testComparedObjects)
   TestLights();
   TestPictureAlone();
   TestRecords();
+  TestNested();
   TestTolerances();
   TestStages();
   TestSwarm();
