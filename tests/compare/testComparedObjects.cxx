@@ -728,6 +728,49 @@ void TestTiles()
       found["unexplained"] == 0,
     std::to_string(right) + ": " + found["causes"][0].dump());
 }
+
+//------------------------------------------------------------------------------
+// A row of different parts that moves as a whole, by its own length: most parts have many others
+// between their places before and after.
+void TestRow()
+{
+  constexpr int Parts = 100, Width = 90, Pitch = 92;
+  Boxes boxes;
+  boxes.Width = 2 * Parts * Pitch + 2;
+  boxes.Height = 11;
+  boxes.HasRecord = false;
+  vtkSmartPointer<vtkImageData> frames[2];
+  for (int side = 0; side < 2; ++side)
+  {
+    frames[side] = compareTest::Draw(boxes);
+    for (int part = 0; part < Parts; ++part)
+    {
+      const int number = side == 0 ? part : (7 * part + 3) % Parts;
+      const int x = 1 + (part + side * Parts) * Pitch;
+      compareTest::Fill(frames[side], "actor", x, x + Width, 1, 10, number);
+      compareTest::Fill(frames[side], "depth", x, x + Width, 1, 10, 8.);
+      const int borders[3] = { 18 + 6 * (part % 10), 18 + 6 * (part / 10), Width / 2 };
+      for (int row = 0; row < 3; ++row)
+      {
+        const int y = 1 + 3 * row;
+        compareTest::Fill(frames[side], "cell", x, x + borders[row], y, y + 3, 2 * row);
+        compareTest::Fill(frames[side], "cell", x + borders[row], x + Width, y, y + 3, 2 * row + 1);
+      }
+    }
+  }
+  const json found = Compare(frames[0], frames[1]);
+  const double pixel =
+    2. * std::tan(vtkMath::RadiansFromDegrees(0.5 * boxes.ViewAngle)) * 8. / boxes.Height;
+  const auto isRight = [pixel](const json& cause) {
+    return cause["cause"] == "moved" &&
+      std::abs(std::hypot(cause["displacement"][0].get<double>(),
+                 cause["displacement"][1].get<double>(), cause["displacement"][2].get<double>()) -
+        Parts * Pitch * pixel) < pixel;
+  };
+  const auto right = std::count_if(found["causes"].begin(), found["causes"].end(), isRight);
+  RELIEVO_CHECK_THAT(
+    right == Parts && found["causes"].size() == Parts, std::to_string(right) + ": " + List(found));
+}
 }
 
 RELIEVO_TEST_CASE(testComparedObjects)
@@ -746,6 +789,7 @@ RELIEVO_TEST_CASE(testComparedObjects)
   TestStages();
   TestSwarm();
   TestTiles();
+  TestRow();
   return session.Result();
 }
 }
