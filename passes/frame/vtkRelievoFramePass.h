@@ -94,6 +94,7 @@ public:
    * Default: none.
    */
   void SetOptionalLayers(const std::vector<std::string>& names);
+  const std::vector<std::string>& GetOptionalLayers() const;
 #endif
 
   /** Makes only the layers and leaves the picture unchanged, for captures. Default off. */
