@@ -135,8 +135,9 @@ METHODS = {
     # comparisons of pictures
     "Relievo, baselines": "blue o -", "Relievo, layers": "green D --",
     "Relievo, pictures": "sky s :", "vtkImageDifference": "grey x --",
-    "SSIM, scikit-image": "purple ^ - SSIM", "FLIP": "orange v -", "pixelmatch": "vermillion s -.",
-    "idiff": "black + -",
+    "SSIM, scikit-image": "purple ^ -", "FLIP": "orange v -", "pixelmatch": "vermillion s -.",
+    "SSIM, VTK TIGHT": "purple D -.", "SSIM, VTK LOOSE": "purple s --",
+    "odiff": "vermillion v :", "idiff": "black + -",
     "Relievo, none": "blue o -", "VTK": "grey v -.", "VTK, normals": "grey ^ :",
 }  # fmt: skip
 

@@ -3,7 +3,8 @@
 """How well relievo.compare() finds and explains faults, beside other comparisons of pictures.
 
     python bench/compare.py [--out FOLDER] [--quick] [--size WxH] [--seed N] [--other PYTHON]...
-        [--pairs FILE] [--scenes a,b] [--of FILE]... [--frames no]
+        [--pairs FILE] [--keep FOLDER] [--scenes a,b] [--of FILE]... [--frames no]
+        [--odiff FILE] [--vtk PYTHON]
 
 Twelve scenes of bench/compare_scenes.py are drawn as baselines, then with faults, each in a new
 renderer, and with changes that are no fault, each in a process of its own: another order of actors,
@@ -16,15 +17,17 @@ if the frames are not alike, and attributed correctly if its cause is reported, 
 no other cause than shadows and stages that a changed surface affects, and no pixel is unexplained.
 A false alarm is a change without a fault for which the frames are not alike.
 
-Peers that this Python has: vtkImageDifference, SSIM of scikit-image, FLIP
-(flip_evaluator), pixelmatch, and idiff (OpenImageIO). Each is measured at the limit that its
-project recommends, if there is one, at its best limit, the one that detects the most faults without
-a false alarm, and in between.
+Peers that this Python has: vtkImageDifference, SSIM of scikit-image, FLIP (flip_evaluator),
+pixelmatch, and idiff (OpenImageIO); the program odiff (npm's package odiff-bin); and, with a Python
+that has the package vtk 9.4 or newer (--vtk), TIGHT_VALID and LOOSE_VALID of vtkTesting. Each is
+measured at the limit that its project recommends, if there is one, at its best limit, the one that
+detects the most faults without a false alarm, and in between.
 
 compare.csv has the methods at their limits, compare-faults.csv the kinds of faults, and
 compare-frames.csv the processor seconds and memory for frames of 1920 x 1080 pixels; --pairs writes
-every pair as JSON, and --of reads such files, as of several --scenes, instead of drawing. --quick
-draws three scenes with every fifteenth fault and two changes, without peers.
+every pair as JSON, and --of reads such files, as of several --scenes, instead of drawing. --keep
+keeps the pictures that peers compare; with --of, peers that a file does not have compare them.
+--quick draws three scenes with every fifteenth fault and two changes, without peers.
 A display is needed where VTK needs one (tools/with-display).
 """
 
@@ -32,9 +35,11 @@ import argparse
 import contextlib
 import csv
 import dataclasses
+import functools
 import json
 import os
 import pathlib
+import shutil
 import statistics
 import subprocess
 import sys
@@ -214,20 +219,73 @@ def with_openimageio(a, b):
     return oiio.ImageBufAlgo.compare(*buffers, 1e-6, 1e-6).maxerror
 
 
-def has_module(name):
-    with contextlib.suppress(ImportError):
-        __import__(name)
-        return True
-    return False
+@contextlib.contextmanager
+def files_of(a, b):
+    """PNG files of two pictures, while the context lasts."""
+    with tempfile.TemporaryDirectory() as folder:
+        files = [str(pathlib.Path(folder, f"{name}.png")) for name in "ab"]
+        for file, pixels in zip(files, (a, b), strict=True):
+            relievo.write_png(file, pixels)
+        yield files
 
 
-# By name: whether it is there, its score, and the recommended limit, beyond which pictures differ.
+def with_odiff(program, a, b):
+    """The number of different pixels, at the default threshold of a pixel."""
+    with files_of(a, b) as files:
+        said = subprocess.run([program, *files, "--parsable-stdout"], capture_output=True,
+                              text=True, check=False).stdout  # fmt: skip
+    return float(said.split(";")[0])
+
+
+@functools.cache
+def vtk_ssim(python):
+    """A function for the errors of two pictures by bench/vtk_ssim.py, TIGHT and LOOSE; or None."""
+    process = subprocess.Popen([python, str(pathlib.Path(__file__).with_name("vtk_ssim.py"))],
+                               stdin=subprocess.PIPE, stdout=subprocess.PIPE,
+                               stderr=subprocess.DEVNULL, text=True)  # fmt: skip
+    if not process.stdout.readline():
+        return None
+
+    @functools.lru_cache(1)
+    def errors(shape, *both):
+        with files_of(*(numpy.frombuffer(each, "u1").reshape(shape) for each in both)) as files:
+            print(*files, sep="\t", file=process.stdin, flush=True)
+            return [float(word) for word in process.stdout.readline().split()]
+
+    return lambda a, b: errors(a.shape, a.tobytes(), b.tobytes())
+
+
+def odiff_of(given):
+    program = shutil.which(given.odiff)
+    return program and functools.partial(with_odiff, program)
+
+
+def vtk_ssim_of(given, place):
+    errors = vtk_ssim(given.vtk)
+    return errors and (lambda a, b: errors(a, b)[place])
+
+
+def of_module(name, score):
+    def find(given):
+        with contextlib.suppress(ImportError):
+            __import__(name)
+            return score
+        return None
+
+    return find
+
+
+# By name: a function for its score, which is None where a peer is missing; and the recommended
+# limit, beyond which pictures differ: for SSIM that of VTK's own tests in Python.
 PEERS = {
-    "vtkImageDifference": (lambda: True, with_vtk, 10),
-    "SSIM, scikit-image": (lambda: has_module("skimage"), with_skimage, None),
-    "FLIP": (lambda: has_module("flip_evaluator"), with_flip, None),
-    "pixelmatch": (lambda: has_module("pixelmatch"), with_pixelmatch, 0),
-    "idiff": (lambda: has_module("OpenImageIO"), with_openimageio, 1e-6),
+    "vtkImageDifference": (lambda given: with_vtk, 10),
+    "SSIM, scikit-image": (of_module("skimage", with_skimage), None),
+    "SSIM, VTK TIGHT": (functools.partial(vtk_ssim_of, place=0), 0.05),
+    "SSIM, VTK LOOSE": (functools.partial(vtk_ssim_of, place=1), 0.05),
+    "FLIP": (of_module("flip_evaluator", with_flip), None),
+    "pixelmatch": (of_module("pixelmatch", with_pixelmatch), 0),
+    "odiff": (odiff_of, 0),
+    "idiff": (of_module("OpenImageIO", with_openimageio), 1e-6),
 }  # fmt: skip
 
 
@@ -245,30 +303,62 @@ class Pair:
     right: dict
     said: str
     causes: list  # expected
+    pictures: list = dataclasses.field(default_factory=list)  # files, if they are kept
 
     def is_visible(self):
         return self.pixels >= VISIBLE
 
 
-def judge(scene, kind, before, after, peers, fault=None):
+def add_scores(scores, a, b, peers):
+    """Of the peers that have none yet."""
+    is_equal = numpy.array_equal(a, b)
+    for name, score in peers.items():
+        if name not in scores:
+            scores[name] = 0.0 if is_equal else float(score(a, b))
+
+
+def keep_pictures(folder, *pictures):
+    """Writes two pictures into a folder that has other pairs; returns the files."""
+    number = len(list(folder.glob("*.png"))) // 2
+    files = [str(folder / f"{number:04}-{name}.png") for name in "ab"]
+    for file, pixels in zip(files, pictures, strict=True):
+        relievo.write_png(file, pixels)
+    return files
+
+
+def read_picture(file):
+    from vtkmodules.vtkIOImage import vtkPNGReader
+
+    reader = vtkPNGReader()
+    reader.SetFileName(file)
+    reader.Update()
+    return relievo.from_image(reader.GetOutput())
+
+
+def judge(scene, kind, before, after, peers, keep, fault=None):
     a, b = (relievo.picture(each, "color") for each in (before, after))
     off = numpy.abs(a.astype(int) - b).max(axis=-1) > LEVELS
     truths = fault.truths if fault else ()
     scores, right, said = verdicts(before, after, truths)
-    is_equal = numpy.array_equal(a, b)
-    for name, score in peers.items() if not fault or off.sum() >= VISIBLE else ():
-        scores[name] = 0.0 if is_equal else float(score(a, b))
+    pictures = []
+    if not fault or off.sum() >= VISIBLE:
+        add_scores(scores, a, b, peers)
+        pictures = keep_pictures(keep, a, b) if keep else []
     return Pair(scene, kind, fault.size if fault else 0, fault is not None, int(off.sum()), scores,
-                right, said, [truth.cause for truth in truths])  # fmt: skip
+                right, said, [truth.cause for truth in truths], pictures)  # fmt: skip
 
 
-def earlier(files):
+def earlier(files, peers):
     for file in files:
         for words in json.loads(pathlib.Path(file).read_text(encoding="utf-8")):
-            yield Pair(**words)
+            pair = Pair(**words)
+            if pair.pictures:
+                add_scores(pair.scores, *map(read_picture, pair.pictures), peers)
+            yield pair
 
 
 def measure(given, names, size, peers):
+    judged = functools.partial(judge, peers=peers, keep=given.keep)
     with tempfile.TemporaryDirectory() as folder:
         folder = pathlib.Path(folder)
         frames = {}
@@ -283,15 +373,15 @@ def measure(given, names, size, peers):
                 draft = draft_of(name)
                 fault.apply(draft)
                 draw(draft, window, str(folder / "fault.exr"))
-                yield judge(name, fault.kind, frames[name],
-                            relievo.read_exr(str(folder / "fault.exr")), peers, fault)  # fmt: skip
+                yield judged(name, fault.kind, frames[name],
+                             relievo.read_exr(str(folder / "fault.exr")), fault=fault)  # fmt: skip
         all_changes = list(changes(given.other))
         for change in (all_changes[3], all_changes[16]) if given.quick else all_changes:
             # VTK does not peel with multisampling, and draws translucent surfaces in another order.
             shown = [name for name in names if not change.samples or name != "translucent"]
             for name in drawn(change, shown, size, folder):
-                pair = judge(name, change.kind, frames[name],
-                             relievo.read_exr(str(folder / f"{name}.exr")), peers)  # fmt: skip
+                pair = judged(name, change.kind, frames[name],
+                              relievo.read_exr(str(folder / f"{name}.exr")))  # fmt: skip
                 if change.kind == "another VTK" and pair.pixels:
                     print(f"another VTK draws {name} differently", flush=True)
                     continue
@@ -322,7 +412,7 @@ def summary(pairs):
     for method in OURS:
         yield row(method, "recommended", 0.5, faults, innocent)
     for method in (name for name in PEERS if name in innocent[0].scores):
-        recommended = PEERS[method][2]
+        recommended = PEERS[method][1]
         if recommended is not None:
             yield row(method, "recommended", recommended, faults, innocent)
         best = max(pair.scores[method] for pair in innocent)
@@ -407,10 +497,15 @@ def main():
     options.add_argument("--pairs", metavar="FILE", help="JSON of every pair")
     options.add_argument("--of", metavar="FILE", action="append", default=[],
                          help="JSON of pairs that were measured before")
+    options.add_argument("--keep", metavar="FOLDER", type=pathlib.Path,
+                         help="of the pictures that peers compare")
     options.add_argument("--size", default="240x180")
     options.add_argument("--seed", type=int, default=1)
     options.add_argument("--scenes", default="")
     options.add_argument("--peers", default=";".join(PEERS), help="separated by semicolons")
+    options.add_argument("--odiff", metavar="FILE", default="odiff", help="the program odiff")
+    options.add_argument("--vtk", metavar="PYTHON", default=sys.executable,
+                         help="with the package vtk 9.4 or newer, for its SSIM")
     options.add_argument("--other", metavar="PYTHON", action="append", default=[],
                          help="with Relievo for another VTK; may be given several times")
     options.add_argument("--frames", choices=("yes", "no"), help="of 1920 x 1080 pixels")
@@ -430,13 +525,15 @@ def main():
     size = tuple(int(each) for each in given.size.split("x"))
     peers = {}
     for name in given.peers.split(";") if given.peers and not given.quick else ():
-        is_there, score, _ = PEERS[name]
-        if is_there():
+        score = PEERS[name][0](given)
+        if score:
             peers[name] = score
         else:
             print(f"{name} is left out: it is not here", flush=True)
+    if given.keep:
+        given.keep.mkdir(parents=True, exist_ok=True)
     pairs = []
-    for pair in earlier(given.of) if given.of else measure(given, names, size, peers):
+    for pair in earlier(given.of, peers) if given.of else measure(given, names, size, peers):
         pairs.append(pair)
         if (pair.is_fault and pair.is_visible() and not pair.right[OURS[0]]) or (
                 not pair.is_fault and pair.scores[OURS[0]]):  # fmt: skip

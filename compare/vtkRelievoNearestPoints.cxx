@@ -13,16 +13,18 @@ namespace relievo::compare
 {
 namespace
 {
-using Vector = std::array<double, 3>;
+template <std::size_t N>
+using Tuple = std::array<double, N>;
 
 constexpr std::size_t LeafSize = 8;
 constexpr std::size_t None = std::numeric_limits<std::size_t>::max();
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 
-double GetSquare(const Vector& a, const Vector& b)
+template <std::size_t N>
+double GetSquare(const Tuple<N>& a, const Tuple<N>& b)
 {
   double square = 0.0;
-  for (std::size_t i = 0; i < 3; ++i)
+  for (std::size_t i = 0; i < N; ++i)
   {
     square += (a[i] - b[i]) * (a[i] - b[i]);
   }
@@ -30,9 +32,10 @@ double GetSquare(const Vector& a, const Vector& b)
 }
 
 // Places of files can be NaN, which has no order.
-std::vector<Vector> MakeFinite(std::vector<Vector> points)
+template <std::size_t N>
+std::vector<Tuple<N>> MakeFinite(std::vector<Tuple<N>> points)
 {
-  for (Vector& point : points)
+  for (Tuple<N>& point : points)
   {
     std::replace_if(
       point.begin(), point.end(), [](double each) { return !std::isfinite(each); }, 0.0);
@@ -41,6 +44,7 @@ std::vector<Vector> MakeFinite(std::vector<Vector> points)
 }
 
 // Points in a tree of boxes, from which they can be removed.
+template <std::size_t N>
 class Tree
 {
 public:
@@ -50,7 +54,7 @@ public:
     std::size_t Point;
   };
 
-  explicit Tree(const std::vector<Vector>& points)
+  explicit Tree(const std::vector<Tuple<N>>& points)
     : Points(points)
     , Order(points.size())
     , Leaf(points.size())
@@ -67,14 +71,14 @@ public:
   bool Has(std::size_t point) const { return !this->Removed[point]; }
 
   // The nearest point that is left, except those of a list.
-  Found Find(const Vector& place, const std::vector<std::size_t>& without) const;
+  Found Find(const Tuple<N>& place, const std::vector<std::size_t>& without) const;
 
   void Remove(std::size_t point);
 
 private:
   struct Node
   {
-    Vector Least, Most;     // corners of the box
+    Tuple<N> Least, Most;   // corners of the box
     std::size_t Begin, End; // in Order
     std::size_t Parent;
     std::size_t Child; // the first of two; None: a leaf
@@ -82,16 +86,17 @@ private:
   };
 
   void Split(std::size_t number);
-  static double GetDistance(const Node& node, const Vector& place);
+  static double GetDistance(const Node& node, const Tuple<N>& place);
 
-  const std::vector<Vector>& Points;
+  const std::vector<Tuple<N>>& Points;
   std::vector<std::size_t> Order, Leaf; // points by leaf; the leaf of each point
   std::vector<bool> Removed;
   std::vector<Node> Nodes;
 };
 
 //------------------------------------------------------------------------------
-void Tree::Split(std::size_t number)
+template <std::size_t N>
+void Tree<N>::Split(std::size_t number)
 {
   Node node = this->Nodes[number];
   node.Least.fill(Infinity);
@@ -101,7 +106,7 @@ void Tree::Split(std::size_t number)
     const std::size_t point = this->Order[i];
     this->Leaf[point] = number;
     node.First = std::min(node.First, point);
-    for (std::size_t c = 0; c < 3; ++c)
+    for (std::size_t c = 0; c < N; ++c)
     {
       node.Least[c] = std::min(node.Least[c], this->Points[point][c]);
       node.Most[c] = std::max(node.Most[c], this->Points[point][c]);
@@ -110,7 +115,7 @@ void Tree::Split(std::size_t number)
   if (node.End - node.Begin > LeafSize)
   {
     std::size_t axis = 0;
-    for (std::size_t c = 1; c < 3; ++c)
+    for (std::size_t c = 1; c < N; ++c)
     {
       axis = node.Most[c] - node.Least[c] > node.Most[axis] - node.Least[axis] ? c : axis;
     }
@@ -128,10 +133,11 @@ void Tree::Split(std::size_t number)
 }
 
 //------------------------------------------------------------------------------
-double Tree::GetDistance(const Node& node, const Vector& place)
+template <std::size_t N>
+double Tree<N>::GetDistance(const Node& node, const Tuple<N>& place)
 {
-  Vector inside{};
-  for (std::size_t c = 0; c < 3; ++c)
+  Tuple<N> inside{};
+  for (std::size_t c = 0; c < N; ++c)
   {
     inside[c] = std::max(node.Least[c], std::min(place[c], node.Most[c]));
   }
@@ -139,7 +145,9 @@ double Tree::GetDistance(const Node& node, const Vector& place)
 }
 
 //------------------------------------------------------------------------------
-Tree::Found Tree::Find(const Vector& place, const std::vector<std::size_t>& without) const
+template <std::size_t N>
+typename Tree<N>::Found Tree<N>::Find(
+  const Tuple<N>& place, const std::vector<std::size_t>& without) const
 {
   Found found = { Infinity, None };
   std::vector<std::size_t> open = { 0 };
@@ -176,7 +184,8 @@ Tree::Found Tree::Find(const Vector& place, const std::vector<std::size_t>& with
 }
 
 //------------------------------------------------------------------------------
-void Tree::Remove(std::size_t point)
+template <std::size_t N>
+void Tree<N>::Remove(std::size_t point)
 {
   this->Removed[point] = true;
   for (std::size_t number = this->Leaf[point]; number != None; number = this->Nodes[number].Parent)
@@ -194,20 +203,20 @@ void Tree::Remove(std::size_t point)
     }
   }
 }
-}
 
 //------------------------------------------------------------------------------
-void PairNearest(const std::vector<Vector>& from, const std::vector<Vector>& to, std::size_t tries,
+template <std::size_t N>
+void Pair(const std::vector<Tuple<N>>& from, const std::vector<Tuple<N>>& to, std::size_t tries,
   const std::function<bool(std::size_t, std::size_t)>& accepts)
 {
   using Candidate = std::tuple<double, std::size_t, std::size_t>; // squared distance, both points
-  const std::vector<Vector> places = MakeFinite(from);
-  const std::vector<Vector> targets = MakeFinite(to);
-  Tree left(targets);
+  const std::vector<Tuple<N>> places = MakeFinite(from);
+  const std::vector<Tuple<N>> targets = MakeFinite(to);
+  Tree<N> left(targets);
   std::vector<std::vector<std::size_t>> refused(from.size());
   std::priority_queue<Candidate, std::vector<Candidate>, std::greater<>> nearest;
   const auto add = [&](std::size_t a) {
-    const Tree::Found found = left.Find(places[a], refused[a]);
+    const auto found = left.Find(places[a], refused[a]);
     if (found.Point != None)
     {
       nearest.emplace(found.Distance, a, found.Point);
@@ -235,5 +244,20 @@ void PairNearest(const std::vector<Vector>& from, const std::vector<Vector>& to,
       add(a);
     }
   }
+}
+}
+
+//------------------------------------------------------------------------------
+void PairNearest(const std::vector<Tuple<3>>& from, const std::vector<Tuple<3>>& to,
+  std::size_t tries, const std::function<bool(std::size_t, std::size_t)>& accepts)
+{
+  Pair(from, to, tries, accepts);
+}
+
+//------------------------------------------------------------------------------
+void PairNearest(const std::vector<Tuple<6>>& from, const std::vector<Tuple<6>>& to,
+  std::size_t tries, const std::function<bool(std::size_t, std::size_t)>& accepts)
+{
+  Pair(from, to, tries, accepts);
 }
 }

@@ -18,6 +18,9 @@ namespace relievo::compare
 void PairNearest(const std::vector<std::array<double, 3>>& from,
   const std::vector<std::array<double, 3>>& to, std::size_t tries,
   const std::function<bool(std::size_t from, std::size_t to)>& accepts);
+void PairNearest(const std::vector<std::array<double, 6>>& from,
+  const std::vector<std::array<double, 6>>& to, std::size_t tries,
+  const std::function<bool(std::size_t from, std::size_t to)>& accepts);
 }
 
 #endif

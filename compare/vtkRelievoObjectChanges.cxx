@@ -26,9 +26,19 @@ using Vector = std::array<double, 3>;
 // tried: trying all would take the square of their number.
 constexpr std::size_t MostTries = 32;
 
+// The number of translations after which objects that have moved are looked for, and the number of
+// objects that are tried there.
+constexpr std::size_t MostTranslations = 8;
+constexpr std::size_t TriesThere = 4;
+
 Vector Minus(const Vector& a, const Vector& b)
 {
   return { a[0] - b[0], a[1] - b[1], a[2] - b[2] };
+}
+
+Vector Plus(const Vector& a, const Vector& b)
+{
+  return { a[0] + b[0], a[1] + b[1], a[2] + b[2] };
 }
 
 double Length(const Vector& v)
@@ -252,11 +262,12 @@ void ObjectChanges::MatchByRecord()
 }
 
 //------------------------------------------------------------------------------
-// Matches unnamed objects whose meshes have changed, if their boxes overlap by more than half.
+// Matches unnamed objects whose meshes have changed, if their boxes overlap by more than half,
+// those with the nearest bounds first: nested surfaces have one centre.
 void ObjectChanges::MatchByBounds()
 {
   std::vector<int> left[2];
-  std::vector<Vector> centers[2];
+  std::vector<std::array<double, 6>> boxes[2];
   for (std::size_t side = 0; side < 2; ++side)
   {
     const std::vector<int>& matches = side == 0 ? this->After : this->Before;
@@ -265,11 +276,11 @@ void ObjectChanges::MatchByBounds()
       if (matches[i] < 0)
       {
         left[side].push_back(static_cast<int>(i));
-        centers[side].push_back((side == 0 ? this->A : this->B).Objects[i].Center);
+        boxes[side].push_back((side == 0 ? this->A : this->B).Objects[i].Bounds);
       }
     }
   }
-  PairNearest(centers[0], centers[1], MostTries, [&](std::size_t i, std::size_t j) {
+  PairNearest(boxes[0], boxes[1], MostTries, [&](std::size_t i, std::size_t j) {
     const Object& from = this->A.Objects[static_cast<std::size_t>(left[0][i])];
     const Object& to = this->B.Objects[static_cast<std::size_t>(left[1][j])];
     const bool fits =
@@ -634,35 +645,7 @@ void ObjectChanges::MatchBySight()
       this->Pair(a, b);
     }
   }
-  // Visible objects without a match may have moved.
-  std::vector<int> left[2];
-  std::vector<Vector> centers[2];
-  for (std::size_t side = 0; side < 2; ++side)
-  {
-    const std::vector<int>& matches = side == 0 ? this->After : this->Before;
-    for (std::size_t i = 0; i < matches.size(); ++i)
-    {
-      if (matches[i] < 0 && !this->Seen[side][i].empty())
-      {
-        left[side].push_back(static_cast<int>(i));
-        Vector sum{};
-        for (const auto& [key, patch] : this->GetPatches(static_cast<int>(i), side == 0))
-        {
-          std::transform(sum.begin(), sum.end(), patch.Sum.begin(), sum.begin(), std::plus<>());
-        }
-        const auto count = static_cast<double>(this->Seen[side][i].size());
-        centers[side].push_back({ sum[0] / count, sum[1] / count, sum[2] / count });
-      }
-    }
-  }
-  PairNearest(centers[0], centers[1], MostTries, [&](std::size_t a, std::size_t b) {
-    const bool fits = this->FindTranslation(left[0][a], left[1][b]).has_value();
-    if (fits)
-    {
-      this->Pair(left[0][a], left[1][b]);
-    }
-    return fits;
-  });
+  this->MatchMoved();
   // An object that deforms keeps its number, if both frames still have that number free.
   for (int a = 0; a < static_cast<int>(std::min(this->After.size(), this->Before.size())); ++a)
   {
@@ -680,6 +663,99 @@ void ObjectChanges::MatchBySight()
         this->Pair(a, a);
       }
     }
+  }
+}
+
+//------------------------------------------------------------------------------
+// Visible objects without a match may have moved: pairs the nearest ones that a translation moves
+// onto each other. Between the places of an assembly's part, before and after, can be many other
+// parts: then the nearest ones after the translations that are found for most objects.
+void ObjectChanges::MatchMoved()
+{
+  std::vector<int> left[2];
+  std::vector<Vector> centers[2];
+  double footprint = 0.0;
+  for (std::size_t side = 0; side < 2; ++side)
+  {
+    const std::vector<int>& matches = side == 0 ? this->After : this->Before;
+    for (std::size_t i = 0; i < matches.size(); ++i)
+    {
+      const std::vector<std::size_t>& pixels = this->Seen[side][i];
+      if (matches[i] < 0 && !pixels.empty())
+      {
+        left[side].push_back(static_cast<int>(i));
+        Vector sum{};
+        for (const auto& [key, patch] : this->GetPatches(static_cast<int>(i), side == 0))
+        {
+          std::transform(sum.begin(), sum.end(), patch.Sum.begin(), sum.begin(), std::plus<>());
+        }
+        const auto count = static_cast<double>(pixels.size());
+        centers[side].push_back({ sum[0] / count, sum[1] / count, sum[2] / count });
+        footprint =
+          std::max(footprint, (side == 0 ? this->A : this->B).GetFootprint(pixels.front()));
+      }
+    }
+  }
+  const auto isFree = [&](std::size_t side, int object) {
+    return (side == 0 ? this->GetAfter(object) : this->GetBefore(object)) < 0;
+  };
+  // The numbers of objects with equal translations, up to a few pixels, and one of these.
+  std::map<Vector, std::pair<std::size_t, Vector>> translations;
+  const auto count = [&](const Vector& translation) {
+    Vector key{};
+    for (std::size_t c = 0; c < 3 && footprint > 0.0; ++c)
+    {
+      key[c] = std::round(translation[c] / (4.0 * footprint));
+    }
+    ++translations.emplace(key, std::pair(std::size_t(0), translation)).first->second.first;
+  };
+  const auto pairNearest = [&](const Vector& shift, std::size_t tries) {
+    std::vector<int> objects[2];
+    std::vector<Vector> places[2];
+    for (std::size_t side = 0; side < 2; ++side)
+    {
+      for (std::size_t i = 0; i < left[side].size(); ++i)
+      {
+        if (isFree(side, left[side][i]))
+        {
+          objects[side].push_back(left[side][i]);
+          places[side].push_back(side == 0 ? Plus(centers[0][i], shift) : centers[1][i]);
+        }
+      }
+    }
+    PairNearest(places[0], places[1], tries, [&](std::size_t a, std::size_t b) {
+      const auto translation = this->FindTranslation(objects[0][a], objects[1][b]);
+      if (translation)
+      {
+        this->Pair(objects[0][a], objects[1][b]);
+        count(*translation);
+      }
+      return translation.has_value();
+    });
+  };
+  pairNearest({}, MostTries);
+  for (const int object : left[0])
+  {
+    // Most objects keep their numbers.
+    const auto number = static_cast<std::size_t>(object);
+    const bool isSeen = number < this->Before.size() && !this->Seen[1][number].empty();
+    if (isSeen && isFree(0, object) && isFree(1, object))
+    {
+      if (const auto translation = this->FindTranslation(object, object))
+      {
+        count(*translation);
+      }
+    }
+  }
+  std::vector<std::pair<std::size_t, Vector>> common;
+  for (const auto& [key, each] : translations)
+  {
+    common.push_back(each);
+  }
+  std::sort(common.rbegin(), common.rend());
+  for (std::size_t i = 0; i < std::min(common.size(), MostTranslations); ++i)
+  {
+    pairNearest(common[i].second, TriesThere);
   }
 }
 

@@ -90,6 +90,7 @@ private:
   void AddChange(int before, int after, Cause cause, const std::string& words);
   void CompareSettings(int before, int after);
   void MatchByBounds();
+  void MatchMoved();
 
   // The translation between the visible parts of an object in the two frames, by least squares over
   // its cells: exact along the normals of planes, and accurate to about a pixel from the centres of

@@ -849,6 +849,21 @@ bool PixelCauses::IsBetweenNeighbours(std::size_t pixel, double widening) const
 }
 
 //------------------------------------------------------------------------------
+// Only frames of several samples extrapolate.
+bool PixelCauses::IsDarkerInSamples(std::size_t pixel) const
+{
+  const auto isDarker = [&](const Frame& own, const Frame& other) {
+    bool isDark = GetSamples(own) > 1;
+    for (int c = 0; c < this->CountLevels(); ++c)
+    {
+      isDark = isDark && own.Level(pixel, c) <= other.Level(pixel, c) + this->Bounds.ColorLevels;
+    }
+    return isDark;
+  };
+  return isDarker(this->A, this->B) || isDarker(this->B, this->A);
+}
+
+//------------------------------------------------------------------------------
 // Projects the boxes around translucent objects to the picture, once for all pixels.
 void PixelCauses::ProjectTranslucent()
 {
@@ -978,7 +993,8 @@ int PixelCauses::Explain(std::size_t pixel, const std::vector<int>& causes)
       isBorder = isBorder || (!this->A.Cell.empty() && this->A.Cell[near] != this->A.Cell[pixel]);
       different += causes[near] == Pending ? 1 : 0;
     });
-    const bool isOneShadow = different == 1 && !this->A.Shadow.empty() && !this->B.Shadow.empty();
+    const bool isOneShadow = different == 1 && !this->A.Shadow.empty() && !this->B.Shadow.empty() &&
+      this->IsDarkerInSamples(pixel);
     if (isEdge || (isBorder && (isOneShadow || this->IsBetweenNeighbours(pixel, 1.0))))
     {
       return WithinEdge;

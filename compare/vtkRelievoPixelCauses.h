@@ -79,6 +79,7 @@ private:
   int GetNeighbourCause(std::size_t pixel, const std::vector<int>& causes) const;
   bool IsEdge(std::size_t pixel) const;
   bool IsBetweenNeighbours(std::size_t pixel, double widening) const;
+  bool IsDarkerInSamples(std::size_t pixel) const; // in one frame no component is brighter
   bool IsOfAmbient(std::size_t pixel) const;
   bool IsTie(std::size_t pixel) const;
   std::optional<double> FindStep(const std::string& samples) const;

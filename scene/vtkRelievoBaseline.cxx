@@ -145,8 +145,10 @@ bool vtkRelievoBaseline::Capture(vtkImageData* image)
     source->AddLayer(layer);
   }
   // Layers of stages are drawn with the picture: drawn later, they could differ by rounding.
+  std::vector<std::string> earlier; // of the caller
   if (pass)
   {
+    earlier = pass->GetOptionalLayers();
     pass->SetOptionalLayers({ StageLayers.begin(), StageLayers.end() });
   }
   source->Update();
@@ -154,7 +156,7 @@ bool vtkRelievoBaseline::Capture(vtkImageData* image)
   if (pass)
   {
     isDrawn = isDrawn && pass->ReadLayers(FindStageLayers(pass), source->GetOutput());
-    pass->SetOptionalLayers({});
+    pass->SetOptionalLayers(earlier);
   }
   if (!isDrawn)
   {

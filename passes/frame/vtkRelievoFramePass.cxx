@@ -256,6 +256,12 @@ void vtkRelievoFramePass::SetOptionalLayers(const std::vector<std::string>& name
 }
 
 //------------------------------------------------------------------------------
+const std::vector<std::string>& vtkRelievoFramePass::GetOptionalLayers() const
+{
+  return this->Internal->Optional;
+}
+
+//------------------------------------------------------------------------------
 bool vtkRelievoFramePass::ReadLayer(RELIEVO_TEXT name, vtkImageData* image)
 {
   return this->ReadLayers({ name }, image);

@@ -93,6 +93,7 @@ public:
    * Default: none.
    */
   void SetOptionalLayers(const std::vector<std::string>& names);
+  const std::vector<std::string>& GetOptionalLayers() const;
 #endif
 
   ///@{

@@ -10,6 +10,7 @@ import json
 import math
 import os
 import pathlib
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -165,7 +166,20 @@ class Compare(unittest.TestCase):
             return found
 
     def test_few_faults(self):
-        methods, kinds = self.run_with("--quick")
+        with tempfile.TemporaryDirectory() as folder:
+            file = f"{folder}/pairs.json"
+            methods, kinds = self.run_with("--quick", "--keep", folder, "--pairs", file)
+            # A peer that was not there then compares the pictures that were kept: in one pair,
+            # those of two scenes.
+            pairs = json.loads(pathlib.Path(file).read_text(encoding="utf-8"))
+            first = next(pair for pair in pairs if pair["is_fault"] and pair["pictures"])
+            shutil.copyfile(pairs[-1]["pictures"][0], first["pictures"][1])
+            later, kinds_later = self.run_with(
+                "--of", file, "--peers", "vtkImageDifference", "--frames", "no")  # fmt: skip
+        self.assertEqual((later[:3], kinds_later), (methods, kinds))
+        peer = [row for row in later[3:] if row["role"] == "best"]
+        self.assertEqual([row["method"] for row in peer], ["vtkImageDifference"])
+        self.assertEqual(peer[0]["detected %"], f"{100 / int(peer[0]['faults']):.2f}", peer)
         self.assertEqual([row["method"] for row in methods],
                          [f"Relievo, {of}" for of in ("baselines", "layers", "pictures")])
         for row in methods:

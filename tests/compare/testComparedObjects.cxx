@@ -434,6 +434,47 @@ void TestRecords()
 }
 
 //------------------------------------------------------------------------------
+// Unnamed objects with new meshes are paired by the best of the boxes that overlap by half.
+void TestNested()
+{
+  // Shells around one centre, recorded in another order.
+  Boxes before = compareTest::MakeBoxes();
+  const auto addShell = [](Boxes& boxes, double half, const std::string& mesh, double red) {
+    boxes.All.push_back({ "", { 0., 0.5, 0. }, { half, half, half } });
+    boxes.All.back().Mesh = boxes.All.back().Cells = mesh;
+    boxes.All.back().More = R"(, "color": [)" + std::to_string(red) + ", 0, 0]";
+  };
+  Boxes after = before;
+  addShell(before, 0.5, "1", 1.);
+  addShell(before, 0.4, "2", 0.);
+  addShell(after, 0.4, "3", 0.);
+  addShell(after, 0.5, "4", 1.);
+  CheckList(Compare(before, after), "shape , shape ", "nested shells");
+  // A casing with many parts whose centres are nearer to its own.
+  before = compareTest::MakeBoxes();
+  before.Lamps.clear();
+  after = before;
+  addShell(before, 0.5, "1", 1.);
+  for (int part = 0; part < 40; ++part)
+  {
+    for (const bool isBefore : { true, false })
+    {
+      Boxes& boxes = isBefore ? before : after;
+      addShell(boxes, 0.001, std::to_string(100 * part + (isBefore ? 10 : 11)), 0.5);
+      boxes.All.back().Center[0] = 0.003 * (part - 20);
+    }
+  }
+  addShell(after, 0.5, "2", 1.);
+  after.All.back().Center[0] = 0.1;
+  const json found = Compare(before, after);
+  RELIEVO_CHECK_THAT(found["causes"].size() == 41, found.dump());
+  for (const json& each : found["causes"])
+  {
+    RELIEVO_CHECK_THAT(each["cause"] == "shape", each.dump());
+  }
+}
+
+//------------------------------------------------------------------------------
 // The linear light nearest to it that a picture of 8 bits can have.
 double Quantize(double light)
 {
@@ -547,9 +588,11 @@ void TestTolerances()
       boxes.Settings = { "multisamples=4" };
     }
     AddLevels(frames[1], 60, 62, 24, 25, levels);
-    AddLevels(frames[1], 80, 81, 24, 25, -levels); // a single pixel may be in a false shadow
+    AddLevels(frames[1], 80, 81, 24, 25, -levels);   // a single pixel may be in a false shadow
+    AddLevels(frames[1], 100, 101, 24, 25, levels);  // no shadow
+    AddLevels(frames[0], 120, 121, 24, 25, -levels); // a cell at the pixel's centre, not at samples
     const json found = Compare(frames[0], frames[1]);
-    RELIEVO_CHECK_THAT(found["unexplained"] == (levels > 10. ? 2 : 0), found.dump());
+    RELIEVO_CHECK_THAT(found["unexplained"] == (levels > 10. ? 3 : 0), found.dump());
   }
   // Borders of cells are mixtures in frames of several samples; their inside is not.
   boxes.Settings = { "multisamples=0" };
@@ -687,6 +730,49 @@ void TestTiles()
       found["unexplained"] == 0,
     std::to_string(right) + ": " + found["causes"][0].dump());
 }
+
+//------------------------------------------------------------------------------
+// A row of different parts that moves as a whole, by its own length: most parts have many others
+// between their places before and after.
+void TestRow()
+{
+  constexpr int Parts = 100, Width = 90, Pitch = 92;
+  Boxes boxes;
+  boxes.Width = 2 * Parts * Pitch + 2;
+  boxes.Height = 11;
+  boxes.HasRecord = false;
+  vtkSmartPointer<vtkImageData> frames[2];
+  for (int side = 0; side < 2; ++side)
+  {
+    frames[side] = compareTest::Draw(boxes);
+    for (int part = 0; part < Parts; ++part)
+    {
+      const int number = side == 0 ? part : (7 * part + 3) % Parts;
+      const int x = 1 + (part + side * Parts) * Pitch;
+      compareTest::Fill(frames[side], "actor", x, x + Width, 1, 10, number);
+      compareTest::Fill(frames[side], "depth", x, x + Width, 1, 10, 8.);
+      const int borders[3] = { 18 + 6 * (part % 10), 18 + 6 * (part / 10), Width / 2 };
+      for (int row = 0; row < 3; ++row)
+      {
+        const int y = 1 + 3 * row;
+        compareTest::Fill(frames[side], "cell", x, x + borders[row], y, y + 3, 2 * row);
+        compareTest::Fill(frames[side], "cell", x + borders[row], x + Width, y, y + 3, 2 * row + 1);
+      }
+    }
+  }
+  const json found = Compare(frames[0], frames[1]);
+  const double pixel =
+    2. * std::tan(vtkMath::RadiansFromDegrees(0.5 * boxes.ViewAngle)) * 8. / boxes.Height;
+  const auto isRight = [pixel](const json& cause) {
+    return cause["cause"] == "moved" &&
+      std::abs(std::hypot(cause["displacement"][0].get<double>(),
+                 cause["displacement"][1].get<double>(), cause["displacement"][2].get<double>()) -
+        Parts * Pitch * pixel) < pixel;
+  };
+  const auto right = std::count_if(found["causes"].begin(), found["causes"].end(), isRight);
+  RELIEVO_CHECK_THAT(
+    right == Parts && found["causes"].size() == Parts, std::to_string(right) + ": " + List(found));
+}
 }
 
 RELIEVO_TEST_CASE(testComparedObjects)
@@ -700,10 +786,12 @@ RELIEVO_TEST_CASE(testComparedObjects)
   TestLights();
   TestPictureAlone();
   TestRecords();
+  TestNested();
   TestTolerances();
   TestStages();
   TestSwarm();
   TestTiles();
+  TestRow();
   return session.Result();
 }
 }
