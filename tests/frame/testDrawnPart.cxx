@@ -551,6 +551,60 @@ void TestHiddenPoints()
   }
 }
 
+// All who ask for the groups of a mesh's points share them, until the points change.
+void TestPointGroups()
+{
+  const auto shell = MakeShell(0.0, true);
+  vtkRelievoPointGroups first;
+  vtkRelievoPointGroups second;
+  const vtkRelievoPointGroups::Mesh* made = &first.Get(shell);
+  const vtkIdType bytes = first.GetBytes();
+  RELIEVO_CHECK(bytes >= 20000 * 16 && bytes < 20000 * 20);
+  shell->GetPointData()->GetScalars()->Modified();
+  shell->Modified();
+  RELIEVO_CHECK(&second.Get(shell) == made);
+  RELIEVO_CHECK(first.GetBytes() + second.GetBytes() == bytes);
+  shell->GetPoints()->Modified();
+  RELIEVO_CHECK(&second.Get(shell) != made);
+  second.KeepOnly({});
+  RELIEVO_CHECK(second.IsEmpty() && second.GetBytes() == 0 && first.GetBytes() == bytes);
+}
+
+// The groups of a frame and its shadows are held once, and only while points are drawn as spheres.
+void TestBytesOfPoints()
+{
+  Scene scene;
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(MakeShell(0.0, true));
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  actor->GetProperty()->SetPointSize(4.0f);
+  scene.Renderer->AddActor(actor);
+  scene.Renderer->RemoveAllLights();
+  vtkNew<vtkLight> light;
+  light->SetPosition(1.0, 4.0, 2.0);
+  scene.Renderer->AddLight(light);
+  vtkRelievoPass* frame = vtkRelievoPass::Attach(scene.Renderer);
+  frame->ShadowsOn();
+  const auto draw = [&](bool spheres, bool visible) {
+    actor->GetProperty()->SetRenderPointsAsSpheres(spheres);
+    actor->SetVisibility(visible);
+    scene.Renderer->GetActiveCamera()->Azimuth(5.0); // draws all anew
+    scene.Window->Render();
+    scene.Window->Render();
+    return frame->GetBytesHeld();
+  };
+  const vtkIdType without = draw(false, true);
+  const vtkIdType more = vtkRelievoIsSoftwareOpenGL() ? 20000 * 16 : 0;
+  for (int i = 0; i < 2; ++i)
+  {
+    const vtkIdType with = draw(true, true) - without;
+    RELIEVO_CHECK(with >= more && with <= more * 5 / 4);
+    RELIEVO_CHECK(draw(i == 0, i == 1) <= without);
+    RELIEVO_CHECK(draw(false, true) == without);
+  }
+}
+
 // A background between two bytes stays one colour, inside and outside the requested part.
 void TestBetweenBytes(int samples)
 {
@@ -610,6 +664,8 @@ RELIEVO_TEST_CASE(testDrawnPart)
   TestWith("a plane that goes on behind the eye", AddBehindEye);
   TestWith("a gradient", AddGradient);
   TestHiddenPoints();
+  TestPointGroups();
+  TestBytesOfPoints();
   TestWith("another renderer beside", AddBeside);
 #ifdef RELIEVO_VTK_COORDINATE_SYSTEMS
   TestWith("an actor in units of the device", PlaceOnDevice);

@@ -2,17 +2,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRelievoPointGroups.h"
 
+#include "vtkActor.h"
 #include "vtkCellArray.h"
 #include "vtkDataArray.h"
 #include "vtkDataArrayRange.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkRelievoHiddenPoints.h"
 
 #include <glm/common.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <mutex>
 
 namespace
 {
@@ -126,16 +130,83 @@ vtkRelievoPointGroups::Mesh Make(vtkPolyData* data)
 }
 
 //------------------------------------------------------------------------------
+vtkRelievoPointGroups::Key::Key(vtkPolyData* mesh)
+  : Points(mesh->GetPoints())
+  , Verts(mesh->GetVerts())
+  , Time(std::max(this->Points->GetMTime(), this->Verts->GetMTime()))
+{
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoPointGroups::Key::operator==(const Key& other) const
+{
+  return this->Points == other.Points && this->Verts == other.Verts && this->Time == other.Time;
+}
+
+//------------------------------------------------------------------------------
+std::shared_ptr<const vtkRelievoPointGroups::Mesh> vtkRelievoPointGroups::Share(
+  vtkPolyData* mesh, const Key& key)
+{
+  static std::mutex access;
+  static std::vector<Entry<std::weak_ptr<const Mesh>>> all;
+  const std::lock_guard<std::mutex> lock(access);
+  all.erase(
+    std::remove_if(all.begin(), all.end(), [](const auto& entry) { return entry.Made.expired(); }),
+    all.end());
+  for (const auto& entry : all)
+  {
+    std::shared_ptr<const Mesh> made = entry.Made.lock();
+    if (made && entry.Of == key)
+    {
+      return made;
+    }
+  }
+  std::shared_ptr<const Mesh> made = std::make_shared<Mesh>(Make(mesh));
+  all.push_back({ key, made });
+  return made;
+}
+
+//------------------------------------------------------------------------------
 const vtkRelievoPointGroups::Mesh& vtkRelievoPointGroups::Get(vtkPolyData* mesh)
 {
-  for (auto it = this->Meshes.begin(); it != this->Meshes.end();)
+  const Key key(mesh);
+  for (const auto& entry : this->Meshes)
   {
-    it = it->second.Data ? std::next(it) : this->Meshes.erase(it);
+    if (entry.Of == key)
+    {
+      return *entry.Made;
+    }
   }
-  Held& held = this->Meshes[mesh];
-  if (!held.Data || held.Time != mesh->GetMTime())
+  this->Meshes.push_back({ key, Share(mesh, key) });
+  return *this->Meshes.back().Made;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoPointGroups::KeepOnly(const std::vector<vtkProp*>& props)
+{
+  const auto isUnused = [&props](const auto& entry) {
+    return std::none_of(props.begin(), props.end(), [&entry](vtkProp* prop) {
+      return vtkRelievoHiddenPoints::IsPossible(prop) &&
+        Key(
+          static_cast<vtkPolyDataMapper*>(static_cast<vtkActor*>(prop)->GetMapper())->GetInput()) ==
+        entry.Of;
+    });
+  };
+  this->Meshes.erase(
+    std::remove_if(this->Meshes.begin(), this->Meshes.end(), isUnused), this->Meshes.end());
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkRelievoPointGroups::GetBytes() const
+{
+  const auto getBytes = [](const auto& array) { return array.capacity() * sizeof(*array.data()); };
+  std::size_t bytes = 0;
+  for (const auto& entry : this->Meshes)
   {
-    held = { mesh, mesh->GetMTime(), Make(mesh) };
+    const Mesh& made = *entry.Made;
+    bytes += (getBytes(made.Order) + getBytes(made.Places) + getBytes(made.Points) +
+               getBytes(made.Groups)) /
+      static_cast<std::size_t>(entry.Made.use_count());
   }
-  return held.Made;
+  return static_cast<vtkIdType>(bytes);
 }
