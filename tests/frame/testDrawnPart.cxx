@@ -56,6 +56,8 @@
 #include <vtkSphereSource.h>
 #include <vtkUnsignedCharArray.h>
 
+#include <glm/geometric.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -461,6 +463,7 @@ struct ShellCase
   bool Sun;
   bool Forward;        // shadows that draw the camera's view a second time
   bool Turned = false; // after a first picture
+  bool Stray = false;  // a point far from the others
 };
 
 // The picture of the actor over a ground, with a shadow, and how many points were seen.
@@ -470,6 +473,10 @@ vtkSmartPointer<vtkImageData> DrawShell(const ShellCase& test, vtkActor* actor, 
   scene.Renderer->RemoveActor(scene.Actor);
   vtkNew<vtkPolyDataMapper> mapper;
   const auto shell = MakeShell(test.Far, test.Sun);
+  if (test.Stray)
+  {
+    shell->GetPoints()->SetPoint(7, 1000.0, 0.0, 0.0);
+  }
   mapper->SetInputData(shell);
   actor->SetMapper(mapper);
   actor->SetPosition(-test.Far * 1.2, 0.0, 0.0);
@@ -534,6 +541,7 @@ void TestHiddenPoints()
     { "a shell far from its origin", 3.0, 5.0, 1.0, 1.0, false, false, false },
     { "a shell with shadows forward", 8.0, 0.0, 1.0, 1.0, false, true, true },
     { "a shell whose points have moved", 4.0, 0.0, 1.0, 1.0, false, false, false, true },
+    { "a shell and a point far away", 4.0, 0.0, 1.0, 1.0, false, true, false, false, true },
   };
   for (const ShellCase& test : cases)
   {
@@ -551,13 +559,22 @@ void TestHiddenPoints()
   }
 }
 
-// All who ask for the groups of a mesh's points share them, until the points change.
+// Groups of neighbours are small also if one point is far from the others, and all who ask share
+// them, until points change.
 void TestPointGroups()
 {
   const auto shell = MakeShell(0.0, true);
+  shell->GetPoints()->SetPoint(7, 1000.0, 0.0, 0.0);
   vtkRelievoPointGroups first;
   vtkRelievoPointGroups second;
   const vtkRelievoPointGroups::Mesh* made = &first.Get(shell);
+  int large = 0;
+  for (const vtkRelievoPointGroups::Group& group : made->Groups)
+  {
+    large += glm::length(group.High - group.Low) > 0.6 ? 1 : 0;
+  }
+  RELIEVO_CHECK_AT_MOST(large, 0.05 * made->Groups.size(), "groups of points far from each other");
+
   const vtkIdType bytes = first.GetBytes();
   RELIEVO_CHECK(bytes >= 20000 * 16 && bytes < 20000 * 20);
   shell->GetPointData()->GetScalars()->Modified();
