@@ -9,6 +9,8 @@
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLRenderer.h"
+#include "vtkProp.h"
+#include "vtkPropCollection.h"
 #include "vtkRelievoAccess.h"
 #include "vtkRelievoColorTarget.h"
 #include "vtkRelievoDelegate.h"
@@ -90,6 +92,26 @@ public:
       stages.push_back(stage);
     }
     return stages;
+  }
+
+  // Groups of points that nothing in the renderer needs any more, inside or outside the view.
+  void DropPointGroups(vtkRenderer* renderer)
+  {
+    if (this->PointGroups.IsEmpty())
+    {
+      return;
+    }
+    std::vector<vtkProp*> visible;
+    vtkCollectionSimpleIterator it;
+    renderer->GetViewProps()->InitTraversal(it);
+    while (vtkProp* prop = renderer->GetViewProps()->GetNextProp(it))
+    {
+      if (prop->GetVisibility())
+      {
+        visible.push_back(prop);
+      }
+    }
+    this->PointGroups.KeepOnly(visible);
   }
 
   // For a stage that leaves the frame: releases its resources, and drops its layers.
@@ -410,6 +432,7 @@ bool vtkRelievoFramePass::DrawSample(const vtkRenderState* s)
     in.Color.Release(window);
     in.Translucent.Release(window);
   }
+  in.DropPointGroups(renderer);
   in.Reader.SetFrame(run.GetWriters(), run.GetMissing());
 
   const vtkRelievoSampleOffset offset(context);
@@ -466,7 +489,8 @@ std::string vtkRelievoFramePass::GetFrameReport()
 //------------------------------------------------------------------------------
 vtkIdType vtkRelievoFramePass::GetBytesHeld()
 {
-  vtkIdType bytes = this->Internal->Color.GetBytes() + this->Internal->Samples.GetBytes();
+  vtkIdType bytes = this->Internal->Color.GetBytes() + this->Internal->Samples.GetBytes() +
+    this->Internal->PointGroups.GetBytes();
   for (vtkRelievoStage* stage : this->Internal->GetStages())
   {
     bytes += stage->GetBytesHeld();

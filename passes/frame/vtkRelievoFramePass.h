@@ -167,7 +167,7 @@ public:
    */
   std::string GetFrameReport();
 
-  /** Bytes of GPU memory in use by the frame and its stages. */
+  /** Bytes of memory in use by the frame and its stages: the GPU's, and groups of points. */
   vtkIdType GetBytesHeld();
 
   void Render(const vtkRenderState* s) override;

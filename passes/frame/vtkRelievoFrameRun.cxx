@@ -15,6 +15,7 @@
 #include "vtkRelievoGpuTimer.h"
 #include "vtkRelievoHiddenPoints.h"
 #include "vtkRelievoLeakedTextureUnits.h"
+#include "vtkRelievoPointGroups.h"
 #include "vtkRelievoSampleAccumulator.h"
 #include "vtkRelievoSampleRaster.h"
 #include "vtkRelievoStage.h"
@@ -539,7 +540,8 @@ void vtkRelievoFrameRun::Finish()
 void vtkRelievoFrameRun::Report(vtkRelievoFrameReport& report, vtkRenderPass* pass) const
 {
   const bool draws = this->Nodes[0].Needed;
-  report.Begin(this->Context.Renderer, this->Color.GetBytes() + this->Samples.GetBytes());
+  report.Begin(this->Context.Renderer,
+    this->Color.GetBytes() + this->Samples.GetBytes() + this->PointGroups.GetBytes());
   report.Add("delegate", draws, draws ? "ran" : "not_asked",
     !draws   ? "only the layers are asked for"
       : pass ? std::string("draws the picture: ") + pass->GetClassName()

@@ -426,7 +426,8 @@ void vtkRelievoShadowStage::Finish(vtkRelievoFrameContext& context)
 //------------------------------------------------------------------------------
 vtkIdType vtkRelievoShadowStage::GetBytesHeld()
 {
-  return this->Internal->Maps.GetBytes() + this->Internal->Lamps.Work.Maps.GetBytes();
+  return this->Internal->Maps.GetBytes() + this->Internal->Lamps.Work.Maps.GetBytes() +
+    this->Internal->Casters.Props.GetPointGroupBytes();
 }
 
 //------------------------------------------------------------------------------

@@ -56,6 +56,8 @@
 #include <vtkSphereSource.h>
 #include <vtkUnsignedCharArray.h>
 
+#include <glm/geometric.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -461,6 +463,7 @@ struct ShellCase
   bool Sun;
   bool Forward;        // shadows that draw the camera's view a second time
   bool Turned = false; // after a first picture
+  bool Stray = false;  // a point far from the others
 };
 
 // The picture of the actor over a ground, with a shadow, and how many points were seen.
@@ -470,6 +473,10 @@ vtkSmartPointer<vtkImageData> DrawShell(const ShellCase& test, vtkActor* actor, 
   scene.Renderer->RemoveActor(scene.Actor);
   vtkNew<vtkPolyDataMapper> mapper;
   const auto shell = MakeShell(test.Far, test.Sun);
+  if (test.Stray)
+  {
+    shell->GetPoints()->SetPoint(7, 1000.0, 0.0, 0.0);
+  }
   mapper->SetInputData(shell);
   actor->SetMapper(mapper);
   actor->SetPosition(-test.Far * 1.2, 0.0, 0.0);
@@ -534,6 +541,7 @@ void TestHiddenPoints()
     { "a shell far from its origin", 3.0, 5.0, 1.0, 1.0, false, false, false },
     { "a shell with shadows forward", 8.0, 0.0, 1.0, 1.0, false, true, true },
     { "a shell whose points have moved", 4.0, 0.0, 1.0, 1.0, false, false, false, true },
+    { "a shell and a point far away", 4.0, 0.0, 1.0, 1.0, false, true, false, false, true },
   };
   for (const ShellCase& test : cases)
   {
@@ -548,6 +556,69 @@ void TestHiddenPoints()
     std::cout << test.Name << ": " << some << " of 20000 points drawn\n";
     RELIEVO_CHECK_THAT(!vtkRelievoIsSoftwareOpenGL() || (some > 0 && some < 19000),
       std::string(test.Name) + ": hidden points are drawn");
+  }
+}
+
+// Groups of neighbours are small also if one point is far from the others, and all who ask share
+// them, until points change.
+void TestPointGroups()
+{
+  const auto shell = MakeShell(0.0, true);
+  shell->GetPoints()->SetPoint(7, 1000.0, 0.0, 0.0);
+  vtkRelievoPointGroups first;
+  vtkRelievoPointGroups second;
+  const vtkRelievoPointGroups::Mesh* made = &first.Get(shell);
+  int large = 0;
+  for (const vtkRelievoPointGroups::Group& group : made->Groups)
+  {
+    large += glm::length(group.High - group.Low) > 0.6 ? 1 : 0;
+  }
+  RELIEVO_CHECK_AT_MOST(large, 0.05 * made->Groups.size(), "groups of points far from each other");
+
+  const vtkIdType bytes = first.GetBytes();
+  RELIEVO_CHECK(bytes >= 20000 * 16 && bytes < 20000 * 20);
+  shell->GetPointData()->GetScalars()->Modified();
+  shell->Modified();
+  RELIEVO_CHECK(&second.Get(shell) == made);
+  RELIEVO_CHECK(first.GetBytes() + second.GetBytes() == bytes);
+  shell->GetPoints()->Modified();
+  RELIEVO_CHECK(&second.Get(shell) != made);
+  second.KeepOnly({});
+  RELIEVO_CHECK(second.IsEmpty() && second.GetBytes() == 0 && first.GetBytes() == bytes);
+}
+
+// The groups of a frame and its shadows are held once, and only while points are drawn as spheres.
+void TestBytesOfPoints()
+{
+  Scene scene;
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(MakeShell(0.0, true));
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  actor->GetProperty()->SetPointSize(4.0f);
+  scene.Renderer->AddActor(actor);
+  scene.Renderer->RemoveAllLights();
+  vtkNew<vtkLight> light;
+  light->SetPosition(1.0, 4.0, 2.0);
+  scene.Renderer->AddLight(light);
+  vtkRelievoPass* frame = vtkRelievoPass::Attach(scene.Renderer);
+  frame->ShadowsOn();
+  const auto draw = [&](bool spheres, bool visible) {
+    actor->GetProperty()->SetRenderPointsAsSpheres(spheres);
+    actor->SetVisibility(visible);
+    scene.Renderer->GetActiveCamera()->Azimuth(5.0); // draws all anew
+    scene.Window->Render();
+    scene.Window->Render();
+    return frame->GetBytesHeld();
+  };
+  const vtkIdType without = draw(false, true);
+  const vtkIdType more = vtkRelievoIsSoftwareOpenGL() ? 20000 * 16 : 0;
+  for (int i = 0; i < 2; ++i)
+  {
+    const vtkIdType with = draw(true, true) - without;
+    RELIEVO_CHECK(with >= more && with <= more * 5 / 4);
+    RELIEVO_CHECK(draw(i == 0, i == 1) <= without);
+    RELIEVO_CHECK(draw(false, true) == without);
   }
 }
 
@@ -610,6 +681,8 @@ RELIEVO_TEST_CASE(testDrawnPart)
   TestWith("a plane that goes on behind the eye", AddBehindEye);
   TestWith("a gradient", AddGradient);
   TestHiddenPoints();
+  TestPointGroups();
+  TestBytesOfPoints();
   TestWith("another renderer beside", AddBeside);
 #ifdef RELIEVO_VTK_COORDINATE_SYSTEMS
   TestWith("an actor in units of the device", PlaceOnDevice);

@@ -510,7 +510,8 @@ bool vtkRelievoHiddenPoints::IsPossible(vtkProp* prop)
     return false;
   }
   vtkPolyData* mesh = static_cast<vtkOpenGLPolyDataMapper*>(any)->GetInput();
-  return mesh && mesh->GetVerts()->GetNumberOfConnectivityIds() >= FewestPoints &&
+  return mesh && mesh->GetPoints() &&
+    mesh->GetVerts()->GetNumberOfConnectivityIds() >= FewestPoints &&
     vtkRelievoPlainActor::IsOfClass(actor);
 }
 

@@ -2,17 +2,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRelievoPointGroups.h"
 
+#include "vtkActor.h"
 #include "vtkCellArray.h"
 #include "vtkDataArray.h"
 #include "vtkDataArrayRange.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkRelievoHiddenPoints.h"
 
 #include <glm/common.hpp>
+#include <glm/vector_relational.hpp>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
+#include <mutex>
+#include <random>
 
 namespace
 {
@@ -58,6 +65,46 @@ void Sort(std::vector<Key>& keys)
   }
 }
 
+struct Box
+{
+  glm::dvec3 Low{ 0.0 };
+  glm::dvec3 High{ 0.0 };
+};
+
+// Of most points: a few far from all others must not make the curve's steps coarse.
+template <typename GetPoint>
+Box FindBox(const std::vector<Key>& keys, const GetPoint& getPoint)
+{
+  constexpr std::size_t Samples = 4096;
+  constexpr std::size_t OneIn = 1000; // left out at each end
+  std::minstd_rand random;            // files may repeat a pattern
+  std::array<std::vector<double>, 3> values;
+  for (std::size_t i = 0; i < std::min(keys.size(), Samples); ++i)
+  {
+    const glm::dvec3 point = getPoint(keys[keys.size() > Samples ? random() % keys.size() : i]);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      if (std::isfinite(point[axis]))
+      {
+        values[axis].push_back(point[axis]);
+      }
+    }
+  }
+  Box box;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    std::vector<double>& sorted = values[axis];
+    std::sort(sorted.begin(), sorted.end());
+    if (!sorted.empty())
+    {
+      const std::size_t left = sorted.size() / OneIn;
+      box.Low[axis] = sorted[left];
+      box.High[axis] = sorted[sorted.size() - 1 - left];
+    }
+  }
+  return box;
+}
+
 vtkRelievoPointGroups::Mesh Make(vtkPolyData* data)
 {
   vtkRelievoPointGroups::Mesh made;
@@ -73,46 +120,56 @@ vtkRelievoPointGroups::Mesh Make(vtkPolyData* data)
   {
     made.Points.assign(numbers.begin(), numbers.end());
   }
-  const auto getPoint = [&](unsigned int vertex) {
+  const auto getPoint = [&](const Key& key) {
     glm::dvec3 point;
-    data->GetPoint(made.GetPoint(vertex), &point.x);
+    data->GetPoint(made.GetPoint(key.Vertex), &point.x);
     return point;
   };
 
-  double bounds[6];
-  data->GetPoints()->GetBounds(bounds);
   std::vector<Key> keys;
   keys.reserve(static_cast<std::size_t>(numbers.size()));
   for (unsigned int vertex = 0; vertex < static_cast<unsigned int>(numbers.size()); ++vertex)
   {
-    if (made.GetPoint(vertex) >= numberOfPoints)
+    if (made.GetPoint(vertex) < numberOfPoints) // VTK's mapper draws nothing at others
     {
-      continue; // VTK's mapper draws nothing there
+      keys.push_back({ 0, vertex });
     }
-    const glm::dvec3 point = getPoint(vertex);
-    std::uint32_t code = 0;
+  }
+  const Box box = FindBox(keys, getPoint);
+  for (Key& key : keys)
+  {
+    const glm::dvec3 point = getPoint(key);
     for (int axis = 0; axis < 3; ++axis)
     {
-      const double from = bounds[2 * axis];
-      const double step = 1023.999 * (point[axis] - from) / (bounds[2 * axis + 1] - from);
-      code |= Spread(step > 0.0 ? static_cast<std::uint32_t>(std::min(step, 1023.0)) : 0u) << axis;
+      const double from = box.Low[axis];
+      const double step = 1023.999 * (point[axis] - from) / (box.High[axis] - from);
+      key.Code |= Spread(step > 0.0 ? static_cast<std::uint32_t>(std::min(step, 1023.0)) : 0u)
+        << axis;
     }
-    keys.push_back({ code, vertex });
   }
   Sort(keys);
 
   made.Order.reserve(keys.size());
   made.Places.reserve(keys.size());
   std::array<glm::dvec3, Together> points;
-  for (std::size_t first = 0; first < keys.size(); first += Together)
+  const glm::dvec3 size = box.High - box.Low;
+  const double largest = std::max({ size.x, size.y, size.z }); // floats are exact enough within it
+  for (std::size_t first = 0; first < keys.size(); first = made.Groups.back().End)
   {
     vtkRelievoPointGroups::Group group;
-    group.End = std::min(first + Together, keys.size());
-    for (std::size_t i = first; i < group.End; ++i)
+    const std::size_t end = std::min(first + Together, keys.size());
+    for (group.End = first; group.End < end; ++group.End)
     {
-      points[i - first] = getPoint(keys[i].Vertex);
-      group.Low = glm::min(group.Low, points[i - first]);
-      group.High = glm::max(group.High, points[i - first]);
+      const glm::dvec3 point = getPoint(keys[group.End]);
+      const glm::dvec3 low = glm::min(group.Low, point);
+      const glm::dvec3 high = glm::max(group.High, point);
+      if (group.End > first && glm::any(glm::greaterThan(high - low, glm::dvec3(largest))))
+      {
+        break;
+      }
+      points[group.End - first] = point;
+      group.Low = low;
+      group.High = high;
     }
     for (std::size_t i = first; i < group.End; ++i)
     {
@@ -126,16 +183,83 @@ vtkRelievoPointGroups::Mesh Make(vtkPolyData* data)
 }
 
 //------------------------------------------------------------------------------
+vtkRelievoPointGroups::Key::Key(vtkPolyData* mesh)
+  : Points(mesh->GetPoints())
+  , Verts(mesh->GetVerts())
+  , Time(std::max(this->Points->GetMTime(), this->Verts->GetMTime()))
+{
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoPointGroups::Key::operator==(const Key& other) const
+{
+  return this->Points == other.Points && this->Verts == other.Verts && this->Time == other.Time;
+}
+
+//------------------------------------------------------------------------------
+std::shared_ptr<const vtkRelievoPointGroups::Mesh> vtkRelievoPointGroups::Share(
+  vtkPolyData* mesh, const Key& key)
+{
+  static std::mutex access;
+  static std::vector<Entry<std::weak_ptr<const Mesh>>> all;
+  const std::lock_guard<std::mutex> lock(access);
+  all.erase(
+    std::remove_if(all.begin(), all.end(), [](const auto& entry) { return entry.Made.expired(); }),
+    all.end());
+  for (const auto& entry : all)
+  {
+    std::shared_ptr<const Mesh> made = entry.Made.lock();
+    if (made && entry.Of == key)
+    {
+      return made;
+    }
+  }
+  std::shared_ptr<const Mesh> made = std::make_shared<Mesh>(Make(mesh));
+  all.push_back({ key, made });
+  return made;
+}
+
+//------------------------------------------------------------------------------
 const vtkRelievoPointGroups::Mesh& vtkRelievoPointGroups::Get(vtkPolyData* mesh)
 {
-  for (auto it = this->Meshes.begin(); it != this->Meshes.end();)
+  const Key key(mesh);
+  for (const auto& entry : this->Meshes)
   {
-    it = it->second.Data ? std::next(it) : this->Meshes.erase(it);
+    if (entry.Of == key)
+    {
+      return *entry.Made;
+    }
   }
-  Held& held = this->Meshes[mesh];
-  if (!held.Data || held.Time != mesh->GetMTime())
+  this->Meshes.push_back({ key, Share(mesh, key) });
+  return *this->Meshes.back().Made;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoPointGroups::KeepOnly(const std::vector<vtkProp*>& props)
+{
+  const auto isUnused = [&props](const auto& entry) {
+    return std::none_of(props.begin(), props.end(), [&entry](vtkProp* prop) {
+      return vtkRelievoHiddenPoints::IsPossible(prop) &&
+        Key(
+          static_cast<vtkPolyDataMapper*>(static_cast<vtkActor*>(prop)->GetMapper())->GetInput()) ==
+        entry.Of;
+    });
+  };
+  this->Meshes.erase(
+    std::remove_if(this->Meshes.begin(), this->Meshes.end(), isUnused), this->Meshes.end());
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkRelievoPointGroups::GetBytes() const
+{
+  const auto getBytes = [](const auto& array) { return array.capacity() * sizeof(*array.data()); };
+  std::size_t bytes = 0;
+  for (const auto& entry : this->Meshes)
   {
-    held = { mesh, mesh->GetMTime(), Make(mesh) };
+    const Mesh& made = *entry.Made;
+    bytes += (getBytes(made.Order) + getBytes(made.Places) + getBytes(made.Points) +
+               getBytes(made.Groups)) /
+      static_cast<std::size_t>(entry.Made.use_count());
   }
-  return held.Made;
+  return static_cast<vtkIdType>(bytes);
 }

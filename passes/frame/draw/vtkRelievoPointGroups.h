@@ -3,21 +3,24 @@
 //
 // Groups of neighbouring points of meshes, for looking at many points at once, and at the others in
 // an order in which neighbours share the processor's caches: along a Z-order curve (G. M. Morton, A
-// computer oriented geodetic data base, 1966). Kept until a mesh's points change.
+// computer oriented geodetic data base, 1966). Objects that ask for groups of the same points share
+// them, and each decides for how long it holds them.
 #ifndef vtkRelievoPointGroups_h
 #define vtkRelievoPointGroups_h
 
 #include "vtkRelievoFrameModule.h" // for the export macro
 #include "vtkType.h"
-#include "vtkWeakPointer.h"
 
 #include <glm/vec3.hpp>
 
 #include <cstddef>
-#include <map>
+#include <memory>
 #include <vector>
 
+class vtkCellArray;
+class vtkPoints;
 class vtkPolyData;
+class vtkProp;
 
 class VTKRELIEVOFRAME_EXPORT vtkRelievoPointGroups
 {
@@ -46,19 +49,37 @@ public:
     }
   };
 
-  // The groups of the points at the mesh's vertices.
+  // The groups of the points at the mesh's vertices, valid until KeepOnly or Clear. They do not
+  // depend on the mesh's colours and other data.
   const Mesh& Get(vtkPolyData* mesh);
 
+  // Drops the groups of all points except those that the props may draw as spheres.
+  void KeepOnly(const std::vector<vtkProp*>& props);
   void Clear() { this->Meshes.clear(); }
 
+  bool IsEmpty() const { return this->Meshes.empty(); }
+  vtkIdType GetBytes() const; // of shared groups, this object's share
+
 private:
-  struct Held
+  // States of points: VTK's times never repeat.
+  struct Key
   {
-    vtkWeakPointer<vtkPolyData> Data;
-    vtkMTimeType Time = 0;
-    Mesh Made;
+    explicit Key(vtkPolyData* mesh);
+    bool operator==(const Key& other) const;
+
+    vtkPoints* Points;
+    vtkCellArray* Verts;
+    vtkMTimeType Time;
   };
-  std::map<vtkPolyData*, Held> Meshes;
+  template <typename Pointer>
+  struct Entry
+  {
+    Key Of;
+    Pointer Made;
+  };
+  static std::shared_ptr<const Mesh> Share(vtkPolyData* mesh, const Key& key);
+
+  std::vector<Entry<std::shared_ptr<const Mesh>>> Meshes;
 };
 
 #endif

@@ -243,6 +243,15 @@ void vtkRelievoShadowProps::Collect(
       this->SceneState.insert(this->SceneState.end(), this->Part.begin(), this->Part.end());
     }
   }
+  std::vector<vtkProp*> inMaps;
+  for (const Caster& caster : this->Casters)
+  {
+    if (caster.InMaps)
+    {
+      inMaps.push_back(caster.Prop);
+    }
+  }
+  this->PointGroups.KeepOnly(inMaps);
 }
 
 //------------------------------------------------------------------------------

@@ -95,6 +95,7 @@ public:
   // Discards data about glyphs, which are computed again when needed.
   void ForgetGlyphs() { this->Glyphs = vtkRelievoGlyphPlaces(); }
   void ForgetPointGroups() { this->PointGroups.Clear(); }
+  vtkIdType GetPointGroupBytes() const { return this->PointGroups.GetBytes(); }
 
   // Draws the depth of the visible opaque geometry in the same way.
   int RenderSurfaces(
