@@ -131,7 +131,7 @@ class Stub(unittest.TestCase):
             _stub.write(relievo, pathlib.Path(folder))
             texts = {path.stem: path.read_text() for path in pathlib.Path(folder).glob("*.pyi")}
             vtk = pathlib.Path(folder, "vtk", "vtkRenderingCore.pyi").read_text()
-            self.assertRegex(vtk, r"^from vtkmodules\.vtkRenderingCore import \*|\nclass vtkActor\b")
+            self.assertRegex(vtk, r"^from vtkmodules\.vtkRenderingCore import|\nclass vtkActor\b")
             self.assertTrue(pathlib.Path(folder, "vtk", "util", "numpy_support.pyi").is_file() or
                             (_vtkmodules.FOLDER / "vtk" / "__init__.py").is_file())  # fmt: skip
         classes = {}
