@@ -38,7 +38,7 @@ SIZE = (960, 540)
 
 
 def words():
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser = argparse.ArgumentParser(description=(__doc__ or "").split("\n")[0])
     parser.add_argument("folder", nargs="?", default="out/sun-study", type=pathlib.Path)
     parser.add_argument("--latitude", type=float, default=48.0, help="degrees, north positive")
     parser.add_argument(
@@ -172,7 +172,8 @@ def main():
 
     count = max(1, round(length * 60 / given.every))
     part = length / count  # hours represented by the middle of each part
-    south = above = 0.0
+    south = above = numpy.zeros(SIZE[::-1])
+    view = plan = None
     for i in range(count):
         hour = 12 + (i + 0.5 - count / 2) * part
         towards = sun.direction(given.latitude, given.date, hour)

@@ -49,7 +49,8 @@ def terrain(texels):
 def relief_actor(heights):
     """Two triangles and a material."""
     image = vtkImageData()
-    image.SetDimensions(*heights.shape[::-1], 1)
+    rows, columns = heights.shape
+    image.SetDimensions(columns, rows, 1)
     image.GetPointData().SetScalars(numpy_to_vtk(heights.astype(numpy.float32).ravel(), deep=True))
     plane = vtkPlaneSource()
     plane.SetOrigin(-1, -1, 0)

@@ -94,7 +94,7 @@ def lookout(air):
     """A place to stand, and the direction of the longest sight."""
     floor = air[1:-6] & ~air[:-7] & air[3:-4] & air[6:-1]
     floors = numpy.argwhere(floor)[:, ::-1] + (0, 0, 1)
-    best = (0, None, None)
+    best = (0, numpy.zeros(3), UP)
     for place in random.permutation(floors)[:300]:
         eyes = place + (0, 0, EYES - 0.5)
         for turn in numpy.arange(0, 2 * numpy.pi, numpy.pi / 10):

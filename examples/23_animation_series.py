@@ -29,7 +29,7 @@ METHODS = ["linear", "dual-quaternion", "key-matrix"]
 
 
 def words():
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser = argparse.ArgumentParser(description=(__doc__ or "").split("\n")[0])
     parser.add_argument("folder", nargs="?", default="out/animation")
     parser.add_argument("--model")
     parser.add_argument("--animation", default="")

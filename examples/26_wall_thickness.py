@@ -40,10 +40,11 @@ def cone(normals):
     side /= numpy.linalg.norm(side, axis=1, keepdims=True)
     other = numpy.cross(normals, side)
     spread = across * numpy.cos(turn), across * numpy.sin(turn), -along
-    return sum(
+    first, second, third = (
         part[None, :, None] * axis[:, None, :]
         for part, axis in zip(spread, (side, other, normals))
     )
+    return first + second + third
 
 
 def thickness(mesh):

@@ -274,7 +274,8 @@ def make_renderer(bike, bunny):
     renderer.AddActor(blocks_actor({name: bike[name] for name in PAINTED}, turn))
     for material, piece in bike.items():
         if material not in PAINTED:
-            renderer.AddActor(actor(piece, *MATERIALS[material][:3], turn))
+            colour, metallic, roughness = MATERIALS[material][:3]
+            renderer.AddActor(actor(piece, colour, metallic, roughness, turn))
     sit = vtkTransform()
     sit.Translate(-1.02, 0, 0.42)
     sit.RotateY(32)

@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Writes the package's stubs, for editors and type checkers, which run nothing: parameters of
 functions and their help come from stages and filters, which describe them in C++; those of wrapped
-classes from VTK's own generator, and with a VTK that the package includes its modules as well.
+classes from VTK's own generator. `relievo.vtk` has stubs of an included VTK's modules by that
+generator; of any other VTK they only name its modules.
 
     python3 -m relievo._stub FOLDER
 """
@@ -233,6 +234,22 @@ def write(package, folder):
         to.mkdir(exist_ok=True)
         for module, text in _wrapped_texts(modules, name, homes).items():
             (to / f"{module}.pyi").write_text(text, encoding="utf-8")
+    if VTK == _VTK:
+        for path, text in _aliases(VTK):
+            (folder / "vtk" / path).parent.mkdir(parents=True, exist_ok=True)
+            (folder / "vtk" / path).write_text(text, encoding="utf-8")
+
+
+def _aliases(package):
+    """The files and texts of the stubs of `relievo.vtk`, which are the modules of a package."""
+    root = pathlib.Path(*importlib.import_module(package).__path__)
+    typed = (root / "py.typed").is_file()  # Debian's VTK has no stubs: any name may be in a module
+    end = "" if typed else "from typing import Any\n\ndef __getattr__(name: str) -> Any: ...\n"
+    files = [*root.rglob("*.py"), *root.rglob("vtk*.so")]
+    for path in sorted({each.relative_to(root).with_name(each.name.split(".")[0])
+                        for each in files}):  # fmt: skip
+        module = ".".join([package, *path.parts]).removesuffix(".__init__")
+        yield path.with_suffix(".pyi"), f"from {module} import *\n{end}"
 
 
 if __name__ == "__main__":

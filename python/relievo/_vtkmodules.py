@@ -102,7 +102,7 @@ def prepare(own):
 
     Raises ImportError if another VTK of that name has been imported than the included one.
     """
-    if (FOLDER / "vtk").is_dir():
+    if (FOLDER / "vtk" / "__init__.py").is_file():  # and not only stubs
         if own not in sys.modules:
             sys.meta_path.insert(0, Included(own))
         elif not _is_included(sys.modules[own]):

@@ -24,7 +24,10 @@ frame is inside its passes, which smooth and shade the frame's picture.
 
 import importlib
 import weakref
+from collections.abc import Callable, Sequence
+from typing import Any
 
+import numpy
 import pyvista
 
 if not hasattr(pyvista, "register_plotter_component"):
@@ -33,9 +36,11 @@ if not hasattr(pyvista, "register_plotter_component"):
 from . import _capture, _environment, _exr, _frame, _image, _stages, _things
 from ._errors import describe, is_a
 from ._keep import kept
+from ._wrapped import vtkRelievoEnvironment, vtkRelievoPass, vtkRelievoStage
 from .vtk.vtkCommonDataModel import vtkImageData
 
-_providers = weakref.WeakKeyDictionary()  # of renderers whose passes pyvista-render-passes builds
+# Of renderers whose passes pyvista-render-passes builds.
+_providers: weakref.WeakKeyDictionary[Any, "RenderPassProvider"] = weakref.WeakKeyDictionary()
 
 _OF_LAYERS = ("lamps", "fog", "markers", "tone", "show")
 
@@ -69,9 +74,14 @@ def _used(frame):
 class RelievoComponent:
     """The accessor `plotter.relievo`: the functions of the package `relievo`, for the plotter."""
 
-    def __init__(self, plotter):
+    # Made by _add().
+    lamps: Callable[..., Any]
+    fog: Callable[..., Any]
+    markers: Callable[..., Any]
+
+    def __init__(self, plotter: pyvista.Plotter) -> None:
         self._plotter = plotter
-        self._renderers = []
+        self._renderers: list[Any] = []
 
     def _renderer(self):
         renderer = self._plotter.renderer
@@ -100,7 +110,7 @@ class RelievoComponent:
         with self._kept().held() as renderer:
             return function(renderer, *arguments, **values)
 
-    def shadows(self, on=True, **parameters):
+    def shadows(self, on: bool = True, **parameters: Any) -> vtkRelievoStage:
         """Every light casts shadows, or none; parameters as of relievo.stage().
 
         Lights of PyVista's default kit follow the camera, and so do their shadows; a light with
@@ -108,27 +118,29 @@ class RelievoComponent:
         """
         return self.stage("shadows", bool(on), **parameters)
 
-    def environment(self, path, **parameters):
+    def environment(self, path: Any, **parameters: Any) -> vtkRelievoEnvironment:
         """As relievo.environment(): the light of a picture of all directions, and the sky."""
         return _environment.environment(self._renderer(), path, **parameters)
 
-    def stage(self, name, on=True, **parameters):
+    def stage(self, name: str, on: bool = True, **parameters: Any) -> vtkRelievoStage:
         """As relievo.stage(): one of the frame's stages by name."""
         if on:
             self._check(name)
         return self._call(_stages.stage, name, on, **parameters)
 
-    def show(self, layer):
+    def show(self, layer: str | None) -> None:
         """Shows a layer as the picture; None shows the picture again."""
         if layer is not None:
             self._check("show")
-        self.frame.SetDisplayLayer(layer)
+        self.frame.SetDisplayLayer(layer)  # type: ignore[arg-type]
 
-    def capture(self, layers=("depth",), size=None, hdr=False):
+    def capture(self, layers: str | Sequence[str] = ("depth",), size: Sequence[int] | None = None,
+                hdr: bool = False) -> pyvista.ImageData:  # fmt: skip
         """As relievo.capture(), as PyVista's ImageData; layer() gives numpy arrays."""
         return pyvista.wrap(self._captured(layers, size, hdr))
 
-    def layer(self, name, size=None, hdr=False):
+    def layer(self, name: str, size: Sequence[int] | None = None,
+              hdr: bool = False) -> numpy.ndarray:  # fmt: skip
         """One layer of what is visible, as a numpy array with row 0 at the top."""
         return _image.layer(self._captured(name, size, hdr), name)
 
@@ -141,21 +153,22 @@ class RelievoComponent:
             self._plotter.render()  # PyVista's pictures are taken from the window
         return image
 
-    def screenshot(self, path=None, size=None, transparent=False):
+    def screenshot(self, path: Any = None, size: Sequence[int] | None = None,
+                   transparent: bool = False) -> numpy.ndarray:  # fmt: skip
         """As relievo.screenshot(): the active renderer's picture with all samples."""
         self._renderer()
         return _capture.screenshot(self._plotter, path, size, transparent)
 
-    def report(self):
+    def report(self) -> dict[str, Any]:
         """As relievo.report(): a report on the stages of the last frames."""
         return _frame.report(self.frame)
 
     @property
-    def frame(self):
+    def frame(self) -> vtkRelievoPass:
         """The vtkRelievoPass of the active renderer, attached if there is none."""
         return self._kept().frame
 
-    def off(self):
+    def off(self) -> None:
         """Removes Relievo from the active renderer, including environment and frame."""
         self._clear(self._plotter.renderer)
 

@@ -54,11 +54,12 @@ def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
         # its own library for a Python that its SDK, which needs 3.12, is not for
         (library,) = _installed(package).glob("libvtkWrappingPythonCore*")
         settings["cmake.define.RELIEVO_PYTHON_CORE"] = str(library)
+    excluded = [f"--exclude={name}" for name in _libraries_of(sdk, package)]
     with tempfile.TemporaryDirectory() as folder:
         name = core.build_wheel(folder, settings)
         repaired = pathlib.Path(folder, "repaired")
         _run(
-            [sys.executable, "-m", "auditwheel", "repair", "--exclude", "libvtk*-*.so*",
+            [sys.executable, "-m", "auditwheel", "repair", *excluded,
              "--wheel-dir", repaired, pathlib.Path(folder, name)],
             PATH=os.pathsep.join([os.path.dirname(sys.executable), os.environ["PATH"]]),
         )  # fmt: skip
@@ -97,7 +98,15 @@ def _vtk_of(sdk):
         for path in [*sdk.rglob("vtk-config-version.cmake"), *sdk.rglob("VTKConfigVersion.cmake")]
         for version in re.findall(r'set\(PACKAGE_VERSION "([\d.]+)"', path.read_text())
     ]
+    if not versions:
+        raise SystemExit(f"sdk: got {sdk}, expected VTK's version in a vtk-config-version.cmake")
     return config, (packages or ["vtkmodules"])[0], versions[0]
+
+
+def _libraries_of(sdk, package):
+    """The names of VTK's libraries, which do not become libraries beside the package."""
+    folders = [sdk] if package == "vtkmodules" else [sdk, _installed(package)]
+    return sorted({path.name for each in folders for path in each.rglob("libvtk*.so*")})
 
 
 def _require(metadata, package, version):

@@ -8,6 +8,7 @@ import importlib
 import os
 import pathlib
 import socket
+import subprocess
 import sys
 import unittest
 
@@ -92,6 +93,35 @@ def serve(view, shadows, port):
         with html.Div(style=f"position:fixed;left:0;top:0;width:{SIZE[0]}px;height:{SIZE[1]}px"):
             getattr(widgets, view)(window)
     server.start(port=port, open_browser=False, show_connection_info=False)
+
+
+class Module(unittest.TestCase):
+    """The VTK that trame takes: the wheel's, but where another is in use."""
+
+    def said(self, before="", **environment):
+        code = f"""
+{before}
+import os, sys
+import relievo
+import trame_vtk.modules.vtk
+first = sys.modules["vtk_module"]
+import trame_vtk.modules.vtk.serializers.initialize, trame_vtk.modules.vtk.widget
+print(sys.modules["vtk_module"].__name__, first is sys.modules["vtk_module"],
+      os.environ.get("VTK_MODULE_NAME"))
+"""
+        usual = {name: value for name, value in os.environ.items() if name != "VTK_MODULE_NAME"}
+        done = subprocess.run([sys.executable, "-c", code], env={**usual, **environment},
+                              capture_output=True, text=True, check=False)  # fmt: skip
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return done.stdout.splitlines()[-1]
+
+    def test_it_is_relievos(self):
+        """Programs that this one starts do not inherit the choice."""
+        self.assertEqual(self.said(), f"{VTK} True None")
+
+    def test_another(self):
+        self.assertEqual(self.said("import vtkmodules"), "vtkmodules True None")
+        self.assertEqual(self.said(VTK_MODULE_NAME="vtkmodules"), "vtkmodules True vtkmodules")
 
 
 class Views(unittest.TestCase):

@@ -25,7 +25,7 @@ MAY = {
     "development": rf"{LIBRARY}|include/relievo/.*|lib/.*/?(cmake/relievo|relievo/hierarchy)/.*"
     r"|lib(/[^/]+)*/libvtkRelievo\w+CS\.a",
     "python": rf"{re.escape(PYTHON)}/"
-    r"((relievo|vtk_relievo-[\d.]+\.dist-info)/[^/]+|pytest_relievo\.py)",
+    r"((relievo|vtk_relievo-[\d.]+\.dist-info)/[^/]+|relievo/vtk/.*\.pyi|pytest_relievo\.py)",
     "plugin": r"lib/.*plugins/(Relievo/Relievo\.so|relievo\.plugins\.xml)",
 }
 MUST = {
@@ -37,6 +37,7 @@ MUST = {
                     "vtkRelievoPass.h"],  # fmt: skip
     "python": ["relievo/__init__.py", "relievo/_wrapped.py", "relievo/vtkRelievoPasses",
                "relievo/__init__.pyi", "relievo/vtkRelievoPasses.pyi", "relievo/py.typed",
+               "relievo/vtk/__init__.pyi", "relievo/vtk/vtkRenderingCore.pyi",
                "pytest_relievo.py", ".dist-info/entry_points.txt"],  # fmt: skip
     "plugin": ["Relievo/Relievo.so", "relievo.plugins.xml"],
 }

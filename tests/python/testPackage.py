@@ -16,7 +16,7 @@ import unittest
 from importlib.metadata import metadata, version
 
 import relievo
-from relievo import _stub
+from relievo import _stub, _vtkmodules
 
 ROOT = pathlib.Path(__file__).parents[2]
 PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text())
@@ -130,6 +130,10 @@ class Stub(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             _stub.write(relievo, pathlib.Path(folder))
             texts = {path.stem: path.read_text() for path in pathlib.Path(folder).glob("*.pyi")}
+            vtk = pathlib.Path(folder, "vtk", "vtkRenderingCore.pyi").read_text()
+            self.assertRegex(vtk, r"^from vtkmodules\.vtkRenderingCore import|\nclass vtkActor\b")
+            self.assertTrue(pathlib.Path(folder, "vtk", "util", "numpy_support.pyi").is_file() or
+                            (_vtkmodules.FOLDER / "vtk" / "__init__.py").is_file())  # fmt: skip
         classes = {}
         for text in texts.values():
             for each in ast.parse(text).body:

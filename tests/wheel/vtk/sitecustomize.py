@@ -6,10 +6,13 @@ Without an import of relievo, which some of them time or check.
 """
 
 import importlib.util
+import runpy
 import sys
 
 package = importlib.util.find_spec("relievo").submodule_search_locations[0]
 spec = importlib.util.spec_from_file_location("relievo_vtkmodules", f"{package}/_vtkmodules.py")
 module = importlib.util.module_from_spec(spec)
 spec.loader.exec_module(module)
-sys.meta_path[:0] = [module.Included("cvista"), module.Alias("vtkmodules", "cvista")]
+own = runpy.run_path(f"{package}/_build.py")["VTK"]
+if own != "vtkmodules":
+    sys.meta_path[:0] = [module.Included(own), module.Alias("vtkmodules", own)]
