@@ -165,6 +165,7 @@ class vtkRelievoVolumesStage::Internals
 {
 public:
   // Volumes are merged when their layers are read: no shader reads these.
+  defines += Has(fragment, "clip_numPlanes") ? "#define RELIEVO_VOLUME_CLIPPED\n" : "";
   class Merged : public vtkRelievoResource
   {
   public:
