@@ -289,14 +289,16 @@ void vtkRelievoVolumesStage::Execute(vtkRelievoFrameContext& context)
   for (const Drawn& each : volumes)
   {
     vtkRelievoDrawnVolume drawn;
-    in.Splice->Set = [this, all, &drawn](
+    in.Splice->Set = [this, all, &each, &drawn](
                        vtkShaderProgram* program, vtkVolumeMapper* mapper, vtkVolume* volume) {
       if (!program->IsUniformUsed("relievoVolumePoints"))
       {
         return; // drawn without the splice, whose error is reported
       }
       drawn.Take(vtkGPUVolumeRayCastMapper::SafeDownCast(mapper), volume);
-      drawn.Index = all->IsItemPresent(volume) - 1;
+      // A prop of levels of detail, as ParaView has it, holds the volume that draws.
+      const int place = all->IsItemPresent(volume);
+      drawn.Index = (place > 0 ? place : all->IsItemPresent(each.Volumes.front())) - 1;
       program->SetUniformi("relievoVolumeRule", this->Rule);
       program->SetUniformf("relievoVolumeThreshold", static_cast<float>(this->Opacity));
       const glm::vec3 points(drawn.Points);
