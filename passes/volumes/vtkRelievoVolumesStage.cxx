@@ -99,21 +99,25 @@ std::string WhyNot(vtkVolume* volume)
 
 // Index of the component that gives a sample's value, as GLSL: the one with the greatest weight, or
 // the one that gives the opacity.
-std::string GetComponent(const std::string& fragment, vtkVolume* volume)
+std::string GetComponent(const std::string& fragment, vtkVolumeMapper* mapper, vtkVolume* volume)
 {
   if (!vtkRelievoSpliceText::Has(fragment, "in_componentWeight"))
   {
     return "(in_noOfComponents - 1)";
   }
   int heaviest = 0;
-  for (int i = 1; i < 4; ++i)
+  for (int i = 1; values && i < std::min(4, values->GetNumberOfComponents()); ++i)
   {
-    vtkVolumeProperty* property = volume->GetProperty();
     heaviest =
       property->GetComponentWeight(i) > property->GetComponentWeight(heaviest) ? i : heaviest;
   }
   return std::to_string(heaviest);
 }
+  int cells = 0;
+  vtkDataArray* values =
+    vtkAbstractMapper::GetScalars(mapper->GetDataSetInput(), mapper->GetScalarMode(),
+      mapper->GetArrayAccessMode(), mapper->GetArrayId(), mapper->GetArrayName(), cells);
+  vtkVolumeProperty* property = volume->GetProperty();
 
 const std::string Declared = "//RELIEVO::Volumes::Dec";
 const std::string Sampled = "//RELIEVO::Volumes::Sample";
@@ -143,7 +147,8 @@ std::string Fill(std::string& fragment, vtkVolumeMapper* mapper, vtkVolume* volu
     }
   }
   const int mode = mapper->GetBlendMode();
-  std::string defines = "#define RELIEVO_VOLUME_COMPONENT " + GetComponent(fragment, volume) + "\n";
+  std::string defines =
+    "#define RELIEVO_VOLUME_COMPONENT " + GetComponent(fragment, mapper, volume) + "\n";
   defines += mode == vtkVolumeMapper::MAXIMUM_INTENSITY_BLEND
     ? "#define RELIEVO_VOLUME_EXTREME 1.0\n"
     : mode == vtkVolumeMapper::MINIMUM_INTENSITY_BLEND ? "#define RELIEVO_VOLUME_EXTREME -1.0\n"

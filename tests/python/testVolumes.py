@@ -344,7 +344,7 @@ class Volumes(unittest.TestCase):
         self.check(scene, ball(), "first", least=150, opacity=2e-3)
 
     def test_functions(self):
-        """An opacity of the gradient that is 1, a component without weight, a rectilinear grid."""
+        """An opacity of the gradient that is 1, weights of components, a rectilinear grid."""
         plain = Scene(image_of(ball()), STEEP)
         truth = plain.capture()
         gradient = Scene(image_of(ball()), STEEP)
@@ -363,6 +363,24 @@ class Volumes(unittest.TestCase):
             found = scene.capture()
             for name in ("volume_depth", "volume_value", "volume_opacity", "volume"):
                 numpy.testing.assert_allclose(found[name], truth[name], 1e-4, 1e-4, err_msg=name)
+        # Both components of 1, with weights of less than 1: those that do not exist have 1.
+        image = image_of(ball())
+        both = numpy.stack([ball().ravel(), 0.5 * ball().ravel()], -1)
+        image.GetPointData().SetScalars(numpy_to_vtk(both.astype("f4"), deep=True))
+        for weights in ((0.3, 0.7), (0.7, 0.3)):
+            weighted = Scene(image, STEEP)
+            look = weighted.volume.GetProperty()
+            look.SetScalarOpacity(1, weighted.opacity)
+            look.SetColor(1, look.GetRGBTransferFunction(0))
+            for component, weight in enumerate(weights):
+                look.SetComponentWeight(component, weight)
+            weighted.set_rule("first")
+            found = weighted.capture()
+            hit = numpy.isfinite(found["volume_depth"])
+            self.assertGreater(hit.sum(), 500)
+            radii = numpy.linalg.norm(found["volume_position"][hit] - MIDDLE, axis=-1)
+            value = (1 - radii / 7) * (0.5 if weights[1] > weights[0] else 1)
+            self.assertLess(numpy.abs(found["volume_value"][hit] - value).max(), 0.02, weights)
         grid = vtkRectilinearGrid()
         grid.SetDimensions(SIDE, SIDE, SIDE)
         coordinates = numpy.linspace(0, 1, SIDE) ** 1.5 * (SIDE - 1)
