@@ -92,9 +92,18 @@ std::string WhyNot(vtkVolume* volume)
   }
   auto* blended = vtkVolumeMapper::SafeDownCast(mapper);
   const int mode = blended ? blended->GetBlendMode() : vtkVolumeMapper::COMPOSITE_BLEND;
-  return mode == vtkVolumeMapper::AVERAGE_INTENSITY_BLEND || mode == vtkVolumeMapper::ADDITIVE_BLEND
-    ? "the blend modes average and additive have no depth"
-    : std::string();
+  switch (mode)
+  {
+    case vtkVolumeMapper::COMPOSITE_BLEND:
+    case vtkVolumeMapper::MAXIMUM_INTENSITY_BLEND:
+    case vtkVolumeMapper::MINIMUM_INTENSITY_BLEND:
+      return {};
+    case vtkVolumeMapper::AVERAGE_INTENSITY_BLEND:
+    case vtkVolumeMapper::ADDITIVE_BLEND:
+      return "the blend modes average and additive have no depth";
+    default:
+      return "the blend modes isosurface and slice are not composited along the ray";
+  }
 }
 
 // Index of the component that gives a sample's value, as GLSL: the one with the greatest weight, or
@@ -105,6 +114,11 @@ std::string GetComponent(const std::string& fragment, vtkVolumeMapper* mapper, v
   {
     return "(in_noOfComponents - 1)";
   }
+  int cells = 0;
+  vtkDataArray* values =
+    vtkAbstractMapper::GetScalars(mapper->GetDataSetInput(), mapper->GetScalarMode(),
+      mapper->GetArrayAccessMode(), mapper->GetArrayId(), mapper->GetArrayName(), cells);
+  vtkVolumeProperty* property = volume->GetProperty();
   int heaviest = 0;
   for (int i = 1; values && i < std::min(4, values->GetNumberOfComponents()); ++i)
   {
@@ -113,11 +127,6 @@ std::string GetComponent(const std::string& fragment, vtkVolumeMapper* mapper, v
   }
   return std::to_string(heaviest);
 }
-  int cells = 0;
-  vtkDataArray* values =
-    vtkAbstractMapper::GetScalars(mapper->GetDataSetInput(), mapper->GetScalarMode(),
-      mapper->GetArrayAccessMode(), mapper->GetArrayId(), mapper->GetArrayName(), cells);
-  vtkVolumeProperty* property = volume->GetProperty();
 
 const std::string Declared = "//RELIEVO::Volumes::Dec";
 const std::string Sampled = "//RELIEVO::Volumes::Sample";
@@ -156,6 +165,7 @@ std::string Fill(std::string& fragment, vtkVolumeMapper* mapper, vtkVolume* volu
   defines += vtkRectilinearGrid::SafeDownCast(mapper->GetDataSetInput())
     ? "#define RELIEVO_VOLUME_GRID\n"
     : "";
+  defines += Has(fragment, "clip_numPlanes") ? "#define RELIEVO_VOLUME_CLIPPED\n" : "";
   FillMark(fragment, local, "");
   FillWord(fragment, "g_dirStep * jitterValue", "g_dirStep");
   FillMark(
@@ -170,7 +180,6 @@ class vtkRelievoVolumesStage::Internals
 {
 public:
   // Volumes are merged when their layers are read: no shader reads these.
-  defines += Has(fragment, "clip_numPlanes") ? "#define RELIEVO_VOLUME_CLIPPED\n" : "";
   class Merged : public vtkRelievoResource
   {
   public:
