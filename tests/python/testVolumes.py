@@ -533,12 +533,11 @@ class Volumes(unittest.TestCase):
         on_cpu.SetRequestedRenderModeToRayCast()
         average = vtkGPUVolumeRayCastMapper()
         average.SetBlendModeToAverageIntensity()
-        isosurface, sliced = vtkGPUVolumeRayCastMapper(), vtkGPUVolumeRayCastMapper()
+        isosurface = vtkGPUVolumeRayCastMapper()
         isosurface.SetBlendModeToIsoSurface()
         sliced.SetBlendModeToSlice()
         for mapper, words in ((on_cpu, "on the CPU"), (average, "average and additive"),
                               (isosurface, "isosurface and slice"),
-                              (sliced, "isosurface and slice"),
                               (vtkFixedPointVolumeRayCastMapper(), "vtkFixedPoint"),
                               (vtkMultiBlockVolumeMapper(), "several blocks")):  # fmt: skip
             data = image_of(ball())
