@@ -74,11 +74,11 @@ struct vtkRelievoVolumeReader::Pixels
 };
 
 //------------------------------------------------------------------------------
-void vtkRelievoDrawnVolume::Take(vtkGPUVolumeRayCastMapper* mapper, vtkVolume* volume)
+void vtkRelievoDrawnVolume::Take(vtkGPUVolumeRayCastMapper* mapper, vtkVolume* volume, int longest)
 {
   ++this->Draws;
   vtkDataSet* data = mapper->GetDataSetInput();
-  this->HasField = this->Draws == 1 && this->Field.Take(mapper, volume);
+  this->HasField = this->Draws == 1 && this->Field.Take(mapper, volume, longest);
   const glm::dmat4 dataToWorld = vtkRelievoToGlm(volume->GetMatrix());
   this->GridToData = glm::dmat4(1.0);
   double bounds[6];
@@ -108,32 +108,26 @@ vtkRelievoVolumeReader::vtkRelievoVolumeReader(vtkRelievoVolumeTarget& target,
   std::vector<vtkRelievoDrawnVolume>& volumes, const vtkRelievoFrameCamera& view, int rule,
   double threshold)
   : Volumes(volumes)
+  , View(view)
+  , Rule(rule)
+  , Threshold(threshold)
   , Internal(new Pixels)
 {
   Pixels& in = *this->Internal;
   in.Columns = view.Viewport[2];
   in.Rows = view.Viewport[3];
-  const std::size_t count = static_cast<std::size_t>(in.Columns) * in.Rows;
-  in.Nearest.assign(count, -1);
-  in.Depths.assign(count, std::numeric_limits<double>::infinity());
-  in.Places.assign(count, glm::dvec3(0.0));
-  in.Values.assign(count, 0.0f);
   for (int i = 0; i < static_cast<int>(volumes.size()); ++i)
   {
     in.Texels.push_back(target.Read(i));
-    if (volumes[i].HasDepth)
-    {
-      this->Find(i, view, rule, threshold);
-    }
   }
 }
 
 //------------------------------------------------------------------------------
 // The volume's places in double, in pixels where they are the nearest.
-void vtkRelievoVolumeReader::Find(
-  int index, const vtkRelievoFrameCamera& view, int rule, double threshold)
+void vtkRelievoVolumeReader::Find(int index)
 {
   Pixels& in = *this->Internal;
+  const vtkRelievoFrameCamera& view = this->View;
   vtkRelievoDrawnVolume& volume = this->Volumes[index];
   const auto& texels = in.Texels[index];
   const glm::dmat4 ndcToView = glm::inverse(view.ViewToNDC);
@@ -184,8 +178,8 @@ void vtkRelievoVolumeReader::Find(
       {
         const int near = static_cast<int>(std::ceil(steps));
         const double refined =
-          volume.Field.FindStep(ray.At(t) - volume.Corners[0], stepT * (ray.End - ray.Begin), rule,
-            threshold, std::max(1, near - Around), near + Around);
+          volume.Field.FindStep(ray.At(t) - volume.Corners[0], stepT * (ray.End - ray.Begin),
+            this->Rule, this->Threshold, std::max(1, near - Around), near + Around);
         steps = std::isnan(refined) ? steps : refined;
       }
       t += steps * stepT;
@@ -236,14 +230,29 @@ bool vtkRelievoVolumeReader::HasBricks() const
 //------------------------------------------------------------------------------
 void vtkRelievoVolumeReader::Read(const std::string& name, vtkImageData* image)
 {
-  const Pixels& in = *this->Internal;
+  Pixels& in = *this->Internal;
+  const std::size_t count = static_cast<std::size_t>(in.Columns) * in.Rows;
+  if (name != "volume_opacity" && in.Nearest.empty())
+  {
+    in.Nearest.assign(count, -1);
+    in.Depths.assign(count, std::numeric_limits<double>::infinity());
+    in.Places.assign(count, glm::dvec3(0.0));
+    in.Values.assign(count, 0.0f);
+    for (int i = 0; i < static_cast<int>(this->Volumes.size()); ++i)
+    {
+      if (this->Volumes[i].HasDepth)
+      {
+        this->Find(i);
+      }
+    }
+  }
   const vtkRelievoLayer& layer = vtkRelievoLayerCatalogue::Find(name);
   auto array = vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(layer.Type));
   array->SetName(name.c_str());
   array->SetNumberOfComponents(layer.Components);
-  array->SetNumberOfTuples(static_cast<vtkIdType>(in.Nearest.size()));
+  array->SetNumberOfTuples(static_cast<vtkIdType>(count));
   array->Fill(layer.Background);
-  for (std::size_t i = 0; i < in.Nearest.size(); ++i)
+  for (std::size_t i = 0; i < count; ++i)
   {
     const auto pixel = static_cast<vtkIdType>(i);
     if (name == "volume_opacity")

@@ -33,13 +33,14 @@ struct vtkRelievoDrawnVolume
   bool HasField = false; // Field is known
   vtkRelievoVolumeField Field;
 
-  void Take(vtkGPUVolumeRayCastMapper* mapper, vtkVolume* volume);
+  // `longest`: see vtkRelievoVolumeField::Take.
+  void Take(vtkGPUVolumeRayCastMapper* mapper, vtkVolume* volume, int longest);
 };
 
 class vtkRelievoVolumeReader
 {
 public:
-  // The rule and its threshold are those by which the volumes were drawn.
+  // Reads the target. The rule and its threshold are those by which the volumes were drawn.
   vtkRelievoVolumeReader(vtkRelievoVolumeTarget& target,
     std::vector<vtkRelievoDrawnVolume>& volumes, const vtkRelievoFrameCamera& view, int rule,
     double threshold);
@@ -50,15 +51,19 @@ public:
   // Whether a volume was drawn in bricks.
   bool HasBricks() const;
 
-  // Adds the layer to the image's point data.
+  // Adds the layer to the image's point data. The first that is not the opacity marches in double,
+  // once for all.
   void Read(const std::string& layer, vtkImageData* image);
 
 private:
   struct Pixels;
 
-  void Find(int volume, const vtkRelievoFrameCamera& view, int rule, double threshold);
+  void Find(int volume);
 
   std::vector<vtkRelievoDrawnVolume>& Volumes;
+  vtkRelievoFrameCamera View;
+  int Rule;
+  double Threshold;
   std::unique_ptr<Pixels> Internal;
 };
 

@@ -25,6 +25,7 @@
 #include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
 #include "vtkStringArray.h"
+#include "vtkTextureObject.h"
 #include "vtkVolume.h"
 #include "vtkVolumeCollection.h"
 #include "vtkVolumeMapper.h"
@@ -191,7 +192,8 @@ public:
   vtkNew<vtkRelievoVolumeSplice> Splice;
   vtkRelievoVolumeTarget Target;
   vtkRelievoScreenQuad Quad;
-  std::vector<vtkRelievoDrawnVolume> Volumes; // in the target
+  std::vector<vtkRelievoDrawnVolume> Volumes;     // in the target
+  std::unique_ptr<vtkRelievoVolumeReader> Reader; // of the last frame, once layers are read
   vtkRelievoFrameCamera View;
   int Rule = OPACITY; // of the last frame
   double Threshold = 0.5;
@@ -251,6 +253,7 @@ void vtkRelievoVolumesStage::Execute(vtkRelievoFrameContext& context)
 {
   Internals& in = *this->Internal;
   this->DrawCalls = 0;
+  in.Reader.reset();
   in.Volumes.clear();
   in.View = context.View;
   in.Rule = this->Rule;
@@ -299,17 +302,18 @@ void vtkRelievoVolumesStage::Execute(vtkRelievoFrameContext& context)
   in.Target.Select(0);
   in.Quad.Draw(context, in.Target.GetArea(), vtkRelievoScreenQuad::WRITES_DEPTH);
   ++this->DrawCalls;
+  const int longest = std::max(1024, vtkTextureObject::GetMaximumTextureSize(context.Window));
   vtkVolumeCollection* all = context.Renderer->GetVolumes();
   for (const Drawn& each : volumes)
   {
     vtkRelievoDrawnVolume drawn;
-    in.Splice->Set = [this, all, &each, &drawn](
+    in.Splice->Set = [this, all, longest, &each, &drawn](
                        vtkShaderProgram* program, vtkVolumeMapper* mapper, vtkVolume* volume) {
       if (!program->IsUniformUsed("relievoVolumePoints"))
       {
         return; // drawn without the splice, whose error is reported
       }
-      drawn.Take(vtkGPUVolumeRayCastMapper::SafeDownCast(mapper), volume);
+      drawn.Take(vtkGPUVolumeRayCastMapper::SafeDownCast(mapper), volume, longest);
       // A prop of levels of detail, as ParaView has it, holds the volume that draws.
       const int place = all->IsItemPresent(volume);
       drawn.Index = (place > 0 ? place : all->IsItemPresent(each.Volumes.front())) - 1;
@@ -362,10 +366,14 @@ std::string vtkRelievoVolumesStage::ReadLayers(
   const std::vector<std::string>& names, vtkImageData* image)
 {
   Internals& in = *this->Internal;
-  vtkRelievoVolumeReader reader(in.Target, in.Volumes, in.View, in.Rule, in.Threshold);
+  if (!in.Reader)
+  {
+    in.Reader.reset(
+      new vtkRelievoVolumeReader(in.Target, in.Volumes, in.View, in.Rule, in.Threshold));
+  }
   const auto needsPlace = std::find_if(
     names.begin(), names.end(), [](const std::string& name) { return name != "volume_opacity"; });
-  if (reader.HasBricks() && in.Rule != FIRST && needsPlace != names.end())
+  if (in.Reader->HasBricks() && in.Rule != FIRST && needsPlace != names.end())
   {
     return "The layer '" + *needsPlace +
       "' cannot be read: a volume is drawn in bricks (SetPartitions), which only the rule 'first' "
@@ -373,7 +381,7 @@ std::string vtkRelievoVolumesStage::ReadLayers(
   }
   for (const std::string& name : names)
   {
-    reader.Read(name, image);
+    in.Reader->Read(name, image);
   }
   vtkNew<vtkStringArray> rule;
   rule->SetName("volumeRule");
@@ -393,6 +401,7 @@ void vtkRelievoVolumesStage::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Internal->Target.Release(window);
   this->Internal->Quad.Release(window);
+  this->Internal->Reader.reset();
   this->Internal->Volumes.clear();
   this->DrawCalls = 0;
   this->Superclass::ReleaseGraphicsResources(window);
