@@ -21,8 +21,8 @@ class vtkRelievoVolumeField
 {
 public:
   // False if the volume is drawn in other ways than this class knows: one component of an image,
-  // composited by a function of the value. `longest` is the greatest size of a texture, which limits
-  // VTK's tables.
+  // composited by a function of the value. `longest` is the greatest size of a texture, which
+  // limits VTK's tables.
   bool Take(vtkGPUVolumeRayCastMapper* mapper, vtkVolume* volume, int longest);
 
   // Whether the data is as it was taken.

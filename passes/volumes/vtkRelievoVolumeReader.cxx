@@ -132,13 +132,23 @@ void vtkRelievoVolumeReader::Find(int index)
   const auto& texels = in.Texels[index];
   const glm::dmat4 ndcToView = glm::inverse(view.ViewToNDC);
   const glm::dmat4 viewToGrid = glm::inverse(volume.GridToWorld) * glm::inverse(view.WorldToView);
-  // Where the camera is inside a volume, VTK starts rays at this depth.
-  const double inside = view.Near +
-    std::max(1e-3 * (view.Far - view.Near), 1e3 * std::numeric_limits<float>::epsilon());
-  // VTK's error of an entry, in data units.
-  const double rounding = 8.0 * std::numeric_limits<float>::epsilon() *
-    std::max(glm::length(Point(volume.GridToData, volume.Corners[0])),
-      glm::length(Point(volume.GridToData, volume.Corners[1])));
+  // Where the camera is inside a volume, VTK starts rays at this depth: it moves the near plane by
+  // a thousandth of the range, as data units (vtkOpenGLGPUVolumeRayCastMapper's
+  // RenderVolumeGeometry).
+  constexpr double Epsilon = std::numeric_limits<float>::epsilon();
+  const glm::dmat3 dataToWorld =
+    glm::dmat3(volume.GridToWorld) * glm::inverse(glm::dmat3(volume.GridToData));
+  const glm::dvec3 ahead(view.WorldToView[0][2], view.WorldToView[1][2], view.WorldToView[2][2]);
+  const double moved = std::max(1e-3 * (view.Far - view.Near), 1e3 * Epsilon);
+  const double inside = view.Near + moved * glm::length(ahead * dataToWorld);
+  // VTK's errors of an entry, in data units and in depth.
+  double inData = 0.0;
+  double inDepth = 0.0;
+  for (const glm::dvec3& corner : volume.Corners)
+  {
+    inData = std::max(inData, 8.0 * Epsilon * glm::length(Point(volume.GridToData, corner)));
+    inDepth = std::max(inDepth, 8.0 * Epsilon * glm::length(Point(volume.GridToWorld, corner)));
+  }
   bool refines = volume.HasField && volume.Field.IsUnchanged();
   const auto step =
     std::find_if(texels[1].begin(), texels[1].end(), [](float x) { return x > 0.0f; });
@@ -167,10 +177,13 @@ void vtkRelievoVolumeReader::Find(int index)
     const double perDepth = ray.GetDepth(1.0) - ray.GetDepth(0.0);
     // The entry in double, if it is the one that VTK used.
     double t = ray.Enter(volume.Corners);
-    t = ray.GetDepth(t) < inside ? (inside - ray.GetDepth(0.0)) / perDepth : t;
+    const bool isInside = ray.GetDepth(t) < inside;
+    t = isInside ? (inside - ray.GetDepth(0.0)) / perDepth : t;
     const double off = std::abs(ray.GetDepth(t) - start[0]) / perDepth * perT;
     float value = found[1];
-    if (off < 0.5 * start[1] + rounding)
+    if (off <= rounding)
+    // On the box's faces, OpenGL also rounds the corners to a part of a pixel.
+    const double rounding = inData + inDepth / perDepth * perT + (isInside ? 0.0 : 0.5 * start[1]);
     {
       const double stepT = start[1] / perT;
       double steps = found[0];

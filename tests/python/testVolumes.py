@@ -158,7 +158,9 @@ class Scene:
         leave = numpy.nanmin(t.max(0), -1)
         near, far = self.renderer.GetActiveCamera().GetClippingRange()
         eye = self.depths(begin)
-        inside = (near + 0.001 * (far - near) - eye) / (self.depths(end) - eye)
+        view = array_of(self.renderer.GetActiveCamera().GetViewTransformMatrix())[2, :3]
+        moved = 0.001 * (far - near) * numpy.linalg.norm(view @ to_world[:3, :3])
+        inside = (near + moved - eye) / (self.depths(end) - eye)
         entry = numpy.maximum(entry, inside)
         data = numpy.linalg.norm((b - a) @ to_data[:3, :3].T, axis=-1)
         step = self.step / data
@@ -233,9 +235,9 @@ STEEP = [(0, 0), (0.2, 0), (1, 0.9)]
 
 
 class Volumes(unittest.TestCase):
-    def check(self, scene, values, rule="opacity", threshold=0.5, least=500, most=0.01, differ=2,
+    def check(self, scene, values, rule="opacity", threshold=0.5, least=500, most=1e-5, differ=2,
               opacity=1e-4):  # fmt: skip
-        """Compares with the march: depths of at least `least` pixels, which differ by at most
+        """Compares with the march: positions of at least `least` pixels, which differ by at most
         `most` steps, but for `differ` pixels that have a depth in one of both; and opacities."""
         scene.set_rule(rule, threshold)
         found = scene.capture()
@@ -246,14 +248,13 @@ class Volumes(unittest.TestCase):
         different = (seen != numpy.isfinite(depths)) & sure
         self.assertLessEqual(different.sum(), differ)
         hit &= seen
-        off = numpy.abs(found["volume_depth"][hit] - depths[hit]) / steps[hit]
+        places = scene.depths(found["volume_position"])
+        off = numpy.abs(places[hit] - depths[hit]) / steps[hit]
         wrong = numpy.abs(found["volume_opacity"] - opacities)[sure]
         self.assertLessEqual(off.max(), most)
         self.assertLessEqual(wrong.max(), opacity)
         # The other layers belong to the same place.
-        places = found["volume_position"][seen]
-        self.assertLess(numpy.abs(scene.depths(places) - found["volume_depth"][seen]).max(),
-                        1e-6 * found["volume_depth"][seen].max())  # fmt: skip
+        numpy.testing.assert_allclose(found["volume_depth"][seen], places[seen], 1e-7)
         self.assertTrue((found["volume"] == numpy.where(seen, 0, -1)).all())
         self.assertTrue((numpy.isnan(found["volume_value"]) == ~seen).all())
         return found
@@ -321,12 +322,22 @@ class Volumes(unittest.TestCase):
         scene.look_at((MIDDLE, MIDDLE, 12), (MIDDLE, MIDDLE, 0), near=0.5, far=30, parallel=False)
         scene.renderer.GetActiveCamera().SetViewAngle(70)
         self.check(scene, ball(), least=2000)
+        # The near plane moves by a thousandth of the range, as units of the data.
+        scene = Scene(image_of(ball()), [(0, 0.02), (1, 0.3)])
+        scene.volume.SetScale(1, 1, 3)
+        scene.look_at((9, 7, 36), (4, 10, 0), near=0.5, far=100, parallel=False)
+        scene.renderer.GetActiveCamera().SetViewAngle(70)
+        self.check(scene, ball(), least=2000, opacity=1e-3)
 
     def test_far(self):
         """VTK marches in float, so that a million voxels away its samples lie off the ray; the
         place is refined in double, where VTK has one."""
         origin = 1e6
         scene = Scene(image_of(ball(), origin=(origin,) * 3), STEEP)
+        scene.look_at([origin + m for m in (30, 25, 40)], (origin + MIDDLE,) * 3)
+        self.check(scene, ball(), differ=30, opacity=0.05)
+        scene = Scene(image_of(ball()), STEEP)
+        scene.volume.SetPosition((origin,) * 3)
         scene.look_at([origin + m for m in (30, 25, 40)], (origin + MIDDLE,) * 3)
         self.check(scene, ball(), differ=30, opacity=0.05)
 
