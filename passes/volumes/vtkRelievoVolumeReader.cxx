@@ -11,6 +11,7 @@
 #include "vtkRelievoLayerCatalogue.h"
 #include "vtkRelievoMatrix.h"
 #include "vtkRelievoVolumeTarget.h"
+#include "vtkRelievoVolumesStage.h"
 #include "vtkSMPTools.h"
 #include "vtkSmartPointer.h"
 #include "vtkVolume.h"
@@ -77,6 +78,7 @@ struct vtkRelievoVolumeReader::Pixels
 void vtkRelievoDrawnVolume::Take(vtkGPUVolumeRayCastMapper* mapper, vtkVolume* volume, int longest)
 {
   ++this->Draws;
+  this->IsExtreme = mapper->GetBlendMode() != vtkVolumeMapper::COMPOSITE_BLEND;
   vtkDataSet* data = mapper->GetDataSetInput();
   this->HasField = this->Draws == 1 && this->Field.Take(mapper, volume, longest);
   const glm::dmat4 dataToWorld = vtkRelievoToGlm(volume->GetMatrix());
@@ -180,10 +182,10 @@ void vtkRelievoVolumeReader::Find(int index)
     const bool isInside = ray.GetDepth(t) < inside;
     t = isInside ? (inside - ray.GetDepth(0.0)) / perDepth : t;
     const double off = std::abs(ray.GetDepth(t) - start[0]) / perDepth * perT;
-    float value = found[1];
-    if (off <= rounding)
     // On the box's faces, OpenGL also rounds the corners to a part of a pixel.
     const double rounding = inData + inDepth / perDepth * perT + (isInside ? 0.0 : 0.5 * start[1]);
+    float value = found[1];
+    if (off <= rounding)
     {
       const double stepT = start[1] / perT;
       double steps = found[0];
@@ -224,14 +226,16 @@ void vtkRelievoVolumeReader::Find(int index)
 vtkRelievoVolumeReader::~vtkRelievoVolumeReader() = default;
 
 //------------------------------------------------------------------------------
-bool vtkRelievoVolumeReader::HasBricks() const
+bool vtkRelievoVolumeReader::HasLostBricks() const
 {
-  const Pixels& in = *this->Internal;
-  for (const auto& texels : in.Texels)
+  for (std::size_t volume = 0; volume < this->Volumes.size(); ++volume)
   {
-    for (std::size_t i = 2; i < texels[0].size(); i += 4)
+    const std::vector<float>& texels = this->Internal->Texels[volume][0];
+    const bool loses =
+      this->Rule != vtkRelievoVolumesStage::FIRST || this->Volumes[volume].IsExtreme;
+    for (std::size_t i = 2; loses && i < texels.size(); i += 4)
     {
-      if (texels[0][i] != 0.0f)
+      if (texels[i] != 0.0f)
       {
         return true;
       }

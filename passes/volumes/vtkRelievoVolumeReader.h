@@ -25,6 +25,7 @@ struct vtkRelievoDrawnVolume
   int Index = -1;         // in vtkRenderer::GetVolumes()
   int Draws = 0;          // blocks that were drawn
   bool HasDepth = true;   // false: only the opacity is right
+  bool IsExtreme = false; // drawn as maximum or minimum intensity
   glm::dmat4 GridToWorld; // from indices of points; from data coordinates for rectilinear grids
   glm::dmat4 GridToData;  // the space in which VTK's steps have their length
   glm::dvec3 Corners[2];  // of the grid
@@ -48,8 +49,8 @@ public:
   vtkRelievoVolumeReader(const vtkRelievoVolumeReader&) = delete;
   void operator=(const vtkRelievoVolumeReader&) = delete;
 
-  // Whether a volume was drawn in bricks.
-  bool HasBricks() const;
+  // Whether a volume was drawn in bricks, whose places cannot be combined.
+  bool HasLostBricks() const;
 
   // Adds the layer to the image's point data. The first that is not the opacity marches in double,
   // once for all.

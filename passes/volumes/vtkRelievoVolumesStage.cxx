@@ -82,14 +82,15 @@ std::string WhyNot(vtkVolume* volume)
   vtkAbstractVolumeMapper* mapper = volume->GetMapper();
   if (volume->IsA("vtkMultiVolume"))
   {
-    return "a vtkMultiVolume mixes its volumes";
+    return "a vtkMultiVolume mixes its volumes; add each as a vtkVolume of its own";
   }
   if (!mapper || !volume->GetProperty() ||
     !(mapper->IsA("vtkGPUVolumeRayCastMapper") || mapper->IsA("vtkSmartVolumeMapper") ||
       mapper->IsA("vtkMultiBlockVolumeMapper") || mapper->IsA("vtkAMRVolumeMapper")))
   {
     return std::string("a ") + (mapper ? mapper->GetClassName() : "vtkVolume without a mapper") +
-      " does not march along rays on the GPU";
+      " does not march along rays on the GPU; take a vtkGPUVolumeRayCastMapper or a "
+      "vtkSmartVolumeMapper";
   }
   auto* blended = vtkVolumeMapper::SafeDownCast(mapper);
   const int mode = blended ? blended->GetBlendMode() : vtkVolumeMapper::COMPOSITE_BLEND;
@@ -101,9 +102,11 @@ std::string WhyNot(vtkVolume* volume)
       return {};
     case vtkVolumeMapper::AVERAGE_INTENSITY_BLEND:
     case vtkVolumeMapper::ADDITIVE_BLEND:
-      return "the blend modes average and additive have no depth";
+      return "the blend modes average and additive have no depth; take composite, maximum or "
+             "minimum intensity";
     default:
-      return "the blend modes isosurface and slice are not composited along the ray";
+      return "the blend modes isosurface and slice are not composited along the ray; take "
+             "composite, or the surface of vtkFlyingEdges3D or vtkCutter";
   }
 }
 
@@ -198,6 +201,7 @@ public:
   int Rule = OPACITY; // of the last frame
   double Threshold = 0.5;
   std::string RuleWords; // for files
+  std::string Wrong;     // why volumes lack layers
   vtkRelievoReportOnce Reported;
 };
 
@@ -255,6 +259,7 @@ void vtkRelievoVolumesStage::Execute(vtkRelievoFrameContext& context)
   this->DrawCalls = 0;
   in.Reader.reset();
   in.Volumes.clear();
+  in.Wrong.clear();
   in.View = context.View;
   in.Rule = this->Rule;
   in.Threshold = this->Opacity;
@@ -266,10 +271,14 @@ void vtkRelievoVolumesStage::Execute(vtkRelievoFrameContext& context)
   }
   std::vector<Drawn> volumes;
   std::string wrong;
-  const auto reject = [this, &in](const std::string& why) {
-    if (in.Reported.IsNew(why))
+  vtkVolumeCollection* all = context.Renderer->GetVolumes();
+  const auto reject = [this, &in, all](const Drawn& each, const std::string& why) {
+    const int index = all->IsItemPresent(each.Volumes.front()) - 1;
+    const std::string words = "Volume " + std::to_string(index) + " lacks layers: " + why + ".";
+    in.Wrong += (in.Wrong.empty() ? "" : " ") + words;
+    if (in.Reported.IsNew(words))
     {
-      vtkErrorMacro("A volume lacks layers: " << why << ".");
+      vtkErrorMacro(<< words);
     }
   };
   for (const Drawn& each : FindVolumes(context))
@@ -279,7 +288,7 @@ void vtkRelievoVolumesStage::Execute(vtkRelievoFrameContext& context)
     {
       why = why.empty() ? WhyNot(volume) : why;
     }
-    why.empty() ? volumes.push_back(each) : reject(why);
+    why.empty() ? volumes.push_back(each) : reject(each, why);
   }
   if (volumes.empty())
   {
@@ -295,7 +304,7 @@ void vtkRelievoVolumesStage::Execute(vtkRelievoFrameContext& context)
   if (!wrong.empty())
   {
     this->Explain("failed", wrong);
-    reject(wrong);
+    reject(volumes.front(), wrong);
     return;
   }
   in.Target.Begin(context);
@@ -303,7 +312,6 @@ void vtkRelievoVolumesStage::Execute(vtkRelievoFrameContext& context)
   in.Quad.Draw(context, in.Target.GetArea(), vtkRelievoScreenQuad::WRITES_DEPTH);
   ++this->DrawCalls;
   const int longest = std::max(1024, vtkTextureObject::GetMaximumTextureSize(context.Window));
-  vtkVolumeCollection* all = context.Renderer->GetVolumes();
   for (const Drawn& each : volumes)
   {
     vtkRelievoDrawnVolume drawn;
@@ -340,16 +348,19 @@ void vtkRelievoVolumesStage::Execute(vtkRelievoFrameContext& context)
     }
     in.Splice->End();
     this->DrawCalls += drawn.Draws;
-    if (drawn.Draws > 1 && this->Rule != FIRST)
+    if (drawn.Draws > 1 && (this->Rule != FIRST || drawn.IsExtreme))
     {
       drawn.HasDepth = false;
-      reject("data drawn in several blocks has only 'volume_opacity' and the layers of the rule "
-             "'first'");
+      reject(each,
+        "data drawn in several blocks has only 'volume_opacity' and, composited, the layers of the "
+        "rule 'first'; set that rule, or make one image of the blocks");
     }
     auto* smart = vtkSmartVolumeMapper::SafeDownCast(each.Volumes.front()->GetMapper());
     if (smart && smart->GetLastUsedRenderMode() == vtkSmartVolumeMapper::RayCastRenderMode)
     {
-      reject("a vtkSmartVolumeMapper marches along rays on the CPU");
+      reject(each,
+        "its vtkSmartVolumeMapper marches along rays on the CPU; call "
+        "SetRequestedRenderModeToGPU()");
     }
     if (drawn.Draws > 0)
     {
@@ -366,6 +377,10 @@ std::string vtkRelievoVolumesStage::ReadLayers(
   const std::vector<std::string>& names, vtkImageData* image)
 {
   Internals& in = *this->Internal;
+  if (in.Volumes.empty() && !in.Wrong.empty())
+  {
+    return in.Wrong;
+  }
   if (!in.Reader)
   {
     in.Reader.reset(
@@ -373,11 +388,11 @@ std::string vtkRelievoVolumesStage::ReadLayers(
   }
   const auto needsPlace = std::find_if(
     names.begin(), names.end(), [](const std::string& name) { return name != "volume_opacity"; });
-  if (in.Reader->HasBricks() && in.Rule != FIRST && needsPlace != names.end())
+  if (in.Reader->HasLostBricks() && needsPlace != names.end())
   {
     return "The layer '" + *needsPlace +
       "' cannot be read: a volume is drawn in bricks (SetPartitions), which only the rule 'first' "
-      "combines.";
+      "combines, of composited volumes. Set that rule, or call SetPartitions(1, 1, 1).";
   }
   for (const std::string& name : names)
   {
