@@ -19,7 +19,7 @@ namespace
 constexpr int Shades = 256;
 constexpr int ValueDigits = 4;
 
-const char* const InWorldUnits[] = { "depth", "range", "light_depth" };
+const char* const InWorldUnits[] = { "depth", "range", "light_depth", "volume_depth" };
 
 QImage MakeStrip(const std::string& map, bool reversed)
 {
@@ -63,6 +63,13 @@ QString DescribeColors(const vtkRelievoLayer& layer, int components)
         : "";
   }
 }
+}
+
+//------------------------------------------------------------------------------
+bool IsOfVolume(const std::string& layer)
+{
+  return layer.compare(0, 6, "volume") == 0 &&
+    vtkRelievoLayerCatalogue::Find(layer).Kind != vtkRelievoLayer::ARRAY;
 }
 
 //------------------------------------------------------------------------------

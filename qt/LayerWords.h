@@ -26,6 +26,9 @@ struct LayerWords
   QString GetText() const;
 };
 
+/// Whether the layer is that of a volume, which is where `volume_depth` is finite, not `depth`.
+bool IsOfVolume(const std::string& layer);
+
 /// The display name: "Shadow of light 0" for shadow_0; an array's own name.
 QString NameLayer(const std::string& layer);
 

@@ -19,12 +19,6 @@
 
 namespace
 {
-template <typename Value>
-std::function<double(vtkIdType)> MakeReader(const Value* values)
-{
-  return [values](vtkIdType i) { return static_cast<double>(values[i]); };
-}
-
 bool IsUsual(vtkGPUVolumeRayCastMapper* mapper, vtkVolume* volume, vtkImageData* image)
 {
   vtkVolumeProperty* property = volume->GetProperty();
@@ -39,7 +33,7 @@ bool IsUsual(vtkGPUVolumeRayCastMapper* mapper, vtkVolume* volume, vtkImageData*
 }
 
 //------------------------------------------------------------------------------
-bool vtkRelievoVolumeMarch::Take(vtkGPUVolumeRayCastMapper* mapper, vtkVolume* volume)
+bool vtkRelievoVolumeMarch::Take(vtkGPUVolumeRayCastMapper* mapper, vtkVolume* volume, int longest)
 {
   auto* image = vtkImageData::SafeDownCast(mapper->GetDataSetInput());
   if (!image || !IsUsual(mapper, volume, image))
@@ -59,22 +53,13 @@ bool vtkRelievoVolumeMarch::Take(vtkGPUVolumeRayCastMapper* mapper, vtkVolume* v
   this->Shift = cells ? 0.5 : 0.0;
   this->Time = this->Values->GetMTime();
   this->Values->GetFiniteRange(this->Range);
-  switch (this->Values->GetDataType())
-  {
-    vtkTemplateMacro(
-      this->At = MakeReader(static_cast<const VTK_TT*>(this->Values->GetVoidPointer(0))));
-    default:
-      return false;
-  }
+  this->Memory = this->Values->GetVoidPointer(0);
   vtkVolumeProperty* property = volume->GetProperty();
   this->Linear = property->GetInterpolationType() == VTK_LINEAR_INTERPOLATION;
   this->UnitDistance = property->GetScalarOpacityUnitDistance();
-  // The size of VTK's table (vtkOpenGLVolumeLookupTable).
-  vtkPiecewiseFunction* opacity = property->GetScalarOpacity();
-  const int needed = opacity->EstimateMinNumberOfSamples(this->Range[0], this->Range[1]);
-  const int size = std::max(1024, vtkMath::NearestPowerOfTwo(needed));
-  this->Function.resize(static_cast<std::size_t>(size));
-  opacity->GetTable(this->Range[0], this->Range[1], size, this->Function.data());
+  this->Function = vtkSmartPointer<vtkPiecewiseFunction>::New();
+  this->Function->DeepCopy(property->GetScalarOpacity());
+  this->Longest = longest;
   return this->Range[0] < this->Range[1] &&
     static_cast<vtkIdType>(this->Size.x) * this->Size.y * this->Size.z ==
     this->Values->GetNumberOfTuples();
@@ -87,10 +72,14 @@ bool vtkRelievoVolumeMarch::IsUnchanged() const
 }
 
 //------------------------------------------------------------------------------
-// Corrected by unit distance (vtkOpenGLVolumeOpacityTable).
+// VTK's table: the size of vtkOpenGLVolumeLookupTable, corrected by unit distance
+// (vtkOpenGLVolumeOpacityTable).
 void vtkRelievoVolumeMarch::SetStep(double length)
 {
-  this->Opacities = this->Function;
+  const int needed = this->Function->EstimateMinNumberOfSamples(this->Range[0], this->Range[1]);
+  const int size = std::min(this->Longest, std::max(1024, vtkMath::NearestPowerOfTwo(needed)));
+  this->Opacities.resize(static_cast<std::size_t>(size));
+  this->Function->GetTable(this->Range[0], this->Range[1], size, this->Opacities.data());
   for (double& opacity : this->Opacities)
   {
     if (opacity > 0.0001)
@@ -123,7 +112,8 @@ double vtkRelievoVolumeMarch::GetOpacity(double value) const
 }
 
 //------------------------------------------------------------------------------
-double vtkRelievoVolumeMarch::GetValue(const glm::dvec3& position) const
+template <typename Value>
+double vtkRelievoVolumeMarch::Interpolate(const Value* values, const glm::dvec3& position) const
 {
   const glm::dvec3 last = glm::dvec3(this->Size - 1);
   glm::dvec3 at = position - this->Shift;
@@ -138,14 +128,16 @@ double vtkRelievoVolumeMarch::GetValue(const glm::dvec3& position) const
   for (int i = 0; i < 4; ++i)
   {
     const vtkIdType row = first + (i % 2) * along[1] + (i / 2) * along[2];
-    rows[i] = glm::mix(this->At(row), this->At(row + along[0]), part.x);
+    rows[i] = glm::mix(
+      static_cast<double>(values[row]), static_cast<double>(values[row + along[0]]), part.x);
   }
   return glm::mix(glm::mix(rows[0], rows[1], part.y), glm::mix(rows[2], rows[3], part.y), part.z);
 }
 
 //------------------------------------------------------------------------------
-double vtkRelievoVolumeMarch::FindStep(const glm::dvec3& entry, const glm::dvec3& step, int rule,
-  double threshold, int first, int last) const
+template <typename Value>
+double vtkRelievoVolumeMarch::March(const Value* values, const glm::dvec3& entry,
+  const glm::dvec3& step, int rule, double threshold, int first, int last) const
 {
   using Stage = vtkRelievoVolumesStage;
   double found = std::numeric_limits<double>::quiet_NaN();
@@ -153,7 +145,8 @@ double vtkRelievoVolumeMarch::FindStep(const glm::dvec3& entry, const glm::dvec3
   double most = 0.0;
   for (int k = rule == Stage::FIRST ? first : 1; k <= last; ++k)
   {
-    const double opacity = this->GetOpacity(this->GetValue(entry + static_cast<double>(k) * step));
+    const double opacity =
+      this->GetOpacity(this->Interpolate(values, entry + static_cast<double>(k) * step));
     const double after = passes * (1.0 - opacity);
     if (rule == Stage::FIRST && opacity > 0.0)
     {
@@ -173,4 +166,28 @@ double vtkRelievoVolumeMarch::FindStep(const glm::dvec3& entry, const glm::dvec3
     passes = after;
   }
   return found;
+}
+
+//------------------------------------------------------------------------------
+double vtkRelievoVolumeMarch::GetValue(const glm::dvec3& position) const
+{
+  switch (this->Values->GetDataType())
+  {
+    vtkTemplateMacro(return this->Interpolate(static_cast<const VTK_TT*>(this->Memory), position));
+    default:
+      return std::numeric_limits<double>::quiet_NaN();
+  }
+}
+
+//------------------------------------------------------------------------------
+double vtkRelievoVolumeMarch::FindStep(const glm::dvec3& entry, const glm::dvec3& step, int rule,
+  double threshold, int first, int last) const
+{
+  switch (this->Values->GetDataType())
+  {
+    vtkTemplateMacro(return this->March(
+      static_cast<const VTK_TT*>(this->Memory), entry, step, rule, threshold, first, last));
+    default:
+      return std::numeric_limits<double>::quiet_NaN();
+  }
 }

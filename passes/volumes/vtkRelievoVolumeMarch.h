@@ -10,24 +10,25 @@
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
 
-#include <functional>
 #include <vector>
 
 class vtkDataArray;
 class vtkGPUVolumeRayCastMapper;
+class vtkPiecewiseFunction;
 class vtkVolume;
 
 class vtkRelievoVolumeMarch
 {
 public:
   // False if the volume is drawn in other ways than this class knows: one component of an image,
-  // composited by a function of the value.
-  bool Take(vtkGPUVolumeRayCastMapper* mapper, vtkVolume* volume);
+  // composited by a function of the value. `longest` is the greatest size of a texture, which
+  // limits VTK's tables.
+  bool Take(vtkGPUVolumeRayCastMapper* mapper, vtkVolume* volume, int longest);
 
   // Whether the data is as it was taken.
   bool IsUnchanged() const;
 
-  // The opacities of a step of this length in data units, for FindStep.
+  // Makes the opacities of a step of this length in data units, for FindStep.
   void SetStep(double length);
 
   // The value at a position in points of the image, from 0.
@@ -41,17 +42,23 @@ public:
 
 private:
   double GetOpacity(double value) const;
+  template <typename Value>
+  double Interpolate(const Value* values, const glm::dvec3& position) const;
+  template <typename Value>
+  double March(const Value* values, const glm::dvec3& entry, const glm::dvec3& step, int rule,
+    double threshold, int first, int last) const;
 
   vtkSmartPointer<vtkDataArray> Values;
   vtkMTimeType Time = 0;
-  std::function<double(vtkIdType)> At;
-  glm::ivec3 Size;    // values along each axis
-  double Shift = 0.0; // of the values of cells
+  const void* Memory = nullptr; // of the values
+  glm::ivec3 Size;              // values along each axis
+  double Shift = 0.0;           // of the values of cells
   bool Linear = true;
   double Range[2] = { 0.0, 1.0 };
   double UnitDistance = 1.0;
-  std::vector<double> Function;  // opacities of the unit distance over the range
-  std::vector<double> Opacities; // of a step
+  vtkSmartPointer<vtkPiecewiseFunction> Function; // opacity of the unit distance
+  int Longest = 0;
+  std::vector<double> Opacities; // of a step over the range
 };
 
 #endif

@@ -11,6 +11,7 @@
 #include "vtkRelievoLayerCatalogue.h"
 #include "vtkRelievoMatrix.h"
 #include "vtkRelievoVolumeTarget.h"
+#include "vtkRelievoVolumesStage.h"
 #include "vtkSMPTools.h"
 #include "vtkSmartPointer.h"
 #include "vtkVolume.h"
@@ -74,11 +75,12 @@ struct vtkRelievoVolumeReader::Pixels
 };
 
 //------------------------------------------------------------------------------
-void vtkRelievoDrawnVolume::Take(vtkGPUVolumeRayCastMapper* mapper, vtkVolume* volume)
+void vtkRelievoDrawnVolume::Take(vtkGPUVolumeRayCastMapper* mapper, vtkVolume* volume, int longest)
 {
   ++this->Draws;
+  this->IsExtreme = mapper->GetBlendMode() != vtkVolumeMapper::COMPOSITE_BLEND;
   vtkDataSet* data = mapper->GetDataSetInput();
-  this->HasMarch = this->Draws == 1 && this->March.Take(mapper, volume);
+  this->HasMarch = this->Draws == 1 && this->March.Take(mapper, volume, longest);
   const glm::dmat4 dataToWorld = vtkRelievoToGlm(volume->GetMatrix());
   this->GridToData = glm::dmat4(1.0);
   double bounds[6];
@@ -108,43 +110,47 @@ vtkRelievoVolumeReader::vtkRelievoVolumeReader(vtkRelievoVolumeTarget& target,
   std::vector<vtkRelievoDrawnVolume>& volumes, const vtkRelievoFrameCamera& view, int rule,
   double threshold)
   : Volumes(volumes)
+  , View(view)
+  , Rule(rule)
+  , Threshold(threshold)
   , Internal(new Pixels)
 {
   Pixels& in = *this->Internal;
   in.Columns = view.Viewport[2];
   in.Rows = view.Viewport[3];
-  const std::size_t count = static_cast<std::size_t>(in.Columns) * in.Rows;
-  in.Nearest.assign(count, -1);
-  in.Depths.assign(count, std::numeric_limits<double>::infinity());
-  in.Places.assign(count, glm::dvec3(0.0));
-  in.Values.assign(count, 0.0f);
   for (int i = 0; i < static_cast<int>(volumes.size()); ++i)
   {
     in.Texels.push_back(target.Read(i));
-    if (volumes[i].HasDepth)
-    {
-      this->Find(i, view, rule, threshold);
-    }
   }
 }
 
 //------------------------------------------------------------------------------
 // The volume's places in double, in pixels where they are the nearest.
-void vtkRelievoVolumeReader::Find(
-  int index, const vtkRelievoFrameCamera& view, int rule, double threshold)
+void vtkRelievoVolumeReader::Find(int index)
 {
   Pixels& in = *this->Internal;
+  const vtkRelievoFrameCamera& view = this->View;
   vtkRelievoDrawnVolume& volume = this->Volumes[index];
   const auto& texels = in.Texels[index];
   const glm::dmat4 ndcToView = glm::inverse(view.ViewToNDC);
   const glm::dmat4 viewToGrid = glm::inverse(volume.GridToWorld) * glm::inverse(view.WorldToView);
-  // Where the camera is inside a volume, VTK starts rays at this depth.
-  const double inside = view.Near +
-    std::max(1e-3 * (view.Far - view.Near), 1e3 * std::numeric_limits<float>::epsilon());
-  // VTK's error of an entry, in data units.
-  const double rounding = 8.0 * std::numeric_limits<float>::epsilon() *
-    std::max(glm::length(Point(volume.GridToData, volume.Corners[0])),
-      glm::length(Point(volume.GridToData, volume.Corners[1])));
+  // Where the camera is inside a volume, VTK starts rays at this depth: it moves the near plane by
+  // a thousandth of the range, as data units (vtkOpenGLGPUVolumeRayCastMapper's
+  // RenderVolumeGeometry).
+  constexpr double Epsilon = std::numeric_limits<float>::epsilon();
+  const glm::dmat3 dataToWorld =
+    glm::dmat3(volume.GridToWorld) * glm::inverse(glm::dmat3(volume.GridToData));
+  const glm::dvec3 ahead(view.WorldToView[0][2], view.WorldToView[1][2], view.WorldToView[2][2]);
+  const double moved = std::max(1e-3 * (view.Far - view.Near), 1e3 * Epsilon);
+  const double inside = view.Near + moved * glm::length(ahead * dataToWorld);
+  // VTK's errors of an entry, in data units and in depth.
+  double inData = 0.0;
+  double inDepth = 0.0;
+  for (const glm::dvec3& corner : volume.Corners)
+  {
+    inData = std::max(inData, 8.0 * Epsilon * glm::length(Point(volume.GridToData, corner)));
+    inDepth = std::max(inDepth, 8.0 * Epsilon * glm::length(Point(volume.GridToWorld, corner)));
+  }
   bool refines = volume.HasMarch && volume.March.IsUnchanged();
   const auto step =
     std::find_if(texels[1].begin(), texels[1].end(), [](float x) { return x > 0.0f; });
@@ -173,10 +179,13 @@ void vtkRelievoVolumeReader::Find(
     const double perDepth = ray.GetDepth(1.0) - ray.GetDepth(0.0);
     // The entry in double, if it is the one that VTK used.
     double t = ray.Enter(volume.Corners);
-    t = ray.GetDepth(t) < inside ? (inside - ray.GetDepth(0.0)) / perDepth : t;
+    const bool isInside = ray.GetDepth(t) < inside;
+    t = isInside ? (inside - ray.GetDepth(0.0)) / perDepth : t;
     const double off = std::abs(ray.GetDepth(t) - start[0]) / perDepth * perT;
+    // On the box's faces, OpenGL also rounds the corners to a part of a pixel.
+    const double rounding = inData + inDepth / perDepth * perT + (isInside ? 0.0 : 0.5 * start[1]);
     float value = found[1];
-    if (off < 0.5 * start[1] + rounding)
+    if (off <= rounding)
     {
       const double stepT = start[1] / perT;
       double steps = found[0];
@@ -184,8 +193,8 @@ void vtkRelievoVolumeReader::Find(
       {
         const int near = static_cast<int>(std::ceil(steps));
         const double refined =
-          volume.March.FindStep(ray.At(t) - volume.Corners[0], stepT * (ray.End - ray.Begin), rule,
-            threshold, std::max(1, near - Around), near + Around);
+          volume.March.FindStep(ray.At(t) - volume.Corners[0], stepT * (ray.End - ray.Begin),
+            this->Rule, this->Threshold, std::max(1, near - Around), near + Around);
         steps = std::isnan(refined) ? steps : refined;
       }
       t += steps * stepT;
@@ -217,14 +226,16 @@ void vtkRelievoVolumeReader::Find(
 vtkRelievoVolumeReader::~vtkRelievoVolumeReader() = default;
 
 //------------------------------------------------------------------------------
-bool vtkRelievoVolumeReader::HasBricks() const
+bool vtkRelievoVolumeReader::HasLostBricks() const
 {
-  const Pixels& in = *this->Internal;
-  for (const auto& texels : in.Texels)
+  for (std::size_t volume = 0; volume < this->Volumes.size(); ++volume)
   {
-    for (std::size_t i = 2; i < texels[0].size(); i += 4)
+    const std::vector<float>& texels = this->Internal->Texels[volume][0];
+    const bool loses =
+      this->Rule != vtkRelievoVolumesStage::FIRST || this->Volumes[volume].IsExtreme;
+    for (std::size_t i = 2; loses && i < texels.size(); i += 4)
     {
-      if (texels[0][i] != 0.0f)
+      if (texels[i] != 0.0f)
       {
         return true;
       }
@@ -236,14 +247,29 @@ bool vtkRelievoVolumeReader::HasBricks() const
 //------------------------------------------------------------------------------
 void vtkRelievoVolumeReader::Read(const std::string& name, vtkImageData* image)
 {
-  const Pixels& in = *this->Internal;
+  Pixels& in = *this->Internal;
+  const std::size_t count = static_cast<std::size_t>(in.Columns) * in.Rows;
+  if (name != "volume_opacity" && in.Nearest.empty())
+  {
+    in.Nearest.assign(count, -1);
+    in.Depths.assign(count, std::numeric_limits<double>::infinity());
+    in.Places.assign(count, glm::dvec3(0.0));
+    in.Values.assign(count, 0.0f);
+    for (int i = 0; i < static_cast<int>(this->Volumes.size()); ++i)
+    {
+      if (this->Volumes[i].HasDepth)
+      {
+        this->Find(i);
+      }
+    }
+  }
   const vtkRelievoLayer& layer = vtkRelievoLayerCatalogue::Find(name);
   auto array = vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(layer.Type));
   array->SetName(name.c_str());
   array->SetNumberOfComponents(layer.Components);
-  array->SetNumberOfTuples(static_cast<vtkIdType>(in.Nearest.size()));
+  array->SetNumberOfTuples(static_cast<vtkIdType>(count));
   array->Fill(layer.Background);
-  for (std::size_t i = 0; i < in.Nearest.size(); ++i)
+  for (std::size_t i = 0; i < count; ++i)
   {
     const auto pixel = static_cast<vtkIdType>(i);
     if (name == "volume_opacity")

@@ -25,6 +25,7 @@ struct vtkRelievoDrawnVolume
   int Index = -1;         // in vtkRenderer::GetVolumes()
   int Draws = 0;          // blocks that were drawn
   bool HasDepth = true;   // false: only the opacity is right
+  bool IsExtreme = false; // drawn as maximum or minimum intensity
   glm::dmat4 GridToWorld; // from indices of points; from data coordinates for rectilinear grids
   glm::dmat4 GridToData;  // the space in which VTK's steps have their length
   glm::dvec3 Corners[2];  // of the grid
@@ -33,13 +34,14 @@ struct vtkRelievoDrawnVolume
   bool HasMarch = false; // March is known
   vtkRelievoVolumeMarch March;
 
-  void Take(vtkGPUVolumeRayCastMapper* mapper, vtkVolume* volume);
+  // `longest`: see vtkRelievoVolumeMarch::Take.
+  void Take(vtkGPUVolumeRayCastMapper* mapper, vtkVolume* volume, int longest);
 };
 
 class vtkRelievoVolumeReader
 {
 public:
-  // The rule and its threshold are those by which the volumes were drawn.
+  // Reads the target. The rule and its threshold are those by which the volumes were drawn.
   vtkRelievoVolumeReader(vtkRelievoVolumeTarget& target,
     std::vector<vtkRelievoDrawnVolume>& volumes, const vtkRelievoFrameCamera& view, int rule,
     double threshold);
@@ -47,18 +49,22 @@ public:
   vtkRelievoVolumeReader(const vtkRelievoVolumeReader&) = delete;
   void operator=(const vtkRelievoVolumeReader&) = delete;
 
-  // Whether a volume was drawn in bricks.
-  bool HasBricks() const;
+  // Whether a volume was drawn in bricks, whose places cannot be combined.
+  bool HasLostBricks() const;
 
-  // Adds the layer to the image's point data.
+  // Adds the layer to the image's point data. The first that is not the opacity marches in double,
+  // once for all.
   void Read(const std::string& layer, vtkImageData* image);
 
 private:
   struct Pixels;
 
-  void Find(int volume, const vtkRelievoFrameCamera& view, int rule, double threshold);
+  void Find(int volume);
 
   std::vector<vtkRelievoDrawnVolume>& Volumes;
+  vtkRelievoFrameCamera View;
+  int Rule;
+  double Threshold;
   std::unique_ptr<Pixels> Internal;
 };
 

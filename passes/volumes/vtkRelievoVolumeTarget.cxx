@@ -68,11 +68,16 @@ std::string vtkRelievoVolumeTarget::Prepare(vtkRelievoFrameContext& context, int
     }
   }
   this->Framebuffer->Bind();
-  this->Attach(0);
-  if (glCheckFramebufferStatus(GL_DRAW_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
+  for (int i = 0; i < volumes; ++i)
   {
-    this->Release(context.Window);
-    return "this OpenGL cannot draw to three textures of floats";
+    this->Attach(i);
+    if (glCheckFramebufferStatus(GL_DRAW_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
+    {
+      const std::string bytes = std::to_string(this->GetBytes());
+      this->Release(context.Window);
+      return "OpenGL cannot draw to the " + bytes + " bytes of float textures of " +
+        std::to_string(volumes) + " volumes; take a smaller picture or fewer volumes";
+    }
   }
   return {};
 }

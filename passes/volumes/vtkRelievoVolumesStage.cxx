@@ -25,6 +25,7 @@
 #include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
 #include "vtkStringArray.h"
+#include "vtkTextureObject.h"
 #include "vtkVolume.h"
 #include "vtkVolumeCollection.h"
 #include "vtkVolumeMapper.h"
@@ -81,34 +82,50 @@ std::string WhyNot(vtkVolume* volume)
   vtkAbstractVolumeMapper* mapper = volume->GetMapper();
   if (volume->IsA("vtkMultiVolume"))
   {
-    return "a vtkMultiVolume mixes its volumes";
+    return "a vtkMultiVolume mixes its volumes; add each as a vtkVolume of its own";
   }
   if (!mapper || !volume->GetProperty() ||
     !(mapper->IsA("vtkGPUVolumeRayCastMapper") || mapper->IsA("vtkSmartVolumeMapper") ||
       mapper->IsA("vtkMultiBlockVolumeMapper") || mapper->IsA("vtkAMRVolumeMapper")))
   {
     return std::string("a ") + (mapper ? mapper->GetClassName() : "vtkVolume without a mapper") +
-      " does not march along rays on the GPU";
+      " does not march along rays on the GPU; take a vtkGPUVolumeRayCastMapper or a "
+      "vtkSmartVolumeMapper";
   }
   auto* blended = vtkVolumeMapper::SafeDownCast(mapper);
   const int mode = blended ? blended->GetBlendMode() : vtkVolumeMapper::COMPOSITE_BLEND;
-  return mode == vtkVolumeMapper::AVERAGE_INTENSITY_BLEND || mode == vtkVolumeMapper::ADDITIVE_BLEND
-    ? "the blend modes average and additive have no depth"
-    : std::string();
+  switch (mode)
+  {
+    case vtkVolumeMapper::COMPOSITE_BLEND:
+    case vtkVolumeMapper::MAXIMUM_INTENSITY_BLEND:
+    case vtkVolumeMapper::MINIMUM_INTENSITY_BLEND:
+      return {};
+    case vtkVolumeMapper::AVERAGE_INTENSITY_BLEND:
+    case vtkVolumeMapper::ADDITIVE_BLEND:
+      return "the blend modes average and additive have no depth; take composite, maximum or "
+             "minimum intensity";
+    default:
+      return "the blend modes isosurface and slice are not composited along the ray; take "
+             "composite, or the surface of vtkFlyingEdges3D or vtkCutter";
+  }
 }
 
 // Index of the component that gives a sample's value, as GLSL: the one with the greatest weight, or
 // the one that gives the opacity.
-std::string GetComponent(const std::string& fragment, vtkVolume* volume)
+std::string GetComponent(const std::string& fragment, vtkVolumeMapper* mapper, vtkVolume* volume)
 {
   if (!vtkRelievoSpliceText::Has(fragment, "in_componentWeight"))
   {
     return "(in_noOfComponents - 1)";
   }
+  int cells = 0;
+  vtkDataArray* values =
+    vtkAbstractMapper::GetScalars(mapper->GetDataSetInput(), mapper->GetScalarMode(),
+      mapper->GetArrayAccessMode(), mapper->GetArrayId(), mapper->GetArrayName(), cells);
+  vtkVolumeProperty* property = volume->GetProperty();
   int heaviest = 0;
-  for (int i = 1; i < 4; ++i)
+  for (int i = 1; values && i < std::min(4, values->GetNumberOfComponents()); ++i)
   {
-    vtkVolumeProperty* property = volume->GetProperty();
     heaviest =
       property->GetComponentWeight(i) > property->GetComponentWeight(heaviest) ? i : heaviest;
   }
@@ -143,7 +160,8 @@ std::string Fill(std::string& fragment, vtkVolumeMapper* mapper, vtkVolume* volu
     }
   }
   const int mode = mapper->GetBlendMode();
-  std::string defines = "#define RELIEVO_VOLUME_COMPONENT " + GetComponent(fragment, volume) + "\n";
+  std::string defines =
+    "#define RELIEVO_VOLUME_COMPONENT " + GetComponent(fragment, mapper, volume) + "\n";
   defines += mode == vtkVolumeMapper::MAXIMUM_INTENSITY_BLEND
     ? "#define RELIEVO_VOLUME_EXTREME 1.0\n"
     : mode == vtkVolumeMapper::MINIMUM_INTENSITY_BLEND ? "#define RELIEVO_VOLUME_EXTREME -1.0\n"
@@ -151,6 +169,7 @@ std::string Fill(std::string& fragment, vtkVolumeMapper* mapper, vtkVolume* volu
   defines += vtkRectilinearGrid::SafeDownCast(mapper->GetDataSetInput())
     ? "#define RELIEVO_VOLUME_GRID\n"
     : "";
+  defines += Has(fragment, "clip_numPlanes") ? "#define RELIEVO_VOLUME_CLIPPED\n" : "";
   FillMark(fragment, local, "");
   FillWord(fragment, "g_dirStep * jitterValue", "g_dirStep");
   FillMark(
@@ -176,11 +195,13 @@ public:
   vtkNew<vtkRelievoVolumeSplice> Splice;
   vtkRelievoVolumeTarget Target;
   vtkRelievoScreenQuad Quad;
-  std::vector<vtkRelievoDrawnVolume> Volumes; // in the target
+  std::vector<vtkRelievoDrawnVolume> Volumes;     // in the target
+  std::unique_ptr<vtkRelievoVolumeReader> Reader; // of the last frame, once layers are read
   vtkRelievoFrameCamera View;
   int Rule = OPACITY; // of the last frame
   double Threshold = 0.5;
   std::string RuleWords; // for files
+  std::string Wrong;     // why volumes lack layers
   vtkRelievoReportOnce Reported;
 };
 
@@ -236,7 +257,9 @@ void vtkRelievoVolumesStage::Execute(vtkRelievoFrameContext& context)
 {
   Internals& in = *this->Internal;
   this->DrawCalls = 0;
+  in.Reader.reset();
   in.Volumes.clear();
+  in.Wrong.clear();
   in.View = context.View;
   in.Rule = this->Rule;
   in.Threshold = this->Opacity;
@@ -248,10 +271,14 @@ void vtkRelievoVolumesStage::Execute(vtkRelievoFrameContext& context)
   }
   std::vector<Drawn> volumes;
   std::string wrong;
-  const auto reject = [this, &in](const std::string& why) {
-    if (in.Reported.IsNew(why))
+  vtkVolumeCollection* all = context.Renderer->GetVolumes();
+  const auto reject = [this, &in, all](const Drawn& each, const std::string& why) {
+    const int index = all->IsItemPresent(each.Volumes.front()) - 1;
+    const std::string words = "Volume " + std::to_string(index) + " lacks layers: " + why + ".";
+    in.Wrong += (in.Wrong.empty() ? "" : " ") + words;
+    if (in.Reported.IsNew(words))
     {
-      vtkErrorMacro("A volume lacks layers: " << why << ".");
+      vtkErrorMacro(<< words);
     }
   };
   for (const Drawn& each : FindVolumes(context))
@@ -261,7 +288,7 @@ void vtkRelievoVolumesStage::Execute(vtkRelievoFrameContext& context)
     {
       why = why.empty() ? WhyNot(volume) : why;
     }
-    why.empty() ? volumes.push_back(each) : reject(why);
+    why.empty() ? volumes.push_back(each) : reject(each, why);
   }
   if (volumes.empty())
   {
@@ -277,25 +304,27 @@ void vtkRelievoVolumesStage::Execute(vtkRelievoFrameContext& context)
   if (!wrong.empty())
   {
     this->Explain("failed", wrong);
-    reject(wrong);
+    reject(volumes.front(), wrong);
     return;
   }
   in.Target.Begin(context);
   in.Target.Select(0);
   in.Quad.Draw(context, in.Target.GetArea(), vtkRelievoScreenQuad::WRITES_DEPTH);
   ++this->DrawCalls;
-  vtkVolumeCollection* all = context.Renderer->GetVolumes();
+  const int longest = std::max(1024, vtkTextureObject::GetMaximumTextureSize(context.Window));
   for (const Drawn& each : volumes)
   {
     vtkRelievoDrawnVolume drawn;
-    in.Splice->Set = [this, all, &drawn](
+    in.Splice->Set = [this, all, longest, &each, &drawn](
                        vtkShaderProgram* program, vtkVolumeMapper* mapper, vtkVolume* volume) {
       if (!program->IsUniformUsed("relievoVolumePoints"))
       {
         return; // drawn without the splice, whose error is reported
       }
-      drawn.Take(vtkGPUVolumeRayCastMapper::SafeDownCast(mapper), volume);
-      drawn.Index = all->IsItemPresent(volume) - 1;
+      drawn.Take(vtkGPUVolumeRayCastMapper::SafeDownCast(mapper), volume, longest);
+      // A prop of levels of detail, as ParaView has it, holds the volume that draws.
+      const int place = all->IsItemPresent(volume);
+      drawn.Index = (place > 0 ? place : all->IsItemPresent(each.Volumes.front())) - 1;
       program->SetUniformi("relievoVolumeRule", this->Rule);
       program->SetUniformf("relievoVolumeThreshold", static_cast<float>(this->Opacity));
       const glm::vec3 points(drawn.Points);
@@ -319,16 +348,19 @@ void vtkRelievoVolumesStage::Execute(vtkRelievoFrameContext& context)
     }
     in.Splice->End();
     this->DrawCalls += drawn.Draws;
-    if (drawn.Draws > 1 && this->Rule != FIRST)
+    if (drawn.Draws > 1 && (this->Rule != FIRST || drawn.IsExtreme))
     {
       drawn.HasDepth = false;
-      reject("data drawn in several blocks has only 'volume_opacity' and the layers of the rule "
-             "'first'");
+      reject(each,
+        "data drawn in several blocks has only 'volume_opacity' and, composited, the layers of the "
+        "rule 'first'; set that rule, or make one image of the blocks");
     }
     auto* smart = vtkSmartVolumeMapper::SafeDownCast(each.Volumes.front()->GetMapper());
     if (smart && smart->GetLastUsedRenderMode() == vtkSmartVolumeMapper::RayCastRenderMode)
     {
-      reject("a vtkSmartVolumeMapper marches along rays on the CPU");
+      reject(each,
+        "its vtkSmartVolumeMapper marches along rays on the CPU; call "
+        "SetRequestedRenderModeToGPU()");
     }
     if (drawn.Draws > 0)
     {
@@ -345,18 +377,26 @@ std::string vtkRelievoVolumesStage::ReadLayers(
   const std::vector<std::string>& names, vtkImageData* image)
 {
   Internals& in = *this->Internal;
-  vtkRelievoVolumeReader reader(in.Target, in.Volumes, in.View, in.Rule, in.Threshold);
+  if (in.Volumes.empty() && !in.Wrong.empty())
+  {
+    return in.Wrong;
+  }
+  if (!in.Reader)
+  {
+    in.Reader.reset(
+      new vtkRelievoVolumeReader(in.Target, in.Volumes, in.View, in.Rule, in.Threshold));
+  }
   const auto needsPlace = std::find_if(
     names.begin(), names.end(), [](const std::string& name) { return name != "volume_opacity"; });
-  if (reader.HasBricks() && in.Rule != FIRST && needsPlace != names.end())
+  if (in.Reader->HasLostBricks() && needsPlace != names.end())
   {
     return "The layer '" + *needsPlace +
       "' cannot be read: a volume is drawn in bricks (SetPartitions), which only the rule 'first' "
-      "combines.";
+      "combines, of composited volumes. Set that rule, or call SetPartitions(1, 1, 1).";
   }
   for (const std::string& name : names)
   {
-    reader.Read(name, image);
+    in.Reader->Read(name, image);
   }
   vtkNew<vtkStringArray> rule;
   rule->SetName("volumeRule");
@@ -376,6 +416,7 @@ void vtkRelievoVolumesStage::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Internal->Target.Release(window);
   this->Internal->Quad.Release(window);
+  this->Internal->Reader.reset();
   this->Internal->Volumes.clear();
   this->DrawCalls = 0;
   this->Superclass::ReleaseGraphicsResources(window);

@@ -18,7 +18,7 @@
  * without jitter: it follows transfer functions, cropping, clipping planes and masks. The ray ends
  * at the visible surface. When layers are read, the place is refined in double by the same march
  * (vtkRelievoVolumeMarch). Rejected, with one error: other mappers and vtkMultiVolume, blend modes
- * without a place (average, additive), and, except for FIRST, data drawn in several blocks.
+ * other than composite, maximum and minimum, and, except for FIRST, data drawn in several blocks.
  */
 #ifndef vtkRelievoVolumesStage_h
 #define vtkRelievoVolumesStage_h

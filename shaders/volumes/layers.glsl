@@ -5,6 +5,7 @@
 // RELIEVO_VOLUME_EXTREME    the blend mode shows the greatest value (1.0) or the least (-1.0)
 // RELIEVO_VOLUME_COMPONENT  index of the component that gives the value
 // RELIEVO_VOLUME_GRID       the coordinates of texels are not equidistant
+// RELIEVO_VOLUME_CLIPPED    there are clipping planes, behind which the march begins
 //
 // VTK's own `scalar`, a sample's values, is local to the march's code; the splice makes it global.
 // Positions along the ray are in steps, 0 at the ray's entry: samples are at 1, 2, ...
@@ -22,12 +23,21 @@ float relievoVolumeOpacity = 0.0; // accumulated before the present sample
 float relievoVolumeMost = 0.0;    // contribution, or extreme value, of the sample found
 float relievoVolumeSteps = 0.0;   // of the position found
 float relievoVolumeValue = 0.0;   // there, 0 to 1 over the data's range
-float relievoVolumeLast = 0.0;    // value of the sample before
+bool relievoVolumeStarted = false;
+float relievoVolumeLast = 0.0;    // value of the sample before; where it was skipped, the present's
 
 // Takes a point between the last sample (0) and the present one (1).
 void relievoVolumeTake(float share, float value)
 {
-  float steps = floor(length(g_dataPos - ip_textureCoords) / length(g_dirStep) + 0.5);
+#ifdef RELIEVO_VOLUME_CLIPPED
+  vec3 first = g_rayOrigin;
+#else
+  vec3 first = ip_textureCoords;
+#endif
+  float steps = floor(length(g_dataPos - first) / length(g_dirStep) + 0.5);
+#ifdef RELIEVO_VOLUME_CLIPPED
+  steps += length(first - ip_textureCoords) / length(g_dirStep);
+#endif
   relievoVolumeFound = true;
   relievoVolumeSteps = steps - 1.0 + share;
   relievoVolumeValue = mix(relievoVolumeLast, value, share);
@@ -36,6 +46,8 @@ void relievoVolumeTake(float share, float value)
 void relievoVolumeSample()
 {
   float value = scalar[RELIEVO_VOLUME_COMPONENT];
+  relievoVolumeLast = relievoVolumeStarted ? relievoVolumeLast : value;
+  relievoVolumeStarted = true;
 #ifdef RELIEVO_VOLUME_EXTREME
   if (!relievoVolumeFound || RELIEVO_VOLUME_EXTREME * (value - relievoVolumeMost) > 0.0)
   {
@@ -122,6 +134,10 @@ void relievoVolumeWrite()
     if (!g_skip)
     {
       relievoVolumeSample();
+    }
+    else
+    {
+      relievoVolumeStarted = false;
     }
 
 //RELIEVO::Section(Exit)

@@ -114,6 +114,10 @@ view.RelievoDisplayLayer = "None"
 source = simple.RelievoLayers(View=view, Layers=["depth", "position", "actor", "cell"])
 numpy.savez(f"{FOLDER}/layers-{NAME}.npz", **layers.arrays(source))
 simple.Delete(source)
+if NAME != "1":
+    source = simple.RelievoLayers(View=view, Layers=["volume_depth"])
+    source.UpdatePipeline()
+    simple.Delete(source)
 view.RelievoSun = 0
 view.RelievoShadows = 0
 simple.RemoveLight(light)

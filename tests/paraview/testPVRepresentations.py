@@ -27,7 +27,7 @@ CASTS = {
     "Wireframe": True,
 }
 # Representations without layers: the background is visible.
-WITHOUT_LAYERS = ["Surface LIC", "Volume"]
+WITHOUT_LAYERS = ["Surface LIC"]
 
 
 def make():
@@ -81,7 +81,7 @@ class Representations(pv.Test):
                     self.same(found, lit, name)
                 scene.sun(on=False, shadows=False)
                 if name != "Point Gaussian":
-                    scene.view.RelievoDisplayLayer = "actor"
+                    scene.view.RelievoDisplayLayer = "volume" if name == "Volume" else "actor"
                     ids = pv.picture(scene.view)
                     shown.Visibility = 0
                     there = pv.unlike(ids, pv.picture(scene.view)).any()

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Probe.h"
 
+#include "LayerWords.h"
+
 #include "vtkDataArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
@@ -9,7 +11,6 @@
 #include "vtkRenderer.h"
 #include "vtkVolumeCollection.h"
 
-#include <algorithm>
 #include <cmath>
 #include <iterator>
 
@@ -64,9 +65,8 @@ std::vector<ProbeValue> Probe::Read(
   {
     if (vtkDataArray* array = this->Image->GetPointData()->GetArray(layer.c_str()))
     {
-      const bool volume =
-        std::find(std::begin(OfVolumes), std::end(OfVolumes), layer) != std::end(OfVolumes);
-      ProbeValue value = { layer, {}, volume ? beside && layer != "volume_opacity" : background };
+      ProbeValue value = { layer, {},
+        relievoQt::IsOfVolume(layer) ? beside && layer != "volume_opacity" : background };
       for (int i = 0; i < array->GetNumberOfComponents(); ++i)
       {
         value.Values.push_back(array->GetComponent(pixel, i));

@@ -55,7 +55,12 @@ const char* const Always[] = { "depth", "range", "position", "normal", "actor", 
 bool HasNothing(vtkImageData* image, const QString& layer, vtkIdType pixel)
 {
   vtkDataArray* array = image->GetPointData()->GetArray(qUtf8Printable(layer));
-  vtkDataArray* depth = image->GetPointData()->GetArray("depth");
+  const bool ofVolume = relievoQt::IsOfVolume(layer.toStdString());
+  vtkDataArray* depth = image->GetPointData()->GetArray(ofVolume ? "volume_depth" : "depth");
+  if (array && layer == "volume_opacity")
+  {
+    return false;
+  }
   if (!array || (depth && !std::isfinite(depth->GetComponent(pixel, 0))))
   {
     return true;

@@ -222,7 +222,16 @@ void vtkPVRelievoCapture::Read(bool together, bool quiet)
   }
   for (const std::string& name : names)
   {
-    if (!in.Image->GetPointData()->HasArray(name.c_str()))
+    const bool apart = processes > 1 && name.compare(0, 6, "volume") == 0 &&
+      vtkRelievoLayerCatalogue::Find(name).Kind != vtkRelievoLayer::ARRAY;
+    if (apart)
+    {
+      wrong = "'" + name + "' is known only for a whole volume, of which each of the " +
+        std::to_string(processes) +
+        " processes draws a part. Run ParaView with one process, or leave out the layers of "
+        "volumes.";
+    }
+    if (apart || !in.Image->GetPointData()->HasArray(name.c_str()))
     {
       // A layer missing on another process is no error.
       wrong = wrong.empty() ? "Nothing that is drawn has the array '" + name + "'." : wrong;
