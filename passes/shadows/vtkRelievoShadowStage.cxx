@@ -307,7 +307,8 @@ void vtkRelievoShadowStage::Execute(vtkRelievoFrameContext& context)
   }
   if (lights && fault.empty())
   {
-    const std::string noShade = in.Maps.MakeShade(in.Window, in.Soft.Sizes, in.Soft.GetSamples());
+    const std::string noShade =
+      in.Maps.MakeShade(in.Window, in.Soft.Sizes, in.Soft.GetSamples(), in.LayersAsked);
     if (!noShade.empty())
     {
       in.Messages.Error("No shadows of volumes: " + noShade);

@@ -165,7 +165,7 @@ void vtkRelievoShadowVolumes::Begin(const Shadows& shadows)
 {
   const std::vector<vtkProp*>& props = shadows.Work.Props.GetVolumeReceivers();
   const vtkRelievoShadowStructure& structure = shadows.Work.Structure;
-  if (props.empty() || structure.Lights.empty() || this->Begun)
+  if (props.empty() || structure.Lights.empty() || this->Begun || shadows.Strength <= 0.0)
   {
     return;
   }
