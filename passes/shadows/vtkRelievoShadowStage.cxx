@@ -936,7 +936,8 @@ vtkRelievoShadowCertificate* vtkRelievoShadowStage::Certify(int rays, int seed)
   if (in.Maps.Work.Shade.IsMade())
   {
     vtkErrorMacro("Certify traces the triangles of surfaces, and a volume casts; give it to "
-                  "SetPropCasts with 0 (never) and render first.");
+                  "SetPropCasts with 0 (never) and render first. The command line shows an image "
+                  "without a volume with --image surface or labels.");
     return nullptr;
   }
   vtkRenderer* const renderer = in.Renderer;

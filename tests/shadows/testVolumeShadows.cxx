@@ -25,6 +25,7 @@
 #include <vtkLODProp3D.h>
 #include <vtkLight.h>
 #include <vtkLightCollection.h>
+#include <vtkOpenGLGPUVolumeRayCastMapper.h>
 #include <vtkPiecewiseFunction.h>
 #include <vtkPlane.h>
 #include <vtkPointData.h>
@@ -715,6 +716,20 @@ void TestOnVolumes()
   above.Prop->SetScale(1.0, 1.0, 2.0);
   CheckLeft(stage, 0.5, glm::dvec2(std::exp(-0.5 * Sigma)), "a volume below another one");
   stage.Renderer->RemoveVolume(above.Prop);
+
+  // Each partition has texture coordinates of its own.
+  auto* mapper = vtkOpenGLGPUVolumeRayCastMapper::SafeDownCast(volume.Mapper);
+  if (mapper)
+  {
+    const relievoTest::ExpectMessage expect("it has partitions");
+    shadows->SetPropCasts(volume.Prop, vtkRelievoShadowStage::CASTS_ALWAYS);
+    mapper->SetPartitions(1, 2, 1);
+    volume.Image->Modified();
+    CheckLeft(stage, 0.5, { 1.0, 1.0 }, "a volume in partitions");
+    mapper->SetPartitions(1, 1, 1);
+    volume.Image->Modified();
+    shadows->SetPropCasts(volume.Prop, vtkRelievoShadowStage::CASTS_NEVER);
+  }
 
   // A slab over the left half.
   const auto slab = stage.AddBox({ -0.5, 1.6, 0.5 }, { 2.0, 0.1, 2.0 });

@@ -176,8 +176,10 @@ void vtkRelievoShadowVolumes::Begin(const Shadows& shadows)
     this->Past = past;
     this->Splice->ModifyShaders();
   }
-  this->Splice->Fill = [this, shadows](std::string& fragment, vtkVolumeMapper*, vtkVolume*) {
-    return this->Fill(fragment, shadows);
+  this->Splice->Fill = [this, shadows](std::string& fragment, vtkVolumeMapper* mapper, vtkVolume*) {
+    return vtkRelievoVolumeSplice::HasPartitions(mapper)
+      ? std::string("it has partitions; call SetPartitions(1, 1, 1)")
+      : this->Fill(fragment, shadows);
   };
   this->Splice->Set = [this, shadows](vtkShaderProgram* program, vtkVolumeMapper* mapper,
                         vtkVolume* volume) { this->SetUniforms(program, mapper, volume, shadows); };
