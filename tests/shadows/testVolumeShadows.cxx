@@ -9,6 +9,7 @@
 #include "Layers.h"
 #include "Session.h"
 #include "ShadowScenes.h"
+#include "SrgbCurve.h"
 #include "TestCase.h"
 #include "View.h"
 #include "Window.h"
@@ -31,6 +32,7 @@
 #include <vtkPointData.h>
 #include <vtkProperty.h>
 #include <vtkRectilinearGrid.h>
+#include <vtkRelievoAntialiasStage.h>
 #include <vtkRelievoOpticalDepths.h>
 #include <vtkRelievoPass.h>
 #include <vtkRelievoShadowStage.h>
@@ -333,12 +335,17 @@ void TestGround()
   struct
   {
     const char* Name;
+    int Method;
     bool Positional;
     glm::dvec3 Place;
     double ConeAngle;
-  } const lights[] = { { "a sun", false, { 1.0, 3.0, 1.5 }, 0.0 },
-    { "a lamp", true, { 1.0, 3.0, 0.5 }, 60.0 },
-    { "a light within", true, { 0.1, 1.35, -0.05 }, 180.0 } };
+  } const lights[] = {
+    { "a sun", vtkRelievoShadowStage::METHOD_MAP, false, { 1.0, 3.0, 1.5 }, 0.0 },
+    { "a lamp", vtkRelievoShadowStage::METHOD_FORWARD, true, { 1.0, 3.0, 0.5 }, 60.0 },
+    { "a lamp, warped", vtkRelievoShadowStage::METHOD_WARPED, true, { 1.0, 3.0, 0.5 }, 60.0 },
+    { "a light within", vtkRelievoShadowStage::METHOD_MAP, true, { 0.1, 1.35, -0.05 }, 180.0 },
+    { "one traced", vtkRelievoShadowStage::METHOD_EXACT, true, { 0.1, 1.35, -0.05 }, 180.0 },
+  };
   for (const auto& each : lights)
   {
     ShadowStage stage;
@@ -358,9 +365,10 @@ void TestGround()
     const auto light = each.Positional
       ? stage.AddLamp(each.Place, { 0.0, 0.0, 0.0 }, each.ConeAngle)
       : stage.AddSun(each.Place.x, each.Place.y, each.Place.z);
+    vtkRelievoShadowStage* shadows = stage.GetShadows();
+    shadows->SetMethod(each.Method);
     const auto layer = relievoTest::CaptureShadow(stage, 0);
     const relievoTest::View view(stage.Renderer);
-    vtkRelievoShadowStage* shadows = stage.GetShadows();
     const Source source = each.Positional ? Lamp(each.Place) : Sun(-each.Place);
     double squares = 0.0;
     double worst = 0.0;
@@ -589,6 +597,67 @@ void TestSoft()
   RELIEVO_CHECK_AT_MOST(worst, 0.12, "a half shadow");
 }
 
+// The picture of such a half shadow, whose pixels' samples have a part of the disc each.
+void TestSoftParts()
+{
+  ShadowStage stage;
+  const auto ground = stage.AddGround();
+  ground->GetProperty()->SetAmbient(0.0);
+  ground->GetProperty()->SetSpecular(0.0);
+  ground->GetProperty()->SetDiffuse(0.9);
+  ground->GetProperty()->SetColor(1.0, 1.0, 1.0);
+  stage.Renderer->GetActiveCamera()->SetPosition(3.0, 0.75, 0.0); // the plate is out of view
+  stage.Renderer->ResetCameraClippingRange();
+  Volume plate(17, Constant(0.7));
+  plate.Prop->SetScale(1.0, 0.1, 1.0);
+  plate.Prop->SetPosition(-1.0, 3.0, -0.5);
+  plate.Prop->GetProperty()->SetScalarOpacityUnitDistance(0.5);
+  stage.Renderer->AddVolume(plate.Prop);
+  stage.AddSun(0.0, 1.0, 0.0);
+  vtkRelievoShadowStage* shadows = stage.GetShadows();
+  shadows->EnabledOn();
+  shadows->SetSunAngle(10.0);
+  shadows->SetSoftSamples(24);
+  shadows->SetSoftMaps(4);
+  vtkNew<vtkRelievoAntialiasStage> antialias;
+  antialias->SetSamples(24);
+  stage.GetFrame()->AddStage(antialias);
+  stage.GetFrame()->WaitForSamplesOn();
+  const auto picture = relievoTest::Picture(stage.Window);
+  RELIEVO_CHECK_THAT(
+    shadows->GetReason().find("parts of each sun") != std::string::npos, shadows->GetReason());
+  const double white = relievoTest::LinearFromSrgb(std::round(0.9 * 255.0) / 255.0);
+  const double radius = 3.05 * std::tan(5.0 * 3.14159265358979 / 180.0);
+  // VTK's light is in the values that displays show; means are linear.
+  const double passes = relievoTest::LinearFromSrgb(0.9 * std::exp(-2.0 * Sigma)) / white;
+  const relievoTest::View view(stage.Renderer);
+  double squares = 0.0;
+  double mean = 0.0;
+  int count = 0;
+  for (int y = 0; y < 180; ++y)
+  {
+    for (int x = 0; x < 240; ++x)
+    {
+      const relievoTest::Ray ray = view.PixelRay(x + 0.5, y + 0.5);
+      const glm::dvec3 place = ray.At(-ray.Origin.y / ray.Direction.y);
+      const double t = place.x / radius;
+      if (std::abs(t) < 1.0 && std::abs(place.z) < 0.2)
+      {
+        const double free = 0.5 + (t * std::sqrt(1.0 - t * t) + std::asin(t)) / 3.14159265358979;
+        const double found =
+          relievoTest::LinearFromSrgb(picture->GetScalarComponentAsDouble(x, y, 0, 0) / 255.0);
+        const double error = found / white - (passes + (1.0 - passes) * free);
+        squares += error * error;
+        mean += error;
+        ++count;
+      }
+    }
+  }
+  RELIEVO_CHECK(count > 300);
+  RELIEVO_CHECK_AT_MOST(std::sqrt(squares / count), 0.04, "parts of a half shadow: rms");
+  RELIEVO_CHECK_AT_MOST(std::abs(mean / count), 0.02, "parts of a half shadow: mean");
+}
+
 // Volumes in front of black, seen along z in parallel projection: light from above is then equal
 // along each ray.
 struct LitStage : ShadowStage
@@ -762,6 +831,7 @@ RELIEVO_TEST_CASE(testVolumeShadows)
   TestManyLights();
   TestNoReceivers();
   TestSoft();
+  TestSoftParts();
   TestOnVolumes();
   return session.Result();
 }
