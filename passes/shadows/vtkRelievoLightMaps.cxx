@@ -172,7 +172,7 @@ void vtkRelievoLightMaps::MakeNone(vtkOpenGLRenderWindow* window)
 
 //------------------------------------------------------------------------------
 std::string vtkRelievoLightMaps::MakeShade(
-  vtkOpenGLRenderWindow* window, const vtkRelievoLightSizes& sizes, int samples)
+  vtkOpenGLRenderWindow* window, const vtkRelievoLightSizes& sizes, int samples, bool asked)
 {
   std::vector<double> spreads;
   std::vector<vtkRelievoOpticalDepths::Source> sources;
@@ -188,7 +188,9 @@ std::string vtkRelievoLightMaps::MakeShade(
                               : std::tan(half));
   }
   this->Work.Shade.SetSpreads(spreads);
-  this->Work.Shade.SetCasters(this->Work.Props.GetVolumeCasters());
+  const bool seen = asked || !this->Work.Props.GetReceiverBoxes().empty();
+  this->Work.Shade.SetCasters(
+    seen ? this->Work.Props.GetVolumeCasters() : std::vector<vtkRelievoPlacedVolume>());
   const std::string fault = this->Work.Shade.Update(window, sources);
   if (!this->Work.Shade.Bind())
   {
@@ -303,7 +305,8 @@ std::string vtkRelievoLightMaps::GetReport() const
       << this->Work.MapsDrawn << " drawn anew, expected share of wrong pixels "
       << std::setprecision(2) << 100.0 * this->GetExpectedWrongShare() << " %"
       << (this->Planning.IsPlanned() ? ", " + this->Planning.Get().Words : std::string())
-      << this->Method->GetReport() << this->Work.Shade.GetReport() << this->Work.Others.GetReport();
+      << this->Method->GetReport() << this->Work.Shade.GetReport()
+      << this->Work.Props.GetVolumesWithout() << this->Work.Others.GetReport();
   return out.str();
 }
 

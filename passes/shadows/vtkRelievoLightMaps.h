@@ -47,9 +47,9 @@ public:
   ///@}
 
   // The shade of volumes towards these lights, each moved to one of `samples` places of its shape.
-  // Returns why there is none, or "".
+  // `asked`: whether a layer has it even if nothing receives. Returns why there is none, or "".
   std::string MakeShade(
-    vtkOpenGLRenderWindow* window, const vtkRelievoLightSizes& sizes, int samples);
+    vtkOpenGLRenderWindow* window, const vtkRelievoLightSizes& sizes, int samples, bool asked);
 
   // The size of maps in this OpenGL: its limit if that is less, with a warning.
   static int GetSizeHere(int size, vtkRelievoMessagesOnce& messages);

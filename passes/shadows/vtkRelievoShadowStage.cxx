@@ -307,7 +307,8 @@ void vtkRelievoShadowStage::Execute(vtkRelievoFrameContext& context)
   }
   if (lights && fault.empty())
   {
-    const std::string noShade = in.Maps.MakeShade(in.Window, in.Soft.Sizes, in.Soft.GetSamples());
+    const std::string noShade =
+      in.Maps.MakeShade(in.Window, in.Soft.Sizes, in.Soft.GetSamples(), in.LayersAsked);
     if (!noShade.empty())
     {
       in.Messages.Error("No shadows of volumes: " + noShade);
@@ -936,7 +937,8 @@ vtkRelievoShadowCertificate* vtkRelievoShadowStage::Certify(int rays, int seed)
   if (in.Maps.Work.Shade.IsMade())
   {
     vtkErrorMacro("Certify traces the triangles of surfaces, and a volume casts; give it to "
-                  "SetPropCasts with 0 (never) and render first.");
+                  "SetPropCasts with 0 (never) and render first. The command line shows an image "
+                  "without a volume with --image surface or labels.");
     return nullptr;
   }
   vtkRenderer* const renderer = in.Renderer;

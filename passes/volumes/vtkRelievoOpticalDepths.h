@@ -47,6 +47,9 @@ public:
   const glm::ivec3& GetSize() const { return this->Size; }
   const std::vector<float>& GetDepths() const { return this->Depths; } // x fastest
 
+  // Frees the nodes; the matrix and the size stay.
+  void ReleaseNodes() { std::vector<float>().swap(this->Depths); }
+
 private:
   glm::dmat4 WorldToMap{ 1.0 };
   bool Around = false;

@@ -13,6 +13,7 @@
 #include "vtkPlaneCollection.h"
 #include "vtkRelievoMatrix.h"
 #include "vtkRelievoPropMTime.h"
+#include "vtkSmartVolumeMapper.h"
 #include "vtkVolume.h"
 #include "vtkVolumeMapper.h"
 #include "vtkVolumeProperty.h"
@@ -106,11 +107,37 @@ std::string FindWhyNot(vtkVolume* volume, vtkVolumeMapper* mapper)
 }
 
 //------------------------------------------------------------------------------
+vtkRelievoPlacedVolume::vtkRelievoPlacedVolume(vtkVolume* volume, vtkMatrix4x4* toWorld)
+  : Volume(volume)
+  , ToWorld(vtkRelievoToGlm(toWorld ? toWorld : volume->GetMatrix()))
+{
+}
+
+//------------------------------------------------------------------------------
 vtkRelievoVolumeExtinction::vtkRelievoVolumeExtinction() = default;
 vtkRelievoVolumeExtinction::~vtkRelievoVolumeExtinction() = default;
 vtkRelievoVolumeExtinction::vtkRelievoVolumeExtinction(const vtkRelievoVolumeExtinction&) = default;
 vtkRelievoVolumeExtinction& vtkRelievoVolumeExtinction::operator=(
   const vtkRelievoVolumeExtinction&) = default;
+
+//------------------------------------------------------------------------------
+std::string vtkRelievoVolumeExtinction::FindWhyNotPlaced(vtkVolume* volume)
+{
+  vtkAbstractVolumeMapper* mapper = volume->GetMapper();
+  if (volume->IsA("vtkMultiVolume"))
+  {
+    return "it is a vtkMultiVolume; use a vtkVolume for each of its volumes";
+  }
+  auto* smart = vtkSmartVolumeMapper::SafeDownCast(mapper);
+  if (mapper->IsA("vtkFixedPointVolumeRayCastMapper") ||
+    (smart && smart->GetLastUsedRenderMode() == vtkSmartVolumeMapper::RayCastRenderMode))
+  {
+    return "its mapper draws on the processor; use a vtkGPUVolumeRayCastMapper";
+  }
+  bool others = false;
+  const bool any = !FindImages(mapper->GetDataObjectInput(), others).empty();
+  return others || !any ? "its data are not a vtkImageData" : "";
+}
 
 //------------------------------------------------------------------------------
 glm::dmat4 vtkRelievoVolumeExtinction::GetTextureToWorld(vtkVolumeMapper* mapper, vtkVolume* volume)
@@ -133,13 +160,22 @@ glm::dmat4 vtkRelievoVolumeExtinction::GetTextureToWorld(vtkVolumeMapper* mapper
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoVolumeExtinction::AddState(vtkVolume* volume, std::vector<std::uint64_t>& state)
+void vtkRelievoVolumeExtinction::AddState(
+  const vtkRelievoPlacedVolume& placed, std::vector<std::uint64_t>& state)
 {
+  vtkVolume* volume = placed.Volume;
   auto* mapper = vtkVolumeMapper::SafeDownCast(volume->GetMapper());
-  vtkMatrix4x4* matrix = volume->GetMatrix();
+  vtkVolumeProperty* property = volume->GetProperty();
   state.push_back(reinterpret_cast<std::uintptr_t>(volume));
-  state.push_back(volume->GetProperty()->GetMTime());
-  std::for_each(&matrix->Element[0][0], &matrix->Element[0][0] + 16,
+  // Without colours and coefficients of light, which extinction does not depend on.
+  state.push_back(property->GetScalarOpacity(0)->GetMTime());
+  const bool gradients = property->HasGradientOpacity() && !property->GetDisableGradientOpacity();
+  state.push_back(gradients ? property->GetGradientOpacity(0)->GetMTime() : 0);
+  AddDouble(state, property->GetScalarOpacityUnitDistance(0));
+  state.push_back(property->GetInterpolationType());
+  state.push_back(property->GetIndependentComponents());
+  state.push_back(property->GetTransferFunctionMode());
+  std::for_each(&placed.ToWorld[0].x, &placed.ToWorld[0].x + 16,
     [&](double value) { AddDouble(state, value); });
   if (!mapper)
   {
@@ -169,8 +205,9 @@ void vtkRelievoVolumeExtinction::AddState(vtkVolume* volume, std::vector<std::ui
 
 //------------------------------------------------------------------------------
 std::vector<vtkRelievoVolumeExtinction> vtkRelievoVolumeExtinction::Collect(
-  vtkVolume* volume, std::string& why)
+  const vtkRelievoPlacedVolume& placed, std::string& why)
 {
+  vtkVolume* volume = placed.Volume;
   std::vector<vtkRelievoVolumeExtinction> fields;
   auto* mapper = vtkVolumeMapper::SafeDownCast(volume->GetMapper());
   why = FindWhyNot(volume, mapper);
@@ -197,7 +234,7 @@ std::vector<vtkRelievoVolumeExtinction> vtkRelievoVolumeExtinction::Collect(
     const int components = field.Array->GetNumberOfComponents();
     if (components > 1 && property->GetIndependentComponents())
     {
-      why = "its components are independent";
+      why = "its components are independent; switch IndependentComponents off, or give it one";
       return {};
     }
     if (components == 3)
@@ -225,7 +262,7 @@ std::vector<vtkRelievoVolumeExtinction> vtkRelievoVolumeExtinction::Collect(
     {
       continue;
     }
-    const glm::dmat4 indexToWorld = vtkRelievoToGlm(volume->GetMatrix()) * indexToData;
+    const glm::dmat4 indexToWorld = placed.ToWorld * indexToData;
     if (!(std::abs(glm::determinant(indexToWorld)) > 0.0))
     {
       continue;

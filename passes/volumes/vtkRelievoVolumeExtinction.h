@@ -21,8 +21,19 @@
 #include <vector>
 
 class vtkDataArray;
+class vtkMatrix4x4;
 class vtkVolume;
 class vtkVolumeMapper;
+
+// A volume where it is drawn.
+struct VTKRELIEVOVOLUMES_EXPORT vtkRelievoPlacedVolume
+{
+  // Without a matrix to the world: where its own one places it.
+  vtkRelievoPlacedVolume(vtkVolume* volume, vtkMatrix4x4* toWorld = nullptr);
+
+  vtkVolume* Volume;
+  glm::dmat4 ToWorld;
+};
 
 class VTKRELIEVOVOLUMES_EXPORT vtkRelievoVolumeExtinction
 {
@@ -35,13 +46,18 @@ public:
   // The fields of a volume: one for each image that its mapper draws. Empty if nothing can be
   // traced; `why` then has the reason, as the end of a sentence, or is empty if there is nothing to
   // draw.
-  static std::vector<vtkRelievoVolumeExtinction> Collect(vtkVolume* volume, std::string& why);
+  static std::vector<vtkRelievoVolumeExtinction> Collect(
+    const vtkRelievoPlacedVolume& placed, std::string& why);
+
+  // Why the shader of a volume's mapper, if it has one, cannot place samples in the world by
+  // GetTextureToWorld, as the end of a sentence, or "".
+  static std::string FindWhyNotPlaced(vtkVolume* volume);
 
   // From the texture coordinates of the mapper's image, as VTK's ray march has them, to the world.
   static glm::dmat4 GetTextureToWorld(vtkVolumeMapper* mapper, vtkVolume* volume);
 
   // The state of everything that the fields of a volume depend on, for comparison. Cheap.
-  static void AddState(vtkVolume* volume, std::vector<std::uint64_t>& state);
+  static void AddState(const vtkRelievoPlacedVolume& placed, std::vector<std::uint64_t>& state);
 
   // The corners of the image, in world coordinates.
   const std::vector<glm::dvec3>& GetCorners() const { return this->Corners; }

@@ -10,9 +10,8 @@
 #include "vtkRelievoVolumeExtinction.h"
 #include "vtkShaderProgram.h"
 #include "vtkTextureUnitManager.h"
-#include "vtkVolume.h"
-#include "vtkVolumeMapper.h"
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 #include <glm/vec4.hpp>
@@ -25,9 +24,20 @@ namespace
 // Textures grow in these steps, so that a moving light seldom needs another one.
 constexpr int Step = 32;
 
+// exp(-64) is darkness. Half floats end at 65504, and filters make NaN of infinite texels.
+constexpr float Deepest = 64.f;
+
 int RoundUp(int size)
 {
   return (size + Step - 1) / Step * Step;
+}
+
+// To detect errors of the calls that follow.
+void ClearErrors()
+{
+  for (int i = 0; i < 16 && glGetError() != GL_NO_ERROR; ++i)
+  {
+  }
 }
 }
 
@@ -51,18 +61,29 @@ std::string vtkRelievoVolumeShade::Update(
     this->Window = window;
     this->Owner = window;
   }
+  GLint limit = 0;
+  glGetIntegerv(GL_MAX_3D_TEXTURE_SIZE, &limit);
+  const int lights = static_cast<int>(sources.size());
+  const int most = std::min(Most, limit / Step / std::max(1, lights) * Step - Step);
   std::vector<std::uint64_t> state;
-  for (vtkVolume* volume : this->Casters)
+  for (const vtkRelievoPlacedVolume& volume : this->Casters)
   {
     vtkRelievoVolumeExtinction::AddState(volume, state);
   }
+  state.push_back(static_cast<std::uint64_t>(most));
   const bool changed = state != this->State;
-  if (changed)
+  if (!changed && !this->Fault.empty() && sources == this->Sources)
+  {
+    return this->Fault; // refused before
+  }
+  const bool all = changed || !this->Fault.empty();
+  this->Fault.clear();
+  if (all)
   {
     this->State = state;
     this->Fields.clear();
     this->NotTraced.clear();
-    for (vtkVolume* volume : this->Casters)
+    for (const vtkRelievoPlacedVolume& volume : this->Casters)
     {
       std::string why;
       for (const vtkRelievoVolumeExtinction& field :
@@ -81,42 +102,47 @@ std::string vtkRelievoVolumeShade::Update(
     this->NotTraced = notTraced;
     return std::string();
   }
-  GLint limit = 0;
-  glGetIntegerv(GL_MAX_3D_TEXTURE_SIZE, &limit);
-  const int lights = static_cast<int>(sources.size());
-  const int most = std::min(Most, limit / Step / lights * Step - Step);
+  const auto refuse = [&](const std::string& fault) {
+    this->Release(window);
+    this->State = state;
+    this->Sources = sources;
+    this->Fault = fault;
+    return fault;
+  };
   if (most < Step)
   {
-    this->Release(window);
-    return "this OpenGL has no room for the depths of volumes towards " + std::to_string(lights) +
-      " lights";
+    return refuse("this OpenGL has no room for the depths of volumes towards " +
+      std::to_string(lights) + " lights");
   }
   std::vector<std::size_t> made;
   this->Depths.resize(sources.size());
   for (std::size_t i = 0; i < sources.size(); ++i)
   {
-    if (changed || i >= this->Sources.size() || !(this->Sources[i] == sources[i]))
+    if (all || i >= this->Sources.size() || !(this->Sources[i] == sources[i]))
     {
       this->Depths[i].Make(this->Fields, sources[i], most);
       made.push_back(i);
     }
   }
-  this->Made = static_cast<int>(made.size());
   this->Sources = sources;
   if (this->Allocate(lights))
   {
-    made.resize(sources.size());
-    for (std::size_t i = 0; i < made.size(); ++i)
+    // The new texture is empty.
+    for (std::size_t i = 0; i < sources.size(); ++i)
     {
-      made[i] = i;
+      if (std::find(made.begin(), made.end(), i) == made.end())
+      {
+        this->Depths[i].Make(this->Fields, sources[i], most);
+        made.push_back(i);
+      }
     }
   }
+  this->Made = static_cast<int>(made.size());
   if (!this->Texture || !std::all_of(made.begin(), made.end(), [this](std::size_t light) {
         return this->Upload(light);
       }))
   {
-    this->Release(window);
-    return "this OpenGL has no memory for the depths of volumes towards lights";
+    return refuse("this OpenGL has no memory for the depths of volumes towards lights");
   }
   return std::string();
 }
@@ -149,10 +175,7 @@ bool vtkRelievoVolumeShade::Allocate(int lights)
   this->Slices = size[2];
   std::copy(size, size + 3, this->Size);
   this->Size[2] *= lights;
-  for (int i = 0; i < 16 && glGetError() != GL_NO_ERROR; ++i)
-  {
-    // Clears earlier errors, to detect errors of the calls below.
-  }
+  ClearErrors();
   GLint others = 0;
   glGetIntegerv(GL_TEXTURE_BINDING_3D, &others);
   glGenTextures(1, &this->Texture);
@@ -176,19 +199,39 @@ bool vtkRelievoVolumeShade::Allocate(int lights)
 }
 
 //------------------------------------------------------------------------------
+// A node that a grid does not reach equals its last one: filters reach it by rounding.
 bool vtkRelievoVolumeShade::Upload(std::size_t light)
 {
-  const vtkRelievoOpticalDepths& depths = this->Depths[light];
+  vtkRelievoOpticalDepths& depths = this->Depths[light];
   const glm::ivec3& size = depths.GetSize();
+  const glm::ivec3 padded =
+    glm::min(size + 1, glm::ivec3(this->Size[0], this->Size[1], this->Slices));
+  const std::size_t row = size.x;
+  const std::size_t slice = row * size.y;
+  std::vector<float> texels(static_cast<std::size_t>(padded.x) * padded.y);
+  ClearErrors();
   vtkOpenGLState* state = this->Window->GetState();
   state->vtkglPixelStorei(GL_UNPACK_ALIGNMENT, 4);
   GLint others = 0;
   glGetIntegerv(GL_TEXTURE_BINDING_3D, &others);
   glBindTexture(GL_TEXTURE_3D, this->Texture);
-  glTexSubImage3D(GL_TEXTURE_3D, 0, 0, 0, static_cast<GLint>(light) * this->Slices, size.x, size.y,
-    size.z, GL_RED, GL_FLOAT, depths.GetDepths().data());
+  for (int k = 0; k < padded.z; ++k)
+  {
+    const float* from = depths.GetDepths().data() + slice * std::min(k, size.z - 1);
+    auto to = texels.begin();
+    for (int j = 0; j < padded.y; ++j)
+    {
+      const float* line = from + row * std::min(j, size.y - 1);
+      const auto capped = [](float depth) { return std::min(depth, Deepest); };
+      to = std::transform(line, line + row, to, capped);
+      to = std::fill_n(to, padded.x - size.x, capped(line[row - 1]));
+    }
+    glTexSubImage3D(GL_TEXTURE_3D, 0, 0, 0, static_cast<GLint>(light) * this->Slices + k, padded.x,
+      padded.y, 1, GL_RED, GL_FLOAT, texels.data());
+  }
   const bool there = glGetError() == GL_NO_ERROR;
   glBindTexture(GL_TEXTURE_3D, static_cast<GLuint>(others));
+  depths.ReleaseNodes();
   return there;
 }
 
@@ -312,5 +355,6 @@ void vtkRelievoVolumeShade::Release(vtkWindow* window)
     this->Fields.clear();
     this->State.clear();
     this->NotTraced.clear();
+    this->Fault.clear();
   }
 }

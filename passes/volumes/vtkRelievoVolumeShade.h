@@ -7,6 +7,7 @@
 #define vtkRelievoVolumeShade_h
 
 #include "vtkRelievoOpticalDepths.h"
+#include "vtkRelievoVolumeExtinction.h"
 #include "vtkRelievoVolumesModule.h" // for the export macro
 #include "vtkType.h"
 #include "vtkWeakPointer.h"
@@ -19,7 +20,6 @@
 
 class vtkOpenGLRenderWindow;
 class vtkShaderProgram;
-class vtkVolume;
 class vtkWindow;
 
 class VTKRELIEVOVOLUMES_EXPORT vtkRelievoVolumeShade
@@ -31,7 +31,7 @@ public:
   void operator=(const vtkRelievoVolumeShade&) = delete;
 
   // The volumes that cast in this frame.
-  void SetCasters(const std::vector<vtkVolume*>& volumes) { this->Casters = volumes; }
+  void SetCasters(const std::vector<vtkRelievoPlacedVolume>& volumes) { this->Casters = volumes; }
 
   // For each light that Update is given, the tangent of half the angle of its rays; 0 unless it is
   // a sun with a size.
@@ -70,9 +70,10 @@ private:
   bool Allocate(int lights);
   bool Upload(std::size_t light);
 
-  std::vector<vtkVolume*> Casters;
-  std::vector<std::uint64_t> State; // of the fields
+  std::vector<vtkRelievoPlacedVolume> Casters;
+  std::vector<std::uint64_t> State; // of the fields and the most nodes
   std::vector<vtkRelievoVolumeExtinction> Fields;
+  std::string Fault;     // why this OpenGL refused them
   std::string NotTraced; // the volumes that cast none, with reasons
   std::vector<vtkRelievoOpticalDepths::Source> Sources;
   std::vector<vtkRelievoOpticalDepths> Depths; // one per source

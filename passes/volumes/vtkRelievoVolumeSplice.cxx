@@ -10,6 +10,10 @@
 #include "vtkRelievoTrialSplice.h"
 #include "vtkShaderProgram.h"
 #include "vtkVolume.h"
+#include "vtkVolumeInputHelper.h"
+#include "vtkVolumeTexture.h"
+
+#include <algorithm>
 
 vtkStandardNewMacro(vtkRelievoVolumeSplice);
 
@@ -47,6 +51,17 @@ std::string vtkRelievoVolumeSplice::GetNames(const std::string& fragment)
     Has(fragment, "#define TOTAL_NUMBER_LIGHTS") ? "#define RELIEVO_VOLUME_HAS_LIGHT_COUNTS\n" : "";
   names += Has(fragment, "in_lightPositional[") ? "#define RELIEVO_VOLUME_HAS_LIGHT_KINDS\n" : "";
   return names + vtkRelievoShaderLibrary::GetSection("volumes/names.glsl", "Dec");
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoVolumeSplice::HasPartitions(vtkVolumeMapper* mapper)
+{
+  auto* gpu = vtkOpenGLGPUVolumeRayCastMapper::SafeDownCast(mapper);
+  return gpu &&
+    std::any_of(gpu->AssembledInputs.begin(), gpu->AssembledInputs.end(), [](const auto& input) {
+      const auto& parts = input.second.Texture->GetPartitions();
+      return parts[0] * parts[1] * parts[2] > 1;
+    });
 }
 
 //------------------------------------------------------------------------------

@@ -58,6 +58,10 @@ public:
   // fragment shader; before the text's functions.
   static std::string GetNames(const std::string& fragment);
 
+  // Whether the mapper draws its image in several blocks (SetPartitions), each with texture
+  // coordinates of its own.
+  static bool HasPartitions(vtkVolumeMapper* mapper);
+
   void Render(const vtkRenderState*) override {}
   void ReleaseGraphicsResources(vtkWindow* window) override;
 

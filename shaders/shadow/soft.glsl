@@ -26,13 +26,19 @@ float relievoShadowDepthAt(int layer, ivec2 texel)
   return inside == texel ? depth : 1.0;
 }
 
+// Of the part that the present pixel's cell has.
+int relievoShadowPartNumber()
+{
+  ivec2 cell = ivec2(gl_FragCoord.xy);
+  int number = cell.x * int(relievoShadowPartStep.x) + cell.y * int(relievoShadowPartStep.y);
+  return number - number / RELIEVO_SHADOW_PARTS * RELIEVO_SHADOW_PARTS;
+}
+
 // For the part of the present cell, from a place relative to the origin of lookup.glsl. first: of
 // the light's maps.
 float relievoShadowPart(int light, int first, vec3 position, vec3 normalVC)
 {
-  ivec2 cell = ivec2(gl_FragCoord.xy);
-  int number = cell.x * int(relievoShadowPartStep.x) + cell.y * int(relievoShadowPartStep.y);
-  number -= number / RELIEVO_SHADOW_PARTS * RELIEVO_SHADOW_PARTS;
+  int number = relievoShadowPartNumber();
   vec3 chosen = relievoShadowRays[light * RELIEVO_SHADOW_PARTS + number];
   int face = first + int(chosen.z);
   // Affine, as the rays are parallel: elements that are not read cost nothing.

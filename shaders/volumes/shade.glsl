@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The share of a light that volumes let pass (vtkRelievoVolumeShade). The includer defines
 // RELIEVO_SHADOW_LIGHTS, the number of lights, RELIEVO_VOLUME_AROUND if one is among the volumes,
-// and RELIEVO_VOLUME_SPREAD if a sun has a size.
+// and RELIEVO_VOLUME_SPREAD if a sun has a size; then with shadow/soft.glsl where pixels have parts
+// of its disc (RELIEVO_SHADOW_PARTS).
 //RELIEVO::Include(volumes/texel.glsl)
 uniform sampler3D relievoVolumeDepths; // of all lights, one behind the other
 uniform vec3 relievoVolumeTexture;     // its size
@@ -29,21 +30,34 @@ float relievoVolumePassesAt(int slot, vec4 map)
   return there ? exp(-depth) : 1.0;
 }
 
+#ifdef RELIEVO_VOLUME_SPREAD
+// For a ray of a disc of the sky, to one of a spiral of points. The rays meet the volumes about at
+// their middle.
+float relievoVolumePassesAside(int slot, vec4 map, int point, int points)
+{
+  vec3 spread = relievoVolumeSpread[slot];
+  float angle = 2.3999632 * float(point);
+  vec2 disc = sqrt((float(point) + 0.5) / float(points)) * vec2(cos(angle), sin(angle));
+  vec2 aside = spread.xy * disc * max(map.z - spread.z, 0.0);
+  return relievoVolumePassesAt(slot, map + vec4(aside, 0.0, 0.0));
+}
+#endif
+
 float relievoVolumePasses(int slot, vec3 place)
 {
   vec4 map = relievoVolumeMatrix[slot] * vec4(place, 1.0);
 #ifdef RELIEVO_VOLUME_SPREAD
-  // Rays of a disc of the sky, by a spiral of points, meet the volumes about at their middle.
-  vec3 spread = relievoVolumeSpread[slot];
+  // Where pixels have parts of the disc, their mean is over the disc's points.
+#ifdef RELIEVO_SHADOW_PARTS
+  return relievoVolumePassesAside(slot, map, relievoShadowPartNumber(), RELIEVO_SHADOW_PARTS);
+#else
   float sum = 0.0;
   for (int i = 0; i < 8; ++i)
   {
-    float angle = 2.3999632 * float(i);
-    vec2 disc = sqrt((float(i) + 0.5) / 8.0) * vec2(cos(angle), sin(angle));
-    vec2 aside = spread.xy * disc * max(map.z - spread.z, 0.0);
-    sum += relievoVolumePassesAt(slot, map + vec4(aside, 0.0, 0.0));
+    sum += relievoVolumePassesAside(slot, map, i, 8);
   }
   return sum / 8.0;
+#endif
 #else
   return relievoVolumePassesAt(slot, map);
 #endif

@@ -23,7 +23,7 @@ CASTS = {
     "Surface": True,
     "Surface LIC": False,
     "Surface With Edges": True,
-    "Volume": False,
+    "Volume": True,
     "Wireframe": True,
 }
 # Representations without layers: the background is visible.

@@ -9,20 +9,30 @@
 #include "Layers.h"
 #include "Session.h"
 #include "ShadowScenes.h"
+#include "SrgbCurve.h"
 #include "TestCase.h"
 #include "View.h"
 #include "Window.h"
 
 #include <vtkActor.h>
+#include <vtkAssembly.h>
 #include <vtkCamera.h>
 #include <vtkColorTransferFunction.h>
+#include <vtkDoubleArray.h>
+#include <vtkFixedPointVolumeRayCastMapper.h>
+#include <vtkFloatArray.h>
 #include <vtkGPUVolumeRayCastMapper.h>
 #include <vtkImageData.h>
+#include <vtkLODProp3D.h>
 #include <vtkLight.h>
+#include <vtkLightCollection.h>
+#include <vtkOpenGLGPUVolumeRayCastMapper.h>
 #include <vtkPiecewiseFunction.h>
 #include <vtkPlane.h>
 #include <vtkPointData.h>
 #include <vtkProperty.h>
+#include <vtkRectilinearGrid.h>
+#include <vtkRelievoAntialiasStage.h>
 #include <vtkRelievoOpticalDepths.h>
 #include <vtkRelievoPass.h>
 #include <vtkRelievoShadowStage.h>
@@ -82,7 +92,7 @@ struct Volume
   double GetDepth(const Source& source, const glm::dvec3& place) const
   {
     std::string why;
-    const auto fields = vtkRelievoVolumeExtinction::Collect(this->Prop, why);
+    const auto fields = vtkRelievoVolumeExtinction::Collect(this->Prop.Get(), why);
     RELIEVO_CHECK(fields.size() == 1 && why.empty());
     vtkRelievoOpticalDepths depths;
     depths.Make(fields, source, 256);
@@ -263,7 +273,7 @@ void TestRefused()
   RELIEVO_CHECK(volume.GetDepth(Sun({ 0, 0, -1 }), { 0.5, 0.5, -1.0 }) < std::log(2.0));
   const auto why = [&]() {
     std::string reason;
-    RELIEVO_CHECK(vtkRelievoVolumeExtinction::Collect(volume.Prop, reason).empty());
+    RELIEVO_CHECK(vtkRelievoVolumeExtinction::Collect(volume.Prop.Get(), reason).empty());
     return reason;
   };
   volume.Mapper->SetBlendModeToMaximumIntensity();
@@ -273,18 +283,69 @@ void TestRefused()
   none->AddPoint(0.0, 0.0);
   volume.Prop->GetProperty()->SetScalarOpacity(none);
   RELIEVO_CHECK(why().empty());
+
+  RELIEVO_CHECK(vtkRelievoVolumeExtinction::FindWhyNotPlaced(volume.Prop).empty());
+  // Shaders have no one matrix from its texture to the world.
+  vtkNew<vtkRectilinearGrid> grid;
+  grid->SetDimensions(3, 3, 3);
+  vtkNew<vtkDoubleArray> places;
+  for (const double place : { 0.0, 0.2, 1.0 })
+  {
+    places->InsertNextValue(place);
+  }
+  grid->SetXCoordinates(places);
+  grid->SetYCoordinates(places);
+  grid->SetZCoordinates(places);
+  vtkNew<vtkFloatArray> scalars;
+  scalars->SetNumberOfValues(27);
+  scalars->Fill(0.5);
+  grid->GetPointData()->SetScalars(scalars);
+  volume.Mapper->SetInputDataObject(grid);
+  RELIEVO_CHECK(
+    vtkRelievoVolumeExtinction::FindWhyNotPlaced(volume.Prop) == "its data are not a vtkImageData");
+  RELIEVO_CHECK(why() == "its data are not a vtkImageData");
 }
 
-// A box of cloud above the ground, with a lamp or a sun.
+// The depth of the ball of TestGround, of radius 0.6, between a light and a place: the integral of
+// 3 (1 - r^2 / 0.36) along the ray.
+double GetBallDepth(const Source& source, const glm::dvec3& place)
+{
+  const glm::dvec3 way =
+    source.Positional ? glm::normalize(place - source.Position) : source.Direction;
+  const glm::dvec3 start =
+    (source.Positional ? source.Position : place - 20.0 * way) - glm::dvec3(0.0, 1.3, 0.0);
+  const double along = glm::dot(start, way);
+  const double rest = 0.36 - glm::dot(start, start);
+  const double half2 = along * along + rest;
+  if (half2 <= 0.0)
+  {
+    return 0.0;
+  }
+  const auto integral = [&](double t) {
+    return 3.0 / 0.36 * (rest * t - along * t * t - t * t * t / 3.0);
+  };
+  const double first = std::max(0.0, -along - std::sqrt(half2));
+  const double last = std::max(first, -along + std::sqrt(half2));
+  return integral(last) - integral(first);
+}
+
+// A ball of cloud above the ground, with a lamp, a sun, or a light in its middle.
 void TestGround()
 {
   struct
   {
     const char* Name;
+    int Method;
     bool Positional;
     glm::dvec3 Place;
-  } const lights[] = { { "a sun", false, { 1.0, 3.0, 1.5 } },
-    { "a lamp", true, { 1.0, 3.0, 0.5 } } };
+    double ConeAngle;
+  } const lights[] = {
+    { "a sun", vtkRelievoShadowStage::METHOD_MAP, false, { 1.0, 3.0, 1.5 }, 0.0 },
+    { "a lamp", vtkRelievoShadowStage::METHOD_FORWARD, true, { 1.0, 3.0, 0.5 }, 60.0 },
+    { "a lamp, warped", vtkRelievoShadowStage::METHOD_WARPED, true, { 1.0, 3.0, 0.5 }, 60.0 },
+    { "a light within", vtkRelievoShadowStage::METHOD_MAP, true, { 0.1, 1.35, -0.05 }, 180.0 },
+    { "one traced", vtkRelievoShadowStage::METHOD_EXACT, true, { 0.1, 1.35, -0.05 }, 180.0 },
+  };
   for (const auto& each : lights)
   {
     ShadowStage stage;
@@ -301,11 +362,13 @@ void TestGround()
       1.2);
     volume.Prop->SetPosition(-0.6, 0.7, -0.6);
     stage.Renderer->AddVolume(volume.Prop);
-    const auto light = each.Positional ? stage.AddLamp(each.Place, { 0.0, 0.0, 0.0 }, 60.0)
-                                       : stage.AddSun(each.Place.x, each.Place.y, each.Place.z);
+    const auto light = each.Positional
+      ? stage.AddLamp(each.Place, { 0.0, 0.0, 0.0 }, each.ConeAngle)
+      : stage.AddSun(each.Place.x, each.Place.y, each.Place.z);
+    vtkRelievoShadowStage* shadows = stage.GetShadows();
+    shadows->SetMethod(each.Method);
     const auto layer = relievoTest::CaptureShadow(stage, 0);
     const relievoTest::View view(stage.Renderer);
-    vtkRelievoShadowStage* shadows = stage.GetShadows();
     const Source source = each.Positional ? Lamp(each.Place) : Sun(-each.Place);
     double squares = 0.0;
     double worst = 0.0;
@@ -321,13 +384,7 @@ void TestGround()
         {
           continue;
         }
-        // The chord's half length through the ball, h, and its centre's distance.
-        const glm::dvec3 center(0.0, 1.3, 0.0);
-        const glm::dvec3 way =
-          source.Positional ? glm::normalize(place - source.Position) : source.Direction;
-        const glm::dvec3 off = center - place - way * glm::dot(center - place, way);
-        const double half2 = std::max(0.0, 0.36 - glm::dot(off, off));
-        const double depth = 4.0 * std::pow(half2, 1.5) / 0.36;
+        const double depth = GetBallDepth(source, place);
         const double error =
           values->GetTuple1(static_cast<vtkIdType>(y) * 240 + x) - std::exp(-depth);
         dimmed += depth > 0.0 ? 1 : 0;
@@ -355,6 +412,9 @@ void TestGround()
     light->SetPosition(1.1, 3.0, 1.5);
     RELIEVO_CHECK(isMade("1"));
     RELIEVO_CHECK(isMade("0"));
+    volume.Prop->GetProperty()->SetAmbient(0.3);
+    volume.Prop->GetProperty()->GetRGBTransferFunction()->AddRGBPoint(0.5, 1.0, 0.0, 0.0);
+    RELIEVO_CHECK(isMade("0"));
     volume.Opacity->AddPoint(0.5, 0.4);
     RELIEVO_CHECK(isMade("1"));
     volume.Image->Modified();
@@ -375,6 +435,128 @@ void TestGround()
     RELIEVO_CHECK_NEAR(darkest, 1.0, 0.0, what + ": casts nothing");
     RELIEVO_CHECK(shadows->GetBytesHeld() < bytes);
   }
+}
+
+// The layer's value at the pixel of a place.
+double GetShadow(ShadowStage& stage, double x, double z, double y = 0.0)
+{
+  const relievoTest::Layers layer(relievoTest::CaptureShadow(stage, 0));
+  glm::dvec2 pixel;
+  RELIEVO_CHECK(relievoTest::View(stage.Renderer).Project({ x, y, z }, pixel));
+  return layer.Value("shadow_0", static_cast<int>(pixel.x), static_cast<int>(pixel.y));
+}
+
+// A stage with a ground below a sun in the zenith.
+struct ZenithStage : ShadowStage
+{
+  ZenithStage()
+  {
+    this->AddGround();
+    this->Renderer->GetActiveCamera()->SetPosition(0.0, 8.0, 0.1);
+    this->Renderer->ResetCameraClippingRange();
+    this->AddSun(0.0, 1.0, 0.0);
+  }
+};
+
+// Depths beyond what the texture's numbers hold.
+void TestSteep()
+{
+  ZenithStage stage;
+  const relievoTest::GLCheck gl(stage.Window);
+  Volume volume(9, Constant(0.7));
+  volume.Prop->SetPosition(-0.5, 0.5, -0.5);
+  volume.Prop->GetProperty()->SetScalarOpacityUnitDistance(1e-6);
+  stage.Renderer->AddVolume(volume.Prop);
+  RELIEVO_CHECK_NEAR(GetShadow(stage, 0.1, 0.2), 0.0, 1e-6, "below a wall of fog");
+  RELIEVO_CHECK_NEAR(GetShadow(stage, 1.5, 0.2), 1.0, 0.0, "beside a wall of fog");
+  stage.AddBox({ 0.1, 1.9, 0.2 }, { 0.4, 0.2, 0.4 });
+  stage.Renderer->ResetCameraClippingRange();
+  RELIEVO_CHECK_NEAR(GetShadow(stage, 0.1, 0.2, 2.0), 1.0, 0.0, "above a wall of fog");
+}
+
+// Each volume of a prop counts where VTK draws it, and once.
+void TestProps()
+{
+  ZenithStage stage;
+  Volume volume(9, Constant(0.7));
+  vtkNew<vtkLODProp3D> levels;
+  const int first = levels->AddLOD(volume.Mapper, volume.Prop->GetProperty(), 0.0);
+  levels->AddLOD(volume.Mapper, volume.Prop->GetProperty(), 0.0);
+  levels->SetPosition(-0.5, 0.5, -0.5);
+  levels->AutomaticLODSelectionOff();
+  levels->SetSelectedLODID(first);
+  stage.Renderer->AddViewProp(levels);
+  RELIEVO_CHECK_NEAR(GetShadow(stage, 0.1, 0.2), 0.3, 2e-3, "levels of detail");
+  stage.Renderer->RemoveViewProp(levels);
+
+  vtkNew<vtkAssembly> assembly;
+  assembly->AddPart(volume.Prop);
+  assembly->SetPosition(0.8, 0.5, -0.5);
+  stage.Renderer->AddViewProp(assembly);
+  RELIEVO_CHECK_NEAR(GetShadow(stage, 1.3, 0.2), 0.3, 2e-3, "in an assembly");
+  RELIEVO_CHECK_NEAR(GetShadow(stage, 0.4, 0.2), 1.0, 0.0, "beside an assembly");
+}
+
+// Grids have room for all lights, also after a change of their number.
+void TestManyLights()
+{
+  const auto getReport = [](int before, int lights) {
+    ZenithStage stage;
+    Volume volume(2, Constant(0.7));
+    volume.Image->SetDimensions(2, 300, 2);
+    volume.Image->SetSpacing(1.0, 1.0 / 299.0, 1.0);
+    volume.Image->AllocateScalars(VTK_FLOAT, 1);
+    volume.Image->GetPointData()->GetScalars()->Fill(0.5);
+    volume.Prop->SetPosition(-0.5, 0.5, -0.5);
+    stage.Renderer->AddVolume(volume.Prop);
+    for (int drawn : { before, lights })
+    {
+      while (stage.Renderer->GetLights()->GetNumberOfItems() > drawn)
+      {
+        stage.Renderer->RemoveLight(
+          vtkLight::SafeDownCast(stage.Renderer->GetLights()->GetItemAsObject(drawn)));
+      }
+      while (stage.Renderer->GetLights()->GetNumberOfItems() < drawn)
+      {
+        stage.AddSun(0.0, 1.0, 0.0);
+      }
+      stage.GetShadows()->EnabledOn();
+      stage.Window->Render();
+    }
+    const std::string report = stage.GetShadows()->GetReason();
+    const std::size_t at = report.find("depths of volumes in ");
+    return at == std::string::npos ? report : report.substr(at, report.find(" nodes") - at);
+  };
+  for (const int lights : { 1, 12 })
+  {
+    const std::string fresh = getReport(lights, lights);
+    const std::string changed = getReport(13 - lights, lights);
+    RELIEVO_CHECK_THAT(fresh == changed, changed + ", a fresh stage " + fresh);
+  }
+}
+
+// Without anything that receives nothing is computed.
+void TestNoReceivers()
+{
+  ShadowStage stage;
+  Volume volume(9, Constant(0.7));
+  stage.Renderer->AddVolume(volume.Prop);
+  stage.AddSun(0.0, 1.0, 0.0);
+  const auto has = [&](const std::string& words) {
+    stage.GetShadows()->EnabledOn();
+    stage.Window->Render();
+    return stage.GetShadows()->GetReason().find(words) != std::string::npos;
+  };
+  RELIEVO_CHECK(!has("depths of volumes"));
+  volume.Prop->GetProperty()->ShadeOn();
+  RELIEVO_CHECK(has("depths of volumes"));
+
+  // CPU mappers have no shaders.
+  vtkNew<vtkFixedPointVolumeRayCastMapper> processor;
+  processor->SetInputData(volume.Image);
+  volume.Prop->SetMapper(processor);
+  RELIEVO_CHECK(has("a volume receives none: its mapper draws on the processor"));
+  RELIEVO_CHECK(!has("depths of volumes"));
 }
 
 // The half shadow of a thin plate of cloud below a sun with a size: the covered share of its disc.
@@ -413,6 +595,67 @@ void TestSoft()
     }
   }
   RELIEVO_CHECK_AT_MOST(worst, 0.12, "a half shadow");
+}
+
+// The picture of such a half shadow, whose pixels' samples have a part of the disc each.
+void TestSoftParts()
+{
+  ShadowStage stage;
+  const auto ground = stage.AddGround();
+  ground->GetProperty()->SetAmbient(0.0);
+  ground->GetProperty()->SetSpecular(0.0);
+  ground->GetProperty()->SetDiffuse(0.9);
+  ground->GetProperty()->SetColor(1.0, 1.0, 1.0);
+  stage.Renderer->GetActiveCamera()->SetPosition(3.0, 0.75, 0.0); // the plate is out of view
+  stage.Renderer->ResetCameraClippingRange();
+  Volume plate(17, Constant(0.7));
+  plate.Prop->SetScale(1.0, 0.1, 1.0);
+  plate.Prop->SetPosition(-1.0, 3.0, -0.5);
+  plate.Prop->GetProperty()->SetScalarOpacityUnitDistance(0.5);
+  stage.Renderer->AddVolume(plate.Prop);
+  stage.AddSun(0.0, 1.0, 0.0);
+  vtkRelievoShadowStage* shadows = stage.GetShadows();
+  shadows->EnabledOn();
+  shadows->SetSunAngle(10.0);
+  shadows->SetSoftSamples(24);
+  shadows->SetSoftMaps(4);
+  vtkNew<vtkRelievoAntialiasStage> antialias;
+  antialias->SetSamples(24);
+  stage.GetFrame()->AddStage(antialias);
+  stage.GetFrame()->WaitForSamplesOn();
+  const auto picture = relievoTest::Picture(stage.Window);
+  RELIEVO_CHECK_THAT(
+    shadows->GetReason().find("parts of each sun") != std::string::npos, shadows->GetReason());
+  const double white = relievoTest::LinearFromSrgb(std::round(0.9 * 255.0) / 255.0);
+  const double radius = 3.05 * std::tan(5.0 * 3.14159265358979 / 180.0);
+  // VTK's light is in the values that displays show; means are linear.
+  const double passes = relievoTest::LinearFromSrgb(0.9 * std::exp(-2.0 * Sigma)) / white;
+  const relievoTest::View view(stage.Renderer);
+  double squares = 0.0;
+  double mean = 0.0;
+  int count = 0;
+  for (int y = 0; y < 180; ++y)
+  {
+    for (int x = 0; x < 240; ++x)
+    {
+      const relievoTest::Ray ray = view.PixelRay(x + 0.5, y + 0.5);
+      const glm::dvec3 place = ray.At(-ray.Origin.y / ray.Direction.y);
+      const double t = place.x / radius;
+      if (std::abs(t) < 1.0 && std::abs(place.z) < 0.2)
+      {
+        const double free = 0.5 + (t * std::sqrt(1.0 - t * t) + std::asin(t)) / 3.14159265358979;
+        const double found =
+          relievoTest::LinearFromSrgb(picture->GetScalarComponentAsDouble(x, y, 0, 0) / 255.0);
+        const double error = found / white - (passes + (1.0 - passes) * free);
+        squares += error * error;
+        mean += error;
+        ++count;
+      }
+    }
+  }
+  RELIEVO_CHECK(count > 300);
+  RELIEVO_CHECK_AT_MOST(std::sqrt(squares / count), 0.04, "parts of a half shadow: rms");
+  RELIEVO_CHECK_AT_MOST(std::abs(mean / count), 0.02, "parts of a half shadow: mean");
 }
 
 // Volumes in front of black, seen along z in parallel projection: light from above is then equal
@@ -543,6 +786,20 @@ void TestOnVolumes()
   CheckLeft(stage, 0.5, glm::dvec2(std::exp(-0.5 * Sigma)), "a volume below another one");
   stage.Renderer->RemoveVolume(above.Prop);
 
+  // Each partition has texture coordinates of its own.
+  auto* mapper = vtkOpenGLGPUVolumeRayCastMapper::SafeDownCast(volume.Mapper);
+  if (mapper)
+  {
+    const relievoTest::ExpectMessage expect("it has partitions");
+    shadows->SetPropCasts(volume.Prop, vtkRelievoShadowStage::CASTS_ALWAYS);
+    mapper->SetPartitions(1, 2, 1);
+    volume.Image->Modified();
+    CheckLeft(stage, 0.5, { 1.0, 1.0 }, "a volume in partitions");
+    mapper->SetPartitions(1, 1, 1);
+    volume.Image->Modified();
+    shadows->SetPropCasts(volume.Prop, vtkRelievoShadowStage::CASTS_NEVER);
+  }
+
   // A slab over the left half.
   const auto slab = stage.AddBox({ -0.5, 1.6, 0.5 }, { 2.0, 0.1, 2.0 });
   slab->GetProperty()->SetOpacity(1.0);
@@ -569,7 +826,12 @@ RELIEVO_TEST_CASE(testVolumeShadows)
   TestSmooth();
   TestRefused();
   TestGround();
+  TestSteep();
+  TestProps();
+  TestManyLights();
+  TestNoReceivers();
   TestSoft();
+  TestSoftParts();
   TestOnVolumes();
   return session.Result();
 }

@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRelievoShadowProps.h"
 
+#include "vtkAbstractVolumeMapper.h"
 #include "vtkActor.h"
 #include "vtkCompositeDataDisplayAttributes.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkGlyph3DMapper.h"
+#include "vtkLODProp3D.h"
 #include "vtkMapper.h"
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
@@ -144,6 +146,7 @@ void vtkRelievoShadowProps::Collect(
   this->AllBoxes.clear();
   this->VolumeCasters.clear();
   this->VolumeReceivers.clear();
+  this->VolumesWithout.clear();
   this->Parts.clear();
   this->NotReceiving.clear();
   this->State.clear();
@@ -164,7 +167,7 @@ void vtkRelievoShadowProps::Collect(
     {
       choice = made.Prop == prop ? made : choice;
     }
-    this->AddVolumes(prop, choice, visible.Number);
+    this->AddVolumes(visible, choice);
     const bool mixed = vtkRelievoPropParts::IsMixed(prop, parts);
     parts.erase(std::remove_if(parts.begin(), parts.end(),
                   [&choice](const vtkRelievoPropParts::Part& part) {
@@ -255,29 +258,63 @@ void vtkRelievoShadowProps::Collect(
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoShadowProps::AddVolumes(vtkProp* prop, const Choice& choice, int number)
+void vtkRelievoShadowProps::AddVolumes(const vtkRelievoFrameProp& visible, const Choice& choice)
 {
-  vtkNew<vtkPropCollection> volumes;
-  prop->GetVolumes(volumes);
-  for (int i = 0; i < volumes->GetNumberOfItems(); ++i)
+  if (auto* levels = vtkLODProp3D::SafeDownCast(visible.Prop))
   {
-    auto* volume = vtkVolume::SafeDownCast(volumes->GetItemAsObject(i));
-    vtkRelievoBox box;
-    box.Number = number;
-    // Computing bounds also updates the mapper's input.
-    if (!volume || !volume->GetVisibility() || !volume->GetMapper() || !GetBox(volume, box))
+    // Only one level is drawn: when VTK chooses, the last drawn one is expected again.
+    const int last = levels->GetLastRenderedLODID();
+    const int level =
+      levels->GetAutomaticLODSelection() && last >= 0 ? last : levels->GetSelectedLODID();
+    vtkAbstractMapper3D* drawn = levels->GetLODMapper(level);
+    vtkNew<vtkPropCollection> volumes;
+    levels->GetVolumes(volumes);
+    for (int i = 0; i < volumes->GetNumberOfItems(); ++i)
     {
-      continue;
+      auto* volume = vtkVolume::SafeDownCast(volumes->GetItemAsObject(i));
+      if (volume && volume->GetMapper() == drawn)
+      {
+        this->AddVolume(visible, choice, volume, levels->GetMatrix());
+        return;
+      }
     }
-    if (choice.Casts != 0)
+    return;
+  }
+  for (const vtkRelievoPropParts::Part& part : visible.Parts)
+  {
+    if (auto* volume = vtkVolume::SafeDownCast(part.Prop))
     {
-      this->VolumeCasters.push_back(volume);
+      this->AddVolume(visible, choice, volume, part.Matrix);
     }
-    if (choice.Receives && volume->GetProperty()->GetShade())
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoShadowProps::AddVolume(
+  const vtkRelievoFrameProp& visible, const Choice& choice, vtkVolume* volume, vtkMatrix4x4* matrix)
+{
+  vtkRelievoBox box;
+  box.Number = visible.Number;
+  // Computing bounds also updates the mapper's input. A vtkMultiVolume may have no property.
+  if (!volume->GetVisibility() || !volume->GetMapper() || !GetBox(visible.Prop, box) ||
+    !volume->GetProperty())
+  {
+    return;
+  }
+  if (choice.Casts != 0)
+  {
+    this->VolumeCasters.emplace_back(volume, matrix);
+  }
+  if (choice.Receives && volume->GetProperty()->GetShade())
+  {
+    const std::string why = vtkRelievoVolumeExtinction::FindWhyNotPlaced(volume);
+    if (!why.empty())
     {
-      this->ReceiverBoxes.push_back(box);
-      this->VolumeReceivers.push_back(prop);
+      this->VolumesWithout += "; a volume receives none: " + why;
+      return;
     }
+    this->ReceiverBoxes.push_back(box);
+    this->VolumeReceivers.push_back(visible.Prop);
   }
 }
 

@@ -10,13 +10,16 @@
 #include "vtkRelievoPointGroups.h"
 #include "vtkRelievoShadowRegion.h"
 #include "vtkRelievoSplicedKeys.h"
+#include "vtkRelievoVolumeExtinction.h"
 #include "vtkWeakPointer.h"
 
 #include <cstdint>
 #include <set>
+#include <string>
 #include <vector>
 
 class vtkActor;
+class vtkMatrix4x4;
 class vtkOpenGLRenderPass;
 class vtkProp;
 class vtkRelievoCasterDraw;
@@ -76,8 +79,14 @@ public:
   // Props with volumes that are lit, and receive.
   const std::vector<vtkProp*>& GetVolumeReceivers() const { return this->VolumeReceivers; }
 
+  // For the frame's report: the lit volumes that cannot receive, with reasons, or "".
+  const std::string& GetVolumesWithout() const { return this->VolumesWithout; }
+
   // Volumes that cast.
-  const std::vector<vtkVolume*>& GetVolumeCasters() const { return this->VolumeCasters; }
+  const std::vector<vtkRelievoPlacedVolume>& GetVolumeCasters() const
+  {
+    return this->VolumeCasters;
+  }
 
   // All casters and visible surfaces that rays can trace, and the boxes of the others. Without
   // `attenuates`, translucent casters block all light.
@@ -122,7 +131,9 @@ private:
   void Render(vtkProp* prop, bool translucent, vtkRenderer* renderer);
   void AddState(vtkActor* actor);
   void AddDouble(double value); // appends to Part
-  void AddVolumes(vtkProp* prop, const Choice& choice, int number);
+  void AddVolumes(const vtkRelievoFrameProp& visible, const Choice& choice);
+  void AddVolume(const vtkRelievoFrameProp& visible, const Choice& choice, vtkVolume* volume,
+    vtkMatrix4x4* matrix);
 
   struct Caster
   {
@@ -148,7 +159,8 @@ private:
   vtkIdType TooManyTriangles = 0;         // of a mesh left for its triangles
   std::vector<vtkRelievoBox> ReceiverBoxes;
   std::vector<vtkRelievoBox> AllBoxes; // of receivers, whether chosen or not
-  std::vector<vtkVolume*> VolumeCasters;
+  std::string VolumesWithout;
+  std::vector<vtkRelievoPlacedVolume> VolumeCasters;
   std::vector<vtkProp*> VolumeReceivers;
   std::set<vtkProp*> Parts;        // props that draw themselves
   std::set<vtkProp*> NotReceiving; // of Parts

@@ -165,7 +165,7 @@ void vtkRelievoShadowVolumes::Begin(const Shadows& shadows)
 {
   const std::vector<vtkProp*>& props = shadows.Work.Props.GetVolumeReceivers();
   const vtkRelievoShadowStructure& structure = shadows.Work.Structure;
-  if (props.empty() || structure.Lights.empty() || this->Begun)
+  if (props.empty() || structure.Lights.empty() || this->Begun || shadows.Strength <= 0.0)
   {
     return;
   }
@@ -176,8 +176,10 @@ void vtkRelievoShadowVolumes::Begin(const Shadows& shadows)
     this->Past = past;
     this->Splice->ModifyShaders();
   }
-  this->Splice->Fill = [this, shadows](std::string& fragment, vtkVolumeMapper*, vtkVolume*) {
-    return this->Fill(fragment, shadows);
+  this->Splice->Fill = [this, shadows](std::string& fragment, vtkVolumeMapper* mapper, vtkVolume*) {
+    return vtkRelievoVolumeSplice::HasPartitions(mapper)
+      ? std::string("it has partitions; call SetPartitions(1, 1, 1)")
+      : this->Fill(fragment, shadows);
   };
   this->Splice->Set = [this, shadows](vtkShaderProgram* program, vtkVolumeMapper* mapper,
                         vtkVolume* volume) { this->SetUniforms(program, mapper, volume, shadows); };
