@@ -8,6 +8,8 @@
 #include "vtkActor.h"
 #include "vtkCellArray.h"
 #include "vtkDataSet.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
 #include "vtkFloatArray.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
@@ -92,6 +94,12 @@ vtkFloatArray* GetShades(vtkActor* ground)
   return vtkFloatArray::SafeDownCast(GetDisc(ground)->GetPointData()->GetArray("shade"));
 }
 
+// The colour where nothing hides the sky. The points' bytes are rounded, after the shades.
+vtkDoubleArray* GetExactColor(vtkActor* ground)
+{
+  return vtkDoubleArray::SafeDownCast(GetDisc(ground)->GetFieldData()->GetArray("exact color"));
+}
+
 vtkUnsignedCharArray* GetColors(vtkActor* ground)
 {
   vtkPolyData* disc = GetDisc(ground);
@@ -158,6 +166,11 @@ vtkSmartPointer<vtkActor> MakeGround(
   disc->SetPolys(cells);
   disc->GetPointData()->SetScalars(colors);
   disc->GetPointData()->AddArray(shades);
+  vtkNew<vtkDoubleArray> exact;
+  exact->SetName("exact color");
+  exact->SetNumberOfComponents(3);
+  exact->SetNumberOfTuples(1);
+  disc->GetFieldData()->AddArray(exact);
 
   vtkNew<vtkPolyDataMapper> mapper;
   mapper->SetInputData(disc);
@@ -178,16 +191,13 @@ vtkSmartPointer<vtkActor> MakeGround(
 //------------------------------------------------------------------------------
 void GetGroundColor(vtkActor* ground, double color[3])
 {
-  for (int i = 0; i < 3; ++i)
-  {
-    vtkUnsignedCharArray* colors = GetColors(ground);
-    color[i] = colors->GetComponent(colors->GetNumberOfTuples() - 1, i) / 255.0; // no shade there
-  }
+  GetExactColor(ground)->GetTypedTuple(0, color);
 }
 
 //------------------------------------------------------------------------------
 void SetGroundColor(vtkActor* ground, const double color[3])
 {
+  GetExactColor(ground)->SetTypedTuple(0, color);
   vtkUnsignedCharArray* colors = GetColors(ground);
   vtkFloatArray* shades = GetShades(ground);
   for (vtkIdType point = 0; point < colors->GetNumberOfTuples(); ++point)

@@ -35,6 +35,8 @@ import numpy
 from numpy.typing import ArrayLike
 """
 
+_ANY = "from typing import Any\n\ndef __getattr__(name: str) -> Any: ...\n"
+
 # The types of parameters by their names, which mean the same in most functions, or by function and
 # name. Any: a renderer, a plotter, data or a filter. Others have the type of their default.
 _PARAMETERS = {
@@ -189,10 +191,13 @@ def _modules(package, folder):
 
 
 def _wrapped_texts(modules, package, homes):
-    """The text of each module by its name, from VTK's generator; classes by their full names."""
-    with tempfile.TemporaryDirectory() as folder:
+    """The text of each module by its name, from VTK's generator; classes by their full names.
+    Without the generator, which Debian's VTK 9.1 lacks, a module may have any name."""
+    try:
         from .vtk import generate_pyi
-
+    except ImportError:
+        return dict.fromkeys(modules, _ANY)
+    with tempfile.TemporaryDirectory() as folder:
         generate_pyi.main(["generate_pyi", "-p", package, "-o", folder, *modules])
         texts = {name: pathlib.Path(folder, f"{name}.pyi").read_text("utf-8") for name in modules}
 
@@ -244,7 +249,7 @@ def _aliases(package):
     """The files and texts of the stubs of `relievo.vtk`, which are the modules of a package."""
     root = pathlib.Path(*importlib.import_module(package).__path__)
     typed = (root / "py.typed").is_file()  # Debian's VTK has no stubs: any name may be in a module
-    end = "" if typed else "from typing import Any\n\ndef __getattr__(name: str) -> Any: ...\n"
+    end = "" if typed else _ANY
     files = [*root.rglob("*.py"), *root.rglob("vtk*.so")]
     for path in sorted({each.relative_to(root).with_name(each.name.split(".")[0])
                         for each in files}):  # fmt: skip

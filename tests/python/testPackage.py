@@ -134,6 +134,9 @@ class Stub(unittest.TestCase):
             self.assertRegex(vtk, r"^from vtkmodules\.vtkRenderingCore import|\nclass vtkActor\b")
             self.assertTrue(pathlib.Path(folder, "vtk", "util", "numpy_support.pyi").is_file() or
                             (_vtkmodules.FOLDER / "vtk" / "__init__.py").is_file())  # fmt: skip
+        if importlib.util.find_spec(f"{_stub.VTK}.generate_pyi") is None:
+            self.assertIn("def __getattr__", texts["vtkRelievoMaterials"])
+            return  # Debian's VTK 9.1 cannot describe its classes
         classes = {}
         for text in texts.values():
             for each in ast.parse(text).body:

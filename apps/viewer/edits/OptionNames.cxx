@@ -52,7 +52,7 @@ constexpr Row Rows[] = {
   { "--range", "Range", "Look" },
   { "--colormap", "Colour map", "Look" },
   { "--scalar-bar", "Show a colour bar", "Look" },
-  { "--bar", "Place of the bar", "Look" },
+  { "--bar", "Side of the bar", "Look" },
   { "--color", "One colour", "Look" },
   { "--normal-map", "Normal map", "Look" },
   { "--height-map", "Height map", "Look" },
