@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Options of what is written over a picture.
+ * Options of texts, bars and grids over a picture.
  */
 #ifndef AnnotationOptions_h
 #define AnnotationOptions_h

@@ -82,7 +82,7 @@ glm::dmat4 GetIndexToData(vtkImageData* image, bool cells, int size[3])
   return vtkRelievoToGlm(image->GetIndexToPhysicalMatrix()) * toCorner;
 }
 
-// Why rays cannot follow what the volume's mapper draws, or "".
+// The reason why rays cannot follow the mapper's drawing, or "".
 std::string FindWhyNot(vtkVolume* volume, vtkVolumeMapper* mapper)
 {
   vtkVolumeProperty* property = volume->GetProperty();

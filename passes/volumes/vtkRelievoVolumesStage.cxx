@@ -35,8 +35,8 @@
 
 namespace
 {
-// What is drawn by itself: a volume, one that is part of an assembly, or the one of several levels
-// of detail that VTK chooses then.
+// A part that is drawn by itself: a volume, one in an assembly, or the level of detail that VTK
+// chooses.
 struct Drawn
 {
   vtkProp* Prop = nullptr;

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
 """Builds Relievo's wheel, for pip (pyproject.toml): scikit-build-core on the SDK of a VTK, then
-auditwheel, which puts what is linked beside VTK into the wheel.
+auditwheel, which puts the libraries other than VTK's into the wheel.
 
 The SDK is that of wheels.txt, or the folder of the setting `sdk` (--config-settings sdk=DIR). A VTK
 whose Python package is `vtkmodules` is required from PyPI, in its version. Another, such as cvista,

@@ -155,7 +155,7 @@ vec3 relievoUnshadowedColorRELIEVO_NUMBER()
   relievoVisibility[RELIEVO_SLOT] =
     relievoShadowCube(RELIEVO_FACE, RELIEVO_SHADOW_POSITION, relievoShadowNormalVC);
 
-// Volumes dim what the maps and rays of surfaces leave.
+// Volumes dim the light that the maps and rays of surfaces let pass.
 //RELIEVO::Section(ShadeDec)
 //RELIEVO::Include(volumes/shade.glsl)
 

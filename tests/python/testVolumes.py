@@ -556,7 +556,7 @@ class Volumes(unittest.TestCase):
                 numpy.testing.assert_allclose(found[name], truth[name], 1e-5, 1e-5, err_msg=name)
 
     def test_rejected(self):
-        """What has no layers is named once."""
+        """Volumes without layers are named once."""
         on_cpu = vtkSmartVolumeMapper()
         on_cpu.SetRequestedRenderModeToRayCast()
         average = vtkGPUVolumeRayCastMapper()

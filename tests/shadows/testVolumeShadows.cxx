@@ -458,7 +458,7 @@ struct ZenithStage : ShadowStage
   }
 };
 
-// Depths beyond what the texture's numbers hold.
+// Depths too large for the texture's half floats.
 void TestSteep()
 {
   ZenithStage stage;
@@ -676,7 +676,7 @@ struct LitStage : ShadowStage
     this->Light(this->Sun, glm::dvec3(0.8, 0.0, 0.0));
     this->Sun->SetPosition(0.5, 5.0, 0.5);
     this->Sun->SetFocalPoint(0.5, 0.0, 0.5);
-    // As good as parallel.
+    // Far enough away for parallel rays.
     this->Light(this->Lamp, glm::dvec3(0.0, 0.8, 0.0));
     this->Lamp->SetPosition(0.5, 1000.0, 0.5);
     this->Lamp->SetFocalPoint(0.5, 0.0, 0.5);

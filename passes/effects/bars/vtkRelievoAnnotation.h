@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Numbers, ticks, ink and font of what is written over a picture: colour bar, grid, scale bar.
+// Numbers, ticks, ink and font of the colour bar, the grid and the scale bar over a picture.
 #ifndef vtkRelievoAnnotation_h
 #define vtkRelievoAnnotation_h
 

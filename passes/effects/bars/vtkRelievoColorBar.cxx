@@ -132,7 +132,7 @@ struct vtkRelievoColorBar::Internals
     return ticks;
   }
 
-  // As many as fit.
+  // The largest number of ticks that fits.
   Ticks MakeTicks(double length, double size, bool flat, int steps)
   {
     if (!this->First.empty() || !this->Last.empty())

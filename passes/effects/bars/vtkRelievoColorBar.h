@@ -40,7 +40,7 @@ public:
   ///@}
 
   ///@{
-  /** What the values are, in UTF-8; above the bar. Default: none. */
+  /** The name of the values, in UTF-8; above the bar. Default: none. */
   void SetTitle(RELIEVO_TEXT title);
   std::string GetTitle();
   ///@}

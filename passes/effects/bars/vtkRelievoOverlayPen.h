@@ -29,7 +29,7 @@ public:
   vtkRelievoOverlayPen();
   ~vtkRelievoOverlayPen();
 
-  // Forgets what was added; the viewport must be in a window.
+  // Starts without texts and lines; the viewport must be in a window.
   void Begin(vtkViewport* viewport);
 
   // Width and height of a text; `size` is the font's height in pixels.

@@ -38,7 +38,7 @@ glm::dvec3 ToLinear(const Lch& color)
     -0.0041960863 * l - 0.7034186147 * m + 1.7076147010 * s };
 }
 
-// As on displays: with less chroma if a display cannot show the colour; lightness and hue stay.
+// A colour that displays cannot show gets less chroma; its lightness and hue stay.
 glm::dvec3 ToDisplay(Lch color)
 {
   const auto isShown = [](const glm::dvec3& rgb) {
