@@ -9,6 +9,11 @@ if (RELIEVO_CCACHE AND NOT DEFINED CMAKE_CXX_COMPILER_LAUNCHER)
     "CCACHE_SLOPPINESS=pch_defines,time_macros" # otherwise it does not cache objects that use precompiled headers
     "${RELIEVO_CCACHE}")
 endif ()
+# Sources that are compiled several at once are included by absolute paths, which __FILE__ would contain:
+# then a copy of the tree finds none of them in the cache.
+if (CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
+  add_compile_options("$<$<COMPILE_LANGUAGE:CXX>:-fmacro-prefix-map=${PROJECT_SOURCE_DIR}/=>")
+endif ()
 
 # VTK includes a generated header by an absolute path in a macro, which the cache cannot make relative.
 function (relievo_relative_autoinit)

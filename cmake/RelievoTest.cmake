@@ -29,6 +29,7 @@ set(RELIEVO_DATA "${PROJECT_SOURCE_DIR}/build/data" CACHE PATH
 set(RELIEVO_TESTS_LEFT_OUT "" CACHE STRING
   "Labels of tests that this build does without, such as `once`; their sources are not compiled")
 set(RELIEVO_TEST_OUTPUT "${PROJECT_BINARY_DIR}/Testing/output")
+set(relievo_test_seconds "${PROJECT_SOURCE_DIR}/tests/seconds.csv")
 
 # Adds the sources to the program of the current folder, once each, and returns its name.
 function (relievo_test_program result)
@@ -121,7 +122,14 @@ function (relievo_add_test)
       "LSAN_OPTIONS=suppressions=${PROJECT_SOURCE_DIR}/tests/support/lsan.supp:print_suppressions=0"
       "UBSAN_OPTIONS=print_stacktrace=1:halt_on_error=1")
   endif ()
+  # Longer tests start first, so that no core waits at the end.
+  set(cost 0)
+  file(STRINGS "${relievo_test_seconds}" row REGEX "^${test_NAME},")
+  if (row MATCHES ",([0-9.]+)$")
+    set(cost "${CMAKE_MATCH_1}")
+  endif ()
   set_tests_properties("${test_NAME}" PROPERTIES
+    COST "${cost}"
     LABELS "${test_LABELS}"
     TIMEOUT "${test_TIMEOUT}"
     ENVIRONMENT "${environment}"
