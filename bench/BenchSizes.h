@@ -7,12 +7,24 @@
 #ifndef relievoBenchSizes_h
 #define relievoBenchSizes_h
 
+#include <cstddef>
 #include <string>
 #include <utility>
 #include <vector>
 
 namespace relievoBench
 {
+struct NormalSizes
+{
+  std::size_t Uniform = 10000000; // directions
+  std::size_t Special = 600000;   // at and near axes and seams
+};
+
+struct PositionSizes
+{
+  int Rounds = 25;
+};
+
 struct EnvironmentSizes
 {
   int Looks = 100000;
@@ -189,6 +201,8 @@ struct SkinSizes
 };
 
 /** Benches with other sizes; RelievoBenchEnvironment and so on use those of the charts. */
+int BenchNormals(const std::string& outDir, const NormalSizes& sizes);
+int BenchPosition(const std::string& outDir, const PositionSizes& sizes);
 int BenchEnvironment(const std::string& outDir, const EnvironmentSizes& sizes);
 int BenchRelief(const std::string& outDir, const ReliefSizes& sizes);
 int BenchLights(const std::string& outDir, const LightSizes& sizes);

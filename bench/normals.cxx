@@ -7,6 +7,7 @@
 // as in shaders, and compared with the direction in double.
 #include "RelievoBench.h"
 
+#include "BenchSizes.h"
 #include "NormalPeers.h"
 #include "Statistics.h"
 #include "Table.h"
@@ -25,8 +26,6 @@ namespace
 using namespace relievoBench;
 namespace f32 = relievo::f32;
 
-constexpr std::size_t Uniform = 10000000;
-constexpr std::size_t Special = 600000;
 constexpr double Pi = 3.14159265358979323846;
 
 // A number in [0, 1) from a counter: equal on every machine, unlike std's distributions.
@@ -154,7 +153,7 @@ double Nanoseconds(std::size_t count, Work work)
 }
 
 template <typename Format>
-Result Measure(const char* family, const std::string& name, int bits)
+Result Measure(const NormalSizes& sizes, const char* family, const std::string& name, int bits)
 {
   constexpr std::size_t Count = 8192; // fits into the second-level cache
   std::vector<glm::vec3> normals(Count);
@@ -172,8 +171,8 @@ Result Measure(const char* family, const std::string& name, int bits)
     [&]() { std::transform(normals.begin(), normals.end(), words.begin(), &Format::Encode); });
   result.DecodeNs = Nanoseconds(
     Count, [&]() { std::transform(words.begin(), words.end(), decoded.begin(), &Format::Decode); });
-  result.Uniform = Errors<Format>(Uniform, UniformDirection);
-  result.Special = Errors<Format>(Special, SpecialDirection);
+  result.Uniform = Errors<Format>(sizes.Uniform, UniformDirection);
+  result.Special = Errors<Format>(sizes.Special, SpecialDirection);
   result.Max = std::max(result.Uniform.Max, result.Special.Max);
   std::cout << name << ", " << bits << " bits: mean " << Number(result.Uniform.Mean) << ", p99 "
             << Number(result.Uniform.P99) << ", max " << Number(result.Uniform.Max)
@@ -184,41 +183,41 @@ Result Measure(const char* family, const std::string& name, int bits)
 }
 
 template <template <int> class Format>
-void MeasurePairs(const char* family, std::vector<Result>& results)
+void MeasurePairs(const NormalSizes& sizes, const char* family, std::vector<Result>& results)
 {
   const std::string name = family;
-  results.push_back(Measure<Format<8>>(family, name + " 2x8", 16));
-  results.push_back(Measure<Format<16>>(family, name + " 2x16", 32));
+  results.push_back(Measure<Format<8>>(sizes, family, name + " 2x8", 16));
+  results.push_back(Measure<Format<16>>(sizes, family, name + " 2x16", 32));
 }
 
 template <template <int> class Format>
-void MeasureOct(const char* family, std::vector<Result>& results)
+void MeasureOct(const NormalSizes& sizes, const char* family, std::vector<Result>& results)
 {
   const std::string name = family;
-  results.push_back(Measure<Format<8>>(family, name + " 2x8", 16));
-  results.push_back(Measure<Format<10>>(family, name + " 2x10", 20));
-  results.push_back(Measure<Format<12>>(family, name + " 2x12", 24));
-  results.push_back(Measure<Format<16>>(family, name + " 2x16", 32));
+  results.push_back(Measure<Format<8>>(sizes, family, name + " 2x8", 16));
+  results.push_back(Measure<Format<10>>(sizes, family, name + " 2x10", 20));
+  results.push_back(Measure<Format<12>>(sizes, family, name + " 2x12", 24));
+  results.push_back(Measure<Format<16>>(sizes, family, name + " 2x16", 32));
 }
 
 }
 
 //------------------------------------------------------------------------------
-int RelievoBenchNormals(const std::string& outDir)
+int relievoBench::BenchNormals(const std::string& outDir, const NormalSizes& sizes)
 {
   if (!MakeFolder(outDir))
   {
     return 1;
   }
   std::vector<Result> results;
-  MeasureOct<Oct>("octahedral", results);
-  MeasureOct<OctPrecise>("octahedral precise", results);
-  results.push_back(Measure<Biased<8>>("0.5n+0.5", "0.5n+0.5 RGB8", 24));
-  results.push_back(Measure<Biased<10>>("0.5n+0.5", "0.5n+0.5 RGB10A2", 32));
-  results.push_back(Measure<Half>("half", "half xyz", 48));
-  results.push_back(Measure<Float>("float", "float xyz", 96));
-  MeasurePairs<Spherical>("spherical angles", results);
-  MeasurePairs<Azimuthal>("azimuthal", results);
+  MeasureOct<Oct>(sizes, "octahedral", results);
+  MeasureOct<OctPrecise>(sizes, "octahedral precise", results);
+  results.push_back(Measure<Biased<8>>(sizes, "0.5n+0.5", "0.5n+0.5 RGB8", 24));
+  results.push_back(Measure<Biased<10>>(sizes, "0.5n+0.5", "0.5n+0.5 RGB10A2", 32));
+  results.push_back(Measure<Half>(sizes, "half", "half xyz", 48));
+  results.push_back(Measure<Float>(sizes, "float", "float xyz", 96));
+  MeasurePairs<Spherical>(sizes, "spherical angles", results);
+  MeasurePairs<Azimuthal>(sizes, "azimuthal", results);
 
   Table table({ "format", "bits", "mean degrees", "p99", "max", "max at axes and seams",
     "encode ns", "decode ns" });
@@ -229,4 +228,10 @@ int RelievoBenchNormals(const std::string& outDir)
       Number(result.EncodeNs, 3), Number(result.DecodeNs, 3) });
   }
   return table.WriteCsv(outDir + "/normals.csv") ? 0 : 1;
+}
+
+//------------------------------------------------------------------------------
+int RelievoBenchNormals(const std::string& outDir)
+{
+  return BenchNormals(outDir, NormalSizes());
 }

@@ -10,6 +10,7 @@
 // way.
 #include "RelievoBench.h"
 
+#include "BenchSizes.h"
 #include "EmbreeScene.h"
 #include "FrameBench.h"
 #include "PositionFormats.h"
@@ -43,7 +44,6 @@ using relievoTest::View;
 
 constexpr int Width = 800;
 constexpr int Height = 600;
-constexpr int Rounds = 25;
 
 // OpenGL rounds corners to 1/256 pixel: nearer to an edge, the hit triangle is undetermined.
 constexpr double Grid = 1. / 256.;
@@ -236,7 +236,7 @@ Result Measure(
 }
 
 // Frame times of the methods, relative to a plain frame.
-std::vector<relievoTest::TimingPair> TimeFrames(vtkPolyData* mesh)
+std::vector<relievoTest::TimingPair> TimeFrames(vtkPolyData* mesh, int rounds)
 {
   const SceneWindow plain(mesh, Width, Height);
   std::vector<std::unique_ptr<SceneWindow>> windows;
@@ -249,7 +249,7 @@ std::vector<relievoTest::TimingPair> TimeFrames(vtkPolyData* mesh)
     pass->RequestLayer(method.Layer);
     frames.push_back(windows.back()->Frame());
   }
-  const std::vector<Timing> times = TimeInTurn(frames, Rounds);
+  const std::vector<Timing> times = TimeInTurn(frames, rounds);
   std::vector<relievoTest::TimingPair> pairs;
   for (std::size_t m = 0; m < std::size(Methods); ++m)
   {
@@ -261,7 +261,7 @@ std::vector<relievoTest::TimingPair> TimeFrames(vtkPolyData* mesh)
 }
 
 //------------------------------------------------------------------------------
-int RelievoBenchPosition(const std::string& outDir)
+int relievoBench::BenchPosition(const std::string& outDir, const PositionSizes& sizes)
 {
   const vtkSmartPointer<vtkPolyData> mesh = SceneMesh("bunny");
   if (!mesh || !MakeFolder(outDir))
@@ -287,7 +287,7 @@ int RelievoBenchPosition(const std::string& outDir)
                 << result.OnEdges << " on edges left out" << std::endl;
     }
   }
-  const std::vector<relievoTest::TimingPair> frames = TimeFrames(mesh);
+  const std::vector<relievoTest::TimingPair> frames = TimeFrames(mesh, sizes.Rounds);
   Table table({ "format", "bytes", "from", "projection", "scene at", "pixels", "left out on edges",
     "error px median", "p99", "max", "max of the format alone", "times a plain frame", "+-",
     "frame measured with", "load" });
@@ -307,4 +307,10 @@ int RelievoBenchPosition(const std::string& outDir)
     }
   }
   return table.WriteCsv(outDir + "/position.csv") ? 0 : 1;
+}
+
+//------------------------------------------------------------------------------
+int RelievoBenchPosition(const std::string& outDir)
+{
+  return BenchPosition(outDir, PositionSizes());
 }

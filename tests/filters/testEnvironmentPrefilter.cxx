@@ -66,7 +66,7 @@ glm::dvec3 Texel(vtkImageData* image, vtkIdType i)
 // GGX by its half vector, times the cosine, as the papers write it.
 double Weight(double x, double roughness)
 {
-  const double alpha2 = std::pow(roughness, 4.);
+  const double alpha2 = roughness * roughness * roughness * roughness;
   const double half2 = (1. + x) / 2.;
   const double below = half2 * (alpha2 - 1.) + 1.;
   return x > 0. ? alpha2 / (Pi * below * below) * x : 0.;
@@ -142,11 +142,12 @@ void TestGradient()
     const double roughness = level / 5.;
     double first = 0.;
     double zeroth = 0.;
-    for (int i = 0; i < 2000000; ++i)
+    for (int i = 0; i < 100000; ++i)
     {
-      const double x = (i + 0.5) / 2000000;
-      first += x * Weight(x, roughness);
-      zeroth += Weight(x, roughness);
+      const double x = (i + 0.5) / 100000;
+      const double weight = Weight(x, roughness);
+      first += x * weight;
+      zeroth += weight;
     }
     vtkImageData* image = LevelOf(levels, level);
     const int n = image->GetDimensions()[0];
@@ -196,7 +197,7 @@ void TestSuns()
     },
     Cube, 128);
   sun->GetPointData()->GetScalars()->SetTuple3(128 * 37 + 50, 1e5, 9e4, 8e4);
-  TestSums("sun", sun, 5e-4, 15, 0.01);
+  TestSums("sun", sun, 5e-4, 8, 0.01);
   const vtkSmartPointer<vtkImageData> noise =
     MakeEnvironment([](const glm::dvec3&) { return glm::dvec3(0.); }, Cube, 64);
   std::mt19937 random(5);
@@ -205,7 +206,7 @@ void TestSuns()
     const double value = std::exp(12. * double(random()) / 4294967296.) / 1e3;
     noise->GetPointData()->GetScalars()->SetTuple3(i, value, value, 1.);
   }
-  TestSums("noise", noise, 5e-4, 30, 0.01);
+  TestSums("noise", noise, 5e-4, 15, 0.01);
   // Only a sun: its remaining light elsewhere is as small as expected.
   const vtkSmartPointer<vtkImageData> alone =
     MakeEnvironment([](const glm::dvec3&) { return glm::dvec3(0.); }, Cube, 64);
@@ -275,7 +276,7 @@ RELIEVO_TEST_CASE(testEnvironmentPrefilter)
   Session session;
   TestFurnace();
   TestGradient();
-  TestSums("smooth light", MakeEnvironment(SmoothLight, Cube, 128), 5e-4, 10, 0.01);
+  TestSums("smooth light", MakeEnvironment(SmoothLight, Cube, 128), 5e-4, 5, 0.01);
   TestSums("smooth light, tolerance 1e-5", MakeEnvironment(SmoothLight, Cube, 64), 1e-5, 10, 0.002);
   TestSuns();
   TestStructure();

@@ -57,8 +57,8 @@ void AddSpheres(ShadowStage& stage)
     vtkNew<vtkSphereSource> sphere;
     sphere->SetCenter(-1.5 + 1.5 * (i % 3), radius + 0.3 * (i % 2), -1.5 + 1.5 * (i / 3));
     sphere->SetRadius(radius);
-    sphere->SetThetaResolution(96);
-    sphere->SetPhiResolution(48);
+    sphere->SetThetaResolution(60);
+    sphere->SetPhiResolution(30);
     sphere->Update();
     relievoTest::AddActor(stage.Renderer, sphere->GetOutput());
   }

@@ -34,7 +34,7 @@ using relievoTest::SceneLight;
 const std::map<std::string, double> Limits = { { "bunny", 0.0012 }, { "motorBike", 0.0015 },
   { "buildings", 0.0008 } };
 
-const int Sizes[][2] = { { 600, 600 }, { 800, 450 }, { 400, 1600 } };
+const int Sizes[][2] = { { 400, 400 }, { 600, 338 }, { 240, 960 } };
 
 const float* Visibility(const Layers& layers)
 {
@@ -51,7 +51,7 @@ void Test(
   {
     return;
   }
-  auto window = relievoTest::MakeWindow(600, 600, scene.Renderer);
+  auto window = relievoTest::MakeWindow(400, 400, scene.Renderer);
   relievoTest::GLCheck gl(window);
   const auto truth = scene.MakeTruth();
   for (const auto& size : Sizes)
