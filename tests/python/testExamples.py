@@ -70,9 +70,9 @@ WORDS = {"06_sun_study.py": ["--every", "120"], "10_relief_terrain.py": ["257"],
 
 # file name: constants that the copy which is run has instead, for the same reason
 SMALLER = {
-    "06_sun_study.py": {"SIZE": (480, 270)},
+    "06_sun_study.py": {"SIZE": (320, 180)},
     "07_three_spots.py": {"SIZE": (720, 360)},
-    "09_environment.py": {"SIZE": (600, 338)},
+    "09_environment.py": {"SIZE": (400, 225)},
     "12_town_at_night.py": {"SIZE": (640, 360)},
     "13_fog_valley.py": {"SIZE": (600, 300)},
     "14_markers.py": {"SIZE": (600, 300)},
@@ -101,10 +101,11 @@ def paths_of(*folders):
 
 
 def cells_of(notebook):
-    """The code of a notebook, with its largest pictures at a third of their size."""
+    """The code of a notebook, with most pictures at a third of their size."""
     cells = json.loads(notebook.read_text("utf-8"))["cells"]
     text = "\n".join("".join(cell["source"]) for cell in cells if cell["cell_type"] == "code")
-    return re.sub(r"\(960, (\d+)\)", lambda found: f"(320, {int(found[1]) // 3})", text)
+    return re.sub(r"\((960|480), (\d+)\)",
+                  lambda found: f"({int(found[1]) // 3}, {int(found[2]) // 3})", text)
 
 
 def read_png(path):
@@ -196,7 +197,7 @@ class Examples(unittest.TestCase):
         self.assertAlmostEqual(max(heights), 40.2, delta=0.5)  # at 11 h and 13 h
         # Long shadows make the first frame the darker one, but not black.
         early, noon = (read_png(self.folder / "out" / f"frame_0{i}.png") for i in (0, 2))
-        self.assertEqual(early.shape, (270, 480, 3))
+        self.assertEqual(early.shape, (180, 320, 3))
         self.assertLess(early.mean(), 0.8 * noon.mean())
         self.assertGreater(early[50:].std(), 10)
 

@@ -382,7 +382,13 @@ RELIEVO_TEST_CASE(testShadowSoft)
   for (const double radius : { 0.2, 0.5, 1., 2. })
   {
     TestEdge(vtkRelievoShadowStage::METHOD_EXACT, SceneLight::Point, radius, 160);
+  }
+  for (const double radius : { 0.2, 2. })
+  {
     TestMesh("bunny", SceneLight::Point, radius, 1.5 * Limit);
+  }
+  for (const double radius : { 0.5, 1. })
+  {
     TestMesh("arrows", SceneLight::Point, radius, 3. * Limit);
   }
   TestEdges();
