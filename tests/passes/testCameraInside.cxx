@@ -337,7 +337,7 @@ void TestCubes()
     stage.Renderer->AddActor(actor);
     const auto box = stage.AddBox({ 0.12, 0.08, 0.02 }, { 0.07, 0.05, 0.06 });
     stage.AddLamp({ -0.1, 0.05, 0.16 }, { 0., 0., 0. }, 90.);
-    stage.GetShadows()->SetMapSize(1280); // cubes fill it many times over
+    stage.GetShadows()->SetMapSize(transition > 0. ? 1024 : 640); // cubes fill it many times over
     Look(stage, { { -0.12, -0.16, 0.04 }, { 0.3, 0.15, 0. }, 5e-3, 4. });
     EmbreeScene truth;
     truth.AddActor(MakeCubes(cubes[0]->GetOutput()));
