@@ -5,7 +5,9 @@ as read here; a method looks alike in all charts; words overlap nowhere; and two
 bytes, those that are committed."""
 
 import collections
+import contextlib
 import csv
+import io
 import itertools
 import math
 import os
@@ -358,7 +360,7 @@ ROW_NAMES = {y for stem in WITH_ROWS for *_, y, _ in TRUTH[stem]}
 def faults(figure):
     """Faults forbidden in charts: texts that overlap, leave the picture, or are too small to read.
     """
-    figure.canvas.draw()
+    figure.draw_without_rendering()
     renderer = figure.canvas.get_renderer()
     words = [text for text in figure.findobj(Text) if text.get_visible() and text.get_text()]
     boxes = [Text.get_window_extent(text, renderer) for text in words]  # without lines to names
@@ -374,7 +376,19 @@ def faults(figure):
     return found
 
 
-def run(*words, status=0, **variables):
+def run(*words, status=0):
+    """The script in this process, which need not load matplotlib again; its errors."""
+    said = io.StringIO()
+    with contextlib.redirect_stderr(said):
+        try:
+            found = charts.main([str(word) for word in words])
+        except SystemExit as left:
+            found = left.code
+    assert found == status, f"{words}: {found}: {said.getvalue()}"
+    return said.getvalue()
+
+
+def run_apart(*words, status=0, **variables):
     done = subprocess.run(
         [sys.executable, str(SCRIPT), *map(str, words)], env={**os.environ, **variables},
         capture_output=True, text=True, check=False)  # fmt: skip
@@ -480,7 +494,7 @@ class Committed(unittest.TestCase):
         names = ("gbuffer", "shadows", "planner")  # that is enough to draw in another process
         with tempfile.TemporaryDirectory() as kept:
             here, there = pathlib.Path(kept), pathlib.Path(kept, "there")
-            run(TABLES, *names, "--out", there)
+            run_apart(TABLES, *names, "--out", there)
             for stem, figure in self.figures.items():
                 chart_drawing.save(figure, here / stem)
                 self.assertEqual(imread(here / f"{stem}.png").shape[1], 900)
@@ -574,23 +588,23 @@ class Script(unittest.TestCase):
             self.assertIn(f">times a plain frame, {said}<", picture)
 
     def test_refusals(self):
-        self.assertIn("'speed'", run(TABLES, "speed", status=2).stderr)
-        self.assertIn("nowhere", run(self.folder / "nowhere", status=2).stderr)
+        self.assertIn("'speed'", run(TABLES, "speed", status=2))
+        self.assertIn("nowhere", run(self.folder / "nowhere", status=2))
         self.copy("fog", "depth")
-        self.assertIn("fog-frames.csv", run(self.folder, "fog", status=1).stderr)
+        self.assertIn("fog-frames.csv", run(self.folder, "fog", status=1))
         table = self.folder / "depth.csv"
         table.write_text(table.read_text().replace("far/near", "ratio", 1))
-        self.assertIn("far/near", run(self.folder, "depth", status=1).stderr)
+        self.assertIn("far/near", run(self.folder, "depth", status=1))
         table.write_text("format,bytes\nR32F\n")
-        self.assertIn("line 2", run(self.folder, "depth", status=1).stderr)
+        self.assertIn("line 2", run(self.folder, "depth", status=1))
         self.assertEqual(self.names(), {"fog.csv", "depth.csv"})
 
     def test_without_matplotlib(self):
         (self.folder / "matplotlib.py").write_text(
             "raise ModuleNotFoundError('none', name='matplotlib')\n")  # fmt: skip
-        done = run(TABLES, "fog", status=3, PYTHONPATH=str(self.folder))
+        done = run_apart(TABLES, "fog", status=3, PYTHONPATH=str(self.folder))
         self.assertIn("python3-matplotlib", done.stderr)
-        run(TABLES, "capture", PYTHONPATH=str(self.folder))  # which has none
+        run_apart(TABLES, "capture", PYTHONPATH=str(self.folder))  # which has none
 
 
 if __name__ == "__main__":
