@@ -50,6 +50,11 @@ GroundSky::GroundSky(vtkRenderer* renderer, const double bounds[6], int upAxis, 
     this->Origin[i] = bounds[2 * this->Axes[i]];
     this->Size[i] = std::max(1, static_cast<int>(std::ceil(sides[i] / this->Cell)));
   }
+  for (int direction = 0; direction < Directions; ++direction)
+  {
+    const double angle = 2.0 * vtkMath::Pi() * (direction + 0.5) / Directions;
+    this->Along.push_back({ std::cos(angle), std::sin(angle) });
+  }
   this->Columns.assign(
     static_cast<std::size_t>(this->Size[0]) * this->Size[1], Column{ 1.0F, -1.0F });
   vtkActorCollection* actors = renderer->GetActors();
@@ -151,10 +156,8 @@ double GroundSky::GetHidden(const std::array<double, 3>& point) const
   const std::array<double, 2> from = { (point[this->Axes[0]] - this->Origin[0]) / this->Cell,
     (point[this->Axes[1]] - this->Origin[1]) / this->Cell };
   int hidden = 0;
-  for (int direction = 0; direction < Directions; ++direction)
+  for (const std::array<double, 2>& along : this->Along)
   {
-    const double angle = 2.0 * vtkMath::Pi() * (direction + 0.5) / Directions;
-    const std::array<double, 2> along = { std::cos(angle), std::sin(angle) };
     // Distances in cells at which the way enters and leaves the grid.
     double first = 0.5;
     double last = VTK_DOUBLE_MAX;
@@ -164,7 +167,7 @@ double GroundSky::GetHidden(const std::array<double, 3>& point) const
       first = std::max(first, std::min(ends[0], ends[1]));
       last = std::min(last, std::max(ends[0], ends[1]));
     }
-    std::uint32_t bands = 0;
+    std::uint64_t bands = 0;
     for (double distance = first; distance < last; distance += std::max(1.0, Growth * distance))
     {
       const int x =
@@ -176,15 +179,13 @@ double GroundSky::GetHidden(const std::array<double, 3>& point) const
       {
         // The light of a uniform sky below an elevation grows with its sine squared.
         const double away = distance * this->Cell;
-        const auto getBand = [away](double height) {
+        const auto getBandsBelow = [away](double height) {
           const double above = std::max(0.0, height);
-          return static_cast<int>(
-            std::lround(Bands * above * above / (above * above + away * away)));
+          return (std::uint64_t(1) << static_cast<unsigned int>(
+                    Bands * above * above / (above * above + away * away) + 0.5)) -
+            1;
         };
-        for (int band = getBand(column.Low); band < getBand(column.High); ++band)
-        {
-          bands |= 1U << static_cast<unsigned int>(band);
-        }
+        bands |= getBandsBelow(column.High) & ~getBandsBelow(column.Low);
       }
     }
     for (; bands != 0; bands &= bands - 1)

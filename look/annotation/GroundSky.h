@@ -40,6 +40,7 @@ private:
   double Cell = 0.0;              // side
   std::array<int, 2> Size{};
   std::vector<Column> Columns;
+  std::vector<std::array<double, 2>> Along; // unit vectors of the directions
 };
 }
 
