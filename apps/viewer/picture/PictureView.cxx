@@ -206,8 +206,8 @@ bool PictureView::eventFilter(QObject* watched, QEvent* event)
 }
 
 //------------------------------------------------------------------------------
-// Aborts a sample while an event waits for it. If that was no input, the next sample is drawn to its
-// end, so that a steady flow of other events does not keep the picture from being completed.
+// Aborts a sample while an event waits for it. If that was no input, the next sample is drawn to
+// its end, so that a steady flow of other events does not keep the picture from being completed.
 void PictureView::MakeWay()
 {
   if (this->Yields && QAbstractEventDispatcher::instance()->hasPendingEvents())
