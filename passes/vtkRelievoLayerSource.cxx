@@ -14,6 +14,8 @@
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkPointData.h"
+#include "vtkProp.h"
+#include "vtkPropCollection.h"
 #include "vtkRelievoDisplay.h"
 #include "vtkRelievoFormulas.h"
 #include "vtkRelievoFrameCamera.h"
@@ -21,7 +23,9 @@
 #include "vtkRelievoLensCamera.h"
 #include "vtkRelievoPass.h"
 #include "vtkRelievoShadowStage.h"
+#include "vtkRelievoStage.h"
 #include "vtkRelievoToneStage.h"
+#include "vtkRelievoVTKVersions.h"
 #include "vtkRenderer.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkStringArray.h"
@@ -59,6 +63,31 @@ std::string Escape(const std::string& text)
     out += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
   }
   return out;
+}
+
+// Whether the window has a wrong alpha of translucent surfaces, which the linear colour has right.
+bool LosesAlpha(vtkRenderer* renderer, vtkRelievoPass* pass)
+{
+#ifdef RELIEVO_VTK_AVERAGED_TRANSMITTANCE
+  vtkRelievoStage* blend = pass->GetStage("blend");
+  const bool averaged = renderer->GetRenderWindow()->GetAlphaBitPlanes() != 0 &&
+    !renderer->GetUseDepthPeeling() && !renderer->GetUseFXAA() &&
+    !(blend && blend->GetReasonCode() == "ran");
+  vtkCollectionSimpleIterator it;
+  renderer->GetViewProps()->InitTraversal(it);
+  for (vtkProp* prop = nullptr; averaged && (prop = renderer->GetViewProps()->GetNextProp(it));)
+  {
+    if (prop->GetVisibility() && prop->HasTranslucentPolygonalGeometry())
+    {
+      return true;
+    }
+  }
+  return false;
+#else
+  static_cast<void>(renderer);
+  static_cast<void>(pass);
+  return false;
+#endif
 }
 
 // With its name and the layer that has its visibility, where a frame knows them.
@@ -248,6 +277,25 @@ int vtkRelievoLayerSource::RequestData(
   if (good && color)
   {
     vtkRelievoLayerSource::AddColor(this->Renderer, image);
+    if (LosesAlpha(this->Renderer, pass))
+    {
+      const std::string& name = vtkRelievoLayerCatalogue::GetPicture().Name;
+      if (!pass->IsLayerRequested(name))
+      {
+        pass->RequestLayer(name);
+        added.push_back(name);
+      }
+      vtkNew<vtkImageData> linear;
+      pass->WaitForSamplesOn();
+      good = this->Draw(pass, false) && pass->ReadLayer(name, linear);
+      pass->SetWaitForSamples(waits);
+      if (good)
+      {
+        image->GetPointData()
+          ->GetArray(name.c_str())
+          ->CopyComponent(3, linear->GetPointData()->GetArray(name.c_str()), 3);
+      }
+    }
   }
   // In the order in which they were asked for.
   for (std::size_t i = 0; i < this->Layers.size() && good; ++i)

@@ -90,6 +90,7 @@ private:
   void PresentColor();
   void CheckRaster();
   using HiddenPoints = std::vector<std::unique_ptr<vtkRelievoHiddenPoints>>;
+  bool CanDrawInStrips() const;
   void FindHidden(HiddenPoints& hidden) const;
 
   vtkRelievoFrameContext& Context;
@@ -108,6 +109,7 @@ private:
   bool ColorOpen = false;                       // the delegate draws into the colour target
   bool StagesDrawn = false;
   bool Presented = false;
+  bool KeepsPicture = false; // the window does, because the sample is aborted
 };
 
 #endif

@@ -17,6 +17,7 @@
 #include "vtkNew.h"
 #include "vtkPVRelievoSun.h"
 #include "vtkRelievoCaves.h"
+#include "vtkRelievoColormaps.h"
 #include "vtkRelievoEnvironment.h"
 #include "vtkRelievoEnvironmentConvert.h"
 #include "vtkRelievoEnvironmentIrradiance.h"
@@ -412,6 +413,18 @@ std::string MakeLayers(bool withPicture)
   return out;
 }
 
+std::string MakeColormaps()
+{
+  std::string out;
+  int value = 0;
+  for (const std::string& name : vtkRelievoColormaps::GetNames())
+  {
+    out += "          <Entry text=\"" + Escape(name) + "\" value=\"" + std::to_string(value++) +
+      "\"/>\n";
+  }
+  return out;
+}
+
 std::string MakeLayersHelp()
 {
   std::string out;
@@ -475,7 +488,7 @@ std::string FillIn(const std::string& line)
 std::map<std::string, std::string> MakeAll()
 {
   std::map<std::string, std::string> made = { { "layers", MakeLayers(true) },
-    { "layers: shown", MakeLayers(false) } };
+    { "layers: shown", MakeLayers(false) }, { "colour maps", MakeColormaps() } };
   vtkNew<vtkRelievoPass> frame;
   for (int i = 0; i < frame->GetNumberOfStages(); ++i)
   {

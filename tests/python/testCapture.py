@@ -255,10 +255,12 @@ class Windows(unittest.TestCase):
         for peeling in (False, True):
             renderer.SetUseDepthPeeling(peeling)
             shot = relievo.screenshot(renderer, size=(80, 80), transparent=True).astype(int)
+            color = relievo.layer(relievo.capture(renderer, "color", size=(80, 80)), "color")
             for place, alpha in (((20, 20), 0.75), ((20, 60), 1), ((60, 20), 0.2), ((60, 60), 1),
                                  ((40, 40), 0)):  # fmt: skip
                 pixel = shot[place]
                 self.assertAlmostEqual(pixel[3], 255 * alpha, delta=1.5, msg=(place, peeling))
+                self.assertAlmostEqual(color[place][3], alpha, delta=0.006, msg=(place, peeling))
                 expected = numpy.array(blue) * 255 * (alpha > 0)
                 numpy.testing.assert_allclose(pixel[:3], expected, atol=6, err_msg=str(place))
         self.assertEqual(renderer.GetBackground(), (0.2, 0.4, 0.6))

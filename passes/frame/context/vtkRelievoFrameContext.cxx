@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRelievoFrameContext.h"
 
+#include "vtkCommand.h"
+#include "vtkOpenGLRenderWindow.h"
 #include "vtkRelievoBoundFramebuffer.h"
 #include "vtkRelievoFrameColor.h"
 #include "vtkRelievoResource.h"
@@ -33,6 +35,16 @@ vtkRelievoResource::~vtkRelievoResource() = default;
 std::string vtkRelievoResource::GetDefines() const
 {
   return std::string();
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoFrameContext::IsAborted() const
+{
+  if (!this->Window->GetAbortRender())
+  {
+    this->Window->InvokeEvent(vtkCommand::AbortCheckEvent);
+  }
+  return this->Window->GetAbortRender() != 0;
 }
 
 //------------------------------------------------------------------------------

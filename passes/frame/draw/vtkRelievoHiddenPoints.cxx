@@ -35,7 +35,8 @@ using Access = vtkRelievoAccess::Mapper;
 
 // With fewer points, the search takes as long as the drawing.
 constexpr vtkIdType FewestPoints = 10000;
-constexpr double MostPixels = 32.0;  // per point
+constexpr double MostPixels = 32.0; // per point
+constexpr double LargestLoss = 20.0;
 constexpr float LargestSize = 32.0f; // pixels: the tables' size grows with its square
 constexpr float Infinity = std::numeric_limits<float>::infinity();
 
@@ -148,7 +149,33 @@ struct Group
   std::size_t End;
   glm::dvec3 Low; // corner of the points' box
   Cover Pixels;
+  bool Vague; // OpenGL's positions are not known well enough
 };
+
+// Loss of precision in a group's positions, as a factor; 1 if the view is not much smaller than the
+// distance to the origin of the stored floats. Infinite for groups beside and behind the camera.
+double GetLoss(
+  const glm::dmat4& toNDC, const glm::dvec3& origin, const vtkRelievoPointGroups::Group& group)
+{
+  const glm::dvec4 moved = toNDC * glm::dvec4(origin, 1.0);
+  double loss = 1.0;
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    const glm::dvec3 point((corner & 1) != 0 ? group.High.x : group.Low.x,
+      (corner & 2) != 0 ? group.High.y : group.Low.y,
+      (corner & 4) != 0 ? group.High.z : group.Low.z);
+    const glm::dvec3 stored = glm::abs(point - origin);
+    const double w = (toNDC * glm::dvec4(point, 1.0)).w;
+    for (int row = 0; row < 4; ++row)
+    {
+      const double sum = std::abs(moved[row]) + std::abs(toNDC[0][row]) * stored.x +
+        std::abs(toNDC[1][row]) * stored.y + std::abs(toNDC[2][row]) * stored.z;
+      // The bounds for a loss of 1 allow for a sum of four times w.
+      loss = w > 0.0 ? std::max(loss, 0.25 * sum / w) : std::numeric_limits<double>::infinity();
+    }
+  }
+  return loss;
+}
 
 class Finder
 {
@@ -170,13 +197,15 @@ public:
   {
   }
 
-  // The points that may be seen, in the order of the vertices.
-  std::vector<unsigned int> Find(const vtkRelievoPointGroups::Mesh& mesh)
+  // The points that may be seen, in the order of the vertices; groups with losses above the largest
+  // are seen.
+  std::vector<unsigned int> Find(
+    const vtkRelievoPointGroups::Mesh& mesh, const std::vector<double>& losses)
   {
     std::vector<bool> seen(mesh.GetNumberOfVertices());
     std::vector<Place> places;
     // From the front to the back: groups behind others need no look at their points.
-    std::vector<Group> groups = this->GetGroups(mesh);
+    std::vector<Group> groups = this->GetGroups(mesh, losses);
     for (Group& group : groups)
     {
       const bool hidden = this->IsHidden(group.Pixels);
@@ -185,7 +214,8 @@ public:
       {
         Place place;
         place.Vertex = mesh.Order[i];
-        const Where where = this->Project(group.Low + glm::dvec3(mesh.Places[i]), place);
+        const Where where =
+          group.Vague ? UNKNOWN : this->Project(group.Low + glm::dvec3(mesh.Places[i]), place);
         if (where == UNKNOWN)
         {
           seen[place.Vertex] = true;
@@ -259,14 +289,17 @@ private:
   }
 
   // The groups, the nearest first.
-  std::vector<Group> GetGroups(const vtkRelievoPointGroups::Mesh& mesh) const
+  std::vector<Group> GetGroups(
+    const vtkRelievoPointGroups::Mesh& mesh, const std::vector<double>& losses) const
   {
     std::vector<Group> groups;
     groups.reserve(mesh.Groups.size());
     std::size_t first = 0;
     for (const vtkRelievoPointGroups::Group& group : mesh.Groups)
     {
-      groups.push_back({ first, group.End, group.Low, this->GetCover(group) });
+      const bool vague = losses[groups.size()] > LargestLoss;
+      groups.push_back(
+        { first, group.End, group.Low, vague ? Cover() : this->GetCover(group), vague });
       first = group.End;
     }
     std::sort(groups.begin(), groups.end(),
@@ -477,24 +510,16 @@ vtkOpenGLPolyDataMapper* GetMapperOfSpheres(vtkProp* prop)
   return current && !others ? mapper : nullptr;
 }
 
-// Loss of precision of positions stored as floats in the buffer, as a factor; 1 around the origin.
-double GetLoss(vtkOpenGLPolyDataMapper* mapper)
+// The origin of the positions that the buffer stores as floats.
+glm::dvec3 GetOrigin(vtkOpenGLPolyDataMapper* mapper)
 {
   vtkOpenGLVertexBufferObject* vertices = Access::Buffers(mapper)->GetVBO("vertexMC");
-  if (!vertices || vertices->GetCoordShiftAndScaleEnabled())
+  if (!vertices || !vertices->GetCoordShiftAndScaleEnabled())
   {
-    return 1.0; // positions are around the origin
+    return glm::dvec3(0.0);
   }
-  double bounds[6];
-  mapper->GetInput()->GetBounds(bounds);
-  double far = 0.0;
-  double length = 0.0;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    far = std::max({ far, std::abs(bounds[2 * axis]), std::abs(bounds[2 * axis + 1]) });
-    length = std::max(length, bounds[2 * axis + 1] - bounds[2 * axis]);
-  }
-  return 1.0 + far / length;
+  const std::vector<double>& shift = vertices->GetShift();
+  return { shift[0], shift[1], shift[2] };
 }
 }
 
@@ -551,17 +576,24 @@ vtkRelievoHiddenPoints::vtkRelievoHiddenPoints(
   const double depth = viewToNDC->GetElement(2, 2);
   spheres.S = spheres.Parallel ? depth : 0.5 - 0.5 * depth;
   spheres.R = size / (renderer->GetSize()[0] * viewToNDC->GetElement(0, 0));
-  const double loss = GetLoss(mapper);
   const bool usual = spheres.Parallel ? spheres.S < 0.0 : spheres.S > 1.0;
-  if (!(usual && loss < 20.0 && spheres.R > 0.0 && spheres.R < 0.5))
+  if (!(usual && spheres.R > 0.0 && spheres.R < 0.5))
   {
     return;
+  }
+  const vtkRelievoPointGroups::Mesh& points = groups.Get(mesh);
+  std::vector<double> losses;
+  double loss = 1.0;
+  for (const vtkRelievoPointGroups::Group& group : points.Groups)
+  {
+    losses.push_back(GetLoss(toNDC, GetOrigin(mapper), group));
+    loss = losses.back() > LargestLoss ? loss : std::max(loss, losses.back());
   }
   // OpenGL places points on a grid of 1/256 pixel.
   const double slack = 0.01 + 1e-6 * loss * std::max(viewport[2], viewport[3]);
   const double tolerance = 1e-6 * loss * std::max(1.0, std::abs(spheres.S));
   Finder finder(toNDC, viewport, spheres, slack, tolerance);
-  const std::vector<unsigned int> seen = finder.Find(groups.Get(mesh));
+  const std::vector<unsigned int> seen = finder.Find(points, losses);
   if (!seen.empty() && this->Seen->Upload(seen, vtkOpenGLBufferObject::ElementArrayBuffer))
   {
     this->Seen->IndexCount = seen.size();
