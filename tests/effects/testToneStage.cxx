@@ -34,7 +34,7 @@ void TestOperators()
   ToneScene scene(64, 48);
   relievoTest::GLCheck gl(scene.Window);
   scene.PaintLight();
-  for (int which = 0; which < 4; ++which)
+  for (int which = 0; which <= vtkRelievoToneStage::NEUTRAL; ++which)
   {
     for (const double white : { 0.5, 4. })
     {
@@ -203,7 +203,7 @@ void TestAlpha()
     }
     RELIEVO_CHECK_AT_MOST(most, Rounding, "alpha, steps of 255");
   };
-  for (const int which : { 1, 2, 3 })
+  for (const int which : { 1, 2, 3, 4 })
   {
     scene.Tone->SetOperator(which);
     // Over black the colour is premultiplied; over white of alpha 0 it is the visible colour.
