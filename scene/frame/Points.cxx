@@ -109,8 +109,7 @@ void NoteDefaults(const PointsChoice& choice, vtkRelievoPointValues* points, Rea
     if (!given && parameter.PerPoint && names.count(parameter.Name) == 0 &&
       parameter.Unit.find("world unit") != std::string::npos)
     {
-      defaults += (defaults.empty() ? "" : " and ") + parameter.Name + " " +
-        points->GetParameter(parameter.Name);
+      defaults += (defaults.empty() ? "" : " and ") + parameter.Name + " " + parameter.Format();
     }
   }
   if (!defaults.empty())
@@ -152,8 +151,8 @@ FramePoints ReadFramePoints(const RenderOptions& options, ReadContext& context)
       points->SetParameter(parameter, value);
     }
     CheckArrays(choice, points);
-    FitDensity(choice, options, points);
     CheckPoints(choice.File, points, context);
+    FitDensity(choice, options, points);
     NoteDefaults(choice, points, context);
     all.push_back({ choice.Stage, points });
   }
