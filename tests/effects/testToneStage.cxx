@@ -58,6 +58,7 @@ void TestOperators()
 void TestWhiteAndLayer()
 {
   ToneScene scene(4, 2);
+  scene.Tone->SetOperatorToReinhard();
   scene.Tone->SetWhite(8.0);
   auto& pixels = scene.Paint->Pixels;
   pixels = { { 8, 8, 8, 1 }, { 9, 9, 9, 1 }, { 7.5, 7.5, 7.5, 1 }, { 65504, 65504, 65504, 1 },
