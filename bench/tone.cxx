@@ -90,8 +90,8 @@ bool MeasureOperators(const std::string& outDir, const ToneSizes& sizes)
         ++hues;
       }
     }
-    table.AddRow({ Operators[which], which == 2 || which == 3 ? Number(White) : std::string(), Number(picture),
-      Number(rounding, 2), Number(turned / std::max(1, hues), 2), Number(most, 2),
+    table.AddRow({ Operators[which], which == 2 || which == 3 ? Number(White) : std::string(),
+      Number(picture), Number(rounding, 2), Number(turned / std::max(1, hues), 2), Number(most, 2),
       Number(100. * kept / std::max(1, colours), 3) });
     std::cout << Operators[which] << ": picture within " << Number(picture)
               << " steps of 255, hue turned by " << Number(most, 2) << " degrees at most"

@@ -142,8 +142,7 @@ bool vtkRelievoScene::SetWords(vtkStringArray* words)
     std::vector<std::string> files = options.Files;
     files.insert(files.end(),
       { options.Surface.Environment, options.Surface.NormalMap, options.Surface.HeightMap,
-        options.Motion.Path,
-        vtkRelievoCalibration::IsFile(options.Lens) ? options.Lens : "" });
+        options.Motion.Path, vtkRelievoCalibration::IsFile(options.Lens) ? options.Lens : "" });
     for (const scene::PointsChoice& points : options.Points)
     {
       files.push_back(points.File);

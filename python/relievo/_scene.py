@@ -158,8 +158,8 @@ class Scene:
         video: the path of a film, .mp4 (H.264) or .mkv (FFV1, lossless), which the program ffmpeg
         makes; where it is missing, PNG files beside that path are written instead, with a note.
         turntable: the number of frames in which the camera goes once around the scene.
-        camera_path: a JSON or CSV file of views, or a list of pairs (seconds, view), where a view is
-        a vtkCamera or (position, focal point, up direction), through which the camera moves.
+        camera_path: a JSON or CSV file of views through which the camera moves, or a list of pairs
+        (seconds, view), where a view is a vtkCamera or (position, focal point, up direction).
         fps: frames per second (25). png: a path with %d or %04d, the number of the frame.
         resume: keeps the frames whose PNG files exist.
         Raises ValueError for wrong arguments, OSError for files, RuntimeError for failed drawing.

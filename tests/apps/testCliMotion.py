@@ -14,8 +14,8 @@ import numpy
 from cli import CliTest, main, read_png
 
 # A block that looks different from all sides, and the corners of its bounds.
-BLOCK = ("OFF\n8 6 0\n-1 -0.5 -2\n1 -0.5 -2\n1 0.5 -2\n-1 0.5 -2\n-1 -0.5 2\n1 -0.5 2\n0.2 0.3 1\n"
-         "-1 0.5 2\n4 0 3 2 1\n4 4 5 6 7\n4 0 1 5 4\n4 3 7 6 2\n4 1 2 6 5\n4 0 4 7 3\n")  # fmt: skip
+BLOCK = ("OFF\n8 6 0\n-1 -0.5 -2\n1 -0.5 -2\n1 0.5 -2\n-1 0.5 -2\n-1 -0.5 2\n1 -0.5 2\n"
+         "0.2 0.3 1\n-1 0.5 2\n4 0 3 2 1\n4 4 5 6 7\n4 0 1 5 4\n4 3 7 6 2\n4 1 2 6 5\n4 0 4 7 3\n")  # fmt: skip
 PLAIN = ["--preset", "none", "--size", "48x36"]
 CORNERS = numpy.array([(x, y, z) for x in (-1, 1) for y in (-0.5, 0.5) for z in (-2, 2)])
 
@@ -76,7 +76,8 @@ class Motion(CliTest):
                      "antialias:samples=1", "--turntable", 6, "--report", "v%d.json")  # fmt: skip
         views = self.views(6)
         for eye, forward, up, k in views:
-            self.assertAlmostEqual(numpy.linalg.norm(eye), numpy.linalg.norm(views[0][0]), places=9)
+            distance = numpy.linalg.norm(views[0][0])
+            self.assertAlmostEqual(numpy.linalg.norm(eye), distance, places=9)
             right = numpy.cross(forward, up)
             seen = (CORNERS - eye) @ numpy.array([right, -up, forward]).T @ k.T
             pixels = seen[:, :2] / seen[:, 2:]
@@ -95,8 +96,8 @@ class Motion(CliTest):
         self.assertNotIn("f6.png", self.names())
         for time, *view in keys:
             self.check_still(f"f{round(10 * time)}.png", *view)
-        rows = ["time,px,py,pz,fx,fy,fz,ux,uy,uz", *(
-            ",".join(map(str, (time, *place, *focus, *up))) for time, place, focus, up in keys)]  # fmt: skip
+        rows = ["time,px,py,pz,fx,fy,fz,ux,uy,uz"]
+        rows += [",".join(map(str, (time, *sum(view, ())))) for time, *view in keys]
         (self.folder / "path.csv").write_text("\n".join(rows))
         self.draw("--camera-path", "path.csv", "--fps", 10, "--png", "c%d.png")
         for i in range(6):

@@ -218,8 +218,8 @@ class Studio(CliTest):
         self.sphere("ball.obj")
 
         def sky(preset, sun, *more):
-            done = self.relievo("render", "ball.obj", "--ground", "off", "--preset", preset, "--light",
-                                "sun:" + sun, *SMALL, "--stage", "antialias:samples=1",
+            done = self.relievo("render", "ball.obj", "--ground", "off", "--preset", preset,
+                                "--light", "sun:" + sun, *SMALL, "--stage", "antialias:samples=1",
                                 *([] if preset == "print" else COARSE), "--png", "a.png",
                                 *more)  # fmt: skip
             self.assertEqual("night" in done.stderr, sun.split(",")[1].startswith("-"))

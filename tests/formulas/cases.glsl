@@ -194,7 +194,8 @@ uvec4 relievoTestColor(int which, uvec4 a)
   return uvec4(relievoHash(a.x), relievoHash(a.y), relievoHash(a.z), relievoHash(a.w));
 }
 
-// Tone: a.xyz light, whatever it is; 58: the operator neutral; 56: a.xyz coordinates of pixels; 57: values and thresholds.
+// Tone: a.xyz light, whatever it is; 56: a.xyz coordinates of pixels; 57: values and thresholds;
+// 58: light by the operator neutral.
 uvec4 relievoTestTone(int which, uvec4 a)
 {
   vec3 v = relievoTestVector(a);

@@ -245,7 +245,8 @@ class Scene(unittest.TestCase):
         scene.movie(png=self.path("m%d.png"), camera_path=[(1, views[0]), (1.5, camera)], fps=4,
                     resume=True)  # fmt: skip
         self.assertEqual((self.folder / "m1.png").read_bytes(), frames[1])
-        for wrong in ({"turntable": 1}, {"turntable": 3, "fps": 2}, {"camera_path": [(1, views[0])]}):
+        alone = [(1, views[0])]
+        for wrong in ({"turntable": 1}, {"turntable": 3, "fps": 2}, {"camera_path": alone}):
             with self.assertRaises(ValueError):
                 scene.movie(png=self.path("w%d.png"), **wrong)
         with self.assertRaisesRegex(ValueError, "movie"):
