@@ -14,8 +14,16 @@ import numpy
 from cli import CliTest, main, read_png
 
 # A block that looks different from all sides, and the corners of its bounds.
-BLOCK = ("OFF\n8 6 0\n-1 -0.5 -2\n1 -0.5 -2\n1 0.5 -2\n-1 0.5 -2\n-1 -0.5 2\n1 -0.5 2\n"
-         "0.2 0.3 1\n-1 0.5 2\n4 0 3 2 1\n4 4 5 6 7\n4 0 1 5 4\n4 3 7 6 2\n4 1 2 6 5\n4 0 4 7 3\n")  # fmt: skip
+BLOCK = """OFF
+8 6 0
+-1 -0.5 -2  1 -0.5 -2  1 0.5 -2  -1 0.5 -2  -1 -0.5 2  1 -0.5 2  0.2 0.3 1  -1 0.5 2
+4 0 3 2 1
+4 4 5 6 7
+4 0 1 5 4
+4 3 7 6 2
+4 1 2 6 5
+4 0 4 7 3
+"""
 PLAIN = ["--preset", "none", "--size", "48x36"]
 CORNERS = numpy.array([(x, y, z) for x in (-1, 1) for y in (-0.5, 0.5) for z in (-2, 2)])
 
